@@ -1,0 +1,99 @@
+/** @file base.h
+ *  What every other header stands on: export macro, version, result codes, error objects, handles.
+ *
+ *  Conventions of the whole interface: SI units (m, kg, s, rad); right-handed frames; quaternions cross as x, y, z, w;
+ *  every call returns an int32_t result (CAROM_OK is 0, errors are negative) and, where its last argument is a
+ *  carom_error*, writes the details there if it is not NULL. A call that fails has changed nothing.
+ *  The same checks run in Release and Debug builds. Nothing aborts, throws or prints across this boundary.
+ */
+#ifndef CAROM_BASE_H
+#define CAROM_BASE_H
+
+#include <stdint.h>
+
+#if defined(_WIN32)
+#  if defined(CAROM_BUILDING_LIBRARY)
+#    define CAROM_API __declspec(dllexport)
+#  else
+#    define CAROM_API __declspec(dllimport)
+#  endif
+#elif defined(__GNUC__)
+#  define CAROM_API __attribute__((visibility("default")))
+#else
+#  define CAROM_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define CAROM_VERSION_MAJOR 1u
+#define CAROM_VERSION_MINOR 0u
+#define CAROM_VERSION_PATCH 0u
+
+/* ---- results: each has a name and a remedy, see carom_result_name() and carom_result_remedy() ---- */
+#define CAROM_OK 0
+#define CAROM_E_NULL_ARGUMENT (-1)      /* a required pointer is NULL */
+#define CAROM_E_NOT_FINITE (-2)         /* a number is NaN or infinite */
+#define CAROM_E_OUT_OF_RANGE (-3)       /* a number is finite but outside its documented bounds */
+#define CAROM_E_NOT_UNIT (-4)           /* a quaternion or normal is further than 1e-6 from unit length */
+#define CAROM_E_UNKNOWN_ENUM (-5)       /* an enumeration value this library does not know */
+#define CAROM_E_STRUCT_SIZE (-6)        /* struct_size is smaller than the smallest version of the struct */
+#define CAROM_E_UNSUPPORTED (-7)        /* the request comes from a newer header, or asks for what this build cannot do */
+#define CAROM_E_INVALID_HANDLE (-8)     /* the handle was never issued */
+#define CAROM_E_STALE_HANDLE (-9)       /* the object behind the handle was destroyed */
+#define CAROM_E_WRONG_KIND (-10)        /* a handle of another kind (a shape where a body is wanted, ...) */
+#define CAROM_E_WRONG_WORLD (-11)       /* a handle of another world or engine */
+#define CAROM_E_BUSY (-12)              /* the world is being stepped */
+#define CAROM_E_REENTRANT (-13)         /* called from inside a callback (a support function, allocator or log) */
+#define CAROM_E_IN_USE (-14)            /* the object is still referred to by others */
+#define CAROM_E_OUT_OF_MEMORY (-15)     /* the allocator returned NULL */
+#define CAROM_E_LIMIT (-16)             /* a hard limit of the library is reached */
+#define CAROM_E_BUFFER_TOO_SMALL (-17)  /* stride or capacity does not hold one element */
+#define CAROM_E_PLUGIN_PATH (-18)       /* the path is not absolute, or nothing readable is there */
+#define CAROM_E_PLUGIN_LOAD (-19)       /* the dynamic loader refused the file, or the entry symbol is missing */
+#define CAROM_E_PLUGIN_ABI (-20)        /* the plugin was built against an incompatible plugin.h */
+#define CAROM_E_PLUGIN_DISHONEST (-21)  /* the support function is not one of a bounded convex set; see the witness */
+#define CAROM_E_DECLARATION_FALSE (-22) /* a declaration disagrees with the support function; see the witness */
+#define CAROM_E_NO_VOLUME (-23)         /* the body is flat, so no mass follows from a density */
+#define CAROM_E_ALREADY_EXISTS (-24)    /* a plugin with this id is already loaded */
+#define CAROM_E_NOT_FOUND (-25)         /* no object of this name */
+#define CAROM_E_INTERNAL (-26)          /* a fault of the library itself; please report it */
+
+/** Details of the last failure of one call. Owned by the caller; start from CAROM_ERROR_INIT.
+ *  Written only on failure, never past struct_size. */
+typedef struct carom_error {
+  uint32_t struct_size;  /**< sizeof(carom_error) as the caller knows it */
+  int32_t code;          /**< CAROM_E_*, same as the returned result */
+  int32_t argument;      /**< 1-based index of the argument at fault; 0: none in particular */
+  uint32_t has_witness;  /**< 1: witness_dir and witness_out hold the evidence */
+  double witness_dir[3]; /**< direction given to the support function */
+  double witness_out[3]; /**< what came back */
+  char message[256];     /**< what is wrong, zero-terminated */
+  char remedy[256];      /**< what to do next, zero-terminated */
+} carom_error;
+
+#define CAROM_ERROR_INIT { sizeof(carom_error), 0, 0, 0, {0, 0, 0}, {0, 0, 0}, {0}, {0} }
+
+/* ---- handles: 64 bits of kind, owner tag, generation, slot; 0 is never issued; validated on every call ---- */
+typedef uint64_t carom_plugin;
+typedef uint64_t carom_shape;
+typedef uint64_t carom_material;
+typedef uint64_t carom_body;
+typedef uint64_t carom_collider;
+#define CAROM_NULL_HANDLE ((uint64_t)0)
+
+/** Version of the library that is running (the CAROM_VERSION_* macros tell the header's).
+ *  @status OK; NULL_ARGUMENT   @thread any */
+CAROM_API int32_t carom_version(uint32_t *major, uint32_t *minor, uint32_t *patch);
+
+/** Name of a result code, e.g. "CAROM_E_BUSY"; "CAROM_E_?" for an unknown one. Static storage.   @thread any */
+CAROM_API const char *carom_result_name(int32_t result);
+
+/** What to do about a result code, in one sentence. Static storage.   @thread any */
+CAROM_API const char *carom_result_remedy(int32_t result);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,160 @@
+/** @file body.h
+ *  Materials, bodies, and colliders (a shape on a body at a local pose); reading and writing many bodies at once.
+ */
+#ifndef CAROM_BODY_H
+#define CAROM_BODY_H
+
+#include <carom/world.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- materials ---- */
+#define CAROM_MIX_GEOMETRIC_MEAN 0u
+#define CAROM_MIX_MAXIMUM 1u
+#define CAROM_MIX_MINIMUM 2u
+#define CAROM_MIX_AVERAGE 3u
+#define CAROM_MIX_MULTIPLY 4u
+
+/** Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides. */
+typedef struct carom_material_desc {
+  uint32_t struct_size;
+  uint32_t friction_mix;    /**< CAROM_MIX_*, default GEOMETRIC_MEAN */
+  uint32_t restitution_mix; /**< CAROM_MIX_*, default MAXIMUM */
+  uint32_t reserved;        /**< 0 */
+  double friction;          /**< Coulomb coefficient, [0, 1e3], default 0.5 */
+  double restitution;       /**< [0, 1], default 0 */
+} carom_material_desc;
+
+/** @status OK; NULL_ARGUMENT */
+CAROM_API int32_t carom_material_desc_init(carom_material_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; OUT_OF_MEMORY */
+CAROM_API int32_t carom_material_create(carom_world *world, const carom_material_desc *desc, carom_material *material,
+                                        carom_error *error);
+/** Change a material in place; every collider that wears it follows.   @status as carom_material_create(); *_HANDLE */
+CAROM_API int32_t carom_material_update(carom_world *world, carom_material material, const carom_material_desc *desc,
+                                        carom_error *error);
+/** @status OK; *_HANDLE; IN_USE (a collider wears it); BUSY */
+CAROM_API int32_t carom_material_destroy(carom_world *world, carom_material material, carom_error *error);
+
+/* ---- bodies ---- */
+#define CAROM_BODY_STATIC 0u    /* never moves */
+#define CAROM_BODY_KINEMATIC 1u /* moved by its velocity; infinite mass */
+#define CAROM_BODY_DYNAMIC 2u
+
+/* bits of carom_body_desc.fields: where 0 is a legal value, a bit says "set" */
+#define CAROM_BODY_FIELD_MASS 1u    /* mass given; else from colliders' densities */
+#define CAROM_BODY_FIELD_CENTER 2u  /* center given; else from colliders. needs MASS */
+#define CAROM_BODY_FIELD_INERTIA 4u /* inertia given; else from colliders, scaled to mass. needs MASS */
+
+/** What a body is made from. Fill with carom_body_desc_init(). */
+typedef struct carom_body_desc {
+  uint32_t struct_size;
+  uint32_t fields;            /**< CAROM_BODY_FIELD_* bits */
+  uint32_t type;              /**< CAROM_BODY_*, default DYNAMIC */
+  uint32_t reserved;          /**< 0 */
+  double position[3];         /**< m, world: origin of the body frame */
+  double orientation[4];      /**< x, y, z, w, unit within 1e-6, body to world; default identity */
+  double linear_velocity[3];  /**< m/s, world, of the centre of mass; 0 for static */
+  double angular_velocity[3]; /**< rad/s, world; 0 for static */
+  double mass;                /**< kg, > 0 for dynamic. A dynamic body without mass from here or from a collider weighs
+                                   1 kg and does not rotate (a particle) */
+  double center[3];           /**< m, body frame: centre of mass */
+  double inertia[9];          /**< kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite;
+                                   all zero: the body does not rotate */
+  double linear_damping;      /**< 1/s, [0, 1e6], default 0: dv/dt = -c v */
+  double angular_damping;     /**< 1/s, [0, 1e6], default 0 */
+  uint64_t user;              /**< anything; the engine does not look */
+} carom_body_desc;
+
+/** @status OK; NULL_ARGUMENT */
+CAROM_API int32_t carom_body_desc_init(carom_body_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; REENTRANT; LIMIT;
+ *          OUT_OF_MEMORY */
+CAROM_API int32_t carom_body_create(carom_world *world, const carom_body_desc *desc, carom_body *body, carom_error *error);
+/** Destroys its colliders too.   @status OK; *_HANDLE; BUSY; REENTRANT */
+CAROM_API int32_t carom_body_destroy(carom_world *world, carom_body body, carom_error *error);
+
+/** Everything there is to know about a body, with its masses as the engine uses them (fields: all set; a body that
+ *  cannot rotate reports zero inertia; a static or kinematic body reports mass 0).
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
+CAROM_API int32_t carom_body_get(carom_world *world, carom_body body, carom_body_desc *desc, carom_error *error);
+
+/** @param position [3] m   @param orientation [4] x, y, z, w   @status OK; *_HANDLE; NOT_FINITE; NOT_UNIT; BUSY; REENTRANT */
+CAROM_API int32_t carom_body_set_pose(carom_world *world, carom_body body, const double position[3],
+                                      const double orientation[4], carom_error *error);
+/** @param linear [3] m/s of the centre of mass   @param angular [3] rad/s, both world frame
+ *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT */
+CAROM_API int32_t carom_body_set_velocity(carom_world *world, carom_body body, const double linear[3],
+                                          const double angular[3], carom_error *error);
+/** Add a force and a torque about the centre of mass, for the next step only.
+ *  @param force [3] N, world   @param torque [3] N m, world   @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT */
+CAROM_API int32_t carom_body_add_force(carom_world *world, carom_body body, const double force[3],
+                                       const double torque[3], carom_error *error);
+/** Change velocities at once. @param impulse [3] N s, world   @param point [3] m, world: where it acts
+ *  @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT */
+CAROM_API int32_t carom_body_add_impulse(carom_world *world, carom_body body, const double impulse[3],
+                                         const double point[3], carom_error *error);
+
+/* ---- colliders ---- */
+typedef struct carom_collider_desc {
+  uint32_t struct_size;
+  uint32_t reserved;      /**< 0 */
+  carom_shape shape;
+  carom_material material; /**< CAROM_NULL_HANDLE: friction 0.5, restitution 0 */
+  double position[3];     /**< m, body frame: origin of the shape */
+  double orientation[4];  /**< x, y, z, w, shape to body; default identity */
+  double density;         /**< kg/m^3, [0, 1e9], default 1000; counts unless the body's mass is given */
+} carom_collider_desc;
+
+/** @status OK; NULL_ARGUMENT */
+CAROM_API int32_t carom_collider_desc_init(carom_collider_desc *desc);
+/** Put a shape on a body; the body's mass properties follow. The body's linear velocity is kept as that of its new centre.
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a half-space on a
+ *          body that moves); NO_VOLUME (a flat shape needs CAROM_BODY_FIELD_MASS or density 0); BUSY; REENTRANT; OUT_OF_MEMORY */
+CAROM_API int32_t carom_collider_create(carom_world *world, carom_body body, const carom_collider_desc *desc,
+                                        carom_collider *collider, carom_error *error);
+/** @status OK; *_HANDLE; BUSY; REENTRANT */
+CAROM_API int32_t carom_collider_destroy(carom_world *world, carom_collider collider, carom_error *error);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
+CAROM_API int32_t carom_collider_get(carom_world *world, carom_collider collider, carom_collider_desc *desc,
+                                     carom_body *body, carom_error *error);
+
+/* ---- bulk: one call for n bodies ---- */
+#define CAROM_FIELD_POSITION 0u         /* 3: m, world, origin of the body frame */
+#define CAROM_FIELD_ORIENTATION 1u      /* 4: x, y, z, w */
+#define CAROM_FIELD_POSE 2u             /* 7: position, orientation */
+#define CAROM_FIELD_LINEAR_VELOCITY 3u  /* 3: m/s, world, of the centre of mass */
+#define CAROM_FIELD_ANGULAR_VELOCITY 4u /* 3: rad/s, world */
+#define CAROM_FIELD_VELOCITY 5u         /* 6: linear, angular */
+#define CAROM_FIELD_FORCE 6u            /* 6: N and N m, world, pending for the next step; writing replaces it */
+#define CAROM_FIELD_CENTER 7u           /* 3: m, world, centre of mass; read only */
+#define CAROM_FIELD_MASS 8u             /* 1: kg; read only */
+#define CAROM_FIELD_COUNT 9u
+
+#define CAROM_SCALAR_F32 0u
+#define CAROM_SCALAR_F64 1u
+
+/** Number of bodies, and their handles in creation order of the slots.
+ *  @param handles [capacity] or NULL   @param count out: how many there are
+ *  @status OK; NULL_ARGUMENT; BUSY */
+CAROM_API int32_t carom_world_get_bodies(carom_world *world, carom_body *handles, uint64_t capacity, uint64_t *count,
+                                         carom_error *error);
+
+/** Read one field of n bodies.
+ *  @param handles [n], or NULL for all bodies in the order of carom_world_get_bodies() (n must be their number)
+ *  @param dst     n records of the field's scalars, `stride` bytes apart
+ *  @param stride  bytes from one record to the next; 0: tightly packed
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY */
+CAROM_API int32_t carom_world_read(carom_world *world, uint32_t field, uint32_t scalar, const carom_body *handles,
+                                   uint64_t n, void *dst, uint64_t stride, carom_error *error);
+/** Write one field of n bodies; all values are validated before the first is written. Arguments as carom_world_read().
+ *  @status as carom_world_read(); UNSUPPORTED (read-only field); NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; REENTRANT */
+CAROM_API int32_t carom_world_write(carom_world *world, uint32_t field, uint32_t scalar, const carom_body *handles,
+                                    uint64_t n, const void *src, uint64_t stride, carom_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

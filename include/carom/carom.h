@@ -1,0 +1,16 @@
+/** @file carom.h
+ *  All of Carom's C interface.
+ */
+#ifndef CAROM_CAROM_H
+#define CAROM_CAROM_H
+
+#include <carom/base.h>
+#include <carom/body.h>
+#include <carom/dial.h>
+#include <carom/engine.h>
+#include <carom/plugin.h>
+#include <carom/query.h>
+#include <carom/shape.h>
+#include <carom/world.h>
+
+#endif

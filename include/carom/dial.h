@@ -1,0 +1,100 @@
+/** @file dial.h
+ *  Dials: every approximation is one number with a name, bounds and an order from cheap to exact.
+ *  One table inside the engine feeds these calls, the command line and the docs.
+ */
+#ifndef CAROM_DIAL_H
+#define CAROM_DIAL_H
+
+#include <carom/base.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- dials of a world; values are doubles, choices are whole numbers ---- */
+#define CAROM_DIAL_INTEGRATOR 0u           /* choice: CAROM_INTEGRATOR_* */
+#define CAROM_DIAL_ROTATION 1u             /* choice: CAROM_ROTATION_*: the gyroscopic term */
+#define CAROM_DIAL_SUBSTEPS 2u             /* integrate-and-solve passes per step */
+#define CAROM_DIAL_SOLVER 3u               /* choice: CAROM_SOLVER_* */
+#define CAROM_DIAL_VELOCITY_ITERATIONS 4u  /* at most this many impulses per contact of a group and substep */
+#define CAROM_DIAL_POSITION_ITERATIONS 5u  /* at most this many position corrections per contact of a group and step */
+#define CAROM_DIAL_VELOCITY_TOLERANCE 6u   /* m/s: closing speed left unresolved */
+#define CAROM_DIAL_POSITION_TOLERANCE 7u   /* m: penetration left unresolved */
+#define CAROM_DIAL_RESTITUTION_SPEED 8u    /* m/s: below this approach speed a contact does not bounce */
+#define CAROM_DIAL_SEVERITY_SEARCH 9u      /* choice: CAROM_SEARCH_* */
+#define CAROM_DIAL_GROUPS 10u              /* choice: 0 one group for all contacts, 1 contact groups (islands) */
+#define CAROM_DIAL_BROAD_PHASE 11u         /* choice: CAROM_BROAD_* */
+#define CAROM_DIAL_GRID_CELL 12u           /* m: cell size of the uniform grid; 0: chosen from the scene */
+#define CAROM_DIAL_CONTACT_DISTANCE 13u    /* m: pairs nearer than this make contacts */
+#define CAROM_DIAL_PAIR_ROUTINES 14u       /* choice: 0 generic path for every pair, 1 specific routines where declared */
+#define CAROM_DIAL_NARROW_PHASE 15u        /* choice: CAROM_NARROW_* for the generic path */
+#define CAROM_DIAL_SIMPLEX 16u             /* choice: CAROM_SIMPLEX_* */
+#define CAROM_DIAL_GJK_TOLERANCE 17u       /* relative width of the bracket at which GJK and EPA stop */
+#define CAROM_DIAL_GJK_ITERATIONS 18u      /* cap */
+#define CAROM_DIAL_EPA_ITERATIONS 19u      /* cap */
+#define CAROM_DIAL_HYBRID_MARGIN 20u       /* m: shell around each shape in CAROM_NARROW_HYBRID */
+#define CAROM_DIAL_WARM_SEPARATION 21u     /* choice: 0 start each query afresh, 1 start from the last separating vector */
+#define CAROM_DIAL_MANIFOLD 22u            /* choice: CAROM_MANIFOLD_* */
+#define CAROM_DIAL_CACHE_DISTANCE 23u      /* m: a cached point is dropped when it drifted further than this */
+#define CAROM_DIAL_COUNT 24u
+
+#define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
+#define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u
+#define CAROM_INTEGRATOR_RK4 2u
+
+#define CAROM_ROTATION_NONE 0u     /* no gyroscopic term: exact for spheres and cubes only */
+#define CAROM_ROTATION_EXPLICIT 1u /* the term is a torque like any other (RK4 evaluates it four times) */
+#define CAROM_ROTATION_IMPLICIT 2u /* one Newton step of the implicit term; under RK4 the same as EXPLICIT */
+
+#define CAROM_SOLVER_SEVERITY 0u /* most severe contact first */
+
+#define CAROM_SEARCH_LINEAR 0u /* the paper's: scan all contacts of the group for the most severe */
+#define CAROM_SEARCH_HEAP 1u   /* the same order from a heap */
+
+#define CAROM_BROAD_BRUTE_FORCE 0u
+#define CAROM_BROAD_SWEEP_AND_PRUNE 1u
+#define CAROM_BROAD_GRID 2u
+
+#define CAROM_NARROW_HYBRID 0u  /* van den Bergen: GJK on shapes with a margin shell, EPA only for deep contact; the
+                                   shells make every shape larger by the margin */
+#define CAROM_NARROW_GJK_EPA 1u /* GJK on cores, EPA on overlap; exact geometry */
+
+#define CAROM_SIMPLEX_JOHNSON 0u
+#define CAROM_SIMPLEX_VORONOI 1u
+#define CAROM_SIMPLEX_VORONOI_LAST 2u /* only features that touch the newest vertex, all features as a fall-back */
+
+#define CAROM_MANIFOLD_SINGLE 0u /* the deepest point alone */
+#define CAROM_MANIFOLD_CACHE 1u  /* up to 4 points gathered over steps */
+
+#define CAROM_DIAL_KIND_NUMBER 0u
+#define CAROM_DIAL_KIND_INTEGER 1u
+#define CAROM_DIAL_KIND_CHOICE 2u
+
+/** What a dial is: documentation and bounds. Strings have static storage. */
+typedef struct carom_dial_info {
+  uint32_t struct_size;
+  uint32_t dial;           /**< CAROM_DIAL_* */
+  uint32_t kind;           /**< CAROM_DIAL_KIND_* */
+  uint32_t choice_count;   /**< for a choice: number of values, 0..choice_count-1 */
+  const char *name;        /**< "broad_phase" */
+  const char *unit;        /**< "m", "m/s", "" */
+  const char *summary;     /**< one sentence: what it trades */
+  const char *const *choices; /**< [choice_count] names in order; NULL unless a choice */
+  double min;              /**< inclusive */
+  double max;              /**< inclusive */
+  double initial;          /**< value of a new world */
+} carom_dial_info;
+
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (dial >= CAROM_DIAL_COUNT of this library)   @thread any */
+CAROM_API int32_t carom_dial_get_info(uint32_t dial, carom_dial_info *info, carom_error *error);
+
+/** Number of dials this library has.   @status OK; NULL_ARGUMENT   @thread any */
+CAROM_API int32_t carom_dial_get_count(uint32_t *count);
+
+/** @param name as in carom_dial_info.name   @status OK; NULL_ARGUMENT; NOT_FOUND   @thread any */
+CAROM_API int32_t carom_dial_find(const char *name, uint32_t *dial, carom_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

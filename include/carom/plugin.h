@@ -1,0 +1,97 @@
+/** @file plugin.h
+ *  All that the author of a shape needs. A shape plugin is a shared object (or a struct registered by pointer) that
+ *  exports ONE const data symbol, carom_shape_plugin_v1, and whose only code is a support function.
+ *  It links nothing of Carom. Copy plugins/template and change one function.
+ */
+#ifndef CAROM_PLUGIN_H
+#define CAROM_PLUGIN_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define CAROM_PLUGIN_ABI_MAJOR 1u
+#define CAROM_PLUGIN_ABI_MINOR 0u
+
+/** Support function of a bounded convex set: the point of the set farthest along dir, in the shape's own frame.
+ *  Contract: pure (same bits in, same bits out), callable from several threads at once; dir is finite and nonzero but
+ *  of ANY length; ties may be broken either way, but repeatably; no allocation, lock, I/O, change of the
+ *  floating-point environment, or carom_* call.
+ *  @param params     [param_len] the shape's parameters; owned by the engine, immutable
+ *  @param dir        [3] direction, shape frame, any positive length
+ *  @param out        [3] m, shape frame: argmax over x in the set of dir . x
+ *  @return 0; anything else reports a fault: the pair is skipped and the shape put in quarantine */
+typedef int32_t (*carom_support_fn)(const double *params, uint64_t param_len, const double dir[3], double out[3]);
+
+/** Documentation and bounds of one parameter; a value outside [min, max] is refused when a shape is made. */
+typedef struct carom_param {
+  const char *name; /**< "radius" */
+  const char *unit; /**< "m" */
+  double min;       /**< smallest legal value, inclusive */
+  double max;       /**< largest legal value, inclusive */
+} carom_param;
+
+/* Closed forms that an engine may know a faster or exact routine for. arg[i] below are indices into params. */
+#define CAROM_FORM_NONE 0u      /* nothing declared */
+#define CAROM_FORM_SPHERE 1u    /* centre at the origin; arg[0]: radius */
+#define CAROM_FORM_CAPSULE 2u   /* axis y; arg[0]: radius, arg[1]: half height of the core segment */
+#define CAROM_FORM_BOX 3u       /* centred, axis-aligned; arg[0..2]: half extents x, y, z */
+#define CAROM_FORM_POLYTOPE 4u  /* hull of points; arg[0]: index of the first coordinate; the rest of params are x,y,z triples */
+#define CAROM_FORM_CYLINDER 5u  /* axis y, centred; arg[0]: radius, arg[1]: half height */
+#define CAROM_FORM_CONE 6u      /* axis y, apex at +half height, base disc at -half height; arg[0]: base radius, arg[1]: half height */
+#define CAROM_FORM_ELLIPSOID 7u /* centred, axis-aligned; arg[0..2]: radii x, y, z */
+
+#define CAROM_NO_PARAM 0xFFFFFFFFu
+
+/** What the author knows beyond the support function. Data, not code; verified against the support function when a
+ *  shape is made (a false declaration is refused with a witness direction); never trusted. */
+typedef struct carom_geometry {
+  uint32_t struct_size;       /**< sizeof(carom_geometry) */
+  uint32_t form;              /**< CAROM_FORM_*: the whole set, core radius included, equals this closed form */
+  uint32_t form_arg[4];       /**< indices into params, see CAROM_FORM_*; CAROM_NO_PARAM where unused */
+  uint32_t core_radius_param; /**< index into params of the core radius, or CAROM_NO_PARAM. If set, the support
+                                   function is that of the CORE, and the shape is the core swollen by that radius
+                                   (a sphere is a point with a radius, a capsule a segment) */
+  uint32_t mass_form;         /**< CAROM_FORM_* whose volume, centre and inertia the shape has; NONE: derive from support */
+  uint32_t mass_arg[4];       /**< indices into params for mass_form */
+} carom_geometry;
+
+#define CAROM_PLUGIN_HOST_THREAD 1u /* flags: support may only be called on the thread that steps (scripting hosts) */
+
+/** The plugin. Export it as
+ *      const carom_shape_plugin carom_shape_plugin_v1 = { ... };
+ *  or pass it to carom_plugin_register(). Everything it points to must live as long as the engine. */
+typedef struct carom_shape_plugin {
+  uint32_t struct_size;          /**< sizeof(carom_shape_plugin) */
+  uint32_t abi_major;            /**< CAROM_PLUGIN_ABI_MAJOR */
+  uint32_t abi_minor;            /**< CAROM_PLUGIN_ABI_MINOR */
+  uint32_t flags;                /**< CAROM_PLUGIN_HOST_THREAD or 0 */
+  const char *id;                /**< unique, reverse-domain or short: "carom.sphere" */
+  uint32_t version;              /**< of the shape's meaning: raise it when the same params give another set */
+  uint32_t param_count;          /**< number of entries in params; the parameters every shape of this kind has */
+  const carom_param *params;     /**< [param_count] */
+  const carom_geometry *geometry; /**< optional declarations, or NULL */
+  carom_support_fn support;      /**< the only code */
+  uint32_t param_tail_group;     /**< 0: exactly param_count parameters. k > 0: the last k entries repeat, so a shape
+                                      has param_count + m*k parameters, m >= 0 (hull: x, y, z repeated) */
+  uint32_t param_tail_min;       /**< smallest number of groups in all, the declared one included (hull: 1) */
+} carom_shape_plugin;
+
+/** The symbol looked up in a shared object. */
+#define CAROM_SHAPE_PLUGIN_SYMBOL "carom_shape_plugin_v1"
+
+#if defined(_WIN32)
+#  define CAROM_PLUGIN_EXPORT __declspec(dllexport)
+#elif defined(__GNUC__)
+#  define CAROM_PLUGIN_EXPORT __attribute__((visibility("default")))
+#else
+#  define CAROM_PLUGIN_EXPORT
+#endif
+extern CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

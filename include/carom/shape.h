@@ -1,0 +1,71 @@
+/** @file shape.h
+ *  Shapes: a plugin plus parameters, immutable, shared by any number of colliders and worlds.
+ */
+#ifndef CAROM_SHAPE_H
+#define CAROM_SHAPE_H
+
+#include <carom/engine.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Make a shape. The parameters are copied. The support function is checked for these parameters (finite, repeatable,
+ *  scale-free, samples in convex position), declarations are verified, and AABB and mass properties derived.
+ *  @param params [count] doubles, meaning as the plugin documents
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which); PLUGIN_DISHONEST;
+ *          DECLARATION_FALSE; OUT_OF_MEMORY
+ *  @thread any, also while worlds step */
+CAROM_API int32_t carom_shape_create(carom_engine *engine, carom_plugin plugin, const double *params, uint64_t count,
+                                     carom_shape *shape, carom_error *error);
+
+/** The built-in half-space { x : normal . x <= offset } in the shape's own frame; unbounded, so static bodies only.
+ *  @param normal [3] unit (within 1e-6)   @param offset m
+ *  @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_MEMORY */
+CAROM_API int32_t carom_shape_create_half_space(carom_engine *engine, const double normal[3], double offset,
+                                                carom_shape *shape, carom_error *error);
+
+/** @status OK; *_HANDLE; IN_USE (a collider refers to it); REENTRANT */
+CAROM_API int32_t carom_shape_destroy(carom_engine *engine, carom_shape shape, carom_error *error);
+
+/** What the engine knows of a shape. Quantities are for unit density (1 kg/m^3) in the shape's own frame; each derived
+ *  one comes with a rigorous bracket. A half-space has infinite bounds and volume 0. */
+typedef struct carom_shape_info {
+  uint32_t struct_size;
+  uint32_t form;           /**< CAROM_FORM_*, verified; NONE for a general convex set and the half-space */
+  uint32_t is_half_space;  /**< 1: the built-in half-space */
+  uint32_t mass_exact;     /**< 1: mass properties come from a verified closed form, brackets have zero width */
+  carom_plugin plugin;     /**< CAROM_NULL_HANDLE for the half-space */
+  uint64_t param_count;
+  double core_radius;      /**< m */
+  double bounding_radius;  /**< m, about the shape's origin */
+  double aabb_min[3];      /**< m, exact to rounding */
+  double aabb_max[3];      /**< m */
+  double volume;           /**< m^3, best estimate, within [volume_min, volume_max] */
+  double volume_min;
+  double volume_max;
+  double centroid[3];      /**< m */
+  double centroid_error;   /**< m, upper bound of |error| */
+  double inertia[9];       /**< m^5, about the centroid, row-major, symmetric */
+  double inertia_error;    /**< m^5, upper bound of the spectral norm of the error */
+} carom_shape_info;
+
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE */
+CAROM_API int32_t carom_shape_get_info(carom_engine *engine, carom_shape shape, carom_shape_info *info, carom_error *error);
+
+/** Copy out the parameters. @param count in: capacity of params; out: number of parameters.
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed) */
+CAROM_API int32_t carom_shape_get_params(carom_engine *engine, carom_shape shape, double *params, uint64_t *count,
+                                         carom_error *error);
+
+/** Support points of the whole shape, core radius included, for n directions at once.
+ *  @param dirs [3n] nonzero, any length, shape frame   @param points [3n] m, shape frame
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a zero direction); UNSUPPORTED (half-space);
+ *          PLUGIN_DISHONEST (the support function failed) */
+CAROM_API int32_t carom_shape_support(carom_engine *engine, carom_shape shape, const double *dirs, uint64_t n,
+                                      double *points, carom_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,149 @@
+/** @file world.h
+ *  The second root: a world owns materials, bodies and colliders, and steps them.
+ *  One writer per world; reads may run concurrently between steps; a call that changes the world during a step is BUSY.
+ */
+#ifndef CAROM_WORLD_H
+#define CAROM_WORLD_H
+
+#include <carom/dial.h>
+#include <carom/shape.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct carom_world carom_world;
+
+/** What a world is made from. Fill with carom_world_desc_init(). */
+typedef struct carom_world_desc {
+  uint32_t struct_size;
+  uint32_t reserved;     /**< 0 */
+  double gravity[3];     /**< m/s^2, default (0, -9.81, 0) */
+  uint64_t body_capacity; /**< bodies to reserve memory for; it grows beyond. default 0 */
+} carom_world_desc;
+
+/** @status OK; NULL_ARGUMENT */
+CAROM_API int32_t carom_world_desc_init(carom_world_desc *desc);
+
+/** @param desc may be NULL: defaults   @owns the caller: carom_world_destroy(), before the engine
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; LIMIT (65,535 worlds); OUT_OF_MEMORY
+ *  @thread any */
+CAROM_API int32_t carom_world_create(carom_engine *engine, const carom_world_desc *desc, carom_world **world,
+                                     carom_error *error);
+
+/** Destroys its bodies, colliders and materials too.   @status OK; NULL_ARGUMENT; BUSY; REENTRANT */
+CAROM_API int32_t carom_world_destroy(carom_world *world, carom_error *error);
+
+/** Advance by dt.
+ *  @param dt s, in (0, 1]
+ *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY
+ *  A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() tells. */
+CAROM_API int32_t carom_world_step(carom_world *world, double dt, carom_error *error);
+
+/** @param value within the dial's bounds; whole for choices and integers
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+CAROM_API int32_t carom_world_set_dial(carom_world *world, uint32_t dial, double value, carom_error *error);
+/** @status OK; NULL_ARGUMENT; UNKNOWN_ENUM */
+CAROM_API int32_t carom_world_get_dial(carom_world *world, uint32_t dial, double *value, carom_error *error);
+
+/** @param gravity [3] m/s^2, |each| <= 1e6   @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+CAROM_API int32_t carom_world_set_gravity(carom_world *world, const double gravity[3], carom_error *error);
+CAROM_API int32_t carom_world_get_gravity(carom_world *world, double gravity[3], carom_error *error);
+
+/* ---- what the last step did ---- */
+
+#define CAROM_STAGE_REFRESH 0u   /* which effects have customers; bounds */
+#define CAROM_STAGE_BROAD 1u     /* pairs of bounds that overlap */
+#define CAROM_STAGE_NARROW 2u    /* contacts of pairs */
+#define CAROM_STAGE_GROUP 3u     /* contact groups */
+#define CAROM_STAGE_INTEGRATE 4u /* forces, velocities, positions */
+#define CAROM_STAGE_SOLVE 5u     /* velocities at contacts */
+#define CAROM_STAGE_RELAX 6u     /* penetration at contacts */
+#define CAROM_STAGE_OBSERVE 7u   /* residuals, events */
+#define CAROM_STAGE_COUNT 8u
+
+/** Times, counts and residuals of the last step. A stage without customers did not run: its time is 0. */
+typedef struct carom_step_report {
+  uint32_t struct_size;
+  uint32_t stage_count;        /**< CAROM_STAGE_COUNT of this library */
+  double stage_seconds[16];    /**< s, [stage_count] used, index CAROM_STAGE_* */
+  double total_seconds;        /**< s */
+  uint64_t steps;              /**< since the world was made */
+  double time;                 /**< s, simulated */
+  uint64_t bodies;             /**< all kinds */
+  uint64_t dynamic_bodies;
+  uint64_t colliders;
+  uint64_t broad_pairs;        /**< pairs that the broad phase reported */
+  uint64_t contact_pairs;      /**< of them, pairs with at least one contact point */
+  uint64_t contact_points;
+  uint64_t groups;             /**< contact groups with at least one contact */
+  uint64_t largest_group;      /**< contact points in it */
+  uint64_t gjk_calls;          /**< generic queries */
+  uint64_t epa_calls;
+  uint64_t support_calls;
+  uint64_t velocity_impulses;  /**< impulses applied by the solver */
+  uint64_t position_moves;     /**< penetration corrections applied */
+  uint64_t quarantined_bodies; /**< held still since their state was not finite, in all */
+  uint64_t faults;             /**< plugin faults in this step */
+  double max_penetration;      /**< m, over all contact points after the step; 0 if none */
+  double mean_penetration;     /**< m, over contact points that overlap after the step */
+  double max_closing_speed;    /**< m/s left at touching contact points after the step */
+  double linear_energy;        /**< J, kinetic */
+  double angular_energy;       /**< J, kinetic */
+} carom_step_report;
+
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
+CAROM_API int32_t carom_world_get_report(carom_world *world, carom_step_report *report, carom_error *error);
+
+/** Static name of a stage ("broad"), or "?".   @thread any */
+CAROM_API const char *carom_stage_name(uint32_t stage);
+
+/** A contact point of the last step. */
+typedef struct carom_contact {
+  carom_collider collider_a;
+  carom_collider collider_b;
+  carom_body body_a;
+  carom_body body_b;
+  double point[3];        /**< m, world, midway between the two surfaces */
+  double normal[3];       /**< unit, world, from A to B */
+  double separation;      /**< m, negative in overlap */
+  double normal_impulse;  /**< N s, summed over the step, along the normal on B */
+  double friction_impulse; /**< N s, magnitude, summed over the step */
+} carom_contact;
+
+/** Copy out the contact points of the last step, in a deterministic order.
+ *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+ *  @param stride   sizeof(carom_contact) as the caller knows it
+ *  @param count    out: how many there are (may exceed capacity; capacity are written)
+ *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
+CAROM_API int32_t carom_world_get_contacts(carom_world *world, carom_contact *dst, uint64_t stride, uint64_t capacity,
+                                           uint64_t *count, carom_error *error);
+
+#define CAROM_FAULT_RETURNED 1u     /* the support function returned nonzero */
+#define CAROM_FAULT_NOT_FINITE 2u   /* it gave NaN or infinity */
+#define CAROM_FAULT_OUTSIDE 3u      /* a point outside the shape's bounding radius */
+#define CAROM_FAULT_NOT_SUPPORT 4u  /* a point worse than one it had given before */
+#define CAROM_FAULT_BODY_STATE 5u   /* a body's state was not finite; the body is quarantined */
+
+/** Something misbehaved in the last step; the world stayed finite. */
+typedef struct carom_fault {
+  uint32_t kind;           /**< CAROM_FAULT_* */
+  uint32_t reserved;
+  carom_shape shape;       /**< shape in quarantine, or CAROM_NULL_HANDLE */
+  carom_body body;         /**< a body it hangs on, or the quarantined body */
+  double dir[3];           /**< bits of the direction given */
+  double out[3];           /**< bits of what came back */
+} carom_fault;
+
+/** Copy out the faults of the last step; arguments as carom_world_get_contacts(). */
+CAROM_API int32_t carom_world_get_faults(carom_world *world, carom_fault *dst, uint64_t stride, uint64_t capacity,
+                                         uint64_t *count, carom_error *error);
+
+/** 64-bit hash of the dynamic state: equal iff (up to collision of the hash) every pose, velocity and cached contact
+ *  has the same bits.   @status OK; NULL_ARGUMENT; BUSY */
+CAROM_API int32_t carom_world_hash(carom_world *world, uint64_t *hash, carom_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,68 @@
+// Version, result names and remedies: the one list that every status comes from.
+#include <carom/base.h>
+
+namespace {
+
+struct ResultRow {
+  int32_t code;
+  const char* name;
+  const char* remedy;
+};
+
+#define ROW(code, remedy) {code, #code, remedy}
+constexpr ResultRow kResults[] = {
+    ROW(CAROM_OK, "nothing to do"),
+    ROW(CAROM_E_NULL_ARGUMENT, "pass a pointer where the header does not say NULL is allowed"),
+    ROW(CAROM_E_NOT_FINITE, "pass finite numbers; look for a division by zero or an uninitialised value on your side"),
+    ROW(CAROM_E_OUT_OF_RANGE, "keep to the bounds in the header, or ask carom_dial_get_info() for a dial's"),
+    ROW(CAROM_E_NOT_UNIT, "normalise the quaternion or normal to within 1e-6 of unit length"),
+    ROW(CAROM_E_UNKNOWN_ENUM, "use a constant of the header this library was built with; see carom_version()"),
+    ROW(CAROM_E_STRUCT_SIZE, "fill the struct with its *_init function, or set struct_size to its sizeof"),
+    ROW(CAROM_E_UNSUPPORTED, "use a library at least as new as your header, or leave the unknown fields zero"),
+    ROW(CAROM_E_INVALID_HANDLE, "pass a handle that a create call returned"),
+    ROW(CAROM_E_STALE_HANDLE, "drop this handle; its object was destroyed"),
+    ROW(CAROM_E_WRONG_KIND, "pass a handle of the kind that the header names for this argument"),
+    ROW(CAROM_E_WRONG_WORLD, "use the handle with the world or engine that returned it"),
+    ROW(CAROM_E_BUSY, "wait until the step on the other thread has returned"),
+    ROW(CAROM_E_REENTRANT, "do not call carom_* from a support function, allocator or log; do it after the step"),
+    ROW(CAROM_E_IN_USE, "destroy what refers to it first"),
+    ROW(CAROM_E_OUT_OF_MEMORY, "free memory or raise the allocator's limit, then call again"),
+    ROW(CAROM_E_LIMIT, "destroy what is no longer needed, or spread the scene over several worlds"),
+    ROW(CAROM_E_BUFFER_TOO_SMALL, "pass at least the size that the call reports"),
+    ROW(CAROM_E_PLUGIN_PATH, "pass the absolute path of a readable shared object"),
+    ROW(CAROM_E_PLUGIN_LOAD, "export `const carom_shape_plugin carom_shape_plugin_v1` and link what the plugin needs"),
+    ROW(CAROM_E_PLUGIN_ABI, "rebuild the plugin against this library's carom/plugin.h"),
+    ROW(CAROM_E_PLUGIN_DISHONEST, "make support return the farthest point of one bounded convex set; try `carom check`"),
+    ROW(CAROM_E_DECLARATION_FALSE, "correct or drop the declaration in the plugin's carom_geometry"),
+    ROW(CAROM_E_NO_VOLUME, "give the body a mass and inertia, or the collider density 0"),
+    ROW(CAROM_E_ALREADY_EXISTS, "use carom_plugin_find() to get the one that is loaded"),
+    ROW(CAROM_E_NOT_FOUND, "check the spelling; load the plugin first"),
+    ROW(CAROM_E_INTERNAL, "report this with the calls that led to it"),
+};
+#undef ROW
+
+}  // namespace
+
+extern "C" {
+
+int32_t carom_version(uint32_t* major, uint32_t* minor, uint32_t* patch) {
+  if (!major || !minor || !patch) return CAROM_E_NULL_ARGUMENT;
+  *major = CAROM_VERSION_MAJOR;
+  *minor = CAROM_VERSION_MINOR;
+  *patch = CAROM_VERSION_PATCH;
+  return CAROM_OK;
+}
+
+const char* carom_result_name(int32_t result) {
+  for (const ResultRow& row : kResults)
+    if (row.code == result) return row.name;
+  return "CAROM_E_?";
+}
+
+const char* carom_result_remedy(int32_t result) {
+  for (const ResultRow& row : kResults)
+    if (row.code == result) return row.remedy;
+  return "use a result that a carom_* call returned";
+}
+
+}  // extern "C"

@@ -1,0 +1,32 @@
+// Broad phase: which bounds overlap. One interface, one strategy per file.
+#pragma once
+
+#include <memory>
+
+#include "collision/colliders.h"
+
+namespace carom {
+
+struct BroadSettings {
+  Real grid_cell = 0;  // m; 0: chosen from the scene
+};
+
+/// A strategy keeps what it likes from step to step; its answer depends on the table alone.
+class BroadPhase {
+ public:
+  virtual ~BroadPhase() = default;
+
+  /// Every pair (a < b) of live colliders whose bounds overlap (closed intervals) and that may_touch(), each once,
+  /// ascending by key. Colliders may have come, gone or changed slots' meaning since the last call: table.live tells which
+  /// are there, `generation` is a number that differs whenever the set of live slots or what they stand for changed.
+  /// Bounds may be infinite (half-space) but are never NaN; a slot with lo > hi overlaps nothing.
+  /// Allocates nothing once its arrays have grown to the scene's size.
+  virtual void find_pairs(const Colliders& table, std::uint64_t generation, const BroadSettings& settings,
+                          Array<Pair>& pairs) = 0;
+};
+
+std::unique_ptr<BroadPhase> make_brute_force(Memory* memory);
+std::unique_ptr<BroadPhase> make_sweep_and_prune(Memory* memory);
+std::unique_ptr<BroadPhase> make_uniform_grid(Memory* memory);
+
+}  // namespace carom

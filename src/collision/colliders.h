@@ -1,0 +1,43 @@
+// The table of colliders: what broad and narrow phase read. One row per slot, structure of arrays; dynamics fills it.
+#pragma once
+
+#include "collision/shape.h"
+#include "core/pose.h"
+
+namespace carom {
+
+struct Colliders {
+  explicit Colliders(Memory* m)
+      : shape(m), local(m), body(m), material(m), density(m), frame(m), bounds(m), movable(m), muted(m), live(m) {}
+
+  // Fixed while a step runs:
+  Array<const Shape*> shape;        // null in a free slot
+  Array<Pose> local;                // shape -> body frame (origin as the host gave it)
+  Array<std::uint32_t> body;        // slot of the body it hangs on
+  Array<std::uint32_t> material;    // slot, or kNoMaterial
+  Array<Real> density;              // kg/m^3
+  // Moved by every step:
+  Array<Frame> frame;               // shape -> world
+  Array<Aabb> bounds;               // m, world, grown by what the scene asks for (contact distance, motion of the step)
+  Array<std::uint8_t> movable;      // 1: its body can move (dynamic or kinematic); 0: static
+  Array<std::uint8_t> muted;        // 1: makes no pairs (its shape or body is in quarantine)
+  Array<std::uint32_t> live;        // slots in use, ascending
+
+  static constexpr std::uint32_t kNoMaterial = 0xFFFFFFFFu;
+  std::size_t slots() const { return shape.size(); }
+};
+
+/// A pair of collider slots, a < b.
+struct Pair {
+  std::uint32_t a, b;
+  std::uint64_t key() const { return (static_cast<std::uint64_t>(a) << 32) | b; }
+  bool operator<(const Pair& o) const { return key() < o.key(); }
+  bool operator==(const Pair& o) const { return a == o.a && b == o.b; }
+};
+
+/// Whether two colliders may touch at all: different bodies, one of them able to move, neither muted.
+inline bool may_touch(const Colliders& c, std::uint32_t a, std::uint32_t b) {
+  return c.body[a] != c.body[b] && (c.movable[a] | c.movable[b]) && !(c.muted[a] | c.muted[b]);
+}
+
+}  // namespace carom

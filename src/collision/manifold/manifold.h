@@ -1,0 +1,47 @@
+// Contact points of a pair: at most four, kept from step to step.
+#pragma once
+
+#include "core/pose.h"
+
+namespace carom {
+
+struct ContactPoint {
+  Vec3 on_a = Vec3::Zero();      // m, frame of collider A's shape
+  Vec3 on_b = Vec3::Zero();      // m, frame of collider B's shape
+  Vec3 normal = Vec3::UnitY();   // unit, WORLD frame, from A to B
+  Real separation = 0;           // m, negative in overlap, at the last refresh
+  std::uint32_t feature = 0;     // which features met, to match points between steps; 0: unknown
+  std::uint32_t age = 0;         // steps since it was added
+};
+
+struct Manifold {
+  static constexpr int kMaxPoints = 4;
+  int count = 0;
+  ContactPoint point[kMaxPoints];
+};
+
+/// What one call of the narrow phase found: up to 8 candidates, before a manifold chooses.
+struct Candidates {
+  static constexpr int kMax = 8;
+  int count = 0;
+  bool whole = false;  // a specific routine found every point of the patch: nothing older need be kept
+  ContactPoint point[kMax];
+};
+
+enum class ManifoldKind : std::uint32_t { single, cache };
+
+struct ManifoldSettings {
+  ManifoldKind kind = ManifoldKind::cache;
+  Real cache_distance = 0.02;    // m: a kept point that slid or opened further than this is dropped
+  Real contact_distance = 0.02;  // m: candidates farther apart than this are not kept
+};
+
+/// ManifoldKind::single: the deepest candidate alone.
+void keep_deepest(const Candidates& found, const ManifoldSettings& settings, Manifold& manifold);
+
+/// ManifoldKind::cache: refresh the kept points for the new poses, drop those that opened or slid away, merge the candidates in, and
+/// choose the four that hold the deepest point and the largest area.
+void update_cache(const Frame& a, const Frame& b, const Candidates& found, const ManifoldSettings& settings,
+                  Manifold& manifold);
+
+}  // namespace carom

@@ -1,0 +1,54 @@
+// One question: the signed distance of two shapes, with a bracket that is true whatever happens.
+#pragma once
+
+#include "collision/shape.h"
+#include "core/pose.h"
+
+namespace carom {
+
+enum class Simplex : std::uint32_t { johnson, voronoi, voronoi_last };
+enum class Method : std::uint32_t { hybrid, gjk_epa };
+
+struct QuerySettings {
+  Simplex simplex = Simplex::voronoi_last;
+  Method method = Method::gjk_epa;
+  bool routines = true;       // use a specific routine where both shapes declare a closed form
+  Real tolerance = 1e-6;      // stop when upper - lower <= tolerance * size of the pair (the smaller bounding radius)
+  Real margin = 1e-3;         // m, shell around each shape under Method::hybrid
+  Real max_distance = kInfinity;  // m: farther apart than this, "farther" is answer enough (lower > max_distance)
+  int gjk_cap = 128;
+  int epa_cap = 256;
+};
+
+enum class QueryStatus : std::uint32_t { exact_enough, capped, rounding, fault };
+
+/// Signed distance: positive apart, negative the length of the smallest translation that separates.
+struct QueryResult {
+  QueryStatus status = QueryStatus::exact_enough;
+  bool farther = false;        // stopped early: lower > max_distance; separation, normal and points are then estimates
+  Real separation = 0;         // m, in [lower, upper]
+  Real lower = 0, upper = 0;   // m
+  Vec3 normal = Vec3::UnitX(); // unit, A's frame, from A to B
+  Vec3 point_a = Vec3::Zero(); // m, A's frame, on A's surface
+  Vec3 point_b = Vec3::Zero(); // m, B's frame, on B's surface
+  int gjk_iterations = 0, epa_iterations = 0, support_calls = 0;
+};
+
+/// What one query leaves for the next one of the same pair.
+struct QueryMemory {
+  Vec3 direction = Vec3::Zero();  // A's frame: last separating direction (A to B); zero: none yet
+};
+
+/// Signed distance of two convex shapes by the generic path (GJK, EPA, hybrid). Neither may be a half-space.
+/// @param b_in_a  pose of B in A's frame
+/// @param memory  may be null: no warm start
+/// @param fault   filled when a support function misbehaves; result.status is then fault
+void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySettings& settings,
+                      QueryMemory* memory, QueryResult& result, SupportFault& fault);
+
+/// Signed distance of any two shapes, by a specific routine if settings.routines and there is one, else generic. One of them may be a
+/// half-space (answered with one support call), not both.
+void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySettings& settings, QueryMemory* memory,
+              QueryResult& result, SupportFault& fault);
+
+}  // namespace carom

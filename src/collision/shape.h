@@ -1,0 +1,70 @@
+// A shape as the collision floor sees it: a support function with parameters, and what was derived and verified from it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/memory.h"
+#include "core/vec.h"
+
+namespace carom {
+
+/// Support function of a bounded convex set, the only code a shape brings. Same type as carom_support_fn in plugin.h.
+using SupportFn = std::int32_t (*)(const double* params, std::uint64_t count, const double dir[3], double out[3]);
+
+/// Closed forms, verified against the support function. Numbered as CAROM_FORM_* up to ellipsoid.
+enum class Form : std::uint32_t { none, sphere, capsule, box, polytope, cylinder, cone, ellipsoid, half_space, count };
+
+struct Aabb {
+  Vec3 lo = Vec3::Constant(kInfinity);
+  Vec3 hi = Vec3::Constant(-kInfinity);
+  bool overlaps(const Aabb& o) const {
+    return lo.x() <= o.hi.x() && o.lo.x() <= hi.x() && lo.y() <= o.hi.y() && o.lo.y() <= hi.y() && lo.z() <= o.hi.z() &&
+           o.lo.z() <= hi.z();
+  }
+};
+
+/// Volume, centre and inertia at unit density, each with a rigorous bound of its error.
+struct MassProperties {
+  Real volume = 0, volume_min = 0, volume_max = 0;  // m^3
+  Vec3 centroid = Vec3::Zero();                     // m, shape frame
+  Real centroid_error = 0;                          // m
+  Mat3 inertia = Mat3::Zero();                      // m^5, about the centroid, shape axes
+  Real inertia_error = 0;                           // m^5, bound of the spectral norm
+  bool exact = false;                               // from a verified closed form
+};
+
+/// Immutable once made, shared between worlds and threads.
+struct Shape {
+  explicit Shape(Memory* memory) : params(memory) {}
+
+  Form form = Form::none;
+  bool host_thread = false;      // support may be called on the stepping thread only
+  SupportFn support = nullptr;   // of the core; null for the half-space
+  Array<double> params;          // [n] owned here, immutable, what support is given
+  Real core_radius = 0;          // m: the shape is the core swollen by this
+  Real bounding_radius = 0;      // m, about the shape's origin, core radius included
+  Aabb bounds;                   // m, shape frame, exact to rounding, core radius included
+  MassProperties mass;
+
+  // Numbers of the closed form, so that no pair routine digs in params:
+  Real radius = 0;               // sphere, capsule, cylinder, cone (base)
+  Real half_height = 0;          // capsule (of the core segment), cylinder, cone; along y
+  Vec3 half = Vec3::Zero();      // box half extents; ellipsoid radii
+  std::span<const double> vertices;  // polytope: [3k] x,y,z, inside params
+  Vec3 normal = Vec3::UnitY();   // half-space { x : normal . x <= offset }, unit
+  Real offset = 0;               // m
+
+  std::uint64_t handle = 0;      // the ABI's name for it, for reports
+};
+
+/// What a misbehaving support function did; kept bit for bit as evidence. Kinds as CAROM_FAULT_*.
+struct SupportFault {
+  enum Kind : std::uint32_t { none = 0, returned = 1, not_finite = 2, outside = 3, not_support = 4 };
+  Kind kind = none;
+  const Shape* shape = nullptr;
+  double dir[3] = {0, 0, 0};
+  double out[3] = {0, 0, 0};
+};
+
+}  // namespace carom

@@ -1,0 +1,85 @@
+// Handles and the slots behind them.
+//
+// A handle carries kind, owner tag, generation and slot, so that a stale, foreign or mistaken one is told apart from a
+// good one in every build:    63..60 kind | 59..44 owner tag | 43..24 generation | 23..0 slot
+#pragma once
+
+#include <cstdint>
+
+#include "core/memory.h"
+
+namespace carom {
+
+using Handle = std::uint64_t;
+
+enum class Kind : std::uint32_t { none = 0, plugin = 1, shape = 2, material = 3, body = 4, collider = 5 };
+enum class HandleFault { none, invalid, stale, wrong_kind, wrong_owner };
+
+inline constexpr std::uint32_t kSlotBits = 24, kGenerationBits = 20, kTagBits = 16;
+inline constexpr std::uint32_t kMaxSlots = 1u << kSlotBits;
+inline constexpr std::uint32_t kMaxGeneration = (1u << kGenerationBits) - 1;
+
+inline constexpr std::uint32_t handle_slot(Handle h) { return static_cast<std::uint32_t>(h & (kMaxSlots - 1)); }
+
+/// Which slots are taken, and what generation each is in. The objects themselves live in arrays of their owner, indexed
+/// by slot. A slot whose generation is used up (2^20 lives) is retired rather than reused, so no handle ever comes back.
+class SlotPool {
+ public:
+  SlotPool(Kind kind, std::uint32_t tag, Memory* memory)
+      : kind_(kind), tag_(tag), generation_(memory), free_(memory) {}
+
+  /// Take a slot. @return its handle, or 0 when all 2^24 are taken. Freed slots come back last in, first out.
+  Handle take() {
+    std::uint32_t slot;
+    if (!free_.empty()) {
+      slot = free_.back();
+      free_.pop_back();
+    } else {
+      slot = static_cast<std::uint32_t>(generation_.size());
+      if (slot >= kMaxSlots) return 0;
+      if (free_.capacity() <= slot) free_.reserve(2 * (static_cast<std::size_t>(slot) + 8));  // release() never allocates
+      generation_.push_back(0);
+    }
+    generation_[slot] += 1;  // odd: alive
+    ++alive_;
+    return handle(slot);
+  }
+
+  void release(std::uint32_t slot) {
+    generation_[slot] += 1;  // even: free
+    --alive_;
+    if (generation_[slot] + 1 < kMaxGeneration) free_.push_back(slot);
+  }
+
+  bool alive(std::uint32_t slot) const { return slot < generation_.size() && (generation_[slot] & 1); }
+
+  Handle handle(std::uint32_t slot) const {
+    return (static_cast<Handle>(kind_) << 60) | (static_cast<Handle>(tag_) << 44) |
+           (static_cast<Handle>(generation_[slot]) << kSlotBits) | slot;
+  }
+
+  HandleFault check(Handle h) const {
+    const auto kind = static_cast<std::uint32_t>(h >> 60);
+    const auto tag = static_cast<std::uint32_t>(h >> 44) & 0xFFFFu;
+    const auto generation = static_cast<std::uint32_t>(h >> kSlotBits) & kMaxGeneration;
+    const auto slot = handle_slot(h);
+    if (h == 0 || kind == 0 || kind > static_cast<std::uint32_t>(Kind::collider)) return HandleFault::invalid;
+    if (kind != static_cast<std::uint32_t>(kind_)) return HandleFault::wrong_kind;
+    if (tag != tag_) return HandleFault::wrong_owner;
+    if (slot >= generation_.size() || generation > generation_[slot] || !(generation & 1)) return HandleFault::invalid;
+    return generation == generation_[slot] ? HandleFault::none : HandleFault::stale;
+  }
+
+  std::uint32_t slots() const { return static_cast<std::uint32_t>(generation_.size()); }
+  std::uint32_t alive_count() const { return alive_; }
+  void reserve(std::size_t n) { generation_.reserve(n), free_.reserve(n); }
+
+ private:
+  Kind kind_;
+  std::uint32_t tag_;
+  std::uint32_t alive_ = 0;
+  Array<std::uint32_t> generation_;
+  Array<std::uint32_t> free_;
+};
+
+}  // namespace carom

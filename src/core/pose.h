@@ -1,0 +1,73 @@
+// Rotations and rigid poses.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "core/trig.h"
+#include "core/vec.h"
+
+namespace carom {
+
+using Quat = Eigen::Quaternion<Real, Eigen::DontAlign>;  // w, x, y, z in calls; stored x, y, z, w
+
+/// A rigid placement of one frame in another: x_outer = q x_inner + p.
+struct Pose {
+  Quat q = Quat::Identity();  // unit, inner -> outer
+  Vec3 p = Vec3::Zero();      // m, outer frame
+
+  Vec3 apply(const Vec3& x) const { return q * x + p; }
+  Pose operator*(const Pose& inner) const { return {q * inner.q, q * inner.p + p}; }
+  Pose inverse() const { return {q.conjugate(), -(q.conjugate() * p)}; }
+};
+
+/// The same placement as a matrix, for places that transform many points.
+struct Frame {
+  Mat3 r = Mat3::Identity();
+  Vec3 p = Vec3::Zero();
+
+  Frame() = default;
+  Frame(const Mat3& rotation, const Vec3& position) : r(rotation), p(position) {}
+  explicit Frame(const Pose& pose) : r(pose.q.toRotationMatrix()), p(pose.p) {}
+  Vec3 apply(const Vec3& x) const { return r * x + p; }
+  Vec3 apply_inverse(const Vec3& x) const { return r.transpose() * (x - p); }
+  Vec3 rotate(const Vec3& x) const { return r * x; }
+  Vec3 rotate_inverse(const Vec3& x) const { return r.transpose() * x; }
+  Frame operator*(const Frame& inner) const { return {r * inner.r, r * inner.p + p}; }
+};
+
+/// B's frame seen from A's, formed from the difference of positions first, so that two bodies 1e6 m from the origin
+/// lose no digits of their distance beyond those that their positions lack already.
+inline Frame relative(const Frame& a, const Frame& b) {
+  return {a.r.transpose() * b.r, a.r.transpose() * (b.p - a.p)};
+}
+
+/// Rotation by a rotation vector (exponential map).
+///   q = (cos |phi|/2, sin(|phi|/2) phi/|phi|)
+/// @param phi  [3] rad, axis times angle
+/// @return     [4] unit to 2 eps
+/// @accuracy   4 eps; the series below |phi| = 1e-3 has a remainder below 1e-17
+/// @oracle     tests/unit/core/test_pose
+inline Quat exp_map(const Vec3& phi) {
+  const Real angle2 = phi.squaredNorm();
+  Real scale, w;
+  if (angle2 < 1e-6) {
+    scale = 0.5 - angle2 / 48 + angle2 * angle2 / 3840;  // sin(x/2)/x
+    w = 1 - angle2 / 8 + angle2 * angle2 / 384;          // cos(x/2)
+  } else {
+    const Real angle = std::sqrt(angle2);
+    const SinCos half = sin_cos(angle / 2);
+    scale = half.sin / angle;
+    w = half.cos;
+  }
+  return Quat(w, scale * phi.x(), scale * phi.y(), scale * phi.z());
+}
+
+/// Scale back to unit length; a quaternion that lost its meaning (zero, not finite) becomes identity.
+inline Quat normalized(const Quat& q) {
+  const Real n2 = q.coeffs().squaredNorm();
+  if (!(n2 > 0) || !finite(n2)) return Quat::Identity();
+  const Real s = 1 / std::sqrt(n2);
+  return Quat(q.w() * s, q.x() * s, q.y() * s, q.z() * s);
+}
+
+}  // namespace carom

@@ -1,0 +1,88 @@
+// The one table of dials: names, bounds, defaults, and what each trades.
+#include "dynamics/dials.h"
+
+namespace carom {
+namespace {
+
+constexpr const char* kIntegrators[] = {"explicit_euler", "semi_implicit_euler", "rk4"};
+constexpr const char* kRotations[] = {"none", "explicit", "implicit"};
+constexpr const char* kSolvers[] = {"severity"};
+constexpr const char* kSearches[] = {"linear", "heap"};
+constexpr const char* kOffOn[] = {"off", "on"};
+constexpr const char* kBroadPhases[] = {"brute_force", "sweep_and_prune", "grid"};
+constexpr const char* kNarrowPhases[] = {"hybrid", "gjk_epa"};
+constexpr const char* kSimplices[] = {"johnson", "voronoi", "voronoi_last"};
+constexpr const char* kManifolds[] = {"single", "cache"};
+
+template <std::uint32_t N>
+constexpr DialRow choice(Dial d, const char* name, const char* summary, const char* const (&choices)[N], Real initial) {
+  return {d, DialRow::choice, name, "", summary, choices, N, 0, Real(N - 1), initial};
+}
+constexpr DialRow integer(Dial d, const char* name, const char* summary, Real min, Real max, Real initial) {
+  return {d, DialRow::integer, name, "", summary, nullptr, 0, min, max, initial};
+}
+constexpr DialRow number(Dial d, const char* name, const char* unit, const char* summary, Real min, Real max,
+                         Real initial) {
+  return {d, DialRow::number, name, unit, summary, nullptr, 0, min, max, initial};
+}
+
+constexpr std::array<DialRow, kDialCount> kTable = {{
+    choice(Dial::integrator, "integrator", "order of the error in flight: 1, 1, 4; cost 1, 1, 4 force evaluations",
+           kIntegrators, 1),
+    choice(Dial::rotation, "rotation", "gyroscopic term: absent, as an explicit torque, or one implicit Newton step",
+           kRotations, 2),
+    integer(Dial::substeps, "substeps", "integrate-and-solve passes per step; error falls with each, cost grows", 1, 64,
+            1),
+    choice(Dial::solver, "solver", "how contacts are resolved", kSolvers, 0),
+    integer(Dial::velocity_iterations, "velocity_iterations",
+            "at most this many impulses per contact point of a group and substep", 1, 1000, 4),
+    integer(Dial::position_iterations, "position_iterations",
+            "at most this many position corrections per contact point of a group and substep", 0, 1000, 2),
+    number(Dial::velocity_tolerance, "velocity_tolerance", "m/s", "closing speed left unresolved", 0, 10, 0.01),
+    number(Dial::position_tolerance, "position_tolerance", "m", "penetration left unresolved", 0, 1, 0.001),
+    number(Dial::restitution_speed, "restitution_speed", "m/s", "below this approach speed a contact does not bounce", 0,
+           100, 0.25),
+    choice(Dial::severity_search, "severity_search", "find the most severe contact by scanning all, or from a heap",
+           kSearches, 1),
+    choice(Dial::groups, "groups", "resolve each contact group by itself, or all contacts as one", kOffOn, 1),
+    choice(Dial::broad_phase, "broad_phase", "which bounds overlap: all pairs, sorted axes, or cells; same answer",
+           kBroadPhases, 1),
+    number(Dial::grid_cell, "grid_cell", "m", "cell size of the uniform grid; 0 chooses it from the scene", 0, 1e6, 0),
+    number(Dial::contact_distance, "contact_distance", "m", "pairs nearer than this make contacts before they touch", 0,
+           10, 0.01),
+    choice(Dial::pair_routines, "pair_routines", "specific routines for declared shapes, or the generic path for all",
+           kOffOn, 1),
+    choice(Dial::narrow_phase, "narrow_phase",
+           "generic path: GJK on margin shells with EPA for deep contact, or exact GJK and EPA", kNarrowPhases, 1),
+    choice(Dial::simplex, "simplex", "sub-algorithm of GJK; same answers, different cost", kSimplices, 2),
+    number(Dial::gjk_tolerance, "gjk_tolerance", "", "bracket width, relative to the pair's size, at which a query stops",
+           1e-14, 1e-1, 1e-6),
+    integer(Dial::gjk_iterations, "gjk_iterations", "cap of GJK; a capped query still returns its bracket", 4, 10000,
+            128),
+    integer(Dial::epa_iterations, "epa_iterations", "cap of EPA; a capped query still returns its bracket", 4, 10000,
+            256),
+    number(Dial::hybrid_margin, "hybrid_margin", "m", "shell around each shape in the hybrid: larger is faster, and wronger",
+           0, 1, 0.005),
+    choice(Dial::warm_separation, "warm_separation", "start a query from the pair's last separating vector", kOffOn, 1),
+    choice(Dial::manifold, "manifold", "contact points of a pair: the deepest alone, or up to four kept over steps",
+           kManifolds, 1),
+    number(Dial::cache_distance, "cache_distance", "m", "a kept contact point that moved further than this is dropped", 0,
+           10, 0.02),
+}};
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < kDialCount; ++i)
+    if (static_cast<std::size_t>(kTable[i].dial) != i) return false;
+  return true;
+}
+static_assert(in_order(), "rows stand in the order of enum Dial");
+
+}  // namespace
+
+const std::array<DialRow, kDialCount>& dial_table() { return kTable; }
+
+Dials::Dials() {
+  for (std::size_t i = 0; i < kDialCount; ++i) value[i] = kTable[i].initial;
+}
+
+}  // namespace carom

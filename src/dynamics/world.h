@@ -1,0 +1,95 @@
+// A world: scene, state, and what steps keep. The ABI calls these functions with validated arguments; they do not fail
+// except by throwing std::bad_alloc before anything has changed.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "collision/broad/broad_phase.h"
+#include "collision/narrow/narrow_phase.h"
+#include "dynamics/scene.h"
+#include "dynamics/state.h"
+
+namespace carom {
+
+/// Stages as a host sees them, in the order of CAROM_STAGE_*.
+enum class Stage : std::uint32_t { refresh, broad, narrow, group, integrate, solve, relax, observe, count };
+inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::count);
+const char* stage_name(Stage stage);
+
+/// Times, counts and residuals of one step; fields as carom_step_report.
+struct StepReport {
+  std::array<double, kStageCount> stage_seconds{};
+  double total_seconds = 0;
+  std::uint64_t steps = 0;
+  double time = 0;
+  std::uint64_t bodies = 0, dynamic_bodies = 0, colliders = 0;
+  std::uint64_t broad_pairs = 0, contact_pairs = 0, contact_points = 0, groups = 0, largest_group = 0;
+  NarrowReport narrow;
+  std::uint64_t velocity_impulses = 0, position_moves = 0;
+  std::uint64_t quarantined_bodies = 0, faults = 0;
+  double max_penetration = 0, mean_penetration = 0, max_closing_speed = 0;
+  double linear_energy = 0, angular_energy = 0;
+};
+
+/// A contact point as a host reads it after the step.
+struct ContactView {
+  std::uint32_t collider_a, collider_b;  // slots
+  Vec3 point, normal;                    // m, world; unit, world, A to B
+  Real separation;                       // m
+  Real normal_impulse, friction_impulse; // N s over the step
+};
+
+/// A fault of the last step: a support function's, or a body's (then body is its slot and support.kind is none).
+struct FaultView {
+  SupportFault support;
+  std::uint32_t body;  // slot of a body it concerns
+};
+
+struct Plan;      // dynamics/effects.h: which effects have customers
+struct Contacts;  // dynamics/contact/contact.h: rows of the solver, scratch kept between steps
+
+class World {
+ public:
+  World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, Memory* memory);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  // ---- editing (between steps). Slots are valid; the caller resolved handles. ----
+  Handle add_body(const BodyDef& def);              // 0: all slots taken
+  void remove_body(std::uint32_t body);             // its colliders too
+  Handle add_collider(std::uint32_t body, const Shape* shape, const Pose& local, Real density, std::uint32_t material);
+  void remove_collider(std::uint32_t collider);
+  Handle add_material(const Material& m);
+  void set_material(std::uint32_t material, const Material& m);
+  void remove_material(std::uint32_t material);
+  void set_dial(Dial dial, Real value);
+  void set_gravity(const Vec3& g);
+
+  Pose pose(std::uint32_t body) const;              // body frame -> world
+  void set_pose(std::uint32_t body, const Pose& pose);
+  void set_velocity(std::uint32_t body, const Vec3& linear, const Vec3& angular);
+  void add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& point);
+
+  // ---- stepping: src/dynamics/step.cpp ----
+  void step(Real dt);
+
+  // ---- reading ----
+  std::uint64_t hash() const;
+
+  Scene scene;
+  State state;
+  StepReport report;
+  Array<ContactView> contact_views;  // of the last step, ascending by collider pair
+  Array<FaultView> fault_views;      // of the last step
+
+  // ---- what stages keep between steps ----
+  PairTable pairs;
+  std::array<std::unique_ptr<BroadPhase>, 3> broad;  // by CAROM_BROAD_*, made when first used
+  std::unique_ptr<Plan> plan;
+  std::unique_ptr<Contacts> contacts;
+  Memory* memory;
+};
+
+}  // namespace carom
