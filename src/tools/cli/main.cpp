@@ -1,0 +1,34 @@
+// The `carom` command: reads the command line, hands over to one subcommand, prints what went wrong and what to do.
+#include <cstdio>
+
+#include "cli/commands.h"
+
+int main(int argc, char** argv) {
+  using namespace carom::tools;
+  CLI::App app{"Carom: rigid-body physics whose shapes are plugins. Try: carom run seesaw --gltf seesaw.gltf", "carom"};
+  app.require_subcommand(1);
+  app.fallthrough();  // options of carom itself may follow the subcommand
+  app.footer("Exit codes: 0 done; 1 bad news (a dishonest plugin, a run that went wrong); 2 could not run.");
+  Context context;
+  app.add_option("--plugins", context.plugin_dirs,
+                 "Folder with shape plugins (repeatable); also CAROM_PLUGIN_PATH, then the folders of this program")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& wrong) {
+    std::fprintf(stderr, "carom: %s\n  what to do: see `carom --help`, or `carom COMMAND --help` for its options\n",
+                 wrong.what());
+    return kExitCannotRun;
+  } catch (const Error& error) {
+    std::fprintf(stderr, "carom: %s\n  what to do: %s\n", error.what(), error.remedy.c_str());
+    return kExitCannotRun;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "carom: %s\n  what to do: check memory and disk space; if both are fine, please report this\n",
+                 error.what());
+    return kExitCannotRun;
+  }
+  return context.exit_code;
+}

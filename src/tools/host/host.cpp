@@ -1,0 +1,227 @@
+// Owners of engine and world over the C ABI; every failed call becomes an Error with its remedy.
+#include "host/host.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace carom::tools {
+
+void Call::done(int32_t result, const std::string& doing) const {
+  if (result == CAROM_OK) return;
+  const std::string why = error_.code == result && error_.message[0] ? error_.message : carom_result_name(result);
+  const std::string remedy = error_.code == result && error_.remedy[0] ? error_.remedy : carom_result_remedy(result);
+  throw Error(doing + ": " + why, remedy, result);
+}
+
+Engine::Engine(PluginPath path) : path_(std::move(path)) {
+  Call call;
+  call.done(carom_engine_create(nullptr, &engine_, call), "creating an engine");
+}
+
+Engine::~Engine() { carom_engine_destroy(engine_, nullptr); }
+
+carom_plugin Engine::load(const std::string& absolute_path) {
+  carom_plugin handle = CAROM_NULL_HANDLE;
+  Call call;
+  call.done(carom_plugin_load(engine_, absolute_path.c_str(), &handle, call), "loading " + absolute_path);
+  return handle;
+}
+
+carom_plugin Engine::plugin(const std::string& name) {
+  if (const auto found = plugins_.find(name); found != plugins_.end()) return found->second;
+  const carom_plugin handle = load(path_.find(name));
+  plugins_.emplace(name, handle);
+  return handle;
+}
+
+carom_shape Engine::shape(const std::string& plugin_name, const std::vector<double>& params) {
+  auto key = std::make_pair(plugin_name, params);
+  if (const auto found = shapes_.find(key); found != shapes_.end()) return found->second;
+  carom_shape handle = CAROM_NULL_HANDLE;
+  Call call;
+  call.done(carom_shape_create(engine_, plugin(plugin_name), params.data(), params.size(), &handle, call),
+            "making a shape of plugin " + plugin_name);
+  shapes_.emplace(std::move(key), handle);
+  return handle;
+}
+
+carom_shape Engine::half_space(const double normal[3], double offset) {
+  auto key = std::make_pair(std::string("half_space"), std::vector<double>{normal[0], normal[1], normal[2], offset});
+  if (const auto found = shapes_.find(key); found != shapes_.end()) return found->second;
+  carom_shape handle = CAROM_NULL_HANDLE;
+  Call call;
+  call.done(carom_shape_create_half_space(engine_, normal, offset, &handle, call), "making a half-space");
+  shapes_.emplace(std::move(key), handle);
+  return handle;
+}
+
+carom_shape_info Engine::info(carom_shape shape_handle) const {
+  carom_shape_info info{};
+  info.struct_size = sizeof info;
+  Call call;
+  call.done(carom_shape_get_info(engine_, shape_handle, &info, call), "asking about a shape");
+  return info;
+}
+
+const carom_shape_plugin& Engine::describe(carom_plugin handle) const {
+  const carom_shape_plugin* description = nullptr;
+  Call call;
+  call.done(carom_plugin_describe(engine_, handle, &description, call), "asking a plugin for its description");
+  return *description;
+}
+
+std::vector<std::string> Engine::loaded() const {
+  std::vector<std::string> names;
+  for (const auto& [name, handle] : plugins_) names.push_back(name);
+  return names;
+}
+
+World::World(Engine& engine, const carom_world_desc* desc) {
+  Call call;
+  call.done(carom_world_create(engine.get(), desc, &world_, call), "creating a world");
+}
+
+World::~World() { carom_world_destroy(world_, nullptr); }
+
+void World::step(double dt) {
+  Call call;
+  call.done(carom_world_step(world_, dt, call), "stepping the world");
+}
+
+carom_step_report World::report() const {
+  carom_step_report report{};
+  report.struct_size = sizeof report;
+  Call call;
+  call.done(carom_world_get_report(world_, &report, call), "reading the step report");
+  return report;
+}
+
+std::vector<carom_contact> World::contacts() const {
+  std::uint64_t count = 0;
+  Call call;
+  call.done(carom_world_get_contacts(world_, nullptr, sizeof(carom_contact), 0, &count, call), "counting contacts");
+  std::vector<carom_contact> list(count);
+  call.done(carom_world_get_contacts(world_, list.data(), sizeof(carom_contact), count, &count, call), "reading contacts");
+  return list;
+}
+
+std::vector<carom_fault> World::faults() const {
+  std::uint64_t count = 0;
+  Call call;
+  call.done(carom_world_get_faults(world_, nullptr, sizeof(carom_fault), 0, &count, call), "counting faults");
+  std::vector<carom_fault> list(count);
+  call.done(carom_world_get_faults(world_, list.data(), sizeof(carom_fault), count, &count, call), "reading faults");
+  return list;
+}
+
+std::vector<carom_body> World::bodies() const {
+  std::uint64_t count = 0;
+  Call call;
+  call.done(carom_world_get_bodies(world_, nullptr, 0, &count, call), "counting bodies");
+  std::vector<carom_body> list(count);
+  call.done(carom_world_get_bodies(world_, list.data(), count, &count, call), "listing bodies");
+  return list;
+}
+
+std::uint64_t World::hash() const {
+  std::uint64_t hash = 0;
+  Call call;
+  call.done(carom_world_hash(world_, &hash, call), "hashing the world");
+  return hash;
+}
+
+std::size_t field_width(std::uint32_t field) {
+  constexpr std::size_t kWidths[CAROM_FIELD_COUNT] = {3, 4, 7, 3, 3, 6, 6, 3, 1};
+  return field < CAROM_FIELD_COUNT ? kWidths[field] : 0;
+}
+
+void World::read(std::uint32_t field, const std::vector<carom_body>& which, std::vector<double>& dst) const {
+  dst.resize(which.size() * field_width(field));
+  if (which.empty()) return;
+  Call call;
+  call.done(carom_world_read(world_, field, CAROM_SCALAR_F64, which.data(), which.size(), dst.data(), 0, call),
+            "reading the bodies");
+}
+
+void World::set_dial(std::uint32_t dial_index, double value) {
+  Call call;
+  call.done(carom_world_set_dial(world_, dial_index, value, call), "setting a dial");
+}
+
+double World::dial(std::uint32_t dial_index) const {
+  double value = 0;
+  Call call;
+  call.done(carom_world_get_dial(world_, dial_index, &value, call), "reading a dial");
+  return value;
+}
+
+void World::set_dial(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  const std::string name = assignment.substr(0, equals);
+  std::uint32_t index = 0;
+  if (carom_dial_find(name.c_str(), &index, nullptr) != CAROM_OK) {
+    std::vector<std::string> names;
+    for (const carom_dial_info& d : all_dials()) names.emplace_back(d.name);
+    const std::string near = nearest_name(name, names);
+    throw Error("there is no dial called '" + name + "'",
+                (near.empty() ? std::string() : "did you mean '" + near + "'? ") + "`carom dials` lists them all");
+  }
+  const carom_dial_info info = dial_info(index);
+  if (equals == std::string::npos)
+    throw Error("--dial " + name + " has no value", "write --dial " + name + "=VALUE; `carom dials` shows the bounds");
+  const std::string text = assignment.substr(equals + 1);
+  std::string choices;
+  for (std::uint32_t i = 0; i < info.choice_count; ++i) {
+    if (text == info.choices[i]) return set_dial(index, i);
+    choices += (i ? ", " : "") + std::string(info.choices[i]);
+  }
+  double value = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failed != std::errc() || end != text.data() + text.size())
+    throw Error("dial " + name + ": '" + text + "' is not a value of it",
+                choices.empty() ? "give a number; `carom dials` shows the bounds" : "choose one of: " + choices);
+  Call call;
+  call.done(carom_world_set_dial(world_, index, value, call), "dial " + name);
+}
+
+carom_dial_info dial_info(std::uint32_t dial) {
+  carom_dial_info info{};
+  info.struct_size = sizeof info;
+  Call call;
+  call.done(carom_dial_get_info(dial, &info, call), "asking about a dial");
+  return info;
+}
+
+std::vector<carom_dial_info> all_dials() {
+  std::uint32_t count = 0;
+  Call call;
+  call.done(carom_dial_get_count(&count), "counting dials");
+  std::vector<carom_dial_info> list;
+  for (std::uint32_t i = 0; i < count; ++i) list.push_back(dial_info(i));
+  return list;
+}
+
+std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
+  std::string best;
+  std::size_t least = name.size() / 2 + 2;  // further than this, a suggestion would only confuse
+  for (const std::string& candidate : candidates) {
+    std::vector<std::size_t> row(candidate.size() + 1);
+    for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= name.size(); ++i) {
+      std::size_t diagonal = row[0];
+      row[0] = i;
+      for (std::size_t j = 1; j <= candidate.size(); ++j) {
+        const std::size_t replace = diagonal + (name[i - 1] != candidate[j - 1]);
+        diagonal = row[j];
+        row[j] = std::min({row[j] + 1, row[j - 1] + 1, replace});
+      }
+    }
+    if (row.back() < least) {
+      least = row.back();
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+}  // namespace carom::tools

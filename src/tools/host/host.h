@@ -1,0 +1,111 @@
+// The C ABI as a C++ host likes it: owners that clean up, failed calls that throw. For tools only; it sees include/ alone.
+#pragma once
+
+#include <carom/carom.h>
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace carom::tools {
+
+/// Something went wrong, and what to do about it. what() is the message; the remedy is a sentence of its own.
+class Error : public std::runtime_error {
+ public:
+  Error(const std::string& message, std::string remedy_text, int32_t result = 0)
+      : std::runtime_error(message), remedy(std::move(remedy_text)), code(result) {}
+  std::string remedy;
+  int32_t code;  ///< CAROM_E_* if a call of the library failed, else 0
+};
+
+/// Details of one call: `Call c; c.done(carom_x(..., c), "doing x");`
+class Call {
+ public:
+  operator carom_error*() { return &error_; }
+  /// @throws Error with the library's message and remedy, prefixed by what we were doing, unless result is CAROM_OK
+  void done(int32_t result, const std::string& doing) const;
+
+ private:
+  carom_error error_ = CAROM_ERROR_INIT;
+};
+
+/// Folders in which plugins are looked for, in order. Built once from the command line.
+class PluginPath {
+ public:
+  /// @param explicit_dirs  --plugins DIR; searched first, then $CAROM_PLUGIN_PATH (colon-separated), then beside the
+  ///                       executable: ../plugins (a build folder) and ../<libdir>/carom/plugins (an installation)
+  explicit PluginPath(std::vector<std::string> explicit_dirs = {});
+  /// Absolute path of NAME.so.   @throws Error that lists the folders searched
+  std::string find(const std::string& name) const;
+  /// Absolute paths of every .so in the folders, by name; the first folder that has a name wins.
+  std::map<std::string, std::string> all() const;
+  const std::vector<std::string>& folders() const { return folders_; }
+
+ private:
+  std::vector<std::string> folders_;
+};
+
+/// An engine, the plugins loaded into it by short name ("sphere"), and shapes shared by equal parameters.
+class Engine {
+ public:
+  explicit Engine(PluginPath path = PluginPath());
+  ~Engine();
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  carom_engine* get() const { return engine_; }
+  const PluginPath& path() const { return path_; }
+  carom_plugin plugin(const std::string& name);       ///< loads plugins/NAME.so on first use   @throws Error
+  carom_plugin load(const std::string& absolute_path);  ///< @throws Error
+  carom_shape shape(const std::string& plugin_name, const std::vector<double>& params);  ///< made once per params
+  carom_shape half_space(const double normal[3], double offset);                         ///< made once
+  carom_shape_info info(carom_shape shape) const;
+  const carom_shape_plugin& describe(carom_plugin plugin) const;
+  std::vector<std::string> loaded() const;  ///< short names of plugins loaded so far, sorted
+
+ private:
+  PluginPath path_;
+  carom_engine* engine_ = nullptr;
+  std::map<std::string, carom_plugin> plugins_;
+  std::map<std::pair<std::string, std::vector<double>>, carom_shape> shapes_;
+};
+
+/// A world of an engine; the engine must outlive it.
+class World {
+ public:
+  explicit World(Engine& engine, const carom_world_desc* desc = nullptr);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  carom_world* get() const { return world_; }
+  void step(double dt);
+  carom_step_report report() const;
+  std::vector<carom_contact> contacts() const;
+  std::vector<carom_fault> faults() const;
+  std::vector<carom_body> bodies() const;
+  std::uint64_t hash() const;
+  /// One field (CAROM_FIELD_*) of the bodies given, doubles, tightly packed into dst (resized).
+  void read(std::uint32_t field, const std::vector<carom_body>& which, std::vector<double>& dst) const;
+  void set_dial(std::uint32_t dial, double value);
+  double dial(std::uint32_t dial) const;
+  /// `name=value`, the value a number or the name of a choice.   @throws Error naming the nearest dial or the choices
+  void set_dial(const std::string& assignment);
+
+ private:
+  carom_world* world_ = nullptr;
+};
+
+/// Number of doubles in one record of a CAROM_FIELD_*.
+std::size_t field_width(std::uint32_t field);
+
+/// A dial's documentation, by index.   @throws Error
+carom_dial_info dial_info(std::uint32_t dial);
+std::vector<carom_dial_info> all_dials();
+
+/// The candidate that differs from `name` by the fewest edits (insert, delete, replace a letter); "" if none is close.
+std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
+
+}  // namespace carom::tools

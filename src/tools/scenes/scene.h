@@ -1,0 +1,121 @@
+// Parametric scenes: one description, many uses (the command, tests, reports, benchmarks). A scene fills a Stage
+// through the public C ABI and says what to look for.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/host.h"
+
+namespace carom::tools {
+
+using Vec = Eigen::Vector3d;
+using Quat = Eigen::Quaterniond;
+
+/// A triangle mesh for the eye only; the physics uses convex shapes.
+struct VisualMesh {
+  std::vector<Vec> points;                         ///< m, in the frame of the part that wears it
+  std::vector<std::array<std::uint32_t, 3>> faces; ///< counter-clockwise seen from outside
+};
+
+/// A collider as a scene describes it.
+struct Part {
+  std::string shape;           ///< plugin name ("box"), or "half_space" with params nx, ny, nz, offset
+  std::vector<double> params;  ///< of the plugin
+  Vec position = Vec::Zero();  ///< m, body frame
+  Quat orientation = Quat::Identity();
+  double density = 1000;       ///< kg/m^3
+  double friction = 0.5;
+  double restitution = 0;
+  int mesh = -1;               ///< index into Stage::meshes to draw instead of the shape, or -1
+};
+
+/// A body as a scene describes it, and the handle it got.
+struct Actor {
+  std::string name;  ///< unique within the stage: "domino 3"
+  std::string kind;  ///< what it is in summaries, colours and plots: "domino"
+  std::uint32_t type = CAROM_BODY_DYNAMIC;
+  Vec position = Vec::Zero();  ///< m, world
+  Quat orientation = Quat::Identity();
+  Vec linear_velocity = Vec::Zero();   ///< m/s, world
+  Vec angular_velocity = Vec::Zero();  ///< rad/s, world
+  double mass = 0;                     ///< kg; 0: from the parts' densities
+  std::vector<Part> parts;             ///< none: a particle
+  carom_body body = CAROM_NULL_HANDLE;
+};
+
+/// A world being set up and run, with what the scene knows of its bodies. Colliders of equal surface share a material.
+class Stage {
+ public:
+  Stage(Engine& engine, const carom_world_desc* desc = nullptr) : engine_(engine), world(engine, desc) {}
+
+  /// Create the body and its colliders.   @return index into actors   @throws Error
+  std::size_t add(Actor actor);
+  /// A static half-space { x : normal . x <= normal . point }.
+  std::size_t add_half_space(const std::string& name, const Vec& normal, const Vec& point, double friction = 0.5);
+
+  Engine& engine() { return engine_; }
+  Vec position(std::size_t actor) const;   ///< m, world: origin of the body frame
+  Quat orientation(std::size_t actor) const;
+  Vec velocity(std::size_t actor) const;   ///< m/s, world, of the centre of mass
+
+ private:
+  Engine& engine_;
+  std::map<std::pair<double, double>, carom_material> materials_;
+
+ public:
+  World world;
+  std::vector<Actor> actors;
+  std::vector<VisualMesh> meshes;
+  std::vector<std::string> remarks;  ///< what a viewer of the run should know: credits, stand-ins
+  double ground_half_width = 10;     ///< m, floor drawn by viewers; 0: none
+};
+
+/// Watches a run and tells its story ("the bunny left the plank at 5.1 m/s").
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void watch(const Stage& stage, double time) = 0;       ///< after every step
+  virtual std::vector<std::string> tell(const Stage& stage) const = 0;  ///< sentences, at the end
+  /// Did what the scene is about happen? Judged by the same events that tell() reports.
+  virtual bool came_off(const Stage& stage) const = 0;
+};
+
+/// A number that a scene can be asked to change.
+struct Knob {
+  std::string name;  ///< "n"
+  std::string unit;  ///< "m", "" for counts
+  std::string help;
+  double initial, min, max;
+  bool whole = false;
+};
+
+/// Values of a scene's knobs, plus the mesh file.
+struct Settings {
+  std::vector<std::pair<std::string, double>> values;  ///< overrides, by knob name
+  std::string mesh_path;                               ///< "": the default search
+};
+
+struct Scene {
+  std::string name;
+  std::string summary;        ///< one sentence
+  std::string look_for;       ///< one sentence: what to look for
+  std::vector<Knob> knobs;
+  double seconds;             ///< suggested duration
+  double dt;                  ///< s, suggested step
+  std::unique_ptr<Observer> (*fill)(Stage& stage, const std::vector<double>& knobs, const std::string& mesh_path);
+};
+
+/// Every scene, in the order of `carom list`.
+const std::vector<Scene>& all_scenes();
+/// @throws Error with the nearest name and the list
+const Scene& find_scene(const std::string& name);
+/// Check the settings against the scene's knobs and fill the stage.
+/// @return the observer, or null   @throws Error (unknown knob, out of bounds, plugin or mesh missing)
+std::unique_ptr<Observer> build(const Scene& scene, const Settings& settings, Stage& stage);
+
+}  // namespace carom::tools
