@@ -36,7 +36,8 @@ extern "C" {
 #define CAROM_DIAL_WARM_SEPARATION 21u     /* choice: 0 start each query afresh, 1 start from the last separating vector */
 #define CAROM_DIAL_MANIFOLD 22u            /* choice: CAROM_MANIFOLD_* */
 #define CAROM_DIAL_CACHE_DISTANCE 23u      /* m: a cached point is dropped when it drifted further than this */
-#define CAROM_DIAL_COUNT 24u
+#define CAROM_DIAL_WARM_START 24u          /* choice: 0 solve each step from zero, 1 start from the last step's impulses */
+#define CAROM_DIAL_COUNT 25u
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
 #define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u

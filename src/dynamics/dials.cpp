@@ -68,6 +68,8 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
            kManifolds, 1),
     number(Dial::cache_distance, "cache_distance", "m", "a kept contact point that moved further than this is dropped", 0,
            10, 0.02),
+    choice(Dial::warm_start, "warm_start", "solve each step from zero (the paper's), or from the last step's impulses",
+           kOffOn, 1),
 }};
 
 constexpr bool in_order() {

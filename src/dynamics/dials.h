@@ -13,7 +13,7 @@ enum class Dial : std::uint32_t {
   integrator, rotation, substeps, solver, velocity_iterations, position_iterations, velocity_tolerance,
   position_tolerance, restitution_speed, severity_search, groups, broad_phase, grid_cell, contact_distance,
   pair_routines, narrow_phase, simplex, gjk_tolerance, gjk_iterations, epa_iterations, hybrid_margin, warm_separation,
-  manifold, cache_distance, count
+  manifold, cache_distance, warm_start, count
 };
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);
 

@@ -53,6 +53,7 @@ struct Scene {
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
   Dials dials;
   std::uint64_t revision = 1;  // raised by every change a host makes to anything above
+  std::uint64_t collider_revision = 1;  // raised when the set of colliders, or who may touch whom, changed
 };
 
 }  // namespace carom

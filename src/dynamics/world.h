@@ -71,6 +71,8 @@ class World {
   void set_pose(std::uint32_t body, const Pose& pose);
   void set_velocity(std::uint32_t body, const Vec3& linear, const Vec3& angular);
   void add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& point);
+  void add_force(std::uint32_t body, const Vec3& force, const Vec3& torque);  // for the next step, about the centre
+  void set_force(std::uint32_t body, const Vec3& force, const Vec3& torque);  // replaces what is pending
 
   // ---- stepping: src/dynamics/step.cpp ----
   void step(Real dt);
