@@ -11,6 +11,15 @@ struct BroadSettings {
   Real grid_cell = 0;  // m; 0: chosen from the scene
 };
 
+/// What the last call of a strategy did, in its own units of work: for benchmarks, and for tests that hold it to its order.
+struct BroadWork {
+  std::uint64_t tests = 0;     // pairs of bounds compared
+  std::uint64_t swaps = 0;     // neighbours exchanged on an axis (sweep-and-prune)
+  std::uint64_t rebuilds = 0;  // 1: sorted afresh instead of updated (sweep-and-prune)
+  std::uint64_t entries = 0;   // cells entered by boxes (grid)
+  std::uint64_t large = 0;     // boxes compared with all others (grid)
+};
+
 /// A strategy keeps what it likes from step to step; its answer depends on the table alone.
 class BroadPhase {
  public:
@@ -23,6 +32,11 @@ class BroadPhase {
   /// Allocates nothing once its arrays have grown to the scene's size.
   virtual void find_pairs(const Colliders& table, std::uint64_t generation, const BroadSettings& settings,
                           Array<Pair>& pairs) = 0;
+
+  const BroadWork& work() const { return work_; }
+
+ protected:
+  BroadWork work_;
 };
 
 std::unique_ptr<BroadPhase> make_brute_force(Memory* memory);

@@ -1,0 +1,30 @@
+// Broad phase by comparing every box with every other: the oracle of the other strategies, and the paper's baseline.
+#include "collision/broad/bounds.h"
+#include "collision/broad/broad_phase.h"
+
+namespace carom {
+namespace {
+
+class BruteForce final : public BroadPhase {
+ public:
+  void find_pairs(const Colliders& table, std::uint64_t, const BroadSettings&, Array<Pair>& pairs) override {
+    pairs.clear();
+    work_ = {};
+    for (std::size_t i = 0; i < table.live.size(); ++i) {
+      const std::uint32_t a = table.live[i];
+      if (is_empty(table.bounds[a])) continue;
+      work_.tests += table.live.size() - i - 1;
+      for (std::size_t j = i + 1; j < table.live.size(); ++j) {
+        const std::uint32_t b = table.live[j];
+        if (table.bounds[a].overlaps(table.bounds[b]) && !is_empty(table.bounds[b]) && may_touch(table, a, b))
+          pairs.push_back({a, b});
+      }
+    }
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<BroadPhase> make_brute_force(Memory*) { return std::make_unique<BruteForce>(); }
+
+}  // namespace carom
