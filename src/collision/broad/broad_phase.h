@@ -11,7 +11,8 @@ struct BroadSettings {
   Real grid_cell = 0;  // m; 0: chosen from the scene
 };
 
-/// What the last call of a strategy did, in its own units of work: for benchmarks, and for tests that hold it to its order.
+/// What the last call of a strategy did, in its own units of work: for benchmarks, and for tests that hold it to its
+/// order.
 struct BroadWork {
   std::uint64_t tests = 0;     // pairs of bounds compared
   std::uint64_t swaps = 0;     // neighbours exchanged on an axis (sweep-and-prune)
@@ -26,10 +27,10 @@ class BroadPhase {
   virtual ~BroadPhase() = default;
 
   /// Every pair (a < b) of live colliders whose bounds overlap (closed intervals) and that may_touch(), each once,
-  /// ascending by key. Colliders may have come, gone or changed slots' meaning since the last call: table.live tells which
-  /// are there, `generation` is a number that differs whenever the set of live slots or what they stand for changed.
-  /// Bounds may be infinite (half-space) but are never NaN; a slot with lo > hi overlaps nothing.
-  /// Allocates nothing once its arrays have grown to the scene's size.
+  /// ascending by key. Colliders may have come, gone or changed slots' meaning since the last call: table.live tells
+  /// which are there, `generation` is a number that differs whenever the set of live slots or what they stand for
+  /// changed. Bounds may be infinite (half-space) but are never NaN; a slot with lo > hi overlaps nothing. Allocates
+  /// nothing once its arrays have grown to the scene's size.
   virtual void find_pairs(const Colliders& table, std::uint64_t generation, const BroadSettings& settings,
                           Array<Pair>& pairs) = 0;
 
