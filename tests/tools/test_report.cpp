@@ -1,0 +1,214 @@
+// Drawings and tables of the report library: well-formed, and every datum stands where its axis says.
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "carom_test.h"
+#include "report/axis.h"
+#include "report/filmstrip.h"
+#include "report/page.h"
+#include "report/plot.h"
+#include "tools/xml_check.h"
+
+using namespace carom::report;
+
+namespace {
+
+constexpr double kPixel = 0.01;  // coordinates are written with two decimals
+
+double value(const Element& e, const char* attribute) { return std::atof(e.attributes.at(attribute).c_str()); }
+
+LinePlot powers_of_two() {
+  LinePlot plot;
+  plot.title = "time & <size>";
+  plot.x = {"bodies", Scale::log, false, {64, 128, 256, 512, 1024}};
+  plot.y = {"ms \"a step\"", Scale::log, false, {}};
+  plot.series = {{"ours", {{64, 0.5}, {256, 5}, {1024, 50}}, 0, false}, {"paper", {{64, 1}, {1024, 100}}, 0, true}};
+  plot.note = "a > b";
+  return plot;
+}
+
+}  // namespace
+
+static void the_checker_itself_refuses_what_is_not_well_formed(void**) {
+  assert_true(XmlCheck("<a b=\"1\"><c/>x &amp; y</a>").well_formed());
+  for (const char* bad : {"<a>", "<a></b>", "<a><b></a></b>", "<a b=1/>", "<a>x & y</a>", "<a b=\"<\"/>", "<a/><b/>",
+                          "", "text", "<a b=\"1\" b=\"2\"/>", "<a>>"})
+    assert_false(XmlCheck(bad).well_formed());
+}
+
+static void a_linear_axis_covers_the_data_with_four_to_eleven_round_ticks(void**) {
+  for (double max : {1e-6, 0.3, 1.0, 7.0, 97.0, 1024.0, 3.2e8}) {
+    const Axis axis = fit_axis({"", Scale::linear, true, {}}, 0, max);
+    assert_true(axis.low <= 0 && axis.high >= max);
+    assert_in_range(axis.ticks.size(), 4, 11);
+    assert_true(std::fabs(axis.at(axis.low)) < 1e-12 && std::fabs(axis.at(axis.high) - 1) < 1e-12);
+    assert_true(std::fabs(axis.at((axis.low + axis.high) / 2) - 0.5) < 1e-12);
+  }
+}
+
+static void a_log_axis_gives_equal_ratios_equal_lengths(void**) {
+  const Axis axis = fit_axis({"", Scale::log, false, {}}, 0.02, 700);
+  assert_true(axis.low <= 0.02 && axis.high >= 700);
+  const double decade = axis.at(10) - axis.at(1);
+  assert_true(decade > 0);
+  assert_true(std::fabs((axis.at(100) - axis.at(10)) - decade) < 1e-12);
+  assert_true(std::fabs((axis.at(0.2) - axis.at(0.02)) - decade) < 1e-12);
+  assert_true(axis.at(0) == 0 && axis.at(-5) == 0);
+}
+
+static void a_datum_on_a_tick_is_drawn_on_the_tick(void**) {
+  const XmlCheck svg(draw(powers_of_two()));
+  assert_true(svg.well_formed());
+  const auto dots = svg.with_class("circle", "f0 edge");
+  assert_int_equal(dots.size(), 3);
+  const auto ticks = svg.with_class("line", "axis");  // five of x, then the axis itself
+  assert_int_equal(ticks.size(), 6);
+  for (int i = 0; i < 3; ++i)
+    assert_true(std::fabs(value(dots[static_cast<std::size_t>(i)], "cx") -
+                          value(ticks[static_cast<std::size_t>(2 * i)], "x1")) <= kPixel);
+  // Each datum is ten times the one before it and four times as far along x: the dots lie on a line that climbs.
+  assert_true(std::fabs((value(dots[1], "cy") - value(dots[0], "cy")) -
+                        (value(dots[2], "cy") - value(dots[1], "cy"))) <= 2 * kPixel);
+  assert_true(value(dots[2], "cy") < value(dots[0], "cy"));
+}
+
+static void a_reference_is_dashed_and_grey_and_labelled(void**) {
+  const XmlCheck svg(draw(powers_of_two()));
+  assert_int_equal(svg.with_class("polyline", "ref").size(), 1);
+  assert_int_equal(svg.with_class("text", "reft").size(), 1);
+  assert_string_equal(svg.with_class("text", "reft")[0].text.c_str(), "paper");
+}
+
+static void labels_of_lines_that_end_together_do_not_touch(void**) {
+  LinePlot plot = powers_of_two();
+  plot.series.clear();
+  for (int i = 0; i < 6; ++i) plot.series.push_back({"line", {{64, 1}, {1024, 2}}, i, false});
+  const XmlCheck svg(draw(plot));
+  double last = -1;
+  for (int i = 0; i < 6; ++i) {
+    const auto label = svg.with_class("text", "t" + std::to_string(i));
+    assert_int_equal(label.size(), 1);
+    assert_true(last < 0 || value(label[0], "y") - last >= 12);  // the height of the font
+    last = value(label[0], "y");
+  }
+}
+
+static void a_datum_that_is_not_finite_is_left_out(void**) {
+  LinePlot plot = powers_of_two();
+  plot.series[0].points.push_back({std::nan(""), 1});
+  plot.series[0].points.push_back({2048, std::numeric_limits<double>::infinity()});
+  plot.series[0].points.push_back({2048, -1});
+  const std::string text = draw(plot);
+  assert_true(XmlCheck(text).well_formed());
+  assert_int_equal(XmlCheck(text).with_class("circle", "f0 edge").size(), 3);
+  assert_true(text.find("nan") == std::string::npos && text.find("inf") == std::string::npos);
+  plot.series.clear();
+  assert_true(XmlCheck(draw(plot)).well_formed());
+}
+
+static void bars_have_the_length_of_their_value_and_the_mark_its_place(void**) {
+  BarChart chart;
+  chart.title = "share";
+  chart.value = {"%", Scale::linear, true, {0, 20, 40, 60, 80, 100}};
+  chart.rows = {{"brute", {{"broad", 90, 0}, {"rest", 10, 1}}, "90 %", 97, "paper 97 %"},
+                {"sweep", {{"broad", 30, 0}, {"rest", 70, 1}}, "30 %", 16, "paper 16 %"}};
+  const XmlCheck svg(draw(chart));
+  assert_true(svg.well_formed());
+  const auto broad = svg.with_class("rect", "f0 edge"), rest = svg.with_class("rect", "f1 edge");
+  assert_int_equal(broad.size(), 2);
+  const double unit = value(broad[0], "width") / 90;
+  assert_true(std::fabs(value(broad[1], "width") - 30 * unit) <= 2 * kPixel);
+  assert_true(std::fabs(value(rest[0], "x") - (value(broad[0], "x") + 90 * unit)) <= 2 * kPixel);
+  const auto marks = svg.with_class("line", "ref");
+  assert_int_equal(marks.size(), 2);
+  assert_true(std::fabs(value(marks[1], "x1") - (value(broad[1], "x") + 16 * unit)) <= 2 * kPixel);
+}
+
+static void log_bars_grow_by_equal_lengths_for_equal_ratios(void**) {
+  BarChart chart;
+  chart.value = {"steps/s", Scale::log, false, {}};
+  for (double v : {10.0, 100.0, 1000.0}) chart.rows.push_back({"row", {{"ours", v, 0}}, "", 0, ""});
+  const auto bars = XmlCheck(draw(chart)).with_class("rect", "f0 edge");
+  assert_int_equal(bars.size(), 3);
+  assert_true(value(bars[0], "width") > 0);
+  assert_true(std::fabs((value(bars[1], "width") - value(bars[0], "width")) -
+                        (value(bars[2], "width") - value(bars[1], "width"))) <= 3 * kPixel);
+}
+
+static void a_panel_shows_metres_in_true_proportion_with_up_upward(void**) {
+  Filmstrip strip;
+  strip.left = -2;
+  strip.right = 2;
+  strip.bottom = 0;
+  strip.top = 2;
+  strip.panels = {{"t = 0", {{{{-1, 0}, {1, 0}, {0, 1}}, 3, false}}}};
+  const XmlCheck svg(draw(strip));
+  assert_true(svg.well_formed());
+  const auto shapes = svg.with_class("polygon", "f3 edge");
+  assert_int_equal(shapes.size(), 1);
+  double x[3], y[3];
+  assert_int_equal(std::sscanf(shapes[0].attributes.at("points").c_str(), "%lf,%lf %lf,%lf %lf,%lf", &x[0], &y[0],
+                               &x[1], &y[1], &x[2], &y[2]),
+                   6);
+  assert_true(std::fabs(y[0] - y[1]) <= kPixel);
+  assert_true(std::fabs((x[1] - x[0]) - 2 * (y[0] - y[2])) <= 3 * kPixel);
+  assert_true(y[2] < y[0]);
+}
+
+static void the_hull_keeps_the_corners_and_drops_the_rest(void**) {
+  const auto corners = hull({{0, 0}, {1, 0}, {0.5, 0.5}, {1, 1}, {0, 1}, {0.5, 0}, {0, 0}});
+  assert_int_equal(corners.size(), 4);
+  double area = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    area += corners[i].x * corners[(i + 1) % 4].y - corners[(i + 1) % 4].x * corners[i].y;
+  assert_true(area == 2);  // twice the unit square, and positive: counter-clockwise
+}
+
+static void numbers_read_well(void**) {
+  const struct {
+    double value;
+    const char* text;
+  } cases[] = {{0, "0"},         {0.5, "0.500"},      {97.04, "97.0"},        {991, "991"},         {1234.4, "1,230"},
+               {999.6, "1,000"}, {-20000, "-20,000"}, {1234567, "1,230,000"}, {0.00123, "0.00123"}, {100, "100"}};
+  for (const auto& c : cases) assert_string_equal(number(c.value).c_str(), c.text);
+  assert_string_equal(number(1234.5, 5).c_str(), "1,234.5");
+  assert_string_equal(number(std::nan("")).c_str(), "n/a");
+  assert_string_equal(short_number(64).c_str(), "64");
+  assert_string_equal(short_number(0.1).c_str(), "0.1");
+  assert_string_equal(short_number(2048).c_str(), "2,048");
+  assert_string_equal(short_number(1e-6).c_str(), "1e-06");
+}
+
+static void a_page_is_well_formed_and_shows_every_cell(void**) {
+  Page page("a <page>");
+  page.heading("one & two");
+  page.paragraph("\"quoted\"");
+  page.table({"a < b", {"scene", "steps/s"}, {{"A", "991"}, {"short"}}});
+  page.drawing("a.svg", "a > b");
+  const XmlCheck html(page.document());
+  assert_true(html.well_formed());
+  std::string cells;
+  for (const Element& e : html.elements())
+    if (e.name == "td") cells += "[" + e.text + "]";
+  assert_string_equal(cells.c_str(), "[A][991][short][]");
+}
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(the_checker_itself_refuses_what_is_not_well_formed),
+      cmocka_unit_test(a_linear_axis_covers_the_data_with_four_to_eleven_round_ticks),
+      cmocka_unit_test(a_log_axis_gives_equal_ratios_equal_lengths),
+      cmocka_unit_test(a_datum_on_a_tick_is_drawn_on_the_tick),
+      cmocka_unit_test(a_reference_is_dashed_and_grey_and_labelled),
+      cmocka_unit_test(labels_of_lines_that_end_together_do_not_touch),
+      cmocka_unit_test(a_datum_that_is_not_finite_is_left_out),
+      cmocka_unit_test(bars_have_the_length_of_their_value_and_the_mark_its_place),
+      cmocka_unit_test(log_bars_grow_by_equal_lengths_for_equal_ratios),
+      cmocka_unit_test(a_panel_shows_metres_in_true_proportion_with_up_upward),
+      cmocka_unit_test(the_hull_keeps_the_corners_and_drops_the_rest),
+      cmocka_unit_test(numbers_read_well),
+      cmocka_unit_test(a_page_is_well_formed_and_shows_every_cell),
+  };
+  return cmocka_run_group_tests_name("tools/report", tests, nullptr, nullptr);
+}
