@@ -48,6 +48,7 @@ class SweepAndPrune final : public BroadPhase {
     work_ = {};
     const bool kept = whole_;
     whole_ = false;  // stays so if an allocation fails half-way: the next call starts afresh
+    if (!kept) forget();
     const bool left = take_in(table);
     if (!kept || !update(left)) rebuild();
     now_.swap(before_);
@@ -69,6 +70,11 @@ class SweepAndPrune final : public BroadPhase {
     bool operator<(const End& o) const { return value < o.value || (value == o.value && rank() < o.rank()); }
   };
 
+  void forget() {
+    members_.clear();
+    std::fill(member_.begin(), member_.end(), std::uint8_t(0));
+  }
+
   /// Copy the table's boxes and learn who is there: members are the live slots whose box is not empty. Whether they are
   /// the old ones is asked of the table itself, as it must be looked through anyhow.
   /// @return whether a member left
@@ -76,9 +82,9 @@ class SweepAndPrune final : public BroadPhase {
     if (member_.size() < table.slots()) {
       now_.resize(6 * table.slots());
       before_.resize(6 * table.slots());
-      member_.resize(table.slots(), 0);
       seen_.resize(table.slots(), 0);
       place_.resize(table.slots());
+      member_.resize(table.slots(), 0);  // last: its size says that all have theirs
     }
     ++calls_;
     joined_.clear();

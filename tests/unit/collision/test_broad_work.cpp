@@ -1,0 +1,201 @@
+// What a broad phase may cost: exchanges in proportion to the motion, no memory in the steady state, no blow-up on a
+// teleport.
+#include <algorithm>
+#include <bit>
+#include <new>
+
+#include "carom_test.h"
+#include "unit/collision/broad_scene.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+/// Memory that counts, and that can fail on demand.
+class Meter final : public std::pmr::memory_resource {
+ public:
+  std::size_t allocations = 0;
+  std::size_t fail_at = SIZE_MAX;
+
+ private:
+  void* do_allocate(std::size_t size, std::size_t alignment) override {
+    if (allocations++ >= fail_at) throw std::bad_alloc();
+    return std::pmr::new_delete_resource()->allocate(size, alignment);
+  }
+  void do_deallocate(void* p, std::size_t size, std::size_t alignment) override {
+    std::pmr::new_delete_resource()->deallocate(p, size, alignment);
+  }
+  bool do_is_equal(const std::pmr::memory_resource& o) const noexcept override { return this == &o; }
+};
+
+using Maker = std::unique_ptr<BroadPhase> (*)(Memory*);
+constexpr Maker kMakers[] = {make_brute_force, make_sweep_and_prune, make_uniform_grid};
+
+/// n boxes on a cubic lattice of pitch 1, each jittered, so that lengths and neighbours are known.
+void lattice(BroadScene& s, Random& random, std::uint32_t side) {
+  for (std::uint32_t i = 0; i < side * side * side; ++i) {
+    const Vec3 at(i % side, i / side % side, i / side / side);
+    s.put(i, box_at(at + random.in_cube(0.2), Vec3::Constant(0.4)));
+  }
+}
+
+std::uint64_t swaps_of_a_coherent_step(std::uint32_t side) {
+  Random random(side);
+  BroadScene s;
+  lattice(s, random, side);
+  auto sap = make_sweep_and_prune(std::pmr::get_default_resource());
+  Array<Pair> pairs;
+  sap->find_pairs(s.table, s.generation, s.settings, pairs);
+  assert_int_equal(sap->work().rebuilds, 1);
+  const std::uint32_t n = side * side * side;
+  // Ends of one lattice plane lie 0.4 m wide, side^2 of each kind: a motion of at most 0.1 / side^2 m either way brings
+  // an end past those within 0.2 / side^2 m of it at most: 0.2 / 0.4 = half of one neighbour of its own kind on
+  // average, and as many of the other kind where the planes of lower and upper ends lie over each other.
+  std::uint64_t swaps = 0;
+  for (int step = 0; step < 10; ++step) {
+    for (std::uint32_t i = 0; i < n; ++i) s.shift(i, random.in_cube(0.1 / (side * side)));
+    sap->find_pairs(s.table, s.generation, s.settings, pairs);
+    assert_int_equal(sap->work().rebuilds, 0);
+    swaps = std::max(swaps, sap->work().swaps);
+  }
+  return swaps;
+}
+
+void a_coherent_step_costs_exchanges_in_proportion_to_the_boxes(void**) {
+  for (const std::uint32_t side : {4u, 8u, 16u}) {
+    const std::uint64_t n = side * side * side, swaps = swaps_of_a_coherent_step(side);
+    assert_true(swaps > 0);
+    assert_true(swaps <= 3 * 2 * n);  // one per end and axis: the bound derived above, while n grows 64-fold
+  }
+}
+
+void a_scene_at_rest_costs_no_exchange_and_a_step_of_one_box_few(void**) {
+  Random random(1);
+  BroadScene s;
+  lattice(s, random, 8);
+  auto sap = make_sweep_and_prune(std::pmr::get_default_resource());
+  Array<Pair> pairs;
+  for (int step = 0; step < 3; ++step) sap->find_pairs(s.table, s.generation, s.settings, pairs);
+  assert_int_equal(sap->work().swaps + sap->work().rebuilds + sap->work().tests, 0);
+  s.put(600, box_at(Vec3(3, 3, 3), Vec3::Constant(0.4)));  // a newcomer passes each of the others' ends at most once
+  sap->find_pairs(s.table, s.generation, s.settings, pairs);
+  assert_int_equal(sap->work().rebuilds, 0);
+  assert_true(sap->work().swaps <= 3 * 2 * 2 * 512);
+  s.drop(17);
+  sap->find_pairs(s.table, s.generation, s.settings, pairs);
+  assert_int_equal(sap->work().rebuilds + sap->work().swaps, 0);
+}
+
+void a_teleport_of_everything_is_sorted_afresh_within_a_budget(void**) {
+  Random random(2);
+  BroadScene s;
+  lattice(s, random, 12);
+  const std::uint64_t n = 12 * 12 * 12;
+  auto sap = make_sweep_and_prune(std::pmr::get_default_resource());
+  Array<Pair> pairs;
+  for (int step = 0; step < 3; ++step) {
+    for (std::uint32_t i = 0; i < n; ++i) s.table.bounds[i] = box_at(random.in_cube(6), Vec3::Constant(0.4));
+    sap->find_pairs(s.table, s.generation, s.settings, pairs);
+    assert_int_equal(sap->work().rebuilds, 1);
+    // 6 n ends, log2 n exchanges for each, and the one insertion that overran it; quadratic would be 6 n^2 = 18
+    // million.
+    assert_true(sap->work().swaps <= 6 * n * (std::bit_width(n) + 1) + 2 * n);
+  }
+  // The step after, they have only drifted: the new order is kept again.
+  for (std::uint32_t i = 0; i < n; ++i) s.shift(i, random.in_cube(1e-3));
+  sap->find_pairs(s.table, s.generation, s.settings, pairs);
+  assert_int_equal(sap->work().rebuilds, 0);
+}
+
+void the_grid_looks_at_neighbours_only(void**) {
+  Random random(3);
+  BroadScene s;
+  lattice(s, random, 16);
+  const std::uint64_t n = 16 * 16 * 16;
+  auto grid = make_uniform_grid(std::pmr::get_default_resource());
+  Array<Pair> pairs;
+  grid->find_pairs(s.table, s.generation, s.settings, pairs);
+  // Cells are 1.6 m, boxes 0.8: (1 + 1/2)^3 cells a box on average, each shared with the boxes that start within 2.4 m
+  // of its lower corner, 2.4^3 on average.
+  assert_true(grid->work().entries < 1.5 * 1.5 * 1.5 * 1.05 * static_cast<Real>(n));
+  assert_true(grid->work().tests < 0.5 * 1.6 * 1.6 * 1.6 * 3.375 * 3.375 * 1.1 * static_cast<Real>(n));
+  assert_int_equal(grid->work().large, 0);
+  Aabb floor;
+  floor.lo.setConstant(-kInfinity), floor.hi = Vec3(kInfinity, 0, kInfinity);
+  s.put(5000, floor, false);
+  s.put(5001, box_at(Vec3::Zero(), Vec3(1000, 1, 1000)), false);  // does not change the cells' size
+  const std::uint64_t entries = grid->work().entries;
+  grid->find_pairs(s.table, s.generation, s.settings, pairs);
+  assert_int_equal(grid->work().large, 2);
+  assert_int_equal(grid->work().entries, entries);
+}
+
+/// The same round walked again and again, from the second on also from the same start: what arrays grew to is enough.
+void the_steady_state_allocates_nothing(void**) {
+  for (const Maker make : kMakers) {
+    Meter meter;
+    BroadScene s;
+    auto phase = make(&meter);
+    Array<Pair> pairs(&meter);
+    std::size_t grown = 0;
+    for (int round = 0; round < 3; ++round) {
+      Random random(4);
+      lattice(s, random, 6);
+      for (int step = 0; step < 100; ++step) {
+        for (std::uint32_t i = 0; i < 216; ++i) s.shift(i, random.in_cube(0.05));
+        if (step % 30 == 7)
+          s.put(static_cast<std::uint32_t>(random.below(216)), box_at(random.in_cube(3), Vec3::Constant(0.4)));
+        if (step % 30 == 9) s.drop(static_cast<std::uint32_t>(random.below(216)));
+        phase->find_pairs(s.table, s.generation, s.settings, pairs);
+      }
+      if (round == 1) grown = meter.allocations;
+    }
+    assert_true(grown > 0);
+    assert_int_equal(meter.allocations, grown);
+  }
+}
+
+void a_failed_allocation_is_thrown_and_the_next_answer_is_right(void**) {
+  for (const Maker make : kMakers) {
+    for (std::size_t fail = 0; fail < 40; ++fail) {
+      Random random(5);
+      Meter meter;
+      BroadScene s;
+      lattice(s, random, 3);
+      auto phase = make(&meter);
+      Array<Pair> pairs, expected;
+      meter.fail_at = fail;
+      bool threw = false;
+      for (int step = 0; step < 6; ++step) {
+        for (std::uint32_t i = 0; i < 27; ++i) s.shift(i, random.in_cube(0.2));
+        if (step == 3)
+          for (std::uint32_t i = 27; i < 30; ++i) s.put(i, box_at(random.in_cube(2), Vec3::Constant(1)));
+        try {
+          phase->find_pairs(s.table, s.generation, s.settings, pairs);
+        } catch (const std::bad_alloc&) {
+          threw = true;
+          meter.fail_at = SIZE_MAX;
+          phase->find_pairs(s.table, s.generation, s.settings, pairs);
+        }
+        make_brute_force(std::pmr::get_default_resource())->find_pairs(s.table, s.generation, s.settings, expected);
+        assert_true(std::equal(pairs.begin(), pairs.end(), expected.begin(), expected.end()));
+      }
+      assert_true(threw == (meter.allocations > fail));
+    }
+  }
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(a_coherent_step_costs_exchanges_in_proportion_to_the_boxes),
+      cmocka_unit_test(a_scene_at_rest_costs_no_exchange_and_a_step_of_one_box_few),
+      cmocka_unit_test(a_teleport_of_everything_is_sorted_afresh_within_a_budget),
+      cmocka_unit_test(the_grid_looks_at_neighbours_only),
+      cmocka_unit_test(the_steady_state_allocates_nothing),
+      cmocka_unit_test(a_failed_allocation_is_thrown_and_the_next_answer_is_right),
+  };
+  return cmocka_run_group_tests_name("collision/broad work", tests, nullptr, nullptr);
+}
