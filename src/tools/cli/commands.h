@@ -11,7 +11,8 @@
 
 namespace carom::tools {
 
-/// What subcommands share. A command's callback may set exit_code, and may throw Error (printed with its remedy, exit 2).
+/// What subcommands share. A command's callback may set exit_code, and may throw Error (printed with its remedy, exit
+/// 2).
 struct Context {
   std::vector<std::string> plugin_dirs;  ///< --plugins DIR, repeated
   int exit_code = 0;

@@ -44,7 +44,8 @@ std::string table(const std::vector<std::vector<std::string>>& rows, const std::
 
 std::string bar(double share, int width) {
   const int filled = std::clamp(static_cast<int>(share * width + 0.5), 0, width);
-  return std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(width - filled), '.');
+  return std::string(static_cast<std::size_t>(filled), '#') +
+         std::string(static_cast<std::size_t>(width - filled), '.');
 }
 
 }  // namespace carom::tools

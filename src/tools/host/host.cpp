@@ -101,7 +101,8 @@ std::vector<carom_contact> World::contacts() const {
   Call call;
   call.done(carom_world_get_contacts(world_, nullptr, sizeof(carom_contact), 0, &count, call), "counting contacts");
   std::vector<carom_contact> list(count);
-  call.done(carom_world_get_contacts(world_, list.data(), sizeof(carom_contact), count, &count, call), "reading contacts");
+  call.done(carom_world_get_contacts(world_, list.data(), sizeof(carom_contact), count, &count, call),
+            "reading contacts");
   return list;
 }
 

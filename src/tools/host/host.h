@@ -1,4 +1,5 @@
-// The C ABI as a C++ host likes it: owners that clean up, failed calls that throw. For tools only; it sees include/ alone.
+// The C ABI as a C++ host likes it: owners that clean up, failed calls that throw. For tools only; it sees include/
+// alone.
 #pragma once
 
 #include <carom/carom.h>
@@ -57,7 +58,7 @@ class Engine {
 
   carom_engine* get() const { return engine_; }
   const PluginPath& path() const { return path_; }
-  carom_plugin plugin(const std::string& name);       ///< loads plugins/NAME.so on first use   @throws Error
+  carom_plugin plugin(const std::string& name);         ///< loads plugins/NAME.so on first use   @throws Error
   carom_plugin load(const std::string& absolute_path);  ///< @throws Error
   carom_shape shape(const std::string& plugin_name, const std::vector<double>& params);  ///< made once per params
   carom_shape half_space(const double normal[3], double offset);                         ///< made once

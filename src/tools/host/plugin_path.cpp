@@ -37,9 +37,10 @@ std::string PluginPath::find(const std::string& name) const {
     if (fs::is_regular_file(candidate, ignored)) return candidate.string();
     searched += "\n    " + folder;
   }
-  throw Error("the shape plugin '" + name + ".so' was not found; searched:" + (searched.empty() ? " nowhere" : searched),
-              "build the plugins (cmake --build --preset demo), or point --plugins DIR or CAROM_PLUGIN_PATH at the "
-              "folder that holds them");
+  throw Error(
+      "the shape plugin '" + name + ".so' was not found; searched:" + (searched.empty() ? " nowhere" : searched),
+      "build the plugins (cmake --build --preset demo), or point --plugins DIR or CAROM_PLUGIN_PATH at the "
+      "folder that holds them");
 }
 
 std::map<std::string, std::string> PluginPath::all() const {

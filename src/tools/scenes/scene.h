@@ -3,24 +3,18 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "host/host.h"
+#include "mesh/mesh.h"
 
 namespace carom::tools {
 
 using Vec = Eigen::Vector3d;
 using Quat = Eigen::Quaterniond;
-
-/// A triangle mesh for the eye only; the physics uses convex shapes.
-struct VisualMesh {
-  std::vector<Vec> points;                         ///< m, in the frame of the part that wears it
-  std::vector<std::array<std::uint32_t, 3>> faces; ///< counter-clockwise seen from outside
-};
 
 /// A collider as a scene describes it.
 struct Part {
@@ -28,10 +22,10 @@ struct Part {
   std::vector<double> params;  ///< of the plugin
   Vec position = Vec::Zero();  ///< m, body frame
   Quat orientation = Quat::Identity();
-  double density = 1000;       ///< kg/m^3
+  double density = 1000;  ///< kg/m^3
   double friction = 0.5;
   double restitution = 0;
-  int mesh = -1;               ///< index into Stage::meshes to draw instead of the shape, or -1
+  int mesh = -1;  ///< index into Stage::meshes to draw instead of the shape, or -1
 };
 
 /// A body as a scene describes it, and the handle it got.
@@ -59,9 +53,9 @@ class Stage {
   std::size_t add_half_space(const std::string& name, const Vec& normal, const Vec& point, double friction = 0.5);
 
   Engine& engine() { return engine_; }
-  Vec position(std::size_t actor) const;   ///< m, world: origin of the body frame
+  Vec position(std::size_t actor) const;  ///< m, world: origin of the body frame
   Quat orientation(std::size_t actor) const;
-  Vec velocity(std::size_t actor) const;   ///< m/s, world, of the centre of mass
+  Vec velocity(std::size_t actor) const;  ///< m/s, world, of the centre of mass
 
  private:
   Engine& engine_;
@@ -70,16 +64,19 @@ class Stage {
  public:
   World world;
   std::vector<Actor> actors;
-  std::vector<VisualMesh> meshes;
-  std::vector<std::string> remarks;  ///< what a viewer of the run should know: credits, stand-ins
-  double ground_half_width = 10;     ///< m, floor drawn by viewers; 0: none
+  std::vector<Mesh> meshes;              ///< for the eye only; the physics uses convex shapes
+  std::vector<std::string> remarks;      ///< what a viewer of the run should know: credits, stand-ins
+  Vec bounds_min = Vec(-1e3, -1, -1e3);  ///< m: a body whose origin leaves these bounds has escaped
+  Vec bounds_max = Vec(1e3, 1e3, 1e3);
+  double ground_half_width = 10;                             ///< m, floor drawn by viewers; 0: none
+  Vec camera_from = Vec(0, 5, 15), camera_to = Vec::Zero();  ///< m, where viewers stand and what they look at
 };
 
 /// Watches a run and tells its story ("the bunny left the plank at 5.1 m/s").
 class Observer {
  public:
   virtual ~Observer() = default;
-  virtual void watch(const Stage& stage, double time) = 0;       ///< after every step
+  virtual void watch(const Stage& stage, double time) = 0;              ///< after every step
   virtual std::vector<std::string> tell(const Stage& stage) const = 0;  ///< sentences, at the end
   /// Did what the scene is about happen? Judged by the same events that tell() reports.
   virtual bool came_off(const Stage& stage) const = 0;
@@ -102,11 +99,11 @@ struct Settings {
 
 struct Scene {
   std::string name;
-  std::string summary;        ///< one sentence
-  std::string look_for;       ///< one sentence: what to look for
+  std::string summary;   ///< one sentence
+  std::string look_for;  ///< one sentence: what to look for
   std::vector<Knob> knobs;
-  double seconds;             ///< suggested duration
-  double dt;                  ///< s, suggested step
+  double seconds;  ///< suggested duration
+  double dt;       ///< s, suggested step
   std::unique_ptr<Observer> (*fill)(Stage& stage, const std::vector<double>& knobs, const std::string& mesh_path);
 };
 

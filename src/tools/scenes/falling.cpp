@@ -1,0 +1,72 @@
+// falling: N boxes and spheres, alternating, fall into a walled box; the scene that scaling is measured with.
+#include <cmath>
+
+#include "scenes/random.h"
+#include "scenes/scene.h"
+
+namespace carom::tools {
+namespace {
+
+constexpr double kSpacing =
+    0.8;  // m between grid sites: the largest box, turned, has radius 0.48 - sites never overlap
+constexpr double kJitter = 0.05;  // m: breaks the grid's symmetry, so that columns do not balance
+constexpr int kSizes = 8;         // distinct sizes of each kind: shapes are shared, as a host would
+
+std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, const std::string&) {
+  const auto count = static_cast<std::size_t>(knobs[0]);
+  Random random(20111115);
+  // As wide as the heap is tall when it leaves, so that the shape of the heap does not change with N.
+  const int side = std::max(2, static_cast<int>(std::ceil(std::cbrt(static_cast<double>(count)) - 1e-9)));
+  const double half = side * kSpacing / 2 + 0.1;
+  stage.add_half_space("floor", {0, 1, 0}, {0, 0, 0});
+  stage.add_half_space("wall east", {-1, 0, 0}, {half, 0, 0});
+  stage.add_half_space("wall west", {1, 0, 0}, {-half, 0, 0});
+  stage.add_half_space("wall south", {0, 0, -1}, {0, 0, half});
+  stage.add_half_space("wall north", {0, 0, 1}, {0, 0, -half});
+  double radius[kSizes];
+  Vec extents[kSizes];
+  for (int i = 0; i < kSizes; ++i) {
+    radius[i] = random.between(0.2, 0.3);
+    extents[i] = Vec(random.between(0.2, 0.27), random.between(0.2, 0.27), random.between(0.2, 0.27));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto size = static_cast<std::size_t>(random.bits() % kSizes);
+    const auto s = static_cast<std::size_t>(side);
+    const Vec site(static_cast<double>(i % s), static_cast<double>(i / (s * s)), static_cast<double>(i / s % s));
+    Actor actor;
+    Part part;
+    actor.kind = i % 2 == 0 ? "box" : "sphere";
+    part.shape = actor.kind;
+    part.params = i % 2 == 0 ? std::vector<double>{extents[size].x(), extents[size].y(), extents[size].z()}
+                             : std::vector<double>{radius[size]};
+    actor.name = actor.kind + " " + std::to_string(i);
+    const double middle = (side - 1) / 2.0;
+    const Vec jitter(random.between(-kJitter, kJitter), random.between(-kJitter, kJitter),
+                     random.between(-kJitter, kJitter));
+    actor.position = kSpacing * (site - Vec(middle, -1, middle)) + jitter;
+    actor.orientation = random.rotation();
+    actor.parts.push_back(std::move(part));
+    stage.add(std::move(actor));
+  }
+  // A metre beyond a wall, or under the floor, is lost: more than any contact may sink.
+  stage.bounds_min = Vec(-half - 1, -1, -half - 1);
+  stage.bounds_max = Vec(half + 1, 1e3, half + 1);
+  stage.ground_half_width = half;
+  stage.camera_from = Vec(0, 1.6 * half, 3.2 * half);
+  stage.camera_to = Vec(0, half / 3, 0);
+  return nullptr;
+}
+
+}  // namespace
+
+Scene falling_scene() {
+  return {"falling",
+          "N boxes and spheres, alternating, fall into a walled box.",
+          "a heap that comes to rest, nobody lost, nobody sunk into a neighbour",
+          {{"n", "", "number of bodies", 1024, 1, 100000, true}},
+          15.0,
+          1.0 / 60,
+          fill};
+}
+
+}  // namespace carom::tools

@@ -1,0 +1,74 @@
+// Triangles for the eye from any shape, by its support function.
+#include "visual/tessellate.h"
+
+#include <cmath>
+
+namespace carom::tools {
+
+Mesh tessellate(Engine& engine, const Part& part) {
+  if (part.shape == "half_space")
+    throw Error("a half-space has no mesh: it is unbounded", "draw a floor of finite size instead");
+  const carom_shape shape = engine.shape(part.shape, part.params);
+  if (engine.info(shape).form == CAROM_FORM_POLYTOPE) {
+    const std::uint32_t first = engine.describe(engine.plugin(part.shape)).geometry->form_arg[0];
+    std::vector<Vec> corners;
+    for (std::size_t i = first; i + 2 < part.params.size(); i += 3)
+      corners.emplace_back(part.params[i], part.params[i + 1], part.params[i + 2]);
+    return convex_hull(corners);
+  }
+  constexpr int kMeridians = 24, kBands = 12;
+  constexpr double kPi = 3.14159265358979323846;
+  std::vector<double> directions = {0, 1, 0, 0, -1, 0};
+  for (int band = 1; band < kBands; ++band)
+    for (int m = 0; m < kMeridians; ++m) {
+      // Half a step off the axes: a box's corners answer, and no direction ties along a face.
+      const double polar = kPi * band / kBands, turn = 2 * kPi * (m + 0.5) / kMeridians;
+      directions.insert(directions.end(),
+                        {std::sin(polar) * std::cos(turn), std::cos(polar), std::sin(polar) * std::sin(turn)});
+    }
+  std::vector<double> answers(directions.size());
+  Call call;
+  call.done(carom_shape_support(engine.get(), shape, directions.data(), directions.size() / 3, answers.data(), call),
+            "drawing a shape of plugin " + part.shape);
+  std::vector<Vec> points;
+  for (std::size_t i = 0; i < answers.size(); i += 3) points.emplace_back(answers[i], answers[i + 1], answers[i + 2]);
+  return convex_hull(points);
+}
+
+ShadedMesh shade(const Mesh& mesh, double crease_cosine) {
+  std::vector<Vec> flat;  // face normals, not unit: length is twice the area
+  std::vector<std::vector<std::uint32_t>> around(mesh.points.size());  // faces at each point
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    flat.emplace_back((mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]));
+    if (flat.back().norm() > 0)
+      for (std::uint32_t corner : mesh.faces[f]) around[corner].push_back(static_cast<std::uint32_t>(f));
+  }
+  ShadedMesh shaded;
+  std::vector<std::vector<std::uint32_t>> made(mesh.points.size());  // vertices already made of each point
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (!(flat[f].norm() > 0)) continue;
+    std::array<std::uint32_t, 3> face{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t point = mesh.faces[f][k];
+      Vec sum = Vec::Zero();
+      for (std::uint32_t other : around[point])
+        if (flat[other].dot(flat[f]) >= crease_cosine * flat[other].norm() * flat[f].norm()) sum += flat[other];
+      const Eigen::Vector3f normal = (sum.norm() > 0 ? sum : flat[f]).normalized().cast<float>().normalized();
+      std::uint32_t id = UINT32_MAX;
+      for (std::uint32_t candidate : made[point])
+        if (shaded.normals[candidate].dot(normal) > 0.9999f) id = candidate;
+      if (id == UINT32_MAX) {
+        id = static_cast<std::uint32_t>(shaded.points.size());
+        shaded.points.push_back(mesh.points[point].cast<float>());
+        shaded.normals.push_back(normal);
+        made[point].push_back(id);
+      }
+      face[k] = id;
+    }
+    shaded.faces.push_back(face);
+  }
+  return shaded;
+}
+
+}  // namespace carom::tools
