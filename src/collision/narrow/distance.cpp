@@ -1,0 +1,66 @@
+// The signed distance of any two shapes: a specific routine where both are declared, the generic path elsewhere.
+#include "collision/narrow/pair.h"
+#include "collision/narrow/query.h"
+
+namespace carom {
+namespace {
+
+const ContactPoint& deepest(const Candidates& found) {
+  int best = 0;
+  for (int i = 1; i < found.count; ++i)
+    if (found.point[i].separation < found.point[best].separation) best = i;
+  return found.point[best];
+}
+
+/// A contact point as the answer of a query.
+/// @param swapped  it was found with B first, in B's frame
+/// @param slack    m: half the bracket
+void answer(const ContactPoint& p, bool swapped, const Frame& b_in_a, Real slack, QueryResult& result) {
+  result.separation = p.separation;
+  result.lower = p.separation - slack;
+  result.upper = p.separation + slack;
+  result.normal = swapped ? Vec3(-(b_in_a.r * p.normal)) : p.normal;
+  result.point_a = swapped ? p.on_b : p.on_a;
+  result.point_b = swapped ? p.on_a : p.on_b;
+}
+
+/// Largest number of a shape that enters its distances. @return m
+Real extent(const Shape& s) { return s.form == Form::half_space ? std::fabs(s.offset) : s.bounding_radius; }
+
+void unknown(QueryStatus status, QueryResult& result) {
+  result.status = status;
+  result.lower = -kInfinity;
+  result.upper = kInfinity;
+}
+
+}  // namespace
+
+void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySettings& settings, QueryMemory* memory,
+              QueryResult& result, SupportFault& fault) {
+  const bool flat_a = a.form == Form::half_space, flat_b = b.form == Form::half_space;
+  const PairEntry& entry = pair_entry(a.form, b.form);
+  const bool specific = settings.routines && entry.routine;
+  if (!specific && !flat_a && !flat_b) return generic_distance(a, b, b_in_a, settings, memory, result, fault);
+
+  result = QueryResult{};
+  if (flat_a && flat_b) return unknown(QueryStatus::capped, result);  // two half-spaces: no contract, no claim
+  const bool swapped = specific ? entry.swapped : flat_b;
+  const Shape &first = swapped ? b : a, &second = swapped ? a : b;
+  const Frame frame = swapped ? Frame(b_in_a.r.transpose(), -(b_in_a.r.transpose() * b_in_a.p)) : b_in_a;
+  Candidates found;
+  std::uint64_t calls = 0;
+  if (specific) {
+    entry.routine(first, second, frame, kInfinity, found);
+  } else if (!half_space_by_support(first, second, frame, kInfinity, 0, found, calls, fault)) {
+    return unknown(QueryStatus::fault, result);
+  }
+  result.support_calls = static_cast<int>(calls);
+  const Real size = b_in_a.p.cwiseAbs().sum() + extent(a) + extent(b);
+  const Real slack = (16 * kUnitRoundoff + (specific ? entry.accuracy : 0)) * size;
+  if (specific && !entry.exact_apart && (found.count == 0 || deepest(found).separation > 0))
+    return generic_distance(a, b, b_in_a, settings, memory, result, fault);
+  if (found.count == 0) return unknown(QueryStatus::rounding, result);  // poses that are no numbers
+  answer(deepest(found), swapped, b_in_a, slack, result);
+}
+
+}  // namespace carom

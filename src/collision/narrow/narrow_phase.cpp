@@ -1,0 +1,86 @@
+// From pairs of bounds to contact points: dispatch, then the manifold of each pair.
+#include "collision/narrow/narrow_phase.h"
+
+#include "collision/narrow/pair.h"
+
+namespace carom {
+namespace {
+
+/// Points found in the first shape's frame become points between A and B in the world.
+void to_world(const Frame& first, bool swapped, Candidates& found) {
+  for (int i = 0; i < found.count; ++i) {
+    ContactPoint& p = found.point[i];
+    p.normal = swapped ? Vec3(-(first.r * p.normal)) : Vec3(first.r * p.normal);
+    if (swapped) std::swap(p.on_a, p.on_b);
+  }
+}
+
+/// The generic path: one point, the pair's nearest.
+void collide_generic(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& frame_b,
+                     const NarrowSettings& settings, QueryMemory& memory, Candidates& found, NarrowReport& report,
+                     SupportFault& fault) {
+  QuerySettings query = settings.query;
+  query.max_distance = settings.manifold.contact_distance;
+  QueryResult result;
+  generic_distance(a, b, relative(frame_a, frame_b), query, settings.warm_separation ? &memory : nullptr, result,
+                   fault);
+  report.gjk_calls += 1;
+  report.epa_calls += result.epa_iterations > 0;
+  report.support_calls += static_cast<std::uint64_t>(result.support_calls);
+  if (result.status == QueryStatus::fault || result.farther) return;
+  const Vec3 normal = frame_a.rotate(result.normal);
+  add_contact(found, query.max_distance, result.point_a, result.point_b, normal, result.separation, 0);
+}
+
+// Support directions asked beside the normal where a shape without closed form meets a half-space: a square of
+// azimuths.
+constexpr int kProbes = 4;
+
+}  // namespace
+
+void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& frame_b, const NarrowSettings& settings,
+             QueryMemory& memory, Candidates& found, NarrowReport& report, SupportFault& fault) {
+  found.count = 0;
+  found.whole = false;
+  const Real reach = settings.manifold.contact_distance;
+  const bool flat_a = a.form == Form::half_space, flat_b = b.form == Form::half_space;
+  if (flat_a && flat_b) return;
+  const PairEntry& entry = pair_entry(a.form, b.form);
+  if (settings.query.routines && entry.routine) {
+    const Frame &first = entry.swapped ? frame_b : frame_a, &second = entry.swapped ? frame_a : frame_b;
+    entry.routine(entry.swapped ? b : a, entry.swapped ? a : b, relative(first, second), reach, found);
+    to_world(first, entry.swapped, found);
+  } else if (flat_a || flat_b) {
+    const Frame &first = flat_b ? frame_b : frame_a, &second = flat_b ? frame_a : frame_b;
+    half_space_by_support(flat_b ? b : a, flat_b ? a : b, relative(first, second), reach,
+                          settings.query.routines ? kProbes : 0, found, report.support_calls, fault);
+    to_world(first, flat_b, found);
+  } else {
+    collide_generic(a, frame_a, b, frame_b, settings, memory, found, report, fault);
+  }
+}
+
+void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTable& pairs, NarrowReport& report,
+                  Array<SupportFault>& faults) {
+  Candidates found;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    PairRecord& record = pairs[i];
+    const std::uint32_t a = record.pair.a, b = record.pair.b;
+    SupportFault fault;
+    collide(*table.shape[a], table.frame[a], *table.shape[b], table.frame[b], settings, record.memory, found, report,
+            fault);
+    if (fault.kind != SupportFault::none) {
+      record.manifold.count = 0;
+      record.memory = QueryMemory{};
+      faults.push_back(fault);
+      continue;
+    }
+    if (settings.manifold.kind == ManifoldKind::single) {
+      keep_deepest(found, settings.manifold, record.manifold);
+    } else {
+      update_cache(table.frame[a], table.frame[b], found, settings.manifold, record.manifold);
+    }
+  }
+}
+
+}  // namespace carom

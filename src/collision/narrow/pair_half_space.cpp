@@ -1,0 +1,183 @@
+// The half-space against everything: whichever points of the other shape lie deepest, in closed form where there is
+// one.
+#include <algorithm>
+#include <array>
+
+#include "collision/narrow/pair.h"
+#include "collision/support.h"
+
+namespace carom {
+namespace {
+
+// How far to the side a point must lie to be worth its height (rise per run; 3 degrees): among the points near a plane,
+// those asked for are the extreme ones along directions tilted by this from the normal. Steeper: points that do not
+// carry. Flatter: a jitter in tilt makes the patch collapse to an edge.
+constexpr Real kTilt = 0.05;
+constexpr Real kHalfRoot2 = 0.70710678118654752440;
+constexpr Real kAzimuth[8][2] = {{1, 0},
+                                 {0, 1},
+                                 {-1, 0},
+                                 {0, -1},
+                                 {kHalfRoot2, kHalfRoot2},
+                                 {-kHalfRoot2, kHalfRoot2},
+                                 {-kHalfRoot2, -kHalfRoot2},
+                                 {kHalfRoot2, -kHalfRoot2}};
+
+/// The half-space's plane in the other shape's frame; points of that shape become contacts against it.
+struct Plane {
+  Vec3 n;       // unit, out of the half-space
+  Real offset;  // m: height of x is n . x - offset
+  const Vec3& normal;
+  const Frame& b_in_a;
+  Real reach;
+  Candidates& found;
+
+  Plane(const Shape& half_space, const Frame& frame, Real limit, Candidates& out)
+      : n(frame.rotate_inverse(half_space.normal)),
+        offset(half_space.offset - half_space.normal.dot(frame.p)),
+        normal(half_space.normal),
+        b_in_a(frame),
+        reach(limit),
+        found(out) {}
+
+  Real height(const Vec3& x) const { return n.dot(x) - offset; }
+  void add(const Vec3& x, std::uint32_t feature) const {
+    const Real h = height(x);
+    if (h <= reach) add_contact(found, reach, b_in_a.apply(x) - h * normal, x, normal, h, feature);
+  }
+};
+
+/// The direction across y in which a rim around y dips deepest; x where the plane is square to y.
+/// Below 1e-9 rad of tilt the whole rim is deepest, to 1e-9 of its radius, and a fixed direction keeps its points in
+/// place.
+Vec3 down_rim(const Vec3& n) {
+  const Real across = std::sqrt(n.x() * n.x() + n.z() * n.z());
+  return across > 1e-9 ? Vec3(-n.x() / across, 0, -n.z() / across) : Vec3(Vec3::UnitX());
+}
+
+/// Four points of a rim of given radius at height y, the deepest first.
+void add_rim(const Plane& plane, Real radius, Real y, const Vec3& down) {
+  const Vec3 side(down.z(), 0, -down.x());
+  plane.add(Vec3(0, y, 0) + radius * down, 1);
+  plane.add(Vec3(0, y, 0) + radius * side, 2);
+  plane.add(Vec3(0, y, 0) - radius * down, 3);
+  plane.add(Vec3(0, y, 0) - radius * side, 4);
+}
+
+}  // namespace
+
+void contact_half_space_sphere(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
+  const Plane plane(a, b_in_a, reach, found);
+  plane.add(-b.radius * plane.n, 1);
+  found.whole = true;
+}
+
+void contact_half_space_capsule(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
+  const Plane plane(a, b_in_a, reach, found);
+  for (const Real end : {b.half_height, -b.half_height})
+    plane.add(Vec3(0, end, 0) - b.radius * plane.n, end > 0 ? 1 : 2);
+  found.whole = true;
+}
+
+void contact_half_space_box(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
+  const Plane plane(a, b_in_a, reach, found);
+  // The four corners of the face that looks down most: the deepest corner is one of them, and the corners above carry
+  // nothing even where a box thinner than the reach brings them near.
+  int face;
+  plane.n.cwiseAbs().maxCoeff(&face);
+  Vec3 x;
+  x[face] = plane.n[face] > 0 ? -b.half[face] : b.half[face];
+  const int u = face == 2 ? 0 : face + 1, v = u == 2 ? 0 : u + 1;
+  for (std::uint32_t c = 0; c < 4; ++c) {
+    x[u] = c & 1 ? -b.half[u] : b.half[u];
+    x[v] = c & 2 ? -b.half[v] : b.half[v];
+    std::uint32_t corner = 0;  // the same name whichever face it is reached through
+    for (int k = 0; k < 3; ++k) corner = corner * 2 + (x[k] < 0);
+    plane.add(x, corner + 1);
+  }
+  found.whole = true;
+}
+
+void contact_half_space_cylinder(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
+  const Plane plane(a, b_in_a, reach, found);
+  const Vec3 down = down_rim(plane.n);
+  const Real bottom = plane.n.y() > 0 ? -b.half_height : b.half_height;
+  add_rim(plane, b.radius, bottom, down);
+  plane.add(Vec3(0, -bottom, 0) + b.radius * down, 5);  // the other end of the line it lies on
+  found.whole = true;
+}
+
+void contact_half_space_cone(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
+  const Plane plane(a, b_in_a, reach, found);
+  plane.add(Vec3(0, b.half_height, 0), 5);
+  add_rim(plane, b.radius, -b.half_height, down_rim(plane.n));
+  found.whole = true;
+}
+
+void contact_half_space_ellipsoid(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
+  const Plane plane(a, b_in_a, reach, found);
+  const Vec3 scaled = b.half.cwiseProduct(plane.n);
+  plane.add(-b.half.cwiseProduct(scaled / scaled.norm()), 1);
+  found.whole = true;
+}
+
+/// All vertices are looked at once, which is what a single support call of theirs costs. Of those within reach the
+/// deepest and the extreme ones in seven azimuths stay, each weighed by its height at kTilt.
+void contact_half_space_polytope(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
+  const Plane plane(a, b_in_a, reach, found);
+  const Vec3 e1 = any_perpendicular(plane.n), e2 = plane.n.cross(e1);
+  constexpr int kWays = Candidates::kMax;  // way 0: straight down
+  std::array<Real, kWays> most;
+  std::array<std::size_t, kWays> which{};
+  most.fill(-kInfinity);
+  // Seven azimuths, two square pairs among them; the eighth would make nine points.
+  std::array<Vec3, kWays> way;
+  way[0] = -plane.n;
+  for (int k = 1; k < kWays; ++k) way[k] = kTilt * (kAzimuth[k - 1][0] * e1 + kAzimuth[k - 1][1] * e2) - plane.n;
+
+  const double* v = b.vertices.data();
+  const std::size_t count = b.vertices.size() / 3;
+  for (std::size_t i = 0; i < count; ++i, v += 3) {
+    const Vec3 x(v[0], v[1], v[2]);
+    if (!(plane.height(x) <= reach)) continue;
+    for (int k = 0; k < kWays; ++k) {
+      const Real s = way[k].dot(x);
+      if (s > most[k]) most[k] = s, which[k] = i;
+    }
+  }
+  found.whole = true;
+  if (most[0] == -kInfinity) return;
+  for (int k = 0; k < kWays; ++k) {
+    if (std::find(which.begin(), which.begin() + k, which[k]) != which.begin() + k) continue;
+    const double* x = b.vertices.data() + 3 * which[k];
+    plane.add(Vec3(x[0], x[1], x[2]), static_cast<std::uint32_t>(which[k]) + 1);
+  }
+}
+
+bool half_space_by_support(const Shape& half_space, const Shape& b, const Frame& b_in_a, Real reach, int probes,
+                           Candidates& found, std::uint64_t& calls, SupportFault& fault) {
+  const Plane plane(half_space, b_in_a, reach, found);
+  const Vec3 e1 = any_perpendicular(plane.n), e2 = plane.n.cross(e1);
+  const int before = found.count;
+  for (int k = 0; k <= probes; ++k) {
+    Vec3 dir = -plane.n;
+    if (k > 0) dir += kTilt * (kAzimuth[k - 1][0] * e1 + kAzimuth[k - 1][1] * e2);
+    dir /= dir.norm();
+    Vec3 x;
+    ++calls;
+    if (!full_support(b, dir, x, fault)) {
+      found.count = before;
+      return false;
+    }
+    if (k == 0 && !(plane.height(x) <= reach)) return true;  // the deepest point is out of reach, so are all
+    const auto same = [&](int i) {
+      return (found.point[i].on_b - x).squaredNorm() <= 1e-20 * b.bounding_radius * b.bounding_radius;
+    };
+    bool known = false;
+    for (int i = before; i < found.count; ++i) known |= same(i);
+    if (!known) plane.add(x, 0);
+  }
+  return true;
+}
+
+}  // namespace carom
