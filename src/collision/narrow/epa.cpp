@@ -1,0 +1,154 @@
+// The loop of EPA, and the tetrahedron that it starts from.
+#include "collision/narrow/epa.h"
+
+#include "collision/narrow/polytope.h"
+#include "collision/narrow/simplex_geometry.h"
+
+namespace carom {
+
+namespace {
+
+enum class Build { solid, flat, fault };
+
+/// Looks along n and -n and keeps the point with the larger |measure|.
+template <class Measure>
+bool look_both_ways(Difference& difference, const Vec3& n, const Measure& measure, DifferencePoint& best, Real& most) {
+  for (const Real sign : {1.0, -1.0}) {
+    DifferencePoint found;
+    Real value = 0;
+    if (!difference.support(sign * n, found, value)) return false;
+    const Real m = std::fabs(measure(found.w));
+    if (m > most) {
+      most = m;
+      best = found;
+    }
+  }
+  return true;
+}
+
+/// Add points to whatever GJK left until there is a tetrahedron: each the farthest to be found from the point, line or
+/// plane of those before it. If the farthest is within rounding the difference is flat, and looking along its normal
+/// both ways has already given the bracket its answer.
+Build build_tetrahedron(Difference& difference, DifferenceSimplex& simplex) {
+  DifferencePoint* p = simplex.point;
+  const Real flat = difference.rounding();
+  if (simplex.count == 4) {
+    const Vec3 ab = p[1].w - p[0].w, ac = p[2].w - p[0].w, ad = p[3].w - p[0].w;
+    const Vec3 n = ab.cross(ac);
+    // Thinner than rounding over its base: its faces would not know their sides. Its largest face is kept and built up
+    // anew.
+    if (std::fabs(n.dot(ad)) > flat * n.norm()) return Build::solid;
+    simplex.count = 3;
+  }
+  if (simplex.count == 3) {
+    const Vec3 n = triangle_normal(p[0].w, p[1].w, p[2].w);
+    if (!(n.squaredNorm() > flat * flat * (p[1].w - p[0].w).squaredNorm())) simplex.count = 2;
+  }
+  if (simplex.count == 2 && !((p[1].w - p[0].w).norm() > flat)) simplex.count = 1;
+  if (simplex.count == 1) {
+    Real most = 0;
+    for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
+      if (!look_both_ways(
+              difference, axis, [&](const Vec3& w) { return (w - p[0].w).norm(); }, p[1], most))
+        return Build::fault;
+    if (!(most > flat)) return Build::flat;
+    simplex.count = 2;
+  }
+  if (simplex.count == 2) {
+    const Vec3 along = (p[1].w - p[0].w).normalized();
+    const Vec3 u = any_perpendicular(along), v = along.cross(u);
+    Real most = 0;
+    // Three directions 60 degrees apart (-1/2 and sqrt(3)/2), both ways: six sectors around the line.
+    for (const Vec3& n : {u, Vec3(-0.5 * u + 0.8660254037844386 * v), Vec3(-0.5 * u - 0.8660254037844386 * v)})
+      if (!look_both_ways(
+              difference, n, [&](const Vec3& w) { return along.cross(w - p[0].w).norm(); }, p[2], most))
+        return Build::fault;
+    if (!(most > flat)) return Build::flat;
+    simplex.count = 3;
+  }
+  const Vec3 n = triangle_normal(p[0].w, p[1].w, p[2].w).normalized();
+  Real most = 0;
+  if (!look_both_ways(
+          difference, n, [&](const Vec3& w) { return n.dot(w - p[0].w); }, p[3], most))
+    return Build::fault;
+  if (!(most > flat)) return Build::flat;
+  simplex.count = 4;
+  return Build::solid;
+}
+
+/// The point of a face nearest to the origin, for the witness points.
+void report_face(const Polytope& polytope, const int vertex[3], DifferenceSimplex& simplex) {
+  Vec3 w[3];
+  for (int i = 0; i < 3; ++i) w[i] = polytope.point(vertex[i]).w;
+  Nearest nearest;
+  nearest_voronoi(w, 3, nearest);
+  simplex.count = nearest.count;
+  for (int i = 0; i < nearest.count; ++i) {
+    simplex.point[i] = polytope.point(vertex[nearest.index[i]]);
+    simplex.weight[i] = nearest.weight[i];
+  }
+}
+
+}  // namespace
+
+EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex, int& iterations) {
+  const Build built = build_tetrahedron(difference, simplex);
+  if (built == Build::fault) return EpaEnd::fault;
+  if (difference.lower > difference.rounding()) return EpaEnd::apart;
+  if (built == Build::flat) return EpaEnd::flat;
+
+  Polytope polytope(difference.rounding());
+  polytope.start(simplex.point, -difference.lower);
+  int best[3] = {-1, -1, -1};
+  EpaEnd end = EpaEnd::stuck;
+  for (;;) {
+    // A ring of equal minimisers (a cone on its axis) would be refined all around to the cap. The last quarter of the
+    // iterations therefore follows one branch down: the bound from below, which one direction can attain, gets exact.
+    const bool follow = iterations >= cap - cap / 4 && polytope.newest() >= 0;
+    const int at = follow ? polytope.newest() : polytope.pop();
+    if (at < 0) {
+      // Every face is at least as far out as the best supporting plane: nothing lies between.
+      if (-difference.lower > difference.rounding()) difference.upper = std::min(difference.upper, difference.lower);
+      end = EpaEnd::narrow;
+      break;
+    }
+    const Polytope::Face& face = polytope.face(at);
+    const Vec3 normal = face.normal;
+    const Real offset = face.offset;
+    // Nearer than rounding, or behind the origin: the mesh may not hold the origin yet, and proves nothing.
+    if (!follow && offset > difference.rounding()) difference.upper = std::min(difference.upper, -offset);
+    const Real before = difference.lower;
+    if (best[0] < 0) std::copy(face.vertex, face.vertex + 3, best);
+    if (difference.upper - difference.lower <= gap) {
+      end = EpaEnd::narrow;
+      break;
+    }
+    if (iterations >= cap) {
+      end = EpaEnd::capped;
+      break;
+    }
+    ++iterations;
+    DifferencePoint fresh;
+    Real value = 0;
+    if (!difference.support(-normal, fresh, value)) return EpaEnd::fault;
+    if (-value < offset - difference.slack()) {
+      difference.blame_worse(-normal, fresh, polytope.point(face.vertex[0]));
+      return EpaEnd::fault;
+    }
+    if (difference.lower > before) std::copy(face.vertex, face.vertex + 3, best);
+    if (follow && -value - offset <= gap) {
+      end = EpaEnd::capped;
+      break;
+    }
+    if (difference.lower > difference.rounding()) return EpaEnd::apart;
+    if (difference.upper - difference.lower <= gap) {
+      end = EpaEnd::narrow;
+      break;
+    }
+    if (polytope.has(fresh.w) || !polytope.add(at, fresh, -difference.lower)) break;
+  }
+  report_face(polytope, best, simplex);
+  return end;
+}
+
+}  // namespace carom

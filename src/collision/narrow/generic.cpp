@@ -1,0 +1,94 @@
+// The signed distance of any two convex shapes: GJK on the cores, EPA where they overlap, one bracket for both.
+#include <algorithm>
+
+#include "collision/narrow/epa.h"
+#include "collision/narrow/hybrid.h"
+
+namespace carom {
+
+namespace {
+
+/// What can be said when nothing can be asked: a support function failed, or the pose is not finite.
+void give_up(QueryResult& result, QueryStatus status) {
+  result.status = status;
+  result.separation = 0;
+  result.lower = -kInfinity;
+  result.upper = kInfinity;
+}
+
+void write_points(const Difference& difference, const DifferenceSimplex& simplex, const Shape& a, const Shape& b,
+                  const Frame& b_in_a, Real shell, QueryResult& result) {
+  Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
+  for (int i = 0; i < simplex.count; ++i) {
+    on_a += simplex.weight[i] * simplex.point[i].a;
+    on_b += simplex.weight[i] * simplex.point[i].b;
+  }
+  const Vec3& n = difference.normal;
+  result.point_a = on_a + (a.core_radius + 0.5 * shell) * n;
+  result.point_b = on_b - (b.core_radius + 0.5 * shell) * b_in_a.rotate_inverse(n);
+}
+
+}  // namespace
+
+void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySettings& settings,
+                      QueryMemory* memory, QueryResult& result, SupportFault& fault) {
+  result = QueryResult();
+  const Real shell = shells(settings);
+  Difference difference(a, b, b_in_a, shell);
+  if (!difference.usable()) return give_up(result, QueryStatus::rounding);
+
+  const Real rounding = difference.rounding(), radii = difference.radii();
+  const Real asked = difference.to_scaled(settings.tolerance * std::min(a.bounding_radius, b.bounding_radius));
+  GjkRequest request;
+  request.solver = simplex_solver(settings.simplex);
+  // The bracket is widened by rounding on both sides; a gap far below that can't be told from none.
+  request.gap = std::max(asked - 2 * rounding, rounding);
+  request.farther = difference.to_scaled(settings.max_distance) + radii + rounding;
+  request.cap = std::max(settings.gjk_cap, 1);
+  const int epa_cap = std::clamp(settings.epa_cap, 1, kMaxEpaIterations);
+
+  const bool warm = memory && memory->direction.squaredNorm() > 0;
+  Vec3 first = warm ? memory->direction : difference.centre_offset();
+  DifferenceSimplex simplex;
+  bool deep = false, capped = false, bad = false;
+  // EPA is also the judge of GJK's verdict: if it finds a separating direction, GJK goes on from there. Once.
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const GjkEnd end = gjk(difference, request, first, simplex, result.gjk_iterations);
+    bad = end == GjkEnd::fault;
+    capped = end == GjkEnd::capped;
+    result.farther = end == GjkEnd::farther;
+    // Stuck or capped without a separating direction: only EPA can tell.
+    const bool unknown = (end == GjkEnd::stuck || end == GjkEnd::capped) && difference.lower <= rounding;
+    if (end != GjkEnd::overlap && !unknown) break;
+    deep = true;
+    const EpaEnd judged = epa(difference, request.gap, epa_cap, simplex, result.epa_iterations);
+    bad = judged == EpaEnd::fault;
+    capped = judged == EpaEnd::capped;
+    if (judged != EpaEnd::apart) break;
+    deep = false;
+    first = difference.normal;
+  }
+  result.support_calls = difference.calls;
+  if (bad) {
+    fault = difference.fault;
+    return give_up(result, QueryStatus::fault);
+  }
+
+  // An imprecise support function may put the bounds past each other by its own error: the bracket takes in both.
+  const Real lower = std::min(difference.lower, difference.upper), upper = std::max(difference.lower, difference.upper);
+  result.separation = difference.to_metres(difference.lower - radii);
+  result.lower = difference.to_metres(lower - radii - rounding);
+  result.upper = difference.to_metres(upper - radii + rounding);
+  result.normal = difference.normal;
+  write_points(difference, simplex, a, b, b_in_a, shell, result);
+  if (result.upper - result.lower <= settings.tolerance * std::min(a.bounding_radius, b.bounding_radius) ||
+      result.farther)
+    result.status = QueryStatus::exact_enough;
+  else
+    result.status = capped ? QueryStatus::capped : QueryStatus::rounding;
+  // A separating direction starts the next walk near its end. The normal of a deep contact would start it at a sliver,
+  // which EPA inherits: forget it.
+  if (memory) memory->direction = deep ? Vec3(Vec3::Zero()) : difference.normal;
+}
+
+}  // namespace carom

@@ -1,0 +1,93 @@
+// The walk of GJK: look along the feature nearest to the origin, add what is found, keep the feature that is nearest
+// now.
+#include "collision/narrow/gjk.h"
+
+#include <algorithm>
+
+namespace carom {
+
+namespace {
+
+/// Keep the points of a feature, oldest first, and the upper bound that its weights prove.
+void keep(DifferenceSimplex& simplex, const Nearest& nearest, Difference& difference) {
+  Real weight[4] = {-1, -1, -1, -1};
+  for (int i = 0; i < nearest.count; ++i) weight[nearest.index[i]] = nearest.weight[i];
+  simplex.count = 0;
+  Vec3 v = Vec3::Zero();
+  for (int i = 0; i < 4; ++i) {
+    if (weight[i] < 0) continue;
+    const int to = simplex.count++;
+    if (to != i) simplex.point[to] = simplex.point[i];
+    simplex.weight[to] = weight[i];
+    v += weight[i] * simplex.point[to].w;
+  }
+  // Whatever rounding did to the feature, v is a point of the difference: its length is an honest bound.
+  difference.upper = std::min(difference.upper, v.norm());
+}
+
+bool repeated(const DifferenceSimplex& simplex, const Vec3& w) {
+  for (int i = 0; i < simplex.count; ++i)
+    if (simplex.point[i].w == w) return true;
+  return false;
+}
+
+/// The nearest feature of simplex + new point, nearer than `before`; false if there is none.
+bool descend(const GjkRequest& request, const Difference& difference, const DifferenceSimplex& simplex, Real before,
+             Nearest& nearest) {
+  Vec3 w[4];
+  for (int i = 0; i <= simplex.count; ++i) w[i] = simplex.point[i].w;
+  request.solver(w, simplex.count + 1, nearest);
+  // "Inside" contradicts a separating direction already found: only a degenerate tetrahedron says so.
+  const auto good = [&] {
+    return nearest.inside ? difference.lower <= difference.rounding() : nearest.distance2 < before;
+  };
+  if (good()) return true;
+  nearest_voronoi(w, simplex.count + 1, nearest);
+  return good();
+}
+
+}  // namespace
+
+GjkEnd gjk(Difference& difference, const GjkRequest& request, const Vec3& first, DifferenceSimplex& simplex,
+           int& iterations) {
+  Vec3 n = Vec3::UnitX();
+  const Real length2 = first.squaredNorm();
+  if (length2 > 1e-200) n = first / std::sqrt(length2);  // below, squares have lost their digits: any direction will do
+
+  Real value = 0;
+  ++iterations;
+  if (!difference.support(n, simplex.point[0], value)) return GjkEnd::fault;
+  Nearest nearest;
+  Vec3 w0 = simplex.point[0].w;
+  nearest_voronoi(&w0, 1, nearest);
+  keep(simplex, nearest, difference);
+
+  for (;;) {
+    if (difference.lower > request.farther) return GjkEnd::farther;
+    if (difference.upper - difference.lower <= request.gap) return GjkEnd::narrow;
+    if (difference.upper <= difference.rounding()) return GjkEnd::overlap;
+    if (iterations >= request.cap) return GjkEnd::capped;
+
+    const Real d2 = nearest.direction.squaredNorm();
+    if (!(d2 > 0)) return GjkEnd::overlap;  // the origin is on the vertex or edge itself
+    n = nearest.direction / std::sqrt(d2);
+    DifferencePoint& fresh = simplex.point[simplex.count];
+    ++iterations;
+    if (!difference.support(n, fresh, value)) return GjkEnd::fault;
+    if (value > n.dot(simplex.point[0].w) + difference.slack()) {
+      difference.blame_worse(n, fresh, simplex.point[0]);
+      return GjkEnd::fault;
+    }
+    if (difference.lower > request.farther) return GjkEnd::farther;
+    if (difference.upper - difference.lower <= request.gap) return GjkEnd::narrow;
+    if (repeated(simplex, fresh.w)) return GjkEnd::stuck;
+
+    Nearest next;
+    if (!descend(request, difference, simplex, nearest.distance2, next)) return GjkEnd::stuck;
+    nearest = next;
+    keep(simplex, nearest, difference);
+    if (nearest.inside && difference.upper - difference.lower > request.gap) return GjkEnd::overlap;
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,177 @@
+// Faces, heap and horizon of the polytope that EPA grows.
+#include "collision/narrow/polytope.h"
+
+#include <algorithm>
+
+#include "collision/narrow/simplex_geometry.h"
+
+namespace carom {
+
+namespace {
+
+constexpr int kNext[3] = {1, 2, 0};
+
+}  // namespace
+
+/// Normal and offset of a face. A face without area (its normal is not known to the sense) looks along the point of its
+/// longest edge that is nearest to the origin: a rounding's width from the truth, and the offset still a proof.
+void Polytope::place(Face& f) const {
+  const Vec3 &a = points_[f.vertex[0]].w, &b = points_[f.vertex[1]].w, &c = points_[f.vertex[2]].w;
+  Vec3 n = triangle_normal(a, b, c);
+  const Real n2 = n.squaredNorm();
+  const Real lab = (b - a).squaredNorm(), lbc = (c - b).squaredNorm(), lca = (a - c).squaredNorm();
+  const Real longest = std::max({lab, lbc, lca});
+  // Twice the area over the longest edge is the height.
+  if (n2 > rounding_ * rounding_ * longest / 16) {
+    n /= std::sqrt(n2);
+  } else {
+    const Vec3 w[3] = {a, b, c};
+    Nearest nearest;
+    if (lab == longest)
+      offer_edge(w, 0, 1, nearest);
+    else if (lbc == longest)
+      offer_edge(w, 1, 2, nearest);
+    else
+      offer_edge(w, 2, 0, nearest);
+    const Real d2 = nearest.direction.squaredNorm();
+    n = d2 > 0 ? Vec3(nearest.direction / std::sqrt(d2)) : (n2 > 0 ? Vec3(n / std::sqrt(n2)) : Vec3(Vec3::UnitX()));
+  }
+  f.normal = n;
+  f.offset = std::min({n.dot(a), n.dot(b), n.dot(c)});
+}
+
+int Polytope::new_face(int i, int j, int k) {
+  const bool fresh = free_used_ == 0;
+  const int slot = fresh ? faces_used_++ : free_[--free_used_];
+  Face& f = faces_[slot];
+  if (fresh) f.stamp = 0;
+  f.vertex[0] = i;
+  f.vertex[1] = j;
+  f.vertex[2] = k;
+  f.alive = true;
+  place(f);
+  return slot;
+}
+
+void Polytope::remove(int face) {
+  faces_[face].alive = false;
+  ++faces_[face].stamp;
+  free_[free_used_++] = face;
+}
+
+void Polytope::link(int f, int e, int g, int h) {
+  faces_[f].next[e] = g;
+  faces_[f].back[e] = static_cast<signed char>(h);
+  faces_[g].next[h] = f;
+  faces_[g].back[h] = static_cast<signed char>(e);
+}
+
+void Polytope::sift_down(int at) {
+  const Entry moving = heap_[at];
+  for (int child; (child = 2 * at + 1) < heap_used_; at = child) {
+    if (child + 1 < heap_used_ && heap_[child + 1].offset < heap_[child].offset) ++child;
+    if (!(heap_[child].offset < moving.offset)) break;
+    heap_[at] = heap_[child];
+  }
+  heap_[at] = moving;
+}
+
+/// Entries of faces long gone fill the heap: keep those alive.
+void Polytope::refill() {
+  heap_used_ = static_cast<int>(
+      std::remove_if(heap_, heap_ + heap_used_,
+                     [this](const Entry& e) { return !faces_[e.face].alive || faces_[e.face].stamp != e.stamp; }) -
+      heap_);
+  for (int i = heap_used_ / 2 - 1; i >= 0; --i) sift_down(i);
+}
+
+void Polytope::push(int face) {
+  if (heap_used_ == kHeap) refill();
+  const Entry entry{faces_[face].offset, face, faces_[face].stamp};
+  int at = heap_used_++;
+  for (int parent; at > 0 && entry.offset < heap_[parent = (at - 1) / 2].offset; at = parent) heap_[at] = heap_[parent];
+  heap_[at] = entry;
+}
+
+int Polytope::pop() {
+  while (heap_used_ > 0) {
+    const Entry top = heap_[0];
+    heap_[0] = heap_[--heap_used_];
+    if (heap_used_ > 1) sift_down(0);
+    if (faces_[top.face].alive && faces_[top.face].stamp == top.stamp) return top.face;
+  }
+  return -1;
+}
+
+bool Polytope::has(const Vec3& w) const {
+  for (int i = 0; i < points_used_; ++i)
+    if (points_[i].w == w) return true;
+  return false;
+}
+
+void Polytope::start(const DifferencePoint* four, Real keep_below) {
+  for (int i = 0; i < 4; ++i) points_[i] = four[i];
+  points_used_ = 4;
+  const Vec3 &a = four[0].w, &b = four[1].w, &c = four[2].w, &d = four[3].w;
+  if (triangle_normal(a, b, c).dot(d - a) > 0) std::swap(points_[1], points_[2]);
+  // d is now below abc seen from outside.
+  const int abc = new_face(0, 1, 2), adb = new_face(0, 3, 1), bdc = new_face(1, 3, 2), cda = new_face(2, 3, 0);
+  link(abc, 0, adb, 2);
+  link(abc, 1, bdc, 2);
+  link(abc, 2, cda, 2);
+  link(adb, 1, bdc, 0);
+  link(bdc, 1, cda, 0);
+  link(cda, 1, adb, 0);
+  for (const int f : {abc, adb, bdc, cda})
+    if (faces_[f].offset <= keep_below) push(f);
+}
+
+/// Remove a face that w sees and go on over its other two edges; an edge to a face that w does not see is the horizon.
+/// Edges come out in the order of the loop. Depth is at most the number of faces.
+bool Polytope::walk(int face, int edge, const Vec3& w) {
+  const Face& f = faces_[face];
+  if (!f.alive) return true;
+  if (f.normal.dot(w) - f.offset <= rounding_) {
+    if (horizon_used_ == kFaces) return false;
+    horizon_[horizon_used_++] = {face, edge};
+    return true;
+  }
+  remove(face);
+  const int left = kNext[edge], right = kNext[left];
+  return walk(f.next[left], f.back[left], w) && walk(f.next[right], f.back[right], w);
+}
+
+bool Polytope::add(int face, const DifferencePoint& point, Real keep_below) {
+  if (points_used_ == kPoints) return false;
+  const int apex = points_used_++;
+  points_[apex] = point;
+  horizon_used_ = 0;
+  const Face seen = faces_[face];
+  remove(face);
+  for (int e = 0; e < 3; ++e)
+    if (!walk(seen.next[e], seen.back[e], point.w)) return false;
+  if (horizon_used_ < 3 || horizon_used_ > free_used_ + (kFaces - faces_used_)) return false;
+  // Every edge must start where the one before it ends (seen from the removed side).
+  for (int i = 0; i < horizon_used_; ++i) {
+    const Edge here = horizon_[i], after = horizon_[i + 1 == horizon_used_ ? 0 : i + 1];
+    if (faces_[here.face].vertex[here.edge] != faces_[after.face].vertex[kNext[after.edge]]) return false;
+  }
+  int first = -1, last = -1;
+  newest_ = -1;
+  for (int i = 0; i < horizon_used_; ++i) {
+    const Edge e = horizon_[i];
+    const int f = new_face(faces_[e.face].vertex[kNext[e.edge]], faces_[e.face].vertex[e.edge], apex);
+    link(f, 0, e.face, e.edge);
+    if (last >= 0)
+      link(last, 1, f, 2);
+    else
+      first = f;
+    last = f;
+    if (newest_ < 0 || faces_[f].offset < faces_[newest_].offset) newest_ = f;
+    if (faces_[f].offset <= keep_below) push(f);
+  }
+  link(last, 1, first, 2);
+  return true;
+}
+
+}  // namespace carom

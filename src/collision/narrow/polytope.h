@@ -1,0 +1,78 @@
+// The polytope that EPA grows: triangles with neighbours in fixed arenas, a heap of the faces nearest to the origin,
+// and the walk around the horizon seen from a new point.
+#pragma once
+
+#include "collision/narrow/epa.h"
+
+namespace carom {
+
+/// A closed mesh of triangles around the origin, wound outwards. Lives on the stack, allocates nothing.
+///
+/// What it proves needs no convexity: if every face's plane is beyond distance d from the origin, so is every triangle,
+/// and a closed mesh that winds around the origin without coming nearer than d holds the ball of radius d. Face
+/// distances are therefore taken as the smallest of the three vertices' offsets along the computed normal, true for a
+/// badly tilted one too.
+class Polytope {
+ public:
+  struct Face {
+    Vec3 normal;          // unit, outwards
+    Real offset;          // smallest of normal . vertex; the plane is at least as far from the origin
+    int vertex[3];        // counter-clockwise from outside
+    int next[3];          // face across edge (vertex[e], vertex[e + 1])
+    signed char back[3];  // which edge of that face it is
+    bool alive;
+    std::uint32_t stamp;  // tells a reused slot from what an old heap entry meant
+  };
+
+  /// @param rounding  what a height must exceed to count, scaled lengths
+  explicit Polytope(Real rounding) : rounding_(rounding) {}
+
+  /// Start from a tetrahedron, either orientation.
+  void start(const DifferencePoint* four, Real keep_below);
+  /// Take the alive face nearest to the origin off the heap; -1 if none is left.
+  int pop();
+  /// Add a point beyond a face (just popped): replace the faces it sees by a fan to it. Faces with offset above
+  /// keep_below can't be the nearest any more and stay off the heap.
+  /// @return false if the horizon is not one loop (rounding), or room is out: the mesh is broken then, stop
+  bool add(int face, const DifferencePoint& point, Real keep_below);
+
+  /// The face nearest to the origin among those that the last add() made; -1 before the first.
+  int newest() const { return newest_; }
+
+  bool has(const Vec3& w) const;
+  const Face& face(int i) const { return faces_[i]; }
+  const DifferencePoint& point(int i) const { return points_[i]; }
+
+ private:
+  static constexpr int kPoints = kMaxEpaIterations + 4;
+  static constexpr int kFaces = 2 * kPoints;
+  static constexpr int kHeap = 2 * kFaces;
+
+  struct Entry {
+    Real offset;
+    int face;
+    std::uint32_t stamp;
+  };
+  struct Edge {
+    int face, edge;
+  };
+
+  int new_face(int i, int j, int k);
+  void place(Face& face) const;
+  void link(int f, int e, int g, int h);
+  void push(int face);
+  void sift_down(int at);
+  void refill();
+  bool walk(int face, int edge, const Vec3& w);
+  void remove(int face);
+
+  Real rounding_;
+  int points_used_ = 0, faces_used_ = 0, free_used_ = 0, heap_used_ = 0, horizon_used_ = 0, newest_ = -1;
+  DifferencePoint points_[kPoints];
+  Face faces_[kFaces];
+  int free_[kFaces];
+  Entry heap_[kHeap];
+  Edge horizon_[kFaces];
+};
+
+}  // namespace carom

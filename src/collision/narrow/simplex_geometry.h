@@ -1,0 +1,137 @@
+// Edges and faces seen from the origin: the arithmetic that the simplex sub-algorithms and EPA share.
+#pragma once
+
+#include "collision/narrow/simplex.h"
+
+namespace carom {
+
+/// a b - c d with an error of 2 ulp of the result, whatever cancels.
+/// @source Kahan's difference of products, see [Jeannerod2013]
+inline Real difference_of_products(Real a, Real b, Real c, Real d) {
+  const Real cd = c * d;
+  return std::fma(a, b, -cd) + std::fma(-c, d, cd);
+}
+
+inline Vec3 accurate_cross(const Vec3& a, const Vec3& b) {
+  return Vec3(difference_of_products(a.y(), b.z(), a.z(), b.y()), difference_of_products(a.z(), b.x(), a.x(), b.z()),
+              difference_of_products(a.x(), b.y(), a.y(), b.x()));
+}
+
+/// Cross product that keeps its direction when a and b are nearly parallel.
+/// Plain products err by u |a| |b|, which tilts the result by u / sin(a, b): below sin = 1e-3 the slow form is worth
+/// it.
+inline Vec3 careful_cross(const Vec3& a, const Vec3& b) {
+  const Vec3 n = a.cross(b);
+  if (n.squaredNorm() > 1e-6 * (a.squaredNorm() * b.squaredNorm())) return n;
+  return accurate_cross(a, b);
+}
+
+/// Normal of a triangle, (b - a) x (c - a) in length and sense, from its two shorter edges.
+inline Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, bc = c - b, ca = a - c;
+  const Real lab = ab.squaredNorm(), lbc = bc.squaredNorm(), lca = ca.squaredNorm();
+  if (lbc >= lab && lbc >= lca) return careful_cross(ca, ab);
+  if (lca >= lab) return careful_cross(ab, bc);
+  return careful_cross(bc, ca);
+}
+
+inline void answer_vertex(const Vec3* w, int i, Nearest& nearest) {
+  nearest.count = 1;
+  nearest.index[0] = i;
+  nearest.weight[0] = 1;
+  nearest.direction = w[i];
+  nearest.distance2 = w[i].squaredNorm();
+}
+
+/// The interior of edge ij; the caller knows that the origin projects there.
+/// @param along  -w_i . (w_j - w_i), in (0, length2)
+inline void answer_edge(const Vec3* w, int i, int j, const Vec3& edge, Real along, Real length2, Nearest& nearest) {
+  // Measured from the nearer end: a x ab then has the smaller error.
+  const Vec3 offset = careful_cross(along + along < length2 ? w[i] : w[j], edge);
+  nearest.count = 2;
+  nearest.index[0] = i;
+  nearest.index[1] = j;
+  const Real t = along / length2;
+  nearest.weight[0] = 1 - t;
+  nearest.weight[1] = t;
+  nearest.direction = edge.cross(offset);
+  nearest.distance2 = offset.squaredNorm() / length2;
+}
+
+/// Edge ij with its ends: keeps the answer if it is nearer than what stands in `nearest`.
+inline void offer_edge(const Vec3* w, int i, int j, Nearest& nearest) {
+  const Vec3 edge = w[j] - w[i];
+  const Real from_i = -w[i].dot(edge), from_j = w[j].dot(edge);
+  Nearest found;
+  if (from_i <= 0) {
+    answer_vertex(w, i, found);
+  } else if (from_j <= 0) {
+    answer_vertex(w, j, found);
+  } else {
+    answer_edge(w, i, j, edge, from_i, edge.squaredNorm(), found);
+  }
+  if (found.distance2 < nearest.distance2) nearest = found;
+}
+
+/// Weights of the origin's projection onto the plane of a triangle, up to the common factor |normal|^2.
+struct Areas {
+  Real i, j, k;
+};
+inline Areas projected_areas(const Vec3& wi, const Vec3& wj, const Vec3& wk, const Vec3& normal) {
+  return {normal.dot(wj.cross(wk - wj)), normal.dot(wk.cross(wi - wk)), normal.dot(wi.cross(wj - wi))};
+}
+
+/// The interior of face ijk; the caller knows that the origin projects there, so negative areas are rounding.
+inline void answer_face(const Vec3* w, int i, int j, int k, const Vec3& normal, Areas area, Nearest& nearest) {
+  area.i = area.i > 0 ? area.i : 0;
+  area.j = area.j > 0 ? area.j : 0;
+  area.k = area.k > 0 ? area.k : 0;
+  const Real scale = 1 / (area.i + area.j + area.k);
+  nearest.count = 3;
+  nearest.index[0] = i;
+  nearest.index[1] = j;
+  nearest.index[2] = k;
+  nearest.weight[0] = area.i * scale;
+  nearest.weight[1] = area.j * scale;
+  nearest.weight[2] = area.k * scale;
+  // Through the vertex nearest to the origin, where the product has the smallest error.
+  const Real li = w[i].squaredNorm(), lj = w[j].squaredNorm(), lk = w[k].squaredNorm();
+  const Vec3& p = li <= lj ? (li <= lk ? w[i] : w[k]) : (lj <= lk ? w[j] : w[k]);
+  const Real offset = normal.dot(p);
+  nearest.direction = offset < 0 ? Vec3(-normal) : normal;
+  nearest.distance2 = offset * offset / normal.squaredNorm();
+}
+
+/// Face ijk with its edges and vertices (or, if !kAll, those that touch k): keeps the answer if nearer.
+template <bool kAll>
+inline void offer_face(const Vec3* w, int i, int j, int k, Nearest& nearest) {
+  const Vec3 normal = triangle_normal(w[i], w[j], w[k]);
+  const Areas area = projected_areas(w[i], w[j], w[k], normal);
+  const bool out_jk = !(area.i > 0), out_ki = !(area.j > 0), out_ij = kAll && !(area.k > 0);
+  if (out_jk | out_ki | out_ij) {
+    if (out_jk) offer_edge(w, j, k, nearest);
+    if (out_ki) offer_edge(w, k, i, nearest);
+    if (kAll && out_ij) offer_edge(w, i, j, nearest);
+    return;
+  }
+  Nearest found;
+  answer_face(w, i, j, k, normal, area, found);
+  if (found.distance2 < nearest.distance2) nearest = found;
+}
+
+/// The tetrahedron itself. The volumes of the origin with each opposite face are its weights: that they give a v of
+/// about zero is what proves the claim.
+inline void answer_inside(Real of_a, Real of_b, Real of_c, Real of_d, Nearest& nearest) {
+  const Real volume[4] = {of_a, of_b, of_c, of_d > 0 ? of_d : 0};
+  const Real scale = 1 / (volume[0] + volume[1] + volume[2] + volume[3]);
+  nearest.inside = true;
+  nearest.count = 4;
+  for (int i = 0; i < 4; ++i) {
+    nearest.index[i] = i;
+    nearest.weight[i] = volume[i] * scale;
+  }
+  nearest.direction.setZero();
+  nearest.distance2 = 0;
+}
+
+}  // namespace carom

@@ -1,0 +1,100 @@
+// Johnson's simplex sub-algorithm: cofactors of all subsets, from edge differences.
+//
+// For a subset Y of the points, the point of its affine hull nearest to the origin is sum(delta_i w_i) / sum(delta_i)
+// with
+//   delta_i({i}) = 1,    delta_j(Y + j) = sum over i in Y of  delta_i(Y) (w_i . (w_k - w_j)),   any k in Y.
+// The textbook's w_i.w_k - w_i.w_j subtracts two large numbers; the difference of points is taken first here, and k is
+// the vertex of Y nearest to j, so that the difference is as short as can be.
+#include "collision/narrow/simplex_geometry.h"
+
+namespace carom {
+
+namespace {
+
+constexpr int kSubsets = 16;
+constexpr int kBySize[15] = {1, 2, 4, 8, 3, 5, 9, 6, 10, 12, 7, 11, 13, 14, 15};
+
+struct Cofactors {
+  Real delta[kSubsets][4];
+};
+
+void fill(const Vec3* w, int count, Cofactors& c) {
+  Real edge2[4][4];
+  for (int i = 0; i < count; ++i)
+    for (int j = 0; j < i; ++j) edge2[i][j] = edge2[j][i] = (w[i] - w[j]).squaredNorm();
+  for (int i = 0; i < count; ++i) c.delta[1 << i][i] = 1;
+  const int all = (1 << count) - 1;
+  for (const int y : kBySize) {
+    if (y >= all) continue;
+    for (int j = 0; j < count; ++j) {
+      if (y >> j & 1) continue;
+      int k = -1;
+      for (int i = 0; i < count; ++i)
+        if ((y >> i & 1) && (k < 0 || edge2[i][j] < edge2[k][j])) k = i;
+      const Vec3 difference = w[k] - w[j];
+      Real sum = 0;
+      for (int i = 0; i < count; ++i)
+        if (y >> i & 1) sum += c.delta[y][i] * w[i].dot(difference);
+      c.delta[y | 1 << j][j] = sum;
+    }
+  }
+}
+
+/// All points of the subset have a positive share: its nearest point lies inside it.
+bool proper(const Cofactors& c, int y, int count) {
+  for (int i = 0; i < count; ++i)
+    if ((y >> i & 1) && !(c.delta[y][i] > 0)) return false;
+  return true;
+}
+
+/// No point outside the subset would bring it nearer.
+bool final_subset(const Cofactors& c, int y, int count) {
+  for (int j = 0; j < count; ++j)
+    if (!(y >> j & 1) && c.delta[y | 1 << j][j] > 0) return false;
+  return true;
+}
+
+void answer(const Vec3* w, int y, const Cofactors& c, Nearest& nearest) {
+  int index[4], n = 0;
+  for (int i = 0; i < 4; ++i)
+    if (y >> i & 1) index[n++] = i;
+  switch (n) {
+    case 1:
+      answer_vertex(w, index[0], nearest);
+      break;
+    case 2: {
+      const Vec3 edge = w[index[1]] - w[index[0]];
+      answer_edge(w, index[0], index[1], edge, c.delta[y][index[1]], edge.squaredNorm(), nearest);
+      break;
+    }
+    case 3:
+      answer_face(w, index[0], index[1], index[2], triangle_normal(w[index[0]], w[index[1]], w[index[2]]),
+                  {c.delta[y][index[0]], c.delta[y][index[1]], c.delta[y][index[2]]}, nearest);
+      break;
+    default:
+      answer_inside(c.delta[y][0], c.delta[y][1], c.delta[y][2], c.delta[y][3], nearest);
+  }
+}
+
+}  // namespace
+
+void nearest_johnson(const Vec3* w, int count, Nearest& nearest) {
+  nearest = Nearest();
+  Cofactors c;
+  fill(w, count, c);
+  const int all = (1 << count) - 1;
+  for (const int y : kBySize) {
+    if (y > all || (y & ~all)) continue;
+    if (proper(c, y, count) && final_subset(c, y, count)) return answer(w, y, c, nearest);
+  }
+  // Rounding left no subset that satisfies every sign (degenerate simplex): the nearest of the proper ones, as in
+  // SOLID's backup procedure. A tetrahedron is never among them: it would have passed above.
+  for (const int y : kBySize) {
+    if (y > all || y == 15 || !proper(c, y, count)) continue;
+    Nearest found;
+    answer(w, y, c, found);
+    if (found.distance2 < nearest.distance2) nearest = found;
+  }
+}
+
+}  // namespace carom
