@@ -1,0 +1,31 @@
+/* Box: centred at the origin, edges along the axes. */
+#include <carom/plugin.h>
+
+/* The corner on dir's side; a zero component (of either sign) counts as positive, so that ties are repeatable. */
+static int32_t support(const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+  int i;
+  (void)param_len;
+  for (i = 0; i < 3; ++i) out[i] = dir[i] >= 0.0 ? params[i] : -params[i];
+  return 0;
+}
+
+static const carom_param parameters[] = {
+    {"half_extent_x", "m", 1e-9, 1e8}, {"half_extent_y", "m", 1e-9, 1e8}, {"half_extent_z", "m", 1e-9, 1e8}};
+
+static const carom_geometry geometry = {
+    sizeof(carom_geometry), CAROM_FORM_BOX, {0, 1, 2, CAROM_NO_PARAM},
+    CAROM_NO_PARAM,         CAROM_FORM_BOX, {0, 1, 2, CAROM_NO_PARAM},
+};
+
+CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {sizeof(carom_shape_plugin),
+                                                                      CAROM_PLUGIN_ABI_MAJOR,
+                                                                      CAROM_PLUGIN_ABI_MINOR,
+                                                                      0,
+                                                                      "carom.box",
+                                                                      1,
+                                                                      3,
+                                                                      parameters,
+                                                                      &geometry,
+                                                                      support,
+                                                                      0,
+                                                                      0};

@@ -1,0 +1,36 @@
+/* Capsule: a segment along y, centred, with a radius. The core is the segment. */
+#include <carom/plugin.h>
+
+enum { RADIUS, HALF_HEIGHT };
+
+static int32_t support(const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+  (void)param_len;
+  out[0] = out[2] = 0.0;
+  out[1] = dir[1] >= 0.0 ? params[HALF_HEIGHT] : -params[HALF_HEIGHT];
+  return 0;
+}
+
+static const carom_param parameters[] = {{"radius", "m", 1e-9, 1e8},
+                                         {"half_height", "m", 0.0, 1e8} /* of the segment: the caps come on top */};
+
+static const carom_geometry geometry = {
+    sizeof(carom_geometry),
+    CAROM_FORM_CAPSULE,
+    {RADIUS, HALF_HEIGHT, CAROM_NO_PARAM, CAROM_NO_PARAM},
+    RADIUS,
+    CAROM_FORM_CAPSULE,
+    {RADIUS, HALF_HEIGHT, CAROM_NO_PARAM, CAROM_NO_PARAM},
+};
+
+CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {sizeof(carom_shape_plugin),
+                                                                      CAROM_PLUGIN_ABI_MAJOR,
+                                                                      CAROM_PLUGIN_ABI_MINOR,
+                                                                      0,
+                                                                      "carom.capsule",
+                                                                      1,
+                                                                      2,
+                                                                      parameters,
+                                                                      &geometry,
+                                                                      support,
+                                                                      0,
+                                                                      0};

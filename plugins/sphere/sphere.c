@@ -1,0 +1,34 @@
+/* Sphere: a point with a radius. The core is the origin, so the engine swells it exactly and contacts stay cheap. */
+#include <carom/plugin.h>
+
+static int32_t support(const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+  (void)params;
+  (void)param_len;
+  (void)dir;
+  out[0] = out[1] = out[2] = 0.0;
+  return 0;
+}
+
+static const carom_param parameters[] = {{"radius", "m", 1e-9, 1e8}};
+
+static const carom_geometry geometry = {
+    sizeof(carom_geometry),
+    CAROM_FORM_SPHERE,
+    {0, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM},
+    0, /* core radius: the radius */
+    CAROM_FORM_SPHERE,
+    {0, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM},
+};
+
+CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {sizeof(carom_shape_plugin),
+                                                                      CAROM_PLUGIN_ABI_MAJOR,
+                                                                      CAROM_PLUGIN_ABI_MINOR,
+                                                                      0,
+                                                                      "carom.sphere",
+                                                                      1,
+                                                                      1,
+                                                                      parameters,
+                                                                      &geometry,
+                                                                      support,
+                                                                      0,
+                                                                      0};
