@@ -8,7 +8,8 @@ namespace carom {
 
 struct Colliders {
   explicit Colliders(Memory* m)
-      : shape(m), local(m), body(m), material(m), density(m), frame(m), bounds(m), movable(m), muted(m), live(m) {}
+      : shape(m), local(m), body(m), material(m), density(m), frame(m), bounds(m), reach(m), movable(m), muted(m),
+        live(m) {}
 
   // Fixed while a step runs:
   Array<const Shape*> shape;        // null in a free slot
@@ -19,6 +20,7 @@ struct Colliders {
   // Moved by every step:
   Array<Frame> frame;               // shape -> world
   Array<Aabb> bounds;               // m, world, grown by what the scene asks for (contact distance, motion of the step)
+  Array<Real> reach;                // m: a fast collider meets others that are this much farther than the contact distance
   Array<std::uint8_t> movable;      // 1: its body can move (dynamic or kinematic); 0: static
   Array<std::uint8_t> muted;        // 1: makes no pairs (its shape or body is in quarantine)
   Array<std::uint32_t> live;        // slots in use, ascending

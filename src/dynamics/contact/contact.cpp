@@ -1,0 +1,241 @@
+// Rows from manifolds: materials, anchors, effective masses, starting impulses.
+#include "dynamics/contact/contact.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "dynamics/force/force.h"
+
+namespace carom {
+namespace {
+
+const Material& material_of(const Scene& scene, std::uint32_t collider) {
+  static constexpr Material kDefault;
+  const std::uint32_t slot = scene.colliders.material[collider];
+  return slot == Colliders::kNoMaterial ? kDefault : scene.material[slot];
+}
+
+/// Last step's impulse of the old point of the same pair that lies nearest on A, if one lies near enough.
+/// @param first, last  range of the pair in c.old   @param scale  substep now over substep then
+Vec3 starting_impulse(const Contacts& c, std::size_t first, std::size_t last, const ContactPoint& point, Real reach,
+                      Real friction, Real scale) {
+  const OldImpulse* best = nullptr;
+  Real least = reach * reach;
+  for (std::size_t k = first; k < last; ++k) {
+    const Real d = (c.old[k].on_a - point.on_a).squaredNorm();
+    if (d < least) least = d, best = &c.old[k];
+  }
+  if (!best) return Vec3::Zero();
+  // The normal part turns with the normal; the tangent part is laid into the new tangent plane, inside the new cone.
+  const Real normal = scale * best->p.dot(best->n);
+  Vec3 tangent = scale * best->p - normal * best->n;
+  tangent -= tangent.dot(point.normal) * point.normal;
+  const Real bound = friction * normal, size = tangent.norm();
+  if (size > bound) tangent *= bound / size;
+  return normal * point.normal + tangent;
+}
+
+void add_rows(World& world, std::size_t pair_index, std::size_t& cursor, Real scale) {
+  Contacts& c = *world.contacts;
+  const Scene& scene = world.scene;
+  const PairRecord& record = world.pairs[pair_index];
+  const Manifold& manifold = record.manifold;
+  if (manifold.count == 0) return;
+  const std::uint32_t ca = record.pair.a, cb = record.pair.b;
+  const std::uint32_t a = scene.colliders.body[ca], b = scene.colliders.body[cb];
+  const bool moves_a = responds(scene, world.state, a), moves_b = responds(scene, world.state, b);
+  if (!moves_a && !moves_b) return;
+
+  const Material &ma = material_of(scene, ca), &mb = material_of(scene, cb);
+  const Real friction = mix(ma.friction_mix, ma.friction, mb.friction_mix, mb.friction);
+  const Real restitution = mix(ma.restitution_mix, ma.restitution, mb.restitution_mix, mb.restitution);
+  const Frame &fa = world.plan->local[ca], &fb = world.plan->local[cb];
+  while (cursor < c.old.size() && c.old[cursor].pair < record.pair) ++cursor;
+  std::size_t last = cursor;
+  while (last < c.old.size() && c.old[last].pair == record.pair) ++last;
+  const Real reach = scene.dials[Dial::cache_distance];
+
+  for (int k = 0; k < manifold.count; ++k) {
+    const ContactPoint& point = manifold.point[k];
+    Row row{};
+    row.u = Vec3::Zero();
+    row.n = point.normal;
+    row.p = Vec3::Zero();
+    if (scale > 0) row.p = starting_impulse(c, cursor, last, point, reach, friction, scale);
+    row.friction = friction;
+    row.a = a, row.b = b, row.moves_a = moves_a, row.moves_b = moves_b;
+    RowGeometry g{};
+    g.l_a = fa.apply(point.on_a);
+    g.l_b = fb.apply(point.on_b);
+    g.impulse = Vec3::Zero();
+    g.separation = point.separation;
+    g.restitution = restitution;
+    g.pair = static_cast<std::uint32_t>(pair_index);
+    g.point = static_cast<std::uint32_t>(k);
+    if (restitution > 0) c.bouncing.push_back(static_cast<std::uint32_t>(c.rows.size()));
+    c.rows.push_back(row);
+    c.geometry.push_back(g);
+  }
+}
+
+/// Where each body's rows will stand in the list of halves.
+void count_halves(World& world) {
+  Contacts& c = *world.contacts;
+  const std::size_t slots = world.scene.bodies.slots();
+  c.half_begin.assign(slots + 1, 0);
+  for (const Row& row : c.rows) {
+    if (row.moves_a) ++c.half_begin[row.a + 1];
+    if (row.moves_b) ++c.half_begin[row.b + 1];
+  }
+  c.bodies.clear();
+  for (std::size_t i = 0; i < slots; ++i) {
+    if (c.half_begin[i + 1] > 0) c.bodies.push_back(static_cast<std::uint32_t>(i));
+    c.half_begin[i + 1] += c.half_begin[i];
+  }
+  c.half.resize(c.half_begin[slots]);
+}
+
+/// K = (1/m_a + 1/m_b) 1 - [r_a]x I_a^-1 [r_a]x - [r_b]x I_b^-1 [r_b]x, world axes.
+Mat3 velocity_per_impulse(const World& world, const Row& row, const RowMass& m) {
+  const Scene& scene = world.scene;
+  Mat3 k = Mat3::Zero();
+  const auto add = [&](std::uint32_t body, const Vec3& r) {
+    k.diagonal().array() += scene.inv_mass[body];
+    if (!rotates(scene, body)) return;
+    const Mat3 x = cross_matrix(r);
+    k -= x * world.contacts->inv_inertia_w[body] * x;
+  };
+  if (row.moves_a) add(row.a, m.r_a);
+  if (row.moves_b) add(row.b, m.r_b);
+  return k;
+}
+
+/// Let a row's starting impulse act.
+void start_row(World& world, const Row& row, const RowMass& m) {
+  State& s = world.state;
+  const auto push = [&](std::uint32_t body, const Vec3& p, const Vec3& r) {
+    s.v[body] += world.scene.inv_mass[body] * p;
+    if (rotates(world.scene, body)) s.omega[body] += world.contacts->inv_inertia_w[body] * r.cross(p);
+    world.plan->touched[body] = 1;
+  };
+  if (row.moves_a) push(row.a, -row.p, m.r_a);
+  if (row.moves_b) push(row.b, row.p, m.r_b);
+}
+
+}  // namespace
+
+Real mix(Mix rule_a, Real a, Mix rule_b, Real b) {
+  switch (std::max(rule_a, rule_b)) {
+    case Mix::maximum: return std::max(a, b);
+    case Mix::minimum: return std::min(a, b);
+    case Mix::average: return (a + b) / 2;
+    case Mix::multiply: return a * b;
+    default: return std::sqrt(a * b);
+  }
+}
+
+void build_rows(World& world, Real h) {
+  Contacts& c = *world.contacts;
+  const std::size_t slots = world.scene.bodies.slots();
+  c.rows.clear(), c.geometry.clear(), c.bouncing.clear();
+  std::fill(world.plan->touched.begin(), world.plan->touched.end(), std::uint8_t(0));
+  const bool warm = world.scene.dials.choice(Dial::warm_start) != 0 && c.old_h > 0;
+  std::size_t cursor = 0;
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    const std::size_t before = c.rows.size();
+    add_rows(world, i, cursor, warm ? h / c.old_h : 0);
+    world.report.contact_pairs += c.rows.size() > before;
+  }
+  const std::size_t n = c.rows.size();
+  world.report.contact_points = n;
+  c.mass.resize(n);
+  count_halves(world);
+  c.inv_inertia_w.resize(slots);
+  c.shift.resize(slots, Vec3::Zero()), c.turn.resize(slots, Vec3::Zero());
+  c.keys.resize(n), c.heap_position.resize(n), c.heap.reserve(std::max(n, slots) + 1);
+  c.old.reserve(n);
+  world.contact_views.reserve(n);
+  const auto rubs = [](const Row& r) { return r.friction > 0; };
+  world.plan->find("friction")->customers.count =
+      static_cast<std::uint64_t>(std::count_if(c.rows.begin(), c.rows.end(), rubs));
+  world.plan->find("restitution")->customers.count = c.bouncing.size();
+}
+
+void measure_approach(World& world, const StepTime&) {
+  Contacts& c = *world.contacts;
+  const State& s = world.state;
+  for (const std::uint32_t i : c.bouncing) {
+    const Row& row = c.rows[i];
+    RowGeometry& g = c.geometry[i];
+    const Vec3 r_a = s.q[row.a] * g.l_a, r_b = s.q[row.b] * g.l_b;
+    const Vec3 u = s.v[row.b] + s.omega[row.b].cross(r_b) - s.v[row.a] - s.omega[row.a].cross(r_a);
+    g.bounce_speed = -u.dot(row.n);
+  }
+}
+
+void prepare_rows(World& world, Real h) {
+  Contacts& c = *world.contacts;
+  const State& s = world.state;
+  const Scene& scene = world.scene;
+  const Array<Mat3>& rotation = world.plan->rotation;
+  for (const std::uint32_t i : c.bodies) {
+    world.plan->touched[i] = 0;
+    if (rotates(scene, i)) c.inv_inertia_w[i] = rotation[i] * scene.inv_inertia[i] * rotation[i].transpose();
+  }
+  c.heap.assign(c.half_begin.begin(), c.half_begin.end());  // scratch: next free half of each body
+  const Real restitution_speed = scene.dials[Dial::restitution_speed];
+  for (std::uint32_t i = 0; i < c.rows.size(); ++i) {
+    Row& row = c.rows[i];
+    RowMass& m = c.mass[i];
+    const RowGeometry& g = c.geometry[i];
+    m.r_a = rotation[row.a] * g.l_a;
+    m.r_b = rotation[row.b] * g.l_b;
+    m.k = velocity_per_impulse(world, row, m);
+    m.k_inv = m.k.inverse();
+    row.k_n = row.n.dot(m.k * row.n);
+    row.target = g.separation > 0 ? -g.separation / h : 0;
+    if (g.restitution > 0 && g.bounce_speed > restitution_speed && g.bounce_speed * h > g.separation)
+      row.target = g.restitution * g.bounce_speed;
+    if (row.moves_a) c.half[c.heap[row.a]++] = {m.r_a, i, -1};
+    if (row.moves_b) c.half[c.heap[row.b]++] = {m.r_b, i, 1};
+    if (row.p != Vec3::Zero()) start_row(world, row, m);
+  }
+  for (std::size_t i = 0; i < c.rows.size(); ++i) {
+    Row& row = c.rows[i];
+    const RowMass& m = c.mass[i];
+    row.u = s.v[row.b] + s.omega[row.b].cross(m.r_b) - s.v[row.a] - s.omega[row.a].cross(m.r_a);
+  }
+}
+
+void refresh_rotations(World& world) {
+  Array<Mat3>& rotation = world.plan->rotation;
+  const auto orient = [&](std::uint32_t i) { rotation[i] = world.state.q[i].toRotationMatrix(); };
+  for (const std::uint32_t i : world.contacts->bodies)
+    if (rotates(world.scene, i)) orient(i);
+  world.plan->kinematic.each(orient);
+}
+
+void refresh_separations(World& world) {
+  Contacts& c = *world.contacts;
+  const State& s = world.state;
+  const Array<Mat3>& rotation = world.plan->rotation;
+  for (std::size_t i = 0; i < c.rows.size(); ++i) {
+    const Row& row = c.rows[i];
+    RowGeometry& g = c.geometry[i];
+    // The difference of the centres first: far from the origin they are large and nearly equal.
+    g.separation = ((s.x[row.b] - s.x[row.a]) + (rotation[row.b] * g.l_b - rotation[row.a] * g.l_a)).dot(row.n);
+  }
+}
+
+void remember_impulses(World& world, Real h) {
+  Contacts& c = *world.contacts;
+  c.old.clear();
+  c.old_h = h;
+  for (std::size_t i = 0; i < c.rows.size(); ++i) {
+    if (c.rows[i].p == Vec3::Zero()) continue;
+    const PairRecord& record = world.pairs[c.geometry[i].pair];
+    c.old.push_back({record.pair, record.manifold.point[c.geometry[i].point].on_a, c.rows[i].n, c.rows[i].p});
+  }
+}
+
+}  // namespace carom

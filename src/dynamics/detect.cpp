@@ -1,0 +1,76 @@
+// Broad and narrow phase on the world's colliders, and what becomes of shapes that misbehave.
+#include "dynamics/detect.h"
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+NarrowSettings narrow_settings(const Dials& dials) {
+  NarrowSettings s;
+  s.query.simplex = static_cast<Simplex>(dials.choice(Dial::simplex));
+  s.query.method = static_cast<Method>(dials.choice(Dial::narrow_phase));
+  s.query.routines = dials.choice(Dial::pair_routines) != 0;
+  s.query.tolerance = dials[Dial::gjk_tolerance];
+  s.query.margin = dials[Dial::hybrid_margin];
+  s.query.max_distance = dials[Dial::contact_distance];
+  s.query.gjk_cap = dials.whole(Dial::gjk_iterations);
+  s.query.epa_cap = dials.whole(Dial::epa_iterations);
+  s.manifold.kind = static_cast<ManifoldKind>(dials.choice(Dial::manifold));
+  s.manifold.cache_distance = dials[Dial::cache_distance];
+  s.manifold.contact_distance = dials[Dial::contact_distance];
+  s.warm_separation = dials.choice(Dial::warm_separation) != 0;
+  return s;
+}
+
+BroadPhase& broad_phase(World& world) {
+  using Make = std::unique_ptr<BroadPhase> (*)(Memory*);
+  static constexpr Make kMake[] = {make_brute_force, make_sweep_and_prune, make_uniform_grid};
+  const std::uint32_t choice = world.scene.dials.choice(Dial::broad_phase);
+  if (!world.broad[choice]) world.broad[choice] = kMake[choice](world.memory);
+  return *world.broad[choice];
+}
+
+/// Mute a shape in this world, from the next step on, and say so.
+void mute(World& world, const SupportFault& fault) {
+  Plan& plan = *world.plan;
+  if (std::find(plan.faulty.begin(), plan.faulty.end(), fault.shape) != plan.faulty.end()) return;
+  plan.faulty.push_back(fault.shape);
+  const Colliders& c = world.scene.colliders;
+  FaultView view{};
+  view.support = fault;
+  for (const std::uint32_t slot : c.live)
+    if (c.shape[slot] == fault.shape) {
+      view.body = c.body[slot];
+      break;
+    }
+  world.fault_views.push_back(view);
+  ++world.scene.revision, ++world.scene.collider_revision;
+}
+
+}  // namespace
+
+void find_pairs(World& world, const StepTime&) {
+  BroadSettings settings;
+  settings.grid_cell = world.scene.dials[Dial::grid_cell];
+  try {
+    Plan& plan = *world.plan;
+    broad_phase(world).find_pairs(world.scene.colliders, world.scene.collider_revision, settings, plan.pairs);
+    world.pairs.update(plan.pairs);
+  } catch (...) {
+    // Out of memory: forget what may be half changed; the next step starts these caches afresh.
+    for (auto& b : world.broad) b.reset();
+    world.pairs.clear();
+    throw;
+  }
+  world.report.broad_pairs = world.plan->pairs.size();
+}
+
+void find_contacts(World& world, const StepTime&) {
+  Plan& plan = *world.plan;
+  const NarrowSettings settings = narrow_settings(world.scene.dials);
+  narrow_phase(world.scene.colliders, settings, world.pairs, world.report.narrow, plan.faults);
+  for (const SupportFault& fault : plan.faults) mute(world, fault);
+}
+
+}  // namespace carom

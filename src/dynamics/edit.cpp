@@ -1,0 +1,186 @@
+// Editing a world between steps: bodies, colliders and materials come and go. Each function reserves, then changes.
+#include <algorithm>
+
+#include "dynamics/contact/contact.h"
+#include "dynamics/effects.h"
+#include "dynamics/mass.h"
+
+namespace carom {
+namespace {
+
+/// Room for one more element at `slot`, growing by doubling, so that the resize after it cannot fail.
+template <class... A>
+void make_room(std::size_t slot, A&... arrays) {
+  const auto room = [slot](auto& a) {
+    if (a.capacity() <= slot) a.reserve(std::max<std::size_t>(16, 2 * slot));
+  };
+  (room(arrays), ...);
+}
+template <class T>
+void put(Array<T>& a, std::size_t slot, const T& value) {
+  if (slot == a.size())
+    a.push_back(value);
+  else
+    a[slot] = value;
+}
+
+/// The slot that take() will hand out can be at most the number of slots there are.
+void make_room_for_body(Scene& s, State& t) {
+  make_room(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia, t.x, t.q, t.v,
+            t.omega, t.force, t.torque, t.quarantined);
+}
+
+/// New mass properties; the body's frame stays where it is and its centre's velocity what it was.
+void set_mass(Scene& s, State& t, std::uint32_t body, const BodyMass& m) {
+  t.x[body] += t.q[body] * (m.center - s.center[body]);
+  s.mass[body] = m.mass, s.inv_mass[body] = m.inv_mass, s.center[body] = m.center;
+  s.inertia[body] = m.inertia, s.inv_inertia[body] = m.inv_inertia;
+}
+
+}  // namespace
+
+Handle World::add_body(const BodyDef& def) {
+  make_room_for_body(scene, state);
+  const Handle handle = scene.bodies.take();
+  if (handle == 0) return 0;
+  const std::uint32_t i = handle_slot(handle);
+  put(scene.def, i, def);
+  put(scene.type, i, def.type);
+  put(scene.inv_mass, i, Real(0));
+  put(scene.mass, i, Real(0));
+  put<Vec3>(scene.center, i, Vec3::Zero());
+  put<Mat3>(scene.inertia, i, Mat3::Zero());
+  put<Mat3>(scene.inv_inertia, i, Mat3::Zero());
+  put(state.x, i, def.pose.p);
+  put(state.q, i, normalized(def.pose.q));
+  const bool moves = def.type != BodyType::fixed;
+  put<Vec3>(state.v, i, moves ? def.velocity : Vec3::Zero());
+  put<Vec3>(state.omega, i, moves ? def.omega : Vec3::Zero());
+  put<Vec3>(state.force, i, Vec3::Zero());
+  put<Vec3>(state.torque, i, Vec3::Zero());
+  put(state.quarantined, i, std::uint8_t(0));
+  set_mass(scene, state, i, mass_of_body(scene, i));
+  state.written = true;
+  ++scene.revision;
+  return handle;
+}
+
+void World::remove_body(std::uint32_t body) {
+  Colliders& c = scene.colliders;
+  for (std::size_t k = c.live.size(); k-- > 0;)
+    if (c.body[c.live[k]] == body) remove_collider(c.live[k]);
+  scene.inv_mass[body] = scene.mass[body] = 0;
+  scene.inertia[body].setZero(), scene.inv_inertia[body].setZero();
+  state.v[body] = state.omega[body] = state.force[body] = state.torque[body] = Vec3::Zero();
+  state.quarantined[body] = 0;
+  scene.bodies.release(body);
+  ++scene.revision;
+}
+
+Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& local, Real density,
+                           std::uint32_t material) {
+  Colliders& c = scene.colliders;
+  make_room(scene.collider_slots.slots(), c.shape, c.local, c.body, c.material, c.density, c.frame, c.bounds, c.reach,
+            c.movable, c.muted);
+  make_room(c.live.size(), c.live);
+  const Handle handle = scene.collider_slots.take();
+  if (handle == 0) return 0;
+  const std::uint32_t i = handle_slot(handle);
+  put(c.shape, i, shape);
+  put(c.local, i, Pose{normalized(local.q), local.p});
+  put(c.body, i, body);
+  put(c.material, i, material);
+  put(c.density, i, density);
+  put(c.frame, i, Frame());
+  put(c.bounds, i, Aabb());
+  put(c.reach, i, Real(0));
+  put(c.movable, i, std::uint8_t(scene.type[body] != BodyType::fixed));
+  put(c.muted, i, std::uint8_t(0));
+  c.live.insert(std::lower_bound(c.live.begin(), c.live.end(), i), i);
+  set_mass(scene, state, body, mass_of_body(scene, body));
+  ++scene.revision, ++scene.collider_revision;
+  return handle;
+}
+
+void World::remove_collider(std::uint32_t collider) {
+  Colliders& c = scene.colliders;
+  pairs.forget(collider);  // may run out of memory, so it comes first
+  const std::uint32_t body = c.body[collider];
+  const Shape* shape = c.shape[collider];
+  set_mass(scene, state, body, mass_of_body(scene, body, collider));
+  c.live.erase(std::lower_bound(c.live.begin(), c.live.end(), collider));
+  c.shape[collider] = nullptr;
+  c.bounds[collider] = Aabb();
+  scene.collider_slots.release(collider);
+  // The host may now free the shape, and another may come to live at its address.
+  const auto wears = [&](std::uint32_t slot) { return c.shape[slot] == shape; };
+  if (std::none_of(c.live.begin(), c.live.end(), wears)) std::erase(plan->faulty, shape);
+  ++scene.revision, ++scene.collider_revision;
+}
+
+Handle World::add_material(const Material& m) {
+  make_room(scene.material_slots.slots(), scene.material);
+  const Handle handle = scene.material_slots.take();
+  if (handle == 0) return 0;
+  put(scene.material, handle_slot(handle), m);
+  ++scene.revision;
+  return handle;
+}
+
+void World::set_material(std::uint32_t material, const Material& m) {
+  scene.material[material] = m;
+  ++scene.revision;
+}
+
+void World::remove_material(std::uint32_t material) {
+  scene.material_slots.release(material);
+  ++scene.revision;
+}
+
+void World::set_dial(Dial dial, Real value) {
+  if (scene.dials[dial] == value) return;
+  scene.dials[dial] = value;
+  ++scene.revision;
+}
+
+void World::set_gravity(const Vec3& g) {
+  scene.gravity = g;
+  ++scene.revision;
+}
+
+void World::set_pose(std::uint32_t body, const Pose& pose) {
+  state.q[body] = normalized(pose.q);
+  state.x[body] = pose.p + state.q[body] * scene.center[body];
+  state.written = true;
+  if (state.quarantined[body] || scene.type[body] == BodyType::fixed) {
+    state.quarantined[body] = 0;  // the host takes it back
+    ++scene.revision, ++scene.collider_revision;
+  }
+}
+
+void World::set_velocity(std::uint32_t body, const Vec3& linear, const Vec3& angular) {
+  state.v[body] = linear;
+  state.omega[body] = angular;
+  state.written = true;
+}
+
+void World::add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& point) {
+  if (!(scene.inv_mass[body] > 0)) return;
+  const Quat& q = state.q[body];
+  state.v[body] += scene.inv_mass[body] * impulse;
+  const Vec3 spin = (point - state.x[body]).cross(impulse);
+  state.omega[body] += q * (scene.inv_inertia[body] * (q.conjugate() * spin));
+  state.written = true;
+}
+
+void World::add_force(std::uint32_t body, const Vec3& force, const Vec3& torque) {
+  set_force(body, state.force[body] + force, state.torque[body] + torque);
+}
+
+void World::set_force(std::uint32_t body, const Vec3& force, const Vec3& torque) {
+  state.force[body] = force;
+  state.torque[body] = torque;
+  state.written = true;
+}
+
+}  // namespace carom

@@ -1,0 +1,198 @@
+// THE TABLE: every effect of a step, who its customers are, and what serves them; and the plan made from it.
+#include "dynamics/effects.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "collision/volume.h"
+#include "dynamics/force/force.h"
+#include "dynamics/integrate/integrator.h"
+
+namespace carom {
+namespace {
+
+void find_colliders(const Scene& scene, const State&, Customers& customers) {
+  const Colliders& c = scene.colliders;
+  const auto movable = [&](std::uint32_t slot) { return c.movable[slot] != 0; };
+  if (c.live.size() < 2 || std::none_of(c.live.begin(), c.live.end(), movable)) return;
+  for (const std::uint32_t slot : c.live)
+    if (!c.muted[slot]) customers.add(slot);
+}
+void find_in_contacts(const Scene&, const State&, Customers&) {}  // counted where a step builds its contacts
+
+// clang-format off
+constexpr std::array<Effect, kEffectCount> kTable = {{
+    // stage           name               customers              awake in this step  force                   flow                   decay rate
+    {Stage::integrate, "gyroscopic",      gyroscopic::find,      gyroscopic::wakes,  gyroscopic::force,      gyroscopic::flow,      nullptr},
+    {Stage::integrate, "linear_damping",  linear_damping::find,  nullptr,            linear_damping::force,  linear_damping::flow,  linear_damping::rate},
+    {Stage::integrate, "angular_damping", angular_damping::find, nullptr,            angular_damping::force, angular_damping::flow, angular_damping::rate},
+    {Stage::integrate, "gravity",         gravity::find,         nullptr,            gravity::force,         nullptr,               nullptr},
+    {Stage::integrate, "user_force",      user_force::find,      nullptr,            user_force::force,      nullptr,               nullptr},
+    {Stage::integrate, "user_torque",     user_torque::find,     nullptr,            user_torque::force,     nullptr,               nullptr},
+    {Stage::broad,     "collision",       find_colliders,        nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::solve,     "friction",        find_in_contacts,      nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::solve,     "restitution",     find_in_contacts,      nullptr,            nullptr,                nullptr,               nullptr},
+}};
+// clang-format on
+
+enum class Rotation : std::uint32_t { none, explicit_torque, implicit_step };  // as CAROM_ROTATION_*
+
+/// Rows, their customers, and whether each is a force or a flow: the one place where these dials are switched.
+void plan_rows(World& world, Plan& plan) {
+  const Dials& dials = world.scene.dials;
+  const Integrator* integrators[] = {&kExplicitEuler, &kSemiImplicitEuler, &kRungeKutta4};
+  plan.integrator = integrators[dials.choice(Dial::integrator)];
+  const auto rotation = static_cast<Rotation>(dials.choice(Dial::rotation));
+  for (PlannedEffect& row : plan.effects) {
+    row.candidates.clear();
+    const bool gyro = row.effect->force == gyroscopic::force;
+    if (!gyro || rotation != Rotation::none) row.effect->find(world.scene, world.state, row.candidates);
+    row.rate = row.effect->rate ? row.effect->rate(world.scene, row.candidates) : 0;
+    row.as_flow = row.effect->flow && !plan.integrator->forces_only && !(gyro && rotation == Rotation::explicit_torque);
+    row.customers.clear();
+    row.customers.runs.reserve(row.candidates.count);
+    if (!row.effect->wakes) row.customers = row.candidates;
+  }
+}
+
+void plan_bodies(World& world, Plan& plan) {
+  const Scene& scene = world.scene;
+  plan.linear.clear(), plan.rotating.clear(), plan.kinematic.clear();
+  const std::uint32_t slots = scene.bodies.slots();
+  for (std::uint32_t i = 0; i < slots; ++i) {
+    if (!scene.bodies.alive(i) || world.state.quarantined[i]) continue;
+    if (scene.type[i] == BodyType::kinematic) plan.kinematic.add(i);
+    if (scene.inv_mass[i] > 0) (rotates(scene, i) ? plan.rotating : plan.linear).add(i);
+  }
+  plan.touched.assign(slots, 0);
+  plan.proposal.x.resize(plan.integrator->proposes ? slots : 0, Vec3::Zero());
+  plan.proposal.q.resize(plan.integrator->proposes ? slots : 0, Quat::Identity());
+  plan.scratch_vectors.resize(plan.integrator->vectors * slots, Vec3::Zero());
+  plan.scratch_rotations.resize(plan.integrator->rotations * slots, Quat::Identity());
+}
+
+void plan_colliders(World& world, Plan& plan) {
+  Colliders& c = world.scene.colliders;
+  plan.colliders.clear();
+  plan.local.resize(c.slots());
+  plan.rotation.resize(c.slots() ? world.scene.bodies.slots() : 0, Mat3::Identity());
+  for (const std::uint32_t slot : c.live) {
+    const std::uint32_t body = c.body[slot];
+    const bool faulty = std::find(plan.faulty.begin(), plan.faulty.end(), c.shape[slot]) != plan.faulty.end();
+    c.muted[slot] = faulty || world.state.quarantined[body];
+    plan.local[slot] = Frame(c.local[slot].q.toRotationMatrix(), c.local[slot].p - world.scene.center[body]);
+    if (c.movable[slot]) plan.colliders.push_back(slot);
+  }
+  plan.faults.reserve(c.slots());
+}
+
+void plan_stages(World& world, Plan& plan) {
+  const auto on = [&](Stage s) -> bool& { return plan.runs[static_cast<std::size_t>(s)]; };
+  const bool pairs = plan.find("collision")->candidates.count >= 2;
+  on(Stage::refresh) = on(Stage::observe) = true;
+  on(Stage::integrate) = plan.linear.count + plan.rotating.count + plan.kinematic.count > 0;
+  on(Stage::broad) = on(Stage::narrow) = on(Stage::group) = on(Stage::solve) = pairs;
+  on(Stage::relax) = pairs && world.scene.dials.whole(Dial::position_iterations) > 0;
+}
+
+/// World frame and bounds of a collider. Bounds are grown by half the contact distance, and where a body crosses more than
+/// that within the step by its motion too, so that it meets what it is about to hit. That reach ends at the size of the
+/// shape: beyond, a contact would stop bodies that merely pass by.
+void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
+  Colliders& c = world.scene.colliders;
+  const std::uint32_t body = c.body[slot];
+  const Shape& shape = *c.shape[slot];
+  c.frame[slot] = Frame(plan.rotation[body], world.state.x[body]) * plan.local[slot];
+  const Real half_gap = world.scene.dials[Dial::contact_distance] / 2;
+  c.reach[slot] = 0;
+  if (c.movable[slot]) {
+    const Real arm = shape.bounding_radius + plan.local[slot].p.norm();
+    const Real motion = dt * (world.state.v[body].norm() + arm * world.state.omega[body].norm());
+    if (motion > half_gap) c.reach[slot] = std::min(motion, shape.bounding_radius);
+  }
+  SupportFault fault;
+  c.bounds[slot] = world_bounds(shape, c.frame[slot].r, c.frame[slot].p, fault);
+  const Vec3 grow = Vec3::Constant(half_gap + c.reach[slot]);
+  c.bounds[slot].lo -= grow;
+  c.bounds[slot].hi += grow;
+  if (fault.kind != SupportFault::none) plan.faults.push_back(fault);
+}
+
+}  // namespace
+
+const std::array<Effect, kEffectCount>& effect_table() { return kTable; }
+
+Plan::Plan(Memory* m)
+    : effects(m), linear(m), rotating(m), kinematic(m), colliders(m), local(m), proposal(m), touched(m), rotation(m),
+      scratch_vectors(m), scratch_rotations(m), faulty(m), faults(m), pairs(m) {
+  effects.reserve(kEffectCount);
+  for (const Effect& row : kTable) effects.emplace_back(&row, m);
+}
+
+PlannedEffect* Plan::find(const char* name) {
+  for (PlannedEffect& row : effects)
+    if (std::strcmp(row.effect->name, name) == 0) return &row;
+  return nullptr;
+}
+
+void refresh(World& world, const StepTime& time) {
+  Plan& plan = *world.plan;
+  const bool changed = plan.revision != world.scene.revision;
+  plan.host_wrote = world.state.written;
+  if (changed) {
+    plan_colliders(world, plan);
+    plan_rows(world, plan);
+    plan_bodies(world, plan);
+    plan_stages(world, plan);
+    plan.revision = world.scene.revision;
+  }
+  for (PlannedEffect& row : plan.effects) {
+    const Effect& effect = *row.effect;
+    const bool host = effect.force == user_force::force || effect.force == user_torque::force;
+    if (host && plan.host_wrote && !changed) {
+      row.candidates.clear();
+      effect.find(world.scene, world.state, row.candidates);
+      row.customers = row.candidates;
+    }
+    if (effect.wakes) {
+      row.customers.clear();
+      row.candidates.each([&](std::uint32_t i) {
+        if (effect.wakes(world.scene, world.state, i)) row.customers.add(i);
+      });
+    }
+    // An explicit method is stable only for rate * h below a small number (2 for Euler, 2.8 for RK4); well before, decay is
+    // exact.
+    if (effect.rate && plan.integrator->forces_only) row.as_flow = row.rate * time.h > 1;
+  }
+  plan.faults.clear();
+  if (!world.scene.colliders.live.empty()) {
+    const State& s = world.state;
+    const auto orient = [&](std::uint32_t i) { plan.rotation[i] = s.q[i].toRotationMatrix(); };
+    if (changed)
+      for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) orient(i);
+    plan.rotating.each(orient);
+    plan.kinematic.each(orient);
+    for (const std::uint32_t slot : changed ? world.scene.colliders.live : plan.colliders)
+      place_collider(world, plan, slot, time.dt);
+  }
+  world.state.written = false;
+}
+
+void evaluate_forces(World& world, const Motion& at, const Accelerate& out) {
+  for (PlannedEffect& row : world.plan->effects) {
+    if (!row.effect->force || row.as_flow || row.customers.count == 0) continue;
+    row.effect->force(world.scene, world.state, row.customers, at, out);
+    row.evaluations += row.customers.count;
+  }
+}
+
+void evaluate_flows(World& world, Real h) {
+  State& s = world.state;
+  for (PlannedEffect& row : world.plan->effects) {
+    if (!row.as_flow || row.customers.count == 0) continue;
+    row.effect->flow(world.scene, row.customers, h, s.q.data(), s.v.data(), s.omega.data());
+    row.evaluations += row.customers.count;
+  }
+}
+
+}  // namespace carom

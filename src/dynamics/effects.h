@@ -1,0 +1,125 @@
+// The plan of a step: which effects have customers, who they are, and what they did.
+#pragma once
+
+#include <array>
+
+#include "dynamics/world.h"
+
+namespace carom {
+
+/// Body slots as ascending runs [begin, end), so that loops over many neighbours are dense.
+struct Customers {
+  struct Run {
+    std::uint32_t begin, end;
+  };
+  explicit Customers(Memory* m) : runs(m) {}
+
+  Array<Run> runs;
+  std::uint64_t count = 0;
+
+  void clear() { runs.clear(), count = 0; }
+  void add(std::uint32_t slot) {  // ascending
+    if (!runs.empty() && runs.back().end == slot)
+      ++runs.back().end;
+    else
+      runs.push_back({slot, slot + 1});
+    ++count;
+  }
+  template <class F>
+  void each(F&& f) const {
+    for (const Run& r : runs)
+      for (std::uint32_t i = r.begin; i < r.end; ++i) f(i);
+  }
+};
+
+/// Where forces are evaluated: the state itself, or an intermediate one of RK4. By body slot.
+struct Motion {
+  const Vec3* x;      // m, world, centre of mass
+  const Quat* q;      // unit, body -> world
+  const Vec3* v;      // m/s, world
+  const Vec3* omega;  // rad/s, world
+};
+
+/// Where accelerations go: target += scale * acceleration. By body slot.
+struct Accelerate {
+  Real scale;   // h for a kick of the velocities, 1 for a derivative
+  Vec3* v;      // m/s or m/s^2, world
+  Vec3* omega;  // rad/s or rad/s^2, world
+};
+
+/// A row's work. Exactly one of the two is set in a planned row.
+using ForceFn = void (*)(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
+using FlowFn = void (*)(const Scene&, const Customers&, Real h, const Quat* q, Vec3* v, Vec3* omega);
+
+/// A row of the table.
+struct Effect {
+  Stage stage;
+  const char* name;
+  void (*find)(const Scene&, const State&, Customers&);  // who may be a customer, from what a host changes
+  bool (*wakes)(const Scene&, const State&, std::uint32_t slot);  // null, or: is this one a customer in this step?
+  ForceFn force;  // null: served by its stage, not by the integrator
+  FlowFn flow;    // null: there is no closed form
+  Real (*rate)(const Scene&, const Customers&);  // 1/s, fastest decay among them; null: none decays
+};
+inline constexpr std::size_t kEffectCount = 9;
+
+/// A row with its customers.
+struct PlannedEffect {
+  PlannedEffect(const Effect* e, Memory* m) : effect(e), candidates(m), customers(m) {}
+  const Effect* effect;
+  Customers candidates;  // of the scene
+  Customers customers;   // of this step: the candidates that wake
+  Real rate = 0;         // 1/s, effect->rate of the candidates
+  bool as_flow = false;  // use effect->flow, not effect->force
+  std::uint64_t evaluations = 0;  // customers served since the world was made
+};
+
+struct StepTime {
+  Real dt, h;  // s: step, substep
+};
+
+/// Poses that an integrator proposes for bodies which no contact touches.
+struct Proposal {
+  explicit Proposal(Memory* m) : x(m), q(m) {}
+  Array<Vec3> x;
+  Array<Quat> q;
+};
+
+struct Integrator;  // dynamics/integrate/integrator.h
+
+struct Plan {
+  explicit Plan(Memory* m);
+
+  std::uint64_t revision = 0;           // of the scene this plan was made for
+  Array<PlannedEffect> effects;         // every row of the table, in its order; idle rows have no customers
+  Customers linear, rotating;           // dynamic bodies that move: without and with rotation
+  Customers kinematic;                  // moved by their velocity
+  Array<std::uint32_t> colliders;       // live colliders whose body can move
+  Array<Frame> local;                   // by collider: shape -> body axes, about the centre of mass
+  std::array<bool, kStageCount> runs{};  // stages that have customers
+  const Integrator* integrator = nullptr;
+  Proposal proposal;
+  Array<std::uint8_t> touched;          // by body: a solver changed its velocity in this substep
+  Array<Mat3> rotation;                 // by body: body -> world, at the start of the step
+  Array<Vec3> scratch_vectors;          // of the integrator
+  Array<Quat> scratch_rotations;
+  bool host_wrote = false;              // to the state, before this step
+  Array<const Shape*> faulty;           // shapes in quarantine in this world
+  Array<SupportFault> faults;           // of this step
+  Array<Pair> pairs;                    // of this step
+
+  PlannedEffect* find(const char* name);  // null: no such row
+};
+
+/// The table, in the order in which effects act within a kick: those that read velocities first.
+const std::array<Effect, kEffectCount>& effect_table();
+
+/// Stage refresh: bring the plan up to date, then frames and bounds of what moves.
+void refresh(World& world, const StepTime& time);
+
+/// All planned forces at one state.
+void evaluate_forces(World& world, const Motion& at, const Accelerate& out);
+/// All planned flows over h, on the world's velocities.
+void evaluate_flows(World& world, Real h);
+
+}  // namespace carom

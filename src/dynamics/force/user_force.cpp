@@ -1,0 +1,29 @@
+// Forces and torques that a host asked for, for one step.
+#include "dynamics/force/force.h"
+
+namespace carom {
+
+void user_force::find(const Scene& scene, const State& state, Customers& customers) {
+  for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
+    if (responds(scene, state, i) && state.force[i] != Vec3::Zero()) customers.add(i);
+}
+
+void user_force::force(const Scene& scene, const State& state, const Customers& customers, const Motion&,
+                       const Accelerate& out) {
+  customers.each([&](std::uint32_t i) { out.v[i] += out.scale * scene.inv_mass[i] * state.force[i]; });
+}
+
+void user_torque::find(const Scene& scene, const State& state, Customers& customers) {
+  for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
+    if (responds(scene, state, i) && rotates(scene, i) && state.torque[i] != Vec3::Zero()) customers.add(i);
+}
+
+void user_torque::force(const Scene& scene, const State& state, const Customers& customers, const Motion& at,
+                        const Accelerate& out) {
+  customers.each([&](std::uint32_t i) {
+    const Quat& q = at.q[i];
+    out.omega[i] += out.scale * (q * (scene.inv_inertia[i] * (q.conjugate() * state.torque[i])));
+  });
+}
+
+}  // namespace carom

@@ -1,0 +1,24 @@
+// Explicit Euler (the paper's): the old velocity moves the body, forces kick the velocity.
+#include "dynamics/integrate/integrator.h"
+
+namespace carom {
+namespace {
+
+void velocity(World& world, Real h) {
+  State& s = world.state;
+  Plan& plan = *world.plan;
+  plan.linear.each([&](std::uint32_t i) { plan.proposal.x[i] = s.x[i] + h * s.v[i]; });
+  plan.rotating.each([&](std::uint32_t i) {
+    plan.proposal.x[i] = s.x[i] + h * s.v[i];
+    plan.proposal.q[i] = normalized(exp_map(h * s.omega[i]) * s.q[i]);
+  });
+  // In place: rows that read velocities come first in the table, so each reads those of the start of the substep.
+  evaluate_forces(world, {s.x.data(), s.q.data(), s.v.data(), s.omega.data()}, {h, s.v.data(), s.omega.data()});
+  evaluate_flows(world, h);
+}
+
+}  // namespace
+
+const Integrator kExplicitEuler = {"explicit_euler", true, false, 0, 0, velocity};
+
+}  // namespace carom

@@ -1,0 +1,17 @@
+// Semi-implicit (symplectic) Euler: forces kick the velocity, the new velocity moves the body.
+#include "dynamics/integrate/integrator.h"
+
+namespace carom {
+namespace {
+
+void velocity(World& world, Real h) {
+  State& s = world.state;
+  evaluate_forces(world, {s.x.data(), s.q.data(), s.v.data(), s.omega.data()}, {h, s.v.data(), s.omega.data()});
+  evaluate_flows(world, h);
+}
+
+}  // namespace
+
+const Integrator kSemiImplicitEuler = {"semi_implicit_euler", false, false, 0, 0, velocity};
+
+}  // namespace carom

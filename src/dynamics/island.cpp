@@ -1,0 +1,62 @@
+// Contact groups by union-find.
+#include "dynamics/island.h"
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+/// Root of a body's tree; halves the path, so that later searches are short.
+std::uint32_t root(Array<std::uint32_t>& parent, std::uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+}  // namespace
+
+void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
+  constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+  const std::size_t n = c.rows.size();
+  c.group_begin.clear();
+  c.group_rows.resize(n);
+  c.label.resize(n);
+  std::uint32_t groups = 0;
+  if (grouped) {
+    c.parent.resize(body_slots);
+    for (std::uint32_t i = 0; i < body_slots; ++i) c.parent[i] = i;
+    for (const Row& row : c.rows) {
+      if (!row.moves_a || !row.moves_b) continue;
+      const std::uint32_t a = root(c.parent, row.a), b = root(c.parent, row.b);
+      // The lower slot is the root whatever the order of unions: labels depend on the contacts alone.
+      if (a < b) c.parent[b] = a;
+      if (b < a) c.parent[a] = b;
+    }
+    c.heap.assign(body_slots, kNone);  // scratch: group of a root
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::uint32_t r = root(c.parent, c.rows[i].moves_a ? c.rows[i].a : c.rows[i].b);
+      if (c.heap[r] == kNone) c.heap[r] = groups++;
+      c.label[i] = c.heap[r];
+    }
+  } else {
+    c.label.assign(n, 0);
+    groups = n ? 1 : 0;
+  }
+  // Counting sort by label.
+  c.group_begin.assign(groups + 1, 0);
+  for (std::size_t i = 0; i < n; ++i) ++c.group_begin[c.label[i] + 1];
+  for (std::uint32_t g = 0; g < groups; ++g) c.group_begin[g + 1] += c.group_begin[g];
+  c.heap.assign(c.group_begin.begin(), c.group_begin.end());
+  for (std::size_t i = 0; i < n; ++i) c.group_rows[c.heap[c.label[i]]++] = static_cast<std::uint32_t>(i);
+}
+
+void find_groups(World& world, const StepTime& time) {
+  Contacts& c = *world.contacts;
+  build_rows(world, time.h);
+  partition_rows(c, world.scene.bodies.slots(), world.scene.dials.choice(Dial::groups) != 0);
+  world.report.groups = c.groups();
+  for (std::size_t g = 0; g < c.groups(); ++g)
+    world.report.largest_group =
+        std::max<std::uint64_t>(world.report.largest_group, c.group_begin[g + 1] - c.group_begin[g]);
+}
+
+}  // namespace carom

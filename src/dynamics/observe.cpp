@@ -1,0 +1,89 @@
+// Residuals, energies and contact views of a step.
+#include "dynamics/observe.h"
+
+#include <algorithm>
+
+#include "dynamics/contact/contact.h"
+
+namespace carom {
+namespace {
+
+void view_contacts(World& world) {
+  const Contacts& c = *world.contacts;
+  const State& s = world.state;
+  StepReport& report = world.report;
+  double sum = 0;
+  std::uint64_t overlapping = 0;
+  for (std::size_t i = 0; i < c.rows.size(); ++i) {
+    const Row& row = c.rows[i];
+    const RowGeometry& g = c.geometry[i];
+    const Pair& pair = world.pairs[g.pair].pair;
+    if (g.separation < 0) {
+      report.max_penetration = std::max<double>(report.max_penetration, -g.separation);
+      sum -= g.separation;
+      ++overlapping;
+      report.max_closing_speed = std::max<double>(report.max_closing_speed, -row.u.dot(row.n));
+    }
+    const Mat3 &ra = world.plan->rotation[row.a], &rb = world.plan->rotation[row.b];
+    const Real normal_impulse = g.impulse.dot(row.n);
+    world.contact_views.push_back({pair.a, pair.b, 0.5 * ((s.x[row.a] + ra * g.l_a) + (s.x[row.b] + rb * g.l_b)), row.n,
+                                   g.separation, normal_impulse, (g.impulse - normal_impulse * row.n).norm()});
+  }
+  if (overlapping) report.mean_penetration = sum / static_cast<double>(overlapping);
+}
+
+void measure_energy(World& world) {
+  const Scene& scene = world.scene;
+  const State& s = world.state;
+  const Plan& plan = *world.plan;
+  StepReport& report = world.report;
+  const auto linear = [&](std::uint32_t i) { report.linear_energy += 0.5 * scene.mass[i] * s.v[i].squaredNorm(); };
+  plan.linear.each(linear);
+  plan.rotating.each([&](std::uint32_t i) {
+    linear(i);
+    const Vec3 w = s.q[i].conjugate() * s.omega[i];
+    report.angular_energy += 0.5 * w.dot(scene.inertia[i] * w);
+  });
+  report.dynamic_bodies = plan.linear.count + plan.rotating.count;
+}
+
+/// A force lives for one step.
+void drop_forces(World& world) {
+  State& s = world.state;
+  std::fill(s.force.begin(), s.force.end(), Vec3::Zero());
+  std::fill(s.torque.begin(), s.torque.end(), Vec3::Zero());
+  for (const char* name : {"user_force", "user_torque"}) {
+    world.plan->find(name)->candidates.clear();
+    world.plan->find(name)->customers.clear();
+  }
+}
+
+}  // namespace
+
+void begin_report(World& world) {
+  const std::uint64_t steps = world.report.steps;
+  const double time = world.report.time;
+  world.report = StepReport{};
+  world.report.steps = steps;
+  world.report.time = time;
+  world.contact_views.clear();
+}
+
+void observe(World& world, const StepTime& time) {
+  StepReport& report = world.report;
+  if (world.plan->runs[static_cast<std::size_t>(Stage::solve)]) {
+    view_contacts(world);
+    remember_impulses(world, time.h);
+  }
+  measure_energy(world);
+  if (world.plan->host_wrote) drop_forces(world);
+  report.steps += 1;
+  report.time += time.dt;
+  report.bodies = world.scene.bodies.alive_count();
+  report.colliders = world.scene.colliders.live.size();
+  report.quarantined_bodies =
+      static_cast<std::uint64_t>(std::count(world.state.quarantined.begin(), world.state.quarantined.end(), 1));
+  report.faults = world.fault_views.size();
+}
+
+}  // namespace carom

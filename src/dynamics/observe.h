@@ -1,0 +1,15 @@
+// What a host may know of a step. Observing never changes physics.
+#pragma once
+
+#include "dynamics/effects.h"
+
+namespace carom {
+
+/// Clear the report for a new step.
+void begin_report(World& world);
+
+/// Stage observe: residuals, energies, contact views; closes the books of the step (clock, pending forces, impulses for the
+/// next step's start).
+void observe(World& world, const StepTime& time);
+
+}  // namespace carom

@@ -1,0 +1,37 @@
+// Quarantine: bodies whose state left the finite world are stopped and held, and nobody else notices.
+#include "dynamics/quarantine.h"
+
+#include <algorithm>
+
+namespace carom {
+
+void quarantine(World& world, std::uint32_t body) {
+  State& s = world.state;
+  s.v[body] = s.omega[body] = s.force[body] = s.torque[body] = Vec3::Zero();
+  if (s.quarantined[body]) return;
+  s.quarantined[body] = 1;
+  ++world.scene.revision;
+  ++world.scene.collider_revision;
+  FaultView view{};
+  view.body = body;
+  if (world.fault_views.size() < world.fault_views.capacity()) world.fault_views.push_back(view);
+}
+
+void admit(World& world, const StepTime&) {
+  world.fault_views.clear();
+  world.fault_views.reserve(world.scene.bodies.slots() + world.scene.colliders.slots());  // none is added while bodies move
+  State& s = world.state;
+  if (!s.written) return;
+  for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) {
+    if (!world.scene.bodies.alive(i)) continue;
+    if (world.scene.inv_mass[i] > 0 && !(world.scene.inv_inertia[i](0, 0) > 0)) s.omega[i].setZero();  // cannot rotate
+    const Real n2 = s.q[i].coeffs().squaredNorm();
+    const bool placed = sane_position(s.x[i]) && n2 > 0.5 && n2 < 2;
+    if (placed && sane_velocity(s, i) && sane_spin(s, i) && finite(s.force[i]) && finite(s.torque[i])) continue;
+    for (Real& x : s.x[i]) x = finite(x) ? std::clamp(x, -kMaxPosition, kMaxPosition) : 0;
+    s.q[i] = normalized(s.q[i]);
+    quarantine(world, i);
+  }
+}
+
+}  // namespace carom

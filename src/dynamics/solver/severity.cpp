@@ -1,0 +1,194 @@
+// Most severe contact first: velocities, then penetration.
+#include "dynamics/solver/severity.h"
+
+#include <algorithm>
+
+#include "dynamics/force/force.h"
+#include "dynamics/solver/search.h"
+
+namespace carom {
+
+Real velocity_severity_squared(const Row& row) {
+  const Real v_n = row.u.dot(row.n);
+  const Real p_n = row.p.dot(row.n);
+  const Real lacking = row.target - v_n;  // m/s, > 0: closes too fast
+  // Too slow is no offence of a contact that does not push; of one that does, as far as its push goes.
+  const Real normal = lacking >= 0 ? lacking : std::min(-lacking, p_n * row.k_n);
+  Real severity2 = normal * normal;
+  const Real bound = row.friction * p_n;
+  if (bound > 0) {
+    const Vec3 slip = row.u - v_n * row.n;
+    const Vec3 rub = row.p - p_n * row.n;
+    const Real rub2 = rub.squaredNorm(), along = slip.dot(rub);
+    Real slip2 = slip.squaredNorm();
+    // On the rim of the disc, slipping against the friction impulse is what the law wants.
+    if (along < 0 && rub2 >= 0.999999 * bound * bound) slip2 = std::max(Real(0), slip2 - along * along / rub2);
+    const Real most = 2 * bound * row.k_n;  // no more than friction could change
+    severity2 = std::max(severity2, std::min(slip2, most * most));
+  }
+  return severity2;
+}
+
+Vec3 resolved_impulse(const Row& row, const RowMass& m) {
+  const Real lacking = row.target - row.u.dot(row.n);
+  if (!(row.friction > 0)) return std::max(Real(0), row.p.dot(row.n) + lacking / row.k_n) * row.n;
+  const Vec3 stick = row.p + m.k_inv * (row.target * row.n - row.u);
+  const Real normal = stick.dot(row.n);
+  Vec3 rub = stick - normal * row.n;
+  const Real size = rub.norm();
+  if (normal > 0 && size <= row.friction * normal) return stick;
+  Vec3 ray = row.n;
+  if (size > 0) ray += (row.friction / size) * rub;
+  // Friction may turn a push into a pull where r is long and mu large (Painleve); then the normal law alone is solved.
+  Real k_ray = row.n.dot(m.k * ray);
+  if (!(k_ray > 0.1 * row.k_n)) ray = row.n, k_ray = row.k_n;
+  const Real s = (row.n.dot(m.k * row.p) + lacking) / k_ray;
+  return std::max(Real(0), s) * ray;
+}
+
+namespace {
+
+template <class Search>
+class VelocityPass {
+ public:
+  VelocityPass(World& world, Search& search) : world_(world), c_(*world.contacts), search_(search) {}
+
+  /// @return impulses applied
+  std::uint64_t run(std::span<const std::uint32_t> rows, Real tolerance, std::uint64_t budget) {
+    for (const std::uint32_t i : rows) c_.keys[i] = velocity_severity_squared(c_.rows[i]);
+    search_.start(rows, tolerance * tolerance);
+    std::uint64_t done = 0;
+    for (std::uint32_t i; done < budget && (i = search_.top()) != kNoRow; ++done) {
+      Row& row = c_.rows[i];
+      const RowMass& m = c_.mass[i];
+      const Vec3 p = resolved_impulse(row, m);
+      const Vec3 dp = p - row.p;
+      row.p = p;
+      if (row.moves_a) spread(row.a, -dp, m.r_a);
+      if (row.moves_b) spread(row.b, dp, m.r_b);
+      search_.set(i, 0);
+    }
+    return done;
+  }
+
+ private:
+  /// Change a body's velocity and tell its contacts.
+  void spread(std::uint32_t body, const Vec3& dp, const Vec3& r) {
+    const Vec3 dv = world_.scene.inv_mass[body] * dp;
+    const Vec3 dw = rotates(world_.scene, body) ? Vec3(c_.inv_inertia_w[body] * r.cross(dp)) : Vec3(Vec3::Zero());
+    world_.state.v[body] += dv;
+    world_.state.omega[body] += dw;
+    world_.plan->touched[body] = 1;
+    for (std::uint32_t k = c_.half_begin[body]; k < c_.half_begin[body + 1]; ++k) {
+      const HalfContact& half = c_.half[k];
+      Row& row = c_.rows[half.row];
+      const Vec3 du = dv + dw.cross(half.r);
+      if (half.sign > 0)
+        row.u += du;
+      else
+        row.u -= du;
+      search_.set(half.row, velocity_severity_squared(row));
+    }
+  }
+
+  World& world_;
+  Contacts& c_;
+  Search& search_;
+};
+
+template <class Search>
+class PositionPass {
+ public:
+  PositionPass(World& world, Search& search) : world_(world), c_(*world.contacts), search_(search) {}
+
+  std::uint64_t run(std::span<const std::uint32_t> rows, Real tolerance, std::uint64_t budget) {
+    for (const std::uint32_t i : rows) c_.keys[i] = -c_.geometry[i].separation;
+    search_.start(rows, tolerance);
+    std::uint64_t done = 0;
+    for (std::uint32_t i; done < budget && (i = search_.top()) != kNoRow; ++done) {
+      const Row& row = c_.rows[i];
+      const RowMass& m = c_.mass[i];
+      // Half the tolerance is left, so that a body at rest is not pushed out of touch.
+      Real push = (-c_.geometry[i].separation - tolerance / 2) / row.k_n;
+      push *= std::min(turn_limit(row.moves_a, row.a, m.r_a, row.n, push), turn_limit(row.moves_b, row.b, m.r_b, row.n, push));
+      const Vec3 p = push * row.n;
+      if (row.moves_a) spread(row.a, -p, m.r_a);
+      if (row.moves_b) spread(row.b, p, m.r_b);
+      search_.set(i, 0);
+    }
+    return done;
+  }
+
+ private:
+  /// A turn is projected linearly; beyond 0.1 rad (error 1 - cos = 0.5 % of the arm) the rest is left for the next step.
+  Real turn_limit(bool moves, std::uint32_t body, const Vec3& r, const Vec3& n, Real push) const {
+    constexpr Real kMaxTurn = 0.1;  // rad
+    if (!moves || !rotates(world_.scene, body)) return 1;
+    const Real turn = push * (c_.inv_inertia_w[body] * r.cross(n)).norm();
+    return turn > kMaxTurn ? kMaxTurn / turn : 1;
+  }
+
+  void spread(std::uint32_t body, const Vec3& p, const Vec3& r) {
+    const Vec3 dx = world_.scene.inv_mass[body] * p;
+    const Vec3 dt = rotates(world_.scene, body) ? Vec3(c_.inv_inertia_w[body] * r.cross(p)) : Vec3(Vec3::Zero());
+    c_.shift[body] += dx;
+    c_.turn[body] += dt;
+    for (std::uint32_t k = c_.half_begin[body]; k < c_.half_begin[body + 1]; ++k) {
+      const HalfContact& half = c_.half[k];
+      RowGeometry& g = c_.geometry[half.row];
+      g.separation += half.sign * (dx + dt.cross(half.r)).dot(c_.rows[half.row].n);
+      search_.set(half.row, -g.separation);
+    }
+  }
+
+  World& world_;
+  Contacts& c_;
+  Search& search_;
+};
+
+/// A pass over all groups with the search that the dial names. @return corrections applied
+template <template <class> class Pass>
+std::uint64_t over_groups(World& world, Real tolerance, int iterations) {
+  Contacts& c = *world.contacts;
+  const auto with = [&]<class Search>(Search search) {
+    Pass<Search> pass(world, search);
+    std::uint64_t done = 0;
+    for (std::size_t g = 0; g < c.groups(); ++g) {
+      const std::span rows(c.group_rows.data() + c.group_begin[g], c.group_begin[g + 1] - c.group_begin[g]);
+      done += pass.run(rows, tolerance, static_cast<std::uint64_t>(iterations) * rows.size());
+    }
+    return done;
+  };
+  const bool heap = world.scene.dials.choice(Dial::severity_search) == 1;
+  return heap ? with(HeapSearch(c.keys, c.heap, c.heap_position)) : with(LinearSearch(c.keys, c.heap, c.heap_position));
+}
+
+}  // namespace
+
+void solve_velocities(World& world, const StepTime& time) {
+  Contacts& c = *world.contacts;
+  prepare_rows(world, time.h);
+  const Dials& dials = world.scene.dials;
+  world.report.velocity_impulses += over_groups<VelocityPass>(world, dials[Dial::velocity_tolerance],
+                                                              dials.whole(Dial::velocity_iterations));
+  for (std::size_t i = 0; i < c.rows.size(); ++i) c.geometry[i].impulse += c.rows[i].p;
+}
+
+void solve_positions(World& world, const StepTime&) {
+  Contacts& c = *world.contacts;
+  State& s = world.state;
+  refresh_rotations(world);
+  refresh_separations(world);
+  const Dials& dials = world.scene.dials;
+  world.report.position_moves += over_groups<PositionPass>(world, dials[Dial::position_tolerance],
+                                                           dials.whole(Dial::position_iterations));
+  for (const std::uint32_t i : c.bodies) {
+    s.x[i] += c.shift[i];
+    if (c.turn[i] != Vec3::Zero()) s.q[i] = normalized(exp_map(c.turn[i]) * s.q[i]);
+    c.shift[i].setZero(), c.turn[i].setZero();
+  }
+  refresh_rotations(world);
+  refresh_separations(world);
+}
+
+}  // namespace carom

@@ -1,0 +1,56 @@
+// THE PAGE: what a step does, in order. Each line names the stage that its time is booked under and the room that does it.
+#include <chrono>
+
+#include "dynamics/contact/contact.h"
+#include "dynamics/detect.h"
+#include "dynamics/effects.h"
+#include "dynamics/integrate/integrator.h"
+#include "dynamics/island.h"
+#include "dynamics/observe.h"
+#include "dynamics/quarantine.h"
+#include "dynamics/solver/severity.h"
+
+namespace carom {
+namespace {
+
+/// Runs a stage if it has customers, and books its time.
+class Runner {
+ public:
+  Runner(World& world, Real dt) : world_(world), time_{dt, dt / substeps()} {}
+
+  int substeps() const { return world_.scene.dials.whole(Dial::substeps); }
+
+  void operator()(Stage stage, void (*room)(World&, const StepTime&)) const {
+    const auto s = static_cast<std::size_t>(stage);
+    if (stage != Stage::refresh && !world_.plan->runs[s]) return;
+    const auto start = std::chrono::steady_clock::now();
+    room(world_, time_);
+    world_.report.stage_seconds[s] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+ private:
+  World& world_;
+  StepTime time_;
+};
+
+}  // namespace
+
+void World::step(Real dt) {
+  const Runner run(*this, dt);
+  begin_report(*this);
+  run(Stage::refresh, admit);
+  run(Stage::refresh, refresh);
+  run(Stage::broad, find_pairs);
+  run(Stage::narrow, find_contacts);
+  run(Stage::group, find_groups);
+  for (int k = 0; k < run.substeps(); ++k) {
+    run(Stage::solve, measure_approach);
+    run(Stage::integrate, integrate_velocity);
+    run(Stage::solve, solve_velocities);
+    run(Stage::integrate, integrate_position);
+    run(Stage::relax, solve_positions);
+  }
+  run(Stage::observe, observe);
+}
+
+}  // namespace carom

@@ -1,0 +1,66 @@
+// A world: made, read, hashed.
+#include "dynamics/world.h"
+
+#include "core/hash.h"
+#include "dynamics/contact/contact.h"
+#include "dynamics/effects.h"
+
+namespace carom {
+
+const char* stage_name(Stage stage) {
+  static constexpr const char* kNames[kStageCount] = {"refresh",   "broad", "narrow", "group",
+                                                      "integrate", "solve", "relax",  "observe"};
+  const auto s = static_cast<std::size_t>(stage);
+  return s < kStageCount ? kNames[s] : "?";
+}
+
+World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, Memory* m)
+    : scene(tag, m), state(m), contact_views(m), fault_views(m), pairs(m), plan(std::make_unique<Plan>(m)),
+      contacts(std::make_unique<Contacts>(m)), memory(m) {
+  scene.gravity = gravity;
+  const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };
+  reserve(scene.bodies, scene.def, scene.type, scene.inv_mass, scene.mass, scene.center, scene.inertia,
+          scene.inv_inertia, state.x, state.q, state.v, state.omega, state.force, state.torque, state.quarantined);
+}
+
+World::~World() = default;
+
+Pose World::pose(std::uint32_t body) const {
+  return {state.q[body], state.x[body] - state.q[body] * scene.center[body]};
+}
+
+std::uint64_t World::hash() const {
+  Hash h;
+  for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i) {
+    if (!scene.bodies.alive(i)) continue;
+    h.add(std::uint64_t(i));
+    h.add_coefficients(state.x[i]);
+    h.add_coefficients(state.q[i].coeffs());
+    h.add_coefficients(state.v[i]);
+    h.add_coefficients(state.omega[i]);
+    h.add_coefficients(state.force[i]);
+    h.add_coefficients(state.torque[i]);
+    h.add(std::uint64_t(state.quarantined[i]));
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const PairRecord& r = pairs[i];
+    h.add(r.pair.key());
+    h.add_coefficients(r.memory.direction);
+    for (int k = 0; k < r.manifold.count; ++k) {
+      const ContactPoint& p = r.manifold.point[k];
+      h.add_coefficients(p.on_a);
+      h.add_coefficients(p.on_b);
+      h.add_coefficients(p.normal);
+      h.add(double(p.separation));
+      h.add((std::uint64_t(p.feature) << 32) | p.age);
+    }
+  }
+  for (const OldImpulse& o : contacts->old) {
+    h.add(o.pair.key());
+    h.add_coefficients(o.on_a);
+    h.add_coefficients(o.p);
+  }
+  return h.value();
+}
+
+}  // namespace carom
