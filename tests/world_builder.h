@@ -1,0 +1,60 @@
+// Worlds for tests of the inside: shapes with their masses, a few bodies, many steps.
+#pragma once
+
+#include <list>
+#include <memory_resource>
+
+#include "collision/volume.h"
+#include "dynamics/effects.h"
+#include "dynamics/world.h"
+#include "shapes.h"
+
+namespace carom::test {
+
+/// A world that owns the shapes its colliders use.
+struct TestWorld {
+  explicit TestWorld(const Vec3& gravity = Vec3(0, -9.81, 0)) : world(1, gravity, 0, std::pmr::new_delete_resource()) {}
+
+  const Shape* keep(Shape shape) {
+    shapes.push_back(std::move(shape));
+    Shape& s = shapes.back();
+    if (s.form != Form::half_space) s.mass = mass_from_form(s.form, s.radius, s.half_height, s.half, s.vertices);
+    return &s;
+  }
+
+  /// A body with one collider of density 1000 kg/m^3 about its origin. @return body slot
+  std::uint32_t add(const Shape* shape, const Vec3& position, BodyType type = BodyType::dynamic,
+                    const Quat& orientation = Quat::Identity(), std::uint32_t material = Colliders::kNoMaterial) {
+    BodyDef def;
+    def.type = type;
+    def.pose = {orientation, position};
+    const std::uint32_t body = handle_slot(world.add_body(def));
+    if (shape) world.add_collider(body, shape, Pose{}, 1000, material);
+    return body;
+  }
+
+  /// The half-space y <= 0, static.
+  std::uint32_t ground(std::uint32_t material = Colliders::kNoMaterial) {
+    Shape s(std::pmr::get_default_resource());
+    s.form = Form::half_space;
+    s.bounding_radius = kInfinity;
+    s.bounds = {Vec3::Constant(-kInfinity), Vec3::Constant(kInfinity)};
+    return add(keep(std::move(s)), Vec3::Zero(), BodyType::fixed, Quat::Identity(), material);
+  }
+
+  std::uint32_t material(Real friction, Real restitution) {
+    Material m;
+    m.friction = friction;
+    m.restitution = restitution;
+    return handle_slot(world.add_material(m));
+  }
+
+  void run(int steps, Real dt) {
+    for (int i = 0; i < steps; ++i) world.step(dt);
+  }
+
+  std::list<Shape> shapes;
+  World world;
+};
+
+}  // namespace carom::test
