@@ -1,6 +1,8 @@
 // The loop of EPA, and the tetrahedron that it starts from.
 #include "collision/narrow/epa.h"
 
+#include <algorithm>
+
 #include "collision/narrow/polytope.h"
 #include "collision/narrow/simplex_geometry.h"
 
@@ -99,7 +101,12 @@ EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex
 
   Polytope polytope(difference.rounding());
   polytope.start(simplex.point, -difference.lower);
-  int best[3] = {-1, -1, -1};
+  // The start's nearest face, which may already lie as far out as the best supporting plane: then none is ever popped.
+  int nearest_face = 0;
+  for (int f = 1; f < 4; ++f)
+    if (polytope.face(f).offset < polytope.face(nearest_face).offset) nearest_face = f;
+  int best[3];
+  std::copy(polytope.face(nearest_face).vertex, polytope.face(nearest_face).vertex + 3, best);
   EpaEnd end = EpaEnd::stuck;
   for (;;) {
     // A ring of equal minimisers (a cone on its axis) would be refined all around to the cap. The last quarter of the
@@ -118,7 +125,6 @@ EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex
     // Nearer than rounding, or behind the origin: the mesh may not hold the origin yet, and proves nothing.
     if (!follow && offset > difference.rounding()) difference.upper = std::min(difference.upper, -offset);
     const Real before = difference.lower;
-    if (best[0] < 0) std::copy(face.vertex, face.vertex + 3, best);
     if (difference.upper - difference.lower <= gap) {
       end = EpaEnd::narrow;
       break;
