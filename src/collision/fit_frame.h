@@ -14,12 +14,12 @@
 namespace carom {
 
 struct FitFrame {
-  Vec3 origin;       // m
+  Vec3 origin;       // m, a point of the set
   Mat3 to, from;     // y = to (x - origin), x = from y + origin; det(from) > 0
   Real determinant;  // of from, m^3
   Real extent;       // m, the largest width along an axis
   Real slack;        // bound of the rounding error of a mapped point, in y
-  Vec3 start[4];     // x of four points of the set; in y: 0, e1, e2, e3 up to a shift
+  Vec3 start[4];     // x of four points of the set; in y their tetrahedron has the volume 1/6
   bool flat;         // thinner than rounding can tell: no frame; volume below
   Real flat_volume;  // m^3: upper bound of the volume of a flat set
 
@@ -31,9 +31,9 @@ struct FitFrame {
 /// Fit a frame to a bounded convex set.
 /// @param far    far(d, x): x becomes the point of the set farthest along d (shape frame, any length); false: failed
 /// @return       false as soon as far fails
-/// @accuracy     12 calls. In y the set lies within |y_i| <= 4; slack = 16 u sum_j |to_ij| max|x_j|, worst i: the point
-/// is good
-///               to u |x_j|, the map adds three products and three sums
+/// @accuracy     12 calls. In y the set lies within |y_1| <= sqrt 3, |y_2| <= sqrt 2, |y_3| <= 1. slack = 16 u
+///               sum_j |to_ij| max|x_j|, worst i: the point is good to u |x_j|, the map adds three products and their
+///               sums
 template <class Far>
 bool fit_frame(const Far& far, FitFrame& f) {
   Vec3 found[12];  // six along the axes, four across the longest pair, two across the plane of three
@@ -44,8 +44,8 @@ bool fit_frame(const Far& far, FitFrame& f) {
     const Real lo = found[2 * i][i], hi = found[2 * i + 1][i];
     width[i] = hi - lo;
     reach[i] = std::max(std::fabs(lo), std::fabs(hi));
-    f.origin[i] = lo + (hi - lo) / 2;
   }
+  f.origin = found[0];
   f.extent = width.maxCoeff();
   f.flat = true;
   f.flat_volume = width.cwiseMax(0).prod();
@@ -53,7 +53,7 @@ bool fit_frame(const Far& far, FitFrame& f) {
     if (!(width[i] > 8 * kUnitRoundoff * reach[i])) return true;
     scale[i] = std::ldexp(Real(1), std::ilogb(width[i]) - 1);  // a power of two: scaling by it is exact
   }
-  const auto z = [&](const Vec3& x) { return Vec3((x - f.origin).cwiseQuotient(scale)); };
+  const auto z = [&](const Vec3& x) { return Vec3((x - f.origin).cwiseQuotient(scale)); };  // widths in [2, 4)
   const auto far_z = [&](const Vec3& d, Vec3& x) { return far(Vec3(d.cwiseQuotient(scale)), x); };
   const Real noise = 32 * kUnitRoundoff * (1 + reach.cwiseQuotient(scale).maxCoeff());
 
@@ -61,55 +61,42 @@ bool fit_frame(const Far& far, FitFrame& f) {
   for (int i = 0; i < 6; ++i)
     for (int j = i + 1; j < 6; ++j)
       if ((z(found[j]) - z(found[i])).squaredNorm() > (z(found[b]) - z(found[a])).squaredNorm()) a = i, b = j;
-  const Vec3 za = z(found[a]), e1 = z(found[b]) - za;
+  f.origin = found[a];
+  const Vec3 e1 = z(found[b]);
   const Vec3 axis = e1 / e1.norm(), across = any_perpendicular(axis), other = axis.cross(across);
   if (!far_z(across, found[6]) || !far_z(-across, found[7]) || !far_z(other, found[8]) || !far_z(-other, found[9]))
     return false;
   int c = 0;
   Real away = -1;
   for (int i = 0; i < 10; ++i) {
-    const Real distance = axis.cross(z(found[i]) - za).norm();
+    const Real distance = axis.cross(z(found[i])).norm();
     if (distance > away) c = i, away = distance;
   }
   if (!(away > noise)) {  // a rod no longer than 7 and, across the two directions asked, no thicker than 2 noise
     f.flat_volume = std::min(f.flat_volume, 64 * noise * noise * scale.prod());
     return true;
   }
-  const Vec3 e2 = z(found[c]) - za;
-  const Vec3 cross = e1.cross(e2), normal = cross / cross.norm();
+  const Vec3 aside = z(found[c]) - axis.dot(z(found[c])) * axis, normal = axis.cross(aside / away);
   if (!far_z(normal, found[10]) || !far_z(-normal, found[11])) return false;
   int d = 0;
   Real off = -1;
   for (int i = 0; i < 12; ++i) {
-    const Real distance = std::fabs(normal.dot(z(found[i]) - za));
+    const Real distance = std::fabs(normal.dot(z(found[i])));
     if (distance > off) d = i, off = distance;
   }
-  f.flat_volume =
-      std::min(f.flat_volume, 2 * (off + noise) * 24 * scale.prod());  // no section of a 4 x 4 x 4 box is larger
+  // No section of a 4 x 4 x 4 box is larger than 24.
+  f.flat_volume = std::min(f.flat_volume, 2 * (off + noise) * 24 * scale.prod());
   if (!(off > noise)) return true;
 
   f.flat = false;
-  Vec3 e3 = z(found[d]) - za;
-  Real det = e3.dot(cross);
-  Vec3 second = e2;
-  if (det < 0) {
-    std::swap(second, e3);
-    std::swap(c, d);
-    det = -det;
-  }
-  Mat3 t, inverse;
-  t << e1, second, e3;
-  inverse.row(0) = second.cross(e3) / det;
-  inverse.row(1) = e3.cross(e1) / det;
-  inverse.row(2) = e1.cross(second) / det;
-  f.from = scale.asDiagonal() * t;
-  f.to = inverse * scale.cwiseInverse().asDiagonal();
-  f.determinant = det * scale.prod();
-  f.slack = 16 * kUnitRoundoff * (f.to.cwiseAbs() * (reach + f.origin.cwiseAbs())).maxCoeff();
-  f.start[0] = found[a];
-  f.start[1] = found[b];
-  f.start[2] = found[c];
-  f.start[3] = found[d];
+  Mat3 axes;  // at right angles in z, as long as the set is wide
+  axes << e1, aside, off * normal;
+  f.from = scale.asDiagonal() * axes;
+  f.to =
+      axes.colwise().squaredNorm().cwiseInverse().asDiagonal() * axes.transpose() * scale.cwiseInverse().asDiagonal();
+  f.determinant = e1.norm() * away * off * scale.prod();
+  f.slack = 16 * kUnitRoundoff * (f.to.cwiseAbs() * reach).maxCoeff();
+  for (int i = 0; i < 4; ++i) f.start[i] = found[i == 0 ? a : i == 1 ? b : i == 2 ? c : d];
   return true;
 }
 

@@ -3,38 +3,63 @@
 
 #include <algorithm>
 
-#include "collision/fit_frame.h"
-
 namespace carom {
 
-HullMesh::Facet HullMesh::make(std::uint32_t a, std::uint32_t b, const Vec3& p, std::uint32_t v) const {
-  Facet f{{a, b, v}, {kNoFacet, kNoFacet, kNoFacet}, Vec3::Zero(), 0, true};
-  // The normal from the two shorter edges: the long ones of a thin triangle cancel.
-  const Vec3 &pa = points_[a], &pb = points_[b];
-  const Vec3 ab = pb - pa, bp = p - pb, pa_edge = pa - p;
-  const Real l1 = ab.squaredNorm(), l2 = bp.squaredNorm(), l3 = pa_edge.squaredNorm();
-  const Vec3 cross = l1 >= l2 && l1 >= l3 ? bp.cross(pa_edge) : l2 >= l3 ? pa_edge.cross(ab) : ab.cross(bp);
-  const Real twice = cross.norm();
-  f.area = twice / 2;
-  // Rounding of the cross product is a few u times the product of the edges: below that its direction means nothing.
-  if (twice > 64 * kUnitRoundoff * std::max({l1, l2, l3})) f.normal = cross / twice;
+namespace {
+
+__extension__ typedef __int128 Wide;
+
+/// Sign of (q - p) x (r - p) . (x - p), exactly. Differences of grid points are 54-bit integers, their 2 x 2 minors fit
+/// 110 bits, and a row times the minors is summed in two halves of 64 bits.
+int orientation(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x) {
+  const auto whole = [&p](const Vec3& v, int i) { return static_cast<std::int64_t>((v[i] - p[i]) / HullMesh::kGrid); };
+  Wide high = 0, low = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const Wide minor = static_cast<Wide>(whole(q, j)) * whole(r, k) - static_cast<Wide>(whole(q, k)) * whole(r, j);
+    const std::int64_t along = whole(x, i);
+    high += (minor >> 64) * along;
+    low += static_cast<Wide>(static_cast<std::uint64_t>(minor)) * along;
+  }
+  high += low >> 64;
+  return high > 0 || (high == 0 && static_cast<std::uint64_t>(low) != 0) ? 1 : high < 0 ? -1 : 0;
+}
+
+}  // namespace
+
+HullMesh::Facet HullMesh::make(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  const Vec3 u = points_[b] - points_[a], v = points_[c] - points_[a];  // exact
+  Facet f{{a, b, c}, {kNoFacet, kNoFacet, kNoFacet}, u.cross(v), Vec3::Zero(), 0, true};
+  // Each component of the cross product is two products and a difference, of terms no larger than |u_j v_k| + |u_k
+  // v_j|; three more products and sums follow in cross . x: 3 u + 3 u of all terms together, doubled for safety.
+  const Vec3 s = u.cwiseAbs(), t = v.cwiseAbs();
+  const Real terms = s.x() * (t.y() + t.z()) + s.y() * (t.z() + t.x()) + s.z() * (t.x() + t.y());
+  f.noise = 12 * kUnitRoundoff * terms;
+  const Real twice = f.cross.norm();
+  if (twice > 16 * f.noise) f.normal = f.cross / twice;
   return f;
 }
 
-void HullMesh::start(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+void HullMesh::start(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+  for (Vec3* p : {&a, &b, &c, &d}) *p = snap(*p);
+  if (orientation(a, b, c, d) < 0) std::swap(a, b);
   points_.assign({a, b, c, d});
   rim_at_.assign(4, 0);
-  facets_.clear();
-  free_.clear();
-  seen_.clear();
-  inner_ = (a + b + c + d) / 4;
-  facets_.push_back(make(0, 2, points_[1], 1));
-  facets_.push_back(make(0, 1, points_[3], 3));
-  facets_.push_back(make(1, 2, points_[3], 3));
-  facets_.push_back(make(2, 0, points_[3], 3));
+  seen_at_.assign(4, 0);
+  facets_.assign({make(0, 2, 1), make(0, 1, 3), make(1, 2, 3), make(2, 0, 3)});
   constexpr std::uint32_t kAcross[4][3] = {{3, 2, 1}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
   for (int i = 0; i < 4; ++i) std::copy_n(kAcross[i], 3, facets_[i].next);
-  seen_at_.assign(4, 0);
+  free_.clear();
+  seen_.clear();
+  inner_ = snap((a + b + c + d) / 4);
+}
+
+bool HullMesh::sees(std::uint32_t facet, const Vec3& p) const {
+  const Facet& f = facets_[facet];
+  const Vec3 x = snap(p) - points_[f.v[0]];
+  const Real volume = f.cross.dot(x);
+  if (std::fabs(volume) > f.noise * x.cwiseAbs().maxCoeff()) return volume > 0;
+  return orientation(points_[f.v[0]], points_[f.v[1]], points_[f.v[2]], snap(p)) > 0;
 }
 
 std::size_t HullMesh::look(std::uint32_t seed, const Vec3& p, Real tolerance) {
@@ -42,47 +67,47 @@ std::size_t HullMesh::look(std::uint32_t seed, const Vec3& p, Real tolerance) {
     if (!facets_[s].alive) free_.push_back(s);
   seen_.clear();
   rim_.clear();
-  next_point_ = p;
-  const auto seen = [&](std::uint32_t f) { return seen_at_[f] < seen_.size() && seen_[seen_at_[f]] == f; };
+  next_point_ = snap(p);
+  const auto known = [&](std::uint32_t f) { return seen_at_[f] < seen_.size() && seen_[seen_at_[f]] == f; };
   const auto add = [&](std::uint32_t f) {
     seen_at_[f] = static_cast<std::uint32_t>(seen_.size());
     seen_.push_back(f);
   };
+  const auto in_sight = [&](std::uint32_t f) {
+    if (tolerance == 0) return sees(f, next_point_);
+    return facets_[f].normal.isZero(0) || height(f, next_point_) > tolerance;  // a sliver goes with its neighbour
+  };
   add(seed);
-  for (std::size_t k = 0; k < seen_.size(); ++k) {
-    const Facet& f = facets_[seen_[k]];
-    for (const std::uint32_t g : f.next)
-      // A sliver has no plane to be above or below of: it goes with its neighbour.
-      if (!seen(g) && (height(g, p) > tolerance || facets_[g].normal.isZero(0))) add(g);
-  }
-  for (const std::uint32_t s : seen_) {
-    const Facet& f = facets_[s];
+  for (std::size_t k = 0; k < seen_.size(); ++k)
+    for (const std::uint32_t g : facets_[seen_[k]].next)
+      if (!known(g) && in_sight(g)) add(g);
+  for (const std::uint32_t s : seen_)
     for (int i = 0; i < 3; ++i)
-      if (!seen(f.next[i])) rim_.push_back({f.v[i], f.v[(i + 1) % 3], f.next[i]});
-  }
-  // The rim must be one loop: every vertex starts one edge, and walking comes back after all of them.
-  bool simple = rim_.size() >= 3;
-  for (std::uint32_t i = 0; simple && i < rim_.size(); ++i) rim_at_[rim_[i].from] = i;
-  for (std::uint32_t i = 0; simple && i < rim_.size(); ++i) simple = rim_at_[rim_[i].from] == i;
-  std::size_t walked = 0;
-  for (std::uint32_t i = 0; simple && walked < rim_.size();) {
-    ++walked;
-    const std::uint32_t on = rim_at_[rim_[i].to];
-    simple = on < rim_.size() && rim_[on].from == rim_[i].to;
-    i = on;
-    if (i == 0) break;
-  }
-  simple = simple && walked == rim_.size();
-  const auto vertex = static_cast<std::uint32_t>(points_.size());
-  for (std::size_t i = 0; simple && i < rim_.size(); ++i) {
-    const Facet f = make(rim_[i].from, rim_[i].to, p, vertex);
-    simple = f.normal.isZero(0) || f.normal.dot(p - inner_) > 0;
-  }
-  if (!simple) {
+      if (!known(facets_[s].next[i])) rim_.push_back({facets_[s].v[i], facets_[s].v[(i + 1) % 3], facets_[s].next[i]});
+  for (std::uint32_t i = 0; i < rim_.size(); ++i) rim_at_[rim_[i].from] = i;
+  if (tolerance > 0 && !rim_is_sound(next_point_)) {
     seen_.clear();
     rim_.clear();
   }
   return rim_.size();
+}
+
+/// One loop, in which every vertex starts one edge, and no new facet that faces the inner point. Exact answers give
+/// nothing else. (A point coplanar with a facet that stays makes a neighbour in its plane; never one without area, for
+/// it would have to lie on an edge of a facet that sees it.)
+bool HullMesh::rim_is_sound(const Vec3& p) const {
+  const auto n = static_cast<std::uint32_t>(rim_.size());
+  for (std::uint32_t i = 0; i < n; ++i)
+    if (rim_at_[rim_[i].from] != i || orientation(points_[rim_[i].from], points_[rim_[i].to], p, inner_) >= 0)
+      return false;
+  std::uint32_t walked = 0, i = 0;
+  do {
+    const std::uint32_t on = rim_at_[rim_[i].to];
+    if (on >= n || rim_[on].from != rim_[i].to) return false;
+    i = on;
+    ++walked;
+  } while (i != 0 && walked < n);
+  return i == 0 && walked == n;
 }
 
 std::uint32_t HullMesh::grow() {
@@ -100,7 +125,7 @@ std::uint32_t HullMesh::grow() {
       slot = free_.back();
       free_.pop_back();
     }
-    facets_[slot] = make(e.from, e.to, next_point_, vertex);
+    facets_[slot] = make(e.from, e.to, vertex);
     facets_[slot].next[0] = e.outside;
     Facet& outside = facets_[e.outside];
     for (int i = 0; i < 3; ++i)
@@ -137,7 +162,7 @@ class OutsideLists {
     List& l = of(facet);
     next_[point] = l.head;
     l.head = point;
-    if (height > l.height) l.height = height, l.farthest = point;
+    if (l.farthest == kEnd || height > l.height) l.height = height, l.farthest = point;
   }
 
  private:
@@ -147,13 +172,12 @@ class OutsideLists {
 
 }  // namespace
 
-bool convex_hull(std::span<const double> xyz, Array<std::uint32_t>& triangles) {
+bool convex_hull(std::span<const double> xyz, Array<std::uint32_t>& triangles, FitFrame* frame_out) {
   Memory* memory = triangles.get_allocator().resource();
   const auto n = static_cast<std::uint32_t>(xyz.size() / 3);
   const auto point = [&](std::uint32_t i) { return Vec3(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]); };
   triangles.clear();
   if (n < 4) return false;
-  std::uint32_t start[4] = {0, 0, 0, 0};
   const auto far = [&](const Vec3& d, Vec3& x) {
     std::uint32_t best = 0;
     for (std::uint32_t i = 1; i < n; ++i)
@@ -162,54 +186,48 @@ bool convex_hull(std::span<const double> xyz, Array<std::uint32_t>& triangles) {
     return true;
   };
   FitFrame frame;
-  if (!fit_frame(far, frame) || frame.flat) return false;
+  fit_frame(far, frame);
+  if (frame.flat) return false;
+  if (frame_out != nullptr) *frame_out = frame;
+  std::uint32_t start[4] = {0, 0, 0, 0};
   Array<Vec3> y(n, memory);
   for (std::uint32_t i = 0; i < n; ++i) {
     y[i] = frame.map(point(i));
+    if (!HullMesh::in_range(y[i])) return false;  // not finite
+    y[i] = HullMesh::snap(y[i]);
     for (int k = 0; k < 4; ++k)
       if (point(i) == frame.start[k]) start[k] = i;
   }
   HullMesh mesh(memory);
   mesh.start(y[start[0]], y[start[1]], y[start[2]], y[start[3]]);
-  Array<std::uint32_t> index(start, start + 4, memory);  // mesh vertex -> point
-  Array<std::uint32_t> waiting(memory);                  // facets that may have points outside
+  Array<std::uint32_t> index(4, memory);  // mesh vertex -> point
+  for (std::uint32_t v = 0; v < 4; ++v)
+    for (const std::uint32_t i : start)
+      if (mesh.point(v) == y[i]) index[v] = i;
+  Array<std::uint32_t> waiting({0, 1, 2, 3}, memory);  // facets that may have points outside
   OutsideLists lists(n, memory);
-  const Real tolerance = std::max(frame.slack, 16 * kUnitRoundoff);
   const auto file = [&](std::uint32_t p, const Array<std::uint32_t>& facets) {
-    for (const std::uint32_t f : facets) {
-      const Real h = mesh.height(f, y[p]);
-      if (h > tolerance) return lists.push(f, p, h);
-    }
+    for (const std::uint32_t f : facets)
+      if (mesh.sees(f, y[p])) return lists.push(f, p, mesh.height(f, y[p]));
   };
-  waiting.assign({0, 1, 2, 3});
   for (std::uint32_t i = 0; i < n; ++i) file(i, waiting);
   Array<std::uint32_t> loose(memory);  // points whose facet has gone
   for (std::size_t k = 0; k < waiting.size(); ++k) {
     const std::uint32_t f = waiting[k];
-    while (mesh.facet(f).alive && lists.of(f).farthest != OutsideLists::kEnd) {
-      const std::uint32_t p = lists.of(f).farthest;
-      if (mesh.look(f, y[p], tolerance) == 0) {  // p is on the surface to rounding: strike it off and take the next
-        OutsideLists::List old = lists.of(f);
-        lists.of(f) = {};
-        for (std::uint32_t q = old.head, after; q != OutsideLists::kEnd; q = after) {
-          after = lists.next(q);
-          if (q != p) lists.push(f, q, mesh.height(f, y[q]));
-        }
-        continue;
-      }
-      mesh.grow();
-      index.push_back(p);
-      loose.clear();
-      for (const std::uint32_t r : mesh.removed()) {
-        for (std::uint32_t q = lists.of(r).head; q != OutsideLists::kEnd; q = lists.next(q))
-          if (q != p) loose.push_back(q);
-        lists.of(r) = {};
-      }
-      for (const std::uint32_t c : mesh.created()) lists.of(c) = {};
-      for (const std::uint32_t q : loose) file(q, mesh.created());
-      for (const std::uint32_t c : mesh.created())
-        if (lists.of(c).farthest != OutsideLists::kEnd) waiting.push_back(c);
+    if (!mesh.facet(f).alive || lists.of(f).farthest == OutsideLists::kEnd) continue;
+    const std::uint32_t p = lists.of(f).farthest;
+    mesh.look(f, y[p]);
+    mesh.grow();
+    index.push_back(p);
+    loose.clear();
+    for (const std::uint32_t r : mesh.removed()) {
+      for (std::uint32_t q = lists.of(r).head; q != OutsideLists::kEnd; q = lists.next(q))
+        if (q != p) loose.push_back(q);
+      lists.of(r) = {};
     }
+    for (const std::uint32_t q : loose) file(q, mesh.created());
+    for (const std::uint32_t c : mesh.created())
+      if (lists.of(c).farthest != OutsideLists::kEnd) waiting.push_back(c);
   }
   for (std::uint32_t f = 0; f < mesh.slots(); ++f)
     if (mesh.facet(f).alive)

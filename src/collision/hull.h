@@ -5,12 +5,14 @@
 #include <array>
 #include <span>
 
+#include "collision/fit_frame.h"
 #include "core/memory.h"
-#include "core/vec.h"
 
 namespace carom {
 
-/// A closed, convex (to rounding) triangle mesh. Coordinates of about 1 are assumed (see FitFrame).
+/// A closed, convex triangle mesh whose vertices lie on a grid, so that "does this facet see that point?" has an exact
+/// answer. With rounded answers, a cluster of nearly equal points makes facets that tilt anywhere, and then points far
+/// away are lost.
 class HullMesh {
  public:
   static constexpr std::uint32_t kNoFacet = 0xFFFFFFFFu;
@@ -18,10 +20,16 @@ class HullMesh {
   struct Facet {
     std::uint32_t v[3];     // counter-clockwise seen from outside
     std::uint32_t next[3];  // the facet across the edge v[i] -> v[i + 1]
-    Vec3 normal;            // unit, outward; zero for a sliver (an area that rounding cannot tell from none)
-    Real area;
+    Vec3 cross;             // outward, twice the area long, to rounding
+    Vec3 normal;            // the same, unit; zero for a sliver, whose direction is lost in that rounding
+    Real noise;             // rounding of cross . x is below noise * max|x_i|
     bool alive;
   };
+  static constexpr Real kRange = 4;       // coordinates are smaller than this (see FitFrame)
+  static constexpr Real kGrid = 0x1p-51;  // and multiples of this: 53 bits, differences exact in a double
+
+  static Vec3 snap(const Vec3& p) { return kGrid * (p / kGrid).array().round().matrix(); }
+  static bool in_range(const Vec3& p) { return p.cwiseAbs().maxCoeff() < kRange && finite(p); }
 
   explicit HullMesh(Memory* memory)
       : points_(memory),
@@ -33,16 +41,21 @@ class HullMesh {
         seen_at_(memory),
         created_(memory) {}
 
-  /// Begin with a tetrahedron, (b-a) x (c-a) . (d-a) > 0. Vertices are numbered 0 to 3, facets too.
-  void start(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+  /// Begin with a tetrahedron of either handedness, no flatter than 1e-6. Vertices and facets are numbered 0 to 3.
+  void start(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
+
+  /// Whether p lies strictly on the outer side of a facet's plane; exact for the snapped p.
+  bool sees(std::uint32_t facet, const Vec3& p) const;
 
   /// The facets that see p, found from one of them, and the rim around them. Nothing changes yet.
-  /// @param p          a point outside facet `seed`
-  /// @param tolerance  a facet closer to p than this does not see it
-  /// @return           number of edges on the rim, which is how many facets grow() will make; 0 when the rim is no
-  /// simple loop or a
-  ///                   new facet would turn its back (p is within rounding of the surface): then p cannot be added
-  std::size_t look(std::uint32_t seed, const Vec3& p, Real tolerance);
+  /// @param p          in range, seen by facet `seed`
+  /// @param tolerance  0: exact. More: facets closer to p than this do not see it, so that a face that is flat but for
+  /// rounding is
+  ///                   left in peace when a vertex joins it; the mesh is then convex to that tolerance only
+  /// @return           number of edges on the rim, which is how many facets grow() will make; 0 (never if all calls
+  /// were exact): the
+  ///                   rim is no simple loop, or a new facet would face the inner point
+  std::size_t look(std::uint32_t seed, const Vec3& p, Real tolerance = 0);
   /// Replace the facets that the last look() found by a fan over its rim. @return the new vertex
   std::uint32_t grow();
   const Array<std::uint32_t>& removed() const { return seen_; }     // by the last grow(); still readable until the next
@@ -52,7 +65,7 @@ class HullMesh {
   const Facet& facet(std::uint32_t i) const { return facets_[i]; }
   const Vec3& point(std::uint32_t v) const { return points_[v]; }
   std::size_t points() const { return points_.size(); }
-  /// Signed distance of a point from a facet's plane.
+  /// Signed distance of a point from a facet's plane; 0 for a sliver.
   Real height(std::uint32_t facet, const Vec3& p) const {
     return facets_[facet].normal.dot(p - points_[facets_[facet].v[0]]);
   }
@@ -62,7 +75,8 @@ class HullMesh {
   struct Edge {
     std::uint32_t from, to, outside;  // vertices; the facet that stays
   };
-  Facet make(std::uint32_t a, std::uint32_t b, const Vec3& p, std::uint32_t v) const;
+  bool rim_is_sound(const Vec3& p) const;
+  Facet make(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
 
   Array<Vec3> points_;
   Array<Facet> facets_;
@@ -79,10 +93,11 @@ class HullMesh {
 /// Convex hull of points.
 /// @param xyz        [3n] x, y, z of each; any order, repeated, collinear, coplanar ones too
 /// @param triangles  [3m] indices of points, counter-clockwise seen from outside; drawn from the array's own memory
-/// @return           false, and no triangles, if the points lie in a plane to rounding
-/// @accuracy         no point lies outside by more than some 16 u of the coordinates (needles: times their aspect)
+/// @param frame      if not null: the affine frame in which it was computed, for integrals that must not cancel either
+/// @return           false, and no triangles, if the points lie in a plane to rounding or are not finite
+/// @accuracy         exact for the points as snapped to a grid of 2^-51 in their fitted frame
 /// @source           incremental insertion with lists of outside points, farthest first [Barber1996]
 /// @oracle           tests/unit/collision/test_hull
-bool convex_hull(std::span<const double> xyz, Array<std::uint32_t>& triangles);
+bool convex_hull(std::span<const double> xyz, Array<std::uint32_t>& triangles, FitFrame* frame = nullptr);
 
 }  // namespace carom

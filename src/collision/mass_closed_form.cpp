@@ -3,6 +3,7 @@
 
 #include "collision/hull.h"
 #include "collision/volume.h"
+#include "core/sum.h"
 
 namespace carom {
 
@@ -34,8 +35,9 @@ MassProperties capsule(Real r, Real h) {
 /// Signed tetrahedra from a point to every triangle of the hull. For a tetrahedron (0, a, b, c) of volume V
 ///   integral of x     = V/4 s,                             s = a + b + c
 ///   integral of x x^T = V/20 (a a^T + b b^T + c c^T + s s^T)
-/// First about a vertex for the volume and centroid, then about the centroid, so that nothing large cancels in the
-/// inertia.
+/// Summed in the frame in which the hull was found, where no determinant cancels (a needle of aspect 1e8 that lies
+/// across the axes would lose all digits); twice, the second time about the centroid, so that nothing cancels in the
+/// inertia either.
 MassProperties polytope(std::span<const double> vertices, Memory* memory) {
   Array<std::uint32_t> triangles(memory);
   MassProperties m;
@@ -43,27 +45,32 @@ MassProperties polytope(std::span<const double> vertices, Memory* memory) {
   if (vertices.size() < 3) return m;
   const auto vertex = [&](std::uint32_t i) { return Vec3(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]); };
   m.centroid = vertex(0);
-  if (!convex_hull(vertices, triangles)) return m;
-  Vec3 origin = Vec3::Zero();
-  for (const std::uint32_t i : triangles) origin += vertex(i);
-  origin /= static_cast<Real>(triangles.size());
+  FitFrame frame;
+  if (!convex_hull(vertices, triangles, &frame)) return m;
+  Vec3 origin = Vec3::Zero();  // y
+  for (const std::uint32_t i : triangles) origin += frame.map(vertex(i)) / static_cast<Real>(triangles.size());
+  Real volume = 0;
+  Mat3 second;
   for (int pass = 0; pass < 2; ++pass) {
-    Real volume = 0;
-    Vec3 first = Vec3::Zero();
-    Mat3 second = Mat3::Zero();
+    Sum<Real> volumes(0);
+    Sum<Vec3> firsts(Vec3::Zero());
+    Sum<Mat3> seconds(Mat3::Zero());
     for (std::size_t t = 0; t < triangles.size(); t += 3) {
-      const Vec3 a = vertex(triangles[t]) - origin, b = vertex(triangles[t + 1]) - origin,
-                 c = vertex(triangles[t + 2]) - origin, s = a + b + c;
+      const Vec3 a = frame.map(vertex(triangles[t])) - origin, b = frame.map(vertex(triangles[t + 1])) - origin,
+                 c = frame.map(vertex(triangles[t + 2])) - origin, s = a + b + c;
       const Real v = a.dot(b.cross(c)) / 6;
-      volume += v;
-      first += v / 4 * s;
-      second += v / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
+      volumes.add(v);
+      firsts.add(v / 4 * s);
+      seconds.add(v / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose()));
     }
-    m.volume = m.volume_min = m.volume_max = volume;
-    m.inertia = second.trace() * Mat3::Identity() - second;
-    origin += first / volume;
+    volume = volumes.value();
+    second = seconds.value();
+    origin += firsts.value() / volume;
   }
-  m.centroid = origin;
+  m.volume = m.volume_min = m.volume_max = volume * frame.determinant;
+  m.centroid = frame.origin + frame.from * origin;
+  const Mat3 x = frame.determinant * (frame.from * second * frame.from.transpose()), turned = (x + x.transpose()) / 2;
+  m.inertia = turned.trace() * Mat3::Identity() - turned;
   return m;
 }
 

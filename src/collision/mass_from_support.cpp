@@ -15,6 +15,7 @@
 #include "collision/hull.h"
 #include "collision/support.h"
 #include "collision/volume.h"
+#include "core/sum.h"
 
 namespace carom {
 
@@ -45,7 +46,7 @@ class Growth {
       worst_.pop_back();
       if (!mesh_.facet(c.facet).alive || beyond_[c.facet].stamp != c.stamp) continue;
       const std::size_t fan = mesh_.look(c.facet, beyond_[c.facet].point, frame_.slack);
-      if (fan == 0) continue;  // within rounding of the surface: this gap stays in the bracket
+      if (fan == 0) continue;  // no fan but one that folds over: this gap stays in the bracket
       if (asked_ + static_cast<int>(fan) > max_supports) break;
       mesh_.grow();
       for (const std::uint32_t r : mesh_.removed()) account(r, -1);
@@ -69,6 +70,17 @@ class Growth {
     bool operator<(const Candidate& o) const { return shell != o.shell ? shell < o.shell : stamp > o.stamp; }
   };
 
+  /// Integrals of 1, x and x x^T over the set, about an inner point: from below or above (the first per component).
+  struct Bound {
+    Real volume;
+    Vec3 first;
+    Mat3 second;
+  };
+
+  Vec3 inscribed_centroid() const;
+  void integrate(const Vec3& c, Bound& low, Bound& high) const;
+  bool counts(std::uint32_t f) const { return mesh_.facet(f).alive && !mesh_.facet(f).normal.isZero(0); }
+
   bool ask(const Vec3& d, Vec3& x) {
     ++asked_;
     return full_support(shape_, d, x, fault_);
@@ -85,10 +97,10 @@ class Growth {
     const Vec3 d = frame_.pull_back(n);
     Vec3 x;
     if (!ask(d, x)) return false;
-    b.point = frame_.map(x);
+    b.point = HullMesh::snap(frame_.map(x));
     b.gap = mesh_.height(f, b.point);
     if (b.gap < -kSloppiness * frame_.extent * d.norm() -
-                    4 * frame_.slack) {  // the facet's own vertices lie farther out: not the support point
+                    4 * frame_.slack) {  // the facet's own vertices, or the first six points, say otherwise
       fault_.kind = SupportFault::not_support;
       fault_.shape = &shape_;
       for (int i = 0; i < 3; ++i) fault_.dir[i] = d[i], fault_.out[i] = x[i] - shape_.core_radius * direction_of(d)[i];
@@ -96,7 +108,7 @@ class Growth {
     }
     b.gap = std::max(b.gap, Real(0));
     account(f, 1);
-    if (b.gap > frame_.slack) {
+    if (b.gap > frame_.slack && mesh_.sees(f, b.point)) {
       worst_.push_back({cone(f) * (cube(stretch(f)) - 1), f, b.stamp});
       std::push_heap(worst_.begin(), worst_.end());
     }
@@ -104,7 +116,7 @@ class Growth {
   }
 
   static Real cube(Real x) { return x * x * x; }
-  Real cone(std::uint32_t f) const { return mesh_.facet(f).area * mesh_.height(f, mesh_.inner()) / -3; }
+  Real cone(std::uint32_t f) const { return mesh_.facet(f).cross.norm() * mesh_.height(f, mesh_.inner()) / -6; }
   Real stretch(std::uint32_t f) const { return 1 - beyond_[f].gap / mesh_.height(f, mesh_.inner()); }
   void account(std::uint32_t f, int sign) {
     if (mesh_.facet(f).normal.isZero(0)) return;
@@ -123,60 +135,72 @@ class Growth {
   std::uint32_t stamp_ = 0;
 };
 
-/// Integrals over the cones of all facets about an inner point, from below and from above.
-struct Integrals {
-  Real volume[2] = {0, 0};
-  Vec3 first[2] = {Vec3::Zero(), Vec3::Zero()};
-  Mat3 second[2] = {Mat3::Zero(), Mat3::Zero()};
-};
+Vec3 Growth::inscribed_centroid() const {
+  Sum<Real> volume(0);
+  Sum<Vec3> first(Vec3::Zero());
+  const Vec3& c = mesh_.inner();
+  for (std::uint32_t f = 0; f < mesh_.slots(); ++f) {
+    if (!counts(f)) continue;
+    const std::uint32_t* v = mesh_.facet(f).v;
+    volume.add(cone(f));
+    first.add(cone(f) / 4 * (mesh_.point(v[0]) + mesh_.point(v[1]) + mesh_.point(v[2]) - 3 * c));
+  }
+  return c + first.value() / volume.value();
+}
 
-/// For a cone (tetrahedron a, b, c over the inner point) of volume v, stretched by k, s = a + b + c:
-///   volume v k^3      first moment v k^4 s / 4      second moment v k^5 (a a^T + b b^T + c c^T + s s^T) / 20
+/// For a cone (tetrahedron a, b, d over c) of volume v, stretched by k, s = a + b + d:
+///   volume v k^3      first moment v k^4 s / 4      second moment v k^5 (a a^T + b b^T + d d^T + s s^T) / 20
 /// The first moment of what lies in the shell is bounded per component: its points are k' (convex combination), 1 <= k'
 /// <= k.
-MassProperties Growth::bracket() const {
-  Vec3 c = mesh_.inner();
-  Integrals sum;
-  // First pass: centroid of the inscribed polytope, the inner point that makes the first moments small. Second: the
-  // bracket.
-  for (int pass = 0; pass < 2; ++pass) {
-    sum = {};
-    for (std::uint32_t f = 0; f < mesh_.slots(); ++f) {
-      const HullMesh::Facet& facet = mesh_.facet(f);
-      if (!facet.alive || facet.normal.isZero(0)) continue;
-      const Vec3 a = mesh_.point(facet.v[0]) - c, b = mesh_.point(facet.v[1]) - c, d = mesh_.point(facet.v[2]) - c,
-                 s = a + b + d;
-      const Real height = facet.normal.dot(s) / 3, v = facet.area * height / 3;
-      const Real shrink = std::max(Real(0), 1 - frame_.slack / height);
-      const Real k = 1 + (beyond_[f].gap + frame_.slack) / height;
-      const Real low = v * cube(shrink), high = v * cube(k);
-      const Mat3 m = v / 20 * (a * a.transpose() + b * b.transpose() + d * d.transpose() + s * s.transpose());
-      const Vec3 most = a.cwiseMax(b).cwiseMax(d).cwiseMax(0), least = a.cwiseMin(b).cwiseMin(d).cwiseMin(0);
-      sum.volume[0] += low;
-      sum.volume[1] += high;
-      sum.first[0] += v / 4 * s + (high - low) * k * least;
-      sum.first[1] += v / 4 * s + (high - low) * k * most;
-      sum.second[0] += m * (cube(shrink) * shrink * shrink);
-      sum.second[1] += m * (cube(k) * k * k);
-    }
-    if (pass == 0) c += (sum.first[0] + sum.first[1]) / (sum.volume[0] + sum.volume[1]);
+void Growth::integrate(const Vec3& c, Bound& low, Bound& high) const {
+  Sum<Real> volume[2] = {Sum<Real>(0), Sum<Real>(0)};
+  Sum<Vec3> first[2] = {Sum<Vec3>(Vec3::Zero()), Sum<Vec3>(Vec3::Zero())};
+  Sum<Mat3> second[2] = {Sum<Mat3>(Mat3::Zero()), Sum<Mat3>(Mat3::Zero())};
+  for (std::uint32_t f = 0; f < mesh_.slots(); ++f) {
+    if (!counts(f)) continue;
+    const HullMesh::Facet& facet = mesh_.facet(f);
+    const Vec3 a = mesh_.point(facet.v[0]) - c, b = mesh_.point(facet.v[1]) - c, d = mesh_.point(facet.v[2]) - c,
+               s = a + b + d;
+    const Real height = facet.normal.dot(s) / 3, v = facet.cross.norm() * height / 6;
+    const Real shrink = std::max(Real(0), 1 - frame_.slack / height);
+    const Real k = 1 + (beyond_[f].gap + frame_.slack) / height;
+    const Real inside = v * cube(shrink), outside = v * cube(k);
+    const Mat3 m = v / 20 * (a * a.transpose() + b * b.transpose() + d * d.transpose() + s * s.transpose());
+    const Vec3 most = a.cwiseMax(b).cwiseMax(d).cwiseMax(0), least = a.cwiseMin(b).cwiseMin(d).cwiseMin(0);
+    volume[0].add(inside);
+    volume[1].add(outside);
+    first[0].add(v / 4 * s + (outside - inside) * k * least);
+    first[1].add(v / 4 * s + (outside - inside) * k * most);
+    second[0].add(m * (cube(shrink) * shrink * shrink));
+    second[1].add(m * (cube(k) * k * k));
   }
-  const Real volume = (sum.volume[0] + sum.volume[1]) / 2, volume_error = (sum.volume[1] - sum.volume[0]) / 2;
-  const Vec3 first = (sum.first[0] + sum.first[1]) / 2, first_error = (sum.first[1] - sum.first[0]) / 2;
+  low = {volume[0].value(), first[0].value(), second[0].value()};
+  high = {volume[1].value(), first[1].value(), second[1].value()};
+}
+
+MassProperties Growth::bracket() const {
+  const Vec3 c = inscribed_centroid();  // makes first moments small, and with them what their errors multiply
+  Bound low, high;
+  integrate(c, low, high);
+  const Real volume = (low.volume + high.volume) / 2, volume_error = (high.volume - low.volume) / 2;
+  const Vec3 first = (low.first + high.first) / 2, first_error = (high.first - low.first) / 2;
   const Vec3 centre = first / volume;  // from c
   // |S / V - S^ / V^| = |(S - S^) / V + S^ / V^ (V^ - V) / V|
-  const Vec3 centre_error = (first_error + centre.cwiseAbs() * volume_error) / sum.volume[0];
+  const Vec3 centre_error = (first_error + centre.cwiseAbs() * volume_error) / low.volume;
 
   const Mat3& from = frame_.from;
-  const auto to_shape = [&](const Mat3& m) { return Mat3(frame_.determinant * (from * m * from.transpose())); };
+  const auto to_shape = [&](const Mat3& m) {
+    const Mat3 x = frame_.determinant * (from * m * from.transpose());
+    return Mat3((x + x.transpose()) / 2);
+  };
   MassProperties out;
   out.volume = volume * frame_.determinant;
-  out.volume_min = sum.volume[0] * frame_.determinant;
-  out.volume_max = sum.volume[1] * frame_.determinant;
+  out.volume_min = low.volume * frame_.determinant;
+  out.volume_max = high.volume * frame_.determinant;
   out.centroid = frame_.origin + from * (c + centre);
   out.centroid_error = (from.cwiseAbs() * centre_error).norm();
-  const Mat3 half_width = (sum.second[1] - sum.second[0]) / 2;
-  const Mat3 second = to_shape((sum.second[0] + sum.second[1]) / 2 - volume * centre * centre.transpose());
+  const Mat3 half_width = (high.second - low.second) / 2;
+  const Mat3 second = to_shape((low.second + high.second) / 2 - volume * centre * centre.transpose());
   out.inertia = second.trace() * Mat3::Identity() - second;
   // The set's second moment about c differs from the middle by a matrix E with -half_width <= E <= half_width (as
   // quadratic forms: each adds or takes away mass), and u . inertia(E) u is the trace of E over the plane across u: at
