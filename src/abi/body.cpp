@@ -1,0 +1,215 @@
+// Bodies: what a host says about one, checked and handed to the world, and read back.
+#include <carom/body.h>
+
+#include "abi/collider.h"
+#include "abi/float_scope.h"
+#include "abi/world.h"
+
+namespace carom::abi {
+namespace {
+
+static_assert(static_cast<std::uint32_t>(BodyType::fixed) == CAROM_BODY_STATIC &&
+              static_cast<std::uint32_t>(BodyType::kinematic) == CAROM_BODY_KINEMATIC &&
+              static_cast<std::uint32_t>(BodyType::dynamic) == CAROM_BODY_DYNAMIC);
+
+constexpr std::uint32_t kFields = CAROM_BODY_FIELD_MASS | CAROM_BODY_FIELD_CENTER | CAROM_BODY_FIELD_INERTIA;
+constexpr double kLargestDamping = 1e6;      // 1/s
+constexpr double kSymmetryTolerance = 1e-9;  // of the largest entry: what a rotation of a tensor in double may leave
+
+/// Symmetric and positive definite, or zero (does not rotate). Cholesky on entries scaled to 1, so nothing overflows.
+bool check_inertia(Call& call, const double inertia[9]) {
+  if (!finite(call, 2, "desc->inertia", inertia, 9)) return false;
+  const Mat3 m = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(inertia);
+  const Real largest = m.cwiseAbs().maxCoeff();
+  if (largest == 0) return true;
+  const Mat3 a = m / largest;
+  if ((a - a.transpose()).cwiseAbs().maxCoeff() > kSymmetryTolerance)
+    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->inertia is not symmetric: %g, %g, %g against %g, %g, %g",
+                     inertia[1], inertia[2], inertia[5], inertia[3], inertia[6], inertia[7]);
+  const Real d0 = a(0, 0), l10 = a(1, 0) / d0, l20 = a(2, 0) / d0;
+  const Real d1 = a(1, 1) - l10 * a(1, 0), l21 = (a(2, 1) - l20 * a(1, 0)) / d1;
+  const Real d2 = a(2, 2) - l20 * a(2, 0) - l21 * (a(2, 1) - l20 * a(1, 0));
+  return (d0 > 0 && d1 > 0 && d2 > 0) ||
+         call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->inertia is not positive definite (pivots %g, %g, %g times %g)", d0,
+                   d1, d2, largest);
+}
+
+bool check_mass(Call& call, const carom_body_desc& d) {
+  const std::uint32_t about_mass = CAROM_BODY_FIELD_CENTER | CAROM_BODY_FIELD_INERTIA;
+  if (!only_bits(call, 2, "desc->fields", d.fields, kFields)) return false;
+  if ((d.fields & about_mass) && !(d.fields & CAROM_BODY_FIELD_MASS))
+    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->fields is 0x%x: CENTER and INERTIA need MASS", d.fields);
+  if (d.fields & CAROM_BODY_FIELD_MASS) {
+    if (!in_range(call, 2, "desc->mass", d.mass, 0, kInfinity)) return false;
+    if (d.type == CAROM_BODY_DYNAMIC && d.mass == 0)
+      return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->mass is 0; a dynamic body's must be greater");
+  }
+  return (!(d.fields & CAROM_BODY_FIELD_CENTER) || finite(call, 2, "desc->center", d.center, 3)) &&
+         (!(d.fields & CAROM_BODY_FIELD_INERTIA) || check_inertia(call, d.inertia));
+}
+
+bool check_motion(Call& call, const carom_body_desc& d) {
+  return finite(call, 2, "desc->position", d.position, 3) && unit(call, 2, "desc->orientation", d.orientation, 4) &&
+         finite(call, 2, "desc->linear_velocity", d.linear_velocity, 3) &&
+         finite(call, 2, "desc->angular_velocity", d.angular_velocity, 3) &&
+         (d.type != CAROM_BODY_STATIC || at_rest(call, 2, "desc->linear_velocity", d.linear_velocity)) &&
+         (d.type != CAROM_BODY_STATIC || at_rest(call, 2, "desc->angular_velocity", d.angular_velocity)) &&
+         in_range(call, 2, "desc->linear_damping", d.linear_damping, 0, kLargestDamping) &&
+         in_range(call, 2, "desc->angular_damping", d.angular_damping, 0, kLargestDamping);
+}
+
+bool read_body(Call& call, const carom_body_desc* given, BodyDef& def) {
+  carom_body_desc d;
+  carom_body_desc_init(&d);
+  if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
+      !known(call, 2, "desc->type", d.type, CAROM_BODY_DYNAMIC + 1) || !check_mass(call, d) || !check_motion(call, d))
+    return false;
+  def.type = static_cast<BodyType>(d.type);
+  def.pose = {to_quat(d.orientation), to_vec3(d.position)};
+  def.velocity = to_vec3(d.linear_velocity);
+  def.omega = to_vec3(d.angular_velocity);
+  if (def.type == BodyType::dynamic) {  // the others' mass is infinite, whatever the host says
+    def.has_mass = d.fields & CAROM_BODY_FIELD_MASS;
+    def.has_center = d.fields & CAROM_BODY_FIELD_CENTER;
+    def.has_inertia = d.fields & CAROM_BODY_FIELD_INERTIA;
+  }
+  if (def.has_mass) def.mass = d.mass;
+  if (def.has_center) def.center = to_vec3(d.center);
+  if (def.has_inertia) {
+    const Mat3 m = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(d.inertia);
+    def.inertia = (m + m.transpose()) / 2;
+  }
+  def.linear_damping = d.linear_damping;
+  def.angular_damping = d.angular_damping;
+  def.user = d.user;
+  return true;
+}
+
+carom_body_desc describe(const World& world, std::uint32_t slot) {
+  const BodyDef& def = world.scene.def[slot];
+  carom_body_desc d{};
+  d.fields = kFields;
+  d.type = static_cast<std::uint32_t>(world.scene.type[slot]);
+  const Pose pose = world.pose(slot);
+  from_vec3(pose.p, d.position);
+  from_quat(pose.q, d.orientation);
+  from_vec3(world.state.v[slot], d.linear_velocity);
+  from_vec3(world.state.omega[slot], d.angular_velocity);
+  d.mass = world.scene.mass[slot];
+  from_vec3(world.scene.center[slot], d.center);
+  for (int i = 0; i < 9; ++i) d.inertia[i] = world.scene.inertia[slot](i / 3, i % 3);
+  d.linear_damping = def.linear_damping;
+  d.angular_damping = def.angular_damping;
+  d.user = def.user;
+  return d;
+}
+
+bool resolve_body(Call& call, const World& world, carom_body body) {
+  return resolve(call, 2, "body", world.scene.bodies, body);
+}
+
+}  // namespace
+
+bool at_rest(Call& call, int argument, const char* name, const double v[3]) {
+  return (v[0] == 0 && v[1] == 0 && v[2] == 0) ||
+         call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is (%g, %g, %g); a static body's must be 0", name, v[0], v[1],
+                   v[2]);
+}
+
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_body_desc_init(carom_body_desc* desc) {
+  if (!desc) return CAROM_E_NULL_ARGUMENT;
+  *desc = {};
+  desc->struct_size = sizeof *desc;
+  desc->type = CAROM_BODY_DYNAMIC;
+  desc->orientation[3] = 1;
+  return CAROM_OK;
+}
+
+int32_t carom_body_create(carom_world* world, const carom_body_desc* desc, carom_body* body, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    BodyDef def;
+    if (!changing || !read_body(call, desc, def) || !present(call, 3, "body", body)) return;
+    const FloatScope scope;
+    const Handle handle = changing->add_body(def);
+    if (handle)
+      *body = handle;
+    else
+      call.fail(CAROM_E_LIMIT, 0, "this world has issued all %u bodies", kMaxSlots);
+  });
+}
+
+int32_t carom_body_destroy(carom_world* world, carom_body body, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing || !resolve_body(call, *changing, body)) return;
+    unuse_shapes_of(changing.engine(), *changing, handle_slot(body));
+    changing->remove_body(handle_slot(body));
+  });
+}
+
+int32_t carom_body_get(carom_world* world, carom_body body, carom_body_desc* desc, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && resolve_body(call, *reading, body) && fillable(call, 3, "desc", desc))
+      write_struct(describe(*reading, handle_slot(body)), desc);
+  });
+}
+
+int32_t carom_body_set_pose(carom_world* world, carom_body body, const double position[3], const double orientation[4],
+                            carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing || !resolve_body(call, *changing, body) ||
+        !carom::abi::finite(call, 3, "position", position, 3) || !unit(call, 4, "orientation", orientation, 4))
+      return;
+    const FloatScope scope;
+    changing->set_pose(handle_slot(body), {to_quat(orientation), to_vec3(position)});
+  });
+}
+
+int32_t carom_body_set_velocity(carom_world* world, carom_body body, const double linear[3], const double angular[3],
+                                carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing || !resolve_body(call, *changing, body) || !carom::abi::finite(call, 3, "linear", linear, 3) ||
+        !carom::abi::finite(call, 4, "angular", angular, 3))
+      return;
+    const std::uint32_t slot = handle_slot(body);
+    if (changing->scene.type[slot] == BodyType::fixed &&
+        !(at_rest(call, 3, "linear", linear) && at_rest(call, 4, "angular", angular)))
+      return;
+    changing->set_velocity(slot, to_vec3(linear), to_vec3(angular));
+  });
+}
+
+int32_t carom_body_add_force(carom_world* world, carom_body body, const double force[3], const double torque[3],
+                             carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && resolve_body(call, *changing, body) && carom::abi::finite(call, 3, "force", force, 3) &&
+        carom::abi::finite(call, 4, "torque", torque, 3))
+      changing->add_force(handle_slot(body), to_vec3(force), to_vec3(torque));
+  });
+}
+
+int32_t carom_body_add_impulse(carom_world* world, carom_body body, const double impulse[3], const double point[3],
+                               carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing || !resolve_body(call, *changing, body) || !carom::abi::finite(call, 3, "impulse", impulse, 3) ||
+        !carom::abi::finite(call, 4, "point", point, 3))
+      return;
+    const FloatScope scope;
+    changing->add_impulse(handle_slot(body), to_vec3(impulse), to_vec3(point));
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,213 @@
+// One call for n bodies: read or write a field, in float or double, at any stride.
+#include <carom/body.h>
+
+#include <cstdio>
+
+#include "abi/collider.h"
+#include "abi/world.h"
+
+namespace carom::abi {
+namespace {
+
+constexpr int kMostScalars = 7;
+
+struct FieldRow {
+  const char* name;
+  int scalars;
+  bool writable;
+  int orientation_at;  // index of a unit quaternion in the record; -1: none
+  bool velocity;       // must be zero for static bodies
+  void (*read)(const World& world, std::uint32_t body, double record[]);
+  void (*write)(World& world, std::uint32_t body, const double record[]);
+};
+
+void read_position(const World& w, std::uint32_t b, double* r) { from_vec3(w.pose(b).p, r); }
+void read_orientation(const World& w, std::uint32_t b, double* r) { from_quat(w.state.q[b], r); }
+void read_pose(const World& w, std::uint32_t b, double* r) {
+  const Pose pose = w.pose(b);
+  from_vec3(pose.p, r);
+  from_quat(pose.q, r + 3);
+}
+void read_linear(const World& w, std::uint32_t b, double* r) { from_vec3(w.state.v[b], r); }
+void read_angular(const World& w, std::uint32_t b, double* r) { from_vec3(w.state.omega[b], r); }
+void read_velocity(const World& w, std::uint32_t b, double* r) { read_linear(w, b, r), read_angular(w, b, r + 3); }
+void read_force(const World& w, std::uint32_t b, double* r) {
+  from_vec3(w.state.force[b], r);
+  from_vec3(w.state.torque[b], r + 3);
+}
+void read_center(const World& w, std::uint32_t b, double* r) { from_vec3(w.state.x[b], r); }
+void read_mass(const World& w, std::uint32_t b, double* r) { *r = w.scene.mass[b]; }
+
+void write_position(World& w, std::uint32_t b, const double* r) { w.set_pose(b, {w.pose(b).q, to_vec3(r)}); }
+void write_orientation(World& w, std::uint32_t b, const double* r) { w.set_pose(b, {to_quat(r), w.pose(b).p}); }
+void write_pose(World& w, std::uint32_t b, const double* r) { w.set_pose(b, {to_quat(r + 3), to_vec3(r)}); }
+void write_linear(World& w, std::uint32_t b, const double* r) { w.set_velocity(b, to_vec3(r), w.state.omega[b]); }
+void write_angular(World& w, std::uint32_t b, const double* r) { w.set_velocity(b, w.state.v[b], to_vec3(r)); }
+void write_velocity(World& w, std::uint32_t b, const double* r) { w.set_velocity(b, to_vec3(r), to_vec3(r + 3)); }
+void write_force(World& w, std::uint32_t b, const double* r) { w.set_force(b, to_vec3(r), to_vec3(r + 3)); }
+
+constexpr FieldRow kFields[CAROM_FIELD_COUNT] = {  // in the order of CAROM_FIELD_*
+    {"position", 3, true, -1, false, read_position, write_position},
+    {"orientation", 4, true, 0, false, read_orientation, write_orientation},
+    {"pose", 7, true, 3, false, read_pose, write_pose},
+    {"linear_velocity", 3, true, -1, true, read_linear, write_linear},
+    {"angular_velocity", 3, true, -1, true, read_angular, write_angular},
+    {"velocity", 6, true, -1, true, read_velocity, write_velocity},
+    {"force", 6, true, -1, false, read_force, write_force},
+    {"center", 3, false, -1, false, read_center, nullptr},
+    {"mass", 1, false, -1, false, read_mass, nullptr},
+};
+
+/// The bodies of a bulk call: those of an array of handles, or all, by ascending slot.
+class Selection {
+ public:
+  Selection(const World& world, const carom_body* handles) : bodies_(world.scene.bodies), handles_(handles) {}
+
+  bool check(Call& call, std::uint64_t n) const {
+    if (!handles_)
+      return n == bodies_.alive_count() || call.fail(CAROM_E_OUT_OF_RANGE, 5, "n is %llu, the world has %u bodies",
+                                                     static_cast<unsigned long long>(n), bodies_.alive_count());
+    for (std::uint64_t i = 0; i < n; ++i)
+      if (!resolve(call, 4, "a body of handles", bodies_, handles_[i])) return false;
+    return true;
+  }
+
+  /// @param visit (slot, index), for 0 <= index < n; returns false to stop
+  template <class Visit>
+  void for_each(std::uint64_t n, Visit&& visit) const {
+    if (handles_) {
+      for (std::uint64_t i = 0; i < n; ++i)
+        if (!visit(handle_slot(handles_[i]), i)) return;
+      return;
+    }
+    std::uint64_t i = 0;
+    for (std::uint32_t slot = 0; slot < bodies_.slots(); ++slot)
+      if (bodies_.alive(slot) && !visit(slot, i++)) return;
+  }
+
+ private:
+  const SlotPool& bodies_;
+  const carom_body* handles_;
+};
+
+/// Checks that reading and writing share; stride 0 becomes the record's size.
+bool check_shape_of_data(Call& call, std::uint32_t field, std::uint32_t scalar, std::uint64_t n, const char* name,
+                         const void* data, std::uint64_t& stride) {
+  if (!known(call, 2, "field", field, CAROM_FIELD_COUNT) ||
+      !known(call, 3, "scalar", scalar, CAROM_SCALAR_F64 + 1) || (n && !present(call, 6, name, data)))
+    return false;
+  const std::uint64_t record = static_cast<std::uint64_t>(kFields[field].scalars) * (scalar == CAROM_SCALAR_F32 ? 4 : 8);
+  if (stride == 0) stride = record;
+  return stride >= record || call.fail(CAROM_E_BUFFER_TOO_SMALL, 7, "stride is %llu, a record of %s has %llu bytes",
+                                       static_cast<unsigned long long>(stride), kFields[field].name,
+                                       static_cast<unsigned long long>(record));
+}
+
+/// Host memory is copied byte by byte: a stride need not keep it aligned.
+template <class Scalar>
+void store(const double record[], int scalars, char* to) {
+  Scalar converted[kMostScalars];
+  for (int k = 0; k < scalars; ++k) converted[k] = static_cast<Scalar>(record[k]);
+  std::memcpy(to, converted, static_cast<std::size_t>(scalars) * sizeof(Scalar));
+}
+template <class Scalar>
+void load(const char* from, int scalars, double record[]) {
+  Scalar given[kMostScalars];
+  std::memcpy(given, from, static_cast<std::size_t>(scalars) * sizeof(Scalar));
+  for (int k = 0; k < scalars; ++k) record[k] = given[k];
+}
+
+template <class Scalar>
+void read_all(const World& world, const FieldRow& field, const Selection& selection, std::uint64_t n, void* dst,
+              std::uint64_t stride) {
+  selection.for_each(n, [&](std::uint32_t body, std::uint64_t i) {
+    double record[kMostScalars];
+    field.read(world, body, record);
+    store<Scalar>(record, field.scalars, static_cast<char*>(dst) + i * stride);
+    return true;
+  });
+}
+
+bool check_record(Call& call, const World& world, const FieldRow& field, std::uint32_t body, std::uint64_t i,
+                  const double* record) {
+  char name[48];
+  std::snprintf(name, sizeof name, "%s of body %llu", field.name, static_cast<unsigned long long>(i));
+  if (!finite(call, 6, name, record, field.scalars)) return false;
+  if (field.orientation_at >= 0 && !unit(call, 6, name, record + field.orientation_at, 4)) return false;
+  if (!field.velocity || world.scene.type[body] != BodyType::fixed) return true;
+  for (int k = 0; k < field.scalars; k += 3)
+    if (!at_rest(call, 6, name, record + k)) return false;
+  return true;
+}
+
+template <class Scalar>
+void write_all(Call& call, World& world, const FieldRow& field, const Selection& selection, std::uint64_t n,
+               const void* src, std::uint64_t stride) {
+  const auto* bytes = static_cast<const char*>(src);
+  selection.for_each(n, [&](std::uint32_t body, std::uint64_t i) {
+    double record[kMostScalars];
+    load<Scalar>(bytes + i * stride, field.scalars, record);
+    return check_record(call, world, field, body, i, record);
+  });
+  if (!call.ok()) return;
+  selection.for_each(n, [&](std::uint32_t body, std::uint64_t i) {
+    double record[kMostScalars];
+    load<Scalar>(bytes + i * stride, field.scalars, record);
+    field.write(world, body, record);
+    return true;
+  });
+}
+
+}  // namespace
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_world_get_bodies(carom_world* world, carom_body* handles, uint64_t capacity, uint64_t* count,
+                               carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !present(call, 4, "count", count)) return;
+    const SlotPool& bodies = reading->scene.bodies;
+    *count = bodies.alive_count();
+    if (!handles) return;
+    Selection(*reading, nullptr).for_each(capacity, [&](std::uint32_t slot, std::uint64_t i) {
+      if (i >= capacity) return false;
+      handles[i] = bodies.handle(slot);
+      return true;
+    });
+  });
+}
+
+int32_t carom_world_read(carom_world* world, uint32_t field, uint32_t scalar, const carom_body* handles, uint64_t n,
+                         void* dst, uint64_t stride, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !check_shape_of_data(call, field, scalar, n, "dst", dst, stride)) return;
+    const Selection selection(*reading, handles);
+    if (!selection.check(call, n)) return;
+    const auto read = scalar == CAROM_SCALAR_F32 ? read_all<float> : read_all<double>;
+    read(*reading, kFields[field], selection, n, dst, stride);
+  });
+}
+
+int32_t carom_world_write(carom_world* world, uint32_t field, uint32_t scalar, const carom_body* handles, uint64_t n,
+                          const void* src, uint64_t stride, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing || !check_shape_of_data(call, field, scalar, n, "src", src, stride)) return;
+    if (!kFields[field].writable) {
+      call.fail(CAROM_E_UNSUPPORTED, 2, "%s can be read, not written", kFields[field].name);
+      return;
+    }
+    const Selection selection(*changing, handles);
+    if (!selection.check(call, n)) return;
+    const auto write = scalar == CAROM_SCALAR_F32 ? write_all<float> : write_all<double>;
+    write(call, *changing, kFields[field], selection, n, src, stride);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,126 @@
+// Colliders: a shape on a body at a local pose. A collider keeps its shape alive.
+#include "abi/collider.h"
+
+#include <carom/body.h>
+
+#include "abi/float_scope.h"
+
+namespace carom::abi {
+namespace {
+
+constexpr double kLargestDensity = 1e9;  // kg/m^3
+// Below this share of the cube of its bounding radius a volume is rounding, and the inertia that follows from it noise.
+constexpr Real kFlat = 1e-15;
+
+bool flat(const Shape& shape) {
+  const Real r = shape.bounding_radius;
+  return shape.form != Form::half_space && !(shape.mass.volume > kFlat * r * r * r);
+}
+
+bool check_desc(Call& call, const World& world, const carom_collider_desc& d) {
+  return only_bits(call, 3, "desc->reserved", d.reserved, 0) &&
+         (d.material == CAROM_NULL_HANDLE ||
+          resolve(call, 3, "desc->material", world.scene.material_slots, d.material)) &&
+         finite(call, 3, "desc->position", d.position, 3) && unit(call, 3, "desc->orientation", d.orientation, 4) &&
+         in_range(call, 3, "desc->density", d.density, 0, kLargestDensity);
+}
+
+/// What shape and body together must fulfil.
+bool check_fit(Call& call, const World& world, std::uint32_t body, const Shape& shape, double density) {
+  if (shape.form == Form::half_space && world.scene.type[body] != BodyType::fixed)
+    return call.fail(CAROM_E_OUT_OF_RANGE, 3, "a half-space is unbounded: it fits static bodies only");
+  const bool weighs = world.scene.type[body] == BodyType::dynamic && density > 0 && !world.scene.def[body].has_mass;
+  return !(weighs && flat(shape)) ||
+         call.fail(CAROM_E_NO_VOLUME, 3, "the shape has volume %g m^3 within radius %g m: no mass follows from density %g",
+                   shape.mass.volume, shape.bounding_radius, density);
+}
+
+void create(Call& call, const Changing& changing, carom_body body, const carom_collider_desc* given,
+            carom_collider* collider) {
+  carom_collider_desc d;
+  carom_collider_desc_init(&d);
+  World& world = *changing;
+  ShapePin shape(changing.engine());
+  if (!resolve(call, 2, "body", world.scene.bodies, body) || !read_struct(call, 3, "desc", given, d) ||
+      !check_desc(call, world, d) || !shape.take(call, 3, "desc->shape", d.shape) ||
+      !check_fit(call, world, handle_slot(body), *shape, d.density) || !present(call, 4, "collider", collider))
+    return;
+  const FloatScope scope;
+  const std::uint32_t material = d.material ? handle_slot(d.material) : Colliders::kNoMaterial;
+  const Handle handle = world.add_collider(handle_slot(body), &*shape, {to_quat(d.orientation), to_vec3(d.position)},
+                                           d.density, material);
+  if (!handle) {
+    call.fail(CAROM_E_LIMIT, 0, "this world has issued all %u colliders", kMaxSlots);
+    return;
+  }
+  shape.keep();
+  *collider = handle;
+}
+
+carom_collider_desc describe(const World& world, std::uint32_t slot) {
+  const Colliders& c = world.scene.colliders;
+  carom_collider_desc d{};
+  d.shape = c.shape[slot]->handle;
+  d.material = c.material[slot] == Colliders::kNoMaterial ? CAROM_NULL_HANDLE
+                                                          : world.scene.material_slots.handle(c.material[slot]);
+  from_vec3(c.local[slot].p, d.position);
+  from_quat(c.local[slot].q, d.orientation);
+  d.density = c.density[slot];
+  return d;
+}
+
+}  // namespace
+
+void unuse_shapes_of(carom_engine& engine, const World& world, std::uint32_t body) {
+  const Scene& scene = world.scene;
+  for (std::uint32_t c = 0; c < scene.collider_slots.slots(); ++c)
+    if (scene.collider_slots.alive(c) && scene.colliders.body[c] == body) unuse_shape(engine, *scene.colliders.shape[c]);
+}
+
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_collider_desc_init(carom_collider_desc* desc) {
+  if (!desc) return CAROM_E_NULL_ARGUMENT;
+  *desc = {};
+  desc->struct_size = sizeof *desc;
+  desc->orientation[3] = 1;
+  desc->density = 1000;
+  return CAROM_OK;
+}
+
+int32_t carom_collider_create(carom_world* world, carom_body body, const carom_collider_desc* desc,
+                              carom_collider* collider, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (const Changing changing(call, world); changing) create(call, changing, body, desc, collider);
+  });
+}
+
+int32_t carom_collider_destroy(carom_world* world, carom_collider collider, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing || !resolve(call, 2, "collider", changing->scene.collider_slots, collider)) return;
+    const FloatScope scope;
+    const Shape* shape = changing->scene.colliders.shape[handle_slot(collider)];
+    changing->remove_collider(handle_slot(collider));
+    unuse_shape(changing.engine(), *shape);
+  });
+}
+
+int32_t carom_collider_get(carom_world* world, carom_collider collider, carom_collider_desc* desc, carom_body* body,
+                           carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !resolve(call, 2, "collider", reading->scene.collider_slots, collider) ||
+        !fillable(call, 3, "desc", desc) || !present(call, 4, "body", body))
+      return;
+    write_struct(describe(*reading, handle_slot(collider)), desc);
+    *body = reading->scene.bodies.handle(reading->scene.colliders.body[handle_slot(collider)]);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,78 @@
+// Dials as a host sees them: the one table of the dynamics floor, and the proof that both number it alike.
+#include <carom/dial.h>
+
+#include "abi/check.h"
+#include "dynamics/dials.h"
+
+namespace carom::abi {
+namespace {
+
+constexpr bool same(Dial inside, std::uint32_t outside) { return static_cast<std::uint32_t>(inside) == outside; }
+
+static_assert(same(Dial::integrator, CAROM_DIAL_INTEGRATOR) && same(Dial::rotation, CAROM_DIAL_ROTATION) &&
+              same(Dial::substeps, CAROM_DIAL_SUBSTEPS) && same(Dial::solver, CAROM_DIAL_SOLVER) &&
+              same(Dial::velocity_iterations, CAROM_DIAL_VELOCITY_ITERATIONS) &&
+              same(Dial::position_iterations, CAROM_DIAL_POSITION_ITERATIONS) &&
+              same(Dial::velocity_tolerance, CAROM_DIAL_VELOCITY_TOLERANCE) &&
+              same(Dial::position_tolerance, CAROM_DIAL_POSITION_TOLERANCE) &&
+              same(Dial::restitution_speed, CAROM_DIAL_RESTITUTION_SPEED) &&
+              same(Dial::severity_search, CAROM_DIAL_SEVERITY_SEARCH) && same(Dial::groups, CAROM_DIAL_GROUPS) &&
+              same(Dial::broad_phase, CAROM_DIAL_BROAD_PHASE) && same(Dial::grid_cell, CAROM_DIAL_GRID_CELL) &&
+              same(Dial::contact_distance, CAROM_DIAL_CONTACT_DISTANCE) &&
+              same(Dial::pair_routines, CAROM_DIAL_PAIR_ROUTINES) &&
+              same(Dial::narrow_phase, CAROM_DIAL_NARROW_PHASE) && same(Dial::simplex, CAROM_DIAL_SIMPLEX) &&
+              same(Dial::gjk_tolerance, CAROM_DIAL_GJK_TOLERANCE) &&
+              same(Dial::gjk_iterations, CAROM_DIAL_GJK_ITERATIONS) &&
+              same(Dial::epa_iterations, CAROM_DIAL_EPA_ITERATIONS) &&
+              same(Dial::hybrid_margin, CAROM_DIAL_HYBRID_MARGIN) &&
+              same(Dial::warm_separation, CAROM_DIAL_WARM_SEPARATION) && same(Dial::manifold, CAROM_DIAL_MANIFOLD) &&
+              same(Dial::cache_distance, CAROM_DIAL_CACHE_DISTANCE) && same(Dial::count, CAROM_DIAL_COUNT));
+static_assert(DialRow::number == CAROM_DIAL_KIND_NUMBER && DialRow::integer == CAROM_DIAL_KIND_INTEGER &&
+              DialRow::choice == CAROM_DIAL_KIND_CHOICE);
+
+}  // namespace
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_dial_get_info(uint32_t dial, carom_dial_info* info, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!known(call, 1, "dial", dial, kDialCount) || !fillable(call, 2, "info", info)) return;
+    const DialRow& row = dial_table()[dial];
+    carom_dial_info full{};
+    full.dial = dial;
+    full.kind = row.kind;
+    full.choice_count = row.choice_count;
+    full.name = row.name;
+    full.unit = row.unit;
+    full.summary = row.summary;
+    full.choices = row.choices;
+    full.min = row.min;
+    full.max = row.max;
+    full.initial = row.initial;
+    write_struct(full, info);
+  });
+}
+
+int32_t carom_dial_get_count(uint32_t* count) {
+  if (!count) return CAROM_E_NULL_ARGUMENT;
+  *count = static_cast<uint32_t>(kDialCount);
+  return CAROM_OK;
+}
+
+int32_t carom_dial_find(const char* name, uint32_t* dial, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!present(call, 1, "name", name) || !present(call, 2, "dial", dial)) return;
+    for (const DialRow& row : dial_table())
+      if (std::strcmp(row.name, name) == 0) {
+        *dial = static_cast<uint32_t>(row.dial);
+        return;
+      }
+    call.fail(CAROM_E_NOT_FOUND, 1, "there is no dial \"%.180s\"", name);
+  });
+}
+
+}  // extern "C"

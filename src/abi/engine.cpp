@@ -1,0 +1,112 @@
+// The engine root: making and destroying it, its log, and pins that keep shapes alive while they are in use.
+#include "abi/engine.h"
+
+#include <cstdarg>
+#include <cstdio>
+
+#include "abi/tags.h"
+
+carom_engine::carom_engine(const carom_engine_desc& desc, std::uint32_t owner_tag)
+    : memory(desc), log(desc.log), log_user(desc.log_user), tag(owner_tag),
+      plugin_slots(carom::Kind::plugin, owner_tag, &memory), shape_slots(carom::Kind::shape, owner_tag, &memory),
+      plugins(&memory), shapes(&memory) {}
+
+carom_engine::~carom_engine() {
+  for (const carom::abi::ShapeRecord& record : shapes) carom::abi::destroy_on(&memory, record.shape);
+  for (carom::abi::PluginRecord* record : plugins) carom::abi::destroy_on(&memory, record);
+}
+
+void carom_engine::say(std::uint32_t level, const char* format, ...) const {
+  if (!log) return;
+  char text[512];
+  std::va_list args;
+  va_start(args, format);
+  std::vsnprintf(text, sizeof text, format, args);
+  va_end(args);
+  log(log_user, level, text);
+}
+
+namespace carom::abi {
+
+bool ShapePin::take(Call& call, int argument, const char* name, carom_shape handle) {
+  const std::lock_guard lock(engine_.mutex);
+  if (!resolve(call, argument, name, engine_.shape_slots, handle)) return false;
+  slot_ = handle_slot(handle);
+  shape_ = engine_.shapes[slot_].shape;
+  engine_.shapes[slot_].uses += 1;
+  return true;
+}
+
+ShapePin::~ShapePin() {
+  if (slot_ == kNone) return;
+  const std::lock_guard lock(engine_.mutex);
+  engine_.shapes[slot_].uses -= 1;
+}
+
+void unuse_shape(carom_engine& engine, const Shape& shape) {
+  const std::lock_guard lock(engine.mutex);
+  engine.shapes[handle_slot(shape.handle)].uses -= 1;
+}
+
+namespace {
+
+/// Check what is given, take a tag, and build the engine on its own allocator.
+void create(Call& call, const carom_engine_desc* given, carom_engine** engine) {
+  carom_engine_desc desc;
+  carom_engine_desc_init(&desc);
+  if ((given && !read_struct(call, 1, "desc", given, desc)) ||
+      !only_bits(call, 1, "desc->reserved", desc.reserved, 0) || !present(call, 2, "engine", engine))
+    return;
+  if (!desc.alloc != !desc.free) {
+    call.fail(CAROM_E_NULL_ARGUMENT, 1, "desc->%s is NULL but desc->%s is not: give both or neither",
+              desc.alloc ? "free" : "alloc", desc.alloc ? "alloc" : "free");
+    return;
+  }
+  const std::uint32_t tag = take_tag();
+  if (!tag) {
+    call.fail(CAROM_E_LIMIT, 0, "65,535 engines and worlds are alive in this process");
+    return;
+  }
+  HostMemory memory(desc);  // until the engine has its own
+  try {
+    *engine = make_on<carom_engine>(&memory, desc, tag);
+  } catch (...) {
+    release_tag(tag);
+    throw;
+  }
+}
+
+}  // namespace
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_engine_desc_init(carom_engine_desc* desc) {
+  if (!desc) return CAROM_E_NULL_ARGUMENT;
+  *desc = {};
+  desc->struct_size = sizeof *desc;
+  return CAROM_OK;
+}
+
+int32_t carom_engine_create(const carom_engine_desc* desc, carom_engine** engine, carom_error* error) {
+  return guarded(error, [&](Call& call) { create(call, desc, engine); });
+}
+
+int32_t carom_engine_destroy(carom_engine* engine, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!present(call, 1, "engine", engine)) return;
+    if (const std::uint32_t worlds = engine->worlds.load(std::memory_order_acquire)) {
+      call.fail(CAROM_E_IN_USE, 1, "%u worlds of this engine are alive", worlds);
+      return;
+    }
+    const std::uint32_t tag = engine->tag;
+    HostMemory memory = engine->memory;  // outlives the engine that lies on it
+    destroy_on(&memory, engine);
+    release_tag(tag);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,73 @@
+// How a failure reaches its caller, and the mark that tells a call from inside a callback.
+#include "abi/guard.h"
+
+#include <cstdarg>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+
+namespace carom::abi {
+namespace {
+
+// Not state of the library but of the thread's call stack: whether a carom_* call is under way on it.
+constinit thread_local bool inside_library = false;
+
+// Room for struct_size and code: less is not a carom_error.
+constexpr std::uint32_t kSmallestError = 8;
+
+}  // namespace
+
+bool Call::fail(std::int32_t code, std::int32_t argument, const char* format, ...) {
+  if (!ok()) return false;
+  code_ = code;
+  argument_ = argument;
+  std::va_list args;
+  va_start(args, format);
+  std::vsnprintf(message_, sizeof message_, format, args);
+  va_end(args);
+  return false;
+}
+
+void Call::witness(const double dir[3], const double out[3]) {
+  has_witness_ = true;
+  std::memcpy(dir_, dir, sizeof dir_);
+  std::memcpy(out_, out, sizeof out_);
+}
+
+std::int32_t Call::finish() const {
+  if (ok() || !error_ || error_->struct_size < kSmallestError) return code_;
+  carom_error full = CAROM_ERROR_INIT;
+  full.code = code_;
+  full.argument = argument_;
+  full.has_witness = has_witness_;
+  std::memcpy(full.witness_dir, dir_, sizeof dir_);
+  std::memcpy(full.witness_out, out_, sizeof out_);
+  std::memcpy(full.message, message_, sizeof message_);
+  std::snprintf(full.remedy, sizeof full.remedy, "%s", carom_result_remedy(code_));
+
+  const std::size_t skip = sizeof full.struct_size;  // the caller's own
+  const std::size_t size = std::min<std::size_t>(error_->struct_size, sizeof full);
+  auto* to = reinterpret_cast<char*>(error_);
+  std::memcpy(to + skip, reinterpret_cast<const char*>(&full) + skip, size - skip);
+  if (size > offsetof(carom_error, message) && size < sizeof full) to[size - 1] = '\0';
+  return code_;
+}
+
+Inside::Inside(Call& call) {
+  if (inside_library) {
+    call.fail(CAROM_E_REENTRANT, 0, "called from inside a callback (support function, allocator or log) on this thread");
+    return;
+  }
+  if (call.error_ && call.error_->struct_size < kSmallestError) {
+    call.fail(CAROM_E_STRUCT_SIZE, 0, "error->struct_size is %u", call.error_->struct_size);
+    return;
+  }
+  inside_library = true;
+  entered_ = true;
+}
+
+Inside::~Inside() {
+  if (entered_) inside_library = false;
+}
+
+}  // namespace carom::abi

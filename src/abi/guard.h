@@ -1,0 +1,81 @@
+// The one gate of the boundary: every call that can fail goes through guarded(), which lets no exception out, refuses
+// calls from inside a callback, and turns what went wrong into a result and, where asked for, a carom_error.
+#pragma once
+
+#include <carom/base.h>
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+namespace carom::abi {
+
+/// One call across the boundary, and what went wrong in it. Checks note the first failure and return false, so that
+/// they chain with &&; what is noted reaches the caller when the call ends.
+class Call {
+ public:
+  explicit Call(carom_error* error) : error_(error) {}
+  Call(const Call&) = delete;
+  Call& operator=(const Call&) = delete;
+
+  /// Note a failure; the first one stands.
+  /// @param argument  1-based position in the C signature, 0: none in particular
+  /// @param format    as printf: what is wrong, with the numbers
+  /// @return false
+  bool fail(std::int32_t code, std::int32_t argument, const char* format, ...)
+      __attribute__((format(printf, 4, 5)));
+
+  /// Attach what a support function was given and gave back.
+  void witness(const double dir[3], const double out[3]);
+
+  bool ok() const { return code_ == CAROM_OK; }
+
+  /// Hand the failure over (never past the size the caller's struct has). @return the result of the call
+  std::int32_t finish() const;
+
+ private:
+  friend class Inside;
+  carom_error* error_;
+  std::int32_t code_ = CAROM_OK;
+  std::int32_t argument_ = 0;
+  bool has_witness_ = false;
+  double dir_[3] = {0, 0, 0};
+  double out_[3] = {0, 0, 0};
+  char message_[sizeof carom_error::message] = {0};
+};
+
+/// Marks this thread as being inside the library. A second call on the same thread can then only come from a callback
+/// (a support function, the allocator, the log), and is refused.
+class Inside {
+ public:
+  explicit Inside(Call& call);
+  ~Inside();
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+  explicit operator bool() const { return entered_; }
+
+ private:
+  bool entered_ = false;
+};
+
+/// Run the body of one C call: work(call).
+template <class Work>
+std::int32_t guarded(carom_error* error, Work&& work) noexcept {
+  Call call(error);
+  if (const Inside inside(call); inside) {
+    try {
+      work(call);
+    } catch (const std::bad_alloc&) {
+      call.fail(CAROM_E_OUT_OF_MEMORY, 0, "the allocator had no memory for this call");
+    } catch (const std::length_error&) {
+      call.fail(CAROM_E_OUT_OF_MEMORY, 0, "this call asks for more memory than can be addressed");
+    } catch (const std::exception& e) {
+      call.fail(CAROM_E_INTERNAL, 0, "unexpected: %s", e.what());
+    } catch (...) {
+      call.fail(CAROM_E_INTERNAL, 0, "unexpected exception of unknown type; did a callback throw?");
+    }
+  }
+  return call.finish();
+}
+
+}  // namespace carom::abi

@@ -1,0 +1,96 @@
+// Materials: surfaces that colliders wear.
+#include <carom/body.h>
+
+#include "abi/world.h"
+
+namespace carom::abi {
+namespace {
+
+static_assert(static_cast<std::uint32_t>(Mix::geometric_mean) == CAROM_MIX_GEOMETRIC_MEAN &&
+              static_cast<std::uint32_t>(Mix::maximum) == CAROM_MIX_MAXIMUM &&
+              static_cast<std::uint32_t>(Mix::minimum) == CAROM_MIX_MINIMUM &&
+              static_cast<std::uint32_t>(Mix::average) == CAROM_MIX_AVERAGE &&
+              static_cast<std::uint32_t>(Mix::multiply) == CAROM_MIX_MULTIPLY &&
+              static_cast<std::uint32_t>(Mix::count) == CAROM_MIX_MULTIPLY + 1);
+
+constexpr std::uint32_t kMixes = static_cast<std::uint32_t>(Mix::count);
+constexpr double kLargestFriction = 1e3;
+
+/// @param argument  where desc stands in the C signature
+bool read_material(Call& call, int argument, const carom_material_desc* given, Material& material) {
+  carom_material_desc d;
+  carom_material_desc_init(&d);
+  if (!read_struct(call, argument, "desc", given, d) || !only_bits(call, argument, "desc->reserved", d.reserved, 0) ||
+      !known(call, argument, "desc->friction_mix", d.friction_mix, kMixes) ||
+      !known(call, argument, "desc->restitution_mix", d.restitution_mix, kMixes) ||
+      !in_range(call, argument, "desc->friction", d.friction, 0, kLargestFriction) ||
+      !in_range(call, argument, "desc->restitution", d.restitution, 0, 1))
+    return false;
+  material.friction = d.friction;
+  material.restitution = d.restitution;
+  material.friction_mix = static_cast<Mix>(d.friction_mix);
+  material.restitution_mix = static_cast<Mix>(d.restitution_mix);
+  return true;
+}
+
+bool worn(const Scene& scene, std::uint32_t material) {
+  for (std::uint32_t c = 0; c < scene.collider_slots.slots(); ++c)
+    if (scene.collider_slots.alive(c) && scene.colliders.material[c] == material) return true;
+  return false;
+}
+
+}  // namespace
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_material_desc_init(carom_material_desc* desc) {
+  if (!desc) return CAROM_E_NULL_ARGUMENT;
+  *desc = {};
+  desc->struct_size = sizeof *desc;
+  desc->friction_mix = CAROM_MIX_GEOMETRIC_MEAN;
+  desc->restitution_mix = CAROM_MIX_MAXIMUM;
+  desc->friction = 0.5;
+  return CAROM_OK;
+}
+
+int32_t carom_material_create(carom_world* world, const carom_material_desc* desc, carom_material* material,
+                              carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    Material m;
+    if (!changing || !read_material(call, 2, desc, m) || !present(call, 3, "material", material)) return;
+    const Handle handle = changing->add_material(m);
+    if (handle)
+      *material = handle;
+    else
+      call.fail(CAROM_E_LIMIT, 0, "this world has issued all %u materials", kMaxSlots);
+  });
+}
+
+int32_t carom_material_update(carom_world* world, carom_material material, const carom_material_desc* desc,
+                              carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    Material m;
+    if (changing && resolve(call, 2, "material", changing->scene.material_slots, material) &&
+        read_material(call, 3, desc, m))
+      changing->set_material(handle_slot(material), m);
+  });
+}
+
+int32_t carom_material_destroy(carom_world* world, carom_material material, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing || !resolve(call, 2, "material", changing->scene.material_slots, material)) return;
+    if (worn(changing->scene, handle_slot(material)))
+      call.fail(CAROM_E_IN_USE, 2, "a collider wears this material");
+    else
+      changing->remove_material(handle_slot(material));
+  });
+}
+
+}  // extern "C"

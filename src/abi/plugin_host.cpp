@@ -1,0 +1,260 @@
+// Taking in shape plugins: find the one data symbol, check what it says before anything is called, ask whether the
+// support function is honest, and keep a copy. Nothing a plugin declares is believed later without this check.
+#include <dlfcn.h>
+#include <elf.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "abi/engine.h"
+#include "abi/float_scope.h"
+#include "abi/forms.h"
+#include "collision/verify.h"
+
+// dladdr1() and RTLD_DL_SYMENT: glibc's way to ask how large a symbol is.
+#include <link.h>
+
+namespace carom::abi {
+namespace {
+
+constexpr std::size_t kLongestId = 200;             // fits a message
+constexpr std::uint32_t kMostParams = 1u << 20;     // named parameters; a tail group repeats beyond
+constexpr std::size_t kSmallestPlugin = offsetof(carom_shape_plugin, param_tail_group);  // up to and with `support`
+constexpr std::size_t kSmallestGeometry = offsetof(carom_geometry, mass_form);           // form and core radius
+
+/// A struct of a plugin: some version's size, nothing set that this library does not know. Unlike a host's struct it
+/// may be in memory that the plugin's linker laid out, so `room` (0: unknown) bounds what is read.
+template <class T>
+bool take_in(Call& call, const char* name, const T* given, std::size_t smallest, std::size_t room, T& copy) {
+  const std::uint32_t size = given->struct_size;
+  if (size < smallest || size > kLargestStruct || size % alignof(T) || (room && size > room))
+    return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: struct_size is %u, this library's is %zu", name, size, sizeof(T));
+  const auto* bytes = reinterpret_cast<const unsigned char*>(given);
+  for (std::size_t i = sizeof(T); i < size; ++i)
+    if (bytes[i])
+      return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s sets a field at byte %zu, beyond the %zu that this library knows",
+                       name, i, sizeof(T));
+  std::memcpy(static_cast<void*>(&copy), given, std::min<std::size_t>(size, sizeof(T)));
+  return true;
+}
+
+bool check_params(Call& call, const carom_shape_plugin& d) {
+  if (d.param_count > kMostParams)
+    return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: param_count is %u, more than %u", d.id, d.param_count, kMostParams);
+  if (d.param_count && !d.params) return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: params is NULL", d.id);
+  if (d.param_tail_group > d.param_count)
+    return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: param_tail_group is %u of %u parameters", d.id, d.param_tail_group,
+                     d.param_count);
+  for (std::uint32_t i = 0; i < d.param_count; ++i) {
+    const carom_param& p = d.params[i];
+    if (!p.name || !p.unit)
+      return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: params[%u] lacks a name or unit", d.id, i);
+    if (!(p.min <= p.max))
+      return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: params[%u] has bounds [%g, %g]", d.id, i, p.min, p.max);
+  }
+  return true;
+}
+
+bool check_geometry(Call& call, const carom_shape_plugin& d, carom_geometry& g) {
+  for (std::uint32_t& a : g.form_arg) a = CAROM_NO_PARAM;
+  for (std::uint32_t& a : g.mass_arg) a = CAROM_NO_PARAM;
+  g.core_radius_param = CAROM_NO_PARAM;
+  if (!d.geometry) return true;
+  if (!take_in(call, "geometry", d.geometry, kSmallestGeometry, 0, g)) return false;
+  if (g.core_radius_param != CAROM_NO_PARAM && g.core_radius_param >= d.param_count)
+    return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: core_radius_param is %u of %u parameters", d.id, g.core_radius_param,
+                     d.param_count);
+  return form_args_exist(call, d.id, "form", g.form, g.form_arg, d.param_count) &&
+         form_args_exist(call, d.id, "mass", g.mass_form, g.mass_arg, d.param_count);
+}
+
+/// Everything about the struct that can be known without calling it.
+bool check_description(Call& call, const carom_shape_plugin* given, std::size_t room, PluginRecord& record) {
+  carom_shape_plugin& d = record.description;
+  if (!take_in(call, "plugin", given, kSmallestPlugin, room, d)) return false;
+  if (d.abi_major != CAROM_PLUGIN_ABI_MAJOR)
+    return call.fail(CAROM_E_PLUGIN_ABI, 2, "the plugin has abi_major %u, this library has %u", d.abi_major,
+                     CAROM_PLUGIN_ABI_MAJOR);
+  if (d.flags & ~CAROM_PLUGIN_HOST_THREAD)
+    return call.fail(CAROM_E_PLUGIN_ABI, 2, "flags is 0x%x; this library knows 0x%x", d.flags, CAROM_PLUGIN_HOST_THREAD);
+  if (!d.id || !d.id[0] || strnlen(d.id, kLongestId + 1) > kLongestId)
+    return call.fail(CAROM_E_PLUGIN_ABI, 2, "id is %s", !d.id ? "NULL" : d.id[0] ? "longer than 200 bytes" : "empty");
+  if (!d.support) return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: support is NULL", d.id);
+  if (!check_params(call, d) || !check_geometry(call, d, record.geometry)) return false;
+  record.given = given;
+  record.id = d.id;
+  d.id = record.id.c_str();
+  record.bounds.assign(d.params, d.params + d.param_count);
+  return true;
+}
+
+/// Parameters near 1 that the bounds allow, different from one another, of both signs where allowed; six groups of a
+/// tail (a hull then has volume).
+void sample_params(const PluginRecord& record, Array<double>& params) {
+  const carom_shape_plugin& d = record.description;
+  const std::uint32_t group = d.param_tail_group;
+  const std::uint32_t groups = group ? std::clamp(d.param_tail_min, 6u, 4096u) : 0;
+  const std::uint32_t count = group ? d.param_count - group + group * groups : d.param_count;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const carom_param& bound = record.bounds[i < d.param_count ? i : d.param_count - group + (i - d.param_count) % group];
+    const double size = 0.5 + static_cast<double>((i * 7u) % 11u) / 11;
+    const double wanted = bound.min < 0 && (i * 0x9E3779B9u) >> 31 ? -size : size;
+    double value = std::clamp(wanted, bound.min, bound.max);
+    if (value != wanted && std::isfinite(bound.min) && std::isfinite(bound.max))
+      value = bound.min + (bound.max - bound.min) * (0.3 + 0.4 * size / 1.5);  // inside, off the bounds
+    params.push_back(value);
+  }
+}
+
+/// 256 directions at sample parameters.
+bool check_honest(Call& call, const PluginRecord& record, Memory* memory) {
+  Shape sample(memory);
+  sample_params(record, sample.params);
+  sample.support = record.description.support;
+  return ask_honest(call, record.id.c_str(), 2, sample);
+}
+
+/// Add a checked plugin to the engine, unless one of its name is there.
+void add(Call& call, carom_engine& engine, PluginRecord* record, carom_plugin* plugin) {
+  const std::lock_guard lock(engine.mutex);
+  for (const PluginRecord* other : engine.plugins)
+    if (other && other->id == record->id) {
+      call.fail(CAROM_E_ALREADY_EXISTS, 2, "a plugin with id \"%s\" is loaded", record->id.c_str());
+      return;
+    }
+  engine.plugins.reserve(engine.plugins.size() + 1);
+  const Handle handle = engine.plugin_slots.take();
+  if (!handle) {
+    call.fail(CAROM_E_LIMIT, 0, "%u plugins were loaded", kMaxSlots);
+    return;
+  }
+  if (handle_slot(handle) == engine.plugins.size()) engine.plugins.push_back(nullptr);
+  engine.plugins[handle_slot(handle)] = record;
+  *plugin = handle;
+}
+
+void take_plugin(Call& call, carom_engine& engine, const carom_shape_plugin* given, std::size_t room,
+                 carom_plugin* plugin) {
+  auto* record = make_on<PluginRecord>(&engine.memory, &engine.memory);
+  try {
+    if (check_description(call, given, room, *record) && check_honest(call, *record, &engine.memory))
+      add(call, engine, record, plugin);
+  } catch (...) {
+    destroy_on(&engine.memory, record);
+    throw;
+  }
+  if (!call.ok()) {
+    destroy_on(&engine.memory, record);
+    return;
+  }
+  engine.say(CAROM_LOG_INFO, "plugin %s version %u ready", given->id, given->version);
+}
+
+/// The entry symbol of a shared object, and how many bytes it has.
+const carom_shape_plugin* open_symbol(Call& call, const char* path, std::size_t& room) {
+  if (path[0] != '/') {
+    call.fail(CAROM_E_PLUGIN_PATH, 2, "\"%.180s\" is not an absolute path", path);
+    return nullptr;
+  }
+  struct stat status;
+  if (stat(path, &status) != 0 || !S_ISREG(status.st_mode)) {
+    call.fail(CAROM_E_PLUGIN_PATH, 2, "\"%.180s\" is not a readable file", path);
+    return nullptr;
+  }
+  // Never closed: unloading is logical. NODELETE besides, should the host close it: code of a shape that a step is
+  // calling must not go away.
+  void* library;
+  {
+    const FloatScope scope;  // constructors of an -Ofast plugin set flush-to-zero
+    library = dlopen(path, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  }
+  const void* symbol = library ? dlsym(library, CAROM_SHAPE_PLUGIN_SYMBOL) : nullptr;
+  if (!symbol) {
+    const char* why = dlerror();
+    call.fail(CAROM_E_PLUGIN_LOAD, 2, "%.220s", why ? why : "the entry symbol is NULL");
+    return nullptr;
+  }
+  Dl_info info;
+  const ElfW(Sym)* entry = nullptr;
+  if (dladdr1(symbol, &info, const_cast<void**>(reinterpret_cast<const void**>(&entry)), RTLD_DL_SYMENT) && entry) {
+    if (ELF64_ST_TYPE(entry->st_info) != STT_OBJECT || entry->st_size < kSmallestPlugin) {
+      call.fail(CAROM_E_PLUGIN_ABI, 2, CAROM_SHAPE_PLUGIN_SYMBOL " is %s of %llu bytes, not a carom_shape_plugin",
+                ELF64_ST_TYPE(entry->st_info) == STT_OBJECT ? "data" : "no data but something else",
+                static_cast<unsigned long long>(entry->st_size));
+      return nullptr;
+    }
+    room = entry->st_size;
+  }
+  return static_cast<const carom_shape_plugin*>(symbol);
+}
+
+}  // namespace
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_plugin_load(carom_engine* engine, const char* path, carom_plugin* plugin, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!present(call, 1, "engine", engine) || !present(call, 2, "path", path) || !present(call, 3, "plugin", plugin))
+      return;
+    std::size_t room = 0;
+    if (const carom_shape_plugin* given = open_symbol(call, path, room))
+      take_plugin(call, *engine, given, room, plugin);
+  });
+}
+
+int32_t carom_plugin_register(carom_engine* engine, const carom_shape_plugin* description, carom_plugin* plugin,
+                              carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (present(call, 1, "engine", engine) && present(call, 2, "description", description) &&
+        present(call, 3, "plugin", plugin))
+      take_plugin(call, *engine, description, 0, plugin);
+  });
+}
+
+int32_t carom_plugin_unload(carom_engine* engine, carom_plugin plugin, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!present(call, 1, "engine", engine)) return;
+    const std::lock_guard lock(engine->mutex);
+    if (!resolve(call, 2, "plugin", engine->plugin_slots, plugin)) return;
+    PluginRecord*& record = engine->plugins[handle_slot(plugin)];
+    if (record->uses) {
+      call.fail(CAROM_E_IN_USE, 2, "%llu shapes of %s are alive", static_cast<unsigned long long>(record->uses),
+                record->id.c_str());
+      return;
+    }
+    destroy_on(&engine->memory, record);
+    record = nullptr;
+    engine->plugin_slots.release(handle_slot(plugin));
+  });
+}
+
+int32_t carom_plugin_find(carom_engine* engine, const char* id, carom_plugin* plugin, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!present(call, 1, "engine", engine) || !present(call, 2, "id", id) || !present(call, 3, "plugin", plugin))
+      return;
+    const std::lock_guard lock(engine->mutex);
+    for (std::uint32_t slot = 0; slot < engine->plugins.size(); ++slot)
+      if (engine->plugins[slot] && engine->plugins[slot]->id == id) {
+        *plugin = engine->plugin_slots.handle(slot);
+        return;
+      }
+    call.fail(CAROM_E_NOT_FOUND, 2, "no plugin with id \"%.180s\" is loaded", id);
+  });
+}
+
+int32_t carom_plugin_describe(carom_engine* engine, carom_plugin plugin, const carom_shape_plugin** description,
+                              carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!present(call, 1, "engine", engine) || !present(call, 3, "description", description)) return;
+    const std::lock_guard lock(engine->mutex);
+    if (resolve(call, 2, "plugin", engine->plugin_slots, plugin))
+      *description = engine->plugins[handle_slot(plugin)]->given;
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,119 @@
+// Questions about two shapes at given poses, without a world.
+#include <carom/query.h>
+#include <carom/dial.h>
+
+#include "abi/engine.h"
+#include "abi/float_scope.h"
+#include "collision/narrow/query.h"
+#include "dynamics/dials.h"
+
+namespace carom::abi {
+namespace {
+
+static_assert(static_cast<std::uint32_t>(QueryStatus::exact_enough) == CAROM_QUERY_EXACT_ENOUGH &&
+              static_cast<std::uint32_t>(QueryStatus::capped) == CAROM_QUERY_CAPPED &&
+              static_cast<std::uint32_t>(QueryStatus::rounding) == CAROM_QUERY_ROUNDING &&
+              static_cast<std::uint32_t>(QueryStatus::fault) == CAROM_QUERY_FAULT);
+static_assert(static_cast<std::uint32_t>(Simplex::johnson) == CAROM_SIMPLEX_JOHNSON &&
+              static_cast<std::uint32_t>(Simplex::voronoi) == CAROM_SIMPLEX_VORONOI &&
+              static_cast<std::uint32_t>(Simplex::voronoi_last) == CAROM_SIMPLEX_VORONOI_LAST);
+static_assert(static_cast<std::uint32_t>(Method::hybrid) == CAROM_NARROW_HYBRID &&
+              static_cast<std::uint32_t>(Method::gjk_epa) == CAROM_NARROW_GJK_EPA);
+
+const DialRow& row(Dial dial) { return dial_table()[static_cast<std::size_t>(dial)]; }
+
+/// Same bounds as the dial of the same name.
+bool like_dial(Call& call, const char* name, double value, Dial dial) {
+  return in_range(call, 8, name, value, row(dial).min, row(dial).max);
+}
+
+bool check_desc(Call& call, const carom_distance_desc& d) {
+  return known(call, 8, "desc->simplex", d.simplex, row(Dial::simplex).choice_count) &&
+         known(call, 8, "desc->narrow_phase", d.narrow_phase, row(Dial::narrow_phase).choice_count) &&
+         known(call, 8, "desc->pair_routines", d.pair_routines, 2) &&
+         like_dial(call, "desc->tolerance", d.tolerance, Dial::gjk_tolerance) &&
+         like_dial(call, "desc->hybrid_margin", d.hybrid_margin, Dial::hybrid_margin) &&
+         like_dial(call, "desc->gjk_iterations", d.gjk_iterations, Dial::gjk_iterations) &&
+         like_dial(call, "desc->epa_iterations", d.epa_iterations, Dial::epa_iterations);
+}
+
+QuerySettings settings(const carom_distance_desc& d) {
+  QuerySettings s;
+  s.simplex = static_cast<Simplex>(d.simplex);
+  s.method = static_cast<Method>(d.narrow_phase);
+  s.routines = d.pair_routines;
+  s.tolerance = d.tolerance;
+  s.margin = d.hybrid_margin;
+  s.gjk_cap = static_cast<int>(d.gjk_iterations);
+  s.epa_cap = static_cast<int>(d.epa_iterations);
+  return s;
+}
+
+/// From the frames of the two shapes to the world's.
+carom_distance answer(const QueryResult& r, const Frame& a, const Frame& b) {
+  carom_distance out{};
+  out.status = static_cast<std::uint32_t>(r.status);
+  out.separation = r.separation;
+  out.lower = r.lower;
+  out.upper = r.upper;
+  from_vec3(a.rotate(r.normal), out.normal);
+  from_vec3(a.apply(r.point_a), out.point_a);
+  from_vec3(b.apply(r.point_b), out.point_b);
+  out.gjk_iterations = static_cast<std::uint32_t>(r.gjk_iterations);
+  out.epa_iterations = static_cast<std::uint32_t>(r.epa_iterations);
+  out.support_calls = static_cast<std::uint32_t>(r.support_calls);
+  return out;
+}
+
+}  // namespace
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_distance_desc_init(carom_distance_desc* desc) {
+  if (!desc) return CAROM_E_NULL_ARGUMENT;
+  *desc = {};
+  desc->struct_size = sizeof *desc;
+  desc->simplex = CAROM_SIMPLEX_VORONOI_LAST;
+  desc->narrow_phase = CAROM_NARROW_GJK_EPA;
+  desc->tolerance = 1e-6;
+  desc->hybrid_margin = row(Dial::hybrid_margin).initial;
+  desc->gjk_iterations = 128;
+  desc->epa_iterations = 256;
+  return CAROM_OK;
+}
+
+int32_t carom_shape_distance(carom_engine* engine, carom_shape shape_a, const double position_a[3],
+                             const double orientation_a[4], carom_shape shape_b, const double position_b[3],
+                             const double orientation_b[4], const carom_distance_desc* desc, carom_distance* result,
+                             carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    carom_distance_desc known_desc;
+    carom_distance_desc_init(&known_desc);
+    if (!present(call, 1, "engine", engine)) return;
+    ShapePin a(*engine), b(*engine);
+    if (!a.take(call, 2, "shape_a", shape_a) || !carom::abi::finite(call, 3, "position_a", position_a, 3) ||
+        !unit(call, 4, "orientation_a", orientation_a, 4) || !b.take(call, 5, "shape_b", shape_b) ||
+        !carom::abi::finite(call, 6, "position_b", position_b, 3) ||
+        !unit(call, 7, "orientation_b", orientation_b, 4) ||
+        (desc && !read_struct(call, 8, "desc", desc, known_desc)) || !check_desc(call, known_desc) ||
+        !fillable(call, 9, "result", result))
+      return;
+    if (a->form == Form::half_space && b->form == Form::half_space) {
+      call.fail(CAROM_E_UNSUPPORTED, 5, "two half-spaces have no distance: unless parallel they overlap without end");
+      return;
+    }
+    const FloatScope scope;
+    const Frame frame_a(Pose{to_quat(orientation_a), to_vec3(position_a)});
+    const Frame frame_b(Pose{to_quat(orientation_b), to_vec3(position_b)});
+    QueryResult found;
+    SupportFault fault;
+    distance(*a, *b, relative(frame_a, frame_b), settings(known_desc), nullptr, found, fault);
+    write_struct(answer(found, frame_a, frame_b), result);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,124 @@
+// What the last step did: stages, counts, residuals, contact points, faults.
+#include "abi/world.h"
+
+namespace carom::abi {
+namespace {
+
+static_assert(static_cast<std::uint32_t>(Stage::refresh) == CAROM_STAGE_REFRESH &&
+              static_cast<std::uint32_t>(Stage::broad) == CAROM_STAGE_BROAD &&
+              static_cast<std::uint32_t>(Stage::narrow) == CAROM_STAGE_NARROW &&
+              static_cast<std::uint32_t>(Stage::group) == CAROM_STAGE_GROUP &&
+              static_cast<std::uint32_t>(Stage::integrate) == CAROM_STAGE_INTEGRATE &&
+              static_cast<std::uint32_t>(Stage::solve) == CAROM_STAGE_SOLVE &&
+              static_cast<std::uint32_t>(Stage::relax) == CAROM_STAGE_RELAX &&
+              static_cast<std::uint32_t>(Stage::observe) == CAROM_STAGE_OBSERVE && kStageCount == CAROM_STAGE_COUNT);
+static_assert(SupportFault::returned == CAROM_FAULT_RETURNED && SupportFault::not_finite == CAROM_FAULT_NOT_FINITE &&
+              SupportFault::outside == CAROM_FAULT_OUTSIDE && SupportFault::not_support == CAROM_FAULT_NOT_SUPPORT);
+
+void fill_report(const StepReport& from, carom_step_report& to) {
+  to.stage_count = CAROM_STAGE_COUNT;
+  for (std::size_t i = 0; i < kStageCount; ++i) to.stage_seconds[i] = from.stage_seconds[i];
+  to.total_seconds = from.total_seconds;
+  to.steps = from.steps;
+  to.time = from.time;
+  to.bodies = from.bodies;
+  to.dynamic_bodies = from.dynamic_bodies;
+  to.colliders = from.colliders;
+  to.broad_pairs = from.broad_pairs;
+  to.contact_pairs = from.contact_pairs;
+  to.contact_points = from.contact_points;
+  to.groups = from.groups;
+  to.largest_group = from.largest_group;
+  to.gjk_calls = from.narrow.gjk_calls;
+  to.epa_calls = from.narrow.epa_calls;
+  to.support_calls = from.narrow.support_calls;
+  to.velocity_impulses = from.velocity_impulses;
+  to.position_moves = from.position_moves;
+  to.quarantined_bodies = from.quarantined_bodies;
+  to.faults = from.faults;
+  to.max_penetration = from.max_penetration;
+  to.mean_penetration = from.mean_penetration;
+  to.max_closing_speed = from.max_closing_speed;
+  to.linear_energy = from.linear_energy;
+  to.angular_energy = from.angular_energy;
+}
+
+carom_contact contact(const World& world, const ContactView& view) {
+  const Scene& scene = world.scene;
+  carom_contact c{};
+  c.collider_a = scene.collider_slots.handle(view.collider_a);
+  c.collider_b = scene.collider_slots.handle(view.collider_b);
+  c.body_a = scene.bodies.handle(scene.colliders.body[view.collider_a]);
+  c.body_b = scene.bodies.handle(scene.colliders.body[view.collider_b]);
+  from_vec3(view.point, c.point);
+  from_vec3(view.normal, c.normal);
+  c.separation = view.separation;
+  c.normal_impulse = view.normal_impulse;
+  c.friction_impulse = view.friction_impulse;
+  return c;
+}
+
+carom_fault fault(const World& world, const FaultView& view) {
+  carom_fault f{};
+  f.kind = view.support.kind == SupportFault::none ? CAROM_FAULT_BODY_STATE
+                                                   : static_cast<std::uint32_t>(view.support.kind);
+  f.shape = view.support.shape ? view.support.shape->handle : CAROM_NULL_HANDLE;
+  f.body = world.scene.bodies.handle(view.body);
+  for (int i = 0; i < 3; ++i) f.dir[i] = view.support.dir[i], f.out[i] = view.support.out[i];
+  return f;
+}
+
+/// The tail of both calls: n elements into a host's array of its own stride.
+template <class View, class Element>
+void copy_out(Call& call, const World& world, const Array<View>& views, Element (*convert)(const World&, const View&),
+              void* dst, std::uint64_t stride, std::uint64_t capacity, std::uint64_t* count) {
+  if (!present(call, 5, "count", count) || (capacity && !present(call, 2, "dst", dst))) return;
+  if (capacity && (stride < kSmallestStruct || stride % alignof(Element))) {
+    call.fail(CAROM_E_BUFFER_TOO_SMALL, 3, "stride is %llu, one element has %zu bytes",
+              static_cast<unsigned long long>(stride), sizeof(Element));
+    return;
+  }
+  *count = views.size();
+  const std::uint64_t n = std::min<std::uint64_t>(capacity, views.size());
+  for (std::uint64_t i = 0; i < n; ++i) write_element(convert(world, views[i]), dst, i, stride);
+}
+
+}  // namespace
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_world_get_report(carom_world* world, carom_step_report* report, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !fillable(call, 2, "report", report)) return;
+    carom_step_report full{};
+    fill_report(reading->report, full);
+    write_struct(full, report);
+  });
+}
+
+const char* carom_stage_name(uint32_t stage) {
+  return stage < CAROM_STAGE_COUNT ? stage_name(static_cast<Stage>(stage)) : "?";
+}
+
+int32_t carom_world_get_contacts(carom_world* world, carom_contact* dst, uint64_t stride, uint64_t capacity,
+                                 uint64_t* count, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading) copy_out(call, *reading, reading->contact_views, contact, dst, stride, capacity, count);
+  });
+}
+
+int32_t carom_world_get_faults(carom_world* world, carom_fault* dst, uint64_t stride, uint64_t capacity,
+                               uint64_t* count, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading) copy_out(call, *reading, reading->fault_views, fault, dst, stride, capacity, count);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,312 @@
+// Shapes: parameters checked against the plugin's bounds, the support function against convexity, declarations against
+// the support function; bounds and mass derived. All before the shape exists; once made it never changes.
+#include <carom/shape.h>
+
+#include <cmath>
+
+#include "abi/engine.h"
+#include "abi/float_scope.h"
+#include "abi/forms.h"
+#include "collision/verify.h"
+#include "collision/volume.h"
+
+namespace carom::abi {
+namespace {
+
+constexpr Real kMassTolerance = 1e-3;  // relative width of the volume bracket at which deriving stops: 0.1 % of mass is
+                                       // less than densities are known to; finer costs supports in proportion (1/N)
+constexpr int kMassSupports = 2000;    // and at most so many: about a millisecond
+
+/// Keeps a plugin from being unloaded while a shape is made of it; for good once kept.
+class PluginPin {
+ public:
+  explicit PluginPin(carom_engine& engine) : engine_(engine) {}
+  ~PluginPin() {
+    if (!record_) return;
+    const std::lock_guard lock(engine_.mutex);
+    record_->uses -= 1;
+  }
+  PluginPin(const PluginPin&) = delete;
+  PluginPin& operator=(const PluginPin&) = delete;
+
+  bool take(Call& call, int argument, carom_plugin handle) {
+    const std::lock_guard lock(engine_.mutex);
+    if (!resolve(call, argument, "plugin", engine_.plugin_slots, handle)) return false;
+    record_ = engine_.plugins[handle_slot(handle)];
+    record_->uses += 1;
+    return true;
+  }
+  PluginRecord* get() const { return record_; }
+  void keep() { record_ = nullptr; }
+
+ private:
+  carom_engine& engine_;
+  PluginRecord* record_ = nullptr;
+};
+
+/// A shape in the making: gone unless kept.
+struct Draft {
+  explicit Draft(Memory* m) : memory(m), shape(make_on<Shape>(m, m)) {}
+  ~Draft() { destroy_on(memory, shape); }
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+  Memory* memory;
+  Shape* shape;
+};
+
+bool check_params(Call& call, const PluginRecord& plugin, const double* params, std::uint64_t count) {
+  const carom_shape_plugin& d = plugin.description;
+  const std::uint64_t named = d.param_count, group = d.param_tail_group;
+  const std::uint64_t least = group ? named - group + group * std::max(d.param_tail_min, 1u) : named;
+  if (group ? count < least || (count - least) % group : count != named)
+    return call.fail(CAROM_E_OUT_OF_RANGE, 4, "count is %llu; %s takes %llu parameters%s",
+                     static_cast<unsigned long long>(count), plugin.id.c_str(), static_cast<unsigned long long>(least),
+                     group ? " or more, in whole groups" : "");
+  if (count && !present(call, 3, "params", params)) return false;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const carom_param& bound = plugin.bounds[i < named ? i : named - group + (i - named) % group];
+    if (std::isfinite(params[i]) && params[i] >= bound.min && params[i] <= bound.max) continue;
+    return call.fail(std::isfinite(params[i]) ? CAROM_E_OUT_OF_RANGE : CAROM_E_NOT_FINITE, 3,
+                     "params[%llu] (%s of %s) is %.17g, outside [%g, %g]", static_cast<unsigned long long>(i),
+                     bound.name, plugin.id.c_str(), params[i], bound.min, bound.max);
+  }
+  return true;
+}
+
+bool dishonest(Call& call, const char* id, const SupportFault& fault) {
+  call.witness(fault.dir, fault.out);
+  return call.fail(CAROM_E_PLUGIN_DISHONEST, 2, "%s: support failed (fault %u) at dir (%g, %g, %g)", id,
+                   static_cast<unsigned>(fault.kind), fault.dir[0], fault.dir[1], fault.dir[2]);
+}
+
+bool declaration_false(Call& call, const char* id, const char* what, const Verdict& verdict) {
+  call.witness(verdict.dir, verdict.out);
+  return call.fail(CAROM_E_DECLARATION_FALSE, 2, "%s: declared %s is not so: %s; dir (%g, %g, %g) gave (%g, %g, %g)", id,
+                   what, verdict.reason, verdict.dir[0], verdict.dir[1], verdict.dir[2], verdict.out[0],
+                   verdict.out[1], verdict.out[2]);
+}
+
+/// The declared form, if any, is what the support function says.
+bool settle_form(Call& call, const PluginRecord& plugin, FormNumbers& form, Shape& shape) {
+  const char* id = plugin.id.c_str();
+  const carom_geometry& g = plugin.geometry;
+  if (!read_form(call, id, g.form, g.form_arg, shape.params, form)) return false;
+  shape.form = form.form;
+  shape.radius = form.radius;
+  shape.half_height = form.half_height;
+  shape.half = form.half;
+  shape.vertices = form.vertices;
+  if (form.form == Form::none) return true;
+  const Verdict verdict = verify_form(shape, form.form);
+  return verdict.honest || declaration_false(call, id, "form", verdict);
+}
+
+/// Mass properties from a verified declaration of mass, else from the verified form, else from support alone.
+bool settle_mass(Call& call, const PluginRecord& plugin, const FormNumbers& form, Shape& shape) {
+  const char* id = plugin.id.c_str();
+  const carom_geometry& g = plugin.geometry;
+  if (g.mass_form != CAROM_FORM_NONE) {
+    FormNumbers m;
+    if (!read_form(call, id, g.mass_form, g.mass_arg, shape.params, m)) return false;
+    shape.mass = mass_from_form(m.form, m.radius, m.half_height, m.half, m.vertices);
+    const Verdict verdict = verify_mass(shape, shape.mass);
+    return verdict.honest || declaration_false(call, id, "mass", verdict);
+  }
+  if (form.form != Form::none) {
+    shape.mass = mass_from_form(form.form, form.radius, form.half_height, form.half, form.vertices);
+    return true;
+  }
+  SupportFault fault;
+  shape.mass = mass_from_support(shape, kMassTolerance, kMassSupports, fault);
+  return fault.kind == SupportFault::none || dishonest(call, id, fault);
+}
+
+/// Everything that is known of a shape, each claim checked.
+bool settle(Call& call, const PluginRecord& plugin, const double* params, std::uint64_t count, Shape& shape) {
+  const FloatScope scope;
+  const char* id = plugin.id.c_str();
+  shape.params.assign(params, params + count);
+  shape.support = plugin.description.support;
+  shape.host_thread = plugin.description.flags & CAROM_PLUGIN_HOST_THREAD;
+  if (plugin.geometry.core_radius_param != CAROM_NO_PARAM) {
+    shape.core_radius = shape.params[plugin.geometry.core_radius_param];
+    if (shape.core_radius < 0)
+      return call.fail(CAROM_E_DECLARATION_FALSE, 2, "%s: parameter %u is declared the core radius, but is %g", id,
+                       plugin.geometry.core_radius_param, shape.core_radius);
+  }
+  if (!ask_honest(call, id, 2, shape)) return false;
+  SupportFault fault;
+  if (!derive_bounds(shape, fault)) return dishonest(call, id, fault);
+  FormNumbers form;
+  if (!settle_form(call, plugin, form, shape) || !settle_mass(call, plugin, form, shape)) return false;
+  return float_environment_is_default() ||
+         call.fail(CAROM_E_PLUGIN_DISHONEST, 2, "%s: the support function changes the floating-point environment", id);
+}
+
+/// Add a finished shape to the engine. Nothing has changed if it throws.
+bool add(Call& call, carom_engine& engine, Draft& draft, PluginRecord* plugin, carom_plugin plugin_handle,
+         carom_shape* handle) {
+  const std::lock_guard lock(engine.mutex);
+  if (engine.shapes.size() == engine.shapes.capacity()) engine.shapes.reserve(2 * engine.shapes.size() + 8);
+  const Handle h = engine.shape_slots.take();
+  if (!h) return call.fail(CAROM_E_LIMIT, 0, "%u shapes are alive", kMaxSlots);
+  if (handle_slot(h) == engine.shapes.size()) engine.shapes.emplace_back();
+  draft.shape->handle = h;
+  engine.shapes[handle_slot(h)] = {draft.shape, plugin, plugin_handle, 0};
+  draft.shape = nullptr;
+  *handle = h;
+  return true;
+}
+
+void fill_info(const ShapeRecord& record, carom_shape_info& info) {
+  const Shape& s = *record.shape;
+  const bool half_space = s.form == Form::half_space;
+  info.form = half_space ? CAROM_FORM_NONE : static_cast<std::uint32_t>(s.form);
+  info.is_half_space = half_space;
+  info.mass_exact = s.mass.exact;
+  info.plugin = record.plugin_handle;
+  info.param_count = s.params.size();
+  info.core_radius = s.core_radius;
+  info.bounding_radius = s.bounding_radius;
+  from_vec3(s.bounds.lo, info.aabb_min);
+  from_vec3(s.bounds.hi, info.aabb_max);
+  info.volume = s.mass.volume;
+  info.volume_min = s.mass.volume_min;
+  info.volume_max = s.mass.volume_max;
+  from_vec3(s.mass.centroid, info.centroid);
+  info.centroid_error = s.mass.centroid_error;
+  for (int i = 0; i < 9; ++i) info.inertia[i] = s.mass.inertia(i / 3, i % 3);
+  info.inertia_error = s.mass.inertia_error;
+}
+
+/// Support point of the whole shape: the core's, and the core radius along the direction.
+bool support(Call& call, const Shape& shape, const double* dir, double* out) {
+  const Vec3 d = to_vec3(dir);
+  const Real largest = d.cwiseAbs().maxCoeff();  // scaled first: the square of 1e200 is not a number
+  const std::int32_t result = shape.support(shape.params.data(), shape.params.size(), dir, out);
+  if (result != 0 || !carom::finite(to_vec3(out))) {
+    call.witness(dir, out);
+    return call.fail(CAROM_E_PLUGIN_DISHONEST, 2, "support returned %d with (%g, %g, %g)", result, out[0], out[1],
+                     out[2]);
+  }
+  from_vec3(to_vec3(out) + shape.core_radius * (d / largest).normalized(), out);
+  return true;
+}
+
+void supports(Call& call, const Shape& shape, const double* dirs, std::uint64_t n, double* points) {
+  if (shape.form == Form::half_space) {
+    call.fail(CAROM_E_UNSUPPORTED, 2, "a half-space is unbounded and has no support points");
+    return;
+  }
+  for (std::uint64_t i = 0; i < n; ++i) {
+    if (!finite(call, 3, "dirs", dirs + 3 * i, 3)) return;
+    if (to_vec3(dirs + 3 * i).isZero(0)) {
+      call.fail(CAROM_E_OUT_OF_RANGE, 3, "direction %llu is zero", static_cast<unsigned long long>(i));
+      return;
+    }
+  }
+  const FloatScope scope;
+  for (std::uint64_t i = 0; i < n; ++i)
+    if (!support(call, shape, dirs + 3 * i, points + 3 * i)) return;
+}
+
+}  // namespace
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_shape_create(carom_engine* engine, carom_plugin plugin, const double* params, uint64_t count,
+                           carom_shape* shape, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!present(call, 1, "engine", engine) || !present(call, 5, "shape", shape)) return;
+    PluginPin pin(*engine);
+    if (!pin.take(call, 2, plugin) || !check_params(call, *pin.get(), params, count)) return;
+    Draft draft(&engine->memory);
+    if (settle(call, *pin.get(), params, count, *draft.shape) &&
+        add(call, *engine, draft, pin.get(), plugin, shape))
+      pin.keep();
+  });
+}
+
+int32_t carom_shape_create_half_space(carom_engine* engine, const double normal[3], double offset, carom_shape* shape,
+                                      carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!present(call, 1, "engine", engine) || !unit(call, 2, "normal", normal, 3) ||
+        !carom::abi::finite(call, 3, "offset", &offset, 1) || !present(call, 4, "shape", shape))
+      return;
+    Draft draft(&engine->memory);
+    Shape& s = *draft.shape;
+    s.form = Form::half_space;
+    s.normal = to_vec3(normal).normalized();
+    s.offset = offset;
+    s.bounding_radius = kInfinity;
+    s.bounds.lo = Vec3::Constant(-kInfinity);
+    s.bounds.hi = Vec3::Constant(kInfinity);
+    add(call, *engine, draft, nullptr, CAROM_NULL_HANDLE, shape);
+  });
+}
+
+int32_t carom_shape_destroy(carom_engine* engine, carom_shape shape, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!present(call, 1, "engine", engine)) return;
+    const std::lock_guard lock(engine->mutex);
+    if (!resolve(call, 2, "shape", engine->shape_slots, shape)) return;
+    ShapeRecord& record = engine->shapes[handle_slot(shape)];
+    if (record.uses) {
+      call.fail(CAROM_E_IN_USE, 2, "%llu colliders or running queries refer to this shape",
+                static_cast<unsigned long long>(record.uses));
+      return;
+    }
+    if (record.plugin) record.plugin->uses -= 1;
+    destroy_on(&engine->memory, record.shape);
+    record = {};
+    engine->shape_slots.release(handle_slot(shape));
+  });
+}
+
+int32_t carom_shape_get_info(carom_engine* engine, carom_shape shape, carom_shape_info* info, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!present(call, 1, "engine", engine) || !fillable(call, 3, "info", info)) return;
+    const std::lock_guard lock(engine->mutex);
+    if (!resolve(call, 2, "shape", engine->shape_slots, shape)) return;
+    carom_shape_info full{};
+    fill_info(engine->shapes[handle_slot(shape)], full);
+    write_struct(full, info);
+  });
+}
+
+int32_t carom_shape_get_params(carom_engine* engine, carom_shape shape, double* params, uint64_t* count,
+                               carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!present(call, 1, "engine", engine) || !present(call, 4, "count", count)) return;
+    const std::lock_guard lock(engine->mutex);
+    if (!resolve(call, 2, "shape", engine->shape_slots, shape)) return;
+    const Array<double>& own = engine->shapes[handle_slot(shape)].shape->params;
+    const std::uint64_t capacity = *count;
+    if (capacity < own.size()) {
+      *count = own.size();
+      call.fail(CAROM_E_BUFFER_TOO_SMALL, 4, "room for %llu parameters, the shape has %zu",
+                static_cast<unsigned long long>(capacity), own.size());
+      return;
+    }
+    if (!own.empty() && !present(call, 3, "params", params)) return;
+    *count = own.size();
+    std::copy(own.begin(), own.end(), params);
+  });
+}
+
+int32_t carom_shape_support(carom_engine* engine, carom_shape shape, const double* dirs, uint64_t n, double* points,
+                            carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!present(call, 1, "engine", engine)) return;
+    ShapePin pin(*engine);
+    if (!pin.take(call, 2, "shape", shape)) return;
+    if (n && (!present(call, 3, "dirs", dirs) || !present(call, 5, "points", points))) return;
+    supports(call, *pin, dirs, n, points);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,147 @@
+// The world root: making, destroying, stepping, its dials and gravity.
+#include "abi/world.h"
+
+#include <cmath>
+
+#include "abi/float_scope.h"
+#include "abi/tags.h"
+
+namespace carom::abi {
+namespace {
+
+constexpr double kLargestGravity = 1e6;  // m/s^2
+constexpr double kLongestStep = 1;       // s
+
+bool check_gravity(Call& call, int argument, const double gravity[3]) {
+  return present(call, argument, "gravity", gravity) &&
+         in_range(call, argument, "gravity[0]", gravity[0], -kLargestGravity, kLargestGravity) &&
+         in_range(call, argument, "gravity[1]", gravity[1], -kLargestGravity, kLargestGravity) &&
+         in_range(call, argument, "gravity[2]", gravity[2], -kLargestGravity, kLargestGravity);
+}
+
+void create(Call& call, carom_engine* engine, const carom_world_desc* given, carom_world** world) {
+  carom_world_desc desc;
+  carom_world_desc_init(&desc);
+  if (!present(call, 1, "engine", engine) || (given && !read_struct(call, 2, "desc", given, desc)) ||
+      !only_bits(call, 2, "desc->reserved", desc.reserved, 0) || !check_gravity(call, 2, desc.gravity) ||
+      !present(call, 3, "world", world))
+    return;
+  if (desc.body_capacity > kMaxSlots) {
+    call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->body_capacity is %llu, a world holds %u bodies",
+              static_cast<unsigned long long>(desc.body_capacity), kMaxSlots);
+    return;
+  }
+  const std::uint32_t tag = take_tag();
+  if (!tag) {
+    call.fail(CAROM_E_LIMIT, 0, "65,535 engines and worlds are alive in this process");
+    return;
+  }
+  try {
+    *world = make_on<carom_world>(&engine->memory, *engine, tag, to_vec3(desc.gravity), desc.body_capacity);
+  } catch (...) {
+    release_tag(tag);
+    throw;
+  }
+  engine->worlds.fetch_add(1, std::memory_order_relaxed);
+}
+
+void destroy(carom_world* world) {
+  carom_engine& engine = world->engine;
+  const Colliders& colliders = world->inner.scene.colliders;
+  for (std::uint32_t slot = 0; slot < world->inner.scene.collider_slots.slots(); ++slot)
+    if (world->inner.scene.collider_slots.alive(slot)) unuse_shape(engine, *colliders.shape[slot]);
+  const std::uint32_t tag = world->tag;
+  destroy_on(&engine.memory, world);
+  release_tag(tag);
+  engine.worlds.fetch_sub(1, std::memory_order_release);  // last: the engine may be destroyed from now on
+}
+
+bool check_dial(Call& call, std::uint32_t dial, double value) {
+  if (!known(call, 2, "dial", dial, kDialCount)) return false;
+  const DialRow& row = dial_table()[dial];
+  if (!in_range(call, 3, row.name, value, row.min, row.max)) return false;
+  return row.kind == DialRow::number || value == std::floor(value) ||
+         call.fail(CAROM_E_OUT_OF_RANGE, 3, "%s is %.17g, must be a whole number", row.name, value);
+}
+
+}  // namespace
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_world_desc_init(carom_world_desc* desc) {
+  if (!desc) return CAROM_E_NULL_ARGUMENT;
+  *desc = {};
+  desc->struct_size = sizeof *desc;
+  desc->gravity[1] = -9.81;
+  return CAROM_OK;
+}
+
+int32_t carom_world_create(carom_engine* engine, const carom_world_desc* desc, carom_world** world,
+                           carom_error* error) {
+  return guarded(error, [&](Call& call) { create(call, engine, desc, world); });
+}
+
+int32_t carom_world_destroy(carom_world* world, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!present(call, 1, "world", world)) return;
+    if (!world->gate.enter_alone())  // never left: the world is gone
+      call.fail(CAROM_E_BUSY, 1, "another thread is stepping, changing or reading this world");
+    else
+      destroy(world);
+  });
+}
+
+int32_t carom_world_step(carom_world* world, double dt, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing || !in_range(call, 2, "dt", dt, 0, kLongestStep)) return;
+    if (dt == 0) {
+      call.fail(CAROM_E_OUT_OF_RANGE, 2, "dt is 0, must be greater");
+      return;
+    }
+    const FloatScope scope;
+    changing->step(dt);
+  });
+}
+
+int32_t carom_world_set_dial(carom_world* world, uint32_t dial, double value, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && check_dial(call, dial, value)) changing->set_dial(static_cast<Dial>(dial), value);
+  });
+}
+
+int32_t carom_world_get_dial(carom_world* world, uint32_t dial, double* value, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && known(call, 2, "dial", dial, kDialCount) && present(call, 3, "value", value))
+      *value = reading->scene.dials[static_cast<Dial>(dial)];
+  });
+}
+
+int32_t carom_world_set_gravity(carom_world* world, const double gravity[3], carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && check_gravity(call, 2, gravity)) changing->set_gravity(to_vec3(gravity));
+  });
+}
+
+int32_t carom_world_get_gravity(carom_world* world, double gravity[3], carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && present(call, 2, "gravity", gravity)) from_vec3(reading->scene.gravity, gravity);
+  });
+}
+
+int32_t carom_world_hash(carom_world* world, uint64_t* hash, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && present(call, 2, "hash", hash)) *hash = reading->hash();
+  });
+}
+
+}  // extern "C"

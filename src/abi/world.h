@@ -1,0 +1,98 @@
+// What stands behind carom_world*: a carom::World, the engine it belongs to, and the gate that keeps its users apart.
+#pragma once
+
+#include <carom/world.h>
+
+#include <atomic>
+
+#include "abi/engine.h"
+#include "dynamics/world.h"
+
+namespace carom::abi {
+
+/// Many readers or one writer, never waiting: who comes at the wrong time is told BUSY.
+class Gate {
+ public:
+  bool enter_shared() {
+    std::int32_t users = users_.load(std::memory_order_relaxed);
+    while (users >= 0)
+      if (users_.compare_exchange_weak(users, users + 1, std::memory_order_acquire, std::memory_order_relaxed))
+        return true;
+    return false;
+  }
+  void leave_shared() { users_.fetch_sub(1, std::memory_order_release); }
+  bool enter_alone() {
+    std::int32_t nobody = 0;
+    return users_.compare_exchange_strong(nobody, kAlone, std::memory_order_acquire, std::memory_order_relaxed);
+  }
+  void leave_alone() { users_.store(0, std::memory_order_release); }
+
+ private:
+  static constexpr std::int32_t kAlone = -1;
+  std::atomic<std::int32_t> users_{0};  // readers inside, or kAlone: a writer or a step
+};
+
+}  // namespace carom::abi
+
+struct carom_world {
+  carom_world(carom_engine& owner, std::uint32_t owner_tag, const carom::Vec3& gravity, std::size_t capacity)
+      : engine(owner), tag(owner_tag), inner(owner_tag, gravity, capacity, &owner.memory) {}
+
+  carom_engine& engine;
+  const std::uint32_t tag;
+  carom::abi::Gate gate;
+  carom::World inner;
+};
+
+namespace carom::abi {
+
+/// The world of a call, argument 1, open for reading until the end of the scope.
+class Reading {
+ public:
+  Reading(Call& call, carom_world* world) {
+    if (!present(call, 1, "world", world)) return;
+    if (!world->gate.enter_shared()) {
+      call.fail(CAROM_E_BUSY, 1, "another thread is stepping or changing this world");
+      return;
+    }
+    world_ = world;
+  }
+  ~Reading() {
+    if (world_) world_->gate.leave_shared();
+  }
+  Reading(const Reading&) = delete;
+  Reading& operator=(const Reading&) = delete;
+  explicit operator bool() const { return world_; }
+  const World& operator*() const { return world_->inner; }
+  const World* operator->() const { return &world_->inner; }
+
+ private:
+  carom_world* world_ = nullptr;
+};
+
+/// The world of a call, argument 1, closed to everybody else until the end of the scope.
+class Changing {
+ public:
+  Changing(Call& call, carom_world* world) {
+    if (!present(call, 1, "world", world)) return;
+    if (!world->gate.enter_alone()) {
+      call.fail(CAROM_E_BUSY, 1, "another thread is stepping, changing or reading this world");
+      return;
+    }
+    world_ = world;
+  }
+  ~Changing() {
+    if (world_) world_->gate.leave_alone();
+  }
+  Changing(const Changing&) = delete;
+  Changing& operator=(const Changing&) = delete;
+  explicit operator bool() const { return world_; }
+  World& operator*() const { return world_->inner; }
+  World* operator->() const { return &world_->inner; }
+  carom_engine& engine() const { return world_->engine; }
+
+ private:
+  carom_world* world_ = nullptr;
+};
+
+}  // namespace carom::abi
