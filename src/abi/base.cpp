@@ -9,7 +9,8 @@ struct ResultRow {
   const char* remedy;
 };
 
-#define ROW(code, remedy) {code, #code, remedy}
+#define ROW(code, remedy) \
+  { code, #code, remedy }
 constexpr ResultRow kResults[] = {
     ROW(CAROM_OK, "nothing to do"),
     ROW(CAROM_E_NULL_ARGUMENT, "pass a pointer where the header does not say NULL is allowed"),
@@ -32,7 +33,8 @@ constexpr ResultRow kResults[] = {
     ROW(CAROM_E_PLUGIN_PATH, "pass the absolute path of a readable shared object"),
     ROW(CAROM_E_PLUGIN_LOAD, "export `const carom_shape_plugin carom_shape_plugin_v1` and link what the plugin needs"),
     ROW(CAROM_E_PLUGIN_ABI, "rebuild the plugin against this library's carom/plugin.h"),
-    ROW(CAROM_E_PLUGIN_DISHONEST, "make support return the farthest point of one bounded convex set; try `carom check`"),
+    ROW(CAROM_E_PLUGIN_DISHONEST,
+        "make support return the farthest point of one bounded convex set; try `carom check`"),
     ROW(CAROM_E_DECLARATION_FALSE, "correct or drop the declaration in the plugin's carom_geometry"),
     ROW(CAROM_E_NO_VOLUME, "give the body a mass and inertia, or the collider density 0"),
     ROW(CAROM_E_ALREADY_EXISTS, "use carom_plugin_find() to get the one that is loaded"),

@@ -167,8 +167,8 @@ int32_t carom_body_set_pose(carom_world* world, carom_body body, const double po
                             carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Changing changing(call, world);
-    if (!changing || !resolve_body(call, *changing, body) ||
-        !carom::abi::finite(call, 3, "position", position, 3) || !unit(call, 4, "orientation", orientation, 4))
+    if (!changing || !resolve_body(call, *changing, body) || !carom::abi::finite(call, 3, "position", position, 3) ||
+        !unit(call, 4, "orientation", orientation, 4))
       return;
     const FloatScope scope;
     changing->set_pose(handle_slot(body), {to_quat(orientation), to_vec3(position)});

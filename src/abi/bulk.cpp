@@ -46,7 +46,8 @@ void write_angular(World& w, std::uint32_t b, const double* r) { w.set_velocity(
 void write_velocity(World& w, std::uint32_t b, const double* r) { w.set_velocity(b, to_vec3(r), to_vec3(r + 3)); }
 void write_force(World& w, std::uint32_t b, const double* r) { w.set_force(b, to_vec3(r), to_vec3(r + 3)); }
 
-constexpr FieldRow kFields[CAROM_FIELD_COUNT] = {  // in the order of CAROM_FIELD_*
+constexpr FieldRow kFields[CAROM_FIELD_COUNT] = {
+    // in the order of CAROM_FIELD_*
     {"position", 3, true, -1, false, read_position, write_position},
     {"orientation", 4, true, 0, false, read_orientation, write_orientation},
     {"pose", 7, true, 3, false, read_pose, write_pose},
@@ -93,10 +94,11 @@ class Selection {
 /// Checks that reading and writing share; stride 0 becomes the record's size.
 bool check_shape_of_data(Call& call, std::uint32_t field, std::uint32_t scalar, std::uint64_t n, const char* name,
                          const void* data, std::uint64_t& stride) {
-  if (!known(call, 2, "field", field, CAROM_FIELD_COUNT) ||
-      !known(call, 3, "scalar", scalar, CAROM_SCALAR_F64 + 1) || (n && !present(call, 6, name, data)))
+  if (!known(call, 2, "field", field, CAROM_FIELD_COUNT) || !known(call, 3, "scalar", scalar, CAROM_SCALAR_F64 + 1) ||
+      (n && !present(call, 6, name, data)))
     return false;
-  const std::uint64_t record = static_cast<std::uint64_t>(kFields[field].scalars) * (scalar == CAROM_SCALAR_F32 ? 4 : 8);
+  const std::uint64_t record =
+      static_cast<std::uint64_t>(kFields[field].scalars) * (scalar == CAROM_SCALAR_F32 ? 4 : 8);
   if (stride == 0) stride = record;
   return stride >= record || call.fail(CAROM_E_BUFFER_TOO_SMALL, 7, "stride is %llu, a record of %s has %llu bytes",
                                        static_cast<unsigned long long>(stride), kFields[field].name,

@@ -29,8 +29,8 @@ bool finite(Call& call, int argument, const char* name, const double* values, in
 
 bool in_range(Call& call, int argument, const char* name, double value, double low, double high) {
   if (!finite(call, argument, name, &value, 1)) return false;
-  return (value >= low && value <= high) || call.fail(CAROM_E_OUT_OF_RANGE, argument,
-                                                      "%s is %.17g, outside [%g, %g]", name, value, low, high);
+  return (value >= low && value <= high) ||
+         call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is %.17g, outside [%g, %g]", name, value, low, high);
 }
 
 bool unit(Call& call, int argument, const char* name, const double* values, int count) {
@@ -49,8 +49,8 @@ bool known(Call& call, int argument, const char* name, std::uint32_t value, std:
 }
 
 bool only_bits(Call& call, int argument, const char* name, std::uint32_t value, std::uint32_t bits) {
-  return !(value & ~bits) || call.fail(CAROM_E_UNSUPPORTED, argument, "%s is 0x%x; this library knows bits 0x%x", name,
-                                       value, bits);
+  return !(value & ~bits) ||
+         call.fail(CAROM_E_UNSUPPORTED, argument, "%s is 0x%x; this library knows bits 0x%x", name, value, bits);
 }
 
 bool resolve(Call& call, int argument, const char* name, const SlotPool& pool, Handle handle) {

@@ -12,7 +12,7 @@
 
 namespace carom::abi {
 
-inline constexpr Real kUnitTolerance = 1e-6;  // of a quaternion's or a normal's length; float32 input passes
+inline constexpr Real kUnitTolerance = 1e-6;           // of a quaternion's or a normal's length; float32 input passes
 inline constexpr std::uint32_t kSmallestStruct = 8;    // struct_size and the word after it
 inline constexpr std::uint32_t kLargestStruct = 4096;  // more is an uninitialised struct_size, not a newer header
 
@@ -48,8 +48,7 @@ bool read_struct(Call& call, int argument, const char* name, const T* given, T& 
 /// Whether a struct that is to be filled in says a size that some version of it has.
 template <class T>
 bool fillable(Call& call, int argument, const char* name, const T* wanted) {
-  return present(call, argument, name, wanted) &&
-         struct_size(call, argument, name, wanted->struct_size, alignof(T));
+  return present(call, argument, name, wanted) && struct_size(call, argument, name, wanted->struct_size, alignof(T));
 }
 
 /// Fill in as much of a struct as the caller's version has; its struct_size stays.
@@ -70,8 +69,6 @@ inline Vec3 to_vec3(const double v[3]) { return Vec3(v[0], v[1], v[2]); }
 /// From x, y, z, w within kUnitTolerance of unit length.
 inline Quat to_quat(const double q[4]) { return normalized(Quat(q[3], q[0], q[1], q[2])); }
 inline void from_vec3(const Vec3& v, double out[3]) { out[0] = v.x(), out[1] = v.y(), out[2] = v.z(); }
-inline void from_quat(const Quat& q, double out[4]) {
-  out[0] = q.x(), out[1] = q.y(), out[2] = q.z(), out[3] = q.w();
-}
+inline void from_quat(const Quat& q, double out[4]) { out[0] = q.x(), out[1] = q.y(), out[2] = q.z(), out[3] = q.w(); }
 
 }  // namespace carom::abi

@@ -31,8 +31,9 @@ bool check_fit(Call& call, const World& world, std::uint32_t body, const Shape& 
     return call.fail(CAROM_E_OUT_OF_RANGE, 3, "a half-space is unbounded: it fits static bodies only");
   const bool weighs = world.scene.type[body] == BodyType::dynamic && density > 0 && !world.scene.def[body].has_mass;
   return !(weighs && flat(shape)) ||
-         call.fail(CAROM_E_NO_VOLUME, 3, "the shape has volume %g m^3 within radius %g m: no mass follows from density %g",
-                   shape.mass.volume, shape.bounding_radius, density);
+         call.fail(CAROM_E_NO_VOLUME, 3,
+                   "the shape has volume %g m^3 within radius %g m: no mass follows from density %g", shape.mass.volume,
+                   shape.bounding_radius, density);
 }
 
 void create(Call& call, const Changing& changing, carom_body body, const carom_collider_desc* given,
@@ -74,7 +75,8 @@ carom_collider_desc describe(const World& world, std::uint32_t slot) {
 void unuse_shapes_of(carom_engine& engine, const World& world, std::uint32_t body) {
   const Scene& scene = world.scene;
   for (std::uint32_t c = 0; c < scene.collider_slots.slots(); ++c)
-    if (scene.collider_slots.alive(c) && scene.colliders.body[c] == body) unuse_shape(engine, *scene.colliders.shape[c]);
+    if (scene.collider_slots.alive(c) && scene.colliders.body[c] == body)
+      unuse_shape(engine, *scene.colliders.shape[c]);
 }
 
 }  // namespace carom::abi

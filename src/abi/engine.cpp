@@ -7,9 +7,14 @@
 #include "abi/tags.h"
 
 carom_engine::carom_engine(const carom_engine_desc& desc, std::uint32_t owner_tag)
-    : memory(desc), log(desc.log), log_user(desc.log_user), tag(owner_tag),
-      plugin_slots(carom::Kind::plugin, owner_tag, &memory), shape_slots(carom::Kind::shape, owner_tag, &memory),
-      plugins(&memory), shapes(&memory) {}
+    : memory(desc),
+      log(desc.log),
+      log_user(desc.log_user),
+      tag(owner_tag),
+      plugin_slots(carom::Kind::plugin, owner_tag, &memory),
+      shape_slots(carom::Kind::shape, owner_tag, &memory),
+      plugins(&memory),
+      shapes(&memory) {}
 
 carom_engine::~carom_engine() {
   for (const carom::abi::ShapeRecord& record : shapes) carom::abi::destroy_on(&memory, record.shape);

@@ -22,7 +22,8 @@ class FloatScope {
   std::fenv_t saved_;
 };
 
-/// Whether arithmetic is still that of a FloatScope: rounds to nearest and keeps denormals. Asked after code of a plugin ran.
+/// Whether arithmetic is still that of a FloatScope: rounds to nearest and keeps denormals. Asked after code of a
+/// plugin ran.
 inline bool float_environment_is_default() {
   volatile double smallest_normal = std::numeric_limits<double>::min();
   volatile double denormal = smallest_normal / 2;  // 0 if results are flushed

@@ -11,9 +11,9 @@ namespace carom::abi {
 /// The numbers of a closed form, as in carom::Shape.
 struct FormNumbers {
   Form form = Form::none;
-  Real radius = 0;       // m
-  Real half_height = 0;  // m
-  Vec3 half = Vec3::Zero();  // m
+  Real radius = 0;                   // m
+  Real half_height = 0;              // m
+  Vec3 half = Vec3::Zero();          // m
   std::span<const double> vertices;  // [3k] m
 };
 

@@ -55,7 +55,8 @@ std::int32_t Call::finish() const {
 
 Inside::Inside(Call& call) {
   if (inside_library) {
-    call.fail(CAROM_E_REENTRANT, 0, "called from inside a callback (support function, allocator or log) on this thread");
+    call.fail(CAROM_E_REENTRANT, 0,
+              "called from inside a callback (support function, allocator or log) on this thread");
     return;
   }
   if (call.error_ && call.error_->struct_size < kSmallestError) {

@@ -22,8 +22,7 @@ class Call {
   /// @param argument  1-based position in the C signature, 0: none in particular
   /// @param format    as printf: what is wrong, with the numbers
   /// @return false
-  bool fail(std::int32_t code, std::int32_t argument, const char* format, ...)
-      __attribute__((format(printf, 4, 5)));
+  bool fail(std::int32_t code, std::int32_t argument, const char* format, ...) __attribute__((format(printf, 4, 5)));
 
   /// Attach what a support function was given and gave back.
   void witness(const double dir[3], const double out[3]);

@@ -18,8 +18,8 @@
 namespace carom::abi {
 namespace {
 
-constexpr std::size_t kLongestId = 200;             // fits a message
-constexpr std::uint32_t kMostParams = 1u << 20;     // named parameters; a tail group repeats beyond
+constexpr std::size_t kLongestId = 200;          // fits a message
+constexpr std::uint32_t kMostParams = 1u << 20;  // named parameters; a tail group repeats beyond
 constexpr std::size_t kSmallestPlugin = offsetof(carom_shape_plugin, param_tail_group);  // up to and with `support`
 constexpr std::size_t kSmallestGeometry = offsetof(carom_geometry, mass_form);           // form and core radius
 
@@ -48,8 +48,7 @@ bool check_params(Call& call, const carom_shape_plugin& d) {
                      d.param_count);
   for (std::uint32_t i = 0; i < d.param_count; ++i) {
     const carom_param& p = d.params[i];
-    if (!p.name || !p.unit)
-      return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: params[%u] lacks a name or unit", d.id, i);
+    if (!p.name || !p.unit) return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: params[%u] lacks a name or unit", d.id, i);
     if (!(p.min <= p.max))
       return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: params[%u] has bounds [%g, %g]", d.id, i, p.min, p.max);
   }
@@ -77,7 +76,8 @@ bool check_description(Call& call, const carom_shape_plugin* given, std::size_t 
     return call.fail(CAROM_E_PLUGIN_ABI, 2, "the plugin has abi_major %u, this library has %u", d.abi_major,
                      CAROM_PLUGIN_ABI_MAJOR);
   if (d.flags & ~CAROM_PLUGIN_HOST_THREAD)
-    return call.fail(CAROM_E_PLUGIN_ABI, 2, "flags is 0x%x; this library knows 0x%x", d.flags, CAROM_PLUGIN_HOST_THREAD);
+    return call.fail(CAROM_E_PLUGIN_ABI, 2, "flags is 0x%x; this library knows 0x%x", d.flags,
+                     CAROM_PLUGIN_HOST_THREAD);
   if (!d.id || !d.id[0] || strnlen(d.id, kLongestId + 1) > kLongestId)
     return call.fail(CAROM_E_PLUGIN_ABI, 2, "id is %s", !d.id ? "NULL" : d.id[0] ? "longer than 200 bytes" : "empty");
   if (!d.support) return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: support is NULL", d.id);
@@ -97,7 +97,8 @@ void sample_params(const PluginRecord& record, Array<double>& params) {
   const std::uint32_t groups = group ? std::clamp(d.param_tail_min, 6u, 4096u) : 0;
   const std::uint32_t count = group ? d.param_count - group + group * groups : d.param_count;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const carom_param& bound = record.bounds[i < d.param_count ? i : d.param_count - group + (i - d.param_count) % group];
+    const carom_param& bound =
+        record.bounds[i < d.param_count ? i : d.param_count - group + (i - d.param_count) % group];
     const double size = 0.5 + static_cast<double>((i * 7u) % 11u) / 11;
     const double wanted = bound.min < 0 && (i * 0x9E3779B9u) >> 31 ? -size : size;
     double value = std::clamp(wanted, bound.min, bound.max);

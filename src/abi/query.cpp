@@ -1,10 +1,11 @@
 // Questions about two shapes at given poses, without a world.
-#include <carom/query.h>
+#include "collision/narrow/query.h"
+
 #include <carom/dial.h>
+#include <carom/query.h>
 
 #include "abi/engine.h"
 #include "abi/float_scope.h"
-#include "collision/narrow/query.h"
 #include "dynamics/dials.h"
 
 namespace carom::abi {

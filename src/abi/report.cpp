@@ -60,8 +60,8 @@ carom_contact contact(const World& world, const ContactView& view) {
 
 carom_fault fault(const World& world, const FaultView& view) {
   carom_fault f{};
-  f.kind = view.support.kind == SupportFault::none ? CAROM_FAULT_BODY_STATE
-                                                   : static_cast<std::uint32_t>(view.support.kind);
+  f.kind =
+      view.support.kind == SupportFault::none ? CAROM_FAULT_BODY_STATE : static_cast<std::uint32_t>(view.support.kind);
   f.shape = view.support.shape ? view.support.shape->handle : CAROM_NULL_HANDLE;
   f.body = world.scene.bodies.handle(view.body);
   for (int i = 0; i < 3; ++i) f.dir[i] = view.support.dir[i], f.out[i] = view.support.out[i];

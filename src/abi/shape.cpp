@@ -81,8 +81,8 @@ bool dishonest(Call& call, const char* id, const SupportFault& fault) {
 
 bool declaration_false(Call& call, const char* id, const char* what, const Verdict& verdict) {
   call.witness(verdict.dir, verdict.out);
-  return call.fail(CAROM_E_DECLARATION_FALSE, 2, "%s: declared %s is not so: %s; dir (%g, %g, %g) gave (%g, %g, %g)", id,
-                   what, verdict.reason, verdict.dir[0], verdict.dir[1], verdict.dir[2], verdict.out[0],
+  return call.fail(CAROM_E_DECLARATION_FALSE, 2, "%s: declared %s is not so: %s; dir (%g, %g, %g) gave (%g, %g, %g)",
+                   id, what, verdict.reason, verdict.dir[0], verdict.dir[1], verdict.dir[2], verdict.out[0],
                    verdict.out[1], verdict.out[2]);
 }
 
@@ -225,8 +225,7 @@ int32_t carom_shape_create(carom_engine* engine, carom_plugin plugin, const doub
     PluginPin pin(*engine);
     if (!pin.take(call, 2, plugin) || !check_params(call, *pin.get(), params, count)) return;
     Draft draft(&engine->memory);
-    if (settle(call, *pin.get(), params, count, *draft.shape) &&
-        add(call, *engine, draft, pin.get(), plugin, shape))
+    if (settle(call, *pin.get(), params, count, *draft.shape) && add(call, *engine, draft, pin.get(), plugin, shape))
       pin.keep();
   });
 }
