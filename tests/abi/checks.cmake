@@ -1,0 +1,34 @@
+# Checks of the boundary that run tools instead of code: compilers on each header, nm and readelf on the library, greps.
+function(carom_script_test name)
+  add_test(NAME abi/${name} COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DBINARY_DIR=${CMAKE_BINARY_DIR}
+    -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/${name} ${ARGN} -P ${CMAKE_CURRENT_SOURCE_DIR}/abi/check_${name}.cmake)
+  set_tests_properties(abi/${name} PROPERTIES TIMEOUT 300 LABELS abi)
+endfunction()
+
+carom_script_test(headers)
+carom_script_test(symbols -DLIBRARY=$<TARGET_FILE:carom> -DSANITIZE=${CAROM_SANITIZE})
+carom_script_test(arrows)
+carom_script_test(readme_paths)
+if(NOT CAROM_SANITIZE)  # a client without the sanitizer cannot load a library with it
+  carom_script_test(install -DC_COMPILER=${CMAKE_C_COMPILER})
+endif()
+
+# Plugins that lie, one a file: each must be refused.
+file(GLOB liar_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/abi/liars/*.c)
+set(liar_targets)
+foreach(source ${liar_sources})
+  get_filename_component(name ${source} NAME_WE)
+  add_library(liar_${name} MODULE ${source})
+  target_include_directories(liar_${name} PRIVATE ${PROJECT_SOURCE_DIR}/include)
+  target_link_libraries(liar_${name} PRIVATE carom_flags m)
+  set_target_properties(liar_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name}
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/liars)
+  list(APPEND liar_targets liar_${name})
+endforeach()
+target_compile_definitions(test_abi_plugins PRIVATE CAROM_LIAR_DIR="${CMAKE_CURRENT_BINARY_DIR}/liars")
+add_dependencies(test_abi_plugins ${liar_targets})
+target_compile_definitions(test_abi_ffi PRIVATE CAROM_LIBRARY="$<TARGET_FILE:carom>")
+find_package(Threads REQUIRED)
+foreach(name threads busy_reentrant)
+  target_link_libraries(test_abi_${name} PRIVATE Threads::Threads)
+endforeach()

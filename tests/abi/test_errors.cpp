@@ -1,0 +1,456 @@
+// Every argument of every call: what is wrong with it comes back as the right code, with the argument's number, a message
+// and a remedy, and nothing has changed. The same with and without an error object.
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "bench.h"
+
+#include "carom_test.h"
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity();
+const double kZero[3] = {0, 0, 0}, kOne[3] = {1, 0, 0}, kNan3[3] = {0, kNan, 0}, kInf3[3] = {0, 0, -kInf};
+const double kUpright[4] = {0, 0, 0, 1}, kLong[4] = {0, 0, 0, 1.00001}, kNan4[4] = {0, 0, 0, kNan}, kZero4[4] = {};
+
+struct Row {
+  const char* what;
+  int32_t code;
+  int32_t argument;
+  int32_t (*call)(Bench& b, carom_error* e);
+};
+
+carom_body_desc body_desc() {
+  carom_body_desc d;
+  carom_body_desc_init(&d);
+  return d;
+}
+int32_t create_body(Bench& b, const carom_body_desc& d, carom_error* e) {
+  carom_body out;
+  return carom_body_create(b.world, &d, &out, e);
+}
+carom_collider_desc collider_desc(const Bench& b) {
+  carom_collider_desc d;
+  carom_collider_desc_init(&d);
+  d.shape = b.ball;
+  return d;
+}
+int32_t create_collider(Bench& b, const carom_collider_desc& d, carom_error* e) {
+  carom_collider out;
+  return carom_collider_create(b.world, b.bodies[0], &d, &out, e);
+}
+carom_material_desc material_desc() {
+  carom_material_desc d;
+  carom_material_desc_init(&d);
+  return d;
+}
+int32_t create_material(Bench& b, const carom_material_desc& d, carom_error* e) {
+  carom_material out;
+  return carom_material_create(b.world, &d, &out, e);
+}
+int32_t create_world(Bench& b, const carom_world_desc& d, carom_error* e) {
+  carom_world* out = nullptr;
+  return carom_world_create(b.engine, &d, &out, e);
+}
+carom_world_desc world_desc() {
+  carom_world_desc d;
+  carom_world_desc_init(&d);
+  return d;
+}
+int32_t create_shape(Bench& b, carom_plugin plugin, std::vector<double> params, carom_error* e) {
+  carom_shape out;
+  return carom_shape_create(b.engine, plugin, params.data(), params.size(), &out, e);
+}
+int32_t measure(Bench& b, const double* pa, const double* qa, const double* pb, const double* qb,
+                const carom_distance_desc* d, carom_error* e) {
+  carom_distance result = {};
+  result.struct_size = sizeof result;
+  return carom_shape_distance(b.engine, b.ball, pa, qa, b.crate, pb, qb, d, &result, e);
+}
+carom_distance_desc distance_desc() {
+  carom_distance_desc d;
+  carom_distance_desc_init(&d);
+  return d;
+}
+
+template <class Desc>
+Desc with(Desc d, void (*change)(Desc&)) {
+  change(d);
+  return d;
+}
+
+const Row kEngine[] = {
+    {"engine out", CAROM_E_NULL_ARGUMENT, 2, [](Bench&, carom_error* e) { return carom_engine_create(nullptr, nullptr, e); }},
+    {"alloc without free", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) {
+       carom_engine_desc d;
+       carom_engine_desc_init(&d);
+       d.alloc = [](void*, uint64_t, uint64_t) -> void* { return nullptr; };
+       carom_engine* out = nullptr;
+       return carom_engine_create(&d, &out, e);
+     }},
+    {"engine reserved", CAROM_E_UNSUPPORTED, 1, [](Bench&, carom_error* e) {
+       carom_engine_desc d;
+       carom_engine_desc_init(&d);
+       d.reserved = 1;
+       carom_engine* out = nullptr;
+       return carom_engine_create(&d, &out, e);
+     }},
+    {"destroy no engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_engine_destroy(nullptr, e); }},
+    {"destroy engine of a world", CAROM_E_IN_USE, 1, [](Bench& b, carom_error* e) { return carom_engine_destroy(b.engine, e); }},
+    {"load: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_plugin_load(nullptr, "/x", &b.sphere, e); }},
+    {"load: path", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return carom_plugin_load(b.engine, nullptr, &b.sphere, e); }},
+    {"load: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_plugin_load(b.engine, "/x", nullptr, e); }},
+    {"load: relative path", CAROM_E_PLUGIN_PATH, 2, [](Bench& b, carom_error* e) { return carom_plugin_load(b.engine, "sphere.so", &b.sphere, e); }},
+    {"load: empty path", CAROM_E_PLUGIN_PATH, 2, [](Bench& b, carom_error* e) { return carom_plugin_load(b.engine, "", &b.sphere, e); }},
+    {"load: nothing there", CAROM_E_PLUGIN_PATH, 2, [](Bench& b, carom_error* e) { return carom_plugin_load(b.engine, "/nowhere/none.so", &b.sphere, e); }},
+    {"load: a folder", CAROM_E_PLUGIN_PATH, 2, [](Bench& b, carom_error* e) { return carom_plugin_load(b.engine, CAROM_SOURCE_DIR, &b.sphere, e); }},
+    {"load: not a shared object", CAROM_E_PLUGIN_LOAD, 2, [](Bench& b, carom_error* e) { return carom_plugin_load(b.engine, CAROM_SOURCE_DIR "/include/carom/base.h", &b.sphere, e); }},
+    {"register: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_plugin_register(nullptr, &b.box_plugin, &b.sphere, e); }},
+    {"register: description", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return carom_plugin_register(b.engine, nullptr, &b.sphere, e); }},
+    {"register: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_plugin_register(b.engine, &b.box_plugin, nullptr, e); }},
+    {"register twice", CAROM_E_ALREADY_EXISTS, 2, [](Bench& b, carom_error* e) { carom_plugin out; return carom_plugin_register(b.engine, &b.box_plugin, &out, e); }},
+    {"unload: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_plugin_unload(nullptr, b.sphere, e); }},
+    {"unload in use", CAROM_E_IN_USE, 2, [](Bench& b, carom_error* e) { return carom_plugin_unload(b.engine, b.sphere, e); }},
+    {"find: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_plugin_find(nullptr, "test.box", &b.box, e); }},
+    {"find: id", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return carom_plugin_find(b.engine, nullptr, &b.box, e); }},
+    {"find: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_plugin_find(b.engine, "test.box", nullptr, e); }},
+    {"find: unknown", CAROM_E_NOT_FOUND, 2, [](Bench& b, carom_error* e) { return carom_plugin_find(b.engine, "no.such", &b.box, e); }},
+    {"describe: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { const carom_shape_plugin* p; return carom_plugin_describe(nullptr, b.box, &p, e); }},
+    {"describe: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_plugin_describe(b.engine, b.box, nullptr, e); }},
+};
+
+const Row kShape[] = {
+    {"shape: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { double r = 1; return carom_shape_create(nullptr, b.sphere, &r, 1, &b.ball, e); }},
+    {"shape: params", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { carom_shape s; return carom_shape_create(b.engine, b.sphere, nullptr, 1, &s, e); }},
+    {"shape: out", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { double r = 1; return carom_shape_create(b.engine, b.sphere, &r, 1, nullptr, e); }},
+    {"shape: too few", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { return create_shape(b, b.box, {1, 1}, e); }},
+    {"shape: too many", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { return create_shape(b, b.sphere, {1, 1}, e); }},
+    {"shape: none", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { return create_shape(b, b.sphere, {}, e); }},
+    {"shape: nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return create_shape(b, b.box, {1, kNan, 1}, e); }},
+    {"shape: inf", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return create_shape(b, b.box, {kInf, 1, 1}, e); }},
+    {"shape: below the bound", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return create_shape(b, b.sphere, {-1}, e); }},
+    {"shape: above the bound", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return create_shape(b, b.sphere, {1001}, e); }},
+    {"half-space: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_shape_create_half_space(nullptr, kOne, 0, &b.floor, e); }},
+    {"half-space: normal", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return carom_shape_create_half_space(b.engine, nullptr, 0, &b.floor, e); }},
+    {"half-space: nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return carom_shape_create_half_space(b.engine, kNan3, 0, &b.floor, e); }},
+    {"half-space: zero normal", CAROM_E_NOT_UNIT, 2, [](Bench& b, carom_error* e) { return carom_shape_create_half_space(b.engine, kZero, 0, &b.floor, e); }},
+    {"half-space: offset", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return carom_shape_create_half_space(b.engine, kOne, kInf, &b.floor, e); }},
+    {"half-space: out", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { return carom_shape_create_half_space(b.engine, kOne, 0, nullptr, e); }},
+    {"destroy shape: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_shape_destroy(nullptr, b.ball, e); }},
+    {"destroy shape in use", CAROM_E_IN_USE, 2, [](Bench& b, carom_error* e) { return carom_shape_destroy(b.engine, b.ball, e); }},
+    {"info: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { carom_shape_info i = {}; i.struct_size = sizeof i; return carom_shape_get_info(nullptr, b.ball, &i, e); }},
+    {"info: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_shape_get_info(b.engine, b.ball, nullptr, e); }},
+    {"info: struct_size", CAROM_E_STRUCT_SIZE, 3, [](Bench& b, carom_error* e) { carom_shape_info i = {}; return carom_shape_get_info(b.engine, b.ball, &i, e); }},
+    {"params: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { double p[3]; uint64_t n = 3; return carom_shape_get_params(nullptr, b.crate, p, &n, e); }},
+    {"params: dst", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { uint64_t n = 3; return carom_shape_get_params(b.engine, b.crate, nullptr, &n, e); }},
+    {"params: count", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { double p[3]; return carom_shape_get_params(b.engine, b.crate, p, nullptr, e); }},
+    {"params: capacity", CAROM_E_BUFFER_TOO_SMALL, 4, [](Bench& b, carom_error* e) { double p[2]; uint64_t n = 2; return carom_shape_get_params(b.engine, b.crate, p, &n, e); }},
+    {"support: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { double p[3]; return carom_shape_support(nullptr, b.ball, kOne, 1, p, e); }},
+    {"support: dirs", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { double p[3]; return carom_shape_support(b.engine, b.ball, nullptr, 1, p, e); }},
+    {"support: nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { double p[3]; return carom_shape_support(b.engine, b.ball, kNan3, 1, p, e); }},
+    {"support: zero", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { double p[3]; return carom_shape_support(b.engine, b.ball, kZero, 1, p, e); }},
+    {"support: points", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return carom_shape_support(b.engine, b.ball, kOne, 1, nullptr, e); }},
+    {"support: half-space", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { double p[3]; return carom_shape_support(b.engine, b.floor, kOne, 1, p, e); }},
+};
+
+const Row kWorld[] = {
+    {"world: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { carom_world* w; return carom_world_create(nullptr, nullptr, &w, e); }},
+    {"world: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_world_create(b.engine, nullptr, nullptr, e); }},
+    {"world: gravity nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return create_world(b, with<carom_world_desc>(world_desc(), [](auto& d) { d.gravity[2] = kNan; }), e); }},
+    {"world: gravity range", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return create_world(b, with<carom_world_desc>(world_desc(), [](auto& d) { d.gravity[0] = -1.1e6; }), e); }},
+    {"world: capacity", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return create_world(b, with<carom_world_desc>(world_desc(), [](auto& d) { d.body_capacity = ~uint64_t(0); }), e); }},
+    {"world: reserved", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { return create_world(b, with<carom_world_desc>(world_desc(), [](auto& d) { d.reserved = 7; }), e); }},
+    {"destroy no world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_world_destroy(nullptr, e); }},
+    {"step: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_world_step(nullptr, 0.01, e); }},
+    {"step: 0", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return carom_world_step(b.world, 0, e); }},
+    {"step: -0", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return carom_world_step(b.world, -0.0, e); }},
+    {"step: negative", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return carom_world_step(b.world, -0.01, e); }},
+    {"step: long", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return carom_world_step(b.world, 1.5, e); }},
+    {"step: nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return carom_world_step(b.world, kNan, e); }},
+    {"step: inf", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return carom_world_step(b.world, kInf, e); }},
+    {"dial: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_world_set_dial(nullptr, 0, 0, e); }},
+    {"dial: unknown", CAROM_E_UNKNOWN_ENUM, 2, [](Bench& b, carom_error* e) { return carom_world_set_dial(b.world, CAROM_DIAL_COUNT, 0, e); }},
+    {"dial: nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return carom_world_set_dial(b.world, CAROM_DIAL_GRID_CELL, kNan, e); }},
+    {"dial: below", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return carom_world_set_dial(b.world, CAROM_DIAL_GRID_CELL, -1, e); }},
+    {"dial: half a choice", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return carom_world_set_dial(b.world, CAROM_DIAL_INTEGRATOR, 0.5, e); }},
+    {"dial: no such choice", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return carom_world_set_dial(b.world, CAROM_DIAL_INTEGRATOR, 3, e); }},
+    {"get dial: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { double v; return carom_world_get_dial(nullptr, 0, &v, e); }},
+    {"get dial: unknown", CAROM_E_UNKNOWN_ENUM, 2, [](Bench& b, carom_error* e) { double v; return carom_world_get_dial(b.world, 1000, &v, e); }},
+    {"get dial: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_world_get_dial(b.world, 0, nullptr, e); }},
+    {"gravity: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_world_set_gravity(nullptr, kOne, e); }},
+    {"gravity: null", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return carom_world_set_gravity(b.world, nullptr, e); }},
+    {"gravity: nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return carom_world_set_gravity(b.world, kNan3, e); }},
+    {"gravity: range", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { const double g[3] = {0, 0, 2e6}; return carom_world_set_gravity(b.world, g, e); }},
+    {"get gravity: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { double g[3]; return carom_world_get_gravity(nullptr, g, e); }},
+    {"get gravity: out", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return carom_world_get_gravity(b.world, nullptr, e); }},
+    {"report: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { carom_step_report r = {}; r.struct_size = sizeof r; return carom_world_get_report(nullptr, &r, e); }},
+    {"report: out", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return carom_world_get_report(b.world, nullptr, e); }},
+    {"report: struct_size", CAROM_E_STRUCT_SIZE, 2, [](Bench& b, carom_error* e) { carom_step_report r = {}; return carom_world_get_report(b.world, &r, e); }},
+    {"contacts: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_get_contacts(nullptr, nullptr, 0, 0, &n, e); }},
+    {"contacts: dst", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { uint64_t n; return carom_world_get_contacts(b.world, nullptr, sizeof(carom_contact), 1, &n, e); }},
+    {"contacts: stride", CAROM_E_BUFFER_TOO_SMALL, 3, [](Bench& b, carom_error* e) { uint64_t n; carom_contact c; return carom_world_get_contacts(b.world, &c, 4, 1, &n, e); }},
+    {"contacts: count", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return carom_world_get_contacts(b.world, nullptr, 0, 0, nullptr, e); }},
+    {"faults: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_get_faults(nullptr, nullptr, 0, 0, &n, e); }},
+    {"faults: dst", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { uint64_t n; return carom_world_get_faults(b.world, nullptr, sizeof(carom_fault), 1, &n, e); }},
+    {"faults: stride", CAROM_E_BUFFER_TOO_SMALL, 3, [](Bench& b, carom_error* e) { uint64_t n; carom_fault f; return carom_world_get_faults(b.world, &f, 0, 1, &n, e); }},
+    {"faults: count", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return carom_world_get_faults(b.world, nullptr, 0, 0, nullptr, e); }},
+    {"hash: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t h; return carom_world_hash(nullptr, &h, e); }},
+    {"hash: out", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return carom_world_hash(b.world, nullptr, e); }},
+    {"dial info: unknown", CAROM_E_UNKNOWN_ENUM, 1, [](Bench&, carom_error* e) { carom_dial_info i = {}; i.struct_size = sizeof i; return carom_dial_get_info(CAROM_DIAL_COUNT, &i, e); }},
+    {"dial info: out", CAROM_E_NULL_ARGUMENT, 2, [](Bench&, carom_error* e) { return carom_dial_get_info(0, nullptr, e); }},
+    {"dial info: struct_size", CAROM_E_STRUCT_SIZE, 2, [](Bench&, carom_error* e) { carom_dial_info i = {}; return carom_dial_get_info(0, &i, e); }},
+    {"dial find: name", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint32_t d; return carom_dial_find(nullptr, &d, e); }},
+    {"dial find: out", CAROM_E_NULL_ARGUMENT, 2, [](Bench&, carom_error* e) { return carom_dial_find("solver", nullptr, e); }},
+    {"dial find: unknown", CAROM_E_NOT_FOUND, 1, [](Bench&, carom_error* e) { uint32_t d; return carom_dial_find("charm", &d, e); }},
+};
+
+const Row kBody[] = {
+    {"body: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { carom_body o; auto d = body_desc(); return carom_body_create(nullptr, &d, &o, e); }},
+    {"body: desc", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { carom_body o; return carom_body_create(b.world, nullptr, &o, e); }},
+    {"body: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { auto d = body_desc(); return carom_body_create(b.world, &d, nullptr, e); }},
+    {"body: struct_size", CAROM_E_STRUCT_SIZE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.struct_size = 4; }), e); }},
+    {"body: type", CAROM_E_UNKNOWN_ENUM, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.type = 3; }), e); }},
+    {"body: fields", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.fields = 8; }), e); }},
+    {"body: reserved", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.reserved = 1; }), e); }},
+    {"body: position", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.position[1] = kInf; }), e); }},
+    {"body: orientation nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.orientation[0] = kNan; }), e); }},
+    {"body: orientation long", CAROM_E_NOT_UNIT, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.orientation[3] = 1 + 2e-6; }), e); }},
+    {"body: orientation zero", CAROM_E_NOT_UNIT, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.orientation[3] = 0; }), e); }},
+    {"body: orientation huge", CAROM_E_NOT_UNIT, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.orientation[3] = 1e300; }), e); }},
+    {"body: velocity", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.linear_velocity[0] = kNan; }), e); }},
+    {"body: spin", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.angular_velocity[2] = -kInf; }), e); }},
+    {"body: static with velocity", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.type = CAROM_BODY_STATIC; d.linear_velocity[0] = 1; }), e); }},
+    {"body: static with spin", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.type = CAROM_BODY_STATIC; d.angular_velocity[0] = 1; }), e); }},
+    {"body: massless", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.fields = CAROM_BODY_FIELD_MASS; }), e); }},
+    {"body: negative mass", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.fields = CAROM_BODY_FIELD_MASS; d.mass = -1; }), e); }},
+    {"body: nan mass", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.fields = CAROM_BODY_FIELD_MASS; d.mass = kNan; }), e); }},
+    {"body: centre without mass", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.fields = CAROM_BODY_FIELD_CENTER; }), e); }},
+    {"body: inertia without mass", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.fields = CAROM_BODY_FIELD_INERTIA; }), e); }},
+    {"body: nan centre", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.fields = 3; d.mass = 1; d.center[0] = kNan; }), e); }},
+    {"body: nan inertia", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.fields = 5; d.mass = 1; d.inertia[4] = kNan; }), e); }},
+    {"body: asymmetric inertia", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.fields = 5; d.mass = 1; d.inertia[0] = d.inertia[4] = d.inertia[8] = 1; d.inertia[1] = 0.1; }), e); }},
+    {"body: indefinite inertia", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.fields = 5; d.mass = 1; d.inertia[0] = d.inertia[4] = d.inertia[8] = 1; d.inertia[1] = d.inertia[3] = 2; }), e); }},
+    {"body: flat inertia", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.fields = 5; d.mass = 1; d.inertia[0] = d.inertia[4] = 1; }), e); }},
+    {"body: damping", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.linear_damping = -1; }), e); }},
+    {"body: spin damping", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return create_body(b, with<carom_body_desc>(body_desc(), [](auto& d) { d.angular_damping = kNan; }), e); }},
+    {"destroy body: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_body_destroy(nullptr, b.bodies[0], e); }},
+    {"get body: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { auto d = body_desc(); return carom_body_get(nullptr, b.bodies[0], &d, e); }},
+    {"get body: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_body_get(b.world, b.bodies[0], nullptr, e); }},
+    {"get body: struct_size", CAROM_E_STRUCT_SIZE, 3, [](Bench& b, carom_error* e) { auto d = body_desc(); d.struct_size = 0; return carom_body_get(b.world, b.bodies[0], &d, e); }},
+    {"pose: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_body_set_pose(nullptr, b.bodies[0], kZero, kUpright, e); }},
+    {"pose: position", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_body_set_pose(b.world, b.bodies[0], nullptr, kUpright, e); }},
+    {"pose: orientation", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { return carom_body_set_pose(b.world, b.bodies[0], kZero, nullptr, e); }},
+    {"pose: nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return carom_body_set_pose(b.world, b.bodies[0], kNan3, kUpright, e); }},
+    {"pose: nan turn", CAROM_E_NOT_FINITE, 4, [](Bench& b, carom_error* e) { return carom_body_set_pose(b.world, b.bodies[0], kZero, kNan4, e); }},
+    {"pose: long", CAROM_E_NOT_UNIT, 4, [](Bench& b, carom_error* e) { return carom_body_set_pose(b.world, b.bodies[0], kZero, kLong, e); }},
+    {"velocity: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_body_set_velocity(nullptr, b.bodies[0], kZero, kZero, e); }},
+    {"velocity: linear", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_body_set_velocity(b.world, b.bodies[0], nullptr, kZero, e); }},
+    {"velocity: angular", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { return carom_body_set_velocity(b.world, b.bodies[0], kZero, nullptr, e); }},
+    {"velocity: inf", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return carom_body_set_velocity(b.world, b.bodies[0], kInf3, kZero, e); }},
+    {"velocity: nan", CAROM_E_NOT_FINITE, 4, [](Bench& b, carom_error* e) { return carom_body_set_velocity(b.world, b.bodies[0], kZero, kNan3, e); }},
+    {"velocity of a static body", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return carom_body_set_velocity(b.world, b.ground, kOne, kZero, e); }},
+    {"spin of a static body", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { return carom_body_set_velocity(b.world, b.ground, kZero, kOne, e); }},
+    {"force: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_body_add_force(nullptr, b.bodies[0], kZero, kZero, e); }},
+    {"force: null", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_body_add_force(b.world, b.bodies[0], nullptr, kZero, e); }},
+    {"torque: null", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { return carom_body_add_force(b.world, b.bodies[0], kZero, nullptr, e); }},
+    {"force: nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return carom_body_add_force(b.world, b.bodies[0], kNan3, kZero, e); }},
+    {"torque: inf", CAROM_E_NOT_FINITE, 4, [](Bench& b, carom_error* e) { return carom_body_add_force(b.world, b.bodies[0], kZero, kInf3, e); }},
+    {"impulse: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_body_add_impulse(nullptr, b.bodies[0], kZero, kZero, e); }},
+    {"impulse: null", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_body_add_impulse(b.world, b.bodies[0], nullptr, kZero, e); }},
+    {"impulse point: null", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { return carom_body_add_impulse(b.world, b.bodies[0], kZero, nullptr, e); }},
+    {"impulse: nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return carom_body_add_impulse(b.world, b.bodies[0], kNan3, kZero, e); }},
+    {"impulse point: nan", CAROM_E_NOT_FINITE, 4, [](Bench& b, carom_error* e) { return carom_body_add_impulse(b.world, b.bodies[0], kZero, kNan3, e); }},
+};
+
+const Row kCollider[] = {
+    {"material: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { carom_material o; auto d = material_desc(); return carom_material_create(nullptr, &d, &o, e); }},
+    {"material: desc", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { carom_material o; return carom_material_create(b.world, nullptr, &o, e); }},
+    {"material: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { auto d = material_desc(); return carom_material_create(b.world, &d, nullptr, e); }},
+    {"material: friction", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return create_material(b, with<carom_material_desc>(material_desc(), [](auto& d) { d.friction = -0.1; }), e); }},
+    {"material: friction nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return create_material(b, with<carom_material_desc>(material_desc(), [](auto& d) { d.friction = kNan; }), e); }},
+    {"material: restitution", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return create_material(b, with<carom_material_desc>(material_desc(), [](auto& d) { d.restitution = 1.1; }), e); }},
+    {"material: mix", CAROM_E_UNKNOWN_ENUM, 2, [](Bench& b, carom_error* e) { return create_material(b, with<carom_material_desc>(material_desc(), [](auto& d) { d.friction_mix = 5; }), e); }},
+    {"material: other mix", CAROM_E_UNKNOWN_ENUM, 2, [](Bench& b, carom_error* e) { return create_material(b, with<carom_material_desc>(material_desc(), [](auto& d) { d.restitution_mix = 99; }), e); }},
+    {"material: reserved", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { return create_material(b, with<carom_material_desc>(material_desc(), [](auto& d) { d.reserved = 1; }), e); }},
+    {"update material: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { auto d = material_desc(); return carom_material_update(nullptr, b.material, &d, e); }},
+    {"update material: desc", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_material_update(b.world, b.material, nullptr, e); }},
+    {"update material: friction", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { auto d = material_desc(); d.friction = 1001; return carom_material_update(b.world, b.material, &d, e); }},
+    {"destroy material: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_material_destroy(nullptr, b.material, e); }},
+    {"destroy material in use", CAROM_E_IN_USE, 2, [](Bench& b, carom_error* e) { return carom_material_destroy(b.world, b.material, e); }},
+    {"collider: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { carom_collider o; auto d = collider_desc(b); return carom_collider_create(nullptr, b.bodies[0], &d, &o, e); }},
+    {"collider: desc", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { carom_collider o; return carom_collider_create(b.world, b.bodies[0], nullptr, &o, e); }},
+    {"collider: out", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { auto d = collider_desc(b); return carom_collider_create(b.world, b.bodies[0], &d, nullptr, e); }},
+    {"collider: reserved", CAROM_E_UNSUPPORTED, 3, [](Bench& b, carom_error* e) { return create_collider(b, with<carom_collider_desc>(collider_desc(b), [](auto& d) { d.reserved = 1; }), e); }},
+    {"collider: position", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return create_collider(b, with<carom_collider_desc>(collider_desc(b), [](auto& d) { d.position[0] = kNan; }), e); }},
+    {"collider: orientation", CAROM_E_NOT_UNIT, 3, [](Bench& b, carom_error* e) { return create_collider(b, with<carom_collider_desc>(collider_desc(b), [](auto& d) { d.orientation[0] = 1; }), e); }},
+    {"collider: density", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return create_collider(b, with<carom_collider_desc>(collider_desc(b), [](auto& d) { d.density = -1; }), e); }},
+    {"collider: density inf", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return create_collider(b, with<carom_collider_desc>(collider_desc(b), [](auto& d) { d.density = kInf; }), e); }},
+    {"collider: half-space that moves", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { auto d = collider_desc(b); d.shape = b.floor; return create_collider(b, d, e); }},
+    {"destroy collider: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_collider_destroy(nullptr, b.colliders[0], e); }},
+    {"get collider: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { auto d = collider_desc(b); carom_body o; return carom_collider_get(nullptr, b.colliders[0], &d, &o, e); }},
+    {"get collider: desc", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { carom_body o; return carom_collider_get(b.world, b.colliders[0], nullptr, &o, e); }},
+    {"get collider: body", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { auto d = collider_desc(b); return carom_collider_get(b.world, b.colliders[0], &d, nullptr, e); }},
+};
+
+const Row kBulk[] = {
+    {"bodies: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_get_bodies(nullptr, nullptr, 0, &n, e); }},
+    {"bodies: count", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { return carom_world_get_bodies(b.world, nullptr, 0, nullptr, e); }},
+    {"read: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { double o[7]; return carom_world_read(nullptr, 0, 1, b.bodies, 1, o, 0, e); }},
+    {"read: field", CAROM_E_UNKNOWN_ENUM, 2, [](Bench& b, carom_error* e) { double o[7]; return carom_world_read(b.world, CAROM_FIELD_COUNT, 1, b.bodies, 1, o, 0, e); }},
+    {"read: scalar", CAROM_E_UNKNOWN_ENUM, 3, [](Bench& b, carom_error* e) { double o[7]; return carom_world_read(b.world, 0, 2, b.bodies, 1, o, 0, e); }},
+    {"read: n", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { double o[7]; return carom_world_read(b.world, 0, 1, nullptr, 1, o, 0, e); }},
+    {"read: dst", CAROM_E_NULL_ARGUMENT, 6, [](Bench& b, carom_error* e) { return carom_world_read(b.world, 0, 1, b.bodies, 1, nullptr, 0, e); }},
+    {"read: stride", CAROM_E_BUFFER_TOO_SMALL, 7, [](Bench& b, carom_error* e) { double o[7]; return carom_world_read(b.world, CAROM_FIELD_POSE, 1, b.bodies, 1, o, 55, e); }},
+    {"write: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_world_write(nullptr, 0, 1, b.bodies, 1, kZero, 0, e); }},
+    {"write: field", CAROM_E_UNKNOWN_ENUM, 2, [](Bench& b, carom_error* e) { return carom_world_write(b.world, 77, 1, b.bodies, 1, kZero, 0, e); }},
+    {"write: read-only", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { return carom_world_write(b.world, CAROM_FIELD_MASS, 1, b.bodies, 1, kOne, 0, e); }},
+    {"write: centre", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { return carom_world_write(b.world, CAROM_FIELD_CENTER, 1, b.bodies, 1, kOne, 0, e); }},
+    {"write: scalar", CAROM_E_UNKNOWN_ENUM, 3, [](Bench& b, carom_error* e) { return carom_world_write(b.world, 0, 9, b.bodies, 1, kZero, 0, e); }},
+    {"write: n", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { return carom_world_write(b.world, 0, 1, nullptr, 2, kZero, 0, e); }},
+    {"write: src", CAROM_E_NULL_ARGUMENT, 6, [](Bench& b, carom_error* e) { return carom_world_write(b.world, 0, 1, b.bodies, 1, nullptr, 0, e); }},
+    {"write: stride", CAROM_E_BUFFER_TOO_SMALL, 7, [](Bench& b, carom_error* e) { return carom_world_write(b.world, 0, 1, b.bodies, 1, kZero, 8, e); }},
+    {"write: second is nan", CAROM_E_NOT_FINITE, 6, [](Bench& b, carom_error* e) { const double p[6] = {9, 9, 9, 9, kNan, 9}; return carom_world_write(b.world, 0, 1, b.bodies, 2, p, 0, e); }},
+    {"write: second is not unit", CAROM_E_NOT_UNIT, 6, [](Bench& b, carom_error* e) { const double q[8] = {1, 0, 0, 0, 0, 0, 0, 0.9}; return carom_world_write(b.world, CAROM_FIELD_ORIENTATION, 1, b.bodies, 2, q, 0, e); }},
+    {"write: float nan", CAROM_E_NOT_FINITE, 6, [](Bench& b, carom_error* e) { const float v[3] = {0, static_cast<float>(kNan), 0}; return carom_world_write(b.world, CAROM_FIELD_LINEAR_VELOCITY, 0, b.bodies, 1, v, 0, e); }},
+    {"write: velocity of a static body", CAROM_E_OUT_OF_RANGE, 6, [](Bench& b, carom_error* e) { const double v[6] = {0, 0, 0, 0, 0, 1}; return carom_world_write(b.world, CAROM_FIELD_VELOCITY, 1, &b.ground, 1, v, 0, e); }},
+};
+
+const Row kQuery[] = {
+    {"distance: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { carom_distance r = {}; r.struct_size = sizeof r; return carom_shape_distance(nullptr, b.ball, kZero, kUpright, b.ball, kZero, kUpright, nullptr, &r, e); }},
+    {"distance: position_a", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return measure(b, nullptr, kUpright, kZero, kUpright, nullptr, e); }},
+    {"distance: orientation_a", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { return measure(b, kZero, nullptr, kZero, kUpright, nullptr, e); }},
+    {"distance: position_b", CAROM_E_NULL_ARGUMENT, 6, [](Bench& b, carom_error* e) { return measure(b, kZero, kUpright, nullptr, kUpright, nullptr, e); }},
+    {"distance: orientation_b", CAROM_E_NULL_ARGUMENT, 7, [](Bench& b, carom_error* e) { return measure(b, kZero, kUpright, kZero, nullptr, nullptr, e); }},
+    {"distance: nan", CAROM_E_NOT_FINITE, 6, [](Bench& b, carom_error* e) { return measure(b, kZero, kUpright, kNan3, kUpright, nullptr, e); }},
+    {"distance: inf", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return measure(b, kInf3, kUpright, kZero, kUpright, nullptr, e); }},
+    {"distance: long", CAROM_E_NOT_UNIT, 4, [](Bench& b, carom_error* e) { return measure(b, kZero, kLong, kZero, kUpright, nullptr, e); }},
+    {"distance: zero turn", CAROM_E_NOT_UNIT, 7, [](Bench& b, carom_error* e) { return measure(b, kZero, kUpright, kZero, kZero4, nullptr, e); }},
+    {"distance: simplex", CAROM_E_UNKNOWN_ENUM, 8, [](Bench& b, carom_error* e) { auto d = distance_desc(); d.simplex = 3; return measure(b, kZero, kUpright, kZero, kUpright, &d, e); }},
+    {"distance: narrow", CAROM_E_UNKNOWN_ENUM, 8, [](Bench& b, carom_error* e) { auto d = distance_desc(); d.narrow_phase = 2; return measure(b, kZero, kUpright, kZero, kUpright, &d, e); }},
+    {"distance: routines", CAROM_E_UNKNOWN_ENUM, 8, [](Bench& b, carom_error* e) { auto d = distance_desc(); d.pair_routines = 2; return measure(b, kZero, kUpright, kZero, kUpright, &d, e); }},
+    {"distance: tolerance", CAROM_E_OUT_OF_RANGE, 8, [](Bench& b, carom_error* e) { auto d = distance_desc(); d.tolerance = 0; return measure(b, kZero, kUpright, kZero, kUpright, &d, e); }},
+    {"distance: tolerance nan", CAROM_E_NOT_FINITE, 8, [](Bench& b, carom_error* e) { auto d = distance_desc(); d.tolerance = kNan; return measure(b, kZero, kUpright, kZero, kUpright, &d, e); }},
+    {"distance: margin", CAROM_E_OUT_OF_RANGE, 8, [](Bench& b, carom_error* e) { auto d = distance_desc(); d.hybrid_margin = -1; return measure(b, kZero, kUpright, kZero, kUpright, &d, e); }},
+    {"distance: gjk cap", CAROM_E_OUT_OF_RANGE, 8, [](Bench& b, carom_error* e) { auto d = distance_desc(); d.gjk_iterations = 0; return measure(b, kZero, kUpright, kZero, kUpright, &d, e); }},
+    {"distance: epa cap", CAROM_E_OUT_OF_RANGE, 8, [](Bench& b, carom_error* e) { auto d = distance_desc(); d.epa_iterations = 100000000; return measure(b, kZero, kUpright, kZero, kUpright, &d, e); }},
+    {"distance: result", CAROM_E_NULL_ARGUMENT, 9, [](Bench& b, carom_error* e) { return carom_shape_distance(b.engine, b.ball, kZero, kUpright, b.ball, kZero, kUpright, nullptr, nullptr, e); }},
+    {"distance: result size", CAROM_E_STRUCT_SIZE, 9, [](Bench& b, carom_error* e) { carom_distance r = {}; return carom_shape_distance(b.engine, b.ball, kZero, kUpright, b.ball, kZero, kUpright, nullptr, &r, e); }},
+    {"distance: half-spaces", CAROM_E_UNSUPPORTED, 5, [](Bench& b, carom_error* e) { carom_distance r = {}; r.struct_size = sizeof r; return carom_shape_distance(b.engine, b.floor, kZero, kUpright, b.floor, kZero, kUpright, nullptr, &r, e); }},
+};
+
+template <std::size_t N>
+void each_is_refused(const Row (&rows)[N]) {
+  Bench b;
+  assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
+  assert_int_equal(bench_steps(b.world, 40, nullptr), CAROM_OK);  // something has touched something
+  const Bench before = b;
+  const uint64_t hash = bench_hash(b.world);
+  for (const Row& row : rows) {
+    carom_error e = CAROM_ERROR_INIT;
+    const int32_t result = row.call(b, &e);
+    if (result != row.code || e.argument != row.argument)
+      print_error("%s: %s, argument %d (%s), wanted %s, argument %d\n", row.what, carom_result_name(result), e.argument,
+                  e.message, carom_result_name(row.code), row.argument);
+    assert_int_equal(result, row.code);
+    assert_int_equal(e.code, row.code);
+    assert_int_equal(e.argument, row.argument);
+    assert_true(std::strlen(e.message) > 8);
+    assert_string_equal(e.remedy, carom_result_remedy(row.code));
+    assert_int_equal(row.call(b, nullptr), row.code);
+    assert_true(bench_hash(b.world) == hash);
+    assert_memory_equal(&b, &before, sizeof b);  // nothing written to an output
+  }
+  // And the world goes on as one that nobody disturbed.
+  Bench other;
+  assert_int_equal(bench_make(&other, nullptr, nullptr), CAROM_OK);
+  assert_int_equal(bench_steps(other.world, 80, nullptr), CAROM_OK);
+  assert_int_equal(bench_steps(b.world, 40, nullptr), CAROM_OK);
+  assert_true(bench_hash(b.world) == bench_hash(other.world));
+  assert_int_equal(bench_free(&other), CAROM_OK);
+  assert_int_equal(bench_free(&b), CAROM_OK);
+}
+
+void every_wrong_argument_of_engines_and_plugins_is_refused(void**) { each_is_refused(kEngine); }
+void every_wrong_argument_of_shapes_is_refused(void**) { each_is_refused(kShape); }
+void every_wrong_argument_of_worlds_and_dials_is_refused(void**) { each_is_refused(kWorld); }
+void every_wrong_argument_of_bodies_is_refused(void**) { each_is_refused(kBody); }
+void every_wrong_argument_of_materials_and_colliders_is_refused(void**) { each_is_refused(kCollider); }
+void every_wrong_argument_of_bulk_calls_is_refused(void**) { each_is_refused(kBulk); }
+void every_wrong_argument_of_queries_is_refused(void**) { each_is_refused(kQuery); }
+
+void every_result_has_its_own_name_and_a_remedy(void**) {
+  std::set<std::string> names;
+  for (int32_t code = CAROM_E_INTERNAL; code <= CAROM_OK; ++code) {
+    const std::string name = carom_result_name(code);
+    assert_true(name.rfind("CAROM_", 0) == 0 && name != "CAROM_E_?");
+    assert_true(names.insert(name).second);
+    assert_true(std::strlen(carom_result_remedy(code)) > 8);
+  }
+  for (int32_t code : {1, -27, INT32_MAX, INT32_MIN}) {
+    assert_string_equal(carom_result_name(code), "CAROM_E_?");
+    assert_non_null(carom_result_remedy(code));
+  }
+}
+
+void calls_without_an_error_object_refuse_null_too(void**) {
+  uint32_t v;
+  assert_int_equal(carom_version(nullptr, &v, &v), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_version(&v, nullptr, &v), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_version(&v, &v, nullptr), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_engine_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_world_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_material_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_body_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_collider_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_distance_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_dial_get_count(nullptr), CAROM_E_NULL_ARGUMENT);
+}
+
+void a_flat_shape_on_a_body_without_mass_has_no_volume(void**) {
+  Bench b;
+  assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
+  const double tile[3] = {1, 0, 1};
+  carom_shape flat;
+  assert_int_equal(carom_shape_create(b.engine, b.box, tile, 3, &flat, nullptr), CAROM_OK);
+  carom_collider_desc d = collider_desc(b);
+  d.shape = flat;
+  carom_error e = CAROM_ERROR_INIT;
+  assert_int_equal(create_collider(b, d, &e), CAROM_E_NO_VOLUME);
+  assert_int_equal(e.argument, 3);
+  d.density = 0;
+  assert_int_equal(create_collider(b, d, nullptr), CAROM_OK);
+  assert_int_equal(bench_free(&b), CAROM_OK);
+}
+
+void an_error_object_that_is_none_is_refused_and_left_alone(void**) {
+  carom_error e = CAROM_ERROR_INIT;
+  e.struct_size = 4;
+  e.code = 77;
+  carom_engine* engine = nullptr;
+  assert_int_equal(carom_engine_create(nullptr, &engine, &e), CAROM_E_STRUCT_SIZE);
+  assert_null(engine);
+  assert_int_equal(e.code, 77);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(every_wrong_argument_of_engines_and_plugins_is_refused),
+      cmocka_unit_test(every_wrong_argument_of_shapes_is_refused),
+      cmocka_unit_test(every_wrong_argument_of_worlds_and_dials_is_refused),
+      cmocka_unit_test(every_wrong_argument_of_bodies_is_refused),
+      cmocka_unit_test(every_wrong_argument_of_materials_and_colliders_is_refused),
+      cmocka_unit_test(every_wrong_argument_of_bulk_calls_is_refused),
+      cmocka_unit_test(every_wrong_argument_of_queries_is_refused),
+      cmocka_unit_test(every_result_has_its_own_name_and_a_remedy),
+      cmocka_unit_test(calls_without_an_error_object_refuse_null_too),
+      cmocka_unit_test(a_flat_shape_on_a_body_without_mass_has_no_volume),
+      cmocka_unit_test(an_error_object_that_is_none_is_refused_and_left_alone),
+  };
+  return cmocka_run_group_tests_name("abi/errors", tests, nullptr, nullptr);
+}
