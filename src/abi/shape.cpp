@@ -102,18 +102,18 @@ bool settle_form(Call& call, const PluginRecord& plugin, FormNumbers& form, Shap
 }
 
 /// Mass properties from a verified declaration of mass, else from the verified form, else from support alone.
-bool settle_mass(Call& call, const PluginRecord& plugin, const FormNumbers& form, Shape& shape) {
+bool settle_mass(Call& call, const PluginRecord& plugin, const FormNumbers& form, Memory* memory, Shape& shape) {
   const char* id = plugin.id.c_str();
   const carom_geometry& g = plugin.geometry;
   if (g.mass_form != CAROM_FORM_NONE) {
     FormNumbers m;
     if (!read_form(call, id, g.mass_form, g.mass_arg, shape.params, m)) return false;
-    shape.mass = mass_from_form(m.form, m.radius, m.half_height, m.half, m.vertices);
+    shape.mass = mass_from_form(m.form, m.radius, m.half_height, m.half, m.vertices, memory);
     const Verdict verdict = verify_mass(shape, shape.mass);
     return verdict.honest || declaration_false(call, id, "mass", verdict);
   }
   if (form.form != Form::none) {
-    shape.mass = mass_from_form(form.form, form.radius, form.half_height, form.half, form.vertices);
+    shape.mass = mass_from_form(form.form, form.radius, form.half_height, form.half, form.vertices, memory);
     return true;
   }
   SupportFault fault;
@@ -122,7 +122,8 @@ bool settle_mass(Call& call, const PluginRecord& plugin, const FormNumbers& form
 }
 
 /// Everything that is known of a shape, each claim checked.
-bool settle(Call& call, const PluginRecord& plugin, const double* params, std::uint64_t count, Shape& shape) {
+bool settle(Call& call, const PluginRecord& plugin, const double* params, std::uint64_t count, Memory* memory,
+            Shape& shape) {
   const FloatScope scope;
   const char* id = plugin.id.c_str();
   shape.params.assign(params, params + count);
@@ -138,7 +139,7 @@ bool settle(Call& call, const PluginRecord& plugin, const double* params, std::u
   SupportFault fault;
   if (!derive_bounds(shape, fault)) return dishonest(call, id, fault);
   FormNumbers form;
-  if (!settle_form(call, plugin, form, shape) || !settle_mass(call, plugin, form, shape)) return false;
+  if (!settle_form(call, plugin, form, shape) || !settle_mass(call, plugin, form, memory, shape)) return false;
   return float_environment_is_default() ||
          call.fail(CAROM_E_PLUGIN_DISHONEST, 2, "%s: the support function changes the floating-point environment", id);
 }
@@ -225,7 +226,8 @@ int32_t carom_shape_create(carom_engine* engine, carom_plugin plugin, const doub
     PluginPin pin(*engine);
     if (!pin.take(call, 2, plugin) || !check_params(call, *pin.get(), params, count)) return;
     Draft draft(&engine->memory);
-    if (settle(call, *pin.get(), params, count, *draft.shape) && add(call, *engine, draft, pin.get(), plugin, shape))
+    if (settle(call, *pin.get(), params, count, draft.memory, *draft.shape) &&
+        add(call, *engine, draft, pin.get(), plugin, shape))
       pin.keep();
   });
 }

@@ -1,0 +1,242 @@
+// Handles are told apart in every build: never issued, destroyed, of another kind, of another world. A handle of a
+// destroyed object never reaches the object that took its place.
+#include <vector>
+
+#include "bench.h"
+
+#include "carom_test.h"
+
+namespace {
+
+enum Kind { kPlugin, kShape, kMaterial, kBody, kCollider, kKinds };
+
+/// One handle argument of one call.
+struct Place {
+  const char* what;
+  Kind kind;
+  int32_t argument;
+  int32_t (*call)(Bench& b, uint64_t handle, carom_error* e);
+};
+
+const double kZero[3] = {0, 0, 0}, kUp[3] = {0, 1, 0}, kUpright[4] = {0, 0, 0, 1};
+
+int32_t measure(Bench& b, carom_shape s, carom_shape t, carom_error* e) {
+  carom_distance r = {};
+  r.struct_size = sizeof r;
+  return carom_shape_distance(b.engine, s, kZero, kUpright, t, kZero, kUpright, nullptr, &r, e);
+}
+
+int32_t put_on(Bench& b, carom_body body, carom_shape shape, carom_material material, carom_error* e) {
+  carom_collider_desc d;
+  carom_collider_desc_init(&d);
+  d.shape = shape;
+  d.material = material;
+  carom_collider out;
+  return carom_collider_create(b.world, body, &d, &out, e);
+}
+
+const Place kPlaces[] = {
+    {"plugin_unload", kPlugin, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_plugin_unload(b.engine, h, e); }},
+    {"plugin_describe", kPlugin, 2, [](Bench& b, uint64_t h, carom_error* e) { const carom_shape_plugin* p; return carom_plugin_describe(b.engine, h, &p, e); }},
+    {"shape_create", kPlugin, 2, [](Bench& b, uint64_t h, carom_error* e) { double r = 1; carom_shape s; return carom_shape_create(b.engine, h, &r, 1, &s, e); }},
+    {"shape_destroy", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_shape_destroy(b.engine, h, e); }},
+    {"shape_get_info", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_shape_info i = {}; i.struct_size = sizeof i; return carom_shape_get_info(b.engine, h, &i, e); }},
+    {"shape_get_params", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { double p[3]; uint64_t n = 3; return carom_shape_get_params(b.engine, h, p, &n, e); }},
+    {"shape_support", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { double p[3]; return carom_shape_support(b.engine, h, kUp, 1, p, e); }},
+    {"shape_distance a", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return measure(b, h, b.ball, e); }},
+    {"shape_distance b", kShape, 5, [](Bench& b, uint64_t h, carom_error* e) { return measure(b, b.ball, h, e); }},
+    {"material_update", kMaterial, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_material_desc d; carom_material_desc_init(&d); return carom_material_update(b.world, h, &d, e); }},
+    {"material_destroy", kMaterial, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_material_destroy(b.world, h, e); }},
+    {"collider_create shape", kShape, 3, [](Bench& b, uint64_t h, carom_error* e) { return put_on(b, b.bodies[0], h, CAROM_NULL_HANDLE, e); }},
+    {"collider_create material", kMaterial, 3, [](Bench& b, uint64_t h, carom_error* e) { return h ? put_on(b, b.bodies[0], b.ball, h, e) : CAROM_E_INVALID_HANDLE; }},
+    {"collider_create body", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return put_on(b, h, b.ball, CAROM_NULL_HANDLE, e); }},
+    {"collider_destroy", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_collider_destroy(b.world, h, e); }},
+    {"collider_get", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_collider_desc d; carom_collider_desc_init(&d); carom_body o; return carom_collider_get(b.world, h, &d, &o, e); }},
+    {"body_destroy", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_destroy(b.world, h, e); }},
+    {"body_get", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_body_desc d; carom_body_desc_init(&d); return carom_body_get(b.world, h, &d, e); }},
+    {"body_set_pose", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_set_pose(b.world, h, kZero, kUpright, e); }},
+    {"body_set_velocity", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_set_velocity(b.world, h, kUp, kUp, e); }},
+    {"body_add_force", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_add_force(b.world, h, kUp, kUp, e); }},
+    {"body_add_impulse", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_add_impulse(b.world, h, kUp, kUp, e); }},
+    {"world_read", kBody, 4, [](Bench& b, uint64_t h, carom_error* e) { const carom_body two[2] = {b.bodies[0], h}; double p[6]; return carom_world_read(b.world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, two, 2, p, 0, e); }},
+    {"world_write", kBody, 4, [](Bench& b, uint64_t h, carom_error* e) { const carom_body two[2] = {b.bodies[0], h}; const double p[6] = {7, 7, 7, 7, 7, 7}; return carom_world_write(b.world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, two, 2, p, 0, e); }},
+};
+
+/// A good handle of a kind.
+uint64_t good(const Bench& b, int kind) {
+  const uint64_t handles[kKinds] = {b.sphere, b.ball, b.material, b.bodies[1], b.colliders[1]};
+  return handles[kind];
+}
+
+struct Stage {
+  Bench own, other;             // other: another engine and another world
+  carom_world* second;          // another world of the same engine
+  carom_body second_body;
+  carom_collider second_collider;
+  uint64_t stale[kKinds];       // of `own`, destroyed, the slot taken again
+  uint64_t successor[kKinds];   // what took the slot
+};
+
+/// Make, destroy, make again: the second takes the place of the first.
+void replace(Stage& s) {
+  Bench& b = s.own;
+  static carom_shape_plugin spare = bench_plugin("test.spare", bench_radius_params, 1, nullptr, bench_point);
+  for (uint64_t* out : {s.stale, s.successor}) {
+    const double radius = 2;
+    carom_material_desc material;
+    carom_material_desc_init(&material);
+    assert_int_equal(carom_plugin_register(b.engine, &spare, &out[kPlugin], nullptr), CAROM_OK);
+    assert_int_equal(carom_shape_create(b.engine, b.sphere, &radius, 1, &out[kShape], nullptr), CAROM_OK);
+    assert_int_equal(carom_material_create(b.world, &material, &out[kMaterial], nullptr), CAROM_OK);
+    assert_int_equal(bench_body(b.world, b.ball, 0, CAROM_BODY_DYNAMIC, 50, 50, 50, &out[kBody], &out[kCollider], nullptr),
+                     CAROM_OK);
+    if (out == s.successor) break;
+    assert_int_equal(carom_collider_destroy(b.world, out[kCollider], nullptr), CAROM_OK);
+    assert_int_equal(carom_body_destroy(b.world, out[kBody], nullptr), CAROM_OK);
+    assert_int_equal(carom_material_destroy(b.world, out[kMaterial], nullptr), CAROM_OK);
+    assert_int_equal(carom_shape_destroy(b.engine, out[kShape], nullptr), CAROM_OK);
+    assert_int_equal(carom_plugin_unload(b.engine, out[kPlugin], nullptr), CAROM_OK);
+  }
+  for (int k = 0; k < kKinds; ++k) {
+    assert_true(s.stale[k] != s.successor[k]);
+    assert_true((s.stale[k] & 0xFFFFFF) == (s.successor[k] & 0xFFFFFF));  // the same slot, or this test proves nothing
+  }
+}
+
+int make(void** state) {
+  static Stage s;
+  s = Stage();
+  assert_int_equal(bench_make(&s.own, nullptr, nullptr), CAROM_OK);
+  assert_int_equal(bench_make(&s.other, nullptr, nullptr), CAROM_OK);
+  assert_int_equal(carom_world_create(s.own.engine, nullptr, &s.second, nullptr), CAROM_OK);
+  assert_int_equal(bench_body(s.second, s.own.ball, 0, CAROM_BODY_DYNAMIC, 0, 0, 0, &s.second_body, &s.second_collider,
+                              nullptr), CAROM_OK);
+  replace(s);
+  assert_int_equal(bench_steps(s.own.world, 40, nullptr), CAROM_OK);
+  *state = &s;
+  return 0;
+}
+
+int clear(void** state) {
+  Stage& s = *static_cast<Stage*>(*state);
+  assert_int_equal(carom_world_destroy(s.second, nullptr), CAROM_OK);
+  assert_int_equal(bench_free(&s.other), CAROM_OK);
+  assert_int_equal(bench_free(&s.own), CAROM_OK);
+  return 0;
+}
+
+void expect(Stage& s, const Place& place, uint64_t handle, int32_t code) {
+  const uint64_t hash = bench_hash(s.own.world);
+  carom_error e = CAROM_ERROR_INIT;
+  const int32_t result = place.call(s.own, handle, &e);
+  if (result != code)
+    print_error("%s of 0x%016llx: %s, wanted %s\n", place.what, static_cast<unsigned long long>(handle),
+                carom_result_name(result), carom_result_name(code));
+  assert_int_equal(result, code);
+  if (handle) assert_int_equal(e.argument, place.argument);
+  assert_true(bench_hash(s.own.world) == hash);
+}
+
+void a_destroyed_object_is_stale_and_its_successor_untouched(void** state) {
+  Stage& s = *static_cast<Stage*>(*state);
+  carom_body_desc before = {}, after = {};
+  before.struct_size = after.struct_size = sizeof before;
+  assert_int_equal(carom_body_get(s.own.world, s.successor[kBody], &before, nullptr), CAROM_OK);
+  for (const Place& place : kPlaces) expect(s, place, s.stale[place.kind], CAROM_E_STALE_HANDLE);
+  assert_int_equal(carom_body_get(s.own.world, s.successor[kBody], &after, nullptr), CAROM_OK);
+  assert_memory_equal(&before, &after, sizeof before);
+}
+
+void a_handle_never_issued_is_invalid(void** state) {
+  Stage& s = *static_cast<Stage*>(*state);
+  for (const Place& place : kPlaces) {
+    const uint64_t h = good(s.own, place.kind);
+    const uint64_t wrong[] = {0,
+                              1,
+                              h & ~(uint64_t(15) << 60),   // kind 0
+                              h | (uint64_t(15) << 60),    // kind 15
+                              h | 0xFFFFFF,                // a slot beyond all
+                              h | (uint64_t(0xFFFFF) << 24),  // a generation yet to come
+                              h & ~(uint64_t(0xFFFFF) << 24), // generation 0
+                              0x5555555555555555ull & ~(uint64_t(15) << 60)};
+    for (uint64_t w : wrong) expect(s, place, w, CAROM_E_INVALID_HANDLE);
+  }
+}
+
+void a_handle_of_another_kind_is_told_so(void** state) {
+  Stage& s = *static_cast<Stage*>(*state);
+  for (const Place& place : kPlaces)
+    for (int kind = 0; kind < kKinds; ++kind)
+      if (kind != place.kind) {
+        expect(s, place, good(s.own, kind), CAROM_E_WRONG_KIND);
+        expect(s, place, good(s.other, kind), CAROM_E_WRONG_KIND);
+      }
+}
+
+void a_handle_of_another_world_or_engine_is_told_so(void** state) {
+  Stage& s = *static_cast<Stage*>(*state);
+  for (const Place& place : kPlaces) {
+    expect(s, place, good(s.other, place.kind), CAROM_E_WRONG_WORLD);
+    if (place.kind == kBody) expect(s, place, s.second_body, CAROM_E_WRONG_WORLD);
+    if (place.kind == kCollider) expect(s, place, s.second_collider, CAROM_E_WRONG_WORLD);
+  }
+}
+
+void good_handles_work(void** state) {
+  Stage& s = *static_cast<Stage*>(*state);
+  for (const Place& place : kPlaces) {
+    carom_error e = CAROM_ERROR_INIT;
+    const int32_t result = place.call(s.own, good(s.own, place.kind), &e);
+    if (result != CAROM_OK && result != CAROM_E_IN_USE) print_error("%s: %s\n", place.what, e.message);
+    assert_true(result == CAROM_OK || result == CAROM_E_IN_USE);
+    if (std::strstr(place.what, "body_destroy") || std::strstr(place.what, "collider_destroy")) {
+      assert_int_equal(place.call(s.own, good(s.own, place.kind), nullptr), CAROM_E_STALE_HANDLE);
+      // Both left with it: give the rest of the table something to work on.
+      s.own.bodies[1] = s.own.bodies[2];
+      s.own.colliders[1] = s.own.colliders[2];
+    }
+  }
+}
+
+void colliders_of_a_destroyed_body_are_stale(void**) {
+  Bench b;
+  assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_destroy(b.world, b.bodies[0], nullptr), CAROM_OK);
+  carom_collider_desc d;
+  carom_collider_desc_init(&d);
+  carom_body body;
+  assert_int_equal(carom_collider_get(b.world, b.colliders[0], &d, &body, nullptr), CAROM_E_STALE_HANDLE);
+  assert_int_equal(bench_free(&b), CAROM_OK);
+}
+
+void a_slot_reused_a_thousand_times_never_gives_the_same_handle(void**) {
+  Bench b;
+  assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
+  std::vector<carom_body> seen;
+  carom_body_desc d;
+  carom_body_desc_init(&d);
+  for (int i = 0; i < 1000; ++i) {
+    carom_body body;
+    assert_int_equal(carom_body_create(b.world, &d, &body, nullptr), CAROM_OK);
+    for (carom_body other : seen) assert_true(other != body);
+    seen.push_back(body);
+    assert_int_equal(carom_body_destroy(b.world, body, nullptr), CAROM_OK);
+  }
+  for (carom_body old : seen) assert_int_equal(carom_body_destroy(b.world, old, nullptr), CAROM_E_STALE_HANDLE);
+  assert_int_equal(bench_free(&b), CAROM_OK);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(a_destroyed_object_is_stale_and_its_successor_untouched, make, clear),
+      cmocka_unit_test_setup_teardown(a_handle_never_issued_is_invalid, make, clear),
+      cmocka_unit_test_setup_teardown(a_handle_of_another_kind_is_told_so, make, clear),
+      cmocka_unit_test_setup_teardown(a_handle_of_another_world_or_engine_is_told_so, make, clear),
+      cmocka_unit_test_setup_teardown(good_handles_work, make, clear),
+      cmocka_unit_test(colliders_of_a_destroyed_body_are_stale),
+      cmocka_unit_test(a_slot_reused_a_thousand_times_never_gives_the_same_handle),
+  };
+  return cmocka_run_group_tests_name("abi/handles", tests, nullptr, nullptr);
+}
