@@ -104,6 +104,14 @@ carom_body_desc describe(const World& world, std::uint32_t slot) {
   return d;
 }
 
+void remove(carom_engine& engine, World& world, std::uint32_t body) {
+  const Scene& scene = world.scene;
+  for (std::uint32_t c = 0; c < scene.collider_slots.slots(); ++c)
+    if (scene.collider_slots.alive(c) && scene.colliders.body[c] == body) release_collider(engine, world, c);
+  std::erase_if(world.fault_views, [&](const FaultView& v) { return v.body == body; });
+  world.remove_body(body);
+}
+
 bool resolve_body(Call& call, const World& world, carom_body body) {
   return resolve(call, 2, "body", world.scene.bodies, body);
 }
@@ -150,8 +158,8 @@ int32_t carom_body_destroy(carom_world* world, carom_body body, carom_error* err
   return guarded(error, [&](Call& call) {
     const Changing changing(call, world);
     if (!changing || !resolve_body(call, *changing, body)) return;
-    unuse_shapes_of(changing.engine(), *changing, handle_slot(body));
-    changing->remove_body(handle_slot(body));
+    const FloatScope scope;
+    remove(changing.engine(), *changing, handle_slot(body));
   });
 }
 

@@ -72,11 +72,13 @@ carom_collider_desc describe(const World& world, std::uint32_t slot) {
 
 }  // namespace
 
-void unuse_shapes_of(carom_engine& engine, const World& world, std::uint32_t body) {
-  const Scene& scene = world.scene;
-  for (std::uint32_t c = 0; c < scene.collider_slots.slots(); ++c)
-    if (scene.collider_slots.alive(c) && scene.colliders.body[c] == body)
-      unuse_shape(engine, *scene.colliders.shape[c]);
+void release_collider(carom_engine& engine, World& world, std::uint32_t collider) {
+  const Colliders& c = world.scene.colliders;
+  const Shape* shape = c.shape[collider];
+  std::erase_if(world.contact_views,
+                [&](const ContactView& v) { return v.collider_a == collider || v.collider_b == collider; });
+  std::erase_if(world.fault_views, [&](const FaultView& v) { return v.support.shape == shape; });
+  unuse_shape(engine, *shape);
 }
 
 }  // namespace carom::abi
@@ -107,9 +109,8 @@ int32_t carom_collider_destroy(carom_world* world, carom_collider collider, caro
     const Changing changing(call, world);
     if (!changing || !resolve(call, 2, "collider", changing->scene.collider_slots, collider)) return;
     const FloatScope scope;
-    const Shape* shape = changing->scene.colliders.shape[handle_slot(collider)];
+    release_collider(changing.engine(), *changing, handle_slot(collider));
     changing->remove_collider(handle_slot(collider));
-    unuse_shape(changing.engine(), *shape);
   });
 }
 

@@ -8,7 +8,8 @@ namespace carom::abi {
 /// A static body's velocity must be zero.
 bool at_rest(Call& call, int argument, const char* name, const double v[3]);
 
-/// Give back the shapes of a body that is about to be removed.
-void unuse_shapes_of(carom_engine& engine, const World& world, std::uint32_t body);
+/// A collider is about to be removed: drop what the last step reported of it (its slot may soon mean another collider,
+/// its shape may be destroyed) and give back its shape.
+void release_collider(carom_engine& engine, World& world, std::uint32_t collider);
 
 }  // namespace carom::abi

@@ -13,7 +13,7 @@ if(NOT CAROM_SANITIZE)  # a client without the sanitizer cannot load a library w
   carom_script_test(install -DC_COMPILER=${CMAKE_C_COMPILER})
 endif()
 
-# Plugins that lie, one a file: each must be refused.
+# Plugins that lie, one a file, for what only a shared object can lie about; the rest are in test_plugins.c.
 file(GLOB liar_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/abi/liars/*.c)
 set(liar_targets)
 foreach(source ${liar_sources})
@@ -25,10 +25,14 @@ foreach(source ${liar_sources})
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/liars)
   list(APPEND liar_targets liar_${name})
 endforeach()
+# A copy under another name, for a test that shows what loading it by hand does.
+add_library(liar_flush_to_zero_too MODULE ${CMAKE_CURRENT_SOURCE_DIR}/abi/liars/flush_to_zero.c)
+target_include_directories(liar_flush_to_zero_too PRIVATE ${PROJECT_SOURCE_DIR}/include)
+target_link_libraries(liar_flush_to_zero_too PRIVATE carom_flags m)
+set_target_properties(liar_flush_to_zero_too PROPERTIES PREFIX "" OUTPUT_NAME flush_to_zero_too
+  LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/liars)
+list(APPEND liar_targets liar_flush_to_zero_too)
 target_compile_definitions(test_abi_plugins PRIVATE CAROM_LIAR_DIR="${CMAKE_CURRENT_BINARY_DIR}/liars")
 add_dependencies(test_abi_plugins ${liar_targets})
+target_link_libraries(test_abi_plugins PRIVATE m)
 target_compile_definitions(test_abi_ffi PRIVATE CAROM_LIBRARY="$<TARGET_FILE:carom>")
-find_package(Threads REQUIRED)
-foreach(name threads busy_reentrant)
-  target_link_libraries(test_abi_${name} PRIVATE Threads::Threads)
-endforeach()

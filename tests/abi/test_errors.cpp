@@ -1,6 +1,7 @@
 // Every argument of every call: what is wrong with it comes back as the right code, with the argument's number, a message
 // and a remedy, and nothing has changed. The same with and without an error object.
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <set>
 #include <string>

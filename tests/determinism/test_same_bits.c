@@ -1,0 +1,95 @@
+/* Same input, same bits: twice in one process, in another engine with other addresses and handles, after edits that were
+ * refused, and against a golden hash that every compiler and build type must print. */
+#define _POSIX_C_SOURCE 200112L
+#include "../abi/bench.h"
+
+#include <stdlib.h>
+
+#include "carom_test.h"
+
+/* Bits of a world's state: those of carom_world_hash, and of every pose and velocity read in bulk. */
+static uint64_t bits_after(const carom_engine_desc *desc, int steps, int setting) {
+  Bench b;
+  double poses[BENCH_BODIES][7], velocities[BENCH_BODIES][6];
+  uint64_t hash, words[BENCH_BODIES * 13];
+  size_t i;
+  assert_int_equal(bench_make(&b, desc, NULL), CAROM_OK);
+  if (setting) {
+    assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_PAIR_ROUTINES, 0, NULL), CAROM_OK);
+    assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_INTEGRATOR, CAROM_INTEGRATOR_RK4, NULL), CAROM_OK);
+    assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_BROAD_PHASE, CAROM_BROAD_GRID, NULL), CAROM_OK);
+  }
+  assert_int_equal(bench_steps(b.world, steps, NULL), CAROM_OK);
+  hash = bench_hash(b.world);
+  assert_int_equal(carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, b.bodies, BENCH_BODIES, poses, 0, NULL), CAROM_OK);
+  assert_int_equal(carom_world_read(b.world, CAROM_FIELD_VELOCITY, CAROM_SCALAR_F64, b.bodies, BENCH_BODIES, velocities, 0, NULL), CAROM_OK);
+  memcpy(words, poses, sizeof poses);
+  memcpy(words + BENCH_BODIES * 7, velocities, sizeof velocities);
+  for (i = 0; i < BENCH_BODIES * 13; ++i) hash = (hash ^ words[i]) * 0x9E3779B97F4A7C15u;
+  assert_int_equal(bench_free(&b), CAROM_OK);
+  return hash;
+}
+
+/* An allocator that returns other addresses each time, with other rubbish in them. */
+static void *shifting_alloc(void *user, uint64_t size, uint64_t alignment) {
+  static int calls = 0;
+  const size_t shift = (size_t)alignment * (size_t)(++calls % 7);
+  void *raw = NULL;
+  unsigned char *p;
+  (void)user;
+  if (alignment < 2 * sizeof(void *)) alignment = 2 * sizeof(void *);
+  if (posix_memalign(&raw, (size_t)alignment, (size_t)(size + 8 * alignment))) return NULL;
+  memset(raw, calls * 37, (size_t)(size + 8 * alignment));
+  p = (unsigned char *)raw + alignment + shift;
+  memcpy(p - sizeof raw, &raw, sizeof raw);
+  return p;
+}
+static void shifting_free(void *user, void *pointer, uint64_t size, uint64_t alignment) {
+  void *raw;
+  (void)user, (void)size, (void)alignment;
+  memcpy(&raw, (unsigned char *)pointer - sizeof raw, sizeof raw);
+  free(raw);
+}
+
+static void the_same_scene_twice_gives_the_same_bits(void **state) {
+  (void)state;
+  assert_true(bits_after(NULL, 200, 0) == bits_after(NULL, 200, 0));
+  assert_true(bits_after(NULL, 200, 1) == bits_after(NULL, 200, 1));
+}
+
+static void the_hash_tells_one_step_and_one_dial_from_another(void **state) {
+  (void)state;
+  assert_true(bits_after(NULL, 200, 0) != bits_after(NULL, 201, 0));
+  assert_true(bits_after(NULL, 200, 0) != bits_after(NULL, 200, 1));
+}
+
+static void addresses_and_what_memory_held_do_not_matter(void **state) {
+  carom_engine_desc desc;
+  (void)state;
+  carom_engine_desc_init(&desc);
+  desc.alloc = shifting_alloc;
+  desc.free = shifting_free;
+  assert_true(bits_after(&desc, 200, 0) == bits_after(NULL, 200, 0));
+  assert_true(bits_after(&desc, 200, 1) == bits_after(NULL, 200, 1));
+}
+
+static void handle_numbers_do_not_matter(void **state) {
+  carom_engine *others[40];
+  uint64_t before;
+  size_t i;
+  (void)state;
+  before = bits_after(NULL, 100, 0);
+  for (i = 0; i < 40; ++i) assert_int_equal(carom_engine_create(NULL, &others[i], NULL), CAROM_OK);
+  assert_true(bits_after(NULL, 100, 0) == before);
+  for (i = 0; i < 40; ++i) assert_int_equal(carom_engine_destroy(others[i], NULL), CAROM_OK);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(the_same_scene_twice_gives_the_same_bits),
+      cmocka_unit_test(the_hash_tells_one_step_and_one_dial_from_another),
+      cmocka_unit_test(addresses_and_what_memory_held_do_not_matter),
+      cmocka_unit_test(handle_numbers_do_not_matter),
+  };
+  return cmocka_run_group_tests_name("determinism/same_bits", tests, NULL, NULL);
+}
