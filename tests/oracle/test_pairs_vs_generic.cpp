@@ -31,6 +31,10 @@ QueryResult check_pose(const Shape& a, const Shape& b, const Frame& pose, int i,
   distance(a, b, pose, specific, nullptr, fast, fault);
   distance(a, b, pose, generic, nullptr, slow, fault);
   assert_int_equal(fault.kind, SupportFault::none);
+  // The generic path's own points carry its separation too, whichever way it was found.
+  const Real carried = slow.normal.dot(pose.apply(slow.point_b) - slow.point_a);
+  assert_true(
+      within("generic points", a.form, b.form, i, std::fabs(carried - slow.separation), slow.upper - slow.lower));
   // The hybrid's shells bring everything nearer by twice their thickness; a half-space wears none.
   const Real shells = method == Method::hybrid && a.form != Form::half_space ? 2 * generic.margin : 0;
   slow.lower += shells, slow.upper += shells;

@@ -78,17 +78,46 @@ Build build_tetrahedron(Difference& difference, DifferenceSimplex& simplex) {
   return Build::solid;
 }
 
-/// The point of a face nearest to the origin, for the witness points.
-void report_face(const Polytope& polytope, const int vertex[3], DifferenceSimplex& simplex) {
+/// The point of the simplex nearest to a target, as weights of its vertices.
+void report_nearest(const DifferencePoint* p, int count, const Vec3& target, DifferenceSimplex& simplex, Real& least) {
   Vec3 w[3];
-  for (int i = 0; i < 3; ++i) w[i] = polytope.point(vertex[i]).w;
+  for (int i = 0; i < count; ++i) w[i] = p[i].w - target;
   Nearest nearest;
-  nearest_voronoi(w, 3, nearest);
+  nearest_voronoi(w, count, nearest);
+  if (!(nearest.distance2 < least)) return;
+  least = nearest.distance2;
   simplex.count = nearest.count;
   for (int i = 0; i < nearest.count; ++i) {
-    simplex.point[i] = polytope.point(vertex[nearest.index[i]]);
+    simplex.point[i] = p[nearest.index[i]];
     simplex.weight[i] = nearest.weight[i];
   }
+}
+
+/// The witness: the point of the surface where the shortest way out of the difference ends, lower * normal. That way
+/// may have been known before a face lay across it (GJK looked along it, a start point was sought there), so it is the
+/// mesh that is asked, not the face looked along last. Of a face of a polytope that is cut into several, one holds the
+/// point.
+void report_witness(const Polytope& polytope, const Difference& difference, DifferenceSimplex& simplex) {
+  const Vec3 out = difference.lower * difference.normal;
+  Real most = -kInfinity;
+  for (int f = 0; f < polytope.faces(); ++f)
+    if (polytope.face(f).alive) most = std::max(most, polytope.face(f).normal.dot(out) - polytope.face(f).offset);
+  const Real slack = std::fabs(difference.upper - difference.lower) + 4 * difference.rounding();
+  Real least = kInfinity;
+  for (int f = 0; f < polytope.faces(); ++f) {
+    const Polytope::Face& face = polytope.face(f);
+    if (!face.alive || face.normal.dot(out) - face.offset < most - slack) continue;
+    DifferencePoint p[3];
+    for (int i = 0; i < 3; ++i) p[i] = polytope.point(face.vertex[i]);
+    report_nearest(p, 3, out, simplex, least);
+  }
+}
+
+/// The same where the difference is flat: its triangle, edge or point is all there is.
+void report_flat(const Difference& difference, DifferenceSimplex& simplex) {
+  const DifferenceSimplex all = simplex;
+  Real least = kInfinity;
+  report_nearest(all.point, std::min(all.count, 3), difference.lower * difference.normal, simplex, least);
 }
 
 }  // namespace
@@ -97,16 +126,13 @@ EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex
   const Build built = build_tetrahedron(difference, simplex);
   if (built == Build::fault) return EpaEnd::fault;
   if (difference.lower > difference.rounding()) return EpaEnd::apart;
-  if (built == Build::flat) return EpaEnd::flat;
+  if (built == Build::flat) {
+    report_flat(difference, simplex);
+    return EpaEnd::flat;
+  }
 
   Polytope polytope(difference.rounding());
   polytope.start(simplex.point, -difference.lower);
-  // The start's nearest face, which may already lie as far out as the best supporting plane: then none is ever popped.
-  int nearest_face = 0;
-  for (int f = 1; f < 4; ++f)
-    if (polytope.face(f).offset < polytope.face(nearest_face).offset) nearest_face = f;
-  int best[3];
-  std::copy(polytope.face(nearest_face).vertex, polytope.face(nearest_face).vertex + 3, best);
   EpaEnd end = EpaEnd::stuck;
   for (;;) {
     // A ring of equal minimisers (a cone on its axis) would be refined all around to the cap. The last quarter of the
@@ -124,7 +150,6 @@ EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex
     const Real offset = face.offset;
     // Nearer than rounding, or behind the origin: the mesh may not hold the origin yet, and proves nothing.
     if (!follow && offset > difference.rounding()) difference.upper = std::min(difference.upper, -offset);
-    const Real before = difference.lower;
     if (difference.upper - difference.lower <= gap) {
       end = EpaEnd::narrow;
       break;
@@ -141,7 +166,6 @@ EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex
       difference.blame_worse(-normal, fresh, polytope.point(face.vertex[0]));
       return EpaEnd::fault;
     }
-    if (difference.lower > before) std::copy(face.vertex, face.vertex + 3, best);
     if (follow && -value - offset <= gap) {
       end = EpaEnd::capped;
       break;
@@ -153,7 +177,7 @@ EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex
     }
     if (polytope.has(fresh.w) || !polytope.add(at, fresh, -difference.lower)) break;
   }
-  report_face(polytope, best, simplex);
+  report_witness(polytope, difference, simplex);
   return end;
 }
 

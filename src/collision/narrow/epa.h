@@ -16,9 +16,8 @@ enum class EpaEnd { narrow, apart, flat, stuck, capped, fault };
 /// Narrow the bracket of a difference that holds the origin, or nearly.
 /// @param gap      scaled
 /// @param cap      iterations, at most kMaxEpaIterations
-/// @param simplex  in: what GJK left, 1 to 4 points; out: the face that attains the bracket, with the weights of the
-/// point on
-///                 it nearest to the origin
+/// @param simplex  in: what GJK left, 1 to 4 points; out: the face where the shortest way out ends, with the weights of
+///                 that point
 EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex, int& iterations);
 
 }  // namespace carom

@@ -19,11 +19,12 @@ void to_world(const Frame& first, bool swapped, Candidates& found) {
 void collide_generic(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& frame_b,
                      const NarrowSettings& settings, QueryMemory& memory, Candidates& found, NarrowReport& report,
                      SupportFault& fault) {
+  const Frame b_in_a = relative(frame_a, frame_b);
+  if (!usable(b_in_a)) return;
   QuerySettings query = settings.query;
   query.max_distance = settings.manifold.contact_distance;
   QueryResult result;
-  generic_distance(a, b, relative(frame_a, frame_b), query, settings.warm_separation ? &memory : nullptr, result,
-                   fault);
+  generic_distance(a, b, b_in_a, query, settings.warm_separation ? &memory : nullptr, result, fault);
   report.gjk_calls += 1;
   report.epa_calls += result.epa_iterations > 0;
   report.support_calls += static_cast<std::uint64_t>(result.support_calls);
@@ -48,12 +49,16 @@ void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& 
   const PairEntry& entry = pair_entry(a.form, b.form);
   if (settings.query.routines && entry.routine) {
     const Frame &first = entry.swapped ? frame_b : frame_a, &second = entry.swapped ? frame_a : frame_b;
-    entry.routine(entry.swapped ? b : a, entry.swapped ? a : b, relative(first, second), reach, found);
+    const Frame second_in_first = relative(first, second);
+    if (!usable(second_in_first)) return;
+    entry.routine(entry.swapped ? b : a, entry.swapped ? a : b, second_in_first, reach, found);
     to_world(first, entry.swapped, found);
   } else if (flat_a || flat_b) {
     const Frame &first = flat_b ? frame_b : frame_a, &second = flat_b ? frame_a : frame_b;
-    half_space_by_support(flat_b ? b : a, flat_b ? a : b, relative(first, second), reach,
-                          settings.query.routines ? kProbes : 0, found, report.support_calls, fault);
+    const Frame second_in_first = relative(first, second);
+    if (!usable(second_in_first)) return;
+    half_space_by_support(flat_b ? b : a, flat_b ? a : b, second_in_first, reach, settings.query.routines ? kProbes : 0,
+                          found, report.support_calls, fault);
     to_world(first, flat_b, found);
   } else {
     collide_generic(a, frame_a, b, frame_b, settings, memory, found, report, fault);

@@ -41,6 +41,7 @@ class Polytope {
 
   bool has(const Vec3& w) const;
   const Face& face(int i) const { return faces_[i]; }
+  int faces() const { return faces_used_; }  // slots, alive or not
   const DifferencePoint& point(int i) const { return points_[i]; }
 
  private:
