@@ -14,15 +14,21 @@ namespace {
 constexpr int kSubsets = 16;
 constexpr int kBySize[15] = {1, 2, 4, 8, 3, 5, 9, 6, 10, 12, 7, 11, 13, 14, 15};
 
+/// A cofactor that is no larger than its own rounding is zero: where points depend on each other its sign would be
+/// noise, and noise that happens to be positive would let a subset answer with shares that mean nothing.
 struct Cofactors {
   Real delta[kSubsets][4];
+  Real error[kSubsets][4];
 };
 
 void fill(const Vec3* w, int count, Cofactors& c) {
-  Real edge2[4][4];
-  for (int i = 0; i < count; ++i)
-    for (int j = 0; j < i; ++j) edge2[i][j] = edge2[j][i] = (w[i] - w[j]).squaredNorm();
-  for (int i = 0; i < count; ++i) c.delta[1 << i][i] = 1;
+  Real edge[4][4], length[4];
+  for (int i = 0; i < count; ++i) {
+    length[i] = w[i].norm();
+    for (int j = 0; j < i; ++j) edge[i][j] = edge[j][i] = (w[i] - w[j]).norm();
+    c.delta[1 << i][i] = 1;
+    c.error[1 << i][i] = 0;
+  }
   const int all = (1 << count) - 1;
   for (const int y : kBySize) {
     if (y >= all) continue;
@@ -30,12 +36,19 @@ void fill(const Vec3* w, int count, Cofactors& c) {
       if (y >> j & 1) continue;
       int k = -1;
       for (int i = 0; i < count; ++i)
-        if ((y >> i & 1) && (k < 0 || edge2[i][j] < edge2[k][j])) k = i;
+        if ((y >> i & 1) && (k < 0 || edge[i][j] < edge[k][j])) k = i;
       const Vec3 difference = w[k] - w[j];
-      Real sum = 0;
-      for (int i = 0; i < count; ++i)
-        if (y >> i & 1) sum += c.delta[y][i] * w[i].dot(difference);
-      c.delta[y | 1 << j][j] = sum;
+      Real sum = 0, error = 0;
+      for (int i = 0; i < count; ++i) {
+        if (!(y >> i & 1)) continue;
+        const Real product = w[i].dot(difference);
+        sum += c.delta[y][i] * product;
+        // Six roundings in the product, one in the multiplication, one in the sum.
+        error +=
+            c.error[y][i] * std::fabs(product) + 8 * kUnitRoundoff * std::fabs(c.delta[y][i]) * length[i] * edge[k][j];
+      }
+      c.delta[y | 1 << j][j] = std::fabs(sum) > error ? sum : 0;
+      c.error[y | 1 << j][j] = error;
     }
   }
 }

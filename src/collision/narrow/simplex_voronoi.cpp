@@ -35,8 +35,8 @@ void nearest_by_regions(const Vec3* w, int count, Nearest& nearest) {
              out_abd = flat || sign * dab.dot(d) > 0;
   const bool out_abc = kAll && (flat || sign * (b - a).cross(c - a).dot(a) < 0);
   if (!(out_bcd | out_cad | out_abd | out_abc)) {
-    const Real of_a = -sign * dbc.dot(d), of_b = -sign * dca.dot(d), of_c = -sign * dab.dot(d);
-    return answer_inside(of_a, of_b, of_c, sign * volume - of_a - of_b - of_c, nearest);
+    return answer_inside(-sign * dbc.dot(d), -sign * dca.dot(d), -sign * dab.dot(d), sign * (b - a).cross(c - a).dot(a),
+                         nearest);
   }
   if (out_bcd) offer_face<kAll>(w, 1, 2, 3, nearest);
   if (out_cad) offer_face<kAll>(w, 2, 0, 3, nearest);
