@@ -75,14 +75,13 @@ bool Difference::blame(const Vec3& n, const Vec3& n_b, int bad_a, int bad_b, con
   return false;
 }
 
-bool Difference::blame_worse(const Vec3& n, const DifferencePoint& claimed, const DifferencePoint& seen) {
+void Difference::blame_worse(const Vec3& n, const DifferencePoint& claimed, const DifferencePoint& seen) {
   const Vec3 n_b = -(rotation_.transpose() * n);
   const Real worse_a = n.dot(seen.a - claimed.a), worse_b = n_b.dot(seen.b - claimed.b);
   if (worse_a >= worse_b)
     record(fault, SupportFault::not_support, a_, n, claimed.a);
   else
     record(fault, SupportFault::not_support, b_, n_b, claimed.b);
-  return false;
 }
 
 }  // namespace carom

@@ -44,8 +44,8 @@ class Difference {
   }
 
   /// A support point that lies farther along n than a point seen before: one of the two functions is no support
-  /// function. Finds out which; false, for the caller to return.
-  bool blame_worse(const Vec3& n, const DifferencePoint& claimed, const DifferencePoint& seen);
+  /// function. Finds out which.
+  void blame_worse(const Vec3& n, const DifferencePoint& claimed, const DifferencePoint& seen);
 
   /// Centre of B seen from the centre of A (middles of their bounds): a first guess of the normal, any length.
   Vec3 centre_offset() const;

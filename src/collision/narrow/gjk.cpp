@@ -31,6 +31,24 @@ bool repeated(const DifferenceSimplex& simplex, const Vec3& w) {
   return false;
 }
 
+/// The bounds have passed each other, so some point of the simplex lies below the supporting plane: which is none then.
+GjkEnd contradiction(Difference& difference, const DifferenceSimplex& simplex) {
+  const Vec3 n = difference.normal;
+  DifferencePoint claimed;
+  Real value = 0;
+  if (!difference.support(n, claimed, value)) return GjkEnd::fault;
+  int lowest = 0;
+  for (int i = 1; i < simplex.count; ++i)
+    if (n.dot(simplex.point[i].w) < n.dot(simplex.point[lowest].w)) lowest = i;
+  difference.blame_worse(n, claimed, simplex.point[lowest]);
+  return GjkEnd::fault;
+}
+
+/// The bracket is narrow; far past narrow, it is no bracket.
+GjkEnd close(Difference& difference, const DifferenceSimplex& simplex) {
+  return difference.lower > difference.upper + difference.slack() ? contradiction(difference, simplex) : GjkEnd::narrow;
+}
+
 /// The nearest feature of simplex + new point, nearer than `before`; false if there is none.
 bool descend(const GjkRequest& request, const Difference& difference, const DifferenceSimplex& simplex, Real before,
              Nearest& nearest) {
@@ -64,7 +82,7 @@ GjkEnd gjk(Difference& difference, const GjkRequest& request, const Vec3& first,
 
   for (;;) {
     if (difference.lower > request.farther) return GjkEnd::farther;
-    if (difference.upper - difference.lower <= request.gap) return GjkEnd::narrow;
+    if (difference.upper - difference.lower <= request.gap) return close(difference, simplex);
     if (difference.upper <= difference.rounding()) return GjkEnd::overlap;
     if (iterations >= request.cap) return GjkEnd::capped;
 
@@ -74,16 +92,17 @@ GjkEnd gjk(Difference& difference, const GjkRequest& request, const Vec3& first,
     DifferencePoint& fresh = simplex.point[simplex.count];
     ++iterations;
     if (!difference.support(n, fresh, value)) return GjkEnd::fault;
-    if (value > n.dot(simplex.point[0].w) + difference.slack()) {
-      difference.blame_worse(n, fresh, simplex.point[0]);
-      return GjkEnd::fault;
-    }
     if (difference.lower > request.farther) return GjkEnd::farther;
-    if (difference.upper - difference.lower <= request.gap) return GjkEnd::narrow;
+    if (difference.upper - difference.lower <= request.gap) return close(difference, simplex);
     if (repeated(simplex, fresh.w)) return GjkEnd::stuck;
 
     Nearest next;
-    if (!descend(request, difference, simplex, nearest.distance2, next)) return GjkEnd::stuck;
+    if (!descend(request, difference, simplex, nearest.distance2, next)) {
+      if (!next.inside || difference.lower <= difference.slack()) return GjkEnd::stuck;
+      // A tetrahedron around the origin, and a plane between them: no degenerate one errs by that much.
+      ++simplex.count;
+      return contradiction(difference, simplex);
+    }
     nearest = next;
     keep(simplex, nearest, difference);
     if (nearest.inside && difference.upper - difference.lower > request.gap) return GjkEnd::overlap;
