@@ -17,20 +17,29 @@ namespace {
 class Runner {
  public:
   Runner(World& world, Real dt) : world_(world), time_{dt, dt / substeps()} {}
+  ~Runner() { world_.report.total_seconds = seconds_since(start_); }
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
 
   int substeps() const { return world_.scene.dials.whole(Dial::substeps); }
 
   void operator()(Stage stage, void (*room)(World&, const StepTime&)) const {
     const auto s = static_cast<std::size_t>(stage);
     if (stage != Stage::refresh && !world_.plan->runs[s]) return;
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     room(world_, time_);
-    world_.report.stage_seconds[s] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    world_.report.stage_seconds[s] += seconds_since(start);
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+  static double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
   World& world_;
   StepTime time_;
+  Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace
