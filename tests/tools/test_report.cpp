@@ -8,6 +8,7 @@
 #include "report/filmstrip.h"
 #include "report/page.h"
 #include "report/plot.h"
+#include "report/silhouette.h"
 #include "tools/xml_check.h"
 
 using namespace carom::report;
@@ -156,13 +157,38 @@ static void a_panel_shows_metres_in_true_proportion_with_up_upward(void**) {
   assert_true(y[2] < y[0]);
 }
 
+static double area(const std::vector<Point>& p) {
+  double twice = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Point a = p[i], b = p[(i + 1) % p.size()];
+    twice += a.x * b.y - b.x * a.y;
+  }
+  return twice / 2;
+}
+
 static void the_hull_keeps_the_corners_and_drops_the_rest(void**) {
   const auto corners = hull({{0, 0}, {1, 0}, {0.5, 0.5}, {1, 1}, {0, 1}, {0.5, 0}, {0, 0}});
   assert_int_equal(corners.size(), 4);
-  double area = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    area += corners[i].x * corners[(i + 1) % 4].y - corners[(i + 1) % 4].x * corners[i].y;
-  assert_true(area == 2);  // twice the unit square, and positive: counter-clockwise
+  assert_true(area(corners) == 1);  // positive: counter-clockwise
+}
+
+static void the_shadow_of_a_mesh_keeps_its_hollows(void**) {
+  // An L of three unit squares, standing at z = 5 and tilted so that no triangle faces the viewer squarely.
+  carom::tools::Mesh mesh;
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 3; ++x) mesh.points.emplace_back(x - 10, y + 4, 5 + 0.3 * x);
+  for (std::uint32_t corner : {0u, 1u, 3u}) {
+    mesh.faces.push_back({corner, corner + 1, corner + 4});
+    mesh.faces.push_back({corner + 3, corner, corner + 4});  // the other way round: a shadow has no sides
+  }
+  const int cells = 64;
+  const std::vector<Point> outline = shadow(mesh, cells);
+  // Every point of the outline is within a cell of the true one, 8 m long, and there the thinning adds 0.75 of a cell.
+  const double cell = 2.0 / cells;
+  assert_true(std::fabs(area(outline) - 3) < 8 * 1.75 * cell);
+  assert_true(area(hull(outline)) > 3.5 - 8 * 1.75 * cell);
+  assert_true(outline.size() < 20);
+  assert_true(shadow({}, 8).empty());
 }
 
 static void numbers_read_well(void**) {
@@ -207,6 +233,7 @@ int main() {
       cmocka_unit_test(log_bars_grow_by_equal_lengths_for_equal_ratios),
       cmocka_unit_test(a_panel_shows_metres_in_true_proportion_with_up_upward),
       cmocka_unit_test(the_hull_keeps_the_corners_and_drops_the_rest),
+      cmocka_unit_test(the_shadow_of_a_mesh_keeps_its_hollows),
       cmocka_unit_test(numbers_read_well),
       cmocka_unit_test(a_page_is_well_formed_and_shows_every_cell),
   };
