@@ -17,17 +17,26 @@ constexpr Real kTilt = 0.05;
 constexpr Real kSameDepth = 0.01;
 constexpr int kMaxPool = Manifold::kMaxPoints + Candidates::kMax;
 
+/// Points to choose from: where they are, and how old.
 struct Pool {
   int count = 0;
-  ContactPoint point[kMaxPool];
+  const ContactPoint* point[kMaxPool];
+  std::uint32_t age[kMaxPool];
+
+  void add(const ContactPoint& p, std::uint32_t a) {
+    point[count] = &p;
+    age[count++] = a;
+  }
 };
 
 /// Kept points at the new poses, with the newest normal; those that opened, slid away or lie on another face are left
 /// out.
+/// @param fresh  room for them, which the pool then points into
 void refresh(const Frame& a, const Frame& b, const Vec3& normal, const ManifoldSettings& settings,
-             const Manifold& manifold, Pool& pool) {
+             const Manifold& manifold, ContactPoint (&fresh)[Manifold::kMaxPoints], Pool& pool) {
   for (int i = 0; i < manifold.count; ++i) {
-    ContactPoint p = manifold.point[i];
+    ContactPoint& p = fresh[i];
+    p = manifold.point[i];
     if (!(p.normal.dot(normal) > kSameNormal)) continue;
     const Vec3 gap = b.apply(p.on_b) - a.apply(p.on_a);
     p.normal = normal;
@@ -35,8 +44,7 @@ void refresh(const Frame& a, const Frame& b, const Vec3& normal, const ManifoldS
     if (!(p.separation <= settings.contact_distance)) continue;
     const Vec3 drift = gap - p.separation * normal;
     if (!(drift.squaredNorm() <= settings.cache_distance * settings.cache_distance)) continue;
-    ++p.age;
-    pool.point[pool.count++] = p;
+    pool.add(p, p.age + 1);
   }
 }
 
@@ -47,11 +55,11 @@ void merge(const Candidates& found, const ManifoldSettings& settings, Pool& pool
     const ContactPoint& p = found.point[i];
     if (!(p.separation <= settings.contact_distance)) continue;
     int at = 0;
-    while (at < kept && !same_point(pool.point[at], p, merge_distance(settings))) ++at;
-    if (at == kept) at = pool.count++;
-    const std::uint32_t age = at < kept ? pool.point[at].age : 0;
-    pool.point[at] = p;
-    pool.point[at].age = age;
+    while (at < kept && !same_point(*pool.point[at], p, merge_distance(settings))) ++at;
+    if (at == kept)
+      pool.add(p, 0);
+    else
+      pool.point[at] = &p;
   }
 }
 
@@ -65,12 +73,10 @@ void replace(const Candidates& found, const ManifoldSettings& settings, const Ma
     int old = 0;
     while (old < manifold.count && !same_point(manifold.point[old], p, merge_distance(settings))) ++old;
     is_new[i] = old == manifold.count;
-    if (is_new[i]) continue;
-    pool.point[pool.count] = p;
-    pool.point[pool.count++].age = manifold.point[old].age + 1;
+    if (!is_new[i]) pool.add(p, manifold.point[old].age + 1);
   }
   for (int i = 0; i < found.count; ++i)
-    if (is_new[i]) pool.point[pool.count++] = found.point[i];
+    if (is_new[i]) pool.add(found.point[i], 0);
 }
 
 /// The four of a pool that hold depth and area. All scores are lengths: how far a point widens what is chosen so far
@@ -78,16 +84,16 @@ void replace(const Candidates& found, const ManifoldSettings& settings, const Ma
 class Choice {
  public:
   Choice(const Frame& a, const Pool& pool, Real same_depth) : pool_(pool) {
-    const Vec3 normal = a.rotate_inverse(pool.point[0].normal);
+    const Vec3 normal = a.rotate_inverse(pool.point[0]->normal);
     const Vec3 e1 = any_perpendicular(normal), e2 = normal.cross(e1);
     Real deepest = kInfinity;
     for (int i = 0; i < pool.count; ++i) {
-      x_[i] = e1.dot(pool.point[i].on_a), y_[i] = e2.dot(pool.point[i].on_a);
-      deepest = std::min(deepest, pool.point[i].separation);
+      x_[i] = e1.dot(pool.point[i]->on_a), y_[i] = e2.dot(pool.point[i]->on_a);
+      deepest = std::min(deepest, pool.point[i]->separation);
     }
-    for (int i = 0; i < pool.count; ++i) cost_[i] = std::max(Real(0), pool.point[i].separation - deepest) / kTilt;
+    for (int i = 0; i < pool.count; ++i) cost_[i] = std::max(Real(0), pool.point[i]->separation - deepest) / kTilt;
     int first = 0;
-    while (pool.point[first].separation > deepest + same_depth) ++first;
+    while (pool.point[first]->separation > deepest + same_depth) ++first;
     take(first);
     take_best([&](int i) { return distance(chosen_[0], i); });
     take_best([&](int i) { return std::fabs(beside(chosen_[0], chosen_[1], i)); });
@@ -134,14 +140,17 @@ class Choice {
 };
 
 void store(const Frame& a, const ManifoldSettings& settings, const Pool& pool, Manifold& manifold) {
+  const auto put = [&](int to, int from) {
+    manifold.point[to] = *pool.point[from];
+    manifold.point[to].age = pool.age[from];
+  };
+  manifold.count = std::min(pool.count, Manifold::kMaxPoints);
   if (pool.count <= Manifold::kMaxPoints) {
-    std::copy(pool.point, pool.point + pool.count, manifold.point);
-    manifold.count = pool.count;
+    for (int k = 0; k < pool.count; ++k) put(k, k);
     return;
   }
   const Choice choice(a, pool, kSameDepth * settings.contact_distance);
-  for (int k = 0; k < Manifold::kMaxPoints; ++k) manifold.point[k] = pool.point[choice[k]];
-  manifold.count = Manifold::kMaxPoints;
+  for (int k = 0; k < Manifold::kMaxPoints; ++k) put(k, choice[k]);
 }
 
 }  // namespace
@@ -160,10 +169,12 @@ void update_cache(const Frame& a, const Frame& b, const Candidates& found, const
   Pool pool;
   if (found.whole) {
     replace(found, settings, manifold, pool);
-  } else {
-    refresh(a, b, found.point[deepest].normal, settings, manifold, pool);
-    merge(found, settings, pool);
+    store(a, settings, pool, manifold);
+    return;
   }
+  ContactPoint fresh[Manifold::kMaxPoints];
+  refresh(a, b, found.point[deepest].normal, settings, manifold, fresh, pool);
+  merge(found, settings, pool);
   store(a, settings, pool, manifold);
 }
 
