@@ -84,8 +84,11 @@ class UniformGrid final : public BroadPhase {
     return mean > 0 ? std::min(2 * mean, Real(1e300)) : 1;  // points enter one cell of any size
   }
 
+  /// floor(x / cell), by conversion: floor() of the baseline instruction set is a call.
   std::int64_t number(Real x) const {
-    return static_cast<std::int64_t>(std::floor(std::clamp(x / cell_, -kFarthest, kFarthest)));
+    const Real cells = std::clamp(x / cell_, -kFarthest, kFarthest);
+    const auto toward_zero = static_cast<std::int64_t>(cells);
+    return toward_zero - (static_cast<Real>(toward_zero) > cells);
   }
 
   static std::uint64_t key(const Cell& c) {
@@ -137,18 +140,21 @@ class UniformGrid final : public BroadPhase {
   }
 
   void look_in(const Colliders& table, std::size_t bucket, Array<Pair>& pairs) {
-    for (std::size_t i = start_[bucket]; i < start_[bucket + 1]; ++i) {
-      const Entry& a = sorted_[i];
-      for (std::size_t j = i + 1; j < start_[bucket + 1]; ++j) {
-        const Entry& b = sorted_[j];
-        if (a.key != b.key) continue;
-        ++work_.tests;
-        if (!overlap(&six_[6 * a.slot], &six_[6 * b.slot])) continue;
+    const Real* const six = six_.data();
+    const Entry* const end = sorted_.data() + start_[bucket + 1];
+    std::uint64_t tests = 0;
+    for (const Entry* a = sorted_.data() + start_[bucket]; a < end; ++a) {
+      const Real* const box = six + 6 * a->slot;
+      for (const Entry* b = a + 1; b < end; ++b) {
+        if (a->key != b->key) continue;
+        ++tests;
+        if (!overlap(box, six + 6 * b->slot)) continue;
         Cell shared;
-        for (std::size_t k = 0; k < 3; ++k) shared[k] = std::max(first_[a.slot][k], first_[b.slot][k]);
-        if (key(shared) == a.key) report(table, a.slot, b.slot, pairs);
+        for (std::size_t k = 0; k < 3; ++k) shared[k] = std::max(first_[a->slot][k], first_[b->slot][k]);
+        if (key(shared) == a->key) report(table, a->slot, b->slot, pairs);
       }
     }
+    work_.tests += tests;
   }
 
   void compare(const Colliders& table, std::uint32_t a, std::uint32_t b, Array<Pair>& pairs) {

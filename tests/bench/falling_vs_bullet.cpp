@@ -1,0 +1,156 @@
+// Carom beside Bullet 3 in one process: the scene `falling`, same first poses, same judge, speed and what it is worth.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+
+#include "bullet_world.h"
+#include "judge.h"
+
+namespace {
+
+using namespace carom;
+using namespace carom::bench;
+
+#ifdef BT_USE_DOUBLE_PRECISION
+constexpr const char* kPrecision = "double";
+#else
+constexpr const char* kPrecision = "float";
+#endif
+
+struct Options {
+  int n = 1024;
+  double seconds = 15;
+  int repeats = 3;
+  int bullet_iterations = 0;
+  std::vector<std::string> dials;
+  std::vector<std::string> plugins;
+  bool skip_carom = false;
+};
+
+/// What one engine did: every step's least time over the repeats, and the verdicts at the end and at its worst.
+struct Run {
+  std::vector<double> best;        // s, a step
+  Verdict end;                     // of the last repeat
+  double peak_penetration = 0;     // m, over every tenth step of the last repeat
+  std::size_t contact_points = 0;  // at the end
+
+  double mean_ms(std::size_t from, std::size_t to) const {
+    return 1e3 *
+           std::accumulate(best.begin() + static_cast<std::ptrdiff_t>(from),
+                           best.begin() + static_cast<std::ptrdiff_t>(to), 0.0) /
+           static_cast<double>(to - from);
+  }
+};
+
+constexpr double kDt = 1.0 / 60;
+
+/// Step an engine to the end once; the judge looks on outside the clock, in the last repeat only.
+void drive(Run& run, const Judge& judge, std::size_t steps, bool last, const std::function<void()>& step,
+           const std::function<void(std::vector<BodyState>&)>& read) {
+  run.best.resize(steps, HUGE_VAL);
+  std::vector<BodyState> states;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    step();
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    run.best[i] = std::min(run.best[i], took.count());
+    if (!last || (i % 10 && i + 1 < steps)) continue;
+    read(states);
+    run.end = judge.judge(states);
+    run.peak_penetration = std::max(run.peak_penetration, run.end.max_penetration);
+  }
+}
+
+void fill(tools::Stage& stage, int n) {
+  tools::build(tools::find_scene("falling"), {{{"n", static_cast<double>(n)}}, ""}, stage);
+}
+
+void read_carom(const tools::Stage& stage, std::vector<BodyState>& states) {
+  std::vector<carom_body> handles;
+  for (const tools::Actor& actor : stage.actors) handles.push_back(actor.body);
+  std::vector<double> pose, velocity;
+  stage.world.read(CAROM_FIELD_POSE, handles, pose);
+  stage.world.read(CAROM_FIELD_VELOCITY, handles, velocity);
+  states.resize(handles.size());
+  for (std::size_t i = 0; i < handles.size(); ++i) {
+    states[i].position = Vec(&pose[7 * i]);
+    states[i].orientation = Quat(&pose[7 * i + 3]);
+    states[i].velocity = Vec(&velocity[6 * i]);
+    states[i].omega = Vec(&velocity[6 * i + 3]);
+  }
+}
+
+void print_row(const char* name, const Run& run, double relative_to) {
+  const std::size_t steps = run.best.size();
+  std::printf("| %s | %.3f | %.3f | %.3f | %.1f | %.2f | %.1f / %.2f | %.0f | %zu | %.1e | %zu | %zu | %zu |\n", name,
+              run.mean_ms(0, steps), run.mean_ms(steps - steps / 3, steps),
+              1e3 * *std::max_element(run.best.begin(), run.best.end()),
+              1e-3 * run.mean_ms(0, steps) * static_cast<double>(steps), run.mean_ms(0, steps) / relative_to,
+              1e3 * run.end.max_penetration, 1e3 * run.end.mean_penetration, 1e3 * run.peak_penetration,
+              run.end.overlaps, run.end.mean_energy, run.contact_points, run.end.escaped, run.end.lost);
+}
+
+void compare(const Options& options) {
+  const auto steps = static_cast<std::size_t>(std::lround(options.seconds / kDt));
+  tools::Engine engine{tools::PluginPath(options.plugins)};
+  tools::Stage described(engine);  // for the judge; never stepped
+  fill(described, options.n);
+  const Judge judge(described);
+  Run ours, theirs;
+  int iterations = 0;
+  for (int repeat = 0; repeat < options.repeats; ++repeat) {
+    const bool last = repeat + 1 == options.repeats;
+    if (!options.skip_carom) {
+      tools::Stage stage(engine);
+      fill(stage, options.n);
+      for (const std::string& dial : options.dials) stage.world.set_dial(dial);
+      drive(
+          ours, judge, steps, last, [&] { stage.world.step(kDt); }, [&](auto& states) { read_carom(stage, states); });
+      ours.contact_points = stage.world.report().contact_points;
+    }
+    BulletWorld bullet(described, judge, options.bullet_iterations);
+    drive(
+        theirs, judge, steps, last, [&] { bullet.step(kDt); }, [&](auto& states) { bullet.read(states); });
+    theirs.contact_points = bullet.contact_points();
+    iterations = bullet.iterations();
+  }
+  std::printf("falling, n = %d, %zu steps of 1/60 s, least time of each step over %d repeats; one thread\n\n",
+              options.n, steps, options.repeats);
+  std::printf(
+      "| engine | ms/step | last third | worst step | total s | ratio | penetration at the end max / mean mm | peak mm "
+      "| "
+      "overlaps | energy J/body | contact points | escaped | not finite |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  const double reference = theirs.mean_ms(0, steps);
+  const std::string bullet_name = "Bullet " + std::to_string(btGetVersion() / 100) + "." +
+                                  std::to_string(btGetVersion() % 100) + " (" + kPrecision + ", " +
+                                  std::to_string(iterations) + " iterations)";
+  if (!options.skip_carom) print_row("Carom (double)", ours, reference);
+  print_row(bullet_name.c_str(), theirs, reference);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Speed and quality of Carom beside Bullet 3 on the scene `falling`, in one run."};
+  Options options;
+  options.plugins = {CAROM_PLUGIN_DIR};
+  app.add_option("--n", options.n, "Bodies")->check(CLI::Range(1, 100000))->capture_default_str();
+  app.add_option("--seconds", options.seconds, "Simulated time")->check(CLI::Range(0.1, 3600.0))->capture_default_str();
+  app.add_option("--repeats", options.repeats, "Runs of each engine, in turn")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  app.add_option("--dial", options.dials, "name=value, of Carom's world (repeatable)")->allow_extra_args(false);
+  app.add_option("--bullet-iterations", options.bullet_iterations, "Solver iterations of Bullet; 0: its default");
+  app.add_option("--plugins", options.plugins, "Folders with shape plugins");
+  app.add_flag("--bullet-only", options.skip_carom, "Do not step Carom");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    compare(options);
+  } catch (const tools::Error& error) {
+    std::fprintf(stderr, "falling_vs_bullet: %s\n  what to do: %s\n", error.what(), error.remedy.c_str());
+    return 1;
+  }
+  return 0;
+}
