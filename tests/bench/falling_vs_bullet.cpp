@@ -35,6 +35,7 @@ struct Run {
   Verdict end;                     // of the last repeat
   double peak_penetration = 0;     // m, over every tenth step of the last repeat
   std::size_t contact_points = 0;  // at the end
+  std::vector<double> stages;      // s of wall clock in the last repeat, by CAROM_STAGE_*
 
   double mean_ms(std::size_t from, std::size_t to) const {
     return 1e3 *
@@ -55,13 +56,14 @@ double cpu_seconds() {
 
 /// Step an engine to the end once; the judge looks on outside the clock, in the last repeat only.
 void drive(Run& run, const Judge& judge, std::size_t steps, bool last, const std::function<void()>& step,
-           const std::function<void(std::vector<BodyState>&)>& read) {
+           const std::function<void(std::vector<BodyState>&)>& read, const std::function<void()>& look = {}) {
   run.best.resize(steps, HUGE_VAL);
   std::vector<BodyState> states;
   for (std::size_t i = 0; i < steps; ++i) {
     const double start = cpu_seconds();
     step();
     run.best[i] = std::min(run.best[i], cpu_seconds() - start);
+    if (last && look) look();
     if (!last || (i % 10 && i + 1 < steps)) continue;
     read(states);
     run.end = judge.judge(states);
@@ -98,6 +100,42 @@ void print_row(const char* name, const Run& run, double relative_to) {
               run.end.overlaps, run.end.mean_energy, run.contact_points, run.end.escaped, run.end.lost);
 }
 
+void print_stages(const Run& run) {
+  const double all = std::accumulate(run.stages.begin(), run.stages.end(), 0.0);
+  std::printf("\nCarom's stages:");
+  for (std::size_t k = 0; k < run.stages.size(); ++k)
+    std::printf("%s %s %.1f %%", k ? "," : "", carom_stage_name(static_cast<std::uint32_t>(k)),
+                100 * run.stages[k] / all);
+  std::printf("\n");
+}
+
+void run_carom(Run& run, const Judge& judge, tools::Engine& engine, const Options& options, std::size_t steps,
+               bool last) {
+  tools::Stage stage(engine);
+  fill(stage, options.n);
+  for (const std::string& dial : options.dials) stage.world.set_dial(dial);
+  const auto step = [&] { stage.world.step(kDt); };
+  const auto read = [&](std::vector<BodyState>& states) { read_carom(stage, states); };
+  const auto look = [&] {
+    const carom_step_report report = stage.world.report();
+    run.stages.resize(report.stage_count);
+    for (std::uint32_t k = 0; k < report.stage_count; ++k) run.stages[k] += report.stage_seconds[k];
+    run.contact_points = report.contact_points;
+  };
+  drive(run, judge, steps, last, step, read, look);
+}
+
+/// @return the solver iterations it used
+int run_bullet(Run& run, const Judge& judge, const tools::Stage& described, const Options& options, std::size_t steps,
+               bool last) {
+  BulletWorld bullet(described, judge, options.bullet_iterations);
+  const auto step = [&] { bullet.step(kDt); };
+  const auto read = [&](std::vector<BodyState>& states) { bullet.read(states); };
+  drive(run, judge, steps, last, step, read);
+  run.contact_points = bullet.contact_points();
+  return bullet.iterations();
+}
+
 void compare(const Options& options) {
   const auto steps = static_cast<std::size_t>(std::lround(options.seconds / kDt));
   tools::Engine engine{tools::PluginPath(options.plugins)};
@@ -108,26 +146,14 @@ void compare(const Options& options) {
   int iterations = 0;
   for (int repeat = 0; repeat < options.repeats; ++repeat) {
     const bool last = repeat + 1 == options.repeats;
-    if (!options.skip_carom) {
-      tools::Stage stage(engine);
-      fill(stage, options.n);
-      for (const std::string& dial : options.dials) stage.world.set_dial(dial);
-      drive(
-          ours, judge, steps, last, [&] { stage.world.step(kDt); }, [&](auto& states) { read_carom(stage, states); });
-      ours.contact_points = stage.world.report().contact_points;
-    }
-    BulletWorld bullet(described, judge, options.bullet_iterations);
-    drive(
-        theirs, judge, steps, last, [&] { bullet.step(kDt); }, [&](auto& states) { bullet.read(states); });
-    theirs.contact_points = bullet.contact_points();
-    iterations = bullet.iterations();
+    if (!options.skip_carom) run_carom(ours, judge, engine, options, steps, last);
+    iterations = run_bullet(theirs, judge, described, options, steps, last);
   }
   std::printf("falling, n = %d, %zu steps of 1/60 s, least CPU time of each step over %d repeats\n\n", options.n, steps,
               options.repeats);
   std::printf(
-      "| engine | ms/step | last third | worst step | total s | ratio | penetration at the end max / mean mm | peak mm "
-      "| "
-      "overlaps | energy J/body | contact points | escaped | not finite |\n"
+      "| engine | ms/step | last third | worst step | total s | ratio | penetration max / mean mm | peak mm | overlaps "
+      "| energy J/body | contact points | escaped | not finite |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   const double reference = theirs.mean_ms(0, steps);
   const std::string bullet_name = "Bullet " + std::to_string(btGetVersion() / 100) + "." +
@@ -135,6 +161,7 @@ void compare(const Options& options) {
                                   std::to_string(iterations) + " iterations)";
   if (!options.skip_carom) print_row("Carom (double)", ours, reference);
   print_row(bullet_name.c_str(), theirs, reference);
+  if (!options.skip_carom) print_stages(ours);
 }
 
 }  // namespace
