@@ -63,13 +63,13 @@ void add_rows(World& world, std::size_t pair_index, std::size_t& cursor, Real sc
     row.p = Vec3::Zero();
     if (scale > 0) row.p = starting_impulse(c, cursor, last, point, reach, friction, scale);
     row.friction = friction;
+    row.restitution = restitution;
     row.a = a, row.b = b, row.moves_a = moves_a, row.moves_b = moves_b;
     RowGeometry g{};
     g.l_a = fa.apply(point.on_a);
     g.l_b = fb.apply(point.on_b);
     g.impulse = Vec3::Zero();
     g.separation = point.separation;
-    g.restitution = restitution;
     g.pair = static_cast<std::uint32_t>(pair_index);
     g.point = static_cast<std::uint32_t>(k);
     if (restitution > 0) c.bouncing.push_back(static_cast<std::uint32_t>(c.rows.size()));
@@ -108,6 +108,14 @@ Mat3 velocity_per_impulse(const World& world, const Row& row, const RowMass& m) 
   if (row.moves_a) add(row.a, m.r_a);
   if (row.moves_b) add(row.b, m.r_b);
   return k;
+}
+
+/// m/s, from the present state.
+Real closing_speed(const World& world, const Row& row, const RowGeometry& g) {
+  const State& s = world.state;
+  const Vec3 r_a = world.plan->rotation[row.a] * g.l_a, r_b = world.plan->rotation[row.b] * g.l_b;
+  const Vec3 u = s.v[row.b] + s.omega[row.b].cross(r_b) - s.v[row.a] - s.omega[row.a].cross(r_a);
+  return -u.dot(row.n);
 }
 
 /// Let a row's starting impulse act.
@@ -163,14 +171,7 @@ void build_rows(World& world, Real h) {
 
 void measure_approach(World& world, const StepTime&) {
   Contacts& c = *world.contacts;
-  const State& s = world.state;
-  for (const std::uint32_t i : c.bouncing) {
-    const Row& row = c.rows[i];
-    RowGeometry& g = c.geometry[i];
-    const Vec3 r_a = s.q[row.a] * g.l_a, r_b = s.q[row.b] * g.l_b;
-    const Vec3 u = s.v[row.b] + s.omega[row.b].cross(r_b) - s.v[row.a] - s.omega[row.a].cross(r_a);
-    g.bounce_speed = -u.dot(row.n);
-  }
+  for (const std::uint32_t i : c.bouncing) c.geometry[i].approach = closing_speed(world, c.rows[i], c.geometry[i]);
 }
 
 void prepare_rows(World& world, Real h) {
@@ -183,7 +184,11 @@ void prepare_rows(World& world, Real h) {
     if (rotates(scene, i)) c.inv_inertia_w[i] = rotation[i] * scene.inv_inertia[i] * rotation[i].transpose();
   }
   c.heap.assign(c.half_begin.begin(), c.half_begin.end());  // scratch: next free half of each body
-  const Real restitution_speed = scene.dials[Dial::restitution_speed];
+  for (const std::uint32_t i : c.bouncing) {
+    const Real speed = closing_speed(world, c.rows[i], c.geometry[i]);
+    c.rows[i].force_speed = std::max(Real(0), speed - c.geometry[i].approach);
+    c.rows[i].bounced = false;
+  }
   for (std::uint32_t i = 0; i < c.rows.size(); ++i) {
     Row& row = c.rows[i];
     RowMass& m = c.mass[i];
@@ -194,8 +199,6 @@ void prepare_rows(World& world, Real h) {
     m.k_inv = m.k.inverse();
     row.k_n = row.n.dot(m.k * row.n);
     row.target = g.separation > 0 ? -g.separation / h : 0;
-    if (g.restitution > 0 && g.bounce_speed > restitution_speed && g.bounce_speed * h > g.separation)
-      row.target = g.restitution * g.bounce_speed;
     if (row.moves_a) c.half[c.heap[row.a]++] = {m.r_a, i, -1};
     if (row.moves_b) c.half[c.heap[row.b]++] = {m.r_b, i, 1};
     if (row.p != Vec3::Zero()) start_row(world, row, m);
@@ -232,7 +235,7 @@ void remember_impulses(World& world, Real h) {
   c.old.clear();
   c.old_h = h;
   for (std::size_t i = 0; i < c.rows.size(); ++i) {
-    if (c.rows[i].p == Vec3::Zero()) continue;
+    if (c.rows[i].p == Vec3::Zero() || c.rows[i].bounced) continue;  // an impact does not come again
     const PairRecord& record = world.pairs[c.geometry[i].pair];
     c.old.push_back({record.pair, record.manifold.point[c.geometry[i].point].on_a, c.rows[i].n, c.rows[i].p});
   }

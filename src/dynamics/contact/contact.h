@@ -13,11 +13,14 @@ struct Row {
   Vec3 u;               // m/s, relative velocity at the point, kept up to date as impulses spread
   Vec3 n;               // unit, world, A to B
   Vec3 p;               // N s, impulse on B in this substep so far, world
-  Real target;          // m/s, wanted normal velocity: 0, -separation/h of an open contact, or the bounce
+  Real target;          // m/s, least normal velocity: 0, or -separation/h of an open contact
   Real friction;        // mixed Coulomb coefficient
   Real k_n;             // 1/kg, n.K n: normal velocity per unit of normal impulse
+  Real restitution;     // mixed
+  Real force_speed;     // m/s >= 0, part of the closing speed that the forces of this substep added; rows that bounce only
   std::uint32_t a, b;   // body slots
   bool moves_a, moves_b;  // an impulse moves it
+  bool bounced;         // it threw its bodies apart in this substep: its impulse is not taken back
 };
 
 /// What a row needs when it is resolved.
@@ -31,8 +34,7 @@ struct RowGeometry {
   Vec3 l_a, l_b;        // m, body axes about the centre of mass: the surface points
   Vec3 impulse;         // N s, of the whole step, world
   Real separation;      // m, as of the last refresh_separations()
-  Real bounce_speed;    // m/s, closing speed before the forces of this substep
-  Real restitution;     // mixed
+  Real approach;        // m/s, closing speed before the forces of this substep; rows that bounce only
   std::uint32_t pair;   // index in the pair table
   std::uint32_t point;  // index in its manifold
 };

@@ -8,12 +8,22 @@
 
 namespace carom {
 
-Real velocity_severity_squared(const Row& row) {
+namespace {
+
+/// Normal velocity that a row wants, m/s: its bounce where it is hit hard enough, else the least it may have.
+Real wanted_speed(const Row& row, Real v_n, Real restitution_speed) {
+  const Real hit = -v_n - row.force_speed;  // m/s
+  return row.restitution > 0 && v_n < row.target && hit > restitution_speed ? row.restitution * hit : row.target;
+}
+
+}  // namespace
+
+Real velocity_severity_squared(const Row& row, Real restitution_speed) {
   const Real v_n = row.u.dot(row.n);
   const Real p_n = row.p.dot(row.n);
-  const Real lacking = row.target - v_n;  // m/s, > 0: closes too fast
-  // Too slow is no offence of a contact that does not push; of one that does, as far as its push goes.
-  const Real normal = lacking >= 0 ? lacking : std::min(-lacking, p_n * row.k_n);
+  const Real lacking = wanted_speed(row, v_n, restitution_speed) - v_n;  // m/s, > 0: closes too fast
+  // To part too fast is no offence of a contact that does not push; of one that does, as far as its push goes.
+  const Real normal = lacking >= 0 ? lacking : row.bounced ? 0 : std::min(-lacking, p_n * row.k_n);
   Real severity2 = normal * normal;
   const Real bound = row.friction * p_n;
   if (bound > 0) {
@@ -29,21 +39,21 @@ Real velocity_severity_squared(const Row& row) {
   return severity2;
 }
 
-Vec3 resolved_impulse(const Row& row, const RowMass& m) {
-  const Real lacking = row.target - row.u.dot(row.n);
-  if (!(row.friction > 0)) return std::max(Real(0), row.p.dot(row.n) + lacking / row.k_n) * row.n;
-  const Vec3 stick = row.p + m.k_inv * (row.target * row.n - row.u);
+Vec3 resolved_impulse(const Row& row, const RowMass& m, Real target, Real least) {
+  const Real lacking = target - row.u.dot(row.n);
+  if (!(row.friction > 0)) return std::max(least, row.p.dot(row.n) + lacking / row.k_n) * row.n;
+  const Vec3 stick = row.p + m.k_inv * (target * row.n - row.u);
   const Real normal = stick.dot(row.n);
   Vec3 rub = stick - normal * row.n;
   const Real size = rub.norm();
-  if (normal > 0 && size <= row.friction * normal) return stick;
+  if (normal > least && size <= row.friction * normal) return stick;
   Vec3 ray = row.n;
   if (size > 0) ray += (row.friction / size) * rub;
   // Friction may turn a push into a pull where r is long and mu large (Painleve); then the normal law alone is solved.
   Real k_ray = row.n.dot(m.k * ray);
   if (!(k_ray > 0.1 * row.k_n)) ray = row.n, k_ray = row.k_n;
   const Real s = (row.n.dot(m.k * row.p) + lacking) / k_ray;
-  return std::max(Real(0), s) * ray;
+  return std::max(least, s) * ray;
 }
 
 namespace {
@@ -51,17 +61,21 @@ namespace {
 template <class Search>
 class VelocityPass {
  public:
-  VelocityPass(World& world, Search& search) : world_(world), c_(*world.contacts), search_(search) {}
+  VelocityPass(World& world, Search& search)
+      : world_(world), c_(*world.contacts), search_(search),
+        restitution_speed_(world.scene.dials[Dial::restitution_speed]) {}
 
   /// @return impulses applied
   std::uint64_t run(std::span<const std::uint32_t> rows, Real tolerance, std::uint64_t budget) {
-    for (const std::uint32_t i : rows) c_.keys[i] = velocity_severity_squared(c_.rows[i]);
+    for (const std::uint32_t i : rows) c_.keys[i] = velocity_severity_squared(c_.rows[i], restitution_speed_);
     search_.start(rows, tolerance * tolerance);
     std::uint64_t done = 0;
     for (std::uint32_t i; done < budget && (i = search_.top()) != kNoRow; ++done) {
       Row& row = c_.rows[i];
       const RowMass& m = c_.mass[i];
-      const Vec3 p = resolved_impulse(row, m);
+      const Real target = wanted_speed(row, row.u.dot(row.n), restitution_speed_);
+      row.bounced |= target > row.target;
+      const Vec3 p = resolved_impulse(row, m, target, row.bounced ? row.p.dot(row.n) : 0);
       const Vec3 dp = p - row.p;
       row.p = p;
       if (row.moves_a) spread(row.a, -dp, m.r_a);
@@ -87,13 +101,14 @@ class VelocityPass {
         row.u += du;
       else
         row.u -= du;
-      search_.set(half.row, velocity_severity_squared(row));
+      search_.set(half.row, velocity_severity_squared(row, restitution_speed_));
     }
   }
 
   World& world_;
   Contacts& c_;
   Search& search_;
+  Real restitution_speed_;
 };
 
 template <class Search>
