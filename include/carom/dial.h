@@ -18,7 +18,7 @@ extern "C" {
 #define CAROM_DIAL_SOLVER 3u               /* choice: CAROM_SOLVER_* */
 #define CAROM_DIAL_VELOCITY_ITERATIONS 4u  /* at most this many impulses per contact of a group and substep */
 #define CAROM_DIAL_POSITION_ITERATIONS 5u  /* at most this many position corrections per contact of a group and step */
-#define CAROM_DIAL_VELOCITY_TOLERANCE 6u   /* m/s: closing speed left unresolved */
+#define CAROM_DIAL_VELOCITY_TOLERANCE 6u   /* m/s: velocity error left unresolved at a contact */
 #define CAROM_DIAL_POSITION_TOLERANCE 7u   /* m: penetration left unresolved */
 #define CAROM_DIAL_RESTITUTION_SPEED 8u    /* m/s: below this approach speed a contact does not bounce */
 #define CAROM_DIAL_SEVERITY_SEARCH 9u      /* choice: CAROM_SEARCH_* */

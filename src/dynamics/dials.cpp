@@ -38,7 +38,7 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
             "at most this many impulses per contact point of a group and substep", 1, 1000, 4),
     integer(Dial::position_iterations, "position_iterations",
             "at most this many position corrections per contact point of a group and substep", 0, 1000, 2),
-    number(Dial::velocity_tolerance, "velocity_tolerance", "m/s", "closing speed left unresolved", 0, 10, 0.01),
+    number(Dial::velocity_tolerance, "velocity_tolerance", "m/s", "velocity error left unresolved at a contact", 0, 10, 1e-4),
     number(Dial::position_tolerance, "position_tolerance", "m", "penetration left unresolved", 0, 1, 0.001),
     number(Dial::restitution_speed, "restitution_speed", "m/s", "below this approach speed a contact does not bounce", 0,
            100, 0.25),
