@@ -10,10 +10,32 @@ namespace carom {
 
 /// Same numbers as CAROM_DIAL_* (a static_assert in src/abi/dial.cpp holds them together).
 enum class Dial : std::uint32_t {
-  integrator, rotation, substeps, solver, velocity_iterations, position_iterations, velocity_tolerance,
-  position_tolerance, restitution_speed, severity_search, groups, broad_phase, grid_cell, contact_distance,
-  pair_routines, narrow_phase, simplex, gjk_tolerance, gjk_iterations, epa_iterations, hybrid_margin, warm_separation,
-  manifold, cache_distance, warm_start, count
+  integrator,
+  rotation,
+  substeps,
+  solver,
+  velocity_iterations,
+  position_iterations,
+  velocity_tolerance,
+  position_tolerance,
+  restitution_speed,
+  severity_search,
+  groups,
+  broad_phase,
+  grid_cell,
+  contact_distance,
+  pair_routines,
+  narrow_phase,
+  simplex,
+  gjk_tolerance,
+  gjk_iterations,
+  epa_iterations,
+  hybrid_margin,
+  warm_separation,
+  manifold,
+  cache_distance,
+  warm_start,
+  count
 };
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);
 

@@ -95,9 +95,9 @@ void plan_stages(World& world, Plan& plan) {
   on(Stage::relax) = pairs && world.scene.dials.whole(Dial::position_iterations) > 0;
 }
 
-/// World frame and bounds of a collider. Bounds are grown by half the contact distance, and where a body crosses more than
-/// that within the step by its motion too, so that it meets what it is about to hit. That reach ends at the size of the
-/// shape: beyond, a contact would stop bodies that merely pass by.
+/// World frame and bounds of a collider. Bounds are grown by half the contact distance, and where a body crosses more
+/// than that within the step by its motion too, so that it meets what it is about to hit. That reach ends at the size
+/// of the shape: beyond, a contact would stop bodies that merely pass by.
 void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
   Colliders& c = world.scene.colliders;
   const std::uint32_t body = c.body[slot];
@@ -123,8 +123,20 @@ void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
 const std::array<Effect, kEffectCount>& effect_table() { return kTable; }
 
 Plan::Plan(Memory* m)
-    : effects(m), linear(m), rotating(m), kinematic(m), colliders(m), local(m), proposal(m), touched(m), rotation(m),
-      scratch_vectors(m), scratch_rotations(m), faulty(m), faults(m), pairs(m) {
+    : effects(m),
+      linear(m),
+      rotating(m),
+      kinematic(m),
+      colliders(m),
+      local(m),
+      proposal(m),
+      touched(m),
+      rotation(m),
+      scratch_vectors(m),
+      scratch_rotations(m),
+      faulty(m),
+      faults(m),
+      pairs(m) {
   effects.reserve(kEffectCount);
   for (const Effect& row : kTable) effects.emplace_back(&row, m);
 }
@@ -160,8 +172,8 @@ void refresh(World& world, const StepTime& time) {
         if (effect.wakes(world.scene, world.state, i)) row.customers.add(i);
       });
     }
-    // An explicit method is stable only for rate * h below a small number (2 for Euler, 2.8 for RK4); well before, decay is
-    // exact.
+    // An explicit method is stable only for rate * h below a small number (2 for Euler, 2.8 for RK4); well before,
+    // decay is exact.
     if (effect.rate && plan.integrator->forces_only) row.as_flow = row.rate * time.h > 1;
   }
   plan.faults.clear();

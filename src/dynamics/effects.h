@@ -55,11 +55,11 @@ using FlowFn = void (*)(const Scene&, const Customers&, Real h, const Quat* q, V
 struct Effect {
   Stage stage;
   const char* name;
-  void (*find)(const Scene&, const State&, Customers&);  // who may be a customer, from what a host changes
+  void (*find)(const Scene&, const State&, Customers&);           // who may be a customer, from what a host changes
   bool (*wakes)(const Scene&, const State&, std::uint32_t slot);  // null, or: is this one a customer in this step?
-  ForceFn force;  // null: served by its stage, not by the integrator
-  FlowFn flow;    // null: there is no closed form
-  Real (*rate)(const Scene&, const Customers&);  // 1/s, fastest decay among them; null: none decays
+  ForceFn force;                                                  // null: served by its stage, not by the integrator
+  FlowFn flow;                                                    // null: there is no closed form
+  Real (*rate)(const Scene&, const Customers&);                   // 1/s, fastest decay among them; null: none decays
 };
 inline constexpr std::size_t kEffectCount = 9;
 
@@ -67,10 +67,10 @@ inline constexpr std::size_t kEffectCount = 9;
 struct PlannedEffect {
   PlannedEffect(const Effect* e, Memory* m) : effect(e), candidates(m), customers(m) {}
   const Effect* effect;
-  Customers candidates;  // of the scene
-  Customers customers;   // of this step: the candidates that wake
-  Real rate = 0;         // 1/s, effect->rate of the candidates
-  bool as_flow = false;  // use effect->flow, not effect->force
+  Customers candidates;           // of the scene
+  Customers customers;            // of this step: the candidates that wake
+  Real rate = 0;                  // 1/s, effect->rate of the candidates
+  bool as_flow = false;           // use effect->flow, not effect->force
   std::uint64_t evaluations = 0;  // customers served since the world was made
 };
 
@@ -90,23 +90,23 @@ struct Integrator;  // dynamics/integrate/integrator.h
 struct Plan {
   explicit Plan(Memory* m);
 
-  std::uint64_t revision = 0;           // of the scene this plan was made for
-  Array<PlannedEffect> effects;         // every row of the table, in its order; idle rows have no customers
-  Customers linear, rotating;           // dynamic bodies that move: without and with rotation
-  Customers kinematic;                  // moved by their velocity
-  Array<std::uint32_t> colliders;       // live colliders whose body can move
-  Array<Frame> local;                   // by collider: shape -> body axes, about the centre of mass
+  std::uint64_t revision = 0;            // of the scene this plan was made for
+  Array<PlannedEffect> effects;          // every row of the table, in its order; idle rows have no customers
+  Customers linear, rotating;            // dynamic bodies that move: without and with rotation
+  Customers kinematic;                   // moved by their velocity
+  Array<std::uint32_t> colliders;        // live colliders whose body can move
+  Array<Frame> local;                    // by collider: shape -> body axes, about the centre of mass
   std::array<bool, kStageCount> runs{};  // stages that have customers
   const Integrator* integrator = nullptr;
   Proposal proposal;
-  Array<std::uint8_t> touched;          // by body: a solver changed its velocity in this substep
-  Array<Mat3> rotation;                 // by body: body -> world, at the start of the step
-  Array<Vec3> scratch_vectors;          // of the integrator
+  Array<std::uint8_t> touched;  // by body: a solver changed its velocity in this substep
+  Array<Mat3> rotation;         // by body: body -> world, at the start of the step
+  Array<Vec3> scratch_vectors;  // of the integrator
   Array<Quat> scratch_rotations;
-  bool host_wrote = false;              // to the state, before this step
-  Array<const Shape*> faulty;           // shapes in quarantine in this world
-  Array<SupportFault> faults;           // of this step
-  Array<Pair> pairs;                    // of this step
+  bool host_wrote = false;     // to the state, before this step
+  Array<const Shape*> faulty;  // shapes in quarantine in this world
+  Array<SupportFault> faults;  // of this step
+  Array<Pair> pairs;           // of this step
 
   PlannedEffect* find(const char* name);  // null: no such row
 };

@@ -5,12 +5,13 @@
 
 namespace carom {
 
-/// Stage group: rows from manifolds, then groups by union-find over rows between two dynamic bodies. Static, kinematic and
-/// quarantined bodies cut the chain. With the dial off, all rows are one group. Order: groups by their lowest row, rows
-/// ascending.
+/// Stage group: rows from manifolds, then groups by union-find over rows between two dynamic bodies. Static, kinematic
+/// and quarantined bodies cut the chain. With the dial off, all rows are one group. Order: groups by their lowest row,
+/// rows ascending.
 void find_groups(World& world, const StepTime& time);
 
-/// The partition alone, from rows.a, rows.b, moves_a, moves_b.   @oracle tests/unit/dynamics/test_island (breadth-first twin)
+/// The partition alone, from rows.a, rows.b, moves_a, moves_b.   @oracle tests/unit/dynamics/test_island (breadth-first
+/// twin)
 void partition_rows(Contacts& contacts, std::size_t body_slots, bool grouped);
 
 }  // namespace carom

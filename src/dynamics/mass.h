@@ -6,15 +6,16 @@
 namespace carom {
 
 struct BodyMass {
-  Real mass = 0, inv_mass = 0;           // kg, 1/kg; 0 unless dynamic
-  Vec3 center = Vec3::Zero();            // m, body frame
-  Mat3 inertia = Mat3::Zero();           // kg m^2, body axes, about center; zero: does not rotate
+  Real mass = 0, inv_mass = 0;  // kg, 1/kg; 0 unless dynamic
+  Vec3 center = Vec3::Zero();   // m, body frame
+  Mat3 inertia = Mat3::Zero();  // kg m^2, body axes, about center; zero: does not rotate
   Mat3 inv_inertia = Mat3::Zero();
 };
 
 /// Sum of the colliders by the parallel-axis theorem, then the host's overrides:
 ///   - mass given: the colliders' inertia is scaled to it. If all their densities are 0, they weigh by volume.
-///   - center given: the body's centre of mass; the inertia about it is the colliders' about their own common centre, since a
+///   - center given: the body's centre of mass; the inertia about it is the colliders' about their own common centre,
+///   since a
 ///     centre elsewhere says that the mass is not spread as the densities tell.
 ///   - inertia given: taken as it is; all zero, or not positive definite: the body does not rotate.
 ///   - a dynamic body with no mass from anywhere weighs 1 kg and does not rotate (a particle).

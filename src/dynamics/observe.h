@@ -8,8 +8,8 @@ namespace carom {
 /// Clear the report for a new step.
 void begin_report(World& world);
 
-/// Stage observe: residuals, energies, contact views; closes the books of the step (clock, pending forces, impulses for the
-/// next step's start).
+/// Stage observe: residuals, energies, contact views; closes the books of the step (clock, pending forces, impulses for
+/// the next step's start).
 void observe(World& world, const StepTime& time);
 
 }  // namespace carom

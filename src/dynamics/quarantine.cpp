@@ -19,7 +19,8 @@ void quarantine(World& world, std::uint32_t body) {
 
 void admit(World& world, const StepTime&) {
   world.fault_views.clear();
-  world.fault_views.reserve(world.scene.bodies.slots() + world.scene.colliders.slots());  // none is added while bodies move
+  world.fault_views.reserve(world.scene.bodies.slots() +
+                            world.scene.colliders.slots());  // none is added while bodies move
   State& s = world.state;
   if (!s.written) return;
   for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) {

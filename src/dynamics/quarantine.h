@@ -5,9 +5,10 @@
 
 namespace carom {
 
-// Beyond these a state is not a scene but an accident. Squares and products of a few of them stay far from overflow (1e308),
-// which is what lets every other room compute without checks. Larger bounds would admit overflow in the narrow phase; smaller
-// ones would refuse honest astronomy: light travels 3e8 m/s, and 1e15 m is 0.1 light years, where a double resolves 0.1 m.
+// Beyond these a state is not a scene but an accident. Squares and products of a few of them stay far from overflow
+// (1e308), which is what lets every other room compute without checks. Larger bounds would admit overflow in the narrow
+// phase; smaller ones would refuse honest astronomy: light travels 3e8 m/s, and 1e15 m is 0.1 light years, where a
+// double resolves 0.1 m.
 inline constexpr Real kMaxPosition = 1e15;  // m
 inline constexpr Real kMaxSpeed = 1e9;      // m/s
 inline constexpr Real kMaxSpin = 1e9;       // rad/s
@@ -19,12 +20,12 @@ inline bool sane_position(const Vec3& x) {
 inline bool sane_velocity(const State& s, std::uint32_t i) { return s.v[i].squaredNorm() <= kMaxSpeed * kMaxSpeed; }
 inline bool sane_spin(const State& s, std::uint32_t i) { return s.omega[i].squaredNorm() <= kMaxSpin * kMaxSpin; }
 
-/// Stop a body where it is, mark it, and report the fault. From the next step on it is held still and touches nothing, until
-/// a host gives it a pose.
+/// Stop a body where it is, mark it, and report the fault. From the next step on it is held still and touches nothing,
+/// until a host gives it a pose.
 void quarantine(World& world, std::uint32_t body);
 
-/// Stage admit: after a host wrote states, quarantine the bodies whose state makes no sense. A pose that is not finite becomes
-/// the nearest thing to it: components that are not finite become 0, those too large the bound.
+/// Stage admit: after a host wrote states, quarantine the bodies whose state makes no sense. A pose that is not finite
+/// becomes the nearest thing to it: components that are not finite become 0, those too large the bound.
 void admit(World& world, const StepTime& time);
 
 }  // namespace carom

@@ -20,39 +20,49 @@ struct Material {
 /// What a host says about a body (ABI: carom_body_desc), already validated.
 struct BodyDef {
   BodyType type = BodyType::dynamic;
-  Pose pose;                       // body frame -> world
-  Vec3 velocity = Vec3::Zero();    // m/s, of the centre of mass
-  Vec3 omega = Vec3::Zero();       // rad/s, world
+  Pose pose;                     // body frame -> world
+  Vec3 velocity = Vec3::Zero();  // m/s, of the centre of mass
+  Vec3 omega = Vec3::Zero();     // rad/s, world
   bool has_mass = false, has_center = false, has_inertia = false;
-  Real mass = 0;                   // kg
-  Vec3 center = Vec3::Zero();      // m, body frame
-  Mat3 inertia = Mat3::Zero();     // kg m^2, body axes, about center
+  Real mass = 0;                                 // kg
+  Vec3 center = Vec3::Zero();                    // m, body frame
+  Mat3 inertia = Mat3::Zero();                   // kg m^2, body axes, about center
   Real linear_damping = 0, angular_damping = 0;  // 1/s
   std::uint64_t user = 0;
 };
 
 struct Scene {
   Scene(std::uint32_t tag, Memory* m)
-      : bodies(Kind::body, tag, m), collider_slots(Kind::collider, tag, m), material_slots(Kind::material, tag, m),
-        def(m), type(m), inv_mass(m), mass(m), center(m), inertia(m), inv_inertia(m), colliders(m), material(m) {}
+      : bodies(Kind::body, tag, m),
+        collider_slots(Kind::collider, tag, m),
+        material_slots(Kind::material, tag, m),
+        def(m),
+        type(m),
+        inv_mass(m),
+        mass(m),
+        center(m),
+        inertia(m),
+        inv_inertia(m),
+        colliders(m),
+        material(m) {}
 
   SlotPool bodies, collider_slots, material_slots;
 
   // by body slot
-  Array<BodyDef> def;        // as the host gave it; poses and velocities in it are stale after a step
+  Array<BodyDef> def;  // as the host gave it; poses and velocities in it are stale after a step
   Array<BodyType> type;
-  Array<Real> inv_mass;      // 1/kg; 0: static, kinematic, free slot
-  Array<Real> mass;          // kg; 0 where inv_mass is 0
-  Array<Vec3> center;        // m, body frame: centre of mass
-  Array<Mat3> inertia;       // kg m^2, body axes, about center; zero: does not rotate
-  Array<Mat3> inv_inertia;   // inverse; zero where it does not rotate
+  Array<Real> inv_mass;     // 1/kg; 0: static, kinematic, free slot
+  Array<Real> mass;         // kg; 0 where inv_mass is 0
+  Array<Vec3> center;       // m, body frame: centre of mass
+  Array<Mat3> inertia;      // kg m^2, body axes, about center; zero: does not rotate
+  Array<Mat3> inv_inertia;  // inverse; zero where it does not rotate
 
   Colliders colliders;       // by collider slot
   Array<Material> material;  // by material slot
 
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
   Dials dials;
-  std::uint64_t revision = 1;  // raised by every change a host makes to anything above
+  std::uint64_t revision = 1;           // raised by every change a host makes to anything above
   std::uint64_t collider_revision = 1;  // raised when the set of colliders, or who may touch whom, changed
 };
 

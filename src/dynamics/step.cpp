@@ -1,4 +1,5 @@
-// THE PAGE: what a step does, in order. Each line names the stage that its time is booked under and the room that does it.
+// THE PAGE: what a step does, in order. Each line names the stage that its time is booked under and the room that does
+// it.
 #include <chrono>
 
 #include "dynamics/contact/contact.h"

@@ -15,8 +15,14 @@ const char* stage_name(Stage stage) {
 }
 
 World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, Memory* m)
-    : scene(tag, m), state(m), contact_views(m), fault_views(m), pairs(m), plan(std::make_unique<Plan>(m)),
-      contacts(std::make_unique<Contacts>(m)), memory(m) {
+    : scene(tag, m),
+      state(m),
+      contact_views(m),
+      fault_views(m),
+      pairs(m),
+      plan(std::make_unique<Plan>(m)),
+      contacts(std::make_unique<Contacts>(m)),
+      memory(m) {
   scene.gravity = gravity;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };
   reserve(scene.bodies, scene.def, scene.type, scene.inv_mass, scene.mass, scene.center, scene.inertia,

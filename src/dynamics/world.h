@@ -34,10 +34,10 @@ struct StepReport {
 
 /// A contact point as a host reads it after the step.
 struct ContactView {
-  std::uint32_t collider_a, collider_b;  // slots
-  Vec3 point, normal;                    // m, world; unit, world, A to B
-  Real separation;                       // m
-  Real normal_impulse, friction_impulse; // N s over the step
+  std::uint32_t collider_a, collider_b;   // slots
+  Vec3 point, normal;                     // m, world; unit, world, A to B
+  Real separation;                        // m
+  Real normal_impulse, friction_impulse;  // N s over the step
 };
 
 /// A fault of the last step: a support function's, or a body's (then body is its slot and support.kind is none).
@@ -57,8 +57,8 @@ class World {
   World& operator=(const World&) = delete;
 
   // ---- editing (between steps). Slots are valid; the caller resolved handles. ----
-  Handle add_body(const BodyDef& def);              // 0: all slots taken
-  void remove_body(std::uint32_t body);             // its colliders too
+  Handle add_body(const BodyDef& def);   // 0: all slots taken
+  void remove_body(std::uint32_t body);  // its colliders too
   Handle add_collider(std::uint32_t body, const Shape* shape, const Pose& local, Real density, std::uint32_t material);
   void remove_collider(std::uint32_t collider);
   Handle add_material(const Material& m);
@@ -67,7 +67,7 @@ class World {
   void set_dial(Dial dial, Real value);
   void set_gravity(const Vec3& g);
 
-  Pose pose(std::uint32_t body) const;              // body frame -> world
+  Pose pose(std::uint32_t body) const;  // body frame -> world
   void set_pose(std::uint32_t body, const Pose& pose);
   void set_velocity(std::uint32_t body, const Vec3& linear, const Vec3& angular);
   void add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& point);

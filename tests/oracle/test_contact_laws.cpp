@@ -1,9 +1,8 @@
 // One contact at a time against closed forms: friction on a slope, bounces, impacts between two bodies and along a row.
 #include <vector>
 
-#include "world_builder.h"
-
 #include "carom_test.h"
+#include "world_builder.h"
 
 using namespace carom;
 using namespace carom::test;
@@ -66,7 +65,8 @@ static void a_block_slides_diagonally_without_a_sideways_pull(void**) {
     t.run(120, 1.0 / 60);
     const Vec3 way = t.world.state.x[skid] - Vec3(5, 0.5, 5);
     const Real h = 1.0 / 60;
-    // Semi-implicit: v falls by mu g h before each move, so the way is short by v h/2, to one step's way v_last h < mu g h^2.
+    // Semi-implicit: v falls by mu g h before each move, so the way is short by v h/2, to one step's way v_last h < mu
+    // g h^2.
     assert_true(std::fabs(way.dot(along) - (v * v / (2 * mu * kG) - v * h / 2)) < mu * kG * h * h);
     assert_true((way - way.dot(along) * along).norm() < 1e-3 * h + 1e-12 + 0.5e-3);  // height: position tolerance
     assert_true(t.world.state.v[skid].norm() < 1e-3);
@@ -94,8 +94,8 @@ static void a_ball_bounces_to_e_squared_of_its_height(void**) {
         bounced |= t.world.state.v[b].y() > 0;
         if (bounced) top = std::max(top, t.world.state.x[b].y() - 0.1);
       }
-      // It is thrown back up to one step early, at a height below v h, at a speed off by less than g h; semi-implicit Euler is
-      // off by v h/2 both ways: height off by less than (1 + e^2 + e) v h.
+      // It is thrown back up to one step early, at a height below v h, at a speed off by less than g h; semi-implicit
+      // Euler is off by v h/2 both ways: height off by less than (1 + e^2 + e) v h.
       const Real v = std::sqrt(2 * kG);
       assert_true(bounced);
       assert_true(std::fabs(top - e * e) < (1 + e * e + e) * v * h);

@@ -1,10 +1,11 @@
-// Flight without contacts against closed forms: order of the error in h for each integrator, drag, and the torque-free top.
+// Flight without contacts against closed forms: order of the error in h for each integrator, drag, and the torque-free
+// top.
 //
-// An integrator of order p halves h to divide its error by 2^p; slopes are read between two halvings far above rounding. The
-// next term of the error is of relative size h times a rate of the problem (at most 0.1 here, so the slope is within 0.15).
-#include "world_builder.h"
-
+// An integrator of order p halves h to divide its error by 2^p; slopes are read between two halvings far above
+// rounding. The next term of the error is of relative size h times a rate of the problem (at most 0.1 here, so the
+// slope is within 0.15).
 #include "carom_test.h"
+#include "world_builder.h"
 
 using namespace carom;
 using namespace carom::test;
@@ -27,7 +28,8 @@ Real drag_error(Real integrator, Real c, int n) {
   def.linear_damping = c;
   const std::uint32_t b = handle_slot(t.world.add_body(def));
   t.run(n, T / n);
-  const Vec3 want = c > 0 ? Vec3(g / c * T + (v0 - g / c) * ((1 - std::exp(-c * T)) / c)) : Vec3(v0 * T + g * (T * T / 2));
+  const Vec3 want =
+      c > 0 ? Vec3(g / c * T + (v0 - g / c) * ((1 - std::exp(-c * T)) / c)) : Vec3(v0 * T + g * (T * T / 2));
   return (t.world.state.x[b] - want).norm();
 }
 
@@ -56,7 +58,8 @@ Real angle(const Quat& a, const Quat& b) { return 2 * (a.conjugate() * b).vec().
 }  // namespace
 
 static void free_fall_has_the_error_that_theory_gives(void**) {
-  // Exactly: x_n - x(T) = -+ g T h/2 for explicit and semi-implicit Euler; RK4 is exact. n roundings of terms below 20 m.
+  // Exactly: x_n - x(T) = -+ g T h/2 for explicit and semi-implicit Euler; RK4 is exact. n roundings of terms below 20
+  // m.
   for (int n : {60, 120, 240}) {
     const Real euler = 9.8 * 2 * (2.0 / n) / 2, rounding = 20 * n * kEpsilon;
     assert_true(std::fabs(drag_error(kExplicitEuler, 0, n) - euler) < rounding);
@@ -107,7 +110,8 @@ static void the_torque_free_top_converges_to_itself_and_keeps_its_momentum(void*
     l_error[k] = (top.momentum - l0).norm() / l0.norm();
     e_error[k] = std::fabs(top.energy - e0) / e0;
   }
-  // h |omega| = 0.14 and 0.07: the next term is within 0.3 of the slope. Invariants may do better than the pose, not worse.
+  // h |omega| = 0.14 and 0.07: the next term is within 0.3 of the slope. Invariants may do better than the pose, not
+  // worse.
   assert_true(std::fabs(slope(angle_error[0], angle_error[1]) - 4) < 0.4);
   assert_true(slope(l_error[0], l_error[1]) > 3.6);
   assert_true(slope(e_error[0], e_error[1]) > 3.6);

@@ -1,13 +1,12 @@
 // What should stand still stands still: a box, a stack, a pile, also far from the origin.
 //
-// A contact may keep a velocity error up to the dial velocity_tolerance, tol. It changes sign as it is corrected, so a body
-// wanders rather than runs; the bounds here are what running at tol all the time would do, tol * T, plus the depth to which a
-// contact sinks before it is pushed back, position_tolerance.
+// A contact may keep a velocity error up to the dial velocity_tolerance, tol. It changes sign as it is corrected, so a
+// body wanders rather than runs; the bounds here are what running at tol all the time would do, tol * T, plus the depth
+// to which a contact sinks before it is pushed back, position_tolerance.
 #include <vector>
 
-#include "world_builder.h"
-
 #include "carom_test.h"
+#include "world_builder.h"
 
 using namespace carom;
 using namespace carom::test;
@@ -21,7 +20,8 @@ Real depth(const World& w) { return w.scene.dials[Dial::position_tolerance]; }
 
 bool all_finite(const World& w) {
   for (std::uint32_t i = 0; i < w.scene.bodies.slots(); ++i)
-    if (!finite(w.state.x[i]) || !finite(w.state.v[i]) || !finite(w.state.omega[i]) || !w.state.q[i].coeffs().allFinite())
+    if (!finite(w.state.x[i]) || !finite(w.state.v[i]) || !finite(w.state.omega[i]) ||
+        !w.state.q[i].coeffs().allFinite())
       return false;
   return true;
 }
@@ -120,11 +120,12 @@ static void deep_overlap_is_undone_without_an_explosion(void**) {
   t.ground();
   const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
   std::vector<std::uint32_t> pile;
-  for (int i = 0; i < 4; ++i) pile.push_back(t.add(cube, Vec3(0.1 * i, 0.5 + 0.5 * i, 0.05 * i)));  // half sunk into each other
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 4; ++i)
+    pile.push_back(t.add(cube, Vec3(0.1 * i, 0.5 + 0.5 * i, 0.05 * i)));  // half sunk into each other
+  // Pushing apart adds no velocity. (Later the crooked tower topples, as it should.)
+  for (int i = 0; i < 60; ++i) {
     t.world.step(kStep);
-    // Pushing apart adds no velocity: nothing is faster than a fall from the height that the pile gains, sqrt(2 g 2.5).
-    for (const std::uint32_t b : pile) assert_true(t.world.state.v[b].norm() < 7.1);
+    for (const std::uint32_t b : pile) assert_true(t.world.state.v[b].norm() < 2);
   }
   assert_true(t.world.report.max_penetration < 0.012);
 }

@@ -134,11 +134,16 @@ void start_row(World& world, const Row& row, const RowMass& m) {
 
 Real mix(Mix rule_a, Real a, Mix rule_b, Real b) {
   switch (std::max(rule_a, rule_b)) {
-    case Mix::maximum: return std::max(a, b);
-    case Mix::minimum: return std::min(a, b);
-    case Mix::average: return (a + b) / 2;
-    case Mix::multiply: return a * b;
-    default: return std::sqrt(a * b);
+    case Mix::maximum:
+      return std::max(a, b);
+    case Mix::minimum:
+      return std::min(a, b);
+    case Mix::average:
+      return (a + b) / 2;
+    case Mix::multiply:
+      return a * b;
+    default:
+      return std::sqrt(a * b);
   }
 }
 

@@ -1,7 +1,7 @@
 // Rows of the solver: one per contact point, made from the manifolds of a step.
 //
-// Signs: the normal points from A to B; u is the velocity of B's point relative to A's, so u.n < 0 closes; an impulse p acts
-// on B as +p at r_b and on A as -p at r_a.
+// Signs: the normal points from A to B; u is the velocity of B's point relative to A's, so u.n < 0 closes; an impulse p
+// acts on B as +p at r_b and on A as -p at r_a.
 #pragma once
 
 #include "dynamics/effects.h"
@@ -10,24 +10,24 @@ namespace carom {
 
 /// What the solver reads and writes most: two cache lines a row.
 struct Row {
-  Vec3 u;               // m/s, relative velocity at the point, kept up to date as impulses spread
-  Vec3 n;               // unit, world, A to B
-  Vec3 p;               // N s, impulse on B in this substep so far, world
-  Real target;          // m/s, least normal velocity: 0, or -separation/h of an open contact
-  Real friction;        // mixed Coulomb coefficient
-  Real k_n;             // 1/kg, n.K n: normal velocity per unit of normal impulse
-  Real restitution;     // mixed
-  Real force_speed;     // m/s >= 0, part of the closing speed that the forces of this substep added; rows that bounce only
-  std::uint32_t a, b;   // body slots
+  Vec3 u;            // m/s, relative velocity at the point, kept up to date as impulses spread
+  Vec3 n;            // unit, world, A to B
+  Vec3 p;            // N s, impulse on B in this substep so far, world
+  Real target;       // m/s, least normal velocity: 0, or -separation/h of an open contact
+  Real friction;     // mixed Coulomb coefficient
+  Real k_n;          // 1/kg, n.K n: normal velocity per unit of normal impulse
+  Real restitution;  // mixed
+  Real force_speed;  // m/s >= 0, part of the closing speed that the forces of this substep added; rows that bounce only
+  std::uint32_t a, b;     // body slots
   bool moves_a, moves_b;  // an impulse moves it
-  bool bounced;         // it threw its bodies apart in this substep: its impulse is not taken back
+  bool bounced;           // it threw its bodies apart in this substep: its impulse is not taken back
 };
 
 /// What a row needs when it is resolved.
 struct RowMass {
-  Vec3 r_a, r_b;        // m, world axes: from the centres of mass to the point
-  Mat3 k;               // 1/kg, change of u per impulse; positive definite
-  Mat3 k_inv;           // kg
+  Vec3 r_a, r_b;  // m, world axes: from the centres of mass to the point
+  Mat3 k;         // 1/kg, change of u per impulse; positive definite
+  Mat3 k_inv;     // kg
 };
 
 struct RowGeometry {
@@ -39,24 +39,41 @@ struct RowGeometry {
   std::uint32_t point;  // index in its manifold
 };
 
-/// One end of a row, listed with the body it hangs on: all that is needed to tell the row that the body's velocity changed.
+/// One end of a row, listed with the body it hangs on: all that is needed to tell the row that the body's velocity
+/// changed.
 struct HalfContact {
-  Vec3 r;               // m, world axes
+  Vec3 r;  // m, world axes
   std::uint32_t row;
-  std::int32_t sign;    // +1: the body is B; -1: A
+  std::int32_t sign;  // +1: the body is B; -1: A
 };
 
 /// What the next step knows of an impulse of this one.
 struct OldImpulse {
   Pair pair;
-  Vec3 on_a;            // m, frame of collider A's shape
-  Vec3 n, p;            // unit; N s per substep, world
+  Vec3 on_a;  // m, frame of collider A's shape
+  Vec3 n, p;  // unit; N s per substep, world
 };
 
 struct Contacts {
   explicit Contacts(Memory* m)
-      : rows(m), mass(m), geometry(m), half(m), half_begin(m), inv_inertia_w(m), shift(m), turn(m), bodies(m),
-        bouncing(m), group_rows(m), group_begin(m), old(m), parent(m), label(m), keys(m), heap(m), heap_position(m) {}
+      : rows(m),
+        mass(m),
+        geometry(m),
+        half(m),
+        half_begin(m),
+        inv_inertia_w(m),
+        shift(m),
+        turn(m),
+        bodies(m),
+        bouncing(m),
+        group_rows(m),
+        group_begin(m),
+        old(m),
+        parent(m),
+        label(m),
+        keys(m),
+        heap(m),
+        heap_position(m) {}
 
   // by row, in the order of the pair table
   Array<Row> rows;
@@ -64,20 +81,20 @@ struct Contacts {
   Array<RowGeometry> geometry;
 
   // by body slot
-  Array<HalfContact> half;              // grouped by body
-  Array<std::uint32_t> half_begin;      // [slots + 1]
-  Array<Mat3> inv_inertia_w;            // 1/(kg m^2), world axes, of this substep; zero if it does not rotate
-  Array<Vec3> shift, turn;              // m, rad: corrections of the pose not yet applied
+  Array<HalfContact> half;          // grouped by body
+  Array<std::uint32_t> half_begin;  // [slots + 1]
+  Array<Mat3> inv_inertia_w;        // 1/(kg m^2), world axes, of this substep; zero if it does not rotate
+  Array<Vec3> shift, turn;          // m, rad: corrections of the pose not yet applied
 
-  Array<std::uint32_t> bodies;          // slots that have rows and are moved by them, ascending
-  Array<std::uint32_t> bouncing;        // rows with a restitution
+  Array<std::uint32_t> bodies;    // slots that have rows and are moved by them, ascending
+  Array<std::uint32_t> bouncing;  // rows with a restitution
 
   // contact groups
-  Array<std::uint32_t> group_rows;      // rows, ascending within a group
-  Array<std::uint32_t> group_begin;     // [groups + 1]
+  Array<std::uint32_t> group_rows;   // rows, ascending within a group
+  Array<std::uint32_t> group_begin;  // [groups + 1]
 
-  Array<OldImpulse> old;                // of the last step, ascending by pair
-  Real old_h = 0;                       // s, the substep that made them
+  Array<OldImpulse> old;  // of the last step, ascending by pair
+  Real old_h = 0;         // s, the substep that made them
 
   // scratch: union-find, search
   Array<std::uint32_t> parent, label;
@@ -90,8 +107,8 @@ struct Contacts {
 /// Mixed coefficient of two, by the rule with the larger number.
 Real mix(Mix rule_a, Real a, Mix rule_b, Real b);
 
-/// Rows of this step from the pair table, with last step's impulses matched to them. Allocates all that the rest of the step
-/// needs.
+/// Rows of this step from the pair table, with last step's impulses matched to them. Allocates all that the rest of the
+/// step needs.
 void build_rows(World& world, Real h);
 /// Stage approach: closing speeds before the forces of this substep, for rows that bounce.
 void measure_approach(World& world, const StepTime& time);

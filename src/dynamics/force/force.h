@@ -1,7 +1,7 @@
 // The effects on velocities, one file each: who are the customers, and what is done to them.
 //
-// Signatures as the table wants them (dynamics/effects.h): a force adds scale * acceleration to its target and reads the
-// motion it is given, never the state's; a flow maps velocities over h exactly or stably where a force could not.
+// Signatures as the table wants them (dynamics/effects.h): a force adds scale * acceleration to its target and reads
+// the motion it is given, never the state's; a flow maps velocities over h exactly or stably where a force could not.
 #pragma once
 
 #include "dynamics/effects.h"

@@ -11,8 +11,8 @@ void find(const Scene& scene, const State& state, Customers& customers) {
     if (!responds(scene, state, i) || !rotates(scene, i)) continue;
     const Mat3& inertia = scene.inertia[i];
     const Real mean = inertia.trace() / 3;
-    // Rounding of the parallel-axis sums leaves a cube anisotropic by a few eps; 1e-12 turns the momentum of such a body by
-    // less than 1e-12 of its spin.
+    // Rounding of the parallel-axis sums leaves a cube anisotropic by a few eps; 1e-12 turns the momentum of such a
+    // body by less than 1e-12 of its spin.
     if ((inertia - mean * Mat3::Identity()).cwiseAbs().maxCoeff() > 1e-12 * mean) customers.add(i);
   }
 }

@@ -1,17 +1,17 @@
 // Integrators: from forces to velocities, and from velocities to poses.
 //
-// velocity(h) changes v and omega by the forces that have customers, and may leave a proposal: the pose in which a body ends
-// if no contact acts. position(h) takes the proposal for bodies no solver touched in this substep and moves all others by
-// their (solved) velocity:
+// velocity(h) changes v and omega by the forces that have customers, and may leave a proposal: the pose in which a body
+// ends if no contact acts. position(h) takes the proposal for bodies no solver touched in this substep and moves all
+// others by their (solved) velocity:
 //
 //                     velocity                     untouched body's pose          order of the pose in flight
 //   explicit Euler    v1 = v0 + h a(x0, v0)        x1 = x0 + h v0                 1
 //   semi-implicit     v1 = v0 + h a(x0, v0)        x1 = x0 + h v1 (no proposal)   1, symplectic
 //   RK4               classical, 4 evaluations     x1 = x0 + h (RK4 mean of v)    4
 //
-// A touched body cannot keep its proposal: it was made before the impulses and would carry the body through the floor. It
-// moves by the velocity at the end of the substep, which is what the solver made admissible; that is semi-implicit Euler, and
-// first order is all that a contact's kink allows anyway.
+// A touched body cannot keep its proposal: it was made before the impulses and would carry the body through the floor.
+// It moves by the velocity at the end of the substep, which is what the solver made admissible; that is semi-implicit
+// Euler, and first order is all that a contact's kink allows anyway.
 #pragma once
 
 #include "dynamics/effects.h"
@@ -20,9 +20,9 @@ namespace carom {
 
 struct Integrator {
   const char* name;
-  bool proposes;          // fills plan.proposal for every dynamic body
-  bool forces_only;       // evaluates at intermediate states, so effects must be forces rather than flows
-  std::size_t vectors;    // scratch it wants: Vec3 arrays and Quat arrays of one element per body slot
+  bool proposes;        // fills plan.proposal for every dynamic body
+  bool forces_only;     // evaluates at intermediate states, so effects must be forces rather than flows
+  std::size_t vectors;  // scratch it wants: Vec3 arrays and Quat arrays of one element per body slot
   std::size_t rotations;
   void (*velocity)(World& world, Real h);
 };

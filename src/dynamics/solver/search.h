@@ -1,7 +1,7 @@
 // Which contact is the most severe? Two searches with one interface and the same answers: the paper's scan and a heap.
 //
-// A search looks after the rows of one group whose key lies above a threshold. top() is the row with the largest key; among
-// equals, the lowest row. So both searches make a solver do the same things in the same order, bit for bit.
+// A search looks after the rows of one group whose key lies above a threshold. top() is the row with the largest key;
+// among equals, the lowest row. So both searches make a solver do the same things in the same order, bit for bit.
 #pragma once
 
 #include <span>
@@ -34,8 +34,8 @@ class LinearSearch {
   Real threshold_ = 0;
 };
 
-/// Binary heap of the rows above the threshold, with each row's place in it: O(log rows) per set(), nothing for rows that
-/// are and stay below. In a pile at rest almost all are.
+/// Binary heap of the rows above the threshold, with each row's place in it: O(log rows) per set(), nothing for rows
+/// that are and stay below. In a pile at rest almost all are.
 class HeapSearch {
  public:
   /// @param heap      scratch with capacity for all rows   @param position [rows]
@@ -75,9 +75,7 @@ class HeapSearch {
   std::uint32_t top() const { return heap_.empty() ? kNoRow : heap_[0]; }
 
  private:
-  bool before(std::uint32_t a, std::uint32_t b) const {
-    return keys_[a] > keys_[b] || (keys_[a] == keys_[b] && a < b);
-  }
+  bool before(std::uint32_t a, std::uint32_t b) const { return keys_[a] > keys_[b] || (keys_[a] == keys_[b] && a < b); }
   void put(std::size_t at, std::uint32_t row) {
     heap_[at] = row;
     position_[row] = static_cast<std::uint32_t>(at);

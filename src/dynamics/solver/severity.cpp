@@ -47,11 +47,12 @@ Vec3 resolved_impulse(const Row& row, const RowMass& m, Real target, Real least)
   if (!(row.friction > 0)) return std::max(least, row.p.dot(n) + lacking / row.k_n) * n;
   const Vec3 stick = row.p + m.k_inv * (target * n - row.u);
   const Real stick_n = stick.dot(n);
-  if (stick_n > least && (stick - stick_n * n).squaredNorm() <= row.friction * row.friction * stick_n * stick_n) return stick;
+  if (stick_n > least && (stick - stick_n * n).squaredNorm() <= row.friction * row.friction * stick_n * stick_n)
+    return stick;
 
   // Sliding. The direction that would stick is not the one in which the point then slips; but steps of one size in all
-  // directions of the plane, cut off at the disc, have Coulomb's law as their fixed point. k_t bounds the plane's largest
-  // eigenvalue, so they converge; each visit goes on where the last one stopped.
+  // directions of the plane, cut off at the disc, have Coulomb's law as their fixed point. k_t bounds the plane's
+  // largest eigenvalue, so they converge; each visit goes on where the last one stopped.
   const Real k_t = m.k.trace() - row.k_n;
   const Vec3 rub = row.p - row.p.dot(n) * n - (row.u - row.u.dot(n) * n) / k_t;
   const Real size = rub.norm();
@@ -83,7 +84,9 @@ template <class Search>
 class VelocityPass {
  public:
   VelocityPass(World& world, Search& search)
-      : world_(world), c_(*world.contacts), search_(search),
+      : world_(world),
+        c_(*world.contacts),
+        search_(search),
         restitution_speed_(world.scene.dials[Dial::restitution_speed]) {}
 
   /// @return impulses applied
@@ -146,7 +149,8 @@ class PositionPass {
       const RowMass& m = c_.mass[i];
       // Half the tolerance is left, so that a body at rest is not pushed out of touch.
       Real push = (-c_.geometry[i].separation - tolerance / 2) / row.k_n;
-      push *= std::min(turn_limit(row.moves_a, row.a, m.r_a, row.n, push), turn_limit(row.moves_b, row.b, m.r_b, row.n, push));
+      push *= std::min(turn_limit(row.moves_a, row.a, m.r_a, row.n, push),
+                       turn_limit(row.moves_b, row.b, m.r_b, row.n, push));
       const Vec3 p = push * row.n;
       if (row.moves_a) spread(row.a, -p, m.r_a);
       if (row.moves_b) spread(row.b, p, m.r_b);
@@ -156,7 +160,8 @@ class PositionPass {
   }
 
  private:
-  /// A turn is projected linearly; beyond 0.1 rad (error 1 - cos = 0.5 % of the arm) the rest is left for the next step.
+  /// A turn is projected linearly; beyond 0.1 rad (error 1 - cos = 0.5 % of the arm) the rest is left for the next
+  /// step.
   Real turn_limit(bool moves, std::uint32_t body, const Vec3& r, const Vec3& n, Real push) const {
     constexpr Real kMaxTurn = 0.1;  // rad
     if (!moves || !rotates(world_.scene, body)) return 1;
@@ -205,8 +210,8 @@ void solve_velocities(World& world, const StepTime& time) {
   Contacts& c = *world.contacts;
   prepare_rows(world, time.h);
   const Dials& dials = world.scene.dials;
-  world.report.velocity_impulses += over_groups<VelocityPass>(world, dials[Dial::velocity_tolerance],
-                                                              dials.whole(Dial::velocity_iterations));
+  world.report.velocity_impulses +=
+      over_groups<VelocityPass>(world, dials[Dial::velocity_tolerance], dials.whole(Dial::velocity_iterations));
   for (std::size_t i = 0; i < c.rows.size(); ++i) c.geometry[i].impulse += c.rows[i].p;
 }
 
@@ -216,8 +221,8 @@ void solve_positions(World& world, const StepTime&) {
   refresh_rotations(world);
   refresh_separations(world);
   const Dials& dials = world.scene.dials;
-  world.report.position_moves += over_groups<PositionPass>(world, dials[Dial::position_tolerance],
-                                                           dials.whole(Dial::position_iterations));
+  world.report.position_moves +=
+      over_groups<PositionPass>(world, dials[Dial::position_tolerance], dials.whole(Dial::position_iterations));
   for (const std::uint32_t i : c.bodies) {
     s.x[i] += c.shift[i];
     if (c.turn[i] != Vec3::Zero()) s.q[i] = normalized(exp_map(c.turn[i]) * s.q[i]);

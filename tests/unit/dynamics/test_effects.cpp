@@ -1,11 +1,9 @@
 // Only effects with customers run, and only on their customers.
-#include "dynamics/effects.h"
-
+#include "carom_test.h"
 #include "dynamics/contact/contact.h"
+#include "dynamics/effects.h"
 #include "dynamics/force/force.h"
 #include "world_builder.h"
-
-#include "carom_test.h"
 
 using namespace carom;
 using namespace carom::test;

@@ -1,12 +1,10 @@
 // Contact groups by union-find against a breadth-first search, on random contact graphs.
-#include "dynamics/island.h"
-
 #include <deque>
 #include <vector>
 
-#include "world_builder.h"
-
 #include "carom_test.h"
+#include "dynamics/island.h"
+#include "world_builder.h"
 
 using namespace carom;
 using namespace carom::test;

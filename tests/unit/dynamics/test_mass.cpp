@@ -1,13 +1,14 @@
 // Mass properties of bodies against closed forms, and what editing a world does to them.
-#include "world_builder.h"
-
 #include "carom_test.h"
+#include "world_builder.h"
 
 using namespace carom;
 using namespace carom::test;
 
 // Sums of a handful of terms: a few roundings each.
-static void assert_near(Real got, Real want, Real scale) { assert_true(std::fabs(got - want) <= 16 * kEpsilon * scale); }
+static void assert_near(Real got, Real want, Real scale) {
+  assert_true(std::fabs(got - want) <= 16 * kEpsilon * scale);
+}
 
 static BodyDef dynamic_at(const Vec3& p) {
   BodyDef def;
@@ -91,8 +92,8 @@ static void the_frame_and_the_velocity_of_the_centre_survive_a_new_collider(void
   def.velocity = Vec3(4, 5, 6);
   def.omega = Vec3(0, 1, 0);
   const std::uint32_t b = handle_slot(t.world.add_body(def));
-  const Handle h = t.world.add_collider(b, t.keep(sphere(0.5)), {Quat::Identity(), Vec3(2, 0, 0)}, 1000,
-                                        Colliders::kNoMaterial);
+  const Handle h =
+      t.world.add_collider(b, t.keep(sphere(0.5)), {Quat::Identity(), Vec3(2, 0, 0)}, 1000, Colliders::kNoMaterial);
   assert_true((t.world.pose(b).p - Vec3(1, 2, 3)).norm() < 1e-14);
   assert_true((t.world.state.x[b] - t.world.pose(b).apply(Vec3(2, 0, 0))).norm() < 1e-14);
   assert_true(t.world.state.v[b] == Vec3(4, 5, 6));

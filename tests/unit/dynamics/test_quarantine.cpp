@@ -1,16 +1,15 @@
 // Bad states and bad support functions stay with the body and the shape that have them.
-#include "dynamics/quarantine.h"
-
-#include "world_builder.h"
-
 #include "carom_test.h"
+#include "dynamics/quarantine.h"
+#include "world_builder.h"
 
 using namespace carom;
 using namespace carom::test;
 
 static bool all_finite(const World& w) {
   for (std::uint32_t i = 0; i < w.scene.bodies.slots(); ++i)
-    if (!finite(w.state.x[i]) || !finite(w.state.v[i]) || !finite(w.state.omega[i]) || !w.state.q[i].coeffs().allFinite())
+    if (!finite(w.state.x[i]) || !finite(w.state.v[i]) || !finite(w.state.omega[i]) ||
+        !w.state.q[i].coeffs().allFinite())
       return false;
   return true;
 }
@@ -67,7 +66,8 @@ static void a_shape_that_misbehaves_is_muted_in_its_world(void**) {
     const Shape* moody = t.keep(std::move(shape));
     const_cast<Shape*>(moody)->form = Form::none;  // the generic path asks its support
     const Shape* good = t.keep(box(Vec3::Constant(0.5)));
-    const std::uint32_t a = t.add(moody, Vec3(0, 0.5, 0)), b = t.add(moody, Vec3(5, 0.5, 0)), c = t.add(good, Vec3(9, 0.5, 0));
+    const std::uint32_t a = t.add(moody, Vec3(0, 0.5, 0)), b = t.add(moody, Vec3(5, 0.5, 0)),
+                        c = t.add(good, Vec3(9, 0.5, 0));
     t.run(5, 1.0 / 60);
     assert_int_equal(t.world.report.faults, 0);
     failing = how;

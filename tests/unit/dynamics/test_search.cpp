@@ -1,11 +1,9 @@
 // The heap finds what the scan finds: on random keys, and bit for bit in a whole simulation.
-#include "dynamics/solver/search.h"
-
 #include <vector>
 
-#include "world_builder.h"
-
 #include "carom_test.h"
+#include "dynamics/solver/search.h"
+#include "world_builder.h"
 
 using namespace carom;
 using namespace carom::test;
