@@ -36,6 +36,7 @@ class SweepAndPrune final : public BroadPhase {
         member_(m),
         members_(m),
         joined_(m),
+        passed_(m),
         met_(m),
         parted_(m),
         known_(m),
@@ -74,6 +75,12 @@ class SweepAndPrune final : public BroadPhase {
     members_.clear();
     std::fill(member_.begin(), member_.end(), std::uint8_t(0));
   }
+
+  /// An end that moved below an end of the other kind.
+  struct Passing {
+    std::uint32_t id;    // of the end that moved
+    std::uint32_t slot;  // of the box whose end it passed
+  };
 
   /// Copy the table's boxes and learn who is there: members are the live slots whose box is not empty. Whether they are
   /// the old ones is asked of the table itself, as it must be looked through anyhow.
@@ -136,27 +143,40 @@ class SweepAndPrune final : public BroadPhase {
     return true;
   }
 
+  /// Exchanges are noted first and judged afterwards: whether an upper end passed a lower one is a coin toss that a
+  /// processor would lose half of the time, so it moves a counter instead of branching.
   bool insert_in_order(std::size_t k, std::uint64_t budget) {
     Array<End>& axis = axes_[k];
+    std::size_t count = 0;
     for (std::size_t i = 0; i < axis.size(); ++i) {
       const End moving{now_[3 * axis[i].id + k], axis[i].id};
+      axis[i] = moving;
+      if (i == 0 || !(moving < axis[i - 1])) continue;
+      if (passed_.size() < count + i) passed_.resize(2 * (count + i));
+      Passing* next = passed_.data() + count;
       std::size_t j = i;
-      for (; j > 0 && moving < axis[j - 1]; --j) {
-        const End& passed = axis[j - 1];
-        if (moving.upper() != passed.upper()) exchanged(moving.slot(), passed.slot(), moving.upper());
-        axis[j] = passed;
-      }
+      do {
+        const End other = axis[j - 1];
+        *next = {moving.id, other.slot()};
+        next += (moving.id ^ other.id) & 1;
+        axis[j] = other;
+        --j;
+      } while (j > 0 && moving < axis[j - 1]);
       axis[j] = moving;
+      count = static_cast<std::size_t>(next - passed_.data());
       work_.swaps += i - j;
       if (work_.swaps > budget) return false;
     }
+    work_.tests += count;
+    for (std::size_t i = 0; i < count; ++i) judge(passed_[i]);
     return true;
   }
 
-  void exchanged(std::uint32_t s, std::uint32_t t, bool parting) {
-    ++work_.tests;
-    const Array<Real>& boxes = parting ? before_ : now_;
-    if (overlap(&boxes[6 * s], &boxes[6 * t])) (parting ? parted_ : met_).push_back({std::min(s, t), std::max(s, t)});
+  void judge(const Passing& p) {
+    const bool parting = p.id & 1;
+    const std::uint32_t s = p.id >> 1, t = p.slot;
+    const Real* const boxes = (parting ? before_ : now_).data();
+    if (overlap(boxes + 6 * s, boxes + 6 * t)) (parting ? parted_ : met_).push_back({std::min(s, t), std::max(s, t)});
   }
 
   /// A pair may have met, or parted, on up to three axes; never both, as one is judged by the new boxes alone.
@@ -223,6 +243,7 @@ class SweepAndPrune final : public BroadPhase {
   Array<std::uint8_t> member_;    // [slots]
   Array<std::uint32_t> members_;  // ascending
   Array<std::uint32_t> joined_;   // members that were none in the last call
+  Array<Passing> passed_;         // on one axis in this call, of which the first `count` mean something
   Array<Pair> met_, parted_;      // of this call
   Array<Pair> known_;             // all pairs of members whose boxes overlap, ascending
   Array<Pair> spare_;
