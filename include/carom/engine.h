@@ -21,7 +21,8 @@ typedef struct carom_engine carom_engine;
 typedef struct carom_engine_desc {
   uint32_t struct_size;
   uint32_t reserved; /**< 0 */
-  /** Host allocator, or NULL for the C library's. alloc returns NULL when out of memory; alignment is a power of two. */
+  /** Host allocator, both or neither; NULL for the C library's. alloc returns NULL when out of memory; alignment is a power
+   *  of two. Called on whichever threads use the engine and its worlds, at once. */
   void *(*alloc)(void *user, uint64_t size, uint64_t alignment);
   void (*free)(void *user, void *pointer, uint64_t size, uint64_t alignment);
   void *alloc_user;
@@ -34,7 +35,8 @@ typedef struct carom_engine_desc {
 CAROM_API int32_t carom_engine_desc_init(carom_engine_desc *desc);
 
 /** Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_MEMORY   @thread any */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY
+ *  @thread any */
 CAROM_API int32_t carom_engine_create(const carom_engine_desc *desc, carom_engine **engine, carom_error *error);
 
 /** Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first); REENTRANT */

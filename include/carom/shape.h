@@ -25,7 +25,7 @@ CAROM_API int32_t carom_shape_create(carom_engine *engine, carom_plugin plugin, 
 CAROM_API int32_t carom_shape_create_half_space(carom_engine *engine, const double normal[3], double offset,
                                                 carom_shape *shape, carom_error *error);
 
-/** @status OK; *_HANDLE; IN_USE (a collider refers to it); REENTRANT */
+/** @status OK; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT */
 CAROM_API int32_t carom_shape_destroy(carom_engine *engine, carom_shape shape, carom_error *error);
 
 /** What the engine knows of a shape. Quantities are for unit density (1 kg/m^3) in the shape's own frame; each derived
@@ -61,7 +61,7 @@ CAROM_API int32_t carom_shape_get_params(carom_engine *engine, carom_shape shape
 /** Support points of the whole shape, core radius included, for n directions at once.
  *  @param dirs [3n] nonzero, any length, shape frame   @param points [3n] m, shape frame
  *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a zero direction); UNSUPPORTED (half-space);
- *          PLUGIN_DISHONEST (the support function failed) */
+ *          PLUGIN_DISHONEST (the support function failed; the points before are written) */
 CAROM_API int32_t carom_shape_support(carom_engine *engine, carom_shape shape, const double *dirs, uint64_t n,
                                       double *points, carom_error *error);
 

@@ -26,7 +26,8 @@ typedef struct carom_world_desc {
 CAROM_API int32_t carom_world_desc_init(carom_world_desc *desc);
 
 /** @param desc may be NULL: defaults   @owns the caller: carom_world_destroy(), before the engine
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; LIMIT (65,535 worlds); OUT_OF_MEMORY
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; LIMIT (65,535 engines and worlds in
+ *          all); OUT_OF_MEMORY
  *  @thread any */
 CAROM_API int32_t carom_world_create(carom_engine *engine, const carom_world_desc *desc, carom_world **world,
                                      carom_error *error);
@@ -37,17 +38,19 @@ CAROM_API int32_t carom_world_destroy(carom_world *world, carom_error *error);
 /** Advance by dt.
  *  @param dt s, in (0, 1]
  *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY
+ *  Out of memory: no body has moved and forces are still pending; contact caches may have been dropped.
  *  A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() tells. */
 CAROM_API int32_t carom_world_step(carom_world *world, double dt, carom_error *error);
 
 /** @param value within the dial's bounds; whole for choices and integers
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_world_set_dial(carom_world *world, uint32_t dial, double value, carom_error *error);
-/** @status OK; NULL_ARGUMENT; UNKNOWN_ENUM */
+/** @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
 CAROM_API int32_t carom_world_get_dial(carom_world *world, uint32_t dial, double *value, carom_error *error);
 
 /** @param gravity [3] m/s^2, |each| <= 1e6   @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_world_set_gravity(carom_world *world, const double gravity[3], carom_error *error);
+/** @status OK; NULL_ARGUMENT; BUSY */
 CAROM_API int32_t carom_world_get_gravity(carom_world *world, double gravity[3], carom_error *error);
 
 /* ---- what the last step did ---- */
@@ -111,7 +114,7 @@ typedef struct carom_contact {
   double friction_impulse; /**< N s, magnitude, summed over the step */
 } carom_contact;
 
-/** Copy out the contact points of the last step, in a deterministic order.
+/** Copy out the contact points of the last step, in a deterministic order; those of colliders destroyed since are gone.
  *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
  *  @param stride   sizeof(carom_contact) as the caller knows it
  *  @param count    out: how many there are (may exceed capacity; capacity are written)

@@ -104,10 +104,11 @@ carom_body_desc describe(const World& world, std::uint32_t slot) {
   return d;
 }
 
+/// Only the first collider's removal can run out of memory, so all go or none.
 void remove(carom_engine& engine, World& world, std::uint32_t body) {
-  const Scene& scene = world.scene;
-  for (std::uint32_t c = 0; c < scene.collider_slots.slots(); ++c)
-    if (scene.collider_slots.alive(c) && scene.colliders.body[c] == body) release_collider(engine, world, c);
+  const Colliders& c = world.scene.colliders;
+  for (std::size_t k = c.live.size(); k-- > 0;)
+    if (c.body[c.live[k]] == body) remove_collider(engine, world, c.live[k]);
   std::erase_if(world.fault_views, [&](const FaultView& v) { return v.body == body; });
   world.remove_body(body);
 }

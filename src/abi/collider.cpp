@@ -72,9 +72,9 @@ carom_collider_desc describe(const World& world, std::uint32_t slot) {
 
 }  // namespace
 
-void release_collider(carom_engine& engine, World& world, std::uint32_t collider) {
-  const Colliders& c = world.scene.colliders;
-  const Shape* shape = c.shape[collider];
+void remove_collider(carom_engine& engine, World& world, std::uint32_t collider) {
+  const Shape* shape = world.scene.colliders.shape[collider];
+  world.remove_collider(collider);
   std::erase_if(world.contact_views,
                 [&](const ContactView& v) { return v.collider_a == collider || v.collider_b == collider; });
   std::erase_if(world.fault_views, [&](const FaultView& v) { return v.support.shape == shape; });
@@ -109,8 +109,7 @@ int32_t carom_collider_destroy(carom_world* world, carom_collider collider, caro
     const Changing changing(call, world);
     if (!changing || !resolve(call, 2, "collider", changing->scene.collider_slots, collider)) return;
     const FloatScope scope;
-    release_collider(changing.engine(), *changing, handle_slot(collider));
-    changing->remove_collider(handle_slot(collider));
+    remove_collider(changing.engine(), *changing, handle_slot(collider));
   });
 }
 

@@ -34,9 +34,8 @@ bool read_material(Call& call, int argument, const carom_material_desc* given, M
 }
 
 bool worn(const Scene& scene, std::uint32_t material) {
-  for (std::uint32_t c = 0; c < scene.collider_slots.slots(); ++c)
-    if (scene.collider_slots.alive(c) && scene.colliders.material[c] == material) return true;
-  return false;
+  const Colliders& c = scene.colliders;
+  return std::any_of(c.live.begin(), c.live.end(), [&](std::uint32_t slot) { return c.material[slot] == material; });
 }
 
 }  // namespace

@@ -47,9 +47,8 @@ void create(Call& call, carom_engine* engine, const carom_world_desc* given, car
 
 void destroy(carom_world* world) {
   carom_engine& engine = world->engine;
-  const Colliders& colliders = world->inner.scene.colliders;
-  for (std::uint32_t slot = 0; slot < world->inner.scene.collider_slots.slots(); ++slot)
-    if (world->inner.scene.collider_slots.alive(slot)) unuse_shape(engine, *colliders.shape[slot]);
+  const Colliders& c = world->inner.scene.colliders;
+  for (const std::uint32_t slot : c.live) unuse_shape(engine, *c.shape[slot]);
   const std::uint32_t tag = world->tag;
   destroy_on(&engine.memory, world);
   release_tag(tag);

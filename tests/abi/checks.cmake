@@ -38,3 +38,7 @@ target_compile_definitions(test_abi_plugins PRIVATE CAROM_LIAR_DIR="${CMAKE_CURR
 add_dependencies(test_abi_plugins ${liar_targets})
 target_link_libraries(test_abi_plugins PRIVATE m)
 target_compile_definitions(test_abi_ffi PRIVATE CAROM_LIBRARY="$<TARGET_FILE:carom>")
+find_package(Threads REQUIRED)
+foreach(name threads busy_reentrant)
+  target_link_libraries(test_abi_${name} PRIVATE Threads::Threads)
+endforeach()

@@ -1,0 +1,257 @@
+// Calls at the wrong time: from inside a callback they are REENTRANT, from another thread during a step BUSY, and neither
+// changes anything. Reads may run side by side.
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bench.h"
+
+#include "carom_test.h"
+
+namespace {
+
+/// Every call that can be made with the stage's objects, by name, and its result.
+struct Attempt {
+  std::string name;
+  int32_t result;
+};
+
+const double kUp[3] = {0, 1, 0}, kUpright[4] = {0, 0, 0, 1};
+
+std::vector<Attempt> try_world_calls(const Bench& b) {
+  std::vector<Attempt> out;
+  const auto add = [&](const char* name, int32_t result) { out.push_back({name, result}); };
+  carom_material_desc material;
+  carom_material_desc_init(&material);
+  carom_body_desc body;
+  carom_body_desc_init(&body);
+  carom_collider_desc collider;
+  carom_collider_desc_init(&collider);
+  collider.shape = b.ball;
+  uint64_t handle, count;
+  double v[7];
+  carom_step_report report = {};
+  report.struct_size = sizeof report;
+  add("world_destroy", carom_world_destroy(b.world, nullptr));
+  add("world_step", carom_world_step(b.world, 0.01, nullptr));
+  add("world_set_dial", carom_world_set_dial(b.world, CAROM_DIAL_SUBSTEPS, 2, nullptr));
+  add("world_get_dial", carom_world_get_dial(b.world, CAROM_DIAL_SUBSTEPS, v, nullptr));
+  add("world_set_gravity", carom_world_set_gravity(b.world, kUp, nullptr));
+  add("world_get_gravity", carom_world_get_gravity(b.world, v, nullptr));
+  add("world_get_report", carom_world_get_report(b.world, &report, nullptr));
+  add("world_get_contacts", carom_world_get_contacts(b.world, nullptr, 0, 0, &count, nullptr));
+  add("world_get_faults", carom_world_get_faults(b.world, nullptr, 0, 0, &count, nullptr));
+  add("world_hash", carom_world_hash(b.world, &count, nullptr));
+  add("material_create", carom_material_create(b.world, &material, &handle, nullptr));
+  add("material_update", carom_material_update(b.world, b.material, &material, nullptr));
+  add("material_destroy", carom_material_destroy(b.world, b.material, nullptr));
+  add("body_create", carom_body_create(b.world, &body, &handle, nullptr));
+  add("body_destroy", carom_body_destroy(b.world, b.bodies[0], nullptr));
+  add("body_get", carom_body_get(b.world, b.bodies[0], &body, nullptr));
+  add("body_set_pose", carom_body_set_pose(b.world, b.bodies[0], kUp, kUpright, nullptr));
+  add("body_set_velocity", carom_body_set_velocity(b.world, b.bodies[0], kUp, kUp, nullptr));
+  add("body_add_force", carom_body_add_force(b.world, b.bodies[0], kUp, kUp, nullptr));
+  add("body_add_impulse", carom_body_add_impulse(b.world, b.bodies[0], kUp, kUp, nullptr));
+  add("collider_create", carom_collider_create(b.world, b.bodies[0], &collider, &handle, nullptr));
+  add("collider_destroy", carom_collider_destroy(b.world, b.colliders[0], nullptr));
+  add("collider_get", carom_collider_get(b.world, b.colliders[0], &collider, &handle, nullptr));
+  add("world_get_bodies", carom_world_get_bodies(b.world, nullptr, 0, &count, nullptr));
+  add("world_read", carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, b.bodies, 1, v, 0, nullptr));
+  add("world_write", carom_world_write(b.world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, b.bodies, 1, kUp, 0, nullptr));
+  return out;
+}
+
+std::vector<Attempt> try_engine_calls(const Bench& b) {
+  std::vector<Attempt> out;
+  const auto add = [&](const char* name, int32_t result) { out.push_back({name, result}); };
+  const double radius = 1;
+  double v[9];
+  uint64_t handle, count = 3;
+  uint32_t dial;
+  carom_engine* engine = nullptr;
+  carom_world* world = nullptr;
+  const carom_shape_plugin* description;
+  carom_shape_info info = {};
+  info.struct_size = sizeof info;
+  carom_distance distance = {};
+  distance.struct_size = sizeof distance;
+  carom_dial_info dial_info = {};
+  dial_info.struct_size = sizeof dial_info;
+  add("engine_create", carom_engine_create(nullptr, &engine, nullptr));
+  add("engine_destroy", carom_engine_destroy(b.engine, nullptr));
+  add("plugin_load", carom_plugin_load(b.engine, CAROM_PLUGIN_DIR "/cone.so", &handle, nullptr));
+  add("plugin_register", carom_plugin_register(b.engine, &b.box_plugin, &handle, nullptr));
+  add("plugin_unload", carom_plugin_unload(b.engine, b.box, nullptr));
+  add("plugin_find", carom_plugin_find(b.engine, "test.box", &handle, nullptr));
+  add("plugin_describe", carom_plugin_describe(b.engine, b.box, &description, nullptr));
+  add("shape_create", carom_shape_create(b.engine, b.sphere, &radius, 1, &handle, nullptr));
+  add("shape_create_half_space", carom_shape_create_half_space(b.engine, kUp, 0, &handle, nullptr));
+  add("shape_destroy", carom_shape_destroy(b.engine, b.ball, nullptr));
+  add("shape_get_info", carom_shape_get_info(b.engine, b.ball, &info, nullptr));
+  add("shape_get_params", carom_shape_get_params(b.engine, b.ball, v, &count, nullptr));
+  add("shape_support", carom_shape_support(b.engine, b.ball, kUp, 1, v, nullptr));
+  add("shape_distance", carom_shape_distance(b.engine, b.ball, kUp, kUpright, b.crate, kUp, kUpright, nullptr,
+                                             &distance, nullptr));
+  add("world_create", carom_world_create(b.engine, nullptr, &world, nullptr));
+  add("dial_get_info", carom_dial_get_info(0, &dial_info, nullptr));
+  add("dial_find", carom_dial_find("solver", &dial, nullptr));
+  return out;
+}
+
+void expect_all(const std::vector<Attempt>& attempts, int32_t code) {
+  assert_true(attempts.size() > 10);
+  for (const Attempt& a : attempts) {
+    if (a.result != code)
+      print_error("%s: %s, wanted %s\n", a.name.c_str(), carom_result_name(a.result), carom_result_name(code));
+    assert_int_equal(a.result, code);
+  }
+}
+
+/// What a support function does when it is asked: called once, then behaves.
+void (*in_support)() = nullptr;
+
+int32_t scheming_box(const double* params, uint64_t count, const double dir[3], double out[3]) {
+  if (auto* act = in_support) {
+    in_support = nullptr;
+    act();
+  }
+  return bench_box(params, count, dir, out);
+}
+
+Bench stage;
+std::vector<Attempt> seen;
+
+/// The stage, with a box by the generic path and of a scheming plugin, lying on the floor.
+void make_stage() {
+  in_support = nullptr;
+  seen.clear();
+  assert_int_equal(bench_make(&stage, nullptr, nullptr), CAROM_OK);
+  static carom_shape_plugin plugin;
+  plugin = bench_plugin("test.scheming", bench_box_params, 3, nullptr, scheming_box);
+  carom_plugin handle;
+  assert_int_equal(carom_plugin_register(stage.engine, &plugin, &handle, nullptr), CAROM_OK);
+  const double half[3] = {0.5, 0.5, 0.5};
+  carom_shape shape;
+  assert_int_equal(carom_shape_create(stage.engine, handle, half, 3, &shape, nullptr), CAROM_OK);
+  carom_body body;
+  carom_collider collider;
+  assert_int_equal(bench_body(stage.world, shape, 0, CAROM_BODY_DYNAMIC, 10, 0.45, 0, &body, &collider, nullptr),
+                   CAROM_OK);
+  assert_int_equal(bench_steps(stage.world, 5, nullptr), CAROM_OK);
+}
+
+void a_support_function_that_calls_back_is_refused(void**) {
+  make_stage();
+  in_support = [] {
+    seen = try_world_calls(stage);
+    for (const Attempt& a : try_engine_calls(stage)) seen.push_back(a);
+  };
+  assert_int_equal(carom_world_step(stage.world, 1.0 / 64, nullptr), CAROM_OK);
+  assert_null(in_support);  // it was asked
+  expect_all(seen, CAROM_E_REENTRANT);
+  const uint64_t hash = bench_hash(stage.world);
+  assert_int_equal(bench_free(&stage), CAROM_OK);
+
+  make_stage();  // the same without the schemer
+  assert_int_equal(carom_world_step(stage.world, 1.0 / 64, nullptr), CAROM_OK);
+  assert_true(bench_hash(stage.world) == hash);
+  assert_int_equal(bench_free(&stage), CAROM_OK);
+}
+
+void a_support_function_that_calls_back_while_a_shape_is_made_is_refused(void**) {
+  make_stage();
+  carom_plugin plugin;
+  assert_int_equal(carom_plugin_find(stage.engine, "test.scheming", &plugin, nullptr), CAROM_OK);
+  in_support = [] { seen = try_engine_calls(stage); };
+  const double half[3] = {1, 1, 1};
+  carom_shape shape;
+  assert_int_equal(carom_shape_create(stage.engine, plugin, half, 3, &shape, nullptr), CAROM_OK);
+  expect_all(seen, CAROM_E_REENTRANT);
+  assert_int_equal(bench_free(&stage), CAROM_OK);
+}
+
+void an_allocator_and_a_log_that_call_back_are_refused(void**) {
+  static std::vector<int32_t> results;
+  static bool active;
+  results.clear();
+  carom_engine_desc desc;
+  carom_engine_desc_init(&desc);
+  desc.alloc = [](void*, uint64_t size, uint64_t alignment) -> void* {
+    carom_engine* inner = nullptr;
+    if (active) results.push_back(carom_engine_create(nullptr, &inner, nullptr));
+    return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+  };
+  desc.free = [](void*, void* p, uint64_t, uint64_t) {
+    uint32_t dial;
+    if (active) results.push_back(carom_dial_find("solver", &dial, nullptr));
+    std::free(p);
+  };
+  static int logged;
+  logged = 0;
+  desc.log = [](void*, uint32_t, const char* text) {
+    uint32_t dial;
+    ++logged;
+    assert_true(std::strlen(text) > 4);
+    if (active) results.push_back(carom_dial_find("solver", &dial, nullptr));
+  };
+  Bench b;
+  active = true;
+  assert_int_equal(bench_make(&b, &desc, nullptr), CAROM_OK);
+  assert_int_equal(bench_steps(b.world, 20, nullptr), CAROM_OK);
+  assert_int_equal(bench_free(&b), CAROM_OK);
+  active = false;
+  assert_true(logged > 0);
+  assert_true(results.size() > 50);
+  for (int32_t r : results) assert_int_equal(r, CAROM_E_REENTRANT);
+}
+
+void calls_from_another_thread_during_a_step_are_busy(void**) {
+  make_stage();
+  // The step stands still inside the support function until the other thread has tried everything.
+  in_support = [] { std::thread([] { seen = try_world_calls(stage); }).join(); };
+  assert_int_equal(carom_world_step(stage.world, 1.0 / 64, nullptr), CAROM_OK);
+  expect_all(seen, CAROM_E_BUSY);
+  const uint64_t hash = bench_hash(stage.world);
+  assert_int_equal(bench_free(&stage), CAROM_OK);
+  make_stage();
+  assert_int_equal(carom_world_step(stage.world, 1.0 / 64, nullptr), CAROM_OK);
+  assert_true(bench_hash(stage.world) == hash);
+  assert_int_equal(bench_free(&stage), CAROM_OK);
+}
+
+void the_engine_and_other_worlds_are_free_during_a_step(void**) {
+  make_stage();
+  static int32_t step_of_another = 1, create_shape = 1, destroy_in_use = 1;
+  in_support = [] {
+    std::thread([] {
+      carom_world* other = nullptr;
+      const double radius = 2;
+      carom_shape shape;
+      carom_world_create(stage.engine, nullptr, &other, nullptr);
+      step_of_another = carom_world_step(other, 0.01, nullptr);
+      create_shape = carom_shape_create(stage.engine, stage.sphere, &radius, 1, &shape, nullptr);
+      destroy_in_use = carom_shape_destroy(stage.engine, stage.ball, nullptr);
+      carom_world_destroy(other, nullptr);
+    }).join();
+  };
+  assert_int_equal(carom_world_step(stage.world, 1.0 / 64, nullptr), CAROM_OK);
+  assert_int_equal(step_of_another, CAROM_OK);
+  assert_int_equal(create_shape, CAROM_OK);
+  assert_int_equal(destroy_in_use, CAROM_E_IN_USE);
+  assert_int_equal(bench_free(&stage), CAROM_OK);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(a_support_function_that_calls_back_is_refused),
+      cmocka_unit_test(a_support_function_that_calls_back_while_a_shape_is_made_is_refused),
+      cmocka_unit_test(an_allocator_and_a_log_that_call_back_are_refused),
+      cmocka_unit_test(calls_from_another_thread_during_a_step_are_busy),
+      cmocka_unit_test(the_engine_and_other_worlds_are_free_during_a_step),
+  };
+  return cmocka_run_group_tests_name("abi/busy_reentrant", tests, nullptr, nullptr);
+}
