@@ -68,12 +68,13 @@ void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& 
 void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTable& pairs, NarrowReport& report,
                   Array<SupportFault>& faults) {
   Candidates found;
+  NarrowSettings own = settings;  // with the pair's own contact distance: fast colliders reach farther
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     PairRecord& record = pairs[i];
     const std::uint32_t a = record.pair.a, b = record.pair.b;
+    own.manifold.contact_distance = settings.manifold.contact_distance + table.reach[a] + table.reach[b];
     SupportFault fault;
-    collide(*table.shape[a], table.frame[a], *table.shape[b], table.frame[b], settings, record.memory, found, report,
-            fault);
+    collide(*table.shape[a], table.frame[a], *table.shape[b], table.frame[b], own, record.memory, found, report, fault);
     if (fault.kind != SupportFault::none) {
       record.manifold.count = 0;
       record.memory = QueryMemory{};
@@ -81,9 +82,9 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
       continue;
     }
     if (settings.manifold.kind == ManifoldKind::single) {
-      keep_deepest(found, settings.manifold, record.manifold);
+      keep_deepest(found, own.manifold, record.manifold);
     } else {
-      update_cache(table.frame[a], table.frame[b], found, settings.manifold, record.manifold);
+      update_cache(table.frame[a], table.frame[b], found, own.manifold, record.manifold);
     }
   }
 }

@@ -36,6 +36,7 @@ struct Scene {
   void add(const Shape& shape, const Frame& frame) {
     table.shape.push_back(&shape);
     table.frame.push_back(frame);
+    table.reach.push_back(0);
     const auto slot = static_cast<std::uint32_t>(table.shape.size() - 1);
     all.clear();
     for (std::uint32_t i = 0; i <= slot; ++i)
