@@ -51,7 +51,7 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
   std::uint64_t calls = 0;
   if (specific) {
     entry.routine(first, second, frame, kInfinity, found);
-  } else if (!half_space_by_support(first, second, frame, kInfinity, 0, found, calls, fault)) {
+  } else if (!half_space_by_support(first, second, frame, kInfinity, false, found, calls, fault)) {
     return unknown(QueryStatus::fault, result);
   }
   result.support_calls = static_cast<int>(calls);

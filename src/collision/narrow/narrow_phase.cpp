@@ -33,10 +33,6 @@ void collide_generic(const Shape& a, const Frame& frame_a, const Shape& b, const
   add_contact(found, query.max_distance, result.point_a, result.point_b, normal, result.separation, 0);
 }
 
-// Support directions asked beside the normal where a shape without closed form meets a half-space: a square of
-// azimuths.
-constexpr int kProbes = 4;
-
 }  // namespace
 
 void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& frame_b, const NarrowSettings& settings,
@@ -57,8 +53,8 @@ void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& 
     const Frame &first = flat_b ? frame_b : frame_a, &second = flat_b ? frame_a : frame_b;
     const Frame second_in_first = relative(first, second);
     if (!usable(second_in_first)) return;
-    half_space_by_support(flat_b ? b : a, flat_b ? a : b, second_in_first, reach, settings.query.routines ? kProbes : 0,
-                          found, report.support_calls, fault);
+    half_space_by_support(flat_b ? b : a, flat_b ? a : b, second_in_first, reach, settings.query.routines, found,
+                          report.support_calls, fault);
     to_world(first, flat_b, found);
   } else {
     collide_generic(a, frame_a, b, frame_b, settings, memory, found, report, fault);

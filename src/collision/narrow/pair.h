@@ -27,11 +27,10 @@ struct PairEntry {
 const PairEntry& pair_entry(Form a, Form b);
 
 /// Contact points of a half-space and a shape without closed form, by its support function.
-/// @param probes  directions tilted about the normal that are asked after the normal itself (0: its support point
-/// alone)
+/// @param probe   ask in four directions tilted about the normal, too, where the normal's own support point is in reach
 /// @return        false if the support function misbehaved (fault is filled, found is left alone)
 /// @param calls   raised by the number of support calls
-bool half_space_by_support(const Shape& half_space, const Shape& b, const Frame& b_in_a, Real reach, int probes,
+bool half_space_by_support(const Shape& half_space, const Shape& b, const Frame& b_in_a, Real reach, bool probe,
                            Candidates& found, std::uint64_t& calls, SupportFault& fault);
 
 // The routines, by file.

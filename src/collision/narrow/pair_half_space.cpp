@@ -13,15 +13,17 @@ namespace {
 // those asked for are the extreme ones along directions tilted by this from the normal. Steeper: points that do not
 // carry. Flatter: a jitter in tilt makes the patch collapse to an edge.
 constexpr Real kTilt = 0.05;
-constexpr Real kHalfRoot2 = 0.70710678118654752440;
-constexpr Real kAzimuth[8][2] = {{1, 0},
-                                 {0, 1},
-                                 {-1, 0},
-                                 {0, -1},
-                                 {kHalfRoot2, kHalfRoot2},
-                                 {-kHalfRoot2, kHalfRoot2},
-                                 {-kHalfRoot2, -kHalfRoot2},
-                                 {kHalfRoot2, -kHalfRoot2}};
+// Azimuths of those directions: equally spaced, so that a corner of a right angle or less can't hide between two of
+// them, and turned by 0.1 rad, so that on shapes built along their axes no two corners tie.
+constexpr Real kSeven[7][2] = {
+    {0.99500416527802582, 0.099833416646828155}, {0.54232204172097276, 0.84017069876519468},
+    {-0.31873964060555959, 0.94784230835442174}, {-0.9397838724523413, 0.34176932729325132},
+    {-0.85315168024512755, -0.5216629280434979}, {-0.12407887169061955, -0.99227235857902585},
+    {0.69842785799464857, -0.71568046443717259}};
+constexpr Real kFour[4][2] = {{0.99500416527802582, 0.099833416646828155},
+                              {-0.099833416646828183, 0.99500416527802571},
+                              {-0.99500416527802582, -0.099833416646828113},
+                              {0.099833416646827614, -0.99500416527802582}};
 
 /// The half-space's plane in the other shape's frame; points of that shape become contacts against it.
 struct Plane {
@@ -130,10 +132,9 @@ void contact_half_space_polytope(const Shape& a, const Shape& b, const Frame& b_
   std::array<Real, kWays> most;
   std::array<std::size_t, kWays> which{};
   most.fill(-kInfinity);
-  // Seven azimuths, two square pairs among them; the eighth would make nine points.
   std::array<Vec3, kWays> way;
   way[0] = -plane.n;
-  for (int k = 1; k < kWays; ++k) way[k] = kTilt * (kAzimuth[k - 1][0] * e1 + kAzimuth[k - 1][1] * e2) - plane.n;
+  for (int k = 1; k < kWays; ++k) way[k] = kTilt * (kSeven[k - 1][0] * e1 + kSeven[k - 1][1] * e2) - plane.n;
 
   const double* v = b.vertices.data();
   const std::size_t count = b.vertices.size() / 3;
@@ -154,14 +155,14 @@ void contact_half_space_polytope(const Shape& a, const Shape& b, const Frame& b_
   }
 }
 
-bool half_space_by_support(const Shape& half_space, const Shape& b, const Frame& b_in_a, Real reach, int probes,
+bool half_space_by_support(const Shape& half_space, const Shape& b, const Frame& b_in_a, Real reach, bool probe,
                            Candidates& found, std::uint64_t& calls, SupportFault& fault) {
   const Plane plane(half_space, b_in_a, reach, found);
   const Vec3 e1 = any_perpendicular(plane.n), e2 = plane.n.cross(e1);
   const int before = found.count;
-  for (int k = 0; k <= probes; ++k) {
+  for (int k = 0; k <= (probe ? 4 : 0); ++k) {
     Vec3 dir = -plane.n;
-    if (k > 0) dir += kTilt * (kAzimuth[k - 1][0] * e1 + kAzimuth[k - 1][1] * e2);
+    if (k > 0) dir += kTilt * (kFour[k - 1][0] * e1 + kFour[k - 1][1] * e2);
     dir /= dir.norm();
     Vec3 x;
     ++calls;
