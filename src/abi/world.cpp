@@ -55,6 +55,19 @@ void destroy(carom_world* world) {
   engine.worlds.fetch_sub(1, std::memory_order_release);  // last: the engine may be destroyed from now on
 }
 
+/// Faults are rare and each shape's comes once, so the log may have every one.
+void log_faults(const carom_world& world) {
+  for (const FaultView& fault : world.inner.fault_views)
+    if (fault.support.kind == SupportFault::none)
+      world.engine.say(CAROM_LOG_WARNING, "the state of body slot %u was not finite: body in quarantine", fault.body);
+    else
+      world.engine.say(CAROM_LOG_WARNING,
+                       "support fault %u at dir (%g, %g, %g), answer (%g, %g, %g): shape 0x%016llx in quarantine",
+                       static_cast<unsigned>(fault.support.kind), fault.support.dir[0], fault.support.dir[1],
+                       fault.support.dir[2], fault.support.out[0], fault.support.out[1], fault.support.out[2],
+                       static_cast<unsigned long long>(fault.support.shape->handle));
+}
+
 bool check_dial(Call& call, std::uint32_t dial, double value) {
   if (!known(call, 2, "dial", dial, kDialCount)) return false;
   const DialRow& row = dial_table()[dial];
@@ -102,8 +115,11 @@ int32_t carom_world_step(carom_world* world, double dt, carom_error* error) {
       call.fail(CAROM_E_OUT_OF_RANGE, 2, "dt is 0, must be greater");
       return;
     }
-    const FloatScope scope;
-    changing->step(dt);
+    {
+      const FloatScope scope;
+      changing->step(dt);
+    }
+    log_faults(*world);
   });
 }
 

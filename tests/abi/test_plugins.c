@@ -246,6 +246,12 @@ static int32_t lies_later(const double *params, uint64_t count, const double dir
   return 0;
 }
 
+static int warnings = 0;
+static void count_warnings(void *user, uint32_t level, const char *text) {
+  (void)user;
+  if (level == CAROM_LOG_WARNING && strstr(text, "quarantine")) ++warnings;
+}
+
 static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(void **state) {
   uint32_t kind;
   (void)state;
@@ -262,8 +268,12 @@ static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(v
     double pose[BENCH_BODIES + 3][7];
     const double radius = 0.5;
     size_t i;
+    carom_engine_desc desc;
+    carom_engine_desc_init(&desc);
+    desc.log = count_warnings;
     lie = 0;
-    assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
+    warnings = 0;
+    assert_int_equal(bench_make(&b, &desc, NULL), CAROM_OK);
     assert_int_equal(carom_plugin_register(b.engine, &p, &plugin, NULL), CAROM_OK);
     assert_int_equal(carom_shape_create(b.engine, plugin, &radius, 1, &shape, NULL), CAROM_OK);
     for (i = 0; i < 2; ++i) /* two of them in contact with one another and with the box */
@@ -283,6 +293,7 @@ static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(v
     report.struct_size = sizeof report;
     assert_int_equal(carom_world_get_report(b.world, &report, NULL), CAROM_OK);
     assert_true(report.faults == count);
+    assert_int_equal(warnings, count);
 
     assert_int_equal(bench_steps(b.world, 60, NULL), CAROM_OK);
     assert_int_equal(carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, NULL, BENCH_BODIES + 3, pose, 0, NULL), CAROM_OK);
