@@ -46,8 +46,7 @@ Aabb cone_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
   return b;
 }
 
-/// One pass over declared vertices, cheaper than six scans by the support function and equal to them bit for bit or
-/// nearly.
+/// One pass over the verified vertices: all six sides at once, where the support function would scan six times.
 Aabb polytope_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
   Vec3 lo = Vec3::Constant(kInfinity), hi = Vec3::Constant(-kInfinity);
   for (std::size_t k = 0; k + 3 <= s.vertices.size(); k += 3) {
