@@ -60,7 +60,7 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
            "bracket width, relative to the pair's size, at which a query stops", 1e-14, 1e-1, 1e-6),
     integer(Dial::gjk_iterations, "gjk_iterations", "cap of GJK; a capped query still returns its bracket", 4, 10000,
             128),
-    integer(Dial::epa_iterations, "epa_iterations", "cap of EPA; a capped query still returns its bracket", 4, 1024,
+    integer(Dial::epa_iterations, "epa_iterations", "cap of EPA; a capped query still returns its bracket", 4, 512,
             256),
     number(Dial::hybrid_margin, "hybrid_margin", "m",
            "shell around each shape in the hybrid: larger is faster, and wronger", 0, 1, 0.005),

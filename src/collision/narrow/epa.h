@@ -6,7 +6,7 @@
 namespace carom {
 
 /// Iterations that the arenas on the stack have room for; what the dial epa_iterations may ask at most.
-inline constexpr int kMaxEpaIterations = 1024;
+inline constexpr int kMaxEpaIterations = 512;
 
 /// narrow: upper - lower <= gap. apart: the cores do not overlap after all (lower > 0, direction in difference.normal).
 /// flat: the difference has no volume beyond rounding, the bracket is as narrow as it gets. stuck: rounding allows no

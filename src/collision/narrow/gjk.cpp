@@ -88,7 +88,7 @@ GjkEnd gjk(Difference& difference, const GjkRequest& request, const Vec3& first,
 
     const Real d2 = nearest.direction.squaredNorm();
     if (!(d2 > 0)) return GjkEnd::overlap;  // the origin is on the vertex or edge itself
-    n = nearest.direction / std::sqrt(d2);
+    n = nearest.direction * (1 / std::sqrt(d2));
     DifferencePoint& fresh = simplex.point[simplex.count];
     ++iterations;
     if (!difference.support(n, fresh, value)) return GjkEnd::fault;

@@ -17,27 +17,27 @@ constexpr int kNext[3] = {1, 2, 0};
 /// longest edge that is nearest to the origin: a rounding's width from the truth, and the offset still a proof.
 void Polytope::place(Face& f) const {
   const Vec3 &a = points_[f.vertex[0]].w, &b = points_[f.vertex[1]].w, &c = points_[f.vertex[2]].w;
-  Vec3 n = triangle_normal(a, b, c);
+  Real longest2;
+  Vec3 n = triangle_normal(a, b, c, longest2);
   const Real n2 = n.squaredNorm();
-  const Real lab = (b - a).squaredNorm(), lbc = (c - b).squaredNorm(), lca = (a - c).squaredNorm();
-  const Real longest = std::max({lab, lbc, lca});
   // Twice the area over the longest edge is the height.
-  if (n2 > rounding_ * rounding_ * longest / 16) {
-    n /= std::sqrt(n2);
+  if (n2 > rounding_ * rounding_ * longest2 / 16) {
+    n *= 1 / std::sqrt(n2);
   } else {
     const Vec3 w[3] = {a, b, c};
     Nearest nearest;
-    if (lab == longest)
+    if ((b - a).squaredNorm() == longest2) {
       offer_edge(w, 0, 1, nearest);
-    else if (lbc == longest)
+    } else if ((c - b).squaredNorm() == longest2) {
       offer_edge(w, 1, 2, nearest);
-    else
+    } else {
       offer_edge(w, 2, 0, nearest);
+    }
     const Real d2 = nearest.direction.squaredNorm();
     n = d2 > 0 ? Vec3(nearest.direction / std::sqrt(d2)) : (n2 > 0 ? Vec3(n / std::sqrt(n2)) : Vec3(Vec3::UnitX()));
   }
   f.normal = n;
-  f.offset = std::min({n.dot(a), n.dot(b), n.dot(c)});
+  f.offset = std::min(std::min(n.dot(a), n.dot(b)), n.dot(c));
 }
 
 int Polytope::new_face(int i, int j, int k) {
@@ -45,9 +45,9 @@ int Polytope::new_face(int i, int j, int k) {
   const int slot = fresh ? faces_used_++ : free_[--free_used_];
   Face& f = faces_[slot];
   if (fresh) f.stamp = 0;
-  f.vertex[0] = i;
-  f.vertex[1] = j;
-  f.vertex[2] = k;
+  f.vertex[0] = static_cast<Index>(i);
+  f.vertex[1] = static_cast<Index>(j);
+  f.vertex[2] = static_cast<Index>(k);
   f.alive = true;
   place(f);
   return slot;
@@ -56,13 +56,13 @@ int Polytope::new_face(int i, int j, int k) {
 void Polytope::remove(int face) {
   faces_[face].alive = false;
   ++faces_[face].stamp;
-  free_[free_used_++] = face;
+  free_[free_used_++] = static_cast<Index>(face);
 }
 
 void Polytope::link(int f, int e, int g, int h) {
-  faces_[f].next[e] = g;
+  faces_[f].next[e] = static_cast<Index>(g);
   faces_[f].back[e] = static_cast<signed char>(h);
-  faces_[g].next[h] = f;
+  faces_[g].next[h] = static_cast<Index>(f);
   faces_[g].back[h] = static_cast<signed char>(e);
 }
 
@@ -133,7 +133,7 @@ bool Polytope::walk(int face, int edge, const Vec3& w) {
   if (!f.alive) return true;
   if (f.normal.dot(w) - f.offset <= rounding_) {
     if (horizon_used_ == kFaces) return false;
-    horizon_[horizon_used_++] = {face, edge};
+    horizon_[horizon_used_++] = {static_cast<Index>(face), static_cast<Index>(edge)};
     return true;
   }
   remove(face);

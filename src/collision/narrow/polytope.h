@@ -14,11 +14,13 @@ namespace carom {
 /// badly tilted one too.
 class Polytope {
  public:
+  using Index = std::int16_t;  // of points and faces: 130 kB of stack in all, where a host's thread may have little
+
   struct Face {
     Vec3 normal;          // unit, outwards
     Real offset;          // smallest of normal . vertex; the plane is at least as far from the origin
-    int vertex[3];        // counter-clockwise from outside
-    int next[3];          // face across edge (vertex[e], vertex[e + 1])
+    Index vertex[3];      // counter-clockwise from outside
+    Index next[3];        // face across edge (vertex[e], vertex[e + 1])
     signed char back[3];  // which edge of that face it is
     bool alive;
     std::uint32_t stamp;  // tells a reused slot from what an old heap entry meant
@@ -49,13 +51,15 @@ class Polytope {
   static constexpr int kFaces = 2 * kPoints;
   static constexpr int kHeap = 2 * kFaces;
 
+  static_assert(kFaces <= 32767);
+
   struct Entry {
     Real offset;
     int face;
     std::uint32_t stamp;
   };
   struct Edge {
-    int face, edge;
+    Index face, edge;
   };
 
   int new_face(int i, int j, int k);
@@ -71,7 +75,7 @@ class Polytope {
   int points_used_ = 0, faces_used_ = 0, free_used_ = 0, heap_used_ = 0, horizon_used_ = 0, newest_ = -1;
   DifferencePoint points_[kPoints];
   Face faces_[kFaces];
-  int free_[kFaces];
+  Index free_[kFaces];
   Entry heap_[kHeap];
   Edge horizon_[kFaces];
 };

@@ -17,22 +17,35 @@ inline Vec3 accurate_cross(const Vec3& a, const Vec3& b) {
               difference_of_products(a.x(), b.y(), a.y(), b.x()));
 }
 
+/// Plain products err by u |a| |b|, which tilts a cross product by u / sin(a, b): below sin = 1e-3 the slow form is
+/// worth it.
+inline constexpr Real kNearlyParallel2 = 1e-6;
+
 /// Cross product that keeps its direction when a and b are nearly parallel.
-/// Plain products err by u |a| |b|, which tilts the result by u / sin(a, b): below sin = 1e-3 the slow form is worth
-/// it.
 inline Vec3 careful_cross(const Vec3& a, const Vec3& b) {
   const Vec3 n = a.cross(b);
-  if (n.squaredNorm() > 1e-6 * (a.squaredNorm() * b.squaredNorm())) return n;
+  if (n.squaredNorm() > kNearlyParallel2 * (a.squaredNorm() * b.squaredNorm())) return n;
   return accurate_cross(a, b);
 }
 
 /// Normal of a triangle, (b - a) x (c - a) in length and sense, from its two shorter edges.
-inline Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+/// @param longest2  out: squared length of the third
+inline Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c, Real& longest2) {
   const Vec3 ab = b - a, bc = c - b, ca = a - c;
   const Real lab = ab.squaredNorm(), lbc = bc.squaredNorm(), lca = ca.squaredNorm();
-  if (lbc >= lab && lbc >= lca) return careful_cross(ca, ab);
-  if (lca >= lab) return careful_cross(ab, bc);
-  return careful_cross(bc, ca);
+  // The edges before and after the corner that faces the longest edge.
+  const bool at_a = lbc >= lab && lbc >= lca, at_b = !at_a && lca >= lab;
+  const Vec3 &in = at_a ? ca : (at_b ? ab : bc), &out = at_a ? ab : (at_b ? bc : ca);
+  const Real shorter2 = at_a ? lca * lab : (at_b ? lab * lbc : lbc * lca);
+  longest2 = at_a ? lbc : (at_b ? lca : lab);
+  const Vec3 n = in.cross(out);
+  if (n.squaredNorm() > kNearlyParallel2 * shorter2) return n;
+  return accurate_cross(in, out);
+}
+
+inline Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  Real longest2;
+  return triangle_normal(a, b, c, longest2);
 }
 
 inline void answer_vertex(const Vec3* w, int i, Nearest& nearest) {

@@ -137,7 +137,7 @@ static void a_smaller_tolerance_is_never_worse(void**) {
   for (int i = 0; i < 60; ++i) {
     const ShapePair p = random_pair(random, 5 + i % 3, 5 + (i / 3) % 3, random.uniform(-0.3, 0.3));
     const Real size = std::min(p.a.bounding_radius, p.b.bounding_radius);
-    const QueryResult best = ask(p.a, p.b, p.b_in_a, 1e-12, 1024);
+    const QueryResult best = ask(p.a, p.b, p.b_in_a, 1e-12, 512);
     Real width = kInfinity;
     for (const Real tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
       const QueryResult r = ask(p.a, p.b, p.b_in_a, tolerance);
@@ -154,7 +154,7 @@ static void a_cap_keeps_the_bracket_true(void**) {
   Random random(61);
   for (int i = 0; i < 100; ++i) {
     const ShapePair p = random_pair(random, 7, 5, -0.2);
-    const QueryResult full = ask(p.a, p.b, p.b_in_a, 1e-9, 1024);
+    const QueryResult full = ask(p.a, p.b, p.b_in_a, 1e-9, 512);
     for (const int cap : {1, 4, 12}) {
       const QueryResult capped = ask(p.a, p.b, p.b_in_a, 1e-9, cap);
       assert_true(capped.epa_iterations <= cap);
