@@ -28,6 +28,27 @@ bool look_both_ways(Difference& difference, const Vec3& n, const Measure& measur
   return true;
 }
 
+/// A tetrahedron without volume keeps its feature nearest to the origin; the upper bound is what that feature's weights
+/// prove, those of the tetrahedron being u over its thickness off.
+void drop_to_feature(Difference& difference, DifferenceSimplex& simplex) {
+  Vec3 w[4];
+  for (int i = 0; i < 4; ++i) w[i] = simplex.point[i].w;
+  Nearest nearest;
+  offer_face<true>(w, 0, 1, 2, nearest);
+  offer_face<true>(w, 0, 1, 3, nearest);
+  offer_face<true>(w, 0, 2, 3, nearest);
+  offer_face<true>(w, 1, 2, 3, nearest);
+  const DifferenceSimplex all = simplex;
+  Vec3 v = Vec3::Zero();
+  simplex.count = nearest.count;
+  for (int i = 0; i < nearest.count; ++i) {
+    simplex.point[i] = all.point[nearest.index[i]];
+    simplex.weight[i] = nearest.weight[i];
+    v += nearest.weight[i] * simplex.point[i].w;
+  }
+  difference.upper = std::min(difference.upper, v.norm());
+}
+
 /// Add points to whatever GJK left until there is a tetrahedron: each the farthest to be found from the point, line or
 /// plane of those before it. If the farthest is within rounding the difference is flat, and looking along its normal
 /// both ways has already given the bracket its answer.
@@ -37,10 +58,9 @@ Build build_tetrahedron(Difference& difference, DifferenceSimplex& simplex) {
   if (simplex.count == 4) {
     const Vec3 ab = p[1].w - p[0].w, ac = p[2].w - p[0].w, ad = p[3].w - p[0].w;
     const Vec3 n = ab.cross(ac);
-    // Thinner than rounding over its base: its faces would not know their sides. Its largest face is kept and built up
-    // anew.
+    // Thinner than rounding over its base: its faces would not know their sides.
     if (std::fabs(n.dot(ad)) > flat * n.norm()) return Build::solid;
-    simplex.count = 3;
+    drop_to_feature(difference, simplex);
   }
   if (simplex.count == 3) {
     const Vec3 n = triangle_normal(p[0].w, p[1].w, p[2].w);
@@ -148,8 +168,10 @@ EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex
     const Polytope::Face& face = polytope.face(at);
     const Vec3 normal = face.normal;
     const Real offset = face.offset;
-    // Nearer than rounding, or behind the origin: the mesh may not hold the origin yet, and proves nothing.
-    if (!follow && offset > difference.rounding()) difference.upper = std::min(difference.upper, -offset);
+    // Nearer than rounding, or behind the origin: the mesh may not hold the origin yet, and proves nothing. Farther out
+    // than the best supporting plane, as it may have come to be since it was pushed: nothing lies between.
+    if (!follow && offset > difference.rounding())
+      difference.upper = std::min(difference.upper, std::max(-offset, difference.lower));
     if (difference.upper - difference.lower <= gap) {
       end = EpaEnd::narrow;
       break;

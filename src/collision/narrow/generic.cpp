@@ -59,6 +59,12 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
     result.farther = end == GjkEnd::farther;
     // Stuck or capped without a separating direction: only EPA can tell.
     const bool unknown = (end == GjkEnd::stuck || end == GjkEnd::capped) && difference.lower <= rounding;
+    if (end == GjkEnd::stuck && !unknown && difference.upper - difference.lower > request.gap) {
+      // Apart, but a degenerate simplex let no walk go on: another one, from the best direction, seldom meets it again.
+      first = difference.normal;
+      request.solver = nearest_voronoi;
+      continue;
+    }
     if (end != GjkEnd::overlap && !unknown) break;
     deep = true;
     const EpaEnd judged = epa(difference, request.gap, epa_cap, simplex, result.epa_iterations);
