@@ -14,6 +14,11 @@ int main(int argc, char** argv) {
                  "Folder with shape plugins (repeatable); also CAROM_PLUGIN_PATH, then the folders of this program")
       ->type_name("DIR")
       ->allow_extra_args(false);
+  add_run_command(app, context);
+  add_list_command(app, context);
+  add_shapes_command(app, context);
+  add_dials_command(app, context);
+  add_check_command(app, context);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {

@@ -55,6 +55,12 @@ std::string text(const char* pattern, double a, double b, double c) {
 
 }  // namespace
 
+Eigen::Vector3d Bunny::half_extents() const {
+  Vector3d half = Vector3d::Zero();  // the box is centred on the origin
+  for (const Vector3d& p : mesh.points) half = half.cwiseMax(p.cwiseAbs());
+  return half;
+}
+
 Bunny load_bunny(const std::string& mesh_path, double height, std::size_t hull_vertices) {
   Bunny bunny;
   std::error_code ignored;

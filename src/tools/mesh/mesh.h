@@ -43,9 +43,10 @@ std::vector<double> hull_params(const Mesh& hull);
 
 /// The bunny of a scene: what is drawn, what collides, and where it is from.
 struct Bunny {
-  Mesh mesh;                         ///< for the eye; bounding box centred on the origin
-  ReducedHull hull;                  ///< same frame
-  std::vector<std::string> remarks;  ///< credit or stand-in notice, sizes, loss
+  Mesh mesh;                             ///< for the eye; bounding box centred on the origin
+  ReducedHull hull;                      ///< same frame
+  Eigen::Vector3d half_extents() const;  ///< m, of the mesh's bounding box
+  std::vector<std::string> remarks;      ///< credit or stand-in notice, sizes, loss
 };
 
 /// @param mesh_path  an OBJ file; "" takes the one that Debian's glmark2-data installs, else a procedural body

@@ -79,9 +79,11 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
   Lever lever;
   lever.left = 2.4;
   lever.right = 1.6;
-  lever.half_width = 0.75;
+  const double spread = 2 * bunny.half_extents().z() + 0.03;  // m from one bunny to the next
+  lever.seat_half_width = 1.5 * spread;
+  lever.half_width = lever.seat_half_width + 2 * Lever::kWall;
+  lever.seat_length = 2 * bunny.half_extents().x();
   lever.sine = 0.6;  // steep, so that the throw leans far outward
-  lever.ledge = 0.08;
   lever.place_on_ground();
   lever.add_to(stage);
 
@@ -91,7 +93,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
     Actor rider;
     rider.kind = "bunny";
     rider.name = "bunny " + std::to_string(i + 1);
-    rider.position = lever.to_world(Vec(-lever.left + 0.35, lever.top() + height / 2 + 0.003, 0.45 * (i - 1)));
+    rider.position = lever.to_world(lever.seat(bunny.half_extents().x(), height / 2, spread * (i - 1)));
     rider.orientation = lever.tilt();
     Part body;
     body.shape = "hull";

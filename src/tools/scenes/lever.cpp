@@ -66,13 +66,23 @@ std::size_t Lever::add_to(Stage& stage) const {
   plank.kind = "plank";
   plank.position = axle;
   plank.orientation = tilt();
-  plank.parts.push_back(box((left + right) / 2, t, half_width, Vec((right - left) / 2, r + t, 0), density, 0.6));
+  // Two boxes end to end: under the seat the wood is smooth, or friction would throw the load sideways when it rocks.
+  const double smooth = 0.02, seat_end = -left + 2 * kWall + seat_length;
+  plank.parts.push_back(
+      box((seat_end + left) / 2, t, half_width, Vec((seat_end - left) / 2, r + t, 0), density, smooth));
+  plank.parts.push_back(
+      box((right - seat_end) / 2, t, half_width, Vec((right + seat_end) / 2, r + t, 0), density, 0.6));
   const double half_depth = 0.45 * r, half_cleat = 0.04;
   for (double side : {-1.0, 1.0})
     plank.parts.push_back(box(half_cleat, half_depth, half_width,
                               Vec(side * (r + kPlay + half_cleat), r - half_depth, 0), density, kBearingFriction));
-  if (ledge > 0)
-    plank.parts.push_back(box(0.03, ledge / 2, half_width, Vec(-left + 0.03, top() + ledge / 2, 0), density, 0.1));
+  // The seat. Without it the load, which wants to fly straight on, would slide outward while the plank turns under it.
+  const double up = top() + ledge / 2;
+  plank.parts.push_back(box(kWall, ledge / 2, half_width, Vec(-left + kWall, up, 0), density, smooth));
+  for (double side : {-1.0, 1.0})
+    plank.parts.push_back(box(seat_length / 2, ledge / 2, kWall,
+                              Vec(-left + 2 * kWall + seat_length / 2, up, side * (seat_half_width + kWall)), density,
+                              smooth));
   // The plank box itself bears on the axle: its friction mixes with the rod's low one by geometric mean.
   return stage.add(std::move(plank));
 }

@@ -20,13 +20,15 @@ class SeesawStory : public Observer {
       : bunny_(bunny), dominoes_(std::move(dominoes)), fell_(dominoes_.size(), -1), start_(start_height) {}
 
   void watch(const Stage& stage, double time) override {
-    const double height = stage.position(bunny_).y(), speed = stage.velocity(bunny_).norm();
+    const double height = stage.position(bunny_).y();
+    const Vec velocity = stage.velocity(bunny_);
     if (height > peak_) {
       peak_ = height;
       peak_time_ = time;
     }
-    if (first_hit_ < 0 && speed > launch_speed_) {
-      launch_speed_ = speed;
+    if (first_hit_ < 0 && velocity.y() > launch_climb_) {  // it leaves the plank when it stops gaining height faster
+      launch_climb_ = velocity.y();
+      launch_speed_ = velocity.norm();
       launch_time_ = time;
     }
     if (first_hit_ < 0 && touches_domino(stage)) first_hit_ = time;
@@ -78,66 +80,88 @@ class SeesawStory : public Observer {
   std::size_t bunny_;
   std::vector<std::size_t> dominoes_;
   std::vector<double> fell_;  // s, or -1 while it stands
-  double start_, peak_ = -1e9, peak_time_ = 0, launch_speed_ = 0, launch_time_ = 0, first_hit_ = -1;
+  double start_, peak_ = -1e9, peak_time_ = 0, launch_speed_ = 0, launch_climb_ = 0, launch_time_ = 0, first_hit_ = -1;
 };
+
+constexpr double kHalfHeight = 0.4, kHalfThickness = 0.06, kHalfWidth = 0.5;  // m, of a domino
+constexpr double kSpacing = 0.4;                                              // m: half a domino's height
+
+/// The row stands along x; a ball behind the last domino shows that the push arrived.
+std::vector<std::size_t> add_dominoes(Stage& stage, int count, double first, double aside) {
+  std::vector<std::size_t> dominoes;
+  for (int i = 0; i < count; ++i) {
+    Actor domino;
+    domino.kind = "domino";
+    domino.name = "domino " + std::to_string(i + 1);
+    domino.position = Vec(first + kSpacing * i, kHalfHeight, aside);
+    Part slab;
+    slab.shape = "box";
+    slab.params = {kHalfThickness, kHalfHeight, kHalfWidth};
+    slab.density = 200;
+    slab.friction = 0.4;
+    domino.parts.push_back(slab);
+    dominoes.push_back(stage.add(std::move(domino)));
+  }
+  Actor ball;
+  ball.name = ball.kind = "ball";
+  Part sphere;
+  sphere.shape = "sphere";
+  sphere.params = {0.25};
+  sphere.density = 200;
+  ball.parts.push_back(sphere);
+  ball.position = Vec(first + kSpacing * (count - 1) + kHalfThickness + 0.45, 0.25, aside);
+  stage.add(std::move(ball));
+  return dominoes;
+}
 
 std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, const std::string& mesh_path) {
   const int domino_count = static_cast<int>(knobs[0]);
-  const double drop = knobs[1], weight_radius = knobs[2], height = knobs[3];
+  const double drop = knobs[1], weight = knobs[2], height = knobs[3], first = knobs[5];
   const Bunny bunny = load_bunny(mesh_path, height, static_cast<std::size_t>(knobs[4]));
   stage.meshes.push_back(bunny.mesh);
   stage.remarks.insert(stage.remarks.end(), bunny.remarks.begin(), bunny.remarks.end());
   stage.add_half_space("ground", {0, 1, 0}, {0, 0, 0});
 
   Lever lever;
+  lever.sine = knobs[6];  // the throw leans by this tilt, over the pivot: the plank carries the bunny past level
+  lever.seat_half_width = bunny.half_extents().z() + 0.02;
+  lever.half_width = lever.seat_half_width + 2 * Lever::kWall;
+  lever.seat_length = 2 * bunny.half_extents().x();
   lever.place_on_ground();
   lever.add_to(stage);
 
   Actor rider;
   rider.name = rider.kind = "bunny";
-  rider.position = lever.to_world(Vec(-lever.left + 0.35, lever.top() + height / 2 + 0.003, 0));
-  // It looks towards the dominoes: the mesh's nose points along -x.
+  rider.position = lever.to_world(lever.seat(bunny.half_extents().x(), height / 2, 0));
   rider.orientation = lever.tilt();
   Part body;
   body.shape = "hull";
   body.params = hull_params(bunny.hull.hull);
   body.density = 300;
-  body.friction = 0.6;
+  body.friction = 0.8;
   body.mesh = 0;
   rider.parts.push_back(body);
   const double start = rider.position.y();
   const std::size_t bunny_actor = stage.add(std::move(rider));
 
-  Actor weight;
-  weight.name = weight.kind = "weight";
-  weight.position = lever.to_world(Vec(lever.right - 0.35, lever.top(), 0)) + Vec(0, weight_radius + drop, 0);
-  Part ball;
-  ball.shape = "sphere";
-  ball.params = {weight_radius};
-  ball.density = 3000;
-  weight.parts.push_back(ball);
-  stage.add(std::move(weight));
+  Actor crate;  // a ball would roll on into the dominoes
+  crate.name = crate.kind = "weight";
+  const double half = 0.35;  // m
+  crate.position = lever.to_world(Vec(lever.right - 0.4, lever.top(), 0)) + Vec(0, half + drop, 0);
+  crate.mass = weight;
+  Part box;
+  box.shape = "box";
+  box.params = {half, half, half};
+  box.friction = 0.8;
+  crate.parts.push_back(box);
+  stage.add(std::move(crate));
 
-  std::vector<std::size_t> dominoes;
-  const double half_height = 0.4, half_thickness = 0.06, gap = 0.4, first = -4.4;  // m
-  for (int i = 0; i < domino_count; ++i) {
-    Actor domino;
-    domino.kind = "domino";
-    domino.name = "domino " + std::to_string(i + 1);
-    domino.position = Vec(first - gap * i, half_height, 0);
-    Part slab;
-    slab.shape = "box";
-    slab.params = {half_thickness, half_height, 0.3};
-    slab.density = 300;
-    slab.friction = 0.4;
-    domino.parts.push_back(slab);
-    dominoes.push_back(stage.add(std::move(domino)));
-  }
+  std::vector<std::size_t> dominoes = add_dominoes(stage, domino_count, first, knobs[7]);
   stage.bounds_min = Vec(-60, -1, -60);
   stage.bounds_max = Vec(60, 60, 60);
   stage.ground_half_width = 12;
-  stage.camera_from = Vec(-3, 3, 10);
-  stage.camera_to = Vec(-3, 1.2, 0);
+  stage.camera_from = Vec(3, 3, 11);
+  stage.camera_to = Vec(3, 1.4, 0);
   return std::make_unique<SeesawStory>(bunny_actor, std::move(dominoes), start);
 }
 
@@ -148,10 +172,14 @@ Scene seesaw_scene() {
           "A weight drops on a seesaw; the bunny on its other end flies into a row of dominoes (the paper's scene A).",
           "the bunny leaves the plank, flies an arc, hits the first domino, and the row topples to its end",
           {{"dominoes", "", "length of the row", 10, 2, 60, true},
-           {"drop", "m", "height that the weight falls", 3, 0.1, 20},
-           {"weight_radius", "m", "radius of the weight (3,000 kg/m^3)", 0.4, 0.1, 1},
+           {"drop", "m", "height that the weight falls", 1, 0.1, 20},
+           {"weight", "kg", "mass of the weight", 500, 1, 1e5},
            {"bunny_height", "m", "how tall the bunny is", 0.5, 0.2, 1},
-           {"hull_vertices", "", "vertices of the bunny's hull at most", 256, 8, 2000, true}},
+           {"hull_vertices", "", "vertices of the bunny's hull at most", 256, 8, 2000, true},
+           {"first", "m", "where the first domino stands, from the pivot", 3.6, 2.6, 40},
+           {"sine", "", "of the plank's tilt at the start", 0.4, 0.1, 0.8},
+           // The bunny is lopsided: as it leaves the seat the ledge turns it, and it drifts to one side.
+           {"aside", "m", "how far beside the plank's plane the row stands", -0.45, -10, 10}},
           5.0,
           1.0 / 120,
           fill};

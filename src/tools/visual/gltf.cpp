@@ -272,13 +272,19 @@ std::string container(std::string text, std::string bytes) {
 
 }  // namespace
 
-void write_gltf(const std::string& path, Stage& stage, const Recording& recording) {
+void check_gltf_path(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string();
   if (ending != ".gltf" && ending != ".glb")
     throw Error("'" + path + "' does not say which kind of glTF to write", "end the name in .gltf or .glb");
+  if (!std::ofstream(path, std::ios::binary))
+    throw Error("cannot write " + path, "choose a folder that exists and may be written to");
+}
+
+void write_gltf(const std::string& path, Stage& stage, const Recording& recording) {
+  check_gltf_path(path);
   Writer writer(stage, recording);
   std::string out;
-  if (ending == ".glb") {
+  if (path.ends_with(".glb")) {
     out = container(writer.document().dump(), writer.bytes());
   } else {
     writer.document()["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(writer.bytes());
@@ -286,7 +292,7 @@ void write_gltf(const std::string& path, Stage& stage, const Recording& recordin
   }
   std::ofstream file(path, std::ios::binary);
   if (!file.write(out.data(), static_cast<std::streamsize>(out.size())).flush())
-    throw Error("cannot write " + path, "choose a folder that exists and has room");
+    throw Error("writing " + path + " failed", "make room on the disk");
 }
 
 }  // namespace carom::tools

@@ -1,0 +1,114 @@
+// `carom check PLUGIN.so`: is this shape plugin honest? Tried in a child process; prints a witness when it is not.
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "check/probe.h"
+#include "cli/commands.h"
+#include "cli/table.h"
+
+namespace carom::tools {
+namespace {
+
+struct Options {
+  std::string plugin;
+  std::vector<double> params;
+  unsigned seconds = 20;
+};
+
+/// A file as given, or a plugin's short name on the search path.
+std::string absolute_path(const std::string& given, const PluginPath& path) {
+  std::error_code failed;
+  if (std::filesystem::is_regular_file(given, failed)) return std::filesystem::absolute(given).string();
+  if (given.find('/') == std::string::npos && !given.ends_with(".so")) return path.find(given);
+  throw Error("there is no file " + given,
+              "give the path of a shared object, or the name of a plugin that `carom shapes` lists");
+}
+
+std::string triple(const double v[3]) { return format("(%.17g, %.17g, %.17g)", v[0], v[1], v[2]); }
+
+void print_witness(const Witness& witness, bool answered) {
+  std::string params;
+  for (std::uint64_t i = 0; i < std::min<std::uint64_t>(witness.param_count, kParamsShown); ++i)
+    params += (i ? " " : "") + format("%.17g", witness.params[i]);
+  if (witness.param_count > kParamsShown)
+    params += format(" ... (%llu in all)", static_cast<unsigned long long>(witness.param_count));
+  std::printf("     parameters: %s\n     direction:  %s\n", params.empty() ? "none" : params.c_str(),
+              triple(witness.dir).c_str());
+  if (answered) std::printf("     answer:     %s\n", triple(witness.out).c_str());
+}
+
+/// The child did not live to tell.   @return its obituary
+void print_death(const ChildEnd& end, const Verdict& verdict, unsigned seconds) {
+  std::string how;
+  if (end.out_of_time)
+    how = format("it did not come back within %u s", seconds);
+  else if (end.signal)
+    how = format("it crashed (signal %d: %s)", end.signal, strsignal(end.signal));
+  else
+    how = format("it ended the process (status %d)", end.status);
+  std::printf("  DISHONEST: %s, while %s\n", how.c_str(), phase_text(verdict.phase));
+  if (verdict.phase >= Phase::sample && verdict.phase <= Phase::shapes && verdict.phase != Phase::threads)
+    print_witness(verdict.current, false);
+  std::printf(
+      "     what to do: %s\n",
+      end.out_of_time
+          ? "a support function needs no open-ended loop: bound every loop and check what ends it for this input"
+          : "check array indices against param_len and every pointer; run it under valgrind with this input");
+}
+
+int print_verdict(const Verdict& verdict, const ChildEnd& end, const Options& options) {
+  std::printf("  %s; %llu calls, %llu parameter sets, %llu shapes made%s\n", verdict.id[0] ? verdict.id : "(no id)",
+              static_cast<unsigned long long>(verdict.calls), static_cast<unsigned long long>(verdict.param_sets),
+              static_cast<unsigned long long>(verdict.shapes),
+              verdict.seconds_per_call > 0 ? format(", %.0f ns a call", 1e9 * verdict.seconds_per_call).c_str() : "");
+  int lies = 0;
+  for (const Finding& finding : verdict.findings) {
+    if (!finding.seen) continue;
+    ++lies;
+    std::printf(
+        "  DISHONEST: %s%s\n", finding.what,
+        finding.seen > 1 ? format(" (seen %llu times)", static_cast<unsigned long long>(finding.seen)).c_str() : "");
+    if (finding.has_witness) print_witness(finding.witness, true);
+    std::printf("     what to do: %s\n", finding.remedy);
+  }
+  if (!end.finished) print_death(end, verdict, options.seconds);
+  if (lies || !end.finished) return kExitBadNews;
+  std::printf(
+      "  honest: every answer finite, repeatable, free of the direction's length, and of one convex set;\n"
+      "  its declarations agree with its support function\n");
+  return 0;
+}
+
+void check(const Options& options, Context& context) {
+  ProbeRequest request;
+  request.path = absolute_path(options.plugin, context.plugins());
+  request.params = options.params;
+  request.params_given = !options.params.empty();
+  std::unique_ptr<Verdict, void (*)(Verdict*)> verdict(&map_verdict(), [](Verdict* v) { unmap_verdict(*v); });
+  const ChildEnd end = run_in_child(options.seconds, *verdict, probe, &request);
+  if (verdict->usage)
+    throw Error("these parameters do not fit the plugin: " + std::string(verdict->usage_text),
+                "give what `carom shapes` shows for it, or none to have some chosen");
+  std::printf("%s\n", request.path.c_str());
+  context.exit_code = print_verdict(*verdict, end, options);
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, Context& context) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("check", "Is this shape plugin honest? Tried in a child process; a witness when it lies");
+  command->add_option("PLUGIN", options->plugin, "A shared object, or the name of a plugin that `carom shapes` lists")
+      ->required();
+  command->add_option("PARAMS", options->params, "Parameters of the shape; none: several sets within its bounds");
+  command->add_option("--seconds", options->seconds, "CPU limit; a function that takes longer counts as hanging")
+      ->check(CLI::Range(1u, 3600u))
+      ->capture_default_str();
+  command->footer("Exit codes: 0 honest; 1 it lies, hangs or crashes; 2 it could not be tried.");
+  command->callback([options, &context] { check(*options, context); });
+}
+
+}  // namespace carom::tools

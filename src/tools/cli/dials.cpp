@@ -1,0 +1,34 @@
+// `carom dials`: the library's own table of dials: name, default, bounds or choices, and what each trades.
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "cli/table.h"
+
+namespace carom::tools {
+namespace {
+
+std::string value_text(const carom_dial_info& dial, double value) {
+  return dial.choice_count ? dial.choices[static_cast<std::uint32_t>(value)] : format("%g", value);
+}
+
+std::string bounds_text(const carom_dial_info& dial) {
+  if (!dial.choice_count) return format("%g..%g", dial.min, dial.max);
+  std::string text;
+  for (std::uint32_t i = 0; i < dial.choice_count; ++i) text += (i ? "|" : "") + std::string(dial.choices[i]);
+  return text;
+}
+
+void print_dials() {
+  std::vector<std::vector<std::string>> rows = {{"dial", "default", "unit", "bounds or choices", "what it trades"}};
+  for (const carom_dial_info& dial : all_dials())
+    rows.push_back({dial.name, value_text(dial, dial.initial), dial.unit, bounds_text(dial), dial.summary});
+  std::printf("%s\nSet one with: carom run SCENE --dial name=value\n", table(rows).c_str());
+}
+
+}  // namespace
+
+void add_dials_command(CLI::App& app, Context&) {
+  app.add_subcommand("dials", "List every dial of a world: default, bounds, what it trades")->callback(print_dials);
+}
+
+}  // namespace carom::tools

@@ -1,0 +1,155 @@
+// `carom run SCENE`: simulate a scene, show how it goes, say what it cost and what ended where, and write the motion.
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/run_output.h"
+#include "cli/table.h"
+#include "visual/gltf.h"
+
+namespace carom::tools {
+namespace {
+
+struct Options {
+  std::string scene, gltf, csv, csv_steps;
+  std::vector<std::string> dials, sets;
+  std::optional<double> n, seconds, dt;
+  double fps = 30;
+  std::string mesh;
+  bool quiet = false, as_json = false;
+};
+
+/// `name=value` pairs and --n, as the scene library wants them.
+Settings settings_from(const Options& options) {
+  Settings settings;
+  settings.mesh_path = options.mesh;
+  if (options.n) settings.values.emplace_back("n", *options.n);
+  for (const std::string& text : options.sets) {
+    const std::size_t equals = text.find('=');
+    char* end = nullptr;
+    const double value = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
+    if (!end || end == text.c_str() + equals + 1 || *end)
+      throw Error("--set " + text + " is not name=number", "write --set name=value; `carom list` shows the names");
+    settings.values.emplace_back(text.substr(0, equals), value);
+  }
+  return settings;
+}
+
+/// A line that rewrites itself, at most ten times a second, on a terminal only.
+class Progress {
+ public:
+  Progress(double seconds, bool wanted) : seconds_(seconds), shown_(wanted && isatty(STDERR_FILENO)) {}
+  void update(const carom_step_report& report) {
+    if (!shown_) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::milliseconds(100)) return;
+    last_ = now;
+    std::fprintf(stderr, "\r  %s %6.2f of %.2f s  %9.0f steps/s  %6llu contacts ",
+                 bar(report.time / seconds_, 30).c_str(), report.time, seconds_,
+                 1 / std::max(report.total_seconds, 1e-9), static_cast<unsigned long long>(report.contact_points));
+  }
+  ~Progress() {
+    if (shown_) std::fprintf(stderr, "\r%*s\r", 78, "");
+  }
+
+ private:
+  double seconds_;
+  bool shown_;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+void run_scene(const Options& options, Context& context) {
+  const Scene& scene = find_scene(options.scene);
+  const double seconds = options.seconds.value_or(scene.seconds), dt = options.dt.value_or(scene.dt);
+  Engine engine(context.plugins());
+  Stage stage(engine);
+  const std::unique_ptr<Observer> observer = build(scene, settings_from(options), stage);
+  for (const std::string& dial : options.dials) stage.world.set_dial(dial);
+  if (!(options.fps > 0 && options.fps <= 1e4))
+    throw Error("--fps is out of range", "give frames per second, more than 0 and at most 10000");
+  // Files first: better to hear now than after the run that a folder does not exist.
+  std::optional<StepTable> step_table;
+  if (!options.csv_steps.empty()) step_table.emplace(options.csv_steps);
+  std::optional<MotionTable> motion_table;
+  if (!options.csv.empty()) motion_table.emplace(options.csv);
+  if (!options.gltf.empty()) check_gltf_path(options.gltf);
+
+  const bool talk = !options.quiet && !options.as_json;
+  if (talk) {
+    std::printf("%s: %s\n", scene.name.c_str(), scene.summary.c_str());
+    std::string plugins;
+    for (const std::string& name : engine.loaded()) plugins += (plugins.empty() ? "" : ", ") + name;
+    std::printf("  %zu bodies; shape plugins loaded: %s\n", stage.actors.size(),
+                plugins.empty() ? "none" : plugins.c_str());
+    for (const std::string& remark : stage.remarks) std::printf("  %s\n", remark.c_str());
+    std::printf("  look for: %s\n", scene.look_for.c_str());
+    std::fflush(stdout);
+  }
+  std::optional<Recording> recording;
+  if (motion_table || !options.gltf.empty()) recording.emplace(stage, dt, options.fps);
+  RunSummary run;
+  {
+    Progress progress(seconds, talk);
+    run = simulate(stage, observer.get(), seconds, dt, [&](const carom_step_report& report) {
+      progress.update(report);
+      if (recording) recording->after_step(report.steps, report.time);
+      if (step_table) step_table->add(report);
+      return true;
+    });
+  }
+  if (recording) recording->finish(run.simulated);
+  if (step_table) step_table->finish();
+  if (motion_table) motion_table->write(stage, *recording);
+  if (!options.gltf.empty()) write_gltf(options.gltf, stage, *recording);
+
+  const std::vector<KindSummary> kinds = where_it_ended(stage);
+  if (options.as_json)
+    std::printf("%s\n", summary_json(scene, stage, observer.get(), run, kinds, dt).dump(2).c_str());
+  else if (!options.quiet)
+    print_summary(stage, observer.get(), run, kinds);
+  if (talk && !options.gltf.empty())
+    std::printf("\nmotion: %s (%zu frames), for any glTF viewer\n", options.gltf.c_str(), recording->frame_count());
+  if (run_went_wrong(run, kinds)) {
+    std::fprintf(
+        stderr,
+        "carom: the run went wrong: bodies not finite, escaped, or faults (see the summary)\n"
+        "  what to do: try a smaller --dt or more velocity_iterations (`carom dials`); if a shape is at fault, "
+        "`carom check` its plugin\n");
+    context.exit_code = kExitBadNews;
+  }
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, Context& context) {
+  auto options = std::make_shared<Options>();
+  CLI::App* run = app.add_subcommand("run", "Simulate a scene; say what it cost and what ended where");
+  run->add_option("SCENE", options->scene, "Which scene; `carom list` shows them")->required();
+  run->add_option("--n", options->n, "Number of bodies, for scenes that have one (short for --set n=N)");
+  run->add_option("--set", options->sets, "A parameter of the scene, repeatable")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  run->add_option("--seconds", options->seconds, "How long to simulate; default: the scene's")->type_name("S");
+  run->add_option("--dt", options->dt, "Time step; default: the scene's")->type_name("S");
+  run->add_option("--dial", options->dials, "A dial of the world, repeatable; `carom dials` lists them")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  run->add_option("--gltf", options->gltf, "Write the motion as animated glTF")->type_name("FILE.gltf|FILE.glb");
+  run->add_option("--csv", options->csv, "Write pose and name of every body, per frame")->type_name("FILE");
+  run->add_option("--csv-steps", options->csv_steps, "Write times, counts and residuals of every step")
+      ->type_name("FILE");
+  run->add_option("--fps", options->fps, "Frames per simulated second in --gltf and --csv")->capture_default_str();
+  run->add_option("--mesh", options->mesh,
+                  "OBJ file for the bunny; default: the Stanford bunny of Debian's glmark2-data")
+      ->type_name("FILE.obj");
+  run->add_flag("--quiet", options->quiet, "Say nothing but errors");
+  run->add_flag("--json", options->as_json, "Print the summary as JSON");
+  run->callback([options, &context] { run_scene(*options, context); });
+}
+
+}  // namespace carom::tools

@@ -1,0 +1,59 @@
+// `carom shapes`: the shape plugins that were found, what they take and what they declare.
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "cli/table.h"
+
+namespace carom::tools {
+namespace {
+
+std::string form_name(std::uint32_t form) {
+  static const char* const kNames[] = {"none", "sphere", "capsule", "box", "polytope", "cylinder", "cone", "ellipsoid"};
+  return form < std::size(kNames) ? kNames[form] : "unknown";
+}
+
+std::string declarations(const carom_shape_plugin& plugin) {
+  if (!plugin.geometry) return "nothing: all is derived from the support function";
+  const carom_geometry& g = *plugin.geometry;
+  std::string text = "form " + form_name(g.form);
+  if (g.core_radius_param < plugin.param_count)
+    text += std::string("; core radius ") + plugin.params[g.core_radius_param].name;
+  if (g.mass_form != CAROM_FORM_NONE) text += "; mass of a " + form_name(g.mass_form);
+  return text;
+}
+
+void print_plugin(Engine& engine, const std::string& name, const std::string& file) {
+  const carom_shape_plugin& plugin = engine.describe(engine.plugin(name));
+  std::printf("%s  (%s, version %u)\n  %s\n", name.c_str(), plugin.id, plugin.version, file.c_str());
+  for (std::uint32_t i = 0; i < plugin.param_count; ++i)
+    std::printf("    %-12s %g to %g %s\n", plugin.params[i].name, plugin.params[i].min, plugin.params[i].max,
+                plugin.params[i].unit);
+  if (plugin.param_tail_group)
+    std::printf("    the last %u repeat, at least %u times\n", plugin.param_tail_group, plugin.param_tail_min);
+  std::printf("    declares %s\n\n", declarations(plugin).c_str());
+}
+
+void print_shapes(Context& context) {
+  Engine engine(context.plugins());
+  const std::map<std::string, std::string> files = engine.path().all();
+  if (files.empty()) engine.path().find("sphere");  // throws the error that says where we looked
+  for (const auto& [name, file] : files) {
+    try {
+      print_plugin(engine, name, file);
+    } catch (const Error& error) {
+      std::printf("%s  REFUSED: %s\n  what to do: %s\n\n", name.c_str(), error.what(), error.remedy.c_str());
+      context.exit_code = kExitBadNews;
+    }
+  }
+  std::printf("half_space  (built in, static bodies only: it is not bounded)\n");
+}
+
+}  // namespace
+
+void add_shapes_command(CLI::App& app, Context& context) {
+  app.add_subcommand("shapes", "List the shape plugins found: parameters, bounds, declarations")->callback([&context] {
+    print_shapes(context);
+  });
+}
+
+}  // namespace carom::tools

@@ -1,0 +1,17 @@
+# Plugins for `carom check` to judge: the same ball with one lie each, and one honest.
+foreach(lie HONEST HANG CRASH NAN DENT LENGTH MEMORY DECLARATION)
+  string(TOLOWER ${lie} name)
+  add_library(judged_${name} MODULE ${CMAKE_CURRENT_LIST_DIR}/liars/liars.c)
+  target_include_directories(judged_${name} PRIVATE ${PROJECT_SOURCE_DIR}/include)
+  target_compile_definitions(judged_${name} PRIVATE LIE_${lie})
+  target_link_libraries(judged_${name} PRIVATE carom_flags m)
+  set_target_properties(judged_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name} LIBRARY_OUTPUT_DIRECTORY
+    ${CMAKE_BINARY_DIR}/judged)
+  add_dependencies(test_tools_command judged_${name})
+endforeach()
+add_dependencies(test_tools_command carom_cli ${plugins})
+foreach(test command gltf scenes)
+  target_compile_definitions(test_tools_${test} PRIVATE CAROM_COMMAND="$<TARGET_FILE:carom_cli>"
+    CAROM_LIARS="${CMAKE_BINARY_DIR}/judged")
+  add_dependencies(test_tools_${test} ${plugins})
+endforeach()

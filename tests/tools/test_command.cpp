@@ -1,0 +1,156 @@
+// The `carom` command as a person meets it: exit codes, errors that say what to do, `carom check` on liars.
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "carom_test.h"
+
+namespace {
+
+struct Outcome {
+  int code;
+  std::string text;  // stdout and stderr
+};
+
+Outcome carom(const std::string& arguments, bool errors_too = true) {
+  const std::string line = std::string(CAROM_COMMAND) + " --plugins " + CAROM_PLUGIN_DIR + " " + arguments +
+                           (errors_too ? " 2>&1" : " 2>/dev/null");
+  FILE* pipe = popen(line.c_str(), "r");
+  assert_non_null(pipe);
+  Outcome outcome{};
+  char buffer[4096];
+  for (std::size_t n; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) outcome.text.append(buffer, n);
+  const int status = pclose(pipe);
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return outcome;
+}
+
+bool says(const Outcome& o, const std::string& text) { return o.text.find(text) != std::string::npos; }
+
+void liar(const char* name, const char* must_say) {
+  const Outcome o = carom("check " + std::string(CAROM_LIARS) + "/" + name + ".so --seconds 1");
+  if (o.code != 1 || !says(o, must_say)) std::printf("%s: %d\n%s\n", name, o.code, o.text.c_str());
+  assert_int_equal(o.code, 1);
+  assert_true(says(o, "DISHONEST"));
+  assert_true(says(o, "what to do"));
+  assert_true(says(o, must_say));
+}
+
+}  // namespace
+
+static void errors_exit_nonzero_and_say_what_to_do(void**) {
+  const struct {
+    const char *line, *expected;
+  } cases[] = {
+      {"run sesaw", "did you mean 'seesaw'"},
+      {"run", "carom COMMAND --help"},
+      {"", "--help"},
+      {"run falling --n 0", "from 1 to 100000"},
+      {"run falling --set m=3", "it has: n"},
+      {"run falling --set n", "name=value"},
+      {"run falling --n 4 --dt -1", "--dt"},
+      {"run falling --n 4 --dial brod_phase=grid", "did you mean 'broad_phase'"},
+      {"run falling --n 4 --dial broad_phase=tree", "brute_force, sweep_and_prune, grid"},
+      {"run falling --n 4 --dial substeps=0", "what to do"},
+      {"run falling --n 4 --gltf motion.obj", ".gltf or .glb"},
+      {"run falling --n 4 --gltf /no/such/folder/x.glb", "folder"},
+      {"run falling --n 4 --csv /no/such/folder/x.csv", "folder"},
+      {"run seesaw --mesh /no/such/mesh.obj", "--mesh"},
+      {"check /no/such/plugin.so", "carom shapes"},
+      {"check box 1 1", "half_extent"},
+      {"check box 1 1 0", "half_extent"},
+  };
+  for (const auto& c : cases) {
+    const Outcome o = carom(c.line);
+    if (o.code != 2 || !says(o, c.expected)) std::printf("carom %s: %d\n%s\n", c.line, o.code, o.text.c_str());
+    assert_int_equal(o.code, 2);
+    assert_true(says(o, "what to do"));
+    assert_true(says(o, c.expected));
+  }
+}
+
+static void lists_show_every_scene_shape_and_dial(void**) {
+  const Outcome scenes = carom("list"), shapes = carom("shapes"), dials = carom("dials");
+  assert_int_equal(scenes.code, 0);
+  assert_int_equal(shapes.code, 0);
+  assert_int_equal(dials.code, 0);
+  for (const char* name : {"seesaw", "catapult", "bunnies", "particles", "falling"}) assert_true(says(scenes, name));
+  for (const char* name : {"sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "hull"})
+    assert_true(says(shapes, name));
+  for (const char* name : {"broad_phase", "sweep_and_prune", "gjk_tolerance"}) assert_true(says(dials, name));
+}
+
+static void a_run_reports_itself_as_json_and_csv(void**) {
+  const std::string csv = "command_steps.csv", motion = "command_motion.csv";
+  const Outcome o = carom("run falling --n 8 --seconds 0.5 --json --csv-steps " + csv + " --csv " + motion, false);
+  assert_int_equal(o.code, 0);
+  const nlohmann::json summary = nlohmann::json::parse(o.text);
+  assert_int_equal(summary.at("steps").get<int>(), 30);
+  assert_int_equal(summary.at("bodies").get<int>(), 13);
+  assert_true(summary.at("steps_per_s").at("min").get<double>() > 0);
+  double in_stages = 0;
+  for (const auto& [name, seconds] : summary.at("stage_s").items()) in_stages += seconds.get<double>();
+  assert_true(in_stages > 0 && in_stages <= summary.at("computing_s").get<double>());
+  auto lines = [](const std::string& path) {
+    std::ifstream file(path);
+    int count = 0;
+    for (std::string line; std::getline(file, line);) ++count;
+    return count;
+  };
+  assert_int_equal(lines(csv), 31);
+  assert_int_equal(lines(motion), 1 + 8 * 16);  // 8 bodies that move, 0.5 s at 30 frames a second, both ends
+  std::remove(csv.c_str());
+  std::remove(motion.c_str());
+}
+
+static void the_same_run_twice_ends_in_the_same_bits(void**) {
+  const auto hash = [] {
+    return nlohmann::json::parse(carom("run falling --n 12 --seconds 1 --json", false).text)
+        .at("hash")
+        .get<std::string>();
+  };
+  assert_string_equal(hash().c_str(), hash().c_str());
+}
+
+static void honest_plugins_pass_the_check(void**) {
+  for (const char* name : {"sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "hull", "template"}) {
+    const Outcome o = carom(std::string("check ") + name);
+    if (o.code) std::printf("%s\n", o.text.c_str());
+    assert_int_equal(o.code, 0);
+    assert_true(says(o, "honest"));
+  }
+  assert_int_equal(carom("check " CAROM_LIARS "/honest.so").code, 0);
+  assert_int_equal(carom("check box 0.5 2 0.25").code, 0);
+}
+
+static void a_plugin_that_hangs_is_stopped_and_the_direction_named(void**) {
+  liar("hang", "did not come back within 1 s");
+  liar("hang", "direction:  (");
+}
+
+static void a_plugin_that_crashes_takes_only_the_child_with_it(void**) { liar("crash", "direction:  ("); }
+
+static void nan_dents_lengths_memory_and_false_declarations_are_caught(void**) {
+  liar("nan", "NaN");
+  liar("dent", "convex");
+  liar("length", "length");
+  liar("memory", "second time");
+  liar("declaration", "CAROM_E_DECLARATION_FALSE");
+}
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(errors_exit_nonzero_and_say_what_to_do),
+      cmocka_unit_test(lists_show_every_scene_shape_and_dial),
+      cmocka_unit_test(a_run_reports_itself_as_json_and_csv),
+      cmocka_unit_test(the_same_run_twice_ends_in_the_same_bits),
+      cmocka_unit_test(honest_plugins_pass_the_check),
+      cmocka_unit_test(a_plugin_that_hangs_is_stopped_and_the_direction_named),
+      cmocka_unit_test(a_plugin_that_crashes_takes_only_the_child_with_it),
+      cmocka_unit_test(nan_dents_lengths_memory_and_false_declarations_are_caught),
+  };
+  return cmocka_run_group_tests_name("tools/command", tests, nullptr, nullptr);
+}

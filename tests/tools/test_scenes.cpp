@@ -1,0 +1,123 @@
+// Every scene builds and runs finite; meshes are read, scaled and reduced as they say.
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+#include "carom_test.h"
+#include "scenes/run.h"
+
+using namespace carom::tools;
+
+static void every_scene_runs_half_a_second_finite_and_inside(void**) {
+  for (const Scene& scene : all_scenes()) {
+    Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+    Stage stage(engine);
+    Settings settings;
+    if (scene.name == "falling" || scene.name == "particles") settings.values = {{"n", 60}};
+    if (scene.name == "bunnies") settings.values = {{"n", 4}};
+    const auto observer = build(scene, settings, stage);
+    const RunSummary run = simulate(stage, observer.get(), 0.5, scene.dt);
+    assert_int_equal(run.steps, std::lround(0.5 / scene.dt));
+    assert_int_equal(run.faults, 0);
+    for (const KindSummary& kind : where_it_ended(stage)) {
+      assert_int_equal(kind.not_finite, 0);
+      assert_int_equal(kind.escaped, 0);
+    }
+    if (observer) assert_false(observer->tell(stage).empty());
+  }
+}
+
+static void the_seesaw_throws_the_bunny_and_the_row_falls(void**) {
+  // The installed bunny or its stand-in, whichever is there: the throw has to come off with either.
+  const Scene& scene = find_scene("seesaw");
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  Stage stage(engine);
+  const auto observer = build(scene, {}, stage);
+  simulate(stage, observer.get(), scene.seconds, scene.dt);
+  for (const std::string& line : observer->tell(stage)) std::printf("  %s\n", line.c_str());
+  assert_true(observer->came_off(stage));
+  for (const char* plugin : {"sphere", "box", "cylinder", "hull"}) {
+    const std::vector<std::string> loaded = engine.loaded();
+    assert_true(std::find(loaded.begin(), loaded.end(), plugin) != loaded.end());
+  }
+}
+
+static void a_scene_is_the_same_world_every_time(void**) {
+  std::uint64_t hashes[2];
+  for (std::uint64_t& hash : hashes) {
+    Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+    Stage stage(engine);
+    build(find_scene("falling"), {{{"n", 30}}, ""}, stage);
+    hash = stage.world.hash();
+  }
+  assert_true(hashes[0] == hashes[1]);
+}
+
+static void obj_faces_come_in_every_notation_and_bad_lines_are_named(void**) {
+  const char* path = "scenes_test.obj";
+  std::ofstream(path)
+      << "# pyramid\nv 0 0 0\nv 2 0 0\nv 2 0 2\nv 0 0 2\nvn 0 1 0\nv 1 3 1\nf 1 2 3 4\nf 1/1 5//2 2/1/1\n"
+         "f -4 -1 3\n";
+  Mesh mesh = read_obj(path);
+  assert_int_equal(mesh.points.size(), 5);
+  assert_int_equal(mesh.faces.size(), 4);  // the square is two triangles
+  assert_true(mesh.faces[3] == (std::array<std::uint32_t, 3>{1, 4, 2}));
+  fit_to_height(mesh, 1.5);
+  assert_true(std::fabs(mesh.points[4].y() - 0.75) < 1e-12 && std::fabs(mesh.points[0].x() + 0.5) < 1e-12);
+  for (const char* bad : {"v 0 0\n", "v 0 0 nan\n", "v 0 0 0\nf 1 2 3\n", "v 0 0 0\nf 1 1\n", "f a b c\n", "\n"}) {
+    std::ofstream(path) << bad;
+    bool refused = false;
+    try {
+      read_obj(path);
+    } catch (const Error& error) {
+      refused = !error.remedy.empty();
+    }
+    assert_true(refused);
+  }
+  std::remove(path);
+}
+
+/// A cube with 8 corners, its face centres, and one vertex that sticks out of a face.
+static std::vector<Vec> spiked_cube(double spike) {
+  std::vector<Vec> points;
+  for (int i = 0; i < 8; ++i) points.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+  points.emplace_back(0.3, 0.2, 0.1);
+  points.emplace_back(0, 1 + spike, 0);
+  return points;
+}
+
+static void a_hull_drops_inner_points_and_faces_outward(void**) {
+  const Mesh hull = convex_hull(spiked_cube(0.5));
+  assert_int_equal(hull.points.size(), 9);
+  assert_int_equal(hull.faces.size(), 14);  // Euler: 2 V - 4 triangles
+  for (const auto& f : hull.faces) {
+    const Vec &a = hull.points[f[0]], &b = hull.points[f[1]], &c = hull.points[f[2]];
+    const Vec normal = (b - a).cross(c - a);
+    for (const Vec& p : hull.points) assert_true(normal.dot(p - a) <= 1e-12);
+  }
+}
+
+static void reducing_a_hull_keeps_the_count_and_measures_the_loss(void**) {
+  // Without its spike a cube loses exactly the spike's height; a spike below the limit's greed is what goes first.
+  const Mesh full = convex_hull(spiked_cube(0.25));
+  assert_int_equal(reduce_hull(full, 9).hull.points.size(), 9);
+  assert_true(reduce_hull(full, 9).loss == 0);
+  const ReducedHull less = reduce_hull(full, 8);
+  assert_true(less.hull.points.size() <= 8);
+  assert_true(less.loss > 0 && less.loss < 2.3);
+  const Bunny many = load_bunny("", 0.5, 128), few = load_bunny("", 0.5, 32);
+  assert_true(many.hull.hull.points.size() <= 128 && few.hull.hull.points.size() <= 32);
+  assert_true(many.hull.loss < few.hull.loss && few.hull.loss < 0.05);
+}
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(every_scene_runs_half_a_second_finite_and_inside),
+      cmocka_unit_test(the_seesaw_throws_the_bunny_and_the_row_falls),
+      cmocka_unit_test(a_scene_is_the_same_world_every_time),
+      cmocka_unit_test(obj_faces_come_in_every_notation_and_bad_lines_are_named),
+      cmocka_unit_test(a_hull_drops_inner_points_and_faces_outward),
+      cmocka_unit_test(reducing_a_hull_keeps_the_count_and_measures_the_loss),
+  };
+  return cmocka_run_group_tests_name("tools/scenes", tests, nullptr, nullptr);
+}
