@@ -79,6 +79,12 @@ static void a_reference_is_dashed_and_grey_and_labelled(void**) {
   assert_int_equal(svg.with_class("polyline", "ref").size(), 1);
   assert_int_equal(svg.with_class("text", "reft").size(), 1);
   assert_string_equal(svg.with_class("text", "reft")[0].text.c_str(), "paper");
+  LinePlot marked = powers_of_two();
+  marked.marks = {{256, "here"}};
+  const XmlCheck again(draw(marked));
+  const auto line = again.with_class("line", "ref");
+  assert_int_equal(line.size(), 1);
+  assert_true(std::fabs(value(line[0], "x1") - value(again.with_class("circle", "f0 edge")[1], "cx")) <= kPixel);
 }
 
 static void labels_of_lines_that_end_together_do_not_touch(void**) {

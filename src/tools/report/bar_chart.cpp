@@ -50,9 +50,10 @@ void draw_row(Svg& svg, const Frame& frame, const BarRow& row, double y) {
     svg.rect({end, y}, std::max(0.0, next - end), kBar, series('f', part.colour) + " edge");
     end = next;
   }
-  svg.text({end + 7, y + kBar / 2 + 4}, Anchor::start, "halo", row.value_label);
+  const double x = row.reference > 0 ? frame.at(row.reference) : frame.left;
+  const bool in_the_way = x > end && x < end + 14 + text_width(row.value_label);
+  svg.text({(in_the_way ? x : end) + 7, y + kBar / 2 + 4}, Anchor::start, "halo", row.value_label);
   if (row.reference <= 0) return;
-  const double x = frame.at(row.reference);
   svg.line({x, y - 5}, {x, y + kBar + 5}, "under");
   svg.line({x, y - 5}, {x, y + kBar + 5}, "ref");
   svg.text({x, y + kBar + 16}, Anchor::middle, "reft", row.reference_label);

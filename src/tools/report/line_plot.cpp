@@ -87,6 +87,11 @@ std::string draw(const LinePlot& plot) {
   Svg svg(kWidth, kHeight, plot.title);
   svg.text({kLeft, 26}, Anchor::start, "title", plot.title);
   draw_axes(svg, frame, plot);
+  for (const Mark& m : plot.marks) {
+    const Point foot = frame.at({m.x, frame.y.low}), top = frame.at({m.x, frame.y.high});
+    svg.line(foot, top, "ref");
+    svg.text({top.x - 6, top.y + 14}, Anchor::end, "reft halo", m.label);
+  }
   std::vector<Label> labels;
   for (const Series& s : plot.series) {
     std::vector<Point> path;

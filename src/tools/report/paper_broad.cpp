@@ -61,7 +61,8 @@ Figure broad_phase_shares(PaperRun& run) {
     told(0);
     const Measured m = measure(run.engine, {"falling", {{{"n", n}}, ""}, {s.dial}, seconds}, told);
     shares[i] = 100 * m.share(CAROM_STAGE_BROAD);
-    const std::string share = number(shares[i]), paper = s.paper_percent > 0 ? number(s.paper_percent) : "between";
+    const std::string share = number(shares[i]),
+                      paper = s.paper_percent > 0 ? short_number(s.paper_percent) : "between";
     const std::string broad_ms = number(m.ms(CAROM_STAGE_BROAD));
     figure.table.rows.push_back(
         {s.label, share, paper, number(m.ms()), broad_ms, number(m.broad_pairs, 4), number(m.contacts, 4)});

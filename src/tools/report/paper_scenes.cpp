@@ -49,8 +49,8 @@ Figure scene_speeds(PaperRun& run) {
     figure.table.rows.push_back({e.label, short_number(static_cast<double>(ours.run.last.dynamic_bodies)),
                                  short_number(static_cast<double>(ours.run.steps)), number(ours.run.min_rate),
                                  number(average), number(ours.run.max_rate), number(faithful.run.average_rate),
-                                 number(e.paper), number(average / e.paper)});
-    chart.rows.push_back({e.label, {{"ours", average, 0}}, number(average), e.paper, "paper " + number(e.paper)});
+                                 short_number(e.paper), number(average / e.paper)});
+    chart.rows.push_back({e.label, {{"ours", average, 0}}, number(average), e.paper, "paper " + short_number(e.paper)});
     if (average < e.paper) slower += (slower.empty() ? "" : ", ") + std::string(e.label);
   }
   figure.remarks.push_back(

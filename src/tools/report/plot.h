@@ -16,10 +16,17 @@ struct Series {
   bool reference = false;     ///< another author's: grey and dashed
 };
 
+/// Another author's figure that is a place on the x axis: a dashed line up from it.
+struct Mark {
+  double x = 0;
+  std::string label;  ///< written at its top
+};
+
 struct LinePlot {
   std::string title;
   AxisSpec x, y;
   std::vector<Series> series;
+  std::vector<Mark> marks;
   std::string note;  ///< one line under the plot: conditions
 };
 
