@@ -27,5 +27,6 @@ void add_list_command(CLI::App& app, Context& context);
 void add_shapes_command(CLI::App& app, Context& context);
 void add_dials_command(CLI::App& app, Context& context);
 void add_check_command(CLI::App& app, Context& context);
+void add_paper_command(CLI::App& app, Context& context);
 
 }  // namespace carom::tools

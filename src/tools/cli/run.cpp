@@ -10,13 +10,15 @@
 #include "cli/commands.h"
 #include "cli/run_output.h"
 #include "cli/table.h"
+#include "report/page.h"
+#include "report/silhouette.h"
 #include "visual/gltf.h"
 
 namespace carom::tools {
 namespace {
 
 struct Options {
-  std::string scene, gltf, csv, csv_steps;
+  std::string scene, gltf, csv, csv_steps, filmstrip;
   std::vector<std::string> dials, sets;
   std::optional<double> n, seconds, dt;
   double fps = 30;
@@ -63,6 +65,15 @@ class Progress {
   std::chrono::steady_clock::time_point last_{};
 };
 
+/// Six moments of the run seen from the side, for a page that plays no animation.
+void write_filmstrip(const std::string& path, const Scene& scene, Stage& stage, const Recording& recording) {
+  report::Filmstrip strip = report::filmstrip_of(stage, recording, 6);
+  strip.title = scene.name + ": " + scene.look_for;
+  strip.note = stage.remarks.empty() ? "" : stage.remarks.front();
+  if (!report::write_file(path, report::draw(strip)))
+    throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
+}
+
 void run_scene(const Options& options, Context& context) {
   const Scene& scene = find_scene(options.scene);
   const double seconds = options.seconds.value_or(scene.seconds), dt = options.dt.value_or(scene.dt);
@@ -91,7 +102,7 @@ void run_scene(const Options& options, Context& context) {
     std::fflush(stdout);
   }
   std::optional<Recording> recording;
-  if (motion_table || !options.gltf.empty()) recording.emplace(stage, dt, options.fps);
+  if (motion_table || !options.gltf.empty() || !options.filmstrip.empty()) recording.emplace(stage, dt, options.fps);
   RunSummary run;
   {
     Progress progress(seconds, talk);
@@ -106,6 +117,7 @@ void run_scene(const Options& options, Context& context) {
   if (step_table) step_table->finish();
   if (motion_table) motion_table->write(stage, *recording);
   if (!options.gltf.empty()) write_gltf(options.gltf, stage, *recording);
+  if (!options.filmstrip.empty()) write_filmstrip(options.filmstrip, scene, stage, *recording);
 
   const std::vector<KindSummary> kinds = where_it_ended(stage);
   if (options.as_json)
@@ -140,6 +152,8 @@ void add_run_command(CLI::App& app, Context& context) {
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   run->add_option("--gltf", options->gltf, "Write the motion as animated glTF")->type_name("FILE.gltf|FILE.glb");
+  run->add_option("--filmstrip", options->filmstrip, "Write six moments of the motion, seen from the side, as a drawing")
+      ->type_name("FILE.svg");
   run->add_option("--csv", options->csv, "Write pose and name of every body, per frame")->type_name("FILE");
   run->add_option("--csv-steps", options->csv_steps, "Write times, counts and residuals of every step")
       ->type_name("FILE");

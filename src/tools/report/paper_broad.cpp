@@ -42,7 +42,7 @@ std::string explain_brute_force(const Measured& m, double n) {
 }  // namespace
 
 Figure broad_phase_shares(PaperRun& run) {
-  const double n = 1024, seconds = run.quick ? 2.5 : 15;
+  const double n = 1024, seconds = run.quick ? 1.5 : 15;
   Figure figure;
   figure.heading = "Share of a step spent in the broad phase, N = " + short_number(n);
   figure.file_name = "broad_phase.svg";
@@ -77,7 +77,7 @@ Figure broad_phase_shares(PaperRun& run) {
   figure.remarks.push_back(brute_force);
   if (run.quick)
     figure.remarks.push_back(
-        "This was a quick run of the first 2.5 s: less has touched than in the full one, so finding pairs weighs "
+        "This was a quick run of the first 1.5 s: less has touched than in the full one, so finding pairs weighs "
         "more.");
   figure.drawing = draw(chart);
   return figure;
