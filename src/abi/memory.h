@@ -24,7 +24,7 @@ class HostMemory final : public Memory {
     if (free_)
       free_(user_, p, size, alignment);
     else
-      ::operator delete(p, size, std::align_val_t(alignment));
+      ::operator delete(p, std::align_val_t(alignment));
   }
   bool do_is_equal(const Memory& other) const noexcept override { return this == &other; }
 
