@@ -42,6 +42,16 @@ static void the_seesaw_throws_the_bunny_and_the_row_falls(void**) {
   }
 }
 
+static void the_catapult_breaks_the_wall(void**) {
+  const Scene& scene = find_scene("catapult");
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  Stage stage(engine);
+  const auto observer = build(scene, {}, stage);
+  simulate(stage, observer.get(), 3, scene.dt);
+  for (const std::string& line : observer->tell(stage)) std::printf("  %s\n", line.c_str());
+  assert_true(observer->came_off(stage));
+}
+
 static void a_scene_is_the_same_world_every_time(void**) {
   std::uint64_t hashes[2];
   for (std::uint64_t& hash : hashes) {
@@ -114,6 +124,7 @@ int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(every_scene_runs_half_a_second_finite_and_inside),
       cmocka_unit_test(the_seesaw_throws_the_bunny_and_the_row_falls),
+      cmocka_unit_test(the_catapult_breaks_the_wall),
       cmocka_unit_test(a_scene_is_the_same_world_every_time),
       cmocka_unit_test(obj_faces_come_in_every_notation_and_bad_lines_are_named),
       cmocka_unit_test(a_hull_drops_inner_points_and_faces_outward),

@@ -83,7 +83,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
   lever.seat_half_width = 1.5 * spread;
   lever.half_width = lever.seat_half_width + 2 * Lever::kWall;
   lever.seat_length = 2 * bunny.half_extents().x();
-  lever.sine = 0.6;  // steep, so that the throw leans far outward
+  lever.sine = 0.6;  // steep, so that the throw leans far over the pivot
   lever.place_on_ground();
   lever.add_to(stage);
 
@@ -105,37 +105,38 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
     bunnies.push_back(stage.add(std::move(rider)));
   }
 
-  Actor weight;
+  Actor weight;  // a crate: a ball would roll on into the wall
   weight.name = weight.kind = "weight";
-  const double radius = 0.5;
-  weight.position = lever.to_world(Vec(lever.right - 0.35, lever.top(), 0)) + Vec(0, radius + drop, 0);
-  Part ball;
-  ball.shape = "sphere";
-  ball.params = {radius};
-  ball.density = 4000;
-  weight.parts.push_back(ball);
+  const double half = 0.35;  // m
+  weight.position = lever.to_world(Vec(lever.right - 0.4, lever.top(), 0)) + Vec(0, half + drop, 0);
+  weight.mass = knobs[4];
+  Part crate;
+  crate.shape = "box";
+  crate.params = {half, half, half};
+  crate.friction = 0.8;
+  weight.parts.push_back(crate);
   stage.add(std::move(weight));
 
-  const double hx = 0.15, hy = 0.15, hz = 0.3, wall = -7.5;  // m
+  const double hx = 0.15, hy = 0.15, hz = 0.3;  // m
   for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < columns; ++column) {
+    for (int column = 0; column < columns - row % 2; ++column) {  // half bond, as bricks are laid
       Actor block;
       block.kind = "block";
       block.name = "block " + std::to_string(row + 1) + "." + std::to_string(column + 1);
-      const double shift = row % 2 ? 0.5 : 0.0;  // half bond, as bricks are laid
-      block.position = Vec(wall, hy + 2 * hy * row, (column + shift - columns / 2.0) * (2 * hz + 0.005));
+      const double along = column + (row % 2) / 2.0 - (columns - 1) / 2.0;
+      block.position = Vec(knobs[5], hy + 2 * hy * row, along * (2 * hz + 0.005));
       Part brick;
       brick.shape = "box";
       brick.params = {hx, hy, hz};
-      brick.density = 300;
+      brick.density = 60;
       block.parts.push_back(brick);
       blocks.push_back(stage.add(std::move(block)));
     }
   stage.bounds_min = Vec(-80, -1, -80);
   stage.bounds_max = Vec(80, 80, 80);
   stage.ground_half_width = 15;
-  stage.camera_from = Vec(-2, 4, 14);
-  stage.camera_to = Vec(-4, 1.5, 0);
+  stage.camera_from = Vec(4, 4, 14);
+  stage.camera_to = Vec(4, 1.8, 0);
   return std::make_unique<CatapultStory>(std::move(bunnies), std::move(blocks), start);
 }
 
@@ -145,10 +146,12 @@ Scene catapult_scene() {
   return {"catapult",
           "A catapult throws three bunnies into a wall of blocks (the paper's scene B).",
           "three bunnies leave together, and the wall breaks where they hit it",
-          {{"columns", "", "blocks in a row of the wall", 6, 1, 40, true},
+          {{"columns", "", "blocks in a row of the wall", 6, 2, 40, true},
            {"rows", "", "rows of the wall", 6, 1, 30, true},
-           {"drop", "m", "height that the weight falls", 5, 0.1, 20},
-           {"hull_vertices", "", "vertices of a bunny's hull at most", 64, 8, 2000, true}},
+           {"drop", "m", "height that the weight falls", 1, 0.1, 20},
+           {"hull_vertices", "", "vertices of a bunny's hull at most", 64, 8, 2000, true},
+           {"weight", "kg", "mass of the weight", 800, 1, 1e5},
+           {"wall", "m", "where the wall stands, from the pivot", 8, 3, 100}},
           5.0,
           1.0 / 120,
           fill};
