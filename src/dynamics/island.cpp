@@ -31,11 +31,11 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
       if (a < b) c.parent[b] = a;
       if (b < a) c.parent[a] = b;
     }
-    c.heap.assign(body_slots, kNone);  // scratch: group of a root
+    c.cursor.assign(body_slots, kNone);  // scratch: group of a root
     for (std::size_t i = 0; i < n; ++i) {
       const std::uint32_t r = root(c.parent, c.rows[i].moves_a ? c.rows[i].a : c.rows[i].b);
-      if (c.heap[r] == kNone) c.heap[r] = groups++;
-      c.label[i] = c.heap[r];
+      if (c.cursor[r] == kNone) c.cursor[r] = groups++;
+      c.label[i] = c.cursor[r];
     }
   } else {
     c.label.assign(n, 0);
@@ -45,8 +45,8 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
   c.group_begin.assign(groups + 1, 0);
   for (std::size_t i = 0; i < n; ++i) ++c.group_begin[c.label[i] + 1];
   for (std::uint32_t g = 0; g < groups; ++g) c.group_begin[g + 1] += c.group_begin[g];
-  c.heap.assign(c.group_begin.begin(), c.group_begin.end());
-  for (std::size_t i = 0; i < n; ++i) c.group_rows[c.heap[c.label[i]]++] = static_cast<std::uint32_t>(i);
+  c.cursor.assign(c.group_begin.begin(), c.group_begin.end());
+  for (std::size_t i = 0; i < n; ++i) c.group_rows[c.cursor[c.label[i]]++] = static_cast<std::uint32_t>(i);
 }
 
 void find_groups(World& world, const StepTime& time) {

@@ -60,10 +60,11 @@ void add_rows(World& world, std::size_t pair_index, std::size_t& cursor, Real sc
     Row row{};
     row.u = Vec3::Zero();
     row.n = point.normal;
-    row.p = Vec3::Zero();
+    row.p = row.rub = Vec3::Zero();
     if (scale > 0) row.p = starting_impulse(c, cursor, last, point, reach, friction, scale);
     row.friction = friction;
     row.restitution = restitution;
+    row.bounces = restitution > 0;
     row.a = a, row.b = b, row.moves_a = moves_a, row.moves_b = moves_b;
     RowGeometry g{};
     g.l_a = fa.apply(point.on_a);
@@ -165,7 +166,7 @@ void build_rows(World& world, Real h) {
   count_halves(world);
   c.inv_inertia_w.resize(slots);
   c.shift.resize(slots, Vec3::Zero()), c.turn.resize(slots, Vec3::Zero());
-  c.keys.resize(n), c.heap_position.resize(n), c.heap.reserve(std::max(n, slots) + 1);
+  c.keys.resize(n), c.place.resize(n), c.ranked.reserve(n), c.cursor.reserve(std::max(n, slots) + 1);
   c.old.reserve(n);
   world.contact_views.reserve(n);
   const auto rubs = [](const Row& r) { return r.friction > 0; };
@@ -188,7 +189,7 @@ void prepare_rows(World& world, Real h) {
     world.plan->touched[i] = 0;
     if (rotates(scene, i)) c.inv_inertia_w[i] = rotation[i] * scene.inv_inertia[i] * rotation[i].transpose();
   }
-  c.heap.assign(c.half_begin.begin(), c.half_begin.end());  // scratch: next free half of each body
+  c.cursor.assign(c.half_begin.begin(), c.half_begin.end());  // scratch: next free half of each body
   for (const std::uint32_t i : c.bouncing) {
     const Real speed = closing_speed(world, c.rows[i], c.geometry[i]);
     c.rows[i].force_speed = std::max(Real(0), speed - c.geometry[i].approach);
@@ -204,8 +205,9 @@ void prepare_rows(World& world, Real h) {
     m.k_inv = m.k.inverse();
     row.k_n = row.n.dot(m.k * row.n);
     row.target = g.separation > 0 ? -g.separation / h : 0;
-    if (row.moves_a) c.half[c.heap[row.a]++] = {m.r_a, i, -1};
-    if (row.moves_b) c.half[c.heap[row.b]++] = {m.r_b, i, 1};
+    if (row.moves_a) c.half[c.cursor[row.a]++] = {m.r_a, i, -1};
+    if (row.moves_b) c.half[c.cursor[row.b]++] = {m.r_b, i, 1};
+    row.set_impulse(row.p);
     if (row.p != Vec3::Zero()) start_row(world, row, m);
   }
   for (std::size_t i = 0; i < c.rows.size(); ++i) {

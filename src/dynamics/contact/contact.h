@@ -5,23 +5,49 @@
 #pragma once
 
 #include "dynamics/effects.h"
+#include "dynamics/solver/search.h"
 
 namespace carom {
 
-/// What the solver reads and writes most: two cache lines a row.
-struct Row {
+/// What the solver reads and writes most. The first two cache lines are all that a disturbance by a neighbour touches;
+/// what depends on the row's own impulse alone (p_n, rub, ...) is kept there, since a row is disturbed ten times as often
+/// as it is resolved.
+struct alignas(64) Row {
   Vec3 u;            // m/s, relative velocity at the point, kept up to date as impulses spread
   Vec3 n;            // unit, world, A to B
-  Vec3 p;            // N s, impulse on B in this substep so far, world
+  Real p_n;          // N s, normal part of p
   Real target;       // m/s, least normal velocity: 0, or -separation/h of an open contact
-  Real friction;     // mixed Coulomb coefficient
+
   Real k_n;          // 1/kg, n.K n: normal velocity per unit of normal impulse
+  Real slip_most2;   // (m/s)^2, the most slip that friction could change, squared; 0: no friction impulse now
+  Vec3 rub;          // N s, tangent part of p
+  Real rub2;         // (N s)^2, |rub|^2
+  bool on_rim;       // the friction impulse is as large as the cone allows
+  bool bounces;      // restitution > 0
+  bool bounced;      // it threw its bodies apart in this substep: its impulse is not taken back
+  bool moves_a, moves_b;  // an impulse moves it
+  Real friction;     // mixed Coulomb coefficient
+
+  Vec3 p;            // N s, impulse on B in this substep so far, world
   Real restitution;  // mixed
   Real force_speed;  // m/s >= 0, part of the closing speed that the forces of this substep added; rows that bounce only
-  std::uint32_t a, b;     // body slots
-  bool moves_a, moves_b;  // an impulse moves it
-  bool bounced;           // it threw its bodies apart in this substep: its impulse is not taken back
+  std::uint32_t a, b;  // body slots
+
+  /// Set the impulse and what follows from it.
+  void set_impulse(const Vec3& impulse) {
+    p = impulse;
+    p_n = p.dot(n);
+    const Real bound = friction * p_n;
+    slip_most2 = 0, on_rim = false;
+    if (!(bound > 0)) return;
+    rub = p - p_n * n;
+    rub2 = rub.squaredNorm();
+    on_rim = rub2 >= 0.999999 * bound * bound;
+    const Real most = 2 * bound * k_n;
+    slip_most2 = most * most;
+  }
 };
+static_assert(sizeof(Row) == 192, "three cache lines");
 
 /// What a row needs when it is resolved.
 struct RowMass {
@@ -44,7 +70,7 @@ struct RowGeometry {
 struct HalfContact {
   Vec3 r;  // m, world axes
   std::uint32_t row;
-  std::int32_t sign;  // +1: the body is B; -1: A
+  Real sign;  // +1: the body is B; -1: A
 };
 
 /// What the next step knows of an impulse of this one.
@@ -72,8 +98,9 @@ struct Contacts {
         parent(m),
         label(m),
         keys(m),
-        heap(m),
-        heap_position(m) {}
+        cursor(m),
+        ranked(m),
+        place(m) {}
 
   // by row, in the order of the pair table
   Array<Row> rows;
@@ -99,7 +126,9 @@ struct Contacts {
   // scratch: union-find, search
   Array<std::uint32_t> parent, label;
   Array<Real> keys;
-  Array<std::uint32_t> heap, heap_position;
+  Array<std::uint32_t> cursor;  // next free place of each body or group while a list is filled
+  Array<Ranked> ranked;
+  Array<std::uint32_t> place;
 
   std::size_t groups() const { return group_begin.empty() ? 0 : group_begin.size() - 1; }
 };

@@ -15,36 +15,31 @@ constexpr int kSlideSweeps = 4;  // per visit
 /// Normal velocity that a row wants, m/s: its bounce where it is hit hard enough, else the least it may have.
 Real wanted_speed(const Row& row, Real v_n, Real restitution_speed) {
   const Real hit = -v_n - row.force_speed;  // m/s
-  return row.restitution > 0 && v_n < row.target && hit > restitution_speed ? row.restitution * hit : row.target;
+  return row.bounces && v_n < row.target && hit > restitution_speed ? row.restitution * hit : row.target;
 }
 
 }  // namespace
 
 Real velocity_severity_squared(const Row& row, Real restitution_speed) {
   const Real v_n = row.u.dot(row.n);
-  const Real p_n = row.p.dot(row.n);
   const Real lacking = wanted_speed(row, v_n, restitution_speed) - v_n;  // m/s, > 0: closes too fast
   // To part too fast is no offence of a contact that does not push; of one that does, as far as its push goes.
-  const Real normal = lacking >= 0 ? lacking : row.bounced ? 0 : std::min(-lacking, p_n * row.k_n);
-  Real severity2 = normal * normal;
-  const Real bound = row.friction * p_n;
-  if (bound > 0) {
-    const Vec3 slip = row.u - v_n * row.n;
-    const Vec3 rub = row.p - p_n * row.n;
-    const Real rub2 = rub.squaredNorm(), along = slip.dot(rub);
-    Real slip2 = slip.squaredNorm();
+  const Real normal = lacking >= 0 ? lacking : row.bounced ? 0 : std::min(-lacking, row.p_n * row.k_n);
+  if (!(row.slip_most2 > 0)) return normal * normal;
+  const Vec3 slip = row.u - v_n * row.n;
+  Real slip2 = slip.squaredNorm();
+  if (row.on_rim) {
     // On the rim of the disc, slipping against the friction impulse is what the law wants.
-    if (along < 0 && rub2 >= 0.999999 * bound * bound) slip2 = std::max(Real(0), slip2 - along * along / rub2);
-    const Real most = 2 * bound * row.k_n;  // no more than friction could change
-    severity2 = std::max(severity2, std::min(slip2, most * most));
+    const Real along = slip.dot(row.rub);
+    if (along < 0) slip2 = std::max(Real(0), slip2 - along * along / row.rub2);
   }
-  return severity2;
+  return std::max(normal * normal, std::min(slip2, row.slip_most2));
 }
 
 Vec3 resolved_impulse(const Row& row, const RowMass& m, Real target, Real least) {
   const Vec3& n = row.n;
   const Real lacking = target - row.u.dot(n);
-  if (!(row.friction > 0)) return std::max(least, row.p.dot(n) + lacking / row.k_n) * n;
+  if (!(row.friction > 0)) return std::max(least, row.p_n + lacking / row.k_n) * n;
   const Vec3 stick = row.p + m.k_inv * (target * n - row.u);
   const Real stick_n = stick.dot(n);
   if (stick_n > least && (stick - stick_n * n).squaredNorm() <= row.friction * row.friction * stick_n * stick_n)
@@ -99,34 +94,41 @@ class VelocityPass {
       const RowMass& m = c_.mass[i];
       const Real target = wanted_speed(row, row.u.dot(row.n), restitution_speed_);
       row.bounced |= target > row.target;
-      const Vec3 p = resolved_impulse(row, m, target, row.bounced ? row.p.dot(row.n) : 0);
+      const Vec3 p = resolved_impulse(row, m, target, row.bounced ? row.p_n : 0);
       const Vec3 dp = p - row.p;
-      row.p = p;
+      row.set_impulse(p);
+      // First every relative velocity, then every severity: rows between the same two bodies are judged once.
       if (row.moves_a) spread(row.a, -dp, m.r_a);
       if (row.moves_b) spread(row.b, dp, m.r_b);
+      if (row.moves_a) judge(row.a, i, row.moves_b ? row.b : row.a);
+      if (row.moves_b) judge(row.b, i, row.b);
       search_.set(i, 0);
     }
     return done;
   }
 
  private:
-  /// Change a body's velocity and tell its contacts.
+  /// Change a body's velocity, and with it the relative velocities of its rows.
   void spread(std::uint32_t body, const Vec3& dp, const Vec3& r) {
     const Vec3 dv = world_.scene.inv_mass[body] * dp;
     const Vec3 dw = rotates(world_.scene, body) ? Vec3(c_.inv_inertia_w[body] * r.cross(dp)) : Vec3(Vec3::Zero());
     world_.state.v[body] += dv;
     world_.state.omega[body] += dw;
     world_.plan->touched[body] = 1;
-    for (std::uint32_t k = c_.half_begin[body]; k < c_.half_begin[body + 1]; ++k) {
-      const HalfContact& half = c_.half[k];
-      Row& row = c_.rows[half.row];
-      const Vec3 du = dv + dw.cross(half.r);
-      if (half.sign > 0)
-        row.u += du;
-      else
-        row.u -= du;
+    for (const HalfContact& half : halves(body)) c_.rows[half.row].u += half.sign * (dv + dw.cross(half.r));
+  }
+
+  /// Tell the search how severe a body's rows are now, but for the resolved row and those that `other` will tell.
+  void judge(std::uint32_t body, std::uint32_t resolved, std::uint32_t other) {
+    for (const HalfContact& half : halves(body)) {
+      const Row& row = c_.rows[half.row];
+      if (half.row == resolved || (other != body && (row.a == other || row.b == other))) continue;
       search_.set(half.row, velocity_severity_squared(row, restitution_speed_));
     }
+  }
+
+  std::span<const HalfContact> halves(std::uint32_t body) const {
+    return {c_.half.data() + c_.half_begin[body], c_.half_begin[body + 1] - c_.half_begin[body]};
   }
 
   World& world_;
@@ -201,7 +203,7 @@ std::uint64_t over_groups(World& world, Real tolerance, int iterations) {
     return done;
   };
   const bool heap = world.scene.dials.choice(Dial::severity_search) == 1;
-  return heap ? with(HeapSearch(c.keys, c.heap, c.heap_position)) : with(LinearSearch(c.keys, c.heap, c.heap_position));
+  return heap ? with(HeapSearch(c.keys, c.ranked, c.place)) : with(LinearSearch(c.keys, c.ranked, c.place));
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ static void the_heap_answers_as_the_scan_does_whatever_happens_to_the_keys(void*
   for (int trial = 0; trial < 100; ++trial) {
     const std::uint32_t n = 1 + random(50);
     Array<Real> scan_keys(n, 0, m), heap_keys(n, 0, m);
-    Array<std::uint32_t> heap(m), place(n, 0, m), rows(m);
+    Array<Ranked> heap(m);
+    Array<std::uint32_t> place(n, 0, m), rows(m);
     for (std::uint32_t i = 0; i < n; ++i) {
       scan_keys[i] = heap_keys[i] = random(8);  // few values: many ties
       rows.push_back(i);
