@@ -1,5 +1,7 @@
 // What the README names exists: folders of its map, pictures, presets, subcommands, dials; and its two commands fit
 // each other. Paths in backticks are the business of abi/readme_paths.
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -120,6 +122,22 @@ static void every_scene_and_dial_that_is_run_exists(void**) {
   assert_none(missing, "which is neither a scene nor a dial");
 }
 
+static void the_main_job_runs_in_an_empty_folder_and_writes_its_file(void**) {
+  const auto arguments = all(command("main job"), "build/demo/bin/carom (run [^&]*)$");
+  assert_int_equal(arguments.size(), 1);
+  const auto file = all(arguments[0], "--gltf (\\S+)");
+  assert_int_equal(file.size(), 1);
+  const fs::path folder = fs::temp_directory_path() / ("carom_readme_" + std::to_string(getpid()));
+  fs::create_directory(folder);
+  const std::string said =
+      output_of("cd " + folder.string() + " && " + CAROM_COMMAND + " " + arguments[0] + " && echo it ended well");
+  const bool written = fs::exists(folder / file[0]) && fs::file_size(folder / file[0]) > 0;
+  fs::remove_all(folder);
+  if (said.find("it ended well") == std::string::npos) print_error("%s", said.c_str());
+  assert_true(said.find("it ended well") != std::string::npos);
+  assert_true(written);
+}
+
 static void the_two_commands_are_single_lines_and_the_second_needs_all_of_the_first(void**) {
   const std::string demo = command("main job"), tests = command("tests");
   assert_true(demo.find("build/demo/bin/carom run seesaw") != std::string::npos);
@@ -135,6 +153,7 @@ int main() {
       cmocka_unit_test(every_preset_exists),
       cmocka_unit_test(every_subcommand_is_one_and_none_is_kept_secret),
       cmocka_unit_test(every_scene_and_dial_that_is_run_exists),
+      cmocka_unit_test(the_main_job_runs_in_an_empty_folder_and_writes_its_file),
       cmocka_unit_test(the_two_commands_are_single_lines_and_the_second_needs_all_of_the_first),
   };
   return cmocka_run_group_tests_name("readme", tests, nullptr, nullptr);

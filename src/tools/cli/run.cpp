@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -65,6 +66,14 @@ class Progress {
   std::chrono::steady_clock::time_point last_{};
 };
 
+/// Make the folder that a file shall go into, but none above it: a slip in a long path is an error, not a tree of
+/// folders. What fails here fails again, with its remedy, where the file is opened.
+void make_folder_of(const std::string& path) {
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (!folder.empty()) std::filesystem::create_directory(folder, ignored);
+}
+
 /// Six moments of the run seen from the side, for a page that plays no animation.
 void write_filmstrip(const std::string& path, const Scene& scene, Stage& stage, const Recording& recording) {
   report::Filmstrip strip = report::filmstrip_of(stage, recording, 6);
@@ -83,6 +92,8 @@ void run_scene(const Options& options, Context& context) {
   for (const std::string& dial : options.dials) stage.world.set_dial(dial);
   if (!(options.fps > 0 && options.fps <= 1e4))
     throw Error("--fps is out of range", "give frames per second, more than 0 and at most 10000");
+  for (const std::string& path : {options.gltf, options.csv, options.csv_steps, options.filmstrip})
+    make_folder_of(path);
   // Files first: better to hear now than after the run that a folder does not exist.
   std::optional<StepTable> step_table;
   if (!options.csv_steps.empty()) step_table.emplace(options.csv_steps);
@@ -152,7 +163,8 @@ void add_run_command(CLI::App& app, Context& context) {
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   run->add_option("--gltf", options->gltf, "Write the motion as animated glTF")->type_name("FILE.gltf|FILE.glb");
-  run->add_option("--filmstrip", options->filmstrip, "Write six moments of the motion, seen from the side, as a drawing")
+  run->add_option("--filmstrip", options->filmstrip,
+                  "Write six moments of the motion, seen from the side, as a drawing")
       ->type_name("FILE.svg");
   run->add_option("--csv", options->csv, "Write pose and name of every body, per frame")->type_name("FILE");
   run->add_option("--csv-steps", options->csv_steps, "Write times, counts and residuals of every step")
