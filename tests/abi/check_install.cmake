@@ -13,7 +13,8 @@ foreach(piece src plugins)  # what a client uses; the tools need not be built fo
   run(${CMAKE_COMMAND} --install ${BINARY_DIR}/${piece} --prefix ${prefix})
 endforeach()
 set(client ${SOURCE_DIR}/tests/abi/client)
-run(${CMAKE_COMMAND} -S ${client} -B ${SCRATCH}/by_cmake -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_C_COMPILER=${C_COMPILER})
+# A bare machine may have no make: what builds us builds the client.
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${client} -B ${SCRATCH}/by_cmake -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_C_COMPILER=${C_COMPILER})
 run(${CMAKE_COMMAND} --build ${SCRATCH}/by_cmake)
 run(${SCRATCH}/by_cmake/hello)
 

@@ -12,7 +12,7 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/README.md)
   carom_script_test(readme_paths)
 endif()
 if(NOT CAROM_SANITIZE)  # a client without the sanitizer cannot load a library with it
-  carom_script_test(install -DC_COMPILER=${CMAKE_C_COMPILER})
+  carom_script_test(install -DC_COMPILER=${CMAKE_C_COMPILER} -DGENERATOR=${CMAKE_GENERATOR})
 endif()
 
 # Plugins that lie, one a file, for what only a shared object can lie about; the rest are in test_plugins.c.
