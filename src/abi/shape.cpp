@@ -136,10 +136,11 @@ bool settle(Call& call, const PluginRecord& plugin, const double* params, std::u
                        plugin.geometry.core_radius_param, shape.core_radius);
   }
   if (!ask_honest(call, id, 2, shape)) return false;
-  SupportFault fault;
-  if (!derive_bounds(shape, fault)) return dishonest(call, id, fault);
   FormNumbers form;
-  if (!settle_form(call, plugin, form, shape) || !settle_mass(call, plugin, form, memory, shape)) return false;
+  if (!settle_form(call, plugin, form, shape)) return false;
+  SupportFault fault;
+  if (!derive_bounds(shape, fault)) return dishonest(call, id, fault);  // after the form: its bounds are exact
+  if (!settle_mass(call, plugin, form, memory, shape)) return false;
   return float_environment_is_default() ||
          call.fail(CAROM_E_PLUGIN_DISHONEST, 2, "%s: the support function changes the floating-point environment", id);
 }

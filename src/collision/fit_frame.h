@@ -5,7 +5,6 @@
 // plump as a cube.
 #pragma once
 
-#include <Eigen/Geometry>  // cross products
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,4 @@
 // Volume, centre and inertia of the closed forms: the textbook's, at unit density, about the centroid.
-#include <Eigen/Geometry>  // cross products
 
 #include "collision/hull.h"
 #include "collision/volume.h"

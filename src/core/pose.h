@@ -1,8 +1,6 @@
 // Rotations and rigid poses.
 #pragma once
 
-#include <Eigen/Geometry>
-
 #include "core/trig.h"
 #include "core/vec.h"
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>  // cross(), whose absence only the linker notices
 #include <cmath>
 #include <cstdint>
 #include <limits>

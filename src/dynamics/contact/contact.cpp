@@ -60,7 +60,7 @@ void add_rows(World& world, std::size_t pair_index, std::size_t& cursor, Real sc
     Row row{};
     row.u = Vec3::Zero();
     row.n = point.normal;
-    row.p = row.rub = Vec3::Zero();
+    row.p = Vec3::Zero();
     if (scale > 0) row.p = starting_impulse(c, cursor, last, point, reach, friction, scale);
     row.friction = friction;
     row.restitution = restitution;

@@ -20,7 +20,7 @@ struct alignas(64) Row {
 
   Real k_n;          // 1/kg, n.K n: normal velocity per unit of normal impulse
   Real slip_most2;   // (m/s)^2, the most slip that friction could change, squared; 0: no friction impulse now
-  Vec3 rub;          // N s, tangent part of p
+  Vec3 rub = Vec3::Zero();  // N s, tangent part of p
   Real rub2;         // (N s)^2, |rub|^2
   bool on_rim;       // the friction impulse is as large as the cone allows
   bool bounces;      // restitution > 0
