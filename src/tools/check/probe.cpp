@@ -206,7 +206,7 @@ class Trial {
     for (const Direction& p : answers) radius = std::max(radius, std::sqrt(dot(p, p)));
     judge_lengths(params, asked, answers, kTolerance * radius);
     judge_convexity(asked, answers, kTolerance * radius);
-    if (std::memcmp(original.data(), params.data(), params.size() * sizeof(double)) != 0)
+    if (!params.empty() && std::memcmp(original.data(), params.data(), params.size() * sizeof(double)) != 0)
       find(Lie::writes_input, &verdict_.current, "it changed its parameters",
            "params are shared by every body: read only");
     if (!float_environment_is_ours()) {
