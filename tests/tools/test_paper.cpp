@@ -34,19 +34,20 @@ static int clean_up(void**) {
   return 0;
 }
 
-static void shares_of_three_broad_phases_stand_beside_two_marks_of_the_paper(void**) {
+static void shares_of_three_broad_phases_in_two_crowds_stand_beside_the_papers_marks(void**) {
   const XmlCheck svg = load(folder() / "broad_phase.svg");
   assert_true(svg.well_formed());
-  assert_int_equal(svg.with_class("rect", "f0 edge").size(), 3);
-  assert_int_equal(svg.with_class("line", "ref").size(), 2);
-  double widths[3];
-  for (std::size_t i = 0; i < 3; ++i)
+  assert_int_equal(svg.with_class("rect", "f0 edge").size(), 6);
+  assert_int_equal(svg.with_class("line", "ref").size(), 4);
+  double widths[6];
+  for (std::size_t i = 0; i < 6; ++i)
     widths[i] = std::atof(svg.with_class("rect", "f0 edge")[i].attributes.at("width").c_str());
   // Half a million pair tests a step against a few thousand: no load of the machine turns that round.
   assert_true(widths[0] > widths[2] && widths[2] > 0);
+  assert_true(widths[3] > widths[5] && widths[5] > 0);
 }
 
-static void four_curves_run_through_all_sizes(void**) {
+static void five_curves_run_through_all_sizes(void**) {
   const XmlCheck svg = load(folder() / "groups.svg");
   assert_true(svg.well_formed());
   std::size_t curves = 0, points = 0;
@@ -54,8 +55,8 @@ static void four_curves_run_through_all_sizes(void**) {
     curves += e.name == "polyline";
     points += e.name == "circle";
   }
-  assert_int_equal(curves, 4);
-  assert_int_equal(points, 16);
+  assert_int_equal(curves, 5);
+  assert_int_equal(points, 20);
 }
 
 static void four_scenes_stand_beside_four_marks_of_the_paper(void**) {
@@ -79,13 +80,13 @@ static void the_page_shows_the_three_drawings_with_their_numbers(void**) {
     assert_true(e.text != "n/a" && !e.text.empty());
   }
   assert_int_equal(pictures, 3);
-  assert_int_equal(cells, 3 * 7 + 4 * 6 + 4 * 9);
+  assert_int_equal(cells, 6 * 7 + 4 * 7 + 4 * 9);
 }
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(shares_of_three_broad_phases_stand_beside_two_marks_of_the_paper),
-      cmocka_unit_test(four_curves_run_through_all_sizes),
+      cmocka_unit_test(shares_of_three_broad_phases_in_two_crowds_stand_beside_the_papers_marks),
+      cmocka_unit_test(five_curves_run_through_all_sizes),
       cmocka_unit_test(four_scenes_stand_beside_four_marks_of_the_paper),
       cmocka_unit_test(the_page_shows_the_three_drawings_with_their_numbers),
   };

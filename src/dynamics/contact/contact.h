@@ -10,23 +10,23 @@
 namespace carom {
 
 /// What the solver reads and writes most. The first two cache lines are all that a disturbance by a neighbour touches;
-/// what depends on the row's own impulse alone (p_n, rub, ...) is kept there, since a row is disturbed ten times as often
-/// as it is resolved.
+/// what depends on the row's own impulse alone (p_n, rub, ...) is kept there, since a row is disturbed ten times as
+/// often as it is resolved.
 struct alignas(64) Row {
-  Vec3 u;            // m/s, relative velocity at the point, kept up to date as impulses spread
-  Vec3 n;            // unit, world, A to B
-  Real p_n;          // N s, normal part of p
-  Real target;       // m/s, least normal velocity: 0, or -separation/h of an open contact
+  Vec3 u;       // m/s, relative velocity at the point, kept up to date as impulses spread
+  Vec3 n;       // unit, world, A to B
+  Real p_n;     // N s, normal part of p
+  Real target;  // m/s, least normal velocity: 0, or -separation/h of an open contact
 
-  Real k_n;          // 1/kg, n.K n: normal velocity per unit of normal impulse
-  Real slip_most2;   // (m/s)^2, the most slip that friction could change, squared; 0: no friction impulse now
+  Real k_n;                 // 1/kg, n.K n: normal velocity per unit of normal impulse
+  Real slip_most2;          // (m/s)^2, the most slip that friction could change, squared; 0: no friction impulse now
   Vec3 rub = Vec3::Zero();  // N s, tangent part of p
-  Real rub2;         // (N s)^2, |rub|^2
-  bool on_rim;       // the friction impulse is as large as the cone allows
-  bool bounces;      // restitution > 0
-  bool bounced;      // it threw its bodies apart in this substep: its impulse is not taken back
-  bool moves_a, moves_b;  // an impulse moves it
-  Real friction;     // mixed Coulomb coefficient
+  Real rub2;                // (N s)^2, |rub|^2
+  bool on_rim;              // the friction impulse is as large as the cone allows
+  bool bounces;             // restitution > 0
+  bool bounced;             // it threw its bodies apart in this substep: its impulse is not taken back
+  bool moves_a, moves_b;    // an impulse moves it
+  Real friction;            // mixed Coulomb coefficient
 
   Vec3 p;            // N s, impulse on B in this substep so far, world
   Real restitution;  // mixed

@@ -40,10 +40,10 @@ class LinearSearch {
   Real threshold_ = 0;
 };
 
-/// Binary heap of the rows above the threshold, with each row's place in it. A key that falls only leaves its row ranked too
-/// high; top() puts right what has come to the top, so that a row which many neighbours disturb is sunk once, when its turn
-/// comes, not at every disturbance. A key that rises is moved at once (a few places, as a rule). In a pile at rest almost
-/// all rows are and stay below the threshold and cost one compare.
+/// Binary heap of the rows above the threshold, with each row's place in it. A key that falls only leaves its row
+/// ranked too high; top() puts right what has come to the top, so that a row which many neighbours disturb is sunk
+/// once, when its turn comes, not at every disturbance. A key that rises is moved at once (a few places, as a rule). In
+/// a pile at rest almost all rows are and stay below the threshold and cost one compare.
 class HeapSearch {
  public:
   /// @param heap  scratch with capacity for all rows   @param place  [rows], scratch

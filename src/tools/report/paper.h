@@ -19,6 +19,17 @@ struct PaperRun {
   std::function<void(const std::string& what, double done)> progress;
 };
 
+/// How bodies meet, which the paper leaves open: in one walled heap, where nearly all touch in the end, or spread out
+/// over the ground in small heaps that never meet.
+struct Crowd {
+  const char* label;
+  tools::Settings (*settings)(double n);
+};
+inline constexpr Crowd kHeap = {"one heap", [](double n) { return tools::Settings{{{"n", n}}, ""}; }};
+inline constexpr Crowd kSpread = {"spread out", [](double n) {
+                                    return tools::Settings{{{"n", n}, {"layers", 4}, {"spacing", 2}}, ""};
+                                  }};
+
 /// A figure with its numbers, and what is to be said about them.
 struct Figure {
   std::string heading;

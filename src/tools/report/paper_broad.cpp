@@ -53,28 +53,32 @@ Figure broad_phase_shares(PaperRun& run) {
   chart.value = {"% of the time of a step", Scale::linear, true, {0, 20, 40, 60, 80, 100}};
   chart.note = "falling --n " + std::to_string(static_cast<int>(n)) + ", " + short_number(seconds) +
                " s simulated; dashed: the paper, 2011, N = 1,024";
-  double shares[3] = {};
-  std::string brute_force;
-  for (int i = 0; i < 3; ++i) {
-    const Strategy& s = kStrategies[i];
-    const auto told = [&](double done) { run.progress(std::string("broad phase, ") + s.label, done); };
-    told(0);
-    const Measured m = measure(run.engine, {"falling", {{{"n", n}}, ""}, {s.dial}, seconds}, told);
-    shares[i] = 100 * m.share(CAROM_STAGE_BROAD);
-    const std::string share = number(shares[i]),
-                      paper = s.paper_percent > 0 ? short_number(s.paper_percent) : "between";
-    const std::string broad_ms = number(m.ms(CAROM_STAGE_BROAD));
-    figure.table.rows.push_back(
-        {s.label, share, paper, number(m.ms()), broad_ms, number(m.broad_pairs, 4), number(m.contacts, 4)});
-    chart.rows.push_back(
-        {s.label, parts(m), share + " %", s.paper_percent, s.paper_percent > 0 ? "paper " + paper + " %" : ""});
-    if (i == 0) brute_force = explain_brute_force(m, n);
+  const Crowd crowds[] = {kHeap, kSpread};
+  for (const Crowd& crowd : crowds) {
+    double shares[3] = {};
+    std::string brute_force;
+    for (int i = 0; i < 3; ++i) {
+      const Strategy& s = kStrategies[i];
+      const std::string label = std::string(crowd.label) + ": " + s.label;
+      const auto told = [&](double done) { run.progress("broad phase, " + label, done); };
+      told(0);
+      const Measured m = measure(run.engine, {"falling", crowd.settings(n), {s.dial}, seconds}, told);
+      shares[i] = 100 * m.share(CAROM_STAGE_BROAD);
+      const std::string share = number(shares[i]),
+                        paper = s.paper_percent > 0 ? short_number(s.paper_percent) : "between";
+      const std::string broad_ms = number(m.ms(CAROM_STAGE_BROAD));
+      figure.table.rows.push_back(
+          {label, share, paper, number(m.ms()), broad_ms, number(m.broad_pairs, 4), number(m.contacts, 4)});
+      chart.rows.push_back(
+          {label, parts(m), share + " %", s.paper_percent, s.paper_percent > 0 ? "paper " + paper + " %" : ""});
+      if (i == 0) brute_force = explain_brute_force(m, n);
+    }
+    const bool ordered = shares[0] > shares[1] && shares[1] > shares[2];
+    figure.remarks.push_back(std::string("Bodies in a crowd, ") + crowd.label + ": " +
+                             (ordered ? "the order is the paper's: brute force, then the grid, then sweep-and-prune."
+                                      : "the order is NOT the paper's (brute force, grid, sweep-and-prune)."));
+    if (&crowd == &crowds[0]) figure.remarks.push_back(brute_force);
   }
-  const bool ordered = shares[0] > shares[1] && shares[1] > shares[2];
-  figure.remarks.push_back(ordered
-                               ? "The order is the paper's: brute force, then the grid, then sweep-and-prune."
-                               : "The order is NOT the paper's (brute force, grid, sweep-and-prune): see the table.");
-  figure.remarks.push_back(brute_force);
   if (run.quick)
     figure.remarks.push_back(
         "This was a quick run of the first 1.5 s: less has touched than in the full one, so finding pairs weighs "

@@ -7,17 +7,20 @@
 namespace carom::tools {
 namespace {
 
-constexpr double kSpacing =
-    0.8;  // m between grid sites: the largest box, turned, has radius 0.48 - sites never overlap
+constexpr double kLayerSpacing =
+    0.8;                          // m: the largest box, turned, has radius 0.48 with its jitter; sites never overlap
 constexpr double kJitter = 0.05;  // m: breaks the grid's symmetry, so that columns do not balance
 constexpr int kSizes = 8;         // distinct sizes of each kind: shapes are shared, as a host would
 
 std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, const std::string&) {
   const auto count = static_cast<std::size_t>(knobs[0]);
   Random random(20111115);
-  // As wide as the heap is tall when it leaves, so that the shape of the heap does not change with N.
-  const int side = std::max(2, static_cast<int>(std::ceil(std::cbrt(static_cast<double>(count)) - 1e-9)));
-  const double half = side * kSpacing / 2 + 0.1;
+  const double layers = knobs[1], spacing = knobs[2];
+  // By default as wide as the heap is tall when it leaves, so that the shape of the heap does not change with N.
+  const double across =
+      layers > 0 ? std::sqrt(static_cast<double>(count) / layers) : std::cbrt(static_cast<double>(count));
+  const int side = std::max(2, static_cast<int>(std::ceil(across - 1e-9)));
+  const double half = side * spacing / 2 + 0.1;
   stage.add_half_space("floor", {0, 1, 0}, {0, 0, 0});
   stage.add_half_space("wall east", {-1, 0, 0}, {half, 0, 0});
   stage.add_half_space("wall west", {1, 0, 0}, {-half, 0, 0});
@@ -43,7 +46,8 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
     const double middle = (side - 1) / 2.0;
     const Vec jitter(random.between(-kJitter, kJitter), random.between(-kJitter, kJitter),
                      random.between(-kJitter, kJitter));
-    actor.position = kSpacing * (site - Vec(middle, -1, middle)) + jitter;
+    actor.position =
+        Vec(spacing * (site.x() - middle), kLayerSpacing * (site.y() + 1), spacing * (site.z() - middle)) + jitter;
     actor.orientation = random.rotation();
     actor.parts.push_back(std::move(part));
     stage.add(std::move(actor));
@@ -63,7 +67,9 @@ Scene falling_scene() {
   return {"falling",
           "N boxes and spheres, alternating, fall into a walled box.",
           "a heap that comes to rest, nobody lost, nobody sunk into a neighbour",
-          {{"n", "", "number of bodies", 1024, 1, 100000, true}},
+          {{"n", "", "number of bodies", 1024, 1, 100000, true},
+           {"layers", "", "layers that they start in; 0: as many as make a cube", 0, 0, 1000, true},
+           {"spacing", "m", "between neighbours of a layer; 2 spreads them out", 0.8, 0.8, 100}},
           15.0,
           1.0 / 60,
           fill};
