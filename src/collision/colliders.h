@@ -9,7 +9,7 @@ namespace carom {
 struct Colliders {
   explicit Colliders(Memory* m)
       : shape(m), local(m), body(m), material(m), density(m), frame(m), bounds(m), reach(m), movable(m), muted(m),
-        live(m) {}
+        live(m), next(m) {}
 
   // Fixed while a step runs:
   Array<const Shape*> shape;        // null in a free slot
@@ -24,8 +24,10 @@ struct Colliders {
   Array<std::uint8_t> movable;      // 1: its body can move (dynamic or kinematic); 0: static
   Array<std::uint8_t> muted;        // 1: makes no pairs (its shape or body is in quarantine)
   Array<std::uint32_t> live;        // slots in use, ascending
+  Array<std::uint32_t> next;        // the body's next collider, ascending by slot, or kNone (the first: Scene::first_collider)
 
   static constexpr std::uint32_t kNoMaterial = 0xFFFFFFFFu;
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   std::size_t slots() const { return shape.size(); }
 };
 

@@ -26,8 +26,8 @@ void put(Array<T>& a, std::size_t slot, const T& value) {
 
 /// The slot that take() will hand out can be at most the number of slots there are.
 void make_room_for_body(Scene& s, State& t) {
-  make_room(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia, t.x, t.q, t.v,
-            t.omega, t.force, t.torque, t.quarantined);
+  make_room(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia, s.first_collider,
+            t.x, t.q, t.v, t.omega, t.force, t.torque, t.quarantined);
 }
 
 /// New mass properties; the body's frame stays where it is and its centre's velocity what it was.
@@ -35,6 +35,13 @@ void set_mass(Scene& s, State& t, std::uint32_t body, const BodyMass& m) {
   t.x[body] += t.q[body] * (m.center - s.center[body]);
   s.mass[body] = m.mass, s.inv_mass[body] = m.inv_mass, s.center[body] = m.center;
   s.inertia[body] = m.inertia, s.inv_inertia[body] = m.inv_inertia;
+}
+
+/// Where the link to a body's first collider at or after `collider` stands. Bodies have few colliders.
+std::uint32_t& link_to(Scene& s, std::uint32_t body, std::uint32_t collider) {
+  std::uint32_t* link = &s.first_collider[body];
+  while (*link < collider) link = &s.colliders.next[*link];  // kNone is larger than any slot
+  return *link;
 }
 
 }  // namespace
@@ -51,6 +58,7 @@ Handle World::add_body(const BodyDef& def) {
   put<Vec3>(scene.center, i, Vec3::Zero());
   put<Mat3>(scene.inertia, i, Mat3::Zero());
   put<Mat3>(scene.inv_inertia, i, Mat3::Zero());
+  put(scene.first_collider, i, Colliders::kNone);
   put(state.x, i, def.pose.p);
   put(state.q, i, normalized(def.pose.q));
   const bool moves = def.type != BodyType::fixed;
@@ -66,9 +74,7 @@ Handle World::add_body(const BodyDef& def) {
 }
 
 void World::remove_body(std::uint32_t body) {
-  Colliders& c = scene.colliders;
-  for (std::size_t k = c.live.size(); k-- > 0;)
-    if (c.body[c.live[k]] == body) remove_collider(c.live[k]);
+  while (scene.first_collider[body] != Colliders::kNone) remove_collider(scene.first_collider[body]);
   scene.inv_mass[body] = scene.mass[body] = 0;
   scene.inertia[body].setZero(), scene.inv_inertia[body].setZero();
   state.v[body] = state.omega[body] = state.force[body] = state.torque[body] = Vec3::Zero();
@@ -81,7 +87,7 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
                            std::uint32_t material) {
   Colliders& c = scene.colliders;
   make_room(scene.collider_slots.slots(), c.shape, c.local, c.body, c.material, c.density, c.frame, c.bounds, c.reach,
-            c.movable, c.muted);
+            c.movable, c.muted, c.next);
   make_room(c.live.size(), c.live);
   const Handle handle = scene.collider_slots.take();
   if (handle == 0) return 0;
@@ -96,6 +102,9 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   put(c.reach, i, Real(0));
   put(c.movable, i, std::uint8_t(scene.type[body] != BodyType::fixed));
   put(c.muted, i, std::uint8_t(0));
+  std::uint32_t& link = link_to(scene, body, i);
+  put(c.next, i, link);
+  link = i;
   c.live.insert(std::lower_bound(c.live.begin(), c.live.end(), i), i);
   set_mass(scene, state, body, mass_of_body(scene, body));
   ++scene.revision, ++scene.collider_revision;
@@ -108,13 +117,14 @@ void World::remove_collider(std::uint32_t collider) {
   const std::uint32_t body = c.body[collider];
   const Shape* shape = c.shape[collider];
   set_mass(scene, state, body, mass_of_body(scene, body, collider));
+  link_to(scene, body, collider) = c.next[collider];
   c.live.erase(std::lower_bound(c.live.begin(), c.live.end(), collider));
   c.shape[collider] = nullptr;
   c.bounds[collider] = Aabb();
   scene.collider_slots.release(collider);
   // The host may now free the shape, and another may come to live at its address.
   const auto wears = [&](std::uint32_t slot) { return c.shape[slot] == shape; };
-  if (std::none_of(c.live.begin(), c.live.end(), wears)) std::erase(plan->faulty, shape);
+  if (!plan->faulty.empty() && std::none_of(c.live.begin(), c.live.end(), wears)) std::erase(plan->faulty, shape);
   ++scene.revision, ++scene.collider_revision;
 }
 

@@ -20,8 +20,8 @@ Sum sum_of_colliders(const Scene& scene, std::uint32_t body, std::uint32_t skip,
   const Colliders& c = scene.colliders;
   Sum sum;
   const auto each = [&](auto&& f) {
-    for (const std::uint32_t slot : c.live)
-      if (c.body[slot] == body && slot != skip && c.shape[slot]->mass.volume > 0)
+    for (std::uint32_t slot = scene.first_collider[body]; slot != Colliders::kNone; slot = c.next[slot])
+      if (slot != skip && c.shape[slot]->mass.volume > 0)
         f(slot, (by_volume ? 1 : c.density[slot]) * c.shape[slot]->mass.volume);
   };
   each([&](std::uint32_t slot, Real m) {

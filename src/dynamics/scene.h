@@ -43,6 +43,7 @@ struct Scene {
         center(m),
         inertia(m),
         inv_inertia(m),
+        first_collider(m),
         colliders(m),
         material(m) {}
 
@@ -56,6 +57,7 @@ struct Scene {
   Array<Vec3> center;       // m, body frame: centre of mass
   Array<Mat3> inertia;      // kg m^2, body axes, about center; zero: does not rotate
   Array<Mat3> inv_inertia;  // inverse; zero where it does not rotate
+  Array<std::uint32_t> first_collider;  // slot, or Colliders::kNone; the others follow by Colliders::next
 
   Colliders colliders;       // by collider slot
   Array<Material> material;  // by material slot
