@@ -1,7 +1,9 @@
 // Memory: every array of an engine draws from the host's allocator through one resource.
 #pragma once
 
+#include <memory>
 #include <memory_resource>
+#include <utility>
 #include <vector>
 
 namespace carom {
@@ -11,5 +13,27 @@ using Memory = std::pmr::memory_resource;
 /// A growing array that draws from an engine's memory. Rooms that live in a world take a Memory* and build theirs on it.
 template <class T>
 using Array = std::pmr::vector<T>;
+
+/// Destroys what make_owned() made; remembers the size, since a base class does not know it.
+template <class T>
+struct OwnedDelete {
+  Memory* memory = nullptr;
+  std::size_t size = 0, alignment = 0;
+  void operator()(T* object) const {
+    object->~T();
+    memory->deallocate(object, size, alignment);
+  }
+};
+
+/// The one owner of an object on an engine's memory.
+template <class T>
+using Owned = std::unique_ptr<T, OwnedDelete<T>>;
+
+/// Make a T, owned as a T or as its (first) base. Nothing is leaked if its constructor throws.
+template <class Base, class T = Base, class... Args>
+Owned<Base> make_owned(Memory* memory, Args&&... args) {
+  return Owned<Base>(std::pmr::polymorphic_allocator<>(memory).new_object<T>(std::forward<Args>(args)...),
+                     {memory, sizeof(T), alignof(T)});
+}
 
 }  // namespace carom

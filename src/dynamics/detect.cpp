@@ -24,7 +24,7 @@ NarrowSettings narrow_settings(const Dials& dials) {
 }
 
 BroadPhase& broad_phase(World& world) {
-  using Make = std::unique_ptr<BroadPhase> (*)(Memory*);
+  using Make = Owned<BroadPhase> (*)(Memory*);
   static constexpr Make kMake[] = {make_brute_force, make_sweep_and_prune, make_uniform_grid};
   const std::uint32_t choice = world.scene.dials.choice(Dial::broad_phase);
   if (!world.broad[choice]) world.broad[choice] = kMake[choice](world.memory);

@@ -20,8 +20,8 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
       contact_views(m),
       fault_views(m),
       pairs(m),
-      plan(std::make_unique<Plan>(m)),
-      contacts(std::make_unique<Contacts>(m)),
+      plan(make_owned<Plan>(m, m)),
+      contacts(make_owned<Contacts>(m, m)),
       memory(m) {
   scene.gravity = gravity;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };

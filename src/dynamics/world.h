@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 
 #include "collision/broad/broad_phase.h"
 #include "collision/narrow/narrow_phase.h"
@@ -88,9 +87,9 @@ class World {
 
   // ---- what stages keep between steps ----
   PairTable pairs;
-  std::array<std::unique_ptr<BroadPhase>, 3> broad;  // by CAROM_BROAD_*, made when first used
-  std::unique_ptr<Plan> plan;
-  std::unique_ptr<Contacts> contacts;
+  std::array<Owned<BroadPhase>, 3> broad;  // by CAROM_BROAD_*, made when first used
+  Owned<Plan> plan;
+  Owned<Contacts> contacts;
   Memory* memory;
 };
 

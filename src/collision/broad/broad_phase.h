@@ -1,8 +1,6 @@
 // Broad phase: which bounds overlap. One interface, one strategy per file.
 #pragma once
 
-#include <memory>
-
 #include "collision/colliders.h"
 
 namespace carom {
@@ -40,8 +38,8 @@ class BroadPhase {
   BroadWork work_;
 };
 
-std::unique_ptr<BroadPhase> make_brute_force(Memory* memory);
-std::unique_ptr<BroadPhase> make_sweep_and_prune(Memory* memory);
-std::unique_ptr<BroadPhase> make_uniform_grid(Memory* memory);
+Owned<BroadPhase> make_brute_force(Memory* memory);
+Owned<BroadPhase> make_sweep_and_prune(Memory* memory);
+Owned<BroadPhase> make_uniform_grid(Memory* memory);
 
 }  // namespace carom

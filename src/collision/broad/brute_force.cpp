@@ -25,6 +25,6 @@ class BruteForce final : public BroadPhase {
 
 }  // namespace
 
-std::unique_ptr<BroadPhase> make_brute_force(Memory*) { return std::make_unique<BruteForce>(); }
+Owned<BroadPhase> make_brute_force(Memory* memory) { return make_owned<BroadPhase, BruteForce>(memory); }
 
 }  // namespace carom

@@ -256,6 +256,6 @@ class SweepAndPrune final : public BroadPhase {
 
 }  // namespace
 
-std::unique_ptr<BroadPhase> make_sweep_and_prune(Memory* memory) { return std::make_unique<SweepAndPrune>(memory); }
+Owned<BroadPhase> make_sweep_and_prune(Memory* memory) { return make_owned<BroadPhase, SweepAndPrune>(memory, memory); }
 
 }  // namespace carom

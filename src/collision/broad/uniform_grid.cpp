@@ -179,6 +179,6 @@ class UniformGrid final : public BroadPhase {
 
 }  // namespace
 
-std::unique_ptr<BroadPhase> make_uniform_grid(Memory* memory) { return std::make_unique<UniformGrid>(memory); }
+Owned<BroadPhase> make_uniform_grid(Memory* memory) { return make_owned<BroadPhase, UniformGrid>(memory, memory); }
 
 }  // namespace carom

@@ -12,8 +12,8 @@ namespace {
 
 /// All strategies on one scene, step after step.
 struct Trio {
-  std::unique_ptr<BroadPhase> brute = make_brute_force(std::pmr::get_default_resource());
-  std::unique_ptr<BroadPhase> others[2] = {make_sweep_and_prune(std::pmr::get_default_resource()),
+  Owned<BroadPhase> brute = make_brute_force(std::pmr::get_default_resource());
+  Owned<BroadPhase> others[2] = {make_sweep_and_prune(std::pmr::get_default_resource()),
                                            make_uniform_grid(std::pmr::get_default_resource())};
   Array<Pair> expected, got;
 
