@@ -19,11 +19,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
   const double spacing = 0.9;  // m: a turned bunny fits a sphere of radius 0.41 m
   const int side = std::max(2, static_cast<int>(std::ceil(std::cbrt(3.0 * count) - 1e-9)));
   const double half = side * spacing / 2 + 0.3;
-  stage.add_half_space("ground", {0, 1, 0}, {0, 0, 0});
-  stage.add_half_space("wall east", {-1, 0, 0}, {half, 0, 0});
-  stage.add_half_space("wall west", {1, 0, 0}, {-half, 0, 0});
-  stage.add_half_space("wall south", {0, 0, -1}, {0, 0, half});
-  stage.add_half_space("wall north", {0, 0, 1}, {0, 0, -half});
+  stage.add_walled_ground(half);
   for (int i = 0; i < 3 * count; ++i) {
     Actor actor;
     Part part;
@@ -50,9 +46,6 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
     actor.parts.push_back(std::move(part));
     stage.add(std::move(actor));
   }
-  stage.bounds_min = Vec(-half - 1, -1, -half - 1);
-  stage.bounds_max = Vec(half + 1, 1e3, half + 1);
-  stage.ground_half_width = half;
   stage.camera_from = Vec(0, 1.4 * half, 3 * half);
   stage.camera_to = Vec(0, half / 4, 0);
   return nullptr;

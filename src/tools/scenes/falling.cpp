@@ -21,11 +21,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
       layers > 0 ? std::sqrt(static_cast<double>(count) / layers) : std::cbrt(static_cast<double>(count));
   const int side = std::max(2, static_cast<int>(std::ceil(across - 1e-9)));
   const double half = side * spacing / 2 + 0.1;
-  stage.add_half_space("floor", {0, 1, 0}, {0, 0, 0});
-  stage.add_half_space("wall east", {-1, 0, 0}, {half, 0, 0});
-  stage.add_half_space("wall west", {1, 0, 0}, {-half, 0, 0});
-  stage.add_half_space("wall south", {0, 0, -1}, {0, 0, half});
-  stage.add_half_space("wall north", {0, 0, 1}, {0, 0, -half});
+  stage.add_walled_ground(half);
   double radius[kSizes];
   Vec extents[kSizes];
   for (int i = 0; i < kSizes; ++i) {
@@ -52,10 +48,6 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
     actor.parts.push_back(std::move(part));
     stage.add(std::move(actor));
   }
-  // A metre beyond a wall, or under the floor, is lost: more than any contact may sink.
-  stage.bounds_min = Vec(-half - 1, -1, -half - 1);
-  stage.bounds_max = Vec(half + 1, 1e3, half + 1);
-  stage.ground_half_width = half;
   stage.camera_from = Vec(0, 1.6 * half, 3.2 * half);
   stage.camera_to = Vec(0, half / 3, 0);
   return nullptr;

@@ -51,6 +51,9 @@ class Stage {
   std::size_t add(Actor actor);
   /// A static half-space { x : normal . x <= normal . point }.
   std::size_t add_half_space(const std::string& name, const Vec& normal, const Vec& point, double friction = 0.5);
+  /// A square of ground, `half` to each side of the origin, between four walls of half-spaces. A body a metre beyond one of
+  /// them has escaped: more than any contact may sink.
+  void add_walled_ground(double half);
 
   Engine& engine() { return engine_; }
   Vec position(std::size_t actor) const;  ///< m, world: origin of the body frame

@@ -62,6 +62,17 @@ std::size_t Stage::add_half_space(const std::string& name, const Vec& normal, co
   return add(std::move(actor));
 }
 
+void Stage::add_walled_ground(double half) {
+  add_half_space("ground", {0, 1, 0}, {0, 0, 0});
+  add_half_space("wall east", {-1, 0, 0}, {half, 0, 0});
+  add_half_space("wall west", {1, 0, 0}, {-half, 0, 0});
+  add_half_space("wall south", {0, 0, -1}, {0, 0, half});
+  add_half_space("wall north", {0, 0, 1}, {0, 0, -half});
+  bounds_min = Vec(-half - 1, -1, -half - 1);
+  bounds_max = Vec(half + 1, 1e3, half + 1);
+  ground_half_width = half;
+}
+
 namespace {
 
 template <int N>
