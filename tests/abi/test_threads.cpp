@@ -70,7 +70,7 @@ void worlds_on_threads_get_the_same_bits_as_alone(void**) {
 void readers_run_side_by_side_and_a_writer_among_them_is_busy_or_done(void**) {
   Bench b;
   assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
-  std::atomic<int> wrong{0}, reads{0}, writes{0};
+  std::atomic<int> wrong{0}, reads{0};
   std::atomic<bool> stop{false};
   std::vector<std::thread> threads;
   for (int t = 0; t < 3; ++t)
