@@ -6,6 +6,7 @@
 
 #include "abi/engine.h"
 #include "abi/float_scope.h"
+#include "collision/narrow/rounding.h"
 #include "dynamics/dials.h"
 
 namespace carom::abi {
@@ -48,6 +49,20 @@ QuerySettings settings(const carom_distance_desc& d) {
   s.gjk_cap = static_cast<int>(d.gjk_iterations);
   s.epa_cap = static_cast<int>(d.epa_iterations);
   return s;
+}
+
+/// The bracket is of the shapes at the relative pose as it was rounded: widened, it is of the poses that were given.
+void widen_by_pose(const Shape& a, const Shape& b, const Vec3& offset, Real tolerance, QueryResult& r) {
+  const auto radius = [](const Shape& s) {
+    return s.form == Form::half_space ? std::fabs(s.offset) : s.bounding_radius;
+  };
+  const Real slack = kPoseRounding * kUnitRoundoff * (offset.norm() + radius(a) + radius(b));
+  r.lower -= slack;
+  r.upper += slack;
+  const bool solid = a.form != Form::half_space && b.form != Form::half_space;
+  if (solid && r.status == QueryStatus::exact_enough &&
+      !(r.upper - r.lower <= tolerance * std::min(radius(a), radius(b))))
+    r.status = QueryStatus::rounding;
 }
 
 /// From the frames of the two shapes to the world's.
@@ -113,6 +128,7 @@ int32_t carom_shape_distance(carom_engine* engine, carom_shape shape_a, const do
     QueryResult found;
     SupportFault fault;
     distance(*a, *b, relative(frame_a, frame_b), settings(known_desc), nullptr, found, fault);
+    widen_by_pose(*a, *b, frame_b.p - frame_a.p, known_desc.tolerance, found);
     write_struct(answer(found, frame_a, frame_b), result);
   });
 }

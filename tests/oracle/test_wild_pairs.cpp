@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "carom_test.h"
+#include "collision/narrow/rounding.h"
 #include "random_pairs.h"
 
 using namespace carom;
@@ -93,7 +94,8 @@ static void no_answer_contradicts_another_or_a_direction(void**) {
       // Within what was asked, or the status says that it is not.
       const bool narrow = r[k].upper - r[k].lower <= settings.tolerance * least;
       assert_true(narrow == (r[k].status == QueryStatus::exact_enough));
-      wide += !narrow && r[k].status == QueryStatus::rounding && r[k].upper - r[k].lower > 64 * kEpsilon * reach;
+      wide += !narrow && r[k].status == QueryStatus::rounding &&
+              r[k].upper - r[k].lower > 8 * kBracketRounding * kUnitRoundoff * reach;
       // Swapping rounds the pose: 4 eps of its lengths.
       if (k > 0)
         assert_true(r[0].lower <= r[k].upper + 4 * kEpsilon * reach && r[k].lower <= r[0].upper + 4 * kEpsilon * reach);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "collision/narrow/rounding.h"
+
 namespace carom {
 
 namespace {
@@ -47,9 +49,7 @@ Difference::Difference(const Shape& a, const Shape& b, const Frame& b_in_a, Real
   scale_ = std::ldexp(Real(1), -std::clamp(exponent, -1000, 1000));
   scaled_rotation_ = scale_ * rotation_;
   scaled_offset_ = scale_ * b_in_a.p;
-  // w = R b + p - a and n . w: seven products and sums of terms up to `size` (7 u), the support functions' own rounding
-  // (2 u each), the normal's length (3 u), the radii taken off at the end (2 u): 16 u size.
-  rounding_ = 16 * kUnitRoundoff * (scale_ * size);
+  rounding_ = kBracketRounding * kUnitRoundoff * (scale_ * size);
   radii_ = scale_ * (a.core_radius + b.core_radius + shell);
   // Support functions that work in single precision inside pass the check at load; the same leniency here.
   slack_ = 1e-6 * (scale_ * size);

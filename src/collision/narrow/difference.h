@@ -24,7 +24,7 @@ class Difference {
   bool usable() const { return usable_; }
 
   /// The point of B - A with the smallest n . w, and that value; the lower bound rises if it is larger.
-  /// @param n  unit, A's frame
+  /// @param n  unit to kUnitLength (rounding.h), A's frame
   /// @return   false if a support function misbehaved: `fault` says how
   bool support(const Vec3& n, DifferencePoint& out, Real& value) {
     const Vec3 n_b = -(rotation_.transpose() * n);

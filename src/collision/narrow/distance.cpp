@@ -1,6 +1,7 @@
 // The signed distance of any two shapes: a specific routine where both are declared, the generic path elsewhere.
 #include "collision/narrow/pair.h"
 #include "collision/narrow/query.h"
+#include "collision/narrow/rounding.h"
 
 namespace carom {
 namespace {
@@ -56,7 +57,7 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
   }
   result.support_calls = static_cast<int>(calls);
   const Real size = b_in_a.p.cwiseAbs().sum() + extent(a) + extent(b);
-  const Real slack = (16 * kUnitRoundoff + (specific ? entry.accuracy : 0)) * size;
+  const Real slack = (kBracketRounding * kUnitRoundoff + (specific ? entry.accuracy : 0)) * size;
   if (specific && !entry.exact_apart && (found.count == 0 || deepest(found).separation > 0))
     return generic_distance(a, b, b_in_a, settings, memory, result, fault);
   if (found.count == 0) return unknown(QueryStatus::rounding, result);  // poses that are no numbers

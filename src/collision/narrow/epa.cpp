@@ -81,7 +81,8 @@ Build build_tetrahedron(Difference& difference, DifferenceSimplex& simplex) {
     const Vec3 u = any_perpendicular(along), v = along.cross(u);
     Real most = 0;
     // Three directions 60 degrees apart (-1/2 and sqrt(3)/2), both ways: six sectors around the line.
-    for (const Vec3& n : {u, Vec3(-0.5 * u + 0.8660254037844386 * v), Vec3(-0.5 * u - 0.8660254037844386 * v)})
+    for (const Vec3& n : {Vec3(u.normalized()), Vec3((-0.5 * u + 0.8660254037844386 * v).normalized()),
+                          Vec3((-0.5 * u - 0.8660254037844386 * v).normalized())})
       if (!look_both_ways(
               difference, n, [&](const Vec3& w) { return along.cross(w - p[0].w).norm(); }, p[2], most))
         return Build::fault;
