@@ -198,7 +198,9 @@ EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex
       end = EpaEnd::narrow;
       break;
     }
-    if (polytope.has(fresh.w) || !polytope.add(at, fresh, -difference.lower)) break;
+    // A point of the mesh lies above no face by more than rounding: only there can it come back.
+    if (-value - offset <= 4 * difference.rounding() && polytope.has(fresh.w)) break;
+    if (!polytope.add(at, fresh, -difference.lower)) break;
   }
   report_witness(polytope, difference, simplex);
   return end;

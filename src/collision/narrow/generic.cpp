@@ -45,6 +45,7 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
   request.gap = std::max(asked - 2 * rounding, rounding);
   request.farther = difference.to_scaled(settings.max_distance) + radii + rounding;
   request.cap = std::max(settings.gjk_cap, 1);
+  request.guess = GuessPolicy::of(a, b);
   const int epa_cap = std::clamp(settings.epa_cap, 1, kMaxEpaIterations);
 
   const bool warm = memory && memory->direction.squaredNorm() > 0;
@@ -63,6 +64,7 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
       // Apart, but a degenerate simplex let no walk go on: another one, from the best direction, seldom meets it again.
       first = difference.normal;
       request.solver = nearest_voronoi;
+      request.guess.patience = -1;
       continue;
     }
     if (end != GjkEnd::overlap && !unknown) break;

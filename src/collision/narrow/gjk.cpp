@@ -9,20 +9,29 @@ namespace carom {
 namespace {
 
 /// Keep the points of a feature, oldest first, and the upper bound that its weights prove.
-void keep(DifferenceSimplex& simplex, const Nearest& nearest, Difference& difference) {
+/// @param spare  the simplex that proves the upper bound, where this one does not (a thin one's weights are inexact)
+void keep(DifferenceSimplex& simplex, const Nearest& nearest, Difference& difference, DifferenceSimplex& spare) {
   Real weight[4] = {-1, -1, -1, -1};
-  for (int i = 0; i < nearest.count; ++i) weight[nearest.index[i]] = nearest.weight[i];
-  simplex.count = 0;
   Vec3 v = Vec3::Zero();
+  for (int i = 0; i < nearest.count; ++i) {
+    weight[nearest.index[i]] = nearest.weight[i];
+    v += nearest.weight[i] * simplex.point[nearest.index[i]].w;
+  }
+  // Whatever rounding did to the feature, v is a point of the difference: its length is an honest bound.
+  const Real length = v.norm();
+  if (length <= difference.upper) {
+    difference.upper = length;
+    spare.count = 0;
+  } else if (spare.count == 0) {
+    spare = simplex;
+  }
+  simplex.count = 0;
   for (int i = 0; i < 4; ++i) {
     if (weight[i] < 0) continue;
     const int to = simplex.count++;
     if (to != i) simplex.point[to] = simplex.point[i];
     simplex.weight[to] = weight[i];
-    v += weight[i] * simplex.point[to].w;
   }
-  // Whatever rounding did to the feature, v is a point of the difference: its length is an honest bound.
-  difference.upper = std::min(difference.upper, v.norm());
 }
 
 bool repeated(const DifferenceSimplex& simplex, const Vec3& w) {
@@ -64,10 +73,8 @@ bool descend(const GjkRequest& request, const Difference& difference, const Diff
   return good();
 }
 
-}  // namespace
-
-GjkEnd gjk(Difference& difference, const GjkRequest& request, const Vec3& first, DifferenceSimplex& simplex,
-           int& iterations) {
+GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first, DifferenceSimplex& simplex,
+            DifferenceSimplex& spare, int& iterations) {
   Vec3 n = Vec3::UnitX();
   const Real length2 = first.squaredNorm();
   if (length2 > 1e-200) n = first / std::sqrt(length2);  // below, squares have lost their digits: any direction will do
@@ -78,8 +85,12 @@ GjkEnd gjk(Difference& difference, const GjkRequest& request, const Vec3& first,
   Nearest nearest;
   Vec3 w0 = simplex.point[0].w;
   nearest_voronoi(&w0, 1, nearest);
-  keep(simplex, nearest, difference);
+  keep(simplex, nearest, difference, spare);
 
+  const bool guessing = request.guess.patience >= 0;
+  Secant secant;
+  if (guessing) secant.remember(n, w0, value);
+  int plain = request.guess.patience;  // steps to go before the next guess
   for (;;) {
     if (difference.lower > request.farther) return GjkEnd::farther;
     if (difference.upper - difference.lower <= request.gap) return close(difference, simplex);
@@ -88,25 +99,46 @@ GjkEnd gjk(Difference& difference, const GjkRequest& request, const Vec3& first,
 
     const Real d2 = nearest.direction.squaredNorm();
     if (!(d2 > 0)) return GjkEnd::overlap;  // the origin is on the vertex or edge itself
-    n = nearest.direction * (1 / std::sqrt(d2));
+    const Real best = difference.lower;
+    const bool guessed =
+        guessing && --plain < 0 && best > difference.rounding() && secant.guess(request.guess.watch, n);
+    if (!guessed) n = nearest.direction * (1 / std::sqrt(d2));
     DifferencePoint& fresh = simplex.point[simplex.count];
     ++iterations;
     if (!difference.support(n, fresh, value)) return GjkEnd::fault;
+    if (guessing) secant.remember(n, fresh.w, value);
+    if (guessed && !(difference.lower > best)) plain = request.guess.patience;
     if (difference.lower > request.farther) return GjkEnd::farther;
     if (difference.upper - difference.lower <= request.gap) return close(difference, simplex);
-    if (repeated(simplex, fresh.w)) return GjkEnd::stuck;
+    const bool known = repeated(simplex, fresh.w);
+    if (known && !guessed) return GjkEnd::stuck;
 
     Nearest next;
-    if (!descend(request, difference, simplex, nearest.distance2, next)) {
+    if (known || !descend(request, difference, simplex, nearest.distance2, next)) {
+      if (guessed && !(next.inside && difference.lower > difference.slack())) {
+        plain = request.guess.patience;  // no point to go down to, which only a plain step may take for the end
+        continue;
+      }
       if (!next.inside || difference.lower <= difference.slack()) return GjkEnd::stuck;
       // A tetrahedron around the origin, and a plane between them: no degenerate one errs by that much.
       ++simplex.count;
       return contradiction(difference, simplex);
     }
     nearest = next;
-    keep(simplex, nearest, difference);
+    keep(simplex, nearest, difference, spare);
     if (nearest.inside && difference.upper - difference.lower > request.gap) return GjkEnd::overlap;
   }
+}
+
+}  // namespace
+
+GjkEnd gjk(Difference& difference, const GjkRequest& request, const Vec3& first, DifferenceSimplex& simplex,
+           int& iterations) {
+  DifferenceSimplex spare;
+  if (simplex.count > 0) spare = simplex;
+  const GjkEnd end = walk(difference, request, first, simplex, spare, iterations);
+  if (spare.count > 0 && end != GjkEnd::overlap) simplex = spare;
+  return end;
 }
 
 }  // namespace carom

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "collision/narrow/difference.h"
+#include "collision/narrow/secant.h"
 #include "collision/narrow/simplex.h"
 
 namespace carom {
@@ -20,11 +21,13 @@ struct GjkRequest {
   Real gap;      // scaled: upper - lower at which to stop
   Real farther;  // scaled: stop as soon as the lower bound is above this
   int cap;       // iterations
+  GuessPolicy guess = {-1, true};
 };
 
 /// Narrow the bracket of a difference from a first direction.
 /// @param first    any length, zero is allowed; A's frame
-/// @param simplex  in: empty; out: the last simplex (origin inside if overlap)
+/// @param simplex  in: empty, or what an earlier walk left; out: the last simplex (origin inside) if overlap, else the one
+///                 whose weights prove the upper bound
 /// @return narrow: upper - lower <= gap; farther: lower > request.farther; overlap: the simplex holds the origin, or
 /// lies within
 ///         rounding of it; stuck: rounding allows no further descent (the bracket says how good it is); capped

@@ -13,31 +13,40 @@ constexpr int kNext[3] = {1, 2, 0};
 
 }  // namespace
 
-/// Normal and offset of a face. A face without area (its normal is not known to the sense) looks along the point of its
-/// longest edge that is nearest to the origin: a rounding's width from the truth, and the offset still a proof.
+/// Normal and offset of a face. From two edges at one vertex if they enclose an angle whose sine is above 1/32: the
+/// normal then errs by 32 u at most, and the offset, taken at the vertices, is a proof whatever the normal.
 void Polytope::place(Face& f) const {
+  constexpr Real kWide2 = 0x1p-10;
   const Vec3 &a = points_[f.vertex[0]].w, &b = points_[f.vertex[1]].w, &c = points_[f.vertex[2]].w;
-  Real longest2;
-  Vec3 n = triangle_normal(a, b, c, longest2);
-  const Real n2 = n.squaredNorm();
-  // Twice the area over the longest edge is the height.
-  if (n2 > rounding_ * rounding_ * longest2 / 16) {
-    n *= 1 / std::sqrt(n2);
+  const Vec3 ab = b - a, ac = c - a, n = ab.cross(ac);
+  const Real n2 = n.squaredNorm(), ab2 = ab.squaredNorm(), ac2 = ac.squaredNorm();
+  // Twice the area over the longest edge, which is below sqrt(2 (ab2 + ac2)), is the height.
+  if (n2 > kWide2 * (ab2 * ac2) && n2 > rounding_ * rounding_ * (ab2 + ac2)) {
+    f.normal = n * (1 / std::sqrt(n2));
   } else {
-    const Vec3 w[3] = {a, b, c};
-    Nearest nearest;
-    if ((b - a).squaredNorm() == longest2) {
-      offer_edge(w, 0, 1, nearest);
-    } else if ((c - b).squaredNorm() == longest2) {
-      offer_edge(w, 1, 2, nearest);
-    } else {
-      offer_edge(w, 2, 0, nearest);
-    }
-    const Real d2 = nearest.direction.squaredNorm();
-    n = d2 > 0 ? Vec3(nearest.direction / std::sqrt(d2)) : (n2 > 0 ? Vec3(n / std::sqrt(n2)) : Vec3(Vec3::UnitX()));
+    f.normal = careful_normal(a, b, c);
   }
-  f.normal = n;
-  f.offset = std::min(std::min(n.dot(a), n.dot(b)), n.dot(c));
+  f.offset = std::min(std::min(f.normal.dot(a), f.normal.dot(b)), f.normal.dot(c));
+}
+
+/// A thin face's. One without area (its normal is not known to the sense) looks along the point of its longest edge
+/// that is nearest to the origin: a rounding's width from the truth.
+Vec3 Polytope::careful_normal(const Vec3& a, const Vec3& b, const Vec3& c) const {
+  Real longest2;
+  const Vec3 n = triangle_normal(a, b, c, longest2);
+  const Real n2 = n.squaredNorm();
+  if (n2 > rounding_ * rounding_ * longest2 / 16) return n * (1 / std::sqrt(n2));
+  const Vec3 w[3] = {a, b, c};
+  Nearest nearest;
+  if ((b - a).squaredNorm() == longest2) {
+    offer_edge(w, 0, 1, nearest);
+  } else if ((c - b).squaredNorm() == longest2) {
+    offer_edge(w, 1, 2, nearest);
+  } else {
+    offer_edge(w, 2, 0, nearest);
+  }
+  const Real d2 = nearest.direction.squaredNorm();
+  return d2 > 0 ? Vec3(nearest.direction / std::sqrt(d2)) : (n2 > 0 ? Vec3(n / std::sqrt(n2)) : Vec3(Vec3::UnitX()));
 }
 
 int Polytope::new_face(int i, int j, int k) {
@@ -158,19 +167,32 @@ bool Polytope::add(int face, const DifferencePoint& point, Real keep_below) {
   }
   int first = -1, last = -1;
   newest_ = -1;
+  Real least = kInfinity;
   for (int i = 0; i < horizon_used_; ++i) {
     const Edge e = horizon_[i];
-    const int f = new_face(faces_[e.face].vertex[kNext[e.edge]], faces_[e.face].vertex[e.edge], apex);
-    link(f, 0, e.face, e.edge);
+    Face& outside = faces_[e.face];
+    const int slot = new_face(outside.vertex[kNext[e.edge]], outside.vertex[e.edge], apex);
+    Face& f = faces_[slot];
+    f.next[0] = e.face;
+    f.back[0] = static_cast<signed char>(e.edge);
+    outside.next[e.edge] = static_cast<Index>(slot);
+    outside.back[e.edge] = 0;
+    f.next[2] = static_cast<Index>(last);
+    f.back[1] = 2;
+    f.back[2] = 1;
     if (last >= 0)
-      link(last, 1, f, 2);
+      faces_[last].next[1] = static_cast<Index>(slot);
     else
-      first = f;
-    last = f;
-    if (newest_ < 0 || faces_[f].offset < faces_[newest_].offset) newest_ = f;
-    if (faces_[f].offset <= keep_below) push(f);
+      first = slot;
+    last = slot;
+    if (f.offset < least) {
+      least = f.offset;
+      newest_ = slot;
+    }
+    if (f.offset <= keep_below) push(slot);
   }
-  link(last, 1, first, 2);
+  faces_[last].next[1] = static_cast<Index>(first);
+  faces_[first].next[2] = static_cast<Index>(last);
   return true;
 }
 

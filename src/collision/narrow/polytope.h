@@ -64,6 +64,7 @@ class Polytope {
 
   int new_face(int i, int j, int k);
   void place(Face& face) const;
+  Vec3 careful_normal(const Vec3& a, const Vec3& b, const Vec3& c) const;
   void link(int f, int e, int g, int h);
   void push(int face);
   void sift_down(int at);
