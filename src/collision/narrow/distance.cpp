@@ -1,4 +1,6 @@
 // The signed distance of any two shapes: a specific routine where both are declared, the generic path elsewhere.
+#include <algorithm>
+
 #include "collision/narrow/pair.h"
 #include "collision/narrow/query.h"
 #include "collision/narrow/rounding.h"
@@ -16,10 +18,12 @@ const ContactPoint& deepest(const Candidates& found) {
 /// A contact point as the answer of a query.
 /// @param swapped  it was found with B first, in B's frame
 /// @param slack    m: half the bracket
-void answer(const ContactPoint& p, bool swapped, const Frame& b_in_a, Real slack, QueryResult& result) {
+/// @param asked    m: width of the bracket that is narrow enough
+void answer(const ContactPoint& p, bool swapped, const Frame& b_in_a, Real slack, Real asked, QueryResult& result) {
   result.separation = p.separation;
   result.lower = p.separation - slack;
   result.upper = p.separation + slack;
+  result.status = result.upper - result.lower <= asked ? QueryStatus::exact_enough : QueryStatus::rounding;
   result.normal = swapped ? Vec3(-(b_in_a.r * p.normal)) : p.normal;
   result.point_a = swapped ? p.on_b : p.on_a;
   result.point_b = swapped ? p.on_a : p.on_b;
@@ -58,10 +62,18 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
   result.support_calls = static_cast<int>(calls);
   const Real size = b_in_a.p.cwiseAbs().sum() + extent(a) + extent(b);
   const Real slack = (kBracketRounding * kUnitRoundoff + (specific ? entry.accuracy : 0)) * size;
-  if (specific && !entry.exact_apart && (found.count == 0 || deepest(found).separation > 0))
-    return generic_distance(a, b, b_in_a, settings, memory, result, fault);
+  const Real radius_a = flat_a ? kInfinity : a.bounding_radius, radius_b = flat_b ? kInfinity : b.bounding_radius;
+  const Real asked = settings.tolerance * std::min(radius_a, radius_b);
+  // Where the routine has no answer (apart), or one that is not exact enough: GJK, without the shells of the hybrid,
+  // which a routine does not know either.
+  const bool apart = !entry.exact_apart && (found.count == 0 || deepest(found).separation > 0);
+  if (specific && (apart || (entry.accuracy > 0 && 2 * slack > asked && !flat_a && !flat_b))) {
+    QuerySettings exact = settings;
+    exact.method = Method::gjk_epa;
+    return generic_distance(a, b, b_in_a, exact, memory, result, fault);
+  }
   if (found.count == 0) return unknown(QueryStatus::rounding, result);  // poses that are no numbers
-  answer(deepest(found), swapped, b_in_a, slack, result);
+  answer(deepest(found), swapped, b_in_a, slack, asked, result);
 }
 
 }  // namespace carom

@@ -50,12 +50,17 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
 
   const bool warm = memory && memory->direction.squaredNorm() > 0;
   Vec3 first = warm ? memory->direction : difference.centre_offset();
-  DifferenceSimplex simplex;
+  DifferenceSimplex simplex, proof;
+  Real proven = kInfinity;  // the upper bound that `proof` attains
   bool deep = false, capped = false, bad = false;
   // EPA is also the judge of GJK's verdict: if it finds a separating direction, GJK goes on from there. Once.
   for (int attempt = 0; attempt < 2; ++attempt) {
     const GjkEnd end = gjk(difference, request, first, simplex, result.gjk_iterations);
     bad = end == GjkEnd::fault;
+    if (difference.upper < proven) {
+      proven = difference.upper;
+      proof = simplex;
+    }
     capped = end == GjkEnd::capped;
     result.farther = end == GjkEnd::farther;
     // Stuck or capped without a separating direction: only EPA can tell.
@@ -74,8 +79,10 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
     capped = judged == EpaEnd::capped;
     if (judged != EpaEnd::apart) break;
     deep = false;
+    difference.upper = proven;  // EPA may have come nearer on its way, but kept no witness of it
     first = difference.normal;
   }
+  if (!deep) simplex = proof;  // the last walk may have ended, on its bounds, before it came as near as one before
   result.support_calls = difference.calls;
   if (bad) {
     fault = difference.fault;
