@@ -16,7 +16,7 @@ enum Motion { rest, drift, scatter };
 
 /// Boxes of 0.6..1.4 m, half of the room filled, a static floor under them. Every motion is computed beforehand and
 /// copied in outside the clock: 16 frames there and back.
-void run(benchmark::State& state, std::unique_ptr<BroadPhase> (*make)(Memory*), Motion motion) {
+void run(benchmark::State& state, Owned<BroadPhase> (*make)(Memory*), Motion motion) {
   const auto n = static_cast<std::uint32_t>(state.range(0));
   Random random(n);
   BroadScene scene;

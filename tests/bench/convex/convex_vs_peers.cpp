@@ -77,12 +77,12 @@ Peers make_peers(const Options& options) {
   return chosen;
 }
 
-void run(const Peers& peers, const Set& set, const Options& options, const Table& table) {
+void run(const std::vector<Peer*>& peers, const Set& set, const Options& options, const Table& table) {
   const std::vector<Reference> reference = references(set);
   const SweepCheck check = sweep(set, reference, std::max(1, static_cast<int>(set.queries.size()) / 50));
-  for (const std::unique_ptr<Peer>& peer : peers) peer->prepare(set.queries.data(), set.queries.size());
+  for (Peer* const peer : peers) peer->prepare(set.queries.data(), set.queries.size());
   std::vector<Score> scores;
-  for (const std::unique_ptr<Peer>& peer : peers) scores.push_back(score(*peer, set, reference));
+  for (Peer* const peer : peers) scores.push_back(score(*peer, set, reference));
   const std::vector<double> ns =
       options.no_time ? std::vector<double>(peers.size(), NAN) : measure(peers, set, options.passes);
   table.head(set, check);
@@ -95,13 +95,17 @@ void write_curve(const Options& options) {
   if (!file) throw std::runtime_error("can't write " + options.curve);
   std::fprintf(file, "family,kind,simplex,tolerance,ns,calls,error_999,error_max\n");
   const char* const simplices[] = {"johnson", "voronoi", "voronoi_last"};
-  Peers peers;
+  Peers owned;
+  std::vector<Peer*> peers;
   for (std::uint32_t simplex = 0; simplex < 3; ++simplex)
-    for (int digits = 2; digits <= 12; ++digits) peers.push_back(make_carom(simplex, std::pow(10.0, -digits)));
+    for (int digits = 2; digits <= 12; ++digits) {
+      owned.push_back(make_carom(simplex, std::pow(10.0, -digits)));
+      peers.push_back(owned.back().get());
+    }
   for (const std::string& name : options.families) {
     const Family family(name, options.pairs);
     for (const Set* const set : {&family.apart, &family.deep}) {
-      for (const std::unique_ptr<Peer>& peer : peers) peer->prepare(set->queries.data(), set->queries.size());
+      for (Peer* const peer : peers) peer->prepare(set->queries.data(), set->queries.size());
       const std::vector<Reference> reference = references(*set);
       const std::vector<double> ns = measure(peers, *set, options.passes);
       for (std::size_t p = 0; p < peers.size(); ++p) {
@@ -119,14 +123,19 @@ void write_curve(const Options& options) {
 void compare(const Options& options) {
   const Peers peers = make_peers(options);
   if (options.hard) print_hard(peers, CAROM_TEST_DATA "/convex_pairs.jsonl");
+  std::vector<Peer*> all, forgetful;
+  for (const std::unique_ptr<Peer>& peer : peers) {
+    all.push_back(peer.get());
+    if (!peer->remembers()) forgetful.push_back(peer.get());
+  }
   const Table table(options.csv);
   for (const std::string& name : options.families) {
     const Family family(name, options.pairs);
-    run(peers, family.apart, options, table);
-    run(peers, family.deep, options, table);
+    run(forgetful, family.apart, options, table);
+    run(forgetful, family.deep, options, table);
     if (!options.coherent) continue;
-    run(peers, family.coherent(false), options, table);
-    run(peers, family.coherent(true), options, table);
+    run(all, family.coherent(false), options, table);
+    run(all, family.coherent(true), options, table);
   }
 }
 

@@ -8,6 +8,6 @@ namespace carom::bench {
 /// CPU time a query, ns: passes over the set go round the libraries, each block of queries counts with the least time
 /// of all passes, so that a busy machine makes no library slower than it is.
 /// @return  [peers]
-std::vector<double> measure(const Peers& peers, const Set& set, int passes);
+std::vector<double> measure(const std::vector<Peer*>& peers, const Set& set, int passes);
 
 }  // namespace carom::bench

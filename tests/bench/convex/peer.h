@@ -73,6 +73,8 @@ class Peer {
  public:
   virtual ~Peer() = default;
   virtual const char* name() const = 0;
+  /// Whether an answer starts from the last one of the same track: then random pairs say nothing about it.
+  virtual bool remembers() const { return false; }
   /// Build the library's own shapes and poses, off the clock. The queries outlive the answers.
   virtual void prepare(const Query* queries, std::size_t count) = 0;
   virtual void ask(std::size_t i, Answer& answer) = 0;

@@ -15,6 +15,7 @@ class Carom final : public Peer {
       : name_("Carom " + std::move(name)), settings_(settings), warm_(warm) {}
 
   const char* name() const override { return name_.c_str(); }
+  bool remembers() const override { return warm_; }
 
   void prepare(const Query* queries, std::size_t count) override {
     pairs_.clear();
