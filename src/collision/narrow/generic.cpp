@@ -50,17 +50,12 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
 
   const bool warm = memory && memory->direction.squaredNorm() > 0;
   Vec3 first = warm ? memory->direction : difference.centre_offset();
-  DifferenceSimplex simplex, proof;
-  Real proven = kInfinity;  // the upper bound that `proof` attains
+  DifferenceSimplex simplex, proof;  // where the last walk ended; what proves the upper bound of cores apart
   bool deep = false, capped = false, bad = false;
   // EPA is also the judge of GJK's verdict: if it finds a separating direction, GJK goes on from there. Once.
   for (int attempt = 0; attempt < 2; ++attempt) {
-    const GjkEnd end = gjk(difference, request, first, simplex, result.gjk_iterations);
+    const GjkEnd end = gjk(difference, request, first, simplex, proof, result.gjk_iterations);
     bad = end == GjkEnd::fault;
-    if (difference.upper < proven) {
-      proven = difference.upper;
-      proof = simplex;
-    }
     capped = end == GjkEnd::capped;
     result.farther = end == GjkEnd::farther;
     // Stuck or capped without a separating direction: only EPA can tell.
@@ -74,6 +69,7 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
     }
     if (end != GjkEnd::overlap && !unknown) break;
     deep = true;
+    const Real proven = difference.upper;
     const EpaEnd judged = epa(difference, request.gap, epa_cap, simplex, result.epa_iterations);
     bad = judged == EpaEnd::fault;
     capped = judged == EpaEnd::capped;
@@ -82,7 +78,6 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
     difference.upper = proven;  // EPA may have come nearer on its way, but kept no witness of it
     first = difference.normal;
   }
-  if (!deep) simplex = proof;  // the last walk may have ended, on its bounds, before it came as near as one before
   result.support_calls = difference.calls;
   if (bad) {
     fault = difference.fault;
@@ -95,7 +90,7 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
   result.lower = difference.to_metres(lower - radii - rounding);
   result.upper = difference.to_metres(upper - radii + rounding);
   result.normal = difference.normal;
-  write_points(difference, simplex, a, b, b_in_a, shell, result);
+  write_points(difference, deep ? simplex : proof, a, b, b_in_a, shell, result);
   if (result.upper - result.lower <= settings.tolerance * std::min(a.bounding_radius, b.bounding_radius) ||
       result.farther)
     result.status = QueryStatus::exact_enough;

@@ -53,9 +53,9 @@ GjkEnd contradiction(Difference& difference, const DifferenceSimplex& simplex) {
   return GjkEnd::fault;
 }
 
-/// The bracket is narrow; far past narrow, it is no bracket.
-GjkEnd close(Difference& difference, const DifferenceSimplex& simplex) {
-  return difference.lower > difference.upper + difference.slack() ? contradiction(difference, simplex) : GjkEnd::narrow;
+/// The bracket is narrow, or far enough out; far past narrow, it is no bracket.
+GjkEnd close(Difference& difference, const DifferenceSimplex& simplex, GjkEnd end) {
+  return difference.lower > difference.upper + difference.slack() ? contradiction(difference, simplex) : end;
 }
 
 /// The nearest feature of simplex + new point, nearer than `before`; false if there is none.
@@ -92,8 +92,8 @@ GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first
   if (guessing) secant.remember(n, w0, value);
   int plain = request.guess.patience;  // steps to go before the next guess
   for (;;) {
-    if (difference.lower > request.farther) return GjkEnd::farther;
-    if (difference.upper - difference.lower <= request.gap) return close(difference, simplex);
+    if (difference.lower > request.farther) return close(difference, simplex, GjkEnd::farther);
+    if (difference.upper - difference.lower <= request.gap) return close(difference, simplex, GjkEnd::narrow);
     if (difference.upper <= difference.rounding()) return GjkEnd::overlap;
     if (iterations >= request.cap) return GjkEnd::capped;
 
@@ -108,8 +108,8 @@ GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first
     if (!difference.support(n, fresh, value)) return GjkEnd::fault;
     if (guessing) secant.remember(n, fresh.w, value);
     if (guessed && !(difference.lower > best)) plain = request.guess.patience;
-    if (difference.lower > request.farther) return GjkEnd::farther;
-    if (difference.upper - difference.lower <= request.gap) return close(difference, simplex);
+    if (difference.lower > request.farther) return close(difference, simplex, GjkEnd::farther);
+    if (difference.upper - difference.lower <= request.gap) return close(difference, simplex, GjkEnd::narrow);
     const bool known = repeated(simplex, fresh.w);
     if (known && !guessed) return GjkEnd::stuck;
 
@@ -133,11 +133,17 @@ GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first
 }  // namespace
 
 GjkEnd gjk(Difference& difference, const GjkRequest& request, const Vec3& first, DifferenceSimplex& simplex,
-           int& iterations) {
+           DifferenceSimplex& proof, int& iterations) {
+  const Real before = difference.upper;
   DifferenceSimplex spare;
-  if (simplex.count > 0) spare = simplex;
   const GjkEnd end = walk(difference, request, first, simplex, spare, iterations);
-  if (spare.count > 0 && end != GjkEnd::overlap) simplex = spare;
+  if (!(difference.upper < before)) return end;
+  const DifferenceSimplex& best = spare.count > 0 ? spare : simplex;
+  proof.count = best.count;
+  for (int i = 0; i < best.count; ++i) {
+    proof.point[i] = best.point[i];
+    proof.weight[i] = best.weight[i];
+  }
   return end;
 }
 

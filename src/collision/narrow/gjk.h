@@ -26,12 +26,12 @@ struct GjkRequest {
 
 /// Narrow the bracket of a difference from a first direction.
 /// @param first    any length, zero is allowed; A's frame
-/// @param simplex  in: empty, or what an earlier walk left; out: the last simplex (origin inside) if overlap, else the one
-///                 whose weights prove the upper bound
+/// @param simplex  out: the last simplex; the origin is inside if overlap
+/// @param proof    out: what proves the upper bound; left alone if this walk came no nearer than difference.upper was
 /// @return narrow: upper - lower <= gap; farther: lower > request.farther; overlap: the simplex holds the origin, or
 /// lies within
 ///         rounding of it; stuck: rounding allows no further descent (the bracket says how good it is); capped
 GjkEnd gjk(Difference& difference, const GjkRequest& request, const Vec3& first, DifferenceSimplex& simplex,
-           int& iterations);
+           DifferenceSimplex& proof, int& iterations);
 
 }  // namespace carom

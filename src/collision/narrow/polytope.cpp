@@ -150,21 +150,31 @@ bool Polytope::walk(int face, int edge, const Vec3& w) {
   return walk(f.next[left], f.back[left], w) && walk(f.next[right], f.back[right], w);
 }
 
-bool Polytope::add(int face, const DifferencePoint& point, Real keep_below) {
-  if (points_used_ == kPoints) return false;
-  const int apex = points_used_++;
-  points_[apex] = point;
+/// Remove the faces that a point beyond a face sees, and find the horizon around them.
+bool Polytope::open(int face, const Vec3& w) {
   horizon_used_ = 0;
   const Face seen = faces_[face];
   remove(face);
   for (int e = 0; e < 3; ++e)
-    if (!walk(seen.next[e], seen.back[e], point.w)) return false;
+    if (!walk(seen.next[e], seen.back[e], w)) return false;
   if (horizon_used_ < 3 || horizon_used_ > free_used_ + (kFaces - faces_used_)) return false;
   // Every edge must start where the one before it ends (seen from the removed side).
   for (int i = 0; i < horizon_used_; ++i) {
     const Edge here = horizon_[i], after = horizon_[i + 1 == horizon_used_ ? 0 : i + 1];
     if (faces_[here.face].vertex[here.edge] != faces_[after.face].vertex[kNext[after.edge]]) return false;
   }
+  return true;
+}
+
+bool Polytope::add(int face, const DifferencePoint& point, Real keep_below) {
+  if (points_used_ == kPoints) return false;
+  const int free_before = free_used_;
+  if (!open(face, point.w)) {
+    for (; free_used_ > free_before; --free_used_) faces_[free_[free_used_ - 1]].alive = true;
+    return false;
+  }
+  const int apex = points_used_++;
+  points_[apex] = point;
   int first = -1, last = -1;
   newest_ = -1;
   Real least = kInfinity;

@@ -35,7 +35,7 @@ class Polytope {
   int pop();
   /// Add a point beyond a face (just popped): replace the faces it sees by a fan to it. Faces with offset above
   /// keep_below can't be the nearest any more and stay off the heap.
-  /// @return false if the horizon is not one loop (rounding), or room is out: the mesh is broken then, stop
+  /// @return false if the horizon is not one loop (rounding), or room is out: the mesh is as it was, but stop
   bool add(int face, const DifferencePoint& point, Real keep_below);
 
   /// The face nearest to the origin among those that the last add() made; -1 before the first.
@@ -69,6 +69,7 @@ class Polytope {
   void push(int face);
   void sift_down(int at);
   void refill();
+  bool open(int face, const Vec3& w);
   bool walk(int face, int edge, const Vec3& w);
   void remove(int face);
 
