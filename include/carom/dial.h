@@ -37,7 +37,9 @@ extern "C" {
 #define CAROM_DIAL_MANIFOLD 22u            /* choice: CAROM_MANIFOLD_* */
 #define CAROM_DIAL_CACHE_DISTANCE 23u      /* m: a cached point is dropped when it drifted further than this */
 #define CAROM_DIAL_WARM_START 24u          /* choice: 0 solve each step from zero, 1 start from the last step's impulses */
-#define CAROM_DIAL_COUNT 25u
+#define CAROM_DIAL_CARRY_OVER 25u          /* relative width up to which an earlier bracket, widened by the motion since,
+                                              stands in for a query of the generic path; 0: always ask afresh */
+#define CAROM_DIAL_COUNT 26u
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
 #define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u

@@ -20,6 +20,7 @@ NarrowSettings narrow_settings(const Dials& dials) {
   s.manifold.cache_distance = dials[Dial::cache_distance];
   s.manifold.contact_distance = dials[Dial::contact_distance];
   s.warm_separation = dials.choice(Dial::warm_separation) != 0;
+  s.carry_over = dials[Dial::carry_over];
   return s;
 }
 

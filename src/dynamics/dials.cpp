@@ -71,6 +71,9 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
            0, 10, 0.02),
     choice(Dial::warm_start, "warm_start", "solve each step from zero (the paper's), or from the last step's impulses",
            kOffOn, 1),
+    number(Dial::carry_over, "carry_over", "",
+           "bracket width, relative to the pair's size, up to which an earlier answer stands in for a query; 0: never", 0,
+           1e-1, 0),
 }};
 
 constexpr bool in_order() {

@@ -35,6 +35,7 @@ enum class Dial : std::uint32_t {
   manifold,
   cache_distance,
   warm_start,
+  carry_over,
   count
 };
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);

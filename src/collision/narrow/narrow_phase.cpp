@@ -1,6 +1,10 @@
 // From pairs of bounds to contact points: dispatch, then the manifold of each pair.
 #include "collision/narrow/narrow_phase.h"
 
+#include <algorithm>
+
+#include "collision/narrow/carry_over.h"
+#include "collision/narrow/hybrid.h"
 #include "collision/narrow/pair.h"
 
 namespace carom {
@@ -24,9 +28,15 @@ void collide_generic(const Shape& a, const Frame& frame_a, const Shape& b, const
   QuerySettings query = settings.query;
   query.max_distance = settings.manifold.contact_distance;
   QueryResult result;
-  generic_distance(a, b, b_in_a, query, settings.warm_separation ? &memory : nullptr, result, fault);
-  report.gjk_calls += 1;
-  report.epa_calls += result.epa_iterations > 0;
+  const Real shell = shells(query), width = settings.carry_over * std::min(a.bounding_radius, b.bounding_radius);
+  if (width > 0 && carry_over(a, b, b_in_a, width, shell, memory.certificate, result)) {
+    report.carried += 1;
+  } else {
+    generic_distance(a, b, b_in_a, query, settings.warm_separation ? &memory : nullptr, result, fault);
+    if (width > 0) certify(result, b_in_a, shell, memory.certificate);
+    report.gjk_calls += 1;
+    report.epa_calls += result.epa_iterations > 0;
+  }
   report.support_calls += static_cast<std::uint64_t>(result.support_calls);
   if (result.status == QueryStatus::fault || result.farther) return;
   const Vec3 normal = frame_a.rotate(result.normal);

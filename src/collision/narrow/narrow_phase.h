@@ -11,6 +11,7 @@ struct NarrowSettings {
   QuerySettings query;
   ManifoldSettings manifold;
   bool warm_separation = true;  // start a query from the pair's last separating direction
+  Real carry_over = 0;          // bracket width, relative to the pair's size, up to which an earlier answer is carried over
 };
 
 /// All that is kept of a pair whose bounds overlap.
@@ -43,7 +44,7 @@ class PairTable {
 };
 
 struct NarrowReport {
-  std::uint64_t gjk_calls = 0, epa_calls = 0, support_calls = 0;
+  std::uint64_t gjk_calls = 0, epa_calls = 0, support_calls = 0, carried = 0;
 };
 
 /// Bring every record's manifold up to date with the colliders' frames. A pair whose support function misbehaves gets no points, and

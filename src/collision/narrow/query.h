@@ -34,9 +34,21 @@ struct QueryResult {
   int gjk_iterations = 0, epa_iterations = 0, support_calls = 0;
 };
 
+/// What a query proved, and the pose that it proved it for.
+struct Certificate {
+  bool known = false;
+  Real shell = 0;               // m: thickness of shells it was computed with
+  Real lower = 0, upper = 0;    // m, signed distance
+  Vec3 normal = Vec3::UnitX();  // unit, A's frame, attains the lower bound
+  Vec3 point_a = Vec3::Zero();  // m, A's frame
+  Vec3 point_b = Vec3::Zero();  // m, B's frame
+  Frame b_in_a;                 // B's frame in A's
+};
+
 /// What one query leaves for the next one of the same pair.
 struct QueryMemory {
   Vec3 direction = Vec3::Zero();  // A's frame: last separating direction (A to B); zero: none yet
+  Certificate certificate;        // kept by the narrow phase if answers are carried over
 };
 
 /// Signed distance of two convex shapes by the generic path (GJK, EPA, hybrid). Neither may be a half-space.

@@ -147,7 +147,8 @@ static void the_last_direction_starts_the_next_query_near_its_end(void**) {
   }
   assert_true(warm < cold);
   // A deep answer leaves no direction behind.
-  QueryMemory memory{Vec3(1, 0, 0)};
+  QueryMemory memory;
+  memory.direction = Vec3(1, 0, 0);
   const Shape a = box(Vec3(1, 1, 1));
   ask(a, a, at(0.5, 0.1, 0), {}, &memory);
   assert_true(memory.direction == Vec3::Zero());
