@@ -156,10 +156,10 @@ void Judge::witness(const Answer& x) {
          "points %.17g apart along the normal, separation %.17g", along, x.r.separation);
   const Real gap = (v - x.r.separation * x.r.normal).norm();
   // Cores overlap: the points are where the way out ends. A point of the surface that is too low by e at most can be
-  // sqrt(e size) aside, where the surface is as curved as the pair is large. Where rounding stopped the query short,
-  // they may be farther: slivers a millionth as wide as long know the height of their points, not the place.
+  // sqrt(e size) aside, where the surface is as curved as the pair is large; and slivers a millionth as wide as long
+  // know the height of their points, but not the place, to more than some millionths of their length.
   if (x.r.upper + x.radii < 0 && x.asked_generic && x.r.status == QueryStatus::exact_enough)
-    demand(gap <= 2 * std::sqrt((x.width() + x.slack()) * x.size), "points %.17g off the way out", gap);
+    demand(gap <= 2 * std::sqrt((x.width() + x.slack()) * x.size) + 1e-5 * x.size, "points %.17g off the way out", gap);
   // A routine answers with points of a patch: along the normal they are right, across it they need not lie opposite.
   if (x.r.lower + x.radii <= 0 || !x.asked_generic) return;
   // Cores apart: the points of the cores prove the upper bound.

@@ -4,7 +4,8 @@
 #include <cstdio>
 
 #include "carom_test.h"
-#include "collision/narrow/query.h"
+#include "collision/directions.h"
+#include "exact_pairs.h"
 #include "hard_pairs.h"
 
 using namespace carom;
@@ -34,6 +35,8 @@ QueryResult ask(const HardPair& p, Simplex simplex, Real tolerance) {
 Real metres(const HardPair& p, Real tolerance) {
   return tolerance * std::min(p.a.bounding_radius, p.b.bounding_radius);
 }
+
+Real size_of(const HardPair& p) { return p.b_in_a.p.cwiseAbs().sum() + p.a.bounding_radius + p.b.bounding_radius; }
 
 template <class Check>
 void for_all(const char* what, const Check& check) {
@@ -80,6 +83,37 @@ static void the_normal_is_the_one_best_direction(void**) {
   });
 }
 
+static void the_normal_wastes_less_than_a_hundredth_of_the_smallest_feature(void**) {
+  // What the reported normal alone proves, looked along once more in long double, whatever is unique or not.
+  for_all("waste", [](const HardPair& p, const QueryResult& r, Real tolerance) {
+    const Real wasted = p.expected - static_cast<Real>(exact_bound(p.a, p.b, p.b_in_a, r.normal));
+    return wasted <= std::max({p.tolerance, metres(p, tolerance), 1e-2 * p.smallest}) &&
+           wasted <= p.tolerance + r.upper - r.lower + kBracketRounding * kUnitRoundoff * size_of(p);
+  });
+}
+
+static void the_points_lie_on_the_surfaces_as_far_apart_as_it_says(void**) {
+  for_all("points", [](const HardPair& p, const QueryResult& r, Real) {
+    const Real rounding = kBracketRounding * kUnitRoundoff * size_of(p);
+    const Real along = r.normal.dot(p.b_in_a.apply(r.point_b) - r.point_a);
+    if (!(std::fabs(along - r.separation) <= r.upper - r.lower + rounding)) return false;
+    for (const Vec3& n : asking_directions())
+      if (n.dot(r.point_a - support_point(p.a, n)) > rounding || n.dot(r.point_b - support_point(p.b, n)) > rounding)
+        return false;
+    return true;
+  });
+}
+
+static void nothing_is_infinite_and_nothing_goes_on_for_ever(void**) {
+  const QuerySettings caps;
+  for_all("form", [&](const HardPair&, const QueryResult& r, Real) {
+    const bool numbers = carom::finite(r.separation) && carom::finite(r.lower) && carom::finite(r.upper) &&
+                         carom::finite(r.normal) && carom::finite(r.point_a) && carom::finite(r.point_b);
+    return numbers && r.status != QueryStatus::fault && r.gjk_iterations <= caps.gjk_cap &&
+           r.epa_iterations <= caps.epa_cap;
+  });
+}
+
 static void a_query_that_is_exact_enough_is(void**) {
   for_all("status", [](const HardPair& p, const QueryResult& r, Real tolerance) {
     return r.status != QueryStatus::exact_enough || r.upper - r.lower <= metres(p, tolerance);
@@ -110,6 +144,9 @@ int main() {
       cmocka_unit_test(the_bracket_holds_the_reference),
       cmocka_unit_test(the_value_is_within_what_was_asked),
       cmocka_unit_test(the_normal_is_the_one_best_direction),
+      cmocka_unit_test(the_normal_wastes_less_than_a_hundredth_of_the_smallest_feature),
+      cmocka_unit_test(the_points_lie_on_the_surfaces_as_far_apart_as_it_says),
+      cmocka_unit_test(nothing_is_infinite_and_nothing_goes_on_for_ever),
       cmocka_unit_test(a_query_that_is_exact_enough_is),
       cmocka_unit_test(swapping_the_shapes_changes_no_digit_that_matters),
   };
