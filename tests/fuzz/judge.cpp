@@ -15,6 +15,7 @@
 #include <cstring>
 
 #include "collision/directions.h"
+#include "collision/narrow/carry_over.h"
 #include "collision/narrow/hybrid.h"
 #include "collision/narrow/pair.h"
 #include "collision/narrow/rounding.h"
@@ -65,6 +66,8 @@ class Judge {
   Verdict verdict;
 
   void answer(const Answer& x, const char* which);
+  /// An answer carried over from another pose: its points are the old ones, moved with the bodies.
+  void carried(const Answer& x);
   /// Two brackets of one number, each off by `slack` at most.
   void same(const Answer& x, const Answer& y, Real slack, const char* which);
 
@@ -257,6 +260,15 @@ void Judge::answer(const Answer& x, const char* which) {
   uphill(x);
 }
 
+void Judge::carried(const Answer& x) {
+  which_ = "carried";
+  judged_ = &x;
+  form(x);
+  normal(x);
+  sweep(x);
+  uphill(x);
+}
+
 void Judge::same(const Answer& x, const Answer& y, Real slack, const char* which) {
   which_ = which;
   judged_ = nullptr;
@@ -265,19 +277,39 @@ void Judge::same(const Answer& x, const Answer& y, Real slack, const char* which
          x.r.lower, x.r.upper, y.r.lower, y.r.upper);
 }
 
+/// Sizes of the pair. @param shell  m, what both shapes wear together
+void measure(Answer& x, Real shell) {
+  const Shape &a = x.a, &b = x.b;
+  x.shell = shell;
+  x.size = x.b_in_a.p.cwiseAbs().sum() + a.bounding_radius + b.bounding_radius + std::fabs(a.offset) +
+           std::fabs(b.offset) + shell;
+  x.radii = a.core_radius + b.core_radius + shell;
+  const auto radius = [](const Shape& s) { return s.form == Form::half_space ? kInfinity : s.bounding_radius; };
+  x.least = std::min(radius(a), radius(b));
+}
+
 Answer ask(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySettings& settings, QueryMemory* memory,
            bool liar) {
   Answer x{a, b, b_in_a, settings, liar, {}, {}};
   distance(a, b, b_in_a, settings, memory, x.r, x.fault);
   x.asked_generic = x.r.gjk_iterations > 0;
   const bool routine = settings.routines && pair_entry(a.form, b.form).routine;
-  x.shell = x.asked_generic && !routine ? shells(settings) : 0;
-  x.size = b_in_a.p.cwiseAbs().sum() + a.bounding_radius + b.bounding_radius + std::fabs(a.offset) +
-           std::fabs(b.offset) + x.shell;
-  x.radii = a.core_radius + b.core_radius + x.shell;
-  const auto radius = [](const Shape& s) { return s.form == Form::half_space ? kInfinity : s.bounding_radius; };
-  x.least = std::min(radius(a), radius(b));
+  measure(x, x.asked_generic && !routine ? shells(settings) : 0);
   return x;
+}
+
+/// What is left of an answer after the pair has moved, where enough is: as true as a fresh one.
+void carried(const Answer& before, const Answer& fresh, Real share, Judge& judge) {
+  if (before.liar || !before.known() || !fresh.known() || !before.asked_generic) return;
+  Certificate certificate;
+  certify(before.r, before.b_in_a, before.shell, certificate);
+  Answer x{before.a, before.b, fresh.b_in_a, fresh.settings, false, {}, {}};
+  measure(x, before.shell);
+  x.settings.tolerance = share;
+  x.settings.max_distance = kInfinity;
+  if (!carry_over(x.a, x.b, x.b_in_a, share * x.least, x.shell, certificate, x.r)) return;
+  judge.carried(x);
+  if (fresh.shell == x.shell) judge.same(x, fresh, x.slack(), "carried against fresh");
 }
 
 }  // namespace
@@ -318,9 +350,12 @@ Verdict judge(const PairCase& c) {
       again("other path", "routine against generic");
       break;
     case Twist::warm:
-    case Twist::warm_far:
-      judge.answer(ask(a, b, c.next, c.settings, &memory, liar), "warm");
+    case Twist::warm_far: {
+      const Answer second = ask(a, b, c.next, c.settings, &memory, liar);
+      judge.answer(second, "warm");
+      carried(first, second, c.sweep % 2 ? 0.05 : 4, judge);
       break;
+    }
     default:
       break;
   }
