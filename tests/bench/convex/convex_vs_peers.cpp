@@ -17,7 +17,7 @@ struct Options {
   std::vector<std::string> modules{CAROM_PEER_MODULES};
   std::vector<std::string> only;
   int pairs = 5000, passes = 15;
-  bool coherent = false, hard = false, no_time = false;
+  bool coherent = false, hard = false, no_time = false, count = false;
   std::string csv, curve;
 };
 
@@ -78,9 +78,10 @@ Peers make_peers(const Options& options) {
 }
 
 void run(const std::vector<Peer*>& peers, const Set& set, const Options& options, const Table& table) {
+  for (Peer* const peer : peers) peer->prepare(set.queries.data(), set.queries.size());
+  if (options.count) return count_instructions(peers, set);
   const std::vector<Reference> reference = references(set);
   const SweepCheck check = sweep(set, reference, std::max(1, static_cast<int>(set.queries.size()) / 50));
-  for (Peer* const peer : peers) peer->prepare(set.queries.data(), set.queries.size());
   std::vector<Score> scores;
   for (Peer* const peer : peers) scores.push_back(score(*peer, set, reference));
   const std::vector<double> ns =
@@ -152,6 +153,8 @@ int main(int argc, char** argv) {
   app.add_flag("--coherent", options.coherent, "Also 50 pairs in 400 frames of slow motion, apart and deep");
   app.add_flag("--hard", options.hard, "Also the hard pairs of tests/data, each in a process of its own");
   app.add_flag("--no-time", options.no_time, "Errors alone");
+  app.add_flag("--count", options.count,
+               "Count instructions instead, under callgrind (tests/bench/count_instructions)");
   app.add_option("--curve", options.curve, "Measure tolerance against time and error instead, into this file");
   app.add_option("--csv", options.csv, "Write every row to this file as well");
   CLI11_PARSE(app, argc, argv);

@@ -6,6 +6,13 @@
 #include <algorithm>
 #include <numeric>
 
+#if __has_include(<valgrind/callgrind.h>)
+#include <valgrind/callgrind.h>
+#else
+#define CALLGRIND_ZERO_STATS
+#define CALLGRIND_DUMP_STATS_AT(name) static_cast<void>(name)
+#endif
+
 namespace carom::bench {
 
 namespace {
@@ -44,6 +51,22 @@ std::vector<double> measure(const std::vector<Peer*>& peers, const Set& set, int
   for (const std::vector<double>& blocks_of : least)
     ns.push_back(1e9 * std::accumulate(blocks_of.begin(), blocks_of.end(), 0.0) / static_cast<double>(count));
   return ns;
+}
+
+void count_instructions(const std::vector<Peer*>& peers, const Set& set) {
+  for (Peer* const peer : peers) {
+    const std::string name = set.family + "," + set.kind + "," + peer->name();
+    const auto pass = [&] {
+      for (std::size_t i = 0; i < set.queries.size(); ++i) {
+        Answer answer;
+        peer->ask(i, answer);
+      }
+    };
+    pass();  // what a library does but once is not counted
+    CALLGRIND_ZERO_STATS;
+    pass();
+    CALLGRIND_DUMP_STATS_AT(name.c_str());
+  }
 }
 
 }  // namespace carom::bench

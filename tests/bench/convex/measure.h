@@ -10,4 +10,8 @@ namespace carom::bench {
 /// @return  [peers]
 std::vector<double> measure(const std::vector<Peer*>& peers, const Set& set, int passes);
 
+/// Under valgrind --tool=callgrind: one pass a library, each dumped with its name; see tests/bench/count_instructions.
+/// Nothing otherwise.
+void count_instructions(const std::vector<Peer*>& peers, const Set& set);
+
 }  // namespace carom::bench

@@ -81,7 +81,7 @@ void add_carom(Peers& peers) {
       "voronoi_last, warm", [](QuerySettings&) {}, true);
   add("hybrid", [](QuerySettings& s) { s.method = Method::hybrid; });
   add("voronoi_last at 1e-12", [](QuerySettings& s) { s.tolerance = 1e-12; });
-  add("yes or no", [](QuerySettings& s) { s.max_distance = 0; });
+  add("yes/no", [](QuerySettings& s) { s.max_distance = 0; });
 }
 
 }  // namespace carom::bench

@@ -52,7 +52,7 @@ class Ccd final : public Peer {
   }
 
   const char* name() const override {
-    return way_ == Way::yes_or_no ? "libccd GJK, yes or no" : way_ == Way::epa ? "libccd GJK + EPA" : "libccd MPR";
+    return way_ == Way::yes_or_no ? "libccd GJK yes/no" : way_ == Way::epa ? "libccd GJK + EPA" : "libccd MPR";
   }
 
   void prepare(const Query* queries, std::size_t) override { queries_ = queries; }
