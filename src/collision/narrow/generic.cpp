@@ -50,24 +50,30 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
 
   const bool warm = memory && memory->direction.squaredNorm() > 0;
   Vec3 first = warm ? memory->direction : difference.centre_offset();
-  DifferenceSimplex simplex, proof;  // where the last walk ended; what proves the upper bound of cores apart
-  bool deep = false, capped = false, bad = false;
+  // Where the last walk ended; what proves its upper bound if that does not; what proved it in the walk before.
+  DifferenceSimplex simplex, spare, proof;
+  bool deep = false, lowered = false, capped = false, bad = false;
   // EPA is also the judge of GJK's verdict: if it finds a separating direction, GJK goes on from there. Once.
   for (int attempt = 0; attempt < 2; ++attempt) {
-    const GjkEnd end = gjk(difference, request, first, simplex, proof, result.gjk_iterations);
+    const Real before = difference.upper;
+    const GjkEnd end = gjk(difference, request, first, simplex, spare, result.gjk_iterations);
+    lowered = difference.upper < before;  // else the walk before came nearer, and proof is of that one
     bad = end == GjkEnd::fault;
     capped = end == GjkEnd::capped;
     result.farther = end == GjkEnd::farther;
     // Stuck or capped without a separating direction: only EPA can tell.
     const bool unknown = (end == GjkEnd::stuck || end == GjkEnd::capped) && difference.lower <= rounding;
-    if (end == GjkEnd::stuck && !unknown && difference.upper - difference.lower > request.gap) {
+    const bool again = end == GjkEnd::stuck && !unknown && difference.upper - difference.lower > request.gap;
+    if (!again && end != GjkEnd::overlap && !unknown) break;
+    if (lowered) proof = spare.count > 0 ? spare : simplex;
+    lowered = false;
+    if (again) {
       // Apart, but a degenerate simplex let no walk go on: another one, from the best direction, seldom meets it again.
       first = difference.normal;
       request.solver = nearest_voronoi;
       request.guess.patience = -1;
       continue;
     }
-    if (end != GjkEnd::overlap && !unknown) break;
     deep = true;
     const Real proven = difference.upper;
     const EpaEnd judged = epa(difference, request.gap, epa_cap, simplex, result.epa_iterations);
@@ -90,7 +96,8 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
   result.lower = difference.to_metres(lower - radii - rounding);
   result.upper = difference.to_metres(upper - radii + rounding);
   result.normal = difference.normal;
-  write_points(difference, deep ? simplex : proof, a, b, b_in_a, shell, result);
+  const DifferenceSimplex& nearest = lowered ? (spare.count > 0 ? spare : simplex) : proof;
+  write_points(difference, deep ? simplex : nearest, a, b, b_in_a, shell, result);
   if (result.upper - result.lower <= settings.tolerance * std::min(a.bounding_radius, b.bounding_radius) ||
       result.farther)
     result.status = QueryStatus::exact_enough;

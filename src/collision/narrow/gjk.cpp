@@ -3,6 +3,7 @@
 #include "collision/narrow/gjk.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace carom {
 
@@ -73,6 +74,13 @@ bool descend(const GjkRequest& request, const Difference& difference, const Diff
   return good();
 }
 
+struct NoGuess {
+  void remember(const Vec3&, const Vec3&, Real) {}
+  bool guess(bool, Vec3&) const { return false; }
+};
+
+/// @tparam kGuess  false: never, and nothing is kept for it
+template <bool kGuess>
 GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first, DifferenceSimplex& simplex,
             DifferenceSimplex& spare, int& iterations) {
   Vec3 n = Vec3::UnitX();
@@ -87,9 +95,8 @@ GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first
   nearest_voronoi(&w0, 1, nearest);
   keep(simplex, nearest, difference, spare);
 
-  const bool guessing = request.guess.patience >= 0;
-  Secant secant;
-  if (guessing) secant.remember(n, w0, value);
+  std::conditional_t<kGuess, Secant, NoGuess> secant;
+  secant.remember(n, w0, value);
   int plain = request.guess.patience;  // steps to go before the next guess
   for (;;) {
     if (difference.lower > request.farther) return close(difference, simplex, GjkEnd::farther);
@@ -100,13 +107,12 @@ GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first
     const Real d2 = nearest.direction.squaredNorm();
     if (!(d2 > 0)) return GjkEnd::overlap;  // the origin is on the vertex or edge itself
     const Real best = difference.lower;
-    const bool guessed =
-        guessing && --plain < 0 && best > difference.rounding() && secant.guess(request.guess.watch, n);
+    const bool guessed = kGuess && --plain < 0 && best > difference.rounding() && secant.guess(request.guess.watch, n);
     if (!guessed) n = nearest.direction * (1 / std::sqrt(d2));
     DifferencePoint& fresh = simplex.point[simplex.count];
     ++iterations;
     if (!difference.support(n, fresh, value)) return GjkEnd::fault;
-    if (guessing) secant.remember(n, fresh.w, value);
+    secant.remember(n, fresh.w, value);
     if (guessed && !(difference.lower > best)) plain = request.guess.patience;
     if (difference.lower > request.farther) return close(difference, simplex, GjkEnd::farther);
     if (difference.upper - difference.lower <= request.gap) return close(difference, simplex, GjkEnd::narrow);
@@ -133,18 +139,10 @@ GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first
 }  // namespace
 
 GjkEnd gjk(Difference& difference, const GjkRequest& request, const Vec3& first, DifferenceSimplex& simplex,
-           DifferenceSimplex& proof, int& iterations) {
-  const Real before = difference.upper;
-  DifferenceSimplex spare;
-  const GjkEnd end = walk(difference, request, first, simplex, spare, iterations);
-  if (!(difference.upper < before)) return end;
-  const DifferenceSimplex& best = spare.count > 0 ? spare : simplex;
-  proof.count = best.count;
-  for (int i = 0; i < best.count; ++i) {
-    proof.point[i] = best.point[i];
-    proof.weight[i] = best.weight[i];
-  }
-  return end;
+           DifferenceSimplex& spare, int& iterations) {
+  simplex.count = spare.count = 0;
+  if (request.guess.patience < 0) return walk<false>(difference, request, first, simplex, spare, iterations);
+  return walk<true>(difference, request, first, simplex, spare, iterations);
 }
 
 }  // namespace carom

@@ -27,11 +27,11 @@ struct GjkRequest {
 /// Narrow the bracket of a difference from a first direction.
 /// @param first    any length, zero is allowed; A's frame
 /// @param simplex  out: the last simplex; the origin is inside if overlap
-/// @param proof    out: what proves the upper bound; left alone if this walk came no nearer than difference.upper was
+/// @param spare    out: an earlier simplex of this walk, where that one and not the last proves the upper bound; else empty
 /// @return narrow: upper - lower <= gap; farther: lower > request.farther; overlap: the simplex holds the origin, or
 /// lies within
 ///         rounding of it; stuck: rounding allows no further descent (the bracket says how good it is); capped
 GjkEnd gjk(Difference& difference, const GjkRequest& request, const Vec3& first, DifferenceSimplex& simplex,
-           DifferenceSimplex& proof, int& iterations);
+           DifferenceSimplex& spare, int& iterations);
 
 }  // namespace carom
