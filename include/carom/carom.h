@@ -6,6 +6,7 @@
 
 #include <carom/base.h>
 #include <carom/body.h>
+#include <carom/cast.h>
 #include <carom/dial.h>
 #include <carom/engine.h>
 #include <carom/plugin.h>

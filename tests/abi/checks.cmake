@@ -38,6 +38,7 @@ target_compile_definitions(test_abi_plugins PRIVATE CAROM_LIAR_DIR="${CMAKE_CURR
 get_property(house_plugins DIRECTORY ${PROJECT_SOURCE_DIR}/plugins PROPERTY BUILDSYSTEM_TARGETS)
 add_dependencies(test_abi_plugins ${liar_targets} ${house_plugins})
 target_link_libraries(test_abi_plugins PRIVATE m)
+target_link_libraries(test_abi_cast PRIVATE m)
 target_compile_definitions(test_abi_ffi PRIVATE CAROM_LIBRARY="$<TARGET_FILE:carom>")
 find_package(Threads REQUIRED)
 foreach(name threads busy_reentrant)

@@ -94,6 +94,24 @@ std::vector<Attempt> try_engine_calls(const Bench& b) {
   add("shape_support", carom_shape_support(b.engine, b.ball, kUp, 1, v, nullptr));
   add("shape_distance", carom_shape_distance(b.engine, b.ball, kUp, kUpright, b.crate, kUp, kUpright, nullptr,
                                              &distance, nullptr));
+  carom_cast cast = {};
+  cast.struct_size = sizeof cast;
+  carom_overlap overlap = {};
+  overlap.struct_size = sizeof overlap;
+  carom_motion motion;
+  carom_motion_init(&motion);
+  carom_rays rays = {};
+  rays.struct_size = sizeof rays;
+  carom_ray_hits hits = {};
+  hits.struct_size = sizeof hits;
+  add("ray_cast", carom_ray_cast(b.engine, b.ball, kUp, kUpright, kUp, kUp, 1, nullptr, &cast, nullptr));
+  add("shape_cast", carom_shape_cast(b.engine, b.ball, kUp, kUpright, kUp, b.crate, kUp, kUpright, nullptr, &cast,
+                                     nullptr));
+  add("shape_time_of_impact", carom_shape_time_of_impact(b.engine, b.ball, &motion, b.crate, &motion, 1, nullptr, &cast,
+                                                         nullptr));
+  add("shape_overlap", carom_shape_overlap(b.engine, b.ball, kUp, kUpright, b.crate, kUp, kUpright, nullptr, &overlap,
+                                           nullptr));
+  add("rays_cast", carom_rays_cast(b.engine, &b.ball, kUp, kUpright, 1, &rays, nullptr, &hits, nullptr));
   add("world_create", carom_world_create(b.engine, nullptr, &world, nullptr));
   add("dial_get_info", carom_dial_get_info(0, &dial_info, nullptr));
   add("dial_find", carom_dial_find("solver", &dial, nullptr));

@@ -343,6 +343,129 @@ const Row kQuery[] = {
     {"distance: half-spaces", CAROM_E_UNSUPPORTED, 5, [](Bench& b, carom_error* e) { carom_distance r = {}; r.struct_size = sizeof r; return carom_shape_distance(b.engine, b.floor, kZero, kUpright, b.floor, kZero, kUpright, nullptr, &r, e); }},
 };
 
+carom_cast fresh_cast() {
+  carom_cast r = {};
+  r.struct_size = sizeof r;
+  return r;
+}
+carom_cast_desc cast_desc() {
+  carom_cast_desc d;
+  carom_cast_desc_init(&d);
+  return d;
+}
+carom_motion motion() {
+  carom_motion m;
+  carom_motion_init(&m);
+  return m;
+}
+int32_t ray(Bench& b, const double* p, const double* q, const double* o, const double* d, double max,
+            const carom_cast_desc* desc, carom_error* e) {
+  carom_cast r = fresh_cast();
+  return carom_ray_cast(b.engine, b.ball, p, q, o, d, max, desc, &r, e);
+}
+int32_t move(Bench& b, const double* pa, const double* qa, const double* m, const double* pb, const double* qb,
+             const carom_cast_desc* desc, carom_error* e) {
+  carom_cast r = fresh_cast();
+  return carom_shape_cast(b.engine, b.ball, pa, qa, m, b.crate, pb, qb, desc, &r, e);
+}
+int32_t impact(Bench& b, carom_shape s, const carom_motion& ma, carom_shape t, const carom_motion& mb, double duration,
+               carom_error* e) {
+  carom_cast r = fresh_cast();
+  return carom_shape_time_of_impact(b.engine, s, &ma, t, &mb, duration, nullptr, &r, e);
+}
+int32_t overlap(Bench& b, const double* pa, const double* qa, const double* pb, const double* qb, carom_error* e) {
+  carom_overlap r = {};
+  r.struct_size = sizeof r;
+  return carom_shape_overlap(b.engine, b.ball, pa, qa, b.crate, pb, qb, nullptr, &r, e);
+}
+/// One ray against one shape, changed by `f(rays, hits)`.
+template <class F>
+int32_t batch(Bench& b, F&& f, carom_error* e) {
+  double origin[3] = {0, 3, 0}, direction[3] = {0, -1, 0}, time = 0;
+  carom_rays rays = {};
+  rays.struct_size = sizeof rays;
+  rays.scalar = CAROM_SCALAR_F64;
+  rays.count = 1;
+  rays.origins = origin;
+  rays.directions = direction;
+  carom_ray_hits hits = {};
+  hits.struct_size = sizeof hits;
+  hits.scalar = CAROM_SCALAR_F64;
+  hits.times = &time;
+  f(rays, hits);
+  return carom_rays_cast(b.engine, &b.ball, kZero, kUpright, 1, &rays, nullptr, &hits, e);
+}
+
+const Row kCast[] = {
+    {"ray: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { auto r = fresh_cast(); return carom_ray_cast(nullptr, b.ball, kZero, kUpright, kZero, kOne, 1, nullptr, &r, e); }},
+    {"ray: position", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return ray(b, nullptr, kUpright, kZero, kOne, 1, nullptr, e); }},
+    {"ray: position nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return ray(b, kNan3, kUpright, kZero, kOne, 1, nullptr, e); }},
+    {"ray: orientation", CAROM_E_NOT_UNIT, 4, [](Bench& b, carom_error* e) { return ray(b, kZero, kLong, kZero, kOne, 1, nullptr, e); }},
+    {"ray: origin", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return ray(b, kZero, kUpright, nullptr, kOne, 1, nullptr, e); }},
+    {"ray: origin nan", CAROM_E_NOT_FINITE, 5, [](Bench& b, carom_error* e) { return ray(b, kZero, kUpright, kNan3, kOne, 1, nullptr, e); }},
+    {"ray: direction", CAROM_E_NULL_ARGUMENT, 6, [](Bench& b, carom_error* e) { return ray(b, kZero, kUpright, kZero, nullptr, 1, nullptr, e); }},
+    {"ray: direction inf", CAROM_E_NOT_FINITE, 6, [](Bench& b, carom_error* e) { return ray(b, kZero, kUpright, kZero, kInf3, 1, nullptr, e); }},
+    {"ray: max", CAROM_E_OUT_OF_RANGE, 7, [](Bench& b, carom_error* e) { return ray(b, kZero, kUpright, kZero, kOne, -1, nullptr, e); }},
+    {"ray: max nan", CAROM_E_NOT_FINITE, 7, [](Bench& b, carom_error* e) { return ray(b, kZero, kUpright, kZero, kOne, kNan, nullptr, e); }},
+    {"ray: iterations", CAROM_E_OUT_OF_RANGE, 8, [](Bench& b, carom_error* e) { auto d = cast_desc(); d.iterations = 0; return ray(b, kZero, kUpright, kZero, kOne, 1, &d, e); }},
+    {"ray: too many iterations", CAROM_E_OUT_OF_RANGE, 8, [](Bench& b, carom_error* e) { auto d = cast_desc(); d.iterations = 10001; return ray(b, kZero, kUpright, kZero, kOne, 1, &d, e); }},
+    {"ray: tolerance", CAROM_E_OUT_OF_RANGE, 8, [](Bench& b, carom_error* e) { auto d = cast_desc(); d.tolerance = 0; return ray(b, kZero, kUpright, kZero, kOne, 1, &d, e); }},
+    {"ray: target", CAROM_E_OUT_OF_RANGE, 8, [](Bench& b, carom_error* e) { auto d = cast_desc(); d.target = -1; return ray(b, kZero, kUpright, kZero, kOne, 1, &d, e); }},
+    {"ray: target nan", CAROM_E_NOT_FINITE, 8, [](Bench& b, carom_error* e) { auto d = cast_desc(); d.target = kNan; return ray(b, kZero, kUpright, kZero, kOne, 1, &d, e); }},
+    {"ray: result", CAROM_E_NULL_ARGUMENT, 9, [](Bench& b, carom_error* e) { return carom_ray_cast(b.engine, b.ball, kZero, kUpright, kZero, kOne, 1, nullptr, nullptr, e); }},
+    {"ray: result size", CAROM_E_STRUCT_SIZE, 9, [](Bench& b, carom_error* e) { carom_cast r = {}; return carom_ray_cast(b.engine, b.ball, kZero, kUpright, kZero, kOne, 1, nullptr, &r, e); }},
+    {"cast: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { auto r = fresh_cast(); return carom_shape_cast(nullptr, b.ball, kZero, kUpright, kOne, b.ball, kZero, kUpright, nullptr, &r, e); }},
+    {"cast: position_a", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return move(b, nullptr, kUpright, kOne, kZero, kUpright, nullptr, e); }},
+    {"cast: orientation_a", CAROM_E_NOT_UNIT, 4, [](Bench& b, carom_error* e) { return move(b, kZero, kZero4, kOne, kZero, kUpright, nullptr, e); }},
+    {"cast: motion", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return move(b, kZero, kUpright, nullptr, kZero, kUpright, nullptr, e); }},
+    {"cast: motion nan", CAROM_E_NOT_FINITE, 5, [](Bench& b, carom_error* e) { return move(b, kZero, kUpright, kNan3, kZero, kUpright, nullptr, e); }},
+    {"cast: position_b", CAROM_E_NOT_FINITE, 7, [](Bench& b, carom_error* e) { return move(b, kZero, kUpright, kOne, kInf3, kUpright, nullptr, e); }},
+    {"cast: orientation_b", CAROM_E_NULL_ARGUMENT, 8, [](Bench& b, carom_error* e) { return move(b, kZero, kUpright, kOne, kZero, nullptr, nullptr, e); }},
+    {"cast: desc", CAROM_E_OUT_OF_RANGE, 9, [](Bench& b, carom_error* e) { auto d = cast_desc(); d.tolerance = -1; return move(b, kZero, kUpright, kOne, kZero, kUpright, &d, e); }},
+    {"cast: result", CAROM_E_NULL_ARGUMENT, 10, [](Bench& b, carom_error* e) { return carom_shape_cast(b.engine, b.ball, kZero, kUpright, kOne, b.ball, kZero, kUpright, nullptr, nullptr, e); }},
+    {"cast: half-spaces", CAROM_E_UNSUPPORTED, 6, [](Bench& b, carom_error* e) { auto r = fresh_cast(); return carom_shape_cast(b.engine, b.floor, kZero, kUpright, kOne, b.floor, kZero, kUpright, nullptr, &r, e); }},
+    {"impact: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { auto r = fresh_cast(); auto m = motion(); return carom_shape_time_of_impact(nullptr, b.ball, &m, b.ball, &m, 1, nullptr, &r, e); }},
+    {"impact: motion_a", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { auto r = fresh_cast(); auto m = motion(); return carom_shape_time_of_impact(b.engine, b.ball, nullptr, b.ball, &m, 1, nullptr, &r, e); }},
+    {"impact: motion_b", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { auto r = fresh_cast(); auto m = motion(); return carom_shape_time_of_impact(b.engine, b.ball, &m, b.ball, nullptr, 1, nullptr, &r, e); }},
+    {"impact: motion size", CAROM_E_STRUCT_SIZE, 3, [](Bench& b, carom_error* e) { auto m = motion(); m.struct_size = 4; return impact(b, b.ball, m, b.ball, motion(), 1, e); }},
+    {"impact: reserved", CAROM_E_UNSUPPORTED, 3, [](Bench& b, carom_error* e) { auto m = motion(); m.reserved = 1; return impact(b, b.ball, m, b.ball, motion(), 1, e); }},
+    {"impact: position", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { auto m = motion(); m.position[2] = kNan; return impact(b, b.ball, m, b.ball, motion(), 1, e); }},
+    {"impact: orientation", CAROM_E_NOT_UNIT, 5, [](Bench& b, carom_error* e) { auto m = motion(); m.orientation[0] = 1; return impact(b, b.ball, motion(), b.ball, m, 1, e); }},
+    {"impact: center", CAROM_E_NOT_FINITE, 5, [](Bench& b, carom_error* e) { auto m = motion(); m.center[0] = kInf; return impact(b, b.ball, motion(), b.ball, m, 1, e); }},
+    {"impact: velocity", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { auto m = motion(); m.linear_velocity[0] = kInf; return impact(b, b.ball, m, b.ball, motion(), 1, e); }},
+    {"impact: angular velocity", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { auto m = motion(); m.angular_velocity[1] = kNan; return impact(b, b.ball, m, b.ball, motion(), 1, e); }},
+    {"impact: duration", CAROM_E_OUT_OF_RANGE, 6, [](Bench& b, carom_error* e) { return impact(b, b.ball, motion(), b.ball, motion(), -1, e); }},
+    {"impact: duration nan", CAROM_E_NOT_FINITE, 6, [](Bench& b, carom_error* e) { return impact(b, b.ball, motion(), b.ball, motion(), kNan, e); }},
+    {"impact: half-spaces", CAROM_E_UNSUPPORTED, 4, [](Bench& b, carom_error* e) { return impact(b, b.floor, motion(), b.floor, motion(), 1, e); }},
+    {"impact: half-space that turns", CAROM_E_UNSUPPORTED, 5, [](Bench& b, carom_error* e) { auto m = motion(); m.angular_velocity[1] = 1; return impact(b, b.ball, motion(), b.floor, m, 1, e); }},
+    {"impact: result", CAROM_E_NULL_ARGUMENT, 8, [](Bench& b, carom_error* e) { auto m = motion(); return carom_shape_time_of_impact(b.engine, b.ball, &m, b.ball, &m, 1, nullptr, nullptr, e); }},
+    {"overlap: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { carom_overlap r = {}; r.struct_size = sizeof r; return carom_shape_overlap(nullptr, b.ball, kZero, kUpright, b.ball, kZero, kUpright, nullptr, &r, e); }},
+    {"overlap: position_a", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return overlap(b, kNan3, kUpright, kZero, kUpright, e); }},
+    {"overlap: orientation_a", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { return overlap(b, kZero, nullptr, kZero, kUpright, e); }},
+    {"overlap: position_b", CAROM_E_NULL_ARGUMENT, 6, [](Bench& b, carom_error* e) { return overlap(b, kZero, kUpright, nullptr, kUpright, e); }},
+    {"overlap: orientation_b", CAROM_E_NOT_UNIT, 7, [](Bench& b, carom_error* e) { return overlap(b, kZero, kUpright, kZero, kLong, e); }},
+    {"overlap: result", CAROM_E_STRUCT_SIZE, 9, [](Bench& b, carom_error* e) { carom_overlap r = {}; return carom_shape_overlap(b.engine, b.ball, kZero, kUpright, b.ball, kZero, kUpright, nullptr, &r, e); }},
+    {"overlap: half-spaces", CAROM_E_UNSUPPORTED, 5, [](Bench& b, carom_error* e) { carom_overlap r = {}; r.struct_size = sizeof r; return carom_shape_overlap(b.engine, b.floor, kZero, kUpright, b.floor, kZero, kUpright, nullptr, &r, e); }},
+    {"rays: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_rays_cast(nullptr, &b.ball, kZero, kUpright, 1, nullptr, nullptr, nullptr, e); }},
+    {"rays: shapes", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return carom_rays_cast(b.engine, nullptr, kZero, kUpright, 1, nullptr, nullptr, nullptr, e); }},
+    {"rays: positions", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_rays_cast(b.engine, &b.ball, nullptr, kUpright, 1, nullptr, nullptr, nullptr, e); }},
+    {"rays: orientations", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { return carom_rays_cast(b.engine, &b.ball, kZero, nullptr, 1, nullptr, nullptr, nullptr, e); }},
+    {"rays: rays", CAROM_E_NULL_ARGUMENT, 6, [](Bench& b, carom_error* e) { return carom_rays_cast(b.engine, &b.ball, kZero, kUpright, 1, nullptr, nullptr, nullptr, e); }},
+    {"rays: size", CAROM_E_STRUCT_SIZE, 6, [](Bench& b, carom_error* e) { return batch(b, [](carom_rays& r, carom_ray_hits&) { r.struct_size = 0; }, e); }},
+    {"rays: scalar", CAROM_E_UNKNOWN_ENUM, 6, [](Bench& b, carom_error* e) { return batch(b, [](carom_rays& r, carom_ray_hits&) { r.scalar = 2; }, e); }},
+    {"rays: origins", CAROM_E_NULL_ARGUMENT, 6, [](Bench& b, carom_error* e) { return batch(b, [](carom_rays& r, carom_ray_hits&) { r.origins = nullptr; }, e); }},
+    {"rays: directions", CAROM_E_NULL_ARGUMENT, 6, [](Bench& b, carom_error* e) { return batch(b, [](carom_rays& r, carom_ray_hits&) { r.directions = nullptr; }, e); }},
+    {"rays: stride", CAROM_E_BUFFER_TOO_SMALL, 6, [](Bench& b, carom_error* e) { return batch(b, [](carom_rays& r, carom_ray_hits&) { r.origin_stride = 23; }, e); }},
+    {"rays: hits", CAROM_E_NULL_ARGUMENT, 8, [](Bench& b, carom_error* e) { carom_rays r = {}; r.struct_size = sizeof r; return carom_rays_cast(b.engine, &b.ball, kZero, kUpright, 1, &r, nullptr, nullptr, e); }},
+    {"rays: hits size", CAROM_E_STRUCT_SIZE, 8, [](Bench& b, carom_error* e) { return batch(b, [](carom_rays&, carom_ray_hits& h) { h.struct_size = 7; }, e); }},
+    {"rays: hits scalar", CAROM_E_UNKNOWN_ENUM, 8, [](Bench& b, carom_error* e) { return batch(b, [](carom_rays&, carom_ray_hits& h) { h.scalar = 9; }, e); }},
+    {"rays: time stride", CAROM_E_BUFFER_TOO_SMALL, 8, [](Bench& b, carom_error* e) { return batch(b, [](carom_rays&, carom_ray_hits& h) { h.time_stride = 4; }, e); }},
+    {"rays: record stride", CAROM_E_BUFFER_TOO_SMALL, 8, [](Bench& b, carom_error* e) { return batch(b, [](carom_rays&, carom_ray_hits& h) { h.record_stride = 4; }, e); }},
+    {"rays: a position nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { carom_rays r = {}; r.struct_size = sizeof r; carom_ray_hits h = {}; h.struct_size = sizeof h; return carom_rays_cast(b.engine, &b.ball, kNan3, kUpright, 1, &r, nullptr, &h, e); }},
+    {"rays: an orientation", CAROM_E_NOT_UNIT, 4, [](Bench& b, carom_error* e) { carom_rays r = {}; r.struct_size = sizeof r; carom_ray_hits h = {}; h.struct_size = sizeof h; return carom_rays_cast(b.engine, &b.ball, kZero, kLong, 1, &r, nullptr, &h, e); }},
+    {"rays: desc", CAROM_E_OUT_OF_RANGE, 7, [](Bench& b, carom_error* e) { auto d = cast_desc(); d.target = 2e9; carom_rays r = {}; r.struct_size = sizeof r; carom_ray_hits h = {}; h.struct_size = sizeof h; return carom_rays_cast(b.engine, &b.ball, kZero, kUpright, 1, &r, &d, &h, e); }},
+};
+
 template <std::size_t N>
 void each_is_refused(const Row (&rows)[N]) {
   Bench b;
@@ -382,6 +505,7 @@ void every_wrong_argument_of_bodies_is_refused(void**) { each_is_refused(kBody);
 void every_wrong_argument_of_materials_and_colliders_is_refused(void**) { each_is_refused(kCollider); }
 void every_wrong_argument_of_bulk_calls_is_refused(void**) { each_is_refused(kBulk); }
 void every_wrong_argument_of_queries_is_refused(void**) { each_is_refused(kQuery); }
+void every_wrong_argument_of_casts_is_refused(void**) { each_is_refused(kCast); }
 
 void every_result_has_its_own_name_and_a_remedy(void**) {
   std::set<std::string> names;
@@ -408,6 +532,8 @@ void calls_without_an_error_object_refuse_null_too(void**) {
   assert_int_equal(carom_body_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_collider_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_distance_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_cast_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_motion_init(nullptr), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_dial_get_count(nullptr), CAROM_E_NULL_ARGUMENT);
 }
 
@@ -448,6 +574,7 @@ int main() {
       cmocka_unit_test(every_wrong_argument_of_materials_and_colliders_is_refused),
       cmocka_unit_test(every_wrong_argument_of_bulk_calls_is_refused),
       cmocka_unit_test(every_wrong_argument_of_queries_is_refused),
+      cmocka_unit_test(every_wrong_argument_of_casts_is_refused),
       cmocka_unit_test(every_result_has_its_own_name_and_a_remedy),
       cmocka_unit_test(calls_without_an_error_object_refuse_null_too),
       cmocka_unit_test(a_flat_shape_on_a_body_without_mass_has_no_volume),

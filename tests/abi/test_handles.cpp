@@ -27,6 +27,33 @@ int32_t measure(Bench& b, carom_shape s, carom_shape t, carom_error* e) {
   return carom_shape_distance(b.engine, s, kZero, kUpright, t, kZero, kUpright, nullptr, &r, e);
 }
 
+int32_t cast(Bench& b, carom_shape s, carom_shape t, carom_error* e) {
+  carom_cast r = {};
+  r.struct_size = sizeof r;
+  return carom_shape_cast(b.engine, s, kZero, kUpright, kUp, t, kZero, kUpright, nullptr, &r, e);
+}
+int32_t impact(Bench& b, carom_shape s, carom_shape t, carom_error* e) {
+  carom_cast r = {};
+  r.struct_size = sizeof r;
+  carom_motion m;
+  carom_motion_init(&m);
+  return carom_shape_time_of_impact(b.engine, s, &m, t, &m, 1, nullptr, &r, e);
+}
+int32_t overlap(Bench& b, carom_shape s, carom_shape t, carom_error* e) {
+  carom_overlap r = {};
+  r.struct_size = sizeof r;
+  return carom_shape_overlap(b.engine, s, kZero, kUpright, t, kZero, kUpright, nullptr, &r, e);
+}
+int32_t cast_rays(Bench& b, carom_shape s, carom_error* e) {
+  const carom_shape two[2] = {b.ball, s};
+  const double positions[6] = {0}, orientations[8] = {0, 0, 0, 1, 0, 0, 0, 1};
+  carom_rays rays = {};
+  rays.struct_size = sizeof rays;
+  carom_ray_hits hits = {};
+  hits.struct_size = sizeof hits;
+  return carom_rays_cast(b.engine, two, positions, orientations, 2, &rays, nullptr, &hits, e);
+}
+
 int32_t put_on(Bench& b, carom_body body, carom_shape shape, carom_material material, carom_error* e) {
   carom_collider_desc d;
   carom_collider_desc_init(&d);
@@ -46,6 +73,14 @@ const Place kPlaces[] = {
     {"shape_support", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { double p[3]; return carom_shape_support(b.engine, h, kUp, 1, p, e); }},
     {"shape_distance a", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return measure(b, h, b.ball, e); }},
     {"shape_distance b", kShape, 5, [](Bench& b, uint64_t h, carom_error* e) { return measure(b, b.ball, h, e); }},
+    {"ray_cast", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_cast r = {}; r.struct_size = sizeof r; return carom_ray_cast(b.engine, h, kZero, kUpright, kUp, kUp, 1, nullptr, &r, e); }},
+    {"shape_cast a", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return cast(b, h, b.ball, e); }},
+    {"shape_cast b", kShape, 6, [](Bench& b, uint64_t h, carom_error* e) { return cast(b, b.ball, h, e); }},
+    {"shape_time_of_impact a", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return impact(b, h, b.ball, e); }},
+    {"shape_time_of_impact b", kShape, 4, [](Bench& b, uint64_t h, carom_error* e) { return impact(b, b.ball, h, e); }},
+    {"shape_overlap a", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return overlap(b, h, b.ball, e); }},
+    {"shape_overlap b", kShape, 5, [](Bench& b, uint64_t h, carom_error* e) { return overlap(b, b.ball, h, e); }},
+    {"rays_cast", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return cast_rays(b, h, e); }},
     {"material_update", kMaterial, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_material_desc d; carom_material_desc_init(&d); return carom_material_update(b.world, h, &d, e); }},
     {"material_destroy", kMaterial, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_material_destroy(b.world, h, e); }},
     {"collider_create shape", kShape, 3, [](Bench& b, uint64_t h, carom_error* e) { return put_on(b, b.bodies[0], h, CAROM_NULL_HANDLE, e); }},

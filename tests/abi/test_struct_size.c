@@ -40,6 +40,12 @@ static void sizes_of_no_version_are_refused(void **state) {
     carom_material material = 0;
     carom_collider collider = 0;
     carom_distance distance;
+    carom_cast_desc cast_desc;
+    carom_cast cast;
+    carom_overlap overlap;
+    carom_motion motion, good_motion;
+    carom_rays rays;
+    carom_ray_hits hits;
     const double zero[3] = {0, 0, 0}, upright[4] = {0, 0, 0, 1};
     carom_engine_desc_init(&engine_desc);
     carom_world_desc_init(&world_desc);
@@ -70,6 +76,31 @@ static void sizes_of_no_version_are_refused(void **state) {
     assert_int_equal(
         carom_shape_distance(b.engine, b.ball, zero, upright, b.crate, zero, upright, NULL, &distance, NULL),
         CAROM_E_STRUCT_SIZE);
+    carom_cast_desc_init(&cast_desc);
+    carom_motion_init(&motion);
+    carom_motion_init(&good_motion);
+    memset(&rays, 0, sizeof rays);
+    memset(&hits, 0, sizeof hits);
+    cast.struct_size = sizeof cast;
+    hits.struct_size = sizeof hits;
+    cast_desc.struct_size = motion.struct_size = rays.struct_size = overlap.struct_size = sizes[i];
+    assert_int_equal(carom_ray_cast(b.engine, b.ball, zero, upright, zero, zero, 1, &cast_desc, &cast, NULL),
+                     CAROM_E_STRUCT_SIZE);
+    assert_int_equal(carom_shape_time_of_impact(b.engine, b.ball, &good_motion, b.crate, &motion, 1, NULL, &cast, NULL),
+                     CAROM_E_STRUCT_SIZE);
+    assert_int_equal(carom_rays_cast(b.engine, &b.ball, zero, upright, 1, &rays, NULL, &hits, NULL), CAROM_E_STRUCT_SIZE);
+    rays.struct_size = sizeof rays;
+    hits.struct_size = cast.struct_size = sizes[i];
+    assert_int_equal(carom_rays_cast(b.engine, &b.ball, zero, upright, 1, &rays, NULL, &hits, NULL), CAROM_E_STRUCT_SIZE);
+    assert_int_equal(carom_ray_cast(b.engine, b.ball, zero, upright, zero, zero, 1, NULL, &cast, NULL), CAROM_E_STRUCT_SIZE);
+    assert_int_equal(
+        carom_shape_cast(b.engine, b.ball, zero, upright, zero, b.crate, zero, upright, NULL, &cast, NULL),
+        CAROM_E_STRUCT_SIZE);
+    assert_int_equal(
+        carom_shape_time_of_impact(b.engine, b.ball, &good_motion, b.crate, &good_motion, 1, NULL, &cast, NULL),
+        CAROM_E_STRUCT_SIZE);
+    assert_int_equal(carom_shape_overlap(b.engine, b.ball, zero, upright, b.crate, zero, upright, NULL, &overlap, NULL),
+                     CAROM_E_STRUCT_SIZE);
     assert_true(!engine && !world && !body && !material && !collider);
   }
   assert_int_equal(bench_free(&b), CAROM_OK);

@@ -1,0 +1,396 @@
+// Rays, moving shapes, times of impact and overlap at given poses, without a world.
+#include <carom/cast.h>
+#include <carom/dial.h>
+
+#include <optional>
+
+#include "abi/engine.h"
+#include "abi/float_scope.h"
+#include "collision/cast/overlap.h"
+#include "collision/cast/ray.h"
+#include "collision/cast/rounding.h"
+#include "collision/cast/shape_cast.h"
+#include "collision/cast/time_of_impact.h"
+#include "dynamics/dials.h"
+
+namespace carom::abi {
+namespace {
+
+static_assert(static_cast<std::uint32_t>(CastOutcome::miss) == CAROM_CAST_MISS &&
+              static_cast<std::uint32_t>(CastOutcome::hit) == CAROM_CAST_HIT &&
+              static_cast<std::uint32_t>(CastOutcome::overlap) == CAROM_CAST_OVERLAP &&
+              static_cast<std::uint32_t>(CastOutcome::undecided) == CAROM_CAST_UNDECIDED);
+static_assert(static_cast<std::uint32_t>(Overlap::apart) == CAROM_OVERLAP_APART &&
+              static_cast<std::uint32_t>(Overlap::overlapping) == CAROM_OVERLAP_OVERLAPPING &&
+              static_cast<std::uint32_t>(Overlap::touching) == CAROM_OVERLAP_TOUCHING &&
+              static_cast<std::uint32_t>(Overlap::fault) == CAROM_OVERLAP_FAULT);
+
+constexpr double kMostIterations = 10000;
+constexpr double kLongest = 1e9;  // m of target, s of duration
+
+/// Take in a descriptor, or the defaults.
+bool read_desc(Call& call, int argument, const carom_cast_desc* given, CastSettings& settings) {
+  carom_cast_desc d;
+  carom_cast_desc_init(&d);
+  const DialRow& tolerance = dial_table()[static_cast<std::size_t>(Dial::gjk_tolerance)];
+  if ((given && !read_struct(call, argument, "desc", given, d)) ||
+      !in_range(call, argument, "desc->iterations", d.iterations, 1, kMostIterations) ||
+      !in_range(call, argument, "desc->tolerance", d.tolerance, tolerance.min, tolerance.max) ||
+      !in_range(call, argument, "desc->target", d.target, 0, kLongest))
+    return false;
+  settings.tolerance = d.tolerance;
+  settings.target = d.target;
+  settings.cap = static_cast<int>(d.iterations);
+  return true;
+}
+
+/// A shape and where it stands, as arguments of a call.
+bool take_placed(Call& call, ShapePin& pin, int argument, const char* const names[3], carom_shape shape,
+                 const double* position, const double* orientation) {
+  return pin.take(call, argument, names[0], shape) && finite(call, argument + 1, names[1], position, 3) &&
+         unit(call, argument + 2, names[2], orientation, 4);
+}
+constexpr const char* kOne[3] = {"shape", "position", "orientation"};
+constexpr const char* kA[3] = {"shape_a", "position_a", "orientation_a"};
+constexpr const char* kB[3] = {"shape_b", "position_b", "orientation_b"};
+
+bool flat(const Shape& s) { return s.form == Form::half_space; }
+
+bool one_is_solid(Call& call, int argument, const Shape& a, const Shape& b) {
+  return !flat(a) || !flat(b) ||
+         call.fail(CAROM_E_UNSUPPORTED, argument, "two half-spaces: unless parallel they overlap without end");
+}
+
+Frame frame_of(const double position[3], const double orientation[4]) {
+  return Frame(Pose{to_quat(orientation), to_vec3(position)});
+}
+
+/// Zero, not NaN, in place of numbers that the input was too large for.
+void write_finite(const Vec3& v, double out[3]) { from_vec3(carom::finite(v) ? v : Vec3(Vec3::Zero()), out); }
+
+void write_answer(const CastResult& r, carom_cast* result) {
+  carom_cast out{};
+  out.outcome = static_cast<std::uint32_t>(r.outcome);
+  out.status = static_cast<std::uint32_t>(r.status);
+  out.iterations = static_cast<std::uint32_t>(r.iterations);
+  out.time = r.time;
+  out.lower = r.lower;
+  out.upper = r.upper;
+  out.separation = r.separation;
+  out.slack = r.slack;
+  write_finite(r.normal, out.normal);
+  write_finite(r.point_a, out.point_a);
+  write_finite(r.point_b, out.point_b);
+  out.support_calls = static_cast<std::uint32_t>(r.support_calls);
+  write_struct(out, result);
+}
+
+bool read_motion(Call& call, int argument, const char* name, const carom_motion* given, const Shape& shape,
+                 Motion& motion) {
+  carom_motion m;
+  carom_motion_init(&m);
+  if (!read_struct(call, argument, name, given, m) || !only_bits(call, argument, name, m.reserved, 0) ||
+      !finite(call, argument, name, m.position, 3) || !unit(call, argument, name, m.orientation, 4) ||
+      !finite(call, argument, name, m.center, 3) || !finite(call, argument, name, m.linear_velocity, 3) ||
+      !finite(call, argument, name, m.angular_velocity, 3))
+    return false;
+  motion.at = {to_quat(m.orientation), to_vec3(m.position)};
+  motion.centre = motion.at.apply(to_vec3(m.center));
+  motion.velocity = to_vec3(m.linear_velocity);
+  motion.omega = to_vec3(m.angular_velocity);
+  return !flat(shape) || motion.omega.isZero(0) ||
+         call.fail(CAROM_E_UNSUPPORTED, argument, "%s turns a half-space: it sweeps over everything", name);
+}
+
+/// Shapes that cannot be destroyed as long as this lives.
+class Pins {
+ public:
+  explicit Pins(carom_engine& engine) : engine_(engine), placed_(&engine.memory) {}
+  ~Pins() {
+    for (const Placed& p : placed_) unuse_shape(engine_, *p.shape);
+  }
+  Pins(const Pins&) = delete;
+  Pins& operator=(const Pins&) = delete;
+
+  bool take(Call& call, const carom_shape* shapes, const double* positions, const double* orientations,
+            std::uint64_t n) {
+    if (n >= CAROM_NO_SHAPE) return call.fail(CAROM_E_LIMIT, 5, "%llu shapes", static_cast<unsigned long long>(n));
+    placed_.reserve(n);
+    for (std::uint64_t i = 0; i < n; ++i) {
+      ShapePin pin(engine_);
+      if (!finite(call, 3, "a position of positions", positions + 3 * i, 3) ||
+          !unit(call, 4, "an orientation of orientations", orientations + 4 * i, 4) ||
+          !pin.take(call, 2, "a shape of shapes", shapes[i]))
+        return false;
+      placed_.push_back({&*pin, frame_of(positions + 3 * i, orientations + 4 * i)});
+      pin.keep();
+    }
+    return true;
+  }
+  std::span<const Placed> get() const { return placed_; }
+
+ private:
+  carom_engine& engine_;
+  Array<Placed> placed_;
+};
+
+/// Elements of an array of the host's, at any stride and alignment.
+struct Column {
+  char* at = nullptr;  // null: not wanted
+  std::uint64_t stride = 0;
+
+  void put(std::uint64_t i, const void* element, std::size_t size) const {
+    if (at) std::memcpy(at + i * stride, element, size);
+  }
+};
+
+bool make_column(Call& call, int argument, const char* name, const void* data, std::uint64_t stride, std::uint64_t size,
+                 Column& column) {
+  column.at = static_cast<char*>(const_cast<void*>(data));
+  column.stride = stride ? stride : size;
+  return column.stride >= size ||
+         call.fail(CAROM_E_BUFFER_TOO_SMALL, argument, "%s: stride %llu, an element has %llu", name,
+                   static_cast<unsigned long long>(stride), static_cast<unsigned long long>(size));
+}
+
+std::uint64_t bytes(std::uint32_t scalar) { return scalar == CAROM_SCALAR_F32 ? 4 : 8; }
+
+template <int kCount>
+void load(const Column& column, std::uint32_t scalar, std::uint64_t i, double out[]) {
+  if (scalar == CAROM_SCALAR_F64) {
+    std::memcpy(out, column.at + i * column.stride, kCount * sizeof(double));
+    return;
+  }
+  float given[kCount];
+  std::memcpy(given, column.at + i * column.stride, sizeof given);
+  for (int k = 0; k < kCount; ++k) out[k] = given[k];
+}
+
+template <int kCount>
+void store(const Column& column, std::uint32_t scalar, std::uint64_t i, const double values[]) {
+  if (scalar == CAROM_SCALAR_F64) return column.put(i, values, kCount * sizeof(double));
+  float converted[kCount];
+  for (int k = 0; k < kCount; ++k) converted[k] = static_cast<float>(values[k]);
+  column.put(i, converted, sizeof converted);
+}
+
+/// The arrays of a batch.
+struct Batch {
+  std::uint64_t count = 0;
+  std::uint32_t scalar_in = 0, scalar_out = 0;
+  Column origins, directions, max, records, outcomes, shapes, times, normals, points;
+
+  bool read(Call& call, const carom_rays* given) {
+    carom_rays r{};
+    if (!read_struct(call, 6, "rays", given, r) || !known(call, 6, "rays->scalar", r.scalar, CAROM_SCALAR_F64 + 1))
+      return false;
+    count = r.count;
+    scalar_in = r.scalar;
+    const std::uint64_t one = bytes(scalar_in);
+    return (!count ||
+            (present(call, 6, "rays->origins", r.origins) && present(call, 6, "rays->directions", r.directions))) &&
+           make_column(call, 6, "rays->origins", r.origins, r.origin_stride, 3 * one, origins) &&
+           make_column(call, 6, "rays->directions", r.directions, r.direction_stride, 3 * one, directions) &&
+           make_column(call, 6, "rays->max", r.max, r.max_stride, one, max);
+  }
+
+  bool read(Call& call, const carom_ray_hits* given) {
+    carom_ray_hits h{};
+    if (!read_struct(call, 8, "hits", given, h) || !known(call, 8, "hits->scalar", h.scalar, CAROM_SCALAR_F64 + 1))
+      return false;
+    scalar_out = h.scalar;
+    const std::uint64_t one = bytes(scalar_out);
+    // A record may be cut short: an older header's.
+    if (!h.record_stride) h.record_stride = sizeof(carom_ray_hit);
+    return make_column(call, 8, "hits->records", h.records, h.record_stride, kSmallestStruct, records) &&
+           make_column(call, 8, "hits->outcomes", h.outcomes, h.outcome_stride, 4, outcomes) &&
+           make_column(call, 8, "hits->shapes", h.shapes, h.shape_stride, 4, shapes) &&
+           make_column(call, 8, "hits->times", h.times, h.time_stride, one, times) &&
+           make_column(call, 8, "hits->normals", h.normals, h.normal_stride, 3 * one, normals) &&
+           make_column(call, 8, "hits->points", h.points, h.point_stride, 3 * one, points);
+  }
+
+  /// @return false for a ray that is none
+  bool ray(std::uint64_t i, Ray& ray) const {
+    double o[3], d[3], m = 1;
+    load<3>(origins, scalar_in, i, o);
+    load<3>(directions, scalar_in, i, d);
+    if (max.at) load<1>(max, scalar_in, i, &m);
+    ray = {to_vec3(o), to_vec3(d), m};
+    return carom::finite(ray.origin) && carom::finite(ray.direction) && m >= 0;
+  }
+
+  void write(std::uint64_t i, const carom_ray_hit& hit) const {
+    if (records.at) write_element(hit, records.at, i, records.stride);
+    outcomes.put(i, &hit.outcome, 4);
+    shapes.put(i, &hit.shape, 4);
+    if (times.at) store<1>(times, scalar_out, i, &hit.time);
+    if (normals.at) store<3>(normals, scalar_out, i, hit.normal);
+    if (points.at) store<3>(points, scalar_out, i, hit.point);
+  }
+};
+
+carom_ray_hit cast_one(const Batch& batch, std::uint64_t i, std::span<const Placed> shapes,
+                       const CastSettings& settings) {
+  carom_ray_hit hit{};
+  hit.shape = CAROM_NO_SHAPE;
+  Ray ray;
+  if (!batch.ray(i, ray)) {
+    hit.outcome = CAROM_CAST_BAD_RAY;
+    return hit;
+  }
+  CastResult r;
+  SupportFault fault;
+  const int met = cast_ray(ray, shapes, settings, r, fault);
+  hit.outcome = static_cast<std::uint32_t>(r.outcome);
+  hit.status = static_cast<std::uint32_t>(r.status);
+  if (met >= 0) hit.shape = static_cast<std::uint32_t>(met);
+  hit.time = r.time;
+  hit.lower = r.lower;
+  hit.upper = r.upper;
+  if (met >= 0) {
+    write_finite(r.normal, hit.normal);
+    write_finite(r.point_b, hit.point);
+  }
+  return hit;
+}
+
+}  // namespace
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_cast_desc_init(carom_cast_desc* desc) {
+  if (!desc) return CAROM_E_NULL_ARGUMENT;
+  *desc = {};
+  desc->struct_size = sizeof *desc;
+  desc->iterations = static_cast<std::uint32_t>(CastSettings().cap);
+  desc->tolerance = CastSettings().tolerance;
+  return CAROM_OK;
+}
+
+int32_t carom_motion_init(carom_motion* motion) {
+  if (!motion) return CAROM_E_NULL_ARGUMENT;
+  *motion = {};
+  motion->struct_size = sizeof *motion;
+  motion->orientation[3] = 1;
+  return CAROM_OK;
+}
+
+int32_t carom_ray_cast(carom_engine* engine, carom_shape shape, const double position[3], const double orientation[4],
+                       const double origin[3], const double direction[3], double max, const carom_cast_desc* desc,
+                       carom_cast* result, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    CastSettings settings;
+    if (!present(call, 1, "engine", engine)) return;
+    ShapePin pin(*engine);
+    if (!take_placed(call, pin, 2, kOne, shape, position, orientation) ||
+        !carom::abi::finite(call, 5, "origin", origin, 3) || !carom::abi::finite(call, 6, "direction", direction, 3))
+      return;
+    if (!(max >= 0)) {
+      call.fail(max < 0 ? CAROM_E_OUT_OF_RANGE : CAROM_E_NOT_FINITE, 7, "max is %g", max);
+      return;
+    }
+    if (!read_desc(call, 8, desc, settings) || !fillable(call, 9, "result", result)) return;
+    const FloatScope scope;
+    CastResult found;
+    SupportFault fault;
+    cast_ray(Ray{to_vec3(origin), to_vec3(direction), max}, *pin, frame_of(position, orientation), settings, found,
+             fault);
+    write_answer(found, result);
+  });
+}
+
+int32_t carom_shape_cast(carom_engine* engine, carom_shape shape_a, const double position_a[3],
+                         const double orientation_a[4], const double motion[3], carom_shape shape_b,
+                         const double position_b[3], const double orientation_b[4], const carom_cast_desc* desc,
+                         carom_cast* result, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    CastSettings settings;
+    if (!present(call, 1, "engine", engine)) return;
+    ShapePin a(*engine), b(*engine);
+    if (!take_placed(call, a, 2, kA, shape_a, position_a, orientation_a) ||
+        !carom::abi::finite(call, 5, "motion", motion, 3) ||
+        !take_placed(call, b, 6, kB, shape_b, position_b, orientation_b) || !one_is_solid(call, 6, *a, *b) ||
+        !read_desc(call, 9, desc, settings) || !fillable(call, 10, "result", result))
+      return;
+    const FloatScope scope;
+    CastResult found;
+    SupportFault fault;
+    cast_shape(*a, frame_of(position_a, orientation_a), to_vec3(motion), *b, frame_of(position_b, orientation_b),
+               settings, found, fault);
+    write_answer(found, result);
+  });
+}
+
+int32_t carom_shape_time_of_impact(carom_engine* engine, carom_shape shape_a, const carom_motion* motion_a,
+                                   carom_shape shape_b, const carom_motion* motion_b, double duration,
+                                   const carom_cast_desc* desc, carom_cast* result, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    CastSettings settings;
+    Motion of_a, of_b;
+    if (!present(call, 1, "engine", engine)) return;
+    ShapePin a(*engine), b(*engine);
+    const FloatScope scope;
+    if (!a.take(call, 2, "shape_a", shape_a) || !read_motion(call, 3, "motion_a", motion_a, *a, of_a) ||
+        !b.take(call, 4, "shape_b", shape_b) || !read_motion(call, 5, "motion_b", motion_b, *b, of_b) ||
+        !one_is_solid(call, 4, *a, *b) || !in_range(call, 6, "duration", duration, 0, kLongest) ||
+        !read_desc(call, 7, desc, settings) || !fillable(call, 8, "result", result))
+      return;
+    CastResult found;
+    SupportFault fault;
+    time_of_impact(*a, of_a, *b, of_b, duration, settings, found, fault);
+    write_answer(found, result);
+  });
+}
+
+int32_t carom_shape_overlap(carom_engine* engine, carom_shape shape_a, const double position_a[3],
+                            const double orientation_a[4], carom_shape shape_b, const double position_b[3],
+                            const double orientation_b[4], const carom_cast_desc* desc, carom_overlap* result,
+                            carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    CastSettings settings;
+    if (!present(call, 1, "engine", engine)) return;
+    ShapePin a(*engine), b(*engine);
+    if (!take_placed(call, a, 2, kA, shape_a, position_a, orientation_a) ||
+        !take_placed(call, b, 5, kB, shape_b, position_b, orientation_b) || !one_is_solid(call, 5, *a, *b) ||
+        !read_desc(call, 8, desc, settings) || !fillable(call, 9, "result", result))
+      return;
+    const FloatScope scope;
+    const Frame frame_a = frame_of(position_a, orientation_a), frame_b = frame_of(position_b, orientation_b);
+    SupportFault fault;
+    const OverlapResult found = overlap(*a, *b, relative(frame_a, frame_b), settings.target,
+                                        kPoseRounding * kUnitRoundoff, settings.cap, fault);
+    carom_overlap out{};
+    out.outcome = static_cast<std::uint32_t>(found.outcome);
+    out.separation_bound = found.separation_bound;
+    write_finite(frame_a.rotate(found.normal), out.normal);
+    write_finite(frame_a.apply(found.point), out.point);
+    out.slack = found.slack;
+    out.support_calls = static_cast<std::uint32_t>(found.support_calls);
+    write_struct(out, result);
+  });
+}
+
+int32_t carom_rays_cast(carom_engine* engine, const carom_shape* shapes, const double* positions,
+                        const double* orientations, uint64_t shape_count, const carom_rays* rays,
+                        const carom_cast_desc* desc, const carom_ray_hits* hits, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    CastSettings settings;
+    Batch batch;
+    if (!present(call, 1, "engine", engine)) return;
+    if (shape_count && (!present(call, 2, "shapes", shapes) || !present(call, 3, "positions", positions) ||
+                        !present(call, 4, "orientations", orientations)))
+      return;
+    if (!batch.read(call, rays) || !read_desc(call, 7, desc, settings) || !batch.read(call, hits)) return;
+    const FloatScope scope;
+    Pins pins(*engine);
+    if (!pins.take(call, shapes, positions, orientations, shape_count)) return;
+    for (std::uint64_t i = 0; i < batch.count; ++i) batch.write(i, cast_one(batch, i, pins.get(), settings));
+  });
+}
+
+}  // extern "C"

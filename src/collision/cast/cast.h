@@ -1,0 +1,35 @@
+// Questions about motion: where a ray, a moving shape or a turning one first touches another. Every answer is a bracket
+// of the time of contact.
+#pragma once
+
+#include "collision/narrow/query.h"
+
+namespace carom {
+
+/// hit: they touch within the motion. overlap: they touched already at its start. undecided: so near to touching, or so
+/// slowly approaching, that neither was proven.
+enum class CastOutcome : std::uint32_t { miss, hit, overlap, undecided };
+
+struct CastSettings {
+  Real tolerance = 1e-6;  // width of the bracket wanted, as length of path, relative to the (smaller) bounding radius
+  Real target = 0;        // m, >= 0: separation that counts as contact
+  int cap = 128;          // support evaluations of a ray or linear cast; distance queries of a time of impact
+};
+
+/// Contact begins at a time in [lower, upper]: before `lower` the separation exceeds the target, and within the bracket
+/// it comes down to target + slack or less. A miss has no upper end (infinite); its `lower` is the end of the motion.
+/// Points, normal: in the frame in which the poses were given, at time `time`.
+struct CastResult {
+  CastOutcome outcome = CastOutcome::miss;
+  QueryStatus status = QueryStatus::exact_enough;  // of the bracket's width, as asked or not
+  Real time = 0;  // in [lower, upper]; fraction of the motion, or s for a time of impact
+  Real lower = 0, upper = kInfinity;
+  Real separation = 0;          // m, at `time`; negative: depth of an overlap (shape casts)
+  Real slack = 0;               // m, see above
+  Vec3 normal = Vec3::Zero();   // unit, from A (or the ray) to B; zero for a miss
+  Vec3 point_a = Vec3::Zero();  // m, on A's surface (of a ray: where it is)
+  Vec3 point_b = Vec3::Zero();  // m, on B's surface
+  int iterations = 0, support_calls = 0;
+};
+
+}  // namespace carom

@@ -1,0 +1,174 @@
+// Where a line enters a convex set that offers only its support function, swollen by a radius: the core of ray and
+// shape casts.
+//
+// A linear programme (with a ball added) solved by column generation: any points of the set that the line passes
+// between give a time by which it has entered, the plane they lie in gives the next direction to ask, and the support
+// point there gives a time before which it has not. For a polytope that ends in finitely many steps, exactly.
+#pragma once
+
+#include "collision/cast/line_geometry.h"
+
+namespace carom::line {
+
+struct Request {
+  Real radius = 0;          // of the ball added to the set
+  Real rounding = 0;        // error of a support value
+  Real slack = 0;           // by more than this no honest support function contradicts itself
+  Real start = -kInfinity;  // the stretch of the line that matters: elsewhere no narrow bracket is needed, only the
+  Real stop = kInfinity;    // knowledge that it is elsewhere
+  Real width = 0;           // of the bracket wanted
+  int cap = 128;            // support evaluations
+};
+
+/// enters: a bracket was found. misses: the line is clear of the set up to `stop`. undecided: it comes so near that
+/// neither could be shown (or the cap came first).
+enum class End { enters, misses, undecided, fault };
+
+template <class Point>
+struct Entry {
+  Real lower = -kInfinity, upper = kInfinity;  // where the line enters
+  Real s = 0;                                  // best estimate
+  bool settled = false;                        // the bracket is as narrow as asked
+  Vec3 normal = Vec3::UnitZ();                 // unit, attains `lower`: into the set
+  int count = 0;                               // of the points whose hull the line enters
+  Point point[4];
+  Real weight[3] = {1, 0, 0};
+  int calls = 0;
+};
+
+/// Bookkeeping of a walk; the set is asked through Set::support(n, point, value), n unit in the line's coordinates.
+template <class Set>
+class Walk {
+ public:
+  using Point = typename Set::Point;
+  Walk(Set& set, const Request& request, Entry<Point>& entry)
+      : set_(set), ask_(request), entry_(entry), swollen_(request.radius + 2 * request.rounding) {}
+
+  /// @param first  where to look first, across the line; any length, zero allowed
+  End run(const Vec2& first) {
+    const End found = come_near(first);
+    return found == End::enters ? narrow() : found;
+  }
+
+ private:
+  /// Until points are found between which (or so near to which) the line passes, or a plane along the line that keeps
+  /// it clear of the set: GJK in the plane across the line.
+  End come_near(const Vec2& first) {
+    const Real length = first.norm();
+    Vec2 n = length > 1e-150 ? Vec2(first / length) : Vec2(1, 0);
+    Shadow shadow;
+    for (;;) {
+      const int fresh = entry_.count;
+      Real value = 0;
+      if (!look(Vec3(n.x(), n.y(), 0), fresh, value)) return End::fault;
+      if (value > ask_.radius + ask_.rounding) {
+        entry_.normal = Vec3(n.x(), n.y(), 0);
+        return End::misses;
+      }
+      if (fresh > 0 && value * value > shadow.distance2 && value > std::sqrt(shadow.distance2) + ask_.slack)
+        return blame(Vec3(n.x(), n.y(), 0), fresh);
+      if (repeated(fresh)) return End::undecided;
+      const Shadow next = nearest_shadow(y_, fresh + 1);
+      if (!(next.distance2 < shadow.distance2)) return End::undecided;
+      shadow = next;
+      keep(shadow.index, shadow.count);
+      if (shadow.distance2 <= swollen_ * swollen_) return End::enters;
+      if (entry_.calls >= ask_.cap) return End::undecided;
+      n = shadow.direction / shadow.direction.norm();
+    }
+  }
+
+  /// From any points that the line passes between, to those where it enters.
+  End narrow() {
+    const Real rounding = ask_.rounding;
+    Crossing at = first_crossing(y_, entry_.count, swollen_, false);
+    if (at.count == 0) return End::undecided;
+    adopt(at);
+    int idle = 0;  // steps that brought the crossing no nearer
+    while (entry_.calls < ask_.cap) {
+      const Vec3 n = at.normal;
+      const int fresh = entry_.count;
+      Real value = 0;
+      if (!look(n, fresh, value)) return End::fault;
+      const Real touch = n.z() * at.s + swollen_, clear = value - ask_.radius - rounding;
+      if (value > touch + ask_.slack) return blame(n, fresh);
+      const Real lower = n.z() > 0 ? clear / n.z() : clear > 0 ? kInfinity : -kInfinity;
+      if (lower > entry_.lower) {
+        entry_.lower = lower;
+        entry_.normal = n;
+        if (lower > ask_.stop) return End::misses;
+      }
+      if (entry_.upper < ask_.start) return End::enters;
+      entry_.settled = entry_.upper - entry_.lower <= ask_.width;
+      const bool placed = entry_.lower >= ask_.start && entry_.upper <= ask_.stop;
+      if ((entry_.settled && placed) || touch - value <= 4 * rounding || repeated(fresh)) return End::enters;
+      const Crossing next = first_crossing(y_, fresh + 1, swollen_, true);
+      if (next.count == 0) return End::enters;
+      if (!(next.s < at.s) && (++idle > 8 || !(next.s <= at.s + 8 * rounding / next.normal.z()))) return End::enters;
+      at = next;
+      adopt(at);
+    }
+    return End::enters;
+  }
+
+  void adopt(const Crossing& at) {
+    for (int i = 0; i < 3; ++i) entry_.weight[i] = at.weight[i];
+    // The crossing is of the set swollen a little more than it is, so that the line cannot slip between features.
+    const Real more = swollen_ - ask_.radius, slope = std::max(at.normal.z(), Real(1e-300));
+    entry_.s = at.s + more / slope;
+    entry_.upper = std::min(entry_.upper, at.s + (more + ask_.rounding) / slope);
+    int index[3] = {at.index[0], at.index[1], at.index[2]};
+    keep(index, at.count);
+  }
+
+  bool look(const Vec3& n, int to, Real& value) {
+    ++entry_.calls;
+    if (!set_.support(n, entry_.point[to])) return false;
+    y_[to] = entry_.point[to].y;
+    value = n.dot(y_[to]);
+    return true;
+  }
+
+  /// A support point that lies beyond a point seen before: not a support function.
+  End blame(const Vec3& n, int fresh) {
+    int lowest = 0;
+    for (int i = 1; i < fresh; ++i)
+      if (n.dot(y_[i]) < n.dot(y_[lowest])) lowest = i;
+    set_.blame(n, entry_.point[fresh], entry_.point[lowest]);
+    return End::fault;
+  }
+
+  bool repeated(int fresh) const {
+    for (int i = 0; i < fresh; ++i)
+      if (y_[i] == y_[fresh]) return true;
+    return false;
+  }
+
+  /// Indices come unordered (an edge of 2 and 0): sorted along with their weights, points move down in place.
+  void keep(int* index, int count) {
+    for (int i = 1; i < count; ++i)
+      for (int j = i; j > 0 && index[j] < index[j - 1]; --j) {
+        std::swap(index[j], index[j - 1]);
+        std::swap(entry_.weight[j], entry_.weight[j - 1]);
+      }
+    for (int i = 0; i < count; ++i) {
+      if (index[i] == i) continue;
+      entry_.point[i] = entry_.point[index[i]];
+      y_[i] = y_[index[i]];
+    }
+    entry_.count = count;
+  }
+
+  Set& set_;
+  const Request& ask_;
+  Entry<Point>& entry_;
+  const Real swollen_;
+  Vec3 y_[4];
+};
+
+template <class Set>
+End enter(Set& set, const Request& request, const Vec2& first, Entry<typename Set::Point>& entry) {
+  return Walk<Set>(set, request, entry).run(first);
+}
+
+}  // namespace carom::line

@@ -1,0 +1,279 @@
+// The ray in the shape's frame: quick ways out, then the walk along the line.
+#include "collision/cast/ray.h"
+
+#include "collision/cast/line.h"
+#include "collision/cast/overlap.h"
+#include "collision/cast/rounding.h"
+#include "collision/support.h"
+
+namespace carom {
+namespace {
+
+/// The core of one shape in the coordinates of a line.
+class RaySet {
+ public:
+  struct Point {
+    Vec3 y;
+  };
+
+  /// @param basis  columns: two perpendiculars of the line, its direction; shape frame
+  /// @param offset of the line across itself, scaled
+  RaySet(const Shape& shape, const Mat3& basis, const line::Vec2& offset, Real scale, SupportFault& fault)
+      : shape_(shape),
+        basis_(basis),
+        scaled_(scale * basis.transpose()),
+        offset_(offset.x(), offset.y(), 0),
+        fault_(fault) {
+    const Real reach = std::max(shape.bounding_radius - shape.core_radius, Real(0)) + 1e-6 * shape.bounding_radius;
+    limit2_ = reach * reach;
+  }
+
+  bool support(const Vec3& n, Point& out) {
+    const Vec3 d = -(basis_ * n);
+    Vec3 p;
+    if (!core_support(shape_, d, p, fault_)) return false;
+    if (!(p.squaredNorm() <= limit2_)) return fail(SupportFault::outside, d, p);
+    out.y = scaled_ * p - offset_;
+    return true;
+  }
+
+  void blame(const Vec3& n, const Point& claimed, const Point&) {
+    fail(SupportFault::not_support, -(basis_ * n), at(claimed.y));
+  }
+
+  /// A point in the shape's frame.
+  Vec3 at(const Vec3& y) const {
+    const Vec3 p = scaled_.transpose() * (y + offset_);
+    const Real scale = scaled_.row(0).norm();
+    return p / (scale * scale);
+  }
+
+ private:
+  bool fail(SupportFault::Kind kind, const Vec3& d, const Vec3& p) {
+    fault_.kind = kind;
+    fault_.shape = &shape_;
+    for (int i = 0; i < 3; ++i) fault_.dir[i] = d[i], fault_.out[i] = p[i];
+    return false;
+  }
+
+  const Shape& shape_;
+  Mat3 basis_, scaled_;
+  Vec3 offset_;
+  Real limit2_;
+  SupportFault& fault_;
+};
+
+/// A ray as the shape sees it.
+struct Local {
+  Vec3 o, u;             // m; unit
+  Real speed;            // m per unit of t
+  Real start, stop;      // m along u from the foot of the shape's origin
+  Real rounding, reach;  // m
+
+  Local(const Ray& ray, const Shape& shape, const Frame& frame, Real target) {
+    o = frame.apply_inverse(ray.origin);
+    const Vec3 d = frame.rotate_inverse(ray.direction);
+    const Real largest = d.cwiseAbs().maxCoeff();
+    const Vec3 scaled = largest > 0 ? Vec3(d / largest) : Vec3(Vec3::UnitX());
+    const Real length = scaled.norm();
+    u = scaled / length;
+    speed = largest * length;
+    start = u.dot(o);
+    stop = speed > 0 ? start + speed * ray.max : start;
+    rounding = kCastRounding * kUnitRoundoff * (o.norm() + shape.bounding_radius + target);
+    reach = (1 + 1e-6) * (shape.bounding_radius + target) + rounding;
+  }
+};
+
+/// Whether the stretch of the line passes outside a box that holds the shape, swollen. For flat and long shapes, which
+/// a ball fits badly.
+bool passes_box(const Shape& shape, const Local& r, Real target) {
+  const Real more = target + r.rounding + kSloppiness * shape.bounding_radius;
+  Real in = 0, out = r.stop - r.start;
+  for (int i = 0; i < 3; ++i) {
+    const Real lo = shape.bounds.lo[i] - more - r.o[i], hi = shape.bounds.hi[i] + more - r.o[i];
+    if (r.u[i] == 0) {
+      if (lo > 0 || hi < 0) return true;
+      continue;
+    }
+    const Real by = 1 / r.u[i];
+    const Real a = lo * by, b = hi * by;
+    in = std::max(in, std::min(a, b));
+    out = std::min(out, std::max(a, b));
+  }
+  return in > out;
+}
+
+void miss(const Ray& ray, CastResult& result) {
+  result.outcome = CastOutcome::miss;
+  result.time = result.lower = ray.max;
+  result.upper = kInfinity;
+}
+
+/// A plane is met at one time, known in closed form.
+void cast_at_plane(const Ray& ray, const Shape& shape, const Frame& frame, Real target, CastResult& result) {
+  const Vec3 n = frame.rotate(shape.normal), from = ray.origin - frame.p;
+  if (!(from.cwiseAbs().sum() < 1e100 && ray.direction.cwiseAbs().sum() < 1e100)) {
+    result.outcome = CastOutcome::undecided;
+    result.status = QueryStatus::rounding;
+    return;
+  }
+  const Real height = n.dot(from) - shape.offset, rate = n.dot(ray.direction);
+  const Real rounding = kCastRounding * kUnitRoundoff * (from.norm() + std::fabs(shape.offset) + target);
+  const Real gap = height - target;
+  result.normal = -n;
+  result.slack = rounding;
+  if (gap <= 0) {
+    result.outcome = CastOutcome::overlap;
+    result.upper = 0;
+    result.separation = height;
+  } else if (!(rate < 0) || gap > -rate * ray.max) {
+    result.normal.setZero();
+    return miss(ray, result);
+  } else {
+    result.outcome = CastOutcome::hit;
+    result.time = gap / -rate;
+    result.lower = std::max((gap - rounding) / -rate, Real(0));
+    result.upper = std::min((gap + rounding) / -rate, ray.max);
+    result.separation = target;
+  }
+  result.point_a = ray.origin + result.time * ray.direction;
+  result.point_b = result.point_a - result.separation * n;
+}
+
+/// No motion: in the shape or not.
+void ask_point(const Ray& ray, const Shape& shape, const Frame& frame, const CastSettings& settings, CastResult& result,
+               SupportFault& fault) {
+  const OverlapResult found = overlap_with_point(shape, frame.apply_inverse(ray.origin), settings.target,
+                                                 kCastRounding * kUnitRoundoff, settings.cap, fault);
+  result.support_calls = result.iterations = found.support_calls;
+  result.point_a = result.point_b = ray.origin;
+  result.slack = found.slack;
+  if (found.outcome == Overlap::apart) return miss(ray, result);
+  result.outcome = found.outcome == Overlap::overlapping ? CastOutcome::overlap : CastOutcome::undecided;
+  result.upper = 0;
+  result.status = found.outcome == Overlap::fault ? QueryStatus::fault : QueryStatus::exact_enough;
+  result.normal = frame.rotate(found.normal);
+}
+
+using RayEntry = line::Entry<RaySet::Point>;
+
+/// The answer of a walk that found where the line enters, in the ray's own terms.
+void write_hit(const Ray& ray, const Frame& frame, const Local& r, const Mat3& basis, const RayEntry& e, Real scale,
+               Real target, CastResult& result) {
+  const auto time = [&](Real s) { return std::clamp((s / scale - r.start) / r.speed, Real(0), ray.max); };
+  result.outcome = CastOutcome::hit;
+  result.lower = time(e.lower);
+  result.upper = std::max(time(e.upper), result.lower);
+  result.time = std::clamp(time(e.s), result.lower, result.upper);
+  result.status = e.settled ? QueryStatus::exact_enough : QueryStatus::rounding;
+  result.separation = target;
+  const Vec3 n = basis * e.normal;
+  result.normal = frame.rotate(n);
+  // Where the ray is, not where the weights of a sliver of a triangle say.
+  result.point_b = frame.apply(r.o + (e.s / scale - r.start) * r.u + target * n);
+  result.point_a = ray.origin + result.time * ray.direction;
+}
+
+}  // namespace
+
+void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const CastSettings& settings, CastResult& result,
+              SupportFault& fault) {
+  result = CastResult();
+  const Real target = settings.target;
+  if (shape.form == Form::half_space) return cast_at_plane(ray, shape, frame, target, result);
+  const Local r(ray, shape, frame, target);
+  if (!(r.reach < 1e80 && r.speed < 1e100)) {  // squares would overflow
+    result.outcome = CastOutcome::undecided;
+    result.status = QueryStatus::rounding;
+    return;
+  }
+  result.slack = 3 * r.rounding;
+  const Vec3 off = r.o - r.start * r.u;
+  if (!(off.squaredNorm() <= r.reach * r.reach) || r.start > r.reach || r.stop < -r.reach) return miss(ray, result);
+  if (!(r.speed * ray.max > 0)) return ask_point(ray, shape, frame, settings, result, fault);
+  if (passes_box(shape, r, target)) return miss(ray, result);
+
+  int exponent = 0;
+  std::frexp(r.reach, &exponent);
+  const Real scale = std::ldexp(Real(1), -std::clamp(exponent, -1000, 1000));
+  Mat3 basis;
+  basis.col(0) = any_perpendicular(r.u);
+  basis.col(1) = r.u.cross(basis.col(0));
+  basis.col(2) = r.u;
+  const line::Vec2 offset = scale * (basis.transpose() * off).head<2>();
+  line::Request request;
+  request.radius = scale * (shape.core_radius + target);
+  request.rounding = scale * r.rounding;
+  request.slack = 1e-6 * scale * r.reach;
+  request.start = scale * r.start;
+  request.stop = scale * r.stop;
+  request.width = scale * settings.tolerance * shape.bounding_radius;
+  request.cap = settings.cap;
+
+  RaySet set(shape, basis, offset, scale, fault);
+  RayEntry entry;
+  const Vec3 centre = 0.5 * (shape.bounds.lo + shape.bounds.hi);
+  const line::Vec2 first = scale * (basis.transpose() * centre).head<2>() - offset;
+  line::End end = line::enter(set, request, first, entry);
+  result.support_calls = result.iterations = entry.calls;
+  if (end == line::End::enters && entry.upper < request.start && entry.calls < settings.cap) {
+    // Entered before it started: is it still inside, or past? The same walk, from the other side.
+    Mat3 back = basis;
+    back.col(2) = -r.u;
+    RaySet behind(shape, back, offset, scale, fault);
+    RayEntry leave;
+    request.stop = -request.start;
+    request.start = -kInfinity;
+    request.width = kInfinity;
+    request.cap -= entry.calls;
+    end = line::enter(behind, request, first, leave);
+    result.support_calls = result.iterations += leave.calls;
+    if (end == line::End::misses) return miss(ray, result);
+    if (end != line::End::fault) {
+      const bool inside = end == line::End::enters && leave.upper <= request.stop;
+      result.outcome = inside ? CastOutcome::overlap : CastOutcome::hit;  // else touching, and about to leave
+      result.upper = 0;
+      result.normal = frame.rotate(inside ? r.u : Vec3(back * leave.normal));
+      result.point_a = result.point_b = ray.origin;
+      return;
+    }
+  }
+  if (end == line::End::fault) {
+    result.status = QueryStatus::fault;
+    result.outcome = CastOutcome::undecided;
+    return;
+  }
+  if (end == line::End::misses) return miss(ray, result);
+  const bool capped = result.support_calls >= settings.cap;
+  if (end == line::End::enters && entry.s <= request.stop) {
+    write_hit(ray, frame, r, basis, entry, scale, target, result);
+    if (!entry.settled && capped) result.status = QueryStatus::capped;
+    return;
+  }
+  // It grazes, or ends as it touches: the nearest it comes is an estimate of when.
+  result.outcome = CastOutcome::undecided;
+  result.status = capped ? QueryStatus::capped : QueryStatus::rounding;
+  result.time = std::clamp(-r.start / r.speed, Real(0), ray.max);
+  result.point_a = result.point_b = ray.origin + result.time * ray.direction;
+}
+
+int cast_ray(const Ray& ray, std::span<const Placed> shapes, const CastSettings& settings, CastResult& result,
+             SupportFault& fault) {
+  Ray left = ray;  // what is left of it before the best hit
+  int first = -1;
+  miss(ray, result = CastResult());
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    CastResult one;
+    cast_ray(left, *shapes[i].shape, shapes[i].frame, settings, one, fault);
+    const bool bad = one.status == QueryStatus::fault;
+    if (one.outcome == CastOutcome::miss || (first >= 0 && !bad && !(one.time < result.time))) continue;
+    result = one;
+    first = static_cast<int>(i);
+    if (bad) return first;
+    left.max = one.time;
+  }
+  return first;
+}
+
+}  // namespace carom

@@ -1,0 +1,228 @@
+// The difference of two shapes against the line that A's motion draws through it.
+#include "collision/cast/shape_cast.h"
+
+#include <algorithm>
+
+#include "collision/cast/line.h"
+#include "collision/cast/overlap.h"
+#include "collision/cast/rounding.h"
+#include "collision/narrow/difference.h"
+#include "collision/narrow/pair.h"
+#include "collision/support.h"
+
+namespace carom {
+namespace {
+
+/// B - A of the cores in the coordinates of a line.
+class DifferenceSet {
+ public:
+  struct Point {
+    Vec3 y;
+    DifferencePoint d;
+  };
+  /// @param basis  columns: two perpendiculars of the line, its direction; A's frame
+  /// @param from   scaled, along the line: where its coordinate is zero
+  DifferenceSet(Difference& difference, const Mat3& basis, Real from)
+      : difference_(difference), basis_(basis), from_(0, 0, from) {}
+
+  bool support(const Vec3& n, Point& out) {
+    Real value;
+    const Vec3 d = basis_ * n;
+    if (!difference_.support(d / d.norm(), out.d, value)) return false;
+    out.y = basis_.transpose() * out.d.w - from_;
+    return true;
+  }
+  void blame(const Vec3& n, const Point& claimed, const Point& seen) {
+    difference_.blame_worse(basis_ * n, claimed.d, seen.d);
+  }
+
+ private:
+  Difference& difference_;
+  Mat3 basis_;
+  Vec3 from_;
+};
+
+using PairEntry = line::Entry<DifferenceSet::Point>;
+
+Real extent(const Shape& s) { return s.form == Form::half_space ? std::fabs(s.offset) : s.bounding_radius; }
+
+void miss(CastResult& result) {
+  result.outcome = CastOutcome::miss;
+  result.time = result.lower = 1;
+  result.upper = kInfinity;
+  result.normal.setZero();
+}
+
+/// All that the walks share.
+struct Cast {
+  const Shape &a, &b;
+  const Frame &frame_a, &frame_b;
+  const Vec3& motion;
+  const CastSettings& settings;
+  CastResult& result;
+  SupportFault& fault;
+  Frame b_in_a;
+  Real rounding = 0;  // m
+
+  /// Time 0, from the signed distance: overlapping, or touching.
+  void at_start(CastOutcome outcome) {
+    QuerySettings query;
+    query.tolerance = std::max(settings.tolerance, Real(1e-12));
+    QueryResult found;
+    distance(a, b, b_in_a, query, nullptr, found, fault);
+    result.outcome = outcome;
+    result.support_calls += found.support_calls;
+    result.time = result.lower = result.upper = 0;
+    result.status = found.status;
+    result.separation = found.separation;
+    result.normal = frame_a.rotate(found.normal);
+    result.point_a = frame_a.apply(found.point_a);
+    result.point_b = frame_b.apply(found.point_b);
+    if (found.status == QueryStatus::fault) result.outcome = CastOutcome::undecided;
+  }
+
+  /// One of them is a half-space: the separation falls linearly.
+  void at_plane() {
+    QueryResult found;
+    distance(a, b, b_in_a, QuerySettings(), nullptr, found, fault);
+    result.support_calls = found.support_calls;
+    const Vec3 n = frame_a.rotate(found.normal);
+    const Real rate = -n.dot(motion), gap = found.separation - settings.target;
+    result.slack = rounding;
+    if (found.status != QueryStatus::exact_enough) {
+      result.status = found.status;
+      result.outcome = CastOutcome::undecided;
+      return;
+    }
+    if (gap > 0 && (!(rate < 0) || gap > -rate)) return miss(result);
+    result.outcome = gap > 0 ? CastOutcome::hit : CastOutcome::overlap;
+    if (gap > 0) {
+      result.time = gap / -rate;
+      result.lower = std::max((gap - rounding) / -rate, Real(0));
+      result.upper = std::min((gap + rounding) / -rate, Real(1));
+    } else {
+      result.upper = 0;
+    }
+    result.separation = gap > 0 ? settings.target : found.separation;
+    result.normal = n;
+    result.point_a = frame_a.apply(found.point_a) + result.time * motion;
+    result.point_b = frame_b.apply(found.point_b);
+    if (gap > 0) result.point_b = result.point_a + settings.target * n;
+  }
+
+  /// No motion: near enough already, or not.
+  void at_rest() {
+    const OverlapResult found =
+        overlap(a, b, b_in_a, settings.target, kCastRounding * kUnitRoundoff, settings.cap, fault);
+    result.support_calls = found.support_calls;
+    if (found.outcome == Overlap::apart) return miss(result);
+    at_start(found.outcome == Overlap::overlapping ? CastOutcome::overlap : CastOutcome::undecided);
+  }
+
+  void run() {
+    const Real size = (frame_b.p - frame_a.p).norm() + extent(a) + extent(b) + settings.target;
+    rounding = kCastRounding * kUnitRoundoff * size;
+    result.slack = 3 * rounding;
+    if (!usable(b_in_a)) {
+      result.outcome = CastOutcome::undecided;
+      result.status = QueryStatus::rounding;
+      return;
+    }
+    if (a.form == Form::half_space || b.form == Form::half_space) return at_plane();
+    const Vec3 d = frame_a.rotate_inverse(motion);
+    const Real largest = d.cwiseAbs().maxCoeff();
+    if (!(largest > 0)) return at_rest();
+    const Vec3 u = direction_of(d);
+    along(u, largest * (d / largest).norm());
+  }
+
+  /// @param u  unit, A's frame   @param length  m
+  void along(const Vec3& u, Real length) {
+    const Real ahead = u.dot(b_in_a.p);
+    const Real reach = (1 + 1e-6) * (a.bounding_radius + b.bounding_radius + settings.target) + rounding;
+    if (!((b_in_a.p - ahead * u).squaredNorm() <= reach * reach) || ahead < -reach || ahead > length + reach)
+      return miss(result);
+
+    Difference difference(a, b, b_in_a, settings.target);
+    Mat3 basis;
+    basis.col(0) = any_perpendicular(u);
+    basis.col(1) = u.cross(basis.col(0));
+    basis.col(2) = u;
+    line::Request request;
+    request.radius = difference.radii();
+    request.rounding = difference.to_scaled(rounding);
+    request.slack = difference.slack();
+    request.start = difference.to_scaled(-ahead);
+    request.stop = difference.to_scaled(length - ahead);
+    const Real smaller = std::min(a.bounding_radius, b.bounding_radius);
+    request.width = difference.to_scaled(settings.tolerance * (smaller > 0 ? smaller : reach));
+    request.cap = settings.cap;
+    const line::Vec2 first = (basis.transpose() * difference.centre_offset()).head<2>();
+
+    DifferenceSet set(difference, basis, difference.to_scaled(ahead));
+    PairEntry entry;
+    line::End end = line::enter(set, request, first, entry);
+    if (end == line::End::enters && entry.upper < request.start && entry.calls < settings.cap) {
+      // Entered before it started: do they still overlap, or are they past each other? From the other side.
+      Mat3 back = basis;
+      back.col(2) = -u;
+      DifferenceSet behind(difference, back, -difference.to_scaled(ahead));
+      PairEntry leave;
+      request.stop = -request.start;
+      request.start = -kInfinity;
+      request.width = kInfinity;
+      request.cap -= entry.calls;
+      end = line::enter(behind, request, first, leave);
+      if (end == line::End::enters || end == line::End::undecided) {
+        result.support_calls = result.iterations = difference.calls;
+        const bool inside = end == line::End::enters && leave.upper <= request.stop;
+        return at_start(inside ? CastOutcome::overlap : CastOutcome::hit);  // else touching, and about to part
+      }
+    }
+    result.support_calls = result.iterations = difference.calls;
+    if (end == line::End::fault) {
+      fault = difference.fault;
+      result.status = QueryStatus::fault;
+      result.outcome = CastOutcome::undecided;
+      return;
+    }
+    if (end == line::End::misses) return miss(result);
+    const bool capped = difference.calls >= settings.cap;
+    if (end == line::End::enters && entry.s <= request.stop) {
+      write_hit(difference, basis, entry, length, ahead);
+      if (!entry.settled) result.status = capped ? QueryStatus::capped : QueryStatus::rounding;
+      return;
+    }
+    result.outcome = CastOutcome::undecided;
+    result.status = capped ? QueryStatus::capped : QueryStatus::rounding;
+    result.time = std::clamp(ahead / length, Real(0), Real(1));
+  }
+
+  void write_hit(const Difference& difference, const Mat3& basis, const PairEntry& e, Real length, Real ahead) {
+    const auto time = [&](Real s) { return std::clamp((difference.to_metres(s) + ahead) / length, Real(0), Real(1)); };
+    result.outcome = CastOutcome::hit;
+    result.lower = time(e.lower);
+    result.upper = std::max(time(e.upper), result.lower);
+    result.time = std::clamp(time(e.s), result.lower, result.upper);
+    result.separation = settings.target;
+    Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
+    for (int i = 0; i < e.count; ++i) {
+      on_a += e.weight[i] * e.point[i].d.a;
+      on_b += e.weight[i] * e.point[i].d.b;
+    }
+    const Vec3 n = basis * e.normal;
+    result.normal = frame_a.rotate(n);
+    result.point_a = frame_a.apply(on_a + a.core_radius * n) + result.time * motion;
+    result.point_b = frame_b.apply(on_b - b.core_radius * b_in_a.rotate_inverse(n));
+  }
+};
+
+}  // namespace
+
+void cast_shape(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& b, const Frame& frame_b,
+                const CastSettings& settings, CastResult& result, SupportFault& fault) {
+  result = CastResult();
+  Cast{a, b, frame_a, frame_b, motion, settings, result, fault, relative(frame_a, frame_b)}.run();
+}
+
+}  // namespace carom
