@@ -68,6 +68,8 @@ extern "C" {
 
 #define CAROM_MANIFOLD_SINGLE 0u /* the deepest point alone */
 #define CAROM_MANIFOLD_CACHE 1u  /* up to 4 points gathered over steps */
+#define CAROM_MANIFOLD_PATCH 2u  /* up to 4 points of the whole patch at once, probed for by support functions alone */
+#define CAROM_MANIFOLD_CLIP 3u   /* the same, with declared faces (box, polytope) clipped exactly; others probed for */
 
 #define CAROM_DIAL_KIND_NUMBER 0u
 #define CAROM_DIAL_KIND_INTEGER 1u

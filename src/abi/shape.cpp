@@ -98,7 +98,9 @@ bool settle_form(Call& call, const PluginRecord& plugin, FormNumbers& form, Shap
   shape.vertices = form.vertices;
   if (form.form == Form::none) return true;
   const Verdict verdict = verify_form(shape, form.form);
-  return verdict.honest || declaration_false(call, id, "form", verdict);
+  if (!verdict.honest) return declaration_false(call, id, "form", verdict);
+  make_faces(shape);
+  return true;
 }
 
 /// Mass properties from a verified declaration of mass, else from the verified form, else from support alone.

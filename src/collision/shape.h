@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "collision/hull_faces.h"
 #include "core/memory.h"
 #include "core/vec.h"
 
@@ -36,7 +37,7 @@ struct MassProperties {
 
 /// Immutable once made, shared between worlds and threads.
 struct Shape {
-  explicit Shape(Memory* memory) : params(memory) {}
+  explicit Shape(Memory* memory) : params(memory), faces(memory) {}
 
   Form form = Form::none;
   bool host_thread = false;      // support may be called on the stepping thread only
@@ -54,6 +55,8 @@ struct Shape {
   std::span<const double> vertices;  // polytope: [3k] x,y,z, inside params
   Vec3 normal = Vec3::UnitY();   // half-space { x : normal . x <= offset }, unit
   Real offset = 0;               // m
+
+  HullFaces faces;               // polytope, box: for exact clipping; may be empty
 
   std::uint64_t handle = 0;      // the ABI's name for it, for reports
 };

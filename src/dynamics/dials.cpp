@@ -12,7 +12,7 @@ constexpr const char* kOffOn[] = {"off", "on"};
 constexpr const char* kBroadPhases[] = {"brute_force", "sweep_and_prune", "grid"};
 constexpr const char* kNarrowPhases[] = {"hybrid", "gjk_epa"};
 constexpr const char* kSimplices[] = {"johnson", "voronoi", "voronoi_last"};
-constexpr const char* kManifolds[] = {"single", "cache"};
+constexpr const char* kManifolds[] = {"single", "cache", "patch", "clip"};
 
 template <std::uint32_t N>
 constexpr DialRow choice(Dial d, const char* name, const char* summary, const char* const (&choices)[N], Real initial) {
@@ -65,7 +65,9 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
     number(Dial::hybrid_margin, "hybrid_margin", "m",
            "shell around each shape in the hybrid: larger is faster, and wronger", 0, 1, 0.005),
     choice(Dial::warm_separation, "warm_separation", "start a query from the pair's last separating vector", kOffOn, 1),
-    choice(Dial::manifold, "manifold", "contact points of a pair: the deepest alone, or up to four kept over steps",
+    choice(Dial::manifold, "manifold",
+           "contact points of a pair: the deepest, up to four gathered over steps, or the whole patch at once: probed "
+           "for, or clipped from declared faces",
            kManifolds, 1),
     number(Dial::cache_distance, "cache_distance", "m", "a kept contact point that moved further than this is dropped",
            0, 10, 0.02),

@@ -28,7 +28,10 @@ struct Candidates {
   ContactPoint point[kMax];
 };
 
-enum class ManifoldKind : std::uint32_t { single, cache };
+enum class ManifoldKind : std::uint32_t { single, cache, patch, clip };
+
+/// Kinds that find the whole patch of a pair in one step.
+inline bool one_shot(ManifoldKind kind) { return kind >= ManifoldKind::patch; }
 
 struct ManifoldSettings {
   ManifoldKind kind = ManifoldKind::cache;

@@ -43,6 +43,17 @@ void collide_generic(const Shape& a, const Frame& frame_a, const Shape& b, const
   add_contact(found, query.max_distance, result.point_a, result.point_b, normal, result.separation, 0);
 }
 
+/// The manifold of a pair from what was found, in the way that the dial asks for.
+void update(const PatchPair& pair, const Candidates& found, const ManifoldSettings& settings, PairRecord& record,
+            NarrowReport& report, SupportFault& fault) {
+  if (settings.kind == ManifoldKind::single)
+    keep_deepest(found, settings, record.manifold);
+  else if (one_shot(settings.kind) && !found.whole)
+    update_patch(pair, found, settings, record.manifold, record.patch, report.support_calls, fault);
+  else
+    update_cache(pair.frame_a, pair.frame_b, found, settings, record.manifold);
+}
+
 }  // namespace
 
 void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& frame_b, const NarrowSettings& settings,
@@ -63,8 +74,9 @@ void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& 
     const Frame &first = flat_b ? frame_b : frame_a, &second = flat_b ? frame_a : frame_b;
     const Frame second_in_first = relative(first, second);
     if (!usable(second_in_first)) return;
-    half_space_by_support(flat_b ? b : a, flat_b ? a : b, second_in_first, reach, settings.query.routines, found,
-                          report.support_calls, fault);
+    half_space_by_support(flat_b ? b : a, flat_b ? a : b, second_in_first, reach,
+                          settings.query.routines && !one_shot(settings.manifold.kind), found, report.support_calls,
+                          fault);
     to_world(first, flat_b, found);
   } else {
     collide_generic(a, frame_a, b, frame_b, settings, memory, found, report, fault);
@@ -75,23 +87,24 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
                   Array<SupportFault>& faults) {
   Candidates found;
   NarrowSettings own = settings;  // with the pair's own contact distance: fast colliders reach farther
+  const bool whole = one_shot(settings.manifold.kind);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     PairRecord& record = pairs[i];
     const std::uint32_t a = record.pair.a, b = record.pair.b;
+    const PatchPair pair{*table.shape[a], *table.shape[b], table.frame[a], table.frame[b], shells(settings.query) / 2};
     own.manifold.contact_distance = settings.manifold.contact_distance + table.reach[a] + table.reach[b];
-    SupportFault fault;
-    collide(*table.shape[a], table.frame[a], *table.shape[b], table.frame[b], own, record.memory, found, report, fault);
-    if (fault.kind != SupportFault::none) {
-      record.manifold.count = 0;
-      record.memory = QueryMemory{};
-      faults.push_back(fault);
+    if (whole && keep_patch(pair, own.manifold, record.patch, record.manifold)) {
+      ++report.kept_patches;
       continue;
     }
-    if (settings.manifold.kind == ManifoldKind::single) {
-      keep_deepest(found, own.manifold, record.manifold);
-    } else {
-      update_cache(table.frame[a], table.frame[b], found, own.manifold, record.manifold);
-    }
+    SupportFault fault;
+    collide(pair.a, pair.frame_a, pair.b, pair.frame_b, own, record.memory, found, report, fault);
+    record.patch.firm = false;
+    if (fault.kind == SupportFault::none) update(pair, found, own.manifold, record, report, fault);
+    if (fault.kind == SupportFault::none) continue;
+    record.manifold.count = 0;
+    record.memory = QueryMemory{};
+    faults.push_back(fault);
   }
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "collision/colliders.h"
-#include "collision/manifold/manifold.h"
+#include "collision/manifold/patch.h"
 #include "collision/narrow/query.h"
 
 namespace carom {
@@ -19,6 +19,7 @@ struct PairRecord {
   Pair pair{};
   QueryMemory memory;
   Manifold manifold;
+  PatchMemory patch;
 };
 
 /// Records of the pairs of the current step, in ascending order of pair; a record survives as long as its bounds overlap.
@@ -45,6 +46,7 @@ class PairTable {
 
 struct NarrowReport {
   std::uint64_t gjk_calls = 0, epa_calls = 0, support_calls = 0, carried = 0;
+  std::uint64_t kept_patches = 0;  // pairs that moved too little to be asked again
 };
 
 /// Bring every record's manifold up to date with the colliders' frames. A pair whose support function misbehaves gets no points, and

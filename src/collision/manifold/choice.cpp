@@ -1,0 +1,82 @@
+// The greedy choice of four: deepest, farthest from it, farthest beside that line, farthest outside that triangle.
+#include "collision/manifold/choice.h"
+
+namespace carom {
+namespace {
+
+// How much side a point must add to be worth a unit of height over the deepest one (rise per run, 3 degrees): points
+// that hover do not carry. Steeper: corners that hover displace ones that touch. Flatter: a tilt of a jitter leaves an
+// edge in place of a face.
+constexpr Real kTilt = 0.05;
+// Depths within this share of the contact distance are equal: the choice then stays with the older point.
+constexpr Real kSameDepth = 0.01;
+
+}  // namespace
+
+Choice::Choice(const Frame& a, const Pool& pool, Real same_depth, Real loyalty) : pool_(pool) {
+  const Vec3 normal = a.rotate_inverse(pool.point[0]->normal);
+  const Vec3 e1 = any_perpendicular(normal), e2 = normal.cross(e1);
+  Real deepest = kInfinity, width = 0;
+  for (int i = 0; i < pool.count; ++i) {
+    x_[i] = e1.dot(pool.point[i]->on_a), y_[i] = e2.dot(pool.point[i]->on_a);
+    deepest = std::min(deepest, pool.point[i]->separation);
+    width = std::max({width, std::fabs(x_[i] - x_[0]), std::fabs(y_[i] - y_[0])});
+  }
+  for (int i = 0; i < pool.count; ++i)
+    cost_[i] = std::max(Real(0), pool.point[i]->separation - deepest) / kTilt +
+               (pool.age[i] == 0 ? loyalty * width : Real(0));
+  int first = 0;
+  while (pool.point[first]->separation > deepest + same_depth) ++first;
+  take(first);
+  take_best([&](int i) { return distance(chosen_[0], i); });
+  take_best([&](int i) { return std::fabs(beside(chosen_[0], chosen_[1], i)); });
+  if (beside(chosen_[0], chosen_[1], chosen_[2]) < 0) std::swap(chosen_[1], chosen_[2]);  // counter-clockwise
+  take_best([&](int i) {
+    return -std::min(
+        {beside(chosen_[0], chosen_[1], i), beside(chosen_[1], chosen_[2], i), beside(chosen_[2], chosen_[0], i)});
+  });
+  std::sort(chosen_, chosen_ + Manifold::kMaxPoints);
+}
+
+Real Choice::distance(int i, int j) const {
+  return std::sqrt((x_[j] - x_[i]) * (x_[j] - x_[i]) + (y_[j] - y_[i]) * (y_[j] - y_[i]));
+}
+
+/// m: how far k lies to the left of the line from i to j.
+Real Choice::beside(int i, int j, int k) const {
+  const Real dx = x_[j] - x_[i], dy = y_[j] - y_[i], length = std::sqrt(dx * dx + dy * dy);
+  return length > 0 ? (dx * (y_[k] - y_[i]) - dy * (x_[k] - x_[i])) / length : 0;
+}
+
+void Choice::take(int i) {
+  chosen_[count_++] = i;
+  taken_[i] = true;
+}
+
+template <class Score>
+void Choice::take_best(const Score& score) {
+  int best = -1;
+  Real most = -kInfinity;
+  for (int i = 0; i < pool_.count; ++i) {
+    if (taken_[i]) continue;
+    const Real s = score(i) - cost_[i];
+    if (best < 0 || s > most) best = i, most = s;
+  }
+  take(best);
+}
+
+void store(const Frame& a, const ManifoldSettings& settings, const Pool& pool, Real loyalty, Manifold& manifold) {
+  const auto put = [&](int to, int from) {
+    manifold.point[to] = *pool.point[from];
+    manifold.point[to].age = pool.age[from];
+  };
+  manifold.count = std::min(pool.count, Manifold::kMaxPoints);
+  if (pool.count <= Manifold::kMaxPoints) {
+    for (int k = 0; k < pool.count; ++k) put(k, k);
+    return;
+  }
+  const Choice choice(a, pool, kSameDepth * settings.contact_distance, loyalty);
+  for (int k = 0; k < Manifold::kMaxPoints; ++k) put(k, choice[k]);
+}
+
+}  // namespace carom

@@ -1,0 +1,50 @@
+// Which four contact points of a pool are kept: those that hold depth and area.
+#pragma once
+
+#include <algorithm>
+
+#include "collision/manifold/manifold.h"
+
+namespace carom {
+
+/// Points to choose from: where they are, and how old.
+struct Pool {
+  static constexpr int kMax = 40;
+  int count = 0;
+  const ContactPoint* point[kMax];
+  std::uint32_t age[kMax];
+
+  void add(const ContactPoint& p, std::uint32_t a) {
+    point[count] = &p;
+    age[count++] = a;
+  }
+};
+
+/// The four of a pool of more. All scores are lengths: how far a point widens what is chosen so far (a point, a line, a
+/// triangle, seen along the normal), less its height over the deepest divided by kTilt.
+class Choice {
+ public:
+  /// @param same_depth  m: depths within this are equal
+  /// @param loyalty     share of the pool's width that a new point (age 0) must add beyond what an old one adds
+  Choice(const Frame& a, const Pool& pool, Real same_depth, Real loyalty = 0);
+
+  int operator[](int k) const { return chosen_[k]; }  // ascending: a point keeps its place
+
+ private:
+  Real distance(int i, int j) const;
+  Real beside(int i, int j, int k) const;
+  void take(int i);
+  template <class Score>
+  void take_best(const Score& score);
+
+  const Pool& pool_;
+  int count_ = 0;
+  int chosen_[Manifold::kMaxPoints] = {};
+  bool taken_[Pool::kMax] = {};
+  Real x_[Pool::kMax], y_[Pool::kMax], cost_[Pool::kMax];
+};
+
+/// Keep a pool's points, or the four of them that `Choice` names.
+void store(const Frame& a, const ManifoldSettings& settings, const Pool& pool, Real loyalty, Manifold& manifold);
+
+}  // namespace carom

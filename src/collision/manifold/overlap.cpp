@@ -1,0 +1,158 @@
+// Sides of one outline clipped to the other, one by one; then the other's corners inside. No list of corners is carried
+// along, so their number has no bound.
+#include "collision/manifold/overlap.h"
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+// Lines that enclose less (sine) lie along each other: the tilt within which facets are fitted at all.
+constexpr Real kParallel = 0.03;
+
+std::uint32_t corner_of_a(std::uint32_t name) { return name ? 0x40000000u | name : 0; }
+std::uint32_t corner_of_b(std::uint32_t name) { return name ? 0x80000000u | name : 0; }
+std::uint32_t crossing(std::uint32_t a, std::uint32_t b) { return a && b ? (a * 40503u ^ b) | 0xC0000000u : 0; }
+
+/// Height of a place over side j of a polygon, m, positive inside.
+Real inside(const Outline& o, int j, Real x, Real y) {
+  const int k = j + 1 < o.count ? j + 1 : 0;
+  const Real dx = o.x[k] - o.x[j], dy = o.y[k] - o.y[j], length = std::sqrt(dx * dx + dy * dy);
+  return length > 0 ? (dx * (y - o.y[j]) - dy * (x - o.x[j])) / length : kInfinity;
+}
+
+bool holds(const Outline& o, Real x, Real y, Real tolerance) {
+  for (int j = 0; j < o.count; ++j)
+    if (!(inside(o, j, x, y) >= -tolerance)) return false;
+  return true;
+}
+
+struct Cut {
+  Real from = 0, to = 1;         // of the way
+  int enters = -1, leaves = -1;  // sides of the polygon
+};
+
+/// The part of a line within a polygon. @return false if there is none
+bool cut(const Outline& o, Real x0, Real y0, Real x1, Real y1, Real tolerance, Cut& c) {
+  for (int j = 0; j < o.count; ++j) {
+    const Real h0 = inside(o, j, x0, y0), h1 = inside(o, j, x1, y1);
+    if (h0 < -tolerance && h1 < -tolerance) return false;
+    if (h0 < -tolerance) {
+      const Real t = std::min(h0 / (h0 - h1), Real(1));
+      if (t > c.from) c.from = t, c.enters = j;
+    } else if (h1 < -tolerance) {
+      const Real t = std::max(h0 / (h0 - h1), Real(0));
+      if (t < c.to) c.to = t, c.leaves = j;
+    }
+  }
+  return c.from <= c.to;
+}
+
+class Overlap {
+ public:
+  Overlap(const Outline& a, const Outline& b, Real tolerance, Meetings& out)
+      : a_(a), b_(b), tolerance_(tolerance), out_(out) {}
+
+  void run() {
+    if (a_.count == 1 || b_.count == 1) return point();
+    if (a_.count == 2 && b_.count == 2) return lines();
+    if (a_.count == 2) return line(a_, b_, false);
+    if (b_.count == 2) return line(b_, a_, true);
+    for (int i = 0; i < a_.count; ++i) side(i);
+    for (int j = 0; j < b_.count; ++j)
+      if (holds(a_, b_.x[j], b_.y[j], tolerance_)) add(b_.x[j], b_.y[j], corner_of_b(b_.name[j]));
+  }
+
+ private:
+  void add(Real x, Real y, std::uint32_t feature) { out_.add({x, y, feature}, b_.z(x, y) - a_.z(x, y), tolerance_); }
+
+  void point() {
+    const bool of_a = a_.count == 1;
+    const Outline &p = of_a ? a_ : b_, &o = of_a ? b_ : a_;
+    if (o.count < 3 || !holds(o, p.x[0], p.y[0], tolerance_)) return;  // a point on less than a face: the query's own
+    add(p.x[0], p.y[0], of_a ? corner_of_a(p.name[0]) : corner_of_b(p.name[0]));
+  }
+
+  void line(const Outline& l, const Outline& o, bool swapped) {
+    Cut c;
+    if (!cut(o, l.x[0], l.y[0], l.x[1], l.y[1], tolerance_, c)) return;
+    const Real dx = l.x[1] - l.x[0], dy = l.y[1] - l.y[0];
+    const auto end = [&](Real t, int at, int by) {
+      if (by >= 0)
+        add(l.x[0] + t * dx, l.y[0] + t * dy, 0);
+      else
+        add(l.x[at], l.y[at], swapped ? corner_of_b(l.name[at]) : corner_of_a(l.name[at]));
+    };
+    end(c.from, 0, c.enters), end(c.to, 1, c.leaves);
+  }
+
+  void lines() {
+    const Real ax = a_.x[1] - a_.x[0], ay = a_.y[1] - a_.y[0], bx = b_.x[1] - b_.x[0], by = b_.y[1] - b_.y[0];
+    const Real la2 = ax * ax + ay * ay, lb2 = bx * bx + by * by, turn = ax * by - ay * bx;
+    const Real wx = b_.x[0] - a_.x[0], wy = b_.y[0] - a_.y[0];
+    if (turn * turn > kParallel * kParallel * la2 * lb2) {
+      const Real s = (wx * by - wy * bx) / turn, t = (wx * ay - wy * ax) / turn;
+      if (s >= 0 && s <= 1 && t >= 0 && t <= 1) add(a_.x[0] + s * ax, a_.y[0] + s * ay, 0);
+      return;
+    }
+    // Along each other: the stretch of A's line that B's covers.
+    const Real s0 = (wx * ax + wy * ay) / la2, s1 = s0 + (bx * ax + by * ay) / la2;
+    const Real from = std::max(Real(0), std::min(s0, s1)), to = std::min(Real(1), std::max(s0, s1));
+    if (!(from <= to)) return;
+    add(a_.x[0] + from * ax, a_.y[0] + from * ay, 0), add(a_.x[0] + to * ax, a_.y[0] + to * ay, 0);
+  }
+
+  /// Side i of A within B: where it begins, and where it leaves B before its end (which begins the next side).
+  void side(int i) {
+    const int k = i + 1 < a_.count ? i + 1 : 0;
+    Cut c;
+    if (!cut(b_, a_.x[i], a_.y[i], a_.x[k], a_.y[k], tolerance_, c)) return;
+    const auto meet = [&](Real t, int j) {
+      add(a_.x[i] + t * (a_.x[k] - a_.x[i]), a_.y[i] + t * (a_.y[k] - a_.y[i]), crossing(a_.name[i], b_.name[j]));
+    };
+    if (c.enters < 0)
+      add(a_.x[i], a_.y[i], corner_of_a(a_.name[i]));
+    else
+      meet(c.from, c.enters);
+    if (c.leaves >= 0) meet(c.to, c.leaves);
+  }
+
+  const Outline &a_, &b_;
+  Real tolerance_;
+  Meetings& out_;
+};
+
+}  // namespace
+
+void Meetings::add(const Meeting& m, Real separation, Real same) {
+  for (int i = 0; i < count; ++i) {
+    const Real dx = at[i].x - m.x, dy = at[i].y - m.y;
+    if (dx * dx + dy * dy <= 4 * same * same) return;
+  }
+  if (count == kMax) thin();
+  separation_[count] = separation;
+  at[count++] = m;
+}
+
+void Meetings::thin() {
+  constexpr int kWays = 8;  // and their opposites
+  constexpr Real kWay[kWays][2] = {{1, 0}, {0.92388, 0.382683}, {0.707107, 0.707107}, {0.382683, 0.92388},
+                                   {0, 1}, {-0.382683, 0.92388}, {-0.707107, 0.707107}, {-0.92388, 0.382683}};
+  bool keep[kMax] = {};
+  keep[std::min_element(separation_, separation_ + count) - separation_] = true;
+  for (const auto& way : kWay) {
+    const auto less = [&](const Meeting& p, const Meeting& q) {
+      return p.x * way[0] + p.y * way[1] < q.x * way[0] + q.y * way[1];
+    };
+    const auto ends = std::minmax_element(at, at + count, less);
+    keep[ends.first - at] = keep[ends.second - at] = true;
+  }
+  int n = 0;
+  for (int i = 0; i < count; ++i)
+    if (keep[i]) at[n] = at[i], separation_[n++] = separation_[i];
+  count = n;
+}
+
+void overlap(const Outline& a, const Outline& b, Real tolerance, Meetings& out) { Overlap(a, b, tolerance, out).run(); }
+
+}  // namespace carom

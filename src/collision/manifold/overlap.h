@@ -1,0 +1,47 @@
+// Two convex outlines over one plane, cut against each other: where they overlap, and at which corners.
+#pragma once
+
+#include "collision/manifold/facet.h"
+
+namespace carom {
+
+/// A facet seen along a normal: its outline in the plane, and its height over it, an affine function of the place.
+struct Outline {
+  static constexpr int kMax = 64;  // corners; of more, evenly spaced ones are taken
+  int count = 0;                   // 1: a point, 2: a line, else a polygon, counter-clockwise
+  Real x[kMax], y[kMax];           // m
+  std::uint32_t name[kMax];        // of the corner, for matching; 0: unknown
+  Real height = 0, slope_x = 0, slope_y = 0;
+
+  Real z(Real px, Real py) const { return height + slope_x * px + slope_y * py; }
+};
+
+/// One corner of the overlap.
+struct Meeting {
+  Real x, y;              // m
+  std::uint32_t feature;  // which corners or sides met; 0: unknown
+};
+
+/// Receives the corners of an overlap, any number.
+class Meetings {
+ public:
+  static constexpr int kMax = 32;
+  int count = 0;
+  Meeting at[kMax];
+
+  /// Add a corner unless it is there already (within `same`); when the room is full, corners that no direction of
+  /// sixteen singles out, nor the least separation, make place.
+  /// @param weight  separation, m
+  void add(const Meeting& m, Real separation, Real same);
+
+ private:
+  void thin();
+  Real separation_[kMax];
+};
+
+/// Corners of the overlap of two outlines. Empty if they pass by each other; a line and a line give the place where
+/// they cross, or, within 0.03 rad of parallel, the two ends of what they share.
+/// @param tolerance  m: a corner this far outside still counts as inside, and corners this close are one
+void overlap(const Outline& a, const Outline& b, Real tolerance, Meetings& out);
+
+}  // namespace carom

@@ -1,0 +1,276 @@
+// The whole patch of a pair: facets fitted, a common normal chosen, outlines cut; README.md walks through the steps.
+#include "collision/manifold/patch.h"
+
+#include <algorithm>
+
+#include "collision/manifold/adopt.h"
+#include "collision/manifold/facet.h"
+#include "collision/manifold/overlap.h"
+
+namespace carom {
+namespace {
+
+// By how much a normal further down the list (A's face, B's, crossing edges, the query's own) must separate better to be
+// taken: a part of the separation, and of the smaller bounding radius. Resting shapes have several normals equal up to
+// the tilt of a jitter; without a preference the patch would change from step to step. As in pair_box_box.cpp.
+constexpr Real kPreferRelative = 0.02, kPreferAbsolute = 5e-4;
+// Cosine of 0.045 rad: a declared face farther from the normal is probed for, not looked up. Half as much again as the
+// tilt within which probing sees a face.
+constexpr Real kFacing = 0.99899;
+// Cosine of 0.06 rad, sine of 0.03: crossing edges that give a normal at all, and one near the query's.
+constexpr Real kNearNormal = 0.9982, kParallel = 0.03;
+// What a kept patch may have moved: shares of the contact distance and of the smaller bounding radius.
+constexpr Real kKeepDistance = 0.02, kKeepRadius = 2e-3;
+
+struct Party {
+  Prober probe;
+  Facet facet;
+  Real push;  // m: core radius and shell
+
+  Party(const Shape& s, Real shell, std::uint64_t& calls, SupportFault& fault)
+      : probe{s, calls, fault}, push(s.form == Form::half_space ? 0 : s.core_radius + shell) {}
+
+  bool is_plane() const { return facet.rank == Facet::plane; }
+  const Shape& shape() const { return probe.shape; }
+};
+
+/// The declared face that looks along n, if one does.
+bool look_up(const Shape& s, const Vec3& n, Facet& f) {
+  const HullFaces& faces = s.faces;
+  std::size_t best = 0;
+  Real most = -1;
+  for (std::size_t i = 0; i < faces.count(); ++i) {
+    const Real d = faces.normal[i].dot(n);
+    if (d > most) most = d, best = i;
+  }
+  if (!(most > kFacing)) return false;
+  f.rank = Facet::face, f.round = false;
+  f.normal = faces.normal[best];
+  f.vertices = faces.own.empty() ? s.vertices.data() : faces.own.data();
+  f.loop = faces.loop.data() + faces.begin[best];
+  f.count = static_cast<int>(faces.begin[best + 1] - faces.begin[best]);
+  f.tip = f.at(0);
+  for (int i = 1; i < f.count; ++i)
+    if (n.dot(f.at(i) - f.tip) > 0) f.tip = f.at(i);
+  return true;
+}
+
+/// @param n  unit, out of the shape, its frame
+bool find_facet(const Vec3& n, bool declared, Party& p) {
+  const Shape& s = p.shape();
+  if (s.form == Form::half_space) {
+    p.facet.rank = Facet::plane;
+    p.facet.normal = s.normal;
+    p.facet.tip = s.offset * s.normal;
+    return true;
+  }
+  return (declared && look_up(s, n, p.facet)) || fit_facet(p.probe, n, p.facet);
+}
+
+enum class Owner { a, b, none };  // whose face a normal is
+
+class Patch {
+ public:
+  Patch(const PatchPair& pair, const ContactPoint& nearest, std::uint64_t& calls, SupportFault& fault)
+      : pair_(pair),
+        nearest_(nearest),
+        b_in_a_(relative(pair.frame_a, pair.frame_b)),
+        a_(pair.a, pair.shell, calls, fault),
+        b_(pair.b, pair.shell, calls, fault),
+        size_(std::min(pair.a.bounding_radius, pair.b.bounding_radius)),
+        margin_(kPreferRelative * std::fabs(nearest.separation) + kPreferAbsolute * size_),
+        n_(pair.frame_a.rotate_inverse(nearest.normal)) {}
+
+  bool find(bool declared) {
+    if (!find_facet(n_, declared, a_) || !find_facet(-b_in_a_.rotate_inverse(n_), declared, b_)) return false;
+    choose_normal();
+    if (!settle_facet(a_.probe, n_, a_.facet) || !settle_facet(b_.probe, -b_in_a_.rotate_inverse(n_), b_.facet))
+      return false;
+    meet();
+    return true;
+  }
+
+  const ContactPoint* points() const { return point_; }
+  int count() const { return count_; }
+  void remember(PatchMemory& memory) const {
+    memory.firm = owner_ != Owner::none && !a_.facet.round && !b_.facet.round && !nearest_used_;
+    memory.of_b = owner_ == Owner::b;
+    memory.normal = memory.of_b ? b_in_a_.rotate_inverse(n_) : n_;
+    memory.b_in_a = b_in_a_;
+  }
+
+ private:
+  Vec3 b_at(int i) const { return b_in_a_.apply(b_.facet.at(i)); }
+
+  /// How far apart the facets are along m (A's frame): least height of B's over A's highest.
+  Real separation_along(const Vec3& m) const {
+    Real top = m.dot(a_.facet.tip), bottom = m.dot(b_in_a_.apply(b_.facet.tip));
+    if (!a_.is_plane())
+      for (int i = 0; i < a_.facet.count; ++i) top = std::max(top, m.dot(a_.facet.at(i)));
+    if (!b_.is_plane())
+      for (int i = 0; i < b_.facet.count; ++i) bottom = std::min(bottom, m.dot(b_at(i)));
+    return bottom - top;
+  }
+
+  void choose_normal() {
+    if (a_.is_plane() || b_.is_plane()) {
+      owner_ = a_.is_plane() ? Owner::a : Owner::b;
+      n_ = a_.is_plane() ? a_.facet.normal : Vec3(-b_in_a_.rotate(b_.facet.normal));
+      return;
+    }
+    Real to_beat = separation_along(n_) - margin_;
+    const Vec3 queried = n_;
+    const auto offer = [&](const Vec3& m, Owner whose) {
+      const Real s = separation_along(m);
+      if (!(s >= to_beat) || !(m.dot(queried) > kNearNormal)) return;
+      n_ = m, owner_ = whose;
+      to_beat = std::max(to_beat, s + margin_);
+    };
+    if (a_.facet.rank == Facet::face) offer(a_.facet.normal, Owner::a);
+    if (b_.facet.rank == Facet::face) offer(-b_in_a_.rotate(b_.facet.normal), Owner::b);
+    if (a_.facet.rank != Facet::edge || b_.facet.rank != Facet::edge) return;
+    const Vec3 along_b = b_in_a_.rotate(b_.facet.along), across = a_.facet.along.cross(along_b);
+    const Real sine = across.norm();
+    if (sine > kParallel) {
+      offer((across.dot(queried) < 0 ? -1 : 1) / sine * across, Owner::none);
+    } else {
+      const Vec3 square = queried - queried.dot(a_.facet.along) * a_.facet.along;
+      offer(square / square.norm(), Owner::none);
+    }
+  }
+
+  /// A facet seen along the normal. B's corners are turned round: they stand clockwise from here.
+  void outline(const Party& p, const Frame& to_a, bool reversed, Outline& o) const {
+    const Facet& f = p.facet;
+    o.count = std::min(f.count, Outline::kMax);
+    Real height[2] = {0, 0};
+    for (int i = 0; i < o.count; ++i) {
+      const int spaced = f.count <= Outline::kMax ? i : i * f.count / o.count;
+      const int at = reversed ? o.count - 1 - i : i;
+      const Vec3 x = to_a.apply(f.at(spaced)) - origin_;
+      o.x[at] = u_.dot(x), o.y[at] = v_.dot(x), o.name[at] = f.name(spaced);
+      if (at < 2) height[at] = n_.dot(x);
+    }
+    if (f.rank == Facet::face) {
+      const Vec3 m = to_a.rotate(f.normal);
+      const Real mz = m.dot(n_);
+      o.slope_x = -m.dot(u_) / mz, o.slope_y = -m.dot(v_) / mz;
+    } else if (f.rank == Facet::edge) {
+      const Real dx = o.x[1] - o.x[0], dy = o.y[1] - o.y[0], l2 = dx * dx + dy * dy;
+      const Real slope = l2 > 0 ? (height[1] - height[0]) / l2 : 0;
+      o.slope_x = slope * dx, o.slope_y = slope * dy;
+    }
+    o.height = height[0] - o.slope_x * o.x[0] - o.slope_y * o.y[0];
+  }
+
+  void meet() {
+    origin_ = a_.is_plane() ? b_in_a_.apply(b_.facet.tip) : a_.facet.tip;
+    u_ = any_perpendicular(n_), v_ = n_.cross(u_);
+    if (a_.is_plane() || b_.is_plane()) {
+      meet_plane();
+    } else {
+      Outline a, b;
+      outline(a_, Frame(), false, a);
+      outline(b_, b_in_a_, true, b);
+      const Real tolerance = std::max(1e-9 * size_, 16 * kUnitRoundoff * (b_in_a_.p.cwiseAbs().sum() + reach()));
+      Meetings met;
+      overlap(a, b, tolerance, met);
+      for (int i = 0; i < met.count; ++i) {
+        const Meeting& m = met.at[i];
+        const Vec3 foot = origin_ + m.x * u_ + m.y * v_;
+        add(foot + a.z(m.x, m.y) * n_, foot + b.z(m.x, m.y) * n_, m.feature);
+      }
+    }
+    // What the facets leave out: two edges that pass, a corner beside a face, a point deeper than any that they share.
+    Real deepest = kInfinity;
+    for (int i = 0; i < count_; ++i) deepest = std::min(deepest, point_[i].separation);
+    nearest_used_ = deepest > nearest_.separation + margin_;
+    if (nearest_used_) point_[count_++] = nearest_;
+  }
+
+  void meet_plane() {
+    const Party& p = a_.is_plane() ? b_ : a_;
+    for (int i = 0; i < std::min(p.facet.count, Outline::kMax / 2); ++i) {
+      const int spaced = p.facet.count <= Outline::kMax / 2 ? i : i * p.facet.count / (Outline::kMax / 2);
+      const Vec3 x = a_.is_plane() ? b_at(spaced) : p.facet.at(spaced);
+      const std::uint32_t name = p.facet.name(spaced);
+      if (a_.is_plane())
+        add(x - n_.dot(x - a_.facet.tip) * n_, x, name);
+      else
+        add(x, x - n_.dot(x - b_in_a_.apply(b_.facet.tip)) * n_, name);
+    }
+  }
+
+  /// m: size of what enters the places of points.
+  Real reach() const { return pair_.a.bounding_radius + pair_.b.bounding_radius; }
+
+  void add(const Vec3& core_a, const Vec3& core_b, std::uint32_t feature) {
+    ContactPoint& p = point_[count_++];
+    p.on_a = core_a + a_.push * n_;
+    p.on_b = b_in_a_.apply_inverse(core_b - b_.push * n_);
+    p.normal = pair_.frame_a.rotate(n_);
+    p.separation = n_.dot(core_b - core_a) - a_.push - b_.push;
+    p.feature = feature;
+  }
+
+  const PatchPair& pair_;
+  const ContactPoint& nearest_;
+  const Frame b_in_a_;
+  Party a_, b_;
+  const Real size_, margin_;  // m
+  Vec3 n_;                    // A's frame, A to B
+  Owner owner_ = Owner::none;
+  bool nearest_used_ = false;
+  Vec3 origin_, u_, v_;
+  int count_ = 0;
+  ContactPoint point_[Meetings::kMax + 1];
+};
+static_assert(Meetings::kMax + 1 <= Pool::kMax && Outline::kMax / 2 <= Meetings::kMax);
+
+}  // namespace
+
+bool update_patch(const PatchPair& pair, const Candidates& found, const ManifoldSettings& settings, Manifold& manifold,
+                  PatchMemory& memory, std::uint64_t& calls, SupportFault& fault) {
+  memory.firm = false;
+  int deepest = -1;
+  for (int i = 0; i < found.count; ++i)
+    if (deepest < 0 || found.point[i].separation < found.point[deepest].separation) deepest = i;
+  if (deepest < 0 || !(found.point[deepest].separation <= settings.contact_distance)) {
+    manifold.count = 0;
+    return true;
+  }
+  Patch patch(pair, found.point[deepest], calls, fault);
+  if (!patch.find(settings.kind == ManifoldKind::clip)) {
+    manifold.count = 0;
+    return false;
+  }
+  adopt(pair.frame_a, patch.points(), patch.count(), settings, manifold);
+  patch.remember(memory);
+  return true;
+}
+
+bool keep_patch(const PatchPair& pair, const ManifoldSettings& settings, const PatchMemory& memory,
+                Manifold& manifold) {
+  if (!memory.firm || manifold.count == 0) return false;
+  const Real radius_a = pair.a.bounding_radius, radius_b = pair.b.bounding_radius;
+  const Frame now = relative(pair.frame_a, pair.frame_b);
+  // |R - R'| as an operator is 2 sin(theta/2), its Frobenius norm sqrt(2) times that.
+  const Real turned = (now.r - memory.b_in_a.r).norm() / std::sqrt(Real(2));
+  const bool from_a = radius_b <= radius_a;  // the smaller one's points move less
+  const Real shifted = from_a ? (now.p - memory.b_in_a.p).norm()
+                              : (now.r.transpose() * now.p - memory.b_in_a.r.transpose() * memory.b_in_a.p).norm();
+  const Real radius = std::min(radius_a, radius_b);
+  const Real moved = shifted + turned * radius;
+  if (!(moved <= std::min(kKeepDistance * settings.contact_distance, kKeepRadius * radius))) return false;
+  const Vec3 n = memory.of_b ? now.rotate(memory.normal) : memory.normal;
+  const Vec3 normal = pair.frame_a.rotate(n);
+  for (int k = 0; k < manifold.count; ++k) {
+    ContactPoint& p = manifold.point[k];
+    p.normal = normal;
+    p.separation = n.dot(now.apply(p.on_b) - p.on_a);
+    ++p.age;
+  }
+  return true;
+}
+
+}  // namespace carom
