@@ -1,8 +1,8 @@
 // The same target without libFuzzer: numbered inputs from a generator of its own, counted, over several processes; and
 // the replay of cases kept as text.
 //
-//   fuzz_campaign --chunks N [--from K] [--jobs J] [--done FILE] [--found FILE]
-//   fuzz_campaign --replay FILE
+//   fuzz_campaign [--target pair|cast] --chunks N [--from K] [--jobs J] [--done FILE] [--found FILE]
+//   fuzz_campaign [--target pair|cast] --replay FILE
 // A chunk is 100,000 executions, always the same ones. FILE of --done lists the chunks that are through; those are
 // skipped, so that a campaign can be broken off, taken up again, and spread differently.
 #include <fcntl.h>
@@ -16,9 +16,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <set>
 
-#include "judge.h"
+#include "target.h"
 
 using namespace carom::fuzz;
 
@@ -29,7 +30,7 @@ constexpr std::uint64_t kChunk = 100000;
 struct Options {
   std::uint64_t from = 0, chunks = 0;
   int jobs = 1;
-  std::string done, found, replay;
+  std::string target = "pair", done, found, replay;
 };
 
 /// Input number `index`, by splitmix64 ([Steele2014]'s mixing): any of them can be made again alone.
@@ -44,11 +45,11 @@ void input(std::uint64_t index, std::uint8_t* bytes) {
   }
 }
 
-PairCase current;
+std::unique_ptr<Target> target;
 
 /// A crash is a finding, too: say which case it was.
 void crashed(int signal) {
-  std::fprintf(stderr, "SIGNAL %d\n%s\n", signal, to_text(current).c_str());
+  std::fprintf(stderr, "SIGNAL %d\n%s\n", signal, target->line().c_str());
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -62,9 +63,9 @@ void append(const std::string& path, const std::string& line) {
 }
 
 bool run_case(const Options& options) {
-  const Verdict verdict = judge(current);
+  const Verdict verdict = target->verdict();
   if (verdict.good) return true;
-  const std::string text = std::string("# ") + verdict.reason + '\n' + to_text(current) + '\n';
+  const std::string text = std::string("# ") + verdict.reason + '\n' + target->line() + '\n';
   if (options.found.empty())
     std::fprintf(stderr, "VIOLATION %s", text.c_str());
   else
@@ -78,7 +79,7 @@ std::uint64_t run_chunk(const Options& options, std::uint64_t chunk) {
   std::uint64_t bad = 0;
   for (std::uint64_t i = chunk * kChunk; i < (chunk + 1) * kChunk; ++i) {
     input(i, bytes);
-    decode(bytes, sizeof bytes, current);
+    target->take(bytes, sizeof bytes);
     bad += !run_case(options);
   }
   if (!options.done.empty()) append(options.done, std::to_string(chunk) + ' ' + std::to_string(bad) + '\n');
@@ -122,8 +123,8 @@ int replay(const Options& options) {
   int cases = 0, bad = 0;
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line[0] == '#') continue;
-    if (!from_text(line, current)) return std::fprintf(stderr, "no case: %s\n", line.c_str()), 2;
-    if (to_text(current) != line) return std::fprintf(stderr, "text does not come back: %s\n", line.c_str()), 2;
+    if (!target->read(line)) return std::fprintf(stderr, "no case: %s\n", line.c_str()), 2;
+    if (target->line() != line) return std::fprintf(stderr, "text does not come back: %s\n", line.c_str()), 2;
     ++cases;
     bad += !run_case(options);
   }
@@ -140,14 +141,17 @@ int main(int argc, char** argv) {
     if (key == "--chunks") options.chunks = std::strtoull(value.c_str(), nullptr, 10);
     if (key == "--from") options.from = std::strtoull(value.c_str(), nullptr, 10);
     if (key == "--jobs") options.jobs = std::max(1, std::atoi(value.c_str()));
+    if (key == "--target") options.target = value;
     if (key == "--done") options.done = value;
     if (key == "--found") options.found = value;
     if (key == "--replay") options.replay = value;
   }
+  target = options.target == "cast" ? cast_target() : pair_target();
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(signal, crashed);
   if (!options.replay.empty()) return replay(options);
   if (options.chunks > 0) return campaign(options);
   std::fprintf(stderr,
-               "usage: fuzz_campaign --chunks N [--from K] [--jobs J] [--done FILE] [--found FILE] | --replay FILE\n");
+               "usage: fuzz_campaign [--target pair|cast] --chunks N [--from K] [--jobs J] [--done FILE] [--found "
+               "FILE] | --replay FILE\n");
   return 2;
 }

@@ -217,7 +217,8 @@ void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const Cast
   const line::Vec2 first = scale * (basis.transpose() * centre).head<2>() - offset;
   line::End end = line::enter(set, request, first, entry);
   result.support_calls = result.iterations = entry.calls;
-  if (end == line::End::enters && entry.upper < request.start && entry.calls < settings.cap) {
+  const bool behind_start = end == line::End::enters && entry.upper < request.start;
+  if (behind_start && entry.calls < settings.cap) {
     // Entered before it started: is it still inside, or past? The same walk, from the other side.
     Mat3 back = basis;
     back.col(2) = -r.u;
@@ -230,8 +231,9 @@ void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const Cast
     end = line::enter(behind, request, first, leave);
     result.support_calls = result.iterations += leave.calls;
     if (end == line::End::misses) return miss(ray, result);
-    if (end != line::End::fault) {
-      const bool inside = end == line::End::enters && leave.upper <= request.stop;
+    // A walk that came to its end without proving either is one along the surface. Cut short, it tells nothing.
+    const bool inside = end == line::End::enters && leave.upper <= request.stop;
+    if (inside || (end == line::End::enters && result.support_calls < settings.cap)) {
       result.outcome = inside ? CastOutcome::overlap : CastOutcome::hit;  // else touching, and about to leave
       result.upper = 0;
       result.normal = frame.rotate(inside ? r.u : Vec3(back * leave.normal));
@@ -246,7 +248,7 @@ void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const Cast
   }
   if (end == line::End::misses) return miss(ray, result);
   const bool capped = result.support_calls >= settings.cap;
-  if (end == line::End::enters && entry.s <= request.stop) {
+  if (end == line::End::enters && !behind_start && entry.s <= request.stop) {
     write_hit(ray, frame, r, basis, entry, scale, target, result);
     if (!entry.settled && capped) result.status = QueryStatus::capped;
     return;

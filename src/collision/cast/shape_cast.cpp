@@ -162,7 +162,8 @@ struct Cast {
     DifferenceSet set(difference, basis, difference.to_scaled(ahead));
     PairEntry entry;
     line::End end = line::enter(set, request, first, entry);
-    if (end == line::End::enters && entry.upper < request.start && entry.calls < settings.cap) {
+    const bool behind_start = end == line::End::enters && entry.upper < request.start;
+    if (behind_start && entry.calls < settings.cap) {
       // Entered before it started: do they still overlap, or are they past each other? From the other side.
       Mat3 back = basis;
       back.col(2) = -u;
@@ -173,9 +174,10 @@ struct Cast {
       request.width = kInfinity;
       request.cap -= entry.calls;
       end = line::enter(behind, request, first, leave);
-      if (end == line::End::enters || end == line::End::undecided) {
+      // A walk that came to its end without proving either is one along the surface. Cut short, it tells nothing.
+      const bool inside = end == line::End::enters && leave.upper <= request.stop;
+      if (inside || (end == line::End::enters && difference.calls < settings.cap)) {
         result.support_calls = result.iterations = difference.calls;
-        const bool inside = end == line::End::enters && leave.upper <= request.stop;
         return at_start(inside ? CastOutcome::overlap : CastOutcome::hit);  // else touching, and about to part
       }
     }
@@ -188,7 +190,7 @@ struct Cast {
     }
     if (end == line::End::misses) return miss(result);
     const bool capped = difference.calls >= settings.cap;
-    if (end == line::End::enters && entry.s <= request.stop) {
+    if (end == line::End::enters && !behind_start && entry.s <= request.stop) {
       write_hit(difference, basis, entry, length, ahead);
       if (!entry.settled) result.status = capped ? QueryStatus::capped : QueryStatus::rounding;
       return;

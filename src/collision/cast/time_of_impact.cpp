@@ -61,8 +61,12 @@ class Advance {
       // Too coarse to tell near from touching.
       if (seen_.found.lower - seen_.rounding <= settings_.target + finest && !look(t, finest)) return;
       gap = seen_.found.lower - seen_.rounding - settings_.target;
-      if (t == 0 && seen_.found.separation <= settings_.target)
-        return write(CastOutcome::overlap, 0, 0, 0, seen_.found.separation);
+      if (t == 0 && seen_.found.separation <= settings_.target) {
+        write(CastOutcome::overlap, 0, 0, 0, seen_.found.separation);
+        // The separation is the bracket's lower end: how much farther apart they may be.
+        result_.slack += std::max(seen_.found.upper - settings_.target, Real(0));
+        return;
+      }
       if (gap > 0 && !clear_until(t, gap, result_.lower)) return;
       until_ = result_.lower;
       if (gap > 0 && result_.lower >= duration_) return miss();
