@@ -119,8 +119,21 @@ inline void offer_edge(const Vec3* y, int i, int j, Real radius, Crossing& best)
   best.weight[1] = weight;
 }
 
+/// Whether the line passes a triangle, seen along it, by more than the radius: its foot on the face, no farther from
+/// the line than that, is then outside.
+inline bool passes_by(const Vec2& a, const Vec2& b, const Vec2& c, Real radius) {
+  const Vec2 ab = b - a, bc = c - b, ca = a - c;
+  const Real side[3] = {cross2(a, ab), cross2(b, bc), cross2(c, ca)};
+  const Real sign = side[0] + side[1] + side[2] < 0 ? -1 : 1, r2 = radius * radius;
+  return (sign * side[0] < 0 && side[0] * side[0] > r2 * ab.squaredNorm()) ||
+         (sign * side[1] < 0 && side[1] * side[1] > r2 * bc.squaredNorm()) ||
+         (sign * side[2] < 0 && side[2] * side[2] > r2 * ca.squaredNorm());
+}
+
 /// The face ijk, pushed towards the line's start by the radius.
 inline void offer_face(const Vec3* y, int i, int j, int k, Real radius, Crossing& best) {
+  // The radius is more than all rounding together: what is wrongly passed by is entered elsewhere as early.
+  if (passes_by(y[i].head<2>(), y[j].head<2>(), y[k].head<2>(), radius)) return;
   const Vec3 raw = triangle_normal(y[i], y[j], y[k]);
   const Real length = raw.norm();
   if (!(std::fabs(raw.z()) > 1e-15 * length)) return;

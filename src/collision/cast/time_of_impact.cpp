@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "collision/cast/overlap.h"
 #include "collision/cast/rounding.h"
 #include "collision/support.h"
 
@@ -11,6 +12,9 @@ namespace {
 
 // A turn by an angle phi is computed to 4 u, its angle to 2 u phi: what that moves, in units of u of the arm.
 constexpr Real kTurnRounding = 8;
+
+// Support evaluations that a proof of overlap is worth: pairs that cross by a tolerance take some 20 at 1e-6.
+constexpr int kProofCap = 200;
 
 bool flat(const Shape& s) { return s.form == Form::half_space; }
 
@@ -185,10 +189,9 @@ class Advance {
 
   /// In contact at time t: look for a time by which the target is crossed, else the tolerance is all there is.
   void finish(Real t) {
-    const Seen near = seen_;
-    const Real left = near.found.separation - settings_.target, speed = closing_speed(), contact = near_enough();
-    const bool crossed = near.found.upper + near.rounding <= settings_.target;
-    write(CastOutcome::hit, std::min(result_.lower, t), t, t, near.found.separation);
+    const Real left = seen_.found.separation - settings_.target, speed = closing_speed(), contact = near_enough();
+    const bool crossed = seen_.found.upper + seen_.rounding <= settings_.target;
+    write(CastOutcome::hit, std::min(result_.lower, t), t, t, seen_.found.separation);
     if (crossed) return;
     result_.slack = contact;
     if (contact > tolerance_) result_.status = QueryStatus::rounding;
@@ -197,15 +200,26 @@ class Advance {
     Real step = (std::max(left, Real(0)) + 0.5 * contact) / speed;
     for (int i = 0; i < 4; ++i, step *= 2) {
       const Real later = std::min(t + step, duration_);
-      if (!(later > t) || !look(later, 0.125 * contact)) break;
-      if (seen_.found.upper + seen_.rounding <= settings_.target) {
-        const Real estimate = std::clamp(t + left / speed, std::min(safe, later), later);
-        seen_ = near;
-        write(CastOutcome::hit, std::min(safe, later), later, estimate, settings_.target);
+      if (!(later > t)) return;
+      const Overlap found = overlap_at(later);
+      if (found == Overlap::fault) return static_cast<void>(fail());
+      if (found == Overlap::overlapping) {
+        write(CastOutcome::hit, std::min(safe, later), later,
+              std::clamp(t + left / speed, std::min(safe, later), later), settings_.target);
         return;
       }
     }
-    seen_ = near;
+  }
+
+  /// Is the target crossed at a time? A yes or no is cheaper than the depth of a slight overlap.
+  Overlap overlap_at(Real t) {
+    const Frame frame_a(ma_.after(t)), frame_b(mb_.after(t));
+    const Frame b_in_a = relative(frame_a, frame_b);
+    const Real reach = b_in_a.p.norm() + size() + settings_.target;
+    const OverlapResult found =
+        overlap(a_, b_, b_in_a, settings_.target, reach > 0 ? rounding_at(t) / reach : 0, kProofCap, fault_);
+    result_.support_calls += found.support_calls;
+    return found.outcome;
   }
 
   void write(CastOutcome outcome, Real lower, Real upper, Real time, Real separation) {

@@ -1,0 +1,197 @@
+// Rays, linear casts and times of impact of random solids: what a question costs and how far its answer is off, Carom
+// beside Bullet and FCL in one process.
+#include <dlfcn.h>
+#include <time.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <deque>
+#include <stdexcept>
+#include <string>
+
+#include "../convex/solid.h"
+#include "collision/cast/ray.h"
+#include "collision/cast/shape_cast.h"
+#include "collision/cast/time_of_impact.h"
+#include "peer.h"
+#include "random_pairs.h"
+
+namespace carom::bench {
+namespace {
+
+using namespace carom::test;
+
+constexpr int kSolids = 50, kCases = 1000;
+
+Motion motion_of(const Placement& from, const Placement& to) {
+  Motion m;
+  const Frame f = frame_of(from), t = frame_of(to);
+  m.at = {Quat(f.r), f.p};
+  m.centre = f.p;
+  m.velocity = t.p - f.p;
+  const Eigen::AngleAxis<Real> turn(Mat3(t.r * f.r.transpose()));
+  m.omega = turn.angle() * turn.axis();
+  return m;
+}
+
+class Carom final : public CastPeer {
+ public:
+  explicit Carom(Real tolerance) {
+    settings_.tolerance = tolerance;
+    char text[32];
+    std::snprintf(text, sizeof text, "Carom %.0e", tolerance);
+    name_ = text;
+    if (tolerance < 1e-9) settings_.cap = 1000;
+  }
+  const char* name() const override { return name_.c_str(); }
+  bool can(Task, Kind) const override { return true; }
+  void prepare(Task task, const CastCase* cases, std::size_t count) override {
+    task_ = task;
+    cases_.clear();
+    for (const CastCase* c = cases; c < cases + count; ++c)
+      cases_.push_back({c->a ? c->a->shape : nullptr, c->b->shape, frame_of(c->from_a), frame_of(c->from_b),
+                        motion_of(c->from_a, c->to_a), motion_of(c->from_b, c->to_b)});
+    calls = asked = 0;
+  }
+  double ask(std::size_t i) override {
+    const Case& c = cases_[i];
+    CastResult r;
+    SupportFault fault;
+    if (task_ == Task::ray)
+      cast_ray(Ray{c.from_a.p, c.a_moves.velocity, 1}, *c.b, c.from_b, settings_, r, fault);
+    else if (task_ == Task::linear)
+      cast_shape(*c.a, c.from_a, c.a_moves.velocity, *c.b, c.from_b, settings_, r, fault);
+    else
+      time_of_impact(*c.a, c.a_moves, *c.b, c.b_moves, 1, settings_, r, fault);
+    calls += static_cast<double>(r.support_calls);
+    ++asked;
+    return r.outcome == CastOutcome::miss ? -1 : r.time;
+  }
+  double calls = 0, asked = 0;
+
+ private:
+  struct Case {
+    const Shape *a, *b;
+    Frame from_a, from_b;
+    Motion a_moves, b_moves;
+  };
+  std::string name_;
+  CastSettings settings_;
+  Task task_ = Task::ray;
+  std::vector<Case> cases_;
+};
+
+/// 1,000 cases of a family: bodies of about 1 m, 3 to 5 m apart, sent at each other with an error of up to 1 m: some 2
+/// in 3 meet.
+std::vector<CastCase> make_cases(Task task, int family, std::deque<OwnedSolid>& solids) {
+  Random random(900 + family);
+  while (solids.size() < kSolids) solids.emplace_back(random_shape(random, family));
+  std::vector<CastCase> cases;
+  for (int i = 0; i < kCases; ++i) {
+    const Solid& a = solids[static_cast<std::size_t>(i) % kSolids].solid;
+    const Solid& b = solids[static_cast<std::size_t>(7 * i + 3) % kSolids].solid;
+    const Quat qa = random_rotation(random), qb = random_rotation(random);
+    const Vec3 from = random.uniform(3, 5) * random.direction(), to = random.in_cube(0.6);
+    const Vec3 spin_a = random.in_cube(1), spin_b = random.in_cube(1);
+    const bool turns = task == Task::turning;
+    CastCase c;
+    c.a = task == Task::ray ? nullptr : &a;
+    c.b = &b;
+    c.from_a = placement(Frame(Pose{qa, from}));
+    c.to_a = placement(Frame(Pose{turns ? Quat(exp_map(spin_a) * qa) : qa, Vec3(1.2 * to - 0.2 * from)}));
+    c.from_b = placement(Frame(Pose{qb, Vec3::Zero()}));
+    c.to_b = placement(Frame(Pose{turns ? Quat(exp_map(spin_b) * qb) : qb, Vec3::Zero()}));
+    cases.push_back(c);
+  }
+  return cases;
+}
+
+double cpu_ns() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+}
+
+std::vector<std::unique_ptr<CastPeer>> load(const char* path) {
+  std::vector<std::unique_ptr<CastPeer>> peers;
+  void* const object = dlmopen(LM_ID_NEWLM, path, RTLD_NOW | RTLD_LOCAL);
+  if (!object) throw std::runtime_error(dlerror());
+  const auto make = reinterpret_cast<CastPeerModule>(dlsym(object, "carom_bench_cast_peer"));
+  if (!make) throw std::runtime_error(std::string(path) + " exports no carom_bench_cast_peer");
+  for (int i = 0; CastPeer* const peer = make(i); ++i) peers.emplace_back(peer);
+  return peers;
+}
+
+double length_of(const CastCase& c) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) sum += (c.to_a.p[i] - c.from_a.p[i]) * (c.to_a.p[i] - c.from_a.p[i]);
+  return std::sqrt(sum);
+}
+
+void compare(Task task, int family, std::vector<std::unique_ptr<CastPeer>>& peers, int passes) {
+  static const char* const kTasks[] = {"ray", "linear", "turning"};
+  std::deque<OwnedSolid> solids;
+  const std::vector<CastCase> cases = make_cases(task, family, solids);
+  const Kind kind = solids.front().solid.kind;
+  Carom reference(1e-12);
+  reference.prepare(task, cases.data(), cases.size());
+  std::vector<double> truth;
+  for (int i = 0; i < kCases; ++i) truth.push_back(reference.ask(static_cast<std::size_t>(i)));
+  std::vector<double> least(peers.size(), HUGE_VAL);
+  for (auto& peer : peers)
+    if (peer->can(task, kind)) peer->prepare(task, cases.data(), cases.size());
+  volatile double sink = 0;
+  for (int pass = 0; pass < passes; ++pass)
+    for (std::size_t p = 0; p < peers.size(); ++p) {
+      if (!peers[p]->can(task, kind)) continue;
+      const double start = cpu_ns();
+      double sum = 0;
+      for (int i = 0; i < kCases; ++i) sum += peers[p]->ask(static_cast<std::size_t>(i));
+      least[p] = std::min(least[p], (cpu_ns() - start) / kCases);
+      sink = sum;
+    }
+  static_cast<void>(sink);
+  for (std::size_t p = 0; p < peers.size(); ++p) {
+    if (!peers[p]->can(task, kind)) continue;
+    std::vector<double> errors;
+    int wrong = 0;
+    for (int i = 0; i < kCases; ++i) {
+      const double t = peers[p]->ask(static_cast<std::size_t>(i)), s = truth[static_cast<std::size_t>(i)];
+      if ((t < 0) != (s < 0))
+        ++wrong;
+      else if (s >= 0)
+        errors.push_back(std::fabs(t - s) * length_of(cases[static_cast<std::size_t>(i)]));
+    }
+    std::sort(errors.begin(), errors.end());
+    const auto share = [&](double q) {
+      return errors[static_cast<std::size_t>(q * static_cast<double>(errors.size() - 1))];
+    };
+    const auto* const own = dynamic_cast<const Carom*>(peers[p].get());
+    std::printf("| %s | %s | %s | %.0f | %.1f | %.0e | %.0e | %d |\n", kTasks[static_cast<int>(task)],
+                kFamilies[family], peers[p]->name(), least[p], own ? own->calls / own->asked : NAN, share(0.5),
+                share(1), wrong);
+  }
+}
+
+}  // namespace
+}  // namespace carom::bench
+
+int main(int argc, char** argv) {
+  using namespace carom::bench;
+  const int passes = argc > 1 ? std::max(std::atoi(argv[1]), 1) : 20;
+  const std::string only = argc > 2 ? argv[2] : "";
+  std::vector<std::unique_ptr<CastPeer>> peers;
+  peers.emplace_back(new Carom(1e-3));
+  peers.emplace_back(new Carom(1e-6));
+  peers.emplace_back(new Carom(1e-9));
+  if (only != "carom")
+    for (const char* const path : {CAROM_CAST_PEERS})
+      for (auto& peer : load(path)) peers.push_back(std::move(peer));
+  std::printf(
+      "| task | family | who | ns | support calls | median error m | worst | wrong of 1000 "
+      "|\n|---|---|---|---|---|---|---|---|\n");
+  for (const Task task : {Task::ray, Task::linear, Task::turning})
+    for (const int family : {0, 1, 3, 4, 5, 7}) compare(task, family, peers, passes);
+}
