@@ -31,7 +31,7 @@ class Carom final : public Peer {
     QueryResult result;
     SupportFault fault;
     QueryMemory* const memory = warm_ ? &memories_[static_cast<std::size_t>(p.track)] : nullptr;
-    generic_distance(*p.a, *p.b, relative(p.frame_a, p.frame_b), settings_, memory, result, fault);
+    distance(*p.a, *p.b, relative(p.frame_a, p.frame_b), settings_, memory, result, fault);
     answer.calls = result.support_calls;
     if (settings_.max_distance == 0) {  // yes or no: apart is what a plane proves
       answer.overlap = !(result.lower > 0);
@@ -59,10 +59,17 @@ class Carom final : public Peer {
   std::vector<QueryMemory> memories_;
 };
 
+/// Default dials but for the routines that know pairs of boxes and of capsules: what is compared is the convex core.
+QuerySettings core_alone() {
+  QuerySettings settings;
+  settings.routines = false;
+  return settings;
+}
+
 }  // namespace
 
 std::unique_ptr<Peer> make_carom(std::uint32_t simplex, double tolerance) {
-  QuerySettings settings;
+  QuerySettings settings = core_alone();
   settings.simplex = static_cast<Simplex>(simplex);
   settings.tolerance = tolerance;
   return std::make_unique<Carom>("", settings);
@@ -70,10 +77,11 @@ std::unique_ptr<Peer> make_carom(std::uint32_t simplex, double tolerance) {
 
 void add_carom(Peers& peers) {
   const auto add = [&](const std::string& name, auto change, bool warm = false) {
-    QuerySettings settings;
+    QuerySettings settings = core_alone();
     change(settings);
     peers.push_back(std::make_unique<Carom>(name, settings, warm));
   };
+  add("with its routines", [](QuerySettings& s) { s.routines = true; });
   add("johnson", [](QuerySettings& s) { s.simplex = Simplex::johnson; });
   add("voronoi", [](QuerySettings& s) { s.simplex = Simplex::voronoi; });
   add("voronoi_last", [](QuerySettings&) {});
