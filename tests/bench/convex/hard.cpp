@@ -2,6 +2,7 @@
 #include "hard.h"
 
 #include <signal.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -45,12 +46,15 @@ Outcome judge(const Case& c, const Answer& answer) {
   return right;
 }
 
-/// The child's exit status carries the outcome home. Crashes are its own, and so are hangs: the alarm ends it.
+/// The child's exit status carries the outcome home. Crashes are its own, and so are hangs: a timer ends it.
 Outcome ask_apart(Peer& peer, const Case& c) {
   std::fflush(nullptr);
   const pid_t child = fork();
   if (child == 0) {
-    alarm(2);
+    // CPU time, so that a busy machine makes no library hang; the alarm is for one that sleeps.
+    const itimerval limit{{0, 0}, {2, 0}};
+    setitimer(ITIMER_PROF, &limit, nullptr);
+    alarm(60);
     if (!std::freopen("/dev/null", "w", stderr) || !std::freopen("/dev/null", "w", stdout)) _exit(crashed);
     Answer answer;
     peer.prepare(&c.query, 1);
@@ -59,7 +63,7 @@ Outcome ask_apart(Peer& peer, const Case& c) {
   }
   int status = 0;
   if (child < 0 || waitpid(child, &status, 0) != child) return crashed;
-  if (WIFSIGNALED(status)) return WTERMSIG(status) == SIGALRM ? hung : crashed;
+  if (WIFSIGNALED(status)) return WTERMSIG(status) == SIGPROF || WTERMSIG(status) == SIGALRM ? hung : crashed;
   return WEXITSTATUS(status) < kOutcomes ? static_cast<Outcome>(WEXITSTATUS(status)) : crashed;
 }
 
