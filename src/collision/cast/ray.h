@@ -20,7 +20,7 @@ struct Ray {
 ///                inside is an overlap at time 0, its normal along the ray
 /// @param fault   filled when the support function misbehaves; result.status is then fault
 /// @accuracy      brackets hold, rounding included (kCastRounding)
-/// @oracle        tests/unit/collision/test_ray
+/// @oracle        tests/unit/collision/cast/test_ray
 void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const CastSettings& settings, CastResult& result,
               SupportFault& fault);
 

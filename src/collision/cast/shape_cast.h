@@ -10,7 +10,7 @@ namespace carom {
 /// @param settings  target: contact is a separation of this
 /// @param result    overlap: time 0, with depth, normal and points of the signed distance
 /// @accuracy        brackets hold, rounding included (kCastRounding)
-/// @oracle          tests/unit/collision/test_shape_cast
+/// @oracle          tests/unit/collision/cast/test_shape_cast
 void cast_shape(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& b, const Frame& frame_b,
                 const CastSettings& settings, CastResult& result, SupportFault& fault);
 
