@@ -68,7 +68,7 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
     choice(Dial::manifold, "manifold",
            "contact points of a pair: the deepest, up to four gathered over steps, or the whole patch at once: probed "
            "for, or clipped from declared faces",
-           kManifolds, 1),
+           kManifolds, 3),
     number(Dial::cache_distance, "cache_distance", "m", "a kept contact point that moved further than this is dropped",
            0, 10, 0.02),
     choice(Dial::warm_start, "warm_start", "solve each step from zero (the paper's), or from the last step's impulses",

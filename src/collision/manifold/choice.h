@@ -9,7 +9,7 @@ namespace carom {
 
 /// Points to choose from: where they are, and how old.
 struct Pool {
-  static constexpr int kMax = 40;
+  static constexpr int kMax = 20;
   int count = 0;
   const ContactPoint* point[kMax];
   std::uint32_t age[kMax];

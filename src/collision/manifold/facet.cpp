@@ -14,22 +14,20 @@ constexpr int kRings = 3;
 // curved piece. Each ring leaves the normal off by about the square of its tilt, so the next may be that much finer and
 // still see both ends of what is flat; the last leaves a round edge's height off by tilt^2/2 = 5e-9 of its radius.
 constexpr Real kTilt[kRings] = {0.03, 2e-3, 1e-4};
+// The most that a face may lean, rad, to be looked for at all. Beyond, its far side carries nothing before the next
+// step.
+constexpr Real kWidest = 0.3;
 // Azimuths every 45 degrees from 0.1 rad on: off every symmetry, so that on shapes built along axes no corners tie.
-constexpr Real kRing[Facet::kAzimuths][2] = {{0.99500416527802582, 0.099833416646828155},
-                                      {0.63298131066220204, 0.7741670784769464},
-                                      {-0.099833416646828155, 0.99500416527802582},
-                                      {-0.7741670784769464, 0.63298131066220204},
-                                      {-0.99500416527802582, -0.099833416646828155},
-                                      {-0.63298131066220204, -0.7741670784769464},
-                                      {0.099833416646828155, -0.99500416527802582},
-                                      {0.7741670784769464, -0.63298131066220204}};
+constexpr Real kRing[Facet::kAzimuths][2] = {
+    {0.99500416527802582, 0.099833416646828155},   {0.63298131066220204, 0.7741670784769464},
+    {-0.099833416646828155, 0.99500416527802582},  {-0.7741670784769464, 0.63298131066220204},
+    {-0.99500416527802582, -0.099833416646828155}, {-0.63298131066220204, -0.7741670784769464},
+    {0.099833416646828155, -0.99500416527802582},  {0.7741670784769464, -0.63298131066220204}};
 // The last ring makes do with six, so that what it finds can be settled within 25 calls.
-constexpr Real kLastRing[6][2] = {{0.9950041652780258, 0.09983341664682815},
-                                {0.4110438076762635, 0.9116155923255147},
-                                {-0.5839603576017622, 0.8117821756786866},
-                                {-0.9950041652780258, -0.09983341664682811},
-                                {-0.4110438076762642, -0.9116155923255144},
-                                {0.5839603576017621, -0.8117821756786867}};
+constexpr Real kLastRing[6][2] = {
+    {0.9950041652780258, 0.09983341664682815},  {0.4110438076762635, 0.9116155923255147},
+    {-0.5839603576017622, 0.8117821756786866},  {-0.9950041652780258, -0.09983341664682811},
+    {-0.4110438076762642, -0.9116155923255144}, {0.5839603576017621, -0.8117821756786867}};
 // Of a size: below this two support points are one, and heights are noise. Ten times what a support function may be
 // off (kSloppiness).
 constexpr Real kNoise = 1e-8;
@@ -50,12 +48,12 @@ struct Ring {
   const Vec3* end() const { return point + count; }
 };
 
-bool ask_ring(const Prober& probe, const Vec3& about, int which, Ring& p) {
-  const bool last = which + 1 == kRings;
+bool ask_ring(const Prober& probe, const Vec3& about, Real tilt, Ring& p) {
+  const bool last = tilt == kTilt[kRings - 1];
   const auto* way = last ? kLastRing : kRing;
   const Vec3 e1 = steady_perpendicular(about), e2 = about.cross(e1);
   for (p.count = 0; p.count < (last ? 6 : Facet::kAzimuths); ++p.count)
-    if (!probe(about + kTilt[which] * (way[p.count][0] * e1 + way[p.count][1] * e2), p.point[p.count])) return false;
+    if (!probe(about + tilt * (way[p.count][0] * e1 + way[p.count][1] * e2), p.point[p.count])) return false;
   return true;
 }
 
@@ -142,7 +140,67 @@ void be_face(const Ring& p, const Vec3& normal, Real noise, Facet& f) {
   while (f.count > 1 && (f.corner[0] - f.corner[f.count - 1]).squaredNorm() <= noise * noise) --f.count;
 }
 
+/// The facet within the rings' tilts. @param sharp  it is a corner or an edge for certain, after one ring
+bool fit_near(const Prober& probe, const Vec3& n, Facet& f, bool& sharp) {
+  f.normal = n;
+  if (!probe(n, f.tip)) return false;
+  const Real noise = kNoise * probe.shape.bounding_radius;
+  Vec3 about = n;
+  Real length = 0, width = 0;  // of the ring before
+  for (int i = 0; i < kRings; ++i) {
+    Ring p;
+    if (!ask_ring(probe, about, kTilt[i], p)) return false;
+    const Chords c(p, n);
+    const bool last = i + 1 == kRings;
+    if (c.length <= noise) return sharp = i == 0, be_point(f, i > 0), true;
+    if (c.length < kShrank * length) {  // curved along its longest chord: what is flat beside it is shorter still
+      if (last) return be_point(f, true), true;
+      length = c.length, width = c.width;
+      continue;
+    }
+    if (c.width <= noise || c.width < kShrank * width) return sharp = i == 0, be_edge(p, c.along, i, f), true;
+    const bool near = c.normal.dot(n) > kSamePlane;
+    if (near && flat(p, f.tip, c.normal, std::max(kFlat * c.length, noise))) {
+      // Few corners: all of them. Many: a ring square to the face leaves out fewest, and finds a rim at azimuths that
+      // stay put in the body.
+      const int distinct = count_distinct(p, noise);
+      const bool square = (c.normal - about).squaredNorm() < 0.01 * kTilt[i] * kTilt[i];
+      if (distinct <= 4 || (distinct < Facet::kAzimuths && square) || i > 0)
+        return be_face(p, c.normal, noise, f), true;
+    } else if (last) {
+      return near ? be_face(p, c.normal, noise, f) : be_edge(p, c.along, i, f), true;
+    } else if (i == 0 && dome(p, f.tip, c, kTilt[i])) {
+      return be_point(f, true), true;
+    }
+    if (near) about = c.normal;
+    length = c.length, width = c.width;
+  }
+  return true;
+}
+
+/// A flat face that leans by up to `lean` over a corner or an edge.
+bool look_wide(const Prober& probe, const Vec3& n, Real lean, Facet& f) {
+  const Real noise = kNoise * probe.shape.bounding_radius;
+  Ring p;
+  if (!ask_ring(probe, n, lean, p)) return false;
+  const Chords c(p, n);
+  if (c.width > noise && c.normal.dot(n) > 1 - 0.5 * lean * lean &&
+      flat(p, f.tip, c.normal, std::max(kFlat * c.length, noise)))
+    be_face(p, c.normal, noise, f);
+  return true;
+}
+
 }  // namespace
+
+bool fit_facet(const Prober& probe, const Vec3& n, Real reach, Facet& f) {
+  // A core that is a point has nothing to look for.
+  if (!(probe.shape.bounding_radius > (1 + kNoise) * probe.shape.core_radius))
+    return f.normal = n, probe(n, f.tip) && (be_point(f, false), true);
+  bool sharp = false;
+  if (!fit_near(probe, n, f, sharp)) return false;
+  const Real lean = leaning(probe.shape, reach);
+  return !sharp || lean <= kTilt[0] || look_wide(probe, n, lean, f);
+}
 
 Vec3 steady_perpendicular(const Vec3& n) {
   constexpr Real kSeam = 0.58;  // a unit vector has a component below 1/sqrt(3) = 0.5774
@@ -156,40 +214,8 @@ bool Prober::operator()(const Vec3& d, Vec3& out) const {
   return core_support(shape, d, out, fault);
 }
 
-bool fit_facet(const Prober& probe, const Vec3& n, Facet& f) {
-  f.normal = n;
-  if (!probe(n, f.tip)) return false;
-  const Real noise = kNoise * probe.shape.bounding_radius;
-  Vec3 about = n;
-  Real length = 0, width = 0;  // of the ring before
-  for (int i = 0; i < kRings; ++i) {
-    Ring p;
-    if (!ask_ring(probe, about, i, p)) return false;
-    const Chords c(p, n);
-    const bool last = i + 1 == kRings;
-    if (c.length <= noise) return be_point(f, i > 0), true;
-    if (c.length < kShrank * length) {  // curved along its longest chord: what is flat beside it is shorter still
-      if (last) return be_point(f, true), true;
-      length = c.length, width = c.width;
-      continue;
-    }
-    if (c.width <= noise || c.width < kShrank * width) return be_edge(p, c.along, i, f), true;
-    const bool near = c.normal.dot(n) > kSamePlane;
-    if (near && flat(p, f.tip, c.normal, std::max(kFlat * c.length, noise))) {
-      // Few corners: all of them. Many: a ring square to the face leaves out fewest, and finds a rim at azimuths that
-      // stay put in the body.
-      const int distinct = count_distinct(p, noise);
-      const bool square = (c.normal - about).squaredNorm() < 0.01 * kTilt[i] * kTilt[i];
-      if (distinct <= 4 || (distinct < Facet::kAzimuths && square) || i > 0) return be_face(p, c.normal, noise, f), true;
-    } else if (last) {
-      return near ? be_face(p, c.normal, noise, f) : be_edge(p, c.along, i, f), true;
-    } else if (i == 0 && dome(p, f.tip, c, kTilt[i])) {
-      return be_point(f, true), true;
-    }
-    if (near) about = c.normal;
-    length = c.length, width = c.width;
-  }
-  return true;
+Real leaning(const Shape& shape, Real reach) {
+  return std::min(kWidest, reach / (2 * std::max(shape.bounding_radius - shape.core_radius, reach)));
 }
 
 bool settle_facet(const Prober& probe, const Vec3& n, Facet& f) {

@@ -12,10 +12,11 @@ struct Facet {
   static constexpr int kAzimuths = 8;
 
   Rank rank = point;
-  bool round = false;  // across its flat directions the core is curved: where it lies depends on the normal (see settle)
-  int ring = 0;        // of an edge: which ring found it
+  bool round =
+      false;     // across its flat directions the core is curved: where it lies depends on the normal (see settle)
+  int ring = 0;  // of an edge: which ring found it
   int count = 0;
-  Vec3 corner[kAzimuths];  // m; of a face counter-clockwise about `normal`, of an edge its two ends
+  Vec3 corner[kAzimuths];       // m; of a face counter-clockwise about `normal`, of an edge its two ends
   Vec3 normal = Vec3::UnitY();  // unit; of a face its outward normal, else the direction asked for
   Vec3 along = Vec3::UnitX();   // unit; of an edge
   Vec3 tip = Vec3::Zero();      // m: a support point along the direction asked for
@@ -47,11 +48,16 @@ Vec3 steady_perpendicular(const Vec3& n);
 
 /// Fit the facet that faces along n.
 /// @param n   unit, shape frame, within 0.02 rad of the normal of the facet that is meant
+/// @param reach  m: of a body that falls fast, or is small, a face is found that leans by more (see leaning), since its
+///            far corners, too, may touch within the step
 /// @return    false if the support function misbehaved
 /// @accuracy  9 support calls where one ring is enough, 17 or 23 else. Normal of a face of corners: 4 u size / width.
 ///            Of a rim or a rounded face, and `along` of an edge of one: third order in the last ring's tilt (1e-8)
 /// @oracle    tests/unit/collision/test_patch
-bool fit_facet(const Prober& probe, const Vec3& n, Facet& facet);
+bool fit_facet(const Prober& probe, const Vec3& n, Real reach, Facet& facet);
+
+/// How far a face may lean for its far side to lie within reach, rad: one that leans more is an edge or a corner.
+Real leaning(const Shape& shape, Real reach);
 
 /// Put a round facet where it lies for a contact along n (unit, within 0.05 rad of the facet's own). At most 4
 /// calls, and 25 with those of fit_facet. An edge that is not there any more becomes a point.

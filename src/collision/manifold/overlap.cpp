@@ -15,11 +15,7 @@ std::uint32_t corner_of_b(std::uint32_t name) { return name ? 0x80000000u | name
 std::uint32_t crossing(std::uint32_t a, std::uint32_t b) { return a && b ? (a * 40503u ^ b) | 0xC0000000u : 0; }
 
 /// Height of a place over side j of a polygon, m, positive inside.
-Real inside(const Outline& o, int j, Real x, Real y) {
-  const int k = j + 1 < o.count ? j + 1 : 0;
-  const Real dx = o.x[k] - o.x[j], dy = o.y[k] - o.y[j], length = std::sqrt(dx * dx + dy * dy);
-  return length > 0 ? (dx * (y - o.y[j]) - dy * (x - o.x[j])) / length : kInfinity;
-}
+Real inside(const Outline& o, int j, Real x, Real y) { return o.in_x[j] * x + o.in_y[j] * y - o.in[j]; }
 
 bool holds(const Outline& o, Real x, Real y, Real tolerance) {
   for (int j = 0; j < o.count; ++j)
@@ -54,6 +50,8 @@ class Overlap {
       : a_(a), b_(b), tolerance_(tolerance), out_(out) {}
 
   void run() {
+    if (a_.count == 0) return all(b_, corner_of_b);
+    if (b_.count == 0) return all(a_, corner_of_a);
     if (a_.count == 1 || b_.count == 1) return point();
     if (a_.count == 2 && b_.count == 2) return lines();
     if (a_.count == 2) return line(a_, b_, false);
@@ -65,6 +63,11 @@ class Overlap {
 
  private:
   void add(Real x, Real y, std::uint32_t feature) { out_.add({x, y, feature}, b_.z(x, y) - a_.z(x, y), tolerance_); }
+
+  /// Every corner, over a plane.
+  void all(const Outline& o, std::uint32_t (*feature)(std::uint32_t)) {
+    for (int i = 0; i < o.count; ++i) add(o.x[i], o.y[i], feature(o.name[i]));
+  }
 
   void point() {
     const bool of_a = a_.count == 1;
@@ -124,6 +127,15 @@ class Overlap {
 
 }  // namespace
 
+void Outline::close() {
+  for (int j = 0; j < count; ++j) {
+    const int k = j + 1 < count ? j + 1 : 0;
+    const Real dx = x[k] - x[j], dy = y[k] - y[j], length = std::sqrt(dx * dx + dy * dy);
+    in_x[j] = length > 0 ? -dy / length : 0, in_y[j] = length > 0 ? dx / length : 0;
+    in[j] = in_x[j] * x[j] + in_y[j] * y[j];
+  }
+}
+
 void Meetings::add(const Meeting& m, Real separation, Real same) {
   for (int i = 0; i < count; ++i) {
     const Real dx = at[i].x - m.x, dy = at[i].y - m.y;
@@ -135,9 +147,7 @@ void Meetings::add(const Meeting& m, Real separation, Real same) {
 }
 
 void Meetings::thin() {
-  constexpr int kWays = 8;  // and their opposites
-  constexpr Real kWay[kWays][2] = {{1, 0}, {0.92388, 0.382683}, {0.707107, 0.707107}, {0.382683, 0.92388},
-                                   {0, 1}, {-0.382683, 0.92388}, {-0.707107, 0.707107}, {-0.92388, 0.382683}};
+  constexpr Real kWay[4][2] = {{1, 0}, {0.7071, 0.7071}, {0, 1}, {-0.7071, 0.7071}};  // and their opposites
   bool keep[kMax] = {};
   keep[std::min_element(separation_, separation_ + count) - separation_] = true;
   for (const auto& way : kWay) {

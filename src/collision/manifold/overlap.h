@@ -7,11 +7,15 @@ namespace carom {
 
 /// A facet seen along a normal: its outline in the plane, and its height over it, an affine function of the place.
 struct Outline {
-  static constexpr int kMax = 64;  // corners; of more, evenly spaced ones are taken
-  int count = 0;                   // 1: a point, 2: a line, else a polygon, counter-clockwise
-  Real x[kMax], y[kMax];           // m
-  std::uint32_t name[kMax];        // of the corner, for matching; 0: unknown
+  static constexpr int kMax = 64;         // corners; of more, evenly spaced ones are taken
+  int count = 0;                          // 1: a point, 2: a line, else a polygon, counter-clockwise
+  Real x[kMax], y[kMax];                  // m
+  std::uint32_t name[kMax];               // of the corner, for matching; 0: unknown
+  Real in_x[kMax], in_y[kMax], in[kMax];  // of the side that leaves a corner: in_x x + in_y y - in is m inside it
   Real height = 0, slope_x = 0, slope_y = 0;
+
+  /// Once all corners stand: what is inside which side.
+  void close();
 
   Real z(Real px, Real py) const { return height + slope_x * px + slope_y * py; }
 };
@@ -25,13 +29,13 @@ struct Meeting {
 /// Receives the corners of an overlap, any number.
 class Meetings {
  public:
-  static constexpr int kMax = 32;
+  static constexpr int kMax = 16;
   int count = 0;
   Meeting at[kMax];
 
-  /// Add a corner unless it is there already (within `same`); when the room is full, corners that no direction of
-  /// sixteen singles out, nor the least separation, make place.
-  /// @param weight  separation, m
+  /// Add a corner unless it is there already (within 2 `same`); when the room is full, corners that no direction of
+  /// eight singles out, nor the least separation, make place.
+  /// @param separation  m
   void add(const Meeting& m, Real separation, Real same);
 
  private:

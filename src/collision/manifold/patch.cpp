@@ -10,13 +10,12 @@
 namespace carom {
 namespace {
 
-// By how much a normal further down the list (A's face, B's, crossing edges, the query's own) must separate better to be
-// taken: a part of the separation, and of the smaller bounding radius. Resting shapes have several normals equal up to
-// the tilt of a jitter; without a preference the patch would change from step to step. As in pair_box_box.cpp.
+// By how much a normal further down the list (A's face, B's, crossing edges, the query's own) must separate better to
+// be taken: a part of the separation, and of the smaller bounding radius. Resting shapes have several normals equal up
+// to the tilt of a jitter; without a preference the patch would change from step to step. As in pair_box_box.cpp.
 constexpr Real kPreferRelative = 0.02, kPreferAbsolute = 5e-4;
-// Cosine of 0.045 rad: a declared face farther from the normal is probed for, not looked up. Half as much again as the
-// tilt within which probing sees a face.
-constexpr Real kFacing = 0.99899;
+// rad: a declared face that leans by more is probed for, not looked up. Half as much again as probing sees.
+constexpr Real kFacing = 0.045;
 // Cosine of 0.06 rad, sine of 0.03: crossing edges that give a normal at all, and one near the query's.
 constexpr Real kNearNormal = 0.9982, kParallel = 0.03;
 // What a kept patch may have moved: shares of the contact distance and of the smaller bounding radius.
@@ -35,7 +34,7 @@ struct Party {
 };
 
 /// The declared face that looks along n, if one does.
-bool look_up(const Shape& s, const Vec3& n, Facet& f) {
+bool look_up(const Shape& s, const Vec3& n, Real reach, Facet& f) {
   const HullFaces& faces = s.faces;
   std::size_t best = 0;
   Real most = -1;
@@ -43,7 +42,8 @@ bool look_up(const Shape& s, const Vec3& n, Facet& f) {
     const Real d = faces.normal[i].dot(n);
     if (d > most) most = d, best = i;
   }
-  if (!(most > kFacing)) return false;
+  const Real lean = std::max(kFacing, leaning(s, reach));
+  if (!(most > 1 - 0.5 * lean * lean)) return false;
   f.rank = Facet::face, f.round = false;
   f.normal = faces.normal[best];
   f.vertices = faces.own.empty() ? s.vertices.data() : faces.own.data();
@@ -56,7 +56,7 @@ bool look_up(const Shape& s, const Vec3& n, Facet& f) {
 }
 
 /// @param n  unit, out of the shape, its frame
-bool find_facet(const Vec3& n, bool declared, Party& p) {
+bool find_facet(const Vec3& n, Real reach, bool declared, Party& p) {
   const Shape& s = p.shape();
   if (s.form == Form::half_space) {
     p.facet.rank = Facet::plane;
@@ -64,7 +64,7 @@ bool find_facet(const Vec3& n, bool declared, Party& p) {
     p.facet.tip = s.offset * s.normal;
     return true;
   }
-  return (declared && look_up(s, n, p.facet)) || fit_facet(p.probe, n, p.facet);
+  return (declared && look_up(s, n, reach, p.facet)) || fit_facet(p.probe, n, reach, p.facet);
 }
 
 enum class Owner { a, b, none };  // whose face a normal is
@@ -81,8 +81,9 @@ class Patch {
         margin_(kPreferRelative * std::fabs(nearest.separation) + kPreferAbsolute * size_),
         n_(pair.frame_a.rotate_inverse(nearest.normal)) {}
 
-  bool find(bool declared) {
-    if (!find_facet(n_, declared, a_) || !find_facet(-b_in_a_.rotate_inverse(n_), declared, b_)) return false;
+  bool find(bool declared, Real reach) {
+    if (!find_facet(n_, reach, declared, a_) || !find_facet(-b_in_a_.rotate_inverse(n_), reach, declared, b_))
+      return false;
     choose_normal();
     if (!settle_facet(a_.probe, n_, a_.facet) || !settle_facet(b_.probe, -b_in_a_.rotate_inverse(n_), b_.facet))
       return false;
@@ -142,6 +143,10 @@ class Patch {
   /// A facet seen along the normal. B's corners are turned round: they stand clockwise from here.
   void outline(const Party& p, const Frame& to_a, bool reversed, Outline& o) const {
     const Facet& f = p.facet;
+    if (p.is_plane()) {
+      o.height = n_.dot(to_a.apply(f.tip) - origin_);
+      return;
+    }
     o.count = std::min(f.count, Outline::kMax);
     Real height[2] = {0, 0};
     for (int i = 0; i < o.count; ++i) {
@@ -161,25 +166,22 @@ class Patch {
       o.slope_x = slope * dx, o.slope_y = slope * dy;
     }
     o.height = height[0] - o.slope_x * o.x[0] - o.slope_y * o.y[0];
+    o.close();
   }
 
   void meet() {
     origin_ = a_.is_plane() ? b_in_a_.apply(b_.facet.tip) : a_.facet.tip;
     u_ = any_perpendicular(n_), v_ = n_.cross(u_);
-    if (a_.is_plane() || b_.is_plane()) {
-      meet_plane();
-    } else {
-      Outline a, b;
-      outline(a_, Frame(), false, a);
-      outline(b_, b_in_a_, true, b);
-      const Real tolerance = std::max(1e-9 * size_, 16 * kUnitRoundoff * (b_in_a_.p.cwiseAbs().sum() + reach()));
-      Meetings met;
-      overlap(a, b, tolerance, met);
-      for (int i = 0; i < met.count; ++i) {
-        const Meeting& m = met.at[i];
-        const Vec3 foot = origin_ + m.x * u_ + m.y * v_;
-        add(foot + a.z(m.x, m.y) * n_, foot + b.z(m.x, m.y) * n_, m.feature);
-      }
+    Outline a, b;
+    outline(a_, Frame(), false, a);
+    outline(b_, b_in_a_, true, b);
+    const Real tolerance = std::max(1e-9 * size_, 16 * kUnitRoundoff * (b_in_a_.p.cwiseAbs().sum() + size_of_both()));
+    Meetings met;
+    overlap(a, b, tolerance, met);
+    for (int i = 0; i < met.count; ++i) {
+      const Meeting& m = met.at[i];
+      const Vec3 foot = origin_ + m.x * u_ + m.y * v_;
+      add(foot + a.z(m.x, m.y) * n_, foot + b.z(m.x, m.y) * n_, m.feature);
     }
     // What the facets leave out: two edges that pass, a corner beside a face, a point deeper than any that they share.
     Real deepest = kInfinity;
@@ -188,21 +190,10 @@ class Patch {
     if (nearest_used_) point_[count_++] = nearest_;
   }
 
-  void meet_plane() {
-    const Party& p = a_.is_plane() ? b_ : a_;
-    for (int i = 0; i < std::min(p.facet.count, Outline::kMax / 2); ++i) {
-      const int spaced = p.facet.count <= Outline::kMax / 2 ? i : i * p.facet.count / (Outline::kMax / 2);
-      const Vec3 x = a_.is_plane() ? b_at(spaced) : p.facet.at(spaced);
-      const std::uint32_t name = p.facet.name(spaced);
-      if (a_.is_plane())
-        add(x - n_.dot(x - a_.facet.tip) * n_, x, name);
-      else
-        add(x, x - n_.dot(x - b_in_a_.apply(b_.facet.tip)) * n_, name);
-    }
-  }
-
   /// m: size of what enters the places of points.
-  Real reach() const { return pair_.a.bounding_radius + pair_.b.bounding_radius; }
+  Real size_of_both() const {
+    return (a_.is_plane() ? 0 : pair_.a.bounding_radius) + (b_.is_plane() ? 0 : pair_.b.bounding_radius);
+  }
 
   void add(const Vec3& core_a, const Vec3& core_b, std::uint32_t feature) {
     ContactPoint& p = point_[count_++];
@@ -225,7 +216,7 @@ class Patch {
   int count_ = 0;
   ContactPoint point_[Meetings::kMax + 1];
 };
-static_assert(Meetings::kMax + 1 <= Pool::kMax && Outline::kMax / 2 <= Meetings::kMax);
+static_assert(Meetings::kMax + 1 <= Pool::kMax);
 
 }  // namespace
 
@@ -240,13 +231,33 @@ bool update_patch(const PatchPair& pair, const Candidates& found, const Manifold
     return true;
   }
   Patch patch(pair, found.point[deepest], calls, fault);
-  if (!patch.find(settings.kind == ManifoldKind::clip)) {
+  if (!patch.find(settings.kind == ManifoldKind::clip, settings.contact_distance)) {
     manifold.count = 0;
     return false;
   }
   adopt(pair.frame_a, patch.points(), patch.count(), settings, manifold);
   patch.remember(memory);
   return true;
+}
+
+void adopt_patch(const PatchPair& pair, const Candidates& found, const ManifoldSettings& settings, Manifold& manifold,
+                 PatchMemory& memory) {
+  adopt(pair.frame_a, found.point, found.count, settings, manifold);
+  const auto flat = [](Form f) { return f == Form::box || f == Form::polytope || f == Form::half_space; };
+  memory.firm = false;
+  if (manifold.count == 0 || !flat(pair.a.form) || !flat(pair.b.form)) return;
+  const Vec3 n_a = pair.frame_a.rotate_inverse(manifold.point[0].normal);
+  const Vec3 n_b = pair.frame_b.rotate_inverse(manifold.point[0].normal);
+  // Of two boxes the normal is a face's, and so along an axis, or of two edges.
+  const auto own = [](const Shape& s, const Vec3& n) {
+    return s.form == Form::half_space || (s.form == Form::box && n.cwiseAbs().maxCoeff() > 1 - 1e-12);
+  };
+  const bool of_a = own(pair.a, n_a);
+  if (!of_a && !own(pair.b, n_b)) return;
+  memory.firm = true;
+  memory.of_b = !of_a;
+  memory.normal = of_a ? n_a : n_b;
+  memory.b_in_a = relative(pair.frame_a, pair.frame_b);
 }
 
 bool keep_patch(const PatchPair& pair, const ManifoldSettings& settings, const PatchMemory& memory,

@@ -6,7 +6,6 @@
 
 namespace carom {
 
-
 /// A pair as the patch sees it. At most one of the two is a half-space.
 struct PatchPair {
   const Shape &a, &b;
@@ -16,10 +15,10 @@ struct PatchPair {
 
 /// Under what relative pose a kept patch was made, and whether it may be kept at all.
 struct PatchMemory {
-  bool firm = false;             // its normal is a face's, and none of its facets is round
-  bool of_b = false;             // whose face
-  Vec3 normal = Vec3::UnitY();   // unit, A to B, frame of the one whose face it is
-  Frame b_in_a;                  // when it was made
+  bool firm = false;            // its normal is a face's, and none of its facets is round
+  bool of_b = false;            // whose face
+  Vec3 normal = Vec3::UnitY();  // unit, A to B, frame of the one whose face it is
+  Frame b_in_a;                 // when it was made
 };
 
 /// Replace a manifold by the whole patch. Ages go on where an old point is found again.
@@ -31,6 +30,11 @@ struct PatchMemory {
 /// @oracle        tests/unit/collision/test_patch
 bool update_patch(const PatchPair& pair, const Candidates& found, const ManifoldSettings& settings, Manifold& manifold,
                   PatchMemory& memory, std::uint64_t& calls, SupportFault& fault);
+
+/// The same for a patch that a specific routine found whole: points adopted, and kept while little moves if both shapes
+/// are flat where they meet.
+void adopt_patch(const PatchPair& pair, const Candidates& found, const ManifoldSettings& settings, Manifold& manifold,
+                 PatchMemory& memory);
 
 /// Whether the last patch still holds at the present poses; if so its separations are measured again and its points
 /// grow a step older. Nothing is asked of the shapes.

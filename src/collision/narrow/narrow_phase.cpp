@@ -48,10 +48,12 @@ void update(const PatchPair& pair, const Candidates& found, const ManifoldSettin
             NarrowReport& report, SupportFault& fault) {
   if (settings.kind == ManifoldKind::single)
     keep_deepest(found, settings, record.manifold);
-  else if (one_shot(settings.kind) && !found.whole)
-    update_patch(pair, found, settings, record.manifold, record.patch, report.support_calls, fault);
-  else
+  else if (settings.kind == ManifoldKind::cache)
     update_cache(pair.frame_a, pair.frame_b, found, settings, record.manifold);
+  else if (found.whole)
+    adopt_patch(pair, found, settings, record.manifold, record.patch);
+  else
+    update_patch(pair, found, settings, record.manifold, record.patch, report.support_calls, fault);
 }
 
 }  // namespace

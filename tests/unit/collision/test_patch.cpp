@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "carom_test.h"
+#include "collision/manifold/facet.h"
 #include "collision/narrow/narrow_phase.h"
 #include "pair_cases.h"
 
@@ -299,6 +300,44 @@ static void a_tilted_box_touches_where_it_is_lowest_and_hovers_elsewhere(void**)
     }
 }
 
+static void a_face_that_leans_is_found_as_far_as_the_reach_goes(void**) {
+  // A fast body's contact distance covers its step: all corners that may touch within it count, those behind do not.
+  const Shape slab = faced(box(Vec3(2, 0.5, 2))), brick = faced(box(Vec3(0.3, 0.2, 0.4)));
+  Random random(13);
+  for (const ManifoldKind kind : kKinds)
+    for (int trial = 0; trial < 50; ++trial) {
+      const Real tilt = random.uniform(0.05, 0.25), turn = random.uniform(-3, 3);
+      const Frame lean =
+          turned(Vec3(0, turn, 0), Vec3::Zero()) * turned(tilt * Vec3(1, 0, 1).normalized(), Vec3::Zero());
+      std::vector<Real> height;
+      for (const Real x : {-0.3, 0.3})
+        for (const Real z : {-0.4, 0.4}) height.push_back(lean.rotate(Vec3(x, -0.2, z)).y());
+      std::sort(height.begin(), height.end());
+      const Touch t = on_top(slab, 0.5, brick, Frame(lean.r, Vec3(0, -height[0], 0)), 0, random);
+      Candidates found;
+      found.count = 1;
+      found.point[0].normal = t.normal;
+      for (const int near : {2, 3, 4}) {  // so many corners within reach
+        ManifoldSettings settings = with(kind);
+        settings.contact_distance = near == 4 ? 0.4 : (height[near - 1] + height[near]) / 2 - height[0];
+        if (leaning(brick, settings.contact_distance) < 1.05 * tilt) continue;
+        Manifold m;
+        PatchMemory memory;
+        std::uint64_t calls = 0;
+        SupportFault fault;
+        assert_true(update_patch({t.a, t.b, t.at_a, t.at_b, 0}, found, settings, m, memory, calls, fault));
+        assert_int_equal(m.count, near);
+        assert_true(calls <= 2 * 17);
+        for (int k = 0; k < m.count; ++k) {
+          const Vec3 corner = t.at_b.apply(m.point[k].on_b) - t.at_a.apply(m.point[k].on_a);
+          assert_true((corner - m.point[k].separation * t.normal).norm() < 1e-12);
+          assert_true(std::any_of(height.begin(), height.end(),
+                                  [&](Real h) { return std::fabs(h - height[0] - m.point[k].separation) < 1e-12; }));
+        }
+      }
+    }
+}
+
 static void a_half_space_carries_whatever_lies_on_it(void**) {
   const Shape ground = half_space(Vec3::UnitY(), 0);
   const Shape brick = faced(box(Vec3(0.3, 0.2, 0.4))), coin = cylinder(0.3, 0.05), roller = cylinder(0.3, 0.5),
@@ -520,6 +559,7 @@ int main() {
       cmocka_unit_test(crossing_edges_and_crossing_cylinders_meet_in_one_point),
       cmocka_unit_test(a_face_of_many_corners_keeps_four_that_hold_its_area),
       cmocka_unit_test(a_tilted_box_touches_where_it_is_lowest_and_hovers_elsewhere),
+      cmocka_unit_test(a_face_that_leans_is_found_as_far_as_the_reach_goes),
       cmocka_unit_test(a_half_space_carries_whatever_lies_on_it),
       cmocka_unit_test(a_box_of_a_millimetre_has_four_corners_too),
       cmocka_unit_test(turning_the_world_leaves_the_points_where_they_are),
