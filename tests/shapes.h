@@ -161,6 +161,7 @@ inline Shape hull(const std::vector<Vec3>& points) {
     s.bounding_radius = std::max(s.bounding_radius, p.norm());
   }
   s.vertices = s.params;
+  s.farthest.build(s.vertices);
   return s;
 }
 

@@ -140,6 +140,7 @@ bool settle(Call& call, const PluginRecord& plugin, const double* params, std::u
   if (!ask_honest(call, id, 2, shape)) return false;
   FormNumbers form;
   if (!settle_form(call, plugin, form, shape)) return false;
+  if (shape.form == Form::polytope) shape.farthest.build(shape.vertices);
   SupportFault fault;
   if (!derive_bounds(shape, fault)) return dishonest(call, id, fault);  // after the form: its bounds are exact
   if (!settle_mass(call, plugin, form, memory, shape)) return false;

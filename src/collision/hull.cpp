@@ -5,14 +5,12 @@
 
 namespace carom {
 
-namespace {
-
 __extension__ typedef __int128 Wide;
 
-/// Sign of (q - p) x (r - p) . (x - p), exactly. Differences of grid points are 54-bit integers, their 2 x 2 minors fit
-/// 110 bits, and a row times the minors is summed in two halves of 64 bits.
-int orientation(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x) {
-  const auto whole = [&p](const Vec3& v, int i) { return static_cast<std::int64_t>((v[i] - p[i]) / HullMesh::kGrid); };
+// Differences of grid points are 54-bit integers, their 2 x 2 minors fit 110 bits, and a row times the minors is summed
+// in two halves of 64 bits.
+int HullMesh::orientation(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x) {
+  const auto whole = [&p](const Vec3& v, int i) { return static_cast<std::int64_t>((v[i] - p[i]) / kGrid); };
   Wide high = 0, low = 0;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -24,8 +22,6 @@ int orientation(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x) {
   high += low >> 64;
   return high > 0 || (high == 0 && static_cast<std::uint64_t>(low) != 0) ? 1 : high < 0 ? -1 : 0;
 }
-
-}  // namespace
 
 HullMesh::Facet HullMesh::make(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
   const Vec3 u = points_[b] - points_[a], v = points_[c] - points_[a];  // exact
@@ -172,38 +168,17 @@ class OutsideLists {
 
 }  // namespace
 
-bool convex_hull(std::span<const double> xyz, Array<std::uint32_t>& triangles, FitFrame* frame_out) {
+bool convex_hull_on_grid(std::span<const Vec3> y, const std::uint32_t start[4], Array<std::uint32_t>& triangles) {
   Memory* memory = triangles.get_allocator().resource();
-  const auto n = static_cast<std::uint32_t>(xyz.size() / 3);
-  const auto point = [&](std::uint32_t i) { return Vec3(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]); };
+  const auto n = static_cast<std::uint32_t>(y.size());
   triangles.clear();
-  if (n < 4) return false;
-  const auto far = [&](const Vec3& d, Vec3& x) {
-    std::uint32_t best = 0;
-    for (std::uint32_t i = 1; i < n; ++i)
-      if (d.dot(point(i)) > d.dot(point(best))) best = i;
-    x = point(best);
-    return true;
-  };
-  FitFrame frame;
-  fit_frame(far, frame);
-  if (frame.flat) return false;
-  if (frame_out != nullptr) *frame_out = frame;
-  std::uint32_t start[4] = {0, 0, 0, 0};
-  Array<Vec3> y(n, memory);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    y[i] = frame.map(point(i));
-    if (!HullMesh::in_range(y[i])) return false;  // not finite
-    y[i] = HullMesh::snap(y[i]);
-    for (int k = 0; k < 4; ++k)
-      if (point(i) == frame.start[k]) start[k] = i;
-  }
+  if (HullMesh::orientation(y[start[0]], y[start[1]], y[start[2]], y[start[3]]) == 0) return false;
   HullMesh mesh(memory);
   mesh.start(y[start[0]], y[start[1]], y[start[2]], y[start[3]]);
   Array<std::uint32_t> index(4, memory);  // mesh vertex -> point
   for (std::uint32_t v = 0; v < 4; ++v)
-    for (const std::uint32_t i : start)
-      if (mesh.point(v) == y[i]) index[v] = i;
+    for (int k = 0; k < 4; ++k)
+      if (mesh.point(v) == y[start[k]]) index[v] = start[k];
   Array<std::uint32_t> waiting({0, 1, 2, 3}, memory);  // facets that may have points outside
   OutsideLists lists(n, memory);
   const auto file = [&](std::uint32_t p, const Array<std::uint32_t>& facets) {
@@ -233,6 +208,39 @@ bool convex_hull(std::span<const double> xyz, Array<std::uint32_t>& triangles, F
     if (mesh.facet(f).alive)
       for (const std::uint32_t v : mesh.facet(f).v) triangles.push_back(index[v]);
   return true;
+}
+
+FitFrame fit_frame_of_points(std::span<const double> xyz) {
+  const auto far = [&](const Vec3& d, Vec3& x) {
+    std::size_t best = 0;
+    for (std::size_t k = 3; k + 3 <= xyz.size(); k += 3)
+      if (d.dot(Vec3(xyz[k], xyz[k + 1], xyz[k + 2])) > d.dot(Vec3(xyz[best], xyz[best + 1], xyz[best + 2]))) best = k;
+    x = Vec3(xyz[best], xyz[best + 1], xyz[best + 2]);
+    return true;
+  };
+  FitFrame frame;
+  fit_frame(far, frame);
+  return frame;
+}
+
+bool convex_hull(std::span<const double> xyz, Array<std::uint32_t>& triangles, FitFrame* frame_out) {
+  const auto n = static_cast<std::uint32_t>(xyz.size() / 3);
+  const auto point = [&](std::uint32_t i) { return Vec3(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]); };
+  triangles.clear();
+  if (n < 4) return false;
+  const FitFrame frame = fit_frame_of_points(xyz);
+  if (frame.flat) return false;
+  if (frame_out != nullptr) *frame_out = frame;
+  std::uint32_t start[4] = {0, 0, 0, 0};
+  Array<Vec3> y(n, triangles.get_allocator().resource());
+  for (std::uint32_t i = 0; i < n; ++i) {
+    y[i] = frame.map(point(i));
+    if (!HullMesh::in_range(y[i])) return false;  // not finite
+    y[i] = HullMesh::snap(y[i]);
+    for (int k = 0; k < 4; ++k)
+      if (point(i) == frame.start[k]) start[k] = i;
+  }
+  return convex_hull_on_grid(y, start, triangles);
 }
 
 }  // namespace carom

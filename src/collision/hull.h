@@ -29,6 +29,8 @@ class HullMesh {
   static constexpr Real kGrid = 0x1p-51;  // and multiples of this: 53 bits, differences exact in a double
 
   static Vec3 snap(const Vec3& p) { return kGrid * (p / kGrid).array().round().matrix(); }
+  /// Sign of (q - p) x (r - p) . (x - p), exactly, for points of the grid whose coordinates differ by less than 4.
+  static int orientation(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x);
   static bool in_range(const Vec3& p) { return p.cwiseAbs().maxCoeff() < kRange && finite(p); }
 
   explicit HullMesh(Memory* memory)
@@ -99,5 +101,15 @@ class HullMesh {
 /// @source           incremental insertion with lists of outside points, farthest first [Barber1996]
 /// @oracle           tests/unit/collision/test_hull
 bool convex_hull(std::span<const double> xyz, Array<std::uint32_t>& triangles, FitFrame* frame = nullptr);
+
+/// The frame in which convex_hull works: of any points, flat ones too.
+FitFrame fit_frame_of_points(std::span<const double> xyz);
+
+/// Convex hull of points that lie on the mesh's grid already, exactly.
+/// @param y          [n] multiples of HullMesh::kGrid, all differences of coordinates below 4
+/// @param start      indices of four of them that span as much as they can
+/// @param triangles  as above; points within a flat face or a straight edge may be among the vertices
+/// @return           false, and no triangles, if the four lie in a plane
+bool convex_hull_on_grid(std::span<const Vec3> y, const std::uint32_t start[4], Array<std::uint32_t>& triangles);
 
 }  // namespace carom

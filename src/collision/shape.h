@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "collision/farthest_vertex.h"
 #include "collision/hull_faces.h"
-#include "core/memory.h"
 #include "core/vec.h"
 
 namespace carom {
@@ -37,7 +37,7 @@ struct MassProperties {
 
 /// Immutable once made, shared between worlds and threads.
 struct Shape {
-  explicit Shape(Memory* memory) : params(memory), faces(memory) {}
+  explicit Shape(Memory* memory) : params(memory), farthest(memory), faces(memory) {}
 
   Form form = Form::none;
   bool host_thread = false;      // support may be called on the stepping thread only
@@ -53,6 +53,7 @@ struct Shape {
   Real half_height = 0;          // capsule (of the core segment), cylinder, cone; along y
   Vec3 half = Vec3::Zero();      // box half extents; ellipsoid radii
   std::span<const double> vertices;  // polytope: [3k] x,y,z, inside params
+  FarthestVertex farthest;       // polytope: of these; empty until built
   Vec3 normal = Vec3::UnitY();   // half-space { x : normal . x <= offset }, unit
   Real offset = 0;               // m
 

@@ -2,6 +2,7 @@
 // at it narrows.
 #pragma once
 
+#include "collision/core.h"
 #include "collision/narrow/query.h"
 
 namespace carom {
@@ -29,12 +30,9 @@ class Difference {
   bool support(const Vec3& n, DifferencePoint& out, Real& value) {
     const Vec3 n_b = -(rotation_.transpose() * n);
     ++calls;
-    const int bad_a = fn_a_(params_a_, count_a_, n.data(), out.a.data());
-    const int bad_b = fn_b_(params_b_, count_b_, n_b.data(), out.b.data());
-    // Comparisons that a NaN fails.
-    const bool good = !bad_a && !bad_b && out.a.squaredNorm() <= limit2_a_ && out.b.squaredNorm() <= limit2_b_;
-    if (!good) return blame(n, n_b, bad_a, bad_b, out);
-    out.w = scaled_rotation_ * out.b + scaled_offset_ - scale_ * out.a;
+    if (!core_a_.support(n, out.a)) return core_a_.blame(n, out.a, fault);
+    if (!core_b_.support(n_b, out.b)) return core_b_.blame(n_b, out.b, fault);
+    out.w = scale_ * (rotation_ * out.b + offset_ - out.a);
     value = n.dot(out.w);
     if (value > lower) {
       lower = value;
@@ -51,7 +49,7 @@ class Difference {
   Vec3 centre_offset() const;
 
   Real to_scaled(Real metres) const { return metres * scale_; }
-  Real to_metres(Real scaled) const { return scaled / scale_; }
+  Real to_metres(Real scaled) const { return scaled * metre_; }
   Real rounding() const { return rounding_; }
   Real radii() const { return radii_; }
   Real slack() const { return slack_; }
@@ -62,16 +60,10 @@ class Difference {
   SupportFault fault;
 
  private:
-  bool blame(const Vec3& n, const Vec3& n_b, int bad_a, int bad_b, const DifferencePoint& out);
-
-  SupportFn fn_a_, fn_b_;
-  const double *params_a_, *params_b_;
-  std::uint64_t count_a_, count_b_;
-  Real limit2_a_, limit2_b_;  // m^2: no support point of a core is farther from its shape's origin
-  Mat3 rotation_, scaled_rotation_;
-  Vec3 scaled_offset_;
-  Real scale_ = 1, rounding_ = 0, radii_ = 0, slack_ = 0;
-  const Shape *a_, *b_;
+  Core core_a_, core_b_;
+  Mat3 rotation_;
+  Vec3 offset_;  // m
+  Real scale_ = 1, metre_ = 1, rounding_ = 0, radii_ = 0, slack_ = 0;
   bool usable_ = false;
 };
 

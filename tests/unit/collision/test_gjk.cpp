@@ -167,6 +167,13 @@ static void a_power_of_two_in_size_changes_no_bit(void**) {
         t.bounding_radius *= scale;
         t.bounds.lo *= scale;
         t.bounds.hi *= scale;
+        t.radius *= scale;
+        t.half_height *= scale;
+        t.half *= scale;
+        if (t.form == Form::polytope) {
+          t.vertices = t.params;
+          t.farthest.build(t.vertices);
+        }
         return t;
       };
       const QueryResult r = ask(scaled(p.a), scaled(p.b), Frame(p.b_in_a.r, scale * p.b_in_a.p));
@@ -236,6 +243,7 @@ static void a_bad_support_function_is_caught_with_its_evidence(void**) {
   for (const auto& liar : liars) {
     Shape bad = box(Vec3(0.5, 0.6, 0.7));
     bad.support = liar.support;
+    bad.form = Form::none;  // else the engine speaks for it
     for (const bool swapped : {false, true}) {
       SupportFault fault;
       const QueryResult r = ask(swapped ? bad : good, swapped ? good : bad, at(2.5, 0.4, 0.3), {}, nullptr, &fault);
@@ -256,6 +264,7 @@ static void a_worse_point_than_one_seen_is_caught(void**) {
   const Shape good = box(Vec3(1, 1, 1));
   Shape bad = box(Vec3(0.5, 0.6, 0.7));
   bad.support = mixes_axes;
+  bad.form = Form::none;
   int caught = 0;
   for (int i = 0; i < 100; ++i) {
     SupportFault fault;
