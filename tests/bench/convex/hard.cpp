@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <deque>
@@ -25,24 +26,27 @@ struct Case {
         b(std::move(pair.b)),
         expected(pair.expected),
         tolerance(pair.tolerance),
-        smallest(pair.smallest) {
+        smallest(pair.smallest),
+        asked(1e-6 * std::max(a.shape.bounding_radius, b.shape.bounding_radius)) {
     query = {&a.solid, &b.solid, placement(Frame()), placement(pair.b_in_a), 0};
   }
 
   OwnedSolid a, b;
   Query query;
-  double expected, tolerance, smallest;
+  double expected, tolerance, smallest, asked;
 };
 
-/// @return a verdict on one answer; lengths against the smallest feature of the pair, beyond the reference's own error
+/// @return a verdict on one answer; lengths against the smallest feature of the pair, or
+///         1e-6 of its size, which is what was asked for, beyond the reference's own error
 Outcome judge(const Case& c, const Answer& answer) {
   const double asked = 1e-6 * c.smallest;
   if (wrong_verdict(answer, c.expected, c.tolerance + asked)) return verdict;
   const bool touching = std::fabs(c.expected) <= c.tolerance + asked;
   if (std::isnan(answer.separation)) return right;  // yes or no was the question
   if (!std::isfinite(answer.separation)) return no_number;
-  if (std::fabs(answer.separation - c.expected) > c.tolerance + kWrong * c.smallest) return value;
-  if (!touching && !(waste(c.query, answer, c.expected) <= c.tolerance + kWaste * c.smallest)) return normal;
+  if (std::fabs(answer.separation - c.expected) > c.tolerance + std::max(kWrong * c.smallest, c.asked)) return value;
+  const double spare = c.tolerance + std::max(kWaste * c.smallest, c.asked);
+  if (!touching && !(waste(c.query, answer, c.expected) <= spare)) return normal;
   return right;
 }
 
