@@ -203,11 +203,14 @@ static void an_ellipsoid_touches_in_exactly_one_point(void**) {
 static void a_lying_cone_touches_from_tip_to_rim(void**) {
   const Shape slab = faced(box(Vec3(2, 0.5, 2)));
   at_many([&](Real gap, ManifoldKind kind, const Vec3& off, Random& random) {
-    const Shape hat = cone(random.uniform(0.1, 0.5), random.uniform(0.1, 0.5));
+    const Real radius = random.uniform(0.1, 0.5), half_height = random.uniform(0.1, 0.5);  // in this order anywhere
+    const Shape hat = cone(radius, half_height);
     const Frame above = lying_cone(hat) * turned(Vec3(0, 0, 0), Vec3::Zero());
     const Touch t = on_top(slab, 0.5, hat, above, gap, random);
     const Found f = patch_of(t, kind, off);
-    assert_at(f, {Vec3(0, hat.half_height, 0), Vec3(hat.radius, -hat.half_height, 0)}, 1e-8);
+    assert_at(f, {Vec3(0, hat.half_height, 0), Vec3(hat.radius, -hat.half_height, 0)},
+              1e-7);  // 1e-4 rad of tilt, times 1e-3 that
+                      // the stage before leaves of it
     assert_consistent(t, f, gap, kRounding);
     assert_true(f.calls <= 9 + 25);
   });
