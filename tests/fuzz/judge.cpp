@@ -34,7 +34,7 @@ struct Answer {
   QueryResult r;
   SupportFault fault;
   Real size = 0;               // m, of the pair
-  Real least = 0;              // m, the smaller bounding radius
+  Real least = 0;              // m, what a tolerance is relative to
   Real radii = 0;              // m, added to the cores: core radii and shells
   bool asked_generic = false;  // GJK answered
   Real shell = 0;              // m, the hybrid's, on both shapes together: a pair that has a routine wears none
@@ -285,7 +285,8 @@ void measure(Answer& x, Real shell) {
            std::fabs(b.offset) + shell;
   x.radii = a.core_radius + b.core_radius + shell;
   const auto radius = [](const Shape& s) { return s.form == Form::half_space ? kInfinity : s.bounding_radius; };
-  x.least = std::min(radius(a), radius(b));
+  const bool flat = a.form == Form::half_space || b.form == Form::half_space;
+  x.least = flat ? std::min(radius(a), radius(b)) : size_of_pair(a, b, x.b_in_a);
 }
 
 Answer ask(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySettings& settings, QueryMemory* memory,

@@ -23,7 +23,7 @@ const char* fault_in(const Known& e, const Shape& a, const Shape& b, const Frame
                      Real slack, const QueryResult& r) {
   const Real size = f.p.cwiseAbs().sum() + a.bounding_radius + b.bounding_radius + shell;
   const Real rounding = kBracketRounding * kUnitRoundoff * size,
-             asked = s.tolerance * std::min(a.bounding_radius, b.bounding_radius);
+             asked = s.tolerance * size_of_pair(a, b, f);
   const Real width = r.upper - r.lower, radii = a.core_radius + b.core_radius + shell;
   if (!(carom::finite(r.normal) && carom::finite(r.point_a) && carom::finite(r.point_b))) return "not finite";
   if (!(r.lower <= r.separation && r.separation <= r.upper)) return "separation outside its bracket";
@@ -97,7 +97,7 @@ class Checker {
     const Real shell = routine ? 0 : shells(s);
     const char* what = fault.kind != SupportFault::none ? "fault" : fault_in(e, a, b, f, s, shell, slack, r);
     const Real size = f.p.cwiseAbs().sum() + a.bounding_radius + b.bounding_radius + shell;
-    const Real asked = s.tolerance * std::min(a.bounding_radius, b.bounding_radius);
+    const Real asked = s.tolerance * size_of_pair(a, b, f);
     const bool reachable = asked > 8 * kBracketRounding * kUnitRoundoff * size;
     tally.short_of += !what && !e.ring && reachable && slack == 0 && r.status != QueryStatus::exact_enough;
     if (!what) return;

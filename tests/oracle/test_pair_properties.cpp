@@ -219,7 +219,7 @@ static void asking_for_more_never_gets_less(void**) {
     const ShapePair p = any_pair(random, i);
     QuerySettings s = any_settings(random);
     s.routines = false;
-    const Real least = std::min(p.a.bounding_radius, p.b.bounding_radius);
+    const Real least = size_of_pair(p.a, p.b, p.b_in_a);
     QueryResult before;
     Real width = kInfinity;
     for (const Real tolerance : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {

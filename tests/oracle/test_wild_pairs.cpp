@@ -75,7 +75,7 @@ static void no_answer_contradicts_another_or_a_direction(void**) {
   int wide = 0;
   for (int i = 0; i < kPairs; ++i) {
     const ShapePair p = wild_pair(random);
-    const Real least = std::min(p.a.bounding_radius, p.b.bounding_radius);
+    const Real least = size_of_pair(p.a, p.b, p.b_in_a);
     const Real reach = p.b_in_a.p.norm() + p.a.bounding_radius + p.b.bounding_radius;
     const Frame a_in_b(p.b_in_a.r.transpose(), -(p.b_in_a.r.transpose() * p.b_in_a.p));
     QueryResult r[4];

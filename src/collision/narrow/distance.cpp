@@ -62,8 +62,8 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
   result.support_calls = static_cast<int>(calls);
   const Real size = b_in_a.p.cwiseAbs().sum() + extent(a) + extent(b);
   const Real slack = (kBracketRounding * kUnitRoundoff + (specific ? entry.accuracy : 0)) * size;
-  const Real radius_a = flat_a ? kInfinity : a.bounding_radius, radius_b = flat_b ? kInfinity : b.bounding_radius;
-  const Real asked = settings.tolerance * std::min(radius_a, radius_b);
+  const Real asked =
+      settings.tolerance * (flat_a ? b.bounding_radius : (flat_b ? a.bounding_radius : size_of_pair(a, b, b_in_a)));
   // Where the routine has no answer (apart), or one that is not exact enough: GJK, without the shells of the hybrid,
   // which a routine does not know either.
   const bool apart = !entry.exact_apart && (found.count == 0 || deepest(found).separation > 0);

@@ -1,7 +1,7 @@
 // The signed distance of any two convex shapes: GJK on the cores, EPA where they overlap, one bracket for both.
 #include <algorithm>
 
-#include "collision/narrow/epa.h"
+#include "collision/narrow/coaxial.h"
 #include "collision/narrow/hybrid.h"
 
 namespace carom {
@@ -28,6 +28,43 @@ void write_points(const Difference& difference, const DifferenceSimplex& simplex
   result.point_b = on_b - (b.core_radius + 0.5 * shell) * b_in_a.rotate_inverse(n);
 }
 
+struct Bounds {
+  Real lower, upper;
+  Vec3 normal;
+  explicit Bounds(const Difference& d) : lower(d.lower), upper(d.upper), normal(d.normal) {}
+  void restore(Difference& d) const {
+    d.lower = lower;
+    d.upper = upper;
+    d.normal = normal;
+  }
+};
+
+/// EPA, in the half-plane alone where the pair is one of revolution. Where it is one only nearly, and that is not good
+/// enough, EPA as for any pair; of two brackets the narrower one, with its own normal and witness.
+EpaEnd penetrate(Difference& difference, const Shape& a, const Shape& b, const Frame& b_in_a, Real gap, int cap,
+                 DifferenceSimplex& simplex, int& iterations) {
+  constexpr Real kNearly = 1e-3;  // scaled: a ring more uneven than this has few equal faces, and EPA does better
+  const Axis axis = common_axis(a, b, b_in_a);
+  const Real uneven = difference.to_scaled(axis.uneven);
+  if (!(uneven <= kNearly)) return epa(difference, gap, cap, simplex, iterations);
+  const Bounds before(difference);
+  DifferenceSimplex ring;
+  const EpaEnd even = coaxial(difference, axis, std::max(gap, 8 * uneven), cap, ring, iterations);
+  if (even == EpaEnd::fault || even == EpaEnd::apart) return even;
+  const Bounds known(difference);
+  if (even == EpaEnd::flat || known.upper - known.lower > gap) {
+    before.restore(difference);
+    const EpaEnd end = iterations < cap ? epa(difference, gap, cap, simplex, iterations) : EpaEnd::capped;
+    const bool narrower = even != EpaEnd::flat && known.upper - known.lower < difference.upper - difference.lower;
+    if (!narrower || end == EpaEnd::fault || end == EpaEnd::apart) return end;
+    known.restore(difference);
+    simplex = ring;
+    return end;
+  }
+  simplex = ring;
+  return EpaEnd::narrow;
+}
+
 }  // namespace
 
 void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySettings& settings,
@@ -38,7 +75,7 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
   if (!difference.usable()) return give_up(result, QueryStatus::rounding);
 
   const Real rounding = difference.rounding(), radii = difference.radii();
-  const Real asked = difference.to_scaled(settings.tolerance * std::min(a.bounding_radius, b.bounding_radius));
+  const Real width = settings.tolerance * size_of_pair(a, b, b_in_a), asked = difference.to_scaled(width);
   GjkRequest request;
   request.solver = simplex_solver(settings.simplex);
   // The bracket is widened by rounding on both sides; a gap far below that can't be told from none.
@@ -76,7 +113,7 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
     }
     deep = true;
     const Real proven = difference.upper;
-    const EpaEnd judged = epa(difference, request.gap, epa_cap, simplex, result.epa_iterations);
+    const EpaEnd judged = penetrate(difference, a, b, b_in_a, request.gap, epa_cap, simplex, result.epa_iterations);
     bad = judged == EpaEnd::fault;
     capped = judged == EpaEnd::capped;
     if (judged != EpaEnd::apart) break;
@@ -98,8 +135,7 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
   result.normal = difference.normal;
   const DifferenceSimplex& nearest = lowered ? (spare.count > 0 ? spare : simplex) : proof;
   write_points(difference, deep ? simplex : nearest, a, b, b_in_a, shell, result);
-  if (result.upper - result.lower <= settings.tolerance * std::min(a.bounding_radius, b.bounding_radius) ||
-      result.farther)
+  if (result.upper - result.lower <= width || result.farther)
     result.status = QueryStatus::exact_enough;
   else
     result.status = capped ? QueryStatus::capped : QueryStatus::rounding;

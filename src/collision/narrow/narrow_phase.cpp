@@ -28,7 +28,7 @@ void collide_generic(const Shape& a, const Frame& frame_a, const Shape& b, const
   QuerySettings query = settings.query;
   query.max_distance = settings.manifold.contact_distance;
   QueryResult result;
-  const Real shell = shells(query), width = settings.carry_over * std::min(a.bounding_radius, b.bounding_radius);
+  const Real shell = shells(query), width = settings.carry_over * size_of_pair(a, b, b_in_a);
   if (width > 0 && carry_over(a, b, b_in_a, width, shell, memory.certificate, result)) {
     report.carried += 1;
   } else {

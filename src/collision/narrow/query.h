@@ -1,6 +1,8 @@
 // One question: the signed distance of two shapes, with a bracket that is true whatever happens.
 #pragma once
 
+#include <algorithm>
+
 #include "collision/shape.h"
 #include "core/pose.h"
 
@@ -13,7 +15,7 @@ struct QuerySettings {
   Simplex simplex = Simplex::voronoi_last;
   Method method = Method::gjk_epa;
   bool routines = true;       // use a specific routine where both shapes declare a closed form
-  Real tolerance = 1e-6;      // stop when upper - lower <= tolerance * size of the pair (the smaller bounding radius)
+  Real tolerance = 1e-6;      // stop when upper - lower <= tolerance * size_of_pair()
   Real margin = 1e-3;         // m, shell around each shape under Method::hybrid
   Real max_distance = kInfinity;  // m: farther apart than this, "farther" is answer enough (lower > max_distance)
   int gjk_cap = 128;
@@ -50,6 +52,14 @@ struct QueryMemory {
   Vec3 direction = Vec3::Zero();  // A's frame: last separating direction (A to B); zero: none yet
   Certificate certificate;        // kept by the narrow phase if answers are carried over
 };
+
+/// The length that tolerances are relative to: the smaller bounding radius. A point has none; against a point it is the
+/// other shape's, and between two points their distance, so that an answer exact to rounding is exact enough.
+/// @return m, 0 for two points in one place, whose bracket has no width either
+inline Real size_of_pair(const Shape& a, const Shape& b, const Frame& b_in_a) {
+  const Real least = std::min(a.bounding_radius, b.bounding_radius), most = std::max(a.bounding_radius, b.bounding_radius);
+  return least > 0 ? least : (most > 0 ? most : b_in_a.p.norm());
+}
 
 /// Signed distance of two convex shapes by the generic path (GJK, EPA, hybrid). Neither may be a half-space.
 /// @param b_in_a  pose of B in A's frame

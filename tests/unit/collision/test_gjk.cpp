@@ -67,10 +67,9 @@ static void features_of_boxes_have_their_textbook_distance(void**) {
 
 static void a_point_and_a_flat_box_are_shapes_too(void**) {
   const Shape point = box(Vec3::Zero()), plate = box(Vec3(1, 0, 1)), line = box(Vec3(0, 1, 0));
-  // A tolerance relative to a size of zero cannot be met: the bracket is as narrow as rounding lets it be, and says so.
-  const QueryResult r = ask(point, plate, at(0.2, 0.5, 0.1));
-  assert_int_equal(static_cast<int>(r.status), static_cast<int>(QueryStatus::rounding));
-  assert_true(r.lower <= 0.5 && 0.5 <= r.upper && r.upper - r.lower < 1e-13);
+  // A point has no size that a tolerance could be relative to: the plate's counts.
+  assert_is(ask(point, plate, at(0.2, 0.5, 0.1)), 0.5, 1e-13);
+  assert_is(ask(point, point, at(0, 3, 4)), 5, 1e-13);
   assert_is(ask(line, plate, at(0, 1.5, 0)), 0.5, 2e-6);
   const QueryResult same = ask(point, point, at(0, 0, 0));
   assert_true(same.separation == 0 && same.lower <= 0 && same.upper >= 0 && carom::finite(same.normal));
