@@ -217,8 +217,13 @@ EpaEnd coaxial(Difference& difference, const Axis& axis, Real gap, int cap, Diff
   const auto write = [&](int i, Real weight) {
     return write_corner(difference, profile[i], up, aside, slop, axis.tilt, weight, simplex);
   };
-  if (write(from, 1 - share) && write(profile[from].next, share)) return end;
-  return difference.fault.kind == SupportFault::none ? nothing() : EpaEnd::fault;
+  const bool written = write(from, 1 - share) && write(profile[from].next, share);
+  if (difference.fault.kind != SupportFault::none) return EpaEnd::fault;
+  Vec3 witness = Vec3::Zero();
+  for (int i = 0; i < simplex.count; ++i) witness += simplex.weight[i] * simplex.point[i].w;
+  // The pair is one of revolution only nearly: its own points must lie where the bracket says, or EPA has to find some.
+  const Real off = std::fabs(difference.normal.dot(witness) - difference.lower);
+  return written && off <= difference.upper - difference.lower + difference.rounding() ? end : nothing();
 }
 
 }  // namespace carom
