@@ -15,10 +15,10 @@ class Core {
   explicit Core(const Shape& shape) : shape_(&shape), form_(own_form(shape)) {}
 
   /// The point farthest along n.
-  /// @param n    [3] unit to 1e-3, shape frame
+  /// @param n    [3] unit to 5 % (a manifold's tilted directions are not shortened), shape frame
   /// @param out  [3] m, shape frame
   /// @return     false if the plugin's function misbehaved; blame() says how
-  /// @accuracy   n . out is below the largest by at most 8 u times the shape's size (closed forms: two roundings a
+  /// @accuracy   n . out is below the largest by at most 8 u |n| times the shape's size (closed forms: two roundings a
   ///             component; polytopes: FarthestVertex)
   /// @oracle     tests/unit/collision/test_core
   bool support(const Vec3& n, Vec3& out);

@@ -4,6 +4,7 @@
 #include "collision/cast/line.h"
 #include "collision/cast/overlap.h"
 #include "collision/cast/rounding.h"
+#include "collision/core.h"
 #include "collision/support.h"
 
 namespace carom {
@@ -19,26 +20,25 @@ class RaySet {
   /// @param basis  columns: two perpendiculars of the line, its direction; shape frame
   /// @param offset of the line across itself, scaled
   RaySet(const Shape& shape, const Mat3& basis, const line::Vec2& offset, Real scale, SupportFault& fault)
-      : shape_(shape),
+      : core_(shape),
         basis_(basis),
         scaled_(scale * basis.transpose()),
         offset_(offset.x(), offset.y(), 0),
-        fault_(fault) {
-    const Real reach = std::max(shape.bounding_radius - shape.core_radius, Real(0)) + 1e-6 * shape.bounding_radius;
-    limit2_ = reach * reach;
-  }
+        fault_(fault) {}
 
   bool support(const Vec3& n, Point& out) {
     const Vec3 d = -(basis_ * n);
-    Vec3 p;
-    if (!core_support(shape_, d, p, fault_)) return false;
-    if (!(p.squaredNorm() <= limit2_)) return fail(SupportFault::outside, d, p);
+    Vec3 p = Vec3::Zero();
+    if (!core_.support(d, p)) return core_.blame(d, p, fault_);
     out.y = scaled_ * p - offset_;
     return true;
   }
 
   void blame(const Vec3& n, const Point& claimed, const Point&) {
-    fail(SupportFault::not_support, -(basis_ * n), at(claimed.y));
+    const Vec3 d = -(basis_ * n), p = at(claimed.y);
+    fault_.kind = SupportFault::not_support;
+    fault_.shape = &core_.shape();
+    for (int i = 0; i < 3; ++i) fault_.dir[i] = d[i], fault_.out[i] = p[i];
   }
 
   /// A point in the shape's frame.
@@ -49,17 +49,9 @@ class RaySet {
   }
 
  private:
-  bool fail(SupportFault::Kind kind, const Vec3& d, const Vec3& p) {
-    fault_.kind = kind;
-    fault_.shape = &shape_;
-    for (int i = 0; i < 3; ++i) fault_.dir[i] = d[i], fault_.out[i] = p[i];
-    return false;
-  }
-
-  const Shape& shape_;
+  Core core_;
   Mat3 basis_, scaled_;
   Vec3 offset_;
-  Real limit2_;
   SupportFault& fault_;
 };
 

@@ -5,7 +5,7 @@
 
 #include "collision/cast/overlap.h"
 #include "collision/cast/rounding.h"
-#include "collision/support.h"
+#include "collision/core.h"
 
 namespace carom {
 namespace {
@@ -154,16 +154,18 @@ class Advance {
 
   /// Gap beyond the target that the plane of the last look has at another time, rounding taken off.
   bool plane_gap(Real t, Real& gap) {
-    const auto farthest = [&](const Shape& s, const Motion& m, const Vec3& n, Real& value) {
+    const auto farthest = [&](Core core, const Motion& m, const Vec3& n, Real& value) {
+      const Shape& s = core.shape();
       const Frame frame(m.after(t));
       Vec3 p = s.offset * s.normal;
-      if (!flat(s) && !core_support(s, frame.rotate_inverse(n), p, fault_)) return false;
+      const Vec3 d = frame.rotate_inverse(n);
+      if (!flat(s) && !core.support(d, p)) return core.blame(d, p, fault_);
       value = n.dot(frame.apply(p)) + s.core_radius;
       return true;
     };
     Real of_a, of_b;
     ++result_.support_calls;
-    if (!farthest(a_, ma_, seen_.normal, of_a) || !farthest(b_, mb_, -seen_.normal, of_b)) return fail();
+    if (!farthest(Core(a_), ma_, seen_.normal, of_a) || !farthest(Core(b_), mb_, -seen_.normal, of_b)) return fail();
     gap = -of_b - of_a - settings_.target - rounding_at(t) - kBracketRounding * kUnitRoundoff * size();
     return true;
   }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "collision/support.h"
+#include "collision/core.h"
 
 namespace carom {
 namespace {
@@ -211,7 +211,9 @@ Vec3 steady_perpendicular(const Vec3& n) {
 
 bool Prober::operator()(const Vec3& d, Vec3& out) const {
   ++calls;
-  return core_support(shape, d, out, fault);
+  Core core(shape);
+  out.setZero();
+  return core.support(d, out) || core.blame(d, out, fault);
 }
 
 Real leaning(const Shape& shape, Real reach) {
