@@ -49,6 +49,17 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
   const bool specific = settings.routines && entry.routine;
   if (!specific && !flat_a && !flat_b) return generic_distance(a, b, b_in_a, settings, memory, result, fault);
   if (flat_a && flat_b) return unknown(QueryStatus::capped, result);  // two half-spaces: no contract, no claim
+  const Real size = b_in_a.p.cwiseAbs().sum() + extent(a) + extent(b);
+  const Real slack = (kBracketRounding * kUnitRoundoff + (specific ? entry.accuracy : 0)) * size;
+  const Real asked =
+      settings.tolerance * (flat_a ? b.bounding_radius : (flat_b ? a.bounding_radius : size_of_pair(a, b, b_in_a)));
+  // GJK, without the shells of the hybrid, which a routine does not know either.
+  const auto ask_gjk = [&] {
+    QuerySettings exact = settings;
+    exact.method = Method::gjk_epa;
+    generic_distance(a, b, b_in_a, exact, memory, result, fault);
+  };
+  if (specific && entry.accuracy > 0 && 2 * slack > asked && !flat_a && !flat_b) return ask_gjk();  // not exact enough
   const bool swapped = specific ? entry.swapped : flat_b;
   const Shape &first = swapped ? b : a, &second = swapped ? a : b;
   const Frame frame = swapped ? Frame(b_in_a.r.transpose(), -(b_in_a.r.transpose() * b_in_a.p)) : b_in_a;
@@ -60,18 +71,8 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
     return unknown(QueryStatus::fault, result);
   }
   result.support_calls = static_cast<int>(calls);
-  const Real size = b_in_a.p.cwiseAbs().sum() + extent(a) + extent(b);
-  const Real slack = (kBracketRounding * kUnitRoundoff + (specific ? entry.accuracy : 0)) * size;
-  const Real asked =
-      settings.tolerance * (flat_a ? b.bounding_radius : (flat_b ? a.bounding_radius : size_of_pair(a, b, b_in_a)));
-  // Where the routine has no answer (apart), or one that is not exact enough: GJK, without the shells of the hybrid,
-  // which a routine does not know either.
-  const bool apart = !entry.exact_apart && (found.count == 0 || deepest(found).separation > 0);
-  if (specific && (apart || (entry.accuracy > 0 && 2 * slack > asked && !flat_a && !flat_b))) {
-    QuerySettings exact = settings;
-    exact.method = Method::gjk_epa;
-    return generic_distance(a, b, b_in_a, exact, memory, result, fault);
-  }
+  // The routine is no judge of shapes apart.
+  if (specific && !entry.exact_apart && (found.count == 0 || deepest(found).separation > 0)) return ask_gjk();
   if (found.count == 0) return unknown(QueryStatus::rounding, result);  // poses that are no numbers
   answer(deepest(found), swapped, b_in_a, slack, asked, result);
 }

@@ -10,7 +10,7 @@ namespace carom {
 /// Contact points of two declared shapes, every point of the patch.
 /// @param b_in_a  pose of B in A's frame
 /// @param reach   m: points farther apart than this are left out; kInfinity: none is, and ties are broken by depth
-/// alone
+///                alone; a routine that is not exact apart may then say nothing of shapes apart
 /// @param found   appended to, at most Candidates::kMax points; normal in A's FRAME, from A to B (the caller turns it).
 ///                The deepest point attains the signed distance of the pair.
 /// @accuracy      16 u M, M the size of the operands, and PairEntry::accuracy times M

@@ -33,9 +33,11 @@ struct Axis {
 /// The preferred axis of largest separation, over the three faces of each box and the nine pairs of edges.
 /// For unit axis n: separation(n) = |n . t| - sum_k ha_k |n . e_k| - sum_k hb_k |n . R_k|, a bound of the distance from
 /// below, and the (negative) depth itself at the best of the fifteen when the boxes overlap.
+/// With reach infinite, the depth being asked for, any axis that separates ends it: apart, others know the distance.
 /// @source [Gottschalk1996 §5]
 Axis best_axis(const Mat3& r, const Vec3& t, const Vec3& ha, const Vec3& hb, Real reach) {
   const bool exact = reach == kInfinity;
+  if (exact) reach = 0;
   const Mat3 abs_r = r.cwiseAbs();
   const Real size = ha.sum() + hb.sum();
   const Real absolute = exact ? kRounding * size : kPreferAbsolute * std::min(ha.minCoeff(), hb.minCoeff());
