@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "collision/narrow/query.h"
 #include "carom_test.h"
+#include "collision/narrow/query.h"
 #include "pair_cases.h"
 
 using namespace carom;
