@@ -10,13 +10,15 @@ namespace carom {
 namespace {
 
 /// Keep the points of a feature, oldest first, and the upper bound that its weights prove.
+/// @param w      [4][3] of the simplex' points, kept with them
 /// @param spare  the simplex that proves the upper bound, where this one does not (a thin one's weights are inexact)
-void keep(DifferenceSimplex& simplex, const Nearest& nearest, Difference& difference, DifferenceSimplex& spare) {
+void keep(DifferenceSimplex& simplex, Vec3* w, const Nearest& nearest, Difference& difference,
+          DifferenceSimplex& spare) {
   Real weight[4] = {-1, -1, -1, -1};
   Vec3 v = Vec3::Zero();
   for (int i = 0; i < nearest.count; ++i) {
     weight[nearest.index[i]] = nearest.weight[i];
-    v += nearest.weight[i] * simplex.point[nearest.index[i]].w;
+    v += nearest.weight[i] * w[nearest.index[i]];
   }
   // Whatever rounding did to the feature, v is a point of the difference: its length is an honest bound.
   const Real length = v.norm();
@@ -26,18 +28,22 @@ void keep(DifferenceSimplex& simplex, const Nearest& nearest, Difference& differ
   } else if (spare.count == 0) {
     spare = simplex;
   }
+  const int known = simplex.count + 1;
   simplex.count = 0;
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < known; ++i) {
     if (weight[i] < 0) continue;
     const int to = simplex.count++;
-    if (to != i) simplex.point[to] = simplex.point[i];
+    if (to != i) {
+      simplex.point[to] = simplex.point[i];
+      w[to] = w[i];
+    }
     simplex.weight[to] = weight[i];
   }
 }
 
-bool repeated(const DifferenceSimplex& simplex, const Vec3& w) {
-  for (int i = 0; i < simplex.count; ++i)
-    if (simplex.point[i].w == w) return true;
+bool repeated(const Vec3* w, int count) {
+  for (int i = 0; i < count; ++i)
+    if (w[i] == w[count]) return true;
   return false;
 }
 
@@ -59,18 +65,16 @@ GjkEnd close(Difference& difference, const DifferenceSimplex& simplex, GjkEnd en
   return difference.lower > difference.upper + difference.slack() ? contradiction(difference, simplex) : end;
 }
 
-/// The nearest feature of simplex + new point, nearer than `before`; false if there is none.
-bool descend(const GjkRequest& request, const Difference& difference, const DifferenceSimplex& simplex, Real before,
+/// The nearest feature of the points, nearer than `before`; false if there is none.
+bool descend(const GjkRequest& request, const Difference& difference, const Vec3* w, int count, Real before,
              Nearest& nearest) {
-  Vec3 w[4];
-  for (int i = 0; i <= simplex.count; ++i) w[i] = simplex.point[i].w;
-  request.solver(w, simplex.count + 1, nearest);
+  request.solver(w, count, nearest);
   // "Inside" contradicts a separating direction already found: only a degenerate tetrahedron says so.
   const auto good = [&] {
     return nearest.inside ? difference.lower <= difference.rounding() : nearest.distance2 < before;
   };
   if (good()) return true;
-  nearest_voronoi(w, simplex.count + 1, nearest);
+  nearest_voronoi(w, count, nearest);
   return good();
 }
 
@@ -90,13 +94,15 @@ GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first
   Real value = 0;
   ++iterations;
   if (!difference.support(n, simplex.point[0], value)) return GjkEnd::fault;
+  Vec3 w[4] = {simplex.point[0].w};  // of the simplex' points, side by side for the solver
   Nearest nearest;
-  Vec3 w0 = simplex.point[0].w;
-  nearest_voronoi(&w0, 1, nearest);
-  keep(simplex, nearest, difference, spare);
+  nearest_voronoi(w, 1, nearest);
+  keep(simplex, w, nearest, difference, spare);
 
   std::conditional_t<kGuess, Secant, NoGuess> secant;
-  secant.remember(n, w0, value);
+  secant.remember(n, w[0], value);
+  Vec3 towards = nearest.direction;  // of the feature kept, as its distance is
+  Real distance2 = nearest.distance2;
   int plain = request.guess.patience;  // steps to go before the next guess
   for (;;) {
     if (difference.lower > request.farther) return close(difference, simplex, GjkEnd::farther);
@@ -104,11 +110,11 @@ GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first
     if (difference.upper <= difference.rounding()) return GjkEnd::overlap;
     if (iterations >= request.cap) return GjkEnd::capped;
 
-    const Real d2 = nearest.direction.squaredNorm();
+    const Real d2 = towards.squaredNorm();
     if (!(d2 > 0)) return GjkEnd::overlap;  // the origin is on the vertex or edge itself
     const Real best = difference.lower;
     const bool guessed = kGuess && --plain < 0 && best > difference.rounding() && secant.guess(request.guess.watch, n);
-    if (!guessed) n = nearest.direction * (1 / std::sqrt(d2));
+    if (!guessed) n = towards * (1 / std::sqrt(d2));
     DifferencePoint& fresh = simplex.point[simplex.count];
     ++iterations;
     if (!difference.support(n, fresh, value)) return GjkEnd::fault;
@@ -116,22 +122,24 @@ GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first
     if (guessed && !(difference.lower > best)) plain = request.guess.patience;
     if (difference.lower > request.farther) return close(difference, simplex, GjkEnd::farther);
     if (difference.upper - difference.lower <= request.gap) return close(difference, simplex, GjkEnd::narrow);
-    const bool known = repeated(simplex, fresh.w);
+    w[simplex.count] = fresh.w;
+    const bool known = repeated(w, simplex.count);
     if (known && !guessed) return GjkEnd::stuck;
 
-    Nearest next;
-    if (known || !descend(request, difference, simplex, nearest.distance2, next)) {
-      if (guessed && !(next.inside && difference.lower > difference.slack())) {
+    if (known) nearest.clear();
+    if (known || !descend(request, difference, w, simplex.count + 1, distance2, nearest)) {
+      if (guessed && !(nearest.inside && difference.lower > difference.slack())) {
         plain = request.guess.patience;  // no point to go down to, which only a plain step may take for the end
         continue;
       }
-      if (!next.inside || difference.lower <= difference.slack()) return GjkEnd::stuck;
+      if (!nearest.inside || difference.lower <= difference.slack()) return GjkEnd::stuck;
       // A tetrahedron around the origin, and a plane between them: no degenerate one errs by that much.
       ++simplex.count;
       return contradiction(difference, simplex);
     }
-    nearest = next;
-    keep(simplex, nearest, difference, spare);
+    towards = nearest.direction;
+    distance2 = nearest.distance2;
+    keep(simplex, w, nearest, difference, spare);
     if (nearest.inside && difference.upper - difference.lower > request.gap) return GjkEnd::overlap;
   }
 }

@@ -16,6 +16,13 @@ struct Nearest {
   Real weight[4] = {1, 0, 0, 0};  // [count] >= 0, sum 1: v = sum(weight w)
   Vec3 direction = Vec3::Zero();  // any length, zero if v = 0 and the feature is a vertex or an edge
   Real distance2 = kInfinity;     // |v|^2 as the feature's geometry gives it
+
+  /// Nothing found yet; the rest stays as it is.
+  void clear() {
+    inside = false;
+    count = 0;
+    distance2 = kInfinity;
+  }
 };
 
 /// @param w      [count][3] points, about unit size (|w| in 1e-60 .. 1e60); the last one is the newest

@@ -48,19 +48,25 @@ inline Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return triangle_normal(a, b, c, longest2);
 }
 
-inline void answer_vertex(const Vec3* w, int i, Nearest& nearest) {
+/// Vertex i, if it is nearer than what stands in `nearest`; so with the edge and the face below.
+inline void offer_vertex(const Vec3* w, int i, Nearest& nearest) {
+  const Real distance2 = w[i].squaredNorm();
+  if (!(distance2 < nearest.distance2)) return;
   nearest.count = 1;
   nearest.index[0] = i;
   nearest.weight[0] = 1;
   nearest.direction = w[i];
-  nearest.distance2 = w[i].squaredNorm();
+  nearest.distance2 = distance2;
 }
 
 /// The interior of edge ij; the caller knows that the origin projects there.
 /// @param along  -w_i . (w_j - w_i), in (0, length2)
-inline void answer_edge(const Vec3* w, int i, int j, const Vec3& edge, Real along, Real length2, Nearest& nearest) {
+inline void offer_inner_edge(const Vec3* w, int i, int j, const Vec3& edge, Real along, Real length2,
+                             Nearest& nearest) {
   // Measured from the nearer end: a x ab then has the smaller error.
   const Vec3 offset = careful_cross(along + along < length2 ? w[i] : w[j], edge);
+  const Real distance2 = offset.squaredNorm() / length2;
+  if (!(distance2 < nearest.distance2)) return;
   nearest.count = 2;
   nearest.index[0] = i;
   nearest.index[1] = j;
@@ -68,34 +74,36 @@ inline void answer_edge(const Vec3* w, int i, int j, const Vec3& edge, Real alon
   nearest.weight[0] = 1 - t;
   nearest.weight[1] = t;
   nearest.direction = edge.cross(offset);
-  nearest.distance2 = offset.squaredNorm() / length2;
+  nearest.distance2 = distance2;
 }
 
 /// Edge ij with its ends: keeps the answer if it is nearer than what stands in `nearest`.
 inline void offer_edge(const Vec3* w, int i, int j, Nearest& nearest) {
   const Vec3 edge = w[j] - w[i];
   const Real from_i = -w[i].dot(edge), from_j = w[j].dot(edge);
-  Nearest found;
   if (from_i <= 0) {
-    answer_vertex(w, i, found);
+    offer_vertex(w, i, nearest);
   } else if (from_j <= 0) {
-    answer_vertex(w, j, found);
+    offer_vertex(w, j, nearest);
   } else {
-    answer_edge(w, i, j, edge, from_i, edge.squaredNorm(), found);
+    offer_inner_edge(w, i, j, edge, from_i, edge.squaredNorm(), nearest);
   }
-  if (found.distance2 < nearest.distance2) nearest = found;
 }
 
 /// Weights of the origin's projection onto the plane of a triangle, up to the common factor |normal|^2.
 struct Areas {
   Real i, j, k;
 };
-inline Areas projected_areas(const Vec3& wi, const Vec3& wj, const Vec3& wk, const Vec3& normal) {
-  return {normal.dot(wj.cross(wk - wj)), normal.dot(wk.cross(wi - wk)), normal.dot(wi.cross(wj - wi))};
-}
+/// The weight of the vertex that faces edge pq.
+inline Real projected_area(const Vec3& p, const Vec3& q, const Vec3& normal) { return normal.dot(p.cross(q - p)); }
 
 /// The interior of face ijk; the caller knows that the origin projects there, so negative areas are rounding.
-inline void answer_face(const Vec3* w, int i, int j, int k, const Vec3& normal, Areas area, Nearest& nearest) {
+inline void offer_inner_face(const Vec3* w, int i, int j, int k, const Vec3& normal, Areas area, Nearest& nearest) {
+  // Through the vertex nearest to the origin, where the product has the smallest error.
+  const Real li = w[i].squaredNorm(), lj = w[j].squaredNorm(), lk = w[k].squaredNorm();
+  const Vec3& p = li <= lj ? (li <= lk ? w[i] : w[k]) : (lj <= lk ? w[j] : w[k]);
+  const Real offset = normal.dot(p), distance2 = offset * offset / normal.squaredNorm();
+  if (!(distance2 < nearest.distance2)) return;
   area.i = area.i > 0 ? area.i : 0;
   area.j = area.j > 0 ? area.j : 0;
   area.k = area.k > 0 ? area.k : 0;
@@ -107,29 +115,29 @@ inline void answer_face(const Vec3* w, int i, int j, int k, const Vec3& normal, 
   nearest.weight[0] = area.i * scale;
   nearest.weight[1] = area.j * scale;
   nearest.weight[2] = area.k * scale;
-  // Through the vertex nearest to the origin, where the product has the smallest error.
-  const Real li = w[i].squaredNorm(), lj = w[j].squaredNorm(), lk = w[k].squaredNorm();
-  const Vec3& p = li <= lj ? (li <= lk ? w[i] : w[k]) : (lj <= lk ? w[j] : w[k]);
-  const Real offset = normal.dot(p);
   nearest.direction = offset < 0 ? Vec3(-normal) : normal;
-  nearest.distance2 = offset * offset / normal.squaredNorm();
+  nearest.distance2 = distance2;
 }
 
 /// Face ijk with its edges and vertices (or, if !kAll, those that touch k): keeps the answer if nearer.
 template <bool kAll>
 inline void offer_face(const Vec3* w, int i, int j, int k, Nearest& nearest) {
   const Vec3 normal = triangle_normal(w[i], w[j], w[k]);
-  const Areas area = projected_areas(w[i], w[j], w[k], normal);
-  const bool out_jk = !(area.i > 0), out_ki = !(area.j > 0), out_ij = kAll && !(area.k > 0);
-  if (out_jk | out_ki | out_ij) {
+  const Real area_i = projected_area(w[j], w[k], normal), area_j = projected_area(w[k], w[i], normal);
+  const bool out_jk = !(area_i > 0), out_ki = !(area_j > 0);
+  if (kAll || !(out_jk | out_ki)) {
+    const Real area_k = projected_area(w[i], w[j], normal);
+    const bool out_ij = kAll && !(area_k > 0);
+    if (!(out_jk | out_ki | out_ij)) {
+      return offer_inner_face(w, i, j, k, normal, {area_i, area_j, area_k}, nearest);
+    }
     if (out_jk) offer_edge(w, j, k, nearest);
     if (out_ki) offer_edge(w, k, i, nearest);
-    if (kAll && out_ij) offer_edge(w, i, j, nearest);
+    if (out_ij) offer_edge(w, i, j, nearest);
     return;
   }
-  Nearest found;
-  answer_face(w, i, j, k, normal, area, found);
-  if (found.distance2 < nearest.distance2) nearest = found;
+  if (out_jk) offer_edge(w, j, k, nearest);
+  if (out_ki) offer_edge(w, k, i, nearest);
 }
 
 /// The tetrahedron itself. The volumes of the origin with each opposite face are its weights: that they give a v of

@@ -73,16 +73,16 @@ void answer(const Vec3* w, int y, const Cofactors& c, Nearest& nearest) {
     if (y >> i & 1) index[n++] = i;
   switch (n) {
     case 1:
-      answer_vertex(w, index[0], nearest);
+      offer_vertex(w, index[0], nearest);
       break;
     case 2: {
       const Vec3 edge = w[index[1]] - w[index[0]];
-      answer_edge(w, index[0], index[1], edge, c.delta[y][index[1]], edge.squaredNorm(), nearest);
+      offer_inner_edge(w, index[0], index[1], edge, c.delta[y][index[1]], edge.squaredNorm(), nearest);
       break;
     }
     case 3:
-      answer_face(w, index[0], index[1], index[2], triangle_normal(w[index[0]], w[index[1]], w[index[2]]),
-                  {c.delta[y][index[0]], c.delta[y][index[1]], c.delta[y][index[2]]}, nearest);
+      offer_inner_face(w, index[0], index[1], index[2], triangle_normal(w[index[0]], w[index[1]], w[index[2]]),
+                       {c.delta[y][index[0]], c.delta[y][index[1]], c.delta[y][index[2]]}, nearest);
       break;
     default:
       answer_inside(c.delta[y][0], c.delta[y][1], c.delta[y][2], c.delta[y][3], nearest);
@@ -92,7 +92,7 @@ void answer(const Vec3* w, int y, const Cofactors& c, Nearest& nearest) {
 }  // namespace
 
 void nearest_johnson(const Vec3* w, int count, Nearest& nearest) {
-  nearest = Nearest();
+  nearest.clear();
   Cofactors c;
   fill(w, count, c);
   const int all = (1 << count) - 1;
@@ -104,9 +104,7 @@ void nearest_johnson(const Vec3* w, int count, Nearest& nearest) {
   // SOLID's backup procedure. A tetrahedron is never among them: it would have passed above.
   for (const int y : kBySize) {
     if (y > all || y == 15 || !proper(c, y, count)) continue;
-    Nearest found;
-    answer(w, y, c, found);
-    if (found.distance2 < nearest.distance2) nearest = found;
+    answer(w, y, c, nearest);
   }
 }
 

@@ -8,10 +8,10 @@ namespace {
 /// @tparam kAll  false: only features that touch the newest point
 template <bool kAll>
 void nearest_by_regions(const Vec3* w, int count, Nearest& nearest) {
-  nearest = Nearest();
+  nearest.clear();
   switch (count) {
     case 1:
-      return answer_vertex(w, 0, nearest);
+      return offer_vertex(w, 0, nearest);
     case 2:
       return offer_edge(w, 0, 1, nearest);
     case 3:
