@@ -24,10 +24,11 @@ class Difference {
 
   bool usable() const { return usable_; }
 
-  /// The point of B - A with the smallest n . w, and that value; the lower bound rises if it is larger.
+  /// The point of B - A with the smallest n . w, and that value; the lower bound rises if it is larger. Inlined by
+  /// order: gcc finds it too long, though the loops around it are all that GJK and EPA do.
   /// @param n  unit to kUnitLength (rounding.h), A's frame
   /// @return   false if a support function misbehaved: `fault` says how
-  bool support(const Vec3& n, DifferencePoint& out, Real& value) {
+  [[gnu::always_inline]] bool support(const Vec3& n, DifferencePoint& out, Real& value) {
     const Vec3 n_b = -(rotation_.transpose() * n);
     ++calls;
     if (!core_a_.support(n, out.a)) return core_a_.blame(n, out.a, fault);

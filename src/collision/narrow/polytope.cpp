@@ -15,7 +15,7 @@ constexpr int kNext[3] = {1, 2, 0};
 
 /// Normal and offset of a face. From two edges at one vertex if they enclose an angle whose sine is above 1/32: the
 /// normal then errs by 32 u at most, and the offset, taken at the vertices, is a proof whatever the normal.
-void Polytope::place(Face& f) const {
+inline void Polytope::place(Face& f) const {
   constexpr Real kWide2 = 0x1p-10;
   const Vec3 &a = points_[f.vertex[0]].w, &b = points_[f.vertex[1]].w, &c = points_[f.vertex[2]].w;
   const Vec3 ab = b - a, ac = c - a, n = ab.cross(ac);
@@ -31,7 +31,7 @@ void Polytope::place(Face& f) const {
 
 /// A thin face's. One without area (its normal is not known to the sense) looks along the point of its longest edge
 /// that is nearest to the origin: a rounding's width from the truth.
-Vec3 Polytope::careful_normal(const Vec3& a, const Vec3& b, const Vec3& c) const {
+[[gnu::noinline]] Vec3 Polytope::careful_normal(const Vec3& a, const Vec3& b, const Vec3& c) const {
   Real longest2;
   const Vec3 n = triangle_normal(a, b, c, longest2);
   const Real n2 = n.squaredNorm();
@@ -49,7 +49,7 @@ Vec3 Polytope::careful_normal(const Vec3& a, const Vec3& b, const Vec3& c) const
   return d2 > 0 ? Vec3(nearest.direction / std::sqrt(d2)) : (n2 > 0 ? Vec3(n / std::sqrt(n2)) : Vec3(Vec3::UnitX()));
 }
 
-int Polytope::new_face(int i, int j, int k) {
+inline int Polytope::new_face(int i, int j, int k) {
   const bool fresh = free_used_ == 0;
   const int slot = fresh ? faces_used_++ : free_[--free_used_];
   Face& f = faces_[slot];
