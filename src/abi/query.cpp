@@ -52,17 +52,15 @@ QuerySettings settings(const carom_distance_desc& d) {
 }
 
 /// The bracket is of the shapes at the relative pose as it was rounded: widened, it is of the poses that were given.
-void widen_by_pose(const Shape& a, const Shape& b, const Vec3& offset, Real tolerance, QueryResult& r) {
+void widen_by_pose(const Shape& a, const Shape& b, const Frame& b_in_a, Real tolerance, QueryResult& r) {
   const auto radius = [](const Shape& s) {
     return s.form == Form::half_space ? std::fabs(s.offset) : s.bounding_radius;
   };
-  const Real slack = kPoseRounding * kUnitRoundoff * (offset.norm() + radius(a) + radius(b));
+  const Real slack = kPoseRounding * kUnitRoundoff * (b_in_a.p.norm() + radius(a) + radius(b));
   r.lower -= slack;
   r.upper += slack;
-  const bool solid = a.form != Form::half_space && b.form != Form::half_space;
-  if (solid && r.status == QueryStatus::exact_enough &&
-      !(r.upper - r.lower <= tolerance * std::min(radius(a), radius(b))))
-    r.status = QueryStatus::rounding;
+  const bool wide = !(r.upper - r.lower <= tolerance * size_of_pair(a, b, b_in_a));
+  if (wide && r.status == QueryStatus::exact_enough) r.status = QueryStatus::rounding;
 }
 
 /// From the frames of the two shapes to the world's.
@@ -127,8 +125,9 @@ int32_t carom_shape_distance(carom_engine* engine, carom_shape shape_a, const do
     const Frame frame_b(Pose{to_quat(orientation_b), to_vec3(position_b)});
     QueryResult found;
     SupportFault fault;
-    distance(*a, *b, relative(frame_a, frame_b), settings(known_desc), nullptr, found, fault);
-    widen_by_pose(*a, *b, frame_b.p - frame_a.p, known_desc.tolerance, found);
+    const Frame b_in_a = relative(frame_a, frame_b);
+    distance(*a, *b, b_in_a, settings(known_desc), nullptr, found, fault);
+    widen_by_pose(*a, *b, b_in_a, known_desc.tolerance, found);
     write_struct(answer(found, frame_a, frame_b), result);
   });
 }

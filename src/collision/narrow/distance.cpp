@@ -51,8 +51,7 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
   if (flat_a && flat_b) return unknown(QueryStatus::capped, result);  // two half-spaces: no contract, no claim
   const Real size = b_in_a.p.cwiseAbs().sum() + extent(a) + extent(b);
   const Real slack = (kBracketRounding * kUnitRoundoff + (specific ? entry.accuracy : 0)) * size;
-  const Real asked =
-      settings.tolerance * (flat_a ? b.bounding_radius : (flat_b ? a.bounding_radius : size_of_pair(a, b, b_in_a)));
+  const Real asked = settings.tolerance * size_of_pair(a, b, b_in_a);
   // GJK, without the shells of the hybrid, which a routine does not know either.
   const auto ask_gjk = [&] {
     QuerySettings exact = settings;

@@ -54,9 +54,12 @@ struct QueryMemory {
 };
 
 /// The length that tolerances are relative to: the smaller bounding radius. A point has none; against a point it is the
-/// other shape's, and between two points their distance, so that an answer exact to rounding is exact enough.
+/// other shape's, and between two points their distance, so that an answer exact to rounding is exact enough. Against a
+/// half-space it is the other shape's, whatever that is.
 /// @return m, 0 for two points in one place, whose bracket has no width either
 inline Real size_of_pair(const Shape& a, const Shape& b, const Frame& b_in_a) {
+  if (a.form == Form::half_space) return b.bounding_radius;
+  if (b.form == Form::half_space) return a.bounding_radius;
   const Real least = std::min(a.bounding_radius, b.bounding_radius), most = std::max(a.bounding_radius, b.bounding_radius);
   return least > 0 ? least : (most > 0 ? most : b_in_a.p.norm());
 }
