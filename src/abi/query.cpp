@@ -53,10 +53,7 @@ QuerySettings settings(const carom_distance_desc& d) {
 
 /// The bracket is of the shapes at the relative pose as it was rounded: widened, it is of the poses that were given.
 void widen_by_pose(const Shape& a, const Shape& b, const Frame& b_in_a, Real tolerance, QueryResult& r) {
-  const auto radius = [](const Shape& s) {
-    return s.form == Form::half_space ? std::fabs(s.offset) : s.bounding_radius;
-  };
-  const Real slack = kPoseRounding * kUnitRoundoff * (b_in_a.p.norm() + radius(a) + radius(b));
+  const Real slack = kPoseRounding * kUnitRoundoff * (b_in_a.p.norm() + extent(a) + extent(b));
   r.lower -= slack;
   r.upper += slack;
   const bool wide = !(r.upper - r.lower <= tolerance * size_of_pair(a, b, b_in_a));

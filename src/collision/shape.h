@@ -62,6 +62,9 @@ struct Shape {
   std::uint64_t handle = 0;      // the ABI's name for it, for reports
 };
 
+/// Largest number of a shape that enters its distances, so that rounding goes with it. @return m
+inline Real extent(const Shape& s) { return s.form == Form::half_space ? std::fabs(s.offset) : s.bounding_radius; }
+
 /// What a misbehaving support function did; kept bit for bit as evidence. Kinds as CAROM_FAULT_*.
 struct SupportFault {
   enum Kind : std::uint32_t { none = 0, returned = 1, not_finite = 2, outside = 3, not_support = 4 };

@@ -147,10 +147,7 @@ OverlapResult overlap_with_plane(const Shape& a, const Shape& b, const Frame& b_
   OverlapResult result;
   QueryResult found;
   distance(a, b, b_in_a, QuerySettings(), nullptr, found, fault);
-  const auto radius = [](const Shape& s) {
-    return s.form == Form::half_space ? std::fabs(s.offset) : s.bounding_radius;
-  };
-  const Real more = rounding * (b_in_a.p.norm() + radius(a) + radius(b));
+  const Real more = rounding * (b_in_a.p.norm() + extent(a) + extent(b));
   result.slack = 0.5 * (found.upper - found.lower) + more;
   result.support_calls = found.support_calls;
   result.normal = found.normal;

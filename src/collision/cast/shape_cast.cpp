@@ -44,8 +44,6 @@ class DifferenceSet {
 
 using PairEntry = line::Entry<DifferenceSet::Point>;
 
-Real extent(const Shape& s) { return s.form == Form::half_space ? std::fabs(s.offset) : s.bounding_radius; }
-
 void miss(CastResult& result) {
   result.outcome = CastOutcome::miss;
   result.time = result.lower = 1;

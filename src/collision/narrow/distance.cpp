@@ -29,9 +29,6 @@ void answer(const ContactPoint& p, bool swapped, const Frame& b_in_a, Real slack
   result.point_b = swapped ? p.on_a : p.on_b;
 }
 
-/// Largest number of a shape that enters its distances. @return m
-Real extent(const Shape& s) { return s.form == Form::half_space ? std::fabs(s.offset) : s.bounding_radius; }
-
 void unknown(QueryStatus status, QueryResult& result) {
   result.status = status;
   result.lower = -kInfinity;
