@@ -263,15 +263,9 @@ void adopt_patch(const PatchPair& pair, const Candidates& found, const ManifoldS
 bool keep_patch(const PatchPair& pair, const ManifoldSettings& settings, const PatchMemory& memory,
                 Manifold& manifold) {
   if (!memory.firm || manifold.count == 0) return false;
-  const Real radius_a = pair.a.bounding_radius, radius_b = pair.b.bounding_radius;
   const Frame now = relative(pair.frame_a, pair.frame_b);
-  // |R - R'| as an operator is 2 sin(theta/2), its Frobenius norm sqrt(2) times that.
-  const Real turned = (now.r - memory.b_in_a.r).norm() / std::sqrt(Real(2));
-  const bool from_a = radius_b <= radius_a;  // the smaller one's points move less
-  const Real shifted = from_a ? (now.p - memory.b_in_a.p).norm()
-                              : (now.r.transpose() * now.p - memory.b_in_a.r.transpose() * memory.b_in_a.p).norm();
-  const Real radius = std::min(radius_a, radius_b);
-  const Real moved = shifted + turned * radius;
+  const Real moved = motion_bound(memory.b_in_a, now, pair.a.bounding_radius, pair.b.bounding_radius);
+  const Real radius = std::min(pair.a.bounding_radius, pair.b.bounding_radius);
   if (!(moved <= std::min(kKeepDistance * settings.contact_distance, kKeepRadius * radius))) return false;
   const Vec3 n = memory.of_b ? now.rotate(memory.normal) : memory.normal;
   const Vec3 normal = pair.frame_a.rotate(n);

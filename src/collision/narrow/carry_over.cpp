@@ -7,19 +7,6 @@
 
 namespace carom {
 
-namespace {
-
-/// D: no point of the smaller shape has moved farther in the larger one's frame. @return m
-Real motion(const Shape& a, const Shape& b, const Frame& now, const Frame& then) {
-  // |R' - R|_F^2 = 2 (2 sin(theta / 2))^2; the matrices are rotations to some u each.
-  const Real turned = std::sqrt(0.5 * (now.r - then.r).squaredNorm()) + 16 * kUnitRoundoff;
-  const bool b_moves = b.bounding_radius <= a.bounding_radius;
-  const Vec3 shift = b_moves ? Vec3(now.p - then.p) : Vec3(now.r.transpose() * now.p - then.r.transpose() * then.p);
-  return shift.norm() + turned * (b_moves ? b.bounding_radius : a.bounding_radius);
-}
-
-}  // namespace
-
 void certify(const QueryResult& result, const Frame& b_in_a, Real shell, Certificate& certificate) {
   certificate.known = result.status != QueryStatus::fault && !result.farther && finite(result.upper);
   if (!certificate.known) return;
@@ -35,7 +22,9 @@ void certify(const QueryResult& result, const Frame& b_in_a, Real shell, Certifi
 bool carry_over(const Shape& a, const Shape& b, const Frame& b_in_a, Real width, Real shell, const Certificate& c,
                 QueryResult& result) {
   if (!c.known || c.shell != shell) return false;
-  const Real moved = motion(a, b, b_in_a, c.b_in_a);
+  const Real smaller = std::min(a.bounding_radius, b.bounding_radius);
+  const Real moved =
+      motion_bound(c.b_in_a, b_in_a, a.bounding_radius, b.bounding_radius) + 16 * kUnitRoundoff * smaller;
   // The new bracket is seldom narrower than what moved, never than the old one: no look is worth it then.
   if (!(std::max(moved, c.upper - c.lower) <= width)) return false;
   Difference difference(a, b, b_in_a, shell);

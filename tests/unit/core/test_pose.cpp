@@ -1,0 +1,43 @@
+// The bound on what a motion between two poses does to the points of the smaller body, against the points themselves.
+#include "core/pose.h"
+
+#include "random_pairs.h"
+
+#include "carom_test.h"
+
+using namespace carom;
+using namespace carom::test;
+
+static void no_point_of_the_smaller_body_moves_farther_than_the_bound(void**) {
+  Random random(81);
+  for (int i = 0; i < 2000; ++i) {
+    const Quat q = random_rotation(random);
+    const Vec3 p = random.in_cube(3);
+    const Real step = std::pow(10.0, -random.uniform(0, 9));
+    const Frame then(Pose{q, p}), now(Pose{normalized(exp_map(random.in_cube(step)) * q), p + random.in_cube(step)});
+    const Real radius_a = random.uniform(0.1, 2), radius_b = random.uniform(0.1, 2);
+    const Real bound = motion_bound(then, now, radius_a, radius_b);
+    for (int k = 0; k < 20; ++k) {
+      const Vec3 of_a = radius_a * random.direction(), of_b = radius_b * random.direction();
+      const Real moved = radius_b <= radius_a ? (now.apply(of_b) - then.apply(of_b)).norm()
+                                              : (now.apply_inverse(of_a) - then.apply_inverse(of_a)).norm();
+      assert_true(moved <= bound + 64 * kUnitRoundoff);  // of places up to 10 m, each to some u
+    }
+  }
+}
+
+static void a_shift_and_a_turn_alone_attain_the_bound(void**) {
+  const Frame here, shifted(Mat3::Identity(), Vec3(3, 4, 0)), turned(Pose{exp_map(Vec3(0, 0, 0.1)), Vec3::Zero()});
+  assert_true(motion_bound(here, shifted, 1, 2) == 5);
+  assert_true(motion_bound(here, here, 1, 2) == 0);  // what rests is kept, however little is allowed
+  const Real moved = (turned.apply(Vec3(0.5, 0, 0)) - Vec3(0.5, 0, 0)).norm();
+  assert_true(std::fabs(motion_bound(here, turned, 1, 0.5) - moved) <= 16 * kUnitRoundoff);
+}
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(no_point_of_the_smaller_body_moves_farther_than_the_bound),
+      cmocka_unit_test(a_shift_and_a_turn_alone_attain_the_bound),
+  };
+  return cmocka_run_group_tests_name("core/pose", tests, nullptr, nullptr);
+}
