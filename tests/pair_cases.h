@@ -119,12 +119,4 @@ inline Frame random_pose(const Shape& a, const Shape& b, Random& random) {
   return f;
 }
 
-/// Deepest point of a routine's answer.
-inline const ContactPoint& deepest(const Candidates& found) {
-  int best = 0;
-  for (int i = 1; i < found.count; ++i)
-    if (found.point[i].separation < found.point[best].separation) best = i;
-  return found.point[best];
-}
-
 }  // namespace carom::test

@@ -55,7 +55,7 @@ void check_pair(Form form_a, Form form_b, Real scale, int poses, std::uint64_t s
       continue;
     }
     assert_true(within("number of points", form_a, form_b, i, found.count == 0, 0));
-    const ContactPoint& p = deepest(found);
+    const ContactPoint& p = *deepest(found);
     assert_true(within("length of normal", form_a, form_b, i, std::fabs(p.normal.norm() - 1), 8 * kEpsilon));
 
     // Its points are where it says, and beyond neither shape's support planes.

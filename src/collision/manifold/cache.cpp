@@ -64,12 +64,8 @@ void replace(const Candidates& found, const ManifoldSettings& settings, const Ma
 
 void update_cache(const Frame& a, const Frame& b, const Candidates& found, const ManifoldSettings& settings,
                   Manifold& manifold) {
-  int deepest = -1;
-  for (int i = 0; i < found.count; ++i)
-    if (found.point[i].separation <= settings.contact_distance &&
-        (deepest < 0 || found.point[i].separation < found.point[deepest].separation))
-      deepest = i;
-  if (deepest < 0) {  // the nearest points are too far apart, so are all others
+  const ContactPoint* const nearest = deepest(found, settings.contact_distance);
+  if (!nearest) {  // the nearest points are too far apart, so are all others
     manifold.count = 0;
     return;
   }
@@ -80,7 +76,7 @@ void update_cache(const Frame& a, const Frame& b, const Candidates& found, const
     return;
   }
   ContactPoint fresh[Manifold::kMaxPoints];
-  refresh(a, b, found.point[deepest].normal, settings, manifold, fresh, pool);
+  refresh(a, b, nearest->normal, settings, manifold, fresh, pool);
   merge(found, settings, pool);
   store(a, settings, pool, 0, manifold);
 }

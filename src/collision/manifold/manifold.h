@@ -28,6 +28,14 @@ struct Candidates {
   ContactPoint point[kMax];
 };
 
+/// The deepest of the points that are near enough, the first of equals; null if there is none. @param reach  m
+inline const ContactPoint* deepest(const Candidates& found, Real reach = kInfinity) {
+  const ContactPoint* best = nullptr;
+  for (const ContactPoint* p = found.point; p < found.point + found.count; ++p)
+    if (p->separation <= reach && (!best || p->separation < best->separation)) best = p;
+  return best;
+}
+
 enum class ManifoldKind : std::uint32_t { single, cache, patch, clip };
 
 /// Kinds that find the whole patch of a pair in one step.

@@ -223,14 +223,12 @@ static_assert(Meetings::kMax + 1 <= Pool::kMax);
 bool update_patch(const PatchPair& pair, const Candidates& found, const ManifoldSettings& settings, Manifold& manifold,
                   PatchMemory& memory, std::uint64_t& calls, SupportFault& fault) {
   memory.firm = false;
-  int deepest = -1;
-  for (int i = 0; i < found.count; ++i)
-    if (deepest < 0 || found.point[i].separation < found.point[deepest].separation) deepest = i;
-  if (deepest < 0 || !(found.point[deepest].separation <= settings.contact_distance)) {
+  const ContactPoint* const nearest = deepest(found, settings.contact_distance);
+  if (!nearest) {
     manifold.count = 0;
     return true;
   }
-  Patch patch(pair, found.point[deepest], calls, fault);
+  Patch patch(pair, *nearest, calls, fault);
   if (!patch.find(settings.kind == ManifoldKind::clip, settings.contact_distance)) {
     manifold.count = 0;
     return false;

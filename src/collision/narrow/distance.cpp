@@ -8,13 +8,6 @@
 namespace carom {
 namespace {
 
-const ContactPoint& deepest(const Candidates& found) {
-  int best = 0;
-  for (int i = 1; i < found.count; ++i)
-    if (found.point[i].separation < found.point[best].separation) best = i;
-  return found.point[best];
-}
-
 /// A contact point as the answer of a query.
 /// @param swapped  it was found with B first, in B's frame
 /// @param slack    m: half the bracket
@@ -67,10 +60,11 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
     return unknown(QueryStatus::fault, result);
   }
   result.support_calls = static_cast<int>(calls);
+  const ContactPoint* const nearest = deepest(found);
   // The routine is no judge of shapes apart.
-  if (specific && !entry.exact_apart && (found.count == 0 || deepest(found).separation > 0)) return ask_gjk();
-  if (found.count == 0) return unknown(QueryStatus::rounding, result);  // poses that are no numbers
-  answer(deepest(found), swapped, b_in_a, slack, asked, result);
+  if (specific && !entry.exact_apart && (!nearest || nearest->separation > 0)) return ask_gjk();
+  if (!nearest) return unknown(QueryStatus::rounding, result);  // poses that are no numbers
+  answer(*nearest, swapped, b_in_a, slack, asked, result);
 }
 
 }  // namespace carom

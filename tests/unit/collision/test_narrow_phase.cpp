@@ -175,13 +175,13 @@ static void the_generic_path_finds_what_routines_find(void**) {
       // Both stop at the contact distance; only a pair on the very limit may be seen by one of them alone.
       if (one.count == 0 || two.count == 0) {
         const Real limit = with.manifold.contact_distance;
-        if (one.count > 0) assert_true(std::fabs(deepest(one).separation - limit) < 1e-7);
-        if (two.count > 0) assert_true(std::fabs(deepest(two).separation - limit) < 1e-7);
+        if (one.count > 0) assert_true(std::fabs(deepest(one)->separation - limit) < 1e-7);
+        if (two.count > 0) assert_true(std::fabs(deepest(two)->separation - limit) < 1e-7);
         continue;
       }
       assert_int_equal(two.count, 1);
       // The routines' stated 4e-8 of a size of at most 6, and the generic tolerance.
-      assert_true(std::fabs(deepest(one).separation - two.point[0].separation) < 3e-7);
+      assert_true(std::fabs(deepest(one)->separation - two.point[0].separation) < 3e-7);
     }
   }
 }

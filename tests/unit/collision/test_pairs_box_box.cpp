@@ -149,7 +149,7 @@ static void a_corner_on_a_face_touches_in_that_corner(void**) {
   const Real down = std::sqrt(0.75);
   for (const Real depth : {-1e-3, -1e-12, 0.0, 1e-12, 1e-3, 0.1}) {
     const Candidates found = contacts(slab, cube, Frame(r, Vec3(0.3, 1 + down - depth, -0.2)));
-    const ContactPoint& p = deepest(found);
+    const ContactPoint& p = *deepest(found);
     assert_true(std::fabs(p.separation + depth) <= 8 * kEpsilon);
     assert_true((p.on_a - Vec3(0.3, 1, -0.2)).norm() <= 16 * kEpsilon);
     assert_true((p.on_b - Vec3(-0.5, -0.5, -0.5)).norm() <= 16 * kEpsilon);
@@ -159,15 +159,15 @@ static void a_corner_on_a_face_touches_in_that_corner(void**) {
 static void coincident_and_containing_boxes_know_the_shortest_way_out(void**) {
   const Shape outer = box(Vec3(1, 2, 3)), inner = box(Vec3(0.1, 0.2, 0.3));
   const Candidates same = contacts(outer, outer, Frame(), kInfinity);
-  assert_true(deepest(same).separation == -2);
-  assert_true(deepest(same).normal.x() != 0);
+  assert_true(deepest(same)->separation == -2);
+  assert_true(deepest(same)->normal.x() != 0);
   for (const Real y : {0.0, 1.5, -1.5}) {
     const Candidates found = contacts(outer, inner, Frame(Mat3::Identity(), Vec3(0.2, y, 0)), kInfinity);
     // To the right 1 + 0.1 - 0.2; up 2 + 0.2 - 1.5.
     const Real depth = y == 0 ? 0.9 : 0.7;
-    assert_true(std::fabs(deepest(found).separation + depth) <= 8 * kEpsilon);
+    assert_true(std::fabs(deepest(found)->separation + depth) <= 8 * kEpsilon);
     const Candidates back = contacts(inner, outer, Frame(Mat3::Identity(), Vec3(-0.2, -y, 0)), kInfinity);
-    assert_true(std::fabs(deepest(back).separation + depth) <= 8 * kEpsilon);
+    assert_true(std::fabs(deepest(back)->separation + depth) <= 8 * kEpsilon);
   }
 }
 
@@ -219,7 +219,7 @@ static void the_preferred_axis_costs_no_more_depth_than_its_bias(void**) {
     const Frame pose = random_pose(a, b, random);
     const Candidates preferred = contacts(a, b, pose), exact = contacts(a, b, pose, kInfinity);
     if (preferred.count == 0 || exact.count == 0) continue;  // apart: no depth
-    const Real s = deepest(preferred).separation, best = deepest(exact).separation;
+    const Real s = deepest(preferred)->separation, best = deepest(exact)->separation;
     const Real bias = 0.02 * std::fabs(s) + 1e-3 * std::min(a.half.minCoeff(), b.half.minCoeff());
     assert_true(s <= best + 1e-7);
     if (best < 0) assert_true(s >= best - 2 * bias - 1e-7);

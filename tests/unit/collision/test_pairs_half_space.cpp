@@ -78,7 +78,7 @@ static void a_cylinder_stands_on_its_rim_and_lies_on_a_line(void**) {
     assert_int_equal(at_height(standing, 0, tilt * 0.4 + tilt * tilt + 1e-12), 4);
     assert_true(least_reach(standing) >= 0.4 * std::sqrt(0.5) - 1e-3);  // a square in the rim's circle
     const Real deep = 0.5 - 0.5 * std::cos(tilt) - 0.4 * std::sin(tilt);
-    assert_true(std::fabs(deepest(standing).separation - deep) <= 1e-9);
+    assert_true(std::fabs(deepest(standing)->separation - deep) <= 1e-9);
   }
   const Candidates lying = on_ground(pin, Vec3(kRightAngle, 0, 0), 0.399);
   assert_int_equal(lying.count, 2);
@@ -146,7 +146,7 @@ static void a_polytope_rests_on_eight_well_spread_vertices_at_most(void**) {
   Real lowest = kInfinity;
   for (const Vec3& v : ball) lowest = std::min(lowest, v.y() + 0.999);
   assert_true(rolling.count >= 1);
-  assert_true(std::fabs(deepest(rolling).separation - lowest) <= 4 * kEpsilon);
+  assert_true(std::fabs(deepest(rolling)->separation - lowest) <= 4 * kEpsilon);
 }
 
 int main() {
