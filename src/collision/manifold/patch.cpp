@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "collision/manifold/adopt.h"
+#include "collision/manifold/cut_outlines.h"
 #include "collision/manifold/facet.h"
-#include "collision/manifold/overlap.h"
 
 namespace carom {
 namespace {
@@ -177,7 +177,7 @@ class Patch {
     outline(b_, b_in_a_, true, b);
     const Real tolerance = std::max(1e-9 * size_, 16 * kUnitRoundoff * (b_in_a_.p.cwiseAbs().sum() + size_of_both()));
     Meetings met;
-    overlap(a, b, tolerance, met);
+    cut_outlines(a, b, tolerance, met);
     for (int i = 0; i < met.count; ++i) {
       const Meeting& m = met.at[i];
       const Vec3 foot = origin_ + m.x * u_ + m.y * v_;

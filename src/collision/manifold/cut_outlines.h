@@ -46,6 +46,6 @@ class Meetings {
 /// Corners of the overlap of two outlines. Empty if they pass by each other; a line and a line give the place where
 /// they cross, or, within 0.03 rad of parallel, the two ends of what they share.
 /// @param tolerance  m: a corner this far outside still counts as inside, and corners this close are one
-void overlap(const Outline& a, const Outline& b, Real tolerance, Meetings& out);
+void cut_outlines(const Outline& a, const Outline& b, Real tolerance, Meetings& out);
 
 }  // namespace carom

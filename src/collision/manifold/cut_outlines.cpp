@@ -1,6 +1,6 @@
 // Sides of one outline clipped to the other, one by one; then the other's corners inside. No list of corners is carried
 // along, so their number has no bound.
-#include "collision/manifold/overlap.h"
+#include "collision/manifold/cut_outlines.h"
 
 #include <algorithm>
 
@@ -44,9 +44,9 @@ bool cut(const Outline& o, Real x0, Real y0, Real x1, Real y1, Real tolerance, C
   return c.from <= c.to;
 }
 
-class Overlap {
+class Cutter {
  public:
-  Overlap(const Outline& a, const Outline& b, Real tolerance, Meetings& out)
+  Cutter(const Outline& a, const Outline& b, Real tolerance, Meetings& out)
       : a_(a), b_(b), tolerance_(tolerance), out_(out) {}
 
   void run() {
@@ -163,6 +163,8 @@ void Meetings::thin() {
   count = n;
 }
 
-void overlap(const Outline& a, const Outline& b, Real tolerance, Meetings& out) { Overlap(a, b, tolerance, out).run(); }
+void cut_outlines(const Outline& a, const Outline& b, Real tolerance, Meetings& out) {
+  Cutter(a, b, tolerance, out).run();
+}
 
 }  // namespace carom
