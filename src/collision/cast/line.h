@@ -171,4 +171,51 @@ End enter(Set& set, const Request& request, const Vec2& first, Entry<typename Se
   return Walk<Set>(set, request, entry).run(first);
 }
 
+/// Coordinates of a line: two perpendiculars of it, and its direction u, unit.
+inline Mat3 axes_along(const Vec3& u) {
+  Mat3 axes;
+  axes.col(0) = any_perpendicular(u);
+  axes.col(1) = u.cross(axes.col(0));
+  axes.col(2) = u;
+  return axes;
+}
+
+/// enters, misses: as above, from the start on. inside: it starts in the set. parting: it starts on the surface, and is
+/// about to leave it.
+enum class Contact { enters, misses, inside, parting, undecided, fault };
+
+/// How a line first meets a set from request.start on. Where it enters before that, the same walk from the other side
+/// tells whether it has left the set by then.
+/// @param axes    of the line
+/// @param set_in  set_in(axes, side): the set in the coordinates of given axes, which are those of the line; side -1:
+///                with the direction turned round
+/// @param entry   `normal` and `calls` are those of all walks; the rest is meant for Contact::enters
+template <class SetIn, class Point>
+Contact meet(const Mat3& axes, const SetIn& set_in, const Request& request, const Vec2& first, Entry<Point>& entry) {
+  const auto said = [](End end) {
+    return end == End::misses ? Contact::misses : end == End::fault ? Contact::fault : Contact::undecided;
+  };
+  auto set = set_in(axes, Real(1));
+  const End there = enter(set, request, first, entry);
+  if (there != End::enters) return said(there);
+  if (!(entry.upper < request.start)) return entry.s <= request.stop ? Contact::enters : Contact::undecided;
+  if (entry.calls >= request.cap) return Contact::undecided;
+  Mat3 back = axes;
+  back.col(2) = -axes.col(2);
+  auto behind = set_in(back, Real(-1));
+  Request turned = request;
+  turned.start = -kInfinity;
+  turned.stop = -request.start;
+  turned.width = kInfinity;
+  turned.cap -= entry.calls;
+  Entry<Point> leave;
+  const End here = enter(behind, turned, first, leave);
+  entry.calls += leave.calls;
+  if (here != End::enters) return said(here);
+  entry.normal = Vec3(leave.normal.x(), leave.normal.y(), -leave.normal.z());
+  if (leave.upper <= turned.stop) return Contact::inside;
+  // A walk that came to its end without proving either is one along the surface. Cut short, it tells nothing.
+  return entry.calls < request.cap ? Contact::parting : Contact::undecided;
+}
+
 }  // namespace carom::line

@@ -189,10 +189,7 @@ void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const Cast
   int exponent = 0;
   std::frexp(r.reach, &exponent);
   const Real scale = std::ldexp(Real(1), -std::clamp(exponent, -1000, 1000));
-  Mat3 basis;
-  basis.col(0) = any_perpendicular(r.u);
-  basis.col(1) = r.u.cross(basis.col(0));
-  basis.col(2) = r.u;
+  const Mat3 basis = line::axes_along(r.u);
   const line::Vec2 offset = scale * (basis.transpose() * off).head<2>();
   line::Request request;
   request.radius = scale * (shape.core_radius + target);
@@ -203,44 +200,27 @@ void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const Cast
   request.width = scale * settings.tolerance * shape.bounding_radius;
   request.cap = settings.cap;
 
-  RaySet set(shape, basis, offset, scale, fault);
+  const auto set_in = [&](const Mat3& axes, Real) { return RaySet(shape, axes, offset, scale, fault); };
   RayEntry entry;
   const Vec3 centre = 0.5 * (shape.bounds.lo + shape.bounds.hi);
   const line::Vec2 first = scale * (basis.transpose() * centre).head<2>() - offset;
-  line::End end = line::enter(set, request, first, entry);
+  const line::Contact contact = line::meet(basis, set_in, request, first, entry);
   result.support_calls = result.iterations = entry.calls;
-  const bool behind_start = end == line::End::enters && entry.upper < request.start;
-  if (behind_start && entry.calls < settings.cap) {
-    // Entered before it started: is it still inside, or past? The same walk, from the other side.
-    Mat3 back = basis;
-    back.col(2) = -r.u;
-    RaySet behind(shape, back, offset, scale, fault);
-    RayEntry leave;
-    request.stop = -request.start;
-    request.start = -kInfinity;
-    request.width = kInfinity;
-    request.cap -= entry.calls;
-    end = line::enter(behind, request, first, leave);
-    result.support_calls = result.iterations += leave.calls;
-    if (end == line::End::misses) return miss(ray, result);
-    // A walk that came to its end without proving either is one along the surface. Cut short, it tells nothing.
-    const bool inside = end == line::End::enters && leave.upper <= request.stop;
-    if (inside || (end == line::End::enters && result.support_calls < settings.cap)) {
-      result.outcome = inside ? CastOutcome::overlap : CastOutcome::hit;  // else touching, and about to leave
-      result.upper = 0;
-      result.normal = frame.rotate(inside ? r.u : Vec3(back * leave.normal));
-      result.point_a = result.point_b = ray.origin;
-      return;
-    }
-  }
-  if (end == line::End::fault) {
+  const bool capped = entry.calls >= settings.cap, inside = contact == line::Contact::inside;
+  if (contact == line::Contact::misses) return miss(ray, result);
+  if (contact == line::Contact::fault) {
     result.status = QueryStatus::fault;
     result.outcome = CastOutcome::undecided;
     return;
   }
-  if (end == line::End::misses) return miss(ray, result);
-  const bool capped = result.support_calls >= settings.cap;
-  if (end == line::End::enters && !behind_start && entry.s <= request.stop) {
+  if (inside || contact == line::Contact::parting) {
+    result.outcome = inside ? CastOutcome::overlap : CastOutcome::hit;
+    result.upper = 0;
+    result.normal = frame.rotate(inside ? r.u : Vec3(basis * entry.normal));
+    result.point_a = result.point_b = ray.origin;
+    return;
+  }
+  if (contact == line::Contact::enters) {
     write_hit(ray, frame, r, basis, entry, scale, target, result);
     if (!entry.settled && capped) result.status = QueryStatus::capped;
     return;

@@ -142,10 +142,7 @@ struct Cast {
       return miss(result);
 
     Difference difference(a, b, b_in_a, settings.target);
-    Mat3 basis;
-    basis.col(0) = any_perpendicular(u);
-    basis.col(1) = u.cross(basis.col(0));
-    basis.col(2) = u;
+    const Mat3 basis = line::axes_along(u);
     line::Request request;
     request.radius = difference.radii();
     request.rounding = difference.to_scaled(rounding);
@@ -157,38 +154,22 @@ struct Cast {
     request.cap = settings.cap;
     const line::Vec2 first = (basis.transpose() * difference.centre_offset()).head<2>();
 
-    DifferenceSet set(difference, basis, difference.to_scaled(ahead));
+    const Real from = difference.to_scaled(ahead);
+    const auto set_in = [&](const Mat3& axes, Real side) { return DifferenceSet(difference, axes, side * from); };
     PairEntry entry;
-    line::End end = line::enter(set, request, first, entry);
-    const bool behind_start = end == line::End::enters && entry.upper < request.start;
-    if (behind_start && entry.calls < settings.cap) {
-      // Entered before it started: do they still overlap, or are they past each other? From the other side.
-      Mat3 back = basis;
-      back.col(2) = -u;
-      DifferenceSet behind(difference, back, -difference.to_scaled(ahead));
-      PairEntry leave;
-      request.stop = -request.start;
-      request.start = -kInfinity;
-      request.width = kInfinity;
-      request.cap -= entry.calls;
-      end = line::enter(behind, request, first, leave);
-      // A walk that came to its end without proving either is one along the surface. Cut short, it tells nothing.
-      const bool inside = end == line::End::enters && leave.upper <= request.stop;
-      if (inside || (end == line::End::enters && difference.calls < settings.cap)) {
-        result.support_calls = result.iterations = difference.calls;
-        return at_start(inside ? CastOutcome::overlap : CastOutcome::hit);  // else touching, and about to part
-      }
-    }
-    result.support_calls = result.iterations = difference.calls;
-    if (end == line::End::fault) {
+    const line::Contact contact = line::meet(basis, set_in, request, first, entry);
+    result.support_calls = result.iterations = entry.calls;
+    if (contact == line::Contact::misses) return miss(result);
+    if (contact == line::Contact::inside) return at_start(CastOutcome::overlap);
+    if (contact == line::Contact::parting) return at_start(CastOutcome::hit);
+    if (contact == line::Contact::fault) {
       fault = difference.fault;
       result.status = QueryStatus::fault;
       result.outcome = CastOutcome::undecided;
       return;
     }
-    if (end == line::End::misses) return miss(result);
-    const bool capped = difference.calls >= settings.cap;
-    if (end == line::End::enters && !behind_start && entry.s <= request.stop) {
+    const bool capped = entry.calls >= settings.cap;
+    if (contact == line::Contact::enters) {
       write_hit(difference, basis, entry, length, ahead);
       if (!entry.settled) result.status = capped ? QueryStatus::capped : QueryStatus::rounding;
       return;
