@@ -129,19 +129,9 @@ Real pick(Random& random, const Real (&from)[N]) {
 inline Shape extreme_shape(Random& random, int kind, Real size) {
   const auto length = [&] { return size * pick(random, kAspects); };
   const Real x = length(), y = length(), z = length();
+  if (kind == 0) return sphere(size);
+  if (kind < kFormCount) return shape_of(kForms[kind], Vec3(x, y, z));
   switch (kind) {
-    case 0:
-      return sphere(size);
-    case 1:
-      return box(Vec3(x, y, z));
-    case 2:
-      return capsule(x, y);
-    case 3:
-      return cylinder(x, y);
-    case 4:
-      return cone(x, y);
-    case 5:
-      return ellipsoid(Vec3(x, y, z));
     case 6:
       return rounded_box(Vec3(x, y, z), length());
     case 7: {  // a cloud, one point twice, one in the middle of two others

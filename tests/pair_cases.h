@@ -10,33 +10,11 @@
 
 namespace carom::test {
 
-inline Shape half_space(const Vec3& normal, Real offset) {
-  Shape s(std::pmr::get_default_resource());
-  s.form = Form::half_space;
-  s.normal = normal;
-  s.offset = offset;
-  s.bounds.lo = Vec3::Constant(-kInfinity);
-  s.bounds.hi = Vec3::Constant(kInfinity);
-  return s;
-}
-
 /// A shape of a form with extents around `scale`, aspect ratios up to 4.
 inline Shape random_shape(Form form, Real scale, Random& random) {
   const auto length = [&] { return scale * random.uniform(0.25, 1); };
   const Real a = length(), b = length(), c = length();
   switch (form) {
-    case Form::sphere:
-      return sphere(a);
-    case Form::capsule:
-      return capsule(a, b);
-    case Form::box:
-      return box(Vec3(a, b, c));
-    case Form::cylinder:
-      return cylinder(a, b);
-    case Form::cone:
-      return cone(a, b);
-    case Form::ellipsoid:
-      return ellipsoid(Vec3(a, b, c));
     case Form::half_space:
       return half_space(random.direction(), scale * random.uniform(-1, 1));
     case Form::polytope: {
@@ -44,8 +22,10 @@ inline Shape random_shape(Form form, Real scale, Random& random) {
       for (int i = 0; i < 24; ++i) points.push_back(random.in_cube(scale));
       return hull(points);
     }
-    default:
+    case Form::none:
       return rounded_box(Vec3(a, b, c), 0.2 * scale);
+    default:
+      return shape_of(form, Vec3(a, b, c));
   }
 }
 

@@ -12,6 +12,9 @@ struct ShapePair {
   Frame b_in_a;
 };
 
+/// Shifted, not turned.
+inline Frame at(Real x, Real y, Real z) { return Frame(Mat3::Identity(), Vec3(x, y, z)); }
+
 inline Quat random_rotation(Random& random) {
   // Uniform on the 3-sphere: a point of the 4-ball, scaled.
   for (;;) {

@@ -85,6 +85,12 @@ inline std::int32_t hull_support(const double* p, std::uint64_t count, const dou
   return 0;
 }
 
+/// Says that it failed, with a number of its own.
+inline std::int32_t failing_support(const double*, std::uint64_t, const double*, double* out) {
+  out[0] = out[1] = out[2] = 0;
+  return 7;
+}
+
 inline Shape make_shape(Form form, SupportFn support, std::initializer_list<double> params, const Vec3& half,
                         Real bounding_radius) {
   Shape s(std::pmr::get_default_resource());
@@ -162,6 +168,40 @@ inline Shape hull(const std::vector<Vec3>& points) {
   }
   s.vertices = s.params;
   s.farthest.build(s.vertices);
+  return s;
+}
+
+/// Closed forms in the order in which tests draw them.
+inline constexpr Form kForms[] = {Form::sphere, Form::box, Form::capsule, Form::cylinder, Form::cone, Form::ellipsoid};
+inline constexpr int kFormCount = 6;
+
+/// One of kForms.
+/// @param size  m: half extents of a box, radii of an ellipsoid; of the others x is the radius, y the half height
+inline Shape shape_of(Form form, const Vec3& size) {
+  switch (form) {
+    case Form::sphere:
+      return sphere(size.x());
+    case Form::box:
+      return box(size);
+    case Form::capsule:
+      return capsule(size.x(), size.y());
+    case Form::cylinder:
+      return cylinder(size.x(), size.y());
+    case Form::cone:
+      return cone(size.x(), size.y());
+    default:
+      return ellipsoid(size);
+  }
+}
+
+/// All x with normal . x <= offset; normal unit.
+inline Shape half_space(const Vec3& normal, Real offset) {
+  Shape s(std::pmr::get_default_resource());
+  s.form = Form::half_space;
+  s.normal = normal;
+  s.offset = offset;
+  s.bounds.lo = Vec3::Constant(-kInfinity);
+  s.bounds.hi = Vec3::Constant(kInfinity);
   return s;
 }
 

@@ -60,25 +60,12 @@ Real any_order(Random& random, Real lo, Real hi) { return std::exp2(random.unifo
 /// Of any family, of any proportions: a thousandth to a thousand along each axis.
 Shape odd_shape(Random& random) {
   const Real x = any_order(random, -10, 10), y = any_order(random, -10, 10), z = any_order(random, -10, 10);
-  switch (static_cast<int>(random.uniform(0, 7))) {
-    case 0:
-      return sphere(x);
-    case 1:
-      return box(Vec3(x, y, z));
-    case 2:
-      return capsule(x, y);
-    case 3:
-      return cylinder(x, y);
-    case 4:
-      return cone(x, y);
-    case 5:
-      return ellipsoid(Vec3(x, y, z));
-    default:
-      std::vector<Vec3> points;
-      const Vec3 off = random.uniform(0, 1) < 0.5 ? Vec3(Vec3::Zero()) : Vec3(random.in_cube(10 * x));
-      for (int i = 0; i < 20; ++i) points.push_back(off + Vec3(x, y, z).cwiseProduct(random.direction()));
-      return hull(points);
-  }
+  const int kind = static_cast<int>(random.uniform(0, kFormCount + 1));
+  if (kind < kFormCount) return shape_of(kForms[kind], Vec3(x, y, z));
+  std::vector<Vec3> points;
+  const Vec3 off = random.uniform(0, 1) < 0.5 ? Vec3(Vec3::Zero()) : Vec3(random.in_cube(10 * x));
+  for (int i = 0; i < 20; ++i) points.push_back(off + Vec3(x, y, z).cwiseProduct(random.direction()));
+  return hull(points);
 }
 
 /// Directions that meet the shape's own ones: axes, edges, ties, all but for a rounding.

@@ -19,20 +19,10 @@ int pick(Random& random, int n) { return static_cast<int>(random.uniform(0, n));
 Shape wild_shape(Random& random, Real size) {
   const auto length = [&] { return size * any_order(random, -6, 0); };
   const Real x = length(), y = length(), z = length();
-  switch (pick(random, 8)) {
-    case 0:
-      return sphere(x);
-    case 1:
-      return box(Vec3(x, y, z));
-    case 2:
-      return capsule(x, y);
-    case 3:
-      return cylinder(x, y);
-    case 4:
-      return cone(x, y);
-    case 5:
-      return ellipsoid(Vec3(x, y, z));
-    case 6: {  // a cloud, often flat, with points twice
+  const int kind = pick(random, kFormCount + 2);
+  if (kind < kFormCount) return shape_of(kForms[kind], Vec3(x, y, z));
+  switch (kind) {
+    case kFormCount: {  // a cloud, often flat, with points twice
       Vec3 half(x, y, z);
       if (pick(random, 3) == 0) half[pick(random, 3)] = 0;
       if (pick(random, 5) == 0) half[pick(random, 3)] = 0;

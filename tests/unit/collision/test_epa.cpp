@@ -21,8 +21,6 @@ QueryResult ask(const Shape& a, const Shape& b, const Frame& b_in_a, Real tolera
   return result;
 }
 
-Frame at(Real x, Real y, Real z) { return Frame(Mat3::Identity(), Vec3(x, y, z)); }
-
 bool holds(const QueryResult& r, Real truth) { return r.lower <= truth && truth <= r.upper; }
 bool meet(const QueryResult& r, const QueryResult& s, Real slack) {
   return r.lower <= s.upper + slack && s.lower <= r.upper + slack;

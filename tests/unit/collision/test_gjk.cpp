@@ -19,8 +19,6 @@ QueryResult ask(const Shape& a, const Shape& b, const Frame& b_in_a, const Query
   return result;
 }
 
-Frame at(Real x, Real y, Real z) { return Frame(Mat3::Identity(), Vec3(x, y, z)); }
-
 /// The answer is a bracket around the truth, narrow enough, and value and normal belong together.
 void assert_is(const QueryResult& r, Real truth, Real width) {
   assert_int_equal(static_cast<int>(r.status), static_cast<int>(QueryStatus::exact_enough));

@@ -63,7 +63,6 @@ bool whole(const Manifold& m) {
   return true;
 }
 
-std::int32_t failing_support(const double*, std::uint64_t, const double*, double*) { return 7; }
 std::int32_t nan_support(const double*, std::uint64_t, const double*, double* out) {
   out[0] = out[1] = out[2] = std::nan("");
   return 0;

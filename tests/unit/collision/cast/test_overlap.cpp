@@ -13,8 +13,6 @@ OverlapResult ask(const Shape& a, const Shape& b, const Frame& b_in_a, Real targ
   return overlap(a, b, b_in_a, target, 0, cap, fault);
 }
 
-Frame at(Real x, Real y, Real z) { return Frame(Mat3::Identity(), Vec3(x, y, z)); }
-
 /// How far a point is from a shape: the largest n . x - h(n) over many directions, a bound from below of the distance.
 Real outside(const Shape& s, const Vec3& x, Random& random) {
   Real worst = -kInfinity;

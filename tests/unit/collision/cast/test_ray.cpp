@@ -34,14 +34,6 @@ struct Known {
   }
 };
 
-Shape half_space(const Vec3& normal, Real offset) {
-  Shape s(std::pmr::get_default_resource());
-  s.form = Form::half_space;
-  s.normal = normal;
-  s.offset = offset;
-  return s;
-}
-
 /// What every answer owes the truth. The bracket holds it; only where the ray goes no deeper than `graze` (m) may a hit
 /// be claimed where there is none, or just before it: the claim is of slack.
 void assert_true_to(const CastResult& r, const MaybeStretch& truth, const Ray& ray, Real graze = 0) {

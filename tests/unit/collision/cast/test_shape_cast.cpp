@@ -17,16 +17,6 @@ CastResult ask(const Shape& a, const Frame& fa, const Vec3& motion, const Shape&
   return result;
 }
 
-Frame at(Real x, Real y, Real z) { return Frame(Mat3::Identity(), Vec3(x, y, z)); }
-
-Shape half_space(const Vec3& normal, Real offset) {
-  Shape s(std::pmr::get_default_resource());
-  s.form = Form::half_space;
-  s.normal = normal;
-  s.offset = offset;
-  return s;
-}
-
 /// Separation beyond the target when A has gone a fraction t of its motion, to 1e-13.
 Real gap_at(const Shape& a, Frame fa, const Vec3& motion, const Shape& b, const Frame& fb, Real target, Real t) {
   fa.p += t * motion;
@@ -275,15 +265,6 @@ static void wild_poses_give_no_nan(void**) {
     }
   }
 }
-
-namespace {
-
-std::int32_t failing_support(const double*, std::uint64_t, const double*, double* out) {
-  out[0] = out[1] = out[2] = 0;
-  return 3;
-}
-
-}  // namespace
 
 static void a_failing_support_function_is_named(void**) {
   const Shape liar = make_shape(Form::none, failing_support, {1}, Vec3(1, 1, 1), 1.8), cube = box(Vec3(1, 1, 1));

@@ -30,14 +30,6 @@ Motion moving(const Vec3& p, const Vec3& v = Vec3::Zero(), const Vec3& omega = V
   return m;
 }
 
-Shape half_space(const Vec3& normal, Real offset) {
-  Shape s(std::pmr::get_default_resource());
-  s.form = Form::half_space;
-  s.normal = normal;
-  s.offset = offset;
-  return s;
-}
-
 Real gap_at(const Shape& a, const Motion& ma, const Shape& b, const Motion& mb, Real target, Real t, Real tolerance) {
   QuerySettings settings;
   settings.tolerance = tolerance;
@@ -293,15 +285,6 @@ static void wild_motions_give_no_nan(void**) {
       assert_true(!std::isnan(r.time) && !std::isnan(r.lower) && !std::isnan(r.upper) && r.lower <= r.upper);
   }
 }
-
-namespace {
-
-std::int32_t failing_support(const double*, std::uint64_t, const double*, double* out) {
-  out[0] = out[1] = out[2] = 0;
-  return 3;
-}
-
-}  // namespace
 
 static void a_failing_support_function_is_named(void**) {
   const Shape liar = make_shape(Form::none, failing_support, {1}, Vec3(1, 1, 1), 1.8), cube = box(Vec3(1, 1, 1));
