@@ -1,60 +1,11 @@
 // FCL's continuous collision by conservative advancement.
-#include <fcl/geometry/shape/box.h>
-#include <fcl/geometry/shape/capsule.h>
-#include <fcl/geometry/shape/convex.h>
-#include <fcl/geometry/shape/cylinder.h>
-#include <fcl/geometry/shape/ellipsoid.h>
-#include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/continuous_collision.h>
 
-#include <map>
-
+#include "../convex/native_fcl.h"
 #include "peer.h"
 
 namespace carom::bench {
 namespace {
-
-using Transform = fcl::Transform3<double>;
-using V = fcl::Vector3<double>;
-
-std::shared_ptr<fcl::ShapeBase<double>> native(const Solid& solid) {
-  const double* const h = solid.half;
-  switch (solid.kind) {
-    case Kind::sphere:
-      return std::make_shared<fcl::Sphere<double>>(solid.radius);
-    case Kind::box:
-      return std::make_shared<fcl::Box<double>>(2 * h[0], 2 * h[1], 2 * h[2]);
-    case Kind::capsule:
-      return std::make_shared<fcl::Capsule<double>>(solid.radius, 2 * solid.half_height);
-    case Kind::cylinder:
-      return std::make_shared<fcl::Cylinder<double>>(solid.radius, 2 * solid.half_height);
-    case Kind::ellipsoid:
-      return std::make_shared<fcl::Ellipsoid<double>>(h[0], h[1], h[2]);
-    default:
-      break;
-  }
-  const auto points = std::make_shared<std::vector<V>>();
-  const auto faces = std::make_shared<std::vector<int>>();
-  std::map<std::uint32_t, int> renumbered;
-  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
-    const std::uint32_t v = solid.triangles[t];
-    const auto [at, fresh] = renumbered.emplace(v, static_cast<int>(points->size()));
-    if (fresh) points->emplace_back(&solid.xyz[3 * v]);
-    if (t % 3 == 0) faces->push_back(3);
-    faces->push_back(at->second);
-  }
-  return std::make_shared<fcl::Convex<double>>(points, static_cast<int>(solid.triangles.size() / 3), faces);
-}
-
-Transform pose(const Solid& solid, const Placement& given) {
-  const Placement at = z_up(solid, given);
-  Transform t = Transform::Identity();
-  for (int i = 0; i < 3; ++i) {
-    t.translation()[i] = at.p[i];
-    for (int k = 0; k < 3; ++k) t.linear()(i, k) = at.r[3 * i + k];
-  }
-  return t;
-}
 
 class Fcl final : public CastPeer {
  public:
@@ -89,7 +40,7 @@ class Fcl final : public CastPeer {
   const fcl::CollisionGeometry<double>* of(const Solid& solid) {
     auto& known = natives_[&solid];
     if (!known) {
-      known = native(solid);
+      known = with_native(solid, [](auto shape) { return std::shared_ptr<fcl::ShapeBase<double>>(shape); });
       known->computeLocalAABB();
     }
     return known.get();

@@ -2,27 +2,16 @@
 //
 // The solvers are called beneath fcl::distance and fcl::collide, whose tables know shortcuts for boxes and capsules:
 // what is compared is convex cores.
-#include <fcl/geometry/shape/box.h>
-#include <fcl/geometry/shape/capsule.h>
-#include <fcl/geometry/shape/cone.h>
-#include <fcl/geometry/shape/convex.h>
-#include <fcl/geometry/shape/cylinder.h>
-#include <fcl/geometry/shape/ellipsoid.h>
-#include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/detail/gjk_solver_indep.h>
 #include <fcl/narrowphase/detail/gjk_solver_libccd.h>
 
-#include <map>
 #include <stdexcept>
 
-#include "peer.h"
+#include "native_fcl.h"
 
 namespace carom::bench {
 
 namespace {
-
-using Transform = fcl::Transform3<double>;
-using V = fcl::Vector3<double>;
 
 int g_calls = 0;
 
@@ -47,43 +36,6 @@ Native native(std::shared_ptr<S> shape) {
             ++g_calls;
             inner(object, d, out);
           }};
-}
-
-Native native(const Solid& solid) {
-  const double* const h = solid.half;
-  const double r = solid.radius, height = 2 * solid.half_height;
-  switch (solid.kind) {
-    case Kind::sphere:
-      return native(std::make_shared<fcl::Sphere<double>>(r));
-    case Kind::box:
-      return native(std::make_shared<fcl::Box<double>>(2 * h[0], 2 * h[1], 2 * h[2]));
-    case Kind::capsule:
-      return native(std::make_shared<fcl::Capsule<double>>(r, height));
-    case Kind::cylinder:
-      return native(std::make_shared<fcl::Cylinder<double>>(r, height));
-    case Kind::cone:
-      return native(std::make_shared<fcl::Cone<double>>(r, height));
-    case Kind::ellipsoid:
-      return native(std::make_shared<fcl::Ellipsoid<double>>(h[0], h[1], h[2]));
-    case Kind::hull:
-      break;
-  }
-  // Vertices inside the hull and repeated ones have no edge: FCL walks edges, so it is not shown them.
-  const auto points = std::make_shared<std::vector<V>>();
-  const auto faces = std::make_shared<std::vector<int>>();
-  if (solid.triangles.empty()) {
-    for (std::size_t i = 0; i < solid.vertices; ++i) points->emplace_back(&solid.xyz[3 * i]);
-    return native(std::make_shared<fcl::Convex<double>>(points, 0, faces));
-  }
-  std::map<std::uint32_t, int> renumbered;
-  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
-    const std::uint32_t v = solid.triangles[t];
-    const auto [at, fresh] = renumbered.emplace(v, static_cast<int>(points->size()));
-    if (fresh) points->emplace_back(&solid.xyz[3 * v]);
-    if (t % 3 == 0) faces->push_back(3);
-    faces->push_back(at->second);
-  }
-  return native(std::make_shared<fcl::Convex<double>>(points, static_cast<int>(solid.triangles.size() / 3), faces));
 }
 
 class Fcl : public Peer {
@@ -111,15 +63,11 @@ class Fcl : public Peer {
  private:
   const Native& of(const Solid& solid) {
     const auto known = natives_.find(&solid);
-    return known != natives_.end() ? known->second : natives_.emplace(&solid, native(solid)).first->second;
+    return known != natives_.end() ? known->second : natives_.emplace(&solid, make(solid)).first->second;
   }
 
-  static Transform pose(const Solid& solid, const Placement& at) {
-    const Placement turned = z_up(solid, at);
-    Transform t = Transform::Identity();
-    t.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(turned.r);
-    t.translation() = V(turned.p);
-    return t;
+  static Native make(const Solid& solid) {
+    return with_native(solid, [](auto shape) { return native(std::move(shape)); });
   }
 
   std::map<const Solid*, Native> natives_;
