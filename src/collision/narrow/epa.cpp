@@ -34,10 +34,10 @@ void drop_to_feature(Difference& difference, DifferenceSimplex& simplex) {
   Vec3 w[4];
   for (int i = 0; i < 4; ++i) w[i] = simplex.point[i].w;
   Nearest nearest;
-  offer_face<true>(w, 0, 1, 2, nearest);
-  offer_face<true>(w, 0, 1, 3, nearest);
-  offer_face<true>(w, 0, 2, 3, nearest);
-  offer_face<true>(w, 1, 2, 3, nearest);
+  offer_face(w, 0, 1, 2, nearest);
+  offer_face(w, 0, 1, 3, nearest);
+  offer_face(w, 0, 2, 3, nearest);
+  offer_face(w, 1, 2, 3, nearest);
   const DifferenceSimplex all = simplex;
   Vec3 v = Vec3::Zero();
   simplex.count = nearest.count;
@@ -118,19 +118,22 @@ void report_nearest(const DifferencePoint* p, int count, const Vec3& target, Dif
 /// may have been known before a face lay across it (GJK looked along it, a start point was sought there), so it is the
 /// mesh that is asked, not the face looked along last. Of a face of a polytope that is cut into several, one holds the
 /// point.
-void report_witness(const Polytope& polytope, const Difference& difference, DifferenceSimplex& simplex) {
+/// @param likely  the face that probably holds it: looked at first, it spares the others; -1: none
+void report_witness(const Polytope& polytope, int likely, const Difference& difference, DifferenceSimplex& simplex) {
   const Vec3 out = difference.lower * difference.normal;
+  constexpr Real kThere = 4 * kUnitRoundoff;  // scaled: of points of about 1, nearer can't be told
   Real least = kInfinity;
-  // The last faces are mostly the nearest: looked at first, they spare the others.
-  for (int f = polytope.faces() - 1; f >= 0; --f) {
+  const auto look_at = [&](int f) {
     const Polytope::Face& face = polytope.face(f);
     // All of a face lies at its offset or beyond, whatever rounding did to its normal.
     const Real before = face.offset - face.normal.dot(out);
-    if (!face.alive || (before > 0 && before * before >= least)) continue;
+    if (!face.alive() || (before > 0 && before * before >= least)) return;
     DifferencePoint p[3];
     for (int i = 0; i < 3; ++i) p[i] = polytope.point(face.vertex[i]);
     report_nearest(p, 3, out, simplex, least);
-  }
+  };
+  if (likely >= 0) look_at(likely);
+  for (int f = polytope.faces() - 1; f >= 0 && least > kThere * kThere; --f) look_at(f);
 }
 
 /// The same where the difference is flat: its triangle, edge or point is all there is.
@@ -154,11 +157,12 @@ EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex
   Polytope polytope(difference.rounding());
   polytope.start(simplex.point, -difference.lower);
   EpaEnd end = EpaEnd::stuck;
+  int at = -1;
   for (;;) {
     // A ring of equal minimisers (a cone on its axis) would be refined all around to the cap. The last quarter of the
     // iterations therefore follows one branch down: the bound from below, which one direction can attain, gets exact.
     const bool follow = iterations >= cap - cap / 4 && polytope.newest() >= 0;
-    const int at = follow ? polytope.newest() : polytope.pop();
+    at = follow ? polytope.newest() : polytope.pop();
     if (at < 0) {
       // Every face is at least as far out as the best supporting plane: nothing lies between.
       if (-difference.lower > difference.rounding()) difference.upper = std::min(difference.upper, difference.lower);
@@ -201,7 +205,7 @@ EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex
     if (-value - offset <= 4 * difference.rounding() && polytope.has(fresh.w)) break;
     if (!polytope.add(at, fresh, -difference.lower)) break;
   }
-  report_witness(polytope, difference, simplex);
+  report_witness(polytope, at, difference, simplex);
   return end;
 }
 

@@ -11,17 +11,20 @@ namespace {
 
 constexpr int kNext[3] = {1, 2, 0};
 
+constexpr Polytope::Link link_to(int face, int edge) { return 4 * face + edge; }
+constexpr int face_of(Polytope::Link link) { return link >> 2; }
+constexpr int edge_of(Polytope::Link link) { return link & 3; }
+
 }  // namespace
 
-/// Normal and offset of a face. From two edges at one vertex if they enclose an angle whose sine is above 1/32: the
-/// normal then errs by 32 u at most, and the offset, taken at the vertices, is a proof whatever the normal.
-inline void Polytope::place(Face& f) const {
-  constexpr Real kWide2 = 0x1p-10;
+/// Normal and offset of a face. From two edges at one vertex if they enclose a wide angle; the offset, taken at the
+/// vertices, is a proof whatever the normal.
+void Polytope::place(Face& f) const {
   const Vec3 &a = points_[f.vertex[0]].w, &b = points_[f.vertex[1]].w, &c = points_[f.vertex[2]].w;
   const Vec3 ab = b - a, ac = c - a, n = ab.cross(ac);
   const Real n2 = n.squaredNorm(), ab2 = ab.squaredNorm(), ac2 = ac.squaredNorm();
   // Twice the area over the longest edge, which is below sqrt(2 (ab2 + ac2)), is the height.
-  if (n2 > kWide2 * (ab2 * ac2) && n2 > rounding_ * rounding_ * (ab2 + ac2)) {
+  if (n2 > kWideAngle2 * (ab2 * ac2) && n2 > rounding_ * rounding_ * (ab2 + ac2)) {
     f.normal = n * (1 / std::sqrt(n2));
   } else {
     f.normal = careful_normal(a, b, c);
@@ -50,35 +53,36 @@ inline void Polytope::place(Face& f) const {
 }
 
 inline int Polytope::new_face(int i, int j, int k) {
-  const bool fresh = free_used_ == 0;
-  const int slot = fresh ? faces_used_++ : free_[--free_used_];
+  int slot = faces_used_;
+  if (free_used_ > 0) {
+    slot = free_[--free_used_];
+  } else {
+    ++faces_used_;
+    faces_[slot].stamp = 0;
+  }
   Face& f = faces_[slot];
-  if (fresh) f.stamp = 0;
-  f.vertex[0] = static_cast<Index>(i);
-  f.vertex[1] = static_cast<Index>(j);
-  f.vertex[2] = static_cast<Index>(k);
-  f.alive = true;
-  place(f);
+  f.vertex[0] = i;
+  f.vertex[1] = j;
+  f.vertex[2] = k;
+  ++f.stamp;
   return slot;
 }
 
-void Polytope::remove(int face) {
-  faces_[face].alive = false;
+inline void Polytope::remove(int face) {
   ++faces_[face].stamp;
-  free_[free_used_++] = static_cast<Index>(face);
+  free_[free_used_++] = face;
 }
 
-void Polytope::link(int f, int e, int g, int h) {
-  faces_[f].next[e] = static_cast<Index>(g);
-  faces_[f].back[e] = static_cast<signed char>(h);
-  faces_[g].next[h] = static_cast<Index>(f);
-  faces_[g].back[h] = static_cast<signed char>(e);
+inline void Polytope::join(Link one, Link other) {
+  faces_[face_of(one)].across[edge_of(one)] = other;
+  faces_[face_of(other)].across[edge_of(other)] = one;
 }
 
 void Polytope::sift_down(int at) {
   const Entry moving = heap_[at];
+  heap_[heap_used_].offset = kInfinity;  // the second child of a parent of one
   for (int child; (child = 2 * at + 1) < heap_used_; at = child) {
-    if (child + 1 < heap_used_ && heap_[child + 1].offset < heap_[child].offset) ++child;
+    child += heap_[child + 1].offset < heap_[child].offset;  // no branch: which child is anybody's guess
     if (!(heap_[child].offset < moving.offset)) break;
     heap_[at] = heap_[child];
   }
@@ -89,7 +93,7 @@ void Polytope::sift_down(int at) {
 void Polytope::refill() {
   heap_used_ = static_cast<int>(
       std::remove_if(heap_, heap_ + heap_used_,
-                     [this](const Entry& e) { return !faces_[e.face].alive || faces_[e.face].stamp != e.stamp; }) -
+                     [this](const Entry& e) { return faces_[e.face].stamp != e.stamp; }) -
       heap_);
   for (int i = heap_used_ / 2 - 1; i >= 0; --i) sift_down(i);
 }
@@ -107,7 +111,7 @@ int Polytope::pop() {
     const Entry top = heap_[0];
     heap_[0] = heap_[--heap_used_];
     if (heap_used_ > 1) sift_down(0);
-    if (faces_[top.face].alive && faces_[top.face].stamp == top.stamp) return top.face;
+    if (faces_[top.face].stamp == top.stamp) return top.face;
   }
   return -1;
 }
@@ -125,75 +129,93 @@ void Polytope::start(const DifferencePoint* four, Real keep_below) {
   if (triangle_normal(a, b, c).dot(d - a) > 0) std::swap(points_[1], points_[2]);
   // d is now below abc seen from outside.
   const int abc = new_face(0, 1, 2), adb = new_face(0, 3, 1), bdc = new_face(1, 3, 2), cda = new_face(2, 3, 0);
-  link(abc, 0, adb, 2);
-  link(abc, 1, bdc, 2);
-  link(abc, 2, cda, 2);
-  link(adb, 1, bdc, 0);
-  link(bdc, 1, cda, 0);
-  link(cda, 1, adb, 0);
+  for (const int f : {abc, adb, bdc, cda}) place(faces_[f]);
+  join(link_to(abc, 0), link_to(adb, 2));
+  join(link_to(abc, 1), link_to(bdc, 2));
+  join(link_to(abc, 2), link_to(cda, 2));
+  join(link_to(adb, 1), link_to(bdc, 0));
+  join(link_to(bdc, 1), link_to(cda, 0));
+  join(link_to(cda, 1), link_to(adb, 0));
   for (const int f : {abc, adb, bdc, cda})
     if (faces_[f].offset <= keep_below) push(f);
 }
 
-/// Remove a face that w sees and go on over its other two edges; an edge to a face that w does not see is the horizon.
-/// Edges come out in the order of the loop. Depth is at most the number of faces.
-bool Polytope::walk(int face, int edge, const Vec3& w) {
-  const Face& f = faces_[face];
-  if (!f.alive) return true;
-  if (f.normal.dot(w) - f.offset <= rounding_) {
-    if (horizon_used_ == kFaces) return false;
-    horizon_[horizon_used_++] = {static_cast<Index>(face), static_cast<Index>(edge)};
-    return true;
-  }
-  remove(face);
-  const int left = kNext[edge], right = kNext[left];
-  return walk(f.next[left], f.back[left], w) && walk(f.next[right], f.back[right], w);
-}
-
-/// Remove the faces that a point beyond a face sees, and find the horizon around them.
+/// Remove the faces that a point beyond a face sees, and find the horizon around them: from a face that goes, over its
+/// edges, to more that go or to the horizon, whose edges come out in the order of the loop.
 bool Polytope::open(int face, const Vec3& w) {
   horizon_used_ = 0;
-  const Face seen = faces_[face];
+  // Edges still to be crossed, the next one on top. Each face that goes leaves one more than it took.
+  Link waiting[kFaces + 3];
+  int count = 0;
   remove(face);
-  for (int e = 0; e < 3; ++e)
-    if (!walk(seen.next[e], seen.back[e], w)) return false;
+  for (const int e : {2, 1, 0}) waiting[count++] = faces_[face].across[e];
+  while (count > 0) {
+    const Link link = waiting[--count];
+    const Face& f = faces_[face_of(link)];
+    if (!f.alive()) continue;
+    if (f.normal.dot(w) - f.offset > rounding_) {
+      remove(face_of(link));
+      const int left = kNext[edge_of(link)];
+      waiting[count++] = f.across[kNext[left]];
+      waiting[count++] = f.across[left];
+      continue;
+    }
+    if (horizon_used_ == kFaces) return false;
+    horizon_[horizon_used_++] = link;
+  }
   if (horizon_used_ < 3 || horizon_used_ > free_used_ + (kFaces - faces_used_)) return false;
   // Every edge must start where the one before it ends (seen from the removed side).
-  for (int i = 0; i < horizon_used_; ++i) {
-    const Edge here = horizon_[i], after = horizon_[i + 1 == horizon_used_ ? 0 : i + 1];
-    if (faces_[here.face].vertex[here.edge] != faces_[after.face].vertex[kNext[after.edge]]) return false;
+  const auto end = [&](Link link) { return faces_[face_of(link)].vertex[edge_of(link)]; };
+  const auto start = [&](Link link) { return faces_[face_of(link)].vertex[kNext[edge_of(link)]]; };
+  for (int i = 1; i < horizon_used_; ++i)
+    if (end(horizon_[i - 1]) != start(horizon_[i])) return false;
+  return end(horizon_[horizon_used_ - 1]) == start(horizon_[0]);
+}
+
+/// The planes of the next faces around a new point, from the horizon's edge `from` on.
+inline void Polytope::unfold(int from, const Vec3& apex, Fan& fan) const {
+  const int edges = std::min(Fan::kFaces, horizon_used_ - from);
+  for (int i = 0; i < edges; ++i) {
+    const Link link = horizon_[from + i];
+    fan.set(i, points_[faces_[face_of(link)].vertex[kNext[edge_of(link)]]].w);
   }
-  return true;
+  const Link link = horizon_[from + edges - 1];
+  for (int i = edges; i <= Fan::kFaces; ++i) fan.set(i, points_[faces_[face_of(link)].vertex[edge_of(link)]].w);
+  fan.unfold(apex, kWideAngle2, rounding_);
 }
 
 bool Polytope::add(int face, const DifferencePoint& point, Real keep_below) {
   if (points_used_ == kPoints) return false;
   const int free_before = free_used_;
   if (!open(face, point.w)) {
-    for (; free_used_ > free_before; --free_used_) faces_[free_[free_used_ - 1]].alive = true;
+    for (; free_used_ > free_before; --free_used_) --faces_[free_[free_used_ - 1]].stamp;
     return false;
   }
   const int apex = points_used_++;
   points_[apex] = point;
-  int first = -1, last = -1;
   newest_ = -1;
   Real least = kInfinity;
+  int first = -1, last = -1;
+  Fan fan;
   for (int i = 0; i < horizon_used_; ++i) {
-    const Edge e = horizon_[i];
-    Face& outside = faces_[e.face];
-    const int slot = new_face(outside.vertex[kNext[e.edge]], outside.vertex[e.edge], apex);
+    const int at = i % Fan::kFaces;
+    if (at == 0) unfold(i, point.w, fan);
+    const Link link = horizon_[i];
+    Face& outside = faces_[face_of(link)];
+    const int slot = new_face(outside.vertex[kNext[edge_of(link)]], outside.vertex[edge_of(link)], apex);
     Face& f = faces_[slot];
-    f.next[0] = e.face;
-    f.back[0] = static_cast<signed char>(e.edge);
-    outside.next[e.edge] = static_cast<Index>(slot);
-    outside.back[e.edge] = 0;
-    f.next[2] = static_cast<Index>(last);
-    f.back[1] = 2;
-    f.back[2] = 1;
-    if (last >= 0)
-      faces_[last].next[1] = static_cast<Index>(slot);
-    else
+    if (fan.clear[at] > 0) {
+      f.normal = Vec3(fan.nx[at], fan.ny[at], fan.nz[at]);
+      f.offset = fan.offset[at];
+    } else {
+      place(f);
+    }
+    f.across[0] = link;
+    outside.across[edge_of(link)] = link_to(slot, 0);
+    if (last < 0)
       first = slot;
+    else
+      join(link_to(last, 1), link_to(slot, 2));
     last = slot;
     if (f.offset < least) {
       least = f.offset;
@@ -201,8 +223,7 @@ bool Polytope::add(int face, const DifferencePoint& point, Real keep_below) {
     }
     if (f.offset <= keep_below) push(slot);
   }
-  faces_[last].next[1] = static_cast<Index>(first);
-  faces_[first].next[2] = static_cast<Index>(last);
+  join(link_to(last, 1), link_to(first, 2));
   return true;
 }
 

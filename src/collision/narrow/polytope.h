@@ -3,6 +3,7 @@
 #pragma once
 
 #include "collision/narrow/epa.h"
+#include "collision/narrow/fan.h"
 
 namespace carom {
 
@@ -14,16 +15,17 @@ namespace carom {
 /// badly tilted one too.
 class Polytope {
  public:
-  using Index = std::int16_t;  // of points and faces: 130 kB of stack in all, where a host's thread may have little
+  /// The other side of an edge: 4 times the face there, plus which of its edges it is.
+  using Link = std::int32_t;
 
-  struct Face {
-    Vec3 normal;          // unit, outwards
-    Real offset;          // smallest of normal . vertex; the plane is at least as far from the origin
-    Index vertex[3];      // counter-clockwise from outside
-    Index next[3];        // face across edge (vertex[e], vertex[e + 1])
-    signed char back[3];  // which edge of that face it is
-    bool alive;
-    std::uint32_t stamp;  // tells a reused slot from what an old heap entry meant
+  /// A cache line.
+  struct alignas(64) Face {
+    Vec3 normal;             // unit, outwards
+    Real offset;             // smallest of normal . vertex; the plane is at least as far from the origin
+    std::int32_t vertex[3];  // counter-clockwise from outside
+    Link across[3];          // edge (vertex[e], vertex[e + 1])
+    std::uint32_t stamp;     // odd: alive; tells a reused slot from what an old heap entry meant
+    bool alive() const { return stamp & 1; }
   };
 
   /// @param rounding  what a height must exceed to count, scaled lengths
@@ -51,35 +53,30 @@ class Polytope {
   static constexpr int kFaces = 2 * kPoints;
   static constexpr int kHeap = 2 * kFaces;
 
-  static_assert(kFaces <= 32767);
-
   struct Entry {
     Real offset;
-    int face;
+    std::int32_t face;
     std::uint32_t stamp;
-  };
-  struct Edge {
-    Index face, edge;
   };
 
   int new_face(int i, int j, int k);
   void place(Face& face) const;
   Vec3 careful_normal(const Vec3& a, const Vec3& b, const Vec3& c) const;
-  void link(int f, int e, int g, int h);
+  void unfold(int from, const Vec3& apex, Fan& fan) const;
+  void join(Link one, Link other);
   void push(int face);
   void sift_down(int at);
   void refill();
   bool open(int face, const Vec3& w);
-  bool walk(int face, int edge, const Vec3& w);
   void remove(int face);
 
   Real rounding_;
   int points_used_ = 0, faces_used_ = 0, free_used_ = 0, heap_used_ = 0, horizon_used_ = 0, newest_ = -1;
   DifferencePoint points_[kPoints];
   Face faces_[kFaces];
-  Index free_[kFaces];
-  Entry heap_[kHeap];
-  Edge horizon_[kFaces];
+  std::int32_t free_[kFaces];
+  Entry heap_[kHeap + 1];  // and one to compare with
+  Link horizon_[kFaces];  // edges of faces that stay, in the order of the loop
 };
 
 }  // namespace carom

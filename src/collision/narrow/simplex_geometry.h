@@ -21,6 +21,9 @@ inline Vec3 accurate_cross(const Vec3& a, const Vec3& b) {
 /// worth it.
 inline constexpr Real kNearlyParallel2 = 1e-6;
 
+/// Square of the sine, 1/32, of a wide angle: plain products tilt the normal between such edges by 32 u at most.
+inline constexpr Real kWideAngle2 = 0x1p-10;
+
 /// Cross product that keeps its direction when a and b are nearly parallel.
 inline Vec3 careful_cross(const Vec3& a, const Vec3& b) {
   const Vec3 n = a.cross(b);
@@ -119,25 +122,16 @@ inline void offer_inner_face(const Vec3* w, int i, int j, int k, const Vec3& nor
   nearest.distance2 = distance2;
 }
 
-/// Face ijk with its edges and vertices (or, if !kAll, those that touch k): keeps the answer if nearer.
-template <bool kAll>
+/// Face ijk with its edges and vertices: keeps the answer if nearer.
 inline void offer_face(const Vec3* w, int i, int j, int k, Nearest& nearest) {
   const Vec3 normal = triangle_normal(w[i], w[j], w[k]);
-  const Real area_i = projected_area(w[j], w[k], normal), area_j = projected_area(w[k], w[i], normal);
-  const bool out_jk = !(area_i > 0), out_ki = !(area_j > 0);
-  if (kAll || !(out_jk | out_ki)) {
-    const Real area_k = projected_area(w[i], w[j], normal);
-    const bool out_ij = kAll && !(area_k > 0);
-    if (!(out_jk | out_ki | out_ij)) {
-      return offer_inner_face(w, i, j, k, normal, {area_i, area_j, area_k}, nearest);
-    }
-    if (out_jk) offer_edge(w, j, k, nearest);
-    if (out_ki) offer_edge(w, k, i, nearest);
-    if (out_ij) offer_edge(w, i, j, nearest);
-    return;
-  }
+  const Areas area = {projected_area(w[j], w[k], normal), projected_area(w[k], w[i], normal),
+                      projected_area(w[i], w[j], normal)};
+  const bool out_jk = !(area.i > 0), out_ki = !(area.j > 0), out_ij = !(area.k > 0);
+  if (!(out_jk | out_ki | out_ij)) return offer_inner_face(w, i, j, k, normal, area, nearest);
   if (out_jk) offer_edge(w, j, k, nearest);
   if (out_ki) offer_edge(w, k, i, nearest);
+  if (out_ij) offer_edge(w, i, j, nearest);
 }
 
 /// The tetrahedron itself. The volumes of the origin with each opposite face are its weights: that they give a v of
