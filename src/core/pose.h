@@ -33,6 +33,11 @@ struct Frame {
   Frame operator*(const Frame& inner) const { return {r * inner.r, r * inner.p + p}; }
 };
 
+/// Whether a relative pose is one: finite, with squares that stay finite, and a matrix whose entries could be a
+/// rotation's (their absolute sum is at most 3 sqrt 3). Bodies that lost their numbers are quarantined upstream; a
+/// query by a host is not.
+inline bool usable(const Frame& f) { return f.p.cwiseAbs().sum() < 1e100 && f.r.cwiseAbs().sum() < 6; }
+
 /// B's frame seen from A's, formed from the difference of positions first, so that two bodies 1e6 m from the origin
 /// lose no digits of their distance beyond those that their positions lack already.
 inline Frame relative(const Frame& a, const Frame& b) {

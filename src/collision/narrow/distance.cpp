@@ -32,12 +32,12 @@ void unknown(QueryStatus status, QueryResult& result) {
 
 void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySettings& settings, QueryMemory* memory,
               QueryResult& result, SupportFault& fault) {
-  result = QueryResult{};
-  if (!usable(b_in_a)) return unknown(QueryStatus::rounding, result);
   const bool flat_a = a.form == Form::half_space, flat_b = b.form == Form::half_space;
   const PairEntry& entry = pair_entry(a.form, b.form);
   const bool specific = settings.routines && entry.routine;
   if (!specific && !flat_a && !flat_b) return generic_distance(a, b, b_in_a, settings, memory, result, fault);
+  result = QueryResult{};
+  if (!usable(b_in_a)) return unknown(QueryStatus::rounding, result);
   if (flat_a && flat_b) return unknown(QueryStatus::capped, result);  // two half-spaces: no contract, no claim
   const Real size = b_in_a.p.cwiseAbs().sum() + extent(a) + extent(b);
   const Real slack = (kBracketRounding * kUnitRoundoff + (specific ? entry.accuracy : 0)) * size;

@@ -48,11 +48,6 @@ void contact_half_space_cone(const Shape&, const Shape&, const Frame&, Real, Can
 void contact_half_space_ellipsoid(const Shape&, const Shape&, const Frame&, Real, Candidates&);
 void contact_half_space_polytope(const Shape&, const Shape&, const Frame&, Real, Candidates&);
 
-/// Whether a relative pose is one: finite, with squares that stay finite, and a matrix whose entries could be a
-/// rotation's (their absolute sum is at most 3 sqrt 3). Bodies that lost their numbers are quarantined upstream; a
-/// query by a host is not.
-inline bool usable(const Frame& f) { return f.p.cwiseAbs().sum() < 1e100 && f.r.cwiseAbs().sum() < 6; }
-
 /// Append a point, if it is near enough (a separation that is not a number never is) and there is room.
 inline void add_contact(Candidates& found, Real reach, const Vec3& on_a, const Vec3& on_b, const Vec3& normal,
                         Real separation, std::uint32_t feature) {
