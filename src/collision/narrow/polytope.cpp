@@ -92,8 +92,7 @@ void Polytope::sift_down(int at) {
 /// Entries of faces long gone fill the heap: keep those alive.
 void Polytope::refill() {
   heap_used_ = static_cast<int>(
-      std::remove_if(heap_, heap_ + heap_used_,
-                     [this](const Entry& e) { return faces_[e.face].stamp != e.stamp; }) -
+      std::remove_if(heap_, heap_ + heap_used_, [this](const Entry& e) { return faces_[e.face].stamp != e.stamp; }) -
       heap_);
   for (int i = heap_used_ / 2 - 1; i >= 0; --i) sift_down(i);
 }

@@ -76,7 +76,7 @@ class Polytope {
   Face faces_[kFaces];
   std::int32_t free_[kFaces];
   Entry heap_[kHeap + 1];  // and one to compare with
-  Link horizon_[kFaces];  // edges of faces that stay, in the order of the loop
+  Link horizon_[kFaces];   // edges of faces that stay, in the order of the loop
 };
 
 }  // namespace carom
