@@ -160,26 +160,21 @@ bool Polytope::open(int face, const Vec3& w) {
       continue;
     }
     if (horizon_used_ == kFaces) return false;
+    // Every edge must start where the one before it ends (seen from the removed side).
+    const int start = f.vertex[kNext[edge_of(link)]];
+    if (horizon_used_ > 0 && rim_[horizon_used_] != start) return false;
+    rim_[horizon_used_] = start;
     horizon_[horizon_used_++] = link;
+    rim_[horizon_used_] = f.vertex[edge_of(link)];
   }
-  if (horizon_used_ < 3 || horizon_used_ > free_used_ + (kFaces - faces_used_)) return false;
-  // Every edge must start where the one before it ends (seen from the removed side).
-  const auto end = [&](Link link) { return faces_[face_of(link)].vertex[edge_of(link)]; };
-  const auto start = [&](Link link) { return faces_[face_of(link)].vertex[kNext[edge_of(link)]]; };
-  for (int i = 1; i < horizon_used_; ++i)
-    if (end(horizon_[i - 1]) != start(horizon_[i])) return false;
-  return end(horizon_[horizon_used_ - 1]) == start(horizon_[0]);
+  return horizon_used_ >= 3 && horizon_used_ <= free_used_ + (kFaces - faces_used_) && rim_[horizon_used_] == rim_[0];
 }
 
 /// The planes of the next faces around a new point, from the horizon's edge `from` on.
 inline void Polytope::unfold(int from, const Vec3& apex, Fan& fan) const {
   const int edges = std::min(Fan::kFaces, horizon_used_ - from);
-  for (int i = 0; i < edges; ++i) {
-    const Link link = horizon_[from + i];
-    fan.set(i, points_[faces_[face_of(link)].vertex[kNext[edge_of(link)]]].w);
-  }
-  const Link link = horizon_[from + edges - 1];
-  for (int i = edges; i <= Fan::kFaces; ++i) fan.set(i, points_[faces_[face_of(link)].vertex[edge_of(link)]].w);
+  for (int i = 0; i <= edges; ++i) fan.set(i, points_[rim_[from + i]].w);
+  for (int i = edges + 1; i <= Fan::kFaces; ++i) fan.set(i, points_[rim_[from + edges]].w);
   fan.unfold(apex, kWideAngle2, rounding_);
 }
 
@@ -200,8 +195,7 @@ bool Polytope::add(int face, const DifferencePoint& point, Real keep_below) {
     const int at = i % Fan::kFaces;
     if (at == 0) unfold(i, point.w, fan);
     const Link link = horizon_[i];
-    Face& outside = faces_[face_of(link)];
-    const int slot = new_face(outside.vertex[kNext[edge_of(link)]], outside.vertex[edge_of(link)], apex);
+    const int slot = new_face(rim_[i], rim_[i + 1], apex);
     Face& f = faces_[slot];
     if (fan.clear[at] > 0) {
       f.normal = Vec3(fan.nx[at], fan.ny[at], fan.nz[at]);
@@ -210,7 +204,7 @@ bool Polytope::add(int face, const DifferencePoint& point, Real keep_below) {
       place(f);
     }
     f.across[0] = link;
-    outside.across[edge_of(link)] = link_to(slot, 0);
+    faces_[face_of(link)].across[edge_of(link)] = link_to(slot, 0);
     if (last < 0)
       first = slot;
     else

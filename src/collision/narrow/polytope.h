@@ -75,8 +75,9 @@ class Polytope {
   DifferencePoint points_[kPoints];
   Face faces_[kFaces];
   std::int32_t free_[kFaces];
-  Entry heap_[kHeap + 1];  // and one to compare with
-  Link horizon_[kFaces];   // edges of faces that stay, in the order of the loop
+  Entry heap_[kHeap + 1];         // and one to compare with
+  Link horizon_[kFaces];          // edges of faces that stay, in the order of the loop
+  std::int32_t rim_[kFaces + 1];  // vertices between them, the first again at the end
 };
 
 }  // namespace carom
