@@ -2,6 +2,7 @@
 #include "collision/narrow/epa.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "collision/narrow/polytope.h"
 #include "collision/narrow/simplex_geometry.h"
@@ -99,14 +100,33 @@ Build build_tetrahedron(Difference& difference, DifferenceSimplex& simplex) {
   return Build::solid;
 }
 
-/// The point of the simplex nearest to a target, as weights of its vertices.
-void report_nearest(const DifferencePoint* p, int count, const Vec3& target, DifferenceSimplex& simplex, Real& least) {
+constexpr Real kNear = 4;  // roundings: the way to a feature that is there
+
+/// How near a feature comes to a target: as its geometry says; then, since the weights of a sliver may name a point
+/// anywhere along it, how far off the plane through the target that point is, and how far off the target. The first two
+/// in steps of what rounding can tell.
+struct Nearness {
+  Real claimed2 = kInfinity, height = kInfinity, given2 = kInfinity;
+  bool operator<(const Nearness& o) const {
+    return std::tie(claimed2, height, given2) < std::tie(o.claimed2, o.height, o.given2);
+  }
+};
+
+/// The point of a triangle, edge or vertex nearest to a target, as weights of its vertices, if it is nearer than
+/// `best`.
+void report_nearest(const DifferencePoint* p, int count, const Vec3& target, const Difference& difference,
+                    DifferenceSimplex& simplex, Nearness& best) {
   Vec3 w[3];
   for (int i = 0; i < count; ++i) w[i] = p[i].w - target;
   Nearest nearest;
   nearest_voronoi(w, count, nearest);
-  if (!(nearest.distance2 < least)) return;
-  least = nearest.distance2;
+  Vec3 v = Vec3::Zero();
+  for (int i = 0; i < nearest.count; ++i) v += nearest.weight[i] * w[nearest.index[i]];
+  const Real rounding = difference.rounding(), near = kNear * rounding;
+  const Nearness here{std::max(nearest.distance2, near * near), std::max(std::fabs(difference.normal.dot(v)), rounding),
+                      v.squaredNorm()};
+  if (!(here < best)) return;
+  best = here;
   simplex.count = nearest.count;
   for (int i = 0; i < nearest.count; ++i) {
     simplex.point[i] = p[nearest.index[i]];
@@ -121,26 +141,27 @@ void report_nearest(const DifferencePoint* p, int count, const Vec3& target, Dif
 /// @param likely  the face that probably holds it: looked at first, it spares the others; -1: none
 void report_witness(const Polytope& polytope, int likely, const Difference& difference, DifferenceSimplex& simplex) {
   const Vec3 out = difference.lower * difference.normal;
-  constexpr Real kThere = 4 * kUnitRoundoff;  // scaled: of points of about 1, nearer can't be told
-  Real least = kInfinity;
+  const Real near = kNear * difference.rounding();
+  Nearness best;
   const auto look_at = [&](int f) {
     const Polytope::Face& face = polytope.face(f);
     // All of a face lies at its offset or beyond, whatever rounding did to its normal.
     const Real before = face.offset - face.normal.dot(out);
-    if (!face.alive() || (before > 0 && before * before >= least)) return;
+    if (!face.alive() || (before > near && before * before >= best.claimed2)) return;
     DifferencePoint p[3];
     for (int i = 0; i < 3; ++i) p[i] = polytope.point(face.vertex[i]);
-    report_nearest(p, 3, out, simplex, least);
+    report_nearest(p, 3, out, difference, simplex, best);
   };
   if (likely >= 0) look_at(likely);
-  for (int f = polytope.faces() - 1; f >= 0 && least > kThere * kThere; --f) look_at(f);
+  const auto there = [&] { return best.height <= difference.rounding() && best.given2 <= near * near; };
+  for (int f = polytope.faces() - 1; f >= 0 && !there(); --f) look_at(f);
 }
 
 /// The same where the difference is flat: its triangle, edge or point is all there is.
 void report_flat(const Difference& difference, DifferenceSimplex& simplex) {
   const DifferenceSimplex all = simplex;
-  Real least = kInfinity;
-  report_nearest(all.point, std::min(all.count, 3), difference.lower * difference.normal, simplex, least);
+  Nearness best;
+  report_nearest(all.point, std::min(all.count, 3), difference.lower * difference.normal, difference, simplex, best);
 }
 
 }  // namespace
