@@ -5,6 +5,7 @@
 
 #include "carom_test.h"
 #include "scenes/run.h"
+#include "scenes/tower.h"
 
 using namespace carom::tools;
 
@@ -14,7 +15,9 @@ static void every_scene_runs_half_a_second_finite_and_inside(void**) {
     Stage stage(engine);
     Settings settings;
     if (scene.name == "falling" || scene.name == "particles") settings.values = {{"n", 60}};
-    if (scene.name == "bunnies") settings.values = {{"n", 4}};
+    if (scene.name == "bunnies" || scene.name == "pyramid") settings.values = {{"n", 4}};
+    if (scene.name == "stacks") settings.values = {{"n", 2}, {"height", 4}};
+    if (scene.name == "sleepers") settings.values = {{"n", 20}};
     const auto observer = build(scene, settings, stage);
     const RunSummary run = simulate(stage, observer.get(), 0.5, scene.dt);
     assert_int_equal(run.steps, std::lround(0.5 / scene.dt));
@@ -50,6 +53,40 @@ static void the_catapult_breaks_the_wall(void**) {
   simulate(stage, observer.get(), 3, scene.dt);
   for (const std::string& line : observer->tell(stage)) std::printf("  %s\n", line.c_str());
   assert_true(observer->came_off(stage));
+}
+
+static void a_pyramid_of_three_rows_stands_and_a_hit_wall_does_not(void**) {
+  for (const char* name : {"pyramid", "wall"}) {
+    const Scene& scene = find_scene(name);
+    Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+    Stage stage(engine);
+    Settings settings;
+    settings.values = scene.name == "pyramid" ? decltype(settings.values){{"n", 3}}
+                                              : decltype(settings.values){{"columns", 4}, {"rows", 3}};
+    const auto observer = build(scene, settings, stage);
+    assert_int_equal(standing(stage).fallen, 0);
+    simulate(stage, observer.get(), 1, scene.dt);
+    for (const std::string& line : observer->tell(stage)) std::printf("  %s\n", line.c_str());
+    assert_true(observer->came_off(stage));
+  }
+}
+
+static void a_block_has_fallen_when_it_sinks_or_strays_by_half_an_edge_or_is_not_finite(void**) {
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  Stage stage(engine);
+  build(find_scene("pyramid"), {{{"n", 1}, {"gap", 0}}, ""}, stage);  // the ground, and a cube of 1 m at 0.5 m
+  const struct {
+    Vec moved;
+    std::size_t fallen;
+  } cases[] = {{{0, 0, 0}, 0},     {{0, -0.504, 0}, 0}, {{0, -0.506, 0}, 1},  // room: 0.5 m and 1 % of 0.5 m
+               {{0.3, 0, 0.4}, 0}, {{0.4, 0, 0.4}, 1},  {{0, 3, 0}, 0},      {{NAN, 0, 0}, 1}};
+  for (const auto& c : cases) {
+    std::vector<Vec> positions;
+    for (const Actor& actor : stage.actors) positions.push_back(actor.position + c.moved);
+    const Standing s = standing(stage, positions);
+    assert_int_equal(s.blocks, 1);
+    assert_int_equal(s.fallen, c.fallen);
+  }
 }
 
 static void a_scene_is_the_same_world_every_time(void**) {
@@ -125,6 +162,8 @@ int main() {
       cmocka_unit_test(every_scene_runs_half_a_second_finite_and_inside),
       cmocka_unit_test(the_seesaw_throws_the_bunny_and_the_row_falls),
       cmocka_unit_test(the_catapult_breaks_the_wall),
+      cmocka_unit_test(a_pyramid_of_three_rows_stands_and_a_hit_wall_does_not),
+      cmocka_unit_test(a_block_has_fallen_when_it_sinks_or_strays_by_half_an_edge_or_is_not_finite),
       cmocka_unit_test(a_scene_is_the_same_world_every_time),
       cmocka_unit_test(obj_faces_come_in_every_notation_and_bad_lines_are_named),
       cmocka_unit_test(a_hull_drops_inner_points_and_faces_outward),

@@ -13,9 +13,9 @@ void Call::done(int32_t result, const std::string& doing) const {
   throw Error(doing + ": " + why, remedy, result);
 }
 
-Engine::Engine(PluginPath path) : path_(std::move(path)) {
+Engine::Engine(PluginPath path, const carom_engine_desc* desc) : path_(std::move(path)) {
   Call call;
-  call.done(carom_engine_create(nullptr, &engine_, call), "creating an engine");
+  call.done(carom_engine_create(desc, &engine_, call), "creating an engine");
 }
 
 Engine::~Engine() { carom_engine_destroy(engine_, nullptr); }

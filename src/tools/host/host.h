@@ -51,7 +51,7 @@ class PluginPath {
 /// An engine, the plugins loaded into it by short name ("sphere"), and shapes shared by equal parameters.
 class Engine {
  public:
-  explicit Engine(PluginPath path = PluginPath());
+  explicit Engine(PluginPath path = PluginPath(), const carom_engine_desc* desc = nullptr);
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;

@@ -8,7 +8,8 @@ namespace carom::tools {
 namespace {
 
 std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, const std::string& mesh_path) {
-  const int count = static_cast<int>(knobs[0]);
+  const int boxes = static_cast<int>(knobs[2]), spheres = static_cast<int>(knobs[3]);  // to a bunny
+  const int period = 1 + boxes + spheres, count = period * static_cast<int>(knobs[0]);
   const double height = 0.6;  // m
   const Bunny bunny = load_bunny(mesh_path, height, static_cast<std::size_t>(knobs[1]));
   stage.meshes.push_back(bunny.mesh);
@@ -17,27 +18,31 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
 
   Random random(19940301);
   const double spacing = 0.9;  // m: a turned bunny fits a sphere of radius 0.41 m
-  const int side = std::max(2, static_cast<int>(std::ceil(std::cbrt(3.0 * count) - 1e-9)));
+  const int side = std::max(2, static_cast<int>(std::ceil(std::cbrt(count) - 1e-9)));
   const double half = side * spacing / 2 + 0.3;
   stage.add_walled_ground(half);
-  for (int i = 0; i < 3 * count; ++i) {
+  for (int i = 0; i < count; ++i) {
     Actor actor;
     Part part;
-    if (i % 3 == 0) {
+    const int rank = i % period;
+    int number = i / period;
+    if (rank == 0) {
       actor.kind = "bunny";
       part.shape = "hull";
       part.params = hull;
       part.mesh = 0;
-    } else if (i % 3 == 1) {
+    } else if (rank <= boxes) {
+      number = number * boxes + rank - 1;
       actor.kind = "box";
       part.shape = "box";
       part.params = {0.25, 0.15, 0.2};
     } else {
+      number = number * spheres + rank - 1 - boxes;
       actor.kind = "sphere";
       part.shape = "sphere";
       part.params = {0.22};
     }
-    actor.name = actor.kind + " " + std::to_string(i / 3);
+    actor.name = actor.kind + " " + std::to_string(number);
     const double middle = (side - 1) / 2.0;
     const Vec site(i % side - middle, i / (side * side) + 1.0, i / side % side - middle);
     const Vec jitter(random.between(-0.03, 0.03), random.between(-0.03, 0.03), random.between(-0.03, 0.03));
@@ -55,10 +60,12 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
 
 Scene bunnies_scene() {
   return {"bunnies",
-          "N bunnies, N boxes and N spheres rain into a walled ground (the paper's scene C).",
+          "N bunnies and, to each, boxes and spheres rain into a walled ground (the paper's scene C).",
           "bunnies at rest among boxes, ears over edges, nobody inside a neighbour",
-          {{"n", "", "number of each kind", 40, 1, 5000, true},
-           {"hull_vertices", "", "vertices of a bunny's hull at most", 42, 8, 2000, true}},
+          {{"n", "", "number of bunnies", 40, 1, 5000, true},
+           {"hull_vertices", "", "vertices of a bunny's hull at most", 42, 8, 2000, true},
+           {"boxes", "", "boxes to a bunny", 1, 0, 10, true},
+           {"spheres", "", "spheres to a bunny", 1, 0, 10, true}},
           10.0,
           1.0 / 60,
           fill};

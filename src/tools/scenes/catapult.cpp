@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "scenes/lever.h"
+#include "scenes/wall.h"
 
 namespace carom::tools {
 namespace {
@@ -117,21 +118,11 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
   weight.parts.push_back(crate);
   stage.add(std::move(weight));
 
-  const double hx = 0.15, hy = 0.15, hz = 0.3;  // m
-  for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < columns - row % 2; ++column) {  // half bond, as bricks are laid
-      Actor block;
-      block.kind = "block";
-      block.name = "block " + std::to_string(row + 1) + "." + std::to_string(column + 1);
-      const double along = column + (row % 2) / 2.0 - (columns - 1) / 2.0;
-      block.position = Vec(knobs[5], hy + 2 * hy * row, along * (2 * hz + 0.005));
-      Part brick;
-      brick.shape = "box";
-      brick.params = {hx, hy, hz};
-      brick.density = 60;
-      block.parts.push_back(brick);
-      blocks.push_back(stage.add(std::move(block)));
-    }
+  Wall wall;
+  wall.columns = columns;
+  wall.rows = rows;
+  wall.foot = Vec(knobs[5], 0, 0);
+  blocks = wall.add_to(stage);
   stage.bounds_min = Vec(-80, -1, -80);
   stage.bounds_max = Vec(80, 80, 80);
   stage.ground_half_width = 15;

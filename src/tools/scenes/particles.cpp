@@ -7,11 +7,12 @@ namespace {
 
 std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, const std::string&) {
   Random random(20061001);
+  const double spread = knobs[1];
   for (int i = 0; i < static_cast<int>(knobs[0]); ++i) {
     Actor actor;
     actor.name = "particle " + std::to_string(i);
     actor.kind = "particle";
-    actor.position = Vec(random.between(-0.2, 0.2), random.between(0, 0.2), random.between(-0.2, 0.2));
+    actor.position = Vec(random.between(-spread, spread), random.between(0, spread), random.between(-spread, spread));
     actor.linear_velocity = random.between(2, 12) * (random.direction() + Vec(0, 1.5, 0));
     stage.add(std::move(actor));
   }
@@ -29,7 +30,8 @@ Scene particles_scene() {
   return {"particles",
           "Particles burst from a point and fly under gravity (the paper's scene D).",
           "a shell of points that falls as one; only the integration stage has customers",
-          {{"n", "", "number of particles", 20000, 1, 1000000, true}},
+          {{"n", "", "number of particles", 20000, 1, 1000000, true},
+           {"spread", "m", "half the width of where they start", 0.2, 0, 1000}},
           3.0,
           1.0 / 60,
           fill};

@@ -11,10 +11,15 @@ Scene catapult_scene();
 Scene bunnies_scene();
 Scene particles_scene();
 Scene falling_scene();
+Scene pyramid_scene();
+Scene stacks_scene();
+Scene wall_scene();
+Scene sleepers_scene();
 
 const std::vector<Scene>& all_scenes() {
-  static const std::vector<Scene> scenes = {seesaw_scene(), catapult_scene(), bunnies_scene(), particles_scene(),
-                                            falling_scene()};
+  static const std::vector<Scene> scenes = {seesaw_scene(),    catapult_scene(), bunnies_scene(),
+                                            particles_scene(), falling_scene(),  pyramid_scene(),
+                                            stacks_scene(),    wall_scene(),     sleepers_scene()};
   return scenes;
 }
 

@@ -1,0 +1,43 @@
+// Runs every engine through a row of the table in turn: the time of each step, and the judge's word on where bodies
+// are.
+#pragma once
+
+#include "judge.h"
+#include "rows.h"
+
+namespace carom::bench {
+
+struct Options {
+  int repeats = 3;
+  double budget = 60;  // s of CPU time that one engine may take for one repeat of a row; then it is cut short
+  double seconds = 0;  // simulated; 0: the row's
+  bool quick = false;
+  std::vector<std::string> dials;    // name=value, of Carom's worlds
+  std::vector<std::string> plugins;  // folders
+  std::vector<PeerEngine> peers;     // the other engines
+  bool carom = true;
+};
+
+/// What one engine did with one row.
+struct Record {
+  std::string engine;
+  bool is_carom = false;
+  std::vector<double> best;        // s, by step: least CPU time over the repeats
+  std::size_t planned = 0;         // steps; fewer in `best`: cut short by the budget
+  Verdict end;                     // of the last repeat
+  double peak_penetration = 0;     // m, over every tenth step of the last repeat
+  double fell_by = -1;             // s, at which look a block was first seen fallen; -1: never
+  std::size_t contact_points = 0;  // at the end
+  std::vector<double> stages;      // s of wall clock in the last repeat, by CAROM_STAGE_*; Carom alone
+  double bytes_per_body = 0;       // held for the world at the end
+
+  /// Mean of the steps [from, to), ms.
+  double mean_ms(std::size_t from, std::size_t to) const;
+};
+
+inline constexpr double kDt = 1.0 / 60;  // s
+
+/// @return one record an engine: Carom, then the others in order   @throws Error
+std::vector<Record> measure(const Row& row, const Options& options);
+
+}  // namespace carom::bench

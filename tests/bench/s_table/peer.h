@@ -1,0 +1,56 @@
+// What an engine under test is given and asked. Plain data: each engine lives in a link namespace of its own and shares
+// no header, no allocator and no C++ library with the others.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace carom::bench {
+
+enum class Solid { none, half_space, sphere, box, hull };
+
+struct BodyState {
+  double position[3] = {0, 0, 0};        // m, world: origin of the body frame
+  double orientation[4] = {0, 0, 0, 1};  // x, y, z, w: body to world
+  double velocity[3] = {0, 0, 0};        // m/s, world, of the centre of mass
+  double omega[3] = {0, 0, 0};           // rad/s, world
+};
+
+/// A body in its principal axes about its centre of mass. Equal shapes share one `params`.
+struct BodyPlan {
+  Solid solid = Solid::none;
+  const double* params = nullptr;  // half-space: normal, offset; sphere: radius; box: half extents; hull: xyz each
+  std::size_t param_count = 0;
+  const std::uint32_t* triangles = nullptr;  // hull: three indices each, counter-clockwise seen from outside
+  std::size_t triangle_count = 0;
+  bool is_static = false;
+  double mass = 0;                // kg
+  double inertia[3] = {0, 0, 0};  // kg m^2
+  double friction = 0;            // of every pair it is in
+  BodyState start;
+};
+
+struct WorldPlan {
+  const BodyPlan* bodies = nullptr;
+  std::size_t count = 0;
+  double gravity[3] = {0, -9.81, 0};  // m/s^2
+  bool sleeping = false;              // bodies at rest may be put to sleep, by the engine's own defaults
+};
+
+class PeerWorld {
+ public:
+  virtual ~PeerWorld() = default;
+  virtual void step(double dt) = 0;
+  virtual void read(BodyState* states) const = 0;  // [bodies]
+  virtual std::size_t contact_points() const = 0;  // after the last step
+};
+
+/// What a shared object with an engine exports as `carom_bench_engine`.
+struct PeerEngine {
+  const char* name;                           // with version and precision
+  PeerWorld* (*make)(const WorldPlan& plan);  // the plan need not outlive the call; its params and triangles do
+  std::size_t (*live_bytes)();                // held through the engine's own allocator now
+};
+using PeerModule = PeerEngine (*)();
+
+}  // namespace carom::bench

@@ -1,0 +1,130 @@
+// Bullet 3 in a module: default settings, except for what the comparison asks of every engine.
+#include <BulletCollision/CollisionShapes/btEmptyShape.h>
+#include <btBulletDynamicsCommon.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "counted_memory.h"
+#include "peer.h"
+
+namespace carom::bench {
+namespace {
+
+btVector3 vec(const double* v) { return btVector3(btScalar(v[0]), btScalar(v[1]), btScalar(v[2])); }
+void put(double* out, const btVector3& v) {
+  for (int i = 0; i < 3; ++i) out[i] = v[i];
+}
+
+class BulletWorld : public PeerWorld {
+ public:
+  explicit BulletWorld(const WorldPlan& plan)
+      : sleeping_(plan.sleeping),
+        dispatcher_(&configuration_),
+        world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
+    world_.setGravity(vec(plan.gravity));
+    for (std::size_t i = 0; i < plan.count; ++i) add(plan.bodies[i]);
+  }
+
+  ~BulletWorld() override {
+    for (auto& body : bodies_) world_.removeRigidBody(body.get());
+  }
+
+  /// One step of exactly dt, no substeps, no interpolation.
+  void step(double dt) override { world_.stepSimulation(btScalar(dt), 0); }
+
+  void read(BodyState* states) const override {
+    for (const auto& body : bodies_) {
+      const btTransform& pose = body->getWorldTransform();
+      const btQuaternion q = pose.getRotation();
+      put(states->position, pose.getOrigin());
+      for (int i = 0; i < 4; ++i) states->orientation[i] = q[i];
+      put(states->velocity, body->getLinearVelocity());
+      put(states->omega, body->getAngularVelocity());
+      ++states;
+    }
+  }
+
+  std::size_t contact_points() const override {
+    std::size_t n = 0;
+    for (int i = 0; i < dispatcher_.getNumManifolds(); ++i)
+      n += static_cast<std::size_t>(dispatcher_.getInternalManifoldPointer()[i]->getNumContacts());
+    return n;
+  }
+
+ private:
+  btCollisionShape* shape(const BodyPlan& plan) {
+    std::unique_ptr<btCollisionShape>& shared = shapes_[{plan.solid, plan.params}];
+    if (shared) return shared.get();
+    const double* p = plan.params;
+    switch (plan.solid) {
+      case Solid::none:
+        shared = std::make_unique<btEmptyShape>();
+        break;
+      case Solid::half_space:
+        shared = std::make_unique<btStaticPlaneShape>(vec(p), btScalar(p[3]));
+        break;
+      case Solid::sphere:
+        shared = std::make_unique<btSphereShape>(btScalar(p[0]));
+        break;
+      case Solid::box:
+        shared = std::make_unique<btBoxShape>(vec(p));
+        break;
+      case Solid::hull: {
+        auto hull = std::make_unique<btConvexHullShape>();
+        for (std::size_t i = 0; i + 3 <= plan.param_count; i += 3) hull->addPoint(vec(p + i), false);
+        hull->recalcLocalAabb();
+        shared = std::move(hull);
+      }
+    }
+    return shared.get();
+  }
+
+  void add(const BodyPlan& plan) {
+    const BodyState& start = plan.start;
+    btRigidBody::btRigidBodyConstructionInfo info(btScalar(plan.is_static ? 0 : plan.mass), nullptr, shape(plan),
+                                                  plan.is_static ? btVector3(0, 0, 0) : vec(plan.inertia));
+    const double* q = start.orientation;
+    info.m_startWorldTransform =
+        btTransform(btQuaternion(btScalar(q[0]), btScalar(q[1]), btScalar(q[2]), btScalar(q[3])), vec(start.position));
+    info.m_friction = btScalar(std::sqrt(plan.friction));  // Bullet multiplies the two coefficients of a pair
+    bodies_.push_back(std::make_unique<btRigidBody>(info));
+    btRigidBody& body = *bodies_.back();
+    if (!sleeping_) body.setActivationState(DISABLE_DEACTIVATION);
+    body.setLinearVelocity(vec(start.velocity));
+    body.setAngularVelocity(vec(start.omega));
+    if (plan.solid == Solid::none)
+      world_.addRigidBody(&body, 0, 0);  // meets nobody
+    else
+      world_.addRigidBody(&body);
+  }
+
+  bool sleeping_;
+  btDefaultCollisionConfiguration configuration_;
+  mutable btCollisionDispatcher dispatcher_;
+  btDbvtBroadphase broadphase_;
+  btSequentialImpulseConstraintSolver solver_;
+  btDiscreteDynamicsWorld world_;
+  std::map<std::pair<Solid, const double*>, std::unique_ptr<btCollisionShape>> shapes_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;  // in the plan's order
+};
+
+#ifdef BT_USE_DOUBLE_PRECISION
+constexpr const char* kName = "Bullet 3.24 (double)";
+#else
+constexpr const char* kName = "Bullet 3.24 (float)";
+#endif
+static_assert(BT_BULLET_VERSION == 324, "the name above says another version");
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) PeerEngine carom_bench_engine() {
+  btAlignedAllocSetCustomAligned(
+      [](std::size_t size, int alignment) { return counted_aligned_alloc(size, static_cast<std::size_t>(alignment)); },
+      counted_free);
+  return {kName, [](const WorldPlan& plan) -> PeerWorld* { return new BulletWorld(plan); }, [] { return live_bytes; }};
+}
+
+}  // namespace carom::bench

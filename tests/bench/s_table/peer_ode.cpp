@@ -1,0 +1,169 @@
+// ODE in a module: its iterative stepper with default settings, except for what the comparison asks of every engine.
+#include <ode/ode.h>
+
+#include <cmath>
+#include <deque>
+#include <map>
+#include <vector>
+
+#include "counted_memory.h"
+#include "peer.h"
+
+namespace carom::bench {
+namespace {
+
+constexpr int kPointsPerPair = 4;  // as many as the other engines keep
+
+/// A hull as ODE wants it: planes, points, and polygons (here triangles) with their counts.
+struct Convex {
+  std::vector<dReal> planes, points;
+  std::vector<unsigned int> polygons;
+
+  explicit Convex(const BodyPlan& plan) : points(plan.params, plan.params + plan.param_count) {
+    for (std::size_t t = 0; t < plan.triangle_count; ++t) {
+      const std::uint32_t* corner = plan.triangles + 3 * t;
+      const dReal *a = &points[3 * corner[0]], *b = &points[3 * corner[1]], *c = &points[3 * corner[2]];
+      const dVector3 u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+      dVector3 normal;
+      dCalcVectorCross3(normal, u, v);
+      if (!dSafeNormalize3(normal)) continue;  // a sliver of qhull's has no plane
+      planes.insert(planes.end(), {normal[0], normal[1], normal[2], dCalcVectorDot3(normal, a)});
+      polygons.insert(polygons.end(), {3, corner[0], corner[1], corner[2]});
+    }
+  }
+};
+
+class OdeWorld : public PeerWorld {
+ public:
+  explicit OdeWorld(const WorldPlan& plan)
+      : world_(dWorldCreate()),
+        space_(dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XZY)),
+        group_(dJointGroupCreate(0)) {
+    dWorldSetGravity(world_, plan.gravity[0], plan.gravity[1], plan.gravity[2]);
+    dWorldSetAutoDisableFlag(world_, plan.sleeping);
+    for (std::size_t i = 0; i < plan.count; ++i) add(plan.bodies[i]);
+  }
+
+  ~OdeWorld() override {
+    dJointGroupDestroy(group_);
+    dSpaceDestroy(space_);
+    dWorldDestroy(world_);
+  }
+
+  void step(double dt) override {
+    contacts_ = 0;
+    dSpaceCollide(space_, this, [](void* self, dGeomID a, dGeomID b) { static_cast<OdeWorld*>(self)->collide(a, b); });
+    dWorldQuickStep(world_, dt);
+    dJointGroupEmpty(group_);
+  }
+
+  void read(BodyState* states) const override {
+    for (const Member& member : members_) {
+      *states = member.start;
+      if (member.body) {
+        const dReal* q = dBodyGetQuaternion(member.body);  // w first
+        for (int i = 0; i < 3; ++i) {
+          states->position[i] = dBodyGetPosition(member.body)[i];
+          states->orientation[i] = q[i + 1];
+          states->velocity[i] = dBodyGetLinearVel(member.body)[i];
+          states->omega[i] = dBodyGetAngularVel(member.body)[i];
+        }
+        states->orientation[3] = q[0];
+      }
+      ++states;
+    }
+  }
+
+  std::size_t contact_points() const override { return contacts_; }
+
+ private:
+  struct Member {
+    dBodyID body;  // null: static
+    double friction;
+    BodyState start;
+  };
+
+  void collide(dGeomID a, dGeomID b) {
+    const dBodyID body_a = dGeomGetBody(a), body_b = dGeomGetBody(b);
+    const auto sleeps = [](dBodyID body) { return !body || !dBodyIsEnabled(body); };
+    if (sleeps(body_a) && sleeps(body_b)) return;
+    dContactGeom found[kPointsPerPair];
+    const int n = dCollide(a, b, kPointsPerPair, found, sizeof(dContactGeom));
+    const auto friction = [](dGeomID geom) { return static_cast<const Member*>(dGeomGetData(geom))->friction; };
+    for (int i = 0; i < n; ++i) {
+      dContact contact{};
+      contact.geom = found[i];
+      contact.surface.mode = dContactApprox1;  // friction in proportion to the normal force
+      contact.surface.mu = std::sqrt(friction(a) * friction(b));
+      dJointAttach(dJointCreateContact(world_, group_, &contact), body_a, body_b);
+    }
+    contacts_ += static_cast<std::size_t>(n);
+  }
+
+  dGeomID geom(const BodyPlan& plan) {
+    const double* p = plan.params;
+    switch (plan.solid) {
+      case Solid::none:
+        return nullptr;
+      case Solid::half_space:
+        return dCreatePlane(space_, p[0], p[1], p[2], p[3]);
+      case Solid::sphere:
+        return dCreateSphere(space_, p[0]);
+      case Solid::box:
+        return dCreateBox(space_, 2 * p[0], 2 * p[1], 2 * p[2]);
+      case Solid::hull:
+        break;
+    }
+    const Convex& hull = hulls_.try_emplace(p, plan).first->second;
+    return dCreateConvex(space_, hull.planes.data(), static_cast<unsigned>(hull.planes.size() / 4), hull.points.data(),
+                         static_cast<unsigned>(hull.points.size() / 3), hull.polygons.data());
+  }
+
+  void add(const BodyPlan& plan) {
+    const BodyState& start = plan.start;
+    const double* q = start.orientation;
+    const dQuaternion turn = {q[3], q[0], q[1], q[2]};
+    dBodyID body = nullptr;
+    if (!plan.is_static) {
+      body = dBodyCreate(world_);
+      dMass mass;
+      dMassSetParameters(&mass, plan.mass, 0, 0, 0, plan.inertia[0], plan.inertia[1], plan.inertia[2], 0, 0, 0);
+      dBodySetMass(body, &mass);
+      dBodySetPosition(body, start.position[0], start.position[1], start.position[2]);
+      dBodySetQuaternion(body, turn);
+      dBodySetLinearVel(body, start.velocity[0], start.velocity[1], start.velocity[2]);
+      dBodySetAngularVel(body, start.omega[0], start.omega[1], start.omega[2]);
+    }
+    members_.push_back({body, plan.friction, start});
+    const dGeomID shape = geom(plan);
+    if (!shape) return;
+    dGeomSetData(shape, &members_.back());
+    if (body) {
+      dGeomSetBody(shape, body);
+    } else if (plan.solid != Solid::half_space) {
+      dGeomSetPosition(shape, start.position[0], start.position[1], start.position[2]);
+      dGeomSetQuaternion(shape, turn);
+    }
+  }
+
+  dWorldID world_;
+  dSpaceID space_;
+  dJointGroupID group_;
+  std::size_t contacts_ = 0;
+  std::deque<Member> members_;  // in the plan's order; geoms point to them
+  std::map<const double*, Convex> hulls_;
+};
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) PeerEngine carom_bench_engine() {
+  dSetAllocHandler(counted_alloc);
+  dSetReallocHandler([](void* block, dsizeint, dsizeint size) { return counted_realloc(block, size); });
+  dSetFreeHandler([](void* block, dsizeint) { counted_free(block); });
+  dInitODE2(0);
+  dAllocateODEDataForThread(dAllocateMaskAll);
+  return {"ODE 0.16 (double)", [](const WorldPlan& plan) -> PeerWorld* { return new OdeWorld(plan); },
+          [] { return live_bytes; }};
+}
+
+}  // namespace carom::bench

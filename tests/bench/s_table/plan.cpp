@@ -1,0 +1,106 @@
+// Bodies by their principal axes: Bullet and ODE place a body's origin at its centre of mass, Bullet keeps its inertia
+// diagonal.
+#include "plan.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace carom::bench {
+namespace {
+
+Solid solid_of(const std::string& shape) {
+  if (shape == "half_space") return Solid::half_space;
+  if (shape == "sphere") return Solid::sphere;
+  if (shape == "box") return Solid::box;
+  if (shape == "hull") return Solid::hull;
+  throw tools::Error("not every engine has the shape " + shape, "choose a scene of boxes, spheres and hulls");
+}
+
+}  // namespace
+
+Plan::Plan(tools::Stage& stage) : stage_(stage) {
+  for (const tools::Actor& actor : stage.actors) add(actor);
+}
+
+void Plan::add(const tools::Actor& actor) {
+  if (actor.parts.size() > 1 || (!actor.parts.empty() && !actor.parts[0].position.isZero(0)))
+    throw tools::Error("'" + actor.name + "' is not one shape at its body's origin",
+                       "choose a scene whose bodies have one part each");
+  tools::Call call;
+  carom_body_desc body;
+  call.done(carom_body_desc_init(&body), "asking for masses");
+  call.done(carom_body_get(stage_.world.get(), actor.body, &body, call), "asking for masses");
+  Member member;
+  BodyPlan plan;
+  member.is_static = plan.is_static = actor.type == CAROM_BODY_STATIC;
+  member.mass = plan.mass = body.mass;
+  member.center = vec(body.center);
+  member.inertia = Eigen::Map<const Eigen::Matrix3d>(body.inertia);
+  if (!actor.parts.empty()) {
+    const tools::Part& part = actor.parts[0];
+    tools::Engine& engine = stage_.engine();
+    member.solid = plan.solid = solid_of(part.shape);
+    member.shape = member.solid == Solid::half_space ? engine.half_space(part.params.data(), part.params.at(3))
+                                                     : engine.shape(part.shape, part.params);
+    member.radius = engine.info(member.shape).bounding_radius;
+    if (member.solid == Solid::hull) {
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(member.inertia);
+      Eigen::Matrix3d axes = principal.eigenvectors();
+      if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
+      member.axes = Quat(axes);
+    }
+    plan.friction = part.friction;
+    describe_shape(part, member, plan);
+  }
+  const Eigen::Matrix3d axes = member.axes.toRotationMatrix();
+  for (int i = 0; i < 3; ++i) {
+    plan.inertia[i] = axes.col(i).dot(member.inertia * axes.col(i));
+    if (plan.inertia[i] == 0) plan.inertia[i] = plan.mass;  // a particle: it will not turn, and no engine takes 0
+  }
+  Vec::Map(plan.start.position) = actor.position + actor.orientation * member.center;
+  Eigen::Vector4d::Map(plan.start.orientation) = (actor.orientation * member.axes).coeffs();
+  Vec::Map(plan.start.velocity) = actor.linear_velocity;
+  Vec::Map(plan.start.omega) = actor.angular_velocity;
+  members_.push_back(member);
+  plans_.push_back(plan);
+}
+
+void Plan::describe_shape(const tools::Part& part, const Member& member, BodyPlan& plan) {
+  if (member.solid != Solid::hull) {
+    const double*& params = params_[member.shape];
+    if (!params) params = part.params.data();  // the stage keeps its actors
+    plan.params = params;
+    plan.param_count = part.params.size();
+    return;
+  }
+  Hull& hull = hulls_[member.shape];
+  if (hull.xyz.empty()) {
+    std::vector<Vec> points;
+    for (std::size_t i = 0; i + 3 <= part.params.size(); i += 3)
+      points.push_back(member.axes.conjugate() * (Vec(&part.params[i]) - member.center));
+    const tools::Mesh mesh = tools::convex_hull(points);
+    for (const Vec& p : mesh.points) hull.xyz.insert(hull.xyz.end(), p.data(), p.data() + 3);
+    for (const auto& face : mesh.faces) hull.triangles.insert(hull.triangles.end(), face.begin(), face.end());
+  }
+  plan.params = hull.xyz.data();
+  plan.param_count = hull.xyz.size();
+  plan.triangles = hull.triangles.data();
+  plan.triangle_count = hull.triangles.size() / 3;
+}
+
+WorldPlan Plan::world(bool sleeping) const {
+  WorldPlan plan;
+  plan.bodies = plans_.data();
+  plan.count = plans_.size();
+  plan.sleeping = sleeping;
+  return plan;
+}
+
+void Plan::to_body_frames(std::vector<BodyState>& states) const {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Quat q = quat(states[i].orientation) * members_[i].axes.conjugate();
+    Eigen::Vector4d::Map(states[i].orientation) = q.coeffs();
+    Vec::Map(states[i].position) -= q * members_[i].center;
+  }
+}
+
+}  // namespace carom::bench

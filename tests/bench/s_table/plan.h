@@ -1,0 +1,62 @@
+// The bodies of a stage as every other engine is given them, and the way back from their frames to the stage's.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <vector>
+
+#include "peer.h"
+#include "scenes/scene.h"
+
+namespace carom::bench {
+
+using tools::Quat;
+using tools::Vec;
+
+inline Eigen::Map<const Vec> vec(const double (&x)[3]) { return Eigen::Map<const Vec>(x); }
+inline Quat quat(const double (&q)[4]) { return Quat(q); }  // x, y, z, w
+
+/// An actor of a stage, with its masses as Carom uses them.
+struct Member {
+  Solid solid = Solid::none;
+  carom_shape shape = CAROM_NULL_HANDLE;  // null: a particle
+  bool is_static = false;
+  double radius = 0;                                  // m, about the body's origin
+  double mass = 0;                                    // kg
+  Vec center = Vec::Zero();                           // m, body frame
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // kg m^2, body frame, about the centre
+  Quat axes = Quat::Identity();                       // principal axes to body frame
+};
+
+/// Bodies have at most one part each, at the body's origin: a shape that every engine has, or none.
+class Plan {
+ public:
+  /// @throws Error if an actor has several parts, or a shape that not every engine has
+  explicit Plan(tools::Stage& stage);
+
+  /// For another engine; lives as long as this plan.
+  WorldPlan world(bool sleeping) const;
+  /// Principal frames about the centres of mass, as other engines answer, to the stage's body frames.
+  /// @param states  [actors]
+  void to_body_frames(std::vector<BodyState>& states) const;
+
+  tools::Stage& stage() const { return stage_; }
+  const std::vector<Member>& members() const { return members_; }
+
+ private:
+  struct Hull {
+    std::vector<double> xyz;
+    std::vector<std::uint32_t> triangles;
+  };
+
+  void add(const tools::Actor& actor);
+  void describe_shape(const tools::Part& part, const Member& member, BodyPlan& plan);
+
+  tools::Stage& stage_;
+  std::vector<Member> members_;  // [actors]
+  std::vector<BodyPlan> plans_;  // [actors]
+  std::map<carom_shape, Hull> hulls_;
+  std::map<carom_shape, const double*> params_;  // shared by bodies of equal shape
+};
+
+}  // namespace carom::bench

@@ -1,0 +1,135 @@
+// The S-table in one run: Carom beside Bullet and ODE on the same scenes, what a step costs and what it is worth.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "measure.h"
+
+namespace {
+
+using namespace carom;
+using namespace carom::bench;
+
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+/// What became of the scene, in words.
+std::string outcome(const Row& row, const Record& record) {
+  std::string text;
+  const auto say = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
+  const tools::Standing& s = record.end.standing;
+  if (s.blocks && !s.fallen)
+    say("stands, drop " + format("%.1f", 1e3 * s.drop) + " mm, drift " + format("%.1f mm", 1e3 * s.drift));
+  if (s.fallen)
+    say(std::to_string(s.fallen) + " of " + std::to_string(s.blocks) + " fallen, the first by " +
+        format("%.1f s", record.fell_by) + ", drop " + format("%.1f m", s.drop));
+  if (record.end.flight_error > 0) say(format("%.3f m off the parabola", record.end.flight_error));
+  if (row.memory) say(format("%.0f bytes a body", record.bytes_per_body));
+  if (record.best.size() < record.planned)
+    say("cut after " + std::to_string(record.best.size()) + " of " + std::to_string(record.planned) + " steps");
+  return text;
+}
+
+void print_row(const Row& row, const Record& record, const Record* reference) {
+  const auto settle = static_cast<std::size_t>(std::lround(row.settle / kDt));
+  const std::size_t steps = record.best.size(), from = std::min(settle, steps - 1);
+  std::string ratio = "-", target = "-";
+  if (row.memory && reference) {
+    ratio = format("%.2f", record.bytes_per_body / reference->bytes_per_body);
+  } else if (reference) {  // over the steps that both did
+    const std::size_t both = std::min(steps, reference->best.size()), common = std::min(settle, both - 1);
+    ratio = format("%.2f", record.mean_ms(common, both) / reference->mean_ms(common, both));
+  }
+  if (record.is_carom && row.target > 0) target = format("%g", row.target);
+  if (record.is_carom && row.bullet > 0) target += format(" (%.2g)", row.target / row.bullet);
+  std::printf("| %s | %s | %.3f | %.3f | %.2f | %s | %s | %.1f / %.2f | %.0f | %.1e | %zu | %zu, %zu | %s |\n",
+              row.id.c_str(), record.engine.c_str(), record.mean_ms(from, steps),
+              record.mean_ms(steps - (steps - from + 2) / 3, steps),
+              1e3 * *std::max_element(record.best.begin() + static_cast<std::ptrdiff_t>(from), record.best.end()),
+              ratio.c_str(), target.c_str(), 1e3 * record.end.max_penetration, 1e3 * record.end.mean_penetration,
+              1e3 * record.peak_penetration, record.end.mean_energy, record.contact_points, record.end.escaped,
+              record.end.lost, outcome(row, record).c_str());
+  std::fflush(stdout);
+}
+
+std::string profile(const Row& row, const Record& record) {
+  const double all = std::accumulate(record.stages.begin(), record.stages.end(), 0.0);
+  std::string text = row.id + ":";
+  for (std::size_t k = 0; k < record.stages.size(); ++k)
+    text += std::string(k ? ", " : " ") + carom_stage_name(static_cast<std::uint32_t>(k)) +
+            format(" %.1f %%", 100 * record.stages[k] / all);
+  return text;
+}
+
+/// @return whether Carom kept every body, finite and within the scene
+bool run(const std::vector<Row>& rows, const Options& options, bool with_profile) {
+  std::printf(
+      "| row | engine | ms/step | last third | worst | of Bullet | target (of Bullet) | penetration max / mean mm | "
+      "peak mm | "
+      "J/body "
+      "| points | escaped, not finite | outcome |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  std::vector<std::string> profiles;
+  bool kept = true;
+  for (const Row& row : rows) {
+    const std::vector<Record> records = measure(row, options);
+    const auto bullet =
+        std::find_if(records.begin(), records.end(), [](const Record& r) { return r.engine.rfind("Bullet", 0) == 0; });
+    for (const Record& record : records) {
+      print_row(row, record, bullet == records.end() ? nullptr : &*bullet);
+      if (!record.is_carom) continue;
+      kept = kept && !record.end.escaped && !record.end.lost;
+      profiles.push_back(profile(row, record));
+    }
+  }
+  if (with_profile && !profiles.empty()) std::printf("\nWhere Carom's time goes:\n\n");
+  for (const std::string& line : profiles)
+    if (with_profile) std::printf("- %s\n", line.c_str());
+  return kept;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Speed and quality of Carom beside Bullet and ODE on the scenes of the S-table, in one run."};
+  app.footer("Exit codes: 0 done; 1 Carom lost a body; 2 could not run.");
+  Options options;
+  options.plugins = {CAROM_PLUGIN_DIR};
+  std::vector<std::string> names, engines;
+  const std::map<std::string, std::string> modules = {CAROM_ENGINE_MODULES};
+  std::vector<std::string> known = {"carom"};
+  for (const auto& [name, path] : modules) known.push_back(name);
+  bool with_profile = false;
+  app.add_option("ROWS", names, "Rows of the table, or SCENE:knob=value,... of `carom list`; default: the whole table");
+  app.add_option("--engines", engines, "Which engines; default: all that were built")->check(CLI::IsMember(known));
+  app.add_option("--seconds", options.seconds, "Simulated time; default: the row's")->check(CLI::Range(0.01, 3600.0));
+  app.add_option("--repeats", options.repeats, "Runs of each engine, in turn")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  app.add_option("--budget", options.budget,
+                 "CPU seconds an engine may take for one run of a row; then it is cut short")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--dial", options.dials, "name=value, of Carom's world (repeatable)")->allow_extra_args(false);
+  app.add_option("--plugins", options.plugins, "Folders with shape plugins");
+  app.add_flag("--profile", with_profile, "Say which stages of Carom's step take the time");
+  app.add_flag("--quick", options.quick, "Small scenes, half a second, once: does it run at all?");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (options.quick) options.repeats = 1;
+    if (engines.empty()) engines = known;
+    options.carom = std::find(engines.begin(), engines.end(), "carom") != engines.end();
+    for (const std::string& name : engines)
+      if (name != "carom") options.peers.push_back(load_engine(modules.at(name).c_str()));
+    std::vector<Row> rows = names.empty() ? s_table() : std::vector<Row>();
+    for (const std::string& name : names) rows.push_back(find_row(name));
+    return run(rows, options, with_profile) ? 0 : 1;
+  } catch (const tools::Error& error) {
+    std::fprintf(stderr, "s_table: %s\n  what to do: %s\n", error.what(), error.remedy.c_str());
+    return 2;
+  }
+}
