@@ -32,14 +32,7 @@ Settings settings_from(const Options& options) {
   Settings settings;
   settings.mesh_path = options.mesh;
   if (options.n) settings.values.emplace_back("n", *options.n);
-  for (const std::string& text : options.sets) {
-    const std::size_t equals = text.find('=');
-    char* end = nullptr;
-    const double value = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
-    if (!end || end == text.c_str() + equals + 1 || *end)
-      throw Error("--set " + text + " is not name=number", "write --set name=value; `carom list` shows the names");
-    settings.values.emplace_back(text.substr(0, equals), value);
-  }
+  for (auto& value : values_from(options.sets)) settings.values.push_back(std::move(value));
   return settings;
 }
 
@@ -148,6 +141,19 @@ void run_scene(const Options& options, Context& context) {
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, double>> values_from(const std::vector<std::string>& sets) {
+  std::vector<std::pair<std::string, double>> values;
+  for (const std::string& text : sets) {
+    const std::size_t equals = text.find('=');
+    char* end = nullptr;
+    const double value = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
+    if (!end || end == text.c_str() + equals + 1 || *end)
+      throw Error("--set " + text + " is not name=number", "write --set name=value; `carom list` shows the names");
+    values.emplace_back(text.substr(0, equals), value);
+  }
+  return values;
+}
 
 void add_run_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<Options>();

@@ -1,0 +1,49 @@
+// Closed forms that accuracy scenes are judged by.
+#include "accuracy/reference.h"
+
+#include <cmath>
+
+namespace carom::tools::accuracy {
+
+double bounce_height(double t, double drop, double e, double g) {
+  double speed = std::sqrt(2 * g * drop);  // of the next impact
+  t -= speed / g;                          // since the first impact
+  if (t < 0) return drop - g * (t + speed / g) * (t + speed / g) / 2;
+  for (speed *= e; speed > 1e-12; speed *= e) {
+    const double flight = 2 * speed / g;
+    if (t < flight) return t * (speed - g * t / 2);
+    t -= flight;
+  }
+  return 0;
+}
+
+double bounce_last_above(double level, double drop, double e, double g) {
+  double speed = std::sqrt(2 * g * drop), start = speed / g, last = std::sqrt(2 * (drop - level) / g);
+  for (speed *= e; speed * speed > 2 * g * level; speed *= e) {
+    last = start + (speed + std::sqrt(speed * speed - 2 * g * level)) / g;  // on the way down
+    start += 2 * speed / g;
+  }
+  return last;
+}
+
+double stopping_distance(double speed, double mu, double g) { return speed * speed / (2 * mu * g); }
+
+double slope_distance(double t, double mu, double sine, double cosine, double g) {
+  return g * (sine - mu * cosine) * t * t / 2;
+}
+
+RollingPlate rolling_plate(double pull, double mu, double plate_mass, double ball_mass, int balls, double g) {
+  const double ground = mu * (plate_mass + balls * ball_mass) * g;
+  const double each = (pull - ground) / plate_mass / (3.5 / ball_mass + balls / plate_mass);
+  return {3.5 * each / ball_mass, each / ball_mass};
+}
+
+Skid skid(double speed, double mu, double g) { return {2 * speed / (7 * mu * g), 5 * speed / 7}; }
+
+Rebound cannon(double speed, double mass_ratio) {
+  // heavy at +speed meets light at -speed: the relative velocity turns round, the momentum stays
+  const double momentum = (mass_ratio - 1) * speed / (mass_ratio + 1);
+  return {momentum - 2 * speed / (mass_ratio + 1), momentum + 2 * speed * mass_ratio / (mass_ratio + 1)};
+}
+
+}  // namespace carom::tools::accuracy

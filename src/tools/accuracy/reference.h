@@ -1,0 +1,43 @@
+// Closed forms that accuracy scenes are judged by. SI units; heights are of a ball's lowest point above the ground.
+#pragma once
+
+namespace carom::tools::accuracy {
+
+inline constexpr double kGravity = 9.81;  ///< m/s^2, that of a new world
+
+/// Height of a ball that was let go at `drop` and bounces with restitution e < 1 until it lies: the sum of flights is
+/// finite.
+/// @param t s, >= 0   @param drop m   @return m
+double bounce_height(double t, double drop, double e, double g);
+/// When bounce_height() is above `level` for the last time, s.   @param level m, in (0, drop)
+double bounce_last_above(double level, double drop, double e, double g);
+
+/// How far a block slides on level ground: v^2 / (2 mu g).
+double stopping_distance(double speed, double mu, double g);
+/// How far a block that starts at rest has slid down a slope after t: g (sin - mu cos) t^2 / 2; mu below tan.
+double slope_distance(double t, double mu, double sine, double cosine, double g);
+
+/// Accelerations of a plate that is pulled over rough ground and of the solid balls that roll on it, m/s^2, along the
+/// pull. The ground takes mu (M + n m) g; each ball is driven by friction f alone: m a = f, and because it rolls,
+/// the plate moves at 7/2 f/m.
+struct RollingPlate {
+  double plate, ball;
+};
+/// @param pull N   @param mu of plate on ground   @param plate_mass, ball_mass kg
+RollingPlate rolling_plate(double pull, double mu, double plate_mass, double ball_mass, int balls, double g);
+
+/// A solid ball that lands without spin and slides until it rolls.
+struct Skid {
+  double onset;        ///< s, when it begins to roll: 2 v0 / (7 mu g)
+  double final_speed;  ///< m/s: 5/7 v0
+};
+Skid skid(double speed, double mu, double g);
+
+/// Speeds (up is positive) just after a light ball that lies on a heavy one has hit the ground with it at `speed`, all
+/// impacts elastic and one after the other: heavy with ground, then heavy with light.
+struct Rebound {
+  double heavy, light;
+};
+Rebound cannon(double speed, double mass_ratio);
+
+}  // namespace carom::tools::accuracy

@@ -1,0 +1,52 @@
+// The list of challenges, in the order of the suite.
+#include "accuracy/challenge.h"
+
+namespace carom::tools::accuracy {
+
+Challenge bouncing_challenge();
+Challenge bounce05_challenge();
+Challenge cradle_challenge();
+Challenge cannon_challenge();
+Challenge elastic666_challenge();
+Challenge pack666_challenge();
+Challenge slide_challenge();
+Challenge slip_challenge();
+Challenge stick_challenge();
+Challenge rolling_challenge();
+Challenge skid_challenge();
+std::vector<Challenge> stack_challenges();
+std::vector<Challenge> massratio_challenges();
+Challenge tower100_challenge();
+Challenge domino_challenge();
+Challenge cards_challenge();
+Challenge arch_challenge();
+Challenge kapla_challenge();
+
+const std::vector<Challenge>& all_challenges() {
+  static const std::vector<Challenge> challenges = [] {
+    std::vector<Challenge> list = {bouncing_challenge(),   bounce05_challenge(), cradle_challenge(), cannon_challenge(),
+                                   elastic666_challenge(), pack666_challenge(),  slide_challenge(),  slip_challenge(),
+                                   stick_challenge(),      rolling_challenge(),  skid_challenge()};
+    for (Challenge& c : stack_challenges()) list.push_back(std::move(c));
+    for (Challenge& c : massratio_challenges()) list.push_back(std::move(c));
+    for (auto make : {tower100_challenge, domino_challenge, cards_challenge, arch_challenge, kapla_challenge})
+      list.push_back(make());
+    return list;
+  }();
+  return challenges;
+}
+
+const Challenge& find_challenge(const std::string& name) {
+  std::vector<std::string> names;
+  std::string list;
+  for (const Challenge& challenge : all_challenges()) {
+    if (challenge.scene.name == name) return challenge;
+    names.push_back(challenge.scene.name);
+    list += (list.empty() ? "" : ", ") + challenge.scene.name;
+  }
+  const std::string near = nearest_name(name, names);
+  throw Error("there is no accuracy scene called '" + name + "'",
+              (near.empty() ? "" : "did you mean '" + near + "'? ") + "the scenes are: all, " + list);
+}
+
+}  // namespace carom::tools::accuracy

@@ -1,0 +1,52 @@
+// What rooms of accuracy scenes are furnished with.
+#include "accuracy/room.h"
+
+namespace carom::tools::accuracy {
+namespace {
+
+std::size_t add(Stage& stage, const std::string& shape, std::vector<double> params, const Vec& position, double mass,
+                const Surface& surface, const Vec& velocity, const Quat& orientation) {
+  Actor actor;
+  actor.kind = shape;
+  actor.name = shape + " " + std::to_string(stage.actors.size());
+  actor.position = position;
+  actor.orientation = orientation;
+  actor.linear_velocity = velocity;
+  actor.mass = mass;
+  Part part;
+  part.shape = shape;
+  part.params = std::move(params);
+  part.friction = surface.friction;
+  part.restitution = surface.restitution;
+  actor.parts.push_back(std::move(part));
+  return stage.add(std::move(actor));
+}
+
+}  // namespace
+
+std::size_t add_ball(Stage& stage, const Vec& position, double radius, double mass, const Surface& surface,
+                     const Vec& velocity) {
+  return add(stage, "sphere", {radius}, position, mass, surface, velocity, Quat::Identity());
+}
+
+std::size_t add_box(Stage& stage, const Vec& position, const Vec& half_extents, double mass, const Surface& surface,
+                    const Vec& velocity, const Quat& orientation) {
+  return add(stage, "box", {half_extents.x(), half_extents.y(), half_extents.z()}, position, mass, surface, velocity,
+             orientation);
+}
+
+void add_ground(Stage& stage, double friction) { stage.add_half_space("ground", {0, 1, 0}, {0, 0, 0}, friction); }
+
+Crowd::Crowd(const Stage& stage) {
+  for (const Actor& actor : stage.actors)
+    if (actor.type == CAROM_BODY_DYNAMIC) handles_.push_back(actor.body);
+  look(stage);
+  homes_ = Eigen::Map<const Eigen::VectorXd>(positions_.data(), static_cast<Eigen::Index>(positions_.size()));
+}
+
+void Crowd::look(const Stage& stage) {
+  stage.world.read(CAROM_FIELD_POSITION, handles_, positions_);
+  stage.world.read(CAROM_FIELD_VELOCITY, handles_, velocities_);
+}
+
+}  // namespace carom::tools::accuracy

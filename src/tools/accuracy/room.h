@@ -1,0 +1,39 @@
+// What rooms of accuracy scenes are furnished with: balls, boxes, and a look at many bodies at once.
+#pragma once
+
+#include "accuracy/challenge.h"
+
+namespace carom::tools::accuracy {
+
+struct Surface {
+  double friction = 0, restitution = 0;
+};
+
+/// @return index into stage.actors
+std::size_t add_ball(Stage& stage, const Vec& position, double radius, double mass, const Surface& surface,
+                     const Vec& velocity = Vec::Zero());
+std::size_t add_box(Stage& stage, const Vec& position, const Vec& half_extents, double mass, const Surface& surface,
+                    const Vec& velocity = Vec::Zero(), const Quat& orientation = Quat::Identity());
+/// Level ground at y = 0. A contact's friction is the geometric mean of both sides', its restitution the larger one.
+void add_ground(Stage& stage, double friction);
+
+/// Positions and velocities of all dynamic bodies of a stage, in its order, read in bulk.
+class Crowd {
+ public:
+  /// Of the bodies that the stage has now; where they are now is home.
+  explicit Crowd(const Stage& stage);
+  void look(const Stage& stage);
+
+  std::size_t size() const { return handles_.size(); }
+  Vec home(std::size_t i) const { return homes_.segment<3>(3 * static_cast<Eigen::Index>(i)); }
+  Vec position(std::size_t i) const { return Eigen::Map<const Vec>(positions_.data() + 3 * i); }
+  Vec velocity(std::size_t i) const { return Eigen::Map<const Vec>(velocities_.data() + 6 * i); }
+  Vec spin(std::size_t i) const { return Eigen::Map<const Vec>(velocities_.data() + 6 * i + 3); }
+
+ private:
+  std::vector<carom_body> handles_;
+  std::vector<double> positions_, velocities_;
+  Eigen::VectorXd homes_;
+};
+
+}  // namespace carom::tools::accuracy

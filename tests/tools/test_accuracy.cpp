@@ -1,0 +1,215 @@
+// Accuracy scenes: what they measure reacts to what is wrong, what holds today stays within what the method allows, and
+// the figures they print are the errors they say.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "accuracy/reference.h"
+#include "accuracy/run.h"
+#include "carom_test.h"
+
+using namespace carom::tools;
+using namespace carom::tools::accuracy;
+
+namespace {
+
+constexpr double kStep = 1.0 / 60;
+
+/// Run a challenge at dt; after the first step `meddle` may spoil the world, and the truth stays what it was.
+Result play(const std::string& name, Request request = {}, const std::function<void(Stage&)>& meddle = {}) {
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  if (meddle)
+    request.after_step = [&](Stage& stage, const carom_step_report& report) {
+      if (report.steps == 1) meddle(stage);
+    };
+  return run(engine, find_challenge(name), request, std::nullopt);
+}
+
+Request at(double dt, std::vector<std::string> dials = {}) {
+  Request request;
+  request.dt = dt;
+  request.dials = std::move(dials);
+  return request;
+}
+
+/// Change the surface of everything that touches something now; both sides get the same.
+void resurface(Stage& stage, double friction, double restitution) {
+  carom_material_desc surface;
+  carom_material_desc_init(&surface);
+  surface.friction = friction;
+  surface.restitution = restitution;
+  for (const carom_contact& contact : stage.world.contacts())
+    for (carom_collider side : {contact.collider_a, contact.collider_b}) {
+      carom_collider_desc desc;
+      carom_body body = CAROM_NULL_HANDLE;
+      carom_collider_desc_init(&desc);
+      assert_int_equal(carom_collider_get(stage.world.get(), side, &desc, &body, nullptr), CAROM_OK);
+      assert_int_equal(carom_material_update(stage.world.get(), desc.material, &surface, nullptr), CAROM_OK);
+    }
+}
+
+void set_gravity(Stage& stage, double g) {
+  const double down[3] = {0, -g, 0};
+  assert_int_equal(carom_world_set_gravity(stage.world.get(), down, nullptr), CAROM_OK);
+}
+
+void shove(Stage& stage, std::size_t actor, const Vec& velocity) {
+  const double spin[3] = {0, 0, 0};
+  assert_int_equal(carom_body_set_velocity(stage.world.get(), stage.actors[actor].body, velocity.data(), spin, nullptr),
+                   CAROM_OK);
+}
+
+}  // namespace
+
+static void a_wrong_friction_makes_slide_and_skid_and_slip_and_stick_fail(void**) {
+  // All of it: the way at the wrong friction less the way at the right one, and what the step size adds (v h / 2).
+  const Result slide = play("slide", {}, [](Stage& s) { resurface(s, 0.45, 0); });
+  const double wrong = stopping_distance(5, 0.45, kGravity) - stopping_distance(5, 0.5, kGravity);
+  assert_true(std::fabs(slide.errors[0] - wrong) < 5 * kStep);
+  assert_false(within_bounds(find_challenge("slide"), slide));
+  const Result skid = play("skid", {}, [](Stage& s) { resurface(s, 0.19, 0); });
+  assert_true(skid.errors[1] > 0.03);                                   // 2 v / (7 g) (1 / 0.19 - 1 / 0.2) = 0.038 s
+  const double cosine = std::sqrt(0.75), ways = 2 * kGravity * cosine;  // t^2 / 2 = 2 s^2
+  const Result slip = play("slip", {}, [](Stage& s) { resurface(s, 0.35, 0); });
+  assert_true(std::fabs(slip.errors[0] - 0.05 * ways) < 0.05);
+  const Result stick = play("stick", {}, [](Stage& s) { resurface(s, 0.57, 0); });
+  assert_true(std::fabs(stick.errors[0] - 25 * ways * (1 / std::sqrt(3.0) - 0.57)) < 0.1 * stick.errors[0]);
+  for (const auto& [name, result] : {std::pair{"skid", skid}, {"slip", slip}, {"stick", stick}})
+    assert_false(within_bounds(find_challenge(name), result));
+}
+
+static void a_lossy_or_weak_bounce_shows(void**) {
+  // Gravity 5 % off after the first step: the energy, counted with the right gravity, swings by up to 5 %.
+  const double rest = play("bouncing", at(1.0 / 240)).errors[0];
+  const double off = play("bouncing", at(1.0 / 240), [](Stage& s) { set_gravity(s, 1.05 * kGravity); }).errors[0];
+  assert_true(rest < 0.005 && off > 0.01);
+  const Result bounce = play("bounce05", at(1.0 / 960), [](Stage& s) { set_gravity(s, 1.05 * kGravity); });
+  // At 1/960 s the scene itself is off by v h = 5 mm at most; 5 % more gravity shifts every parabola by centimetres.
+  assert_true(bounce.errors[0] > 0.01 && play("bounce05", at(1.0 / 960)).errors[0] < 0.005);
+  const Result row = play("cradle", {}, [](Stage& s) { resurface(s, 0, 0.5); });
+  assert_true(row.errors[0] > 0.2);
+  const Result cannon = play("cannon", at(1.0 / 960), [](Stage& s) { resurface(s, 0, 0.9); });
+  assert_true(cannon.errors[0] > 0.1);
+}
+
+static void what_overlaps_or_is_thrown_about_is_seen(void**) {
+  // A ball is put where its neighbour is, and nothing moves it out again.
+  Request brief = at(kStep, {"position_iterations=0"});
+  brief.seconds = 0.2;
+  const Result pack = play("pack666", brief, [](Stage& s) {
+    const Vec inside = s.position(2);
+    const double upright[4] = {0, 0, 0, 1};
+    assert_int_equal(carom_body_set_pose(s.world.get(), s.actors[1].body, inside.data(), upright, nullptr), CAROM_OK);
+  });
+  assert_true(pack.errors[0] > 0.05);
+  const Result rolling = play("rolling", {}, [](Stage& s) { shove(s, 2, Vec(0.5, 0, 0)); });
+  assert_true(rolling.errors[0] > 1e-4);
+}
+
+static void what_falls_is_called_fallen_and_ends_the_run(void**) {
+  const Result still = play("stack10", {{}, {}, kStep, 2, {}});
+  const Result kicked = play("stack10", {{}, {}, kStep, 20, {}}, [](Stage& s) { shove(s, 6, Vec(8, 0, 0)); });
+  assert_true(still.fell_at < 0 && still.errors[2] == 0);
+  assert_true(kicked.fell_at > 0 && kicked.simulated < 2 && kicked.errors[2] > 28);
+  assert_false(within_bounds(find_challenge("stack10"), kicked));
+  // A body that is not where a number can say counts as fallen, and its errors as no answer.
+  const Result nudged = play("stack10", {{}, {}, kStep, 0.1, {}}, [](Stage& s) { shove(s, 10, Vec(0, 0, 0.5)); });
+  assert_true(nudged.errors[1] > 1e-3 && nudged.fell_at < 0);
+}
+
+static void the_truth_of_a_wave_is_its_own_finer_run(void**) {
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  Challenge domino = find_challenge("domino");
+  assert_true(domino.reference_dt > 0 && domino.reference_dt <= 1.0 / 7680);
+  domino.reference_dt = 1.0 / 240;  // an easier truth, so that the test is quick
+  const std::optional<double> truth = own_truth(engine, domino, {});
+  assert_true(truth && *truth > 1 && *truth < 4);
+  assert_true(run(engine, domino, at(1.0 / 240), truth).errors[0] == 0);  // the same run
+  const Result off = run(engine, domino, at(1.0 / 240), 1.25 * *truth);
+  assert_true(std::fabs(off.errors[0] - 0.2) < 1e-12);
+  assert_false(own_truth(engine, find_challenge("slide"), {}).has_value());
+}
+
+static void halving_the_step_shows_the_order_of_the_method(void**) {
+  // Semi-implicit Euler is off by v h / 2 in a slide: halved with the step. The solver leaves 1e-4 m/s for 1 s beside
+  // it.
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  const std::vector<Result> runs = run_halved(engine, find_challenge("slide"), {}, 2);
+  assert_int_equal(runs.size(), 3);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const double h = kStep / std::pow(2, k);
+    assert_true(runs[k].dt == h);
+    assert_true(std::fabs(runs[k].errors[0] - 2.5 * h) < 0.5 * kGravity * h * h + 1e-3);
+  }
+  assert_true(std::fabs(observed_order(runs[0].errors[0], runs[1].errors[0]) - 1) < 0.1);
+  assert_true(std::fabs(observed_order(0.04, 0.01) - 2) < 1e-15);
+  assert_true(std::isnan(observed_order(0, 0.01)) && std::isnan(observed_order(INFINITY, 1)));
+}
+
+static void what_holds_today_still_holds(void**) {
+  // Each limit is what the method at default dials allows, at 1/60 s; see the comment beside it.
+  const struct {
+    const char* name;
+    std::size_t metric;
+    double limit;
+  } held[] = {
+      {"cradle", 0, 1e-12},                        // impacts are exchanges of velocity: rounding
+      {"skid", 0, 1e-4},                           // dv/dt is constant, so Euler's velocities are exact
+      {"skid", 1, 1e-4},                           // and so is their crossing
+      {"slide", 0, 2.5 * kStep + 1e-3},            // v h / 2, and 1e-4 m/s of tolerance at 4 points for a second
+      {"slide", 1, 1e-3},                          // the tolerance alone
+      {"slip", 0, 2.36 * kStep + 1e-3},            // a t h / 2, and the tolerance for 2 s
+      {"stick", 0, 1e-3},                          // the tolerance for 10 s
+      {"cannon", 0, kGravity * kStep / 4.43 * 2},  // the time of impact is known to h: twice the speed of g h
+      {"bounce05", 0, 4.43 * kStep},               // the same: v h
+      {"stack10", 2, 0},                           // stands
+  };
+  for (const auto& row : held) {
+    const Result result = play(row.name);
+    if (!(result.errors[row.metric] <= row.limit))
+      std::printf("%s: %s %.3g, limit %.3g\n", row.name, find_challenge(row.name).metrics[row.metric].what.c_str(),
+                  result.errors[row.metric], row.limit);
+    assert_true(result.errors[row.metric] <= row.limit);
+  }
+}
+
+static void the_list_is_the_suites(void**) {
+  std::set<int> rows;
+  std::set<std::string> names;
+  for (const Challenge& challenge : all_challenges()) {
+    rows.insert(challenge.number);
+    assert_true(names.insert(challenge.scene.name).second);
+    assert_false(challenge.metrics.empty() || challenge.reference.empty());
+    assert_true(std::any_of(challenge.metrics.begin(), challenge.metrics.end(),
+                            [](const Metric& m) { return m.bound != kNoBound; }));
+    if (challenge.at_60_hz.error >= 0) assert_true(challenge.at_any_step.error <= challenge.at_60_hz.error);
+    Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+    Request brief;
+    brief.seconds = kStep;
+    const Result result = run(engine, challenge, brief, 1.0);
+    assert_int_equal(result.errors.size(), challenge.metrics.size());
+    for (double error : result.errors) assert_true(error >= 0);
+  }
+  for (int row = 10; row <= 28; ++row) assert_true(row == 21 || rows.count(row) == 1);
+  bool refused = false;
+  try {
+    find_challenge("slidee");
+  } catch (const Error& error) {
+    refused = error.remedy.find("did you mean 'slide'") != std::string::npos;
+  }
+  assert_true(refused);
+}
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(a_wrong_friction_makes_slide_and_skid_and_slip_and_stick_fail),
+      cmocka_unit_test(a_lossy_or_weak_bounce_shows),
+      cmocka_unit_test(what_overlaps_or_is_thrown_about_is_seen),
+      cmocka_unit_test(what_falls_is_called_fallen_and_ends_the_run),
+      cmocka_unit_test(the_truth_of_a_wave_is_its_own_finer_run),
+      cmocka_unit_test(halving_the_step_shows_the_order_of_the_method),
+      cmocka_unit_test(what_holds_today_still_holds),
+      cmocka_unit_test(the_list_is_the_suites),
+  };
+  return cmocka_run_group_tests_name("tools/accuracy", tests, nullptr, nullptr);
+}
