@@ -57,10 +57,10 @@ static void the_list_names_scenes_bounds_and_truths(void**) {
 }
 
 static void a_run_prints_error_bound_peers_and_cost(void**) {
-  const Outcome good = carom("run skid");
+  const Outcome good = carom("run skid --dial solver=severity --dial substeps=1");
   assert_int_equal(good.code, 0);
   for (const char* word : {"onset of rolling", "yes", "ms/s", "truth:"}) assert_true(good.says(word));
-  const Outcome bad = carom("run slide --dt 1/30");  // off by v h / 2 = 8 cm
+  const Outcome bad = carom("run slide --dt 1/30 --dial solver=severity --dial substeps=1");  // off by v h / 2 = 8 cm
   assert_int_equal(bad.code, 1);
   assert_true(bad.says("0.0023 Box3D") && bad.says(" no"));
 }
@@ -68,7 +68,7 @@ static void a_run_prints_error_bound_peers_and_cost(void**) {
 static void the_table_holds_what_was_measured(void**) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("carom_accuracy_" + std::to_string(getpid()) + ".csv");
-  carom("run slide --steps-halved 1 --dial substeps=2 --dial velocity_tolerance=1e-6 --csv " + file.string());
+  carom("run slide --steps-halved 1 --dial solver=severity --dial substeps=2 --csv " + file.string());
   std::ifstream in(file);
   std::vector<std::vector<std::string>> rows;
   for (std::string line; std::getline(in, line);) rows.push_back(cells(line));
@@ -80,7 +80,7 @@ static void the_table_holds_what_was_measured(void**) {
   assert_true(std::atof(rows[1][1].c_str()) == 2 * std::atof(rows[3][1].c_str()));
   // Two substeps of 1/120 s: off by v h / 2 = 2.1 cm, to a step's part of the last metre.
   assert_true(std::fabs(std::atof(rows[1][4].c_str()) - 5.0 / 240) < 1e-3);
-  assert_string_equal(rows[1].back().c_str(), "substeps=2 velocity_tolerance=1e-6");
+  assert_string_equal(rows[1].back().c_str(), "solver=severity substeps=2");
 }
 
 static void what_cannot_be_run_says_what_to_do(void**) {
