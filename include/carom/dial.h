@@ -13,7 +13,7 @@ extern "C" {
 
 /* ---- dials of a world; values are doubles, choices are whole numbers ---- */
 #define CAROM_DIAL_INTEGRATOR 0u           /* choice: CAROM_INTEGRATOR_* */
-#define CAROM_DIAL_ROTATION 1u             /* choice: CAROM_ROTATION_*: the gyroscopic term */
+#define CAROM_DIAL_ROTATION 1u             /* choice: CAROM_ROTATION_*: how bodies with unlike moments of inertia spin */
 #define CAROM_DIAL_SUBSTEPS 2u             /* integrate-and-solve passes per step */
 #define CAROM_DIAL_SOLVER 3u               /* choice: CAROM_SOLVER_* */
 #define CAROM_DIAL_VELOCITY_ITERATIONS 4u  /* at most this many impulses per contact of a group and substep */
@@ -44,10 +44,18 @@ extern "C" {
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
 #define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u
 #define CAROM_INTEGRATOR_RK4 2u
+#define CAROM_INTEGRATOR_VELOCITY_VERLET 3u /* exact under constant forces, second order under others */
 
 #define CAROM_ROTATION_NONE 0u     /* no gyroscopic term: exact for spheres and cubes only */
 #define CAROM_ROTATION_EXPLICIT 1u /* the term is a torque like any other (RK4 evaluates it four times) */
 #define CAROM_ROTATION_IMPLICIT 2u /* one Newton step of the implicit term; under RK4 the same as EXPLICIT */
+/* These keep the angular momentum of a body that nothing acts on; under CAROM_INTEGRATOR_RK4 they are the same as
+ * EXPLICIT. The number is the order of the error. */
+#define CAROM_ROTATION_RK4 3u          /* Runge-Kutta on the quaternion */
+#define CAROM_ROTATION_LIE_MIDPOINT 4u /* midpoint rule on the rotation group, order 2 */
+#define CAROM_ROTATION_SPLITTING 5u    /* three exact turns, order 2, symplectic: energy errs by a bounded amount */
+#define CAROM_ROTATION_SPLITTING_4 6u  /* five of them (Suzuki) */
+#define CAROM_ROTATION_SPLITTING_6 7u  /* seven of them (Yoshida) */
 
 #define CAROM_SOLVER_SEVERITY 0u /* most severe contact first */
 

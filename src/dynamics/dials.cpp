@@ -4,8 +4,9 @@
 namespace carom {
 namespace {
 
-constexpr const char* kIntegrators[] = {"explicit_euler", "semi_implicit_euler", "rk4"};
-constexpr const char* kRotations[] = {"none", "explicit", "implicit"};
+constexpr const char* kIntegrators[] = {"explicit_euler", "semi_implicit_euler", "rk4", "velocity_verlet"};
+constexpr const char* kRotations[] = {"none",         "explicit",  "implicit",    "rk4",
+                                      "lie_midpoint", "splitting", "splitting_4", "splitting_6"};
 constexpr const char* kSolvers[] = {"severity"};
 constexpr const char* kSearches[] = {"linear", "heap"};
 constexpr const char* kOffOn[] = {"off", "on"};
@@ -27,10 +28,13 @@ constexpr DialRow number(Dial d, const char* name, const char* unit, const char*
 }
 
 constexpr std::array<DialRow, kDialCount> kTable = {{
-    choice(Dial::integrator, "integrator", "order of the error in flight: 1, 1, 4; cost 1, 1, 4 force evaluations",
-           kIntegrators, 1),
-    choice(Dial::rotation, "rotation", "gyroscopic term: absent, as an explicit torque, or one implicit Newton step",
-           kRotations, 2),
+    choice(Dial::integrator, "integrator",
+           "order of the error in flight: 1, 1, 4, 2; cost 1, 1, 4, 2 force evaluations", kIntegrators, 1),
+    choice(Dial::rotation, "rotation",
+           "how bodies with unlike moments of inertia spin: no gyroscopic term, an explicit torque, one implicit "
+           "Newton step, "
+           "or exactly kept momentum by Runge-Kutta, midpoint, or splitting of order 2, 4, 6",
+           kRotations, 5),
     integer(Dial::substeps, "substeps", "integrate-and-solve passes per step; error falls with each, cost grows", 1, 64,
             1),
     choice(Dial::solver, "solver", "how contacts are resolved", kSolvers, 0),
@@ -74,8 +78,8 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
     choice(Dial::warm_start, "warm_start", "solve each step from zero (the paper's), or from the last step's impulses",
            kOffOn, 1),
     number(Dial::carry_over, "carry_over", "",
-           "bracket width, relative to the pair's size, up to which an earlier answer stands in for a query; 0: never", 0,
-           1e-1, 0),
+           "bracket width, relative to the pair's size, up to which an earlier answer stands in for a query; 0: never",
+           0, 1e-1, 0),
 }};
 
 constexpr bool in_order() {

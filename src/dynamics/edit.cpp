@@ -27,7 +27,7 @@ void put(Array<T>& a, std::size_t slot, const T& value) {
 /// The slot that take() will hand out can be at most the number of slots there are.
 void make_room_for_body(Scene& s, State& t) {
   make_room(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia, s.first_collider,
-            t.x, t.q, t.v, t.omega, t.force, t.torque, t.quarantined);
+            t.x, t.q, t.v, t.omega, t.momentum, t.force, t.torque, t.quarantined);
 }
 
 /// New mass properties; the body's frame stays where it is and its centre's velocity what it was.
@@ -64,6 +64,7 @@ Handle World::add_body(const BodyDef& def) {
   const bool moves = def.type != BodyType::fixed;
   put<Vec3>(state.v, i, moves ? def.velocity : Vec3::Zero());
   put<Vec3>(state.omega, i, moves ? def.omega : Vec3::Zero());
+  put<Vec3>(state.momentum, i, Vec3::Zero());
   put<Vec3>(state.force, i, Vec3::Zero());
   put<Vec3>(state.torque, i, Vec3::Zero());
   put(state.quarantined, i, std::uint8_t(0));

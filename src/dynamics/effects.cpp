@@ -7,6 +7,7 @@
 #include "collision/volume.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
+#include "dynamics/integrate/rotation/rotation.h"
 
 namespace carom {
 namespace {
@@ -35,24 +36,40 @@ constexpr std::array<Effect, kEffectCount> kTable = {{
 }};
 // clang-format on
 
-enum class Rotation : std::uint32_t { none, explicit_torque, implicit_step };  // as CAROM_ROTATION_*
+static_assert(kTable[kGyroscopicRow].find == gyroscopic::find);
+
+// As CAROM_ROTATION_*; those after them are rotation methods.
+enum RotationChoice : std::uint32_t { kNoGyroscopicTerm, kExplicitTorque, kImplicitStep };
 
 /// Rows, their customers, and whether each is a force or a flow: the one place where these dials are switched.
 void plan_rows(World& world, Plan& plan) {
   const Dials& dials = world.scene.dials;
-  const Integrator* integrators[] = {&kExplicitEuler, &kSemiImplicitEuler, &kRungeKutta4};
+  const Integrator* integrators[] = {&kExplicitEuler, &kSemiImplicitEuler, &kRungeKutta4, &kVelocityVerlet};
   plan.integrator = integrators[dials.choice(Dial::integrator)];
-  const auto rotation = static_cast<Rotation>(dials.choice(Dial::rotation));
+  const std::uint32_t rotation = dials.choice(Dial::rotation);
+  plan.rotation_method = plan.integrator->forces_only ? nullptr : rotation_method(rotation);
   for (PlannedEffect& row : plan.effects) {
     row.candidates.clear();
     const bool gyro = row.effect->force == gyroscopic::force;
-    if (!gyro || rotation != Rotation::none) row.effect->find(world.scene, world.state, row.candidates);
+    if (!gyro || rotation != kNoGyroscopicTerm) row.effect->find(world.scene, world.state, row.candidates);
     row.rate = row.effect->rate ? row.effect->rate(world.scene, row.candidates) : 0;
-    row.as_flow = row.effect->flow && !plan.integrator->forces_only && !(gyro && rotation == Rotation::explicit_torque);
+    const bool as_flow = row.effect->flow && !plan.integrator->forces_only && !(gyro && rotation == kExplicitTorque);
+    row.served = as_flow ? Served::flow : row.effect->force ? Served::force : Served::stage;
+    if (gyro && row.candidates.count == 0) plan.rotation_method = nullptr;
+    if (gyro && plan.rotation_method) row.served = Served::stage;
     row.customers.clear();
     row.customers.runs.reserve(row.candidates.count);
     if (!row.effect->wakes) row.customers = row.candidates;
   }
+}
+
+void plan_principal(World& world, Plan& plan, std::uint32_t slots) {
+  plan.carried.assign(slots, 0);
+  plan.principal.resize(slots);
+  plan.proposal.omega.resize(slots, Vec3::Zero());
+  if (plan.rotation_method)
+    plan.effects[kGyroscopicRow].candidates.each(
+        [&](std::uint32_t i) { plan.principal[i] = principal_axes(world.scene.inertia[i]); });
 }
 
 void plan_bodies(World& world, Plan& plan) {
@@ -66,7 +83,8 @@ void plan_bodies(World& world, Plan& plan) {
   }
   plan.touched.assign(slots, 0);
   plan.proposal.x.resize(plan.integrator->proposes ? slots : 0, Vec3::Zero());
-  plan.proposal.q.resize(plan.integrator->proposes ? slots : 0, Quat::Identity());
+  plan.proposal.q.resize(plan.integrator->proposes || plan.rotation_method ? slots : 0, Quat::Identity());
+  plan_principal(world, plan, plan.rotation_method ? slots : 0);
   plan.scratch_vectors.resize(plan.integrator->vectors * slots, Vec3::Zero());
   plan.scratch_rotations.resize(plan.integrator->rotations * slots, Quat::Identity());
 }
@@ -129,6 +147,8 @@ Plan::Plan(Memory* m)
       kinematic(m),
       colliders(m),
       local(m),
+      principal(m),
+      carried(m),
       proposal(m),
       touched(m),
       rotation(m),
@@ -174,7 +194,11 @@ void refresh(World& world, const StepTime& time) {
     }
     // An explicit method is stable only for rate * h below a small number (2 for Euler, 2.8 for RK4); well before,
     // decay is exact.
-    if (effect.rate && plan.integrator->forces_only) row.as_flow = row.rate * time.h > 1;
+    if (effect.rate && plan.integrator->forces_only) row.served = row.rate * time.h > 1 ? Served::flow : Served::force;
+  }
+  if (plan.rotation_method) {
+    std::fill(plan.carried.begin(), plan.carried.end(), std::uint8_t(0));
+    plan.effects[kGyroscopicRow].customers.each([&](std::uint32_t i) { plan.carried[i] = 1; });
   }
   plan.faults.clear();
   if (!world.scene.colliders.live.empty()) {
@@ -192,17 +216,17 @@ void refresh(World& world, const StepTime& time) {
 
 void evaluate_forces(World& world, const Motion& at, const Accelerate& out) {
   for (PlannedEffect& row : world.plan->effects) {
-    if (!row.effect->force || row.as_flow || row.customers.count == 0) continue;
+    if (row.served != Served::force || row.customers.count == 0) continue;
     row.effect->force(world.scene, world.state, row.customers, at, out);
     row.evaluations += row.customers.count;
   }
 }
 
-void evaluate_flows(World& world, Real h) {
+void evaluate_flows(World& world, Real h, const Quat* q) {
   State& s = world.state;
   for (PlannedEffect& row : world.plan->effects) {
-    if (!row.as_flow || row.customers.count == 0) continue;
-    row.effect->flow(world.scene, row.customers, h, s.q.data(), s.v.data(), s.omega.data());
+    if (row.served != Served::flow || row.customers.count == 0) continue;
+    row.effect->flow(world.scene, row.customers, h, q, s.v.data(), s.omega.data());
     row.evaluations += row.customers.count;
   }
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "dynamics/integrate/rotation/principal.h"
 #include "dynamics/world.h"
 
 namespace carom {
@@ -62,15 +63,19 @@ struct Effect {
   Real (*rate)(const Scene&, const Customers&);                   // 1/s, fastest decay among them; null: none decays
 };
 inline constexpr std::size_t kEffectCount = 9;
+inline constexpr std::size_t kGyroscopicRow = 0;  // of the table
+
+/// What does the work of a planned row.
+enum class Served : std::uint8_t { force, flow, stage };  // effect->force, effect->flow, or neither of them
 
 /// A row with its customers.
 struct PlannedEffect {
   PlannedEffect(const Effect* e, Memory* m) : effect(e), candidates(m), customers(m) {}
   const Effect* effect;
-  Customers candidates;           // of the scene
-  Customers customers;            // of this step: the candidates that wake
-  Real rate = 0;                  // 1/s, effect->rate of the candidates
-  bool as_flow = false;           // use effect->flow, not effect->force
+  Customers candidates;  // of the scene
+  Customers customers;   // of this step: the candidates that wake
+  Real rate = 0;         // 1/s, effect->rate of the candidates
+  Served served = Served::stage;
   std::uint64_t evaluations = 0;  // customers served since the world was made
 };
 
@@ -78,14 +83,16 @@ struct StepTime {
   Real dt, h;  // s: step, substep
 };
 
-/// Poses that an integrator proposes for bodies which no contact touches.
+/// Poses that an integrator proposes for bodies which no contact touches. By body slot.
 struct Proposal {
-  explicit Proposal(Memory* m) : x(m), q(m) {}
+  explicit Proposal(Memory* m) : x(m), q(m), omega(m) {}
   Array<Vec3> x;
   Array<Quat> q;
+  Array<Vec3> omega;  // rad/s, world: what a rotation method turned the body by, where plan.carried
 };
 
 struct Integrator;  // dynamics/integrate/integrator.h
+struct Rotation;    // dynamics/integrate/rotation/rotation.h
 
 struct Plan {
   explicit Plan(Memory* m);
@@ -98,6 +105,9 @@ struct Plan {
   Array<Frame> local;                    // by collider: shape -> body axes, about the centre of mass
   std::array<bool, kStageCount> runs{};  // stages that have customers
   const Integrator* integrator = nullptr;
+  const Rotation* rotation_method = nullptr;  // null: the gyroscopic effect is a force, a flow, or absent
+  Array<Principal> principal;                 // by body, customers of the rotation method
+  Array<std::uint8_t> carried;                // by body: the rotation method turns it in this step
   Proposal proposal;
   Array<std::uint8_t> touched;  // by body: a solver changed its velocity in this substep
   Array<Mat3> rotation;         // by body: body -> world, at the start of the step
@@ -120,6 +130,7 @@ void refresh(World& world, const StepTime& time);
 /// All planned forces at one state.
 void evaluate_forces(World& world, const Motion& at, const Accelerate& out);
 /// All planned flows over h, on the world's velocities.
-void evaluate_flows(World& world, Real h);
+/// @param q  by body slot: orientations during h
+void evaluate_flows(World& world, Real h, const Quat* q);
 
 }  // namespace carom

@@ -26,7 +26,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
   scene.gravity = gravity;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };
   reserve(scene.bodies, scene.def, scene.type, scene.inv_mass, scene.mass, scene.center, scene.inertia,
-          scene.inv_inertia, state.x, state.q, state.v, state.omega, state.force, state.torque, state.quarantined);
+          scene.inv_inertia, state.x, state.q, state.v, state.omega, state.momentum, state.force, state.torque, state.quarantined);
 }
 
 World::~World() = default;
@@ -44,6 +44,7 @@ std::uint64_t World::hash() const {
     h.add_coefficients(state.q[i].coeffs());
     h.add_coefficients(state.v[i]);
     h.add_coefficients(state.omega[i]);
+    h.add_coefficients(state.momentum[i]);
     h.add_coefficients(state.force[i]);
     h.add_coefficients(state.torque[i]);
     h.add(std::uint64_t(state.quarantined[i]));

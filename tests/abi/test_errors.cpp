@@ -178,7 +178,7 @@ const Row kWorld[] = {
     {"dial: nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return carom_world_set_dial(b.world, CAROM_DIAL_GRID_CELL, kNan, e); }},
     {"dial: below", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return carom_world_set_dial(b.world, CAROM_DIAL_GRID_CELL, -1, e); }},
     {"dial: half a choice", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return carom_world_set_dial(b.world, CAROM_DIAL_INTEGRATOR, 0.5, e); }},
-    {"dial: no such choice", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return carom_world_set_dial(b.world, CAROM_DIAL_INTEGRATOR, 3, e); }},
+    {"dial: no such choice", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return carom_world_set_dial(b.world, CAROM_DIAL_INTEGRATOR, 4, e); }},
     {"get dial: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { double v; return carom_world_get_dial(nullptr, 0, &v, e); }},
     {"get dial: unknown", CAROM_E_UNKNOWN_ENUM, 2, [](Bench& b, carom_error* e) { double v; return carom_world_get_dial(b.world, 1000, &v, e); }},
     {"get dial: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_world_get_dial(b.world, 0, nullptr, e); }},

@@ -1,5 +1,6 @@
 // Explicit Euler (the paper's): the old velocity moves the body, forces kick the velocity.
 #include "dynamics/integrate/integrator.h"
+#include "dynamics/integrate/rotation/rotation.h"
 
 namespace carom {
 namespace {
@@ -12,9 +13,10 @@ void velocity(World& world, Real h) {
     plan.proposal.x[i] = s.x[i] + h * s.v[i];
     plan.proposal.q[i] = normalized(exp_map(h * s.omega[i]) * s.q[i]);
   });
+  turn_tops(world, h);
   // In place: rows that read velocities come first in the table, so each reads those of the start of the substep.
   evaluate_forces(world, {s.x.data(), s.q.data(), s.v.data(), s.omega.data()}, {h, s.v.data(), s.omega.data()});
-  evaluate_flows(world, h);
+  evaluate_flows(world, h, s.q.data());
 }
 
 }  // namespace

@@ -30,10 +30,17 @@ void integrate_position(World& world, const StepTime& time) {
   };
   const auto move = [&](std::uint32_t i) { place(i, s.x[i] + h * s.v[i]); };
   const auto spin = [&](std::uint32_t i) { s.q[i] = normalized(exp_map(h * s.omega[i]) * s.q[i]); };
+  const auto turn = [&](std::uint32_t i) {
+    if (s.quarantined[i]) return;
+    s.q[i] = plan.proposal.q[i];
+    if (plan.touched[i]) s.q[i] = normalized(exp_map(h * (s.omega[i] - plan.proposal.omega[i])) * s.q[i]);
+  };
+  const bool carries = plan.rotation_method != nullptr;
+  const auto orient = [&](std::uint32_t i) { carries&& plan.carried[i] ? turn(i) : spin(i); };
 
   if (!plan.integrator->proposes) {
     plan.linear.each(move);
-    plan.rotating.each([&](std::uint32_t i) { move(i), spin(i); });
+    plan.rotating.each([&](std::uint32_t i) { move(i), orient(i); });
   } else {
     const auto free = [&](std::uint32_t i) { return !plan.touched[i] && !s.quarantined[i]; };
     plan.linear.each([&](std::uint32_t i) { free(i) ? place(i, plan.proposal.x[i]) : move(i); });
@@ -41,7 +48,7 @@ void integrate_position(World& world, const StepTime& time) {
       if (free(i))
         place(i, plan.proposal.x[i]), s.q[i] = plan.proposal.q[i];
       else
-        move(i), spin(i);
+        move(i), orient(i);
     });
   }
   plan.kinematic.each([&](std::uint32_t i) { move(i), spin(i); });

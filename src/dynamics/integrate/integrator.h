@@ -8,10 +8,21 @@
 //   explicit Euler    v1 = v0 + h a(x0, v0)        x1 = x0 + h v0                 1
 //   semi-implicit     v1 = v0 + h a(x0, v0)        x1 = x0 + h v1 (no proposal)   1, symplectic
 //   RK4               classical, 4 evaluations     x1 = x0 + h (RK4 mean of v)    4
+//   velocity Verlet   v1 = v0 + h/2 (a0 + a1)      x1 = x0 + h (v0 + h/2 a0)      2, symplectic, exact if a is constant
 //
 // A touched body cannot keep its proposal: it was made before the impulses and would carry the body through the floor.
 // It moves by the velocity at the end of the substep, which is what the solver made admissible; that is semi-implicit
 // Euler, and first order is all that a contact's kink allows anyway.
+//
+// Where a rotation method carries a body (rotation/rotation.h), that method proposes the orientation under any
+// integrator but RK4. A touched body is then turned on from the proposal by what the contacts made of its omega since:
+//
+//   q1 = exp(h (omega_solved - omega_proposed)) q_proposed
+//
+// exp(h omega_solved) q0 would agree to the same order, but gain energy like the explicit torque: omega changes with
+// the orientation even if nothing pushes, and the two belong together. A body at rest has no such change; how far the
+// proposal of one that tumbles departs from its tangent, h^2/2 times its acceleration, is what a contact's linearised
+// motion leaves out anyway.
 #pragma once
 
 #include "dynamics/effects.h"
@@ -27,7 +38,7 @@ struct Integrator {
   void (*velocity)(World& world, Real h);
 };
 
-extern const Integrator kExplicitEuler, kSemiImplicitEuler, kRungeKutta4;
+extern const Integrator kExplicitEuler, kSemiImplicitEuler, kRungeKutta4, kVelocityVerlet;
 
 /// Stage functions of the page.
 void integrate_velocity(World& world, const StepTime& time);

@@ -80,7 +80,7 @@ void velocity(World& world, Real h) {
     plan.proposal.q[i] = normalized(plan.proposal.q[i]);
     s.omega[i] += h * t.sum_domega[i];
   });
-  evaluate_flows(world, h);  // only effects too stiff for an explicit method are flows here
+  evaluate_flows(world, h, s.q.data());  // only effects too stiff for an explicit method are flows here
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Semi-implicit (symplectic) Euler: forces kick the velocity, the new velocity moves the body.
 #include "dynamics/integrate/integrator.h"
+#include "dynamics/integrate/rotation/rotation.h"
 
 namespace carom {
 namespace {
@@ -7,7 +8,8 @@ namespace {
 void velocity(World& world, Real h) {
   State& s = world.state;
   evaluate_forces(world, {s.x.data(), s.q.data(), s.v.data(), s.omega.data()}, {h, s.v.data(), s.omega.data()});
-  evaluate_flows(world, h);
+  evaluate_flows(world, h, s.q.data());
+  turn_tops(world, h);
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+// Which rotation method the dial names, and the call that integrators make.
+#include "dynamics/integrate/rotation/rotation.h"
+
+namespace carom {
+
+const Rotation* rotation_method(std::uint32_t choice) {
+  static constexpr const Rotation* kMethods[] = {nullptr,       nullptr,     nullptr,      &kRotationRungeKutta4,
+                                                 &kLieMidpoint, &kSplitting, &kSplitting4, &kSplitting6};
+  return kMethods[choice];
+}
+
+void turn_tops(World& world, Real h) {
+  Plan& plan = *world.plan;
+  if (!plan.rotation_method) return;
+  PlannedEffect& row = plan.effects[kGyroscopicRow];
+  if (row.customers.count == 0) return;
+  plan.rotation_method->advance(world, row.customers, h);
+  row.evaluations += row.customers.count;
+}
+
+}  // namespace carom

@@ -1,0 +1,30 @@
+// Classical fourth-order Runge-Kutta on the quaternion alone, under the momentum that stays.
+//   q' = 1/2 omega(q/|q|) q,   omega(q) = q I^-1 q^-1 L   (a pure quaternion, world)          @source [Hairer1993
+//   §II.1]
+// The field leaves |q| constant, so renormalising the stages costs no order. Energy drifts, by h^5 a step.
+#include "dynamics/integrate/rotation/top.h"
+
+namespace carom {
+namespace {
+
+void advance(World& world, const Customers& customers, Real h) {
+  carry_tops(world, customers, h, [](const Principal& top, Real step, const Vec3& l, const Vec3&, Quat& q) {
+    const auto rate = [&](const Quat& at) {
+      const Vec3 half = 0.5 * spin_of(top, at, l);
+      return Quat(0, half.x(), half.y(), half.z()) * at;
+    };
+    const auto along = [&](Real far, const Quat& slope) {
+      Quat r;
+      r.coeffs() = q.coeffs() + far * slope.coeffs();
+      return normalized(r);
+    };
+    const Quat k1 = rate(q), k2 = rate(along(step / 2, k1)), k3 = rate(along(step / 2, k2)), k4 = rate(along(step, k3));
+    q.coeffs() += (step / 6) * (k1.coeffs() + 2 * (k2.coeffs() + k3.coeffs()) + k4.coeffs());
+  });
+}
+
+}  // namespace
+
+const Rotation kRotationRungeKutta4 = {"rk4", advance};
+
+}  // namespace carom
