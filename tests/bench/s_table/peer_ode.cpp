@@ -39,6 +39,7 @@ class OdeWorld : public PeerWorld {
       : world_(dWorldCreate()),
         space_(dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XZY)),
         group_(dJointGroupCreate(0)) {
+    dRandSetSeed(0);  // its stepper shuffles constraints: each repeat the same way
     dWorldSetGravity(world_, plan.gravity[0], plan.gravity[1], plan.gravity[2]);
     dWorldSetAutoDisableFlag(world_, plan.sleeping);
     for (std::size_t i = 0; i < plan.count; ++i) add(plan.bodies[i]);

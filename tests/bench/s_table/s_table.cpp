@@ -27,7 +27,8 @@ std::string outcome(const Row& row, const Record& record) {
     say("stands, drop " + format("%.1f", 1e3 * s.drop) + " mm, drift " + format("%.1f mm", 1e3 * s.drift));
   if (s.fallen)
     say(std::to_string(s.fallen) + " of " + std::to_string(s.blocks) + " fallen, the first by " +
-        format("%.1f s", record.fell_by) + ", drop " + format("%.1f m", s.drop));
+        format("%.1f s", record.fell_by) + ", drop " + format("%.1f", s.drop) + " m, drift " +
+        format("%.1f m", s.drift));
   if (record.end.flight_error > 0) say(format("%.3f m off the parabola", record.end.flight_error));
   if (row.memory) say(format("%.0f bytes a body", record.bytes_per_body));
   if (record.best.size() < record.planned)
