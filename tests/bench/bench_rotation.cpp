@@ -62,8 +62,15 @@ void spin(benchmark::State& state, Real integrator, Real method) {
   state.counters["energy"] = energy;
 }
 
-#define CAROM_BENCH_SPIN(name, integrator, method) \
-  BENCHMARK_CAPTURE(spin, name, integrator, method)->RangeMultiplier(2)->Range(30, 960)->Iterations(3)
+#define CAROM_BENCH_SPIN(name, integrator, method)  \
+  BENCHMARK_CAPTURE(spin, name, integrator, method) \
+      ->Arg(30)                                     \
+      ->Arg(60)                                     \
+      ->Arg(120)                                    \
+      ->Arg(240)                                    \
+      ->Arg(480)                                    \
+      ->Arg(960)                                    \
+      ->Iterations(3)
 CAROM_BENCH_SPIN(none, 1, 0);
 CAROM_BENCH_SPIN(explicit, 1, 1);
 CAROM_BENCH_SPIN(implicit, 1, 2);
