@@ -39,7 +39,10 @@ extern "C" {
 #define CAROM_DIAL_WARM_START 24u          /* choice: 0 solve each step from zero, 1 start from the last step's impulses */
 #define CAROM_DIAL_CARRY_OVER 25u          /* relative width up to which an earlier bracket, widened by the motion since,
                                               stands in for a query of the generic path; 0: always ask afresh */
-#define CAROM_DIAL_COUNT 26u
+#define CAROM_DIAL_CONTACT_FREQUENCY 26u   /* Hz: stiffness of soft contacts */
+#define CAROM_DIAL_CONTACT_DAMPING 27u     /* damping ratio of soft contacts */
+#define CAROM_DIAL_PUSH_SPEED 28u          /* m/s: soft contacts undo overlap at this speed at most */
+#define CAROM_DIAL_COUNT 29u
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
 #define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u
@@ -57,7 +60,9 @@ extern "C" {
 #define CAROM_ROTATION_SPLITTING_4 6u  /* five of them (Suzuki) */
 #define CAROM_ROTATION_SPLITTING_6 7u  /* seven of them (Yoshida) */
 
-#define CAROM_SOLVER_SEVERITY 0u /* most severe contact first */
+#define CAROM_SOLVER_SEVERITY 0u   /* most severe contact first, by group: the paper's */
+#define CAROM_SOLVER_SEQUENTIAL 1u /* warm-started sweeps over all contacts (projected Gauss-Seidel) */
+#define CAROM_SOLVER_SOFT_STEP 2u  /* one sweep a substep over soft contacts, one that relaxes them: wants 4 substeps */
 
 #define CAROM_SEARCH_LINEAR 0u /* the paper's: scan all contacts of the group for the most severe */
 #define CAROM_SEARCH_HEAP 1u   /* the same order from a heap */

@@ -7,7 +7,7 @@ namespace {
 constexpr const char* kIntegrators[] = {"explicit_euler", "semi_implicit_euler", "rk4", "velocity_verlet"};
 constexpr const char* kRotations[] = {"none",         "explicit",  "implicit",    "rk4",
                                       "lie_midpoint", "splitting", "splitting_4", "splitting_6"};
-constexpr const char* kSolvers[] = {"severity"};
+constexpr const char* kSolvers[] = {"severity", "sequential", "soft_step"};
 constexpr const char* kSearches[] = {"linear", "heap"};
 constexpr const char* kOffOn[] = {"off", "on"};
 constexpr const char* kBroadPhases[] = {"brute_force", "sweep_and_prune", "grid"};
@@ -80,6 +80,13 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
     number(Dial::carry_over, "carry_over", "",
            "bracket width, relative to the pair's size, up to which an earlier answer stands in for a query; 0: never",
            0, 1e-1, 0),
+    number(Dial::contact_frequency, "contact_frequency", "Hz",
+           "stiffness of soft contacts: more sinks less and settles later; a quarter of the substep rate at most", 0,
+           1e4, 30),
+    number(Dial::contact_damping, "contact_damping", "",
+           "damping ratio of soft contacts: above 1 they do not swing; more recovers slower from overlap", 0, 1e3, 10),
+    number(Dial::push_speed, "push_speed", "m/s", "overlap is undone at this speed at most, by soft contacts", 0, 1e3,
+           3),
 }};
 
 constexpr bool in_order() {

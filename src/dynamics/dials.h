@@ -36,6 +36,9 @@ enum class Dial : std::uint32_t {
   cache_distance,
   warm_start,
   carry_over,
+  contact_frequency,
+  contact_damping,
+  push_speed,
   count
 };
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);

@@ -8,6 +8,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
+#include "dynamics/solver/solver.h"
 
 namespace carom {
 namespace {
@@ -46,6 +47,8 @@ void plan_rows(World& world, Plan& plan) {
   const Dials& dials = world.scene.dials;
   const Integrator* integrators[] = {&kExplicitEuler, &kSemiImplicitEuler, &kRungeKutta4, &kVelocityVerlet};
   plan.integrator = integrators[dials.choice(Dial::integrator)];
+  const Solver* solvers[] = {&kSeverity, &kSequential, &kSoftStep};
+  plan.solver = solvers[dials.choice(Dial::solver)];
   const std::uint32_t rotation = dials.choice(Dial::rotation);
   plan.rotation_method = plan.integrator->forces_only ? nullptr : rotation_method(rotation);
   for (PlannedEffect& row : plan.effects) {
@@ -110,7 +113,7 @@ void plan_stages(World& world, Plan& plan) {
   on(Stage::refresh) = on(Stage::observe) = true;
   on(Stage::integrate) = plan.linear.count + plan.rotating.count + plan.kinematic.count > 0;
   on(Stage::broad) = on(Stage::narrow) = on(Stage::group) = on(Stage::solve) = pairs;
-  on(Stage::relax) = pairs && world.scene.dials.whole(Dial::position_iterations) > 0;
+  on(Stage::relax) = pairs && (plan.solver == &kSoftStep || world.scene.dials.whole(Dial::position_iterations) > 0);
 }
 
 /// World frame and bounds of a collider. Bounds are grown by half the contact distance, and where a body crosses more

@@ -93,6 +93,7 @@ struct Proposal {
 
 struct Integrator;  // dynamics/integrate/integrator.h
 struct Rotation;    // dynamics/integrate/rotation/rotation.h
+struct Solver;      // dynamics/solver/solver.h
 
 struct Plan {
   explicit Plan(Memory* m);
@@ -108,6 +109,7 @@ struct Plan {
   const Rotation* rotation_method = nullptr;  // null: the gyroscopic effect is a force, a flow, or absent
   Array<Principal> principal;                 // by body, customers of the rotation method
   Array<std::uint8_t> carried;                // by body: the rotation method turns it in this step
+  const Solver* solver = nullptr;
   Proposal proposal;
   Array<std::uint8_t> touched;  // by body: a solver changed its velocity in this substep
   Array<Mat3> rotation;         // by body: body -> world, at the start of the step

@@ -2,14 +2,13 @@
 // it.
 #include <chrono>
 
-#include "dynamics/contact/contact.h"
 #include "dynamics/detect.h"
 #include "dynamics/effects.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/island.h"
 #include "dynamics/observe.h"
 #include "dynamics/quarantine.h"
-#include "dynamics/solver/severity.h"
+#include "dynamics/solver/solver.h"
 
 namespace carom {
 namespace {
@@ -53,6 +52,7 @@ void World::step(Real dt) {
   run(Stage::broad, find_pairs);
   run(Stage::narrow, find_contacts);
   run(Stage::group, find_groups);
+  run(Stage::solve, begin_contacts);
   for (int k = 0; k < run.substeps(); ++k) {
     run(Stage::solve, measure_approach);
     run(Stage::integrate, integrate_velocity);
@@ -60,6 +60,7 @@ void World::step(Real dt) {
     run(Stage::integrate, integrate_position);
     run(Stage::relax, solve_positions);
   }
+  run(Stage::solve, end_contacts);
   run(Stage::observe, observe);
 }
 

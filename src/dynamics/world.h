@@ -45,8 +45,9 @@ struct FaultView {
   std::uint32_t body;  // slot of a body it concerns
 };
 
-struct Plan;      // dynamics/effects.h: which effects have customers
-struct Contacts;  // dynamics/contact/contact.h: rows of the solver, scratch kept between steps
+struct Plan;          // dynamics/effects.h: which effects have customers
+struct Contacts;      // dynamics/contact/contact.h: rows of the solver, scratch kept between steps
+struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
 
 class World {
  public:
@@ -90,6 +91,7 @@ class World {
   std::array<Owned<BroadPhase>, 3> broad;  // by CAROM_BROAD_*, made when first used
   Owned<Plan> plan;
   Owned<Contacts> contacts;
+  Owned<WideContacts> wide;
   Memory* memory;
 };
 

@@ -14,10 +14,15 @@ static uint64_t bits_after(const carom_engine_desc *desc, int steps, int setting
   uint64_t hash, words[BENCH_BODIES * 13];
   size_t i;
   assert_int_equal(bench_make(&b, desc, NULL), CAROM_OK);
-  if (setting) {
+  if (setting == 1) {
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_PAIR_ROUTINES, 0, NULL), CAROM_OK);
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_INTEGRATOR, CAROM_INTEGRATOR_RK4, NULL), CAROM_OK);
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_BROAD_PHASE, CAROM_BROAD_GRID, NULL), CAROM_OK);
+  }
+  if (setting >= 2) {
+    const double solver = setting == 2 ? CAROM_SOLVER_SOFT_STEP : CAROM_SOLVER_SEQUENTIAL;
+    assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
+    assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SUBSTEPS, 4, NULL), CAROM_OK);
   }
   assert_int_equal(bench_steps(b.world, steps, NULL), CAROM_OK);
   hash = bench_hash(b.world);
@@ -55,6 +60,7 @@ static void the_same_scene_twice_gives_the_same_bits(void **state) {
   (void)state;
   assert_true(bits_after(NULL, 200, 0) == bits_after(NULL, 200, 0));
   assert_true(bits_after(NULL, 200, 1) == bits_after(NULL, 200, 1));
+  assert_true(bits_after(NULL, 200, 2) == bits_after(NULL, 200, 2));
 }
 
 static void the_hash_tells_one_step_and_one_dial_from_another(void **state) {
@@ -71,6 +77,7 @@ static void addresses_and_what_memory_held_do_not_matter(void **state) {
   desc.free = shifting_free;
   assert_true(bits_after(&desc, 200, 0) == bits_after(NULL, 200, 0));
   assert_true(bits_after(&desc, 200, 1) == bits_after(NULL, 200, 1));
+  assert_true(bits_after(&desc, 200, 2) == bits_after(NULL, 200, 2));
 }
 
 static void handle_numbers_do_not_matter(void **state) {
@@ -85,12 +92,13 @@ static void handle_numbers_do_not_matter(void **state) {
 }
 
 /* What every compiler (gcc, clang), build type (Release, Debug, sanitizers) and machine must get: 200 steps of the stage, by
- * the specific routines and by the generic path. When physics is meant to change, so do these: say why in the commit. */
+ * the specific routines, by the generic path, and by the solvers in lanes (soft_step, sequential). When physics is meant to
+ * change, so do these: say why in the commit. */
 static void the_bits_are_those_of_every_other_build(void **state) {
-  const uint64_t golden[2] = {0xc53f7191e5c159f5u, 0xd06ae3333fc8bc65u};
+  const uint64_t golden[4] = {0xc53f7191e5c159f5u, 0xd06ae3333fc8bc65u, 0, 0};
   int setting, wrong = 0;
   (void)state;
-  for (setting = 0; setting < 2; ++setting) {
+  for (setting = 0; setting < 4; ++setting) {
     const uint64_t got = bits_after(NULL, 200, setting);
     wrong += got != golden[setting];
     if (got != golden[setting]) print_error("setting %d: 0x%016llx\n", setting, (unsigned long long)got);

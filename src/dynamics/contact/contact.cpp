@@ -175,7 +175,7 @@ void build_rows(World& world, Real h) {
   world.plan->find("restitution")->customers.count = c.bouncing.size();
 }
 
-void measure_approach(World& world, const StepTime&) {
+void measure_closing(World& world, const StepTime&) {
   Contacts& c = *world.contacts;
   for (const std::uint32_t i : c.bouncing) c.geometry[i].approach = closing_speed(world, c.rows[i], c.geometry[i]);
 }

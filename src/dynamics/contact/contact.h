@@ -139,8 +139,8 @@ Real mix(Mix rule_a, Real a, Mix rule_b, Real b);
 /// Rows of this step from the pair table, with last step's impulses matched to them. Allocates all that the rest of the
 /// step needs.
 void build_rows(World& world, Real h);
-/// Stage approach: closing speeds before the forces of this substep, for rows that bounce.
-void measure_approach(World& world, const StepTime& time);
+/// Closing speeds before the forces of this substep, for rows that bounce.
+void measure_closing(World& world, const StepTime& time);
 /// Arms, effective masses, targets and relative velocities for this substep; applies the starting impulses.
 void prepare_rows(World& world, Real h);
 /// Rotation matrices of bodies in contact, after their poses changed.

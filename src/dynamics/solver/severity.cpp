@@ -208,7 +208,9 @@ std::uint64_t over_groups(World& world, Real tolerance, int iterations) {
 
 }  // namespace
 
-void solve_velocities(World& world, const StepTime& time) {
+namespace {
+
+void velocities(World& world, const StepTime& time) {
   Contacts& c = *world.contacts;
   prepare_rows(world, time.h);
   const Dials& dials = world.scene.dials;
@@ -217,7 +219,7 @@ void solve_velocities(World& world, const StepTime& time) {
   for (std::size_t i = 0; i < c.rows.size(); ++i) c.geometry[i].impulse += c.rows[i].p;
 }
 
-void solve_positions(World& world, const StepTime&) {
+void positions(World& world, const StepTime&) {
   Contacts& c = *world.contacts;
   State& s = world.state;
   refresh_rotations(world);
@@ -233,5 +235,9 @@ void solve_positions(World& world, const StepTime&) {
   refresh_rotations(world);
   refresh_separations(world);
 }
+
+}  // namespace
+
+extern constexpr Solver kSeverity = {"severity", true, nullptr, measure_closing, velocities, positions, nullptr};
 
 }  // namespace carom

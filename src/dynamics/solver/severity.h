@@ -18,13 +18,9 @@
 #pragma once
 
 #include "dynamics/contact/contact.h"
+#include "dynamics/solver/solver.h"
 
 namespace carom {
-
-/// Stage solve.
-void solve_velocities(World& world, const StepTime& time);
-/// Stage relax.
-void solve_positions(World& world, const StepTime& time);
 
 /// Severity of a row's velocity, squared (m/s)^2.
 /// @param restitution_speed  m/s, dial

@@ -1,0 +1,58 @@
+// Lanes: four reals that go through the same arithmetic side by side.
+//
+// The width is part of the layout, not of the machine: on SSE2 four lanes are two registers, on AVX2 one. Every lane
+// goes through the same operations in the same order whatever the registers, so results have the same bits anywhere.
+// Everything here is inlined always: a file that includes it may be compiled for a newer machine than the rest, and no
+// copy of a function made for that machine may be left for others to call.
+#pragma once
+
+#include <cstdint>
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"  // how such values are passed between functions: none is
+#endif
+
+namespace carom {
+
+inline constexpr int kLanes = 4;
+
+using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
+using LaneMask = std::int64_t __attribute__((vector_size(kLanes * sizeof(double))));  // 0 or -1 each
+
+#define CAROM_LANES_INLINE [[gnu::always_inline]] inline
+
+CAROM_LANES_INLINE Lanes all(double x) { return Lanes{x, x, x, x}; }
+CAROM_LANES_INLINE Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }   // b where either is no number
+CAROM_LANES_INLINE Lanes smaller(Lanes a, Lanes b) { return a < b ? a : b; }  // likewise
+CAROM_LANES_INLINE Lanes square_root(Lanes a) {
+  return Lanes{__builtin_sqrt(a[0]), __builtin_sqrt(a[1]), __builtin_sqrt(a[2]), __builtin_sqrt(a[3])};
+}
+/// 1 / a, 0 where a is not above 0.
+CAROM_LANES_INLINE Lanes inverse_or_zero(Lanes a) {
+  const LaneMask positive = a > 0;
+  const Lanes inverse = 1 / (positive ? a : all(1));
+  return positive ? inverse : all(0);
+}
+
+/// Four vectors, component by component.
+struct LaneVec {
+  Lanes x, y, z;
+};
+CAROM_LANES_INLINE LaneVec operator+(const LaneVec& a, const LaneVec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+CAROM_LANES_INLINE LaneVec operator-(const LaneVec& a, const LaneVec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+CAROM_LANES_INLINE LaneVec operator*(Lanes s, const LaneVec& a) { return {s * a.x, s * a.y, s * a.z}; }
+CAROM_LANES_INLINE Lanes dot(const LaneVec& a, const LaneVec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+CAROM_LANES_INLINE LaneVec cross(const LaneVec& a, const LaneVec& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Four symmetric matrices.
+struct LaneSymmetric {
+  Lanes xx, xy, xz, yy, yz, zz;
+};
+CAROM_LANES_INLINE LaneVec operator*(const LaneSymmetric& m, const LaneVec& a) {
+  return {m.xx * a.x + m.xy * a.y + m.xz * a.z, m.xy * a.x + m.yy * a.y + m.yz * a.z,
+          m.xz * a.x + m.yz * a.y + m.zz * a.z};
+}
+
+}  // namespace carom

@@ -1,0 +1,69 @@
+// Stage functions of the soft-step solver.
+#include "dynamics/solver/soft_step.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "dynamics/solver/contact_kernels.h"
+
+namespace carom {
+namespace {
+
+void soften(World& world, Real h) {
+  const Dials& dials = world.scene.dials;
+  const Real frequency = std::min(dials[Dial::contact_frequency], 0.25 / h), damping = dials[Dial::contact_damping];
+  const Softness both = softness(frequency, damping, h), one = softness(2 * frequency, damping, h);
+  for (PairLanes& pair : world.wide->pairs)
+    for (int i = 0; i < kLanes; ++i) {
+      const Softness& s = pair.inv_mass_a[i] > 0 && pair.inv_mass_b[i] > 0 ? both : one;
+      pair.bias_rate[i] = s.bias_rate;
+      pair.mass_scale[i] = s.mass_scale;
+      pair.impulse_scale[i] = s.impulse_scale;
+    }
+}
+
+void begin(World& world, const StepTime& time) {
+  pack(world, *world.wide);
+  soften(world, time.h);
+  contact_kernels().prepare(everything(*world.wide));
+}
+
+void velocities(World& world, const StepTime& time) {
+  WideContacts& wide = *world.wide;
+  const ContactKernels& kernels = contact_kernels();
+  const LaneRun run = everything(wide);
+  load_velocities(world, wide);
+  kernels.warm_start(run);
+  kernels.solve(run, 1 / time.h, world.scene.dials[Dial::push_speed]);
+  store_velocities(world, wide);
+  world.report.velocity_impulses += world.contacts->rows.size();
+}
+
+void positions(World& world, const StepTime& time) {
+  WideContacts& wide = *world.wide;
+  load_shifts(world, wide);
+  contact_kernels().relax(everything(wide), 1 / time.h);
+  store_velocities(world, wide);
+  world.report.velocity_impulses += world.contacts->rows.size();
+}
+
+void end(World& world, const StepTime&) {
+  WideContacts& wide = *world.wide;
+  if (!world.contacts->bouncing.empty()) {
+    contact_kernels().bounce(everything(wide), world.scene.dials[Dial::restitution_speed]);
+    store_velocities(world, wide);
+  }
+  unpack(world, wide);
+}
+
+}  // namespace
+
+Softness softness(Real frequency, Real damping, Real h) {
+  const Real w = 2 * std::numbers::pi * frequency, b = 2 * damping + h * w, a = h * w * b;
+  if (!(a > 0)) return {0, 1, 0};  // no spring: the law alone
+  return {w / b, a / (1 + a), 1 / (1 + a)};
+}
+
+extern constexpr Solver kSoftStep = {"soft_step", false, begin, nullptr, velocities, positions, end};
+
+}  // namespace carom

@@ -1,0 +1,28 @@
+// Solvers: how the contacts of a step are answered, one room each over the same rows.
+#pragma once
+
+#include "dynamics/effects.h"
+
+namespace carom {
+
+/// What a solver does at each place of the page; null where it has nothing to do.
+struct Solver {
+  const char* name;
+  bool by_group;                                           // answers each contact group by itself
+  void (*begin)(World& world, const StepTime& time);       // the rows are made, nothing has moved; may allocate
+  void (*approach)(World& world, const StepTime& time);    // before forces act on velocities
+  void (*velocities)(World& world, const StepTime& time);  // before bodies move
+  void (*positions)(World& world, const StepTime& time);   // after
+  void (*end)(World& world, const StepTime& time);         // after the last substep
+};
+
+extern const Solver kSeverity, kSequential, kSoftStep;  // by CAROM_SOLVER_*
+
+/// Stage functions of the page.
+void begin_contacts(World& world, const StepTime& time);
+void measure_approach(World& world, const StepTime& time);
+void solve_velocities(World& world, const StepTime& time);
+void solve_positions(World& world, const StepTime& time);
+void end_contacts(World& world, const StepTime& time);
+
+}  // namespace carom

@@ -1,0 +1,264 @@
+// Rows into lanes and back: colours, buckets, bodies.
+#include "dynamics/solver/wide_contacts.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "dynamics/force/force.h"
+
+namespace carom {
+namespace {
+
+constexpr auto kMaxPoints = static_cast<std::uint32_t>(kPairPoints);
+
+/// Solver bodies: 0 for what no impulse and no host moves, one each for the rest, by ascending slot.
+void number_bodies(const World& world, WideContacts& wide) {
+  const Contacts& c = *world.contacts;
+  const Scene& scene = world.scene;
+  wide.body.assign(scene.bodies.slots(), 0);
+  wide.slot.assign(1, 0);
+  // Kinematic bodies keep their velocity and lend it to those that touch them.
+  for (const Row& row : c.rows)
+    for (const std::uint32_t body : {row.a, row.b})
+      if (scene.type[body] == BodyType::kinematic) wide.body[body] = 1;
+  for (const std::uint32_t body : c.bodies) wide.body[body] = 1;
+  for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
+    if (wide.body[i]) {
+      wide.body[i] = static_cast<std::uint32_t>(wide.slot.size());
+      wide.slot.push_back(i);
+    }
+  const std::size_t n = wide.slot.size();
+  wide.velocity.assign(n, {});
+  wide.shift.assign(n, {});
+  wide.start_x.resize(n), wide.start_q.resize(n);
+  for (std::size_t i = 1; i < n; ++i) {
+    wide.start_x[i] = world.state.x[wide.slot[i]];
+    wide.start_q[i] = world.state.q[wide.slot[i]];
+  }
+}
+
+/// Manifolds from runs of rows of one pair, each with the lowest colour that none of its movable bodies has yet.
+void colour_manifolds(const World& world, WideContacts& wide) {
+  const Contacts& c = *world.contacts;
+  wide.manifolds.clear();
+  wide.colours.assign(wide.slot.size(), 0);
+  for (std::uint32_t i = 0, next; i < c.rows.size(); i = next) {
+    for (next = i + 1; next < c.rows.size() && c.geometry[next].pair == c.geometry[i].pair;) ++next;
+    const Row& row = c.rows[i];
+    std::uint64_t nobody = 0;
+    std::uint64_t& a = row.moves_a ? wide.colours[wide.body[row.a]] : nobody;
+    std::uint64_t& b = row.moves_b ? wide.colours[wide.body[row.b]] : nobody;
+    const auto colour = static_cast<std::uint32_t>(std::countr_one(a | b));  // kColours: none is left
+    if (colour < kColours) a |= std::uint64_t{1} << colour, b |= std::uint64_t{1} << colour;
+    const std::uint32_t points = next - i;
+    wide.manifolds.push_back({i, points, colour * kMaxPoints + points - 1});
+  }
+}
+
+void fill_pair(const World& world, const WideContacts& wide, const Row& row, PairLanes& pair, int lane) {
+  const Contacts& c = *world.contacts;
+  const Scene& scene = world.scene;
+  pair.a[lane] = wide.body[row.a];
+  pair.b[lane] = wide.body[row.b];
+  pair.friction[lane] = row.friction;
+  pair.restitution[lane] = row.restitution;
+  const auto inertia = [&](bool moves, std::uint32_t body, Lanes& inv_mass, LaneSymmetric& inv_inertia) {
+    if (!moves) return;
+    inv_mass[lane] = scene.inv_mass[body];
+    if (!rotates(scene, body)) return;
+    const Mat3& m = c.inv_inertia_w[body];
+    inv_inertia.xx[lane] = m(0, 0), inv_inertia.xy[lane] = m(0, 1), inv_inertia.xz[lane] = m(0, 2);
+    inv_inertia.yy[lane] = m(1, 1), inv_inertia.yz[lane] = m(1, 2), inv_inertia.zz[lane] = m(2, 2);
+  };
+  inertia(row.moves_a, row.a, pair.inv_mass_a, pair.inv_inertia_a);
+  inertia(row.moves_b, row.b, pair.inv_mass_b, pair.inv_inertia_b);
+}
+
+void set(LaneVec& to, int lane, const Vec3& v) { to.x[lane] = v.x(), to.y[lane] = v.y(), to.z[lane] = v.z(); }
+
+Vec3 get(const LaneVec& from, std::uint32_t lane) { return Vec3(from.x[lane], from.y[lane], from.z[lane]); }
+
+/// Where a point is, as a solver sees it: both arms end halfway between the two surface points, for impulses at one
+/// place keep the angular momentum.
+struct Arms {
+  Vec3 a, b;  // m, world axes, from the centres of mass
+  Arms(const World& world, const Row& row, const RowGeometry& g) {
+    const State& s = world.state;
+    const Array<Mat3>& rotation = world.plan->rotation;
+    const Vec3 apart = s.x[row.b] - s.x[row.a];
+    a = 0.5 * (rotation[row.a] * g.l_a + (apart + rotation[row.b] * g.l_b));
+    b = a - apart;
+  }
+};
+
+void fill_point(const World& world, const Row& row, const RowGeometry& g, const Vec3& middle, PointLanes& p, int lane) {
+  const State& s = world.state;
+  const Arms r(world, row, g);
+  const Vec3 u = s.v[row.b] + s.omega[row.b].cross(r.b) - s.v[row.a] - s.omega[row.a].cross(r.a);
+  set(p.n, lane, row.n);
+  set(p.r_a, lane, r.a);
+  set(p.r_b, lane, r.b);
+  p.gap[lane] = p.separation[lane] = g.separation;
+  p.approach[lane] = u.dot(row.n);
+  p.reach[lane] = (r.a - middle).norm();
+  p.p_n[lane] = row.p.dot(row.n);
+}
+
+/// The points of a pair, and its friction at the middle of them, from the impulses its rows start with.
+void fill_points(const World& world, const WideContacts::Manifold& m, PairLanes& pair, PointLanes* points, int lane) {
+  const Contacts& c = *world.contacts;
+  Vec3 middle_a = Vec3::Zero(), middle_b = Vec3::Zero();
+  for (std::uint32_t i = m.row; i < m.row + m.points; ++i) {
+    const Arms r(world, c.rows[i], c.geometry[i]);
+    middle_a += r.a / m.points;
+    middle_b += r.b / m.points;
+  }
+  const Vec3 n = c.rows[m.row].n, t = any_perpendicular(n).normalized();
+  Vec3 force = Vec3::Zero();
+  Real twist = 0;
+  for (std::uint32_t k = 0; k < m.points; ++k) {
+    const Row& row = c.rows[m.row + k];
+    fill_point(world, row, c.geometry[m.row + k], middle_a, points[k], lane);
+    const Vec3 sideways = row.p - row.p.dot(row.n) * row.n;
+    force += sideways;
+    twist += (get(points[k].r_a, static_cast<std::uint32_t>(lane)) - middle_a).cross(sideways).dot(n);
+  }
+  set(pair.n, lane, n);
+  set(pair.t, lane, t);
+  set(pair.r_a, lane, middle_a);
+  set(pair.r_b, lane, middle_b);
+  pair.p_t[lane] = force.dot(t);
+  pair.p_s[lane] = force.dot(n.cross(t));
+  pair.p_w[lane] = twist;
+}
+
+}  // namespace
+
+void pack(World& world, WideContacts& wide) {
+  Contacts& c = *world.contacts;
+  for (const std::uint32_t i : c.bodies)
+    if (rotates(world.scene, i)) {
+      const Mat3& r = world.plan->rotation[i];
+      c.inv_inertia_w[i] = r * world.scene.inv_inertia[i] * r.transpose();
+    }
+  number_bodies(world, wide);
+  colour_manifolds(world, wide);
+
+  // Where each bucket's lanes begin: four pairs share a place, but beyond the colours each has one for itself.
+  constexpr std::uint32_t kBuckets = (kColours + 1) * kMaxPoints, kAlone = kColours * kMaxPoints;
+  wide.buckets.assign(kBuckets, 0);
+  for (const WideContacts::Manifold& m : wide.manifolds) ++wide.buckets[m.bucket];
+  std::uint32_t pairs = 0, points = 0;
+  for (std::uint32_t i = 0; i < kBuckets; ++i) {
+    const std::uint32_t places = i < kAlone ? (wide.buckets[i] + kLanes - 1) / kLanes : wide.buckets[i];
+    wide.buckets[i] = kLanes * pairs;
+    pairs += places;
+    points += places * (i % kMaxPoints + 1);
+  }
+  wide.pairs.assign(pairs, PairLanes{});
+  wide.points.assign(points, PointLanes{});
+  wide.place.resize(c.rows.size());
+
+  for (const WideContacts::Manifold& m : wide.manifolds) {
+    std::uint32_t& next = wide.buckets[m.bucket];  // in lanes
+    const std::uint32_t at = next / kLanes, lane = next % kLanes;
+    next += m.bucket < kAlone ? 1 : kLanes;
+    PairLanes& pair = wide.pairs[at];
+    pair.points = m.points;
+    fill_pair(world, wide, c.rows[m.row], pair, static_cast<int>(lane));
+  }
+  std::uint32_t first = 0;
+  for (PairLanes& pair : wide.pairs) pair.first = first, first += pair.points;
+  // Buckets now end where they were filled to: go through the manifolds once more for their points.
+  for (std::size_t k = wide.manifolds.size(); k-- > 0;) {
+    const WideContacts::Manifold& m = wide.manifolds[k];
+    std::uint32_t& next = wide.buckets[m.bucket];
+    next -= m.bucket < kAlone ? 1 : kLanes;
+    const std::uint32_t at = next / kLanes, lane = next % kLanes;
+    PairLanes& pair = wide.pairs[at];
+    for (std::uint32_t i = 0; i < m.points; ++i) wide.place[m.row + i] = {at, pair.first + i, lane};
+    fill_points(world, m, pair, &wide.points[pair.first], static_cast<int>(lane));
+  }
+}
+
+void load_velocities(const World& world, WideContacts& wide) {
+  const State& s = world.state;
+  for (std::size_t i = 1; i < wide.slot.size(); ++i) {
+    const std::uint32_t slot = wide.slot[i];
+    world.plan->touched[slot] = 0;
+    BodyVelocity& b = wide.velocity[i];
+    for (int k = 0; k < 3; ++k) b.v[k] = s.v[slot][k], b.omega[k] = s.omega[slot][k];
+  }
+}
+
+void store_velocities(World& world, const WideContacts& wide) {
+  State& s = world.state;
+  for (std::size_t i = 1; i < wide.slot.size(); ++i) {
+    const std::uint32_t slot = wide.slot[i];
+    if (!responds(world.scene, s, slot)) continue;
+    const BodyVelocity& b = wide.velocity[i];
+    const Vec3 v(b.v[0], b.v[1], b.v[2]), omega(b.omega[0], b.omega[1], b.omega[2]);
+    if (v == s.v[slot] && omega == s.omega[slot]) continue;
+    s.v[slot] = v, s.omega[slot] = omega;
+    world.plan->touched[slot] = 1;
+  }
+}
+
+void load_shifts(const World& world, WideContacts& wide) {
+  const State& s = world.state;
+  for (std::size_t i = 1; i < wide.slot.size(); ++i) {
+    const Vec3 x = s.x[wide.slot[i]] - wide.start_x[i];
+    const Quat q = s.q[wide.slot[i]] * wide.start_q[i].conjugate();
+    wide.shift[i] = {{x.x(), x.y(), x.z()}, {q.x(), q.y(), q.z()}, q.w()};
+  }
+}
+
+void displace(World& world, const WideContacts& wide) {
+  State& s = world.state;
+  for (std::size_t i = 1; i < wide.slot.size(); ++i) {
+    const std::uint32_t slot = wide.slot[i];
+    if (!responds(world.scene, s, slot)) continue;
+    const BodyVelocity& d = wide.displacement[i];
+    const Vec3 turn(d.omega[0], d.omega[1], d.omega[2]);
+    s.x[slot] += Vec3(d.v[0], d.v[1], d.v[2]);
+    if (turn != Vec3::Zero()) s.q[slot] = normalized(exp_map(turn) * s.q[slot]);
+  }
+}
+
+void unpack(World& world, const WideContacts& wide) {
+  Contacts& c = *world.contacts;
+  const State& s = world.state;
+  refresh_rotations(world);
+  for (std::size_t i = 0; i < c.rows.size(); ++i) {
+    Row& row = c.rows[i];
+    RowGeometry& g = c.geometry[i];
+    const auto [at, point, lane] = wide.place[i];
+    const PairLanes& pair = wide.pairs[at];
+    // A point's part of the pair's friction goes by its load, of the twist by its moment about the middle: summed over
+    // the points both are what they were.
+    Real load = 0, moment = 0, sum = 0, sum_moment = 0;
+    for (std::uint32_t k = 0; k < pair.points; ++k) {
+      const PointLanes& q = wide.points[pair.first + k];
+      const Real reach2 = q.reach[lane] * q.reach[lane];
+      load += q.p_n[lane], moment += q.p_n[lane] * reach2;
+      sum += q.sum_n[lane], sum_moment += q.sum_n[lane] * reach2;
+    }
+    const PointLanes& p = wide.points[point];
+    const Vec3 n = get(pair.n, lane), t = get(pair.t, lane), sideways = n.cross(t);
+    const Vec3 around = n.cross(get(p.r_a, lane) - get(pair.r_a, lane));
+    const auto share = [&](Real p_n, Real all_n, Real all_moment, Real p_t, Real p_s, Real p_w) {
+      Vec3 rub = Vec3::Zero();
+      if (all_n > 0) rub += (p_n / all_n) * (p_t * t + p_s * sideways);
+      if (all_moment > 0) rub += (p_n / all_moment) * p_w * around;
+      return Vec3(p_n * row.n + rub);
+    };
+    row.p = share(p.p_n[lane], load, moment, pair.p_t[lane], pair.p_s[lane], pair.p_w[lane]);
+    g.impulse = share(p.sum_n[lane], sum, sum_moment, pair.sum_t[lane], pair.sum_s[lane], pair.sum_w[lane]);
+    row.bounced = false;
+    const Vec3 r_a = world.plan->rotation[row.a] * g.l_a, r_b = world.plan->rotation[row.b] * g.l_b;
+    row.u = s.v[row.b] + s.omega[row.b].cross(r_b) - s.v[row.a] - s.omega[row.a].cross(r_a);
+  }
+  refresh_separations(world);
+}
+
+}  // namespace carom

@@ -1,0 +1,188 @@
+// The solvers in lanes against what is known without them: springs, friction, momentum, heights.
+#include <vector>
+
+#include "carom_test.h"
+#include "dynamics/solver/soft_step.h"
+#include "world_builder.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+constexpr Real kStep = 1.0 / 60, kGravity = 9.81;
+constexpr Real kSequentialChoice = 1, kSoftStepChoice = 2;  // CAROM_SOLVER_*
+
+Real square(Real x) { return x * x; }
+
+/// A stack of cubes of 1 m on the ground, just touching.
+std::vector<std::uint32_t> stack(TestWorld& t, int count) {
+  t.ground();
+  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  std::vector<std::uint32_t> bodies;
+  for (int i = 0; i < count; ++i) bodies.push_back(t.add(cube, Vec3(0, i + 0.5, 0)));
+  return bodies;
+}
+
+}  // namespace
+
+/// At rest a contact bears a load P with its m, at each of its points the normal mass, by sinking s = P / (m w^2). For
+/// a cube's four corners on what does not move m adds up to the cube's mass, M; between two cubes to half of it.
+/// Contacts with the ground are twice as stiff.
+static void a_stack_sinks_by_what_its_springs_give(void**) {
+  for (const Real frequency : {20.0, 30.0}) {
+    TestWorld t;
+    t.world.set_dial(Dial::solver, kSoftStepChoice);
+    t.world.set_dial(Dial::substeps, 4);
+    t.world.set_dial(Dial::contact_frequency, frequency);
+    constexpr int kCubes = 6;
+    const std::vector<std::uint32_t> cubes = stack(t, kCubes);
+    t.run(1200, kStep);
+    const Real w2 = square(2 * 3.14159265358979 * frequency);
+    Real sunk = kCubes * kGravity / (4 * w2);
+    for (int i = 0; i < kCubes; ++i) {
+      const Vec3 moved = t.world.state.x[cubes[i]] - Vec3(0, i + 0.5, 0);
+      // Springs are linear; what is left of the fall after 20 s and the lean of the stack are below a hundredth of it.
+      assert_true(std::fabs(-moved.y() - sunk) < 0.01 * sunk);
+      sunk += (kCubes - 1 - i) * kGravity / (0.5 * w2);
+    }
+  }
+}
+
+static void softness_is_that_of_a_damped_spring_stepped_implicitly(void**) {
+  // One implicit step of m u' = -c u - k s over h, k = m w^2, c = 2 z m w, from u and s, with s taken at the end:
+  //   u1 = (u - h w^2 s) / (1 + 2 z h w + h^2 w^2)
+  for (const Real h : {1.0 / 60, 1.0 / 240})
+    for (const Real frequency : {5.0, 30.0})
+      for (const Real damping : {0.7, 10.0}) {
+        const Softness soft = softness(frequency, damping, h);
+        const Real w = 2 * 3.14159265358979 * frequency, u = -0.3, s = -0.01;
+        const Real truth = (u - h * w * w * s) / (1 + 2 * damping * h * w + square(h * w));
+        const Real u1 = u - soft.mass_scale * (u + soft.bias_rate * s);  // mass 1, no impulse before
+        assert_true(std::fabs(u1 - truth) < 1e-14);
+      }
+}
+
+static void stacks_of_ten_and_twenty_stand(void**) {
+  struct Case {
+    int cubes;
+    Real substeps, frequency;
+  };
+  for (const Case& c : {Case{10, 4, 30}, Case{20, 8, 60}}) {
+    TestWorld t;
+    t.world.set_dial(Dial::solver, kSoftStepChoice);
+    t.world.set_dial(Dial::substeps, c.substeps);
+    t.world.set_dial(Dial::contact_frequency, c.frequency);
+    const std::vector<std::uint32_t> cubes = stack(t, c.cubes);
+    t.run(1200, kStep);
+    const Vec3 moved = t.world.state.x[cubes.back()] - Vec3(0, c.cubes - 0.5, 0);
+    // Sunk by its springs, as above, and its top still over its foot: half a cube aside would be on its way down.
+    const Real w2 = square(2 * 3.14159265358979 * c.frequency), n = c.cubes;
+    const Real sunk = n * kGravity / (4 * w2) + n * (n - 1) * kGravity / w2;
+    assert_true(std::fabs(-moved.y() - sunk) < 0.05 * sunk);
+    assert_true(std::hypot(moved.x(), moved.z()) < 0.1);
+  }
+}
+
+static void a_sliding_slab_stops_where_friction_says_in_any_direction(void**) {
+  constexpr Real kSpeed = 5, kFriction = 0.5, kWay = kSpeed * kSpeed / (2 * kFriction * kGravity);
+  for (const Real solver : {kSequentialChoice, kSoftStepChoice})
+    for (const Real angle : {0.0, 0.4, 0.8}) {
+      Real error[2];
+      for (int halved = 0; halved < 2; ++halved) {
+        const Real dt = halved ? kStep / 2 : kStep;
+        TestWorld t;
+        t.world.set_dial(Dial::solver, solver);
+        t.world.set_dial(Dial::substeps, 4);
+        const std::uint32_t m = t.material(kFriction, 0);
+        t.ground(m);
+        const std::uint32_t slab =
+            t.add(t.keep(box(Vec3(0.5, 0.1, 0.5))), Vec3(0, 0.1, 0), BodyType::dynamic, Quat::Identity(), m);
+        const Vec3 ahead(std::cos(angle), 0, std::sin(angle)), sideways(-ahead.z(), 0, ahead.x());
+        t.world.set_velocity(slab, kSpeed * ahead, Vec3::Zero());
+        t.run(static_cast<int>(std::lround(2 / dt)), dt);
+        const Vec3 x = t.world.state.x[slab];
+        error[halved] = kWay - x.dot(ahead);
+        // The cone is round: nothing pushes aside. The slab sinks as it slides, unevenly, by less than its spring
+        // gives.
+        assert_true(std::fabs(x.dot(sideways)) < 1e-3);
+        assert_true(t.world.state.v[slab].norm() < 1e-3);
+        // Semi-implicit: every substep moves by the speed at its end, which loses v0 h / 2 in all. Soft contacts lose
+        // less: bodies move between the two sweeps, with part of the friction still to come.
+        const Real lost = kSpeed * dt / 4 / 2;
+        assert_true(error[halved] > 0 && error[halved] < 1.2 * lost);
+      }
+      assert_true(error[1] < 0.7 * error[0]);  // first order, and what it slid while it sank
+    }
+}
+
+static void collisions_keep_the_momentum(void**) {
+  for (const Real solver : {kSequentialChoice, kSoftStepChoice}) {
+    TestWorld t(Vec3::Zero());
+    t.world.set_dial(Dial::solver, solver);
+    t.world.set_dial(Dial::substeps, 4);
+    const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+    const Shape* ball = t.keep(sphere(0.4));
+    std::vector<std::uint32_t> bodies;
+    for (int i = 0; i < 27; ++i) {
+      const Vec3 x(1.2 * (i % 3), 1.2 * (i / 3 % 3), 1.2 * (i / 9));
+      bodies.push_back(t.add(i % 2 ? cube : ball, x));
+      t.world.set_velocity(bodies.back(), -1.5 * (x - Vec3::Constant(1.2)) + Vec3(0.1, 0.2, 0.3), Vec3(1, -2, 0.5));
+    }
+    const auto momentum = [&] {
+      Vec3 sum = Vec3::Zero();
+      for (const std::uint32_t b : bodies) sum += t.world.scene.mass[b] * t.world.state.v[b];
+      return sum;
+    };
+    const auto energy = [&] {
+      Real sum = 0;
+      for (const std::uint32_t b : bodies) {
+        const Vec3 w = t.world.state.q[b].conjugate() * t.world.state.omega[b];
+        sum +=
+            0.5 * t.world.scene.mass[b] * t.world.state.v[b].squaredNorm() + 0.5 * w.dot(t.world.scene.inertia[b] * w);
+      }
+      return sum;
+    };
+    const Vec3 before = momentum();
+    const Real energy_before = energy();
+    std::uint64_t touched = 0;
+    for (int i = 0; i < 120; ++i) t.world.step(kStep), touched += t.world.report.contact_points;
+    assert_true(touched > 100);
+    // Some 1e5 impulses of 1e3 N s at most, each taken from one body and given to another to an ulp.
+    assert_true((momentum() - before).norm() < 1e5 * 1e3 * 2.3e-16);
+    assert_true(energy() < energy_before);  // restitution 0
+  }
+}
+
+static void a_ball_bounces_as_high_as_its_restitution_says(void**) {
+  for (const Real solver : {kSequentialChoice, kSoftStepChoice}) {
+    TestWorld t;
+    t.world.set_dial(Dial::solver, solver);
+    t.world.set_dial(Dial::substeps, 4);
+    const std::uint32_t m = t.material(0, 0.5);
+    t.ground(m);
+    const std::uint32_t ball = t.add(t.keep(sphere(0.1)), Vec3(0, 1.1, 0), BodyType::dynamic, Quat::Identity(), m);
+    Real top = 0;
+    bool down = false;
+    for (int i = 0; i < 50; ++i) {
+      t.world.step(kStep);
+      down |= t.world.state.v[ball].y() > 0;
+      if (down) top = std::max(top, t.world.state.x[ball].y() - 0.1);
+    }
+    // The speed of the impact is that before its step: up to g dt too small, so a height of e^2 falls short by 2 g dt /
+    // v.
+    assert_true(down && top < 0.25 + 0.02 && top > 0.25 * (1 - 2 * 2 * kGravity * kStep / std::sqrt(2 * kGravity)));
+  }
+}
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(a_stack_sinks_by_what_its_springs_give),
+      cmocka_unit_test(softness_is_that_of_a_damped_spring_stepped_implicitly),
+      cmocka_unit_test(stacks_of_ten_and_twenty_stand),
+      cmocka_unit_test(a_sliding_slab_stops_where_friction_says_in_any_direction),
+      cmocka_unit_test(collisions_keep_the_momentum),
+      cmocka_unit_test(a_ball_bounces_as_high_as_its_restitution_says),
+  };
+  return cmocka_run_group_tests_name("oracle/solvers", tests, nullptr, nullptr);
+}
