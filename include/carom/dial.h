@@ -70,6 +70,7 @@ extern "C" {
 #define CAROM_BROAD_BRUTE_FORCE 0u
 #define CAROM_BROAD_SWEEP_AND_PRUNE 1u
 #define CAROM_BROAD_GRID 2u
+#define CAROM_BROAD_TREE 3u
 
 #define CAROM_NARROW_HYBRID 0u  /* van den Bergen: GJK on shapes with a margin shell, EPA only for deep contact; the
                                    shells make every shape larger by the margin */

@@ -26,7 +26,7 @@ NarrowSettings narrow_settings(const Dials& dials) {
 
 BroadPhase& broad_phase(World& world) {
   using Make = Owned<BroadPhase> (*)(Memory*);
-  static constexpr Make kMake[] = {make_brute_force, make_sweep_and_prune, make_uniform_grid};
+  static constexpr Make kMake[] = {make_brute_force, make_sweep_and_prune, make_uniform_grid, make_tree};
   const std::uint32_t choice = world.scene.dials.choice(Dial::broad_phase);
   if (!world.broad[choice]) world.broad[choice] = kMake[choice](world.memory);
   return *world.broad[choice];

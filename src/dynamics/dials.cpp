@@ -10,7 +10,7 @@ constexpr const char* kRotations[] = {"none",         "explicit",  "implicit",  
 constexpr const char* kSolvers[] = {"severity", "sequential", "soft_step"};
 constexpr const char* kSearches[] = {"linear", "heap"};
 constexpr const char* kOffOn[] = {"off", "on"};
-constexpr const char* kBroadPhases[] = {"brute_force", "sweep_and_prune", "grid"};
+constexpr const char* kBroadPhases[] = {"brute_force", "sweep_and_prune", "grid", "tree"};
 constexpr const char* kNarrowPhases[] = {"hybrid", "gjk_epa"};
 constexpr const char* kSimplices[] = {"johnson", "voronoi", "voronoi_last"};
 constexpr const char* kManifolds[] = {"single", "cache", "patch", "clip"};
@@ -50,7 +50,7 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
     choice(Dial::severity_search, "severity_search", "find the most severe contact by scanning all, or from a heap",
            kSearches, 1),
     choice(Dial::groups, "groups", "resolve each contact group by itself, or all contacts as one", kOffOn, 1),
-    choice(Dial::broad_phase, "broad_phase", "which bounds overlap: all pairs, sorted axes, or cells; same answer",
+    choice(Dial::broad_phase, "broad_phase", "which bounds overlap: all pairs, sorted axes, cells, or a tree; same answer",
            kBroadPhases, 1),
     number(Dial::grid_cell, "grid_cell", "m", "cell size of the uniform grid; 0 chooses it from the scene", 0, 1e6, 0),
     number(Dial::contact_distance, "contact_distance", "m", "pairs nearer than this make contacts before they touch", 0,

@@ -88,7 +88,7 @@ class World {
 
   // ---- what stages keep between steps ----
   PairTable pairs;
-  std::array<Owned<BroadPhase>, 3> broad;  // by CAROM_BROAD_*, made when first used
+  std::array<Owned<BroadPhase>, 4> broad;  // by CAROM_BROAD_*, made when first used
   Owned<Plan> plan;
   Owned<Contacts> contacts;
   Owned<WideContacts> wide;

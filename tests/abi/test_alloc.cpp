@@ -54,7 +54,7 @@ void everything_comes_from_the_host_and_goes_back(void**) {
   Bench b;
   assert_int_equal(bench_make(&b, &desc, nullptr), CAROM_OK);
   assert_int_equal(bench_steps(b.world, 100, nullptr), CAROM_OK);
-  for (double choice : {CAROM_BROAD_BRUTE_FORCE, CAROM_BROAD_GRID}) {
+  for (double choice : {CAROM_BROAD_BRUTE_FORCE, CAROM_BROAD_GRID, CAROM_BROAD_TREE}) {
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_BROAD_PHASE, choice, nullptr), CAROM_OK);
     assert_int_equal(bench_steps(b.world, 10, nullptr), CAROM_OK);
   }
@@ -83,7 +83,7 @@ void an_empty_world_costs_kilobytes(void**) {
 void steps_of_a_settled_world_allocate_nothing(void**) {
   Ledger ledger;
   const carom_engine_desc desc = ledger.desc();
-  for (double broad : {CAROM_BROAD_BRUTE_FORCE, CAROM_BROAD_SWEEP_AND_PRUNE, CAROM_BROAD_GRID})
+  for (double broad : {CAROM_BROAD_BRUTE_FORCE, CAROM_BROAD_SWEEP_AND_PRUNE, CAROM_BROAD_GRID, CAROM_BROAD_TREE})
     for (double routines : {0., 1.}) {
       Bench b;
       assert_int_equal(bench_make(&b, &desc, nullptr), CAROM_OK);

@@ -69,5 +69,8 @@ CAROM_BENCH_BROAD(sweep_and_prune, make_sweep_and_prune, scatter)->Range(64, 819
 CAROM_BENCH_BROAD(grid, make_uniform_grid, rest)->Range(64, 8192);
 CAROM_BENCH_BROAD(grid, make_uniform_grid, drift)->Range(64, 8192);
 CAROM_BENCH_BROAD(grid, make_uniform_grid, scatter)->Range(64, 8192);
+CAROM_BENCH_BROAD(tree, make_tree, rest)->Range(64, 8192);
+CAROM_BENCH_BROAD(tree, make_tree, drift)->Range(64, 8192);
+CAROM_BENCH_BROAD(tree, make_tree, scatter)->Range(64, 8192);
 
 }  // namespace

@@ -53,7 +53,7 @@ static void errors_exit_nonzero_and_say_what_to_do(void**) {
       {"run falling --set n", "name=value"},
       {"run falling --n 4 --dt -1", "--dt"},
       {"run falling --n 4 --dial brod_phase=grid", "did you mean 'broad_phase'"},
-      {"run falling --n 4 --dial broad_phase=tree", "brute_force, sweep_and_prune, grid"},
+      {"run falling --n 4 --dial broad_phase=octree", "brute_force, sweep_and_prune, grid, tree"},
       {"run falling --n 4 --dial substeps=0", "what to do"},
       {"run falling --n 4 --gltf motion.obj", ".gltf or .glb"},
       {"run falling --n 4 --gltf /no/such/folder/x.glb", "folder"},

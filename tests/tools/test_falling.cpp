@@ -55,7 +55,8 @@ static void broad_phases_differ_in_time_alone(void**) {
   nobody_is_lost(brute, ended, 200);
   const RunSummary sweep = fall(200, 3, "broad_phase", CAROM_BROAD_SWEEP_AND_PRUNE, ended);
   const RunSummary grid = fall(200, 3, "broad_phase", CAROM_BROAD_GRID, ended);
-  assert_true(brute.hash == sweep.hash && brute.hash == grid.hash);
+  const RunSummary tree = fall(200, 3, "broad_phase", CAROM_BROAD_TREE, ended);
+  assert_true(brute.hash == sweep.hash && brute.hash == grid.hash && brute.hash == tree.hash);
 }
 
 static void every_path_through_the_narrow_phase_keeps_the_heap_in_its_box(void**) {

@@ -17,6 +17,19 @@ inline bool overlap(const Real* a, const Real* b) {
   return (a[0] <= b[3]) & (b[0] <= a[3]) & (a[1] <= b[4]) & (b[1] <= a[4]) & (a[2] <= b[5]) & (b[2] <= a[5]);
 }
 
+/// The same against a box as it is.
+inline bool overlap(const Real* a, const Aabb& b) {
+  return (a[0] <= b.hi.x()) & (b.lo.x() <= a[3]) & (a[1] <= b.hi.y()) & (b.lo.y() <= a[4]) & (a[2] <= b.hi.z()) &
+         (b.lo.z() <= a[5]);
+}
+
+/// Whether `outer` holds all of a box that is not empty.
+inline bool holds(const Aabb& outer, const Aabb& box) {
+  return (outer.lo.x() <= box.lo.x()) & (box.lo.x() <= box.hi.x()) & (box.hi.x() <= outer.hi.x()) &
+         (outer.lo.y() <= box.lo.y()) & (box.lo.y() <= box.hi.y()) & (box.hi.y() <= outer.hi.y()) &
+         (outer.lo.z() <= box.lo.z()) & (box.lo.z() <= box.hi.z()) & (box.hi.z() <= outer.hi.z());
+}
+
 inline void put_six(const Aabb& box, Real* six) {
   six[0] = box.lo.x(), six[1] = box.lo.y(), six[2] = box.lo.z();
   six[3] = box.hi.x(), six[4] = box.hi.y(), six[5] = box.hi.z();

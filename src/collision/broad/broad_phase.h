@@ -14,9 +14,10 @@ struct BroadSettings {
 struct BroadWork {
   std::uint64_t tests = 0;     // pairs of bounds compared
   std::uint64_t swaps = 0;     // neighbours exchanged on an axis (sweep-and-prune)
-  std::uint64_t rebuilds = 0;  // 1: sorted afresh instead of updated (sweep-and-prune)
+  std::uint64_t rebuilds = 0;  // times that all was sorted or built afresh instead of updated (sweep-and-prune, tree)
   std::uint64_t entries = 0;   // cells entered by boxes (grid)
   std::uint64_t large = 0;     // boxes compared with all others (grid)
+  std::uint64_t asked = 0;     // boxes whose partners were looked for (tree)
 };
 
 /// A strategy keeps what it likes from step to step; its answer depends on the table alone.
@@ -41,5 +42,6 @@ class BroadPhase {
 Owned<BroadPhase> make_brute_force(Memory* memory);
 Owned<BroadPhase> make_sweep_and_prune(Memory* memory);
 Owned<BroadPhase> make_uniform_grid(Memory* memory);
+Owned<BroadPhase> make_tree(Memory* memory);
 
 }  // namespace carom

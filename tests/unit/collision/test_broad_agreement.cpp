@@ -11,10 +11,11 @@ using namespace carom::test;
 namespace {
 
 /// All strategies on one scene, step after step.
-struct Trio {
+struct Quartet {
   Owned<BroadPhase> brute = make_brute_force(std::pmr::get_default_resource());
-  Owned<BroadPhase> others[2] = {make_sweep_and_prune(std::pmr::get_default_resource()),
-                                           make_uniform_grid(std::pmr::get_default_resource())};
+  Owned<BroadPhase> others[3] = {make_sweep_and_prune(std::pmr::get_default_resource()),
+                                 make_uniform_grid(std::pmr::get_default_resource()),
+                                 make_tree(std::pmr::get_default_resource())};
   Array<Pair> expected, got;
 
   void agree(const BroadScene& s) {
@@ -61,7 +62,7 @@ void they_agree_over_a_long_random_life_of_a_scene(void**) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     Random random(seed);
     BroadScene s;
-    Trio trio;
+    Quartet quartet;
     const std::uint32_t slots = 120;
     std::vector<Vec3> velocity(slots);
     for (int step = 0; step < 400; ++step) {
@@ -87,8 +88,8 @@ void they_agree_over_a_long_random_life_of_a_scene(void**) {
           velocity[slot] = random.in_cube(0.05);
         }
       }
-      trio.agree(s);
-      most = std::max(most, trio.expected.size());
+      quartet.agree(s);
+      most = std::max(most, quartet.expected.size());
     }
   }
   assert_true(most > 100);  // the boxes did meet
@@ -98,7 +99,7 @@ void they_agree_over_a_long_random_life_of_a_scene(void**) {
 void touching_boxes_with_equal_coordinates_are_pairs_in_all(void**) {
   Random random(7);
   BroadScene s;
-  Trio trio;
+  Quartet quartet;
   for (std::uint32_t i = 0; i < 90; ++i) s.put(i, box_at(Vec3::Zero(), Vec3::Constant(0.5)));
   std::size_t touching = 0;
   for (int step = 0; step < 200; ++step) {
@@ -111,8 +112,8 @@ void touching_boxes_with_equal_coordinates_are_pairs_in_all(void**) {
       }
       s.table.bounds[slot] = box_at(c, half);
     }
-    trio.agree(s);
-    for (const Pair& p : trio.expected)
+    quartet.agree(s);
+    for (const Pair& p : quartet.expected)
       touching += (s.table.bounds[p.a].lo.array() == s.table.bounds[p.b].hi.array()).any();
   }
   assert_true(touching > 1000);
@@ -120,23 +121,23 @@ void touching_boxes_with_equal_coordinates_are_pairs_in_all(void**) {
 
 void a_touch_is_a_pair_and_a_gap_of_one_bit_is_none(void**) {
   BroadScene s;
-  Trio trio;
+  Quartet quartet;
   s.put(0, box_at(Vec3(0, 0, 0), Vec3::Constant(1)));
   s.put(1, box_at(Vec3(2, 0, 0), Vec3::Constant(1)));
   for (int step = 0; step < 3; ++step) {
     s.table.bounds[1].lo.x() = 1;
-    trio.agree(s);
-    assert_int_equal(trio.expected.size(), 1);
+    quartet.agree(s);
+    assert_int_equal(quartet.expected.size(), 1);
     s.table.bounds[1].lo.x() = std::nextafter(1.0, 2.0);
-    trio.agree(s);
-    assert_int_equal(trio.expected.size(), 0);
+    quartet.agree(s);
+    assert_int_equal(quartet.expected.size(), 0);
   }
 }
 
 void unbounded_boxes_pair_with_all_that_they_reach(void**) {
   Random random(3);
   BroadScene s;
-  Trio trio;
+  Quartet quartet;
   Aabb all, below, column;
   all.lo.setConstant(-kInfinity), all.hi.setConstant(kInfinity);
   below = all, below.hi.y() = 0;
@@ -147,28 +148,28 @@ void unbounded_boxes_pair_with_all_that_they_reach(void**) {
     for (std::uint32_t i = 10; i < 50; ++i) s.shift(i, random.in_cube(0.2));
     if (step == 20) s.drop(0);
     if (step == 30) s.put(0, all, false);
-    trio.agree(s);
-    if (step == 30) assert_true(trio.expected.size() >= 40);
+    quartet.agree(s);
+    if (step == 30) assert_true(quartet.expected.size() >= 40);
   }
 }
 
 void nothing_one_box_and_many_identical_boxes_are_no_special_case(void**) {
   BroadScene s;
-  Trio trio;
-  trio.agree(s);
-  assert_int_equal(trio.expected.size(), 0);
+  Quartet quartet;
+  quartet.agree(s);
+  assert_int_equal(quartet.expected.size(), 0);
   s.put(5, box_at(Vec3::Zero(), Vec3::Constant(1)));
-  trio.agree(s);
-  assert_int_equal(trio.expected.size(), 0);
+  quartet.agree(s);
+  assert_int_equal(quartet.expected.size(), 0);
   for (std::uint32_t i = 0; i < 80; ++i) s.put(i, box_at(Vec3(1, 2, 3), Vec3::Constant(1)));
-  trio.agree(s);
-  assert_int_equal(trio.expected.size(), 80 * 79 / 2);
+  quartet.agree(s);
+  assert_int_equal(quartet.expected.size(), 80 * 79 / 2);
   for (std::uint32_t i = 0; i < 80; ++i) s.table.bounds[i] = box_at(Vec3(1, 2, 3), Vec3::Zero());  // points
-  trio.agree(s);
-  assert_int_equal(trio.expected.size(), 80 * 79 / 2);
+  quartet.agree(s);
+  assert_int_equal(quartet.expected.size(), 80 * 79 / 2);
   for (std::uint32_t i = 0; i < 80; ++i) s.drop(i);
-  trio.agree(s);
-  assert_int_equal(trio.expected.size(), 0);
+  quartet.agree(s);
+  assert_int_equal(quartet.expected.size(), 0);
 }
 
 /// Sizes and distances over 600 orders of magnitude, where cell numbers would overflow any integer.
@@ -176,16 +177,16 @@ void scales_from_atoms_to_the_end_of_doubles_are_all_right(void**) {
   Random random(11);
   for (const Real scale : {1e-300, 1e-9, 1e6, 1e18, 1e100, 1e300}) {
     BroadScene s;
-    Trio trio;
+    Quartet quartet;
     for (std::uint32_t i = 0; i < 60; ++i) s.put(i, box_at(scale * random.in_cube(3), Vec3::Constant(0.5 * scale)));
     for (int step = 0; step < 20; ++step) {
       for (std::uint32_t i = 0; i < 60; ++i) s.shift(i, scale * random.in_cube(0.3));
-      trio.agree(s);
-      assert_true(trio.expected.size() > 5);
+      quartet.agree(s);
+      assert_true(quartet.expected.size() > 5);
     }
   }
   BroadScene mixed;  // a metre here, a metre 1e6 m away, a planet, a crumb and an escaped body, all in one scene
-  Trio trio;
+  Quartet quartet;
   for (std::uint32_t i = 0; i < 100; ++i) {
     const Vec3 home = i % 2 ? Vec3(1e6, -1e6, 1e6) : Vec3(-3e6, 2e6, 1);
     mixed.put(i, box_at(home + random.in_cube(2), Vec3::Constant(random.between(0.1, 0.6))));
@@ -195,21 +196,21 @@ void scales_from_atoms_to_the_end_of_doubles_are_all_right(void**) {
   mixed.put(102, box_at(Vec3(1e308, 1e308, -1e308), Vec3::Constant(1)));
   for (int step = 0; step < 20; ++step) {
     for (std::uint32_t i = 0; i < 100; ++i) mixed.shift(i, random.in_cube(0.2));
-    trio.agree(mixed);
-    assert_true(trio.expected.size() > 50);
+    quartet.agree(mixed);
+    assert_true(quartet.expected.size() > 50);
   }
 }
 
 void the_cell_size_never_changes_the_answer(void**) {
   Random random(5);
   BroadScene s;
-  Trio trio;
+  Quartet quartet;
   for (std::uint32_t i = 0; i < 100; ++i) s.put(i, box_at(random.in_cube(4), Vec3::Constant(random.between(0.01, 1))));
   for (const Real cell : {1e-300, 1e-6, 0.01, 0.3, 1.0, 7.0, 1e6, 1e300, kInfinity}) {
     s.settings.grid_cell = cell;
     for (std::uint32_t i = 0; i < 100; ++i) s.shift(i, random.in_cube(0.1));
-    trio.agree(s);
-    assert_true(trio.expected.size() > 50);
+    quartet.agree(s);
+    assert_true(quartet.expected.size() > 50);
   }
 }
 
@@ -217,12 +218,12 @@ void the_cell_size_never_changes_the_answer(void**) {
 void teleports_of_all_boxes_are_right(void**) {
   Random random(13);
   BroadScene s;
-  Trio trio;
+  Quartet quartet;
   for (std::uint32_t i = 0; i < 150; ++i) s.put(i, box_at(random.in_cube(5), Vec3::Constant(0.5)));
   for (int step = 0; step < 60; ++step) {
     for (std::uint32_t i = 0; i < 150; ++i)
       if (step % 3) s.table.bounds[i] = box_at(random.in_cube(5), Vec3::Constant(0.5));
-    trio.agree(s);
+    quartet.agree(s);
   }
 }
 

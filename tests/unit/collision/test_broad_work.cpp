@@ -30,7 +30,7 @@ class Meter final : public std::pmr::memory_resource {
 };
 
 using Maker = Owned<BroadPhase> (*)(Memory*);
-constexpr Maker kMakers[] = {make_brute_force, make_sweep_and_prune, make_uniform_grid};
+constexpr Maker kMakers[] = {make_brute_force, make_sweep_and_prune, make_uniform_grid, make_tree};
 
 /// n boxes on a cubic lattice of pitch 1, each jittered, so that lengths and neighbours are known.
 void lattice(BroadScene& s, Random& random, std::uint32_t side) {

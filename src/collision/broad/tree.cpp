@@ -1,0 +1,349 @@
+// Broad phase by trees of fat boxes: who stays inside its fat box costs one comparison, who leaves it one query.
+//
+// A body's fat box is larger than its bounds by a share of its size, and reaches ahead the way it moves. Pairs of fat
+// boxes that overlap are candidates, kept from step to step in order; a step looks whose bounds have left their fat
+// box, moves those in the tree, asks the tree for their candidates anew, and filters all candidates by the bounds
+// themselves. So the answer never depends on a fat box, nor on what the trees look like.
+//
+// What can move has one tree, what cannot another, and nobody of the second is asked about unless it changes. Unbounded
+// boxes (half-spaces) are in no tree, whose boxes they would all blow up; they are few, and compared with who moved.
+// Where more than a share of a tree's leaves changed, it is built afresh rather than edited leaf by leaf; so it is
+// when a leaf ended too deep. A step costs at most O(n log n), the queries apart, however boxes lie.
+#include <algorithm>
+#include <bit>
+
+#include "collision/broad/box_tree.h"
+#include "collision/broad/broad_phase.h"
+#include "collision/broad/pair_order.h"
+
+namespace carom {
+namespace {
+
+/// By how much a fat box is larger on each side: a share of its extent along that axis, so that a plate stays thin.
+/// Larger: fewer bodies leave their box; smaller: fewer candidates to filter, which about doubles at 0.12.
+constexpr Real kMargin = 0.1;
+/// Not more than this share of the usual size: else something huge would have all crumbs near it for candidates.
+constexpr Real kMost = 0.25;
+/// How many steps ahead a fat box reaches along the mean motion since it was made, up to its own extent.
+constexpr Real kAhead = 6;
+/// Every kReview calls a fat box is compared with the bounds: one whose sides are longer by this factor, as of a body
+/// that was fast and has come to rest, is made anew.
+constexpr std::uint64_t kReview = 32;
+constexpr Real kBloated = 1.5;
+/// Part of the leaves that may change one by one; beyond, building afresh costs less.
+constexpr std::size_t kAfresh = 8;
+
+class Tree final : public BroadPhase {
+ public:
+  explicit Tree(Memory* m)
+      : moving_(m),
+        fixed_(m),
+        kind_(m),
+        owner_(m),
+        changed_(m),
+        fat_(m),
+        from_(m),
+        since_(m),
+        live_(m),
+        asked_(m),
+        gone_(m),
+        wide_(m),
+        leaves_(m),
+        extent_(m),
+        known_(m),
+        fresh_(m),
+        spare_(m),
+        order_(m) {}
+
+  void find_pairs(const Colliders& table, std::uint64_t, const BroadSettings&, Array<Pair>& pairs) override {
+    work_ = {};
+    if (!whole_) forget();
+    whole_ = false;  // stays so if an allocation fails half-way: the next call starts afresh
+    grow(table.slots());
+    ++calls_;
+    const bool muted = take_in(table);
+    if (!asked_.empty() || !gone_.empty()) {
+      settle(table);
+      if (2 * asked_.size() > live_.size())
+        look_at_all();
+      else
+        look_around();
+      work_.asked = asked_.size();
+      level();
+      for (const std::uint32_t slot : asked_) changed_[slot] = 0;
+      for (const std::uint32_t slot : gone_) changed_[slot] = 0;
+    }
+    filter(table, muted, pairs);
+    whole_ = true;
+  }
+
+ private:
+  enum Kind : std::uint8_t { none, wide, wide_fixed, fixed, moving };
+  static bool moves(Kind k) { return k == moving || k == wide; }
+  static bool in_tree(Kind k) { return k >= fixed; }
+  BoxTree& tree(Kind k) { return k == fixed ? fixed_ : moving_; }
+
+  void forget() {
+    moving_.clear(), fixed_.clear();
+    std::fill(kind_.begin(), kind_.end(), none);
+    std::fill(changed_.begin(), changed_.end(), std::uint8_t(0));
+    std::fill(fat_.begin(), fat_.end(), Aabb());
+    live_.clear(), asked_.clear(), gone_.clear(), wide_.clear(), known_.clear();
+  }
+
+  void grow(std::size_t slots) {
+    if (kind_.size() >= slots) return;
+    moving_.grow(slots), fixed_.grow(slots);
+    for (Array<std::uint32_t>* list : {&live_, &asked_, &gone_, &wide_, &leaves_}) list->reserve(2 * slots);
+    owner_.resize(slots), changed_.resize(slots, 0), fat_.resize(slots), from_.resize(slots), since_.resize(slots);
+    kind_.resize(slots, none);  // last: its size says that all have theirs
+  }
+
+  static Kind kind_of(const Colliders& table, std::uint32_t slot) {
+    const Aabb& box = table.bounds[slot];
+    if (is_empty(box)) return none;
+    const bool bounded = (box.hi - box.lo).maxCoeff() < kInfinity;
+    if (table.movable[slot]) return bounded ? moving : wide;
+    return bounded ? fixed : wide_fixed;
+  }
+
+  /// Whose a slot is, and whether that moves.
+  static std::uint64_t owner(const Colliders& table, std::uint32_t slot) {
+    return 2 * std::uint64_t(table.body[slot]) + table.movable[slot];
+  }
+
+  /// Compare the table with what is known of it: who is new, changed, has left its fat box (asked_), or gone (gone_).
+  /// @return whether anybody is muted
+  bool take_in(const Colliders& table) {
+    asked_.clear(), gone_.clear();
+    if (!std::equal(table.live.begin(), table.live.end(), live_.begin(), live_.end())) {
+      std::size_t i = 0;  // both lists are ascending and walked side by side
+      for (const std::uint32_t slot : live_) {
+        while (i < table.live.size() && table.live[i] < slot) ++i;
+        if (i == table.live.size() || table.live[i] != slot) leave(slot);
+      }
+      live_.assign(table.live.begin(), table.live.end());
+    }
+    std::uint8_t muted = 0;
+    for (const std::uint32_t slot : live_) {
+      muted |= table.muted[slot];
+      if ((owner_[slot] == owner(table, slot)) & holds(fat_[slot], table.bounds[slot])) continue;
+      if (is_empty(table.bounds[slot]))
+        leave(slot);
+      else
+        ask(slot);
+    }
+    for (std::size_t i = calls_ % kReview; i < live_.size(); i += kReview)
+      if (bloated(table, live_[i])) ask(live_[i]);
+    return muted;
+  }
+
+  void ask(std::uint32_t slot) { asked_.push_back(slot), changed_[slot] = 1; }
+  void leave(std::uint32_t slot) {
+    if (kind_[slot] != none) gone_.push_back(slot), changed_[slot] = 1;
+  }
+
+  bool bloated(const Colliders& table, std::uint32_t slot) const {
+    if (kind_[slot] != moving || changed_[slot]) return false;
+    const Aabb &fat = fat_[slot], &box = table.bounds[slot];
+    return (fat.hi - fat.lo).sum() > kBloated * (box.hi - box.lo).sum();
+  }
+
+  /// Bring fat boxes and trees up to date with who changed.
+  void settle(const Colliders& table) {
+    std::size_t touched[2] = {0, 0};  // leaves of the fixed and the moving tree that come, go or change
+    const auto touch = [&](Kind k) { touched[k == moving] += in_tree(k); };
+    for (const std::uint32_t slot : gone_) touch(kind_[slot]);
+    for (const std::uint32_t slot : asked_) {
+      const Kind now = kind_of(table, slot);
+      if (now != kind_[slot]) touch(kind_[slot]);
+      touch(now);
+    }
+    const bool afresh[2] = {kAfresh * touched[0] > fixed_.size(), kAfresh * touched[1] > moving_.size()};
+    if (afresh[1]) measure(table);
+
+    bool rewide = false;
+    const auto take_out = [&](std::uint32_t slot) {
+      const Kind k = kind_[slot];
+      rewide |= k == wide || k == wide_fixed;
+      if (in_tree(k) && !afresh[k == moving]) tree(k).remove(slot);
+      kind_[slot] = none;
+      fat_[slot] = Aabb();  // holds nothing
+    };
+    bool deep[2] = {false, false};
+    for (const std::uint32_t slot : gone_) take_out(slot);
+    for (const std::uint32_t slot : asked_) {
+      const bool known = kind_[slot] == moving && owner_[slot] == owner(table, slot);
+      take_out(slot);
+      const Kind now = kind_of(table, slot);
+      fatten(table.bounds[slot], slot, now, known);
+      kind_[slot] = now;
+      owner_[slot] = owner(table, slot);
+      rewide |= !in_tree(now);
+      if (in_tree(now) && !afresh[now == moving]) {
+        const std::size_t depth = tree(now).insert(slot, fat_[slot]);
+        // Three times the depth of a balanced tree, with which halving would still get by, is too deep.
+        deep[now == moving] |= depth > 3 * static_cast<std::size_t>(std::bit_width(tree(now).size())) + 8;
+      }
+    }
+    for (const Kind k : {fixed, moving})
+      if (afresh[k == moving] || deep[k == moving]) rebuild(k);
+    if (!rewide) return;
+    wide_.clear();
+    for (const std::uint32_t slot : live_)
+      if (kind_[slot] != none && !in_tree(kind_[slot])) wide_.push_back(slot);
+  }
+
+  void rebuild(Kind k) {
+    leaves_.clear();
+    for (const std::uint32_t slot : live_)
+      if (kind_[slot] == k) leaves_.push_back(slot);
+    tree(k).build(leaves_, fat_);
+    ++work_.rebuilds;
+  }
+
+  /// The usual size: mean of the longest sides of what moves, the longest twentieth set aside.
+  void measure(const Colliders& table) {
+    extent_.clear();
+    for (const std::uint32_t slot : live_)
+      if (table.movable[slot] && !is_empty(table.bounds[slot])) {
+        const Real extent = (table.bounds[slot].hi - table.bounds[slot].lo).maxCoeff();
+        if (extent < kInfinity) extent_.push_back(extent);
+      }
+    const auto n = static_cast<std::ptrdiff_t>(extent_.size()), kept = n - n / 20;
+    if (kept < n) std::nth_element(extent_.begin(), extent_.begin() + kept, extent_.end());
+    usual_ = 0;  // divided first: the sum of finite numbers may not be finite
+    for (std::ptrdiff_t i = 0; i < kept; ++i) usual_ += extent_[static_cast<std::size_t>(i)] / static_cast<Real>(kept);
+  }
+
+  /// @param known  it was there in the last call, and was a body that moves
+  void fatten(const Aabb& box, std::uint32_t slot, Kind kind, bool known) {
+    Aabb& fat = fat_[slot];
+    fat = box;
+    if (kind != moving) return;
+    const Vec3 center = 0.5 * box.lo + 0.5 * box.hi, extent = box.hi - box.lo;
+    Vec3 motion = Vec3::Zero();  // m a step
+    if (known) motion = (center - from_[slot]) / static_cast<Real>(calls_ - since_[slot]);
+    from_[slot] = center;
+    since_[slot] = calls_;
+    // What crosses its own size in a step leaves any fat box in the next: it gets none.
+    if (!(motion.cwiseAbs().array() <= extent.array()).all()) return;
+    constexpr Real most = std::numeric_limits<Real>::max();
+    for (int k = 0; k < 3; ++k) {
+      const Real margin = std::min(kMargin * extent[k], kMost * usual_);
+      const Real ahead = std::clamp(kAhead * motion[k], -extent[k], extent[k]);
+      fat.lo[k] = std::max(box.lo[k] - margin + std::min(ahead, Real(0)), -most);
+      fat.hi[k] = std::min(box.hi[k] + margin + std::max(ahead, Real(0)), most);
+    }
+  }
+
+  /// The lists change places, so what one has grown to the others get too.
+  void level() {
+    const std::size_t room = std::max({known_.capacity(), spare_.capacity(), fresh_.capacity()});
+    for (Array<Pair>* list : {&known_, &spare_, &fresh_}) list->reserve(room);
+  }
+
+  void add(std::uint32_t a, std::uint32_t b) {
+    if (owner_[a] >> 1 != owner_[b] >> 1) fresh_.push_back({std::min(a, b), std::max(a, b)});
+  }
+
+  /// All candidates of who changed; those of all others stay.
+  void look_around() {
+    fresh_.clear();
+    for (const std::uint32_t slot : asked_) {
+      const Aabb& box = fat_[slot];
+      const auto found = [&](std::uint32_t other) {
+        // Of two that are both asked for, the one with the smaller number finds the other.
+        if (other != slot && !(changed_[other] && other < slot)) add(slot, other);
+      };
+      const bool free = moves(kind_[slot]);
+      work_.tests += moving_.query(box, found) + wide_.size();
+      if (free) work_.tests += fixed_.query(box, found);
+      for (const std::uint32_t other : wide_)
+        if ((free || moves(kind_[other])) && box.overlaps(fat_[other])) found(other);
+    }
+    order_.sort(fresh_, kind_.size());
+    spare_.clear();
+    if (spare_.capacity() < known_.size() + fresh_.size()) spare_.reserve(2 * (known_.size() + fresh_.size()));
+    const Pair* next = fresh_.data();
+    const Pair* const end = next + fresh_.size();
+    for (const Pair& p : known_) {
+      if (changed_[p.a] | changed_[p.b]) continue;
+      while (next < end && *next < p) spare_.push_back(*next++);
+      spare_.push_back(p);
+    }
+    spare_.insert(spare_.end(), next, end);
+    known_.swap(spare_);
+  }
+
+  /// All candidates of all, where most changed.
+  void look_at_all() {
+    fresh_.clear();
+    const auto found = [&](std::uint32_t a, std::uint32_t b) { add(a, b); };
+    work_.tests += moving_.each_pair(found);
+    // The fewer ask the more.
+    const Kind asking = fixed_.size() < moving_.size() ? fixed : moving;
+    BoxTree& other = tree(asking == fixed ? moving : fixed);
+    if (fixed_.size() > 0)
+      for (const std::uint32_t slot : live_)
+        if (kind_[slot] == asking) work_.tests += other.query(fat_[slot], [&](std::uint32_t b) { add(slot, b); });
+    for (std::size_t i = 0; i < wide_.size(); ++i) {
+      const std::uint32_t slot = wide_[i];
+      const bool free = moves(kind_[slot]);
+      const auto beside = [&](std::uint32_t b) { add(slot, b); };
+      work_.tests += moving_.query(fat_[slot], beside) + wide_.size() - i;
+      if (free) work_.tests += fixed_.query(fat_[slot], beside);
+      for (std::size_t j = i + 1; j < wide_.size(); ++j)
+        if ((free || moves(kind_[wide_[j]])) && fat_[slot].overlaps(fat_[wide_[j]])) beside(wide_[j]);
+    }
+    order_.sort(fresh_, kind_.size());
+    known_.swap(fresh_);
+  }
+
+  /// Candidates whose bounds overlap. They stand in order, so a first box is loaded once for all of its partners; and
+  /// whether two boxes overlap is a coin toss, so it moves a counter instead of branching.
+  void filter(const Colliders& table, bool muted, Array<Pair>& pairs) {
+    pairs.resize(known_.size());
+    work_.tests += known_.size();
+    const Aabb* const bounds = table.bounds.data();
+    Pair* out = pairs.data();
+    const Pair* p = known_.data();
+    const Pair* const end = p + known_.size();
+    while (p < end) {
+      const std::uint32_t a = p->a;
+      Real six[6];
+      put_six(bounds[a], six);
+      for (; p < end && p->a == a; ++p) {
+        *out = *p;
+        out += overlap(six, bounds[p->b]);
+      }
+    }
+    pairs.resize(static_cast<std::size_t>(out - pairs.data()));
+    if (muted) std::erase_if(pairs, [&](const Pair& q) { return table.muted[q.a] | table.muted[q.b]; });
+  }
+
+  BoxTree moving_, fixed_;
+  Array<Kind> kind_;                   // [slots] as of the last call
+  Array<std::uint64_t> owner_;         // [slots] see owner()
+  Array<std::uint8_t> changed_;        // [slots] all of its candidates are void
+  Array<Aabb> fat_;                    // [slots] m; the bounds themselves unless it can move
+  Array<Vec3> from_;                   // [slots] m, centre when the fat box was made
+  Array<std::uint64_t> since_;         // [slots] the call in which it was made
+  Array<std::uint32_t> live_;          // slots of the table, ascending
+  Array<std::uint32_t> asked_, gone_;  // of this call
+  Array<std::uint32_t> wide_;          // slots with an unbounded box
+  Array<std::uint32_t> leaves_;        // of a tree to be built
+  Array<Real> extent_;                 // m
+  Array<Pair> known_;                  // candidates, ascending
+  Array<Pair> fresh_, spare_;
+  PairOrder order_;
+  Real usual_ = 0;  // m
+  std::uint64_t calls_ = 0;
+  bool whole_ = false;  // all of the above are those of the last call
+};
+
+}  // namespace
+
+Owned<BroadPhase> make_tree(Memory* memory) { return make_owned<BroadPhase, Tree>(memory, memory); }
+
+}  // namespace carom
