@@ -2,6 +2,7 @@
 #pragma once
 
 #include "collision/colliders.h"
+#include "core/two.h"
 
 namespace carom {
 
@@ -17,11 +18,20 @@ inline bool overlap(const Real* a, const Real* b) {
   return (a[0] <= b[3]) & (b[0] <= a[3]) & (a[1] <= b[4]) & (b[1] <= a[4]) & (a[2] <= b[5]) & (b[2] <= a[5]);
 }
 
-/// The same against a box as it is.
-inline bool overlap(const Real* a, const Aabb& b) {
-  return (a[0] <= b.hi.x()) & (b.lo.x() <= a[3]) & (a[1] <= b.hi.y()) & (b.lo.y() <= a[4]) & (a[2] <= b.hi.z()) &
-         (b.lo.z() <= a[5]);
-}
+/// A box held for many comparisons with others: the same answer, two coordinates at a time.
+class HeldBox {
+ public:
+  explicit HeldBox(const Aabb& box)
+      : lo_xy_(box.lo.data()), lo_yz_(box.lo.data() + 1), hi_xy_(box.hi.data()), hi_yz_(box.hi.data() + 1) {}
+
+  bool overlaps(const Aabb& o) const {
+    const Real *const lo = o.lo.data(), *const hi = o.hi.data();
+    return ((Two(lo) <= hi_xy_) & (Two(lo + 1) <= hi_yz_) & (lo_xy_ <= Two(hi)) & (lo_yz_ <= Two(hi + 1))).both();
+  }
+
+ private:
+  Two lo_xy_, lo_yz_, hi_xy_, hi_yz_;
+};
 
 /// Whether `outer` holds all of a box that is not empty.
 inline bool holds(const Aabb& outer, const Aabb& box) {

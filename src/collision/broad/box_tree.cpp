@@ -37,6 +37,10 @@ std::uint32_t BoxTree::take_node() {
   return node;
 }
 
+void BoxTree::grow_stack() {
+  if (stack_.size() < size_ + 1) stack_.resize(2 * size_ + 1);
+}
+
 void BoxTree::free_node(std::uint32_t node) {
   nodes_[node].parent = free_;
   free_ = node;
@@ -101,6 +105,7 @@ void BoxTree::build(const Array<std::uint32_t>& leaves, const Array<Aabb>& boxes
   }
   root_ = 0;
   size_ = leaves.size();
+  grow_stack();
 }
 
 std::size_t BoxTree::insert(std::uint32_t leaf, const Aabb& box) {
@@ -109,6 +114,7 @@ std::size_t BoxTree::insert(std::uint32_t leaf, const Aabb& box) {
   nodes_[node].child[0] = kNone, nodes_[node].child[1] = leaf;
   leaf_[leaf] = node;
   ++size_;
+  grow_stack();
   if (joint == kNone) {
     nodes_[node].parent = kNone;
     root_ = node;

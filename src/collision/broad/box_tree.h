@@ -42,7 +42,7 @@ class BoxTree {
 
  private:
   template <class Found>
-  std::uint64_t descend(const Real* six, std::uint32_t from, Found&& found);
+  std::uint64_t descend(const HeldBox& box, std::uint32_t from, Found&& found);
 
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   struct Node {
@@ -60,33 +60,37 @@ class BoxTree {
   };
 
   std::uint32_t take_node();
+  void grow_stack();
   void free_node(std::uint32_t node);
   void replace_child(std::uint32_t parent, std::uint32_t from, std::uint32_t to);
 
   Array<Node> nodes_;
   Array<std::uint32_t> leaf_;   // by leaf: its node, or kNone
   Array<Item> items_;           // while building
-  Array<std::uint32_t> stack_;  // of a query
+  Array<std::uint32_t> stack_;  // [leaves + 1] of a query: no way down is longer
   std::uint32_t root_ = kNone, free_ = kNone;
   std::size_t size_ = 0;
 };
 
 template <class Found>
-std::uint64_t BoxTree::descend(const Real* six, std::uint32_t from, Found&& found) {
-  std::uint64_t tests = 0;
-  stack_.clear();
-  stack_.push_back(from);
-  while (!stack_.empty()) {
-    const Node& node = nodes_[stack_.back()];
-    stack_.pop_back();
-    ++tests;
-    if (!overlap(six, node.box)) continue;
+std::uint64_t BoxTree::descend(const HeldBox& box, std::uint32_t from, Found&& found) {
+  std::uint64_t tests = 1;
+  if (!box.overlaps(nodes_[from].box)) return tests;
+  const Node* const nodes = nodes_.data();
+  std::uint32_t* const stack = stack_.data();
+  std::uint32_t* top = stack;
+  *top++ = from;
+  while (top > stack) {
+    const Node& node = nodes[*--top];
     if (node.is_leaf()) {
       found(node.child[1]);
-    } else {
-      stack_.push_back(node.child[1]);
-      stack_.push_back(node.child[0]);
+      continue;
     }
+    tests += 2;
+    *top = node.child[1];
+    top += box.overlaps(nodes[node.child[1]].box);
+    *top = node.child[0];
+    top += box.overlaps(nodes[node.child[0]].box);
   }
   return tests;
 }
@@ -94,9 +98,7 @@ std::uint64_t BoxTree::descend(const Real* six, std::uint32_t from, Found&& foun
 template <class Found>
 std::uint64_t BoxTree::query(const Aabb& box, Found&& found) {
   if (root_ == kNone) return 0;
-  Real six[6];
-  put_six(box, six);
-  return descend(six, root_, found);
+  return descend(HeldBox(box), root_, found);
 }
 
 /// Of two leaves, one is below the first child of the node at which their ways to the root meet: it finds the other.
@@ -106,11 +108,10 @@ std::uint64_t BoxTree::each_pair(Found&& found) {
   for (std::uint32_t leaf = 0; leaf < leaf_.size(); ++leaf) {
     std::uint32_t node = leaf_[leaf];
     if (node == kNone) continue;
-    Real six[6];
-    put_six(nodes_[node].box, six);
+    const HeldBox box(nodes_[node].box);
     for (std::uint32_t above = nodes_[node].parent; above != kNone; node = above, above = nodes_[node].parent)
       if (nodes_[above].child[0] == node)
-        tests += descend(six, nodes_[above].child[1], [&](std::uint32_t other) { found(leaf, other); });
+        tests += descend(box, nodes_[above].child[1], [&](std::uint32_t other) { found(leaf, other); });
   }
   return tests;
 }

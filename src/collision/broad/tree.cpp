@@ -19,17 +19,18 @@
 namespace carom {
 namespace {
 
-/// By how much a fat box is larger on each side: a share of its extent along that axis, so that a plate stays thin.
-/// Larger: fewer bodies leave their box; smaller: fewer candidates to filter, which about doubles at 0.12.
-constexpr Real kMargin = 0.1;
+// A fat box is larger on each side by a share of its extent along that axis, so that a plate stays thin. Every body
+// learns its share: left within kReview steps, the box was too small, and the share doubles; not left for so long, it
+// falls to a third. Larger shares: fewer bodies leave their box; smaller ones: fewer candidates to filter, which are
+// twice the pairs at 0.13.
+constexpr Real kLeast = 0.01, kMost = 0.12, kFirst = 0.06;
+constexpr std::uint64_t kReview = 64;
 /// Not more than this share of the usual size: else something huge would have all crumbs near it for candidates.
-constexpr Real kMost = 0.25;
-/// How many steps ahead a fat box reaches along the mean motion since it was made, up to its own extent.
+constexpr Real kUsual = 0.25;
+/// How many steps ahead a fat box reaches along the motion, up to its own extent.
 constexpr Real kAhead = 6;
-/// Every kReview calls a fat box is compared with the bounds: one whose sides are longer by this factor, as of a body
-/// that was fast and has come to rest, is made anew.
-constexpr std::uint64_t kReview = 32;
-constexpr Real kBloated = 1.5;
+/// A smaller fat box is given if it adds to the bounds less than the old one by this factor: for less, no query.
+constexpr Real kBloated = 1.9;
 /// Part of the leaves that may change one by one; beyond, building afresh costs less.
 constexpr std::size_t kAfresh = 8;
 
@@ -43,6 +44,7 @@ class Tree final : public BroadPhase {
         changed_(m),
         fat_(m),
         from_(m),
+        share_(m),
         since_(m),
         live_(m),
         asked_(m),
@@ -95,7 +97,8 @@ class Tree final : public BroadPhase {
     if (kind_.size() >= slots) return;
     moving_.grow(slots), fixed_.grow(slots);
     for (Array<std::uint32_t>* list : {&live_, &asked_, &gone_, &wide_, &leaves_}) list->reserve(2 * slots);
-    owner_.resize(slots), changed_.resize(slots, 0), fat_.resize(slots), from_.resize(slots), since_.resize(slots);
+    owner_.resize(slots), changed_.resize(slots, 0), fat_.resize(slots), from_.resize(slots), share_.resize(slots),
+        since_.resize(slots);
     kind_.resize(slots, none);  // last: its size says that all have theirs
   }
 
@@ -143,10 +146,20 @@ class Tree final : public BroadPhase {
     if (kind_[slot] != none) gone_.push_back(slot), changed_[slot] = 1;
   }
 
+  static Real calmer(Real share) { return std::max(kLeast, share / 3); }
+
+  /// Whether a box that was not left for long, or that reaches ahead of a body at rest, should shrink.
   bool bloated(const Colliders& table, std::uint32_t slot) const {
-    if (kind_[slot] != moving || changed_[slot]) return false;
-    const Aabb &fat = fat_[slot], &box = table.bounds[slot];
-    return (fat.hi - fat.lo).sum() > kBloated * (box.hi - box.lo).sum();
+    if (kind_[slot] != moving || changed_[slot] || calls_ - since_[slot] < kReview) return false;
+    const Aabb &box = table.bounds[slot], &fat = fat_[slot];
+    const Aabb wanted = fattened(box, motion(box, slot), calmer(share_[slot]));
+    const auto sides = [](const Aabb& x) { return (x.hi - x.lo).sum(); };
+    return sides(fat) - sides(box) > kBloated * (sides(wanted) - sides(box));
+  }
+
+  /// m a step, in the mean since the fat box was made
+  Vec3 motion(const Aabb& box, std::uint32_t slot) const {
+    return (0.5 * box.lo + 0.5 * box.hi - from_[slot]) / static_cast<Real>(calls_ - since_[slot]);
   }
 
   /// Bring fat boxes and trees up to date with who changed.
@@ -168,14 +181,13 @@ class Tree final : public BroadPhase {
       rewide |= k == wide || k == wide_fixed;
       if (in_tree(k) && !afresh[k == moving]) tree(k).remove(slot);
       kind_[slot] = none;
-      fat_[slot] = Aabb();  // holds nothing
     };
     bool deep[2] = {false, false};
-    for (const std::uint32_t slot : gone_) take_out(slot);
+    for (const std::uint32_t slot : gone_) take_out(slot), fat_[slot] = Aabb();  // which holds nothing
     for (const std::uint32_t slot : asked_) {
       const bool known = kind_[slot] == moving && owner_[slot] == owner(table, slot);
-      take_out(slot);
       const Kind now = kind_of(table, slot);
+      take_out(slot);
       fatten(table.bounds[slot], slot, now, known);
       kind_[slot] = now;
       owner_[slot] = owner(table, slot);
@@ -216,25 +228,39 @@ class Tree final : public BroadPhase {
     for (std::ptrdiff_t i = 0; i < kept; ++i) usual_ += extent_[static_cast<std::size_t>(i)] / static_cast<Real>(kept);
   }
 
-  /// @param known  it was there in the last call, and was a body that moves
-  void fatten(const Aabb& box, std::uint32_t slot, Kind kind, bool known) {
-    Aabb& fat = fat_[slot];
-    fat = box;
-    if (kind != moving) return;
-    const Vec3 center = 0.5 * box.lo + 0.5 * box.hi, extent = box.hi - box.lo;
-    Vec3 motion = Vec3::Zero();  // m a step
-    if (known) motion = (center - from_[slot]) / static_cast<Real>(calls_ - since_[slot]);
-    from_[slot] = center;
-    since_[slot] = calls_;
+  /// @param motion  m a step
+  Aabb fattened(const Aabb& box, const Vec3& motion, Real share) const {
+    const Vec3 extent = box.hi - box.lo;
     // What crosses its own size in a step leaves any fat box in the next: it gets none.
-    if (!(motion.cwiseAbs().array() <= extent.array()).all()) return;
+    if (!(motion.cwiseAbs().array() <= extent.array()).all()) return box;
     constexpr Real most = std::numeric_limits<Real>::max();
+    Aabb fat;
     for (int k = 0; k < 3; ++k) {
-      const Real margin = std::min(kMargin * extent[k], kMost * usual_);
+      const Real margin = std::min(share * extent[k], kUsual * usual_);
       const Real ahead = std::clamp(kAhead * motion[k], -extent[k], extent[k]);
       fat.lo[k] = std::max(box.lo[k] - margin + std::min(ahead, Real(0)), -most);
       fat.hi[k] = std::min(box.hi[k] + margin + std::max(ahead, Real(0)), most);
     }
+    return fat;
+  }
+
+  /// @param known  it was there in the last call, and was a body that moves
+  void fatten(const Aabb& box, std::uint32_t slot, Kind kind, bool known) {
+    if (kind != moving) {
+      fat_[slot] = box;
+    } else if (!known) {
+      share_[slot] = kFirst;
+      fat_[slot] = fattened(box, Vec3::Zero(), kFirst);
+    } else {
+      Real& share = share_[slot];
+      if (calls_ - since_[slot] < kReview)
+        share = std::min(kMost, 2 * share);
+      else if (holds(fat_[slot], box))
+        share = calmer(share);
+      fat_[slot] = fattened(box, motion(box, slot), share);
+    }
+    from_[slot] = 0.5 * box.lo + 0.5 * box.hi;
+    since_[slot] = calls_;
   }
 
   /// The lists change places, so what one has grown to the others get too.
@@ -263,17 +289,38 @@ class Tree final : public BroadPhase {
         if ((free || moves(kind_[other])) && box.overlaps(fat_[other])) found(other);
     }
     order_.sort(fresh_, kind_.size());
-    spare_.clear();
-    if (spare_.capacity() < known_.size() + fresh_.size()) spare_.reserve(2 * (known_.size() + fresh_.size()));
-    const Pair* next = fresh_.data();
-    const Pair* const end = next + fresh_.size();
-    for (const Pair& p : known_) {
-      if (changed_[p.a] | changed_[p.b]) continue;
-      while (next < end && *next < p) spare_.push_back(*next++);
-      spare_.push_back(p);
-    }
-    spare_.insert(spare_.end(), next, end);
+    merge();
     known_.swap(spare_);
+  }
+
+  /// Into spare_: what is known of those who did not change, and what is fresh. Both are in order, and in runs of the
+  /// same first slot; most runs have nothing fresh, and then what is left out moves a counter instead of branching.
+  void merge() {
+    spare_.resize(known_.size() + fresh_.size());
+    Pair* out = spare_.data();
+    const Pair *p = known_.data(), *q = fresh_.data();
+    const Pair *const p_end = p + known_.size(), *const q_end = q + fresh_.size();
+    while (p < p_end) {
+      const std::uint32_t a = p->a;
+      while (q < q_end && q->a < a) *out++ = *q++;
+      const bool mixed = q < q_end && q->a == a;
+      if (changed_[a]) {
+        while (p < p_end && p->a == a) ++p;
+      } else if (mixed) {
+        for (; p < p_end && p->a == a; ++p) {
+          while (q < q_end && *q < *p) *out++ = *q++;
+          *out = *p;
+          out += !changed_[p->b];
+        }
+      } else {
+        for (; p < p_end && p->a == a; ++p) {
+          *out = *p;
+          out += !changed_[p->b];
+        }
+      }
+    }
+    out = std::copy(q, q_end, out);
+    spare_.resize(static_cast<std::size_t>(out - spare_.data()));
   }
 
   /// All candidates of all, where most changed.
@@ -311,11 +358,10 @@ class Tree final : public BroadPhase {
     const Pair* const end = p + known_.size();
     while (p < end) {
       const std::uint32_t a = p->a;
-      Real six[6];
-      put_six(bounds[a], six);
+      const HeldBox box(bounds[a]);
       for (; p < end && p->a == a; ++p) {
         *out = *p;
-        out += overlap(six, bounds[p->b]);
+        out += box.overlaps(bounds[p->b]);
       }
     }
     pairs.resize(static_cast<std::size_t>(out - pairs.data()));
@@ -328,6 +374,7 @@ class Tree final : public BroadPhase {
   Array<std::uint8_t> changed_;        // [slots] all of its candidates are void
   Array<Aabb> fat_;                    // [slots] m; the bounds themselves unless it can move
   Array<Vec3> from_;                   // [slots] m, centre when the fat box was made
+  Array<Real> share_;                  // [slots] see kLeast
   Array<std::uint64_t> since_;         // [slots] the call in which it was made
   Array<std::uint32_t> live_;          // slots of the table, ascending
   Array<std::uint32_t> asked_, gone_;  // of this call

@@ -214,6 +214,45 @@ void the_cell_size_never_changes_the_answer(void**) {
   }
 }
 
+/// Clusters that fall, bounce off the floor, calm down and are kicked apart again, for thousands of steps: all that makes
+/// fat boxes grow, reach ahead, shrink and be left.
+void clusters_that_fly_land_and_rest_are_right_for_thousands_of_steps(void**) {
+  Random random(17);
+  BroadScene s;
+  Quartet quartet;
+  const std::uint32_t n = 64;
+  std::vector<Vec3> velocity(n, Vec3::Zero());
+  Aabb floor;
+  floor.lo.setConstant(-kInfinity), floor.hi = Vec3(kInfinity, 0, kInfinity);
+  s.put(n, floor, false);
+  for (std::uint32_t i = 0; i < n; ++i)
+    s.put(i, box_at(3 * Vec3(i % 4, 1, i / 16), Vec3(random.between(0.02, 0.5), random.between(0.02, 0.5), 0.3)));
+  std::size_t most = 0;
+  for (int step = 0; step < 4000; ++step) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      velocity[i].y() -= 0.003;
+      s.shift(i, velocity[i]);
+      if (s.table.bounds[i].lo.y() < 0) {
+        s.shift(i, Vec3(0, -s.table.bounds[i].lo.y(), 0));
+        velocity[i] *= 0.5, velocity[i].y() *= -1;
+      }
+      if (random.below(2000) == 0) {
+        const bool there = std::binary_search(s.table.live.begin(), s.table.live.end(), i);
+        if (there)
+          s.drop(i), s.table.bounds[i] = box_at(3 * random.in_cube(1) + Vec3(0, 5, 0), Vec3::Constant(0.3));
+        else
+          s.put(i, s.table.bounds[i], random.below(4) != 0);
+      }
+      if (random.below(3000) == 0) velocity[i] = random.in_cube(0.9);  // farther than its size, too
+    }
+    if (step % 500 == 250)
+      for (Vec3& v : velocity) v = random.in_cube(0.1) + Vec3(0, 0.1, 0);
+    quartet.agree(s);
+    most = std::max(most, quartet.expected.size());
+  }
+  assert_true(most > n);
+}
+
 /// A crowd that jumps anywhere in every step: what order was kept is worth nothing.
 void teleports_of_all_boxes_are_right(void**) {
   Random random(13);
@@ -239,6 +278,7 @@ int main() {
       cmocka_unit_test(nothing_one_box_and_many_identical_boxes_are_no_special_case),
       cmocka_unit_test(scales_from_atoms_to_the_end_of_doubles_are_all_right),
       cmocka_unit_test(the_cell_size_never_changes_the_answer),
+      cmocka_unit_test(clusters_that_fly_land_and_rest_are_right_for_thousands_of_steps),
       cmocka_unit_test(teleports_of_all_boxes_are_right),
   };
   return cmocka_run_group_tests_name("collision/broad agreement", tests, nullptr, nullptr);

@@ -131,6 +131,102 @@ void the_grid_looks_at_neighbours_only(void**) {
   assert_int_equal(grid->work().entries, entries);
 }
 
+/// Boxes tested by a tree in one call, candidates filtered among them.
+std::uint64_t tests_of(BroadPhase& tree, const BroadScene& s, Array<Pair>& pairs) {
+  tree.find_pairs(s.table, s.generation, s.settings, pairs);
+  return tree.work().tests;
+}
+
+void a_tree_asks_for_nobody_who_stays_about_where_it_was(void**) {
+  Random random(6);
+  BroadScene s;
+  lattice(s, random, 8);
+  const BroadScene home = s;
+  auto tree = make_tree(std::pmr::get_default_resource());
+  Array<Pair> pairs;
+  assert_true(tests_of(*tree, s, pairs) > 0);
+  assert_int_equal(tree->work().asked, 512);
+  assert_int_equal(tree->work().rebuilds, 1);
+  std::uint64_t asked = 0;
+  for (int step = 0; step < 400; ++step) {
+    // 3 mm to and fro: within a hundredth of 0.8 m, the thinnest that a fat box ever gets.
+    for (std::uint32_t i = 0; i < 512; ++i) {
+      s.table.bounds[i] = home.table.bounds[i];
+      s.shift(i, random.in_cube(0.003));
+    }
+    tree->find_pairs(s.table, s.generation, s.settings, pairs);
+    asked += tree->work().asked;
+    assert_int_equal(tree->work().rebuilds, 0);
+  }
+  // Each shrinks from a first share of 0.06 to 0.01 of its extent in two steps, and is asked for in each.
+  assert_int_equal(asked, 2 * 512);
+  assert_true(tree->work().tests <= pairs.size() * 3 / 2);  // hardly a candidate that is no pair
+  s.shift(17, Vec3(3, 0, 0));  // one that leaves is looked for alone, down a few ways of 2 log2 n boxes
+  assert_true(tests_of(*tree, s, pairs) < pairs.size() * 3 / 2 + 16 * 2 * 9);
+  assert_int_equal(tree->work().asked, 1);
+}
+
+/// Steady flight of 8 % of a box a step reaches ahead: it is asked for less than once in 4 steps.
+void a_tree_reaches_ahead_of_what_flies(void**) {
+  Random random(7);
+  BroadScene s;
+  lattice(s, random, 6);
+  auto tree = make_tree(std::pmr::get_default_resource());
+  Array<Pair> pairs;
+  std::uint64_t asked = 0;
+  for (int step = 0; step < 200; ++step) {
+    for (std::uint32_t i = 0; i < 216; ++i) s.shift(i, Vec3(0, -0.064, 0));
+    tree->find_pairs(s.table, s.generation, s.settings, pairs);
+    asked += tree->work().asked;
+  }
+  assert_true(asked < 200 * 216 / 4);
+}
+
+/// What would make a careless tree a list: boxes that come one by one in order, ever larger, or all in one place.
+void a_tree_stays_shallow_whatever_comes_in_whatever_order(void**) {
+  for (int way = 0; way < 3; ++way) {
+    BroadScene s;
+    auto tree = make_tree(std::pmr::get_default_resource());
+    Array<Pair> pairs;
+    std::uint64_t tests = 0, found = 0;
+    const std::uint32_t n = way == 2 ? 300 : 2000;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const Real x = way == 1 ? 10 * std::pow(1.3, i) : i;
+      const Aabb here = box_at(Vec3(1, 2, 3), Vec3::Constant(i % 2 ? 0 : 1e-3));
+      s.put(i, way == 2 ? here : box_at(Vec3(x, 0, 0), Vec3::Constant(0.3)));
+      tests += tests_of(*tree, s, pairs);
+      found += pairs.size();
+    }
+    // In one place, all are pairs of all: a newcomer looks at each of the fewer than 2 i boxes of the tree, and each
+    // pair is filtered in every call. Elsewhere nobody has a pair: each is asked for when it comes and twice more as
+    // its fat box shrinks, down both sides of at most 3 log2 n + 8 levels. A list would take n^2 / 2.
+    print_message("way %d: %.0f boxes tested a newcomer\n", way, static_cast<double>(tests) / n);
+    assert_true(tests <= (way == 2 ? 3 * n * n + found : 3 * n * 2 * (3 * 11 + 8)));
+    assert_int_equal(pairs.size(), way == 2 ? n * (n - 1) / 2 : 0);
+  }
+}
+
+void something_huge_among_crumbs_costs_a_tree_its_own_partners_only(void**) {
+  Random random(8);
+  BroadScene s;
+  const std::uint32_t n = 4000;
+  for (std::uint32_t i = 0; i < n; ++i) s.put(i, box_at(Vec3(i % 64, 0, i / 64), Vec3::Constant(0.1)));
+  s.put(n, box_at(Vec3(32, -501, 32), Vec3(1000, 500, 1000)));  // a metre below them
+  Aabb floor;
+  floor.lo.setConstant(-kInfinity), floor.hi = Vec3(kInfinity, -0.5, kInfinity);
+  s.put(n + 1, floor, false);
+  auto tree = make_tree(std::pmr::get_default_resource());
+  Array<Pair> pairs;
+  tests_of(*tree, s, pairs);
+  assert_int_equal(pairs.size(), 1);  // the huge one reaches the floor
+  for (int step = 0; step < 20; ++step) {
+    s.shift(n, Vec3(0, 1e-3, 0));
+    // All crumbs hang at a distance that is a thousandth of its size: were its fat box a share of that, they would all
+    // be candidates. Its own query goes down no more ways than there are boxes beside it.
+    assert_true(tests_of(*tree, s, pairs) < 200);
+  }
+}
+
 /// The same round walked again and again, from the second on also from the same start: what arrays grew to is enough.
 void the_steady_state_allocates_nothing(void**) {
   for (const Maker make : kMakers) {
@@ -195,6 +291,10 @@ int main() {
       cmocka_unit_test(a_scene_at_rest_costs_no_exchange_and_a_step_of_one_box_few),
       cmocka_unit_test(a_teleport_of_everything_is_sorted_afresh_within_a_budget),
       cmocka_unit_test(the_grid_looks_at_neighbours_only),
+      cmocka_unit_test(a_tree_asks_for_nobody_who_stays_about_where_it_was),
+      cmocka_unit_test(a_tree_reaches_ahead_of_what_flies),
+      cmocka_unit_test(a_tree_stays_shallow_whatever_comes_in_whatever_order),
+      cmocka_unit_test(something_huge_among_crumbs_costs_a_tree_its_own_partners_only),
       cmocka_unit_test(the_steady_state_allocates_nothing),
       cmocka_unit_test(a_failed_allocation_is_thrown_and_the_next_answer_is_right),
   };
