@@ -35,9 +35,12 @@ class HeldBox {
 
 /// Whether `outer` holds all of a box that is not empty.
 inline bool holds(const Aabb& outer, const Aabb& box) {
-  return (outer.lo.x() <= box.lo.x()) & (box.lo.x() <= box.hi.x()) & (box.hi.x() <= outer.hi.x()) &
-         (outer.lo.y() <= box.lo.y()) & (box.lo.y() <= box.hi.y()) & (box.hi.y() <= outer.hi.y()) &
-         (outer.lo.z() <= box.lo.z()) & (box.lo.z() <= box.hi.z()) & (box.hi.z() <= outer.hi.z());
+  const Real *const lo = box.lo.data(), *const hi = box.hi.data();
+  const Real *const least = outer.lo.data(), *const most = outer.hi.data();
+  const Two lo_xy(lo), lo_yz(lo + 1), hi_xy(hi), hi_yz(hi + 1);
+  return ((Two(least) <= lo_xy) & (Two(least + 1) <= lo_yz) & (lo_xy <= hi_xy) & (lo_yz <= hi_yz) &
+          (hi_xy <= Two(most)) & (hi_yz <= Two(most + 1)))
+      .both();
 }
 
 inline void put_six(const Aabb& box, Real* six) {

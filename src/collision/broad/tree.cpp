@@ -130,7 +130,7 @@ class Tree final : public BroadPhase {
     std::uint8_t muted = 0;
     for (const std::uint32_t slot : live_) {
       muted |= table.muted[slot];
-      if ((owner_[slot] == owner(table, slot)) & holds(fat_[slot], table.bounds[slot])) continue;
+      if (owner_[slot] == owner(table, slot) && holds(fat_[slot], table.bounds[slot])) continue;
       if (is_empty(table.bounds[slot]))
         leave(slot);
       else
