@@ -193,6 +193,7 @@ void prepare_rows(World& world, Real h) {
   for (const std::uint32_t i : c.bouncing) {
     const Real speed = closing_speed(world, c.rows[i], c.geometry[i]);
     c.rows[i].force_speed = std::max(Real(0), speed - c.geometry[i].approach);
+    if (c.rows[i].bounced) c.rows[i].p.setZero();  // an impact of the substep before does not come again
     c.rows[i].bounced = false;
   }
   for (std::uint32_t i = 0; i < c.rows.size(); ++i) {

@@ -109,7 +109,7 @@ CAROM_LANES_INLINE void press(Both& both, PointLanes* points, double inv_h, doub
     }
     impulse[k] = p.p_n;
   }
-  const auto visit = [&](std::uint32_t k) [[gnu::always_inline]] {
+  const auto visit = [&](std::uint32_t k) {
     const Lanes next = larger(impulse[k] - (mass[k] * lack[k] + back[k] * impulse[k]), all(0)), d = next - impulse[k];
     impulse[k] = next;
     for (std::uint32_t l = 0; l < n; ++l) lack[l] += pair.coupling[k][l] * d;
