@@ -1,4 +1,4 @@
-// Planes of the triangles around a new point of EPA's polytope, four at a time.
+// Planes of the triangles around a new point of EPA's polytope, a few at a time.
 #pragma once
 
 #include <algorithm>
@@ -7,15 +7,15 @@
 
 namespace carom {
 
-/// Four triangles (rim[i], rim[i + 1], apex), side by side so that a compiler takes them lanes at a time: each number
+/// Six triangles (rim[i], rim[i + 1], apex), side by side so that a compiler takes them lanes at a time: each number
 /// comes from the same operations in the same order, whatever the width.
 struct Fan {
   static constexpr int kFaces = 6;
 
-  Real x[kFaces + 1], y[kFaces + 1], z[kFaces + 1];  // [5] the rim, in: scaled lengths
-  Real nx[kFaces], ny[kFaces], nz[kFaces];           // [4] (rim[i] - apex) x (rim[i + 1] - apex), shortened to 1
-  Real offset[kFaces];                               // [4] smallest of normal . vertex
-  Real clear[kFaces];                                // [4] > 0: the angle at the apex is wide, the triangle no line
+  Real x[kFaces + 1], y[kFaces + 1], z[kFaces + 1];  // [7] the rim, in: scaled lengths
+  Real nx[kFaces], ny[kFaces], nz[kFaces];           // [6] (rim[i] - apex) x (rim[i + 1] - apex), shortened to 1
+  Real offset[kFaces];                               // [6] smallest of normal . vertex
+  Real clear[kFaces];                                // [6] > 0: the angle at the apex is wide, the triangle no line
 
   void set(int i, const Vec3& w) {
     x[i] = w.x();

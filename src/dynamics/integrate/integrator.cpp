@@ -36,7 +36,7 @@ void integrate_position(World& world, const StepTime& time) {
     if (plan.touched[i]) s.q[i] = normalized(exp_map(h * (s.omega[i] - plan.proposal.omega[i])) * s.q[i]);
   };
   const bool carries = plan.rotation_method != nullptr;
-  const auto orient = [&](std::uint32_t i) { carries&& plan.carried[i] ? turn(i) : spin(i); };
+  const auto orient = [&](std::uint32_t i) { (carries && plan.carried[i]) ? turn(i) : spin(i); };
 
   if (!plan.integrator->proposes) {
     plan.linear.each(move);
