@@ -113,7 +113,8 @@ void plan_stages(World& world, Plan& plan) {
   on(Stage::refresh) = on(Stage::observe) = true;
   on(Stage::integrate) = plan.linear.count + plan.rotating.count + plan.kinematic.count > 0;
   on(Stage::broad) = on(Stage::narrow) = on(Stage::group) = on(Stage::solve) = pairs;
-  on(Stage::relax) = pairs && (plan.solver == &kSoftStep || world.scene.dials.whole(Dial::position_iterations) > 0);
+  on(Stage::relax) =
+      pairs && (!plan.solver->counts_positions || world.scene.dials.whole(Dial::position_iterations) > 0);
 }
 
 /// World frame and bounds of a collider. Bounds are grown by half the contact distance, and where a body crosses more

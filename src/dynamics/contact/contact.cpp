@@ -115,8 +115,7 @@ Mat3 velocity_per_impulse(const World& world, const Row& row, const RowMass& m) 
 Real closing_speed(const World& world, const Row& row, const RowGeometry& g) {
   const State& s = world.state;
   const Vec3 r_a = world.plan->rotation[row.a] * g.l_a, r_b = world.plan->rotation[row.b] * g.l_b;
-  const Vec3 u = s.v[row.b] + s.omega[row.b].cross(r_b) - s.v[row.a] - s.omega[row.a].cross(r_a);
-  return -u.dot(row.n);
+  return -relative_velocity(s, row, r_a, r_b).dot(row.n);
 }
 
 /// Let a row's starting impulse act.
@@ -183,12 +182,9 @@ void measure_closing(World& world, const StepTime&) {
 void prepare_rows(World& world, Real h) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
-  const Scene& scene = world.scene;
   const Array<Mat3>& rotation = world.plan->rotation;
-  for (const std::uint32_t i : c.bodies) {
-    world.plan->touched[i] = 0;
-    if (rotates(scene, i)) c.inv_inertia_w[i] = rotation[i] * scene.inv_inertia[i] * rotation[i].transpose();
-  }
+  for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;
+  refresh_inertias(world);
   c.cursor.assign(c.half_begin.begin(), c.half_begin.end());  // scratch: next free half of each body
   for (const std::uint32_t i : c.bouncing) {
     const Real speed = closing_speed(world, c.rows[i], c.geometry[i]);
@@ -214,8 +210,16 @@ void prepare_rows(World& world, Real h) {
   for (std::size_t i = 0; i < c.rows.size(); ++i) {
     Row& row = c.rows[i];
     const RowMass& m = c.mass[i];
-    row.u = s.v[row.b] + s.omega[row.b].cross(m.r_b) - s.v[row.a] - s.omega[row.a].cross(m.r_a);
+    row.u = relative_velocity(s, row, m.r_a, m.r_b);
   }
+}
+
+void refresh_inertias(World& world) {
+  Contacts& c = *world.contacts;
+  const Scene& scene = world.scene;
+  const Array<Mat3>& rotation = world.plan->rotation;
+  for (const std::uint32_t i : c.bodies)
+    if (rotates(scene, i)) c.inv_inertia_w[i] = rotation[i] * scene.inv_inertia[i] * rotation[i].transpose();
 }
 
 void refresh_rotations(World& world) {

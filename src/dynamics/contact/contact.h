@@ -139,6 +139,13 @@ Real mix(Mix rule_a, Real a, Mix rule_b, Real b);
 /// Rows of this step from the pair table, with last step's impulses matched to them. Allocates all that the rest of the
 /// step needs.
 void build_rows(World& world, Real h);
+/// Velocity of B's point relative to A's, from the present state.
+/// @param r_a, r_b  m, world axes, from the centres of mass   @return m/s, world
+inline Vec3 relative_velocity(const State& s, const Row& row, const Vec3& r_a, const Vec3& r_b) {
+  return s.v[row.b] + s.omega[row.b].cross(r_b) - s.v[row.a] - s.omega[row.a].cross(r_a);
+}
+/// inv_inertia_w of bodies in contact, from their present rotation matrices.
+void refresh_inertias(World& world);
 /// Closing speeds before the forces of this substep, for rows that bounce.
 void measure_closing(World& world, const StepTime& time);
 /// Arms, effective masses, targets and relative velocities for this substep; applies the starting impulses.

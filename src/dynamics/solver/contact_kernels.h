@@ -50,4 +50,8 @@ struct ContactKernels {
 /// The widest that this machine has.
 const ContactKernels& contact_kernels();
 
+/// What solvers in lanes begin and end a step with: rows into lanes and their masses; bounces, and impulses back.
+void begin_lanes(World& world);
+void end_lanes(World& world);
+
 }  // namespace carom

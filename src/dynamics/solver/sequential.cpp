@@ -12,9 +12,8 @@ namespace {
 constexpr Real kShare = 0.2;
 
 void begin(World& world, const StepTime&) {
-  pack(world, *world.wide);
+  begin_lanes(world);
   world.wide->displacement.resize(world.wide->velocity.size());
-  contact_kernels().prepare(everything(*world.wide));
 }
 
 void velocities(World& world, const StepTime& time) {
@@ -45,17 +44,10 @@ void positions(World& world, const StepTime&) {
   world.report.position_moves += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
 }
 
-void end(World& world, const StepTime&) {
-  WideContacts& wide = *world.wide;
-  if (!world.contacts->bouncing.empty()) {
-    contact_kernels().bounce(everything(wide), world.scene.dials[Dial::restitution_speed]);
-    store_velocities(world, wide);
-  }
-  unpack(world, wide);
-}
+void end(World& world, const StepTime&) { end_lanes(world); }
 
 }  // namespace
 
-extern constexpr Solver kSequential = {"sequential", false, begin, nullptr, velocities, positions, end};
+extern constexpr Solver kSequential = {"sequential", true, begin, nullptr, velocities, positions, end};
 
 }  // namespace carom

@@ -23,9 +23,8 @@ void soften(World& world, Real h) {
 }
 
 void begin(World& world, const StepTime& time) {
-  pack(world, *world.wide);
+  begin_lanes(world);
   soften(world, time.h);
-  contact_kernels().prepare(everything(*world.wide));
 }
 
 void velocities(World& world, const StepTime& time) {
@@ -47,14 +46,7 @@ void positions(World& world, const StepTime& time) {
   world.report.velocity_impulses += world.contacts->rows.size();
 }
 
-void end(World& world, const StepTime&) {
-  WideContacts& wide = *world.wide;
-  if (!world.contacts->bouncing.empty()) {
-    contact_kernels().bounce(everything(wide), world.scene.dials[Dial::restitution_speed]);
-    store_velocities(world, wide);
-  }
-  unpack(world, wide);
-}
+void end(World& world, const StepTime&) { end_lanes(world); }
 
 }  // namespace
 

@@ -8,7 +8,7 @@ namespace carom {
 /// What a solver does at each place of the page; null where it has nothing to do.
 struct Solver {
   const char* name;
-  bool by_group;                                           // answers each contact group by itself
+  bool counts_positions;  // positions() does as many rounds as position_iterations says: none, if that is 0
   void (*begin)(World& world, const StepTime& time);       // the rows are made, nothing has moved; may allocate
   void (*approach)(World& world, const StepTime& time);    // before forces act on velocities
   void (*velocities)(World& world, const StepTime& time);  // before bodies move

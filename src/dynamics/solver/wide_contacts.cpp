@@ -2,6 +2,7 @@
 #include "dynamics/solver/wide_contacts.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "dynamics/force/force.h"
@@ -82,6 +83,7 @@ Vec3 get(const LaneVec& from, std::uint32_t lane) { return Vec3(from.x[lane], fr
 /// place keep the angular momentum.
 struct Arms {
   Vec3 a, b;  // m, world axes, from the centres of mass
+  Arms() = default;
   Arms(const World& world, const Row& row, const RowGeometry& g) {
     const State& s = world.state;
     const Array<Mat3>& rotation = world.plan->rotation;
@@ -91,15 +93,13 @@ struct Arms {
   }
 };
 
-void fill_point(const World& world, const Row& row, const RowGeometry& g, const Vec3& middle, PointLanes& p, int lane) {
-  const State& s = world.state;
-  const Arms r(world, row, g);
-  const Vec3 u = s.v[row.b] + s.omega[row.b].cross(r.b) - s.v[row.a] - s.omega[row.a].cross(r.a);
+void fill_point(const State& s, const Row& row, const RowGeometry& g, const Arms& r, const Vec3& middle, PointLanes& p,
+                int lane) {
   set(p.n, lane, row.n);
   set(p.r_a, lane, r.a);
   set(p.r_b, lane, r.b);
   p.gap[lane] = p.separation[lane] = g.separation;
-  p.approach[lane] = u.dot(row.n);
+  p.approach[lane] = relative_velocity(s, row, r.a, r.b).dot(row.n);
   p.reach[lane] = (r.a - middle).norm();
   p.p_n[lane] = row.p.dot(row.n);
 }
@@ -107,21 +107,22 @@ void fill_point(const World& world, const Row& row, const RowGeometry& g, const 
 /// The points of a pair, and its friction at the middle of them, from the impulses its rows start with.
 void fill_points(const World& world, const WideContacts::Manifold& m, PairLanes& pair, PointLanes* points, int lane) {
   const Contacts& c = *world.contacts;
+  std::array<Arms, kMaxPoints> arms;
   Vec3 middle_a = Vec3::Zero(), middle_b = Vec3::Zero();
-  for (std::uint32_t i = m.row; i < m.row + m.points; ++i) {
-    const Arms r(world, c.rows[i], c.geometry[i]);
-    middle_a += r.a / m.points;
-    middle_b += r.b / m.points;
+  for (std::uint32_t k = 0; k < m.points; ++k) {
+    arms[k] = Arms(world, c.rows[m.row + k], c.geometry[m.row + k]);
+    middle_a += arms[k].a / m.points;
+    middle_b += arms[k].b / m.points;
   }
   const Vec3 n = c.rows[m.row].n, t = any_perpendicular(n).normalized();
   Vec3 force = Vec3::Zero();
   Real twist = 0;
   for (std::uint32_t k = 0; k < m.points; ++k) {
     const Row& row = c.rows[m.row + k];
-    fill_point(world, row, c.geometry[m.row + k], middle_a, points[k], lane);
+    fill_point(world.state, row, c.geometry[m.row + k], arms[k], middle_a, points[k], lane);
     const Vec3 sideways = row.p - row.p.dot(row.n) * row.n;
     force += sideways;
-    twist += (get(points[k].r_a, static_cast<std::uint32_t>(lane)) - middle_a).cross(sideways).dot(n);
+    twist += (arms[k].a - middle_a).cross(sideways).dot(n);
   }
   set(pair.n, lane, n);
   set(pair.t, lane, t);
@@ -136,11 +137,7 @@ void fill_points(const World& world, const WideContacts::Manifold& m, PairLanes&
 
 void pack(World& world, WideContacts& wide) {
   Contacts& c = *world.contacts;
-  for (const std::uint32_t i : c.bodies)
-    if (rotates(world.scene, i)) {
-      const Mat3& r = world.plan->rotation[i];
-      c.inv_inertia_w[i] = r * world.scene.inv_inertia[i] * r.transpose();
-    }
+  refresh_inertias(world);
   number_bodies(world, wide);
   colour_manifolds(world, wide);
 
@@ -181,7 +178,7 @@ void pack(World& world, WideContacts& wide) {
   }
 }
 
-void load_velocities(const World& world, WideContacts& wide) {
+void load_velocities(World& world, WideContacts& wide) {
   const State& s = world.state;
   for (std::size_t i = 1; i < wide.slot.size(); ++i) {
     const std::uint32_t slot = wide.slot[i];
@@ -256,7 +253,7 @@ void unpack(World& world, const WideContacts& wide) {
     g.impulse = share(p.sum_n[lane], sum, sum_moment, pair.sum_t[lane], pair.sum_s[lane], pair.sum_w[lane]);
     row.bounced = false;
     const Vec3 r_a = world.plan->rotation[row.a] * g.l_a, r_b = world.plan->rotation[row.b] * g.l_b;
-    row.u = s.v[row.b] + s.omega[row.b].cross(r_b) - s.v[row.a] - s.omega[row.a].cross(r_a);
+    row.u = relative_velocity(s, row, r_a, r_b);
   }
   refresh_separations(world);
 }

@@ -111,7 +111,7 @@ inline constexpr std::uint32_t kColours = 64;
 void pack(World& world, WideContacts& wide);
 /// Bodies' velocities from the state, and back. The first marks all bodies as untouched, the second those that a solver
 /// moved as touched.
-void load_velocities(const World& world, WideContacts& wide);
+void load_velocities(World& world, WideContacts& wide);
 void store_velocities(World& world, const WideContacts& wide);
 /// How far bodies have come, from the state.
 void load_shifts(const World& world, WideContacts& wide);
