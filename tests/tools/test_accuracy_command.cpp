@@ -1,5 +1,4 @@
 // `carom accuracy` as a person meets it: what it lists, what it prints, its table, and its exit codes.
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -11,28 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "carom_test.h"
+#include "carom_command.h"
+
+using command_test::Outcome, command_test::run_carom;
 
 namespace {
 
-struct Outcome {
-  int code;
-  std::string text;  // stdout and stderr
-  bool says(const std::string& what) const { return text.find(what) != std::string::npos; }
-};
-
-Outcome carom(const std::string& arguments) {
-  const std::string line =
-      std::string(CAROM_COMMAND) + " --plugins " + CAROM_PLUGIN_DIR + " accuracy " + arguments + " 2>&1";
-  FILE* pipe = popen(line.c_str(), "r");
-  assert_non_null(pipe);
-  Outcome outcome{};
-  char buffer[4096];
-  for (std::size_t n; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) outcome.text.append(buffer, n);
-  const int status = pclose(pipe);
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return outcome;
-}
+Outcome carom(const std::string& arguments) { return run_carom("accuracy " + arguments); }
 
 std::vector<std::string> cells(const std::string& line) {  // commas inside quotes belong to a cell
   std::vector<std::string> list(1);

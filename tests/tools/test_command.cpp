@@ -1,32 +1,16 @@
 // The `carom` command as a person meets it: exit codes, errors that say what to do, `carom check` on liars.
-#include <sys/wait.h>
-
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "carom_test.h"
+#include "carom_command.h"
+
+using command_test::Outcome, command_test::run_carom;
 
 namespace {
 
-struct Outcome {
-  int code;
-  std::string text;  // stdout and stderr
-};
-
-Outcome carom(const std::string& arguments, bool errors_too = true) {
-  const std::string line = std::string(CAROM_COMMAND) + " --plugins " + CAROM_PLUGIN_DIR + " " + arguments +
-                           (errors_too ? " 2>&1" : " 2>/dev/null");
-  FILE* pipe = popen(line.c_str(), "r");
-  assert_non_null(pipe);
-  Outcome outcome{};
-  char buffer[4096];
-  for (std::size_t n; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) outcome.text.append(buffer, n);
-  const int status = pclose(pipe);
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return outcome;
-}
+Outcome carom(const std::string& arguments, bool errors_too = true) { return run_carom(arguments, errors_too); }
 
 bool says(const Outcome& o, const std::string& text) { return o.text.find(text) != std::string::npos; }
 
