@@ -19,8 +19,10 @@ namespace carom {
 
 inline constexpr int kLanes = 4;
 
-using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
-using LaneMask = std::int64_t __attribute__((vector_size(kLanes * sizeof(double))));  // 0 or -1 each
+// Aligned by hand: compilers align them by the widest registers that they know of, and layouts must not differ.
+using Lanes = double __attribute__((vector_size(kLanes * sizeof(double)), aligned(kLanes * sizeof(double))));
+using LaneMask =
+    std::int64_t __attribute__((vector_size(kLanes * sizeof(double)), aligned(kLanes * sizeof(double))));  // 0 or -1
 
 #define CAROM_LANES_INLINE [[gnu::always_inline]] inline
 
@@ -36,6 +38,45 @@ CAROM_LANES_INLINE Lanes inverse_or_zero(Lanes a) {
   const Lanes inverse = 1 / (positive ? a : all(1));
   return positive ? inverse : all(0);
 }
+
+/// Two numbers of each of four rows as two lanes, and back.
+///   first[i] = row[i][0], second[i] = row[i][1]
+struct LanePair {
+  Lanes first, second;
+};
+using Half = double __attribute__((vector_size(2 * sizeof(double))));
+#if defined(__AVX__)
+CAROM_LANES_INLINE Half half_at(const double* from) {
+  Half h;
+  __builtin_memcpy(&h, from, sizeof h);
+  return h;
+}
+CAROM_LANES_INLINE LanePair gather(const double* const* row, int at) {
+  const Lanes even = __builtin_shufflevector(half_at(row[0] + at), half_at(row[2] + at), 0, 1, 2, 3),
+              odd = __builtin_shufflevector(half_at(row[1] + at), half_at(row[3] + at), 0, 1, 2, 3);
+  return {__builtin_shufflevector(even, odd, 0, 4, 2, 6), __builtin_shufflevector(even, odd, 1, 5, 3, 7)};
+}
+struct LaneRows {
+  Half row[kLanes];
+  CAROM_LANES_INLINE LaneRows(Lanes first, Lanes second) {
+    const Lanes even = __builtin_shufflevector(first, second, 0, 4, 2, 6),
+                odd = __builtin_shufflevector(first, second, 1, 5, 3, 7);
+    row[0] = __builtin_shufflevector(even, even, 0, 1), row[2] = __builtin_shufflevector(even, even, 2, 3);
+    row[1] = __builtin_shufflevector(odd, odd, 0, 1), row[3] = __builtin_shufflevector(odd, odd, 2, 3);
+  }
+  CAROM_LANES_INLINE void put(int i, double* to) const { __builtin_memcpy(to, &row[i], sizeof row[i]); }
+};
+#else  // compilers take such shuffles apart
+CAROM_LANES_INLINE LanePair gather(const double* const* row, int at) {
+  return {Lanes{row[0][at], row[1][at], row[2][at], row[3][at]},
+          Lanes{row[0][at + 1], row[1][at + 1], row[2][at + 1], row[3][at + 1]}};
+}
+struct LaneRows {
+  Lanes first, second;
+  CAROM_LANES_INLINE LaneRows(Lanes a, Lanes b) : first(a), second(b) {}
+  CAROM_LANES_INLINE void put(int i, double* to) const { to[0] = first[i], to[1] = second[i]; }
+};
+#endif
 
 /// Four vectors, component by component.
 struct LaneVec {

@@ -11,6 +11,9 @@ carom_script_test(arrows)
 if(EXISTS ${PROJECT_SOURCE_DIR}/README.md)
   carom_script_test(readme_paths)
 endif()
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CAROM_SANITIZE)  # sanitizers add symbols of their own
+  carom_script_test(kernels "-DOBJECTS=$<TARGET_OBJECTS:carom_dynamics>")
+endif()
 if(NOT CAROM_SANITIZE)  # a client without the sanitizer cannot load a library with it
   carom_script_test(install -DC_COMPILER=${CMAKE_C_COMPILER} -DGENERATOR=${CMAKE_GENERATOR})
 endif()

@@ -1,24 +1,11 @@
 // Arithmetic of contacts in lanes, compiled once for each width of registers.
 #pragma once
 
-#include <cstddef>
+#include <span>
 
-#include "dynamics/solver/wide_contacts.h"
+#include "dynamics/solver/contact_lanes.h"
 
 namespace carom {
-
-/// A run of pairs with their points and all bodies.
-struct LaneRun {
-  PairLanes* pairs;
-  std::size_t count;
-  PointLanes* points;
-  BodyVelocity* velocity;
-  const BodyShift* shift;
-};
-
-inline LaneRun everything(WideContacts& wide) {
-  return {wide.pairs.data(), wide.pairs.size(), wide.points.data(), wide.velocity.data(), wide.shift.data()};
-}
 
 /// The same functions for one width; same bits from each.
 struct ContactKernels {
@@ -47,11 +34,9 @@ struct ContactKernels {
   void (*bounce)(const LaneRun& run, double speed);
 };
 
-/// The widest that this machine has.
+/// The widest that this machine has: what a world starts with. A test gives WideContacts::kernels another.
 const ContactKernels& contact_kernels();
-
-/// What solvers in lanes begin and end a step with: rows into lanes and their masses; bounces, and impulses back.
-void begin_lanes(World& world);
-void end_lanes(World& world);
+/// All that this machine can run, the baseline first.
+std::span<const ContactKernels* const> all_contact_kernels();
 
 }  // namespace carom

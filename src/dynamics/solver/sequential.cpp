@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "dynamics/solver/contact_kernels.h"
+#include "dynamics/solver/wide_contacts.h"
 
 namespace carom {
 namespace {
@@ -18,7 +18,7 @@ void begin(World& world, const StepTime&) {
 
 void velocities(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
-  const ContactKernels& kernels = contact_kernels();
+  const ContactKernels& kernels = *wide.kernels;
   const LaneRun run = everything(wide);
   load_velocities(world, wide);
   kernels.warm_start(run);
@@ -31,7 +31,7 @@ void velocities(World& world, const StepTime& time) {
 
 void positions(World& world, const StepTime&) {
   WideContacts& wide = *world.wide;
-  const ContactKernels& kernels = contact_kernels();
+  const ContactKernels& kernels = *wide.kernels;
   load_shifts(world, wide);
   LaneRun run = everything(wide);
   kernels.measure(run);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "dynamics/solver/contact_kernels.h"
+#include "dynamics/solver/wide_contacts.h"
 
 namespace carom {
 namespace {
@@ -29,7 +29,7 @@ void begin(World& world, const StepTime& time) {
 
 void velocities(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
-  const ContactKernels& kernels = contact_kernels();
+  const ContactKernels& kernels = *wide.kernels;
   const LaneRun run = everything(wide);
   load_velocities(world, wide);
   kernels.warm_start(run);
@@ -41,7 +41,7 @@ void velocities(World& world, const StepTime& time) {
 void positions(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
   load_shifts(world, wide);
-  contact_kernels().relax(everything(wide), 1 / time.h);
+  wide.kernels->relax(everything(wide), 1 / time.h);
   store_velocities(world, wide);
   world.report.velocity_impulses += world.contacts->rows.size();
 }

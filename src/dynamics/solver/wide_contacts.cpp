@@ -52,7 +52,7 @@ void colour_manifolds(const World& world, WideContacts& wide) {
     const auto colour = static_cast<std::uint32_t>(std::countr_one(a | b));  // kColours: none is left
     if (colour < kColours) a |= std::uint64_t{1} << colour, b |= std::uint64_t{1} << colour;
     const std::uint32_t points = next - i;
-    wide.manifolds.push_back({i, points, colour * kMaxPoints + points - 1});
+    wide.manifolds.push_back({i, points, colour * kMaxPoints + points - 1, 0, 0});
   }
 }
 
@@ -64,10 +64,8 @@ void fill_pair(const World& world, const WideContacts& wide, const Row& row, Pai
   pair.friction[lane] = row.friction;
   pair.restitution[lane] = row.restitution;
   const auto inertia = [&](bool moves, std::uint32_t body, Lanes& inv_mass, LaneSymmetric& inv_inertia) {
-    if (!moves) return;
-    inv_mass[lane] = scene.inv_mass[body];
-    if (!rotates(scene, body)) return;
-    const Mat3& m = c.inv_inertia_w[body];
+    inv_mass[lane] = moves ? scene.inv_mass[body] : 0;
+    const Mat3 m = moves && rotates(scene, body) ? c.inv_inertia_w[body] : Mat3(Mat3::Zero());
     inv_inertia.xx[lane] = m(0, 0), inv_inertia.xy[lane] = m(0, 1), inv_inertia.xz[lane] = m(0, 2);
     inv_inertia.yy[lane] = m(1, 1), inv_inertia.yz[lane] = m(1, 2), inv_inertia.zz[lane] = m(2, 2);
   };
@@ -102,6 +100,7 @@ void fill_point(const State& s, const Row& row, const RowGeometry& g, const Arms
   p.approach[lane] = relative_velocity(s, row, r.a, r.b).dot(row.n);
   p.reach[lane] = (r.a - middle).norm();
   p.p_n[lane] = row.p.dot(row.n);
+  p.sum_n[lane] = p.most[lane] = p.push[lane] = 0;
 }
 
 /// The points of a pair, and its friction at the middle of them, from the impulses its rows start with.
@@ -131,7 +130,21 @@ void fill_points(const World& world, const WideContacts::Manifold& m, PairLanes&
   pair.p_t[lane] = force.dot(t);
   pair.p_s[lane] = force.dot(n.cross(t));
   pair.p_w[lane] = twist;
+  pair.sum_t[lane] = pair.sum_s[lane] = pair.sum_w[lane] = 0;
 }
+
+/// What the impulses of a pair's points add up to: of the last substep and of the step.
+struct Load {
+  Real all = 0, moment = 0, sum = 0, sum_moment = 0;  // N s, N s m^2
+
+  Load(const PointLanes* points, std::uint32_t count, std::uint32_t lane) {
+    for (const PointLanes* q = points; q < points + count; ++q) {
+      const Real reach2 = q->reach[lane] * q->reach[lane];
+      all += q->p_n[lane], moment += q->p_n[lane] * reach2;
+      sum += q->sum_n[lane], sum_moment += q->sum_n[lane] * reach2;
+    }
+  }
+};
 
 }  // namespace
 
@@ -145,36 +158,35 @@ void pack(World& world, WideContacts& wide) {
   constexpr std::uint32_t kBuckets = (kColours + 1) * kMaxPoints, kAlone = kColours * kMaxPoints;
   wide.buckets.assign(kBuckets, 0);
   for (const WideContacts::Manifold& m : wide.manifolds) ++wide.buckets[m.bucket];
-  std::uint32_t pairs = 0, points = 0;
+  std::uint32_t lanes = 0;
   for (std::uint32_t i = 0; i < kBuckets; ++i) {
-    const std::uint32_t places = i < kAlone ? (wide.buckets[i] + kLanes - 1) / kLanes : wide.buckets[i];
-    wide.buckets[i] = kLanes * pairs;
-    pairs += places;
-    points += places * (i % kMaxPoints + 1);
+    const std::uint32_t begin = lanes, count = wide.buckets[i];
+    lanes += i < kAlone ? (count + kLanes - 1) / kLanes * kLanes : count * kLanes;
+    wide.buckets[i] = begin;
   }
-  wide.pairs.assign(pairs, PairLanes{});
-  wide.points.assign(points, PointLanes{});
-  wide.place.resize(c.rows.size());
-
-  for (const WideContacts::Manifold& m : wide.manifolds) {
-    std::uint32_t& next = wide.buckets[m.bucket];  // in lanes
-    const std::uint32_t at = next / kLanes, lane = next % kLanes;
-    next += m.bucket < kAlone ? 1 : kLanes;
-    PairLanes& pair = wide.pairs[at];
-    pair.points = m.points;
-    fill_pair(world, wide, c.rows[m.row], pair, static_cast<int>(lane));
-  }
-  std::uint32_t first = 0;
-  for (PairLanes& pair : wide.pairs) pair.first = first, first += pair.points;
-  // Buckets now end where they were filled to: go through the manifolds once more for their points.
-  for (std::size_t k = wide.manifolds.size(); k-- > 0;) {
-    const WideContacts::Manifold& m = wide.manifolds[k];
+  wide.pairs.resize(lanes / kLanes);
+  for (WideContacts::Manifold& m : wide.manifolds) {
     std::uint32_t& next = wide.buckets[m.bucket];
-    next -= m.bucket < kAlone ? 1 : kLanes;
-    const std::uint32_t at = next / kLanes, lane = next % kLanes;
-    PairLanes& pair = wide.pairs[at];
-    for (std::uint32_t i = 0; i < m.points; ++i) wide.place[m.row + i] = {at, pair.first + i, lane};
-    fill_points(world, m, pair, &wide.points[pair.first], static_cast<int>(lane));
+    m.pair = next / kLanes, m.lane = next % kLanes;
+    next += m.bucket < kAlone ? 1 : kLanes;
+    wide.pairs[m.pair].points = m.points;
+  }
+  std::uint32_t points = 0;
+  for (PairLanes& pair : wide.pairs) pair.first = points, points += pair.points;
+  wide.points.resize(points);
+  // Lanes that nobody fills are those of nobody; the first lane of a place is always taken, so its bucket is known.
+  for (const WideContacts::Manifold& m : wide.manifolds)
+    if (m.lane == 0 && (m.bucket >= kAlone || wide.buckets[m.bucket] < (m.pair + 1) * kLanes)) {
+      PairLanes& pair = wide.pairs[m.pair];
+      const std::uint32_t first = pair.first;
+      pair = PairLanes{};
+      pair.first = first, pair.points = m.points;
+      std::fill_n(&wide.points[first], m.points, PointLanes{});
+    }
+  for (const WideContacts::Manifold& m : wide.manifolds) {
+    PairLanes& pair = wide.pairs[m.pair];
+    fill_pair(world, wide, c.rows[m.row], pair, static_cast<int>(m.lane));
+    fill_points(world, m, pair, &wide.points[pair.first], static_cast<int>(m.lane));
   }
 }
 
@@ -226,34 +238,33 @@ void unpack(World& world, const WideContacts& wide) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
   refresh_rotations(world);
-  for (std::size_t i = 0; i < c.rows.size(); ++i) {
-    Row& row = c.rows[i];
-    RowGeometry& g = c.geometry[i];
-    const auto [at, point, lane] = wide.place[i];
-    const PairLanes& pair = wide.pairs[at];
+  for (const WideContacts::Manifold& m : wide.manifolds) {
+    const PairLanes& pair = wide.pairs[m.pair];
+    const PointLanes* const points = &wide.points[pair.first];
+    const std::uint32_t lane = m.lane;
+    const Load load(points, m.points, lane);
+    const Vec3 n = get(pair.n, lane), t = get(pair.t, lane), sideways = n.cross(t), middle = get(pair.r_a, lane);
     // A point's part of the pair's friction goes by its load, of the twist by its moment about the middle: summed over
     // the points both are what they were.
-    Real load = 0, moment = 0, sum = 0, sum_moment = 0;
-    for (std::uint32_t k = 0; k < pair.points; ++k) {
-      const PointLanes& q = wide.points[pair.first + k];
-      const Real reach2 = q.reach[lane] * q.reach[lane];
-      load += q.p_n[lane], moment += q.p_n[lane] * reach2;
-      sum += q.sum_n[lane], sum_moment += q.sum_n[lane] * reach2;
-    }
-    const PointLanes& p = wide.points[point];
-    const Vec3 n = get(pair.n, lane), t = get(pair.t, lane), sideways = n.cross(t);
-    const Vec3 around = n.cross(get(p.r_a, lane) - get(pair.r_a, lane));
-    const auto share = [&](Real p_n, Real all_n, Real all_moment, Real p_t, Real p_s, Real p_w) {
+    const auto share = [&](const Vec3& normal, const Vec3& around, Real p_n, Real all_n, Real all_moment, Real p_t,
+                           Real p_s, Real p_w) {
       Vec3 rub = Vec3::Zero();
       if (all_n > 0) rub += (p_n / all_n) * (p_t * t + p_s * sideways);
       if (all_moment > 0) rub += (p_n / all_moment) * p_w * around;
-      return Vec3(p_n * row.n + rub);
+      return Vec3(p_n * normal + rub);
     };
-    row.p = share(p.p_n[lane], load, moment, pair.p_t[lane], pair.p_s[lane], pair.p_w[lane]);
-    g.impulse = share(p.sum_n[lane], sum, sum_moment, pair.sum_t[lane], pair.sum_s[lane], pair.sum_w[lane]);
-    row.bounced = false;
-    const Vec3 r_a = world.plan->rotation[row.a] * g.l_a, r_b = world.plan->rotation[row.b] * g.l_b;
-    row.u = relative_velocity(s, row, r_a, r_b);
+    for (std::uint32_t k = 0; k < m.points; ++k) {
+      Row& row = c.rows[m.row + k];
+      RowGeometry& g = c.geometry[m.row + k];
+      const PointLanes& p = points[k];
+      const Vec3 around = n.cross(get(p.r_a, lane) - middle);
+      row.p = share(row.n, around, p.p_n[lane], load.all, load.moment, pair.p_t[lane], pair.p_s[lane], pair.p_w[lane]);
+      g.impulse = share(row.n, around, p.sum_n[lane], load.sum, load.sum_moment, pair.sum_t[lane], pair.sum_s[lane],
+                        pair.sum_w[lane]);
+      row.bounced = false;
+      const Vec3 r_a = world.plan->rotation[row.a] * g.l_a, r_b = world.plan->rotation[row.b] * g.l_b;
+      row.u = relative_velocity(s, row, r_a, r_b);
+    }
   }
   refresh_separations(world);
 }

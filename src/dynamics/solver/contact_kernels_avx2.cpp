@@ -1,0 +1,11 @@
+// Sweeps for machines with AVX2 (compiled so: src/CMakeLists.txt).
+#include "dynamics/solver/contact_sweeps.h"
+
+#if defined(__AVX2__)
+namespace carom {
+
+extern const ContactKernels kAvx2Kernels;
+constexpr ContactKernels kAvx2Kernels = kernels_named("avx2");
+
+}  // namespace carom
+#endif

@@ -1,0 +1,73 @@
+// Contacts of four pairs side by side, as the kernels see them: plain data.
+//
+// Files that are compiled for newer machines include this and core/wide.h, so neither may have anything that the linker
+// could take for the whole library: no inline function but those that are inlined always, no template of others.
+#pragma once
+
+#include <cstddef>
+
+#include "core/wide.h"
+
+namespace carom {
+
+/// What a solver reads and writes of a body: one cache line. Body 0 is nobody: what does not move has no mass here.
+struct alignas(64) BodyVelocity {
+  double v[3] = {0, 0, 0};      // m/s, world
+  double omega[3] = {0, 0, 0};  // rad/s, world
+  double unused[2] = {0, 0};
+};
+
+/// How far a body has come since the step began.
+struct alignas(64) BodyShift {
+  double x[3] = {0, 0, 0};  // m, world
+  double u[3] = {0, 0, 0};  // axis times sin of half the angle of the turn, world
+  double w = 1;             // cos of half the angle
+  double unused = 0;
+};
+
+/// One point of each of four pairs. Impulses act on B, and on A the other way.
+struct PointLanes {
+  LaneVec n;         // unit, world, A to B
+  LaneVec r_a, r_b;  // m, world axes: from the centres of mass to the point as the step began
+  Lanes gap;         // m, separation as the step began
+  Lanes separation;  // m, now
+  Lanes approach;    // m/s, normal velocity as the step began (negative: closes)
+  Lanes reach;       // m, from the middle of the pair's points
+  Lanes m_n;         // kg, normal impulse per change of velocity; 0: an empty lane
+  Lanes p_n;         // N s, of the present substep
+  Lanes sum_n;       // N s, of the step
+  Lanes most;        // N s, largest p_n of the step
+  Lanes push;        // kg m, of displacements, @see ContactKernels::part
+};
+
+inline constexpr int kPairPoints = 4;
+
+/// Four pairs of one colour. Friction is answered once a pair, at the middle of its points: a force in the plane,
+/// within the disc of radius mu times the normal impulses, and a twist about the normal, within mu times their moments.
+/// The second tangent is n x t.
+struct PairLanes {
+  std::uint32_t a[kLanes], b[kLanes];          // solver bodies; 0: nobody, or nobody that moves
+  std::uint32_t first, points;                 // in WideContacts::points
+  Lanes inv_mass_a, inv_mass_b;                // 1/kg
+  LaneSymmetric inv_inertia_a, inv_inertia_b;  // 1/(kg m^2), world, as the step began
+  LaneVec n, t;                                // unit, world
+  LaneVec r_a, r_b;                            // m, to the middle of the points
+  Lanes friction, restitution;
+  Lanes m_tt, m_ts, m_ss;                      // kg, impulse per change of velocity in the plane
+  Lanes m_w;                                   // kg m^2, likewise of the twist
+  Lanes p_t, p_s, p_w;                         // N s, N m s, of the present substep
+  Lanes sum_t, sum_s, sum_w;                   // of the step
+  Lanes coupling[kPairPoints][kPairPoints];    // 1/kg: normal velocity at one point per normal impulse at another
+  Lanes bias_rate, mass_scale, impulse_scale;  // softness, @see soft_step.h
+};
+
+/// A run of pairs with their points and all bodies.
+struct LaneRun {
+  PairLanes* pairs;
+  std::size_t count;
+  PointLanes* points;
+  BodyVelocity* velocity;
+  const BodyShift* shift;
+};
+
+}  // namespace carom
