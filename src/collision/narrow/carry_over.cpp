@@ -48,7 +48,7 @@ bool carry_over(const Shape& a, const Shape& b, const Frame& b_in_a, Real width,
     if (result.upper - result.lower <= width) break;
   }
   if (!(result.upper - result.lower <= width)) return false;
-  result.normal = difference.normal;
+  result.normal = difference.normal();
   result.point_a = c.point_a;
   result.point_b = c.point_b;
   result.support_calls = difference.calls;

@@ -143,7 +143,7 @@ EpaEnd coaxial(Difference& difference, const Axis& axis, Real gap, int cap, Diff
   const Vec3& up = axis.along;
   const Real slop = 2 * difference.to_scaled(axis.uneven);
   // Of the ring, the point on the side that was looked along so far: bound, normal and witness then belong together.
-  const Vec3 across = difference.normal.dot(up) * up - difference.normal;
+  const Vec3 across = difference.normal().dot(up) * up - difference.normal();
   const Real length = across.norm();
   const Vec3 aside = length > kSideways ? Vec3(across / length) : any_perpendicular(up);
   // Of a flat end every point supports: a look that far from the axis finds the rim on this side, on both shapes.
@@ -151,11 +151,10 @@ EpaEnd coaxial(Difference& difference, const Axis& axis, Real gap, int cap, Diff
   const Vec3 looks[] = {up, (up + lean * aside).normalized(), aside, (-up + lean * aside).normalized(), -up};
   constexpr int kLast = 4;
   const Real lower = difference.lower, upper = difference.upper;
-  const Vec3 normal = difference.normal;
+  const Vec3 normal = difference.normal();
   const auto nothing = [&] {  // what was proved goes with what proved it
-    difference.lower = lower;
+    difference.set_lower(lower, normal);
     difference.upper = upper;
-    difference.normal = normal;
     return EpaEnd::flat;
   };
   Profile profile;
@@ -198,7 +197,7 @@ EpaEnd coaxial(Difference& difference, const Axis& axis, Real gap, int cap, Diff
   if (difference.upper < -inside) return nothing();  // known better before, by other points
 
   // The witness: the point of the profile nearest to where the shortest way out ends.
-  const Vec3 out = difference.lower * difference.normal;
+  const Vec3 out = difference.lower * difference.normal();
   const Real r = aside.dot(out), y = up.dot(out);
   int from = 0;
   Real least = kInfinity, share = 0;
@@ -222,7 +221,7 @@ EpaEnd coaxial(Difference& difference, const Axis& axis, Real gap, int cap, Diff
   Vec3 witness = Vec3::Zero();
   for (int i = 0; i < simplex.count; ++i) witness += simplex.weight[i] * simplex.point[i].w;
   // The pair is one of revolution only nearly: its own points must lie where the bracket says, or EPA has to find some.
-  const Real off = std::fabs(difference.normal.dot(witness) - difference.lower);
+  const Real off = std::fabs(difference.normal().dot(witness) - difference.lower);
   return written && off <= difference.upper - difference.lower + difference.rounding() ? end : nothing();
 }
 

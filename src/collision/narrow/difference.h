@@ -35,11 +35,18 @@ class Difference {
     if (!core_b_.support(n_b, out.b)) return core_b_.blame(n_b, out.b, fault);
     out.w = scale_ * (rotation_ * out.b + offset_ - out.a);
     value = n.dot(out.w);
-    if (value > lower) {
-      lower = value;
-      normal = n;
-    }
+    // Written down beside the best look, which is then the one or the other: nobody can predict which.
+    looks_[1 - best_] = n;
+    best_ ^= value > lower;
+    lower = value > lower ? value : lower;
     return true;
+  }
+  /// The direction that attains the lower bound, unit.
+  const Vec3& normal() const { return looks_[best_]; }
+  /// Back to a bound that was proved before, by that direction.
+  void set_lower(Real bound, const Vec3& by) {
+    lower = bound;
+    looks_[best_] = by;
   }
 
   /// A support point that lies farther along n than a point seen before: one of the two functions is no support
@@ -56,12 +63,13 @@ class Difference {
   Real slack() const { return slack_; }
 
   Real lower = -kInfinity, upper = kInfinity;  // of the cores, scaled, rounding not yet added
-  Vec3 normal = Vec3::UnitX();                 // unit: attains `lower`
   int calls = 0;                               // support evaluations of the difference
   SupportFault fault;
 
  private:
   Core core_a_, core_b_;
+  Vec3 looks_[2] = {Vec3::UnitX(), Vec3::UnitX()};
+  int best_ = 0;  // of the two looks
   Mat3 rotation_;
   Vec3 offset_;  // m
   Real scale_ = 1, metre_ = 1, rounding_ = 0, radii_ = 0, slack_ = 0;

@@ -123,8 +123,8 @@ void report_nearest(const DifferencePoint* p, int count, const Vec3& target, con
   Vec3 v = Vec3::Zero();
   for (int i = 0; i < nearest.count; ++i) v += nearest.weight[i] * w[nearest.index[i]];
   const Real rounding = difference.rounding(), near = kNear * rounding;
-  const Nearness here{std::max(nearest.distance2, near * near), std::max(std::fabs(difference.normal.dot(v)), rounding),
-                      v.squaredNorm()};
+  const Nearness here{std::max(nearest.distance2, near * near),
+                      std::max(std::fabs(difference.normal().dot(v)), rounding), v.squaredNorm()};
   if (!(here < best)) return;
   best = here;
   simplex.count = nearest.count;
@@ -140,14 +140,14 @@ void report_nearest(const DifferencePoint* p, int count, const Vec3& target, con
 /// point.
 /// @param likely  the face that probably holds it: looked at first, it spares the others; -1: none
 void report_witness(const Polytope& polytope, int likely, const Difference& difference, DifferenceSimplex& simplex) {
-  const Vec3 out = difference.lower * difference.normal;
+  const Vec3 out = difference.lower * difference.normal();
   const Real near = kNear * difference.rounding();
   Nearness best;
   const auto look_at = [&](int f) {
     const Polytope::Face& face = polytope.face(f);
     // All of a face lies at its offset or beyond, whatever rounding did to its normal.
     const Real before = face.offset - face.normal.dot(out);
-    if (!face.alive() || (before > near && before * before >= best.claimed2)) return;
+    if (!face.alive || (before > near && before * before >= best.claimed2)) return;
     DifferencePoint p[3];
     for (int i = 0; i < 3; ++i) p[i] = polytope.point(face.vertex[i]);
     report_nearest(p, 3, out, difference, simplex, best);
@@ -161,7 +161,7 @@ void report_witness(const Polytope& polytope, int likely, const Difference& diff
 void report_flat(const Difference& difference, DifferenceSimplex& simplex) {
   const DifferenceSimplex all = simplex;
   Nearness best;
-  report_nearest(all.point, std::min(all.count, 3), difference.lower * difference.normal, difference, simplex, best);
+  report_nearest(all.point, std::min(all.count, 3), difference.lower * difference.normal(), difference, simplex, best);
 }
 
 }  // namespace
@@ -176,25 +176,19 @@ EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex
   }
 
   Polytope polytope(difference.rounding());
-  polytope.start(simplex.point, -difference.lower);
+  polytope.start(simplex.point);
   EpaEnd end = EpaEnd::stuck;
   int at = -1;
   for (;;) {
     // A ring of equal minimisers (a cone on its axis) would be refined all around to the cap. The last quarter of the
     // iterations therefore follows one branch down: the bound from below, which one direction can attain, gets exact.
     const bool follow = iterations >= cap - cap / 4 && polytope.newest() >= 0;
-    at = follow ? polytope.newest() : polytope.pop();
-    if (at < 0) {
-      // Every face is at least as far out as the best supporting plane: nothing lies between.
-      if (-difference.lower > difference.rounding()) difference.upper = std::min(difference.upper, difference.lower);
-      end = EpaEnd::narrow;
-      break;
-    }
+    at = follow ? polytope.newest() : polytope.nearest();
     const Polytope::Face& face = polytope.face(at);
     const Vec3 normal = face.normal;
     const Real offset = face.offset;
     // Nearer than rounding, or behind the origin: the mesh may not hold the origin yet, and proves nothing. Farther out
-    // than the best supporting plane, as it may have come to be since it was pushed: nothing lies between.
+    // than the best supporting plane: nothing lies between.
     if (!follow && offset > difference.rounding())
       difference.upper = std::min(difference.upper, std::max(-offset, difference.lower));
     if (difference.upper - difference.lower <= gap) {
@@ -206,7 +200,7 @@ EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex
       break;
     }
     ++iterations;
-    DifferencePoint fresh;
+    DifferencePoint& fresh = polytope.next();
     Real value = 0;
     if (!difference.support(-normal, fresh, value)) return EpaEnd::fault;
     if (-value < offset - difference.slack()) {
@@ -224,7 +218,7 @@ EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex
     }
     // A point of the mesh lies above no face by more than rounding: only there can it come back.
     if (-value - offset <= 4 * difference.rounding() && polytope.has(fresh.w)) break;
-    if (!polytope.add(at, fresh, -difference.lower)) break;
+    if (!polytope.add(at)) break;
   }
   report_witness(polytope, at, difference, simplex);
   return end;

@@ -7,26 +7,34 @@
 
 namespace carom {
 
-/// Six triangles (rim[i], rim[i + 1], apex), side by side so that a compiler takes them lanes at a time: each number
-/// comes from the same operations in the same order, whatever the width.
-struct Fan {
-  static constexpr int kFaces = 6;
-
-  Real x[kFaces + 1], y[kFaces + 1], z[kFaces + 1];  // [7] the rim, in: scaled lengths
-  Real nx[kFaces], ny[kFaces], nz[kFaces];           // [6] (rim[i] - apex) x (rim[i + 1] - apex), shortened to 1
-  Real offset[kFaces];                               // [6] smallest of normal . vertex
-  Real clear[kFaces];                                // [6] > 0: the angle at the apex is wide, the triangle no line
+/// Vertices around a hole, side by side.
+/// @tparam kMost  how many there may be; a few more places are for the lanes that have nothing to do
+template <int kMost>
+struct Rim {
+  static constexpr int kRoom = kMost + 6;
+  Real x[kRoom], y[kRoom], z[kRoom];  // scaled lengths
 
   void set(int i, const Vec3& w) {
     x[i] = w.x();
     y[i] = w.y();
     z[i] = w.z();
   }
+};
 
+/// Six triangles (rim[i], rim[i + 1], apex), side by side so that a compiler takes them lanes at a time: each number
+/// comes from the same operations in the same order, whatever the width.
+struct Fan {
+  static constexpr int kFaces = 6;
+
+  Real nx[kFaces], ny[kFaces], nz[kFaces];  // [6] (rim[i] - apex) x (rim[i + 1] - apex), shortened to 1
+  Real offset[kFaces];                      // [6] smallest of normal . vertex
+  Real clear[kFaces];                       // [6] > 0: the angle at the apex is wide, the triangle no line
+
+  /// @param x, y, z   [7] the rim, scaled lengths
   /// @param wide2     square of the sine of a wide angle
   /// @param rounding  scaled length: below this, a height is none
   /// @accuracy        normals of clear triangles err by u / sine; offsets are proofs whatever the normal (Polytope)
-  void unfold(const Vec3& apex, Real wide2, Real rounding) {
+  void unfold(const Real* x, const Real* y, const Real* z, const Vec3& apex, Real wide2, Real rounding) {
     const Real ax = apex.x(), ay = apex.y(), az = apex.z(), least2 = rounding * rounding;
     Real ex[kFaces + 1], ey[kFaces + 1], ez[kFaces + 1], length2[kFaces + 1];
     for (int i = 0; i <= kFaces; ++i) {

@@ -23,7 +23,7 @@ void write_points(const Difference& difference, const DifferenceSimplex& simplex
     on_a += simplex.weight[i] * simplex.point[i].a;
     on_b += simplex.weight[i] * simplex.point[i].b;
   }
-  const Vec3& n = difference.normal;
+  const Vec3& n = difference.normal();
   result.point_a = on_a + (a.core_radius + 0.5 * shell) * n;
   result.point_b = on_b - (b.core_radius + 0.5 * shell) * b_in_a.rotate_inverse(n);
 }
@@ -31,11 +31,10 @@ void write_points(const Difference& difference, const DifferenceSimplex& simplex
 struct Bounds {
   Real lower, upper;
   Vec3 normal;
-  explicit Bounds(const Difference& d) : lower(d.lower), upper(d.upper), normal(d.normal) {}
+  explicit Bounds(const Difference& d) : lower(d.lower), upper(d.upper), normal(d.normal()) {}
   void restore(Difference& d) const {
-    d.lower = lower;
+    d.set_lower(lower, normal);
     d.upper = upper;
-    d.normal = normal;
   }
 };
 
@@ -106,7 +105,7 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
     lowered = false;
     if (again) {
       // Apart, but a degenerate simplex let no walk go on: another one, from the best direction, seldom meets it again.
-      first = difference.normal;
+      first = difference.normal();
       request.solver = nearest_voronoi;
       request.guess.patience = -1;
       continue;
@@ -119,7 +118,7 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
     if (judged != EpaEnd::apart) break;
     deep = false;
     difference.upper = proven;  // EPA may have come nearer on its way, but kept no witness of it
-    first = difference.normal;
+    first = difference.normal();
   }
   result.support_calls = difference.calls;
   if (bad) {
@@ -132,7 +131,7 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
   result.separation = difference.to_metres(difference.lower - radii);
   result.lower = difference.to_metres(lower - radii - rounding);
   result.upper = difference.to_metres(upper - radii + rounding);
-  result.normal = difference.normal;
+  result.normal = difference.normal();
   const DifferenceSimplex& nearest = lowered ? (spare.count > 0 ? spare : simplex) : proof;
   write_points(difference, deep ? simplex : nearest, a, b, b_in_a, shell, result);
   if (result.upper - result.lower <= width || result.farther)
@@ -141,7 +140,7 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
     result.status = capped ? QueryStatus::capped : QueryStatus::rounding;
   // A separating direction starts the next walk near its end. The normal of a deep contact would start it at a sliver,
   // which EPA inherits: forget it.
-  if (memory) memory->direction = deep ? Vec3(Vec3::Zero()) : difference.normal;
+  if (memory) memory->direction = deep ? Vec3(Vec3::Zero()) : difference.normal();
 }
 
 }  // namespace carom

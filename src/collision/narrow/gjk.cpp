@@ -49,7 +49,7 @@ bool repeated(const Vec3* w, int count) {
 
 /// The bounds have passed each other, so some point of the simplex lies below the supporting plane: which is none then.
 GjkEnd contradiction(Difference& difference, const DifferenceSimplex& simplex) {
-  const Vec3 n = difference.normal;
+  const Vec3 n = difference.normal();
   DifferencePoint claimed;
   Real value = 0;
   if (!difference.support(n, claimed, value)) return GjkEnd::fault;

@@ -1,5 +1,5 @@
-// The polytope that EPA grows: triangles with neighbours in fixed arenas, a heap of the faces nearest to the origin,
-// and the walk around the horizon seen from a new point.
+// The polytope that EPA grows: triangles with neighbours in fixed arenas, the search for the face nearest to the
+// origin, and the walk around the horizon seen from a new point.
 #pragma once
 
 #include "collision/narrow/epa.h"
@@ -24,24 +24,24 @@ class Polytope {
     Real offset;             // smallest of normal . vertex; the plane is at least as far from the origin
     std::int32_t vertex[3];  // counter-clockwise from outside
     Link across[3];          // edge (vertex[e], vertex[e + 1])
-    std::uint32_t stamp;     // odd: alive; tells a reused slot from what an old heap entry meant
-    bool alive() const { return stamp & 1; }
+    bool alive;
   };
 
   /// @param rounding  what a height must exceed to count, scaled lengths
   explicit Polytope(Real rounding) : rounding_(rounding) {}
 
   /// Start from a tetrahedron, either orientation.
-  void start(const DifferencePoint* four, Real keep_below);
-  /// Take the alive face nearest to the origin off the heap; -1 if none is left.
-  int pop();
-  /// Add a point beyond a face (just popped): replace the faces it sees by a fan to it. Faces with offset above
-  /// keep_below can't be the nearest any more and stay off the heap.
+  void start(const DifferencePoint* four);
+  /// The face nearest to the origin; which one of equals, depends on slots alone.
+  int nearest() const;
+  /// Where the next point is to be written.
+  DifferencePoint& next() { return points_[points_used_]; }
+  /// Add the next point, which lies beyond a face: replace the faces it sees by a fan to it.
   /// @return false if the horizon is not one loop (rounding), or room is out: the mesh is as it was, but stop
-  bool add(int face, const DifferencePoint& point, Real keep_below);
+  bool add(int face);
 
   /// The face nearest to the origin among those that the last add() made; -1 before the first.
-  int newest() const { return newest_; }
+  int newest() const;
 
   bool has(const Vec3& w) const;
   const Face& face(int i) const { return faces_[i]; }
@@ -51,33 +51,25 @@ class Polytope {
  private:
   static constexpr int kPoints = kMaxEpaIterations + 4;
   static constexpr int kFaces = 2 * kPoints;
-  static constexpr int kHeap = 2 * kFaces;
+  static constexpr int kLanes = 4;
 
-  struct Entry {
-    Real offset;
-    std::int32_t face;
-    std::uint32_t stamp;
-  };
-
-  int new_face(int i, int j, int k);
+  void set(int slot, int i, int j, int k);
   void place(Face& face) const;
   Vec3 careful_normal(const Vec3& a, const Vec3& b, const Vec3& c) const;
-  void unfold(int from, const Vec3& apex, Fan& fan) const;
   void join(Link one, Link other);
-  void push(int face);
-  void sift_down(int at);
-  void refill();
   bool open(int face, const Vec3& w);
   void remove(int face);
 
   Real rounding_;
-  int points_used_ = 0, faces_used_ = 0, free_used_ = 0, heap_used_ = 0, horizon_used_ = 0, newest_ = -1;
-  DifferencePoint points_[kPoints];
+  int points_used_ = 0, faces_used_ = 0, free_used_ = 0, horizon_used_ = 0;
+  int fan_ = -1;                         // a face that the last add() made
+  DifferencePoint points_[kPoints + 1];  // and one that is not added any more
   Face faces_[kFaces];
-  std::int32_t free_[kFaces];
-  Entry heap_[kHeap + 1];         // and one to compare with
+  Real offset_[kFaces + kLanes];  // of faces, side by side for the search; infinite where none is alive
+  std::int32_t free_[kFaces + 1];
   Link horizon_[kFaces];          // edges of faces that stay, in the order of the loop
   std::int32_t rim_[kFaces + 1];  // vertices between them, the first again at the end
+  Rim<kFaces> rim_at_;            // where they lie
 };
 
 }  // namespace carom
