@@ -42,6 +42,35 @@ CAROM_API int32_t carom_engine_create(const carom_engine_desc *desc, carom_engin
 /** Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first); REENTRANT */
 CAROM_API int32_t carom_engine_destroy(carom_engine *engine, carom_error *error);
 
+/** Do the parts [begin, end) of a loop. Does not call back, throw or block. */
+typedef void (*carom_job_fn)(void *context, uint32_t begin, uint32_t end);
+
+/** Who shares the work of a step. The outcome does not depend on it: same bits for any number of threads.
+ *  Fill with carom_jobs_desc_init(), then change what you need. */
+typedef struct carom_jobs_desc {
+  uint32_t struct_size;
+  /** Threads in a step, the one that calls carom_world_step() included: 0 or 1, the default, is that one alone; more are a
+   *  pool that the engine owns, at most 256. Worlds that step at the same time do not wait for it: one of them has it. */
+  uint32_t threads;
+  /** Or the host's own threads (threads is then 0): see to it that job(context, begin, end) is called for ranges that
+   *  cover [0, count), on any threads at once, and return when all these calls have returned. Called on the thread that
+   *  steps, and tens of times a step: waking a thread should not take longer than some microseconds. Parts that are left
+   *  out are done when it returns, those that are asked for twice are done once. Calls of carom_* from inside a part, or
+   *  from run itself, are REENTRANT. */
+  void (*run)(void *user, carom_job_fn job, void *context, uint32_t count);
+  void *user;
+} carom_jobs_desc;
+
+/** @status OK; NULL_ARGUMENT   @since 1.2 */
+CAROM_API int32_t carom_jobs_desc_init(carom_jobs_desc *desc);
+
+/** Say who shares the work of all steps in the engine's worlds, before the first of them is made. Support functions are then
+ *  called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked on the stepping one.
+ *  @param desc may be NULL: the stepping thread alone
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has no more
+ *  threads); OUT_OF_MEMORY; REENTRANT   @since 1.2   @thread any */
+CAROM_API int32_t carom_engine_set_jobs(carom_engine *engine, const carom_jobs_desc *desc, carom_error *error);
+
 /** Load a shape plugin from a shared object. @param path absolute.
  *  The plugin is checked before anything is called, then asked for supports in 256 directions with parameters that the
  *  bounds allow. Loading the same path twice is ALREADY_EXISTS.

@@ -4,6 +4,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "abi/jobs.h"
 #include "abi/tags.h"
 
 carom_engine::carom_engine(const carom_engine_desc& desc, std::uint32_t owner_tag)
@@ -81,6 +82,23 @@ void create(Call& call, const carom_engine_desc* given, carom_engine** engine) {
   }
 }
 
+/// New jobs before the old ones go: a call that fails has changed nothing.
+void set_jobs(Call& call, carom_engine* engine, const carom_jobs_desc* given) {
+  carom_jobs_desc desc;
+  carom_jobs_desc_init(&desc);
+  if (!present(call, 1, "engine", engine) || (given && !read_struct(call, 2, "desc", given, desc))) return;
+  Owned<Jobs> old;  // its threads end after the lock is given back
+  const std::lock_guard lock(engine->mutex);
+  if (const std::uint32_t worlds = engine->worlds.load(std::memory_order_relaxed)) {
+    call.fail(CAROM_E_IN_USE, 1, "%u worlds of this engine are alive", worlds);
+    return;
+  }
+  Owned<Jobs> jobs;
+  if (!make_jobs(call, desc, &engine->memory, jobs)) return;
+  old = std::move(engine->jobs);
+  engine->jobs = std::move(jobs);
+}
+
 }  // namespace
 }  // namespace carom::abi
 
@@ -98,6 +116,17 @@ int32_t carom_engine_desc_init(carom_engine_desc* desc) {
 
 int32_t carom_engine_create(const carom_engine_desc* desc, carom_engine** engine, carom_error* error) {
   return guarded(error, [&](Call& call) { create(call, desc, engine); });
+}
+
+int32_t carom_jobs_desc_init(carom_jobs_desc* desc) {
+  if (!desc) return CAROM_E_NULL_ARGUMENT;
+  *desc = {};
+  desc->struct_size = sizeof *desc;
+  return CAROM_OK;
+}
+
+int32_t carom_engine_set_jobs(carom_engine* engine, const carom_jobs_desc* desc, carom_error* error) {
+  return guarded(error, [&](Call& call) { set_jobs(call, engine, desc); });
 }
 
 int32_t carom_engine_destroy(carom_engine* engine, carom_error* error) {

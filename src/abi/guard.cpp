@@ -56,7 +56,7 @@ std::int32_t Call::finish() const {
 Inside::Inside(Call& call) {
   if (inside_library) {
     call.fail(CAROM_E_REENTRANT, 0,
-              "called from inside a callback (support function, allocator or log) on this thread");
+              "called from inside a callback (support function, allocator, log or jobs) on this thread");
     return;
   }
   if (call.error_ && call.error_->struct_size < kSmallestError) {
@@ -70,5 +70,9 @@ Inside::Inside(Call& call) {
 Inside::~Inside() {
   if (entered_) inside_library = false;
 }
+
+InsideJob::InsideJob() : before_(inside_library) { inside_library = true; }
+InsideJob::~InsideJob() { inside_library = before_; }
+void mark_inside() { inside_library = true; }
 
 }  // namespace carom::abi

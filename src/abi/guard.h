@@ -57,6 +57,20 @@ class Inside {
   bool entered_ = false;
 };
 
+/// Marks a thread that does a part of another's step, so that a call from a callback there is refused as well.
+class InsideJob {
+ public:
+  InsideJob();
+  ~InsideJob();
+  InsideJob(const InsideJob&) = delete;
+  InsideJob& operator=(const InsideJob&) = delete;
+
+ private:
+  bool before_;  // the stepping thread does parts too
+};
+/// Likewise for good: a thread of our own.
+void mark_inside();
+
 /// Run the body of one C call: work(call).
 template <class Work>
 std::int32_t guarded(carom_error* error, Work&& work) noexcept {

@@ -36,13 +36,17 @@ void create(Call& call, carom_engine* engine, const carom_world_desc* given, car
     call.fail(CAROM_E_LIMIT, 0, "65,535 engines and worlds are alive in this process");
     return;
   }
+  {
+    const std::lock_guard lock(engine->mutex);  // from here on the engine's jobs stay
+    engine->worlds.fetch_add(1, std::memory_order_relaxed);
+  }
   try {
     *world = make_on<carom_world>(&engine->memory, *engine, tag, to_vec3(desc.gravity), desc.body_capacity);
   } catch (...) {
     release_tag(tag);
+    engine->worlds.fetch_sub(1, std::memory_order_release);
     throw;
   }
-  engine->worlds.fetch_add(1, std::memory_order_relaxed);
 }
 
 void destroy(carom_world* world) {

@@ -36,7 +36,9 @@ class Gate {
 
 struct carom_world {
   carom_world(carom_engine& owner, std::uint32_t owner_tag, const carom::Vec3& gravity, std::size_t capacity)
-      : engine(owner), tag(owner_tag), inner(owner_tag, gravity, capacity, &owner.memory) {}
+      : engine(owner), tag(owner_tag), inner(owner_tag, gravity, capacity, &owner.memory) {
+    inner.jobs = owner.jobs.get();
+  }
 
   carom_engine& engine;
   const std::uint32_t tag;

@@ -84,6 +84,17 @@ Desc with(Desc d, void (*change)(Desc&)) {
   return d;
 }
 
+int32_t set_jobs_of_new_engine(void (*change)(carom_jobs_desc&), carom_error* e) {
+  carom_engine* engine = nullptr;
+  if (const int32_t r = carom_engine_create(nullptr, &engine, e)) return r;
+  carom_jobs_desc desc;
+  carom_jobs_desc_init(&desc);
+  change(desc);
+  const int32_t r = carom_engine_set_jobs(engine, &desc, e);
+  carom_engine_destroy(engine, nullptr);
+  return r;
+}
+
 const Row kEngine[] = {
     {"engine out", CAROM_E_NULL_ARGUMENT, 2, [](Bench&, carom_error* e) { return carom_engine_create(nullptr, nullptr, e); }},
     {"alloc without free", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) {
@@ -99,6 +110,20 @@ const Row kEngine[] = {
        d.reserved = 1;
        carom_engine* out = nullptr;
        return carom_engine_create(&d, &out, e);
+     }},
+    {"jobs: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_engine_set_jobs(nullptr, nullptr, e); }},
+    {"jobs: worlds are alive", CAROM_E_IN_USE, 1, [](Bench& b, carom_error* e) { return carom_engine_set_jobs(b.engine, nullptr, e); }},
+    {"jobs: too many threads", CAROM_E_OUT_OF_RANGE, 2, [](Bench&, carom_error* e) {
+       return set_jobs_of_new_engine([](carom_jobs_desc& d) { d.threads = 257; }, e);
+     }},
+    {"jobs: two kinds of threads", CAROM_E_OUT_OF_RANGE, 2, [](Bench&, carom_error* e) {
+       return set_jobs_of_new_engine([](carom_jobs_desc& d) {
+         d.threads = 2;
+         d.run = [](void*, carom_job_fn, void*, uint32_t) {};
+       }, e);
+     }},
+    {"jobs: size", CAROM_E_STRUCT_SIZE, 2, [](Bench&, carom_error* e) {
+       return set_jobs_of_new_engine([](carom_jobs_desc& d) { d.struct_size = 9; }, e);
      }},
     {"destroy no engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_engine_destroy(nullptr, e); }},
     {"destroy engine of a world", CAROM_E_IN_USE, 1, [](Bench& b, carom_error* e) { return carom_engine_destroy(b.engine, e); }},

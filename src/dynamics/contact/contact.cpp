@@ -218,15 +218,19 @@ void refresh_inertias(World& world) {
   Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
   const Array<Mat3>& rotation = world.plan->rotation;
-  for (const std::uint32_t i : c.bodies)
+  in_parallel(world.jobs, c.bodies.size(), kBodiesAPart, [&](std::uint32_t k) {
+    const std::uint32_t i = c.bodies[k];
     if (rotates(scene, i)) c.inv_inertia_w[i] = rotation[i] * scene.inv_inertia[i] * rotation[i].transpose();
+  });
 }
 
 void refresh_rotations(World& world) {
   Array<Mat3>& rotation = world.plan->rotation;
   const auto orient = [&](std::uint32_t i) { rotation[i] = world.state.q[i].toRotationMatrix(); };
-  for (const std::uint32_t i : world.contacts->bodies)
-    if (rotates(world.scene, i)) orient(i);
+  const Array<std::uint32_t>& bodies = world.contacts->bodies;
+  in_parallel(world.jobs, bodies.size(), kBodiesAPart, [&](std::uint32_t k) {
+    if (rotates(world.scene, bodies[k])) orient(bodies[k]);
+  });
   world.plan->kinematic.each(orient);
 }
 
@@ -234,12 +238,12 @@ void refresh_separations(World& world) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
   const Array<Mat3>& rotation = world.plan->rotation;
-  for (std::size_t i = 0; i < c.rows.size(); ++i) {
+  in_parallel(world.jobs, c.rows.size(), kRowsAPart, [&](std::uint32_t i) {
     const Row& row = c.rows[i];
     RowGeometry& g = c.geometry[i];
     // The difference of the centres first: far from the origin they are large and nearly equal.
     g.separation = ((s.x[row.b] - s.x[row.a]) + (rotation[row.b] * g.l_b - rotation[row.a] * g.l_a)).dot(row.n);
-  }
+  });
 }
 
 void remember_impulses(World& world, Real h) {

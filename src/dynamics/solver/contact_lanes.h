@@ -11,6 +11,7 @@
 namespace carom {
 
 /// What a solver reads and writes of a body: one cache line. Body 0 is nobody: what does not move has no mass here.
+/// Kinematic bodies come next: read by many pairs of a colour, written by none.
 struct alignas(64) BodyVelocity {
   double v[3] = {0, 0, 0};      // m/s, world
   double omega[3] = {0, 0, 0};  // rad/s, world
@@ -68,6 +69,7 @@ struct LaneRun {
   PointLanes* points;
   BodyVelocity* velocity;
   const BodyShift* shift;
+  std::uint32_t first_moved;  // bodies below are not written
 };
 
 }  // namespace carom

@@ -33,11 +33,11 @@ struct Side {
     v = {p.first, p.second, q.first};
     omega = {q.second, r.first, r.second};
   }
-  CAROM_LANES_INLINE void store(BodyVelocity* all_bodies, const std::uint32_t* body) const {
+  CAROM_LANES_INLINE void store(const LaneRun& run, const std::uint32_t* body) const {
     const LaneRows p(v.x, v.y), q(v.z, omega.x), r(omega.y, omega.z);
     for (int i = 0; i < kLanes; ++i) {
-      if (body[i] == 0) continue;  // nobody keeps still
-      double* const to = reinterpret_cast<double*>(all_bodies + body[i]);
+      if (body[i] < run.first_moved) continue;
+      double* const to = reinterpret_cast<double*>(run.velocity + body[i]);
       p.put(i, to), q.put(i, to + 2), r.put(i, to + 4);
     }
   }
@@ -52,9 +52,9 @@ struct Both {
     a.load(bodies, p.a);
     b.load(bodies, p.b);
   }
-  CAROM_LANES_INLINE void store(BodyVelocity* bodies) const {
-    a.store(bodies, pair.a);
-    b.store(bodies, pair.b);
+  CAROM_LANES_INLINE void store(const LaneRun& run) const {
+    a.store(run, pair.a);
+    b.store(run, pair.b);
   }
   CAROM_LANES_INLINE LaneVec relative(const LaneVec& r_a, const LaneVec& r_b) const {
     return (b.v + cross(b.omega, r_b)) - (a.v + cross(a.omega, r_a));
@@ -204,7 +204,7 @@ void warm_start(const LaneRun& run) {
       const PointLanes& p = run.points[pair.first + k];
       both.push(p.r_a, p.r_b, p.p_n * p.n);
     }
-    both.store(run.velocity);
+    both.store(run);
   }
 }
 
@@ -215,7 +215,7 @@ void solve(const LaneRun& run, double inv_h, double push_speed) {
     Both both(pair, run.velocity);
     rub(both, pair, points);
     press<true>(both, points, inv_h, push_speed);
-    both.store(run.velocity);
+    both.store(run);
   }
 }
 
@@ -246,7 +246,7 @@ void relax(const LaneRun& run, double inv_h) {
     press<false>(both, points, inv_h, 0);
     rub(both, pair, points);
     add_to_sums(pair, points);
-    both.store(run.velocity);
+    both.store(run);
   }
 }
 
@@ -257,7 +257,7 @@ void sweep(const LaneRun& run, double inv_h) {
     Both both(pair, run.velocity);
     rub(both, pair, points);
     press<false>(both, points, inv_h, 0);
-    both.store(run.velocity);
+    both.store(run);
   }
 }
 
@@ -277,7 +277,7 @@ void part(const LaneRun& run, double share, double slop) {
       p.push = next;
       both.push(p.r_a, p.r_b, d * p.n);
     }
-    both.store(run.velocity);
+    both.store(run);
   }
 }
 
@@ -303,7 +303,7 @@ void bounce(const LaneRun& run, double speed) {
       p.sum_n += d;  // but not p_n, which the next step starts from: an impact does not come again
       both.push(p.r_a, p.r_b, d * p.n);
     }
-    both.store(run.velocity);
+    both.store(run);
   }
 }
 

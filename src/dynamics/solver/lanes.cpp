@@ -5,13 +5,15 @@ namespace carom {
 
 void begin_lanes(World& world) {
   pack(world, *world.wide);
-  world.wide->kernels->prepare(everything(*world.wide));
+  const ContactKernels& kernels = *world.wide->kernels;
+  in_any_order(world.jobs, everything(*world.wide), kernels.prepare);
 }
 
 void end_lanes(World& world) {
   WideContacts& wide = *world.wide;
   if (!world.contacts->bouncing.empty()) {
-    wide.kernels->bounce(everything(wide), world.scene.dials[Dial::restitution_speed]);
+    const Real speed = world.scene.dials[Dial::restitution_speed];
+    by_colour(world.jobs, wide, everything(wide), [&](const LaneRun& run) { wide.kernels->bounce(run, speed); });
     store_velocities(world, wide);
   }
   unpack(world, wide);

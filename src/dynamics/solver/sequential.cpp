@@ -19,12 +19,14 @@ void begin(World& world, const StepTime&) {
 void velocities(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
   const ContactKernels& kernels = *wide.kernels;
-  const LaneRun run = everything(wide);
+  const LaneRun all = everything(wide);
+  const Real inv_h = 1 / time.h;
   load_velocities(world, wide);
-  kernels.warm_start(run);
+  by_colour(world.jobs, wide, all, kernels.warm_start);
   const int sweeps = world.scene.dials.whole(Dial::velocity_iterations);
-  for (int k = 0; k < sweeps; ++k) kernels.sweep(run, 1 / time.h);
-  kernels.book(run);
+  for (int k = 0; k < sweeps; ++k)
+    by_colour(world.jobs, wide, all, [&](const LaneRun& run) { kernels.sweep(run, inv_h); });
+  in_any_order(world.jobs, all, kernels.book);
   store_velocities(world, wide);
   world.report.velocity_impulses += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
 }
@@ -33,13 +35,14 @@ void positions(World& world, const StepTime&) {
   WideContacts& wide = *world.wide;
   const ContactKernels& kernels = *wide.kernels;
   load_shifts(world, wide);
-  LaneRun run = everything(wide);
-  kernels.measure(run);
+  LaneRun all = everything(wide);
+  in_any_order(world.jobs, all, kernels.measure);
   std::fill(wide.displacement.begin(), wide.displacement.end(), BodyVelocity{});
-  run.velocity = wide.displacement.data();
+  all.velocity = wide.displacement.data();
   const int sweeps = world.scene.dials.whole(Dial::position_iterations);
   const Real slop = world.scene.dials[Dial::position_tolerance] / 2;  // so that a body at rest keeps in touch
-  for (int k = 0; k < sweeps; ++k) kernels.part(run, kShare, slop);
+  for (int k = 0; k < sweeps; ++k)
+    by_colour(world.jobs, wide, all, [&](const LaneRun& run) { kernels.part(run, kShare, slop); });
   displace(world, wide);
   world.report.position_moves += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
 }

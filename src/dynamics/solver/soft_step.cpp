@@ -13,13 +13,15 @@ void soften(World& world, Real h) {
   const Dials& dials = world.scene.dials;
   const Real frequency = std::min(dials[Dial::contact_frequency], 0.25 / h), damping = dials[Dial::contact_damping];
   const Softness both = softness(frequency, damping, h), one = softness(2 * frequency, damping, h);
-  for (PairLanes& pair : world.wide->pairs)
+  in_parallel(world.jobs, world.wide->pairs.size(), kLanes * kPairsAPart, [&](std::uint32_t k) {
+    PairLanes& pair = world.wide->pairs[k];
     for (int i = 0; i < kLanes; ++i) {
       const Softness& s = pair.inv_mass_a[i] > 0 && pair.inv_mass_b[i] > 0 ? both : one;
       pair.bias_rate[i] = s.bias_rate;
       pair.mass_scale[i] = s.mass_scale;
       pair.impulse_scale[i] = s.impulse_scale;
     }
+  });
 }
 
 void begin(World& world, const StepTime& time) {
@@ -30,18 +32,19 @@ void begin(World& world, const StepTime& time) {
 void velocities(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
   const ContactKernels& kernels = *wide.kernels;
-  const LaneRun run = everything(wide);
+  const Real inv_h = 1 / time.h, push_speed = world.scene.dials[Dial::push_speed];
   load_velocities(world, wide);
-  kernels.warm_start(run);
-  kernels.solve(run, 1 / time.h, world.scene.dials[Dial::push_speed]);
+  by_colour(world.jobs, wide, everything(wide), kernels.warm_start);
+  by_colour(world.jobs, wide, everything(wide), [&](const LaneRun& run) { kernels.solve(run, inv_h, push_speed); });
   store_velocities(world, wide);
   world.report.velocity_impulses += world.contacts->rows.size();
 }
 
 void positions(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
+  const Real inv_h = 1 / time.h;
   load_shifts(world, wide);
-  wide.kernels->relax(everything(wide), 1 / time.h);
+  by_colour(world.jobs, wide, everything(wide), [&](const LaneRun& run) { wide.kernels->relax(run, inv_h); });
   store_velocities(world, wide);
   world.report.velocity_impulses += world.contacts->rows.size();
 }

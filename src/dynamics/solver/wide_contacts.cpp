@@ -12,22 +12,26 @@ namespace {
 
 constexpr auto kMaxPoints = static_cast<std::uint32_t>(kPairPoints);
 
-/// Solver bodies: 0 for what no impulse and no host moves, one each for the rest, by ascending slot.
+/// Solver bodies: 0 for what no impulse and no host moves, then kinematic bodies, then the rest, by ascending slot.
 void number_bodies(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
+  constexpr std::uint32_t kLends = 1;
   wide.body.assign(scene.bodies.slots(), 0);
   wide.slot.assign(1, 0);
   // Kinematic bodies keep their velocity and lend it to those that touch them.
   for (const Row& row : c.rows)
     for (const std::uint32_t body : {row.a, row.b})
-      if (scene.type[body] == BodyType::kinematic) wide.body[body] = 1;
-  for (const std::uint32_t body : c.bodies) wide.body[body] = 1;
-  for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
-    if (wide.body[i]) {
-      wide.body[i] = static_cast<std::uint32_t>(wide.slot.size());
-      wide.slot.push_back(i);
-    }
+      if (scene.type[body] == BodyType::kinematic) wide.body[body] = kLends;
+  const auto number = [&](std::uint32_t i) {
+    wide.body[i] = static_cast<std::uint32_t>(wide.slot.size());
+    wide.slot.push_back(i);
+  };
+  world.plan->kinematic.each([&](std::uint32_t i) {
+    if (wide.body[i]) number(i);
+  });
+  wide.first_moved = static_cast<std::uint32_t>(wide.slot.size());
+  for (const std::uint32_t i : c.bodies) number(i);
   const std::size_t n = wide.slot.size();
   wide.velocity.assign(n, {});
   wide.shift.assign(n, {});
@@ -77,6 +81,20 @@ void set(LaneVec& to, int lane, const Vec3& v) { to.x[lane] = v.x(), to.y[lane] 
 
 Vec3 get(const LaneVec& from, std::uint32_t lane) { return Vec3(from.x[lane], from.y[lane], from.z[lane]); }
 
+/// Where a point is, as a solver sees it: both arms end halfway between the two surface points, for impulses at one
+/// place keep the angular momentum.
+struct Arms {
+  Vec3 a, b;  // m, world axes, from the centres of mass
+  Arms() = default;
+  Arms(const World& world, const Row& row, const RowGeometry& g) {
+    const State& s = world.state;
+    const Array<Mat3>& rotation = world.plan->rotation;
+    const Vec3 apart = s.x[row.b] - s.x[row.a];
+    a = 0.5 * (rotation[row.a] * g.l_a + (apart + rotation[row.b] * g.l_b));
+    b = a - apart;
+  }
+};
+
 void fill_point(const State& s, const Row& row, const RowGeometry& g, const Arms& r, const Vec3& middle, PointLanes& p,
                 int lane) {
   set(p.n, lane, row.n);
@@ -119,6 +137,46 @@ void fill_points(const World& world, const WideContacts::Manifold& m, PairLanes&
   pair.sum_t[lane] = pair.sum_s[lane] = pair.sum_w[lane] = 0;
 }
 
+constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
+
+/// A place for each manifold: four of a bucket share one, but beyond the colours each has one for itself.
+void place_manifolds(WideContacts& wide) {
+  constexpr std::uint32_t kBuckets = (kColours + 1) * kMaxPoints, kAlone = kColours * kMaxPoints;
+  wide.buckets.assign(kBuckets, 0);
+  wide.colour_end.clear();
+  for (const WideContacts::Manifold& m : wide.manifolds) ++wide.buckets[m.bucket];
+  std::uint32_t lanes = 0;
+  for (std::uint32_t i = 0; i < kBuckets; ++i) {
+    const std::uint32_t begin = lanes, count = wide.buckets[i];
+    lanes += i < kAlone ? (count + kLanes - 1) / kLanes * kLanes : count * kLanes;
+    wide.buckets[i] = begin;
+    const bool ends_colour = i < kAlone && i % kMaxPoints == kMaxPoints - 1;
+    const std::uint32_t before = wide.colour_end.empty() ? 0 : wide.colour_end.back();
+    if (ends_colour && lanes / kLanes > before) wide.colour_end.push_back(lanes / kLanes);
+  }
+  wide.pairs.resize(lanes / kLanes);
+  wide.occupant.assign(lanes, kNobody);
+  for (std::uint32_t i = 0; i < wide.manifolds.size(); ++i) {
+    WideContacts::Manifold& m = wide.manifolds[i];
+    std::uint32_t& next = wide.buckets[m.bucket];
+    m.pair = next / kLanes, m.lane = next % kLanes;
+    wide.occupant[next] = i;
+    wide.pairs[m.pair].points = m.points;
+    next += m.bucket < kAlone ? 1 : kLanes;
+  }
+  std::uint32_t points = 0;
+  for (PairLanes& pair : wide.pairs) pair.first = points, points += pair.points;
+  wide.points.resize(points);
+}
+
+/// Lanes of nobody.
+void empty(WideContacts& wide, PairLanes& pair) {
+  const std::uint32_t first = pair.first, points = pair.points;
+  pair = PairLanes{};
+  pair.first = first, pair.points = points;
+  std::fill_n(&wide.points[first], points, PointLanes{});
+}
+
 /// What the impulses of a pair's points add up to: of the last substep and of the step.
 struct Load {
   Real all = 0, moment = 0, sum = 0, sum_moment = 0;  // N s, N s m^2
@@ -139,92 +197,72 @@ void pack(World& world, WideContacts& wide) {
   refresh_inertias(world);
   number_bodies(world, wide);
   colour_manifolds(world, wide);
-
-  // Where each bucket's lanes begin: four pairs share a place, but beyond the colours each has one for itself.
-  constexpr std::uint32_t kBuckets = (kColours + 1) * kMaxPoints, kAlone = kColours * kMaxPoints;
-  wide.buckets.assign(kBuckets, 0);
-  for (const WideContacts::Manifold& m : wide.manifolds) ++wide.buckets[m.bucket];
-  std::uint32_t lanes = 0;
-  for (std::uint32_t i = 0; i < kBuckets; ++i) {
-    const std::uint32_t begin = lanes, count = wide.buckets[i];
-    lanes += i < kAlone ? (count + kLanes - 1) / kLanes * kLanes : count * kLanes;
-    wide.buckets[i] = begin;
-  }
-  wide.pairs.resize(lanes / kLanes);
-  for (WideContacts::Manifold& m : wide.manifolds) {
-    std::uint32_t& next = wide.buckets[m.bucket];
-    m.pair = next / kLanes, m.lane = next % kLanes;
-    next += m.bucket < kAlone ? 1 : kLanes;
-    wide.pairs[m.pair].points = m.points;
-  }
-  std::uint32_t points = 0;
-  for (PairLanes& pair : wide.pairs) pair.first = points, points += pair.points;
-  wide.points.resize(points);
-  // Lanes that nobody fills are those of nobody; the first lane of a place is always taken, so its bucket is known.
-  for (const WideContacts::Manifold& m : wide.manifolds)
-    if (m.lane == 0 && (m.bucket >= kAlone || wide.buckets[m.bucket] < (m.pair + 1) * kLanes)) {
-      PairLanes& pair = wide.pairs[m.pair];
-      const std::uint32_t first = pair.first;
-      pair = PairLanes{};
-      pair.first = first, pair.points = m.points;
-      std::fill_n(&wide.points[first], m.points, PointLanes{});
+  place_manifolds(wide);
+  in_parallel(world.jobs, wide.pairs.size(), kPairsAPart, [&](std::uint32_t i) {
+    PairLanes& pair = wide.pairs[i];
+    const std::uint32_t* const occupant = &wide.occupant[std::size_t(i) * kLanes];
+    if (std::find(occupant, occupant + kLanes, kNobody) != occupant + kLanes) empty(wide, pair);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (occupant[lane] == kNobody) continue;
+      const WideContacts::Manifold& m = wide.manifolds[occupant[lane]];
+      fill_pair(world, wide, c.rows[m.row], pair, lane);
+      fill_points(world, m, pair, &wide.points[pair.first], lane);
     }
-  for (const WideContacts::Manifold& m : wide.manifolds) {
-    PairLanes& pair = wide.pairs[m.pair];
-    fill_pair(world, wide, c.rows[m.row], pair, static_cast<int>(m.lane));
-    fill_points(world, m, pair, &wide.points[pair.first], static_cast<int>(m.lane));
-  }
+  });
 }
 
 void load_velocities(World& world, WideContacts& wide) {
   const State& s = world.state;
-  for (std::size_t i = 1; i < wide.slot.size(); ++i) {
+  in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
+    if (i == 0) return;
     const std::uint32_t slot = wide.slot[i];
     world.plan->touched[slot] = 0;
     BodyVelocity& b = wide.velocity[i];
     for (int k = 0; k < 3; ++k) b.v[k] = s.v[slot][k], b.omega[k] = s.omega[slot][k];
-  }
+  });
 }
 
 void store_velocities(World& world, const WideContacts& wide) {
   State& s = world.state;
-  for (std::size_t i = 1; i < wide.slot.size(); ++i) {
+  in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
     const std::uint32_t slot = wide.slot[i];
-    if (!responds(world.scene, s, slot)) continue;
+    if (i < wide.first_moved || !responds(world.scene, s, slot)) return;
     const BodyVelocity& b = wide.velocity[i];
     const Vec3 v(b.v[0], b.v[1], b.v[2]), omega(b.omega[0], b.omega[1], b.omega[2]);
-    if (v == s.v[slot] && omega == s.omega[slot]) continue;
+    if (v == s.v[slot] && omega == s.omega[slot]) return;
     s.v[slot] = v, s.omega[slot] = omega;
     world.plan->touched[slot] = 1;
-  }
+  });
 }
 
 void load_shifts(const World& world, WideContacts& wide) {
   const State& s = world.state;
-  for (std::size_t i = 1; i < wide.slot.size(); ++i) {
+  in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
+    if (i == 0) return;
     const Vec3 x = s.x[wide.slot[i]] - wide.start_x[i];
     const Quat q = s.q[wide.slot[i]] * wide.start_q[i].conjugate();
-    wide.shift[i] = {{x.x(), x.y(), x.z()}, {q.x(), q.y(), q.z()}, q.w()};
-  }
+    wide.shift[i] = {.x = {x.x(), x.y(), x.z()}, .u = {q.x(), q.y(), q.z()}, .w = q.w()};
+  });
 }
 
 void displace(World& world, const WideContacts& wide) {
   State& s = world.state;
-  for (std::size_t i = 1; i < wide.slot.size(); ++i) {
+  in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
     const std::uint32_t slot = wide.slot[i];
-    if (!responds(world.scene, s, slot)) continue;
+    if (i < wide.first_moved || !responds(world.scene, s, slot)) return;
     const BodyVelocity& d = wide.displacement[i];
     const Vec3 turn(d.omega[0], d.omega[1], d.omega[2]);
     s.x[slot] += Vec3(d.v[0], d.v[1], d.v[2]);
     if (turn != Vec3::Zero()) s.q[slot] = normalized(exp_map(turn) * s.q[slot]);
-  }
+  });
 }
 
 void unpack(World& world, const WideContacts& wide) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
   refresh_rotations(world);
-  for (const WideContacts::Manifold& m : wide.manifolds) {
+  in_parallel(world.jobs, wide.manifolds.size(), kLanes * kPairsAPart, [&](std::uint32_t i) {
+    const WideContacts::Manifold& m = wide.manifolds[i];
     const PairLanes& pair = wide.pairs[m.pair];
     const PointLanes* const points = &wide.points[pair.first];
     const std::uint32_t lane = m.lane;
@@ -251,7 +289,7 @@ void unpack(World& world, const WideContacts& wide) {
       const Vec3 r_a = world.plan->rotation[row.a] * g.l_a, r_b = world.plan->rotation[row.b] * g.l_b;
       row.u = relative_velocity(s, row, r_a, r_b);
     }
-  }
+  });
   refresh_separations(world);
 }
 

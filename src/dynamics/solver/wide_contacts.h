@@ -1,10 +1,11 @@
 // Contacts in lanes: four pairs side by side, point by point, in the order in which a solver visits them.
 //
-// Pairs of one colour share no body that an impulse moves, so that four of them (or, later, several threads) can be
-// solved at once, and the outcome depends on the order of colours alone. Within a colour pairs with the same number of
+// Pairs of one colour share no body that an impulse moves, so that four of them, on several threads, can be solved at
+// once, and the outcome depends on the order of colours alone. Within a colour pairs with the same number of
 // points stand together: nobody waits for a neighbour's points.
 #pragma once
 
+#include "core/jobs.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/solver/contact_kernels.h"
 
@@ -24,7 +25,9 @@ struct WideContacts {
         start_x(m),
         start_q(m),
         manifolds(m),
+        colour_end(m),
         colours(m),
+        occupant(m),
         buckets(m) {}
 
   const ContactKernels* kernels = &contact_kernels();
@@ -32,7 +35,8 @@ struct WideContacts {
   Array<PairLanes> pairs;    // in the order of solving
   Array<PointLanes> points;  // [pairs' points] likewise
 
-  // by solver body; 0 is nobody
+  // by solver body; 0 is nobody, then those that move of themselves, then those that impulses move
+  std::uint32_t first_moved = 1;
   Array<BodyVelocity> velocity;
   Array<BodyVelocity> displacement;  // m, rad: of a pass over positions
   Array<BodyShift> shift;
@@ -49,8 +53,11 @@ struct WideContacts {
   };
   Array<Manifold> manifolds;  // in the order of the rows
 
+  Array<std::uint32_t> colour_end;  // in pairs, by colour in use; pairs after the last stand alone
+
   // scratch
   Array<std::uint64_t> colours;  // by solver body: bit c, a pair of colour c moves it
+  Array<std::uint32_t> occupant;  // [4 pairs] manifold
   Array<std::uint32_t> buckets;
 };
 
@@ -58,7 +65,38 @@ struct WideContacts {
 inline constexpr std::uint32_t kColours = 64;
 
 inline LaneRun everything(WideContacts& wide) {
-  return {wide.pairs.data(), wide.pairs.size(), wide.points.data(), wide.velocity.data(), wide.shift.data()};
+  return {wide.pairs.data(),    wide.pairs.size(), wide.points.data(),
+          wide.velocity.data(), wide.shift.data(), wide.first_moved};
+}
+
+/// Of a loop that threads share.
+inline constexpr std::size_t kPairsAPart = 16;
+
+/// kernel(part of the run), for kernels that write bodies: one colour after the other, each in parts at once.
+template <class Kernel>
+void by_colour(Jobs* jobs, const WideContacts& wide, const LaneRun& run, const Kernel& kernel) {
+  if (!jobs) return kernel(run);
+  const auto part = [&](std::size_t begin, std::size_t end) {
+    LaneRun r = run;
+    r.pairs += begin, r.count = end - begin;
+    kernel(r);
+  };
+  std::uint32_t first = 0;
+  for (const std::uint32_t last : wide.colour_end) {
+    in_parts(jobs, last - first, kPairsAPart, [&](std::uint32_t b, std::uint32_t e) { part(first + b, first + e); });
+    first = last;
+  }
+  part(first, run.count);
+}
+
+/// Likewise for kernels that write pairs and points alone: all colours at once.
+template <class Kernel>
+void in_any_order(Jobs* jobs, const LaneRun& run, const Kernel& kernel) {
+  in_parts(jobs, run.count, kPairsAPart, [&](std::uint32_t begin, std::uint32_t end) {
+    LaneRun r = run;
+    r.pairs += begin, r.count = end - begin;
+    kernel(r);
+  });
 }
 
 /// Lay this step's rows out in lanes, with the poses and velocities of the present. Allocates.

@@ -23,6 +23,7 @@ struct Options {
   std::vector<std::string> dials, sets;
   std::optional<double> n, seconds, dt;
   double fps = 30;
+  std::uint32_t threads = 1;
   std::string mesh;
   bool quiet = false, as_json = false;
 };
@@ -80,6 +81,7 @@ void run_scene(const Options& options, Context& context) {
   const Scene& scene = find_scene(options.scene);
   const double seconds = options.seconds.value_or(scene.seconds), dt = options.dt.value_or(scene.dt);
   Engine engine(context.plugins());
+  engine.set_threads(options.threads);
   Stage stage(engine);
   const std::unique_ptr<Observer> observer = build(scene, settings_from(options), stage);
   for (const std::string& dial : options.dials) stage.world.set_dial(dial);
@@ -179,6 +181,9 @@ void add_run_command(CLI::App& app, Context& context) {
   run->add_option("--mesh", options->mesh,
                   "OBJ file for the bunny; default: the Stanford bunny of Debian's glmark2-data")
       ->type_name("FILE.obj");
+  run->add_option("--threads", options->threads, "Threads that share a step; the outcome is the same")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
   run->add_flag("--quiet", options->quiet, "Say nothing but errors");
   run->add_flag("--json", options->as_json, "Print the summary as JSON");
   run->callback([options, &context] { run_scene(*options, context); });

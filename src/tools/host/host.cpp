@@ -18,6 +18,14 @@ Engine::Engine(PluginPath path, const carom_engine_desc* desc) : path_(std::move
   call.done(carom_engine_create(desc, &engine_, call), "creating an engine");
 }
 
+void Engine::set_threads(std::uint32_t threads) {
+  carom_jobs_desc desc;
+  carom_jobs_desc_init(&desc);
+  desc.threads = threads;
+  Call call;
+  call.done(carom_engine_set_jobs(engine_, &desc, call), "starting threads");
+}
+
 Engine::~Engine() { carom_engine_destroy(engine_, nullptr); }
 
 carom_plugin Engine::load(const std::string& absolute_path) {

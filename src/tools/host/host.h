@@ -57,6 +57,7 @@ class Engine {
   Engine& operator=(const Engine&) = delete;
 
   carom_engine* get() const { return engine_; }
+  void set_threads(std::uint32_t threads);  ///< of steps; before the first world   @throws Error
   const PluginPath& path() const { return path_; }
   carom_plugin plugin(const std::string& name);         ///< loads plugins/NAME.so on first use   @throws Error
   carom_plugin load(const std::string& absolute_path);  ///< @throws Error
