@@ -63,6 +63,7 @@ extern "C" {
 #define CAROM_SOLVER_SEVERITY 0u   /* most severe contact first, by group: the paper's */
 #define CAROM_SOLVER_SEQUENTIAL 1u /* warm-started sweeps over all contacts (projected Gauss-Seidel) */
 #define CAROM_SOLVER_SOFT_STEP 2u  /* one sweep a substep over soft contacts, one that relaxes them: wants 4 substeps */
+#define CAROM_SOLVER_DIRECT 3u     /* each contact group as one problem, solved to a residual: small hard groups */
 
 #define CAROM_SEARCH_LINEAR 0u /* the paper's: scan all contacts of the group for the most severe */
 #define CAROM_SEARCH_HEAP 1u   /* the same order from a heap */

@@ -7,7 +7,7 @@ namespace {
 constexpr const char* kIntegrators[] = {"explicit_euler", "semi_implicit_euler", "rk4", "velocity_verlet"};
 constexpr const char* kRotations[] = {"none",         "explicit",  "implicit",    "rk4",
                                       "lie_midpoint", "splitting", "splitting_4", "splitting_6"};
-constexpr const char* kSolvers[] = {"severity", "sequential", "soft_step"};
+constexpr const char* kSolvers[] = {"severity", "sequential", "soft_step", "direct"};
 constexpr const char* kSearches[] = {"linear", "heap"};
 constexpr const char* kOffOn[] = {"off", "on"};
 constexpr const char* kBroadPhases[] = {"brute_force", "sweep_and_prune", "grid", "tree"};

@@ -4,6 +4,7 @@
 #include "core/hash.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/effects.h"
+#include "dynamics/solver/direct.h"
 #include "dynamics/solver/wide_contacts.h"
 
 namespace carom {
@@ -24,6 +25,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
       plan(make_owned<Plan>(m, m)),
       contacts(make_owned<Contacts>(m, m)),
       wide(make_owned<WideContacts>(m, m)),
+      direct(make_owned<DirectGroups>(m, m)),
       memory(m) {
   scene.gravity = gravity;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };

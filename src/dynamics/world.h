@@ -30,6 +30,7 @@ struct StepReport {
   std::uint64_t quarantined_bodies = 0, faults = 0;
   double max_penetration = 0, mean_penetration = 0, max_closing_speed = 0;
   double linear_energy = 0, angular_energy = 0;
+  double solver_residual = 0;  // m/s; of solvers that solve to one
 };
 
 /// A contact point as a host reads it after the step.
@@ -48,6 +49,7 @@ struct FaultView {
 
 struct Plan;          // dynamics/effects.h: which effects have customers
 struct Contacts;      // dynamics/contact/contact.h: rows of the solver, scratch kept between steps
+struct DirectGroups;  // dynamics/solver/direct.h: contact groups as problems of their own
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
 
 class World {
@@ -93,6 +95,7 @@ class World {
   Owned<Plan> plan;
   Owned<Contacts> contacts;
   Owned<WideContacts> wide;
+  Owned<DirectGroups> direct;
   Memory* memory;
   Jobs* jobs = nullptr;  // who shares a step's loops; null: nobody
 };

@@ -147,6 +147,19 @@ void build_rows(World& world, Real h);
 inline Vec3 relative_velocity(const State& s, const Row& row, const Vec3& r_a, const Vec3& r_b) {
   return s.v[row.b] + s.omega[row.b].cross(r_b) - s.v[row.a] - s.omega[row.a].cross(r_a);
 }
+/// Where a point is, as a solver sees it: both arms end halfway between the two surface points, for impulses at one
+/// place keep the angular momentum.
+struct Arms {
+  Vec3 a, b;  // m, world axes, from the centres of mass
+  Arms() = default;
+  Arms(const World& world, const Row& row, const RowGeometry& g) {
+    const State& s = world.state;
+    const Array<Mat3>& rotation = world.plan->rotation;
+    const Vec3 apart = s.x[row.b] - s.x[row.a];
+    a = 0.5 * (rotation[row.a] * g.l_a + (apart + rotation[row.b] * g.l_b));
+    b = a - apart;
+  }
+};
 /// inv_inertia_w of bodies in contact, from their present rotation matrices.
 void refresh_inertias(World& world);
 /// Closing speeds before the forces of this substep, for rows that bounce.

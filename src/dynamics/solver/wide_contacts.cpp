@@ -81,20 +81,6 @@ void set(LaneVec& to, int lane, const Vec3& v) { to.x[lane] = v.x(), to.y[lane] 
 
 Vec3 get(const LaneVec& from, std::uint32_t lane) { return Vec3(from.x[lane], from.y[lane], from.z[lane]); }
 
-/// Where a point is, as a solver sees it: both arms end halfway between the two surface points, for impulses at one
-/// place keep the angular momentum.
-struct Arms {
-  Vec3 a, b;  // m, world axes, from the centres of mass
-  Arms() = default;
-  Arms(const World& world, const Row& row, const RowGeometry& g) {
-    const State& s = world.state;
-    const Array<Mat3>& rotation = world.plan->rotation;
-    const Vec3 apart = s.x[row.b] - s.x[row.a];
-    a = 0.5 * (rotation[row.a] * g.l_a + (apart + rotation[row.b] * g.l_b));
-    b = a - apart;
-  }
-};
-
 void fill_point(const State& s, const Row& row, const RowGeometry& g, const Arms& r, const Vec3& middle, PointLanes& p,
                 int lane) {
   set(p.n, lane, row.n);

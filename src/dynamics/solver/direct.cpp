@@ -1,0 +1,193 @@
+// Stage functions of the direct solver.
+#include "dynamics/solver/direct.h"
+
+#include <algorithm>
+
+#include "dynamics/force/force.h"
+#include "dynamics/solver/solver.h"
+
+namespace carom {
+namespace {
+
+constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: impacts of many bodies take that many
+
+/// Bodies, contacts and edges of each group.
+void gather(World& world, DirectGroups& d) {
+  const Contacts& c = *world.contacts;
+  d.contacts.clear(), d.row.clear(), d.begin.clear(), d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
+  d.body.assign(world.scene.bodies.slots(), kNobody);
+  const auto node = [&](bool moves, std::uint32_t slot) {
+    if (!moves) return kNobody;
+    if (d.body[slot] == kNobody) {
+      d.body[slot] = static_cast<std::uint32_t>(d.bodies.size());
+      d.bodies.emplace_back().slot = slot;
+    }
+    return d.body[slot];
+  };
+  const auto mark = [&] {
+    d.begin.push_back({static_cast<std::uint32_t>(d.contacts.size()), static_cast<std::uint32_t>(d.bodies.size())});
+    d.edge_begin.push_back(static_cast<std::uint32_t>(d.edges.size()));
+  };
+  for (std::size_t g = 0; g < c.groups(); ++g) {
+    mark();
+    for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1]; ++k) {
+      const std::uint32_t i = c.group_rows[k];
+      const Row& row = c.rows[i];
+      ConeContact& contact = d.contacts.emplace_back();
+      contact.a = node(row.moves_a, row.a);
+      contact.b = node(row.moves_b, row.b);
+      const bool coupled = contact.a != kNobody && contact.b != kNobody;
+      if (coupled && (d.edges.size() == d.edge_begin.back() || d.edges.back() != Edge{contact.a, contact.b}))
+        d.edges.push_back({contact.a, contact.b});
+      d.row.push_back(i);
+    }
+  }
+  mark();
+}
+
+/// Find an order of elimination, unless the bodies hang together as they did in the last step.
+void order(DirectGroups& d) {
+  if (d.edges == d.ordered_edges && d.edge_begin == d.ordered_begin && d.bodies.size() == d.elimination.place.size())
+    return;
+  d.elimination.clear();
+  for (std::size_t g = 0; g < d.groups(); ++g)
+    eliminate(d.begin[g].body, d.begin[g + 1].body - d.begin[g].body,
+              {d.edges.data() + d.edge_begin[g], d.edge_begin[g + 1] - d.edge_begin[g]}, d.elimination);
+  d.factor.diagonal.resize(d.bodies.size());
+  d.factor.below.resize(d.elimination.rows.size());
+  d.scratch.resize(d.bodies.size());
+  d.ordered_edges = d.edges, d.ordered_begin = d.edge_begin;
+}
+
+/// Where in the factor each contact couples its bodies.
+void place_contacts(DirectGroups& d) {
+  for (ConeContact& c : d.contacts) {
+    c.below = kNobody;
+    if (c.a == kNobody || c.b == kNobody) continue;
+    const std::uint32_t a = d.elimination.place[c.a], b = d.elimination.place[c.b];
+    c.a_later = a > b;
+    c.below = static_cast<std::uint32_t>(d.factor.at(d.elimination, std::max(a, b), std::min(a, b)));
+  }
+}
+
+void begin(World& world, const StepTime&) {
+  DirectGroups& d = *world.direct;
+  gather(world, d);
+  order(d);
+  place_contacts(d);
+}
+
+void load_bodies(World& world, DirectGroups& d) {
+  const State& s = world.state;
+  refresh_inertias(world);
+  for (ConeBody& b : d.bodies) {
+    b.v << s.v[b.slot], s.omega[b.slot];
+    b.mass = world.scene.mass[b.slot], b.inv_mass = world.scene.inv_mass[b.slot];
+    b.inertia.setIdentity(), b.inv_inertia.setZero();
+    if (!rotates(world.scene, b.slot)) continue;
+    const Mat3& r = world.plan->rotation[b.slot];
+    b.inertia = r * world.scene.inertia[b.slot] * r.transpose();
+    b.inv_inertia = world.contacts->inv_inertia_w[b.slot];
+  }
+}
+
+/// Mean of the eigenvalues of what an impulse at a point does to the velocity there.
+Real mean_response(const ConeBody* bodies, const ConeContact& c) {
+  const auto of = [&](std::uint32_t body, const Vec3& r) {
+    if (body == kNobody) return Real(0);
+    const Mat3 x = cross_matrix(r);
+    return bodies[body].inv_mass - (x * bodies[body].inv_inertia * x).trace() / 3;
+  };
+  return of(c.a, c.r_a) + of(c.b, c.r_b);
+}
+
+void load_contacts(World& world, DirectGroups& d, Real h) {
+  Contacts& c = *world.contacts;
+  for (std::size_t i = 0; i < d.contacts.size(); ++i) {
+    ConeContact& contact = d.contacts[i];
+    Row& row = c.rows[d.row[i]];
+    const RowGeometry& g = c.geometry[d.row[i]];
+    const Arms arms(world, row, g);
+    const auto turns = [&](std::uint32_t body) { return body != kNobody && rotates(world.scene, d.bodies[body].slot); };
+    contact.n = row.n;
+    contact.u = relative_velocity(world.state, row, arms.a, arms.b);
+    contact.r_a = turns(contact.a) ? arms.a : Vec3::Zero();
+    contact.r_b = turns(contact.b) ? arms.b : Vec3::Zero();
+    contact.friction = row.friction;
+    contact.k = mean_response(d.bodies.data(), contact);
+    contact.want = g.separation > 0 ? -g.separation / h : 0;
+    contact.p = row.p;
+    contact.impact.setZero();
+    contact.restitution = row.restitution;
+    if (row.bounces) contact.force_speed = std::max(Real(0), -contact.u.dot(contact.n) - g.approach);
+  }
+}
+
+void velocities(World& world, const StepTime& time) {
+  DirectGroups& d = *world.direct;
+  Contacts& c = *world.contacts;
+  State& s = world.state;
+  for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;
+  load_bodies(world, d);
+  load_contacts(world, d, time.h);
+  const Real threshold = world.scene.dials[Dial::restitution_speed];
+  const Real tolerance = kDirectShare * world.scene.dials[Dial::velocity_tolerance];
+  for (std::size_t g = 0; g < d.groups(); ++g) {
+    ConeProblem problem = d.problem(g);
+    apply_impulses(problem);
+    if (!c.bouncing.empty()) world.report.velocity_impulses += bounce(problem, threshold);
+    const ConeAnswer answer = solve_cones(problem, tolerance, kMostSteps);
+    world.report.velocity_impulses += answer.factorisations;
+    world.report.solver_residual = std::max<double>(world.report.solver_residual, answer.residual);
+  }
+  for (std::size_t i = 0; i < d.contacts.size(); ++i) {
+    Row& row = c.rows[d.row[i]];
+    row.p = d.contacts[i].p;
+    row.u = d.contacts[i].u;
+    c.geometry[d.row[i]].impulse += row.p + d.contacts[i].impact;
+  }
+  for (const ConeBody& b : d.bodies) {
+    s.v[b.slot] = b.v.head<3>(), s.omega[b.slot] = b.v.tail<3>();
+    world.plan->touched[b.slot] = 1;
+  }
+}
+
+/// Groups that overlap more than the tolerance are parted, to half of it, so that what rests keeps in touch.
+void positions(World& world, const StepTime& time) {
+  DirectGroups& d = *world.direct;
+  Contacts& c = *world.contacts;
+  State& s = world.state;
+  refresh_rotations(world);
+  refresh_separations(world);
+  const Real tolerance = world.scene.dials[Dial::position_tolerance];
+  const Real most = world.scene.dials[Dial::push_speed] * time.h;
+  for (std::size_t g = 0; g < d.groups(); ++g) {
+    ConeProblem problem = d.problem(g);
+    bool deep = false;
+    for (std::size_t i = d.begin[g].contact; i < d.begin[g + 1].contact; ++i)
+      deep |= c.geometry[d.row[i]].separation < -tolerance;
+    if (!deep) continue;
+    for (std::size_t i = d.begin[g].contact; i < d.begin[g + 1].contact; ++i) {
+      ConeContact& contact = d.contacts[i];
+      contact.p.setZero(), contact.u.setZero();
+      contact.friction = 0;
+      contact.want = std::min(-(c.geometry[d.row[i]].separation + tolerance / 2), most);
+    }
+    for (std::uint32_t i = problem.first; i < problem.last; ++i) d.bodies[i].v.setZero();
+    world.report.position_moves += solve_cones(problem, 0.01 * tolerance, kMostSteps).factorisations;
+    for (std::uint32_t i = problem.first; i < problem.last; ++i) {
+      const ConeBody& b = d.bodies[i];
+      s.x[b.slot] += b.v.head<3>();
+      const Vec3 turn = b.v.tail<3>();
+      if (turn != Vec3::Zero()) s.q[b.slot] = normalized(exp_map(turn) * s.q[b.slot]);
+    }
+  }
+  refresh_rotations(world);
+  refresh_separations(world);
+}
+
+}  // namespace
+
+extern constexpr Solver kDirect = {"direct", true, begin, measure_closing, velocities, positions, nullptr};
+
+}  // namespace carom

@@ -1,0 +1,58 @@
+// The direct solver: each contact group as one problem, solved to a residual.
+#pragma once
+
+#include "dynamics/contact/contact.h"
+#include "dynamics/solver/direct/cone_problem.h"
+
+namespace carom {
+
+/// Residual that a group is solved to, over velocity_tolerance. What is left of a body's weight adds up from step to
+/// step: 1e-4 m/s would be 6 mm in a minute.
+inline constexpr Real kDirectShare = 0.01;
+
+/// What the direct solver keeps over a step.
+struct DirectGroups {
+  explicit DirectGroups(Memory* m)
+      : contacts(m),
+        row(m),
+        begin(m),
+        bodies(m),
+        body(m),
+        edges(m),
+        edge_begin(m),
+        ordered_edges(m),
+        ordered_begin(m),
+        elimination(m),
+        factor(m),
+        scratch(m) {}
+
+  struct Begin {
+    std::uint32_t contact, body;
+  };
+  Array<ConeContact> contacts;      // by group, ascending rows
+  Array<std::uint32_t> row;         // by contact
+  Array<Begin> begin;               // [groups + 1]
+  Array<ConeBody> bodies;           // by group
+  Array<std::uint32_t> body;        // by slot: in bodies; kNobody: in no group
+  Array<Edge> edges;                // of bodies
+  Array<std::uint32_t> edge_begin;  // [groups + 1]
+  Array<Edge> ordered_edges;        // what elimination is for
+  Array<std::uint32_t> ordered_begin;
+  Elimination elimination;
+  BlockFactor factor;
+  Array<Vec6> scratch;
+
+  std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }
+  ConeProblem problem(std::size_t group) {
+    const Begin &from = begin[group], &to = begin[group + 1];
+    return {{contacts.data() + from.contact, to.contact - from.contact},
+            bodies.data(),
+            from.body,
+            to.body,
+            &elimination,
+            &factor,
+            scratch.data()};
+  }
+};
+
+}  // namespace carom

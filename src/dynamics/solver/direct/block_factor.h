@@ -1,0 +1,35 @@
+// A symmetric positive definite matrix of 6x6 blocks, one row of blocks a body, and its Cholesky factor in place.
+#pragma once
+
+#include "core/vec.h"
+#include "dynamics/solver/direct/elimination.h"
+
+namespace carom {
+
+inline constexpr int kDof = 6;  // of a body: velocity, angular velocity
+
+/// Row by row.
+struct alignas(16) Block {
+  Real x[kDof][kDof];
+};
+using Vec6 = Eigen::Matrix<Real, kDof, 1, Eigen::DontAlign>;
+
+struct BlockFactor {
+  explicit BlockFactor(Memory* m) : diagonal(m), below(m) {}
+  Array<Block> diagonal;  // by place
+  Array<Block> below;     // [Elimination::rows]
+
+  /// Where the block (row, column) below the diagonal is. Both are places, row > column, and the block is in the
+  /// factor.
+  std::size_t at(const Elimination& e, std::uint32_t row, std::uint32_t column) const;
+};
+
+/// Factor the columns [first, last) of one system.
+/// @return false: a pivot was not positive, the matrix was not definite within rounding; the factor is of no use
+bool factor(const Elimination& e, std::uint32_t first, std::uint32_t last, BlockFactor& f);
+
+/// Solve with a factor, in place.
+/// @param x  by place
+void solve(const Elimination& e, std::uint32_t first, std::uint32_t last, const BlockFactor& f, Vec6* x);
+
+}  // namespace carom

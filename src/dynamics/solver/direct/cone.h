@@ -1,0 +1,57 @@
+// Coulomb's friction cone, K = {p : |p_t| <= mu p_n}, in world axes: the nearest impulse in it, and how that changes.
+#pragma once
+
+#include "core/vec.h"
+
+namespace carom {
+
+/// Which part of space an impulse lies in.
+struct ConePart {
+  enum Kind : std::uint8_t { inside, outside, polar } kind;
+  Real n, t, along;  // z.n, |z_t|, length of the projection along the axis where outside
+};
+
+inline ConePart part_of(const Vec3& z, const Vec3& n, Real mu) {
+  ConePart c{};
+  c.n = z.dot(n);
+  c.t = (z - c.n * n).norm();
+  if (c.n <= -mu * c.t)
+    c.kind = ConePart::polar;
+  else if (c.t <= mu * c.n)
+    c.kind = ConePart::inside;
+  else
+    c.kind = ConePart::outside, c.along = (c.n + mu * c.t) / (1 + mu * mu);
+  return c;
+}
+
+/// The point of K nearest to z.
+/// @param z  N s, world   @param n  unit, world, axis   @param mu  >= 0
+inline Vec3 project_on_cone(const Vec3& z, const Vec3& n, Real mu) {
+  const ConePart c = part_of(z, n, mu);
+  switch (c.kind) {
+    case ConePart::inside:
+      return z;
+    case ConePart::polar:
+      return Vec3::Zero();
+    default:
+      return mu > 0 ? Vec3(c.along * (n + (mu / c.t) * (z - c.n * n))) : Vec3(c.along * n);
+  }
+}
+
+/// d project_on_cone / dz: symmetric, eigenvalues within [0, 1]; one of its one-sided values where it jumps.
+inline Mat3 slope_of_projection(const Vec3& z, const Vec3& n, Real mu) {
+  const ConePart c = part_of(z, n, mu);
+  switch (c.kind) {
+    case ConePart::inside:
+      return Mat3::Identity();
+    case ConePart::polar:
+      return Mat3::Zero();
+    default: {
+      if (!(mu > 0)) return n * n.transpose();
+      const Vec3 t = (z - c.n * n) / c.t, ray = n + mu * t, aside = n.cross(t);
+      return ray * ray.transpose() / (1 + mu * mu) + (mu * c.along / c.t) * aside * aside.transpose();
+    }
+  }
+}
+
+}  // namespace carom

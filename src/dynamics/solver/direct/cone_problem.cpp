@@ -1,0 +1,122 @@
+// Proximal rounds until the law holds.
+#include "dynamics/solver/direct/cone_problem.h"
+
+#include <algorithm>
+
+#include "dynamics/solver/direct/cone.h"
+#include "dynamics/solver/direct/round.h"
+
+namespace carom {
+void apply_impulses(ConeProblem& problem) {
+  for (ConeBody& b : bodies_of(problem)) b.gradient.setZero();
+  for (const ConeContact& c : problem.contacts) add_impulse<&ConeBody::gradient>(problem, c, c.p);
+  for (ConeBody& b : bodies_of(problem)) b.change = velocity_of(b, b.gradient), b.v += b.change;
+  for (ConeContact& c : problem.contacts) c.u += relative<&ConeBody::change>(problem, c);
+}
+
+Real offence(const ConeContact& c, Real slip) {
+  const Vec3 y = c.u - (c.want - slip) * c.n;
+  return c.k * (c.p - project_on_cone(c.p - y / c.k, c.n, c.friction)).norm();
+}
+
+Real residual(const ConeProblem& problem) {
+  Real most = 0;
+  for (const ConeContact& c : problem.contacts) most = std::max(most, offence(c, slip_of(c)));
+  return most;
+}
+
+namespace {
+
+/// Rounds at one slip until the offence with that slip is small.
+class FrozenSlip {
+ public:
+  FrozenSlip(ConeProblem& problem, ConeAnswer& answer, std::uint32_t most_steps)
+      : problem_(problem), answer_(answer), most_steps_(most_steps) {}
+
+  void solve(Real target) {
+    Real left = offence_now();
+    for (int i = 0; i < kRounds && left > target && answer_.factorisations < most_steps_; ++i) {
+      Round round(problem_, softness_);
+      const std::uint32_t most = std::min(kRoundSteps, most_steps_ - answer_.factorisations);
+      answer_.factorisations += round.minimise(0.1 * target, most);
+      ++answer_.rounds;
+      const Real now = offence_now();
+      if (now < left) {
+        if (now > kGood * left) softness_ = std::max(kLeast, kHarder * softness_);
+        left = now;
+      } else {
+        round.take_back();
+        if (softness_ == kMost) return;
+        softness_ = std::min(kMost, kSofter * softness_);
+      }
+    }
+  }
+
+ private:
+  static constexpr int kRounds = 20;
+  static constexpr std::uint32_t kRoundSteps = 60;
+  // A soft round is easy for Newton's method and goes part of the way, a hard one the other way round.
+  static constexpr Real kFirst = 1e-3, kLeast = 1e-10, kMost = 1, kGood = 0.1, kHarder = 0.1, kSofter = 30;
+
+  Real offence_now() const {
+    Real most = 0;
+    for (const ConeContact& c : problem_.contacts) most = std::max(most, offence(c, c.slip));
+    return most;
+  }
+
+  ConeProblem& problem_;
+  ConeAnswer& answer_;
+  std::uint32_t most_steps_;
+  Real softness_ = kFirst;
+};
+
+/// Slips for the next problem: those that the last one gave, carried on by the secant of the last two. Where the next
+/// is a share of the last this finds the end at once, and where it swings it finds the middle.
+void update_slips(ConeProblem& problem, bool first) {
+  Real along = 0, size2 = 0;
+  for (ConeContact& c : problem.contacts) {
+    const Real given = slip_of(c), change = given - c.slip, bend = change - c.old_change;
+    along += bend * change, size2 += bend * bend;
+  }
+  const Real back = !first && size2 > 0 ? along / size2 : 0;
+  for (ConeContact& c : problem.contacts) {
+    const Real given = slip_of(c), change = given - c.slip;
+    const Real next = first ? given : std::max(Real(0), given - back * (given - c.old_slip));
+    c.old_slip = given, c.old_change = change;
+    c.slip = next;
+  }
+}
+
+void keep(ConeProblem& problem) {
+  for (ConeContact& c : problem.contacts) c.best = c.p;
+}
+
+/// Back to the best impulses.
+void restore(ConeProblem& problem) {
+  for (ConeContact& c : problem.contacts) std::swap(c.p, c.best), c.p -= c.best;
+  apply_impulses(problem);
+  for (ConeContact& c : problem.contacts) c.p += c.best;
+}
+
+}  // namespace
+
+ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps) {
+  constexpr int kSlips = 60;
+  ConeAnswer answer;
+  answer.residual = residual(problem);
+  if (answer.residual <= tolerance) return answer;
+  keep(problem);
+  for (ConeContact& c : problem.contacts) c.slip = 0;
+  FrozenSlip frozen(problem, answer, most_steps);
+  Real now = answer.residual;
+  for (int i = 0; i < kSlips && answer.residual > tolerance && answer.factorisations < most_steps; ++i) {
+    update_slips(problem, i == 0);
+    frozen.solve(std::max(0.3 * tolerance, 0.03 * now));
+    now = residual(problem);
+    if (now < answer.residual) answer.residual = now, keep(problem);
+  }
+  if (now > answer.residual) restore(problem);
+  return answer;
+}
+
+}  // namespace carom

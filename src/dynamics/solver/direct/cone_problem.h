@@ -1,0 +1,151 @@
+// Contacts of bodies that hang together, as one problem: find impulses in the friction cones and velocities such that
+//
+//     M (v - v_free) = sum J^T p,    K  contains p,    y = u - want n + mu |u_t| n  lies in the dual of K,    p.y = 0,
+//
+// Coulomb's law with a least normal velocity `want` [DeSaxce1998]. Without friction the same finds displacements.
+#pragma once
+
+#include <span>
+
+#include "dynamics/solver/direct/block_factor.h"
+
+namespace carom {
+
+inline constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
+
+struct ConeContact {
+  std::uint32_t a, b;   // bodies of the problem, or kNobody: not moved by impulses
+  std::uint32_t below;  // in BlockFactor::below: the block that couples a and b; kNobody where there is none
+  bool a_later;         // a is eliminated after b
+  Vec3 n;               // unit, world, A to B
+  Vec3 r_a, r_b;        // m, world axes; zero where the body does not rotate
+  Real friction;
+  Real want;         // m/s
+  Real restitution;  // 0: does not bounce in this substep
+  Real force_speed;  // m/s >= 0, part of the closing speed that forces of this substep added; where it may bounce
+  Vec3 impact;       // N s, on B, of bounces
+  Real k;            // 1/kg, mean velocity at the point per impulse there
+  Vec3 p;            // N s, on B, world
+  Vec3 u;            // m/s, relative velocity with p and all others acting
+
+  // of a solve
+  Real slip;                  // m/s, what stands for mu |u_t|
+  Real old_slip, old_change;  // m/s, what the last slip but one gave, and how far that was from it
+  Vec3 best;                  // N s, of the best answer so far
+
+  // of a round
+  Vec3 p0, u0;  // as it began
+  Vec3 du;      // m/s, of a Newton step
+};
+
+struct ConeBody {
+  std::uint32_t slot;
+  Real mass, inv_mass;        // kg, 1/kg
+  Mat3 inertia, inv_inertia;  // kg m^2, 1/(kg m^2), world; identity and zero where it does not rotate
+  Vec6 v;                     // m/s, rad/s
+
+  // of a round
+  Vec6 change;    // of v since it began
+  Vec6 gradient;  // kg m/s, kg m^2/s
+  Vec6 step;
+};
+
+/// One system: runs of contacts and of bodies; indices in a contact count from the first body of all systems, as do
+/// places of the elimination.
+struct ConeProblem {
+  std::span<ConeContact> contacts;
+  ConeBody* bodies;
+  std::uint32_t first, last;  // bodies
+  const Elimination* elimination;
+  BlockFactor* factor;
+  Vec6* scratch;  // by place
+};
+
+// ---- small parts that all files of this room share ----
+
+inline Vec3 linear(const Vec6& v) { return v.head<3>(); }
+inline Vec3 angular(const Vec6& v) { return v.tail<3>(); }
+
+/// Impulse p on B and -p on A, as changes of the bodies' momentum.
+template <Vec6 ConeBody::*kMomentum>
+void add_impulse(const ConeProblem& problem, const ConeContact& c, const Vec3& p) {
+  if (c.a != kNobody) {
+    Vec6& m = problem.bodies[c.a].*kMomentum;
+    m.head<3>() -= p;
+    m.tail<3>() -= c.r_a.cross(p);
+  }
+  if (c.b != kNobody) {
+    Vec6& m = problem.bodies[c.b].*kMomentum;
+    m.head<3>() += p;
+    m.tail<3>() += c.r_b.cross(p);
+  }
+}
+
+template <Vec6 ConeBody::*kVelocity>
+Vec3 relative(const ConeProblem& problem, const ConeContact& c) {
+  Vec3 u = Vec3::Zero();
+  if (c.b != kNobody) {
+    const Vec6& v = problem.bodies[c.b].*kVelocity;
+    u += linear(v) + angular(v).cross(c.r_b);
+  }
+  if (c.a != kNobody) {
+    const Vec6& v = problem.bodies[c.a].*kVelocity;
+    u -= linear(v) + angular(v).cross(c.r_a);
+  }
+  return u;
+}
+
+inline Vec6 velocity_of(const ConeBody& body, const Vec6& momentum) {
+  Vec6 v;
+  v.head<3>() = body.inv_mass * momentum.head<3>();
+  v.tail<3>() = body.inv_inertia * momentum.tail<3>();
+  return v;
+}
+inline Vec6 momentum_of(const ConeBody& body, const Vec6& velocity) {
+  Vec6 m;
+  m.head<3>() = body.mass * velocity.head<3>();
+  m.tail<3>() = body.inertia * velocity.tail<3>();
+  return m;
+}
+
+inline std::span<ConeBody> bodies_of(const ConeProblem& problem) {
+  return {problem.bodies + problem.first, problem.last - problem.first};
+}
+/// m/s, mu |u_t|
+inline Real slip_of(const ConeContact& c) {
+  return c.friction > 0 ? c.friction * (c.u - c.u.dot(c.n) * c.n).norm() : Real(0);
+}
+/// How far a contact is from the law, m/s: k |p - P_K(p - y / k)|.
+Real offence(const ConeContact& c, Real slip);
+
+// ---- what the solver does ----
+
+struct ConeAnswer {
+  Real residual = 0;                 // m/s, @see residual()
+  std::uint32_t rounds = 0;          // proximal
+  std::uint32_t factorisations = 0;  // Newton steps
+};
+
+/// Change velocities of bodies by impulses of contacts, and contacts' velocities with them.
+void apply_impulses(ConeProblem& problem);
+
+/// Bounces: the fastest impact first, one at a time, until none is faster than a threshold. So a row of balls hands a
+/// blow on from one to the next; all at once would share it out. Each keeps the energy where restitution is 1 and
+/// nothing rubs.
+/// @param least  m/s, slower impacts do not bounce   @return impacts
+std::uint32_t bounce(ConeProblem& problem, Real least);
+
+/// The largest offence of all contacts. @return m/s
+Real residual(const ConeProblem& problem);
+
+/// Solve from the impulses that act already, until the residual is below a tolerance.
+///
+/// Proximal rounds on the impulses (p next = P_K(p - y / R) with R a small fraction of k: the solution is exact,
+/// however large R, and of many that redundant contacts allow the one near the start is found), each a smooth convex
+/// problem in the velocities for Newton's method with an exact line search; mu |u_t| is that of the round's start.
+///
+/// @param tolerance  m/s   @param most_steps  Newton steps in all; the answer of a capped solve is what it came to
+/// @source [DeSaxce1998], [Todorov2014] for the primal view; @oracle tests/oracle/test_direct
+ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps);
+
+}  // namespace carom

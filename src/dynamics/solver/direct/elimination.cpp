@@ -1,0 +1,111 @@
+// Minimum degree on a quotient graph: an eliminated node stands for the clique of those that were its neighbours.
+#include "dynamics/solver/direct/elimination.h"
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+/// Nodes counted from 0; an element carries the number of the node whose elimination made it.
+class QuotientGraph {
+ public:
+  QuotientGraph(std::uint32_t count, Elimination::Scratch& s) : count_(count), s_(s) {}
+
+  void start(std::uint32_t first, std::span<const Edge> edges) {
+    s_.neighbour_begin.assign(count_ + 1, 0);
+    for (const Edge& e : edges) ++s_.neighbour_begin[e.a - first + 1], ++s_.neighbour_begin[e.b - first + 1];
+    for (std::uint32_t i = 0; i < count_; ++i) s_.neighbour_begin[i + 1] += s_.neighbour_begin[i];
+    s_.neighbour.resize(s_.neighbour_begin[count_]);
+    s_.mark.assign(s_.neighbour_begin.begin(), s_.neighbour_begin.end());  // next free place
+    for (const Edge& e : edges) {
+      s_.neighbour[s_.mark[e.a - first]++] = e.b - first;
+      s_.neighbour[s_.mark[e.b - first]++] = e.a - first;
+    }
+    s_.mark.assign(count_, kNone);
+    s_.first.assign(count_, kNone);
+    s_.next.clear(), s_.element.clear(), s_.member.clear();
+    s_.begin.assign(2 * count_, kNone);  // of an element's members, and their end
+    s_.degree.resize(count_);
+    for (std::uint32_t i = 0; i < count_; ++i) s_.degree[i] = degree_of(i);
+  }
+
+  std::uint32_t least_degree() const {
+    std::uint32_t best = kNone;
+    for (std::uint32_t i = 0; i < count_; ++i)
+      if (s_.degree[i] < (best == kNone ? kNone : s_.degree[best])) best = i;
+    return best;
+  }
+
+  /// Eliminate a node. @return nodes that it was coupled to, directly or through nodes eliminated before
+  std::span<const std::uint32_t> remove(std::uint32_t node) {
+    const auto begin = static_cast<std::uint32_t>(s_.member.size());
+    each_neighbour(node, [&](std::uint32_t i) { s_.member.push_back(i); });
+    const auto end = static_cast<std::uint32_t>(s_.member.size());
+    for (std::uint32_t k = s_.first[node]; k != kNone; k = s_.next[k]) s_.begin[2 * s_.element[k]] = kNone;  // absorbed
+    s_.begin[2 * node] = begin, s_.begin[2 * node + 1] = end;
+    s_.degree[node] = kNone;
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const std::uint32_t i = s_.member[k];
+      s_.element.push_back(node);
+      s_.next.push_back(s_.first[i]);
+      s_.first[i] = static_cast<std::uint32_t>(s_.next.size() - 1);
+    }
+    for (std::uint32_t k = begin; k < end; ++k) s_.degree[s_.member[k]] = degree_of(s_.member[k]);
+    return {s_.member.data() + begin, end - begin};
+  }
+
+ private:
+  bool gone(std::uint32_t i) const { return s_.begin[2 * i + 1] != kNone; }
+
+  template <class F>
+  void each_neighbour(std::uint32_t node, F&& f) {
+    const std::uint32_t stamp = stamp_++;
+    s_.mark[node] = stamp;
+    const auto visit = [&](std::uint32_t i) {
+      if (gone(i) || s_.mark[i] == stamp) return;
+      s_.mark[i] = stamp;
+      f(i);
+    };
+    for (std::uint32_t k = s_.neighbour_begin[node]; k < s_.neighbour_begin[node + 1]; ++k) visit(s_.neighbour[k]);
+    for (std::uint32_t k = s_.first[node]; k != kNone; k = s_.next[k]) {
+      const std::uint32_t e = s_.element[k];
+      if (s_.begin[2 * e] == kNone) continue;
+      for (std::uint32_t j = s_.begin[2 * e], last = s_.begin[2 * e + 1]; j < last; ++j) visit(s_.member[j]);
+    }
+  }
+
+  std::uint32_t degree_of(std::uint32_t node) {
+    std::uint32_t n = 0;
+    each_neighbour(node, [&](std::uint32_t) { ++n; });
+    return n;
+  }
+
+  std::uint32_t count_, stamp_ = 0;
+  Elimination::Scratch& s_;
+};
+
+}  // namespace
+
+std::uint64_t eliminate(std::uint32_t first, std::uint32_t count, std::span<const Edge> edges, Elimination& out) {
+  QuotientGraph graph(count, out.scratch);
+  graph.start(first, edges);
+  out.place.resize(first + count);
+  std::uint64_t products = 0;
+  const std::size_t begin = out.rows.size();
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t node = graph.least_degree();
+    out.place[first + node] = first + k;
+    const std::span<const std::uint32_t> below = graph.remove(node);
+    for (const std::uint32_t i : below) out.rows.push_back(first + i);
+    out.column.push_back(static_cast<std::uint32_t>(out.rows.size()));
+    products += 1 + below.size() + below.size() * (below.size() + 1) / 2;
+  }
+  for (std::size_t k = begin; k < out.rows.size(); ++k) out.rows[k] = out.place[out.rows[k]];
+  for (std::uint32_t k = first; k < first + count; ++k)
+    std::sort(out.rows.begin() + out.column[k], out.rows.begin() + out.column[k + 1]);
+  return products;
+}
+
+}  // namespace carom

@@ -1,0 +1,41 @@
+// In which order bodies are eliminated from a system of equations that couples those which touch, and what fills in.
+#pragma once
+
+#include <span>
+
+#include "core/memory.h"
+
+namespace carom {
+
+/// Two nodes whose block is not zero.
+struct Edge {
+  std::uint32_t a, b;
+  friend bool operator==(const Edge&, const Edge&) = default;
+};
+
+/// Orders of elimination and columns of the Cholesky factors of several systems, one after the other. A system owns a
+/// run of nodes; its places are the same run.
+struct Elimination {
+  explicit Elimination(Memory* m) : place(m), column(m), rows(m), scratch(m) {}
+
+  Array<std::uint32_t> place;   // by node: when it is eliminated
+  Array<std::uint32_t> column;  // [places + 1] by place: where its column begins in rows
+  Array<std::uint32_t> rows;    // places of the blocks below the diagonal, ascending within a column
+
+  struct Scratch {
+    explicit Scratch(Memory* m)
+        : neighbour_begin(m), neighbour(m), degree(m), mark(m), first(m), next(m), element(m), begin(m), member(m) {}
+    Array<std::uint32_t> neighbour_begin, neighbour, degree, mark, first, next, element, begin, member;
+  } scratch;
+
+  void clear() { place.clear(), column.assign(1, 0), rows.clear(); }
+};
+
+/// Add a system: minimum degree on the quotient graph, ties to the lowest node.
+/// @param first, count  nodes of the system; nodes of earlier systems are below first
+/// @param edges  within the system; repeats are harmless
+/// @return block products that a factorisation takes
+/// @source [George1989]
+std::uint64_t eliminate(std::uint32_t first, std::uint32_t count, std::span<const Edge> edges, Elimination& out);
+
+}  // namespace carom

@@ -1,0 +1,138 @@
+// Newton's method with an exact line search.
+#include "dynamics/solver/direct/round.h"
+
+#include <algorithm>
+
+#include "dynamics/solver/direct/cone.h"
+
+namespace carom {
+namespace {
+
+void add(Block& d, int row, int column, const Mat3& m) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) d.x[row + i][column + j] += m(i, j);
+}
+
+/// J^T w J of one body, J = [1, -x].
+void add_own(Block& d, const Mat3& w, const Mat3& x, const Mat3& wx) {
+  add(d, 0, 0, w);
+  add(d, 0, 3, -wx);
+  add(d, 3, 0, x * w);
+  add(d, 3, 3, -(x * wx));
+}
+
+}  // namespace
+
+Round::Round(ConeProblem& problem, Real softness) : problem_(problem), softness_(softness) {
+  for (ConeContact& c : problem_.contacts) c.p0 = c.p, c.u0 = c.u;
+  for (ConeBody& b : bodies_of(problem_)) b.change.setZero();
+}
+
+void Round::take_back() {
+  for (ConeBody& b : bodies_of(problem_)) b.v -= b.change;
+  for (ConeContact& c : problem_.contacts) c.p = c.p0, c.u = c.u0;
+}
+
+std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
+  std::uint32_t steps = 0;
+  for (; steps < most_steps; ++steps) {
+    if (find_gradient() <= tolerance) break;
+    assemble();
+    if (!factor(*problem_.elimination, problem_.first, problem_.last, *problem_.factor)) break;
+    find_step();
+    const Real length = search();
+    for (ConeBody& b : bodies_of(problem_)) b.change += length * b.step;
+    for (ConeContact& c : problem_.contacts) c.u += length * c.du;
+  }
+  accept();
+  return steps;
+}
+
+Real Round::find_gradient() {
+  for (ConeBody& b : bodies_of(problem_)) b.gradient = momentum_of(b, b.change);
+  for (ConeContact& c : problem_.contacts) {
+    c.p = project_on_cone(pull(c, c.u), c.n, c.friction);
+    add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
+  }
+  for (ConeBody& b : bodies_of(problem_)) b.step = velocity_of(b, b.gradient);
+  Real most = 0;
+  for (const ConeContact& c : problem_.contacts)
+    most = std::max(most, relative<&ConeBody::step>(problem_, c).squaredNorm());
+  return std::sqrt(most);
+}
+
+void Round::assemble() {
+  const Elimination& e = *problem_.elimination;
+  BlockFactor& f = *problem_.factor;
+  for (std::uint32_t i = problem_.first; i < problem_.last; ++i) {
+    const ConeBody& b = problem_.bodies[i];
+    Block& d = f.diagonal[e.place[i]];
+    d = {};
+    for (int k = 0; k < 3; ++k) d.x[k][k] = b.mass;
+    add(d, 3, 3, b.inertia);
+  }
+  std::fill(f.below.begin() + e.column[problem_.first], f.below.begin() + e.column[problem_.last], Block{});
+  for (const ConeContact& c : problem_.contacts) {
+    if (c.p == Vec3::Zero()) continue;  // off the cone: no curvature
+    const Mat3 w = slope_of_projection(pull(c, c.u), c.n, c.friction) / resistance(c);
+    const Mat3 x_a = cross_matrix(c.r_a), x_b = cross_matrix(c.r_b), w_a = w * x_a, w_b = w * x_b;
+    if (c.a != kNobody) add_own(f.diagonal[e.place[c.a]], w, x_a, w_a);
+    if (c.b != kNobody) add_own(f.diagonal[e.place[c.b]], w, x_b, w_b);
+    if (c.below == kNobody) continue;
+    Block& d = f.below[c.below];
+    const Mat3 &x = c.a_later ? x_a : x_b, &other = c.a_later ? w_b : w_a;
+    add(d, 0, 0, -w);
+    add(d, 0, 3, other);
+    add(d, 3, 0, -(x * w));
+    add(d, 3, 3, x * other);
+  }
+}
+
+void Round::find_step() {
+  const Elimination& e = *problem_.elimination;
+  for (std::uint32_t i = problem_.first; i < problem_.last; ++i)
+    problem_.scratch[e.place[i]] = -problem_.bodies[i].gradient;
+  solve(e, problem_.first, problem_.last, *problem_.factor, problem_.scratch);
+  for (std::uint32_t i = problem_.first; i < problem_.last; ++i) problem_.bodies[i].step = problem_.scratch[e.place[i]];
+  for (ConeContact& c : problem_.contacts) c.du = relative<&ConeBody::step>(problem_, c);
+}
+
+Real Round::search() const {
+  Real at_rest = 0, grows = 0;
+  for (const ConeBody& b : bodies_of(problem_)) {
+    const Vec6 m = momentum_of(b, b.step);
+    at_rest += b.change.dot(m);
+    grows += b.step.dot(m);
+  }
+  const auto derivative = [&](Real length) {
+    Real d = at_rest + length * grows;
+    for (const ConeContact& c : problem_.contacts)
+      d -= c.du.dot(project_on_cone(pull(c, c.u + length * c.du), c.n, c.friction) - c.p0);
+    return d;
+  };
+  constexpr Real kClose = 0.1;
+  constexpr int kTries = 30;
+  Real low = 0, d_low = derivative(0), high = 1, d_high = derivative(1);
+  const Real enough = kClose * std::fabs(d_low);
+  for (int i = 0; i < kTries && d_high < -enough; ++i) low = high, d_low = d_high, high *= 2, d_high = derivative(high);
+  if (std::fabs(d_high) <= enough) return high;
+  Real length = high;
+  for (int i = 0; i < kTries; ++i) {
+    // Halves now and then: false position alone may creep.
+    length = i % 3 == 2 || !(d_high > d_low) ? (low + high) / 2 : low - d_low * (high - low) / (d_high - d_low);
+    const Real d = derivative(length);
+    if (std::fabs(d) <= enough) break;
+    (d < 0 ? low : high) = length;
+    (d < 0 ? d_low : d_high) = d;
+  }
+  return length;
+}
+
+void Round::accept() {
+  for (ConeBody& b : bodies_of(problem_)) b.gradient.setZero();
+  for (ConeContact& c : problem_.contacts) add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0);
+  for (ConeBody& b : bodies_of(problem_)) b.change = velocity_of(b, b.gradient), b.v += b.change;
+  for (ConeContact& c : problem_.contacts) c.u = c.u0 + relative<&ConeBody::change>(problem_, c);
+}
+
+}  // namespace carom

@@ -1,0 +1,39 @@
+// One proximal round of the direct solver: a smooth convex problem in the velocities, by Newton's method.
+#pragma once
+
+#include "dynamics/solver/direct/cone_problem.h"
+
+namespace carom {
+
+/// Minimises over velocities v
+///     |v - v0|^2_M / 2 - sum p0.(u - u0) + sum R |P_K(p0 - y / R)|^2 / 2,   R = softness * k,
+/// whose gradient is nought where momentum and the impulses P_K(p0 - y / R) agree.
+class Round {
+ public:
+  Round(ConeProblem& problem, Real softness);
+
+  /// @param tolerance  m/s, of contact velocities   @return Newton steps taken
+  std::uint32_t minimise(Real tolerance, std::uint32_t most_steps);
+  /// As it was before.
+  void take_back();
+
+ private:
+  Real resistance(const ConeContact& c) const { return softness_ * c.k; }
+  /// p0 - y / R at velocity u.
+  Vec3 pull(const ConeContact& c, const Vec3& u) const { return c.p0 - (u - (c.want - c.slip) * c.n) / resistance(c); }
+  /// Impulses at the present velocities, and what is lacking in the bodies' momentum.
+  /// @return m/s, the most that a contact's velocity would change if bodies had the momentum that impulses give
+  Real find_gradient();
+  /// Curvature: M + sum J^T (dP/dz / R) J.
+  void assemble();
+  void find_step();
+  /// Where along the step the function is least, closely enough: a root of its derivative, which grows.
+  Real search() const;
+  /// Bodies get the momentum of the impulses, to the bit.
+  void accept();
+
+  ConeProblem& problem_;
+  Real softness_;
+};
+
+}  // namespace carom

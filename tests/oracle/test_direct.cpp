@@ -1,0 +1,185 @@
+// The direct solver against Coulomb's law, checked from outside, and on what other solvers cannot hold.
+#include <vector>
+
+#include "carom_test.h"
+#include "dynamics/solver/direct.h"
+#include "world_builder.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+constexpr Real kStep = 1.0 / 60, kGravity = 9.81;
+constexpr Real kDirectChoice = 3;  // CAROM_SOLVER_DIRECT
+
+void use_direct(TestWorld& t, Real tolerance) {
+  t.world.set_dial(Dial::solver, kDirectChoice);
+  t.world.set_dial(Dial::velocity_tolerance, tolerance / kDirectShare);
+}
+
+}  // namespace
+
+/// A heap while it falls, in every step: what the contacts did obeys the law, and bodies have what the contacts gave.
+static void a_heap_obeys_the_law_in_every_step(void**) {
+  constexpr Real kTolerance = 1e-7;
+  TestWorld t;
+  use_direct(t, kTolerance);
+  t.ground();
+  Random random(3);
+  const Shape *cube = t.keep(box(Vec3(0.3, 0.2, 0.4))), *ball = t.keep(sphere(0.3));
+  std::vector<std::uint32_t> bodies;
+  for (int i = 0; i < 24; ++i)
+    bodies.push_back(
+        t.add(i % 2 ? cube : ball, Vec3(random.uniform(-0.5, 0.5), 0.5 + 0.45 * i, random.uniform(-0.5, 0.5))));
+  std::size_t slides = 0, sticks = 0, opens = 0, capped = 0;
+  for (int step = 0; step < 240; ++step) {
+    std::vector<Vec3> before;
+    for (const std::uint32_t i : bodies) before.push_back(t.world.state.v[i] + kStep * t.world.scene.gravity);
+    t.world.step(kStep);
+    std::vector<Vec3> given(t.world.scene.bodies.slots(), Vec3::Zero());
+    assert_true(t.world.report.solver_residual < 0.01);
+    capped += t.world.report.solver_residual > kTolerance;
+    // What the report says bounds each of the law's parts: k |p - P(p - y / k)| is at least what y lacks of the dual
+    // cone, and what y and p lack of being at right angles, up to sqrt(1 + mu^2) for the slope of the cone.
+    const Real slack = 2 * std::max<Real>(kTolerance, t.world.report.solver_residual);
+    for (const ConeContact& c : t.world.direct->contacts) {
+      if (c.friction == 0) continue;  // what parted overlaps, not what changed velocities
+      const Real u_n = c.u.dot(c.n) - c.want, p_n = c.p.dot(c.n);
+      const Vec3 u_t = c.u - c.u.dot(c.n) * c.n, p_t = c.p - p_n * c.n;
+      assert_true(u_n > -slack && p_n >= 0);
+      assert_true(p_t.norm() <= c.friction * p_n * (1 + 1e-12));
+      if (p_n * c.k > 1e3 * slack) {
+        assert_true(u_n < slack);        // it pushes: it does not part
+        if (u_t.norm() > 1e3 * slack) {  // it slips: friction is all it can be, and opposes
+          assert_true(std::fabs(p_t.norm() - c.friction * p_n) * c.k < slack);
+          assert_true(p_t.normalized().dot(u_t.normalized()) < -0.999);
+          ++slides;
+        } else {
+          ++sticks;
+        }
+      } else {
+        ++opens;
+      }
+    }
+    for (std::size_t i = 0; i < t.world.contacts->rows.size(); ++i) {
+      const Row& row = t.world.contacts->rows[i];
+      given[row.b] += row.p, given[row.a] -= row.p;
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const Vec3 gained = t.world.scene.mass[bodies[i]] * (t.world.state.v[bodies[i]] - before[i]);
+      assert_true((gained - given[bodies[i]]).norm() < 1e-9 * (1 + given[bodies[i]].norm()));
+    }
+  }
+  assert_true(capped < 15);  // of 240: steps with impacts of many bodies that took all the steps allowed, and said so
+  assert_true(slides > 50 && sticks > 1000 && opens > 50);  // all cases of the law were met
+}
+
+static void a_stack_of_forty_stands(void**) {
+  TestWorld t;
+  use_direct(t, 1e-6);
+  t.ground();
+  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  std::vector<std::uint32_t> cubes;
+  for (int i = 0; i < 40; ++i) cubes.push_back(t.add(cube, Vec3(0, i + 0.5, 0)));
+  t.run(1200, kStep);
+  for (int i = 0; i < 40; ++i) {
+    // Positions are corrected where they overlap by 1 mm; below that each contact may creep by the tolerance.
+    const Vec3 moved = t.world.state.x[cubes[static_cast<std::size_t>(i)]] - Vec3(0, i + 0.5, 0);
+    assert_true(moved.norm() < 40 * 20 * 1e-6);
+  }
+}
+
+static void a_light_cube_bears_one_of_a_million_times_its_mass(void**) {
+  TestWorld t;
+  use_direct(t, 1e-6);
+  t.ground();
+  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const std::uint32_t light = t.add(cube, Vec3(0, 0.5, 0)), heavy = t.add(nullptr, Vec3(0, 1.5, 0));
+  t.world.add_collider(heavy, cube, Pose{}, 1e9, Colliders::kNoMaterial);
+  t.run(600, kStep);
+  assert_true((t.world.state.x[light] - Vec3(0, 0.5, 0)).norm() < 10 * 1e-6);
+  assert_true((t.world.state.x[heavy] - Vec3(0, 1.5, 0)).norm() < 20 * 1e-6);
+}
+
+/// A table on four legs is borne by more than three: of the many answers the even one comes.
+static void what_bears_too_often_is_borne_evenly(void**) {
+  TestWorld t;
+  use_direct(t, 1e-9);
+  t.ground();
+  const std::uint32_t plate = t.add(t.keep(box(Vec3(1, 0.1, 1))), Vec3(0, 0.1, 0));
+  t.run(60, kStep);
+  const Real weight = t.world.scene.mass[plate] * kGravity * kStep;
+  assert_int_equal(t.world.contact_views.size(), 4);
+  for (const ContactView& c : t.world.contact_views)
+    assert_true(std::fabs(c.normal_impulse - weight / 4) < 1e-6 * weight);
+}
+
+static void a_slope_holds_below_the_angle_of_friction_and_lets_go_above(void**) {
+  for (const Real angle : {0.45, 0.48}) {  // tan 0.463 = 0.5
+    const Vec3 down(-std::sin(angle), -std::cos(angle), 0);
+    TestWorld t(kGravity * down);
+    use_direct(t, 1e-8);
+    const std::uint32_t m = t.material(0.5, 0);
+    t.ground(m);
+    const std::uint32_t slab =
+        t.add(t.keep(box(Vec3(0.5, 0.1, 0.5))), Vec3(0, 0.1, 0), BodyType::dynamic, Quat::Identity(), m);
+    t.run(60, kStep);
+    const Real pull = kGravity * (std::sin(angle) - 0.5 * std::cos(angle));
+    const Real speed = -t.world.state.v[slab].x();
+    assert_true(std::fabs(speed - (pull > 0 ? pull : 0)) < 1e-6);  // after 1 s
+  }
+}
+
+static void an_impact_is_handed_on_and_keeps_the_energy(void**) {
+  TestWorld t(Vec3::Zero());
+  use_direct(t, 1e-9);
+  const std::uint32_t m = t.material(0, 1);
+  const Shape* ball = t.keep(sphere(0.5));
+  std::vector<std::uint32_t> row;
+  for (int i = 0; i < 5; ++i)
+    row.push_back(t.add(ball, Vec3(i > 0 ? i : -0.5, 0, 0), BodyType::dynamic, Quat::Identity(), m));
+  t.world.set_velocity(row[0], Vec3(1, 0, 0), Vec3::Zero());
+  t.run(60, kStep);
+  for (std::size_t i = 0; i < 5; ++i) assert_true(std::fabs(t.world.state.v[row[i]].x() - (i == 4 ? 1 : 0)) < 1e-12);
+}
+
+/// An answer that cannot be had within the steps allowed is still bounded: nothing flies off, nothing is NaN.
+static void a_capped_solve_stays_sane(void**) {
+  std::vector<ConeContact> contacts(2);
+  std::vector<ConeBody> bodies(1);
+  bodies[0].mass = 1, bodies[0].inv_mass = 1;
+  bodies[0].inertia.setIdentity(), bodies[0].inv_inertia.setIdentity();
+  bodies[0].v.setZero();
+  for (std::size_t i = 0; i < 2; ++i) {  // squeezed from both sides by walls that close in
+    ConeContact& c = contacts[i];
+    c.a = kNobody, c.b = 0, c.below = kNobody;
+    c.n = i ? Vec3(1, 0, 0) : Vec3(-1, 0, 0);
+    c.r_a.setZero(), c.r_b = -c.n;
+    c.friction = 0.5, c.want = 1, c.k = 2, c.restitution = 0;
+    c.p.setZero(), c.u.setZero(), c.impact.setZero();
+  }
+  Elimination e(std::pmr::new_delete_resource());
+  e.clear();
+  eliminate(0, 1, {}, e);
+  BlockFactor f(std::pmr::new_delete_resource());
+  f.diagonal.resize(1);
+  std::vector<Vec6> scratch(1);
+  ConeProblem problem{contacts, bodies.data(), 0, 1, &e, &f, scratch.data()};
+  const ConeAnswer answer = solve_cones(problem, 1e-9, 100);
+  assert_true(answer.residual > 0.5);  // there is no solution, and it says so
+  assert_true(bodies[0].v.allFinite() && bodies[0].v.norm() < 1);
+}
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(a_heap_obeys_the_law_in_every_step),
+      cmocka_unit_test(a_stack_of_forty_stands),
+      cmocka_unit_test(a_light_cube_bears_one_of_a_million_times_its_mass),
+      cmocka_unit_test(what_bears_too_often_is_borne_evenly),
+      cmocka_unit_test(a_slope_holds_below_the_angle_of_friction_and_lets_go_above),
+      cmocka_unit_test(an_impact_is_handed_on_and_keeps_the_energy),
+      cmocka_unit_test(a_capped_solve_stays_sane),
+  };
+  return cmocka_run_group_tests_name("oracle/direct", tests, nullptr, nullptr);
+}
