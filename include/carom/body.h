@@ -66,6 +66,8 @@ typedef struct carom_body_desc {
   double linear_damping;      /**< 1/s, [0, 1e6], default 0: dv/dt = -c v */
   double angular_damping;     /**< 1/s, [0, 1e6], default 0 */
   uint64_t user;              /**< anything; the engine does not look */
+  uint32_t stays_awake;       /**< 1: it never falls asleep, nor does what it touches. default 0   @since 1.2 */
+  uint32_t reserved_1;        /**< 0 */
 } carom_body_desc;
 
 /** @status OK; NULL_ARGUMENT */
@@ -96,6 +98,25 @@ CAROM_API int32_t carom_body_add_force(carom_world *world, carom_body body, cons
  *  @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT */
 CAROM_API int32_t carom_body_add_impulse(carom_world *world, carom_body body, const double impulse[3],
                                          const double point[3], carom_error *error);
+
+/* ---- sleep, if CAROM_DIAL_SLEEP is on (by default it is off) ----
+ * An island (dynamic bodies that hang together through contacts, or one by itself) whose bodies were all slower than
+ * CAROM_DIAL_SLEEP_SPEED for CAROM_DIAL_SLEEP_TIME falls asleep at the end of a step: its velocities become 0, and from
+ * then on it costs nothing. Its poses and all that is remembered of its contacts are kept to the bit, so that when it
+ * wakes it goes on as if no time had passed. The whole island wakes
+ *  - in the step in which a body that moves touches it (comes within the contact distance), before contacts are made;
+ *  - when a host writes to one of its bodies (create or destroy a collider, pose, and velocity, force or impulse other
+ *    than 0), or calls carom_body_wake();
+ *  - when the material of it or of what it touches is updated, or a static or kinematic body that it touches is moved by
+ *    the host, changed or destroyed;
+ *  - with all others when gravity or a dial changes, a shape is muted, or a body is quarantined.
+ * Its contacts are not among those of carom_world_get_contacts(), nor in the residuals of the report. */
+
+/** @param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.2 */
+CAROM_API int32_t carom_body_is_asleep(carom_world *world, carom_body body, uint32_t *asleep, carom_error *error);
+/** Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; *_HANDLE; BUSY; REENTRANT
+ *  @since 1.2 */
+CAROM_API int32_t carom_body_wake(carom_world *world, carom_body body, carom_error *error);
 
 /* ---- colliders ---- */
 typedef struct carom_collider_desc {

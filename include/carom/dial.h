@@ -42,7 +42,11 @@ extern "C" {
 #define CAROM_DIAL_CONTACT_FREQUENCY 26u   /* Hz: stiffness of soft contacts */
 #define CAROM_DIAL_CONTACT_DAMPING 27u     /* damping ratio of soft contacts */
 #define CAROM_DIAL_PUSH_SPEED 28u          /* m/s: soft contacts undo overlap at this speed at most */
-#define CAROM_DIAL_COUNT 29u
+#define CAROM_DIAL_SLEEP 29u               /* choice: 0 everything is simulated, 1 islands that came to rest sleep until
+                                              something touches them; see carom_body_is_asleep() */
+#define CAROM_DIAL_SLEEP_SPEED 30u         /* m/s: no point of a body that falls asleep moves faster */
+#define CAROM_DIAL_SLEEP_TIME 31u          /* s: for how long it has been so */
+#define CAROM_DIAL_COUNT 32u
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
 #define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u

@@ -93,6 +93,9 @@ typedef struct carom_step_report {
   double max_closing_speed;    /**< m/s left at touching contact points after the step */
   double linear_energy;        /**< J, kinetic */
   double angular_energy;       /**< J, kinetic */
+  uint64_t asleep_bodies;      /**< after the step, counted under dynamic_bodies   @since 1.2 */
+  uint64_t fell_asleep;        /**< of them, in this step   @since 1.2 */
+  uint64_t woke_up;            /**< bodies that woke in this step or since the one before   @since 1.2 */
 } carom_step_report;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */

@@ -62,6 +62,8 @@ bool read_body(Call& call, const carom_body_desc* given, BodyDef& def) {
   carom_body_desc d;
   carom_body_desc_init(&d);
   if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
+      !known(call, 2, "desc->stays_awake", d.stays_awake, 2) ||
+      !only_bits(call, 2, "desc->reserved_1", d.reserved_1, 0) ||
       !known(call, 2, "desc->type", d.type, CAROM_BODY_DYNAMIC + 1) || !check_mass(call, d) || !check_motion(call, d))
     return false;
   def.type = static_cast<BodyType>(d.type);
@@ -82,6 +84,7 @@ bool read_body(Call& call, const carom_body_desc* given, BodyDef& def) {
   def.linear_damping = d.linear_damping;
   def.angular_damping = d.angular_damping;
   def.user = d.user;
+  def.stays_awake = d.stays_awake;
   return true;
 }
 
@@ -101,6 +104,7 @@ carom_body_desc describe(const World& world, std::uint32_t slot) {
   d.linear_damping = def.linear_damping;
   d.angular_damping = def.angular_damping;
   d.user = def.user;
+  d.stays_awake = def.stays_awake;
   return d;
 }
 
@@ -195,6 +199,21 @@ int32_t carom_body_set_velocity(carom_world* world, carom_body body, const doubl
         !(at_rest(call, 3, "linear", linear) && at_rest(call, 4, "angular", angular)))
       return;
     changing->set_velocity(slot, to_vec3(linear), to_vec3(angular));
+  });
+}
+
+int32_t carom_body_is_asleep(carom_world* world, carom_body body, uint32_t* asleep, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && resolve_body(call, *reading, body) && present(call, 3, "asleep", asleep))
+      *asleep = reading->asleep(handle_slot(body));
+  });
+}
+
+int32_t carom_body_wake(carom_world* world, carom_body body, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && resolve_body(call, *changing, body)) changing->wake_body(handle_slot(body));
   });
 }
 

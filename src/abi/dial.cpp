@@ -27,7 +27,8 @@ static_assert(same(Dial::integrator, CAROM_DIAL_INTEGRATOR) && same(Dial::rotati
               same(Dial::hybrid_margin, CAROM_DIAL_HYBRID_MARGIN) &&
               same(Dial::warm_separation, CAROM_DIAL_WARM_SEPARATION) && same(Dial::manifold, CAROM_DIAL_MANIFOLD) &&
               same(Dial::cache_distance, CAROM_DIAL_CACHE_DISTANCE) && same(Dial::warm_start, CAROM_DIAL_WARM_START) &&
-              same(Dial::carry_over, CAROM_DIAL_CARRY_OVER) &&
+              same(Dial::carry_over, CAROM_DIAL_CARRY_OVER) && same(Dial::sleep, CAROM_DIAL_SLEEP) &&
+              same(Dial::sleep_speed, CAROM_DIAL_SLEEP_SPEED) && same(Dial::sleep_time, CAROM_DIAL_SLEEP_TIME) &&
               same(Dial::count, CAROM_DIAL_COUNT));
 static_assert(DialRow::number == CAROM_DIAL_KIND_NUMBER && DialRow::integer == CAROM_DIAL_KIND_INTEGER &&
               DialRow::choice == CAROM_DIAL_KIND_CHOICE);

@@ -41,6 +41,9 @@ void fill_report(const StepReport& from, carom_step_report& to) {
   to.max_closing_speed = from.max_closing_speed;
   to.linear_energy = from.linear_energy;
   to.angular_energy = from.angular_energy;
+  to.asleep_bodies = from.asleep_bodies;
+  to.fell_asleep = from.fell_asleep;
+  to.woke_up = from.woke_up;
 }
 
 carom_contact contact(const World& world, const ContactView& view) {

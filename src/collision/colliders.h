@@ -9,7 +9,7 @@ namespace carom {
 struct Colliders {
   explicit Colliders(Memory* m)
       : shape(m), local(m), body(m), material(m), density(m), frame(m), bounds(m), reach(m), movable(m), muted(m),
-        live(m), next(m) {}
+        live(m), active(m), next(m) {}
 
   // Fixed while a step runs:
   Array<const Shape*> shape;        // null in a free slot
@@ -24,6 +24,7 @@ struct Colliders {
   Array<std::uint8_t> movable;      // 1: its body can move (dynamic or kinematic); 0: static
   Array<std::uint8_t> muted;        // 1: makes no pairs (its shape or body is in quarantine)
   Array<std::uint32_t> live;        // slots in use, ascending
+  Array<std::uint32_t> active;      // those of them that the broad phase goes through (not asleep), ascending
   Array<std::uint32_t> next;        // the body's next collider, ascending by slot, or kNone (the first: Scene::first_collider)
 
   static constexpr std::uint32_t kNoMaterial = 0xFFFFFFFFu;

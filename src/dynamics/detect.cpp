@@ -3,26 +3,10 @@
 
 #include <algorithm>
 
+#include "dynamics/sleep/sleep.h"
+
 namespace carom {
 namespace {
-
-NarrowSettings narrow_settings(const Dials& dials) {
-  NarrowSettings s;
-  s.query.simplex = static_cast<Simplex>(dials.choice(Dial::simplex));
-  s.query.method = static_cast<Method>(dials.choice(Dial::narrow_phase));
-  s.query.routines = dials.choice(Dial::pair_routines) != 0;
-  s.query.tolerance = dials[Dial::gjk_tolerance];
-  s.query.margin = dials[Dial::hybrid_margin];
-  s.query.max_distance = dials[Dial::contact_distance];
-  s.query.gjk_cap = dials.whole(Dial::gjk_iterations);
-  s.query.epa_cap = dials.whole(Dial::epa_iterations);
-  s.manifold.kind = static_cast<ManifoldKind>(dials.choice(Dial::manifold));
-  s.manifold.cache_distance = dials[Dial::cache_distance];
-  s.manifold.contact_distance = dials[Dial::contact_distance];
-  s.warm_separation = dials.choice(Dial::warm_separation) != 0;
-  s.carry_over = dials[Dial::carry_over];
-  return s;
-}
 
 BroadPhase& broad_phase(World& world) {
   using Make = Owned<BroadPhase> (*)(Memory*);
@@ -47,9 +31,35 @@ void mute(World& world, const SupportFault& fault) {
     }
   world.fault_views.push_back(view);
   ++world.scene.revision, ++world.scene.collider_revision;
+  world.sleep->alarm = true;
+}
+
+/// The pairs of movers and sleepers among those of the broad phase; both ascending, merged from behind.
+void add_near(const Array<Pair>& near, Array<Pair>& pairs) {
+  std::size_t i = pairs.size(), k = near.size(), to = i + k;
+  pairs.resize(to);
+  while (k > 0) pairs[--to] = i > 0 && near[k - 1] < pairs[i - 1] ? pairs[--i] : near[--k];
 }
 
 }  // namespace
+
+NarrowSettings narrow_settings(const Dials& dials) {
+  NarrowSettings s;
+  s.query.simplex = static_cast<Simplex>(dials.choice(Dial::simplex));
+  s.query.method = static_cast<Method>(dials.choice(Dial::narrow_phase));
+  s.query.routines = dials.choice(Dial::pair_routines) != 0;
+  s.query.tolerance = dials[Dial::gjk_tolerance];
+  s.query.margin = dials[Dial::hybrid_margin];
+  s.query.max_distance = dials[Dial::contact_distance];
+  s.query.gjk_cap = dials.whole(Dial::gjk_iterations);
+  s.query.epa_cap = dials.whole(Dial::epa_iterations);
+  s.manifold.kind = static_cast<ManifoldKind>(dials.choice(Dial::manifold));
+  s.manifold.cache_distance = dials[Dial::cache_distance];
+  s.manifold.contact_distance = dials[Dial::contact_distance];
+  s.warm_separation = dials.choice(Dial::warm_separation) != 0;
+  s.carry_over = dials[Dial::carry_over];
+  return s;
+}
 
 void find_pairs(World& world, const StepTime&) {
   BroadSettings settings;
@@ -57,11 +67,15 @@ void find_pairs(World& world, const StepTime&) {
   try {
     Plan& plan = *world.plan;
     broad_phase(world).find_pairs(world.scene.colliders, world.scene.collider_revision, settings, plan.pairs);
+    add_near(world.sleep->near, plan.pairs);
     world.pairs.update(plan.pairs);
+    for (const std::uint32_t collider : world.sleep->rejoined) world.pairs.release(collider);
+    world.sleep->rejoined.clear();
   } catch (...) {
     // Out of memory: forget what may be half changed; the next step starts these caches afresh.
     for (auto& b : world.broad) b.reset();
     world.pairs.clear();
+    forget_sleepers(world);
     throw;
   }
   world.report.broad_pairs = world.plan->pairs.size();

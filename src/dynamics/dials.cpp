@@ -50,8 +50,8 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
     choice(Dial::severity_search, "severity_search", "find the most severe contact by scanning all, or from a heap",
            kSearches, 1),
     choice(Dial::groups, "groups", "resolve each contact group by itself, or all contacts as one", kOffOn, 1),
-    choice(Dial::broad_phase, "broad_phase", "which bounds overlap: all pairs, sorted axes, cells, or a tree; same answer",
-           kBroadPhases, 1),
+    choice(Dial::broad_phase, "broad_phase",
+           "which bounds overlap: all pairs, sorted axes, cells, or a tree; same answer", kBroadPhases, 1),
     number(Dial::grid_cell, "grid_cell", "m", "cell size of the uniform grid; 0 chooses it from the scene", 0, 1e6, 0),
     number(Dial::contact_distance, "contact_distance", "m", "pairs nearer than this make contacts before they touch", 0,
            10, 0.01),
@@ -87,6 +87,12 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
            "damping ratio of soft contacts: above 1 they do not swing; more recovers slower from overlap", 0, 1e3, 10),
     number(Dial::push_speed, "push_speed", "m/s", "overlap is undone at this speed at most, by soft contacts", 0, 1e3,
            3),
+    choice(Dial::sleep, "sleep", "islands that came to rest stop being simulated until something touches them", kOffOn,
+           0),
+    number(Dial::sleep_speed, "sleep_speed", "m/s", "no point of a body that falls asleep moves faster than this", 0,
+           10, 0.05),
+    number(Dial::sleep_time, "sleep_time", "s", "for how long an island has been slow when it falls asleep", 0, 1e3,
+           0.5),
 }};
 
 constexpr bool in_order() {

@@ -39,6 +39,9 @@ enum class Dial : std::uint32_t {
   contact_frequency,
   contact_damping,
   push_speed,
+  sleep,
+  sleep_speed,
+  sleep_time,
   count
 };
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);

@@ -4,6 +4,7 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/effects.h"
 #include "dynamics/mass.h"
+#include "dynamics/sleep/sleep.h"
 
 namespace carom {
 namespace {
@@ -75,11 +76,14 @@ Handle World::add_body(const BodyDef& def) {
 }
 
 void World::remove_body(std::uint32_t body) {
+  wake(*this, body);
   while (scene.first_collider[body] != Colliders::kNone) remove_collider(scene.first_collider[body]);
   scene.inv_mass[body] = scene.mass[body] = 0;
   scene.inertia[body].setZero(), scene.inv_inertia[body].setZero();
   state.v[body] = state.omega[body] = state.force[body] = state.torque[body] = Vec3::Zero();
+  state.quarantined_count -= state.quarantined[body];
   state.quarantined[body] = 0;
+  forget_body(*this, body);
   scene.bodies.release(body);
   ++scene.revision;
 }
@@ -90,6 +94,7 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   make_room(scene.collider_slots.slots(), c.shape, c.local, c.body, c.material, c.density, c.frame, c.bounds, c.reach,
             c.movable, c.muted, c.next);
   make_room(c.live.size(), c.live);
+  stir(*this, body);
   const Handle handle = scene.collider_slots.take();
   if (handle == 0) return 0;
   const std::uint32_t i = handle_slot(handle);
@@ -114,8 +119,11 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
 
 void World::remove_collider(std::uint32_t collider) {
   Colliders& c = scene.colliders;
-  pairs.forget(collider);  // may run out of memory, so it comes first
   const std::uint32_t body = c.body[collider];
+  wake(*this, body);
+  if (scene.type[body] != BodyType::dynamic) wake_touching(*this, collider);  // else they are one island
+  pairs.forget(collider);  // may run out of memory, so it comes before any loss
+  forget_collider(*this, collider);
   const Shape* shape = c.shape[collider];
   set_mass(scene, state, body, mass_of_body(scene, body, collider));
   link_to(scene, body, collider) = c.next[collider];
@@ -140,6 +148,7 @@ Handle World::add_material(const Material& m) {
 
 void World::set_material(std::uint32_t material, const Material& m) {
   scene.material[material] = m;
+  wake_wearing(*this, material);
   ++scene.revision;
 }
 
@@ -151,25 +160,31 @@ void World::remove_material(std::uint32_t material) {
 void World::set_dial(Dial dial, Real value) {
   if (scene.dials[dial] == value) return;
   scene.dials[dial] = value;
+  wake_all(*this);
   ++scene.revision;
 }
 
 void World::set_gravity(const Vec3& g) {
+  if (scene.gravity == g) return;
   scene.gravity = g;
+  wake_all(*this);
   ++scene.revision;
 }
 
 void World::set_pose(std::uint32_t body, const Pose& pose) {
+  stir(*this, body);
   state.q[body] = normalized(pose.q);
   state.x[body] = pose.p + state.q[body] * scene.center[body];
   state.written = true;
   if (state.quarantined[body] || scene.type[body] == BodyType::fixed) {
+    state.quarantined_count -= state.quarantined[body];
     state.quarantined[body] = 0;  // the host takes it back
     ++scene.revision, ++scene.collider_revision;
   }
 }
 
 void World::set_velocity(std::uint32_t body, const Vec3& linear, const Vec3& angular) {
+  if (linear != Vec3::Zero() || angular != Vec3::Zero()) wake(*this, body);
   state.v[body] = linear;
   state.omega[body] = angular;
   state.written = true;
@@ -177,6 +192,7 @@ void World::set_velocity(std::uint32_t body, const Vec3& linear, const Vec3& ang
 
 void World::add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& point) {
   if (!(scene.inv_mass[body] > 0)) return;
+  if (impulse != Vec3::Zero()) wake(*this, body);
   const Quat& q = state.q[body];
   state.v[body] += scene.inv_mass[body] * impulse;
   const Vec3 spin = (point - state.x[body]).cross(impulse);
@@ -189,9 +205,12 @@ void World::add_force(std::uint32_t body, const Vec3& force, const Vec3& torque)
 }
 
 void World::set_force(std::uint32_t body, const Vec3& force, const Vec3& torque) {
+  if (force != Vec3::Zero() || torque != Vec3::Zero()) wake(*this, body);
   state.force[body] = force;
   state.torque[body] = torque;
   state.written = true;
 }
+
+void World::wake_body(std::uint32_t body) { wake(*this, body); }
 
 }  // namespace carom

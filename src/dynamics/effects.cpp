@@ -8,6 +8,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
+#include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/solver.h"
 
 namespace carom {
@@ -16,8 +17,8 @@ namespace {
 void find_colliders(const Scene& scene, const State&, Customers& customers) {
   const Colliders& c = scene.colliders;
   const auto movable = [&](std::uint32_t slot) { return c.movable[slot] != 0; };
-  if (c.live.size() < 2 || std::none_of(c.live.begin(), c.live.end(), movable)) return;
-  for (const std::uint32_t slot : c.live)
+  if (c.live.size() < 2 || std::none_of(c.active.begin(), c.active.end(), movable)) return;
+  for (const std::uint32_t slot : c.active)
     if (!c.muted[slot]) customers.add(slot);
 }
 void find_in_contacts(const Scene&, const State&, Customers&) {}  // counted where a step builds its contacts
@@ -34,10 +35,11 @@ constexpr std::array<Effect, kEffectCount> kTable = {{
     {Stage::broad,     "collision",       find_colliders,        nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::solve,     "friction",        find_in_contacts,      nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::solve,     "restitution",     find_in_contacts,      nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::observe,   "sleep",           sleeping::find,        nullptr,            nullptr,                nullptr,               nullptr},
 }};
 // clang-format on
 
-static_assert(kTable[kGyroscopicRow].find == gyroscopic::find);
+static_assert(kTable[kGyroscopicRow].find == gyroscopic::find && kTable[kSleepRow].find == sleeping::find);
 
 // As CAROM_ROTATION_*; those after them are rotation methods.
 enum RotationChoice : std::uint32_t { kNoGyroscopicTerm, kExplicitTorque, kImplicitStep };
@@ -95,6 +97,8 @@ void plan_bodies(World& world, Plan& plan) {
 void plan_colliders(World& world, Plan& plan) {
   Colliders& c = world.scene.colliders;
   plan.colliders.clear();
+  c.active.clear();
+  c.active.reserve(c.live.size());
   plan.local.resize(c.slots());
   plan.rotation.resize(c.slots() ? world.scene.bodies.slots() : 0, Mat3::Identity());
   for (const std::uint32_t slot : c.live) {
@@ -102,42 +106,11 @@ void plan_colliders(World& world, Plan& plan) {
     const bool faulty = std::find(plan.faulty.begin(), plan.faulty.end(), c.shape[slot]) != plan.faulty.end();
     c.muted[slot] = faulty || world.state.quarantined[body];
     plan.local[slot] = Frame(c.local[slot].q.toRotationMatrix(), c.local[slot].p - world.scene.center[body]);
+    if (world.sleep->sleeps(body)) continue;
+    c.active.push_back(slot);
     if (c.movable[slot]) plan.colliders.push_back(slot);
   }
   plan.faults.reserve(c.slots());
-}
-
-void plan_stages(World& world, Plan& plan) {
-  const auto on = [&](Stage s) -> bool& { return plan.runs[static_cast<std::size_t>(s)]; };
-  const bool pairs = plan.find("collision")->candidates.count >= 2;
-  on(Stage::refresh) = on(Stage::observe) = true;
-  on(Stage::integrate) = plan.linear.count + plan.rotating.count + plan.kinematic.count > 0;
-  on(Stage::broad) = on(Stage::narrow) = on(Stage::group) = on(Stage::solve) = pairs;
-  on(Stage::relax) =
-      pairs && (!plan.solver->counts_positions || world.scene.dials.whole(Dial::position_iterations) > 0);
-}
-
-/// World frame and bounds of a collider. Bounds are grown by half the contact distance, and where a body crosses more
-/// than that within the step by its motion too, so that it meets what it is about to hit. That reach ends at the size
-/// of the shape: beyond, a contact would stop bodies that merely pass by.
-void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
-  Colliders& c = world.scene.colliders;
-  const std::uint32_t body = c.body[slot];
-  const Shape& shape = *c.shape[slot];
-  c.frame[slot] = Frame(plan.rotation[body], world.state.x[body]) * plan.local[slot];
-  const Real half_gap = world.scene.dials[Dial::contact_distance] / 2;
-  c.reach[slot] = 0;
-  if (c.movable[slot]) {
-    const Real arm = shape.bounding_radius + plan.local[slot].p.norm();
-    const Real motion = dt * (world.state.v[body].norm() + arm * world.state.omega[body].norm());
-    if (motion > half_gap) c.reach[slot] = std::min(motion, shape.bounding_radius);
-  }
-  SupportFault fault;
-  c.bounds[slot] = world_bounds(shape, c.frame[slot].r, c.frame[slot].p, fault);
-  const Vec3 grow = Vec3::Constant(half_gap + c.reach[slot]);
-  c.bounds[slot].lo -= grow;
-  c.bounds[slot].hi += grow;
-  if (fault.kind != SupportFault::none) plan.faults.push_back(fault);
 }
 
 }  // namespace
@@ -171,40 +144,86 @@ PlannedEffect* Plan::find(const char* name) {
   return nullptr;
 }
 
+bool from_host(const Effect& effect) {
+  return effect.force == user_force::force || effect.force == user_torque::force;
+}
+
+void plan_stages(World& world, Plan& plan) {
+  const auto on = [&](Stage s) -> bool& { return plan.runs[static_cast<std::size_t>(s)]; };
+  const Colliders& c = world.scene.colliders;
+  const std::size_t asleep = c.live.size() - c.active.size(), awake = plan.find("collision")->candidates.count;
+  const bool pairs = awake > 0 && awake + asleep >= 2;
+  on(Stage::refresh) = on(Stage::observe) = true;
+  on(Stage::integrate) = plan.linear.count + plan.rotating.count + plan.kinematic.count > 0;
+  on(Stage::broad) = on(Stage::narrow) = on(Stage::group) = on(Stage::solve) = pairs;
+  on(Stage::relax) =
+      pairs && (!plan.solver->counts_positions || world.scene.dials.whole(Dial::position_iterations) > 0);
+}
+
+/// World frame and bounds of a collider. Bounds are grown by half the contact distance, and where a body crosses more
+/// than that within the step by its motion too, so that it meets what it is about to hit. That reach ends at the size
+/// of the shape: beyond, a contact would stop bodies that merely pass by.
+void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
+  Colliders& c = world.scene.colliders;
+  const std::uint32_t body = c.body[slot];
+  const Shape& shape = *c.shape[slot];
+  c.frame[slot] = Frame(plan.rotation[body], world.state.x[body]) * plan.local[slot];
+  const Real half_gap = world.scene.dials[Dial::contact_distance] / 2;
+  c.reach[slot] = 0;
+  if (c.movable[slot]) {
+    const Real arm = shape.bounding_radius + plan.local[slot].p.norm();
+    const Real motion = dt * (world.state.v[body].norm() + arm * world.state.omega[body].norm());
+    if (motion > half_gap) c.reach[slot] = std::min(motion, shape.bounding_radius);
+  }
+  SupportFault fault;
+  c.bounds[slot] = world_bounds(shape, c.frame[slot].r, c.frame[slot].p, fault);
+  const Vec3 grow = Vec3::Constant(half_gap + c.reach[slot]);
+  c.bounds[slot].lo -= grow;
+  c.bounds[slot].hi += grow;
+  if (fault.kind != SupportFault::none) plan.faults.push_back(fault);
+}
+
+void find_customers(World& world) {
+  Plan& plan = *world.plan;
+  for (PlannedEffect& row : plan.effects) {
+    const Effect& effect = *row.effect;
+    if (!effect.wakes) continue;
+    row.customers.clear();
+    row.candidates.each([&](std::uint32_t i) {
+      if (effect.wakes(world.scene, world.state, i)) row.customers.add(i);
+    });
+  }
+  if (!plan.rotation_method) return;
+  std::fill(plan.carried.begin(), plan.carried.end(), std::uint8_t(0));
+  plan.effects[kGyroscopicRow].customers.each([&](std::uint32_t i) { plan.carried[i] = 1; });
+}
+
 void refresh(World& world, const StepTime& time) {
   Plan& plan = *world.plan;
   const bool changed = plan.revision != world.scene.revision;
   plan.host_wrote = world.state.written;
+  plan.faults.clear();
   if (changed) {
     plan_colliders(world, plan);
     plan_rows(world, plan);
     plan_bodies(world, plan);
     plan_stages(world, plan);
+    plan_sleep(world, plan);
     plan.revision = world.scene.revision;
   }
+  settle_sleepers(world);
   for (PlannedEffect& row : plan.effects) {
     const Effect& effect = *row.effect;
-    const bool host = effect.force == user_force::force || effect.force == user_torque::force;
-    if (host && plan.host_wrote && !changed) {
+    if (from_host(effect) && plan.host_wrote && !changed) {
       row.candidates.clear();
       effect.find(world.scene, world.state, row.candidates);
       row.customers = row.candidates;
-    }
-    if (effect.wakes) {
-      row.customers.clear();
-      row.candidates.each([&](std::uint32_t i) {
-        if (effect.wakes(world.scene, world.state, i)) row.customers.add(i);
-      });
     }
     // An explicit method is stable only for rate * h below a small number (2 for Euler, 2.8 for RK4); well before,
     // decay is exact.
     if (effect.rate && plan.integrator->forces_only) row.served = row.rate * time.h > 1 ? Served::flow : Served::force;
   }
-  if (plan.rotation_method) {
-    std::fill(plan.carried.begin(), plan.carried.end(), std::uint8_t(0));
-    plan.effects[kGyroscopicRow].customers.each([&](std::uint32_t i) { plan.carried[i] = 1; });
-  }
-  plan.faults.clear();
+  find_customers(world);
   if (!world.scene.colliders.live.empty()) {
     const State& s = world.state;
     const auto orient = [&](std::uint32_t i) { plan.rotation[i] = s.q[i].toRotationMatrix(); };
@@ -212,7 +231,7 @@ void refresh(World& world, const StepTime& time) {
       for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) orient(i);
     plan.rotating.each(orient);
     plan.kinematic.each(orient);
-    for (const std::uint32_t slot : changed ? world.scene.colliders.live : plan.colliders)
+    for (const std::uint32_t slot : changed ? world.scene.colliders.active : plan.colliders)
       place_collider(world, plan, slot, time.dt);
   }
   world.state.written = false;

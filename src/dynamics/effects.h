@@ -62,8 +62,8 @@ struct Effect {
   FlowFn flow;                                                    // null: there is no closed form
   Real (*rate)(const Scene&, const Customers&);                   // 1/s, fastest decay among them; null: none decays
 };
-inline constexpr std::size_t kEffectCount = 9;
-inline constexpr std::size_t kGyroscopicRow = 0;  // of the table
+inline constexpr std::size_t kEffectCount = 10;
+inline constexpr std::size_t kGyroscopicRow = 0, kSleepRow = 9;  // of the table
 
 /// What does the work of a planned row.
 enum class Served : std::uint8_t { force, flow, stage };  // effect->force, effect->flow, or neither of them
@@ -102,7 +102,7 @@ struct Plan {
   Array<PlannedEffect> effects;          // every row of the table, in its order; idle rows have no customers
   Customers linear, rotating;            // dynamic bodies that move: without and with rotation
   Customers kinematic;                   // moved by their velocity
-  Array<std::uint32_t> colliders;        // live colliders whose body can move
+  Array<std::uint32_t> colliders;        // active colliders whose body can move
   Array<Frame> local;                    // by collider: shape -> body axes, about the centre of mass
   std::array<bool, kStageCount> runs{};  // stages that have customers
   const Integrator* integrator = nullptr;
@@ -126,8 +126,27 @@ struct Plan {
 /// The table, in the order in which effects act within a kick: those that read velocities first.
 const std::array<Effect, kEffectCount>& effect_table();
 
+/// Whether an effect is what a host asked for, for one step.
+bool from_host(const Effect& effect);
+
 /// Stage refresh: bring the plan up to date, then frames and bounds of what moves.
 void refresh(World& world, const StepTime& time);
+// Parts of it that others need too: which stages have customers; customers of this step; one collider's frame and
+// bounds.
+void plan_stages(World& world, Plan& plan);
+void find_customers(World& world);
+void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt);
+
+/// Call f(slot) for who is in either of two lists that share nobody, ascending.
+template <class F>
+void each_of_both(const Customers& one, const Customers& other, F&& f) {
+  const Customers::Run *a = one.runs.data(), *b = other.runs.data();
+  const Customers::Run *const a_end = a + one.runs.size(), *const b_end = b + other.runs.size();
+  while (a < a_end || b < b_end) {
+    const Customers::Run& next = b == b_end || (a < a_end && a->begin < b->begin) ? *a++ : *b++;
+    for (std::uint32_t i = next.begin; i < next.end; ++i) f(i);
+  }
+}
 
 /// All planned forces at one state.
 void evaluate_forces(World& world, const Motion& at, const Accelerate& out);

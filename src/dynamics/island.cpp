@@ -14,6 +14,8 @@ std::uint32_t root(Array<std::uint32_t>& parent, std::uint32_t i) {
 
 }  // namespace
 
+std::uint32_t island_of(Contacts& c, std::uint32_t body) { return root(c.parent, body); }
+
 void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
   constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   const std::size_t n = c.rows.size();
@@ -22,8 +24,11 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
   c.label.resize(n);
   std::uint32_t groups = 0;
   if (grouped) {
-    c.parent.resize(body_slots);
-    for (std::uint32_t i = 0; i < body_slots; ++i) c.parent[i] = i;
+    c.parent.resize(body_slots), c.cursor.resize(body_slots);
+    for (const Row& row : c.rows) {  // bodies without rows stay out of it, sleepers among them
+      c.parent[row.a] = row.a, c.parent[row.b] = row.b;
+      c.cursor[row.a] = c.cursor[row.b] = kNone;  // scratch: group of a root
+    }
     for (const Row& row : c.rows) {
       if (!row.moves_a || !row.moves_b) continue;
       const std::uint32_t a = root(c.parent, row.a), b = root(c.parent, row.b);
@@ -31,7 +36,6 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
       if (a < b) c.parent[b] = a;
       if (b < a) c.parent[a] = b;
     }
-    c.cursor.assign(body_slots, kNone);  // scratch: group of a root
     for (std::size_t i = 0; i < n; ++i) {
       const std::uint32_t r = root(c.parent, c.rows[i].moves_a ? c.rows[i].a : c.rows[i].b);
       if (c.cursor[r] == kNone) c.cursor[r] = groups++;
@@ -41,12 +45,11 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
     c.label.assign(n, 0);
     groups = n ? 1 : 0;
   }
-  // Counting sort by label.
+  // Counting sort by label: groups begin as their ends, and rows are put in from the last to the first.
   c.group_begin.assign(groups + 1, 0);
-  for (std::size_t i = 0; i < n; ++i) ++c.group_begin[c.label[i] + 1];
+  for (std::size_t i = 0; i < n; ++i) ++c.group_begin[c.label[i]];
   for (std::uint32_t g = 0; g < groups; ++g) c.group_begin[g + 1] += c.group_begin[g];
-  c.cursor.assign(c.group_begin.begin(), c.group_begin.end());
-  for (std::size_t i = 0; i < n; ++i) c.group_rows[c.cursor[c.label[i]]++] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = n; i-- > 0;) c.group_rows[--c.group_begin[c.label[i]]] = static_cast<std::uint32_t>(i);
 }
 
 void find_groups(World& world, const StepTime& time) {

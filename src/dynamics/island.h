@@ -10,6 +10,10 @@ namespace carom {
 /// rows ascending.
 void find_groups(World& world, const StepTime& time);
 
+/// The body that a dynamic body's group is named after, of those that hang together by the last partition into groups:
+/// the lowest slot. @param body  one that a row moves
+std::uint32_t island_of(Contacts& contacts, std::uint32_t body);
+
 /// The partition alone, from rows.a, rows.b, moves_a, moves_b.   @oracle tests/unit/dynamics/test_island (breadth-first
 /// twin)
 void partition_rows(Contacts& contacts, std::size_t body_slots, bool grouped);

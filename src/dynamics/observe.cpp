@@ -2,8 +2,10 @@
 #include "dynamics/observe.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "dynamics/contact/contact.h"
+#include "dynamics/sleep/sleep.h"
 
 namespace carom {
 namespace {
@@ -44,7 +46,7 @@ void measure_energy(World& world) {
     const Vec3 w = s.q[i].conjugate() * s.omega[i];
     report.angular_energy += 0.5 * w.dot(scene.inertia[i] * w);
   });
-  report.dynamic_bodies = plan.linear.count + plan.rotating.count;
+  report.dynamic_bodies = plan.linear.count + plan.rotating.count + world.sleep->count;
 }
 
 /// A force lives for one step.
@@ -81,9 +83,10 @@ void observe(World& world, const StepTime& time) {
   report.time += time.dt;
   report.bodies = world.scene.bodies.alive_count();
   report.colliders = world.scene.colliders.live.size();
-  report.quarantined_bodies =
-      static_cast<std::uint64_t>(std::count(world.state.quarantined.begin(), world.state.quarantined.end(), 1));
+  report.quarantined_bodies = world.state.quarantined_count;
   report.faults = world.fault_views.size();
+  report.asleep_bodies = world.sleep->count;
+  report.woke_up = std::exchange(world.sleep->woke, 0);
 }
 
 }  // namespace carom

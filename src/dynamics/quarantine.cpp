@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "dynamics/sleep/sleep.h"
+
 namespace carom {
 
 void quarantine(World& world, std::uint32_t body) {
@@ -10,8 +12,10 @@ void quarantine(World& world, std::uint32_t body) {
   s.v[body] = s.omega[body] = s.force[body] = s.torque[body] = Vec3::Zero();
   if (s.quarantined[body]) return;
   s.quarantined[body] = 1;
+  ++s.quarantined_count;
   ++world.scene.revision;
   ++world.scene.collider_revision;
+  world.sleep->alarm = true;
   FaultView view{};
   view.body = body;
   if (world.fault_views.size() < world.fault_views.capacity()) world.fault_views.push_back(view);

@@ -28,6 +28,7 @@ struct BodyDef {
   Vec3 center = Vec3::Zero();                    // m, body frame
   Mat3 inertia = Mat3::Zero();                   // kg m^2, body axes, about center
   Real linear_damping = 0, angular_damping = 0;  // 1/s
+  bool stays_awake = false;                      // it, and with it its island, never falls asleep
   std::uint64_t user = 0;
 };
 

@@ -19,6 +19,8 @@ struct State {
   Array<Vec3> torque;    // N m, world, about the centre of mass, likewise
   Array<std::uint8_t> quarantined;  // 1: state was not finite; held still, makes no contacts
 
+  std::uint64_t quarantined_count = 0;
+
   /// Raised by whoever writes to these arrays between steps (World's editing functions do): the next step then checks
   /// every body and looks for pending forces; otherwise it need not read what nobody wrote.
   bool written = true;

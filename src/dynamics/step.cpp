@@ -8,6 +8,7 @@
 #include "dynamics/island.h"
 #include "dynamics/observe.h"
 #include "dynamics/quarantine.h"
+#include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/solver.h"
 
 namespace carom {
@@ -49,6 +50,7 @@ void World::step(Real dt) {
   begin_report(*this);
   run(Stage::refresh, admit);
   run(Stage::refresh, refresh);
+  run(Stage::refresh, wake_touched);
   run(Stage::broad, find_pairs);
   run(Stage::narrow, find_contacts);
   run(Stage::group, find_groups);
@@ -62,6 +64,7 @@ void World::step(Real dt) {
   }
   run(Stage::solve, end_contacts);
   run(Stage::observe, observe);
+  run(Stage::observe, fall_asleep);
 }
 
 }  // namespace carom

@@ -4,6 +4,7 @@
 #include "core/hash.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/effects.h"
+#include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/direct.h"
 #include "dynamics/solver/wide_contacts.h"
 
@@ -26,6 +27,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
       contacts(make_owned<Contacts>(m, m)),
       wide(make_owned<WideContacts>(m, m)),
       direct(make_owned<DirectGroups>(m, m)),
+      sleep(make_owned<Sleep>(m, m)),
       memory(m) {
   scene.gravity = gravity;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };
@@ -53,8 +55,7 @@ std::uint64_t World::hash() const {
     h.add_coefficients(state.torque[i]);
     h.add(std::uint64_t(state.quarantined[i]));
   }
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const PairRecord& r = pairs[i];
+  const auto add_record = [&](const PairRecord& r) {
     h.add(r.pair.key());
     h.add_coefficients(r.memory.direction);
     for (int k = 0; k < r.manifold.count; ++k) {
@@ -65,13 +66,23 @@ std::uint64_t World::hash() const {
       h.add(double(p.separation));
       h.add((std::uint64_t(p.feature) << 32) | p.age);
     }
-  }
-  for (const OldImpulse& o : contacts->old) {
+  };
+  for (std::size_t i = 0; i < pairs.size(); ++i) add_record(pairs[i]);
+  const auto add_impulse = [&](const OldImpulse& o) {
     h.add(o.pair.key());
     h.add_coefficients(o.on_a);
     h.add_coefficients(o.p);
+  };
+  for (const OldImpulse& o : contacts->old) add_impulse(o);
+  if (sleep->count > 0) {
+    for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i) h.add(std::uint64_t(sleep->sleeps(i)));
+    pairs.each_parked(add_record);
+    for (const std::uint32_t first : sleep->kept_first)
+      for (std::uint32_t k = first; k != Colliders::kNone; k = sleep->kept[k].next) add_impulse(sleep->kept[k].impulse);
   }
   return h.value();
 }
+
+bool World::asleep(std::uint32_t body) const { return sleep->sleeps(body); }
 
 }  // namespace carom

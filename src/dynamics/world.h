@@ -28,6 +28,7 @@ struct StepReport {
   NarrowReport narrow;
   std::uint64_t velocity_impulses = 0, position_moves = 0;
   std::uint64_t quarantined_bodies = 0, faults = 0;
+  std::uint64_t asleep_bodies = 0, fell_asleep = 0, woke_up = 0;
   double max_penetration = 0, mean_penetration = 0, max_closing_speed = 0;
   double linear_energy = 0, angular_energy = 0;
   double solver_residual = 0;  // m/s; of solvers that solve to one
@@ -50,6 +51,7 @@ struct FaultView {
 struct Plan;          // dynamics/effects.h: which effects have customers
 struct Contacts;      // dynamics/contact/contact.h: rows of the solver, scratch kept between steps
 struct DirectGroups;  // dynamics/solver/direct.h: contact groups as problems of their own
+struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of them
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
 
 class World {
@@ -77,6 +79,9 @@ class World {
   void add_force(std::uint32_t body, const Vec3& force, const Vec3& torque);  // for the next step, about the centre
   void set_force(std::uint32_t body, const Vec3& force, const Vec3& torque);  // replaces what is pending
 
+  void wake_body(std::uint32_t body);  // and its island
+  bool asleep(std::uint32_t body) const;
+
   // ---- stepping: src/dynamics/step.cpp ----
   void step(Real dt);
 
@@ -96,6 +101,7 @@ class World {
   Owned<Contacts> contacts;
   Owned<WideContacts> wide;
   Owned<DirectGroups> direct;
+  Owned<Sleep> sleep;
   Memory* memory;
   Jobs* jobs = nullptr;  // who shares a step's loops; null: nobody
 };

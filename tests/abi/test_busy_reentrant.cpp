@@ -32,6 +32,7 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   collider.shape = b.ball;
   uint64_t handle, count;
   double v[7];
+  uint32_t asleep;
   carom_step_report report = {};
   report.struct_size = sizeof report;
   add("world_destroy", carom_world_destroy(b.world, nullptr));
@@ -52,6 +53,8 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("body_get", carom_body_get(b.world, b.bodies[0], &body, nullptr));
   add("body_set_pose", carom_body_set_pose(b.world, b.bodies[0], kUp, kUpright, nullptr));
   add("body_set_velocity", carom_body_set_velocity(b.world, b.bodies[0], kUp, kUp, nullptr));
+  add("body_is_asleep", carom_body_is_asleep(b.world, b.bodies[0], &asleep, nullptr));
+  add("body_wake", carom_body_wake(b.world, b.bodies[0], nullptr));
   add("body_add_force", carom_body_add_force(b.world, b.bodies[0], kUp, kUp, nullptr));
   add("body_add_impulse", carom_body_add_impulse(b.world, b.bodies[0], kUp, kUp, nullptr));
   add("collider_create", carom_collider_create(b.world, b.bodies[0], &collider, &handle, nullptr));

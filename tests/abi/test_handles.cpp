@@ -92,6 +92,8 @@ const Place kPlaces[] = {
     {"body_get", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_body_desc d; carom_body_desc_init(&d); return carom_body_get(b.world, h, &d, e); }},
     {"body_set_pose", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_set_pose(b.world, h, kZero, kUpright, e); }},
     {"body_set_velocity", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_set_velocity(b.world, h, kUp, kUp, e); }},
+    {"body_is_asleep", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { uint32_t a; return carom_body_is_asleep(b.world, h, &a, e); }},
+    {"body_wake", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_wake(b.world, h, e); }},
     {"body_add_force", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_add_force(b.world, h, kUp, kUp, e); }},
     {"body_add_impulse", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_add_impulse(b.world, h, kUp, kUp, e); }},
     {"world_read", kBody, 4, [](Bench& b, uint64_t h, carom_error* e) { const carom_body two[2] = {b.bodies[0], h}; double p[6]; return carom_world_read(b.world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, two, 2, p, 0, e); }},

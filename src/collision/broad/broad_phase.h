@@ -25,9 +25,9 @@ class BroadPhase {
  public:
   virtual ~BroadPhase() = default;
 
-  /// Every pair (a < b) of live colliders whose bounds overlap (closed intervals) and that may_touch(), each once,
-  /// ascending by key. Colliders may have come, gone or changed slots' meaning since the last call: table.live tells
-  /// which are there, `generation` is a number that differs whenever the set of live slots or what they stand for
+  /// Every pair (a < b) of active colliders whose bounds overlap (closed intervals) and that may_touch(), each once,
+  /// ascending by key. Colliders may have come, gone or changed slots' meaning since the last call: table.active tells
+  /// which are there, `generation` is a number that differs whenever the set of slots in use or what they stand for
   /// changed. Bounds may be infinite (half-space) but are never NaN; a slot with lo > hi overlaps nothing. Allocates
   /// nothing once its arrays have grown to the scene's size.
   virtual void find_pairs(const Colliders& table, std::uint64_t generation, const BroadSettings& settings,

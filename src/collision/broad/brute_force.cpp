@@ -10,12 +10,12 @@ class BruteForce final : public BroadPhase {
   void find_pairs(const Colliders& table, std::uint64_t, const BroadSettings&, Array<Pair>& pairs) override {
     pairs.clear();
     work_ = {};
-    for (std::size_t i = 0; i < table.live.size(); ++i) {
-      const std::uint32_t a = table.live[i];
+    for (std::size_t i = 0; i < table.active.size(); ++i) {
+      const std::uint32_t a = table.active[i];
       if (is_empty(table.bounds[a])) continue;
-      work_.tests += table.live.size() - i - 1;
-      for (std::size_t j = i + 1; j < table.live.size(); ++j) {
-        const std::uint32_t b = table.live[j];
+      work_.tests += table.active.size() - i - 1;
+      for (std::size_t j = i + 1; j < table.active.size(); ++j) {
+        const std::uint32_t b = table.active[j];
         if (table.bounds[a].overlaps(table.bounds[b]) && !is_empty(table.bounds[b]) && may_touch(table, a, b))
           pairs.push_back({a, b});
       }

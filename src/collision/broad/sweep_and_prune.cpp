@@ -96,7 +96,7 @@ class SweepAndPrune final : public BroadPhase {
     ++calls_;
     joined_.clear();
     std::size_t stayed = 0;
-    for (const std::uint32_t slot : table.live) {
+    for (const std::uint32_t slot : table.active) {
       if (is_empty(table.bounds[slot])) continue;
       put_six(table.bounds[slot], &now_[6 * slot]);
       seen_[slot] = calls_;
@@ -110,7 +110,7 @@ class SweepAndPrune final : public BroadPhase {
     if (!left && joined_.empty()) return false;
     for (const std::uint32_t slot : members_) member_[slot] = seen_[slot] == calls_;
     members_.clear();
-    for (const std::uint32_t slot : table.live) {
+    for (const std::uint32_t slot : table.active) {
       if (seen_[slot] != calls_) continue;
       member_[slot] = 1;
       members_.push_back(slot);

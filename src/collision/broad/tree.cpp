@@ -119,13 +119,13 @@ class Tree final : public BroadPhase {
   /// @return whether anybody is muted
   bool take_in(const Colliders& table) {
     asked_.clear(), gone_.clear();
-    if (!std::equal(table.live.begin(), table.live.end(), live_.begin(), live_.end())) {
+    if (!std::equal(table.active.begin(), table.active.end(), live_.begin(), live_.end())) {
       std::size_t i = 0;  // both lists are ascending and walked side by side
       for (const std::uint32_t slot : live_) {
-        while (i < table.live.size() && table.live[i] < slot) ++i;
-        if (i == table.live.size() || table.live[i] != slot) leave(slot);
+        while (i < table.active.size() && table.active[i] < slot) ++i;
+        if (i == table.active.size() || table.active[i] != slot) leave(slot);
       }
-      live_.assign(table.live.begin(), table.live.end());
+      live_.assign(table.active.begin(), table.active.end());
     }
     std::uint8_t muted = 0;
     for (const std::uint32_t slot : live_) {

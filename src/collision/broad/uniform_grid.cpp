@@ -59,7 +59,7 @@ class UniformGrid final : public BroadPhase {
     small_.clear();
     large_.clear();
     extent_.clear();
-    for (const std::uint32_t slot : table.live) {
+    for (const std::uint32_t slot : table.active) {
       const Aabb& box = table.bounds[slot];
       if (is_empty(box)) continue;
       put_six(box, &six_[6 * slot]);

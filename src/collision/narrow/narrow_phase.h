@@ -22,16 +22,37 @@ struct PairRecord {
   PatchMemory patch;
 };
 
-/// Records of the pairs of the current step, in ascending order of pair; a record survives as long as its bounds overlap.
+/// Records of the pairs of the current step, in ascending order of pair; a record survives as long as its bounds
+/// overlap. Those of pairs that lie still can be parked: kept, each by one or both of its colliders, but not gone
+/// through.
 class PairTable {
  public:
-  explicit PairTable(Memory* memory) : order_(memory), next_(memory), records_(memory), free_(memory) {}
+  explicit PairTable(Memory* memory)
+      : order_(memory), next_(memory), records_(memory), free_(memory), parked_(memory), head_(memory) {}
 
-  /// Keep records of pairs still there, start new ones, drop the rest. `pairs` ascending. Linear: both lists are sorted.
+  /// Keep records of pairs still there, take back parked ones, start new ones, drop the rest. `pairs` ascending.
+  /// Linear: both lists are sorted.
   void update(const Array<Pair>& pairs);
   /// Forget everything that involves a collider (it was destroyed or its shape changed).
   void forget(std::uint32_t collider);
   void clear();
+
+  enum Holder : std::uint8_t { none = 0, by_a = 1, by_b = 2 };
+  /// Park records of the current step until update() is asked for their pair again, or all their holders let go.
+  /// @param holders  [size()] Holder bits: which of its colliders a record is parked by; none: it is not
+  /// @param slots    of colliders
+  void park(const Array<std::uint8_t>& holders, std::size_t slots);
+  /// Drop what is still parked by a collider.
+  void release(std::uint32_t collider);
+  std::size_t parked_count() const { return parked_count_; }
+  /// Call f(record) for every parked record, in an order that follows from the history alone.
+  template <class F>
+  void each_parked(F&& f) const {
+    for (std::size_t r = 0; parked_count_ > 0 && r < parked_.size(); ++r)
+      if (parked_[r].holders != none) f(records_[r]);
+  }
+  /// The record of a pair, parked or not; null if there is none.
+  const PairRecord* find(const Pair& pair) const;
 
   std::size_t size() const { return order_.size(); }
   PairRecord& operator[](std::size_t i) { return records_[order_[i]]; }
@@ -39,9 +60,23 @@ class PairTable {
 
  private:
   static constexpr std::uint32_t kNew = 0xFFFFFFFFu;
+  /// A parked record stands in a list of each collider that holds it.
+  struct Parked {
+    std::uint32_t next[2] = {kNew, kNew};  // record after this one in the list of A, of B
+    std::uint8_t holders = none;
+  };
+  std::uint32_t& next_in_list(std::uint32_t record, std::uint32_t collider) {
+    return parked_[record].next[records_[record].pair.b == collider];
+  }
+  std::uint32_t find_parked(const Pair& pair) const;
+  void unpark(std::uint32_t record);
+
   Array<std::uint32_t> order_, next_;  // record indices, by ascending pair
   Array<PairRecord> records_;
   Array<std::uint32_t> free_;
+  Array<Parked> parked_;       // by record; empty until the first is parked
+  Array<std::uint32_t> head_;  // by collider: the first record that it parks, or kNew
+  std::size_t parked_count_ = 0;
 };
 
 struct NarrowReport {

@@ -1,4 +1,7 @@
-// Records of pairs, matched to the broad phase's list by merging two sorted lists.
+// Records of pairs, matched to the broad phase's list by merging two sorted lists; and the lists of parked ones.
+#include <algorithm>
+#include <utility>
+
 #include "collision/narrow/narrow_phase.h"
 
 namespace carom {
@@ -19,6 +22,11 @@ void PairTable::update(const Array<Pair>& pairs) {
   while (old < order_.size()) free_.push_back(order_[old++]);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (next_[i] != kNew) continue;
+    if (const std::uint32_t parked = find_parked(pairs[i]); parked != kNew) {
+      unpark(parked);
+      next_[i] = parked;
+      continue;
+    }
     if (free_.empty()) {
       next_[i] = static_cast<std::uint32_t>(records_.size());
       records_.emplace_back();
@@ -42,12 +50,82 @@ void PairTable::forget(std::uint32_t collider) {
       order_[kept++] = r;
   }
   order_.resize(kept);
+  release(collider);
+  for (std::uint32_t r = 0; parked_count_ > 0 && r < parked_.size(); ++r)  // those that only the other one holds
+    if (parked_[r].holders != none && (records_[r].pair.a == collider || records_[r].pair.b == collider)) {
+      unpark(r);
+      free_.push_back(r);
+    }
+}
+
+void PairTable::park(const Array<std::uint8_t>& holders, std::size_t slots) {
+  parked_.resize(records_.size());
+  if (head_.size() < slots) head_.resize(slots, kNew);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    const std::uint32_t r = order_[i];
+    parked_[r].holders = holders[i];
+    if (holders[i] == none) {
+      order_[kept++] = r;
+      continue;
+    }
+    ++parked_count_;
+    const Pair& p = records_[r].pair;
+    if (holders[i] & by_a) parked_[r].next[0] = std::exchange(head_[p.a], r);
+    if (holders[i] & by_b) parked_[r].next[1] = std::exchange(head_[p.b], r);
+  }
+  order_.resize(kept);
+}
+
+/// Lists are short: a collider has few neighbours, and what lies still under many (a floor) holds none of them.
+void PairTable::unpark(std::uint32_t record) {
+  const Pair p = records_[record].pair;
+  const auto leave = [&](std::uint32_t collider) {
+    std::uint32_t* link = &head_[collider];
+    while (*link != record) link = &next_in_list(*link, collider);
+    *link = next_in_list(record, collider);
+  };
+  if (parked_[record].holders & by_a) leave(p.a);
+  if (parked_[record].holders & by_b) leave(p.b);
+  parked_[record] = Parked{};
+  --parked_count_;
+}
+
+std::uint32_t PairTable::find_parked(const Pair& pair) const {
+  if (parked_count_ == 0) return kNew;
+  for (const std::uint32_t collider : {pair.a, pair.b}) {
+    std::uint32_t r = collider < head_.size() ? head_[collider] : kNew;
+    while (r != kNew && !(records_[r].pair == pair)) r = parked_[r].next[records_[r].pair.b == collider];
+    if (r != kNew) return r;
+  }
+  return kNew;
+}
+
+void PairTable::release(std::uint32_t collider) {
+  if (collider >= head_.size()) return;
+  free_.reserve(records_.size());
+  while (head_[collider] != kNew) {
+    const std::uint32_t r = head_[collider];
+    unpark(r);
+    free_.push_back(r);
+  }
+}
+
+const PairRecord* PairTable::find(const Pair& pair) const {
+  const auto before = [&](std::uint32_t r, const Pair& p) { return records_[r].pair < p; };
+  const auto at = std::lower_bound(order_.begin(), order_.end(), pair, before);
+  if (at != order_.end() && records_[*at].pair == pair) return &records_[*at];
+  const std::uint32_t parked = find_parked(pair);
+  return parked == kNew ? nullptr : &records_[parked];
 }
 
 void PairTable::clear() {
   order_.clear();
   records_.clear();
   free_.clear();
+  parked_.clear();
+  head_.clear();
+  parked_count_ = 0;
 }
 
 }  // namespace carom

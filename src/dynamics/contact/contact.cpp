@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "dynamics/force/force.h"
+#include "dynamics/sleep/sleep.h"
 
 namespace carom {
 namespace {
@@ -43,7 +44,9 @@ void add_rows(World& world, std::size_t pair_index, std::size_t& cursor, Real sc
   if (manifold.count == 0) return;
   const std::uint32_t ca = record.pair.a, cb = record.pair.b;
   const std::uint32_t a = scene.colliders.body[ca], b = scene.colliders.body[cb];
-  const bool moves_a = responds(scene, world.state, a), moves_b = responds(scene, world.state, b);
+  const Sleep& z = *world.sleep;
+  const bool moves_a = responds(scene, world.state, a) && !z.sleeps(a);
+  const bool moves_b = responds(scene, world.state, b) && !z.sleeps(b);
   if (!moves_a && !moves_b) return;
 
   const Material &ma = material_of(scene, ca), &mb = material_of(scene, cb);
@@ -79,21 +82,25 @@ void add_rows(World& world, std::size_t pair_index, std::size_t& cursor, Real sc
   }
 }
 
-/// Where each body's rows will stand in the list of halves.
+/// Where each body's rows will stand in the list of halves. Only bodies that move are looked at: sleepers cost nothing.
 void count_halves(World& world) {
   Contacts& c = *world.contacts;
   const std::size_t slots = world.scene.bodies.slots();
-  c.half_begin.assign(slots + 1, 0);
+  c.half_begin.resize(slots), c.half_end.resize(slots);
+  const auto each_mover = [&](auto&& f) { each_of_both(world.plan->linear, world.plan->rotating, f); };
+  each_mover([&](std::uint32_t i) { c.half_end[i] = 0; });
   for (const Row& row : c.rows) {
-    if (row.moves_a) ++c.half_begin[row.a + 1];
-    if (row.moves_b) ++c.half_begin[row.b + 1];
+    if (row.moves_a) ++c.half_end[row.a];
+    if (row.moves_b) ++c.half_end[row.b];
   }
   c.bodies.clear();
-  for (std::size_t i = 0; i < slots; ++i) {
-    if (c.half_begin[i + 1] > 0) c.bodies.push_back(static_cast<std::uint32_t>(i));
-    c.half_begin[i + 1] += c.half_begin[i];
-  }
-  c.half.resize(c.half_begin[slots]);
+  std::uint32_t begin = 0;
+  each_mover([&](std::uint32_t i) {
+    if (c.half_end[i] > 0) c.bodies.push_back(i);
+    c.half_begin[i] = begin;
+    c.half_end[i] = begin += c.half_end[i];
+  });
+  c.half.resize(begin);
 }
 
 /// K = (1/m_a + 1/m_b) 1 - [r_a]x I_a^-1 [r_a]x - [r_b]x I_b^-1 [r_b]x, world axes.
@@ -151,7 +158,8 @@ void build_rows(World& world, Real h) {
   Contacts& c = *world.contacts;
   const std::size_t slots = world.scene.bodies.slots();
   c.rows.clear(), c.geometry.clear(), c.bouncing.clear();
-  std::fill(world.plan->touched.begin(), world.plan->touched.end(), std::uint8_t(0));
+  const auto untouch = [&](std::uint32_t i) { world.plan->touched[i] = 0; };
+  world.plan->linear.each(untouch), world.plan->rotating.each(untouch);
   const bool warm = world.scene.dials.choice(Dial::warm_start) != 0 && c.old_h > 0;
   std::size_t cursor = 0;
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
@@ -185,7 +193,7 @@ void prepare_rows(World& world, Real h) {
   const Array<Mat3>& rotation = world.plan->rotation;
   for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;
   refresh_inertias(world);
-  c.cursor.assign(c.half_begin.begin(), c.half_begin.end());  // scratch: next free half of each body
+  for (const std::uint32_t i : c.bodies) c.half_end[i] = c.half_begin[i];  // filled anew below
   for (const std::uint32_t i : c.bouncing) {
     const Real speed = closing_speed(world, c.rows[i], c.geometry[i]);
     c.rows[i].force_speed = std::max(Real(0), speed - c.geometry[i].approach);
@@ -202,8 +210,8 @@ void prepare_rows(World& world, Real h) {
     m.k_inv = m.k.inverse();
     row.k_n = row.n.dot(m.k * row.n);
     row.target = g.separation > 0 ? -g.separation / h : 0;
-    if (row.moves_a) c.half[c.cursor[row.a]++] = {m.r_a, i, -1};
-    if (row.moves_b) c.half[c.cursor[row.b]++] = {m.r_b, i, 1};
+    if (row.moves_a) c.half[c.half_end[row.a]++] = {m.r_a, i, -1};
+    if (row.moves_b) c.half[c.half_end[row.b]++] = {m.r_b, i, 1};
     row.set_impulse(row.p);
     if (row.p != Vec3::Zero()) start_row(world, row, m);
   }

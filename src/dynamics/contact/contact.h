@@ -87,6 +87,7 @@ struct Contacts {
         geometry(m),
         half(m),
         half_begin(m),
+        half_end(m),
         inv_inertia_w(m),
         shift(m),
         turn(m),
@@ -108,8 +109,8 @@ struct Contacts {
   Array<RowGeometry> geometry;
 
   // by body slot
-  Array<HalfContact> half;          // grouped by body
-  Array<std::uint32_t> half_begin;  // [slots + 1]
+  Array<HalfContact> half;                    // grouped by body
+  Array<std::uint32_t> half_begin, half_end;  // by body that may move in this step: its part of half
   Array<Mat3> inv_inertia_w;        // 1/(kg m^2), world axes, of this substep; zero if it does not rotate
   Array<Vec3> shift, turn;          // m, rad: corrections of the pose not yet applied
 

@@ -128,7 +128,7 @@ class VelocityPass {
   }
 
   std::span<const HalfContact> halves(std::uint32_t body) const {
-    return {c_.half.data() + c_.half_begin[body], c_.half_begin[body + 1] - c_.half_begin[body]};
+    return {c_.half.data() + c_.half_begin[body], c_.half_end[body] - c_.half_begin[body]};
   }
 
   World& world_;
@@ -176,7 +176,7 @@ class PositionPass {
     const Vec3 dt = rotates(world_.scene, body) ? Vec3(c_.inv_inertia_w[body] * r.cross(p)) : Vec3(Vec3::Zero());
     c_.shift[body] += dx;
     c_.turn[body] += dt;
-    for (std::uint32_t k = c_.half_begin[body]; k < c_.half_begin[body + 1]; ++k) {
+    for (std::uint32_t k = c_.half_begin[body]; k < c_.half_end[body]; ++k) {
       const HalfContact& half = c_.half[k];
       RowGeometry& g = c_.geometry[half.row];
       g.separation += half.sign * (dx + dt.cross(half.r)).dot(c_.rows[half.row].n);

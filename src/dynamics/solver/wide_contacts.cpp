@@ -17,7 +17,8 @@ void number_bodies(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
   constexpr std::uint32_t kLends = 1;
-  wide.body.assign(scene.bodies.slots(), 0);
+  for (const std::uint32_t body : wide.slot) wide.body[body] = 0;  // of the last step: all others are 0
+  wide.body.resize(scene.bodies.slots(), 0);
   wide.slot.assign(1, 0);
   // Kinematic bodies keep their velocity and lend it to those that touch them.
   for (const Row& row : c.rows)

@@ -163,7 +163,7 @@ Scene stacks_scene() {
 Scene sleepers_scene() {
   return {"sleepers",
           "Boxes lie on the ground, each by itself, and a few balls roll past.",
-          "that the boxes cost nothing once they sleep",
+          "with --dial sleep=on: that the boxes cost nothing once they sleep",
           {{"n", "", "number of boxes", 10000, 1, 100000, true}, {"moving", "", "number of balls", 10, 0, 1000, true}},
           5.0,
           1.0 / 60,

@@ -140,7 +140,9 @@ std::vector<Record> measure(const Row& row, const Options& options) {
     add(
         "Carom (double)", true,
         [&](const SceneChoice& scene, const Plan&) {
-          return std::make_unique<CaromWorld>(engine, scene, options.dials);
+          std::vector<std::string> dials = options.dials;
+          if (row.sleeping) dials.insert(dials.begin(), "sleep=on");
+          return std::make_unique<CaromWorld>(engine, scene, dials);
         },
         carom_live_bytes);
   for (const PeerEngine& peer : options.peers)

@@ -43,13 +43,13 @@ struct BroadScene {
     table.bounds[slot] = box;
     table.movable[slot] = movable;
     table.muted[slot] = 0;
-    const auto at = std::lower_bound(table.live.begin(), table.live.end(), slot);
-    if (at == table.live.end() || *at != slot) table.live.insert(at, slot);
+    const auto at = std::lower_bound(table.active.begin(), table.active.end(), slot);
+    if (at == table.active.end() || *at != slot) table.active.insert(at, slot);
     ++generation;
   }
 
   void drop(std::uint32_t slot) {
-    std::erase(table.live, slot);
+    std::erase(table.active, slot);
     // What a free slot's box holds must not matter.
     table.bounds[slot] = box_at(Vec3::Zero(), Vec3::Constant(kInfinity));
     ++generation;

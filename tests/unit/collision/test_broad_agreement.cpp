@@ -66,7 +66,7 @@ void they_agree_over_a_long_random_life_of_a_scene(void**) {
     const std::uint32_t slots = 120;
     std::vector<Vec3> velocity(slots);
     for (int step = 0; step < 400; ++step) {
-      for (const std::uint32_t slot : s.table.live) {
+      for (const std::uint32_t slot : s.table.active) {
         s.shift(slot, velocity[slot]);
         for (int k = 0; k < 3; ++k)  // walls keep them together
           if (std::fabs(s.table.bounds[slot].lo[k]) > 2) velocity[slot][k] *= -1;
@@ -80,7 +80,7 @@ void they_agree_over_a_long_random_life_of_a_scene(void**) {
       const std::size_t changes = step % 97 == 0 ? 60 : random.below(3);
       for (std::size_t i = 0; i < changes; ++i) {
         const auto slot = static_cast<std::uint32_t>(random.below(slots));
-        const bool there = std::binary_search(s.table.live.begin(), s.table.live.end(), slot);
+        const bool there = std::binary_search(s.table.active.begin(), s.table.active.end(), slot);
         if (there && random.below(2)) {
           s.drop(slot);
         } else {  // also: another object in a slot that was in use
@@ -103,7 +103,7 @@ void touching_boxes_with_equal_coordinates_are_pairs_in_all(void**) {
   for (std::uint32_t i = 0; i < 90; ++i) s.put(i, box_at(Vec3::Zero(), Vec3::Constant(0.5)));
   std::size_t touching = 0;
   for (int step = 0; step < 200; ++step) {
-    for (const std::uint32_t slot : s.table.live) {
+    for (const std::uint32_t slot : s.table.active) {
       if (step && random.below(4)) continue;
       Vec3 c, half;
       for (int k = 0; k < 3; ++k) {
@@ -237,7 +237,7 @@ void clusters_that_fly_land_and_rest_are_right_for_thousands_of_steps(void**) {
         velocity[i] *= 0.5, velocity[i].y() *= -1;
       }
       if (random.below(2000) == 0) {
-        const bool there = std::binary_search(s.table.live.begin(), s.table.live.end(), i);
+        const bool there = std::binary_search(s.table.active.begin(), s.table.active.end(), i);
         if (there)
           s.drop(i), s.table.bounds[i] = box_at(3 * random.in_cube(1) + Vec3(0, 5, 0), Vec3::Constant(0.3));
         else

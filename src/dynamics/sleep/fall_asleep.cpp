@@ -1,0 +1,97 @@
+// Who has been slow for long enough, and which islands are so altogether.
+#include "dynamics/force/force.h"
+#include "dynamics/island.h"
+#include "dynamics/sleep/sleep.h"
+
+namespace carom {
+namespace {
+
+/// Count on a body's time of being slow, or start it anew. Comparisons are such that NaN is not slow.
+void count_calm(World& world, std::uint32_t i, Real speed, Real dt) {
+  Sleep& z = *world.sleep;
+  const State& s = world.state;
+  const bool slow =
+      s.v[i].norm() + z.radius[i] * s.omega[i].norm() <= speed && !s.quarantined[i] && !world.scene.def[i].stays_awake;
+  if (slow) {
+    // A turn by angle a moves a point at radius r by 2 r sin(a/2), which is 2 r times the vector part of its
+    // quaternion.
+    const Vec3 turn = (s.q[i] * z.anchor_q[i].conjugate()).vec();
+    const Real come = (s.x[i] - z.anchor_x[i]).norm() + 2 * z.radius[i] * turn.norm();
+    if (come <= speed * (z.calm[i] + dt)) {
+      z.calm[i] += dt;
+      return;
+    }
+  }
+  z.calm[i] = 0;
+  z.anchor_x[i] = s.x[i];
+  z.anchor_q[i] = s.q[i];
+}
+
+bool rolls_by(const World& world, std::uint32_t i) {
+  return world.scene.type[i] == BodyType::kinematic &&
+         (world.state.v[i] != Vec3::Zero() || world.state.omega[i] != Vec3::Zero());
+}
+
+/// The island of every customer, and which islands something keeps awake.
+void find_islands(World& world, const Customers& customers, Real time) {
+  Sleep& z = *world.sleep;
+  Contacts& c = *world.contacts;
+  customers.each([&](std::uint32_t i) { z.root[i] = i, z.restless[i] = 0; });
+  const bool met = world.plan->runs[static_cast<std::size_t>(Stage::group)];
+  if (met) {
+    const bool grouped = world.scene.dials.choice(Dial::groups) != 0;
+    for (const std::uint32_t i : c.bodies) z.root[i] = grouped ? island_of(c, i) : c.bodies[0];
+  }
+  customers.each([&](std::uint32_t i) { z.restless[z.root[i]] |= !(z.calm[i] >= time); });
+  if (!met) return;
+  for (const Row& row : c.rows) {
+    if (row.moves_a && rolls_by(world, row.b)) z.restless[z.root[row.a]] = 1;
+    if (row.moves_b && rolls_by(world, row.a)) z.restless[z.root[row.b]] = 1;
+  }
+}
+
+void lie_down(World& world, std::uint32_t i) {
+  Sleep& z = *world.sleep;
+  State& s = world.state;
+  s.v[i] = s.omega[i] = s.momentum[i] = Vec3::Zero();
+  z.asleep[i] = 1;
+  z.ring[i] = i;
+  if (const std::uint32_t first = z.root[i]; first != i) {
+    // The root has the lowest slot of its island, so it lies already.
+    z.ring[i] = z.ring[first];
+    z.ring[first] = i;
+  }
+  z.fallen.push_back(i);
+  ++z.count;
+}
+
+}  // namespace
+
+void sleeping::find(const Scene& scene, const State& state, Customers& customers) {
+  if (scene.dials.choice(Dial::sleep) == 0) return;
+  for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
+    if (responds(scene, state, i)) customers.add(i);
+}
+
+void fall_asleep(World& world, const StepTime& time) {
+  PlannedEffect& row = world.plan->effects[kSleepRow];
+  if (row.customers.count == 0) return;
+  Sleep& z = *world.sleep;
+  const Dials& dials = world.scene.dials;
+  const Real speed = dials[Dial::sleep_speed], need = dials[Dial::sleep_time];
+  bool anyone = false;
+  row.customers.each([&](std::uint32_t i) {
+    count_calm(world, i, speed, time.dt);
+    anyone |= z.calm[i] >= need;
+  });
+  row.evaluations += row.customers.count;
+  if (!anyone) return;
+  find_islands(world, row.customers, need);
+  row.customers.each([&](std::uint32_t i) {
+    if (!z.restless[z.root[i]]) lie_down(world, i);
+  });
+  world.report.fell_asleep = z.fallen.size();
+  world.report.asleep_bodies = z.count;
+}
+
+}  // namespace carom

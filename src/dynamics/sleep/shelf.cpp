@@ -1,0 +1,315 @@
+// Out of the arrays of the step, and back: boxes into the tree, records of pairs and impulses aside, lists of the plan
+// cut down to who is awake.
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "dynamics/force/force.h"
+#include "dynamics/sleep/sleep.h"
+
+namespace carom {
+namespace {
+
+constexpr std::uint32_t kNone = Colliders::kNone;
+
+template <class F>
+void each_collider(const Scene& scene, std::uint32_t body, F&& f) {
+  for (std::uint32_t c = scene.first_collider[body]; c != kNone; c = scene.colliders.next[c]) f(c);
+}
+
+/// Rows of the table whose customers are bodies.
+bool of_bodies(const PlannedEffect& row) {
+  return row.effect->stage == Stage::integrate || row.effect->stage == Stage::observe;
+}
+
+/// Put boxes into the tree: one by one, or, where they are many, all afresh.
+void plant(World& world, const Array<std::uint32_t>& colliders) {
+  Sleep& z = *world.sleep;
+  const Colliders& c = world.scene.colliders;
+  bool afresh = 8 * colliders.size() > z.tree.size();
+  z.tree.grow(c.slots());
+  for (const std::uint32_t slot : colliders) {
+    const Aabb& box = c.bounds[slot];
+    if (!(box.lo.x() <= box.hi.x())) continue;  // of a support function that failed: it touches nothing
+    z.in_tree[slot] = 1;
+    if (afresh) continue;
+    const std::size_t depth = z.tree.insert(slot, box);
+    afresh = depth > 64;  // long before a walk down costs more than halving all of them would
+  }
+  if (!afresh) return;
+  z.hits.clear();
+  for (std::uint32_t slot = 0; slot < z.in_tree.size(); ++slot)
+    if (z.in_tree[slot]) z.hits.push_back(slot);
+  z.tree.build(z.hits, c.bounds);
+}
+
+/// Records between two that do not move, one of them asleep.
+void park_pairs(World& world) {
+  Sleep& z = *world.sleep;
+  const Scene& scene = world.scene;
+  const State& s = world.state;
+  const auto still = [&](std::uint32_t body) {
+    return z.parked[body] || scene.type[body] == BodyType::fixed ||
+           (scene.type[body] == BodyType::kinematic && s.v[body] == Vec3::Zero() && s.omega[body] == Vec3::Zero());
+  };
+  z.holders.assign(world.pairs.size(), PairTable::none);
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    const Pair& p = world.pairs[i].pair;
+    const std::uint32_t a = scene.colliders.body[p.a], b = scene.colliders.body[p.b];
+    if (!still(a) || !still(b)) continue;
+    if (z.parked[a]) z.holders[i] |= PairTable::by_a;
+    if (z.parked[b]) z.holders[i] |= PairTable::by_b;
+  }
+  world.pairs.park(z.holders, scene.colliders.slots());
+}
+
+void keep_impulse(Sleep& z, std::uint32_t body, const KeptImpulse& impulse) {
+  std::uint32_t k;
+  if (z.kept_free.empty()) {
+    k = static_cast<std::uint32_t>(z.kept.size());
+    z.kept.push_back(impulse);
+  } else {
+    k = z.kept_free.back();
+    z.kept_free.pop_back();
+    z.kept[k] = impulse;
+  }
+  z.kept[k].next = std::exchange(z.kept_first[body], k);
+}
+
+/// Impulses of pairs that a sleeper is in: all its contacts are with its island or with what does not move.
+void park_impulses(World& world) {
+  Sleep& z = *world.sleep;
+  Contacts& c = *world.contacts;
+  const Array<std::uint32_t>& body = world.scene.colliders.body;
+  z.kept.reserve(z.kept.size() + c.old.size());
+  z.kept_free.reserve(z.kept.capacity());
+  std::size_t stay = 0;
+  std::uint32_t order = 0;
+  for (std::size_t i = 0; i < c.old.size(); ++i) {
+    order = i > 0 && c.old[i].pair == c.old[i - 1].pair ? order + 1 : 0;
+    const std::uint32_t a = body[c.old[i].pair.a], b = body[c.old[i].pair.b];
+    if (z.parked[a] || z.parked[b])
+      keep_impulse(z, z.parked[a] ? a : b, {c.old[i], c.old_h, order, kNone});
+    else
+      c.old[stay++] = c.old[i];
+  }
+  c.old.resize(stay);
+}
+
+/// Impulses of woken bodies, back among those that the step starts from.
+void return_impulses(World& world, const Array<std::uint32_t>& bodies) {
+  Sleep& z = *world.sleep;
+  Contacts& c = *world.contacts;
+  z.returning.clear();
+  for (const std::uint32_t body : bodies)
+    for (std::uint32_t k = z.kept_first[body]; k != kNone; k = z.kept[k].next)
+      if (z.kept[k].impulse.pair.a != kNone) z.returning.push_back(z.kept[k]);
+  std::sort(z.returning.begin(), z.returning.end(), [](const KeptImpulse& x, const KeptImpulse& y) {
+    return std::tuple(x.impulse.pair.key(), x.order) < std::tuple(y.impulse.pair.key(), y.order);
+  });
+  std::size_t to = c.old.size() + z.returning.size(), i = c.old.size(), k = z.returning.size();
+  c.old.resize(to);
+  while (k > 0) {  // merged from behind; no pair is on both sides
+    if (i > 0 && z.returning[k - 1].impulse.pair < c.old[i - 1].pair) {
+      c.old[--to] = c.old[--i];
+      continue;
+    }
+    KeptImpulse& back = z.returning[--k];
+    if (!(c.old_h > 0)) c.old_h = back.h;
+    if (back.h != c.old_h) back.impulse.p *= c.old_h / back.h;  // as if the others' substep had made it
+    c.old[--to] = back.impulse;
+  }
+  for (const std::uint32_t body : bodies)
+    while (z.kept_first[body] != kNone) {
+      const std::uint32_t at = z.kept_first[body];
+      z.kept_first[body] = z.kept[at].next;
+      z.kept_free.push_back(at);
+    }
+}
+
+void park(World& world) {
+  Sleep& z = *world.sleep;
+  const Scene& scene = world.scene;
+  z.colliders.clear();
+  z.in_tree.resize(scene.colliders.slots(), 0);
+  for (const std::uint32_t i : z.fallen) {
+    if (!z.asleep[i] || z.parked[i]) continue;
+    z.parked[i] = 1;
+    if (scene.first_collider[i] != kNone) world.plan->rotation[i] = world.state.q[i].toRotationMatrix();
+    each_collider(scene, i, [&](std::uint32_t c) {
+      place_collider(world, *world.plan, c, 0);
+      z.colliders.push_back(c);
+    });
+  }
+  z.fallen.clear();
+  plant(world, z.colliders);
+  park_pairs(world);
+  park_impulses(world);
+}
+
+void take_back(World& world) {
+  Sleep& z = *world.sleep;
+  z.bodies.clear();
+  for (const std::uint32_t i : z.woken)
+    if (!z.asleep[i] && z.parked[i]) z.bodies.push_back(i), z.parked[i] = 0;
+  z.woken.clear();
+  std::sort(z.bodies.begin(), z.bodies.end());
+  for (const std::uint32_t i : z.bodies)
+    each_collider(world.scene, i, [&](std::uint32_t c) {
+      if (c < z.in_tree.size() && z.in_tree[c]) z.tree.remove(c), z.in_tree[c] = 0;
+      z.rejoined.push_back(c);
+    });
+  return_impulses(world, z.bodies);
+}
+
+/// Who of an ascending list is awake, and the woken bodies (ascending) among them.
+void relist(Sleep& z, const Array<std::uint32_t>& woken, Customers& list) {
+  z.spare.clear();
+  std::size_t k = 0;
+  list.each([&](std::uint32_t i) {
+    while (k < woken.size() && woken[k] < i) z.spare.add(woken[k++]);
+    if (k < woken.size() && woken[k] == i) ++k;
+    if (!z.asleep[i]) z.spare.add(i);
+  });
+  while (k < woken.size()) z.spare.add(woken[k++]);
+  std::swap(list, z.spare);
+}
+
+void relist_colliders(World& world, const Array<std::uint32_t>& woken) {
+  Sleep& z = *world.sleep;
+  Colliders& c = world.scene.colliders;
+  z.colliders.clear();
+  for (const std::uint32_t i : woken)
+    each_collider(world.scene, i, [&](std::uint32_t slot) { z.colliders.push_back(slot); });
+  std::sort(z.colliders.begin(), z.colliders.end());
+  std::erase_if(z.colliders,
+                [&](std::uint32_t slot) { return std::binary_search(c.active.begin(), c.active.end(), slot); });
+  std::erase_if(c.active, [&](std::uint32_t slot) { return z.sleeps(c.body[slot]); });
+  const std::size_t before = c.active.size();
+  c.active.insert(c.active.end(), z.colliders.begin(), z.colliders.end());
+  std::size_t to = c.active.size(), i = before, k = z.colliders.size();
+  while (k > 0) c.active[--to] = i > 0 && z.colliders[k - 1] < c.active[i - 1] ? c.active[--i] : z.colliders[--k];
+  world.plan->colliders.clear();
+  for (const std::uint32_t slot : c.active)
+    if (c.movable[slot]) world.plan->colliders.push_back(slot);
+}
+
+/// Everybody's rows and lists, for those who are awake.
+void list_awake(World& world, const Array<std::uint32_t>& woken) {
+  Sleep& z = *world.sleep;
+  Plan& plan = *world.plan;
+  relist(z, woken, plan.effects[kSleepRow].candidates);
+  relist_colliders(world, woken);
+  const Customers& awake = plan.effects[kSleepRow].candidates;
+  plan.linear.clear(), plan.rotating.clear();
+  awake.each([&](std::uint32_t i) { (rotates(world.scene, i) ? plan.rotating : plan.linear).add(i); });
+  for (std::size_t k = 0; k < plan.effects.size(); ++k) {
+    PlannedEffect& row = plan.effects[k];
+    if (of_bodies(row) && k != kSleepRow && !from_host(*row.effect)) {
+      row.candidates.clear();
+      awake.each([&](std::uint32_t i) {
+        if (z.rows[i] >> k & 1) row.candidates.add(i);
+      });
+    }
+    if (row.effect->stage == Stage::broad) {
+      row.candidates.clear();
+      row.effect->find(world.scene, world.state, row.candidates);
+    }
+    if (row.effect->stage != Stage::solve && !row.effect->wakes) row.customers = row.candidates;
+  }
+  plan_stages(world, plan);
+}
+
+}  // namespace
+
+Sleep::Sleep(Memory* m)
+    : asleep(m),
+      parked(m),
+      ring(m),
+      calm(m),
+      anchor_x(m),
+      anchor_q(m),
+      radius(m),
+      rows(m),
+      kept_first(m),
+      root(m),
+      restless(m),
+      fallen(m),
+      woken(m),
+      stirred(m),
+      rejoined(m),
+      tree(m),
+      in_tree(m),
+      kept(m),
+      kept_free(m),
+      near(m),
+      bodies(m),
+      colliders(m),
+      asking(m),
+      hits(m),
+      holders(m),
+      returning(m),
+      spare(m) {}
+
+void plan_sleep(World& world, Plan& plan) {
+  if (plan.effects[kSleepRow].candidates.count == 0) return;  // the dial is off: nobody sleeps
+  Sleep& z = *world.sleep;
+  const Scene& scene = world.scene;
+  const std::uint32_t slots = scene.bodies.slots();
+  z.fallen.reserve(slots), z.woken.reserve(slots);
+  z.parked.resize(slots, 0), z.ring.resize(slots, kNone), z.anchor_x.resize(slots, Vec3::Zero());
+  z.anchor_q.resize(slots, Quat::Identity()), z.radius.resize(slots, 0), z.kept_first.resize(slots, kNone);
+  z.root.resize(slots, 0), z.restless.resize(slots, 0), z.asleep.resize(slots, 0);
+  z.calm.resize(slots, 0);  // last: its size says that all have theirs
+  z.rows.assign(slots, 0);
+  static_assert(kEffectCount <= 16, "a bit each");
+  for (std::size_t k = 0; k < plan.effects.size(); ++k)
+    if (of_bodies(plan.effects[k]) && !from_host(*plan.effects[k].effect))
+      plan.effects[k].candidates.each(
+          [&](std::uint32_t i) { z.rows[i] = static_cast<std::uint16_t>(z.rows[i] | 1u << k); });
+  plan.effects[kSleepRow].candidates.each([&](std::uint32_t i) {
+    z.radius[i] = 0;
+    each_collider(scene, i, [&](std::uint32_t c) {
+      z.radius[i] = std::max(z.radius[i], plan.local[c].p.norm() + scene.colliders.shape[c]->bounding_radius);
+    });
+  });
+  z.bodies.clear();
+  if (z.count > 0) list_awake(world, z.bodies);
+}
+
+void forget_sleepers(World& world) {
+  Sleep& z = *world.sleep;
+  wake_all(world);
+  z.tree.clear();
+  std::fill(z.in_tree.begin(), z.in_tree.end(), std::uint8_t(0));
+  std::fill(z.parked.begin(), z.parked.end(), std::uint8_t(0));
+  std::fill(z.kept_first.begin(), z.kept_first.end(), kNone);
+  z.kept.clear(), z.kept_free.clear(), z.fallen.clear(), z.woken.clear(), z.rejoined.clear(), z.near.clear();
+  world.contacts->old.clear();
+  world.pairs.clear();
+  ++world.scene.revision;
+}
+
+bool settle_sleepers(World& world) {
+  Sleep& z = *world.sleep;
+  if (std::exchange(z.alarm, false)) wake_all(world);
+  if (z.fallen.empty() && z.woken.empty()) return false;
+  rejoin(world);
+  return true;
+}
+
+void rejoin(World& world) {
+  Sleep& z = *world.sleep;
+  try {
+    take_back(world);
+    if (!z.fallen.empty()) park(world);
+    if (world.scene.dials.choice(Dial::sleep) == 0) return;  // the plan is everybody's
+    std::erase_if(z.bodies, [&](std::uint32_t i) { return !responds(world.scene, world.state, i); });
+    list_awake(world, z.bodies);
+  } catch (...) {
+    forget_sleepers(world);
+    throw;
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,91 @@
+// Whom something that moves comes near, and whom it touches: those wake before the step makes contacts.
+#include <algorithm>
+
+#include "dynamics/detect.h"
+#include "dynamics/sleep/sleep.h"
+
+namespace carom {
+namespace {
+
+void ask_for(World& world, std::uint32_t body) {
+  const Colliders& c = world.scene.colliders;
+  for (std::uint32_t slot = world.scene.first_collider[body]; slot != Colliders::kNone; slot = c.next[slot])
+    world.sleep->asking.push_back(slot);
+}
+
+/// Colliders of what moves, by itself or by a host's hand.
+void gather_movers(World& world) {
+  Sleep& z = *world.sleep;
+  const Scene& scene = world.scene;
+  const State& s = world.state;
+  const Colliders& c = scene.colliders;
+  z.asking.clear();
+  for (const std::uint32_t slot : world.plan->colliders) {
+    const std::uint32_t i = c.body[slot];
+    if (scene.type[i] == BodyType::dynamic || s.v[i] != Vec3::Zero() || s.omega[i] != Vec3::Zero())
+      z.asking.push_back(slot);
+  }
+  for (const std::uint32_t i : z.stirred) ask_for(world, i);
+  z.stirred.clear();
+}
+
+/// Whether the narrow phase would find a contact. Asked with a copy of what the pair remembers, so that the answer is
+/// the narrow phase's own, and what is remembered stays as it was.
+bool touches(World& world, const NarrowSettings& settings, const Pair& pair) {
+  const Colliders& c = world.scene.colliders;
+  NarrowSettings own = settings;
+  own.manifold.contact_distance += c.reach[pair.a] + c.reach[pair.b];
+  const PairRecord* const record = world.pairs.find(pair);
+  QueryMemory memory = record ? record->memory : QueryMemory{};
+  Candidates found;
+  SupportFault fault;
+  collide(*c.shape[pair.a], c.frame[pair.a], *c.shape[pair.b], c.frame[pair.b], own, memory, found, world.report.narrow,
+          fault);
+  return found.count > 0 || fault.kind != SupportFault::none;  // a fault is the narrow phase's to tell
+}
+
+/// Ask what one collider touches. Whom it wakes asks in turn: what slept apart may have come to rest in touch.
+void ask(World& world, const NarrowSettings& settings, std::uint32_t slot) {
+  Sleep& z = *world.sleep;
+  const Colliders& c = world.scene.colliders;
+  const Aabb& box = c.bounds[slot];
+  if (!(box.lo.x() <= box.hi.x())) return;
+  z.hits.clear();
+  z.tree.query(box, [&](std::uint32_t other) { z.hits.push_back(other); });
+  std::sort(z.hits.begin(), z.hits.end());  // the tree's order means nothing
+  for (const std::uint32_t other : z.hits) {
+    const std::uint32_t body = c.body[other];
+    if (!z.asleep[body] || !may_touch(c, slot, other)) continue;
+    const Pair pair{std::min(slot, other), std::max(slot, other)};
+    if (!touches(world, settings, pair)) {
+      z.near.push_back(pair);
+      continue;
+    }
+    const std::size_t before = z.woken.size();
+    wake(world, body);
+    for (std::size_t k = before; k < z.woken.size(); ++k) ask_for(world, z.woken[k]);
+  }
+}
+
+}  // namespace
+
+void wake_touched(World& world, const StepTime&) {
+  Sleep& z = *world.sleep;
+  z.near.clear();
+  if (z.count == 0) return z.stirred.clear();
+  const NarrowSettings settings = narrow_settings(world.scene.dials);
+  gather_movers(world);
+  for (std::size_t k = 0; k < z.asking.size(); ++k) ask(world, settings, z.asking[k]);
+  if (!z.woken.empty()) {
+    rejoin(world);
+    find_customers(world);
+  }
+  // Between two that are awake by now, the broad phase finds the pair. What does not move makes none with a sleeper.
+  const Colliders& c = world.scene.colliders;
+  const auto void_pair = [&](const Pair& p) { return z.asleep[c.body[p.a]] == z.asleep[c.body[p.b]]; };
+  std::erase_if(z.near, void_pair);
+  std::sort(z.near.begin(), z.near.end());
+  z.near.erase(std::unique(z.near.begin(), z.near.end()), z.near.end());
+}
+
+}  // namespace carom

@@ -1,0 +1,90 @@
+// What wakes sleepers between steps. Only flags change here, and pose and cache of nobody; the arrays follow when the
+// next step settles.
+#include <algorithm>
+
+#include "dynamics/sleep/sleep.h"
+
+namespace carom {
+namespace {
+
+/// Call f(record) for the record of every pair that a sleeper may be in. Those who fell asleep in the last step are not
+/// parked yet.
+template <class F>
+void each_record(const World& world, F&& f) {
+  world.pairs.each_parked(f);
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) f(world.pairs[i]);
+}
+
+void wake_both(World& world, const PairRecord& r) {
+  wake(world, world.scene.colliders.body[r.pair.a]);
+  wake(world, world.scene.colliders.body[r.pair.b]);
+}
+
+}  // namespace
+
+void wake(World& world, std::uint32_t body) {
+  Sleep& z = *world.sleep;
+  if (body >= z.calm.size()) return;
+  z.calm[body] = 0;
+  for (std::uint32_t i = body; z.asleep[i]; i = z.ring[i]) {
+    z.asleep[i] = 0;
+    z.calm[i] = 0;
+    z.anchor_x[i] = world.state.x[i], z.anchor_q[i] = world.state.q[i];
+    if (z.parked[i]) z.woken.push_back(i);  // there is room for every body
+    --z.count, ++z.woke;
+  }
+}
+
+void wake_all(World& world) {
+  Sleep& z = *world.sleep;
+  for (std::uint32_t i = 0; i < z.asleep.size(); ++i) wake(world, i);
+}
+
+void wake_touching(World& world, std::uint32_t collider) {
+  if (world.sleep->count == 0) return;
+  each_record(world, [&](const PairRecord& r) {
+    if ((r.pair.a == collider || r.pair.b == collider) && r.manifold.count > 0) wake_both(world, r);
+  });
+}
+
+void wake_wearing(World& world, std::uint32_t material) {
+  if (world.sleep->count == 0) return;
+  const Colliders& c = world.scene.colliders;
+  each_record(world, [&](const PairRecord& r) {
+    if (c.material[r.pair.a] == material || c.material[r.pair.b] == material) wake_both(world, r);
+  });
+}
+
+void stir(World& world, std::uint32_t body) {
+  const Scene& scene = world.scene;
+  if (scene.type[body] == BodyType::dynamic) return wake(world, body);
+  if (world.sleep->count == 0) return;
+  world.sleep->stirred.push_back(body);
+  for (std::uint32_t c = scene.first_collider[body]; c != Colliders::kNone; c = scene.colliders.next[c])
+    wake_touching(world, c);
+}
+
+void forget_collider(World& world, std::uint32_t collider) {
+  Sleep& z = *world.sleep;
+  if (collider < z.in_tree.size() && z.in_tree[collider]) z.tree.remove(collider), z.in_tree[collider] = 0;
+  const auto names = [&](const OldImpulse& o) { return o.pair.a == collider || o.pair.b == collider; };
+  for (KeptImpulse& k : z.kept)
+    if (names(k.impulse)) k.impulse.pair = {Colliders::kNone, Colliders::kNone};
+  std::erase_if(world.contacts->old, names);
+  std::erase_if(z.near, [&](const Pair& p) { return p.a == collider || p.b == collider; });
+  std::erase(z.rejoined, collider);
+}
+
+void forget_body(World& world, std::uint32_t body) {
+  Sleep& z = *world.sleep;
+  for (Array<std::uint32_t>* list : {&z.fallen, &z.woken, &z.stirred}) std::erase(*list, body);
+  if (body >= z.parked.size()) return;
+  z.parked[body] = 0;
+  while (z.kept_first[body] != Colliders::kNone) {
+    const std::uint32_t k = z.kept_first[body];
+    z.kept_first[body] = z.kept[k].next;
+    z.kept_free.push_back(k);  // there is room for all
+  }
+}
+
+}  // namespace carom
