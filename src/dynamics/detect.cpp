@@ -84,7 +84,7 @@ void find_pairs(World& world, const StepTime&) {
 void find_contacts(World& world, const StepTime&) {
   Plan& plan = *world.plan;
   const NarrowSettings settings = narrow_settings(world.scene.dials);
-  narrow_phase(world.scene.colliders, settings, world.pairs, world.report.narrow, plan.faults);
+  narrow_phase(world.scene.colliders, settings, world.pairs, world.report.narrow, plan.faults, world.jobs);
   for (const SupportFault& fault : plan.faults) mute(world, fault);
 }
 

@@ -1,6 +1,7 @@
 // The plan of a step: which effects have customers, who they are, and what they did.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "dynamics/integrate/rotation/principal.h"
@@ -31,6 +32,19 @@ struct Customers {
     for (const Run& r : runs)
       for (std::uint32_t i = r.begin; i < r.end; ++i) f(i);
   }
+  /// Likewise, shared by threads: f(i) writes nothing that f of another slot reads or writes.
+  template <class F>
+  void each(Jobs* jobs, F&& f) const {
+    if (runs.empty()) return;
+    const std::uint32_t first = runs.front().begin;
+    in_parts(jobs, runs.back().end - first, kSlotsAPart, [&](std::uint32_t begin, std::uint32_t end) {
+      const std::uint32_t from = first + begin, to = first + end;
+      auto r = std::partition_point(runs.begin(), runs.end(), [&](const Run& run) { return run.end <= from; });
+      for (; r != runs.end() && r->begin < to; ++r)
+        for (std::uint32_t i = std::max(r->begin, from); i < std::min(r->end, to); ++i) f(i);
+    });
+  }
+  static constexpr std::size_t kSlotsAPart = 128;  // some microseconds of a loop
 };
 
 /// Where forces are evaluated: the state itself, or an intermediate one of RK4. By body slot.

@@ -14,22 +14,32 @@ void view_contacts(World& world) {
   const Contacts& c = *world.contacts;
   const State& s = world.state;
   StepReport& report = world.report;
+  world.contact_views.resize(c.rows.size());
+  in_parallel(world.jobs, c.rows.size(), kRowsAPart, [&](std::uint32_t i) {
+    const Row& row = c.rows[i];
+    const RowGeometry& g = c.geometry[i];
+    const Pair& pair = world.pairs[g.pair].pair;
+    const Mat3 &ra = world.plan->rotation[row.a], &rb = world.plan->rotation[row.b];
+    const Real normal_impulse = g.impulse.dot(row.n);
+    world.contact_views[i] = {pair.a,
+                              pair.b,
+                              0.5 * ((s.x[row.a] + ra * g.l_a) + (s.x[row.b] + rb * g.l_b)),
+                              row.n,
+                              g.separation,
+                              normal_impulse,
+                              (g.impulse - normal_impulse * row.n).norm()};
+  });
   double sum = 0;
   std::uint64_t overlapping = 0;
   for (std::size_t i = 0; i < c.rows.size(); ++i) {
     const Row& row = c.rows[i];
     const RowGeometry& g = c.geometry[i];
-    const Pair& pair = world.pairs[g.pair].pair;
     if (g.separation < 0) {
       report.max_penetration = std::max<double>(report.max_penetration, -g.separation);
       sum -= g.separation;
       ++overlapping;
       report.max_closing_speed = std::max<double>(report.max_closing_speed, -row.u.dot(row.n));
     }
-    const Mat3 &ra = world.plan->rotation[row.a], &rb = world.plan->rotation[row.b];
-    const Real normal_impulse = g.impulse.dot(row.n);
-    world.contact_views.push_back({pair.a, pair.b, 0.5 * ((s.x[row.a] + ra * g.l_a) + (s.x[row.b] + rb * g.l_b)), row.n,
-                                   g.separation, normal_impulse, (g.impulse - normal_impulse * row.n).norm()});
   }
   if (overlapping) report.mean_penetration = sum / static_cast<double>(overlapping);
 }

@@ -127,6 +127,20 @@ void worlds_that_step_at_once_share_a_pool_without_waiting(void**) {
   assert_int_equal(wrong, 0);
 }
 
+/// Boxes of a plugin, dropped on the heap in a layer of 14 x 14.
+void drop_on(Heap& heap, const carom_shape_plugin& plugin, double y) {
+  const double half[3] = {0.3, 0.3, 0.3};
+  carom_plugin handle;
+  carom_shape shape;
+  carom_body body;
+  carom_collider collider;
+  assert_int_equal(carom_plugin_register(heap.b.engine, &plugin, &handle, nullptr), CAROM_OK);
+  assert_int_equal(carom_shape_create(heap.b.engine, handle, half, 3, &shape, nullptr), CAROM_OK);
+  for (int i = 0; i < 196; ++i)
+    assert_int_equal(
+        bench_body(heap.b.world, shape, 0, CAROM_BODY_DYNAMIC, i % 14, y, i / 14, &body, &collider, nullptr), CAROM_OK);
+}
+
 /// A call from a part, or from the callback itself.
 struct Reentrant {
   carom_world* world = nullptr;
@@ -145,22 +159,77 @@ int32_t calling_support(const double* params, uint64_t count, const double dir[3
 void calls_from_a_part_are_reentrant_on_every_thread(void**) {
   const carom_jobs_desc desc = pool_of(4);
   Heap heap(&desc);
-  const carom_shape_plugin plugin = bench_plugin("test.calls", bench_box_params, 3, nullptr, calling_support);
-  const double half[3] = {0.3, 0.3, 0.3};
-  carom_plugin handle;
-  carom_shape shape;
-  carom_body body;
-  carom_collider collider;
-  assert_int_equal(carom_plugin_register(heap.b.engine, &plugin, &handle, nullptr), CAROM_OK);
-  assert_int_equal(carom_shape_create(heap.b.engine, handle, half, 3, &shape, nullptr), CAROM_OK);
-  for (int i = 0; i < 200; ++i)
-    assert_int_equal(
-        bench_body(heap.b.world, shape, 0, CAROM_BODY_DYNAMIC, i % 14, 6, i / 14, &body, &collider, nullptr), CAROM_OK);
+  drop_on(heap, bench_plugin("test.calls", bench_box_params, 3, nullptr, calling_support), 6);
   reentrant.world = heap.b.world;
   assert_int_equal(bench_steps(heap.b.world, 5, nullptr), CAROM_OK);
   reentrant.world = nullptr;
   assert_true(reentrant.calls > 1000);
   assert_int_equal(reentrant.refused, reentrant.calls);
+}
+
+struct Caller {
+  std::thread::id stepping;
+  std::atomic<int> here{0}, elsewhere{0};
+} caller;
+
+int32_t noting_support(const double* params, uint64_t count, const double dir[3], double out[3]) {
+  ++(std::this_thread::get_id() == caller.stepping ? caller.here : caller.elsewhere);
+  return bench_box(params, count, dir, out);
+}
+
+void a_shape_of_the_host_thread_is_asked_there_alone(void**) {
+  const carom_jobs_desc desc = pool_of(4);
+  caller.stepping = std::this_thread::get_id();
+  carom_shape_plugin plugin = bench_plugin("test.host", bench_box_params, 3, nullptr, noting_support);
+  plugin.flags = CAROM_PLUGIN_HOST_THREAD;
+  uint64_t hashes[2];
+  for (int shared = 0; shared < 2; ++shared) {
+    Heap heap(shared ? &desc : nullptr);
+    drop_on(heap, plugin, 5.5);
+    caller.here = 0;
+    assert_int_equal(bench_steps(heap.b.world, 20, nullptr), CAROM_OK);
+    assert_true(caller.here > 1000);
+    hashes[shared] = bench_hash(heap.b.world);
+  }
+  assert_int_equal(caller.elsewhere, 0);
+  assert_true(hashes[0] == hashes[1]);
+}
+
+/// Misbehaves in one octant, but only once a world runs.
+std::atomic<bool> lying{false};
+int32_t lying_support(const double* params, uint64_t count, const double dir[3], double out[3]) {
+  if (lying && dir[0] > 0 && dir[1] < 0 && dir[2] > 0) return 7;
+  return bench_box(params, count, dir, out);
+}
+
+struct Told {
+  carom_fault faults[8] = {};
+  uint64_t count = 0, hash = 0;
+
+  explicit Told(uint32_t threads) {
+    const carom_jobs_desc desc = pool_of(threads);
+    Heap heap(&desc);
+    drop_on(heap, bench_plugin("test.liar", bench_box_params, 3, nullptr, lying_support), 5.5);
+    drop_on(heap, bench_plugin("test.liar2", bench_box_params, 3, nullptr, lying_support), 5.9);
+    lying = true;
+    for (int i = 0; i < 20 && count == 0; ++i) {
+      assert_int_equal(bench_steps(heap.b.world, 1, nullptr), CAROM_OK);
+      assert_int_equal(carom_world_get_faults(heap.b.world, faults, sizeof *faults, 8, &count, nullptr), CAROM_OK);
+    }
+    lying = false;
+    hash = bench_hash(heap.b.world);
+  }
+};
+
+void faults_are_told_in_the_same_order_by_any_number_of_threads(void**) {
+  const Told alone(1), shared(4);
+  assert_true(alone.count > 0 && alone.count <= 8 && alone.count == shared.count);
+  for (uint64_t i = 0; i < alone.count; ++i)
+    for (int k = 0; k < 3; ++k) {
+      assert_true(alone.faults[i].dir[k] == shared.faults[i].dir[k]);
+      assert_true(alone.faults[i].out[k] == shared.faults[i].out[k]);
+    }
+  assert_true(alone.hash == shared.hash);
 }
 
 void pools_come_and_go_before_the_first_world(void**) {
@@ -182,6 +251,8 @@ int main() {
       cmocka_unit_test(however_a_host_deals_out_the_parts_the_bits_are_the_same),
       cmocka_unit_test(worlds_that_step_at_once_share_a_pool_without_waiting),
       cmocka_unit_test(calls_from_a_part_are_reentrant_on_every_thread),
+      cmocka_unit_test(a_shape_of_the_host_thread_is_asked_there_alone),
+      cmocka_unit_test(faults_are_told_in_the_same_order_by_any_number_of_threads),
       cmocka_unit_test(pools_come_and_go_before_the_first_world),
   };
   return cmocka_run_group_tests_name("abi/jobs", tests, nullptr, nullptr);

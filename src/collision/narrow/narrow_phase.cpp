@@ -2,6 +2,9 @@
 #include "collision/narrow/narrow_phase.h"
 
 #include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <new>
 
 #include "collision/narrow/carry_over.h"
 #include "collision/narrow/hybrid.h"
@@ -44,8 +47,8 @@ void collide_generic(const Shape& a, const Frame& frame_a, const Shape& b, const
 }
 
 /// The manifold of a pair from what was found, in the way that the dial asks for.
-void update(const PatchPair& pair, const Candidates& found, const ManifoldSettings& settings, PairRecord& record,
-            NarrowReport& report, SupportFault& fault) {
+void update_manifold(const PatchPair& pair, const Candidates& found, const ManifoldSettings& settings,
+                     PairRecord& record, NarrowReport& report, SupportFault& fault) {
   if (settings.kind == ManifoldKind::single)
     keep_deepest(found, settings, record.manifold);
   else if (settings.kind == ManifoldKind::cache)
@@ -55,6 +58,51 @@ void update(const PatchPair& pair, const Candidates& found, const ManifoldSettin
   else
     update_patch(pair, found, settings, record.manifold, record.patch, report.support_calls, fault);
 }
+
+/// Pairs that a part of the loop takes: support functions of some hosts are for the stepping thread alone.
+enum class Whose { everybodys, any_threads, host_threads };
+
+/// Some microseconds of a loop, where most pairs lie still.
+constexpr std::size_t kPairsAPart = 64;
+
+/// What the parts of the loop found, put together in the order of pairs whatever part was done first.
+class Findings {
+ public:
+  Findings(NarrowReport& report, Memory& memory) : report_(report), faults_(&memory) {}
+
+  void add(const NarrowReport& part) {
+    const std::lock_guard lock(mutex_);
+    report_ += part;
+  }
+  /// Faults are rare: their list grows, on whichever thread.
+  void add(std::uint32_t pair, const SupportFault& fault) {
+    const std::lock_guard lock(mutex_);
+    try {
+      faults_.push_back({pair, fault});
+    } catch (const std::bad_alloc&) {
+      out_of_memory_ = true;
+    }
+  }
+  void leave() { left_.store(true, std::memory_order_relaxed); }
+  bool left() const { return left_.load(std::memory_order_relaxed); }
+
+  void append_faults(Array<SupportFault>& to) {
+    if (out_of_memory_) throw std::bad_alloc();
+    std::sort(faults_.begin(), faults_.end(), [](const Found& a, const Found& b) { return a.pair < b.pair; });
+    for (const Found& found : faults_) to.push_back(found.fault);
+  }
+
+ private:
+  struct Found {
+    std::uint32_t pair;
+    SupportFault fault;
+  };
+  std::mutex mutex_;
+  NarrowReport& report_;
+  Array<Found> faults_;
+  std::atomic<bool> left_{false};
+  bool out_of_memory_ = false;
+};
 
 }  // namespace
 
@@ -85,29 +133,53 @@ void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& 
   }
 }
 
-void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTable& pairs, NarrowReport& report,
-                  Array<SupportFault>& faults) {
-  Candidates found;
-  NarrowSettings own = settings;  // with the pair's own contact distance: fast colliders reach farther
-  const bool whole = one_shot(settings.manifold.kind);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    PairRecord& record = pairs[i];
-    const std::uint32_t a = record.pair.a, b = record.pair.b;
-    const PatchPair pair{*table.shape[a], *table.shape[b], table.frame[a], table.frame[b], shells(settings.query) / 2};
-    own.manifold.contact_distance = settings.manifold.contact_distance + table.reach[a] + table.reach[b];
-    if (whole && keep_patch(pair, own.manifold, record.patch, record.manifold)) {
-      ++report.kept_patches;
-      continue;
-    }
-    SupportFault fault;
-    collide(pair.a, pair.frame_a, pair.b, pair.frame_b, own, record.memory, found, report, fault);
-    record.patch.firm = false;
-    if (fault.kind == SupportFault::none) update(pair, found, own.manifold, record, report, fault);
-    if (fault.kind == SupportFault::none) continue;
-    record.manifold.count = 0;
-    record.memory = QueryMemory{};
-    faults.push_back(fault);
+/// A pair's record brought up to date; without points if a support function misbehaved.
+static void update(const PatchPair& pair, const NarrowSettings& settings, PairRecord& record, Candidates& found,
+                   NarrowReport& report, SupportFault& fault) {
+  if (one_shot(settings.manifold.kind) && keep_patch(pair, settings.manifold, record.patch, record.manifold)) {
+    ++report.kept_patches;
+    return;
   }
+  collide(pair.a, pair.frame_a, pair.b, pair.frame_b, settings, record.memory, found, report, fault);
+  record.patch.firm = false;
+  if (fault.kind == SupportFault::none) update_manifold(pair, found, settings.manifold, record, report, fault);
+  if (fault.kind == SupportFault::none) return;
+  record.manifold.count = 0;
+  record.memory = QueryMemory{};
+}
+
+void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTable& pairs, NarrowReport& report,
+                  Array<SupportFault>& faults, Jobs* jobs) {
+  Findings findings(report, *faults.get_allocator().resource());
+  const auto part = [&](std::uint32_t begin, std::uint32_t end, Whose whose) {
+    NarrowReport own_report;
+    Candidates found;
+    NarrowSettings own = settings;  // with the pair's own contact distance: fast colliders reach farther
+    for (std::uint32_t i = begin; i < end; ++i) {
+      PairRecord& record = pairs[i];
+      const std::uint32_t a = record.pair.a, b = record.pair.b;
+      const PatchPair pair{*table.shape[a], *table.shape[b], table.frame[a], table.frame[b],
+                           shells(settings.query) / 2};
+      if (whose != Whose::everybodys && (pair.a.host_thread || pair.b.host_thread) != (whose == Whose::host_threads)) {
+        findings.leave();
+        continue;
+      }
+      own.manifold.contact_distance = settings.manifold.contact_distance + table.reach[a] + table.reach[b];
+      SupportFault fault;
+      update(pair, own, record, found, own_report, fault);
+      if (fault.kind != SupportFault::none) findings.add(i, fault);
+    }
+    findings.add(own_report);
+  };
+  const auto n = static_cast<std::uint32_t>(pairs.size());
+  if (!jobs) {
+    part(0, n, Whose::everybodys);
+  } else {
+    in_parts(jobs, n, kPairsAPart,
+             [&](std::uint32_t begin, std::uint32_t end) { part(begin, end, Whose::any_threads); });
+    if (findings.left()) part(0, n, Whose::host_threads);
+  }
+  findings.append_faults(faults);
 }
 
 }  // namespace carom

@@ -4,6 +4,7 @@
 #include "collision/colliders.h"
 #include "collision/manifold/patch.h"
 #include "collision/narrow/query.h"
+#include "core/jobs.h"
 
 namespace carom {
 
@@ -82,12 +83,19 @@ class PairTable {
 struct NarrowReport {
   std::uint64_t gjk_calls = 0, epa_calls = 0, support_calls = 0, carried = 0;
   std::uint64_t kept_patches = 0;  // pairs that moved too little to be asked again
+
+  NarrowReport& operator+=(const NarrowReport& other) {
+    gjk_calls += other.gjk_calls, epa_calls += other.epa_calls, support_calls += other.support_calls;
+    carried += other.carried, kept_patches += other.kept_patches;
+    return *this;
+  }
 };
 
-/// Bring every record's manifold up to date with the colliders' frames. A pair whose support function misbehaves gets no points, and
-/// its fault is appended.
+/// Bring every record's manifold up to date with the colliders' frames. A pair whose support function misbehaves gets
+/// no points, and its fault is appended.
+/// @param jobs  null, or who shares the loop; shapes of the host's thread are still asked on the calling one
 void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTable& pairs, NarrowReport& report,
-                  Array<SupportFault>& faults);
+                  Array<SupportFault>& faults, Jobs* jobs = nullptr);
 
 /// Candidates of one pair: double dispatch over the two forms, the generic path where no specific routine fits.
 void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& frame_b, const NarrowSettings& settings,

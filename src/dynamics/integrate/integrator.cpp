@@ -1,20 +1,53 @@
 // The two integration stages of the page: one kick, one move, with a stop for what left the finite world.
 #include "dynamics/integrate/integrator.h"
 
+#include <atomic>
+
 #include "dynamics/quarantine.h"
 
 namespace carom {
+namespace {
+
+/// Bodies that left the finite world: marked by whichever thread sees it, put in quarantine by the stepping one.
+class Strays {
+ public:
+  explicit Strays(World& world) : world_(world) {}
+
+  void add(std::uint32_t body) {
+    world_.state.quarantined[body] |= kMark;
+    any_.store(true, std::memory_order_relaxed);
+  }
+  void quarantine_all() {
+    if (!any_.load(std::memory_order_relaxed)) return;
+    const auto take = [&](std::uint32_t i) {
+      std::uint8_t& mark = world_.state.quarantined[i];
+      if (!(mark & kMark)) return;
+      mark &= static_cast<std::uint8_t>(~kMark);
+      quarantine(world_, i);
+    };
+    world_.plan->linear.each(take), world_.plan->rotating.each(take), world_.plan->kinematic.each(take);
+  }
+
+ private:
+  static constexpr std::uint8_t kMark = 2;
+  World& world_;
+  std::atomic<bool> any_{false};
+};
+
+}  // namespace
 
 void integrate_velocity(World& world, const StepTime& time) {
   Plan& plan = *world.plan;
   plan.integrator->velocity(world, time.h);
   // Before any contact reads them, so that one body's infinity does not become its neighbours'.
-  plan.linear.each([&](std::uint32_t i) {
-    if (!sane_velocity(world.state, i)) quarantine(world, i);
+  Strays strays(world);
+  plan.linear.each(world.jobs, [&](std::uint32_t i) {
+    if (!sane_velocity(world.state, i)) strays.add(i);
   });
-  plan.rotating.each([&](std::uint32_t i) {
-    if (!sane_velocity(world.state, i) || !sane_spin(world.state, i)) quarantine(world, i);
+  plan.rotating.each(world.jobs, [&](std::uint32_t i) {
+    if (!sane_velocity(world.state, i) || !sane_spin(world.state, i)) strays.add(i);
   });
+  strays.quarantine_all();
 }
 
 void integrate_position(World& world, const StepTime& time) {
@@ -22,11 +55,12 @@ void integrate_position(World& world, const StepTime& time) {
   Plan& plan = *world.plan;
   const Real h = time.h;
 
+  Strays strays(world);
   const auto place = [&](std::uint32_t i, const Vec3& x) {
     if (sane_position(x))
       s.x[i] = x;
     else
-      quarantine(world, i);  // stays at its last good place
+      strays.add(i);  // stays at its last good place
   };
   const auto move = [&](std::uint32_t i) { place(i, s.x[i] + h * s.v[i]); };
   const auto spin = [&](std::uint32_t i) { s.q[i] = normalized(exp_map(h * s.omega[i]) * s.q[i]); };
@@ -39,12 +73,12 @@ void integrate_position(World& world, const StepTime& time) {
   const auto orient = [&](std::uint32_t i) { (carries && plan.carried[i]) ? turn(i) : spin(i); };
 
   if (!plan.integrator->proposes) {
-    plan.linear.each(move);
-    plan.rotating.each([&](std::uint32_t i) { move(i), orient(i); });
+    plan.linear.each(world.jobs, move);
+    plan.rotating.each(world.jobs, [&](std::uint32_t i) { move(i), orient(i); });
   } else {
     const auto free = [&](std::uint32_t i) { return !plan.touched[i] && !s.quarantined[i]; };
-    plan.linear.each([&](std::uint32_t i) { free(i) ? place(i, plan.proposal.x[i]) : move(i); });
-    plan.rotating.each([&](std::uint32_t i) {
+    plan.linear.each(world.jobs, [&](std::uint32_t i) { free(i) ? place(i, plan.proposal.x[i]) : move(i); });
+    plan.rotating.each(world.jobs, [&](std::uint32_t i) {
       if (free(i))
         place(i, plan.proposal.x[i]), s.q[i] = plan.proposal.q[i];
       else
@@ -52,6 +86,7 @@ void integrate_position(World& world, const StepTime& time) {
     });
   }
   plan.kinematic.each([&](std::uint32_t i) { move(i), spin(i); });
+  strays.quarantine_all();
 }
 
 }  // namespace carom

@@ -12,25 +12,21 @@ namespace {
 
 constexpr auto kMaxPoints = static_cast<std::uint32_t>(kPairPoints);
 
-/// Solver bodies: 0 for what no impulse and no host moves, then kinematic bodies, then the rest, by ascending slot.
+/// Solver bodies: 0 for what no impulse and no host moves, then kinematic bodies as rows name them, then the rest.
 void number_bodies(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
-  constexpr std::uint32_t kLends = 1;
   for (const std::uint32_t body : wide.slot) wide.body[body] = 0;  // of the last step: all others are 0
   wide.body.resize(scene.bodies.slots(), 0);
   wide.slot.assign(1, 0);
-  // Kinematic bodies keep their velocity and lend it to those that touch them.
-  for (const Row& row : c.rows)
-    for (const std::uint32_t body : {row.a, row.b})
-      if (scene.type[body] == BodyType::kinematic) wide.body[body] = kLends;
   const auto number = [&](std::uint32_t i) {
     wide.body[i] = static_cast<std::uint32_t>(wide.slot.size());
     wide.slot.push_back(i);
   };
-  world.plan->kinematic.each([&](std::uint32_t i) {
-    if (wide.body[i]) number(i);
-  });
+  // Kinematic bodies keep their velocity and lend it to those that touch them.
+  for (const Row& row : c.rows)
+    for (const std::uint32_t body : {row.a, row.b})
+      if (scene.type[body] == BodyType::kinematic && !wide.body[body]) number(body);
   wide.first_moved = static_cast<std::uint32_t>(wide.slot.size());
   for (const std::uint32_t i : c.bodies) number(i);
   const std::size_t n = wide.slot.size();
@@ -47,13 +43,13 @@ void number_bodies(const World& world, WideContacts& wide) {
 void colour_manifolds(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   wide.manifolds.clear();
-  wide.colours.assign(wide.slot.size(), 0);
+  wide.taken.assign(wide.slot.size(), 0);
   for (std::uint32_t i = 0, next; i < c.rows.size(); i = next) {
     for (next = i + 1; next < c.rows.size() && c.geometry[next].pair == c.geometry[i].pair;) ++next;
     const Row& row = c.rows[i];
     std::uint64_t nobody = 0;
-    std::uint64_t& a = row.moves_a ? wide.colours[wide.body[row.a]] : nobody;
-    std::uint64_t& b = row.moves_b ? wide.colours[wide.body[row.b]] : nobody;
+    std::uint64_t& a = row.moves_a ? wide.taken[wide.body[row.a]] : nobody;
+    std::uint64_t& b = row.moves_b ? wide.taken[wide.body[row.b]] : nobody;
     const auto colour = static_cast<std::uint32_t>(std::countr_one(a | b));  // kColours: none is left
     if (colour < kColours) a |= std::uint64_t{1} << colour, b |= std::uint64_t{1} << colour;
     const std::uint32_t points = next - i;
@@ -130,16 +126,17 @@ constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 void place_manifolds(WideContacts& wide) {
   constexpr std::uint32_t kBuckets = (kColours + 1) * kMaxPoints, kAlone = kColours * kMaxPoints;
   wide.buckets.assign(kBuckets, 0);
-  wide.colour_end.clear();
+  wide.colours.clear();
   for (const WideContacts::Manifold& m : wide.manifolds) ++wide.buckets[m.bucket];
   std::uint32_t lanes = 0;
+  std::array<std::uint32_t, kPairPoints> ends{};
   for (std::uint32_t i = 0; i < kBuckets; ++i) {
     const std::uint32_t begin = lanes, count = wide.buckets[i];
     lanes += i < kAlone ? (count + kLanes - 1) / kLanes * kLanes : count * kLanes;
     wide.buckets[i] = begin;
-    const bool ends_colour = i < kAlone && i % kMaxPoints == kMaxPoints - 1;
-    const std::uint32_t before = wide.colour_end.empty() ? 0 : wide.colour_end.back();
-    if (ends_colour && lanes / kLanes > before) wide.colour_end.push_back(lanes / kLanes);
+    ends[i % kMaxPoints] = lanes / kLanes;
+    const std::uint32_t before = wide.colours.empty() ? 0 : wide.colours.back().back();
+    if (i < kAlone && i % kMaxPoints == kMaxPoints - 1 && ends.back() > before) wide.colours.push_back(ends);
   }
   wide.pairs.resize(lanes / kLanes);
   wide.occupant.assign(lanes, kNobody);

@@ -5,6 +5,8 @@
 // points stand together: nobody waits for a neighbour's points.
 #pragma once
 
+#include <array>
+
 #include "core/jobs.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/solver/contact_kernels.h"
@@ -25,8 +27,8 @@ struct WideContacts {
         start_x(m),
         start_q(m),
         manifolds(m),
-        colour_end(m),
         colours(m),
+        taken(m),
         occupant(m),
         buckets(m) {}
 
@@ -53,10 +55,11 @@ struct WideContacts {
   };
   Array<Manifold> manifolds;  // in the order of the rows
 
-  Array<std::uint32_t> colour_end;  // in pairs, by colour in use; pairs after the last stand alone
+  Array<std::array<std::uint32_t, kPairPoints>> colours;  // in use: where in pairs those with 1, 2, ... points end;
+                                                          // pairs after the last colour's stand alone
 
   // scratch
-  Array<std::uint64_t> colours;  // by solver body: bit c, a pair of colour c moves it
+  Array<std::uint64_t> taken;     // by solver body: bit c, a pair of colour c moves it
   Array<std::uint32_t> occupant;  // [4 pairs] manifold
   Array<std::uint32_t> buckets;
 };
@@ -81,10 +84,19 @@ void by_colour(Jobs* jobs, const WideContacts& wide, const LaneRun& run, const K
     r.pairs += begin, r.count = end - begin;
     kernel(r);
   };
-  std::uint32_t first = 0;
-  for (const std::uint32_t last : wide.colour_end) {
-    in_parts(jobs, last - first, kPairsAPart, [&](std::uint32_t b, std::uint32_t e) { part(first + b, first + e); });
-    first = last;
+  std::size_t first = 0;
+  for (const auto& ends : wide.colours) {
+    const std::size_t count = ends.back() - first;
+    // A part is the same share of those with one point, two, ...: rows have an order in space, so that a thread which
+    // does the same share of each colour finds in its cache the bodies that it moved before.
+    in_parts(jobs, count, kPairsAPart, [&](std::size_t begin, std::size_t end) {
+      std::size_t from = first;
+      for (const std::uint32_t to : ends) {
+        part(from + (to - from) * begin / count, from + (to - from) * end / count);
+        from = to;
+      }
+    });
+    first = ends.back();
   }
   part(first, run.count);
 }

@@ -41,7 +41,7 @@ void carry_tops(World& world, const Customers& customers, Real h, Method&& turn)
   constexpr Real kAgree = 64 * kUnitRoundoff;
   State& s = world.state;
   Plan& plan = *world.plan;
-  customers.each([&](std::uint32_t i) {
+  customers.each(world.jobs, [&](std::uint32_t i) {
     const Principal& top = plan.principal[i];
     Quat q = top.sorted(s.q[i]);
     Vec3 l = top.sorted(s.momentum[i]), p = q.conjugate() * l;
