@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <utility>
 
 #include "dynamics/force/force.h"
 #include "dynamics/sleep/sleep.h"
@@ -36,19 +37,34 @@ Vec3 starting_impulse(const Contacts& c, std::size_t first, std::size_t last, co
   return normal * point.normal + tangent;
 }
 
-void add_rows(World& world, std::size_t pair_index, std::size_t& cursor, Real scale) {
+/// Which of a pair's bodies contacts move in this step.
+struct Movers {
+  std::uint32_t a, b;  // body slots
+  bool moves_a, moves_b;
+
+  Movers(const World& world, const Pair& pair)
+      : a(world.scene.colliders.body[pair.a]), b(world.scene.colliders.body[pair.b]) {
+    const Sleep& z = *world.sleep;
+    moves_a = responds(world.scene, world.state, a) && !z.sleeps(a);
+    moves_b = responds(world.scene, world.state, b) && !z.sleeps(b);
+  }
+};
+
+std::uint32_t count_rows(const World& world, const PairRecord& record) {
+  if (record.manifold.count == 0) return 0;
+  const Movers m(world, record.pair);
+  return m.moves_a || m.moves_b ? static_cast<std::uint32_t>(record.manifold.count) : 0;
+}
+
+/// The rows of a pair, from `at` on.
+/// @param cursor  in c.old, not after the pair; moved on to it
+/// @param scale   substep now over substep then; 0: start cold
+void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size_t& cursor, Real scale) {
   Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
   const PairRecord& record = world.pairs[pair_index];
-  const Manifold& manifold = record.manifold;
-  if (manifold.count == 0) return;
   const std::uint32_t ca = record.pair.a, cb = record.pair.b;
-  const std::uint32_t a = scene.colliders.body[ca], b = scene.colliders.body[cb];
-  const Sleep& z = *world.sleep;
-  const bool moves_a = responds(scene, world.state, a) && !z.sleeps(a);
-  const bool moves_b = responds(scene, world.state, b) && !z.sleeps(b);
-  if (!moves_a && !moves_b) return;
-
+  const Movers m(world, record.pair);
   const Material &ma = material_of(scene, ca), &mb = material_of(scene, cb);
   const Real friction = mix(ma.friction_mix, ma.friction, mb.friction_mix, mb.friction);
   const Real restitution = mix(ma.restitution_mix, ma.restitution, mb.restitution_mix, mb.restitution);
@@ -58,8 +74,8 @@ void add_rows(World& world, std::size_t pair_index, std::size_t& cursor, Real sc
   while (last < c.old.size() && c.old[last].pair == record.pair) ++last;
   const Real reach = scene.dials[Dial::cache_distance];
 
-  for (int k = 0; k < manifold.count; ++k) {
-    const ContactPoint& point = manifold.point[k];
+  for (int k = 0; k < record.manifold.count; ++k) {
+    const ContactPoint& point = record.manifold.point[k];
     Row row{};
     row.u = Vec3::Zero();
     row.n = point.normal;
@@ -68,7 +84,7 @@ void add_rows(World& world, std::size_t pair_index, std::size_t& cursor, Real sc
     row.friction = friction;
     row.restitution = restitution;
     row.bounces = restitution > 0;
-    row.a = a, row.b = b, row.moves_a = moves_a, row.moves_b = moves_b;
+    row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
     RowGeometry g{};
     g.l_a = fa.apply(point.on_a);
     g.l_b = fb.apply(point.on_b);
@@ -76,10 +92,33 @@ void add_rows(World& world, std::size_t pair_index, std::size_t& cursor, Real sc
     g.separation = point.separation;
     g.pair = static_cast<std::uint32_t>(pair_index);
     g.point = static_cast<std::uint32_t>(k);
-    if (restitution > 0) c.bouncing.push_back(static_cast<std::uint32_t>(c.rows.size()));
-    c.rows.push_back(row);
-    c.geometry.push_back(g);
+    c.rows[at + static_cast<std::uint32_t>(k)] = row;
+    c.geometry[at + static_cast<std::uint32_t>(k)] = g;
   }
+}
+
+/// Rows of all pairs, in their order: first how many each has, then what they are.
+void fill_all_rows(World& world, Real scale) {
+  constexpr std::size_t kPairsAPart = 64;
+  Contacts& c = *world.contacts;
+  const std::size_t pairs = world.pairs.size();
+  c.first_row.resize(pairs + 1);
+  in_parallel(world.jobs, pairs, 2 * kPairsAPart,
+              [&](std::uint32_t i) { c.first_row[i] = count_rows(world, world.pairs[i]); });
+  std::uint32_t n = 0;
+  for (std::size_t i = 0; i < pairs; ++i) {
+    world.report.contact_pairs += c.first_row[i] > 0;
+    n += std::exchange(c.first_row[i], n);
+  }
+  c.first_row[pairs] = n;
+  c.rows.resize(n), c.geometry.resize(n);
+  in_parts(world.jobs, pairs, kPairsAPart, [&](std::uint32_t begin, std::uint32_t end) {
+    const auto before = [](const OldImpulse& old, const Pair& pair) { return old.pair < pair; };
+    auto cursor = static_cast<std::size_t>(
+        std::lower_bound(c.old.begin(), c.old.end(), world.pairs[begin].pair, before) - c.old.begin());
+    for (std::uint32_t i = begin; i < end; ++i)
+      if (c.first_row[i] < c.first_row[i + 1]) fill_rows(world, i, c.first_row[i], cursor, scale);
+  });
 }
 
 /// Where each body's rows will stand in the list of halves. Only bodies that move are looked at: sleepers cost nothing.
@@ -157,17 +196,14 @@ Real mix(Mix rule_a, Real a, Mix rule_b, Real b) {
 void build_rows(World& world, Real h) {
   Contacts& c = *world.contacts;
   const std::size_t slots = world.scene.bodies.slots();
-  c.rows.clear(), c.geometry.clear(), c.bouncing.clear();
+  c.bouncing.clear();
   const auto untouch = [&](std::uint32_t i) { world.plan->touched[i] = 0; };
   world.plan->linear.each(untouch), world.plan->rotating.each(untouch);
   const bool warm = world.scene.dials.choice(Dial::warm_start) != 0 && c.old_h > 0;
-  std::size_t cursor = 0;
-  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
-    const std::size_t before = c.rows.size();
-    add_rows(world, i, cursor, warm ? h / c.old_h : 0);
-    world.report.contact_pairs += c.rows.size() > before;
-  }
+  fill_all_rows(world, warm ? h / c.old_h : 0);
   const std::size_t n = c.rows.size();
+  for (std::uint32_t i = 0; i < n; ++i)
+    if (c.rows[i].bounces) c.bouncing.push_back(i);
   world.report.contact_points = n;
   c.mass.resize(n);
   count_halves(world);

@@ -85,6 +85,7 @@ struct Contacts {
       : rows(m),
         mass(m),
         geometry(m),
+        first_row(m),
         half(m),
         half_begin(m),
         half_end(m),
@@ -108,11 +109,13 @@ struct Contacts {
   Array<RowMass> mass;
   Array<RowGeometry> geometry;
 
+  Array<std::uint32_t> first_row;  // [pairs + 1] by pair of the table
+
   // by body slot
   Array<HalfContact> half;                    // grouped by body
   Array<std::uint32_t> half_begin, half_end;  // by body that may move in this step: its part of half
-  Array<Mat3> inv_inertia_w;        // 1/(kg m^2), world axes, of this substep; zero if it does not rotate
-  Array<Vec3> shift, turn;          // m, rad: corrections of the pose not yet applied
+  Array<Mat3> inv_inertia_w;                  // 1/(kg m^2), world axes, of this substep; zero if it does not rotate
+  Array<Vec3> shift, turn;                    // m, rad: corrections of the pose not yet applied
 
   Array<std::uint32_t> bodies;    // slots that have rows and are moved by them, ascending
   Array<std::uint32_t> bouncing;  // rows with a restitution
