@@ -6,7 +6,7 @@
 
 namespace carom {
 
-/// Support points of one core, for unit directions.
+/// Support points of one core, for directions of about unit length.
 ///
 /// The engine's words give what the plugin's would (the plugins stay the oracle), without a call through a pointer, and
 /// without doubt: they are finite and in bounds. What a plugin's function gives is checked each time.
@@ -15,7 +15,7 @@ class Core {
   explicit Core(const Shape& shape) : shape_(&shape), form_(own_form(shape)) {}
 
   /// The point farthest along n.
-  /// @param n    [3] unit to 5 % (a manifold's tilted directions are not shortened), shape frame
+  /// @param n    [3] of length 0.9 to 2 (who has no unit direction need not make one), shape frame
   /// @param out  [3] m, shape frame
   /// @return     false if the plugin's function misbehaved; blame() says how
   /// @accuracy   n . out is below the largest by at most 8 u |n| times the shape's size (closed forms: two roundings a

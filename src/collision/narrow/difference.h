@@ -29,9 +29,15 @@ class Difference {
   /// @param n  unit to kUnitLength (rounding.h), A's frame
   /// @return   false if a support function misbehaved: `fault` says how
   [[gnu::always_inline]] bool support(const Vec3& n, DifferencePoint& out, Real& value) {
-    const Vec3 n_b = -(rotation_.transpose() * n);
+    return support(n, n, out, value);
+  }
+  /// The same for those who know which way n points before they know n: the cores can be asked while its length is
+  /// still being worked out.
+  /// @param way  parallel to n but for one rounding a component, of about unit length (Core::support)
+  [[gnu::always_inline]] bool support(const Vec3& way, const Vec3& n, DifferencePoint& out, Real& value) {
+    const Vec3 n_b = -(rotation_.transpose() * way);
     ++calls;
-    if (!core_a_.support(n, out.a)) return core_a_.blame(n, out.a, fault);
+    if (!core_a_.support(way, out.a)) return core_a_.blame(way, out.a, fault);
     if (!core_b_.support(n_b, out.b)) return core_b_.blame(n_b, out.b, fault);
     out.w = scale_ * (rotation_ * out.b + offset_ - out.a);
     value = n.dot(out.w);

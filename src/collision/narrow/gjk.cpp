@@ -3,6 +3,7 @@
 #include "collision/narrow/gjk.h"
 
 #include <algorithm>
+#include <bit>
 #include <type_traits>
 
 namespace carom {
@@ -78,6 +79,15 @@ bool descend(const GjkRequest& request, const Difference& difference, const Vec3
   return good();
 }
 
+/// The same way, at a length in [1, 2): scaled by a power of two, which takes no root and no division and costs no bit.
+/// @param length2  squared length, > 0
+Vec3 about_unit(const Vec3& v, Real length2) {
+  constexpr std::uint64_t kFraction = 52, kBias = 1023;  // bits of a double's fraction; the exponent field of 1
+  // Of length2 the field is 1023 + 2 k or one more where the length is 2^k to 2^(k + 1): scaled by 2^-k.
+  const std::uint64_t half_field = ((std::bit_cast<std::uint64_t>(length2) >> kFraction) + 1) / 2;
+  return std::bit_cast<Real>((kBias + (kBias + 1) / 2 - half_field) << kFraction) * v;
+}
+
 struct NoGuess {
   void remember(const Vec3&, const Vec3&, Real) {}
   bool guess(bool, Vec3&) const { return false; }
@@ -87,13 +97,16 @@ struct NoGuess {
 template <bool kGuess>
 GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first, DifferenceSimplex& simplex,
             DifferenceSimplex& spare, int& iterations) {
-  Vec3 n = Vec3::UnitX();
+  Vec3 n = Vec3::UnitX(), way = n;
   const Real length2 = first.squaredNorm();
-  if (length2 > 1e-200) n = first / std::sqrt(length2);  // below, squares have lost their digits: any direction will do
+  if (length2 > 1e-200) {  // below, squares have lost their digits: any direction will do
+    way = about_unit(first, length2);
+    n = first / std::sqrt(length2);
+  }
 
   Real value = 0;
   ++iterations;
-  if (!difference.support(n, simplex.point[0], value)) return GjkEnd::fault;
+  if (!difference.support(way, n, simplex.point[0], value)) return GjkEnd::fault;
   Vec3 w[4] = {simplex.point[0].w};  // of the simplex' points, side by side for the solver
   Nearest nearest;
   nearest_voronoi(w, 1, nearest);
@@ -114,10 +127,11 @@ GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first
     if (!(d2 > 0)) return GjkEnd::overlap;  // the origin is on the vertex or edge itself
     const Real best = difference.lower;
     const bool guessed = kGuess && --plain < 0 && best > difference.rounding() && secant.guess(request.guess.watch, n);
+    way = guessed ? n : about_unit(towards, d2);
     if (!guessed) n = towards * (1 / std::sqrt(d2));
     DifferencePoint& fresh = simplex.point[simplex.count];
     ++iterations;
-    if (!difference.support(n, fresh, value)) return GjkEnd::fault;
+    if (!difference.support(way, n, fresh, value)) return GjkEnd::fault;
     secant.remember(n, fresh.w, value);
     if (guessed && !(difference.lower > best)) plain = request.guess.patience;
     if (difference.lower > request.farther) return close(difference, simplex, GjkEnd::farther);

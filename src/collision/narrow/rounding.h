@@ -15,12 +15,13 @@ namespace carom {
 /// From below, s* >= n . w / |n| for the direction n looked along and the support point w = R x_B + p - x_A:
 ///
 ///     direction for B, n_B = -R' n: off by 5, which moves the best point of B by at most its diameter     10 b
+///     the way asked along, off n by 1                                                                     2 a + 2 b
 ///     the support functions themselves, whose values may fall short by kSupportRounding                   12 a + 12 b
 ///     w: product with R 5 b, adding p, subtracting x_A                                                7 b + 2 |p| + a
 ///     n . w, three products                                                                          3 a + 3 b + 3 |p|
 ///     |n|, off from 1 by kUnitLength                                                                 8 a + 8 b + 8 |p|
 ///     radii taken off, and the widening itself                                                       2 M
-///     sum                                                                      26 a + 42 b + 15 |p| + 2 c  <=  42 M
+///     sum                                                                      28 a + 44 b + 15 |p| + 2 c  <=  44 M
 ///
 /// From above, apart: |v| of a convex combination v of points w_i:
 ///
@@ -33,9 +34,9 @@ namespace carom {
 /// From above, in overlap: the smallest offset n . w_i of the faces of a closed mesh that are seen from within, each
 /// larger than the rounding itself. Solid angles of one sign add up to a multiple of 4 pi that is not zero: the mesh
 /// winds around the origin, so all within the smallest offset belongs to the difference. Offsets err as the bound from
-/// below does, without the support functions' shortfall but with points outside: <= 42 M.
+/// below does, without the support functions' shortfall but with points outside: <= 44 M.
 ///
-/// So 42 would do; 48 leaves room for what Eigen's order of operations adds. Observed worst case over random and
+/// So 44 would do; 48 leaves room for what Eigen's order of operations adds. Observed worst case over random and
 /// awkward pairs: 3.5 (tests/oracle/test_rounding).
 inline constexpr Real kBracketRounding = 48;
 
