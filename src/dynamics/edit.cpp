@@ -28,7 +28,7 @@ void put(Array<T>& a, std::size_t slot, const T& value) {
 /// The slot that take() will hand out can be at most the number of slots there are.
 void make_room_for_body(Scene& s, State& t) {
   make_room(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia, s.first_collider,
-            t.x, t.q, t.v, t.omega, t.momentum, t.force, t.torque, t.quarantined);
+            t.x, t.q, t.v, t.omega, t.momentum, t.force, t.torque, t.quarantined, t.written, t.is_written);
 }
 
 /// New mass properties; the body's frame stays where it is and its centre's velocity what it was.
@@ -69,8 +69,9 @@ Handle World::add_body(const BodyDef& def) {
   put<Vec3>(state.force, i, Vec3::Zero());
   put<Vec3>(state.torque, i, Vec3::Zero());
   put(state.quarantined, i, std::uint8_t(0));
+  if (i == state.is_written.size()) state.is_written.push_back(0);
   set_mass(scene, state, i, mass_of_body(scene, i));
-  state.written = true;
+  state.mark_written(i);
   ++scene.revision;
   return handle;
 }
@@ -172,10 +173,14 @@ void World::set_gravity(const Vec3& g) {
 }
 
 void World::set_pose(std::uint32_t body, const Pose& pose) {
+  const Quat q = normalized(pose.q);
+  const Vec3 x = pose.p + q * scene.center[body];
+  const bool same = q.coeffs() == state.q[body].coeffs() && x == state.x[body] && !state.quarantined[body];
+  if (same && scene.type[body] != BodyType::dynamic) return;  // a host that places all in every step wakes nobody
   stir(*this, body);
-  state.q[body] = normalized(pose.q);
-  state.x[body] = pose.p + state.q[body] * scene.center[body];
-  state.written = true;
+  state.q[body] = q;
+  state.x[body] = x;
+  state.mark_written(body);
   if (state.quarantined[body] || scene.type[body] == BodyType::fixed) {
     state.quarantined_count -= state.quarantined[body];
     state.quarantined[body] = 0;  // the host takes it back
@@ -187,7 +192,7 @@ void World::set_velocity(std::uint32_t body, const Vec3& linear, const Vec3& ang
   if (linear != Vec3::Zero() || angular != Vec3::Zero()) wake(*this, body);
   state.v[body] = linear;
   state.omega[body] = angular;
-  state.written = true;
+  state.mark_written(body);
 }
 
 void World::add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& point) {
@@ -197,7 +202,7 @@ void World::add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& poi
   state.v[body] += scene.inv_mass[body] * impulse;
   const Vec3 spin = (point - state.x[body]).cross(impulse);
   state.omega[body] += q * (scene.inv_inertia[body] * (q.conjugate() * spin));
-  state.written = true;
+  state.mark_written(body);
 }
 
 void World::add_force(std::uint32_t body, const Vec3& force, const Vec3& torque) {
@@ -208,7 +213,7 @@ void World::set_force(std::uint32_t body, const Vec3& force, const Vec3& torque)
   if (force != Vec3::Zero() || torque != Vec3::Zero()) wake(*this, body);
   state.force[body] = force;
   state.torque[body] = torque;
-  state.written = true;
+  state.mark_written(body);
 }
 
 void World::wake_body(std::uint32_t body) { wake(*this, body); }

@@ -201,7 +201,7 @@ void find_customers(World& world) {
 void refresh(World& world, const StepTime& time) {
   Plan& plan = *world.plan;
   const bool changed = plan.revision != world.scene.revision;
-  plan.host_wrote = world.state.written;
+  plan.host_wrote = !world.state.written.empty();
   plan.faults.clear();
   if (changed) {
     plan_colliders(world, plan);
@@ -231,10 +231,10 @@ void refresh(World& world, const StepTime& time) {
       for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) orient(i);
     plan.rotating.each(orient);
     plan.kinematic.each(orient);
+    for (const std::uint32_t i : s.written) orient(i);  // also those that turn by a host's hand alone
     for (const std::uint32_t slot : changed ? world.scene.colliders.active : plan.colliders)
       place_collider(world, plan, slot, time.dt);
   }
-  world.state.written = false;
 }
 
 void evaluate_forces(World& world, const Motion& at, const Accelerate& out) {

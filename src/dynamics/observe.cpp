@@ -62,8 +62,11 @@ void measure_energy(World& world) {
 /// A force lives for one step.
 void drop_forces(World& world) {
   State& s = world.state;
-  std::fill(s.force.begin(), s.force.end(), Vec3::Zero());
-  std::fill(s.torque.begin(), s.torque.end(), Vec3::Zero());
+  for (const std::uint32_t i : s.written) {
+    s.force[i] = s.torque[i] = Vec3::Zero();
+    s.is_written[i] = 0;
+  }
+  s.written.clear();
   for (const char* name : {"user_force", "user_torque"}) {
     world.plan->find(name)->candidates.clear();
     world.plan->find(name)->customers.clear();

@@ -26,8 +26,8 @@ void admit(World& world, const StepTime&) {
   world.fault_views.reserve(world.scene.bodies.slots() +
                             world.scene.colliders.slots());  // none is added while bodies move
   State& s = world.state;
-  if (!s.written) return;
-  for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) {
+  std::sort(s.written.begin(), s.written.end());  // so that nothing depends on the order of a host's calls
+  for (const std::uint32_t i : s.written) {
     if (!world.scene.bodies.alive(i)) continue;
     if (world.scene.inv_mass[i] > 0 && !(world.scene.inv_inertia[i](0, 0) > 0)) s.omega[i].setZero();  // cannot rotate
     const Real n2 = s.q[i].coeffs().squaredNorm();

@@ -24,7 +24,7 @@ inline bool sane_spin(const State& s, std::uint32_t i) { return s.omega[i].squar
 /// until a host gives it a pose.
 void quarantine(World& world, std::uint32_t body);
 
-/// Stage admit: after a host wrote states, quarantine the bodies whose state makes no sense. A pose that is not finite
+/// Stage admit: of the bodies that a host wrote to, quarantine those whose state makes no sense. A pose that is not finite
 /// becomes the nearest thing to it: components that are not finite become 0, those too large the bound.
 void admit(World& world, const StepTime& time);
 

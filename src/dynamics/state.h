@@ -7,7 +7,7 @@
 namespace carom {
 
 struct State {
-  explicit State(Memory* m) : x(m), q(m), v(m), omega(m), momentum(m), force(m), torque(m), quarantined(m) {}
+  explicit State(Memory* m) : x(m), q(m), v(m), omega(m), momentum(m), force(m), torque(m), quarantined(m), written(m), is_written(m) {}
 
   Array<Vec3> x;         // m, world: centre of mass (NOT the origin of the body frame)
   Array<Quat> q;         // body axes -> world
@@ -21,9 +21,17 @@ struct State {
 
   std::uint64_t quarantined_count = 0;
 
-  /// Raised by whoever writes to these arrays between steps (World's editing functions do): the next step then checks
-  /// every body and looks for pending forces; otherwise it need not read what nobody wrote.
-  bool written = true;
+  /// Bodies that a host wrote to since the last step, each once, in any order until a step begins: it checks them, and
+  /// looks among them for pending forces. What nobody wrote it need not read.
+  Array<std::uint32_t> written;
+  Array<std::uint8_t> is_written;
+
+  /// To be called by whoever writes to these arrays between steps (World's editing functions do). There is room.
+  void mark_written(std::uint32_t body) {
+    if (is_written[body]) return;
+    is_written[body] = 1;
+    written.push_back(body);
+  }
 };
 
 }  // namespace carom

@@ -32,7 +32,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
   scene.gravity = gravity;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };
   reserve(scene.bodies, scene.def, scene.type, scene.inv_mass, scene.mass, scene.center, scene.inertia,
-          scene.inv_inertia, state.x, state.q, state.v, state.omega, state.momentum, state.force, state.torque, state.quarantined);
+          scene.inv_inertia, state.x, state.q, state.v, state.omega, state.momentum, state.force, state.torque, state.quarantined, state.written, state.is_written);
 }
 
 World::~World() = default;

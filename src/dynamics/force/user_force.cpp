@@ -1,10 +1,10 @@
-// Forces and torques that a host asked for, for one step.
+// Forces and torques that a host asked for, for one step: only bodies that it wrote to can have any.
 #include "dynamics/force/force.h"
 
 namespace carom {
 
 void user_force::find(const Scene& scene, const State& state, Customers& customers) {
-  for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
+  for (const std::uint32_t i : state.written)
     if (responds(scene, state, i) && state.force[i] != Vec3::Zero()) customers.add(i);
 }
 
@@ -14,7 +14,7 @@ void user_force::force(const Scene& scene, const State& state, const Customers& 
 }
 
 void user_torque::find(const Scene& scene, const State& state, Customers& customers) {
-  for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
+  for (const std::uint32_t i : state.written)
     if (responds(scene, state, i) && rotates(scene, i) && state.torque[i] != Vec3::Zero()) customers.add(i);
 }
 

@@ -74,12 +74,15 @@ void wake_touched(World& world, const StepTime&) {
   z.near.clear();
   if (z.count == 0) return z.stirred.clear();
   const NarrowSettings settings = narrow_settings(world.scene.dials);
-  gather_movers(world);
-  for (std::size_t k = 0; k < z.asking.size(); ++k) ask(world, settings, z.asking[k]);
-  if (!z.woken.empty()) {
-    rejoin(world);
-    find_customers(world);
+  try {
+    gather_movers(world);
+    for (std::size_t k = 0; k < z.asking.size(); ++k) ask(world, settings, z.asking[k]);
+    if (!z.woken.empty()) rejoin(world);
+  } catch (...) {
+    forget_sleepers(world);  // whom a host's hand stirred, and whom it touched, is lost otherwise
+    throw;
   }
+  find_customers(world);
   // Between two that are awake by now, the broad phase finds the pair. What does not move makes none with a sleeper.
   const Colliders& c = world.scene.colliders;
   const auto void_pair = [&](const Pair& p) { return z.asleep[c.body[p.a]] == z.asleep[c.body[p.b]]; };

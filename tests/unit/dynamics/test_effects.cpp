@@ -125,6 +125,60 @@ static void a_pile_at_rest_allocates_nothing(void**) {
   }
 }
 
+static void a_body_that_cannot_rotate_turns_by_its_hosts_hand(void**) {
+  TestWorld t;
+  t.ground();
+  BodyDef def;
+  def.has_mass = def.has_inertia = true;  // of zero inertia
+  def.mass = 1;
+  def.pose.p = Vec3(0, 2, 0);
+  const std::uint32_t post = handle_slot(t.world.add_body(def));
+  t.world.add_collider(post, t.keep(box(Vec3(0.1, 1, 0.1))), Pose{}, 1000, Colliders::kNoMaterial);
+  t.run(3, 1.0 / 60);
+  const Quat lying(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
+  t.world.set_pose(post, {lying, Vec3(0, 0.5, 0)});
+  t.run(120, 1.0 / 60);
+  assert_true(std::fabs(t.world.state.x[post].y() - 0.1) < 2 * t.world.scene.dials[Dial::position_tolerance]);
+}
+
+static void a_force_lives_for_one_step_also_after_one_that_failed(void**) {
+  struct Failing : std::pmr::memory_resource {
+    bool fails = false;
+    void* do_allocate(std::size_t bytes, std::size_t align) override {
+      if (fails) throw std::bad_alloc();
+      return std::pmr::new_delete_resource()->allocate(bytes, align);
+    }
+    void do_deallocate(void* p, std::size_t bytes, std::size_t align) override {
+      std::pmr::new_delete_resource()->deallocate(p, bytes, align);
+    }
+    bool do_is_equal(const memory_resource& o) const noexcept override { return this == &o; }
+  } memory;
+  World world(1, Vec3::Zero(), 0, &memory);
+  TestWorld shapes;
+  const Shape* ball = shapes.keep(sphere(0.5));
+  BodyDef def;
+  for (int i = 0; i < 2; ++i) {
+    def.pose.p = Vec3(3 * i, 0, 0);
+    world.add_collider(handle_slot(world.add_body(def)), ball, Pose{}, 1000, Colliders::kNoMaterial);
+  }
+  world.step(1.0 / 60);
+  world.set_dial(Dial::broad_phase, 3);  // whose first call allocates
+  world.add_force(0, Vec3(1, 0, 0), Vec3::Zero());
+  memory.fails = true;
+  bool failed = false;
+  try {
+    world.step(1.0 / 60);
+  } catch (const std::bad_alloc&) {
+    failed = true;
+  }
+  memory.fails = false;
+  assert_true(failed);
+  assert_true(world.state.v[0] == Vec3::Zero());
+  for (int i = 0; i < 3; ++i) world.step(1.0 / 60);
+  const Real once = world.scene.inv_mass[0] / 60;
+  assert_true(std::fabs(world.state.v[0].x() - once) <= 4 * kEpsilon * once);
+}
+
 static void decay_is_the_exponential(void**) {
   for (Real x = 0; x < 699; x += 0.1375) {
     const long double want = std::exp(-static_cast<long double>(x));
@@ -149,6 +203,8 @@ int main() {
       cmocka_unit_test(rk4_evaluates_forces_four_times),
       cmocka_unit_test(friction_and_restitution_count_the_contacts_that_have_them),
       cmocka_unit_test(a_pile_at_rest_allocates_nothing),
+      cmocka_unit_test(a_body_that_cannot_rotate_turns_by_its_hosts_hand),
+      cmocka_unit_test(a_force_lives_for_one_step_also_after_one_that_failed),
       cmocka_unit_test(decay_is_the_exponential),
       cmocka_unit_test(mixing_follows_the_larger_rule),
   };

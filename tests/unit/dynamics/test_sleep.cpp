@@ -1,5 +1,7 @@
 // Who falls asleep and when, what wakes whom, and that sleepers are in nobody's way.
 #include <functional>
+#include <memory_resource>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -178,6 +180,7 @@ static void every_edit_wakes_those_whom_it_concerns(void**) {
        [](Camp& c) {
          c.t.world.set_pose(c.ground, {Quat::Identity(), Vec3(0, -1, 0)});
        }},
+      {"the ground where it is", false, false, [](Camp& c) { c.t.world.set_pose(c.ground, c.t.world.pose(c.ground)); }},
       {"gravity", true, true, [](Camp& c) { c.t.world.set_gravity(Vec3(0, -1, 0)); }},
       {"the same gravity", false, false, [](Camp& c) { c.t.world.set_gravity(Vec3(0, -9.81, 0)); }},
       {"a dial", true, true, [](Camp& c) { c.t.world.set_dial(Dial::velocity_iterations, 9); }},
@@ -308,6 +311,65 @@ static void a_body_in_quarantine_wakes_all_and_sleeps_no_more(void**) {
   assert_int_equal(c.t.world.report.quarantined_bodies, 1);
 }
 
+/// The k-th allocation after a heap fell asleep fails, once: whatever it was for, nothing is lost but sleep and caches.
+static void running_out_of_memory_loses_nobody(void**) {
+  struct Failing : std::pmr::memory_resource {
+    std::uint64_t calls = 0, fail_at = ~std::uint64_t{0};
+    void* do_allocate(std::size_t bytes, std::size_t align) override {
+      if (calls++ == fail_at) throw std::bad_alloc();
+      return std::pmr::new_delete_resource()->allocate(bytes, align);
+    }
+    void do_deallocate(void* p, std::size_t bytes, std::size_t align) override {
+      std::pmr::new_delete_resource()->deallocate(p, bytes, align);
+    }
+    bool do_is_equal(const memory_resource& o) const noexcept override { return this == &o; }
+  };
+  TestWorld shapes;
+  const Shape* cube = shapes.keep(box(Vec3::Constant(0.5)));
+  const Shape* slab = shapes.keep(box(Vec3(9, 0.5, 9)));
+  std::uint64_t failures = 0;
+  for (std::uint64_t k = 0;; ++k) {
+    Failing memory;
+    World world(1, Vec3(0, -9.81, 0), 0, &memory);
+    world.set_dial(Dial::sleep, 1);
+    const auto add = [&](const Shape* shape, const Vec3& p, BodyType type) {
+      BodyDef def;
+      def.type = type;
+      def.pose.p = p;
+      const std::uint32_t body = handle_slot(world.add_body(def));
+      world.add_collider(body, shape, Pose{}, 1000, Colliders::kNoMaterial);
+      return body;
+    };
+    const std::uint32_t floor = add(slab, Vec3(0, -0.5, 0), BodyType::fixed);
+    std::vector<std::uint32_t> cubes;
+    for (int i = 0; i < 3; ++i) cubes.push_back(add(cube, Vec3(0, i + 0.5, 0), BodyType::dynamic));
+    const std::uint32_t runner = add(cube, Vec3(-4, 0.5, 0), BodyType::kinematic);
+    while (world.report.asleep_bodies == 0) world.step(kStep);
+    memory.fail_at = memory.calls + k;
+    bool failed = false;
+    const auto step = [&] {
+      try {
+        world.step(kStep);
+      } catch (const std::bad_alloc&) {
+        failed = true;
+      }
+    };
+    for (int i = 0; i < 3; ++i) step();
+    world.set_velocity(runner, Vec3(6, 0, 0), Vec3::Zero());  // it runs into the stack
+    for (int i = 0; i < 40; ++i) step();
+    world.set_velocity(runner, Vec3::Zero(), Vec3::Zero());
+    for (int i = 0; i < 200; ++i) step();
+    for (const std::uint32_t i : cubes) assert_true(finite(world.state.x[i]) && world.state.x[i].y() > 0.48);
+    memory.fail_at = ~std::uint64_t{0};
+    world.remove_body(floor);
+    for (int i = 0; i < 30; ++i) world.step(kStep);
+    for (const std::uint32_t i : cubes) assert_true(world.state.v[i].y() < -1);  // nobody hangs in the air
+    failures += failed;
+    if (!failed) break;  // more would come later than all
+  }
+  assert_true(failures > 5);
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(nobody_sleeps_unless_the_dial_is_on),
@@ -322,6 +384,7 @@ int main() {
       cmocka_unit_test(islands_that_meet_are_one_and_sleep_and_wake_together),
       cmocka_unit_test(sleepers_are_out_of_the_lists_and_their_records_are_kept),
       cmocka_unit_test(a_slot_that_is_used_again_is_awake),
+      cmocka_unit_test(running_out_of_memory_loses_nobody),
       cmocka_unit_test(a_body_in_quarantine_wakes_all_and_sleeps_no_more),
   };
   return cmocka_run_group_tests_name("dynamics/sleep", tests, nullptr, nullptr);
