@@ -46,7 +46,10 @@ extern "C" {
                                               something touches them; see carom_body_is_asleep() */
 #define CAROM_DIAL_SLEEP_SPEED 30u         /* m/s: no point of a body that falls asleep moves faster */
 #define CAROM_DIAL_SLEEP_TIME 31u          /* s: for how long it has been so */
-#define CAROM_DIAL_COUNT 32u
+#define CAROM_DIAL_DIRECT_SINK 32u         /* CAROM_SOLVER_AUTO solves groups directly that would sink by more of their thickness */
+#define CAROM_DIAL_DIRECT_RATIO 33u        /* or where touching bodies' masses are further apart than this */
+#define CAROM_DIAL_DIRECT_WORK 34u         /* unless they take more block products a step than this */
+#define CAROM_DIAL_COUNT 35u
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
 #define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u
@@ -68,6 +71,7 @@ extern "C" {
 #define CAROM_SOLVER_SEQUENTIAL 1u /* warm-started sweeps over all contacts (projected Gauss-Seidel) */
 #define CAROM_SOLVER_SOFT_STEP 2u  /* one sweep a substep over soft contacts, one that relaxes them: wants 4 substeps */
 #define CAROM_SOLVER_DIRECT 3u     /* each contact group as one problem, solved to a residual: small hard groups */
+#define CAROM_SOLVER_AUTO 4u       /* soft_step, but direct for groups that it would not hold; says which and why */
 
 #define CAROM_SEARCH_LINEAR 0u /* the paper's: scan all contacts of the group for the most severe */
 #define CAROM_SEARCH_HEAP 1u   /* the same order from a heap */

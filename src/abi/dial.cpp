@@ -29,6 +29,8 @@ static_assert(same(Dial::integrator, CAROM_DIAL_INTEGRATOR) && same(Dial::rotati
               same(Dial::cache_distance, CAROM_DIAL_CACHE_DISTANCE) && same(Dial::warm_start, CAROM_DIAL_WARM_START) &&
               same(Dial::carry_over, CAROM_DIAL_CARRY_OVER) && same(Dial::sleep, CAROM_DIAL_SLEEP) &&
               same(Dial::sleep_speed, CAROM_DIAL_SLEEP_SPEED) && same(Dial::sleep_time, CAROM_DIAL_SLEEP_TIME) &&
+              same(Dial::direct_sink, CAROM_DIAL_DIRECT_SINK) &&
+              same(Dial::direct_ratio, CAROM_DIAL_DIRECT_RATIO) && same(Dial::direct_work, CAROM_DIAL_DIRECT_WORK) &&
               same(Dial::count, CAROM_DIAL_COUNT));
 static_assert(DialRow::number == CAROM_DIAL_KIND_NUMBER && DialRow::integer == CAROM_DIAL_KIND_INTEGER &&
               DialRow::choice == CAROM_DIAL_KIND_CHOICE);

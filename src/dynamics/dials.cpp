@@ -7,7 +7,7 @@ namespace {
 constexpr const char* kIntegrators[] = {"explicit_euler", "semi_implicit_euler", "rk4", "velocity_verlet"};
 constexpr const char* kRotations[] = {"none",         "explicit",  "implicit",    "rk4",
                                       "lie_midpoint", "splitting", "splitting_4", "splitting_6"};
-constexpr const char* kSolvers[] = {"severity", "sequential", "soft_step", "direct"};
+constexpr const char* kSolvers[] = {"severity", "sequential", "soft_step", "direct", "auto"};
 constexpr const char* kSearches[] = {"linear", "heap"};
 constexpr const char* kOffOn[] = {"off", "on"};
 constexpr const char* kBroadPhases[] = {"brute_force", "sweep_and_prune", "grid", "tree"};
@@ -93,6 +93,15 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
            10, 0.05),
     number(Dial::sleep_time, "sleep_time", "s", "for how long an island has been slow when it falls asleep", 0, 1e3,
            0.5),
+    number(Dial::direct_sink, "direct_sink", "",
+           "solver auto: a group where soft contacts would let a body sink by more than this share of its thickness goes "
+           "to the direct solver",
+           0, 1e3, 0.005),
+    number(Dial::direct_ratio, "direct_ratio", "",
+           "solver auto: so does one where masses of bodies that touch are further apart than this", 1, 1e12, 100),
+    integer(Dial::direct_work, "direct_work",
+            "solver auto: but not one that takes more block products a step than this, about 0.3 us each", 0, 1e9,
+            200000),
 }};
 
 constexpr bool in_order() {

@@ -42,6 +42,9 @@ enum class Dial : std::uint32_t {
   sleep,
   sleep_speed,
   sleep_time,
+  direct_sink,
+  direct_ratio,
+  direct_work,
   count
 };
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);

@@ -49,7 +49,7 @@ void plan_rows(World& world, Plan& plan) {
   const Dials& dials = world.scene.dials;
   const Integrator* integrators[] = {&kExplicitEuler, &kSemiImplicitEuler, &kRungeKutta4, &kVelocityVerlet};
   plan.integrator = integrators[dials.choice(Dial::integrator)];
-  const Solver* solvers[] = {&kSeverity, &kSequential, &kSoftStep, &kDirect};
+  const Solver* solvers[] = {&kSeverity, &kSequential, &kSoftStep, &kDirect, &kAuto};
   plan.solver = solvers[dials.choice(Dial::solver)];
   const std::uint32_t rotation = dials.choice(Dial::rotation);
   plan.rotation_method = plan.integrator->forces_only ? nullptr : rotation_method(rotation);

@@ -55,6 +55,7 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
 void find_groups(World& world, const StepTime& time) {
   Contacts& c = *world.contacts;
   build_rows(world, time.h);
+  c.direct.clear();
   partition_rows(c, world.scene.bodies.slots(), world.scene.dials.choice(Dial::groups) != 0);
   world.report.groups = c.groups();
   for (std::size_t g = 0; g < c.groups(); ++g)

@@ -82,6 +82,7 @@ void begin_report(World& world) {
   world.report.steps = steps;
   world.report.time = time;
   world.contact_views.clear();
+  world.group_views.clear();
 }
 
 void observe(World& world, const StepTime& time) {

@@ -7,7 +7,19 @@
 namespace carom {
 
 struct State {
-  explicit State(Memory* m) : x(m), q(m), v(m), omega(m), momentum(m), force(m), torque(m), quarantined(m), written(m), is_written(m) {}
+  explicit State(Memory* m)
+      : x(m),
+        q(m),
+        v(m),
+        omega(m),
+        momentum(m),
+        force(m),
+        torque(m),
+        quarantined(m),
+        loaded_steps(m),
+        tired_steps(m),
+        written(m),
+        is_written(m) {}
 
   Array<Vec3> x;         // m, world: centre of mass (NOT the origin of the body frame)
   Array<Quat> q;         // body axes -> world
@@ -18,6 +30,10 @@ struct State {
   Array<Vec3> force;     // N, world, from the host, for the next step only
   Array<Vec3> torque;    // N m, world, about the centre of mass, likewise
   Array<std::uint8_t> quarantined;  // 1: state was not finite; held still, makes no contacts
+
+  // What a solver that chooses remembers: for how long a body has borne too much, and for how long its group is not
+  // to be given to the direct solver, for which it was too much.
+  Array<std::uint8_t> loaded_steps, tired_steps;
 
   std::uint64_t quarantined_count = 0;
 

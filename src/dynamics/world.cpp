@@ -21,6 +21,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
     : scene(tag, m),
       state(m),
       contact_views(m),
+      group_views(m),
       fault_views(m),
       pairs(m),
       plan(make_owned<Plan>(m, m)),
@@ -32,7 +33,8 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
   scene.gravity = gravity;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };
   reserve(scene.bodies, scene.def, scene.type, scene.inv_mass, scene.mass, scene.center, scene.inertia,
-          scene.inv_inertia, state.x, state.q, state.v, state.omega, state.momentum, state.force, state.torque, state.quarantined, state.written, state.is_written);
+          scene.inv_inertia, state.x, state.q, state.v, state.omega, state.momentum, state.force, state.torque,
+          state.quarantined, state.loaded_steps, state.tired_steps, state.written, state.is_written);
 }
 
 World::~World() = default;
@@ -54,6 +56,7 @@ std::uint64_t World::hash() const {
     h.add_coefficients(state.force[i]);
     h.add_coefficients(state.torque[i]);
     h.add(std::uint64_t(state.quarantined[i]));
+    if (state.loaded_steps[i] || state.tired_steps[i]) h.add(std::uint64_t(state.loaded_steps[i] + 256u * state.tired_steps[i]));
   }
   const auto add_record = [&](const PairRecord& r) {
     h.add(r.pair.key());

@@ -31,6 +31,7 @@ struct StepReport {
   std::uint64_t asleep_bodies = 0, fell_asleep = 0, woke_up = 0;
   double max_penetration = 0, mean_penetration = 0, max_closing_speed = 0;
   double linear_energy = 0, angular_energy = 0;
+  std::uint64_t direct_groups = 0;  // of the groups, those that a solver which chooses gave to the direct solver
   double solver_residual = 0;  // m/s; of solvers that solve to one
 };
 
@@ -46,6 +47,20 @@ struct ContactView {
 struct FaultView {
   SupportFault support;
   std::uint32_t body;  // slot of a body it concerns
+};
+
+/// Why a solver that chooses answers a contact group as it does; as CAROM_REASON_*.
+enum class GroupReason : std::uint32_t { ordinary, mass_ratio, sink, too_much };
+
+/// A contact group of a step as a host reads it.
+struct GroupView {
+  std::uint32_t body = 0;  // slot, one of its bodies
+  std::uint32_t bodies = 0, points = 0;
+  bool direct = false;
+  GroupReason reason = GroupReason::ordinary;
+  Real mass_ratio = 1;  // most, of two that touch
+  Real sink = 0;        // most that soft contacts let a point sink under what it bore in the last step, over the
+                        // thickness of the thinner of the two that touch there
 };
 
 struct Plan;          // dynamics/effects.h: which effects have customers
@@ -92,6 +107,7 @@ class World {
   State state;
   StepReport report;
   Array<ContactView> contact_views;  // of the last step, ascending by collider pair
+  Array<GroupView> group_views;      // of the last step, of a solver that chooses
   Array<FaultView> fault_views;      // of the last step
 
   // ---- what stages keep between steps ----

@@ -96,13 +96,15 @@ struct Contacts {
         bouncing(m),
         group_rows(m),
         group_begin(m),
+        direct(m),
         old(m),
         parent(m),
         label(m),
         keys(m),
         cursor(m),
         ranked(m),
-        place(m) {}
+        place(m),
+        load(m) {}
 
   // by row, in the order of the pair table
   Array<Row> rows;
@@ -123,6 +125,7 @@ struct Contacts {
   // contact groups
   Array<std::uint32_t> group_rows;   // rows, ascending within a group
   Array<std::uint32_t> group_begin;  // [groups + 1]
+  Array<std::uint8_t> direct;        // by group, of a solver that chooses: the direct solver answers it; else empty
 
   Array<OldImpulse> old;  // of the last step, ascending by pair
   Real old_h = 0;         // s, the substep that made them
@@ -134,6 +137,12 @@ struct Contacts {
   Array<Ranked> ranked;
   Array<std::uint32_t> place;
 
+
+  enum Load : std::uint8_t { kUnseen, kLight, kHeavy };
+  Array<std::uint8_t> load;  // by body slot, scratch of a solver that chooses: kUnseen between steps
+
+  bool answered_directly(std::size_t group) const { return direct.empty() || direct[group]; }
+  bool answered_in_lanes(std::size_t row) const { return direct.empty() || !direct[label[row]]; }
   std::size_t groups() const { return group_begin.empty() ? 0 : group_begin.size() - 1; }
 };
 

@@ -9,13 +9,15 @@
 namespace carom {
 namespace {
 
+constexpr std::size_t kGroupsAPart = 1;    // a group takes as long as many bodies of other loops
 constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: impacts of many bodies take that many
 
 /// Bodies, contacts and edges of each group.
 void gather(World& world, DirectGroups& d) {
   const Contacts& c = *world.contacts;
   d.contacts.clear(), d.row.clear(), d.begin.clear(), d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
-  d.body.assign(world.scene.bodies.slots(), kNobody);
+  d.body.resize(world.scene.bodies.slots());
+  for (const std::uint32_t slot : c.bodies) d.body[slot] = kNobody;
   const auto node = [&](bool moves, std::uint32_t slot) {
     if (!moves) return kNobody;
     if (d.body[slot] == kNobody) {
@@ -29,6 +31,7 @@ void gather(World& world, DirectGroups& d) {
     d.edge_begin.push_back(static_cast<std::uint32_t>(d.edges.size()));
   };
   for (std::size_t g = 0; g < c.groups(); ++g) {
+    if (!c.answered_directly(g)) continue;
     mark();
     for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1]; ++k) {
       const std::uint32_t i = c.group_rows[k];
@@ -50,9 +53,10 @@ void order(DirectGroups& d) {
   if (d.edges == d.ordered_edges && d.edge_begin == d.ordered_begin && d.bodies.size() == d.elimination.place.size())
     return;
   d.elimination.clear();
+  d.work.resize(d.groups());
   for (std::size_t g = 0; g < d.groups(); ++g)
-    eliminate(d.begin[g].body, d.begin[g + 1].body - d.begin[g].body,
-              {d.edges.data() + d.edge_begin[g], d.edge_begin[g + 1] - d.edge_begin[g]}, d.elimination);
+    d.work[g] = eliminate(d.begin[g].body, d.begin[g + 1].body - d.begin[g].body,
+                          {d.edges.data() + d.edge_begin[g], d.edge_begin[g + 1] - d.edge_begin[g]}, d.elimination);
   d.factor.diagonal.resize(d.bodies.size());
   d.factor.below.resize(d.elimination.rows.size());
   d.scratch.resize(d.bodies.size());
@@ -68,13 +72,6 @@ void place_contacts(DirectGroups& d) {
     c.a_later = a > b;
     c.below = static_cast<std::uint32_t>(d.factor.at(d.elimination, std::max(a, b), std::min(a, b)));
   }
-}
-
-void begin(World& world, const StepTime&) {
-  DirectGroups& d = *world.direct;
-  gather(world, d);
-  order(d);
-  place_contacts(d);
 }
 
 void load_bodies(World& world, DirectGroups& d) {
@@ -123,20 +120,73 @@ void load_contacts(World& world, DirectGroups& d, Real h) {
   }
 }
 
-void velocities(World& world, const StepTime& time) {
+/// Groups that overlap more than the tolerance are parted, to half of it, so that what rests keeps in touch.
+void part(World& world, DirectGroups& d, std::size_t group, Real h) {
+  const Contacts& c = *world.contacts;
+  State& s = world.state;
+  const Real tolerance = world.scene.dials[Dial::position_tolerance];
+  const Real most = world.scene.dials[Dial::push_speed] * h;
+  ConeProblem problem = d.problem(group);
+  const std::uint32_t first = d.begin[group].contact, last = d.begin[group + 1].contact;
+  Real least = 0;
+  for (std::uint32_t i = first; i < last; ++i) least = std::min(least, c.geometry[d.row[i]].separation);
+  d.answer[group] = {};
+  if (!(least < -tolerance)) return;
+  for (std::uint32_t i = first; i < last; ++i) {
+    ConeContact& contact = d.contacts[i];
+    contact.p.setZero(), contact.u.setZero();
+    contact.friction = 0;
+    contact.want = std::min(-(c.geometry[d.row[i]].separation + tolerance / 2), most);
+  }
+  for (std::uint32_t i = problem.first; i < problem.last; ++i) d.bodies[i].v.setZero();
+  d.answer[group] = solve_cones(problem, 0.01 * tolerance, kMostSteps);
+  for (std::uint32_t i = problem.first; i < problem.last; ++i) {
+    const ConeBody& b = d.bodies[i];
+    s.x[b.slot] += b.v.head<3>();
+    const Vec3 turn = b.v.tail<3>();
+    if (turn != Vec3::Zero()) s.q[b.slot] = normalized(exp_map(turn) * s.q[b.slot]);
+  }
+}
+
+void begin(World& world, const StepTime&) { gather_groups(world); }
+
+void velocities(World& world, const StepTime& time) { solve_groups(world, time.h, 0); }
+
+void positions(World& world, const StepTime& time) {
+  refresh_rotations(world);
+  refresh_separations(world);
+  part_groups(world, time.h);
+  refresh_rotations(world);
+  refresh_separations(world);
+}
+
+}  // namespace
+
+void gather_groups(World& world) {
+  DirectGroups& d = *world.direct;
+  gather(world, d);
+  order(d);
+  place_contacts(d);
+  d.answer.resize(d.groups());
+}
+
+void solve_groups(World& world, Real h, std::uint64_t work) {
   DirectGroups& d = *world.direct;
   Contacts& c = *world.contacts;
   State& s = world.state;
-  for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;
-  load_bodies(world, d);
-  load_contacts(world, d, time.h);
   const Real threshold = world.scene.dials[Dial::restitution_speed];
   const Real tolerance = kDirectShare * world.scene.dials[Dial::velocity_tolerance];
-  for (std::size_t g = 0; g < d.groups(); ++g) {
+  load_bodies(world, d);
+  load_contacts(world, d, h);
+  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) {
     ConeProblem problem = d.problem(g);
     apply_impulses(problem);
-    if (!c.bouncing.empty()) world.report.velocity_impulses += bounce(problem, threshold);
-    const ConeAnswer answer = solve_cones(problem, tolerance, kMostSteps);
+    if (!c.bouncing.empty()) bounce(problem, threshold);
+    const std::uint64_t most = work ? 2 + work / d.work[g] : kMostSteps;
+    d.answer[g] =
+        solve_cones(problem, tolerance, static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps)));
+  });
+  for (const ConeAnswer& answer : d.answer) {
     world.report.velocity_impulses += answer.factorisations;
     world.report.solver_residual = std::max<double>(world.report.solver_residual, answer.residual);
   }
@@ -152,41 +202,11 @@ void velocities(World& world, const StepTime& time) {
   }
 }
 
-/// Groups that overlap more than the tolerance are parted, to half of it, so that what rests keeps in touch.
-void positions(World& world, const StepTime& time) {
+void part_groups(World& world, Real h) {
   DirectGroups& d = *world.direct;
-  Contacts& c = *world.contacts;
-  State& s = world.state;
-  refresh_rotations(world);
-  refresh_separations(world);
-  const Real tolerance = world.scene.dials[Dial::position_tolerance];
-  const Real most = world.scene.dials[Dial::push_speed] * time.h;
-  for (std::size_t g = 0; g < d.groups(); ++g) {
-    ConeProblem problem = d.problem(g);
-    bool deep = false;
-    for (std::size_t i = d.begin[g].contact; i < d.begin[g + 1].contact; ++i)
-      deep |= c.geometry[d.row[i]].separation < -tolerance;
-    if (!deep) continue;
-    for (std::size_t i = d.begin[g].contact; i < d.begin[g + 1].contact; ++i) {
-      ConeContact& contact = d.contacts[i];
-      contact.p.setZero(), contact.u.setZero();
-      contact.friction = 0;
-      contact.want = std::min(-(c.geometry[d.row[i]].separation + tolerance / 2), most);
-    }
-    for (std::uint32_t i = problem.first; i < problem.last; ++i) d.bodies[i].v.setZero();
-    world.report.position_moves += solve_cones(problem, 0.01 * tolerance, kMostSteps).factorisations;
-    for (std::uint32_t i = problem.first; i < problem.last; ++i) {
-      const ConeBody& b = d.bodies[i];
-      s.x[b.slot] += b.v.head<3>();
-      const Vec3 turn = b.v.tail<3>();
-      if (turn != Vec3::Zero()) s.q[b.slot] = normalized(exp_map(turn) * s.q[b.slot]);
-    }
-  }
-  refresh_rotations(world);
-  refresh_separations(world);
+  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { part(world, d, g, h); });
+  for (const ConeAnswer& answer : d.answer) world.report.position_moves += answer.factorisations;
 }
-
-}  // namespace
 
 extern constexpr Solver kDirect = {"direct", true, begin, measure_closing, velocities, positions, nullptr};
 

@@ -10,6 +10,14 @@ namespace carom {
 /// step: 1e-4 m/s would be 6 mm in a minute.
 inline constexpr Real kDirectShare = 0.01;
 
+/// The stages of the direct solver over the groups it answers, for it and for what chooses among solvers.
+void gather_groups(World& world);  // allocates
+/// Velocities.
+/// @param work  most block products that a group may take, beyond two factorisations; 0: no bound
+void solve_groups(World& world, Real h, std::uint64_t work);
+/// Overlaps, from the separations as of the last refresh_separations().
+void part_groups(World& world, Real h);
+
 /// What the direct solver keeps over a step.
 struct DirectGroups {
   explicit DirectGroups(Memory* m)
@@ -24,7 +32,9 @@ struct DirectGroups {
         ordered_begin(m),
         elimination(m),
         factor(m),
-        scratch(m) {}
+        scratch(m),
+        work(m),
+        answer(m) {}
 
   struct Begin {
     std::uint32_t contact, body;
@@ -41,6 +51,8 @@ struct DirectGroups {
   Elimination elimination;
   BlockFactor factor;
   Array<Vec6> scratch;
+  Array<std::uint64_t> work;  // block products of a factorisation, by group
+  Array<ConeAnswer> answer;   // by group, of the last solve
 
   std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }
   ConeProblem problem(std::size_t group) {

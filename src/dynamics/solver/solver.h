@@ -16,7 +16,7 @@ struct Solver {
   void (*end)(World& world, const StepTime& time);         // after the last substep
 };
 
-extern const Solver kSeverity, kSequential, kSoftStep, kDirect;  // by CAROM_SOLVER_*
+extern const Solver kSeverity, kSequential, kSoftStep, kDirect, kAuto;  // by CAROM_SOLVER_*
 
 /// Stage functions of the page.
 void begin_contacts(World& world, const StepTime& time);

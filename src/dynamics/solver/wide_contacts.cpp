@@ -16,6 +16,7 @@ constexpr auto kMaxPoints = static_cast<std::uint32_t>(kPairPoints);
 void number_bodies(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
+  constexpr std::uint32_t kMoves = 0xFFFFFFFFu;                    // and has no number yet
   for (const std::uint32_t body : wide.slot) wide.body[body] = 0;  // of the last step: all others are 0
   wide.body.resize(scene.bodies.slots(), 0);
   wide.slot.assign(1, 0);
@@ -24,11 +25,18 @@ void number_bodies(const World& world, WideContacts& wide) {
     wide.slot.push_back(i);
   };
   // Kinematic bodies keep their velocity and lend it to those that touch them.
-  for (const Row& row : c.rows)
-    for (const std::uint32_t body : {row.a, row.b})
-      if (scene.type[body] == BodyType::kinematic && !wide.body[body]) number(body);
+  for (std::size_t i = 0; i < c.rows.size(); ++i) {
+    if (!c.answered_in_lanes(i)) continue;
+    const Row& row = c.rows[i];
+    for (const auto& [moves, body] : {std::pair(row.moves_a, row.a), std::pair(row.moves_b, row.b)})
+      if (moves)
+        wide.body[body] = kMoves;
+      else if (scene.type[body] == BodyType::kinematic && !wide.body[body])
+        number(body);
+  }
   wide.first_moved = static_cast<std::uint32_t>(wide.slot.size());
-  for (const std::uint32_t i : c.bodies) number(i);
+  for (const std::uint32_t i : c.bodies)
+    if (wide.body[i] == kMoves) number(i);
   const std::size_t n = wide.slot.size();
   wide.velocity.assign(n, {});
   wide.shift.assign(n, {});
@@ -46,6 +54,7 @@ void colour_manifolds(const World& world, WideContacts& wide) {
   wide.taken.assign(wide.slot.size(), 0);
   for (std::uint32_t i = 0, next; i < c.rows.size(); i = next) {
     for (next = i + 1; next < c.rows.size() && c.geometry[next].pair == c.geometry[i].pair;) ++next;
+    if (!c.answered_in_lanes(i)) continue;
     const Row& row = c.rows[i];
     std::uint64_t nobody = 0;
     std::uint64_t& a = row.moves_a ? wide.taken[wide.body[row.a]] : nobody;

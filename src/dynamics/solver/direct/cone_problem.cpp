@@ -38,23 +38,21 @@ class FrozenSlip {
     for (int i = 0; i < kRounds && left > target && answer_.factorisations < most_steps_; ++i) {
       Round round(problem_, softness_);
       const std::uint32_t most = std::min(kRoundSteps, most_steps_ - answer_.factorisations);
-      answer_.factorisations += round.minimise(0.1 * target, most);
+      const std::uint32_t steps = round.minimise(0.1 * target, most);
+      answer_.factorisations += steps;
       ++answer_.rounds;
-      const Real now = offence_now();
-      if (now < left) {
-        if (now > kGood * left) softness_ = std::max(kLeast, kHarder * softness_);
-        left = now;
-      } else {
-        round.take_back();
-        if (softness_ == kMost) return;
-        softness_ = std::min(kMost, kSofter * softness_);
-      }
+      const Real now = offence_now(), was = softness_;
+      if (!(now < left)) round.take_back();
+      if (!(now < kGood * left))
+        softness_ = steps < kHard ? std::max(kLeast, kHarder * was) : std::min(kMost, kSofter * was);
+      if (!(now < left) && softness_ == was) return;  // at one end, and it did not help
+      left = std::min(left, now);
     }
   }
 
  private:
   static constexpr int kRounds = 20;
-  static constexpr std::uint32_t kRoundSteps = 60;
+  static constexpr std::uint32_t kRoundSteps = 60, kHard = 30;
   // A soft round is easy for Newton's method and goes part of the way, a hard one the other way round.
   static constexpr Real kFirst = 1e-3, kLeast = 1e-10, kMost = 1, kGood = 0.1, kHarder = 0.1, kSofter = 30;
 

@@ -1,0 +1,200 @@
+// The solver that chooses: soft contacts for most groups, the direct solver for those that soft contacts would not
+// hold.
+//
+// A group goes to the direct solver
+//  - where bodies that touch have masses further apart than the dial direct_ratio, or
+//  - where for some steps a point has borne so much that soft contacts would let it sink by more than direct_sink of
+//  its thickness: that
+//    is what a tall stack and a heavy load on a light body have in common, and it is known before anything is solved;
+// unless it is too large, or could not be solved within direct_work lately: then it moves so much that soft contacts
+// do.
+
+#include <algorithm>
+#include <numbers>
+
+#include "dynamics/force/force.h"
+#include "dynamics/solver/direct.h"
+#include "dynamics/solver/soft_step.h"
+#include "dynamics/solver/solver.h"
+
+namespace carom {
+namespace {
+
+constexpr std::uint32_t kMostBodies = 256;  // of a group: beyond, finding an order of elimination alone takes too long
+
+/// Squared angular frequency of the springs between two bodies that move.
+Real stiffness(const Dials& dials, Real h) {
+  const Real w = 2 * std::numbers::pi * std::min(dials[Dial::contact_frequency], 0.25 / h);
+  return w * w;
+}
+
+/// How deep soft contacts let a point sink under a load: P / (m w^2).
+/// @param load  N
+Real sink_of(const World& world, std::uint32_t row_index, Real load, Real w2) {
+  const Row& row = world.contacts->rows[row_index];
+  if (!(load > 0)) return 0;
+  const Arms arms(world, row, world.contacts->geometry[row_index]);
+  const auto response = [&](bool moves, std::uint32_t body, const Vec3& r) {
+    if (!moves) return Real(0);
+    const Vec3 moment = r.cross(row.n);
+    const Real turning = rotates(world.scene, body) ? moment.dot(world.contacts->inv_inertia_w[body] * moment) : 0;
+    return world.scene.inv_mass[body] + turning;
+  };
+  const Real k = response(row.moves_a, row.a, arms.a) + response(row.moves_b, row.b, arms.b);
+  return load * k / (row.moves_a && row.moves_b ? w2 : 4 * w2);
+}
+
+Real mass_ratio_of(const Scene& scene, const Row& row) {
+  if (!row.moves_a || !row.moves_b) return 1;
+  const Real a = scene.mass[row.a], b = scene.mass[row.b];
+  return std::max(a, b) / std::min(a, b);
+}
+
+/// m, of the thinner of the two shapes that touch.
+Real thickness_of(const World& world, const RowGeometry& g) {
+  const Colliders& colliders = world.scene.colliders;
+  const Pair& pair = world.pairs[g.pair].pair;
+  const auto of = [&](std::uint32_t collider) {
+    const Aabb& b = colliders.shape[collider]->bounds;
+    return (b.hi - b.lo).minCoeff();
+  };
+  return std::min(of(pair.a), of(pair.b));
+}
+
+/// Bodies that move, each at every row it has.
+template <class F>
+void each_body(const Contacts& c, std::size_t group, F&& f) {
+  for (std::uint32_t k = c.group_begin[group]; k < c.group_begin[group + 1]; ++k) {
+    const Row& row = c.rows[c.group_rows[k]];
+    if (row.moves_a) f(row, row.a);
+    if (row.moves_b) f(row, row.b);
+  }
+}
+
+/// N: all that a group weighs, if it is new and lies still, as what a host has built does: then nothing else is known
+/// yet of what its points will bear. Else 0. Counts bodies on the way, and marks them as light.
+Real weight_if_new(World& world, std::size_t group, Real h, GroupView& view) {
+  Contacts& c = *world.contacts;
+  const Real gravity = world.scene.gravity.norm();
+  Real mass = 0;
+  bool is_new = true;
+  each_body(c, group, [&](const Row& row, std::uint32_t body) {
+    is_new &= row.p == Vec3::Zero();
+    if (c.load[body] != Contacts::kUnseen) return;
+    c.load[body] = Contacts::kLight;
+    ++view.bodies;
+    view.body = body;
+    mass += world.scene.mass[body];
+    is_new &= world.state.v[body].norm() <= 2 * gravity * h;
+  });
+  return is_new ? mass * gravity : 0;
+}
+
+/// What there is to know of a group before it is answered; bodies that bear too much are marked as heavy.
+void look_at(World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view) {
+  Contacts& c = *world.contacts;
+  const Real deep = world.scene.dials[Dial::direct_sink];
+  for (std::uint32_t k = c.group_begin[group]; k < c.group_begin[group + 1]; ++k) {
+    const std::uint32_t i = c.group_rows[k];
+    const Row& row = c.rows[i];
+    const Real load = std::max(row.p.dot(row.n) / h, weight);
+    const Real sink = sink_of(world, i, load, w2) / thickness_of(world, c.geometry[i]);
+    if (sink > deep && row.moves_a) c.load[row.a] = Contacts::kHeavy;
+    if (sink > deep && row.moves_b) c.load[row.b] = Contacts::kHeavy;
+    view.sink = std::max(view.sink, sink);
+    view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(world.scene, row));
+  }
+  view.points = c.group_begin[group + 1] - c.group_begin[group];
+}
+
+struct GroupMemory {
+  bool bears = false, tired = false;
+};
+
+/// What bodies of a group remember, brought up to date. An impact is as heavy as a load, but passes: only what was
+/// borne for two steps counts, and then for a while.
+/// @param at_once  loads count from the first step on
+GroupMemory remember(World& world, std::size_t group, bool at_once) {
+  constexpr std::uint8_t kEnough = 2, kLong = 60;  // steps
+  Contacts& c = *world.contacts;
+  GroupMemory memory;
+  each_body(c, group, [&](const Row&, std::uint32_t body) {
+    if (c.load[body] == Contacts::kUnseen) return;
+    std::uint8_t &steps = world.state.loaded_steps[body], &rest = world.state.tired_steps[body];
+    if (c.load[body] == Contacts::kHeavy)
+      steps = at_once || steps + 1 >= kEnough ? kLong : static_cast<std::uint8_t>(steps + 1);
+    else if (steps > 0)
+      --steps;
+    memory.bears |= steps >= kEnough;
+    memory.tired |= rest > 0;
+    if (rest > 0) --rest;
+    c.load[body] = Contacts::kUnseen;
+  });
+  return memory;
+}
+
+void choose(World& world, Real h) {
+  Contacts& c = *world.contacts;
+  const Dials& dials = world.scene.dials;
+  const Real w2 = stiffness(dials, h);
+  refresh_inertias(world);
+  c.load.resize(world.scene.bodies.slots(), Contacts::kUnseen);
+  c.direct.assign(c.groups(), 0);
+  world.group_views.clear();
+  for (std::size_t g = 0; g < c.groups(); ++g) {
+    GroupView view;
+    const Real weight = weight_if_new(world, g, h, view);
+    look_at(world, g, w2, h, weight, view);
+    const GroupMemory memory = remember(world, g, weight > 0);
+    const bool unlike = view.mass_ratio > dials[Dial::direct_ratio];
+    if (unlike || memory.bears) {
+      view.reason = unlike ? GroupReason::mass_ratio : GroupReason::sink;
+      if (view.bodies > kMostBodies || (memory.tired && !unlike)) view.reason = GroupReason::too_much;
+      c.direct[g] = view.reason != GroupReason::too_much;
+    }
+    view.direct = c.direct[g];
+    world.report.direct_groups += c.direct[g];
+    world.group_views.push_back(view);
+  }
+}
+
+/// A group that came nowhere near its solution within its work is left to soft contacts for a while: it moves too much.
+/// But not bodies of unlike masses, which soft contacts would throw about.
+void spare_the_tired(World& world) {
+  constexpr std::uint8_t kWhile = 120;  // steps
+  const DirectGroups& d = *world.direct;
+  const Real tolerance = world.scene.dials[Dial::velocity_tolerance];
+  for (std::size_t g = 0; g < d.groups(); ++g) {
+    if (!(d.answer[g].residual > tolerance)) continue;
+    for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
+      world.state.tired_steps[d.bodies[i].slot] = kWhile;
+  }
+}
+
+void begin(World& world, const StepTime& time) {
+  choose(world, time.h);
+  gather_groups(world);
+  kSoftStep.begin(world, time);
+}
+
+void velocities(World& world, const StepTime& time) {
+  kSoftStep.velocities(world, time);
+  solve_groups(world, time.h, static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work] * (time.h / time.dt)));
+  spare_the_tired(world);
+}
+
+void positions(World& world, const StepTime& time) {
+  kSoftStep.positions(world, time);
+  if (world.direct->groups() == 0) return;
+  refresh_rotations(world);
+  refresh_separations(world);
+  part_groups(world, time.h);
+}
+
+void end(World& world, const StepTime& time) { kSoftStep.end(world, time); }
+
+}  // namespace
+
+extern constexpr Solver kAuto = {"auto", false, begin, measure_closing, velocities, positions, end};
+
+}  // namespace carom
