@@ -96,6 +96,9 @@ typedef struct carom_step_report {
   uint64_t asleep_bodies;      /**< after the step, counted under dynamic_bodies   @since 1.2 */
   uint64_t fell_asleep;        /**< of them, in this step   @since 1.2 */
   uint64_t woke_up;            /**< bodies that woke in this step or since the one before   @since 1.2 */
+  uint64_t direct_groups;      /**< of the groups, those that CAROM_SOLVER_AUTO gave to the direct solver   @since 1.2 */
+  double solver_residual;      /**< m/s, how far the direct solver's answer is from Coulomb's law at the worst contact
+                                    point and substep; 0 where it had nothing to do   @since 1.2 */
 } carom_step_report;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
@@ -124,6 +127,31 @@ typedef struct carom_contact {
  *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
 CAROM_API int32_t carom_world_get_contacts(carom_world *world, carom_contact *dst, uint64_t stride, uint64_t capacity,
                                            uint64_t *count, carom_error *error);
+
+#define CAROM_REASON_ORDINARY 0u   /* soft contacts hold it */
+#define CAROM_REASON_MASS_RATIO 1u /* bodies that touch have masses further apart than CAROM_DIAL_DIRECT_RATIO */
+#define CAROM_REASON_SINK 2u       /* soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK */
+#define CAROM_REASON_TOO_MUCH 3u   /* one of both, but it has more than 256 bodies, or was too much work lately */
+
+/** A contact group of the last step, and how CAROM_SOLVER_AUTO answered it.   @since 1.2 */
+typedef struct carom_group {
+  carom_body body;     /**< one of its bodies; CAROM_NULL_HANDLE if that was destroyed since */
+  uint32_t bodies;     /**< that contacts move */
+  uint32_t points;     /**< contact points */
+  uint32_t solver;     /**< CAROM_SOLVER_SOFT_STEP or CAROM_SOLVER_DIRECT */
+  uint32_t reason;     /**< CAROM_REASON_* */
+  double mass_ratio;   /**< the most of two bodies that touch */
+  double sink;         /**< how deep soft contacts would let a body sink, over the thickness of the thinner of the two */
+} carom_group;
+
+/** Copy out the contact groups of the last step, in a deterministic order. Other solvers than CAROM_SOLVER_AUTO answer
+ *  all groups alike: then there are none.
+ *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+ *  @param stride   sizeof(carom_group) as the caller knows it
+ *  @param count    out: how many there are (may exceed capacity; capacity are written)
+ *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.2 */
+CAROM_API int32_t carom_world_get_groups(carom_world *world, carom_group *dst, uint64_t stride, uint64_t capacity,
+                                         uint64_t *count, carom_error *error);
 
 #define CAROM_FAULT_RETURNED 1u     /* the support function returned nonzero */
 #define CAROM_FAULT_NOT_FINITE 2u   /* it gave NaN or infinity */

@@ -12,6 +12,10 @@ static_assert(static_cast<std::uint32_t>(Stage::refresh) == CAROM_STAGE_REFRESH 
               static_cast<std::uint32_t>(Stage::solve) == CAROM_STAGE_SOLVE &&
               static_cast<std::uint32_t>(Stage::relax) == CAROM_STAGE_RELAX &&
               static_cast<std::uint32_t>(Stage::observe) == CAROM_STAGE_OBSERVE && kStageCount == CAROM_STAGE_COUNT);
+static_assert(static_cast<std::uint32_t>(GroupReason::ordinary) == CAROM_REASON_ORDINARY &&
+              static_cast<std::uint32_t>(GroupReason::mass_ratio) == CAROM_REASON_MASS_RATIO &&
+              static_cast<std::uint32_t>(GroupReason::sink) == CAROM_REASON_SINK &&
+              static_cast<std::uint32_t>(GroupReason::too_much) == CAROM_REASON_TOO_MUCH);
 static_assert(SupportFault::returned == CAROM_FAULT_RETURNED && SupportFault::not_finite == CAROM_FAULT_NOT_FINITE &&
               SupportFault::outside == CAROM_FAULT_OUTSIDE && SupportFault::not_support == CAROM_FAULT_NOT_SUPPORT);
 
@@ -41,6 +45,8 @@ void fill_report(const StepReport& from, carom_step_report& to) {
   to.max_closing_speed = from.max_closing_speed;
   to.linear_energy = from.linear_energy;
   to.angular_energy = from.angular_energy;
+  to.direct_groups = from.direct_groups;
+  to.solver_residual = from.solver_residual;
   to.asleep_bodies = from.asleep_bodies;
   to.fell_asleep = from.fell_asleep;
   to.woke_up = from.woke_up;
@@ -71,7 +77,17 @@ carom_fault fault(const World& world, const FaultView& view) {
   return f;
 }
 
-/// The tail of both calls: n elements into a host's array of its own stride.
+carom_group group(const World& world, const GroupView& view) {
+  carom_group g{};
+  g.body = world.scene.bodies.alive(view.body) ? world.scene.bodies.handle(view.body) : CAROM_NULL_HANDLE;
+  g.bodies = view.bodies, g.points = view.points;
+  g.solver = view.direct ? CAROM_SOLVER_DIRECT : CAROM_SOLVER_SOFT_STEP;
+  g.reason = static_cast<std::uint32_t>(view.reason);
+  g.mass_ratio = view.mass_ratio, g.sink = view.sink;
+  return g;
+}
+
+/// The tail of these calls: n elements into a host's array of its own stride.
 template <class View, class Element>
 void copy_out(Call& call, const World& world, const Array<View>& views, Element (*convert)(const World&, const View&),
               void* dst, std::uint64_t stride, std::uint64_t capacity, std::uint64_t* count) {
@@ -113,6 +129,14 @@ int32_t carom_world_get_contacts(carom_world* world, carom_contact* dst, uint64_
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading) copy_out(call, *reading, reading->contact_views, contact, dst, stride, capacity, count);
+  });
+}
+
+int32_t carom_world_get_groups(carom_world* world, carom_group* dst, uint64_t stride, uint64_t capacity,
+                               uint64_t* count, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading) copy_out(call, *reading, reading->group_views, group, dst, stride, capacity, count);
   });
 }
 

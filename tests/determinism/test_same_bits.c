@@ -20,10 +20,13 @@ static uint64_t bits_after(const carom_engine_desc *desc, int steps, int setting
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_BROAD_PHASE, CAROM_BROAD_GRID, NULL), CAROM_OK);
   }
   if (setting >= 2) {
-    static const double kSolvers[] = {CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_DIRECT};
+    static const double kSolvers[] = {CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_DIRECT,
+                                      CAROM_SOLVER_AUTO};
     const double solver = kSolvers[setting - 2];
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SUBSTEPS, 4, NULL), CAROM_OK);
+    /* So that auto gives to both of its solvers: with its default it would give nothing here to the direct one. */
+    assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_DIRECT_SINK, 1e-4, NULL), CAROM_OK);
   }
   assert_int_equal(bench_steps(b.world, steps, NULL), CAROM_OK);
   hash = bench_hash(b.world);
@@ -93,14 +96,14 @@ static void handle_numbers_do_not_matter(void **state) {
 }
 
 /* What every compiler (gcc, clang), build type (Release, Debug, sanitizers) and machine must get: 200 steps of the stage, by
- * the specific routines, by the generic path, and by the other solvers (soft_step, sequential, direct). When physics is meant to
+ * the specific routines, by the generic path, and by the other solvers (soft_step, sequential, direct, auto). When physics is meant to
  * change, so do these: say why in the commit. */
 static void the_bits_are_those_of_every_other_build(void **state) {
-  const uint64_t golden[5] = {0xc53f7191e5c159f5u, 0xd06ae3333fc8bc65u, 0x2fbc5c4d367a97f3u,
-                              0x92bc3531f880a756u, 0xcf748fad6dfd3f0du};
+  const uint64_t golden[6] = {0xc53f7191e5c159f5u, 0xd06ae3333fc8bc65u, 0x2fbc5c4d367a97f3u,
+                              0x92bc3531f880a756u, 0xcf748fad6dfd3f0du, 0xe1cac0a61c8016d3u};
   int setting, wrong = 0;
   (void)state;
-  for (setting = 0; setting < 5; ++setting) {
+  for (setting = 0; setting < 6; ++setting) {
     const uint64_t got = bits_after(NULL, 200, setting);
     wrong += got != golden[setting];
     if (got != golden[setting]) print_error("setting %d: 0x%016llx\n", setting, (unsigned long long)got);

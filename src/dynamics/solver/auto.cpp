@@ -97,8 +97,9 @@ void look_at(World& world, std::size_t group, Real w2, Real h, Real weight, Grou
   for (std::uint32_t k = c.group_begin[group]; k < c.group_begin[group + 1]; ++k) {
     const std::uint32_t i = c.group_rows[k];
     const Row& row = c.rows[i];
-    const Real load = std::max(row.p.dot(row.n) / h, weight);
-    const Real sink = sink_of(world, i, load, w2) / thickness_of(world, c.geometry[i]);
+    const RowGeometry& g = c.geometry[i];
+    const Real load = std::max(row.p.dot(row.n) / h, weight / world.pairs[g.pair].manifold.count);
+    const Real sink = sink_of(world, i, load, w2) / thickness_of(world, g);
     if (sink > deep && row.moves_a) c.load[row.a] = Contacts::kHeavy;
     if (sink > deep && row.moves_b) c.load[row.b] = Contacts::kHeavy;
     view.sink = std::max(view.sink, sink);
@@ -179,7 +180,8 @@ void begin(World& world, const StepTime& time) {
 
 void velocities(World& world, const StepTime& time) {
   kSoftStep.velocities(world, time);
-  solve_groups(world, time.h, static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work] * (time.h / time.dt)));
+  const Real work = world.scene.dials[Dial::direct_work] * (time.h / time.dt);
+  solve_groups(world, time.h, 1 + static_cast<std::uint64_t>(work));
   spare_the_tired(world);
 }
 

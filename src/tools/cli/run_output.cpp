@@ -60,6 +60,9 @@ void print_summary(const Stage& stage, const Observer* observer, const RunSummar
   std::printf("contacts: %llu points at the end (most %llu) in %llu groups, from %llu pairs of bounds\n",
               count(run.last.contact_points), count(run.most_contact_points), count(run.last.groups),
               count(run.last.broad_pairs));
+  if (run.last.direct_groups || run.last.solver_residual > 0)
+    std::printf("direct solver: %llu groups chosen for it at the end, residual %.2g m/s\n",
+                count(run.last.direct_groups), run.last.solver_residual);
   std::printf(
       "residuals at the end: penetration max %.3f mm, mean %.3f mm (worst during the run %.1f mm); closing speed "
       "%.4f m/s\n",

@@ -1,0 +1,136 @@
+// The solver that chooses: what it chooses and why, and that groups are answered as if alone.
+#include <vector>
+
+#include "carom_test.h"
+#include "world_builder.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+constexpr Real kStep = 1.0 / 60;
+constexpr Real kSoftStepChoice = 2, kDirectChoice = 3, kAutoChoice = 4;  // CAROM_SOLVER_*
+
+void use(TestWorld& t, Real solver) {
+  t.world.set_dial(Dial::solver, solver);
+  t.world.set_dial(Dial::substeps, 4);
+}
+
+std::vector<std::uint32_t> stack(TestWorld& t, int count, Real x) {
+  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  std::vector<std::uint32_t> bodies;
+  for (int i = 0; i < count; ++i) bodies.push_back(t.add(cube, Vec3(x, i + 0.5, 0)));
+  return bodies;
+}
+
+/// A ball that rolls, spins and bumps into a box.
+std::vector<std::uint32_t> bowling(TestWorld& t, Real x) {
+  std::vector<std::uint32_t> bodies = {t.add(t.keep(sphere(0.5)), Vec3(x, 0.5, 0)),
+                                       t.add(t.keep(box(Vec3::Constant(0.4))), Vec3(x + 2, 0.4, 0.1))};
+  t.world.set_velocity(bodies[0], Vec3(3, 0, 0), Vec3(0, 1, -2));
+  return bodies;
+}
+
+/// Of the group with so many bodies; one of no bodies if there is none.
+GroupView group_of(const TestWorld& t, std::uint32_t bodies) {
+  for (const GroupView& g : t.world.group_views)
+    if (g.bodies == bodies) return g;
+  return {};
+}
+
+}  // namespace
+
+static void it_names_what_it_chose_and_why(void**) {
+  TestWorld t;
+  use(t, kAutoChoice);
+  t.ground();
+  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  stack(t, 20, 0);
+  stack(t, 3, 10);
+  const std::uint32_t light = t.add(cube, Vec3(20, 0.5, 0)), heavy = t.add(nullptr, Vec3(20, 1.5, 0));
+  (void)light;
+  t.world.add_collider(heavy, cube, Pose{}, 1e6, Colliders::kNoMaterial);
+  t.add(cube, Vec3(30, 0.5, 0));
+  t.run(30, kStep);
+  assert_int_equal(t.world.group_views.size(), 4);
+  assert_int_equal(t.world.report.direct_groups, 2);
+  const GroupView tall = group_of(t, 20), low = group_of(t, 3), uneven = group_of(t, 2), single = group_of(t, 1);
+  assert_true(tall.bodies && low.bodies && uneven.bodies && single.bodies);
+  assert_true(tall.direct && tall.reason == GroupReason::sink);
+  // 19 cubes on a joint at 30 Hz: each corner bears a quarter of 19 m g with an eighth of m: 2 * 19 g / w^2, of 1 m.
+  const Real w = 2 * 3.14159265358979 * 30;
+  assert_true(std::fabs(tall.sink - 2 * 19 * 9.81 / (w * w)) < 0.01 * tall.sink);
+  assert_true(!low.direct && low.reason == GroupReason::ordinary);
+  assert_true(uneven.direct && uneven.reason == GroupReason::mass_ratio);
+  assert_true(std::fabs(uneven.mass_ratio - 1000) < 1e-9);
+  assert_true(!single.direct && single.mass_ratio == 1);
+}
+
+/// Each group to the bit as in a world of its own with the solver that was chosen for it.
+static void groups_are_answered_as_if_alone(void**) {
+  TestWorld both, tall, low;
+  for (TestWorld* t : {&both, &tall, &low}) t->ground();
+  use(both, kAutoChoice), use(tall, kDirectChoice), use(low, kSoftStepChoice);
+  const std::vector<std::uint32_t> a = stack(both, 20, -10), b = bowling(both, 0), only_a = stack(tall, 20, -10),
+                                   only_b = bowling(low, 0);
+  for (int step = 0; step < 120; ++step) {
+    for (TestWorld* t : {&both, &tall, &low}) t->world.step(kStep);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      assert_true(both.world.state.x[a[i]] == tall.world.state.x[only_a[i]]);
+      assert_true(both.world.state.omega[a[i]] == tall.world.state.omega[only_a[i]]);
+    }
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      assert_true(both.world.state.x[b[i]] == low.world.state.x[only_b[i]]);
+      assert_true(both.world.state.omega[b[i]] == low.world.state.omega[only_b[i]]);
+    }
+  }
+  assert_true(low.world.state.x[only_b[1]].x() > 2.1);  // the box was hit
+}
+
+static void a_stack_of_forty_stands_under_either_choice_of_substeps(void**) {
+  for (const Real substeps : {1.0, 4.0}) {
+    TestWorld t;
+    use(t, kAutoChoice);
+    t.world.set_dial(Dial::substeps, substeps);
+    t.ground();
+    const std::vector<std::uint32_t> cubes = stack(t, 40, 0);
+    t.run(600, kStep);
+    // It is known to be tall from the first step on: nothing sinks but by the residual, 1e-6 m/s for 10 s a contact.
+    for (std::size_t i = 0; i < cubes.size(); ++i)
+      assert_true((t.world.state.x[cubes[i]] - Vec3(0, static_cast<Real>(i) + 0.5, 0)).norm() < 40 * 10 * 1e-6);
+  }
+}
+
+static void a_group_beyond_its_work_is_left_to_soft_contacts_for_a_while(void**) {
+  TestWorld t;
+  use(t, kAutoChoice);
+  t.world.set_dial(Dial::direct_work, 0);
+  t.world.set_dial(Dial::direct_sink, 0);  // any load will do
+  t.ground();
+  Random random(5);
+  const Shape* cube = t.keep(box(Vec3(0.3, 0.2, 0.4)));
+  for (int i = 0; i < 40; ++i) t.add(cube, Vec3(random.uniform(-0.5, 0.5), 0.5 + 0.4 * i, random.uniform(-0.5, 0.5)));
+  int direct = 0, spared = 0;
+  for (int step = 0; step < 200; ++step) {
+    t.world.step(kStep);
+    for (const GroupView& g : t.world.group_views) {
+      if (g.bodies < 10) continue;
+      direct += g.direct;
+      spared += g.reason == GroupReason::too_much;
+      assert_true(g.direct == (g.reason == GroupReason::sink));
+    }
+  }
+  assert_true(direct > 0 && spared > 5 * direct);
+  for (std::uint32_t i = 1; i <= 40; ++i) assert_true(t.world.state.x[i].y() > 0.1);
+}
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(it_names_what_it_chose_and_why),
+      cmocka_unit_test(groups_are_answered_as_if_alone),
+      cmocka_unit_test(a_stack_of_forty_stands_under_either_choice_of_substeps),
+      cmocka_unit_test(a_group_beyond_its_work_is_left_to_soft_contacts_for_a_while),
+  };
+  return cmocka_run_group_tests_name("oracle/auto", tests, nullptr, nullptr);
+}
