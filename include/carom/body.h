@@ -47,11 +47,12 @@ CAROM_API int32_t carom_material_destroy(carom_world *world, carom_material mate
 #define CAROM_BODY_FIELD_MASS 1u    /* mass given; else from colliders' densities */
 #define CAROM_BODY_FIELD_CENTER 2u  /* center given; else from colliders. needs MASS */
 #define CAROM_BODY_FIELD_INERTIA 4u /* inertia given; else from colliders, scaled to mass. needs MASS */
+#define CAROM_BODY_STAYS_AWAKE 8u   /* it never falls asleep, nor does what it touches   @since 1.2 */
 
 /** What a body is made from. Fill with carom_body_desc_init(). */
 typedef struct carom_body_desc {
   uint32_t struct_size;
-  uint32_t fields;            /**< CAROM_BODY_FIELD_* bits */
+  uint32_t fields;            /**< CAROM_BODY_FIELD_*, CAROM_BODY_STAYS_AWAKE bits */
   uint32_t type;              /**< CAROM_BODY_*, default DYNAMIC */
   uint32_t reserved;          /**< 0 */
   double position[3];         /**< m, world: origin of the body frame */
@@ -66,8 +67,6 @@ typedef struct carom_body_desc {
   double linear_damping;      /**< 1/s, [0, 1e6], default 0: dv/dt = -c v */
   double angular_damping;     /**< 1/s, [0, 1e6], default 0 */
   uint64_t user;              /**< anything; the engine does not look */
-  uint32_t stays_awake;       /**< 1: it never falls asleep, nor does what it touches. default 0   @since 1.2 */
-  uint32_t reserved_1;        /**< 0 */
 } carom_body_desc;
 
 /** @status OK; NULL_ARGUMENT */
@@ -78,7 +77,7 @@ CAROM_API int32_t carom_body_create(carom_world *world, const carom_body_desc *d
 /** Destroys its colliders too.   @status OK; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_body_destroy(carom_world *world, carom_body body, carom_error *error);
 
-/** Everything there is to know about a body, with its masses as the engine uses them (fields: all set; a body that
+/** Everything there is to know about a body, with its masses as the engine uses them (fields: all of FIELD_* set; a body that
  *  cannot rotate reports zero inertia; a static or kinematic body reports mass 0).
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get(carom_world *world, carom_body body, carom_body_desc *desc, carom_error *error);

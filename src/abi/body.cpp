@@ -36,7 +36,7 @@ bool check_inertia(Call& call, const double inertia[9]) {
 
 bool check_mass(Call& call, const carom_body_desc& d) {
   const std::uint32_t about_mass = CAROM_BODY_FIELD_CENTER | CAROM_BODY_FIELD_INERTIA;
-  if (!only_bits(call, 2, "desc->fields", d.fields, kFields)) return false;
+  if (!only_bits(call, 2, "desc->fields", d.fields, kFields | CAROM_BODY_STAYS_AWAKE)) return false;
   if ((d.fields & about_mass) && !(d.fields & CAROM_BODY_FIELD_MASS))
     return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->fields is 0x%x: CENTER and INERTIA need MASS", d.fields);
   if (d.fields & CAROM_BODY_FIELD_MASS) {
@@ -62,8 +62,6 @@ bool read_body(Call& call, const carom_body_desc* given, BodyDef& def) {
   carom_body_desc d;
   carom_body_desc_init(&d);
   if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
-      !known(call, 2, "desc->stays_awake", d.stays_awake, 2) ||
-      !only_bits(call, 2, "desc->reserved_1", d.reserved_1, 0) ||
       !known(call, 2, "desc->type", d.type, CAROM_BODY_DYNAMIC + 1) || !check_mass(call, d) || !check_motion(call, d))
     return false;
   def.type = static_cast<BodyType>(d.type);
@@ -84,14 +82,14 @@ bool read_body(Call& call, const carom_body_desc* given, BodyDef& def) {
   def.linear_damping = d.linear_damping;
   def.angular_damping = d.angular_damping;
   def.user = d.user;
-  def.stays_awake = d.stays_awake;
+  def.stays_awake = d.fields & CAROM_BODY_STAYS_AWAKE;
   return true;
 }
 
 carom_body_desc describe(const World& world, std::uint32_t slot) {
   const BodyDef& def = world.scene.def[slot];
   carom_body_desc d{};
-  d.fields = kFields;
+  d.fields = kFields | (def.stays_awake ? CAROM_BODY_STAYS_AWAKE : 0u);
   d.type = static_cast<std::uint32_t>(world.scene.type[slot]);
   const Pose pose = world.pose(slot);
   from_vec3(pose.p, d.position);
@@ -104,7 +102,6 @@ carom_body_desc describe(const World& world, std::uint32_t slot) {
   d.linear_damping = def.linear_damping;
   d.angular_damping = def.angular_damping;
   d.user = def.user;
-  d.stays_awake = def.stays_awake;
   return d;
 }
 

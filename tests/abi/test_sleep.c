@@ -82,13 +82,13 @@ static void stays_awake_is_kept_told_and_heeded(void **state) {
   (void)state;
   still_stage(&b);
   carom_body_desc_init(&desc);
-  assert_int_equal(desc.stays_awake, 0);
-  desc.stays_awake = 1;
+  assert_int_equal(desc.fields, 0);
+  desc.fields = CAROM_BODY_STAYS_AWAKE;
   desc.position[1] = 50;
   assert_int_equal(carom_body_create(b.world, &desc, &body, NULL), CAROM_OK);
   got.struct_size = sizeof got;
   assert_int_equal(carom_body_get(b.world, body, &got, NULL), CAROM_OK);
-  assert_int_equal(got.stays_awake, 1);
+  assert_true(got.fields & CAROM_BODY_STAYS_AWAKE);
   assert_int_equal(bench_steps(b.world, 100, NULL), CAROM_OK);
   assert_int_equal(carom_body_is_asleep(b.world, body, &yes, NULL), CAROM_OK);
   assert_int_equal(yes, 0);

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "carom_test.h"
+#include "core/job_pool.h"
 #include "world_builder.h"
 
 using namespace carom;
@@ -125,11 +126,30 @@ static void a_group_beyond_its_work_is_left_to_soft_contacts_for_a_while(void**)
   for (std::uint32_t i = 1; i <= 40; ++i) assert_true(t.world.state.x[i].y() > 0.1);
 }
 
+/// Several groups at a time on several threads: the same bits.
+static void threads_do_not_change_a_bit(void**) {
+  std::uint64_t hash[2];
+  JobPool pool(4, [] {}, std::pmr::new_delete_resource());
+  for (const bool shared : {false, true}) {
+    TestWorld t;
+    t.world.jobs = shared ? &pool : nullptr;
+    use(t, kAutoChoice);
+    t.ground();
+    for (int i = 0; i < 8; ++i) stack(t, 12, 3 * i);
+    bowling(t, -4);
+    t.run(60, kStep);
+    assert_int_equal(t.world.report.direct_groups, 8);
+    hash[shared] = t.world.hash();
+  }
+  assert_true(hash[0] == hash[1]);
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(it_names_what_it_chose_and_why),
       cmocka_unit_test(groups_are_answered_as_if_alone),
       cmocka_unit_test(a_stack_of_forty_stands_under_either_choice_of_substeps),
+      cmocka_unit_test(threads_do_not_change_a_bit),
       cmocka_unit_test(a_group_beyond_its_work_is_left_to_soft_contacts_for_a_while),
   };
   return cmocka_run_group_tests_name("oracle/auto", tests, nullptr, nullptr);
