@@ -101,7 +101,7 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
            "solver auto: so does one where masses of bodies that touch are further apart than this", 1, 1e12, 100),
     integer(Dial::direct_work, "direct_work",
             "solver auto: but not one that takes more block products a step than this, about 0.3 us each", 0, 1e9,
-            200000),
+            800000),
 }};
 
 constexpr bool in_order() {

@@ -1,14 +1,12 @@
-// The solver that chooses: soft contacts for most groups, the direct solver for those that soft contacts would not
-// hold.
+// The solver that chooses: soft contacts for most groups, the direct solver for those that soft contacts would not hold.
 //
-// A group goes to the direct solver
-//  - where bodies that touch have masses further apart than the dial direct_ratio, or
-//  - where for some steps a point has borne so much that soft contacts would let it sink by more than direct_sink of
-//  its thickness: that
-//    is what a tall stack and a heavy load on a light body have in common, and it is known before anything is solved;
+// A group goes to the direct solver where
+//  - bodies that touch have masses further apart than direct_ratio, or
+//  - for two steps a point has borne so much that soft contacts would let it sink by more than direct_sink of its
+//    thickness: that is what a tall stack and a heavy load on a light body have in common, and it is known before
+//    anything is solved;
 // unless it is too large, or could not be solved within direct_work lately: then it moves so much that soft contacts
-// do.
-
+// will do.
 #include <algorithm>
 #include <numbers>
 
