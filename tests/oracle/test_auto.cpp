@@ -126,6 +126,25 @@ static void a_group_beyond_its_work_is_left_to_soft_contacts_for_a_while(void**)
   for (std::uint32_t i = 1; i <= 40; ++i) assert_true(t.world.state.x[i].y() > 0.1);
 }
 
+static void a_blow_goes_through_a_row_of_balls_without_loss(void**) {
+  TestWorld t(Vec3::Zero());
+  use(t, kAutoChoice);
+  const std::uint32_t m = t.material(0, 1);
+  const Shape* ball = t.keep(sphere(0.5));
+  std::vector<std::uint32_t> row;
+  for (int i = 0; i < 5; ++i)
+    row.push_back(t.add(ball, Vec3(i > 0 ? i : -0.5, 0, 0), BodyType::dynamic, Quat::Identity(), m));
+  t.world.set_velocity(row[0], Vec3(1, 0, 0), Vec3::Zero());
+  bool bounced = false;
+  for (int step = 0; step < 60; ++step) {
+    t.world.step(kStep);
+    for (const GroupView& g : t.world.group_views) bounced |= g.reason == GroupReason::bounce && g.direct;
+  }
+  assert_true(bounced);
+  for (std::size_t i = 0; i < 5; ++i)
+    assert_true(std::fabs(t.world.state.v[row[i]].x() - (i == 4 ? 1 : 0)) < 1e-12);
+}
+
 /// Several groups at a time on several threads: the same bits.
 static void threads_do_not_change_a_bit(void**) {
   std::uint64_t hash[2];
@@ -149,6 +168,7 @@ int main() {
       cmocka_unit_test(it_names_what_it_chose_and_why),
       cmocka_unit_test(groups_are_answered_as_if_alone),
       cmocka_unit_test(a_stack_of_forty_stands_under_either_choice_of_substeps),
+      cmocka_unit_test(a_blow_goes_through_a_row_of_balls_without_loss),
       cmocka_unit_test(threads_do_not_change_a_bit),
       cmocka_unit_test(a_group_beyond_its_work_is_left_to_soft_contacts_for_a_while),
   };

@@ -1,10 +1,12 @@
-// The solver that chooses: soft contacts for most groups, the direct solver for those that soft contacts would not hold.
+// The solver that chooses: soft contacts for most groups, the direct solver for those that soft contacts would not
+// hold.
 //
 // A group goes to the direct solver where
 //  - bodies that touch have masses further apart than direct_ratio, or
 //  - for two steps a point has borne so much that soft contacts would let it sink by more than direct_sink of its
 //    thickness: that is what a tall stack and a heavy load on a light body have in common, and it is known before
-//    anything is solved;
+//    anything is solved, or
+//  - something bounces: soft contacts answer all bounces of a step at once and lose energy on the way;
 // unless it is too large, or could not be solved within direct_work lately: then it moves so much that soft contacts
 // will do.
 #include <algorithm>
@@ -88,10 +90,17 @@ Real weight_if_new(World& world, std::size_t group, Real h, GroupView& view) {
   return is_new ? mass * gravity : 0;
 }
 
+/// m/s, as the step begins.
+Real closing_speed_of(const World& world, const Row& row, const RowGeometry& g) {
+  const Arms arms(world, row, g);
+  return -relative_velocity(world.state, row, arms.a, arms.b).dot(row.n);
+}
+
 /// What there is to know of a group before it is answered; bodies that bear too much are marked as heavy.
 void look_at(World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view) {
   Contacts& c = *world.contacts;
   const Real deep = world.scene.dials[Dial::direct_sink];
+  bool bounces = false;
   for (std::uint32_t k = c.group_begin[group]; k < c.group_begin[group + 1]; ++k) {
     const std::uint32_t i = c.group_rows[k];
     const Row& row = c.rows[i];
@@ -101,8 +110,10 @@ void look_at(World& world, std::size_t group, Real w2, Real h, Real weight, Grou
     if (sink > deep && row.moves_a) c.load[row.a] = Contacts::kHeavy;
     if (sink > deep && row.moves_b) c.load[row.b] = Contacts::kHeavy;
     view.sink = std::max(view.sink, sink);
+    bounces |= row.bounces && closing_speed_of(world, row, g) > world.scene.dials[Dial::restitution_speed];
     view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(world.scene, row));
   }
+  if (bounces) view.reason = GroupReason::bounce;
   view.points = c.group_begin[group + 1] - c.group_begin[group];
 }
 
@@ -146,8 +157,9 @@ void choose(World& world, Real h) {
     look_at(world, g, w2, h, weight, view);
     const GroupMemory memory = remember(world, g, weight > 0);
     const bool unlike = view.mass_ratio > dials[Dial::direct_ratio];
-    if (unlike || memory.bears) {
-      view.reason = unlike ? GroupReason::mass_ratio : GroupReason::sink;
+    const bool bounces = view.reason == GroupReason::bounce;
+    if (unlike || memory.bears || bounces) {
+      view.reason = unlike ? GroupReason::mass_ratio : memory.bears ? GroupReason::sink : GroupReason::bounce;
       if (view.bodies > kMostBodies || (memory.tired && !unlike)) view.reason = GroupReason::too_much;
       c.direct[g] = view.reason != GroupReason::too_much;
     }
