@@ -3,6 +3,7 @@
 
 #include <list>
 #include <memory_resource>
+#include <vector>
 
 #include "collision/volume.h"
 #include "dynamics/effects.h"
@@ -47,6 +48,18 @@ struct TestWorld {
     m.friction = friction;
     m.restitution = restitution;
     return handle_slot(world.add_material(m));
+  }
+
+  /// Five balls along x that touch, weightless, without friction or loss: the first comes from half a metre away at
+  /// 1 m/s. @return body slots
+  std::vector<std::uint32_t> cradle() {
+    const std::uint32_t m = material(0, 1);
+    const Shape* ball = keep(sphere(0.5));
+    std::vector<std::uint32_t> row;
+    for (int i = 0; i < 5; ++i)
+      row.push_back(add(ball, Vec3(i > 0 ? i : -0.5, 0, 0), BodyType::dynamic, Quat::Identity(), m));
+    world.set_velocity(row[0], Vec3(1, 0, 0), Vec3::Zero());
+    return row;
   }
 
   void run(int steps, Real dt) {

@@ -129,12 +129,7 @@ static void a_group_beyond_its_work_is_left_to_soft_contacts_for_a_while(void**)
 static void a_blow_goes_through_a_row_of_balls_without_loss(void**) {
   TestWorld t(Vec3::Zero());
   use(t, kAutoChoice);
-  const std::uint32_t m = t.material(0, 1);
-  const Shape* ball = t.keep(sphere(0.5));
-  std::vector<std::uint32_t> row;
-  for (int i = 0; i < 5; ++i)
-    row.push_back(t.add(ball, Vec3(i > 0 ? i : -0.5, 0, 0), BodyType::dynamic, Quat::Identity(), m));
-  t.world.set_velocity(row[0], Vec3(1, 0, 0), Vec3::Zero());
+  const std::vector<std::uint32_t> row = t.cradle();
   bool bounced = false;
   for (int step = 0; step < 60; ++step) {
     t.world.step(kStep);

@@ -134,12 +134,7 @@ static void a_slope_holds_below_the_angle_of_friction_and_lets_go_above(void**) 
 static void an_impact_is_handed_on_and_keeps_the_energy(void**) {
   TestWorld t(Vec3::Zero());
   use_direct(t, 1e-9);
-  const std::uint32_t m = t.material(0, 1);
-  const Shape* ball = t.keep(sphere(0.5));
-  std::vector<std::uint32_t> row;
-  for (int i = 0; i < 5; ++i)
-    row.push_back(t.add(ball, Vec3(i > 0 ? i : -0.5, 0, 0), BodyType::dynamic, Quat::Identity(), m));
-  t.world.set_velocity(row[0], Vec3(1, 0, 0), Vec3::Zero());
+  const std::vector<std::uint32_t> row = t.cradle();
   t.run(60, kStep);
   for (std::size_t i = 0; i < 5; ++i) assert_true(std::fabs(t.world.state.v[row[i]].x() - (i == 4 ? 1 : 0)) < 1e-12);
 }

@@ -157,13 +157,6 @@ Mat3 velocity_per_impulse(const World& world, const Row& row, const RowMass& m) 
   return k;
 }
 
-/// m/s, from the present state.
-Real closing_speed(const World& world, const Row& row, const RowGeometry& g) {
-  const State& s = world.state;
-  const Vec3 r_a = world.plan->rotation[row.a] * g.l_a, r_b = world.plan->rotation[row.b] * g.l_b;
-  return -relative_velocity(s, row, r_a, r_b).dot(row.n);
-}
-
 /// Let a row's starting impulse act.
 void start_row(World& world, const Row& row, const RowMass& m) {
   State& s = world.state;
@@ -191,6 +184,12 @@ Real mix(Mix rule_a, Real a, Mix rule_b, Real b) {
     default:
       return std::sqrt(a * b);
   }
+}
+
+Real closing_speed(const World& world, const Row& row, const RowGeometry& g) {
+  const State& s = world.state;
+  const Vec3 r_a = world.plan->rotation[row.a] * g.l_a, r_b = world.plan->rotation[row.b] * g.l_b;
+  return -relative_velocity(s, row, r_a, r_b).dot(row.n);
 }
 
 void build_rows(World& world, Real h) {

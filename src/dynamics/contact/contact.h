@@ -137,7 +137,6 @@ struct Contacts {
   Array<Ranked> ranked;
   Array<std::uint32_t> place;
 
-
   enum Load : std::uint8_t { kUnseen, kLight, kHeavy };
   Array<std::uint8_t> load;  // by body slot, scratch of a solver that chooses: kUnseen between steps
 
@@ -173,6 +172,8 @@ struct Arms {
     b = a - apart;
   }
 };
+/// Speed at which a row's points close, from the present state and plan.rotation. m/s
+Real closing_speed(const World& world, const Row& row, const RowGeometry& g);
 /// inv_inertia_w of bodies in contact, from their present rotation matrices.
 void refresh_inertias(World& world);
 /// Closing speeds before the forces of this substep, for rows that bounce.

@@ -90,12 +90,6 @@ Real weight_if_new(World& world, std::size_t group, Real h, GroupView& view) {
   return is_new ? mass * gravity : 0;
 }
 
-/// m/s, as the step begins.
-Real closing_speed_of(const World& world, const Row& row, const RowGeometry& g) {
-  const Arms arms(world, row, g);
-  return -relative_velocity(world.state, row, arms.a, arms.b).dot(row.n);
-}
-
 /// What there is to know of a group before it is answered; bodies that bear too much are marked as heavy.
 void look_at(World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view) {
   Contacts& c = *world.contacts;
@@ -110,7 +104,7 @@ void look_at(World& world, std::size_t group, Real w2, Real h, Real weight, Grou
     if (sink > deep && row.moves_a) c.load[row.a] = Contacts::kHeavy;
     if (sink > deep && row.moves_b) c.load[row.b] = Contacts::kHeavy;
     view.sink = std::max(view.sink, sink);
-    bounces |= row.bounces && closing_speed_of(world, row, g) > world.scene.dials[Dial::restitution_speed];
+    bounces |= row.bounces && closing_speed(world, row, g) > world.scene.dials[Dial::restitution_speed];
     view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(world.scene, row));
   }
   if (bounces) view.reason = GroupReason::bounce;

@@ -76,7 +76,6 @@ void place_contacts(DirectGroups& d) {
 
 void load_bodies(World& world, DirectGroups& d) {
   const State& s = world.state;
-  refresh_inertias(world);
   for (ConeBody& b : d.bodies) {
     b.v << s.v[b.slot], s.omega[b.slot];
     b.mass = world.scene.mass[b.slot], b.inv_mass = world.scene.inv_mass[b.slot];
@@ -84,7 +83,7 @@ void load_bodies(World& world, DirectGroups& d) {
     if (!rotates(world.scene, b.slot)) continue;
     const Mat3& r = world.plan->rotation[b.slot];
     b.inertia = r * world.scene.inertia[b.slot] * r.transpose();
-    b.inv_inertia = world.contacts->inv_inertia_w[b.slot];
+    b.inv_inertia = r * world.scene.inv_inertia[b.slot] * r.transpose();
   }
 }
 
