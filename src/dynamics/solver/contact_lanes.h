@@ -26,22 +26,23 @@ struct alignas(64) BodyShift {
   double unused = 0;
 };
 
+inline constexpr int kPairPoints = 4;
+inline constexpr int kCouplings = kPairPoints * (kPairPoints - 1) / 2;
+
 /// One point of each of four pairs. Impulses act on B, and on A the other way.
 struct PointLanes {
-  LaneVec n;         // unit, world, A to B
-  LaneVec r_a, r_b;  // m, world axes: from the centres of mass to the point as the step began
+  LaneVec d;         // m, world axes: from the middle of the pair's points, as the step began
   Lanes gap;         // m, separation as the step began
   Lanes separation;  // m, now
   Lanes approach;    // m/s, normal velocity as the step began (negative: closes)
-  Lanes reach;       // m, from the middle of the pair's points
+  Lanes reach;       // m, |d|
   Lanes m_n;         // kg, normal impulse per change of velocity; 0: an empty lane
   Lanes p_n;         // N s, of the present substep
   Lanes sum_n;       // N s, of the step
   Lanes most;        // N s, largest p_n of the step
   Lanes push;        // kg m, of displacements, @see ContactKernels::part
+  LaneVec n;         // unit, world, A to B; @see PairLanes::one_normal
 };
-
-inline constexpr int kPairPoints = 4;
 
 /// Four pairs of one colour. Friction is answered once a pair, at the middle of its points: a force in the plane,
 /// within the disc of radius mu times the normal impulses, and a twist about the normal, within mu times their moments.
@@ -49,17 +50,18 @@ inline constexpr int kPairPoints = 4;
 struct PairLanes {
   std::uint32_t a[kLanes], b[kLanes];          // solver bodies; 0: nobody, or nobody that moves
   std::uint32_t first, points;                 // in WideContacts::points
+  std::uint32_t one_normal;                    // 1: all points of each pair have its n, and PointLanes::n is not read
   Lanes inv_mass_a, inv_mass_b;                // 1/kg
   LaneSymmetric inv_inertia_a, inv_inertia_b;  // 1/(kg m^2), world, as the step began
   LaneVec n, t;                                // unit, world
-  LaneVec r_a, r_b;                            // m, to the middle of the points
+  LaneVec r_a, r_b;                            // m, from the centres of mass to the middle of the points
   Lanes friction, restitution;
+  Lanes bias_rate, mass_scale, impulse_scale;  // softness, @see soft_step.h
   Lanes m_tt, m_ts, m_ss;                      // kg, impulse per change of velocity in the plane
   Lanes m_w;                                   // kg m^2, likewise of the twist
   Lanes p_t, p_s, p_w;                         // N s, N m s, of the present substep
   Lanes sum_t, sum_s, sum_w;                   // of the step
-  Lanes coupling[kPairPoints][kPairPoints];    // 1/kg: normal velocity at one point per normal impulse at another
-  Lanes bias_rate, mass_scale, impulse_scale;  // softness, @see soft_step.h
+  Lanes coupling[kCouplings];  // 1/kg: normal velocity at one point per normal impulse at another: 01 02 12 03 13 23
 };
 
 /// A run of pairs with their points and all bodies.

@@ -75,18 +75,55 @@ struct Both {
   }
 };
 
+CAROM_LANES_INLINE LaneVec normal_of(const PairLanes& pair, const PointLanes& p) {
+  return pair.one_normal ? pair.n : p.n;
+}
+
+/// f(count, one_normal) as the pair has it, known to the compiler: points then stay in registers.
+template <int n>
+struct Count {
+  static constexpr int value = n;
+};
+template <class F>
+CAROM_LANES_INLINE void as_it_is(const PairLanes& pair, const F& f) {
+  static_assert(kPairPoints == 4);
+  if (pair.one_normal) switch (pair.points) {
+      case 1:
+        return f(Count<1>(), Count<1>());
+      case 2:
+        return f(Count<2>(), Count<1>());
+      case 3:
+        return f(Count<3>(), Count<1>());
+      default:
+        return f(Count<4>(), Count<1>());
+    }
+  switch (pair.points) {  // one point is always on the pair's normal
+    case 2:
+      return f(Count<2>(), Count<0>());
+    case 3:
+      return f(Count<3>(), Count<0>());
+    default:
+      return f(Count<4>(), Count<0>());
+  }
+}
+
+/// Where the coupling of two points stands.
+constexpr int coupling_of(int k, int l) { return k < l ? l * (l - 1) / 2 + k : k * (k - 1) / 2 + l; }
+
 /// Coulomb's law in the plane: the impulses that stop twist and slip, shortened to what the normal impulses allow.
+template <int kCount>
 CAROM_LANES_INLINE void rub(Both& both, PairLanes& pair, const PointLanes* points) {
-  Lanes load = all(0), moment = all(0);
-  for (std::uint32_t k = 0; k < pair.points; ++k) {
+  Lanes load = points[0].p_n, moment = points[0].reach * points[0].p_n;
+  for (int k = 1; k < kCount; ++k) {
     load += points[k].p_n;
     moment += points[k].reach * points[k].p_n;
   }
-  const Lanes most_w = pair.friction * moment;
-  const Lanes p_w = larger(smaller(pair.p_w - pair.m_w * dot(both.b.omega - both.a.omega, pair.n), most_w), -most_w);
-  both.twist((p_w - pair.p_w) * pair.n);
-  pair.p_w = p_w;
-
+  if constexpr (kCount > 1) {  // one point has no reach, and bears no twist
+    const Lanes most_w = pair.friction * moment;
+    const Lanes p_w = larger(smaller(pair.p_w - pair.m_w * dot(both.b.omega - both.a.omega, pair.n), most_w), -most_w);
+    both.twist((p_w - pair.p_w) * pair.n);
+    pair.p_w = p_w;
+  }
   const LaneVec u = both.relative(pair.r_a, pair.r_b), s = cross(pair.n, pair.t);
   const Lanes u_t = dot(u, pair.t), u_s = dot(u, s);
   Lanes p_t = pair.p_t - (pair.m_tt * u_t + pair.m_ts * u_s), p_s = pair.p_s - (pair.m_ts * u_t + pair.m_ss * u_s);
@@ -100,51 +137,102 @@ CAROM_LANES_INLINE void rub(Both& both, PairLanes& pair, const PointLanes* point
   pair.p_s = p_s;
 }
 
+/// Normal impulses of a pair, added up: what they are together at the middle of its points, and their moment about it.
+template <int kCount, int kOneNormal>
+struct Press {
+  LaneVec force, moment;  // N s, N m s
+
+  /// @param impulse  [kCount] N s
+  CAROM_LANES_INLINE Press(const PairLanes& pair, const PointLanes* points, const Lanes* impulse) {
+    if constexpr (kOneNormal) {
+      Lanes sum = impulse[0];
+      LaneVec arm = impulse[0] * points[0].d;
+      for (int k = 1; k < kCount; ++k) {
+        sum += impulse[k];
+        arm = arm + impulse[k] * points[k].d;
+      }
+      force = sum * pair.n;
+      moment = cross(arm, pair.n);
+    } else {
+      force = moment = {all(0), all(0), all(0)};
+      for (int k = 0; k < kCount; ++k) {
+        const LaneVec p = impulse[k] * points[k].n;
+        force = force + p;
+        moment = moment + cross(points[k].d, p);
+      }
+    }
+  }
+  CAROM_LANES_INLINE void act(Both& both) const {
+    both.apply(force, cross(both.pair.r_a, force) + moment, cross(both.pair.r_b, force) + moment);
+  }
+};
+
+/// Normal velocities at the points of a pair.
+template <int kOneNormal>
+struct Closing {
+  LaneVec u, spin;  // of the middle, m/s; rad/s
+  Lanes u_n;
+  LaneVec gradient;  // 1/s, of the normal velocity over d
+
+  CAROM_LANES_INLINE explicit Closing(const Both& both)
+      : u(both.relative(both.pair.r_a, both.pair.r_b)), spin(both.b.omega - both.a.omega) {
+    u_n = dot(u, both.pair.n);
+    gradient = cross(both.pair.n, spin);
+  }
+  CAROM_LANES_INLINE Lanes at(const PointLanes& p) const {
+    if constexpr (kOneNormal) return u_n + dot(gradient, p.d);
+    return dot(u + cross(spin, p.d), p.n);
+  }
+};
+
 /// The normal law at all points of four pairs together: no pull, and no closing faster than the separation allows.
 /// Points of one pair depend on each other so much that one sweep over them leaves the bodies rocking; a few sweeps on
 /// the numbers that couple them cost less than one on the bodies.
-template <bool kPush>
+///
+/// Kept up to date is `goal`, the impulse that would answer a point if none pulled: its own impulse does not enter
+/// there, since mass_scale + impulse_scale = 1, so that little stands between one visit and the next.
+///   goal_k = (1 - back_k) p_k - gain_k lack_k,   p_k = max(goal_k, 0),   goal_l -= gain_l K_kl (change of p_k)
+template <bool kPush, int kCount, int kOneNormal>
 CAROM_LANES_INLINE void press(Both& both, PointLanes* points, double inv_h, double push_speed) {
   const PairLanes& pair = both.pair;
-  const std::uint32_t n = pair.points;
-  Lanes lack[kPairPoints], mass[kPairPoints], back[kPairPoints], impulse[kPairPoints];
-  for (std::uint32_t k = 0; k < n; ++k) {
+  const Closing<kOneNormal> closing(both);
+  Lanes goal[kCount], gain[kCount], impulse[kCount], push[kCount];
+  for (int k = 0; k < kCount; ++k) {
     const PointLanes& p = points[k];
-    const Lanes u_n = dot(both.relative(p.r_a, p.r_b), p.n), s = p.separation;
+    const Lanes u_n = closing.at(p), s = p.separation;
     const LaneMask open = s > 0;
+    impulse[k] = push[k] = p.p_n;
     if constexpr (kPush) {
-      lack[k] = u_n + (open ? s * inv_h : larger(pair.bias_rate * s, all(-push_speed)));
-      mass[k] = (open ? all(1) : pair.mass_scale) * p.m_n;
-      back[k] = open ? all(0) : pair.impulse_scale;
+      const Lanes lack = u_n + (open ? s * inv_h : larger(pair.bias_rate * s, all(-push_speed)));
+      gain[k] = (open ? all(1) : pair.mass_scale) * p.m_n;
+      goal[k] = p.p_n - (gain[k] * lack + (open ? all(0) : pair.impulse_scale) * p.p_n);
     } else {
-      lack[k] = u_n + (open ? s * inv_h : all(0));
-      mass[k] = p.m_n;
-      back[k] = all(0);
+      gain[k] = p.m_n;
+      goal[k] = p.p_n - gain[k] * (u_n + (open ? s * inv_h : all(0)));
     }
-    impulse[k] = p.p_n;
   }
-  const auto visit = [&](std::uint32_t k) {
-    const Lanes next = larger(impulse[k] - (mass[k] * lack[k] + back[k] * impulse[k]), all(0)), d = next - impulse[k];
+  Lanes take[kCount][kCount];  // of a point's goal, per impulse at another
+  for (int k = 0; k < kCount; ++k)
+    for (int l = 0; l < kCount; ++l)
+      if (k != l) take[k][l] = gain[l] * pair.coupling[coupling_of(k, l)];
+  const auto visit = [&](int k) __attribute__((always_inline)) {
+    const Lanes next = larger(goal[k], all(0)), d = next - impulse[k];
     impulse[k] = next;
-    for (std::uint32_t l = 0; l < n; ++l) lack[l] += pair.coupling[k][l] * d;
+    for (int l = 0; l < kCount; ++l)
+      if (l != k) goal[l] -= take[k][l] * d;
   };
-  const int sweeps = n > 1 ? kInnerSweeps : 1;
-  for (int i = 0; i < sweeps; ++i) {
-    for (std::uint32_t k = 0; k < n; ++k) visit(k);
-    if (n > 1)
-      for (std::uint32_t k = n; k-- > 0;) visit(k);
+  visit(0);
+  for (int i = 0; i < (kCount > 1 ? kInnerSweeps : 0); ++i) {  // a point needs no second visit where the way turns
+    for (int k = 1; k < kCount; ++k) visit(k);
+    for (int k = kCount - 2; k >= 0; --k) visit(k);
   }
-  LaneVec sum = {all(0), all(0), all(0)}, turn_a = sum, turn_b = sum;
-  for (std::uint32_t k = 0; k < n; ++k) {
+  for (int k = 0; k < kCount; ++k) {
     PointLanes& p = points[k];
-    const LaneVec push = (impulse[k] - p.p_n) * p.n;
+    push[k] = impulse[k] - push[k];
     p.p_n = impulse[k];
     p.most = larger(p.most, impulse[k]);
-    sum = sum + push;
-    turn_a = turn_a + cross(p.r_a, push);
-    turn_b = turn_b + cross(p.r_b, push);
   }
-  both.apply(sum, turn_a, turn_b);
+  Press<kCount, kOneNormal>(pair, points, push).act(both);
 }
 
 /// How far the four bodies on one side have come.
@@ -159,10 +247,9 @@ struct SideShift {
     u = {q.second, r.first, r.second};
     w = rows.two(6).first;
   }
-  /// rotated - r.
-  CAROM_LANES_INLINE LaneVec turn(const LaneVec& r) const {
-    const LaneVec c2 = all(2) * cross(u, r);
-    return w * c2 + cross(u, c2);
+  /// The normal part of what a turn does to an arm is a product with the arm: (rotated - r) . n = m . r for any r.
+  CAROM_LANES_INLINE LaneVec turned(const LaneVec& n) const {
+    return all(2) * (w * cross(n, u) + dot(u, n) * u - dot(u, u) * n);
   }
 };
 
@@ -182,87 +269,115 @@ void prepare(const LaneRun& run) {
     pair.m_ss = inverse * k_tt;
     pair.m_w = inverse_or_zero(dot(pair.n, inertia_a * pair.n) + dot(pair.n, inertia_b * pair.n));
     PointLanes* const points = run.points + pair.first;
-    for (std::uint32_t k = 0; k < pair.points; ++k) {
-      const PointLanes& p = points[k];
-      const LaneVec n_a = inertia_a * cross(p.r_a, p.n), n_b = inertia_b * cross(p.r_b, p.n);
-      for (std::uint32_t l = 0; l < pair.points; ++l) {
-        const PointLanes& q = points[l];
-        pair.coupling[k][l] = linear * dot(p.n, q.n) + dot(n_a, cross(q.r_a, q.n)) + dot(n_b, cross(q.r_b, q.n));
+    const int count = static_cast<int>(pair.points);
+    for (int k = 0; k < count; ++k) {
+      const LaneVec n_k = normal_of(pair, points[k]);
+      const LaneVec n_a = inertia_a * cross(pair.r_a + points[k].d, n_k),
+                    n_b = inertia_b * cross(pair.r_b + points[k].d, n_k);
+      for (int l = 0; l <= k; ++l) {
+        const LaneVec n_l = normal_of(pair, points[l]);
+        const Lanes coupling = linear * dot(n_k, n_l) + dot(n_a, cross(pair.r_a + points[l].d, n_l)) +
+                               dot(n_b, cross(pair.r_b + points[l].d, n_l));
+        if (l < k)
+          pair.coupling[coupling_of(k, l)] = coupling;
+        else
+          points[k].m_n = inverse_or_zero(coupling);
       }
-      points[k].m_n = inverse_or_zero(pair.coupling[k][k]);
     }
+  }
+}
+
+/// kernel(pair, points, both, count, one_normal) for each, with bodies' velocities read before and written after.
+template <class Kernel>
+CAROM_LANES_INLINE void each_pair(const LaneRun& run, const Kernel& kernel) {
+  for (std::size_t i = 0; i < run.count; ++i) {
+    PairLanes& pair = run.pairs[i];
+    PointLanes* const points = run.points + pair.first;
+    as_it_is(
+        pair, [&](auto count, auto one_normal) __attribute__((always_inline)) {
+          Both both(pair, run.velocity);
+          kernel(pair, points, both, count, one_normal);
+          both.store(run);
+        });
   }
 }
 
 void warm_start(const LaneRun& run) {
-  for (std::size_t i = 0; i < run.count; ++i) {
-    const PairLanes& pair = run.pairs[i];
-    Both both(pair, run.velocity);
-    both.push(pair.r_a, pair.r_b, pair.p_t * pair.t + pair.p_s * cross(pair.n, pair.t));
-    both.twist(pair.p_w * pair.n);
-    for (std::uint32_t k = 0; k < pair.points; ++k) {
-      const PointLanes& p = run.points[pair.first + k];
-      both.push(p.r_a, p.r_b, p.p_n * p.n);
-    }
-    both.store(run);
-  }
+  each_pair(
+      run, [&](const PairLanes& pair, const PointLanes* points, Both& both, auto count, auto one_normal)
+               __attribute__((always_inline)) {
+                 constexpr int kCount = decltype(count)::value;
+                 Lanes impulse[kCount];
+                 for (int k = 0; k < kCount; ++k) impulse[k] = points[k].p_n;
+                 Press<kCount, decltype(one_normal)::value> press(pair, points, impulse);
+                 press.force = press.force + pair.p_t * pair.t + pair.p_s * cross(pair.n, pair.t);
+                 press.moment = press.moment + pair.p_w * pair.n;
+                 press.act(both);
+               });
 }
 
 void solve(const LaneRun& run, double inv_h, double push_speed) {
-  for (std::size_t i = 0; i < run.count; ++i) {
-    PairLanes& pair = run.pairs[i];
-    PointLanes* const points = run.points + pair.first;
-    Both both(pair, run.velocity);
-    rub(both, pair, points);
-    press<true>(both, points, inv_h, push_speed);
-    both.store(run);
-  }
+  each_pair(
+      run, [&](PairLanes & pair, PointLanes * points, Both & both, auto count, auto one_normal)
+               __attribute__((always_inline)) {
+                 constexpr int kCount = decltype(count)::value;
+                 rub<kCount>(both, pair, points);
+                 press<true, kCount, decltype(one_normal)::value>(both, points, inv_h, push_speed);
+               });
 }
 
 /// Separations at all points of four pairs, at the present poses.
+template <int kCount, int kOneNormal>
 CAROM_LANES_INLINE void separate(const LaneRun& run, const PairLanes& pair, PointLanes* points) {
   const SideShift a(run.shift, pair.a), b(run.shift, pair.b);
   const LaneVec moved = b.x - a.x;
-  for (std::uint32_t k = 0; k < pair.points; ++k) {
-    PointLanes& p = points[k];
-    p.separation = p.gap + dot(moved + (b.turn(p.r_b) - a.turn(p.r_a)), p.n);
+  if constexpr (kOneNormal) {
+    const LaneVec m_a = a.turned(pair.n), m_b = b.turned(pair.n), m = m_b - m_a;
+    const Lanes middle = dot(moved, pair.n) + (dot(m_b, pair.r_b) - dot(m_a, pair.r_a));
+    for (int k = 0; k < kCount; ++k) points[k].separation = points[k].gap + (middle + dot(m, points[k].d));
+  } else {
+    for (int k = 0; k < kCount; ++k) {
+      PointLanes& p = points[k];
+      const Lanes turned = dot(b.turned(p.n), pair.r_b + p.d) - dot(a.turned(p.n), pair.r_a + p.d);
+      p.separation = p.gap + (dot(moved, p.n) + turned);
+    }
   }
 }
 
-CAROM_LANES_INLINE void add_to_sums(PairLanes& pair, PointLanes* points) {
+CAROM_LANES_INLINE void add_to_sums(PairLanes& pair, PointLanes* points, std::uint32_t count) {
   pair.sum_t += pair.p_t;
   pair.sum_s += pair.p_s;
   pair.sum_w += pair.p_w;
-  for (std::uint32_t k = 0; k < pair.points; ++k) points[k].sum_n += points[k].p_n;
+  for (std::uint32_t k = 0; k < count; ++k) points[k].sum_n += points[k].p_n;
 }
 
 void relax(const LaneRun& run, double inv_h) {
-  for (std::size_t i = 0; i < run.count; ++i) {
-    PairLanes& pair = run.pairs[i];
-    PointLanes* const points = run.points + pair.first;
-    separate(run, pair, points);
-    Both both(pair, run.velocity);
-    // Normals first: friction is then bound by the loads themselves, of which the springs of solve() gave a part away.
-    press<false>(both, points, inv_h, 0);
-    rub(both, pair, points);
-    add_to_sums(pair, points);
-    both.store(run);
-  }
+  each_pair(
+      run, [&](PairLanes & pair, PointLanes * points, Both & both, auto count, auto one_normal)
+               __attribute__((always_inline)) {
+                 constexpr int kCount = decltype(count)::value, kOneNormal = decltype(one_normal)::value;
+                 separate<kCount, kOneNormal>(run, pair, points);
+                 // Normals first: friction is then bound by the loads themselves, of which the springs of solve()
+                 // gave a part away.
+                 press<false, kCount, kOneNormal>(both, points, inv_h, 0);
+                 rub<kCount>(both, pair, points);
+                 add_to_sums(pair, points, kCount);
+               });
 }
 
 void sweep(const LaneRun& run, double inv_h) {
-  for (std::size_t i = 0; i < run.count; ++i) {
-    PairLanes& pair = run.pairs[i];
-    PointLanes* const points = run.points + pair.first;
-    Both both(pair, run.velocity);
-    rub(both, pair, points);
-    press<false>(both, points, inv_h, 0);
-    both.store(run);
-  }
+  each_pair(
+      run, [&](PairLanes & pair, PointLanes * points, Both & both, auto count, auto one_normal)
+               __attribute__((always_inline)) {
+                 constexpr int kCount = decltype(count)::value;
+                 rub<kCount>(both, pair, points);
+                 press<false, kCount, decltype(one_normal)::value>(both, points, inv_h, 0);
+               });
 }
 
 void book(const LaneRun& run) {
-  for (std::size_t i = 0; i < run.count; ++i) add_to_sums(run.pairs[i], run.points + run.pairs[i].first);
+  for (std::size_t i = 0; i < run.count; ++i)
+    add_to_sums(run.pairs[i], run.points + run.pairs[i].first, run.pairs[i].points);
 }
 
 void part(const LaneRun& run, double share, double slop) {
@@ -271,11 +386,11 @@ void part(const LaneRun& run, double share, double slop) {
     Both both(pair, run.velocity);
     for (std::uint32_t k = 0; k < pair.points; ++k) {
       PointLanes& p = run.points[pair.first + k];
+      const LaneVec n = normal_of(pair, p), r_a = pair.r_a + p.d, r_b = pair.r_b + p.d;
       const Lanes wanted = share * larger(-(p.separation + slop), all(0));
-      const Lanes next = larger(p.push + p.m_n * (wanted - dot(both.relative(p.r_a, p.r_b), p.n)), all(0)),
-                  d = next - p.push;
+      const Lanes next = larger(p.push + p.m_n * (wanted - dot(both.relative(r_a, r_b), n)), all(0)), d = next - p.push;
       p.push = next;
-      both.push(p.r_a, p.r_b, d * p.n);
+      both.push(r_a, r_b, d * n);
     }
     both.store(run);
   }
@@ -285,7 +400,10 @@ void measure(const LaneRun& run) {
   for (std::size_t i = 0; i < run.count; ++i) {
     const PairLanes& pair = run.pairs[i];
     PointLanes* const points = run.points + pair.first;
-    separate(run, pair, points);
+    as_it_is(
+        pair, [&](auto count, auto one_normal) __attribute__((always_inline)) {
+          separate<decltype(count)::value, decltype(one_normal)::value>(run, pair, points);
+        });
     for (std::uint32_t k = 0; k < pair.points; ++k) points[k].push = all(0);
   }
 }
@@ -296,12 +414,13 @@ void bounce(const LaneRun& run, double speed) {
     Both both(pair, run.velocity);
     for (std::uint32_t k = 0; k < pair.points; ++k) {
       PointLanes& p = run.points[pair.first + k];
+      const LaneVec n = normal_of(pair, p), r_a = pair.r_a + p.d, r_b = pair.r_b + p.d;
       const LaneMask hit = (p.approach < -speed) & (p.most > 0) & (pair.restitution > 0);
-      const Lanes u_n = dot(both.relative(p.r_a, p.r_b), p.n);
+      const Lanes u_n = dot(both.relative(r_a, r_b), n);
       const Lanes next = larger(p.p_n - p.m_n * (u_n + pair.restitution * p.approach), all(0));
       const Lanes d = hit ? next - p.p_n : all(0);
       p.sum_n += d;  // but not p_n, which the next step starts from: an impact does not come again
-      both.push(p.r_a, p.r_b, d * p.n);
+      both.push(r_a, r_b, d * n);
     }
     both.store(run);
   }

@@ -89,12 +89,12 @@ Vec3 get(const LaneVec& from, std::uint32_t lane) { return Vec3(from.x[lane], fr
 
 void fill_point(const State& s, const Row& row, const RowGeometry& g, const Arms& r, const Vec3& middle, PointLanes& p,
                 int lane) {
+  const Vec3 d = r.a - middle;
+  set(p.d, lane, d);
   set(p.n, lane, row.n);
-  set(p.r_a, lane, r.a);
-  set(p.r_b, lane, r.b);
   p.gap[lane] = p.separation[lane] = g.separation;
   p.approach[lane] = relative_velocity(s, row, r.a, r.b).dot(row.n);
-  p.reach[lane] = (r.a - middle).norm();
+  p.reach[lane] = d.norm();
   p.p_n[lane] = row.p.dot(row.n);
   p.sum_n[lane] = p.most[lane] = p.push[lane] = 0;
 }
@@ -114,6 +114,7 @@ void fill_points(const World& world, const WideContacts::Manifold& m, PairLanes&
   Real twist = 0;
   for (std::uint32_t k = 0; k < m.points; ++k) {
     const Row& row = c.rows[m.row + k];
+    pair.one_normal &= row.n == n;
     fill_point(world.state, row, c.geometry[m.row + k], arms[k], middle_a, points[k], lane);
     const Vec3 sideways = row.p - row.p.dot(row.n) * row.n;
     force += sideways;
@@ -195,6 +196,7 @@ void pack(World& world, WideContacts& wide) {
     PairLanes& pair = wide.pairs[i];
     const std::uint32_t* const occupant = &wide.occupant[std::size_t(i) * kLanes];
     if (std::find(occupant, occupant + kLanes, kNobody) != occupant + kLanes) empty(wide, pair);
+    pair.one_normal = 1;
     for (int lane = 0; lane < kLanes; ++lane) {
       if (occupant[lane] == kNobody) continue;
       const WideContacts::Manifold& m = wide.manifolds[occupant[lane]];
@@ -260,7 +262,7 @@ void unpack(World& world, const WideContacts& wide) {
     const PointLanes* const points = &wide.points[pair.first];
     const std::uint32_t lane = m.lane;
     const Load load(points, m.points, lane);
-    const Vec3 n = get(pair.n, lane), t = get(pair.t, lane), sideways = n.cross(t), middle = get(pair.r_a, lane);
+    const Vec3 n = get(pair.n, lane), t = get(pair.t, lane), sideways = n.cross(t);
     // A point's part of the pair's friction goes by its load, of the twist by its moment about the middle: summed over
     // the points both are what they were.
     const auto share = [&](const Vec3& normal, const Vec3& around, Real p_n, Real all_n, Real all_moment, Real p_t,
@@ -274,7 +276,7 @@ void unpack(World& world, const WideContacts& wide) {
       Row& row = c.rows[m.row + k];
       RowGeometry& g = c.geometry[m.row + k];
       const PointLanes& p = points[k];
-      const Vec3 around = n.cross(get(p.r_a, lane) - middle);
+      const Vec3 around = n.cross(get(p.d, lane));
       row.p = share(row.n, around, p.p_n[lane], load.all, load.moment, pair.p_t[lane], pair.p_s[lane], pair.p_w[lane]);
       g.impulse = share(row.n, around, p.sum_n[lane], load.sum, load.sum_moment, pair.sum_t[lane], pair.sum_s[lane],
                         pair.sum_w[lane]);
