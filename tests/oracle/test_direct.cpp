@@ -64,7 +64,8 @@ static void a_heap_obeys_the_law_in_every_step(void**) {
     }
     for (std::size_t i = 0; i < t.world.contacts->rows.size(); ++i) {
       const Row& row = t.world.contacts->rows[i];
-      given[row.b] += row.p, given[row.a] -= row.p;
+      const Vec3& p = t.world.contacts->geometry[i].impulse;
+      given[row.b] += p, given[row.a] -= p;
     }
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const Vec3 gained = t.world.scene.mass[bodies[i]] * (t.world.state.v[bodies[i]] - before[i]);

@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "dynamics/force/force.h"
@@ -17,24 +18,41 @@ const Material& material_of(const Scene& scene, std::uint32_t collider) {
   return slot == Colliders::kNoMaterial ? kDefault : scene.material[slot];
 }
 
-/// Last step's impulse of the old point of the same pair that lies nearest on A, if one lies near enough.
-/// @param first, last  range of the pair in c.old   @param scale  substep now over substep then
-Vec3 starting_impulse(const Contacts& c, std::size_t first, std::size_t last, const ContactPoint& point, Real reach,
-                      Real friction, Real scale) {
-  const OldImpulse* best = nullptr;
-  Real least = reach * reach;
-  for (std::size_t k = first; k < last; ++k) {
-    const Real d = (c.old[k].on_a - point.on_a).squaredNorm();
-    if (d < least) least = d, best = &c.old[k];
+/// Which old point each point of a manifold goes on from: the nearest on A within reach, nearest pairs first, each taken
+/// once. Two points that started from the same old one would carry its load twice, which upsets thin bodies whose points
+/// come and go.
+/// @param first, last  range of the pair in c.old   @return by point; null: none
+std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Contacts& c, std::size_t first, std::size_t last,
+                                                                 const Manifold& manifold, Real reach) {
+  std::array<const OldImpulse*, Manifold::kMaxPoints> match{};
+  for (std::size_t left = last - first; left > 0; --left) {
+    Real least = reach * reach;
+    const OldImpulse* nearest = nullptr;
+    int of = 0;
+    for (std::size_t k = first; k < last; ++k) {
+      const OldImpulse* const old = &c.old[k];
+      if (std::find(match.begin(), match.end(), old) != match.end()) continue;
+      for (int i = 0; i < manifold.count; ++i) {
+        if (match[static_cast<std::size_t>(i)]) continue;
+        const Real d = (old->on_a - manifold.point[i].on_a).squaredNorm();
+        if (d < least) least = d, nearest = old, of = i;
+      }
+    }
+    if (!nearest) break;
+    match[static_cast<std::size_t>(of)] = nearest;
   }
-  if (!best) return Vec3::Zero();
+  return match;
+}
+
+/// What a point starts from.   @param scale  substep now over substep then
+Vec3 starting_impulse(const OldImpulse& old, const Vec3& n, Real friction, Real scale) {
   // The normal part turns with the normal; the tangent part is laid into the new tangent plane, inside the new cone.
-  const Real normal = scale * best->p.dot(best->n);
-  Vec3 tangent = scale * best->p - normal * best->n;
-  tangent -= tangent.dot(point.normal) * point.normal;
+  const Real normal = scale * old.p.dot(old.n);
+  Vec3 tangent = scale * old.p - normal * old.n;
+  tangent -= tangent.dot(n) * n;
   const Real bound = friction * normal, size = tangent.norm();
   if (size > bound) tangent *= bound / size;
-  return normal * point.normal + tangent;
+  return normal * n + tangent;
 }
 
 /// Which of a pair's bodies contacts move in this step.
@@ -72,7 +90,9 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
   while (cursor < c.old.size() && c.old[cursor].pair < record.pair) ++cursor;
   std::size_t last = cursor;
   while (last < c.old.size() && c.old[last].pair == record.pair) ++last;
-  const Real reach = scene.dials[Dial::cache_distance];
+  std::array<const OldImpulse*, Manifold::kMaxPoints> match{};
+  if (scale > 0 && last > cursor)
+    match = match_points(c, cursor, last, record.manifold, scene.dials[Dial::cache_distance]);
 
   for (int k = 0; k < record.manifold.count; ++k) {
     const ContactPoint& point = record.manifold.point[k];
@@ -80,7 +100,8 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
     row.u = Vec3::Zero();
     row.n = point.normal;
     row.p = Vec3::Zero();
-    if (scale > 0) row.p = starting_impulse(c, cursor, last, point, reach, friction, scale);
+    if (const OldImpulse* const old = match[static_cast<std::size_t>(k)])
+      row.p = starting_impulse(*old, row.n, friction, scale);
     row.friction = friction;
     row.restitution = restitution;
     row.bounces = restitution > 0;

@@ -28,7 +28,7 @@ struct alignas(64) Row {
   bool moves_a, moves_b;    // an impulse moves it
   Real friction;            // mixed Coulomb coefficient
 
-  Vec3 p;            // N s, impulse on B in this substep so far, world
+  Vec3 p;            // N s, impulse on B in this substep so far, world; between substeps, what the next starts from
   Real restitution;  // mixed
   Real force_speed;  // m/s >= 0, part of the closing speed that the forces of this substep added; rows that bounce only
   std::uint32_t a, b;  // body slots

@@ -91,8 +91,8 @@ void load_bodies(World& world, DirectGroups& d) {
 Real mean_response(const ConeBody* bodies, const ConeContact& c) {
   const auto of = [&](std::uint32_t body, const Vec3& r) {
     if (body == kNobody) return Real(0);
-    const Mat3 x = cross_matrix(r);
-    return bodies[body].inv_mass - (x * bodies[body].inv_inertia * x).trace() / 3;
+    const Mat3& w = bodies[body].inv_inertia;
+    return bodies[body].inv_mass + (r.squaredNorm() * w.trace() - r.dot(w * r)) / 3;  // -trace([r]x w [r]x) = ...
   };
   return of(c.a, c.r_a) + of(c.b, c.r_b);
 }
@@ -112,11 +112,26 @@ void load_contacts(World& world, DirectGroups& d, Real h) {
     contact.friction = row.friction;
     contact.k = mean_response(d.bodies.data(), contact);
     contact.want = g.separation > 0 ? -g.separation / h : 0;
-    contact.p = row.p;
+    contact.p = contact.start_p = row.p;
     contact.impact.setZero();
     contact.restitution = row.restitution;
     if (row.bounces) contact.force_speed = std::max(Real(0), -contact.u.dot(contact.n) - g.approach);
   }
+}
+
+/// What contacts start from in the next substep. Impulses that were off by da let velocities grow by da in each of n
+/// substeps; those that the solver finds when that becomes too much undo n da and, beside it, the da of this substep.
+/// Taken over whole they would throw the bodies back by n da in the next one, and a group at rest would be solved for
+/// ever. One part in n + 1 of the change is what the loads need; it stays within the cones, which are convex.
+/// @param solved  else they go on as they are
+void start_from_loads(State& s, ConeProblem& problem, bool solved) {
+  constexpr std::uint8_t kLongest = 255;
+  std::uint8_t calm = kLongest;
+  for (const ConeBody& b : bodies_of(problem)) calm = std::min(calm, s.calm_steps[b.slot]);
+  const Real share = solved ? Real(1) / (1 + calm) : 1;
+  for (ConeContact& c : problem.contacts) c.next_p = c.start_p + share * (c.p - c.start_p);
+  for (const ConeBody& b : bodies_of(problem))
+    s.calm_steps[b.slot] = solved ? 0 : static_cast<std::uint8_t>(std::min<int>(calm + 1, kLongest));
 }
 
 /// Groups that overlap more than the tolerance are parted, to half of it, so that what rests keeps in touch.
@@ -184,6 +199,7 @@ void solve_groups(World& world, Real h, std::uint64_t work) {
     const std::uint64_t most = work ? 2 + work / d.work[g] : kMostSteps;
     d.answer[g] =
         solve_cones(problem, tolerance, static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps)));
+    start_from_loads(s, problem, d.answer[g].factorisations > 0);
   });
   for (const ConeAnswer& answer : d.answer) {
     world.report.velocity_impulses += answer.factorisations;
@@ -191,9 +207,9 @@ void solve_groups(World& world, Real h, std::uint64_t work) {
   }
   for (std::size_t i = 0; i < d.contacts.size(); ++i) {
     Row& row = c.rows[d.row[i]];
-    row.p = d.contacts[i].p;
+    row.p = d.contacts[i].next_p;
     row.u = d.contacts[i].u;
-    c.geometry[d.row[i]].impulse += row.p + d.contacts[i].impact;
+    c.geometry[d.row[i]].impulse += d.contacts[i].p + d.contacts[i].impact;
   }
   for (const ConeBody& b : d.bodies) {
     s.v[b.slot] = b.v.head<3>(), s.omega[b.slot] = b.v.tail<3>();

@@ -24,6 +24,8 @@ struct ConeContact {
   Real restitution;  // 0: does not bounce in this substep
   Real force_speed;  // m/s >= 0, part of the closing speed that forces of this substep added; where it may bounce
   Vec3 impact;       // N s, on B, of bounces
+  Vec3 start_p;      // N s, p as the substep began
+  Vec3 next_p;       // N s, p as the next one begins
   Real k;            // 1/kg, mean velocity at the point per impulse there
   Vec3 p;            // N s, on B, world
   Vec3 u;            // m/s, relative velocity with p and all others acting
