@@ -7,7 +7,7 @@
 //    thickness: that is what a tall stack and a heavy load on a light body have in common, and it is known before
 //    anything is solved, or
 //  - something bounces: soft contacts answer all bounces of a step at once and lose energy on the way;
-// unless it is too large, or could not be solved within direct_work lately: then it moves so much that soft contacts
+// unless something strikes it (a blow sends the direct solver through all of a heap, and passes), it is too large, or could not be solved within direct_work lately: then it moves so much that soft contacts
 // will do.
 #include <algorithm>
 #include <numbers>
@@ -21,6 +21,10 @@ namespace carom {
 namespace {
 
 constexpr std::uint32_t kMostBodies = 256;  // of a group: beyond, finding an order of elimination alone takes too long
+
+// Points that close or part as fast as after a fall through this share of the thickness are struck. What a host has just piled
+// up, or what rocks and creaks under its load, stays well below.
+constexpr Real kBlow = 0.1;
 
 /// Squared angular frequency of the springs between two bodies that move.
 Real stiffness(const Dials& dials, Real h) {
@@ -94,20 +98,26 @@ Real weight_if_new(World& world, std::size_t group, Real h, GroupView& view) {
 void look_at(World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view) {
   Contacts& c = *world.contacts;
   const Real deep = world.scene.dials[Dial::direct_sink];
-  bool bounces = false;
+  const Real gravity = world.scene.gravity.norm();
+  bool bounces = false, struck = false;
   for (std::uint32_t k = c.group_begin[group]; k < c.group_begin[group + 1]; ++k) {
     const std::uint32_t i = c.group_rows[k];
     const Row& row = c.rows[i];
     const RowGeometry& g = c.geometry[i];
     const Real load = std::max(row.p.dot(row.n) / h, weight / world.pairs[g.pair].manifold.count);
-    const Real sink = sink_of(world, i, load, w2) / thickness_of(world, g);
+    const Real thickness = thickness_of(world, g), closing = closing_speed(world, row, g);
+    const Real sink = sink_of(world, i, load, w2) / thickness;
     if (sink > deep && row.moves_a) c.load[row.a] = Contacts::kHeavy;
     if (sink > deep && row.moves_b) c.load[row.b] = Contacts::kHeavy;
     view.sink = std::max(view.sink, sink);
-    bounces |= row.bounces && closing_speed(world, row, g) > world.scene.dials[Dial::restitution_speed];
+    bounces |= row.bounces && closing > world.scene.dials[Dial::restitution_speed];
+    struck |= closing * closing > 2 * gravity * kBlow * thickness;
     view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(world.scene, row));
   }
-  if (bounces) view.reason = GroupReason::bounce;
+  if (bounces)
+    view.reason = GroupReason::bounce;
+  else if (struck)
+    view.reason = GroupReason::blow;
   view.points = c.group_begin[group + 1] - c.group_begin[group];
 }
 
@@ -151,11 +161,13 @@ void choose(World& world, Real h) {
     look_at(world, g, w2, h, weight, view);
     const GroupMemory memory = remember(world, g, weight > 0);
     const bool unlike = view.mass_ratio > dials[Dial::direct_ratio];
-    const bool bounces = view.reason == GroupReason::bounce;
+    const bool bounces = view.reason == GroupReason::bounce, struck = view.reason == GroupReason::blow;
+    view.reason = GroupReason::ordinary;
     if (unlike || memory.bears || bounces) {
       view.reason = unlike ? GroupReason::mass_ratio : memory.bears ? GroupReason::sink : GroupReason::bounce;
+      if (view.reason == GroupReason::sink && struck) view.reason = GroupReason::blow;
       if (view.bodies > kMostBodies || (memory.tired && !unlike)) view.reason = GroupReason::too_much;
-      c.direct[g] = view.reason != GroupReason::too_much;
+      c.direct[g] = view.reason != GroupReason::too_much && view.reason != GroupReason::blow;
     }
     view.direct = c.direct[g];
     world.report.direct_groups += c.direct[g];

@@ -10,6 +10,7 @@ namespace carom {
 namespace {
 
 constexpr std::size_t kGroupsAPart = 1;    // a group takes as long as many bodies of other loops
+constexpr Real kShare = 1e-3;              // of the fastest contact, that is good enough where work is bounded
 constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: impacts of many bodies take that many
 
 /// Bodies, contacts and edges of each group.
@@ -134,6 +135,18 @@ void start_from_loads(State& s, ConeProblem& problem, bool solved) {
     s.calm_steps[b.slot] = solved ? 0 : static_cast<std::uint8_t>(std::min<int>(calm + 1, kLongest));
 }
 
+/// What was never solved before takes the time it takes, once.
+bool starts_from_nothing(const ConeProblem& problem) {
+  return std::ranges::all_of(problem.contacts, [](const ConeContact& c) { return c.start_p == Vec3::Zero(); });
+}
+
+/// m/s, the most that two points close or part, with impulses as they are.
+Real fastest(const ConeProblem& problem) {
+  Real most = 0;
+  for (const ConeContact& c : problem.contacts) most = std::max(most, std::fabs(c.u.dot(c.n)));
+  return most;
+}
+
 /// Groups that overlap more than the tolerance are parted, to half of it, so that what rests keeps in touch.
 void part(World& world, DirectGroups& d, std::size_t group, Real h) {
   const Contacts& c = *world.contacts;
@@ -196,9 +209,10 @@ void solve_groups(World& world, Real h, std::uint64_t work) {
     ConeProblem problem = d.problem(g);
     apply_impulses(problem);
     if (!c.bouncing.empty()) bounce(problem, threshold);
-    const std::uint64_t most = work ? 2 + work / d.work[g] : kMostSteps;
+    const bool bounded = work && !starts_from_nothing(problem);
+    const std::uint64_t most = bounded ? 2 + work / d.work[g] : kMostSteps;
     d.answer[g] =
-        solve_cones(problem, tolerance, static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps)));
+        solve_cones(problem, work ? std::max(tolerance, kShare * fastest(problem)) : tolerance, static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps)));
     start_from_loads(s, problem, d.answer[g].factorisations > 0);
   });
   for (const ConeAnswer& answer : d.answer) {
