@@ -19,11 +19,10 @@ void view_contacts(World& world) {
     const Row& row = c.rows[i];
     const RowGeometry& g = c.geometry[i];
     const Pair& pair = world.pairs[g.pair].pair;
-    const Mat3 &ra = world.plan->rotation[row.a], &rb = world.plan->rotation[row.b];
     const Real normal_impulse = g.impulse.dot(row.n);
     world.contact_views[i] = {pair.a,
                               pair.b,
-                              0.5 * ((s.x[row.a] + ra * g.l_a) + (s.x[row.b] + rb * g.l_b)),
+                              0.5 * ((s.x[row.a] + arm_a(world, row, g)) + (s.x[row.b] + arm_b(world, row, g))),
                               row.n,
                               g.separation,
                               normal_impulse,

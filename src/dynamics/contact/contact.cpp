@@ -19,12 +19,13 @@ const Material& material_of(const Scene& scene, std::uint32_t collider) {
 }
 
 /// Which old point each point of a manifold goes on from: the nearest on A within reach, nearest pairs first, each taken
-/// once. Two points that started from the same old one would carry its load twice, which upsets thin bodies whose points
+/// once; a single point goes on from a single one however far it rolled. Two points that started from the same old one would carry its load twice, which upsets thin bodies whose points
 /// come and go.
 /// @param first, last  range of the pair in c.old   @return by point; null: none
 std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Contacts& c, std::size_t first, std::size_t last,
                                                                  const Manifold& manifold, Real reach) {
   std::array<const OldImpulse*, Manifold::kMaxPoints> match{};
+  if (last - first == 1 && manifold.count == 1) return {&c.old[first]};
   for (std::size_t left = last - first; left > 0; --left) {
     Real least = reach * reach;
     const OldImpulse* nearest = nullptr;
@@ -107,8 +108,9 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
     row.bounces = restitution > 0;
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
     RowGeometry g{};
-    g.l_a = fa.apply(point.on_a);
-    g.l_b = fb.apply(point.on_b);
+    g.radius_a = scene.colliders.shape[ca]->core_radius, g.radius_b = scene.colliders.shape[cb]->core_radius;
+    g.l_a = fa.apply(point.on_a) - g.radius_a * (world.plan->rotation[m.a].transpose() * row.n);
+    g.l_b = fb.apply(point.on_b) + g.radius_b * (world.plan->rotation[m.b].transpose() * row.n);
     g.impulse = Vec3::Zero();
     g.separation = point.separation;
     g.pair = static_cast<std::uint32_t>(pair_index);
@@ -209,8 +211,7 @@ Real mix(Mix rule_a, Real a, Mix rule_b, Real b) {
 
 Real closing_speed(const World& world, const Row& row, const RowGeometry& g) {
   const State& s = world.state;
-  const Vec3 r_a = world.plan->rotation[row.a] * g.l_a, r_b = world.plan->rotation[row.b] * g.l_b;
-  return -relative_velocity(s, row, r_a, r_b).dot(row.n);
+  return -relative_velocity(s, row, arm_a(world, row, g), arm_b(world, row, g)).dot(row.n);
 }
 
 void build_rows(World& world, Real h) {
@@ -246,7 +247,6 @@ void measure_closing(World& world, const StepTime&) {
 void prepare_rows(World& world, Real h) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
-  const Array<Mat3>& rotation = world.plan->rotation;
   for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;
   refresh_inertias(world);
   for (const std::uint32_t i : c.bodies) c.half_end[i] = c.half_begin[i];  // filled anew below
@@ -260,8 +260,8 @@ void prepare_rows(World& world, Real h) {
     Row& row = c.rows[i];
     RowMass& m = c.mass[i];
     const RowGeometry& g = c.geometry[i];
-    m.r_a = rotation[row.a] * g.l_a;
-    m.r_b = rotation[row.b] * g.l_b;
+    m.r_a = arm_a(world, row, g);
+    m.r_b = arm_b(world, row, g);
     m.k = velocity_per_impulse(world, row, m);
     m.k_inv = m.k.inverse();
     row.k_n = row.n.dot(m.k * row.n);
@@ -301,12 +301,11 @@ void refresh_rotations(World& world) {
 void refresh_separations(World& world) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
-  const Array<Mat3>& rotation = world.plan->rotation;
   in_parallel(world.jobs, c.rows.size(), kRowsAPart, [&](std::uint32_t i) {
     const Row& row = c.rows[i];
     RowGeometry& g = c.geometry[i];
     // The difference of the centres first: far from the origin they are large and nearly equal.
-    g.separation = ((s.x[row.b] - s.x[row.a]) + (rotation[row.b] * g.l_b - rotation[row.a] * g.l_a)).dot(row.n);
+    g.separation = ((s.x[row.b] - s.x[row.a]) + (arm_b(world, row, g) - arm_a(world, row, g))).dot(row.n);
   });
 }
 

@@ -57,7 +57,10 @@ struct RowMass {
 };
 
 struct RowGeometry {
-  Vec3 l_a, l_b;        // m, body axes about the centre of mass: the surface points
+  // The surface points. What is round about a core keeps the point under its core while it rolls: a core's point turns
+  // with its body, the core radius beyond it points along the normal all step long.
+  Vec3 l_a, l_b;            // m, body axes about the centre of mass: the core's points
+  Real radius_a, radius_b;  // m, core radii; 0: the surface turns with the body
   Vec3 impulse;         // N s, of the whole step, world
   Real separation;      // m, as of the last refresh_separations()
   Real approach;        // m/s, closing speed before the forces of this substep; rows that bounce only
@@ -159,16 +162,25 @@ void build_rows(World& world, Real h);
 inline Vec3 relative_velocity(const State& s, const Row& row, const Vec3& r_a, const Vec3& r_b) {
   return s.v[row.b] + s.omega[row.b].cross(r_b) - s.v[row.a] - s.omega[row.a].cross(r_a);
 }
-/// Where a point is, as a solver sees it: both arms end halfway between the two surface points, for impulses at one
-/// place keep the angular momentum.
+/// From the centre of mass to the surface point. m, world axes, by plan.rotation
+inline Vec3 arm_a(const World& world, const Row& row, const RowGeometry& g) {
+  return world.plan->rotation[row.a] * g.l_a + g.radius_a * row.n;
+}
+inline Vec3 arm_b(const World& world, const Row& row, const RowGeometry& g) {
+  return world.plan->rotation[row.b] * g.l_b - g.radius_b * row.n;
+}
+/// Where a point is, as a solver sees it: one place for both bodies, for impulses at one place keep the angular momentum.
+/// While they slide or roll the two surface points part. The place stays with the body that moves, or with the one that is
+/// round (the point of a flat one rolls away from under it), else halfway between the two.
 struct Arms {
   Vec3 a, b;  // m, world axes, from the centres of mass
   Arms() = default;
   Arms(const World& world, const Row& row, const RowGeometry& g) {
-    const State& s = world.state;
-    const Array<Mat3>& rotation = world.plan->rotation;
-    const Vec3 apart = s.x[row.b] - s.x[row.a];
-    a = 0.5 * (rotation[row.a] * g.l_a + (apart + rotation[row.b] * g.l_b));
+    const Vec3 apart = world.state.x[row.b] - world.state.x[row.a];
+    const bool round_a = g.radius_a > 0, round_b = g.radius_b > 0;
+    const Real to_b = row.moves_a != row.moves_b ? row.moves_b : (1 + round_b - round_a) / Real(2);
+    const Vec3 on_a = arm_a(world, row, g), on_b = apart + arm_b(world, row, g);
+    a = on_a + to_b * (on_b - on_a);
     b = a - apart;
   }
 };

@@ -55,6 +55,7 @@ struct PairLanes {
   LaneSymmetric inv_inertia_a, inv_inertia_b;  // 1/(kg m^2), world, as the step began
   LaneVec n, t;                                // unit, world
   LaneVec r_a, r_b;                            // m, from the centres of mass to the middle of the points
+  Lanes radius_a, radius_b;                    // m, core radii, @see RowGeometry
   Lanes friction, restitution;
   Lanes bias_rate, mass_scale, impulse_scale;  // softness, @see soft_step.h
   Lanes m_tt, m_ts, m_ss;                      // kg, impulse per change of velocity in the plane

@@ -333,13 +333,16 @@ CAROM_LANES_INLINE void separate(const LaneRun& run, const PairLanes& pair, Poin
   const LaneVec moved = b.x - a.x;
   if constexpr (kOneNormal) {
     const LaneVec m_a = a.turned(pair.n), m_b = b.turned(pair.n), m = m_b - m_a;
-    const Lanes middle = dot(moved, pair.n) + (dot(m_b, pair.r_b) - dot(m_a, pair.r_a));
+    const Lanes round = pair.radius_a * dot(m_a, pair.n) + pair.radius_b * dot(m_b, pair.n);
+    const Lanes middle = dot(moved, pair.n) + (dot(m_b, pair.r_b) - dot(m_a, pair.r_a)) + round;
     for (int k = 0; k < kCount; ++k) points[k].separation = points[k].gap + (middle + dot(m, points[k].d));
   } else {
     for (int k = 0; k < kCount; ++k) {
       PointLanes& p = points[k];
-      const Lanes turned = dot(b.turned(p.n), pair.r_b + p.d) - dot(a.turned(p.n), pair.r_a + p.d);
-      p.separation = p.gap + (dot(moved, p.n) + turned);
+      const LaneVec m_a = a.turned(p.n), m_b = b.turned(p.n);
+      const Lanes turned = dot(m_b, pair.r_b + p.d) - dot(m_a, pair.r_a + p.d);
+      const Lanes round = pair.radius_a * dot(m_a, p.n) + pair.radius_b * dot(m_b, p.n);
+      p.separation = p.gap + (dot(moved, p.n) + turned + round);
     }
   }
 }

@@ -124,6 +124,7 @@ void fill_points(const World& world, const WideContacts::Manifold& m, PairLanes&
   set(pair.t, lane, t);
   set(pair.r_a, lane, middle_a);
   set(pair.r_b, lane, middle_b);
+  pair.radius_a[lane] = c.geometry[m.row].radius_a, pair.radius_b[lane] = c.geometry[m.row].radius_b;
   pair.p_t[lane] = force.dot(t);
   pair.p_s[lane] = force.dot(n.cross(t));
   pair.p_w[lane] = twist;
@@ -281,8 +282,7 @@ void unpack(World& world, const WideContacts& wide) {
       g.impulse = share(row.n, around, p.sum_n[lane], load.sum, load.sum_moment, pair.sum_t[lane], pair.sum_s[lane],
                         pair.sum_w[lane]);
       row.bounced = false;
-      const Vec3 r_a = world.plan->rotation[row.a] * g.l_a, r_b = world.plan->rotation[row.b] * g.l_b;
-      row.u = relative_velocity(s, row, r_a, r_b);
+      row.u = relative_velocity(s, row, arm_a(world, row, g), arm_b(world, row, g));
     }
   });
   refresh_separations(world);
