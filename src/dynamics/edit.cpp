@@ -109,6 +109,7 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   put(c.material, i, material);
   put(c.density, i, density);
   put(c.frame, i, Frame());
+  put(c.travel, i, Real(0));
   put(c.bounds, i, Aabb());
   put(c.reach, i, Real(0));
   put(c.movable, i, std::uint8_t(scene.type[body] != BodyType::fixed));

@@ -144,9 +144,7 @@ PlannedEffect* Plan::find(const char* name) {
   return nullptr;
 }
 
-bool from_host(const Effect& effect) {
-  return effect.force == user_force::force || effect.force == user_torque::force;
-}
+bool from_host(const Effect& effect) { return effect.force == user_force::force || effect.force == user_torque::force; }
 
 void plan_stages(World& world, Plan& plan) {
   const auto on = [&](Stage s) -> bool& { return plan.runs[static_cast<std::size_t>(s)]; };
@@ -167,7 +165,7 @@ void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
   Colliders& c = world.scene.colliders;
   const std::uint32_t body = c.body[slot];
   const Shape& shape = *c.shape[slot];
-  c.frame[slot] = Frame(plan.rotation[body], world.state.x[body]) * plan.local[slot];
+  c.place(slot, Frame(plan.rotation[body], world.state.x[body]) * plan.local[slot]);
   const Real half_gap = world.scene.dials[Dial::contact_distance] / 2;
   c.reach[slot] = 0;
   if (c.movable[slot]) {
@@ -204,6 +202,7 @@ void refresh(World& world, const StepTime& time) {
   plan.host_wrote = !world.state.written.empty();
   plan.faults.clear();
   if (changed) {
+    world.pairs.ask_all();  // how pairs are asked may have changed
     plan_colliders(world, plan);
     plan_rows(world, plan);
     plan_bodies(world, plan);

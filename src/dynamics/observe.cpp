@@ -18,7 +18,7 @@ void view_contacts(World& world) {
   in_parallel(world.jobs, c.rows.size(), kRowsAPart, [&](std::uint32_t i) {
     const Row& row = c.rows[i];
     const RowGeometry& g = c.geometry[i];
-    const Pair& pair = world.pairs[g.pair].pair;
+    const Pair& pair = world.pairs.place(g.pair).pair;
     const Real normal_impulse = g.impulse.dot(row.n);
     world.contact_views[i] = {pair.a,
                               pair.b,

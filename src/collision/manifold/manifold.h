@@ -6,12 +6,12 @@
 namespace carom {
 
 struct ContactPoint {
-  Vec3 on_a = Vec3::Zero();      // m, frame of collider A's shape
-  Vec3 on_b = Vec3::Zero();      // m, frame of collider B's shape
-  Vec3 normal = Vec3::UnitY();   // unit, WORLD frame, from A to B
-  Real separation = 0;           // m, negative in overlap, at the last refresh
-  std::uint32_t feature = 0;     // which features met, to match points between steps; 0: unknown
-  std::uint32_t age = 0;         // steps since it was added
+  Vec3 on_a = Vec3::Zero();     // m, frame of collider A's shape
+  Vec3 on_b = Vec3::Zero();     // m, frame of collider B's shape
+  Vec3 normal = Vec3::UnitY();  // unit, WORLD frame, from A to B
+  Real separation = 0;          // m, negative in overlap, at the last refresh
+  std::uint32_t feature = 0;    // which features met, to match points between steps; 0: unknown
+  std::uint32_t age = 0;        // steps since it was added
 };
 
 struct Manifold {
@@ -24,7 +24,8 @@ struct Manifold {
 struct Candidates {
   static constexpr int kMax = 8;
   int count = 0;
-  bool whole = false;  // a specific routine found every point of the patch: nothing older need be kept
+  bool whole = false;     // a specific routine found every point of the patch: nothing older need be kept
+  Real gap = -kInfinity;  // m: where no candidate was found, the distance is not less, to rounding
   ContactPoint point[kMax];
 };
 
@@ -50,8 +51,8 @@ struct ManifoldSettings {
 /// ManifoldKind::single: the deepest candidate alone.
 void keep_deepest(const Candidates& found, const ManifoldSettings& settings, Manifold& manifold);
 
-/// ManifoldKind::cache: refresh the kept points for the new poses, drop those that opened or slid away, merge the candidates in, and
-/// choose the four that hold the deepest point and the largest area.
+/// ManifoldKind::cache: refresh the kept points for the new poses, drop those that opened or slid away, merge the
+/// candidates in, and choose the four that hold the deepest point and the largest area.
 void update_cache(const Frame& a, const Frame& b, const Candidates& found, const ManifoldSettings& settings,
                   Manifold& manifold);
 

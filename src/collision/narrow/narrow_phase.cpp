@@ -9,6 +9,7 @@
 #include "collision/narrow/carry_over.h"
 #include "collision/narrow/hybrid.h"
 #include "collision/narrow/pair.h"
+#include "collision/support.h"
 
 namespace carom {
 namespace {
@@ -41,7 +42,9 @@ void collide_generic(const Shape& a, const Frame& frame_a, const Shape& b, const
     report.epa_calls += result.epa_iterations > 0;
   }
   report.support_calls += static_cast<std::uint64_t>(result.support_calls);
-  if (result.status == QueryStatus::fault || result.farther) return;
+  if (result.status == QueryStatus::fault) return;
+  found.gap = result.lower;
+  if (result.farther) return;
   const Vec3 normal = frame_a.rotate(result.normal);
   add_contact(found, query.max_distance, result.point_a, result.point_b, normal, result.separation, 0);
 }
@@ -59,8 +62,25 @@ void update_manifold(const PatchPair& pair, const Candidates& found, const Manif
     update_patch(pair, found, settings, record.manifold, record.patch, report.support_calls, fault);
 }
 
+/// The horizon of a pair that was just found without points, @see narrow_phase(). Bounding spheres know a gap where
+/// routines do not.
+Real horizon_of(const Colliders& table, const Pair& pair, const Candidates& found) {
+  const Shape &a = *table.shape[pair.a], &b = *table.shape[pair.b];
+  const Real apart = (table.frame[pair.b].p - table.frame[pair.a].p).norm(), radii = extent(a) + extent(b);
+  const bool flat = a.form == Form::half_space || b.form == Form::half_space;
+  const Real gap = flat ? found.gap : std::max(found.gap, apart - radii);
+  // What gaps may be off by: rounding of poses and of the query (rounding.h), and support functions as bad as is let
+  // pass, now and when the pair would be asked again.
+  const Real doubt = (512 * kUnitRoundoff + 8 * kSloppiness) * (apart + radii);
+  return (gap - doubt) + (table.travel[pair.a] + table.travel[pair.b]) * (1 - 4 * kUnitRoundoff);
+}
+
 /// Pairs that a part of the loop takes: support functions of some hosts are for the stepping thread alone.
 enum class Whose { everybodys, any_threads, host_threads };
+
+/// No routine finds a point where shapes are farther apart than this times their reach: two edges may meet at the reach
+/// along their normal and as much beside it.
+constexpr Real kFarthest = 1.5;
 
 /// Some microseconds of a loop, where most pairs lie still.
 constexpr std::size_t kPairsAPart = 64;
@@ -110,6 +130,7 @@ void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& 
              QueryMemory& memory, Candidates& found, NarrowReport& report, SupportFault& fault) {
   found.count = 0;
   found.whole = false;
+  found.gap = -kInfinity;
   const Real reach = settings.manifold.contact_distance;
   const bool flat_a = a.form == Form::half_space, flat_b = b.form == Form::half_space;
   if (flat_a && flat_b) return;
@@ -156,17 +177,23 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
     Candidates found;
     NarrowSettings own = settings;  // with the pair's own contact distance: fast colliders reach farther
     for (std::uint32_t i = begin; i < end; ++i) {
+      PairTable::Place& place = pairs.place(i);
+      const std::uint32_t a = place.pair.a, b = place.pair.b;
+      const Real reach = settings.manifold.contact_distance + table.reach[a] + table.reach[b];
+      if (table.travel[a] + table.travel[b] + kFarthest * reach < place.horizon) continue;
       PairRecord& record = pairs[i];
-      const std::uint32_t a = record.pair.a, b = record.pair.b;
       const PatchPair pair{*table.shape[a], *table.shape[b], table.frame[a], table.frame[b],
                            shells(settings.query) / 2};
       if (whose != Whose::everybodys && (pair.a.host_thread || pair.b.host_thread) != (whose == Whose::host_threads)) {
         findings.leave();
         continue;
       }
-      own.manifold.contact_distance = settings.manifold.contact_distance + table.reach[a] + table.reach[b];
+      own.manifold.contact_distance = reach;
       SupportFault fault;
       update(pair, own, record, found, own_report, fault);
+      place.points = static_cast<std::uint32_t>(record.manifold.count);
+      place.horizon =
+          place.points == 0 && fault.kind == SupportFault::none ? horizon_of(table, place.pair, found) : -kInfinity;
       if (fault.kind != SupportFault::none) findings.add(i, fault);
     }
     findings.add(own_report);

@@ -12,7 +12,7 @@ struct NarrowSettings {
   QuerySettings query;
   ManifoldSettings manifold;
   bool warm_separation = true;  // start a query from the pair's last separating direction
-  Real carry_over = 0;          // bracket width, relative to the pair's size, up to which an earlier answer is carried over
+  Real carry_over = 0;  // bracket width, relative to the pair's size, up to which an earlier answer is carried over
 };
 
 /// All that is kept of a pair whose bounds overlap.
@@ -56,8 +56,22 @@ class PairTable {
   const PairRecord* find(const Pair& pair) const;
 
   std::size_t size() const { return order_.size(); }
-  PairRecord& operator[](std::size_t i) { return records_[order_[i]]; }
-  const PairRecord& operator[](std::size_t i) const { return records_[order_[i]]; }
+  PairRecord& operator[](std::size_t i) { return records_[order_[i].record]; }
+  const PairRecord& operator[](std::size_t i) const { return records_[order_[i].record]; }
+
+  /// What a step asks of every pair, side by side: records are large, and most pairs do not touch.
+  struct Place {
+    Pair pair;
+    std::uint32_t record;
+    std::uint32_t points = 0;   // of the record's manifold
+    Real horizon = -kInfinity;  // m: out of reach while travels and reach of both are below, @see narrow_phase()
+  };
+  Place& place(std::size_t i) { return order_[i]; }
+  const Place& place(std::size_t i) const { return order_[i]; }
+  /// No pair is to be taken for out of reach before it is asked once more: how pairs are asked may have changed.
+  void ask_all() {
+    for (Place& p : order_) p.horizon = -kInfinity;
+  }
 
  private:
   static constexpr std::uint32_t kNew = 0xFFFFFFFFu;
@@ -72,7 +86,7 @@ class PairTable {
   std::uint32_t find_parked(const Pair& pair) const;
   void unpark(std::uint32_t record);
 
-  Array<std::uint32_t> order_, next_;  // record indices, by ascending pair
+  Array<Place> order_, next_;  // by ascending pair
   Array<PairRecord> records_;
   Array<std::uint32_t> free_;
   Array<Parked> parked_;       // by record; empty until the first is parked
@@ -93,6 +107,10 @@ struct NarrowReport {
 
 /// Bring every record's manifold up to date with the colliders' frames. A pair whose support function misbehaves gets
 /// no points, and its fault is appended.
+///
+/// A pair that was found apart by a gap g is not asked again before its colliders can have closed it:
+///   g - (travels now - travels then) > reach   <=>   travels now + reach < horizon,  horizon = g + travels then
+/// It would be found without points again. What it leaves out is where a generic query would have moved its start to.
 /// @param jobs  null, or who shares the loop; shapes of the host's thread are still asked on the calling one
 void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTable& pairs, NarrowReport& report,
                   Array<SupportFault>& faults, Jobs* jobs = nullptr);

@@ -28,6 +28,7 @@ struct Axis {
   int i = -1, j = -1;  // edges of A and B, where they separate better
   Real edge_separation = -kInfinity;
   bool apart = false;  // farther apart than asked
+  Real gap = 0;        // m: then, by this at least
 };
 
 /// The preferred axis of largest separation, over the three faces of each box and the nine pairs of edges.
@@ -45,14 +46,14 @@ Axis best_axis(const Mat3& r, const Vec3& t, const Vec3& ha, const Vec3& hb, Rea
   Axis best;
   for (int i = 0; i < 3; ++i) {
     const Real s = std::fabs(t[i]) - ha[i] - (abs_r(i, 0) * hb[0] + abs_r(i, 1) * hb[1] + abs_r(i, 2) * hb[2]);
-    if (s > reach) return best.apart = true, best;
     if (s > best.face_separation) best.face_separation = s, best.face = i;
   }
+  if (best.face_separation > reach) return best.apart = true, best.gap = best.face_separation, best;
   Real to_beat = best.face_separation + relative * std::fabs(best.face_separation) + absolute;
   for (int j = 0; j < 3; ++j) {
     const Real t_j = t[0] * r(0, j) + t[1] * r(1, j) + t[2] * r(2, j);
     const Real s = std::fabs(t_j) - hb[j] - (abs_r(0, j) * ha[0] + abs_r(1, j) * ha[1] + abs_r(2, j) * ha[2]);
-    if (s > reach) return best.apart = true, best;
+    if (s > reach) return best.apart = true, best.gap = s, best;
     if (s > to_beat) to_beat = best.face_separation = s, best.face = 3 + j;
   }
   to_beat = best.face_separation + relative * std::fabs(best.face_separation) + absolute;
@@ -68,7 +69,7 @@ Axis best_axis(const Mat3& r, const Vec3& t, const Vec3& ha, const Vec3& hb, Rea
       const Real length2 = r(i1, j) * r(i1, j) + r(i2, j) * r(i2, j);
       if (length2 < kParallel * kParallel) continue;
       const Real s = over / std::sqrt(length2);
-      if (s > reach) return best.apart = true, best;
+      if (s > reach) return best.apart = true, best.gap = s, best;
       if (s > to_beat) to_beat = best.edge_separation = s, best.i = i, best.j = j;
     }
   }
@@ -185,7 +186,10 @@ void edge_contact(const Vec3& ha, const Vec3& hb, const Frame& b_in_a, int i, in
 void contact_box_box(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
   const Axis axis = best_axis(b_in_a.r, b_in_a.p, a.half, b.half, reach);
   found.whole = true;
-  if (axis.apart) return;
+  if (axis.apart) {
+    found.gap = axis.gap;
+    return;
+  }
   if (axis.i >= 0) {
     // A box that rests on a face with some tilt may have an edge pair ahead for a step: older points stay.
     found.whole = false;

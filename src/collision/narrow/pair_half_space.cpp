@@ -40,11 +40,14 @@ struct Plane {
         normal(half_space.normal),
         b_in_a(frame),
         reach(limit),
-        found(out) {}
+        found(out) {
+    found.gap = kInfinity;  // until a point is looked at
+  }
 
   Real height(const Vec3& x) const { return n.dot(x) - offset; }
   void add(const Vec3& x, std::uint32_t feature) const {
     const Real h = height(x);
+    found.gap = std::min(found.gap, h);
     if (h <= reach) add_contact(found, reach, b_in_a.apply(x) - h * normal, x, normal, h, feature);
   }
 };
@@ -140,7 +143,9 @@ void contact_half_space_polytope(const Shape& a, const Shape& b, const Frame& b_
   const std::size_t count = b.vertices.size() / 3;
   for (std::size_t i = 0; i < count; ++i, v += 3) {
     const Vec3 x(v[0], v[1], v[2]);
-    if (!(plane.height(x) <= reach)) continue;
+    const Real h = plane.height(x);
+    found.gap = std::min(found.gap, h);
+    if (!(h <= reach)) continue;
     for (int k = 0; k < kWays; ++k) {
       const Real s = way[k].dot(x);
       if (s > most[k]) most[k] = s, which[k] = i;
@@ -170,7 +175,8 @@ bool half_space_by_support(const Shape& half_space, const Shape& b, const Frame&
       found.count = before;
       return false;
     }
-    if (k == 0 && !(plane.height(x) <= reach)) return true;  // the deepest point is out of reach, so are all
+    if (k == 0) found.gap = plane.height(x);
+    if (k == 0 && !(found.gap <= reach)) return true;  // the deepest point is out of reach, so are all
     const auto same = [&](int i) {
       return (found.point[i].on_b - x).squaredNorm() <= 1e-20 * b.bounding_radius * b.bounding_radius;
     };

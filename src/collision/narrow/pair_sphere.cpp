@@ -13,8 +13,10 @@ constexpr Real kNoGap2 = 1e-280;
 /// @param core  [3] m, A's frame: nearest point of A's core   @param gap  m: centre - core = gap * normal
 void add_sphere(const Vec3& core, Real core_radius, const Vec3& normal, Real gap, const Shape& sphere,
                 const Frame& b_in_a, Real reach, Candidates& found) {
-  add_contact(found, reach, core + core_radius * normal, -sphere.radius * b_in_a.rotate_inverse(normal), normal,
-              gap - core_radius - sphere.radius, 1);
+  found.gap = gap - core_radius - sphere.radius;
+  if (found.gap <= reach)
+    add_contact(found, reach, core + core_radius * normal, -sphere.radius * b_in_a.rotate_inverse(normal), normal,
+                found.gap, 1);
   found.whole = true;
 }
 

@@ -12,30 +12,30 @@ void PairTable::update(const Array<Pair>& pairs) {
   free_.reserve(records_.size() + pairs.size());
   std::size_t old = 0;
   for (const Pair& p : pairs) {
-    while (old < order_.size() && records_[order_[old]].pair < p) free_.push_back(order_[old++]);
-    if (old < order_.size() && records_[order_[old]].pair == p) {
+    while (old < order_.size() && order_[old].pair < p) free_.push_back(order_[old++].record);
+    if (old < order_.size() && order_[old].pair == p)
       next_.push_back(order_[old++]);
-      continue;
-    }
-    next_.push_back(kNew);
+    else
+      next_.push_back({p, kNew});
   }
-  while (old < order_.size()) free_.push_back(order_[old++]);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (next_[i] != kNew) continue;
-    if (const std::uint32_t parked = find_parked(pairs[i]); parked != kNew) {
+  while (old < order_.size()) free_.push_back(order_[old++].record);
+  for (Place& place : next_) {
+    if (place.record != kNew) continue;
+    if (const std::uint32_t parked = find_parked(place.pair); parked != kNew) {
       unpark(parked);
-      next_[i] = parked;
+      place.record = parked;
+      place.points = static_cast<std::uint32_t>(records_[parked].manifold.count);
       continue;
     }
     if (free_.empty()) {
-      next_[i] = static_cast<std::uint32_t>(records_.size());
+      place.record = static_cast<std::uint32_t>(records_.size());
       records_.emplace_back();
     } else {
-      next_[i] = free_.back();
+      place.record = free_.back();
       free_.pop_back();
-      records_[next_[i]] = PairRecord{};
+      records_[place.record] = PairRecord{};
     }
-    records_[next_[i]].pair = pairs[i];
+    records_[place.record].pair = place.pair;
   }
   order_.swap(next_);
 }
@@ -43,11 +43,11 @@ void PairTable::update(const Array<Pair>& pairs) {
 void PairTable::forget(std::uint32_t collider) {
   free_.reserve(records_.size());
   std::size_t kept = 0;
-  for (const std::uint32_t r : order_) {
-    if (records_[r].pair.a == collider || records_[r].pair.b == collider)
-      free_.push_back(r);
+  for (const Place& place : order_) {
+    if (place.pair.a == collider || place.pair.b == collider)
+      free_.push_back(place.record);
     else
-      order_[kept++] = r;
+      order_[kept++] = place;
   }
   order_.resize(kept);
   release(collider);
@@ -63,10 +63,10 @@ void PairTable::park(const Array<std::uint8_t>& holders, std::size_t slots) {
   if (head_.size() < slots) head_.resize(slots, kNew);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < order_.size(); ++i) {
-    const std::uint32_t r = order_[i];
+    const std::uint32_t r = order_[i].record;
     parked_[r].holders = holders[i];
     if (holders[i] == none) {
-      order_[kept++] = r;
+      order_[kept++] = order_[i];
       continue;
     }
     ++parked_count_;
@@ -112,9 +112,9 @@ void PairTable::release(std::uint32_t collider) {
 }
 
 const PairRecord* PairTable::find(const Pair& pair) const {
-  const auto before = [&](std::uint32_t r, const Pair& p) { return records_[r].pair < p; };
+  const auto before = [](const Place& place, const Pair& p) { return place.pair < p; };
   const auto at = std::lower_bound(order_.begin(), order_.end(), pair, before);
-  if (at != order_.end() && records_[*at].pair == pair) return &records_[*at];
+  if (at != order_.end() && at->pair == pair) return &records_[at->record];
   const std::uint32_t parked = find_parked(pair);
   return parked == kNew ? nullptr : &records_[parked];
 }

@@ -69,10 +69,10 @@ struct Movers {
   }
 };
 
-std::uint32_t count_rows(const World& world, const PairRecord& record) {
-  if (record.manifold.count == 0) return 0;
-  const Movers m(world, record.pair);
-  return m.moves_a || m.moves_b ? static_cast<std::uint32_t>(record.manifold.count) : 0;
+std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
+  if (place.points == 0) return 0;
+  const Movers m(world, place.pair);
+  return m.moves_a || m.moves_b ? place.points : 0;
 }
 
 /// The rows of a pair, from `at` on.
@@ -127,7 +127,7 @@ void fill_all_rows(World& world, Real scale) {
   const std::size_t pairs = world.pairs.size();
   c.first_row.resize(pairs + 1);
   in_parallel(world.jobs, pairs, 2 * kPairsAPart,
-              [&](std::uint32_t i) { c.first_row[i] = count_rows(world, world.pairs[i]); });
+              [&](std::uint32_t i) { c.first_row[i] = count_rows(world, world.pairs.place(i)); });
   std::uint32_t n = 0;
   for (std::size_t i = 0; i < pairs; ++i) {
     world.report.contact_pairs += c.first_row[i] > 0;
@@ -138,7 +138,7 @@ void fill_all_rows(World& world, Real scale) {
   in_parts(world.jobs, pairs, kPairsAPart, [&](std::uint32_t begin, std::uint32_t end) {
     const auto before = [](const OldImpulse& old, const Pair& pair) { return old.pair < pair; };
     auto cursor = static_cast<std::size_t>(
-        std::lower_bound(c.old.begin(), c.old.end(), world.pairs[begin].pair, before) - c.old.begin());
+        std::lower_bound(c.old.begin(), c.old.end(), world.pairs.place(begin).pair, before) - c.old.begin());
     for (std::uint32_t i = begin; i < end; ++i)
       if (c.first_row[i] < c.first_row[i + 1]) fill_rows(world, i, c.first_row[i], cursor, scale);
   });

@@ -54,7 +54,7 @@ void park_pairs(World& world) {
   };
   z.holders.assign(world.pairs.size(), PairTable::none);
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
-    const Pair& p = world.pairs[i].pair;
+    const Pair& p = world.pairs.place(i).pair;
     const std::uint32_t a = scene.colliders.body[p.a], b = scene.colliders.body[p.b];
     if (!still(a) || !still(b)) continue;
     if (z.parked[a]) z.holders[i] |= PairTable::by_a;

@@ -36,6 +36,7 @@ struct Scene {
   void add(const Shape& shape, const Frame& frame) {
     table.shape.push_back(&shape);
     table.frame.push_back(frame);
+    table.travel.push_back(0);
     table.reach.push_back(0);
     const auto slot = static_cast<std::uint32_t>(table.shape.size() - 1);
     all.clear();
@@ -80,8 +81,8 @@ static void a_resting_box_keeps_its_four_points_through_a_jitter(void**) {
       s.add(brick, at(0, 0.2, 0));
       for (std::uint32_t step = 0; step < 200; ++step) {
         // A micrometre and some ten microradians: what a solver leaves of a resting body's motion.
-        s.table.frame[1] = at(0.1 + random.uniform(-1e-6, 1e-6), 0.2 + random.uniform(-1e-6, 1e-6), 0,
-                              Vec3(0, turn, 0) + 1e-5 * random.direction());
+        s.table.place(1, at(0.1 + random.uniform(-1e-6, 1e-6), 0.2 + random.uniform(-1e-6, 1e-6), 0,
+                            Vec3(0, turn, 0) + 1e-5 * random.direction()));
         s.step();
         const Manifold& m = s.pairs[0].manifold;
         assert_int_equal(m.count, 4);
@@ -105,7 +106,7 @@ static void without_routines_a_rocking_box_gathers_its_corners(void**) {
     s.add(brick, at(0, 0.2, 0));
     for (int step = 0; step < 40; ++step) {
       const SinCos round = sin_cos(1.7 * step);  // leans a little more than rounding, another way each time
-      s.table.frame[1] = at(0, 0.2, 0, 1e-4 * Vec3(round.cos, 0, round.sin));
+      s.table.place(1, at(0, 0.2, 0, 1e-4 * Vec3(round.cos, 0, round.sin)));
       s.step();
     }
     const Manifold& m = s.pairs[0].manifold;
@@ -271,6 +272,71 @@ static void poses_that_are_no_numbers_make_no_contacts(void**) {
   }
 }
 
+/// Bodies that fly past each other, or into each other, with some wobble: what is left out for being out of reach would
+/// have found nothing.
+static void pairs_out_of_reach_are_left_alone_and_miss_no_contact(void**) {
+  constexpr int kSteps = 300;
+  Random random(21);
+  for (const auto& [form_a, form_b] : kRoutinePairs) {
+    int apart = 0, left_alone = 0, touching = 0;
+    for (int i = 0; i < 12; ++i) {
+      const Shape a = random_shape(form_a, 1, random), b = random_shape(form_b, 1, random);
+      Scene lazy, eager;
+      for (Scene* s : {&lazy, &eager}) s->add(a, at(0, 0, 0)), s->add(b, at(0, 0, 0));
+      for (Scene* s : {&lazy, &eager})
+        s->settings.query.routines = i % 2 == 0, s->settings.manifold.kind = ManifoldKind::clip;
+      const Vec3 from = Vec3(random.uniform(-3, 3), random.uniform(0, 4), 5), to = Vec3(random.uniform(-2, 2), -1, -4);
+      const Vec3 turn = random.direction(), reach(0, random.uniform(0, 0.05), 0);
+      for (int k = 0; k < kSteps; ++k) {
+        const Real t = static_cast<Real>(k) / kSteps;
+        const Frame now = at(0, 0, 0, 3 * t * turn + 0.01 * random.direction());
+        const Real horizon = lazy.pairs.size() > 0 ? lazy.pairs.place(0).horizon : -kInfinity;
+        for (Scene* s : {&lazy, &eager}) {
+          s->table.place(1, Frame(now.r, from + t * (to - from)));
+          s->table.reach[1] = k % 40 == 0 ? reach.y() : 0;
+        }
+        eager.pairs.ask_all();
+        lazy.step(), eager.step();
+        const Manifold &m = lazy.pairs[0].manifold, &n = eager.pairs[0].manifold;
+        assert_int_equal(m.count, n.count);
+        assert_int_equal(lazy.pairs.place(0).points, m.count);
+        for (int p = 0; i % 2 == 0 && p < m.count; ++p)
+          assert_memory_equal(&m.point[p].separation, &n.point[p].separation, 8);
+        touching += m.count > 0;
+        apart += m.count == 0;
+        left_alone += horizon > -kInfinity && lazy.pairs.place(0).horizon == horizon;
+      }
+    }
+    assert_true(touching > 100);
+    assert_true(left_alone > apart / 2);
+  }
+}
+
+static void a_pair_left_alone_is_asked_again_when_a_jump_or_a_dial_may_have_changed_it(void**) {
+  const Shape a = box(Vec3(1, 1, 1)), b = box(Vec3(0.5, 0.5, 0.5));
+  Scene s;
+  s.settings.query.routines = false;
+  s.add(a, at(0, 0, 0)), s.add(b, at(0, 2, 0));
+  const auto queries = [&] {
+    s.step();
+    return s.report.gjk_calls;
+  };
+  assert_int_equal(queries(), 1);
+  assert_int_equal(queries(), 0);
+  s.table.place(1, at(0, 1.9, 0));  // of a gap of half a metre
+  assert_int_equal(queries(), 0);
+  s.pairs.ask_all();
+  assert_int_equal(queries(), 1);
+  s.settings.manifold.contact_distance = 0.5;
+  assert_int_equal(queries(), 1);
+  assert_true(s.pairs[0].manifold.count > 0);
+  s.table.place(1, at(1e6, 1.5, 0));
+  assert_int_equal(queries(), 1);
+  s.table.place(1, at(0, 1.5, 0));
+  assert_int_equal(queries(), 1);
+  assert_true(s.pairs[0].manifold.count > 0);
+}
+
 static void a_steady_step_allocates_nothing(void**) {
   const Shape ground = half_space(Vec3::UnitY(), 0), brick = box(Vec3(0.5, 0.5, 0.5)), pin = cylinder(0.5, 0.5),
               ball = sphere(0.5);
@@ -327,6 +393,8 @@ int main() {
       cmocka_unit_test(counters_say_which_path_was_taken),
       cmocka_unit_test(two_half_spaces_make_no_contact),
       cmocka_unit_test(poses_that_are_no_numbers_make_no_contacts),
+      cmocka_unit_test(pairs_out_of_reach_are_left_alone_and_miss_no_contact),
+      cmocka_unit_test(a_pair_left_alone_is_asked_again_when_a_jump_or_a_dial_may_have_changed_it),
       cmocka_unit_test(a_steady_step_allocates_nothing),
       cmocka_unit_test(the_same_scene_gives_the_same_bits),
   };

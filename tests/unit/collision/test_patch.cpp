@@ -392,10 +392,11 @@ struct Steps {
     settings.manifold = with(kind);
     table.shape = {&a, &b};
     table.frame.resize(2);
+    table.travel.resize(2, 0);
     table.reach.resize(2, 0);
   }
   const Manifold& step(const Frame& a, const Frame& b) {
-    table.frame[0] = a, table.frame[1] = b;
+    table.place(0, a), table.place(1, b);
     pairs.update(all);
     report = NarrowReport{};
     narrow_phase(table, settings, pairs, report, faults);

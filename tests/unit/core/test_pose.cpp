@@ -1,9 +1,7 @@
 // The bound on what a motion between two poses does to the points of the smaller body, against the points themselves.
-#include "core/pose.h"
-
-#include "random_pairs.h"
-
 #include "carom_test.h"
+#include "core/pose.h"
+#include "random_pairs.h"
 
 using namespace carom;
 using namespace carom::test;
@@ -34,10 +32,35 @@ static void a_shift_and_a_turn_alone_attain_the_bound(void**) {
   assert_true(std::fabs(motion_bound(here, turned, 1, 0.5) - moved) <= 16 * kUnitRoundoff);
 }
 
+static void no_point_of_a_body_comes_farther_than_its_way(void**) {
+  Random random(82);
+  for (int i = 0; i < 2000; ++i) {
+    const Quat q = random_rotation(random);
+    const Vec3 p = random.in_cube(3);
+    const Real step = std::pow(10.0, -random.uniform(0, 15)), radius = random.uniform(0.1, 2);
+    const Frame then(Pose{q, p}), now(Pose{normalized(exp_map(random.in_cube(step)) * q), p + random.in_cube(step)});
+    const Real way = way_bound(then, now, radius);
+    Real most = 0;
+    for (int k = 0; k < 20; ++k) {
+      const Vec3 x = radius * random.direction();
+      // Differences first, so that the motion is not lost in the rounding of places.
+      most = std::max(most, ((now.r - then.r) * x + (now.p - then.p)).norm());
+    }
+    assert_true(most <= way);
+    assert_true(way_bound(then, then, kInfinity) == 0);
+  }
+  const Frame here, shifted(Mat3::Identity(), Vec3(3, 4, 0)), turned(Pose{exp_map(Vec3(0, 0, 0.1)), Vec3::Zero()});
+  assert_true(std::fabs(way_bound(here, shifted, kInfinity) - 5) <= 5 * 20 * kUnitRoundoff);
+  assert_true(way_bound(here, turned, kInfinity) == kInfinity);
+  const Real moved = (turned.apply(Vec3(0.5, 0, 0)) - Vec3(0.5, 0, 0)).norm();
+  assert_true(std::fabs(way_bound(here, turned, 0.5) - moved) <= 40 * kUnitRoundoff);
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(no_point_of_the_smaller_body_moves_farther_than_the_bound),
       cmocka_unit_test(a_shift_and_a_turn_alone_attain_the_bound),
+      cmocka_unit_test(no_point_of_a_body_comes_farther_than_its_way),
   };
   return cmocka_run_group_tests_name("core/pose", tests, nullptr, nullptr);
 }
