@@ -25,21 +25,21 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
   std::uint32_t groups = 0;
   if (grouped) {
     c.parent.resize(body_slots), c.cursor.resize(body_slots);
-    for (const Row& row : c.rows) {  // bodies without rows stay out of it, sleepers among them
-      c.parent[row.a] = row.a, c.parent[row.b] = row.b;
-      c.cursor[row.a] = c.cursor[row.b] = kNone;  // scratch: group of a root
+    for (const Meeting& m : c.meetings) {  // bodies without rows stay out of it, sleepers among them
+      c.parent[m.a] = m.a, c.parent[m.b] = m.b;
+      c.cursor[m.a] = c.cursor[m.b] = kNone;  // scratch: group of a root
     }
-    for (const Row& row : c.rows) {
-      if (!row.moves_a || !row.moves_b) continue;
-      const std::uint32_t a = root(c.parent, row.a), b = root(c.parent, row.b);
+    for (const Meeting& m : c.meetings) {
+      if (!m.moves_a || !m.moves_b) continue;
+      const std::uint32_t a = root(c.parent, m.a), b = root(c.parent, m.b);
       // The lower slot is the root whatever the order of unions: labels depend on the contacts alone.
       if (a < b) c.parent[b] = a;
       if (b < a) c.parent[a] = b;
     }
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::uint32_t r = root(c.parent, c.rows[i].moves_a ? c.rows[i].a : c.rows[i].b);
+    for (const Meeting& m : c.meetings) {
+      const std::uint32_t r = root(c.parent, m.moves_a ? m.a : m.b);
       if (c.cursor[r] == kNone) c.cursor[r] = groups++;
-      c.label[i] = c.cursor[r];
+      std::fill_n(c.label.begin() + m.row, m.count, c.cursor[r]);
     }
   } else {
     c.label.assign(n, 0);

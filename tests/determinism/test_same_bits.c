@@ -99,8 +99,8 @@ static void handle_numbers_do_not_matter(void **state) {
  * the specific routines, by the generic path, and by the other solvers (soft_step, sequential, direct, auto). When physics is meant to
  * change, so do these: say why in the commit. */
 static void the_bits_are_those_of_every_other_build(void **state) {
-  const uint64_t golden[6] = {0x9e9b9f31817bd05du, 0x68df1161aaf6ef53u, 0x108ab681e6b7d031u,
-                              0xdd81a10a76b88b18u, 0x3e495c7cb00158e7u, 0xdfd22fe1e0282af2u};
+  const uint64_t golden[6] = {0x9e9b9f31817bd05du, 0x68df1161aaf6ef53u, 0x737339e0027f1207u,
+                              0x63732e2537f7c74fu, 0x3e495c7cb00158e7u, 0xd3e69d2ca6df3cd5u};
   int setting, wrong = 0;
   (void)state;
   for (setting = 0; setting < 6; ++setting) {

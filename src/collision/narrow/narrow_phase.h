@@ -1,6 +1,8 @@
 // Narrow phase: from pairs of bounds to contact points, remembering each pair from step to step.
 #pragma once
 
+#include <cstddef>
+
 #include "collision/colliders.h"
 #include "collision/manifold/patch.h"
 #include "collision/narrow/query.h"
@@ -68,6 +70,15 @@ class PairTable {
   };
   Place& place(std::size_t i) { return order_[i]; }
   const Place& place(std::size_t i) const { return order_[i]; }
+  /// Bring the manifold and patch of a pair that touches nearer: records of a step are more than the second cache
+  /// holds.
+  /// @param i  may be past the end
+  void fetch(std::size_t i) const {
+    if (i >= order_.size() || order_[i].points == 0) return;
+    const auto* const record = reinterpret_cast<const char*>(&records_[order_[i].record]);
+    for (std::size_t at = offsetof(PairRecord, manifold); at < sizeof(PairRecord); at += 64)
+      __builtin_prefetch(record + at);
+  }
   /// No pair is to be taken for out of reach before it is asked once more: how pairs are asked may have changed.
   void ask_all() {
     for (Place& p : order_) p.horizon = -kInfinity;

@@ -109,8 +109,10 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
     RowGeometry g{};
     g.radius_a = scene.colliders.shape[ca]->core_radius, g.radius_b = scene.colliders.shape[cb]->core_radius;
-    g.l_a = fa.apply(point.on_a) - g.radius_a * (world.plan->rotation[m.a].transpose() * row.n);
-    g.l_b = fb.apply(point.on_b) + g.radius_b * (world.plan->rotation[m.b].transpose() * row.n);
+    g.l_a = fa.apply(point.on_a);
+    g.l_b = fb.apply(point.on_b);
+    if (g.radius_a > 0) g.l_a -= g.radius_a * (world.plan->rotation[m.a].transpose() * row.n);
+    if (g.radius_b > 0) g.l_b += g.radius_b * (world.plan->rotation[m.b].transpose() * row.n);
     g.impulse = Vec3::Zero();
     g.separation = point.separation;
     g.pair = static_cast<std::uint32_t>(pair_index);
@@ -122,7 +124,7 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
 
 /// Rows of all pairs, in their order: first how many each has, then what they are.
 void fill_all_rows(World& world, Real scale) {
-  constexpr std::size_t kPairsAPart = 64;
+  constexpr std::size_t kPairsAPart = 64, kPairsAhead = 4;
   Contacts& c = *world.contacts;
   const std::size_t pairs = world.pairs.size();
   c.first_row.resize(pairs + 1);
@@ -139,9 +141,23 @@ void fill_all_rows(World& world, Real scale) {
     const auto before = [](const OldImpulse& old, const Pair& pair) { return old.pair < pair; };
     auto cursor = static_cast<std::size_t>(
         std::lower_bound(c.old.begin(), c.old.end(), world.pairs.place(begin).pair, before) - c.old.begin());
-    for (std::uint32_t i = begin; i < end; ++i)
+    for (std::uint32_t i = begin; i < end; ++i) {
+      world.pairs.fetch(i + kPairsAhead);
       if (c.first_row[i] < c.first_row[i + 1]) fill_rows(world, i, c.first_row[i], cursor, scale);
+    }
   });
+}
+
+/// Runs of rows of one pair.
+void list_meetings(const PairTable& pairs, Contacts& c) {
+  c.meetings.clear();
+  c.meetings.reserve(c.rows.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const std::uint32_t first = c.first_row[i], count = c.first_row[i + 1] - first;
+    if (count == 0) continue;
+    const Row& row = c.rows[first];
+    c.meetings.push_back({first, count, row.a, row.b, row.moves_a, row.moves_b});
+  }
 }
 
 /// Where each body's rows will stand in the list of halves. Only bodies that move are looked at: sleepers cost nothing.
@@ -151,9 +167,9 @@ void count_halves(World& world) {
   c.half_begin.resize(slots), c.half_end.resize(slots);
   const auto each_mover = [&](auto&& f) { each_of_both(world.plan->linear, world.plan->rotating, f); };
   each_mover([&](std::uint32_t i) { c.half_end[i] = 0; });
-  for (const Row& row : c.rows) {
-    if (row.moves_a) ++c.half_end[row.a];
-    if (row.moves_b) ++c.half_end[row.b];
+  for (const Meeting& m : c.meetings) {
+    if (m.moves_a) c.half_end[m.a] += m.count;
+    if (m.moves_b) c.half_end[m.b] += m.count;
   }
   c.bodies.clear();
   std::uint32_t begin = 0;
@@ -227,6 +243,7 @@ void build_rows(World& world, Real h) {
     if (c.rows[i].bounces) c.bouncing.push_back(i);
   world.report.contact_points = n;
   c.mass.resize(n);
+  list_meetings(world.pairs, c);
   count_halves(world);
   c.inv_inertia_w.resize(slots);
   c.shift.resize(slots, Vec3::Zero()), c.turn.resize(slots, Vec3::Zero());

@@ -76,6 +76,13 @@ struct HalfContact {
   Real sign;  // +1: the body is B; -1: A
 };
 
+/// Rows of one pair, which stand together: what loops over bodies in touch need of them.
+struct Meeting {
+  std::uint32_t row, count;
+  std::uint32_t a, b;  // body slots
+  bool moves_a, moves_b;
+};
+
 /// What the next step knows of an impulse of this one.
 struct OldImpulse {
   Pair pair;
@@ -89,6 +96,7 @@ struct Contacts {
         mass(m),
         geometry(m),
         first_row(m),
+        meetings(m),
         half(m),
         half_begin(m),
         half_end(m),
@@ -115,6 +123,7 @@ struct Contacts {
   Array<RowGeometry> geometry;
 
   Array<std::uint32_t> first_row;  // [pairs + 1] by pair of the table
+  Array<Meeting> meetings;         // of pairs that have rows, in their order
 
   // by body slot
   Array<HalfContact> half;                    // grouped by body

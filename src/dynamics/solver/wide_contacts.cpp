@@ -25,10 +25,9 @@ void number_bodies(const World& world, WideContacts& wide) {
     wide.slot.push_back(i);
   };
   // Kinematic bodies keep their velocity and lend it to those that touch them.
-  for (std::size_t i = 0; i < c.rows.size(); ++i) {
-    if (!c.answered_in_lanes(i)) continue;
-    const Row& row = c.rows[i];
-    for (const auto& [moves, body] : {std::pair(row.moves_a, row.a), std::pair(row.moves_b, row.b)})
+  for (const Meeting& m : c.meetings) {
+    if (!c.answered_in_lanes(m.row)) continue;
+    for (const auto& [moves, body] : {std::pair(m.moves_a, m.a), std::pair(m.moves_b, m.b)})
       if (moves)
         wide.body[body] = kMoves;
       else if (scene.type[body] == BodyType::kinematic && !wide.body[body])
@@ -47,22 +46,19 @@ void number_bodies(const World& world, WideContacts& wide) {
   }
 }
 
-/// Manifolds from runs of rows of one pair, each with the lowest colour that none of its movable bodies has yet.
+/// Manifolds from meetings, each with the lowest colour that none of its movable bodies has yet.
 void colour_manifolds(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   wide.manifolds.clear();
   wide.taken.assign(wide.slot.size(), 0);
-  for (std::uint32_t i = 0, next; i < c.rows.size(); i = next) {
-    for (next = i + 1; next < c.rows.size() && c.geometry[next].pair == c.geometry[i].pair;) ++next;
-    if (!c.answered_in_lanes(i)) continue;
-    const Row& row = c.rows[i];
+  for (const Meeting& m : c.meetings) {
+    if (!c.answered_in_lanes(m.row)) continue;
     std::uint64_t nobody = 0;
-    std::uint64_t& a = row.moves_a ? wide.taken[wide.body[row.a]] : nobody;
-    std::uint64_t& b = row.moves_b ? wide.taken[wide.body[row.b]] : nobody;
+    std::uint64_t& a = m.moves_a ? wide.taken[wide.body[m.a]] : nobody;
+    std::uint64_t& b = m.moves_b ? wide.taken[wide.body[m.b]] : nobody;
     const auto colour = static_cast<std::uint32_t>(std::countr_one(a | b));  // kColours: none is left
     if (colour < kColours) a |= std::uint64_t{1} << colour, b |= std::uint64_t{1} << colour;
-    const std::uint32_t points = next - i;
-    wide.manifolds.push_back({i, points, colour * kMaxPoints + points - 1, 0, 0});
+    wide.manifolds.push_back({m.row, m.count, colour * kMaxPoints + m.count - 1, 0, 0});
   }
 }
 
@@ -104,10 +100,11 @@ void fill_points(const World& world, const WideContacts::Manifold& m, PairLanes&
   const Contacts& c = *world.contacts;
   std::array<Arms, kMaxPoints> arms;
   Vec3 middle_a = Vec3::Zero(), middle_b = Vec3::Zero();
+  const Real part = 1 / static_cast<Real>(m.points);
   for (std::uint32_t k = 0; k < m.points; ++k) {
     arms[k] = Arms(world, c.rows[m.row + k], c.geometry[m.row + k]);
-    middle_a += arms[k].a / m.points;
-    middle_b += arms[k].b / m.points;
+    middle_a += part * arms[k].a;
+    middle_b += part * arms[k].b;
   }
   const Vec3 n = c.rows[m.row].n, t = any_perpendicular(n).normalized();
   Vec3 force = Vec3::Zero();
@@ -116,6 +113,7 @@ void fill_points(const World& world, const WideContacts::Manifold& m, PairLanes&
     const Row& row = c.rows[m.row + k];
     pair.one_normal &= row.n == n;
     fill_point(world.state, row, c.geometry[m.row + k], arms[k], middle_a, points[k], lane);
+    if (row.p == Vec3::Zero()) continue;
     const Vec3 sideways = row.p - row.p.dot(row.n) * row.n;
     force += sideways;
     twist += (arms[k].a - middle_a).cross(sideways).dot(n);
@@ -171,6 +169,8 @@ void empty(WideContacts& wide, PairLanes& pair) {
   pair.first = first, pair.points = points;
   std::fill_n(&wide.points[first], points, PointLanes{});
 }
+
+Real inverse(Real load) { return load > 0 ? 1 / load : 0; }
 
 /// What the impulses of a pair's points add up to: of the last substep and of the step.
 struct Load {
@@ -263,29 +263,33 @@ void unpack(World& world, const WideContacts& wide) {
     const PointLanes* const points = &wide.points[pair.first];
     const std::uint32_t lane = m.lane;
     const Load load(points, m.points, lane);
+    const Real inv_all = inverse(load.all), inv_moment = inverse(load.moment), inv_sum = inverse(load.sum),
+               inv_sum_moment = inverse(load.sum_moment);
     const Vec3 n = get(pair.n, lane), t = get(pair.t, lane), sideways = n.cross(t);
     // A point's part of the pair's friction goes by its load, of the twist by its moment about the middle: summed over
     // the points both are what they were.
-    const auto share = [&](const Vec3& normal, const Vec3& around, Real p_n, Real all_n, Real all_moment, Real p_t,
-                           Real p_s, Real p_w) {
-      Vec3 rub = Vec3::Zero();
-      if (all_n > 0) rub += (p_n / all_n) * (p_t * t + p_s * sideways);
-      if (all_moment > 0) rub += (p_n / all_moment) * p_w * around;
-      return Vec3(p_n * normal + rub);
+    const auto share = [&](const Vec3& normal, const Vec3& around, Real p_n, const Vec3& force, Real twist) {
+      return Vec3(p_n * normal + (p_n * force + (p_n * twist) * around));
     };
+    const Vec3 force = inv_all * (pair.p_t[lane] * t + pair.p_s[lane] * sideways),
+               sum_force = inv_sum * (pair.sum_t[lane] * t + pair.sum_s[lane] * sideways);
+    const Real twist = inv_moment * pair.p_w[lane], sum_twist = inv_sum_moment * pair.sum_w[lane];
+    const Row& first = c.rows[m.row];
+    const Vec3 apart = s.x[first.b] - s.x[first.a];  // first: far from the origin both are large and nearly equal
     for (std::uint32_t k = 0; k < m.points; ++k) {
       Row& row = c.rows[m.row + k];
       RowGeometry& g = c.geometry[m.row + k];
       const PointLanes& p = points[k];
       const Vec3 around = n.cross(get(p.d, lane));
-      row.p = share(row.n, around, p.p_n[lane], load.all, load.moment, pair.p_t[lane], pair.p_s[lane], pair.p_w[lane]);
-      g.impulse = share(row.n, around, p.sum_n[lane], load.sum, load.sum_moment, pair.sum_t[lane], pair.sum_s[lane],
-                        pair.sum_w[lane]);
+      row.p = share(row.n, around, p.p_n[lane], force, twist);
+      g.impulse = share(row.n, around, p.sum_n[lane], sum_force, sum_twist);
       row.bounced = false;
-      row.u = relative_velocity(s, row, arm_a(world, row, g), arm_b(world, row, g));
+      const Vec3 r_a = arm_a(world, row, g), r_b = arm_b(world, row, g);
+      row.u = relative_velocity(s, row, r_a, r_b);
+      g.separation = (apart + (r_b - r_a)).dot(row.n);
     }
   });
-  refresh_separations(world);
+  if (!c.direct.empty()) refresh_separations(world);  // those that were answered elsewhere too
 }
 
 }  // namespace carom
