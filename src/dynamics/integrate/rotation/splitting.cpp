@@ -18,14 +18,15 @@
 namespace carom {
 namespace {
 
-/// Turn about the body's axis y by angle: q becomes q exp(angle e_y), and p is seen from the turned axes.
-void turn_y(Real angle, Quat& q, Vec3& p) {
+/// Turn about the body's axis y by angle: q becomes q exp(angle e_y), and p is seen from the turned axes. Inlined, so
+/// that q and p stay in registers.
+[[gnu::always_inline]] inline void turn_y(Real angle, Quat& q, Vec3& p) {
   const Turn t = turn_by(angle);
   const Real c = t.half_cos, s = t.half_sin;
   q = Quat(q.w() * c - q.y() * s, q.x() * c - q.z() * s, q.y() * c + q.w() * s, q.z() * c + q.x() * s);
   p = Vec3(t.cos * p.x() - t.sin * p.z(), p.y(), t.sin * p.x() + t.cos * p.z());
 }
-void turn_z(Real angle, Quat& q, Vec3& p) {
+[[gnu::always_inline]] inline void turn_z(Real angle, Quat& q, Vec3& p) {
   const Turn t = turn_by(angle);
   const Real c = t.half_cos, s = t.half_sin;
   q = Quat(q.w() * c - q.z() * s, q.x() * c + q.y() * s, q.y() * c - q.x() * s, q.z() * c + q.w() * s);
