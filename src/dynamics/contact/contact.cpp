@@ -12,6 +12,8 @@
 namespace carom {
 namespace {
 
+constexpr std::size_t kPairsAhead = 4;  // whose records are fetched while those of one pair are read
+
 const Material& material_of(const Scene& scene, std::uint32_t collider) {
   static constexpr Material kDefault;
   const std::uint32_t slot = scene.colliders.material[collider];
@@ -26,7 +28,15 @@ std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Contacts&
                                                                  const Manifold& manifold, Real reach) {
   std::array<const OldImpulse*, Manifold::kMaxPoints> match{};
   if (last - first == 1 && manifold.count == 1) return {&c.old[first]};
-  for (std::size_t left = last - first; left > 0; --left) {
+  std::size_t left = last - first;
+  // A kept patch has its points where they were, in their order: nothing is nearer.
+  std::size_t next = first;
+  for (int i = 0; i < manifold.count && next < last && reach > 0; ++i) {
+    if (c.old[next].on_a != manifold.point[i].on_a) continue;
+    match[static_cast<std::size_t>(i)] = &c.old[next++];
+    --left;
+  }
+  for (; left > 0; --left) {
     Real least = reach * reach;
     const OldImpulse* nearest = nullptr;
     int of = 0;
@@ -124,7 +134,7 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
 
 /// Rows of all pairs, in their order: first how many each has, then what they are.
 void fill_all_rows(World& world, Real scale) {
-  constexpr std::size_t kPairsAPart = 64, kPairsAhead = 4;
+  constexpr std::size_t kPairsAPart = 64;
   Contacts& c = *world.contacts;
   const std::size_t pairs = world.pairs.size();
   c.first_row.resize(pairs + 1);
@@ -332,8 +342,10 @@ void remember_impulses(World& world, Real h) {
   c.old_h = h;
   for (std::size_t i = 0; i < c.rows.size(); ++i) {
     if (c.rows[i].p == Vec3::Zero() || c.rows[i].bounced) continue;  // an impact does not come again
-    const PairRecord& record = world.pairs[c.geometry[i].pair];
-    c.old.push_back({record.pair, record.manifold.point[c.geometry[i].point].on_a, c.rows[i].n, c.rows[i].p});
+    const RowGeometry& g = c.geometry[i];
+    world.pairs.fetch(g.pair + kPairsAhead);
+    c.old.push_back(
+        {world.pairs.place(g.pair).pair, world.pairs[g.pair].manifold.point[g.point].on_a, c.rows[i].n, c.rows[i].p});
   }
 }
 

@@ -57,7 +57,7 @@ Real mass_ratio_of(const Scene& scene, const Row& row) {
 /// m, of the thinner of the two shapes that touch.
 Real thickness_of(const World& world, const RowGeometry& g) {
   const Colliders& colliders = world.scene.colliders;
-  const Pair& pair = world.pairs[g.pair].pair;
+  const Pair& pair = world.pairs.place(g.pair).pair;
   const auto of = [&](std::uint32_t collider) {
     const Aabb& b = colliders.shape[collider]->bounds;
     return (b.hi - b.lo).minCoeff();
@@ -104,7 +104,7 @@ void look_at(World& world, std::size_t group, Real w2, Real h, Real weight, Grou
     const std::uint32_t i = c.group_rows[k];
     const Row& row = c.rows[i];
     const RowGeometry& g = c.geometry[i];
-    const Real load = std::max(row.p.dot(row.n) / h, weight / world.pairs[g.pair].manifold.count);
+    const Real load = std::max(row.p.dot(row.n) / h, weight / world.pairs.place(g.pair).points);
     const Real thickness = thickness_of(world, g), closing = closing_speed(world, row, g);
     const Real sink = sink_of(world, i, load, w2) / thickness;
     if (sink > deep && row.moves_a) c.load[row.a] = Contacts::kHeavy;
