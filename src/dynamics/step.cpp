@@ -2,6 +2,7 @@
 // it.
 #include <chrono>
 
+#include "dynamics/contact/impact.h"
 #include "dynamics/detect.h"
 #include "dynamics/effects.h"
 #include "dynamics/integrate/integrator.h"
@@ -58,6 +59,7 @@ void World::step(Real dt) {
   for (int k = 0; k < run.substeps(); ++k) {
     run(Stage::solve, measure_approach);
     run(Stage::integrate, integrate_velocity);
+    run(Stage::solve, answer_impacts);
     run(Stage::solve, solve_velocities);
     run(Stage::integrate, integrate_position);
     run(Stage::relax, solve_positions);

@@ -170,8 +170,8 @@ static void a_capped_solve_stays_sane(void**) {
     c.a = kNobody, c.b = 0, c.below = kNobody;
     c.n = i ? Vec3(1, 0, 0) : Vec3(-1, 0, 0);
     c.r_a.setZero(), c.r_b = -c.n;
-    c.friction = 0.5, c.want = 1, c.k = 2, c.restitution = 0;
-    c.p.setZero(), c.u.setZero(), c.impact.setZero();
+    c.friction = 0.5, c.want = 1, c.k = 2;
+    c.p.setZero(), c.u.setZero();
   }
   Elimination e(std::pmr::new_delete_resource());
   e.clear();

@@ -115,7 +115,6 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
       row.p = starting_impulse(*old, row.n, friction, scale);
     row.friction = friction;
     row.restitution = restitution;
-    row.bounces = restitution > 0;
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
     RowGeometry g{};
     g.radius_a = scene.colliders.shape[ca]->core_radius, g.radius_b = scene.colliders.shape[cb]->core_radius;
@@ -191,21 +190,6 @@ void count_halves(World& world) {
   c.half.resize(begin);
 }
 
-/// K = (1/m_a + 1/m_b) 1 - [r_a]x I_a^-1 [r_a]x - [r_b]x I_b^-1 [r_b]x, world axes.
-Mat3 velocity_per_impulse(const World& world, const Row& row, const RowMass& m) {
-  const Scene& scene = world.scene;
-  Mat3 k = Mat3::Zero();
-  const auto add = [&](std::uint32_t body, const Vec3& r) {
-    k.diagonal().array() += scene.inv_mass[body];
-    if (!rotates(scene, body)) return;
-    const Mat3 x = cross_matrix(r);
-    k -= x * world.contacts->inv_inertia_w[body] * x;
-  };
-  if (row.moves_a) add(row.a, m.r_a);
-  if (row.moves_b) add(row.b, m.r_b);
-  return k;
-}
-
 /// Let a row's starting impulse act.
 void start_row(World& world, const Row& row, const RowMass& m) {
   State& s = world.state;
@@ -235,27 +219,42 @@ Real mix(Mix rule_a, Real a, Mix rule_b, Real b) {
   }
 }
 
-Real closing_speed(const World& world, const Row& row, const RowGeometry& g) {
-  const State& s = world.state;
-  return -relative_velocity(s, row, arm_a(world, row, g), arm_b(world, row, g)).dot(row.n);
+// K = (1/m_a + 1/m_b) 1 - [r_a]x I_a^-1 [r_a]x - [r_b]x I_b^-1 [r_b]x
+Mat3 velocity_per_impulse(const World& world, const Row& row, const RowMass& m) {
+  const Scene& scene = world.scene;
+  Mat3 k = Mat3::Zero();
+  const auto add = [&](std::uint32_t body, const Vec3& r) {
+    k.diagonal().array() += scene.inv_mass[body];
+    if (!rotates(scene, body)) return;
+    const Mat3 x = cross_matrix(r);
+    k -= x * world.contacts->inv_inertia_w[body] * x;
+  };
+  if (row.moves_a) add(row.a, m.r_a);
+  if (row.moves_b) add(row.b, m.r_b);
+  return k;
 }
 
 void build_rows(World& world, Real h) {
   Contacts& c = *world.contacts;
   const std::size_t slots = world.scene.bodies.slots();
-  c.bouncing.clear();
+  c.bouncing.clear(), c.impacts.clear();
   const auto untouch = [&](std::uint32_t i) { world.plan->touched[i] = 0; };
   world.plan->linear.each(untouch), world.plan->rotating.each(untouch);
   const bool warm = world.scene.dials.choice(Dial::warm_start) != 0 && c.old_h > 0;
   fill_all_rows(world, warm ? h / c.old_h : 0);
   const std::size_t n = c.rows.size();
-  for (std::uint32_t i = 0; i < n; ++i)
-    if (c.rows[i].bounces) c.bouncing.push_back(i);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (!(c.rows[i].restitution > 0)) continue;
+    c.geometry[i].impact = static_cast<std::uint32_t>(c.impacts.size());
+    c.bouncing.push_back(i);
+    c.impacts.emplace_back().row = i;
+  }
   world.report.contact_points = n;
   c.mass.resize(n);
   list_meetings(world.pairs, c);
   count_halves(world);
   c.inv_inertia_w.resize(slots);
+  c.last_impact.resize(slots);
   c.shift.resize(slots, Vec3::Zero()), c.turn.resize(slots, Vec3::Zero());
   c.keys.resize(n), c.place.resize(n), c.ranked.reserve(n), c.cursor.reserve(std::max(n, slots) + 1);
   c.old.reserve(n);
@@ -266,23 +265,12 @@ void build_rows(World& world, Real h) {
   world.plan->find("restitution")->customers.count = c.bouncing.size();
 }
 
-void measure_closing(World& world, const StepTime&) {
-  Contacts& c = *world.contacts;
-  for (const std::uint32_t i : c.bouncing) c.geometry[i].approach = closing_speed(world, c.rows[i], c.geometry[i]);
-}
-
 void prepare_rows(World& world, Real h) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
   for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;
   refresh_inertias(world);
   for (const std::uint32_t i : c.bodies) c.half_end[i] = c.half_begin[i];  // filled anew below
-  for (const std::uint32_t i : c.bouncing) {
-    const Real speed = closing_speed(world, c.rows[i], c.geometry[i]);
-    c.rows[i].force_speed = std::max(Real(0), speed - c.geometry[i].approach);
-    if (c.rows[i].bounced) c.rows[i].p.setZero();  // an impact of the substep before does not come again
-    c.rows[i].bounced = false;
-  }
   for (std::uint32_t i = 0; i < c.rows.size(); ++i) {
     Row& row = c.rows[i];
     RowMass& m = c.mass[i];
@@ -327,13 +315,8 @@ void refresh_rotations(World& world) {
 
 void refresh_separations(World& world) {
   Contacts& c = *world.contacts;
-  const State& s = world.state;
-  in_parallel(world.jobs, c.rows.size(), kRowsAPart, [&](std::uint32_t i) {
-    const Row& row = c.rows[i];
-    RowGeometry& g = c.geometry[i];
-    // The difference of the centres first: far from the origin they are large and nearly equal.
-    g.separation = ((s.x[row.b] - s.x[row.a]) + (arm_b(world, row, g) - arm_a(world, row, g))).dot(row.n);
-  });
+  in_parallel(world.jobs, c.rows.size(), kRowsAPart,
+              [&](std::uint32_t i) { c.geometry[i].separation = separation_of(world, c.rows[i], c.geometry[i]); });
 }
 
 void remember_impulses(World& world, Real h) {
@@ -341,7 +324,7 @@ void remember_impulses(World& world, Real h) {
   c.old.clear();
   c.old_h = h;
   for (std::size_t i = 0; i < c.rows.size(); ++i) {
-    if (c.rows[i].p == Vec3::Zero() || c.rows[i].bounced) continue;  // an impact does not come again
+    if (c.rows[i].p == Vec3::Zero()) continue;
     const RowGeometry& g = c.geometry[i];
     world.pairs.fetch(g.pair + kPairsAhead);
     c.old.push_back(

@@ -23,14 +23,11 @@ struct alignas(64) Row {
   Vec3 rub = Vec3::Zero();  // N s, tangent part of p
   Real rub2;                // (N s)^2, |rub|^2
   bool on_rim;              // the friction impulse is as large as the cone allows
-  bool bounces;             // restitution > 0
-  bool bounced;             // it threw its bodies apart in this substep: its impulse is not taken back
   bool moves_a, moves_b;    // an impulse moves it
   Real friction;            // mixed Coulomb coefficient
 
-  Vec3 p;            // N s, impulse on B in this substep so far, world; between substeps, what the next starts from
-  Real restitution;  // mixed
-  Real force_speed;  // m/s >= 0, part of the closing speed that the forces of this substep added; rows that bounce only
+  Vec3 p;              // N s, impulse on B in this substep so far, world; between substeps, what the next starts from
+  Real restitution;    // mixed; 0: does not bounce
   std::uint32_t a, b;  // body slots
 
   /// Set the impulse and what follows from it.
@@ -61,11 +58,11 @@ struct RowGeometry {
   // with its body, the core radius beyond it points along the normal all step long.
   Vec3 l_a, l_b;            // m, body axes about the centre of mass: the core's points
   Real radius_a, radius_b;  // m, core radii; 0: the surface turns with the body
-  Vec3 impulse;         // N s, of the whole step, world
-  Real separation;      // m, as of the last refresh_separations()
-  Real approach;        // m/s, closing speed before the forces of this substep; rows that bounce only
-  std::uint32_t pair;   // index in the pair table
-  std::uint32_t point;  // index in its manifold
+  Vec3 impulse;             // N s, of the whole step, world
+  Real separation;          // m, as of the last refresh_separations()
+  std::uint32_t pair;       // index in the pair table
+  std::uint32_t point;      // index in its manifold
+  std::uint32_t impact;     // in Contacts::impacts; rows that bounce only
 };
 
 /// One end of a row, listed with the body it hangs on: all that is needed to tell the row that the body's velocity
@@ -90,6 +87,40 @@ struct OldImpulse {
   Vec3 n, p;  // unit; N s per substep, world
 };
 
+/// From the centre of mass to the surface point. m, world axes, by plan.rotation
+inline Vec3 arm_a(const World& world, const Row& row, const RowGeometry& g) {
+  return world.plan->rotation[row.a] * g.l_a + g.radius_a * row.n;
+}
+inline Vec3 arm_b(const World& world, const Row& row, const RowGeometry& g) {
+  return world.plan->rotation[row.b] * g.l_b - g.radius_b * row.n;
+}
+/// Where a point is, as a solver sees it: one place for both bodies, for impulses at one place keep the angular
+/// momentum. While they slide or roll the two surface points part. The place stays with the body that moves, or with
+/// the one that is round (the point of a flat one rolls away from under it), else halfway between the two.
+struct Arms {
+  Vec3 a, b;  // m, world axes, from the centres of mass
+  Arms() = default;
+  Arms(const World& world, const Row& row, const RowGeometry& g) {
+    const Vec3 apart = world.state.x[row.b] - world.state.x[row.a];
+    const bool round_a = g.radius_a > 0, round_b = g.radius_b > 0;
+    const Real to_b = row.moves_a != row.moves_b ? row.moves_b : (1 + round_b - round_a) / Real(2);
+    const Vec3 on_a = arm_a(world, row, g), on_b = apart + arm_b(world, row, g);
+    a = on_a + to_b * (on_b - on_a);
+    b = a - apart;
+  }
+};
+
+/// A row that bounces, within a substep.
+struct Impact {
+  std::uint32_t row;
+  std::uint32_t count;  // of impacts
+  Arms r;
+  Vec3 before;  // m/s, relative velocity before the forces
+  Vec3 accel;   // m/s^2, what they do to it
+  Real gap;     // m, separation as the substep began
+  Real leeway;  // m, that it may close beyond its separation
+};
+
 struct Contacts {
   explicit Contacts(Memory* m)
       : rows(m),
@@ -105,6 +136,8 @@ struct Contacts {
         turn(m),
         bodies(m),
         bouncing(m),
+        impacts(m),
+        last_impact(m),
         group_rows(m),
         group_begin(m),
         direct(m),
@@ -132,7 +165,9 @@ struct Contacts {
   Array<Vec3> shift, turn;                    // m, rad: corrections of the pose not yet applied
 
   Array<std::uint32_t> bodies;    // slots that have rows and are moved by them, ascending
-  Array<std::uint32_t> bouncing;  // rows with a restitution
+  Array<std::uint32_t> bouncing;  // rows with a restitution, ascending
+  Array<Impact> impacts;          // of each of them
+  Array<Real> last_impact;        // s, by body slot, since the substep began: scratch
 
   // contact groups
   Array<std::uint32_t> group_rows;   // rows, ascending within a group
@@ -171,34 +206,16 @@ void build_rows(World& world, Real h);
 inline Vec3 relative_velocity(const State& s, const Row& row, const Vec3& r_a, const Vec3& r_b) {
   return s.v[row.b] + s.omega[row.b].cross(r_b) - s.v[row.a] - s.omega[row.a].cross(r_a);
 }
-/// From the centre of mass to the surface point. m, world axes, by plan.rotation
-inline Vec3 arm_a(const World& world, const Row& row, const RowGeometry& g) {
-  return world.plan->rotation[row.a] * g.l_a + g.radius_a * row.n;
+/// m, from the present state and plan.rotation; the normal keeps its direction
+inline Real separation_of(const World& world, const Row& row, const RowGeometry& g) {
+  const State& s = world.state;
+  // The difference of the centres first: far from the origin they are large and nearly equal.
+  return ((s.x[row.b] - s.x[row.a]) + (arm_b(world, row, g) - arm_a(world, row, g))).dot(row.n);
 }
-inline Vec3 arm_b(const World& world, const Row& row, const RowGeometry& g) {
-  return world.plan->rotation[row.b] * g.l_b - g.radius_b * row.n;
-}
-/// Where a point is, as a solver sees it: one place for both bodies, for impulses at one place keep the angular momentum.
-/// While they slide or roll the two surface points part. The place stays with the body that moves, or with the one that is
-/// round (the point of a flat one rolls away from under it), else halfway between the two.
-struct Arms {
-  Vec3 a, b;  // m, world axes, from the centres of mass
-  Arms() = default;
-  Arms(const World& world, const Row& row, const RowGeometry& g) {
-    const Vec3 apart = world.state.x[row.b] - world.state.x[row.a];
-    const bool round_a = g.radius_a > 0, round_b = g.radius_b > 0;
-    const Real to_b = row.moves_a != row.moves_b ? row.moves_b : (1 + round_b - round_a) / Real(2);
-    const Vec3 on_a = arm_a(world, row, g), on_b = apart + arm_b(world, row, g);
-    a = on_a + to_b * (on_b - on_a);
-    b = a - apart;
-  }
-};
-/// Speed at which a row's points close, from the present state and plan.rotation. m/s
-Real closing_speed(const World& world, const Row& row, const RowGeometry& g);
+/// K, 1/kg, world: the change of the relative velocity at a point per impulse there.
+Mat3 velocity_per_impulse(const World& world, const Row& row, const RowMass& m);
 /// inv_inertia_w of bodies in contact, from their present rotation matrices.
 void refresh_inertias(World& world);
-/// Closing speeds before the forces of this substep, for rows that bounce.
-void measure_closing(World& world, const StepTime& time);
 /// Arms, effective masses, targets and relative velocities for this substep; applies the starting impulses.
 void prepare_rows(World& world, Real h);
 /// Rotation matrices of bodies in contact, after their poses changed.

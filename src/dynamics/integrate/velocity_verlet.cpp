@@ -34,6 +34,6 @@ void velocity(World& world, Real h) {
 
 }  // namespace
 
-const Integrator kVelocityVerlet = {"velocity_verlet", true, false, 0, 0, velocity};
+const Integrator kVelocityVerlet = {"velocity_verlet", true, false, 1, 0, 0, velocity};
 
 }  // namespace carom

@@ -5,10 +5,9 @@
 //  - bodies that touch have masses further apart than direct_ratio, or
 //  - for two steps a point has borne so much that soft contacts would let it sink by more than direct_sink of its
 //    thickness: that is what a tall stack and a heavy load on a light body have in common, and it is known before
-//    anything is solved, or
-//  - something bounces: soft contacts answer all bounces of a step at once and lose energy on the way;
-// unless something strikes it (a blow sends the direct solver through all of a heap, and passes), it is too large, or could not be solved within direct_work lately: then it moves so much that soft contacts
-// will do.
+//    anything is solved;
+// unless something strikes it (a blow sends the direct solver through all of a heap, and passes), it is too large, or
+// could not be solved within direct_work lately: then it moves so much that soft contacts will do.
 #include <algorithm>
 #include <numbers>
 
@@ -46,6 +45,12 @@ Real sink_of(const World& world, std::uint32_t row_index, Real load, Real w2) {
   };
   const Real k = response(row.moves_a, row.a, arms.a) + response(row.moves_b, row.b, arms.b);
   return load * k / (row.moves_a && row.moves_b ? w2 : 4 * w2);
+}
+
+/// m/s, at a point
+Real closing_speed(const World& world, const Row& row, const RowGeometry& g) {
+  const Arms arms(world, row, g);
+  return -relative_velocity(world.state, row, arms.a, arms.b).dot(row.n);
 }
 
 Real mass_ratio_of(const Scene& scene, const Row& row) {
@@ -99,7 +104,7 @@ void look_at(World& world, std::size_t group, Real w2, Real h, Real weight, Grou
   Contacts& c = *world.contacts;
   const Real deep = world.scene.dials[Dial::direct_sink];
   const Real gravity = world.scene.gravity.norm();
-  bool bounces = false, struck = false;
+  bool struck = false;
   for (std::uint32_t k = c.group_begin[group]; k < c.group_begin[group + 1]; ++k) {
     const std::uint32_t i = c.group_rows[k];
     const Row& row = c.rows[i];
@@ -110,14 +115,10 @@ void look_at(World& world, std::size_t group, Real w2, Real h, Real weight, Grou
     if (sink > deep && row.moves_a) c.load[row.a] = Contacts::kHeavy;
     if (sink > deep && row.moves_b) c.load[row.b] = Contacts::kHeavy;
     view.sink = std::max(view.sink, sink);
-    bounces |= row.bounces && closing > world.scene.dials[Dial::restitution_speed];
     struck |= closing * closing > 2 * gravity * kBlow * thickness;
     view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(world.scene, row));
   }
-  if (bounces)
-    view.reason = GroupReason::bounce;
-  else if (struck)
-    view.reason = GroupReason::blow;
+  if (struck) view.reason = GroupReason::blow;
   view.points = c.group_begin[group + 1] - c.group_begin[group];
 }
 
@@ -161,11 +162,10 @@ void choose(World& world, Real h) {
     look_at(world, g, w2, h, weight, view);
     const GroupMemory memory = remember(world, g, weight > 0);
     const bool unlike = view.mass_ratio > dials[Dial::direct_ratio];
-    const bool bounces = view.reason == GroupReason::bounce, struck = view.reason == GroupReason::blow;
+    const bool struck = view.reason == GroupReason::blow;
     view.reason = GroupReason::ordinary;
-    if (unlike || memory.bears || bounces) {
-      view.reason = unlike ? GroupReason::mass_ratio : memory.bears ? GroupReason::sink : GroupReason::bounce;
-      if (view.reason == GroupReason::sink && struck) view.reason = GroupReason::blow;
+    if (unlike || memory.bears) {
+      view.reason = unlike ? GroupReason::mass_ratio : struck ? GroupReason::blow : GroupReason::sink;
       if (view.bodies > kMostBodies || (memory.tired && !unlike)) view.reason = GroupReason::too_much;
       c.direct[g] = view.reason != GroupReason::too_much && view.reason != GroupReason::blow;
     }
@@ -213,6 +213,6 @@ void end(World& world, const StepTime& time) { kSoftStep.end(world, time); }
 
 }  // namespace
 
-extern constexpr Solver kAuto = {"auto", false, begin, measure_closing, velocities, positions, end};
+extern constexpr Solver kAuto = {"auto", false, begin, velocities, positions, end};
 
 }  // namespace carom

@@ -20,6 +20,8 @@ struct ContactKernels {
   void (*solve)(const LaneRun& run, double inv_h, double push_speed);
   /// Separations at the present poses, then the same sweep without the push: what it gave to velocities is taken back.
   void (*relax)(const LaneRun& run, double inv_h);
+  /// Likewise, but what will bounce in the next substep is not slowed down now.
+  void (*relax_sparing)(const LaneRun& run, double inv_h);
   /// One sweep without a spring: friction, then normals, which undo no penetration.
   void (*sweep)(const LaneRun& run, double inv_h);
   /// Book this substep's impulses under the step's.
@@ -30,8 +32,6 @@ struct ContactKernels {
   void (*part)(const LaneRun& run, double share, double slop);
   /// Separations at the present poses; displacements asked for by part() are forgotten.
   void (*measure)(const LaneRun& run);
-  /// Once a step: points that were hit harder than `speed` part at restitution times that.
-  void (*bounce)(const LaneRun& run, double speed);
 };
 
 /// The widest that this machine has: what a world starts with. A test gives WideContacts::kernels another.

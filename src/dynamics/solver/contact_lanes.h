@@ -34,12 +34,10 @@ struct PointLanes {
   LaneVec d;         // m, world axes: from the middle of the pair's points, as the step began
   Lanes gap;         // m, separation as the step began
   Lanes separation;  // m, now
-  Lanes approach;    // m/s, normal velocity as the step began (negative: closes)
   Lanes reach;       // m, |d|
   Lanes m_n;         // kg, normal impulse per change of velocity; 0: an empty lane
   Lanes p_n;         // N s, of the present substep
   Lanes sum_n;       // N s, of the step
-  Lanes most;        // N s, largest p_n of the step
   Lanes push;        // kg m, of displacements, @see ContactKernels::part
   LaneVec n;         // unit, world, A to B; @see PairLanes::one_normal
 };
@@ -56,7 +54,8 @@ struct PairLanes {
   LaneVec n, t;                                // unit, world
   LaneVec r_a, r_b;                            // m, from the centres of mass to the middle of the points
   Lanes radius_a, radius_b;                    // m, core radii, @see RowGeometry
-  Lanes friction, restitution;
+  Lanes friction;
+  Lanes bounce_speed;                          // m/s, what closes faster bounces; infinite: nothing does
   Lanes bias_rate, mass_scale, impulse_scale;  // softness, @see soft_step.h
   Lanes m_tt, m_ts, m_ss;                      // kg, impulse per change of velocity in the plane
   Lanes m_w;                                   // kg m^2, likewise of the twist

@@ -192,7 +192,9 @@ struct Closing {
 /// Kept up to date is `goal`, the impulse that would answer a point if none pulled: its own impulse does not enter
 /// there, since mass_scale + impulse_scale = 1, so that little stands between one visit and the next.
 ///   goal_k = (1 - back_k) p_k - gain_k lack_k,   p_k = max(goal_k, 0),   goal_l -= gain_l K_kl (change of p_k)
-template <bool kPush, int kCount, int kOneNormal>
+///
+/// @tparam kSpare  what will bounce in the next substep keeps the impulse that it has
+template <bool kPush, bool kSpare, int kCount, int kOneNormal>
 CAROM_LANES_INLINE void press(Both& both, PointLanes* points, double inv_h, double push_speed) {
   const PairLanes& pair = both.pair;
   const Closing<kOneNormal> closing(both);
@@ -209,6 +211,11 @@ CAROM_LANES_INLINE void press(Both& both, PointLanes* points, double inv_h, doub
     } else {
       gain[k] = p.m_n;
       goal[k] = p.p_n - gain[k] * (u_n + (open ? s * inv_h : all(0)));
+      if constexpr (kSpare) {
+        const LaneMask bounces = u_n < -pair.bounce_speed;
+        gain[k] = bounces ? all(0) : gain[k];
+        goal[k] = bounces ? p.p_n : goal[k];
+      }
     }
   }
   Lanes take[kCount][kCount];  // of a point's goal, per impulse at another
@@ -230,7 +237,6 @@ CAROM_LANES_INLINE void press(Both& both, PointLanes* points, double inv_h, doub
     PointLanes& p = points[k];
     push[k] = impulse[k] - push[k];
     p.p_n = impulse[k];
-    p.most = larger(p.most, impulse[k]);
   }
   Press<kCount, kOneNormal>(pair, points, push).act(both);
 }
@@ -322,7 +328,7 @@ void solve(const LaneRun& run, double inv_h, double push_speed) {
                __attribute__((always_inline)) {
                  constexpr int kCount = decltype(count)::value;
                  rub<kCount>(both, pair, points);
-                 press<true, kCount, decltype(one_normal)::value>(both, points, inv_h, push_speed);
+                 press<true, false, kCount, decltype(one_normal)::value>(both, points, inv_h, push_speed);
                });
 }
 
@@ -354,6 +360,7 @@ CAROM_LANES_INLINE void add_to_sums(PairLanes& pair, PointLanes* points, std::ui
   for (std::uint32_t k = 0; k < count; ++k) points[k].sum_n += points[k].p_n;
 }
 
+template <bool kSpare>
 void relax(const LaneRun& run, double inv_h) {
   each_pair(
       run, [&](PairLanes & pair, PointLanes * points, Both & both, auto count, auto one_normal)
@@ -362,7 +369,7 @@ void relax(const LaneRun& run, double inv_h) {
                  separate<kCount, kOneNormal>(run, pair, points);
                  // Normals first: friction is then bound by the loads themselves, of which the springs of solve()
                  // gave a part away.
-                 press<false, kCount, kOneNormal>(both, points, inv_h, 0);
+                 press<false, kSpare, kCount, kOneNormal>(both, points, inv_h, 0);
                  rub<kCount>(both, pair, points);
                  add_to_sums(pair, points, kCount);
                });
@@ -374,7 +381,7 @@ void sweep(const LaneRun& run, double inv_h) {
                __attribute__((always_inline)) {
                  constexpr int kCount = decltype(count)::value;
                  rub<kCount>(both, pair, points);
-                 press<false, kCount, decltype(one_normal)::value>(both, points, inv_h, 0);
+                 press<false, false, kCount, decltype(one_normal)::value>(both, points, inv_h, 0);
                });
 }
 
@@ -411,26 +418,8 @@ void measure(const LaneRun& run) {
   }
 }
 
-void bounce(const LaneRun& run, double speed) {
-  for (std::size_t i = 0; i < run.count; ++i) {
-    const PairLanes& pair = run.pairs[i];
-    Both both(pair, run.velocity);
-    for (std::uint32_t k = 0; k < pair.points; ++k) {
-      PointLanes& p = run.points[pair.first + k];
-      const LaneVec n = normal_of(pair, p), r_a = pair.r_a + p.d, r_b = pair.r_b + p.d;
-      const LaneMask hit = (p.approach < -speed) & (p.most > 0) & (pair.restitution > 0);
-      const Lanes u_n = dot(both.relative(r_a, r_b), n);
-      const Lanes next = larger(p.p_n - p.m_n * (u_n + pair.restitution * p.approach), all(0));
-      const Lanes d = hit ? next - p.p_n : all(0);
-      p.sum_n += d;  // but not p_n, which the next step starts from: an impact does not come again
-      both.push(r_a, r_b, d * n);
-    }
-    both.store(run);
-  }
-}
-
 constexpr ContactKernels kernels_named(const char* name) {
-  return {name, prepare, warm_start, solve, relax, sweep, book, part, measure, bounce};
+  return {name, prepare, warm_start, solve, relax<false>, relax<true>, sweep, book, part, measure};
 }
 
 }  // namespace

@@ -114,9 +114,6 @@ void load_contacts(World& world, DirectGroups& d, Real h) {
     contact.k = mean_response(d.bodies.data(), contact);
     contact.want = g.separation > 0 ? -g.separation / h : 0;
     contact.p = contact.start_p = row.p;
-    contact.impact.setZero();
-    contact.restitution = row.restitution;
-    if (row.bounces) contact.force_speed = std::max(Real(0), -contact.u.dot(contact.n) - g.approach);
   }
 }
 
@@ -201,14 +198,12 @@ void solve_groups(World& world, Real h, std::uint64_t work) {
   DirectGroups& d = *world.direct;
   Contacts& c = *world.contacts;
   State& s = world.state;
-  const Real threshold = world.scene.dials[Dial::restitution_speed];
   const Real tolerance = kDirectShare * world.scene.dials[Dial::velocity_tolerance];
   load_bodies(world, d);
   load_contacts(world, d, h);
   in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) {
     ConeProblem problem = d.problem(g);
     apply_impulses(problem);
-    if (!c.bouncing.empty()) bounce(problem, threshold);
     const bool bounded = work && !starts_from_nothing(problem);
     const std::uint64_t most = bounded ? 2 + work / d.work[g] : kMostSteps;
     d.answer[g] =
@@ -223,11 +218,12 @@ void solve_groups(World& world, Real h, std::uint64_t work) {
     Row& row = c.rows[d.row[i]];
     row.p = d.contacts[i].next_p;
     row.u = d.contacts[i].u;
-    c.geometry[d.row[i]].impulse += d.contacts[i].p + d.contacts[i].impact;
+    c.geometry[d.row[i]].impulse += d.contacts[i].p;
   }
   for (const ConeBody& b : d.bodies) {
-    s.v[b.slot] = b.v.head<3>(), s.omega[b.slot] = b.v.tail<3>();
-    world.plan->touched[b.slot] = 1;
+    const Vec3 v = linear(b.v), omega = angular(b.v);
+    world.plan->touched[b.slot] = v != s.v[b.slot] || omega != s.omega[b.slot];
+    s.v[b.slot] = v, s.omega[b.slot] = omega;
   }
 }
 
@@ -237,6 +233,6 @@ void part_groups(World& world, Real h) {
   for (const ConeAnswer& answer : d.answer) world.report.position_moves += answer.factorisations;
 }
 
-extern constexpr Solver kDirect = {"direct", true, begin, measure_closing, velocities, positions, nullptr};
+extern constexpr Solver kDirect = {"direct", true, begin, velocities, positions, nullptr};
 
 }  // namespace carom

@@ -9,14 +9,6 @@ void begin_lanes(World& world) {
   in_any_order(world.jobs, everything(*world.wide), kernels.prepare);
 }
 
-void end_lanes(World& world) {
-  WideContacts& wide = *world.wide;
-  if (!world.contacts->bouncing.empty()) {
-    const Real speed = world.scene.dials[Dial::restitution_speed];
-    by_colour(world.jobs, wide, everything(wide), [&](const LaneRun& run) { wide.kernels->bounce(run, speed); });
-    store_velocities(world, wide);
-  }
-  unpack(world, wide);
-}
+void end_lanes(World& world) { unpack(world, *world.wide); }
 
 }  // namespace carom

@@ -21,13 +21,14 @@ void velocities(World& world, const StepTime& time) {
   const ContactKernels& kernels = *wide.kernels;
   const LaneRun all = everything(wide);
   const Real inv_h = 1 / time.h;
+  heed_impacts(world, wide);
   load_velocities(world, wide);
   by_colour(world.jobs, wide, all, kernels.warm_start);
   const int sweeps = world.scene.dials.whole(Dial::velocity_iterations);
   for (int k = 0; k < sweeps; ++k)
     by_colour(world.jobs, wide, all, [&](const LaneRun& run) { kernels.sweep(run, inv_h); });
   in_any_order(world.jobs, all, kernels.book);
-  store_velocities(world, wide);
+  store_velocities(world, wide, time.h);
   world.report.velocity_impulses += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
 }
 
@@ -51,6 +52,6 @@ void end(World& world, const StepTime&) { end_lanes(world); }
 
 }  // namespace
 
-extern constexpr Solver kSequential = {"sequential", true, begin, nullptr, velocities, positions, end};
+extern constexpr Solver kSequential = {"sequential", true, begin, velocities, positions, end};
 
 }  // namespace carom

@@ -3,28 +3,17 @@
 
 #include <algorithm>
 
+#include "dynamics/contact/impulse.h"
 #include "dynamics/force/force.h"
 #include "dynamics/solver/search.h"
 
 namespace carom {
 
-namespace {
-
-constexpr int kSlideSweeps = 4;  // per visit
-
-/// Normal velocity that a row wants, m/s: its bounce where it is hit hard enough, else the least it may have.
-Real wanted_speed(const Row& row, Real v_n, Real restitution_speed) {
-  const Real hit = -v_n - row.force_speed;  // m/s
-  return row.bounces && v_n < row.target && hit > restitution_speed ? row.restitution * hit : row.target;
-}
-
-}  // namespace
-
-Real velocity_severity_squared(const Row& row, Real restitution_speed) {
+Real velocity_severity_squared(const Row& row) {
   const Real v_n = row.u.dot(row.n);
-  const Real lacking = wanted_speed(row, v_n, restitution_speed) - v_n;  // m/s, > 0: closes too fast
+  const Real lacking = row.target - v_n;  // m/s, > 0: closes too fast
   // To part too fast is no offence of a contact that does not push; of one that does, as far as its push goes.
-  const Real normal = lacking >= 0 ? lacking : row.bounced ? 0 : std::min(-lacking, row.p_n * row.k_n);
+  const Real normal = lacking >= 0 ? lacking : std::min(-lacking, row.p_n * row.k_n);
   if (!(row.slip_most2 > 0)) return normal * normal;
   const Vec3 slip = row.u - v_n * row.n;
   Real slip2 = slip.squaredNorm();
@@ -36,65 +25,22 @@ Real velocity_severity_squared(const Row& row, Real restitution_speed) {
   return std::max(normal * normal, std::min(slip2, row.slip_most2));
 }
 
-Vec3 resolved_impulse(const Row& row, const RowMass& m, Real target, Real least) {
-  const Vec3& n = row.n;
-  const Real lacking = target - row.u.dot(n);
-  if (!(row.friction > 0)) return std::max(least, row.p_n + lacking / row.k_n) * n;
-  const Vec3 stick = row.p + m.k_inv * (target * n - row.u);
-  const Real stick_n = stick.dot(n);
-  if (stick_n > least && (stick - stick_n * n).squaredNorm() <= row.friction * row.friction * stick_n * stick_n)
-    return stick;
-
-  // Sliding. The direction that would stick is not the one in which the point then slips; but steps of one size in all
-  // directions of the plane, cut off at the disc, have Coulomb's law as their fixed point. k_t bounds the plane's
-  // largest eigenvalue, so they converge; each visit goes on where the last one stopped.
-  const Real k_t = m.k.trace() - row.k_n;
-  const Vec3 rub = row.p - row.p.dot(n) * n - (row.u - row.u.dot(n) * n) / k_t;
-  const Real size = rub.norm();
-  Vec3 ray = n;
-  if (size > 0) ray += (row.friction / size) * rub;
-  // Friction may turn a push into a pull where r is long and mu large (Painleve); then the normal law alone is solved.
-  Real k_ray = n.dot(m.k * ray);
-  if (!(k_ray > 0.1 * row.k_n)) ray = n, k_ray = row.k_n;
-  Real p_n = std::max(least, (n.dot(m.k * row.p) + lacking) / k_ray);
-  Vec3 p = p_n * ray;
-  if (p_n == 0) return p;
-  Vec3 u = row.u + m.k * (p - row.p);
-  for (int sweep = 0; sweep < kSlideSweeps; ++sweep) {
-    const Real u_n = u.dot(n);
-    const Real next_n = std::max(least, p_n + (target - u_n) / row.k_n);
-    Vec3 next_rub = (p - p_n * n) - (u - u_n * n) / k_t;
-    const Real bound = row.friction * next_n, norm = next_rub.norm();
-    if (norm > bound) next_rub *= bound / norm;
-    const Vec3 next = next_n * n + next_rub;
-    u += m.k * (next - p);
-    p = next, p_n = next_n;
-  }
-  return p;
-}
-
 namespace {
 
 template <class Search>
 class VelocityPass {
  public:
-  VelocityPass(World& world, Search& search)
-      : world_(world),
-        c_(*world.contacts),
-        search_(search),
-        restitution_speed_(world.scene.dials[Dial::restitution_speed]) {}
+  VelocityPass(World& world, Search& search) : world_(world), c_(*world.contacts), search_(search) {}
 
   /// @return impulses applied
   std::uint64_t run(std::span<const std::uint32_t> rows, Real tolerance, std::uint64_t budget) {
-    for (const std::uint32_t i : rows) c_.keys[i] = velocity_severity_squared(c_.rows[i], restitution_speed_);
+    for (const std::uint32_t i : rows) c_.keys[i] = velocity_severity_squared(c_.rows[i]);
     search_.start(rows, tolerance * tolerance);
     std::uint64_t done = 0;
     for (std::uint32_t i; done < budget && (i = search_.top()) != kNoRow; ++done) {
       Row& row = c_.rows[i];
       const RowMass& m = c_.mass[i];
-      const Real target = wanted_speed(row, row.u.dot(row.n), restitution_speed_);
-      row.bounced |= target > row.target;
-      const Vec3 p = resolved_impulse(row, m, target, row.bounced ? row.p_n : 0);
+      const Vec3 p = resolved_impulse(row, m, row.target);
       const Vec3 dp = p - row.p;
       row.set_impulse(p);
       // First every relative velocity, then every severity: rows between the same two bodies are judged once.
@@ -123,7 +69,7 @@ class VelocityPass {
     for (const HalfContact& half : halves(body)) {
       const Row& row = c_.rows[half.row];
       if (half.row == resolved || (other != body && (row.a == other || row.b == other))) continue;
-      search_.set(half.row, velocity_severity_squared(row, restitution_speed_));
+      search_.set(half.row, velocity_severity_squared(row));
     }
   }
 
@@ -134,7 +80,6 @@ class VelocityPass {
   World& world_;
   Contacts& c_;
   Search& search_;
-  Real restitution_speed_;
 };
 
 template <class Search>
@@ -238,6 +183,6 @@ void positions(World& world, const StepTime&) {
 
 }  // namespace
 
-extern constexpr Solver kSeverity = {"severity", true, nullptr, measure_closing, velocities, positions, nullptr};
+extern constexpr Solver kSeverity = {"severity", true, nullptr, velocities, positions, nullptr};
 
 }  // namespace carom

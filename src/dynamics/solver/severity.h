@@ -6,10 +6,6 @@
 // slide. The severity of a contact is the change of relative velocity (m/s) that its law still asks for. Impulses
 // accumulate over the substep, so that a push that later proves too strong is taken back.
 //
-// Impacts. A contact that closes faster than the restitution speed, not counting what the forces of this substep added,
-// throws its bodies apart at e times that speed, and once more whenever another contact makes it close again: a row of
-// balls passes the blow on from contact to contact. What a bounce gave is not taken back.
-//
 // Position. The severity of a contact is its penetration (m). Both bodies are moved and turned by their share of the
 // inverse mass, as if hit by an impulse, but their velocities are left alone.
 //
@@ -23,14 +19,6 @@
 namespace carom {
 
 /// Severity of a row's velocity, squared (m/s)^2.
-/// @param restitution_speed  m/s, dial
-Real velocity_severity_squared(const Row& row, Real restitution_speed);
-
-/// The accumulated impulse that fulfils a row's law if nothing else acts.
-///   stick:  p' = p + K^-1 (target n - u), if inside the cone
-///   slide:  p' = s (n + mu d), d the direction of the stick impulse in the plane, s from  n.(u + K (p' - p)) = target
-/// @param target  m/s, wanted normal velocity   @param least  N s, the normal impulse is not less
-/// @return N s, world, on B
-Vec3 resolved_impulse(const Row& row, const RowMass& m, Real target, Real least);
+Real velocity_severity_squared(const Row& row);
 
 }  // namespace carom

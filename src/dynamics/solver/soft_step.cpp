@@ -33,19 +33,21 @@ void velocities(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
   const ContactKernels& kernels = *wide.kernels;
   const Real inv_h = 1 / time.h, push_speed = world.scene.dials[Dial::push_speed];
+  heed_impacts(world, wide);
   load_velocities(world, wide);
   by_colour(world.jobs, wide, everything(wide), kernels.warm_start);
   by_colour(world.jobs, wide, everything(wide), [&](const LaneRun& run) { kernels.solve(run, inv_h, push_speed); });
-  store_velocities(world, wide);
+  store_velocities(world, wide, time.h);
   world.report.velocity_impulses += world.contacts->rows.size();
 }
 
 void positions(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
   const Real inv_h = 1 / time.h;
+  const auto relax = world.contacts->impacts.empty() ? wide.kernels->relax : wide.kernels->relax_sparing;
   load_shifts(world, wide);
-  by_colour(world.jobs, wide, everything(wide), [&](const LaneRun& run) { wide.kernels->relax(run, inv_h); });
-  store_velocities(world, wide);
+  by_colour(world.jobs, wide, everything(wide), [&](const LaneRun& run) { relax(run, inv_h); });
+  store_velocities(world, wide, time.h);
   world.report.velocity_impulses += world.contacts->rows.size();
 }
 
@@ -59,6 +61,6 @@ Softness softness(Real frequency, Real damping, Real h) {
   return {w / b, a / (1 + a), 1 / (1 + a)};
 }
 
-extern constexpr Solver kSoftStep = {"soft_step", false, begin, nullptr, velocities, positions, end};
+extern constexpr Solver kSoftStep = {"soft_step", false, begin, velocities, positions, end};
 
 }  // namespace carom

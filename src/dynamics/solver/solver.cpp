@@ -11,7 +11,6 @@ void serve(void (*room)(World&, const StepTime&), World& world, const StepTime& 
 }  // namespace
 
 void begin_contacts(World& world, const StepTime& time) { serve(world.plan->solver->begin, world, time); }
-void measure_approach(World& world, const StepTime& time) { serve(world.plan->solver->approach, world, time); }
 void solve_velocities(World& world, const StepTime& time) { serve(world.plan->solver->velocities, world, time); }
 void solve_positions(World& world, const StepTime& time) { serve(world.plan->solver->positions, world, time); }
 void end_contacts(World& world, const StepTime& time) { serve(world.plan->solver->end, world, time); }

@@ -10,7 +10,6 @@ struct Solver {
   const char* name;
   bool counts_positions;  // positions() does as many rounds as position_iterations says: none, if that is 0
   void (*begin)(World& world, const StepTime& time);       // the rows are made, nothing has moved; may allocate
-  void (*approach)(World& world, const StepTime& time);    // before forces act on velocities
   void (*velocities)(World& world, const StepTime& time);  // before bodies move
   void (*positions)(World& world, const StepTime& time);   // after
   void (*end)(World& world, const StepTime& time);         // after the last substep
@@ -20,7 +19,6 @@ extern const Solver kSeverity, kSequential, kSoftStep, kDirect, kAuto;  // by CA
 
 /// Stage functions of the page.
 void begin_contacts(World& world, const StepTime& time);
-void measure_approach(World& world, const StepTime& time);
 void solve_velocities(World& world, const StepTime& time);
 void solve_positions(World& world, const StepTime& time);
 void end_contacts(World& world, const StepTime& time);

@@ -5,6 +5,7 @@
 // points stand together: nobody waits for a neighbour's points.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "core/jobs.h"
@@ -54,6 +55,10 @@ struct WideContacts {
     std::uint32_t pair, lane;  // in pairs
   };
   Array<Manifold> manifolds;  // in the order of the rows
+  const Manifold& manifold_of(std::uint32_t row) const {
+    const auto later = [](std::uint32_t r, const Manifold& m) { return r < m.row; };
+    return *(std::upper_bound(manifolds.begin(), manifolds.end(), row, later) - 1);
+  }
 
   Array<std::array<std::uint32_t, kPairPoints>> colours;  // in use: where in pairs those with 1, 2, ... points end;
                                                           // pairs after the last colour's stand alone
@@ -116,9 +121,12 @@ void pack(World& world, WideContacts& wide);
 /// Bodies' velocities from the state, and back. The first marks all bodies as untouched, the second those that a solver
 /// moved as touched.
 void load_velocities(World& world, WideContacts& wide);
-void store_velocities(World& world, const WideContacts& wide);
+/// @param h  s, substep
+void store_velocities(World& world, const WideContacts& wide, Real h);
 /// How far bodies have come, from the state.
 void load_shifts(const World& world, WideContacts& wide);
+/// What impacts of this substep did to poses and impulses.
+void heed_impacts(World& world, WideContacts& wide);
 /// Moves bodies by their displacements.
 void displace(World& world, const WideContacts& wide);
 /// Impulses, separations and velocities back into the rows.

@@ -20,15 +20,12 @@ struct ConeContact {
   Vec3 n;               // unit, world, A to B
   Vec3 r_a, r_b;        // m, world axes; zero where the body does not rotate
   Real friction;
-  Real want;         // m/s
-  Real restitution;  // 0: does not bounce in this substep
-  Real force_speed;  // m/s >= 0, part of the closing speed that forces of this substep added; where it may bounce
-  Vec3 impact;       // N s, on B, of bounces
-  Vec3 start_p;      // N s, p as the substep began
-  Vec3 next_p;       // N s, p as the next one begins
-  Real k;            // 1/kg, mean velocity at the point per impulse there
-  Vec3 p;            // N s, on B, world
-  Vec3 u;            // m/s, relative velocity with p and all others acting
+  Real want;     // m/s
+  Vec3 start_p;  // N s, p as the substep began
+  Vec3 next_p;   // N s, p as the next one begins
+  Real k;        // 1/kg, mean velocity at the point per impulse there
+  Vec3 p;        // N s, on B, world
+  Vec3 u;        // m/s, relative velocity with p and all others acting
 
   // of a solve
   Real slip;                  // m/s, what stands for mu |u_t|
@@ -130,12 +127,6 @@ struct ConeAnswer {
 
 /// Change velocities of bodies by impulses of contacts, and contacts' velocities with them.
 void apply_impulses(ConeProblem& problem);
-
-/// Bounces: the fastest impact first, one at a time, until none is faster than a threshold. So a row of balls hands a
-/// blow on from one to the next; all at once would share it out. Each keeps the energy where restitution is 1 and
-/// nothing rubs.
-/// @param least  m/s, slower impacts do not bounce   @return impacts
-std::uint32_t bounce(ConeProblem& problem, Real least);
 
 /// The largest offence of all contacts. @return m/s
 Real residual(const ConeProblem& problem);

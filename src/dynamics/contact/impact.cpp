@@ -1,0 +1,243 @@
+// Impacts of a substep, one after the other.
+#include "dynamics/contact/impact.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "dynamics/contact/impulse.h"
+#include "dynamics/force/force.h"
+#include "dynamics/integrate/integrator.h"
+
+namespace carom {
+namespace {
+
+// A contact that is hit more often in one substep lies between bodies that press: there is no end to its impacts, and
+// the solver holds it.
+constexpr std::uint32_t kMostImpacts = 100;
+constexpr int kSweeps = 50;       // over the points of a pair, which depend on each other
+constexpr Real kSettled = 1e-13;  // of the speed of an impact: what the last sweep may still change
+constexpr std::size_t kPoints = Manifold::kMaxPoints;
+
+class Impacts {
+ public:
+  Impacts(World& world, const StepTime& time)
+      : world_(world),
+        c_(*world.contacts),
+        search_(c_.keys, c_.ranked, c_.place),
+        time_(time),
+        lag_(world.plan->integrator->lag * time.h),
+        threshold_(world.scene.dials[Dial::restitution_speed]),
+        near_(world.scene.dials[Dial::position_tolerance]) {}
+
+  void answer() {
+    for (Impact& at : c_.impacts) {
+      const Row& row = c_.rows[at.row];
+      at.accel = (velocity(at) - at.before) / time_.h;
+      c_.last_impact[row.a] = c_.last_impact[row.b] = -time_.dt;
+    }
+    Real most = 0;
+    for (const Impact& at : c_.impacts) most = std::max(most, c_.keys[at.row] = key(at));
+    if (most > 0) {
+      answer_all();
+      move_back();
+    }
+    if (lag_ > time_.h / 2) give_leeway();
+  }
+
+ private:
+  struct Point {
+    Impact* at;
+    Real want;  // m/s, normal velocity after the impact
+    Row row;
+    RowMass mass;
+  };
+
+  void answer_all() {
+    refresh_inertias(world_);
+    list_by_body();
+    search_.start(c_.bouncing, 0);
+    for (std::uint32_t i; (i = search_.top()) != kNoRow;) strike(c_.impacts[c_.geometry[i].impact]);
+  }
+
+  void list_by_body() {
+    for (const std::uint32_t i : c_.bodies) c_.half_end[i] = c_.half_begin[i];
+    for (const Impact& at : c_.impacts) {
+      const Row& row = c_.rows[at.row];
+      if (row.moves_a) c_.half[c_.half_end[row.a]++].row = at.row;
+      if (row.moves_b) c_.half[c_.half_end[row.b]++].row = at.row;
+    }
+  }
+
+  /// m/s, world: as stored.
+  Vec3 velocity(const Impact& at) const { return relative_velocity(world_.state, c_.rows[at.row], at.r.a, at.r.b); }
+  /// m, m/s, m/s^2: a row's parabola as the substep begins, of bodies that move as they do after the impacts so far.
+  Real gap(const Impact& at) const {
+    const Row& row = c_.rows[at.row];
+    const Vec3 moved =
+        (c_.shift[row.b] + c_.turn[row.b].cross(at.r.b)) - (c_.shift[row.a] + c_.turn[row.a].cross(at.r.a));
+    return at.gap + moved.dot(row.n);
+  }
+  Real closing(const Impact& at) const { return (lag_ * at.accel - velocity(at)).dot(c_.rows[at.row].n); }
+  Real accel(const Impact& at) const { return -at.accel.dot(c_.rows[at.row].n); }
+
+  Touch touch(const Impact& at) const {
+    const Row& row = c_.rows[at.row];
+    return find_touch(gap(at), closing(at), accel(at), std::max(c_.last_impact[row.a], c_.last_impact[row.b]));
+  }
+  /// s, of the substep after the impact; 0: there is none.
+  Real key(const Impact& at) const {
+    const Touch t = touch(at);
+    return t.speed > threshold_ && t.time < time_.h && at.count < kMostImpacts ? time_.h - t.time : 0;
+  }
+
+  /// The points of a row's pair that touch as it does are hit together: flat on the ground, a box does not roll from
+  /// corner to corner.
+  void strike(Impact& first) {
+    const Touch hit = touch(first);
+    const std::uint32_t pair = c_.geometry[first.row].pair;
+    std::array<Point, kPoints> points;
+    std::size_t count = 0;
+    Impact* at = &first;
+    while (at > c_.impacts.data() && c_.geometry[at[-1].row].pair == pair) --at;
+    for (; at < c_.impacts.data() + c_.impacts.size() && c_.geometry[at->row].pair == pair; ++at) {
+      const Real a = accel(*at), c0 = closing(*at), speed = at == &first ? hit.speed : c0 + a * hit.time;
+      if (at != &first && gap(*at) - hit.time * (c0 + a * hit.time / 2) > near_) continue;
+      points[count++] = point(*at, speed);
+    }
+    exchange({points.data(), count}, hit);
+    const Row& row = c_.rows[first.row];
+    for (const std::uint32_t body : {row.a, row.b}) {
+      if (body == row.a ? !row.moves_a : !row.moves_b) continue;
+      for (std::uint32_t k = c_.half_begin[body]; k < c_.half_end[body]; ++k) {
+        const std::uint32_t i = c_.half[k].row;
+        search_.set(i, key(c_.impacts[c_.geometry[i].impact]));
+      }
+    }
+    ++world_.report.velocity_impulses;
+  }
+
+  /// @param speed  m/s, at which it closes; negative: it parts, and what pushes elsewhere may turn that round
+  Point point(Impact& at, Real speed) const {
+    const Row& row = c_.rows[at.row];
+    Point p{&at, speed > 0 && !(speed > threshold_) ? 0 : row.restitution * speed, row, {}};
+    p.mass.r_a = at.r.a, p.mass.r_b = at.r.b;
+    p.mass.k = velocity_per_impulse(world_, row, p.mass);
+    p.mass.k_inv = p.mass.k.inverse();
+    p.row.k_n = row.n.dot(p.mass.k * row.n);
+    p.row.set_impulse(Vec3::Zero());
+    return p;
+  }
+
+  /// The impulses after which all points move as they want, with Coulomb's friction; the bodies' share of the motion
+  /// up to this moment is taken back.
+  void exchange(std::span<Point> points, const Touch& hit) {
+    const Row& row = points[0].row;
+    const State& s = world_.state;
+    const Vec3 v_a = s.v[row.a], v_b = s.v[row.b], omega_a = s.omega[row.a], omega_b = s.omega[row.b];
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      Real most = 0;
+      for (Point& p : points) {
+        p.row.u = velocity(*p.at) + (hit.time - lag_) * p.at->accel;
+        const Vec3 next = resolved_impulse(p.row, p.mass, p.want), change = next - p.row.p;
+        p.row.set_impulse(next);
+        if (row.moves_a) push(row.a, -change, p.mass.r_a);
+        if (row.moves_b) push(row.b, change, p.mass.r_b);
+        most = std::max(most, change.norm() * p.row.k_n);
+      }
+      if (!(most > kSettled * hit.speed)) break;
+    }
+    for (const Point& p : points) {
+      ++p.at->count;
+      c_.geometry[p.at->row].impulse += p.row.p;
+      c_.rows[p.at->row].p.setZero();  // an impact does not come again
+    }
+    if (row.moves_a) turn_off(row.a, hit.time, s.v[row.a] - v_a, s.omega[row.a] - omega_a);
+    if (row.moves_b) turn_off(row.b, hit.time, s.v[row.b] - v_b, s.omega[row.b] - omega_b);
+  }
+
+  void push(std::uint32_t body, const Vec3& impulse, const Vec3& r) {
+    world_.state.v[body] += world_.scene.inv_mass[body] * impulse;
+    if (rotates(world_.scene, body)) world_.state.omega[body] += c_.inv_inertia_w[body] * r.cross(impulse);
+  }
+
+  /// A body's velocities changed at a moment of the substep.
+  void turn_off(std::uint32_t body, Real moment, const Vec3& dv, const Vec3& domega) {
+    c_.last_impact[body] = moment;
+    c_.shift[body] -= moment * dv;
+    c_.turn[body] -= moment * domega;
+    Plan& plan = *world_.plan;
+    const Real rest = time_.h - moment;
+    const bool carried = plan.rotation_method && plan.carried[body];
+    if (plan.integrator->proposes) plan.proposal.x[body] += rest * dv;
+    if (!rotates(world_.scene, body) || !(plan.integrator->proposes || carried)) return;
+    plan.proposal.q[body] = normalized(exp_map(rest * domega) * plan.proposal.q[body]);
+    if (carried) plan.proposal.omega[body] += domega;
+  }
+
+  /// Bodies stand where the motion that they have now would have begun.
+  void move_back() {
+    State& s = world_.state;
+    for (const std::uint32_t i : c_.bodies) {
+      s.x[i] += c_.shift[i];
+      if (c_.turn[i] != Vec3::Zero()) s.q[i] = normalized(exp_map(c_.turn[i]) * s.q[i]);
+      c_.shift[i].setZero(), c_.turn[i].setZero();
+    }
+    refresh_rotations(world_);
+    refresh_separations(world_);
+    for (Impact& at : c_.impacts) at.gap = c_.geometry[at.row].separation;
+  }
+
+  /// A velocity that is ahead of the motion closes faster than the body comes nearer. What will bounce, and not yet in
+  /// this substep, is not to be held up for that.
+  void give_leeway() {
+    for (Impact& at : c_.impacts) {
+      const Touch t = touch(at);
+      if (!(t.speed > threshold_ && t.time >= time_.h)) continue;
+      at.leeway = std::max(Real(0), (lag_ - time_.h / 2) * time_.h * accel(at));
+      c_.geometry[at.row].separation += at.leeway;
+    }
+  }
+
+  World& world_;
+  Contacts& c_;
+  HeapSearch search_;
+  StepTime time_;
+  Real lag_, threshold_, near_;  // s, m/s, m
+};
+
+}  // namespace
+
+Touch find_touch(Real gap, Real closing, Real accel, Real since) {
+  constexpr Real kRounding = 1e-9;  // what an impact before time 0 sets off at once comes no earlier than that one
+  const Real from = std::max(Real(0), since);
+  const Real s = gap - from * (closing + accel * from / 2), c = closing + accel * from;
+  const Real speed2 = c * c + 2 * accel * s, speed = speed2 > 0 ? std::sqrt(speed2) : 0;
+  if (s <= 0 && c > 0) {
+    const Real then = from + 2 * s / (c + speed);
+    return speed > 0 && then >= since * (1 + kRounding) ? Touch{std::max(then, since), speed} : Touch{from, c};
+  }
+  if (c > 0 && speed > 0) return {from + 2 * s / (c + speed), speed};
+  if (accel > 0 && speed > 0) return {from + (speed - c) / accel, speed};
+  return {from, 0};
+}
+
+void measure_approach(World& world, const StepTime&) {
+  Contacts& c = *world.contacts;
+  if (c.impacts.empty()) return;
+  refresh_rotations(world);
+  for (Impact& at : c.impacts) {
+    const Row& row = c.rows[at.row];
+    RowGeometry& g = c.geometry[at.row];
+    at.r = Arms(world, row, g);
+    at.before = relative_velocity(world.state, row, at.r.a, at.r.b);
+    at.gap = g.separation = separation_of(world, row, g);
+    at.count = 0, at.leeway = 0;
+  }
+}
+
+void answer_impacts(World& world, const StepTime& time) {
+  if (!world.contacts->impacts.empty()) Impacts(world, time).answer();
+}
+
+}  // namespace carom
