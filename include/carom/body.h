@@ -35,6 +35,16 @@ CAROM_API int32_t carom_material_create(carom_world *world, const carom_material
 /** Change a material in place; every collider that wears it follows.   @status as carom_material_create(); *_HANDLE */
 CAROM_API int32_t carom_material_update(carom_world *world, carom_material material, const carom_material_desc *desc,
                                         carom_error *error);
+/** Resistance of a surface to rolling and to spinning about the normal, 0 when it is created. A contact that presses
+ *  with a force N bears a moment of up to rolling * N in its plane and of up to spinning * N about its normal. Mixed as
+ *  friction is; carom_material_update() leaves it alone.
+ *  @param rolling, spinning m, [0, 1e3]
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY   @since 1.3 */
+CAROM_API int32_t carom_material_set_resistance(carom_world *world, carom_material material, double rolling,
+                                                double spinning, carom_error *error);
+/** @param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.3 */
+CAROM_API int32_t carom_material_get_resistance(carom_world *world, carom_material material, double *rolling,
+                                                double *spinning, carom_error *error);
 /** @status OK; *_HANDLE; IN_USE (a collider wears it); BUSY */
 CAROM_API int32_t carom_material_destroy(carom_world *world, carom_material material, carom_error *error);
 

@@ -14,7 +14,7 @@ static_assert(static_cast<std::uint32_t>(Mix::geometric_mean) == CAROM_MIX_GEOME
               static_cast<std::uint32_t>(Mix::count) == CAROM_MIX_MULTIPLY + 1);
 
 constexpr std::uint32_t kMixes = static_cast<std::uint32_t>(Mix::count);
-constexpr double kLargestFriction = 1e3;
+constexpr double kLargestFriction = 1e3, kLargestResistance = 1e3;  // 1, m
 
 /// @param argument  where desc stands in the C signature
 bool read_material(Call& call, int argument, const carom_material_desc* given, Material& material) {
@@ -76,8 +76,37 @@ int32_t carom_material_update(carom_world* world, carom_material material, const
     const Changing changing(call, world);
     Material m;
     if (changing && resolve(call, 2, "material", changing->scene.material_slots, material) &&
-        read_material(call, 3, desc, m))
+        read_material(call, 3, desc, m)) {
+      const Material& old = changing->scene.material[handle_slot(material)];
+      m.rolling = old.rolling, m.spinning = old.spinning;
       changing->set_material(handle_slot(material), m);
+    }
+  });
+}
+
+int32_t carom_material_set_resistance(carom_world* world, carom_material material, double rolling, double spinning,
+                                      carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing || !resolve(call, 2, "material", changing->scene.material_slots, material) ||
+        !in_range(call, 3, "rolling", rolling, 0, kLargestResistance) ||
+        !in_range(call, 4, "spinning", spinning, 0, kLargestResistance))
+      return;
+    Material m = changing->scene.material[handle_slot(material)];
+    m.rolling = rolling, m.spinning = spinning;
+    changing->set_material(handle_slot(material), m);
+  });
+}
+
+int32_t carom_material_get_resistance(carom_world* world, carom_material material, double* rolling, double* spinning,
+                                      carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !resolve(call, 2, "material", reading->scene.material_slots, material) ||
+        !present(call, 3, "rolling", rolling) || !present(call, 4, "spinning", spinning))
+      return;
+    const Material& m = reading->scene.material[handle_slot(material)];
+    *rolling = m.rolling, *spinning = m.spinning;
   });
 }
 

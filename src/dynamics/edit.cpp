@@ -25,6 +25,12 @@ void put(Array<T>& a, std::size_t slot, const T& value) {
     a[slot] = value;
 }
 
+void note_resistance(Scene& s) {
+  s.resists = false;
+  for (std::uint32_t i = 0; i < s.material_slots.slots(); ++i)
+    s.resists |= s.material_slots.alive(i) && (s.material[i].rolling > 0 || s.material[i].spinning > 0);
+}
+
 /// The slot that take() will hand out can be at most the number of slots there are.
 void make_room_for_body(Scene& s, State& t) {
   make_room(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia, s.first_collider,
@@ -148,18 +154,21 @@ Handle World::add_material(const Material& m) {
   const Handle handle = scene.material_slots.take();
   if (handle == 0) return 0;
   put(scene.material, handle_slot(handle), m);
+  note_resistance(scene);
   ++scene.revision;
   return handle;
 }
 
 void World::set_material(std::uint32_t material, const Material& m) {
   scene.material[material] = m;
+  note_resistance(scene);
   wake_wearing(*this, material);
   ++scene.revision;
 }
 
 void World::remove_material(std::uint32_t material) {
   scene.material_slots.release(material);
+  note_resistance(scene);
   ++scene.revision;
 }
 

@@ -35,6 +35,8 @@ constexpr std::array<Effect, kEffectCount> kTable = {{
     {Stage::broad,     "collision",       find_colliders,        nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::solve,     "friction",        find_in_contacts,      nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::solve,     "restitution",     find_in_contacts,      nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::solve,     "rolling_resistance",  find_in_contacts,  nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::solve,     "spinning_resistance", find_in_contacts,  nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::observe,   "sleep",           sleeping::find,        nullptr,            nullptr,                nullptr,               nullptr},
 }};
 // clang-format on

@@ -13,6 +13,7 @@ enum class Mix : std::uint32_t { geometric_mean, maximum, minimum, average, mult
 struct Material {
   Real friction = 0.5;
   Real restitution = 0;
+  Real rolling = 0, spinning = 0;  // m, resistance; mixed as friction is
   Mix friction_mix = Mix::geometric_mean;
   Mix restitution_mix = Mix::maximum;
 };
@@ -62,6 +63,8 @@ struct Scene {
 
   Colliders colliders;       // by collider slot
   Array<Material> material;  // by material slot
+
+  bool resists = false;      // some material resists rolling or spinning
 
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
   Dials dials;

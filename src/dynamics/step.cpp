@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "dynamics/contact/impact.h"
+#include "dynamics/contact/resistance.h"
 #include "dynamics/detect.h"
 #include "dynamics/effects.h"
 #include "dynamics/integrate/integrator.h"
@@ -60,9 +61,11 @@ void World::step(Real dt) {
     run(Stage::solve, measure_approach);
     run(Stage::integrate, integrate_velocity);
     run(Stage::solve, answer_impacts);
+    run(Stage::solve, hold_moments);
     run(Stage::solve, solve_velocities);
     run(Stage::integrate, integrate_position);
     run(Stage::relax, solve_positions);
+    run(Stage::solve, resist);
   }
   run(Stage::solve, end_contacts);
   run(Stage::observe, observe);

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "dynamics/contact/resistance.h"
 #include "dynamics/force/force.h"
 #include "dynamics/sleep/sleep.h"
 
@@ -14,15 +15,9 @@ namespace {
 
 constexpr std::size_t kPairsAhead = 4;  // whose records are fetched while those of one pair are read
 
-const Material& material_of(const Scene& scene, std::uint32_t collider) {
-  static constexpr Material kDefault;
-  const std::uint32_t slot = scene.colliders.material[collider];
-  return slot == Colliders::kNoMaterial ? kDefault : scene.material[slot];
-}
-
-/// Which old point each point of a manifold goes on from: the nearest on A within reach, nearest pairs first, each taken
-/// once; a single point goes on from a single one however far it rolled. Two points that started from the same old one would carry its load twice, which upsets thin bodies whose points
-/// come and go.
+/// Which old point each point of a manifold goes on from: the nearest on A within reach, nearest pairs first, each
+/// taken once; a single point goes on from a single one however far it rolled. Two points that started from the same
+/// old one would carry its load twice, which upsets thin bodies whose points come and go.
 /// @param first, last  range of the pair in c.old   @return by point; null: none
 std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Contacts& c, std::size_t first, std::size_t last,
                                                                  const Manifold& manifold, Real reach) {
@@ -204,6 +199,12 @@ void start_row(World& world, const Row& row, const RowMass& m) {
 
 }  // namespace
 
+const Material& material_of(const Scene& scene, std::uint32_t collider) {
+  static constexpr Material kDefault;
+  const std::uint32_t slot = scene.colliders.material[collider];
+  return slot == Colliders::kNoMaterial ? kDefault : scene.material[slot];
+}
+
 Real mix(Mix rule_a, Real a, Mix rule_b, Real b) {
   switch (std::max(rule_a, rule_b)) {
     case Mix::maximum:
@@ -241,7 +242,9 @@ void build_rows(World& world, Real h) {
   const auto untouch = [&](std::uint32_t i) { world.plan->touched[i] = 0; };
   world.plan->linear.each(untouch), world.plan->rotating.each(untouch);
   const bool warm = world.scene.dials.choice(Dial::warm_start) != 0 && c.old_h > 0;
-  fill_all_rows(world, warm ? h / c.old_h : 0);
+  const Real scale = warm ? h / c.old_h : 0;
+  fill_all_rows(world, scale);
+  find_resistance(world, scale);
   const std::size_t n = c.rows.size();
   for (std::uint32_t i = 0; i < n; ++i) {
     if (!(c.rows[i].restitution > 0)) continue;
@@ -323,12 +326,17 @@ void remember_impulses(World& world, Real h) {
   Contacts& c = *world.contacts;
   c.old.clear();
   c.old_h = h;
+  const Resistance* resistance = c.resisting.data();
+  const Resistance* const end = resistance + c.resisting.size();
   for (std::size_t i = 0; i < c.rows.size(); ++i) {
     if (c.rows[i].p == Vec3::Zero()) continue;
     const RowGeometry& g = c.geometry[i];
     world.pairs.fetch(g.pair + kPairsAhead);
-    c.old.push_back(
-        {world.pairs.place(g.pair).pair, world.pairs[g.pair].manifold.point[g.point].on_a, c.rows[i].n, c.rows[i].p});
+    while (resistance < end && resistance->row + resistance->points <= i) ++resistance;
+    const bool first = resistance < end && resistance->row <= i;
+    c.old.push_back({world.pairs.place(g.pair).pair, world.pairs[g.pair].manifold.point[g.point].on_a, c.rows[i].n,
+                     c.rows[i].p, first ? resistance->moment : Vec3(Vec3::Zero())});
+    resistance += first;
   }
 }
 

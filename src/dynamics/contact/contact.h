@@ -83,8 +83,12 @@ struct Meeting {
 /// What the next step knows of an impulse of this one.
 struct OldImpulse {
   Pair pair;
-  Vec3 on_a;  // m, frame of collider A's shape
-  Vec3 n, p;  // unit; N s per substep, world
+  Vec3 on_a;    // m, frame of collider A's shape
+  Vec3 n, p;    // unit; N s per substep, world
+  Vec3 moment;  // N m s per substep, world, on B: of the pair's first point that is remembered; else zero
+
+  /// As if a substep that much longer had made it.
+  void stretch(Real by) { p *= by, moment *= by; }
 };
 
 /// From the centre of mass to the surface point. m, world axes, by plan.rotation
@@ -121,6 +125,14 @@ struct Impact {
   Real leeway;  // m, that it may close beyond its separation
 };
 
+/// A pair that resists rolling or spinning.
+struct Resistance {
+  std::uint32_t row, points;  // its first row; how many
+  Real rolling, spinning;     // m, mixed coefficients
+  Vec3 moment;                // N m s, world, on B: of this substep; between substeps, what the next starts from
+  Real pressed;               // N s, by its points since the step began, as this substep's contacts are yet unsolved
+};
+
 struct Contacts {
   explicit Contacts(Memory* m)
       : rows(m),
@@ -138,6 +150,7 @@ struct Contacts {
         bouncing(m),
         impacts(m),
         last_impact(m),
+        resisting(m),
         group_rows(m),
         group_begin(m),
         direct(m),
@@ -168,6 +181,7 @@ struct Contacts {
   Array<std::uint32_t> bouncing;  // rows with a restitution, ascending
   Array<Impact> impacts;          // of each of them
   Array<Real> last_impact;        // s, by body slot, since the substep began: scratch
+  Array<Resistance> resisting;    // ascending by row
 
   // contact groups
   Array<std::uint32_t> group_rows;   // rows, ascending within a group
@@ -195,6 +209,7 @@ struct Contacts {
 /// Parts of a loop that threads share take some microseconds each.
 inline constexpr std::size_t kRowsAPart = 256, kBodiesAPart = 256;
 
+const Material& material_of(const Scene& scene, std::uint32_t collider);
 /// Mixed coefficient of two, by the rule with the larger number.
 Real mix(Mix rule_a, Real a, Mix rule_b, Real b);
 

@@ -116,7 +116,7 @@ void return_impulses(World& world, const Array<std::uint32_t>& bodies) {
     }
     KeptImpulse& back = z.returning[--k];
     if (!(c.old_h > 0)) c.old_h = back.h;
-    if (back.h != c.old_h) back.impulse.p *= c.old_h / back.h;  // as if the others' substep had made it
+    if (back.h != c.old_h) back.impulse.stretch(c.old_h / back.h);  // as if the others' substep had made it
     c.old[--to] = back.impulse;
   }
   for (const std::uint32_t body : bodies)

@@ -213,6 +213,6 @@ void end(World& world, const StepTime& time) { kSoftStep.end(world, time); }
 
 }  // namespace
 
-extern constexpr Solver kAuto = {"auto", false, begin, velocities, positions, end};
+extern constexpr Solver kAuto = {"auto", true, false, begin, velocities, positions, end};
 
 }  // namespace carom

@@ -233,6 +233,6 @@ void part_groups(World& world, Real h) {
   for (const ConeAnswer& answer : d.answer) world.report.position_moves += answer.factorisations;
 }
 
-extern constexpr Solver kDirect = {"direct", true, begin, velocities, positions, nullptr};
+extern constexpr Solver kDirect = {"direct", false, true, begin, velocities, positions, nullptr};
 
 }  // namespace carom

@@ -52,6 +52,6 @@ void end(World& world, const StepTime&) { end_lanes(world); }
 
 }  // namespace
 
-extern constexpr Solver kSequential = {"sequential", true, begin, velocities, positions, end};
+extern constexpr Solver kSequential = {"sequential", true, true, begin, velocities, positions, end};
 
 }  // namespace carom

@@ -183,6 +183,6 @@ void positions(World& world, const StepTime&) {
 
 }  // namespace
 
-extern constexpr Solver kSeverity = {"severity", true, nullptr, velocities, positions, nullptr};
+extern constexpr Solver kSeverity = {"severity", false, true, nullptr, velocities, positions, nullptr};
 
 }  // namespace carom

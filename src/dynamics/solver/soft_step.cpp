@@ -61,6 +61,6 @@ Softness softness(Real frequency, Real damping, Real h) {
   return {w / b, a / (1 + a), 1 / (1 + a)};
 }
 
-extern constexpr Solver kSoftStep = {"soft_step", false, begin, velocities, positions, end};
+extern constexpr Solver kSoftStep = {"soft_step", true, false, begin, velocities, positions, end};
 
 }  // namespace carom

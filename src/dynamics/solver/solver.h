@@ -8,6 +8,7 @@ namespace carom {
 /// What a solver does at each place of the page; null where it has nothing to do.
 struct Solver {
   const char* name;
+  bool in_lanes;          // answers rows in WideContacts, but for groups that it gives to the direct solver
   bool counts_positions;  // positions() does as many rounds as position_iterations says: none, if that is 0
   void (*begin)(World& world, const StepTime& time);       // the rows are made, nothing has moved; may allocate
   void (*velocities)(World& world, const StepTime& time);  // before bodies move

@@ -1,0 +1,111 @@
+// Moments of contacts that resist rolling or spinning.
+#include "dynamics/contact/resistance.h"
+
+#include <algorithm>
+
+#include "dynamics/force/force.h"
+#include "dynamics/solver/solver.h"
+#include "dynamics/solver/wide_contacts.h"
+
+namespace carom {
+namespace {
+
+/// N s: what a pair's points press in all, in this step so far; of solvers in lanes, in this substep.
+Real pressed(const World& world, const Resistance& r) {
+  const Contacts& c = *world.contacts;
+  Real sum = 0;
+  if (world.plan->solver->in_lanes && c.answered_in_lanes(r.row)) {
+    const WideContacts::Manifold& m = world.wide->manifold_of(r.row);
+    const PairLanes& pair = world.wide->pairs[m.pair];
+    for (std::uint32_t k = 0; k < m.points; ++k) sum += world.wide->points[pair.first + k].p_n[m.lane];
+    return sum;
+  }
+  for (std::uint32_t i = r.row; i < r.row + r.points; ++i) sum += c.geometry[i].impulse.dot(c.rows[i].n);
+  return sum - r.pressed;
+}
+
+/// Whether a moment turns a body.
+bool turns(const World& world, bool moves, std::uint32_t body) {
+  return moves && rotates(world.scene, body) && !world.state.quarantined[body];
+}
+
+void twist(World& world, const Row& row, const Vec3& moment) {
+  const Contacts& c = *world.contacts;
+  if (turns(world, row.moves_a, row.a)) world.state.omega[row.a] -= c.inv_inertia_w[row.a] * moment;
+  if (turns(world, row.moves_b, row.b)) world.state.omega[row.b] += c.inv_inertia_w[row.b] * moment;
+}
+
+}  // namespace
+
+void find_resistance(World& world, Real scale) {
+  Contacts& c = *world.contacts;
+  c.resisting.clear();
+  std::uint64_t rolling = 0, spinning = 0;
+  for (std::uint32_t i = 0, next; world.scene.resists && i < c.rows.size(); i = next) {
+    next = c.first_row[c.geometry[i].pair + 1];
+    const Pair& pair = world.pairs.place(c.geometry[i].pair).pair;
+    const Material &a = material_of(world.scene, pair.a), &b = material_of(world.scene, pair.b);
+    Resistance r{i,
+                 next - i,
+                 mix(a.friction_mix, a.rolling, b.friction_mix, b.rolling),
+                 mix(a.friction_mix, a.spinning, b.friction_mix, b.spinning),
+                 Vec3::Zero(),
+                 0};
+    if (!(r.rolling > 0 || r.spinning > 0)) continue;
+    rolling += r.rolling > 0, spinning += r.spinning > 0;
+    const auto before = [](const OldImpulse& old, const Pair& p) { return old.pair < p; };
+    if (scale > 0)
+      for (auto old = std::lower_bound(c.old.begin(), c.old.end(), pair, before);
+           old != c.old.end() && old->pair == pair; ++old)
+        r.moment += scale * old->moment;
+    c.resisting.push_back(r);
+  }
+  world.plan->find("rolling_resistance")->customers.count = rolling;
+  world.plan->find("spinning_resistance")->customers.count = spinning;
+}
+
+void hold_moments(World& world, const StepTime&) {
+  Contacts& c = *world.contacts;
+  if (c.resisting.empty()) return;
+  refresh_rotations(world);
+  refresh_inertias(world);
+  for (Resistance& r : c.resisting) {
+    twist(world, c.rows[r.row], r.moment);
+    r.pressed = 0;
+    r.pressed = pressed(world, r);
+  }
+}
+
+void resist(World& world, const StepTime&) {
+  Contacts& c = *world.contacts;
+  const State& s = world.state;
+  for (Resistance& r : c.resisting) {
+    const Row& row = c.rows[r.row];
+    Mat3 k = Mat3::Zero();
+    if (turns(world, row.moves_a, row.a)) k += c.inv_inertia_w[row.a];
+    if (turns(world, row.moves_b, row.b)) k += c.inv_inertia_w[row.b];
+    const Real load = std::max(Real(0), pressed(world, r));
+    const Vec3 next =
+        resisting_moment(r.moment, s.omega[row.b] - s.omega[row.a], k, row.n, r.rolling * load, r.spinning * load);
+    twist(world, row, next - r.moment);
+    r.moment = next;
+  }
+}
+
+Vec3 resisting_moment(const Vec3& moment, const Vec3& omega, const Mat3& k, const Vec3& n, Real rolling,
+                      Real spinning) {
+  const Real k_n = n.dot(k * n);
+  if (!(k_n > 0)) return Vec3::Zero();
+  const Real had = moment.dot(n), spin = std::clamp(had - omega.dot(n) / k_n, -spinning, spinning);
+  const Vec3 left = omega + (spin - had) * (k * n);
+  const Vec3 t = any_perpendicular(n).normalized(), s = n.cross(t);
+  const Vec3 k_t = k * t, k_s = k * s;
+  const Real tt = t.dot(k_t), ts = t.dot(k_s), ss = s.dot(k_s), det = tt * ss - ts * ts;
+  const Real o_t = left.dot(t), o_s = left.dot(s);
+  Real roll_t = moment.dot(t) - (ss * o_t - ts * o_s) / det, roll_s = moment.dot(s) - (tt * o_s - ts * o_t) / det;
+  const Real size = std::sqrt(roll_t * roll_t + roll_s * roll_s);
+  if (size > rolling) roll_t *= rolling / size, roll_s *= rolling / size;
+  return spin * n + roll_t * t + roll_s * s;
+}
+
+}  // namespace carom
