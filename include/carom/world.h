@@ -134,6 +134,7 @@ CAROM_API int32_t carom_world_get_contacts(carom_world *world, carom_contact *ds
 #define CAROM_REASON_TOO_MUCH 3u   /* one of the others, but it has more than 256 bodies, or was too much work lately */
 #define CAROM_REASON_BOUNCE 4u     /* something in it bounces: not given any more, every solver answers that alike */
 #define CAROM_REASON_BLOW 5u       /* it would sink, but something strikes it just now: soft contacts take the blow */
+#define CAROM_REASON_STILL 6u      /* a few bodies that lie still */
 
 /** A contact group of the last step, and how CAROM_SOLVER_AUTO answered it.   @since 1.2 */
 typedef struct carom_group {

@@ -35,8 +35,8 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
            "Newton step, "
            "or exactly kept momentum by Runge-Kutta, midpoint, or splitting of order 2, 4, 6",
            kRotations, 5),
-    integer(Dial::substeps, "substeps", "integrate-and-solve passes per step; error falls with each, cost grows", 1, 64,
-            1),
+    integer(Dial::substeps, "substeps",
+            "integrate-and-solve passes per step, where bodies can touch; error falls with each, cost grows", 1, 64, 1),
     choice(Dial::solver, "solver", "how contacts are resolved", kSolvers, 0),
     integer(Dial::velocity_iterations, "velocity_iterations",
             "at most this many impulses per contact point of a group and substep", 1, 1000, 4),

@@ -156,6 +156,7 @@ void plan_stages(World& world, Plan& plan) {
   on(Stage::refresh) = on(Stage::observe) = true;
   on(Stage::integrate) = plan.linear.count + plan.rotating.count + plan.kinematic.count > 0;
   on(Stage::broad) = on(Stage::narrow) = on(Stage::group) = on(Stage::solve) = pairs;
+  plan.substeps = pairs ? world.scene.dials.whole(Dial::substeps) : 1;
   on(Stage::relax) =
       pairs && (!plan.solver->counts_positions || world.scene.dials.whole(Dial::position_iterations) > 0);
 }
@@ -222,7 +223,7 @@ void refresh(World& world, const StepTime& time) {
     }
     // An explicit method is stable only for rate * h below a small number (2 for Euler, 2.8 for RK4); well before,
     // decay is exact.
-    if (effect.rate && plan.integrator->forces_only) row.served = row.rate * time.h > 1 ? Served::flow : Served::force;
+    if (effect.rate && plan.integrator->forces_only) row.served = row.rate * time.dt > plan.substeps ? Served::flow : Served::force;
   }
   find_customers(world);
   if (!world.scene.colliders.live.empty()) {

@@ -119,6 +119,7 @@ struct Plan {
   Array<std::uint32_t> colliders;        // active colliders whose body can move
   Array<Frame> local;                    // by collider: shape -> body axes, about the centre of mass
   std::array<bool, kStageCount> runs{};  // stages that have customers
+  int substeps = 1;                      // contacts call for them: where nothing can touch, one move does
   const Integrator* integrator = nullptr;
   const Rotation* rotation_method = nullptr;  // null: the gyroscopic effect is a force, a flow, or absent
   Array<Principal> principal;                 // by body, customers of the rotation method

@@ -19,18 +19,18 @@ namespace {
 /// Runs a stage if it has customers, and books its time.
 class Runner {
  public:
-  Runner(World& world, Real dt) : world_(world), time_{dt, dt / substeps()} {}
+  Runner(World& world, Real dt) : world_(world), dt_(dt) {}
   ~Runner() { world_.report.total_seconds = seconds_since(start_); }
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  int substeps() const { return world_.scene.dials.whole(Dial::substeps); }
+  int substeps() const { return world_.plan->substeps; }  // once the plan is made
 
   void operator()(Stage stage, void (*room)(World&, const StepTime&)) const {
     const auto s = static_cast<std::size_t>(stage);
     if (stage != Stage::refresh && !world_.plan->runs[s]) return;
     const auto start = Clock::now();
-    room(world_, time_);
+    room(world_, {dt_, dt_ / substeps()});
     world_.report.stage_seconds[s] += seconds_since(start);
   }
 
@@ -41,7 +41,7 @@ class Runner {
   }
 
   World& world_;
-  StepTime time_;
+  Real dt_;  // s
   Clock::time_point start_ = Clock::now();
 };
 

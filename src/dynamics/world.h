@@ -50,7 +50,7 @@ struct FaultView {
 };
 
 /// Why a solver that chooses answers a contact group as it does; as CAROM_REASON_*.
-enum class GroupReason : std::uint32_t { ordinary, mass_ratio, sink, too_much, bounce, blow };
+enum class GroupReason : std::uint32_t { ordinary, mass_ratio, sink, too_much, bounce, blow, still };
 
 /// A contact group of a step as a host reads it.
 struct GroupView {

@@ -129,7 +129,7 @@ static void a_ball_rolls_on_as_it_is(void**) {
       const std::uint32_t ball = t.add(t.keep(sphere(kRadius)), Vec3(0, kRadius, 0));
       t.world.set_velocity(ball, Vec3(kSpeed, 0, 0), Vec3(0, 0, -kSpeed / kRadius));
       t.run(120, kStep);
-      const bool soft = solver == 2 || solver == 4;
+      const bool soft = solver == 2;  // auto gives a lone ball that does not slip to the direct solver
       const Vec3 &x = t.world.state.x[ball], &v = t.world.state.v[ball], &omega = t.world.state.omega[ball];
       // Soft contacts sink by their load: below that only while they still settle.
       const Real w2 = square(2 * 3.14159265358979 * std::min(30.0, 15 * substeps));  // a quarter of the substep rate

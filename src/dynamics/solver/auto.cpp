@@ -5,7 +5,8 @@
 //  - bodies that touch have masses further apart than direct_ratio, or
 //  - for two steps a point has borne so much that soft contacts would let it sink by more than direct_sink of its
 //    thickness: that is what a tall stack and a heavy load on a light body have in common, and it is known before
-//    anything is solved;
+//    anything is solved, or
+//  - it is a few bodies that lie still: to hold them exactly costs next to nothing;
 // unless something strikes it (a blow sends the direct solver through all of a heap, and passes), it is too large, or
 // could not be solved within direct_work lately: then it moves so much that soft contacts will do.
 #include <algorithm>
@@ -24,6 +25,9 @@ constexpr std::uint32_t kMostBodies = 256;  // of a group: beyond, finding an or
 // Points that close or part as fast as after a fall through this share of the thickness are struck. What a host has just piled
 // up, or what rocks and creaks under its load, stays well below.
 constexpr Real kBlow = 0.1;
+// Likewise, of a group that lies still: 0.06 m/s for a cube of 1 m.
+constexpr Real kStill = 2e-4;
+constexpr std::uint32_t kFew = 4;  // bodies
 
 /// Squared angular frequency of the springs between two bodies that move.
 Real stiffness(const Dials& dials, Real h) {
@@ -45,12 +49,6 @@ Real sink_of(const World& world, std::uint32_t row_index, Real load, Real w2) {
   };
   const Real k = response(row.moves_a, row.a, arms.a) + response(row.moves_b, row.b, arms.b);
   return load * k / (row.moves_a && row.moves_b ? w2 : 4 * w2);
-}
-
-/// m/s, at a point
-Real closing_speed(const World& world, const Row& row, const RowGeometry& g) {
-  const Arms arms(world, row, g);
-  return -relative_velocity(world.state, row, arms.a, arms.b).dot(row.n);
 }
 
 Real mass_ratio_of(const Scene& scene, const Row& row) {
@@ -104,21 +102,27 @@ void look_at(World& world, std::size_t group, Real w2, Real h, Real weight, Grou
   Contacts& c = *world.contacts;
   const Real deep = world.scene.dials[Dial::direct_sink];
   const Real gravity = world.scene.gravity.norm();
-  bool struck = false;
+  bool struck = false, still = view.bodies <= kFew;
   for (std::uint32_t k = c.group_begin[group]; k < c.group_begin[group + 1]; ++k) {
     const std::uint32_t i = c.group_rows[k];
     const Row& row = c.rows[i];
     const RowGeometry& g = c.geometry[i];
     const Real load = std::max(row.p.dot(row.n) / h, weight / world.pairs.place(g.pair).points);
-    const Real thickness = thickness_of(world, g), closing = closing_speed(world, row, g);
+    const Real thickness = thickness_of(world, g), fall = 2 * gravity * thickness;
+    const Vec3 u = relative_velocity(world.state, row, arm_a(world, row, g), arm_b(world, row, g));
+    const Real closing = -u.dot(row.n);
     const Real sink = sink_of(world, i, load, w2) / thickness;
     if (sink > deep && row.moves_a) c.load[row.a] = Contacts::kHeavy;
     if (sink > deep && row.moves_b) c.load[row.b] = Contacts::kHeavy;
     view.sink = std::max(view.sink, sink);
-    struck |= closing * closing > 2 * gravity * kBlow * thickness;
+    struck |= closing * closing > kBlow * fall;
+    still &= u.squaredNorm() < kStill * fall;
     view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(world.scene, row));
   }
-  if (struck) view.reason = GroupReason::blow;
+  if (struck)
+    view.reason = GroupReason::blow;
+  else if (still)
+    view.reason = GroupReason::still;
   view.points = c.group_begin[group + 1] - c.group_begin[group];
 }
 
@@ -162,10 +166,13 @@ void choose(World& world, Real h) {
     look_at(world, g, w2, h, weight, view);
     const GroupMemory memory = remember(world, g, weight > 0);
     const bool unlike = view.mass_ratio > dials[Dial::direct_ratio];
-    const bool struck = view.reason == GroupReason::blow;
+    const bool struck = view.reason == GroupReason::blow, still = view.reason == GroupReason::still;
     view.reason = GroupReason::ordinary;
-    if (unlike || memory.bears) {
-      view.reason = unlike ? GroupReason::mass_ratio : struck ? GroupReason::blow : GroupReason::sink;
+    if (unlike || memory.bears || still) {
+      view.reason = unlike          ? GroupReason::mass_ratio
+                    : !memory.bears ? GroupReason::still
+                    : struck        ? GroupReason::blow
+                                    : GroupReason::sink;
       if (view.bodies > kMostBodies || (memory.tired && !unlike)) view.reason = GroupReason::too_much;
       c.direct[g] = view.reason != GroupReason::too_much && view.reason != GroupReason::blow;
     }
@@ -182,7 +189,7 @@ void spare_the_tired(World& world) {
   const DirectGroups& d = *world.direct;
   const Real tolerance = world.scene.dials[Dial::velocity_tolerance];
   for (std::size_t g = 0; g < d.groups(); ++g) {
-    if (!(d.answer[g].residual > tolerance)) continue;
+    if (d.answer[g].reached || !(d.answer[g].residual > tolerance)) continue;
     for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
       world.state.tired_steps[d.bodies[i].slot] = kWhile;
   }

@@ -49,6 +49,7 @@ static void a_world_of_particles_runs_integration_and_nothing_else(void**) {
 
 static void each_effect_serves_its_customers_alone(void**) {
   TestWorld t;
+  t.world.set_dial(Dial::substeps, 1);
   const Shape* plank = t.keep(box(Vec3(1, 2, 3)));
   const Shape* cube = t.keep(box(Vec3(1, 1, 1)));
   const std::uint32_t spinning = t.add(plank, Vec3(0, 100, 0));

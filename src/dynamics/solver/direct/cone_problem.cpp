@@ -91,9 +91,9 @@ void keep(ConeProblem& problem) {
 
 /// Back to the best impulses.
 void restore(ConeProblem& problem) {
-  for (ConeContact& c : problem.contacts) std::swap(c.p, c.best), c.p -= c.best;
+  for (ConeContact& c : problem.contacts) c.p = c.best - c.p;
   apply_impulses(problem);
-  for (ConeContact& c : problem.contacts) c.p += c.best;
+  for (ConeContact& c : problem.contacts) c.p = c.best;
 }
 
 }  // namespace
@@ -102,7 +102,8 @@ ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_
   constexpr int kSlips = 60;
   ConeAnswer answer;
   answer.residual = residual(problem);
-  if (answer.residual <= tolerance) return answer;
+  answer.reached = answer.residual <= tolerance;
+  if (answer.reached) return answer;
   keep(problem);
   for (ConeContact& c : problem.contacts) c.slip = 0;
   FrozenSlip frozen(problem, answer, most_steps);
@@ -114,6 +115,7 @@ ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_
     if (now < answer.residual) answer.residual = now, keep(problem);
   }
   if (now > answer.residual) restore(problem);
+  answer.reached = answer.residual <= tolerance;
   return answer;
 }
 

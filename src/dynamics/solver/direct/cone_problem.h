@@ -121,6 +121,7 @@ Real offence(const ConeContact& c, Real slip);
 
 struct ConeAnswer {
   Real residual = 0;                 // m/s, @see residual()
+  bool reached = false;              // it is within the tolerance
   std::uint32_t rounds = 0;          // proximal
   std::uint32_t factorisations = 0;  // Newton steps
 };
