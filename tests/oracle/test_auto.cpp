@@ -140,7 +140,8 @@ static void a_group_beyond_its_work_is_left_to_soft_contacts_for_a_while(void**)
       assert_true(g.direct == (g.reason == GroupReason::sink));
     }
   }
-  assert_true(direct > 0 && spared > 5 * direct);
+  // Groups come and go while the heap falls; at least half of the 120 steps for which one is spared are among these.
+  assert_true(direct > 0 && spared >= 60);
   for (std::uint32_t i = 1; i <= 40; ++i) assert_true(t.world.state.x[i].y() > 0.1);
 }
 

@@ -15,6 +15,7 @@ constexpr Real kDirectChoice = 3;  // CAROM_SOLVER_DIRECT
 
 void use_direct(TestWorld& t, Real tolerance) {
   t.world.set_dial(Dial::solver, kDirectChoice);
+  t.world.set_dial(Dial::substeps, 1);
   t.world.set_dial(Dial::velocity_tolerance, tolerance / kDirectShare);
 }
 

@@ -17,6 +17,7 @@ struct Rolling : TestWorld {
   Rolling(Real solver, Real rolling, Real spinning, Real tilt = 0)
       : TestWorld(kG * Vec3(sin_cos(tilt).sin, -sin_cos(tilt).cos, 0)) {
     world.set_dial(Dial::solver, solver);
+    world.set_dial(Dial::substeps, 1);
     world.set_dial(Dial::velocity_tolerance, 1e-9);
     world.set_dial(Dial::velocity_iterations, 100);
     Material m;

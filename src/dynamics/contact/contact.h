@@ -186,7 +186,9 @@ struct Contacts {
   // contact groups
   Array<std::uint32_t> group_rows;   // rows, ascending within a group
   Array<std::uint32_t> group_begin;  // [groups + 1]
-  Array<std::uint8_t> direct;        // by group, of a solver that chooses: the direct solver answers it; else empty
+  enum Choice : std::uint8_t { kSoft, kDirect, kStill };
+  Array<std::uint8_t> direct;  // by group, of a solver that chooses: Choice, where not kSoft the direct solver answers;
+                               // else empty
 
   Array<OldImpulse> old;  // of the last step, ascending by pair
   Real old_h = 0;         // s, the substep that made them

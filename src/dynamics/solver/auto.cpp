@@ -174,10 +174,13 @@ void choose(World& world, Real h) {
                     : struck        ? GroupReason::blow
                                     : GroupReason::sink;
       if (view.bodies > kMostBodies || (memory.tired && !unlike)) view.reason = GroupReason::too_much;
-      c.direct[g] = view.reason != GroupReason::too_much && view.reason != GroupReason::blow;
+      const bool is_soft = view.reason == GroupReason::too_much || view.reason == GroupReason::blow;
+      c.direct[g] = is_soft                              ? Contacts::kSoft
+                    : view.reason == GroupReason::still ? Contacts::kStill
+                                                         : Contacts::kDirect;
     }
-    view.direct = c.direct[g];
-    world.report.direct_groups += c.direct[g];
+    view.direct = c.direct[g] != Contacts::kSoft;
+    world.report.direct_groups += view.direct;
     world.group_views.push_back(view);
   }
 }

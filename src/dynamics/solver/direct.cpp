@@ -10,13 +10,15 @@ namespace carom {
 namespace {
 
 constexpr std::size_t kGroupsAPart = 1;    // a group takes as long as many bodies of other loops
+// Of the tolerance, for few bodies that lie still: what may roll has no contact against it, and takes each push for good.
+constexpr Real kStillShare = 1e-3;
 constexpr Real kShare = 1e-3;              // of the fastest contact, that is good enough where work is bounded
 constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: impacts of many bodies take that many
 
 /// Bodies, contacts and edges of each group.
 void gather(World& world, DirectGroups& d) {
   const Contacts& c = *world.contacts;
-  d.contacts.clear(), d.row.clear(), d.begin.clear(), d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
+  d.still.clear(), d.contacts.clear(), d.row.clear(), d.begin.clear(), d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
   d.body.resize(world.scene.bodies.slots());
   for (const std::uint32_t slot : c.bodies) d.body[slot] = kNobody;
   const auto node = [&](bool moves, std::uint32_t slot) {
@@ -34,6 +36,7 @@ void gather(World& world, DirectGroups& d) {
   for (std::size_t g = 0; g < c.groups(); ++g) {
     if (!c.answered_directly(g)) continue;
     mark();
+    d.still.push_back(!c.direct.empty() && c.direct[g] == Contacts::kStill);
     for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1]; ++k) {
       const std::uint32_t i = c.group_rows[k];
       const Row& row = c.rows[i];
@@ -137,6 +140,13 @@ bool starts_from_nothing(const ConeProblem& problem) {
   return std::ranges::all_of(problem.contacts, [](const ConeContact& c) { return c.start_p == Vec3::Zero(); });
 }
 
+/// m/s, well above what rounding leaves of a residual.
+Real rounding(const ConeProblem& problem) {
+  Real most = 0;
+  for (const ConeContact& c : problem.contacts) most = std::max(most, c.k * c.p.norm());
+  return 1e3 * kEpsilon * most;
+}
+
 /// m/s, the most that two points close or part, with impulses as they are.
 Real fastest(const ConeProblem& problem) {
   Real most = 0;
@@ -206,8 +216,10 @@ void solve_groups(World& world, Real h, std::uint64_t work) {
     apply_impulses(problem);
     const bool bounded = work && !starts_from_nothing(problem);
     const std::uint64_t most = bounded ? 2 + work / d.work[g] : kMostSteps;
-    d.answer[g] =
-        solve_cones(problem, work ? std::max(tolerance, kShare * fastest(problem)) : tolerance, static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps)));
+    const Real goal = d.still[g] ? std::max(kStillShare * tolerance, rounding(problem))
+                      : work     ? std::max(tolerance, kShare * fastest(problem))
+                                 : tolerance;
+    d.answer[g] = solve_cones(problem, goal, static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps)));
     start_from_loads(s, problem, d.answer[g].factorisations > 0);
   });
   for (const ConeAnswer& answer : d.answer) {

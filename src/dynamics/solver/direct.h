@@ -34,6 +34,7 @@ struct DirectGroups {
         factor(m),
         scratch(m),
         work(m),
+        still(m),
         answer(m) {}
 
   struct Begin {
@@ -52,6 +53,7 @@ struct DirectGroups {
   BlockFactor factor;
   Array<Vec6> scratch;
   Array<std::uint64_t> work;  // block products of a factorisation, by group
+  Array<std::uint8_t> still;  // by group: a few bodies that lie still, which is to stay so
   Array<ConeAnswer> answer;   // by group, of the last solve
 
   std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }

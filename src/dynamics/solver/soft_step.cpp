@@ -9,6 +9,9 @@
 namespace carom {
 namespace {
 
+constexpr Real kDeep = 5;     // position tolerances
+constexpr Real kShare = 0.2;  // of what is deeper than that, per step
+
 void soften(World& world, Real h) {
   const Dials& dials = world.scene.dials;
   const Real frequency = std::min(dials[Dial::contact_frequency], 0.25 / h), damping = dials[Dial::contact_damping];
@@ -27,6 +30,7 @@ void soften(World& world, Real h) {
 void begin(World& world, const StepTime& time) {
   begin_lanes(world);
   soften(world, time.h);
+  world.wide->displacement.resize(world.wide->velocity.size());
 }
 
 void velocities(World& world, const StepTime& time) {
@@ -51,7 +55,25 @@ void positions(World& world, const StepTime& time) {
   world.report.velocity_impulses += world.contacts->rows.size();
 }
 
-void end(World& world, const StepTime&) { end_lanes(world); }
+/// What springs let sink deep is parted once a step, apart from velocities: for springs to do it they would have to be as
+/// stiff as makes heaps shake.
+void part_deep(World& world) {
+  WideContacts& wide = *world.wide;
+  const Real deep = kDeep * world.scene.dials[Dial::position_tolerance];
+  const ContactKernels& kernels = *wide.kernels;
+  load_shifts(world, wide);
+  LaneRun all = everything(wide);
+  in_any_order(world.jobs, all, kernels.measure);
+  std::fill(wide.displacement.begin(), wide.displacement.end(), BodyVelocity{});
+  all.velocity = wide.displacement.data();
+  by_colour(world.jobs, wide, all, [&](const LaneRun& run) { kernels.part(run, kShare, deep); });
+  displace(world, wide);
+}
+
+void end(World& world, const StepTime&) {
+  part_deep(world);
+  end_lanes(world);
+}
 
 }  // namespace
 
