@@ -186,8 +186,8 @@ struct Contacts {
   // contact groups
   Array<std::uint32_t> group_rows;   // rows, ascending within a group
   Array<std::uint32_t> group_begin;  // [groups + 1]
-  enum Choice : std::uint8_t { kSoft, kDirect, kStill };
-  Array<std::uint8_t> direct;  // by group, of a solver that chooses: Choice, where not kSoft the direct solver answers;
+  enum Choice : std::uint8_t { kSoftly, kDirectly, kStill };
+  Array<std::uint8_t> direct;  // by group, of a solver that chooses: Choice, where not kSoftly the direct solver answers;
                                // else empty
 
   Array<OldImpulse> old;  // of the last step, ascending by pair

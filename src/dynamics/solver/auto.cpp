@@ -175,11 +175,11 @@ void choose(World& world, Real h) {
                                     : GroupReason::sink;
       if (view.bodies > kMostBodies || (memory.tired && !unlike)) view.reason = GroupReason::too_much;
       const bool is_soft = view.reason == GroupReason::too_much || view.reason == GroupReason::blow;
-      c.direct[g] = is_soft                              ? Contacts::kSoft
+      c.direct[g] = is_soft                              ? Contacts::kSoftly
                     : view.reason == GroupReason::still ? Contacts::kStill
-                                                         : Contacts::kDirect;
+                                                         : Contacts::kDirectly;
     }
-    view.direct = c.direct[g] != Contacts::kSoft;
+    view.direct = c.direct[g] != Contacts::kSoftly;
     world.report.direct_groups += view.direct;
     world.group_views.push_back(view);
   }
