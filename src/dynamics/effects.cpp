@@ -223,7 +223,8 @@ void refresh(World& world, const StepTime& time) {
     }
     // An explicit method is stable only for rate * h below a small number (2 for Euler, 2.8 for RK4); well before,
     // decay is exact.
-    if (effect.rate && plan.integrator->forces_only) row.served = row.rate * time.dt > plan.substeps ? Served::flow : Served::force;
+    if (effect.rate && plan.integrator->forces_only)
+      row.served = row.rate * time.dt > plan.substeps ? Served::flow : Served::force;
   }
   find_customers(world);
   if (!world.scene.colliders.live.empty()) {

@@ -56,7 +56,8 @@ std::uint64_t World::hash() const {
     h.add_coefficients(state.force[i]);
     h.add_coefficients(state.torque[i]);
     h.add(std::uint64_t(state.quarantined[i]));
-    const std::uint32_t solver_memory = state.loaded_steps[i] + (256u * state.tired_steps[i]) + (65536u * state.calm_steps[i]);
+    const std::uint32_t solver_memory =
+        state.loaded_steps[i] + (256u * state.tired_steps[i]) + (65536u * state.calm_steps[i]);
     if (solver_memory) h.add(std::uint64_t(solver_memory));
   }
   const auto add_record = [&](const PairRecord& r) {

@@ -7,6 +7,9 @@
 
 #include "carom_test.h"
 
+static const double kSolvers[] = {CAROM_SOLVER_SEVERITY,   CAROM_SOLVER_SEVERITY, CAROM_SOLVER_SOFT_STEP,
+                                  CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_DIRECT,   CAROM_SOLVER_AUTO};
+
 /* Bits of a world's state: those of carom_world_hash, and of every pose and velocity read in bulk. */
 static uint64_t bits_after(const carom_engine_desc *desc, int steps, int setting) {
   Bench b;
@@ -19,15 +22,10 @@ static uint64_t bits_after(const carom_engine_desc *desc, int steps, int setting
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_INTEGRATOR, CAROM_INTEGRATOR_RK4, NULL), CAROM_OK);
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_BROAD_PHASE, CAROM_BROAD_GRID, NULL), CAROM_OK);
   }
-  {
-    static const double kSolvers[] = {CAROM_SOLVER_SEVERITY, CAROM_SOLVER_SEVERITY, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_DIRECT,
-                                      CAROM_SOLVER_AUTO};
-    const double solver = kSolvers[setting];
-    assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
-    assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SUBSTEPS, setting < 2 ? 1 : 4, NULL), CAROM_OK);
-    /* So that auto gives to both of its solvers: with its default it would give nothing here to the direct one. */
-    assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_DIRECT_SINK, 1e-4, NULL), CAROM_OK);
-  }
+  assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SOLVER, kSolvers[setting], NULL), CAROM_OK);
+  assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SUBSTEPS, setting < 2 ? 1 : 4, NULL), CAROM_OK);
+  /* So that auto gives to both of its solvers: with its default it would give nothing here to the direct one. */
+  assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_DIRECT_SINK, 1e-4, NULL), CAROM_OK);
   assert_int_equal(bench_steps(b.world, steps, NULL), CAROM_OK);
   hash = bench_hash(b.world);
   assert_int_equal(carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, b.bodies, BENCH_BODIES, poses, 0, NULL), CAROM_OK);

@@ -187,10 +187,8 @@ void count_halves(World& world) {
 
 /// Let a row's starting impulse act.
 void start_row(World& world, const Row& row, const RowMass& m) {
-  State& s = world.state;
   const auto push = [&](std::uint32_t body, const Vec3& p, const Vec3& r) {
-    s.v[body] += world.scene.inv_mass[body] * p;
-    if (rotates(world.scene, body)) s.omega[body] += world.contacts->inv_inertia_w[body] * r.cross(p);
+    push_body(world, body, p, r);
     world.plan->touched[body] = 1;
   };
   if (row.moves_a) push(row.a, -row.p, m.r_a);
@@ -218,6 +216,11 @@ Real mix(Mix rule_a, Real a, Mix rule_b, Real b) {
     default:
       return std::sqrt(a * b);
   }
+}
+
+void push_body(World& world, std::uint32_t body, const Vec3& p, const Vec3& r) {
+  world.state.v[body] += world.scene.inv_mass[body] * p;
+  if (rotates(world.scene, body)) world.state.omega[body] += world.contacts->inv_inertia_w[body] * r.cross(p);
 }
 
 // K = (1/m_a + 1/m_b) 1 - [r_a]x I_a^-1 [r_a]x - [r_b]x I_b^-1 [r_b]x

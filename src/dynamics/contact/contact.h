@@ -187,8 +187,8 @@ struct Contacts {
   Array<std::uint32_t> group_rows;   // rows, ascending within a group
   Array<std::uint32_t> group_begin;  // [groups + 1]
   enum Choice : std::uint8_t { kSoftly, kDirectly, kStill };
-  Array<std::uint8_t> direct;  // by group, of a solver that chooses: Choice, where not kSoftly the direct solver answers;
-                               // else empty
+  Array<std::uint8_t> direct;  // by group, of a solver that chooses: Choice, where not kSoftly the direct solver
+                               // answers; else empty
 
   Array<OldImpulse> old;  // of the last step, ascending by pair
   Real old_h = 0;         // s, the substep that made them
@@ -229,6 +229,9 @@ inline Real separation_of(const World& world, const Row& row, const RowGeometry&
   // The difference of the centres first: far from the origin they are large and nearly equal.
   return ((s.x[row.b] - s.x[row.a]) + (arm_b(world, row, g) - arm_a(world, row, g))).dot(row.n);
 }
+/// What an impulse on a body does to its velocities.
+/// @param p  N s, world   @param r  m, world axes, from the centre of mass
+void push_body(World& world, std::uint32_t body, const Vec3& p, const Vec3& r);
 /// K, 1/kg, world: the change of the relative velocity at a point per impulse there.
 Mat3 velocity_per_impulse(const World& world, const Row& row, const RowMass& m);
 /// inv_inertia_w of bodies in contact, from their present rotation matrices.

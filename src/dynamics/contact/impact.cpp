@@ -141,8 +141,8 @@ class Impacts {
         p.row.u = velocity(*p.at) + (hit.time - lag_) * p.at->accel;
         const Vec3 next = resolved_impulse(p.row, p.mass, p.want), change = next - p.row.p;
         p.row.set_impulse(next);
-        if (row.moves_a) push(row.a, -change, p.mass.r_a);
-        if (row.moves_b) push(row.b, change, p.mass.r_b);
+        if (row.moves_a) push_body(world_, row.a, -change, p.mass.r_a);
+        if (row.moves_b) push_body(world_, row.b, change, p.mass.r_b);
         most = std::max(most, change.norm() * p.row.k_n);
       }
       if (!(most > kSettled * hit.speed)) break;
@@ -154,11 +154,6 @@ class Impacts {
     }
     if (row.moves_a) turn_off(row.a, hit.time, s.v[row.a] - v_a, s.omega[row.a] - omega_a);
     if (row.moves_b) turn_off(row.b, hit.time, s.v[row.b] - v_b, s.omega[row.b] - omega_b);
-  }
-
-  void push(std::uint32_t body, const Vec3& impulse, const Vec3& r) {
-    world_.state.v[body] += world_.scene.inv_mass[body] * impulse;
-    if (rotates(world_.scene, body)) world_.state.omega[body] += c_.inv_inertia_w[body] * r.cross(impulse);
   }
 
   /// A body's velocities changed at a moment of the substep.

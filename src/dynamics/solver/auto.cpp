@@ -22,8 +22,8 @@ namespace {
 
 constexpr std::uint32_t kMostBodies = 256;  // of a group: beyond, finding an order of elimination alone takes too long
 
-// Points that close or part as fast as after a fall through this share of the thickness are struck. What a host has just piled
-// up, or what rocks and creaks under its load, stays well below.
+// Points that close or part as fast as after a fall through this share of the thickness are struck. What a host has
+// just piled up, or what rocks and creaks under its load, stays well below.
 constexpr Real kBlow = 0.1;
 // Likewise, of a group that lies still: 0.06 m/s for a cube of 1 m.
 constexpr Real kStill = 2e-4;
@@ -97,12 +97,16 @@ Real weight_if_new(World& world, std::size_t group, Real h, GroupView& view) {
   return is_new ? mass * gravity : 0;
 }
 
+struct GroupMotion {
+  bool struck = false, still = true;
+};
+
 /// What there is to know of a group before it is answered; bodies that bear too much are marked as heavy.
-void look_at(World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view) {
+GroupMotion look_at(World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view) {
   Contacts& c = *world.contacts;
   const Real deep = world.scene.dials[Dial::direct_sink];
   const Real gravity = world.scene.gravity.norm();
-  bool struck = false, still = view.bodies <= kFew;
+  GroupMotion motion;
   for (std::uint32_t k = c.group_begin[group]; k < c.group_begin[group + 1]; ++k) {
     const std::uint32_t i = c.group_rows[k];
     const Row& row = c.rows[i];
@@ -115,15 +119,12 @@ void look_at(World& world, std::size_t group, Real w2, Real h, Real weight, Grou
     if (sink > deep && row.moves_a) c.load[row.a] = Contacts::kHeavy;
     if (sink > deep && row.moves_b) c.load[row.b] = Contacts::kHeavy;
     view.sink = std::max(view.sink, sink);
-    struck |= closing * closing > kBlow * fall;
-    still &= u.squaredNorm() < kStill * fall;
+    motion.struck |= closing * closing > kBlow * fall;
+    motion.still &= u.squaredNorm() < kStill * fall;
     view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(world.scene, row));
   }
-  if (struck)
-    view.reason = GroupReason::blow;
-  else if (still)
-    view.reason = GroupReason::still;
   view.points = c.group_begin[group + 1] - c.group_begin[group];
+  return motion;
 }
 
 struct GroupMemory {
@@ -152,6 +153,27 @@ GroupMemory remember(World& world, std::size_t group, bool at_once) {
   return memory;
 }
 
+GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const GroupMemory& memory, Real most_ratio) {
+  const bool unlike = view.mass_ratio > most_ratio, still = motion.still && view.bodies <= kFew;
+  if (!unlike && !memory.bears && !still) return GroupReason::ordinary;
+  if (view.bodies > kMostBodies || (memory.tired && !unlike)) return GroupReason::too_much;
+  if (unlike) return GroupReason::mass_ratio;
+  if (!memory.bears) return GroupReason::still;
+  return motion.struck ? GroupReason::blow : GroupReason::sink;
+}
+
+Contacts::Choice answer_to(GroupReason reason) {
+  switch (reason) {
+    case GroupReason::mass_ratio:
+    case GroupReason::sink:
+      return Contacts::kDirectly;
+    case GroupReason::still:
+      return Contacts::kStill;
+    default:
+      return Contacts::kSoftly;
+  }
+}
+
 void choose(World& world, Real h) {
   Contacts& c = *world.contacts;
   const Dials& dials = world.scene.dials;
@@ -163,22 +185,10 @@ void choose(World& world, Real h) {
   for (std::size_t g = 0; g < c.groups(); ++g) {
     GroupView view;
     const Real weight = weight_if_new(world, g, h, view);
-    look_at(world, g, w2, h, weight, view);
+    const GroupMotion motion = look_at(world, g, w2, h, weight, view);
     const GroupMemory memory = remember(world, g, weight > 0);
-    const bool unlike = view.mass_ratio > dials[Dial::direct_ratio];
-    const bool struck = view.reason == GroupReason::blow, still = view.reason == GroupReason::still;
-    view.reason = GroupReason::ordinary;
-    if (unlike || memory.bears || still) {
-      view.reason = unlike          ? GroupReason::mass_ratio
-                    : !memory.bears ? GroupReason::still
-                    : struck        ? GroupReason::blow
-                                    : GroupReason::sink;
-      if (view.bodies > kMostBodies || (memory.tired && !unlike)) view.reason = GroupReason::too_much;
-      const bool is_soft = view.reason == GroupReason::too_much || view.reason == GroupReason::blow;
-      c.direct[g] = is_soft                              ? Contacts::kSoftly
-                    : view.reason == GroupReason::still ? Contacts::kStill
-                                                         : Contacts::kDirectly;
-    }
+    view.reason = reason_for(view, motion, memory, dials[Dial::direct_ratio]);
+    c.direct[g] = answer_to(view.reason);
     view.direct = c.direct[g] != Contacts::kSoftly;
     world.report.direct_groups += view.direct;
     world.group_views.push_back(view);

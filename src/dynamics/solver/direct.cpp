@@ -9,8 +9,9 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t kGroupsAPart = 1;    // a group takes as long as many bodies of other loops
-// Of the tolerance, for few bodies that lie still: what may roll has no contact against it, and takes each push for good.
+constexpr std::size_t kGroupsAPart = 1;  // a group takes as long as many bodies of other loops
+// Of the tolerance, for few bodies that lie still: what may roll has no contact against it, and takes each push for
+// good.
 constexpr Real kStillShare = 1e-3;
 constexpr Real kShare = 1e-3;              // of the fastest contact, that is good enough where work is bounded
 constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: impacts of many bodies take that many
@@ -18,7 +19,8 @@ constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: im
 /// Bodies, contacts and edges of each group.
 void gather(World& world, DirectGroups& d) {
   const Contacts& c = *world.contacts;
-  d.still.clear(), d.contacts.clear(), d.row.clear(), d.begin.clear(), d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
+  d.still.clear(), d.contacts.clear(), d.row.clear(), d.begin.clear();
+  d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
   d.body.resize(world.scene.bodies.slots());
   for (const std::uint32_t slot : c.bodies) d.body[slot] = kNobody;
   const auto node = [&](bool moves, std::uint32_t slot) {

@@ -1,8 +1,6 @@
 // Stage functions of the sequential solver.
 #include "dynamics/solver/sequential.h"
 
-#include <algorithm>
-
 #include "dynamics/solver/wide_contacts.h"
 
 namespace carom {
@@ -11,10 +9,7 @@ namespace {
 /// Of the penetration, per substep: all at once would overshoot where contacts depend on each other.
 constexpr Real kShare = 0.2;
 
-void begin(World& world, const StepTime&) {
-  begin_lanes(world);
-  world.wide->displacement.resize(world.wide->velocity.size());
-}
+void begin(World& world, const StepTime&) { begin_lanes(world); }
 
 void velocities(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
@@ -33,18 +28,10 @@ void velocities(World& world, const StepTime& time) {
 }
 
 void positions(World& world, const StepTime&) {
-  WideContacts& wide = *world.wide;
-  const ContactKernels& kernels = *wide.kernels;
-  load_shifts(world, wide);
-  LaneRun all = everything(wide);
-  in_any_order(world.jobs, all, kernels.measure);
-  std::fill(wide.displacement.begin(), wide.displacement.end(), BodyVelocity{});
-  all.velocity = wide.displacement.data();
   const int sweeps = world.scene.dials.whole(Dial::position_iterations);
   const Real slop = world.scene.dials[Dial::position_tolerance] / 2;  // so that a body at rest keeps in touch
-  for (int k = 0; k < sweeps; ++k)
-    by_colour(world.jobs, wide, all, [&](const LaneRun& run) { kernels.part(run, kShare, slop); });
-  displace(world, wide);
+  measure_lanes(world);
+  part_lanes(world, sweeps, kShare, slop);
   world.report.position_moves += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
 }
 

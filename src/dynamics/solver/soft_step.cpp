@@ -30,7 +30,6 @@ void soften(World& world, Real h) {
 void begin(World& world, const StepTime& time) {
   begin_lanes(world);
   soften(world, time.h);
-  world.wide->displacement.resize(world.wide->velocity.size());
 }
 
 void velocities(World& world, const StepTime& time) {
@@ -55,19 +54,16 @@ void positions(World& world, const StepTime& time) {
   world.report.velocity_impulses += world.contacts->rows.size();
 }
 
-/// What springs let sink deep is parted once a step, apart from velocities: for springs to do it they would have to be as
-/// stiff as makes heaps shake.
+/// What springs let sink deep is parted once a step, apart from velocities: for springs to do it they would have to be
+/// as stiff as makes heaps shake. relax() has just measured.
 void part_deep(World& world) {
-  WideContacts& wide = *world.wide;
   const Real deep = kDeep * world.scene.dials[Dial::position_tolerance];
-  const ContactKernels& kernels = *wide.kernels;
-  load_shifts(world, wide);
-  LaneRun all = everything(wide);
-  in_any_order(world.jobs, all, kernels.measure);
-  std::fill(wide.displacement.begin(), wide.displacement.end(), BodyVelocity{});
-  all.velocity = wide.displacement.data();
-  by_colour(world.jobs, wide, all, [&](const LaneRun& run) { kernels.part(run, kShare, deep); });
-  displace(world, wide);
+  const auto is_deep = [&](const PointLanes& p) {
+    bool any = false;
+    for (int i = 0; i < kLanes; ++i) any |= p.separation[i] < -deep;
+    return any;
+  };
+  if (std::ranges::any_of(world.wide->points, is_deep)) part_lanes(world, 1, kShare, deep);
 }
 
 void end(World& world, const StepTime&) {

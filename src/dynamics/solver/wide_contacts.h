@@ -132,8 +132,13 @@ void displace(World& world, const WideContacts& wide);
 /// Impulses, separations and velocities back into the rows.
 void unpack(World& world, const WideContacts& wide);
 
-/// What solvers in lanes begin and end a step with: rows into lanes and their masses; bounces, and impulses back.
+/// What solvers in lanes begin and end a step with: rows into lanes and their masses; impulses back.
 void begin_lanes(World& world);
 void end_lanes(World& world);
+/// Separations of all points from the present poses.
+void measure_lanes(World& world);
+/// Moves bodies, apart from their velocities, so that points part which were measured to be deeper than `slop`.
+/// @param share  of what is deeper, that is undone   @param slop  m
+void part_lanes(World& world, int sweeps, Real share, Real slop);
 
 }  // namespace carom
