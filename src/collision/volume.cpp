@@ -63,6 +63,22 @@ Aabb polytope_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
   return b;
 }
 
+/// All of space, unless the plane is square to an axis, as floors and walls mostly are: then it ends at the plane,
+/// widened by what rounds off where a distance from it is computed, and only who is near makes a pair with it.
+Aabb half_space_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
+  Aabb b;
+  b.lo.setConstant(-kInfinity);
+  b.hi.setConstant(kInfinity);
+  const Vec3 n = r * s.normal;
+  for (int k = 0; k < 3; ++k) {
+    if (std::fabs(n[k]) != 1 || n[(k + 1) % 3] != 0 || n[(k + 2) % 3] != 0) continue;
+    const Real end = s.offset + n[k] * p[k];
+    const Real outward = end + 4 * kUnitRoundoff * (std::fabs(s.offset) + std::fabs(p[k]));
+    (n[k] > 0 ? b.hi : b.lo)[k] = n[k] * outward;
+  }
+  return b;
+}
+
 /// Six support calls.
 Aabb general_bounds(const Shape& s, const Mat3& r, const Vec3& p, SupportFault& fault) {
   Aabb b;
@@ -141,9 +157,7 @@ Aabb world_bounds(const Shape& shape, const Mat3& r, const Vec3& p, SupportFault
   Aabb b;
   switch (shape.form) {
     case Form::half_space:
-      b.lo.setConstant(-kInfinity);
-      b.hi.setConstant(kInfinity);
-      return b;
+      return half_space_bounds(shape, r, p);
     case Form::cone:
       return cone_bounds(shape, r, p);
     case Form::polytope:
@@ -165,11 +179,12 @@ Aabb world_bounds(const Shape& shape, const Mat3& r, const Vec3& p, SupportFault
 
 bool derive_bounds(Shape& shape, SupportFault& fault) {
   shape.bounding_radius = 0;  // not known yet: the run-time check against it sleeps
-  shape.bounds = world_bounds(shape, Mat3::Identity(), Vec3::Zero(), fault);
   if (shape.form == Form::half_space) {
+    shape.bounds.lo.setConstant(-kInfinity), shape.bounds.hi.setConstant(kInfinity);
     shape.bounding_radius = kInfinity;
     return true;
   }
+  shape.bounds = world_bounds(shape, Mat3::Identity(), Vec3::Zero(), fault);
   if (!(shape.bounds.lo.x() <= shape.bounds.hi.x())) return false;
   Real reach;
   if (shape.form != Form::none) {

@@ -8,8 +8,8 @@ namespace carom {
 /// World bounds of a shape.
 /// @param r  [3x3] shape -> world   @param p [3] m
 /// Closed forms and declared vertices directly, six support calls for other shapes. No allocation.
-/// @return   bounds, exact to rounding; infinite for a half-space; empty (lo > hi) if the support function failed, with
-/// the fault
+/// @return   bounds, exact to rounding; of a half-space all of space, or what is behind its plane if that is square to
+///           an axis; empty (lo > hi) if the support function failed, with the fault
 Aabb world_bounds(const Shape& shape, const Mat3& r, const Vec3& p, SupportFault& fault);
 
 /// Bounds and bounding radius from six (and a few more) support calls: fills shape.bounds and shape.bounding_radius.

@@ -127,6 +127,32 @@ static void a_half_space_has_no_bounds(void**) {
   assert_true(mass_from_support(s, 1e-3, 100, fault).volume == 0);
 }
 
+/// In the world one ends at its plane where that is square to an axis, and nowhere where it is not.
+static void a_half_space_square_to_an_axis_ends_at_its_plane(void**) {
+  Shape s(std::pmr::get_default_resource());
+  s.form = Form::half_space;
+  s.offset = 0.1;
+  const Vec3 p(0.3, -0.7, 1e3);
+  SupportFault fault;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const Real sign : {-1.0, 1.0}) {
+      s.normal = sign * Vec3::Unit(axis);
+      Aabb expected;
+      expected.lo.setConstant(-kInfinity), expected.hi.setConstant(kInfinity);
+      const Real plane = sign * (s.offset + sign * p[axis]);
+      Real& end = (sign > 0 ? expected.hi : expected.lo)[axis];
+      end = plane;
+      const Aabb b = world_bounds(s, Mat3::Identity(), p, fault);
+      const Real beyond = sign * ((sign > 0 ? b.hi : b.lo)[axis] - plane);
+      assert_true(beyond > 0 && beyond <= 4 * kEpsilon * (0.1 + std::fabs(p[axis])));
+      end = (sign > 0 ? b.hi : b.lo)[axis];
+      assert_true(b.lo == expected.lo && b.hi == expected.hi);
+    }
+  s.normal = Vec3(1e-17, 1, 0);  // its plane meets the axis only far out
+  const Aabb tilted = world_bounds(s, Mat3::Identity(), p, fault);
+  assert_true(tilted.hi == Vec3::Constant(kInfinity) && tilted.lo == Vec3::Constant(-kInfinity));
+}
+
 static void the_bracket_holds_the_closed_form_at_every_budget(void**) {
   Random random(4);
   for (int trial = 0; trial < 20; ++trial)
@@ -340,6 +366,7 @@ int main() {
       cmocka_unit_test(bounds_of_an_undeclared_shape_equal_those_of_the_same_shape_declared),
       cmocka_unit_test(no_support_point_lies_outside_the_bounding_radius),
       cmocka_unit_test(a_half_space_has_no_bounds),
+      cmocka_unit_test(a_half_space_square_to_an_axis_ends_at_its_plane),
       cmocka_unit_test(the_bracket_holds_the_closed_form_at_every_budget),
       cmocka_unit_test(a_box_is_exact_to_rounding_after_32_supports),
       cmocka_unit_test(the_width_falls_like_1_over_n_for_a_sphere_and_1_over_n2_for_a_cylinder_and_a_cone),
