@@ -14,10 +14,13 @@ namespace carom {
 class Two {
  public:
   explicit Two(const Real* from) : pair_(_mm_loadu_pd(from)) {}
+  Two(Real first, Real second) : pair_(_mm_setr_pd(first, second)) {}
   Two operator<=(const Two& o) const { return Two(_mm_cmple_pd(pair_, o.pair_)); }
   Two operator&(const Two& o) const { return Two(_mm_and_pd(pair_, o.pair_)); }
   /// Of what comparisons gave: were they both true?
-  bool both() const { return _mm_movemask_pd(pair_) == 3; }
+  bool both() const { return bits() == 3; }
+  /// A bit for each that was true, the lowest for the first.
+  unsigned bits() const { return static_cast<unsigned>(_mm_movemask_pd(pair_)); }
 
  private:
   explicit Two(__m128d pair) : pair_(pair) {}
@@ -27,10 +30,12 @@ class Two {
 class Two {
  public:
   explicit Two(const Real* from) : first_(from[0]), second_(from[1]) {}
+  Two(Real first, Real second) : first_(first), second_(second) {}
   struct Outcome {
     bool first, second;
     Outcome operator&(const Outcome& o) const { return {bool(first & o.first), bool(second & o.second)}; }
     bool both() const { return first & second; }
+    unsigned bits() const { return static_cast<unsigned>(first) | static_cast<unsigned>(second) << 1; }
   };
   Outcome operator<=(const Two& o) const { return {first_ <= o.first_, second_ <= o.second_}; }
 

@@ -8,7 +8,8 @@
 // What can move has one tree, what cannot another, and nobody of the second is asked about unless it changes. Unbounded
 // boxes (half-spaces) are in no tree, whose boxes they would all blow up; they are few, and compared with who moved.
 // Where more than a share of a tree's leaves changed, it is built afresh rather than edited leaf by leaf; so it is
-// when a leaf ended too deep. A step costs at most O(n log n), the queries apart, however boxes lie.
+// when a leaf ended too deep, or queries cost more than those after the last time by what building costs. A step costs
+// at most O(n log n), the queries apart, however boxes lie.
 #include <algorithm>
 #include <bit>
 
@@ -23,16 +24,16 @@ namespace {
 // learns its share: left within kReview steps, the box was too small, and the share doubles; not left for so long, it
 // falls to a third. Larger shares: fewer bodies leave their box; smaller ones: fewer candidates to filter, which are
 // twice the pairs at 0.13.
-constexpr Real kLeast = 0.01, kMost = 0.12, kFirst = 0.06;
+constexpr Real kLeast = 0.01, kMost = 0.08, kFirst = 0.06;
 constexpr std::uint64_t kReview = 64;
 /// Not more than this share of the usual size: else something huge would have all crumbs near it for candidates.
 constexpr Real kUsual = 0.25;
 /// How many steps ahead a fat box reaches along the motion, up to its own extent.
-constexpr Real kAhead = 6;
-/// A smaller fat box is given if it adds to the bounds less than the old one by this factor: for less, no query.
+constexpr Real kAhead = 12;
+/// A smaller fat box is given if it adds to the bounds less than the old one by this factor: for less, no work.
 constexpr Real kBloated = 1.9;
 /// Part of the leaves that may change one by one; beyond, building afresh costs less.
-constexpr std::size_t kAfresh = 8;
+constexpr std::size_t kAfresh = 2;
 
 class Tree final : public BroadPhase {
  public:
@@ -49,6 +50,7 @@ class Tree final : public BroadPhase {
         live_(m),
         asked_(m),
         gone_(m),
+        shrunk_(m),
         wide_(m),
         leaves_(m),
         extent_(m),
@@ -64,23 +66,30 @@ class Tree final : public BroadPhase {
     grow(table.slots());
     ++calls_;
     const bool muted = take_in(table);
-    if (!asked_.empty() || !gone_.empty()) {
+    if (!asked_.empty() || !gone_.empty() || !shrunk_.empty()) {
       settle(table);
-      if (2 * asked_.size() > live_.size())
+      if (2 * asked_.size() > live_.size()) {
         look_at_all();
-      else
+        filter(table, pairs);
+      } else {
         look_around();
+        merge(table, pairs);
+      }
       work_.asked = asked_.size();
       level();
-      for (const std::uint32_t slot : asked_) changed_[slot] = 0;
-      for (const std::uint32_t slot : gone_) changed_[slot] = 0;
+      for (const Array<std::uint32_t>* list : {&asked_, &gone_, &shrunk_})
+        for (const std::uint32_t slot : *list) changed_[slot] = kStays;
+    } else {
+      filter(table, pairs);
     }
-    filter(table, muted, pairs);
+    if (muted) std::erase_if(pairs, [&](const Pair& q) { return table.muted[q.a] | table.muted[q.b]; });
     whole_ = true;
   }
 
  private:
   enum Kind : std::uint8_t { none, wide, wide_fixed, fixed, moving };
+  /// All of a slot's candidates are void; or those whose fat boxes it does not overlap any more.
+  enum Change : std::uint8_t { kStays = 0, kShrunk = 1, kVoid = 2 };
   static bool moves(Kind k) { return k == moving || k == wide; }
   static bool in_tree(Kind k) { return k >= fixed; }
   BoxTree& tree(Kind k) { return k == fixed ? fixed_ : moving_; }
@@ -90,13 +99,13 @@ class Tree final : public BroadPhase {
     std::fill(kind_.begin(), kind_.end(), none);
     std::fill(changed_.begin(), changed_.end(), std::uint8_t(0));
     std::fill(fat_.begin(), fat_.end(), Aabb());
-    live_.clear(), asked_.clear(), gone_.clear(), wide_.clear(), known_.clear();
+    live_.clear(), asked_.clear(), gone_.clear(), shrunk_.clear(), wide_.clear(), known_.clear();
   }
 
   void grow(std::size_t slots) {
     if (kind_.size() >= slots) return;
     moving_.grow(slots), fixed_.grow(slots);
-    for (Array<std::uint32_t>* list : {&live_, &asked_, &gone_, &wide_, &leaves_}) list->reserve(2 * slots);
+    for (Array<std::uint32_t>* list : {&live_, &asked_, &gone_, &shrunk_, &wide_, &leaves_}) list->reserve(2 * slots);
     owner_.resize(slots), changed_.resize(slots, 0), fat_.resize(slots), from_.resize(slots), share_.resize(slots),
         since_.resize(slots);
     kind_.resize(slots, none);  // last: its size says that all have theirs
@@ -115,10 +124,11 @@ class Tree final : public BroadPhase {
     return 2 * std::uint64_t(table.body[slot]) + table.movable[slot];
   }
 
-  /// Compare the table with what is known of it: who is new, changed, has left its fat box (asked_), or gone (gone_).
+  /// Compare the table with what is known of it: who is new, changed, has left its fat box (asked_), is gone (gone_),
+  /// or may have a smaller one (shrunk_).
   /// @return whether anybody is muted
   bool take_in(const Colliders& table) {
-    asked_.clear(), gone_.clear();
+    asked_.clear(), gone_.clear(), shrunk_.clear();
     if (!std::equal(table.active.begin(), table.active.end(), live_.begin(), live_.end())) {
       std::size_t i = 0;  // both lists are ascending and walked side by side
       for (const std::uint32_t slot : live_) {
@@ -137,13 +147,13 @@ class Tree final : public BroadPhase {
         ask(slot);
     }
     for (std::size_t i = calls_ % kReview; i < live_.size(); i += kReview)
-      if (bloated(table, live_[i])) ask(live_[i]);
+      if (bloated(table, live_[i])) shrunk_.push_back(live_[i]), changed_[live_[i]] = kShrunk;
     return muted;
   }
 
-  void ask(std::uint32_t slot) { asked_.push_back(slot), changed_[slot] = 1; }
+  void ask(std::uint32_t slot) { asked_.push_back(slot), changed_[slot] = kVoid; }
   void leave(std::uint32_t slot) {
-    if (kind_[slot] != none) gone_.push_back(slot), changed_[slot] = 1;
+    if (kind_[slot] != none) gone_.push_back(slot), changed_[slot] = kVoid;
   }
 
   static Real calmer(Real share) { return std::max(kLeast, share / 3); }
@@ -172,7 +182,8 @@ class Tree final : public BroadPhase {
       if (now != kind_[slot]) touch(kind_[slot]);
       touch(now);
     }
-    const bool afresh[2] = {kAfresh * touched[0] > fixed_.size(), kAfresh * touched[1] > moving_.size()};
+    const bool afresh[2] = {kAfresh * touched[0] > fixed_.size(),
+                            kAfresh * touched[1] > moving_.size() || moving_.worn()};
     if (afresh[1]) measure(table);
 
     bool rewide = false;
@@ -185,18 +196,22 @@ class Tree final : public BroadPhase {
     bool deep[2] = {false, false};
     for (const std::uint32_t slot : gone_) take_out(slot), fat_[slot] = Aabb();  // which holds nothing
     for (const std::uint32_t slot : asked_) {
-      const bool known = kind_[slot] == moving && owner_[slot] == owner(table, slot);
-      const Kind now = kind_of(table, slot);
-      take_out(slot);
-      fatten(table.bounds[slot], slot, now, known);
+      const Kind before = kind_[slot], now = kind_of(table, slot);
+      if (before != now) take_out(slot);
+      fatten(table.bounds[slot], slot, now, before == moving && owner_[slot] == owner(table, slot));
       kind_[slot] = now;
       owner_[slot] = owner(table, slot);
       rewide |= !in_tree(now);
       if (in_tree(now) && !afresh[now == moving]) {
-        const std::size_t depth = tree(now).insert(slot, fat_[slot]);
-        // Three times the depth of a balanced tree, with which halving would still get by, is too deep.
-        deep[now == moving] |= depth > 3 * static_cast<std::size_t>(std::bit_width(tree(now).size())) + 8;
+        BoxTree& t = tree(now);
+        const std::size_t depth = before == now ? t.move(slot, fat_[slot]) : t.insert(slot, fat_[slot]);
+        // Halving leaves would get by with a third of this.
+        deep[now == moving] |= depth > 3 * static_cast<std::size_t>(std::bit_width(t.size())) + 8;
       }
+    }
+    for (const std::uint32_t slot : shrunk_) {
+      shrink(table.bounds[slot], slot);
+      if (!afresh[1]) moving_.shrink(slot, fat_[slot]);
     }
     for (const Kind k : {fixed, moving})
       if (afresh[k == moving] || deep[k == moving]) rebuild(k);
@@ -253,12 +268,19 @@ class Tree final : public BroadPhase {
       fat_[slot] = fattened(box, Vec3::Zero(), kFirst);
     } else {
       Real& share = share_[slot];
-      if (calls_ - since_[slot] < kReview)
-        share = std::min(kMost, 2 * share);
-      else if (holds(fat_[slot], box))
-        share = calmer(share);
+      if (calls_ - since_[slot] < kReview) share = std::min(kMost, 2 * share);
       fat_[slot] = fattened(box, motion(box, slot), share);
     }
+    from_[slot] = 0.5 * box.lo + 0.5 * box.hi;
+    since_[slot] = calls_;
+  }
+
+  /// Whom its fat box holds on to is known, so that nobody needs to be asked.
+  void shrink(const Aabb& box, std::uint32_t slot) {
+    const Aabb old = fat_[slot];
+    share_[slot] = calmer(share_[slot]);
+    fat_[slot] = fattened(box, motion(box, slot), share_[slot]);
+    fat_[slot].lo = fat_[slot].lo.cwiseMax(old.lo), fat_[slot].hi = fat_[slot].hi.cwiseMin(old.hi);
     from_[slot] = 0.5 * box.lo + 0.5 * box.hi;
     since_[slot] = calls_;
   }
@@ -280,7 +302,7 @@ class Tree final : public BroadPhase {
       const Aabb& box = fat_[slot];
       const auto found = [&](std::uint32_t other) {
         // Of two that are both asked for, the one with the smaller number finds the other.
-        if (other != slot && !(changed_[other] && other < slot)) add(slot, other);
+        if (other != slot && !(changed_[other] == kVoid && other < slot)) add(slot, other);
       };
       const bool free = moves(kind_[slot]);
       work_.tests += moving_.query(box, found) + wide_.size();
@@ -289,38 +311,6 @@ class Tree final : public BroadPhase {
         if ((free || moves(kind_[other])) && box.overlaps(fat_[other])) found(other);
     }
     order_.sort(fresh_, kind_.size());
-    merge();
-    known_.swap(spare_);
-  }
-
-  /// Into spare_: what is known of those who did not change, and what is fresh. Both are in order, and in runs of the
-  /// same first slot; most runs have nothing fresh, and then what is left out moves a counter instead of branching.
-  void merge() {
-    spare_.resize(known_.size() + fresh_.size());
-    Pair* out = spare_.data();
-    const Pair *p = known_.data(), *q = fresh_.data();
-    const Pair *const p_end = p + known_.size(), *const q_end = q + fresh_.size();
-    while (p < p_end) {
-      const std::uint32_t a = p->a;
-      while (q < q_end && q->a < a) *out++ = *q++;
-      const bool mixed = q < q_end && q->a == a;
-      if (changed_[a]) {
-        while (p < p_end && p->a == a) ++p;
-      } else if (mixed) {
-        for (; p < p_end && p->a == a; ++p) {
-          while (q < q_end && *q < *p) *out++ = *q++;
-          *out = *p;
-          out += !changed_[p->b];
-        }
-      } else {
-        for (; p < p_end && p->a == a; ++p) {
-          *out = *p;
-          out += !changed_[p->b];
-        }
-      }
-    }
-    out = std::copy(q, q_end, out);
-    spare_.resize(static_cast<std::size_t>(out - spare_.data()));
   }
 
   /// All candidates of all, where most changed.
@@ -347,41 +337,63 @@ class Tree final : public BroadPhase {
     known_.swap(fresh_);
   }
 
-  /// Candidates whose bounds overlap. They stand in order, so a first box is loaded once for all of its partners; and
-  /// whether two boxes overlap is a coin toss, so it moves a counter instead of branching.
-  void filter(const Colliders& table, bool muted, Array<Pair>& pairs) {
+  /// Candidates whose bounds overlap. Whether two boxes do is a coin toss, so it moves a pointer instead of branching;
+  /// and runs of the same first slot are too short to hold its box for them: where they end is another toss.
+  void filter(const Colliders& table, Array<Pair>& pairs) {
     pairs.resize(known_.size());
     work_.tests += known_.size();
     const Aabb* const bounds = table.bounds.data();
     Pair* out = pairs.data();
-    const Pair* p = known_.data();
-    const Pair* const end = p + known_.size();
-    while (p < end) {
-      const std::uint32_t a = p->a;
-      const HeldBox box(bounds[a]);
-      for (; p < end && p->a == a; ++p) {
-        *out = *p;
-        out += box.overlaps(bounds[p->b]);
-      }
+    for (const Pair& p : known_) {
+      *out = p;
+      out += HeldBox(bounds[p.a]).overlaps(bounds[p.b]);
     }
     pairs.resize(static_cast<std::size_t>(out - pairs.data()));
-    if (muted) std::erase_if(pairs, [&](const Pair& q) { return table.muted[q.a] | table.muted[q.b]; });
+  }
+
+  /// Candidates of those who did not change, and what is fresh, become what is known, and are filtered on the way.
+  void merge(const Colliders& table, Array<Pair>& pairs) {
+    spare_.resize(known_.size() + fresh_.size());
+    pairs.resize(spare_.size());
+    const Aabb* const bounds = table.bounds.data();
+    const std::uint8_t* const changed = changed_.data();
+    Pair *kept = spare_.data(), *out = pairs.data();
+    const auto take = [&](const Pair& p, bool stays) {
+      *kept = *out = p;
+      kept += stays;
+      out += stays & HeldBox(bounds[p.a]).overlaps(bounds[p.b]);
+    };
+    const auto pass = [&](const Pair& p) {
+      const int change = changed[p.a] | changed[p.b];
+      take(p, change == kStays || (change == kShrunk && fat_[p.a].overlaps(fat_[p.b])));
+    };
+    const Pair* p = known_.data();
+    const Pair* const end = p + known_.size();
+    for (const Pair& q : fresh_) {
+      for (; p < end && *p < q; ++p) pass(*p);
+      take(q, true);
+    }
+    for (; p < end; ++p) pass(*p);
+    spare_.resize(static_cast<std::size_t>(kept - spare_.data()));
+    pairs.resize(static_cast<std::size_t>(out - pairs.data()));
+    work_.tests += spare_.size();
+    known_.swap(spare_);
   }
 
   BoxTree moving_, fixed_;
-  Array<Kind> kind_;                   // [slots] as of the last call
-  Array<std::uint64_t> owner_;         // [slots] see owner()
-  Array<std::uint8_t> changed_;        // [slots] all of its candidates are void
-  Array<Aabb> fat_;                    // [slots] m; the bounds themselves unless it can move
-  Array<Vec3> from_;                   // [slots] m, centre when the fat box was made
-  Array<Real> share_;                  // [slots] see kLeast
-  Array<std::uint64_t> since_;         // [slots] the call in which it was made
-  Array<std::uint32_t> live_;          // slots of the table, ascending
-  Array<std::uint32_t> asked_, gone_;  // of this call
-  Array<std::uint32_t> wide_;          // slots with an unbounded box
-  Array<std::uint32_t> leaves_;        // of a tree to be built
-  Array<Real> extent_;                 // m
-  Array<Pair> known_;                  // candidates, ascending
+  Array<Kind> kind_;                            // [slots] as of the last call
+  Array<std::uint64_t> owner_;                  // [slots] see owner()
+  Array<std::uint8_t> changed_;                 // [slots] in this call, see Change
+  Array<Aabb> fat_;                             // [slots] m; the bounds themselves unless it can move
+  Array<Vec3> from_;                            // [slots] m, centre when the fat box was made
+  Array<Real> share_;                           // [slots] see kLeast
+  Array<std::uint64_t> since_;                  // [slots] the call in which it was made
+  Array<std::uint32_t> live_;                   // slots of the table, ascending
+  Array<std::uint32_t> asked_, gone_, shrunk_;  // of this call
+  Array<std::uint32_t> wide_;                   // slots with an unbounded box
+  Array<std::uint32_t> leaves_;                 // of a tree to be built
+  Array<Real> extent_;                          // m
+  Array<Pair> known_;                           // candidates, ascending
   Array<Pair> fresh_, spare_;
   PairOrder order_;
   Real usual_ = 0;  // m
