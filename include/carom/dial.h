@@ -76,10 +76,10 @@ extern "C" {
 #define CAROM_SEARCH_LINEAR 0u /* the paper's: scan all contacts of the group for the most severe */
 #define CAROM_SEARCH_HEAP 1u   /* the same order from a heap */
 
-#define CAROM_BROAD_BRUTE_FORCE 0u
-#define CAROM_BROAD_SWEEP_AND_PRUNE 1u
-#define CAROM_BROAD_GRID 2u
-#define CAROM_BROAD_TREE 3u
+#define CAROM_BROAD_BRUTE_FORCE 0u     /* every bound with every other */
+#define CAROM_BROAD_SWEEP_AND_PRUNE 1u /* sorted axes; the paper's */
+#define CAROM_BROAD_GRID 2u            /* cells filled afresh in every step: the same cost however bodies move */
+#define CAROM_BROAD_TREE 3u            /* a tree of fat boxes: what stays about where it was costs next to nothing */
 
 #define CAROM_NARROW_HYBRID 0u  /* van den Bergen: GJK on shapes with a margin shell, EPA only for deep contact; the
                                    shells make every shape larger by the margin */

@@ -25,7 +25,7 @@ namespace {
 // falls to a third. Larger shares: fewer bodies leave their box; smaller ones: fewer candidates to filter, which are
 // twice the pairs at 0.13.
 constexpr Real kLeast = 0.01, kMost = 0.08, kFirst = 0.06;
-constexpr std::uint64_t kReview = 64;
+constexpr std::uint64_t kReview = 32;
 /// Not more than this share of the usual size: else something huge would have all crumbs near it for candidates.
 constexpr Real kUsual = 0.25;
 /// How many steps ahead a fat box reaches along the motion, up to its own extent.
