@@ -29,15 +29,15 @@ constexpr DialRow number(Dial d, const char* name, const char* unit, const char*
 
 constexpr std::array<DialRow, kDialCount> kTable = {{
     choice(Dial::integrator, "integrator",
-           "order of the error in flight: 1, 1, 4, 2; cost 1, 1, 4, 2 force evaluations", kIntegrators, 1),
+           "order of the error in flight: 1, 1, 4, 2; cost 1, 1, 4, 2 force evaluations", kIntegrators, 3),
     choice(Dial::rotation, "rotation",
            "how bodies with unlike moments of inertia spin: no gyroscopic term, an explicit torque, one implicit "
            "Newton step, "
            "or exactly kept momentum by Runge-Kutta, midpoint, or splitting of order 2, 4, 6",
            kRotations, 5),
     integer(Dial::substeps, "substeps",
-            "integrate-and-solve passes per step, where bodies can touch; error falls with each, cost grows", 1, 64, 1),
-    choice(Dial::solver, "solver", "how contacts are resolved", kSolvers, 0),
+            "integrate-and-solve passes per step, where bodies can touch; error falls with each, cost grows", 1, 64, 4),
+    choice(Dial::solver, "solver", "how contacts are resolved", kSolvers, 4),
     integer(Dial::velocity_iterations, "velocity_iterations",
             "at most this many impulses per contact point of a group and substep", 1, 1000, 4),
     integer(Dial::position_iterations, "position_iterations",
@@ -94,14 +94,14 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
     number(Dial::sleep_time, "sleep_time", "s", "for how long an island has been slow when it falls asleep", 0, 1e3,
            0.5),
     number(Dial::direct_sink, "direct_sink", "",
-           "solver auto: a group where soft contacts would let a body sink by more than this share of its thickness goes "
-           "to the direct solver",
-           0, 1e3, 0.005),
+           "solver auto: a group where soft contacts would let a body sink by more than this share of its thickness "
+           "goes to the direct solver",
+           0, 1e3, 0.001),
     number(Dial::direct_ratio, "direct_ratio", "",
            "solver auto: so does one where masses of bodies that touch are further apart than this", 1, 1e12, 100),
     integer(Dial::direct_work, "direct_work",
-            "solver auto: but not one that takes more block products a step than this, about 0.3 us each; what was never "
-            "solved before is solved to the end, once",
+            "solver auto: but not one that takes more block products a step than this, about 0.3 us each; what was "
+            "never solved before is solved to the end, once",
             0, 1e9, 50000),
 }};
 

@@ -18,7 +18,6 @@ struct State {
         quarantined(m),
         loaded_steps(m),
         tired_steps(m),
-        calm_steps(m),
         written(m),
         is_written(m) {}
 
@@ -35,9 +34,6 @@ struct State {
   // What a solver that chooses remembers: for how long a body has borne too much, and for how long its group is not
   // to be given to the direct solver, for which it was too much.
   Array<std::uint8_t> loaded_steps, tired_steps;
-
-  /// For how many substeps the body's group has lived on impulses that the direct solver found before.
-  Array<std::uint8_t> calm_steps;
 
   std::uint64_t quarantined_count = 0;
 

@@ -34,7 +34,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };
   reserve(scene.bodies, scene.def, scene.type, scene.inv_mass, scene.mass, scene.center, scene.inertia,
           scene.inv_inertia, state.x, state.q, state.v, state.omega, state.momentum, state.force, state.torque,
-          state.quarantined, state.loaded_steps, state.tired_steps, state.calm_steps, state.written, state.is_written);
+          state.quarantined, state.loaded_steps, state.tired_steps, state.written, state.is_written);
 }
 
 World::~World() = default;
@@ -56,8 +56,7 @@ std::uint64_t World::hash() const {
     h.add_coefficients(state.force[i]);
     h.add_coefficients(state.torque[i]);
     h.add(std::uint64_t(state.quarantined[i]));
-    const std::uint32_t solver_memory =
-        state.loaded_steps[i] + (256u * state.tired_steps[i]) + (65536u * state.calm_steps[i]);
+    const std::uint32_t solver_memory = state.loaded_steps[i] + (256u * state.tired_steps[i]);
     if (solver_memory) h.add(std::uint64_t(solver_memory));
   }
   const auto add_record = [&](const PairRecord& r) {

@@ -45,6 +45,7 @@ GroupView group_of(const TestWorld& t, std::uint32_t bodies) {
 static void it_names_what_it_chose_and_why(void**) {
   TestWorld t;
   use(t, kAutoChoice);
+  t.world.set_dial(Dial::direct_sink, 0.005);  // what a cube of 1 m sinks under nine others
   t.ground();
   const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
   stack(t, 20, 0);
@@ -150,14 +151,14 @@ static void a_blow_goes_through_a_row_of_balls_without_loss(void**) {
   use(t, kAutoChoice);
   const std::vector<std::uint32_t> row = t.cradle();
   t.run(60, kStep);
-  for (std::size_t i = 0; i < 5; ++i)
-    assert_true(std::fabs(t.world.state.v[row[i]].x() - (i == 4 ? 1 : 0)) < 1e-12);
+  for (std::size_t i = 0; i < 5; ++i) assert_true(std::fabs(t.world.state.v[row[i]].x() - (i == 4 ? 1 : 0)) < 1e-12);
 }
 
 /// Several groups at a time on several threads: the same bits.
 static void threads_do_not_change_a_bit(void**) {
   std::uint64_t hash[2];
-  JobPool pool(4, [] {}, std::pmr::new_delete_resource());
+  JobPool pool(
+      4, [] {}, std::pmr::new_delete_resource());
   for (const bool shared : {false, true}) {
     TestWorld t;
     t.world.jobs = shared ? &pool : nullptr;

@@ -1,5 +1,5 @@
-// The scene that speed is measured on, judged for quality: 15 s of 1,024 falling bodies lose none, stay finite, and lie still
-// with less overlap than the eye can see.
+// The scene that speed is measured on, judged for quality: 15 s of 1,024 falling bodies lose none, stay finite, and lie
+// still with less overlap than the eye can see.
 #include <cmath>
 #include <cstdio>
 
@@ -40,13 +40,14 @@ static void of_1024_bodies_none_is_lost_in_15_s_and_the_heap_lies_still(void**) 
   std::vector<KindSummary> ended;
   const RunSummary run = fall(1024, 15, nullptr, 0, ended);
   nobody_is_lost(run, ended, 1024);
-  std::printf("  penetration max %.2f mm, mean %.2f mm; worst on the way %.0f mm; %.1e J a body\n",
+  std::printf("  penetration max %.2f mm, mean %.2f mm; worst on the way %.0f mm; %.1e J a body, %.1e J of spin\n",
               1e3 * run.last.max_penetration, 1e3 * run.last.mean_penetration, 1e3 * run.worst_penetration,
-              (run.last.linear_energy + run.last.angular_energy) / 1024);
+              run.last.linear_energy / 1024, run.last.angular_energy / 1024);
   // The target of the design: 12 mm at most, 2 mm in the mean.
   assert_true(run.last.max_penetration < 12e-3 && run.last.mean_penetration < 2e-3);
-  // A 60 kg body that creeps at 1 cm/s has 3e-3 J.
-  assert_true((run.last.linear_energy + run.last.angular_energy) / 1024 < 3e-3);
+  // A 60 kg body that creeps at 1 cm/s has 3e-3 J. What spins is left out: no law stops a ball that spins about the
+  // normal of its one contact.
+  assert_true(run.last.linear_energy / 1024 < 3e-3);
 }
 
 static void broad_phases_differ_in_time_alone(void**) {
@@ -63,9 +64,14 @@ static void every_path_through_the_narrow_phase_keeps_the_heap_in_its_box(void**
   const struct {
     const char* dial;
     double value;
-  } paths[] = {{"pair_routines", 0}, {"manifold", CAROM_MANIFOLD_SINGLE}, {"simplex", CAROM_SIMPLEX_JOHNSON},
-               {"integrator", CAROM_INTEGRATOR_RK4}, {"integrator", CAROM_INTEGRATOR_EXPLICIT_EULER},
-               {"groups", 0}, {"substeps", 2}, {"warm_start", 0}};
+  } paths[] = {{"pair_routines", 0},
+               {"manifold", CAROM_MANIFOLD_SINGLE},
+               {"simplex", CAROM_SIMPLEX_JOHNSON},
+               {"integrator", CAROM_INTEGRATOR_RK4},
+               {"integrator", CAROM_INTEGRATOR_EXPLICIT_EULER},
+               {"groups", 0},
+               {"substeps", 2},
+               {"warm_start", 0}};
   for (const auto& path : paths) {
     std::vector<KindSummary> ended;
     nobody_is_lost(fall(100, 4, path.dial, path.value, ended), ended, 100);

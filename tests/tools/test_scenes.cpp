@@ -50,7 +50,7 @@ static void the_catapult_breaks_the_wall(void**) {
   Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
   Stage stage(engine);
   const auto observer = build(scene, {}, stage);
-  simulate(stage, observer.get(), 3, scene.dt);
+  simulate(stage, observer.get(), scene.seconds, scene.dt);
   for (const std::string& line : observer->tell(stage)) std::printf("  %s\n", line.c_str());
   assert_true(observer->came_off(stage));
 }

@@ -50,15 +50,15 @@ std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Contacts&
   return match;
 }
 
-/// What a point starts from.   @param scale  substep now over substep then
+/// What a point starts from: the impulse that held it, which stays as it is in the world while a normal turns with the
+/// body it stands on, within the new cone.   @param scale  substep now over substep then
 Vec3 starting_impulse(const OldImpulse& old, const Vec3& n, Real friction, Real scale) {
-  // The normal part turns with the normal; the tangent part is laid into the new tangent plane, inside the new cone.
-  const Real normal = scale * old.p.dot(old.n);
-  Vec3 tangent = scale * old.p - normal * old.n;
-  tangent -= tangent.dot(n) * n;
+  const Vec3 p = scale * old.p;
+  const Real normal = p.dot(n);
+  if (!(normal > 0)) return Vec3::Zero();
+  const Vec3 tangent = p - normal * n;
   const Real bound = friction * normal, size = tangent.norm();
-  if (size > bound) tangent *= bound / size;
-  return normal * n + tangent;
+  return size > bound ? Vec3(normal * n + (bound / size) * tangent) : p;
 }
 
 /// Which of a pair's bodies contacts move in this step.

@@ -223,13 +223,13 @@ void velocities(World& world, const StepTime& time) {
 
 void positions(World& world, const StepTime& time) {
   kSoftStep.positions(world, time);
-  if (world.direct->groups() == 0) return;
-  refresh_rotations(world);
-  refresh_separations(world);
-  part_groups(world, time.h);
+  if (world.direct->groups() > 0) part_groups(world, time.h);
 }
 
-void end(World& world, const StepTime& time) { kSoftStep.end(world, time); }
+void end(World& world, const StepTime& time) {
+  kSoftStep.end(world, time);
+  if (world.direct->groups() > 0) end_groups(world);
+}
 
 }  // namespace
 

@@ -14,6 +14,7 @@ constexpr std::size_t kGroupsAPart = 1;  // a group takes as long as many bodies
 // good.
 constexpr Real kStillShare = 1e-3;
 constexpr Real kShare = 1e-3;              // of the fastest contact, that is good enough where work is bounded
+constexpr Real kRest = 10;                 // tolerances: contacts that move slower, in any direction, are at rest
 constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: impacts of many bodies take that many
 
 /// Bodies, contacts and edges of each group.
@@ -80,17 +81,14 @@ void place_contacts(DirectGroups& d) {
   }
 }
 
-void load_bodies(World& world, DirectGroups& d) {
-  const State& s = world.state;
-  for (ConeBody& b : d.bodies) {
-    b.v << s.v[b.slot], s.omega[b.slot];
-    b.mass = world.scene.mass[b.slot], b.inv_mass = world.scene.inv_mass[b.slot];
-    b.inertia.setIdentity(), b.inv_inertia.setZero();
-    if (!rotates(world.scene, b.slot)) continue;
-    const Mat3& r = world.plan->rotation[b.slot];
-    b.inertia = r * world.scene.inertia[b.slot] * r.transpose();
-    b.inv_inertia = r * world.scene.inv_inertia[b.slot] * r.transpose();
-  }
+/// Masses, in the body's present orientation.
+void load_mass(const World& world, ConeBody& b) {
+  b.mass = world.scene.mass[b.slot], b.inv_mass = world.scene.inv_mass[b.slot];
+  b.inertia.setIdentity(), b.inv_inertia.setZero();
+  if (!rotates(world.scene, b.slot)) return;
+  const Mat3& r = world.plan->rotation[b.slot];
+  b.inertia = r * world.scene.inertia[b.slot] * r.transpose();
+  b.inv_inertia = r * world.scene.inv_inertia[b.slot] * r.transpose();
 }
 
 /// Mean of the eigenvalues of what an impulse at a point does to the velocity there.
@@ -103,38 +101,47 @@ Real mean_response(const ConeBody* bodies, const ConeContact& c) {
   return of(c.a, c.r_a) + of(c.b, c.r_b);
 }
 
-void load_contacts(World& world, DirectGroups& d, Real h) {
-  Contacts& c = *world.contacts;
+bool is_curved(const Shape& s) { return s.form != Form::box && s.form != Form::polytope && s.form != Form::half_space; }
+
+/// Where a contact is, and what depends on that. Bodies have the velocities of the state.
+void load_contact(const World& world, std::uint32_t row_index, const ConeBody* bodies, ConeContact& contact) {
+  const Row& row = world.contacts->rows[row_index];
+  const RowGeometry& g = world.contacts->geometry[row_index];
+  const Arms arms(world, row, g);
+  const auto turns = [&](std::uint32_t body) { return body != kNobody && rotates(world.scene, bodies[body].slot); };
+  contact.n = row.n;
+  contact.r_a = turns(contact.a) ? arms.a : Vec3::Zero();
+  contact.r_b = turns(contact.b) ? arms.b : Vec3::Zero();
+  contact.k = mean_response(bodies, contact);
+  contact.carried = relative_velocity(world.state, row, arms.a, arms.b) - relative<&ConeBody::v>(bodies, contact);
+}
+
+/// Bodies and contacts, as the step begins.
+void load(World& world, DirectGroups& d) {
+  for (ConeBody& b : d.bodies) {
+    load_mass(world, b);
+    b.v << world.state.v[b.slot], world.state.omega[b.slot];
+  }
   for (std::size_t i = 0; i < d.contacts.size(); ++i) {
-    ConeContact& contact = d.contacts[i];
-    Row& row = c.rows[d.row[i]];
-    const RowGeometry& g = c.geometry[d.row[i]];
-    const Arms arms(world, row, g);
-    const auto turns = [&](std::uint32_t body) { return body != kNobody && rotates(world.scene, d.bodies[body].slot); };
-    contact.n = row.n;
-    contact.u = relative_velocity(world.state, row, arms.a, arms.b);
-    contact.r_a = turns(contact.a) ? arms.a : Vec3::Zero();
-    contact.r_b = turns(contact.b) ? arms.b : Vec3::Zero();
-    contact.friction = row.friction;
-    contact.k = mean_response(d.bodies.data(), contact);
-    contact.want = g.separation > 0 ? -g.separation / h : 0;
-    contact.p = contact.start_p = row.p;
+    load_contact(world, d.row[i], d.bodies.data(), d.contacts[i]);
+    const Pair& pair = world.pairs.place(world.contacts->geometry[d.row[i]].pair).pair;
+    const Array<const Shape*>& shape = world.scene.colliders.shape;
+    d.contacts[i].is_curved = is_curved(*shape[pair.a]) || is_curved(*shape[pair.b]);
   }
 }
 
-/// What contacts start from in the next substep. Impulses that were off by da let velocities grow by da in each of n
-/// substeps; those that the solver finds when that becomes too much undo n da and, beside it, the da of this substep.
-/// Taken over whole they would throw the bodies back by n da in the next one, and a group at rest would be solved for
-/// ever. One part in n + 1 of the change is what the loads need; it stays within the cones, which are convex.
-/// @param solved  else they go on as they are
-void start_from_loads(State& s, ConeProblem& problem, bool solved) {
-  constexpr std::uint8_t kLongest = 255;
-  std::uint8_t calm = kLongest;
-  for (const ConeBody& b : bodies_of(problem)) calm = std::min(calm, s.calm_steps[b.slot]);
-  const Real share = solved ? Real(1) / (1 + calm) : 1;
+/// What contacts start from in the next substep. Impulses that are off let velocities grow, substep by substep, until
+/// the solver undoes all that has gathered. Taken over whole that would throw the bodies back in the next substep, and
+/// a group at rest would be solved for ever: what the loads need of it is as much as undoes what velocities gained in
+/// this substep alone. It stays within the cones, which are convex.
+void start_from_loads(ConeProblem& problem) {
+  Real along = 0, size2 = 0;
+  for (const ConeBody& b : bodies_of(problem)) {
+    const Vec6 undone = b.start - b.v, momentum = momentum_of(b, undone);
+    along += momentum.dot(b.gained), size2 += momentum.dot(undone);
+  }
+  const Real share = size2 > 0 ? std::clamp(along / size2, Real(0), Real(1)) : 1;
   for (ConeContact& c : problem.contacts) c.next_p = c.start_p + share * (c.p - c.start_p);
-  for (const ConeBody& b : bodies_of(problem))
-    s.calm_steps[b.slot] = solved ? 0 : static_cast<std::uint8_t>(std::min<int>(calm + 1, kLongest));
 }
 
 /// What was never solved before takes the time it takes, once.
@@ -156,45 +163,189 @@ Real fastest(const ConeProblem& problem) {
   return most;
 }
 
-/// Groups that overlap more than the tolerance are parted, to half of it, so that what rests keeps in touch.
-void part(World& world, DirectGroups& d, std::size_t group, Real h) {
-  const Contacts& c = *world.contacts;
-  State& s = world.state;
-  const Real tolerance = world.scene.dials[Dial::position_tolerance];
-  const Real most = world.scene.dials[Dial::push_speed] * h;
-  ConeProblem problem = d.problem(group);
-  const std::uint32_t first = d.begin[group].contact, last = d.begin[group + 1].contact;
-  Real least = 0;
-  for (std::uint32_t i = first; i < last; ++i) least = std::min(least, c.geometry[d.row[i]].separation);
-  d.answer[group] = {};
-  if (!(least < -tolerance)) return;
-  for (std::uint32_t i = first; i < last; ++i) {
-    ConeContact& contact = d.contacts[i];
-    contact.p.setZero(), contact.u.setZero();
-    contact.friction = 0;
-    contact.want = std::min(-(c.geometry[d.row[i]].separation + tolerance / 2), most);
-  }
-  for (std::uint32_t i = problem.first; i < problem.last; ++i) d.bodies[i].v.setZero();
-  d.answer[group] = solve_cones(problem, 0.01 * tolerance, kMostSteps);
-  for (std::uint32_t i = problem.first; i < problem.last; ++i) {
-    const ConeBody& b = d.bodies[i];
-    s.x[b.slot] += b.v.head<3>();
-    const Vec3 turn = b.v.tail<3>();
-    if (turn != Vec3::Zero()) s.q[b.slot] = normalized(exp_map(turn) * s.q[b.slot]);
-  }
+/// m/s, likewise, in any direction.
+Real fastest_any_way(const ConeProblem& problem) {
+  Real most2 = 0;
+  for (const ConeContact& c : problem.contacts) most2 = std::max(most2, c.u.squaredNorm());
+  return std::sqrt(most2);
 }
+
+/// One group of one substep.
+class Group {
+ public:
+  Group(World& world, std::size_t group)
+      : world_(world),
+        c_(*world.contacts),
+        s_(world.state),
+        rest_(world.direct->rest[group]),
+        sticking_(world.direct->sticking[group]),
+        answer_(world.direct->answer[group]),
+        problem_(world.direct->problem(group)),
+        row_(&world.direct->row[world.direct->begin[group].contact]),
+        work_(world.direct->work[group]),
+        still_(world.direct->still[group]) {}
+
+  /// @param work  @see solve_groups()
+  void solve(Real h, std::uint64_t work) {
+    const Real tolerance = kDirectShare * world_.scene.dials[Dial::velocity_tolerance];
+    if (rest_.lasts && repeat(tolerance)) return;
+    book_repeats();
+    const Real least = start(h);
+    const bool bounded = work && !starts_from_nothing(problem_);
+    const std::uint64_t most = bounded ? 2 + work / work_ : kMostSteps;
+    const Real goal = still_ ? std::max(kStillShare * tolerance, rounding(problem_))
+                      : work ? std::max(tolerance, kShare * fastest(problem_))
+                             : tolerance;
+    answer_ = solve_cones(problem_, goal, static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps)));
+    sticking_ = problem_.sticking;
+    start_from_loads(problem_);
+    keep();
+    rest_.is_first = false;
+    rest_.lasts = answer_.factorisations == 0 && least >= -world_.scene.dials[Dial::position_tolerance] &&
+                  c_.resisting.empty() && fastest_any_way(problem_) < kRest * tolerance;
+  }
+
+  /// A group that overlaps more than the tolerance is parted, to half of it, so that what rests keeps in touch.
+  void part(Real h) {
+    if (rest_.lasts) return;
+    const Real tolerance = world_.scene.dials[Dial::position_tolerance];
+    const Real most = world_.scene.dials[Dial::push_speed] * h;
+    answer_ = {};
+    if (!(measure() < -tolerance)) return;
+    each([&](ConeContact& contact, std::uint32_t row) {
+      contact.p.setZero(), contact.u.setZero();
+      contact.friction = 0;
+      contact.want = std::min(-(c_.geometry[row].separation + tolerance / 2), most);
+    });
+    for (ConeBody& b : bodies_of(problem_)) b.v.setZero();
+    problem_.sticking = 0;  // without friction
+    answer_ = solve_cones(problem_, 0.01 * tolerance, kMostSteps);
+    sticking_ = problem_.sticking = 0;
+    for (const ConeBody& b : bodies_of(problem_)) {
+      s_.x[b.slot] += linear(b.v);
+      const Vec3 turn = angular(b.v);
+      if (turn == Vec3::Zero()) continue;
+      s_.q[b.slot] = normalized(exp_map(turn) * s_.q[b.slot]);
+      world_.plan->rotation[b.slot] = s_.q[b.slot].toRotationMatrix();
+    }
+    for (ConeBody& b : bodies_of(problem_)) load(b);
+    measure();
+  }
+
+  /// Impulses of substeps that repeated the one before, into those of the step.
+  void book_repeats() {
+    if (rest_.repeats == 0) return;
+    each([&](const ConeContact& contact, std::uint32_t row) { c_.geometry[row].impulse += rest_.repeats * contact.p; });
+    rest_.repeats = 0;
+  }
+
+ private:
+  template <class F>
+  void each(F&& f) {
+    for (std::size_t i = 0; i < problem_.contacts.size(); ++i) f(problem_.contacts[i], row_[i]);
+  }
+
+  /// Where contacts were found at rest and every impulse in order, the next substep's are the same, as long as that
+  /// leaves the bodies' velocities as they are: what has changed is looked for once a step.
+  bool repeat(Real tolerance) {
+    for (const ConeBody& b : bodies_of(problem_)) {
+      const Vec3 dv = s_.v[b.slot] + linear(b.change) - linear(b.v);
+      const Vec3 turn = s_.omega[b.slot] + angular(b.change) - angular(b.v);
+      const Real radius2 = b.inertia.trace() * b.inv_mass;
+      if (!(dv.squaredNorm() + radius2 * turn.squaredNorm() < kRest * kRest * tolerance * tolerance)) return false;
+    }
+    for (ConeBody& b : bodies_of(problem_)) {
+      load(b);
+      b.v += b.change;
+      store(b);
+    }
+    ++rest_.repeats;
+    return true;
+  }
+
+  /// Contacts go with the bodies within a step. But not where a shape is curved: points that turned with it would stay
+  /// behind the place where it touches as it rolls, and drive it on.
+  void follow_bodies() {
+    for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b);
+    each([&](ConeContact& contact, std::uint32_t row) {
+      if (!contact.is_curved) load_contact(world_, row, problem_.bodies, contact);
+    });
+    problem_.sticking = 0;
+  }
+
+  /// Velocities with the impulses that contacts start from.   @return m, the least separation
+  Real start(Real h) {
+    Real least = kInfinity;
+    for (ConeBody& b : bodies_of(problem_)) {
+      b.gained = -b.v;
+      load(b);
+      b.gradient.setZero();
+    }
+    if (!rest_.is_first) follow_bodies();
+    each([&](ConeContact& contact, std::uint32_t i) {
+      const Row& row = c_.rows[i];
+      const Real separation = c_.geometry[i].separation;
+      least = std::min(least, separation);
+      contact.friction = row.friction;
+      contact.want = separation > 0 ? -separation / h : 0;
+      contact.p = contact.start_p = row.p;
+      add_impulse<&ConeBody::gradient>(problem_, contact, contact.p);
+    });
+    for (ConeBody& b : bodies_of(problem_)) {
+      b.change = velocity_of(b, b.gradient);
+      b.start = b.v += b.change;
+      b.gained += b.v;
+    }
+    for (ConeContact& contact : problem_.contacts)
+      contact.u = contact.carried + relative<&ConeBody::v>(problem_.bodies, contact);
+    return least;
+  }
+
+  void keep() {
+    each([&](const ConeContact& contact, std::uint32_t i) {
+      c_.rows[i].p = contact.next_p;
+      c_.rows[i].u = contact.u;
+      c_.geometry[i].impulse += contact.p;
+    });
+    for (const ConeBody& b : bodies_of(problem_)) store(b);
+  }
+
+  void load(ConeBody& b) const { b.v << s_.v[b.slot], s_.omega[b.slot]; }
+  void store(const ConeBody& b) {
+    const Vec3 v = linear(b.v), omega = angular(b.v);
+    world_.plan->touched[b.slot] = v != s_.v[b.slot] || omega != s_.omega[b.slot];
+    s_.v[b.slot] = v, s_.omega[b.slot] = omega;
+  }
+
+  Real measure() {
+    Real least = kInfinity;
+    each([&](const ConeContact&, std::uint32_t row) {
+      Real& separation = c_.geometry[row].separation;
+      separation = separation_of(world_, c_.rows[row], c_.geometry[row]);
+      least = std::min(least, separation);
+    });
+    return least;
+  }
+
+  World& world_;
+  Contacts& c_;
+  State& s_;
+  GroupRest& rest_;
+  Real& sticking_;
+  ConeAnswer& answer_;
+  ConeProblem problem_;
+  const std::uint32_t* row_;
+  std::uint64_t work_;
+  bool still_;
+};
 
 void begin(World& world, const StepTime&) { gather_groups(world); }
 
 void velocities(World& world, const StepTime& time) { solve_groups(world, time.h, 0); }
 
-void positions(World& world, const StepTime& time) {
-  refresh_rotations(world);
-  refresh_separations(world);
-  part_groups(world, time.h);
-  refresh_rotations(world);
-  refresh_separations(world);
-}
+void positions(World& world, const StepTime& time) { part_groups(world, time.h); }
+
+void end(World& world, const StepTime&) { end_groups(world); }
 
 }  // namespace
 
@@ -203,50 +354,40 @@ void gather_groups(World& world) {
   gather(world, d);
   order(d);
   place_contacts(d);
+  load(world, d);
   d.answer.resize(d.groups());
+  d.rest.assign(d.groups(), {});
+  d.sticking.assign(d.groups(), 0);
 }
 
 void solve_groups(World& world, Real h, std::uint64_t work) {
   DirectGroups& d = *world.direct;
-  Contacts& c = *world.contacts;
-  State& s = world.state;
-  const Real tolerance = kDirectShare * world.scene.dials[Dial::velocity_tolerance];
-  load_bodies(world, d);
-  load_contacts(world, d, h);
-  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) {
-    ConeProblem problem = d.problem(g);
-    apply_impulses(problem);
-    const bool bounded = work && !starts_from_nothing(problem);
-    const std::uint64_t most = bounded ? 2 + work / d.work[g] : kMostSteps;
-    const Real goal = d.still[g] ? std::max(kStillShare * tolerance, rounding(problem))
-                      : work     ? std::max(tolerance, kShare * fastest(problem))
-                                 : tolerance;
-    d.answer[g] = solve_cones(problem, goal, static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps)));
-    start_from_loads(s, problem, d.answer[g].factorisations > 0);
-  });
-  for (const ConeAnswer& answer : d.answer) {
-    world.report.velocity_impulses += answer.factorisations;
-    world.report.solver_residual = std::max<double>(world.report.solver_residual, answer.residual);
-  }
-  for (std::size_t i = 0; i < d.contacts.size(); ++i) {
-    Row& row = c.rows[d.row[i]];
-    row.p = d.contacts[i].next_p;
-    row.u = d.contacts[i].u;
-    c.geometry[d.row[i]].impulse += d.contacts[i].p;
-  }
-  for (const ConeBody& b : d.bodies) {
-    const Vec3 v = linear(b.v), omega = angular(b.v);
-    world.plan->touched[b.slot] = v != s.v[b.slot] || omega != s.omega[b.slot];
-    s.v[b.slot] = v, s.omega[b.slot] = omega;
+  const auto concerns = [](const Impact& at) { return at.count > 0 || at.leeway > 0; };
+  if (std::ranges::any_of(world.contacts->impacts, concerns))
+    for (GroupRest& rest : d.rest) rest.lasts = false;
+  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { Group(world, g).solve(h, work); });
+  for (std::size_t g = 0; g < d.groups(); ++g) {
+    if (d.rest[g].repeats > 0) continue;
+    world.report.velocity_impulses += d.answer[g].factorisations;
+    world.report.solver_residual = std::max<double>(world.report.solver_residual, d.answer[g].residual);
   }
 }
 
 void part_groups(World& world, Real h) {
   DirectGroups& d = *world.direct;
-  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { part(world, d, g, h); });
+  if (std::ranges::all_of(d.rest, [](const GroupRest& rest) { return rest.lasts; })) return;
+  refresh_rotations(world);
+  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { Group(world, g).part(h); });
   for (const ConeAnswer& answer : d.answer) world.report.position_moves += answer.factorisations;
 }
 
-extern constexpr Solver kDirect = {"direct", false, true, begin, velocities, positions, nullptr};
+void end_groups(World& world) {
+  DirectGroups& d = *world.direct;
+  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { Group(world, g).book_repeats(); });
+  refresh_rotations(world);
+  refresh_separations(world);
+}
+
+extern constexpr Solver kDirect = {"direct", false, true, begin, velocities, positions, end};
 
 }  // namespace carom

@@ -10,13 +10,22 @@ namespace carom {
 /// step: 1e-4 m/s would be 6 mm in a minute.
 inline constexpr Real kDirectShare = 0.01;
 
+/// What is known within a step of whether a group lies still.
+struct GroupRest {
+  bool is_first = true;       // substep
+  bool lasts = false;         // contacts were found at rest
+  std::uint32_t repeats = 0;  // substeps that repeated its impulses and are not booked yet
+};
+
 /// The stages of the direct solver over the groups it answers, for it and for what chooses among solvers.
 void gather_groups(World& world);  // allocates
 /// Velocities.
 /// @param work  most block products that a group may take, beyond two factorisations; 0: no bound
 void solve_groups(World& world, Real h, std::uint64_t work);
-/// Overlaps, from the separations as of the last refresh_separations().
+/// Overlaps.
 void part_groups(World& world, Real h);
+/// Impulses of the step, and the separations of all rows that there are.
+void end_groups(World& world);
 
 /// What the direct solver keeps over a step.
 struct DirectGroups {
@@ -35,7 +44,9 @@ struct DirectGroups {
         scratch(m),
         work(m),
         still(m),
-        answer(m) {}
+        answer(m),
+        rest(m),
+        sticking(m) {}
 
   struct Begin {
     std::uint32_t contact, body;
@@ -55,6 +66,8 @@ struct DirectGroups {
   Array<std::uint64_t> work;  // block products of a factorisation, by group
   Array<std::uint8_t> still;  // by group: a few bodies that lie still, which is to stay so
   Array<ConeAnswer> answer;   // by group, of the last solve
+  Array<GroupRest> rest;      // by group
+  Array<Real> sticking;       // by group, @see ConeProblem
 
   std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }
   ConeProblem problem(std::size_t group) {
@@ -65,7 +78,8 @@ struct DirectGroups {
             to.body,
             &elimination,
             &factor,
-            scratch.data()};
+            scratch.data(),
+            sticking[group]};
   }
 };
 

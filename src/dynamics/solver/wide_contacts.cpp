@@ -306,7 +306,6 @@ void unpack(World& world, const WideContacts& wide) {
       g.separation = (apart + (r_b - r_a)).dot(row.n);
     }
   });
-  if (!c.direct.empty()) refresh_separations(world);  // those that were answered elsewhere too
 }
 
 }  // namespace carom

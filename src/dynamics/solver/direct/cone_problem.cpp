@@ -11,7 +11,7 @@ void apply_impulses(ConeProblem& problem) {
   for (ConeBody& b : bodies_of(problem)) b.gradient.setZero();
   for (const ConeContact& c : problem.contacts) add_impulse<&ConeBody::gradient>(problem, c, c.p);
   for (ConeBody& b : bodies_of(problem)) b.change = velocity_of(b, b.gradient), b.v += b.change;
-  for (ConeContact& c : problem.contacts) c.u += relative<&ConeBody::change>(problem, c);
+  for (ConeContact& c : problem.contacts) c.u += relative<&ConeBody::change>(problem.bodies, c);
 }
 
 Real offence(const ConeContact& c, Real slip) {
@@ -70,7 +70,8 @@ class FrozenSlip {
 
 /// Slips for the next problem: those that the last one gave, carried on by the secant of the last two. Where the next
 /// is a share of the last this finds the end at once, and where it swings it finds the middle.
-void update_slips(ConeProblem& problem, bool first) {
+/// @param noise  m/s: what slips less at first is taken to stick
+void update_slips(ConeProblem& problem, bool first, Real noise) {
   Real along = 0, size2 = 0;
   for (ConeContact& c : problem.contacts) {
     const Real given = slip_of(c), change = given - c.slip, bend = change - c.old_change;
@@ -79,7 +80,7 @@ void update_slips(ConeProblem& problem, bool first) {
   const Real back = !first && size2 > 0 ? along / size2 : 0;
   for (ConeContact& c : problem.contacts) {
     const Real given = slip_of(c), change = given - c.slip;
-    const Real next = first ? given : std::max(Real(0), given - back * (given - c.old_slip));
+    const Real next = first ? (given > noise ? given : 0) : std::max(Real(0), given - back * (given - c.old_slip));
     c.old_slip = given, c.old_change = change;
     c.slip = next;
   }
@@ -109,7 +110,7 @@ ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_
   FrozenSlip frozen(problem, answer, most_steps);
   Real now = answer.residual;
   for (int i = 0; i < kSlips && answer.residual > tolerance && answer.factorisations < most_steps; ++i) {
-    update_slips(problem, i == 0);
+    update_slips(problem, i == 0, tolerance);
     frozen.solve(std::max(0.3 * tolerance, 0.03 * now));
     now = residual(problem);
     if (now < answer.residual) answer.residual = now, keep(problem);

@@ -17,9 +17,11 @@ struct ConeContact {
   std::uint32_t a, b;   // bodies of the problem, or kNobody: not moved by impulses
   std::uint32_t below;  // in BlockFactor::below: the block that couples a and b; kNobody where there is none
   bool a_later;         // a is eliminated after b
+  bool is_curved;       // a shape is not known to be a polytope: @see Group::follow_bodies()
   Vec3 n;               // unit, world, A to B
   Vec3 r_a, r_b;        // m, world axes; zero where the body does not rotate
   Real friction;
+  Vec3 carried;  // m/s, of the point on B relative to A where impulses do not change the bodies' velocities
   Real want;     // m/s
   Vec3 start_p;  // N s, p as the substep began
   Vec3 next_p;   // N s, p as the next one begins
@@ -42,6 +44,7 @@ struct ConeBody {
   Real mass, inv_mass;        // kg, 1/kg
   Mat3 inertia, inv_inertia;  // kg m^2, 1/(kg m^2), world; identity and zero where it does not rotate
   Vec6 v;                     // m/s, rad/s
+  Vec6 start, gained;         // with the impulses that the substep starts from; since the last substep, with them
 
   // of a round
   Vec6 change;    // of v since it began
@@ -58,6 +61,9 @@ struct ConeProblem {
   const Elimination* elimination;
   BlockFactor* factor;
   Vec6* scratch;  // by place
+  // Softness of a round whose contacts all stick, which the factor is for; 0: it is for another. While neither arms nor
+  // masses change, all such rounds have the same curvature.
+  Real sticking = 0;
 };
 
 // ---- small parts that all files of this room share ----
@@ -81,14 +87,14 @@ void add_impulse(const ConeProblem& problem, const ConeContact& c, const Vec3& p
 }
 
 template <Vec6 ConeBody::*kVelocity>
-Vec3 relative(const ConeProblem& problem, const ConeContact& c) {
+Vec3 relative(const ConeBody* bodies, const ConeContact& c) {
   Vec3 u = Vec3::Zero();
   if (c.b != kNobody) {
-    const Vec6& v = problem.bodies[c.b].*kVelocity;
+    const Vec6& v = bodies[c.b].*kVelocity;
     u += linear(v) + angular(v).cross(c.r_b);
   }
   if (c.a != kNobody) {
-    const Vec6& v = problem.bodies[c.a].*kVelocity;
+    const Vec6& v = bodies[c.a].*kVelocity;
     u -= linear(v) + angular(v).cross(c.r_a);
   }
   return u;

@@ -37,8 +37,7 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
   std::uint32_t steps = 0;
   for (; steps < most_steps; ++steps) {
     if (find_gradient() <= tolerance) break;
-    assemble();
-    if (!factor(*problem_.elimination, problem_.first, problem_.last, *problem_.factor)) break;
+    if (!find_factor()) break;
     find_step();
     const Real length = search();
     for (ConeBody& b : bodies_of(problem_)) b.change += length * b.step;
@@ -50,15 +49,27 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
 
 Real Round::find_gradient() {
   for (ConeBody& b : bodies_of(problem_)) b.gradient = momentum_of(b, b.change);
+  all_stick_ = true;
   for (ConeContact& c : problem_.contacts) {
-    c.p = project_on_cone(pull(c, c.u), c.n, c.friction);
+    const Vec3 pulled = pull(c, c.u);
+    c.p = project_on_cone(pulled, c.n, c.friction);
+    all_stick_ &= c.p == pulled;
     add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
   }
   for (ConeBody& b : bodies_of(problem_)) b.step = velocity_of(b, b.gradient);
   Real most = 0;
   for (const ConeContact& c : problem_.contacts)
-    most = std::max(most, relative<&ConeBody::step>(problem_, c).squaredNorm());
+    most = std::max(most, relative<&ConeBody::step>(problem_.bodies, c).squaredNorm());
   return std::sqrt(most);
+}
+
+bool Round::find_factor() {
+  if (all_stick_ && problem_.sticking == softness_) return true;
+  problem_.sticking = 0;
+  assemble();
+  if (!factor(*problem_.elimination, problem_.first, problem_.last, *problem_.factor)) return false;
+  if (all_stick_) problem_.sticking = softness_;
+  return true;
 }
 
 void Round::assemble() {
@@ -94,7 +105,7 @@ void Round::find_step() {
     problem_.scratch[e.place[i]] = -problem_.bodies[i].gradient;
   solve(e, problem_.first, problem_.last, *problem_.factor, problem_.scratch);
   for (std::uint32_t i = problem_.first; i < problem_.last; ++i) problem_.bodies[i].step = problem_.scratch[e.place[i]];
-  for (ConeContact& c : problem_.contacts) c.du = relative<&ConeBody::step>(problem_, c);
+  for (ConeContact& c : problem_.contacts) c.du = relative<&ConeBody::step>(problem_.bodies, c);
 }
 
 Real Round::search() const {
@@ -132,7 +143,7 @@ void Round::accept() {
   for (ConeBody& b : bodies_of(problem_)) b.gradient.setZero();
   for (ConeContact& c : problem_.contacts) add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0);
   for (ConeBody& b : bodies_of(problem_)) b.change = velocity_of(b, b.gradient), b.v += b.change;
-  for (ConeContact& c : problem_.contacts) c.u = c.u0 + relative<&ConeBody::change>(problem_, c);
+  for (ConeContact& c : problem_.contacts) c.u = c.u0 + relative<&ConeBody::change>(problem_.bodies, c);
 }
 
 }  // namespace carom

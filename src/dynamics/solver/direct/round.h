@@ -24,6 +24,8 @@ class Round {
   /// Impulses at the present velocities, and what is lacking in the bodies' momentum.
   /// @return m/s, the most that a contact's velocity would change if bodies had the momentum that impulses give
   Real find_gradient();
+  /// The factor for the next step, or false: there is none.
+  bool find_factor();
   /// Curvature: M + sum J^T (dP/dz / R) J.
   void assemble();
   void find_step();
@@ -34,6 +36,7 @@ class Round {
 
   ConeProblem& problem_;
   Real softness_;
+  bool all_stick_ = false;
 };
 
 }  // namespace carom
