@@ -51,7 +51,7 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
            kSearches, 1),
     choice(Dial::groups, "groups", "resolve each contact group by itself, or all contacts as one", kOffOn, 1),
     choice(Dial::broad_phase, "broad_phase",
-           "which bounds overlap: all pairs, sorted axes, cells, or a tree; same answer", kBroadPhases, 1),
+           "which bounds overlap: all pairs, sorted axes, cells, or a tree; same answer", kBroadPhases, 3),
     number(Dial::grid_cell, "grid_cell", "m", "cell size of the uniform grid; 0 chooses it from the scene", 0, 1e6, 0),
     number(Dial::contact_distance, "contact_distance", "m", "pairs nearer than this make contacts before they touch", 0,
            10, 0.01),
