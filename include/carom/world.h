@@ -131,7 +131,7 @@ CAROM_API int32_t carom_world_get_contacts(carom_world *world, carom_contact *ds
 #define CAROM_REASON_ORDINARY 0u   /* soft contacts hold it */
 #define CAROM_REASON_MASS_RATIO 1u /* bodies that touch have masses further apart than CAROM_DIAL_DIRECT_RATIO */
 #define CAROM_REASON_SINK 2u       /* soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK */
-#define CAROM_REASON_TOO_MUCH 3u   /* one of the others, but it has more than 256 bodies, or was too much work lately */
+#define CAROM_REASON_TOO_MUCH 3u   /* more than 256 bodies, at which nothing else is looked; or one of the others, but too much work lately */
 #define CAROM_REASON_BOUNCE 4u     /* something in it bounces: not given any more, every solver answers that alike */
 #define CAROM_REASON_BLOW 5u       /* it would sink, but something strikes it just now: soft contacts take the blow */
 #define CAROM_REASON_STILL 6u      /* a few bodies that lie still */

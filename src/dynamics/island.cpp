@@ -41,9 +41,12 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
       if (c.cursor[r] == kNone) c.cursor[r] = groups++;
       std::fill_n(c.label.begin() + m.row, m.count, c.cursor[r]);
     }
+    c.group_bodies.assign(groups, 0);
+    for (const std::uint32_t body : c.bodies) ++c.group_bodies[c.cursor[root(c.parent, body)]];
   } else {
     c.label.assign(n, 0);
     groups = n ? 1 : 0;
+    c.group_bodies.assign(groups, static_cast<std::uint32_t>(c.bodies.size()));
   }
   // Counting sort by label: groups begin as their ends, and rows are put in from the last to the first.
   c.group_begin.assign(groups + 1, 0);

@@ -100,29 +100,27 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
   if (scale > 0 && last > cursor)
     match = match_points(c, cursor, last, record.manifold, scene.dials[Dial::cache_distance]);
 
+  const Real radius_a = scene.colliders.shape[ca]->core_radius, radius_b = scene.colliders.shape[cb]->core_radius;
   for (int k = 0; k < record.manifold.count; ++k) {
     const ContactPoint& point = record.manifold.point[k];
-    Row row{};
+    Row& row = c.rows[at + static_cast<std::uint32_t>(k)];
+    RowGeometry& g = c.geometry[at + static_cast<std::uint32_t>(k)];
+    const OldImpulse* const old = match[static_cast<std::size_t>(k)];
     row.u = Vec3::Zero();
     row.n = point.normal;
-    row.p = Vec3::Zero();
-    if (const OldImpulse* const old = match[static_cast<std::size_t>(k)])
-      row.p = starting_impulse(*old, row.n, friction, scale);
+    row.p = old ? starting_impulse(*old, row.n, friction, scale) : Vec3(Vec3::Zero());
     row.friction = friction;
     row.restitution = restitution;
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
-    RowGeometry g{};
-    g.radius_a = scene.colliders.shape[ca]->core_radius, g.radius_b = scene.colliders.shape[cb]->core_radius;
+    g.radius_a = radius_a, g.radius_b = radius_b;
     g.l_a = fa.apply(point.on_a);
     g.l_b = fb.apply(point.on_b);
-    if (g.radius_a > 0) g.l_a -= g.radius_a * (world.plan->rotation[m.a].transpose() * row.n);
-    if (g.radius_b > 0) g.l_b += g.radius_b * (world.plan->rotation[m.b].transpose() * row.n);
+    if (radius_a > 0) g.l_a -= radius_a * (world.plan->rotation[m.a].transpose() * row.n);
+    if (radius_b > 0) g.l_b += radius_b * (world.plan->rotation[m.b].transpose() * row.n);
     g.impulse = Vec3::Zero();
     g.separation = point.separation;
     g.pair = static_cast<std::uint32_t>(pair_index);
     g.point = static_cast<std::uint32_t>(k);
-    c.rows[at + static_cast<std::uint32_t>(k)] = row;
-    c.geometry[at + static_cast<std::uint32_t>(k)] = g;
   }
 }
 
@@ -337,8 +335,8 @@ void remember_impulses(World& world, Real h) {
     world.pairs.fetch(g.pair + kPairsAhead);
     while (resistance < end && resistance->row + resistance->points <= i) ++resistance;
     const bool first = resistance < end && resistance->row <= i;
-    c.old.push_back({world.pairs.place(g.pair).pair, world.pairs[g.pair].manifold.point[g.point].on_a, c.rows[i].n,
-                     c.rows[i].p, first ? resistance->moment : Vec3(Vec3::Zero())});
+    c.old.push_back({world.pairs.place(g.pair).pair, world.pairs[g.pair].manifold.point[g.point].on_a, c.rows[i].p,
+                     first ? resistance->moment : Vec3(Vec3::Zero())});
     resistance += first;
   }
 }

@@ -84,7 +84,7 @@ struct Meeting {
 struct OldImpulse {
   Pair pair;
   Vec3 on_a;    // m, frame of collider A's shape
-  Vec3 n, p;    // unit; N s per substep, world
+  Vec3 p;       // N s per substep, world
   Vec3 moment;  // N m s per substep, world, on B: of the pair's first point that is remembered; else zero
 
   /// As if a substep that much longer had made it.
@@ -153,6 +153,7 @@ struct Contacts {
         resisting(m),
         group_rows(m),
         group_begin(m),
+        group_bodies(m),
         direct(m),
         old(m),
         parent(m),
@@ -184,8 +185,9 @@ struct Contacts {
   Array<Resistance> resisting;    // ascending by row
 
   // contact groups
-  Array<std::uint32_t> group_rows;   // rows, ascending within a group
-  Array<std::uint32_t> group_begin;  // [groups + 1]
+  Array<std::uint32_t> group_rows;    // rows, ascending within a group
+  Array<std::uint32_t> group_begin;   // [groups + 1]
+  Array<std::uint32_t> group_bodies;  // by group: how many contacts move
   enum Choice : std::uint8_t { kSoftly, kDirectly, kStill };
   Array<std::uint8_t> direct;  // by group, of a solver that chooses: Choice, where not kSoftly the direct solver
                                // answers; else empty

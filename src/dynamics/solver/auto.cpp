@@ -37,10 +37,8 @@ Real stiffness(const Dials& dials, Real h) {
 
 /// How deep soft contacts let a point sink under a load: P / (m w^2).
 /// @param load  N
-Real sink_of(const World& world, std::uint32_t row_index, Real load, Real w2) {
-  const Row& row = world.contacts->rows[row_index];
+Real sink_of(const World& world, const Row& row, const Arms& arms, Real load, Real w2) {
   if (!(load > 0)) return 0;
-  const Arms arms(world, row, world.contacts->geometry[row_index]);
   const auto response = [&](bool moves, std::uint32_t body, const Vec3& r) {
     if (!moves) return Real(0);
     const Vec3 moment = r.cross(row.n);
@@ -79,8 +77,8 @@ void each_body(const Contacts& c, std::size_t group, F&& f) {
 }
 
 /// N: all that a group weighs, if it is new and lies still, as what a host has built does: then nothing else is known
-/// yet of what its points will bear. Else 0. Counts bodies on the way, and marks them as light.
-Real weight_if_new(World& world, std::size_t group, Real h, GroupView& view) {
+/// yet of what its points will bear. Else 0. Marks bodies as light on the way.
+Real weight_if_new(World& world, std::size_t group, Real h) {
   Contacts& c = *world.contacts;
   const Real gravity = world.scene.gravity.norm();
   Real mass = 0;
@@ -89,8 +87,6 @@ Real weight_if_new(World& world, std::size_t group, Real h, GroupView& view) {
     is_new &= row.p == Vec3::Zero();
     if (c.load[body] != Contacts::kUnseen) return;
     c.load[body] = Contacts::kLight;
-    ++view.bodies;
-    view.body = body;
     mass += world.scene.mass[body];
     is_new &= world.state.v[body].norm() <= 2 * gravity * h;
   });
@@ -107,23 +103,29 @@ GroupMotion look_at(World& world, std::size_t group, Real w2, Real h, Real weigh
   const Real deep = world.scene.dials[Dial::direct_sink];
   const Real gravity = world.scene.gravity.norm();
   GroupMotion motion;
+  std::uint32_t pair = 0xFFFFFFFFu;
+  Real thickness = 0;
   for (std::uint32_t k = c.group_begin[group]; k < c.group_begin[group + 1]; ++k) {
     const std::uint32_t i = c.group_rows[k];
     const Row& row = c.rows[i];
     const RowGeometry& g = c.geometry[i];
-    const Real load = std::max(row.p.dot(row.n) / h, weight / world.pairs.place(g.pair).points);
-    const Real thickness = thickness_of(world, g), fall = 2 * gravity * thickness;
-    const Vec3 u = relative_velocity(world.state, row, arm_a(world, row, g), arm_b(world, row, g));
+    if (g.pair != pair) {
+      pair = g.pair;
+      thickness = thickness_of(world, g);
+      view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(world.scene, row));
+    }
+    const Arms arms(world, row, g);
+    const Real fall = 2 * gravity * thickness;
+    const Vec3 u = relative_velocity(world.state, row, arms.a, arms.b);
     const Real closing = -u.dot(row.n);
-    const Real sink = sink_of(world, i, load, w2) / thickness;
+    const Real load = std::max(row.p.dot(row.n) / h, weight / world.pairs.place(pair).points);
+    const Real sink = sink_of(world, row, arms, load, w2) / thickness;
     if (sink > deep && row.moves_a) c.load[row.a] = Contacts::kHeavy;
     if (sink > deep && row.moves_b) c.load[row.b] = Contacts::kHeavy;
     view.sink = std::max(view.sink, sink);
     motion.struck |= closing * closing > kBlow * fall;
     motion.still &= u.squaredNorm() < kStill * fall;
-    view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(world.scene, row));
   }
-  view.points = c.group_begin[group + 1] - c.group_begin[group];
   return motion;
 }
 
@@ -156,7 +158,7 @@ GroupMemory remember(World& world, std::size_t group, bool at_once) {
 GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const GroupMemory& memory, Real most_ratio) {
   const bool unlike = view.mass_ratio > most_ratio, still = motion.still && view.bodies <= kFew;
   if (!unlike && !memory.bears && !still) return GroupReason::ordinary;
-  if (view.bodies > kMostBodies || (memory.tired && !unlike)) return GroupReason::too_much;
+  if (memory.tired && !unlike) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
   if (!memory.bears) return GroupReason::still;
   return motion.struck ? GroupReason::blow : GroupReason::sink;
@@ -183,11 +185,18 @@ void choose(World& world, Real h) {
   c.direct.assign(c.groups(), 0);
   world.group_views.clear();
   for (std::size_t g = 0; g < c.groups(); ++g) {
+    const Row& first = c.rows[c.group_rows[c.group_begin[g]]];
     GroupView view;
-    const Real weight = weight_if_new(world, g, h, view);
-    const GroupMotion motion = look_at(world, g, w2, h, weight, view);
-    const GroupMemory memory = remember(world, g, weight > 0);
-    view.reason = reason_for(view, motion, memory, dials[Dial::direct_ratio]);
+    view.body = first.moves_a ? first.a : first.b;
+    view.bodies = c.group_bodies[g], view.points = c.group_begin[g + 1] - c.group_begin[g];
+    if (view.bodies > kMostBodies) {
+      view.reason = GroupReason::too_much;
+    } else {
+      const Real weight = weight_if_new(world, g, h);
+      const GroupMotion motion = look_at(world, g, w2, h, weight, view);
+      const GroupMemory memory = remember(world, g, weight > 0);
+      view.reason = reason_for(view, motion, memory, dials[Dial::direct_ratio]);
+    }
     c.direct[g] = answer_to(view.reason);
     view.direct = c.direct[g] != Contacts::kSoftly;
     world.report.direct_groups += view.direct;
