@@ -21,7 +21,9 @@ void find_colliders(const Scene& scene, const State&, Customers& customers) {
   for (const std::uint32_t slot : c.active)
     if (!c.muted[slot]) customers.add(slot);
 }
-void find_in_contacts(const Scene&, const State&, Customers&) {}  // counted where a step builds its contacts
+// Counted in each step: contacts where they are built, particles by plan_particles().
+void find_in_contacts(const Scene&, const State&, Customers&) {}
+void find_particles(const Scene&, const State&, Customers&) {}
 
 // clang-format off
 constexpr std::array<Effect, kEffectCount> kTable = {{
@@ -38,10 +40,12 @@ constexpr std::array<Effect, kEffectCount> kTable = {{
     {Stage::solve,     "rolling_resistance",  find_in_contacts,  nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::solve,     "spinning_resistance", find_in_contacts,  nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::observe,   "sleep",           sleeping::find,        nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::integrate, "particles",       find_particles,        nullptr,            nullptr,                nullptr,               nullptr},
 }};
 // clang-format on
 
-static_assert(kTable[kGyroscopicRow].find == gyroscopic::find && kTable[kSleepRow].find == sleeping::find);
+static_assert(kTable[kGyroscopicRow].find == gyroscopic::find && kTable[kSleepRow].find == sleeping::find &&
+              kTable[kParticlesRow].find == find_particles);
 
 // As CAROM_ROTATION_*; those after them are rotation methods.
 enum RotationChoice : std::uint32_t { kNoGyroscopicTerm, kExplicitTorque, kImplicitStep };
@@ -94,6 +98,13 @@ void plan_bodies(World& world, Plan& plan) {
   plan_principal(world, plan, plan.rotation_method ? slots : 0);
   plan.scratch_vectors.resize(plan.integrator->vectors * slots, Vec3::Zero());
   plan.scratch_rotations.resize(plan.integrator->rotations * slots, Quat::Identity());
+}
+
+/// In every step: a host may add and remove particles in each, and a plan made anew costs as much as all bodies.
+void plan_particles(const World& world, Plan& plan) {
+  plan.effects[kParticlesRow].customers.count = world.particles.count() - world.particles.held_count();
+  plan.runs[static_cast<std::size_t>(Stage::integrate)] =
+      plan.linear.count + plan.rotating.count + plan.kinematic.count + world.particles.count() > 0;
 }
 
 void plan_colliders(World& world, Plan& plan) {
@@ -154,7 +165,7 @@ void plan_stages(World& world, Plan& plan) {
   const std::size_t asleep = c.live.size() - c.active.size(), awake = plan.find("collision")->candidates.count;
   const bool pairs = awake > 0 && awake + asleep >= 2;
   on(Stage::refresh) = on(Stage::observe) = true;
-  on(Stage::integrate) = plan.linear.count + plan.rotating.count + plan.kinematic.count > 0;
+  plan_particles(world, plan);
   on(Stage::broad) = on(Stage::narrow) = on(Stage::group) = on(Stage::solve) = pairs;
   plan.substeps = pairs ? world.scene.dials.whole(Dial::substeps) : 1;
   on(Stage::relax) =
@@ -214,6 +225,7 @@ void refresh(World& world, const StepTime& time) {
     plan.revision = world.scene.revision;
   }
   settle_sleepers(world);
+  plan_particles(world, plan);
   for (PlannedEffect& row : plan.effects) {
     const Effect& effect = *row.effect;
     if (from_host(effect) && plan.host_wrote && !changed) {

@@ -55,6 +55,7 @@ void measure_energy(World& world) {
     const Vec3 w = s.q[i].conjugate() * s.omega[i];
     report.angular_energy += 0.5 * w.dot(scene.inertia[i] * w);
   });
+  report.linear_energy += world.particles.linear_energy();
   report.dynamic_bodies = plan.linear.count + plan.rotating.count + world.sleep->count;
 }
 
@@ -97,6 +98,8 @@ void observe(World& world, const StepTime& time) {
   report.bodies = world.scene.bodies.alive_count();
   report.colliders = world.scene.colliders.live.size();
   report.quarantined_bodies = world.state.quarantined_count;
+  report.particles = world.particles.count();
+  report.quarantined_particles = world.particles.held_count();
   report.faults = world.fault_views.size();
   report.asleep_bodies = world.sleep->count;
   report.woke_up = std::exchange(world.sleep->woke, 0);

@@ -16,15 +16,15 @@ void quarantine(World& world, std::uint32_t body) {
   ++world.scene.revision;
   ++world.scene.collider_revision;
   world.sleep->alarm = true;
-  FaultView view{};
+  FaultView view;
   view.body = body;
   if (world.fault_views.size() < world.fault_views.capacity()) world.fault_views.push_back(view);
 }
 
 void admit(World& world, const StepTime&) {
   world.fault_views.clear();
-  world.fault_views.reserve(world.scene.bodies.slots() +
-                            world.scene.colliders.slots());  // none is added while bodies move
+  world.fault_views.reserve(world.scene.bodies.slots() + world.scene.colliders.slots() +
+                            world.particles.slots.slots());  // no room is made while bodies move
   State& s = world.state;
   std::sort(s.written.begin(), s.written.end());  // so that nothing depends on the order of a host's calls
   for (const std::uint32_t i : s.written) {

@@ -9,6 +9,7 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/island.h"
 #include "dynamics/observe.h"
+#include "dynamics/particles/flight.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/solver.h"
@@ -67,6 +68,7 @@ void World::step(Real dt) {
     run(Stage::relax, solve_positions);
     run(Stage::solve, resist);
   }
+  run(Stage::integrate, fly);
   run(Stage::solve, end_contacts);
   run(Stage::observe, observe);
   run(Stage::observe, fall_asleep);

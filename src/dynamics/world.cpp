@@ -20,6 +20,7 @@ const char* stage_name(Stage stage) {
 World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, Memory* m)
     : scene(tag, m),
       state(m),
+      particles(tag, m),
       contact_views(m),
       group_views(m),
       fault_views(m),
@@ -78,6 +79,7 @@ std::uint64_t World::hash() const {
     h.add_coefficients(o.p);
   };
   for (const OldImpulse& o : contacts->old) add_impulse(o);
+  particles.add_to(h);
   if (sleep->count > 0) {
     for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i) h.add(std::uint64_t(sleep->sleeps(i)));
     pairs.each_parked(add_record);

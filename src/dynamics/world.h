@@ -7,6 +7,7 @@
 #include "collision/broad/broad_phase.h"
 #include "collision/narrow/narrow_phase.h"
 #include "core/jobs.h"
+#include "dynamics/particles/particles.h"
 #include "dynamics/scene.h"
 #include "dynamics/state.h"
 
@@ -31,6 +32,7 @@ struct StepReport {
   std::uint64_t asleep_bodies = 0, fell_asleep = 0, woke_up = 0;
   double max_penetration = 0, mean_penetration = 0, max_closing_speed = 0;
   double linear_energy = 0, angular_energy = 0;
+  std::uint64_t particles = 0, quarantined_particles = 0;
   std::uint64_t direct_groups = 0;  // of the groups, those that a solver which chooses gave to the direct solver
   double solver_residual = 0;  // m/s; of solvers that solve to one
 };
@@ -43,10 +45,13 @@ struct ContactView {
   Real normal_impulse, friction_impulse;  // N s over the step
 };
 
-/// A fault of the last step: a support function's, or a body's (then body is its slot and support.kind is none).
+/// A fault of the last step: a support function's, or of the state of a body or particles (then support.kind is none).
 struct FaultView {
-  SupportFault support;
-  std::uint32_t body;  // slot of a body it concerns
+  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+  SupportFault support{};
+  std::uint32_t body = kNone;       // slot of a body it concerns
+  std::uint32_t particles = kNone;  // slot of the set
+  std::uint32_t particle = 0;       // the first of it that was put in quarantine in this step
 };
 
 /// Why a solver that chooses answers a contact group as it does; as CAROM_REASON_*.
@@ -105,6 +110,7 @@ class World {
 
   Scene scene;
   State state;
+  Particles particles;
   StepReport report;
   Array<ContactView> contact_views;  // of the last step, ascending by collider pair
   Array<GroupView> group_views;      // of the last step, of a solver that chooses

@@ -1,0 +1,12 @@
+// A step of all particles.
+#pragma once
+
+#include "dynamics/effects.h"
+
+namespace carom {
+
+/// Their part of stage integrate: all substeps of each particle at once, since none waits for another. What leaves the
+/// world is held.
+void fly(World& world, const StepTime& time);
+
+}  // namespace carom
