@@ -32,7 +32,7 @@ CAROM_API int32_t carom_world_desc_init(carom_world_desc *desc);
 CAROM_API int32_t carom_world_create(carom_engine *engine, const carom_world_desc *desc, carom_world **world,
                                      carom_error *error);
 
-/** Destroys its bodies, colliders and materials too.   @status OK; NULL_ARGUMENT; BUSY; REENTRANT */
+/** Destroys its bodies, colliders, materials and particles too.   @status OK; NULL_ARGUMENT; BUSY; REENTRANT */
 CAROM_API int32_t carom_world_destroy(carom_world *world, carom_error *error);
 
 /** Advance by dt.
@@ -73,7 +73,7 @@ typedef struct carom_step_report {
   double total_seconds;        /**< s */
   uint64_t steps;              /**< since the world was made */
   double time;                 /**< s, simulated */
-  uint64_t bodies;             /**< all kinds */
+  uint64_t bodies;             /**< all kinds; particles are counted by themselves */
   uint64_t dynamic_bodies;
   uint64_t colliders;
   uint64_t broad_pairs;        /**< pairs that the broad phase reported */
@@ -91,7 +91,7 @@ typedef struct carom_step_report {
   double max_penetration;      /**< m, over all contact points after the step; 0 if none */
   double mean_penetration;     /**< m, over contact points that overlap after the step */
   double max_closing_speed;    /**< m/s left at touching contact points after the step */
-  double linear_energy;        /**< J, kinetic */
+  double linear_energy;        /**< J, kinetic, with that of particles */
   double angular_energy;       /**< J, kinetic */
   uint64_t asleep_bodies;      /**< after the step, counted under dynamic_bodies   @since 1.2 */
   uint64_t fell_asleep;        /**< of them, in this step   @since 1.2 */
@@ -99,6 +99,8 @@ typedef struct carom_step_report {
   uint64_t direct_groups;      /**< of the groups, those that CAROM_SOLVER_AUTO gave to the direct solver   @since 1.2 */
   double solver_residual;      /**< m/s, how far the direct solver's answer is from Coulomb's law at the worst contact
                                     point and substep; 0 where it had nothing to do   @since 1.2 */
+  uint64_t particles;             /**< in all sets   @since 1.4 */
+  uint64_t quarantined_particles; /**< of them, held still since their state left the world   @since 1.4 */
 } carom_step_report;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
@@ -161,6 +163,7 @@ CAROM_API int32_t carom_world_get_groups(carom_world *world, carom_group *dst, u
 #define CAROM_FAULT_OUTSIDE 3u      /* a point outside the shape's bounding radius */
 #define CAROM_FAULT_NOT_SUPPORT 4u  /* a point worse than one it had given before */
 #define CAROM_FAULT_BODY_STATE 5u   /* a body's state was not finite; the body is quarantined */
+#define CAROM_FAULT_PARTICLE_STATE 6u /* likewise particles', see carom_particles_get_quarantined()   @since 1.4 */
 
 /** Something misbehaved in the last step; the world stayed finite. */
 typedef struct carom_fault {
@@ -170,6 +173,8 @@ typedef struct carom_fault {
   carom_body body;         /**< a body it hangs on, or the quarantined body */
   double dir[3];           /**< bits of the direction given */
   double out[3];           /**< bits of what came back */
+  carom_particles particles; /**< the set, of PARTICLE_STATE, or CAROM_NULL_HANDLE   @since 1.4 */
+  uint64_t particle;         /**< the first of it that was put in quarantine in this step: its index then   @since 1.4 */
 } carom_fault;
 
 /** Copy out the faults of the last step; arguments as carom_world_get_contacts(). */
@@ -177,7 +182,7 @@ CAROM_API int32_t carom_world_get_faults(carom_world *world, carom_fault *dst, u
                                          uint64_t *count, carom_error *error);
 
 /** 64-bit hash of the dynamic state: equal iff (up to collision of the hash) every pose, velocity and cached contact
- *  has the same bits.   @status OK; NULL_ARGUMENT; BUSY */
+ *  has the same bits, and every particle's position and velocity.   @status OK; NULL_ARGUMENT; BUSY */
 CAROM_API int32_t carom_world_hash(carom_world *world, uint64_t *hash, carom_error *error);
 
 #ifdef __cplusplus

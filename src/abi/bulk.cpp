@@ -4,12 +4,11 @@
 #include <cstdio>
 
 #include "abi/collider.h"
+#include "abi/records.h"
 #include "abi/world.h"
 
 namespace carom::abi {
 namespace {
-
-constexpr int kMostScalars = 7;
 
 struct FieldRow {
   const char* name;
@@ -97,26 +96,7 @@ bool check_shape_of_data(Call& call, std::uint32_t field, std::uint32_t scalar, 
   if (!known(call, 2, "field", field, CAROM_FIELD_COUNT) || !known(call, 3, "scalar", scalar, CAROM_SCALAR_F64 + 1) ||
       (n && !present(call, 6, name, data)))
     return false;
-  const std::uint64_t record =
-      static_cast<std::uint64_t>(kFields[field].scalars) * (scalar == CAROM_SCALAR_F32 ? 4 : 8);
-  if (stride == 0) stride = record;
-  return stride >= record || call.fail(CAROM_E_BUFFER_TOO_SMALL, 7, "stride is %llu, a record of %s has %llu bytes",
-                                       static_cast<unsigned long long>(stride), kFields[field].name,
-                                       static_cast<unsigned long long>(record));
-}
-
-/// Host memory is copied byte by byte: a stride need not keep it aligned.
-template <class Scalar>
-void store(const double record[], int scalars, char* to) {
-  Scalar converted[kMostScalars];
-  for (int k = 0; k < scalars; ++k) converted[k] = static_cast<Scalar>(record[k]);
-  std::memcpy(to, converted, static_cast<std::size_t>(scalars) * sizeof(Scalar));
-}
-template <class Scalar>
-void load(const char* from, int scalars, double record[]) {
-  Scalar given[kMostScalars];
-  std::memcpy(given, from, static_cast<std::size_t>(scalars) * sizeof(Scalar));
-  for (int k = 0; k < scalars; ++k) record[k] = given[k];
+  return check_stride(call, 7, kFields[field].name, kFields[field].scalars, scalar, stride);
 }
 
 template <class Scalar>
@@ -161,6 +141,17 @@ void write_all(Call& call, World& world, const FieldRow& field, const Selection&
 }
 
 }  // namespace
+
+bool check_stride(Call& call, int argument, const char* what, int scalars, std::uint32_t scalar,
+                  std::uint64_t& stride) {
+  const std::uint64_t record = static_cast<std::uint64_t>(scalars) * (scalar == CAROM_SCALAR_F32 ? 4 : 8);
+  if (stride == 0) stride = record;
+  return stride >= record || call.fail(CAROM_E_BUFFER_TOO_SMALL, argument,
+                                       "stride is %llu, a record of %s has %llu bytes",
+                                       static_cast<unsigned long long>(stride), what,
+                                       static_cast<unsigned long long>(record));
+}
+
 }  // namespace carom::abi
 
 using namespace carom;

@@ -53,6 +53,8 @@ void fill_report(const StepReport& from, carom_step_report& to) {
   to.asleep_bodies = from.asleep_bodies;
   to.fell_asleep = from.fell_asleep;
   to.woke_up = from.woke_up;
+  to.particles = from.particles;
+  to.quarantined_particles = from.quarantined_particles;
 }
 
 carom_contact contact(const World& world, const ContactView& view) {
@@ -72,10 +74,14 @@ carom_contact contact(const World& world, const ContactView& view) {
 
 carom_fault fault(const World& world, const FaultView& view) {
   carom_fault f{};
-  f.kind =
-      view.support.kind == SupportFault::none ? CAROM_FAULT_BODY_STATE : static_cast<std::uint32_t>(view.support.kind);
+  if (view.support.kind != SupportFault::none)
+    f.kind = static_cast<std::uint32_t>(view.support.kind);
+  else
+    f.kind = view.particles == FaultView::kNone ? CAROM_FAULT_BODY_STATE : CAROM_FAULT_PARTICLE_STATE;
   f.shape = view.support.shape ? view.support.shape->handle : CAROM_NULL_HANDLE;
-  f.body = world.scene.bodies.handle(view.body);
+  if (view.body != FaultView::kNone) f.body = world.scene.bodies.handle(view.body);
+  if (view.particles != FaultView::kNone) f.particles = world.particles.slots.handle(view.particles);
+  f.particle = view.particle;
   for (int i = 0; i < 3; ++i) f.dir[i] = view.support.dir[i], f.out[i] = view.support.out[i];
   return f;
 }

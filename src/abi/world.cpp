@@ -62,7 +62,10 @@ void destroy(carom_world* world) {
 /// Faults are rare and each shape's comes once, so the log may have every one.
 void log_faults(const carom_world& world) {
   for (const FaultView& fault : world.inner.fault_views)
-    if (fault.support.kind == SupportFault::none)
+    if (fault.particles != FaultView::kNone)
+      world.engine.say(CAROM_LOG_WARNING, "particles of set slot %u left the world, number %u first: in quarantine",
+                       fault.particles, fault.particle);
+    else if (fault.support.kind == SupportFault::none)
       world.engine.say(CAROM_LOG_WARNING, "the state of body slot %u was not finite: body in quarantine", fault.body);
     else
       world.engine.say(CAROM_LOG_WARNING,

@@ -68,6 +68,7 @@ typedef struct Bench {
   carom_collider ground_collider;
   carom_body bodies[BENCH_BODIES];
   carom_collider colliders[BENCH_BODIES];
+  carom_particles particles; /* by bench_particles() */
 } Bench;
 
 /* The first failure of a chain of calls, or CAROM_OK. */
@@ -120,6 +121,17 @@ static int32_t bench_bodies(Bench *b, carom_error *e) {
   return r;
 }
 
+#define BENCH_PARTICLES 5
+
+/* A set of a few particles that fly apart. */
+static int32_t bench_particles(Bench *b, carom_error *e) {
+  const double x[BENCH_PARTICLES][3] = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 5}, {4, 5, 6}};
+  const double v[BENCH_PARTICLES][3] = {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}};
+  int32_t r = carom_particles_create(b->world, NULL, &b->particles, e);
+  if (!r) r = carom_particles_add(b->world, b->particles, BENCH_PARTICLES, CAROM_SCALAR_F64, x, 0, v, 0, e);
+  return r;
+}
+
 static int32_t bench_make(Bench *b, const carom_engine_desc *desc, carom_error *e) {
   int32_t r;
   memset(b, 0, sizeof *b);
@@ -151,7 +163,7 @@ static uint64_t bench_hash(carom_world *world) {
 
 /* Nobody need use all of the above. */
 static inline void bench_unused(void) {
-  (void)bench_make, (void)bench_free, (void)bench_steps, (void)bench_hash, (void)bench_unused;
+  (void)bench_make, (void)bench_free, (void)bench_steps, (void)bench_hash, (void)bench_particles, (void)bench_unused;
 }
 
 #endif

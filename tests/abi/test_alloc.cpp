@@ -53,6 +53,7 @@ void everything_comes_from_the_host_and_goes_back(void**) {
   const carom_engine_desc desc = ledger.desc();
   Bench b;
   assert_int_equal(bench_make(&b, &desc, nullptr), CAROM_OK);
+  assert_int_equal(bench_particles(&b, nullptr), CAROM_OK);
   assert_int_equal(bench_steps(b.world, 100, nullptr), CAROM_OK);
   for (double choice : {CAROM_BROAD_BRUTE_FORCE, CAROM_BROAD_GRID, CAROM_BROAD_TREE}) {
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_BROAD_PHASE, choice, nullptr), CAROM_OK);
@@ -87,6 +88,7 @@ void steps_of_a_settled_world_allocate_nothing(void**) {
     for (double routines : {0., 1.}) {
       Bench b;
       assert_int_equal(bench_make(&b, &desc, nullptr), CAROM_OK);
+      assert_int_equal(bench_particles(&b, nullptr), CAROM_OK);
       assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_BROAD_PHASE, broad, nullptr), CAROM_OK);
       assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_PAIR_ROUTINES, routines, nullptr), CAROM_OK);
       assert_int_equal(bench_steps(b.world, 400, nullptr), CAROM_OK);  // all have landed, and rolled apart
@@ -230,6 +232,57 @@ void running_out_in_a_step_moves_nothing_and_can_be_taken_up_again(void**) {
   assert_true(failed_steps > 5);
 }
 
+/// Each call that adds to a set, with the k-th allocation failing: it is done, or nothing is.
+void running_out_while_particles_come_changes_nothing(void**) {
+  static const double many[400][3] = {};
+  const struct {
+    const char* name;
+    int32_t (*call)(Bench& b);
+    uint64_t count, sets;  // after it
+  } calls[] = {
+      {"create", [](Bench& b) { carom_particles s; return carom_particles_create(b.world, nullptr, &s, nullptr); },
+       BENCH_PARTICLES, 2},
+      {"add", [](Bench& b) { return carom_particles_add(b.world, b.particles, 400, 1, many, 0, many, 0, nullptr); },
+       BENCH_PARTICLES + 400, 1},
+      {"masses", [](Bench& b) {
+         const double kg[BENCH_PARTICLES] = {1, 2, 3, 4, 5};
+         return carom_particles_write(b.world, b.particles, CAROM_FIELD_MASS, 1, nullptr, BENCH_PARTICLES, kg, 0, nullptr);
+       }, BENCH_PARTICLES, 1},
+  };
+  for (const auto& c : calls)
+    for (uint64_t k = 0;; ++k) {
+      Ledger ledger;
+      const carom_engine_desc desc = ledger.desc();
+      Bench b;
+      assert_int_equal(bench_make(&b, &desc, nullptr), CAROM_OK);
+      assert_int_equal(bench_particles(&b, nullptr), CAROM_OK);
+      const uint64_t hash = bench_hash(b.world);
+      ledger.fail_at = ledger.allocations + k;
+      const int32_t r = c.call(b);
+      ledger.fail_at = ~uint64_t(0);
+      const bool done = r == CAROM_OK;
+      uint64_t count = 0, sets = 0;
+      double kg = 0;
+      const uint32_t last = BENCH_PARTICLES - 1;
+      assert_int_equal(carom_particles_get_count(b.world, b.particles, &count, nullptr), CAROM_OK);
+      assert_int_equal(carom_world_get_particles(b.world, nullptr, 0, &sets, nullptr), CAROM_OK);
+      assert_int_equal(carom_particles_read(b.world, b.particles, CAROM_FIELD_MASS, 1, &last, 1, &kg, 0, nullptr), CAROM_OK);
+      if (!done) assert_int_equal(r, CAROM_E_OUT_OF_MEMORY);
+      if (!done) assert_true(bench_hash(b.world) == hash);
+      assert_int_equal(count, done ? c.count : BENCH_PARTICLES);
+      assert_int_equal(sets, done ? c.sets : 1);
+      assert_true(kg == (done && c.name[0] == 'm' ? 5 : 1));
+      assert_int_equal(bench_steps(b.world, 3, nullptr), CAROM_OK);
+      assert_int_equal(bench_free(&b), CAROM_OK);
+      assert_int_equal(ledger.live.size(), 0);
+      assert_int_equal(ledger.wrong, 0);
+      if (done) {
+        assert_true(k > 0);  // the call needed memory, or this proves nothing
+        break;
+      }
+    }
+}
+
 /// Destroying may need memory too (a list of what to forget): all of a body goes, or nothing.
 void running_out_while_destroying_changes_nothing(void**) {
   for (uint64_t k = 0; k < 4; ++k) {
@@ -273,6 +326,7 @@ int main() {
       cmocka_unit_test(running_out_at_any_point_of_building_is_an_error_and_no_leak),
       cmocka_unit_test(running_out_while_a_living_world_grows_changes_nothing),
       cmocka_unit_test(running_out_in_a_step_moves_nothing_and_can_be_taken_up_again),
+      cmocka_unit_test(running_out_while_particles_come_changes_nothing),
       cmocka_unit_test(running_out_while_destroying_changes_nothing),
   };
   return cmocka_run_group_tests_name("abi/alloc", tests, nullptr, nullptr);

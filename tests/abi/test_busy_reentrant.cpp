@@ -32,7 +32,9 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   collider.shape = b.ball;
   uint64_t handle, count;
   double v[7];
-  uint32_t asleep;
+  uint32_t asleep, index = 0;
+  carom_particles_desc particles;
+  carom_particles_desc_init(&particles);
   carom_step_report report = {};
   report.struct_size = sizeof report;
   add("world_destroy", carom_world_destroy(b.world, nullptr));
@@ -60,6 +62,19 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("collider_create", carom_collider_create(b.world, b.bodies[0], &collider, &handle, nullptr));
   add("collider_destroy", carom_collider_destroy(b.world, b.colliders[0], nullptr));
   add("collider_get", carom_collider_get(b.world, b.colliders[0], &collider, &handle, nullptr));
+  add("particles_create", carom_particles_create(b.world, nullptr, &handle, nullptr));
+  add("particles_destroy", carom_particles_destroy(b.world, b.particles, nullptr));
+  add("particles_get", carom_particles_get(b.world, b.particles, &particles, nullptr));
+  add("particles_update", carom_particles_update(b.world, b.particles, nullptr, nullptr));
+  add("particles_get_count", carom_particles_get_count(b.world, b.particles, &count, nullptr));
+  add("particles_add", carom_particles_add(b.world, b.particles, 1, CAROM_SCALAR_F64, kUp, 0, nullptr, 0, nullptr));
+  add("particles_remove", carom_particles_remove(b.world, b.particles, &index, 1, nullptr));
+  add("particles_read", carom_particles_read(b.world, b.particles, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, &index, 1, v,
+                                             0, nullptr));
+  add("particles_write", carom_particles_write(b.world, b.particles, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, &index, 1,
+                                               kUp, 0, nullptr));
+  add("particles_get_quarantined", carom_particles_get_quarantined(b.world, b.particles, nullptr, 0, &count, nullptr));
+  add("world_get_particles", carom_world_get_particles(b.world, nullptr, 0, &count, nullptr));
   add("world_get_bodies", carom_world_get_bodies(b.world, nullptr, 0, &count, nullptr));
   add("world_read", carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, b.bodies, 1, v, 0, nullptr));
   add("world_write", carom_world_write(b.world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, b.bodies, 1, kUp, 0, nullptr));
@@ -160,6 +175,7 @@ void make_stage() {
   carom_collider collider;
   assert_int_equal(bench_body(stage.world, shape, 0, CAROM_BODY_DYNAMIC, 10, 0.45, 0, &body, &collider, nullptr),
                    CAROM_OK);
+  assert_int_equal(bench_particles(&stage, nullptr), CAROM_OK);
   assert_int_equal(bench_steps(stage.world, 5, nullptr), CAROM_OK);
 }
 

@@ -505,10 +505,78 @@ const Row kCast[] = {
     {"rays: desc", CAROM_E_OUT_OF_RANGE, 7, [](Bench& b, carom_error* e) { auto d = cast_desc(); d.target = 2e9; carom_rays r = {}; r.struct_size = sizeof r; carom_ray_hits h = {}; h.struct_size = sizeof h; return carom_rays_cast(b.engine, &b.ball, kZero, kUpright, 1, &r, &d, &h, e); }},
 };
 
+const Row kParticles[] = {
+    {"particles: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { carom_particles s; return carom_particles_create(nullptr, nullptr, &s, e); }},
+    {"particles: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_particles_create(b.world, nullptr, nullptr, e); }},
+    {"particles: size", CAROM_E_STRUCT_SIZE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.struct_size = 5; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: reserved", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.reserved = 1; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: gravity_factor", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.gravity_factor = -1001; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: gravity_factor nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.gravity_factor = kNan; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: damping", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.linear_damping = -1; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: damping inf", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.linear_damping = kInf; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: mass", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.mass = 0; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: mass nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.mass = kNan; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: capacity", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.capacity = ~uint64_t(0); carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: destroy: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_particles_destroy(nullptr, b.particles, e); }},
+    {"particles: get: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); return carom_particles_get(nullptr, b.particles, &d, e); }},
+    {"particles: get: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_particles_get(b.world, b.particles, nullptr, e); }},
+    {"particles: get: size", CAROM_E_STRUCT_SIZE, 3, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.struct_size = 4; return carom_particles_get(b.world, b.particles, &d, e); }},
+    {"particles: update: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); return carom_particles_update(nullptr, b.particles, &d, e); }},
+    {"particles: update: size", CAROM_E_STRUCT_SIZE, 3, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.struct_size = 9; return carom_particles_update(b.world, b.particles, &d, e); }},
+    {"particles: update: mass", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.mass = -1; d.linear_damping = 7; return carom_particles_update(b.world, b.particles, &d, e); }},
+    {"particles: count: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { uint64_t n; return carom_particles_get_count(nullptr, b.particles, &n, e); }},
+    {"particles: count: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_particles_get_count(b.world, b.particles, nullptr, e); }},
+    {"particles: add: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_particles_add(nullptr, b.particles, 1, 1, kZero, 0, nullptr, 0, e); }},
+    {"particles: add: scalar", CAROM_E_UNKNOWN_ENUM, 4, [](Bench& b, carom_error* e) { return carom_particles_add(b.world, b.particles, 1, 2, kZero, 0, nullptr, 0, e); }},
+    {"particles: add: positions", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return carom_particles_add(b.world, b.particles, 1, 1, nullptr, 0, kZero, 0, e); }},
+    {"particles: add: nan", CAROM_E_NOT_FINITE, 5, [](Bench& b, carom_error* e) { const double x[6] = {1, 2, 3, 4, 5, kNan}; return carom_particles_add(b.world, b.particles, 2, 1, x, 0, nullptr, 0, e); }},
+    {"particles: add: float inf", CAROM_E_NOT_FINITE, 5, [](Bench& b, carom_error* e) { const float x[3] = {1, static_cast<float>(kInf), 3}; return carom_particles_add(b.world, b.particles, 1, 0, x, 0, nullptr, 0, e); }},
+    {"particles: add: far", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { const double x[3] = {1e15, 1e15, 0}; return carom_particles_add(b.world, b.particles, 1, 1, x, 0, nullptr, 0, e); }},
+    {"particles: add: very far", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { const double x[3] = {0, -1e300, 0}; return carom_particles_add(b.world, b.particles, 1, 1, x, 0, nullptr, 0, e); }},
+    {"particles: add: position stride", CAROM_E_BUFFER_TOO_SMALL, 6, [](Bench& b, carom_error* e) { return carom_particles_add(b.world, b.particles, 1, 1, kZero, 23, nullptr, 0, e); }},
+    {"particles: add: velocity nan", CAROM_E_NOT_FINITE, 7, [](Bench& b, carom_error* e) { return carom_particles_add(b.world, b.particles, 1, 1, kZero, 0, kNan3, 0, e); }},
+    {"particles: add: fast", CAROM_E_OUT_OF_RANGE, 7, [](Bench& b, carom_error* e) { const double v[3] = {0, 1.1e9, 0}; return carom_particles_add(b.world, b.particles, 1, 1, kZero, 0, v, 0, e); }},
+    {"particles: add: velocity stride", CAROM_E_BUFFER_TOO_SMALL, 8, [](Bench& b, carom_error* e) { return carom_particles_add(b.world, b.particles, 1, 0, kZero, 0, kZero, 8, e); }},
+    {"particles: add: too many", CAROM_E_LIMIT, 3, [](Bench& b, carom_error* e) { return carom_particles_add(b.world, b.particles, uint64_t(1) << 31, 1, kZero, 0, nullptr, 0, e); }},
+    {"particles: add: far too many", CAROM_E_LIMIT, 3, [](Bench& b, carom_error* e) { return carom_particles_add(b.world, b.particles, ~uint64_t(0), 1, kZero, 0, nullptr, 0, e); }},
+    {"particles: remove: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_particles_remove(nullptr, b.particles, nullptr, 5, e); }},
+    {"particles: remove: beyond", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { const uint32_t i[3] = {0, 1, 5}; return carom_particles_remove(b.world, b.particles, i, 3, e); }},
+    {"particles: remove: twice", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { const uint32_t i[3] = {0, 1, 1}; return carom_particles_remove(b.world, b.particles, i, 3, e); }},
+    {"particles: remove: not ascending", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { const uint32_t i[3] = {0, 3, 2}; return carom_particles_remove(b.world, b.particles, i, 3, e); }},
+    {"particles: remove: n", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { return carom_particles_remove(b.world, b.particles, nullptr, 4, e); }},
+    {"particles: read: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { double o[15]; return carom_particles_read(nullptr, b.particles, 0, 1, nullptr, 5, o, 0, e); }},
+    {"particles: read: field", CAROM_E_UNKNOWN_ENUM, 3, [](Bench& b, carom_error* e) { double o[15]; return carom_particles_read(b.world, b.particles, CAROM_FIELD_COUNT, 1, nullptr, 5, o, 0, e); }},
+    {"particles: read: orientation", CAROM_E_UNSUPPORTED, 3, [](Bench& b, carom_error* e) { double o[15]; return carom_particles_read(b.world, b.particles, CAROM_FIELD_ORIENTATION, 1, nullptr, 5, o, 0, e); }},
+    {"particles: read: scalar", CAROM_E_UNKNOWN_ENUM, 4, [](Bench& b, carom_error* e) { double o[15]; return carom_particles_read(b.world, b.particles, 0, 2, nullptr, 5, o, 0, e); }},
+    {"particles: read: index", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { const uint32_t i = 5; double o[3]; return carom_particles_read(b.world, b.particles, 0, 1, &i, 1, o, 0, e); }},
+    {"particles: read: n", CAROM_E_OUT_OF_RANGE, 6, [](Bench& b, carom_error* e) { double o[15]; return carom_particles_read(b.world, b.particles, 0, 1, nullptr, 4, o, 0, e); }},
+    {"particles: read: dst", CAROM_E_NULL_ARGUMENT, 7, [](Bench& b, carom_error* e) { return carom_particles_read(b.world, b.particles, 0, 1, nullptr, 5, nullptr, 0, e); }},
+    {"particles: read: stride", CAROM_E_BUFFER_TOO_SMALL, 8, [](Bench& b, carom_error* e) { double o[15]; return carom_particles_read(b.world, b.particles, 0, 1, nullptr, 5, o, 16, e); }},
+    {"particles: write: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { const uint32_t i[2] = {3, 1}; return carom_particles_write(nullptr, b.particles, 0, 1, i, 1, kZero, 0, e); }},
+    {"particles: write: field", CAROM_E_UNKNOWN_ENUM, 3, [](Bench& b, carom_error* e) { const uint32_t i[2] = {3, 1}; return carom_particles_write(b.world, b.particles, 77, 1, i, 1, kZero, 0, e); }},
+    {"particles: write: centre", CAROM_E_UNSUPPORTED, 3, [](Bench& b, carom_error* e) { const uint32_t i[2] = {3, 1}; return carom_particles_write(b.world, b.particles, CAROM_FIELD_CENTER, 1, i, 1, kZero, 0, e); }},
+    {"particles: write: scalar", CAROM_E_UNKNOWN_ENUM, 4, [](Bench& b, carom_error* e) { const uint32_t i[2] = {3, 1}; return carom_particles_write(b.world, b.particles, 0, 9, i, 1, kZero, 0, e); }},
+    {"particles: write: index", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { const uint32_t i = 0xFFFFFFFFu; return carom_particles_write(b.world, b.particles, 0, 1, &i, 1, kZero, 0, e); }},
+    {"particles: write: n", CAROM_E_OUT_OF_RANGE, 6, [](Bench& b, carom_error* e) { return carom_particles_write(b.world, b.particles, 0, 1, nullptr, 1, kZero, 0, e); }},
+    {"particles: write: src", CAROM_E_NULL_ARGUMENT, 7, [](Bench& b, carom_error* e) { const uint32_t i[2] = {3, 1}; return carom_particles_write(b.world, b.particles, 0, 1, i, 2, nullptr, 0, e); }},
+    {"particles: write: second is nan", CAROM_E_NOT_FINITE, 7, [](Bench& b, carom_error* e) { const uint32_t i[2] = {3, 1}; const double x[6] = {9, 9, 9, 9, 9, kNan}; return carom_particles_write(b.world, b.particles, 0, 1, i, 2, x, 0, e); }},
+    {"particles: write: second is far", CAROM_E_OUT_OF_RANGE, 7, [](Bench& b, carom_error* e) { const uint32_t i[2] = {3, 1}; const double x[6] = {9, 9, 9, 9, 9, 2e15}; return carom_particles_write(b.world, b.particles, 0, 1, i, 2, x, 0, e); }},
+    {"particles: write: second is fast", CAROM_E_OUT_OF_RANGE, 7, [](Bench& b, carom_error* e) { const uint32_t i[2] = {3, 1}; const double x[6] = {9, 9, 9, 9, 9, 2e9}; return carom_particles_write(b.world, b.particles, CAROM_FIELD_LINEAR_VELOCITY, 1, i, 2, x, 0, e); }},
+    {"particles: write: second weighs nothing", CAROM_E_OUT_OF_RANGE, 7, [](Bench& b, carom_error* e) { const uint32_t i[2] = {3, 1}; const double m[2] = {9, 0}; return carom_particles_write(b.world, b.particles, CAROM_FIELD_MASS, 1, i, 2, m, 0, e); }},
+    {"particles: write: second weighs nan", CAROM_E_NOT_FINITE, 7, [](Bench& b, carom_error* e) { const uint32_t i[2] = {3, 1}; const double m[2] = {9, kNan}; return carom_particles_write(b.world, b.particles, CAROM_FIELD_MASS, 1, i, 2, m, 0, e); }},
+    {"particles: write: stride", CAROM_E_BUFFER_TOO_SMALL, 8, [](Bench& b, carom_error* e) { const uint32_t i[2] = {3, 1}; return carom_particles_write(b.world, b.particles, 0, 1, i, 1, kZero, 8, e); }},
+    {"particles: quarantined: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { uint64_t n; return carom_particles_get_quarantined(nullptr, b.particles, nullptr, 0, &n, e); }},
+    {"particles: quarantined: indices", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { uint64_t n; return carom_particles_get_quarantined(b.world, b.particles, nullptr, 1, &n, e); }},
+    {"particles: quarantined: count", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return carom_particles_get_quarantined(b.world, b.particles, nullptr, 0, nullptr, e); }},
+    {"particles: sets: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_get_particles(nullptr, nullptr, 0, &n, e); }},
+    {"particles: sets: count", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { return carom_world_get_particles(b.world, nullptr, 0, nullptr, e); }},
+};
+
 template <std::size_t N>
 void each_is_refused(const Row (&rows)[N]) {
   Bench b;
   assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
+  assert_int_equal(bench_particles(&b, nullptr), CAROM_OK);
   assert_int_equal(bench_steps(b.world, 40, nullptr), CAROM_OK);  // something has touched something
   const Bench before = b;
   const uint64_t hash = bench_hash(b.world);
@@ -530,6 +598,7 @@ void each_is_refused(const Row (&rows)[N]) {
   // And the world goes on as one that nobody disturbed.
   Bench other;
   assert_int_equal(bench_make(&other, nullptr, nullptr), CAROM_OK);
+  assert_int_equal(bench_particles(&other, nullptr), CAROM_OK);
   assert_int_equal(bench_steps(other.world, 80, nullptr), CAROM_OK);
   assert_int_equal(bench_steps(b.world, 40, nullptr), CAROM_OK);
   assert_true(bench_hash(b.world) == bench_hash(other.world));
@@ -545,6 +614,7 @@ void every_wrong_argument_of_materials_and_colliders_is_refused(void**) { each_i
 void every_wrong_argument_of_bulk_calls_is_refused(void**) { each_is_refused(kBulk); }
 void every_wrong_argument_of_queries_is_refused(void**) { each_is_refused(kQuery); }
 void every_wrong_argument_of_casts_is_refused(void**) { each_is_refused(kCast); }
+void every_wrong_argument_of_particles_is_refused(void**) { each_is_refused(kParticles); }
 
 void every_result_has_its_own_name_and_a_remedy(void**) {
   std::set<std::string> names;
@@ -573,6 +643,7 @@ void calls_without_an_error_object_refuse_null_too(void**) {
   assert_int_equal(carom_distance_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_cast_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_motion_init(nullptr), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_particles_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_dial_get_count(nullptr), CAROM_E_NULL_ARGUMENT);
 }
 
@@ -614,6 +685,7 @@ int main() {
       cmocka_unit_test(every_wrong_argument_of_bulk_calls_is_refused),
       cmocka_unit_test(every_wrong_argument_of_queries_is_refused),
       cmocka_unit_test(every_wrong_argument_of_casts_is_refused),
+      cmocka_unit_test(every_wrong_argument_of_particles_is_refused),
       cmocka_unit_test(every_result_has_its_own_name_and_a_remedy),
       cmocka_unit_test(calls_without_an_error_object_refuse_null_too),
       cmocka_unit_test(a_flat_shape_on_a_body_without_mass_has_no_volume),

@@ -9,7 +9,7 @@
 
 namespace {
 
-enum Kind { kPlugin, kShape, kMaterial, kBody, kCollider, kKinds };
+enum Kind { kPlugin, kShape, kMaterial, kBody, kCollider, kParticles, kKinds };
 
 /// One handle argument of one call.
 struct Place {
@@ -98,11 +98,20 @@ const Place kPlaces[] = {
     {"body_add_impulse", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_add_impulse(b.world, h, kUp, kUp, e); }},
     {"world_read", kBody, 4, [](Bench& b, uint64_t h, carom_error* e) { const carom_body two[2] = {b.bodies[0], h}; double p[6]; return carom_world_read(b.world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, two, 2, p, 0, e); }},
     {"world_write", kBody, 4, [](Bench& b, uint64_t h, carom_error* e) { const carom_body two[2] = {b.bodies[0], h}; const double p[6] = {7, 7, 7, 7, 7, 7}; return carom_world_write(b.world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, two, 2, p, 0, e); }},
+    {"particles_get", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); return carom_particles_get(b.world, h, &d, e); }},
+    {"particles_update", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_particles_update(b.world, h, nullptr, e); }},
+    {"particles_get_count", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { uint64_t n; return carom_particles_get_count(b.world, h, &n, e); }},
+    {"particles_add", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_particles_add(b.world, h, 1, CAROM_SCALAR_F64, kUp, 0, nullptr, 0, e); }},
+    {"particles_remove", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { const uint32_t i = 1; return carom_particles_remove(b.world, h, &i, 1, e); }},
+    {"particles_read", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { const uint32_t i = 1; double p[3]; return carom_particles_read(b.world, h, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, &i, 1, p, 0, e); }},
+    {"particles_write", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { const uint32_t i = 1; return carom_particles_write(b.world, h, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, &i, 1, kUp, 0, e); }},
+    {"particles_get_quarantined", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { uint64_t n; return carom_particles_get_quarantined(b.world, h, nullptr, 0, &n, e); }},
+    {"particles_destroy", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_particles_destroy(b.world, h, e); }},
 };
 
 /// A good handle of a kind.
 uint64_t good(const Bench& b, int kind) {
-  const uint64_t handles[kKinds] = {b.sphere, b.ball, b.material, b.bodies[1], b.colliders[1]};
+  const uint64_t handles[kKinds] = {b.sphere, b.ball, b.material, b.bodies[1], b.colliders[1], b.particles};
   return handles[kind];
 }
 
@@ -111,6 +120,7 @@ struct Stage {
   carom_world* second;          // another world of the same engine
   carom_body second_body;
   carom_collider second_collider;
+  carom_particles second_particles;
   uint64_t stale[kKinds];       // of `own`, destroyed, the slot taken again
   uint64_t successor[kKinds];   // what took the slot
 };
@@ -128,7 +138,9 @@ void replace(Stage& s) {
     assert_int_equal(carom_material_create(b.world, &material, &out[kMaterial], nullptr), CAROM_OK);
     assert_int_equal(bench_body(b.world, b.ball, 0, CAROM_BODY_DYNAMIC, 50, 50, 50, &out[kBody], &out[kCollider], nullptr),
                      CAROM_OK);
+    assert_int_equal(carom_particles_create(b.world, nullptr, &out[kParticles], nullptr), CAROM_OK);
     if (out == s.successor) break;
+    assert_int_equal(carom_particles_destroy(b.world, out[kParticles], nullptr), CAROM_OK);
     assert_int_equal(carom_collider_destroy(b.world, out[kCollider], nullptr), CAROM_OK);
     assert_int_equal(carom_body_destroy(b.world, out[kBody], nullptr), CAROM_OK);
     assert_int_equal(carom_material_destroy(b.world, out[kMaterial], nullptr), CAROM_OK);
@@ -146,7 +158,10 @@ int make(void** state) {
   s = Stage();
   assert_int_equal(bench_make(&s.own, nullptr, nullptr), CAROM_OK);
   assert_int_equal(bench_make(&s.other, nullptr, nullptr), CAROM_OK);
+  assert_int_equal(bench_particles(&s.own, nullptr), CAROM_OK);
+  assert_int_equal(bench_particles(&s.other, nullptr), CAROM_OK);
   assert_int_equal(carom_world_create(s.own.engine, nullptr, &s.second, nullptr), CAROM_OK);
+  assert_int_equal(carom_particles_create(s.second, nullptr, &s.second_particles, nullptr), CAROM_OK);
   assert_int_equal(bench_body(s.second, s.own.ball, 0, CAROM_BODY_DYNAMIC, 0, 0, 0, &s.second_body, &s.second_collider,
                               nullptr), CAROM_OK);
   replace(s);
@@ -217,6 +232,7 @@ void a_handle_of_another_world_or_engine_is_told_so(void** state) {
     expect(s, place, good(s.other, place.kind), CAROM_E_WRONG_WORLD);
     if (place.kind == kBody) expect(s, place, s.second_body, CAROM_E_WRONG_WORLD);
     if (place.kind == kCollider) expect(s, place, s.second_collider, CAROM_E_WRONG_WORLD);
+    if (place.kind == kParticles) expect(s, place, s.second_particles, CAROM_E_WRONG_WORLD);
   }
 }
 

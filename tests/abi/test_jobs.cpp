@@ -38,6 +38,12 @@ struct Heap {
     for (int i = 0; i < 600; ++i)
       add(i % 3 ? b.crate : b.ball, CAROM_BODY_DYNAMIC, i % 10 * 0.9, 0.6 + 0.8 * (i / 100),
           i / 10 % 10 * 1.3 + 0.01 * i, i % 5 == 0);
+    std::vector<double> places(3 * 20000);
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = 1e-3 * static_cast<double>(i * i % 10007);
+    assert_int_equal(carom_particles_create(b.world, nullptr, &b.particles, nullptr), CAROM_OK);
+    assert_int_equal(carom_particles_add(b.world, b.particles, 20000, CAROM_SCALAR_F64, places.data(), 0, places.data(),
+                                         0, nullptr),
+                     CAROM_OK);
   }
   ~Heap() {
     assert_int_equal(carom_world_destroy(b.world, nullptr), CAROM_OK);

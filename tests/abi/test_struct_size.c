@@ -46,6 +46,8 @@ static void sizes_of_no_version_are_refused(void **state) {
     carom_motion motion, good_motion;
     carom_rays rays;
     carom_ray_hits hits;
+    carom_particles_desc particles_desc;
+    carom_particles particles = 0;
     const double zero[3] = {0, 0, 0}, upright[4] = {0, 0, 0, 1};
     carom_engine_desc_init(&engine_desc);
     carom_world_desc_init(&world_desc);
@@ -53,11 +55,13 @@ static void sizes_of_no_version_are_refused(void **state) {
     carom_material_desc_init(&material_desc);
     carom_collider_desc_init(&collider_desc);
     carom_distance_desc_init(&distance_desc);
+    carom_particles_desc_init(&particles_desc);
     collider_desc.shape = b.ball;
     engine_desc.struct_size = world_desc.struct_size = body_desc.struct_size = material_desc.struct_size =
-        collider_desc.struct_size = distance_desc.struct_size = info.struct_size = report.struct_size =
+        collider_desc.struct_size = distance_desc.struct_size = particles_desc.struct_size = info.struct_size = report.struct_size =
             dial.struct_size = sizes[i];
     distance.struct_size = sizeof distance;
+    assert_int_equal(carom_particles_create(b.world, &particles_desc, &particles, NULL), CAROM_E_STRUCT_SIZE);
     assert_int_equal(carom_engine_create(&engine_desc, &engine, NULL), CAROM_E_STRUCT_SIZE);
     assert_int_equal(carom_world_create(b.engine, &world_desc, &world, NULL), CAROM_E_STRUCT_SIZE);
     assert_int_equal(carom_body_create(b.world, &body_desc, &body, NULL), CAROM_E_STRUCT_SIZE);
@@ -101,7 +105,7 @@ static void sizes_of_no_version_are_refused(void **state) {
         CAROM_E_STRUCT_SIZE);
     assert_int_equal(carom_shape_overlap(b.engine, b.ball, zero, upright, b.crate, zero, upright, NULL, &overlap, NULL),
                      CAROM_E_STRUCT_SIZE);
-    assert_true(!engine && !world && !body && !material && !collider);
+    assert_true(!engine && !world && !body && !material && !collider && !particles);
   }
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
