@@ -101,7 +101,8 @@ void run_scene(const Options& options, Context& context) {
     std::printf("%s: %s\n", scene.name.c_str(), scene.summary.c_str());
     std::string plugins;
     for (const std::string& name : engine.loaded()) plugins += (plugins.empty() ? "" : ", ") + name;
-    std::printf("  %zu bodies; shape plugins loaded: %s\n", stage.actors.size(),
+    const std::size_t particles = stage.particle_count();
+    std::printf("  %zu bodies, %zu particles; shape plugins loaded: %s\n", stage.actors.size() - particles, particles,
                 plugins.empty() ? "none" : plugins.c_str());
     for (const std::string& remark : stage.remarks) std::printf("  %s\n", remark.c_str());
     std::printf("  look for: %s\n", scene.look_for.c_str());

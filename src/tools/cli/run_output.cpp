@@ -21,14 +21,17 @@ const char* fault_text(std::uint32_t kind) {
       return "its support function gave a point worse than one before";
     case CAROM_FAULT_BODY_STATE:
       return "its state was not finite; it is held still";
+    case CAROM_FAULT_PARTICLE_STATE:
+      return "left the world, first of those that are held still";
     default:
       return "of a kind this program does not know";
   }
 }
 
-std::string body_name(const Stage& stage, carom_body body) {
+std::string name_of(const Stage& stage, const carom_fault& fault) {
   for (const Actor& actor : stage.actors)
-    if (actor.body == body) return actor.name;
+    if (actor.body == fault.body && actor.particles == fault.particles && actor.index == fault.particle)
+      return actor.name;
   return "?";
 }
 
@@ -37,7 +40,7 @@ unsigned long long count(std::uint64_t n) { return n; }
 }  // namespace
 
 bool run_went_wrong(const RunSummary& run, const std::vector<KindSummary>& kinds) {
-  bool wrong = run.faults > 0 || run.last.quarantined_bodies > 0;
+  bool wrong = run.faults > 0 || run.last.quarantined_bodies > 0 || run.last.quarantined_particles > 0;
   for (const KindSummary& k : kinds) wrong = wrong || k.escaped || k.not_finite;
   return wrong;
 }
@@ -77,9 +80,10 @@ void print_summary(const Stage& stage, const Observer* observer, const RunSummar
                     format("%.3f", k.mean), format("%.3f", k.high), format("%.3f", k.fastest), format("%zu", k.escaped),
                     format("%zu", k.not_finite)});
   std::printf("%s", table(rows, {false, true, true, true, true, true, true, true, true}).c_str());
-  std::printf("faults: %llu; bodies in quarantine: %llu\n", count(run.faults), count(run.last.quarantined_bodies));
+  std::printf("faults: %llu; in quarantine: %llu bodies, %llu particles\n", count(run.faults),
+              count(run.last.quarantined_bodies), count(run.last.quarantined_particles));
   for (std::size_t i = 0; i < std::min<std::size_t>(3, run.first_faults.size()); ++i)
-    std::printf("  '%s': %s\n", body_name(stage, run.first_faults[i].body).c_str(),
+    std::printf("  '%s': %s\n", name_of(stage, run.first_faults[i]).c_str(),
                 fault_text(run.first_faults[i].kind));
   std::printf("state hash: %016llx\n", count(run.hash));
   if (observer) {
@@ -113,7 +117,8 @@ nlohmann::json summary_json(const Scene& scene, const Stage& stage, const Observ
       {"computing_s", run.total_seconds},
       {"steps_per_s", {{"min", run.min_rate}, {"average", run.average_rate}, {"max", run.max_rate}}},
       {"stage_s", stages},
-      {"bodies", stage.actors.size()},
+      {"bodies", stage.actors.size() - stage.particle_count()},
+      {"particles", stage.particle_count()},
       {"contact_points", {{"end", run.last.contact_points}, {"most", run.most_contact_points}}},
       {"penetration_m",
        {{"max", run.last.max_penetration}, {"mean", run.last.mean_penetration}, {"worst", run.worst_penetration}}},
@@ -121,6 +126,7 @@ nlohmann::json summary_json(const Scene& scene, const Stage& stage, const Observ
       {"ended", ended},
       {"faults", run.faults},
       {"quarantined_bodies", run.last.quarantined_bodies},
+      {"quarantined_particles", run.last.quarantined_particles},
       {"hash", format("%016llx", count(run.hash))},
       {"remarks", stage.remarks}};
   if (observer) out["story"] = {{"came_off", observer->came_off(stage)}, {"lines", observer->tell(stage)}};

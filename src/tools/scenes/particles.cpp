@@ -1,4 +1,4 @@
-// particles: bodies without colliders; nothing runs but integration.
+// particles: one set of them; nothing runs but integration.
 #include "scenes/random.h"
 #include "scenes/scene.h"
 
@@ -8,14 +8,16 @@ namespace {
 std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, const std::string&) {
   Random random(20061001);
   const double spread = knobs[1];
+  std::vector<Actor> start;
   for (int i = 0; i < static_cast<int>(knobs[0]); ++i) {
     Actor actor;
     actor.name = "particle " + std::to_string(i);
     actor.kind = "particle";
     actor.position = Vec(random.between(-spread, spread), random.between(0, spread), random.between(-spread, spread));
     actor.linear_velocity = random.between(2, 12) * (random.direction() + Vec(0, 1.5, 0));
-    stage.add(std::move(actor));
+    start.push_back(std::move(actor));
   }
+  stage.add_particles(std::move(start));
   // A fountain over nothing: it falls for ever, and that is fine.
   stage.bounds_min = Vec::Constant(-1e9);
   stage.bounds_max = Vec::Constant(1e9);

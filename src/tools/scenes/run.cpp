@@ -40,22 +40,17 @@ RunSummary simulate(Stage& stage, Observer* observer, double seconds, double dt,
 }
 
 std::vector<KindSummary> where_it_ended(const Stage& stage) {
-  std::vector<carom_body> handles;
-  std::vector<const Actor*> actors;
-  for (const Actor& actor : stage.actors)
-    if (actor.type == CAROM_BODY_DYNAMIC) {
-      handles.push_back(actor.body);
-      actors.push_back(&actor);
-    }
   std::vector<double> positions, velocities;
-  stage.world.read(CAROM_FIELD_POSITION, handles, positions);
-  stage.world.read(CAROM_FIELD_LINEAR_VELOCITY, handles, velocities);
+  stage.read(CAROM_FIELD_POSITION, positions);
+  stage.read(CAROM_FIELD_LINEAR_VELOCITY, velocities);
   std::vector<KindSummary> rows;
-  for (std::size_t i = 0; i < actors.size(); ++i) {
-    auto row = std::find_if(rows.begin(), rows.end(), [&](const KindSummary& r) { return r.kind == actors[i]->kind; });
+  for (std::size_t i = 0; i < stage.actors.size(); ++i) {
+    const Actor& actor = stage.actors[i];
+    if (actor.type != CAROM_BODY_DYNAMIC) continue;
+    auto row = std::find_if(rows.begin(), rows.end(), [&](const KindSummary& r) { return r.kind == actor.kind; });
     if (row == rows.end()) {
       row = rows.insert(rows.end(), KindSummary());
-      row->kind = actors[i]->kind;
+      row->kind = actor.kind;
       row->low = std::numeric_limits<double>::infinity();
       row->high = -row->low;
     }

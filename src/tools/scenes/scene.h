@@ -28,7 +28,7 @@ struct Part {
   int mesh = -1;  ///< index into Stage::meshes to draw instead of the shape, or -1
 };
 
-/// A body as a scene describes it, and the handle it got.
+/// A body or a particle as a scene describes it, and the handle it got.
 struct Actor {
   std::string name;  ///< unique within the stage: "domino 3"
   std::string kind;  ///< what it is in summaries, colours and plots: "domino"
@@ -38,8 +38,10 @@ struct Actor {
   Vec linear_velocity = Vec::Zero();   ///< m/s, world
   Vec angular_velocity = Vec::Zero();  ///< rad/s, world
   double mass = 0;                     ///< kg; 0: from the parts' densities
-  std::vector<Part> parts;             ///< none: a particle
+  std::vector<Part> parts;             ///< none: a point
   carom_body body = CAROM_NULL_HANDLE;
+  carom_particles particles = CAROM_NULL_HANDLE;  ///< instead of body: the set it is in, the actors of a set side by
+  std::uint32_t index = 0;                        ///< side, and its place there
 };
 
 /// A world being set up and run, with what the scene knows of its bodies. Colliders of equal surface share a material.
@@ -49,6 +51,9 @@ class Stage {
 
   /// Create the body and its colliders.   @return index into actors   @throws Error
   std::size_t add(Actor actor);
+  /// Make a set of particles, in the order of `start`: positions, velocities and names count, parts there are none.
+  /// @param mass  kg, of each   @return index of the first into actors   @throws Error
+  std::size_t add_particles(std::vector<Actor> start, double mass = 1);
   /// A static half-space { x : normal . x <= normal . point }.
   std::size_t add_half_space(const std::string& name, const Vec& normal, const Vec& point, double friction = 0.5);
   /// A square of ground, `half` to each side of the origin, between four walls of half-spaces. A body a metre beyond one of
@@ -59,6 +64,10 @@ class Stage {
   Vec position(std::size_t actor) const;  ///< m, world: origin of the body frame
   Quat orientation(std::size_t actor) const;
   Vec velocity(std::size_t actor) const;  ///< m/s, world, of the centre of mass
+  /// One field of all actors, in order, tightly packed into dst (resized): CAROM_FIELD_POSITION, ORIENTATION, POSE,
+  /// LINEAR_VELOCITY or VELOCITY. A particle is not turned and does not spin.
+  void read(std::uint32_t field, std::vector<double>& dst) const;
+  std::size_t particle_count() const;  ///< of the actors
 
  private:
   Engine& engine_;

@@ -1,6 +1,8 @@
 // Turns a scene's description of a body into calls of the C ABI, and answers where it is.
 #include "scenes/scene.h"
 
+#include <algorithm>
+
 namespace carom::tools {
 namespace {
 
@@ -73,26 +75,109 @@ void Stage::add_walled_ground(double half) {
   ground_half_width = half;
 }
 
+std::size_t Stage::add_particles(std::vector<Actor> start, double mass) {
+  const std::string making = "making " + std::to_string(start.size()) + " particles";
+  carom_particles_desc desc;
+  Call call;
+  call.done(carom_particles_desc_init(&desc), making);
+  desc.mass = mass;
+  carom_particles set = CAROM_NULL_HANDLE;
+  call.done(carom_particles_create(world.get(), &desc, &set, call), making);
+  std::vector<double> positions, velocities;
+  for (const Actor& actor : start)
+    for (int axis = 0; axis < 3; ++axis) {
+      positions.push_back(actor.position[axis]);
+      velocities.push_back(actor.linear_velocity[axis]);
+    }
+  call.done(carom_particles_add(world.get(), set, start.size(), CAROM_SCALAR_F64, positions.data(), 0,
+                                velocities.data(), 0, call),
+            making);
+  const std::size_t first = actors.size();
+  for (Actor& actor : start) {
+    actor.particles = set;
+    actor.index = static_cast<std::uint32_t>(actors.size() - first);
+    actor.mass = mass;
+    actors.push_back(std::move(actor));
+  }
+  return first;
+}
+
 namespace {
 
-template <int N>
-Eigen::Matrix<double, N, 1> read_one(const World& world, std::uint32_t field, carom_body body) {
-  Eigen::Matrix<double, N, 1> value;
+/// A field of bodies, of one particle: which of its own fields stands where in it.
+struct ParticleField {
+  std::uint32_t field;  // CAROM_FIELD_POSITION, LINEAR_VELOCITY or COUNT: none
+  int unit_at;          // where the 1 of an orientation stands; -1: nowhere
+};
+ParticleField particle_field(std::uint32_t field) {
+  if (field == CAROM_FIELD_POSITION) return {CAROM_FIELD_POSITION, -1};
+  if (field == CAROM_FIELD_POSE) return {CAROM_FIELD_POSITION, 6};
+  if (field == CAROM_FIELD_ORIENTATION) return {CAROM_FIELD_COUNT, 3};
+  return {CAROM_FIELD_LINEAR_VELOCITY, -1};
+}
+
+/// @param n  actors from `first` on, of one set
+void read_particles(const World& world, const Actor& first, std::size_t n, std::uint32_t field, double* dst) {
+  const std::size_t width = field_width(field);
+  const ParticleField own = particle_field(field);
   Call call;
-  call.done(carom_world_read(world.get(), field, CAROM_SCALAR_F64, &body, 1, value.data(), 0, call), "reading a body");
-  return value;
+  std::vector<std::uint32_t> indices;
+  for (std::size_t i = 0; i < n; ++i) {
+    indices.push_back(first.index + static_cast<std::uint32_t>(i));
+    if (own.unit_at >= 0) dst[i * width + static_cast<std::size_t>(own.unit_at)] = 1;
+  }
+  if (own.field != CAROM_FIELD_COUNT)
+    call.done(carom_particles_read(world.get(), first.particles, own.field, CAROM_SCALAR_F64, indices.data(), n, dst,
+                                   width * sizeof(double), call),
+              "reading particles");
+}
+
+/// @param dst  [n] records, 0
+void read_actors(const World& world, const Actor* actors, std::size_t n, std::uint32_t field, double* dst) {
+  const std::size_t width = field_width(field);
+  std::vector<carom_body> bodies;
+  for (std::size_t first = 0, end = 0; first < n; first = end) {
+    bodies.clear();
+    for (; end < n && actors[end].particles == actors[first].particles; ++end) bodies.push_back(actors[end].body);
+    if (actors[first].particles != CAROM_NULL_HANDLE) {
+      read_particles(world, actors[first], end - first, field, dst + first * width);
+      continue;
+    }
+    Call call;
+    call.done(carom_world_read(world.get(), field, CAROM_SCALAR_F64, bodies.data(), bodies.size(), dst + first * width,
+                               0, call),
+              "reading bodies");
+  }
 }
 
 }  // namespace
 
-Vec Stage::position(std::size_t actor) const { return read_one<3>(world, CAROM_FIELD_POSITION, actors[actor].body); }
+Vec Stage::position(std::size_t actor) const {
+  Vec value = Vec::Zero();
+  read_actors(world, &actors[actor], 1, CAROM_FIELD_POSITION, value.data());
+  return value;
+}
 
 Quat Stage::orientation(std::size_t actor) const {
-  return Quat(read_one<4>(world, CAROM_FIELD_ORIENTATION, actors[actor].body));
+  Eigen::Vector4d value = Eigen::Vector4d::Zero();
+  read_actors(world, &actors[actor], 1, CAROM_FIELD_ORIENTATION, value.data());
+  return Quat(value);
 }
 
 Vec Stage::velocity(std::size_t actor) const {
-  return read_one<3>(world, CAROM_FIELD_LINEAR_VELOCITY, actors[actor].body);
+  Vec value = Vec::Zero();
+  read_actors(world, &actors[actor], 1, CAROM_FIELD_LINEAR_VELOCITY, value.data());
+  return value;
+}
+
+void Stage::read(std::uint32_t field, std::vector<double>& dst) const {
+  dst.assign(actors.size() * field_width(field), 0);
+  read_actors(world, actors.data(), actors.size(), field, dst.data());
+}
+
+std::size_t Stage::particle_count() const {
+  return static_cast<std::size_t>(std::count_if(
+      actors.begin(), actors.end(), [](const Actor& actor) { return actor.particles != CAROM_NULL_HANDLE; }));
 }
 
 }  // namespace carom::tools

@@ -30,12 +30,10 @@ Standing standing(const Stage& stage, const std::vector<Vec>& positions) {
 }
 
 Standing standing(const Stage& stage) {
-  std::vector<carom_body> handles;
-  for (const Actor& actor : stage.actors) handles.push_back(actor.body);
   std::vector<double> xyz;
-  stage.world.read(CAROM_FIELD_POSITION, handles, xyz);
+  stage.read(CAROM_FIELD_POSITION, xyz);
   std::vector<Vec> positions;
-  for (std::size_t i = 0; i < handles.size(); ++i) positions.emplace_back(&xyz[3 * i]);
+  for (std::size_t i = 0; i < stage.actors.size(); ++i) positions.emplace_back(&xyz[3 * i]);
   return standing(stage, positions);
 }
 

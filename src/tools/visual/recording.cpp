@@ -10,7 +10,6 @@ Recording::Recording(const Stage& stage, double dt, double frames_per_second)
     : stage_(stage),
       actors_(stage.actors.size()),
       every_(static_cast<std::uint64_t>(std::clamp(std::round(1 / (frames_per_second * dt)), 1.0, 1e9))) {
-  for (const Actor& actor : stage.actors) handles_.push_back(actor.body);
   keep(0);
 }
 
@@ -23,7 +22,7 @@ void Recording::finish(double time) {
 }
 
 void Recording::keep(double time) {
-  stage_.world.read(CAROM_FIELD_POSE, handles_, scratch_);
+  stage_.read(CAROM_FIELD_POSE, scratch_);
   const std::size_t previous = poses_.size() - (times_.empty() ? 0 : actors_ * 7);
   times_.push_back(static_cast<float>(time));
   for (std::size_t a = 0; a < actors_; ++a) {

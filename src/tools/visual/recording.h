@@ -26,7 +26,6 @@ class Recording {
   const Stage& stage_;
   std::size_t actors_;
   std::uint64_t every_;
-  std::vector<carom_body> handles_;
   std::vector<double> scratch_;
   std::vector<float> times_, poses_;
 };

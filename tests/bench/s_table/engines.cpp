@@ -3,26 +3,28 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
+
 #include "counted_memory.h"
 
 namespace carom::bench {
-
-static_assert(sizeof(BodyState) == 13 * sizeof(double), "the bulk reads below write into its middle");
 
 CaromWorld::CaromWorld(tools::Engine& engine, const SceneChoice& choice, const std::vector<std::string>& dials)
     : stage_(engine) {
   tools::build(tools::find_scene(choice.scene), choice.settings, stage_);
   for (const std::string& dial : dials) stage_.world.set_dial(dial);
-  for (const tools::Actor& actor : stage_.actors) handles_.push_back(actor.body);
 }
 
 void CaromWorld::read(BodyState* states) const {
-  tools::Call call;
-  for (const auto& [field, dst] :
-       {std::pair{CAROM_FIELD_POSE, states->position}, {CAROM_FIELD_VELOCITY, states->velocity}})
-    call.done(carom_world_read(stage_.world.get(), field, CAROM_SCALAR_F64, handles_.data(), handles_.size(), dst,
-                               sizeof(BodyState), call),
-              "reading the bodies");
+  std::vector<double> poses, velocities;
+  stage_.read(CAROM_FIELD_POSE, poses);
+  stage_.read(CAROM_FIELD_VELOCITY, velocities);
+  for (std::size_t i = 0; i < stage_.actors.size(); ++i) {
+    std::copy_n(&poses[7 * i], 3, states[i].position);
+    std::copy_n(&poses[7 * i + 3], 4, states[i].orientation);
+    std::copy_n(&velocities[6 * i], 3, states[i].velocity);
+    std::copy_n(&velocities[6 * i + 3], 3, states[i].omega);
+  }
 }
 
 carom_engine_desc counted_engine() {

@@ -26,7 +26,6 @@ class CaromWorld : public PeerWorld {
 
  private:
   tools::Stage stage_;
-  std::vector<carom_body> handles_;  // of the actors, in order
 };
 
 /// Allocator callbacks that count.

@@ -28,7 +28,9 @@ void Plan::add(const tools::Actor& actor) {
   tools::Call call;
   carom_body_desc body;
   call.done(carom_body_desc_init(&body), "asking for masses");
-  call.done(carom_body_get(stage_.world.get(), actor.body, &body, call), "asking for masses");
+  body.mass = actor.mass;
+  if (actor.particles == CAROM_NULL_HANDLE)
+    call.done(carom_body_get(stage_.world.get(), actor.body, &body, call), "asking for masses");
   Member member;
   BodyPlan plan;
   member.is_static = plan.is_static = actor.type == CAROM_BODY_STATIC;
