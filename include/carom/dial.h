@@ -41,7 +41,7 @@ extern "C" {
                                               stands in for a query of the generic path; 0: always ask afresh */
 #define CAROM_DIAL_CONTACT_FREQUENCY 26u   /* Hz: stiffness of soft contacts */
 #define CAROM_DIAL_CONTACT_DAMPING 27u     /* damping ratio of soft contacts */
-#define CAROM_DIAL_PUSH_SPEED 28u          /* m/s: soft contacts undo overlap at this speed at most */
+#define CAROM_DIAL_PUSH_SPEED 28u          /* m/s: overlap of a contact is undone at this speed at most (soft, direct) */
 #define CAROM_DIAL_SLEEP 29u               /* choice: 0 everything is simulated, 1 islands that came to rest sleep until
                                               something touches them; see carom_body_is_asleep() */
 #define CAROM_DIAL_SLEEP_SPEED 30u         /* m/s: no point of a body that falls asleep moves faster */

@@ -97,8 +97,8 @@ static void handle_numbers_do_not_matter(void **state) {
  * the specific routines, by the generic path, and by the other solvers (soft_step, sequential, direct, auto). When physics is meant to
  * change, so do these: say why in the commit. */
 static void the_bits_are_those_of_every_other_build(void **state) {
-  const uint64_t golden[6] = {0x42ccce58ad18c294u, 0xf6d3f1760c465fc9u, 0xaab127b024e43293u,
-                              0x78d0be0589d25606u, 0x9d16771ce22c1646u, 0x93890700694f85d4u};
+  const uint64_t golden[6] = {0x42ccce58ad18c294u, 0xf6d3f1760c465fc9u, 0xfb0a6fe58c325ea0u,
+                              0x78d0be0589d25606u, 0xc0b3605d49514ae6u, 0xadacf8e7b471b1b0u};
   int setting, wrong = 0;
   (void)state;
   for (setting = 0; setting < 6; ++setting) {

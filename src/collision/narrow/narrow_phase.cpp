@@ -180,7 +180,7 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
     NarrowSettings own = settings;  // with the pair's own contact distance: fast colliders reach farther
     for (std::uint32_t i = begin; i < end; ++i) {
       PairTable::Place& place = pairs.place(i);
-      pairs.fetch(i + kAhead);
+      if (i + kAhead < end) pairs.fetch(i + kAhead);  // beyond, another thread may be writing
       const std::uint32_t a = place.pair.a, b = place.pair.b;
       const Real reach = settings.manifold.contact_distance + table.reach[a] + table.reach[b];
       if (table.travel[a] + table.travel[b] + kFarthest * reach < place.horizon) continue;

@@ -1,0 +1,51 @@
+// Bodies that a host has put into one another part without being thrown about: a pyramid whose boxes overlap by half.
+#include <vector>
+
+#include "carom_test.h"
+#include "world_builder.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+constexpr Real kStep = 1.0 / 60;
+
+/// Boxes of 1 m, rows half a metre apart, each resting on two of the row below, in which they stand `pitch` apart.
+std::vector<std::uint32_t> sunken_pyramid(TestWorld& t, int base, Real pitch) {
+  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  std::vector<std::uint32_t> bodies;
+  for (int row = 0; row < base; ++row)
+    for (int i = 0; i < base - row; ++i)
+      bodies.push_back(t.add(cube, Vec3((i + row / Real(2)) * pitch, 0.25 + row / Real(2), 0)));
+  return bodies;
+}
+
+Real fastest(const TestWorld& t, const std::vector<std::uint32_t>& bodies) {
+  Real most = 0;
+  for (const std::uint32_t b : bodies) most = std::max(most, t.world.state.v[b].norm());
+  return most;
+}
+
+}  // namespace
+
+static void a_pyramid_that_overlaps_by_half_parts_below_two_metres_a_second(void**) {
+  for (const Real pitch : {1.0, 1.05})
+    for (const Real solver : {2, 3, 4}) {  // CAROM_SOLVER_SOFT_STEP, DIRECT, AUTO
+      TestWorld t;
+      t.world.set_dial(Dial::solver, solver);
+      t.ground();
+      const std::vector<std::uint32_t> bodies = sunken_pyramid(t, 4, pitch);
+      for (int i = 0; i < 300; ++i) {
+        t.world.step(kStep);
+        assert_true(fastest(t, bodies) < 2);
+        if (i == 120) assert_true(t.world.report.max_penetration < 0.02);
+      }
+      for (const std::uint32_t b : bodies) assert_true(finite(t.world.state.x[b]) && t.world.state.x[b].y() > 0.49);
+    }
+}
+
+int main() {
+  const CMUnitTest tests[] = {cmocka_unit_test(a_pyramid_that_overlaps_by_half_parts_below_two_metres_a_second)};
+  return cmocka_run_group_tests_name("stability/overlap", tests, nullptr, nullptr);
+}
