@@ -98,7 +98,7 @@ static void handle_numbers_do_not_matter(void **state) {
  * change, so do these: say why in the commit. */
 static void the_bits_are_those_of_every_other_build(void **state) {
   const uint64_t golden[6] = {0x42ccce58ad18c294u, 0xf6d3f1760c465fc9u, 0xfb0a6fe58c325ea0u,
-                              0x78d0be0589d25606u, 0xc0b3605d49514ae6u, 0xadacf8e7b471b1b0u};
+                              0x78d0be0589d25606u, 0x1a5a1a31db1f0c40u, 0xe5da8e94731d523bu};
   int setting, wrong = 0;
   (void)state;
   for (setting = 0; setting < 6; ++setting) {

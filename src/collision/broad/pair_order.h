@@ -13,6 +13,9 @@ class PairOrder {
  public:
   explicit PairOrder(Memory* memory) : spare_(memory), first_(memory) {}
 
+  /// For so many pairs.
+  void reserve(std::size_t pairs) { spare_.reserve(pairs); }
+
   /// @param pairs  in any order, each once; slots below `slots`
   void sort(Array<Pair>& pairs, std::size_t slots) {
     // Few pairs among many slots: the passes over the slots would dominate.

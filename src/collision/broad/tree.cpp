@@ -76,7 +76,7 @@ class Tree final : public BroadPhase {
         merge(table, pairs);
       }
       work_.asked = asked_.size();
-      level();
+      level(pairs);
       for (const Array<std::uint32_t>* list : {&asked_, &gone_, &shrunk_})
         for (const std::uint32_t slot : *list) changed_[slot] = kStays;
     } else {
@@ -285,10 +285,12 @@ class Tree final : public BroadPhase {
     since_[slot] = calls_;
   }
 
-  /// The lists change places, so what one has grown to the others get too.
-  void level() {
-    const std::size_t room = std::max({known_.capacity(), spare_.capacity(), fresh_.capacity()});
-    for (Array<Pair>* list : {&known_, &spare_, &fresh_}) list->reserve(room);
+  /// The lists change places, so what one has grown to the others get too; and what they are merged and sorted into.
+  void level(Array<Pair>& pairs) {
+    constexpr std::size_t kFew = 16;  // so that a small world has done so after its first step
+    const std::size_t room = std::max({kFew, known_.capacity(), spare_.capacity(), fresh_.capacity()});
+    for (Array<Pair>* list : {&known_, &spare_, &fresh_, &pairs}) list->reserve(room);
+    order_.reserve(room);
   }
 
   void add(std::uint32_t a, std::uint32_t b) {

@@ -17,9 +17,23 @@ constexpr Real kShare = 1e-3;              // of the fastest contact, that is go
 constexpr Real kRest = 10;                 // tolerances: contacts that move slower, in any direction, are at rest
 constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: impacts of many bodies take that many
 
+/// Room for some groups before there are any: a small world that settles goes on without allocating when one of its
+/// bodies comes to rest late, and that group is the first to be answered here.
+void make_room(DirectGroups& d) {
+  constexpr std::size_t kSome = 64;
+  if (d.contacts.capacity() >= kSome) return;
+  const auto reserve = [](auto&... arrays) { (arrays.reserve(kSome), ...); };
+  Elimination& e = d.elimination;
+  reserve(d.contacts, d.row, d.begin, d.bodies, d.edges, d.edge_begin, d.ordered_edges, d.ordered_begin, d.scratch,
+          d.work, d.still, d.answer, d.rest, d.sticking, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
+  Elimination::Scratch& s = e.scratch;
+  reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.next, s.element, s.begin, s.member);
+}
+
 /// Bodies, contacts and edges of each group.
 void gather(World& world, DirectGroups& d) {
   const Contacts& c = *world.contacts;
+  make_room(d);
   d.still.clear(), d.contacts.clear(), d.row.clear(), d.begin.clear();
   d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
   d.body.resize(world.scene.bodies.slots());

@@ -21,6 +21,19 @@ void add_own(Block& d, const Mat3& w, const Mat3& x, const Mat3& wx) {
   add(d, 3, 3, -(x * wx));
 }
 
+/// J_a^T w J_b = w [1, -x_b; x_a, -x_a x_b] with a number for w, x_a x_b = r_b r_a^T - r_a.r_b.
+void add_isotropic(Block& d, Real w, const Vec3& r_a, const Vec3& r_b) {
+  const Real along = w * r_a.dot(r_b);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    d.x[i][i] += w;
+    d.x[i][3 + j] += w * r_b[k], d.x[j][3 + i] -= w * r_b[k];
+    d.x[3 + i][j] -= w * r_a[k], d.x[3 + j][i] += w * r_a[k];
+    for (int l = 0; l < 3; ++l) d.x[3 + i][3 + l] -= w * (r_b[i] * r_a[l]);
+    d.x[3 + i][3 + i] += along;
+  }
+}
+
 }  // namespace
 
 Round::Round(ConeProblem& problem, Real softness) : problem_(problem), softness_(softness) {
@@ -85,6 +98,15 @@ void Round::assemble() {
   std::fill(f.below.begin() + e.column[problem_.first], f.below.begin() + e.column[problem_.last], Block{});
   for (const ConeContact& c : problem_.contacts) {
     if (c.p == Vec3::Zero()) continue;  // off the cone: no curvature
+    if (c.p == pull(c, c.u)) {          // inside: the same in all directions
+      const Real w = 1 / resistance(c);
+      if (c.a != kNobody) add_isotropic(f.diagonal[e.place[c.a]], w, c.r_a, c.r_a);
+      if (c.b != kNobody) add_isotropic(f.diagonal[e.place[c.b]], w, c.r_b, c.r_b);
+      if (c.below == kNobody) continue;
+      const Vec3 &later = c.a_later ? c.r_a : c.r_b, &other = c.a_later ? c.r_b : c.r_a;
+      add_isotropic(f.below[c.below], -w, later, other);
+      continue;
+    }
     const Mat3 w = slope_of_projection(pull(c, c.u), c.n, c.friction) / resistance(c);
     const Mat3 x_a = cross_matrix(c.r_a), x_b = cross_matrix(c.r_b), w_a = w * x_a, w_b = w * x_b;
     if (c.a != kNobody) add_own(f.diagonal[e.place[c.a]], w, x_a, w_a);
@@ -109,11 +131,12 @@ void Round::find_step() {
 }
 
 Real Round::search() const {
-  Real at_rest = 0, grows = 0;
+  Real at_rest = 0, grows = 0, d_low = 0;
   for (const ConeBody& b : bodies_of(problem_)) {
     const Vec6 m = momentum_of(b, b.step);
     at_rest += b.change.dot(m);
     grows += b.step.dot(m);
+    d_low += b.gradient.dot(b.step);
   }
   const auto derivative = [&](Real length) {
     Real d = at_rest + length * grows;
@@ -123,7 +146,7 @@ Real Round::search() const {
   };
   constexpr Real kClose = 0.1;
   constexpr int kTries = 30;
-  Real low = 0, d_low = derivative(0), high = 1, d_high = derivative(1);
+  Real low = 0, high = 1, d_high = derivative(1);
   const Real enough = kClose * std::fabs(d_low);
   for (int i = 0; i < kTries && d_high < -enough; ++i) low = high, d_low = d_high, high *= 2, d_high = derivative(high);
   if (std::fabs(d_high) <= enough) return high;
