@@ -254,7 +254,6 @@ void build_rows(World& world, Real h) {
     c.impacts.emplace_back().row = i;
   }
   world.report.contact_points = n;
-  c.mass.resize(n);
   list_meetings(world.pairs, c);
   count_halves(world);
   c.inv_inertia_w.resize(slots);

@@ -166,7 +166,7 @@ struct Contacts {
 
   // by row, in the order of the pair table
   Array<Row> rows;
-  Array<RowMass> mass;
+  Array<RowMass> mass;  // of severity alone
   Array<RowGeometry> geometry;
 
   Array<std::uint32_t> first_row;  // [pairs + 1] by pair of the table

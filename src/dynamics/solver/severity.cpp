@@ -155,6 +155,8 @@ std::uint64_t over_groups(World& world, Real tolerance, int iterations) {
 
 namespace {
 
+void begin(World& world, const StepTime&) { world.contacts->mass.resize(world.contacts->rows.size()); }
+
 void velocities(World& world, const StepTime& time) {
   Contacts& c = *world.contacts;
   prepare_rows(world, time.h);
@@ -183,6 +185,6 @@ void positions(World& world, const StepTime&) {
 
 }  // namespace
 
-extern constexpr Solver kSeverity = {"severity", false, true, nullptr, velocities, positions, nullptr};
+extern constexpr Solver kSeverity = {"severity", false, true, begin, velocities, positions, nullptr};
 
 }  // namespace carom
