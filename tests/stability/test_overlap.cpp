@@ -36,7 +36,7 @@ static void a_pyramid_that_overlaps_by_half_parts_below_two_metres_a_second(void
       t.world.set_dial(Dial::solver, solver);
       t.ground();
       const std::vector<std::uint32_t> bodies = sunken_pyramid(t, 4, pitch);
-      for (int i = 0; i < 300; ++i) {
+      for (int i = 0; i < 150; ++i) {
         t.world.step(kStep);
         assert_true(fastest(t, bodies) < 2);
         if (i == 120) assert_true(t.world.report.max_penetration < 0.02);
