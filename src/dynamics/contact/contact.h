@@ -123,6 +123,9 @@ struct Impact {
   Vec3 accel;   // m/s^2, what they do to it
   Real gap;     // m, separation as the substep began
   Real leeway;  // m, that it may close beyond its separation
+
+  /// Whether a solver has to know of it in this substep.
+  bool concerns_solver() const { return count > 0 || leeway > 0; }
 };
 
 /// A pair that resists rolling or spinning.

@@ -94,15 +94,15 @@ void Particles::remove(std::uint32_t s, const std::uint32_t* indices, std::size_
   if (p.held_count > 0) {
     std::size_t k = 0, to = 0, kept = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
-      const std::uint64_t bit = p.is_held(i);
+      const bool is_held = p.is_held(i);
       if (k < n && indices[k] == i) {
         ++k;
         continue;
       }
-      p.held[to / 64] = (p.held[to / 64] & ~(std::uint64_t(1) << (to % 64))) | (bit << (to % 64));
-      ++to, kept += bit;
+      p.mark(to, is_held);
+      ++to, kept += is_held;
     }
-    for (; to < p.size(); ++to) p.held[to / 64] &= ~(std::uint64_t(1) << (to % 64));
+    for (; to < p.size(); ++to) p.mark(to, false);
     p.held_count = kept;
   }
   each_array(p, [&](Array<Real>& a) { close_up(a, indices, n); });
@@ -124,7 +124,7 @@ void Particles::place(std::uint32_t s, std::size_t i, const Vec3& x) {
   ParticleSet& p = set[s];
   for (int axis = 0; axis < 3; ++axis) p.x[axis][i] = x[axis];
   p.held_count -= p.is_held(i);
-  p.held[i / 64] &= ~(std::uint64_t(1) << (i % 64));
+  p.mark(i, false);
 }
 
 void Particles::set_velocity(std::uint32_t s, std::size_t i, const Vec3& v) {
@@ -143,7 +143,7 @@ void Particles::hold(std::uint32_t s, std::size_t i) {
   ParticleSet& p = set[s];
   set_velocity(s, i, Vec3::Zero());
   p.held_count += !p.is_held(i);
-  p.held[i / 64] |= std::uint64_t(1) << (i % 64);
+  p.mark(i, true);
 }
 
 std::uint64_t Particles::held_count() const {

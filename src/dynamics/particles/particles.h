@@ -31,6 +31,11 @@ struct ParticleSet {
   Vec3 velocity(std::size_t i) const { return Vec3(v[0][i], v[1][i], v[2][i]); }
   Real mass_of(std::size_t i) const { return mass.empty() ? def.mass : mass[i]; }
   bool is_held(std::size_t i) const { return (held[i / 64] >> (i % 64)) & 1; }
+  /// The bit alone.
+  void mark(std::size_t i, bool as_held) {
+    const std::uint64_t bit = std::uint64_t(1) << (i % 64);
+    as_held ? held[i / 64] |= bit : held[i / 64] &= ~bit;
+  }
 
   ParticleDef def;
   std::array<Array<Real>, 3> x, v;  // m, m/s, world; by axis

@@ -180,7 +180,6 @@ void choose(World& world, Real h) {
   Contacts& c = *world.contacts;
   const Dials& dials = world.scene.dials;
   const Real w2 = stiffness(dials, h);
-  refresh_inertias(world);
   c.load.resize(world.scene.bodies.slots(), Contacts::kUnseen);
   c.direct.assign(c.groups(), 0);
   world.group_views.clear();

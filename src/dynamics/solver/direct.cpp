@@ -25,7 +25,7 @@ void make_room(DirectGroups& d) {
   const auto reserve = [](auto&... arrays) { (arrays.reserve(kSome), ...); };
   Elimination& e = d.elimination;
   reserve(d.contacts, d.row, d.begin, d.bodies, d.edges, d.edge_begin, d.ordered_edges, d.ordered_begin, d.scratch,
-          d.work, d.still, d.answer, d.rest, d.sticking, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
+          d.work, d.still, d.answer, d.rest, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
   Elimination::Scratch& s = e.scratch;
   reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.next, s.element, s.begin, s.member);
 }
@@ -192,7 +192,6 @@ class Group {
         c_(*world.contacts),
         s_(world.state),
         rest_(world.direct->rest[group]),
-        sticking_(world.direct->sticking[group]),
         answer_(world.direct->answer[group]),
         problem_(world.direct->problem(group)),
         row_(&world.direct->row[world.direct->begin[group].contact]),
@@ -211,7 +210,6 @@ class Group {
                       : work ? std::max(tolerance, kShare * fastest(problem_))
                              : tolerance;
     answer_ = solve_cones(problem_, goal, static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps)));
-    sticking_ = problem_.sticking;
     start_from_loads(problem_);
     keep();
     rest_.is_first = false;
@@ -232,9 +230,7 @@ class Group {
       contact.want = std::min(-(c_.geometry[row].separation + tolerance / 2), most);
     });
     for (ConeBody& b : bodies_of(problem_)) b.v.setZero();
-    problem_.sticking = 0;  // without friction
     answer_ = solve_cones(problem_, 0.01 * tolerance, kMostSteps);
-    sticking_ = problem_.sticking = 0;
     for (const ConeBody& b : bodies_of(problem_)) {
       s_.x[b.slot] += linear(b.v);
       const Vec3 turn = angular(b.v);
@@ -246,6 +242,12 @@ class Group {
     measure();
   }
 
+  void end() {
+    book_repeats();
+    measure();
+  }
+
+ private:
   /// Impulses of substeps that repeated the one before, into those of the step.
   void book_repeats() {
     if (rest_.repeats == 0) return;
@@ -253,7 +255,6 @@ class Group {
     rest_.repeats = 0;
   }
 
- private:
   template <class F>
   void each(F&& f) {
     for (std::size_t i = 0; i < problem_.contacts.size(); ++i) f(problem_.contacts[i], row_[i]);
@@ -284,7 +285,6 @@ class Group {
     each([&](ConeContact& contact, std::uint32_t row) {
       if (!contact.is_curved) load_contact(world_, row, problem_.bodies, contact);
     });
-    problem_.sticking = 0;
   }
 
   /// Velocities with the impulses that contacts start from.   @return m, the least separation
@@ -345,7 +345,6 @@ class Group {
   Contacts& c_;
   State& s_;
   GroupRest& rest_;
-  Real& sticking_;
   ConeAnswer& answer_;
   ConeProblem problem_;
   const std::uint32_t* row_;
@@ -359,7 +358,10 @@ void velocities(World& world, const StepTime& time) { solve_groups(world, time.h
 
 void positions(World& world, const StepTime& time) { part_groups(world, time.h); }
 
-void end(World& world, const StepTime&) { end_groups(world); }
+void end(World& world, const StepTime&) {
+  refresh_rotations(world);
+  end_groups(world);
+}
 
 }  // namespace
 
@@ -371,13 +373,11 @@ void gather_groups(World& world) {
   load(world, d);
   d.answer.resize(d.groups());
   d.rest.assign(d.groups(), {});
-  d.sticking.assign(d.groups(), 0);
 }
 
 void solve_groups(World& world, Real h, std::uint64_t work) {
   DirectGroups& d = *world.direct;
-  const auto concerns = [](const Impact& at) { return at.count > 0 || at.leeway > 0; };
-  if (std::ranges::any_of(world.contacts->impacts, concerns))
+  if (std::ranges::any_of(world.contacts->impacts, &Impact::concerns_solver))
     for (GroupRest& rest : d.rest) rest.lasts = false;
   in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { Group(world, g).solve(h, work); });
   for (std::size_t g = 0; g < d.groups(); ++g) {
@@ -397,9 +397,7 @@ void part_groups(World& world, Real h) {
 
 void end_groups(World& world) {
   DirectGroups& d = *world.direct;
-  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { Group(world, g).book_repeats(); });
-  refresh_rotations(world);
-  refresh_separations(world);
+  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { Group(world, g).end(); });
 }
 
 extern constexpr Solver kDirect = {"direct", false, true, begin, velocities, positions, end};

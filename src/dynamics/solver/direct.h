@@ -24,7 +24,7 @@ void gather_groups(World& world);  // allocates
 void solve_groups(World& world, Real h, std::uint64_t work);
 /// Overlaps.
 void part_groups(World& world, Real h);
-/// Impulses of the step, and the separations of all rows that there are.
+/// Impulses of the step, and separations, from plan.rotation.
 void end_groups(World& world);
 
 /// What the direct solver keeps over a step.
@@ -45,8 +45,7 @@ struct DirectGroups {
         work(m),
         still(m),
         answer(m),
-        rest(m),
-        sticking(m) {}
+        rest(m) {}
 
   struct Begin {
     std::uint32_t contact, body;
@@ -67,7 +66,6 @@ struct DirectGroups {
   Array<std::uint8_t> still;  // by group: a few bodies that lie still, which is to stay so
   Array<ConeAnswer> answer;   // by group, of the last solve
   Array<GroupRest> rest;      // by group
-  Array<Real> sticking;       // by group, @see ConeProblem
 
   std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }
   ConeProblem problem(std::size_t group) {
@@ -78,8 +76,7 @@ struct DirectGroups {
             to.body,
             &elimination,
             &factor,
-            scratch.data(),
-            sticking[group]};
+            scratch.data()};
   }
 };
 

@@ -1,6 +1,8 @@
 // The stages of the page that a solver serves.
 #include "dynamics/solver/solver.h"
 
+#include "dynamics/contact/contact.h"
+
 namespace carom {
 namespace {
 
@@ -10,7 +12,10 @@ void serve(void (*room)(World&, const StepTime&), World& world, const StepTime& 
 
 }  // namespace
 
-void begin_contacts(World& world, const StepTime& time) { serve(world.plan->solver->begin, world, time); }
+void begin_contacts(World& world, const StepTime& time) {
+  if (world.plan->solver->in_lanes) refresh_inertias(world);  // lanes keep those of the step's begin
+  serve(world.plan->solver->begin, world, time);
+}
 void solve_velocities(World& world, const StepTime& time) { serve(world.plan->solver->velocities, world, time); }
 void solve_positions(World& world, const StepTime& time) { serve(world.plan->solver->positions, world, time); }
 void end_contacts(World& world, const StepTime& time) { serve(world.plan->solver->end, world, time); }

@@ -187,7 +187,6 @@ struct Load {
 
 void pack(World& world, WideContacts& wide) {
   Contacts& c = *world.contacts;
-  refresh_inertias(world);
   number_bodies(world, wide);
   colour_manifolds(world, wide);
   place_manifolds(wide);
@@ -243,12 +242,10 @@ void load_shifts(const World& world, WideContacts& wide) {
 
 void heed_impacts(World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
-  const auto concerns = [](const Impact& at) { return at.count > 0 || at.leeway > 0; };
-  if (std::none_of(c.impacts.begin(), c.impacts.end(), concerns)) return;
-  load_shifts(world, wide);
-  in_any_order(world.jobs, everything(wide), wide.kernels->measure);
+  if (std::ranges::none_of(c.impacts, &Impact::concerns_solver)) return;
+  measure_lanes(world);
   for (const Impact& at : c.impacts) {
-    if (!concerns(at) || !c.answered_in_lanes(at.row)) continue;
+    if (!at.concerns_solver() || !c.answered_in_lanes(at.row)) continue;
     const WideContacts::Manifold& m = wide.manifold_of(at.row);
     PairLanes& pair = wide.pairs[m.pair];
     PointLanes& p = wide.points[pair.first + at.row - m.row];

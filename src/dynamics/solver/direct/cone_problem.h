@@ -61,8 +61,8 @@ struct ConeProblem {
   const Elimination* elimination;
   BlockFactor* factor;
   Vec6* scratch;  // by place
-  // Softness of a round whose contacts all stick, which the factor is for; 0: it is for another. While neither arms nor
-  // masses change, all such rounds have the same curvature.
+  // Softness of a round whose contacts all stick, which the factor is for; 0: it is for another. All such rounds of a
+  // solve have the same curvature.
   Real sticking = 0;
 };
 
