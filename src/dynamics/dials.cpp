@@ -103,6 +103,10 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
             "solver auto: but not one that takes more block products a step than this, about 0.3 us each; what was "
             "never solved before is solved to the end, once",
             0, 1e9, 50000),
+    number(Dial::hold_angle, "hold_angle", "rad",
+           "arms of soft contacts turn with a body only when it has turned by this: tall stacks do not buckle; 0: at "
+           "once",
+           0, 1, 0.02),
 }};
 
 constexpr bool in_order() {

@@ -45,6 +45,7 @@ enum class Dial : std::uint32_t {
   direct_sink,
   direct_ratio,
   direct_work,
+  hold_angle,
   count
 };
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);

@@ -34,7 +34,7 @@ void note_resistance(Scene& s) {
 /// The slot that take() will hand out can be at most the number of slots there are.
 void make_room_for_body(Scene& s, State& t) {
   make_room(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia, s.first_collider,
-            t.x, t.q, t.v, t.omega, t.momentum, t.force, t.torque, t.quarantined, t.loaded_steps, t.tired_steps,
+            t.x, t.q, t.held_q, t.v, t.omega, t.momentum, t.force, t.torque, t.quarantined, t.loaded_steps, t.tired_steps,
             t.written, t.is_written);
 }
 
@@ -69,6 +69,7 @@ Handle World::add_body(const BodyDef& def) {
   put(scene.first_collider, i, Colliders::kNone);
   put(state.x, i, def.pose.p);
   put(state.q, i, normalized(def.pose.q));
+  put(state.held_q, i, state.q[i]);
   const bool moves = def.type != BodyType::fixed;
   put<Vec3>(state.v, i, moves ? def.velocity : Vec3::Zero());
   put<Vec3>(state.omega, i, moves ? def.omega : Vec3::Zero());
@@ -191,7 +192,7 @@ void World::set_pose(std::uint32_t body, const Pose& pose) {
   const bool same = q.coeffs() == state.q[body].coeffs() && x == state.x[body] && !state.quarantined[body];
   if (same && scene.type[body] != BodyType::dynamic) return;  // a host that places all in every step wakes nobody
   stir(*this, body);
-  state.q[body] = q;
+  state.q[body] = state.held_q[body] = q;
   state.x[body] = x;
   state.mark_written(body);
   if (state.quarantined[body] || scene.type[body] == BodyType::fixed) {

@@ -10,6 +10,7 @@ struct State {
   explicit State(Memory* m)
       : x(m),
         q(m),
+        held_q(m),
         v(m),
         omega(m),
         momentum(m),
@@ -23,6 +24,7 @@ struct State {
 
   Array<Vec3> x;         // m, world: centre of mass (NOT the origin of the body frame)
   Array<Quat> q;         // body axes -> world
+  Array<Quat> held_q;    // a recent q, by which solvers in lanes turn the arms of contacts, @see Dial::hold_angle
   Array<Vec3> v;         // m/s, world, of the centre of mass
   Array<Vec3> omega;     // rad/s, world
   Array<Vec3> momentum;  // kg m^2/s, world, about the centre: what omega was last made from, where a rotation

@@ -34,7 +34,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
   scene.gravity = gravity;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };
   reserve(scene.bodies, scene.def, scene.type, scene.inv_mass, scene.mass, scene.center, scene.inertia,
-          scene.inv_inertia, state.x, state.q, state.v, state.omega, state.momentum, state.force, state.torque,
+          scene.inv_inertia, state.x, state.q, state.held_q, state.v, state.omega, state.momentum, state.force, state.torque,
           state.quarantined, state.loaded_steps, state.tired_steps, state.written, state.is_written);
 }
 
@@ -59,6 +59,7 @@ std::uint64_t World::hash() const {
     h.add(std::uint64_t(state.quarantined[i]));
     const std::uint32_t solver_memory = state.loaded_steps[i] + (256u * state.tired_steps[i]);
     if (solver_memory) h.add(std::uint64_t(solver_memory));
+    if (state.held_q[i].coeffs() != state.q[i].coeffs()) h.add_coefficients(state.held_q[i].coeffs());
   }
   const auto add_record = [&](const PairRecord& r) {
     h.add(r.pair.key());

@@ -15,7 +15,7 @@ struct ContactKernels {
   /// Let the impulses kept so far act.
   void (*warm_start)(const LaneRun& run);
   /// One sweep: friction, then normals. Contacts that are open may close by their separation within inv_h;
-  /// penetration is undone at the rate of the softness, at push_speed at most.
+  /// penetration is undone at the rate of the softness, at push_speed at most beyond what holds the load.
   /// @param inv_h  1/s   @param push_speed  m/s
   void (*solve)(const LaneRun& run, double inv_h, double push_speed);
   /// Separations at the present poses, then the same sweep without the push: what it gave to velocities is taken back.
@@ -26,8 +26,8 @@ struct ContactKernels {
   void (*sweep)(const LaneRun& run, double inv_h);
   /// Book this substep's impulses under the step's.
   void (*book)(const LaneRun& run);
-  /// One sweep over displacements instead of velocities: what lies deeper than `slop` is moved apart by `share` of
-  /// that.
+  /// One sweep over displacements instead of velocities: what lies deeper than `slop`, and than its spring lets sink
+  /// what it bears, is moved apart by `share` of that.
   /// @param run  velocities of this run are displacements, m and rad
   void (*part)(const LaneRun& run, double share, double slop);
   /// Separations at the present poses; displacements asked for by part() are forgotten.

@@ -8,6 +8,7 @@ namespace carom {
 namespace {
 
 constexpr int kInnerSweeps = 2;  // there and back
+constexpr double kSpared = 1.2;  // times what a spring sinks under its load at rest
 
 static_assert(offsetof(BodyVelocity, omega) == 3 * sizeof(double) && offsetof(BodyShift, u) == 3 * sizeof(double) &&
               offsetof(BodyShift, w) == 6 * sizeof(double));
@@ -205,9 +206,10 @@ CAROM_LANES_INLINE void press(Both& both, PointLanes* points, double inv_h, doub
     const LaneMask open = s > 0;
     impulse[k] = push[k] = p.p_n;
     if constexpr (kPush) {
-      const Lanes lack = u_n + (open ? s * inv_h : larger(pair.bias_rate * s, all(-push_speed)));
       gain[k] = (open ? all(1) : pair.mass_scale) * p.m_n;
-      goal[k] = p.p_n - (gain[k] * lack + (open ? all(0) : pair.impulse_scale) * p.p_n);
+      // What a spring pushes beyond what it bears parts the bodies no faster than is allowed; what it bears has no bound.
+      const Lanes spring = smaller(-gain[k] * (pair.bias_rate * s) - pair.impulse_scale * p.p_n, gain[k] * push_speed);
+      goal[k] = p.p_n - gain[k] * u_n + (open ? -gain[k] * (s * inv_h) : spring);
     } else {
       gain[k] = p.m_n;
       goal[k] = p.p_n - gain[k] * (u_n + (open ? s * inv_h : all(0)));
@@ -397,7 +399,8 @@ void part(const LaneRun& run, double share, double slop) {
     for (std::uint32_t k = 0; k < pair.points; ++k) {
       PointLanes& p = run.points[pair.first + k];
       const LaneVec n = normal_of(pair, p), r_a = pair.r_a + p.d, r_b = pair.r_b + p.d;
-      const Lanes wanted = share * larger(-(p.separation + slop), all(0));
+      const Lanes sag = pair.impulse_scale * p.p_n * inverse_or_zero(pair.mass_scale * pair.bias_rate * p.m_n);
+      const Lanes wanted = share * larger(-p.separation - larger(all(slop), kSpared * sag), all(0));
       const Lanes next = larger(p.push + p.m_n * (wanted - dot(both.relative(r_a, r_b), n)), all(0)), d = next - p.push;
       p.push = next;
       both.push(r_a, r_b, d * n);

@@ -46,19 +46,48 @@ void number_bodies(const World& world, WideContacts& wide) {
   }
 }
 
-/// Manifolds from meetings, each with the lowest colour that none of its movable bodies has yet.
+/// What the bodies of solver orient their contacts' arms by: they follow a body only once it has turned by hold_angle or
+/// turns at some speed. A load that leans no further than that thus acts where it acted, and a tall column of springs
+/// stands as a rigid one does; @see README.md
+void hold_orientations(World& world, WideContacts& wide) {
+  constexpr Real kSlow = 0.1;  // rad/s
+  State& s = world.state;
+  const Real most = world.scene.dials[Dial::hold_angle];
+  wide.held_back.resize(wide.slot.size());
+  in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
+    wide.held_back[i].setZero();
+    if (i < wide.first_moved) return;
+    const std::uint32_t body = wide.slot[i];
+    const Quat& q = s.q[body];
+    Quat& held = s.held_q[body];
+    if (2 * (q * held.conjugate()).vec().norm() > most || s.omega[body].squaredNorm() > kSlow * kSlow) held = q;
+    if (held.coeffs() != q.coeffs()) wide.held_back[i] = held.toRotationMatrix() - world.plan->rotation[body];
+  });
+}
+
+/// Manifolds from meetings, each with the first colour that none of its movable bodies has yet. Colours are taken from
+/// the last on, and first by contacts with what does not move: so these are solved last, with the others' final word, and
+/// what was built from the ground up is swept from the top down.
 void colour_manifolds(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   wide.manifolds.clear();
+  for (const Meeting& m : c.meetings)
+    if (c.answered_in_lanes(m.row)) wide.manifolds.push_back({m.row, m.count, 0, 0, 0});
   wide.taken.assign(wide.slot.size(), 0);
-  for (const Meeting& m : c.meetings) {
-    if (!c.answered_in_lanes(m.row)) continue;
-    std::uint64_t nobody = 0;
-    std::uint64_t& a = m.moves_a ? wide.taken[wide.body[m.a]] : nobody;
-    std::uint64_t& b = m.moves_b ? wide.taken[wide.body[m.b]] : nobody;
-    const auto colour = static_cast<std::uint32_t>(std::countr_one(a | b));  // kColours: none is left
-    if (colour < kColours) a |= std::uint64_t{1} << colour, b |= std::uint64_t{1} << colour;
-    wide.manifolds.push_back({m.row, m.count, colour * kMaxPoints + m.count - 1, 0, 0});
+  for (const bool both_move : {false, true}) {
+    auto at = wide.manifolds.begin();
+    for (const Meeting& m : c.meetings) {
+      if (!c.answered_in_lanes(m.row)) continue;
+      WideContacts::Manifold& manifold = *at++;
+      if ((m.moves_a && m.moves_b) != both_move) continue;
+      std::uint64_t nobody = 0;
+      std::uint64_t& a = m.moves_a ? wide.taken[wide.body[m.a]] : nobody;
+      std::uint64_t& b = m.moves_b ? wide.taken[wide.body[m.b]] : nobody;
+      const auto nth = static_cast<std::uint32_t>(std::countr_one(a | b));  // kColours: none is left
+      if (nth < kColours) a |= std::uint64_t{1} << nth, b |= std::uint64_t{1} << nth;
+      const std::uint32_t colour = nth < kColours ? kColours - 1 - nth : kColours;
+      manifold.bucket = colour * kMaxPoints + m.count - 1;
+    }
   }
 }
 
@@ -68,6 +97,7 @@ void fill_pair(const World& world, const WideContacts& wide, const Row& row, Pai
   pair.a[lane] = wide.body[row.a];
   pair.b[lane] = wide.body[row.b];
   pair.friction[lane] = row.friction;
+  pair.bias_rate[lane] = pair.mass_scale[lane] = pair.impulse_scale[lane] = 0;
   pair.bounce_speed[lane] = row.restitution > 0 ? scene.dials[Dial::restitution_speed] : kInfinity;
   const auto inertia = [&](bool moves, std::uint32_t body, Lanes& inv_mass, LaneSymmetric& inv_inertia) {
     inv_mass[lane] = moves ? scene.inv_mass[body] : 0;
@@ -94,15 +124,18 @@ void fill_point(const Row& row, const RowGeometry& g, const Arms& r, const Vec3&
 }
 
 /// The points of a pair, and its friction at the middle of them, from the impulses its rows start with.
-void fill_points(const World& world, const WideContacts::Manifold& m, PairLanes& pair, PointLanes* points, int lane) {
+void fill_points(const World& world, const WideContacts& wide, const WideContacts::Manifold& m, PairLanes& pair,
+                 PointLanes* points, int lane) {
   const Contacts& c = *world.contacts;
   std::array<Arms, kMaxPoints> arms;
-  Vec3 middle_a = Vec3::Zero(), middle_b = Vec3::Zero();
+  Vec3 middle_a = Vec3::Zero(), middle_b = Vec3::Zero(), l_a = Vec3::Zero(), l_b = Vec3::Zero();
   const Real part = 1 / static_cast<Real>(m.points);
   for (std::uint32_t k = 0; k < m.points; ++k) {
     arms[k] = Arms(world, c.rows[m.row + k], c.geometry[m.row + k]);
     middle_a += part * arms[k].a;
     middle_b += part * arms[k].b;
+    l_a += part * c.geometry[m.row + k].l_a;
+    l_b += part * c.geometry[m.row + k].l_b;
   }
   const Vec3 n = c.rows[m.row].n, t = any_perpendicular(n).normalized();
   Vec3 force = Vec3::Zero();
@@ -118,8 +151,8 @@ void fill_points(const World& world, const WideContacts::Manifold& m, PairLanes&
   }
   set(pair.n, lane, n);
   set(pair.t, lane, t);
-  set(pair.r_a, lane, middle_a);
-  set(pair.r_b, lane, middle_b);
+  set(pair.r_a, lane, middle_a + wide.held_back[pair.a[lane]] * l_a);
+  set(pair.r_b, lane, middle_b + wide.held_back[pair.b[lane]] * l_b);
   pair.radius_a[lane] = c.geometry[m.row].radius_a, pair.radius_b[lane] = c.geometry[m.row].radius_b;
   pair.p_t[lane] = force.dot(t);
   pair.p_s[lane] = force.dot(n.cross(t));
@@ -168,19 +201,34 @@ void empty(WideContacts& wide, PairLanes& pair) {
   std::fill_n(&wide.points[first], points, PointLanes{});
 }
 
-Real inverse(Real load) { return load > 0 ? 1 / load : 0; }
-
-/// What the impulses of a pair's points add up to: of the last substep and of the step.
-struct Load {
-  Real all = 0, moment = 0, sum = 0, sum_moment = 0;  // N s, N s m^2
-
-  Load(const PointLanes* points, std::uint32_t count, std::uint32_t lane) {
-    for (const PointLanes* q = points; q < points + count; ++q) {
-      const Real reach2 = q->reach[lane] * q->reach[lane];
-      all += q->p_n[lane], moment += q->p_n[lane] * reach2;
-      sum += q->sum_n[lane], sum_moment += q->sum_n[lane] * reach2;
+/// How a pair's friction, a force and a twist at the middle of its points, is shared among them: by their loads, turned
+/// about the point at which those loads act together. Added up again it is what it was.
+class Shares {
+ public:
+  /// @param load  [points] N s, normal impulses   @param force  N s   @param twist  N m s, about the middle
+  Shares(const PointLanes* points, const Lanes PointLanes::* load, std::uint32_t count, std::uint32_t lane, const Vec3& n,
+         const Vec3& force, Real twist)
+      : n_(n) {
+    Real all = 0, moment = 0, most = 0;
+    Vec3 sum = Vec3::Zero();
+    for (const PointLanes* p = points; p < points + count; ++p) {
+      all += (p->*load)[lane];
+      sum += (p->*load)[lane] * get(p->d, lane);
+      most = std::max(most, p->reach[lane] * p->reach[lane]);
     }
+    if (!(all > 0)) return;
+    centre_ = sum / all;
+    for (const PointLanes* p = points; p < points + count; ++p)
+      moment += (p->*load)[lane] * n.cross(get(p->d, lane) - centre_).squaredNorm();
+    slide_ = force / all;
+    if (moment > 1e-9 * all * most) turn_ = (twist - centre_.cross(force).dot(n)) / moment;
   }
+  /// N s, friction at a point   @param d  m, from the middle   @param load  N s
+  Vec3 at(const Vec3& d, Real load) const { return load * (slide_ + turn_ * n_.cross(d - centre_)); }
+
+ private:
+  Vec3 n_, centre_ = Vec3::Zero(), slide_ = Vec3::Zero();
+  Real turn_ = 0;
 };
 
 }  // namespace
@@ -188,6 +236,7 @@ struct Load {
 void pack(World& world, WideContacts& wide) {
   Contacts& c = *world.contacts;
   number_bodies(world, wide);
+  hold_orientations(world, wide);
   colour_manifolds(world, wide);
   place_manifolds(wide);
   in_parallel(world.jobs, wide.pairs.size(), kPairsAPart, [&](std::uint32_t i) {
@@ -199,7 +248,7 @@ void pack(World& world, WideContacts& wide) {
       if (occupant[lane] == kNobody) continue;
       const WideContacts::Manifold& m = wide.manifolds[occupant[lane]];
       fill_pair(world, wide, c.rows[m.row], pair, lane);
-      fill_points(world, m, pair, &wide.points[pair.first], lane);
+      fill_points(world, wide, m, pair, &wide.points[pair.first], lane);
     }
   });
 }
@@ -277,27 +326,20 @@ void unpack(World& world, const WideContacts& wide) {
     const PairLanes& pair = wide.pairs[m.pair];
     const PointLanes* const points = &wide.points[pair.first];
     const std::uint32_t lane = m.lane;
-    const Load load(points, m.points, lane);
-    const Real inv_all = inverse(load.all), inv_moment = inverse(load.moment), inv_sum = inverse(load.sum),
-               inv_sum_moment = inverse(load.sum_moment);
     const Vec3 n = get(pair.n, lane), t = get(pair.t, lane), sideways = n.cross(t);
-    // A point's part of the pair's friction goes by its load, of the twist by its moment about the middle: summed over
-    // the points both are what they were.
-    const auto share = [&](const Vec3& normal, const Vec3& around, Real p_n, const Vec3& force, Real twist) {
-      return Vec3(p_n * normal + (p_n * force + (p_n * twist) * around));
-    };
-    const Vec3 force = inv_all * (pair.p_t[lane] * t + pair.p_s[lane] * sideways),
-               sum_force = inv_sum * (pair.sum_t[lane] * t + pair.sum_s[lane] * sideways);
-    const Real twist = inv_moment * pair.p_w[lane], sum_twist = inv_sum_moment * pair.sum_w[lane];
+    const Vec3 force = pair.p_t[lane] * t + pair.p_s[lane] * sideways,
+               sum_force = pair.sum_t[lane] * t + pair.sum_s[lane] * sideways;
+    const Shares now(points, &PointLanes::p_n, m.points, lane, n, force, pair.p_w[lane]),
+        step(points, &PointLanes::sum_n, m.points, lane, n, sum_force, pair.sum_w[lane]);
     const Row& first = c.rows[m.row];
     const Vec3 apart = s.x[first.b] - s.x[first.a];  // first: far from the origin both are large and nearly equal
     for (std::uint32_t k = 0; k < m.points; ++k) {
       Row& row = c.rows[m.row + k];
       RowGeometry& g = c.geometry[m.row + k];
       const PointLanes& p = points[k];
-      const Vec3 around = n.cross(get(p.d, lane));
-      row.p = share(row.n, around, p.p_n[lane], force, twist);
-      g.impulse += share(row.n, around, p.sum_n[lane], sum_force, sum_twist);
+      const Vec3 d = get(p.d, lane);
+      row.p = p.p_n[lane] * row.n + now.at(d, p.p_n[lane]);
+      g.impulse += p.sum_n[lane] * row.n + step.at(d, p.sum_n[lane]);
       const Vec3 r_a = arm_a(world, row, g), r_b = arm_b(world, row, g);
       row.u = relative_velocity(s, row, r_a, r_b);
       g.separation = (apart + (r_b - r_a)).dot(row.n);

@@ -24,6 +24,7 @@ struct WideContacts {
         displacement(m),
         shift(m),
         slot(m),
+        held_back(m),
         body(m),
         start_x(m),
         start_q(m),
@@ -44,6 +45,7 @@ struct WideContacts {
   Array<BodyVelocity> displacement;  // m, rad: of a pass over positions
   Array<BodyShift> shift;
   Array<std::uint32_t> slot;  // of the body
+  Array<Mat3> held_back;      // its held orientation less its present one
 
   Array<std::uint32_t> body;  // by slot: solver body, 0 where it does not matter
   Array<Vec3> start_x;        // m, by solver body: as the step began
