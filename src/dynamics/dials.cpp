@@ -86,7 +86,7 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
     number(Dial::contact_damping, "contact_damping", "",
            "damping ratio of soft contacts: above 1 they do not swing; more recovers slower from overlap", 0, 1e3, 10),
     number(Dial::push_speed, "push_speed", "m/s",
-           "overlap of a contact is undone at this speed at most, by soft contacts and the direct solver", 0, 1e3, 1),
+           "overlap of a contact is undone at this speed at most, by soft contacts and the direct solver", 0, 1e3, 0.5),
     choice(Dial::sleep, "sleep", "islands that came to rest stop being simulated until something touches them", kOffOn,
            0),
     number(Dial::sleep_speed, "sleep_speed", "m/s", "no point of a body that falls asleep moves faster than this", 0,

@@ -8,6 +8,7 @@ namespace carom {
 namespace {
 
 constexpr int kInnerSweeps = 2;  // there and back
+constexpr double kUnderLoad = 0.1;  // of push_speed: how fast what bears as much as it may push still parts further
 constexpr double kSpared = 1.2;  // times what a spring sinks under its load at rest
 
 static_assert(offsetof(BodyVelocity, omega) == 3 * sizeof(double) && offsetof(BodyShift, u) == 3 * sizeof(double) &&
@@ -207,8 +208,8 @@ CAROM_LANES_INLINE void press(Both& both, PointLanes* points, double inv_h, doub
     impulse[k] = push[k] = p.p_n;
     if constexpr (kPush) {
       gain[k] = (open ? all(1) : pair.mass_scale) * p.m_n;
-      // What a spring pushes beyond what it bears parts the bodies no faster than is allowed; what it bears has no bound.
-      const Lanes spring = smaller(-gain[k] * (pair.bias_rate * s) - pair.impulse_scale * p.p_n, gain[k] * push_speed);
+      const Lanes given = pair.impulse_scale * p.p_n, most = gain[k] * push_speed;
+      const Lanes spring = smaller(-gain[k] * (pair.bias_rate * s) - given, larger(most - given, kUnderLoad * most));
       goal[k] = p.p_n - gain[k] * u_n + (open ? -gain[k] * (s * inv_h) : spring);
     } else {
       gain[k] = p.m_n;

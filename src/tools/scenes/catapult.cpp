@@ -142,7 +142,7 @@ Scene catapult_scene() {
            {"drop", "m", "height that the weight falls", 1, 0.1, 20},
            {"hull_vertices", "", "vertices of a bunny's hull at most", 64, 8, 2000, true},
            {"weight", "kg", "mass of the weight", 800, 1, 1e5},
-           {"wall", "m", "where the wall stands, from the pivot", 7.6, 3, 100}},
+           {"wall", "m", "where the wall stands, from the pivot", 4.2, 3, 100}},
           5.0,
           1.0 / 120,
           fill};
