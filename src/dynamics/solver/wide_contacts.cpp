@@ -18,8 +18,8 @@ void number_bodies(const World& world, WideContacts& wide) {
   const Scene& scene = world.scene;
   constexpr std::uint32_t kMoves = 0xFFFFFFFFu;                    // and has no number yet
   for (const std::uint32_t body : wide.slot) wide.body[body] = 0;  // of the last step: all others are 0
-  wide.slot.assign(1, 0);
   wide.body.resize(scene.bodies.slots(), 0);
+  wide.slot.assign(1, 0);
   wide.slot.reserve(1 + world.plan->kinematic.count + c.bodies.size());  // now: no number may be left that slot lacks
   const auto number = [&](std::uint32_t i) {
     wide.body[i] = static_cast<std::uint32_t>(wide.slot.size());
