@@ -49,7 +49,7 @@ extern "C" {
 #define CAROM_DIAL_DIRECT_SINK 32u         /* CAROM_SOLVER_AUTO solves groups directly that would sink by more of their thickness */
 #define CAROM_DIAL_DIRECT_RATIO 33u        /* or where touching bodies' masses are further apart than this */
 #define CAROM_DIAL_DIRECT_WORK 34u         /* unless they take more block products a step than this */
-#define CAROM_DIAL_HOLD_ANGLE 35u          /* rad: arms of soft contacts turn with a body only when it has turned by this */
+#define CAROM_DIAL_HOLD_ANGLE 35u          /* rad: arms of contacts turn with a body only when it has turned by this */
 #define CAROM_DIAL_COUNT 36u
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u

@@ -104,8 +104,8 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
             "never solved before is solved to the end, once",
             0, 1e9, 50000),
     number(Dial::hold_angle, "hold_angle", "rad",
-           "arms of soft contacts turn with a body only when it has turned by this: tall stacks do not buckle; 0: at "
-           "once",
+           "arms of contacts turn with a body only when it has turned by this or turns fast: tall stacks do not "
+           "buckle; 0: at once",
            0, 1, 0.02),
 }};
 

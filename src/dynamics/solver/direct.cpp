@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "dynamics/contact/held_arms.h"
 #include "dynamics/force/force.h"
 #include "dynamics/solver/solver.h"
 
@@ -98,9 +99,10 @@ void place_contacts(DirectGroups& d) {
 /// Masses, in the body's present orientation.
 void load_mass(const World& world, ConeBody& b) {
   b.mass = world.scene.mass[b.slot], b.inv_mass = world.scene.inv_mass[b.slot];
-  b.inertia.setIdentity(), b.inv_inertia.setZero();
+  b.inertia.setIdentity(), b.inv_inertia.setZero(), b.held_back.setZero();
   if (!rotates(world.scene, b.slot)) return;
   const Mat3& r = world.plan->rotation[b.slot];
+  b.held_back = held_back(world, b.slot);
   b.inertia = r * world.scene.inertia[b.slot] * r.transpose();
   b.inv_inertia = r * world.scene.inv_inertia[b.slot] * r.transpose();
 }
@@ -121,7 +123,9 @@ bool is_curved(const Shape& s) { return s.form != Form::box && s.form != Form::p
 void load_contact(const World& world, std::uint32_t row_index, const ConeBody* bodies, ConeContact& contact) {
   const Row& row = world.contacts->rows[row_index];
   const RowGeometry& g = world.contacts->geometry[row_index];
-  const Arms arms(world, row, g);
+  Arms arms(world, row, g);
+  if (contact.a != kNobody) arms.a += bodies[contact.a].held_back * g.l_a;
+  if (contact.b != kNobody) arms.b += bodies[contact.b].held_back * g.l_b;
   const auto turns = [&](std::uint32_t body) { return body != kNobody && rotates(world.scene, bodies[body].slot); };
   contact.n = row.n;
   contact.r_a = turns(contact.a) ? arms.a : Vec3::Zero();
@@ -133,6 +137,7 @@ void load_contact(const World& world, std::uint32_t row_index, const ConeBody* b
 /// Bodies and contacts, as the step begins.
 void load(World& world, DirectGroups& d) {
   for (ConeBody& b : d.bodies) {
+    hold_orientation(world, b.slot);
     load_mass(world, b);
     b.v << world.state.v[b.slot], world.state.omega[b.slot];
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 
+#include "dynamics/contact/held_arms.h"
 #include "dynamics/force/force.h"
 
 namespace carom {
@@ -47,22 +48,13 @@ void number_bodies(const World& world, WideContacts& wide) {
   }
 }
 
-/// What the bodies of solver orient their contacts' arms by: they follow a body only once it has turned by hold_angle or
-/// turns at some speed. A load that leans no further than that thus acts where it acted, and a tall column of springs
-/// stands as a rigid one does; @see README.md
 void hold_orientations(World& world, WideContacts& wide) {
-  constexpr Real kSlow = 0.1;  // rad/s
-  State& s = world.state;
-  const Real most = world.scene.dials[Dial::hold_angle];
   wide.held_back.resize(wide.slot.size());
   in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
     wide.held_back[i].setZero();
     if (i < wide.first_moved) return;
-    const std::uint32_t body = wide.slot[i];
-    const Quat& q = s.q[body];
-    Quat& held = s.held_q[body];
-    if (2 * (q * held.conjugate()).vec().norm() > most || s.omega[body].squaredNorm() > kSlow * kSlow) held = q;
-    if (held.coeffs() != q.coeffs()) wide.held_back[i] = held.toRotationMatrix() - world.plan->rotation[body];
+    hold_orientation(world, wide.slot[i]);
+    wide.held_back[i] = held_back(world, wide.slot[i]);
   });
 }
 

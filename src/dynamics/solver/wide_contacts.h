@@ -45,7 +45,7 @@ struct WideContacts {
   Array<BodyVelocity> displacement;  // m, rad: of a pass over positions
   Array<BodyShift> shift;
   Array<std::uint32_t> slot;  // of the body
-  Array<Mat3> held_back;      // its held orientation less its present one
+  Array<Mat3> held_back;      // @see held_arms.h
 
   Array<std::uint32_t> body;  // by slot: solver body, 0 where it does not matter
   Array<Vec3> start_x;        // m, by solver body: as the step began

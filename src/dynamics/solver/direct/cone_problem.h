@@ -42,6 +42,7 @@ struct ConeContact {
 struct ConeBody {
   std::uint32_t slot;
   Real mass, inv_mass;        // kg, 1/kg
+  Mat3 held_back;             // @see held_arms.h
   Mat3 inertia, inv_inertia;  // kg m^2, 1/(kg m^2), world; identity and zero where it does not rotate
   Vec6 v;                     // m/s, rad/s
   Vec6 start, gained;         // with the impulses that the substep starts from; since the last substep, with them

@@ -1,0 +1,26 @@
+#include "dynamics/contact/held_arms.h"
+
+#include "dynamics/world.h"
+
+namespace carom {
+namespace {
+
+constexpr Real kSlow = 0.1;  // rad/s: what turns faster is on its way, not leaning
+
+}  // namespace
+
+void hold_orientation(World& world, std::uint32_t body) {
+  State& s = world.state;
+  const Quat& q = s.q[body];
+  Quat& held = s.held_q[body];
+  const Real turned = 2 * (q * held.conjugate()).vec().norm();
+  if (turned > world.scene.dials[Dial::hold_angle] || s.omega[body].squaredNorm() > kSlow * kSlow) held = q;
+}
+
+Mat3 held_back(const World& world, std::uint32_t body) {
+  const Quat& held = world.state.held_q[body];
+  if (held.coeffs() == world.state.q[body].coeffs()) return Mat3::Zero();
+  return held.toRotationMatrix() - world.plan->rotation[body];
+}
+
+}  // namespace carom
