@@ -4,6 +4,7 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/effects.h"
 #include "dynamics/mass.h"
+#include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom {
@@ -193,6 +194,7 @@ void World::set_pose(std::uint32_t body, const Pose& pose) {
   stir(*this, body);
   state.q[body] = q;
   state.x[body] = x;
+  queries->note_moved(body);
   state.mark_written(body);
   if (state.quarantined[body] || scene.type[body] == BodyType::fixed) {
     state.quarantined_count -= state.quarantined[body];

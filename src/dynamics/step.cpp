@@ -11,6 +11,7 @@
 #include "dynamics/observe.h"
 #include "dynamics/particles/flight.h"
 #include "dynamics/quarantine.h"
+#include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/solver.h"
 
@@ -72,6 +73,7 @@ void World::step(Real dt) {
   run(Stage::solve, end_contacts);
   run(Stage::observe, observe);
   run(Stage::observe, fall_asleep);
+  run(Stage::observe, note_who_moved);
 }
 
 }  // namespace carom

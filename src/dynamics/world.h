@@ -70,6 +70,7 @@ struct GroupView {
 
 struct Plan;          // dynamics/effects.h: which effects have customers
 struct Contacts;      // dynamics/contact/contact.h: rows of the solver, scratch kept between steps
+class QueryIndex;     // dynamics/query/index.h: where colliders are, for questions between steps
 struct DirectGroups;  // dynamics/solver/direct.h: contact groups as problems of their own
 struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of them
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
@@ -124,6 +125,7 @@ class World {
   Owned<WideContacts> wide;
   Owned<DirectGroups> direct;
   Owned<Sleep> sleep;
+  Owned<QueryIndex> queries;  // brought up to date by readers, who see to it that one does so at a time
   Memory* memory;
   Jobs* jobs = nullptr;  // who shares a step's loops; null: nobody
 };
