@@ -14,5 +14,6 @@
 #include <carom/query.h>
 #include <carom/shape.h>
 #include <carom/world.h>
+#include <carom/world_query.h>
 
 #endif

@@ -125,6 +125,8 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   link = i;
   c.live.insert(std::lower_bound(c.live.begin(), c.live.end(), i), i);
   set_mass(scene, state, body, mass_of_body(scene, body));
+  queries->note_changed(i);
+  queries->note_moved(body);
   ++scene.revision, ++scene.collider_revision;
   return handle;
 }
@@ -146,6 +148,8 @@ void World::remove_collider(std::uint32_t collider) {
   // The host may now free the shape, and another may come to live at its address.
   const auto wears = [&](std::uint32_t slot) { return c.shape[slot] == shape; };
   if (!plan->faulty.empty() && std::none_of(c.live.begin(), c.live.end(), wears)) std::erase(plan->faulty, shape);
+  queries->note_changed(collider);
+  queries->note_moved(body);
   ++scene.revision, ++scene.collider_revision;
 }
 
@@ -194,9 +198,10 @@ void World::set_pose(std::uint32_t body, const Pose& pose) {
   stir(*this, body);
   state.q[body] = q;
   state.x[body] = x;
-  queries->note_moved(body);
+  const bool revised = state.quarantined[body] || scene.type[body] == BodyType::fixed;
+  queries->note_moved(body, revised && !state.quarantined[body]);
   state.mark_written(body);
-  if (state.quarantined[body] || scene.type[body] == BodyType::fixed) {
+  if (revised) {
     state.quarantined_count -= state.quarantined[body];
     state.quarantined[body] = 0;  // the host takes it back
     ++scene.revision, ++scene.collider_revision;

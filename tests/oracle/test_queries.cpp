@@ -288,7 +288,6 @@ static void far_out_and_beyond(void**) {
   Park park(8, 4);
   const Vec3 far(1e7, 0, -3e7);
   park.world.set_gravity(Vec3::Zero());
-  Tally tally;
   for (int i = 0; i < 50; ++i) {
     const std::uint32_t body = park.add_body();
     Pose pose = park.world.pose(body);

@@ -19,7 +19,8 @@ QueryIndex::QueryIndex(Memory* m)
       loose_(m),
       leaves_(m),
       moved_(m),
-      is_moved_(m) {}
+      is_moved_(m),
+      changed_(m) {}
 
 Frame collider_frame(const World& world, std::uint32_t slot) {
   const Colliders& c = world.scene.colliders;
@@ -38,11 +39,18 @@ std::uint64_t QueryIndex::changes(const World& world, std::uint64_t moves) {
   return world.scene.collider_revision + moves;
 }
 
-void QueryIndex::note_moved(std::uint32_t body) {
+void QueryIndex::note_moved(std::uint32_t body, bool revised) {
   ++moves_;
-  if (!whole_ || body >= is_moved_.size() || is_moved_[body]) return;  // who is new has raised the revision
+  noted_ += revised;
+  if (!whole_ || body >= is_moved_.size() || is_moved_[body]) return;  // who is new has its colliders noted
   is_moved_[body] = 1;
   moved_.push_back(body);  // there is room for all bodies
+}
+
+void QueryIndex::note_changed(std::uint32_t slot) {
+  if (!whole_ || changed_.size() == changed_.capacity()) return;  // without a note all will be looked at
+  changed_.push_back(slot);
+  ++noted_;
 }
 
 void note_who_moved(World& world, const StepTime&) {
@@ -63,27 +71,30 @@ void QueryIndex::bring_up_to_date(const World& world) {
 }
 
 void QueryIndex::update(const World& world) {
-  const bool all = !whole_ || revision_ != world.scene.collider_revision;
+  const Scene& scene = world.scene;
+  const bool all = !whole_ || revision_ + noted_ != scene.collider_revision;
   if (!whole_) {
     tree_.clear();
     std::fill(where_.begin(), where_.end(), Where::nowhere);
     wide_.clear(), loose_.clear(), moved_.clear();
+    std::fill(is_moved_.begin(), is_moved_.end(), std::uint8_t(0));
   }
   whole_ = false;  // stays so if memory runs out
   grow(world);
   if (all) {
     look_at_all(world);
   } else {
-    const Scene& scene = world.scene;
+    for (const std::uint32_t slot : changed_) look_at(world, slot);
     for (const std::uint32_t body : moved_)
       for (std::uint32_t c = scene.first_collider[body]; c != Colliders::kNone; c = scene.colliders.next[c])
-        if (where_[c] != Where::nowhere) place(world, c);
+        if (where_[c] != Where::nowhere) look_at(world, c);
   }
   for (const std::uint32_t body : moved_) is_moved_[body] = 0;
-  moved_.clear();
+  moved_.clear(), changed_.clear();
   tree_.refit();
   if (tree_.worn() || loose_.size() > 16 + tree_.size() / 64) rebuild();
-  revision_ = world.scene.collider_revision;
+  revision_ = scene.collider_revision;
+  noted_ = 0;
   whole_ = true;
 }
 
@@ -93,30 +104,30 @@ void QueryIndex::grow(const World& world) {
     moved_.reserve(2 * bodies);
     is_moved_.resize(bodies, 0);
   }
+  changed_.reserve(slots / 8 + 64);
   if (where_.size() >= slots) return;
   for (Array<std::uint32_t>* list : {&wide_, &loose_, &leaves_}) list->reserve(2 * slots);
   handle_.resize(slots), frame_.resize(slots), bounds_.resize(slots), x_.resize(slots), q_.resize(slots);
   where_.resize(slots, Where::nowhere);
 }
 
-/// Colliders came or went, or a quarantine did: every slot is compared with what is known of it.
+/// Nobody noted who: every slot is compared with what is known of it.
 void QueryIndex::look_at_all(const World& world) {
-  const Scene& scene = world.scene;
   largest_ = 0;
-  for (std::uint32_t slot = 0; slot < where_.size(); ++slot) {
-    if (!scene.collider_slots.alive(slot) || !takes_part(world, slot)) {
-      take_out(slot);
-      continue;
-    }
-    const Shape& shape = *scene.colliders.shape[slot];
-    if (shape.form != Form::half_space) largest_ = std::max(largest_, shape.bounding_radius);
-    const std::uint32_t body = scene.colliders.body[slot];
-    const Handle handle = scene.collider_slots.handle(slot);
-    const bool known = where_[slot] != Where::nowhere && handle_[slot] == handle && x_[slot] == world.state.x[body] &&
-                       q_[slot].coeffs() == world.state.q[body].coeffs();
-    handle_[slot] = handle;
-    if (!known) place(world, slot);
-  }
+  for (std::uint32_t slot = 0; slot < where_.size(); ++slot) look_at(world, slot);
+}
+
+void QueryIndex::look_at(const World& world, std::uint32_t slot) {
+  const Scene& scene = world.scene;
+  if (!scene.collider_slots.alive(slot) || !takes_part(world, slot)) return take_out(slot);
+  const Shape& shape = *scene.colliders.shape[slot];
+  if (shape.form != Form::half_space) largest_ = std::max(largest_, shape.bounding_radius);
+  const std::uint32_t body = scene.colliders.body[slot];
+  const Handle handle = scene.collider_slots.handle(slot);
+  const bool known = where_[slot] != Where::nowhere && handle_[slot] == handle && x_[slot] == world.state.x[body] &&
+                     q_[slot].coeffs() == world.state.q[body].coeffs();
+  handle_[slot] = handle;
+  if (!known) place(world, slot);
 }
 
 void QueryIndex::place(const World& world, std::uint32_t slot) {

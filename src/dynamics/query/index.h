@@ -16,7 +16,10 @@ class QueryIndex {
 
   // ---- by a writer, alone ----
   /// A host or a step moved a body. Allocates nothing.
-  void note_moved(std::uint32_t body);
+  /// @param revised  the scene's collider_revision was, or is about to be, raised by one for this
+  void note_moved(std::uint32_t body, bool revised = false);
+  /// A collider comes or goes, for which the revision is raised by one. Allocates nothing.
+  void note_changed(std::uint32_t slot);
   bool in_use() const { return whole_; }
 
   // ---- by readers, any number at a time ----
@@ -48,6 +51,7 @@ class QueryIndex {
   void update(const World& world);
   void grow(const World& world);
   void look_at_all(const World& world);
+  void look_at(const World& world, std::uint32_t slot);
   void place(const World& world, std::uint32_t slot);
   void put(std::uint32_t slot, Where where);
   void take_out(std::uint32_t slot);
@@ -57,6 +61,7 @@ class QueryIndex {
   std::atomic<std::uint64_t> seen_{0};  // changes() that all below is up to date with
   std::uint64_t moves_ = 0;             // noted since the world was made
   std::uint64_t revision_ = 0;          // Scene::collider_revision, likewise
+  std::uint64_t noted_ = 0;             // times that was raised since, for what is noted below
   bool whole_ = false;                  // it has been made; false again where memory ran out half-way
 
   QueryTree tree_;
@@ -67,8 +72,9 @@ class QueryIndex {
   Array<Vec3> x_;  // m, of the body then, by collider: a pose of the same bits needs no look
   Array<Quat> q_;
   Array<std::uint32_t> wide_, loose_, leaves_;
-  Array<std::uint32_t> moved_;      // bodies, each once
-  Array<std::uint8_t> is_moved_;    // by body
+  Array<std::uint32_t> moved_;     // bodies, each once
+  Array<std::uint8_t> is_moved_;   // by body
+  Array<std::uint32_t> changed_;   // colliders
   Real largest_ = 0;
 };
 
