@@ -9,6 +9,8 @@
 #include <carom/cast.h>
 #include <carom/dial.h>
 #include <carom/engine.h>
+#include <carom/events.h>
+#include <carom/filter.h>
 #include <carom/particles.h>
 #include <carom/plugin.h>
 #include <carom/query.h>

@@ -25,7 +25,9 @@ extern "C" {
 #define CAROM_WANT_FIRST 0u /* what is met first */
 #define CAROM_WANT_ANY 1u   /* whether anything is met: HIT, UNDECIDED (only grazes) or MISS; no collider, times or points */
 
-#define CAROM_ASK_GENERIC 1u /* bit of flags: support functions only, no routine for declared forms */
+/* bits of flags */
+#define CAROM_ASK_GENERIC 1u /* support functions only, no routine for declared forms */
+#define CAROM_ASK_SENSORS 2u /* sensors are found, too */
 
 /** How to ask a world; fill with carom_query_desc_init(). The same for all questions of a call. */
 typedef struct carom_query_desc {

@@ -19,8 +19,8 @@ struct Column {
   }
 };
 
-inline bool make_column(Call& call, int argument, const char* name, const void* data, std::uint64_t stride, std::uint64_t size,
-                 Column& column) {
+inline bool make_column(Call& call, int argument, const char* name, const void* data, std::uint64_t stride,
+                        std::uint64_t size, Column& column) {
   column.at = static_cast<char*>(const_cast<void*>(data));
   column.stride = stride ? stride : size;
   return column.stride >= size ||

@@ -15,12 +15,13 @@ bool read_desc(Call& call, int argument, const World& world, const carom_query_d
   carom_query_desc d;
   carom_query_desc_init(&d);
   if ((given && !read_struct(call, argument, "desc", given, d)) ||
-      !only_bits(call, argument, "desc->flags", d.flags, CAROM_ASK_GENERIC) ||
+      !only_bits(call, argument, "desc->flags", d.flags, CAROM_ASK_GENERIC | CAROM_ASK_SENSORS) ||
       !only_bits(call, argument, "desc->reserved", d.reserved, 0) ||
       (d.ignore != CAROM_NULL_HANDLE && !resolve(call, argument, "desc->ignore", world.scene.bodies, d.ignore)) ||
       !take_settings(call, argument, d.iterations, d.tolerance, d.target, options.cast))
     return false;
   options.cast.routines = !(d.flags & CAROM_ASK_GENERIC);
+  options.filter.sensors = d.flags & CAROM_ASK_SENSORS;
   options.filter.category = d.category;
   options.filter.mask = d.mask;
   if (d.ignore != CAROM_NULL_HANDLE) options.filter.ignore = handle_slot(d.ignore);
@@ -137,7 +138,11 @@ std::int32_t point_support(const double*, std::uint64_t, const double*, double* 
 class Askers {
  public:
   explicit Askers(carom_engine& engine)
-      : engine_(engine), dot_(&engine.memory), pinned_(&engine.memory), askers_(&engine.memory), motions_(&engine.memory) {
+      : engine_(engine),
+        dot_(&engine.memory),
+        pinned_(&engine.memory),
+        askers_(&engine.memory),
+        motions_(&engine.memory) {
     dot_.form = Form::sphere;
     dot_.support = point_support;
     dot_.bounds = {Vec3::Zero(), Vec3::Zero()};
@@ -340,8 +345,7 @@ int32_t carom_world_cast_shapes_all(carom_world* world, const carom_query_shapes
     QueryOptions options;
     Askers askers(reading.engine());
     HitList list(dst, stride, capacity);
-    if (!askers.take(call, shapes, true) || !read_desc(call, 3, *reading, desc, options) ||
-        !list.check(call, 4, count))
+    if (!askers.take(call, shapes, true) || !read_desc(call, 3, *reading, desc, options) || !list.check(call, 4, count))
       return;
     list_all(reading, askers.size(), list, [&](std::uint64_t i, Array<WorldHit>& found) {
       cast_shape_all(*reading, askers[i], askers.motion(i), options, found);

@@ -11,7 +11,12 @@ namespace carom {
 struct Filter {
   std::uint64_t category = 1, mask = ~std::uint64_t(0);
   std::int32_t group = 0;
+  bool operator==(const Filter&) const = default;
 };
+inline bool let_touch(const Filter& a, const Filter& b) {
+  if (a.group != 0 && a.group == b.group) return a.group > 0;
+  return (a.category & b.mask) && (b.category & a.mask);
+}
 
 struct Colliders {
   explicit Colliders(Memory* m)
@@ -29,7 +34,8 @@ struct Colliders {
         live(m),
         active(m),
         next(m),
-        filter(m) {}
+        filter(m),
+        sensor(m) {}
 
   // Fixed while a step runs:
   Array<const Shape*> shape;      // null in a free slot
@@ -50,6 +56,9 @@ struct Colliders {
       next;  // the body's next collider, ascending by slot, or kNone (the first: Scene::first_collider)
   Array<Filter> filter;  // empty until a collider has one of its own
 
+  Array<std::uint8_t> sensor;  // 1: tells of overlap and is never answered; empty until there is one
+
+  bool is_sensor(std::uint32_t slot) const { return slot < sensor.size() && sensor[slot]; }
   Filter filter_of(std::uint32_t slot) const { return slot < filter.size() ? filter[slot] : Filter(); }
 
   static constexpr std::uint32_t kNoMaterial = 0xFFFFFFFFu;

@@ -1,5 +1,5 @@
-// Four short numbers (float) at once: for bounds that only have to be right on the safe side, half the memory of doubles
-// and one register of any x86-64.
+// Four short numbers (float) at once: for bounds that only have to be right on the safe side, half the memory of
+// doubles and one register of any x86-64.
 #pragma once
 
 #include <cstdint>
@@ -34,11 +34,21 @@ class Four {
  public:
   explicit Four(const float* from) : v_{from[0], from[1], from[2], from[3]} {}
   explicit Four(float all) : v_{all, all, all, all} {}
-  Four operator+(const Four& o) const { return each(o, [](float a, float b) { return a + b; }); }
-  Four operator-(const Four& o) const { return each(o, [](float a, float b) { return a - b; }); }
-  Four operator*(const Four& o) const { return each(o, [](float a, float b) { return a * b; }); }
-  Four min(const Four& o) const { return each(o, [](float a, float b) { return a < b ? a : b; }); }
-  Four max(const Four& o) const { return each(o, [](float a, float b) { return a > b ? a : b; }); }
+  Four operator+(const Four& o) const {
+    return each(o, [](float a, float b) { return a + b; });
+  }
+  Four operator-(const Four& o) const {
+    return each(o, [](float a, float b) { return a - b; });
+  }
+  Four operator*(const Four& o) const {
+    return each(o, [](float a, float b) { return a * b; });
+  }
+  Four min(const Four& o) const {
+    return each(o, [](float a, float b) { return a < b ? a : b; });
+  }
+  Four max(const Four& o) const {
+    return each(o, [](float a, float b) { return a > b ? a : b; });
+  }
   unsigned not_above(const Four& o) const {
     unsigned bits = 0;
     for (unsigned i = 0; i < 4; ++i) bits |= unsigned(v_[i] <= o.v_[i]) << i;

@@ -638,7 +638,7 @@ const Row kWorldQuery[] = {
     {"ray: max", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { carom_world_hit h; return carom_world_cast_ray(b.world, kZero, kOne, -1, nullptr, &h, sizeof h, e); }},
     {"ray: max nan", CAROM_E_NOT_FINITE, 4, [](Bench& b, carom_error* e) { carom_world_hit h; return carom_world_cast_ray(b.world, kZero, kOne, kNan, nullptr, &h, sizeof h, e); }},
     {"ray: desc size", CAROM_E_STRUCT_SIZE, 5, [](Bench& b, carom_error* e) { auto d = query_desc(); d.struct_size = 3; return ask_ray(b, d, e); }},
-    {"ray: flags", CAROM_E_UNSUPPORTED, 5, [](Bench& b, carom_error* e) { auto d = query_desc(); d.flags = 2; return ask_ray(b, d, e); }},
+    {"ray: flags", CAROM_E_UNSUPPORTED, 5, [](Bench& b, carom_error* e) { auto d = query_desc(); d.flags = 4; return ask_ray(b, d, e); }},
     {"ray: reserved", CAROM_E_UNSUPPORTED, 5, [](Bench& b, carom_error* e) { auto d = query_desc(); d.reserved = 1; return ask_ray(b, d, e); }},
     {"ray: tolerance", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { auto d = query_desc(); d.tolerance = 0; return ask_ray(b, d, e); }},
     {"ray: target", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { auto d = query_desc(); d.target = -1; return ask_ray(b, d, e); }},
@@ -687,6 +687,32 @@ const Row kWorldQuery[] = {
     {"nearest: dst", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { const carom_query_shapes s = one_point(); return carom_world_find_nearest(b.world, &s, 1, nullptr, nullptr, 0, e); }},
 };
 
+const Row kEvents[] = {
+    {"filter: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_collider_set_filter(nullptr, b.colliders[0], 1, 1, 0, e); }},
+    {"filter: category", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { uint64_t m; int32_t g; return carom_collider_get_filter(b.world, b.colliders[0], nullptr, &m, &g, e); }},
+    {"filter: mask", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { uint64_t c; int32_t g; return carom_collider_get_filter(b.world, b.colliders[0], &c, nullptr, &g, e); }},
+    {"filter: group", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { uint64_t c, m; return carom_collider_get_filter(b.world, b.colliders[0], &c, &m, nullptr, e); }},
+    {"body filter: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_body_set_filter(nullptr, b.bodies[0], 1, 1, 0, e); }},
+    {"apart: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_body_hold_apart(nullptr, b.bodies[0], b.bodies[1], 1, e); }},
+    {"apart: itself", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return carom_body_hold_apart(b.world, b.bodies[0], b.bodies[0], 1, e); }},
+    {"apart: 2", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { return carom_body_hold_apart(b.world, b.bodies[0], b.bodies[1], 2, e); }},
+    {"sensor: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_collider_set_sensor(nullptr, b.colliders[0], 1, e); }},
+    {"sensor: 2", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return carom_collider_set_sensor(b.world, b.colliders[0], 2, e); }},
+    {"sensor: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_collider_is_sensor(b.world, b.colliders[0], nullptr, e); }},
+    {"events: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_world_collect_events(nullptr, 0, 0, e); }},
+    {"events: kinds", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { return carom_world_collect_events(b.world, 8, 0, e); }},
+    {"events: speed", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return carom_world_collect_events(b.world, 7, -1, e); }},
+    {"events: speed nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return carom_world_collect_events(b.world, 7, kNan, e); }},
+    {"contact events: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_get_contact_events(nullptr, nullptr, 0, 0, &n, e); }},
+    {"contact events: dst", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { uint64_t n; return carom_world_get_contact_events(b.world, nullptr, 0, 1, &n, e); }},
+    {"contact events: stride", CAROM_E_BUFFER_TOO_SMALL, 3, [](Bench& b, carom_error* e) { uint64_t n; carom_contact_event x; return carom_world_get_contact_events(b.world, &x, 4, 1, &n, e); }},
+    {"contact events: count", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return carom_world_get_contact_events(b.world, nullptr, 0, 0, nullptr, e); }},
+    {"sensor events: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_get_sensor_events(nullptr, nullptr, 0, 0, &n, e); }},
+    {"sensor events: count", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return carom_world_get_sensor_events(b.world, nullptr, 0, 0, nullptr, e); }},
+    {"sleep events: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_get_sleep_events(nullptr, nullptr, 0, 0, &n, e); }},
+    {"sleep events: count", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return carom_world_get_sleep_events(b.world, nullptr, 0, 0, nullptr, e); }},
+};
+
 template <std::size_t N>
 void each_is_refused(const Row (&rows)[N]) {
   Bench b;
@@ -731,6 +757,7 @@ void every_wrong_argument_of_queries_is_refused(void**) { each_is_refused(kQuery
 void every_wrong_argument_of_casts_is_refused(void**) { each_is_refused(kCast); }
 void every_wrong_argument_of_particles_is_refused(void**) { each_is_refused(kParticles); }
 void every_wrong_argument_of_world_queries_is_refused(void**) { each_is_refused(kWorldQuery); }
+void every_wrong_argument_of_filters_and_events_is_refused(void**) { each_is_refused(kEvents); }
 
 void every_result_has_its_own_name_and_a_remedy(void**) {
   std::set<std::string> names;
@@ -804,6 +831,7 @@ int main() {
       cmocka_unit_test(every_wrong_argument_of_casts_is_refused),
       cmocka_unit_test(every_wrong_argument_of_particles_is_refused),
       cmocka_unit_test(every_wrong_argument_of_world_queries_is_refused),
+      cmocka_unit_test(every_wrong_argument_of_filters_and_events_is_refused),
       cmocka_unit_test(every_result_has_its_own_name_and_a_remedy),
       cmocka_unit_test(calls_without_an_error_object_refuse_null_too),
       cmocka_unit_test(a_flat_shape_on_a_body_without_mass_has_no_volume),

@@ -84,6 +84,13 @@ int32_t ask_with(Bench& b, uint64_t shape, carom_error* e) {
 }
 
 const Place kPlaces[] = {
+    {"collider_set_filter", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_collider_set_filter(b.world, h, 1, 1, 0, e); }},
+    {"collider_get_filter", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { uint64_t c, m; int32_t g; return carom_collider_get_filter(b.world, h, &c, &m, &g, e); }},
+    {"collider_set_sensor", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_collider_set_sensor(b.world, h, 1, e); }},
+    {"collider_is_sensor", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { uint32_t s; return carom_collider_is_sensor(b.world, h, &s, e); }},
+    {"body_set_filter", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_set_filter(b.world, h, 1, 1, 0, e); }},
+    {"body_hold_apart a", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_hold_apart(b.world, h, b.ground, 0, e); }},
+    {"body_hold_apart b", kBody, 3, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_hold_apart(b.world, b.ground, h, 0, e); }},
     {"world_cast_ray ignore", kBody, 5, ask_without},
     {"world_overlap_shapes shape", kShape, 2, ask_with},
     {"plugin_unload", kPlugin, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_plugin_unload(b.engine, h, e); }},

@@ -1,5 +1,5 @@
-// Queries of a world beside their twins, which ask every collider: the same answers to the bit, whatever happened to the
-// world since the tree was made, under every broad phase.
+// Queries of a world beside their twins, which ask every collider: the same answers to the bit, whatever happened to
+// the world since the tree was made, under every broad phase.
 #include <cstring>
 
 #include "carom_test.h"
@@ -53,8 +53,8 @@ struct Park : TestWorld {
   void filter_one() {
     Array<Filter>& filter = world.scene.colliders.filter;
     filter.resize(world.scene.colliders.slots());
-    filter[world.scene.colliders.live[static_cast<std::size_t>(
-        random.uniform(0, Real(world.scene.colliders.live.size())))]] = {2, 5, 0};
+    filter[world.scene.colliders
+               .live[static_cast<std::size_t>(random.uniform(0, Real(world.scene.colliders.live.size())))]] = {2, 5, 0};
   }
 
   Random random;
@@ -179,9 +179,8 @@ void ask_shapes(Park& park, int count, Tally& tally) {
                                               park.random.in_cube(1.5 * park.spread) + Vec3(0, park.spread, 0))};
     Vec3 motion = park.random.in_cube(1.5 * park.spread);
     if (i % 13 == 0) motion.setZero();
-    Array<WorldHit> truth = ask_all(world, options, [&](std::uint32_t slot) {
-      return shape_against(world, slot, asker, motion, options.cast);
-    });
+    Array<WorldHit> truth = ask_all(
+        world, options, [&](std::uint32_t slot) { return shape_against(world, slot, asker, motion, options.cast); });
     std::sort(truth.begin(), truth.end(), earlier);
     const WorldHit first = cast_shape(world, asker, motion, options);
     if (truth.empty())
@@ -204,9 +203,8 @@ void ask_shapes(Park& park, int count, Tally& tally) {
     const Real reach = i % 3 ? park.random.uniform(0, 3) : kInfinity;
     const Shape dot = sphere(0);
     const Asker nearby{i % 2 ? asker.shape : &dot, asker.frame};
-    const Array<WorldHit> near = ask_all(world, options, [&](std::uint32_t slot) {
-      return nearest_against(world, slot, nearby, reach, options.cast);
-    });
+    const Array<WorldHit> near = ask_all(
+        world, options, [&](std::uint32_t slot) { return nearest_against(world, slot, nearby, reach, options.cast); });
     const auto nearest = std::min_element(near.begin(), near.end(), [](const WorldHit& a, const WorldHit& b) {
       return a.cast.separation < b.cast.separation;
     });

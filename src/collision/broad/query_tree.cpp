@@ -48,14 +48,15 @@ void QueryTree::put(Node& node, std::uint32_t lane, const Aabb& box) const {
 void QueryTree::put_all(Node& node, std::uint32_t lane, const Node& child) const {
   for (std::uint32_t k = 0; k < 6; ++k) {
     const float* p = child.planes + 4 * k;
-    node.planes[4 * k + lane] =
-        k < 3 ? std::min(std::min(p[0], p[1]), std::min(p[2], p[3])) : std::max(std::max(p[0], p[1]), std::max(p[2], p[3]));
+    node.planes[4 * k + lane] = k < 3 ? std::min(std::min(p[0], p[1]), std::min(p[2], p[3]))
+                                      : std::max(std::max(p[0], p[1]), std::max(p[2], p[3]));
   }
 }
 
 void QueryTree::vacate(Node& node, std::uint32_t lane) {
   for (std::uint32_t k = 0; k < 6; ++k)
-    node.planes[4 * k + lane] = k < 3 ? std::numeric_limits<float>::infinity() : -std::numeric_limits<float>::infinity();
+    node.planes[4 * k + lane] =
+        k < 3 ? std::numeric_limits<float>::infinity() : -std::numeric_limits<float>::infinity();
   node.child[lane] = kNone;
 }
 
@@ -162,7 +163,9 @@ std::size_t QueryTree::halve(Item* first, std::size_t count, int depth) const {
   const Real spread = hi[axis] - lo[axis];
   if (depth < kDeepest && spread > 0 && count > 2) {
     const Real from = lo[axis], by = kBins * (1 - 1e-9) / spread;
-    const auto bin_of = [&](const Item& i) { return static_cast<std::size_t>(by * (twice_centre(i.box, axis) - from)); };
+    const auto bin_of = [&](const Item& i) {
+      return static_cast<std::size_t>(by * (twice_centre(i.box, axis) - from));
+    };
     std::array<Bin, kBins> bins;
     for (const Item* i = first; i < first + count; ++i) {
       Bin& bin = bins[bin_of(*i)];

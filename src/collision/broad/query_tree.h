@@ -11,8 +11,8 @@
 namespace carom {
 
 /// Every node holds the boxes of up to four children side by side, as float about an origin of the tree's own, each
-/// rounded outwards by more than a search, or a cast after it, loses to rounding. So a search may visit a leaf in vain and never misses one: what
-/// is found depends on the boxes given, not on how the tree came to be.
+/// rounded outwards by more than a search, or a cast after it, loses to rounding. So a search may visit a leaf in vain
+/// and never misses one: what is found depends on the boxes given, not on how the tree came to be.
 ///
 /// Built by surface area; leaves that move are put right where they are, up to the root. That wears: worn() tells when
 /// to build afresh. Searches change nothing; edits want the tree for themselves.
@@ -101,11 +101,11 @@ class QueryTree {
   static void vacate(Node& node, std::uint32_t lane);
   static float surface(const Node& node);
 
-  Array<Node> nodes_;            // parents before children
-  Array<std::uint32_t> place_;   // by leaf, or kNone
-  Array<Item> items_;            // while building
-  Array<std::uint32_t> dirty_;   // nodes of which a leaf changed
-  Vec3 origin_ = Vec3::Zero();   // m
+  Array<Node> nodes_;           // parents before children
+  Array<std::uint32_t> place_;  // by leaf, or kNone
+  Array<Item> items_;           // while building
+  Array<std::uint32_t> dirty_;  // nodes of which a leaf changed
+  Vec3 origin_ = Vec3::Zero();  // m
   std::size_t size_ = 0, built_size_ = 0;
   Real cost_ = 0, built_cost_ = 0;  // m^2, surfaces of all nodes
 };
@@ -123,7 +123,8 @@ inline unsigned QueryTree::Line::hits(const float* planes, float limit, float ke
 inline unsigned QueryTree::Box::hits(const float* planes, float limit, float key[4]) const {
   Four sum(0.0f);
   for (int k = 0; k < 3; ++k) {
-    const Four off = (Four(planes + 4 * k) - Four(hi_[k])).max(Four(lo_[k]) - Four(planes + 12 + 4 * k)).max(Four(0.0f));
+    const Four off =
+        (Four(planes + 4 * k) - Four(hi_[k])).max(Four(lo_[k]) - Four(planes + 12 + 4 * k)).max(Four(0.0f));
     sum = sum + off * off;
   }
   sum = sum * Four(1 - 4 * FLT_EPSILON);

@@ -1,6 +1,6 @@
 // Rays in closed form: sphere, capsule, box. Each routine says where a line enters and leaves the form swollen by some
-// more, and is asked three times: swollen and shrunk by all that rounding can have done, which gives the bracket, and as
-// it is.
+// more, and is asked three times: swollen and shrunk by all that rounding can have done, which gives the bracket, and
+// as it is.
 #include "collision/cast/local_ray.h"
 
 namespace carom {
@@ -32,8 +32,8 @@ class Sphere {
   Real radius_, foot_, off_;
 };
 
-/// The ball swept along a segment of y: a line first enters the endless cylinder, and where that is beyond the segment's
-/// end, the ball there.
+/// The ball swept along a segment of y: a line first enters the endless cylinder, and where that is beyond the
+/// segment's end, the ball there.
 class Capsule {
  public:
   Capsule(const Shape& shape, const LocalRay& r, Real target)

@@ -19,9 +19,7 @@ WorldHit failed(std::uint32_t slot) {
 }
 
 /// m, from below.
-Real between(const Aabb& a, const Aabb& b) {
-  return (a.lo - b.hi).cwiseMax(b.lo - a.hi).cwiseMax(Vec3::Zero()).norm();
-}
+Real between(const Aabb& a, const Aabb& b) { return (a.lo - b.hi).cwiseMax(b.lo - a.hi).cwiseMax(Vec3::Zero()).norm(); }
 
 }  // namespace
 
@@ -111,8 +109,7 @@ WorldHit find_nearest(const World& world, const Asker& asker, Real reach, const 
     if (passes(world, options.filter, slot)) {
       const WorldHit hit = nearest_against(world, slot, asker, reach, options.cast);
       if (hit.cast.outcome != CastOutcome::miss &&
-          (best.collider == WorldHit::kNone ||
-           before(hit.cast.separation, slot, best.cast.separation, best.collider)))
+          (best.collider == WorldHit::kNone || before(hit.cast.separation, slot, best.cast.separation, best.collider)))
         best = hit;
     }
     return (best.collider == WorldHit::kNone ? reach : best.cast.separation) + width;

@@ -165,7 +165,8 @@ void QueryIndex::take_out(std::uint32_t slot) {
 void QueryIndex::rebuild() {
   leaves_.clear();
   for (std::uint32_t slot = 0; slot < where_.size(); ++slot)
-    if (where_[slot] == Where::tree || where_[slot] == Where::loose) leaves_.push_back(slot), where_[slot] = Where::tree;
+    if (where_[slot] == Where::tree || where_[slot] == Where::loose)
+      leaves_.push_back(slot), where_[slot] = Where::tree;
   loose_.clear();
   tree_.build(leaves_, bounds_);
 }

@@ -27,10 +27,10 @@ class QueryIndex {
   void bring_up_to_date(const World& world);
 
   // As of then, by collider slot:
-  const Frame& frame(std::uint32_t slot) const { return frame_[slot]; }    // shape -> world
-  const Aabb& bounds(std::uint32_t slot) const { return bounds_[slot]; }   // m, world, exact to rounding
+  const Frame& frame(std::uint32_t slot) const { return frame_[slot]; }   // shape -> world
+  const Aabb& bounds(std::uint32_t slot) const { return bounds_[slot]; }  // m, world, exact to rounding
   const QueryTree& tree() const { return tree_; }
-  Real largest_radius() const { return largest_; }                        // m, of all but half-spaces
+  Real largest_radius() const { return largest_; }  // m, of all but half-spaces
 
   /// Call f(slot) for those that are not in the tree: half-spaces, and the latest to come.
   template <class F>
@@ -72,9 +72,9 @@ class QueryIndex {
   Array<Vec3> x_;  // m, of the body then, by collider: a pose of the same bits needs no look
   Array<Quat> q_;
   Array<std::uint32_t> wide_, loose_, leaves_;
-  Array<std::uint32_t> moved_;     // bodies, each once
-  Array<std::uint8_t> is_moved_;   // by body
-  Array<std::uint32_t> changed_;   // colliders
+  Array<std::uint32_t> moved_;    // bodies, each once
+  Array<std::uint8_t> is_moved_;  // by body
+  Array<std::uint32_t> changed_;  // colliders
   Real largest_ = 0;
 };
 

@@ -17,6 +17,7 @@ struct QueryFilter {
   std::uint64_t category = ~std::uint64_t(0);  // of the question: a collider's mask must have a bit of it
   std::uint64_t mask = ~std::uint64_t(0);      // a collider's categories must have a bit of it
   std::uint32_t ignore = kNone;                // a body's slot: its colliders are passed over
+  bool sensors = false;                        // sensors are asked, too
 };
 
 struct QueryOptions {
@@ -24,8 +25,8 @@ struct QueryOptions {
   CastSettings cast;
 };
 
-/// One collider's answer. `cast` is that of collision/cast/ for this collider alone; one whose support function misbehaves
-/// answers with status fault, at the time (or distance) at which its bounds are met.
+/// One collider's answer. `cast` is that of collision/cast/ for this collider alone; one whose support function
+/// misbehaves answers with status fault, at the time (or distance) at which its bounds are met.
 struct WorldHit {
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   std::uint32_t collider = kNone;  // slot; kNone: nothing is met

@@ -106,7 +106,7 @@ WorldHit shape_on(const World& world, std::uint32_t slot, const Asker& asker, co
 
 bool passes(const World& world, const QueryFilter& filter, std::uint32_t slot) {
   const Colliders& c = world.scene.colliders;
-  if (c.body[slot] == filter.ignore) return false;
+  if (c.body[slot] == filter.ignore || (c.is_sensor(slot) && !filter.sensors)) return false;
   const Filter own = c.filter_of(slot);
   return (own.category & filter.mask) && (own.mask & filter.category);
 }

@@ -55,7 +55,8 @@ struct Way {
   }
 };
 
-/// No answer comes before its bounds are met: an estimate is put there, and so is one whose support function misbehaved.
+/// No answer comes before its bounds are met: an estimate is put there, and so is one whose support function
+/// misbehaved.
 inline void keep_within(const Way& way, Real max, const Aabb& bounds, CastResult& r) {
   const bool bad = r.status == QueryStatus::fault;
   if (!bad && r.outcome != CastOutcome::undecided) return;
