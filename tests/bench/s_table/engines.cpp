@@ -27,7 +27,7 @@ void CaromWorld::read(BodyState* states) const {
   }
 }
 
-bool CaromWorld::cast_rays(const double* ends, std::size_t n, double* fractions) {
+void CaromWorld::cast_rays(const double* ends, std::size_t n, double* fractions, std::uint32_t flags) {
   std::vector<double> ways(3 * n);
   std::vector<std::uint32_t> outcomes(n);
   for (std::size_t i = 0; i < n; ++i)
@@ -44,11 +44,13 @@ bool CaromWorld::cast_rays(const double* ends, std::size_t n, double* fractions)
   hits.scalar = CAROM_SCALAR_F64;
   hits.outcomes = outcomes.data();
   hits.times = fractions;
+  carom_query_desc desc;
   tools::Call call;
-  call.done(carom_world_cast_rays(stage_.world.get(), &rays, CAROM_WANT_FIRST, nullptr, &hits, call), "casting rays");
+  call.done(carom_query_desc_init(&desc), "describing a query");
+  desc.flags = flags;
+  call.done(carom_world_cast_rays(stage_.world.get(), &rays, CAROM_WANT_FIRST, &desc, &hits, call), "casting rays");
   for (std::size_t i = 0; i < n; ++i)
     if (outcomes[i] == CAROM_CAST_MISS) fractions[i] = 2;
-  return true;
 }
 
 carom_engine_desc counted_engine() {

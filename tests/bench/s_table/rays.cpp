@@ -21,8 +21,8 @@ class Numbers {
   std::uint64_t state_ = 10;
 };
 
-/// From above the heap, within its walls (a ray that starts in a wall is an overlap to some and nothing to others), to a
-/// point of its box.
+/// From above the heap, within its walls (a ray that starts in a wall is an overlap to some and nothing to others), to
+/// a point of its box.
 std::vector<double> rays_into(const std::vector<BodyState>& states, const Plan& plan, std::size_t n) {
   Vec lo = Vec::Constant(1e300), hi = -lo;
   for (std::size_t i = 0; i < states.size(); ++i)
@@ -38,6 +38,22 @@ std::vector<double> rays_into(const std::vector<BodyState>& states, const Plan& 
     }
   return ends;
 }
+
+/// The same world, asked by support functions alone: another way to the same answers.
+class ByWalk final : public PeerWorld {
+ public:
+  explicit ByWalk(CaromWorld& world) : world_(world) {}
+  void step(double dt) override { world_.step(dt); }
+  void read(BodyState* states) const override { world_.read(states); }
+  std::size_t contact_points() const override { return world_.contact_points(); }
+  bool cast_rays(const double* ends, std::size_t n, double* fractions) override {
+    world_.cast_rays(ends, n, fractions, CAROM_ASK_GENERIC);
+    return true;
+  }
+
+ private:
+  CaromWorld& world_;
+};
 
 }  // namespace
 
@@ -65,9 +81,11 @@ std::vector<RayRecord> measure_rays(const Row& row, const Options& options, std:
   carom->read(states.data());
   plan.start_at(states);
   const std::vector<double> ends = rays_into(states, plan, count);
-  worlds.push_back(std::move(carom));
   records.emplace_back().engine = "Carom (double)";
   records.back().is_carom = true;
+  records.emplace_back().engine = "Carom, support functions only";
+  worlds.push_back(std::move(carom));
+  worlds.push_back(std::make_unique<ByWalk>(static_cast<CaromWorld&>(*worlds[0])));
   for (const PeerEngine& peer : options.peers) {
     worlds.emplace_back(peer.make(plan.world(row.sleeping)));
     records.emplace_back().engine = peer.name;
@@ -88,7 +106,6 @@ std::vector<RayRecord> measure_rays(const Row& row, const Options& options, std:
   for (std::size_t i = 0; i < worlds.size(); ++i) {
     if (!asked[i]) continue;
     RayRecord& r = records[i];
-    std::size_t both = 0;
     for (std::size_t k = 0; k < count; ++k) {
       const double own = fractions[i][k], ours = fractions[0][k];
       r.hits += own <= 1;
@@ -96,10 +113,8 @@ std::vector<RayRecord> measure_rays(const Row& row, const Options& options, std:
       if (own > 1 || ours > 1) continue;
       const double apart = std::fabs(own - ours) * (Vec(&ends[6 * k + 3]) - Vec(&ends[6 * k])).norm();
       r.farthest = std::max(r.farthest, apart);
-      r.mean += apart;
-      ++both;
+      r.apart += apart > 1e-3;
     }
-    if (both) r.mean /= static_cast<double>(both);
     done.push_back(r);
   }
   return done;
