@@ -3,9 +3,9 @@
  *  one by one or many in one call.
  *
  *  All colliders are asked, asleep or awake, static or not, at the poses that bodies have now; not those of bodies and
- *  shapes in quarantine, nor particles. Answers do not depend on the broad phase, on threads or on what was asked
- *  before. Each collider's own answer is the one of cast.h (or query.h) for it alone, with the same brackets and proofs;
- *  first is what has the least `time` (or separation), of equals the collider in the lower slot (the low 24 bits of its
+ *  shapes in quarantine, nor particles, and sensors only if they are asked for. Answers do not depend on the broad phase,
+ *  on threads or on what was asked before. Each collider's own answer is the one of cast.h (or query.h) for it alone, with
+ *  the same brackets and proofs; first is what has the least `time` (or separation), of equals the collider in the lower slot (the low 24 bits of its
  *  handle). A collider whose support function misbehaves is reported where its bounds are, with status CAROM_QUERY_FAULT.
  *
  *  Threads: any number may ask at once while nobody changes the world (then: BUSY). The first question after a change
