@@ -9,10 +9,13 @@
 #include <carom/cast.h>
 #include <carom/dial.h>
 #include <carom/engine.h>
+#include <carom/events.h>
+#include <carom/filter.h>
 #include <carom/particles.h>
 #include <carom/plugin.h>
 #include <carom/query.h>
 #include <carom/shape.h>
 #include <carom/world.h>
+#include <carom/world_query.h>
 
 #endif

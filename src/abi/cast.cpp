@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "abi/columns.h"
 #include "abi/engine.h"
 #include "abi/float_scope.h"
 #include "collision/cast/overlap.h"
@@ -25,23 +26,12 @@ static_assert(static_cast<std::uint32_t>(Overlap::apart) == CAROM_OVERLAP_APART 
               static_cast<std::uint32_t>(Overlap::touching) == CAROM_OVERLAP_TOUCHING &&
               static_cast<std::uint32_t>(Overlap::fault) == CAROM_OVERLAP_FAULT);
 
-constexpr double kMostIterations = 10000;
-constexpr double kLongest = 1e9;  // m of target, s of duration
-
 /// Take in a descriptor, or the defaults.
 bool read_desc(Call& call, int argument, const carom_cast_desc* given, CastSettings& settings) {
   carom_cast_desc d;
   carom_cast_desc_init(&d);
-  const DialRow& tolerance = dial_table()[static_cast<std::size_t>(Dial::gjk_tolerance)];
-  if ((given && !read_struct(call, argument, "desc", given, d)) ||
-      !in_range(call, argument, "desc->iterations", d.iterations, 1, kMostIterations) ||
-      !in_range(call, argument, "desc->tolerance", d.tolerance, tolerance.min, tolerance.max) ||
-      !in_range(call, argument, "desc->target", d.target, 0, kLongest))
-    return false;
-  settings.tolerance = d.tolerance;
-  settings.target = d.target;
-  settings.cap = static_cast<int>(d.iterations);
-  return true;
+  return (!given || read_struct(call, argument, "desc", given, d)) &&
+         take_settings(call, argument, d.iterations, d.tolerance, d.target, settings);
 }
 
 /// A shape and where it stands, as arguments of a call.
@@ -64,9 +54,6 @@ bool one_is_solid(Call& call, int argument, const Shape& a, const Shape& b) {
 Frame frame_of(const double position[3], const double orientation[4]) {
   return Frame(Pose{to_quat(orientation), to_vec3(position)});
 }
-
-/// Zero, not NaN, in place of numbers that the input was too large for.
-void write_finite(const Vec3& v, double out[3]) { from_vec3(carom::finite(v) ? v : Vec3(Vec3::Zero()), out); }
 
 void write_answer(const CastResult& r, carom_cast* result) {
   carom_cast out{};
@@ -134,65 +121,11 @@ class Pins {
   Array<Placed> placed_;
 };
 
-/// Elements of an array of the host's, at any stride and alignment.
-struct Column {
-  char* at = nullptr;  // null: not wanted
-  std::uint64_t stride = 0;
-
-  void put(std::uint64_t i, const void* element, std::size_t size) const {
-    if (at) std::memcpy(at + i * stride, element, size);
-  }
-};
-
-bool make_column(Call& call, int argument, const char* name, const void* data, std::uint64_t stride, std::uint64_t size,
-                 Column& column) {
-  column.at = static_cast<char*>(const_cast<void*>(data));
-  column.stride = stride ? stride : size;
-  return column.stride >= size ||
-         call.fail(CAROM_E_BUFFER_TOO_SMALL, argument, "%s: stride %llu, an element has %llu", name,
-                   static_cast<unsigned long long>(stride), static_cast<unsigned long long>(size));
-}
-
-std::uint64_t bytes(std::uint32_t scalar) { return scalar == CAROM_SCALAR_F32 ? 4 : 8; }
-
-template <int kCount>
-void load(const Column& column, std::uint32_t scalar, std::uint64_t i, double out[]) {
-  if (scalar == CAROM_SCALAR_F64) {
-    std::memcpy(out, column.at + i * column.stride, kCount * sizeof(double));
-    return;
-  }
-  float given[kCount];
-  std::memcpy(given, column.at + i * column.stride, sizeof given);
-  for (int k = 0; k < kCount; ++k) out[k] = given[k];
-}
-
-template <int kCount>
-void store(const Column& column, std::uint32_t scalar, std::uint64_t i, const double values[]) {
-  if (scalar == CAROM_SCALAR_F64) return column.put(i, values, kCount * sizeof(double));
-  float converted[kCount];
-  for (int k = 0; k < kCount; ++k) converted[k] = static_cast<float>(values[k]);
-  column.put(i, converted, sizeof converted);
-}
-
 /// The arrays of a batch.
 struct Batch {
-  std::uint64_t count = 0;
-  std::uint32_t scalar_in = 0, scalar_out = 0;
-  Column origins, directions, max, records, outcomes, shapes, times, normals, points;
-
-  bool read(Call& call, const carom_rays* given) {
-    carom_rays r{};
-    if (!read_struct(call, 6, "rays", given, r) || !known(call, 6, "rays->scalar", r.scalar, CAROM_SCALAR_F64 + 1))
-      return false;
-    count = r.count;
-    scalar_in = r.scalar;
-    const std::uint64_t one = bytes(scalar_in);
-    return (!count ||
-            (present(call, 6, "rays->origins", r.origins) && present(call, 6, "rays->directions", r.directions))) &&
-           make_column(call, 6, "rays->origins", r.origins, r.origin_stride, 3 * one, origins) &&
-           make_column(call, 6, "rays->directions", r.directions, r.direction_stride, 3 * one, directions) &&
-           make_column(call, 6, "rays->max", r.max, r.max_stride, one, max);
-  }
+  RayColumns rays;
+  std::uint32_t scalar_out = 0;
+  Column records, outcomes, shapes, times, normals, points;
 
   bool read(Call& call, const carom_ray_hits* given) {
     carom_ray_hits h{};
@@ -210,16 +143,6 @@ struct Batch {
            make_column(call, 8, "hits->points", h.points, h.point_stride, 3 * one, points);
   }
 
-  /// @return false for a ray that is none
-  bool ray(std::uint64_t i, Ray& ray) const {
-    double o[3], d[3], m = 1;
-    load<3>(origins, scalar_in, i, o);
-    load<3>(directions, scalar_in, i, d);
-    if (max.at) load<1>(max, scalar_in, i, &m);
-    ray = {to_vec3(o), to_vec3(d), m};
-    return carom::finite(ray.origin) && carom::finite(ray.direction) && m >= 0;
-  }
-
   void write(std::uint64_t i, const carom_ray_hit& hit) const {
     if (records.at) write_element(hit, records.at, i, records.stride);
     outcomes.put(i, &hit.outcome, 4);
@@ -235,7 +158,7 @@ carom_ray_hit cast_one(const Batch& batch, std::uint64_t i, std::span<const Plac
   carom_ray_hit hit{};
   hit.shape = CAROM_NO_SHAPE;
   Ray ray;
-  if (!batch.ray(i, ray)) {
+  if (!batch.rays.get(i, ray)) {
     hit.outcome = CAROM_CAST_BAD_RAY;
     return hit;
   }
@@ -385,11 +308,11 @@ int32_t carom_rays_cast(carom_engine* engine, const carom_shape* shapes, const d
     if (shape_count && (!present(call, 2, "shapes", shapes) || !present(call, 3, "positions", positions) ||
                         !present(call, 4, "orientations", orientations)))
       return;
-    if (!batch.read(call, rays) || !read_desc(call, 7, desc, settings) || !batch.read(call, hits)) return;
+    if (!batch.rays.read(call, 6, rays) || !read_desc(call, 7, desc, settings) || !batch.read(call, hits)) return;
     const FloatScope scope;
     Pins pins(*engine);
     if (!pins.take(call, shapes, positions, orientations, shape_count)) return;
-    for (std::uint64_t i = 0; i < batch.count; ++i) batch.write(i, cast_one(batch, i, pins.get(), settings));
+    for (std::uint64_t i = 0; i < batch.rays.count; ++i) batch.write(i, cast_one(batch, i, pins.get(), settings));
   });
 }
 

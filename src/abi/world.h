@@ -67,6 +67,7 @@ class Reading {
   explicit operator bool() const { return world_; }
   const World& operator*() const { return world_->inner; }
   const World* operator->() const { return &world_->inner; }
+  carom_engine& engine() const { return world_->engine; }
 
  private:
   carom_world* world_ = nullptr;

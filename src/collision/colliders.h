@@ -6,6 +6,18 @@
 
 namespace carom {
 
+/// Whom a collider may touch. Two do if each one's mask has a bit of the other's categories, unless they are of one group
+/// other than 0: of a positive one they always do, of a negative one never.
+struct Filter {
+  std::uint64_t category = 1, mask = ~std::uint64_t(0);
+  std::int32_t group = 0;
+  bool operator==(const Filter&) const = default;
+};
+inline bool let_touch(const Filter& a, const Filter& b) {
+  if (a.group != 0 && a.group == b.group) return a.group > 0;
+  return (a.category & b.mask) && (b.category & a.mask);
+}
+
 struct Colliders {
   explicit Colliders(Memory* m)
       : shape(m),
@@ -21,7 +33,9 @@ struct Colliders {
         muted(m),
         live(m),
         active(m),
-        next(m) {}
+        next(m),
+        filter(m),
+        sensor(m) {}
 
   // Fixed while a step runs:
   Array<const Shape*> shape;      // null in a free slot
@@ -40,6 +54,12 @@ struct Colliders {
   Array<std::uint32_t> active;  // those of them that the broad phase goes through (not asleep), ascending
   Array<std::uint32_t>
       next;  // the body's next collider, ascending by slot, or kNone (the first: Scene::first_collider)
+  Array<Filter> filter;  // empty until a collider has one of its own
+
+  Array<std::uint8_t> sensor;  // 1: tells of overlap and is never answered; empty until there is one
+
+  bool is_sensor(std::uint32_t slot) const { return slot < sensor.size() && sensor[slot]; }
+  Filter filter_of(std::uint32_t slot) const { return slot < filter.size() ? filter[slot] : Filter(); }
 
   static constexpr std::uint32_t kNoMaterial = 0xFFFFFFFFu;
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;

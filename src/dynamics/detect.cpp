@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "dynamics/events/events.h"
+#include "dynamics/filter.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom {
@@ -68,6 +70,8 @@ void find_pairs(World& world, const StepTime&) {
     Plan& plan = *world.plan;
     broad_phase(world).find_pairs(world.scene.colliders, world.scene.collider_revision, settings, plan.pairs);
     add_near(world.sleep->near, plan.pairs);
+    drop_filtered(world, plan.pairs);
+    set_sensors_aside(world, plan.pairs);
     world.pairs.update(plan.pairs);
     for (const std::uint32_t collider : world.sleep->rejoined) world.pairs.release(collider);
     world.sleep->rejoined.clear();

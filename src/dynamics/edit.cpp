@@ -3,7 +3,9 @@
 
 #include "dynamics/contact/contact.h"
 #include "dynamics/effects.h"
+#include "dynamics/events/events.h"
 #include "dynamics/mass.h"
+#include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom {
@@ -95,6 +97,8 @@ void World::remove_body(std::uint32_t body) {
   state.quarantined_count -= state.quarantined[body];
   state.quarantined[body] = 0;
   forget_body(*this, body);
+  scene.apart.forget(body);
+  if (body < events->slept.size()) events->slept[body] = 0;
   scene.bodies.release(body);
   ++scene.revision;
 }
@@ -120,11 +124,15 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   put(c.reach, i, Real(0));
   put(c.movable, i, std::uint8_t(scene.type[body] != BodyType::fixed));
   put(c.muted, i, std::uint8_t(0));
+  if (i < c.filter.size()) c.filter[i] = Filter();
+  if (i < c.sensor.size()) c.sensor[i] = 0;
   std::uint32_t& link = link_to(scene, body, i);
   put(c.next, i, link);
   link = i;
   c.live.insert(std::lower_bound(c.live.begin(), c.live.end(), i), i);
   set_mass(scene, state, body, mass_of_body(scene, body));
+  queries->note_changed(i);
+  queries->note_moved(body);
   ++scene.revision, ++scene.collider_revision;
   return handle;
 }
@@ -146,6 +154,8 @@ void World::remove_collider(std::uint32_t collider) {
   // The host may now free the shape, and another may come to live at its address.
   const auto wears = [&](std::uint32_t slot) { return c.shape[slot] == shape; };
   if (!plan->faulty.empty() && std::none_of(c.live.begin(), c.live.end(), wears)) std::erase(plan->faulty, shape);
+  queries->note_changed(collider);
+  queries->note_moved(body);
   ++scene.revision, ++scene.collider_revision;
 }
 
@@ -172,6 +182,45 @@ void World::remove_material(std::uint32_t material) {
   ++scene.revision;
 }
 
+void World::set_filter(std::uint32_t collider, const Filter& filter) {
+  Array<Filter>& all = scene.colliders.filter;
+  if (scene.colliders.filter_of(collider) == filter) return;
+  if (all.size() < scene.colliders.slots()) all.resize(scene.colliders.slots());
+  stir(*this, scene.colliders.body[collider]);
+  all[collider] = filter;
+  ++scene.revision;
+}
+
+void World::set_body_filter(std::uint32_t body, const Filter& filter) {
+  Array<Filter>& all = scene.colliders.filter;
+  if (all.size() < scene.colliders.slots()) all.resize(scene.colliders.slots());
+  stir(*this, body);  // may run out of memory, so it comes before any of them has changed
+  for (std::uint32_t c = scene.first_collider[body]; c != Colliders::kNone; c = scene.colliders.next[c]) all[c] = filter;
+  ++scene.revision;
+}
+
+void World::set_sensor(std::uint32_t collider, bool sensor) {
+  Colliders& c = scene.colliders;
+  if (c.is_sensor(collider) == sensor) return;
+  if (c.sensor.size() < c.slots()) c.sensor.resize(c.slots(), 0);
+  stir(*this, c.body[collider]);
+  c.sensor[collider] = sensor;
+  ++scene.revision;
+}
+
+void World::hold_apart(std::uint32_t a, std::uint32_t b) {
+  scene.apart.make_room();
+  stir(*this, a), stir(*this, b);
+  scene.apart.add(a, b);
+  ++scene.revision;
+}
+
+void World::let_go(std::uint32_t a, std::uint32_t b) {
+  stir(*this, a), stir(*this, b);
+  scene.apart.remove(a, b);
+  ++scene.revision;
+}
+
 void World::set_dial(Dial dial, Real value) {
   if (scene.dials[dial] == value) return;
   scene.dials[dial] = value;
@@ -194,8 +243,10 @@ void World::set_pose(std::uint32_t body, const Pose& pose) {
   stir(*this, body);
   state.q[body] = state.held_q[body] = q;
   state.x[body] = x;
+  const bool revised = state.quarantined[body] || scene.type[body] == BodyType::fixed;
+  queries->note_moved(body, revised && !state.quarantined[body]);
   state.mark_written(body);
-  if (state.quarantined[body] || scene.type[body] == BodyType::fixed) {
+  if (revised) {
     state.quarantined_count -= state.quarantined[body];
     state.quarantined[body] = 0;  // the host takes it back
     ++scene.revision, ++scene.collider_revision;

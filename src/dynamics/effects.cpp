@@ -5,6 +5,8 @@
 #include <cstring>
 
 #include "collision/volume.h"
+#include "dynamics/events/events.h"
+#include "dynamics/filter.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
@@ -41,11 +43,14 @@ constexpr std::array<Effect, kEffectCount> kTable = {{
     {Stage::solve,     "spinning_resistance", find_in_contacts,  nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::observe,   "sleep",           sleeping::find,        nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::integrate, "particles",       find_particles,        nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::broad,     "filter",          filtering::find,       nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::broad,     "sensor",          sensing::find,         nullptr,            nullptr,                nullptr,               nullptr},
 }};
 // clang-format on
 
 static_assert(kTable[kGyroscopicRow].find == gyroscopic::find && kTable[kSleepRow].find == sleeping::find &&
-              kTable[kParticlesRow].find == find_particles);
+              kTable[kParticlesRow].find == find_particles && kTable[kFilterRow].find == filtering::find &&
+              kTable[kSensorRow].find == sensing::find);
 
 // As CAROM_ROTATION_*; those after them are rotation methods.
 enum RotationChoice : std::uint32_t { kNoGyroscopicTerm, kExplicitTorque, kImplicitStep };

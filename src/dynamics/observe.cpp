@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dynamics/contact/contact.h"
+#include "dynamics/events/events.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom {
@@ -83,6 +84,7 @@ void begin_report(World& world) {
   world.report.time = time;
   world.contact_views.clear();
   world.group_views.clear();
+  world.events->clear();
 }
 
 void observe(World& world, const StepTime& time) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "collision/colliders.h"
+#include "core/pair_counts.h"
 #include "core/pool.h"
 #include "dynamics/dials.h"
 
@@ -47,7 +48,8 @@ struct Scene {
         inv_inertia(m),
         first_collider(m),
         colliders(m),
-        material(m) {}
+        material(m),
+        apart(m) {}
 
   SlotPool bodies, collider_slots, material_slots;
 
@@ -63,6 +65,7 @@ struct Scene {
 
   Colliders colliders;       // by collider slot
   Array<Material> material;  // by material slot
+  PairCounts apart;          // of body slots: they do not touch, whatever their filters say
 
   bool resists = false;      // some material resists rolling or spinning
 

@@ -6,11 +6,13 @@
 #include "dynamics/contact/resistance.h"
 #include "dynamics/detect.h"
 #include "dynamics/effects.h"
+#include "dynamics/events/events.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/island.h"
 #include "dynamics/observe.h"
 #include "dynamics/particles/flight.h"
 #include "dynamics/quarantine.h"
+#include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/solver.h"
 
@@ -58,6 +60,7 @@ void World::step(Real dt) {
   run(Stage::narrow, find_contacts);
   run(Stage::group, find_groups);
   run(Stage::solve, begin_contacts);
+  run(Stage::observe, begin_events);
   for (int k = 0; k < run.substeps(); ++k) {
     run(Stage::solve, measure_approach);
     run(Stage::integrate, integrate_velocity);
@@ -72,6 +75,8 @@ void World::step(Real dt) {
   run(Stage::solve, end_contacts);
   run(Stage::observe, observe);
   run(Stage::observe, fall_asleep);
+  run(Stage::observe, end_events);
+  run(Stage::observe, note_who_moved);
 }
 
 }  // namespace carom

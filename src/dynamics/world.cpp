@@ -4,6 +4,8 @@
 #include "core/hash.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/effects.h"
+#include "dynamics/events/events.h"
+#include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/direct.h"
 #include "dynamics/solver/wide_contacts.h"
@@ -30,6 +32,8 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
       wide(make_owned<WideContacts>(m, m)),
       direct(make_owned<DirectGroups>(m, m)),
       sleep(make_owned<Sleep>(m, m)),
+      events(make_owned<Events>(m, m)),
+      queries(make_owned<QueryIndex>(m, m)),
       memory(m) {
   scene.gravity = gravity;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };

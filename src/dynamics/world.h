@@ -70,6 +70,8 @@ struct GroupView {
 
 struct Plan;          // dynamics/effects.h: which effects have customers
 struct Contacts;      // dynamics/contact/contact.h: rows of the solver, scratch kept between steps
+struct Events;        // dynamics/events/events.h: what happened, for who asked
+class QueryIndex;     // dynamics/query/index.h: where colliders are, for questions between steps
 struct DirectGroups;  // dynamics/solver/direct.h: contact groups as problems of their own
 struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of them
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
@@ -89,6 +91,11 @@ class World {
   Handle add_material(const Material& m);
   void set_material(std::uint32_t material, const Material& m);
   void remove_material(std::uint32_t material);
+  void set_filter(std::uint32_t collider, const Filter& filter);
+  void set_body_filter(std::uint32_t body, const Filter& filter);  // of all colliders that it has now
+  void set_sensor(std::uint32_t collider, bool sensor);
+  void hold_apart(std::uint32_t body_a, std::uint32_t body_b);  // counted: as often as it is let go
+  void let_go(std::uint32_t body_a, std::uint32_t body_b);
   void set_dial(Dial dial, Real value);
   void set_gravity(const Vec3& g);
 
@@ -124,6 +131,8 @@ class World {
   Owned<WideContacts> wide;
   Owned<DirectGroups> direct;
   Owned<Sleep> sleep;
+  Owned<Events> events;
+  Owned<QueryIndex> queries;  // brought up to date by readers, who see to it that one does so at a time
   Memory* memory;
   Jobs* jobs = nullptr;  // who shares a step's loops; null: nobody
 };

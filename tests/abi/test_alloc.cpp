@@ -1,6 +1,7 @@
 // The host's allocator: everything comes from it and goes back to it, with the sizes it was asked for; running out at any
 // point is an error that changes nothing; a world at rest in its routine asks for nothing.
 #include <cstdlib>
+#include <cstring>
 #include <map>
 #include <vector>
 
@@ -97,6 +98,75 @@ void steps_of_a_settled_world_allocate_nothing(void**) {
       assert_int_equal(ledger.allocations - before, 0);
       assert_int_equal(bench_free(&b), CAROM_OK);
     }
+}
+
+/// Some of each kind of question. @return the first failure
+int32_t ask_around(const Bench& b, carom_world_hit hits[2]) {
+  const double above[3] = {0, 9, 0}, down[3] = {0, -1, 0};
+  carom_query_shapes balls = {};
+  balls.struct_size = sizeof balls;
+  balls.scalar = CAROM_SCALAR_F64;
+  balls.count = 1;
+  balls.positions = above;
+  balls.motions = down;
+  uint64_t count;
+  int32_t r = carom_world_cast_ray(b.world, above, down, 20, nullptr, &hits[0], sizeof hits[0], nullptr);
+  if (!r) r = carom_world_find_nearest(b.world, &balls, 20, nullptr, &hits[1], 0, nullptr);
+  if (!r) r = carom_world_overlap_shapes(b.world, &balls, nullptr, nullptr, 0, 0, &count, nullptr);
+  return r;
+}
+
+void events_and_rays_of_a_settled_world_allocate_nothing(void**) {
+  Ledger ledger;
+  const carom_engine_desc desc = ledger.desc();
+  Bench b;
+  assert_int_equal(bench_make(&b, &desc, nullptr), CAROM_OK);
+  assert_int_equal(carom_collider_set_sensor(b.world, b.colliders[2], 1, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_hold_apart(b.world, b.bodies[0], b.bodies[1], 1, nullptr), CAROM_OK);
+  assert_int_equal(carom_world_collect_events(b.world, 7, 1, nullptr), CAROM_OK);
+  carom_world_hit hits[2];
+  assert_int_equal(ask_around(b, hits), CAROM_OK);
+  assert_int_equal(bench_steps(b.world, 400, nullptr), CAROM_OK);
+  assert_int_equal(ask_around(b, hits), CAROM_OK);
+  const double above[3] = {0, 9, 0}, down[3] = {0, -1, 0};
+  for (int i = 0; i < 100; ++i) {
+    const uint64_t before = ledger.allocations;
+    assert_int_equal(bench_steps(b.world, 1, nullptr), CAROM_OK);
+    assert_int_equal(carom_world_cast_ray(b.world, above, down, 20, nullptr, hits, sizeof hits[0], nullptr), CAROM_OK);
+    assert_int_equal(ledger.allocations - before, 0);
+  }
+  assert_int_equal(bench_free(&b), CAROM_OK);
+  assert_int_equal(ledger.live.size(), 0);
+}
+
+/// Ask with the k-th allocation and all later ones failing, then with memory: the same answers as if nothing had been.
+void running_out_while_asking_is_an_error_and_no_more(void**) {
+  int failed = 0;
+  carom_world_hit truth[2] = {}, hits[2];
+  for (uint64_t k = 0;; ++k) {
+    Ledger ledger;
+    const carom_engine_desc desc = ledger.desc();
+    Bench b;
+    assert_int_equal(bench_make(&b, &desc, nullptr), CAROM_OK);
+    assert_int_equal(bench_steps(b.world, 20, nullptr), CAROM_OK);
+    ledger.fail_at = ledger.allocations + k;
+    std::memset(hits, 0, sizeof hits);
+    const int32_t r = ask_around(b, hits);
+    if (r != CAROM_OK) {
+      ++failed;
+      assert_int_equal(r, CAROM_E_OUT_OF_MEMORY);
+      ledger.fail_at = ~uint64_t(0);
+      assert_int_equal(bench_steps(b.world, 3, nullptr), CAROM_OK);
+      assert_int_equal(ask_around(b, hits), CAROM_OK);
+      assert_true(hits[0].outcome == CAROM_CAST_HIT && hits[1].outcome == CAROM_CAST_HIT);
+    } else {
+      std::memcpy(truth, hits, sizeof truth);
+    }
+    assert_int_equal(bench_free(&b), CAROM_OK);
+    assert_int_equal(ledger.live.size(), 0);
+    if (r == CAROM_OK) break;
+  }
+  assert_true(failed > 5 && truth[0].outcome == CAROM_CAST_HIT);
 }
 
 /// One more body with its shape and plugin, and steps in which it meets the others.
@@ -201,6 +271,7 @@ void running_out_in_a_step_moves_nothing_and_can_be_taken_up_again(void**) {
     Bench b;
     assert_int_equal(bench_make(&b, &desc, nullptr), CAROM_OK);
     assert_int_equal(enlarge(b, nullptr), CAROM_OK);
+    assert_int_equal(carom_world_collect_events(b.world, k % 2 ? 7 : 0, 1, nullptr), CAROM_OK);
     assert_int_equal(carom_body_add_force(b.world, b.bodies[0], push, twist, nullptr), CAROM_OK);
     ledger.fail_at = ledger.allocations + k;
     Motion before = motion(b);
@@ -227,7 +298,7 @@ void running_out_in_a_step_moves_nothing_and_can_be_taken_up_again(void**) {
     assert_int_equal(bench_free(&b), CAROM_OK);
     assert_int_equal(ledger.live.size(), 0);
     assert_int_equal(ledger.wrong, 0);
-    if (r == CAROM_OK) break;
+    if (r == CAROM_OK && k % 2) break;  // with events and without
   }
   assert_true(failed_steps > 5);
 }
@@ -323,6 +394,8 @@ int main() {
       cmocka_unit_test(everything_comes_from_the_host_and_goes_back),
       cmocka_unit_test(an_empty_world_costs_kilobytes),
       cmocka_unit_test(steps_of_a_settled_world_allocate_nothing),
+      cmocka_unit_test(events_and_rays_of_a_settled_world_allocate_nothing),
+      cmocka_unit_test(running_out_while_asking_is_an_error_and_no_more),
       cmocka_unit_test(running_out_at_any_point_of_building_is_an_error_and_no_leak),
       cmocka_unit_test(running_out_while_a_living_world_grows_changes_nothing),
       cmocka_unit_test(running_out_in_a_step_moves_nothing_and_can_be_taken_up_again),

@@ -572,6 +572,147 @@ const Row kParticles[] = {
     {"particles: sets: count", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { return carom_world_get_particles(b.world, nullptr, 0, nullptr, e); }},
 };
 
+carom_query_desc query_desc() {
+  carom_query_desc d;
+  carom_query_desc_init(&d);
+  return d;
+}
+int32_t ask_ray(Bench& b, const carom_query_desc& d, carom_error* e) {
+  carom_world_hit hit;
+  return carom_world_cast_ray(b.world, kZero, kOne, 1, &d, &hit, sizeof hit, e);
+}
+/// A good batch of one ray, but for what is done to it.
+int32_t ask_rays(Bench& b, void (*spoil)(carom_rays&, carom_world_hits&), carom_error* e) {
+  carom_rays r = {};
+  r.struct_size = sizeof r;
+  r.scalar = CAROM_SCALAR_F64;
+  r.count = 1;
+  r.origins = kZero;
+  r.directions = kOne;
+  carom_world_hits h = {};
+  h.struct_size = sizeof h;
+  h.scalar = CAROM_SCALAR_F64;
+  double time[3];
+  h.times = time;
+  spoil(r, h);
+  return carom_world_cast_rays(b.world, &r, CAROM_WANT_FIRST, nullptr, &h, e);
+}
+/// Likewise of one moving shape.
+int32_t ask_shapes(Bench& b, void (*spoil)(Bench&, carom_query_shapes&), carom_error* e) {
+  carom_query_shapes s = {};
+  s.struct_size = sizeof s;
+  s.scalar = CAROM_SCALAR_F64;
+  s.count = 1;
+  s.shapes = &b.ball;
+  s.positions = kZero;
+  s.orientations = kUpright;
+  s.motions = kOne;
+  spoil(b, s);
+  carom_world_hit hit;
+  return carom_world_cast_shapes(b.world, &s, CAROM_WANT_FIRST, nullptr, &hit, 0, e);
+}
+carom_query_shapes one_point() {
+  carom_query_shapes s = {};
+  s.struct_size = sizeof s;
+  s.scalar = CAROM_SCALAR_F64;
+  s.count = 1;
+  s.positions = kZero;
+  s.motions = kOne;
+  return s;
+}
+carom_rays one_ray() {
+  carom_rays r = {};
+  r.struct_size = sizeof r;
+  r.scalar = CAROM_SCALAR_F64;
+  r.count = 1;
+  r.origins = kZero;
+  r.directions = kOne;
+  return r;
+}
+
+const Row kWorldQuery[] = {
+    {"ray: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { carom_world_hit h; return carom_world_cast_ray(nullptr, kZero, kOne, 1, nullptr, &h, sizeof h, e); }},
+    {"ray: origin", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { carom_world_hit h; return carom_world_cast_ray(b.world, nullptr, kOne, 1, nullptr, &h, sizeof h, e); }},
+    {"ray: origin nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { carom_world_hit h; return carom_world_cast_ray(b.world, kNan3, kOne, 1, nullptr, &h, sizeof h, e); }},
+    {"ray: direction inf", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { carom_world_hit h; return carom_world_cast_ray(b.world, kZero, kInf3, 1, nullptr, &h, sizeof h, e); }},
+    {"ray: max", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { carom_world_hit h; return carom_world_cast_ray(b.world, kZero, kOne, -1, nullptr, &h, sizeof h, e); }},
+    {"ray: max nan", CAROM_E_NOT_FINITE, 4, [](Bench& b, carom_error* e) { carom_world_hit h; return carom_world_cast_ray(b.world, kZero, kOne, kNan, nullptr, &h, sizeof h, e); }},
+    {"ray: desc size", CAROM_E_STRUCT_SIZE, 5, [](Bench& b, carom_error* e) { auto d = query_desc(); d.struct_size = 3; return ask_ray(b, d, e); }},
+    {"ray: flags", CAROM_E_UNSUPPORTED, 5, [](Bench& b, carom_error* e) { auto d = query_desc(); d.flags = 4; return ask_ray(b, d, e); }},
+    {"ray: reserved", CAROM_E_UNSUPPORTED, 5, [](Bench& b, carom_error* e) { auto d = query_desc(); d.reserved = 1; return ask_ray(b, d, e); }},
+    {"ray: tolerance", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { auto d = query_desc(); d.tolerance = 0; return ask_ray(b, d, e); }},
+    {"ray: target", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { auto d = query_desc(); d.target = -1; return ask_ray(b, d, e); }},
+    {"ray: target nan", CAROM_E_NOT_FINITE, 5, [](Bench& b, carom_error* e) { auto d = query_desc(); d.target = kNan; return ask_ray(b, d, e); }},
+    {"ray: iterations", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { auto d = query_desc(); d.iterations = 0; return ask_ray(b, d, e); }},
+    {"ray: ignore", CAROM_E_WRONG_KIND, 5, [](Bench& b, carom_error* e) { auto d = query_desc(); d.ignore = b.colliders[0]; return ask_ray(b, d, e); }},
+    {"ray: hit", CAROM_E_NULL_ARGUMENT, 6, [](Bench& b, carom_error* e) { return carom_world_cast_ray(b.world, kZero, kOne, 1, nullptr, nullptr, sizeof(carom_world_hit), e); }},
+    {"ray: size", CAROM_E_BUFFER_TOO_SMALL, 7, [](Bench& b, carom_error* e) { carom_world_hit h; return carom_world_cast_ray(b.world, kZero, kOne, 1, nullptr, &h, 4, e); }},
+    {"rays: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_world_cast_rays(nullptr, nullptr, 0, nullptr, nullptr, e); }},
+    {"rays: rays", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return carom_world_cast_rays(b.world, nullptr, 0, nullptr, nullptr, e); }},
+    {"rays: scalar", CAROM_E_UNKNOWN_ENUM, 2, [](Bench& b, carom_error* e) { return ask_rays(b, [](carom_rays& r, carom_world_hits&) { r.scalar = 2; }, e); }},
+    {"rays: directions", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return ask_rays(b, [](carom_rays& r, carom_world_hits&) { r.directions = nullptr; }, e); }},
+    {"rays: stride", CAROM_E_BUFFER_TOO_SMALL, 2, [](Bench& b, carom_error* e) { return ask_rays(b, [](carom_rays& r, carom_world_hits&) { r.direction_stride = 8; }, e); }},
+    {"rays: want", CAROM_E_UNKNOWN_ENUM, 3, [](Bench& b, carom_error* e) { const carom_rays r = one_ray(); carom_world_hits h = {}; h.struct_size = sizeof h; return carom_world_cast_rays(b.world, &r, 2, nullptr, &h, e); }},
+    {"rays: desc", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { auto d = query_desc(); d.target = 2e9; const carom_rays r = one_ray(); carom_world_hits h = {}; h.struct_size = sizeof h; return carom_world_cast_rays(b.world, &r, 0, &d, &h, e); }},
+    {"rays: hits", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { const carom_rays r = one_ray(); return carom_world_cast_rays(b.world, &r, 0, nullptr, nullptr, e); }},
+    {"rays: hits size", CAROM_E_STRUCT_SIZE, 5, [](Bench& b, carom_error* e) { return ask_rays(b, [](carom_rays&, carom_world_hits& h) { h.struct_size = 7; }, e); }},
+    {"rays: time stride", CAROM_E_BUFFER_TOO_SMALL, 5, [](Bench& b, carom_error* e) { return ask_rays(b, [](carom_rays&, carom_world_hits& h) { h.time_stride = 4; }, e); }},
+    {"all rays: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_cast_rays_all(nullptr, nullptr, nullptr, nullptr, 0, 0, &n, e); }},
+    {"all rays: rays", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { uint64_t n; return carom_world_cast_rays_all(b.world, nullptr, nullptr, nullptr, 0, 0, &n, e); }},
+    {"all rays: dst", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { const carom_rays r = one_ray(); uint64_t n; return carom_world_cast_rays_all(b.world, &r, nullptr, nullptr, 0, 1, &n, e); }},
+    {"all rays: stride", CAROM_E_BUFFER_TOO_SMALL, 5, [](Bench& b, carom_error* e) { const carom_rays r = one_ray(); carom_world_hit h; uint64_t n; return carom_world_cast_rays_all(b.world, &r, nullptr, &h, 7, 1, &n, e); }},
+    {"all rays: count", CAROM_E_NULL_ARGUMENT, 7, [](Bench& b, carom_error* e) { const carom_rays r = one_ray(); return carom_world_cast_rays_all(b.world, &r, nullptr, nullptr, 0, 0, nullptr, e); }},
+    {"shapes: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_world_cast_shapes(nullptr, nullptr, 0, nullptr, nullptr, 0, e); }},
+    {"shapes: shapes", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return carom_world_cast_shapes(b.world, nullptr, 0, nullptr, nullptr, 0, e); }},
+    {"shapes: size", CAROM_E_STRUCT_SIZE, 2, [](Bench& b, carom_error* e) { return ask_shapes(b, [](Bench&, carom_query_shapes& s) { s.struct_size = 1; }, e); }},
+    {"shapes: scalar", CAROM_E_UNKNOWN_ENUM, 2, [](Bench& b, carom_error* e) { return ask_shapes(b, [](Bench&, carom_query_shapes& s) { s.scalar = 7; }, e); }},
+    {"shapes: positions", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return ask_shapes(b, [](Bench&, carom_query_shapes& s) { s.positions = nullptr; }, e); }},
+    {"shapes: motions", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return ask_shapes(b, [](Bench&, carom_query_shapes& s) { s.motions = nullptr; }, e); }},
+    {"shapes: motion stride", CAROM_E_BUFFER_TOO_SMALL, 2, [](Bench& b, carom_error* e) { return ask_shapes(b, [](Bench&, carom_query_shapes& s) { s.motion_stride = 8; }, e); }},
+    {"shapes: position nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return ask_shapes(b, [](Bench&, carom_query_shapes& s) { s.positions = kNan3; }, e); }},
+    {"shapes: orientation", CAROM_E_NOT_UNIT, 2, [](Bench& b, carom_error* e) { return ask_shapes(b, [](Bench&, carom_query_shapes& s) { s.orientations = kLong; }, e); }},
+    {"shapes: motion inf", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return ask_shapes(b, [](Bench&, carom_query_shapes& s) { s.motions = kInf3; }, e); }},
+    {"shapes: half-space", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { return ask_shapes(b, [](Bench& o, carom_query_shapes& s) { s.shapes = &o.floor; }, e); }},
+    {"shapes: want", CAROM_E_UNKNOWN_ENUM, 3, [](Bench& b, carom_error* e) { const carom_query_shapes s = one_point(); carom_world_hit h; return carom_world_cast_shapes(b.world, &s, 9, nullptr, &h, 0, e); }},
+    {"shapes: desc", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { auto d = query_desc(); d.iterations = 20000; const carom_query_shapes s = one_point(); carom_world_hit h; return carom_world_cast_shapes(b.world, &s, 0, &d, &h, 0, e); }},
+    {"shapes: dst", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { const carom_query_shapes s = one_point(); return carom_world_cast_shapes(b.world, &s, 0, nullptr, nullptr, 0, e); }},
+    {"shapes: stride", CAROM_E_BUFFER_TOO_SMALL, 6, [](Bench& b, carom_error* e) { const carom_query_shapes s = one_point(); carom_world_hit h; return carom_world_cast_shapes(b.world, &s, 0, nullptr, &h, 9, e); }},
+    {"all shapes: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_cast_shapes_all(nullptr, nullptr, nullptr, nullptr, 0, 0, &n, e); }},
+    {"all shapes: count", CAROM_E_NULL_ARGUMENT, 7, [](Bench& b, carom_error* e) { const carom_query_shapes s = one_point(); return carom_world_cast_shapes_all(b.world, &s, nullptr, nullptr, 0, 0, nullptr, e); }},
+    {"overlap: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_overlap_shapes(nullptr, nullptr, nullptr, nullptr, 0, 0, &n, e); }},
+    {"overlap: dst", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { const carom_query_shapes s = one_point(); uint64_t n; return carom_world_overlap_shapes(b.world, &s, nullptr, nullptr, 0, 2, &n, e); }},
+    {"nearest: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_world_find_nearest(nullptr, nullptr, 1, nullptr, nullptr, 0, e); }},
+    {"nearest: reach", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { const carom_query_shapes s = one_point(); carom_world_hit h; return carom_world_find_nearest(b.world, &s, -1, nullptr, &h, 0, e); }},
+    {"nearest: reach nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { const carom_query_shapes s = one_point(); carom_world_hit h; return carom_world_find_nearest(b.world, &s, kNan, nullptr, &h, 0, e); }},
+    {"nearest: dst", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { const carom_query_shapes s = one_point(); return carom_world_find_nearest(b.world, &s, 1, nullptr, nullptr, 0, e); }},
+};
+
+const Row kEvents[] = {
+    {"filter: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_collider_set_filter(nullptr, b.colliders[0], 1, 1, 0, e); }},
+    {"filter: category", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { uint64_t m; int32_t g; return carom_collider_get_filter(b.world, b.colliders[0], nullptr, &m, &g, e); }},
+    {"filter: mask", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { uint64_t c; int32_t g; return carom_collider_get_filter(b.world, b.colliders[0], &c, nullptr, &g, e); }},
+    {"filter: group", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { uint64_t c, m; return carom_collider_get_filter(b.world, b.colliders[0], &c, &m, nullptr, e); }},
+    {"body filter: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_body_set_filter(nullptr, b.bodies[0], 1, 1, 0, e); }},
+    {"apart: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_body_hold_apart(nullptr, b.bodies[0], b.bodies[1], 1, e); }},
+    {"apart: itself", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return carom_body_hold_apart(b.world, b.bodies[0], b.bodies[0], 1, e); }},
+    {"apart: 2", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { return carom_body_hold_apart(b.world, b.bodies[0], b.bodies[1], 2, e); }},
+    {"sensor: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_collider_set_sensor(nullptr, b.colliders[0], 1, e); }},
+    {"sensor: 2", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return carom_collider_set_sensor(b.world, b.colliders[0], 2, e); }},
+    {"sensor: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_collider_is_sensor(b.world, b.colliders[0], nullptr, e); }},
+    {"events: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_world_collect_events(nullptr, 0, 0, e); }},
+    {"events: kinds", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { return carom_world_collect_events(b.world, 8, 0, e); }},
+    {"events: speed", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return carom_world_collect_events(b.world, 7, -1, e); }},
+    {"events: speed nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return carom_world_collect_events(b.world, 7, kNan, e); }},
+    {"contact events: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_get_contact_events(nullptr, nullptr, 0, 0, &n, e); }},
+    {"contact events: dst", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { uint64_t n; return carom_world_get_contact_events(b.world, nullptr, 0, 1, &n, e); }},
+    {"contact events: stride", CAROM_E_BUFFER_TOO_SMALL, 3, [](Bench& b, carom_error* e) { uint64_t n; carom_contact_event x; return carom_world_get_contact_events(b.world, &x, 4, 1, &n, e); }},
+    {"contact events: count", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return carom_world_get_contact_events(b.world, nullptr, 0, 0, nullptr, e); }},
+    {"sensor events: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_get_sensor_events(nullptr, nullptr, 0, 0, &n, e); }},
+    {"sensor events: count", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return carom_world_get_sensor_events(b.world, nullptr, 0, 0, nullptr, e); }},
+    {"sleep events: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_get_sleep_events(nullptr, nullptr, 0, 0, &n, e); }},
+    {"sleep events: count", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return carom_world_get_sleep_events(b.world, nullptr, 0, 0, nullptr, e); }},
+};
+
 template <std::size_t N>
 void each_is_refused(const Row (&rows)[N]) {
   Bench b;
@@ -615,6 +756,8 @@ void every_wrong_argument_of_bulk_calls_is_refused(void**) { each_is_refused(kBu
 void every_wrong_argument_of_queries_is_refused(void**) { each_is_refused(kQuery); }
 void every_wrong_argument_of_casts_is_refused(void**) { each_is_refused(kCast); }
 void every_wrong_argument_of_particles_is_refused(void**) { each_is_refused(kParticles); }
+void every_wrong_argument_of_world_queries_is_refused(void**) { each_is_refused(kWorldQuery); }
+void every_wrong_argument_of_filters_and_events_is_refused(void**) { each_is_refused(kEvents); }
 
 void every_result_has_its_own_name_and_a_remedy(void**) {
   std::set<std::string> names;
@@ -644,6 +787,7 @@ void calls_without_an_error_object_refuse_null_too(void**) {
   assert_int_equal(carom_cast_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_motion_init(nullptr), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_particles_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_query_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_dial_get_count(nullptr), CAROM_E_NULL_ARGUMENT);
 }
 
@@ -686,6 +830,8 @@ int main() {
       cmocka_unit_test(every_wrong_argument_of_queries_is_refused),
       cmocka_unit_test(every_wrong_argument_of_casts_is_refused),
       cmocka_unit_test(every_wrong_argument_of_particles_is_refused),
+      cmocka_unit_test(every_wrong_argument_of_world_queries_is_refused),
+      cmocka_unit_test(every_wrong_argument_of_filters_and_events_is_refused),
       cmocka_unit_test(every_result_has_its_own_name_and_a_remedy),
       cmocka_unit_test(calls_without_an_error_object_refuse_null_too),
       cmocka_unit_test(a_flat_shape_on_a_body_without_mass_has_no_volume),

@@ -63,7 +63,36 @@ int32_t put_on(Bench& b, carom_body body, carom_shape shape, carom_material mate
   return carom_collider_create(b.world, body, &d, &out, e);
 }
 
+int32_t ask_without(Bench& b, uint64_t body, carom_error* e) {
+  if (!body) return CAROM_E_INVALID_HANDLE;  // nobody is ignored
+  carom_query_desc d;
+  carom_query_desc_init(&d);
+  d.ignore = body;
+  carom_world_hit hit;
+  return carom_world_cast_ray(b.world, kZero, kUp, 1, &d, &hit, sizeof hit, e);
+}
+int32_t ask_with(Bench& b, uint64_t shape, carom_error* e) {
+  if (!shape) return CAROM_E_INVALID_HANDLE;  // a point
+  carom_query_shapes s = {};
+  s.struct_size = sizeof s;
+  s.scalar = CAROM_SCALAR_F64;
+  s.count = 1;
+  s.shapes = &shape;
+  s.positions = kZero;
+  uint64_t count;
+  return carom_world_overlap_shapes(b.world, &s, nullptr, nullptr, 0, 0, &count, e);
+}
+
 const Place kPlaces[] = {
+    {"collider_set_filter", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_collider_set_filter(b.world, h, 1, 1, 0, e); }},
+    {"collider_get_filter", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { uint64_t c, m; int32_t g; return carom_collider_get_filter(b.world, h, &c, &m, &g, e); }},
+    {"collider_set_sensor", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_collider_set_sensor(b.world, h, 1, e); }},
+    {"collider_is_sensor", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { uint32_t s; return carom_collider_is_sensor(b.world, h, &s, e); }},
+    {"body_set_filter", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_set_filter(b.world, h, 1, 1, 0, e); }},
+    {"body_hold_apart a", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_hold_apart(b.world, h, b.ground, 0, e); }},
+    {"body_hold_apart b", kBody, 3, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_hold_apart(b.world, b.ground, h, 0, e); }},
+    {"world_cast_ray ignore", kBody, 5, ask_without},
+    {"world_overlap_shapes shape", kShape, 2, ask_with},
     {"plugin_unload", kPlugin, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_plugin_unload(b.engine, h, e); }},
     {"plugin_describe", kPlugin, 2, [](Bench& b, uint64_t h, carom_error* e) { const carom_shape_plugin* p; return carom_plugin_describe(b.engine, h, &p, e); }},
     {"shape_create", kPlugin, 2, [](Bench& b, uint64_t h, carom_error* e) { double r = 1; carom_shape s; return carom_shape_create(b.engine, h, &r, 1, &s, e); }},

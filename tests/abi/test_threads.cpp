@@ -124,6 +124,63 @@ void two_readers_at_once_are_both_served(void**) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
+void questions_side_by_side_get_the_answers_of_one(void**) {
+  // Each round a body is moved, then all ask at once: one of them brings the index up to date.
+  Bench b;
+  assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
+  constexpr int kRounds = 60, kRays = 64;
+  std::vector<double> ends(3 * kRays);
+  for (int i = 0; i < kRays; ++i) ends[3 * i] = -1 + 0.07 * i, ends[3 * i + 1] = 9, ends[3 * i + 2] = 0.01 * i;
+  const double down[3] = {0, -1, 0};
+  std::vector<double> ways(3 * kRays);
+  for (int i = 0; i < kRays; ++i) ways[3 * i + 1] = down[1];
+  const auto ask = [&](double times[kRays]) {
+    carom_rays rays = {};
+    rays.struct_size = sizeof rays;
+    rays.scalar = CAROM_SCALAR_F64;
+    rays.count = kRays;
+    rays.origins = ends.data();
+    rays.directions = ways.data();
+    std::vector<double> max(kRays, 100);
+    rays.max = max.data();
+    carom_world_hits hits = {};
+    hits.struct_size = sizeof hits;
+    hits.scalar = CAROM_SCALAR_F64;
+    hits.times = times;
+    carom_query_shapes ball = {};
+    ball.struct_size = sizeof ball;
+    ball.scalar = CAROM_SCALAR_F64;
+    ball.count = 1;
+    ball.shapes = &b.ball;
+    ball.positions = ends.data();
+    carom_world_hit hit;
+    return carom_world_cast_rays(b.world, &rays, CAROM_WANT_FIRST, nullptr, &hits, nullptr) == CAROM_OK &&
+           carom_world_find_nearest(b.world, &ball, 100, nullptr, &hit, 0, nullptr) == CAROM_OK;
+  };
+  for (int round = 0; round < kRounds; ++round) {
+    const double place[3] = {0.05 * round, 2, 0}, upright[4] = {0, 0, 0, 1};
+    if (round % 3 == 2)
+      assert_int_equal(bench_steps(b.world, 1, nullptr), CAROM_OK);
+    else
+      assert_int_equal(carom_body_set_pose(b.world, b.bodies[round % 4], place, upright, nullptr), CAROM_OK);
+    double told[kThreads][kRays];
+    std::atomic<int> wrong{0}, ready{0};
+    std::vector<std::thread> threads;
+    for (int t = 0; t < kThreads; ++t)
+      threads.emplace_back([&, t] {
+        ++ready;
+        while (ready < kThreads) std::this_thread::yield();
+        wrong += !ask(told[t]);
+      });
+    for (std::thread& t : threads) t.join();
+    assert_int_equal(wrong, 0);
+    double alone[kRays];
+    assert_true(ask(alone));
+    for (const auto& times : told) assert_memory_equal(times, alone, sizeof alone);
+  }
+  assert_int_equal(bench_free(&b), CAROM_OK);
+}
+
 void tags_of_the_dead_are_given_out_again(void**) {
   // More lives than there are numbers: 65,535 at once, but any number in a row.
   carom_engine* engine = nullptr;
@@ -155,6 +212,7 @@ int main() {
       cmocka_unit_test(worlds_on_threads_get_the_same_bits_as_alone),
       cmocka_unit_test(readers_run_side_by_side_and_a_writer_among_them_is_busy_or_done),
       cmocka_unit_test(two_readers_at_once_are_both_served),
+      cmocka_unit_test(questions_side_by_side_get_the_answers_of_one),
       cmocka_unit_test(tags_of_the_dead_are_given_out_again),
       cmocka_unit_test(the_sixty_five_thousandth_engine_is_refused_and_recovers),
   };

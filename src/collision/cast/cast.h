@@ -14,6 +14,7 @@ struct CastSettings {
   Real tolerance = 1e-6;  // width of the bracket wanted, as length of path, relative to the (smaller) bounding radius
   Real target = 0;        // m, >= 0: separation that counts as contact
   int cap = 128;          // support evaluations of a ray or linear cast; distance queries of a time of impact
+  bool routines = false;  // rays: use a closed form where the shape declares one that there is a routine for
 };
 
 /// Contact begins at a time in [lower, upper]: before `lower` the separation exceeds the target, and within the bracket

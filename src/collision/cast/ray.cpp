@@ -2,8 +2,8 @@
 #include "collision/cast/ray.h"
 
 #include "collision/cast/line.h"
+#include "collision/cast/local_ray.h"
 #include "collision/cast/overlap.h"
-#include "collision/cast/rounding.h"
 #include "collision/core.h"
 #include "collision/support.h"
 
@@ -55,31 +55,9 @@ class RaySet {
   SupportFault& fault_;
 };
 
-/// A ray as the shape sees it.
-struct Local {
-  Vec3 o, u;             // m; unit
-  Real speed;            // m per unit of t
-  Real start, stop;      // m along u from the foot of the shape's origin
-  Real rounding, reach;  // m
-
-  Local(const Ray& ray, const Shape& shape, const Frame& frame, Real target) {
-    o = frame.apply_inverse(ray.origin);
-    const Vec3 d = frame.rotate_inverse(ray.direction);
-    const Real largest = d.cwiseAbs().maxCoeff();
-    const Vec3 scaled = largest > 0 ? Vec3(d / largest) : Vec3(Vec3::UnitX());
-    const Real length = scaled.norm();
-    u = scaled / length;
-    speed = largest * length;
-    start = u.dot(o);
-    stop = speed > 0 ? start + speed * ray.max : start;
-    rounding = kCastRounding * kUnitRoundoff * (o.norm() + shape.bounding_radius + target);
-    reach = (1 + 1e-6) * (shape.bounding_radius + target) + rounding;
-  }
-};
-
 /// Whether the stretch of the line passes outside a box that holds the shape, swollen. For flat and long shapes, which
 /// a ball fits badly.
-bool passes_box(const Shape& shape, const Local& r, Real target) {
+bool passes_box(const Shape& shape, const LocalRay& r, Real target) {
   const Real more = target + r.rounding + kSloppiness * shape.bounding_radius;
   Real in = 0, out = r.stop - r.start;
   for (int i = 0; i < 3; ++i) {
@@ -94,12 +72,6 @@ bool passes_box(const Shape& shape, const Local& r, Real target) {
     out = std::min(out, std::max(a, b));
   }
   return in > out;
-}
-
-void miss(const Ray& ray, CastResult& result) {
-  result.outcome = CastOutcome::miss;
-  result.time = result.lower = ray.max;
-  result.upper = kInfinity;
 }
 
 /// A plane is met at one time, known in closed form.
@@ -151,7 +123,7 @@ void ask_point(const Ray& ray, const Shape& shape, const Frame& frame, const Cas
 using RayEntry = line::Entry<RaySet::Point>;
 
 /// The answer of a walk that found where the line enters, in the ray's own terms.
-void write_hit(const Ray& ray, const Frame& frame, const Local& r, const Mat3& basis, const RayEntry& e, Real scale,
+void write_hit(const Ray& ray, const Frame& frame, const LocalRay& r, const Mat3& basis, const RayEntry& e, Real scale,
                Real target, CastResult& result) {
   const auto time = [&](Real s) { return std::clamp((s / scale - r.start) / r.speed, Real(0), ray.max); };
   result.outcome = CastOutcome::hit;
@@ -174,13 +146,14 @@ void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const Cast
   result = CastResult();
   const Real target = settings.target;
   if (shape.form == Form::half_space) return cast_at_plane(ray, shape, frame, target, result);
-  const Local r(ray, shape, frame, target);
+  const LocalRay r(ray, shape, frame, target);
   if (!(r.reach < 1e80 && r.speed < 1e100)) {  // squares would overflow
     result.outcome = CastOutcome::undecided;
     result.status = QueryStatus::rounding;
     return;
   }
   result.slack = 3 * r.rounding;
+  if (settings.routines && cast_at_form(ray, shape, frame, r, settings, result)) return;
   const Vec3 off = r.o - r.start * r.u;
   if (!(off.squaredNorm() <= r.reach * r.reach) || r.start > r.reach || r.stop < -r.reach) return miss(ray, result);
   if (!(r.speed * ray.max > 0)) return ask_point(ray, shape, frame, settings, result, fault);

@@ -87,7 +87,7 @@ struct Cast {
     const Vec3 n = frame_a.rotate(found.normal);
     const Real rate = -n.dot(motion), gap = found.separation - settings.target;
     result.slack = rounding;
-    if (found.status != QueryStatus::exact_enough) {
+    if (found.status == QueryStatus::fault) {  // of a point, whose size is 0, no bracket is narrow enough; slack tells
       result.status = found.status;
       result.outcome = CastOutcome::undecided;
       return;

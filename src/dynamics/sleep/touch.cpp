@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "dynamics/detect.h"
+#include "dynamics/filter.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom {
@@ -50,14 +51,15 @@ void ask(World& world, const NarrowSettings& settings, std::uint32_t slot) {
   const Colliders& c = world.scene.colliders;
   const Aabb& box = c.bounds[slot];
   if (!(box.lo.x() <= box.hi.x())) return;
+  const bool filtered = any_held_apart(world);
   z.hits.clear();
   z.tree.query(box, [&](std::uint32_t other) { z.hits.push_back(other); });
   std::sort(z.hits.begin(), z.hits.end());  // the tree's order means nothing
   for (const std::uint32_t other : z.hits) {
     const std::uint32_t body = c.body[other];
-    if (!z.asleep[body] || !may_touch(c, slot, other)) continue;
+    if (!z.asleep[body] || !may_touch(c, slot, other) || (filtered && !lets_touch(world.scene, slot, other))) continue;
     const Pair pair{std::min(slot, other), std::max(slot, other)};
-    if (!touches(world, settings, pair)) {
+    if (c.is_sensor(slot) || c.is_sensor(other) || !touches(world, settings, pair)) {
       z.near.push_back(pair);
       continue;
     }

@@ -27,6 +27,32 @@ void CaromWorld::read(BodyState* states) const {
   }
 }
 
+void CaromWorld::cast_rays(const double* ends, std::size_t n, double* fractions, std::uint32_t flags) {
+  std::vector<double> ways(3 * n);
+  std::vector<std::uint32_t> outcomes(n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < 3; ++k) ways[3 * i + k] = ends[6 * i + 3 + k] - ends[6 * i + k];
+  carom_rays rays{};
+  rays.struct_size = sizeof rays;
+  rays.scalar = CAROM_SCALAR_F64;
+  rays.count = n;
+  rays.origins = ends;
+  rays.origin_stride = 6 * sizeof(double);
+  rays.directions = ways.data();
+  carom_world_hits hits{};
+  hits.struct_size = sizeof hits;
+  hits.scalar = CAROM_SCALAR_F64;
+  hits.outcomes = outcomes.data();
+  hits.times = fractions;
+  carom_query_desc desc;
+  tools::Call call;
+  call.done(carom_query_desc_init(&desc), "describing a query");
+  desc.flags = flags;
+  call.done(carom_world_cast_rays(stage_.world.get(), &rays, CAROM_WANT_FIRST, &desc, &hits, call), "casting rays");
+  for (std::size_t i = 0; i < n; ++i)
+    if (outcomes[i] == CAROM_CAST_MISS) fractions[i] = 2;
+}
+
 carom_engine_desc counted_engine() {
   carom_engine_desc desc;
   tools::Call call;

@@ -22,6 +22,12 @@ class CaromWorld : public PeerWorld {
   void step(double dt) override { stage_.world.step(dt); }
   void read(BodyState* states) const override;
   std::size_t contact_points() const override { return stage_.world.report().contact_points; }
+  bool cast_rays(const double* ends, std::size_t n, double* fractions) override {
+    cast_rays(ends, n, fractions, 0);
+    return true;
+  }
+  /// @param flags  CAROM_ASK_*
+  void cast_rays(const double* ends, std::size_t n, double* fractions, std::uint32_t flags);
   carom_step_report report() const { return stage_.world.report(); }
 
  private:

@@ -14,13 +14,6 @@
 namespace carom::bench {
 namespace {
 
-/// CPU time of this process, all threads together.
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 /// Where a long run is: a line that rewrites itself on a terminal, a line now and then in a log.
 class Progress {
  public:
@@ -104,6 +97,12 @@ SceneChoice with_n(SceneChoice choice, double n) {
 using MakeWorld = std::function<std::unique_ptr<PeerWorld>(const SceneChoice&, const Plan&)>;
 
 }  // namespace
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 double Record::mean_ms(std::size_t from, std::size_t to) const {
   return 1e3 *

@@ -37,6 +37,9 @@ struct Record {
 
 inline constexpr double kDt = 1.0 / 60;  // s
 
+/// CPU time of this process, all threads together. @return s
+double cpu_seconds();
+
 /// @return one record an engine: Carom, then the others in order   @throws Error
 std::vector<Record> measure(const Row& row, const Options& options);
 

@@ -43,6 +43,14 @@ class PeerWorld {
   virtual void step(double dt) = 0;
   virtual void read(BodyState* states) const = 0;  // [bodies]
   virtual std::size_t contact_points() const = 0;  // after the last step
+  /// What each ray meets first.
+  /// @param ends       [6 n] m, world: where a ray starts and where it ends
+  /// @param fractions  [n] out: of the way, at which something is met; 2: nothing
+  /// @return           false: the engine is not asked
+  virtual bool cast_rays(const double* ends, std::size_t n, double* fractions) {
+    (void)ends, (void)n, (void)fractions;
+    return false;
+  }
 };
 
 /// What a shared object with an engine exports as `carom_bench_engine`.

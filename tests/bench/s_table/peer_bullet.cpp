@@ -26,6 +26,7 @@ class BulletWorld : public PeerWorld {
         world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
     world_.setGravity(vec(plan.gravity));
     for (std::size_t i = 0; i < plan.count; ++i) add(plan.bodies[i]);
+    world_.updateAabbs();
   }
 
   ~BulletWorld() override {
@@ -52,6 +53,16 @@ class BulletWorld : public PeerWorld {
     for (int i = 0; i < dispatcher_.getNumManifolds(); ++i)
       n += static_cast<std::size_t>(dispatcher_.getInternalManifoldPointer()[i]->getNumContacts());
     return n;
+  }
+
+  bool cast_rays(const double* ends, std::size_t n, double* fractions) override {
+    for (std::size_t i = 0; i < n; ++i) {
+      const btVector3 from = vec(ends + 6 * i), to = vec(ends + 6 * i + 3);
+      btCollisionWorld::ClosestRayResultCallback first(from, to);
+      world_.rayTest(from, to, first);
+      fractions[i] = first.hasHit() ? double(first.m_closestHitFraction) : 2;
+    }
+    return true;
   }
 
  private:

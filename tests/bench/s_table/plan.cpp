@@ -97,6 +97,16 @@ WorldPlan Plan::world(bool sleeping) const {
   return plan;
 }
 
+void Plan::start_at(const std::vector<BodyState>& states) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Quat q = quat(states[i].orientation);
+    BodyState start;
+    Vec::Map(start.position) = vec(states[i].position) + q * members_[i].center;
+    Eigen::Vector4d::Map(start.orientation) = (q * members_[i].axes).coeffs();
+    plans_[i].start = start;
+  }
+}
+
 void Plan::to_body_frames(std::vector<BodyState>& states) const {
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Quat q = quat(states[i].orientation) * members_[i].axes.conjugate();

@@ -36,6 +36,9 @@ class Plan {
 
   /// For another engine; lives as long as this plan.
   WorldPlan world(bool sleeping) const;
+  /// The same bodies, somewhere else and at rest.
+  /// @param states  [actors] the stage's body frames
+  void start_at(const std::vector<BodyState>& states);
   /// Principal frames about the centres of mass, as other engines answer, to the stage's body frames.
   /// @param states  [actors]
   void to_body_frames(std::vector<BodyState>& states) const;

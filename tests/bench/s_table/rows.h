@@ -18,6 +18,7 @@ struct Row {
   bool memory = false;    ///< what is asked for is bytes a body, not time
   double target = 0;      ///< the design's aim on the machine on which its table was made, ms (bytes); 0: none
   double bullet = 0;      ///< Bullet's figure in that table; 0: none
+  std::size_t rays = 0;   ///< cast into what lies there at the end, and timed in place of the steps; ms of all
 };
 
 const std::vector<Row>& s_table();

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <numeric>
 
-#include "measure.h"
+#include "rays.h"
 
 namespace {
 
@@ -58,6 +58,28 @@ void print_row(const Row& row, const Record& record, const Record* reference) {
   std::fflush(stdout);
 }
 
+void print_rays(const std::vector<Row>& rows, const Options& options) {
+  bool first = true;
+  for (const Row& row : rows) {
+    if (!row.rays) continue;
+    if (first)
+      std::printf(
+          "\n| row | engine | ms, all rays | first time | of Bullet | target (of Bullet) | hits | unlike Carom's | "
+          "apart from Carom's, max mm | rays apart by 1 mm |\n|---|---|---|---|---|---|---|---|---|---|\n");
+    first = false;
+    const std::vector<RayRecord> records = measure_rays(row, options, row.rays);
+    const auto bullet = std::find_if(records.begin(), records.end(),
+                                     [](const RayRecord& r) { return r.engine.rfind("Bullet", 0) == 0; });
+    for (const RayRecord& r : records)
+      std::printf("| %s | %s | %.1f | %.1f | %s | %s | %zu | %zu | %.2g | %zu |\n", row.id.c_str(), r.engine.c_str(),
+                  1e3 * r.best, 1e3 * r.first,
+                  bullet == records.end() ? "-" : format("%.4f", r.best / bullet->best).c_str(),
+                  r.is_carom ? (format("%g", row.target) + format(" (%.2g)", row.target / row.bullet)).c_str() : "-",
+                  r.hits, r.unlike, 1e3 * r.farthest, r.apart);
+    std::fflush(stdout);
+  }
+}
+
 std::string profile(const Row& row, const Record& record) {
   const double all = std::accumulate(record.stages.begin(), record.stages.end(), 0.0);
   std::string text = row.id + ":";
@@ -69,14 +91,17 @@ std::string profile(const Row& row, const Record& record) {
 
 /// @return whether Carom kept every body, finite and within the scene
 bool run(const std::vector<Row>& rows, const Options& options, bool with_profile) {
-  std::printf(
-      "| row | engine | ms/step | last third | worst | of Bullet | target (of Bullet) | penetration max / mean mm | "
-      "peak mm | "
-      "J/body "
-      "| points | escaped, not finite | outcome |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  const bool any_steps = std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.rays == 0; });
+  if (any_steps)
+    std::printf(
+        "| row | engine | ms/step | last third | worst | of Bullet | target (of Bullet) | penetration max / mean mm | "
+        "peak mm | "
+        "J/body "
+        "| points | escaped, not finite | outcome |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   std::vector<std::string> profiles;
   bool kept = true;
   for (const Row& row : rows) {
+    if (row.rays) continue;
     const std::vector<Record> records = measure(row, options);
     const auto bullet =
         std::find_if(records.begin(), records.end(), [](const Record& r) { return r.engine.rfind("Bullet", 0) == 0; });
@@ -128,7 +153,9 @@ int main(int argc, char** argv) {
       if (name != "carom") options.peers.push_back(load_engine(modules.at(name).c_str()));
     std::vector<Row> rows = names.empty() ? s_table() : std::vector<Row>();
     for (const std::string& name : names) rows.push_back(find_row(name));
-    return run(rows, options, with_profile) ? 0 : 1;
+    const bool kept = run(rows, options, with_profile);
+    print_rays(rows, options);
+    return kept ? 0 : 1;
   } catch (const tools::Error& error) {
     std::fprintf(stderr, "s_table: %s\n  what to do: %s\n", error.what(), error.remedy.c_str());
     return 2;

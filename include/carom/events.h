@@ -1,0 +1,91 @@
+/** @file events.h
+ *  What happened in the last step, as arrays: contacts that began, ended or were hit, sensors entered and left, bodies that
+ *  fell asleep or woke. (Faults: carom_world_get_faults().) Nothing is collected that nobody asked for.
+ *
+ *  Arrays are replaced by the next step. Their order is that of slots, and the same for any number of threads. What was
+ *  destroyed keeps its handle in them, which is stale by then. Where it takes memory, a step asks for it before it moves
+ *  anything.   @since 1.5
+ */
+#ifndef CAROM_EVENTS_H
+#define CAROM_EVENTS_H
+
+#include <carom/body.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define CAROM_EVENTS_CONTACT 1u
+#define CAROM_EVENTS_SENSOR 2u
+#define CAROM_EVENTS_SLEEP 4u
+
+/** Say what to collect from the next step on; nothing at first. Contacts and overlaps that there are already begin in
+ *  that step.
+ *  @param kinds     CAROM_EVENTS_* bits; 0: nothing
+ *  @param hit_speed m/s, [0, 1e9]: contacts that approach faster are hits
+ *  @status OK; NULL_ARGUMENT; UNSUPPORTED (kinds); NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5 */
+CAROM_API int32_t carom_world_collect_events(carom_world *world, uint32_t kinds, double hit_speed, carom_error *error);
+
+#define CAROM_CONTACT_BEGIN 0u /* the first step in which the two press on each other */
+#define CAROM_CONTACT_END 1u   /* the first after that in which they are farther apart than the contact distance, or one
+                                  of them is gone, filtered out, muted or in quarantine; point, normal, impulse, speed: 0 */
+#define CAROM_CONTACT_HIT 2u   /* they press, and approached faster than hit_speed as the step began */
+
+/** Of two colliders; all their contact points together. Sleepers stay in touch. */
+typedef struct carom_contact_event {
+  uint32_t kind;             /**< CAROM_CONTACT_* */
+  uint32_t reserved;
+  carom_collider collider_a;
+  carom_collider collider_b;
+  carom_body body_a;
+  carom_body body_b;
+  double point[3];           /**< m, world: the point that bore most */
+  double normal[3];          /**< unit, world, from A to B, there */
+  double impulse;            /**< N s, normal, of all points, over the step */
+  double approach_speed;     /**< m/s, along the normal, of the point that approached fastest as the step began */
+} carom_contact_event;
+
+/** Copy them out, by the slots of the two colliders; of one pair END before BEGIN before HIT.
+ *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+ *  @param stride   sizeof(carom_contact_event) as the caller knows it
+ *  @param count    out: how many there are (may exceed capacity; capacity are written)
+ *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.5 */
+CAROM_API int32_t carom_world_get_contact_events(carom_world *world, carom_contact_event *dst, uint64_t stride,
+                                                 uint64_t capacity, uint64_t *count, carom_error *error);
+
+#define CAROM_SENSOR_ENTER 0u
+#define CAROM_SENSOR_LEAVE 1u
+
+/** What a sensor overlaps at the end of the step and did not at the end of the one before, or the reverse. Sleepers are
+ *  within what they sleep in. */
+typedef struct carom_sensor_event {
+  uint32_t kind;             /**< CAROM_SENSOR_* */
+  uint32_t reserved;
+  carom_collider sensor;
+  carom_collider other;
+  carom_body sensor_body;
+  carom_body other_body;
+} carom_sensor_event;
+
+/** Arguments as carom_world_get_contact_events().   @since 1.5 */
+CAROM_API int32_t carom_world_get_sensor_events(carom_world *world, carom_sensor_event *dst, uint64_t stride,
+                                                uint64_t capacity, uint64_t *count, carom_error *error);
+
+#define CAROM_SLEEP_ASLEEP 0u
+#define CAROM_SLEEP_AWAKE 1u
+
+/** A body that sleeps at the end of the step and did not at the end of the one before, or the reverse. */
+typedef struct carom_sleep_event {
+  uint32_t kind;             /**< CAROM_SLEEP_* */
+  uint32_t reserved;
+  carom_body body;
+} carom_sleep_event;
+
+/** By the slots of the bodies; arguments as carom_world_get_contact_events().   @since 1.5 */
+CAROM_API int32_t carom_world_get_sleep_events(carom_world *world, carom_sleep_event *dst, uint64_t stride,
+                                               uint64_t capacity, uint64_t *count, carom_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,87 @@
+// What happened in the last step, for hosts that asked.
+#include "dynamics/events/events.h"
+
+#include <carom/events.h>
+
+#include "abi/copy_out.h"
+#include "abi/world.h"
+
+namespace carom::abi {
+namespace {
+
+static_assert(ContactEvent::begin == CAROM_CONTACT_BEGIN && ContactEvent::end == CAROM_CONTACT_END &&
+              ContactEvent::hit == CAROM_CONTACT_HIT);
+static_assert(Events::contact == CAROM_EVENTS_CONTACT && Events::sensor == CAROM_EVENTS_SENSOR &&
+              Events::sleeping == CAROM_EVENTS_SLEEP);
+
+constexpr double kFastest = 1e9;  // m/s
+
+carom_contact_event contact_event(const World&, const ContactEvent& e) {
+  carom_contact_event out{};
+  out.kind = e.kind;
+  out.collider_a = e.collider_a, out.collider_b = e.collider_b;
+  out.body_a = e.body_a, out.body_b = e.body_b;
+  from_vec3(e.point, out.point);
+  from_vec3(e.normal, out.normal);
+  out.impulse = e.impulse;
+  out.approach_speed = e.speed;
+  return out;
+}
+
+carom_sensor_event sensor_event(const World&, const SensorEvent& e) {
+  carom_sensor_event out{};
+  out.kind = e.entered ? CAROM_SENSOR_ENTER : CAROM_SENSOR_LEAVE;
+  out.sensor = e.sensor, out.other = e.other;
+  out.sensor_body = e.sensor_body, out.other_body = e.other_body;
+  return out;
+}
+
+carom_sleep_event sleep_event(const World&, const SleepEvent& e) {
+  carom_sleep_event out{};
+  out.kind = e.woke ? CAROM_SLEEP_AWAKE : CAROM_SLEEP_ASLEEP;
+  out.body = e.body;
+  return out;
+}
+
+}  // namespace
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_world_collect_events(carom_world* world, uint32_t kinds, double hit_speed, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && only_bits(call, 2, "kinds", kinds, Events::all) &&
+        in_range(call, 3, "hit_speed", hit_speed, 0, kFastest))
+      collect(*changing, kinds, hit_speed);
+  });
+}
+
+int32_t carom_world_get_contact_events(carom_world* world, carom_contact_event* dst, uint64_t stride, uint64_t capacity,
+                                       uint64_t* count, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading) copy_out(call, *reading, reading->events->contacts, contact_event, dst, stride, capacity, count);
+  });
+}
+
+int32_t carom_world_get_sensor_events(carom_world* world, carom_sensor_event* dst, uint64_t stride, uint64_t capacity,
+                                      uint64_t* count, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading) copy_out(call, *reading, reading->events->sensors, sensor_event, dst, stride, capacity, count);
+  });
+}
+
+int32_t carom_world_get_sleep_events(carom_world* world, carom_sleep_event* dst, uint64_t stride, uint64_t capacity,
+                                     uint64_t* count, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading) copy_out(call, *reading, reading->events->sleep, sleep_event, dst, stride, capacity, count);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,191 @@
+// Rays in closed form: sphere, capsule, box. Each routine says where a line enters and leaves the form swollen by some
+// more, and is asked three times: swollen and shrunk by all that rounding can have done, which gives the bracket, and
+// as it is.
+#include "collision/cast/local_ray.h"
+
+namespace carom {
+namespace {
+
+/// Where a line is in a convex set, m along it from the ray's origin.
+struct Chord {
+  bool met = false;
+  Real in = 0, out = 0;  // m
+};
+
+/// From the foot of the centre: half of the chord is the root of (radius - off) (radius + off).
+Chord through_ball(Real off, Real foot, Real radius) {
+  if (!(off <= radius)) return {};
+  const Real half = std::sqrt((radius - off) * (radius + off));
+  return {true, foot - half, foot + half};
+}
+
+class Sphere {
+ public:
+  Sphere(const Shape& shape, const LocalRay& r, Real target)
+      : radius_(shape.radius + target), foot_(-r.start), off_((r.o - r.start * r.u).norm()) {}
+  bool usable(const LocalRay& r) const { return radius_ > 4 * r.rounding; }
+  Chord chord(Real more) const { return through_ball(off_, foot_, radius_ + more); }
+  /// Unit, out of the surface at a point of it.
+  static Vec3 outward(const LocalRay& r, Real s) { return (r.o + s * r.u).normalized(); }
+
+ private:
+  Real radius_, foot_, off_;
+};
+
+/// The ball swept along a segment of y: a line first enters the endless cylinder, and where that is beyond the
+/// segment's end, the ball there.
+class Capsule {
+ public:
+  Capsule(const Shape& shape, const LocalRay& r, Real target)
+      : radius_(shape.radius + target), half_(shape.half_height), u_(r.u), foot_(r.o - r.start * r.u), from_(-r.start) {
+    flat2_ = u_.x() * u_.x() + u_.z() * u_.z();
+    along_ = flat2_ < 1e-30;  // strays from the axis by less than 1e-15 of its length
+    if (along_) {
+      off_ = std::sqrt(foot_.x() * foot_.x() + foot_.z() * foot_.z());
+      return;
+    }
+    flat_ = std::sqrt(flat2_);
+    off_ = std::fabs(foot_.x() * u_.z() - foot_.z() * u_.x()) / flat_;
+    pass_ = -(foot_.x() * u_.x() + foot_.z() * u_.z()) / flat2_;
+    blur_ = 16 * kUnitRoundoff * foot_.norm() / flat_;
+  }
+  /// In between, where the line passes the axis is known too badly.
+  bool usable(const LocalRay& r) const { return radius_ > 4 * r.rounding && (along_ || flat2_ > 1.0 / 4096); }
+
+  Chord chord(Real more) const {
+    const Real radius = radius_ + more;
+    if (!(off_ <= radius)) return {};
+    const Real back = std::sqrt((radius - off_) * (radius + off_));
+    if (along_) return {true, from_ - foot_.y() * sign() - half_ - back, from_ - foot_.y() * sign() + half_ + back};
+    const Real blur = more > 0 ? blur_ : more < 0 ? -blur_ : 0;
+    Chord c{true, 0, 0};
+    const Real in = pass_ - back / flat_, out = pass_ + back / flat_;
+    const Real y_in = foot_.y() + in * u_.y(), y_out = foot_.y() + out * u_.y();
+    c.in = from_ + in - blur, c.out = from_ + out + blur;
+    if (std::fabs(y_in) > half_) {
+      const Chord cap = at_end(y_in, radius);
+      if (!cap.met) return {};
+      c.in = cap.in;
+    }
+    if (std::fabs(y_out) > half_) {
+      const Chord cap = at_end(y_out, radius);
+      if (!cap.met) return {};
+      c.out = cap.out;
+    }
+    return c;
+  }
+  Vec3 outward(const LocalRay& r, Real s) const {
+    Vec3 p = r.o + s * r.u;
+    p.y() -= std::clamp(p.y(), -half_, half_);
+    return p.normalized();
+  }
+
+ private:
+  Real sign() const { return u_.y() < 0 ? -1 : 1; }
+  Chord at_end(Real y, Real radius) const {
+    const Vec3 q = foot_ - Vec3(0, std::copysign(half_, y), 0);
+    const Real foot = -q.dot(u_);
+    return through_ball((q + foot * u_).norm(), from_ + foot, radius);
+  }
+
+  Real radius_, half_;
+  Vec3 u_, foot_;  // m, the line's nearest point to the origin
+  Real from_;      // m, where that is
+  bool along_ = false;
+  Real flat2_ = 0, flat_ = 0, off_ = 0, pass_ = 0, blur_ = 0;
+};
+
+/// Between three pairs of planes.
+class Box {
+ public:
+  Box(const Shape& shape, const LocalRay& r, Real) : half_(shape.half), o_(r.o), u_(r.u) {
+    for (int i = 0; i < 3; ++i) by_[i] = 1 / u_[i];
+  }
+  bool usable(const LocalRay& r) const { return half_.minCoeff() > 4 * r.rounding; }
+  Chord chord(Real more) const {
+    Chord c{true, -kInfinity, kInfinity};
+    for (int i = 0; i < 3; ++i) {
+      const Real h = half_[i] + more;
+      if (u_[i] == 0) {
+        if (std::fabs(o_[i]) > h) return {};
+        continue;
+      }
+      const Real a = (-h - o_[i]) * by_[i], b = (h - o_[i]) * by_[i];
+      c.in = std::max(c.in, std::min(a, b));
+      c.out = std::min(c.out, std::max(a, b));
+    }
+    c.met = c.in <= c.out;
+    return c;
+  }
+  Vec3 outward(const LocalRay& r, Real s) const {
+    int axis = 0;
+    Real most = -kInfinity;
+    const Vec3 p = r.o + s * r.u;
+    for (int i = 0; i < 3; ++i)
+      if (std::fabs(p[i]) - half_[i] > most) most = std::fabs(p[i]) - half_[i], axis = i;
+    Vec3 n = Vec3::Zero();
+    n[axis] = p[axis] < 0 ? -1 : 1;
+    return n;
+  }
+
+ private:
+  Vec3 half_, o_, u_, by_;
+};
+
+template <class Form>
+bool answer(const Ray& ray, const Shape& shape, const Frame& frame, const LocalRay& r, const CastSettings& settings,
+            CastResult& result) {
+  const Form form(shape, r, settings.target);
+  if (!form.usable(r)) return false;
+  const Real length = r.speed * ray.max;
+  const Chord outer = form.chord(r.rounding);
+  if (!outer.met || outer.in > length || outer.out < 0) return miss(ray, result), true;
+  const Chord inner = form.chord(-r.rounding), middle = form.chord(0);
+  const auto time = [&](Real s) { return std::clamp(s / r.speed, Real(0), ray.max); };
+  const auto start = [&](CastOutcome outcome, const Vec3& normal) {
+    result.outcome = outcome;
+    result.upper = 0;
+    result.normal = normal;
+    result.point_a = result.point_b = ray.origin;
+  };
+  if (inner.met && inner.in <= 0 && inner.out >= 0) return start(CastOutcome::overlap, frame.rotate(r.u)), true;
+  if (inner.met && inner.out < 0)  // on the surface, about to leave
+    return start(CastOutcome::hit, -frame.rotate(form.outward(r, middle.out))), true;
+  if (!inner.met || middle.in > length) {
+    result.outcome = CastOutcome::undecided;
+    result.status = QueryStatus::rounding;
+    result.time = time(-r.start);
+    result.point_a = result.point_b = ray.origin + result.time * ray.direction;
+    return true;
+  }
+  result.outcome = CastOutcome::hit;
+  result.lower = time(outer.in);
+  result.upper = std::max(time(inner.in), result.lower);
+  result.time = std::clamp(time(middle.in), result.lower, result.upper);
+  if (!(inner.in - outer.in <= settings.tolerance * shape.bounding_radius)) result.status = QueryStatus::rounding;
+  result.separation = settings.target;
+  const Vec3 n = -form.outward(r, middle.in);
+  result.normal = frame.rotate(n);
+  result.point_b = frame.apply(r.o + middle.in * r.u + settings.target * n);
+  result.point_a = ray.origin + result.time * ray.direction;
+  return true;
+}
+
+}  // namespace
+
+bool cast_at_form(const Ray& ray, const Shape& shape, const Frame& frame, const LocalRay& r,
+                  const CastSettings& settings, CastResult& result) {
+  if (!(r.speed * ray.max > 0)) return false;
+  switch (shape.form) {
+    case Form::sphere:
+      return answer<Sphere>(ray, shape, frame, r, settings, result);
+    case Form::capsule:
+      return answer<Capsule>(ray, shape, frame, r, settings, result);
+    case Form::box:
+      return settings.target == 0 && answer<Box>(ray, shape, frame, r, settings, result);
+    default:
+      return false;
+  }
+}
+
+}  // namespace carom

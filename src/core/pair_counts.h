@@ -1,0 +1,85 @@
+// A small set of unordered pairs of slots, each counted: who is in it more than once stays until all have let go.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/memory.h"
+
+namespace carom {
+
+/// Open addressing over a power of two, at most half full. An empty one owns no memory and answers with one comparison.
+class PairCounts {
+ public:
+  explicit PairCounts(Memory* m) : entries_(m) {}
+
+  bool empty() const { return size_ == 0; }
+  std::size_t size() const { return size_; }
+  bool has(std::uint32_t a, std::uint32_t b) const { return size_ > 0 && entries_[find(key(a, b))].count > 0; }
+
+  /// Room for one more pair, so that add() cannot fail.
+  void make_room() {
+    if (2 * (size_ + 1) <= entries_.size()) return;
+    Array<Entry> old(std::max<std::size_t>(16, 2 * entries_.size()), Entry{}, entries_.get_allocator());
+    old.swap(entries_);
+    for (const Entry& e : old)
+      if (e.count > 0) entries_[find(e.key)] = e;
+  }
+  void add(std::uint32_t a, std::uint32_t b) {
+    Entry& e = entries_[find(key(a, b))];
+    size_ += e.count == 0;
+    e.key = key(a, b);
+    ++e.count;
+  }
+  void remove(std::uint32_t a, std::uint32_t b) {
+    if (!has(a, b)) return;
+    const std::size_t at = find(key(a, b));
+    if (--entries_[at].count == 0) close(at);
+  }
+  /// All pairs that one is in.
+  void forget(std::uint32_t slot) {
+    for (std::size_t i = 0; size_ > 0 && i < entries_.size();) {
+      const Entry& e = entries_[i];
+      if (e.count > 0 && (e.key >> 32 == slot || (e.key & 0xFFFFFFFFu) == slot))
+        close(i);  // another may have moved in here
+      else
+        ++i;
+    }
+  }
+
+ private:
+  struct Entry {
+    std::uint64_t key = 0;
+    std::uint32_t count = 0;  // 0: free
+  };
+  static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
+    return static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
+  }
+  std::size_t home(std::uint64_t key) const {
+    return static_cast<std::size_t>((key ^ key >> 29) * 0x9E3779B97F4A7C15ull >> 20) & (entries_.size() - 1);
+  }
+  /// Where a key is, or where it would go.
+  std::size_t find(std::uint64_t key) const {
+    std::size_t at = home(key);
+    while (entries_[at].count > 0 && entries_[at].key != key) at = (at + 1) & (entries_.size() - 1);
+    return at;
+  }
+  /// Free a place, and move those up that were turned away from it.
+  void close(std::size_t hole) {
+    const std::size_t mask = entries_.size() - 1;
+    --size_;
+    entries_[hole].count = 0;
+    for (std::size_t at = (hole + 1) & mask; entries_[at].count > 0; at = (at + 1) & mask) {
+      const std::size_t wanted = home(entries_[at].key);
+      if (((at - wanted) & mask) < ((at - hole) & mask)) continue;  // it stands between its home and the hole's end
+      entries_[hole] = entries_[at];
+      entries_[at].count = 0;
+      hole = at;
+    }
+  }
+
+  Array<Entry> entries_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace carom

@@ -1,0 +1,235 @@
+// Lists of what happened, from what the step left: contact views, sensors' pairs, who sleeps.
+#include "dynamics/events/events.h"
+
+#include <algorithm>
+
+#include "collision/cast/overlap.h"
+#include "collision/narrow/rounding.h"
+#include "dynamics/contact/contact.h"
+#include "dynamics/query/index.h"
+#include "dynamics/sleep/sleep.h"
+
+namespace carom {
+namespace {
+
+Together together(const World& world, const Pair& p) {
+  const Scene& s = world.scene;
+  const auto body = [&](std::uint32_t slot) { return s.bodies.handle(s.colliders.body[slot]); };
+  return {p,         s.collider_slots.handle(p.a), s.collider_slots.handle(p.b), body(p.a),
+          body(p.b), s.colliders.is_sensor(p.a)};
+}
+
+bool lives(const World& world, const Together& t) {
+  const SlotPool& slots = world.scene.collider_slots;
+  return slots.check(t.a) == HandleFault::none && slots.check(t.b) == HandleFault::none;
+}
+
+bool one_sleeps(const World& world, const Pair& p) {
+  const Colliders& c = world.scene.colliders;
+  return world.sleep->sleeps(c.body[p.a]) || world.sleep->sleeps(c.body[p.b]);
+}
+
+ContactEvent event(ContactEvent::Kind kind, const Together& t) {
+  return {kind, t.a, t.b, t.body_a, t.body_b, Vec3::Zero(), Vec3::Zero(), 0, 0};
+}
+
+/// A pair's contact views, and its approach.
+struct Met {
+  Pair pair;
+  std::size_t first, last;  // of the views
+};
+
+/// Contacts of this step beside those of the last: two lists in the same order.
+class Contacting {
+ public:
+  explicit Contacting(World& world) : world_(world), e_(*world.events) {}
+
+  void run() {
+    const Array<ContactView>& views = world_.contact_views;
+    e_.spare.clear();
+    std::size_t old = 0;
+    for (std::size_t i = 0, j; i < views.size(); i = j) {
+      const Pair pair{views[i].collider_a, views[i].collider_b};
+      for (j = i; j < views.size() && views[j].collider_a == pair.a && views[j].collider_b == pair.b;) ++j;
+      while (old < e_.touching.size() && e_.touching[old].pair < pair) part(e_.touching[old++]);
+      bool known = false;
+      if (old < e_.touching.size() && e_.touching[old].pair == pair) {
+        known = lives(world_, e_.touching[old]);
+        if (!known) part(e_.touching[old]);
+        ++old;
+      }
+      meet({pair, i, j}, known);
+    }
+    while (old < e_.touching.size()) part(e_.touching[old++]);
+    e_.touching.swap(e_.spare);
+  }
+
+ private:
+  void meet(const Met& met, bool known) {
+    const Array<ContactView>& views = world_.contact_views;
+    Real impulse = 0, speed = 0;
+    const ContactView* most = &views[met.first];
+    for (std::size_t k = met.first; k < met.last; ++k) {
+      impulse += views[k].normal_impulse;
+      speed = std::max(speed, e_.approach[k]);
+      if (views[k].normal_impulse > most->normal_impulse) most = &views[k];
+    }
+    if (!known && !(impulse > 0)) return;
+    const Together t = together(world_, met.pair);
+    e_.spare.push_back(t);
+    const auto tell = [&](ContactEvent::Kind kind) {
+      ContactEvent what = event(kind, t);
+      what.point = most->point, what.normal = most->normal, what.impulse = impulse, what.speed = speed;
+      e_.contacts.push_back(what);
+    };
+    if (!known) tell(ContactEvent::begin);
+    if (impulse > 0 && speed > e_.hit_speed) tell(ContactEvent::hit);
+  }
+
+  void part(const Together& t) {
+    if (lives(world_, t) && one_sleeps(world_, t.pair))
+      e_.spare.push_back(t);
+    else
+      e_.contacts.push_back(event(ContactEvent::end, t));
+  }
+
+  World& world_;
+  Events& e_;
+};
+
+/// Whether a sensor's pair overlaps now; within rounding of touching, as before.
+bool overlaps(const World& world, const Pair& p, bool before) {
+  const Colliders& c = world.scene.colliders;
+  if (c.muted[p.a] | c.muted[p.b]) return false;
+  SupportFault fault;
+  constexpr int kCap = 128;
+  const OverlapResult r =
+      overlap(*c.shape[p.a], *c.shape[p.b], relative(collider_frame(world, p.a), collider_frame(world, p.b)), 0,
+              kPoseRounding * kUnitRoundoff, kCap, fault);
+  return r.outcome == Overlap::overlapping || (before && r.outcome == Overlap::touching);
+}
+
+class Sensing {
+ public:
+  explicit Sensing(World& world) : world_(world), e_(*world.events) {}
+
+  void run() {
+    e_.spare.clear();
+    std::size_t old = 0;
+    for (const Pair& pair : e_.sensor_pairs) {
+      while (old < e_.within.size() && e_.within[old].pair < pair) unasked(e_.within[old++]);
+      bool known = false;
+      const Together* before = nullptr;
+      if (old < e_.within.size() && e_.within[old].pair == pair) {
+        before = &e_.within[old++];
+        known = lives(world_, *before);
+        if (!known) tell(false, *before);
+      }
+      const bool now = overlaps(world_, pair, known);
+      if (now) e_.spare.push_back(together(world_, pair));
+      if (now && !known) tell(true, e_.spare.back());
+      if (!now && known) tell(false, *before);
+    }
+    while (old < e_.within.size()) unasked(e_.within[old++]);
+    e_.within.swap(e_.spare);
+  }
+
+ private:
+  /// Bounds do not meet; or one sleeps, and nobody asked.
+  void unasked(const Together& t) {
+    if (lives(world_, t) && one_sleeps(world_, t.pair) && is_sensor(t.pair) && overlaps(world_, t.pair, true))
+      e_.spare.push_back(t);
+    else
+      tell(false, t);
+  }
+  bool is_sensor(const Pair& p) const {
+    const Colliders& c = world_.scene.colliders;
+    return c.is_sensor(p.a) != c.is_sensor(p.b);
+  }
+  void tell(bool entered, const Together& t) {
+    e_.sensors.push_back(t.a_senses ? SensorEvent{entered, t.a, t.b, t.body_a, t.body_b}
+                                    : SensorEvent{entered, t.b, t.a, t.body_b, t.body_a});
+  }
+
+  World& world_;
+  Events& e_;
+};
+
+void look_who_sleeps(World& world) {
+  Events& e = *world.events;
+  for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) {
+    const auto now = static_cast<std::uint8_t>(world.sleep->sleeps(i));
+    if (e.slept[i] == now) continue;
+    e.slept[i] = now;
+    e.sleep.push_back({now == 0, world.scene.bodies.handle(i)});
+  }
+}
+
+}  // namespace
+
+void sensing::find(const Scene& scene, const State&, Customers& customers) {
+  const Array<std::uint8_t>& sensor = scene.colliders.sensor;
+  for (std::uint32_t slot = 0; slot < sensor.size(); ++slot)
+    if (sensor[slot] && scene.collider_slots.alive(slot)) customers.add(slot);
+}
+
+void collect(World& world, std::uint32_t kinds, Real hit_speed) {
+  Events& e = *world.events;
+  e.hit_speed = hit_speed;
+  const std::uint32_t gone = e.wanted & ~kinds;
+  if (gone & Events::contact) e.touching.clear(), e.contacts.clear();
+  if (gone & Events::sensor) e.within.clear(), e.sensors.clear();
+  if (gone & Events::sleeping) e.sleep.clear();
+  if (kinds & ~e.wanted & Events::sleeping) {
+    e.slept.assign(world.scene.bodies.slots(), 0);
+    for (std::uint32_t i = 0; i < e.slept.size(); ++i) e.slept[i] = static_cast<std::uint8_t>(world.sleep->sleeps(i));
+  }
+  e.wanted = kinds;
+}
+
+void set_sensors_aside(World& world, Array<Pair>& pairs) {
+  if (world.plan->effects[kSensorRow].customers.count == 0) return;
+  const Colliders& c = world.scene.colliders;
+  Events& e = *world.events;
+  const bool asked = e.wanted & Events::sensor;
+  for (const Pair& p : pairs)
+    if (asked && c.is_sensor(p.a) != c.is_sensor(p.b)) e.sensor_pairs.push_back(p);
+  std::erase_if(pairs, [&](const Pair& p) { return c.is_sensor(p.a) || c.is_sensor(p.b); });
+}
+
+void begin_events(World& world, const StepTime&) {
+  Events& e = *world.events;
+  if (e.wanted == 0) return;
+  if ((e.wanted & Events::sensor) && !world.plan->runs[static_cast<std::size_t>(Stage::broad)]) {
+    // All sleep; what a host moved among them has been asked for all the same.
+    const Colliders& c = world.scene.colliders;
+    for (const Pair& p : world.sleep->near)
+      if (c.is_sensor(p.a) != c.is_sensor(p.b)) e.sensor_pairs.push_back(p);
+  }
+  const bool met = world.plan->runs[static_cast<std::size_t>(Stage::solve)];
+  const std::size_t pairs = (e.wanted & Events::contact) && met ? world.contacts->meetings.size() : 0;
+  e.spare.reserve(std::max(pairs + e.touching.size(), e.sensor_pairs.size() + e.within.size()));
+  e.touching.reserve(e.spare.capacity()), e.within.reserve(e.spare.capacity());  // they change places
+  e.contacts.reserve(2 * pairs + e.touching.size());
+  e.sensors.reserve(2 * e.sensor_pairs.size() + e.within.size());
+  if (e.wanted & Events::sleeping) {
+    e.slept.resize(world.scene.bodies.slots(), 0);
+    e.sleep.reserve(world.scene.bodies.slots());
+  }
+  if (pairs == 0) return;
+  const Contacts& c = *world.contacts;
+  e.approach.resize(c.rows.size());
+  in_parallel(world.jobs, c.rows.size(), kRowsAPart, [&](std::uint32_t i) {
+    const Arms arms(world, c.rows[i], c.geometry[i]);
+    e.approach[i] = -relative_velocity(world.state, c.rows[i], arms.a, arms.b).dot(c.rows[i].n);
+  });
+}
+
+void end_events(World& world, const StepTime&) {
+  const std::uint32_t wanted = world.events->wanted;
+  if (wanted & Events::contact) Contacting(world).run();
+  if (wanted & Events::sensor) Sensing(world).run();
+  if (wanted & Events::sleeping) look_who_sleeps(world);
+}
+
+}  // namespace carom

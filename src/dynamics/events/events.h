@@ -1,0 +1,83 @@
+// What happened in a step, as lists that a host reads after it: contacts that began, ended or were hit, sensors entered
+// and left, bodies that fell asleep or woke. Nothing is collected that nobody asked for.
+//
+// A pair touches from the step in which its contacts first bear an impulse to the one in which it makes no contact
+// points any more (farther apart than the contact distance): what rests does not flicker. Sleepers touch whom they
+// touched. What a sensor overlaps is asked at the poses in which a step ends, of pairs whose bounds met as it began;
+// sleepers stay within while they sleep. Lists are ordered by slots and do not depend on threads.
+//
+// @oracle tests/unit/dynamics/test_events
+#pragma once
+
+#include "dynamics/effects.h"
+
+namespace carom {
+
+struct ContactEvent {
+  enum Kind : std::uint32_t { begin, end, hit };
+  Kind kind;
+  Handle collider_a, collider_b, body_a, body_b;  // what is gone keeps its name
+  Vec3 point = Vec3::Zero();                      // m, world: where the largest impulse acted
+  Vec3 normal = Vec3::Zero();                     // unit, world, A to B
+  Real impulse = 0;                               // N s, along the normals, of all points in the step
+  Real speed = 0;                                 // m/s, at which the fastest point approached as the step began
+};
+
+struct SensorEvent {
+  bool entered;  // else left
+  Handle sensor, other, sensor_body, other_body;
+};
+
+struct SleepEvent {
+  bool woke;  // else fell asleep
+  Handle body;
+};
+
+/// A pair that touches or overlaps, by slots and by name: a slot may come to mean another collider.
+struct Together {
+  Pair pair;
+  Handle a, b, body_a, body_b;
+  bool a_senses;  // of a sensor's pair: A is it
+};
+
+struct Events {
+  explicit Events(Memory* m)
+      : contacts(m), sensors(m), sleep(m), touching(m), within(m), spare(m), approach(m), sensor_pairs(m), slept(m) {}
+
+  enum Kinds : std::uint32_t { contact = 1, sensor = 2, sleeping = 4, all = 7 };
+  std::uint32_t wanted = 0;  // Kinds
+  Real hit_speed = 1;        // m/s, above which an approach is a hit
+
+  // of the last step
+  Array<ContactEvent> contacts;  // by pair; of one: end, begin, hit
+  Array<SensorEvent> sensors;    // by pair
+  Array<SleepEvent> sleep;       // by body
+
+  // from step to step, ascending by pair
+  Array<Together> touching, within;
+  // of a step
+  Array<Together> spare;
+  Array<Real> approach;       // m/s, by row
+  Array<Pair> sensor_pairs;   // whose bounds meet, ascending
+  Array<std::uint8_t> slept;  // by body slot, as of the last step
+
+  void clear() { contacts.clear(), sensors.clear(), sleep.clear(), sensor_pairs.clear(); }
+};
+
+/// Row of the table: colliders that are sensors.
+namespace sensing {
+void find(const Scene&, const State&, Customers&);
+}
+
+/// A host wants other kinds than before, from the next step on.
+void collect(World& world, std::uint32_t kinds, Real hit_speed);
+
+/// Take the pairs with a sensor out of those that make contacts.
+void set_sensors_aside(World& world, Array<Pair>& pairs);
+
+/// Stage observe, before the first substep: make room for all that may happen, and see how fast who approaches.
+void begin_events(World& world, const StepTime& time);
+/// Stage observe, at the end: what happened.
+void end_events(World& world, const StepTime& time);
+
+}  // namespace carom

@@ -1,0 +1,28 @@
+// Filters applied to the pairs of a step.
+#include "dynamics/filter.h"
+
+#include <algorithm>
+
+namespace carom {
+
+void filtering::find(const Scene& scene, const State&, Customers& customers) {
+  const Array<Filter>& filter = scene.colliders.filter;
+  for (std::uint32_t slot = 0; slot < filter.size(); ++slot)
+    if (scene.collider_slots.alive(slot) && !(filter[slot] == Filter())) customers.add(slot);
+}
+
+bool lets_touch(const Scene& scene, std::uint32_t a, std::uint32_t b) {
+  const Colliders& c = scene.colliders;
+  return let_touch(c.filter_of(a), c.filter_of(b)) && !scene.apart.has(c.body[a], c.body[b]);
+}
+
+bool any_held_apart(const World& world) {
+  return world.plan->effects[kFilterRow].customers.count > 0 || !world.scene.apart.empty();
+}
+
+void drop_filtered(World& world, Array<Pair>& pairs) {
+  if (!any_held_apart(world)) return;
+  std::erase_if(pairs, [&](const Pair& p) { return !lets_touch(world.scene, p.a, p.b); });
+}
+
+}  // namespace carom

@@ -1,0 +1,21 @@
+// Who may touch whom, as far as a host says so: filters of colliders and pairs of bodies that are excepted. Rooms
+// without customers are not entered: a world in which nobody set a filter pays nothing.
+#pragma once
+
+#include "dynamics/effects.h"
+
+namespace carom {
+
+/// Row of the table: colliders with a filter of their own.
+namespace filtering {
+void find(const Scene&, const State&, Customers&);
+}
+
+/// Whether filters and exceptions let two colliders touch.
+bool lets_touch(const Scene& scene, std::uint32_t a, std::uint32_t b);
+/// Whether anybody is held apart at all, as of this step's plan.
+bool any_held_apart(const World& world);
+/// Drop the pairs that are to be held apart, in their order.
+void drop_filtered(World& world, Array<Pair>& pairs);
+
+}  // namespace carom
