@@ -9,6 +9,7 @@
 #include <carom/cast.h>
 #include <carom/dial.h>
 #include <carom/engine.h>
+#include <carom/joint.h>
 #include <carom/particles.h>
 #include <carom/plugin.h>
 #include <carom/query.h>

@@ -49,7 +49,9 @@ extern "C" {
 #define CAROM_DIAL_DIRECT_SINK 32u         /* CAROM_SOLVER_AUTO solves groups directly that would sink by more of their thickness */
 #define CAROM_DIAL_DIRECT_RATIO 33u        /* or where touching bodies' masses are further apart than this */
 #define CAROM_DIAL_DIRECT_WORK 34u         /* unless they take more block products a step than this */
-#define CAROM_DIAL_COUNT 35u
+#define CAROM_DIAL_JOINT_FREQUENCY 35u     /* Hz: stiffness of joints that are not answered directly */
+#define CAROM_DIAL_JOINT_DAMPING 36u       /* their damping ratio */
+#define CAROM_DIAL_COUNT 37u
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
 #define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u

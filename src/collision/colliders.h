@@ -1,6 +1,8 @@
 // The table of colliders: what broad and narrow phase read. One row per slot, structure of arrays; dynamics fills it.
 #pragma once
 
+#include <algorithm>
+
 #include "collision/shape.h"
 #include "core/pose.h"
 
@@ -21,7 +23,8 @@ struct Colliders {
         muted(m),
         live(m),
         active(m),
-        next(m) {}
+        next(m),
+        apart(m) {}
 
   // Fixed while a step runs:
   Array<const Shape*> shape;      // null in a free slot
@@ -40,6 +43,15 @@ struct Colliders {
   Array<std::uint32_t> active;  // those of them that the broad phase goes through (not asleep), ascending
   Array<std::uint32_t>
       next;  // the body's next collider, ascending by slot, or kNone (the first: Scene::first_collider)
+
+  Array<std::uint64_t> apart;  // body_pair()s whose colliders may not touch, ascending, some more than once
+
+  static constexpr std::uint64_t body_pair(std::uint32_t lower, std::uint32_t higher) {
+    return (std::uint64_t{lower} << 32) | higher;
+  }
+  bool keeps_apart(std::uint32_t a, std::uint32_t b) const {
+    return std::binary_search(apart.begin(), apart.end(), body_pair(std::min(body[a], body[b]), std::max(body[a], body[b])));
+  }
 
   static constexpr std::uint32_t kNoMaterial = 0xFFFFFFFFu;
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
@@ -62,9 +74,10 @@ struct Pair {
   bool operator==(const Pair& o) const { return a == o.a && b == o.b; }
 };
 
-/// Whether two colliders may touch at all: different bodies, one of them able to move, neither muted.
+/// Whether two colliders may touch at all: different bodies, one of them able to move, neither muted, not kept apart.
 inline bool may_touch(const Colliders& c, std::uint32_t a, std::uint32_t b) {
-  return c.body[a] != c.body[b] && (c.movable[a] | c.movable[b]) && !(c.muted[a] | c.muted[b]);
+  return c.body[a] != c.body[b] && (c.movable[a] | c.movable[b]) && !(c.muted[a] | c.muted[b]) &&
+         (c.apart.empty() || !c.keeps_apart(a, b));
 }
 
 }  // namespace carom

@@ -103,6 +103,11 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
             "solver auto: but not one that takes more block products a step than this, about 0.3 us each; what was "
             "never solved before is solved to the end, once",
             0, 1e9, 50000),
+    number(Dial::joint_frequency, "joint_frequency", "Hz",
+           "stiffness of joints, where they are not answered directly; a quarter of the substep rate at most", 0, 1e4,
+           1000),
+    number(Dial::joint_damping, "joint_damping", "",
+           "damping ratio of joints: more undoes a gap slower, less may swing", 0, 1e3, 1),
 }};
 
 constexpr bool in_order() {
