@@ -83,6 +83,7 @@ class Tree final : public BroadPhase {
       filter(table, pairs);
     }
     if (muted) std::erase_if(pairs, [&](const Pair& q) { return table.muted[q.a] | table.muted[q.b]; });
+    if (!table.apart.empty()) std::erase_if(pairs, [&](const Pair& q) { return table.keeps_apart(q.a, q.b); });
     whole_ = true;
   }
 

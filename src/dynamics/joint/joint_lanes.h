@@ -68,6 +68,7 @@ struct JointLanes {
   LaneQuat start_frame_a, start_frame_b;     // joint -> world, likewise
   Lanes length;                              // m, of a rod
   Lanes bias_rate, mass_scale, impulse_scale;  // softness, @see soft_step.h
+  Lanes again;                                 // 1: half a substep's load comes before the move, half after; else 0
 
   // as bodies are placed now
   LaneSymmetric inv_inertia_a, inv_inertia_b;

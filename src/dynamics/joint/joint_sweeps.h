@@ -148,6 +148,24 @@ CAROM_LANES_INLINE Pushes all_of(const JointRun& run, const JointLanes& joint) {
   return pushes;
 }
 
+/// What acts again: not what a spring does, which is all of a substep's.
+void act_again(const JointRun& run) {
+  for (std::size_t i = 0; i < run.count; ++i) {
+    JointLanes& joint = run.joints[i];
+    JointSides sides(joint, run.velocity);
+    Pushes pushes;
+    for (std::uint32_t k = 0; k < joint.layout.equalities; ++k)
+      pushes.add(run.rows[joint.first + k], joint.again * run.rows[joint.first + k].p);
+    for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
+      if (joint.layout.drive[k].kind != DriveKind::spring)
+        pushes.add(run.drives[joint.first_drive + k].row, joint.again * run.drives[joint.first_drive + k].row.p);
+    joint.force = joint.force + pushes.p;
+    joint.torque = joint.torque + (pushes.turn_b - cross(joint.r_b, pushes.p));
+    sides.push(pushes.p, pushes.turn_a, pushes.turn_b);
+    sides.store(run);
+  }
+}
+
 CAROM_LANES_INLINE void book_one(const JointRun& run, JointLanes& joint) {
   const Pushes pushes = all_of(run, joint);
   joint.force = joint.force + pushes.p;
@@ -185,7 +203,7 @@ void book(const JointRun& run) {
 }
 
 constexpr JointKernels joint_kernels_named(const char* name) {
-  return {name, place, bend, warm_start, solve, relax, book};
+  return {name, place, bend, warm_start, solve, act_again, relax, book};
 }
 
 }  // namespace

@@ -111,9 +111,13 @@ struct JointPlacing {
       case JointPart::point: {
         const LaneVec e[3] = {{all(1), all(0), all(0)}, {all(0), all(1), all(0)}, {all(0), all(0), all(1)}};
         const Lanes gap[3] = {joint.gap.x, joint.gap.y, joint.gap.z};
-        for (int k = 0; k < 3; ++k) {  // each at its own point: with a gap left, forces are opposite all the same
-          along(r[k], e[k], gap[k]);
-          r[k].w_a = cross(joint.r_a, e[k]);
+        const LaneVec half = all(0.5) * joint.gap;  // impulses act at one place, halfway: else a gap has a moment
+        for (int k = 0; k < 3; ++k) {
+          r[k].d = e[k];
+          r[k].w_a = cross(joint.r_a + half, e[k]);
+          r[k].w_b = cross(joint.r_b - half, e[k]);
+          r[k].error = gap[k];
+          r[k].curve = all(0);
         }
         return r + 3;
       }
@@ -284,7 +288,8 @@ void bend(const JointRun& run, double h) {
     const JointSpin a(run.velocity, joint.a), b(run.velocity, joint.b);
     const LaneVec turns_a = cross(a.omega, joint.r_a), turns_b = cross(b.omega, joint.r_b);
     const LaneVec inward = cross(b.omega, turns_b) - cross(a.omega, turns_a);
-    const Lanes half = all(h / 2);
+    // Beyond a radian a substep nothing is straight nor bends like a parabola: then less is asked for, not more.
+    const Lanes half = (h / 2) / (1 + (h * h / 4) * (dot(a.omega, a.omega) + dot(b.omega, b.omega)));
     JointRowLanes* r = run.rows + joint.first;
     for (std::uint32_t k = 0; k < joint.layout.parts; ++k) {
       const LaneVec parting = (b.v + turns_b) - (a.v + turns_a);

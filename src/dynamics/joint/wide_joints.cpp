@@ -84,7 +84,8 @@ void set(LaneQuat& to, int lane, const Quat& q) {
 }
 Vec3 get(const LaneVec& from, std::uint32_t lane) { return Vec3(from.x[lane], from.y[lane], from.z[lane]); }
 
-void fill_drive(const Joint& joint, const DriveRow& row, Real start_p, Real h, JointDriveLanes& drive, int lane) {
+void fill_drive(const Joint& joint, const DriveRow& row, Real start_p, Real h, bool again, JointDriveLanes& drive,
+                int lane) {
   const JointDrive& d = joint.drive[row.coordinate];
   drive.row.p[lane] = start_p;
   drive.lower[lane] = drive.upper[lane] = drive.speed[lane] = drive.pull[lane] = drive.drag[lane] = 0;
@@ -92,7 +93,7 @@ void fill_drive(const Joint& joint, const DriveRow& row, Real start_p, Real h, J
   switch (row.kind) {
     case DriveKind::motor:
       drive.speed[lane] = d.motor.speed;
-      drive.most[lane] = d.motor.most * h;
+      drive.most[lane] = d.motor.most * (again ? h / 2 : h);
       break;
     case DriveKind::spring: {
       const Spring spring = spring_of(d.spring.frequency, d.spring.damping, h);
@@ -107,9 +108,14 @@ void fill_drive(const Joint& joint, const DriveRow& row, Real start_p, Real h, J
   }
 }
 
+bool is_kicked(const WideJoints& w, std::uint32_t body) {
+  return body != kTheWorld && std::binary_search(w.kicked.begin(), w.kicked.end(), body);
+}
+
 /// One joint, with poses and impulses of the present.
-void fill(const World& world, const Joint& joint, const Softness& soft, Real h, WideJoints& w, JointLanes& lanes,
+void fill(const World& world, std::uint32_t index, const Softness& soft, Real h, WideJoints& w, JointLanes& lanes,
           int lane) {
+  const Joint& joint = world.joints.joint[w.active[index]];
   const Scene& scene = world.scene;
   const JointPlace place = place_of(world, joint);
   const bool warm = joint.p_h > 0 && scene.dials.choice(Dial::warm_start) != 0;
@@ -136,9 +142,11 @@ void fill(const World& world, const Joint& joint, const Softness& soft, Real h, 
   lanes.bias_rate[lane] = soft.bias_rate;
   lanes.mass_scale[lane] = soft.mass_scale;
   lanes.impulse_scale[lane] = soft.impulse_scale;
+  const bool again = !w.directly[index] && (is_kicked(w, def.body_a) || is_kicked(w, def.body_b));
+  lanes.again[lane] = again ? 1 : 0;
   for (std::uint32_t k = 0; k < lanes.layout.equalities; ++k) w.rows[lanes.first + k].p[lane] = scale * joint.p[k];
   for (std::uint32_t k = 0; k < lanes.layout.drives; ++k)
-    fill_drive(joint, lanes.layout.drive[k], scale * joint.drive_p[k], h, w.drives[lanes.first_drive + k], lane);
+    fill_drive(joint, lanes.layout.drive[k], scale * joint.drive_p[k], h, again, w.drives[lanes.first_drive + k], lane);
 }
 
 /// Lanes of nobody.
@@ -215,8 +223,7 @@ void begin_joints(World& world, Real h) {
     if (joint.occupied < kLanes) empty(w, joint);
     joint.force = joint.torque = {all(0), all(0), all(0)};
     for (std::uint32_t lane = 0; lane < joint.occupied; ++lane)
-      fill(world, world.joints.joint[w.active[w.occupant[kLanes * i + lane]]], soft, h, w, joint,
-           static_cast<int>(lane));
+      fill(world, w.occupant[kLanes * i + lane], soft, h, w, joint, static_cast<int>(lane));
   });
   over_joints(world, w.kernels->place);
 }
@@ -264,6 +271,7 @@ void relax_joints(World& world, Real h) {
   if (!w.any()) return;
   load_velocities(world, *world.wide);  // half kicks, and the direct solver's answers
   over_joints(world, w.kernels->place);
+  if (!w.kicked.empty()) sweep_joints(world, w.kernels->act_again);
   sweep_joints(world, [&, inv_h = 1 / h](const JointRun& run) { w.kernels->relax(run, inv_h); });
 }
 

@@ -18,6 +18,7 @@ constexpr Real kStillShare = 1e-3;
 constexpr Real kShare = 1e-3;              // of the fastest contact, that is good enough where work is bounded
 constexpr Real kRest = 10;                 // tolerances: contacts that move slower, in any direction, are at rest
 constexpr Real kJoinedShare = 1e-3;        // of the tolerance, where there are joints: velocities add up to gaps
+constexpr int kJerks = 3;                  // times that a group is answered anew because a joint was jerked
 constexpr Real kGap = 1e-9;                // m or rad, of a joint that needs no parting
 constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: impacts of many bodies take that many
 
@@ -215,7 +216,14 @@ class Group {
                       : work ? std::max(tolerance, kShare * fastest(problem_))
                              : tolerance;
     const Real goal = is_joined() ? std::min(enough, std::max(kJoinedShare * tolerance, rounding(problem_))) : enough;
-    answer_ = solve_cones(problem_, goal, static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps)));
+    const auto most_steps = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps));
+    answer_ = solve_cones(problem_, goal, most_steps);
+    for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
+      for (ConeLink& link : problem_.links) link.next_p = link.p;
+      keep_links(world_, problem_, link_row_);
+      start(h);
+      answer_ = solve_cones(problem_, goal, most_steps);
+    }
     start_from_loads(problem_);
     keep();
     rest_.is_first = false;
@@ -256,7 +264,7 @@ class Group {
   void settle(Real h) {
     if (!is_joined() || !problem_.contacts.empty()) return;
     const Real tolerance = kDirectShare * world_.scene.dials[Dial::velocity_tolerance];
-    for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b), load(b);
+    for (ConeBody& b : bodies_of(problem_)) load(b);
     load_links(world_, problem_, link_row_, LinkPhase::settle, h);
     measure_links(problem_);
     const ConeAnswer answer = solve_cones(problem_, kJoinedShare * tolerance, kMostSteps);
@@ -331,6 +339,7 @@ class Group {
       contact.p = contact.start_p = row.p;
       add_impulse<&ConeBody::gradient>(problem_, contact, contact.p);
     });
+    if (is_joined()) stiffen(world_, problem_, link_row_, h);
     load_links(world_, problem_, link_row_, LinkPhase::move, h);
     for (const ConeLink& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);
     for (ConeBody& b : bodies_of(problem_)) {
@@ -446,7 +455,7 @@ void settle_joints(World& world, Real h) {
   DirectGroups& d = *world.direct;
   if (d.links.empty()) return;
   // Parting follows tangents: a second time, from where the first has led, where that is not close enough.
-  constexpr int kTimes = 2;
+  constexpr int kTimes = 8;
   for (int k = 0; k < kTimes; ++k) {
     place_joints(world);
     bool any = false;

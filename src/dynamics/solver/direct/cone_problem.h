@@ -48,6 +48,8 @@ struct ConeBody {
   Vec6 v;                     // m/s, rad/s
   Vec6 start, gained;         // with the impulses that the substep starts from; since the last substep, with them
 
+  Mat3 swing;  // kg m^2, scratch: @see stiffen()
+
   // of a round
   Vec6 change;    // of v since it began
   Vec6 gradient;  // kg m/s, kg m^2/s

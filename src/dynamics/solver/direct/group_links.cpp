@@ -1,6 +1,7 @@
 // Rows of joints in the direct solver's groups.
 #include "dynamics/solver/direct/group_links.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "dynamics/force/force.h"
@@ -10,6 +11,8 @@ namespace carom {
 namespace {
 
 constexpr Real kPush = 10;          // m/s or rad/s: an error is undone no faster
+// Of f r h^2 / 2 over an inertia, beyond which a body is stiffened: f r h^2 < 4 I is where turns across a force hold.
+constexpr Real kSwing = 2;
 constexpr Real kLeastDrag = 1e-9;   // of a spring: with less its give is beyond measure
 
 Real get(const Lanes& from, std::uint32_t lane) { return from[lane]; }
@@ -120,6 +123,56 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
       lock(c, std::clamp(-get(row.error, lane), -kPush * h, kPush * h));
     else
       lock(c, phase == LinkPhase::move ? -get(row.curve, lane) : 0);
+  }
+}
+
+namespace {
+
+/// ConeBody::swing: force, arm and h^2 of each joint, across the arm.
+/// @param impulse  (row of the problem) -> N s
+template <class F>
+void find_swings(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h, F&& impulse) {
+  const WideJoints& w = *world.wide_joints;
+  for (ConeBody& b : bodies_of(problem)) b.swing.setZero();
+  const auto add_to = [&](std::uint32_t body, const Vec3& r, Real force) {
+    const Real r2 = r.squaredNorm();
+    if (body == kNobody || !(r2 > 0) || !rotates(world.scene, problem.bodies[body].slot)) return;
+    const Real r1 = std::sqrt(r2);
+    problem.bodies[body].swing += (force * r1) * (Mat3::Identity() - r * r.transpose() / r2);
+  };
+  for (std::size_t i = 0, next; i < problem.links.size(); i = next) {
+    const JointLanes& joint = w.joints[rows[i].joint];
+    const std::uint32_t lane = rows[i].lane;
+    Vec3 p = Vec3::Zero();
+    for (next = i; next < problem.links.size() && rows[next].joint == rows[i].joint && rows[next].lane == lane; ++next) {
+      const JointRowLanes& row = row_at(w, rows[next]);
+      p += impulse(next, row) * get(row.d, lane);
+    }
+    const Real f_h2 = 2 * p.norm() * h;  // half of the load comes after the move
+    add_to(problem.links[i].a, get(joint.r_a, lane), f_h2);
+    add_to(problem.links[i].b, get(joint.r_b, lane), f_h2);
+  }
+}
+
+}  // namespace
+
+bool is_jerked(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h) {
+  find_swings(world, problem, rows, h, [&](std::size_t i, const JointRowLanes&) { return problem.links[i].p; });
+  return std::ranges::any_of(bodies_of(problem), [](const ConeBody& b) {
+    return b.swing.trace() / 4 > 2 * b.inertia.trace() / 3;  // as it is now, stiffer perhaps
+  });
+}
+
+void stiffen(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h) {
+  find_swings(world, problem, rows, h,
+              [&](std::size_t i, const JointRowLanes& row) { return get(row.p, rows[i].lane); });
+  for (ConeBody& b : bodies_of(problem)) {
+    const Real needed = b.swing.trace() / 4, own = b.inertia.trace() / 3;
+    if (!(needed > kSwing * own)) continue;
+    const Vec3 momentum = b.inertia * angular(b.v);
+    b.inertia += (0.5 * (1 - kSwing * own / needed)) * b.swing;
+    b.inv_inertia = b.inertia.inverse();
+    b.v.tail<3>() = b.inv_inertia * momentum;
   }
 }
 
