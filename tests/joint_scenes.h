@@ -38,6 +38,7 @@ inline JointDef joint_at(const TestWorld& t, JointKind kind, std::uint32_t a, st
   const Pose frame = {axes, at};
   const auto in = [&](std::uint32_t body) { return body == kTheWorld ? frame : t.world.pose(body).inverse() * frame; };
   def.frame_a = in(a), def.frame_b = in(b);
+  def.length = 0.25;
   return def;
 }
 inline std::uint32_t join(TestWorld& t, JointKind kind, std::uint32_t a, std::uint32_t b, const Vec3& at,

@@ -1,6 +1,5 @@
 // Many joints: chains with heavy ends, a wrecking ball, a net; what they keep, what they must not change, when they break.
 #include <algorithm>
-#include <cstdio>
 
 #include "carom_test.h"
 #include "core/job_pool.h"
@@ -37,7 +36,9 @@ void build_row(TestWorld& t) {
   std::uint32_t before = add_body(t, Vec3::Zero(), 1, Vec3(0.1, 0.2, 0.25));
   for (int i = 0; i < 6; ++i) {
     const std::uint32_t next = add_body(t, Vec3(i + 1, 0.1 * i, 0), 1 + 0.3 * i, Vec3(0.2, 0.15, 0.1));
-    join(t, kinds[i], before, next, Vec3(i + 0.5, 0, 0.1));
+    JointDef def = joint_at(t, kinds[i], before, next, Vec3(i + 0.5, 0, 0.1));
+    if (kinds[i] == JointKind::distance) def.frame_b.p += Vec3(0, 0.25, 0);
+    t.world.add_joint(def);
     before = next;
   }
   set_limit(t, 0, Coordinate::swing, 0, 0.6);
@@ -66,8 +67,7 @@ void build_net(TestWorld& t, int n) {
 
 }  // namespace
 
-/// Joints between free bodies change neither momentum: what acts on B acts on A the other way, at one point. Soft joints
-/// leave a gap between their two points, and a moment of the force over it.
+/// Joints between free bodies keep the momentum to rounding: what acts on B acts on A the other way, at one point.
 static void momentum_is_kept(void**) {
   for (const int solver : kAllSolvers) {
     TestWorld t(Vec3::Zero());
@@ -76,9 +76,9 @@ static void momentum_is_kept(void**) {
     const Momentum before = momentum_of(t);
     t.run(300, kStep);
     const Momentum after = momentum_of(t);
-    std::printf("solver %d: linear %.2e, angular %.2e, worst gap %.2e\n", solver, (after.linear - before.linear).norm(),
-                (after.angular - before.angular).norm(), worst_gap(t));
     assert_true((after.linear - before.linear).norm() < 1e-12 * (1 + before.linear.norm()));
+    // What a joint turns is turned on from where the body's own motion took it: of second order, not exact.
+    assert_true((after.angular - before.angular).norm() < 2e-3 * (1 + before.angular.norm()));
   }
 }
 
@@ -96,8 +96,9 @@ static void chains_hold_whatever_hangs_on_them(void**) {
       gap = std::max(gap, worst_gap(t));
       energy = std::max(energy, std::fabs(energy_of(t)));
     }
-    std::printf("ratio %g: gap %.2e m, energy %.2e of what falls\n", ratio, gap, energy / scale);
-    assert_true(gap < 1e-4);
+    // A chain that is not much lighter than its end tumbles, and no step follows it for long; what a heavy one holds
+    // taut loses what stiffening takes.
+    assert_true(gap < 2e-8 && energy < (ratio > 1 ? 0.15 : 1) * scale);
   }
 }
 
@@ -111,14 +112,13 @@ static void a_wrecking_ball_hangs_on_its_chain(void**) {
     t.world.step(kStep);
     gap = std::max(gap, worst_gap(t));
   }
-  std::printf("wrecking ball: gap %.2e m\n", gap);
-  assert_true(gap < 1e-3);
+  assert_true(gap < 1e-6);
 }
 
-/// A net of 900 bodies falls and swings, its joints soft.
+/// A net of 900 bodies, held at an edge, falls and swings and slaps, its joints soft: one sweep a substep.
 static void a_net_keeps_together(void**) {
   TestWorld t;
-  choose(t, kSoftChoice);
+  choose(t, kSoftChoice, 8);
   build_net(t, 30);
   Real gap = 0, mean = 0;
   for (int i = 0; i < 300; ++i) {
@@ -128,9 +128,8 @@ static void a_net_keeps_together(void**) {
     mean = std::max(mean, sum / t.world.joints.slots.slots());
     gap = std::max(gap, worst_gap(t));
   }
-  std::printf("net: most %.2e m, mean at its worst %.2e m; colours %zu of %u lanes\n", gap, mean,
-              t.world.wide_joints->colours.size(), t.world.wide_joints->swept);
-  assert_true(gap < 5e-3);
+  assert_true(gap < 5e-3 && mean < 1e-3);
+  assert_true(t.world.wide_joints->colours.size() <= 5);  // a body has four joints, and they share
 }
 
 /// The same bits on any number of threads, and at any width of registers.

@@ -33,6 +33,9 @@ constexpr std::uint32_t rows_of(JointPart part) {
   }
 }
 
+constexpr Real kNoLength = 1e-9;  // m: a rod that has none has no direction; its points just stay together
+bool is_point(const Joint& joint) { return joint.def.kind == JointKind::distance && joint.def.length < kNoLength; }
+
 bool is_rod(const Joint& joint) {
   const JointDrive& d = joint.drive[static_cast<std::size_t>(Coordinate::distance)];
   return !d.limit.on && !d.spring.on;
@@ -59,8 +62,9 @@ JointLayout layout_of(const Joint& joint) {
   const KindRow& row = row_of(joint.def.kind);
   for (std::uint32_t k = 0; k < row.part_count; ++k) {
     if (row.part[k] == JointPart::rod && !is_rod(joint)) continue;
-    layout.part[layout.parts++] = row.part[k];
-    layout.equalities += rows_of(row.part[k]);
+    const JointPart part = is_point(joint) ? JointPart::point : row.part[k];
+    layout.part[layout.parts++] = part;
+    layout.equalities += rows_of(part);
   }
   each_drive(joint, [&](std::uint32_t c, DriveKind kind) {
     layout.drive[layout.drives++] = {static_cast<std::uint8_t>(c), kind};
@@ -69,7 +73,7 @@ JointLayout layout_of(const Joint& joint) {
 }
 
 std::uint32_t layout_key(const Joint& joint) {
-  std::uint32_t key = static_cast<std::uint32_t>(joint.def.kind);
+  std::uint32_t key = static_cast<std::uint32_t>(joint.def.kind) | (is_point(joint) ? 1u << 31 : 0u);
   each_drive(joint, [&](std::uint32_t c, DriveKind kind) { key |= 8u << (3 * c + static_cast<std::uint32_t>(kind)); });
   return key;
 }
