@@ -80,10 +80,13 @@ inline Real energy_of(const TestWorld& t) {
   return e;
 }
 
+inline Real gap_of(const TestWorld& t, std::uint32_t slot) { return place_of(t.world, joint(t, slot)).gap; }
 inline Real worst_gap(const TestWorld& t) {
   Real worst = 0;
-  for (std::uint32_t j = 0; j < t.world.joints.slots.slots(); ++j)
-    worst = std::max({worst, joint(t, j).gap, joint(t, j).angle});
+  for (std::uint32_t j = 0; j < t.world.joints.slots.slots(); ++j) {
+    const JointPlace place = place_of(t.world, joint(t, j));
+    worst = std::max({worst, place.gap, place.angle});
+  }
   return worst;
 }
 

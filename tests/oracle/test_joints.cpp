@@ -38,7 +38,7 @@ PendulumErrors swing_rod(int solver, int substeps, int steps) {
   for (int i = 0; i < steps; ++i) {
     t.world.step(all / steps);
     worst.energy = std::max(worst.energy, std::fabs(energy_of(t)) / (kG * 0.5));
-    worst.gap = std::max(worst.gap, joint(t, 0).gap);
+    worst.gap = std::max(worst.gap, gap_of(t, 0));
   }
   worst.place = (t.world.state.x[rod] - Vec3(0.5, 0, 0)).norm();
   return worst;

@@ -76,7 +76,6 @@ struct Joint {
   Real p_h = 0;                                // s, the substep that made them; 0: there are none
   Vec3 force = Vec3::Zero();                   // N, world, on B, mean over the last step
   Vec3 torque = Vec3::Zero();                  // N m, world, on B about its point, likewise
-  Real gap = 0, angle = 0;                     // m, rad: how far from what is locked, after the last step
   std::uint32_t next_a = kTheWorld, next_b = kTheWorld;  // the next joint of each body
 };
 
@@ -103,10 +102,14 @@ struct Joints {
   bool any_of(std::uint32_t body) const { return body < first.size() && first[body] != kTheWorld; }
 };
 
-/// Where a joint's frames are, and how far it is from what it locks.
-struct JointPlace {
-  Pose a, b;                          // joint -> world
-  Vec3 apart;                         // m, world, from A's point to B's
+/// Where a joint's frames are.
+struct JointEnds {
+  Pose a, b;          // joint -> world
+  Vec3 arm_a, arm_b;  // m, world axes, from the centres of mass; zero at the world's end
+  Vec3 apart;         // m, world, from A's point to B's
+};
+/// And how far it is from what it locks.
+struct JointPlace : JointEnds {
   std::array<Real, kCoordinates> at;  // m or rad
   Real gap = 0;                       // m, of what is locked of the points
   Real angle = 0;                     // rad, of what is locked of the axes

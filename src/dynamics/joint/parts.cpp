@@ -83,10 +83,10 @@ Spring spring_of(Real frequency, Real damping, Real h) {
   return {h * w * w / (1 + b), b / (1 + b)};
 }
 
-JointPlace place_of(const World& world, const Joint& joint) {
+JointEnds ends_of(const World& world, const JointDef& def) {
   const State& s = world.state;
-  JointPlace place;
-  Vec3 arm_a, arm_b, x_a = Vec3::Zero(), x_b = Vec3::Zero();
+  JointEnds place;
+  Vec3 x_a, x_b;
   const auto find = [&](std::uint32_t body, const Pose& frame, Pose& to, Vec3& x, Vec3& arm) {
     if (body == kTheWorld) {
       to = frame;
@@ -96,9 +96,14 @@ JointPlace place_of(const World& world, const Joint& joint) {
     x = s.x[body], arm = s.q[body] * (frame.p - world.scene.center[body]);
     to = {s.q[body] * frame.q, x + arm};
   };
-  find(joint.def.body_a, joint.def.frame_a, place.a, x_a, arm_a);
-  find(joint.def.body_b, joint.def.frame_b, place.b, x_b, arm_b);
-  place.apart = (x_b - x_a) + (arm_b - arm_a);
+  find(def.body_a, def.frame_a, place.a, x_a, place.arm_a);
+  find(def.body_b, def.frame_b, place.b, x_b, place.arm_b);
+  place.apart = (x_b - x_a) + (place.arm_b - place.arm_a);
+  return place;
+}
+
+JointPlace place_of(const World& world, const Joint& joint) {
+  JointPlace place{ends_of(world, joint.def), {}, 0, 0};
   const Quat t = place.a.q.conjugate() * place.b.q;
   const Mat3 a = place.a.q.toRotationMatrix(), b = place.b.q.toRotationMatrix();
   const Real sign = t.w() < 0 ? -1 : 1;

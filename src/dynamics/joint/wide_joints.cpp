@@ -117,27 +117,23 @@ void fill(const World& world, std::uint32_t index, const Softness& soft, Real h,
           int lane) {
   const Joint& joint = world.joints.joint[w.active[index]];
   const Scene& scene = world.scene;
-  const JointPlace place = place_of(world, joint);
+  const JointDef& def = joint.def;
+  const JointEnds ends = ends_of(world, def);
   const bool warm = joint.p_h > 0 && scene.dials.choice(Dial::warm_start) != 0;
   const Real scale = warm ? h / joint.p_h : 0;
-  const auto side = [&](std::uint32_t body, const Pose& local, const Pose& at, std::uint32_t& solver, Lanes& inv_mass,
-                        LaneSymmetric& inertia, LaneVec& arm, LaneQuat& frame) {
+  const auto side = [&](std::uint32_t body, std::uint32_t& solver, Lanes& inv_mass, LaneSymmetric& inertia) {
     const bool m = moves(world, body);
     solver = solver_body(world, body);
     inv_mass[lane] = m ? scene.inv_mass[body] : 0;
     const Mat3 i = m && rotates(scene, body) ? world.contacts->inv_inertia_w[body] : Mat3(Mat3::Zero());
     inertia.xx[lane] = i(0, 0), inertia.xy[lane] = i(0, 1), inertia.xz[lane] = i(0, 2);
     inertia.yy[lane] = i(1, 1), inertia.yz[lane] = i(1, 2), inertia.zz[lane] = i(2, 2);
-    const Vec3 r = body == kTheWorld ? Vec3(Vec3::Zero()) : Vec3(world.state.q[body] * (local.p - scene.center[body]));
-    set(arm, lane, r);
-    set(frame, lane, at.q);
   };
-  const JointDef& def = joint.def;
-  side(def.body_a, def.frame_a, place.a, lanes.a[lane], lanes.inv_mass_a, lanes.start_inertia_a, lanes.start_a,
-       lanes.start_frame_a);
-  side(def.body_b, def.frame_b, place.b, lanes.b[lane], lanes.inv_mass_b, lanes.start_inertia_b, lanes.start_b,
-       lanes.start_frame_b);
-  set(lanes.start_gap, lane, place.apart);
+  side(def.body_a, lanes.a[lane], lanes.inv_mass_a, lanes.start_inertia_a);
+  side(def.body_b, lanes.b[lane], lanes.inv_mass_b, lanes.start_inertia_b);
+  set(lanes.start_a, lane, ends.arm_a), set(lanes.start_b, lane, ends.arm_b);
+  set(lanes.start_frame_a, lane, ends.a.q), set(lanes.start_frame_b, lane, ends.b.q);
+  set(lanes.start_gap, lane, ends.apart);
   lanes.length[lane] = joint.def.length;
   lanes.bias_rate[lane] = soft.bias_rate;
   lanes.mass_scale[lane] = soft.mass_scale;
@@ -288,8 +284,6 @@ void end_joints(World& world, const StepTime& time) {
     joint.p_h = time.h;
     joint.force = get(lanes.force, lane) / time.dt;
     joint.torque = get(lanes.torque, lane) / time.dt;
-    const JointPlace place = place_of(world, joint);
-    joint.gap = place.gap, joint.angle = place.angle;
   });
   for (const std::uint32_t j : w.active) {
     Joint& joint = world.joints.joint[j];
