@@ -101,8 +101,8 @@ inline std::vector<std::uint32_t> chain(TestWorld& t, int rods, Real length, Rea
     join(t, kind, before, bodies.back(), Vec3(i * length, 0, 0));
     before = bodies.back();
   }
-  bodies.push_back(add_body(t, Vec3(rods * length + radius, 0, 0), end_mass,
-                            Vec3::Constant(0.4 * end_mass * radius * radius)));
+  bodies.push_back(
+      add_body(t, Vec3(rods * length + radius, 0, 0), end_mass, Vec3::Constant(0.4 * end_mass * radius * radius)));
   join(t, kind, before, bodies.back(), Vec3(rods * length, 0, 0));
   return bodies;
 }

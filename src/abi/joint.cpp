@@ -56,9 +56,8 @@ bool read_bodies(Call& call, const World& world, const carom_joint_desc& d, Join
 
 bool check_position(Call& call, const char* name, const double v[3]) {
   return finite(call, 2, name, v, 3) &&
-         (to_vec3(v).norm() <= kMaxPosition ||
-          call.fail(CAROM_E_OUT_OF_RANGE, 2, "%s is (%g, %g, %g), at most %g long", name, v[0], v[1], v[2],
-                    kMaxPosition));
+         (to_vec3(v).norm() <= kMaxPosition || call.fail(CAROM_E_OUT_OF_RANGE, 2, "%s is (%g, %g, %g), at most %g long",
+                                                         name, v[0], v[1], v[2], kMaxPosition));
 }
 
 /// Frames on the bodies, from what the host gave.

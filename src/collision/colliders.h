@@ -50,7 +50,8 @@ struct Colliders {
     return (std::uint64_t{lower} << 32) | higher;
   }
   bool keeps_apart(std::uint32_t a, std::uint32_t b) const {
-    return std::binary_search(apart.begin(), apart.end(), body_pair(std::min(body[a], body[b]), std::max(body[a], body[b])));
+    return std::binary_search(apart.begin(), apart.end(),
+                              body_pair(std::min(body[a], body[b]), std::max(body[a], body[b])));
   }
 
   static constexpr std::uint32_t kNoMaterial = 0xFFFFFFFFu;

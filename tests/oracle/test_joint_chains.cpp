@@ -1,4 +1,5 @@
-// Many joints: chains with heavy ends, a wrecking ball, a net; what they keep, what they must not change, when they break.
+// Many joints: chains with heavy ends, a wrecking ball, a net; what they keep, what they must not change, when they
+// break.
 #include <algorithm>
 
 #include "carom_test.h"
@@ -31,8 +32,8 @@ Momentum momentum_of(const TestWorld& t) {
 
 /// One joint of each kind in a row of free bodies that tumble, with a limit, a motor and a spring among them.
 void build_row(TestWorld& t) {
-  const JointKind kinds[] = {JointKind::ball,  JointKind::hinge,    JointKind::slider,
-                             JointKind::weld,  JointKind::distance, JointKind::universal};
+  const JointKind kinds[] = {JointKind::ball, JointKind::hinge,    JointKind::slider,
+                             JointKind::weld, JointKind::distance, JointKind::universal};
   std::uint32_t before = add_body(t, Vec3::Zero(), 1, Vec3(0.1, 0.2, 0.25));
   for (int i = 0; i < 6; ++i) {
     const std::uint32_t next = add_body(t, Vec3(i + 1, 0.1 * i, 0), 1 + 0.3 * i, Vec3(0.2, 0.15, 0.1));
@@ -138,7 +139,9 @@ static void threads_and_registers_change_no_bit(void**) {
     std::uint64_t first = 0;
     for (const std::uint32_t threads : {1u, 2u, 4u})
       for (const ContactKernels* kernels : all_contact_kernels()) {
-        JobPool* pool = threads > 1 ? new JobPool(threads, [] {}, std::pmr::new_delete_resource()) : nullptr;
+        JobPool* pool = threads > 1 ? new JobPool(
+                                          threads, [] {}, std::pmr::new_delete_resource())
+                                    : nullptr;
         {
           TestWorld t;
           choose(t, solver);

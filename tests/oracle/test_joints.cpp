@@ -61,7 +61,7 @@ static void a_pendulum_is_of_second_order(void**) {
       if (solver <= kSoftChoice) assert_true(now.gap < before.gap / 3.6);
       before = now;
     }
-    assert_true(before.energy < 5.4 * 5.4 * 1.1e-6);  // (w h)^2
+    assert_true(before.energy < 5.4 * 5.4 * 1.1e-6);              // (w h)^2
     if (solver >= kDirectChoice) assert_true(before.gap < 2e-9);  // what is less is not parted
   }
 }
@@ -138,7 +138,8 @@ static void a_spring_sags_by_its_load(void**) {
     }
 }
 
-/// A motor of 6 N m brings a wheel of 0.8 kg m^2 to 5 rad/s in 2/3 s, evenly, and keeps it there; a heavier load stops it.
+/// A motor of 6 N m brings a wheel of 0.8 kg m^2 to 5 rad/s in 2/3 s, evenly, and keeps it there; a heavier load stops
+/// it.
 static void a_motor_reaches_its_speed(void**) {
   for (const int solver : kAllSolvers) {
     TestWorld t(Vec3::Zero());
@@ -220,8 +221,10 @@ static void rows_are_rates_of_errors(void**) {
   };
   const auto vector = [&] { return Vec3(random(), random(), random()); };
   for (int trial = 0; trial < 100; ++trial)
-    for (const auto& [kind, c] : {std::pair(JointKind::ball, Coordinate::twist), {JointKind::ball, Coordinate::swing},
-                                  {JointKind::hinge, Coordinate::twist}, {JointKind::slider, Coordinate::slide},
+    for (const auto& [kind, c] : {std::pair(JointKind::ball, Coordinate::twist),
+                                  {JointKind::ball, Coordinate::swing},
+                                  {JointKind::hinge, Coordinate::twist},
+                                  {JointKind::slider, Coordinate::slide},
                                   {JointKind::distance, Coordinate::distance},
                                   {JointKind::universal, Coordinate::swing}}) {
       TestWorld t(Vec3::Zero());
@@ -265,10 +268,10 @@ static void rows_are_rates_of_errors(void**) {
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(a_pendulum_is_of_second_order),     cmocka_unit_test(a_spring_swings_at_its_frequency),
-      cmocka_unit_test(a_damped_spring_fades),             cmocka_unit_test(a_spring_sags_by_its_load),
-      cmocka_unit_test(a_motor_reaches_its_speed),         cmocka_unit_test(limits_hold),
-      cmocka_unit_test(a_cantilever_is_borne),             cmocka_unit_test(rows_are_rates_of_errors),
+      cmocka_unit_test(a_pendulum_is_of_second_order), cmocka_unit_test(a_spring_swings_at_its_frequency),
+      cmocka_unit_test(a_damped_spring_fades),         cmocka_unit_test(a_spring_sags_by_its_load),
+      cmocka_unit_test(a_motor_reaches_its_speed),     cmocka_unit_test(limits_hold),
+      cmocka_unit_test(a_cantilever_is_borne),         cmocka_unit_test(rows_are_rates_of_errors),
   };
   return cmocka_run_group_tests_name("oracle/joints", tests, nullptr, nullptr);
 }

@@ -185,8 +185,8 @@ struct Contacts {
   Array<std::uint32_t> first_row;  // [pairs + 1] by pair of the table
   Array<Meeting> meetings;         // of pairs that have rows, in their order
 
-  Array<Link> links;                // of active joints, in their order: @see WideJoints::active
-  Array<std::uint32_t> link_label;  // by link: its group
+  Array<Link> links;                      // of active joints, in their order: @see WideJoints::active
+  Array<std::uint32_t> link_label;        // by link: its group
   Array<std::uint32_t> group_links;       // links, ascending within a group
   Array<std::uint32_t> group_link_begin;  // [groups + 1]; empty where there are no links
 

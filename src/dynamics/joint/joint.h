@@ -35,10 +35,10 @@ struct JointMotor {
 };
 struct JointSpring {
   bool on = false;
-  Real target = 0;         // m or rad
-  Real frequency = 1;      // Hz, of the joint's bodies were they alone
-  Real damping = 1;        // ratio; 1: critical
-  Real most = kInfinity;   // N or N m
+  Real target = 0;        // m or rad
+  Real frequency = 1;     // Hz, of the joint's bodies were they alone
+  Real damping = 1;       // ratio; 1: critical
+  Real most = kInfinity;  // N or N m
 };
 
 /// What acts on one coordinate.
@@ -54,10 +54,10 @@ inline constexpr std::uint32_t kTheWorld = 0xFFFFFFFFu;  // in place of a body's
 /// What a host says about a joint (ABI: carom_joint_desc), already validated.
 struct JointDef {
   JointKind kind = JointKind::ball;
-  std::uint32_t body_a = kTheWorld, body_b = kTheWorld;  // slots; the world's frame is the world
-  Pose frame_a, frame_b;                                 // joint -> body frame (origin as the host gave it)
-  Real length = 0;                                       // m, of a distance joint
-  bool collide = false;                                  // its bodies may touch each other
+  std::uint32_t body_a = kTheWorld, body_b = kTheWorld;    // slots; the world's frame is the world
+  Pose frame_a, frame_b;                                   // joint -> body frame (origin as the host gave it)
+  Real length = 0;                                         // m, of a distance joint
+  bool collide = false;                                    // its bodies may touch each other
   Real break_force = kInfinity, break_torque = kInfinity;  // N, N m, mean over a step
   std::uint64_t user = 0;
 };
@@ -71,11 +71,11 @@ struct Joint {
   std::array<JointDrive, kCoordinates> drive;
   bool broken = false;
 
-  std::array<Real, kMostEqualities> p{};       // N s, N m s
-  std::array<Real, kMostDrives> drive_p{};     // likewise, by row of the layout
-  Real p_h = 0;                                // s, the substep that made them; 0: there are none
-  Vec3 force = Vec3::Zero();                   // N, world, on B, mean over the last step
-  Vec3 torque = Vec3::Zero();                  // N m, world, on B about its point, likewise
+  std::array<Real, kMostEqualities> p{};                 // N s, N m s
+  std::array<Real, kMostDrives> drive_p{};               // likewise, by row of the layout
+  Real p_h = 0;                                          // s, the substep that made them; 0: there are none
+  Vec3 force = Vec3::Zero();                             // N, world, on B, mean over the last step
+  Vec3 torque = Vec3::Zero();                            // N m, world, on B about its point, likewise
   std::uint32_t next_a = kTheWorld, next_b = kTheWorld;  // the next joint of each body
 };
 

@@ -46,37 +46,37 @@ struct JointRowLanes {
 /// A limit, a motor or a spring.
 struct JointDriveLanes {
   JointRowLanes row;
-  Lanes m;                 // kg or kg m^2: impulse per change of u, what is locked staying so
-  Lanes lower, upper;      // m or rad: of a limit; of a spring both are its target
-  Lanes speed;             // m/s or rad/s, of a motor
-  Lanes most;              // N s or N m s, a substep
-  Lanes pull, drag;        // 1/s, 1: a spring's impulse is that of -m (pull x + drag u) - (1 - drag) p = 0, @see spring_of()
+  Lanes m;             // kg or kg m^2: impulse per change of u, what is locked staying so
+  Lanes lower, upper;  // m or rad: of a limit; of a spring both are its target
+  Lanes speed;         // m/s or rad/s, of a motor
+  Lanes most;          // N s or N m s, a substep
+  Lanes pull, drag;  // 1/s, 1: a spring's impulse is that of -m (pull x + drag u) - (1 - drag) p = 0, @see spring_of()
 };
 
 inline constexpr int kFactor = kMostRows * (kMostRows + 1) / 2;
 
 /// Four joints of one colour with one layout.
 struct JointLanes {
-  std::uint32_t a[kLanes], b[kLanes];        // solver bodies; 0: nobody, or nobody that moves
-  std::uint32_t occupied;                    // lanes in use, from the first
-  std::uint32_t first, first_drive;          // in WideJoints::rows and drives
+  std::uint32_t a[kLanes], b[kLanes];  // solver bodies; 0: nobody, or nobody that moves
+  std::uint32_t occupied;              // lanes in use, from the first
+  std::uint32_t first, first_drive;    // in WideJoints::rows and drives
   JointLayout layout;
-  Lanes inv_mass_a, inv_mass_b;              // 1/kg
+  Lanes inv_mass_a, inv_mass_b;                    // 1/kg
   LaneSymmetric start_inertia_a, start_inertia_b;  // inverse, 1/(kg m^2), world, as the step began
-  LaneVec start_a, start_b;                  // m, world axes, from the centres of mass to the points, likewise
-  LaneVec start_gap;                         // m, world, from A's point to B's, likewise
-  LaneQuat start_frame_a, start_frame_b;     // joint -> world, likewise
-  Lanes length;                              // m, of a rod
-  Lanes bias_rate, mass_scale, impulse_scale;  // softness, @see soft_step.h
-  Lanes again;                                 // 1: half a substep's load comes before the move, half after; else 0
+  LaneVec start_a, start_b;                        // m, world axes, from the centres of mass to the points, likewise
+  LaneVec start_gap;                               // m, world, from A's point to B's, likewise
+  LaneQuat start_frame_a, start_frame_b;           // joint -> world, likewise
+  Lanes length;                                    // m, of a rod
+  Lanes bias_rate, mass_scale, impulse_scale;      // softness, @see soft_step.h
+  Lanes again;                                     // 1: half a substep's load comes before the move, half after; else 0
 
   // as bodies are placed now
   LaneSymmetric inv_inertia_a, inv_inertia_b;
   LaneVec r_a, r_b, gap;
-  LaneVec x_a;                               // world, A's x axis
-  Lanes factor[kFactor];                     // L D L^T of the coupling of the equalities: rows of L, 1/D in its diagonal
+  LaneVec x_a;            // world, A's x axis
+  Lanes factor[kFactor];  // L D L^T of the coupling of the equalities: rows of L, 1/D in its diagonal
 
-  LaneVec force, torque;                     // N s, N m s: on B, about its point, since the step began
+  LaneVec force, torque;  // N s, N m s: on B, about its point, since the step began
 };
 
 /// A run of joints with their rows and all bodies.

@@ -25,7 +25,8 @@ JointLayout layout_of(const Joint& joint);
 std::uint32_t layout_key(const Joint& joint);
 
 /// Where a joint's frames are now.
-/// @accuracy  apart: the difference of the centres is formed first, so far from the origin it loses no digits of its own
+/// @accuracy  apart: the difference of the centres is formed first, so far from the origin it loses no digits of its
+/// own
 JointEnds ends_of(const World& world, const JointDef& def);
 /// Where a joint is, and how far from what it locks and limits.
 /// @accuracy  gap: rounding of the bodies' positions; angle: 1e-8 rad near 0, where it is the root of a sum of squares

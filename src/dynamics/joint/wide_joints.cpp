@@ -212,8 +212,7 @@ void begin_joints(World& world, Real h) {
   }
   find_kicked(world, w);
   const Dials& dials = world.scene.dials;
-  const Softness soft =
-      softness(std::min(dials[Dial::joint_frequency], 0.25 / h), dials[Dial::joint_damping], h);
+  const Softness soft = softness(std::min(dials[Dial::joint_frequency], 0.25 / h), dials[Dial::joint_damping], h);
   in_parallel(world.jobs, w.joints.size(), kJointsAPart, [&](std::uint32_t i) {
     JointLanes& joint = w.joints[i];
     if (joint.occupied < kLanes) empty(w, joint);

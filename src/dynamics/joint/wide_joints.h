@@ -58,16 +58,16 @@ struct WideJoints {
     }
   };
   Array<Order> order;
-  Array<std::uint64_t> taken;     // by solver body
-  Array<std::uint8_t> directly;   // by index in active
+  Array<std::uint64_t> taken;    // by solver body
+  Array<std::uint8_t> directly;  // by index in active
 
   bool any() const { return !active.empty(); }
 };
 
 inline JointRun every_joint(World& world) {
   WideJoints& w = *world.wide_joints;
-  return {w.joints.data(),           w.joints.size(),          w.rows.data(),          w.drives.data(),
-          world.wide->velocity.data(), world.wide->shift.data(), world.wide->first_moved};
+  return {w.joints.data(),          w.joints.size(),        w.rows.data(), w.drives.data(), world.wide->velocity.data(),
+          world.wide->shift.data(), world.wide->first_moved};
 }
 
 /// Of a loop that threads share.
@@ -118,8 +118,9 @@ void take_half_kicks(World& world);
 void give_half_kicks(World& world);
 /// Rows of all joints at the present poses.
 void place_joints(World& world);
-/// Sweeps over the joints in lanes; the first prepares all that a substep starts from. Velocities are in WideContacts; the last takes them from the state again, and wants
-/// load_shifts() before it: rows are made anew for the poses after the move.
+/// Sweeps over the joints in lanes; the first prepares all that a substep starts from. Velocities are in WideContacts;
+/// the last takes them from the state again, and wants load_shifts() before it: rows are made anew for the poses after
+/// the move.
 void bend_joints(World& world, Real h);
 void warm_start_joints(World& world, Real h);
 void solve_joints(World& world, Real h);

@@ -214,8 +214,8 @@ void choose(World& world, Real h) {
       look_at_joints(world, g, view);
       if (view.points == 0) {
         view.reason = view.mass_ratio > dials[Dial::direct_ratio] ? GroupReason::mass_ratio
-                      : view.bodies <= kFewJoined                ? GroupReason::joined
-                                                                 : GroupReason::ordinary;
+                      : view.bodies <= kFewJoined                 ? GroupReason::joined
+                                                                  : GroupReason::ordinary;
       } else {
         const Real weight = weight_if_new(world, g, h);
         const GroupMotion motion = look_at(world, g, w2, h, weight, view);

@@ -213,8 +213,8 @@ class Group {
     const bool bounded = work && !starts_from_nothing(problem_);
     const std::uint64_t most = bounded ? 2 + work / work_ : kMostSteps;
     const Real enough = still_ ? std::max(kStillShare * tolerance, rounding(problem_))
-                      : work ? std::max(tolerance, kShare * fastest(problem_))
-                             : tolerance;
+                        : work ? std::max(tolerance, kShare * fastest(problem_))
+                               : tolerance;
     const Real goal = is_joined() ? std::min(enough, std::max(kJoinedShare * tolerance, rounding(problem_))) : enough;
     const auto most_steps = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps));
     answer_ = solve_cones(problem_, goal, most_steps);
@@ -227,8 +227,9 @@ class Group {
     start_from_loads(problem_);
     keep();
     rest_.is_first = false;
-    rest_.lasts = !is_joined() && answer_.factorisations == 0 && least >= -world_.scene.dials[Dial::position_tolerance] &&
-                  c_.resisting.empty() && fastest_any_way(problem_) < kRest * tolerance;
+    rest_.lasts = !is_joined() && answer_.factorisations == 0 &&
+                  least >= -world_.scene.dials[Dial::position_tolerance] && c_.resisting.empty() &&
+                  fastest_any_way(problem_) < kRest * tolerance;
   }
 
   /// A group that overlaps more than the tolerance is parted, to half of it, so that what rests keeps in touch.

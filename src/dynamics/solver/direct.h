@@ -61,7 +61,7 @@ struct DirectGroups {
     std::uint32_t row, lane;  // in rows, or in drives
     std::uint32_t joint;      // in joints
     bool is_drive;
-    DriveKind kind;           // of a drive
+    DriveKind kind;  // of a drive
   };
   Array<ConeContact> contacts;      // by group, ascending rows
   Array<ConeLink> links;            // by group: rows of joints

@@ -14,7 +14,8 @@ void serve(void (*room)(World&, const StepTime&), World& world, const StepTime& 
 }  // namespace
 
 void begin_contacts(World& world, const StepTime& time) {
-  if (world.plan->solver->in_lanes || world.wide_joints->any()) refresh_inertias(world);  // lanes keep those of the step's begin
+  if (world.plan->solver->in_lanes || world.wide_joints->any())
+    refresh_inertias(world);  // lanes keep those of the step's begin
   serve(world.plan->solver->begin, world, time);
 }
 void solve_velocities(World& world, const StepTime& time) {

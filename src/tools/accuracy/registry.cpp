@@ -30,14 +30,14 @@ const std::vector<Challenge>& all_challenges() {
   static const std::vector<Challenge> challenges = [] {
     std::vector<Challenge> list = {pendulum_challenge()};
     for (Challenge& c : chain_challenges()) list.push_back(std::move(c));
-    for (auto make : {bouncing_challenge, bounce05_challenge, cradle_challenge, cannon_challenge, elastic666_challenge,
-                      pack666_challenge, slide_challenge, slip_challenge, stick_challenge, rolling_challenge,
-                      skid_challenge})
+    for (auto make :
+         {bouncing_challenge, bounce05_challenge, cradle_challenge, cannon_challenge, elastic666_challenge,
+          pack666_challenge, slide_challenge, slip_challenge, stick_challenge, rolling_challenge, skid_challenge})
       list.push_back(make());
     for (Challenge& c : stack_challenges()) list.push_back(std::move(c));
     for (Challenge& c : massratio_challenges()) list.push_back(std::move(c));
-    for (auto make : {tower100_challenge, domino_challenge, cards_challenge, arch_challenge, bridge_challenge, kapla_challenge,
-                      wrecking_challenge})
+    for (auto make : {tower100_challenge, domino_challenge, cards_challenge, arch_challenge, bridge_challenge,
+                      kapla_challenge, wrecking_challenge})
       list.push_back(make());
     return list;
   }();

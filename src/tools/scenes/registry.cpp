@@ -18,10 +18,9 @@ Scene sleepers_scene();
 Scene net_scene();
 
 const std::vector<Scene>& all_scenes() {
-  static const std::vector<Scene> scenes = {seesaw_scene(),    catapult_scene(), bunnies_scene(),
-                                            particles_scene(), falling_scene(),  pyramid_scene(),
-                                            stacks_scene(),    wall_scene(),     sleepers_scene(),
-                                            net_scene()};
+  static const std::vector<Scene> scenes = {seesaw_scene(),   catapult_scene(), bunnies_scene(), particles_scene(),
+                                            falling_scene(),  pyramid_scene(),  stacks_scene(),  wall_scene(),
+                                            sleepers_scene(), net_scene()};
   return scenes;
 }
 

@@ -64,8 +64,8 @@ class Stage {
   std::size_t add_particles(std::vector<Actor> start, double mass = 1);
   /// A static half-space { x : normal . x <= normal . point }.
   std::size_t add_half_space(const std::string& name, const Vec& normal, const Vec& point, double friction = 0.5);
-  /// A square of ground, `half` to each side of the origin, between four walls of half-spaces. A body a metre beyond one of
-  /// them has escaped: more than any contact may sink.
+  /// A square of ground, `half` to each side of the origin, between four walls of half-spaces. A body a metre beyond
+  /// one of them has escaped: more than any contact may sink.
   void add_walled_ground(double half);
 
   /// Join two bodies as they stand, the joint's axes along those of the world.   @throws Error

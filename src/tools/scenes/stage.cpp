@@ -1,7 +1,7 @@
 // Turns a scene's description of a body into calls of the C ABI, and answers where it is.
-#include "scenes/scene.h"
-
 #include <algorithm>
+
+#include "scenes/scene.h"
 
 namespace carom::tools {
 namespace {

@@ -51,7 +51,7 @@ Verdict Judge::judge(const std::vector<BodyState>& states, double time) const {
 
 /// Joints' points are told in principal frames: back to those of the bodies, about their centres.
 void Judge::judge_joints(const std::vector<BodyState>& states, Verdict& v) const {
-  const auto end = [&](std::size_t i, const double (&on)[3]) {
+  const auto end = [&](std::size_t i, const double(&on)[3]) {
     const Member& body = plan_.members()[i];
     return Vec(vec(states[i].position) + quat(states[i].orientation) * (body.center + body.axes * vec(on)));
   };

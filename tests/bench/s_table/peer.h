@@ -32,7 +32,7 @@ struct BodyPlan {
 
 /// A ball joint.
 struct JointPlan {
-  std::size_t a = 0, b = 0;                    // bodies
+  std::size_t a = 0, b = 0;                         // bodies
   double on_a[3] = {0, 0, 0}, on_b[3] = {0, 0, 0};  // m, body frames
 };
 

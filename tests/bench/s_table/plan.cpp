@@ -27,7 +27,7 @@ void Plan::add(const tools::Tie& tie) {
     throw tools::Error("a joint is not a ball joint", "choose a scene whose joints every engine has");
   JointPlan plan;
   plan.a = tie.a, plan.b = tie.b;
-  const auto place = [&](std::size_t i, double (&on)[3]) {
+  const auto place = [&](std::size_t i, double(&on)[3]) {
     const BodyState& start = plans_[i].start;
     Vec::Map(on) = quat(start.orientation).conjugate() * (tie.at - vec(start.position));
   };

@@ -1,4 +1,5 @@
-// A row of a joint in the direct solver's problem: a velocity that is to lie within bounds, by an impulse within bounds.
+// A row of a joint in the direct solver's problem: a velocity that is to lie within bounds, by an impulse within
+// bounds.
 //
 //     u + give p  lies in [low, high];   p > 0 only at low, p < 0 only at high;   |p| <= most.
 //
@@ -12,18 +13,18 @@
 namespace carom {
 
 struct ConeLink {
-  std::uint32_t a, b;      // bodies of the problem, or kNobody
-  std::uint32_t below;     // as of a contact
+  std::uint32_t a, b;   // bodies of the problem, or kNobody
+  std::uint32_t below;  // as of a contact
   bool a_later;
-  Vec3 d;                  // world; u = d.(v_b - v_a) + w_b.omega_b - w_a.omega_a
-  Vec3 w_a, w_b;           // m or 1; zero where the body does not rotate
-  Real low, high;          // m/s or rad/s
-  Real give;               // 1/kg or 1/(kg m^2)
-  Real most;               // N s or N m s
-  Real carried;            // m/s or rad/s, of bodies that impulses do not move
-  Real k;                  // 1/kg or 1/(kg m^2), u per p
+  Vec3 d;          // world; u = d.(v_b - v_a) + w_b.omega_b - w_a.omega_a
+  Vec3 w_a, w_b;   // m or 1; zero where the body does not rotate
+  Real low, high;  // m/s or rad/s
+  Real give;       // 1/kg or 1/(kg m^2)
+  Real most;       // N s or N m s
+  Real carried;    // m/s or rad/s, of bodies that impulses do not move
+  Real k;          // 1/kg or 1/(kg m^2), u per p
   Real p, u;
-  Real start_p, next_p;    // p as the substep began; as the next one begins
+  Real start_p, next_p;  // p as the substep began; as the next one begins
 
   // of a solve, of a round: as of a contact
   Real best, p0, u0, du;

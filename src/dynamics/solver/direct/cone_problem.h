@@ -2,8 +2,8 @@
 //
 //     M (v - v_free) = sum J^T p,    K  contains p,    y = u - want n + mu |u_t| n  lies in the dual of K,    p.y = 0,
 //
-// Coulomb's law with a least normal velocity `want` [DeSaxce1998]. Without friction the same finds displacements. Rows of
-// joints (cone_link.h) are part of it: their cone is a line or a half of one.
+// Coulomb's law with a least normal velocity `want` [DeSaxce1998]. Without friction the same finds displacements. Rows
+// of joints (cone_link.h) are part of it: their cone is a line or a half of one.
 #pragma once
 
 #include <span>

@@ -10,10 +10,10 @@
 namespace carom {
 namespace {
 
-constexpr Real kPush = 10;          // m/s or rad/s: an error is undone no faster
+constexpr Real kPush = 10;  // m/s or rad/s: an error is undone no faster
 // Of f r h^2 / 2 over an inertia, beyond which a body is stiffened: f r h^2 < 4 I is where turns across a force hold.
 constexpr Real kSwing = 2;
-constexpr Real kLeastDrag = 1e-9;   // of a spring: with less its give is beyond measure
+constexpr Real kLeastDrag = 1e-9;  // of a spring: with less its give is beyond measure
 
 Real get(const Lanes& from, std::uint32_t lane) { return from[lane]; }
 Vec3 get(const LaneVec& from, std::uint32_t lane) { return Vec3(from.x[lane], from.y[lane], from.z[lane]); }
@@ -144,7 +144,8 @@ void find_swings(const World& world, ConeProblem& problem, const DirectGroups::L
     const JointLanes& joint = w.joints[rows[i].joint];
     const std::uint32_t lane = rows[i].lane;
     Vec3 p = Vec3::Zero();
-    for (next = i; next < problem.links.size() && rows[next].joint == rows[i].joint && rows[next].lane == lane; ++next) {
+    for (next = i; next < problem.links.size() && rows[next].joint == rows[i].joint && rows[next].lane == lane;
+         ++next) {
       const JointRowLanes& row = row_at(w, rows[next]);
       p += impulse(next, row) * get(row.d, lane);
     }
@@ -194,7 +195,8 @@ void book_links(World& world, const ConeProblem& problem, const DirectGroups::Li
 
 void keep_links(World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
   WideJoints& w = *world.wide_joints;
-  for (std::size_t i = 0; i < problem.links.size(); ++i) at(row_at(w, rows[i]).p, rows[i].lane) = problem.links[i].next_p;
+  for (std::size_t i = 0; i < problem.links.size(); ++i)
+    at(row_at(w, rows[i]).p, rows[i].lane) = problem.links[i].next_p;
 }
 
 Real worst_error(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {

@@ -20,8 +20,9 @@ void gather_links(World& world, DirectGroups& d, std::size_t group);
 void load_links(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, LinkPhase phase, Real h);
 /// Make bodies turn slower that a joint's force would swing faster than substeps can follow. A force f at an arm r is a
 /// spring of f r against turns across it: a link of 1 kg and 0.5 m that 1e5 N pull swings at 800 rad/s, and a scheme
-/// that is explicit in directions throws it about beyond 2 / h. So its inertia becomes at least f r h^2 / 2 and its momentum
-/// stays, which is what a linearly implicit step does: it turns slower and loses energy. Who is resolved keeps both.
+/// that is explicit in directions throws it about beyond 2 / h. So its inertia becomes at least f r h^2 / 2 and its
+/// momentum stays, which is what a linearly implicit step does: it turns slower and loses energy. Who is resolved keeps
+/// both.
 ///  @source [Andrews2017] adds such a term; @param problem  bodies' masses are their own
 void stiffen(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h);
 /// Whether the impulses that were found are so much larger than those kept that somebody needs to be stiffer.

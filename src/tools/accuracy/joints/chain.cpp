@@ -71,7 +71,8 @@ constexpr double kPlank = 0.5, kLoad = 0.4;  // m: a plank's length; half the si
 /// Planks along a parabola, hinged to each other and to both banks.
 class BridgeTrial : public Trial {
  public:
-  BridgeTrial(Mechanism mechanism, std::size_t load, double floor) : mechanism_(std::move(mechanism)), load_(load), floor_(floor) {}
+  BridgeTrial(Mechanism mechanism, std::size_t load, double floor)
+      : mechanism_(std::move(mechanism)), load_(load), floor_(floor) {}
 
   void watch(const Stage& stage, double time) override {
     gap_ = std::max(gap_, mechanism_.worst_gap(stage));
@@ -125,16 +126,28 @@ std::unique_ptr<Observer> fill_bridge(Stage& stage, const std::vector<double>& k
 
 std::vector<Challenge> chain_challenges() {
   const std::vector<Metric> metrics = {{"gap, at worst", "m", 1e-4}, {"energy, at worst", "", 0.01}};
-  return {{8, chain_scene("chain1", 10, 0.5, 1), "joints are shut, energy stays", metrics,
-           {1.9e-15, "MuJoCo implicit"}, {1.3e-15, "MuJoCo Euler, 1/30"}},
-          {8, chain_scene("chain100", 10, 0.5, 100), "joints are shut, energy stays", metrics,
-           {1.8e-15, "MuJoCo RK4"}, {9.2e-16, "MuJoCo RK4, 1/30"}},
+  return {{8,
+           chain_scene("chain1", 10, 0.5, 1),
+           "joints are shut, energy stays",
+           metrics,
+           {1.9e-15, "MuJoCo implicit"},
+           {1.3e-15, "MuJoCo Euler, 1/30"}},
+          {8,
+           chain_scene("chain100", 10, 0.5, 100),
+           "joints are shut, energy stays",
+           metrics,
+           {1.8e-15, "MuJoCo RK4"},
+           {9.2e-16, "MuJoCo RK4, 1/30"}},
           {8, chain_scene("chain1e4", 10, 0.5, 1e4), "joints are shut, energy stays", metrics, {}, {}}};
 }
 
 Challenge wrecking_challenge() {
-  return {30, chain_scene("wrecking", 40, 0.25, 1000), "joints are shut, energy stays",
-          {{"gap, at worst", "m", 1e-3}, {"energy, at worst", "", kNoBound}}, {}, {}};
+  return {30,
+          chain_scene("wrecking", 40, 0.25, 1000),
+          "joints are shut, energy stays",
+          {{"gap, at worst", "m", 1e-3}, {"energy, at worst", "", kNoBound}},
+          {},
+          {}};
 }
 
 Challenge bridge_challenge() {
@@ -142,7 +155,8 @@ Challenge bridge_challenge() {
           {"bridge",
            "A load of 1,000 times the mass of a plank on a hanging bridge of 40.",
            "a bridge that holds for a minute",
-           {{"planks", "", "how many", 40, 4, 200, true}, {"ratio", "", "mass of the load over that of a plank", 1000, 1e-3, 1e6}},
+           {{"planks", "", "how many", 40, 4, 200, true},
+            {"ratio", "", "mass of the load over that of a plank", 1000, 1e-3, 1e6}},
            60,
            1.0 / 60,
            fill_bridge},
