@@ -82,6 +82,7 @@ typedef uint64_t carom_material;
 typedef uint64_t carom_body;
 typedef uint64_t carom_collider;
 typedef uint64_t carom_particles; /* a set of them   @since 1.4 */
+typedef uint64_t carom_joint;     /* @since 1.5 */
 #define CAROM_NULL_HANDLE ((uint64_t)0)
 
 /** Version of the library that is running (the CAROM_VERSION_* macros tell the header's).

@@ -11,6 +11,7 @@
 #include <carom/engine.h>
 #include <carom/events.h>
 #include <carom/filter.h>
+#include <carom/joint.h>
 #include <carom/particles.h>
 #include <carom/plugin.h>
 #include <carom/query.h>

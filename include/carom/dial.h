@@ -50,7 +50,9 @@ extern "C" {
 #define CAROM_DIAL_DIRECT_RATIO 33u        /* or where touching bodies' masses are further apart than this */
 #define CAROM_DIAL_DIRECT_WORK 34u         /* unless they take more block products a step than this */
 #define CAROM_DIAL_HOLD_ANGLE 35u          /* rad: arms of contacts turn with a body only when it has turned by this */
-#define CAROM_DIAL_COUNT 36u
+#define CAROM_DIAL_JOINT_FREQUENCY 36u     /* Hz: stiffness of joints that are not answered directly */
+#define CAROM_DIAL_JOINT_DAMPING 37u       /* their damping ratio */
+#define CAROM_DIAL_COUNT 38u
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
 #define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u

@@ -19,7 +19,7 @@ constexpr ResultRow kResults[] = {
     ROW(CAROM_E_NOT_UNIT, "normalise the quaternion or normal to within 1e-6 of unit length"),
     ROW(CAROM_E_UNKNOWN_ENUM, "use a constant of the header this library was built with; see carom_version()"),
     ROW(CAROM_E_STRUCT_SIZE, "fill the struct with its *_init function, or set struct_size to its sizeof"),
-    ROW(CAROM_E_UNSUPPORTED, "use a library at least as new as your header, or leave the unknown fields zero"),
+    ROW(CAROM_E_UNSUPPORTED, "use a library at least as new as your header and leave unknown fields zero, or do without what the message names"),
     ROW(CAROM_E_INVALID_HANDLE, "pass a handle that a create call returned"),
     ROW(CAROM_E_STALE_HANDLE, "drop this handle; its object was destroyed"),
     ROW(CAROM_E_WRONG_KIND, "pass a handle of the kind that the header names for this argument"),

@@ -7,7 +7,7 @@ namespace carom::abi {
 namespace {
 
 const char* kind_name(std::uint32_t kind) {
-  constexpr const char* kNames[] = {"nothing", "plugin", "shape", "material", "body", "collider", "set of particles"};
+  constexpr const char* kNames[] = {"nothing", "plugin", "shape", "material", "body", "collider", "set of particles", "joint"};
   return kind < std::size(kNames) ? kNames[kind] : "nothing";
 }
 

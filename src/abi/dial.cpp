@@ -32,6 +32,8 @@ static_assert(same(Dial::integrator, CAROM_DIAL_INTEGRATOR) && same(Dial::rotati
               same(Dial::direct_sink, CAROM_DIAL_DIRECT_SINK) &&
               same(Dial::direct_ratio, CAROM_DIAL_DIRECT_RATIO) && same(Dial::direct_work, CAROM_DIAL_DIRECT_WORK) &&
               same(Dial::hold_angle, CAROM_DIAL_HOLD_ANGLE) &&
+              same(Dial::joint_frequency, CAROM_DIAL_JOINT_FREQUENCY) &&
+              same(Dial::joint_damping, CAROM_DIAL_JOINT_DAMPING) &&
               same(Dial::count, CAROM_DIAL_COUNT));
 static_assert(DialRow::number == CAROM_DIAL_KIND_NUMBER && DialRow::integer == CAROM_DIAL_KIND_INTEGER &&
               DialRow::choice == CAROM_DIAL_KIND_CHOICE);

@@ -107,6 +107,11 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
            "arms of contacts turn with a body only when it has turned by this or turns fast: tall stacks do not "
            "buckle; 0: at once",
            0, 1, 0.02),
+    number(Dial::joint_frequency, "joint_frequency", "Hz",
+           "stiffness of joints, where they are not answered directly; a quarter of the substep rate at most", 0, 1e4,
+           1000),
+    number(Dial::joint_damping, "joint_damping", "",
+           "damping ratio of joints: more undoes a gap slower, less may swing", 0, 1e3, 1),
 }};
 
 constexpr bool in_order() {

@@ -46,6 +46,8 @@ enum class Dial : std::uint32_t {
   direct_ratio,
   direct_work,
   hold_angle,
+  joint_frequency,
+  joint_damping,
   count
 };
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);

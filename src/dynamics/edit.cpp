@@ -90,6 +90,7 @@ Handle World::add_body(const BodyDef& def) {
 
 void World::remove_body(std::uint32_t body) {
   wake(*this, body);
+  while (joints.any_of(body)) remove_joint(joints.first[body]);
   while (scene.first_collider[body] != Colliders::kNone) remove_collider(scene.first_collider[body]);
   scene.inv_mass[body] = scene.mass[body] = 0;
   scene.inertia[body].setZero(), scene.inv_inertia[body].setZero();

@@ -10,6 +10,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
+#include "dynamics/joint/wide_joints.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/solver.h"
 
@@ -23,9 +24,10 @@ void find_colliders(const Scene& scene, const State&, Customers& customers) {
   for (const std::uint32_t slot : c.active)
     if (!c.muted[slot]) customers.add(slot);
 }
-// Counted in each step: contacts where they are built, particles by plan_particles().
+// Counted elsewhere: contacts where they are built, particles by plan_particles(), joints by plan_stages().
 void find_in_contacts(const Scene&, const State&, Customers&) {}
 void find_particles(const Scene&, const State&, Customers&) {}
+void find_joints(const Scene&, const State&, Customers&) {}
 
 // clang-format off
 constexpr std::array<Effect, kEffectCount> kTable = {{
@@ -45,12 +47,13 @@ constexpr std::array<Effect, kEffectCount> kTable = {{
     {Stage::integrate, "particles",       find_particles,        nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::broad,     "filter",          filtering::find,       nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::broad,     "sensor",          sensing::find,         nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::solve,     "joints",          find_joints,           nullptr,            nullptr,                nullptr,               nullptr},
 }};
 // clang-format on
 
 static_assert(kTable[kGyroscopicRow].find == gyroscopic::find && kTable[kSleepRow].find == sleeping::find &&
               kTable[kParticlesRow].find == find_particles && kTable[kFilterRow].find == filtering::find &&
-              kTable[kSensorRow].find == sensing::find);
+              kTable[kSensorRow].find == sensing::find && kTable[kJointsRow].find == find_joints);
 
 // As CAROM_ROTATION_*; those after them are rotation methods.
 enum RotationChoice : std::uint32_t { kNoGyroscopicTerm, kExplicitTorque, kImplicitStep };
@@ -118,7 +121,8 @@ void plan_colliders(World& world, Plan& plan) {
   c.active.clear();
   c.active.reserve(c.live.size());
   plan.local.resize(c.slots());
-  plan.rotation.resize(c.slots() ? world.scene.bodies.slots() : 0, Mat3::Identity());
+  const bool oriented = c.slots() || world.joints.slots.alive_count();
+  plan.rotation.resize(oriented ? world.scene.bodies.slots() : 0, Mat3::Identity());
   for (const std::uint32_t slot : c.live) {
     const std::uint32_t body = c.body[slot];
     const bool faulty = std::find(plan.faulty.begin(), plan.faulty.end(), c.shape[slot]) != plan.faulty.end();
@@ -169,12 +173,15 @@ void plan_stages(World& world, Plan& plan) {
   const Colliders& c = world.scene.colliders;
   const std::size_t asleep = c.live.size() - c.active.size(), awake = plan.find("collision")->candidates.count;
   const bool pairs = awake > 0 && awake + asleep >= 2;
+  const bool joints = world.wide_joints->any();
+  plan.effects[kJointsRow].customers.count = world.wide_joints->active.size();
   on(Stage::refresh) = on(Stage::observe) = true;
   plan_particles(world, plan);
-  on(Stage::broad) = on(Stage::narrow) = on(Stage::group) = on(Stage::solve) = pairs;
-  plan.substeps = pairs ? world.scene.dials.whole(Dial::substeps) : 1;
+  on(Stage::broad) = on(Stage::narrow) = pairs || (joints && !c.live.empty());  // rows are made of the pairs there are
+  on(Stage::group) = on(Stage::solve) = pairs || joints;
+  plan.substeps = pairs || joints ? world.scene.dials.whole(Dial::substeps) : 1;
   on(Stage::relax) =
-      pairs && (!plan.solver->counts_positions || world.scene.dials.whole(Dial::position_iterations) > 0);
+      joints || (pairs && (!plan.solver->counts_positions || world.scene.dials.whole(Dial::position_iterations) > 0));
 }
 
 /// World frame and bounds of a collider. Bounds are grown by half the contact distance, and where a body crosses more
@@ -225,6 +232,7 @@ void refresh(World& world, const StepTime& time) {
     plan_colliders(world, plan);
     plan_rows(world, plan);
     plan_bodies(world, plan);
+    plan_joints(world);
     plan_stages(world, plan);
     plan_sleep(world, plan);
     plan.revision = world.scene.revision;
@@ -244,7 +252,7 @@ void refresh(World& world, const StepTime& time) {
       row.served = row.rate * time.dt > plan.substeps ? Served::flow : Served::force;
   }
   find_customers(world);
-  if (!world.scene.colliders.live.empty()) {
+  if (!world.scene.colliders.live.empty() || world.joints.slots.alive_count()) {
     const State& s = world.state;
     const auto orient = [&](std::uint32_t i) { plan.rotation[i] = s.q[i].toRotationMatrix(); };
     if (changed)

@@ -13,11 +13,14 @@ void filtering::find(const Scene& scene, const State&, Customers& customers) {
 
 bool lets_touch(const Scene& scene, std::uint32_t a, std::uint32_t b) {
   const Colliders& c = scene.colliders;
-  return let_touch(c.filter_of(a), c.filter_of(b)) && !scene.apart.has(c.body[a], c.body[b]);
+  const std::uint32_t body_a = c.body[a], body_b = c.body[b];
+  return let_touch(c.filter_of(a), c.filter_of(b)) && !scene.apart.has(body_a, body_b) &&
+         !scene.joined.has(body_a, body_b);
 }
 
 bool any_held_apart(const World& world) {
-  return world.plan->effects[kFilterRow].customers.count > 0 || !world.scene.apart.empty();
+  return world.plan->effects[kFilterRow].customers.count > 0 || !world.scene.apart.empty() ||
+         !world.scene.joined.empty();
 }
 
 void drop_filtered(World& world, Array<Pair>& pairs) {

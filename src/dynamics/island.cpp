@@ -12,7 +12,18 @@ std::uint32_t root(Array<std::uint32_t>& parent, std::uint32_t i) {
   return i;
 }
 
+/// Counting sort: groups begin as their ends, and members are put in from the last to the first.
+void sort_by_label(const Array<std::uint32_t>& label, std::uint32_t groups, Array<std::uint32_t>& begin,
+                   Array<std::uint32_t>& members) {
+  begin.assign(groups + 1, 0);
+  for (const std::uint32_t g : label) ++begin[g];
+  for (std::uint32_t g = 0; g < groups; ++g) begin[g + 1] += begin[g];
+  for (std::size_t i = label.size(); i-- > 0;) members[--begin[label[i]]] = static_cast<std::uint32_t>(i);
+}
+
 }  // namespace
+
+std::uint32_t group_of(Contacts& c, std::uint32_t body) { return c.is_grouped ? c.cursor[root(c.parent, body)] : 0; }
 
 std::uint32_t island_of(Contacts& c, std::uint32_t body) { return root(c.parent, body); }
 
@@ -22,6 +33,8 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
   c.group_begin.clear();
   c.group_rows.resize(n);
   c.label.resize(n);
+  c.link_label.resize(c.links.size());
+  c.is_grouped = grouped;
   std::uint32_t groups = 0;
   if (grouped) {
     c.parent.resize(body_slots), c.cursor.resize(body_slots);
@@ -29,30 +42,41 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
       c.parent[m.a] = m.a, c.parent[m.b] = m.b;
       c.cursor[m.a] = c.cursor[m.b] = kNone;  // scratch: group of a root
     }
-    for (const Meeting& m : c.meetings) {
-      if (!m.moves_a || !m.moves_b) continue;
-      const std::uint32_t a = root(c.parent, m.a), b = root(c.parent, m.b);
+    for (const Link& l : c.links) {
+      if (l.moves_a) c.parent[l.a] = l.a, c.cursor[l.a] = kNone;
+      if (l.moves_b) c.parent[l.b] = l.b, c.cursor[l.b] = kNone;
+    }
+    const auto join = [&](const auto& both) {
+      if (!both.moves_a || !both.moves_b) return;
+      const std::uint32_t a = root(c.parent, both.a), b = root(c.parent, both.b);
       // The lower slot is the root whatever the order of unions: labels depend on the contacts alone.
       if (a < b) c.parent[b] = a;
       if (b < a) c.parent[a] = b;
-    }
-    for (const Meeting& m : c.meetings) {
-      const std::uint32_t r = root(c.parent, m.moves_a ? m.a : m.b);
+    };
+    for (const Meeting& m : c.meetings) join(m);
+    for (const Link& l : c.links) join(l);
+    const auto label = [&](const auto& both) {
+      const std::uint32_t r = root(c.parent, both.moves_a ? both.a : both.b);
       if (c.cursor[r] == kNone) c.cursor[r] = groups++;
-      std::fill_n(c.label.begin() + m.row, m.count, c.cursor[r]);
+      return c.cursor[r];
+    };
+    for (const Meeting& m : c.meetings) {
+      const std::uint32_t group = label(m);
+      std::fill_n(c.label.begin() + m.row, m.count, group);
     }
+    for (std::size_t i = 0; i < c.links.size(); ++i) c.link_label[i] = label(c.links[i]);
     c.group_bodies.assign(groups, 0);
     for (const std::uint32_t body : c.bodies) ++c.group_bodies[c.cursor[root(c.parent, body)]];
   } else {
     c.label.assign(n, 0);
-    groups = n ? 1 : 0;
+    c.link_label.assign(c.links.size(), 0);
+    groups = n || !c.links.empty() ? 1 : 0;
     c.group_bodies.assign(groups, static_cast<std::uint32_t>(c.bodies.size()));
   }
-  // Counting sort by label: groups begin as their ends, and rows are put in from the last to the first.
-  c.group_begin.assign(groups + 1, 0);
-  for (std::size_t i = 0; i < n; ++i) ++c.group_begin[c.label[i]];
-  for (std::uint32_t g = 0; g < groups; ++g) c.group_begin[g + 1] += c.group_begin[g];
-  for (std::size_t i = n; i-- > 0;) c.group_rows[--c.group_begin[c.label[i]]] = static_cast<std::uint32_t>(i);
+  sort_by_label(c.label, groups, c.group_begin, c.group_rows);
+  c.group_link_begin.clear();
+  c.group_links.resize(c.links.size());
+  if (!c.links.empty()) sort_by_label(c.link_label, groups, c.group_link_begin, c.group_links);
 }
 
 void find_groups(World& world, const StepTime& time) {

@@ -1,4 +1,4 @@
-// Contact groups: which contacts hang together through bodies that contacts can move.
+// Contact groups: which contacts and joints hang together through bodies that they can move.
 #pragma once
 
 #include "dynamics/contact/contact.h"
@@ -7,14 +7,17 @@ namespace carom {
 
 /// Stage group: rows from manifolds, then groups by union-find over rows between two dynamic bodies. Static, kinematic
 /// and quarantined bodies cut the chain. With the dial off, all rows are one group. Order: groups by their lowest row,
-/// rows ascending.
+/// those of joints alone after them, rows ascending.
 void find_groups(World& world, const StepTime& time);
 
 /// The body that a dynamic body's group is named after, of those that hang together by the last partition into groups:
 /// the lowest slot. @param body  one that a row moves
 std::uint32_t island_of(Contacts& contacts, std::uint32_t body);
 
-/// The partition alone, from rows.a, rows.b, moves_a, moves_b.   @oracle tests/unit/dynamics/test_island (breadth-first
+/// The group of such a body.
+std::uint32_t group_of(Contacts& contacts, std::uint32_t body);
+
+/// The partition alone, from meetings and links.   @oracle tests/unit/dynamics/test_island (breadth-first
 /// twin)
 void partition_rows(Contacts& contacts, std::size_t body_slots, bool grouped);
 

@@ -49,7 +49,8 @@ struct Scene {
         first_collider(m),
         colliders(m),
         material(m),
-        apart(m) {}
+        apart(m),
+        joined(m) {}
 
   SlotPool bodies, collider_slots, material_slots;
 
@@ -66,6 +67,7 @@ struct Scene {
   Colliders colliders;       // by collider slot
   Array<Material> material;  // by material slot
   PairCounts apart;          // of body slots: they do not touch, whatever their filters say
+  PairCounts joined;         // likewise, as joints hold them together
 
   bool resists = false;      // some material resists rolling or spinning
 

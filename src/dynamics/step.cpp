@@ -9,6 +9,7 @@
 #include "dynamics/events/events.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/island.h"
+#include "dynamics/joint/wide_joints.h"
 #include "dynamics/observe.h"
 #include "dynamics/particles/flight.h"
 #include "dynamics/quarantine.h"
@@ -63,6 +64,7 @@ void World::step(Real dt) {
   run(Stage::observe, begin_events);
   for (int k = 0; k < run.substeps(); ++k) {
     run(Stage::solve, measure_approach);
+    run(Stage::solve, note_velocities);
     run(Stage::integrate, integrate_velocity);
     run(Stage::solve, answer_impacts);
     run(Stage::solve, hold_moments);

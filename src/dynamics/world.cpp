@@ -6,6 +6,7 @@
 #include "dynamics/effects.h"
 #include "dynamics/events/events.h"
 #include "dynamics/query/index.h"
+#include "dynamics/joint/wide_joints.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/direct.h"
 #include "dynamics/solver/wide_contacts.h"
@@ -23,6 +24,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
     : scene(tag, m),
       state(m),
       particles(tag, m),
+      joints(tag, m),
       contact_views(m),
       group_views(m),
       fault_views(m),
@@ -30,6 +32,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
       plan(make_owned<Plan>(m, m)),
       contacts(make_owned<Contacts>(m, m)),
       wide(make_owned<WideContacts>(m, m)),
+      wide_joints(make_owned<WideJoints>(m, m)),
       direct(make_owned<DirectGroups>(m, m)),
       sleep(make_owned<Sleep>(m, m)),
       events(make_owned<Events>(m, m)),
@@ -85,6 +88,13 @@ std::uint64_t World::hash() const {
   };
   for (const OldImpulse& o : contacts->old) add_impulse(o);
   particles.add_to(h);
+  for (std::uint32_t j = 0; j < joints.slots.slots(); ++j) {
+    if (!joints.alive(j)) continue;
+    const Joint& joint = joints.joint[j];
+    h.add((std::uint64_t(j) << 1) | joint.broken);
+    for (const Real p : joint.p) h.add(p);
+    for (const Real p : joint.drive_p) h.add(p);
+  }
   if (sleep->count > 0) {
     for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i) h.add(std::uint64_t(sleep->sleeps(i)));
     pairs.each_parked(add_record);

@@ -7,6 +7,7 @@
 #include "collision/broad/broad_phase.h"
 #include "collision/narrow/narrow_phase.h"
 #include "core/jobs.h"
+#include "dynamics/joint/joint.h"
 #include "dynamics/particles/particles.h"
 #include "dynamics/scene.h"
 #include "dynamics/state.h"
@@ -55,7 +56,7 @@ struct FaultView {
 };
 
 /// Why a solver that chooses answers a contact group as it does; as CAROM_REASON_*.
-enum class GroupReason : std::uint32_t { ordinary, mass_ratio, sink, too_much, bounce, blow, still };
+enum class GroupReason : std::uint32_t { ordinary, mass_ratio, sink, too_much, bounce, blow, still, joined };
 
 /// A contact group of a step as a host reads it.
 struct GroupView {
@@ -75,6 +76,7 @@ class QueryIndex;     // dynamics/query/index.h: where colliders are, for questi
 struct DirectGroups;  // dynamics/solver/direct.h: contact groups as problems of their own
 struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of them
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
+struct WideJoints;    // dynamics/joint/wide_joints.h: joints in lanes
 
 class World {
  public:
@@ -85,7 +87,7 @@ class World {
 
   // ---- editing (between steps). Slots are valid; the caller resolved handles. ----
   Handle add_body(const BodyDef& def);   // 0: all slots taken
-  void remove_body(std::uint32_t body);  // its colliders too
+  void remove_body(std::uint32_t body);  // its colliders and joints too
   Handle add_collider(std::uint32_t body, const Shape* shape, const Pose& local, Real density, std::uint32_t material);
   void remove_collider(std::uint32_t collider);
   Handle add_material(const Material& m);
@@ -96,6 +98,10 @@ class World {
   void set_sensor(std::uint32_t collider, bool sensor);
   void hold_apart(std::uint32_t body_a, std::uint32_t body_b);  // counted: as often as it is let go
   void let_go(std::uint32_t body_a, std::uint32_t body_b);
+  Handle add_joint(const JointDef& def);  // its bodies are two, or one and the world
+  void remove_joint(std::uint32_t joint);
+  void set_joint_drive(std::uint32_t joint, Coordinate coordinate, const JointDrive& drive);
+  void break_joint(std::uint32_t joint);  // it stays, and holds nothing any more
   void set_dial(Dial dial, Real value);
   void set_gravity(const Vec3& g);
 
@@ -118,6 +124,7 @@ class World {
   Scene scene;
   State state;
   Particles particles;
+  Joints joints;
   StepReport report;
   Array<ContactView> contact_views;  // of the last step, ascending by collider pair
   Array<GroupView> group_views;      // of the last step, of a solver that chooses
@@ -129,6 +136,7 @@ class World {
   Owned<Plan> plan;
   Owned<Contacts> contacts;
   Owned<WideContacts> wide;
+  Owned<WideJoints> wide_joints;
   Owned<DirectGroups> direct;
   Owned<Sleep> sleep;
   Owned<Events> events;

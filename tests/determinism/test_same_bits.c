@@ -147,6 +147,46 @@ static void so_are_those_of_particles(void **state) {
   assert_int_equal(wrong, 0);
 }
 
+/* The same of joints, by solver (sequential, soft_step, direct, auto): one of each kind between the world and the bodies of
+ * the stage, a motor, a spring and limits on them; 200 steps. */
+static void so_are_those_of_joints(void **state) {
+  const uint64_t golden[4] = {0x86f8c0ec16e9056du, 0xe6fc5754b0ed3a32u, 0xfa9c329210e1d4cbu,
+                              0xfa9c329210e1d4cbu};
+  uint32_t solver, kind;
+  int wrong = 0;
+  (void)state;
+  for (solver = 1; solver <= 4; ++solver) {
+    Bench b;
+    uint64_t got;
+    carom_joint joints[CAROM_JOINT_COUNT];
+    carom_joint_limit limit;
+    carom_joint_motor motor;
+    carom_joint_spring spring;
+    assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
+    assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
+    for (kind = 0; kind < CAROM_JOINT_COUNT; ++kind) {
+      carom_joint_desc d;
+      carom_joint_desc_init(&d);
+      d.kind = kind, d.fields = CAROM_JOINT_WORLD_FRAME;
+      d.body_a = kind < 3 ? CAROM_NULL_HANDLE : b.bodies[kind % 3], d.body_b = b.bodies[kind < 3 ? kind : 3];
+      d.position_a[0] = 0.5 * kind, d.position_a[1] = 3 + 0.25 * kind, d.position_a[2] = 0.125;
+      assert_int_equal(carom_joint_create(b.world, &d, &joints[kind], NULL), CAROM_OK);
+    }
+    carom_joint_limit_init(&limit), carom_joint_motor_init(&motor), carom_joint_spring_init(&spring);
+    limit.enabled = motor.enabled = spring.enabled = 1;
+    limit.upper = 0.5, motor.speed = 3, motor.most = 5, spring.target = 0.25, spring.damping = 0.25;
+    assert_int_equal(carom_joint_set_limit(b.world, joints[0], CAROM_COORDINATE_SWING, &limit, NULL), CAROM_OK);
+    assert_int_equal(carom_joint_set_motor(b.world, joints[1], CAROM_COORDINATE_TWIST, &motor, NULL), CAROM_OK);
+    assert_int_equal(carom_joint_set_spring(b.world, joints[2], CAROM_COORDINATE_SLIDE, &spring, NULL), CAROM_OK);
+    assert_int_equal(bench_steps(b.world, 200, NULL), CAROM_OK);
+    got = bench_hash(b.world);
+    wrong += got != golden[solver - 1];
+    if (got != golden[solver - 1]) print_error("solver %u: 0x%016llx\n", solver, (unsigned long long)got);
+    assert_int_equal(bench_free(&b), CAROM_OK);
+  }
+  assert_int_equal(wrong, 0);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(the_same_scene_twice_gives_the_same_bits),
@@ -155,6 +195,7 @@ int main(void) {
       cmocka_unit_test(handle_numbers_do_not_matter),
       cmocka_unit_test(the_bits_are_those_of_every_other_build),
       cmocka_unit_test(so_are_those_of_particles),
+      cmocka_unit_test(so_are_those_of_joints),
   };
   return cmocka_run_group_tests_name("determinism/same_bits", tests, NULL, NULL);
 }

@@ -8,6 +8,7 @@
 
 #include "dynamics/contact/resistance.h"
 #include "dynamics/force/force.h"
+#include "dynamics/joint/wide_joints.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom {
@@ -174,9 +175,11 @@ void count_halves(World& world) {
     if (m.moves_b) c.half_end[m.b] += m.count;
   }
   c.bodies.clear();
+  const Array<std::uint8_t>& linked = world.wide_joints->linked;
+  const bool jointed = !linked.empty();
   std::uint32_t begin = 0;
   each_mover([&](std::uint32_t i) {
-    if (c.half_end[i] > 0) c.bodies.push_back(i);
+    if (c.half_end[i] > 0 || (jointed && linked[i])) c.bodies.push_back(i);
     c.half_begin[i] = begin;
     c.half_end[i] = begin += c.half_end[i];
   });
@@ -255,6 +258,7 @@ void build_rows(World& world, Real h) {
   }
   world.report.contact_points = n;
   list_meetings(world.pairs, c);
+  link_joints(world);
   count_halves(world);
   c.inv_inertia_w.resize(slots);
   c.last_impact.resize(slots);

@@ -80,6 +80,12 @@ struct Meeting {
   bool moves_a, moves_b;
 };
 
+/// Two bodies that a joint holds together, or one and the world.
+struct Link {
+  std::uint32_t a, b;  // body slots, or kTheWorld
+  bool moves_a, moves_b;
+};
+
 /// What the next step knows of an impulse of this one.
 struct OldImpulse {
   Pair pair;
@@ -143,6 +149,10 @@ struct Contacts {
         geometry(m),
         first_row(m),
         meetings(m),
+        links(m),
+        link_label(m),
+        group_links(m),
+        group_link_begin(m),
         half(m),
         half_begin(m),
         half_end(m),
@@ -175,13 +185,18 @@ struct Contacts {
   Array<std::uint32_t> first_row;  // [pairs + 1] by pair of the table
   Array<Meeting> meetings;         // of pairs that have rows, in their order
 
+  Array<Link> links;                      // of active joints, in their order: @see WideJoints::active
+  Array<std::uint32_t> link_label;        // by link: its group
+  Array<std::uint32_t> group_links;       // links, ascending within a group
+  Array<std::uint32_t> group_link_begin;  // [groups + 1]; empty where there are no links
+
   // by body slot
   Array<HalfContact> half;                    // grouped by body
   Array<std::uint32_t> half_begin, half_end;  // by body that may move in this step: its part of half
   Array<Mat3> inv_inertia_w;                  // 1/(kg m^2), world axes, of this substep; zero if it does not rotate
   Array<Vec3> shift, turn;                    // m, rad: corrections of the pose not yet applied
 
-  Array<std::uint32_t> bodies;    // slots that have rows and are moved by them, ascending
+  Array<std::uint32_t> bodies;    // slots that have rows or joints and are moved by them, ascending
   Array<std::uint32_t> bouncing;  // rows with a restitution, ascending
   Array<Impact> impacts;          // of each of them
   Array<Real> last_impact;        // s, by body slot, since the substep began: scratch
@@ -190,7 +205,8 @@ struct Contacts {
   // contact groups
   Array<std::uint32_t> group_rows;    // rows, ascending within a group
   Array<std::uint32_t> group_begin;   // [groups + 1]
-  Array<std::uint32_t> group_bodies;  // by group: how many contacts move
+  Array<std::uint32_t> group_bodies;  // by group: how many contacts and joints move
+  bool is_grouped = true;             // the dial
   enum Choice : std::uint8_t { kSoftly, kDirectly, kStill };
   Array<std::uint8_t> direct;  // by group, of a solver that chooses: Choice, where not kSoftly the direct solver
                                // answers; else empty

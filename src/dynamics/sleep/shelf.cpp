@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dynamics/force/force.h"
+#include "dynamics/joint/wide_joints.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom {
@@ -217,6 +218,7 @@ void list_awake(World& world, const Array<std::uint32_t>& woken) {
     }
     if (row.effect->stage != Stage::solve && !row.effect->wakes) row.customers = row.candidates;
   }
+  plan_joints(world);
   plan_stages(world, plan);
 }
 

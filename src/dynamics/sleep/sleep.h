@@ -1,7 +1,8 @@
 // Sleeping: islands that came to rest leave the arrays that a step goes through, and come back exactly as they went.
 //
-// An island (bodies that hang together through contacts, or one body alone) falls asleep whole at the end of a step if
-// all of its bodies were slow for `sleep_time`. Slow is a body none of whose points moves faster than `sleep_speed`:
+// An island (bodies that hang together through contacts and joints, or one body alone) falls asleep whole at the end of
+// a step if all of its bodies were slow for `sleep_time`. Slow is a body none of whose points moves faster than
+// `sleep_speed`:
 //   |v| + |omega| r <= sleep_speed,     r: the farthest point of its colliders from its centre
 // and that has not come farther since it became slow than such a speed would carry it: what a solver moves without a
 // velocity (undone penetration) keeps a body awake too. Not while it rests on a kinematic body that moves, nor if one
@@ -13,9 +14,10 @@
 // would have: time has not passed for it.
 //
 // What wakes it, the whole of it: a body that moves (dynamic and awake, or kinematic with a velocity) and comes near
-// enough for a contact, in the same step and before contacts are made; whatever a host writes to one of its bodies, but
-// for zero velocity, force and impulse; a material it touches; a static or kinematic body beneath it moved, removed or
-// newly there; gravity; any dial; a fault that mutes a shape or quarantines a body.
+// enough for a contact, in the same step and before contacts are made; a kinematic body that moves and that it is
+// joined to; a joint of it set, made or removed; whatever a host writes to one of its bodies, but for zero velocity,
+// force and impulse; a material it touches; a static or kinematic body beneath it moved, removed or newly there;
+// gravity; any dial; a fault that mutes a shape or quarantines a body.
 //
 // Two layers. Whether a body sleeps (`asleep`) is changed at once. The arrays follow (`parked`) where a step may
 // allocate: refresh() settles what has changed, wake_touched() what the step itself wakes. Nothing in a step is
@@ -87,6 +89,8 @@ void wake(World& world, std::uint32_t body);
 void wake_all(World& world);
 /// Wake who touches a collider.
 void wake_touching(World& world, std::uint32_t collider);
+/// Wake who is joined to a body.
+void wake_joined(World& world, std::uint32_t body);
 /// Wake who wears a material, or touches what wears it.
 void wake_wearing(World& world, std::uint32_t material);
 /// A host changed what a body is or where it stands: it wakes; who touched a static or kinematic one wakes; whom that

@@ -30,6 +30,18 @@ void gather_movers(World& world) {
   z.stirred.clear();
 }
 
+/// Who hangs on a kinematic body that moves; of those woken, the colliders ask like other movers'.
+void wake_drawn(World& world) {
+  if (world.joints.slots.alive_count() == 0) return;
+  Sleep& z = *world.sleep;
+  const State& s = world.state;
+  const std::size_t before = z.woken.size();
+  world.plan->kinematic.each([&](std::uint32_t i) {
+    if (s.v[i] != Vec3::Zero() || s.omega[i] != Vec3::Zero()) wake_joined(world, i);
+  });
+  for (std::size_t k = before; k < z.woken.size(); ++k) ask_for(world, z.woken[k]);
+}
+
 /// Whether the narrow phase would find a contact. Asked with a copy of what the pair remembers, so that the answer is
 /// the narrow phase's own, and what is remembered stays as it was.
 bool touches(World& world, const NarrowSettings& settings, const Pair& pair) {
@@ -78,6 +90,7 @@ void wake_touched(World& world, const StepTime&) {
   const NarrowSettings settings = narrow_settings(world.scene.dials);
   try {
     gather_movers(world);
+    wake_drawn(world);
     for (std::size_t k = 0; k < z.asking.size(); ++k) ask(world, settings, z.asking[k]);
     if (!z.woken.empty()) rejoin(world);
   } catch (...) {

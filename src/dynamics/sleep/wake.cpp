@@ -47,6 +47,12 @@ void wake_touching(World& world, std::uint32_t collider) {
   });
 }
 
+void wake_joined(World& world, std::uint32_t body) {
+  world.joints.each_of(body, [&](std::uint32_t joint, std::uint32_t other) {
+    if (other != kTheWorld && !world.joints.joint[joint].broken) wake(world, other);
+  });
+}
+
 void wake_wearing(World& world, std::uint32_t material) {
   if (world.sleep->count == 0) return;
   const Colliders& c = world.scene.colliders;
@@ -59,6 +65,7 @@ void stir(World& world, std::uint32_t body) {
   const Scene& scene = world.scene;
   if (scene.type[body] == BodyType::dynamic) return wake(world, body);
   if (world.sleep->count == 0) return;
+  wake_joined(world, body);
   world.sleep->stirred.push_back(body);
   for (std::uint32_t c = scene.first_collider[body]; c != Colliders::kNone; c = scene.colliders.next[c])
     wake_touching(world, c);

@@ -6,7 +6,8 @@
 //  - for two steps a point has borne so much that soft contacts would let it sink by more than direct_sink of its
 //    thickness: that is what a tall stack and a heavy load on a light body have in common, and it is known before
 //    anything is solved, or
-//  - it is a few bodies that lie still: to hold them exactly costs next to nothing;
+//  - it is a few bodies that lie still: to hold them exactly costs next to nothing, or
+//  - it is some bodies that joints alone hold together: their equations are solved at once, and to rounding;
 // unless something strikes it (a blow sends the direct solver through all of a heap, and passes), it is too large, or
 // could not be solved within direct_work lately: then it moves so much that soft contacts will do.
 #include <algorithm>
@@ -28,6 +29,8 @@ constexpr Real kBlow = 0.1;
 // Likewise, of a group that lies still: 0.06 m/s for a cube of 1 m.
 constexpr Real kStill = 2e-4;
 constexpr std::uint32_t kFew = 4;  // bodies
+// Of a group that hangs together by joints alone: its equations are solved at once, without a search for what touches.
+constexpr std::uint32_t kFewJoined = 32;
 
 /// Squared angular frequency of the springs between two bodies that move.
 Real stiffness(const Dials& dials, Real h) {
@@ -49,7 +52,9 @@ Real sink_of(const World& world, const Row& row, const Arms& arms, Real load, Re
   return load * k / (row.moves_a && row.moves_b ? w2 : 4 * w2);
 }
 
-Real mass_ratio_of(const Scene& scene, const Row& row) {
+/// @param row  a contact or a joint
+template <class Both>
+Real mass_ratio_of(const Scene& scene, const Both& row) {
   if (!row.moves_a || !row.moves_b) return 1;
   const Real a = scene.mass[row.a], b = scene.mass[row.b];
   return std::max(a, b) / std::min(a, b);
@@ -91,6 +96,14 @@ Real weight_if_new(World& world, std::size_t group, Real h) {
     is_new &= world.state.v[body].norm() <= 2 * gravity * h;
   });
   return is_new ? mass * gravity : 0;
+}
+
+/// Masses of bodies that joints hold together.
+void look_at_joints(const World& world, std::size_t group, GroupView& view) {
+  const Contacts& c = *world.contacts;
+  if (c.group_link_begin.empty()) return;
+  for (std::uint32_t k = c.group_link_begin[group]; k < c.group_link_begin[group + 1]; ++k)
+    view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(world.scene, c.links[c.group_links[k]]));
 }
 
 struct GroupMotion {
@@ -168,12 +181,20 @@ Contacts::Choice answer_to(GroupReason reason) {
   switch (reason) {
     case GroupReason::mass_ratio:
     case GroupReason::sink:
+    case GroupReason::joined:
       return Contacts::kDirectly;
     case GroupReason::still:
       return Contacts::kStill;
     default:
       return Contacts::kSoftly;
   }
+}
+
+std::uint32_t first_body(const Contacts& c, std::size_t group) {
+  const auto of = [](const auto& both) { return both.moves_a ? both.a : both.b; };
+  const std::uint32_t begin = c.group_begin[group];
+  return begin < c.group_begin[group + 1] ? of(c.rows[c.group_rows[begin]])
+                                          : of(c.links[c.group_links[c.group_link_begin[group]]]);
 }
 
 void choose(World& world, Real h) {
@@ -184,17 +205,23 @@ void choose(World& world, Real h) {
   c.direct.assign(c.groups(), 0);
   world.group_views.clear();
   for (std::size_t g = 0; g < c.groups(); ++g) {
-    const Row& first = c.rows[c.group_rows[c.group_begin[g]]];
     GroupView view;
-    view.body = first.moves_a ? first.a : first.b;
+    view.body = first_body(c, g);
     view.bodies = c.group_bodies[g], view.points = c.group_begin[g + 1] - c.group_begin[g];
     if (view.bodies > kMostBodies) {
       view.reason = GroupReason::too_much;
     } else {
-      const Real weight = weight_if_new(world, g, h);
-      const GroupMotion motion = look_at(world, g, w2, h, weight, view);
-      const GroupMemory memory = remember(world, g, weight > 0);
-      view.reason = reason_for(view, motion, memory, dials[Dial::direct_ratio]);
+      look_at_joints(world, g, view);
+      if (view.points == 0) {
+        view.reason = view.mass_ratio > dials[Dial::direct_ratio] ? GroupReason::mass_ratio
+                      : view.bodies <= kFewJoined                 ? GroupReason::joined
+                                                                  : GroupReason::ordinary;
+      } else {
+        const Real weight = weight_if_new(world, g, h);
+        const GroupMotion motion = look_at(world, g, w2, h, weight, view);
+        const GroupMemory memory = remember(world, g, weight > 0);
+        view.reason = reason_for(view, motion, memory, dials[Dial::direct_ratio]);
+      }
     }
     c.direct[g] = answer_to(view.reason);
     view.direct = c.direct[g] != Contacts::kSoftly;
@@ -218,8 +245,8 @@ void spare_the_tired(World& world) {
 
 void begin(World& world, const StepTime& time) {
   choose(world, time.h);
-  gather_groups(world);
   kSoftStep.begin(world, time);
+  gather_groups(world);
 }
 
 void velocities(World& world, const StepTime& time) {
@@ -231,7 +258,9 @@ void velocities(World& world, const StepTime& time) {
 
 void positions(World& world, const StepTime& time) {
   kSoftStep.positions(world, time);
-  if (world.direct->groups() > 0) part_groups(world, time.h);
+  if (world.direct->groups() == 0) return;
+  part_groups(world, time.h);
+  settle_joints(world, time.h);
 }
 
 void end(World& world, const StepTime& time) {

@@ -5,6 +5,8 @@
 
 #include "dynamics/contact/held_arms.h"
 #include "dynamics/force/force.h"
+#include "dynamics/joint/wide_joints.h"
+#include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/solver.h"
 
 namespace carom {
@@ -16,6 +18,9 @@ constexpr std::size_t kGroupsAPart = 1;  // a group takes as long as many bodies
 constexpr Real kStillShare = 1e-3;
 constexpr Real kShare = 1e-3;              // of the fastest contact, that is good enough where work is bounded
 constexpr Real kRest = 10;                 // tolerances: contacts that move slower, in any direction, are at rest
+constexpr Real kJoinedShare = 1e-3;        // of the tolerance, where there are joints: velocities add up to gaps
+constexpr int kJerks = 3;                  // times that a group is answered anew because a joint was jerked
+constexpr Real kGap = 1e-9;                // m or rad, of a joint that needs no parting
 constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: impacts of many bodies take that many
 
 /// Room for some groups before there are any: a small world that settles goes on without allocating when one of its
@@ -35,20 +40,14 @@ void make_room(DirectGroups& d) {
 void gather(World& world, DirectGroups& d) {
   const Contacts& c = *world.contacts;
   make_room(d);
+  d.links.clear(), d.link_row.clear();
   d.still.clear(), d.contacts.clear(), d.row.clear(), d.begin.clear();
   d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
   d.body.resize(world.scene.bodies.slots());
   for (const std::uint32_t slot : c.bodies) d.body[slot] = kNobody;
-  const auto node = [&](bool moves, std::uint32_t slot) {
-    if (!moves) return kNobody;
-    if (d.body[slot] == kNobody) {
-      d.body[slot] = static_cast<std::uint32_t>(d.bodies.size());
-      d.bodies.emplace_back().slot = slot;
-    }
-    return d.body[slot];
-  };
   const auto mark = [&] {
-    d.begin.push_back({static_cast<std::uint32_t>(d.contacts.size()), static_cast<std::uint32_t>(d.bodies.size())});
+    d.begin.push_back({static_cast<std::uint32_t>(d.contacts.size()), static_cast<std::uint32_t>(d.bodies.size()),
+                       static_cast<std::uint32_t>(d.links.size())});
     d.edge_begin.push_back(static_cast<std::uint32_t>(d.edges.size()));
   };
   for (std::size_t g = 0; g < c.groups(); ++g) {
@@ -59,13 +58,14 @@ void gather(World& world, DirectGroups& d) {
       const std::uint32_t i = c.group_rows[k];
       const Row& row = c.rows[i];
       ConeContact& contact = d.contacts.emplace_back();
-      contact.a = node(row.moves_a, row.a);
-      contact.b = node(row.moves_b, row.b);
+      contact.a = d.node(row.moves_a, row.a);
+      contact.b = d.node(row.moves_b, row.b);
       const bool coupled = contact.a != kNobody && contact.b != kNobody;
       if (coupled && (d.edges.size() == d.edge_begin.back() || d.edges.back() != Edge{contact.a, contact.b}))
         d.edges.push_back({contact.a, contact.b});
       d.row.push_back(i);
     }
+    gather_links(world, d, g);
   }
   mark();
 }
@@ -85,15 +85,17 @@ void order(DirectGroups& d) {
   d.ordered_edges = d.edges, d.ordered_begin = d.edge_begin;
 }
 
-/// Where in the factor each contact couples its bodies.
+/// Where in the factor each contact and each row of a joint couples its bodies.
 void place_contacts(DirectGroups& d) {
-  for (ConeContact& c : d.contacts) {
+  const auto place = [&](auto& c) {
     c.below = kNobody;
-    if (c.a == kNobody || c.b == kNobody) continue;
+    if (c.a == kNobody || c.b == kNobody) return;
     const std::uint32_t a = d.elimination.place[c.a], b = d.elimination.place[c.b];
     c.a_later = a > b;
     c.below = static_cast<std::uint32_t>(d.factor.at(d.elimination, std::max(a, b), std::min(a, b)));
-  }
+  };
+  std::ranges::for_each(d.contacts, place);
+  std::ranges::for_each(d.links, place);
 }
 
 /// Masses, in the body's present orientation.
@@ -161,17 +163,20 @@ void start_from_loads(ConeProblem& problem) {
   }
   const Real share = size2 > 0 ? std::clamp(along / size2, Real(0), Real(1)) : 1;
   for (ConeContact& c : problem.contacts) c.next_p = c.start_p + share * (c.p - c.start_p);
+  for (ConeLink& c : problem.links) c.next_p = c.start_p + share * (c.p - c.start_p);
 }
 
 /// What was never solved before takes the time it takes, once.
 bool starts_from_nothing(const ConeProblem& problem) {
-  return std::ranges::all_of(problem.contacts, [](const ConeContact& c) { return c.start_p == Vec3::Zero(); });
+  return std::ranges::all_of(problem.contacts, [](const ConeContact& c) { return c.start_p == Vec3::Zero(); }) &&
+         std::ranges::all_of(problem.links, [](const ConeLink& c) { return c.start_p == 0; });
 }
 
 /// m/s, well above what rounding leaves of a residual.
 Real rounding(const ConeProblem& problem) {
   Real most = 0;
   for (const ConeContact& c : problem.contacts) most = std::max(most, c.k * c.p.norm());
+  for (const ConeLink& c : problem.links) most = std::max(most, c.k * std::fabs(c.p));
   return 1e3 * kEpsilon * most;
 }
 
@@ -199,7 +204,8 @@ class Group {
         rest_(world.direct->rest[group]),
         answer_(world.direct->answer[group]),
         problem_(world.direct->problem(group)),
-        row_(&world.direct->row[world.direct->begin[group].contact]),
+        row_(world.direct->row.data() + world.direct->begin[group].contact),
+        link_row_(world.direct->link_row.data() + world.direct->begin[group].link),
         work_(world.direct->work[group]),
         still_(world.direct->still[group]) {}
 
@@ -211,15 +217,24 @@ class Group {
     const Real least = start(h);
     const bool bounded = work && !starts_from_nothing(problem_);
     const std::uint64_t most = bounded ? 2 + work / work_ : kMostSteps;
-    const Real goal = still_ ? std::max(kStillShare * tolerance, rounding(problem_))
-                      : work ? std::max(tolerance, kShare * fastest(problem_))
-                             : tolerance;
-    answer_ = solve_cones(problem_, goal, static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps)));
+    const Real enough = still_ ? std::max(kStillShare * tolerance, rounding(problem_))
+                        : work ? std::max(tolerance, kShare * fastest(problem_))
+                               : tolerance;
+    const Real goal = is_joined() ? std::min(enough, std::max(kJoinedShare * tolerance, rounding(problem_))) : enough;
+    const auto most_steps = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps));
+    answer_ = solve_cones(problem_, goal, most_steps);
+    for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
+      for (ConeLink& link : problem_.links) link.next_p = link.p;
+      keep_links(world_, problem_, link_row_);
+      start(h);
+      answer_ = solve_cones(problem_, goal, most_steps);
+    }
     start_from_loads(problem_);
     keep();
     rest_.is_first = false;
-    rest_.lasts = answer_.factorisations == 0 && least >= -world_.scene.dials[Dial::position_tolerance] &&
-                  c_.resisting.empty() && fastest_any_way(problem_) < kRest * tolerance;
+    rest_.lasts = !is_joined() && answer_.factorisations == 0 &&
+                  least >= -world_.scene.dials[Dial::position_tolerance] && c_.resisting.empty() &&
+                  fastest_any_way(problem_) < kRest * tolerance;
   }
 
   /// A group that overlaps more than the tolerance is parted, to half of it, so that what rests keeps in touch.
@@ -228,14 +243,17 @@ class Group {
     const Real tolerance = world_.scene.dials[Dial::position_tolerance];
     const Real most = world_.scene.dials[Dial::push_speed] * h;
     answer_ = {};
-    if (!(measure() < -tolerance)) return;
+    const bool overlaps = measure() < -tolerance;
+    if (!overlaps && !(is_joined() && worst_error(world_, problem_, link_row_) > kGap)) return;
     each([&](ConeContact& contact, std::uint32_t row) {
       contact.p.setZero(), contact.u.setZero();
       contact.friction = 0;
       contact.want = std::min(-(c_.geometry[row].separation + tolerance / 2), most);
     });
     for (ConeBody& b : bodies_of(problem_)) b.v.setZero();
-    answer_ = solve_cones(problem_, 0.01 * tolerance, kMostSteps);
+    load_links(world_, problem_, link_row_, LinkPhase::part, h);
+    measure_links(problem_);
+    answer_ = solve_cones(problem_, is_joined() ? 0.1 * kGap : 0.01 * tolerance, kMostSteps);
     for (const ConeBody& b : bodies_of(problem_)) {
       s_.x[b.slot] += linear(b.v);
       const Vec3 turn = angular(b.v);
@@ -246,6 +264,23 @@ class Group {
     for (ConeBody& b : bodies_of(problem_)) load(b);
     measure();
   }
+
+  /// Velocities along what is locked, where the move has ended. Of groups that nothing touches: contacts, whose poses
+  /// the solved velocities were to make good, are not asked twice.
+  void settle(Real h) {
+    if (!is_joined() || !problem_.contacts.empty()) return;
+    const Real tolerance = kDirectShare * world_.scene.dials[Dial::velocity_tolerance];
+    for (ConeBody& b : bodies_of(problem_)) load(b);
+    load_links(world_, problem_, link_row_, LinkPhase::settle, h);
+    measure_links(problem_);
+    const ConeAnswer answer = solve_cones(problem_, kJoinedShare * tolerance, kMostSteps);
+    answer_.factorisations += answer.factorisations;
+    book_links(world_, problem_, link_row_);
+    for (const ConeBody& b : bodies_of(problem_)) store(b);
+  }
+
+  bool is_joined() const { return !problem_.links.empty(); }
+  Real error() const { return worst_error(world_, problem_, link_row_); }
 
   void end() {
     book_repeats();
@@ -310,6 +345,9 @@ class Group {
       contact.p = contact.start_p = row.p;
       add_impulse<&ConeBody::gradient>(problem_, contact, contact.p);
     });
+    if (is_joined()) stiffen(world_, problem_, link_row_, h);
+    load_links(world_, problem_, link_row_, LinkPhase::move, h);
+    for (const ConeLink& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);
     for (ConeBody& b : bodies_of(problem_)) {
       b.change = velocity_of(b, b.gradient);
       b.start = b.v += b.change;
@@ -317,6 +355,7 @@ class Group {
     }
     for (ConeContact& contact : problem_.contacts)
       contact.u = contact.carried + relative<&ConeBody::v>(problem_.bodies, contact);
+    measure_links(problem_);
     return least;
   }
 
@@ -326,6 +365,8 @@ class Group {
       c_.rows[i].u = contact.u;
       c_.geometry[i].impulse += contact.p;
     });
+    keep_links(world_, problem_, link_row_);
+    book_links(world_, problem_, link_row_);
     for (const ConeBody& b : bodies_of(problem_)) store(b);
   }
 
@@ -353,15 +394,30 @@ class Group {
   ConeAnswer& answer_;
   ConeProblem problem_;
   const std::uint32_t* row_;
+  const DirectGroups::LinkRow* link_row_;
   std::uint64_t work_;
   bool still_;
 };
 
-void begin(World& world, const StepTime&) { gather_groups(world); }
+void begin(World& world, const StepTime& time) {
+  if (world.wide_joints->any()) {  // their rows are made in lanes, as are numbers of bodies
+    world.contacts->direct.assign(world.contacts->groups(), Contacts::kDirectly);
+    pack(world, *world.wide);
+    begin_joints(world, time.h);
+  }
+  gather_groups(world);
+}
 
-void velocities(World& world, const StepTime& time) { solve_groups(world, time.h, 0); }
+void velocities(World& world, const StepTime& time) {
+  if (world.wide_joints->any()) load_velocities(world, *world.wide);
+  bend_joints(world, time.h);
+  solve_groups(world, time.h, 0);
+}
 
-void positions(World& world, const StepTime& time) { part_groups(world, time.h); }
+void positions(World& world, const StepTime& time) {
+  part_groups(world, time.h);
+  settle_joints(world, time.h);
+}
 
 void end(World& world, const StepTime&) {
   refresh_rotations(world);
@@ -394,10 +450,29 @@ void solve_groups(World& world, Real h, std::uint64_t work) {
 
 void part_groups(World& world, Real h) {
   DirectGroups& d = *world.direct;
+  if (!d.links.empty()) place_joints(world);
   if (std::ranges::all_of(d.rest, [](const GroupRest& rest) { return rest.lasts; })) return;
   refresh_rotations(world);
   in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { Group(world, g).part(h); });
   for (const ConeAnswer& answer : d.answer) world.report.position_moves += answer.factorisations;
+}
+
+void settle_joints(World& world, Real h) {
+  DirectGroups& d = *world.direct;
+  if (d.links.empty()) return;
+  // Parting follows tangents: a second time, from where the first has led, where that is not close enough.
+  constexpr int kTimes = 8;
+  for (int k = 0; k < kTimes; ++k) {
+    place_joints(world);
+    bool any = false;
+    for (std::size_t g = 0; g < d.groups() && !any; ++g) any = Group(world, g).error() > kGap;
+    if (!any) break;
+    in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) {
+      if (Group(world, g).error() > kGap) Group(world, g).part(h);
+    });
+    if (k + 1 == kTimes) place_joints(world);
+  }
+  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { Group(world, g).settle(h); });
 }
 
 void end_groups(World& world) {

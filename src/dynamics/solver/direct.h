@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamics/contact/contact.h"
+#include "dynamics/joint/joint_lanes.h"
 #include "dynamics/solver/direct/cone_problem.h"
 
 namespace carom {
@@ -24,6 +25,9 @@ void gather_groups(World& world);  // allocates
 void solve_groups(World& world, Real h, std::uint64_t work);
 /// Overlaps.
 void part_groups(World& world, Real h);
+/// Velocities after the move, of groups that hang together by joints alone; places of all that have joints come first.
+/// Rows are those of where the bodies are. Nothing to do where no group has joints.
+void settle_joints(World& world, Real h);
 /// Impulses of the step, and separations, from plan.rotation.
 void end_groups(World& world);
 
@@ -31,6 +35,8 @@ void end_groups(World& world);
 struct DirectGroups {
   explicit DirectGroups(Memory* m)
       : contacts(m),
+        links(m),
+        link_row(m),
         row(m),
         begin(m),
         bodies(m),
@@ -48,9 +54,18 @@ struct DirectGroups {
         rest(m) {}
 
   struct Begin {
-    std::uint32_t contact, body;
+    std::uint32_t contact, body, link;
+  };
+  /// Where a row of a joint stands in WideJoints.
+  struct LinkRow {
+    std::uint32_t row, lane;  // in rows, or in drives
+    std::uint32_t joint;      // in joints
+    bool is_drive;
+    DriveKind kind;  // of a drive
   };
   Array<ConeContact> contacts;      // by group, ascending rows
+  Array<ConeLink> links;            // by group: rows of joints
+  Array<LinkRow> link_row;          // by link
   Array<std::uint32_t> row;         // by contact
   Array<Begin> begin;               // [groups + 1]
   Array<ConeBody> bodies;           // by group
@@ -67,6 +82,16 @@ struct DirectGroups {
   Array<ConeAnswer> answer;   // by group, of the last solve
   Array<GroupRest> rest;      // by group
 
+  /// The body of a slot, new to the present group or not; kNobody where impulses do not move it.
+  std::uint32_t node(bool moves, std::uint32_t slot) {
+    if (!moves) return kNobody;
+    if (body[slot] == kNobody) {
+      body[slot] = static_cast<std::uint32_t>(bodies.size());
+      bodies.emplace_back().slot = slot;
+    }
+    return body[slot];
+  }
+
   std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }
   ConeProblem problem(std::size_t group) {
     const Begin &from = begin[group], &to = begin[group + 1];
@@ -76,7 +101,9 @@ struct DirectGroups {
             to.body,
             &elimination,
             &factor,
-            scratch.data()};
+            scratch.data(),
+            0,
+            {links.data() + from.link, to.link - from.link}};
   }
 };
 

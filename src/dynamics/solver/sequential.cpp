@@ -1,6 +1,7 @@
 // Stage functions of the sequential solver.
 #include "dynamics/solver/sequential.h"
 
+#include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/wide_contacts.h"
 
 namespace carom {
@@ -9,7 +10,10 @@ namespace {
 /// Of the penetration, per substep: all at once would overshoot where contacts depend on each other.
 constexpr Real kShare = 0.2;
 
-void begin(World& world, const StepTime&) { begin_lanes(world); }
+void begin(World& world, const StepTime& time) {
+  begin_lanes(world);
+  begin_joints(world, time.h);
+}
 
 void velocities(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
@@ -18,20 +22,28 @@ void velocities(World& world, const StepTime& time) {
   const Real inv_h = 1 / time.h;
   heed_impacts(world, wide);
   load_velocities(world, wide);
+  warm_start_joints(world, time.h);
   by_colour(world.jobs, wide, all, kernels.warm_start);
   const int sweeps = world.scene.dials.whole(Dial::velocity_iterations);
-  for (int k = 0; k < sweeps; ++k)
+  for (int k = 0; k < sweeps; ++k) {
+    solve_joints(world, time.h);
     by_colour(world.jobs, wide, all, [&](const LaneRun& run) { kernels.sweep(run, inv_h); });
+  }
   in_any_order(world.jobs, all, kernels.book);
   store_velocities(world, wide, time.h);
   world.report.velocity_impulses += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
 }
 
-void positions(World& world, const StepTime&) {
+void positions(World& world, const StepTime& time) {
   const int sweeps = world.scene.dials.whole(Dial::position_iterations);
   const Real slop = world.scene.dials[Dial::position_tolerance] / 2;  // so that a body at rest keeps in touch
   measure_lanes(world);
   part_lanes(world, sweeps, kShare, slop);
+  if (world.wide_joints->any()) {
+    load_shifts(world, *world.wide);
+    relax_joints(world, time.h);
+    store_velocities(world, *world.wide, time.h);
+  }
   world.report.position_moves += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
 }
 

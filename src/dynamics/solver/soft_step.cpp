@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/wide_contacts.h"
 
 namespace carom {
@@ -29,6 +30,7 @@ void soften(World& world, Real h) {
 
 void begin(World& world, const StepTime& time) {
   begin_lanes(world);
+  begin_joints(world, time.h);
   soften(world, time.h);
 }
 
@@ -38,7 +40,9 @@ void velocities(World& world, const StepTime& time) {
   const Real inv_h = 1 / time.h, push_speed = world.scene.dials[Dial::push_speed];
   heed_impacts(world, wide);
   load_velocities(world, wide);
+  warm_start_joints(world, time.h);
   by_colour(world.jobs, wide, everything(wide), kernels.warm_start);
+  solve_joints(world, time.h);
   by_colour(world.jobs, wide, everything(wide), [&](const LaneRun& run) { kernels.solve(run, inv_h, push_speed); });
   store_velocities(world, wide, time.h);
   world.report.velocity_impulses += world.contacts->rows.size();
@@ -49,6 +53,7 @@ void positions(World& world, const StepTime& time) {
   const Real inv_h = 1 / time.h;
   const auto relax = world.contacts->impacts.empty() ? wide.kernels->relax : wide.kernels->relax_sparing;
   load_shifts(world, wide);
+  relax_joints(world, time.h);
   by_colour(world.jobs, wide, everything(wide), [&](const LaneRun& run) { relax(run, inv_h); });
   store_velocities(world, wide, time.h);
   world.report.velocity_impulses += world.contacts->rows.size();

@@ -2,6 +2,7 @@
 #include "dynamics/solver/solver.h"
 
 #include "dynamics/contact/contact.h"
+#include "dynamics/joint/wide_joints.h"
 
 namespace carom {
 namespace {
@@ -13,11 +14,21 @@ void serve(void (*room)(World&, const StepTime&), World& world, const StepTime& 
 }  // namespace
 
 void begin_contacts(World& world, const StepTime& time) {
-  if (world.plan->solver->in_lanes) refresh_inertias(world);  // lanes keep those of the step's begin
+  if (world.plan->solver->in_lanes || world.wide_joints->any())
+    refresh_inertias(world);  // lanes keep those of the step's begin
   serve(world.plan->solver->begin, world, time);
 }
-void solve_velocities(World& world, const StepTime& time) { serve(world.plan->solver->velocities, world, time); }
-void solve_positions(World& world, const StepTime& time) { serve(world.plan->solver->positions, world, time); }
-void end_contacts(World& world, const StepTime& time) { serve(world.plan->solver->end, world, time); }
+void solve_velocities(World& world, const StepTime& time) {
+  take_half_kicks(world);
+  serve(world.plan->solver->velocities, world, time);
+}
+void solve_positions(World& world, const StepTime& time) {
+  give_half_kicks(world);
+  serve(world.plan->solver->positions, world, time);
+}
+void end_contacts(World& world, const StepTime& time) {
+  serve(world.plan->solver->end, world, time);
+  end_joints(world, time);
+}
 
 }  // namespace carom

@@ -35,6 +35,12 @@ void number_bodies(const World& world, WideContacts& wide) {
       else if (scene.type[body] == BodyType::kinematic && !wide.body[body])
         number(body);
   }
+  for (const Link& l : c.links)
+    for (const auto& [moves, body] : {std::pair(l.moves_a, l.a), std::pair(l.moves_b, l.b)})
+      if (moves)
+        wide.body[body] = kMoves;
+      else if (body != kTheWorld && scene.type[body] == BodyType::kinematic && !wide.body[body])
+        number(body);
   wide.first_moved = static_cast<std::uint32_t>(wide.slot.size());
   for (const std::uint32_t i : c.bodies)
     if (wide.body[i] == kMoves) number(i);

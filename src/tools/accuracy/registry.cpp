@@ -3,6 +3,10 @@
 
 namespace carom::tools::accuracy {
 
+Challenge pendulum_challenge();
+std::vector<Challenge> chain_challenges();
+Challenge wrecking_challenge();
+Challenge bridge_challenge();
 Challenge bouncing_challenge();
 Challenge bounce05_challenge();
 Challenge cradle_challenge();
@@ -24,12 +28,16 @@ Challenge kapla_challenge();
 
 const std::vector<Challenge>& all_challenges() {
   static const std::vector<Challenge> challenges = [] {
-    std::vector<Challenge> list = {bouncing_challenge(),   bounce05_challenge(), cradle_challenge(), cannon_challenge(),
-                                   elastic666_challenge(), pack666_challenge(),  slide_challenge(),  slip_challenge(),
-                                   stick_challenge(),      rolling_challenge(),  skid_challenge()};
+    std::vector<Challenge> list = {pendulum_challenge()};
+    for (Challenge& c : chain_challenges()) list.push_back(std::move(c));
+    for (auto make :
+         {bouncing_challenge, bounce05_challenge, cradle_challenge, cannon_challenge, elastic666_challenge,
+          pack666_challenge, slide_challenge, slip_challenge, stick_challenge, rolling_challenge, skid_challenge})
+      list.push_back(make());
     for (Challenge& c : stack_challenges()) list.push_back(std::move(c));
     for (Challenge& c : massratio_challenges()) list.push_back(std::move(c));
-    for (auto make : {tower100_challenge, domino_challenge, cards_challenge, arch_challenge, kapla_challenge})
+    for (auto make : {tower100_challenge, domino_challenge, cards_challenge, arch_challenge, bridge_challenge,
+                      kapla_challenge, wrecking_challenge})
       list.push_back(make());
     return list;
   }();

@@ -44,6 +44,14 @@ struct Actor {
   std::uint32_t index = 0;                        ///< side, and its place there
 };
 
+/// Two actors whose bodies a joint holds together.
+struct Tie {
+  std::uint32_t kind = CAROM_JOINT_BALL;
+  std::size_t a = 0, b = 0;  ///< indices of actors
+  Vec at = Vec::Zero();      ///< m, world, as they were joined
+  carom_joint joint = CAROM_NULL_HANDLE;
+};
+
 /// A world being set up and run, with what the scene knows of its bodies. Colliders of equal surface share a material.
 class Stage {
  public:
@@ -56,9 +64,12 @@ class Stage {
   std::size_t add_particles(std::vector<Actor> start, double mass = 1);
   /// A static half-space { x : normal . x <= normal . point }.
   std::size_t add_half_space(const std::string& name, const Vec& normal, const Vec& point, double friction = 0.5);
-  /// A square of ground, `half` to each side of the origin, between four walls of half-spaces. A body a metre beyond one of
-  /// them has escaped: more than any contact may sink.
+  /// A square of ground, `half` to each side of the origin, between four walls of half-spaces. A body a metre beyond
+  /// one of them has escaped: more than any contact may sink.
   void add_walled_ground(double half);
+
+  /// Join two bodies as they stand, the joint's axes along those of the world.   @throws Error
+  void join(std::uint32_t kind, std::size_t a, std::size_t b, const Vec& at);
 
   Engine& engine() { return engine_; }
   Vec position(std::size_t actor) const;  ///< m, world: origin of the body frame
@@ -76,6 +87,7 @@ class Stage {
  public:
   World world;
   std::vector<Actor> actors;
+  std::vector<Tie> ties;
   std::vector<Mesh> meshes;              ///< for the eye only; the physics uses convex shapes
   std::vector<std::string> remarks;      ///< what a viewer of the run should know: credits, stand-ins
   Vec bounds_min = Vec(-1e3, -1, -1e3);  ///< m: a body whose origin leaves these bounds has escaped

@@ -176,10 +176,10 @@ Scene seesaw_scene() {
            {"weight", "kg", "mass of the weight", 500, 1, 1e5},
            {"bunny_height", "m", "how tall the bunny is", 0.5, 0.2, 1},
            {"hull_vertices", "", "vertices of the bunny's hull at most", 256, 8, 2000, true},
-           {"first", "m", "where the first domino stands, from the pivot", 4.3, 2.6, 40},
+           {"first", "m", "where the first domino stands, from the pivot", 3.4, 2.6, 40},
            {"sine", "", "of the plank's tilt at the start", 0.4, 0.1, 0.8},
            // The bunny is lopsided: as it leaves the seat the ledge turns it, and it drifts to one side.
-           {"aside", "m", "how far beside the plank's plane the row stands", -0.45, -10, 10}},
+           {"aside", "m", "how far beside the plank's plane the row stands", -0.6, -10, 10}},
           5.0,
           1.0 / 120,
           fill};

@@ -1,7 +1,7 @@
 // Turns a scene's description of a body into calls of the C ABI, and answers where it is.
-#include "scenes/scene.h"
-
 #include <algorithm>
+
+#include "scenes/scene.h"
 
 namespace carom::tools {
 namespace {
@@ -49,6 +49,20 @@ std::size_t Stage::add(Actor actor) {
   }
   actors.push_back(std::move(actor));
   return actors.size() - 1;
+}
+
+void Stage::join(std::uint32_t kind, std::size_t a, std::size_t b, const Vec& at) {
+  Tie tie{kind, a, b, at, CAROM_NULL_HANDLE};
+  carom_joint_desc desc;
+  Call call;
+  const std::string joining = "joining '" + actors.at(a).name + "' and '" + actors.at(b).name + "'";
+  call.done(carom_joint_desc_init(&desc), joining);
+  desc.kind = kind;
+  desc.fields = CAROM_JOINT_WORLD_FRAME;
+  desc.body_a = actors[a].body, desc.body_b = actors[b].body;
+  put(desc.position_a, at);
+  call.done(carom_joint_create(world.get(), &desc, &tie.joint, call), joining);
+  ties.push_back(tie);
 }
 
 std::size_t Stage::add_half_space(const std::string& name, const Vec& normal, const Vec& point, double friction) {

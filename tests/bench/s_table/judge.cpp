@@ -44,8 +44,22 @@ Verdict Judge::judge(const std::vector<BodyState>& states, double time) const {
   }
   if (dynamic) v.mean_energy /= static_cast<double>(dynamic);
   judge_overlap(states, shaped, v);
+  judge_joints(states, v);
   v.standing = tools::standing(stage, positions);
   return v;
+}
+
+/// Joints' points are told in principal frames: back to those of the bodies, about their centres.
+void Judge::judge_joints(const std::vector<BodyState>& states, Verdict& v) const {
+  const auto end = [&](std::size_t i, const double(&on)[3]) {
+    const Member& body = plan_.members()[i];
+    return Vec(vec(states[i].position) + quat(states[i].orientation) * (body.center + body.axes * vec(on)));
+  };
+  for (const JointPlan& joint : plan_.joints()) {
+    const double gap = (end(joint.b, joint.on_b) - end(joint.a, joint.on_a)).norm();
+    v.max_gap = std::max(v.max_gap, gap);
+    v.mean_gap += gap / static_cast<double>(plan_.joints().size());
+  }
 }
 
 /// @param order  bodies to judge; sorted by the lower ends of their bounding spheres along x, half-spaces first

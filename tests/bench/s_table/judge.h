@@ -13,6 +13,8 @@ struct Verdict {
   double mean_energy = 0;       // J, kinetic, a dynamic body
   std::size_t escaped = 0;      // bodies outside the stage's bounds
   std::size_t lost = 0;         // bodies whose state is not finite; in no other number
+  double max_gap = 0;           // m, of joints
+  double mean_gap = 0;          // m
   tools::Standing standing;     // of what was built
   double flight_error = 0;      // m: how far at most a particle is from its parabola
 };
@@ -25,6 +27,7 @@ class Judge {
   Verdict judge(const std::vector<BodyState>& states, double time) const;
 
  private:
+  void judge_joints(const std::vector<BodyState>& states, Verdict& verdict) const;
   void judge_overlap(const std::vector<BodyState>& states, std::vector<std::size_t>& order, Verdict& verdict) const;
   double separation(const BodyState& a, carom_shape shape_a, const BodyState& b, carom_shape shape_b) const;
 

@@ -44,6 +44,8 @@ void look(Record& record, const Judge& judge, const Plan& plan, const PeerWorld&
   const double time = static_cast<double>(step) * kDt;
   record.end = judge.judge(states, time);
   record.peak_penetration = std::max(record.peak_penetration, record.end.max_penetration);
+  record.peak_gap = std::max(record.peak_gap, record.end.max_gap);
+  record.mean_gap += (record.end.mean_gap - record.mean_gap) / static_cast<double>(++record.looks);
   if (record.end.standing.fallen && record.fell_by < 0) record.fell_by = time;
   record.contact_points = world.contact_points();
 }

@@ -22,10 +22,13 @@ struct Options {
 struct Record {
   std::string engine;
   bool is_carom = false;
-  std::vector<double> best;        // s, by step: least CPU time over the repeats
-  std::size_t planned = 0;         // steps; fewer in `best`: cut short by the budget
-  Verdict end;                     // of the last repeat
-  double peak_penetration = 0;     // m, over every tenth step of the last repeat
+  std::vector<double> best;     // s, by step: least CPU time over the repeats
+  std::size_t planned = 0;      // steps; fewer in `best`: cut short by the budget
+  Verdict end;                  // of the last repeat
+  double peak_penetration = 0;  // m, over every tenth step of the last repeat
+  double peak_gap = 0;          // m, of joints, likewise
+  double mean_gap = 0;          // m, mean of the means, likewise
+  std::size_t looks = 0;
   double fell_by = -1;             // s, at which look a block was first seen fallen; -1: never
   std::size_t contact_points = 0;  // at the end
   std::vector<double> stages;      // s of wall clock in the last repeat, by CAROM_STAGE_*; Carom alone

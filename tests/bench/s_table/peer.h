@@ -30,9 +30,17 @@ struct BodyPlan {
   BodyState start;
 };
 
+/// A ball joint.
+struct JointPlan {
+  std::size_t a = 0, b = 0;                         // bodies
+  double on_a[3] = {0, 0, 0}, on_b[3] = {0, 0, 0};  // m, body frames
+};
+
 struct WorldPlan {
   const BodyPlan* bodies = nullptr;
   std::size_t count = 0;
+  const JointPlan* joints = nullptr;  // bodies that are joined do not touch each other
+  std::size_t joint_count = 0;
   double gravity[3] = {0, -9.81, 0};  // m/s^2
   bool sleeping = false;              // bodies at rest may be put to sleep, by the engine's own defaults
 };

@@ -26,10 +26,17 @@ class BulletWorld : public PeerWorld {
         world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
     world_.setGravity(vec(plan.gravity));
     for (std::size_t i = 0; i < plan.count; ++i) add(plan.bodies[i]);
+    for (std::size_t i = 0; i < plan.joint_count; ++i) {
+      const JointPlan& j = plan.joints[i];
+      joints_.push_back(
+          std::make_unique<btPoint2PointConstraint>(*bodies_[j.a], *bodies_[j.b], vec(j.on_a), vec(j.on_b)));
+      world_.addConstraint(joints_.back().get(), true);
+    }
     world_.updateAabbs();
   }
 
   ~BulletWorld() override {
+    for (auto& joint : joints_) world_.removeConstraint(joint.get());
     for (auto& body : bodies_) world_.removeRigidBody(body.get());
   }
 
@@ -120,6 +127,7 @@ class BulletWorld : public PeerWorld {
   btDiscreteDynamicsWorld world_;
   std::map<std::pair<Solid, const double*>, std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;  // in the plan's order
+  std::vector<std::unique_ptr<btPoint2PointConstraint>> joints_;
 };
 
 #ifdef BT_USE_DOUBLE_PRECISION

@@ -43,6 +43,16 @@ class OdeWorld : public PeerWorld {
     dWorldSetGravity(world_, plan.gravity[0], plan.gravity[1], plan.gravity[2]);
     dWorldSetAutoDisableFlag(world_, plan.sleeping);
     for (std::size_t i = 0; i < plan.count; ++i) add(plan.bodies[i]);
+    for (std::size_t i = 0; i < plan.joint_count; ++i) {
+      const JointPlan& j = plan.joints[i];
+      const dBodyID a = members_[j.a].body, b = members_[j.b].body;
+      const dJointID joint = dJointCreateBall(world_, nullptr);
+      dJointAttach(joint, a, b);
+      dVector3 at;
+      dBodyGetRelPointPos(a ? a : b, a ? j.on_a[0] : j.on_b[0], a ? j.on_a[1] : j.on_b[1], a ? j.on_a[2] : j.on_b[2],
+                          at);
+      dJointSetBallAnchor(joint, at[0], at[1], at[2]);
+    }
   }
 
   ~OdeWorld() override {
@@ -86,6 +96,7 @@ class OdeWorld : public PeerWorld {
 
   void collide(dGeomID a, dGeomID b) {
     const dBodyID body_a = dGeomGetBody(a), body_b = dGeomGetBody(b);
+    if (body_a && body_b && dAreConnectedExcluding(body_a, body_b, dJointTypeContact)) return;
     const auto sleeps = [](dBodyID body) { return !body || !dBodyIsEnabled(body); };
     if (sleeps(body_a) && sleeps(body_b)) return;
     dContactGeom found[kPointsPerPair];

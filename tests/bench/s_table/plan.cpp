@@ -19,6 +19,20 @@ Solid solid_of(const std::string& shape) {
 
 Plan::Plan(tools::Stage& stage) : stage_(stage) {
   for (const tools::Actor& actor : stage.actors) add(actor);
+  for (const tools::Tie& tie : stage.ties) add(tie);
+}
+
+void Plan::add(const tools::Tie& tie) {
+  if (tie.kind != CAROM_JOINT_BALL)
+    throw tools::Error("a joint is not a ball joint", "choose a scene whose joints every engine has");
+  JointPlan plan;
+  plan.a = tie.a, plan.b = tie.b;
+  const auto place = [&](std::size_t i, double(&on)[3]) {
+    const BodyState& start = plans_[i].start;
+    Vec::Map(on) = quat(start.orientation).conjugate() * (tie.at - vec(start.position));
+  };
+  place(tie.a, plan.on_a), place(tie.b, plan.on_b);
+  joints_.push_back(plan);
 }
 
 void Plan::add(const tools::Actor& actor) {
@@ -93,6 +107,8 @@ WorldPlan Plan::world(bool sleeping) const {
   WorldPlan plan;
   plan.bodies = plans_.data();
   plan.count = plans_.size();
+  plan.joints = joints_.data();
+  plan.joint_count = joints_.size();
   plan.sleeping = sleeping;
   return plan;
 }

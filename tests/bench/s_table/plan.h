@@ -45,6 +45,7 @@ class Plan {
 
   tools::Stage& stage() const { return stage_; }
   const std::vector<Member>& members() const { return members_; }
+  const std::vector<JointPlan>& joints() const { return joints_; }
 
  private:
   struct Hull {
@@ -53,11 +54,13 @@ class Plan {
   };
 
   void add(const tools::Actor& actor);
+  void add(const tools::Tie& tie);
   void describe_shape(const tools::Part& part, const Member& member, BodyPlan& plan);
 
   tools::Stage& stage_;
   std::vector<Member> members_;  // [actors]
   std::vector<BodyPlan> plans_;  // [actors]
+  std::vector<JointPlan> joints_;
   std::map<carom_shape, Hull> hulls_;
   std::map<carom_shape, const double*> params_;  // shared by bodies of equal shape
 };

@@ -30,6 +30,9 @@ std::string outcome(const Row& row, const Record& record) {
         format("%.1f s", record.fell_by) + ", drop " + format("%.1f", s.drop) + " m, drift " +
         format("%.1f m", s.drift));
   if (record.end.flight_error > 0) say(format("%.3f m off the parabola", record.end.flight_error));
+  if (record.peak_gap > 0)
+    say("joints gape by " + format("%.2f", 1e3 * record.mean_gap) + " mm, at most " +
+        format("%.1f mm", 1e3 * record.peak_gap));
   if (row.memory) say(format("%.0f bytes a body", record.bytes_per_body));
   if (record.best.size() < record.planned)
     say("cut after " + std::to_string(record.best.size()) + " of " + std::to_string(record.planned) + " steps");

@@ -10,8 +10,10 @@ namespace carom {
 void apply_impulses(ConeProblem& problem) {
   for (ConeBody& b : bodies_of(problem)) b.gradient.setZero();
   for (const ConeContact& c : problem.contacts) add_impulse<&ConeBody::gradient>(problem, c, c.p);
+  for (const ConeLink& c : problem.links) add_impulse<&ConeBody::gradient>(problem, c, c.p);
   for (ConeBody& b : bodies_of(problem)) b.change = velocity_of(b, b.gradient), b.v += b.change;
   for (ConeContact& c : problem.contacts) c.u += relative<&ConeBody::change>(problem.bodies, c);
+  for (ConeLink& c : problem.links) c.u += relative<&ConeBody::change>(problem.bodies, c);
 }
 
 Real offence(const ConeContact& c, Real slip) {
@@ -22,6 +24,7 @@ Real offence(const ConeContact& c, Real slip) {
 Real residual(const ConeProblem& problem) {
   Real most = 0;
   for (const ConeContact& c : problem.contacts) most = std::max(most, offence(c, slip_of(c)));
+  for (const ConeLink& c : problem.links) most = std::max(most, c.offence());
   return most;
 }
 
@@ -31,7 +34,10 @@ namespace {
 class FrozenSlip {
  public:
   FrozenSlip(ConeProblem& problem, ConeAnswer& answer, std::uint32_t most_steps)
-      : problem_(problem), answer_(answer), most_steps_(most_steps) {}
+      : problem_(problem),
+        answer_(answer),
+        most_steps_(most_steps),
+        softness_(problem.contacts.empty() ? kFirstOfLinks : kFirst) {}
 
   void solve(Real target) {
     Real left = offence_now();
@@ -54,18 +60,21 @@ class FrozenSlip {
   static constexpr int kRounds = 20;
   static constexpr std::uint32_t kRoundSteps = 60, kHard = 30;
   // A soft round is easy for Newton's method and goes part of the way, a hard one the other way round.
+  // What only locks is linear, and is at its end after a hard round or two.
+  static constexpr Real kFirstOfLinks = 1e-7;
   static constexpr Real kFirst = 1e-3, kLeast = 1e-10, kMost = 1, kGood = 0.1, kHarder = 0.1, kSofter = 30;
 
   Real offence_now() const {
     Real most = 0;
     for (const ConeContact& c : problem_.contacts) most = std::max(most, offence(c, c.slip));
+    for (const ConeLink& c : problem_.links) most = std::max(most, c.offence());
     return most;
   }
 
   ConeProblem& problem_;
   ConeAnswer& answer_;
   std::uint32_t most_steps_;
-  Real softness_ = kFirst;
+  Real softness_;
 };
 
 /// Slips for the next problem: those that the last one gave, carried on by the secant of the last two. Where the next
@@ -88,13 +97,16 @@ void update_slips(ConeProblem& problem, bool first, Real noise) {
 
 void keep(ConeProblem& problem) {
   for (ConeContact& c : problem.contacts) c.best = c.p;
+  for (ConeLink& c : problem.links) c.best = c.p;
 }
 
 /// Back to the best impulses.
 void restore(ConeProblem& problem) {
   for (ConeContact& c : problem.contacts) c.p = c.best - c.p;
+  for (ConeLink& c : problem.links) c.p = c.best - c.p;
   apply_impulses(problem);
   for (ConeContact& c : problem.contacts) c.p = c.best;
+  for (ConeLink& c : problem.links) c.p = c.best;
 }
 
 }  // namespace

@@ -2,12 +2,14 @@
 //
 //     M (v - v_free) = sum J^T p,    K  contains p,    y = u - want n + mu |u_t| n  lies in the dual of K,    p.y = 0,
 //
-// Coulomb's law with a least normal velocity `want` [DeSaxce1998]. Without friction the same finds displacements.
+// Coulomb's law with a least normal velocity `want` [DeSaxce1998]. Without friction the same finds displacements. Rows
+// of joints (cone_link.h) are part of it: their cone is a line or a half of one.
 #pragma once
 
 #include <span>
 
 #include "dynamics/solver/direct/block_factor.h"
+#include "dynamics/solver/direct/cone_link.h"
 
 namespace carom {
 
@@ -47,6 +49,8 @@ struct ConeBody {
   Vec6 v;                     // m/s, rad/s
   Vec6 start, gained;         // with the impulses that the substep starts from; since the last substep, with them
 
+  Mat3 swing;  // kg m^2, scratch: @see stiffen()
+
   // of a round
   Vec6 change;    // of v since it began
   Vec6 gradient;  // kg m/s, kg m^2/s
@@ -65,6 +69,7 @@ struct ConeProblem {
   // Softness of a round whose contacts all stick, which the factor is for; 0: it is for another. All such rounds of a
   // solve have the same curvature.
   Real sticking = 0;
+  std::span<ConeLink> links{};
 };
 
 // ---- small parts that all files of this room share ----
@@ -97,6 +102,34 @@ Vec3 relative(const ConeBody* bodies, const ConeContact& c) {
   if (c.a != kNobody) {
     const Vec6& v = bodies[c.a].*kVelocity;
     u -= linear(v) + angular(v).cross(c.r_a);
+  }
+  return u;
+}
+
+template <Vec6 ConeBody::*kMomentum>
+void add_impulse(const ConeProblem& problem, const ConeLink& c, Real p) {
+  if (c.a != kNobody) {
+    Vec6& m = problem.bodies[c.a].*kMomentum;
+    m.head<3>() -= p * c.d;
+    m.tail<3>() -= p * c.w_a;
+  }
+  if (c.b != kNobody) {
+    Vec6& m = problem.bodies[c.b].*kMomentum;
+    m.head<3>() += p * c.d;
+    m.tail<3>() += p * c.w_b;
+  }
+}
+
+template <Vec6 ConeBody::*kVelocity>
+Real relative(const ConeBody* bodies, const ConeLink& c) {
+  Real u = 0;
+  if (c.b != kNobody) {
+    const Vec6& v = bodies[c.b].*kVelocity;
+    u += c.d.dot(linear(v)) + c.w_b.dot(angular(v));
+  }
+  if (c.a != kNobody) {
+    const Vec6& v = bodies[c.a].*kVelocity;
+    u -= c.d.dot(linear(v)) + c.w_a.dot(angular(v));
   }
   return u;
 }

@@ -34,16 +34,26 @@ void add_isotropic(Block& d, Real w, const Vec3& r_a, const Vec3& r_b) {
   }
 }
 
+/// w (d, w_row) (d, w_column)^T.
+void add_outer(Block& b, Real w, const Vec3& d, const Vec3& w_row, const Vec3& w_column) {
+  const Real row[kDof] = {w * d.x(), w * d.y(), w * d.z(), w * w_row.x(), w * w_row.y(), w * w_row.z()};
+  const Real column[kDof] = {d.x(), d.y(), d.z(), w_column.x(), w_column.y(), w_column.z()};
+  for (int i = 0; i < kDof; ++i)
+    for (int j = 0; j < kDof; ++j) b.x[i][j] += row[i] * column[j];
+}
+
 }  // namespace
 
 Round::Round(ConeProblem& problem, Real softness) : problem_(problem), softness_(softness) {
   for (ConeContact& c : problem_.contacts) c.p0 = c.p, c.u0 = c.u;
+  for (ConeLink& c : problem_.links) c.p0 = c.p, c.u0 = c.u;
   for (ConeBody& b : bodies_of(problem_)) b.change.setZero();
 }
 
 void Round::take_back() {
   for (ConeBody& b : bodies_of(problem_)) b.v -= b.change;
   for (ConeContact& c : problem_.contacts) c.p = c.p0, c.u = c.u0;
+  for (ConeLink& c : problem_.links) c.p = c.p0, c.u = c.u0;
 }
 
 std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
@@ -55,6 +65,7 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
     const Real length = search();
     for (ConeBody& b : bodies_of(problem_)) b.change += length * b.step;
     for (ConeContact& c : problem_.contacts) c.u += length * c.du;
+    for (ConeLink& c : problem_.links) c.u += length * c.du;
   }
   accept();
   return steps;
@@ -69,10 +80,20 @@ Real Round::find_gradient() {
     all_stick_ &= c.p == pulled;
     add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
   }
+  for (ConeLink& c : problem_.links) {
+    const Real r = softness_ * c.k;
+    c.p = c.k > 0 ? c.pulled(c.u, r, c.p0) : 0;
+    all_stick_ &= c.k > 0 && c.follows(c.u, r, c.p0);
+    add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
+  }
   for (ConeBody& b : bodies_of(problem_)) b.step = velocity_of(b, b.gradient);
   Real most = 0;
   for (const ConeContact& c : problem_.contacts)
     most = std::max(most, relative<&ConeBody::step>(problem_.bodies, c).squaredNorm());
+  for (const ConeLink& c : problem_.links) {
+    const Real u = relative<&ConeBody::step>(problem_.bodies, c);
+    most = std::max(most, u * u);
+  }
   return std::sqrt(most);
 }
 
@@ -119,6 +140,15 @@ void Round::assemble() {
     add(d, 3, 0, -(x * w));
     add(d, 3, 3, x * other);
   }
+  for (const ConeLink& c : problem_.links) {
+    const Real r = softness_ * c.k;
+    if (!(c.k > 0) || !c.follows(c.u, r, c.p0)) continue;
+    const Real w = 1 / (r + c.give);
+    if (c.a != kNobody) add_outer(f.diagonal[e.place[c.a]], w, c.d, c.w_a, c.w_a);
+    if (c.b != kNobody) add_outer(f.diagonal[e.place[c.b]], w, c.d, c.w_b, c.w_b);
+    if (c.below == kNobody) continue;
+    add_outer(f.below[c.below], -w, c.d, c.a_later ? c.w_a : c.w_b, c.a_later ? c.w_b : c.w_a);
+  }
 }
 
 void Round::find_step() {
@@ -128,6 +158,7 @@ void Round::find_step() {
   solve(e, problem_.first, problem_.last, *problem_.factor, problem_.scratch);
   for (std::uint32_t i = problem_.first; i < problem_.last; ++i) problem_.bodies[i].step = problem_.scratch[e.place[i]];
   for (ConeContact& c : problem_.contacts) c.du = relative<&ConeBody::step>(problem_.bodies, c);
+  for (ConeLink& c : problem_.links) c.du = relative<&ConeBody::step>(problem_.bodies, c);
 }
 
 Real Round::search() const {
@@ -142,6 +173,8 @@ Real Round::search() const {
     Real d = at_rest + length * grows;
     for (const ConeContact& c : problem_.contacts)
       d -= c.du.dot(project_on_cone(pull(c, c.u + length * c.du), c.n, c.friction) - c.p0);
+    for (const ConeLink& c : problem_.links)
+      if (c.k > 0) d -= c.du * (c.pulled(c.u + length * c.du, softness_ * c.k, c.p0) - c.p0);
     return d;
   };
   constexpr Real kClose = 0.1;
@@ -165,8 +198,10 @@ Real Round::search() const {
 void Round::accept() {
   for (ConeBody& b : bodies_of(problem_)) b.gradient.setZero();
   for (ConeContact& c : problem_.contacts) add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0);
+  for (ConeLink& c : problem_.links) add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0);
   for (ConeBody& b : bodies_of(problem_)) b.change = velocity_of(b, b.gradient), b.v += b.change;
   for (ConeContact& c : problem_.contacts) c.u = c.u0 + relative<&ConeBody::change>(problem_.bodies, c);
+  for (ConeLink& c : problem_.links) c.u = c.u0 + relative<&ConeBody::change>(problem_.bodies, c);
 }
 
 }  // namespace carom

@@ -1,0 +1,149 @@
+/** @file joint.h
+ *  Joints: what holds two bodies together, or one to the world. A kind says what of their relative motion is locked; what
+ *  is left may be limited, driven by a motor and pulled by a spring.
+ *
+ *  A joint has a frame on each body. Its x axis is the axis of a hinge and of a slider, and the one that twist and swing
+ *  are told by. Coordinates, forces and torques are those of B relative to A.
+ *
+ *  Solver CAROM_SOLVER_SEVERITY knows no joints: a world with that dial refuses them, and a world with joints refuses
+ *  that dial (CAROM_E_UNSUPPORTED).
+ */
+#ifndef CAROM_JOINT_H
+#define CAROM_JOINT_H
+
+#include <carom/body.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define CAROM_JOINT_BALL 0u      /* the points stay together; twist and swing are free */
+#define CAROM_JOINT_HINGE 1u     /* so do the x axes; twist is free */
+#define CAROM_JOINT_SLIDER 2u    /* the frames stay parallel and B's point on A's x axis; slide is free */
+#define CAROM_JOINT_WELD 3u      /* nothing is free */
+#define CAROM_JOINT_DISTANCE 4u  /* the points stay `length` apart: a rod. With a limit a rope, with a spring a spring */
+#define CAROM_JOINT_UNIVERSAL 5u /* the points stay together, B's z axis at right angles to A's y axis: a cross of two pins */
+#define CAROM_JOINT_COUNT 6u
+
+/** What may be limited, driven or sprung. */
+#define CAROM_COORDINATE_TWIST 0u    /* rad, (-pi, pi], of B about the x axes: ball, hinge */
+#define CAROM_COORDINATE_SWING 1u    /* rad, [0, pi], between the x axes: ball, universal */
+#define CAROM_COORDINATE_SLIDE 2u    /* m, of B's point along A's x axis: slider */
+#define CAROM_COORDINATE_DISTANCE 3u /* m, between the points: distance */
+#define CAROM_COORDINATE_COUNT 4u
+
+/** @name Bits of carom_joint_desc.fields
+ *  @{ */
+#define CAROM_JOINT_WORLD_FRAME 0x1u /**< position_a and orientation_a are in world coordinates and hold for both
+                                          bodies as they stand now; those of B are not read */
+#define CAROM_JOINT_COLLIDE 0x2u     /**< the two bodies may touch each other; else they do not */
+#define CAROM_JOINT_FIELD_LENGTH 0x4u /**< length is given; else it is the distance of the points as they stand now */
+/** @} */
+
+/** Fill with carom_joint_desc_init().   @since 1.5 */
+typedef struct carom_joint_desc {
+  uint32_t struct_size;
+  uint32_t kind;           /**< CAROM_JOINT_* */
+  uint32_t fields;         /**< CAROM_JOINT_* bits */
+  uint32_t reserved;       /**< 0 */
+  carom_body body_a;       /**< or CAROM_NULL_HANDLE: the world */
+  carom_body body_b;       /**< likewise; not both, and one of the two must be dynamic */
+  double position_a[3];    /**< m, of the frame in A's coordinates */
+  double orientation_a[4]; /**< x, y, z, w: joint -> A */
+  double position_b[3];
+  double orientation_b[4];
+  double length;       /**< m, [0, 1e9]: of a distance joint */
+  double break_force;  /**< N, mean over a step, above which the joint breaks; 0: never */
+  double break_torque; /**< N m, likewise */
+  uint64_t user;       /**< the host's; carried along */
+} carom_joint_desc;
+
+/** A coordinate kept within bounds.   @since 1.5 */
+typedef struct carom_joint_limit {
+  uint32_t struct_size;
+  uint32_t enabled; /**< 0 or 1 */
+  double lower;     /**< m or rad: twist [-pi, pi], swing [0, pi], slide [-1e9, 1e9], distance [0, 1e9] */
+  double upper;     /**< at least lower */
+} carom_joint_limit;
+
+/** A coordinate driven at a speed.   @since 1.5 */
+typedef struct carom_joint_motor {
+  uint32_t struct_size;
+  uint32_t enabled;
+  double speed; /**< m/s or rad/s, [-1e6, 1e6] */
+  double most;  /**< N or N m, [0, 1e30]: how hard it pushes at most */
+} carom_joint_motor;
+
+/** A coordinate pulled towards a place: a spring, or a motor that holds a position. With x the stretch, w = 2 pi frequency
+ *  and m what the joint's bodies weigh along the coordinate were they alone: force = -m (w^2 x + 2 damping w x').
+ *  @since 1.5 */
+typedef struct carom_joint_spring {
+  uint32_t struct_size;
+  uint32_t enabled;
+  double target;    /**< m or rad, within the bounds of a limit */
+  double frequency; /**< Hz, [0, 1e4]; a quarter of the substep rate at most acts */
+  double damping;   /**< ratio, [0, 1e3]; 1: critical */
+  double most;      /**< N or N m, [0, 1e30]: how hard it pulls at most */
+} carom_joint_spring;
+
+/** What a joint does and where it is.   @since 1.5 */
+typedef struct carom_joint_state {
+  uint32_t struct_size;
+  uint32_t broken;      /**< 1: it bore too much, and holds nothing any more */
+  double force[3];      /**< N, world, on B at its point, mean over the last step; on A the opposite */
+  double torque[3];     /**< N m, world, on B about its point, likewise */
+  double gap;           /**< m, how far the points are from where they should be, limits included */
+  double angle;         /**< rad, how far the axes are, likewise */
+  double coordinate[4]; /**< by CAROM_COORDINATE_*, as the bodies stand now */
+} carom_joint_state;
+
+/** @status OK; NULL_ARGUMENT   @since 1.5 */
+CAROM_API int32_t carom_joint_desc_init(carom_joint_desc *desc);
+/** Not enabled.   @status OK; NULL_ARGUMENT   @since 1.5 */
+CAROM_API int32_t carom_joint_limit_init(carom_joint_limit *limit);
+CAROM_API int32_t carom_joint_motor_init(carom_joint_motor *motor);
+CAROM_API int32_t carom_joint_spring_init(carom_joint_spring *spring);
+
+/** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
+ *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, or none that is dynamic); BUSY; REENTRANT; LIMIT;
+ *          OUT_OF_MEMORY   @since 1.5 */
+CAROM_API int32_t carom_joint_create(carom_world *world, const carom_joint_desc *desc, carom_joint *joint,
+                                     carom_error *error);
+/** @status OK; *_HANDLE; BUSY; REENTRANT   @since 1.5 */
+CAROM_API int32_t carom_joint_destroy(carom_world *world, carom_joint joint, carom_error *error);
+/** @param desc out: as it was made, with frames in body coordinates
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.5 */
+CAROM_API int32_t carom_joint_get(carom_world *world, carom_joint joint, carom_joint_desc *desc, carom_error *error);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.5 */
+CAROM_API int32_t carom_joint_get_state(carom_world *world, carom_joint joint, carom_joint_state *state,
+                                        carom_error *error);
+
+/** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
+ *  @param coordinate CAROM_COORDINATE_*
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+ *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.5 */
+CAROM_API int32_t carom_joint_set_limit(carom_world *world, carom_joint joint, uint32_t coordinate,
+                                        const carom_joint_limit *limit, carom_error *error);
+CAROM_API int32_t carom_joint_set_motor(carom_world *world, carom_joint joint, uint32_t coordinate,
+                                        const carom_joint_motor *motor, carom_error *error);
+CAROM_API int32_t carom_joint_set_spring(carom_world *world, carom_joint joint, uint32_t coordinate,
+                                         const carom_joint_spring *spring, carom_error *error);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.5 */
+CAROM_API int32_t carom_joint_get_limit(carom_world *world, carom_joint joint, uint32_t coordinate,
+                                        carom_joint_limit *limit, carom_error *error);
+CAROM_API int32_t carom_joint_get_motor(carom_world *world, carom_joint joint, uint32_t coordinate,
+                                        carom_joint_motor *motor, carom_error *error);
+CAROM_API int32_t carom_joint_get_spring(carom_world *world, carom_joint joint, uint32_t coordinate,
+                                         carom_joint_spring *spring, carom_error *error);
+
+/** Number of joints, and their handles in creation order of the slots.
+ *  @param joints [capacity] or NULL   @param count out: how many there are
+ *  @status OK; NULL_ARGUMENT; BUSY   @since 1.5 */
+CAROM_API int32_t carom_world_get_joints(carom_world *world, carom_joint *joints, uint64_t capacity, uint64_t *count,
+                                         carom_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

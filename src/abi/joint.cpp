@@ -1,0 +1,357 @@
+// Joints: what a host says about one, checked and handed to the world, and read back.
+#include <carom/joint.h>
+
+#include <numbers>
+
+#include "abi/float_scope.h"
+#include "abi/world.h"
+#include "dynamics/joint/parts.h"
+#include "dynamics/quarantine.h"
+
+namespace carom::abi {
+namespace {
+
+static_assert(static_cast<std::uint32_t>(JointKind::count) == CAROM_JOINT_COUNT &&
+              static_cast<std::uint32_t>(JointKind::ball) == CAROM_JOINT_BALL &&
+              static_cast<std::uint32_t>(JointKind::hinge) == CAROM_JOINT_HINGE &&
+              static_cast<std::uint32_t>(JointKind::slider) == CAROM_JOINT_SLIDER &&
+              static_cast<std::uint32_t>(JointKind::weld) == CAROM_JOINT_WELD &&
+              static_cast<std::uint32_t>(JointKind::distance) == CAROM_JOINT_DISTANCE &&
+              static_cast<std::uint32_t>(JointKind::universal) == CAROM_JOINT_UNIVERSAL);
+static_assert(kCoordinates == CAROM_COORDINATE_COUNT &&
+              static_cast<std::uint32_t>(Coordinate::twist) == CAROM_COORDINATE_TWIST &&
+              static_cast<std::uint32_t>(Coordinate::swing) == CAROM_COORDINATE_SWING &&
+              static_cast<std::uint32_t>(Coordinate::slide) == CAROM_COORDINATE_SLIDE &&
+              static_cast<std::uint32_t>(Coordinate::distance) == CAROM_COORDINATE_DISTANCE);
+
+constexpr std::uint32_t kFields = CAROM_JOINT_WORLD_FRAME | CAROM_JOINT_COLLIDE | CAROM_JOINT_FIELD_LENGTH;
+constexpr double kLongest = 1e9, kFastest = 1e6, kStrongest = 1e30, kStiffest = 1e4, kMostDamping = 1e3;
+
+bool resolve_joint(Call& call, const World& world, carom_joint joint) {
+  return resolve(call, 2, "joint", world.joints.slots, joint);
+}
+
+/// @return false, and noted, if the handle names neither a body nor the world
+bool read_body(Call& call, const World& world, const char* name, carom_body handle, std::uint32_t& slot) {
+  slot = kTheWorld;
+  if (handle == CAROM_NULL_HANDLE) return true;
+  if (!resolve(call, 2, name, world.scene.bodies, handle)) return false;
+  slot = handle_slot(handle);
+  return true;
+}
+
+bool is_dynamic(const World& world, std::uint32_t slot) {
+  return slot != kTheWorld && world.scene.type[slot] == BodyType::dynamic;
+}
+
+bool read_bodies(Call& call, const World& world, const carom_joint_desc& d, JointDef& def) {
+  if (!read_body(call, world, "desc->body_a", d.body_a, def.body_a) ||
+      !read_body(call, world, "desc->body_b", d.body_b, def.body_b))
+    return false;
+  if (def.body_a == def.body_b)
+    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc joins %s to itself", d.body_a ? "a body" : "the world");
+  return is_dynamic(world, def.body_a) || is_dynamic(world, def.body_b) ||
+         call.fail(CAROM_E_OUT_OF_RANGE, 2, "neither of the two bodies is dynamic; one must be");
+}
+
+bool check_position(Call& call, const char* name, const double v[3]) {
+  return finite(call, 2, name, v, 3) &&
+         (to_vec3(v).norm() <= kMaxPosition || call.fail(CAROM_E_OUT_OF_RANGE, 2, "%s is (%g, %g, %g), at most %g long",
+                                                         name, v[0], v[1], v[2], kMaxPosition));
+}
+
+/// Frames on the bodies, from what the host gave.
+bool read_frames(Call& call, const World& world, const carom_joint_desc& d, JointDef& def) {
+  if (!check_position(call, "desc->position_a", d.position_a) ||
+      !unit(call, 2, "desc->orientation_a", d.orientation_a, 4))
+    return false;
+  def.frame_a = {to_quat(d.orientation_a), to_vec3(d.position_a)};
+  if (d.fields & CAROM_JOINT_WORLD_FRAME) {
+    const Pose frame = def.frame_a;
+    const auto on = [&](std::uint32_t body) {
+      if (body == kTheWorld) return frame;
+      const Pose local = world.pose(body).inverse() * frame;
+      return Pose{normalized(local.q), local.p};
+    };
+    def.frame_a = on(def.body_a), def.frame_b = on(def.body_b);
+    return true;
+  }
+  if (!check_position(call, "desc->position_b", d.position_b) ||
+      !unit(call, 2, "desc->orientation_b", d.orientation_b, 4))
+    return false;
+  def.frame_b = {to_quat(d.orientation_b), to_vec3(d.position_b)};
+  return true;
+}
+
+Real or_never(double most) { return most > 0 ? most : kInfinity; }
+
+bool read_joint(Call& call, const World& world, const carom_joint_desc* given, JointDef& def) {
+  carom_joint_desc d;
+  carom_joint_desc_init(&d);
+  if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
+      !only_bits(call, 2, "desc->fields", d.fields, kFields) ||
+      !known(call, 2, "desc->kind", d.kind, CAROM_JOINT_COUNT) || !read_bodies(call, world, d, def) ||
+      !read_frames(call, world, d, def) || !in_range(call, 2, "desc->length", d.length, 0, kLongest) ||
+      !in_range(call, 2, "desc->break_force", d.break_force, 0, kStrongest) ||
+      !in_range(call, 2, "desc->break_torque", d.break_torque, 0, kStrongest))
+    return false;
+  def.kind = static_cast<JointKind>(d.kind);
+  def.collide = d.fields & CAROM_JOINT_COLLIDE;
+  def.break_force = or_never(d.break_force), def.break_torque = or_never(d.break_torque);
+  def.user = d.user;
+  Joint joint;
+  joint.def = def;
+  const Real apart = place_of(world, joint).apart.norm();
+  def.length = d.fields & CAROM_JOINT_FIELD_LENGTH ? d.length : apart;
+  return true;
+}
+
+bool has_joints_solver(Call& call, const World& world) {
+  return world.scene.dials.choice(Dial::solver) != CAROM_SOLVER_SEVERITY ||
+         call.fail(CAROM_E_UNSUPPORTED, 1,
+                   "solver severity knows no joints; set CAROM_DIAL_SOLVER to another before joining bodies");
+}
+
+carom_joint_desc describe(const World& world, const Joint& joint) {
+  const JointDef& def = joint.def;
+  carom_joint_desc d{};
+  d.kind = static_cast<std::uint32_t>(def.kind);
+  d.fields = CAROM_JOINT_FIELD_LENGTH | (def.collide ? CAROM_JOINT_COLLIDE : 0u);
+  const auto handle = [&](std::uint32_t slot) {
+    return slot == kTheWorld ? CAROM_NULL_HANDLE : world.scene.bodies.handle(slot);
+  };
+  d.body_a = handle(def.body_a), d.body_b = handle(def.body_b);
+  from_vec3(def.frame_a.p, d.position_a), from_quat(def.frame_a.q, d.orientation_a);
+  from_vec3(def.frame_b.p, d.position_b), from_quat(def.frame_b.q, d.orientation_b);
+  d.length = def.length;
+  d.break_force = def.break_force < kInfinity ? def.break_force : 0;
+  d.break_torque = def.break_torque < kInfinity ? def.break_torque : 0;
+  d.user = def.user;
+  return d;
+}
+
+struct Bounds {
+  double low, high;
+};
+Bounds bounds_of(std::uint32_t coordinate) {
+  constexpr double kPi = std::numbers::pi;
+  switch (coordinate) {
+    case CAROM_COORDINATE_TWIST:
+      return {-kPi, kPi};
+    case CAROM_COORDINATE_SWING:
+      return {0, kPi};
+    case CAROM_COORDINATE_SLIDE:
+      return {-kLongest, kLongest};
+    default:
+      return {0, kLongest};
+  }
+}
+
+bool free_coordinate(Call& call, const Joint& joint, std::uint32_t coordinate) {
+  return known(call, 3, "coordinate", coordinate, CAROM_COORDINATE_COUNT) &&
+         (has(joint.def.kind, static_cast<Coordinate>(coordinate)) ||
+          call.fail(CAROM_E_UNSUPPORTED, 3, "coordinate %u is none that a %s joint leaves free", coordinate,
+                    row_of(joint.def.kind).name));
+}
+bool drivable(Call& call, const Joint& joint, std::uint32_t coordinate) {
+  return free_coordinate(call, joint, coordinate) &&
+         (coordinate != CAROM_COORDINATE_SWING ||
+          call.fail(CAROM_E_UNSUPPORTED, 3, "a swing has a limit, but no motor and no spring: it has no direction"));
+}
+
+bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_joint_limit* given, JointDrive& drive) {
+  carom_joint_limit d;
+  carom_joint_limit_init(&d);
+  if (!free_coordinate(call, joint, coordinate) || !read_struct(call, 4, "limit", given, d) ||
+      !known(call, 4, "limit->enabled", d.enabled, 2))
+    return false;
+  const Bounds b = bounds_of(coordinate);
+  if (!in_range(call, 4, "limit->lower", d.lower, b.low, b.high) ||
+      !in_range(call, 4, "limit->upper", d.upper, d.lower, b.high))
+    return false;
+  drive.limit = {d.enabled != 0, d.lower, d.upper};
+  return true;
+}
+bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_joint_motor* given, JointDrive& drive) {
+  carom_joint_motor d;
+  carom_joint_motor_init(&d);
+  if (!drivable(call, joint, coordinate) || !read_struct(call, 4, "motor", given, d) ||
+      !known(call, 4, "motor->enabled", d.enabled, 2) ||
+      !in_range(call, 4, "motor->speed", d.speed, -kFastest, kFastest) ||
+      !in_range(call, 4, "motor->most", d.most, 0, kStrongest))
+    return false;
+  drive.motor = {d.enabled != 0, d.speed, d.most};
+  return true;
+}
+bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_joint_spring* given,
+          JointDrive& drive) {
+  carom_joint_spring d;
+  carom_joint_spring_init(&d);
+  if (!drivable(call, joint, coordinate) || !read_struct(call, 4, "spring", given, d) ||
+      !known(call, 4, "spring->enabled", d.enabled, 2))
+    return false;
+  const Bounds b = bounds_of(coordinate);
+  if (!in_range(call, 4, "spring->target", d.target, b.low, b.high) ||
+      !in_range(call, 4, "spring->frequency", d.frequency, 0, kStiffest) ||
+      !in_range(call, 4, "spring->damping", d.damping, 0, kMostDamping) ||
+      !in_range(call, 4, "spring->most", d.most, 0, kStrongest))
+    return false;
+  drive.spring = {d.enabled != 0, d.target, d.frequency, d.damping, d.most};
+  return true;
+}
+
+void write(const JointDrive& drive, carom_joint_limit& d) {
+  d.enabled = drive.limit.on, d.lower = drive.limit.lower, d.upper = drive.limit.upper;
+}
+void write(const JointDrive& drive, carom_joint_motor& d) {
+  d.enabled = drive.motor.on, d.speed = drive.motor.speed, d.most = drive.motor.most;
+}
+void write(const JointDrive& drive, carom_joint_spring& d) {
+  const JointSpring& s = drive.spring;
+  d.enabled = s.on, d.target = s.target, d.frequency = s.frequency, d.damping = s.damping;
+  d.most = std::min(s.most, kStrongest);
+}
+
+template <class Desc>
+int32_t set(carom_world* world, carom_joint handle, std::uint32_t coordinate, const Desc* desc, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing || !resolve_joint(call, *changing, handle)) return;
+    const Joint& joint = changing->joints.joint[handle_slot(handle)];
+    JointDrive drive = coordinate < kCoordinates ? joint.drive[coordinate] : JointDrive{};
+    if (read(call, joint, coordinate, desc, drive))
+      changing->set_joint_drive(handle_slot(handle), static_cast<Coordinate>(coordinate), drive);
+  });
+}
+
+template <class Desc>
+int32_t get(carom_world* world, carom_joint handle, std::uint32_t coordinate, Desc* desc, const char* name,
+            carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !resolve_joint(call, *reading, handle)) return;
+    const Joint& joint = reading->joints.joint[handle_slot(handle)];
+    if (!free_coordinate(call, joint, coordinate) || !fillable(call, 4, name, desc)) return;
+    Desc full{};
+    write(joint.drive[coordinate], full);
+    write_struct(full, desc);
+  });
+}
+
+template <class Desc>
+int32_t begin_desc(Desc* desc) {
+  if (!desc) return CAROM_E_NULL_ARGUMENT;
+  *desc = {};
+  desc->struct_size = sizeof *desc;
+  return CAROM_OK;
+}
+
+}  // namespace
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_joint_desc_init(carom_joint_desc* desc) {
+  if (begin_desc(desc) != CAROM_OK) return CAROM_E_NULL_ARGUMENT;
+  desc->orientation_a[3] = desc->orientation_b[3] = 1;
+  return CAROM_OK;
+}
+int32_t carom_joint_limit_init(carom_joint_limit* limit) { return begin_desc(limit); }
+int32_t carom_joint_motor_init(carom_joint_motor* motor) { return begin_desc(motor); }
+int32_t carom_joint_spring_init(carom_joint_spring* spring) {
+  if (begin_desc(spring) != CAROM_OK) return CAROM_E_NULL_ARGUMENT;
+  spring->frequency = spring->damping = 1;
+  spring->most = kStrongest;
+  return CAROM_OK;
+}
+
+int32_t carom_joint_create(carom_world* world, const carom_joint_desc* desc, carom_joint* joint, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing) return;
+    const FloatScope scope;
+    JointDef def;
+    if (!has_joints_solver(call, *changing) || !read_joint(call, *changing, desc, def) ||
+        !present(call, 3, "joint", joint))
+      return;
+    const Handle handle = changing->add_joint(def);
+    if (handle)
+      *joint = handle;
+    else
+      call.fail(CAROM_E_LIMIT, 0, "this world has issued all %u joints", kMaxSlots);
+  });
+}
+
+int32_t carom_joint_destroy(carom_world* world, carom_joint joint, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && resolve_joint(call, *changing, joint)) changing->remove_joint(handle_slot(joint));
+  });
+}
+
+int32_t carom_joint_get(carom_world* world, carom_joint joint, carom_joint_desc* desc, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && resolve_joint(call, *reading, joint) && fillable(call, 3, "desc", desc))
+      write_struct(describe(*reading, reading->joints.joint[handle_slot(joint)]), desc);
+  });
+}
+
+int32_t carom_joint_get_state(carom_world* world, carom_joint handle, carom_joint_state* state, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !resolve_joint(call, *reading, handle) || !fillable(call, 3, "state", state)) return;
+    const FloatScope scope;
+    const Joint& joint = reading->joints.joint[handle_slot(handle)];
+    const JointPlace place = place_of(*reading, joint);
+    carom_joint_state full{};
+    full.broken = joint.broken;
+    from_vec3(joint.force, full.force), from_vec3(joint.torque, full.torque);
+    full.gap = place.gap, full.angle = place.angle;
+    std::copy(place.at.begin(), place.at.end(), full.coordinate);
+    write_struct(full, state);
+  });
+}
+
+int32_t carom_joint_set_limit(carom_world* world, carom_joint joint, uint32_t coordinate,
+                              const carom_joint_limit* limit, carom_error* error) {
+  return set(world, joint, coordinate, limit, error);
+}
+int32_t carom_joint_set_motor(carom_world* world, carom_joint joint, uint32_t coordinate,
+                              const carom_joint_motor* motor, carom_error* error) {
+  return set(world, joint, coordinate, motor, error);
+}
+int32_t carom_joint_set_spring(carom_world* world, carom_joint joint, uint32_t coordinate,
+                               const carom_joint_spring* spring, carom_error* error) {
+  return set(world, joint, coordinate, spring, error);
+}
+int32_t carom_joint_get_limit(carom_world* world, carom_joint joint, uint32_t coordinate, carom_joint_limit* limit,
+                              carom_error* error) {
+  return get(world, joint, coordinate, limit, "limit", error);
+}
+int32_t carom_joint_get_motor(carom_world* world, carom_joint joint, uint32_t coordinate, carom_joint_motor* motor,
+                              carom_error* error) {
+  return get(world, joint, coordinate, motor, "motor", error);
+}
+int32_t carom_joint_get_spring(carom_world* world, carom_joint joint, uint32_t coordinate, carom_joint_spring* spring,
+                               carom_error* error) {
+  return get(world, joint, coordinate, spring, "spring", error);
+}
+
+int32_t carom_world_get_joints(carom_world* world, carom_joint* joints, uint64_t capacity, uint64_t* count,
+                               carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !present(call, 4, "count", count)) return;
+    const SlotPool& slots = reading->joints.slots;
+    *count = slots.alive_count();
+    if (!joints) return;
+    for (std::uint32_t i = 0, k = 0; i < slots.slots() && k < capacity; ++i)
+      if (slots.alive(i)) joints[k++] = slots.handle(i);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,85 @@
+// Editing joints between steps: they come, go, are set and break.
+#include <algorithm>
+
+#include "dynamics/joint/parts.h"
+#include "dynamics/sleep/sleep.h"
+
+namespace carom {
+namespace {
+
+template <class T>
+void make_room(Array<T>& a, std::size_t slot) {
+  if (a.capacity() <= slot) a.reserve(std::max<std::size_t>(16, 2 * slot));
+}
+
+/// Whether a joint keeps its bodies' colliders from touching.
+bool parts(const JointDef& def) { return !def.collide && def.body_a != kTheWorld && def.body_b != kTheWorld; }
+
+void unpart(Scene& scene, const JointDef& def) {
+  if (parts(def)) scene.joined.remove(def.body_a, def.body_b);
+}
+
+void wake_both(World& world, const JointDef& def) {
+  for (const std::uint32_t body : {def.body_a, def.body_b})
+    if (body != kTheWorld) wake(world, body);
+}
+
+std::uint32_t& link_of(Joints& joints, std::uint32_t body, std::uint32_t slot) {
+  std::uint32_t* link = &joints.first[body];
+  while (*link != slot && *link != kTheWorld) {
+    Joint& j = joints.joint[*link];
+    link = j.def.body_a == body ? &j.next_a : &j.next_b;
+  }
+  return *link;
+}
+
+}  // namespace
+
+Handle World::add_joint(const JointDef& def) {
+  make_room(joints.joint, joints.slots.slots());
+  if (joints.first.size() < scene.bodies.slots()) joints.first.resize(scene.bodies.slots(), kTheWorld);
+  if (parts(def)) scene.joined.make_room();
+  const Handle handle = joints.slots.take();
+  if (handle == 0) return 0;
+  const std::uint32_t slot = handle_slot(handle);
+  if (slot == joints.joint.size()) joints.joint.emplace_back();
+  Joint& joint = joints.joint[slot] = Joint{};
+  joint.def = def;
+  joint.def.frame_a.q = normalized(def.frame_a.q), joint.def.frame_b.q = normalized(def.frame_b.q);
+  if (def.body_a != kTheWorld) joint.next_a = joints.first[def.body_a], joints.first[def.body_a] = slot;
+  if (def.body_b != kTheWorld) joint.next_b = joints.first[def.body_b], joints.first[def.body_b] = slot;
+  if (parts(def)) scene.joined.add(def.body_a, def.body_b);
+  wake_both(*this, def);
+  ++scene.revision;
+  return handle;
+}
+
+void World::remove_joint(std::uint32_t slot) {
+  Joint& joint = joints.joint[slot];
+  wake_both(*this, joint.def);
+  if (joint.def.body_a != kTheWorld) link_of(joints, joint.def.body_a, slot) = joint.next_a;
+  if (joint.def.body_b != kTheWorld) link_of(joints, joint.def.body_b, slot) = joint.next_b;
+  if (!joint.broken) unpart(scene, joint.def);
+  joints.slots.release(slot);
+  ++scene.revision;
+}
+
+void World::set_joint_drive(std::uint32_t slot, Coordinate c, const JointDrive& drive) {
+  Joint& joint = joints.joint[slot];
+  const std::uint32_t before = layout_key(joint);
+  joint.drive[static_cast<std::size_t>(c)] = drive;
+  wake_both(*this, joint.def);
+  if (layout_key(joint) == before) return;
+  joint.drive_p.fill(0);  // rows stand for something else now
+  joint.p.fill(0);
+  ++scene.revision;
+}
+
+void World::break_joint(std::uint32_t slot) {
+  Joint& joint = joints.joint[slot];
+  joint.broken = true;
+  unpart(scene, joint.def);
+  ++scene.revision;
+}
+
+}  // namespace carom

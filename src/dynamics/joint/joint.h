@@ -1,0 +1,118 @@
+// Joints of a world: two bodies (or one and the world), a frame on each, and what of their relative motion is locked,
+// limited, driven or sprung.
+//
+// A kind of joint is a list of parts (parts.h). The frame's x axis is the axis of a hinge or a slider, and the one that
+// swing and twist are told by. Signs: coordinates, forces and torques are those of B relative to A.
+#pragma once
+
+#include <array>
+
+#include "core/pool.h"
+#include "core/pose.h"
+
+namespace carom {
+
+enum class JointKind : std::uint8_t { ball, hinge, slider, weld, distance, universal, count };  // as CAROM_JOINT_*
+
+/// What may be limited, driven or sprung of a joint; as CAROM_COORDINATE_*.
+enum class Coordinate : std::uint8_t {
+  twist,     // rad, of B about the x axes, (-pi, pi]
+  swing,     // rad, between the x axes, [0, pi]
+  slide,     // m, of B's point along A's x axis
+  distance,  // m, between the points
+  count
+};
+inline constexpr std::size_t kCoordinates = static_cast<std::size_t>(Coordinate::count);
+
+struct JointLimit {
+  bool on = false;
+  Real lower = 0, upper = 0;  // m or rad
+};
+struct JointMotor {
+  bool on = false;
+  Real speed = 0;  // m/s or rad/s
+  Real most = 0;   // N or N m
+};
+struct JointSpring {
+  bool on = false;
+  Real target = 0;        // m or rad
+  Real frequency = 1;     // Hz, of the joint's bodies were they alone
+  Real damping = 1;       // ratio; 1: critical
+  Real most = kInfinity;  // N or N m
+};
+
+/// What acts on one coordinate.
+struct JointDrive {
+  JointLimit limit;
+  JointMotor motor;
+  JointSpring spring;
+  bool on() const { return limit.on || motor.on || spring.on; }
+};
+
+inline constexpr std::uint32_t kTheWorld = 0xFFFFFFFFu;  // in place of a body's slot
+
+/// What a host says about a joint (ABI: carom_joint_desc), already validated.
+struct JointDef {
+  JointKind kind = JointKind::ball;
+  std::uint32_t body_a = kTheWorld, body_b = kTheWorld;    // slots; the world's frame is the world
+  Pose frame_a, frame_b;                                   // joint -> body frame (origin as the host gave it)
+  Real length = 0;                                         // m, of a distance joint
+  bool collide = false;                                    // its bodies may touch each other
+  Real break_force = kInfinity, break_torque = kInfinity;  // N, N m, mean over a step
+  std::uint64_t user = 0;
+};
+
+inline constexpr int kMostEqualities = 6;
+inline constexpr int kMostDrives = 4;  // rows that limit, drive or spring, of one joint
+
+/// A joint as it lives. Impulses are of a substep and in its own rows; the next step starts from them.
+struct Joint {
+  JointDef def;
+  std::array<JointDrive, kCoordinates> drive;
+  bool broken = false;
+
+  std::array<Real, kMostEqualities> p{};                 // N s, N m s
+  std::array<Real, kMostDrives> drive_p{};               // likewise, by row of the layout
+  Real p_h = 0;                                          // s, the substep that made them; 0: there are none
+  Vec3 force = Vec3::Zero();                             // N, world, on B, mean over the last step
+  Vec3 torque = Vec3::Zero();                            // N m, world, on B about its point, likewise
+  std::uint32_t next_a = kTheWorld, next_b = kTheWorld;  // the next joint of each body
+};
+
+struct Joints {
+  Joints(std::uint32_t tag, Memory* m) : slots(Kind::joint, tag, m), joint(m), first(m) {}
+
+  SlotPool slots;
+  Array<Joint> joint;          // by slot
+  Array<std::uint32_t> first;  // by body slot: its first joint, or kTheWorld; empty until there is a joint
+
+  bool alive(std::uint32_t slot) const { return slots.alive(slot); }
+  /// f(slot, other body or kTheWorld) for the joints of a body.
+  template <class F>
+  void each_of(std::uint32_t body, F&& f) const {
+    if (body >= first.size()) return;
+    for (std::uint32_t j = first[body]; j != kTheWorld;) {
+      const Joint& joint_j = joint[j];
+      const bool is_a = joint_j.def.body_a == body;
+      const std::uint32_t next = is_a ? joint_j.next_a : joint_j.next_b;
+      f(j, is_a ? joint_j.def.body_b : joint_j.def.body_a);
+      j = next;
+    }
+  }
+  bool any_of(std::uint32_t body) const { return body < first.size() && first[body] != kTheWorld; }
+};
+
+/// Where a joint's frames are.
+struct JointEnds {
+  Pose a, b;          // joint -> world
+  Vec3 arm_a, arm_b;  // m, world axes, from the centres of mass; zero at the world's end
+  Vec3 apart;         // m, world, from A's point to B's
+};
+/// And how far it is from what it locks.
+struct JointPlace : JointEnds {
+  std::array<Real, kCoordinates> at;  // m or rad
+  Real gap = 0;                       // m, of what is locked of the points
+  Real angle = 0;                     // rad, of what is locked of the axes
+};
+
+}  // namespace carom

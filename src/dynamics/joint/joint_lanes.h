@@ -1,0 +1,93 @@
+// Joints of four pairs side by side, as the kernels see them: plain data. What contact_lanes.h says of files compiled
+// for newer machines holds here.
+#pragma once
+
+#include "dynamics/solver/contact_lanes.h"
+
+namespace carom {
+
+struct LaneQuat {
+  Lanes x, y, z, w;
+};
+
+/// What locks relative motion: rows that are solved together.
+enum class JointPart : std::uint8_t {
+  point,        // 3: B's point stays at A's
+  line,         // 2: it stays on A's x axis
+  rod,          // 1: it stays at a distance
+  orientation,  // 3: the frames stay parallel
+  direction,    // 2: the x axes do
+  pins          // 1: B's z axis stays at right angles to A's y axis
+};
+enum class DriveKind : std::uint8_t { motor, spring, limit };  // in the order in which they are visited
+struct DriveRow {
+  std::uint8_t coordinate;  // as Coordinate
+  DriveKind kind;
+};
+
+inline constexpr int kMostParts = 2, kMostRows = 6, kMostDriveRows = 6;
+
+/// The rows of a joint: those of its parts, then its drives. Joints that share lanes have the same.
+struct JointLayout {
+  std::uint32_t parts = 0, equalities = 0, drives = 0;
+  JointPart part[kMostParts] = {};
+  DriveRow drive[kMostDriveRows] = {};
+};
+
+/// One row of each of four joints: u = d.(v_b - v_a) + w_b.omega_b - w_a.omega_a, the rate of `error`.
+struct JointRowLanes {
+  LaneVec d;         // world; unit or zero
+  LaneVec w_a, w_b;  // m or 1, world
+  Lanes error;       // m or rad, from what is locked; of a drive: the coordinate
+  Lanes curve;       // m/s or rad/s: half a substep of the second derivative of `error` at constant velocities
+  Lanes p;           // N s or N m s, of the present substep
+};
+
+/// A limit, a motor or a spring.
+struct JointDriveLanes {
+  JointRowLanes row;
+  Lanes m;             // kg or kg m^2: impulse per change of u, what is locked staying so
+  Lanes lower, upper;  // m or rad: of a limit; of a spring both are its target
+  Lanes speed;         // m/s or rad/s, of a motor
+  Lanes most;          // N s or N m s, a substep
+  Lanes pull, drag;  // 1/s, 1: a spring's impulse is that of -m (pull x + drag u) - (1 - drag) p = 0, @see spring_of()
+};
+
+inline constexpr int kFactor = kMostRows * (kMostRows + 1) / 2;
+
+/// Four joints of one colour with one layout.
+struct JointLanes {
+  std::uint32_t a[kLanes], b[kLanes];  // solver bodies; 0: nobody, or nobody that moves
+  std::uint32_t occupied;              // lanes in use, from the first
+  std::uint32_t first, first_drive;    // in WideJoints::rows and drives
+  JointLayout layout;
+  Lanes inv_mass_a, inv_mass_b;                    // 1/kg
+  LaneSymmetric start_inertia_a, start_inertia_b;  // inverse, 1/(kg m^2), world, as the step began
+  LaneVec start_a, start_b;                        // m, world axes, from the centres of mass to the points, likewise
+  LaneVec start_gap;                               // m, world, from A's point to B's, likewise
+  LaneQuat start_frame_a, start_frame_b;           // joint -> world, likewise
+  Lanes length;                                    // m, of a rod
+  Lanes bias_rate, mass_scale, impulse_scale;      // softness, @see soft_step.h
+  Lanes again;                                     // 1: half a substep's load comes before the move, half after; else 0
+
+  // as bodies are placed now
+  LaneSymmetric inv_inertia_a, inv_inertia_b;
+  LaneVec r_a, r_b, gap;
+  LaneVec x_a;            // world, A's x axis
+  Lanes factor[kFactor];  // L D L^T of the coupling of the equalities: rows of L, 1/D in its diagonal
+
+  LaneVec force, torque;  // N s, N m s: on B, about its point, since the step began
+};
+
+/// A run of joints with their rows and all bodies.
+struct JointRun {
+  JointLanes* joints;
+  std::size_t count;
+  JointRowLanes* rows;
+  JointDriveLanes* drives;
+  BodyVelocity* velocity;
+  const BodyShift* shift;
+  std::uint32_t first_moved;  // bodies below are not written
+};
+
+}  // namespace carom

@@ -1,0 +1,210 @@
+// Sweeps over joints in lanes: the arithmetic behind JointKernels. Included by one file for each width of registers,
+// compiled for it; all that stands here is local to that file.
+//
+// A joint's equalities are answered together: with K the coupling of its rows (velocity at one per impulse at another),
+//   p <- p - K^-1 s (u + error rate + curve) - (1 - s) p,
+// s and rate those of a soft constraint. `curve` is what makes a pendulum keep its energy: the pose after a move by h u
+// lies off the joint by h^2/2 error'', and the velocity that leads back onto it is asked for at once. With velocities
+// put right after the move (relax) that is the scheme of [Andersen1983], of second order where nothing is soft.
+#pragma once
+
+#include "core/wide_angle.h"
+#include "dynamics/joint/joint_kernels.h"
+#include "dynamics/joint/place_sweep.h"
+
+namespace carom {
+namespace {
+
+/// Velocities of the four bodies on both sides.
+struct JointSides {
+  LaneVec v_a, omega_a, v_b, omega_b;
+  const JointLanes& joint;
+
+  CAROM_LANES_INLINE JointSides(const JointLanes& j, const BodyVelocity* bodies) : joint(j) {
+    const JointSpin a(bodies, j.a), b(bodies, j.b);
+    v_a = a.v, omega_a = a.omega, v_b = b.v, omega_b = b.omega;
+  }
+  CAROM_LANES_INLINE void store(const JointRun& run) const {
+    put(run, joint.a, v_a, omega_a);
+    put(run, joint.b, v_b, omega_b);
+  }
+  CAROM_LANES_INLINE Lanes along(const JointRowLanes& r) const {
+    return dot(r.d, v_b - v_a) + (dot(r.w_b, omega_b) - dot(r.w_a, omega_a));
+  }
+  CAROM_LANES_INLINE void push(const LaneVec& p, const LaneVec& turn_a, const LaneVec& turn_b) {
+    v_a = v_a - joint.inv_mass_a * p;
+    omega_a = omega_a - joint.inv_inertia_a * turn_a;
+    v_b = v_b + joint.inv_mass_b * p;
+    omega_b = omega_b + joint.inv_inertia_b * turn_b;
+  }
+  CAROM_LANES_INLINE void push(const JointRowLanes& r, Lanes p) { push(p * r.d, p * r.w_a, p * r.w_b); }
+
+ private:
+  CAROM_LANES_INLINE static void put(const JointRun& run, const std::uint32_t* body, const LaneVec& v,
+                                     const LaneVec& omega) {
+    const LaneRows p(v.x, v.y), q(v.z, omega.x), r(omega.y, omega.z);
+    for (int i = 0; i < kLanes; ++i) {
+      if (body[i] < run.first_moved) continue;
+      double* const to = reinterpret_cast<double*>(run.velocity + body[i]);
+      p.put(i, to), q.put(i, to + 2), r.put(i, to + 4);
+    }
+  }
+};
+
+/// Impulses at several rows, added up before they act.
+struct Pushes {
+  LaneVec p{}, turn_a{}, turn_b{};
+  CAROM_LANES_INLINE void add(const JointRowLanes& r, Lanes impulse) {
+    p = p + impulse * r.d;
+    turn_a = turn_a + impulse * r.w_a;
+    turn_b = turn_b + impulse * r.w_b;
+  }
+};
+
+template <bool kPush, int n>
+CAROM_LANES_INLINE void hold(JointSides& sides, const JointLanes& joint, JointRowLanes* rows) {
+  Lanes x[n];
+  for (int k = 0; k < n; ++k) {
+    const JointRowLanes& r = rows[k];
+    x[k] = sides.along(r);
+    if constexpr (kPush) x[k] = joint.mass_scale * (x[k] + r.curve + joint.bias_rate * r.error);
+  }
+  solve_coupled<n>(joint.factor, x);
+  Pushes pushes;
+  for (int k = 0; k < n; ++k) {
+    Lanes change = -x[k];
+    if constexpr (kPush) change -= joint.impulse_scale * rows[k].p;
+    rows[k].p += change;
+    pushes.add(rows[k], change);
+  }
+  sides.push(pushes.p, pushes.turn_a, pushes.turn_b);
+}
+
+/// A coordinate's impulse within its bounds; those of the lower end push, those of the upper pull.
+template <bool kPush>
+CAROM_LANES_INLINE void limit(JointSides& sides, const JointLanes& joint, JointDriveLanes& drive, double inv_h) {
+  const Lanes u = sides.along(drive.row), p = drive.row.p;
+  const Lanes above = drive.row.error - drive.lower, below = drive.upper - drive.row.error;
+  const auto wanted = [&](Lanes room, Lanes closing) __attribute__((always_inline)) {
+    const LaneMask open = room > 0;
+    if constexpr (kPush) {
+      const Lanes lack = closing - (open ? room * inv_h : joint.bias_rate * room);
+      return (open ? all(1) : joint.mass_scale) * drive.m * lack;
+    } else {
+      return drive.m * (closing - (open ? room * inv_h : all(0)));
+    }
+  };
+  const auto kept = [&](Lanes room) __attribute__((always_inline)) {
+    if constexpr (kPush) return room > 0 ? p : p - joint.impulse_scale * p;
+    return p;
+  };
+  const Lanes next = larger(kept(above) + wanted(above, -u), all(0)) + smaller(kept(below) - wanted(below, u), all(0));
+  sides.push(drive.row, next - p);
+  drive.row.p = next;
+}
+
+template <bool kPush>
+CAROM_LANES_INLINE void act(JointSides& sides, const JointLanes& joint, JointDriveLanes& drive, DriveKind kind,
+                            double inv_h) {
+  if (kind == DriveKind::limit) return limit<kPush>(sides, joint, drive, inv_h);
+  const Lanes u = sides.along(drive.row), p = drive.row.p;
+  Lanes next = p;
+  if (kind == DriveKind::motor) next = p - drive.m * (u - drive.speed);
+  if (kind == DriveKind::spring) {
+    if constexpr (!kPush) return;  // its law holds for the whole substep, with the place where that began
+    next = drive.drag * p - drive.m * (drive.pull * (drive.row.error - drive.lower) + drive.drag * u);
+  }
+  next = larger(smaller(next, drive.most), -drive.most);
+  sides.push(drive.row, next - p);
+  drive.row.p = next;
+}
+
+template <bool kPush>
+CAROM_LANES_INLINE void hold_all(JointSides& sides, const JointLanes& joint, JointRowLanes* rows) {
+  switch (joint.layout.equalities) {
+    case 1:
+      return hold<kPush, 1>(sides, joint, rows);
+    case 2:
+      return hold<kPush, 2>(sides, joint, rows);
+    case 3:
+      return hold<kPush, 3>(sides, joint, rows);
+    case 4:
+      return hold<kPush, 4>(sides, joint, rows);
+    case 5:
+      return hold<kPush, 5>(sides, joint, rows);
+    case 6:
+      return hold<kPush, 6>(sides, joint, rows);
+    default:
+      return;
+  }
+}
+
+CAROM_LANES_INLINE Pushes all_of(const JointRun& run, const JointLanes& joint) {
+  Pushes pushes;
+  for (std::uint32_t k = 0; k < joint.layout.equalities; ++k)
+    pushes.add(run.rows[joint.first + k], run.rows[joint.first + k].p);
+  for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
+    pushes.add(run.drives[joint.first_drive + k].row, run.drives[joint.first_drive + k].row.p);
+  return pushes;
+}
+
+/// What acts again: not what a spring does, which is all of a substep's.
+void act_again(const JointRun& run) {
+  for (std::size_t i = 0; i < run.count; ++i) {
+    JointLanes& joint = run.joints[i];
+    JointSides sides(joint, run.velocity);
+    Pushes pushes;
+    for (std::uint32_t k = 0; k < joint.layout.equalities; ++k)
+      pushes.add(run.rows[joint.first + k], joint.again * run.rows[joint.first + k].p);
+    for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
+      if (joint.layout.drive[k].kind != DriveKind::spring)
+        pushes.add(run.drives[joint.first_drive + k].row, joint.again * run.drives[joint.first_drive + k].row.p);
+    joint.force = joint.force + pushes.p;
+    joint.torque = joint.torque + (pushes.turn_b - cross(joint.r_b, pushes.p));
+    sides.push(pushes.p, pushes.turn_a, pushes.turn_b);
+    sides.store(run);
+  }
+}
+
+CAROM_LANES_INLINE void book_one(const JointRun& run, JointLanes& joint) {
+  const Pushes pushes = all_of(run, joint);
+  joint.force = joint.force + pushes.p;
+  joint.torque = joint.torque + (pushes.turn_b - cross(joint.r_b, pushes.p));
+}
+
+void warm_start(const JointRun& run) {
+  for (std::size_t i = 0; i < run.count; ++i) {
+    const JointLanes& joint = run.joints[i];
+    JointSides sides(joint, run.velocity);
+    const Pushes pushes = all_of(run, joint);
+    sides.push(pushes.p, pushes.turn_a, pushes.turn_b);
+    sides.store(run);
+  }
+}
+
+template <bool kPush>
+CAROM_LANES_INLINE void sweep(const JointRun& run, double inv_h) {
+  for (std::size_t i = 0; i < run.count; ++i) {
+    JointLanes& joint = run.joints[i];
+    JointSides sides(joint, run.velocity);
+    for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
+      act<kPush>(sides, joint, run.drives[joint.first_drive + k], joint.layout.drive[k].kind, inv_h);
+    hold_all<kPush>(sides, joint, run.rows + joint.first);
+    sides.store(run);
+    if constexpr (!kPush) book_one(run, joint);
+  }
+}
+
+void solve(const JointRun& run, double inv_h) { sweep<true>(run, inv_h); }
+void relax(const JointRun& run, double inv_h) { sweep<false>(run, inv_h); }
+
+void book(const JointRun& run) {
+  for (std::size_t i = 0; i < run.count; ++i) book_one(run, run.joints[i]);
+}
+
+constexpr JointKernels joint_kernels_named(const char* name) {
+  return {name, place, bend, warm_start, solve, act_again, relax, book};
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,144 @@
+// The table of kinds, and what follows from it.
+#include "dynamics/joint/parts.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/wide_angle.h"
+
+namespace carom {
+namespace {
+
+constexpr std::uint32_t bit(Coordinate c) { return 1u << static_cast<std::uint32_t>(c); }
+
+constexpr std::array<KindRow, static_cast<std::size_t>(JointKind::count)> kKinds = {{
+    {"ball", 1, {JointPart::point, {}}, bit(Coordinate::twist) | bit(Coordinate::swing)},
+    {"hinge", 2, {JointPart::point, JointPart::direction}, bit(Coordinate::twist)},
+    {"slider", 2, {JointPart::line, JointPart::orientation}, bit(Coordinate::slide)},
+    {"weld", 2, {JointPart::point, JointPart::orientation}, 0},
+    {"distance", 1, {JointPart::rod, {}}, bit(Coordinate::distance)},
+    {"universal", 2, {JointPart::point, JointPart::pins}, bit(Coordinate::swing)},
+}};
+
+constexpr std::uint32_t rows_of(JointPart part) {
+  switch (part) {
+    case JointPart::point:
+    case JointPart::orientation:
+      return 3;
+    case JointPart::line:
+    case JointPart::direction:
+      return 2;
+    default:
+      return 1;
+  }
+}
+
+constexpr Real kNoLength = 1e-9;  // m: a rod that has none has no direction; its points just stay together
+bool is_point(const Joint& joint) { return joint.def.kind == JointKind::distance && joint.def.length < kNoLength; }
+
+bool is_rod(const Joint& joint) {
+  const JointDrive& d = joint.drive[static_cast<std::size_t>(Coordinate::distance)];
+  return !d.limit.on && !d.spring.on;
+}
+
+/// f(coordinate, kind of drive) for all that is on, in the order of rows.
+template <class F>
+void each_drive(const Joint& joint, F&& f) {
+  for (std::uint32_t c = 0; c < kCoordinates; ++c) {
+    if (!has(joint.def.kind, static_cast<Coordinate>(c))) continue;
+    const JointDrive& d = joint.drive[c];
+    if (d.motor.on) f(c, DriveKind::motor);
+    if (d.spring.on) f(c, DriveKind::spring);
+    if (d.limit.on) f(c, DriveKind::limit);
+  }
+}
+
+}  // namespace
+
+const KindRow& row_of(JointKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
+
+JointLayout layout_of(const Joint& joint) {
+  JointLayout layout;
+  const KindRow& row = row_of(joint.def.kind);
+  for (std::uint32_t k = 0; k < row.part_count; ++k) {
+    if (row.part[k] == JointPart::rod && !is_rod(joint)) continue;
+    const JointPart part = is_point(joint) ? JointPart::point : row.part[k];
+    layout.part[layout.parts++] = part;
+    layout.equalities += rows_of(part);
+  }
+  each_drive(joint, [&](std::uint32_t c, DriveKind kind) {
+    layout.drive[layout.drives++] = {static_cast<std::uint8_t>(c), kind};
+  });
+  return layout;
+}
+
+std::uint32_t layout_key(const Joint& joint) {
+  std::uint32_t key = static_cast<std::uint32_t>(joint.def.kind) | (is_point(joint) ? 1u << 31 : 0u);
+  each_drive(joint, [&](std::uint32_t c, DriveKind kind) { key |= 8u << (3 * c + static_cast<std::uint32_t>(kind)); });
+  return key;
+}
+
+Spring spring_of(Real frequency, Real damping, Real h) {
+  const Real w = 2 * std::numbers::pi * std::min(frequency, 0.25 / h), b = 2 * damping * w * h;
+  return {h * w * w / (1 + b), b / (1 + b)};
+}
+
+JointEnds ends_of(const World& world, const JointDef& def) {
+  const State& s = world.state;
+  JointEnds place;
+  Vec3 x_a, x_b;
+  const auto find = [&](std::uint32_t body, const Pose& frame, Pose& to, Vec3& x, Vec3& arm) {
+    if (body == kTheWorld) {
+      to = frame;
+      x = frame.p, arm = Vec3::Zero();
+      return;
+    }
+    x = s.x[body], arm = s.q[body] * (frame.p - world.scene.center[body]);
+    to = {s.q[body] * frame.q, x + arm};
+  };
+  find(def.body_a, def.frame_a, place.a, x_a, place.arm_a);
+  find(def.body_b, def.frame_b, place.b, x_b, place.arm_b);
+  place.apart = (x_b - x_a) + (place.arm_b - place.arm_a);
+  return place;
+}
+
+JointPlace place_of(const World& world, const Joint& joint) {
+  JointPlace place{ends_of(world, joint.def), {}, 0, 0};
+  const Quat t = place.a.q.conjugate() * place.b.q;
+  const Mat3 a = place.a.q.toRotationMatrix(), b = place.b.q.toRotationMatrix();
+  const Real sign = t.w() < 0 ? -1 : 1;
+  const Real swing = angle_of<double>(a.col(0).cross(b.col(0)).norm(), a.col(0).dot(b.col(0)));
+  place.at = {2 * angle_of<double>(sign * t.x(), sign * t.w()), swing, a.col(0).dot(place.apart), place.apart.norm()};
+  const JointLayout layout = layout_of(joint);
+  for (std::uint32_t k = 0; k < layout.parts; ++k) switch (layout.part[k]) {
+      case JointPart::point:
+        place.gap = place.apart.norm();
+        break;
+      case JointPart::line:
+        place.gap = (place.apart - place.at[2] * a.col(0)).norm();
+        break;
+      case JointPart::rod:
+        place.gap = std::fabs(place.at[3] - joint.def.length);
+        break;
+      case JointPart::orientation:
+        place.angle = 2 * angle_of<double>(t.vec().norm(), std::fabs(t.w()));
+        break;
+      case JointPart::direction:
+        place.angle = swing;
+        break;
+      case JointPart::pins:
+        const Real across = a.col(1).dot(b.col(2));
+        place.angle = std::fabs(angle_of<double>(across, a.col(1).cross(b.col(2)).norm()));
+        break;
+    }
+  for (std::size_t c = 0; c < kCoordinates; ++c) {
+    const JointLimit& limit = joint.drive[c].limit;
+    if (!limit.on || !has(joint.def.kind, static_cast<Coordinate>(c))) continue;
+    const Real beyond = std::max(limit.lower - place.at[c], place.at[c] - limit.upper);
+    Real& error = c < 2 ? place.angle : place.gap;
+    error = std::max(error, beyond);
+  }
+  return place;
+}
+
+}  // namespace carom

@@ -1,0 +1,330 @@
+// Where joints in lanes are: arms, axes, errors, and how their rows are coupled. Part of joint_sweeps.h.
+#pragma once
+
+#include "core/wide_angle.h"
+#include "dynamics/joint/joint_kernels.h"
+
+namespace carom {
+namespace {
+
+CAROM_LANES_INLINE LaneQuat operator*(const LaneQuat& a, const LaneQuat& b) {
+  return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z,
+          a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
+}
+CAROM_LANES_INLINE LaneQuat conjugate(const LaneQuat& q) { return {-q.x, -q.y, -q.z, q.w}; }
+
+/// The axes of a frame.
+struct LaneAxes {
+  LaneVec x, y, z;
+  CAROM_LANES_INLINE explicit LaneAxes(const LaneQuat& q) {
+    const Lanes xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z, xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z,
+                wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
+    x = {1 - 2 * (yy + zz), 2 * (xy + wz), 2 * (xz - wy)};
+    y = {2 * (xy - wz), 1 - 2 * (xx + zz), 2 * (yz + wx)};
+    z = {2 * (xz + wy), 2 * (yz - wx), 1 - 2 * (xx + yy)};
+  }
+};
+
+/// How far the four bodies on one side have come.
+struct JointShift {
+  LaneVec x;
+  LaneQuat turn;
+
+  CAROM_LANES_INLINE JointShift(const BodyShift* all_bodies, const std::uint32_t* body) {
+    const double* row[kLanes];
+    for (int i = 0; i < kLanes; ++i) row[i] = reinterpret_cast<const double*>(all_bodies + body[i]);
+    const LanePair p = gather(row, 0), q = gather(row, 2), r = gather(row, 4), s = gather(row, 6);
+    x = {p.first, p.second, q.first};
+    turn = {q.second, r.first, r.second, s.first};
+  }
+  /// What the turn does to an arm.
+  CAROM_LANES_INLINE LaneVec change(const LaneVec& arm) const {
+    const LaneVec u = {turn.x, turn.y, turn.z}, t = cross(u, arm);
+    return all(2) * (cross(u, t) + turn.w * t);
+  }
+  /// A tensor of the body, as it has turned.
+  CAROM_LANES_INLINE LaneSymmetric turned(const LaneSymmetric& m) const {
+    const LaneAxes r(turn);  // columns
+    const LaneVec row_x = {r.x.x, r.y.x, r.z.x}, row_y = {r.x.y, r.y.y, r.z.y}, row_z = {r.x.z, r.y.z, r.z.z};
+    const LaneVec mx = m * row_x, my = m * row_y, mz = m * row_z;
+    return {dot(row_x, mx), dot(row_x, my), dot(row_x, mz), dot(row_y, my), dot(row_y, mz), dot(row_z, mz)};
+  }
+};
+
+/// x <- K^-1 x.
+template <int n>
+CAROM_LANES_INLINE void solve_coupled(const Lanes* factor, Lanes* x) {
+  for (int k = 1; k < n; ++k)
+    for (int l = 0; l < k; ++l) x[k] -= factor[k * (k + 1) / 2 + l] * x[l];
+  for (int k = n - 1; k >= 0; --k) {
+    x[k] = x[k] * factor[k * (k + 1) / 2 + k];
+    for (int l = k + 1; l < n; ++l) x[k] -= factor[l * (l + 1) / 2 + k] * x[l];
+  }
+}
+
+/// The inverse of what is left of a number, or 0 where that is but rounding: a row that others imply bears nothing.
+CAROM_LANES_INLINE Lanes inverse_of_rest(Lanes rest, Lanes whole) {
+  return inverse_or_zero(rest > 1e-11 * whole ? rest : all(0));
+}
+
+/// A joint at the present poses; writes its rows.
+struct JointPlacing {
+  JointLanes& joint;
+  JointShift a, b;
+  LaneQuat q_a, q_b;
+  LaneAxes axes_a, axes_b;
+
+  CAROM_LANES_INLINE JointPlacing(JointLanes& j, const BodyShift* shift)
+      : joint(j),
+        a(shift, j.a),
+        b(shift, j.b),
+        q_a(a.turn * j.start_frame_a),
+        q_b(b.turn * j.start_frame_b),
+        axes_a(q_a),
+        axes_b(q_b) {
+    const LaneVec d_a = a.change(j.start_a), d_b = b.change(j.start_b);
+    j.r_a = j.start_a + d_a;
+    j.r_b = j.start_b + d_b;
+    j.gap = j.start_gap + ((b.x - a.x) + (d_b - d_a));
+    j.x_a = axes_a.x;
+    j.inv_inertia_a = a.turned(j.start_inertia_a);
+    j.inv_inertia_b = b.turned(j.start_inertia_b);
+  }
+
+  /// A row along a direction, of which A's point is where B's is now: the direction turns with A.
+  CAROM_LANES_INLINE void along(JointRowLanes& r, const LaneVec& d, Lanes error) const {
+    r.d = d;
+    r.w_a = cross(joint.r_a + joint.gap, d);
+    r.w_b = cross(joint.r_b, d);
+    r.error = error;
+    r.curve = all(0);
+  }
+  CAROM_LANES_INLINE void about(JointRowLanes& r, const LaneVec& axis, Lanes error) const {
+    r.d = {all(0), all(0), all(0)};
+    r.w_a = r.w_b = axis;
+    r.error = error;
+    r.curve = all(0);
+  }
+
+  CAROM_LANES_INLINE JointRowLanes* part(JointPart which, JointRowLanes* r) const {
+    switch (which) {
+      case JointPart::point: {
+        const LaneVec e[3] = {{all(1), all(0), all(0)}, {all(0), all(1), all(0)}, {all(0), all(0), all(1)}};
+        const Lanes gap[3] = {joint.gap.x, joint.gap.y, joint.gap.z};
+        const LaneVec half = all(0.5) * joint.gap;  // impulses act at one place, halfway: else a gap has a moment
+        for (int k = 0; k < 3; ++k) {
+          r[k].d = e[k];
+          r[k].w_a = cross(joint.r_a + half, e[k]);
+          r[k].w_b = cross(joint.r_b - half, e[k]);
+          r[k].error = gap[k];
+          r[k].curve = all(0);
+        }
+        return r + 3;
+      }
+      case JointPart::line:
+        along(r[0], axes_a.y, dot(axes_a.y, joint.gap));
+        along(r[1], axes_a.z, dot(axes_a.z, joint.gap));
+        return r + 2;
+      case JointPart::rod:
+        distance(*r);
+        r->error = r->error - joint.length;
+        return r + 1;
+      case JointPart::orientation: {
+        const LaneQuat t = q_b * conjugate(q_a);
+        const Lanes two = t.w < 0 ? all(-2) : all(2);
+        about(r[0], {all(1), all(0), all(0)}, two * t.x);
+        about(r[1], {all(0), all(1), all(0)}, two * t.y);
+        about(r[2], {all(0), all(0), all(1)}, two * t.z);
+        return r + 3;
+      }
+      case JointPart::direction: {
+        const LaneVec turn = cross(axes_a.x, axes_b.x);
+        about(r[0], axes_a.y, dot(axes_a.y, turn));
+        about(r[1], axes_a.z, dot(axes_a.z, turn));
+        return r + 2;
+      }
+      default:  // pins
+        about(*r, cross(axes_b.z, axes_a.y), dot(axes_a.y, axes_b.z));
+        return r + 1;
+    }
+  }
+
+  CAROM_LANES_INLINE void distance(JointRowLanes& r) const {
+    const Lanes far = square_root(dot(joint.gap, joint.gap));
+    const LaneMask apart = far > 1e-12;
+    const Lanes inverse = 1 / (apart ? far : all(1));
+    const LaneVec d = inverse * joint.gap;
+    along(r, {apart ? d.x : axes_a.x.x, apart ? d.y : axes_a.x.y, apart ? d.z : axes_a.x.z}, far);
+  }
+
+  CAROM_LANES_INLINE void coordinate(int which, JointRowLanes& r) const {
+    switch (which) {
+      case 0: {  // twist: its rate is omega . (x_a + x_b) / (1 + x_a.x_b)
+        const LaneQuat t = conjugate(q_a) * q_b;
+        const LaneMask back = t.w < 0;
+        const Lanes angle = 2 * angle_of<Lanes>(back ? -t.x : t.x, back ? -t.w : t.w);
+        const Lanes scale = 1 / larger(1 + dot(axes_a.x, axes_b.x), all(1e-3));
+        return about(r, scale * (axes_a.x + axes_b.x), angle);
+      }
+      case 1: {  // swing
+        const LaneVec c = cross(axes_a.x, axes_b.x);
+        const Lanes sine = square_root(dot(c, c));
+        const LaneMask apart = sine > 1e-12;
+        const Lanes inverse = 1 / (apart ? sine : all(1));
+        const LaneVec n = {apart ? inverse * c.x : axes_a.y.x, apart ? inverse * c.y : axes_a.y.y,
+                           apart ? inverse * c.z : axes_a.y.z};
+        return about(r, n, angle_of<Lanes>(sine, dot(axes_a.x, axes_b.x)));
+      }
+      case 2:
+        return along(r, axes_a.x, dot(axes_a.x, joint.gap));
+      default:
+        return distance(r);
+    }
+  }
+};
+
+/// Velocity at one row per impulse at another.
+struct RowResponse {
+  LaneVec d, i_a, i_b;  // of the impulse, over the masses
+  CAROM_LANES_INLINE void set(const JointLanes& joint, const JointRowLanes& r) {
+    d = (joint.inv_mass_a + joint.inv_mass_b) * r.d;
+    i_a = joint.inv_inertia_a * r.w_a;
+    i_b = joint.inv_inertia_b * r.w_b;
+  }
+  CAROM_LANES_INLINE Lanes at(const JointRowLanes& r) const {
+    return dot(d, r.d) + (dot(i_a, r.w_a) + dot(i_b, r.w_b));
+  }
+};
+
+/// L D L^T of the coupling of n rows.
+CAROM_LANES_INLINE void factor_rows(JointLanes& joint, const JointRowLanes* rows) {
+  const int n = static_cast<int>(joint.layout.equalities);
+  Lanes* const f = joint.factor;
+  for (int k = 0; k < n; ++k) {
+    RowResponse response;
+    response.set(joint, rows[k]);
+    Lanes v[kMostRows];
+    Lanes* const row = f + k * (k + 1) / 2;
+    const Lanes whole = response.at(rows[k]);
+    Lanes rest = whole;
+    for (int l = 0; l < k; ++l) {
+      v[l] = response.at(rows[l]);
+      const Lanes* const other = f + l * (l + 1) / 2;
+      for (int m = 0; m < l; ++m) v[l] -= other[m] * v[m];
+      row[l] = v[l] * other[l];
+    }
+    for (int l = 0; l < k; ++l) rest -= row[l] * v[l];
+    row[k] = inverse_of_rest(rest, whole);
+  }
+}
+
+CAROM_LANES_INLINE void solve_any(const JointLanes& joint, Lanes* x) {
+  switch (joint.layout.equalities) {
+    case 1:
+      return solve_coupled<1>(joint.factor, x);
+    case 2:
+      return solve_coupled<2>(joint.factor, x);
+    case 3:
+      return solve_coupled<3>(joint.factor, x);
+    case 4:
+      return solve_coupled<4>(joint.factor, x);
+    case 5:
+      return solve_coupled<5>(joint.factor, x);
+    case 6:
+      return solve_coupled<6>(joint.factor, x);
+    default:
+      return;
+  }
+}
+
+/// Effective mass of a drive, what is locked staying so.
+CAROM_LANES_INLINE void weigh(const JointLanes& joint, const JointRowLanes* rows, JointDriveLanes& drive) {
+  RowResponse response;
+  response.set(joint, drive.row);
+  Lanes coupled[kMostRows], x[kMostRows];
+  const int n = static_cast<int>(joint.layout.equalities);
+  for (int k = 0; k < n; ++k) x[k] = coupled[k] = response.at(rows[k]);
+  solve_any(joint, x);
+  const Lanes whole = response.at(drive.row);
+  Lanes rest = whole;
+  for (int k = 0; k < n; ++k) rest -= coupled[k] * x[k];
+  drive.m = inverse_of_rest(rest, whole);
+}
+
+void place(const JointRun& run) {
+  for (std::size_t i = 0; i < run.count; ++i) {
+    JointLanes& joint = run.joints[i];
+    const JointPlacing placing(joint, run.shift);
+    JointRowLanes* const rows = run.rows + joint.first;
+    JointRowLanes* next = rows;
+    for (std::uint32_t k = 0; k < joint.layout.parts; ++k) next = placing.part(joint.layout.part[k], next);
+    factor_rows(joint, rows);
+    for (std::uint32_t k = 0; k < joint.layout.drives; ++k) {
+      JointDriveLanes& drive = run.drives[joint.first_drive + k];
+      placing.coordinate(joint.layout.drive[k].coordinate, drive.row);
+      weigh(joint, rows, drive);
+    }
+  }
+}
+
+/// Velocities of the four bodies on one side.
+struct JointSpin {
+  LaneVec v, omega;
+  CAROM_LANES_INLINE JointSpin(const BodyVelocity* bodies, const std::uint32_t* body) {
+    const double* row[kLanes];
+    for (int i = 0; i < kLanes; ++i) row[i] = reinterpret_cast<const double*>(bodies + body[i]);
+    const LanePair p = gather(row, 0), q = gather(row, 2), r = gather(row, 4);
+    v = {p.first, p.second, q.first};
+    omega = {q.second, r.first, r.second};
+  }
+};
+
+// With g the gap and d a direction that turns with A,
+//   (d.g)'' = d''.g + 2 d'.g' + d.g'',   d' = w_a x d,   g'' = w_b x (w_b x r_b) - w_a x (w_a x r_a);
+// for a distance |g|'' = (g'^2 - (d.g')^2) / |g| + d.g''. Angles are taken to be straight.
+void bend(const JointRun& run, double h) {
+  for (std::size_t i = 0; i < run.count; ++i) {
+    const JointLanes& joint = run.joints[i];
+    const JointSpin a(run.velocity, joint.a), b(run.velocity, joint.b);
+    const LaneVec turns_a = cross(a.omega, joint.r_a), turns_b = cross(b.omega, joint.r_b);
+    const LaneVec inward = cross(b.omega, turns_b) - cross(a.omega, turns_a);
+    // Beyond a radian a substep nothing is straight nor bends like a parabola: then less is asked for, not more.
+    const Lanes half = (h / 2) / (1 + (h * h / 4) * (dot(a.omega, a.omega) + dot(b.omega, b.omega)));
+    JointRowLanes* r = run.rows + joint.first;
+    for (std::uint32_t k = 0; k < joint.layout.parts; ++k) {
+      const LaneVec parting = (b.v + turns_b) - (a.v + turns_a);
+      switch (joint.layout.part[k]) {
+        case JointPart::point:
+          r[0].curve = half * inward.x;
+          r[1].curve = half * inward.y;
+          r[2].curve = half * inward.z;
+          r += 3;
+          break;
+        case JointPart::line:
+          for (int l = 0; l < 2; ++l, ++r) {
+            const LaneVec d1 = cross(a.omega, r->d), d2 = cross(a.omega, d1);
+            r->curve = half * (dot(d2, joint.gap) + 2 * dot(d1, parting) + dot(r->d, inward));
+          }
+          break;
+        case JointPart::rod: {
+          const Lanes closing = dot(r->d, parting), far = r->error + joint.length;
+          const Lanes across = dot(parting, parting) - closing * closing;
+          r->curve = half * (across * inverse_or_zero(far > 1e-9 ? far : all(0)) + dot(r->d, inward));
+          r += 1;
+          break;
+        }
+        case JointPart::orientation:
+          r += 3;
+          break;
+        case JointPart::direction:
+          r += 2;
+          break;
+        default:
+          r += 1;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom

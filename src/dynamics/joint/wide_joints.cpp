@@ -1,0 +1,294 @@
+// Joints into lanes: who is active, colours, what a step starts from; and back.
+#include "dynamics/joint/wide_joints.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "dynamics/force/force.h"
+#include "dynamics/integrate/integrator.h"
+#include "dynamics/island.h"
+#include "dynamics/joint/parts.h"
+#include "dynamics/sleep/sleep.h"
+#include "dynamics/solver/soft_step.h"
+
+namespace carom {
+namespace {
+
+constexpr std::uint32_t kNobody = 0xFFFFFFFFu, kDirect = kColours + 1;
+
+bool moves(const World& world, std::uint32_t body) {
+  return body != kTheWorld && responds(world.scene, world.state, body);
+}
+/// Something about it can change: a body that is awake, or one that moves by itself.
+bool is_active(const World& world, const Joint& joint) {
+  if (joint.broken) return false;
+  const auto awake = [&](std::uint32_t body) { return moves(world, body) && !world.sleep->sleeps(body); };
+  return awake(joint.def.body_a) || awake(joint.def.body_b);
+}
+
+std::uint32_t solver_body(const World& world, std::uint32_t body) {
+  return body == kTheWorld ? 0 : world.wide->body[body];
+}
+
+/// The lowest colour that none of its movable bodies has yet.
+void colour_joints(World& world, WideJoints& w) {
+  w.taken.assign(world.wide->slot.size(), 0);
+  w.order.clear();
+  for (std::uint32_t i = 0; i < w.active.size(); ++i) {
+    const Joint& joint = world.joints.joint[w.active[i]];
+    std::uint32_t colour = kDirect;
+    if (w.directly.empty() || !w.directly[i]) {
+      std::uint64_t nobody = 0;
+      std::uint64_t& a = moves(world, joint.def.body_a) ? w.taken[solver_body(world, joint.def.body_a)] : nobody;
+      std::uint64_t& b = moves(world, joint.def.body_b) ? w.taken[solver_body(world, joint.def.body_b)] : nobody;
+      colour = static_cast<std::uint32_t>(std::countr_one(a | b));
+      if (colour < kColours) a |= std::uint64_t{1} << colour, b |= std::uint64_t{1} << colour;
+    }
+    w.order.push_back({colour, layout_key(joint), i});
+  }
+  std::sort(w.order.begin(), w.order.end());
+}
+
+/// A place for each: four of one colour and layout share lanes; beyond the colours each has its own.
+void place_lanes(World& world, WideJoints& w) {
+  w.place.resize(w.active.size());
+  w.occupant.clear(), w.colours.clear(), w.joints.clear();
+  std::uint32_t rows = 0, drives = 0;
+  w.swept = 0;
+  for (std::size_t k = 0; k < w.order.size(); ++k) {
+    const WideJoints::Order& o = w.order[k];
+    const bool first = k == 0, shares = !first && o.colour != kColours && o.colour == w.order[k - 1].colour &&
+                                        o.key == w.order[k - 1].key && w.joints.back().occupied < kLanes;
+    if (!first && o.colour != w.order[k - 1].colour && w.order[k - 1].colour < kColours)
+      w.colours.push_back(static_cast<std::uint32_t>(w.joints.size()));
+    if (!shares) {
+      JointLanes& joint = w.joints.emplace_back();
+      joint.layout = layout_of(world.joints.joint[w.active[o.index]]);
+      joint.first = rows, joint.first_drive = drives;
+      rows += joint.layout.equalities, drives += joint.layout.drives;
+      w.occupant.insert(w.occupant.end(), kLanes, kNobody);
+      if (o.colour != kDirect) w.swept = static_cast<std::uint32_t>(w.joints.size());
+    }
+    JointLanes& joint = w.joints.back();
+    w.place[o.index] = {static_cast<std::uint32_t>(w.joints.size() - 1), joint.occupied};
+    w.occupant[kLanes * (w.joints.size() - 1) + joint.occupied++] = o.index;
+  }
+  if (!w.order.empty() && w.order.back().colour < kColours)
+    w.colours.push_back(static_cast<std::uint32_t>(w.joints.size()));
+  w.rows.resize(rows), w.drives.resize(drives);
+}
+
+void set(LaneVec& to, int lane, const Vec3& v) { to.x[lane] = v.x(), to.y[lane] = v.y(), to.z[lane] = v.z(); }
+void set(LaneQuat& to, int lane, const Quat& q) {
+  to.x[lane] = q.x(), to.y[lane] = q.y(), to.z[lane] = q.z(), to.w[lane] = q.w();
+}
+Vec3 get(const LaneVec& from, std::uint32_t lane) { return Vec3(from.x[lane], from.y[lane], from.z[lane]); }
+
+void fill_drive(const Joint& joint, const DriveRow& row, Real start_p, Real h, bool again, JointDriveLanes& drive,
+                int lane) {
+  const JointDrive& d = joint.drive[row.coordinate];
+  drive.row.p[lane] = start_p;
+  drive.lower[lane] = drive.upper[lane] = drive.speed[lane] = drive.pull[lane] = drive.drag[lane] = 0;
+  drive.most[lane] = kInfinity;
+  switch (row.kind) {
+    case DriveKind::motor:
+      drive.speed[lane] = d.motor.speed;
+      drive.most[lane] = d.motor.most * (again ? h / 2 : h);
+      break;
+    case DriveKind::spring: {
+      const Spring spring = spring_of(d.spring.frequency, d.spring.damping, h);
+      drive.lower[lane] = drive.upper[lane] = d.spring.target;
+      drive.pull[lane] = spring.pull, drive.drag[lane] = spring.drag;
+      drive.most[lane] = d.spring.most * h;
+      break;
+    }
+    case DriveKind::limit:
+      drive.lower[lane] = d.limit.lower, drive.upper[lane] = d.limit.upper;
+      break;
+  }
+}
+
+bool is_kicked(const WideJoints& w, std::uint32_t body) {
+  return body != kTheWorld && std::binary_search(w.kicked.begin(), w.kicked.end(), body);
+}
+
+/// One joint, with poses and impulses of the present.
+void fill(const World& world, std::uint32_t index, const Softness& soft, Real h, WideJoints& w, JointLanes& lanes,
+          int lane) {
+  const Joint& joint = world.joints.joint[w.active[index]];
+  const Scene& scene = world.scene;
+  const JointDef& def = joint.def;
+  const JointEnds ends = ends_of(world, def);
+  const bool warm = joint.p_h > 0 && scene.dials.choice(Dial::warm_start) != 0;
+  const Real scale = warm ? h / joint.p_h : 0;
+  const auto side = [&](std::uint32_t body, std::uint32_t& solver, Lanes& inv_mass, LaneSymmetric& inertia) {
+    const bool m = moves(world, body);
+    solver = solver_body(world, body);
+    inv_mass[lane] = m ? scene.inv_mass[body] : 0;
+    const Mat3 i = m && rotates(scene, body) ? world.contacts->inv_inertia_w[body] : Mat3(Mat3::Zero());
+    inertia.xx[lane] = i(0, 0), inertia.xy[lane] = i(0, 1), inertia.xz[lane] = i(0, 2);
+    inertia.yy[lane] = i(1, 1), inertia.yz[lane] = i(1, 2), inertia.zz[lane] = i(2, 2);
+  };
+  side(def.body_a, lanes.a[lane], lanes.inv_mass_a, lanes.start_inertia_a);
+  side(def.body_b, lanes.b[lane], lanes.inv_mass_b, lanes.start_inertia_b);
+  set(lanes.start_a, lane, ends.arm_a), set(lanes.start_b, lane, ends.arm_b);
+  set(lanes.start_frame_a, lane, ends.a.q), set(lanes.start_frame_b, lane, ends.b.q);
+  set(lanes.start_gap, lane, ends.apart);
+  lanes.length[lane] = joint.def.length;
+  lanes.bias_rate[lane] = soft.bias_rate;
+  lanes.mass_scale[lane] = soft.mass_scale;
+  lanes.impulse_scale[lane] = soft.impulse_scale;
+  const bool again = !w.directly[index] && (is_kicked(w, def.body_a) || is_kicked(w, def.body_b));
+  lanes.again[lane] = again ? 1 : 0;
+  for (std::uint32_t k = 0; k < lanes.layout.equalities; ++k) w.rows[lanes.first + k].p[lane] = scale * joint.p[k];
+  for (std::uint32_t k = 0; k < lanes.layout.drives; ++k)
+    fill_drive(joint, lanes.layout.drive[k], scale * joint.drive_p[k], h, again, w.drives[lanes.first_drive + k], lane);
+}
+
+/// Lanes of nobody.
+void empty(WideJoints& w, JointLanes& joint) {
+  const JointLanes was = joint;
+  joint = JointLanes{};
+  joint.occupied = was.occupied, joint.first = was.first, joint.first_drive = was.first_drive;
+  joint.layout = was.layout;
+  joint.start_frame_a.w = joint.start_frame_b.w = all(1);
+  std::fill_n(&w.rows[0] + joint.first, joint.layout.equalities, JointRowLanes{});
+  std::fill_n(&w.drives[0] + joint.first_drive, joint.layout.drives, JointDriveLanes{});
+}
+
+/// Bodies that hang on joints and on no contact.
+void find_kicked(World& world, WideJoints& w) {
+  Contacts& c = *world.contacts;
+  w.kicked.clear();
+  if (world.plan->integrator != &kVelocityVerlet || !world.plan->runs[static_cast<std::size_t>(Stage::relax)]) return;
+  for (const std::uint32_t i : c.bodies) {
+    const std::uint32_t group = group_of(c, i);
+    if (c.group_begin[group] == c.group_begin[group + 1]) w.kicked.push_back(i);
+  }
+  w.before.resize(w.kicked.size());
+}
+
+}  // namespace
+
+void plan_joints(World& world) {
+  WideJoints& w = *world.wide_joints;
+  w.active.clear(), w.linked.clear();
+  w.is_packed = false;
+  if (world.joints.slots.alive_count() == 0) return;
+  for (std::uint32_t j = 0; j < world.joints.slots.slots(); ++j)
+    if (world.joints.alive(j) && is_active(world, world.joints.joint[j])) w.active.push_back(j);
+  if (!w.any()) return;
+  w.linked.assign(world.scene.bodies.slots(), 0);
+  for (const std::uint32_t j : w.active) {
+    const JointDef& def = world.joints.joint[j].def;
+    for (const std::uint32_t body : {def.body_a, def.body_b})
+      if (body != kTheWorld) w.linked[body] = 1;
+  }
+}
+
+void link_joints(World& world) {
+  Contacts& c = *world.contacts;
+  c.links.clear();
+  for (const std::uint32_t j : world.wide_joints->active) {
+    const JointDef& def = world.joints.joint[j].def;
+    c.links.push_back({def.body_a, def.body_b, moves(world, def.body_a), moves(world, def.body_b)});
+  }
+}
+
+void begin_joints(World& world, Real h) {
+  WideJoints& w = *world.wide_joints;
+  if (!w.any()) return;
+  const Contacts& c = *world.contacts;
+  w.kernels = &joint_kernels(world.wide->kernels->name);
+  w.directly.assign(w.active.size(), 0);
+  bool all_swept = true;
+  if (!c.direct.empty())
+    for (std::uint32_t i = 0; i < w.active.size(); ++i)
+      if ((w.directly[i] = c.direct[c.link_label[i]] != Contacts::kSoftly)) all_swept = false;
+  if (!w.is_packed || !all_swept) {
+    colour_joints(world, w);
+    place_lanes(world, w);
+    w.is_packed = all_swept;
+  }
+  find_kicked(world, w);
+  const Dials& dials = world.scene.dials;
+  const Softness soft = softness(std::min(dials[Dial::joint_frequency], 0.25 / h), dials[Dial::joint_damping], h);
+  in_parallel(world.jobs, w.joints.size(), kJointsAPart, [&](std::uint32_t i) {
+    JointLanes& joint = w.joints[i];
+    if (joint.occupied < kLanes) empty(w, joint);
+    joint.force = joint.torque = {all(0), all(0), all(0)};
+    for (std::uint32_t lane = 0; lane < joint.occupied; ++lane)
+      fill(world, w.occupant[kLanes * i + lane], soft, h, w, joint, static_cast<int>(lane));
+  });
+  over_joints(world, w.kernels->place);
+}
+
+void note_velocities(World& world, const StepTime&) {
+  WideJoints& w = *world.wide_joints;
+  for (std::size_t k = 0; k < w.kicked.size(); ++k) w.before[k] = world.state.v[w.kicked[k]];
+}
+
+void take_half_kicks(World& world) {
+  WideJoints& w = *world.wide_joints;
+  for (std::size_t k = 0; k < w.kicked.size(); ++k) {
+    Vec3& v = world.state.v[w.kicked[k]];
+    w.before[k] = 0.5 * (v - w.before[k]);
+    v -= w.before[k];
+  }
+}
+
+void give_half_kicks(World& world) {
+  const WideJoints& w = *world.wide_joints;
+  for (std::size_t k = 0; k < w.kicked.size(); ++k) world.state.v[w.kicked[k]] += w.before[k];
+}
+
+void place_joints(World& world) {
+  load_shifts(world, *world.wide);
+  over_joints(world, world.wide_joints->kernels->place);
+}
+
+void bend_joints(World& world, Real h) {
+  const WideJoints& w = *world.wide_joints;
+  if (w.any()) over_joints(world, [&](const JointRun& run) { w.kernels->bend(run, h); });
+}
+
+void warm_start_joints(World& world, Real h) {
+  bend_joints(world, h);
+  if (world.wide_joints->any()) sweep_joints(world, world.wide_joints->kernels->warm_start);
+}
+
+void solve_joints(World& world, Real h) {
+  sweep_joints(world, [&, inv_h = 1 / h](const JointRun& run) { world.wide_joints->kernels->solve(run, inv_h); });
+}
+
+void relax_joints(World& world, Real h) {
+  const WideJoints& w = *world.wide_joints;
+  if (!w.any()) return;
+  load_velocities(world, *world.wide);  // half kicks, and the direct solver's answers
+  over_joints(world, w.kernels->place);
+  if (!w.kicked.empty()) sweep_joints(world, w.kernels->act_again);
+  sweep_joints(world, [&, inv_h = 1 / h](const JointRun& run) { w.kernels->relax(run, inv_h); });
+}
+
+void end_joints(World& world, const StepTime& time) {
+  WideJoints& w = *world.wide_joints;
+  if (!w.any()) return;
+  in_parallel(world.jobs, w.active.size(), kLanes * kJointsAPart, [&](std::uint32_t i) {
+    Joint& joint = world.joints.joint[w.active[i]];
+    const JointLanes& lanes = w.joints[w.place[i].lanes];
+    const std::uint32_t lane = w.place[i].lane;
+    for (std::uint32_t k = 0; k < lanes.layout.equalities; ++k) joint.p[k] = w.rows[lanes.first + k].p[lane];
+    for (std::uint32_t k = 0; k < lanes.layout.drives; ++k)
+      joint.drive_p[k] = w.drives[lanes.first_drive + k].row.p[lane];
+    joint.p_h = time.h;
+    joint.force = get(lanes.force, lane) / time.dt;
+    joint.torque = get(lanes.torque, lane) / time.dt;
+  });
+  for (const std::uint32_t j : w.active) {
+    Joint& joint = world.joints.joint[j];
+    if (joint.force.norm() <= joint.def.break_force && joint.torque.norm() <= joint.def.break_torque) continue;
+    world.break_joint(j);
+  }
+}
+
+}  // namespace carom

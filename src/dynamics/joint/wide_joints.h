@@ -1,0 +1,131 @@
+// Joints in lanes: four side by side, in the order in which a solver visits them.
+//
+// Colours are those of joints alone: within each sweep joints come first, then contacts, which have the last word. Whom
+// a colour's joints move, no other of that colour does. Joints that the direct solver answers stand after the last
+// colour: their rows are made here too, but nobody sweeps them.
+#pragma once
+
+#include "dynamics/effects.h"
+#include "dynamics/joint/joint.h"
+#include "dynamics/joint/joint_kernels.h"
+#include "dynamics/solver/wide_contacts.h"
+
+namespace carom {
+
+struct WideJoints {
+  explicit WideJoints(Memory* m)
+      : active(m),
+        linked(m),
+        place(m),
+        occupant(m),
+        joints(m),
+        rows(m),
+        drives(m),
+        colours(m),
+        kicked(m),
+        before(m),
+        order(m),
+        taken(m),
+        directly(m) {}
+
+  const JointKernels* kernels = nullptr;  // of the name of WideContacts::kernels
+
+  Array<std::uint32_t> active;  // slots of joints that hold somebody who is awake, ascending
+  Array<std::uint8_t> linked;   // by body slot: some active joint has it; empty if there are none
+
+  struct Place {
+    std::uint32_t lanes, lane;
+  };
+  Array<Place> place;             // by index in active
+  Array<std::uint32_t> occupant;  // [4 lanes] index in active, or kNobody
+  Array<JointLanes> joints;
+  Array<JointRowLanes> rows;
+  Array<JointDriveLanes> drives;
+  Array<std::uint32_t> colours;  // where in joints each colour ends; those up to `swept` stand alone
+  std::uint32_t swept = 0;       // joints up to here are swept
+  bool is_packed = false;        // place, occupant and colours are those of active, all of it swept
+
+  /// Bodies of groups that have joints and no contacts: they move by the velocity of the middle of a substep. Half of
+  /// what forces do to it in a substep is taken off before the solver and given back after the move.
+  Array<std::uint32_t> kicked;
+  Array<Vec3> before;  // m/s, by kicked: before the forces; then half of what those did
+
+  // scratch
+  struct Order {
+    std::uint32_t colour, key, index;
+    bool operator<(const Order& o) const {
+      return colour != o.colour ? colour < o.colour : key != o.key ? key < o.key : index < o.index;
+    }
+  };
+  Array<Order> order;
+  Array<std::uint64_t> taken;    // by solver body
+  Array<std::uint8_t> directly;  // by index in active
+
+  bool any() const { return !active.empty(); }
+};
+
+inline JointRun every_joint(World& world) {
+  WideJoints& w = *world.wide_joints;
+  return {w.joints.data(),          w.joints.size(),        w.rows.data(), w.drives.data(), world.wide->velocity.data(),
+          world.wide->shift.data(), world.wide->first_moved};
+}
+
+/// Of a loop that threads share.
+inline constexpr std::size_t kJointsAPart = 16;
+
+/// kernel(part of all joints), for kernels that write joints alone.
+template <class Kernel>
+void over_joints(World& world, const Kernel& kernel) {
+  const JointRun all = every_joint(world);
+  in_parts(world.jobs, all.count, kJointsAPart, [&](std::uint32_t begin, std::uint32_t end) {
+    JointRun r = all;
+    r.joints += begin, r.count = end - begin;
+    kernel(r);
+  });
+}
+
+/// kernel(part of the swept joints), for kernels that write bodies: one colour after the other.
+template <class Kernel>
+void sweep_joints(World& world, const Kernel& kernel) {
+  const WideJoints& w = *world.wide_joints;
+  if (!w.any()) return;
+  const JointRun all = every_joint(world);
+  const auto part = [&](std::size_t begin, std::size_t end) {
+    JointRun r = all;
+    r.joints += begin, r.count = end - begin;
+    kernel(r);
+  };
+  if (!world.jobs) return part(0, w.swept);
+  std::size_t first = 0;
+  for (const std::uint32_t end : w.colours) {
+    in_parts(world.jobs, end - first, kJointsAPart,
+             [&](std::size_t from, std::size_t to) { part(first + from, first + to); });
+    first = end;
+  }
+  part(first, w.swept);
+}
+
+/// Who is active: after the scene changed, or somebody fell asleep or woke.
+void plan_joints(World& world);
+/// Bodies that hang together by joints, for groups.
+void link_joints(World& world);
+/// Lanes of this step, with what the last one's impulses left. After pack(). Allocates.
+void begin_joints(World& world, Real h);
+/// Stage of the page, before the forces of a substep.
+void note_velocities(World& world, const StepTime& time);
+/// Half of the forces' kick off, before the solver; and back, after the move.
+void take_half_kicks(World& world);
+void give_half_kicks(World& world);
+/// Rows of all joints at the present poses.
+void place_joints(World& world);
+/// Sweeps over the joints in lanes; the first prepares all that a substep starts from. Velocities are in WideContacts;
+/// the last takes them from the state again, and wants load_shifts() before it: rows are made anew for the poses after
+/// the move.
+void bend_joints(World& world, Real h);
+void warm_start_joints(World& world, Real h);
+void solve_joints(World& world, Real h);
+void relax_joints(World& world, Real h);
+/// Impulses, forces and errors back into the joints; who bears too much breaks.
+void end_joints(World& world, const StepTime& time);
+
+}  // namespace carom

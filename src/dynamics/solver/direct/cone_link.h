@@ -1,0 +1,46 @@
+// A row of a joint in the direct solver's problem: a velocity that is to lie within bounds, by an impulse within
+// bounds.
+//
+//     u + give p  lies in [low, high];   p > 0 only at low, p < 0 only at high;   |p| <= most.
+//
+// A lock has low = high; a limit a range; a motor low = high and a bound on p; a spring gives.
+#pragma once
+
+#include <algorithm>
+
+#include "dynamics/solver/direct/block_factor.h"
+
+namespace carom {
+
+struct ConeLink {
+  std::uint32_t a, b;   // bodies of the problem, or kNobody
+  std::uint32_t below;  // as of a contact
+  bool a_later;
+  Vec3 d;          // world; u = d.(v_b - v_a) + w_b.omega_b - w_a.omega_a
+  Vec3 w_a, w_b;   // m or 1; zero where the body does not rotate
+  Real low, high;  // m/s or rad/s
+  Real give;       // 1/kg or 1/(kg m^2)
+  Real most;       // N s or N m s
+  Real carried;    // m/s or rad/s, of bodies that impulses do not move
+  Real k;          // 1/kg or 1/(kg m^2), u per p
+  Real p, u;
+  Real start_p, next_p;  // p as the substep began; as the next one begins
+
+  // of a solve, of a round: as of a contact
+  Real best, p0, u0, du;
+
+  /// What p becomes at velocity v, in a round of resistance r.
+  Real pulled(Real v, Real r, Real from) const {
+    const Real g = 1 / (r + give), at_low = (r * from - (v - low)) * g, at_high = (r * from - (v - high)) * g;
+    return std::clamp(std::max(at_low, Real(0)) + std::min(at_high, Real(0)), -most, most);
+  }
+  /// Whether p follows v there.
+  bool follows(Real v, Real r, Real from) const {
+    const Real at_low = r * from - (v - low), at_high = r * from - (v - high);
+    return (low == high || at_low > 0 || at_high < 0) && std::fabs(pulled(v, r, from)) < most;
+  }
+  /// How far it is from the law, m/s or rad/s.
+  Real offence() const { return k > 0 ? (k + give) * std::fabs(p - pulled(u, k, p)) : 0; }
+};
+
+}  // namespace carom

@@ -1,0 +1,217 @@
+// Rows of joints in the direct solver's groups.
+#include "dynamics/solver/direct/group_links.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "dynamics/force/force.h"
+#include "dynamics/joint/wide_joints.h"
+
+namespace carom {
+namespace {
+
+constexpr Real kPush = 10;  // m/s or rad/s: an error is undone no faster
+// Of f r h^2 / 2 over an inertia, beyond which a body is stiffened: f r h^2 < 4 I is where turns across a force hold.
+constexpr Real kSwing = 2;
+constexpr Real kLeastDrag = 1e-9;  // of a spring: with less its give is beyond measure
+
+Real get(const Lanes& from, std::uint32_t lane) { return from[lane]; }
+Vec3 get(const LaneVec& from, std::uint32_t lane) { return Vec3(from.x[lane], from.y[lane], from.z[lane]); }
+/// One lane alone: groups that share lanes are solved by several threads.
+Real& at(Lanes& to, std::uint32_t lane) { return reinterpret_cast<Real*>(&to)[lane]; }
+void add(LaneVec& to, std::uint32_t lane, const Vec3& v) {
+  at(to.x, lane) += v.x(), at(to.y, lane) += v.y(), at(to.z, lane) += v.z();
+}
+
+const JointRowLanes& row_at(const WideJoints& w, const DirectGroups::LinkRow& r) {
+  return r.is_drive ? w.drives[r.row].row : w.rows[r.row];
+}
+JointRowLanes& row_at(WideJoints& w, const DirectGroups::LinkRow& r) {
+  return r.is_drive ? w.drives[r.row].row : w.rows[r.row];
+}
+
+void lock(ConeLink& c, Real at) { c.low = c.high = at, c.give = 0, c.most = kInfinity; }
+void leave(ConeLink& c) { c.low = c.high = 0, c.give = 0, c.most = 0; }
+
+/// What is asked of a limit, a motor, a spring.
+void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow& row, LinkPhase phase, Real h) {
+  const Real x = get(drive.row.error, row.lane), most = kPush * h;
+  switch (row.kind) {
+    case DriveKind::limit: {
+      const Real above = x - get(drive.lower, row.lane), below = get(drive.upper, row.lane) - x;
+      c.give = 0, c.most = kInfinity;
+      if (phase == LinkPhase::part)
+        c.low = std::min(-above, most), c.high = std::max(below, -most);
+      else
+        c.low = above > 0 ? -above / h : 0, c.high = below > 0 ? below / h : 0;
+      return;
+    }
+    case DriveKind::motor:
+      if (phase != LinkPhase::move) return leave(c);
+      lock(c, get(drive.speed, row.lane));
+      c.most = get(drive.most, row.lane);
+      return;
+    default: {
+      const Real m = get(drive.m, row.lane), pull = get(drive.pull, row.lane);
+      if (phase != LinkPhase::move || !(m > 0) || !(pull > 0)) return leave(c);
+      const Real drag = std::max(get(drive.drag, row.lane), kLeastDrag);
+      lock(c, -(pull / drag) * (x - get(drive.lower, row.lane)));
+      c.give = (1 - drag) / (drag * m);
+      c.most = get(drive.most, row.lane);
+    }
+  }
+}
+
+}  // namespace
+
+void gather_links(World& world, DirectGroups& d, std::size_t group) {
+  const Contacts& c = *world.contacts;
+  const WideJoints& w = *world.wide_joints;
+  if (c.group_link_begin.empty()) return;
+  for (std::uint32_t k = c.group_link_begin[group]; k < c.group_link_begin[group + 1]; ++k) {
+    const std::uint32_t i = c.group_links[k];
+    const Link& link = c.links[i];
+    const WideJoints::Place& place = w.place[i];
+    const JointLanes& joint = w.joints[place.lanes];
+    const std::uint32_t a = d.node(link.moves_a, link.a), b = d.node(link.moves_b, link.b);
+    if (a != kNobody && b != kNobody) d.edges.push_back({a, b});
+    const auto add_row = [&](std::uint32_t row, bool is_drive, DriveKind kind) {
+      ConeLink& to = d.links.emplace_back();
+      to.a = a, to.b = b;
+      d.link_row.push_back({row, place.lane, place.lanes, is_drive, kind});
+    };
+    for (std::uint32_t r = 0; r < joint.layout.equalities; ++r) add_row(joint.first + r, false, DriveKind::limit);
+    for (std::uint32_t r = 0; r < joint.layout.drives; ++r)
+      add_row(joint.first_drive + r, true, joint.layout.drive[r].kind);
+  }
+}
+
+void load_links(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, LinkPhase phase, Real h) {
+  const WideJoints& w = *world.wide_joints;
+  const BodyVelocity* const velocity = world.wide->velocity.data();
+  for (std::size_t i = 0; i < problem.links.size(); ++i) {
+    ConeLink& c = problem.links[i];
+    const DirectGroups::LinkRow& at_row = rows[i];
+    const JointRowLanes& row = row_at(w, at_row);
+    const JointLanes& joint = w.joints[at_row.joint];
+    const std::uint32_t lane = at_row.lane;
+    const auto turns = [&](std::uint32_t body) {
+      return body != kNobody && rotates(world.scene, problem.bodies[body].slot);
+    };
+    const Vec3 w_a = get(row.w_a, lane), w_b = get(row.w_b, lane);
+    c.d = get(row.d, lane);
+    c.w_a = turns(c.a) ? w_a : Vec3::Zero();
+    c.w_b = turns(c.b) ? w_b : Vec3::Zero();
+    // Whom impulses do not move: a kinematic body, or solver body 0, whose velocities are 0.
+    const auto of = [&](std::uint32_t solver_body, const Vec3& turn) {
+      const BodyVelocity& v = velocity[solver_body];
+      return c.d.dot(Vec3(v.v[0], v.v[1], v.v[2])) + turn.dot(Vec3(v.omega[0], v.omega[1], v.omega[2]));
+    };
+    c.carried = 0;
+    if (phase != LinkPhase::part)
+      c.carried = (c.b == kNobody ? of(joint.b[lane], w_b) : 0) - (c.a == kNobody ? of(joint.a[lane], w_a) : 0);
+    const auto response = [&](std::uint32_t body, const Vec3& turn) {
+      if (body == kNobody) return Real(0);
+      const ConeBody& b = problem.bodies[body];
+      return b.inv_mass * c.d.squaredNorm() + turn.dot(b.inv_inertia * turn);
+    };
+    c.k = response(c.a, c.w_a) + response(c.b, c.w_b);
+    c.p = c.start_p = phase == LinkPhase::move ? get(row.p, lane) : 0;
+    if (at_row.is_drive)
+      ask(c, w.drives[at_row.row], at_row, phase, h);
+    else if (phase == LinkPhase::part)
+      lock(c, std::clamp(-get(row.error, lane), -kPush * h, kPush * h));
+    else
+      lock(c, phase == LinkPhase::move ? -get(row.curve, lane) : 0);
+  }
+}
+
+namespace {
+
+/// ConeBody::swing: force, arm and h^2 of each joint, across the arm.
+/// @param impulse  (row of the problem) -> N s
+template <class F>
+void find_swings(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h, F&& impulse) {
+  const WideJoints& w = *world.wide_joints;
+  for (ConeBody& b : bodies_of(problem)) b.swing.setZero();
+  const auto add_to = [&](std::uint32_t body, const Vec3& r, Real force) {
+    const Real r2 = r.squaredNorm();
+    if (body == kNobody || !(r2 > 0) || !rotates(world.scene, problem.bodies[body].slot)) return;
+    const Real r1 = std::sqrt(r2);
+    problem.bodies[body].swing += (force * r1) * (Mat3::Identity() - r * r.transpose() / r2);
+  };
+  for (std::size_t i = 0, next; i < problem.links.size(); i = next) {
+    const JointLanes& joint = w.joints[rows[i].joint];
+    const std::uint32_t lane = rows[i].lane;
+    Vec3 p = Vec3::Zero();
+    for (next = i; next < problem.links.size() && rows[next].joint == rows[i].joint && rows[next].lane == lane;
+         ++next) {
+      const JointRowLanes& row = row_at(w, rows[next]);
+      p += impulse(next, row) * get(row.d, lane);
+    }
+    const Real f_h2 = 2 * p.norm() * h;  // half of the load comes after the move
+    add_to(problem.links[i].a, get(joint.r_a, lane), f_h2);
+    add_to(problem.links[i].b, get(joint.r_b, lane), f_h2);
+  }
+}
+
+}  // namespace
+
+bool is_jerked(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h) {
+  find_swings(world, problem, rows, h, [&](std::size_t i, const JointRowLanes&) { return problem.links[i].p; });
+  return std::ranges::any_of(bodies_of(problem), [](const ConeBody& b) {
+    return b.swing.trace() / 4 > 2 * b.inertia.trace() / 3;  // as it is now, stiffer perhaps
+  });
+}
+
+void stiffen(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h) {
+  find_swings(world, problem, rows, h,
+              [&](std::size_t i, const JointRowLanes& row) { return get(row.p, rows[i].lane); });
+  for (ConeBody& b : bodies_of(problem)) {
+    const Real needed = b.swing.trace() / 4, own = b.inertia.trace() / 3;
+    if (!(needed > kSwing * own)) continue;
+    const Vec3 momentum = b.inertia * angular(b.v);
+    b.inertia += (0.5 * (1 - kSwing * own / needed)) * b.swing;
+    b.inv_inertia = b.inertia.inverse();
+    b.v.tail<3>() = b.inv_inertia * momentum;
+  }
+}
+
+void measure_links(ConeProblem& problem) {
+  for (ConeLink& c : problem.links) c.u = c.carried + relative<&ConeBody::v>(problem.bodies, c);
+}
+
+void book_links(World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
+  WideJoints& w = *world.wide_joints;
+  for (std::size_t i = 0; i < problem.links.size(); ++i) {
+    const ConeLink& c = problem.links[i];
+    JointLanes& joint = w.joints[rows[i].joint];
+    const std::uint32_t lane = rows[i].lane;
+    const Vec3 turn = get(row_at(w, rows[i]).w_b, lane) - get(joint.r_b, lane).cross(c.d);
+    add(joint.force, lane, c.p * c.d);
+    add(joint.torque, lane, c.p * turn);
+  }
+}
+
+void keep_links(World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
+  WideJoints& w = *world.wide_joints;
+  for (std::size_t i = 0; i < problem.links.size(); ++i)
+    at(row_at(w, rows[i]).p, rows[i].lane) = problem.links[i].next_p;
+}
+
+Real worst_error(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
+  const WideJoints& w = *world.wide_joints;
+  Real worst = 0;
+  for (std::size_t i = 0; i < problem.links.size(); ++i) {
+    const Real x = get(row_at(w, rows[i]).error, rows[i].lane);
+    if (!rows[i].is_drive) {
+      worst = std::max(worst, std::fabs(x));
+    } else if (rows[i].kind == DriveKind::limit) {
+      const JointDriveLanes& drive = w.drives[rows[i].row];
+      worst = std::max({worst, get(drive.lower, rows[i].lane) - x, x - get(drive.upper, rows[i].lane)});
+    }
+  }
+  return worst;
+}
+
+}  // namespace carom
