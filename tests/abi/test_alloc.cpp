@@ -303,6 +303,86 @@ void running_out_in_a_step_moves_nothing_and_can_be_taken_up_again(void**) {
   assert_true(failed_steps > 5);
 }
 
+/// A ball joint between the first two bodies, a hinge between the third and the world.
+int32_t join(const Bench& b, carom_joint joints[2]) {
+  carom_joint_desc d;
+  carom_joint_desc_init(&d);
+  d.fields = CAROM_JOINT_WORLD_FRAME;
+  d.body_a = b.bodies[0], d.body_b = b.bodies[1];
+  int32_t r = carom_joint_create(b.world, &d, &joints[0], nullptr);
+  d.kind = CAROM_JOINT_HINGE, d.body_a = CAROM_NULL_HANDLE, d.body_b = b.bodies[2];
+  if (!r) r = carom_joint_create(b.world, &d, &joints[1], nullptr);
+  return r;
+}
+
+/// Two are joined with the k-th allocation failing: they are, or nothing has changed; and the world goes on either way.
+void running_out_while_bodies_are_joined_changes_nothing(void**) {
+  int failures = 0;
+  for (uint64_t k = 0;; ++k) {
+    Ledger ledger;
+    const carom_engine_desc desc = ledger.desc();
+    Bench b;
+    assert_int_equal(bench_make(&b, &desc, nullptr), CAROM_OK);
+    assert_int_equal(bench_steps(b.world, 30, nullptr), CAROM_OK);
+    const uint64_t hash = bench_hash(b.world);
+    carom_joint joints[2] = {77, 77};
+    uint64_t count = 9;
+    ledger.fail_at = ledger.allocations + k;
+    const int32_t r = join(b, joints);
+    ledger.fail_at = ~uint64_t(0);
+    assert_int_equal(carom_world_get_joints(b.world, nullptr, 0, &count, nullptr), CAROM_OK);
+    assert_int_equal(count, (joints[0] != 77) + (joints[1] != 77));
+    if (r != CAROM_OK) {
+      ++failures;
+      assert_int_equal(r, CAROM_E_OUT_OF_MEMORY);
+      if (count == 0) assert_true(bench_hash(b.world) == hash);
+    }
+    assert_int_equal(bench_steps(b.world, 30, nullptr), CAROM_OK);
+    assert_int_equal(bench_free(&b), CAROM_OK);
+    assert_int_equal(ledger.live.size(), 0);
+    assert_int_equal(ledger.wrong, 0);
+    if (r == CAROM_OK) break;
+  }
+  assert_true(failures > 2);
+}
+
+/// A world with joints, stepped with the k-th allocation and all later ones failing, under each solver that knows them.
+void running_out_in_a_step_with_joints_moves_nothing(void**) {
+  int failed_steps = 0;
+  for (const double solver : {CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_DIRECT, CAROM_SOLVER_AUTO})
+    for (uint64_t k = 0;; ++k) {
+      Ledger ledger;
+      const carom_engine_desc desc = ledger.desc();
+      Bench b;
+      carom_joint joints[2];
+      assert_int_equal(bench_make(&b, &desc, nullptr), CAROM_OK);
+      assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SOLVER, solver, nullptr), CAROM_OK);
+      assert_int_equal(join(b, joints), CAROM_OK);
+      const Motion before = motion(b);
+      ledger.fail_at = ledger.allocations + k;
+      const int32_t r = carom_world_step(b.world, 1.0 / 64, nullptr);
+      ledger.fail_at = ~uint64_t(0);
+      if (r != CAROM_OK) {
+        ++failed_steps;
+        assert_int_equal(r, CAROM_E_OUT_OF_MEMORY);
+        const Motion after = motion(b);
+        assert_memory_equal(&before, &after, sizeof before);
+      }
+      assert_int_equal(bench_steps(b.world, 60, nullptr), CAROM_OK);
+      for (const carom_joint joint : joints) {
+        carom_joint_state state = {};
+        state.struct_size = sizeof state;
+        assert_int_equal(carom_joint_get_state(b.world, joint, &state, nullptr), CAROM_OK);
+        assert_true(state.gap < 0.01);
+      }
+      assert_int_equal(bench_free(&b), CAROM_OK);
+      assert_int_equal(ledger.live.size(), 0);
+      assert_int_equal(ledger.wrong, 0);
+      if (r == CAROM_OK) break;
+    }
+  assert_true(failed_steps > 20);
+}
+
 /// Each call that adds to a set, with the k-th allocation failing: it is done, or nothing is.
 void running_out_while_particles_come_changes_nothing(void**) {
   static const double many[400][3] = {};
@@ -399,6 +479,8 @@ int main() {
       cmocka_unit_test(running_out_at_any_point_of_building_is_an_error_and_no_leak),
       cmocka_unit_test(running_out_while_a_living_world_grows_changes_nothing),
       cmocka_unit_test(running_out_in_a_step_moves_nothing_and_can_be_taken_up_again),
+      cmocka_unit_test(running_out_while_bodies_are_joined_changes_nothing),
+      cmocka_unit_test(running_out_in_a_step_with_joints_moves_nothing),
       cmocka_unit_test(running_out_while_particles_come_changes_nothing),
       cmocka_unit_test(running_out_while_destroying_changes_nothing),
   };

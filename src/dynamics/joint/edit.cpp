@@ -39,6 +39,7 @@ Handle World::add_joint(const JointDef& def) {
   make_room(joints.joint, joints.slots.slots());
   if (joints.first.size() < scene.bodies.slots()) joints.first.resize(scene.bodies.slots(), kTheWorld);
   if (parts(def)) scene.joined.make_room();
+  wake_both(*this, def);  // may run out of memory, as all so far: nothing has changed yet
   const Handle handle = joints.slots.take();
   if (handle == 0) return 0;
   const std::uint32_t slot = handle_slot(handle);
@@ -49,7 +50,6 @@ Handle World::add_joint(const JointDef& def) {
   if (def.body_a != kTheWorld) joint.next_a = joints.first[def.body_a], joints.first[def.body_a] = slot;
   if (def.body_b != kTheWorld) joint.next_b = joints.first[def.body_b], joints.first[def.body_b] = slot;
   if (parts(def)) scene.joined.add(def.body_a, def.body_b);
-  wake_both(*this, def);
   ++scene.revision;
   return handle;
 }
@@ -67,8 +67,8 @@ void World::remove_joint(std::uint32_t slot) {
 void World::set_joint_drive(std::uint32_t slot, Coordinate c, const JointDrive& drive) {
   Joint& joint = joints.joint[slot];
   const std::uint32_t before = layout_key(joint);
-  joint.drive[static_cast<std::size_t>(c)] = drive;
   wake_both(*this, joint.def);
+  joint.drive[static_cast<std::size_t>(c)] = drive;
   if (layout_key(joint) == before) return;
   joint.drive_p.fill(0);  // rows stand for something else now
   joint.p.fill(0);
