@@ -69,6 +69,7 @@ typedef struct Bench {
   carom_body bodies[BENCH_BODIES];
   carom_collider colliders[BENCH_BODIES];
   carom_particles particles; /* by bench_particles() */
+  carom_joint joint;         /* by bench_joint() */
 } Bench;
 
 /* The first failure of a chain of calls, or CAROM_OK. */
@@ -132,6 +133,15 @@ static int32_t bench_particles(Bench *b, carom_error *e) {
   return r;
 }
 
+/* A hinge between the first body and the third, as they stand. */
+static int32_t bench_joint(Bench *b, carom_error *e) {
+  carom_joint_desc d;
+  carom_joint_desc_init(&d);
+  d.kind = CAROM_JOINT_HINGE, d.fields = CAROM_JOINT_WORLD_FRAME;
+  d.body_a = b->bodies[0], d.body_b = b->bodies[2];
+  return carom_joint_create(b->world, &d, &b->joint, e);
+}
+
 static int32_t bench_make(Bench *b, const carom_engine_desc *desc, carom_error *e) {
   int32_t r;
   memset(b, 0, sizeof *b);
@@ -163,7 +173,8 @@ static uint64_t bench_hash(carom_world *world) {
 
 /* Nobody need use all of the above. */
 static inline void bench_unused(void) {
-  (void)bench_make, (void)bench_free, (void)bench_steps, (void)bench_hash, (void)bench_particles, (void)bench_unused;
+  (void)bench_make, (void)bench_free, (void)bench_steps, (void)bench_hash, (void)bench_particles, (void)bench_joint,
+      (void)bench_unused;
 }
 
 #endif

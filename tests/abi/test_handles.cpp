@@ -9,7 +9,7 @@
 
 namespace {
 
-enum Kind { kPlugin, kShape, kMaterial, kBody, kCollider, kParticles, kKinds };
+enum Kind { kPlugin, kShape, kMaterial, kBody, kCollider, kParticles, kJoint, kKinds };
 
 /// One handle argument of one call.
 struct Place {
@@ -61,6 +61,16 @@ int32_t put_on(Bench& b, carom_body body, carom_shape shape, carom_material mate
   d.material = material;
   carom_collider out;
   return carom_collider_create(b.world, body, &d, &out, e);
+}
+
+/// A hinge.
+int32_t join(Bench& b, carom_body body_a, carom_body body_b, carom_error* e, carom_joint* out = nullptr) {
+  carom_joint_desc d;
+  carom_joint_desc_init(&d);
+  d.kind = CAROM_JOINT_HINGE;
+  d.body_a = body_a, d.body_b = body_b;
+  carom_joint joint;
+  return carom_joint_create(b.world, &d, out ? out : &joint, e);
 }
 
 int32_t ask_without(Bench& b, uint64_t body, carom_error* e) {
@@ -135,12 +145,24 @@ const Place kPlaces[] = {
     {"particles_read", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { const uint32_t i = 1; double p[3]; return carom_particles_read(b.world, h, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, &i, 1, p, 0, e); }},
     {"particles_write", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { const uint32_t i = 1; return carom_particles_write(b.world, h, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, &i, 1, kUp, 0, e); }},
     {"particles_get_quarantined", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { uint64_t n; return carom_particles_get_quarantined(b.world, h, nullptr, 0, &n, e); }},
+    {"joint_create a", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return h ? join(b, h, b.bodies[2], e) : int32_t(CAROM_E_INVALID_HANDLE); }},
+    {"joint_create b", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return h ? join(b, b.bodies[2], h, e) : int32_t(CAROM_E_INVALID_HANDLE); }},
+    {"joint_get", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_desc d; carom_joint_desc_init(&d); return carom_joint_get(b.world, h, &d, e); }},
+    {"joint_get_state", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_state s = {}; s.struct_size = sizeof s; return carom_joint_get_state(b.world, h, &s, e); }},
+    {"joint_set_limit", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_limit d; carom_joint_limit_init(&d); return carom_joint_set_limit(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
+    {"joint_set_motor", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_motor d; carom_joint_motor_init(&d); return carom_joint_set_motor(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
+    {"joint_set_spring", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_spring d; carom_joint_spring_init(&d); return carom_joint_set_spring(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
+    {"joint_get_limit", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_limit d; carom_joint_limit_init(&d); return carom_joint_get_limit(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
+    {"joint_get_motor", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_motor d; carom_joint_motor_init(&d); return carom_joint_get_motor(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
+    {"joint_get_spring", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_spring d; carom_joint_spring_init(&d); return carom_joint_get_spring(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
+    {"joint_destroy", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_joint_destroy(b.world, h, e); }},
     {"particles_destroy", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_particles_destroy(b.world, h, e); }},
 };
 
 /// A good handle of a kind.
 uint64_t good(const Bench& b, int kind) {
-  const uint64_t handles[kKinds] = {b.sphere, b.ball, b.material, b.bodies[1], b.colliders[1], b.particles};
+  const uint64_t handles[kKinds] = {b.sphere, b.ball, b.material, b.bodies[1], b.colliders[1], b.particles,
+                                    b.joint};
   return handles[kind];
 }
 
@@ -150,6 +172,7 @@ struct Stage {
   carom_body second_body;
   carom_collider second_collider;
   carom_particles second_particles;
+  carom_joint second_joint;
   uint64_t stale[kKinds];       // of `own`, destroyed, the slot taken again
   uint64_t successor[kKinds];   // what took the slot
 };
@@ -168,7 +191,9 @@ void replace(Stage& s) {
     assert_int_equal(bench_body(b.world, b.ball, 0, CAROM_BODY_DYNAMIC, 50, 50, 50, &out[kBody], &out[kCollider], nullptr),
                      CAROM_OK);
     assert_int_equal(carom_particles_create(b.world, nullptr, &out[kParticles], nullptr), CAROM_OK);
+    assert_int_equal(join(b, CAROM_NULL_HANDLE, out[kBody], nullptr, &out[kJoint]), CAROM_OK);
     if (out == s.successor) break;
+    assert_int_equal(carom_joint_destroy(b.world, out[kJoint], nullptr), CAROM_OK);
     assert_int_equal(carom_particles_destroy(b.world, out[kParticles], nullptr), CAROM_OK);
     assert_int_equal(carom_collider_destroy(b.world, out[kCollider], nullptr), CAROM_OK);
     assert_int_equal(carom_body_destroy(b.world, out[kBody], nullptr), CAROM_OK);
@@ -189,10 +214,15 @@ int make(void** state) {
   assert_int_equal(bench_make(&s.other, nullptr, nullptr), CAROM_OK);
   assert_int_equal(bench_particles(&s.own, nullptr), CAROM_OK);
   assert_int_equal(bench_particles(&s.other, nullptr), CAROM_OK);
+  assert_int_equal(bench_joint(&s.own, nullptr), CAROM_OK);
+  assert_int_equal(bench_joint(&s.other, nullptr), CAROM_OK);
   assert_int_equal(carom_world_create(s.own.engine, nullptr, &s.second, nullptr), CAROM_OK);
   assert_int_equal(carom_particles_create(s.second, nullptr, &s.second_particles, nullptr), CAROM_OK);
   assert_int_equal(bench_body(s.second, s.own.ball, 0, CAROM_BODY_DYNAMIC, 0, 0, 0, &s.second_body, &s.second_collider,
                               nullptr), CAROM_OK);
+  Bench second = s.own;
+  second.world = s.second;
+  assert_int_equal(join(second, CAROM_NULL_HANDLE, s.second_body, nullptr, &s.second_joint), CAROM_OK);
   replace(s);
   assert_int_equal(bench_steps(s.own.world, 40, nullptr), CAROM_OK);
   *state = &s;
@@ -262,6 +292,7 @@ void a_handle_of_another_world_or_engine_is_told_so(void** state) {
     if (place.kind == kBody) expect(s, place, s.second_body, CAROM_E_WRONG_WORLD);
     if (place.kind == kCollider) expect(s, place, s.second_collider, CAROM_E_WRONG_WORLD);
     if (place.kind == kParticles) expect(s, place, s.second_particles, CAROM_E_WRONG_WORLD);
+    if (place.kind == kJoint) expect(s, place, s.second_joint, CAROM_E_WRONG_WORLD);
   }
 }
 
