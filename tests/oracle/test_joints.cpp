@@ -221,12 +221,14 @@ static void rows_are_rates_of_errors(void**) {
   };
   const auto vector = [&] { return Vec3(random(), random(), random()); };
   for (int trial = 0; trial < 100; ++trial)
-    for (const auto& [kind, c] : {std::pair(JointKind::ball, Coordinate::twist),
-                                  {JointKind::ball, Coordinate::swing},
-                                  {JointKind::hinge, Coordinate::twist},
-                                  {JointKind::slider, Coordinate::slide},
-                                  {JointKind::distance, Coordinate::distance},
-                                  {JointKind::universal, Coordinate::swing}}) {
+    for (const auto& freedom : {std::pair(JointKind::ball, Coordinate::twist),
+                                {JointKind::ball, Coordinate::swing},
+                                {JointKind::hinge, Coordinate::twist},
+                                {JointKind::slider, Coordinate::slide},
+                                {JointKind::distance, Coordinate::distance},
+                                {JointKind::universal, Coordinate::swing}}) {
+      const JointKind kind = freedom.first;
+      const Coordinate c = freedom.second;
       TestWorld t(Vec3::Zero());
       choose(t, kSoftChoice, 1);
       const auto place = [&] { return normalized(Quat(1.5, random(), random(), random())); };

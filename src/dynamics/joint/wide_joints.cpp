@@ -152,8 +152,8 @@ void empty(WideJoints& w, JointLanes& joint) {
   joint.occupied = was.occupied, joint.first = was.first, joint.first_drive = was.first_drive;
   joint.layout = was.layout;
   joint.start_frame_a.w = joint.start_frame_b.w = all(1);
-  std::fill_n(&w.rows[0] + joint.first, joint.layout.equalities, JointRowLanes{});
-  std::fill_n(&w.drives[0] + joint.first_drive, joint.layout.drives, JointDriveLanes{});
+  std::fill_n(w.rows.data() + joint.first, joint.layout.equalities, JointRowLanes{});
+  std::fill_n(w.drives.data() + joint.first_drive, joint.layout.drives, JointDriveLanes{});
 }
 
 /// Bodies that hang on joints and on no contact.
