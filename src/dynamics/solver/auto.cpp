@@ -82,9 +82,10 @@ void each_body(const Contacts& c, std::size_t group, F&& f) {
 }
 
 /// N: all that a group weighs, if it is new and lies still, as what a host has built does: then nothing else is known
-/// yet of what its points will bear. Else 0. Marks bodies as light on the way.
+/// yet of what its points will bear. Else 0. Marks bodies that it counts as light.
 Real weight_if_new(World& world, std::size_t group, Real h) {
   Contacts& c = *world.contacts;
+  if (c.rows[c.group_rows[c.group_begin[group]]].p != Vec3::Zero()) return 0;  // the common case, at once
   const Real gravity = world.scene.gravity.norm();
   Real mass = 0;
   bool is_new = true;
@@ -133,8 +134,10 @@ GroupMotion look_at(World& world, std::size_t group, Real w2, Real h, Real weigh
     const Real closing = -u.dot(row.n);
     const Real load = std::max(row.p.dot(row.n) / h, weight / world.pairs.place(pair).points);
     const Real sink = sink_of(world, row, arms, load, w2) / thickness;
-    if (sink > deep && row.moves_a) c.load[row.a] = Contacts::kHeavy;
-    if (sink > deep && row.moves_b) c.load[row.b] = Contacts::kHeavy;
+    const auto bears = [&](bool moves, std::uint32_t body) {
+      if (moves) c.load[body] = std::max<std::uint8_t>(c.load[body], sink > deep ? Contacts::kHeavy : Contacts::kLight);
+    };
+    bears(row.moves_a, row.a), bears(row.moves_b, row.b);
     view.sink = std::max(view.sink, sink);
     motion.struck |= closing * closing > kBlow * fall;
     motion.still &= u.squaredNorm() < kStill * fall;
