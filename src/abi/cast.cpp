@@ -211,13 +211,10 @@ int32_t carom_ray_cast(carom_engine* engine, carom_shape shape, const double pos
     if (!present(call, 1, "engine", engine)) return;
     ShapePin pin(*engine);
     if (!take_placed(call, pin, 2, kOne, shape, position, orientation) ||
-        !carom::abi::finite(call, 5, "origin", origin, 3) || !carom::abi::finite(call, 6, "direction", direction, 3))
+        !carom::abi::finite(call, 5, "origin", origin, 3) || !carom::abi::finite(call, 6, "direction", direction, 3) ||
+        !not_negative(call, 7, "max", max) || !read_desc(call, 8, desc, settings) ||
+        !fillable(call, 9, "result", result))
       return;
-    if (!(max >= 0)) {
-      call.fail(max < 0 ? CAROM_E_OUT_OF_RANGE : CAROM_E_NOT_FINITE, 7, "max is %g", max);
-      return;
-    }
-    if (!read_desc(call, 8, desc, settings) || !fillable(call, 9, "result", result)) return;
     const FloatScope scope;
     CastResult found;
     SupportFault fault;

@@ -33,6 +33,10 @@ bool in_range(Call& call, int argument, const char* name, double value, double l
          call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is %.17g, outside [%g, %g]", name, value, low, high);
 }
 
+bool not_negative(Call& call, int argument, const char* name, double value) {
+  return value >= 0 || call.fail(value < 0 ? CAROM_E_OUT_OF_RANGE : CAROM_E_NOT_FINITE, argument, "%s is %g", name, value);
+}
+
 bool unit(Call& call, int argument, const char* name, const double* values, int count) {
   if (!finite(call, argument, name, values, count)) return false;
   double length2 = 0;

@@ -20,6 +20,8 @@ bool present(Call& call, int argument, const char* name, const void* pointer);
 bool finite(Call& call, int argument, const char* name, const double* values, int count);
 /// Finite and within [low, high].
 bool in_range(Call& call, int argument, const char* name, double value, double low, double high);
+/// At least 0; may be infinite.
+bool not_negative(Call& call, int argument, const char* name, double value);
 /// Present, finite and of unit length. @param count 3: normal, 4: quaternion
 bool unit(Call& call, int argument, const char* name, const double* values, int count);
 bool known(Call& call, int argument, const char* name, std::uint32_t value, std::uint32_t count);
@@ -57,6 +59,14 @@ void write_struct(const T& full, T* wanted) {
   constexpr std::size_t skip = sizeof wanted->struct_size;
   const std::size_t size = std::min<std::size_t>(wanted->struct_size, sizeof(T));
   std::memcpy(reinterpret_cast<char*>(wanted) + skip, reinterpret_cast<const char*>(&full) + skip, size - skip);
+}
+
+/// A stride that elements of some version of T may have.
+template <class T>
+bool element_stride(Call& call, int argument, std::uint64_t stride) {
+  return (stride >= kSmallestStruct && stride % alignof(T) == 0) ||
+         call.fail(CAROM_E_BUFFER_TOO_SMALL, argument, "stride is %llu, one element has %zu bytes",
+                   static_cast<unsigned long long>(stride), sizeof(T));
 }
 
 /// Copy one element of an array whose stride the caller chose: a shorter element of an older header gets its prefix.

@@ -11,11 +11,7 @@ template <class View, class Element>
 void copy_out(Call& call, const World& world, const Array<View>& views, Element (*convert)(const World&, const View&),
               void* dst, std::uint64_t stride, std::uint64_t capacity, std::uint64_t* count) {
   if (!present(call, 5, "count", count) || (capacity && !present(call, 2, "dst", dst))) return;
-  if (capacity && (stride < kSmallestStruct || stride % alignof(Element))) {
-    call.fail(CAROM_E_BUFFER_TOO_SMALL, 3, "stride is %llu, one element has %zu bytes",
-              static_cast<unsigned long long>(stride), sizeof(Element));
-    return;
-  }
+  if (capacity && !element_stride<Element>(call, 3, stride)) return;
   *count = views.size();
   const std::uint64_t n = std::min<std::uint64_t>(capacity, views.size());
   for (std::uint64_t i = 0; i < n; ++i) write_element(convert(world, views[i]), dst, i, stride);

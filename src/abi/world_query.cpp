@@ -105,9 +105,7 @@ class HitList {
   /// @param first  1-based position of dst; stride and capacity follow
   bool check(Call& call, int first, const std::uint64_t* count) const {
     if ((capacity_ && !present(call, first, "dst", dst_)) || !present(call, first + 3, "count", count)) return false;
-    return !capacity_ || (stride_ >= kSmallestStruct && stride_ % alignof(carom_world_hit) == 0) ||
-           call.fail(CAROM_E_BUFFER_TOO_SMALL, first + 1, "stride is %llu, one element has %zu bytes",
-                     static_cast<unsigned long long>(stride_), sizeof(carom_world_hit));
+    return !capacity_ || element_stride<carom_world_hit>(call, first + 1, stride_);
   }
   void add(const carom_world_hit& hit) {
     if (count_ < capacity_) write_element(hit, dst_, count_, stride_);
@@ -124,9 +122,7 @@ class HitList {
 bool check_records(Call& call, int argument, std::uint64_t n, const carom_world_hit* dst, std::uint64_t& stride) {
   if (n && !present(call, argument, "dst", dst)) return false;
   if (!stride) stride = sizeof(carom_world_hit);
-  return (stride >= kSmallestStruct && stride % alignof(carom_world_hit) == 0) ||
-         call.fail(CAROM_E_BUFFER_TOO_SMALL, argument + 1, "stride is %llu, one element has %zu bytes",
-                   static_cast<unsigned long long>(stride), sizeof(carom_world_hit));
+  return element_stride<carom_world_hit>(call, argument + 1, stride);
 }
 
 std::int32_t point_support(const double*, std::uint64_t, const double*, double* out) {
@@ -233,6 +229,29 @@ void list_all(const Reading& world, std::uint64_t n, HitList& list, Ask&& ask) {
   }
 }
 
+/// A whole call of that kind, of shapes: ask(world, askers, i, options, hits).
+/// @param moving  shapes have motions
+template <class Ask>
+std::int32_t list_of_shapes(carom_world* world, const carom_query_shapes* shapes, bool moving,
+                            const carom_query_desc* desc, HitList list, std::uint64_t* count, carom_error* error,
+                            Ask&& ask) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading) return;
+    const FloatScope scope;
+    QueryOptions options;
+    Askers askers(reading.engine());
+    if (!askers.take(call, shapes, moving) || !read_desc(call, 3, *reading, desc, options) ||
+        !list.check(call, 4, count))
+      return;
+    list_all(reading, askers.size(), list, [&](std::uint64_t i, Array<WorldHit>& found) {
+      ask(*reading, askers, i, options, found);
+      return true;
+    });
+    *count = list.count();
+  });
+}
+
 /// Questions of shapes with one answer each: ask(i).
 template <class Ask>
 void answer_each(const Reading& world, std::uint64_t n, carom_world_hit* dst, std::uint64_t stride, Ask&& ask) {
@@ -264,13 +283,9 @@ int32_t carom_world_cast_ray(carom_world* world, const double origin[3], const d
     const Reading reading(call, world);
     QueryOptions options;
     if (!reading || !carom::abi::finite(call, 2, "origin", origin, 3) ||
-        !carom::abi::finite(call, 3, "direction", direction, 3))
+        !carom::abi::finite(call, 3, "direction", direction, 3) || !not_negative(call, 4, "max", max) ||
+        !read_desc(call, 5, *reading, desc, options) || !check_records(call, 6, 1, hit, size))
       return;
-    if (!(max >= 0)) {
-      call.fail(max < 0 ? CAROM_E_OUT_OF_RANGE : CAROM_E_NOT_FINITE, 4, "max is %g", max);
-      return;
-    }
-    if (!read_desc(call, 5, *reading, desc, options) || !check_records(call, 6, 1, hit, size)) return;
     const FloatScope scope;
     const WorldHit found = cast_ray(*reading, Ray{to_vec3(origin), to_vec3(direction), max}, options);
     write_element(answer(*reading, 0, found), hit, 0, size);
@@ -338,42 +353,19 @@ int32_t carom_world_cast_shapes(carom_world* world, const carom_query_shapes* sh
 int32_t carom_world_cast_shapes_all(carom_world* world, const carom_query_shapes* shapes, const carom_query_desc* desc,
                                     carom_world_hit* dst, uint64_t stride, uint64_t capacity, uint64_t* count,
                                     carom_error* error) {
-  return guarded(error, [&](Call& call) {
-    const Reading reading(call, world);
-    if (!reading) return;
-    const FloatScope scope;
-    QueryOptions options;
-    Askers askers(reading.engine());
-    HitList list(dst, stride, capacity);
-    if (!askers.take(call, shapes, true) || !read_desc(call, 3, *reading, desc, options) || !list.check(call, 4, count))
-      return;
-    list_all(reading, askers.size(), list, [&](std::uint64_t i, Array<WorldHit>& found) {
-      cast_shape_all(*reading, askers[i], askers.motion(i), options, found);
-      return true;
-    });
-    *count = list.count();
-  });
+  return list_of_shapes(
+      world, shapes, true, desc, {dst, stride, capacity}, count, error,
+      [](const World& in, const Askers& askers, std::uint64_t i, const QueryOptions& options, Array<WorldHit>& found) {
+        cast_shape_all(in, askers[i], askers.motion(i), options, found);
+      });
 }
 
 int32_t carom_world_overlap_shapes(carom_world* world, const carom_query_shapes* shapes, const carom_query_desc* desc,
                                    carom_world_hit* dst, uint64_t stride, uint64_t capacity, uint64_t* count,
                                    carom_error* error) {
-  return guarded(error, [&](Call& call) {
-    const Reading reading(call, world);
-    if (!reading) return;
-    const FloatScope scope;
-    QueryOptions options;
-    Askers askers(reading.engine());
-    HitList list(dst, stride, capacity);
-    if (!askers.take(call, shapes, false) || !read_desc(call, 3, *reading, desc, options) ||
-        !list.check(call, 4, count))
-      return;
-    list_all(reading, askers.size(), list, [&](std::uint64_t i, Array<WorldHit>& found) {
-      find_overlaps(*reading, askers[i], options, found);
-      return true;
-    });
-    *count = list.count();
-  });
+  return list_of_shapes(world, shapes, false, desc, {dst, stride, capacity}, count, error,
+                        [](const World& in, const Askers& askers, std::uint64_t i, const QueryOptions& options,
+                           Array<WorldHit>& found) { find_overlaps(in, askers[i], options, found); });
 }
 
 int32_t carom_world_find_nearest(carom_world* world, const carom_query_shapes* shapes, double reach,
@@ -385,12 +377,9 @@ int32_t carom_world_find_nearest(carom_world* world, const carom_query_shapes* s
     const FloatScope scope;
     QueryOptions options;
     Askers askers(reading.engine());
-    if (!askers.take(call, shapes, false)) return;
-    if (!(reach >= 0)) {
-      call.fail(reach < 0 ? CAROM_E_OUT_OF_RANGE : CAROM_E_NOT_FINITE, 3, "reach is %g", reach);
+    if (!askers.take(call, shapes, false) || !not_negative(call, 3, "reach", reach) ||
+        !read_desc(call, 4, *reading, desc, options) || !check_records(call, 5, askers.size(), dst, stride))
       return;
-    }
-    if (!read_desc(call, 4, *reading, desc, options) || !check_records(call, 5, askers.size(), dst, stride)) return;
     answer_each(reading, askers.size(), dst, stride,
                 [&](std::uint64_t i) { return find_nearest(*reading, askers[i], reach, options); });
   });

@@ -1,6 +1,7 @@
 // Memory: every array of an engine draws from the host's allocator through one resource.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <memory_resource>
 #include <utility>
@@ -10,9 +11,19 @@ namespace carom {
 
 using Memory = std::pmr::memory_resource;
 
-/// A growing array that draws from an engine's memory. Rooms that live in a world take a Memory* and build theirs on it.
+/// A growing array that draws from an engine's memory. Rooms that live in a world take a Memory* and build theirs on
+/// it.
 template <class T>
 using Array = std::pmr::vector<T>;
+
+/// Room for one more element at `slot`, growing by doubling, so that the resize after it cannot fail.
+template <class... A>
+void make_room(std::size_t slot, A&... arrays) {
+  const auto room = [slot](auto& a) {
+    if (a.capacity() <= slot) a.reserve(std::max<std::size_t>(16, 2 * slot));
+  };
+  (room(arrays), ...);
+}
 
 /// Destroys what make_owned() made; remembers the size, since a base class does not know it.
 template <class T>

@@ -11,14 +11,6 @@
 namespace carom {
 namespace {
 
-/// Room for one more element at `slot`, growing by doubling, so that the resize after it cannot fail.
-template <class... A>
-void make_room(std::size_t slot, A&... arrays) {
-  const auto room = [slot](auto& a) {
-    if (a.capacity() <= slot) a.reserve(std::max<std::size_t>(16, 2 * slot));
-  };
-  (room(arrays), ...);
-}
 template <class T>
 void put(Array<T>& a, std::size_t slot, const T& value) {
   if (slot == a.size())
@@ -36,8 +28,8 @@ void note_resistance(Scene& s) {
 /// The slot that take() will hand out can be at most the number of slots there are.
 void make_room_for_body(Scene& s, State& t) {
   make_room(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia, s.first_collider,
-            t.x, t.q, t.held_q, t.v, t.omega, t.momentum, t.force, t.torque, t.quarantined, t.loaded_steps, t.tired_steps,
-            t.written, t.is_written);
+            t.x, t.q, t.held_q, t.v, t.omega, t.momentum, t.force, t.torque, t.quarantined, t.loaded_steps,
+            t.tired_steps, t.written, t.is_written);
 }
 
 /// New mass properties; the body's frame stays where it is and its centre's velocity what it was.
@@ -196,7 +188,8 @@ void World::set_body_filter(std::uint32_t body, const Filter& filter) {
   Array<Filter>& all = scene.colliders.filter;
   if (all.size() < scene.colliders.slots()) all.resize(scene.colliders.slots());
   stir(*this, body);  // may run out of memory, so it comes before any of them has changed
-  for (std::uint32_t c = scene.first_collider[body]; c != Colliders::kNone; c = scene.colliders.next[c]) all[c] = filter;
+  for (std::uint32_t c = scene.first_collider[body]; c != Colliders::kNone; c = scene.colliders.next[c])
+    all[c] = filter;
   ++scene.revision;
 }
 

@@ -7,11 +7,6 @@
 namespace carom {
 namespace {
 
-template <class T>
-void make_room(Array<T>& a, std::size_t slot) {
-  if (a.capacity() <= slot) a.reserve(std::max<std::size_t>(16, 2 * slot));
-}
-
 /// Whether a joint keeps its bodies' colliders from touching.
 bool parts(const JointDef& def) { return !def.collide && def.body_a != kTheWorld && def.body_b != kTheWorld; }
 
@@ -36,7 +31,7 @@ std::uint32_t& link_of(Joints& joints, std::uint32_t body, std::uint32_t slot) {
 }  // namespace
 
 Handle World::add_joint(const JointDef& def) {
-  make_room(joints.joint, joints.slots.slots());
+  make_room(joints.slots.slots(), joints.joint);
   if (joints.first.size() < scene.bodies.slots()) joints.first.resize(scene.bodies.slots(), kTheWorld);
   if (parts(def)) scene.joined.make_room();
   wake_both(*this, def);  // may run out of memory, as all so far: nothing has changed yet

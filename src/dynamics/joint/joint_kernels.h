@@ -22,8 +22,6 @@ struct JointKernels {
   void (*act_again)(const JointRun& run);
   /// The same sweep without the push and without springs, then the impulses are booked under the step's.
   void (*relax)(const JointRun& run, double inv_h);
-  /// Book the impulses of the present substep under the step's.
-  void (*book)(const JointRun& run);
 };
 
 /// The widest that this machine has, or the one of that name.

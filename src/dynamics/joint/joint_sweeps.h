@@ -17,38 +17,27 @@ namespace {
 
 /// Velocities of the four bodies on both sides.
 struct JointSides {
-  LaneVec v_a, omega_a, v_b, omega_b;
+  Side a, b;
   const JointLanes& joint;
 
   CAROM_LANES_INLINE JointSides(const JointLanes& j, const BodyVelocity* bodies) : joint(j) {
-    const JointSpin a(bodies, j.a), b(bodies, j.b);
-    v_a = a.v, omega_a = a.omega, v_b = b.v, omega_b = b.omega;
+    a.load(bodies, j.a);
+    b.load(bodies, j.b);
   }
   CAROM_LANES_INLINE void store(const JointRun& run) const {
-    put(run, joint.a, v_a, omega_a);
-    put(run, joint.b, v_b, omega_b);
+    a.store(run.velocity, run.first_moved, joint.a);
+    b.store(run.velocity, run.first_moved, joint.b);
   }
   CAROM_LANES_INLINE Lanes along(const JointRowLanes& r) const {
-    return dot(r.d, v_b - v_a) + (dot(r.w_b, omega_b) - dot(r.w_a, omega_a));
+    return dot(r.d, b.v - a.v) + (dot(r.w_b, b.omega) - dot(r.w_a, a.omega));
   }
   CAROM_LANES_INLINE void push(const LaneVec& p, const LaneVec& turn_a, const LaneVec& turn_b) {
-    v_a = v_a - joint.inv_mass_a * p;
-    omega_a = omega_a - joint.inv_inertia_a * turn_a;
-    v_b = v_b + joint.inv_mass_b * p;
-    omega_b = omega_b + joint.inv_inertia_b * turn_b;
+    a.v = a.v - joint.inv_mass_a * p;
+    a.omega = a.omega - joint.inv_inertia_a * turn_a;
+    b.v = b.v + joint.inv_mass_b * p;
+    b.omega = b.omega + joint.inv_inertia_b * turn_b;
   }
   CAROM_LANES_INLINE void push(const JointRowLanes& r, Lanes p) { push(p * r.d, p * r.w_a, p * r.w_b); }
-
- private:
-  CAROM_LANES_INLINE static void put(const JointRun& run, const std::uint32_t* body, const LaneVec& v,
-                                     const LaneVec& omega) {
-    const LaneRows p(v.x, v.y), q(v.z, omega.x), r(omega.y, omega.z);
-    for (int i = 0; i < kLanes; ++i) {
-      if (body[i] < run.first_moved) continue;
-      double* const to = reinterpret_cast<double*>(run.velocity + body[i]);
-      p.put(i, to), q.put(i, to + 2), r.put(i, to + 4);
-    }
-  }
 };
 
 /// Impulses at several rows, added up before they act.
@@ -198,12 +187,8 @@ CAROM_LANES_INLINE void sweep(const JointRun& run, double inv_h) {
 void solve(const JointRun& run, double inv_h) { sweep<true>(run, inv_h); }
 void relax(const JointRun& run, double inv_h) { sweep<false>(run, inv_h); }
 
-void book(const JointRun& run) {
-  for (std::size_t i = 0; i < run.count; ++i) book_one(run, run.joints[i]);
-}
-
 constexpr JointKernels joint_kernels_named(const char* name) {
-  return {name, place, bend, warm_start, solve, act_again, relax, book};
+  return {name, place, bend, warm_start, solve, act_again, relax};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "core/wide_angle.h"
 #include "dynamics/joint/joint_kernels.h"
+#include "dynamics/solver/lane_sides.h"
 
 namespace carom {
 namespace {
@@ -31,9 +32,8 @@ struct JointShift {
   LaneQuat turn;
 
   CAROM_LANES_INLINE JointShift(const BodyShift* all_bodies, const std::uint32_t* body) {
-    const double* row[kLanes];
-    for (int i = 0; i < kLanes; ++i) row[i] = reinterpret_cast<const double*>(all_bodies + body[i]);
-    const LanePair p = gather(row, 0), q = gather(row, 2), r = gather(row, 4), s = gather(row, 6);
+    const BodyRows rows(all_bodies, body);
+    const LanePair p = rows.two(0), q = rows.two(2), r = rows.two(4), s = rows.two(6);
     x = {p.first, p.second, q.first};
     turn = {q.second, r.first, r.second, s.first};
   }
@@ -267,25 +267,14 @@ void place(const JointRun& run) {
   }
 }
 
-/// Velocities of the four bodies on one side.
-struct JointSpin {
-  LaneVec v, omega;
-  CAROM_LANES_INLINE JointSpin(const BodyVelocity* bodies, const std::uint32_t* body) {
-    const double* row[kLanes];
-    for (int i = 0; i < kLanes; ++i) row[i] = reinterpret_cast<const double*>(bodies + body[i]);
-    const LanePair p = gather(row, 0), q = gather(row, 2), r = gather(row, 4);
-    v = {p.first, p.second, q.first};
-    omega = {q.second, r.first, r.second};
-  }
-};
-
 // With g the gap and d a direction that turns with A,
 //   (d.g)'' = d''.g + 2 d'.g' + d.g'',   d' = w_a x d,   g'' = w_b x (w_b x r_b) - w_a x (w_a x r_a);
 // for a distance |g|'' = (g'^2 - (d.g')^2) / |g| + d.g''. Angles are taken to be straight.
 void bend(const JointRun& run, double h) {
   for (std::size_t i = 0; i < run.count; ++i) {
     const JointLanes& joint = run.joints[i];
-    const JointSpin a(run.velocity, joint.a), b(run.velocity, joint.b);
+    Side a, b;
+    a.load(run.velocity, joint.a), b.load(run.velocity, joint.b);
     const LaneVec turns_a = cross(a.omega, joint.r_a), turns_b = cross(b.omega, joint.r_b);
     const LaneVec inward = cross(b.omega, turns_b) - cross(a.omega, turns_a);
     // Beyond a radian a substep nothing is straight nor bends like a parabola: then less is asked for, not more.

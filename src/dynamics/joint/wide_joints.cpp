@@ -2,13 +2,12 @@
 #include "dynamics/joint/wide_joints.h"
 
 #include <algorithm>
-#include <bit>
 
-#include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/island.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/sleep/sleep.h"
+#include "dynamics/solver/fill_lanes.h"
 #include "dynamics/solver/soft_step.h"
 
 namespace carom {
@@ -38,11 +37,9 @@ void colour_joints(World& world, WideJoints& w) {
     const Joint& joint = world.joints.joint[w.active[i]];
     std::uint32_t colour = kDirect;
     if (w.directly.empty() || !w.directly[i]) {
-      std::uint64_t nobody = 0;
-      std::uint64_t& a = moves(world, joint.def.body_a) ? w.taken[solver_body(world, joint.def.body_a)] : nobody;
-      std::uint64_t& b = moves(world, joint.def.body_b) ? w.taken[solver_body(world, joint.def.body_b)] : nobody;
-      colour = static_cast<std::uint32_t>(std::countr_one(a | b));
-      if (colour < kColours) a |= std::uint64_t{1} << colour, b |= std::uint64_t{1} << colour;
+      const JointDef& def = joint.def;
+      colour = take_colour(w.taken, moves(world, def.body_a), solver_body(world, def.body_a), moves(world, def.body_b),
+                           solver_body(world, def.body_b));
     }
     w.order.push_back({colour, layout_key(joint), i});
   }
@@ -78,11 +75,9 @@ void place_lanes(World& world, WideJoints& w) {
   w.rows.resize(rows), w.drives.resize(drives);
 }
 
-void set(LaneVec& to, int lane, const Vec3& v) { to.x[lane] = v.x(), to.y[lane] = v.y(), to.z[lane] = v.z(); }
 void set(LaneQuat& to, int lane, const Quat& q) {
   to.x[lane] = q.x(), to.y[lane] = q.y(), to.z[lane] = q.z(), to.w[lane] = q.w();
 }
-Vec3 get(const LaneVec& from, std::uint32_t lane) { return Vec3(from.x[lane], from.y[lane], from.z[lane]); }
 
 void fill_drive(const Joint& joint, const DriveRow& row, Real start_p, Real h, bool again, JointDriveLanes& drive,
                 int lane) {
@@ -122,12 +117,8 @@ void fill(const World& world, std::uint32_t index, const Softness& soft, Real h,
   const bool warm = joint.p_h > 0 && scene.dials.choice(Dial::warm_start) != 0;
   const Real scale = warm ? h / joint.p_h : 0;
   const auto side = [&](std::uint32_t body, std::uint32_t& solver, Lanes& inv_mass, LaneSymmetric& inertia) {
-    const bool m = moves(world, body);
     solver = solver_body(world, body);
-    inv_mass[lane] = m ? scene.inv_mass[body] : 0;
-    const Mat3 i = m && rotates(scene, body) ? world.contacts->inv_inertia_w[body] : Mat3(Mat3::Zero());
-    inertia.xx[lane] = i(0, 0), inertia.xy[lane] = i(0, 1), inertia.xz[lane] = i(0, 2);
-    inertia.yy[lane] = i(1, 1), inertia.yz[lane] = i(1, 2), inertia.zz[lane] = i(2, 2);
+    set_mass(world, moves(world, body), body, inv_mass, inertia, lane);
   };
   side(def.body_a, lanes.a[lane], lanes.inv_mass_a, lanes.start_inertia_a);
   side(def.body_b, lanes.b[lane], lanes.inv_mass_b, lanes.start_inertia_b);

@@ -3,47 +3,14 @@
 #pragma once
 
 #include "dynamics/solver/contact_kernels.h"
+#include "dynamics/solver/lane_sides.h"
 
 namespace carom {
 namespace {
 
-constexpr int kInnerSweeps = 2;  // there and back
+constexpr int kInnerSweeps = 2;     // there and back
 constexpr double kUnderLoad = 0.1;  // of push_speed: how fast what bears as much as it may push still parts further
-constexpr double kSpared = 1.2;  // times what a spring sinks under its load at rest
-
-static_assert(offsetof(BodyVelocity, omega) == 3 * sizeof(double) && offsetof(BodyShift, u) == 3 * sizeof(double) &&
-              offsetof(BodyShift, w) == 6 * sizeof(double));
-
-/// The numbers of four bodies, as lanes.
-template <class Body>
-struct BodyRows {
-  const double* row[kLanes];
-
-  CAROM_LANES_INLINE BodyRows(const Body* all_bodies, const std::uint32_t* body) {
-    for (int i = 0; i < kLanes; ++i) row[i] = reinterpret_cast<const double*>(all_bodies + body[i]);
-  }
-  CAROM_LANES_INLINE LanePair two(int at) const { return gather(row, at); }
-};
-
-/// Velocities of the four bodies on one side.
-struct Side {
-  LaneVec v, omega;
-
-  CAROM_LANES_INLINE void load(const BodyVelocity* all_bodies, const std::uint32_t* body) {
-    const BodyRows rows(all_bodies, body);
-    const LanePair p = rows.two(0), q = rows.two(2), r = rows.two(4);
-    v = {p.first, p.second, q.first};
-    omega = {q.second, r.first, r.second};
-  }
-  CAROM_LANES_INLINE void store(const LaneRun& run, const std::uint32_t* body) const {
-    const LaneRows p(v.x, v.y), q(v.z, omega.x), r(omega.y, omega.z);
-    for (int i = 0; i < kLanes; ++i) {
-      if (body[i] < run.first_moved) continue;
-      double* const to = reinterpret_cast<double*>(run.velocity + body[i]);
-      p.put(i, to), q.put(i, to + 2), r.put(i, to + 4);
-    }
-  }
-};
+constexpr double kSpared = 1.2;     // times what a spring sinks under its load at rest
 
 /// Both sides of four pairs, and what an impulse does to them.
 struct Both {
@@ -55,8 +22,8 @@ struct Both {
     b.load(bodies, p.b);
   }
   CAROM_LANES_INLINE void store(const LaneRun& run) const {
-    a.store(run, pair.a);
-    b.store(run, pair.b);
+    a.store(run.velocity, run.first_moved, pair.a);
+    b.store(run.velocity, run.first_moved, pair.b);
   }
   CAROM_LANES_INLINE LaneVec relative(const LaneVec& r_a, const LaneVec& r_b) const {
     return (b.v + cross(b.omega, r_b)) - (a.v + cross(a.omega, r_a));
@@ -208,6 +175,8 @@ CAROM_LANES_INLINE void press(Both& both, PointLanes* points, double inv_h, doub
     impulse[k] = push[k] = p.p_n;
     if constexpr (kPush) {
       gain[k] = (open ? all(1) : pair.mass_scale) * p.m_n;
+      // push_speed bounds how fast a spring parts bodies, not what it can bear: under a load as large as that it goes
+      // on growing, slowly.
       const Lanes given = pair.impulse_scale * p.p_n, most = gain[k] * push_speed;
       const Lanes spring = smaller(-gain[k] * (pair.bias_rate * s) - given, larger(most - given, kUnderLoad * most));
       goal[k] = p.p_n - gain[k] * u_n + (open ? -gain[k] * (s * inv_h) : spring);

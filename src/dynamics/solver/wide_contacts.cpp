@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
 #include "dynamics/contact/held_arms.h"
-#include "dynamics/force/force.h"
+#include "dynamics/solver/fill_lanes.h"
 
 namespace carom {
 namespace {
@@ -65,8 +64,8 @@ void hold_orientations(World& world, WideContacts& wide) {
 }
 
 /// Manifolds from meetings, each with the first colour that none of its movable bodies has yet. Colours are taken from
-/// the last on, and first by contacts with what does not move: so these are solved last, with the others' final word, and
-/// what was built from the ground up is swept from the top down.
+/// the last on, and first by contacts with what does not move: so these are solved last, with the others' final word,
+/// and what was built from the ground up is swept from the top down.
 void colour_manifolds(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   wide.manifolds.clear();
@@ -79,11 +78,7 @@ void colour_manifolds(const World& world, WideContacts& wide) {
       if (!c.answered_in_lanes(m.row)) continue;
       WideContacts::Manifold& manifold = *at++;
       if ((m.moves_a && m.moves_b) != both_move) continue;
-      std::uint64_t nobody = 0;
-      std::uint64_t& a = m.moves_a ? wide.taken[wide.body[m.a]] : nobody;
-      std::uint64_t& b = m.moves_b ? wide.taken[wide.body[m.b]] : nobody;
-      const auto nth = static_cast<std::uint32_t>(std::countr_one(a | b));  // kColours: none is left
-      if (nth < kColours) a |= std::uint64_t{1} << nth, b |= std::uint64_t{1} << nth;
+      const std::uint32_t nth = take_colour(wide.taken, m.moves_a, wide.body[m.a], m.moves_b, wide.body[m.b]);
       const std::uint32_t colour = nth < kColours ? kColours - 1 - nth : kColours;
       manifold.bucket = colour * kMaxPoints + m.count - 1;
     }
@@ -91,26 +86,15 @@ void colour_manifolds(const World& world, WideContacts& wide) {
 }
 
 void fill_pair(const World& world, const WideContacts& wide, const Row& row, PairLanes& pair, int lane) {
-  const Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
   pair.a[lane] = wide.body[row.a];
   pair.b[lane] = wide.body[row.b];
   pair.friction[lane] = row.friction;
   pair.bias_rate[lane] = pair.mass_scale[lane] = pair.impulse_scale[lane] = 0;
   pair.bounce_speed[lane] = row.restitution > 0 ? scene.dials[Dial::restitution_speed] : kInfinity;
-  const auto inertia = [&](bool moves, std::uint32_t body, Lanes& inv_mass, LaneSymmetric& inv_inertia) {
-    inv_mass[lane] = moves ? scene.inv_mass[body] : 0;
-    const Mat3 m = moves && rotates(scene, body) ? c.inv_inertia_w[body] : Mat3(Mat3::Zero());
-    inv_inertia.xx[lane] = m(0, 0), inv_inertia.xy[lane] = m(0, 1), inv_inertia.xz[lane] = m(0, 2);
-    inv_inertia.yy[lane] = m(1, 1), inv_inertia.yz[lane] = m(1, 2), inv_inertia.zz[lane] = m(2, 2);
-  };
-  inertia(row.moves_a, row.a, pair.inv_mass_a, pair.inv_inertia_a);
-  inertia(row.moves_b, row.b, pair.inv_mass_b, pair.inv_inertia_b);
+  set_mass(world, row.moves_a, row.a, pair.inv_mass_a, pair.inv_inertia_a, lane);
+  set_mass(world, row.moves_b, row.b, pair.inv_mass_b, pair.inv_inertia_b, lane);
 }
-
-void set(LaneVec& to, int lane, const Vec3& v) { to.x[lane] = v.x(), to.y[lane] = v.y(), to.z[lane] = v.z(); }
-
-Vec3 get(const LaneVec& from, std::uint32_t lane) { return Vec3(from.x[lane], from.y[lane], from.z[lane]); }
 
 void fill_point(const Row& row, const RowGeometry& g, const Arms& r, const Vec3& middle, PointLanes& p, int lane) {
   const Vec3 d = r.a - middle;
@@ -205,8 +189,8 @@ void empty(WideContacts& wide, PairLanes& pair) {
 class Shares {
  public:
   /// @param load  [points] N s, normal impulses   @param force  N s   @param twist  N m s, about the middle
-  Shares(const PointLanes* points, const Lanes PointLanes::* load, std::uint32_t count, std::uint32_t lane, const Vec3& n,
-         const Vec3& force, Real twist)
+  Shares(const PointLanes* points, const Lanes PointLanes::*load, std::uint32_t count, std::uint32_t lane,
+         const Vec3& n, const Vec3& force, Real twist)
       : n_(n) {
     Real all = 0, moment = 0, most = 0;
     Vec3 sum = Vec3::Zero();

@@ -6,6 +6,7 @@
 
 #include "dynamics/force/force.h"
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/solver/fill_lanes.h"
 
 namespace carom {
 namespace {
@@ -16,7 +17,6 @@ constexpr Real kSwing = 2;
 constexpr Real kLeastDrag = 1e-9;  // of a spring: with less its give is beyond measure
 
 Real get(const Lanes& from, std::uint32_t lane) { return from[lane]; }
-Vec3 get(const LaneVec& from, std::uint32_t lane) { return Vec3(from.x[lane], from.y[lane], from.z[lane]); }
 /// One lane alone: groups that share lanes are solved by several threads.
 Real& at(Lanes& to, std::uint32_t lane) { return reinterpret_cast<Real*>(&to)[lane]; }
 void add(LaneVec& to, std::uint32_t lane, const Vec3& v) {
