@@ -264,11 +264,10 @@ void plan_sleep(World& world, Plan& plan) {
   z.root.resize(slots, 0), z.restless.resize(slots, 0), z.asleep.resize(slots, 0);
   z.calm.resize(slots, 0);  // last: its size says that all have theirs
   z.rows.assign(slots, 0);
-  static_assert(kEffectCount <= 16, "a bit each");
+  static_assert(kEffectCount <= 32, "a bit each");
   for (std::size_t k = 0; k < plan.effects.size(); ++k)
     if (of_bodies(plan.effects[k]) && !from_host(*plan.effects[k].effect))
-      plan.effects[k].candidates.each(
-          [&](std::uint32_t i) { z.rows[i] = static_cast<std::uint16_t>(z.rows[i] | 1u << k); });
+      plan.effects[k].candidates.each([&](std::uint32_t i) { z.rows[i] |= 1u << k; });
   plan.effects[kSleepRow].candidates.each([&](std::uint32_t i) {
     z.radius[i] = 0;
     each_collider(scene, i, [&](std::uint32_t c) {

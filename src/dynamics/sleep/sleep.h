@@ -53,7 +53,7 @@ struct Sleep {
   Array<Vec3> anchor_x;        // m, where it became slow
   Array<Quat> anchor_q;
   Array<Real> radius;               // m, the farthest point of its colliders from its centre
-  Array<std::uint16_t> rows;        // bit k: row k of the table has it for a customer when awake
+  Array<std::uint32_t> rows;        // bit k: row k of the table has it for a customer when awake
   Array<std::uint32_t> kept_first;  // its first KeptImpulse, or Colliders::kNone
   Array<std::uint32_t> root;        // scratch: its island
   Array<std::uint8_t> restless;     // scratch: by root
