@@ -15,6 +15,7 @@
 #include <carom/particles.h>
 #include <carom/plugin.h>
 #include <carom/query.h>
+#include <carom/scenery.h>
 #include <carom/shape.h>
 #include <carom/world.h>
 #include <carom/world_query.h>

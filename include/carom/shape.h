@@ -48,6 +48,8 @@ typedef struct carom_shape_info {
   double centroid_error;   /**< m, upper bound of |error| */
   double inertia[9];       /**< m^5, about the centroid, row-major, symmetric */
   double inertia_error;    /**< m^5, upper bound of the spectral norm of the error */
+  uint32_t is_scenery;     /**< 1: a mesh or a height field (scenery.h); it has no volume   @since 1.6 */
+  uint32_t reserved;       /**< 0 */
 } carom_shape_info;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE */
@@ -60,8 +62,8 @@ CAROM_API int32_t carom_shape_get_params(carom_engine *engine, carom_shape shape
 
 /** Support points of the whole shape, core radius included, for n directions at once.
  *  @param dirs [3n] nonzero, any length, shape frame   @param points [3n] m, shape frame
- *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a zero direction); UNSUPPORTED (half-space);
- *          PLUGIN_DISHONEST (the support function failed; the points before are written) */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a zero direction); UNSUPPORTED (half-space,
+ *          scenery); PLUGIN_DISHONEST (the support function failed; the points before are written) */
 CAROM_API int32_t carom_shape_support(carom_engine *engine, carom_shape shape, const double *dirs, uint64_t n,
                                       double *points, carom_error *error);
 

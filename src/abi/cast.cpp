@@ -12,6 +12,7 @@
 #include "collision/cast/rounding.h"
 #include "collision/cast/shape_cast.h"
 #include "collision/cast/time_of_impact.h"
+#include "collision/scenery/ask.h"
 #include "dynamics/dials.h"
 
 namespace carom::abi {
@@ -36,9 +37,9 @@ bool read_desc(Call& call, int argument, const carom_cast_desc* given, CastSetti
 
 /// A shape and where it stands, as arguments of a call.
 bool take_placed(Call& call, ShapePin& pin, int argument, const char* const names[3], carom_shape shape,
-                 const double* position, const double* orientation) {
-  return pin.take(call, argument, names[0], shape) && finite(call, argument + 1, names[1], position, 3) &&
-         unit(call, argument + 2, names[2], orientation, 4);
+                 const double* position, const double* orientation, bool convex = false) {
+  return (convex ? pin.take_convex(call, argument, names[0], shape) : pin.take(call, argument, names[0], shape)) &&
+         finite(call, argument + 1, names[1], position, 3) && unit(call, argument + 2, names[2], orientation, 4);
 }
 constexpr const char* kOne[3] = {"shape", "position", "orientation"};
 constexpr const char* kA[3] = {"shape_a", "position_a", "orientation_a"};
@@ -47,6 +48,8 @@ constexpr const char* kB[3] = {"shape_b", "position_b", "orientation_b"};
 bool flat(const Shape& s) { return s.form == Form::half_space; }
 
 bool one_is_solid(Call& call, int argument, const Shape& a, const Shape& b) {
+  if (a.form == Form::scenery && b.form == Form::scenery)
+    return call.fail(CAROM_E_UNSUPPORTED, argument, "both are scenery: one of them has to be convex");
   return !flat(a) || !flat(b) ||
          call.fail(CAROM_E_UNSUPPORTED, argument, "two half-spaces: unless parallel they overlap without end");
 }
@@ -73,7 +76,7 @@ void write_answer(const CastResult& r, carom_cast* result) {
 }
 
 bool read_motion(Call& call, int argument, const char* name, const carom_motion* given, const Shape& shape,
-                 Motion& motion) {
+                 RigidMotion& motion) {
   carom_motion m;
   carom_motion_init(&m);
   if (!read_struct(call, argument, name, given, m) || !only_bits(call, argument, name, m.reserved, 0) ||
@@ -107,7 +110,7 @@ class Pins {
       ShapePin pin(engine_);
       if (!finite(call, 3, "a position of positions", positions + 3 * i, 3) ||
           !unit(call, 4, "an orientation of orientations", orientations + 4 * i, 4) ||
-          !pin.take(call, 2, "a shape of shapes", shapes[i]))
+          !pin.take_convex(call, 2, "a shape of shapes", shapes[i]))
         return false;
       placed_.push_back({&*pin, frame_of(positions + 3 * i, orientations + 4 * i)});
       pin.keep();
@@ -218,8 +221,8 @@ int32_t carom_ray_cast(carom_engine* engine, carom_shape shape, const double pos
     const FloatScope scope;
     CastResult found;
     SupportFault fault;
-    cast_ray(Ray{to_vec3(origin), to_vec3(direction), max}, *pin, frame_of(position, orientation), settings, found,
-             fault);
+    any_shape::cast_ray(Ray{to_vec3(origin), to_vec3(direction), max}, *pin, frame_of(position, orientation), settings, found,
+                  fault);
     write_answer(found, result);
   });
 }
@@ -232,7 +235,7 @@ int32_t carom_shape_cast(carom_engine* engine, carom_shape shape_a, const double
     CastSettings settings;
     if (!present(call, 1, "engine", engine)) return;
     ShapePin a(*engine), b(*engine);
-    if (!take_placed(call, a, 2, kA, shape_a, position_a, orientation_a) ||
+    if (!take_placed(call, a, 2, kA, shape_a, position_a, orientation_a, true) ||
         !carom::abi::finite(call, 5, "motion", motion, 3) ||
         !take_placed(call, b, 6, kB, shape_b, position_b, orientation_b) || !one_is_solid(call, 6, *a, *b) ||
         !read_desc(call, 9, desc, settings) || !fillable(call, 10, "result", result))
@@ -240,8 +243,8 @@ int32_t carom_shape_cast(carom_engine* engine, carom_shape shape_a, const double
     const FloatScope scope;
     CastResult found;
     SupportFault fault;
-    cast_shape(*a, frame_of(position_a, orientation_a), to_vec3(motion), *b, frame_of(position_b, orientation_b),
-               settings, found, fault);
+    any_shape::cast_shape(*a, frame_of(position_a, orientation_a), to_vec3(motion), *b, frame_of(position_b, orientation_b),
+                    settings, found, fault);
     write_answer(found, result);
   });
 }
@@ -251,18 +254,18 @@ int32_t carom_shape_time_of_impact(carom_engine* engine, carom_shape shape_a, co
                                    const carom_cast_desc* desc, carom_cast* result, carom_error* error) {
   return guarded(error, [&](Call& call) {
     CastSettings settings;
-    Motion of_a, of_b;
+    RigidMotion of_a, of_b;
     if (!present(call, 1, "engine", engine)) return;
     ShapePin a(*engine), b(*engine);
     const FloatScope scope;
-    if (!a.take(call, 2, "shape_a", shape_a) || !read_motion(call, 3, "motion_a", motion_a, *a, of_a) ||
+    if (!a.take_convex(call, 2, "shape_a", shape_a) || !read_motion(call, 3, "motion_a", motion_a, *a, of_a) ||
         !b.take(call, 4, "shape_b", shape_b) || !read_motion(call, 5, "motion_b", motion_b, *b, of_b) ||
         !one_is_solid(call, 4, *a, *b) || !in_range(call, 6, "duration", duration, 0, kLongest) ||
         !read_desc(call, 7, desc, settings) || !fillable(call, 8, "result", result))
       return;
     CastResult found;
     SupportFault fault;
-    time_of_impact(*a, of_a, *b, of_b, duration, settings, found, fault);
+    any_shape::time_of_impact(*a, of_a, *b, of_b, duration, settings, found, fault);
     write_answer(found, result);
   });
 }
@@ -282,8 +285,8 @@ int32_t carom_shape_overlap(carom_engine* engine, carom_shape shape_a, const dou
     const FloatScope scope;
     const Frame frame_a = frame_of(position_a, orientation_a), frame_b = frame_of(position_b, orientation_b);
     SupportFault fault;
-    const OverlapResult found = overlap(*a, *b, relative(frame_a, frame_b), settings.target,
-                                        kPoseRounding * kUnitRoundoff, settings.cap, fault);
+    const OverlapResult found = any_shape::overlap(*a, *b, relative(frame_a, frame_b), settings.target,
+                                             kPoseRounding * kUnitRoundoff, settings.cap, fault);
     carom_overlap out{};
     out.outcome = static_cast<std::uint32_t>(found.outcome);
     out.separation_bound = found.separation_bound;

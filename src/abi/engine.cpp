@@ -43,6 +43,12 @@ bool ShapePin::take(Call& call, int argument, const char* name, carom_shape hand
   return true;
 }
 
+bool ShapePin::take_convex(Call& call, int argument, const char* name, carom_shape handle) {
+  return take(call, argument, name, handle) &&
+         (shape_->form != Form::scenery ||
+          call.fail(CAROM_E_UNSUPPORTED, argument, "%s is scenery: a convex shape is needed here", name));
+}
+
 ShapePin::~ShapePin() {
   if (slot_ == kNone) return;
   const std::lock_guard lock(engine_.mutex);

@@ -66,6 +66,7 @@ class ShapePin {
   ShapePin& operator=(const ShapePin&) = delete;
 
   bool take(Call& call, int argument, const char* name, carom_shape handle);
+  bool take_convex(Call& call, int argument, const char* name, carom_shape handle);  // scenery is refused
   void keep() { slot_ = kNone; }
   const Shape& operator*() const { return *shape_; }
   const Shape* operator->() const { return shape_; }

@@ -1,4 +1,5 @@
 // Questions about two shapes at given poses, without a world.
+#include "collision/scenery/ask.h"
 #include "collision/narrow/query.h"
 
 #include <carom/dial.h>
@@ -117,13 +118,17 @@ int32_t carom_shape_distance(carom_engine* engine, carom_shape shape_a, const do
       call.fail(CAROM_E_UNSUPPORTED, 5, "two half-spaces have no distance: unless parallel they overlap without end");
       return;
     }
+    if (a->form == Form::scenery && b->form == Form::scenery) {
+      call.fail(CAROM_E_UNSUPPORTED, 5, "both are scenery: one of them has to be convex");
+      return;
+    }
     const FloatScope scope;
     const Frame frame_a(Pose{to_quat(orientation_a), to_vec3(position_a)});
     const Frame frame_b(Pose{to_quat(orientation_b), to_vec3(position_b)});
     QueryResult found;
     SupportFault fault;
     const Frame b_in_a = relative(frame_a, frame_b);
-    distance(*a, *b, b_in_a, settings(known_desc), nullptr, found, fault);
+    any_shape::distance(*a, *b, b_in_a, settings(known_desc), nullptr, found, fault);
     widen_by_pose(*a, *b, b_in_a, known_desc.tolerance, found);
     write_struct(answer(found, frame_a, frame_b), result);
   });

@@ -7,6 +7,7 @@
 #include "abi/engine.h"
 #include "abi/float_scope.h"
 #include "abi/forms.h"
+#include "abi/shape_draft.h"
 #include "collision/verify.h"
 #include "collision/volume.h"
 
@@ -42,16 +43,6 @@ class PluginPin {
  private:
   carom_engine& engine_;
   PluginRecord* record_ = nullptr;
-};
-
-/// A shape in the making: gone unless kept.
-struct Draft {
-  explicit Draft(Memory* m) : memory(m), shape(make_on<Shape>(m, m)) {}
-  ~Draft() { destroy_on(memory, shape); }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-  Memory* memory;
-  Shape* shape;
 };
 
 bool check_params(Call& call, const PluginRecord& plugin, const double* params, std::uint64_t count) {
@@ -148,25 +139,10 @@ bool settle(Call& call, const PluginRecord& plugin, const double* params, std::u
          call.fail(CAROM_E_PLUGIN_DISHONEST, 2, "%s: the support function changes the floating-point environment", id);
 }
 
-/// Add a finished shape to the engine. Nothing has changed if it throws.
-bool add(Call& call, carom_engine& engine, Draft& draft, PluginRecord* plugin, carom_plugin plugin_handle,
-         carom_shape* handle) {
-  const std::lock_guard lock(engine.mutex);
-  if (engine.shapes.size() == engine.shapes.capacity()) engine.shapes.reserve(2 * engine.shapes.size() + 8);
-  const Handle h = engine.shape_slots.take();
-  if (!h) return call.fail(CAROM_E_LIMIT, 0, "%u shapes are alive", kMaxSlots);
-  if (handle_slot(h) == engine.shapes.size()) engine.shapes.emplace_back();
-  draft.shape->handle = h;
-  engine.shapes[handle_slot(h)] = {draft.shape, plugin, plugin_handle, 0};
-  draft.shape = nullptr;
-  *handle = h;
-  return true;
-}
-
 void fill_info(const ShapeRecord& record, carom_shape_info& info) {
   const Shape& s = *record.shape;
-  const bool half_space = s.form == Form::half_space;
-  info.form = half_space ? CAROM_FORM_NONE : static_cast<std::uint32_t>(s.form);
+  const bool half_space = s.form == Form::half_space, scenery = s.form == Form::scenery;
+  info.form = half_space || scenery ? CAROM_FORM_NONE : static_cast<std::uint32_t>(s.form);
   info.is_half_space = half_space;
   info.mass_exact = s.mass.exact;
   info.plugin = record.plugin_handle;
@@ -182,6 +158,7 @@ void fill_info(const ShapeRecord& record, carom_shape_info& info) {
   info.centroid_error = s.mass.centroid_error;
   for (int i = 0; i < 9; ++i) info.inertia[i] = s.mass.inertia(i / 3, i % 3);
   info.inertia_error = s.mass.inertia_error;
+  info.is_scenery = scenery;
 }
 
 /// Support point of the whole shape: the core's, and the core radius along the direction.
@@ -216,6 +193,21 @@ void supports(Call& call, const Shape& shape, const double* dirs, std::uint64_t 
 }
 
 }  // namespace
+
+bool add_shape(Call& call, carom_engine& engine, ShapeDraft& draft, carom_shape* handle, PluginRecord* plugin,
+               carom_plugin plugin_handle) {
+  const std::lock_guard lock(engine.mutex);
+  if (engine.shapes.size() == engine.shapes.capacity()) engine.shapes.reserve(2 * engine.shapes.size() + 8);
+  const Handle h = engine.shape_slots.take();
+  if (!h) return call.fail(CAROM_E_LIMIT, 0, "%u shapes are alive", kMaxSlots);
+  if (handle_slot(h) == engine.shapes.size()) engine.shapes.emplace_back();
+  draft.shape->handle = h;
+  engine.shapes[handle_slot(h)] = {draft.shape, plugin, plugin_handle, 0};
+  draft.shape = nullptr;
+  *handle = h;
+  return true;
+}
+
 }  // namespace carom::abi
 
 using namespace carom;
@@ -229,9 +221,9 @@ int32_t carom_shape_create(carom_engine* engine, carom_plugin plugin, const doub
     if (!present(call, 1, "engine", engine) || !present(call, 5, "shape", shape)) return;
     PluginPin pin(*engine);
     if (!pin.take(call, 2, plugin) || !check_params(call, *pin.get(), params, count)) return;
-    Draft draft(&engine->memory);
+    ShapeDraft draft(&engine->memory);
     if (settle(call, *pin.get(), params, count, draft.memory, *draft.shape) &&
-        add(call, *engine, draft, pin.get(), plugin, shape))
+        add_shape(call, *engine, draft, shape, pin.get(), plugin))
       pin.keep();
   });
 }
@@ -242,7 +234,7 @@ int32_t carom_shape_create_half_space(carom_engine* engine, const double normal[
     if (!present(call, 1, "engine", engine) || !unit(call, 2, "normal", normal, 3) ||
         !carom::abi::finite(call, 3, "offset", &offset, 1) || !present(call, 4, "shape", shape))
       return;
-    Draft draft(&engine->memory);
+    ShapeDraft draft(&engine->memory);
     Shape& s = *draft.shape;
     s.form = Form::half_space;
     s.normal = to_vec3(normal).normalized();
@@ -250,7 +242,7 @@ int32_t carom_shape_create_half_space(carom_engine* engine, const double normal[
     s.bounding_radius = kInfinity;
     s.bounds.lo = Vec3::Constant(-kInfinity);
     s.bounds.hi = Vec3::Constant(kInfinity);
-    add(call, *engine, draft, nullptr, CAROM_NULL_HANDLE, shape);
+    add_shape(call, *engine, draft, shape);
   });
 }
 
@@ -308,7 +300,7 @@ int32_t carom_shape_support(carom_engine* engine, carom_shape shape, const doubl
   return guarded(error, [&](Call& call) {
     if (!present(call, 1, "engine", engine)) return;
     ShapePin pin(*engine);
-    if (!pin.take(call, 2, "shape", shape)) return;
+    if (!pin.take_convex(call, 2, "shape", shape)) return;
     if (n && (!present(call, 3, "dirs", dirs) || !present(call, 5, "points", points))) return;
     supports(call, *pin, dirs, n, points);
   });

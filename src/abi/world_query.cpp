@@ -199,7 +199,7 @@ class Askers {
     }
     pinned_.reserve(pinned_.size() + 1);  // so that what is pinned is also noted
     ShapePin pin(engine_);
-    if (!pin.take(call, 2, "a shape of shapes", handle)) return false;
+    if (!pin.take_convex(call, 2, "a shape of shapes", handle)) return false;
     if (pin->form == Form::half_space)
       return call.fail(CAROM_E_UNSUPPORTED, 2, "a half-space asks: it can be met, not cast or placed");
     pinned_.push_back(&*pin);

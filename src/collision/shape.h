@@ -6,15 +6,18 @@
 
 #include "collision/farthest_vertex.h"
 #include "collision/hull_faces.h"
+#include "core/memory.h"
 #include "core/vec.h"
 
 namespace carom {
+
+struct Scenery;  // scenery/scenery.h: many triangles
 
 /// Support function of a bounded convex set, the only code a shape brings. Same type as carom_support_fn in plugin.h.
 using SupportFn = std::int32_t (*)(const double* params, std::uint64_t count, const double dir[3], double out[3]);
 
 /// Closed forms, verified against the support function. Numbered as CAROM_FORM_* up to ellipsoid.
-enum class Form : std::uint32_t { none, sphere, capsule, box, polytope, cylinder, cone, ellipsoid, half_space, count };
+enum class Form : std::uint32_t { none, sphere, capsule, box, polytope, cylinder, cone, ellipsoid, half_space, scenery, count };
 
 struct Aabb {
   Vec3 lo = Vec3::Constant(kInfinity);
@@ -58,6 +61,8 @@ struct Shape {
   Real offset = 0;               // m
 
   HullFaces faces;               // polytope, box: for exact clipping; may be empty
+
+  std::shared_ptr<const Scenery> scenery;  // Form::scenery: its pieces. It has no support function and no volume
 
   std::uint64_t handle = 0;      // the ABI's name for it, for reports
 };

@@ -79,6 +79,17 @@ Aabb half_space_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
   return b;
 }
 
+/// The box about the turned box, which no piece leaves.
+Aabb scenery_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
+  const Vec3 middle = r * ((s.bounds.lo + s.bounds.hi) / 2) + p,
+             half = r.cwiseAbs() * ((s.bounds.hi - s.bounds.lo) / 2);
+  const Vec3 more = 8 * kUnitRoundoff *
+                    (s.bounds.lo.cwiseAbs().cwiseMax(s.bounds.hi.cwiseAbs()).sum() + p.cwiseAbs().sum()) * Vec3::Ones();
+  Aabb b;
+  b.lo = middle - half - more, b.hi = middle + half + more;
+  return b;
+}
+
 /// Six support calls.
 Aabb general_bounds(const Shape& s, const Mat3& r, const Vec3& p, SupportFault& fault) {
   Aabb b;
@@ -158,6 +169,8 @@ Aabb world_bounds(const Shape& shape, const Mat3& r, const Vec3& p, SupportFault
   switch (shape.form) {
     case Form::half_space:
       return half_space_bounds(shape, r, p);
+    case Form::scenery:
+      return scenery_bounds(shape, r, p);
     case Form::cone:
       return cone_bounds(shape, r, p);
     case Form::polytope:

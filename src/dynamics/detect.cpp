@@ -5,6 +5,7 @@
 
 #include "dynamics/events/events.h"
 #include "dynamics/filter.h"
+#include "dynamics/scenery.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom {
@@ -88,6 +89,7 @@ void find_pairs(World& world, const StepTime&) {
 void find_contacts(World& world, const StepTime&) {
   Plan& plan = *world.plan;
   const NarrowSettings settings = narrow_settings(world.scene.dials);
+  meet_scenery(world, settings);
   narrow_phase(world.scene.colliders, settings, world.pairs, world.report.narrow, plan.faults, world.jobs);
   for (const SupportFault& fault : plan.faults) mute(world, fault);
 }

@@ -11,6 +11,7 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/scenery.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/solver.h"
 
@@ -48,12 +49,14 @@ constexpr std::array<Effect, kEffectCount> kTable = {{
     {Stage::broad,     "filter",          filtering::find,       nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::broad,     "sensor",          sensing::find,         nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::solve,     "joints",          find_joints,           nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::narrow,    "scenery",         scenery::find,         nullptr,            nullptr,                nullptr,               nullptr},
 }};
 // clang-format on
 
 static_assert(kTable[kGyroscopicRow].find == gyroscopic::find && kTable[kSleepRow].find == sleeping::find &&
               kTable[kParticlesRow].find == find_particles && kTable[kFilterRow].find == filtering::find &&
-              kTable[kSensorRow].find == sensing::find && kTable[kJointsRow].find == find_joints);
+              kTable[kSensorRow].find == sensing::find && kTable[kJointsRow].find == find_joints &&
+              kTable[kSceneryRow].find == scenery::find);
 
 // As CAROM_ROTATION_*; those after them are rotation methods.
 enum RotationChoice : std::uint32_t { kNoGyroscopicTerm, kExplicitTorque, kImplicitStep };
@@ -159,6 +162,8 @@ Plan::Plan(Memory* m)
   effects.reserve(kEffectCount);
   for (const Effect& row : kTable) effects.emplace_back(&row, m);
 }
+
+Plan::~Plan() = default;
 
 PlannedEffect* Plan::find(const char* name) {
   for (PlannedEffect& row : effects)

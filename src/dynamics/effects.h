@@ -76,9 +76,9 @@ struct Effect {
   FlowFn flow;                                                    // null: there is no closed form
   Real (*rate)(const Scene&, const Customers&);                   // 1/s, fastest decay among them; null: none decays
 };
-inline constexpr std::size_t kEffectCount = 16;
+inline constexpr std::size_t kEffectCount = 17;
 inline constexpr std::size_t kGyroscopicRow = 0, kSleepRow = 11, kParticlesRow = 12, kFilterRow = 13, kSensorRow = 14,
-                             kJointsRow = 15;  // of the table
+                             kJointsRow = 15, kSceneryRow = 16;  // of the table
 
 /// What does the work of a planned row.
 enum class Served : std::uint8_t { force, flow, stage };  // effect->force, effect->flow, or neither of them
@@ -109,9 +109,11 @@ struct Proposal {
 struct Integrator;  // dynamics/integrate/integrator.h
 struct Rotation;    // dynamics/integrate/rotation/rotation.h
 struct Solver;      // dynamics/solver/solver.h
+struct SceneryContacts;  // dynamics/scenery.h
 
 struct Plan {
   explicit Plan(Memory* m);
+  ~Plan();
 
   std::uint64_t revision = 0;            // of the scene this plan was made for
   Array<PlannedEffect> effects;          // every row of the table, in its order; idle rows have no customers
@@ -135,6 +137,7 @@ struct Plan {
   Array<const Shape*> faulty;  // shapes in quarantine in this world
   Array<SupportFault> faults;  // of this step
   Array<Pair> pairs;           // of this step
+  Owned<SceneryContacts> scenery;  // null until there is some
 
   PlannedEffect* find(const char* name);  // null: no such row
 };

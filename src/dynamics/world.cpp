@@ -83,7 +83,7 @@ std::uint64_t World::hash() const {
   for (std::size_t i = 0; i < pairs.size(); ++i) add_record(pairs[i]);
   const auto add_impulse = [&](const OldImpulse& o) {
     h.add(o.pair.key());
-    h.add_coefficients(o.on_a);
+    h.add_coefficients(o.place);
     h.add_coefficients(o.p);
   };
   for (const OldImpulse& o : contacts->old) add_impulse(o);

@@ -31,6 +31,11 @@ class QueryTree {
   /// Ancestors of what was set.
   void refit();
   std::size_t size() const { return size_; }
+  /// It is not going to be built again: give back what building took.
+  void close() { items_ = Array<Item>(items_.get_allocator()); }
+  std::size_t bytes() const {
+    return nodes_.capacity() * sizeof(Node) + place_.capacity() * sizeof(std::uint32_t) + items_.capacity() * sizeof(Item);
+  }
   /// Whether so much has come apart or gone that to build afresh is the better bargain.
   bool worn() const;
 

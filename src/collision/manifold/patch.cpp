@@ -71,9 +71,11 @@ enum class Owner { a, b, none };  // whose face a normal is
 
 class Patch {
  public:
-  Patch(const PatchPair& pair, const ContactPoint& nearest, std::uint64_t& calls, SupportFault& fault)
+  Patch(const PatchPair& pair, const ContactPoint& nearest, std::uint64_t& calls, SupportFault& fault,
+        const PatchTerms& terms = {})
       : pair_(pair),
         nearest_(nearest),
+        terms_(terms),
         b_in_a_(relative(pair.frame_a, pair.frame_b)),
         a_(pair.a, pair.shell, calls, fault),
         b_(pair.b, pair.shell, calls, fault),
@@ -84,7 +86,10 @@ class Patch {
   bool find(bool declared, Real reach) {
     if (!find_facet(n_, reach, declared, a_) || !find_facet(-b_in_a_.rotate_inverse(n_), reach, declared, b_))
       return false;
-    choose_normal();
+    if (terms_.fixed)
+      owner_ = Owner::a;
+    else
+      choose_normal();
     if (!settle_facet(a_.probe, n_, a_.facet) || !settle_facet(b_.probe, -b_in_a_.rotate_inverse(n_), b_.facet))
       return false;
     meet();
@@ -93,8 +98,9 @@ class Patch {
 
   const ContactPoint* points() const { return point_; }
   int count() const { return count_; }
+  bool flat() const { return !a_.facet.round && !b_.facet.round; }
   void remember(PatchMemory& memory) const {
-    memory.firm = owner_ != Owner::none && !a_.facet.round && !b_.facet.round && !nearest_used_;
+    memory.firm = owner_ != Owner::none && flat() && !nearest_used_;
     memory.of_b = owner_ == Owner::b;
     memory.normal = memory.of_b ? b_in_a_.rotate_inverse(n_) : n_;
     memory.b_in_a = b_in_a_;
@@ -175,7 +181,8 @@ class Patch {
     Outline a, b;
     outline(a_, Frame(), false, a);
     outline(b_, b_in_a_, true, b);
-    const Real tolerance = std::max(1e-9 * size_, 16 * kUnitRoundoff * (b_in_a_.p.cwiseAbs().sum() + size_of_both()));
+    const Real tolerance =
+        std::max(1e-9 * size_, 16 * kUnitRoundoff * (b_in_a_.p.cwiseAbs().sum() + size_of_both())) + terms_.tolerance;
     Meetings met;
     cut_outlines(a, b, tolerance, met);
     for (int i = 0; i < met.count; ++i) {
@@ -183,6 +190,7 @@ class Patch {
       const Vec3 foot = origin_ + m.x * u_ + m.y * v_;
       add(foot + a.z(m.x, m.y) * n_, foot + b.z(m.x, m.y) * n_, m.feature);
     }
+    if (terms_.fixed) return;
     // What the facets leave out: two edges that pass, a corner beside a face, a point deeper than any that they share.
     Real deepest = kInfinity;
     for (int i = 0; i < count_; ++i) deepest = std::min(deepest, point_[i].separation);
@@ -206,6 +214,7 @@ class Patch {
 
   const PatchPair& pair_;
   const ContactPoint& nearest_;
+  const PatchTerms terms_;
   const Frame b_in_a_;
   Party a_, b_;
   const Real size_, margin_;  // m
@@ -216,7 +225,7 @@ class Patch {
   int count_ = 0;
   ContactPoint point_[Meetings::kMax + 1];
 };
-static_assert(Meetings::kMax + 1 <= Pool::kMax);
+static_assert(Meetings::kMax + 1 <= Pool::kMax && Meetings::kMax + 1 == PatchPoints::kMax);
 
 }  // namespace
 
@@ -235,6 +244,17 @@ bool update_patch(const PatchPair& pair, const Candidates& found, const Manifold
   }
   adopt(pair.frame_a, patch.points(), patch.count(), settings, manifold);
   patch.remember(memory);
+  return true;
+}
+
+bool find_patch(const PatchPair& pair, const ContactPoint& nearest, const PatchTerms& terms, PatchPoints& points,
+                std::uint64_t& calls, SupportFault& fault) {
+  points.count = 0;
+  Patch patch(pair, nearest, calls, fault, terms);
+  if (!patch.find(true, terms.reach)) return false;
+  points.count = patch.count();
+  points.flat = patch.flat();
+  std::copy(patch.points(), patch.points() + patch.count(), points.point);
   return true;
 }
 

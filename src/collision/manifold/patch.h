@@ -36,6 +36,27 @@ bool update_patch(const PatchPair& pair, const Candidates& found, const Manifold
 void adopt_patch(const PatchPair& pair, const Candidates& found, const ManifoldSettings& settings, Manifold& manifold,
                  PatchMemory& memory);
 
+/// The points of a patch, before four are chosen.
+struct PatchPoints {
+  static constexpr int kMax = 17;
+  int count = 0;
+  bool flat = false;  // both sides are: no facet is round
+  ContactPoint point[kMax];
+};
+
+/// How a patch is asked for by who knows more than the two shapes do, @see scenery/meet.h
+struct PatchTerms {
+  bool fixed = false;   // the normal is right as it is, and the nearest point itself is no point of the patch
+  Real reach = 0;       // m, @see fit_facet()
+  Real tolerance = 0;   // m: beyond that of the pair's own numbers
+};
+
+/// All points of the patch of a pair.
+/// @param nearest  a point of it, and the normal to start from
+/// @return         false if a support function misbehaved
+bool find_patch(const PatchPair& pair, const ContactPoint& nearest, const PatchTerms& terms, PatchPoints& points,
+                std::uint64_t& calls, SupportFault& fault);
+
 /// Whether the last patch still holds at the present poses; if so its separations are measured again and its points
 /// grow a step older. Nothing is asked of the shapes.
 bool keep_patch(const PatchPair& pair, const ManifoldSettings& settings, const PatchMemory& memory, Manifold& manifold);

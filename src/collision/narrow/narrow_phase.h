@@ -27,7 +27,7 @@ struct PairRecord {
 
 /// Records of the pairs of the current step, in ascending order of pair; a record survives as long as its bounds
 /// overlap. Those of pairs that lie still can be parked: kept, each by one or both of its colliders, but not gone
-/// through.
+/// through. A pair has one record, or, where scenery touches on several sides, a run of them.
 class PairTable {
  public:
   explicit PairTable(Memory* memory)
@@ -36,6 +36,12 @@ class PairTable {
   /// Keep records of pairs still there, take back parked ones, start new ones, drop the rest. `pairs` ascending.
   /// Linear: both lists are sorted.
   void update(const Array<Pair>& pairs);
+  /// A run of records of one pair, which is to have as many as wanted (at least one).
+  struct Run {
+    std::uint32_t first, count, wanted;
+  };
+  /// Records at the end of a run go, new ones come there. `runs` ascending; places before the first stay as they are.
+  void resize_runs(const Array<Run>& runs);
   /// Forget everything that involves a collider (it was destroyed or its shape changed).
   void forget(std::uint32_t collider);
   void clear();
@@ -89,6 +95,7 @@ class PairTable {
   /// A parked record stands in a list of each collider that holds it.
   struct Parked {
     std::uint32_t next[2] = {kNew, kNew};  // record after this one in the list of A, of B
+    std::uint32_t at = 0;                  // its place when it was parked: orders the records of a run
     std::uint8_t holders = none;
   };
   std::uint32_t& next_in_list(std::uint32_t record, std::uint32_t collider) {
@@ -96,6 +103,8 @@ class PairTable {
   }
   std::uint32_t find_parked(const Pair& pair) const;
   void unpark(std::uint32_t record);
+  bool take_back(const Pair& pair);
+  std::uint32_t fresh_record(const Pair& pair);
 
   Array<Place> order_, next_;  // by ascending pair
   Array<PairRecord> records_;

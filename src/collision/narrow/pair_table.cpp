@@ -13,30 +13,66 @@ void PairTable::update(const Array<Pair>& pairs) {
   std::size_t old = 0;
   for (const Pair& p : pairs) {
     while (old < order_.size() && order_[old].pair < p) free_.push_back(order_[old++].record);
-    if (old < order_.size() && order_[old].pair == p)
-      next_.push_back(order_[old++]);
-    else
-      next_.push_back({p, kNew});
-  }
-  while (old < order_.size()) free_.push_back(order_[old++].record);
-  for (Place& place : next_) {
-    if (place.record != kNew) continue;
-    if (const std::uint32_t parked = find_parked(place.pair); parked != kNew) {
-      unpark(parked);
-      place.record = parked;
-      place.points = static_cast<std::uint32_t>(records_[parked].manifold.count);
+    if (old == order_.size() || !(order_[old].pair == p)) {
+      if (!take_back(p)) next_.push_back({p, kNew});
       continue;
     }
-    if (free_.empty()) {
-      place.record = static_cast<std::uint32_t>(records_.size());
-      records_.emplace_back();
-    } else {
-      place.record = free_.back();
-      free_.pop_back();
-      records_[place.record] = PairRecord{};
-    }
-    records_[place.record].pair = place.pair;
+    do next_.push_back(order_[old++]);
+    while (old < order_.size() && order_[old].pair == p);
   }
+  while (old < order_.size()) free_.push_back(order_[old++].record);
+  for (Place& place : next_)
+    if (place.record == kNew) place.record = fresh_record(place.pair);
+  order_.swap(next_);
+}
+
+/// Parked records of a pair, into next_ in the order that they had.
+bool PairTable::take_back(const Pair& pair) {
+  const std::size_t before = next_.size();
+  for (std::uint32_t parked; (parked = find_parked(pair)) != kNew;) {
+    unpark(parked);
+    next_.push_back({pair, parked, static_cast<std::uint32_t>(records_[parked].manifold.count)});
+  }
+  if (next_.size() - before > 1)
+    std::sort(next_.begin() + static_cast<std::ptrdiff_t>(before), next_.end(),
+              [&](const Place& a, const Place& b) { return parked_[a.record].at < parked_[b.record].at; });
+  return next_.size() > before;
+}
+
+std::uint32_t PairTable::fresh_record(const Pair& pair) {
+  std::uint32_t r;
+  if (free_.empty()) {
+    r = static_cast<std::uint32_t>(records_.size());
+    records_.emplace_back();
+  } else {
+    r = free_.back();
+    free_.pop_back();
+    records_[r] = PairRecord{};
+  }
+  records_[r].pair = pair;
+  return r;
+}
+
+void PairTable::resize_runs(const Array<Run>& runs) {
+  next_.clear();
+  std::size_t come = 0, from = 0;
+  for (const Run& run : runs) come += run.wanted;
+  next_.reserve(order_.size() + come);
+  free_.reserve(records_.size() + come);
+  if (records_.capacity() < records_.size() + come)
+    records_.reserve(std::max(2 * records_.capacity(), records_.size() + come));
+  const auto copy_up_to = [&](std::size_t end) {
+    next_.insert(next_.end(), order_.begin() + static_cast<std::ptrdiff_t>(from),
+                 order_.begin() + static_cast<std::ptrdiff_t>(end));
+    from = end;
+  };
+  for (const Run& run : runs) {
+    copy_up_to(run.first + std::min(run.count, run.wanted));
+    for (; from < run.first + run.count; ++from) free_.push_back(order_[from].record);
+    const Pair pair = order_[run.first].pair;
+    for (std::uint32_t k = run.count; k < run.wanted; ++k) next_.push_back({pair, fresh_record(pair)});
+  }
+  copy_up_to(order_.size());
   order_.swap(next_);
 }
 
@@ -65,6 +101,7 @@ void PairTable::park(const Array<std::uint8_t>& holders, std::size_t slots) {
   for (std::size_t i = 0; i < order_.size(); ++i) {
     const std::uint32_t r = order_[i].record;
     parked_[r].holders = holders[i];
+    parked_[r].at = static_cast<std::uint32_t>(i);
     if (holders[i] == none) {
       order_[kept++] = order_[i];
       continue;
@@ -87,7 +124,8 @@ void PairTable::unpark(std::uint32_t record) {
   };
   if (parked_[record].holders & by_a) leave(p.a);
   if (parked_[record].holders & by_b) leave(p.b);
-  parked_[record] = Parked{};
+  parked_[record].holders = none;
+  parked_[record].next[0] = parked_[record].next[1] = kNew;
   --parked_count_;
 }
 

@@ -16,19 +16,26 @@ namespace {
 
 constexpr std::size_t kPairsAhead = 4;  // whose records are fetched while those of one pair are read
 
-/// Which old point each point of a manifold goes on from: the nearest on A within reach, nearest pairs first, each
-/// taken once; a single point goes on from a single one however far it rolled. Two points that started from the same
-/// old one would carry its load twice, which upsets thin bodies whose points come and go.
+/// Where a point is for the next step to find again: on A, in the frame of its shape, unless A is static or kinematic,
+/// over which B may slide as fast as it likes; then on B.
+const Vec3& place_of(const ContactPoint& p, bool on_b) { return on_b ? p.on_b : p.on_a; }
+bool placed_on_b(const Scene& scene, std::uint32_t collider_a) {
+  return scene.type[scene.colliders.body[collider_a]] != BodyType::dynamic;
+}
+
+/// Which old point each point of a manifold goes on from: the nearest within reach, nearest pairs first, each taken
+/// once; a single point goes on from a single one however far it rolled. Two points that started from the same old one
+/// would carry its load twice, which upsets thin bodies whose points come and go.
 /// @param first, last  range of the pair in c.old   @return by point; null: none
 std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Contacts& c, std::size_t first, std::size_t last,
-                                                                 const Manifold& manifold, Real reach) {
+                                                                 const Manifold& manifold, bool on_b, Real reach) {
   std::array<const OldImpulse*, Manifold::kMaxPoints> match{};
   if (last - first == 1 && manifold.count == 1) return {&c.old[first]};
   std::size_t left = last - first;
   // A kept patch has its points where they were, in their order: nothing is nearer.
   std::size_t next = first;
   for (int i = 0; i < manifold.count && next < last && reach > 0; ++i) {
-    if (c.old[next].on_a != manifold.point[i].on_a) continue;
+    if (c.old[next].place != place_of(manifold.point[i], on_b)) continue;
     match[static_cast<std::size_t>(i)] = &c.old[next++];
     --left;
   }
@@ -41,7 +48,7 @@ std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Contacts&
       if (std::find(match.begin(), match.end(), old) != match.end()) continue;
       for (int i = 0; i < manifold.count; ++i) {
         if (match[static_cast<std::size_t>(i)]) continue;
-        const Real d = (old->on_a - manifold.point[i].on_a).squaredNorm();
+        const Real d = (old->place - place_of(manifold.point[i], on_b)).squaredNorm();
         if (d < least) least = d, nearest = old, of = i;
       }
     }
@@ -99,7 +106,7 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
   while (last < c.old.size() && c.old[last].pair == record.pair) ++last;
   std::array<const OldImpulse*, Manifold::kMaxPoints> match{};
   if (scale > 0 && last > cursor)
-    match = match_points(c, cursor, last, record.manifold, scene.dials[Dial::cache_distance]);
+    match = match_points(c, cursor, last, record.manifold, placed_on_b(scene, ca), scene.dials[Dial::cache_distance]);
 
   const Real radius_a = scene.colliders.shape[ca]->core_radius, radius_b = scene.colliders.shape[cb]->core_radius;
   for (int k = 0; k < record.manifold.count; ++k) {
@@ -338,7 +345,9 @@ void remember_impulses(World& world, Real h) {
     world.pairs.fetch(g.pair + kPairsAhead);
     while (resistance < end && resistance->row + resistance->points <= i) ++resistance;
     const bool first = resistance < end && resistance->row <= i;
-    c.old.push_back({world.pairs.place(g.pair).pair, world.pairs[g.pair].manifold.point[g.point].on_a, c.rows[i].p,
+    const Pair& pair = world.pairs.place(g.pair).pair;
+    const ContactPoint& point = world.pairs[g.pair].manifold.point[g.point];
+    c.old.push_back({pair, place_of(point, placed_on_b(world.scene, pair.a)), c.rows[i].p,
                      first ? resistance->moment : Vec3(Vec3::Zero())});
     resistance += first;
   }

@@ -89,7 +89,7 @@ struct Link {
 /// What the next step knows of an impulse of this one.
 struct OldImpulse {
   Pair pair;
-  Vec3 on_a;    // m, frame of collider A's shape
+  Vec3 place;   // m, where it acted, @see place_of()
   Vec3 p;       // N s per substep, world
   Vec3 moment;  // N m s per substep, world, on B: of the pair's first point that is remembered; else zero
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "collision/cast/overlap.h"
 #include "collision/narrow/rounding.h"
+#include "collision/scenery/ask.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
@@ -104,7 +104,7 @@ bool overlaps(const World& world, const Pair& p, bool before) {
   SupportFault fault;
   constexpr int kCap = 128;
   const OverlapResult r =
-      overlap(*c.shape[p.a], *c.shape[p.b], relative(collider_frame(world, p.a), collider_frame(world, p.b)), 0,
+      any_shape::overlap(*c.shape[p.a], *c.shape[p.b], relative(collider_frame(world, p.a), collider_frame(world, p.b)), 0,
               kPoseRounding * kUnitRoundoff, kCap, fault);
   return r.outcome == Overlap::overlapping || (before && r.outcome == Overlap::touching);
 }

@@ -1,5 +1,6 @@
 // What overlaps a shape in a world, and what is nearest to it.
 #include "collision/narrow/rounding.h"
+#include "collision/scenery/ask.h"
 #include "dynamics/query/search.h"
 
 namespace carom {
@@ -26,7 +27,7 @@ Real between(const Aabb& a, const Aabb& b) { return (a.lo - b.hi).cwiseMax(b.lo 
 WorldHit overlap_against(const World& world, std::uint32_t slot, const Asker& asker, const CastSettings& settings) {
   const Frame& frame = world.queries->frame(slot);
   SupportFault fault;
-  const OverlapResult found = overlap(*asker.shape, *world.scene.colliders.shape[slot], relative(asker.frame, frame),
+  const OverlapResult found = any_shape::overlap(*asker.shape, *world.scene.colliders.shape[slot], relative(asker.frame, frame),
                                       settings.target, kPoseRounding * kUnitRoundoff, settings.cap, fault);
   WorldHit hit;
   hit.collider = slot;
@@ -71,7 +72,7 @@ WorldHit nearest_against(const World& world, std::uint32_t slot, const Asker& as
   const Frame b_in_a = relative(asker.frame, frame);
   QueryResult found;
   SupportFault fault;
-  distance(a, b, b_in_a, query, nullptr, found, fault);
+  any_shape::distance(a, b, b_in_a, query, nullptr, found, fault);
   WorldHit hit;
   hit.collider = slot;
   CastResult& r = hit.cast;

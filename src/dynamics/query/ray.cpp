@@ -1,6 +1,6 @@
 // Rays through a world, and shapes that move along a line: what they meet first, whether they meet anything, all that
 // they meet.
-#include "collision/cast/shape_cast.h"
+#include "collision/scenery/ask.h"
 #include "dynamics/query/search.h"
 
 namespace carom {
@@ -86,7 +86,7 @@ WorldHit ray_on(const World& world, std::uint32_t slot, const Ray& ray, const Wa
   WorldHit hit;
   SupportFault fault;
   hit.collider = slot;
-  cast_ray(ray, *world.scene.colliders.shape[slot], world.queries->frame(slot), settings, hit.cast, fault);
+  any_shape::cast_ray(ray, *world.scene.colliders.shape[slot], world.queries->frame(slot), settings, hit.cast, fault);
   keep_within(way, ray.max, world.queries->bounds(slot), hit.cast);
   return hit;
 }
@@ -96,7 +96,7 @@ WorldHit shape_on(const World& world, std::uint32_t slot, const Asker& asker, co
   WorldHit hit;
   SupportFault fault;
   hit.collider = slot;
-  cast_shape(*asker.shape, asker.frame, motion, *world.scene.colliders.shape[slot], world.queries->frame(slot),
+  any_shape::cast_shape(*asker.shape, asker.frame, motion, *world.scene.colliders.shape[slot], world.queries->frame(slot),
              settings, hit.cast, fault);
   keep_within(way, 1, world.queries->bounds(slot), hit.cast);
   return hit;

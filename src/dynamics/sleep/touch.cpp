@@ -3,6 +3,7 @@
 
 #include "dynamics/detect.h"
 #include "dynamics/filter.h"
+#include "dynamics/scenery.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom {
@@ -46,6 +47,8 @@ void wake_drawn(World& world) {
 /// the narrow phase's own, and what is remembered stays as it was.
 bool touches(World& world, const NarrowSettings& settings, const Pair& pair) {
   const Colliders& c = world.scene.colliders;
+  if (c.shape[pair.a]->form == Form::scenery || c.shape[pair.b]->form == Form::scenery)
+    return touches_scenery(world, settings, pair);
   NarrowSettings own = settings;
   own.manifold.contact_distance += c.reach[pair.a] + c.reach[pair.b];
   const PairRecord* const record = world.pairs.find(pair);

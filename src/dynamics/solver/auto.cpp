@@ -65,8 +65,8 @@ Real thickness_of(const World& world, const RowGeometry& g) {
   const Colliders& colliders = world.scene.colliders;
   const Pair& pair = world.pairs.place(g.pair).pair;
   const auto of = [&](std::uint32_t collider) {
-    const Aabb& b = colliders.shape[collider]->bounds;
-    return (b.hi - b.lo).minCoeff();
+    const Shape& s = *colliders.shape[collider];
+    return s.form == Form::scenery ? kInfinity : (s.bounds.hi - s.bounds.lo).minCoeff();
   };
   return std::min(of(pair.a), of(pair.b));
 }

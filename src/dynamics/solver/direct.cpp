@@ -119,7 +119,9 @@ Real mean_response(const ConeBody* bodies, const ConeContact& c) {
   return of(c.a, c.r_a) + of(c.b, c.r_b);
 }
 
-bool is_curved(const Shape& s) { return s.form != Form::box && s.form != Form::polytope && s.form != Form::half_space; }
+bool is_curved(const Shape& s) {
+  return s.form != Form::box && s.form != Form::polytope && s.form != Form::half_space && s.form != Form::scenery;
+}
 
 /// Where a contact is, and what depends on that. Bodies have the velocities of the state.
 void load_contact(const World& world, std::uint32_t row_index, const ConeBody* bodies, ConeContact& contact) {

@@ -1,0 +1,250 @@
+#include "collision/scenery/ask.h"
+
+#include <algorithm>
+#include <array>
+
+#include "collision/cast/shape_cast.h"
+#include "collision/volume.h"
+
+namespace carom {
+namespace {
+
+/// A piece as a shape, on the stack: threads ask side by side, and none of them allocates.
+struct OnePiece {
+  std::array<std::byte, 1024> room;
+  std::pmr::monotonic_buffer_resource memory{room.data(), room.size(), std::pmr::null_memory_resource()};
+  PieceShape shape{&memory};
+
+  /// Scenery -> outside becomes piece -> outside.
+  Frame place(const Frame& scenery) const { return Frame(scenery.r, scenery.apply(shape.origin())); }
+};
+
+/// Of two answers the one that comes first; a fault before all.
+bool comes_before(const CastResult& a, const CastResult& b) {
+  if (b.outcome == CastOutcome::miss) return a.outcome != CastOutcome::miss;
+  return a.outcome != CastOutcome::miss && a.time < b.time;
+}
+
+void miss(Real end, CastResult& result) {
+  result = CastResult();
+  result.time = result.lower = end;
+}
+
+Aabb grown(Aabb box, Real by) {
+  box.lo.array() -= by, box.hi.array() += by;
+  return box;
+}
+
+/// Counts what several questions cost.
+class Sum {
+ public:
+  void add(const CastResult& one) { calls_ += one.support_calls, iterations_ += one.iterations; }
+  void write(CastResult& result) const { result.support_calls = calls_, result.iterations = iterations_; }
+
+ private:
+  int calls_ = 0, iterations_ = 0;
+};
+
+/// Ask the pieces along a way that a box about a point goes; ask(piece, one) answers for one of them.
+/// @param from, motion, extent  in the scenery's frame   @param end  of time, of which motion is one unit
+template <class Ask>
+void first_along(const Scenery& scenery, const Vec3& from, const Vec3& motion, const Aabb& extent, Real end,
+                 CastResult& result, Ask&& ask) {
+  miss(end, result);
+  const Real largest = motion.cwiseAbs().maxCoeff();
+  const bool moves = largest > 0 && end > 0;
+  const Vec3 scaled = moves ? Vec3(motion / largest) : Vec3(Vec3::UnitX());
+  const Real speed = moves ? largest * scaled.norm() : 0;
+  Sum sum;
+  const auto one = [&](std::uint32_t index) {
+    Piece piece;
+    CastResult answer;
+    if (scenery.piece(index, piece) && ask(piece, answer)) {
+      sum.add(answer);
+      if (comes_before(answer, result)) result = answer;
+    }
+    // Brackets are as wide as the tolerance times the size of a piece; what is farther by more comes later.
+    return result.outcome == CastOutcome::miss ? kInfinity : speed * result.upper;
+  };
+  scenery.each_along(from, scaled / scaled.norm(), extent, moves ? speed * end : 0, one);
+  sum.write(result);
+}
+
+}  // namespace
+
+void cast_ray_at_pieces(const Ray& ray, const Shape& shape, const Frame& frame, const CastSettings& settings,
+                        CastResult& result, SupportFault& fault) {
+  const Scenery& scenery = *shape.scenery;
+  OnePiece at;
+  Aabb ball;
+  ball.lo.setConstant(-settings.target), ball.hi.setConstant(settings.target);
+  const Vec3 direction = frame.rotate_inverse(ray.direction);
+  first_along(scenery, frame.apply_inverse(ray.origin), direction, ball, ray.max, result,
+              [&](const Piece& piece, CastResult& one) {
+                if (!scenery.two_sided && piece.normal.dot(direction) > 0) return false;
+                at.shape.set(piece);
+                cast_ray(ray, at.shape.shape(), at.place(frame), settings, one, fault);
+                return true;
+              });
+}
+
+void cast_shape_at_pieces(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& shape,
+                          const Frame& frame, const CastSettings& settings, CastResult& result, SupportFault& fault) {
+  const Scenery& scenery = *shape.scenery;
+  OnePiece at;
+  const Frame a_in_scenery = relative(frame, frame_a);
+  const Aabb extent = grown(world_bounds(a, a_in_scenery.r, Vec3::Zero(), fault), settings.target);
+  if (fault.kind != SupportFault::none) {
+    result = CastResult();
+    result.outcome = CastOutcome::undecided, result.status = QueryStatus::fault;
+    return;
+  }
+  const Vec3 centre = a_in_scenery.apply(a.mass.centroid);
+  first_along(scenery, a_in_scenery.p, frame.rotate_inverse(motion), extent, 1, result,
+              [&](Piece& piece, CastResult& one) {
+                if (!face(scenery, centre, piece)) return false;
+                at.shape.set(piece);
+                cast_shape(a, frame_a, motion, at.shape.shape(), at.place(frame), settings, one, fault);
+                return true;
+              });
+}
+
+void time_of_impact_at_pieces(const Shape& a, const RigidMotion& motion_a, const Shape& shape,
+                              const RigidMotion& motion, Real duration, const CastSettings& settings,
+                              CastResult& result, SupportFault& fault) {
+  const Scenery& scenery = *shape.scenery;
+  OnePiece at;
+  const Frame frame(motion.at), frame_a(motion_a.at);
+  // All that A sweeps, seen from the scenery: balls about both ends of the way of the centre that it turns about, and
+  // as much more as the scenery's own turning sweeps past.
+  const Vec3 start = frame.apply_inverse(motion_a.centre);
+  const Vec3 way = frame.rotate_inverse(motion_a.velocity - motion.velocity) * duration;
+  const Real turn = std::min(motion.omega.norm() * duration, Real(2));
+  const Real past = turn * ((motion_a.centre - motion.centre).norm() + way.norm());
+  const Real arm = (frame_a.p - motion_a.centre).norm() + a.bounding_radius + settings.target + past;
+  Aabb box;
+  box.lo = grown(box, 0).lo.cwiseMin(start).cwiseMin(start + way),
+  box.hi = box.hi.cwiseMax(start).cwiseMax(start + way);
+  box = grown(box, arm);
+  const Vec3 centre = frame.apply_inverse(frame_a.apply(a.mass.centroid));
+  miss(duration, result);
+  Sum sum;
+  scenery.each_near(box, [&](std::uint32_t index) {
+    Piece piece;
+    if (!scenery.piece(index, piece) || !face(scenery, centre, piece)) return;
+    at.shape.set(piece);
+    RigidMotion of_piece = motion;
+    of_piece.at.p = motion.at.apply(at.shape.origin());
+    CastResult one;
+    // Later than the first so far is no matter: a shorter question is a cheaper one.
+    const Real end = result.outcome == CastOutcome::miss ? duration : std::min(result.upper, duration);
+    time_of_impact(a, motion_a, at.shape.shape(), of_piece, end, settings, one, fault);
+    sum.add(one);
+    if (comes_before(one, result)) result = one;
+  });
+  sum.write(result);
+}
+
+OverlapResult overlap_with_pieces(const Shape& a, const Shape& shape, const Frame& scenery_in_a, Real target,
+                                  Real rounding, int cap, SupportFault& fault) {
+  const Scenery& scenery = *shape.scenery;
+  OnePiece at;
+  const Frame a_in_scenery = relative(scenery_in_a, Frame());
+  const Aabb box = grown(world_bounds(a, a_in_scenery.r, a_in_scenery.p, fault), target);
+  OverlapResult result;
+  result.outcome = Overlap::apart, result.separation_bound = target;
+  if (fault.kind != SupportFault::none) {
+    result.outcome = Overlap::fault;
+    return result;
+  }
+  int calls = 0;
+  scenery.each_near(box, [&](std::uint32_t index) {
+    Piece piece;
+    if (result.outcome == Overlap::overlapping || result.outcome == Overlap::fault || !scenery.piece(index, piece))
+      return;
+    at.shape.set(piece);
+    const OverlapResult one = overlap(a, at.shape.shape(), at.place(scenery_in_a), target, rounding, cap, fault);
+    calls += one.support_calls;
+    if (one.outcome != Overlap::apart) result = one;
+  });
+  result.support_calls = calls;
+  return result;
+}
+
+void distance_to_pieces(const Shape& a, const Shape& shape, const Frame& scenery_in_a, const QuerySettings& settings,
+                        QueryResult& result, SupportFault& fault) {
+  const Scenery& scenery = *shape.scenery;
+  OnePiece at;
+  const Frame a_in_scenery = relative(scenery_in_a, Frame());
+  const Aabb box = world_bounds(a, a_in_scenery.r, a_in_scenery.p, fault);
+  result = QueryResult();
+  result.farther = true, result.separation = result.lower = result.upper = kInfinity;
+  if (fault.kind != SupportFault::none) {
+    result.status = QueryStatus::fault, result.farther = false, result.lower = -kInfinity;
+    return;
+  }
+  bool any = false;
+  int calls = 0, gjk = 0, epa = 0;
+  QuerySettings own = settings;
+  scenery.each_around(box, settings.max_distance, [&](std::uint32_t index) {
+    Piece piece;
+    if (result.status != QueryStatus::fault && scenery.piece(index, piece)) {
+      at.shape.set(piece);
+      QueryResult one;
+      const Frame frame = at.place(scenery_in_a);
+      distance(a, at.shape.shape(), frame, own, nullptr, one, fault);
+      calls += one.support_calls, gjk += one.gjk_iterations, epa += one.epa_iterations;
+      if (one.status == QueryStatus::fault || (!one.farther && (!any || one.separation < result.separation))) {
+        result = one;
+        result.point_b += at.shape.origin();
+        any = true;
+        own.max_distance = std::max(one.upper, Real(0));
+      }
+    }
+    return own.max_distance;
+  });
+  result.support_calls = calls, result.gjk_iterations = gjk, result.epa_iterations = epa;
+}
+
+namespace any_shape {
+
+void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const CastSettings& settings, CastResult& result,
+              SupportFault& fault) {
+  if (is_scenery(shape)) return cast_ray_at_pieces(ray, shape, frame, settings, result, fault);
+  carom::cast_ray(ray, shape, frame, settings, result, fault);
+}
+
+void cast_shape(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& b, const Frame& frame_b,
+                const CastSettings& settings, CastResult& result, SupportFault& fault) {
+  if (is_scenery(b)) return cast_shape_at_pieces(a, frame_a, motion, b, frame_b, settings, result, fault);
+  carom::cast_shape(a, frame_a, motion, b, frame_b, settings, result, fault);
+}
+
+void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b, const RigidMotion& motion_b,
+                    Real duration, const CastSettings& settings, CastResult& result, SupportFault& fault) {
+  if (is_scenery(b)) return time_of_impact_at_pieces(a, motion_a, b, motion_b, duration, settings, result, fault);
+  carom::time_of_impact(a, motion_a, b, motion_b, duration, settings, result, fault);
+}
+
+OverlapResult overlap(const Shape& a, const Shape& b, const Frame& b_in_a, Real target, Real rounding, int cap,
+                      SupportFault& fault) {
+  if (!usable(b_in_a)) return {};
+  if (is_scenery(b)) return overlap_with_pieces(a, b, b_in_a, target, rounding, cap, fault);
+  if (!is_scenery(a)) return carom::overlap(a, b, b_in_a, target, rounding, cap, fault);
+  OverlapResult result = overlap_with_pieces(b, a, relative(b_in_a, Frame()), target, rounding, cap, fault);
+  result.normal = -b_in_a.rotate(result.normal), result.point = b_in_a.apply(result.point);
+  return result;
+}
+
+void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySettings& settings, QueryMemory* memory,
+              QueryResult& result, SupportFault& fault) {
+  if (is_scenery(b)) return distance_to_pieces(a, b, b_in_a, settings, result, fault);
+  if (!is_scenery(a)) return carom::distance(a, b, b_in_a, settings, memory, result, fault);
+  distance_to_pieces(b, a, relative(b_in_a, Frame()), settings, result, fault);
+  result.normal = -b_in_a.rotate(result.normal);
+  std::swap(result.point_a, result.point_b);
+}
+
+}  // namespace any_shape
+
+}  // namespace carom

@@ -1,0 +1,47 @@
+// Questions to shapes of any kind: convex ones answer by cast/ and narrow/, scenery by what its pieces answer, put
+// together. Nobody else need know that there are pieces.
+//
+// Which sides count: a ray passes through a one-sided surface from behind; so does a shape that moves, if its centre
+// starts behind a piece, as it would in a step. Overlap and distance know no sides.
+#pragma once
+
+#include "collision/cast/overlap.h"
+#include "collision/cast/ray.h"
+#include "collision/cast/time_of_impact.h"
+#include "collision/scenery/piece_shape.h"
+
+namespace carom {
+
+inline bool is_scenery(const Shape& s) { return s.form == Form::scenery; }
+
+namespace any_shape {
+// As the functions of the same names outside, of shapes of which one may be scenery, the second one where there
+// is a difference.
+void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const CastSettings& settings, CastResult& result,
+              SupportFault& fault);
+void cast_shape(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& b, const Frame& frame_b,
+                const CastSettings& settings, CastResult& result, SupportFault& fault);
+void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b, const RigidMotion& motion_b,
+                    Real duration, const CastSettings& settings, CastResult& result, SupportFault& fault);
+OverlapResult overlap(const Shape& a, const Shape& b, const Frame& b_in_a, Real target, Real rounding, int cap,
+                      SupportFault& fault);
+void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySettings& settings, QueryMemory* memory,
+              QueryResult& result, SupportFault& fault);
+}  // namespace any_shape
+
+/// The piece that is met first.
+void cast_ray_at_pieces(const Ray& ray, const Shape& scenery, const Frame& frame, const CastSettings& settings,
+                        CastResult& result, SupportFault& fault);
+void cast_shape_at_pieces(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& scenery,
+                          const Frame& frame, const CastSettings& settings, CastResult& result, SupportFault& fault);
+void time_of_impact_at_pieces(const Shape& a, const RigidMotion& motion_a, const Shape& scenery,
+                              const RigidMotion& motion, Real duration, const CastSettings& settings,
+                              CastResult& result, SupportFault& fault);
+/// Whether any piece overlaps. @param scenery_in_a  pose of the scenery in A's frame
+OverlapResult overlap_with_pieces(const Shape& a, const Shape& scenery, const Frame& scenery_in_a, Real target,
+                                  Real rounding, int cap, SupportFault& fault);
+/// The nearest piece, of several that overlap the one that is deepest in.
+void distance_to_pieces(const Shape& a, const Shape& scenery, const Frame& scenery_in_a, const QuerySettings& settings,
+                        QueryResult& result, SupportFault& fault);
+
+}  // namespace carom

@@ -1,0 +1,277 @@
+// Piece by piece: along its own normal where that is enough, by a query where an edge may be met; what the surface
+// around contradicts is not heard. README.md walks through the steps.
+#include "collision/scenery/meet.h"
+
+#include <algorithm>
+#include <array>
+
+#include "collision/cast/overlap.h"
+#include "collision/narrow/rounding.h"
+#include "collision/support.h"
+#include "collision/volume.h"
+
+namespace carom {
+namespace {
+
+// Sine of an angle by which a surface must turn down at a side to be an edge there. Flatter, it goes on level to
+// rounding of its corners, and the gap between two normals is narrower than the tolerance of an outline.
+constexpr Real kCrease = 1e-8;
+// Sine of what a normal may be off and still count as allowed by a surface: rounding, and far more.
+constexpr Real kLevel = 1e-7;
+// Cosine of 0.05 rad: pieces that look the same way within this are one patch, each point with its own normal.
+constexpr Real kSameWay = 0.99875;
+// More patches than this one shape is not given: the nearest of them takes what would begin another.
+constexpr std::size_t kMostPatches = 16;
+// How far over a fold a piece is taken to go on: the reach of contacts, and this share of the shape's radius for what
+// it may sink in; and at a sharp corner at most so many times that.
+constexpr Real kFoldShare = 0.05, kFarthestFold = 4;
+// Which points of many stay: the extreme ones along directions tilted from the normal by this (as in
+// narrow/pair_half_space.cpp), at azimuths turned off every symmetry.
+constexpr Real kTilt = 0.05;
+constexpr int kWays = 12;
+constexpr Real kAzimuth[kWays][2] = {
+    {0.9950041652780258, 0.09983341664682815},   {0.8117821756786866, 0.5839603576017622},
+    {0.41104380767626354, 0.9116155923255147},   {-0.09983341664682804, 0.9950041652780258},
+    {-0.5839603576017619, 0.8117821756786868},   {-0.9116155923255144, 0.411043807676264},
+    {-0.9950041652780258, -0.09983341664682793}, {-0.8117821756786869, -0.5839603576017618},
+    {-0.4110438076762633, -0.9116155923255148},  {0.09983341664682745, -0.9950041652780259},
+    {0.5839603576017613, -0.8117821756786872},   {0.9116155923255146, -0.41104380767626376}};
+
+/// What lies beyond the sides of a piece, as seen along its normal.
+struct Sides {
+  std::array<Vec3, 3> out;   // unit, in the piece's plane, away from it
+  std::array<Vec3, 3> down;  // unit, the way the surface goes on there, square to the side; zero at a rim
+  std::array<bool, 3> edge;  // it turns down there, or ends
+  std::array<bool, 3> fold;  // it turns up there, towards the shape
+  std::array<bool, 3> wall;  // it turns up there, and the shape is behind what does
+  bool any = false;          // edges or walls
+
+  /// @param centre  m, of the shape: a fold counts if the shape is on this side of what lies beyond it, too
+  Sides(const Piece& p, const Vec3& centre) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 along = (p.corner[(i + 1) % 3] - p.corner[i]).normalized();
+      out[i] = along.cross(p.normal);
+      down[i] = Vec3::Zero();
+      edge[i] = true, fold[i] = wall[i] = false;
+      if (!p.rim[i]) {
+        const Vec3 to = p.far[i] - p.corner[i], square = to - to.dot(along) * along;
+        down[i] = square.normalized();
+        const Real rises = down[i].dot(p.normal);
+        // Level and back over itself: a blade.
+        edge[i] = rises < -kCrease || (rises <= kCrease && down[i].dot(out[i]) < 0);
+        const Vec3 beyond = down[i].cross(along), inner = beyond.dot(out[i]) < 0 ? beyond : Vec3(-beyond);
+        const bool before = inner.dot(centre - p.corner[i]) >= 0;
+        fold[i] = rises > kCrease && before, wall[i] = rises > kCrease && !before;
+      }
+      any |= edge[i] || wall[i];
+    }
+  }
+  /// m, how far within the sides a place above the plane is; negative outside.
+  Real inset(const Piece& p, const Vec3& x) const {
+    Real least = kInfinity;
+    for (std::size_t i = 0; i < 3; ++i) least = std::min(least, -out[i].dot(x - p.corner[i]));
+    return least;
+  }
+};
+
+/// A piece's corners, moved out over its folds: beyond one, what is below its plane is below the surface as well, and a
+/// corner of a shape that is pushed into the piece beyond by a little still stands on this one.
+/// Where a corner has something beyond which the shape is, the piece ends there.
+/// @param centre  m, of the shape   @param by  m
+std::array<Vec3, 3> over_folds(const Scenery& scenery, const Piece& piece, const Sides& sides, const Vec3& centre,
+                               Real by) {
+  std::array<Vec3, 3> corner = piece.corner;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t before = (k + 2) % 3;
+    const Real d1 = sides.fold[before] ? by : 0, d2 = sides.fold[k] ? by : 0;
+    if ((d1 == 0 && d2 == 0) || !scenery.is_before_all_around(piece, own_corner(piece, static_cast<int>(k)), centre))
+      continue;
+    const Vec3 &o1 = sides.out[before], &o2 = sides.out[k];
+    const Real c = o1.dot(o2);
+    const Vec3 way = ((d1 - d2 * c) * o1 + (d2 - d1 * c) * o2) / (1 - c * c);
+    const Real length = way.norm();
+    corner[k] += length > kFarthestFold * by ? Vec3(kFarthestFold * by / length * way) : way;
+  }
+  return corner;
+}
+
+/// What the surface makes of a normal that a query found at a place of a piece.
+///   heard      it lies below the plane through the place that is square to n: it can push that way there
+///   neighbours the surface turns down at a side there, and n leans farther over it than the piece beyond does, or it
+///              turns up between piece and shape: whatever is met there, the piece beyond or another one meets it
+///   own        no more than the way out of this piece alone: the piece's own normal is meant
+enum class Verdict { own, heard, neighbours };
+Verdict judge(const Scenery& scenery, const Piece& piece, const Sides& sides, const Vec3& place, const Vec3& n,
+              Real near) {
+  std::array<bool, 3> at{};
+  int count = 0;
+  for (std::size_t i = 0; i < 3; ++i) count += at[i] = -sides.out[i].dot(place - piece.corner[i]) <= near;
+  if (count == 0) return Verdict::own;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (at[i] && (sides.edge[i] ? sides.down[i].dot(n) > kLevel : sides.wall[i] && sides.out[i].dot(n) > kLevel))
+      return Verdict::neighbours;
+  if (n.dot(piece.normal) < -kLevel) return Verdict::own;
+  if (count == 1) {
+    const auto i = static_cast<std::size_t>(at[0] ? 0 : at[1] ? 1 : 2);
+    return sides.edge[i] && -sides.out[i].dot(n) <= kLevel ? Verdict::heard : Verdict::own;
+  }
+  std::size_t corner = 0;  // of three at once: a piece smaller than the query can tell
+  for (std::size_t k = 1; k < 3; ++k)
+    if ((place - piece.corner[k]).squaredNorm() < (place - piece.corner[corner]).squaredNorm()) corner = k;
+  return scenery.falls_away_around(piece, own_corner(piece, static_cast<int>(corner)), n) ? Verdict::heard
+                                                                                          : Verdict::own;
+}
+
+}  // namespace
+
+SceneryMeeting::SceneryMeeting(Memory* memory)
+    : shape_(memory), near_(memory), found_(memory), normals_(memory), patches_(memory) {}
+
+bool SceneryMeeting::find(const SceneryPair& pair, const NarrowSettings& settings, Real reach, NarrowReport& report,
+                          SupportFault& fault) {
+  near_.clear(), found_.clear(), normals_.clear(), patches_.clear(), left_.reset();
+  const Scenery& scenery = *pair.scenery.scenery;
+  const Frame convex_in_scenery = relative(pair.frame, pair.convex_frame);
+  if (!usable(convex_in_scenery)) return true;
+  Aabb box = world_bounds(pair.convex, convex_in_scenery.r, convex_in_scenery.p, fault);
+  if (fault.kind != SupportFault::none) return false;
+  box.lo.array() -= reach, box.hi.array() += reach;
+  scenery.each_near(box, [&](std::uint32_t index) { near_.push_back(index); });
+  std::sort(near_.begin(), near_.end());  // who moves meets the same pieces in the same order
+  const Vec3 centre = convex_in_scenery.apply(pair.convex.mass.centroid);
+  for (const std::uint32_t index : near_) {
+    Piece piece;
+    if (!scenery.piece(index, piece) || !face(scenery, centre, piece)) continue;
+    if (meet(pair, piece, convex_in_scenery, settings, reach, report, fault)) continue;
+    return false;
+  }
+  // Deep at a corner, each piece by itself may be left by a way that the others close. Then the least deep of them
+  // holds.
+  if (found_.empty() && left_ && left_->separation < 0)
+    found_.push_back({*left_, 0, false}), normals_.push_back(left_->normal);
+  gather(pair.frame, 1e-6 * pair.convex.bounding_radius);
+  return true;
+}
+
+bool SceneryMeeting::meet(const SceneryPair& pair, Piece& piece, const Frame& convex_in_scenery,
+                          const NarrowSettings& settings, Real reach, NarrowReport& report, SupportFault& fault) {
+  ++report.support_calls;
+  Vec3 deepest;
+  if (!full_support(pair.convex, -convex_in_scenery.rotate_inverse(piece.normal), deepest, fault)) return false;
+  const Vec3 foot = convex_in_scenery.apply(deepest);
+  const Real height = piece.normal.dot(foot - piece.corner[0]);
+  if (!(height <= reach)) return true;
+  const Vec3 centre = convex_in_scenery.apply(pair.convex.mass.centroid);
+  const Sides sides(piece, centre);
+  shape_.set(piece);
+  const Frame frame(pair.frame.r, pair.frame.apply(shape_.origin()));
+  ContactPoint nearest;
+  nearest.normal = piece.normal, nearest.separation = height;
+  nearest.on_a = foot - height * piece.normal - shape_.origin(), nearest.on_b = deepest;
+  const auto leave = [&] {
+    if (left_ && !(height > left_->separation)) return;
+    left_ = nearest;
+    left_->on_a = foot - height * piece.normal, left_->on_b = deepest;
+    left_->normal = pair.frame.rotate(piece.normal), left_->separation = height;
+  };
+  bool own = true;  // the piece's own normal is the answer
+  const Real inset = sides.inset(piece, foot);
+  // Along another direction, at an angle t to the normal, the piece reaches farther by inset sin(t) and the shape's
+  // depth shrinks by (1 - cos(t)) at most: shallower only if tan(t/2) > inset / depth, and never while that is 1.
+  if (sides.any && !(inset >= 0 && -height <= inset)) {
+    QuerySettings query = settings.query;
+    query.max_distance = reach, query.method = Method::gjk_epa;
+    QueryResult answer;
+    const Frame convex_in_piece = relative(frame, pair.convex_frame);
+    generic_distance(shape_.shape(), pair.convex, convex_in_piece, query, nullptr, answer, fault);
+    report.gjk_calls += 1, report.epa_calls += answer.epa_iterations > 0;
+    report.support_calls += static_cast<std::uint64_t>(answer.support_calls);
+    if (answer.status == QueryStatus::fault) return false;
+    if (answer.farther || !(answer.separation <= reach)) return true;
+    const Vec3 place = answer.point_a + shape_.origin();
+    const Verdict verdict =
+        judge(*pair.scenery.scenery, piece, sides, place, answer.normal, 1e-7 * shape_.shape().bounding_radius);
+    if (verdict == Verdict::neighbours) return leave(), true;
+    own = verdict == Verdict::own;
+    if (!own) {
+      nearest.normal = answer.normal, nearest.separation = answer.separation;
+      nearest.on_a = answer.point_a, nearest.on_b = answer.point_b;
+    }
+  }
+  nearest.normal = pair.frame.rotate(nearest.normal);
+  const Real over = reach + kFoldShare * pair.convex.bounding_radius;
+  if (own && inset < 0 && -inset <= over && (sides.fold[0] || sides.fold[1] || sides.fold[2]))
+    shape_.reshape(over_folds(*pair.scenery.scenery, piece, sides, centre, over));
+  // What reaches far below a piece without touching it comes from around an edge elsewhere.
+  if (own && -height > std::max(inset, reach)) {
+    const OverlapResult through = overlap(shape_.shape(), pair.convex, relative(frame, pair.convex_frame), 0,
+                                          kPoseRounding * kUnitRoundoff, settings.query.gjk_cap, fault);
+    report.support_calls += static_cast<std::uint64_t>(through.support_calls);
+    if (through.outcome == Overlap::fault) return false;
+    if (through.outcome == Overlap::apart) return true;
+  }
+  const PatchPair patch_pair{shape_.shape(), pair.convex, frame, pair.convex_frame, 0};
+  // Neighbours see a place above their common side from frames of their own.
+  const Real blur = 64 * kUnitRoundoff * (frame.p.cwiseAbs().sum() + shape_.origin().cwiseAbs().sum());
+  PatchPoints points;
+  if (!find_patch(patch_pair, nearest, {own, reach, blur}, points, report.support_calls, fault)) return false;
+  add(points, shape_.origin(), own && points.flat, reach);
+  if (points.count == 0 && sides.any) leave();
+  return true;
+}
+
+void SceneryMeeting::add(const PatchPoints& points, const Vec3& origin, bool firm, Real reach) {
+  if (points.count == 0) return;
+  const Vec3& n = points.point[0].normal;
+  std::size_t patch = 0;
+  for (std::size_t k = 1; k < normals_.size(); ++k)
+    if (normals_[k].dot(n) > normals_[patch].dot(n)) patch = k;
+  const bool other = normals_.empty() || normals_[patch].dot(n) < kSameWay;
+  const bool begins = other && normals_.size() < kMostPatches;
+  bool any = false;  // edges or walls
+  for (int i = 0; i < points.count; ++i) {
+    const ContactPoint& p = points.point[i];
+    if (!(p.separation <= reach)) continue;
+    if (begins && !any) patch = normals_.size(), normals_.push_back(n);
+    any = true;
+    Found& f = found_.emplace_back();
+    f.point = p;
+    f.point.on_a += origin;
+    f.point.feature = 0;  // a corner's name is its piece's own
+    f.patch = static_cast<std::uint32_t>(patch);
+    f.firm = firm && (n - normals_[patch]).squaredNorm() <= 1e-24;
+  }
+}
+
+/// Of each patch the points that matter: the deepest, and those farthest out.
+void SceneryMeeting::gather(const Frame& frame, Real same) {
+  for (std::uint32_t k = 0; k < normals_.size(); ++k) {
+    SceneryPatch& patch = patches_.emplace_back();
+    const Vec3 n = frame.rotate_inverse(patch.normal = normals_[k]), e1 = any_perpendicular(n), e2 = n.cross(e1);
+    patch.firm = true, patch.count = 0;
+    std::array<const Found*, kWays + 1> most{};
+    std::array<Real, kWays + 1> score;
+    score.fill(-kInfinity);
+    for (const Found& f : found_) {
+      if (f.patch != k) continue;
+      patch.firm &= f.firm;
+      const Real depth = -f.point.separation;
+      for (std::size_t way = 0; way <= kWays; ++way) {
+        const Real s = way == 0
+                           ? depth
+                           : depth + kTilt * (kAzimuth[way - 1][0] * e1 + kAzimuth[way - 1][1] * e2).dot(f.point.on_a);
+        if (s > score[way]) score[way] = s, most[way] = &f;
+      }
+    }
+    for (const Found* f : most) {
+      if (!f) continue;
+      const auto known = [&](const ContactPoint& p) {
+        return (p.on_a - f->point.on_a).squaredNorm() <= same * same &&
+               (p.on_b - f->point.on_b).squaredNorm() <= same * same;
+      };
+      if (std::none_of(patch.point, patch.point + patch.count, known)) patch.point[patch.count++] = f->point;
+    }
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,74 @@
+// Contacts of a convex shape with the pieces of a surface that are near it.
+#pragma once
+
+#include <optional>
+
+#include "collision/manifold/patch.h"
+#include "collision/narrow/narrow_phase.h"
+#include "collision/scenery/piece_shape.h"
+
+namespace carom {
+
+/// A convex shape and scenery, each where it stands.
+struct SceneryPair {
+  const Shape& scenery;
+  const Shape& convex;        // no half-space, no scenery
+  const Frame& frame;         // scenery -> world
+  const Frame& convex_frame;  // shape -> world
+};
+
+/// Points of pieces that look the same way.
+struct SceneryPatch {
+  Vec3 normal;  // unit, world, from the scenery to the shape
+  bool firm;    // all its points are of flat faces along one normal, @see PatchMemory
+  int count;
+  ContactPoint point[PatchPoints::kMax];  // A is the scenery, B the shape
+};
+
+/// Finds the contacts of one pair at a time. Allocates only where a pair has more of something than any before.
+class SceneryMeeting {
+ public:
+  explicit SceneryMeeting(Memory* memory);
+
+  /// @param reach   m: what is farther apart makes no contact
+  /// @return        false if the support function misbehaved: fault is filled, there are no patches
+  /// @accuracy      separations and points of flat shapes to rounding; a piece's own normal to rounding; at rims and
+  ///                ridges as the query's tolerance says
+  /// @oracle        tests/unit/collision/scenery/test_meet, tests/oracle/test_scenery
+  bool find(const SceneryPair& pair, const NarrowSettings& settings, Real reach, NarrowReport& report,
+            SupportFault& fault);
+  const Array<SceneryPatch>& patches() const { return patches_; }
+  std::size_t pieces_asked() const { return near_.size(); }
+
+ private:
+  struct Found {
+    ContactPoint point;
+    std::uint32_t patch;
+    bool firm;
+  };
+  bool meet(const SceneryPair& pair, Piece& piece, const Frame& convex_in_scenery, const NarrowSettings& settings,
+            Real reach, NarrowReport& report, SupportFault& fault);
+  void add(const PatchPoints& points, const Vec3& origin, bool firm, Real reach);
+  void gather(const Frame& frame, Real same);
+
+  PieceShape shape_;
+  Array<std::uint32_t> near_;
+  Array<Found> found_;
+  std::optional<ContactPoint> left_;  // of pieces with edges that gave no point, the least deep
+  Array<Vec3> normals_;               // of patches
+  Array<SceneryPatch> patches_;
+};
+
+/// Call f(index, piece) for the pieces that a shape within a box may meet, each turned towards its centre; of a
+/// one-sided surface those behind which it lies are left out. f says whether to go on.
+/// @param box, centre  m, scenery's frame
+template <class F>
+void each_facing(const Scenery& scenery, const Aabb& box, const Vec3& centre, F&& f) {
+  bool on = true;
+  scenery.each_near(box, [&](std::uint32_t index) {
+    Piece piece;
+    if (on && scenery.piece(index, piece) && face(scenery, centre, piece)) on = f(piece);
+  });
+}
+
+}  // namespace carom

@@ -1,0 +1,59 @@
+#include "collision/scenery/piece_shape.h"
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+std::int32_t farthest_corner(const double* xyz, std::uint64_t, const double d[3], double out[3]) {
+  int best = 0;
+  double most = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double along = d[0] * xyz[3 * k] + d[1] * xyz[3 * k + 1] + d[2] * xyz[3 * k + 2];
+    if (k == 0 || along > most) best = k, most = along;
+  }
+  for (int i = 0; i < 3; ++i) out[i] = xyz[3 * best + i];
+  return 0;
+}
+
+}  // namespace
+
+PieceShape::PieceShape(Memory* memory) : shape_(memory) {
+  shape_.support = farthest_corner;
+  shape_.params.assign(9, 0.0);
+  shape_.vertices = shape_.params;
+  shape_.faces.normal.assign(2, Vec3::UnitY());
+  shape_.faces.begin = {0, 3, 6};
+  shape_.faces.loop = {0, 1, 2, 0, 2, 1};  // front, back
+}
+
+void PieceShape::set(const Piece& piece) {
+  origin_ = (piece.corner[0] + piece.corner[1] + piece.corner[2]) / 3;
+  reshape(piece.corner);
+  shape_.faces.normal[0] = piece.normal, shape_.faces.normal[1] = -piece.normal;
+}
+
+void PieceShape::reshape(const std::array<Vec3, 3>& corner) {
+  shape_.bounds = Aabb();
+  Real radius2 = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 x = corner[k] - origin_;
+    for (int i = 0; i < 3; ++i) shape_.params[3 * k + static_cast<std::size_t>(i)] = x[i];
+    shape_.bounds.lo = shape_.bounds.lo.cwiseMin(x), shape_.bounds.hi = shape_.bounds.hi.cwiseMax(x);
+    radius2 = std::max(radius2, x.squaredNorm());
+  }
+  shape_.bounding_radius = std::sqrt(radius2);
+}
+
+bool face(const Scenery& scenery, const Vec3& point, Piece& piece) {
+  if ((point - piece.corner[0]).dot(piece.normal) >= 0) return true;
+  if (!scenery.two_sided) return false;
+  std::swap(piece.corner[1], piece.corner[2]);
+  std::swap(piece.far[0], piece.far[2]);
+  std::swap(piece.rim[0], piece.rim[2]);
+  piece.normal = -piece.normal;
+  piece.turned = !piece.turned;
+  return true;
+}
+
+}  // namespace carom

@@ -1,0 +1,34 @@
+// A piece of scenery as a shape of its own, for whom only knows convex shapes.
+#pragma once
+
+#include "collision/scenery/scenery.h"
+#include "collision/shape.h"
+
+namespace carom {
+
+/// One triangle after another as a flat polytope about its middle. Allocates when it is made and never again.
+class PieceShape {
+ public:
+  explicit PieceShape(Memory* memory);
+
+  /// @param piece  as it faces
+  void set(const Piece& piece);
+  /// Other corners in the same plane, about the same origin.
+  void reshape(const std::array<Vec3, 3>& corner);
+  const Shape& shape() const { return shape_; }
+  const Vec3& origin() const { return origin_; }  // m, scenery's frame: where the shape's own origin lies
+
+ private:
+  Shape shape_;
+  Vec3 origin_ = Vec3::Zero();
+};
+
+/// Turn a piece towards a point: a two-sided one is turned over if the point lies behind it.
+/// @param point  m, scenery's frame
+/// @return       false: the surface has one side, and the point is behind it
+bool face(const Scenery& scenery, const Vec3& point, Piece& piece);
+
+/// Corner of a turned piece as Scenery counts it.
+inline int own_corner(const Piece& piece, int k) { return piece.turned ? (3 - k) % 3 : k; }
+
+}  // namespace carom

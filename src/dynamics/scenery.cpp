@@ -1,0 +1,184 @@
+// Pairs with scenery: asked before the narrow phase, which passes them over.
+#include "dynamics/scenery.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "collision/manifold/adopt.h"
+
+namespace carom {
+namespace {
+
+// Cosine of 0.35 rad: a patch goes on from a record whose points looked the same way within this.
+constexpr Real kSamePatch = 0.94;
+
+bool is_scenery(const Shape& s) { return s.form == Form::scenery; }
+
+/// A pair with scenery as collision/scenery sees it; none where both are without a volume to be pushed.
+struct Parties {
+  std::uint32_t scenery, convex;  // collider slots
+  bool swapped;                   // the scenery is B
+
+  Parties(const Colliders& c, const Pair& p)
+      : scenery(is_scenery(*c.shape[p.a]) ? p.a : p.b), convex(scenery == p.a ? p.b : p.a), swapped(scenery == p.b) {}
+
+  bool can_meet(const Colliders& c) const {
+    const Form form = c.shape[convex]->form;
+    return form != Form::half_space && form != Form::scenery;
+  }
+  SceneryPair pair(const Colliders& c) const {
+    return {*c.shape[scenery], *c.shape[convex], c.frame[scenery], c.frame[convex]};
+  }
+  Real reach(const Colliders& c, const NarrowSettings& settings) const {
+    return settings.manifold.contact_distance + c.reach[scenery] + c.reach[convex];
+  }
+};
+
+/// Whether all patches of a pair hold still, @see keep_patch().
+bool keep(const Colliders& c, const NarrowSettings& settings, PairTable& pairs, const SceneryContacts::OfPair& of) {
+  for (std::uint32_t i = of.place; i < of.place + of.places; ++i) {
+    PairRecord& record = pairs[i];
+    const PatchPair pair{*c.shape[record.pair.a], *c.shape[record.pair.b], c.frame[record.pair.a],
+                         c.frame[record.pair.b], 0};
+    if (!keep_patch(pair, settings.manifold, record.patch, record.manifold)) return false;
+  }
+  return true;
+}
+
+/// Patches beside the records of the last step: a record goes on with the patch that looks its way and lies nearest.
+/// Records that go on come first in their run, and patches in the same order.
+std::uint32_t match(PairTable& pairs, SceneryContacts& s, const SceneryContacts::OfPair& of, bool swapped) {
+  const auto side = [&](const ContactPoint& p) -> const Vec3& { return swapped ? p.on_a : p.on_b; };
+  s.order.clear();
+  std::uint32_t matched = 0;
+  for (std::uint32_t i = of.place; i < of.place + of.places; ++i) {
+    const Manifold& old = pairs[i].manifold;
+    if (old.count == 0) continue;
+    std::uint32_t best = of.count;
+    Real nearest = kInfinity;
+    for (std::uint32_t k = 0; k < of.count; ++k) {
+      const SceneryPatch& patch = s.patches[of.first + k];
+      const Vec3 normal = swapped ? Vec3(-patch.normal) : patch.normal;
+      if (old.point[0].normal.dot(normal) < kSamePatch || std::find(s.order.begin(), s.order.end(), k) != s.order.end())
+        continue;
+      for (int p = 0; p < patch.count; ++p)
+        for (int q = 0; q < old.count; ++q) {
+          const Real d = (patch.point[p].on_b - side(old.point[q])).squaredNorm();
+          if (d < nearest) nearest = d, best = k;
+        }
+    }
+    if (best == of.count) continue;
+    s.order.push_back(best);
+    std::swap(pairs.place(of.place + matched), pairs.place(i));
+    ++matched;
+  }
+  for (std::uint32_t k = 0; k < of.count; ++k)
+    if (std::find(s.order.begin(), s.order.begin() + matched, k) == s.order.begin() + matched) s.order.push_back(k);
+  return matched;
+}
+
+/// Put a pair's patches in the order of its records.
+void arrange(PairTable& pairs, SceneryContacts& s, SceneryContacts::OfPair& of, bool swapped) {
+  const std::uint32_t matched = match(pairs, s, of, swapped);
+  for (std::uint32_t i = of.place + matched; i < of.place + of.places; ++i) {
+    PairRecord& record = pairs[i];
+    record.manifold.count = 0, record.patch = PatchMemory{};
+  }
+  // Patches are few and copied once: behind the others, then back.
+  for (std::uint32_t k = 0; k < of.count; ++k) s.patches.push_back(s.patches[of.first + s.order[k]]);
+  for (std::uint32_t k = 0; k < of.count; ++k) s.patches[of.first + k] = s.patches[of.first + of.count + k];
+  s.patches.resize(of.first + of.count);
+}
+
+void fill(const Colliders& c, const NarrowSettings& settings, const SceneryPatch& patch, bool swapped, Real reach,
+          PairRecord& record) {
+  const Frame &a = c.frame[record.pair.a], &b = c.frame[record.pair.b];
+  ContactPoint point[PatchPoints::kMax];
+  for (int i = 0; i < patch.count; ++i) {
+    point[i] = patch.point[i];
+    if (!swapped) continue;
+    std::swap(point[i].on_a, point[i].on_b);
+    point[i].normal = -point[i].normal;
+  }
+  ManifoldSettings own = settings.manifold;
+  own.contact_distance = reach;
+  adopt(a, point, patch.count, own, record.manifold);
+  record.patch.firm = patch.firm && record.manifold.count > 0;
+  record.patch.of_b = swapped;
+  record.patch.normal = swapped ? b.rotate_inverse(-patch.normal) : a.rotate_inverse(patch.normal);
+  record.patch.b_in_a = relative(a, b);
+}
+
+void ask(World& world, const NarrowSettings& settings, SceneryContacts& s, SceneryContacts::OfPair& of) {
+  const Colliders& c = world.scene.colliders;
+  const Pair pair = world.pairs.place(of.place).pair;
+  const Parties parties(c, pair);
+  of.first = static_cast<std::uint32_t>(s.patches.size()), of.count = 0;
+  of.kept = keep(c, settings, world.pairs, of);
+  if (of.kept) {
+    world.report.narrow.kept_patches += of.places;
+    return;
+  }
+  SupportFault fault;
+  if (parties.can_meet(c) &&
+      s.meeting.find(parties.pair(c), settings, parties.reach(c, settings), world.report.narrow, fault)) {
+    s.patches.insert(s.patches.end(), s.meeting.patches().begin(), s.meeting.patches().end());
+    of.count = static_cast<std::uint32_t>(s.meeting.patches().size());
+  }
+  if (fault.kind != SupportFault::none) world.plan->faults.push_back(fault);
+  arrange(world.pairs, s, of, parties.swapped);
+}
+
+}  // namespace
+
+void scenery::find(const Scene& scene, const State&, Customers& customers) {
+  const Colliders& c = scene.colliders;
+  for (const std::uint32_t slot : c.active)
+    if (is_scenery(*c.shape[slot]) && !c.muted[slot]) customers.add(slot);
+}
+
+void meet_scenery(World& world, const NarrowSettings& settings) {
+  if (world.plan->effects[kSceneryRow].customers.count == 0) return;
+  if (!world.plan->scenery) world.plan->scenery = make_owned<SceneryContacts>(world.memory, world.memory);
+  SceneryContacts& s = *world.plan->scenery;
+  const Colliders& c = world.scene.colliders;
+  PairTable& pairs = world.pairs;
+  s.of_pair.clear(), s.patches.clear(), s.runs.clear();
+  for (std::uint32_t i = 0, j; i < pairs.size(); i = j) {
+    const Pair pair = pairs.place(i).pair;
+    for (j = i + 1; j < pairs.size() && pairs.place(j).pair == pair;) ++j;
+    if (is_scenery(*c.shape[pair.a]) || is_scenery(*c.shape[pair.b])) s.of_pair.push_back({i, j - i, 0, 0, false});
+  }
+  std::uint32_t shift = 0;  // what runs before have grown by
+  for (SceneryContacts::OfPair& of : s.of_pair) {
+    ask(world, settings, s, of);
+    const std::uint32_t wanted = of.kept ? of.places : std::max(of.count, 1u);
+    if (wanted != of.places) s.runs.push_back({of.place, of.places, wanted});
+    of.place += shift;
+    shift += wanted - of.places;  // may wrap, and comes back
+    of.places = wanted;
+  }
+  if (!s.runs.empty()) pairs.resize_runs(s.runs);
+  for (const SceneryContacts::OfPair& of : s.of_pair) {
+    const Parties parties(c, pairs.place(of.place).pair);
+    for (std::uint32_t k = 0; k < of.places; ++k) {
+      PairTable::Place& place = pairs.place(of.place + k);
+      PairRecord& record = pairs[of.place + k];
+      if (k < of.count) fill(c, settings, s.patches[of.first + k], parties.swapped, parties.reach(c, settings), record);
+      place.points = static_cast<std::uint32_t>(record.manifold.count);
+      place.horizon = kInfinity;  // not the narrow phase's
+    }
+  }
+}
+
+bool touches_scenery(World& world, const NarrowSettings& settings, const Pair& pair) {
+  const Colliders& c = world.scene.colliders;
+  const Parties parties(c, pair);
+  if (!parties.can_meet(c)) return false;
+  SceneryMeeting meeting(world.memory);
+  SupportFault fault;
+  meeting.find(parties.pair(c), settings, parties.reach(c, settings), world.report.narrow, fault);
+  return !meeting.patches().empty() || fault.kind != SupportFault::none;
+}
+
+}  // namespace carom

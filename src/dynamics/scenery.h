@@ -1,0 +1,38 @@
+// Triangle meshes and height fields: their contacts, which take the place of the narrow phase's for pairs that have
+// one.
+#pragma once
+
+#include "collision/scenery/meet.h"
+#include "dynamics/effects.h"
+
+namespace carom {
+
+namespace scenery {
+/// Colliders of meshes and height fields that the broad phase goes through.
+void find(const Scene& scene, const State& state, Customers& customers);
+}  // namespace scenery
+
+/// What is kept between steps, made with the first customer.
+struct SceneryContacts {
+  explicit SceneryContacts(Memory* m) : meeting(m), of_pair(m), patches(m), runs(m), order(m) {}
+
+  SceneryMeeting meeting;
+  /// A pair of this step, and what was found of it.
+  struct OfPair {
+    std::uint32_t place, places;  // in the pair table
+    std::uint32_t first, count;   // in patches
+    bool kept;                    // nothing was asked: the patches of the last step still hold
+  };
+  Array<OfPair> of_pair;
+  Array<SceneryPatch> patches;
+  Array<PairTable::Run> runs;
+  Array<std::uint32_t> order;  // scratch: patches of a pair, those with a record first
+};
+
+/// Manifolds of all pairs with scenery, and as many records of each as it has patches.
+void meet_scenery(World& world, const NarrowSettings& settings);
+
+/// Whether a shape touches scenery as the narrow phase would find. A fault counts as a touch.
+bool touches_scenery(World& world, const NarrowSettings& settings, const Pair& pair);
+
+}  // namespace carom
