@@ -73,7 +73,7 @@ void write_answer(const CastResult& r, carom_cast* result) {
 }
 
 bool read_motion(Call& call, int argument, const char* name, const carom_motion* given, const Shape& shape,
-                 Motion& motion) {
+                 RigidMotion& motion) {
   carom_motion m;
   carom_motion_init(&m);
   if (!read_struct(call, argument, name, given, m) || !only_bits(call, argument, name, m.reserved, 0) ||
@@ -251,7 +251,7 @@ int32_t carom_shape_time_of_impact(carom_engine* engine, carom_shape shape_a, co
                                    const carom_cast_desc* desc, carom_cast* result, carom_error* error) {
   return guarded(error, [&](Call& call) {
     CastSettings settings;
-    Motion of_a, of_b;
+    RigidMotion of_a, of_b;
     if (!present(call, 1, "engine", engine)) return;
     ShapePin a(*engine), b(*engine);
     const FloatScope scope;

@@ -19,13 +19,13 @@ constexpr int kProofCap = 200;
 bool flat(const Shape& s) { return s.form == Form::half_space; }
 
 /// The farthest that the core reaches from the centre of rotation. The radius around the core turns into itself.
-Real arm(const Shape& s, const Motion& m) {
+Real arm(const Shape& s, const RigidMotion& m) {
   return flat(s) ? 0 : (m.at.p - m.centre).norm() + std::max(s.bounding_radius - s.core_radius, Real(0));
 }
 
 class Advance {
  public:
-  Advance(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b, Real duration,
+  Advance(const Shape& a, const RigidMotion& motion_a, const Shape& b, const RigidMotion& motion_b, Real duration,
           const CastSettings& settings, CastResult& result, SupportFault& fault)
       : a_(a),
         b_(b),
@@ -154,7 +154,7 @@ class Advance {
 
   /// Gap beyond the target that the plane of the last look has at another time, rounding taken off.
   bool plane_gap(Real t, Real& gap) {
-    const auto farthest = [&](Core core, const Motion& m, const Vec3& n, Real& value) {
+    const auto farthest = [&](Core core, const RigidMotion& m, const Vec3& n, Real& value) {
       const Shape& s = core.shape();
       const Frame frame(m.after(t));
       Vec3 p = s.offset * s.normal;
@@ -197,7 +197,7 @@ class Advance {
     if (crossed) return;
     result_.slack = contact;
     if (contact > tolerance_) result_.status = QueryStatus::rounding;
-    if (!(speed > 0)) return;
+    if (!(speed > 0) || settings_.target < 0) return;  // of an overlap no depth is proven by a yes or no
     const Real safe = until_;
     Real step = (std::max(left, Real(0)) + 0.5 * contact) / speed;
     for (int i = 0; i < 4; ++i, step *= 2) {
@@ -250,7 +250,7 @@ class Advance {
   }
 
   const Shape &a_, &b_;
-  Motion ma_, mb_;
+  RigidMotion ma_, mb_;
   Vec3 origin_, drift_;
   Real duration_;
   const CastSettings& settings_;
@@ -270,7 +270,7 @@ class Advance {
 
 }  // namespace
 
-void time_of_impact(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b, Real duration,
+void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b, const RigidMotion& motion_b, Real duration,
                     const CastSettings& settings, CastResult& result, SupportFault& fault) {
   result = CastResult();
   Advance(a, motion_a, b, motion_b, duration, settings, result, fault).run();

@@ -6,7 +6,7 @@
 namespace carom {
 
 /// A motion at constant velocity and angular velocity: the centre goes straight, the shape turns about it.
-struct Motion {
+struct RigidMotion {
   Pose at;                       // of the shape, at time 0
   Vec3 centre = Vec3::Zero();    // m, at time 0: what the shape turns about
   Vec3 velocity = Vec3::Zero();  // m/s, of the centre
@@ -32,7 +32,7 @@ struct Motion {
 /// @accuracy        brackets hold, rounding included; a half-space must not turn
 /// @source          [Mirtich1996]
 /// @oracle          tests/unit/collision/cast/test_time_of_impact
-void time_of_impact(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b, Real duration,
+void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b, const RigidMotion& motion_b, Real duration,
                     const CastSettings& settings, CastResult& result, SupportFault& fault);
 
 }  // namespace carom

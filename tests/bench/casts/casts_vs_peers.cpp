@@ -25,8 +25,8 @@ using namespace carom::test;
 
 constexpr int kSolids = 50, kCases = 1000;
 
-Motion motion_of(const Placement& from, const Placement& to) {
-  Motion m;
+RigidMotion motion_of(const Placement& from, const Placement& to) {
+  RigidMotion m;
   const Frame f = frame_of(from), t = frame_of(to);
   m.at = {Quat(f.r), f.p};
   m.centre = f.p;
@@ -75,7 +75,7 @@ class Carom final : public CastPeer {
   struct Case {
     const Shape *a, *b;
     Frame from_a, from_b;
-    Motion a_moves, b_moves;
+    RigidMotion a_moves, b_moves;
   };
   std::string name_;
   CastSettings settings_;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Real kPi = 3.14159265358979323846;
 
-CastResult ask(const Shape& a, const Motion& ma, const Shape& b, const Motion& mb, Real duration,
+CastResult ask(const Shape& a, const RigidMotion& ma, const Shape& b, const RigidMotion& mb, Real duration,
                const CastSettings& settings = {}, SupportFault* fault = nullptr) {
   CastResult result;
   SupportFault ignored;
@@ -20,9 +20,9 @@ CastResult ask(const Shape& a, const Motion& ma, const Shape& b, const Motion& m
   return result;
 }
 
-Motion moving(const Vec3& p, const Vec3& v = Vec3::Zero(), const Vec3& omega = Vec3::Zero(),
+RigidMotion moving(const Vec3& p, const Vec3& v = Vec3::Zero(), const Vec3& omega = Vec3::Zero(),
               const Quat& q = Quat::Identity()) {
-  Motion m;
+  RigidMotion m;
   m.at = {q, p};
   m.centre = p;
   m.velocity = v;
@@ -30,7 +30,7 @@ Motion moving(const Vec3& p, const Vec3& v = Vec3::Zero(), const Vec3& omega = V
   return m;
 }
 
-Real gap_at(const Shape& a, const Motion& ma, const Shape& b, const Motion& mb, Real target, Real t, Real tolerance) {
+Real gap_at(const Shape& a, const RigidMotion& ma, const Shape& b, const RigidMotion& mb, Real target, Real t, Real tolerance) {
   QuerySettings settings;
   settings.tolerance = tolerance;
   settings.epa_cap = 512;
@@ -100,8 +100,8 @@ static void without_rotation_it_is_a_linear_cast(void**) {
   for (int k = 0; k < 800; ++k) {
     const Shape a = random_shape(random, k % 9), b = random_shape(random, k / 9 % 9);
     if (k % 9 == 4 || k / 9 % 9 == 4) continue;
-    const Motion ma = moving(random.in_cube(2), random.in_cube(3), Vec3::Zero(), random_rotation(random));
-    const Motion mb = moving(random.in_cube(2), random.in_cube(3), Vec3::Zero(), random_rotation(random));
+    const RigidMotion ma = moving(random.in_cube(2), random.in_cube(3), Vec3::Zero(), random_rotation(random));
+    const RigidMotion mb = moving(random.in_cube(2), random.in_cube(3), Vec3::Zero(), random_rotation(random));
     const Vec3 v = ma.velocity - mb.velocity;
     CastResult linear;
     SupportFault fault;
@@ -127,8 +127,8 @@ static void the_twin_agrees(void**) {
     const int i = k % 9, j = k / 9 % 9;
     if (i == 4 || j == 4) continue;
     const Shape a = random_shape(random, i), b = random_shape(random, j);
-    Motion ma = moving(random.in_cube(3), Vec3::Zero(), random.in_cube(4), random_rotation(random));
-    Motion mb = moving(random.in_cube(3), random.in_cube(2), random.in_cube(4), random_rotation(random));
+    RigidMotion ma = moving(random.in_cube(3), Vec3::Zero(), random.in_cube(4), random_rotation(random));
+    RigidMotion mb = moving(random.in_cube(3), random.in_cube(2), random.in_cube(4), random_rotation(random));
     ma.velocity = mb.at.p - ma.at.p + random.in_cube(2);
     ma.centre += random.in_cube(0.3);
     CastSettings settings;
@@ -234,7 +234,7 @@ static void fast_spin_over_long_times(void**) {
   // Far enough that even the farthest tip stays clear: no spin matters.
   CastSettings few;
   few.cap = 4;
-  const Motion spin = moving(Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, 1e6));
+  const RigidMotion spin = moving(Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, 1e6));
   const CastResult capped = ask(rod, spin, ball, moving(Vec3(0, 1.2, 0)), 1, few);
   assert_true(capped.outcome == CastOutcome::undecided && capped.status == QueryStatus::capped &&
               capped.iterations <= 5);
@@ -249,9 +249,9 @@ static void far_from_the_origin_nothing_changes(void**) {
   Random random(63);
   for (int k = 0; k < 200; ++k) {
     const Shape a = random_shape(random, k % 4), b = random_shape(random, 5 + k % 3);
-    Motion ma = moving(3 * random.direction(), Vec3::Zero(), random.in_cube(3), random_rotation(random));
+    RigidMotion ma = moving(3 * random.direction(), Vec3::Zero(), random.in_cube(3), random_rotation(random));
     ma.velocity = -1.2 * ma.at.p;
-    Motion mb = moving(Vec3::Zero(), random.in_cube(0.5), random.in_cube(3), random_rotation(random));
+    RigidMotion mb = moving(Vec3::Zero(), random.in_cube(0.5), random.in_cube(3), random_rotation(random));
     const CastResult near = ask(a, ma, b, mb, 1);
     const Vec3 away = 0x1p20 * Vec3(1, 1, -1);
     ma.at.p += away, ma.centre += away, mb.at.p += away, mb.centre += away;
@@ -267,7 +267,7 @@ static void far_from_the_origin_nothing_changes(void**) {
 
 static void the_same_input_has_the_same_bits(void**) {
   const Shape a = box(Vec3(1, 0.2, 0.3)), b = cylinder(0.5, 0.7);
-  const Motion ma = moving(Vec3(3, 0.1, 0), Vec3(-3, 0, 0), Vec3(1, 2, 3)),
+  const RigidMotion ma = moving(Vec3(3, 0.1, 0), Vec3(-3, 0, 0), Vec3(1, 2, 3)),
                mb = moving(Vec3::Zero(), Vec3::Zero(), Vec3(3, 2, 1));
   const CastResult r = ask(a, ma, b, mb, 1), q = ask(a, ma, b, mb, 1);
   assert_true(r.outcome == CastOutcome::hit && r.time == q.time && r.lower == q.lower && r.upper == q.upper &&
@@ -277,7 +277,7 @@ static void the_same_input_has_the_same_bits(void**) {
 static void wild_motions_give_no_nan(void**) {
   const Shape a = box(Vec3(1, 1, 1)), b = sphere(1);
   for (const Real wild : {1e20, 1e60, 1e120, 1e300}) {
-    const Motion still = moving(Vec3(5, 0, 0));
+    const RigidMotion still = moving(Vec3(5, 0, 0));
     for (const CastResult& r :
          {ask(a, moving(Vec3::Zero(), Vec3(wild, 0, 0)), b, still, 1),
           ask(a, moving(Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, wild)), b, still, 1),
