@@ -177,6 +177,111 @@ static void events_tell_of_hits(void**) {
   }
 }
 
+// A kinematic bat comes at a ball at rest: it is thrown ahead, and the bat goes on as if nothing were there.
+static void a_bat_that_is_fast_hits(void**) {
+  for (const Real e : {0.0, 1.0}) {
+    TestWorld t(Vec3::Zero());
+    const std::uint32_t m = t.material(0, e);
+    const std::uint32_t ball = t.add(t.keep(sphere(0.1)), Vec3::Zero(), BodyType::dynamic, Quat::Identity(), m);
+    const std::uint32_t bat =
+        t.add(t.keep(box(Vec3(0.01, 0.3, 0.3))), Vec3(-1.11, 0, 0), BodyType::kinematic, Quat::Identity(), m);
+    t.world.set_velocity(bat, Vec3(100, 0, 0), Vec3::Zero());
+    t.run(1, kDt);
+    const Real rest = kDt - 1 / 100.0, v = (1 + e) * 100;
+    assert_true(std::fabs(t.world.state.x[bat].x() - (100 * kDt - 1.11)) < 1e-13);
+    assert_true(std::fabs(t.world.state.v[ball].x() - v) < 1e-8 * v);
+    assert_true(std::fabs(t.world.state.x[ball].x() - v * rest) < 1e-8);
+  }
+}
+
+// What a ball hits is swept itself from then on: a light ball behind it does not leave through the wall behind.
+static void who_is_hit_is_swept_too(void**) {
+  for (int k = 0; k < 8; ++k) {
+    Range t(0, 0.5);
+    const Shape* heavy = t.keep(sphere(0.2));
+    t.world.set_velocity(t.ball, Vec3::Zero(), Vec3::Zero());
+    const std::uint32_t hammer = t.add(heavy, Vec3(-2 - 0.3 * k, 0, 0));
+    t.world.set_velocity(hammer, Vec3(300, 0, 0), Vec3::Zero());
+    for (int i = 0; i < 10; ++i) {
+      t.world.step(kDt);
+      assert_true(!t.passed() && t.world.state.x[hammer].x() < 0);
+    }
+    assert_true(t.world.state.v[hammer].x() < 300);
+  }
+}
+
+// A support function that fails while it is swept mutes its shape and moves nobody out of the world.
+static void a_shape_that_misbehaves_is_muted(void**) {
+  static int calls, patience;
+  calls = 0, patience = 1 << 30;
+  const SupportFn tired = [](const double* p, std::uint64_t n, const double d[3], double out[3]) -> std::int32_t {
+    if (++calls > patience) return 1;
+    return box_support(p, n, d, out);
+  };
+  for (int after = 0; after < 60; after += 3) {
+    Range t;
+    Shape odd = make_shape(Form::none, tired, {0.1, 0.1, 0.1}, Vec3::Constant(0.1), 0.174);
+    patience = 1 << 30;
+    const std::uint32_t body = t.add(nullptr, Vec3(-1, 0.5, 0));
+    t.world.add_collider(body, t.keep(std::move(odd)), Pose{}, 0, Colliders::kNoMaterial);
+    t.world.set_velocity(body, Vec3(200, 0, 0), Vec3::Zero());
+    calls = 0, patience = after;
+    std::size_t faults = 0;
+    for (int i = 0; i < 4; ++i) t.world.step(kDt), faults += t.world.fault_views.size();
+    assert_true(faults <= 1 && finite(t.world.state.x[body]));
+    assert_true(faults == 1 || t.world.state.x[body].x() < 0);
+    assert_false(t.passed());
+  }
+}
+
+/// The k-th allocation of a step with customers fails: nobody has moved, and the next steps go as if it had not.
+static void running_out_of_memory_moves_nobody(void**) {
+  struct Failing : std::pmr::memory_resource {
+    std::uint64_t calls = 0, fail_at = ~std::uint64_t{0};
+    void* do_allocate(std::size_t bytes, std::size_t align) override {
+      if (calls++ == fail_at) throw std::bad_alloc();
+      return std::pmr::new_delete_resource()->allocate(bytes, align);
+    }
+    void do_deallocate(void* p, std::size_t bytes, std::size_t align) override {
+      std::pmr::new_delete_resource()->deallocate(p, bytes, align);
+    }
+    bool do_is_equal(const memory_resource& o) const noexcept override { return this == &o; }
+  };
+  TestWorld shapes;
+  const Shape *ball = shapes.keep(sphere(0.1)), *sheet = shapes.keep(box(Vec3(0.005, 2, 2)));
+  std::uint64_t failures = 0;
+  for (std::uint64_t k = 0;; ++k) {
+    Failing memory;
+    World world(1, Vec3::Zero(), 0, &memory);
+    const auto add = [&](const Shape* shape, const Vec3& p, BodyType type) {
+      BodyDef def;
+      def.type = type;
+      def.pose.p = p;
+      const std::uint32_t body = handle_slot(world.add_body(def));
+      world.add_collider(body, shape, Pose{}, 1000, Colliders::kNoMaterial);
+      return body;
+    };
+    add(sheet, Vec3::Zero(), BodyType::fixed);
+    const std::uint32_t bullet = add(ball, Vec3(-1, 0, 0), BodyType::dynamic);
+    add(ball, Vec3(-0.3, 0.05, 0), BodyType::dynamic);
+    world.step(kDt);
+    world.set_velocity(bullet, Vec3(200, 0, 0), Vec3::Zero());
+    memory.fail_at = memory.calls + k;
+    bool failed = false;
+    try {
+      world.step(kDt);
+    } catch (const std::bad_alloc&) {
+      failed = true;
+      assert_true(world.state.x[bullet] == Vec3(-1, 0, 0));
+      world.step(kDt);
+    }
+    assert_true(world.report.sweep_hits > 0 && world.state.x[bullet].x() < -0.1 && world.state.x[bullet].x() > -1);
+    failures += failed;
+    if (!failed) break;
+  }
+  assert_true(failures > 5);
+}
+
 /// Fast balls, boxes and spinning rods among slow ones in a walled room: whatever can meet meets.
 static std::uint64_t skirmish(int broad, std::uint32_t threads, Real sleep) {
   TestWorld t;
@@ -255,6 +360,10 @@ int main() {
       cmocka_unit_test(who_may_not_touch_is_passed),
       cmocka_unit_test(sleepers_wake_when_they_are_hit),
       cmocka_unit_test(events_tell_of_hits),
+      cmocka_unit_test(a_bat_that_is_fast_hits),
+      cmocka_unit_test(who_is_hit_is_swept_too),
+      cmocka_unit_test(a_shape_that_misbehaves_is_muted),
+      cmocka_unit_test(running_out_of_memory_moves_nobody),
       cmocka_unit_test(the_same_bits_however_it_is_run),
       cmocka_unit_test(a_broad_phase_finds_what_is_near),
   };
