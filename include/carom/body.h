@@ -127,6 +127,29 @@ CAROM_API int32_t carom_body_is_asleep(carom_world *world, carom_body body, uint
  *  @since 1.2 */
 CAROM_API int32_t carom_body_wake(carom_world *world, carom_body body, carom_error *error);
 
+/* ---- continuous collision ----
+ * A step looks at where bodies stand, and ahead as far as they move in it, but no farther than their size. What moves
+ * farther would pass through what is thin. CAROM_DIAL_CONTINUOUS says who is swept instead from pose to pose in every
+ * substep, by its shape, along a straight line and about an axis: by default whoever
+ *  - moves farther in a step than the bounding radius of its largest collider, or
+ *  - turns by more than a quarter of a radian, and thereby the ends of one of its colliders by more than its thickness,
+ * and whoever a host names here. What is swept stops at the first thing in its way, is answered there with the
+ * restitution and friction of the two materials, and goes on from there. Nobody else pays anything. Sensors are not
+ * swept; a swept body that meets a sleeper wakes it. Contact events tell of such hits. */
+
+#define CAROM_CONTINUOUS_AUTO 0u   /* in steps in which it is fast for its size (default) */
+#define CAROM_CONTINUOUS_ALWAYS 1u /* in every step */
+#define CAROM_CONTINUOUS_NEVER 2u  /* in none: cheap debris that may pass through walls */
+
+/** Say when a body is swept, from the next step on. Without effect on a static body, and where CAROM_DIAL_CONTINUOUS
+ *  says otherwise: under NOBODY nobody is swept, under FLAGGED only CAROM_CONTINUOUS_ALWAYS.
+ *  @param mode CAROM_CONTINUOUS_*
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT
+ *  @since 1.6 */
+CAROM_API int32_t carom_body_set_continuous(carom_world *world, carom_body body, uint32_t mode, carom_error *error);
+/** @param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6 */
+CAROM_API int32_t carom_body_get_continuous(carom_world *world, carom_body body, uint32_t *mode, carom_error *error);
+
 /* ---- colliders ---- */
 typedef struct carom_collider_desc {
   uint32_t struct_size;

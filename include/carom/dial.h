@@ -52,7 +52,9 @@ extern "C" {
 #define CAROM_DIAL_HOLD_ANGLE 35u          /* rad: arms of contacts turn with a body only when it has turned by this */
 #define CAROM_DIAL_JOINT_FREQUENCY 36u     /* Hz: stiffness of joints that are not answered directly */
 #define CAROM_DIAL_JOINT_DAMPING 37u       /* their damping ratio */
-#define CAROM_DIAL_COUNT 38u
+#define CAROM_DIAL_CONTINUOUS 38u          /* choice: CAROM_SWEEP_*: who is swept from pose to pose, so that it passes
+                                              through nothing; see carom_body_set_continuous()   @since 1.6 */
+#define CAROM_DIAL_COUNT 39u
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
 #define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u
@@ -96,6 +98,10 @@ extern "C" {
 #define CAROM_MANIFOLD_CACHE 1u  /* up to 4 points gathered over steps */
 #define CAROM_MANIFOLD_PATCH 2u  /* up to 4 points of the whole patch at once, probed for by support functions alone */
 #define CAROM_MANIFOLD_CLIP 3u   /* the same, with declared faces (box, polytope) clipped exactly; others probed for */
+
+#define CAROM_SWEEP_NOBODY 0u  /* bodies that move farther in a step than they are large may pass through things */
+#define CAROM_SWEEP_FLAGGED 1u /* bodies of CAROM_CONTINUOUS_ALWAYS */
+#define CAROM_SWEEP_FAST 2u    /* also what moves far for its size in a step */
 
 #define CAROM_DIAL_KIND_NUMBER 0u
 #define CAROM_DIAL_KIND_INTEGER 1u

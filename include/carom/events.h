@@ -29,7 +29,7 @@ CAROM_API int32_t carom_world_collect_events(carom_world *world, uint32_t kinds,
 #define CAROM_CONTACT_BEGIN 0u /* the first step in which the two press on each other */
 #define CAROM_CONTACT_END 1u   /* the first after that in which they are farther apart than the contact distance, or one
                                   of them is gone, filtered out, muted or in quarantine; point, normal, impulse, speed: 0 */
-#define CAROM_CONTACT_HIT 2u   /* they press, and approached faster than hit_speed as the step began */
+#define CAROM_CONTACT_HIT 2u   /* they press, and approached faster than hit_speed as the step began, or when a sweep met them */
 
 /** Of two colliders; all their contact points together. Sleepers stay in touch. */
 typedef struct carom_contact_event {

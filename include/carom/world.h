@@ -101,6 +101,8 @@ typedef struct carom_step_report {
                                     point and substep; 0 where it had nothing to do   @since 1.2 */
   uint64_t particles;             /**< in all sets   @since 1.4 */
   uint64_t quarantined_particles; /**< of them, held still since their state left the world   @since 1.4 */
+  uint64_t swept_bodies;       /**< swept from pose to pose, see carom_body_set_continuous()   @since 1.6 */
+  uint64_t sweep_hits;         /**< what they met in the step's substeps, answered at its moment   @since 1.6 */
 } carom_step_report;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */

@@ -12,6 +12,10 @@ static_assert(static_cast<std::uint32_t>(BodyType::fixed) == CAROM_BODY_STATIC &
               static_cast<std::uint32_t>(BodyType::kinematic) == CAROM_BODY_KINEMATIC &&
               static_cast<std::uint32_t>(BodyType::dynamic) == CAROM_BODY_DYNAMIC);
 
+static_assert(static_cast<std::uint32_t>(SweepMode::automatic) == CAROM_CONTINUOUS_AUTO &&
+              static_cast<std::uint32_t>(SweepMode::always) == CAROM_CONTINUOUS_ALWAYS &&
+              static_cast<std::uint32_t>(SweepMode::never) == CAROM_CONTINUOUS_NEVER);
+
 constexpr std::uint32_t kFields = CAROM_BODY_FIELD_MASS | CAROM_BODY_FIELD_CENTER | CAROM_BODY_FIELD_INERTIA;
 constexpr double kLargestDamping = 1e6;      // 1/s
 constexpr double kSymmetryTolerance = 1e-9;  // of the largest entry: what a rotation of a tensor in double may leave
@@ -211,6 +215,22 @@ int32_t carom_body_wake(carom_world* world, carom_body body, carom_error* error)
   return guarded(error, [&](Call& call) {
     const Changing changing(call, world);
     if (changing && resolve_body(call, *changing, body)) changing->wake_body(handle_slot(body));
+  });
+}
+
+int32_t carom_body_set_continuous(carom_world* world, carom_body body, uint32_t mode, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && resolve_body(call, *changing, body) && known(call, 3, "mode", mode, CAROM_CONTINUOUS_NEVER + 1))
+      changing->set_continuous(handle_slot(body), static_cast<SweepMode>(mode));
+  });
+}
+
+int32_t carom_body_get_continuous(carom_world* world, carom_body body, uint32_t* mode, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && resolve_body(call, *reading, body) && present(call, 3, "mode", mode))
+      *mode = static_cast<std::uint32_t>(reading->scene.def[handle_slot(body)].continuous);
   });
 }
 

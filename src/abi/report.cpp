@@ -57,6 +57,8 @@ void fill_report(const StepReport& from, carom_step_report& to) {
   to.woke_up = from.woke_up;
   to.particles = from.particles;
   to.quarantined_particles = from.quarantined_particles;
+  to.swept_bodies = from.swept_bodies;
+  to.sweep_hits = from.sweep_hits;
 }
 
 carom_contact contact(const World& world, const ContactView& view) {

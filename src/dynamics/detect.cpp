@@ -9,7 +9,6 @@
 #include "dynamics/sleep/sleep.h"
 
 namespace carom {
-namespace {
 
 BroadPhase& broad_phase(World& world) {
   using Make = Owned<BroadPhase> (*)(Memory*);
@@ -19,7 +18,6 @@ BroadPhase& broad_phase(World& world) {
   return *world.broad[choice];
 }
 
-/// Mute a shape in this world, from the next step on, and say so.
 void mute(World& world, const SupportFault& fault) {
   Plan& plan = *world.plan;
   if (std::find(plan.faulty.begin(), plan.faulty.end(), fault.shape) != plan.faulty.end()) return;
@@ -36,6 +34,8 @@ void mute(World& world, const SupportFault& fault) {
   ++world.scene.revision, ++world.scene.collider_revision;
   world.sleep->alarm = true;
 }
+
+namespace {
 
 /// The pairs of movers and sleepers among those of the broad phase; both ascending, merged from behind.
 void add_near(const Array<Pair>& near, Array<Pair>& pairs) {

@@ -1,6 +1,7 @@
 // The two collision stages of the page: broad and narrow phase on the world's colliders.
 #pragma once
 
+#include "collision/broad/broad_phase.h"
 #include "collision/narrow/narrow_phase.h"
 #include "dynamics/effects.h"
 
@@ -8,6 +9,12 @@ namespace carom {
 
 /// How the dials want pairs to be asked.
 NarrowSettings narrow_settings(const Dials& dials);
+
+/// The strategy of the dial, made when first asked for.
+BroadPhase& broad_phase(World& world);
+
+/// Mute a shape in this world, from the next step on, and say so.
+void mute(World& world, const SupportFault& fault);
 
 /// Stage broad: pairs of colliders whose bounds overlap.
 void find_pairs(World& world, const StepTime& time);

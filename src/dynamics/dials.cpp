@@ -13,6 +13,7 @@ constexpr const char* kOffOn[] = {"off", "on"};
 constexpr const char* kBroadPhases[] = {"brute_force", "sweep_and_prune", "grid", "tree"};
 constexpr const char* kNarrowPhases[] = {"hybrid", "gjk_epa"};
 constexpr const char* kSimplices[] = {"johnson", "voronoi", "voronoi_last"};
+constexpr const char* kContinuous[] = {"off", "flagged", "fast"};
 constexpr const char* kManifolds[] = {"single", "cache", "patch", "clip"};
 
 template <std::uint32_t N>
@@ -112,6 +113,10 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
            1000),
     number(Dial::joint_damping, "joint_damping", "",
            "damping ratio of joints: more undoes a gap slower, less may swing", 0, 1e3, 1),
+    choice(Dial::continuous, "continuous",
+           "who is swept from pose to pose, so that it passes through nothing: nobody, bodies that a host flagged, or "
+           "also what moves far for its size in a step",
+           kContinuous, 2),
 }};
 
 constexpr bool in_order() {

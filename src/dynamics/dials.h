@@ -48,6 +48,7 @@ enum class Dial : std::uint32_t {
   hold_angle,
   joint_frequency,
   joint_damping,
+  continuous,
   count
 };
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);

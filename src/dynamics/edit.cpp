@@ -275,6 +275,12 @@ void World::set_force(std::uint32_t body, const Vec3& force, const Vec3& torque)
   state.mark_written(body);
 }
 
+void World::set_continuous(std::uint32_t body, SweepMode mode) {
+  if (scene.def[body].continuous == mode) return;
+  scene.def[body].continuous = mode;
+  ++scene.revision;
+}
+
 void World::wake_body(std::uint32_t body) { wake(*this, body); }
 
 }  // namespace carom

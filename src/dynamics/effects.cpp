@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "collision/volume.h"
+#include "dynamics/ccd/continuous.h"
 #include "dynamics/events/events.h"
 #include "dynamics/filter.h"
 #include "dynamics/force/force.h"
@@ -25,7 +26,8 @@ void find_colliders(const Scene& scene, const State&, Customers& customers) {
   for (const std::uint32_t slot : c.active)
     if (!c.muted[slot]) customers.add(slot);
 }
-// Counted elsewhere: contacts where they are built, particles by plan_particles(), joints by plan_stages().
+// Counted elsewhere: contacts where they are built, particles by plan_particles(), joints by plan_stages(). Who moves
+// far for its size joins the flagged customers of `continuous` in find_swept().
 void find_in_contacts(const Scene&, const State&, Customers&) {}
 void find_particles(const Scene&, const State&, Customers&) {}
 void find_joints(const Scene&, const State&, Customers&) {}
@@ -50,13 +52,15 @@ constexpr std::array<Effect, kEffectCount> kTable = {{
     {Stage::broad,     "sensor",          sensing::find,         nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::solve,     "joints",          find_joints,           nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::narrow,    "scenery",         scenery::find,         nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::solve,     "continuous",      continuous::find,      nullptr,            nullptr,                nullptr,               nullptr},
 }};
 // clang-format on
 
 static_assert(kTable[kGyroscopicRow].find == gyroscopic::find && kTable[kSleepRow].find == sleeping::find &&
               kTable[kParticlesRow].find == find_particles && kTable[kFilterRow].find == filtering::find &&
               kTable[kSensorRow].find == sensing::find && kTable[kJointsRow].find == find_joints &&
-              kTable[kSceneryRow].find == scenery::find);
+              kTable[kSceneryRow].find == scenery::find &&
+              kTable[kContinuousRow].find == continuous::find);
 
 // As CAROM_ROTATION_*; those after them are rotation methods.
 enum RotationChoice : std::uint32_t { kNoGyroscopicTerm, kExplicitTorque, kImplicitStep };
@@ -68,6 +72,7 @@ void plan_rows(World& world, Plan& plan) {
   plan.integrator = integrators[dials.choice(Dial::integrator)];
   const Solver* solvers[] = {&kSeverity, &kSequential, &kSoftStep, &kDirect, &kAuto};
   plan.solver = solvers[dials.choice(Dial::solver)];
+  plan.watches_speed = dials.choice(Dial::continuous) == kSweepFast;
   const std::uint32_t rotation = dials.choice(Dial::rotation);
   plan.rotation_method = plan.integrator->forces_only ? nullptr : rotation_method(rotation);
   for (PlannedEffect& row : plan.effects) {
@@ -202,7 +207,10 @@ void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
   if (c.movable[slot]) {
     const Real arm = shape.bounding_radius + plan.local[slot].p.norm();
     const Real motion = dt * (world.state.v[body].norm() + arm * world.state.omega[body].norm());
-    if (motion > half_gap) c.reach[slot] = std::min(motion, shape.bounding_radius);
+    if (motion > half_gap) {
+      c.reach[slot] = std::min(motion, shape.bounding_radius);
+      if (plan.watches_speed && 4 * motion > shape.bounding_radius) world.continuous->see(body);
+    }
   }
   SupportFault fault;
   c.bounds[slot] = world_bounds(shape, c.frame[slot].r, c.frame[slot].p, fault);
@@ -268,6 +276,7 @@ void refresh(World& world, const StepTime& time) {
     for (const std::uint32_t slot : changed ? world.scene.colliders.active : plan.colliders)
       place_collider(world, plan, slot, time.dt);
   }
+  find_swept(world, time.dt);
 }
 
 void evaluate_forces(World& world, const Motion& at, const Accelerate& out) {

@@ -76,9 +76,9 @@ struct Effect {
   FlowFn flow;                                                    // null: there is no closed form
   Real (*rate)(const Scene&, const Customers&);                   // 1/s, fastest decay among them; null: none decays
 };
-inline constexpr std::size_t kEffectCount = 17;
+inline constexpr std::size_t kEffectCount = 18;
 inline constexpr std::size_t kGyroscopicRow = 0, kSleepRow = 11, kParticlesRow = 12, kFilterRow = 13, kSensorRow = 14,
-                             kJointsRow = 15, kSceneryRow = 16;  // of the table
+                             kJointsRow = 15, kSceneryRow = 16, kContinuousRow = 17;  // of the table
 
 /// What does the work of a planned row.
 enum class Served : std::uint8_t { force, flow, stage };  // effect->force, effect->flow, or neither of them
@@ -133,6 +133,7 @@ struct Plan {
   Array<Mat3> rotation;         // by body: body -> world, at the start of the step
   Array<Vec3> scratch_vectors;  // of the integrator
   Array<Quat> scratch_rotations;
+  bool watches_speed = false;  // what moves far for its size is swept
   bool host_wrote = false;     // to the state, before this step
   Array<const Shape*> faulty;  // shapes in quarantine in this world
   Array<SupportFault> faults;  // of this step

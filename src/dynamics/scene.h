@@ -9,6 +9,8 @@
 namespace carom {
 
 enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };  // as CAROM_BODY_*
+/// Whether a body is swept from pose to pose, @see dynamics/ccd/continuous.h; as CAROM_CONTINUOUS_*.
+enum class SweepMode : std::uint8_t { automatic, always, never };
 enum class Mix : std::uint32_t { geometric_mean, maximum, minimum, average, multiply, count };
 
 struct Material {
@@ -31,6 +33,7 @@ struct BodyDef {
   Mat3 inertia = Mat3::Zero();                   // kg m^2, body axes, about center
   Real linear_damping = 0, angular_damping = 0;  // 1/s
   bool stays_awake = false;                      // it, and with it its island, never falls asleep
+  SweepMode continuous = SweepMode::automatic;
   std::uint64_t user = 0;
 };
 

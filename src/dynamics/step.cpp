@@ -2,6 +2,7 @@
 // it.
 #include <chrono>
 
+#include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/impact.h"
 #include "dynamics/contact/resistance.h"
 #include "dynamics/detect.h"
@@ -59,22 +60,28 @@ void World::step(Real dt) {
   run(Stage::refresh, wake_touched);
   run(Stage::broad, find_pairs);
   run(Stage::narrow, find_contacts);
+  run(Stage::narrow, leave_to_sweep);
   run(Stage::group, find_groups);
   run(Stage::solve, begin_contacts);
+  run(Stage::solve, begin_sweeps);
   run(Stage::observe, begin_events);
   for (int k = 0; k < run.substeps(); ++k) {
+    run(Stage::solve, note_starts);
     run(Stage::solve, measure_approach);
     run(Stage::solve, note_velocities);
     run(Stage::integrate, integrate_velocity);
+    run(Stage::solve, note_forces);
     run(Stage::solve, answer_impacts);
     run(Stage::solve, hold_moments);
     run(Stage::solve, solve_velocities);
     run(Stage::integrate, integrate_position);
     run(Stage::relax, solve_positions);
     run(Stage::solve, resist);
+    run(Stage::solve, sweep);
   }
   run(Stage::integrate, fly);
   run(Stage::solve, end_contacts);
+  run(Stage::solve, end_sweeps);
   run(Stage::observe, observe);
   run(Stage::observe, fall_asleep);
   run(Stage::observe, end_events);

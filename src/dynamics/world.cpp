@@ -2,6 +2,7 @@
 #include "dynamics/world.h"
 
 #include "core/hash.h"
+#include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/effects.h"
 #include "dynamics/events/events.h"
@@ -36,6 +37,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
       direct(make_owned<DirectGroups>(m, m)),
       sleep(make_owned<Sleep>(m, m)),
       events(make_owned<Events>(m, m)),
+      continuous(make_owned<Continuous>(m, m)),
       queries(make_owned<QueryIndex>(m, m)),
       memory(m) {
   scene.gravity = gravity;

@@ -36,6 +36,7 @@ struct StepReport {
   std::uint64_t particles = 0, quarantined_particles = 0;
   std::uint64_t direct_groups = 0;  // of the groups, those that a solver which chooses gave to the direct solver
   double solver_residual = 0;  // m/s; of solvers that solve to one
+  std::uint64_t swept_bodies = 0, sweep_hits = 0;
 };
 
 /// A contact point as a host reads it after the step.
@@ -70,6 +71,7 @@ struct GroupView {
 };
 
 struct Plan;          // dynamics/effects.h: which effects have customers
+struct Continuous;    // dynamics/ccd/continuous.h: who is swept, and what that met
 struct Contacts;      // dynamics/contact/contact.h: rows of the solver, scratch kept between steps
 struct Events;        // dynamics/events/events.h: what happened, for who asked
 class QueryIndex;     // dynamics/query/index.h: where colliders are, for questions between steps
@@ -114,6 +116,7 @@ class World {
 
   void wake_body(std::uint32_t body);  // and its island
   bool asleep(std::uint32_t body) const;
+  void set_continuous(std::uint32_t body, SweepMode mode);
 
   // ---- stepping: src/dynamics/step.cpp ----
   void step(Real dt);
@@ -140,6 +143,7 @@ class World {
   Owned<DirectGroups> direct;
   Owned<Sleep> sleep;
   Owned<Events> events;
+  Owned<Continuous> continuous;
   Owned<QueryIndex> queries;  // brought up to date by readers, who see to it that one does so at a time
   Memory* memory;
   Jobs* jobs = nullptr;  // who shares a step's loops; null: nobody

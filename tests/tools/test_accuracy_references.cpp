@@ -115,9 +115,34 @@ static void the_arch_can_stand(void**) {
   assert_false(stands(1.8, 2.2, 0.2, 1));
 }
 
+static void what_turns_round_does_so_at_its_moment(void**) {
+  const double way = 2, speed = 130, e = 0.4, h = 1e-7;
+  double x = -way, v = speed;
+  for (int i = 1; i < 300000; ++i) {
+    x += h * v;
+    if (x > 0 && v > 0) x *= -e, v *= -e;
+    if (i % 1000 == 0) assert_true(std::fabs(-x - turned_back(i * h, way, speed, e)) < 1e-9);
+  }
+}
+
+static void a_rod_that_is_hit_keeps_energy_and_momentum(void**) {
+  const double spin = 70, half = 1, thin = 0.03, post = 0.02, away = 0.8;
+  const HitRod rod = hit_rod(spin, half, thin, post, away);
+  // The face's line, thin above the axis, is as far from the post as that is thick.
+  assert_true(std::fabs(away * std::sin(rod.stop) - (thin + post)) < 1e-15);
+  // Angular momentum about the post and energy, of 1 kg: the middle leaves square to the arm.
+  const double inertia = (half * half + thin * thin) / 3, arm = away * std::cos(rod.stop);
+  const double speed = inertia * (spin - rod.spin) / arm;
+  assert_true(std::fabs(speed * speed + inertia * rod.spin * rod.spin - inertia * spin * spin) < 1e-9);
+  // The point that was hit leaves as fast as it came.
+  assert_true(std::fabs((speed - rod.spin * arm) - spin * arm) < 1e-12 * spin);
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(a_bounce_is_a_fall_and_a_reflection),
+      cmocka_unit_test(what_turns_round_does_so_at_its_moment),
+      cmocka_unit_test(a_rod_that_is_hit_keeps_energy_and_momentum),
       cmocka_unit_test(blocks_slide_as_their_forces_say),
       cmocka_unit_test(a_pulled_plate_obeys_newton_with_its_balls),
       cmocka_unit_test(a_skidding_ball_loses_speed_and_gains_spin_until_they_meet),

@@ -1,6 +1,7 @@
 // Broad phase: which bounds overlap. One interface, one strategy per file.
 #pragma once
 
+#include "collision/broad/bounds.h"
 #include "collision/colliders.h"
 
 namespace carom {
@@ -32,6 +33,13 @@ class BroadPhase {
   /// nothing once its arrays have grown to the scene's size.
   virtual void find_pairs(const Colliders& table, std::uint64_t generation, const BroadSettings& settings,
                           Array<Pair>& pairs) = 0;
+
+  /// Append the colliders whose bounds, as of the last find_pairs(), overlap a box (closed), each once, in an order that
+  /// means nothing. Goes through all that are active unless a strategy knows better.
+  virtual void find_near(const Colliders& table, const Aabb& box, Array<std::uint32_t>& found) {
+    for (const std::uint32_t slot : table.active)
+      if (!is_empty(table.bounds[slot]) && table.bounds[slot].overlaps(box)) found.push_back(slot);
+  }
 
   const BroadWork& work() const { return work_; }
 

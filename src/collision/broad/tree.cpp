@@ -86,6 +86,14 @@ class Tree final : public BroadPhase {
     whole_ = true;
   }
 
+  void find_near(const Colliders& table, const Aabb& box, Array<std::uint32_t>& found) override {
+    const auto take = [&](std::uint32_t slot) {
+      if (table.bounds[slot].overlaps(box)) found.push_back(slot);
+    };
+    moving_.query(box, take), fixed_.query(box, take);
+    for (const std::uint32_t slot : wide_) take(slot);
+  }
+
  private:
   enum Kind : std::uint8_t { none, wide, wide_fixed, fixed, moving };
   /// All of a slot's candidates are void; or those whose fat boxes it does not overlap any more.

@@ -12,7 +12,7 @@ enum class CastOutcome : std::uint32_t { miss, hit, overlap, undecided };
 
 struct CastSettings {
   Real tolerance = 1e-6;  // width of the bracket wanted, as length of path, relative to the (smaller) bounding radius
-  Real target = 0;        // m, >= 0: separation that counts as contact
+  Real target = 0;        // m, >= 0: separation that counts as contact; of a time of impact also < 0: a depth
   int cap = 128;          // support evaluations of a ray or linear cast; distance queries of a time of impact
   bool routines = false;  // rays: use a closed form where the shape declares one that there is a routine for
 };

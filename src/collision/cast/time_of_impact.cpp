@@ -197,7 +197,7 @@ class Advance {
     if (crossed) return;
     result_.slack = contact;
     if (contact > tolerance_) result_.status = QueryStatus::rounding;
-    if (!(speed > 0)) return;
+    if (!(speed > 0) || settings_.target < 0) return;  // of an overlap no depth is proven by a yes or no
     const Real safe = until_;
     Real step = (std::max(left, Real(0)) + 0.5 * contact) / speed;
     for (int i = 0; i < 4; ++i, step *= 2) {

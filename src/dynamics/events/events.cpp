@@ -5,6 +5,7 @@
 
 #include "collision/narrow/rounding.h"
 #include "collision/scenery/ask.h"
+#include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
@@ -33,24 +34,30 @@ ContactEvent event(ContactEvent::Kind kind, const Together& t) {
   return {kind, t.a, t.b, t.body_a, t.body_b, Vec3::Zero(), Vec3::Zero(), 0, 0};
 }
 
-/// A pair's contact views, and its approach.
+/// A pair's contact views, and the hits that sweeps found.
 struct Met {
   Pair pair;
-  std::size_t first, last;  // of the views
+  std::size_t first, last;          // of the views
+  std::size_t first_hit, last_hit;  // of the hits
 };
 
-/// Contacts of this step beside those of the last: two lists in the same order.
+/// Contacts of this step (views and swept hits) beside those of the last: lists in the same order.
 class Contacting {
  public:
-  explicit Contacting(World& world) : world_(world), e_(*world.events) {}
+  explicit Contacting(World& world) : world_(world), e_(*world.events), hits_(world.continuous->hits) {}
 
   void run() {
     const Array<ContactView>& views = world_.contact_views;
     e_.spare.clear();
+    std::sort(hits_.begin(), hits_.end(), [](const SweepHit& a, const SweepHit& b) {
+      return a.pair == b.pair ? a.order < b.order : a.pair < b.pair;
+    });
     std::size_t old = 0;
-    for (std::size_t i = 0, j; i < views.size(); i = j) {
-      const Pair pair{views[i].collider_a, views[i].collider_b};
+    for (std::size_t i = 0, j = 0, h = 0, k = 0; i < views.size() || h < hits_.size(); i = j, h = k) {
+      const Pair viewed = i < views.size() ? Pair{views[i].collider_a, views[i].collider_b} : kLast;
+      const Pair hit = h < hits_.size() ? hits_[h].pair : kLast, pair = std::min(viewed, hit);
       for (j = i; j < views.size() && views[j].collider_a == pair.a && views[j].collider_b == pair.b;) ++j;
+      for (k = h; k < hits_.size() && hits_[k].pair == pair;) ++k;
       while (old < e_.touching.size() && e_.touching[old].pair < pair) part(e_.touching[old++]);
       bool known = false;
       if (old < e_.touching.size() && e_.touching[old].pair == pair) {
@@ -58,7 +65,7 @@ class Contacting {
         if (!known) part(e_.touching[old]);
         ++old;
       }
-      meet({pair, i, j}, known);
+      meet({pair, i, j, h, k}, known);
     }
     while (old < e_.touching.size()) part(e_.touching[old++]);
     e_.touching.swap(e_.spare);
@@ -67,19 +74,22 @@ class Contacting {
  private:
   void meet(const Met& met, bool known) {
     const Array<ContactView>& views = world_.contact_views;
-    Real impulse = 0, speed = 0;
-    const ContactView* most = &views[met.first];
-    for (std::size_t k = met.first; k < met.last; ++k) {
-      impulse += views[k].normal_impulse;
-      speed = std::max(speed, e_.approach[k]);
-      if (views[k].normal_impulse > most->normal_impulse) most = &views[k];
-    }
+    Real impulse = 0, speed = 0, most = -1;
+    Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
+    const auto add = [&](Real p, Real approach, const Vec3& at, const Vec3& n) {
+      impulse += p, speed = std::max(speed, approach);
+      if (p > most) most = p, point = at, normal = n;
+    };
+    for (std::size_t k = met.first; k < met.last; ++k)
+      add(views[k].normal_impulse, e_.approach[k], views[k].point, views[k].normal);
+    for (std::size_t k = met.first_hit; k < met.last_hit; ++k)
+      add(hits_[k].impulse, hits_[k].speed, hits_[k].point, hits_[k].normal);
     if (!known && !(impulse > 0)) return;
     const Together t = together(world_, met.pair);
     e_.spare.push_back(t);
     const auto tell = [&](ContactEvent::Kind kind) {
       ContactEvent what = event(kind, t);
-      what.point = most->point, what.normal = most->normal, what.impulse = impulse, what.speed = speed;
+      what.point = point, what.normal = normal, what.impulse = impulse, what.speed = speed;
       e_.contacts.push_back(what);
     };
     if (!known) tell(ContactEvent::begin);
@@ -93,8 +103,10 @@ class Contacting {
       e_.contacts.push_back(event(ContactEvent::end, t));
   }
 
+  static constexpr Pair kLast{Colliders::kNone, Colliders::kNone};
   World& world_;
   Events& e_;
+  Array<SweepHit>& hits_;
 };
 
 /// Whether a sensor's pair overlaps now; within rounding of touching, as before.
@@ -207,7 +219,8 @@ void begin_events(World& world, const StepTime&) {
       if (c.is_sensor(p.a) != c.is_sensor(p.b)) e.sensor_pairs.push_back(p);
   }
   const bool met = world.plan->runs[static_cast<std::size_t>(Stage::solve)];
-  const std::size_t pairs = (e.wanted & Events::contact) && met ? world.contacts->meetings.size() : 0;
+  const std::size_t meetings = (e.wanted & Events::contact) && met ? world.contacts->meetings.size() : 0;
+  const std::size_t pairs = meetings + (e.wanted & Events::contact ? world.continuous->hits.capacity() : 0);
   e.spare.reserve(std::max(pairs + e.touching.size(), e.sensor_pairs.size() + e.within.size()));
   e.touching.reserve(e.spare.capacity()), e.within.reserve(e.spare.capacity());  // they change places
   e.contacts.reserve(2 * pairs + e.touching.size());
@@ -216,7 +229,7 @@ void begin_events(World& world, const StepTime&) {
     e.slept.resize(world.scene.bodies.slots(), 0);
     e.sleep.reserve(world.scene.bodies.slots());
   }
-  if (pairs == 0) return;
+  if (meetings == 0) return;
   const Contacts& c = *world.contacts;
   e.approach.resize(c.rows.size());
   in_parallel(world.jobs, c.rows.size(), kRowsAPart, [&](std::uint32_t i) {

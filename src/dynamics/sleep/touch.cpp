@@ -1,6 +1,7 @@
 // Whom something that moves comes near, and whom it touches: those wake before the step makes contacts.
 #include <algorithm>
 
+#include "dynamics/ccd/continuous.h"
 #include "dynamics/detect.h"
 #include "dynamics/filter.h"
 #include "dynamics/scenery.h"
@@ -61,11 +62,11 @@ bool touches(World& world, const NarrowSettings& settings, const Pair& pair) {
 }
 
 /// Ask what one collider touches. Whom it wakes asks in turn: what slept apart may have come to rest in touch.
-void ask(World& world, const NarrowSettings& settings, std::uint32_t slot) {
+void ask(World& world, const NarrowSettings& settings, std::uint32_t slot, Real dt) {
   Sleep& z = *world.sleep;
   const Colliders& c = world.scene.colliders;
-  const Aabb& box = c.bounds[slot];
-  if (!(box.lo.x() <= box.hi.x())) return;
+  if (!(c.bounds[slot].lo.x() <= c.bounds[slot].hi.x())) return;
+  const Aabb box = swept_bounds(world, slot, dt);
   const bool filtered = any_held_apart(world);
   z.hits.clear();
   z.tree.query(box, [&](std::uint32_t other) { z.hits.push_back(other); });
@@ -74,7 +75,9 @@ void ask(World& world, const NarrowSettings& settings, std::uint32_t slot) {
     const std::uint32_t body = c.body[other];
     if (!z.asleep[body] || !may_touch(c, slot, other) || (filtered && !lets_touch(world.scene, slot, other))) continue;
     const Pair pair{std::min(slot, other), std::max(slot, other)};
-    if (c.is_sensor(slot) || c.is_sensor(other) || !touches(world, settings, pair)) {
+    const bool meets = !c.is_sensor(slot) && !c.is_sensor(other) &&
+                       (touches(world, settings, pair) || sweeps_into(world, slot, other, dt));
+    if (!meets) {
       z.near.push_back(pair);
       continue;
     }
@@ -86,7 +89,7 @@ void ask(World& world, const NarrowSettings& settings, std::uint32_t slot) {
 
 }  // namespace
 
-void wake_touched(World& world, const StepTime&) {
+void wake_touched(World& world, const StepTime& time) {
   Sleep& z = *world.sleep;
   z.near.clear();
   if (z.count == 0) return z.stirred.clear();
@@ -94,7 +97,7 @@ void wake_touched(World& world, const StepTime&) {
   try {
     gather_movers(world);
     wake_drawn(world);
-    for (std::size_t k = 0; k < z.asking.size(); ++k) ask(world, settings, z.asking[k]);
+    for (std::size_t k = 0; k < z.asking.size(); ++k) ask(world, settings, z.asking[k], time.dt);
     if (!z.woken.empty()) rejoin(world);
   } catch (...) {
     forget_sleepers(world);  // whom a host's hand stirred, and whom it touched, is lost otherwise

@@ -46,4 +46,16 @@ Rebound cannon(double speed, double mass_ratio) {
   return {momentum - 2 * speed / (mass_ratio + 1), momentum + 2 * speed * mass_ratio / (mass_ratio + 1)};
 }
 
+double turned_back(double t, double way, double speed, double e) {
+  const double left = way - speed * t;
+  return left > 0 ? left : -e * left;
+}
+
+// The impulse p at the arm s turns the speed of that point round: p (1/m + s^2/I) = 2 spin s.
+HitRod hit_rod(double spin, double half, double thin, double post, double away) {
+  const double off = thin + post, inertia = (half * half + thin * thin) / 3;  // of 1 kg
+  const double arm2 = away * away - off * off;
+  return {std::asin(off / away), spin * (1 - 2 * arm2 / (inertia + arm2))};
+}
+
 }  // namespace carom::tools::accuracy

@@ -40,4 +40,16 @@ struct Rebound {
 };
 Rebound cannon(double speed, double mass_ratio);
 
+/// How far something is from the place where it turns round, on either side of that moment the same side: it comes from
+/// `way` with `speed`, and leaves with e times as much.   @param t s, >= 0   @param way m   @return m
+double turned_back(double t, double way, double speed, double e);
+
+/// A rod that spins freely about its middle and meets a post with the face of one arm, without loss or friction.
+struct HitRod {
+  double stop;  ///< rad, of its axis from the post: sin = (half thickness + post's radius) / distance
+  double spin;  ///< rad/s, afterwards, of a uniform bar with square ends
+};
+/// @param spin rad/s   @param half, thin m, half extents   @param post m, its radius   @param away m, from the middle
+HitRod hit_rod(double spin, double half, double thin, double post, double away);
+
 }  // namespace carom::tools::accuracy

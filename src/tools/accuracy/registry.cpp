@@ -23,6 +23,8 @@ std::vector<Challenge> massratio_challenges();
 Challenge tower100_challenge();
 Challenge domino_challenge();
 Challenge cards_challenge();
+Challenge bullet_challenge();
+Challenge spinning_rod_challenge();
 Challenge arch_challenge();
 Challenge kapla_challenge();
 
@@ -37,7 +39,7 @@ const std::vector<Challenge>& all_challenges() {
     for (Challenge& c : stack_challenges()) list.push_back(std::move(c));
     for (Challenge& c : massratio_challenges()) list.push_back(std::move(c));
     for (auto make : {tower100_challenge, domino_challenge, cards_challenge, arch_challenge, bridge_challenge,
-                      kapla_challenge, wrecking_challenge})
+                      kapla_challenge, bullet_challenge, spinning_rod_challenge, wrecking_challenge})
       list.push_back(make());
     return list;
   }();

@@ -21,7 +21,7 @@ CastResult ask(const Shape& a, const RigidMotion& ma, const Shape& b, const Rigi
 }
 
 RigidMotion moving(const Vec3& p, const Vec3& v = Vec3::Zero(), const Vec3& omega = Vec3::Zero(),
-              const Quat& q = Quat::Identity()) {
+                   const Quat& q = Quat::Identity()) {
   RigidMotion m;
   m.at = {q, p};
   m.centre = p;
@@ -30,7 +30,8 @@ RigidMotion moving(const Vec3& p, const Vec3& v = Vec3::Zero(), const Vec3& omeg
   return m;
 }
 
-Real gap_at(const Shape& a, const RigidMotion& ma, const Shape& b, const RigidMotion& mb, Real target, Real t, Real tolerance) {
+Real gap_at(const Shape& a, const RigidMotion& ma, const Shape& b, const RigidMotion& mb, Real target, Real t,
+            Real tolerance) {
   QuerySettings settings;
   settings.tolerance = tolerance;
   settings.epa_cap = 512;
@@ -92,6 +93,31 @@ static void a_wheel_rolls_into_a_wall(void**) {
   const CastResult b = ask(ball, moving(Vec3(-3, 0, 0), Vec3(1, 0, 0), Vec3(9, 9, -20)), wall, moving(Vec3::Zero()), 3);
   assert_hits_at(b, 1.5);
   assert_true(b.iterations <= 6);  // a ball's spin moves nothing
+}
+
+// A target below 0 is a depth: two that touch, or overlap, are watched for sinking deeper.
+static void a_depth_is_reached_when_it_must_be(void**) {
+  const Shape ball = sphere(0.5), wall = box(Vec3(1, 5, 5));
+  CastSettings deep;
+  deep.target = -0.02;
+  for (const Real gap : {0.3, 0.0, -0.01}) {
+    const RigidMotion at_wall = moving(Vec3(-1.5 - gap, 0.2, 0), Vec3(2, 0.1, 0));
+    const CastResult r = ask(ball, at_wall, wall, moving(Vec3::Zero()), 1, deep);
+    assert_true(r.outcome == CastOutcome::hit && std::fabs(r.time - (gap + 0.02) / 2) < 1e-6);
+    assert_true(r.lower <= (gap + 0.02) / 2 + 1e-12 && std::fabs(r.separation + 0.02) < 2e-6);
+    assert_true((r.normal - Vec3::UnitX()).norm() < 1e-6);
+  }
+  // Along the wall, as deep as it is: never deeper.
+  const RigidMotion along = moving(Vec3(-1.49, 0, 0), Vec3(0, 3, 0));
+  assert_true(ask(ball, along, wall, moving(Vec3::Zero()), 1, deep).outcome == CastOutcome::miss);
+  // Deeper already: at once.
+  const RigidMotion within = moving(Vec3(-1.4, 0, 0), Vec3(1, 0, 0));
+  assert_true(ask(ball, within, wall, moving(Vec3::Zero()), 1, deep).outcome == CastOutcome::overlap);
+  // A rod that lies on a floor and turns down by one end: sin(3 t) = 0.02.
+  const Shape rod = box(Vec3(1, 0, 0));
+  const CastResult r = ask(rod, moving(Vec3(0, 0, 0), Vec3::Zero(), Vec3(0, 0, -3)), half_space(Vec3::UnitY(), 0),
+                           moving(Vec3::Zero()), 1, deep);
+  assert_true(r.outcome == CastOutcome::hit && std::fabs(r.time - std::asin(0.02) / 3) < 1e-6);
 }
 
 static void without_rotation_it_is_a_linear_cast(void**) {
@@ -268,7 +294,7 @@ static void far_from_the_origin_nothing_changes(void**) {
 static void the_same_input_has_the_same_bits(void**) {
   const Shape a = box(Vec3(1, 0.2, 0.3)), b = cylinder(0.5, 0.7);
   const RigidMotion ma = moving(Vec3(3, 0.1, 0), Vec3(-3, 0, 0), Vec3(1, 2, 3)),
-               mb = moving(Vec3::Zero(), Vec3::Zero(), Vec3(3, 2, 1));
+                    mb = moving(Vec3::Zero(), Vec3::Zero(), Vec3(3, 2, 1));
   const CastResult r = ask(a, ma, b, mb, 1), q = ask(a, ma, b, mb, 1);
   assert_true(r.outcome == CastOutcome::hit && r.time == q.time && r.lower == q.lower && r.upper == q.upper &&
               r.normal == q.normal);
@@ -298,6 +324,7 @@ int main() {
       cmocka_unit_test(a_rod_that_turns_strikes_a_plane_when_the_sine_says),
       cmocka_unit_test(a_rod_that_turns_strikes_a_ball),
       cmocka_unit_test(a_wheel_rolls_into_a_wall),
+      cmocka_unit_test(a_depth_is_reached_when_it_must_be),
       cmocka_unit_test(without_rotation_it_is_a_linear_cast),
       cmocka_unit_test(the_twin_agrees),
       cmocka_unit_test(touching_resting_and_parting_at_the_start),

@@ -1,0 +1,142 @@
+// Continuous collision: what moves far for its size is swept, so that it never ends a substep beyond something.
+//
+// Elsewhere a step looks where bodies stand, and a little ahead: bounds and contacts reach as far as a body moves
+// within the step, but no farther than the size of its shape, beyond which a contact would stop bodies that merely pass
+// by. What moves farther than that is this room's customer, and so is what turns so far that its ends pass what its
+// contacts know nothing of, and what a host asks for (BodyDef::continuous). Nobody else pays anything.
+//
+// In a substep, when the integrator and the solver have had their say, each customer has come from one pose to another.
+// Its path between them, straight on and about one axis, is swept by conservative advancement (collision/cast) against
+// all that stands or moves in its way: each obstacle on the path of its own. At the first contact the two are answered
+// there and then, as by contact/impact.h: one impulse of all points that touch, with the restitution and Coulomb's
+// friction of their materials, momentum kept; and both go on from there for the rest of the substep, the one that was
+// hit swept from then on as well. So contacts of a substep are answered one after the other, by time, of equals by
+// slot, whoever's they are, and no time is lost. Who is hit too often in one substep stays where it is until its end.
+//
+// The path is a chord of the motion. Under constant forces it sags by h^2 a/8 under the parabola; the moment of an
+// impact is found on the parabola, and its impulse changes velocity and place at the end as it would there: energy is
+// kept to rounding at restitution 1 under velocity_verlet.
+//
+// Touching is not hitting. Two that touch or overlap, or meet so slowly that they would sink by no more than a slack
+// within a substep (`position_tolerance`, at most a twentieth of the thinner one), are left to the solver, and swept on
+// until they have sunk deeper by that slack. So what rests, rolls or slides at 200 m/s is not held up; what was already
+// deep in something may leave it, but goes no deeper.
+//
+// Contacts ahead of a touch (speculative ones) of a customer that closes fast are taken from the solver: at such speeds
+// their planes would stop what merely passes by, and the sweep knows better.
+//
+// A swept body costs a query of the broad phase's tree, of the sleepers' and of the other customers', and some
+// microseconds for each pair of convex pieces whose bounds its path crosses. All on the stepping thread: the order of
+// hits is one of time.
+//
+// Scenery is swept against, never swept: a mesh that a host drives fast is met where it stands.
+//
+// What this is not: kinematic bodies that crush something between them are not stopped; a half-space that turns is
+// swept as if it did not; sensors are not swept (one as thin as a step is passed unseen); obstacles that neither a
+// customer's straight path of the step comes near nor a hit before are taken to come from where their velocity tells.
+//
+// @oracle tests/oracle/test_bullet, tests/unit/dynamics/test_ccd
+#pragma once
+
+#include "collision/broad/box_tree.h"
+#include "dynamics/ccd/path.h"
+#include "dynamics/effects.h"
+
+namespace carom {
+
+/// The dial's choices.
+enum SweepChoice : std::uint32_t { kSweepNobody, kSweepFlagged, kSweepFast };
+
+/// An impact that a sweep answered, as events tell of it.
+struct SweepHit {
+  Pair pair;
+  std::uint32_t order;  // in time
+  Vec3 point, normal;   // m, world; unit, world, A to B
+  Real impulse;         // N s, along the normals, of all its points
+  Real speed;           // m/s, at which the fastest of them closed
+};
+
+/// A body whose path is known: it is swept, or one that is may meet it.
+struct SweptBody {
+  std::uint32_t body;
+  bool swept = false;                             // else it is somebody else's obstacle
+  bool outruns = false;                           // its contacts do not reach as far as it moves in this step
+  bool loose = false;                             // it is not in the tree of customers, or has left its box there
+  bool changed = false;                           // something hit it in this substep
+  bool flies = false;                             // its path is a parabola's chord; else a solver's straight line
+  static constexpr std::uint32_t kMostHits = 16;  // in a substep
+  std::uint32_t hits = 0;                         // in this substep
+  std::uint32_t version = 0;                      // raised when its path changes
+  Real radius = 0;                                // m: the farthest of its colliders from its centre
+  Path path;                                      // of this substep, from the last hit on
+  Vec3 before = Vec3::Zero();                     // m/s, velocity as the substep began
+  Vec3 accel = Vec3::Zero();                      // m/s^2, of forces in this substep
+
+  // The first contact ahead:
+  Real when = kInfinity;             // s; infinite: there is none
+  std::uint32_t own = 0, other = 0;  // collider slots
+  std::uint32_t met_version = 0;     // of the other's path, that this was found with
+  SweptPiece own_piece, other_piece;
+  Vec3 normal, point;  // unit, from own to other; m, world
+};
+
+struct Continuous {
+  explicit Continuous(Memory* m);
+
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+  // Bounds of a step are made in refresh; who was seen to go beyond them, by collider; it may repeat and overflow.
+  Array<std::uint32_t> seen;
+  bool too_many_seen = false;
+  void see(std::uint32_t body) {
+    if (seen.size() < seen.capacity())
+      seen.push_back(body);
+    else
+      too_many_seen = true;
+  }
+
+  Array<std::uint32_t> index;            // by body: in bodies, or kNone; empty until there is a customer
+  Array<SweptBody> bodies;               // of this step: customers first, ascending
+  std::size_t customers = 0, boxed = 0;  // of bodies; those in the tree
+  BoxTree tree;                          // of customers, by place in bodies; boxes of this substep
+  Array<Aabb> boxes;                     // m, by place in bodies
+  Array<std::uint32_t> leaves;           // 0, 1, 2, ...
+  Array<std::uint32_t> loose;            // places in bodies
+  Array<SweepHit> hits;                  // of this step, by time; as many as there is room for
+  Array<std::uint32_t> found;            // scratch: colliders
+  Customers one, more, merged;           // scratch, for rotation methods
+  SupportFault fault;                    // the first of this step
+
+  SweptBody* find(std::uint32_t body) {
+    const std::uint32_t at = body < index.size() ? index[body] : kNone;
+    return at == kNone ? nullptr : &bodies[at];
+  }
+};
+
+/// Row of the table: bodies that a host wants swept.
+namespace continuous {
+void find(const Scene&, const State&, Customers&);
+}
+
+/// Part of refresh(), when bounds are made: who outruns its contacts, and with those that a host asked for, who is
+/// swept.
+void find_swept(World& world, Real dt);
+/// Whether a customer's straight path in this step meets a sleeper. Stage refresh.
+bool sweeps_into(World& world, std::uint32_t collider, std::uint32_t sleeper, Real dt);
+/// m, world: bounds of a collider and, if its body is a customer, of its straight path in this step.
+Aabb swept_bounds(const World& world, std::uint32_t collider, Real dt);
+
+/// Stage functions of the page.
+/// Take from the solver the contacts that the sweep knows better.
+void leave_to_sweep(World& world, const StepTime& time);
+/// Room for all that the substeps may do; who stands in the way.
+void begin_sweeps(World& world, const StepTime& time);
+/// Where a substep's paths begin, and what forces do to velocities in it.
+void note_starts(World& world, const StepTime& time);
+void note_forces(World& world, const StepTime& time);
+/// The hits of a substep.
+void sweep(World& world, const StepTime& time);
+/// What the step's sweeps leave behind.
+void end_sweeps(World& world, const StepTime& time);
+
+}  // namespace carom

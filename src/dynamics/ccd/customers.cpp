@@ -1,0 +1,291 @@
+// Who is swept in a step: whom a host asked for, and who outruns its contacts. Who stands in their way.
+#include <algorithm>
+#include <utility>
+
+#include "dynamics/ccd/continuous.h"
+#include "dynamics/contact/contact.h"
+#include "dynamics/detect.h"
+#include "dynamics/filter.h"
+#include "dynamics/force/force.h"
+#include "dynamics/sleep/sleep.h"
+
+namespace carom {
+namespace {
+
+// Contacts turn with a body, but not about it: by a quarter of a radian they have come an eighth of their arm astray
+// along the normal's plane, and what they know is no longer where the body is.
+constexpr Real kSpin = 0.25;  // rad a step
+
+// Room for bodies that are hit in a step, and for what events tell of. Beyond it hits are answered all the same: a body
+// that is hit then is not swept itself, and events do not tell of it.
+constexpr std::size_t kStruck = 64, kStruckEach = 4, kHitsEach = 16;
+
+bool can_sweep(const World& world, std::uint32_t body) {
+  return world.scene.type[body] != BodyType::fixed && !world.state.quarantined[body] && !world.sleep->sleeps(body);
+}
+
+/// Whether a body moves farther in a step than any of its contacts reaches ahead, or turns its ends by more than its
+/// thickness and more than contacts can follow.
+bool is_fast(const World& world, std::uint32_t body, Real dt) {
+  const Colliders& c = world.scene.colliders;
+  const State& s = world.state;
+  const Real way = dt * s.v[body].norm(), turn = dt * s.omega[body].norm();
+  Real reach = 0;
+  bool spins = false;
+  for (std::uint32_t slot = world.scene.first_collider[body]; slot != Colliders::kNone; slot = c.next[slot]) {
+    if (c.muted[slot] || c.is_sensor(slot)) continue;
+    const Shape& shape = *c.shape[slot];
+    reach = std::max(reach, shape.bounding_radius);
+    const Real arm = world.plan->local[slot].p.norm() + std::max(shape.bounding_radius - shape.core_radius, Real(0));
+    const Real thickness = (shape.bounds.hi - shape.bounds.lo).minCoeff();
+    spins |= turn > kSpin && turn * arm > thickness;
+  }
+  return reach > 0 && (way > reach || spins);
+}
+
+void forget(Continuous& c) {
+  for (const SweptBody& b : c.bodies) c.index[b.body] = Continuous::kNone;
+  c.bodies.clear(), c.loose.clear(), c.hits.clear();
+  c.customers = 0;
+  c.fault = {};
+}
+
+SweptBody& add(World& world, std::uint32_t body) {
+  Continuous& c = *world.continuous;
+  SweptBody& b = c.bodies.emplace_back();
+  b.body = body;
+  const Colliders& table = world.scene.colliders;
+  for (std::uint32_t slot = world.scene.first_collider[body]; slot != Colliders::kNone; slot = table.next[slot])
+    b.radius = std::max(b.radius, world.plan->local[slot].p.norm() + table.shape[slot]->bounding_radius);
+  c.index[body] = static_cast<std::uint32_t>(c.bodies.size() - 1);
+  return b;
+}
+
+/// Everybody that may be a customer, once, ascending.
+void list_candidates(World& world) {
+  Continuous& c = *world.continuous;
+  const PlannedEffect& row = world.plan->effects[kContinuousRow];
+  if (std::exchange(c.too_many_seen, false)) {
+    // There was no room to note them, and there is to be: this happens once, or where more come than ever before.
+    const Colliders& table = world.scene.colliders;
+    c.seen.clear();
+    c.seen.reserve(world.plan->colliders.size());
+    for (const std::uint32_t slot : world.plan->colliders)
+      if (table.reach[slot] > 0) c.seen.push_back(table.body[slot]);
+  }
+  c.seen.reserve(c.seen.size() + row.candidates.count);
+  row.candidates.each([&](std::uint32_t i) { c.seen.push_back(i); });
+  std::sort(c.seen.begin(), c.seen.end());
+  c.seen.erase(std::unique(c.seen.begin(), c.seen.end()), c.seen.end());
+}
+
+/// m, world: where a body goes if nothing stops it, with what forces may add in a step.
+Aabb straight_way(const World& world, std::uint32_t body, Real radius, Real dt) {
+  const State& s = world.state;
+  const Path path{0, s.x[body], s.q[body], s.v[body], s.omega[body]};
+  return path.swept(0, dt, radius + dt * dt * world.scene.gravity.norm());
+}
+
+/// Who lies still needs no rotation method, but may be hit and does then: the method carries all that are known.
+void carry_all_known(World& world) {
+  Plan& plan = *world.plan;
+  if (!plan.rotation_method) return;
+  Continuous& c = *world.continuous;
+  PlannedEffect& row = plan.effects[kGyroscopicRow];
+  c.found.clear(), c.more.clear(), c.merged.clear();
+  const auto is_top = [&](std::uint32_t i) {
+    const auto& runs = row.candidates.runs;
+    const auto ends_by = [i](const Customers::Run& run) { return run.end <= i; };
+    const auto r = std::partition_point(runs.begin(), runs.end(), ends_by);
+    return r != runs.end() && r->begin <= i;
+  };
+  for (const SweptBody& b : c.bodies)
+    if (!plan.carried[b.body] && is_top(b.body)) c.found.push_back(b.body);
+  if (c.found.empty()) return;
+  std::sort(c.found.begin(), c.found.end());
+  for (const std::uint32_t i : c.found) c.more.add(i);
+  each_of_both(row.customers, c.more, [&](std::uint32_t i) { c.merged.add(i); });
+  std::swap(row.customers, c.merged);
+  for (const std::uint32_t i : c.found) plan.carried[i] = 1;
+}
+
+}  // namespace
+
+Continuous::Continuous(Memory* m)
+    : seen(m),
+      index(m),
+      bodies(m),
+      tree(m),
+      boxes(m),
+      leaves(m),
+      loose(m),
+      hits(m),
+      found(m),
+      one(m),
+      more(m),
+      merged(m) {}
+
+void continuous::find(const Scene& scene, const State& state, Customers& customers) {
+  if (scene.dials.choice(Dial::continuous) == kSweepNobody) return;
+  for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
+    if (scene.bodies.alive(i) && scene.def[i].continuous == SweepMode::always && scene.type[i] != BodyType::fixed &&
+        !state.quarantined[i])
+      customers.add(i);
+}
+
+void find_swept(World& world, Real dt) {
+  Continuous& c = *world.continuous;
+  PlannedEffect& row = world.plan->effects[kContinuousRow];
+  forget(c);
+  row.customers.clear();
+  if (c.seen.empty() && !c.too_many_seen && row.candidates.count == 0) return;
+  list_candidates(world);
+  for (const std::uint32_t i : c.seen) {
+    const SweepMode mode = world.scene.def[i].continuous;
+    const bool outruns = world.plan->watches_speed && mode != SweepMode::never && is_fast(world, i, dt);
+    if (!can_sweep(world, i) || !(outruns || mode == SweepMode::always)) continue;
+    c.index.resize(world.scene.bodies.slots(), Continuous::kNone);
+    SweptBody& b = add(world, i);
+    b.swept = true, b.outruns = outruns;
+    row.customers.add(i);
+  }
+  c.seen.clear();
+  c.customers = c.bodies.size();
+  Colliders& table = world.scene.colliders;
+  for (const SweptBody& b : c.bodies) {
+    if (!b.outruns) continue;  // it is met by contacts as well, as far as they reach
+    for (std::uint32_t slot = world.scene.first_collider[b.body]; slot != Colliders::kNone; slot = table.next[slot])
+      table.reach[slot] = 0;
+  }
+}
+
+Aabb swept_bounds(const World& world, std::uint32_t collider, Real dt) {
+  const Colliders& table = world.scene.colliders;
+  Aabb box = table.bounds[collider];
+  const SweptBody* const b = world.continuous->find(table.body[collider]);
+  if (!b || !b->swept) return box;
+  const Aabb way = straight_way(world, b->body, b->radius, dt);
+  return {box.lo.cwiseMin(way.lo), box.hi.cwiseMax(way.hi)};
+}
+
+bool sweeps_into(World& world, std::uint32_t collider, std::uint32_t sleeper, Real dt) {
+  const Colliders& table = world.scene.colliders;
+  const SweptBody* const b = world.continuous->find(table.body[collider]);
+  if (!b || !b->swept) return false;
+  const State& s = world.state;
+  const std::uint32_t other = table.body[sleeper];
+  const Path way{0, s.x[b->body], s.q[b->body], s.v[b->body], s.omega[b->body]};
+  const Path rest{0, s.x[other], s.q[other], Vec3::Zero(), Vec3::Zero()};
+  CastSettings settings;
+  settings.target = world.scene.dials[Dial::contact_distance];
+  const Aabb box = swept_bounds(world, collider, dt), own = table.bounds[sleeper];
+  bool meets = false;
+  each_swept_piece(world, collider, own, [&](const SweptPiece& mine) {
+    each_swept_piece(world, sleeper, box, [&](const SweptPiece& its) {
+      CastResult result;
+      SupportFault fault;
+      if (meets) return;
+      any_shape::time_of_impact(*mine.shape, way.motion(mine, 0), *its.shape, rest.motion(its, 0), dt, settings, result, fault);
+      meets = result.outcome != CastOutcome::miss;
+    });
+  });
+  return meets;
+}
+
+void leave_to_sweep(World& world, const StepTime& time) {
+  Continuous& c = *world.continuous;
+  if (c.bodies.empty()) return;
+  const Colliders& table = world.scene.colliders;
+  const State& s = world.state;
+  const Real reach = world.scene.dials[Dial::contact_distance], tolerance = world.scene.dials[Dial::position_tolerance];
+  const auto closes_fast = [&](const PairRecord& r) {
+    const std::uint32_t a = table.body[r.pair.a], b = table.body[r.pair.b];
+    bool fast = false;
+    for (int k = 0; k < r.manifold.count; ++k) {
+      const ContactPoint& p = r.manifold.point[k];
+      if (!(p.separation > -tolerance)) return false;
+      const Vec3 arm_a = table.frame[r.pair.a].apply(p.on_a) - s.x[a];
+      const Vec3 arm_b = table.frame[r.pair.b].apply(p.on_b) - s.x[b];
+      const Vec3 u = s.v[b] + s.omega[b].cross(arm_b) - s.v[a] - s.omega[a].cross(arm_a);
+      fast |= -u.dot(p.normal) * time.dt > std::max(p.separation, reach);
+    }
+    return fast;
+  };
+  const auto look_at = [&](std::uint32_t own, std::uint32_t other) {
+    const Pair pair{std::min(own, other), std::max(own, other)};
+    std::size_t lo = 0, hi = world.pairs.size();
+    while (lo < hi) {
+      const std::size_t mid = (lo + hi) / 2;
+      if (world.pairs.place(mid).pair < pair)
+        lo = mid + 1;
+      else
+        hi = mid;
+    }
+    for (; lo < world.pairs.size() && world.pairs.place(lo).pair == pair; ++lo) {
+      PairRecord& r = world.pairs[lo];
+      if (world.pairs.place(lo).points == 0 || !closes_fast(r)) continue;
+      r.manifold.count = 0;
+      r.patch.firm = false;
+      world.pairs.place(lo).points = 0;
+      world.pairs.place(lo).horizon = -kInfinity;
+    }
+  };
+  for (std::size_t k = 0; k < c.customers; ++k) {
+    if (!c.bodies[k].outruns) continue;
+    for (std::uint32_t slot = world.scene.first_collider[c.bodies[k].body]; slot != Colliders::kNone;
+         slot = table.next[slot]) {
+      c.found.clear();
+      broad_phase(world).find_near(table, table.bounds[slot], c.found);
+      for (const std::uint32_t other : c.found) look_at(slot, other);
+    }
+  }
+}
+
+void begin_sweeps(World& world, const StepTime& time) {
+  Continuous& c = *world.continuous;
+  if (c.bodies.empty()) return;
+  const Colliders& table = world.scene.colliders;
+  c.found.reserve(2 * table.slots());
+  for (std::size_t k = 0; k < c.customers; ++k) {
+    c.found.clear();
+    broad_phase(world).find_near(table, straight_way(world, c.bodies[k].body, c.bodies[k].radius, time.dt), c.found);
+    for (const std::uint32_t slot : c.found)
+      if (table.movable[slot] && !c.find(table.body[slot]) && can_sweep(world, table.body[slot]))
+        add(world, table.body[slot]);
+  }
+  const std::size_t most =
+      std::min<std::size_t>(world.scene.bodies.slots(), c.bodies.size() + kStruck + kStruckEach * c.customers);
+  c.bodies.reserve(most), c.loose.reserve(most), c.boxes.resize(c.customers);
+  c.leaves.resize(c.customers);
+  c.tree.grow(c.customers);
+  for (std::uint32_t k = 0; k < c.customers; ++k) {
+    c.leaves[k] = k;
+    c.boxes[k] = straight_way(world, c.bodies[k].body, c.bodies[k].radius, time.dt);
+  }
+  c.tree.build(c.leaves, c.boxes);
+  carry_all_known(world);
+  c.hits.reserve(kHitsEach * (c.customers + 1));
+  c.one.clear(), c.one.add(0);
+  world.plan->effects[kContinuousRow].evaluations += c.customers;
+  world.report.swept_bodies = c.customers;
+}
+
+void note_starts(World& world, const StepTime&) {
+  const State& s = world.state;
+  for (SweptBody& b : world.continuous->bodies) {
+    b.path.t = 0, b.path.x = s.x[b.body], b.path.q = s.q[b.body];
+    b.before = s.v[b.body];
+    b.changed = false, b.hits = 0;
+  }
+}
+
+void note_forces(World& world, const StepTime& time) {
+  for (SweptBody& b : world.continuous->bodies) b.accel = (world.state.v[b.body] - b.before) / time.h;
+}
+
+void end_sweeps(World& world, const StepTime&) {
+  const SupportFault& fault = world.continuous->fault;
+  if (fault.kind != SupportFault::none) mute(world, fault);
+}
+
+}  // namespace carom

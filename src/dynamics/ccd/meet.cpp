@@ -1,0 +1,96 @@
+// When two that move first meet, and whether that is a hit or a touch.
+#include <algorithm>
+
+#include "dynamics/ccd/sweeper.h"
+#include "dynamics/integrate/rotation/rotation.h"
+
+namespace carom {
+namespace {
+
+// Width of the bracket of a time of impact, as length, relative to the smaller of the two: rounding begins a hundred
+// times below.
+constexpr Real kTolerance = 1e-9;
+constexpr int kCap = 256;  // distance queries; a rod takes some ten for each quarter turn
+// Of the thickness of the thinner, that two may sink without a hit.
+constexpr Real kMostSlack = 0.05, kLeastSlack = 1e-5;
+// Of that, by how much what is as deep already may sink on in a substep.
+constexpr Real kDeeper = 0.1;
+
+Real thickness(const Shape& s) {
+  return s.form == Form::half_space || s.form == Form::scenery ? kInfinity : (s.bounds.hi - s.bounds.lo).minCoeff();
+}
+
+}  // namespace
+
+/// m: how deep two may sink in a substep without a hit.
+Real Sweeper::slack(const Side& a, const Side& b) const {
+  const Real thin = std::min(thickness(*a.piece.shape), thickness(*b.piece.shape));
+  return std::clamp(tolerance_, kLeastSlack * thin, kMostSlack * thin);
+}
+
+/// What is stored is the velocity of the moment `lag` after the substep began; a solver's holds all along. Where a
+/// rotation method carries a body, it is asked back from the end of the path.
+Sweeper::Velocity Sweeper::velocity(const Side& side, Real time) {
+  const State& s = world_.state;
+  Velocity u{s.v[side.body], s.omega[side.body]};
+  if (!side.known) return u;
+  if (side.known->flies) u.v -= (lag_ - time) * side.known->accel;
+  if (carried(side.body)) u.omega = turned(side, time_.h, time - time_.h, s.omega[side.body]);
+  return u;
+}
+
+/// omega after (or before) some time of free rotation from an orientation of the path, which the rotation method
+/// carries: as the body sees it, in the orientation that the path has then. Of a thin rod the method's own orientation
+/// differs from that of the path by enough to take a spin about its axis for one of its ends, or the other way round.
+Vec3 Sweeper::turned(const Side& side, Real from, Real by, const Vec3& omega) {
+  if (by == 0) return omega;
+  State& s = world_.state;
+  const std::uint32_t i = side.body;
+  const Quat kept_q = s.q[i];
+  const Vec3 kept_omega = s.omega[i], kept_momentum = s.momentum[i];
+  s.q[i] = side.path.orientation(from), s.omega[i] = omega;
+  c_.one.runs[0] = {i, i + 1};
+  world_.plan->rotation_method->advance(world_, c_.one, by);
+  const Vec3 seen = world_.plan->proposal.q[i].conjugate() * s.omega[i];
+  s.q[i] = kept_q, s.omega[i] = kept_omega, s.momentum[i] = kept_momentum;
+  return side.path.orientation(from + by) * seen;
+}
+
+/// Whether they would sink by no more than the slack, whichever of velocity and path is asked: the solver's business.
+bool Sweeper::is_slow(const Side& a, const Side& b, const Meeting& m) {
+  const Vec3 arm_a = m.point - a.path.place(m.when), arm_b = m.point - b.path.place(m.when);
+  const Velocity stored_a = velocity(a, m.when), stored_b = velocity(b, m.when);
+  const Velocity path_a{a.path.u, a.path.w}, path_b{b.path.u, b.path.w};
+  const Real closing = m.normal.dot(stored_a.at(arm_a) - stored_b.at(arm_b));
+  const Real nearing = m.normal.dot(path_a.at(arm_a) - path_b.at(arm_b));
+  const Real most = slack(a, b);
+  return closing * time_.h <= most && nearing * (time_.h - m.when) <= most;
+}
+
+Sweeper::Meeting Sweeper::meet(const Side& a, const Side& b, Real from, Real to) {
+  CastSettings settings;
+  settings.tolerance = kTolerance;
+  settings.cap = kCap;
+  CastResult r;
+  Real start = from, allowed = 0;
+  const auto look = [&]() -> Meeting {
+    SupportFault fault;
+    settings.target = allowed;
+    any_shape::time_of_impact(*a.piece.shape, a.path.motion(a.piece, start), *b.piece.shape, b.path.motion(b.piece, start),
+                   to - start, settings, r, fault);
+    if (fault.kind != SupportFault::none && c_.fault.kind == SupportFault::none) c_.fault = fault;
+    if (r.outcome == CastOutcome::miss || r.status == QueryStatus::fault || r.normal == Vec3::Zero()) return {};
+    // What could not be decided is as good as touching: nothing touches before.
+    return {start + r.time, r.normal, (r.point_a + r.point_b) / 2};
+  };
+  const Meeting first = look();
+  if (!(first.when <= to) || !is_slow(a, b, first)) return first;
+  // They touch, and are left to that; but not to sink.
+  const Real most = slack(a, b), depth = r.outcome == CastOutcome::overlap ? std::min(r.separation, Real(0)) : 0;
+  allowed = std::min(-most, depth - kDeeper * most);
+  start = first.when;
+  const Meeting second = look();
+  return r.outcome == CastOutcome::overlap ? Meeting{} : second;
+}
+
+}  // namespace carom

@@ -1,0 +1,60 @@
+// How a body moves within a substep, as a sweep sees it: straight on and about one axis from one pose to another.
+#pragma once
+
+#include "collision/scenery/ask.h"
+#include "core/wide_angle.h"
+#include "dynamics/ccd/pieces.h"
+
+namespace carom {
+
+/// The rotation vector of a turn, of all those that are whole turns apart the one nearest to another.
+///   exp_map(phi) = turn,   phi = angle axis + 2 pi k axis
+/// @param turn  unit   @param near  [3] rad   @return [3] rad
+/// @accuracy    8 eps of the angle; no sine of the C library's
+/// @oracle      tests/unit/dynamics/test_ccd_path
+inline Vec3 rotation_vector(const Quat& turn, const Vec3& near) {
+  constexpr Real kWhole = 6.28318530717958647693;
+  const Real sign = turn.w() < 0 ? -1 : 1, s = turn.vec().norm(), c = sign * turn.w(), size = near.norm();
+  // Of almost no turn the axis is that of the other: only whole turns are missing.
+  const Vec3 axis = s > 1e-9 ? Vec3(sign / s * turn.vec()) : size > 0 ? Vec3(near / size) : Vec3(Vec3::UnitX());
+  const Vec3 least = s > 1e-9 ? Vec3(2 * angle_of(s, c) * axis) : Vec3(2 * sign * turn.vec());
+  return least + kWhole * std::floor((near - least).dot(axis) / kWhole + Real(0.5)) * axis;
+}
+
+/// From time t of a substep on.
+struct Path {
+  Real t = 0;                 // s
+  Vec3 x = Vec3::Zero();      // m, world: centre of mass, at t
+  Quat q = Quat::Identity();  // body -> world, at t
+  Vec3 u = Vec3::Zero();      // m/s, world
+  Vec3 w = Vec3::Zero();      // rad/s, world
+
+  Vec3 place(Real time) const { return x + (time - t) * u; }
+  Quat orientation(Real time) const { return w == Vec3::Zero() ? q : normalized(exp_map((time - t) * w) * q); }
+  void go_on_from(Real time) {
+    const Quat there = orientation(time);
+    x = place(time), q = there, t = time;
+  }
+  void stay() { u = w = Vec3::Zero(); }
+
+  /// A piece from a time on, whose zero is that time.
+  RigidMotion motion(const SweptPiece& piece, Real from) const {
+    RigidMotion m;
+    const Quat there = orientation(from);
+    m.centre = place(from);
+    m.at = {there * piece.local.q, m.centre + there * piece.local.p};
+    m.velocity = u, m.omega = w;
+    return m;
+  }
+  Frame frame(const SweptPiece& piece, Real time) const {
+    const Quat there = orientation(time);
+    return Frame(Pose{there * piece.local.q, place(time) + there * piece.local.p});
+  }
+  /// What a ball about the centre sweeps. @param radius  m
+  Aabb swept(Real from, Real to, Real radius) const {
+    const Vec3 a = place(from), b = place(to), r = Vec3::Constant(radius);
+    return {a.cwiseMin(b) - r, a.cwiseMax(b) + r};
+  }
+};
+
+}  // namespace carom

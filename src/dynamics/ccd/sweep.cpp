@@ -1,0 +1,195 @@
+// The events of a substep: everybody's first meeting, the earliest answered, those whom it concerns asked again.
+#include <algorithm>
+
+#include "dynamics/ccd/sweeper.h"
+#include "dynamics/detect.h"
+#include "dynamics/filter.h"
+#include "dynamics/force/force.h"
+#include "dynamics/integrate/integrator.h"
+#include "dynamics/sleep/sleep.h"
+#include "dynamics/solver/direct.h"
+#include "dynamics/solver/wide_contacts.h"
+
+namespace carom {
+namespace {
+
+/// Contacts read places off lanes and rows that were measured before; what rests is taken to rest on.
+void tell_contacts(World& world) {
+  if (world.contacts->rows.empty()) return;
+  refresh_rotations(world);
+  refresh_separations(world);
+  if (!world.wide->pairs.empty()) measure_lanes(world);
+  for (GroupRest& rest : world.direct->rest) rest.lasts = false;
+}
+
+}  // namespace
+
+Sweeper::Sweeper(World& world, const StepTime& time)
+    : world_(world),
+      c_(*world.continuous),
+      time_(time),
+      lag_(world.plan->integrator->lag * time.h),
+      tolerance_(world.scene.dials[Dial::position_tolerance]),
+      filtered_(any_held_apart(world)) {}
+
+void Sweeper::run() {
+  lay_paths();
+  box_customers();
+  for (std::size_t k = 0; k < c_.bodies.size(); ++k)
+    if (c_.bodies[k].swept) look_ahead(c_.bodies[k], 0);
+  while (SweptBody* const b = next()) {
+    if (b->met_version == version_of(world_.scene.colliders.body[b->other]))
+      strike(*b);
+    else
+      look_ahead(*b, b->when);  // nothing met it until then
+  }
+  move_bodies();
+}
+
+bool Sweeper::moved_by_hits(std::uint32_t body) const { return responds(world_.scene, world_.state, body); }
+bool Sweeper::carried(std::uint32_t body) const {
+  return world_.plan->rotation_method && world_.plan->carried[body] && rotates(world_.scene, body);
+}
+
+void Sweeper::lay_paths() {
+  for (SweptBody& b : c_.bodies) lay_path(b);
+}
+
+/// From where the substep began to where it led.
+void Sweeper::lay_path(SweptBody& b) {
+  const State& s = world_.state;
+  const std::uint32_t i = b.body;
+  ++b.version;
+  b.path.stay();
+  b.when = kInfinity;
+  if (s.quarantined[i]) return;
+  b.flies = world_.scene.type[i] == BodyType::dynamic && !world_.plan->touched[i];
+  b.path.u = (s.x[i] - b.path.x) / time_.h;
+  if (s.q[i].coeffs() != b.path.q.coeffs())
+    b.path.w = rotation_vector(s.q[i] * b.path.q.conjugate(), time_.h * s.omega[i]) / time_.h;
+}
+
+/// Customers are in each other's way; a hit may lead them anywhere as far as they were to go.
+void Sweeper::box_customers() {
+  for (std::uint32_t k = 0; k < c_.customers; ++k) {
+    SweptBody& b = c_.bodies[k];
+    b.loose = false;
+    c_.boxes[k] = b.path.swept(0, time_.h, b.radius);
+  }
+  c_.loose.clear();
+  for (std::uint32_t k = 0; k < c_.bodies.size(); ++k)
+    if (c_.bodies[k].swept && k >= c_.customers) c_.bodies[k].loose = true, c_.loose.push_back(k);
+  c_.tree.build(c_.leaves, c_.boxes);
+}
+
+/// Colliders that may be in a body's way, each once, ascending.
+void Sweeper::gather(const SweptBody& b, Real now) {
+  const Aabb box = b.path.swept(now, time_.h, b.radius);
+  const Colliders& table = world_.scene.colliders;
+  c_.found.clear();
+  broad_phase(world_).find_near(table, box, c_.found);
+  if (world_.sleep->tree.size() > 0)
+    world_.sleep->tree.query(box, [&](std::uint32_t slot) { c_.found.push_back(slot); });
+  // Bounds were made as the step began, for as far as contacts reach: whoever is swept is elsewhere.
+  std::erase_if(c_.found, [&](std::uint32_t slot) {
+    const SweptBody* const other = c_.find(table.body[slot]);
+    return other && other->swept;
+  });
+  const auto add = [&](std::uint32_t k) {
+    const SweptBody& other = c_.bodies[k];
+    if (&other == &b || !other.path.swept(std::max(now, other.path.t), time_.h, other.radius).overlaps(box)) return;
+    for (std::uint32_t slot = world_.scene.first_collider[other.body]; slot != Colliders::kNone;
+         slot = table.next[slot])
+      c_.found.push_back(slot);
+  };
+  c_.tree.query(box, [&](std::uint32_t k) {
+    if (!c_.bodies[k].loose) add(k);
+  });
+  for (const std::uint32_t k : c_.loose) add(k);
+  std::sort(c_.found.begin(), c_.found.end());
+}
+
+/// The first meeting of a body from now on.
+void Sweeper::look_ahead(SweptBody& b, Real now) {
+  b.when = kInfinity;
+  const Colliders& table = world_.scene.colliders;
+  gather(b, now);
+  for (std::uint32_t own = world_.scene.first_collider[b.body]; own != Colliders::kNone; own = table.next[own]) {
+    if (table.muted[own] || table.is_sensor(own) || is_scenery(*table.shape[own])) continue;
+    for (const std::uint32_t other : c_.found) try_pair(b, now, own, other);
+  }
+}
+
+void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t other) {
+  constexpr std::uint32_t kMostHits = SweptBody::kMostHits;
+  const Colliders& table = world_.scene.colliders;
+  const std::uint32_t body = table.body[other];
+  if (!may_touch(table, own, other) || table.is_sensor(other) || (filtered_ && !lets_touch(world_.scene, own, other)))
+    return;
+  if (!moved_by_hits(b.body) && !moved_by_hits(body)) return;
+  const SweptBody* const known = c_.find(body);
+  // Who has been hit enough waits for the next substep: it stops others, but is not pushed on by what nothing stops.
+  const bool spent = b.hits >= kMostHits, other_spent = known && known->hits >= kMostHits;
+  if ((spent || !moved_by_hits(b.body)) && (other_spent || !moved_by_hits(body))) return;
+  Side a{b.body, own, {}, b.path, &b}, o{body, other, {}, path_of(body), known};
+  const Aabb box = a.path.swept(now, time_.h, b.radius);
+  each_swept_piece(world_, own, table.bounds[other], [&](const SweptPiece& mine) {
+    each_swept_piece(world_, other, box, [&](const SweptPiece& its) {
+      a.piece = mine, o.piece = its;
+      const Meeting m = meet(a, o, now, std::min(b.when, time_.h));
+      if (!(m.when < b.when)) return;
+      b.when = m.when, b.own = own, b.other = other, b.met_version = version_of(body);
+      b.own_piece = mine, b.other_piece = its;
+      b.normal = m.normal, b.point = m.point;
+    });
+  });
+}
+
+/// Who meets something next: the earliest, of equals the lowest pair of slots. Null: nobody.
+SweptBody* Sweeper::next() {
+  SweptBody* first = nullptr;
+  const auto pair = [](const SweptBody& b) { return Pair{std::min(b.own, b.other), std::max(b.own, b.other)}; };
+  for (SweptBody& b : c_.bodies) {
+    if (!(b.when <= time_.h)) continue;
+    if (!first || b.when < first->when || (b.when == first->when && pair(b) < pair(*first))) first = &b;
+  }
+  return first;
+}
+
+/// Where a body is that nobody has thought of: it comes from where its velocity tells. Sleepers lie.
+Path Sweeper::path_of(std::uint32_t body) const {
+  if (const SweptBody* const known = c_.find(body)) return known->path;
+  const State& s = world_.state;
+  Path p{0, s.x[body], s.q[body], Vec3::Zero(), Vec3::Zero()};
+  if (world_.scene.type[body] == BodyType::fixed || s.quarantined[body] || world_.sleep->sleeps(body)) return p;
+  p.u = s.v[body], p.w = s.omega[body];
+  p.x -= time_.h * p.u;
+  if (p.w != Vec3::Zero()) p.q = normalized(exp_map(-time_.h * p.w) * p.q);
+  return p;
+}
+
+std::uint32_t Sweeper::version_of(std::uint32_t body) const {
+  const SweptBody* const known = c_.find(body);
+  return known ? known->version : 0;
+}
+
+/// Who was hit ends where its path leads; all others end where they were going.
+void Sweeper::move_bodies() {
+  State& s = world_.state;
+  bool any = false;
+  for (const SweptBody& b : c_.bodies) {
+    if (!b.changed) continue;
+    any = true;
+    s.x[b.body] = b.path.place(time_.h);
+    if (!rotates(world_.scene, b.body)) continue;
+    s.q[b.body] = b.path.orientation(time_.h);
+    world_.plan->rotation[b.body] = s.q[b.body].toRotationMatrix();
+  }
+  if (any) tell_contacts(world_);
+}
+
+void sweep(World& world, const StepTime& time) {
+  if (!world.continuous->bodies.empty()) Sweeper(world, time).run();
+}
+
+}  // namespace carom

@@ -1,0 +1,71 @@
+// A substep's sweeps: what each customer meets first, and what the meeting does.
+#pragma once
+
+#include "dynamics/ccd/continuous.h"
+#include "dynamics/contact/contact.h"
+#include "dynamics/scenery.h"
+
+namespace carom {
+
+class Sweeper {
+ public:
+  Sweeper(World& world, const StepTime& time);
+  void run();
+
+ private:
+  /// One of two that meet.
+  struct Side {
+    std::uint32_t body, collider;
+    SweptPiece piece;
+    Path path;
+    const SweptBody* known;  // null: it stands still, or nobody thought of it
+  };
+  /// Velocities at a moment of the substep, as the forces and hits so far have it.
+  struct Velocity {
+    Vec3 v, omega;  // m/s, rad/s, world
+    Vec3 at(const Vec3& arm) const { return v + omega.cross(arm); }
+  };
+  struct Meeting {
+    Real when = kInfinity;  // s
+    Vec3 normal, point;     // unit, A to B; m, world
+  };
+  struct Strike;
+
+  // sweep.cpp: paths, and who meets whom
+  void lay_paths();
+  void lay_path(SweptBody& b);
+  void box_customers();
+  void look_ahead(SweptBody& b, Real now);
+  void gather(const SweptBody& b, Real now);
+  void try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t other);
+  SweptBody* next();
+  void move_bodies();
+  Path path_of(std::uint32_t body) const;
+  std::uint32_t version_of(std::uint32_t body) const;
+  bool moved_by_hits(std::uint32_t body) const;
+  bool carried(std::uint32_t body) const;
+
+  // meet.cpp: when do two meet
+  Meeting meet(const Side& a, const Side& b, Real from, Real to);
+  bool is_slow(const Side& a, const Side& b, const Meeting& m);
+  Real slack(const Side& a, const Side& b) const;
+  Velocity velocity(const Side& side, Real time);
+  Vec3 turned(const Side& side, Real from, Real by, const Vec3& omega);
+
+  // strike.cpp: what it does
+  void strike(SweptBody& b);
+  int find_points(const Strike& s, Manifold& manifold);
+  void scenery_points(const SceneryPair& pair, const NarrowSettings& settings, const Vec3& normal, Manifold& manifold);
+  bool exchange(Strike& s);
+  void turn_off(Side& side, Strike& s, const Velocity& change);
+  void aim(const Side& side, Real now);
+  SweptBody* take_up(std::uint32_t body);
+
+  World& world_;
+  Continuous& c_;
+  StepTime time_;
+  Real lag_, tolerance_;  // s; m, what is left unresolved
+  bool filtered_;         // somebody is held apart
+};
+
+}  // namespace carom
