@@ -48,12 +48,15 @@ constexpr std::array<Effect, kEffectCount> kTable = {{
     {Stage::broad,     "filter",          filtering::find,       nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::broad,     "sensor",          sensing::find,         nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::solve,     "joints",          find_joints,           nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::solve,     "surface_velocity", find_in_contacts,     nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::integrate, "axis_locks",      axis_locks::find,      nullptr,            nullptr,                nullptr,               nullptr},
 }};
 // clang-format on
 
 static_assert(kTable[kGyroscopicRow].find == gyroscopic::find && kTable[kSleepRow].find == sleeping::find &&
               kTable[kParticlesRow].find == find_particles && kTable[kFilterRow].find == filtering::find &&
-              kTable[kSensorRow].find == sensing::find && kTable[kJointsRow].find == find_joints);
+              kTable[kSensorRow].find == sensing::find && kTable[kJointsRow].find == find_joints &&
+              kTable[kSurfaceRow].find == find_in_contacts && kTable[kLocksRow].find == axis_locks::find);
 
 // As CAROM_ROTATION_*; those after them are rotation methods.
 enum RotationChoice : std::uint32_t { kNoGyroscopicTerm, kExplicitTorque, kImplicitStep };

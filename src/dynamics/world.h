@@ -35,7 +35,7 @@ struct StepReport {
   double linear_energy = 0, angular_energy = 0;
   std::uint64_t particles = 0, quarantined_particles = 0;
   std::uint64_t direct_groups = 0;  // of the groups, those that a solver which chooses gave to the direct solver
-  double solver_residual = 0;  // m/s; of solvers that solve to one
+  double solver_residual = 0;       // m/s; of solvers that solve to one
 };
 
 /// A contact point as a host reads it after the step.
@@ -96,6 +96,9 @@ class World {
   void set_filter(std::uint32_t collider, const Filter& filter);
   void set_body_filter(std::uint32_t body, const Filter& filter);  // of all colliders that it has now
   void set_sensor(std::uint32_t collider, bool sensor);
+  void set_surface_velocity(std::uint32_t collider, const SurfaceVelocity& surface);
+  void set_gravity_factor(std::uint32_t body, Real factor);
+  void set_locks(std::uint32_t body, Locks locks);              // of a dynamic body
   void hold_apart(std::uint32_t body_a, std::uint32_t body_b);  // counted: as often as it is let go
   void let_go(std::uint32_t body_a, std::uint32_t body_b);
   Handle add_joint(const JointDef& def);  // its bodies are two, or one and the world
