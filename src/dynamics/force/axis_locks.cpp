@@ -2,7 +2,6 @@
 #include <Eigen/LU>
 #include <bit>
 
-#include "core/wide_angle.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
 
@@ -37,14 +36,6 @@ Vec3 midpoint(const Vec3& omega, const Mat3& inertia, const Mat3& inverse, Real 
     next = omega - h * (inverse * mean.cross(inertia * mean));
   }
   return finite(next) ? next : omega;
-}
-
-/// @return rad, world: about an axis by an angle of at most pi
-Vec3 turn_between(const Quat& from, const Quat& to) {
-  Quat d = to * from.conjugate();
-  if (d.w() < 0) d.coeffs() = -d.coeffs();
-  const Real sine = d.vec().norm();
-  return sine > 0 ? Vec3((2 * angle_of<double>(sine, d.w()) / sine) * d.vec()) : Vec3(Vec3::Zero());
 }
 
 }  // namespace
@@ -99,13 +90,11 @@ void axis_locks::hold(World& world, Real h) {
       if (free[k] == 0) to.x[i][k] = s.x[i][k];
     if (!holds_turns(scene, i, locks)) return;
     const Mat3 inertia = inertia_of(scene, i, s.q[i]), inverse = inverse_of_free(inertia, locks);
-    const Vec3 before = s.omega[i], forced = project_turn(before, inertia, inverse, locks);
-    const bool swings = gyroscopic && std::popcount(static_cast<unsigned>(locks & kAngularLocks)) == 1;
-    s.omega[i] = swings ? midpoint(forced, inertia, inverse, h) : forced;
-    if (!proposes) return;
-    // The proposed turn is linear in what forces did to it, as omega is.
-    const Vec3 turn = project_turn(turn_between(s.q[i], to.q[i]), inertia, inverse, locks);
-    to.q[i] = normalized(exp_map(turn + (h / 2) * (s.omega[i] - forced)) * s.q[i]);
+    s.omega[i] = project_turn(s.omega[i], inertia, inverse, locks);  // no room of today's leaves anything to take off
+    if (!gyroscopic || std::popcount(static_cast<unsigned>(locks & kAngularLocks)) != 1) return;
+    const Vec3 before = s.omega[i];
+    s.omega[i] = midpoint(before, inertia, inverse, h);
+    if (proposes) to.q[i] = normalized(exp_map((h / 2) * (s.omega[i] - before)) * to.q[i]);
   });
   row.evaluations += row.customers.count;
 }

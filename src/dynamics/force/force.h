@@ -54,10 +54,10 @@ void find(const Scene&, const State&, Customers&);
 void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
 }  // namespace user_torque
 
-/// Velocities along and about world axes that are held at 0. Whatever moves a body respects it: impulses have no effect
-/// along a locked axis, and turn a body as one that cannot turn about it; what forces did is projected here, in the
-/// metric of the body's inertia, which is what constraint forces do (Gauss's principle). Nothing is solved for, nothing
-/// drifts: a locked velocity is 0 to the bit.
+/// Velocities along and about world axes that are held at 0. Whatever moves a body respects it: impulses and torques
+/// have no effect along a locked axis, and turn a body as one that cannot turn about it, E (E^T I E)^-1 E^T in place of
+/// I^-1 with E the axes that are free. What other forces did along a locked axis is taken off here: that is what
+/// constraint forces do. Nothing is solved for, nothing drifts: a locked velocity is 0 to the bit.
 ///
 /// Who may turn about two axes keeps the momentum about them, not that of a free top: this room has its gyroscopic
 /// term, by the implicit midpoint rule, in place of the dial's method. With one axis or none there is no such term.
