@@ -189,7 +189,8 @@ CAROM_API int32_t carom_collider_get(carom_world *world, carom_collider collider
  *    v_body(x) + R (linear + angular x (R^T (x - p))),   the part of it in the plane of the contact,
  *  with R the orientation and p the origin of the shape in the world: axes and origin are the shape's own, so that a
  *  belt turns with its body. Nothing moves but by friction: a surface without any carries nothing. On a body that moves
- *  it drives that body. Wakes what a change of the collider's filter wakes.
+ *  it drives that body. Wakes what a change of the collider's filter wakes; what touches a surface that moves does not
+ *  fall asleep.
  *  @param linear  [3] m/s, axes of the shape; 0 when a collider is created
  *  @param angular [3] rad/s, axes of the shape, about its origin
  *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (beyond 1e6 m/s or rad/s); BUSY; REENTRANT;

@@ -302,6 +302,30 @@ static void a_flat_double_pendulum_does_not_feel_its_locks(void**) {
     }
 }
 
+/// Pendulums that turn about all axes, beside others that are locked or not: joints of both share lanes.
+static void who_is_locked_is_nothing_to_its_neighbours(void**) {
+  for (const int solver : kSolvers) {
+    std::array<std::uint64_t, 2> unlike{};
+    std::array<Vec3, 2> x;
+    std::array<Quat, 2> q;
+    for (std::size_t locked = 0; locked < 2; ++locked) {
+      TestWorld t(Vec3(0, -kG, 0));
+      choose(t, solver);
+      std::uint32_t bodies[3];
+      for (int i = 0; i < 3; ++i) {
+        bodies[i] = add_body(t, Vec3(0.5, 0, 3 * i), 1, Vec3(0.02, 0.1, 0.05));
+        join(t, JointKind::ball, kTheWorld, bodies[i], Vec3(0, 0, 3 * i));
+        t.world.set_velocity(bodies[i], Vec3::Zero(), Vec3(1, 2, 0.5));
+      }
+      if (locked) t.world.set_locks(bodies[1], kPlane), t.world.set_locks(bodies[2], kAboutY);
+      t.run(60, 1.0 / 60);
+      x[locked] = t.world.state.x[bodies[0]], q[locked] = t.world.state.q[bodies[0]];
+      unlike[locked] = t.world.hash();
+    }
+    assert_true(x[0] == x[1] && q[0].coeffs() == q[1].coeffs() && unlike[0] != unlike[1]);
+  }
+}
+
 static void what_is_locked_altogether_stands_like_a_rock(void**) {
   for (const int solver : kSolvers) {
     std::array<Vec3, 2> x;
@@ -389,6 +413,7 @@ int main() {
       cmocka_unit_test(a_flat_pyramid_stands_and_stays_flat),
       cmocka_unit_test(a_rod_that_leans_bears_its_share),
       cmocka_unit_test(a_flat_double_pendulum_does_not_feel_its_locks),
+      cmocka_unit_test(who_is_locked_is_nothing_to_its_neighbours),
       cmocka_unit_test(what_is_locked_altogether_stands_like_a_rock),
       cmocka_unit_test(rolling_resistance_stops_a_ball_that_is_locked_to_a_plane),
       cmocka_unit_test(what_cannot_give_way_stays_finite),

@@ -246,6 +246,31 @@ static void what_moves_no_surface_costs_nothing_and_changes_nothing(void**) {
   assert_true(hash[0] == hash[1] && hash[0] != hash[2]);
 }
 
+static void what_rides_slower_than_sleepers_move_rides_on(void**) {
+  constexpr Real kCrawl = 1e-3;  // m/s
+  for (const Real crawl : {0.0, kCrawl}) {
+    TestWorld t(Vec3(0, -kG, 0));
+    t.world.set_dial(Dial::sleep, 1);
+    assert_true(kCrawl < t.world.scene.dials[Dial::sleep_speed]);
+    drive(t, t.ground(), Vec3(crawl, 0, 0));
+    const std::uint32_t slab = t.add(t.keep(box(kSlab)), Vec3(0, 0.1, 0));
+    t.run(600, 1.0 / 60);
+    assert_true(t.world.asleep(slab) == (crawl == 0));
+    assert_true(std::fabs(t.world.state.x[slab].x() - 10 * crawl) < 0.01 * kCrawl);
+  }
+}
+
+static void a_sleeper_wakes_when_its_belt_starts(void**) {
+  TestWorld t(Vec3(0, -kG, 0));
+  t.world.set_dial(Dial::sleep, 1);
+  const std::uint32_t ground = t.ground(), slab = t.add(t.keep(box(kSlab)), Vec3(0, 0.1, 0));
+  t.run(180, 1.0 / 60);
+  assert_true(t.world.asleep(slab));
+  drive(t, ground, Vec3(1, 0, 0));
+  t.run(60, 1.0 / 60);
+  assert_true(std::fabs(t.world.state.v[slab].x() - 1) < 1e-3);
+}
+
 static void a_collider_that_comes_into_a_used_slot_stands_still(void**) {
   TestWorld t;
   const Shape* cube = t.keep(box(kSlab));
@@ -270,6 +295,8 @@ int main() {
       cmocka_unit_test(a_ball_that_bounces_off_a_belt_takes_mu_times_the_blow_along),
       cmocka_unit_test(what_resists_spinning_is_spun_up_by_a_turntable),
       cmocka_unit_test(what_moves_no_surface_costs_nothing_and_changes_nothing),
+      cmocka_unit_test(what_rides_slower_than_sleepers_move_rides_on),
+      cmocka_unit_test(a_sleeper_wakes_when_its_belt_starts),
       cmocka_unit_test(a_collider_that_comes_into_a_used_slot_stands_still),
   };
   return cmocka_run_group_tests_name("oracle/surface_velocity", tests, nullptr, nullptr);

@@ -87,13 +87,17 @@ struct JointPlacing {
     j.r_b = j.start_b + d_b;
     j.gap = j.start_gap + ((b.x - a.x) + (d_b - d_a));
     j.x_a = axes_a.x;
-    if (j.locked) {  // what is locked stays so in world axes
-      j.inv_inertia_a = j.start_inertia_a;
-      j.inv_inertia_b = j.start_inertia_b;
-    } else {
-      j.inv_inertia_a = a.turned(j.start_inertia_a);
-      j.inv_inertia_b = b.turned(j.start_inertia_b);
-    }
+    j.inv_inertia_a = turned(a, j.start_inertia_a);
+    j.inv_inertia_b = turned(b, j.start_inertia_b);
+  }
+
+  /// What is locked stays so in world axes: who cannot turn about one of them has nothing in its corner of the tensor.
+  CAROM_LANES_INLINE LaneSymmetric turned(const JointShift& shift, const LaneSymmetric& start) const {
+    const LaneSymmetric now = shift.turned(start);
+    if (!joint.locked) return now;
+    const LaneMask free = smaller(smaller(start.xx, start.yy), start.zz) > 0;
+    return {free ? now.xx : start.xx, free ? now.xy : start.xy, free ? now.xz : start.xz,
+            free ? now.yy : start.yy, free ? now.yz : start.yz, free ? now.zz : start.zz};
   }
 
   /// A row along a direction, of which A's point is where B's is now: the direction turns with A.
