@@ -108,6 +108,39 @@ CAROM_API int32_t carom_body_add_force(carom_world *world, carom_body body, cons
 CAROM_API int32_t carom_body_add_impulse(carom_world *world, carom_body body, const double impulse[3],
                                          const double point[3], carom_error *error);
 
+/** How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
+ *  rises. Wakes the body and its island.
+ *  @param factor any finite number; 1 when a body is created
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.6 */
+CAROM_API int32_t carom_body_set_gravity_factor(carom_world *world, carom_body body, double factor, carom_error *error);
+/** @param factor out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6 */
+CAROM_API int32_t carom_body_get_gravity_factor(carom_world *world, carom_body body, double *factor,
+                                                carom_error *error);
+
+/* ---- axes on which a body does not move ---- */
+#define CAROM_LOCK_LINEAR_X 0x1u /* its centre of mass keeps its world x */
+#define CAROM_LOCK_LINEAR_Y 0x2u
+#define CAROM_LOCK_LINEAR_Z 0x4u
+#define CAROM_LOCK_ANGULAR_X 0x8u /* it does not turn about the world's x axis */
+#define CAROM_LOCK_ANGULAR_Y 0x10u
+#define CAROM_LOCK_ANGULAR_Z 0x20u
+#define CAROM_LOCK_ALL 0x3fu
+#define CAROM_LOCK_PLANE 0x1cu /* LINEAR_Z, ANGULAR_X, ANGULAR_Y: a body of a flat world, the plane of x and y */
+
+/** Hold the velocity of a dynamic body along and about some world axes at 0, exactly: forces, contacts and joints move it
+ *  along the others alone, as heavy there as it is. What it has of such velocity now is gone; what a host writes of it
+ *  later is dropped; a pose that a host sets is taken, and kept from then on. Wakes the body and its island.
+ *
+ *  Every solver but CAROM_SOLVER_SEVERITY knows locks: a world with that dial refuses them, and a world with a locked
+ *  body refuses that dial.
+ *  @param locks CAROM_LOCK_* bits, 0 when a body is created
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; UNSUPPORTED (unknown bits; or solver severity: set CAROM_DIAL_SOLVER to another
+ *          first); OUT_OF_RANGE (a body that is not dynamic: it moves as its velocity says); BUSY; REENTRANT;
+ *          OUT_OF_MEMORY   @since 1.6 */
+CAROM_API int32_t carom_body_set_locks(carom_world *world, carom_body body, uint32_t locks, carom_error *error);
+/** @param locks out: CAROM_LOCK_* bits   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6 */
+CAROM_API int32_t carom_body_get_locks(carom_world *world, carom_body body, uint32_t *locks, carom_error *error);
+
 /* ---- sleep, if CAROM_DIAL_SLEEP is on (by default it is off) ----
  * An island (dynamic bodies that hang together through contacts, or one by itself) whose bodies were all slower than
  * CAROM_DIAL_SLEEP_SPEED for CAROM_DIAL_SLEEP_TIME falls asleep at the end of a step: its velocities become 0, and from
@@ -173,6 +206,24 @@ CAROM_API int32_t carom_collider_destroy(carom_world *world, carom_collider coll
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
 CAROM_API int32_t carom_collider_get(carom_world *world, carom_collider collider, carom_collider_desc *desc,
                                      carom_body *body, carom_error *error);
+
+/** Let a collider's surface move though the collider stays: a conveyor belt, a turntable, a track. Friction then brings
+ *  what touches it to the velocity of the surface,
+ *    v_body(x) + R (linear + angular x (R^T (x - p))),   the part of it in the plane of the contact,
+ *  with R the orientation and p the origin of the shape in the world: axes and origin are the shape's own, so that a
+ *  belt turns with its body. Nothing moves but by friction: a surface without any carries nothing. On a body that moves
+ *  it drives that body. Wakes what a change of the collider's filter wakes; what touches a surface that moves does not
+ *  fall asleep.
+ *  @param linear  [3] m/s, axes of the shape; 0 when a collider is created
+ *  @param angular [3] rad/s, axes of the shape, about its origin
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (beyond 1e6 m/s or rad/s); BUSY; REENTRANT;
+ *          OUT_OF_MEMORY   @since 1.6 */
+CAROM_API int32_t carom_collider_set_surface_velocity(carom_world *world, carom_collider collider,
+                                                      const double linear[3], const double angular[3],
+                                                      carom_error *error);
+/** @param linear, angular out: [3], as they were set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6 */
+CAROM_API int32_t carom_collider_get_surface_velocity(carom_world *world, carom_collider collider, double linear[3],
+                                                      double angular[3], carom_error *error);
 
 /* ---- bulk: one call for n bodies ---- */
 #define CAROM_FIELD_POSITION 0u         /* 3: m, world, origin of the body frame */

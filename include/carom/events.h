@@ -1,6 +1,6 @@
 /** @file events.h
  *  What happened in the last step, as arrays: contacts that began, ended or were hit, sensors entered and left, bodies that
- *  fell asleep or woke. (Faults: carom_world_get_faults().) Nothing is collected that nobody asked for.
+ *  fell asleep or woke, joints that broke, faults. Nothing is collected that nobody asked for.
  *
  *  Arrays are replaced by the next step. Their order is that of slots, and the same for any number of threads. What was
  *  destroyed keeps its handle in them, which is stale by then. Where it takes memory, a step asks for it before it moves
@@ -18,6 +18,8 @@ extern "C" {
 #define CAROM_EVENTS_CONTACT 1u
 #define CAROM_EVENTS_SENSOR 2u
 #define CAROM_EVENTS_SLEEP 4u
+#define CAROM_EVENTS_JOINT 8u  /* @since 1.6 */
+#define CAROM_EVENTS_FAULT 16u /* @since 1.6 */
 
 /** Say what to collect from the next step on; nothing at first. Contacts and overlaps that there are already begin in
  *  that step.
@@ -83,6 +85,40 @@ typedef struct carom_sleep_event {
 
 /** By the slots of the bodies; arguments as carom_world_get_contact_events().   @since 1.5 */
 CAROM_API int32_t carom_world_get_sleep_events(carom_world *world, carom_sleep_event *dst, uint64_t stride,
+                                               uint64_t capacity, uint64_t *count, carom_error *error);
+
+/** A joint that bore more than its break_force or break_torque in this step, and holds nothing any more. It stays until
+ *  it is destroyed. */
+typedef struct carom_joint_event {
+  carom_joint joint;
+  carom_body body_a;  /**< CAROM_NULL_HANDLE: the world */
+  carom_body body_b;
+  double force[3];    /**< N, world, on B: mean over the step in which it broke, as carom_joint_state tells it */
+  double torque[3];   /**< N m, world, on B about its point, likewise */
+  uint64_t step;      /**< which step that was: carom_step_report.steps after it */
+} carom_joint_event;
+
+/** By the slots of the joints; arguments as carom_world_get_contact_events().   @since 1.6 */
+CAROM_API int32_t carom_world_get_joint_events(carom_world *world, carom_joint_event *dst, uint64_t stride,
+                                               uint64_t capacity, uint64_t *count, carom_error *error);
+
+/** A support function that answered falsely, whose shape is mute from the next step on; or a body or particles whose
+ *  state was not finite, which are in quarantine. The same faults as those of carom_world_get_faults(), but by handles
+ *  that keep their names when what they name is destroyed. */
+typedef struct carom_fault_event {
+  uint32_t kind;             /**< CAROM_FAULT_* */
+  uint32_t reserved;
+  carom_shape shape;         /**< that is mute, or CAROM_NULL_HANDLE */
+  carom_body body;           /**< a body it hangs on, or the one in quarantine, or CAROM_NULL_HANDLE */
+  carom_particles particles; /**< the set, of CAROM_FAULT_PARTICLE_STATE, or CAROM_NULL_HANDLE */
+  uint64_t particle;         /**< the first of it that was put in quarantine in this step: its index then */
+  double dir[3];             /**< of a support function: the direction given */
+  double out[3];             /**< and what came back */
+  uint64_t step;             /**< carom_step_report.steps after the step */
+} carom_fault_event;
+
+/** As they happened; arguments as carom_world_get_contact_events().   @since 1.6 */
+CAROM_API int32_t carom_world_get_fault_events(carom_world *world, carom_fault_event *dst, uint64_t stride,
                                                uint64_t capacity, uint64_t *count, carom_error *error);
 
 #ifdef __cplusplus

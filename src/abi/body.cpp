@@ -17,6 +17,9 @@ static_assert(static_cast<std::uint32_t>(SweepMode::automatic) == CAROM_CONTINUO
               static_cast<std::uint32_t>(SweepMode::never) == CAROM_CONTINUOUS_NEVER);
 
 constexpr std::uint32_t kFields = CAROM_BODY_FIELD_MASS | CAROM_BODY_FIELD_CENTER | CAROM_BODY_FIELD_INERTIA;
+static_assert(kAllLocks == CAROM_LOCK_ALL &&
+              kLinearLocks == (CAROM_LOCK_LINEAR_X | CAROM_LOCK_LINEAR_Y | CAROM_LOCK_LINEAR_Z) &&
+              kAngularLocks == (CAROM_LOCK_ANGULAR_X | CAROM_LOCK_ANGULAR_Y | CAROM_LOCK_ANGULAR_Z));
 constexpr double kLargestDamping = 1e6;      // 1/s
 constexpr double kSymmetryTolerance = 1e-9;  // of the largest entry: what a rotation of a tensor in double may leave
 
@@ -119,6 +122,17 @@ void remove(carom_engine& engine, World& world, std::uint32_t body) {
 
 bool resolve_body(Call& call, const World& world, carom_body body) {
   return resolve(call, 2, "body", world.scene.bodies, body);
+}
+
+/// Whether a body of this world can have these locks.
+bool lockable(Call& call, const World& world, std::uint32_t body, std::uint32_t locks) {
+  if (!only_bits(call, 3, "locks", locks, CAROM_LOCK_ALL)) return false;
+  if (locks == 0) return true;
+  if (world.scene.type[body] != BodyType::dynamic)
+    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "locks hold dynamic bodies only; others move as their velocity says");
+  return world.scene.dials.choice(Dial::solver) != CAROM_SOLVER_SEVERITY ||
+         call.fail(CAROM_E_UNSUPPORTED, 3,
+                   "solver severity knows no locks; set CAROM_DIAL_SOLVER to another before locking bodies");
 }
 
 }  // namespace
@@ -253,6 +267,40 @@ int32_t carom_body_add_impulse(carom_world* world, carom_body body, const double
       return;
     const FloatScope scope;
     changing->add_impulse(handle_slot(body), to_vec3(impulse), to_vec3(point));
+  });
+}
+
+int32_t carom_body_set_gravity_factor(carom_world* world, carom_body body, double factor, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && resolve_body(call, *changing, body) && carom::abi::finite(call, 3, "factor", &factor, 1))
+      changing->set_gravity_factor(handle_slot(body), factor);
+  });
+}
+
+int32_t carom_body_get_gravity_factor(carom_world* world, carom_body body, double* factor, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && resolve_body(call, *reading, body) && present(call, 3, "factor", factor))
+      *factor = reading->scene.gravity_factor_of(handle_slot(body));
+  });
+}
+
+int32_t carom_body_set_locks(carom_world* world, carom_body body, uint32_t locks, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing || !resolve_body(call, *changing, body) || !lockable(call, *changing, handle_slot(body), locks))
+      return;
+    const FloatScope scope;
+    changing->set_locks(handle_slot(body), static_cast<Locks>(locks));
+  });
+}
+
+int32_t carom_body_get_locks(carom_world* world, carom_body body, uint32_t* locks, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && resolve_body(call, *reading, body) && present(call, 3, "locks", locks))
+      *locks = reading->scene.locks_of(handle_slot(body));
   });
 }
 

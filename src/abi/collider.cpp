@@ -9,12 +9,20 @@ namespace carom::abi {
 namespace {
 
 constexpr double kLargestDensity = 1e9;  // kg/m^3
+constexpr double kFastestSurface = 1e6;  // m/s, rad/s
 // Below this share of the cube of its bounding radius a volume is rounding, and the inertia that follows from it noise.
 constexpr Real kFlat = 1e-15;
 
 bool flat(const Shape& shape) {
   const Real r = shape.bounding_radius;
   return shape.form != Form::half_space && shape.form != Form::scenery && !(shape.mass.volume > kFlat * r * r * r);
+}
+
+bool check_surface(Call& call, int argument, const char* name, const double v[3]) {
+  if (!finite(call, argument, name, v, 3)) return false;
+  for (int i = 0; i < 3; ++i)
+    if (!in_range(call, argument, name, v[i], -kFastestSurface, kFastestSurface)) return false;
+  return true;
 }
 
 bool check_desc(Call& call, const World& world, const carom_collider_desc& d) {
@@ -126,6 +134,29 @@ int32_t carom_collider_get(carom_world* world, carom_collider collider, carom_co
       return;
     write_struct(describe(*reading, handle_slot(collider)), desc);
     *body = reading->scene.bodies.handle(reading->scene.colliders.body[handle_slot(collider)]);
+  });
+}
+
+int32_t carom_collider_set_surface_velocity(carom_world* world, carom_collider collider, const double linear[3],
+                                            const double angular[3], carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing || !resolve(call, 2, "collider", changing->scene.collider_slots, collider) ||
+        !check_surface(call, 3, "linear", linear) || !check_surface(call, 4, "angular", angular))
+      return;
+    changing->set_surface_velocity(handle_slot(collider), {to_vec3(linear), to_vec3(angular)});
+  });
+}
+
+int32_t carom_collider_get_surface_velocity(carom_world* world, carom_collider collider, double linear[3],
+                                            double angular[3], carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !resolve(call, 2, "collider", reading->scene.collider_slots, collider) ||
+        !present(call, 3, "linear", linear) || !present(call, 4, "angular", angular))
+      return;
+    const SurfaceVelocity surface = reading->scene.surface_of(handle_slot(collider));
+    from_vec3(surface.linear, linear), from_vec3(surface.angular, angular);
   });
 }
 

@@ -12,7 +12,8 @@ namespace {
 static_assert(ContactEvent::begin == CAROM_CONTACT_BEGIN && ContactEvent::end == CAROM_CONTACT_END &&
               ContactEvent::hit == CAROM_CONTACT_HIT);
 static_assert(Events::contact == CAROM_EVENTS_CONTACT && Events::sensor == CAROM_EVENTS_SENSOR &&
-              Events::sleeping == CAROM_EVENTS_SLEEP);
+              Events::sleeping == CAROM_EVENTS_SLEEP && Events::joint == CAROM_EVENTS_JOINT &&
+              Events::fault == CAROM_EVENTS_FAULT);
 
 constexpr double kFastest = 1e9;  // m/s
 
@@ -40,6 +41,28 @@ carom_sleep_event sleep_event(const World&, const SleepEvent& e) {
   carom_sleep_event out{};
   out.kind = e.woke ? CAROM_SLEEP_AWAKE : CAROM_SLEEP_ASLEEP;
   out.body = e.body;
+  return out;
+}
+
+carom_joint_event joint_event(const World&, const JointEvent& e) {
+  carom_joint_event out{};
+  out.joint = e.joint;
+  out.body_a = e.body_a, out.body_b = e.body_b;
+  from_vec3(e.force, out.force);
+  from_vec3(e.torque, out.torque);
+  out.step = e.step;
+  return out;
+}
+
+carom_fault_event fault_event(const World&, const FaultEvent& e) {
+  carom_fault_event out{};
+  out.kind = e.support.kind != SupportFault::none ? static_cast<std::uint32_t>(e.support.kind)
+             : e.particles                        ? CAROM_FAULT_PARTICLE_STATE
+                                                  : CAROM_FAULT_BODY_STATE;
+  out.shape = e.shape, out.body = e.body, out.particles = e.particles;
+  out.particle = e.particle;
+  for (int i = 0; i < 3; ++i) out.dir[i] = e.support.dir[i], out.out[i] = e.support.out[i];
+  out.step = e.step;
   return out;
 }
 
@@ -81,6 +104,22 @@ int32_t carom_world_get_sleep_events(carom_world* world, carom_sleep_event* dst,
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading) copy_out(call, *reading, reading->events->sleep, sleep_event, dst, stride, capacity, count);
+  });
+}
+
+int32_t carom_world_get_joint_events(carom_world* world, carom_joint_event* dst, uint64_t stride, uint64_t capacity,
+                                     uint64_t* count, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading) copy_out(call, *reading, reading->events->joints, joint_event, dst, stride, capacity, count);
+  });
+}
+
+int32_t carom_world_get_fault_events(carom_world* world, carom_fault_event* dst, uint64_t stride, uint64_t capacity,
+                                     uint64_t* count, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading) copy_out(call, *reading, reading->events->faults, fault_event, dst, stride, capacity, count);
   });
 }
 

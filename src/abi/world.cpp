@@ -1,6 +1,7 @@
 // The world root: making, destroying, stepping, its dials and gravity.
 #include "abi/world.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "abi/float_scope.h"
@@ -83,9 +84,15 @@ bool check_dial(Call& call, std::uint32_t dial, double value) {
          call.fail(CAROM_E_OUT_OF_RANGE, 3, "%s is %.17g, must be a whole number", row.name, value);
 }
 
-/// Severity, the paper's solver, knows no joints.
-bool knows_joints(Call& call, const World& world, std::uint32_t dial, double value) {
-  if (dial != CAROM_DIAL_SOLVER || value != CAROM_SOLVER_SEVERITY || world.joints.slots.alive_count() == 0) return true;
+/// Severity, the paper's solver, knows no joints and no locks.
+bool knows_all(Call& call, const World& world, std::uint32_t dial, double value) {
+  if (dial != CAROM_DIAL_SOLVER || value != CAROM_SOLVER_SEVERITY) return true;
+  const auto locked = std::ranges::count_if(world.scene.locks, [](Locks locks) { return locks != 0; });
+  if (locked > 0)
+    return call.fail(CAROM_E_UNSUPPORTED, 3,
+                     "solver severity knows no locks, and this world has %lld locked bodies; free them first",
+                     static_cast<long long>(locked));
+  if (world.joints.slots.alive_count() == 0) return true;
   return call.fail(CAROM_E_UNSUPPORTED, 3, "solver severity knows no joints, and this world has %u; destroy them first",
                    world.joints.slots.alive_count());
 }
@@ -140,7 +147,7 @@ int32_t carom_world_step(carom_world* world, double dt, carom_error* error) {
 int32_t carom_world_set_dial(carom_world* world, uint32_t dial, double value, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Changing changing(call, world);
-    if (changing && check_dial(call, dial, value) && knows_joints(call, *changing, dial, value))
+    if (changing && check_dial(call, dial, value) && knows_all(call, *changing, dial, value))
       changing->set_dial(static_cast<Dial>(dial), value);
   });
 }

@@ -4,6 +4,7 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/effects.h"
 #include "dynamics/events/events.h"
+#include "dynamics/force/force.h"
 #include "dynamics/mass.h"
 #include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
@@ -61,6 +62,7 @@ Handle World::add_body(const BodyDef& def) {
   put<Mat3>(scene.inertia, i, Mat3::Zero());
   put<Mat3>(scene.inv_inertia, i, Mat3::Zero());
   put(scene.first_collider, i, Colliders::kNone);
+  if (i < scene.gravity_factor.size()) scene.gravity_factor[i] = 1;
   put(state.x, i, def.pose.p);
   put(state.q, i, normalized(def.pose.q));
   put(state.held_q, i, state.q[i]);
@@ -86,6 +88,7 @@ void World::remove_body(std::uint32_t body) {
   while (scene.first_collider[body] != Colliders::kNone) remove_collider(scene.first_collider[body]);
   scene.inv_mass[body] = scene.mass[body] = 0;
   scene.inertia[body].setZero(), scene.inv_inertia[body].setZero();
+  if (body < scene.locks.size()) scene.locks[body] = 0;
   state.v[body] = state.omega[body] = state.force[body] = state.torque[body] = Vec3::Zero();
   state.quarantined_count -= state.quarantined[body];
   state.quarantined[body] = 0;
@@ -141,6 +144,10 @@ void World::remove_collider(std::uint32_t collider) {
   set_mass(scene, state, body, mass_of_body(scene, body, collider));
   link_to(scene, body, collider) = c.next[collider];
   c.live.erase(std::lower_bound(c.live.begin(), c.live.end(), collider));
+  if (collider < scene.surface.size()) {
+    scene.belts -= scene.surface[collider].any();
+    scene.surface[collider] = SurfaceVelocity{};
+  }
   c.shape[collider] = nullptr;
   c.bounds[collider] = Aabb();
   scene.collider_slots.release(collider);
@@ -202,6 +209,34 @@ void World::set_sensor(std::uint32_t collider, bool sensor) {
   ++scene.revision;
 }
 
+void World::set_surface_velocity(std::uint32_t collider, const SurfaceVelocity& surface) {
+  const SurfaceVelocity was = scene.surface_of(collider);
+  if (was.linear == surface.linear && was.angular == surface.angular) return;
+  if (scene.surface.size() < scene.colliders.slots()) scene.surface.resize(scene.colliders.slots());
+  stir(*this, scene.colliders.body[collider]);
+  scene.surface[collider] = surface;
+  scene.belts += surface.any(), scene.belts -= was.any();
+  ++scene.revision;
+}
+
+void World::set_gravity_factor(std::uint32_t body, Real factor) {
+  if (scene.gravity_factor_of(body) == factor) return;
+  if (scene.gravity_factor.size() < scene.bodies.slots()) scene.gravity_factor.resize(scene.bodies.slots(), 1);
+  wake(*this, body);
+  scene.gravity_factor[body] = factor;
+  ++scene.revision;
+}
+
+void World::set_locks(std::uint32_t body, Locks locks) {
+  if (scene.locks_of(body) == locks) return;
+  if (scene.locks.size() < scene.bodies.slots()) scene.locks.resize(scene.bodies.slots(), 0);
+  wake(*this, body);
+  scene.locks[body] = locks;
+  hold_velocity(scene, body, state.q[body], state.v[body], state.omega[body]);
+  state.mark_written(body);
+  ++scene.revision;
+}
+
 void World::hold_apart(std::uint32_t a, std::uint32_t b) {
   scene.apart.make_room();
   stir(*this, a), stir(*this, b);
@@ -251,6 +286,7 @@ void World::set_velocity(std::uint32_t body, const Vec3& linear, const Vec3& ang
   if (linear != Vec3::Zero() || angular != Vec3::Zero()) wake(*this, body);
   state.v[body] = linear;
   state.omega[body] = angular;
+  if (scene.locks_of(body)) hold_velocity(scene, body, state.q[body], state.v[body], state.omega[body]);
   state.mark_written(body);
 }
 
@@ -261,6 +297,7 @@ void World::add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& poi
   state.v[body] += scene.inv_mass[body] * impulse;
   const Vec3 spin = (point - state.x[body]).cross(impulse);
   state.omega[body] += q * (scene.inv_inertia[body] * (q.conjugate() * spin));
+  if (scene.locks_of(body)) hold_velocity(scene, body, q, state.v[body], state.omega[body]);
   state.mark_written(body);
 }
 

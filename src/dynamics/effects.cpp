@@ -53,6 +53,8 @@ constexpr std::array<Effect, kEffectCount> kTable = {{
     {Stage::solve,     "joints",          find_joints,           nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::narrow,    "scenery",         scenery::find,         nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::solve,     "continuous",      continuous::find,      nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::solve,     "surface_velocity", find_in_contacts,     nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::integrate, "axis_locks",      axis_locks::find,      nullptr,            nullptr,                nullptr,               nullptr},
 }};
 // clang-format on
 
@@ -60,7 +62,8 @@ static_assert(kTable[kGyroscopicRow].find == gyroscopic::find && kTable[kSleepRo
               kTable[kParticlesRow].find == find_particles && kTable[kFilterRow].find == filtering::find &&
               kTable[kSensorRow].find == sensing::find && kTable[kJointsRow].find == find_joints &&
               kTable[kSceneryRow].find == scenery::find &&
-              kTable[kContinuousRow].find == continuous::find);
+              kTable[kContinuousRow].find == continuous::find &&
+              kTable[kSurfaceRow].find == find_in_contacts && kTable[kLocksRow].find == axis_locks::find);
 
 // As CAROM_ROTATION_*; those after them are rotation methods.
 enum RotationChoice : std::uint32_t { kNoGyroscopicTerm, kExplicitTorque, kImplicitStep };

@@ -76,9 +76,10 @@ struct Effect {
   FlowFn flow;                                                    // null: there is no closed form
   Real (*rate)(const Scene&, const Customers&);                   // 1/s, fastest decay among them; null: none decays
 };
-inline constexpr std::size_t kEffectCount = 18;
+inline constexpr std::size_t kEffectCount = 20;
 inline constexpr std::size_t kGyroscopicRow = 0, kSleepRow = 11, kParticlesRow = 12, kFilterRow = 13, kSensorRow = 14,
-                             kJointsRow = 15, kSceneryRow = 16, kContinuousRow = 17;  // of the table
+                             kJointsRow = 15, kSceneryRow = 16, kContinuousRow = 17, kSurfaceRow = 18,
+                             kLocksRow = 19;  // of the table
 
 /// What does the work of a planned row.
 enum class Served : std::uint8_t { force, flow, stage };  // effect->force, effect->flow, or neither of them

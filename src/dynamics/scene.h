@@ -37,12 +37,26 @@ struct BodyDef {
   std::uint64_t user = 0;
 };
 
+/// How a collider's surface moves though the collider stays: a belt's, a turntable's. What lies on it feels this beside
+/// the motion of the body.
+struct SurfaceVelocity {
+  Vec3 linear = Vec3::Zero();   // m/s, axes of the shape
+  Vec3 angular = Vec3::Zero();  // rad/s, axes of the shape, about its origin
+  bool any() const { return linear != Vec3::Zero() || angular != Vec3::Zero(); }
+};
+
+/// What of a body's motion is held, in world axes: bits as CAROM_LOCK_*.
+using Locks = std::uint8_t;
+inline constexpr Locks kLinearLocks = 7, kAngularLocks = 56, kAllLocks = 63;
+
 struct Scene {
   Scene(std::uint32_t tag, Memory* m)
       : bodies(Kind::body, tag, m),
         collider_slots(Kind::collider, tag, m),
         material_slots(Kind::material, tag, m),
         def(m),
+        gravity_factor(m),
+        locks(m),
         type(m),
         inv_mass(m),
         mass(m),
@@ -51,6 +65,7 @@ struct Scene {
         inv_inertia(m),
         first_collider(m),
         colliders(m),
+        surface(m),
         material(m),
         apart(m),
         joined(m) {}
@@ -58,23 +73,34 @@ struct Scene {
   SlotPool bodies, collider_slots, material_slots;
 
   // by body slot
-  Array<BodyDef> def;  // as the host gave it; poses and velocities in it are stale after a step
+  Array<BodyDef> def;          // as the host gave it; poses and velocities in it are stale after a step
+  Array<Real> gravity_factor;  // of the world's gravity; the first so many, 1 from there on
+  Array<Locks> locks;          // likewise, 0 from there on; of dynamic bodies alone
   Array<BodyType> type;
-  Array<Real> inv_mass;     // 1/kg; 0: static, kinematic, free slot
-  Array<Real> mass;         // kg; 0 where inv_mass is 0
-  Array<Vec3> center;       // m, body frame: centre of mass
-  Array<Mat3> inertia;      // kg m^2, body axes, about center; zero: does not rotate
-  Array<Mat3> inv_inertia;  // inverse; zero where it does not rotate
+  Array<Real> inv_mass;                 // 1/kg; 0: static, kinematic, free slot
+  Array<Real> mass;                     // kg; 0 where inv_mass is 0
+  Array<Vec3> center;                   // m, body frame: centre of mass
+  Array<Mat3> inertia;                  // kg m^2, body axes, about center; zero: does not rotate
+  Array<Mat3> inv_inertia;              // inverse; zero where it does not rotate
   Array<std::uint32_t> first_collider;  // slot, or Colliders::kNone; the others follow by Colliders::next
 
-  Colliders colliders;       // by collider slot
-  Array<Material> material;  // by material slot
-  PairCounts apart;          // of body slots: they do not touch, whatever their filters say
-  PairCounts joined;         // likewise, as joints hold them together
+  Colliders colliders;             // by collider slot
+  Array<SurfaceVelocity> surface;  // likewise, the first so many; the others stand still
+  std::uint32_t belts = 0;         // surfaces that move
+  Array<Material> material;        // by material slot
+  PairCounts apart;                // of body slots: they do not touch, whatever their filters say
+  PairCounts joined;               // likewise, as joints hold them together
 
-  bool resists = false;      // some material resists rolling or spinning
+  bool resists = false;  // some material resists rolling or spinning
 
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
+
+  Real gravity_factor_of(std::uint32_t body) const { return body < gravity_factor.size() ? gravity_factor[body] : 1; }
+  Locks locks_of(std::uint32_t body) const { return body < locks.size() ? locks[body] : Locks(0); }
+  SurfaceVelocity surface_of(std::uint32_t collider) const {
+    return collider < surface.size() ? surface[collider] : SurfaceVelocity{};
+  }
+
   Dials dials;
   std::uint64_t revision = 1;           // raised by every change a host makes to anything above
   std::uint64_t collider_revision = 1;  // raised when the set of colliders, or who may touch whom, changed

@@ -98,6 +98,9 @@ class World {
   void set_filter(std::uint32_t collider, const Filter& filter);
   void set_body_filter(std::uint32_t body, const Filter& filter);  // of all colliders that it has now
   void set_sensor(std::uint32_t collider, bool sensor);
+  void set_surface_velocity(std::uint32_t collider, const SurfaceVelocity& surface);
+  void set_gravity_factor(std::uint32_t body, Real factor);
+  void set_locks(std::uint32_t body, Locks locks);              // of a dynamic body
   void hold_apart(std::uint32_t body_a, std::uint32_t body_b);  // counted: as often as it is let go
   void let_go(std::uint32_t body_a, std::uint32_t body_b);
   Handle add_joint(const JointDef& def);  // its bodies are two, or one and the world

@@ -85,6 +85,14 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   uint32_t flag;
   int32_t group;
   uint64_t category, mask;
+  double factor, linear[3], angular[3];
+  add("body_set_gravity_factor", carom_body_set_gravity_factor(b.world, b.bodies[0], 2, nullptr));
+  add("body_get_gravity_factor", carom_body_get_gravity_factor(b.world, b.bodies[0], &factor, nullptr));
+  add("body_set_locks", carom_body_set_locks(b.world, b.bodies[0], 1, nullptr));
+  add("body_get_locks", carom_body_get_locks(b.world, b.bodies[0], &flag, nullptr));
+  add("collider_set_surface_velocity", carom_collider_set_surface_velocity(b.world, b.colliders[0], kUp, kUp, nullptr));
+  add("collider_get_surface_velocity",
+      carom_collider_get_surface_velocity(b.world, b.colliders[0], linear, angular, nullptr));
   add("collider_set_filter", carom_collider_set_filter(b.world, b.colliders[0], 1, 1, 0, nullptr));
   add("collider_get_filter", carom_collider_get_filter(b.world, b.colliders[0], &category, &mask, &group, nullptr));
   add("body_set_filter", carom_body_set_filter(b.world, b.bodies[0], 1, 1, 0, nullptr));
@@ -95,6 +103,8 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("world_get_contact_events", carom_world_get_contact_events(b.world, nullptr, 0, 0, &count, nullptr));
   add("world_get_sensor_events", carom_world_get_sensor_events(b.world, nullptr, 0, 0, &count, nullptr));
   add("world_get_sleep_events", carom_world_get_sleep_events(b.world, nullptr, 0, 0, &count, nullptr));
+  add("world_get_joint_events", carom_world_get_joint_events(b.world, nullptr, 0, 0, &count, nullptr));
+  add("world_get_fault_events", carom_world_get_fault_events(b.world, nullptr, 0, 0, &count, nullptr));
   add("world_cast_ray", carom_world_cast_ray(b.world, kUp, kUp, 1, nullptr, &hit, sizeof hit, nullptr));
   add("world_cast_rays", carom_world_cast_rays(b.world, &rays, 0, nullptr, &hits, nullptr));
   add("world_cast_rays_all", carom_world_cast_rays_all(b.world, &rays, nullptr, nullptr, 0, 0, &count, nullptr));

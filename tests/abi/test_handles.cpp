@@ -94,6 +94,12 @@ int32_t ask_with(Bench& b, uint64_t shape, carom_error* e) {
 }
 
 const Place kPlaces[] = {
+    {"collider_set_surface_velocity", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_collider_set_surface_velocity(b.world, h, kUp, kUp, e); }},
+    {"collider_get_surface_velocity", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { double v[3], w[3]; return carom_collider_get_surface_velocity(b.world, h, v, w, e); }},
+    {"body_set_gravity_factor", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_set_gravity_factor(b.world, h, 2, e); }},
+    {"body_get_gravity_factor", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { double f; return carom_body_get_gravity_factor(b.world, h, &f, e); }},
+    {"body_set_locks", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_set_locks(b.world, h, 1, e); }},
+    {"body_get_locks", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { uint32_t m; return carom_body_get_locks(b.world, h, &m, e); }},
     {"collider_set_filter", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_collider_set_filter(b.world, h, 1, 1, 0, e); }},
     {"collider_get_filter", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { uint64_t c, m; int32_t g; return carom_collider_get_filter(b.world, h, &c, &m, &g, e); }},
     {"collider_set_sensor", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_collider_set_sensor(b.world, h, 1, e); }},

@@ -263,8 +263,9 @@ static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(v
     carom_body body[2];
     carom_collider collider;
     carom_fault faults[8];
+    carom_fault_event events[8];
     carom_step_report report;
-    uint64_t count = 0;
+    uint64_t count = 0, told = 0;
     double pose[BENCH_BODIES + 3][7];
     const double radius = 0.5;
     size_t i;
@@ -278,6 +279,7 @@ static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(v
     assert_int_equal(carom_shape_create(b.engine, plugin, &radius, 1, &shape, NULL), CAROM_OK);
     for (i = 0; i < 2; ++i) /* two of them in contact with one another and with the box */
       assert_int_equal(bench_body(b.world, shape, 0, CAROM_BODY_DYNAMIC, 2.25 + 0.9 * (double)i, 3.0, 0.375, &body[i], &collider, NULL), CAROM_OK);
+    assert_int_equal(carom_world_collect_events(b.world, CAROM_EVENTS_FAULT, 0, NULL), CAROM_OK);
     assert_int_equal(bench_steps(b.world, 3, NULL), CAROM_OK);
     assert_int_equal(carom_world_get_faults(b.world, faults, sizeof *faults, 8, &count, NULL), CAROM_OK);
     assert_int_equal(count, 0);
@@ -293,6 +295,14 @@ static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(v
     report.struct_size = sizeof report;
     assert_int_equal(carom_world_get_report(b.world, &report, NULL), CAROM_OK);
     assert_true(report.faults == count);
+    assert_int_equal(carom_world_get_fault_events(b.world, events, sizeof *events, 8, &told, NULL), CAROM_OK);
+    assert_int_equal(told, count);
+    for (i = 0; i < told; ++i) {
+      assert_true(events[i].kind == faults[i].kind && events[i].shape == faults[i].shape && events[i].body == faults[i].body);
+      assert_memory_equal(events[i].dir, faults[i].dir, sizeof events[i].dir); /* bits: it may be NaN */
+      assert_memory_equal(events[i].out, faults[i].out, sizeof events[i].out);
+      assert_true(events[i].step == report.steps);
+    }
     assert_int_equal(warnings, count);
 
     assert_int_equal(bench_steps(b.world, 60, NULL), CAROM_OK);

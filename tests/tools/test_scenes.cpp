@@ -55,6 +55,16 @@ static void the_catapult_breaks_the_wall(void**) {
   assert_true(observer->came_off(stage));
 }
 
+static void belts_carry_every_box_to_the_turntable(void**) {
+  const Scene& scene = find_scene("conveyor");
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  Stage stage(engine);
+  const auto observer = build(scene, {}, stage);
+  simulate(stage, observer.get(), scene.seconds, scene.dt);
+  for (const std::string& line : observer->tell(stage)) std::printf("  %s\n", line.c_str());
+  assert_true(observer->came_off(stage));
+}
+
 static void a_pyramid_of_three_rows_stands_and_a_hit_wall_does_not(void**) {
   for (const char* name : {"pyramid", "wall"}) {
     const Scene& scene = find_scene(name);
@@ -162,6 +172,7 @@ int main() {
       cmocka_unit_test(every_scene_runs_half_a_second_finite_and_inside),
       cmocka_unit_test(the_seesaw_throws_the_bunny_and_the_row_falls),
       cmocka_unit_test(the_catapult_breaks_the_wall),
+      cmocka_unit_test(belts_carry_every_box_to_the_turntable),
       cmocka_unit_test(a_pyramid_of_three_rows_stands_and_a_hit_wall_does_not),
       cmocka_unit_test(a_block_has_fallen_when_it_sinks_or_strays_by_half_an_edge_or_is_not_finite),
       cmocka_unit_test(a_scene_is_the_same_world_every_time),

@@ -30,7 +30,7 @@ struct Sweeper::Strike {
   Vec3 normal, point;
   Velocity of_a, of_b;                // at the moment, changed by the impulse
   Mat3 inv_inertia_a, inv_inertia_b;  // 1/(kg m^2), world; zero of what does not turn
-  Real inv_mass_a, inv_mass_b;        // 1/kg; 0 of what a hit does not move
+  Vec3 inv_mass_a, inv_mass_b;        // 1/kg, along the world's axes; 0 of what a hit does not move, or a lock holds
   bool moves_a, moves_b;
   Real impulse = 0, speed = 0;  // N s; m/s, the fastest point's
   Real sinks = 0;               // m/s, at which the paths after it would still close
@@ -150,9 +150,14 @@ bool Sweeper::exchange(Strike& s) {
   const auto inertia = [&](const Side& side, bool moves) -> Mat3 {
     if (!moves || !rotates(scene, side.body)) return Mat3::Zero();
     const Mat3 r = side.path.orientation(s.now).toRotationMatrix();
-    return r * scene.inv_inertia[side.body] * r.transpose();
+    const Locks locks = scene.locks_of(side.body);
+    return locks & kAngularLocks ? inverse_of_free(r * scene.inertia[side.body] * r.transpose(), locks)
+                                 : Mat3(r * scene.inv_inertia[side.body] * r.transpose());
   };
-  s.inv_mass_a = s.moves_a ? scene.inv_mass[s.a.body] : 0, s.inv_mass_b = s.moves_b ? scene.inv_mass[s.b.body] : 0;
+  const auto inv_mass = [&](std::uint32_t body, bool moves) -> Vec3 {
+    return moves ? Vec3(scene.inv_mass[body] * free_axes(scene.locks_of(body))) : Vec3(Vec3::Zero());
+  };
+  s.inv_mass_a = inv_mass(s.a.body, s.moves_a), s.inv_mass_b = inv_mass(s.b.body, s.moves_b);
   s.inv_inertia_a = inertia(s.a, s.moves_a), s.inv_inertia_b = inertia(s.b, s.moves_b);
   const Vec3 x_a = s.a.path.place(s.now), x_b = s.b.path.place(s.now);
 
@@ -191,8 +196,8 @@ bool Sweeper::exchange(Strike& s) {
     const Vec3 place = (frame_a.apply(c.on_a) + frame_b.apply(c.on_b)) / 2;
     p.mass.r_a = place - x_a, p.mass.r_b = place - x_b;
     const Mat3 cross_a = cross_matrix(p.mass.r_a), cross_b = cross_matrix(p.mass.r_b);
-    p.mass.k = (s.inv_mass_a + s.inv_mass_b) * Mat3::Identity() - cross_a * s.inv_inertia_a * cross_a -
-               cross_b * s.inv_inertia_b * cross_b;
+    p.mass.k = -cross_a * s.inv_inertia_a * cross_a - cross_b * s.inv_inertia_b * cross_b;
+    p.mass.k.diagonal() += s.inv_mass_a + s.inv_mass_b;
     p.mass.k_inv = p.mass.k.inverse();
     p.row.n = c.normal;
     p.row.friction = friction;
@@ -210,8 +215,8 @@ bool Sweeper::exchange(Strike& s) {
         p.row.u = s.of_b.at(p.mass.r_b) - s.of_a.at(p.mass.r_a);
         const Vec3 next = resolved_impulse(p.row, p.mass, p.want), change = next - p.row.p;
         p.row.set_impulse(next);
-        s.of_a.v -= s.inv_mass_a * change, s.of_a.omega -= s.inv_inertia_a * p.mass.r_a.cross(change);
-        s.of_b.v += s.inv_mass_b * change, s.of_b.omega += s.inv_inertia_b * p.mass.r_b.cross(change);
+        s.of_a.v -= s.inv_mass_a.cwiseProduct(change), s.of_a.omega -= s.inv_inertia_a * p.mass.r_a.cross(change);
+        s.of_b.v += s.inv_mass_b.cwiseProduct(change), s.of_b.omega += s.inv_inertia_b * p.mass.r_b.cross(change);
         most = std::max(most, change.norm() * p.row.k_n);
       }
       if (!(most > kSettled * s.speed)) break;

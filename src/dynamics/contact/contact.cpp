@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dynamics/contact/resistance.h"
+#include "dynamics/contact/surface.h"
 #include "dynamics/force/force.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/sleep/sleep.h"
@@ -77,8 +78,8 @@ struct Movers {
   Movers(const World& world, const Pair& pair)
       : a(world.scene.colliders.body[pair.a]), b(world.scene.colliders.body[pair.b]) {
     const Sleep& z = *world.sleep;
-    moves_a = responds(world.scene, world.state, a) && !z.sleeps(a);
-    moves_b = responds(world.scene, world.state, b) && !z.sleeps(b);
+    moves_a = yields(world.scene, world.state, a) && !z.sleeps(a);
+    moves_b = yields(world.scene, world.state, b) && !z.sleeps(b);
   }
 };
 
@@ -227,7 +228,8 @@ Real mix(Mix rule_a, Real a, Mix rule_b, Real b) {
 }
 
 void push_body(World& world, std::uint32_t body, const Vec3& p, const Vec3& r) {
-  world.state.v[body] += world.scene.inv_mass[body] * p;
+  const Locks locks = world.scene.locks_of(body);
+  world.state.v[body] += world.scene.inv_mass[body] * (locks ? Vec3(free_axes(locks).cwiseProduct(p)) : p);
   if (rotates(world.scene, body)) world.state.omega[body] += world.contacts->inv_inertia_w[body] * r.cross(p);
 }
 
@@ -236,7 +238,11 @@ Mat3 velocity_per_impulse(const World& world, const Row& row, const RowMass& m) 
   const Scene& scene = world.scene;
   Mat3 k = Mat3::Zero();
   const auto add = [&](std::uint32_t body, const Vec3& r) {
-    k.diagonal().array() += scene.inv_mass[body];
+    const Locks locks = scene.locks_of(body);
+    if (locks)
+      k.diagonal() += scene.inv_mass[body] * free_axes(locks);
+    else
+      k.diagonal().array() += scene.inv_mass[body];
     if (!rotates(scene, body)) return;
     const Mat3 x = cross_matrix(r);
     k -= x * world.contacts->inv_inertia_w[body] * x;
@@ -256,6 +262,7 @@ void build_rows(World& world, Real h) {
   const Real scale = warm ? h / c.old_h : 0;
   fill_all_rows(world, scale);
   find_resistance(world, scale);
+  find_surfaces(world);
   const std::size_t n = c.rows.size();
   for (std::uint32_t i = 0; i < n; ++i) {
     if (!(c.rows[i].restitution > 0)) continue;
@@ -305,6 +312,7 @@ void prepare_rows(World& world, Real h) {
     const RowMass& m = c.mass[i];
     row.u = relative_velocity(s, row, m.r_a, m.r_b);
   }
+  for (std::size_t i = 0; i < c.surface.size(); ++i) c.rows[i].u += c.surface[i];
 }
 
 void refresh_inertias(World& world) {
@@ -314,6 +322,10 @@ void refresh_inertias(World& world) {
   in_parallel(world.jobs, c.bodies.size(), kBodiesAPart, [&](std::uint32_t k) {
     const std::uint32_t i = c.bodies[k];
     if (rotates(scene, i)) c.inv_inertia_w[i] = rotation[i] * scene.inv_inertia[i] * rotation[i].transpose();
+  });
+  world.plan->effects[kLocksRow].customers.each([&](std::uint32_t i) {
+    if (rotates(scene, i) && (scene.locks_of(i) & kAngularLocks))
+      c.inv_inertia_w[i] = inverse_of_free(rotation[i] * scene.inertia[i] * rotation[i].transpose(), scene.locks_of(i));
   });
 }
 

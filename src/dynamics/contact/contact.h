@@ -142,6 +142,12 @@ struct Resistance {
   Real pressed;               // N s, by its points since the step began, as this substep's contacts are yet unsolved
 };
 
+/// A pair whose surfaces move of themselves: a belt and what lies on it.
+struct Driven {
+  std::uint32_t row, points;  // its first row; how many
+  Vec3 spin;                  // rad/s, world, of B's surface relative to A's, beside the bodies' own
+};
+
 struct Contacts {
   explicit Contacts(Memory* m)
       : rows(m),
@@ -164,6 +170,8 @@ struct Contacts {
         impacts(m),
         last_impact(m),
         resisting(m),
+        driven(m),
+        surface(m),
         group_rows(m),
         group_begin(m),
         group_bodies(m),
@@ -201,6 +209,9 @@ struct Contacts {
   Array<Impact> impacts;          // of each of them
   Array<Real> last_impact;        // s, by body slot, since the substep began: scratch
   Array<Resistance> resisting;    // ascending by row
+  Array<Driven> driven;           // likewise
+  Array<Vec3> surface;  // m/s, by row: in its plane, of B's surface relative to A's, beside the bodies' own; empty
+                        // where no pair is driven
 
   // contact groups
   Array<std::uint32_t> group_rows;    // rows, ascending within a group

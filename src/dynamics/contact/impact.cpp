@@ -17,6 +17,7 @@ namespace {
 constexpr std::uint32_t kMostImpacts = 100;
 constexpr int kSweeps = 50;       // over the points of a pair, which depend on each other
 constexpr Real kSettled = 1e-13;  // of the speed of an impact: what the last sweep may still change
+constexpr Real kGiveWay = 1e-9;   // of the response without locks
 constexpr std::size_t kPoints = Manifold::kMaxPoints;
 
 class Impacts {
@@ -123,6 +124,12 @@ class Impacts {
     Point p{&at, speed > 0 && !(speed > threshold_) ? 0 : row.restitution * speed, row, {}};
     p.mass.r_a = at.r.a, p.mass.r_b = at.r.b;
     p.mass.k = velocity_per_impulse(world_, row, p.mass);
+    const Scene& scene = world_.scene;
+    // Where nothing gives way no impulse helps; a little more than nothing keeps it finite, and sweeps undo what that
+    // is off.
+    if (scene.locks_of(row.a) | scene.locks_of(row.b))
+      p.mass.k.diagonal().array() +=
+          kGiveWay * (row.moves_a * scene.inv_mass[row.a] + row.moves_b * scene.inv_mass[row.b]);
     p.mass.k_inv = p.mass.k.inverse();
     p.row.k_n = row.n.dot(p.mass.k * row.n);
     p.row.set_impulse(Vec3::Zero());
@@ -139,6 +146,7 @@ class Impacts {
       Real most = 0;
       for (Point& p : points) {
         p.row.u = velocity(*p.at) + (hit.time - lag_) * p.at->accel;
+        if (!c_.surface.empty()) p.row.u += c_.surface[p.at->row];
         const Vec3 next = resolved_impulse(p.row, p.mass, p.want), change = next - p.row.p;
         p.row.set_impulse(next);
         if (row.moves_a) push_body(world_, row.a, -change, p.mass.r_a);

@@ -79,14 +79,17 @@ void hold_moments(World& world, const StepTime&) {
 void resist(World& world, const StepTime&) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
+  const Driven* driven = c.driven.data();
   for (Resistance& r : c.resisting) {
     const Row& row = c.rows[r.row];
     Mat3 k = Mat3::Zero();
     if (turns(world, row.moves_a, row.a)) k += c.inv_inertia_w[row.a];
     if (turns(world, row.moves_b, row.b)) k += c.inv_inertia_w[row.b];
     const Real load = std::max(Real(0), pressed(world, r));
-    const Vec3 next =
-        resisting_moment(r.moment, s.omega[row.b] - s.omega[row.a], k, row.n, r.rolling * load, r.spinning * load);
+    Vec3 spin = s.omega[row.b] - s.omega[row.a];
+    while (driven < c.driven.data() + c.driven.size() && driven->row < r.row) ++driven;
+    if (driven < c.driven.data() + c.driven.size() && driven->row == r.row) spin += driven->spin;
+    const Vec3 next = resisting_moment(r.moment, spin, k, row.n, r.rolling * load, r.spinning * load);
     twist(world, row, next - r.moment);
     r.moment = next;
   }
@@ -94,15 +97,23 @@ void resist(World& world, const StepTime&) {
 
 Vec3 resisting_moment(const Vec3& moment, const Vec3& omega, const Mat3& k, const Vec3& n, Real rolling,
                       Real spinning) {
+  constexpr Real kRounding = 1e-12;  // of a response that locks leave
   const Real k_n = n.dot(k * n);
-  if (!(k_n > 0)) return Vec3::Zero();
-  const Real had = moment.dot(n), spin = std::clamp(had - omega.dot(n) / k_n, -spinning, spinning);
+  if (!(k.trace() > 0)) return Vec3::Zero();
+  const Real had = moment.dot(n);
+  const Real spin = k_n > kRounding * k.trace() ? std::clamp(had - omega.dot(n) / k_n, -spinning, spinning) : 0;
   const Vec3 left = omega + (spin - had) * (k * n);
   const Vec3 t = any_perpendicular(n).normalized(), s = n.cross(t);
   const Vec3 k_t = k * t, k_s = k * s;
   const Real tt = t.dot(k_t), ts = t.dot(k_s), ss = s.dot(k_s), det = tt * ss - ts * ts;
   const Real o_t = left.dot(t), o_s = left.dot(s);
-  Real roll_t = moment.dot(t) - (ss * o_t - ts * o_s) / det, roll_s = moment.dot(s) - (tt * o_s - ts * o_t) / det;
+  Real roll_t = moment.dot(t), roll_s = moment.dot(s);
+  if (const Real trace = tt + ss; det > kRounding * trace * trace)
+    roll_t -= (ss * o_t - ts * o_s) / det, roll_s -= (tt * o_s - ts * o_t) / det;
+  else if (trace > kRounding * k.trace())  // turns about one axis of the plane alone
+    roll_t -= (tt * o_t + ts * o_s) / (trace * trace), roll_s -= (ts * o_t + ss * o_s) / (trace * trace);
+  else
+    roll_t = roll_s = 0;
   const Real size = std::sqrt(roll_t * roll_t + roll_s * roll_s);
   if (size > rolling) roll_t *= rolling / size, roll_s *= rolling / size;
   return spin * n + roll_t * t + roll_s * s;

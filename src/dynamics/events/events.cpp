@@ -7,6 +7,7 @@
 #include "collision/scenery/ask.h"
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/contact.h"
+#include "dynamics/joint/wide_joints.h"
 #include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
 
@@ -177,6 +178,23 @@ void look_who_sleeps(World& world) {
   }
 }
 
+void tell_faults(World& world) {
+  Events& e = *world.events;
+  const auto named = [](const SlotPool& slots, std::uint32_t slot) {
+    return slot == FaultView::kNone ? Handle(0) : slots.handle(slot);
+  };
+  for (const FaultView& view : world.fault_views) {
+    FaultEvent& what = e.faults.emplace_back();
+    what.support = view.support;
+    what.shape = view.support.shape ? view.support.shape->handle : 0;
+    what.support.shape = nullptr;  // which may be gone before the host asks
+    what.body = named(world.scene.bodies, view.body);
+    what.particles = named(world.particles.slots, view.particles);
+    what.particle = view.particle;
+    what.step = world.report.steps;
+  }
+}
+
 }  // namespace
 
 void sensing::find(const Scene& scene, const State&, Customers& customers) {
@@ -192,11 +210,22 @@ void collect(World& world, std::uint32_t kinds, Real hit_speed) {
   if (gone & Events::contact) e.touching.clear(), e.contacts.clear();
   if (gone & Events::sensor) e.within.clear(), e.sensors.clear();
   if (gone & Events::sleeping) e.sleep.clear();
+  if (gone & Events::joint) e.joints.clear();
+  if (gone & Events::fault) e.faults.clear();
   if (kinds & ~e.wanted & Events::sleeping) {
     e.slept.assign(world.scene.bodies.slots(), 0);
     for (std::uint32_t i = 0; i < e.slept.size(); ++i) e.slept[i] = static_cast<std::uint8_t>(world.sleep->sleeps(i));
   }
   e.wanted = kinds;
+}
+
+void tell_broken(World& world, std::uint32_t slot) {
+  Events& e = *world.events;
+  if (!(e.wanted & Events::joint)) return;
+  const Joint& joint = world.joints.joint[slot];
+  const auto body = [&](std::uint32_t b) { return b == kTheWorld ? Handle(0) : world.scene.bodies.handle(b); };
+  e.joints.push_back({world.joints.slots.handle(slot), body(joint.def.body_a), body(joint.def.body_b), joint.force,
+                      joint.torque, world.report.steps + 1});
 }
 
 void set_sensors_aside(World& world, Array<Pair>& pairs) {
@@ -229,6 +258,8 @@ void begin_events(World& world, const StepTime&) {
     e.slept.resize(world.scene.bodies.slots(), 0);
     e.sleep.reserve(world.scene.bodies.slots());
   }
+  if (e.wanted & Events::joint) e.joints.reserve(world.wide_joints->active.size());
+  if (e.wanted & Events::fault) e.faults.reserve(world.fault_views.capacity());
   if (meetings == 0) return;
   const Contacts& c = *world.contacts;
   e.approach.resize(c.rows.size());
@@ -243,6 +274,7 @@ void end_events(World& world, const StepTime&) {
   if (wanted & Events::contact) Contacting(world).run();
   if (wanted & Events::sensor) Sensing(world).run();
   if (wanted & Events::sleeping) look_who_sleeps(world);
+  if (wanted & Events::fault) tell_faults(world);
 }
 
 }  // namespace carom

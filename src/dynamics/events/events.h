@@ -1,5 +1,5 @@
 // What happened in a step, as lists that a host reads after it: contacts that began, ended or were hit, sensors entered
-// and left, bodies that fell asleep or woke. Nothing is collected that nobody asked for.
+// and left, bodies that fell asleep or woke, joints that broke, faults. Nothing is collected that nobody asked for.
 //
 // A pair touches from the step in which its contacts first bear an impulse to the one in which it makes no contact
 // points any more (farther apart than the contact distance): what rests does not flicker. Sleepers touch whom they
@@ -33,6 +33,21 @@ struct SleepEvent {
   Handle body;
 };
 
+/// A joint that bore more than it was made for, and holds nothing from now on.
+struct JointEvent {
+  Handle joint, body_a, body_b;  // 0: the world
+  Vec3 force, torque;            // N, N m, world, on B: as JointState, mean over the step in which it broke
+  std::uint64_t step;            // as StepReport::steps after it
+};
+
+/// As FaultView, by name.
+struct FaultEvent {
+  SupportFault support;  // kind none: of a state
+  Handle shape, body, particles;
+  std::uint64_t particle;
+  std::uint64_t step;
+};
+
 /// A pair that touches or overlaps, by slots and by name: a slot may come to mean another collider.
 struct Together {
   Pair pair;
@@ -42,9 +57,19 @@ struct Together {
 
 struct Events {
   explicit Events(Memory* m)
-      : contacts(m), sensors(m), sleep(m), touching(m), within(m), spare(m), approach(m), sensor_pairs(m), slept(m) {}
+      : contacts(m),
+        sensors(m),
+        sleep(m),
+        joints(m),
+        faults(m),
+        touching(m),
+        within(m),
+        spare(m),
+        approach(m),
+        sensor_pairs(m),
+        slept(m) {}
 
-  enum Kinds : std::uint32_t { contact = 1, sensor = 2, sleeping = 4, all = 7 };
+  enum Kinds : std::uint32_t { contact = 1, sensor = 2, sleeping = 4, joint = 8, fault = 16, all = 31 };
   std::uint32_t wanted = 0;  // Kinds
   Real hit_speed = 1;        // m/s, above which an approach is a hit
 
@@ -52,6 +77,8 @@ struct Events {
   Array<ContactEvent> contacts;  // by pair; of one: end, begin, hit
   Array<SensorEvent> sensors;    // by pair
   Array<SleepEvent> sleep;       // by body
+  Array<JointEvent> joints;      // by joint
+  Array<FaultEvent> faults;      // as they happened
 
   // from step to step, ascending by pair
   Array<Together> touching, within;
@@ -61,7 +88,9 @@ struct Events {
   Array<Pair> sensor_pairs;   // whose bounds meet, ascending
   Array<std::uint8_t> slept;  // by body slot, as of the last step
 
-  void clear() { contacts.clear(), sensors.clear(), sleep.clear(), sensor_pairs.clear(); }
+  void clear() {
+    contacts.clear(), sensors.clear(), sleep.clear(), joints.clear(), faults.clear(), sensor_pairs.clear();
+  }
 };
 
 /// Row of the table: colliders that are sensors.
@@ -71,6 +100,9 @@ void find(const Scene&, const State&, Customers&);
 
 /// A host wants other kinds than before, from the next step on.
 void collect(World& world, std::uint32_t kinds, Real hit_speed);
+
+/// A joint breaks in this step, under what it now says that it bears.
+void tell_broken(World& world, std::uint32_t joint);
 
 /// Take the pairs with a sensor out of those that make contacts.
 void set_sensors_aside(World& world, Array<Pair>& pairs);

@@ -12,6 +12,10 @@ namespace carom {
 inline bool responds(const Scene& scene, const State& state, std::uint32_t i) {
   return scene.inv_mass[i] > 0 && !state.quarantined[i];
 }
+/// Whether an impulse can move it.
+inline bool yields(const Scene& scene, const State& state, std::uint32_t i) {
+  return responds(scene, state, i) && scene.locks_of(i) != kAllLocks;
+}
 inline bool rotates(const Scene& scene, std::uint32_t i) { return scene.inv_inertia[i](0, 0) > 0; }
 
 namespace gravity {
@@ -49,6 +53,29 @@ namespace user_torque {
 void find(const Scene&, const State&, Customers&);
 void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
 }  // namespace user_torque
+
+/// Velocities along and about world axes that are held at 0. Whatever moves a body respects it: impulses and torques
+/// have no effect along a locked axis, and turn a body as one that cannot turn about it, E (E^T I E)^-1 E^T in place of
+/// I^-1 with E the axes that are free. What other forces did along a locked axis is taken off here: that is what
+/// constraint forces do. Nothing is solved for, nothing drifts: a locked velocity is 0 to the bit.
+///
+/// Who may turn about two axes keeps the momentum about them, not that of a free top: this room has its gyroscopic
+/// term, by the implicit midpoint rule, in place of the dial's method. With one axis or none there is no such term.
+/// @oracle tests/oracle/test_axis_locks
+namespace axis_locks {
+void find(const Scene&, const State&, Customers&);
+/// After the forces of a substep: velocities, and what integrators propose.
+void hold(World& world, Real h);
+}  // namespace axis_locks
+
+/// 1 along world axes on which a body may move, else 0.
+inline Vec3 free_axes(Locks locks) { return Vec3((locks & 1) == 0, (locks & 2) == 0, (locks & 4) == 0); }
+/// E (E^T I E)^-1 E^T, E the world axes about which a body may turn: its inverse inertia where it cannot about others.
+/// @param inertia  kg m^2, world   @return 1/(kg m^2), world; rows and columns of locked axes are 0 to the bit
+Mat3 inverse_of_free(const Mat3& inertia, Locks locks);
+/// What of velocities locks leave. Not of a body without locks.
+/// @param v, omega  m/s, rad/s, world
+void hold_velocity(const Scene& scene, std::uint32_t body, const Quat& q, Vec3& v, Vec3& omega);
 
 /// e^-x with the same bits on every platform.
 /// @param x   x >= 0

@@ -1,4 +1,4 @@
-// Uniform gravity on every body that has mass.
+// Uniform gravity on every body that has mass, each by its factor.
 #include "dynamics/force/force.h"
 
 namespace carom::gravity {
@@ -6,13 +6,14 @@ namespace carom::gravity {
 void find(const Scene& scene, const State& state, Customers& customers) {
   if (scene.gravity == Vec3::Zero()) return;
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
-    if (responds(scene, state, i)) customers.add(i);
+    if (responds(scene, state, i) && scene.gravity_factor_of(i) != 0) customers.add(i);
 }
 
-/// a = g
+/// a = f g
 void force(const Scene& scene, const State&, const Customers& customers, const Motion&, const Accelerate& out) {
   const Vec3 dv = out.scale * scene.gravity;
-  customers.each([&](std::uint32_t i) { out.v[i] += dv; });
+  if (scene.gravity_factor.empty()) return customers.each([&](std::uint32_t i) { out.v[i] += dv; });
+  customers.each([&](std::uint32_t i) { out.v[i] += scene.gravity_factor_of(i) * dv; });
 }
 
 }  // namespace carom::gravity

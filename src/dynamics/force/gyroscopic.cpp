@@ -9,6 +9,7 @@ namespace carom::gyroscopic {
 void find(const Scene& scene, const State& state, Customers& customers) {
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i) {
     if (!responds(scene, state, i) || !rotates(scene, i)) continue;
+    if (scene.locks_of(i) & kAngularLocks) continue;  // no free top: @see axis_locks
     const Mat3& inertia = scene.inertia[i];
     const Real mean = inertia.trace() / 3;
     // Rounding of the parallel-axis sums leaves a cube anisotropic by a few eps; 1e-12 turns the momentum of such a

@@ -3,6 +3,7 @@
 
 #include <atomic>
 
+#include "dynamics/force/force.h"
 #include "dynamics/quarantine.h"
 
 namespace carom {
@@ -39,6 +40,7 @@ class Strays {
 void integrate_velocity(World& world, const StepTime& time) {
   Plan& plan = *world.plan;
   plan.integrator->velocity(world, time.h);
+  axis_locks::hold(world, time.h);
   // Before any contact reads them, so that one body's infinity does not become its neighbours'.
   Strays strays(world);
   plan.linear.each(world.jobs, [&](std::uint32_t i) {

@@ -60,6 +60,7 @@ struct JointLanes {
   std::uint32_t a[kLanes], b[kLanes];  // solver bodies; 0: nobody, or nobody that moves
   std::uint32_t occupied;              // lanes in use, from the first
   std::uint32_t first, first_drive;    // in WideJoints::rows and drives
+  std::uint32_t locked;                // in JointRun::locks, from 1; 0: no body of the four is
   JointLayout layout;
   Lanes inv_mass_a, inv_mass_b;                    // 1/kg
   LaneSymmetric start_inertia_a, start_inertia_b;  // inverse, 1/(kg m^2), world, as the step began
@@ -88,6 +89,7 @@ struct JointRun {
   BodyVelocity* velocity;
   const BodyShift* shift;
   std::uint32_t first_moved;  // bodies below are not written
+  const LockLanes* locks;
 };
 
 }  // namespace carom

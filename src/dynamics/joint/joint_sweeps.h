@@ -19,10 +19,11 @@ namespace {
 struct JointSides {
   Side a, b;
   const JointLanes& joint;
+  const LockLanes* locks;  // null: none
 
-  CAROM_LANES_INLINE JointSides(const JointLanes& j, const BodyVelocity* bodies) : joint(j) {
-    a.load(bodies, j.a);
-    b.load(bodies, j.b);
+  CAROM_LANES_INLINE JointSides(const JointLanes& j, const JointRun& run) : joint(j), locks(locks_of(run, j)) {
+    a.load(run.velocity, j.a);
+    b.load(run.velocity, j.b);
   }
   CAROM_LANES_INLINE void store(const JointRun& run) const {
     a.store(run.velocity, run.first_moved, joint.a);
@@ -32,9 +33,9 @@ struct JointSides {
     return dot(r.d, b.v - a.v) + (dot(r.w_b, b.omega) - dot(r.w_a, a.omega));
   }
   CAROM_LANES_INLINE void push(const LaneVec& p, const LaneVec& turn_a, const LaneVec& turn_b) {
-    a.v = a.v - joint.inv_mass_a * p;
+    a.v = a.v - joint.inv_mass_a * (locks ? each(locks->free_a, p) : p);
     a.omega = a.omega - joint.inv_inertia_a * turn_a;
-    b.v = b.v + joint.inv_mass_b * p;
+    b.v = b.v + joint.inv_mass_b * (locks ? each(locks->free_b, p) : p);
     b.omega = b.omega + joint.inv_inertia_b * turn_b;
   }
   CAROM_LANES_INLINE void push(const JointRowLanes& r, Lanes p) { push(p * r.d, p * r.w_a, p * r.w_b); }
@@ -141,7 +142,7 @@ CAROM_LANES_INLINE Pushes all_of(const JointRun& run, const JointLanes& joint) {
 void act_again(const JointRun& run) {
   for (std::size_t i = 0; i < run.count; ++i) {
     JointLanes& joint = run.joints[i];
-    JointSides sides(joint, run.velocity);
+    JointSides sides(joint, run);
     Pushes pushes;
     for (std::uint32_t k = 0; k < joint.layout.equalities; ++k)
       pushes.add(run.rows[joint.first + k], joint.again * run.rows[joint.first + k].p);
@@ -164,7 +165,7 @@ CAROM_LANES_INLINE void book_one(const JointRun& run, JointLanes& joint) {
 void warm_start(const JointRun& run) {
   for (std::size_t i = 0; i < run.count; ++i) {
     const JointLanes& joint = run.joints[i];
-    JointSides sides(joint, run.velocity);
+    JointSides sides(joint, run);
     const Pushes pushes = all_of(run, joint);
     sides.push(pushes.p, pushes.turn_a, pushes.turn_b);
     sides.store(run);
@@ -175,7 +176,7 @@ template <bool kPush>
 CAROM_LANES_INLINE void sweep(const JointRun& run, double inv_h) {
   for (std::size_t i = 0; i < run.count; ++i) {
     JointLanes& joint = run.joints[i];
-    JointSides sides(joint, run.velocity);
+    JointSides sides(joint, run);
     for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
       act<kPush>(sides, joint, run.drives[joint.first_drive + k], joint.layout.drive[k].kind, inv_h);
     hold_all<kPush>(sides, joint, run.rows + joint.first);

@@ -87,8 +87,17 @@ struct JointPlacing {
     j.r_b = j.start_b + d_b;
     j.gap = j.start_gap + ((b.x - a.x) + (d_b - d_a));
     j.x_a = axes_a.x;
-    j.inv_inertia_a = a.turned(j.start_inertia_a);
-    j.inv_inertia_b = b.turned(j.start_inertia_b);
+    j.inv_inertia_a = turned(a, j.start_inertia_a);
+    j.inv_inertia_b = turned(b, j.start_inertia_b);
+  }
+
+  /// What is locked stays so in world axes: who cannot turn about one of them has nothing in its corner of the tensor.
+  CAROM_LANES_INLINE LaneSymmetric turned(const JointShift& shift, const LaneSymmetric& start) const {
+    const LaneSymmetric now = shift.turned(start);
+    if (!joint.locked) return now;
+    const LaneMask free = smaller(smaller(start.xx, start.yy), start.zz) > 0;
+    return {free ? now.xx : start.xx, free ? now.xy : start.xy, free ? now.xz : start.xz,
+            free ? now.yy : start.yy, free ? now.yz : start.yz, free ? now.zz : start.zz};
   }
 
   /// A row along a direction, of which A's point is where B's is now: the direction turns with A.
@@ -186,8 +195,9 @@ struct JointPlacing {
 /// Velocity at one row per impulse at another.
 struct RowResponse {
   LaneVec d, i_a, i_b;  // of the impulse, over the masses
-  CAROM_LANES_INLINE void set(const JointLanes& joint, const JointRowLanes& r) {
-    d = (joint.inv_mass_a + joint.inv_mass_b) * r.d;
+  CAROM_LANES_INLINE void set(const JointLanes& joint, const LockLanes* locks, const JointRowLanes& r) {
+    d = locks ? each(joint.inv_mass_a * locks->free_a + joint.inv_mass_b * locks->free_b, r.d)
+              : (joint.inv_mass_a + joint.inv_mass_b) * r.d;
     i_a = joint.inv_inertia_a * r.w_a;
     i_b = joint.inv_inertia_b * r.w_b;
   }
@@ -196,17 +206,30 @@ struct RowResponse {
   }
 };
 
+CAROM_LANES_INLINE const LockLanes* locks_of(const JointRun& run, const JointLanes& joint) {
+  return joint.locked ? run.locks + (joint.locked - 1) : nullptr;
+}
+
+/// What a row's response is measured by: of its own size, but where bodies are locked of what it would be if they were
+/// not, to within the unlikeness of a body's moments: what is left of a locked direction is rounding.
+CAROM_LANES_INLINE Lanes whole_of(const JointLanes& joint, const LockLanes* locks, const JointRowLanes& r, Lanes own) {
+  if (!locks) return own;
+  const LaneSymmetric &i_a = joint.inv_inertia_a, &i_b = joint.inv_inertia_b;
+  return 1e2 * ((joint.inv_mass_a + joint.inv_mass_b) * dot(r.d, r.d) + dot(r.w_a, r.w_a) * (i_a.xx + i_a.yy + i_a.zz) +
+                dot(r.w_b, r.w_b) * (i_b.xx + i_b.yy + i_b.zz));
+}
+
 /// L D L^T of the coupling of n rows.
-CAROM_LANES_INLINE void factor_rows(JointLanes& joint, const JointRowLanes* rows) {
+CAROM_LANES_INLINE void factor_rows(JointLanes& joint, const LockLanes* locks, const JointRowLanes* rows) {
   const int n = static_cast<int>(joint.layout.equalities);
   Lanes* const f = joint.factor;
   for (int k = 0; k < n; ++k) {
     RowResponse response;
-    response.set(joint, rows[k]);
+    response.set(joint, locks, rows[k]);
     Lanes v[kMostRows];
     Lanes* const row = f + k * (k + 1) / 2;
-    const Lanes whole = response.at(rows[k]);
-    Lanes rest = whole;
+    const Lanes own = response.at(rows[k]), whole = whole_of(joint, locks, rows[k], own);
+    Lanes rest = own;
     for (int l = 0; l < k; ++l) {
       v[l] = response.at(rows[l]);
       const Lanes* const other = f + l * (l + 1) / 2;
@@ -238,17 +261,18 @@ CAROM_LANES_INLINE void solve_any(const JointLanes& joint, Lanes* x) {
 }
 
 /// Effective mass of a drive, what is locked staying so.
-CAROM_LANES_INLINE void weigh(const JointLanes& joint, const JointRowLanes* rows, JointDriveLanes& drive) {
+CAROM_LANES_INLINE void weigh(const JointLanes& joint, const LockLanes* locks, const JointRowLanes* rows,
+                              JointDriveLanes& drive) {
   RowResponse response;
-  response.set(joint, drive.row);
+  response.set(joint, locks, drive.row);
   Lanes coupled[kMostRows], x[kMostRows];
   const int n = static_cast<int>(joint.layout.equalities);
   for (int k = 0; k < n; ++k) x[k] = coupled[k] = response.at(rows[k]);
   solve_any(joint, x);
-  const Lanes whole = response.at(drive.row);
-  Lanes rest = whole;
+  const Lanes own = response.at(drive.row);
+  Lanes rest = own;
   for (int k = 0; k < n; ++k) rest -= coupled[k] * x[k];
-  drive.m = inverse_of_rest(rest, whole);
+  drive.m = inverse_of_rest(rest, whole_of(joint, locks, drive.row, own));
 }
 
 void place(const JointRun& run) {
@@ -258,11 +282,12 @@ void place(const JointRun& run) {
     JointRowLanes* const rows = run.rows + joint.first;
     JointRowLanes* next = rows;
     for (std::uint32_t k = 0; k < joint.layout.parts; ++k) next = placing.part(joint.layout.part[k], next);
-    factor_rows(joint, rows);
+    const LockLanes* const locks = locks_of(run, joint);
+    factor_rows(joint, locks, rows);
     for (std::uint32_t k = 0; k < joint.layout.drives; ++k) {
       JointDriveLanes& drive = run.drives[joint.first_drive + k];
       placing.coordinate(joint.layout.drive[k].coordinate, drive.row);
-      weigh(joint, rows, drive);
+      weigh(joint, locks, rows, drive);
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "dynamics/events/events.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/island.h"
 #include "dynamics/joint/parts.h"
@@ -16,7 +17,7 @@ namespace {
 constexpr std::uint32_t kNobody = 0xFFFFFFFFu, kDirect = kColours + 1;
 
 bool moves(const World& world, std::uint32_t body) {
-  return body != kTheWorld && responds(world.scene, world.state, body);
+  return body != kTheWorld && yields(world.scene, world.state, body);
 }
 /// Something about it can change: a body that is awake, or one that moves by itself.
 bool is_active(const World& world, const Joint& joint) {
@@ -159,6 +160,19 @@ void find_kicked(World& world, WideJoints& w) {
   w.before.resize(w.kicked.size());
 }
 
+/// Which way bodies are free, of joints some of whose bodies are locked.
+void fill_locks(const World& world, WideJoints& w) {
+  w.locks.clear();
+  for (JointLanes& joint : w.joints) joint.locked = 0;
+  if (world.plan->effects[kLocksRow].candidates.count == 0) return;
+  const auto locks_of = [&](std::uint32_t body) { return body == kTheWorld ? Locks(0) : world.scene.locks_of(body); };
+  for (std::uint32_t i = 0; i < w.active.size(); ++i) {
+    const JointDef& def = world.joints.joint[w.active[i]].def;
+    const Locks a = locks_of(def.body_a), b = locks_of(def.body_b);
+    if (a | b) set_locks(w.locks, w.joints[w.place[i].lanes].locked, w.place[i].lane, a, b);
+  }
+}
+
 }  // namespace
 
 void plan_joints(World& world) {
@@ -211,6 +225,7 @@ void begin_joints(World& world, Real h) {
     for (std::uint32_t lane = 0; lane < joint.occupied; ++lane)
       fill(world, w.occupant[kLanes * i + lane], soft, h, w, joint, static_cast<int>(lane));
   });
+  fill_locks(world, w);
   over_joints(world, w.kernels->place);
 }
 
@@ -278,6 +293,7 @@ void end_joints(World& world, const StepTime& time) {
   for (const std::uint32_t j : w.active) {
     Joint& joint = world.joints.joint[j];
     if (joint.force.norm() <= joint.def.break_force && joint.torque.norm() <= joint.def.break_torque) continue;
+    tell_broken(world, j);
     world.break_joint(j);
   }
 }

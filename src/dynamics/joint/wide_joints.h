@@ -21,6 +21,7 @@ struct WideJoints {
         joints(m),
         rows(m),
         drives(m),
+        locks(m),
         colours(m),
         kicked(m),
         before(m),
@@ -41,6 +42,7 @@ struct WideJoints {
   Array<JointLanes> joints;
   Array<JointRowLanes> rows;
   Array<JointDriveLanes> drives;
+  Array<LockLanes> locks;        // of joints with bodies that are locked
   Array<std::uint32_t> colours;  // where in joints each colour ends; those up to `swept` stand alone
   std::uint32_t swept = 0;       // joints up to here are swept
   bool is_packed = false;        // place, occupant and colours are those of active, all of it swept
@@ -66,8 +68,9 @@ struct WideJoints {
 
 inline JointRun every_joint(World& world) {
   WideJoints& w = *world.wide_joints;
-  return {w.joints.data(),          w.joints.size(),        w.rows.data(), w.drives.data(), world.wide->velocity.data(),
-          world.wide->shift.data(), world.wide->first_moved};
+  return {
+      w.joints.data(),          w.joints.size(),         w.rows.data(), w.drives.data(), world.wide->velocity.data(),
+      world.wide->shift.data(), world.wide->first_moved, w.locks.data()};
 }
 
 /// Of a loop that threads share.

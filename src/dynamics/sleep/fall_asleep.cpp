@@ -48,6 +48,11 @@ void find_islands(World& world, const Customers& customers, Real time) {
     if (row.moves_a && rolls_by(world, row.b)) z.restless[z.root[row.a]] = 1;
     if (row.moves_b && rolls_by(world, row.a)) z.restless[z.root[row.b]] = 1;
   }
+  for (const Driven& driven : c.driven) {
+    const Row& row = c.rows[driven.row];
+    if (row.moves_a) z.restless[z.root[row.a]] = 1;
+    if (row.moves_b) z.restless[z.root[row.b]] = 1;
+  }
   for (const Link& link : c.links) {
     if (link.moves_a && link.b != kTheWorld && rolls_by(world, link.b)) z.restless[z.root[link.a]] = 1;
     if (link.moves_b && link.a != kTheWorld && rolls_by(world, link.a)) z.restless[z.root[link.b]] = 1;

@@ -5,8 +5,8 @@
 // `sleep_speed`:
 //   |v| + |omega| r <= sleep_speed,     r: the farthest point of its colliders from its centre
 // and that has not come farther since it became slow than such a speed would carry it: what a solver moves without a
-// velocity (undone penetration) keeps a body awake too. Not while it rests on a kinematic body that moves, nor if one
-// of its bodies must stay awake (BodyDef::stays_awake).
+// velocity (undone penetration) keeps a body awake too. Not while it rests on a kinematic body or a surface that moves,
+// nor if one of its bodies must stay awake (BodyDef::stays_awake).
 //
 // What is kept. Velocities become zero; that is all that falling asleep changes. Poses, the records of all its pairs
 // with each other and with what does not move (manifolds, ages, warm directions, patches) and the impulses that the

@@ -52,6 +52,15 @@ Real sink_of(const World& world, const Row& row, const Arms& arms, Real load, Re
   return load * k / (row.moves_a && row.moves_b ? w2 : 4 * w2);
 }
 
+/// m/s^2, what pulls harder of two that touch.
+Real pull_on(const Scene& scene, const Row& row) {
+  const Real gravity = scene.gravity.norm();
+  const auto of = [&](bool moves, std::uint32_t body) {
+    return moves ? std::fabs(scene.gravity_factor_of(body)) * gravity : 0;
+  };
+  return scene.gravity_factor.empty() ? gravity : std::max(of(row.moves_a, row.a), of(row.moves_b, row.b));
+}
+
 /// @param row  a contact or a joint
 template <class Both>
 Real mass_ratio_of(const Scene& scene, const Both& row) {
@@ -87,14 +96,15 @@ Real weight_if_new(World& world, std::size_t group, Real h) {
   Contacts& c = *world.contacts;
   if (c.rows[c.group_rows[c.group_begin[group]]].p != Vec3::Zero()) return 0;  // the common case, at once
   const Real gravity = world.scene.gravity.norm();
-  Real mass = 0;
+  Real mass = 0;  // kg, as heavy where the world's gravity acts in full
   bool is_new = true;
   each_body(c, group, [&](const Row& row, std::uint32_t body) {
     is_new &= row.p == Vec3::Zero();
     if (c.load[body] != Contacts::kUnseen) return;
     c.load[body] = Contacts::kLight;
-    mass += world.scene.mass[body];
-    is_new &= world.state.v[body].norm() <= 2 * gravity * h;
+    const Real pull = std::fabs(world.scene.gravity_factor_of(body));
+    mass += pull * world.scene.mass[body];
+    is_new &= world.state.v[body].norm() <= 2 * (pull * gravity) * h;
   });
   return is_new ? mass * gravity : 0;
 }
@@ -115,10 +125,9 @@ struct GroupMotion {
 GroupMotion look_at(World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view) {
   Contacts& c = *world.contacts;
   const Real deep = world.scene.dials[Dial::direct_sink];
-  const Real gravity = world.scene.gravity.norm();
   GroupMotion motion;
   std::uint32_t pair = 0xFFFFFFFFu;
-  Real thickness = 0;
+  Real thickness = 0, gravity = 0;
   for (std::uint32_t k = c.group_begin[group]; k < c.group_begin[group + 1]; ++k) {
     const std::uint32_t i = c.group_rows[k];
     const Row& row = c.rows[i];
@@ -126,11 +135,13 @@ GroupMotion look_at(World& world, std::size_t group, Real w2, Real h, Real weigh
     if (g.pair != pair) {
       pair = g.pair;
       thickness = thickness_of(world, g);
+      gravity = pull_on(world.scene, row);
       view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(world.scene, row));
     }
     const Arms arms(world, row, g);
     const Real fall = 2 * gravity * thickness;
-    const Vec3 u = relative_velocity(world.state, row, arms.a, arms.b);
+    Vec3 u = relative_velocity(world.state, row, arms.a, arms.b);
+    if (!c.surface.empty()) u += c.surface[i];
     const Real closing = -u.dot(row.n);
     const Real load = std::max(row.p.dot(row.n) / h, weight / world.pairs.place(pair).points);
     const Real sink = sink_of(world, row, arms, load, w2) / thickness;

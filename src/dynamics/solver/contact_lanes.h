@@ -49,6 +49,7 @@ struct PairLanes {
   std::uint32_t a[kLanes], b[kLanes];          // solver bodies; 0: nobody, or nobody that moves
   std::uint32_t first, points;                 // in WideContacts::points
   std::uint32_t one_normal;                    // 1: all points of each pair have its n, and PointLanes::n is not read
+  std::uint32_t driven, locked;                // in LaneRun::drives and locks, from 1; 0: none of the four is
   Lanes inv_mass_a, inv_mass_b;                // 1/kg
   LaneSymmetric inv_inertia_a, inv_inertia_b;  // 1/(kg m^2), world, as the step began
   LaneVec n, t;                                // unit, world
@@ -64,6 +65,17 @@ struct PairLanes {
   Lanes coupling[kCouplings];  // 1/kg: normal velocity at one point per normal impulse at another: 01 02 12 03 13 23
 };
 
+/// Four pairs of which some have a surface that moves of itself: what B's does relative to A's, beside the bodies.
+struct DriveLanes {
+  Lanes t, s;  // m/s, along the tangents, at the middle of the points
+  Lanes w;     // rad/s, about the normal
+};
+
+/// Four pairs or joints of which some have a body that is locked along world axes: 1 where it is free, 0 where not.
+struct LockLanes {
+  LaneVec free_a, free_b;
+};
+
 /// A run of pairs with their points and all bodies.
 struct LaneRun {
   PairLanes* pairs;
@@ -72,6 +84,8 @@ struct LaneRun {
   BodyVelocity* velocity;
   const BodyShift* shift;
   std::uint32_t first_moved;  // bodies below are not written
+  const DriveLanes* drives;
+  const LockLanes* locks;
 };
 
 }  // namespace carom

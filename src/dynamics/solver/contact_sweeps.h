@@ -16,10 +16,12 @@ constexpr double kSpared = 1.2;     // times what a spring sinks under its load 
 struct Both {
   Side a, b;
   const PairLanes& pair;
+  const LockLanes* locks;  // null: none
 
-  CAROM_LANES_INLINE Both(const PairLanes& p, const BodyVelocity* bodies) : pair(p) {
-    a.load(bodies, p.a);
-    b.load(bodies, p.b);
+  CAROM_LANES_INLINE Both(const PairLanes& p, const LaneRun& run)
+      : pair(p), locks(p.locked ? run.locks + (p.locked - 1) : nullptr) {
+    a.load(run.velocity, p.a);
+    b.load(run.velocity, p.b);
   }
   CAROM_LANES_INLINE void store(const LaneRun& run) const {
     a.store(run.velocity, run.first_moved, pair.a);
@@ -30,9 +32,9 @@ struct Both {
   }
   /// @param moment_a, moment_b  N m s, of the impulse about the centres of mass
   CAROM_LANES_INLINE void apply(const LaneVec& impulse, const LaneVec& moment_a, const LaneVec& moment_b) {
-    a.v = a.v - pair.inv_mass_a * impulse;
+    a.v = a.v - pair.inv_mass_a * (locks ? each(locks->free_a, impulse) : impulse);
     a.omega = a.omega - pair.inv_inertia_a * moment_a;
-    b.v = b.v + pair.inv_mass_b * impulse;
+    b.v = b.v + pair.inv_mass_b * (locks ? each(locks->free_b, impulse) : impulse);
     b.omega = b.omega + pair.inv_inertia_b * moment_b;
   }
   CAROM_LANES_INLINE void push(const LaneVec& r_a, const LaneVec& r_b, const LaneVec& impulse) {
@@ -81,7 +83,7 @@ constexpr int coupling_of(int k, int l) { return k < l ? l * (l - 1) / 2 + k : k
 
 /// Coulomb's law in the plane: the impulses that stop twist and slip, shortened to what the normal impulses allow.
 template <int kCount>
-CAROM_LANES_INLINE void rub(Both& both, PairLanes& pair, const PointLanes* points) {
+CAROM_LANES_INLINE void rub(Both& both, PairLanes& pair, const PointLanes* points, const DriveLanes* drives) {
   Lanes load = points[0].p_n, moment = points[0].reach * points[0].p_n;
   for (int k = 1; k < kCount; ++k) {
     load += points[k].p_n;
@@ -89,12 +91,18 @@ CAROM_LANES_INLINE void rub(Both& both, PairLanes& pair, const PointLanes* point
   }
   if constexpr (kCount > 1) {  // one point has no reach, and bears no twist
     const Lanes most_w = pair.friction * moment;
-    const Lanes p_w = larger(smaller(pair.p_w - pair.m_w * dot(both.b.omega - both.a.omega, pair.n), most_w), -most_w);
+    Lanes spin = dot(both.b.omega - both.a.omega, pair.n);
+    if (pair.driven) spin += drives[pair.driven - 1].w;
+    const Lanes p_w = larger(smaller(pair.p_w - pair.m_w * spin, most_w), -most_w);
     both.twist((p_w - pair.p_w) * pair.n);
     pair.p_w = p_w;
   }
   const LaneVec u = both.relative(pair.r_a, pair.r_b), s = cross(pair.n, pair.t);
-  const Lanes u_t = dot(u, pair.t), u_s = dot(u, s);
+  Lanes u_t = dot(u, pair.t), u_s = dot(u, s);
+  if (pair.driven) {
+    u_t += drives[pair.driven - 1].t;
+    u_s += drives[pair.driven - 1].s;
+  }
   Lanes p_t = pair.p_t - (pair.m_tt * u_t + pair.m_ts * u_s), p_s = pair.p_s - (pair.m_ts * u_t + pair.m_ss * u_s);
   const Lanes most = pair.friction * load, size2 = p_t * p_t + p_s * p_s;
   const LaneMask outside = size2 > most * most;
@@ -231,9 +239,53 @@ struct SideShift {
   }
 };
 
+/// Masses where bodies are locked. What nothing can move has none: along a direction whose response is but rounding of
+/// what it would be without locks nothing is asked for, and in a plane that gives way in one direction alone only that
+/// one counts.
+void prepare_locked(const LaneRun& run, PairLanes& pair) {
+  constexpr double kRounding = 1e-9;
+  const LockLanes& locks = run.locks[pair.locked - 1];
+  const LaneVec mass = pair.inv_mass_a * locks.free_a + pair.inv_mass_b * locks.free_b;
+  const Lanes whole = kRounding * (pair.inv_mass_a + pair.inv_mass_b);
+  const auto response = [&](const LaneVec& d, const LaneVec& x, const LaneVec& e, const LaneVec& y)
+      __attribute__((always_inline)) {
+    const LaneVec r_a = pair.r_a + d, r_b = pair.r_b + d, q_a = pair.r_a + e, q_b = pair.r_b + e;
+    return dot(x, each(mass, y)) + dot(cross(r_a, x), pair.inv_inertia_a * cross(q_a, y)) +
+           dot(cross(r_b, x), pair.inv_inertia_b * cross(q_b, y));
+  };
+  const LaneVec middle = {all(0), all(0), all(0)}, s = cross(pair.n, pair.t);
+  const Lanes k_tt = response(middle, pair.t, middle, pair.t), k_ts = response(middle, pair.t, middle, s),
+              k_ss = response(middle, s, middle, s);
+  const Lanes trace = k_tt + k_ss, det = k_tt * k_ss - k_ts * k_ts;
+  const LaneMask full = det > kRounding * (trace * trace), some = trace > whole;
+  const Lanes of_both = full ? inverse_or_zero(det) : all(0);
+  const Lanes once = inverse_or_zero(trace), of_one = full ? all(0) : some ? once * once : all(0);
+  pair.m_tt = of_both * k_ss + of_one * k_tt;
+  pair.m_ts = of_one * k_ts - of_both * k_ts;
+  pair.m_ss = of_both * k_tt + of_one * k_ss;
+  const LaneSymmetric &i_a = pair.inv_inertia_a, &i_b = pair.inv_inertia_b;
+  const Lanes k_w = dot(pair.n, i_a * pair.n) + dot(pair.n, i_b * pair.n);
+  const Lanes turns = kRounding * ((i_a.xx + i_a.yy + i_a.zz) + (i_b.xx + i_b.yy + i_b.zz));
+  pair.m_w = k_w > turns ? inverse_or_zero(k_w) : all(0);
+  PointLanes* const points = run.points + pair.first;
+  const int count = static_cast<int>(pair.points);
+  for (int k = 0; k < count; ++k) {
+    const LaneVec n_k = normal_of(pair, points[k]);
+    for (int l = 0; l < k; ++l)
+      pair.coupling[coupling_of(k, l)] = response(points[k].d, n_k, points[l].d, normal_of(pair, points[l]));
+    const Lanes k_n = response(points[k].d, n_k, points[k].d, n_k);
+    points[k].m_n = k_n > whole ? inverse_or_zero(k_n) : all(0);
+    points[k].p_n = k_n > whole ? points[k].p_n : all(0);
+  }
+}
+
 void prepare(const LaneRun& run) {
   for (std::size_t i = 0; i < run.count; ++i) {
     PairLanes& pair = run.pairs[i];
+    if (pair.locked) {
+      prepare_locked(run, pair);
+      continue;
+    }
     const LaneSymmetric &inertia_a = pair.inv_inertia_a, &inertia_b = pair.inv_inertia_b;
     const Lanes linear = pair.inv_mass_a + pair.inv_mass_b;
     const LaneVec s = cross(pair.n, pair.t);
@@ -273,7 +325,7 @@ CAROM_LANES_INLINE void each_pair(const LaneRun& run, const Kernel& kernel) {
     PointLanes* const points = run.points + pair.first;
     as_it_is(
         pair, [&](auto count, auto one_normal) __attribute__((always_inline)) {
-          Both both(pair, run.velocity);
+          Both both(pair, run);
           kernel(pair, points, both, count, one_normal);
           both.store(run);
         });
@@ -299,7 +351,7 @@ void solve(const LaneRun& run, double inv_h, double push_speed) {
       run, [&](PairLanes & pair, PointLanes * points, Both & both, auto count, auto one_normal)
                __attribute__((always_inline)) {
                  constexpr int kCount = decltype(count)::value;
-                 rub<kCount>(both, pair, points);
+                 rub<kCount>(both, pair, points, run.drives);
                  press<true, false, kCount, decltype(one_normal)::value>(both, points, inv_h, push_speed);
                });
 }
@@ -342,7 +394,7 @@ void relax(const LaneRun& run, double inv_h) {
                  // Normals first: friction is then bound by the loads themselves, of which the springs of solve()
                  // gave a part away.
                  press<false, kSpare, kCount, kOneNormal>(both, points, inv_h, 0);
-                 rub<kCount>(both, pair, points);
+                 rub<kCount>(both, pair, points, run.drives);
                  add_to_sums(pair, points, kCount);
                });
 }
@@ -352,7 +404,7 @@ void sweep(const LaneRun& run, double inv_h) {
       run, [&](PairLanes & pair, PointLanes * points, Both & both, auto count, auto one_normal)
                __attribute__((always_inline)) {
                  constexpr int kCount = decltype(count)::value;
-                 rub<kCount>(both, pair, points);
+                 rub<kCount>(both, pair, points, run.drives);
                  press<false, false, kCount, decltype(one_normal)::value>(both, points, inv_h, 0);
                });
 }
@@ -365,7 +417,7 @@ void book(const LaneRun& run) {
 void part(const LaneRun& run, double share, double slop) {
   for (std::size_t i = 0; i < run.count; ++i) {
     const PairLanes& pair = run.pairs[i];
-    Both both(pair, run.velocity);
+    Both both(pair, run);
     for (std::uint32_t k = 0; k < pair.points; ++k) {
       PointLanes& p = run.points[pair.first + k];
       const LaneVec n = normal_of(pair, p), r_a = pair.r_a + p.d, r_b = pair.r_b + p.d;

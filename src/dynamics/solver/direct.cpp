@@ -101,12 +101,14 @@ void place_contacts(DirectGroups& d) {
 /// Masses, in the body's present orientation.
 void load_mass(const World& world, ConeBody& b) {
   b.mass = world.scene.mass[b.slot], b.inv_mass = world.scene.inv_mass[b.slot];
+  b.locks = world.scene.locks_of(b.slot);
   b.inertia.setIdentity(), b.inv_inertia.setZero(), b.held_back.setZero();
   if (!rotates(world.scene, b.slot)) return;
   const Mat3& r = world.plan->rotation[b.slot];
   b.held_back = held_back(world, b.slot);
   b.inertia = r * world.scene.inertia[b.slot] * r.transpose();
-  b.inv_inertia = r * world.scene.inv_inertia[b.slot] * r.transpose();
+  b.inv_inertia = b.locks & kAngularLocks ? inverse_of_free(b.inertia, b.locks)
+                                          : Mat3(r * world.scene.inv_inertia[b.slot] * r.transpose());
 }
 
 /// Mean of the eigenvalues of what an impulse at a point does to the velocity there.
@@ -136,6 +138,7 @@ void load_contact(const World& world, std::uint32_t row_index, const ConeBody* b
   contact.r_b = turns(contact.b) ? arms.b : Vec3::Zero();
   contact.k = mean_response(bodies, contact);
   contact.carried = relative_velocity(world.state, row, arms.a, arms.b) - relative<&ConeBody::v>(bodies, contact);
+  if (const Array<Vec3>& surface = world.contacts->surface; !surface.empty()) contact.carried += surface[row_index];
 }
 
 /// Bodies and contacts, as the step begins.

@@ -22,6 +22,19 @@ inline void set_mass(const World& world, bool moves, std::uint32_t body, Lanes& 
   inv_inertia.yy[lane] = m(1, 1), inv_inertia.yz[lane] = m(1, 2), inv_inertia.zz[lane] = m(2, 2);
 }
 
+/// Which way the two bodies of one lane are free.
+/// @param at  where in `all_locks` the four lanes stand, from 1; 0: they have no place yet
+inline void set_locks(Array<LockLanes>& all_locks, std::uint32_t& at, std::uint32_t lane, Locks a, Locks b) {
+  if (!at) {
+    const LaneVec free = {all(1), all(1), all(1)};
+    all_locks.push_back({free, free});
+    at = static_cast<std::uint32_t>(all_locks.size());
+  }
+  LockLanes& locks = all_locks[at - 1];
+  set(locks.free_a, static_cast<int>(lane), free_axes(a));
+  set(locks.free_b, static_cast<int>(lane), free_axes(b));
+}
+
 /// The first colour, of 64, that neither of two bodies has yet, and has from now on; 64: none is left.
 /// @param taken  by solver body, bit c: it has colour c
 inline std::uint32_t take_colour(Array<std::uint64_t>& taken, bool moves_a, std::uint32_t a, bool moves_b,

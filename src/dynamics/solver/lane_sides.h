@@ -21,6 +21,9 @@ struct BodyRows {
   CAROM_LANES_INLINE LanePair two(int at) const { return gather(row, at); }
 };
 
+/// Component by component.
+CAROM_LANES_INLINE LaneVec each(const LaneVec& a, const LaneVec& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+
 /// Velocities of the four bodies on one side.
 struct Side {
   LaneVec v, omega;

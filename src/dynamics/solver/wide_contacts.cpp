@@ -214,6 +214,42 @@ class Shares {
   Real turn_ = 0;
 };
 
+/// What surfaces do of themselves, of pairs that have any.
+void fill_drives(const World& world, WideContacts& wide) {
+  const Contacts& c = *world.contacts;
+  wide.drives.clear();
+  for (const Driven& driven : c.driven) {
+    if (!c.answered_in_lanes(driven.row)) continue;
+    const WideContacts::Manifold& m = wide.manifold_of(driven.row);
+    PairLanes& pair = wide.pairs[m.pair];
+    if (!pair.driven) {
+      wide.drives.push_back({all(0), all(0), all(0)});
+      pair.driven = static_cast<std::uint32_t>(wide.drives.size());
+    }
+    Vec3 velocity = Vec3::Zero();  // at the middle: it is linear over the points
+    for (std::uint32_t k = 0; k < m.points; ++k) velocity += c.surface[m.row + k];
+    velocity /= static_cast<Real>(m.points);
+    const Vec3 n = get(pair.n, m.lane), t = get(pair.t, m.lane);
+    DriveLanes& drive = wide.drives[pair.driven - 1];
+    drive.t[m.lane] = velocity.dot(t);
+    drive.s[m.lane] = velocity.dot(n.cross(t));
+    drive.w[m.lane] = driven.spin.dot(n);
+  }
+}
+
+/// Which way bodies are free, of pairs some of whose bodies are locked.
+void fill_locks(const World& world, WideContacts& wide) {
+  wide.locks.clear();
+  if (world.plan->effects[kLocksRow].candidates.count == 0) return;
+  for (const WideContacts::Manifold& m : wide.manifolds) {
+    const Row& row = world.contacts->rows[m.row];
+    const Locks a = world.scene.locks_of(row.a), b = world.scene.locks_of(row.b);
+    if (!(a | b)) continue;
+    PairLanes& pair = wide.pairs[m.pair];
+    set_locks(wide.locks, pair.locked, m.lane, a, b);
+  }
+}
+
 }  // namespace
 
 void pack(World& world, WideContacts& wide) {
@@ -226,7 +262,7 @@ void pack(World& world, WideContacts& wide) {
     PairLanes& pair = wide.pairs[i];
     const std::uint32_t* const occupant = &wide.occupant[std::size_t(i) * kLanes];
     if (std::find(occupant, occupant + kLanes, kNobody) != occupant + kLanes) empty(wide, pair);
-    pair.one_normal = 1;
+    pair.one_normal = 1, pair.driven = pair.locked = 0;
     for (int lane = 0; lane < kLanes; ++lane) {
       if (occupant[lane] == kNobody) continue;
       const WideContacts::Manifold& m = wide.manifolds[occupant[lane]];
@@ -234,6 +270,8 @@ void pack(World& world, WideContacts& wide) {
       fill_points(world, wide, m, pair, &wide.points[pair.first], lane);
     }
   });
+  fill_drives(world, wide);
+  fill_locks(world, wide);
 }
 
 void load_velocities(World& world, WideContacts& wide) {

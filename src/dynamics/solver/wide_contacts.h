@@ -20,6 +20,8 @@ struct WideContacts {
   explicit WideContacts(Memory* m)
       : pairs(m),
         points(m),
+        drives(m),
+        locks(m),
         velocity(m),
         displacement(m),
         shift(m),
@@ -38,6 +40,8 @@ struct WideContacts {
 
   Array<PairLanes> pairs;    // in the order of solving
   Array<PointLanes> points;  // [pairs' points] likewise
+  Array<DriveLanes> drives;  // of pairs some of which are driven
+  Array<LockLanes> locks;    // of pairs with bodies that are locked
 
   // by solver body; 0 is nobody, then those that move of themselves, then those that impulses move
   std::uint32_t first_moved = 1;
@@ -75,8 +79,8 @@ struct WideContacts {
 inline constexpr std::uint32_t kColours = 64;
 
 inline LaneRun everything(WideContacts& wide) {
-  return {wide.pairs.data(),    wide.pairs.size(), wide.points.data(),
-          wide.velocity.data(), wide.shift.data(), wide.first_moved};
+  return {wide.pairs.data(), wide.pairs.size(), wide.points.data(), wide.velocity.data(),
+          wide.shift.data(), wide.first_moved,  wide.drives.data(), wide.locks.data()};
 }
 
 /// Of a loop that threads share.

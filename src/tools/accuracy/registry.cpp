@@ -4,6 +4,7 @@
 namespace carom::tools::accuracy {
 
 Challenge pendulum_challenge();
+Challenge fourbar_challenge();
 std::vector<Challenge> chain_challenges();
 Challenge wrecking_challenge();
 Challenge bridge_challenge();
@@ -32,6 +33,7 @@ const std::vector<Challenge>& all_challenges() {
   static const std::vector<Challenge> challenges = [] {
     std::vector<Challenge> list = {pendulum_challenge()};
     for (Challenge& c : chain_challenges()) list.push_back(std::move(c));
+    list.push_back(fourbar_challenge());
     for (auto make :
          {bouncing_challenge, bounce05_challenge, cradle_challenge, cannon_challenge, elastic666_challenge,
           pack666_challenge, slide_challenge, slip_challenge, stick_challenge, rolling_challenge, skid_challenge})

@@ -25,7 +25,9 @@ struct Part {
   double density = 1000;  ///< kg/m^3
   double friction = 0.5;
   double restitution = 0;
-  int mesh = -1;  ///< index into Stage::meshes to draw instead of the shape, or -1
+  Vec surface_velocity = Vec::Zero();  ///< m/s, axes of the shape: of its surface, while it stays
+  Vec surface_spin = Vec::Zero();      ///< rad/s, likewise, about its origin
+  int mesh = -1;                       ///< index into Stage::meshes to draw instead of the shape, or -1
 };
 
 /// A body or a particle as a scene describes it, and the handle it got.

@@ -46,6 +46,10 @@ std::size_t Stage::add(Actor actor) {
     collider.density = part.density;
     carom_collider handle = CAROM_NULL_HANDLE;
     call.done(carom_collider_create(world.get(), actor.body, &collider, &handle, call), making);
+    if (part.surface_velocity != Vec::Zero() || part.surface_spin != Vec::Zero())
+      call.done(carom_collider_set_surface_velocity(world.get(), handle, part.surface_velocity.data(),
+                                                    part.surface_spin.data(), call),
+                making);
   }
   actors.push_back(std::move(actor));
   return actors.size() - 1;

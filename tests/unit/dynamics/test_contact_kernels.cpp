@@ -8,7 +8,7 @@ using namespace carom::test;
 
 namespace {
 
-/// Pairs of one to four points, some that bounce, some on a moving floor, in numbers that leave lanes empty.
+/// Pairs of one to four points, some that bounce, some on a moving floor with a belt, some locked, in numbers that leave lanes empty.
 struct Heap {
   TestWorld t;
   const Shape* const cube = t.keep(box(Vec3::Constant(0.5)));
@@ -22,10 +22,12 @@ struct Heap {
     t.ground();
     const std::uint32_t lift = t.add(t.keep(box(Vec3(4, 0.1, 4))), Vec3(0, 0.1, 0), BodyType::kinematic);
     t.world.set_velocity(lift, Vec3(0.1, 0.2, 0), Vec3(0, 0.3, 0));
+    t.world.set_surface_velocity(t.world.scene.first_collider[lift], {Vec3(0.3, 0, 0.1), Vec3(0, 0.5, 0)});
     const std::uint32_t rubber = t.material(0.3, 0.7);
     for (int i = 0; i < 5; ++i)
       for (int k = 0; k < 5 - i; ++k) t.add(cube, Vec3(k + 0.5 * i - 2, 0.7 + i, 0.01 * k));
     for (int i = 0; i < 7; ++i) t.add(ball, Vec3(i - 3, 3 + 0.3 * i, 1.2), BodyType::dynamic, Quat::Identity(), rubber);
+    for (std::uint32_t body = 5; body < 15; body += 3) t.world.set_locks(body, body % 2 ? 0x1c : 0x09);
     for (int i = 0; i < 3; ++i) t.add(rod, Vec3(i - 1, 2, -1.3), BodyType::dynamic, exp_map(Vec3(0.3, 0, 1.2)));
   }
 };

@@ -46,6 +46,7 @@ struct ConeBody {
   Real mass, inv_mass;        // kg, 1/kg
   Mat3 held_back;             // @see held_arms.h
   Mat3 inertia, inv_inertia;  // kg m^2, 1/(kg m^2), world; identity and zero where it does not rotate
+  std::uint8_t locks = 0;     // @see Scene::locks
   Vec6 v;                     // m/s, rad/s
   Vec6 start, gained;         // with the impulses that the substep starts from; since the last substep, with them
 
@@ -134,10 +135,16 @@ Real relative(const ConeBody* bodies, const ConeLink& c) {
   return u;
 }
 
+/// What is locked keeps its velocity, which is 0.
+inline void hold(const ConeBody& body, Vec6& v) {
+  for (int k = 0; body.locks && k < 6; ++k)
+    if (body.locks >> k & 1) v[k] = 0;
+}
 inline Vec6 velocity_of(const ConeBody& body, const Vec6& momentum) {
   Vec6 v;
   v.head<3>() = body.inv_mass * momentum.head<3>();
   v.tail<3>() = body.inv_inertia * momentum.tail<3>();
+  hold(body, v);
   return v;
 }
 inline Vec6 momentum_of(const ConeBody& body, const Vec6& velocity) {

@@ -62,6 +62,15 @@ void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow&
   }
 }
 
+/// 1/kg or 1/(kg m^2); 0 where locks leave but rounding.
+Real locked_response(const ConeBody& b, const Vec3& d, const Vec3& turn) {
+  constexpr Real kRounding = 1e-9;
+  const Real moves = b.inv_mass * free_axes(b.locks).cwiseProduct(d).squaredNorm(),
+             turns = turn.dot(b.inv_inertia * turn);
+  const Real whole = b.inv_mass * d.squaredNorm() + b.inv_inertia.trace() * turn.squaredNorm();
+  return moves + turns > kRounding * whole ? moves + turns : 0;
+}
+
 }  // namespace
 
 void gather_links(World& world, DirectGroups& d, std::size_t group) {
@@ -113,6 +122,7 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
     const auto response = [&](std::uint32_t body, const Vec3& turn) {
       if (body == kNobody) return Real(0);
       const ConeBody& b = problem.bodies[body];
+      if (b.locks) return locked_response(b, c.d, turn);
       return b.inv_mass * c.d.squaredNorm() + turn.dot(b.inv_inertia * turn);
     };
     c.k = response(c.a, c.w_a) + response(c.b, c.w_b);
@@ -172,7 +182,7 @@ void stiffen(const World& world, ConeProblem& problem, const DirectGroups::LinkR
     if (!(needed > kSwing * own)) continue;
     const Vec3 momentum = b.inertia * angular(b.v);
     b.inertia += (0.5 * (1 - kSwing * own / needed)) * b.swing;
-    b.inv_inertia = b.inertia.inverse();
+    b.inv_inertia = b.locks & kAngularLocks ? inverse_of_free(b.inertia, b.locks) : Mat3(b.inertia.inverse());
     b.v.tail<3>() = b.inv_inertia * momentum;
   }
 }

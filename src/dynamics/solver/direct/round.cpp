@@ -34,6 +34,13 @@ void add_isotropic(Block& d, Real w, const Vec3& r_a, const Vec3& r_b) {
   }
 }
 
+/// A block without the rows and columns of what is locked.
+void strike_out(Block& d, std::uint8_t row_locks, std::uint8_t column_locks) {
+  for (int i = 0; i < kDof; ++i)
+    for (int j = 0; j < kDof; ++j)
+      if ((row_locks >> i | column_locks >> j) & 1) d.x[i][j] = 0;
+}
+
 /// w (d, w_row) (d, w_column)^T.
 void add_outer(Block& b, Real w, const Vec3& d, const Vec3& w_row, const Vec3& w_column) {
   const Real row[kDof] = {w * d.x(), w * d.y(), w * d.z(), w * w_row.x(), w * w_row.y(), w * w_row.z()};
@@ -149,12 +156,37 @@ void Round::assemble() {
     if (c.below == kNobody) continue;
     add_outer(f.below[c.below], -w, c.d, c.a_later ? c.w_a : c.w_b, c.a_later ? c.w_b : c.w_a);
   }
+  hold_locked();
+}
+
+void Round::hold_locked() {
+  const auto locked = [](const ConeBody& b) { return b.locks != 0; };
+  if (std::ranges::none_of(bodies_of(problem_), locked)) return;
+  const Elimination& e = *problem_.elimination;
+  BlockFactor& f = *problem_.factor;
+  for (std::uint32_t i = problem_.first; i < problem_.last; ++i) {
+    const ConeBody& b = problem_.bodies[i];
+    Block& d = f.diagonal[e.place[i]];
+    strike_out(d, b.locks, b.locks);
+    for (int k = 0; k < kDof; ++k)
+      if (b.locks >> k & 1) d.x[k][k] = k < 3 ? b.mass : b.inertia(k - 3, k - 3);
+  }
+  const auto hold_below = [&](const auto& c) {
+    if (c.below == kNobody) return;
+    const std::uint32_t later = c.a_later ? c.a : c.b, other = c.a_later ? c.b : c.a;
+    strike_out(f.below[c.below], problem_.bodies[later].locks, problem_.bodies[other].locks);
+  };
+  std::ranges::for_each(problem_.contacts, hold_below);
+  std::ranges::for_each(problem_.links, hold_below);
 }
 
 void Round::find_step() {
   const Elimination& e = *problem_.elimination;
-  for (std::uint32_t i = problem_.first; i < problem_.last; ++i)
-    problem_.scratch[e.place[i]] = -problem_.bodies[i].gradient;
+  for (std::uint32_t i = problem_.first; i < problem_.last; ++i) {
+    Vec6& x = problem_.scratch[e.place[i]];
+    x = -problem_.bodies[i].gradient;
+    hold(problem_.bodies[i], x);
+  }
   solve(e, problem_.first, problem_.last, *problem_.factor, problem_.scratch);
   for (std::uint32_t i = problem_.first; i < problem_.last; ++i) problem_.bodies[i].step = problem_.scratch[e.place[i]];
   for (ConeContact& c : problem_.contacts) c.du = relative<&ConeBody::step>(problem_.bodies, c);

@@ -28,6 +28,7 @@ class Round {
   bool find_factor();
   /// Curvature: M + sum J^T (dP/dz / R) J.
   void assemble();
+  void hold_locked();  // its rows and columns of what is locked: as if nothing touched there
   void find_step();
   /// Where along the step the function is least, closely enough: a root of its derivative, which grows.
   Real search() const;

@@ -1,0 +1,46 @@
+// Contacts whose surfaces move of themselves.
+#include "dynamics/contact/surface.h"
+
+namespace carom {
+namespace {
+
+/// A surface as the step began.
+struct Moving {
+  Vec3 linear, angular;  // m/s, rad/s, world
+  Vec3 origin;           // m, world
+
+  Moving(const Scene& scene, std::uint32_t collider) : origin(scene.colliders.frame[collider].p) {
+    const SurfaceVelocity surface = scene.surface_of(collider);
+    const Mat3& r = scene.colliders.frame[collider].r;
+    linear = r * surface.linear, angular = r * surface.angular;
+  }
+  /// m/s, world   @param arm  m, world axes, from x, m, world
+  Vec3 at(const Vec3& x, const Vec3& arm) const { return linear + angular.cross((x - origin) + arm); }
+};
+
+}  // namespace
+
+void find_surfaces(World& world) {
+  Contacts& c = *world.contacts;
+  const Scene& scene = world.scene;
+  c.driven.clear(), c.surface.clear();
+  std::uint64_t& customers = world.plan->effects[kSurfaceRow].customers.count = 0;
+  if (scene.belts == 0) return;
+  for (std::uint32_t i = 0, next; i < c.rows.size(); i = next) {
+    next = c.first_row[c.geometry[i].pair + 1];
+    const Pair& pair = world.pairs.place(c.geometry[i].pair).pair;
+    if (!scene.surface_of(pair.a).any() && !scene.surface_of(pair.b).any()) continue;
+    const Moving a(scene, pair.a), b(scene, pair.b);
+    c.surface.resize(c.rows.size(), Vec3::Zero());
+    for (std::uint32_t k = i; k < next; ++k) {
+      const Row& row = c.rows[k];
+      const Arms arms(world, row, c.geometry[k]);
+      const Vec3 s = b.at(world.state.x[row.b], arms.b) - a.at(world.state.x[row.a], arms.a);
+      c.surface[k] = s - s.dot(row.n) * row.n;
+    }
+    c.driven.push_back({i, next - i, b.angular - a.angular});
+    customers += next - i;
+  }
+}
+
+}  // namespace carom

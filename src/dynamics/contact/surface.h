@@ -1,0 +1,19 @@
+// Surfaces that move though their collider stays: conveyor belts, turntables, tracks.
+//
+// Such a surface changes the law of friction in one place: what friction brings to rest is the velocity of the bodies
+// at the point plus that of their surfaces,
+//   u' = u + s_b - s_a,    s(x) = R (linear + angular x R^-1 (x - p)),   the part of it in the contact's plane,
+// R and p the frame of the collider as the step began. The normal part of s moves nothing: a belt does not push what
+// stands at its end. So a box dropped on a belt slips at mu g until it is as fast as the belt, then rides.
+//
+// @oracle tests/oracle/test_surface_velocity
+#pragma once
+
+#include "dynamics/contact/contact.h"
+
+namespace carom {
+
+/// Driven pairs of this step and the velocities of their surfaces; nothing where no collider has one.
+void find_surfaces(World& world);
+
+}  // namespace carom

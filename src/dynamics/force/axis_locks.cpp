@@ -1,0 +1,102 @@
+// Bodies that do not move along, or turn about, some world axes.
+#include <Eigen/LU>
+#include <bit>
+
+#include "dynamics/force/force.h"
+#include "dynamics/integrate/integrator.h"
+
+namespace carom {
+namespace {
+
+bool holds_turns(const Scene& scene, std::uint32_t body, Locks locks) {
+  return (locks & kAngularLocks) && rotates(scene, body);
+}
+
+Mat3 inertia_of(const Scene& scene, std::uint32_t body, const Quat& q) {
+  const Mat3 r = q.toRotationMatrix();
+  return r * scene.inertia[body] * r.transpose();
+}
+
+Vec3 free_turns(Locks locks) { return free_axes(static_cast<Locks>(locks >> 3)); }
+
+/// What of a rotation is free: P = E (E^T I E)^-1 E^T I. The free part is taken as it is, so that what turns freely
+/// does not round.
+Vec3 project_turn(const Vec3& omega, const Mat3& inertia, const Mat3& inverse, Locks locks) {
+  const Vec3 free = free_turns(locks).cwiseProduct(omega), held = omega - free;
+  return held == Vec3::Zero() ? free : Vec3(free + inverse * (inertia * held));
+}
+
+/// The implicit midpoint rule on E^T (I w' + w x I w) = 0, which keeps the energy. Each sweep gains a factor of
+/// h |w| / 2.
+Vec3 midpoint(const Vec3& omega, const Mat3& inertia, const Mat3& inverse, Real h) {
+  constexpr int kSweeps = 4;
+  Vec3 next = omega;
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    const Vec3 mean = 0.5 * (omega + next);
+    next = omega - h * (inverse * mean.cross(inertia * mean));
+  }
+  return finite(next) ? next : omega;
+}
+
+}  // namespace
+
+Mat3 inverse_of_free(const Mat3& inertia, Locks locks) {
+  Mat3 inverse = Mat3::Zero();
+  const Vec3 free = free_turns(locks);
+  switch (std::popcount(static_cast<unsigned>(locks & kAngularLocks))) {
+    case 0:
+      return inertia.inverse();
+    case 1: {
+      const int held = free[0] == 0 ? 0 : free[1] == 0 ? 1 : 2, i = (held + 1) % 3, j = (held + 2) % 3;
+      const Real cross = (inertia(i, j) + inertia(j, i)) / 2, det = inertia(i, i) * inertia(j, j) - cross * cross;
+      inverse(i, i) = inertia(j, j) / det, inverse(j, j) = inertia(i, i) / det;
+      inverse(i, j) = inverse(j, i) = -cross / det;
+      return inverse;
+    }
+    case 2:
+      for (int i = 0; i < 3; ++i)
+        if (free[i] != 0) inverse(i, i) = 1 / inertia(i, i);
+      return inverse;
+    default:
+      return inverse;
+  }
+}
+
+void hold_velocity(const Scene& scene, std::uint32_t body, const Quat& q, Vec3& v, Vec3& omega) {
+  const Locks locks = scene.locks_of(body);
+  v = free_axes(locks).cwiseProduct(v);
+  if (!holds_turns(scene, body, locks)) return;
+  const Mat3 inertia = inertia_of(scene, body, q);
+  omega = project_turn(omega, inertia, inverse_of_free(inertia, locks), locks);
+}
+
+void axis_locks::find(const Scene& scene, const State& state, Customers& customers) {
+  for (std::uint32_t i = 0; i < scene.locks.size(); ++i)
+    if (scene.locks[i] && responds(scene, state, i)) customers.add(i);
+}
+
+void axis_locks::hold(World& world, Real h) {
+  PlannedEffect& row = world.plan->effects[kLocksRow];
+  if (row.customers.count == 0) return;
+  const Scene& scene = world.scene;
+  State& s = world.state;
+  Proposal& to = world.plan->proposal;
+  const bool proposes = world.plan->integrator->proposes, gyroscopic = scene.dials.choice(Dial::rotation) != 0;
+  row.customers.each(world.jobs, [&](std::uint32_t i) {
+    const Locks locks = scene.locks_of(i);
+    const Vec3 free = free_axes(locks);
+    s.v[i] = free.cwiseProduct(s.v[i]);
+    for (int k = 0; proposes && k < 3; ++k)
+      if (free[k] == 0) to.x[i][k] = s.x[i][k];
+    if (!holds_turns(scene, i, locks)) return;
+    const Mat3 inertia = inertia_of(scene, i, s.q[i]), inverse = inverse_of_free(inertia, locks);
+    s.omega[i] = project_turn(s.omega[i], inertia, inverse, locks);  // no room of today's leaves anything to take off
+    if (!gyroscopic || std::popcount(static_cast<unsigned>(locks & kAngularLocks)) != 1) return;
+    const Vec3 before = s.omega[i];
+    s.omega[i] = midpoint(before, inertia, inverse, h);
+    if (proposes) to.q[i] = normalized(exp_map((h / 2) * (s.omega[i] - before)) * to.q[i]);
+  });
+  row.evaluations += row.customers.count;
+}
+
+}  // namespace carom
