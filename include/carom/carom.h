@@ -8,6 +8,7 @@
 #include <carom/body.h>
 #include <carom/cast.h>
 #include <carom/dial.h>
+#include <carom/draw.h>
 #include <carom/engine.h>
 #include <carom/events.h>
 #include <carom/filter.h>

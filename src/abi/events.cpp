@@ -77,7 +77,7 @@ extern "C" {
 int32_t carom_world_collect_events(carom_world* world, uint32_t kinds, double hit_speed, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Changing changing(call, world);
-    if (changing && only_bits(call, 2, "kinds", kinds, Events::all) &&
+    if (changing && only_bits(call, 2, "kinds", kinds, Events::every) &&
         in_range(call, 3, "hit_speed", hit_speed, 0, kFastest))
       collect(*changing, kinds, hit_speed);
   });

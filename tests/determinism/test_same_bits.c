@@ -187,6 +187,39 @@ static void so_are_those_of_joints(void **state) {
   assert_int_equal(wrong, 0);
 }
 
+/* The same of bodies with a gravity factor, of locked bodies (also on a joint) and of belts, by solver. 200 steps. */
+static void so_are_those_of_factors_locks_and_belts(void **state) {
+  const uint64_t golden[4] = {0x5c5df0479a3390aeu, 0x79befa1f6928276fu, 0xd23fb9061ba3f0bfu,
+                              0x2b60d79636e70ca2u};
+  const double belt[3] = {0.75, 0, 0.25}, turn[3] = {0, 0.5, 0};
+  uint32_t solver;
+  int wrong = 0;
+  (void)state;
+  for (solver = 1; solver <= 4; ++solver) {
+    Bench b;
+    uint64_t got;
+    carom_joint_desc d;
+    carom_joint joint;
+    assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
+    assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
+    assert_int_equal(carom_collider_set_surface_velocity(b.world, b.ground_collider, belt, turn, NULL), CAROM_OK);
+    assert_int_equal(carom_collider_set_surface_velocity(b.world, b.colliders[3], turn, belt, NULL), CAROM_OK);
+    assert_int_equal(carom_body_set_gravity_factor(b.world, b.bodies[0], 0.75, NULL), CAROM_OK);
+    assert_int_equal(carom_body_set_locks(b.world, b.bodies[1], CAROM_LOCK_PLANE, NULL), CAROM_OK);
+    assert_int_equal(carom_body_set_locks(b.world, b.bodies[3], CAROM_LOCK_LINEAR_X | CAROM_LOCK_ANGULAR_Y, NULL), CAROM_OK);
+    carom_joint_desc_init(&d);
+    d.kind = CAROM_JOINT_BALL, d.fields = CAROM_JOINT_WORLD_FRAME;
+    d.body_a = b.bodies[1], d.body_b = b.bodies[2], d.position_a[0] = 1.25, d.position_a[1] = 2;
+    assert_int_equal(carom_joint_create(b.world, &d, &joint, NULL), CAROM_OK);
+    assert_int_equal(bench_steps(b.world, 200, NULL), CAROM_OK);
+    got = bench_hash(b.world);
+    wrong += got != golden[solver - 1];
+    if (got != golden[solver - 1]) print_error("solver %u: 0x%016llx\n", solver, (unsigned long long)got);
+    assert_int_equal(bench_free(&b), CAROM_OK);
+  }
+  assert_int_equal(wrong, 0);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(the_same_scene_twice_gives_the_same_bits),
@@ -196,6 +229,7 @@ int main(void) {
       cmocka_unit_test(the_bits_are_those_of_every_other_build),
       cmocka_unit_test(so_are_those_of_particles),
       cmocka_unit_test(so_are_those_of_joints),
+      cmocka_unit_test(so_are_those_of_factors_locks_and_belts),
   };
   return cmocka_run_group_tests_name("determinism/same_bits", tests, NULL, NULL);
 }

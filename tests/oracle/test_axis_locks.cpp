@@ -13,7 +13,7 @@ using namespace carom::test;
 
 namespace {
 
-constexpr Locks kX = 1, kY = 2, kZ = 4, kAboutX = 8, kAboutY = 16, kAboutZ = 32, kPlane = kZ | kAboutX | kAboutY;
+constexpr Locks kX = 1, kZ = 4, kAboutX = 8, kAboutY = 16, kAboutZ = 32, kPlane = kZ | kAboutX | kAboutY;
 constexpr std::array kSolvers = {1, 2, 3, 4};  // sequential, soft_step, direct, auto
 constexpr int kIntegrators = 4;
 

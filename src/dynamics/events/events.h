@@ -69,7 +69,7 @@ struct Events {
         sensor_pairs(m),
         slept(m) {}
 
-  enum Kinds : std::uint32_t { contact = 1, sensor = 2, sleeping = 4, joint = 8, fault = 16, all = 31 };
+  enum Kinds : std::uint32_t { contact = 1, sensor = 2, sleeping = 4, joint = 8, fault = 16, every = 31 };
   std::uint32_t wanted = 0;  // Kinds
   Real hit_speed = 1;        // m/s, above which an approach is a hit
 

@@ -74,7 +74,8 @@ struct JointPlacing {
   LaneQuat q_a, q_b;
   LaneAxes axes_a, axes_b;
 
-  CAROM_LANES_INLINE JointPlacing(JointLanes& j, const BodyShift* shift)
+  /// @param locked  some of the bodies are
+  CAROM_LANES_INLINE JointPlacing(JointLanes& j, const BodyShift* shift, bool locked)
       : joint(j),
         a(shift, j.a),
         b(shift, j.b),
@@ -87,14 +88,13 @@ struct JointPlacing {
     j.r_b = j.start_b + d_b;
     j.gap = j.start_gap + ((b.x - a.x) + (d_b - d_a));
     j.x_a = axes_a.x;
-    j.inv_inertia_a = turned(a, j.start_inertia_a);
-    j.inv_inertia_b = turned(b, j.start_inertia_b);
+    j.inv_inertia_a = locked ? turned_within(a, j.start_inertia_a) : a.turned(j.start_inertia_a);
+    j.inv_inertia_b = locked ? turned_within(b, j.start_inertia_b) : b.turned(j.start_inertia_b);
   }
 
   /// What is locked stays so in world axes: who cannot turn about one of them has nothing in its corner of the tensor.
-  CAROM_LANES_INLINE LaneSymmetric turned(const JointShift& shift, const LaneSymmetric& start) const {
+  CAROM_LANES_INLINE static LaneSymmetric turned_within(const JointShift& shift, const LaneSymmetric& start) {
     const LaneSymmetric now = shift.turned(start);
-    if (!joint.locked) return now;
     const LaneMask free = smaller(smaller(start.xx, start.yy), start.zz) > 0;
     return {free ? now.xx : start.xx, free ? now.xy : start.xy, free ? now.xz : start.xz,
             free ? now.yy : start.yy, free ? now.yz : start.yz, free ? now.zz : start.zz};
@@ -275,20 +275,27 @@ CAROM_LANES_INLINE void weigh(const JointLanes& joint, const LockLanes* locks, c
   drive.m = inverse_of_rest(rest, whole_of(joint, locks, drive.row, own));
 }
 
+/// @param locks  null, known when compiled: none
+CAROM_LANES_INLINE void place_one(const JointRun& run, JointLanes& joint, const LockLanes* locks) {
+  const JointPlacing placing(joint, run.shift, locks != nullptr);
+  JointRowLanes* const rows = run.rows + joint.first;
+  JointRowLanes* next = rows;
+  for (std::uint32_t k = 0; k < joint.layout.parts; ++k) next = placing.part(joint.layout.part[k], next);
+  factor_rows(joint, locks, rows);
+  for (std::uint32_t k = 0; k < joint.layout.drives; ++k) {
+    JointDriveLanes& drive = run.drives[joint.first_drive + k];
+    placing.coordinate(joint.layout.drive[k].coordinate, drive.row);
+    weigh(joint, locks, rows, drive);
+  }
+}
+
 void place(const JointRun& run) {
   for (std::size_t i = 0; i < run.count; ++i) {
     JointLanes& joint = run.joints[i];
-    const JointPlacing placing(joint, run.shift);
-    JointRowLanes* const rows = run.rows + joint.first;
-    JointRowLanes* next = rows;
-    for (std::uint32_t k = 0; k < joint.layout.parts; ++k) next = placing.part(joint.layout.part[k], next);
-    const LockLanes* const locks = locks_of(run, joint);
-    factor_rows(joint, locks, rows);
-    for (std::uint32_t k = 0; k < joint.layout.drives; ++k) {
-      JointDriveLanes& drive = run.drives[joint.first_drive + k];
-      placing.coordinate(joint.layout.drive[k].coordinate, drive.row);
-      weigh(joint, locks, rows, drive);
-    }
+    if (joint.locked)
+      place_one(run, joint, run.locks + (joint.locked - 1));
+    else
+      place_one(run, joint, nullptr);
   }
 }
 

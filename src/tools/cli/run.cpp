@@ -12,6 +12,7 @@
 #include "cli/run_output.h"
 #include "cli/table.h"
 #include "report/page.h"
+#include "report/perspective.h"
 #include "report/silhouette.h"
 #include "visual/gltf.h"
 
@@ -19,7 +20,7 @@ namespace carom::tools {
 namespace {
 
 struct Options {
-  std::string scene, gltf, csv, csv_steps, filmstrip;
+  std::string scene, gltf, csv, csv_steps, filmstrip, svg;
   std::vector<std::string> dials, sets;
   std::optional<double> n, seconds, dt;
   double fps = 30;
@@ -77,6 +78,14 @@ void write_filmstrip(const std::string& path, const Scene& scene, Stage& stage, 
     throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
 }
 
+/// The moment at which the run ended, in perspective.
+void write_picture(const std::string& path, const Scene& scene, Stage& stage, double time) {
+  char moment[64];
+  std::snprintf(moment, sizeof moment, " after %.4g s", time);
+  if (!report::write_file(path, report::perspective(stage, scene.summary, "carom run " + scene.name + moment)))
+    throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
+}
+
 void run_scene(const Options& options, Context& context) {
   const Scene& scene = find_scene(options.scene);
   const double seconds = options.seconds.value_or(scene.seconds), dt = options.dt.value_or(scene.dt);
@@ -87,7 +96,7 @@ void run_scene(const Options& options, Context& context) {
   for (const std::string& dial : options.dials) stage.world.set_dial(dial);
   if (!(options.fps > 0 && options.fps <= 1e4))
     throw Error("--fps is out of range", "give frames per second, more than 0 and at most 10000");
-  for (const std::string& path : {options.gltf, options.csv, options.csv_steps, options.filmstrip})
+  for (const std::string& path : {options.gltf, options.csv, options.csv_steps, options.filmstrip, options.svg})
     make_folder_of(path);
   // Files first: better to hear now than after the run that a folder does not exist.
   std::optional<StepTable> step_table;
@@ -125,6 +134,7 @@ void run_scene(const Options& options, Context& context) {
   if (motion_table) motion_table->write(stage, *recording);
   if (!options.gltf.empty()) write_gltf(options.gltf, stage, *recording);
   if (!options.filmstrip.empty()) write_filmstrip(options.filmstrip, scene, stage, *recording);
+  if (!options.svg.empty()) write_picture(options.svg, scene, stage, run.simulated);
 
   const std::vector<KindSummary> kinds = where_it_ended(stage);
   if (options.as_json)
@@ -174,6 +184,8 @@ void add_run_command(CLI::App& app, Context& context) {
   run->add_option("--gltf", options->gltf, "Write the motion as animated glTF")->type_name("FILE.gltf|FILE.glb");
   run->add_option("--filmstrip", options->filmstrip,
                   "Write six moments of the motion, seen from the side, as a drawing")
+      ->type_name("FILE.svg");
+  run->add_option("--svg", options->svg, "Write what it looks like when the run ends, as a drawing; needs no display")
       ->type_name("FILE.svg");
   run->add_option("--csv", options->csv, "Write pose and name of every body, per frame")->type_name("FILE");
   run->add_option("--csv-steps", options->csv_steps, "Write times, counts and residuals of every step")

@@ -104,6 +104,22 @@ carom_step_report World::report() const {
   return report;
 }
 
+void World::collect_contact_events(double hit_speed) {
+  Call call;
+  call.done(carom_world_collect_events(world_, CAROM_EVENTS_CONTACT, hit_speed, call), "asking for events");
+}
+
+std::vector<carom_contact_event> World::contact_events() const {
+  std::uint64_t count = 0;
+  Call call;
+  call.done(carom_world_get_contact_events(world_, nullptr, sizeof(carom_contact_event), 0, &count, call),
+            "counting events");
+  std::vector<carom_contact_event> list(count);
+  call.done(carom_world_get_contact_events(world_, list.data(), sizeof(carom_contact_event), count, &count, call),
+            "reading events");
+  return list;
+}
+
 std::vector<carom_contact> World::contacts() const {
   std::uint64_t count = 0;
   Call call;

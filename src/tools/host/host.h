@@ -85,6 +85,9 @@ class World {
   carom_world* get() const { return world_; }
   void step(double dt);
   carom_step_report report() const;
+  /// Collect what began to touch, parted or was hit, from the next step on.
+  void collect_contact_events(double hit_speed);
+  std::vector<carom_contact_event> contact_events() const;  ///< of the last step
   std::vector<carom_contact> contacts() const;
   std::vector<carom_fault> faults() const;
   std::vector<carom_body> bodies() const;

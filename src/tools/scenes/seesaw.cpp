@@ -69,8 +69,8 @@ class SeesawStory : public Observer {
 
   bool touches_domino(const Stage& stage) const {
     const carom_body bunny = stage.actors[bunny_].body;
-    for (const carom_contact& c : stage.world.contacts()) {
-      if ((c.body_a != bunny && c.body_b != bunny) || c.normal_impulse <= 0) continue;
+    for (const carom_contact_event& c : stage.world.contact_events()) {
+      if ((c.body_a != bunny && c.body_b != bunny) || c.kind == CAROM_CONTACT_END) continue;
       for (std::size_t d : dominoes_)
         if (stage.actors[d].body == c.body_a || stage.actors[d].body == c.body_b) return true;
     }
@@ -115,6 +115,7 @@ std::vector<std::size_t> add_dominoes(Stage& stage, int count, double first, dou
 }
 
 std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, const std::string& mesh_path) {
+  stage.world.collect_contact_events(1);
   const int domino_count = static_cast<int>(knobs[0]);
   const double drop = knobs[1], weight = knobs[2], height = knobs[3], first = knobs[5];
   const Bunny bunny = load_bunny(mesh_path, height, static_cast<std::size_t>(knobs[4]));

@@ -106,7 +106,7 @@ static void sleepers_stay_in_touch_and_are_told_of(void**) {
   Fall f(0.001);
   f.world.set_dial(Dial::sleep, 1);
   const std::uint32_t other = f.add(f.keep(sphere(0.5)), Vec3(0, 30, 0));
-  collect(f.world, Events::all, 1);
+  collect(f.world, Events::every, 1);
   int asleep = 0, awake = 0, ends = 0, begins = 0;
   Real time = 0;
   for (int i = 0; i < 1200 && awake == 0; ++i) {
@@ -174,7 +174,7 @@ static void sensors_and_sleepers(void**) {
   const std::uint32_t gate = t.add(zone, Vec3(0, 1, 0), BodyType::fixed);
   t.world.set_sensor(t.world.scene.first_collider[gate], true);
   const std::uint32_t ball = t.add(t.keep(sphere(0.5)), Vec3(0, 0.5, 0));
-  collect(t.world, Events::all, 1);
+  collect(t.world, Events::every, 1);
   int entered = 0, left = 0, fell = 0;
   const auto step = [&](int n) {
     for (int i = 0; i < n; ++i) {
@@ -207,7 +207,7 @@ static void nobody_asked_nothing_kept(void**) {
   assert_true(e.contacts.empty() && e.sensors.empty() && e.sleep.empty() && e.touching.empty() && e.within.empty());
   assert_true(e.spare.capacity() == 0 && e.approach.capacity() == 0 && e.sensor_pairs.capacity() == 0);
   // Asked for and no longer.
-  collect(f.world, Events::all, 0);
+  collect(f.world, Events::every, 0);
   f.world.step(kDt);
   assert_true(!e.contacts.empty() && !e.sensors.empty());
   collect(f.world, 0, 0);
@@ -239,8 +239,8 @@ static void observing_changes_nothing_and_threads_nothing(void**) {
   };
   std::vector<Real> none, one, four;
   const std::uint64_t hash = run(0, 1, none);
-  assert_true(run(Events::all, 1, one) == hash);
-  assert_true(run(Events::all, 4, four) == hash);
+  assert_true(run(Events::every, 1, one) == hash);
+  assert_true(run(Events::every, 4, four) == hash);
   assert_true(none.empty() && one.size() > 7 * 300 && one == four);
 }
 
