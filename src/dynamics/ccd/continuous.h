@@ -10,7 +10,7 @@
 // all that stands or moves in its way: each obstacle on the path of its own. At the first contact the two are answered
 // there and then, as by contact/impact.h: one impulse of all points that touch, with the restitution and Coulomb's
 // friction of their materials, momentum kept; and both go on from there for the rest of the substep, the one that was
-// hit swept from then on as well. So contacts of a substep are answered one after the other, by time, of equals by
+// hit swept from then on as well if it goes far by the end of the step. So contacts of a substep are answered one after the other, by time, of equals by
 // slot, whoever's they are, and no time is lost. Who is hit too often in one substep stays where it is until its end.
 //
 // The path is a chord of the motion. Under constant forces it sags by h^2 a/8 under the parabola; the moment of an

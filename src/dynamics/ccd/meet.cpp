@@ -68,6 +68,11 @@ bool Sweeper::is_slow(const Side& a, const Side& b, const Meeting& m) {
 }
 
 Sweeper::Meeting Sweeper::meet(const Side& a, const Side& b, Real from, Real to) {
+  // What comes no nearer than two may sink is the solver's, wherever it is.
+  const auto arm = [](const Side& s) { return s.piece.local.p.norm() + s.piece.shape->bounding_radius; };
+  const Real a_turns = a.path.w == Vec3::Zero() ? 0 : a.path.w.norm() * arm(a),
+             b_turns = b.path.w == Vec3::Zero() ? 0 : b.path.w.norm() * arm(b);
+  if (((a.path.u - b.path.u).norm() + a_turns + b_turns) * (to - from) <= kDeeper * slack(a, b)) return {};
   CastSettings settings;
   settings.tolerance = kTolerance;
   settings.cap = kCap;

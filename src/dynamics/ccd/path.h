@@ -2,7 +2,6 @@
 #pragma once
 
 #include "collision/scenery/ask.h"
-#include "core/wide_angle.h"
 #include "dynamics/ccd/pieces.h"
 
 namespace carom {
@@ -11,15 +10,8 @@ namespace carom {
 ///   exp_map(phi) = turn,   phi = angle axis + 2 pi k axis
 /// @param turn  unit   @param near  [3] rad   @return [3] rad
 /// @accuracy    8 eps of the angle; no sine of the C library's
-/// @oracle      tests/unit/dynamics/test_ccd_path
-inline Vec3 rotation_vector(const Quat& turn, const Vec3& near) {
-  constexpr Real kWhole = 6.28318530717958647693;
-  const Real sign = turn.w() < 0 ? -1 : 1, s = turn.vec().norm(), c = sign * turn.w(), size = near.norm();
-  // Of almost no turn the axis is that of the other: only whole turns are missing.
-  const Vec3 axis = s > 1e-9 ? Vec3(sign / s * turn.vec()) : size > 0 ? Vec3(near / size) : Vec3(Vec3::UnitX());
-  const Vec3 least = s > 1e-9 ? Vec3(2 * angle_of(s, c) * axis) : Vec3(2 * sign * turn.vec());
-  return least + kWhole * std::floor((near - least).dot(axis) / kWhole + Real(0.5)) * axis;
-}
+/// @oracle      tests/unit/dynamics/test_ccd
+Vec3 rotation_vector(const Quat& turn, const Vec3& near);
 
 /// From time t of a substep on.
 struct Path {

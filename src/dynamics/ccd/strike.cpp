@@ -57,7 +57,7 @@ void Sweeper::strike(SweptBody& b) {
     if (astray) aim(p == &b ? s.a : s.b, s.now);
     if (p->hits >= SweptBody::kMostHits) p->path.go_on_from(s.now), p->path.stay(), p->changed = true;
     ++p->version;
-    if (!p->swept) p->swept = true;
+    p->swept |= goes_far(*p);
     if (!p->loose) p->loose = true, c_.loose.push_back(static_cast<std::uint32_t>(p - c_.bodies.data()));
   }
   look_ahead(b, s.now);
@@ -71,6 +71,17 @@ void Sweeper::strike(SweptBody& b) {
                        s.impulse,
                        s.speed});
   }
+}
+
+/// Whether a body that is hit would be a quarter of its thickness farther by the end of the step: then it is swept as
+/// well. What contacts push apart later need not be found here, and hits do not run through a heap from one to the
+/// next.
+bool Sweeper::goes_far(const SweptBody& b) const {
+  const Colliders& table = world_.scene.colliders;
+  Real thin = kInfinity;
+  for (std::uint32_t slot = world_.scene.first_collider[b.body]; slot != Colliders::kNone; slot = table.next[slot])
+    thin = std::min(thin, (table.shape[slot]->bounds.hi - table.shape[slot]->bounds.lo).minCoeff());
+  return 4 * time_.dt * (b.path.u.norm() + b.radius * b.path.w.norm()) > thin;
 }
 
 /// The record of a body that is hit, made if there is room; null for what stands still or sleeps.

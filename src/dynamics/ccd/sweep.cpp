@@ -1,6 +1,7 @@
 // The events of a substep: everybody's first meeting, the earliest answered, those whom it concerns asked again.
 #include <algorithm>
 
+#include "collision/volume.h"
 #include "dynamics/ccd/sweeper.h"
 #include "dynamics/detect.h"
 #include "dynamics/filter.h"
@@ -12,6 +13,9 @@
 
 namespace carom {
 namespace {
+
+/// Of lengths that enter a box: far from the origin places are rounded.
+constexpr Real kBoxRounding = 64 * kUnitRoundoff;
 
 /// Contacts read places off lanes and rows that were measured before; what rests is taken to rest on.
 void tell_contacts(World& world) {
@@ -77,14 +81,32 @@ void Sweeper::box_customers() {
     c_.boxes[k] = b.path.swept(0, time_.h, b.radius);
   }
   c_.loose.clear();
-  for (std::uint32_t k = 0; k < c_.bodies.size(); ++k)
-    if (c_.bodies[k].swept && k >= c_.customers) c_.bodies[k].loose = true, c_.loose.push_back(k);
+  for (std::uint32_t k = static_cast<std::uint32_t>(c_.customers); k < c_.bodies.size(); ++k) {
+    c_.bodies[k].loose = c_.bodies[k].swept;
+    if (c_.bodies[k].loose) c_.loose.push_back(k);
+  }
   c_.tree.build(c_.leaves, c_.boxes);
 }
 
-/// Colliders that may be in a body's way, each once, ascending.
-void Sweeper::gather(const SweptBody& b, Real now) {
-  const Aabb box = b.path.swept(now, time_.h, b.radius);
+/// m, world: what a collider sweeps on its body's path until the end. Between two poses less than a radian apart its
+/// points leave their chords by no more than an eighth of the angle squared of their arm.
+Aabb Sweeper::swept_box(const SweptBody& b, std::uint32_t collider, Real now) {
+  const Real turn = b.path.w.norm() * (time_.h - now);
+  const Aabb ball = b.path.swept(now, time_.h, b.radius);
+  if (!(turn < 1)) return ball;
+  const Colliders& table = world_.scene.colliders;
+  const Shape& shape = *table.shape[collider];
+  const SweptPiece whole{&shape, {table.local[collider].q, table.local[collider].p - world_.scene.center[b.body]}};
+  SupportFault fault;
+  const Frame from = b.path.frame(whole, now), to = b.path.frame(whole, time_.h);
+  const Aabb first = world_bounds(shape, from.r, from.p, fault), last = world_bounds(shape, to.r, to.p, fault);
+  if (fault.kind != SupportFault::none) return ball;
+  const Vec3 sag = Vec3::Constant(turn * turn / 8 * b.radius + kBoxRounding * (from.p.norm() + b.radius));
+  return {first.lo.cwiseMin(last.lo) - sag, first.hi.cwiseMax(last.hi) + sag};
+}
+
+/// Colliders that may be in a collider's way, each once, ascending.
+void Sweeper::gather(const SweptBody& b, const Aabb& box, Real now) {
   const Colliders& table = world_.scene.colliders;
   c_.found.clear();
   broad_phase(world_).find_near(table, box, c_.found);
@@ -93,14 +115,14 @@ void Sweeper::gather(const SweptBody& b, Real now) {
   // Bounds were made as the step began, for as far as contacts reach: whoever is swept is elsewhere.
   std::erase_if(c_.found, [&](std::uint32_t slot) {
     const SweptBody* const other = c_.find(table.body[slot]);
-    return other && other->swept;
+    return other && (other->swept || other->loose);
   });
   const auto add = [&](std::uint32_t k) {
     const SweptBody& other = c_.bodies[k];
-    if (&other == &b || !other.path.swept(std::max(now, other.path.t), time_.h, other.radius).overlaps(box)) return;
+    if (&other == &b || !other.path.swept(now, time_.h, other.radius).overlaps(box)) return;
     for (std::uint32_t slot = world_.scene.first_collider[other.body]; slot != Colliders::kNone;
          slot = table.next[slot])
-      c_.found.push_back(slot);
+      if (swept_box(other, slot, now).overlaps(box)) c_.found.push_back(slot);
   };
   c_.tree.query(box, [&](std::uint32_t k) {
     if (!c_.bodies[k].loose) add(k);
@@ -113,9 +135,9 @@ void Sweeper::gather(const SweptBody& b, Real now) {
 void Sweeper::look_ahead(SweptBody& b, Real now) {
   b.when = kInfinity;
   const Colliders& table = world_.scene.colliders;
-  gather(b, now);
   for (std::uint32_t own = world_.scene.first_collider[b.body]; own != Colliders::kNone; own = table.next[own]) {
     if (table.muted[own] || table.is_sensor(own) || is_scenery(*table.shape[own])) continue;
+    gather(b, swept_box(b, own, now), now);
     for (const std::uint32_t other : c_.found) try_pair(b, now, own, other);
   }
 }

@@ -36,7 +36,9 @@ class Sweeper {
   void lay_path(SweptBody& b);
   void box_customers();
   void look_ahead(SweptBody& b, Real now);
-  void gather(const SweptBody& b, Real now);
+  Aabb swept_box(const SweptBody& b, std::uint32_t collider, Real now);
+  void gather(const SweptBody& b, const Aabb& box, Real now);
+  bool goes_far(const SweptBody& b) const;
   void try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t other);
   SweptBody* next();
   void move_bodies();
