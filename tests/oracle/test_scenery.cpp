@@ -213,6 +213,12 @@ static void one_sided_scenery_lets_pass_from_behind(void**) {
   assert_true(sweep(both, -1, 1) == CastOutcome::hit && std::fabs(r.time - 0.375) < 1e-6);
 }
 
+static void two_surfaces_do_not_overlap(void**) {
+  const Shape a = mesh(box_surface(Vec3(1, 1, 1))), b = mesh(box_surface(Vec3(1, 1, 1)));
+  SupportFault fault;
+  assert_true(any_shape::overlap(a, b, Frame(), 0, 1e-14, 64, fault).outcome == Overlap::apart);
+}
+
 /// A ball that falls and turns meets a level surface when its lowest point does.
 static void time_of_impact_knows_pieces(void**) {
   const Shape floor = mesh(grid(40, 40, 0.1, -2, -2, [](double, double) { return 0.0; }));
@@ -242,6 +248,7 @@ int main() {
       cmocka_unit_test(a_ball_meets_a_boxs_surface_as_it_meets_the_box),
       cmocka_unit_test(questions_are_answered_as_by_every_piece_alone),
       cmocka_unit_test(one_sided_scenery_lets_pass_from_behind),
+      cmocka_unit_test(two_surfaces_do_not_overlap),
       cmocka_unit_test(time_of_impact_knows_pieces),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);

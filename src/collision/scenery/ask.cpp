@@ -229,6 +229,11 @@ void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b,
 OverlapResult overlap(const Shape& a, const Shape& b, const Frame& b_in_a, Real target, Real rounding, int cap,
                       SupportFault& fault) {
   if (!usable(b_in_a)) return {};
+  if (is_scenery(a) && is_scenery(b)) {  // surfaces enclose nothing that both could have
+    OverlapResult none;
+    none.outcome = Overlap::apart;
+    return none;
+  }
   if (is_scenery(b)) return overlap_with_pieces(a, b, b_in_a, target, rounding, cap, fault);
   if (!is_scenery(a)) return carom::overlap(a, b, b_in_a, target, rounding, cap, fault);
   OverlapResult result = overlap_with_pieces(b, a, relative(b_in_a, Frame()), target, rounding, cap, fault);

@@ -16,7 +16,7 @@ inline bool is_scenery(const Shape& s) { return s.form == Form::scenery; }
 
 namespace any_shape {
 // As the functions of the same names outside, of shapes of which one may be scenery, the second one where there
-// is a difference.
+// is a difference. Of two sceneries only overlap() knows what to say: they do not.
 void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const CastSettings& settings, CastResult& result,
               SupportFault& fault);
 void cast_shape(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& b, const Frame& frame_b,

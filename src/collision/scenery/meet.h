@@ -38,7 +38,6 @@ class SceneryMeeting {
   bool find(const SceneryPair& pair, const NarrowSettings& settings, Real reach, NarrowReport& report,
             SupportFault& fault);
   const Array<SceneryPatch>& patches() const { return patches_; }
-  std::size_t pieces_asked() const { return near_.size(); }
 
  private:
   struct Found {
@@ -58,17 +57,5 @@ class SceneryMeeting {
   Array<Vec3> normals_;               // of patches
   Array<SceneryPatch> patches_;
 };
-
-/// Call f(index, piece) for the pieces that a shape within a box may meet, each turned towards its centre; of a
-/// one-sided surface those behind which it lies are left out. f says whether to go on.
-/// @param box, centre  m, scenery's frame
-template <class F>
-void each_facing(const Scenery& scenery, const Aabb& box, const Vec3& centre, F&& f) {
-  bool on = true;
-  scenery.each_near(box, [&](std::uint32_t index) {
-    Piece piece;
-    if (on && scenery.piece(index, piece) && face(scenery, centre, piece)) on = f(piece);
-  });
-}
 
 }  // namespace carom

@@ -63,6 +63,25 @@ carom_shape Engine::half_space(const double normal[3], double offset) {
   return handle;
 }
 
+carom_shape Engine::height_field(const std::vector<double>& params) {
+  auto key = std::make_pair(std::string("height_field"), params);
+  if (const auto found = shapes_.find(key); found != shapes_.end()) return found->second;
+  carom_height_field_desc field;
+  carom_shape handle = CAROM_NULL_HANDLE;
+  Call call;
+  call.done(carom_height_field_desc_init(&field), "making a height field");
+  field.columns = static_cast<std::uint32_t>(params.at(0)), field.rows = static_cast<std::uint32_t>(params.at(1));
+  field.spacing[0] = params.at(2), field.spacing[1] = params.at(3);
+  if (params.size() != 4 + std::size_t(field.columns) * field.rows)
+    throw Error("a height field of " + std::to_string(field.columns) + " by " + std::to_string(field.rows) +
+                    " vertices has another number of heights",
+                "give one height for each vertex");
+  field.heights = params.data() + 4;
+  call.done(carom_shape_create_height_field(engine_, &field, &handle, call), "making a height field");
+  shapes_.emplace(std::move(key), handle);
+  return handle;
+}
+
 carom_shape_info Engine::info(carom_shape shape_handle) const {
   carom_shape_info info{};
   info.struct_size = sizeof info;

@@ -63,6 +63,8 @@ class Engine {
   carom_plugin load(const std::string& absolute_path);  ///< @throws Error
   carom_shape shape(const std::string& plugin_name, const std::vector<double>& params);  ///< made once per params
   carom_shape half_space(const double normal[3], double offset);                         ///< made once
+  /// Made once. @param params  columns, rows, spacing along x and z (m), then heights row by row (m)
+  carom_shape height_field(const std::vector<double>& params);
   carom_shape_info info(carom_shape shape) const;
   const carom_shape_plugin& describe(carom_plugin plugin) const;
   std::vector<std::string> loaded() const;  ///< short names of plugins loaded so far, sorted

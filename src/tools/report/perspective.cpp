@@ -33,7 +33,7 @@ constexpr std::array<std::array<int, 3>, 7> kColours = {{{76, 120, 168},
 using Face = std::vector<Vec>;
 
 /// Triangles of a convex mesh that lie in one plane are one face: nothing shows that they were divided.
-std::vector<Face> faces_of(const tools::Mesh& mesh) {
+std::vector<Face> faces_of(const tools::Mesh& mesh, bool convex) {
   std::vector<Face> faces;
   std::vector<bool> done(mesh.faces.size());
   const auto normal = [&](std::size_t f) {
@@ -44,7 +44,7 @@ std::vector<Face> faces_of(const tools::Mesh& mesh) {
     const Vec n = normal(i);
     if (done[i] || !(n.norm() > 0)) continue;
     std::vector<std::uint32_t> corners(mesh.faces[i].begin(), mesh.faces[i].end());
-    for (std::size_t k = i + 1; k < mesh.faces.size(); ++k) {
+    for (std::size_t k = i + 1; convex && k < mesh.faces.size(); ++k) {
       if (done[k] || normal(k).dot(n) < (1 - 1e-9) * normal(k).norm() * n.norm()) continue;
       done[k] = true;
       corners.insert(corners.end(), mesh.faces[k].begin(), mesh.faces[k].end());
@@ -223,7 +223,8 @@ class Picture {
   const std::vector<Face>& faces(const tools::Part& part) {
     const auto key = std::make_pair(part.shape, part.params);
     const auto found = known_.find(key);
-    return found != known_.end() ? found->second : known_[key] = faces_of(tools::tessellate(stage_.engine(), part));
+    return found != known_.end() ? found->second
+                                 : known_[key] = faces_of(tools::tessellate(stage_.engine(), part), !part.is_ground());
   }
 
   void solid(const tools::Part& part, const Vec& at, const tools::Quat& turn, int colour) {

@@ -152,7 +152,7 @@ std::vector<Outline> side_view(tools::Stage& stage, const tools::Recording& reco
     const auto colour = static_cast<int>(kind - kinds.begin()) % 6;
     bool drawn = false;
     for (const tools::Part& part : actor.parts) {
-      if (part.shape == "half_space") continue;
+      if (part.is_ground()) continue;
       const Vec position = origin + turn * part.position;
       const tools::Quat orientation = turn * part.orientation;
       Outline outline;

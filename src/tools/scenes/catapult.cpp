@@ -59,7 +59,7 @@ class CatapultStory : public Observer {
     };
     for (const carom_contact_event& c : stage.world.contact_events())
       if (c.kind != CAROM_CONTACT_END && ((one_of(bunnies_, c.body_a) && one_of(blocks_, c.body_b)) ||
-                                   (one_of(bunnies_, c.body_b) && one_of(blocks_, c.body_a))))
+                                          (one_of(bunnies_, c.body_b) && one_of(blocks_, c.body_a))))
         return true;
     return false;
   }

@@ -18,7 +18,8 @@ using Quat = Eigen::Quaterniond;
 
 /// A collider as a scene describes it.
 struct Part {
-  std::string shape;           ///< plugin name ("box"), or "half_space" with params nx, ny, nz, offset
+  std::string shape;  ///< plugin name ("box"), or "half_space" with params nx, ny, nz, offset, or "height_field" with
+                      ///< those of Engine::height_field()
   std::vector<double> params;  ///< of the plugin
   Vec position = Vec::Zero();  ///< m, body frame
   Quat orientation = Quat::Identity();
@@ -28,6 +29,8 @@ struct Part {
   Vec surface_velocity = Vec::Zero();  ///< m/s, axes of the shape: of its surface, while it stays
   Vec surface_spin = Vec::Zero();      ///< rad/s, likewise, about its origin
   int mesh = -1;                       ///< index into Stage::meshes to draw instead of the shape, or -1
+
+  bool is_ground() const { return shape == "half_space" || shape == "height_field"; }  ///< no plugin\'s convex shape
 };
 
 /// A body or a particle as a scene describes it, and the handle it got.

@@ -30,8 +30,9 @@ std::size_t Stage::add(Actor actor) {
   for (const Part& part : actor.parts) {
     carom_collider_desc collider;
     call.done(carom_collider_desc_init(&collider), making);
-    collider.shape = part.shape == "half_space" ? engine_.half_space(part.params.data(), part.params.at(3))
-                                                : engine_.shape(part.shape, part.params);
+    collider.shape = part.shape == "half_space"     ? engine_.half_space(part.params.data(), part.params.at(3))
+                     : part.shape == "height_field" ? engine_.height_field(part.params)
+                                                    : engine_.shape(part.shape, part.params);
     carom_material& material = materials_[{part.friction, part.restitution}];
     if (material == CAROM_NULL_HANDLE) {
       carom_material_desc surface;

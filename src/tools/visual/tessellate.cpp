@@ -2,12 +2,41 @@
 #include "visual/tessellate.h"
 
 #include <cmath>
+#include <map>
 
 namespace carom::tools {
+
+namespace {
+
+/// Triangles of scenery, whose corners are one where they are at the same place.
+Mesh triangles_of(Engine& engine, carom_shape shape) {
+  std::uint64_t count = 0, next = 0;
+  Call call;
+  call.done(carom_shape_get_triangles(engine.get(), shape, 0, nullptr, &count, &next, call), "counting triangles");
+  std::vector<double> corners(9 * count);
+  call.done(carom_shape_get_triangles(engine.get(), shape, 0, corners.data(), &count, &next, call),
+            "reading triangles");
+  Mesh mesh;
+  std::map<std::array<double, 3>, std::uint32_t> known;
+  for (std::uint64_t t = 0; t < count; ++t) {
+    std::array<std::uint32_t, 3> face{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double* const x = &corners[9 * t + 3 * k];
+      const auto [at, fresh] = known.try_emplace({x[0], x[1], x[2]}, static_cast<std::uint32_t>(mesh.points.size()));
+      if (fresh) mesh.points.emplace_back(x[0], x[1], x[2]);
+      face[k] = at->second;
+    }
+    mesh.faces.push_back(face);
+  }
+  return mesh;
+}
+
+}  // namespace
 
 Mesh tessellate(Engine& engine, const Part& part) {
   if (part.shape == "half_space")
     throw Error("a half-space has no mesh: it is unbounded", "draw a floor of finite size instead");
+  if (part.shape == "height_field") return triangles_of(engine, engine.height_field(part.params));
   const carom_shape shape = engine.shape(part.shape, part.params);
   if (engine.info(shape).form == CAROM_FORM_POLYTOPE) {
     const std::uint32_t first = engine.describe(engine.plugin(part.shape)).geometry->form_arg[0];

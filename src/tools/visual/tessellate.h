@@ -7,7 +7,7 @@
 namespace carom::tools {
 
 /// Outward triangles of a part in its own frame: polytopes exactly, curved shapes by the hull of support points in 24
-/// meridians and 12 bands (a sphere's chord error is below 1 % of its radius).
+/// meridians and 12 bands (a sphere's chord error is below 1 % of its radius), scenery as it is.
 /// @throws Error for a half-space
 Mesh tessellate(Engine& engine, const Part& part);
 
