@@ -7,6 +7,7 @@
 #include "report/axis.h"
 #include "report/filmstrip.h"
 #include "report/page.h"
+#include "report/perspective.h"
 #include "report/plot.h"
 #include "report/silhouette.h"
 #include "tools/xml_check.h"
@@ -226,8 +227,56 @@ static void a_page_is_well_formed_and_shows_every_cell(void**) {
   assert_string_equal(cells.c_str(), "[A][991][short][]");
 }
 
+/// A cube of side 2 seen from (10, 10, 10), a ball before it and another behind the camera: three faces (those towards
+/// the camera), one disc, the farther painted first, all within what a pinhole sees.
+static void a_cube_shows_the_three_faces_that_look_at_the_camera(void**) {
+  carom::tools::Engine engine;
+  carom::tools::Stage stage(engine);
+  const auto add = [&](const char* shape, std::vector<double> params, const carom::tools::Vec& at) {
+    carom::tools::Actor actor;
+    carom::tools::Part part;
+    part.shape = shape, part.params = std::move(params);
+    actor.name = actor.kind = shape;
+    actor.position = at;
+    actor.parts.push_back(part);
+    stage.add(actor);
+  };
+  add("box", {1, 1, 1}, {0, 0, 0});
+  add("sphere", {0.5}, {4, 4, 4});
+  add("sphere", {0.5}, {14, 14, 14});
+  stage.ground_half_width = 0;
+  stage.camera_from = {10, 10, 10}, stage.camera_to = {0, 0, 0};
+  const std::string text = perspective(stage, "a cube & a ball", "<caption>");
+  const XmlCheck drawing(text);
+  assert_true(drawing.well_formed());
+  int faces = 0, discs = 0;
+  double right = 0, disc_x = 0, disc_radius = 0;
+  for (const Element& e : drawing.elements()) {
+    if (e.name == "circle") {
+      ++discs;
+      assert_int_equal(faces, 3);  // the cube first: it is farther
+      disc_x = value(e, "cx"), disc_radius = value(e, "r");
+    }
+    if (e.name != "polygon") continue;
+    ++faces;
+    double x, y;
+    int corners = 0, used;
+    for (const char* s = e.attributes.at("points").c_str(); std::sscanf(s, "%lf,%lf%n", &x, &y, &used) == 2; s += used)
+      ++corners, right = std::max(right, x);
+    assert_int_equal(corners, 4);
+  }
+  assert_int_equal(faces, 3);
+  assert_int_equal(discs, 1);
+  // 900 px are 1.7 wide at a distance of 1: the ball at sqrt(108) m, in the middle; the cube's corner (1, -1, -1)
+  // stands 2 / sqrt 2 m to the right, at 10 sqrt 3 - 1 / sqrt 3 m.
+  assert_true(std::fabs(disc_x - 450) < 0.06 && std::fabs(disc_radius - 0.5 * 900 / (1.7 * std::sqrt(108.0))) < 0.06);
+  const double depth = 10 * std::sqrt(3.0) - 1 / std::sqrt(3.0);
+  assert_true(std::fabs(right - (450 + std::sqrt(2.0) * 900 / (1.7 * depth))) < 0.06);
+}
+
 int main() {
   const CMUnitTest tests[] = {
+      cmocka_unit_test(a_cube_shows_the_three_faces_that_look_at_the_camera),
       cmocka_unit_test(the_checker_itself_refuses_what_is_not_well_formed),
       cmocka_unit_test(a_linear_axis_covers_the_data_with_four_to_eleven_round_ticks),
       cmocka_unit_test(a_log_axis_gives_equal_ratios_equal_lengths),
