@@ -267,7 +267,7 @@ static void a_cube_shows_the_three_faces_that_look_at_the_camera(void**) {
   }
   assert_int_equal(faces, 3);
   assert_int_equal(discs, 1);
-  // 900 px are 1.7 wide at a distance of 1: the ball at sqrt(108) m, in the middle; the cube's corner (1, -1, -1)
+  // 900 px are 1.7 wide at a distance of 1: the ball at sqrt(108) m, in the middle; the cube's corner (1, 1, -1)
   // stands 2 / sqrt 2 m to the right, at 10 sqrt 3 - 1 / sqrt 3 m.
   assert_true(std::fabs(disc_x - 450) < 0.06 && std::fabs(disc_radius - 0.5 * 900 / (1.7 * std::sqrt(108.0))) < 0.06);
   const double depth = 10 * std::sqrt(3.0) - 1 / std::sqrt(3.0);
