@@ -82,7 +82,7 @@ static void a_box_and_its_surface_push_alike(void**) {
   Chance chance(1);
   int compared = 0, wrong = 0;
   for (const Shape& shape : convex_shapes())
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 1200; ++i) {
       const Frame at(Pose{chance.turn(), 3 * chance.direction()});
       Frame frame(Pose{chance.turn(), Vec3::Zero()});
       const Real wanted = chance.in(-0.02, 0.025);
@@ -105,7 +105,7 @@ static void a_box_and_its_surface_push_alike(void**) {
       ++compared;
       wrong += !(std::fabs(found.separation - truth) < allowed);
     }
-  assert_true(compared > 10000);
+  assert_true(compared > 4000);
   // Deep beside a corner (a 50th of the box) each piece alone may be left by a way that the others close, and a piece's
   // own normal stands in: 3 in 100,000 of such poses.
   assert_true(wrong <= 3);
@@ -119,7 +119,7 @@ static void a_ball_meets_a_boxs_surface_as_it_meets_the_box(void**) {
   SceneryMeeting meeting(std::pmr::new_delete_resource());
   NarrowSettings settings;
   Chance chance(2);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < 6000; ++i) {
     const Frame at(Pose{chance.turn(), 3 * chance.direction()});
     Frame frame;
     const Real truth = place_at(cube, ball, at, frame, chance.direction(), chance.in(-0.1, 0.02));
@@ -143,7 +143,7 @@ static void questions_are_answered_as_by_every_piece_alone(void**) {
   const std::vector<Shape> shapes = convex_shapes();
   Chance chance(4);
   int hits = 0, overlaps = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 200; ++i) {
     const Frame at(Pose{chance.turn(), chance.direction()});
     const Shape& shape = shapes[static_cast<std::size_t>(i) % shapes.size()];
     const Frame frame(Pose{chance.turn(), at.apply(Vec3(chance.in(-2, 2), chance.in(-1, 1), chance.in(-2, 2)))});
@@ -185,7 +185,7 @@ static void questions_are_answered_as_by_every_piece_alone(void**) {
     assert_int_equal(overlapping.outcome == Overlap::overlapping, any_overlap);
     hits += ray_time < kInfinity, overlaps += any_overlap;
   }
-  assert_true(hits > 50 && overlaps > 50);
+  assert_true(hits > 25 && overlaps > 25);
 }
 
 static void one_sided_scenery_lets_pass_from_behind(void**) {
