@@ -6,8 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "collision/scenery/scenery.h"
-#include "collision/shape.h"
+#include "collision/scenery/piece_shape.h"
 
 namespace carom::test {
 
@@ -52,18 +51,11 @@ inline Triangles box_surface(const Vec3& half) {
   return t;
 }
 
-inline void settle(Shape& shape, std::shared_ptr<Scenery> scenery) {
-  shape.form = Form::scenery;
-  shape.bounds = scenery->bounds;
-  shape.bounding_radius = scenery->bounds.lo.cwiseAbs().cwiseMax(scenery->bounds.hi.cwiseAbs()).norm();
-  shape.scenery = std::move(scenery);
-}
-
 inline Shape mesh(const Triangles& t, bool two_sided = false) {
   Shape shape(std::pmr::new_delete_resource());
   auto scenery = std::make_shared<Scenery>(std::pmr::new_delete_resource());
   make_mesh(t.xyz, t.index, two_sided, *scenery);
-  settle(shape, scenery);
+  make_scenery(scenery, shape);
   return shape;
 }
 
@@ -76,7 +68,7 @@ inline Shape height_field(std::uint32_t columns, std::uint32_t rows, double spac
   Shape shape(std::pmr::new_delete_resource());
   auto scenery = std::make_shared<Scenery>(std::pmr::new_delete_resource());
   make_height_field(h, columns, rows, spacing_x, spacing_z, *scenery);
-  settle(shape, scenery);
+  make_scenery(scenery, shape);
   return shape;
 }
 

@@ -48,8 +48,7 @@ constexpr const char* kB[3] = {"shape_b", "position_b", "orientation_b"};
 bool flat(const Shape& s) { return s.form == Form::half_space; }
 
 bool one_is_solid(Call& call, int argument, const Shape& a, const Shape& b) {
-  if (a.form == Form::scenery && b.form == Form::scenery)
-    return call.fail(CAROM_E_UNSUPPORTED, argument, "both are scenery: one of them has to be convex");
+  if (!one_is_convex(call, argument, a, b)) return false;
   return !flat(a) || !flat(b) ||
          call.fail(CAROM_E_UNSUPPORTED, argument, "two half-spaces: unless parallel they overlap without end");
 }
@@ -221,8 +220,8 @@ int32_t carom_ray_cast(carom_engine* engine, carom_shape shape, const double pos
     const FloatScope scope;
     CastResult found;
     SupportFault fault;
-    any_shape::cast_ray(Ray{to_vec3(origin), to_vec3(direction), max}, *pin, frame_of(position, orientation), settings, found,
-                  fault);
+    any_shape::cast_ray(Ray{to_vec3(origin), to_vec3(direction), max}, *pin, frame_of(position, orientation), settings,
+                        found, fault);
     write_answer(found, result);
   });
 }
@@ -243,8 +242,8 @@ int32_t carom_shape_cast(carom_engine* engine, carom_shape shape_a, const double
     const FloatScope scope;
     CastResult found;
     SupportFault fault;
-    any_shape::cast_shape(*a, frame_of(position_a, orientation_a), to_vec3(motion), *b, frame_of(position_b, orientation_b),
-                    settings, found, fault);
+    any_shape::cast_shape(*a, frame_of(position_a, orientation_a), to_vec3(motion), *b,
+                          frame_of(position_b, orientation_b), settings, found, fault);
     write_answer(found, result);
   });
 }
@@ -286,7 +285,7 @@ int32_t carom_shape_overlap(carom_engine* engine, carom_shape shape_a, const dou
     const Frame frame_a = frame_of(position_a, orientation_a), frame_b = frame_of(position_b, orientation_b);
     SupportFault fault;
     const OverlapResult found = any_shape::overlap(*a, *b, relative(frame_a, frame_b), settings.target,
-                                             kPoseRounding * kUnitRoundoff, settings.cap, fault);
+                                                   kPoseRounding * kUnitRoundoff, settings.cap, fault);
     carom_overlap out{};
     out.outcome = static_cast<std::uint32_t>(found.outcome);
     out.separation_bound = found.separation_bound;

@@ -15,7 +15,7 @@ constexpr Real kFlat = 1e-15;
 
 bool flat(const Shape& shape) {
   const Real r = shape.bounding_radius;
-  return shape.form != Form::half_space && shape.form != Form::scenery && !(shape.mass.volume > kFlat * r * r * r);
+  return shape.form != Form::half_space && !is_scenery(shape) && !(shape.mass.volume > kFlat * r * r * r);
 }
 
 bool check_surface(Call& call, int argument, const char* name, const double v[3]) {
@@ -37,7 +37,7 @@ bool check_desc(Call& call, const World& world, const carom_collider_desc& d) {
 bool check_fit(Call& call, const World& world, std::uint32_t body, const Shape& shape, double density) {
   if (shape.form == Form::half_space && world.scene.type[body] != BodyType::fixed)
     return call.fail(CAROM_E_OUT_OF_RANGE, 3, "a half-space is unbounded: it fits static bodies only");
-  if (shape.form == Form::scenery && world.scene.type[body] == BodyType::dynamic)
+  if (is_scenery(shape) && world.scene.type[body] == BodyType::dynamic)
     return call.fail(
         CAROM_E_OUT_OF_RANGE, 3,
         "scenery has no volume: it fits static and kinematic bodies (a body that moves by forces takes convex shapes)");

@@ -45,8 +45,13 @@ bool ShapePin::take(Call& call, int argument, const char* name, carom_shape hand
 
 bool ShapePin::take_convex(Call& call, int argument, const char* name, carom_shape handle) {
   return take(call, argument, name, handle) &&
-         (shape_->form != Form::scenery ||
+         (!is_scenery(*shape_) ||
           call.fail(CAROM_E_UNSUPPORTED, argument, "%s is scenery: a convex shape is needed here", name));
+}
+
+bool one_is_convex(Call& call, int argument, const Shape& a, const Shape& b) {
+  return !is_scenery(a) || !is_scenery(b) ||
+         call.fail(CAROM_E_UNSUPPORTED, argument, "both are scenery: one of them has to be convex");
 }
 
 ShapePin::~ShapePin() {

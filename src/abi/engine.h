@@ -78,6 +78,9 @@ class ShapePin {
   std::uint32_t slot_ = kNone;
 };
 
+/// Two sceneries cannot be asked about each other.
+bool one_is_convex(Call& call, int argument, const Shape& a, const Shape& b);
+
 /// Give back what a kept pin held.
 void unuse_shape(carom_engine& engine, const Shape& shape);
 

@@ -1,5 +1,4 @@
 // Questions about two shapes at given poses, without a world.
-#include "collision/scenery/ask.h"
 #include "collision/narrow/query.h"
 
 #include <carom/dial.h>
@@ -8,6 +7,7 @@
 #include "abi/engine.h"
 #include "abi/float_scope.h"
 #include "collision/narrow/rounding.h"
+#include "collision/scenery/ask.h"
 #include "dynamics/dials.h"
 
 namespace carom::abi {
@@ -118,10 +118,7 @@ int32_t carom_shape_distance(carom_engine* engine, carom_shape shape_a, const do
       call.fail(CAROM_E_UNSUPPORTED, 5, "two half-spaces have no distance: unless parallel they overlap without end");
       return;
     }
-    if (a->form == Form::scenery && b->form == Form::scenery) {
-      call.fail(CAROM_E_UNSUPPORTED, 5, "both are scenery: one of them has to be convex");
-      return;
-    }
+    if (!one_is_convex(call, 5, *a, *b)) return;
     const FloatScope scope;
     const Frame frame_a(Pose{to_quat(orientation_a), to_vec3(position_a)});
     const Frame frame_b(Pose{to_quat(orientation_b), to_vec3(position_b)});

@@ -1,6 +1,4 @@
 // Scenery: meshes and height fields, checked, copied, made ready.
-#include "collision/scenery/scenery.h"
-
 #include <carom/scenery.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "abi/engine.h"
 #include "abi/float_scope.h"
 #include "abi/shape_draft.h"
+#include "collision/scenery/piece_shape.h"
 
 namespace carom::abi {
 namespace {
@@ -60,15 +59,6 @@ bool check(Call& call, const carom_height_field_desc& d) {
   return true;
 }
 
-/// What a shape of scenery knows beside its pieces.
-void finish(Shape& shape, std::shared_ptr<Scenery> scenery) {
-  shape.form = Form::scenery;
-  shape.bounds = scenery->bounds;
-  shape.bounding_radius = scenery->bounds.lo.cwiseAbs().cwiseMax(scenery->bounds.hi.cwiseAbs()).norm();
-  shape.mass.exact = true;  // no volume
-  shape.scenery = std::move(scenery);
-}
-
 template <class Desc, class Make>
 void create(Call& call, carom_engine* engine, const Desc* given, Desc d, carom_shape* shape, const Make& make) {
   if (!present(call, 1, "engine", engine) || !read_struct(call, 2, "desc", given, d) || !check(call, d) ||
@@ -83,14 +73,14 @@ void create(Call& call, carom_engine* engine, const Desc* given, Desc d, carom_s
     return;
   }
   ShapeDraft draft(memory);
-  finish(*draft.shape, std::move(scenery));
+  make_scenery(std::move(scenery), *draft.shape);
   add_shape(call, *engine, draft, shape);
 }
 
 /// Scenery of a shape, which is kept alive by the pin.
 const Scenery* scenery_of(Call& call, ShapePin& pin, carom_shape shape) {
   if (!pin.take(call, 2, "shape", shape)) return nullptr;
-  if (pin->form != Form::scenery) call.fail(CAROM_E_UNSUPPORTED, 2, "the shape is convex: it has no triangles");
+  if (!is_scenery(*pin)) call.fail(CAROM_E_UNSUPPORTED, 2, "the shape is convex: it has no triangles");
   return pin->scenery.get();
 }
 

@@ -141,7 +141,7 @@ bool settle(Call& call, const PluginRecord& plugin, const double* params, std::u
 
 void fill_info(const ShapeRecord& record, carom_shape_info& info) {
   const Shape& s = *record.shape;
-  const bool half_space = s.form == Form::half_space, scenery = s.form == Form::scenery;
+  const bool half_space = s.form == Form::half_space, scenery = is_scenery(s);
   info.form = half_space || scenery ? CAROM_FORM_NONE : static_cast<std::uint32_t>(s.form);
   info.is_half_space = half_space;
   info.mass_exact = s.mass.exact;

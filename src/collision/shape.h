@@ -70,6 +70,11 @@ struct Shape {
 /// Largest number of a shape that enters its distances, so that rounding goes with it. @return m
 inline Real extent(const Shape& s) { return s.form == Form::half_space ? std::fabs(s.offset) : s.bounding_radius; }
 
+inline bool is_scenery(const Shape& s) { return s.form == Form::scenery; }
+
+/// m: the least side of its bounds; infinite of what has no far side.
+inline Real thickness(const Shape& s) { return is_scenery(s) ? kInfinity : (s.bounds.hi - s.bounds.lo).minCoeff(); }
+
 /// What a misbehaving support function did; kept bit for bit as evidence. Kinds as CAROM_FAULT_*.
 struct SupportFault {
   enum Kind : std::uint32_t { none = 0, returned = 1, not_finite = 2, outside = 3, not_support = 4 };

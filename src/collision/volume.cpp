@@ -83,8 +83,8 @@ Aabb half_space_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
 Aabb scenery_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
   const Vec3 middle = r * ((s.bounds.lo + s.bounds.hi) / 2) + p,
              half = r.cwiseAbs() * ((s.bounds.hi - s.bounds.lo) / 2);
-  const Vec3 more = 8 * kUnitRoundoff *
-                    (s.bounds.lo.cwiseAbs().cwiseMax(s.bounds.hi.cwiseAbs()).sum() + p.cwiseAbs().sum()) * Vec3::Ones();
+  const Vec3 more = Vec3::Constant(
+      8 * kUnitRoundoff * (s.bounds.lo.cwiseAbs().cwiseMax(s.bounds.hi.cwiseAbs()).sum() + p.cwiseAbs().sum()));
   Aabb b;
   b.lo = middle - half - more, b.hi = middle + half + more;
   return b;

@@ -88,7 +88,7 @@ class Drawing {
   }
 
   void shape(std::uint32_t slot, const Shape& s) {
-    if (s.form == Form::half_space || s.form == Form::scenery) return;
+    if (s.form == Form::half_space || is_scenery(s)) return;
     const Frame frame = collider_frame(world_, slot);
     const std::uint32_t body = scene_.colliders.body[slot], colour = colour_of(body);
     if (!s.faces.empty()) return edges(s, frame, colour, body);
@@ -125,7 +125,7 @@ class Drawing {
   }
 
   void scenery(std::uint32_t slot, const Shape& s) {
-    if (s.form != Form::scenery) return;
+    if (!is_scenery(s)) return;
     const Frame frame = collider_frame(world_, slot);
     const std::uint32_t body = scene_.colliders.body[slot], colour = colour_of(body);
     Piece piece;

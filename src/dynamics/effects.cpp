@@ -223,6 +223,14 @@ void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
   if (fault.kind != SupportFault::none) plan.faults.push_back(fault);
 }
 
+Real radius_of_body(const World& world, std::uint32_t body) {
+  const Colliders& c = world.scene.colliders;
+  Real radius = 0;
+  for (std::uint32_t slot = world.scene.first_collider[body]; slot != Colliders::kNone; slot = c.next[slot])
+    radius = std::max(radius, world.plan->local[slot].p.norm() + c.shape[slot]->bounding_radius);
+  return radius;
+}
+
 void find_customers(World& world) {
   Plan& plan = *world.plan;
   for (PlannedEffect& row : plan.effects) {

@@ -157,6 +157,8 @@ void refresh(World& world, const StepTime& time);
 void plan_stages(World& world, Plan& plan);
 void find_customers(World& world);
 void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt);
+/// m, the farthest point of a body's colliders from its centre.
+Real radius_of_body(const World& world, std::uint32_t body);
 
 /// Call f(slot) for who is in either of two lists that share nobody, ascending.
 template <class F>

@@ -12,8 +12,6 @@ namespace {
 // Cosine of 0.35 rad: a patch goes on from a record whose points looked the same way within this.
 constexpr Real kSamePatch = 0.94;
 
-bool is_scenery(const Shape& s) { return s.form == Form::scenery; }
-
 /// A pair with scenery as collision/scenery sees it; none where both are without a volume to be pushed.
 struct Parties {
   std::uint32_t scenery, convex;  // collider slots
@@ -23,8 +21,8 @@ struct Parties {
       : scenery(is_scenery(*c.shape[p.a]) ? p.a : p.b), convex(scenery == p.a ? p.b : p.a), swapped(scenery == p.b) {}
 
   bool can_meet(const Colliders& c) const {
-    const Form form = c.shape[convex]->form;
-    return form != Form::half_space && form != Form::scenery;
+    const Shape& s = *c.shape[convex];
+    return s.form != Form::half_space && !is_scenery(s);
   }
   SceneryPair pair(const Colliders& c) const {
     return {*c.shape[scenery], *c.shape[convex], c.frame[scenery], c.frame[convex]};
@@ -47,9 +45,12 @@ bool keep(const Colliders& c, const NarrowSettings& settings, PairTable& pairs, 
 
 /// Patches beside the records of the last step: a record goes on with the patch that looks its way and lies nearest.
 /// Records that go on come first in their run, and patches in the same order.
+/// @return  how many go on
 std::uint32_t match(PairTable& pairs, SceneryContacts& s, const SceneryContacts::OfPair& of, bool swapped) {
   const auto side = [&](const ContactPoint& p) -> const Vec3& { return swapped ? p.on_a : p.on_b; };
-  s.order.clear();
+  const auto taken = [&](std::uint32_t k) {
+    return std::find(s.order.begin() + of.first, s.order.end(), of.first + k) != s.order.end();
+  };
   std::uint32_t matched = 0;
   for (std::uint32_t i = of.place; i < of.place + of.places; ++i) {
     const Manifold& old = pairs[i].manifold;
@@ -59,8 +60,7 @@ std::uint32_t match(PairTable& pairs, SceneryContacts& s, const SceneryContacts:
     for (std::uint32_t k = 0; k < of.count; ++k) {
       const SceneryPatch& patch = s.patches[of.first + k];
       const Vec3 normal = swapped ? Vec3(-patch.normal) : patch.normal;
-      if (old.point[0].normal.dot(normal) < kSamePatch || std::find(s.order.begin(), s.order.end(), k) != s.order.end())
-        continue;
+      if (old.point[0].normal.dot(normal) < kSamePatch || taken(k)) continue;
       for (int p = 0; p < patch.count; ++p)
         for (int q = 0; q < old.count; ++q) {
           const Real d = (patch.point[p].on_b - side(old.point[q])).squaredNorm();
@@ -68,38 +68,29 @@ std::uint32_t match(PairTable& pairs, SceneryContacts& s, const SceneryContacts:
         }
     }
     if (best == of.count) continue;
-    s.order.push_back(best);
+    s.order.push_back(of.first + best);
     std::swap(pairs.place(of.place + matched), pairs.place(i));
     ++matched;
   }
   for (std::uint32_t k = 0; k < of.count; ++k)
-    if (std::find(s.order.begin(), s.order.begin() + matched, k) == s.order.begin() + matched) s.order.push_back(k);
+    if (!taken(k)) s.order.push_back(of.first + k);
   return matched;
 }
 
-/// Put a pair's patches in the order of its records.
-void arrange(PairTable& pairs, SceneryContacts& s, SceneryContacts::OfPair& of, bool swapped) {
+/// Put a pair's patches in the order of its records; records that none goes on with begin afresh.
+void arrange(PairTable& pairs, SceneryContacts& s, const SceneryContacts::OfPair& of, bool swapped) {
   const std::uint32_t matched = match(pairs, s, of, swapped);
   for (std::uint32_t i = of.place + matched; i < of.place + of.places; ++i) {
     PairRecord& record = pairs[i];
     record.manifold.count = 0, record.patch = PatchMemory{};
   }
-  // Patches are few and copied once: behind the others, then back.
-  for (std::uint32_t k = 0; k < of.count; ++k) s.patches.push_back(s.patches[of.first + s.order[k]]);
-  for (std::uint32_t k = 0; k < of.count; ++k) s.patches[of.first + k] = s.patches[of.first + of.count + k];
-  s.patches.resize(of.first + of.count);
 }
 
 void fill(const Colliders& c, const NarrowSettings& settings, const SceneryPatch& patch, bool swapped, Real reach,
           PairRecord& record) {
   const Frame &a = c.frame[record.pair.a], &b = c.frame[record.pair.b];
   ContactPoint point[PatchPoints::kMax];
-  for (int i = 0; i < patch.count; ++i) {
-    point[i] = patch.point[i];
-    if (!swapped) continue;
-    std::swap(point[i].on_a, point[i].on_b);
-    point[i].normal = -point[i].normal;
-  }
+  for (int i = 0; i < patch.count; ++i) point[i] = swapped ? exchanged(patch.point[i]) : patch.point[i];
   ManifoldSettings own = settings.manifold;
   own.contact_distance = reach;
   adopt(a, point, patch.count, own, record.manifold);
@@ -143,7 +134,7 @@ void meet_scenery(World& world, const NarrowSettings& settings) {
   SceneryContacts& s = *world.plan->scenery;
   const Colliders& c = world.scene.colliders;
   PairTable& pairs = world.pairs;
-  s.of_pair.clear(), s.patches.clear(), s.runs.clear();
+  s.of_pair.clear(), s.patches.clear(), s.order.clear(), s.runs.clear();
   for (std::uint32_t i = 0, j; i < pairs.size(); i = j) {
     const Pair pair = pairs.place(i).pair;
     for (j = i + 1; j < pairs.size() && pairs.place(j).pair == pair;) ++j;
@@ -164,7 +155,8 @@ void meet_scenery(World& world, const NarrowSettings& settings) {
     for (std::uint32_t k = 0; k < of.places; ++k) {
       PairTable::Place& place = pairs.place(of.place + k);
       PairRecord& record = pairs[of.place + k];
-      if (k < of.count) fill(c, settings, s.patches[of.first + k], parties.swapped, parties.reach(c, settings), record);
+      if (k < of.count)
+        fill(c, settings, s.patches[s.order[of.first + k]], parties.swapped, parties.reach(c, settings), record);
       place.points = static_cast<std::uint32_t>(record.manifold.count);
       place.horizon = kInfinity;  // not the narrow phase's
     }

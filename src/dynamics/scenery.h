@@ -26,7 +26,7 @@ struct SceneryContacts {
   Array<OfPair> of_pair;
   Array<SceneryPatch> patches;
   Array<PairTable::Run> runs;
-  Array<std::uint32_t> order;  // scratch: patches of a pair, those with a record first
+  Array<std::uint32_t> order;  // beside patches: those of each pair in the order of its records
 };
 
 /// Manifolds of all pairs with scenery, and as many records of each as it has patches.

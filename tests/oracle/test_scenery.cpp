@@ -233,9 +233,7 @@ static void time_of_impact_knows_pieces(void**) {
     CastResult r, plane;
     SupportFault fault;
     any_shape::time_of_impact(stick, motion, floor, still, 0.5, CastSettings(), r, fault);
-    Shape half(std::pmr::new_delete_resource());
-    half.form = Form::half_space, half.bounding_radius = kInfinity;
-    half.bounds = {Vec3::Constant(-kInfinity), Vec3::Constant(kInfinity)};
+    const Shape half = half_space(Vec3::UnitY(), 0);
     time_of_impact(stick, motion, half, still, 0.5, CastSettings(), plane, fault);
     assert_true(r.outcome == plane.outcome);
     if (plane.outcome == CastOutcome::hit) assert_true(r.lower <= plane.upper && plane.lower <= r.upper);

@@ -20,10 +20,7 @@ double level(double, double) { return 0; }
 
 void lay(TestWorld& t, Ground ground, std::uint32_t material, const Quat& tilt = Quat::Identity()) {
   if (ground == Ground::plane) {
-    Shape s(std::pmr::new_delete_resource());
-    s.form = Form::half_space, s.bounding_radius = kInfinity;
-    s.bounds = {Vec3::Constant(-kInfinity), Vec3::Constant(kInfinity)};
-    t.add(t.keep(std::move(s)), Vec3::Zero(), BodyType::fixed, tilt, material);
+    t.add(t.keep(half_space(Vec3::UnitY(), 0)), Vec3::Zero(), BodyType::fixed, tilt, material);
   } else if (ground == Ground::mesh) {
     t.add(t.keep(mesh(grid(100, 50, 0.2, -4, -5, level))), Vec3::Zero(), BodyType::fixed, tilt, material);
   } else {

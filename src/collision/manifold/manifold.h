@@ -1,6 +1,8 @@
 // Contact points of a pair: at most four, kept from step to step.
 #pragma once
 
+#include <utility>
+
 #include "core/pose.h"
 
 namespace carom {
@@ -13,6 +15,13 @@ struct ContactPoint {
   std::uint32_t feature = 0;    // which features met, to match points between steps; 0: unknown
   std::uint32_t age = 0;        // steps since it was added
 };
+
+/// The same point with A and B exchanged.
+inline ContactPoint exchanged(ContactPoint p) {
+  std::swap(p.on_a, p.on_b);
+  p.normal = -p.normal;
+  return p;
+}
 
 struct Manifold {
   static constexpr int kMaxPoints = 4;

@@ -135,7 +135,7 @@ void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& 
   found.gap = -kInfinity;
   const Real reach = settings.manifold.contact_distance;
   const bool flat_a = a.form == Form::half_space, flat_b = b.form == Form::half_space;
-  if ((flat_a && flat_b) || a.form == Form::scenery || b.form == Form::scenery) return;  // scenery: meet_scenery()
+  if ((flat_a && flat_b) || is_scenery(a) || is_scenery(b)) return;  // scenery: meet_scenery()
   const PairEntry& entry = pair_entry(a.form, b.form);
   if (settings.query.routines && entry.routine) {
     const Frame &first = entry.swapped ? frame_b : frame_a, &second = entry.swapped ? frame_a : frame_b;

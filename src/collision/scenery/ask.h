@@ -12,8 +12,6 @@
 
 namespace carom {
 
-inline bool is_scenery(const Shape& s) { return s.form == Form::scenery; }
-
 namespace any_shape {
 // As the functions of the same names outside, of shapes of which one may be scenery, the second one where there
 // is a difference. Of two sceneries only overlap() knows what to say: they do not.

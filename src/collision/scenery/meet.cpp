@@ -142,7 +142,7 @@ bool SceneryMeeting::find(const SceneryPair& pair, const NarrowSettings& setting
   for (const std::uint32_t index : near_) {
     Piece piece;
     if (!scenery.piece(index, piece) || !face(scenery, centre, piece)) continue;
-    if (meet(pair, piece, convex_in_scenery, settings, reach, report, fault)) continue;
+    if (meet(pair, piece, convex_in_scenery, centre, settings, reach, report, fault)) continue;
     return false;
   }
   // Deep at a corner, each piece by itself may be left by a way that the others close. Then the least deep of them
@@ -153,15 +153,15 @@ bool SceneryMeeting::find(const SceneryPair& pair, const NarrowSettings& setting
   return true;
 }
 
-bool SceneryMeeting::meet(const SceneryPair& pair, Piece& piece, const Frame& convex_in_scenery,
-                          const NarrowSettings& settings, Real reach, NarrowReport& report, SupportFault& fault) {
+bool SceneryMeeting::meet(const SceneryPair& pair, const Piece& piece, const Frame& convex_in_scenery,
+                          const Vec3& centre, const NarrowSettings& settings, Real reach, NarrowReport& report,
+                          SupportFault& fault) {
   ++report.support_calls;
   Vec3 deepest;
   if (!full_support(pair.convex, -convex_in_scenery.rotate_inverse(piece.normal), deepest, fault)) return false;
   const Vec3 foot = convex_in_scenery.apply(deepest);
   const Real height = piece.normal.dot(foot - piece.corner[0]);
   if (!(height <= reach)) return true;
-  const Vec3 centre = convex_in_scenery.apply(pair.convex.mass.centroid);
   const Sides sides(piece, centre);
   shape_.set(piece);
   const Frame frame(pair.frame.r, pair.frame.apply(shape_.origin()));
@@ -170,7 +170,7 @@ bool SceneryMeeting::meet(const SceneryPair& pair, Piece& piece, const Frame& co
   nearest.on_a = foot - height * piece.normal - shape_.origin(), nearest.on_b = deepest;
   const auto leave = [&] {
     if (left_ && !(height > left_->separation)) return;
-    left_ = nearest;
+    left_.emplace();
     left_->on_a = foot - height * piece.normal, left_->on_b = deepest;
     left_->normal = pair.frame.rotate(piece.normal), left_->separation = height;
   };
@@ -228,7 +228,7 @@ void SceneryMeeting::add(const PatchPoints& points, const Vec3& origin, bool fir
     if (normals_[k].dot(n) > normals_[patch].dot(n)) patch = k;
   const bool other = normals_.empty() || normals_[patch].dot(n) < kSameWay;
   const bool begins = other && normals_.size() < kMostPatches;
-  bool any = false;  // edges or walls
+  bool any = false;
   for (int i = 0; i < points.count; ++i) {
     const ContactPoint& p = points.point[i];
     if (!(p.separation <= reach)) continue;

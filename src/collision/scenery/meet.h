@@ -45,8 +45,8 @@ class SceneryMeeting {
     std::uint32_t patch;
     bool firm;
   };
-  bool meet(const SceneryPair& pair, Piece& piece, const Frame& convex_in_scenery, const NarrowSettings& settings,
-            Real reach, NarrowReport& report, SupportFault& fault);
+  bool meet(const SceneryPair& pair, const Piece& piece, const Frame& convex_in_scenery, const Vec3& centre,
+            const NarrowSettings& settings, Real reach, NarrowReport& report, SupportFault& fault);
   void add(const PatchPoints& points, const Vec3& origin, bool firm, Real reach);
   void gather(const Frame& frame, Real same);
 

@@ -1,6 +1,7 @@
 #include "collision/scenery/piece_shape.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -43,6 +44,14 @@ void PieceShape::reshape(const std::array<Vec3, 3>& corner) {
     radius2 = std::max(radius2, x.squaredNorm());
   }
   shape_.bounding_radius = std::sqrt(radius2);
+}
+
+void make_scenery(std::shared_ptr<const Scenery> scenery, Shape& shape) {
+  shape.form = Form::scenery;
+  shape.bounds = scenery->bounds;
+  shape.bounding_radius = scenery->bounds.lo.cwiseAbs().cwiseMax(scenery->bounds.hi.cwiseAbs()).norm();
+  shape.mass.exact = true;
+  shape.scenery = std::move(scenery);
 }
 
 bool face(const Scenery& scenery, const Vec3& point, Piece& piece) {

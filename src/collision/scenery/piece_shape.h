@@ -23,6 +23,9 @@ class PieceShape {
   Vec3 origin_ = Vec3::Zero();
 };
 
+/// Make a shape one of scenery: form, bounds, no volume.
+void make_scenery(std::shared_ptr<const Scenery> scenery, Shape& shape);
+
 /// Turn a piece towards a point: a two-sided one is turned over if the point lies behind it.
 /// @param point  m, scenery's frame
 /// @return       false: the surface has one side, and the point is behind it

@@ -118,6 +118,9 @@ namespace continuous {
 void find(const Scene&, const State&, Customers&);
 }
 
+/// Take up a body that is not known yet.
+SweptBody& know(World& world, std::uint32_t body);
+
 /// Part of refresh(), when bounds are made: who outruns its contacts, and with those that a host asked for, who is
 /// swept.
 void find_swept(World& world, Real dt);

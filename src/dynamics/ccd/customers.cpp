@@ -50,17 +50,6 @@ void forget(Continuous& c) {
   c.fault = {};
 }
 
-SweptBody& add(World& world, std::uint32_t body) {
-  Continuous& c = *world.continuous;
-  SweptBody& b = c.bodies.emplace_back();
-  b.body = body;
-  const Colliders& table = world.scene.colliders;
-  for (std::uint32_t slot = world.scene.first_collider[body]; slot != Colliders::kNone; slot = table.next[slot])
-    b.radius = std::max(b.radius, world.plan->local[slot].p.norm() + table.shape[slot]->bounding_radius);
-  c.index[body] = static_cast<std::uint32_t>(c.bodies.size() - 1);
-  return b;
-}
-
 /// Everybody that may be a customer, once, ascending.
 void list_candidates(World& world) {
   Continuous& c = *world.continuous;
@@ -125,6 +114,15 @@ Continuous::Continuous(Memory* m)
       more(m),
       merged(m) {}
 
+SweptBody& know(World& world, std::uint32_t body) {
+  Continuous& c = *world.continuous;
+  SweptBody& b = c.bodies.emplace_back();
+  b.body = body;
+  b.radius = radius_of_body(world, body);
+  c.index[body] = static_cast<std::uint32_t>(c.bodies.size() - 1);
+  return b;
+}
+
 void continuous::find(const Scene& scene, const State& state, Customers& customers) {
   if (scene.dials.choice(Dial::continuous) == kSweepNobody) return;
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
@@ -145,7 +143,7 @@ void find_swept(World& world, Real dt) {
     const bool outruns = world.plan->watches_speed && mode != SweepMode::never && is_fast(world, i, dt);
     if (!can_sweep(world, i) || !(outruns || mode == SweepMode::always)) continue;
     c.index.resize(world.scene.bodies.slots(), Continuous::kNone);
-    SweptBody& b = add(world, i);
+    SweptBody& b = know(world, i);
     b.swept = true, b.outruns = outruns;
     row.customers.add(i);
   }
@@ -185,7 +183,8 @@ bool sweeps_into(World& world, std::uint32_t collider, std::uint32_t sleeper, Re
       CastResult result;
       SupportFault fault;
       if (meets) return;
-      any_shape::time_of_impact(*mine.shape, way.motion(mine, 0), *its.shape, rest.motion(its, 0), dt, settings, result, fault);
+      any_shape::time_of_impact(*mine.shape, way.motion(mine, 0), *its.shape, rest.motion(its, 0), dt, settings, result,
+                                fault);
       meets = result.outcome != CastOutcome::miss;
     });
   });
@@ -251,7 +250,7 @@ void begin_sweeps(World& world, const StepTime& time) {
     broad_phase(world).find_near(table, straight_way(world, c.bodies[k].body, c.bodies[k].radius, time.dt), c.found);
     for (const std::uint32_t slot : c.found)
       if (table.movable[slot] && !c.find(table.body[slot]) && can_sweep(world, table.body[slot]))
-        add(world, table.body[slot]);
+        know(world, table.body[slot]);
   }
   const std::size_t most =
       std::min<std::size_t>(world.scene.bodies.slots(), c.bodies.size() + kStruck + kStruckEach * c.customers);

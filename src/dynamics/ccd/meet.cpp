@@ -16,10 +16,6 @@ constexpr Real kMostSlack = 0.05, kLeastSlack = 1e-5;
 // Of that, by how much what is as deep already may sink on in a substep.
 constexpr Real kDeeper = 0.1;
 
-Real thickness(const Shape& s) {
-  return s.form == Form::half_space || s.form == Form::scenery ? kInfinity : (s.bounds.hi - s.bounds.lo).minCoeff();
-}
-
 }  // namespace
 
 /// m: how deep two may sink in a substep without a hit.
@@ -81,8 +77,8 @@ Sweeper::Meeting Sweeper::meet(const Side& a, const Side& b, Real from, Real to)
   const auto look = [&]() -> Meeting {
     SupportFault fault;
     settings.target = allowed;
-    any_shape::time_of_impact(*a.piece.shape, a.path.motion(a.piece, start), *b.piece.shape, b.path.motion(b.piece, start),
-                   to - start, settings, r, fault);
+    any_shape::time_of_impact(*a.piece.shape, a.path.motion(a.piece, start), *b.piece.shape,
+                              b.path.motion(b.piece, start), to - start, settings, r, fault);
     if (fault.kind != SupportFault::none && c_.fault.kind == SupportFault::none) c_.fault = fault;
     if (r.outcome == CastOutcome::miss || r.status == QueryStatus::fault || r.normal == Vec3::Zero()) return {};
     // What could not be decided is as good as touching: nothing touches before.

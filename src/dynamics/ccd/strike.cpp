@@ -17,9 +17,9 @@
 namespace carom {
 namespace {
 
-constexpr int kSweeps = 50;       // over the points, which depend on each other
+constexpr int kSweeps = 50;        // over the points, which depend on each other
 constexpr Real kSamePatch = 0.99;  // cosine of 0.14 rad: a patch of scenery is of the hit
-constexpr Real kSettled = 1e-13;  // of the speed of the impact: what the last sweep may still change
+constexpr Real kSettled = 1e-13;   // of the speed of the impact: what the last sweep may still change
 
 }  // namespace
 
@@ -89,13 +89,8 @@ SweptBody* Sweeper::take_up(std::uint32_t body) {
   if (SweptBody* const known = c_.find(body)) return known;
   if (!moved_by_hits(body) || world_.sleep->sleeps(body) || c_.bodies.size() == c_.bodies.capacity()) return nullptr;
   const Path path = path_of(body);
-  const Colliders& table = world_.scene.colliders;
-  SweptBody& b = c_.bodies.emplace_back();
-  b.body = body;
+  SweptBody& b = know(world_, body);
   b.path = path;
-  for (std::uint32_t slot = world_.scene.first_collider[body]; slot != Colliders::kNone; slot = table.next[slot])
-    b.radius = std::max(b.radius, world_.plan->local[slot].p.norm() + table.shape[slot]->bounding_radius);
-  c_.index[body] = static_cast<std::uint32_t>(c_.bodies.size() - 1);
   return &b;
 }
 
@@ -113,11 +108,7 @@ void Sweeper::scenery_points(const SceneryPair& pair, const NarrowSettings& sett
     if (patch.normal.dot(-normal) < kSamePatch || patch.count <= manifold.count) continue;
     manifold.count = 0;
     ContactPoint point[PatchPoints::kMax];
-    for (int i = 0; i < patch.count; ++i) {
-      point[i] = patch.point[i];
-      std::swap(point[i].on_a, point[i].on_b);
-      point[i].normal = -point[i].normal;
-    }
+    for (int i = 0; i < patch.count; ++i) point[i] = exchanged(patch.point[i]);
     adopt(pair.convex_frame, point, patch.count, settings.manifold, manifold);
   }
 }

@@ -117,8 +117,8 @@ bool overlaps(const World& world, const Pair& p, bool before) {
   SupportFault fault;
   constexpr int kCap = 128;
   const OverlapResult r =
-      any_shape::overlap(*c.shape[p.a], *c.shape[p.b], relative(collider_frame(world, p.a), collider_frame(world, p.b)), 0,
-              kPoseRounding * kUnitRoundoff, kCap, fault);
+      any_shape::overlap(*c.shape[p.a], *c.shape[p.b], relative(collider_frame(world, p.a), collider_frame(world, p.b)),
+                         0, kPoseRounding * kUnitRoundoff, kCap, fault);
   return r.outcome == Overlap::overlapping || (before && r.outcome == Overlap::touching);
 }
 

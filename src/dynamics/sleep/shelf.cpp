@@ -268,12 +268,7 @@ void plan_sleep(World& world, Plan& plan) {
   for (std::size_t k = 0; k < plan.effects.size(); ++k)
     if (of_bodies(plan.effects[k]) && !from_host(*plan.effects[k].effect))
       plan.effects[k].candidates.each([&](std::uint32_t i) { z.rows[i] |= 1u << k; });
-  plan.effects[kSleepRow].candidates.each([&](std::uint32_t i) {
-    z.radius[i] = 0;
-    each_collider(scene, i, [&](std::uint32_t c) {
-      z.radius[i] = std::max(z.radius[i], plan.local[c].p.norm() + scene.colliders.shape[c]->bounding_radius);
-    });
-  });
+  plan.effects[kSleepRow].candidates.each([&](std::uint32_t i) { z.radius[i] = radius_of_body(world, i); });
   z.bodies.clear();
   if (z.count > 0) list_awake(world, z.bodies);
 }

@@ -48,7 +48,7 @@ void wake_drawn(World& world) {
 /// the narrow phase's own, and what is remembered stays as it was.
 bool touches(World& world, const NarrowSettings& settings, const Pair& pair) {
   const Colliders& c = world.scene.colliders;
-  if (c.shape[pair.a]->form == Form::scenery || c.shape[pair.b]->form == Form::scenery)
+  if (is_scenery(*c.shape[pair.a]) || is_scenery(*c.shape[pair.b]))
     return touches_scenery(world, settings, pair);
   NarrowSettings own = settings;
   own.manifold.contact_distance += c.reach[pair.a] + c.reach[pair.b];

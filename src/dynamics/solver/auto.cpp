@@ -73,11 +73,7 @@ Real mass_ratio_of(const Scene& scene, const Both& row) {
 Real thickness_of(const World& world, const RowGeometry& g) {
   const Colliders& colliders = world.scene.colliders;
   const Pair& pair = world.pairs.place(g.pair).pair;
-  const auto of = [&](std::uint32_t collider) {
-    const Shape& s = *colliders.shape[collider];
-    return s.form == Form::scenery ? kInfinity : (s.bounds.hi - s.bounds.lo).minCoeff();
-  };
-  return std::min(of(pair.a), of(pair.b));
+  return std::min(thickness(*colliders.shape[pair.a]), thickness(*colliders.shape[pair.b]));
 }
 
 /// Bodies that move, each at every row it has.

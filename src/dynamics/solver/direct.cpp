@@ -122,7 +122,7 @@ Real mean_response(const ConeBody* bodies, const ConeContact& c) {
 }
 
 bool is_curved(const Shape& s) {
-  return s.form != Form::box && s.form != Form::polytope && s.form != Form::half_space && s.form != Form::scenery;
+  return s.form != Form::box && s.form != Form::polytope && s.form != Form::half_space && !is_scenery(s);
 }
 
 /// Where a contact is, and what depends on that. Bodies have the velocities of the state.
