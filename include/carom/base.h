@@ -28,7 +28,7 @@ extern "C" {
 #endif
 
 #define CAROM_VERSION_MAJOR 1u
-#define CAROM_VERSION_MINOR 6u
+#define CAROM_VERSION_MINOR 7u
 #define CAROM_VERSION_PATCH 0u
 
 /* ---- results: each has a name and a remedy, see carom_result_name() and carom_result_remedy() ---- */
@@ -83,6 +83,8 @@ typedef uint64_t carom_body;
 typedef uint64_t carom_collider;
 typedef uint64_t carom_particles; /* a set of them   @since 1.4 */
 typedef uint64_t carom_joint;     /* @since 1.5 */
+typedef uint64_t carom_force_field;     /* @since 1.7 */
+typedef uint64_t carom_spring;    /* @since 1.7 */
 #define CAROM_NULL_HANDLE ((uint64_t)0)
 
 /** Version of the library that is running (the CAROM_VERSION_* macros tell the header's).

@@ -12,8 +12,10 @@
 #include <carom/engine.h>
 #include <carom/events.h>
 #include <carom/filter.h>
+#include <carom/force.h>
 #include <carom/joint.h>
 #include <carom/particles.h>
+#include <carom/plan.h>
 #include <carom/plugin.h>
 #include <carom/query.h>
 #include <carom/scenery.h>

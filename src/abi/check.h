@@ -53,6 +53,15 @@ bool fillable(Call& call, int argument, const char* name, const T* wanted) {
   return present(call, argument, name, wanted) && struct_size(call, argument, name, wanted->struct_size, alignof(T));
 }
 
+/// The start of every *_init(): all zero but for its size.
+template <class T>
+std::int32_t begin_desc(T* desc) {
+  if (!desc) return CAROM_E_NULL_ARGUMENT;
+  *desc = {};
+  desc->struct_size = sizeof *desc;
+  return CAROM_OK;
+}
+
 /// Fill in as much of a struct as the caller's version has; its struct_size stays.
 template <class T>
 void write_struct(const T& full, T* wanted) {

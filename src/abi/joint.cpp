@@ -238,14 +238,6 @@ int32_t get(carom_world* world, carom_joint handle, std::uint32_t coordinate, De
   });
 }
 
-template <class Desc>
-int32_t begin_desc(Desc* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
-  return CAROM_OK;
-}
-
 }  // namespace
 }  // namespace carom::abi
 

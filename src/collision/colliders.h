@@ -19,6 +19,7 @@ inline bool let_touch(const Filter& a, const Filter& b) {
 }
 
 struct Colliders {
+  enum Mute : std::uint8_t { kFaulty = 1, kForbidden = 2 };
   explicit Colliders(Memory* m)
       : shape(m),
         local(m),
@@ -49,7 +50,7 @@ struct Colliders {
   Array<Aabb> bounds;           // m, world, grown by what the scene asks for (contact distance, motion of the step)
   Array<Real> reach;            // m: a fast collider meets others that are this much farther than the contact distance
   Array<std::uint8_t> movable;  // 1: its body can move (dynamic or kinematic); 0: static
-  Array<std::uint8_t> muted;    // 1: makes no pairs (its shape or body is in quarantine)
+  Array<std::uint8_t> muted;    // makes no pairs: kFaulty (its shape or body is in quarantine), kForbidden
   Array<std::uint32_t> live;    // slots in use, ascending
   Array<std::uint32_t> active;  // those of them that the broad phase goes through (not asleep), ascending
   Array<std::uint32_t>

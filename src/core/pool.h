@@ -12,7 +12,7 @@ namespace carom {
 
 using Handle = std::uint64_t;
 
-enum class Kind : std::uint32_t { none = 0, plugin = 1, shape = 2, material = 3, body = 4, collider = 5, particles = 6, joint = 7 };
+enum class Kind : std::uint32_t { none = 0, plugin = 1, shape = 2, material = 3, body = 4, collider = 5, particles = 6, joint = 7, field = 8, spring = 9, last = spring };
 enum class HandleFault { none, invalid, stale, wrong_kind, wrong_owner };
 
 inline constexpr std::uint32_t kSlotBits = 24, kGenerationBits = 20, kTagBits = 16;
@@ -63,7 +63,7 @@ class SlotPool {
     const auto tag = static_cast<std::uint32_t>(h >> 44) & 0xFFFFu;
     const auto generation = static_cast<std::uint32_t>(h >> kSlotBits) & kMaxGeneration;
     const auto slot = handle_slot(h);
-    if (h == 0 || kind == 0 || kind > static_cast<std::uint32_t>(Kind::joint)) return HandleFault::invalid;
+    if (h == 0 || kind == 0 || kind > static_cast<std::uint32_t>(Kind::last)) return HandleFault::invalid;
     if (kind != static_cast<std::uint32_t>(kind_)) return HandleFault::wrong_kind;
     if (tag != tag_) return HandleFault::wrong_owner;
     if (slot >= generation_.size() || generation > generation_[slot] || !(generation & 1)) return HandleFault::invalid;

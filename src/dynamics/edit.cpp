@@ -63,6 +63,8 @@ Handle World::add_body(const BodyDef& def) {
   put<Mat3>(scene.inv_inertia, i, Mat3::Zero());
   put(scene.first_collider, i, Colliders::kNone);
   if (i < scene.gravity_factor.size()) scene.gravity_factor[i] = 1;
+  if (i < scene.drag.size()) scene.drag[i] = Drag{};
+  if (i < scene.fields.mask.size()) scene.fields.mask[i] = 1;
   put(state.x, i, def.pose.p);
   put(state.q, i, normalized(def.pose.q));
   put(state.held_q, i, state.q[i]);
@@ -85,10 +87,12 @@ Handle World::add_body(const BodyDef& def) {
 void World::remove_body(std::uint32_t body) {
   wake(*this, body);
   while (joints.any_of(body)) remove_joint(joints.first[body]);
+  remove_springs_of(*this, body);
   while (scene.first_collider[body] != Colliders::kNone) remove_collider(scene.first_collider[body]);
   scene.inv_mass[body] = scene.mass[body] = 0;
   scene.inertia[body].setZero(), scene.inv_inertia[body].setZero();
-  if (body < scene.locks.size()) scene.locks[body] = 0;
+  if (body < scene.locks.size()) scene.locks[body] = scene.given_locks[body] = 0;
+  if (body < scene.modes.forbidden_of.size()) scene.modes.forbidden_of[body] = scene.modes.forced_of[body] = 0;
   state.v[body] = state.omega[body] = state.force[body] = state.torque[body] = Vec3::Zero();
   state.quarantined_count -= state.quarantined[body];
   state.quarantined[body] = 0;
@@ -228,10 +232,13 @@ void World::set_gravity_factor(std::uint32_t body, Real factor) {
 }
 
 void World::set_locks(std::uint32_t body, Locks locks) {
-  if (scene.locks_of(body) == locks) return;
-  if (scene.locks.size() < scene.bodies.slots()) scene.locks.resize(scene.bodies.slots(), 0);
+  if (scene.given_locks_of(body) == locks) return;
+  const std::uint32_t slots = scene.bodies.slots();
+  if (scene.locks.size() < slots) scene.given_locks.reserve(slots), scene.locks.resize(slots, 0);
+  scene.given_locks.resize(scene.locks.size(), 0);
   wake(*this, body);
-  scene.locks[body] = locks;
+  scene.given_locks[body] = locks;
+  scene.locks[body] = scene.modes.forbids(kLocksRow, body) ? Locks(0) : locks;
   hold_velocity(scene, body, state.q[body], state.v[body], state.omega[body]);
   state.mark_written(body);
   ++scene.revision;

@@ -66,20 +66,32 @@ struct Accelerate {
 using ForceFn = void (*)(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
 using FlowFn = void (*)(const Scene&, const Customers&, Real h, const Quat* q, Vec3* v, Vec3* omega);
 
+/// What the customers of a row are.
+enum class CustomerKind : std::uint8_t {
+  bodies,
+  colliders,
+  contact_points,
+  contact_pairs,
+  springs,
+  joints,
+  particles,
+  hosts
+};
+
 /// A row of the table.
 struct Effect {
   Stage stage;
   const char* name;
+  CustomerKind customers;
   void (*find)(const Scene&, const State&, Customers&);           // who may be a customer, from what a host changes
   bool (*wakes)(const Scene&, const State&, std::uint32_t slot);  // null, or: is this one a customer in this step?
   ForceFn force;                                                  // null: served by its stage, not by the integrator
   FlowFn flow;                                                    // null: there is no closed form
-  Real (*rate)(const Scene&, const Customers&);                   // 1/s, fastest decay among them; null: none decays
+  Real (*rate)(const Scene&, const State&, const Customers&);     // 1/s, fastest decay among them; null: none decays
+  void (*everyone)(const Scene&, const State&, Customers&);       // whom it can be forced on; null: on nobody
+  const char* called_by;                                          // what customers are: "bodies with ..."
+  const char* missing;                                            // what a scene without any lacks
 };
-inline constexpr std::size_t kEffectCount = 20;
-inline constexpr std::size_t kGyroscopicRow = 0, kSleepRow = 11, kParticlesRow = 12, kFilterRow = 13, kSensorRow = 14,
-                             kJointsRow = 15, kSceneryRow = 16, kContinuousRow = 17, kSurfaceRow = 18,
-                             kLocksRow = 19;  // of the table
 
 /// What does the work of a planned row.
 enum class Served : std::uint8_t { force, flow, stage };  // effect->force, effect->flow, or neither of them
@@ -88,11 +100,13 @@ enum class Served : std::uint8_t { force, flow, stage };  // effect->force, effe
 struct PlannedEffect {
   PlannedEffect(const Effect* e, Memory* m) : effect(e), candidates(m), customers(m) {}
   const Effect* effect;
-  Customers candidates;  // of the scene
-  Customers customers;   // of this step: the candidates that wake
-  Real rate = 0;         // 1/s, effect->rate of the candidates
+  Customers candidates;      // of the scene
+  Customers customers;       // of this step: the candidates that wake
+  std::uint64_t wanted = 0;  // candidates of the scene, whatever a host forbids or forces
+  Real rate = 0;             // 1/s, effect->rate of the candidates
   Served served = Served::stage;
   std::uint64_t evaluations = 0;  // customers served since the world was made
+  double seconds = 0;             // of this step, as far as it has a room of its own, @see World::times_effects
 };
 
 struct StepTime {
@@ -107,9 +121,9 @@ struct Proposal {
   Array<Vec3> omega;  // rad/s, world: what a rotation method turned the body by, where plan.carried
 };
 
-struct Integrator;  // dynamics/integrate/integrator.h
-struct Rotation;    // dynamics/integrate/rotation/rotation.h
-struct Solver;      // dynamics/solver/solver.h
+struct Integrator;       // dynamics/integrate/integrator.h
+struct Rotation;         // dynamics/integrate/rotation/rotation.h
+struct Solver;           // dynamics/solver/solver.h
 struct SceneryContacts;  // dynamics/scenery.h
 
 struct Plan {
@@ -130,15 +144,19 @@ struct Plan {
   Array<std::uint8_t> carried;                // by body: the rotation method turns it in this step
   const Solver* solver = nullptr;
   Proposal proposal;
-  Array<std::uint8_t> touched;  // by body: a solver changed its velocity in this substep
-  Array<Mat3> rotation;         // by body: body -> world, at the start of the step
-  Array<Vec3> scratch_vectors;  // of the integrator
+  Array<std::uint8_t> touched;       // by body: a solver changed its velocity in this substep
+  Array<Mat3> rotation;              // by body: body -> world, at the start of the step
+  bool reads_velocities = false;     // some force does: it is given a copy, which forces before it have not changed
+  Customers readers;                 // bodies whose velocity it reads, in this step
+  Array<std::uint32_t> reader_list;  // scratch
+  Array<Vec3> read_v, read_omega;    // by body: that copy, of readers
+  Array<Vec3> scratch_vectors;       // of the integrator
   Array<Quat> scratch_rotations;
-  bool watches_speed = false;  // what moves far for its size is swept
-  bool host_wrote = false;     // to the state, before this step
-  Array<const Shape*> faulty;  // shapes in quarantine in this world
-  Array<SupportFault> faults;  // of this step
-  Array<Pair> pairs;           // of this step
+  bool watches_speed = false;      // what moves far for its size is swept
+  bool host_wrote = false;         // to the state, before this step
+  Array<const Shape*> faulty;      // shapes in quarantine in this world
+  Array<SupportFault> faults;      // of this step
+  Array<Pair> pairs;               // of this step
   Owned<SceneryContacts> scenery;  // null until there is some
 
   PlannedEffect* find(const char* name);  // null: no such row
@@ -146,6 +164,9 @@ struct Plan {
 
 /// The table, in the order in which effects act within a kick: those that read velocities first.
 const std::array<Effect, kEffectCount>& effect_table();
+
+/// A row's candidates: who the scene calls for, but for whom a host forbids it, with whom it forces it on.
+void find_candidates(World& world, PlannedEffect& row);
 
 /// Whether an effect is what a host asked for, for one step.
 bool from_host(const Effect& effect);
@@ -171,8 +192,12 @@ void each_of_both(const Customers& one, const Customers& other, F&& f) {
   }
 }
 
-/// All planned forces at one state.
+/// All planned forces at one state. Each is a function of that state: none sees what another did to the velocities.
 void evaluate_forces(World& world, const Motion& at, const Accelerate& out);
+/// Velocities for a second evaluation, h later: those that the first one read, and twice what it changed since, as if
+/// it went on like that. Where no force reads velocities, the world's own.
+/// @return  x and q as given
+Motion extrapolated(World& world, const Vec3* x, const Quat* q);
 /// All planned flows over h, on the world's velocities.
 /// @param q  by body slot: orientations during h
 void evaluate_flows(World& world, Real h, const Quat* q);

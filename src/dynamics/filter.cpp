@@ -14,7 +14,10 @@ void filtering::find(const Scene& scene, const State&, Customers& customers) {
 bool lets_touch(const Scene& scene, std::uint32_t a, std::uint32_t b) {
   const Colliders& c = scene.colliders;
   const std::uint32_t body_a = c.body[a], body_b = c.body[b];
-  return let_touch(c.filter_of(a), c.filter_of(b)) && !scene.apart.has(body_a, body_b) &&
+  const auto filter = [&](std::uint32_t collider, std::uint32_t body) {
+    return scene.modes.forbids(kFilterRow, body) ? Filter() : c.filter_of(collider);
+  };
+  return let_touch(filter(a, body_a), filter(b, body_b)) && !scene.apart.has(body_a, body_b) &&
          !scene.joined.has(body_a, body_b);
 }
 

@@ -60,6 +60,20 @@ void measure_energy(World& world) {
   report.dynamic_bodies = plan.linear.count + plan.rotating.count + world.sleep->count;
 }
 
+/// What effects without a room of their own did: they are served within the loops of their stages.
+void book_served(World& world) {
+  Plan& plan = *world.plan;
+  const auto book = [&](std::size_t row, Stage stage, std::uint64_t times) {
+    PlannedEffect& effect = plan.effects[row];
+    if (plan.runs[static_cast<std::size_t>(stage)]) effect.evaluations += times * effect.customers.count;
+  };
+  const auto substeps = static_cast<std::uint64_t>(plan.substeps);
+  for (const std::size_t row : {kFrictionRow, kRestitutionRow, kRollingRow, kSpinningRow, kSurfaceRow, kResponseRow,
+                                kJointsRow, kLimitsRow, kMotorsRow})
+    book(row, Stage::solve, substeps);
+  for (const std::size_t row : {kCollisionRow, kFilterRow, kSensorRow, kSceneryRow}) book(row, Stage::broad, 1);
+}
+
 /// A force lives for one step.
 void drop_forces(World& world) {
   State& s = world.state;
@@ -68,9 +82,9 @@ void drop_forces(World& world) {
     s.is_written[i] = 0;
   }
   s.written.clear();
-  for (const char* name : {"user_force", "user_torque"}) {
-    world.plan->find(name)->candidates.clear();
-    world.plan->find(name)->customers.clear();
+  for (const std::size_t row : {kUserForceRow, kUserTorqueRow}) {
+    world.plan->effects[row].candidates.clear();
+    world.plan->effects[row].customers.clear();
   }
 }
 
@@ -94,6 +108,7 @@ void observe(World& world, const StepTime& time) {
     remember_impulses(world, time.h);
   }
   measure_energy(world);
+  book_served(world);
   if (world.plan->host_wrote) drop_forces(world);
   report.steps += 1;
   report.time += time.dt;

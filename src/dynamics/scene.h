@@ -5,6 +5,8 @@
 #include "core/pair_counts.h"
 #include "core/pool.h"
 #include "dynamics/dials.h"
+#include "dynamics/effect_rows.h"
+#include "dynamics/force/sources.h"
 
 namespace carom {
 
@@ -57,6 +59,7 @@ struct Scene {
         def(m),
         gravity_factor(m),
         locks(m),
+        given_locks(m),
         type(m),
         inv_mass(m),
         mass(m),
@@ -68,14 +71,20 @@ struct Scene {
         surface(m),
         material(m),
         apart(m),
-        joined(m) {}
+        joined(m),
+        modes(m),
+        drag(m),
+        fields(tag, m),
+        springs(tag, m),
+        water(m) {}
 
   SlotPool bodies, collider_slots, material_slots;
 
   // by body slot
   Array<BodyDef> def;          // as the host gave it; poses and velocities in it are stale after a step
   Array<Real> gravity_factor;  // of the world's gravity; the first so many, 1 from there on
-  Array<Locks> locks;          // likewise, 0 from there on; of dynamic bodies alone
+  Array<Locks> locks;          // likewise, 0 from there on; of dynamic bodies alone; as they hold, @see given_locks
+  Array<Locks> given_locks;    // likewise, as the host gave them: those it forbids do not hold
   Array<BodyType> type;
   Array<Real> inv_mass;                 // 1/kg; 0: static, kinematic, free slot
   Array<Real> mass;                     // kg; 0 where inv_mass is 0
@@ -94,9 +103,18 @@ struct Scene {
   bool resists = false;  // some material resists rolling or spinning
 
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
+  Vec3 wind = Vec3::Zero();          // m/s, world: how the air moves
+
+  EffectModes modes;  // effects that a host forbids or forces
+  Array<Drag> drag;   // by body slot; the first so many, none from there on
+  Fields fields;
+  Springs springs;
+  Water water;
 
   Real gravity_factor_of(std::uint32_t body) const { return body < gravity_factor.size() ? gravity_factor[body] : 1; }
   Locks locks_of(std::uint32_t body) const { return body < locks.size() ? locks[body] : Locks(0); }
+  Locks given_locks_of(std::uint32_t body) const { return body < given_locks.size() ? given_locks[body] : Locks(0); }
+  Drag drag_of(std::uint32_t body) const { return body < drag.size() ? drag[body] : Drag{}; }
   SurfaceVelocity surface_of(std::uint32_t collider) const {
     return collider < surface.size() ? surface[collider] : SurfaceVelocity{};
   }

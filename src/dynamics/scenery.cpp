@@ -125,7 +125,7 @@ void ask(World& world, const NarrowSettings& settings, SceneryContacts& s, Scene
 void scenery::find(const Scene& scene, const State&, Customers& customers) {
   const Colliders& c = scene.colliders;
   for (const std::uint32_t slot : c.active)
-    if (is_scenery(*c.shape[slot]) && !c.muted[slot]) customers.add(slot);
+    if (is_scenery(*c.shape[slot]) && !(c.muted[slot] & Colliders::kFaulty)) customers.add(slot);
 }
 
 void meet_scenery(World& world, const NarrowSettings& settings) {

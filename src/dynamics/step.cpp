@@ -31,12 +31,15 @@ class Runner {
 
   int substeps() const { return world_.plan->substeps; }  // once the plan is made
 
-  void operator()(Stage stage, void (*room)(World&, const StepTime&)) const {
+  /// @param effect  row of the table whose room this is, if it is one effect's
+  void operator()(Stage stage, void (*room)(World&, const StepTime&), std::size_t effect = kEffectCount) const {
     const auto s = static_cast<std::size_t>(stage);
     if (stage != Stage::refresh && !world_.plan->runs[s]) return;
     const auto start = Clock::now();
     room(world_, {dt_, dt_ / substeps()});
-    world_.report.stage_seconds[s] += seconds_since(start);
+    const double seconds = seconds_since(start);
+    world_.report.stage_seconds[s] += seconds;
+    if (effect < kEffectCount) world_.plan->effects[effect].seconds += seconds;
   }
 
  private:
@@ -58,33 +61,33 @@ void World::step(Real dt) {
   run(Stage::refresh, admit);
   run(Stage::refresh, refresh);
   run(Stage::refresh, wake_touched);
-  run(Stage::broad, find_pairs);
-  run(Stage::narrow, find_contacts);
-  run(Stage::narrow, leave_to_sweep);
+  run(Stage::broad, find_pairs, kCollisionRow);
+  run(Stage::narrow, find_contacts, kCollisionRow);
+  run(Stage::narrow, leave_to_sweep, kContinuousRow);
   run(Stage::group, find_groups);
   run(Stage::solve, begin_contacts);
-  run(Stage::solve, begin_sweeps);
-  run(Stage::observe, begin_events);
+  run(Stage::solve, begin_sweeps, kContinuousRow);
+  run(Stage::observe, begin_events, kEventsRow);
   for (int k = 0; k < run.substeps(); ++k) {
     run(Stage::solve, note_starts);
     run(Stage::solve, measure_approach);
     run(Stage::solve, note_velocities);
     run(Stage::integrate, integrate_velocity);
     run(Stage::solve, note_forces);
-    run(Stage::solve, answer_impacts);
-    run(Stage::solve, hold_moments);
+    run(Stage::solve, answer_impacts, kRestitutionRow);
+    run(Stage::solve, hold_moments, kRollingRow);
     run(Stage::solve, solve_velocities);
     run(Stage::integrate, integrate_position);
     run(Stage::relax, solve_positions);
-    run(Stage::solve, resist);
-    run(Stage::solve, sweep);
+    run(Stage::solve, resist, kRollingRow);
+    run(Stage::solve, sweep, kContinuousRow);
   }
-  run(Stage::integrate, fly);
+  run(Stage::integrate, fly, kParticlesRow);
   run(Stage::solve, end_contacts);
-  run(Stage::solve, end_sweeps);
+  run(Stage::solve, end_sweeps, kContinuousRow);
   run(Stage::observe, observe);
-  run(Stage::observe, fall_asleep);
-  run(Stage::observe, end_events);
+  run(Stage::observe, fall_asleep, kSleepRow);
+  run(Stage::observe, end_events, kEventsRow);
   run(Stage::observe, note_who_moved);
 }
 

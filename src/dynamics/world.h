@@ -107,6 +107,18 @@ class World {
   void remove_joint(std::uint32_t joint);
   void set_joint_drive(std::uint32_t joint, Coordinate coordinate, const JointDrive& drive);
   void break_joint(std::uint32_t joint);  // it stays, and holds nothing any more
+  void set_drag(std::uint32_t body, const Drag& drag);
+  void set_wind(const Vec3& wind);
+  void set_water(const WaterDef* water);  // null: none
+  Handle add_field(const FieldDef& def);
+  void set_field(std::uint32_t field, const FieldDef& def);
+  void remove_field(std::uint32_t field);
+  void set_field_mask(std::uint32_t body, std::uint32_t mask);
+  Handle add_spring(const SpringDef& def);  // its bodies are two, or one and the world
+  void set_spring(std::uint32_t spring, Real rest, Real stiffness, Real damping);
+  void remove_spring(std::uint32_t spring);
+  void set_mode(std::size_t row, EffectMode mode);  // of an effect, for all bodies
+  void set_body_mode(std::uint32_t body, std::size_t row, EffectMode mode);
   void set_dial(Dial dial, Real value);
   void set_gravity(const Vec3& g);
 
@@ -149,6 +161,7 @@ class World {
   Owned<Continuous> continuous;
   Owned<QueryIndex> queries;  // brought up to date by readers, who see to it that one does so at a time
   Memory* memory;
+  bool times_effects = false;  // a host wants to know how long each effect takes
   Jobs* jobs = nullptr;  // who shares a step's loops; null: nobody
 };
 

@@ -140,8 +140,12 @@ void find_swept(World& world, Real dt) {
   list_candidates(world);
   for (const std::uint32_t i : c.seen) {
     const SweepMode mode = world.scene.def[i].continuous;
+    const EffectModes& modes = world.scene.modes;
+    if (modes.forbids(kContinuousRow, i)) continue;
+    const bool forced = modes.of_world(kContinuousRow) == EffectMode::force ||
+                        modes.of_body(kContinuousRow, i) == EffectMode::force;
     const bool outruns = world.plan->watches_speed && mode != SweepMode::never && is_fast(world, i, dt);
-    if (!can_sweep(world, i) || !(outruns || mode == SweepMode::always)) continue;
+    if (!can_sweep(world, i) || !(outruns || mode == SweepMode::always || forced)) continue;
     c.index.resize(world.scene.bodies.slots(), Continuous::kNone);
     SweptBody& b = know(world, i);
     b.swept = true, b.outruns = outruns;

@@ -180,9 +180,7 @@ bool Sweeper::exchange(Strike& s) {
 
   Manifold manifold;
   find_points(s, manifold);
-  const Material &ma = material_of(scene, s.a.collider), &mb = material_of(scene, s.b.collider);
-  const Real friction = mix(ma.friction_mix, ma.friction, mb.friction_mix, mb.friction);
-  const Real restitution = mix(ma.restitution_mix, ma.restitution, mb.restitution_mix, mb.restitution);
+  const MixedMaterial material = mixed(scene, s.a.collider, s.b.collider);
   const Real threshold = scene.dials[Dial::restitution_speed];
   const Frame frame_a = s.a.path.frame(s.a.piece, s.now), frame_b = s.b.path.frame(s.b.piece, s.now);
   struct Point {
@@ -202,11 +200,11 @@ bool Sweeper::exchange(Strike& s) {
     p.mass.k.diagonal() += s.inv_mass_a + s.inv_mass_b;
     p.mass.k_inv = p.mass.k.inverse();
     p.row.n = c.normal;
-    p.row.friction = friction;
+    p.row.friction = material.friction;
     p.row.k_n = c.normal.dot(p.mass.k * c.normal);
     p.row.set_impulse(Vec3::Zero());
     const Real speed = c.normal.dot(s.of_a.at(p.mass.r_a) - s.of_b.at(p.mass.r_b));
-    p.want = speed > 0 && !(speed > threshold) ? 0 : restitution * speed;
+    p.want = speed > 0 && !(speed > threshold) ? 0 : material.restitution * speed;
     s.speed = std::max(s.speed, speed);
   }
   if (s.speed > 0) {

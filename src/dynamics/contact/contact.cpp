@@ -86,6 +86,8 @@ struct Movers {
 std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
   if (place.points == 0) return 0;
   const Movers m(world, place.pair);
+  const EffectModes& modes = world.scene.modes;
+  if (modes.forbids(kResponseRow, m.a) || modes.forbids(kResponseRow, m.b)) return 0;
   return m.moves_a || m.moves_b ? place.points : 0;
 }
 
@@ -98,9 +100,7 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
   const PairRecord& record = world.pairs[pair_index];
   const std::uint32_t ca = record.pair.a, cb = record.pair.b;
   const Movers m(world, record.pair);
-  const Material &ma = material_of(scene, ca), &mb = material_of(scene, cb);
-  const Real friction = mix(ma.friction_mix, ma.friction, mb.friction_mix, mb.friction);
-  const Real restitution = mix(ma.restitution_mix, ma.restitution, mb.restitution_mix, mb.restitution);
+  const auto [friction, restitution, rolling, spinning] = mixed(scene, ca, cb);
   const Frame &fa = world.plan->local[ca], &fb = world.plan->local[cb];
   while (cursor < c.old.size() && c.old[cursor].pair < record.pair) ++cursor;
   std::size_t last = cursor;
@@ -212,6 +212,19 @@ const Material& material_of(const Scene& scene, std::uint32_t collider) {
   return slot == Colliders::kNoMaterial ? kDefault : scene.material[slot];
 }
 
+MixedMaterial mixed(const Scene& scene, std::uint32_t collider_a, std::uint32_t collider_b) {
+  const Material &a = material_of(scene, collider_a), &b = material_of(scene, collider_b);
+  const EffectModes& modes = scene.modes;
+  const auto allowed = [&](std::size_t row, Real value) {
+    const auto forbids = [&](std::uint32_t c) { return modes.forbids(row, scene.colliders.body[c]); };
+    return value > 0 && modes.forbidden_anywhere && (forbids(collider_a) || forbids(collider_b)) ? Real(0) : value;
+  };
+  return {allowed(kFrictionRow, mix(a.friction_mix, a.friction, b.friction_mix, b.friction)),
+          allowed(kRestitutionRow, mix(a.restitution_mix, a.restitution, b.restitution_mix, b.restitution)),
+          allowed(kRollingRow, mix(a.friction_mix, a.rolling, b.friction_mix, b.rolling)),
+          allowed(kSpinningRow, mix(a.friction_mix, a.spinning, b.friction_mix, b.spinning))};
+}
+
 Real mix(Mix rule_a, Real a, Mix rule_b, Real b) {
   switch (std::max(rule_a, rule_b)) {
     case Mix::maximum:
@@ -281,9 +294,11 @@ void build_rows(World& world, Real h) {
   c.old.reserve(n);
   world.contact_views.reserve(n);
   const auto rubs = [](const Row& r) { return r.friction > 0; };
-  world.plan->find("friction")->customers.count =
+  Array<PlannedEffect>& effects = world.plan->effects;
+  effects[kFrictionRow].customers.count =
       static_cast<std::uint64_t>(std::count_if(c.rows.begin(), c.rows.end(), rubs));
-  world.plan->find("restitution")->customers.count = c.bouncing.size();
+  effects[kRestitutionRow].customers.count = c.bouncing.size();
+  effects[kResponseRow].customers.count = c.meetings.size();
 }
 
 void prepare_rows(World& world, Real h) {

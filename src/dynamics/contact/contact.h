@@ -244,6 +244,12 @@ struct Contacts {
 inline constexpr std::size_t kRowsAPart = 256, kBodiesAPart = 256;
 
 const Material& material_of(const Scene& scene, std::uint32_t collider);
+/// What two colliders are to each other where they touch, without what a host forbids.
+struct MixedMaterial {
+  Real friction, restitution;
+  Real rolling, spinning;  // m
+};
+MixedMaterial mixed(const Scene& scene, std::uint32_t collider_a, std::uint32_t collider_b);
 /// Mixed coefficient of two, by the rule with the larger number.
 Real mix(Mix rule_a, Real a, Mix rule_b, Real b);
 

@@ -44,13 +44,8 @@ void find_resistance(World& world, Real scale) {
   for (std::uint32_t i = 0, next; world.scene.resists && i < c.rows.size(); i = next) {
     next = c.first_row[c.geometry[i].pair + 1];
     const Pair& pair = world.pairs.place(c.geometry[i].pair).pair;
-    const Material &a = material_of(world.scene, pair.a), &b = material_of(world.scene, pair.b);
-    Resistance r{i,
-                 next - i,
-                 mix(a.friction_mix, a.rolling, b.friction_mix, b.rolling),
-                 mix(a.friction_mix, a.spinning, b.friction_mix, b.spinning),
-                 Vec3::Zero(),
-                 0};
+    const MixedMaterial m = mixed(world.scene, pair.a, pair.b);
+    Resistance r{i, next - i, m.rolling, m.spinning, Vec3::Zero(), 0};
     if (!(r.rolling > 0 || r.spinning > 0)) continue;
     rolling += r.rolling > 0, spinning += r.spinning > 0;
     const auto before = [](const OldImpulse& old, const Pair& p) { return old.pair < p; };
@@ -60,8 +55,8 @@ void find_resistance(World& world, Real scale) {
         r.moment += scale * old->moment;
     c.resisting.push_back(r);
   }
-  world.plan->find("rolling_resistance")->customers.count = rolling;
-  world.plan->find("spinning_resistance")->customers.count = spinning;
+  world.plan->effects[kRollingRow].customers.count = rolling;
+  world.plan->effects[kSpinningRow].customers.count = spinning;
 }
 
 void hold_moments(World& world, const StepTime&) {

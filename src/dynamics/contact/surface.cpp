@@ -10,7 +10,8 @@ struct Moving {
   Vec3 origin;           // m, world
 
   Moving(const Scene& scene, std::uint32_t collider) : origin(scene.colliders.frame[collider].p) {
-    const SurfaceVelocity surface = scene.surface_of(collider);
+    const bool forbidden = scene.modes.forbids(kSurfaceRow, scene.colliders.body[collider]);
+    const SurfaceVelocity surface = forbidden ? SurfaceVelocity{} : scene.surface_of(collider);
     const Mat3& r = scene.colliders.frame[collider].r;
     linear = r * surface.linear, angular = r * surface.angular;
   }
@@ -29,7 +30,10 @@ void find_surfaces(World& world) {
   for (std::uint32_t i = 0, next; i < c.rows.size(); i = next) {
     next = c.first_row[c.geometry[i].pair + 1];
     const Pair& pair = world.pairs.place(c.geometry[i].pair).pair;
-    if (!scene.surface_of(pair.a).any() && !scene.surface_of(pair.b).any()) continue;
+    const auto drives = [&](std::uint32_t collider) {
+      return scene.surface_of(collider).any() && !scene.modes.forbids(kSurfaceRow, scene.colliders.body[collider]);
+    };
+    if (!drives(pair.a) && !drives(pair.b)) continue;
     const Moving a(scene, pair.a), b(scene, pair.b);
     c.surface.resize(c.rows.size(), Vec3::Zero());
     for (std::uint32_t k = i; k < next; ++k) {

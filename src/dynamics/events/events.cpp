@@ -203,9 +203,10 @@ void sensing::find(const Scene& scene, const State&, Customers& customers) {
     if (sensor[slot] && scene.collider_slots.alive(slot)) customers.add(slot);
 }
 
-void collect(World& world, std::uint32_t kinds, Real hit_speed) {
+void collect(World& world, std::uint32_t asked, Real hit_speed) {
   Events& e = *world.events;
   e.hit_speed = hit_speed;
+  const std::uint32_t kinds = world.scene.modes.forbids(kEventsRow) ? 0 : asked;
   const std::uint32_t gone = e.wanted & ~kinds;
   if (gone & Events::contact) e.touching.clear(), e.contacts.clear();
   if (gone & Events::sensor) e.within.clear(), e.sensors.clear();
@@ -216,7 +217,7 @@ void collect(World& world, std::uint32_t kinds, Real hit_speed) {
     e.slept.assign(world.scene.bodies.slots(), 0);
     for (std::uint32_t i = 0; i < e.slept.size(); ++i) e.slept[i] = static_cast<std::uint8_t>(world.sleep->sleeps(i));
   }
-  e.wanted = kinds;
+  e.asked = asked, e.wanted = kinds;
 }
 
 void tell_broken(World& world, std::uint32_t slot) {
@@ -240,7 +241,10 @@ void set_sensors_aside(World& world, Array<Pair>& pairs) {
 
 void begin_events(World& world, const StepTime&) {
   Events& e = *world.events;
+  PlannedEffect& row = world.plan->effects[kEventsRow];
+  row.wanted = e.asked != 0, row.customers.count = e.wanted != 0;
   if (e.wanted == 0) return;
+  ++row.evaluations;
   if ((e.wanted & Events::sensor) && !world.plan->runs[static_cast<std::size_t>(Stage::broad)]) {
     // All sleep; what a host moved among them has been asked for all the same.
     const Colliders& c = world.scene.colliders;

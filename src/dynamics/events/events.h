@@ -70,7 +70,8 @@ struct Events {
         slept(m) {}
 
   enum Kinds : std::uint32_t { contact = 1, sensor = 2, sleeping = 4, joint = 8, fault = 16, every = 31 };
-  std::uint32_t wanted = 0;  // Kinds
+  std::uint32_t asked = 0;   // Kinds, by the host
+  std::uint32_t wanted = 0;  // of them, those that are collected: all, or none where effect `events` is forbidden
   Real hit_speed = 1;        // m/s, above which an approach is a hit
 
   // of the last step

@@ -70,9 +70,15 @@ void hold_velocity(const Scene& scene, std::uint32_t body, const Quat& q, Vec3& 
   omega = project_turn(omega, inertia, inverse_of_free(inertia, locks), locks);
 }
 
+Vec3 angular_acceleration(const Scene& scene, std::uint32_t body, const Quat& q, const Vec3& torque) {
+  if (const Locks locks = scene.locks_of(body); locks & kAngularLocks)
+    return inverse_of_free(inertia_of(scene, body, q), locks) * torque;
+  return q * (scene.inv_inertia[body] * (q.conjugate() * torque));
+}
+
 void axis_locks::find(const Scene& scene, const State& state, Customers& customers) {
-  for (std::uint32_t i = 0; i < scene.locks.size(); ++i)
-    if (scene.locks[i] && responds(scene, state, i)) customers.add(i);
+  for (std::uint32_t i = 0; i < scene.given_locks.size(); ++i)
+    if (scene.given_locks[i] && responds(scene, state, i)) customers.add(i);
 }
 
 void axis_locks::hold(World& world, Real h) {

@@ -32,7 +32,7 @@ void flow(const Scene& scene, const Customers& customers, Real h, const Quat*, V
   customers.each([&](std::uint32_t i) { v[i] *= decay(h * scene.def[i].linear_damping); });
 }
 
-Real rate(const Scene& scene, const Customers& customers) {
+Real rate(const Scene& scene, const State&, const Customers& customers) {
   Real fastest = 0;
   customers.each([&](std::uint32_t i) { fastest = std::max(fastest, scene.def[i].linear_damping); });
   return fastest;
@@ -55,7 +55,7 @@ void flow(const Scene& scene, const Customers& customers, Real h, const Quat*, V
   customers.each([&](std::uint32_t i) { omega[i] *= decay(h * scene.def[i].angular_damping); });
 }
 
-Real rate(const Scene& scene, const Customers& customers) {
+Real rate(const Scene& scene, const State&, const Customers& customers) {
   Real fastest = 0;
   customers.each([&](std::uint32_t i) { fastest = std::max(fastest, scene.def[i].angular_damping); });
   return fastest;

@@ -27,14 +27,14 @@ namespace linear_damping {
 void find(const Scene&, const State&, Customers&);
 void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
 void flow(const Scene&, const Customers&, Real h, const Quat* q, Vec3* v, Vec3* omega);
-Real rate(const Scene&, const Customers&);
+Real rate(const Scene&, const State&, const Customers&);
 }  // namespace linear_damping
 
 namespace angular_damping {
 void find(const Scene&, const State&, Customers&);
 void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
 void flow(const Scene&, const Customers&, Real h, const Quat* q, Vec3* v, Vec3* omega);
-Real rate(const Scene&, const Customers&);
+Real rate(const Scene&, const State&, const Customers&);
 }  // namespace angular_damping
 
 namespace gyroscopic {
@@ -53,6 +53,58 @@ namespace user_torque {
 void find(const Scene&, const State&, Customers&);
 void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
 }  // namespace user_torque
+
+/// rad/s^2, world, that a torque about the centre of mass gives a body, with the axes that are locked.
+/// @param torque  N m, world
+Vec3 angular_acceleration(const Scene& scene, std::uint32_t body, const Quat& q, const Vec3& torque);
+
+/// Drag of air; and wind, which is the motion of that air: it serves drag's customers and does nothing by itself.
+/// @oracle tests/oracle/test_forces
+namespace drag {
+void find(const Scene&, const State&, Customers&);
+void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
+void flow(const Scene&, const Customers&, Real h, const Quat* q, Vec3* v, Vec3* omega);
+Real rate(const Scene&, const State&, const Customers&);
+}  // namespace drag
+namespace wind {
+void find(const Scene&, const State&, Customers&);
+}
+/// m/s, world: of the air as a body meets it.
+Vec3 air_velocity(const Scene& scene, std::uint32_t body);
+
+/// Fields of acceleration or force.   @oracle tests/oracle/test_forces
+namespace fields {
+void find(const Scene&, const State&, Customers&);
+void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
+}  // namespace fields
+/// m/s^2 or N, world, at a place.   @param x  m, world
+Vec3 field_at(const FieldDef& field, const Vec3& x);
+
+/// Springs as forces. Customers are springs, by slot.   @oracle tests/oracle/test_forces
+namespace springs {
+void find(const Scene&, const State&, Customers&);
+void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
+}  // namespace springs
+/// Before a body goes.
+void remove_springs_of(World& world, std::uint32_t body);
+/// Which of them act: neither forbidden, nor both ends asleep or immovable.
+void plan_springs(World& world);
+/// How stiff they may be in substeps of h.
+void carry_springs(World& world, Real h);
+/// Wake who hangs on something that moves.
+void wake_sprung(World& world);
+struct SpringReading {
+  Real length;  // m
+  Real pull;    // N, above 0 it pulls its ends together; as it was set, whatever a substep can carry
+};
+SpringReading read_spring(const World& world, std::uint32_t slot);
+
+/// Buoyancy and drag of water.   @oracle tests/oracle/test_forces
+namespace buoyancy {
+void find(const Scene&, const State&, Customers&);
+bool wakes(const Scene&, const State&, std::uint32_t body);
+void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
+}  // namespace buoyancy
 
 /// Velocities along and about world axes that are held at 0. Whatever moves a body respects it: impulses and torques
 /// have no effect along a locked axis, and turn a body as one that cannot turn about it, E (E^T I E)^-1 E^T in place of

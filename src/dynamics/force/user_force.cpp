@@ -20,15 +20,8 @@ void user_torque::find(const Scene& scene, const State& state, Customers& custom
 
 void user_torque::force(const Scene& scene, const State& state, const Customers& customers, const Motion& at,
                         const Accelerate& out) {
-  customers.each([&](std::uint32_t i) {
-    const Quat& q = at.q[i];
-    if (const Locks locks = scene.locks_of(i); locks & kAngularLocks) {
-      const Mat3 r = q.toRotationMatrix();
-      out.omega[i] += out.scale * (inverse_of_free(r * scene.inertia[i] * r.transpose(), locks) * state.torque[i]);
-      return;
-    }
-    out.omega[i] += out.scale * (q * (scene.inv_inertia[i] * (q.conjugate() * state.torque[i])));
-  });
+  customers.each(
+      [&](std::uint32_t i) { out.omega[i] += out.scale * angular_acceleration(scene, i, at.q[i], state.torque[i]); });
 }
 
 }  // namespace carom

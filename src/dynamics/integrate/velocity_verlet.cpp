@@ -1,7 +1,8 @@
 // Velocity Verlet: half a kick, a move, half a kick of the forces where the body arrives.
 //
-//   v+ = v0 + h/2 a(x0, v0),   x1 = x0 + h v+,   v1 = v+ + h/2 a(x1, v+)
+//   v+ = v0 + h/2 a(x0, v0),   x1 = x0 + h v+,   v1 = v+ + h/2 a(x1, 2 v+ - v0)
 //
+// The velocity of the second kick is that of the end to first order, so forces that read velocities keep the order too.
 // Orientation and omega likewise, with the rotation method as the move. Flows are composed around it, half before and
 // half after, so that the whole is symmetric and damping alone stays exact. Under a constant force x is exact at any h,
 // since the parabola has no third derivative.   @source [Hairer2006 §I.1.4, §II.5]
@@ -28,7 +29,7 @@ void velocity(World& world, Real h) {
   });
   turn_tops(world, h);
 
-  evaluate_forces(world, {to.x.data(), to.q.data(), s.v.data(), s.omega.data()}, kick);
+  evaluate_forces(world, extrapolated(world, to.x.data(), to.q.data()), kick);
   evaluate_flows(world, h / 2, to.q.data());
 }
 

@@ -70,6 +70,7 @@ struct Joint {
   JointDef def;
   std::array<JointDrive, kCoordinates> drive;
   bool broken = false;
+  bool without_limits = false, without_motors = false;  // a host forbids them, as of the last plan
 
   std::array<Real, kMostEqualities> p{};                 // N s, N m s
   std::array<Real, kMostDrives> drive_p{};               // likewise, by row of the layout

@@ -47,9 +47,9 @@ void each_drive(const Joint& joint, F&& f) {
   for (std::uint32_t c = 0; c < kCoordinates; ++c) {
     if (!has(joint.def.kind, static_cast<Coordinate>(c))) continue;
     const JointDrive& d = joint.drive[c];
-    if (d.motor.on) f(c, DriveKind::motor);
+    if (d.motor.on && !joint.without_motors) f(c, DriveKind::motor);
     if (d.spring.on) f(c, DriveKind::spring);
-    if (d.limit.on) f(c, DriveKind::limit);
+    if (d.limit.on && !joint.without_limits) f(c, DriveKind::limit);
   }
 }
 

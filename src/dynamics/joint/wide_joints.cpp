@@ -20,8 +20,30 @@ bool moves(const World& world, std::uint32_t body) {
   return body != kTheWorld && yields(world.scene, world.state, body);
 }
 /// Something about it can change: a body that is awake, or one that moves by itself.
+/// Whether a host forbids an effect to a joint: altogether, or to one of its bodies.
+bool forbids(const World& world, std::size_t row, const JointDef& def) {
+  const EffectModes& modes = world.scene.modes;
+  const auto to = [&](std::uint32_t body) { return body != kTheWorld && modes.forbids(row, body); };
+  return modes.forbids(row) || to(def.body_a) || to(def.body_b);
+}
+
+/// Note what is forbidden to a joint, and whom of the table it calls for.
+void note_parts(World& world, Joint& joint) {
+  const std::uint32_t before = layout_key(joint);
+  joint.without_limits = forbids(world, kLimitsRow, joint.def);
+  joint.without_motors = forbids(world, kMotorsRow, joint.def);
+  if (layout_key(joint) != before) joint.drive_p.fill(0), joint.p.fill(0);  // rows stand for something else now
+  const auto any = [&](auto&& has) { return std::any_of(joint.drive.begin(), joint.drive.end(), has); };
+  const auto count = [&](std::size_t row, bool has, bool without) {
+    world.plan->effects[row].wanted += has;
+    world.plan->effects[row].customers.count += has && !without;
+  };
+  count(kLimitsRow, any([](const JointDrive& d) { return d.limit.on; }), joint.without_limits);
+  count(kMotorsRow, any([](const JointDrive& d) { return d.motor.on; }), joint.without_motors);
+}
+
 bool is_active(const World& world, const Joint& joint) {
-  if (joint.broken) return false;
+  if (joint.broken || forbids(world, kJointsRow, joint.def)) return false;
   const auto awake = [&](std::uint32_t body) { return moves(world, body) && !world.sleep->sleeps(body); };
   return awake(joint.def.body_a) || awake(joint.def.body_b);
 }
@@ -179,10 +201,14 @@ void plan_joints(World& world) {
   WideJoints& w = *world.wide_joints;
   w.active.clear(), w.linked.clear();
   w.is_packed = false;
+  for (const std::size_t row : {kLimitsRow, kMotorsRow})
+    world.plan->effects[row].wanted = world.plan->effects[row].customers.count = 0;
+  world.plan->effects[kJointsRow].wanted = world.joints.slots.alive_count();
   if (world.joints.slots.alive_count() == 0) return;
   for (std::uint32_t j = 0; j < world.joints.slots.slots(); ++j)
     if (world.joints.alive(j) && is_active(world, world.joints.joint[j])) w.active.push_back(j);
   if (!w.any()) return;
+  for (const std::uint32_t j : w.active) note_parts(world, world.joints.joint[j]);
   w.linked.assign(world.scene.bodies.slots(), 0);
   for (const std::uint32_t j : w.active) {
     const JointDef& def = world.joints.joint[j].def;

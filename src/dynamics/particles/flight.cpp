@@ -92,7 +92,7 @@ void judge(World& world, std::uint32_t s) {
 
 void fly(World& world, const StepTime& time) {
   Particles& particles = world.particles;
-  if (particles.count() == 0) return;
+  if (particles.count() == 0 || world.scene.modes.forbids(kParticlesRow)) return;
   const int substeps = world.plan->substeps;
   const std::uint32_t integrator = world.scene.dials.choice(Dial::integrator);
   PlannedEffect& row = world.plan->effects[kParticlesRow];

@@ -10,8 +10,8 @@ namespace {
 void count_calm(World& world, std::uint32_t i, Real speed, Real dt) {
   Sleep& z = *world.sleep;
   const State& s = world.state;
-  const bool slow =
-      s.v[i].norm() + z.radius[i] * s.omega[i].norm() <= speed && !s.quarantined[i] && !world.scene.def[i].stays_awake;
+  const bool slow = s.v[i].norm() + z.radius[i] * s.omega[i].norm() <= speed && !s.quarantined[i] &&
+                    !world.scene.def[i].stays_awake && !world.scene.modes.forbids(kSleepRow, i);
   if (slow) {
     // A turn by angle a moves a point at radius r by 2 r sin(a/2), which is 2 r times the vector part of its
     // quaternion.
@@ -32,6 +32,25 @@ bool rolls_by(const World& world, std::uint32_t i) {
          (world.state.v[i] != Vec3::Zero() || world.state.omega[i] != Vec3::Zero());
 }
 
+/// Who hangs on one spring falls asleep together.
+void join_sprung(World& world) {
+  Array<std::uint32_t>& root = world.sleep->root;
+  const Springs& springs = world.scene.springs;
+  const auto root_of = [&](std::uint32_t i) {
+    while (root[i] != i) i = root[i];
+    return i;
+  };
+  const PlannedEffect& row = world.plan->effects[kSpringsRow];
+  row.customers.each([&](std::uint32_t k) {
+    const std::uint32_t a = springs.def[k].body_a, b = springs.def[k].body_b;
+    if (a == kTheWorld || b == kTheWorld || !responds(world.scene, world.state, a) ||
+        !responds(world.scene, world.state, b))
+      return;
+    const std::uint32_t one = root_of(a), other = root_of(b);
+    root[std::max(one, other)] = std::min(one, other);  // the lowest slot is the root
+  });
+}
+
 /// The island of every customer, and which islands something keeps awake.
 void find_islands(World& world, const Customers& customers, Real time) {
   Sleep& z = *world.sleep;
@@ -42,7 +61,21 @@ void find_islands(World& world, const Customers& customers, Real time) {
     const bool grouped = world.scene.dials.choice(Dial::groups) != 0;
     for (const std::uint32_t i : c.bodies) z.root[i] = grouped ? island_of(c, i) : c.bodies[0];
   }
+  const PlannedEffect& sprung = world.plan->effects[kSpringsRow];
+  if (sprung.customers.count > 0) {
+    join_sprung(world);
+    customers.each([&](std::uint32_t i) {  // ascending, and roots are lower: they stand already
+      z.root[i] = z.root[z.root[i]];
+    });
+  }
   customers.each([&](std::uint32_t i) { z.restless[z.root[i]] |= !(z.calm[i] >= time); });
+  sprung.customers.each([&](std::uint32_t k) {
+    const SpringDef& def = world.scene.springs.def[k];
+    if (def.body_a != kTheWorld && def.body_b != kTheWorld && rolls_by(world, def.body_b))
+      z.restless[z.root[def.body_a]] = 1;
+    if (def.body_a != kTheWorld && def.body_b != kTheWorld && rolls_by(world, def.body_a))
+      z.restless[z.root[def.body_b]] = 1;
+  });
   if (!met) return;
   for (const Row& row : c.rows) {
     if (row.moves_a && rolls_by(world, row.b)) z.restless[z.root[row.a]] = 1;

@@ -209,16 +209,16 @@ void list_awake(World& world, const Array<std::uint32_t>& woken) {
     if (of_bodies(row) && k != kSleepRow && !from_host(*row.effect)) {
       row.candidates.clear();
       awake.each([&](std::uint32_t i) {
-        if (z.rows[i] >> k & 1) row.candidates.add(i);
+        if (z.rows[i] & row_bit(k)) row.candidates.add(i);
       });
     }
     if (row.effect->stage == Stage::broad) {
-      row.candidates.clear();
-      row.effect->find(world.scene, world.state, row.candidates);
+      find_candidates(world, row);
     }
-    if (row.effect->stage != Stage::solve && !row.effect->wakes) row.customers = row.candidates;
+    if (row.effect->stage != Stage::solve && k != kSpringsRow && !row.effect->wakes) row.customers = row.candidates;
   }
   plan_joints(world);
+  plan_springs(world);
   plan_stages(world, plan);
 }
 
@@ -264,10 +264,9 @@ void plan_sleep(World& world, Plan& plan) {
   z.root.resize(slots, 0), z.restless.resize(slots, 0), z.asleep.resize(slots, 0);
   z.calm.resize(slots, 0);  // last: its size says that all have theirs
   z.rows.assign(slots, 0);
-  static_assert(kEffectCount <= 32, "a bit each");
   for (std::size_t k = 0; k < plan.effects.size(); ++k)
     if (of_bodies(plan.effects[k]) && !from_host(*plan.effects[k].effect))
-      plan.effects[k].candidates.each([&](std::uint32_t i) { z.rows[i] |= 1u << k; });
+      plan.effects[k].candidates.each([&](std::uint32_t i) { z.rows[i] |= row_bit(k); });
   plan.effects[kSleepRow].candidates.each([&](std::uint32_t i) { z.radius[i] = radius_of_body(world, i); });
   z.bodies.clear();
   if (z.count > 0) list_awake(world, z.bodies);
@@ -299,7 +298,7 @@ void rejoin(World& world) {
   try {
     take_back(world);
     if (!z.fallen.empty()) park(world);
-    if (world.scene.dials.choice(Dial::sleep) == 0) return;  // the plan is everybody's
+    if (!anyone_sleeps(world.scene)) return;  // the plan is everybody's
     std::erase_if(z.bodies, [&](std::uint32_t i) { return !responds(world.scene, world.state, i); });
     list_awake(world, z.bodies);
   } catch (...) {

@@ -53,7 +53,7 @@ struct Sleep {
   Array<Vec3> anchor_x;        // m, where it became slow
   Array<Quat> anchor_q;
   Array<Real> radius;               // m, the farthest point of its colliders from its centre
-  Array<std::uint32_t> rows;        // bit k: row k of the table has it for a customer when awake
+  Array<RowBits> rows;              // of the table that have it for a customer when awake
   Array<std::uint32_t> kept_first;  // its first KeptImpulse, or Colliders::kNone
   Array<std::uint32_t> root;        // scratch: its island
   Array<std::uint8_t> restless;     // scratch: by root
@@ -78,6 +78,10 @@ struct Sleep {
   Customers spare;
 };
 
+/// Whether anybody may fall asleep at all.
+inline bool anyone_sleeps(const Scene& scene) {
+  return scene.dials.choice(Dial::sleep) != 0 && !scene.modes.forbids(kSleepRow);
+}
 /// Row of the table: who may fall asleep. Its customers are all dynamic bodies that are awake.
 namespace sleeping {
 void find(const Scene&, const State&, Customers&);
@@ -89,7 +93,7 @@ void wake(World& world, std::uint32_t body);
 void wake_all(World& world);
 /// Wake who touches a collider.
 void wake_touching(World& world, std::uint32_t collider);
-/// Wake who is joined to a body.
+/// Wake who is joined to a body, or hangs on it by a spring.
 void wake_joined(World& world, std::uint32_t body);
 /// Wake who wears a material, or touches what wears it.
 void wake_wearing(World& world, std::uint32_t material);

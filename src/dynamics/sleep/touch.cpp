@@ -4,6 +4,7 @@
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/detect.h"
 #include "dynamics/filter.h"
+#include "dynamics/force/force.h"
 #include "dynamics/scenery.h"
 #include "dynamics/sleep/sleep.h"
 
@@ -48,8 +49,7 @@ void wake_drawn(World& world) {
 /// the narrow phase's own, and what is remembered stays as it was.
 bool touches(World& world, const NarrowSettings& settings, const Pair& pair) {
   const Colliders& c = world.scene.colliders;
-  if (is_scenery(*c.shape[pair.a]) || is_scenery(*c.shape[pair.b]))
-    return touches_scenery(world, settings, pair);
+  if (is_scenery(*c.shape[pair.a]) || is_scenery(*c.shape[pair.b])) return touches_scenery(world, settings, pair);
   NarrowSettings own = settings;
   own.manifold.contact_distance += c.reach[pair.a] + c.reach[pair.b];
   const PairRecord* const record = world.pairs.find(pair);
@@ -103,6 +103,7 @@ void wake_touched(World& world, const StepTime& time) {
     forget_sleepers(world);  // whom a host's hand stirred, and whom it touched, is lost otherwise
     throw;
   }
+  carry_springs(world, time.h);
   find_customers(world);
   // Between two that are awake by now, the broad phase finds the pair. What does not move makes none with a sleeper.
   const Colliders& c = world.scene.colliders;

@@ -51,6 +51,13 @@ void wake_joined(World& world, std::uint32_t body) {
   world.joints.each_of(body, [&](std::uint32_t joint, std::uint32_t other) {
     if (other != kTheWorld && !world.joints.joint[joint].broken) wake(world, other);
   });
+  const Springs& springs = world.scene.springs;
+  for (std::uint32_t k = 0; springs.hang_on(body) && k < springs.slots.slots(); ++k) {
+    const SpringDef& def = springs.def[k];
+    if (!springs.slots.alive(k) || (def.body_a != body && def.body_b != body)) continue;
+    for (const std::uint32_t end : {def.body_a, def.body_b})
+      if (end != kTheWorld) wake(world, end);
+  }
 }
 
 void wake_wearing(World& world, std::uint32_t material) {

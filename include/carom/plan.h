@@ -1,0 +1,114 @@
+/** @file plan.h
+ *  The plan of a step: which effects run, for whom, why, and what they cost; what was left out, and why. And the host's
+ *  last word: forbid an effect, or force it.
+ *
+ *  An effect runs for its customers and nobody else. Without customers it executes nothing and allocates nothing, and the
+ *  world has the bits of a world in which it is forbidden.
+ */
+#ifndef CAROM_PLAN_H
+#define CAROM_PLAN_H
+
+#include <carom/world.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define CAROM_EFFECT_GYROSCOPIC 0u
+#define CAROM_EFFECT_LINEAR_DAMPING 1u
+#define CAROM_EFFECT_ANGULAR_DAMPING 2u
+#define CAROM_EFFECT_GRAVITY 3u
+#define CAROM_EFFECT_USER_FORCE 4u
+#define CAROM_EFFECT_USER_TORQUE 5u
+#define CAROM_EFFECT_COLLISION 6u
+#define CAROM_EFFECT_FRICTION 7u
+#define CAROM_EFFECT_RESTITUTION 8u
+#define CAROM_EFFECT_ROLLING_RESISTANCE 9u
+#define CAROM_EFFECT_SPINNING_RESISTANCE 10u
+#define CAROM_EFFECT_SLEEP 11u
+#define CAROM_EFFECT_PARTICLES 12u
+#define CAROM_EFFECT_FILTER 13u
+#define CAROM_EFFECT_SENSOR 14u
+#define CAROM_EFFECT_JOINTS 15u
+#define CAROM_EFFECT_SCENERY 16u
+#define CAROM_EFFECT_CONTINUOUS 17u
+#define CAROM_EFFECT_SURFACE_VELOCITY 18u
+#define CAROM_EFFECT_AXIS_LOCKS 19u
+#define CAROM_EFFECT_DRAG 20u
+#define CAROM_EFFECT_WIND 21u
+#define CAROM_EFFECT_FIELDS 22u
+#define CAROM_EFFECT_SPRINGS 23u
+#define CAROM_EFFECT_BUOYANCY 24u
+#define CAROM_EFFECT_RESPONSE 25u /* without it, bodies that touch do not push each other; with COLLISION they touch */
+#define CAROM_EFFECT_JOINT_LIMITS 26u
+#define CAROM_EFFECT_JOINT_MOTORS 27u
+#define CAROM_EFFECT_EVENTS 28u
+#define CAROM_EFFECT_COUNT 29u
+
+#define CAROM_MODE_AS_NEEDED 0u /* it runs for whom the scene calls for it */
+#define CAROM_MODE_FORBID 1u    /* it does not run */
+#define CAROM_MODE_FORCE 2u     /* it runs for everybody it can act on, whether the scene calls for it or not: to see what it
+                                   costs, and that it changes nothing. Nothing more where there is nobody (joints, ...) */
+
+/** Static name of an effect ("gravity"), or "?".   @thread any   @since 1.7 */
+CAROM_API const char *carom_effect_name(uint32_t effect);
+
+/** Forbid or force an effect from the next step on, for all bodies. Wakes everybody. Forbidding one that the scene
+ *  needs is allowed, and carom_world_get_plan() says so.
+ *  @param effect CAROM_EFFECT_*   @param mode CAROM_MODE_*
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT   @since 1.7 */
+CAROM_API int32_t carom_world_set_effect(carom_world *world, uint32_t effect, uint32_t mode, carom_error *error);
+/** @param mode out   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY   @since 1.7 */
+CAROM_API int32_t carom_world_get_effect(carom_world *world, uint32_t effect, uint32_t *mode, carom_error *error);
+
+/** The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for the
+ *  world is forbidden for it. Particles and events are not a body's.
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS: use carom_world_set_effect());
+ *          BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.7 */
+CAROM_API int32_t carom_body_set_effect(carom_world *world, carom_body body, uint32_t effect, uint32_t mode,
+                                        carom_error *error);
+/** @param mode out: of the body itself   @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; BUSY   @since 1.7 */
+CAROM_API int32_t carom_body_get_effect(carom_world *world, carom_body body, uint32_t effect, uint32_t *mode,
+                                        carom_error *error);
+
+/** Whether each force effect is timed by itself in carom_world_get_plan(), which costs two looks at the clock for each.
+ *  @param on 1 or 0 (as a world is created)
+ *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7 */
+CAROM_API int32_t carom_world_time_effects(carom_world *world, uint32_t on, carom_error *error);
+
+#define CAROM_PLAN_NO_EFFECT 0xffffffffu /* the line is a stage */
+
+#define CAROM_TIME_OWN 0u      /* seconds is its own */
+#define CAROM_TIME_IN_STAGE 1u /* it is done within the loops of its stage, and in the time of that */
+#define CAROM_TIME_OFF 2u      /* nobody asked, see carom_world_time_effects() */
+
+/** A line of the plan: a stage or an effect, as it was in the last step.   @since 1.7 */
+typedef struct carom_plan_line {
+  uint32_t effect;      /**< CAROM_EFFECT_*, or CAROM_PLAN_NO_EFFECT: a stage */
+  uint32_t stage;       /**< CAROM_STAGE_* that it is part of */
+  uint32_t mode;        /**< CAROM_MODE_* for the world */
+  uint32_t runs;        /**< 1 or 0 */
+  uint64_t customers;   /**< served in the last step */
+  uint64_t wanted;      /**< whom the scene calls for, whatever is forbidden or forced; of effects within contacts, customers */
+  uint64_t evaluations; /**< customers served since the world was made, once for each time */
+  uint64_t bytes;       /**< memory held for it alone */
+  double seconds;       /**< s, in the last step */
+  uint32_t timing;      /**< CAROM_TIME_* */
+  uint32_t reserved;
+  char name[32];
+  char unit[24];        /**< what customers are: "bodies", "contact points" */
+  char reason[128];     /**< why it runs, or why not */
+} carom_plan_line;
+
+/** Copy out the plan of the last step: stages first, then effects. Before the first step nothing has run.
+ *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+ *  @param stride   sizeof(carom_plan_line) as the caller knows it
+ *  @param count    out: how many there are (may exceed capacity; capacity are written)
+ *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.7 */
+CAROM_API int32_t carom_world_get_plan(carom_world *world, carom_plan_line *dst, uint64_t stride, uint64_t capacity,
+                                       uint64_t *count, carom_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

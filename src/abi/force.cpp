@@ -1,0 +1,372 @@
+// Drag, wind, fields, springs and water: what a host says about them, checked and handed to the world, and read back.
+#include "dynamics/force/force.h"
+
+#include <carom/force.h>
+
+#include "abi/float_scope.h"
+#include "abi/world.h"
+#include "dynamics/joint/joint.h"
+#include "dynamics/quarantine.h"
+
+namespace carom::abi {
+namespace {
+
+static_assert(static_cast<std::uint32_t>(FieldKind::uniform) == CAROM_FORCE_FIELD_UNIFORM &&
+              static_cast<std::uint32_t>(FieldKind::radial) == CAROM_FORCE_FIELD_RADIAL &&
+              static_cast<std::uint32_t>(FieldKind::vortex) == CAROM_FORCE_FIELD_VORTEX &&
+              static_cast<std::uint32_t>(FieldKind::count) == CAROM_FORCE_FIELD_COUNT);
+
+constexpr double kMostDrag = 1e12, kFastest = 1e6, kStrongest = 1e30, kLongest = 1e9, kDensest = 1e9, kMostRate = 1e6;
+constexpr std::int32_t kLeastFalloff = -2, kMostFalloff = 8;
+
+bool resolve_body(Call& call, const World& world, carom_body body) {
+  return resolve(call, 2, "body", world.scene.bodies, body);
+}
+bool resolve_field(Call& call, const World& world, carom_force_field field) {
+  return resolve(call, 2, "field", world.scene.fields.slots, field);
+}
+bool resolve_spring(Call& call, const World& world, carom_spring spring) {
+  return resolve(call, 2, "spring", world.scene.springs.slots, spring);
+}
+
+bool check_vector(Call& call, int argument, const char* name, const double v[3], double most) {
+  if (!finite(call, argument, name, v, 3)) return false;
+  for (int k = 0; k < 3; ++k)
+    if (std::fabs(v[k]) > most)
+      return call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s[%d] is %g, must be within +-%g", name, k, v[k], most);
+  return true;
+}
+
+/// Above 0; may be infinite.
+bool positive(Call& call, const char* name, double value) {
+  return value > 0 || call.fail(CAROM_E_OUT_OF_RANGE, 2, "%s is %g, must be greater than 0", name, value);
+}
+
+bool read_field(Call& call, const carom_force_field_desc* given, FieldDef& def) {
+  carom_force_field_desc d;
+  carom_force_field_desc_init(&d);
+  if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
+      !known(call, 2, "desc->kind", d.kind, CAROM_FORCE_FIELD_COUNT) ||
+      !only_bits(call, 2, "desc->is_force", d.is_force, 1) ||
+      !check_vector(call, 2, "desc->position", d.position, kMaxPosition) ||
+      !unit(call, 2, "desc->orientation", d.orientation, 4) || !positive(call, "desc->half[0]", d.half[0]) ||
+      !positive(call, "desc->half[1]", d.half[1]) || !positive(call, "desc->half[2]", d.half[2]) ||
+      !check_vector(call, 2, "desc->vector", d.vector, kStrongest) ||
+      !in_range(call, 2, "desc->strength", d.strength, -kStrongest, kStrongest) ||
+      !in_range(call, 2, "desc->pull", d.pull, -kStrongest, kStrongest) ||
+      !in_range(call, 2, "desc->lift", d.lift, -kStrongest, kStrongest) ||
+      !in_range(call, 2, "desc->reference", d.reference, 1e-9, kLongest) ||
+      !in_range(call, 2, "desc->core", d.core, 0, kLongest) || !positive(call, "desc->reach", d.reach))
+    return false;
+  if (d.falloff < kLeastFalloff || d.falloff > kMostFalloff)
+    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->falloff is %d, must be within [%d, %d]", d.falloff, kLeastFalloff,
+                     kMostFalloff);
+  def.kind = static_cast<FieldKind>(d.kind);
+  def.is_force = d.is_force != 0;
+  def.pose = {to_quat(d.orientation), to_vec3(d.position)};
+  def.half = to_vec3(d.half), def.vector = to_vec3(d.vector);
+  def.strength = d.strength, def.pull = d.pull, def.lift = d.lift;
+  def.reference = d.reference, def.core = d.core, def.reach = d.reach, def.falloff = d.falloff;
+  def.mask = d.mask, def.user = d.user;
+  return true;
+}
+
+carom_force_field_desc describe(const FieldDef& def) {
+  carom_force_field_desc d{};
+  d.kind = static_cast<std::uint32_t>(def.kind);
+  d.is_force = def.is_force, d.mask = def.mask;
+  from_vec3(def.pose.p, d.position), from_quat(def.pose.q, d.orientation);
+  from_vec3(def.half, d.half), from_vec3(def.vector, d.vector);
+  d.strength = def.strength, d.pull = def.pull, d.lift = def.lift;
+  d.reference = def.reference, d.core = def.core, d.reach = def.reach, d.falloff = def.falloff;
+  d.user = def.user;
+  return d;
+}
+
+bool read_end(Call& call, const World& world, const char* name, carom_body handle, std::uint32_t& slot) {
+  slot = kTheWorld;
+  if (handle == CAROM_NULL_HANDLE) return true;
+  if (!resolve(call, 2, name, world.scene.bodies, handle)) return false;
+  slot = handle_slot(handle);
+  return true;
+}
+
+bool check_spring(Call& call, int argument, double rest, double stiffness, double damping) {
+  return in_range(call, argument, "rest", rest, 0, kLongest) &&
+         in_range(call, argument == 2 ? 2 : argument + 1, "stiffness", stiffness, 0, kStrongest) &&
+         in_range(call, argument == 2 ? 2 : argument + 2, "damping", damping, 0, kStrongest);
+}
+
+bool read_spring(Call& call, const World& world, const carom_spring_desc* given, SpringDef& def) {
+  carom_spring_desc d;
+  carom_spring_desc_init(&d);
+  if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->only_pulls", d.only_pulls, 1) ||
+      !read_end(call, world, "desc->body_a", d.body_a, def.body_a) ||
+      !read_end(call, world, "desc->body_b", d.body_b, def.body_b))
+    return false;
+  if (def.body_a == def.body_b)
+    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc ties %s to itself", d.body_a ? "a body" : "the world");
+  const auto moves = [&](std::uint32_t body) {
+    return body != kTheWorld && world.scene.type[body] == BodyType::dynamic;
+  };
+  if (!moves(def.body_a) && !moves(def.body_b))
+    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "neither of the two bodies is dynamic; one must be");
+  if (!check_vector(call, 2, "desc->anchor_a", d.anchor_a, kMaxPosition) ||
+      !check_vector(call, 2, "desc->anchor_b", d.anchor_b, kMaxPosition) ||
+      !check_spring(call, 2, d.rest, d.stiffness, d.damping))
+    return false;
+  def.anchor_a = to_vec3(d.anchor_a), def.anchor_b = to_vec3(d.anchor_b);
+  def.rest = d.rest, def.stiffness = d.stiffness, def.damping = d.damping;
+  def.only_pulls = d.only_pulls != 0, def.user = d.user;
+  return true;
+}
+
+carom_spring_desc describe(const World& world, const SpringDef& def) {
+  carom_spring_desc d{};
+  const auto handle = [&](std::uint32_t slot) {
+    return slot == kTheWorld ? CAROM_NULL_HANDLE : world.scene.bodies.handle(slot);
+  };
+  d.only_pulls = def.only_pulls;
+  d.body_a = handle(def.body_a), d.body_b = handle(def.body_b);
+  from_vec3(def.anchor_a, d.anchor_a), from_vec3(def.anchor_b, d.anchor_b);
+  d.rest = def.rest, d.stiffness = def.stiffness, d.damping = def.damping;
+  d.user = def.user;
+  return d;
+}
+
+bool read_water(Call& call, const carom_water* given, WaterDef& def) {
+  carom_water w;
+  carom_water_init(&w);
+  if (!read_struct(call, 2, "water", given, w) || !only_bits(call, 2, "water->reserved", w.reserved, 0) ||
+      !unit(call, 2, "water->normal", w.normal, 3) ||
+      !in_range(call, 2, "water->level", w.level, -kMaxPosition, kMaxPosition) ||
+      !positive(call, "water->density", w.density) || !in_range(call, 2, "water->density", w.density, 0, kDensest) ||
+      !check_vector(call, 2, "water->current", w.current, kFastest) ||
+      !in_range(call, 2, "water->drag", w.drag, 0, kMostRate))
+    return false;
+  def = {to_vec3(w.normal).normalized(), w.level, w.density, to_vec3(w.current), w.drag};
+  return true;
+}
+
+carom_water describe(const WaterDef& def) {
+  carom_water w{};
+  from_vec3(def.normal, w.normal);
+  w.level = def.level, w.density = def.density;
+  from_vec3(def.current, w.current);
+  w.drag = def.drag;
+  return w;
+}
+
+}  // namespace
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+int32_t carom_body_add_force_at(carom_world* world, carom_body body, const double force[3], const double point[3],
+                                carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing || !resolve_body(call, *changing, body) || !finite(call, 3, "force", force, 3) ||
+        !finite(call, 4, "point", point, 3))
+      return;
+    const FloatScope scope;
+    const std::uint32_t slot = handle_slot(body);
+    const Vec3 f = to_vec3(force);
+    changing->add_force(slot, f, (to_vec3(point) - changing->state.x[slot]).cross(f));
+  });
+}
+
+int32_t carom_body_set_drag(carom_world* world, carom_body body, double linear, double quadratic, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && resolve_body(call, *changing, body) && in_range(call, 3, "linear", linear, 0, kMostDrag) &&
+        in_range(call, 4, "quadratic", quadratic, 0, kMostDrag))
+      changing->set_drag(handle_slot(body), {linear, quadratic});
+  });
+}
+
+int32_t carom_body_get_drag(carom_world* world, carom_body body, double* linear, double* quadratic,
+                            carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !resolve_body(call, *reading, body) || !present(call, 3, "linear", linear) ||
+        !present(call, 4, "quadratic", quadratic))
+      return;
+    const Drag drag = reading->scene.drag_of(handle_slot(body));
+    *linear = drag.linear, *quadratic = drag.quadratic;
+  });
+}
+
+int32_t carom_world_set_wind(carom_world* world, const double velocity[3], carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && check_vector(call, 2, "velocity", velocity, kFastest)) changing->set_wind(to_vec3(velocity));
+  });
+}
+
+int32_t carom_world_get_wind(carom_world* world, double velocity[3], carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && present(call, 2, "velocity", velocity)) from_vec3(reading->scene.wind, velocity);
+  });
+}
+
+int32_t carom_force_field_desc_init(carom_force_field_desc* desc) {
+  if (begin_desc(desc) != CAROM_OK) return CAROM_E_NULL_ARGUMENT;
+  desc->mask = 1;
+  desc->orientation[3] = 1;
+  for (double& half : desc->half) half = kInfinity;
+  desc->reference = 1;
+  desc->reach = kInfinity;
+  desc->falloff = 2;
+  return CAROM_OK;
+}
+
+int32_t carom_force_field_create(carom_world* world, const carom_force_field_desc* desc, carom_force_field* field,
+                                 carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing) return;
+    const FloatScope scope;
+    FieldDef def;
+    if (!read_field(call, desc, def) || !present(call, 3, "field", field)) return;
+    const Handle handle = changing->add_field(def);
+    if (handle)
+      *field = handle;
+    else
+      call.fail(CAROM_E_LIMIT, 0, "this world has issued all %u fields", kMaxSlots);
+  });
+}
+
+int32_t carom_force_field_update(carom_world* world, carom_force_field field, const carom_force_field_desc* desc,
+                                 carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing || !resolve_field(call, *changing, field)) return;
+    const FloatScope scope;
+    FieldDef def;
+    if (read_field(call, desc, def)) changing->set_field(handle_slot(field), def);
+  });
+}
+
+int32_t carom_force_field_get(carom_world* world, carom_force_field field, carom_force_field_desc* desc,
+                              carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && resolve_field(call, *reading, field) && fillable(call, 3, "desc", desc))
+      write_struct(describe(reading->scene.fields.def[handle_slot(field)]), desc);
+  });
+}
+
+int32_t carom_force_field_destroy(carom_world* world, carom_force_field field, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && resolve_field(call, *changing, field)) changing->remove_field(handle_slot(field));
+  });
+}
+
+int32_t carom_body_set_force_field_mask(carom_world* world, carom_body body, uint32_t mask, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && resolve_body(call, *changing, body)) changing->set_field_mask(handle_slot(body), mask);
+  });
+}
+
+int32_t carom_body_get_force_field_mask(carom_world* world, carom_body body, uint32_t* mask, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && resolve_body(call, *reading, body) && present(call, 3, "mask", mask))
+      *mask = reading->scene.fields.mask_of(handle_slot(body));
+  });
+}
+
+int32_t carom_spring_desc_init(carom_spring_desc* desc) { return begin_desc(desc); }
+
+int32_t carom_spring_create(carom_world* world, const carom_spring_desc* desc, carom_spring* spring,
+                            carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing) return;
+    SpringDef def;
+    if (!read_spring(call, *changing, desc, def) || !present(call, 3, "spring", spring)) return;
+    const Handle handle = changing->add_spring(def);
+    if (handle)
+      *spring = handle;
+    else
+      call.fail(CAROM_E_LIMIT, 0, "this world has issued all %u springs", kMaxSlots);
+  });
+}
+
+int32_t carom_spring_update(carom_world* world, carom_spring spring, double rest, double stiffness, double damping,
+                            carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && resolve_spring(call, *changing, spring) && check_spring(call, 3, rest, stiffness, damping))
+      changing->set_spring(handle_slot(spring), rest, stiffness, damping);
+  });
+}
+
+int32_t carom_spring_get(carom_world* world, carom_spring spring, carom_spring_desc* desc, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && resolve_spring(call, *reading, spring) && fillable(call, 3, "desc", desc))
+      write_struct(describe(*reading, reading->scene.springs.def[handle_slot(spring)]), desc);
+  });
+}
+
+int32_t carom_spring_get_state(carom_world* world, carom_spring spring, double* length, double* force,
+                               carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !resolve_spring(call, *reading, spring) || !present(call, 3, "length", length) ||
+        !present(call, 4, "force", force))
+      return;
+    const FloatScope scope;
+    const SpringReading now = carom::read_spring(*reading, handle_slot(spring));
+    *length = now.length, *force = now.pull;
+  });
+}
+
+int32_t carom_spring_destroy(carom_world* world, carom_spring spring, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && resolve_spring(call, *changing, spring)) changing->remove_spring(handle_slot(spring));
+  });
+}
+
+int32_t carom_water_init(carom_water* water) {
+  if (begin_desc(water) != CAROM_OK) return CAROM_E_NULL_ARGUMENT;
+  water->normal[1] = 1;
+  water->density = 1000;
+  water->drag = 1;
+  return CAROM_OK;
+}
+
+int32_t carom_world_set_water(carom_world* world, const carom_water* water, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing) return;
+    const FloatScope scope;
+    WaterDef def;
+    if (!water)
+      changing->set_water(nullptr);
+    else if (read_water(call, water, def))
+      changing->set_water(&def);
+  });
+}
+
+int32_t carom_world_get_water(carom_world* world, carom_water* water, uint32_t* there, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !fillable(call, 2, "water", water) || !present(call, 3, "present", there)) return;
+    *there = reading->scene.water.on;
+    carom_water full;
+    carom_water_init(&full);
+    write_struct(*there ? describe(reading->scene.water.def) : full, water);
+  });
+}
+
+}  // extern "C"

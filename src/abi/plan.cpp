@@ -1,0 +1,135 @@
+// The plan as a host reads it, and what it forbids and forces.
+#include <carom/plan.h>
+
+#include "abi/world.h"
+#include "dynamics/plan_view.h"
+
+namespace carom::abi {
+namespace {
+
+static_assert(kGyroscopicRow == CAROM_EFFECT_GYROSCOPIC && kLinearDampingRow == CAROM_EFFECT_LINEAR_DAMPING &&
+              kAngularDampingRow == CAROM_EFFECT_ANGULAR_DAMPING && kGravityRow == CAROM_EFFECT_GRAVITY &&
+              kUserForceRow == CAROM_EFFECT_USER_FORCE && kUserTorqueRow == CAROM_EFFECT_USER_TORQUE &&
+              kCollisionRow == CAROM_EFFECT_COLLISION && kFrictionRow == CAROM_EFFECT_FRICTION &&
+              kRestitutionRow == CAROM_EFFECT_RESTITUTION && kRollingRow == CAROM_EFFECT_ROLLING_RESISTANCE &&
+              kSpinningRow == CAROM_EFFECT_SPINNING_RESISTANCE && kSleepRow == CAROM_EFFECT_SLEEP &&
+              kParticlesRow == CAROM_EFFECT_PARTICLES && kFilterRow == CAROM_EFFECT_FILTER &&
+              kSensorRow == CAROM_EFFECT_SENSOR && kJointsRow == CAROM_EFFECT_JOINTS &&
+              kSceneryRow == CAROM_EFFECT_SCENERY && kContinuousRow == CAROM_EFFECT_CONTINUOUS &&
+              kSurfaceRow == CAROM_EFFECT_SURFACE_VELOCITY && kLocksRow == CAROM_EFFECT_AXIS_LOCKS &&
+              kDragRow == CAROM_EFFECT_DRAG && kWindRow == CAROM_EFFECT_WIND && kFieldsRow == CAROM_EFFECT_FIELDS &&
+              kSpringsRow == CAROM_EFFECT_SPRINGS && kBuoyancyRow == CAROM_EFFECT_BUOYANCY &&
+              kResponseRow == CAROM_EFFECT_RESPONSE && kLimitsRow == CAROM_EFFECT_JOINT_LIMITS &&
+              kMotorsRow == CAROM_EFFECT_JOINT_MOTORS && kEventsRow == CAROM_EFFECT_EVENTS &&
+              kEffectCount == CAROM_EFFECT_COUNT);
+static_assert(static_cast<std::uint32_t>(EffectMode::forbid) == CAROM_MODE_FORBID &&
+              static_cast<std::uint32_t>(EffectMode::force) == CAROM_MODE_FORCE &&
+              static_cast<std::uint32_t>(Timing::in_stage) == CAROM_TIME_IN_STAGE &&
+              static_cast<std::uint32_t>(Timing::off) == CAROM_TIME_OFF && PlanLine::kStage == CAROM_PLAN_NO_EFFECT);
+
+constexpr std::uint32_t kModes = 3;
+
+bool resolve_body(Call& call, const World& world, carom_body body) {
+  return resolve(call, 2, "body", world.scene.bodies, body);
+}
+
+bool known_effect(Call& call, int argument, std::uint32_t effect) {
+  return known(call, argument, "effect", effect, CAROM_EFFECT_COUNT);
+}
+
+bool is_of_bodies(Call& call, std::uint32_t effect) {
+  return (effect != CAROM_EFFECT_PARTICLES && effect != CAROM_EFFECT_EVENTS) ||
+         call.fail(CAROM_E_UNSUPPORTED, 3, "effect %s is not a body's; use carom_world_set_effect()",
+                   carom_effect_name(effect));
+}
+
+template <std::size_t n>
+void copy_text(const char* from, char (&to)[n]) {
+  for (std::size_t i = 0; i + 1 < n && from[i]; ++i) to[i] = from[i];  // the rest is zero
+}
+
+carom_plan_line describe(const PlanLine& line) {
+  carom_plan_line out{};
+  out.effect = line.effect;
+  out.stage = static_cast<std::uint32_t>(line.stage);
+  out.mode = static_cast<std::uint32_t>(line.mode);
+  out.runs = line.runs;
+  out.customers = line.customers, out.wanted = line.wanted, out.evaluations = line.evaluations;
+  out.bytes = line.bytes;
+  out.seconds = line.seconds;
+  out.timing = static_cast<std::uint32_t>(line.timing);
+  copy_text(line.name, out.name), copy_text(line.unit, out.unit), copy_text(line.reason, out.reason);
+  return out;
+}
+
+}  // namespace
+}  // namespace carom::abi
+
+using namespace carom;
+using namespace carom::abi;
+
+extern "C" {
+
+const char* carom_effect_name(uint32_t effect) {
+  return effect < CAROM_EFFECT_COUNT ? effect_table()[effect].name : "?";
+}
+
+int32_t carom_world_set_effect(carom_world* world, uint32_t effect, uint32_t mode, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && known_effect(call, 2, effect) && known(call, 3, "mode", mode, kModes))
+      changing->set_mode(effect, static_cast<EffectMode>(mode));
+  });
+}
+
+int32_t carom_world_get_effect(carom_world* world, uint32_t effect, uint32_t* mode, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && known_effect(call, 2, effect) && present(call, 3, "mode", mode))
+      *mode = static_cast<std::uint32_t>(reading->scene.modes.of_world(effect));
+  });
+}
+
+int32_t carom_body_set_effect(carom_world* world, carom_body body, uint32_t effect, uint32_t mode, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (changing && resolve_body(call, *changing, body) && known_effect(call, 3, effect) &&
+        is_of_bodies(call, effect) && known(call, 4, "mode", mode, kModes))
+      changing->set_body_mode(handle_slot(body), effect, static_cast<EffectMode>(mode));
+  });
+}
+
+int32_t carom_body_get_effect(carom_world* world, carom_body body, uint32_t effect, uint32_t* mode,
+                              carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && resolve_body(call, *reading, body) && known_effect(call, 3, effect) &&
+        present(call, 4, "mode", mode))
+      *mode = static_cast<std::uint32_t>(reading->scene.modes.of_body(effect, handle_slot(body)));
+  });
+}
+
+int32_t carom_world_time_effects(carom_world* world, uint32_t on, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Changing changing(call, world);
+    if (!changing) return;
+    if (on > 1)
+      call.fail(CAROM_E_OUT_OF_RANGE, 2, "on is %u, must be 1 or 0", on);
+    else
+      changing->times_effects = on != 0;
+  });
+}
+
+int32_t carom_world_get_plan(carom_world* world, carom_plan_line* dst, uint64_t stride, uint64_t capacity,
+                             uint64_t* count, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !present(call, 5, "count", count) || (capacity && !present(call, 2, "dst", dst))) return;
+    if (capacity && !element_stride<carom_plan_line>(call, 3, stride)) return;
+    *count = kPlanLines;
+    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(capacity, kPlanLines); ++i)
+      write_element(describe(plan_line(*reading, i)), dst, i, stride);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,49 @@
+// The rows of the table by number, and what a host says about them beyond what its scene calls for.
+#pragma once
+
+#include <array>
+
+#include "core/memory.h"
+
+namespace carom {
+
+/// As CAROM_EFFECT_*. What reads velocities comes before what does not, in each of the two groups of force effects.
+inline constexpr std::size_t kGyroscopicRow = 0, kLinearDampingRow = 1, kAngularDampingRow = 2, kGravityRow = 3,
+                             kUserForceRow = 4, kUserTorqueRow = 5, kCollisionRow = 6, kFrictionRow = 7,
+                             kRestitutionRow = 8, kRollingRow = 9, kSpinningRow = 10, kSleepRow = 11,
+                             kParticlesRow = 12, kFilterRow = 13, kSensorRow = 14, kJointsRow = 15, kSceneryRow = 16,
+                             kContinuousRow = 17, kSurfaceRow = 18, kLocksRow = 19, kDragRow = 20, kWindRow = 21,
+                             kFieldsRow = 22, kSpringsRow = 23, kBuoyancyRow = 24, kResponseRow = 25, kLimitsRow = 26,
+                             kMotorsRow = 27, kEventsRow = 28, kEffectCount = 29;
+
+/// As CAROM_MODE_*.
+enum class EffectMode : std::uint8_t { as_needed, forbid, force };
+
+/// A bit for each row.
+using RowBits = std::uint64_t;
+static_assert(kEffectCount <= 64, "a bit each");
+inline constexpr RowBits row_bit(std::size_t row) { return RowBits(1) << row; }
+
+/// What a host forbids and forces, for the world and for single bodies.
+struct EffectModes {
+  explicit EffectModes(Memory* m) : forbidden_of(m), forced_of(m) {}
+
+  RowBits forbidden = 0, forced = 0;       // for the world
+  RowBits forbidden_anywhere = 0;          // for the world, or for some body since the world was made
+  Array<RowBits> forbidden_of, forced_of;  // by body slot; the first so many, nothing from there on
+
+  EffectMode of_world(std::size_t row) const {
+    if (forbidden & row_bit(row)) return EffectMode::forbid;
+    return forced & row_bit(row) ? EffectMode::force : EffectMode::as_needed;
+  }
+  EffectMode of_body(std::size_t row, std::uint32_t body) const {
+    if (body < forbidden_of.size() && forbidden_of[body] & row_bit(row)) return EffectMode::forbid;
+    return body < forced_of.size() && forced_of[body] & row_bit(row) ? EffectMode::force : EffectMode::as_needed;
+  }
+  bool forbids(std::size_t row) const { return forbidden & row_bit(row); }
+  bool forbids(std::size_t row, std::uint32_t body) const {
+    return forbidden_anywhere & row_bit(row) && (forbids(row) || of_body(row, body) == EffectMode::forbid);
+  }
+};
+
+}  // namespace carom

@@ -1,0 +1,154 @@
+// Editing what force effects are made from, between steps; and which effects a host forbids or forces. Each function
+// reserves, then changes.
+#include <algorithm>
+
+#include "dynamics/events/events.h"
+#include "dynamics/force/force.h"
+#include "dynamics/joint/joint.h"
+#include "dynamics/sleep/sleep.h"
+
+namespace carom {
+namespace {
+
+template <class F>
+void each_end(const SpringDef& def, F&& f) {
+  for (const std::uint32_t body : {def.body_a, def.body_b})
+    if (body != kTheWorld) f(body);
+}
+
+/// Locks hold where they are not forbidden.
+void settle_locks(Scene& scene) {
+  for (std::uint32_t i = 0; i < scene.locks.size(); ++i)
+    scene.locks[i] = scene.modes.forbids(kLocksRow, i) ? Locks(0) : scene.given_locks[i];
+}
+
+/// What a forbidden or forced effect changes beyond the plan.
+void settle_modes(World& world) {
+  settle_locks(world.scene);
+  collect(world, world.events->asked, world.events->hit_speed);
+  ++world.scene.revision, ++world.scene.collider_revision;
+}
+
+void set_bit(RowBits& bits, std::size_t row, bool on) { bits = on ? bits | row_bit(row) : bits & ~row_bit(row); }
+
+}  // namespace
+
+void World::set_drag(std::uint32_t body, const Drag& drag) {
+  const Drag was = scene.drag_of(body);
+  if (was.linear == drag.linear && was.quadratic == drag.quadratic) return;
+  if (scene.drag.size() < scene.bodies.slots()) scene.drag.resize(scene.bodies.slots());
+  wake(*this, body);
+  scene.drag[body] = drag;
+  ++scene.revision;
+}
+
+void World::set_wind(const Vec3& wind) {
+  if (scene.wind == wind) return;
+  scene.wind = wind;
+  wake_all(*this);
+  ++scene.revision;
+}
+
+void World::set_water(const WaterDef* water) {
+  scene.water.on = water != nullptr;
+  if (water) scene.water.def = *water;
+  wake_all(*this);
+  ++scene.revision;
+}
+
+Handle World::add_field(const FieldDef& def) {
+  make_room(scene.fields.slots.slots(), scene.fields.def);
+  const Handle handle = scene.fields.slots.take();
+  if (handle == 0) return 0;
+  const std::uint32_t slot = handle_slot(handle);
+  if (slot == scene.fields.def.size()) scene.fields.def.emplace_back();
+  set_field(slot, def);
+  return handle;
+}
+
+void World::set_field(std::uint32_t field, const FieldDef& def) {
+  scene.fields.def[field] = def;
+  wake_all(*this);
+  ++scene.revision;
+}
+
+void World::remove_field(std::uint32_t field) {
+  scene.fields.slots.release(field);
+  wake_all(*this);
+  ++scene.revision;
+}
+
+void World::set_field_mask(std::uint32_t body, std::uint32_t mask) {
+  if (scene.fields.mask_of(body) == mask) return;
+  if (scene.fields.mask.size() < scene.bodies.slots()) scene.fields.mask.resize(scene.bodies.slots(), 1);
+  wake(*this, body);
+  scene.fields.mask[body] = mask;
+  ++scene.revision;
+}
+
+Handle World::add_spring(const SpringDef& def) {
+  Springs& s = scene.springs;
+  make_room(s.slots.slots(), s.def, s.stiffness, s.damping);
+  s.ends.reserve(scene.bodies.slots()), s.load.reserve(scene.bodies.slots());
+  const Handle handle = s.slots.take();
+  if (handle == 0) return 0;
+  const std::uint32_t slot = handle_slot(handle);
+  if (slot == s.def.size()) s.def.emplace_back(), s.stiffness.push_back(0), s.damping.push_back(0);
+  s.def[slot] = def;
+  if (s.ends.size() < scene.bodies.slots()) s.ends.resize(scene.bodies.slots(), 0);
+  if (s.load.size() < scene.bodies.slots()) s.load.resize(scene.bodies.slots());
+  each_end(def, [&](std::uint32_t body) {
+    ++s.ends[body];
+    wake(*this, body);
+  });
+  ++scene.revision;
+  return handle;
+}
+
+void World::set_spring(std::uint32_t spring, Real rest, Real stiffness, Real damping) {
+  SpringDef& def = scene.springs.def[spring];
+  each_end(def, [&](std::uint32_t body) { wake(*this, body); });
+  def.rest = rest, def.stiffness = stiffness, def.damping = damping;
+}
+
+void World::remove_spring(std::uint32_t spring) {
+  Springs& s = scene.springs;
+  each_end(s.def[spring], [&](std::uint32_t body) {
+    --s.ends[body];
+    wake(*this, body);
+  });
+  s.slots.release(spring);
+  ++scene.revision;
+}
+
+void remove_springs_of(World& world, std::uint32_t body) {
+  const Springs& s = world.scene.springs;
+  if (!s.hang_on(body)) return;
+  for (std::uint32_t k = 0; k < s.slots.slots(); ++k)
+    if (s.slots.alive(k) && (s.def[k].body_a == body || s.def[k].body_b == body)) world.remove_spring(k);
+}
+
+void World::set_mode(std::size_t row, EffectMode mode) {
+  if (scene.modes.of_world(row) == mode) return;
+  wake_all(*this);
+  set_bit(scene.modes.forbidden, row, mode == EffectMode::forbid);
+  set_bit(scene.modes.forced, row, mode == EffectMode::force);
+  if (mode == EffectMode::forbid) scene.modes.forbidden_anywhere |= row_bit(row);
+  settle_modes(*this);
+}
+
+void World::set_body_mode(std::uint32_t body, std::size_t row, EffectMode mode) {
+  EffectModes& modes = scene.modes;
+  if (modes.of_body(row, body) == mode) return;
+  const std::uint32_t slots = scene.bodies.slots();
+  modes.forbidden_of.reserve(slots);
+  if (modes.forced_of.size() < slots) modes.forced_of.resize(slots, 0);
+  if (modes.forbidden_of.size() < slots) modes.forbidden_of.resize(slots, 0);
+  stir(*this, body);
+  set_bit(modes.forbidden_of[body], row, mode == EffectMode::forbid);
+  set_bit(modes.forced_of[body], row, mode == EffectMode::force);
+  if (mode == EffectMode::forbid) modes.forbidden_anywhere |= row_bit(row);
+  settle_modes(*this);
+}
+
+}  // namespace carom

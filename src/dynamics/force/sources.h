@@ -1,0 +1,94 @@
+// What force effects are made from: air, fields, springs and water, as a host described them, already validated.
+#pragma once
+
+#include "core/pool.h"
+#include "core/pose.h"
+
+namespace carom {
+
+/// What air does to a body that moves through it: F = -(linear + quadratic |u|) u, u its velocity relative to the air.
+struct Drag {
+  Real linear = 0;     // kg/s
+  Real quadratic = 0;  // kg/m: half the density of air times drag coefficient times area
+  bool any() const { return linear > 0 || quadratic > 0; }
+};
+
+enum class FieldKind : std::uint32_t { uniform, radial, vortex, count };  // as CAROM_FORCE_FIELD_*
+
+/// A field of acceleration or force.
+struct FieldDef {
+  FieldKind kind = FieldKind::uniform;
+  bool is_force = false;                  // what it says is N, not m/s^2
+  Pose pose;                              // field -> world
+  Vec3 half = Vec3::Constant(kInfinity);  // m, where a uniform field ends, in its frame
+  Vec3 vector = Vec3::Zero();             // m/s^2 or N, world: a uniform field
+  Real strength = 0, pull = 0, lift = 0;  // likewise: outward; of a vortex around, inward and along its y axis
+  Real reference = 1;                     // m, where radial and vortex are as strong as that
+  Real core = 0;                          // m, within which they no longer grow
+  Real reach = kInfinity;                 // m, where they end
+  int falloff = 0;                        // they go with (reference / distance)^falloff
+  std::uint32_t mask = 1;                 // who shares a bit of this feels it
+  std::uint64_t user = 0;
+};
+
+struct Fields {
+  Fields(std::uint32_t tag, Memory* m) : slots(Kind::field, tag, m), def(m), mask(m) {}
+  SlotPool slots;
+  Array<FieldDef> def;        // by slot
+  Array<std::uint32_t> mask;  // by body slot, what it feels; the first so many, 1 from there on
+  std::uint32_t mask_of(std::uint32_t body) const { return body < mask.size() ? mask[body] : 1; }
+};
+
+/// A spring as a force, between two bodies or one and the world.
+struct SpringDef {
+  std::uint32_t body_a = 0xFFFFFFFFu, body_b = 0xFFFFFFFFu;  // slots, or kTheWorld
+  Vec3 anchor_a = Vec3::Zero(), anchor_b = Vec3::Zero();     // m, body frame (origin as the host gave it), or world
+  Real rest = 0;                                             // m
+  Real stiffness = 0, damping = 0;                           // N/m, N s/m
+  bool only_pulls = false;
+  std::uint64_t user = 0;
+};
+
+struct Springs {
+  Springs(std::uint32_t tag, Memory* m)
+      : slots(Kind::spring, tag, m), def(m), stiffness(m), damping(m), ends(m), load(m) {}
+  SlotPool slots;
+  Array<SpringDef> def;            // by slot
+  Array<Real> stiffness, damping;  // by slot, N/m, N s/m: what a substep can carry of it, @see force/springs.cpp
+  Array<std::uint32_t> ends;       // by body slot: springs that hang on it
+  struct Load {
+    Real stiffness = 0, damping = 0;  // N/m, N s/m, of all of them
+  };
+  Array<Load> load;            // by body slot, scratch
+  std::uint64_t softened = 0;  // of the customers, those of which a substep can't carry all
+
+  bool hang_on(std::uint32_t body) const { return body < ends.size() && ends[body] > 0; }
+};
+
+/// A plane of water: all of space where normal . x <= level.
+struct WaterDef {
+  Vec3 normal = Vec3::UnitY();  // unit, world, out of the water
+  Real level = 0;               // m
+  Real density = 1000;          // kg/m^3
+  Vec3 current = Vec3::Zero();  // m/s, world
+  Real drag = 0;                // 1/s: what a kg of displaced water takes of a body's velocity
+};
+
+/// The surface of a shape that floats, in triangles.
+struct Float {
+  explicit Float(Memory* m) : corner(m) {}
+  const void* shape = nullptr;  // whose surface it is: address and handle, since an address may come to be another's
+  std::uint64_t handle = 0;
+  Array<Vec3> corner;  // [3k] m, shape frame, counter-clockwise seen from outside
+};
+
+struct Water {
+  explicit Water(Memory* m) : floats(m), float_of(m) {}
+  bool on = false;
+  WaterDef def;
+  Array<Float> floats;            // of the shapes that need one
+  Array<std::uint32_t> float_of;  // by collider slot: index of the above, or Colliders::kNone
+  Real most_rate = kInfinity;     // 1/s, that a substep can carry
+};
+
+}  // namespace carom

@@ -1,0 +1,175 @@
+// Reasons in words, and what memory is whose.
+#include "dynamics/plan_view.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "dynamics/ccd/continuous.h"
+#include "dynamics/contact/contact.h"
+#include "dynamics/events/events.h"
+#include "dynamics/joint/wide_joints.h"
+#include "dynamics/sleep/sleep.h"
+
+namespace carom {
+namespace {
+
+template <class... A>
+std::uint64_t bytes_of(const A&... arrays) {
+  return (std::uint64_t(0) + ... + (arrays.capacity() * sizeof(arrays[0])));
+}
+
+/// Held for an effect alone, beside the list of its customers.
+std::uint64_t own_bytes(const World& world, std::size_t row) {
+  const Scene& s = world.scene;
+  const Sleep& z = *world.sleep;
+  const Events& e = *world.events;
+  switch (row) {
+    case kGyroscopicRow:
+      return bytes_of(world.plan->principal, world.plan->carried);
+    case kGravityRow:
+      return bytes_of(s.gravity_factor);
+    case kRestitutionRow:
+      return bytes_of(world.contacts->bouncing, world.contacts->impacts);
+    case kRollingRow:
+      return bytes_of(world.contacts->resisting);
+    case kSurfaceRow:
+      return bytes_of(s.surface, world.contacts->driven, world.contacts->surface);
+    case kFilterRow:
+      return bytes_of(s.colliders.filter);
+    case kSensorRow:
+      return bytes_of(s.colliders.sensor);
+    case kSleepRow:
+      return bytes_of(z.asleep, z.parked, z.ring, z.calm, z.anchor_x, z.anchor_q, z.radius, z.rows, z.kept_first,
+                      z.root, z.restless, z.in_tree, z.kept);
+    case kParticlesRow: {
+      std::uint64_t sum = 0;
+      for (const ParticleSet& set : world.particles.set)
+        sum += bytes_of(set.x[0], set.x[1], set.x[2], set.v[0], set.v[1], set.v[2], set.mass, set.held, set.sums);
+      return sum;
+    }
+    case kJointsRow:
+      return bytes_of(world.joints.joint, world.joints.first, world.wide_joints->joints, world.wide_joints->active,
+                      world.wide_joints->linked);
+    case kContinuousRow:
+      return bytes_of(world.continuous->bodies, world.continuous->index, world.continuous->hits);
+    case kLocksRow:
+      return bytes_of(s.locks, s.given_locks);
+    case kDragRow:
+      return bytes_of(s.drag);
+    case kFieldsRow:
+      return bytes_of(s.fields.def, s.fields.mask);
+    case kSpringsRow:
+      return bytes_of(s.springs.def, s.springs.stiffness, s.springs.damping, s.springs.ends, s.springs.load);
+    case kBuoyancyRow: {
+      std::uint64_t sum = bytes_of(s.water.float_of, s.water.floats);
+      for (const Float& f : s.water.floats) sum += bytes_of(f.corner);
+      return sum;
+    }
+    case kEventsRow:
+      return bytes_of(e.contacts, e.sensors, e.sleep, e.joints, e.faults, e.touching, e.within, e.spare, e.approach,
+                      e.sensor_pairs, e.slept);
+    default:
+      return 0;
+  }
+}
+
+const char* unit_of(CustomerKind kind) {
+  static constexpr const char* kUnits[] = {"bodies",  "colliders", "contact points", "contact pairs",
+                                           "springs", "joints",    "particles",      "hosts"};
+  return kUnits[static_cast<std::size_t>(kind)];
+}
+
+/// Who works within the loops of a stage, in whose time its own is.
+bool is_in_stage(std::size_t row) {
+  for (const std::size_t inside : {kFrictionRow, kSpinningRow, kSurfaceRow, kResponseRow, kJointsRow, kLimitsRow,
+                                   kMotorsRow, kFilterRow, kSensorRow, kSceneryRow, kLocksRow, kWindRow})
+    if (row == inside) return true;
+  return false;
+}
+
+Timing timing_of(const World& world, std::size_t row, const PlannedEffect& effect) {
+  if (is_in_stage(row)) return Timing::in_stage;
+  if (effect.served == Served::stage && effect.effect->force && row == kGyroscopicRow) return Timing::in_stage;
+  return effect.effect->force && !world.times_effects ? Timing::off : Timing::own;
+}
+
+/// Whether an effect ran in the last step.
+bool ran(const World& world, const PlannedEffect& effect) {
+  if (effect.customers.count == 0) return false;
+  return world.plan->runs[static_cast<std::size_t>(effect.effect->stage)];
+}
+
+void explain(const World& world, std::size_t row, const PlannedEffect& effect, PlanLine& line) {
+  const Effect& e = *effect.effect;
+  const auto say = [&](const char* form, auto... values) {
+    std::snprintf(line.reason, sizeof line.reason, form, values...);
+  };
+  const auto customers = static_cast<unsigned long long>(effect.customers.count);
+  const auto wanted = static_cast<unsigned long long>(line.wanted);
+  const bool of_bodies = world.scene.modes.forbidden_anywhere & row_bit(row);
+  if (line.mode == EffectMode::forbid && wanted > 0)
+    return say("forbidden by the host, though the scene calls for it: %llu %s", wanted, line.unit);
+  if (line.mode == EffectMode::forbid) return say("forbidden by the host");
+  if (line.mode == EffectMode::force && line.runs)
+    return say("forced by the host on %llu %s; the scene calls for %llu", customers, line.unit, wanted);
+  if (line.mode == EffectMode::force)
+    return say("forced by the host, but there is nothing it can act on: %s", e.missing);
+  if (row == kSpringsRow && line.runs && world.scene.springs.softened > 0)
+    return say("%llu springs, %llu stiffer than a substep carries: softened; more substeps, or joints", customers,
+               static_cast<unsigned long long>(world.scene.springs.softened));
+  if (line.runs && of_bodies && wanted > customers)
+    return say("%s: %llu of %llu, the host forbids it to the others", e.called_by, customers, wanted);
+  if (line.runs) return say("%s", e.called_by);
+  if (of_bodies && wanted > 0) return say("the host forbids it to all %llu %s that call for it", wanted, line.unit);
+  if (wanted > 0 && e.wakes) return say("%llu %s may call for it, none did in this step", wanted, line.unit);
+  say("%s", e.missing);
+}
+
+PlanLine stage_line(const World& world, std::size_t index) {
+  static constexpr const char* kWhy[kStageCount][2] = {
+      {"every step: who is a customer of what", ""},
+      {"colliders of which two can touch", "no two colliders of which one can move"},
+      {"pairs that may touch", "no two colliders of which one can move"},
+      {"contacts and joints hang together in groups", "nothing can touch, and no joint holds a body that is awake"},
+      {"bodies and particles that move", "nothing moves"},
+      {"contacts or joints to be answered", "nothing can touch, and no joint holds a body that is awake"},
+      {"positions at contacts and joints to be put right", "no position to be put right"},
+      {"every step: what happened", ""}};
+  PlanLine line;
+  line.stage = static_cast<Stage>(index);
+  line.runs = world.plan->runs[index] && world.report.steps > 0;
+  line.seconds = world.report.stage_seconds[index];
+  line.name = stage_name(line.stage);
+  const bool fresh = world.report.steps == 0;
+  std::snprintf(line.reason, sizeof line.reason, "%s", fresh ? "no step yet" : kWhy[index][line.runs ? 0 : 1]);
+  return line;
+}
+
+}  // namespace
+
+PlanLine plan_line(const World& world, std::size_t index) {
+  if (index < kStageCount) return stage_line(world, index);
+  const std::size_t row = index - kStageCount;
+  const PlannedEffect& effect = world.plan->effects[row];
+  PlanLine line;
+  line.effect = static_cast<std::uint32_t>(row);
+  line.stage = effect.effect->stage;
+  line.mode = world.scene.modes.of_world(row);
+  line.name = effect.effect->name;
+  line.unit = unit_of(effect.effect->customers);
+  line.bytes = own_bytes(world, row) + bytes_of(effect.candidates.runs, effect.customers.runs);
+  line.timing = timing_of(world, row, effect);
+  if (world.report.steps == 0) {
+    std::snprintf(line.reason, sizeof line.reason, "no step yet");
+    return line;
+  }
+  line.runs = ran(world, effect);
+  line.customers = line.runs ? effect.customers.count : 0;
+  line.wanted = std::max(effect.wanted, line.customers);
+  line.evaluations = effect.evaluations;
+  line.seconds = line.timing == Timing::own ? effect.seconds : 0;
+  explain(world, row, effect, line);
+  return line;
+}
+
+}  // namespace carom

@@ -1,0 +1,176 @@
+// Every effect with a way to give it one customer and to take that away again, in a world that otherwise calls for
+// nothing: the subjects of the proofs in this folder.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "dynamics/events/events.h"
+#include "dynamics/force/force.h"
+#include "scenery_builder.h"
+#include "world_builder.h"
+
+namespace carom::test {
+
+/// A world of mass points that fly straight on, far from each other, and one body to become a customer.
+struct Stage0 {
+  static constexpr Real kStep = 1.0 / 64;  // s, so that times are exact
+
+  explicit Stage0(int crowd = 20) : t(Vec3::Zero()) {
+    World& w = t.world;
+    for (int i = 0; i < crowd; ++i) {
+      BodyDef def;
+      def.pose.p = Vec3(100 + 3 * i, 50, 0);
+      def.velocity = Vec3(0, 0, 0.25);
+      w.add_body(def);
+    }
+    BodyDef def;
+    def.has_mass = def.has_inertia = true;
+    def.mass = 2, def.inertia = Vec3::Constant(0.3).asDiagonal();  // isotropic: nothing gyroscopic
+    def.velocity = Vec3(0.5, 0, 0), def.omega = Vec3(0, 0, 1);
+    one = handle_slot(w.add_body(def));
+  }
+  /// Things to touch: a ball on the customer, and another that it touches.
+  void touching(std::uint32_t material = Colliders::kNoMaterial) {
+    ball = t.keep(sphere(0.5));
+    t.world.add_collider(one, ball, Pose{}, 1000, material);
+    other = t.add(ball, Vec3(0.99, 0, 0), BodyType::dynamic, Quat::Identity(), material);
+  }
+  void apart() {
+    while (t.world.scene.first_collider[one] != Colliders::kNone) t.world.remove_collider(t.world.scene.first_collider[one]);
+    if (other != kTheWorld) t.world.remove_body(std::exchange(other, kTheWorld));
+  }
+  void steps(int n) { t.run(n, kStep); }
+  std::uint64_t evaluations(std::size_t row) const { return t.world.plan->effects[row].evaluations; }
+
+  TestWorld t;
+  std::uint32_t one, other = kTheWorld, other_floor = 0;
+  const Shape* ball = nullptr;
+  Handle thing = 0;
+};
+
+struct Subject {
+  std::size_t row;
+  std::function<void(Stage0&)> call;     // give it a customer
+  std::function<void(Stage0&)> dismiss;  // take it away
+  bool flies = true;                     // it acts on bodies in flight, and leaves the others' bits alone
+};
+
+inline std::vector<Subject> subjects() {
+  const auto field = [] {
+    FieldDef f;
+    f.vector = Vec3(0, 1, 0), f.mask = 2;
+    return f;
+  };
+  const auto hinge = [](Stage0& s) {
+    JointDef def;
+    def.kind = JointKind::hinge;
+    def.body_a = s.one;
+    def.frame_b.p = s.t.world.pose(s.one).p;
+    s.thing = s.t.world.add_joint(def);
+  };
+  const auto unhinge = [](Stage0& s) { s.t.world.remove_joint(handle_slot(s.thing)); };
+  const auto touch_with = [](const Material& m) {
+    return [m](Stage0& s) { s.touching(handle_slot(s.t.world.add_material(m))); };
+  };
+  const auto part = [](Stage0& s) { s.apart(); };
+  Material smooth, bouncy, rolling, spinning;
+  smooth.friction = 0;
+  bouncy.friction = 0, bouncy.restitution = 1;
+  rolling.friction = 0, rolling.rolling = 0.1;
+  spinning.friction = 0, spinning.spinning = 0.1;
+  const auto set_drag = [](Stage0& s) { s.t.world.set_drag(s.one, {0.1, 0.1}); };
+  const auto unset_drag = [](Stage0& s) { s.t.world.set_drag(s.one, {}); };
+  const auto damp = [](Stage0& s, Real linear, Real angular) {
+    s.t.world.scene.def[s.one].linear_damping = linear, s.t.world.scene.def[s.one].angular_damping = angular;
+    ++s.t.world.scene.revision;
+  };
+  const auto drive = [hinge](Stage0& s, bool limit) {
+    hinge(s);
+    JointDrive d;
+    d.limit.on = limit, d.limit.lower = -0.5, d.limit.upper = 0.5;
+    d.motor.on = !limit, d.motor.speed = 1, d.motor.most = 5;
+    s.t.world.set_joint_drive(handle_slot(s.thing), Coordinate::twist, d);
+  };
+  return {
+      {kGyroscopicRow,
+       [](Stage0& s) {
+         s.t.world.add_collider(s.one, s.t.keep(box(Vec3(0.1, 0.2, 0.3))), Pose{}, 1000, Colliders::kNoMaterial);
+         s.t.world.scene.inertia[s.one] = Vec3(0.1, 0.2, 0.3).asDiagonal();
+         s.t.world.scene.inv_inertia[s.one] = s.t.world.scene.inertia[s.one].inverse();
+         s.t.world.set_velocity(s.one, Vec3::Zero(), Vec3(1, 2, 3));
+       },
+       [](Stage0& s) {
+         s.apart();
+         s.t.world.scene.inertia[s.one] = Mat3::Identity(), s.t.world.scene.inv_inertia[s.one] = Mat3::Identity();
+         ++s.t.world.scene.revision;
+       }},
+      {kLinearDampingRow, [damp](Stage0& s) { damp(s, 0.5, 0); }, [damp](Stage0& s) { damp(s, 0, 0); }},
+      {kAngularDampingRow, [damp](Stage0& s) { damp(s, 0, 0.5); }, [damp](Stage0& s) { damp(s, 0, 0); }},
+      {kSceneryRow, [](Stage0& s) {
+         s.touching();
+         s.other_floor = s.t.add(s.t.keep(mesh(box_surface(Vec3(5, 1, 5)))), Vec3(0, -20, 0), BodyType::fixed);
+       }, [](Stage0& s) { s.t.world.remove_body(s.other_floor); }, false},
+      {kGravityRow, [](Stage0& s) {
+         for (std::uint32_t i = 0; i < s.t.world.scene.bodies.slots(); ++i)
+           if (i != s.one) s.t.world.set_gravity_factor(i, 0);
+         s.t.world.set_gravity(Vec3(0, -9.81, 0));
+       }, [](Stage0& s) { s.t.world.set_gravity(Vec3::Zero()); }},
+      {kDragRow, set_drag, unset_drag},
+      {kWindRow, [set_drag](Stage0& s) { set_drag(s), s.t.world.set_wind(Vec3(3, 0, 0)); },
+       [](Stage0& s) { s.t.world.set_wind(Vec3::Zero()); }},
+      {kFieldsRow, [field](Stage0& s) {
+         s.t.world.set_field_mask(s.one, 2);
+         s.thing = s.t.world.add_field(field());
+       }, [](Stage0& s) { s.t.world.remove_field(handle_slot(s.thing)); }},
+      {kSpringsRow, [](Stage0& s) {
+         SpringDef d;
+         d.body_a = s.one, d.anchor_b = Vec3(1, 2, 3), d.rest = 1, d.stiffness = 10;
+         s.thing = s.t.world.add_spring(d);
+       }, [](Stage0& s) { s.t.world.remove_spring(handle_slot(s.thing)); }},
+      {kBuoyancyRow, [](Stage0& s) {
+         s.t.world.add_collider(s.one, s.t.keep(sphere(0.5)), Pose{}, 1000, Colliders::kNoMaterial);
+         s.t.world.set_gravity(Vec3::Zero());
+         WaterDef water;
+         water.drag = 1;
+         s.t.world.set_water(&water);
+       }, [](Stage0& s) { s.t.world.set_water(nullptr); }},
+      {kContinuousRow, [](Stage0& s) {
+         s.touching();
+         s.t.world.set_continuous(s.one, SweepMode::always);
+       }, [](Stage0& s) { s.t.world.set_continuous(s.one, SweepMode::automatic); }, false},
+      {kCollisionRow, touch_with(smooth), part, false},
+      {kResponseRow, touch_with(smooth), part, false},
+      {kFrictionRow, [](Stage0& s) { s.touching(); }, part, false},
+      {kRestitutionRow, touch_with(bouncy), part, false},
+      {kRollingRow, touch_with(rolling), part, false},
+      {kSpinningRow, touch_with(spinning), part, false},
+      {kSurfaceRow, [](Stage0& s) {
+         s.touching();
+         s.t.world.set_surface_velocity(s.t.world.scene.first_collider[s.one], {Vec3(0, 0, 1), Vec3::Zero()});
+       }, part, false},
+      {kFilterRow, [](Stage0& s) {
+         s.touching();
+         Filter f;
+         f.category = 2;
+         s.t.world.set_filter(s.t.world.scene.first_collider[s.one], f);
+       }, [](Stage0& s) { s.t.world.set_filter(s.t.world.scene.first_collider[s.one], Filter()); }, false},
+      {kSensorRow, [](Stage0& s) {
+         s.touching();
+         s.t.world.set_sensor(s.t.world.scene.first_collider[s.one], true);
+       }, [](Stage0& s) { s.t.world.set_sensor(s.t.world.scene.first_collider[s.one], false); }, false},
+      {kJointsRow, hinge, unhinge, false},
+      {kLimitsRow, [drive](Stage0& s) { drive(s, true); }, unhinge, false},
+      {kMotorsRow, [drive](Stage0& s) { drive(s, false); }, unhinge, false},
+      {kLocksRow, [](Stage0& s) { s.t.world.set_locks(s.one, 1); }, [](Stage0& s) { s.t.world.set_locks(s.one, 0); }},
+      {kParticlesRow, [](Stage0& s) {
+         s.thing = s.t.world.particles.create({}, 1);
+         s.t.world.particles.extend(handle_slot(s.thing), 1);
+       }, [](Stage0& s) { s.t.world.particles.destroy(handle_slot(s.thing)); }, false},
+      {kEventsRow, [](Stage0& s) { collect(s.t.world, Events::contact, 1); },
+       [](Stage0& s) { collect(s.t.world, 0, 1); }, false},
+      {kSleepRow, [](Stage0& s) { s.t.world.set_dial(Dial::sleep, 1); }, [](Stage0& s) { s.t.world.set_dial(Dial::sleep, 0); }, false},
+  };
+}
+
+}  // namespace carom::test

@@ -1,0 +1,288 @@
+// The third promise, over every effect: what no body needs executes nothing, allocates nothing, and changes no bit; what
+// one body needs is done for that one, from the step on in which it needs it to the last in which it does.
+#include "carom_test.h"
+#include "dynamics/plan_view.h"
+#include "subjects.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+constexpr int kSteps = 12;
+
+template <class... A>
+void wrong(const char* form, A... values) {
+  print_error(form, values...);
+  print_error("\n");
+  assert_true(false);
+}
+
+std::string name_of(std::size_t row) { return effect_table()[row].name; }
+
+PlanLine line_of(const Stage0& s, std::size_t row) { return plan_line(s.t.world, kStageCount + row); }
+
+/// Poses and velocities alone: what a world knows of contacts may differ with what it is asked for.
+std::uint64_t bits_of_crowd(const Stage0& s) {
+  Hash h;
+  const State& st = s.t.world.state;
+  for (std::uint32_t i = 0; i < st.x.size(); ++i)
+    if (i != s.one && i != s.other) {
+      for (int k = 0; k < 3; ++k) h.add(st.x[i][k]), h.add(st.v[i][k]);
+    }
+  return h.value();
+}
+
+std::uint64_t run_with_mode(const Subject& subject, EffectMode mode, bool called) {
+  Stage0 s;
+  s.t.world.set_mode(subject.row, mode);
+  if (called) subject.call(s);
+  s.steps(kSteps);
+  return s.t.world.hash();
+}
+
+}  // namespace
+
+static void an_effect_without_customers_does_not_exist(void**) {
+  for (const Subject& subject : subjects()) {
+    Stage0 s;
+    s.steps(kSteps);
+    const PlannedEffect& effect = s.t.world.plan->effects[subject.row];
+    if (effect.evaluations != 0 || effect.customers.runs.capacity() || effect.candidates.runs.capacity())
+      wrong("%s ran or allocated without a customer", name_of(subject.row).c_str());
+    const PlanLine line = line_of(s, subject.row);
+    assert_false(line.runs);
+    assert_int_equal(line.customers, 0);
+    assert_int_equal(line.bytes, 0);
+    assert_string_equal(line.reason, effect.effect->missing);
+    // And the world has the bits of one in which it is forbidden.
+    Stage0 f;
+    f.t.world.set_mode(subject.row, EffectMode::forbid);
+    f.steps(kSteps);
+    assert_true(s.t.world.hash() == f.t.world.hash());
+  }
+}
+
+static void a_forbidden_effect_does_nothing_and_says_so(void**) {
+  for (const Subject& subject : subjects()) {
+    Stage0 s;
+    subject.call(s);
+    s.t.world.set_mode(subject.row, EffectMode::forbid);
+    s.steps(kSteps);
+    if (s.evaluations(subject.row) != 0) wrong("%s ran though it is forbidden", name_of(subject.row).c_str());
+    const PlanLine line = line_of(s, subject.row);
+    assert_false(line.runs);
+    assert_true(line.mode == EffectMode::forbid);
+    assert_non_null(strstr(line.reason, "forbidden by the host"));
+    const bool in_contacts = effect_table()[subject.row].customers == CustomerKind::contact_points ||
+                             effect_table()[subject.row].customers == CustomerKind::contact_pairs;
+    if (!in_contacts) {
+      if (line.wanted != 1 && subject.row != kSleepRow && subject.row != kCollisionRow)
+        wrong("%s is wanted by %d", name_of(subject.row).c_str(), static_cast<int>(line.wanted));
+      assert_non_null(strstr(line.reason, "though the scene calls for it"));
+    }
+    // Allowed again, it runs.
+    s.t.world.set_mode(subject.row, EffectMode::as_needed);
+    s.steps(1);
+    if (subject.row != kRestitutionRow && s.evaluations(subject.row) == 0)
+      wrong("%s did not come back", name_of(subject.row).c_str());
+  }
+}
+
+static void forbidden_it_has_the_bits_of_a_scene_that_does_not_call_for_it(void**) {
+  for (const Subject& subject : subjects()) {
+    if (!subject.flies || subject.row == kGyroscopicRow || subject.row == kBuoyancyRow ||
+        subject.row == kWindRow)
+      continue;  // the scene of these has a collider, or drag, more
+    const std::uint64_t quiet = run_with_mode(subject, EffectMode::as_needed, false);
+    if (run_with_mode(subject, EffectMode::forbid, true) != quiet)
+      wrong("%s left a trace though it was forbidden", name_of(subject.row).c_str());
+    assert_true(run_with_mode(subject, EffectMode::as_needed, true) != quiet);  // and it would have done something
+  }
+  Stage0 still, windy;
+  for (Stage0* s : {&still, &windy}) s->t.world.set_drag(s->one, {0.1, 0.1});
+  windy.t.world.set_wind(Vec3(3, 0, 0));
+  windy.t.world.set_mode(kWindRow, EffectMode::forbid);
+  still.steps(kSteps), windy.steps(kSteps);
+  assert_true(still.t.world.hash() == windy.t.world.hash());
+}
+
+static void one_body_can_be_spared(void**) {
+  for (const Subject& subject : subjects()) {
+    if (subject.row == kParticlesRow || subject.row == kEventsRow || subject.row == kSleepRow) continue;
+    Stage0 s;
+    subject.call(s);
+    s.t.world.set_body_mode(s.one, subject.row, EffectMode::forbid);
+    if (subject.row == kSceneryRow) s.t.world.set_body_mode(s.other_floor, subject.row, EffectMode::forbid);
+    s.steps(kSteps);
+    const std::uint64_t served = s.evaluations(subject.row);
+    // The other of the pair still is a collider that may collide.
+    if (served != 0 && subject.row != kCollisionRow)
+      wrong("%s served a body it is forbidden to, %d times", name_of(subject.row).c_str(), static_cast<int>(served));
+    s.t.world.set_body_mode(s.one, subject.row, EffectMode::as_needed);
+    if (subject.row == kSceneryRow) s.t.world.set_body_mode(s.other_floor, subject.row, EffectMode::as_needed);
+    s.steps(1);
+    if (subject.row != kRestitutionRow) assert_true(s.evaluations(subject.row) > served);
+  }
+}
+
+static void customers_switch_it_on_and_off_in_mid_run(void**) {
+  for (const Subject& subject : subjects()) {
+    Stage0 s;
+    s.steps(3);
+    assert_int_equal(s.evaluations(subject.row), 0);
+    subject.call(s);
+    assert_int_equal(s.evaluations(subject.row), 0);
+    s.steps(1);
+    const std::uint64_t first = s.evaluations(subject.row);
+    if (first == 0) wrong("%s did not begin in the next step", name_of(subject.row).c_str());
+    assert_true(line_of(s, subject.row).runs);
+    subject.dismiss(s);
+    s.steps(3);
+    if (s.evaluations(subject.row) != first) wrong("%s went on", name_of(subject.row).c_str());
+    assert_false(line_of(s, subject.row).runs);
+  }
+}
+
+static void one_among_ten_thousand_is_one(void**) {
+  for (const Subject& subject : subjects()) {
+    if (subject.row == kSleepRow) continue;  // its customers are all
+    std::uint64_t served[2];
+    for (const int crowd : {0, 10000}) {
+      Stage0 s(crowd);
+      subject.call(s);
+      s.steps(2);
+      served[crowd > 0] = s.evaluations(subject.row);
+      if (crowd == 0 || !subject.flies) continue;
+      Stage0 quiet(crowd);
+      quiet.steps(2);
+      if (bits_of_crowd(s) != bits_of_crowd(quiet)) wrong("%s touched the crowd", name_of(subject.row).c_str());
+    }
+    if (served[0] != served[1] || served[0] == 0)
+      wrong("%s served %d alone, %d among 10,000", name_of(subject.row).c_str(), static_cast<int>(served[0]),
+               static_cast<int>(served[1]));
+  }
+}
+
+/// Every two effects on velocities, with forces that read the state: what one does is what it does beside the other.
+static void every_two_effects_compose(void**) {
+  const auto flying = [] {
+    std::vector<Subject> all = subjects();
+    std::erase_if(all, [](const Subject& s) { return !s.flies || s.row == kLocksRow; });
+    return all;
+  }();
+  // What a kick of one step changes, with forces that are evaluated once at the state that the step begins with.
+  const auto change = [&](std::initializer_list<const Subject*> calling, std::size_t forbidden) {
+    Stage0 s;
+    s.t.world.set_dial(Dial::integrator, 2);  // rk4: effects are forces, none a flow
+    s.t.world.set_dial(Dial::substeps, 1);
+    for (const Subject* subject : calling) subject->call(s);
+    if (forbidden < kEffectCount) s.t.world.set_mode(forbidden, EffectMode::forbid);
+    s.steps(1);
+    const State& st = s.t.world.state;
+    struct {
+      std::vector<std::uint64_t> evaluations;
+      Vec3 v, omega;
+    } r;
+    for (const PlannedEffect& e : s.t.world.plan->effects) r.evaluations.push_back(e.evaluations);
+    r.v = st.v[s.one], r.omega = st.omega[s.one];
+    return r;
+  };
+  for (const Subject& a : flying)
+    for (const Subject& b : flying) {
+      if (a.row == b.row) continue;
+      if (a.row == kDragRow && b.row == kWindRow) continue;  // wind is what drag is relative to: without it, nothing
+      const auto both = change({&a, &b}, kEffectCount), without = change({&a, &b}, a.row);
+      // Switched off, nobody else is served more or less often.
+      for (std::size_t row = 0; row < kEffectCount; ++row)
+        if (row != a.row && !(row == kWindRow && a.row == kDragRow) && both.evaluations[row] != without.evaluations[row])
+          wrong("without %s, %s is served %d times instead of %d", name_of(a.row).c_str(), name_of(row).c_str(),
+                   static_cast<int>(without.evaluations[row]), static_cast<int>(both.evaluations[row]));
+    }
+}
+
+/// At one state, what all effects do together is the sum of what each does alone.
+static void accelerations_add_up(void**) {
+  Stage0 s;
+  World& w = s.t.world;
+  w.set_dial(Dial::integrator, 2);
+  for (const Subject& subject : subjects())
+    if (subject.flies && subject.row != kLocksRow) subject.call(s);
+  w.scene.inertia[s.one] = Vec3(0.1, 0.2, 0.3).asDiagonal();
+  w.scene.inv_inertia[s.one] = w.scene.inertia[s.one].inverse();
+  w.scene.def[s.one].linear_damping = 0.5;
+  w.add_force(s.one, Vec3(1, 2, 3), Vec3(0.1, 0.2, 0.3));
+  w.set_gravity(Vec3(0, -9.81, 0));
+  s.steps(1);
+  w.add_force(s.one, Vec3(1, 2, 3), Vec3(0.1, 0.2, 0.3));
+  for (const char* host : {"user_force", "user_torque"}) find_candidates(w, *w.plan->find(host)), w.plan->find(host)->customers = w.plan->find(host)->candidates;
+  const State& st = w.state;
+  const Motion at{st.x.data(), st.q.data(), st.v.data(), st.omega.data()};
+  const std::size_t n = st.x.size();
+  const auto evaluate = [&](const std::function<void(const Accelerate&)>& f) {
+    std::vector<Vec3> v(n, Vec3::Zero()), omega(n, Vec3::Zero());
+    f({1, v.data(), omega.data()});
+    return std::pair(v[s.one], omega[s.one]);
+  };
+  const auto all = evaluate([&](const Accelerate& out) { evaluate_forces(w, at, out); });
+  Vec3 v = Vec3::Zero(), omega = Vec3::Zero();
+  Real size = 0;
+  int rows = 0;
+  for (PlannedEffect& row : w.plan->effects) {
+    if (row.served != Served::force || row.customers.count == 0) continue;
+    const auto alone = evaluate([&](const Accelerate& out) { row.effect->force(w.scene, st, row.customers, at, out); });
+    v += alone.first, omega += alone.second;
+    size += alone.first.norm() + alone.second.norm();
+    ++rows;
+  }
+  assert_int_equal(rows, 10);  // gyroscopic, both dampings, gravity, both of the host, drag, fields, springs, buoyancy
+  assert_true((all.first - v).norm() <= 32 * kEpsilon * size);
+  assert_true((all.second - omega).norm() <= 32 * kEpsilon * size);
+}
+
+static void forced_on_everybody_it_changes_nothing(void**) {
+  for (const std::size_t row : {kGravityRow, kLinearDampingRow, kAngularDampingRow, kDragRow, kFieldsRow}) {
+    Stage0 quiet, forced;
+    forced.t.world.set_mode(row, EffectMode::force);
+    quiet.steps(kSteps), forced.steps(kSteps);
+    assert_true(quiet.t.world.hash() == forced.t.world.hash());
+    assert_true(forced.evaluations(row) > 0);
+    assert_non_null(strstr(line_of(forced, row).reason, "forced by the host"));
+    Stage0 single;
+    single.t.world.set_body_mode(single.one, row, EffectMode::force);
+    single.steps(1);
+    assert_int_equal(line_of(single, row).customers, 1);
+  }
+  Stage0 nobody;  // there is no joint that could be forced
+  nobody.t.world.set_mode(kJointsRow, EffectMode::force);
+  nobody.steps(1);
+  assert_false(line_of(nobody, kJointsRow).runs);
+  assert_non_null(strstr(line_of(nobody, kJointsRow).reason, "nothing it can act on"));
+}
+
+static void without_response_things_touch_and_pass(void**) {
+  Stage0 s;
+  s.touching();
+  s.t.world.set_velocity(s.one, Vec3(1, 0, 0), Vec3::Zero());
+  s.t.world.set_mode(kResponseRow, EffectMode::forbid);
+  s.steps(64);
+  assert_true(s.t.world.state.v[s.one] == Vec3(1, 0, 0));
+  assert_true(s.t.world.state.v[s.other] == Vec3::Zero());
+  assert_true(s.t.world.report.broad_pairs > 0 || s.t.world.state.x[s.one].x() > 1.5);
+}
+
+int main(void) {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(an_effect_without_customers_does_not_exist),
+      cmocka_unit_test(a_forbidden_effect_does_nothing_and_says_so),
+      cmocka_unit_test(forbidden_it_has_the_bits_of_a_scene_that_does_not_call_for_it),
+      cmocka_unit_test(one_body_can_be_spared),
+      cmocka_unit_test(customers_switch_it_on_and_off_in_mid_run),
+      cmocka_unit_test(one_among_ten_thousand_is_one),
+      cmocka_unit_test(every_two_effects_compose),
+      cmocka_unit_test(accelerations_add_up),
+      cmocka_unit_test(forced_on_everybody_it_changes_nothing),
+      cmocka_unit_test(without_response_things_touch_and_pass),
+  };
+  return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
