@@ -440,8 +440,11 @@ void refresh(World& world, const StepTime& time) {
     const Effect& effect = *row.effect;
     row.seconds = 0;
     if (effect.customers == contact_points || effect.customers == contact_pairs) row.customers.count = 0;
-    if (from_host(effect) && plan.host_wrote && !changed) {
-      find_candidates(world, row);
+    if (from_host(effect) && !changed) {
+      if (plan.host_wrote)
+        find_candidates(world, row);
+      else
+        row.candidates.clear(), row.wanted = 0;
       row.customers = row.candidates;
     }
     // An explicit method is stable only for rate * h below a small number (2 for Euler, 2.8 for RK4); well before,

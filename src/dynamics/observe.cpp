@@ -82,10 +82,6 @@ void drop_forces(World& world) {
     s.is_written[i] = 0;
   }
   s.written.clear();
-  for (const std::size_t row : {kUserForceRow, kUserTorqueRow}) {
-    world.plan->effects[row].candidates.clear();
-    world.plan->effects[row].customers.clear();
-  }
 }
 
 }  // namespace

@@ -93,6 +93,38 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("collider_set_surface_velocity", carom_collider_set_surface_velocity(b.world, b.colliders[0], kUp, kUp, nullptr));
   add("collider_get_surface_velocity",
       carom_collider_get_surface_velocity(b.world, b.colliders[0], linear, angular, nullptr));
+  carom_force_field_desc field;
+  carom_force_field_desc_init(&field);
+  carom_spring_desc tie;
+  carom_spring_desc_init(&tie);
+  tie.body_a = b.bodies[0];
+  carom_water water;
+  carom_water_init(&water);
+  const uint64_t nothing = CAROM_NULL_HANDLE;  // BUSY comes before any look at it
+  add("body_add_force_at", carom_body_add_force_at(b.world, b.bodies[0], kUp, kUp, nullptr));
+  add("body_set_drag", carom_body_set_drag(b.world, b.bodies[0], 1, 1, nullptr));
+  add("body_get_drag", carom_body_get_drag(b.world, b.bodies[0], linear, angular, nullptr));
+  add("world_set_wind", carom_world_set_wind(b.world, kUp, nullptr));
+  add("world_get_wind", carom_world_get_wind(b.world, linear, nullptr));
+  add("force_field_create", carom_force_field_create(b.world, &field, &handle, nullptr));
+  add("force_field_update", carom_force_field_update(b.world, nothing, &field, nullptr));
+  add("force_field_get", carom_force_field_get(b.world, nothing, &field, nullptr));
+  add("force_field_destroy", carom_force_field_destroy(b.world, nothing, nullptr));
+  add("body_set_force_field_mask", carom_body_set_force_field_mask(b.world, b.bodies[0], 2, nullptr));
+  add("body_get_force_field_mask", carom_body_get_force_field_mask(b.world, b.bodies[0], &flag, nullptr));
+  add("spring_create", carom_spring_create(b.world, &tie, &handle, nullptr));
+  add("spring_update", carom_spring_update(b.world, nothing, 1, 1, 1, nullptr));
+  add("spring_get", carom_spring_get(b.world, nothing, &tie, nullptr));
+  add("spring_get_state", carom_spring_get_state(b.world, nothing, linear, angular, nullptr));
+  add("spring_destroy", carom_spring_destroy(b.world, nothing, nullptr));
+  add("world_set_water", carom_world_set_water(b.world, &water, nullptr));
+  add("world_get_water", carom_world_get_water(b.world, &water, &flag, nullptr));
+  add("world_set_effect", carom_world_set_effect(b.world, CAROM_EFFECT_DRAG, CAROM_MODE_FORBID, nullptr));
+  add("world_get_effect", carom_world_get_effect(b.world, CAROM_EFFECT_DRAG, &flag, nullptr));
+  add("body_set_effect", carom_body_set_effect(b.world, b.bodies[0], CAROM_EFFECT_DRAG, CAROM_MODE_FORBID, nullptr));
+  add("body_get_effect", carom_body_get_effect(b.world, b.bodies[0], CAROM_EFFECT_DRAG, &flag, nullptr));
+  add("world_time_effects", carom_world_time_effects(b.world, 1, nullptr));
+  add("world_get_plan", carom_world_get_plan(b.world, nullptr, 0, 0, &count, nullptr));
   add("collider_set_filter", carom_collider_set_filter(b.world, b.colliders[0], 1, 1, 0, nullptr));
   add("collider_get_filter", carom_collider_get_filter(b.world, b.colliders[0], &category, &mask, &group, nullptr));
   add("body_set_filter", carom_body_set_filter(b.world, b.bodies[0], 1, 1, 0, nullptr));

@@ -37,7 +37,8 @@ struct Stage0 {
     other = t.add(ball, Vec3(0.99, 0, 0), BodyType::dynamic, Quat::Identity(), material);
   }
   void apart() {
-    while (t.world.scene.first_collider[one] != Colliders::kNone) t.world.remove_collider(t.world.scene.first_collider[one]);
+    while (t.world.scene.first_collider[one] != Colliders::kNone)
+      t.world.remove_collider(t.world.scene.first_collider[one]);
     if (other != kTheWorld) t.world.remove_body(std::exchange(other, kTheWorld));
   }
   void steps(int n) { t.run(n, kStep); }
@@ -107,69 +108,90 @@ inline std::vector<Subject> subjects() {
        }},
       {kLinearDampingRow, [damp](Stage0& s) { damp(s, 0.5, 0); }, [damp](Stage0& s) { damp(s, 0, 0); }},
       {kAngularDampingRow, [damp](Stage0& s) { damp(s, 0, 0.5); }, [damp](Stage0& s) { damp(s, 0, 0); }},
-      {kSceneryRow, [](Stage0& s) {
+      {kSceneryRow,
+       [](Stage0& s) {
          s.touching();
          s.other_floor = s.t.add(s.t.keep(mesh(box_surface(Vec3(5, 1, 5)))), Vec3(0, -20, 0), BodyType::fixed);
-       }, [](Stage0& s) { s.t.world.remove_body(s.other_floor); }, false},
-      {kGravityRow, [](Stage0& s) {
+       },
+       [](Stage0& s) { s.t.world.remove_body(s.other_floor); }, false},
+      {kGravityRow,
+       [](Stage0& s) {
          for (std::uint32_t i = 0; i < s.t.world.scene.bodies.slots(); ++i)
            if (i != s.one) s.t.world.set_gravity_factor(i, 0);
          s.t.world.set_gravity(Vec3(0, -9.81, 0));
-       }, [](Stage0& s) { s.t.world.set_gravity(Vec3::Zero()); }},
+       },
+       [](Stage0& s) { s.t.world.set_gravity(Vec3::Zero()); }},
       {kDragRow, set_drag, unset_drag},
       {kWindRow, [set_drag](Stage0& s) { set_drag(s), s.t.world.set_wind(Vec3(3, 0, 0)); },
        [](Stage0& s) { s.t.world.set_wind(Vec3::Zero()); }},
-      {kFieldsRow, [field](Stage0& s) {
+      {kFieldsRow,
+       [field](Stage0& s) {
          s.t.world.set_field_mask(s.one, 2);
          s.thing = s.t.world.add_field(field());
-       }, [](Stage0& s) { s.t.world.remove_field(handle_slot(s.thing)); }},
-      {kSpringsRow, [](Stage0& s) {
+       },
+       [](Stage0& s) { s.t.world.remove_field(handle_slot(s.thing)); }},
+      {kSpringsRow,
+       [](Stage0& s) {
          SpringDef d;
          d.body_a = s.one, d.anchor_b = Vec3(1, 2, 3), d.rest = 1, d.stiffness = 10;
          s.thing = s.t.world.add_spring(d);
-       }, [](Stage0& s) { s.t.world.remove_spring(handle_slot(s.thing)); }},
-      {kBuoyancyRow, [](Stage0& s) {
+       },
+       [](Stage0& s) { s.t.world.remove_spring(handle_slot(s.thing)); }},
+      {kBuoyancyRow,
+       [](Stage0& s) {
          s.t.world.add_collider(s.one, s.t.keep(sphere(0.5)), Pose{}, 1000, Colliders::kNoMaterial);
          s.t.world.set_gravity(Vec3::Zero());
          WaterDef water;
          water.drag = 1;
          s.t.world.set_water(&water);
-       }, [](Stage0& s) { s.t.world.set_water(nullptr); }},
-      {kContinuousRow, [](Stage0& s) {
+       },
+       [](Stage0& s) { s.t.world.set_water(nullptr); }},
+      {kContinuousRow,
+       [](Stage0& s) {
          s.touching();
          s.t.world.set_continuous(s.one, SweepMode::always);
-       }, [](Stage0& s) { s.t.world.set_continuous(s.one, SweepMode::automatic); }, false},
+       },
+       [](Stage0& s) { s.t.world.set_continuous(s.one, SweepMode::automatic); }, false},
       {kCollisionRow, touch_with(smooth), part, false},
       {kResponseRow, touch_with(smooth), part, false},
       {kFrictionRow, [](Stage0& s) { s.touching(); }, part, false},
       {kRestitutionRow, touch_with(bouncy), part, false},
       {kRollingRow, touch_with(rolling), part, false},
       {kSpinningRow, touch_with(spinning), part, false},
-      {kSurfaceRow, [](Stage0& s) {
+      {kSurfaceRow,
+       [](Stage0& s) {
          s.touching();
          s.t.world.set_surface_velocity(s.t.world.scene.first_collider[s.one], {Vec3(0, 0, 1), Vec3::Zero()});
-       }, part, false},
-      {kFilterRow, [](Stage0& s) {
+       },
+       part, false},
+      {kFilterRow,
+       [](Stage0& s) {
          s.touching();
          Filter f;
          f.category = 2;
          s.t.world.set_filter(s.t.world.scene.first_collider[s.one], f);
-       }, [](Stage0& s) { s.t.world.set_filter(s.t.world.scene.first_collider[s.one], Filter()); }, false},
-      {kSensorRow, [](Stage0& s) {
+       },
+       [](Stage0& s) { s.t.world.set_filter(s.t.world.scene.first_collider[s.one], Filter()); }, false},
+      {kSensorRow,
+       [](Stage0& s) {
          s.touching();
          s.t.world.set_sensor(s.t.world.scene.first_collider[s.one], true);
-       }, [](Stage0& s) { s.t.world.set_sensor(s.t.world.scene.first_collider[s.one], false); }, false},
+       },
+       [](Stage0& s) { s.t.world.set_sensor(s.t.world.scene.first_collider[s.one], false); }, false},
       {kJointsRow, hinge, unhinge, false},
       {kLimitsRow, [drive](Stage0& s) { drive(s, true); }, unhinge, false},
       {kMotorsRow, [drive](Stage0& s) { drive(s, false); }, unhinge, false},
       {kLocksRow, [](Stage0& s) { s.t.world.set_locks(s.one, 1); }, [](Stage0& s) { s.t.world.set_locks(s.one, 0); }},
-      {kParticlesRow, [](Stage0& s) {
+      {kParticlesRow,
+       [](Stage0& s) {
          s.thing = s.t.world.particles.create({}, 1);
          s.t.world.particles.extend(handle_slot(s.thing), 1);
-       }, [](Stage0& s) { s.t.world.particles.destroy(handle_slot(s.thing)); }, false},
+       },
+       [](Stage0& s) { s.t.world.particles.destroy(handle_slot(s.thing)); }, false},
       {kEventsRow, [](Stage0& s) { collect(s.t.world, Events::contact, 1); },
        [](Stage0& s) { collect(s.t.world, 0, 1); }, false},
-      {kSleepRow, [](Stage0& s) { s.t.world.set_dial(Dial::sleep, 1); }, [](Stage0& s) { s.t.world.set_dial(Dial::sleep, 0); }, false},
+      {kSleepRow, [](Stage0& s) { s.t.world.set_dial(Dial::sleep, 1); },
+       [](Stage0& s) { s.t.world.set_dial(Dial::sleep, 0); }, false},
   };
 }
 

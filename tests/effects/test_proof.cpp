@@ -1,5 +1,5 @@
-// The third promise, over every effect: what no body needs executes nothing, allocates nothing, and changes no bit; what
-// one body needs is done for that one, from the step on in which it needs it to the last in which it does.
+// The third promise, over every effect: what no body needs executes nothing, allocates nothing, and changes no bit;
+// what one body needs is done for that one, from the step on in which it needs it to the last in which it does.
 #include "carom_test.h"
 #include "dynamics/plan_view.h"
 #include "subjects.h"
@@ -91,8 +91,7 @@ static void a_forbidden_effect_does_nothing_and_says_so(void**) {
 
 static void forbidden_it_has_the_bits_of_a_scene_that_does_not_call_for_it(void**) {
   for (const Subject& subject : subjects()) {
-    if (!subject.flies || subject.row == kGyroscopicRow || subject.row == kBuoyancyRow ||
-        subject.row == kWindRow)
+    if (!subject.flies || subject.row == kGyroscopicRow || subject.row == kBuoyancyRow || subject.row == kWindRow)
       continue;  // the scene of these has a collider, or drag, more
     const std::uint64_t quiet = run_with_mode(subject, EffectMode::as_needed, false);
     if (run_with_mode(subject, EffectMode::forbid, true) != quiet)
@@ -160,7 +159,7 @@ static void one_among_ten_thousand_is_one(void**) {
     }
     if (served[0] != served[1] || served[0] == 0)
       wrong("%s served %d alone, %d among 10,000", name_of(subject.row).c_str(), static_cast<int>(served[0]),
-               static_cast<int>(served[1]));
+            static_cast<int>(served[1]));
   }
 }
 
@@ -195,9 +194,10 @@ static void every_two_effects_compose(void**) {
       const auto both = change({&a, &b}, kEffectCount), without = change({&a, &b}, a.row);
       // Switched off, nobody else is served more or less often.
       for (std::size_t row = 0; row < kEffectCount; ++row)
-        if (row != a.row && !(row == kWindRow && a.row == kDragRow) && both.evaluations[row] != without.evaluations[row])
+        if (row != a.row && !(row == kWindRow && a.row == kDragRow) &&
+            both.evaluations[row] != without.evaluations[row])
           wrong("without %s, %s is served %d times instead of %d", name_of(a.row).c_str(), name_of(row).c_str(),
-                   static_cast<int>(without.evaluations[row]), static_cast<int>(both.evaluations[row]));
+                static_cast<int>(without.evaluations[row]), static_cast<int>(both.evaluations[row]));
     }
 }
 
@@ -215,7 +215,8 @@ static void accelerations_add_up(void**) {
   w.set_gravity(Vec3(0, -9.81, 0));
   s.steps(1);
   w.add_force(s.one, Vec3(1, 2, 3), Vec3(0.1, 0.2, 0.3));
-  for (const char* host : {"user_force", "user_torque"}) find_candidates(w, *w.plan->find(host)), w.plan->find(host)->customers = w.plan->find(host)->candidates;
+  for (const char* host : {"user_force", "user_torque"})
+    find_candidates(w, *w.plan->find(host)), w.plan->find(host)->customers = w.plan->find(host)->candidates;
   const State& st = w.state;
   const Motion at{st.x.data(), st.q.data(), st.v.data(), st.omega.data()};
   const std::size_t n = st.x.size();

@@ -130,6 +130,7 @@ void remove_springs_of(World& world, std::uint32_t body) {
 
 void World::set_mode(std::size_t row, EffectMode mode) {
   if (scene.modes.of_world(row) == mode) return;
+  if (row == kEventsRow) events->slept.reserve(scene.bodies.slots());  // the last that may run out of memory
   wake_all(*this);
   set_bit(scene.modes.forbidden, row, mode == EffectMode::forbid);
   set_bit(scene.modes.forced, row, mode == EffectMode::force);
