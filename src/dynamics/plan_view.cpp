@@ -101,28 +101,29 @@ bool ran(const World& world, const PlannedEffect& effect) {
 
 void explain(const World& world, std::size_t row, const PlannedEffect& effect, PlanLine& line) {
   const Effect& e = *effect.effect;
-  const auto say = [&](const char* form, auto... values) {
-    std::snprintf(line.reason, sizeof line.reason, form, values...);
+  const auto say = [&](const char* text) { std::snprintf(line.reason, sizeof line.reason, "%s", text); };
+  const auto count = [&](const char* form, auto first, auto... values) {
+    std::snprintf(line.reason, sizeof line.reason, form, first, values...);
   };
   const auto customers = static_cast<unsigned long long>(effect.customers.count);
   const auto wanted = static_cast<unsigned long long>(line.wanted);
   const bool of_bodies = world.scene.modes.forbidden_anywhere & row_bit(row);
   if (line.mode == EffectMode::forbid && wanted > 0)
-    return say("forbidden by the host, though the scene calls for it: %llu %s", wanted, line.unit);
+    return count("forbidden by the host, though the scene calls for it: %llu %s", wanted, line.unit);
   if (line.mode == EffectMode::forbid) return say("forbidden by the host");
   if (line.mode == EffectMode::force && line.runs)
-    return say("forced by the host on %llu %s; the scene calls for %llu", customers, line.unit, wanted);
+    return count("forced by the host on %llu %s; the scene calls for %llu", customers, line.unit, wanted);
   if (line.mode == EffectMode::force)
-    return say("forced by the host, but there is nothing it can act on: %s", e.missing);
+    return count("forced by the host, but there is nothing it can act on: %s", e.missing);
   if (row == kSpringsRow && line.runs && world.scene.springs.softened > 0)
-    return say("%llu springs, %llu stiffer than a substep carries: softened; more substeps, or joints", customers,
-               static_cast<unsigned long long>(world.scene.springs.softened));
+    return count("%llu springs, %llu stiffer than a substep carries: softened; more substeps, or joints", customers,
+                 static_cast<unsigned long long>(world.scene.springs.softened));
   if (line.runs && of_bodies && wanted > customers)
-    return say("%s: %llu of %llu, the host forbids it to the others", e.called_by, customers, wanted);
-  if (line.runs) return say("%s", e.called_by);
-  if (of_bodies && wanted > 0) return say("the host forbids it to all %llu %s that call for it", wanted, line.unit);
-  if (wanted > 0 && e.wakes) return say("%llu %s may call for it, none did in this step", wanted, line.unit);
-  say("%s", e.missing);
+    return count("%s: %llu of %llu, the host forbids it to the others", e.called_by, customers, wanted);
+  if (line.runs) return say(e.called_by);
+  if (of_bodies && wanted > 0) return count("the host forbids it to all %llu %s that call for it", wanted, line.unit);
+  if (wanted > 0 && e.wakes) return count("%llu %s may call for it, none did in this step", wanted, line.unit);
+  say(e.missing);
 }
 
 PlanLine stage_line(const World& world, std::size_t index) {
