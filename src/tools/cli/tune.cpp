@@ -1,0 +1,295 @@
+// `carom tune SCENE`: which settings err least within so many milliseconds a frame, on this machine.
+#include "tune/tune.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/run_output.h"
+#include "cli/table.h"
+#include "report/page.h"
+#include "report/plot.h"
+
+namespace carom::tools {
+namespace {
+
+using tune::Answer;
+using tune::ErrorKind;
+using tune::Measured;
+using tune::Question;
+
+struct Options {
+  std::string scene, error, json, code, svg;
+  std::vector<std::string> sets;
+  double budget = 2, frame = 60, seconds = 0;
+  int repeats = 5;
+  std::uint32_t threads = 1;
+  bool quiet = false;
+};
+
+const std::vector<ErrorKind> kKinds = {ErrorKind::truth, ErrorKind::pose, ErrorKind::drift, ErrorKind::energy,
+                                       ErrorKind::gap};
+
+ErrorKind kind_from(const Options& options, bool is_challenge) {
+  if (options.error.empty()) return is_challenge ? ErrorKind::truth : ErrorKind::pose;
+  std::string names;
+  for (const ErrorKind kind : kKinds) {
+    if (options.error == tune::name_of(kind)) {
+      if (kind == ErrorKind::truth && !is_challenge)
+        throw Error("scene " + options.scene + " has no closed form to be judged by",
+                    "leave --error away, or choose pose, drift, energy or gap; `carom accuracy list` shows scenes "
+                    "with a truth");
+      return kind;
+    }
+    names += (names.empty() ? "" : ", ") + std::string(tune::name_of(kind));
+  }
+  throw Error("--error " + options.error + " is not known", "give one of " + names);
+}
+
+Question question_from(const Options& options) {
+  Question q;
+  for (const accuracy::Challenge& c : accuracy::all_challenges())
+    if (c.scene.name == options.scene && !(c.reference_dt > 0)) q.challenge = &c;
+  q.scene = q.challenge ? &q.challenge->scene : nullptr;
+  if (!q.scene) {
+    for (const accuracy::Challenge& c : accuracy::all_challenges())
+      if (c.scene.name == options.scene) q.scene = &c.scene;
+    if (!q.scene) q.scene = &find_scene(options.scene);
+  }
+  q.settings.values = values_from(options.sets);
+  q.kind = kind_from(options, q.challenge != nullptr);
+  q.kind_chosen = !options.error.empty();
+  q.seconds = options.seconds > 0 ? options.seconds : std::min(q.scene->seconds, 10.0);
+  if (q.challenge) q.seconds = options.seconds > 0 ? options.seconds : q.scene->seconds;
+  q.frame_rate = options.frame;
+  q.budget_ms = options.budget;
+  q.repeats = options.repeats;
+  q.threads = options.threads;
+  return q;
+}
+
+std::string error_text(double error, const char* unit) {
+  return std::isfinite(error) ? format("%.2g%s%s", error, *unit ? " " : "", unit) : "none";
+}
+
+std::string unit_of(const Question& q, const Answer& a) {
+  return a.kind == ErrorKind::truth ? q.challenge->metrics.front().unit : tune::unit_of(a.kind);
+}
+
+void print_front(const Question& q, const Answer& a) {
+  const std::string unit = unit_of(q, a);
+  std::vector<std::vector<std::string>> rows = {{"", "ms a frame", "worst", "error", "settings"}};
+  const auto add = [&](const std::string& mark, const Measured& m) {
+    rows.push_back(
+        {mark, format("%.3g", m.ms), format("%.3g", m.worst_ms), error_text(m.error, unit.c_str()), m.setting.text()});
+  };
+  for (std::size_t i = 0; i < a.front.size(); ++i)
+    add(static_cast<int>(i) == a.pick ? "pick" : a.front[i].ms > q.budget_ms ? "over" : "", a.front[i]);
+  const auto own = std::find_if(a.all.begin(), a.all.end(), [](const Measured& m) { return m.is_default; });
+  const bool on_front = std::any_of(a.front.begin(), a.front.end(), [](const Measured& m) { return m.is_default; });
+  if (own != a.all.end() && !on_front) add("default", *own);
+  std::printf("%s\n", table(rows, {false, true, true, true}).c_str());
+}
+
+/// What half the error costs, and what half the time would.
+void print_margins(const Question& q, const Answer& a) {
+  const Measured& pick = a.front[static_cast<std::size_t>(a.pick)];
+  const std::string unit = unit_of(q, a);
+  for (const Measured& m : a.front)
+    if (m.error <= pick.error / 2) {
+      std::printf("Half the error: +%.3g ms a frame (%s, %s)\n", m.ms - pick.ms,
+                  error_text(m.error, unit.c_str()).c_str(), m.setting.text().c_str());
+      break;
+    }
+  for (auto m = a.front.rbegin(); m != a.front.rend(); ++m)
+    if (m->ms <= pick.ms / 2) {
+      std::printf("Half the time: %.3g times the error (%.3g ms, %s)\n", m->error / pick.error, m->ms,
+                  m->setting.text().c_str());
+      break;
+    }
+}
+
+bool holds(double predicted, double found) {
+  return (predicted == 0 && found == 0) || (found <= 2 * predicted && predicted <= 2 * found);
+}
+
+void print_answer(const Question& q, const Answer& a) {
+  if (a.chaotic)
+    std::printf(
+        "This scene is chaotic: its two finest runs end up %.2g m from each other (rms), which is as far as "
+        "any setting is from them.\n%s\n",
+        a.spread,
+        a.kind == ErrorKind::gap
+            ? "Poses say nothing then. Compared instead: how far bodies sink into each other and joints gape."
+            : "You asked for this error all the same; its figures are those of one run among many.");
+  else if (a.floor > 0)
+    std::printf("The reference and its half differ by %.2g %s: errors near that are not told apart.\n", a.floor,
+                tune::unit_of(a.kind));
+  print_front(q, a);
+  std::printf("%d settings tried, %d given up for their time.\n", a.tried, a.too_dear);
+  if (a.pick < 0) {
+    if (a.front.empty())
+      std::printf(
+          "No setting gave an answer: %d of %d took more than 8 times the budget, the others fell or left the "
+          "finite world.\n",
+          a.too_dear, a.tried);
+    else if (a.front.front().ms > 4 * q.budget_ms)
+      std::printf("Nothing is anywhere near %.3g ms a frame; ask with a larger --budget.\n", q.budget_ms);
+    else
+      std::printf("Nothing fits into %.3g ms a frame: the cheapest that errs less than all cheaper ones takes %.3g.\n",
+                  q.budget_ms, a.front.front().ms);
+    return;
+  }
+  const Measured& pick = a.front[static_cast<std::size_t>(a.pick)];
+  const std::string unit = unit_of(q, a);
+  std::printf("Pick for %.3g ms a frame at %g Hz: %s\n", q.budget_ms, q.frame_rate, pick.setting.text().c_str());
+  print_margins(q, a);
+  std::printf("Run once more in a new world: %.3g ms, error %s: %s\n", a.fresh.ms,
+              error_text(a.fresh.error, unit.c_str()).c_str(),
+              holds(pick.ms, a.fresh.ms) && holds(pick.error, a.fresh.error)
+                  ? "within a factor of two of what was said"
+                  : "NOT within a factor of two of what was said; is this machine busy? Try more --repeats");
+}
+
+nlohmann::json to_json(const Measured& m) {
+  nlohmann::json dials = nlohmann::json::object();
+  for (const auto& [dial, value] : m.setting.dials) dials[dial] = value;
+  nlohmann::json j = {
+      {"steps_per_frame", m.setting.steps_per_frame}, {"dials", dials}, {"ms", m.ms}, {"worst_ms", m.worst_ms}};
+  j["error"] = std::isfinite(m.error) ? nlohmann::json(m.error) : nlohmann::json();
+  return j;
+}
+
+void write_json(const std::string& path, const Question& q, const Answer& a) {
+  nlohmann::json j = {{"scene", q.scene->name},
+                      {"seconds", q.seconds},
+                      {"frame_rate", q.frame_rate},
+                      {"budget_ms", q.budget_ms},
+                      {"error", tune::name_of(a.kind)},
+                      {"unit", unit_of(q, a)},
+                      {"chaotic", a.chaotic},
+                      {"floor", a.floor},
+                      {"tried", a.tried},
+                      {"too_dear", a.too_dear}};
+  j["front"] = nlohmann::json::array();
+  for (const Measured& m : a.front) j["front"].push_back(to_json(m));
+  j["pick"] = a.pick < 0 ? nlohmann::json() : to_json(a.front[static_cast<std::size_t>(a.pick)]);
+  j["fresh"] = a.pick < 0 ? nlohmann::json() : to_json(a.fresh);
+  CsvFile file(path);
+  file.out() << j.dump(2) << '\n';
+  file.close();
+}
+
+/// The value of a dial as a number, whatever it was set by.
+double number_of(const std::string& dial, const std::string& value) {
+  for (const carom_dial_info& info : all_dials()) {
+    if (dial != info.name) continue;
+    for (std::uint32_t i = 0; i < info.choice_count; ++i)
+      if (value == info.choices[i]) return i;
+  }
+  return std::strtod(value.c_str(), nullptr);
+}
+
+void write_code(const std::string& path, const Question& q, const Answer& a) {
+  CsvFile file(path);
+  const Measured& pick = a.front[static_cast<std::size_t>(a.pick)];
+  const std::string unit = unit_of(q, a);
+  file.out() << "/* carom tune " << q.scene->name << ": " << format("%.3g", pick.ms) << " ms a frame, error "
+             << error_text(pick.error, unit.c_str()) << " (" << tune::name_of(a.kind) << "). Step "
+             << pick.setting.steps_per_frame << " times a frame by 1.0 / "
+             << format("%g", q.frame_rate * pick.setting.steps_per_frame) << " s. */\n"
+             << "static const struct {\n  uint32_t dial;\n  double value;\n} tuned[] = {\n";
+  for (const auto& [dial, value] : pick.setting.dials) {
+    std::string upper = dial;
+    for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    file.out() << "    {CAROM_DIAL_" << upper << ", " << format("%.17g", number_of(dial, value)) << "}, /* " << value
+               << " */\n";
+  }
+  if (pick.setting.dials.empty()) file.out() << "    {CAROM_DIAL_SUBSTEPS, 4}, /* all dials at their defaults */\n";
+  file.out() << "};\n";
+  file.close();
+}
+
+void write_plot(const std::string& path, const Question& q, const Answer& a) {
+  report::LinePlot plot;
+  plot.title = q.scene->name + ": error against time";
+  plot.x = {"ms a frame", report::Scale::log, false, {}};
+  const std::string unit = unit_of(q, a);
+  plot.y = {"error (" + std::string(tune::name_of(a.kind)) + (unit.empty() ? "" : ", " + unit) + ")",
+            report::Scale::log,
+            false,
+            {}};
+  report::Series front{"front", {}, 0, false};
+  for (const Measured& m : a.front) front.points.push_back({m.ms, m.error});
+  plot.series.push_back(front);
+  int colour = 1;
+  for (const char* solver : {"severity", "sequential", "soft_step", "auto", "direct"}) {
+    report::Series series{solver, {}, colour++, false};
+    for (const Measured& m : a.all)
+      for (const auto& [dial, value] : m.setting.dials)
+        if (dial == "solver" && value == solver && m.setting.steps_per_frame == 1 && m.setting.dials.size() == 2)
+          series.points.push_back({m.ms, m.error});
+    if (series.points.size() > 1) plot.series.push_back(series);
+  }
+  plot.marks.push_back({q.budget_ms, format("budget %.3g ms", q.budget_ms)});
+  plot.note =
+      "carom tune " + q.scene->name + format(", %d settings over %g s at %g Hz", a.tried, q.seconds, q.frame_rate);
+  if (!report::write_file(path, report::draw(plot)))
+    throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
+}
+
+void run_tune(const Options& options, Context& context) {
+  if (!(options.budget > 0)) throw Error("--budget must be more than 0", "give milliseconds, e.g. --budget 2");
+  if (!(options.frame > 0 && options.frame <= 1e4))
+    throw Error("--frame is out of range", "give frames per second, e.g. 60");
+  if (options.repeats < 1 || options.repeats > 99) throw Error("--repeats is out of range", "give 1 to 99");
+  const Question q = question_from(options);
+  Engine engine(context.plugins());
+  engine.set_threads(q.threads);
+  const bool shown = !options.quiet && isatty(STDERR_FILENO);
+  if (!options.quiet) {
+    std::printf("%s over %g s at %g Hz, error: %s\n", q.scene->name.c_str(), q.seconds, q.frame_rate,
+                q.kind == ErrorKind::truth ? q.challenge->metrics.front().what.c_str() : tune::name_of(q.kind));
+    std::fflush(stdout);
+  }
+  const Answer a = tune::search(engine, q, [&](int done, int total, const std::string& what) {
+    if (shown)
+      std::fprintf(stderr, "\r  %s %d of about %d  %-70.70s", bar(static_cast<double>(done) / total, 20).c_str(), done,
+                   total, what.c_str());
+  });
+  if (shown) std::fprintf(stderr, "\r%*s\r", 120, "");
+  if (!options.quiet) print_answer(q, a);
+  if (!options.json.empty()) write_json(options.json, q, a);
+  if (!options.svg.empty()) write_plot(options.svg, q, a);
+  if (!options.code.empty() && a.pick >= 0) write_code(options.code, q, a);
+  if (a.pick < 0) context.exit_code = kExitBadNews;
+}
+
+}  // namespace
+
+void add_tune_command(CLI::App& app, Context& context) {
+  static Options options;
+  CLI::App* command = app.add_subcommand("tune", "2 ms a frame: which settings err least on a scene?");
+  command->add_option("scene", options.scene, "A scene of `carom list` or `carom accuracy list`")->required();
+  command->add_option("--budget", options.budget, "ms of computing a frame")->capture_default_str();
+  command->add_option("--frame", options.frame, "Frames per second")->capture_default_str();
+  command->add_option("--error", options.error,
+                      "truth (of accuracy scenes), pose, drift, energy or gap; default: truth where there is one, else "
+                      "pose, or gap where the scene is chaotic");
+  command->add_option("--seconds", options.seconds, "Simulated; default: the scene's own, at most 10");
+  command->add_option("--set", options.sets, "Knob of the scene, NAME=NUMBER (repeatable)")->allow_extra_args(false);
+  command->add_option("--repeats", options.repeats, "Runs behind each time on the front")->capture_default_str();
+  command->add_option("--threads", options.threads, "Threads of the engine")->capture_default_str();
+  command->add_option("--json", options.json, "Write front and pick");
+  command->add_option("--code", options.code, "Write the pick as C");
+  command->add_option("--svg", options.svg, "Draw error against time");
+  command->add_flag("--quiet", options.quiet, "No text");
+  command->callback([&context] { run_tune(options, context); });
+}
+
+}  // namespace carom::tools
