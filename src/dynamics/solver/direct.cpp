@@ -7,6 +7,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/direct/group_links.h"
+#include "dynamics/solver/direct/round.h"
 #include "dynamics/solver/solver.h"
 
 namespace carom {
@@ -229,6 +230,10 @@ class Group {
     const auto most_steps = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps));
     answer_ = solve_cones(problem_, goal, most_steps);
     for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
+      if (has_ring(problem_, link_row_)) {
+        shed_self_stress(problem_);
+        if (!is_jerked(world_, problem_, link_row_, h)) break;
+      }
       for (ConeLink& link : problem_.links) link.next_p = link.p;
       keep_links(world_, problem_, link_row_);
       start(h);
