@@ -3,7 +3,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +28,7 @@ struct Part {
   double density = 1000;  ///< kg/m^3
   double friction = 0.5;
   double restitution = 0;
+  double rolling = 0;                  ///< m: carom_material_set_resistance()
   Vec surface_velocity = Vec::Zero();  ///< m/s, axes of the shape: of its surface, while it stays
   Vec surface_spin = Vec::Zero();      ///< rad/s, likewise, about its origin
   int mesh = -1;                       ///< index into Stage::meshes to draw instead of the shape, or -1
@@ -87,7 +90,7 @@ class Stage {
 
  private:
   Engine& engine_;
-  std::map<std::pair<double, double>, carom_material> materials_;
+  std::map<std::array<double, 3>, carom_material> materials_;  // by friction, restitution, rolling
 
  public:
   World world;

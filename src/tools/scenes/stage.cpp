@@ -33,13 +33,15 @@ std::size_t Stage::add(Actor actor) {
     collider.shape = part.shape == "half_space"     ? engine_.half_space(part.params.data(), part.params.at(3))
                      : part.shape == "height_field" ? engine_.height_field(part.params)
                                                     : engine_.shape(part.shape, part.params);
-    carom_material& material = materials_[{part.friction, part.restitution}];
+    carom_material& material = materials_[{part.friction, part.restitution, part.rolling}];
     if (material == CAROM_NULL_HANDLE) {
       carom_material_desc surface;
       call.done(carom_material_desc_init(&surface), making);
       surface.friction = part.friction;
       surface.restitution = part.restitution;
       call.done(carom_material_create(world.get(), &surface, &material, call), making);
+      if (part.rolling > 0)
+        call.done(carom_material_set_resistance(world.get(), material, part.rolling, 0, call), making);
     }
     collider.material = material;
     put(collider.position, part.position);
