@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   add_check_command(app, context);
   add_paper_command(app, context);
   add_accuracy_command(app, context);
+  add_import_command(app, context);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
