@@ -85,7 +85,8 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
   for (int i = 0; i < static_cast<int>(knobs[0]); ++i) {
     Actor ring;
     ring.kind = "ring", ring.name = "ring " + std::to_string(i + 1);
-    ring.position = Vec(random.between(-0.08, 0.08), kPostTop + (mesh_path.empty() ? 0.6 : 1) * size * (i + 1), random.between(-0.08, 0.08));
+    ring.position = Vec(random.between(-0.08, 0.08), kPostTop + (mesh_path.empty() ? 0.6 : 1) * size * (i + 1),
+                        random.between(-0.08, 0.08));
     ring.orientation =
         Quat(Eigen::AngleAxisd(random.between(-0.2, 0.2), Vec(random.between(-1, 1), 0, 1).normalized()));
     for (const Mesh& hull : hulls) {

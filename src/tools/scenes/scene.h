@@ -76,8 +76,9 @@ class Stage {
   /// one of them has escaped: more than any contact may sink.
   void add_walled_ground(double half);
 
-  /// Join two bodies as they stand, the joint's axes along those of the world.   @throws Error
-  void join(std::uint32_t kind, std::size_t a, std::size_t b, const Vec& at);
+  /// Join two bodies as they stand.   @param axes  joint -> world   @throws Error
+  carom_joint join(std::uint32_t kind, std::size_t a, std::size_t b, const Vec& at,
+                   const Quat& axes = Quat::Identity());
 
   Engine& engine() { return engine_; }
   Vec position(std::size_t actor) const;  ///< m, world: origin of the body frame

@@ -58,7 +58,7 @@ std::size_t Stage::add(Actor actor) {
   return actors.size() - 1;
 }
 
-void Stage::join(std::uint32_t kind, std::size_t a, std::size_t b, const Vec& at) {
+carom_joint Stage::join(std::uint32_t kind, std::size_t a, std::size_t b, const Vec& at, const Quat& axes) {
   Tie tie{kind, a, b, at, CAROM_NULL_HANDLE};
   carom_joint_desc desc;
   Call call;
@@ -68,8 +68,10 @@ void Stage::join(std::uint32_t kind, std::size_t a, std::size_t b, const Vec& at
   desc.fields = CAROM_JOINT_WORLD_FRAME;
   desc.body_a = actors[a].body, desc.body_b = actors[b].body;
   put(desc.position_a, at);
+  put(desc.orientation_a, axes);
   call.done(carom_joint_create(world.get(), &desc, &tie.joint, call), joining);
   ties.push_back(tie);
+  return tie.joint;
 }
 
 std::size_t Stage::add_half_space(const std::string& name, const Vec& normal, const Vec& point, double friction) {
