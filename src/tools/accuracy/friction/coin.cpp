@@ -78,7 +78,7 @@ Challenge coin_challenge() {
            "a coin that goes round ever faster and lies down",
            {{"radius", "m", "of the disk", 0.5, 0.01, 10},
             {"rolling", "", "resistance of the ground, of the radius", 0.005, 1e-4, 0.1}},
-           30,
+           40,
            1.0 / 60,
            fill},
           "its energy against what the moment takes",
