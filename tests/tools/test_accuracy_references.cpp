@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "accuracy/linkages.h"
 #include "accuracy/reference.h"
 #include "carom_test.h"
 
@@ -138,6 +139,164 @@ static void a_rod_that_is_hit_keeps_energy_and_momentum(void**) {
   assert_true(std::fabs((speed - rod.spin * arm) - spin * arm) < 1e-12 * spin);
 }
 
+static void bricards_ring_is_shut_and_its_motion_keeps_energy(void**) {
+  const double d = 1e-6;
+  for (double s = -7; s < 7; s += 0.37) {
+    const BricardPose pose = bricard(s), next = bricard(s + d), last = bricard(s - d);
+    // The held bar goes from (0, 0, 1) to the origin; the hinge before it is square to it and the same all the time.
+    assert_true((pose.end - Eigen::Vector3d(0, 0, 1)).norm() < 1e-14);
+    assert_true((pose.end_axis - Eigen::Vector3d(-1, 0, 0)).norm() < 1e-14);
+    for (std::size_t k = 0; k < pose.bars.size(); ++k) {
+      const Eigen::Vector3d moved = (next.bars[k].middle - last.bars[k].middle) / (2 * d);
+      const Eigen::Matrix3d turned = (next.bars[k].axes - last.bars[k].axes) / (2 * d) * pose.bars[k].axes.transpose();
+      assert_true((moved - pose.bars[k].middle_rate).norm() < 1e-8);
+      const Eigen::Vector3d spin(turned(2, 1), turned(0, 2), turned(1, 0));
+      assert_true((spin - pose.bars[k].turn_rate).norm() < 1e-8);
+      // Each bar meets the one before it at its end, at right angles to their hinge.
+      const Eigen::Vector3d before = k == 0 ? Eigen::Vector3d(0, 0, -1) : Eigen::Vector3d(pose.bars[k - 1].axes.col(0));
+      assert_true(std::fabs(pose.bars[k].axes.col(1).dot(before)) < 1e-14);
+    }
+  }
+  // As let go: along edges of a cube, each bar square to the next.
+  const BricardPose cube = bricard(0);
+  for (std::size_t k = 1; k < cube.bars.size(); ++k)
+    assert_true(std::fabs(cube.bars[k].axes.col(0).dot(cube.bars[k - 1].axes.col(0))) < 1e-15);
+  Eigen::Vector2d state(0, 0);
+  const double start = kGravity * BricardMotion::height_of(0);
+  double most = 0;
+  for (int i = 0; i < 6000; ++i) {
+    state = runge_kutta(state, 1e-3, BricardMotion::rate);
+    const double energy = BricardMotion::mass_of(state[0]) * state[1] * state[1] / 2;
+    assert_true(std::fabs(energy + kGravity * BricardMotion::height_of(state[0]) - start) < 1e-7);
+    most = std::max(most, state[0]);
+  }
+  // It comes to the mirror image of where it began, and no farther; seen half a step early at worst, s'' (h / 2)^2 / 2
+  // with s'' < 3.
+  assert_true(std::fabs(most - std::acos(-1)) < 4e-7);
+  assert_true(std::fabs(BricardMotion::height_of(most) - BricardMotion::height_of(0)) < 1e-6);
+}
+
+static void a_governor_loses_what_its_dampers_take(void**) {
+  using G = Governor;
+  const double spin = G::around(G::kAngle) * G::kSpin, h = 2e-5;
+  const auto stretch = [](const Eigen::Vector4d& x) {
+    return std::hypot(std::cos(x[0]) / 2, G::kHead - std::sin(x[0]) / 2 - x[2]);
+  };
+  const auto energy = [&](const Eigen::Vector4d& x) {
+    const double arm = G::kRod / 4 + G::rod_inertia().y() + G::kBall, s = stretch(x) - G::kRest;
+    return arm * x[1] * x[1] + spin * spin / G::around(x[0]) / 2 + G::kSlider * (x[3] * x[3] / 2 + kGravity * x[2]) -
+           2 * kGravity * (G::kRod / 2 + G::kBall) * std::sin(x[0]) + G::kStiff * s * s;
+  };
+  Eigen::Vector4d x = G::start();
+  assert_true(std::fabs(stretch(x) - G::kRest) < 1e-15);
+  const double first = energy(x);
+  double taken = 0, least = x[0], most = x[0];
+  for (int i = 0; i < 100000; ++i) {
+    const double before = stretch(x);
+    x = runge_kutta(x, h, G::rate);
+    const double rate = (stretch(x) - before) / h;
+    taken += 2 * G::kDamp * rate * rate * h;
+    least = std::min(least, x[0]), most = std::max(most, x[0]);
+  }
+  // Mean rates of steps in place of rates: off by the share of a step in what changes as fast as K / C = 20 / s, but
+  // for the first moments.
+  assert_true(taken > 1e-3 && std::fabs(energy(x) + taken - first) < 1e-3 * taken);
+  assert_true(most - least > 0.1);  // it swings
+}
+
+/// A disk that rolls without slip, from its laws of motion alone: spin, and which way its face looks.
+struct RollingDisk {
+  double radius, half, rolling;
+  Eigen::Vector3d n, spin;
+
+  Eigen::Vector3d rim(const Eigen::Vector3d& face) const {  // from the middle to the point that touches
+    const Eigen::Vector3d up(0, 1, 0);
+    return radius * (face * face.y() - up).normalized() - half * face;
+  }
+  Eigen::Matrix3d inertia() const {
+    const double across = radius * radius / 4 + half * half / 3;
+    return across * Eigen::Matrix3d::Identity() + (radius * radius / 2 - across) * n * n.transpose();
+  }
+  static Eigen::Matrix3d cross(const Eigen::Vector3d& v) {
+    Eigen::Matrix3d m;
+    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+    return m;
+  }
+  /// I w' + w x I w = r x (v' - g) + moment, and v = -w x r.
+  Eigen::Vector3d spin_rate() const {
+    const Eigen::Vector3d r = rim(n), turned = spin.cross(n), g(0, -kGravity, 0);
+    const double d = 1e-6;
+    const Eigen::Vector3d r_rate = (rim(n + d * turned) - rim(n - d * turned)) / (2 * d);
+    const Eigen::Vector3d level(spin.x(), 0, spin.z());
+    const Eigen::Vector3d moment = -rolling * kGravity * level.normalized();
+    const Eigen::Vector3d rest = -spin.cross(inertia() * spin) + r.cross(-spin.cross(r_rate) - g) + moment;
+    return (inertia() - cross(r) * cross(r)).inverse() * rest;
+  }
+  double energy() const {
+    const Eigen::Vector3d r = rim(n), v = -spin.cross(r);
+    return kGravity * (-r.y() - half) + v.squaredNorm() / 2 + spin.dot(inertia() * spin) / 2;
+  }
+  void step(double h) {  // midpoint rule
+    RollingDisk middle = *this;
+    middle.n = (n + h / 2 * spin.cross(n)).normalized(), middle.spin += h / 2 * spin_rate();
+    n = (n + h * middle.spin.cross(middle.n)).normalized(), spin += h * middle.spin_rate();
+  }
+};
+
+static void a_coin_goes_round_as_its_weight_asks_and_falls_as_its_moment_takes(void**) {
+  for (double half : {0.01, 0.1}) {
+    const Coin coin{0.5, half};
+    const double tilt = 0.3, s = std::sin(tilt), c = std::cos(tilt), ratio = half / coin.radius;
+    const double round = coin.round(tilt, kGravity);
+    RollingDisk disk{coin.radius, half, 0, {s, c, 0}, round * s * Eigen::Vector3d(ratio * s - c, s + ratio * c, 0)};
+    assert_true(std::fabs(disk.energy() - coin.energy(tilt, kGravity)) < 1e-12);
+    RollingDisk steady = disk;
+    for (int i = 0; i < 10000; ++i) steady.step(1e-4);
+    assert_true(std::fabs(steady.n.y() - c) < 1e-4);  // a step of the midpoint rule is off by (round h)^2 / 6
+    // Slow against going round: it follows to the share of a turn's energy that a turn takes, some ten of rolling /
+    // radius.
+    disk.rolling = 1e-3 * coin.radius;
+    double t = 0;
+    const double to = 0.25, wanted = coin.energy(to, kGravity);
+    for (; disk.energy() > wanted; t += 1e-4) disk.step(1e-4);
+    assert_true(std::fabs(t / coin.time_between(tilt, to, disk.rolling, kGravity) - 1) < 0.01);
+    assert_true(std::fabs(coin.tilt_of(wanted, kGravity) - to) < 1e-12);
+  }
+  // A thin one has 3/2 of its height's energy, and a time that the law of a small tilt gives.
+  const Coin thin{0.5, 1e-9};
+  assert_true(std::fabs(thin.energy(0.2, kGravity) / (1.5 * kGravity * 0.5 * std::sin(0.2)) - 1) < 1e-8);
+  const double small = 1e-3, end = 1e-5, rolling = 1e-3;
+  const double law = 1.5 * 0.5 / rolling * std::sqrt(0.5 / kGravity) * (std::sqrt(small) - std::sqrt(end));
+  assert_true(std::fabs(thin.time_between(small, end, rolling, kGravity) / law - 1) < 1e-5);
+}
+
+static void a_leaning_rod_has_one_answer(void**) {
+  const double speed = 1, h = 1e-4;
+  const LeaningRod rod{0.5, 0.002, 72 * std::acos(-1) / 180};
+  Eigen::Matrix2d w;  // velocity of the end, along and up, per impulse there
+  w << 1 + rod.y() * rod.y() / rod.inertia(), -rod.x() * rod.y() / rod.inertia(), -rod.x() * rod.y() / rod.inertia(),
+      1 + rod.x() * rod.x() / rod.inertia();
+  for (double mu : {1.3, 1.5}) {
+    const Eigen::Vector2d free(-speed, -kGravity * h);
+    int answers = 0;
+    // It leaves: it would have to move up. It slides on: friction against it, a force that pushes.
+    answers += free.y() >= 0;
+    const Eigen::Vector2d drag(mu, 1);
+    assert_true(std::fabs((w * drag).y() - rod.yields(mu)) < 1e-14);
+    const double push = -free.y() / rod.yields(mu);
+    answers += push >= 0 && (free + push * (w * drag)).x() < 0;
+    // It stops: within the cone.
+    const Eigen::Vector2d stop = w.ldlt().solve(-free);
+    const bool stops = stop.y() >= 0 && std::fabs(stop.x()) <= mu * stop.y();
+    answers += stops;
+    assert_int_equal(answers, 1);
+    assert_true(stops == (mu == 1.5));  // although the step is short
+    if (!stops) continue;
+    const double spin = (rod.x() * stop.y() - rod.y() * stop.x()) / rod.inertia();
+    assert_true(std::fabs(spin - rod.spin_after(speed)) < 10 * kGravity * h);
+  }
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(a_bounce_is_a_fall_and_a_reflection),
@@ -148,6 +307,10 @@ int main() {
       cmocka_unit_test(a_skidding_ball_loses_speed_and_gains_spin_until_they_meet),
       cmocka_unit_test(a_cannon_keeps_momentum_and_energy),
       cmocka_unit_test(the_arch_can_stand),
+      cmocka_unit_test(bricards_ring_is_shut_and_its_motion_keeps_energy),
+      cmocka_unit_test(a_governor_loses_what_its_dampers_take),
+      cmocka_unit_test(a_coin_goes_round_as_its_weight_asks_and_falls_as_its_moment_takes),
+      cmocka_unit_test(a_leaning_rod_has_one_answer),
   };
   return cmocka_run_group_tests_name("tools/accuracy_references", tests, nullptr, nullptr);
 }

@@ -7,6 +7,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/direct/group_links.h"
+#include "dynamics/solver/direct/round.h"
 #include "dynamics/solver/solver.h"
 
 namespace carom {
@@ -20,6 +21,7 @@ constexpr Real kShare = 1e-3;              // of the fastest contact, that is go
 constexpr Real kRest = 10;                 // tolerances: contacts that move slower, in any direction, are at rest
 constexpr Real kJoinedShare = 1e-3;        // of the tolerance, where there are joints: velocities add up to gaps
 constexpr int kJerks = 3;                  // times that a group is answered anew because a joint was jerked
+constexpr Real kLongest = 30;              // of the largest overlap to be undone, that a body is displaced at most
 constexpr Real kGap = 1e-9;                // m or rad, of a joint that needs no parting
 constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: impacts of many bodies take that many
 
@@ -229,6 +231,10 @@ class Group {
     const auto most_steps = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps));
     answer_ = solve_cones(problem_, goal, most_steps);
     for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
+      if (has_ring(problem_, link_row_)) {
+        shed_self_stress(problem_);
+        if (!is_jerked(world_, problem_, link_row_, h)) break;
+      }
       for (ConeLink& link : problem_.links) link.next_p = link.p;
       keep_links(world_, problem_, link_row_);
       start(h);
@@ -259,9 +265,10 @@ class Group {
     load_links(world_, problem_, link_row_, LinkPhase::part, h);
     measure_links(problem_);
     answer_ = solve_cones(problem_, is_joined() ? 0.1 * kGap : 0.01 * tolerance, kMostSteps);
+    const Real share = displacement_share();
     for (const ConeBody& b : bodies_of(problem_)) {
-      s_.x[b.slot] += linear(b.v);
-      const Vec3 turn = angular(b.v);
+      s_.x[b.slot] += share * linear(b.v);
+      const Vec3 turn = share * angular(b.v);
       if (turn == Vec3::Zero()) continue;
       s_.q[b.slot] = normalized(exp_map(turn) * s_.q[b.slot]);
       world_.plan->rotation[b.slot] = s_.q[b.slot].toRotationMatrix();
@@ -380,6 +387,17 @@ class Group {
     const Vec3 v = linear(b.v), omega = angular(b.v);
     world_.plan->touched[b.slot] = v != s_.v[b.slot] || omega != s_.omega[b.slot];
     s_.v[b.slot] = v, s_.omega[b.slot] = omega;
+  }
+
+  /// Of the displacements that were found, how much is taken. What is wedged between walls that nearly face each other,
+  /// or is pushed at from all sides, would be moved by metres to be parted by millimetres.
+  Real displacement_share() const {
+    Real asked = 0, moved2 = 0;
+    for (const ConeContact& c : problem_.contacts) asked = std::max(asked, c.want);
+    for (const ConeLink& c : problem_.links) asked = std::max(asked, std::min(std::fabs(c.low), std::fabs(c.high)));
+    for (const ConeBody& b : bodies_of(problem_)) moved2 = std::max(moved2, linear(b.v).squaredNorm());
+    const Real most = kLongest * asked;
+    return moved2 > most * most ? most / std::sqrt(moved2) : 1;
   }
 
   Real measure() {

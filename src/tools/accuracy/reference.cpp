@@ -58,4 +58,51 @@ HitRod hit_rod(double spin, double half, double thin, double post, double away) 
   return {std::asin(off / away), spin * (1 - 2 * arm2 / (inertia + arm2))};
 }
 
+// The rim touches at r = radius * e - half * n, e down the face and n square to it. Middle and that point rest, so the
+// spin is along r; it goes round with the weight's moment.
+double Coin::round(double tilt, double g) const {
+  const double s = std::sin(tilt), c = std::cos(tilt), a2 = radius * radius, across = a2 / 4 + half * half / 3;
+  return std::sqrt(g * (radius * c - half * s) / (s * (across * c - a2 / 2 * (half / radius) * s)));
+}
+
+double Coin::energy(double tilt, double g) const {
+  const double s = std::sin(tilt), spin = round(tilt, g) * s, ratio = half / radius;
+  const double inertia = radius * radius * (0.25 + ratio * ratio / 2) + half * half / 3;
+  return g * (radius * s + half * (std::cos(tilt) - 1)) + inertia * spin * spin / 2;
+}
+
+double Coin::loss(double tilt, double rolling, double g) const {
+  const double s = std::sin(tilt), c = std::cos(tilt), ratio = half / radius;
+  const double level = std::sqrt(1 + ratio * ratio - (s + ratio * c) * (s + ratio * c));
+  return rolling * g * round(tilt, g) * s * level;
+}
+
+// Simpson's rule in the root of the tilt, in which all is smooth.
+double Coin::time_between(double tilt, double smaller, double rolling, double g) const {
+  constexpr int kPairs = 200;
+  const double from = std::sqrt(smaller), h = (std::sqrt(tilt) - from) / (2 * kPairs);
+  const auto slow = [&](double root) {
+    const double at = root * root, d = 1e-5 * at;
+    return 2 * root * (energy(at + d, g) - energy(at - d, g)) / (2 * d) / loss(at, rolling, g);
+  };
+  double sum = 0;
+  for (int i = 0; i <= 2 * kPairs; ++i) sum += (i == 0 || i == 2 * kPairs ? 1 : i % 2 ? 4 : 2) * slow(from + i * h);
+  return sum * h / 3;
+}
+
+double Coin::tilt_of(double wanted, double g) const {
+  double low = 0, high = 1.2;  // rad; energy grows with the tilt
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (energy(middle, g) < wanted ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+double LeaningRod::x() const { return -half * std::cos(angle) + thin * std::sin(angle); }
+double LeaningRod::y() const { return -half * std::sin(angle) - thin * std::cos(angle); }
+double LeaningRod::inertia() const { return (half * half + thin * thin) / 3; }
+double LeaningRod::yields(double mu) const { return 1 + x() * (x() - mu * y()) / inertia(); }
+double LeaningRod::spin_after(double speed) const { return -speed * y() / (inertia() + x() * x() + y() * y()); }
+
 }  // namespace carom::tools::accuracy

@@ -52,4 +52,34 @@ struct HitRod {
 /// @param spin rad/s   @param half, thin m, half extents   @param post m, its radius   @param away m, from the middle
 HitRod hit_rod(double spin, double half, double thin, double post, double away);
 
+/// A coin on its rim (Euler's disk) whose middle stays: it rolls round on a circle as large as itself, ever faster.
+/// @param tilt  rad, between its face and the ground, in (0, pi/2)
+struct Coin {
+  double radius, half;  ///< m; half its thickness
+  /// rad/s: how fast the point that touches goes round.
+  double round(double tilt, double g) const;
+  /// J, per kg: what it has above lying flat.
+  double energy(double tilt, double g) const;
+  /// m^2/s^2 per s and kg: what a moment of `rolling` m times its weight takes.
+  double loss(double tilt, double rolling, double g) const;
+  /// s, from one tilt to a smaller one, both slow against going round.
+  double time_between(double tilt, double smaller, double rolling, double g) const;
+  double tilt_of(double energy, double g) const;  ///< rad
+};
+
+/// A thin rod, 1 kg, that stands on its lower end and leans by `angle` from the ground, while that end slides over
+/// ground of friction mu away from where the rod leans to.
+struct LeaningRod {
+  double half, thin;  ///< m, half extents
+  double angle;       ///< rad
+  double x() const;   ///< m, of the end from the middle; y likewise
+  double y() const;
+  double inertia() const;  ///< kg m^2
+  /// What a normal force of 1 N gives the end along the normal while it slides and drags friction with it, 1/kg. Below
+  /// 0 no force holds it (Painleve): the one answer of a step, however short, is that the end stops.
+  double yields(double mu) const;
+  /// rad/s: once the end has stopped from `speed`, m/s.
+  double spin_after(double speed) const;
+};
+
 }  // namespace carom::tools::accuracy

@@ -5,6 +5,8 @@ namespace carom::tools::accuracy {
 
 Challenge pendulum_challenge();
 Challenge fourbar_challenge();
+Challenge bricard_challenge();
+Challenge governor_challenge();
 std::vector<Challenge> chain_challenges();
 Challenge wrecking_challenge();
 Challenge bridge_challenge();
@@ -19,6 +21,8 @@ Challenge slip_challenge();
 Challenge stick_challenge();
 Challenge rolling_challenge();
 Challenge skid_challenge();
+Challenge coin_challenge();
+Challenge painleve_challenge();
 std::vector<Challenge> stack_challenges();
 std::vector<Challenge> massratio_challenges();
 Challenge tower100_challenge();
@@ -33,15 +37,16 @@ const std::vector<Challenge>& all_challenges() {
   static const std::vector<Challenge> challenges = [] {
     std::vector<Challenge> list = {pendulum_challenge()};
     for (Challenge& c : chain_challenges()) list.push_back(std::move(c));
-    list.push_back(fourbar_challenge());
-    for (auto make :
-         {bouncing_challenge, bounce05_challenge, cradle_challenge, cannon_challenge, elastic666_challenge,
-          pack666_challenge, slide_challenge, slip_challenge, stick_challenge, rolling_challenge, skid_challenge})
+    for (auto make : {fourbar_challenge, bricard_challenge, governor_challenge}) list.push_back(make());
+    for (auto make : {bouncing_challenge, bounce05_challenge, cradle_challenge, cannon_challenge, elastic666_challenge,
+                      pack666_challenge, slide_challenge, slip_challenge, stick_challenge, rolling_challenge,
+                      skid_challenge, coin_challenge})
       list.push_back(make());
     for (Challenge& c : stack_challenges()) list.push_back(std::move(c));
     for (Challenge& c : massratio_challenges()) list.push_back(std::move(c));
-    for (auto make : {tower100_challenge, domino_challenge, cards_challenge, arch_challenge, bridge_challenge,
-                      kapla_challenge, bullet_challenge, spinning_rod_challenge, wrecking_challenge})
+    for (auto make :
+         {tower100_challenge, domino_challenge, cards_challenge, arch_challenge, bridge_challenge, kapla_challenge,
+          bullet_challenge, spinning_rod_challenge, wrecking_challenge, painleve_challenge})
       list.push_back(make());
     return list;
   }();

@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   add_paper_command(app, context);
   add_accuracy_command(app, context);
   add_tune_command(app, context);
+  add_import_command(app, context);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {

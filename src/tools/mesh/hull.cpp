@@ -1,4 +1,5 @@
 // Convex hulls by qhull (reentrant library), and their reduction to few vertices with the loss measured.
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -10,6 +11,7 @@ extern "C" {
 
 #include "host/host.h"
 #include "mesh/mesh.h"
+#include "mesh/solid.h"
 
 namespace carom::tools {
 namespace {
@@ -36,26 +38,6 @@ class ErrorText {
   std::size_t size_ = 0;
   FILE* file_;
 };
-
-/// Squared distance from p to the triangle a, b, c (its Voronoi regions).
-double distance_squared(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-  const Vector3d normal = (b - a).cross(c - a);
-  const double area = normal.squaredNorm();
-  const Vector3d* corner[3] = {&a, &b, &c};
-  bool inside = area > 0;
-  double best = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
-    const Vector3d& from = *corner[i];
-    const Vector3d edge = *corner[(i + 1) % 3] - from;
-    if (normal.cross(edge).dot(p - from) < 0) inside = false;
-    const double length = edge.squaredNorm();
-    const double t = length > 0 ? std::clamp(edge.dot(p - from) / length, 0.0, 1.0) : 0.0;
-    best = std::min(best, (from + t * edge - p).squaredNorm());
-  }
-  if (!inside) return best;
-  const double height = normal.dot(p - a);
-  return height * height / area;
-}
 
 /// Largest distance from a vertex of `full` to the boundary of `kept`; vertices inside `kept` count as 0.
 double hausdorff(const Mesh& full, const Mesh& kept) {
@@ -135,6 +117,26 @@ ReducedHull reduce_hull(const Mesh& hull, std::size_t limit) {
     for (int y = -1; y <= 1; ++y)
       for (int z = -1; z <= 1; ++z)
         if ((x || y || z) && (kept.size() < 6 || kept.size() < limit / 2)) take(farthest(Vector3d(x, y, z)));
+  // All of them on one face of a flat hull: what is farthest off it takes the last one's place.
+  const auto middle = [&] {
+    Vector3d sum = Vector3d::Zero();
+    for (const Vector3d& p : kept) sum += p;
+    return Vector3d(sum / static_cast<double>(kept.size()));
+  };
+  for (int off = 0; off < 2; ++off) {
+    const Vector3d c = middle();
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Vector3d& p : kept) spread += (p - c) * (p - c).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+    constexpr double kFlat = 1e-18;  // of squared lengths
+    if (axes.eigenvalues()[0] > kFlat * axes.eigenvalues()[2]) break;
+    const Vector3d n = axes.eigenvectors().col(0);
+    const std::size_t i =
+        std::fabs(n.dot(hull.points[farthest(n)] - c)) > std::fabs(n.dot(hull.points[farthest(-n)] - c)) ? farthest(n)
+                                                                                                         : farthest(-n);
+    if (kept.size() == limit) kept.pop_back();
+    take(i);
+  }
   Mesh now = convex_hull(kept);
   while (kept.size() < limit) {
     std::vector<std::pair<double, std::size_t>>

@@ -1,4 +1,5 @@
 // A reader of Wavefront OBJ geometry: positions and faces, errors by line.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -7,6 +8,7 @@
 
 #include "host/host.h"
 #include "mesh/mesh.h"
+#include "mesh/parts.h"
 
 namespace carom::tools {
 namespace {
@@ -28,9 +30,8 @@ std::uint32_t vertex_index(const std::string& token, std::size_t count, const st
   return static_cast<std::uint32_t>(index - 1);
 }
 
-}  // namespace
-
-Mesh read_obj(const std::string& path) {
+/// @param begins  out: of the faces, where an object or a group begins
+Mesh read(const std::string& path, std::vector<std::size_t>& begins) {
   std::ifstream file(path);
   if (!file) throw Error("cannot read the mesh " + path, "check the path and its permissions, or leave --mesh out");
   Mesh mesh;
@@ -51,10 +52,59 @@ Mesh read_obj(const std::string& path) {
       for (std::string token; words >> token;) corners.push_back(vertex_index(token, mesh.points.size(), path, line));
       if (corners.size() < 3) refuse(path, line, "a face needs three vertices");
       for (std::size_t i = 2; i < corners.size(); ++i) mesh.faces.push_back({corners[0], corners[i - 1], corners[i]});
+    } else if (kind == "o" || kind == "g") {
+      begins.push_back(mesh.faces.size());
     }
   }
   if (mesh.points.empty()) throw Error(path + " has no vertices", "give an OBJ file with v and f lines");
   return mesh;
+}
+
+}  // namespace
+
+Mesh read_obj(const std::string& path) {
+  std::vector<std::size_t> begins;
+  return read(path, begins);
+}
+
+std::vector<Mesh> read_parts(const std::string& path) {
+  std::vector<std::size_t> begins;
+  const Mesh all = read(path, begins);
+  begins.push_back(0), begins.push_back(all.faces.size());
+  std::ranges::sort(begins);
+  std::vector<Mesh> parts;
+  for (std::size_t k = 0; k + 1 < begins.size(); ++k) {
+    if (begins[k] == begins[k + 1]) continue;
+    Mesh& part = parts.emplace_back();
+    std::vector<std::uint32_t> number(all.points.size(), UINT32_MAX);
+    for (std::size_t f = begins[k]; f < begins[k + 1]; ++f) {
+      auto& face = part.faces.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) {
+        std::uint32_t& n = number[all.faces[f][i]];
+        if (n == UINT32_MAX)
+          n = static_cast<std::uint32_t>(part.points.size()), part.points.push_back(all.points[all.faces[f][i]]);
+        face[i] = n;
+      }
+    }
+  }
+  if (parts.empty()) throw Error(path + " has no faces", "give an OBJ file with v and f lines");
+  return parts;
+}
+
+void write_parts(const std::string& path, const std::vector<Mesh>& hulls) {
+  std::ofstream file(path);
+  file << "# convex parts, an object each\n";
+  file.precision(17);
+  file.imbue(std::locale::classic());
+  std::size_t first = 1, number = 0;
+  for (const Mesh& hull : hulls) {
+    file << "o part_" << ++number << "\n";
+    for (const Eigen::Vector3d& p : hull.points) file << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << "\n";
+    for (const auto& f : hull.faces) file << "f " << first + f[0] << ' ' << first + f[1] << ' ' << first + f[2] << "\n";
+    first += hull.points.size();
+  }
+  file.flush();
+  if (!file) throw Error("cannot write " + path, "check the path, its permissions and the space left");
 }
 
 void fit_to_height(Mesh& mesh, double height) {

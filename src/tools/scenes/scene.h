@@ -3,7 +3,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +28,7 @@ struct Part {
   double density = 1000;  ///< kg/m^3
   double friction = 0.5;
   double restitution = 0;
+  double rolling = 0;                  ///< m: carom_material_set_resistance()
   Vec surface_velocity = Vec::Zero();  ///< m/s, axes of the shape: of its surface, while it stays
   Vec surface_spin = Vec::Zero();      ///< rad/s, likewise, about its origin
   int mesh = -1;                       ///< index into Stage::meshes to draw instead of the shape, or -1
@@ -73,8 +76,9 @@ class Stage {
   /// one of them has escaped: more than any contact may sink.
   void add_walled_ground(double half);
 
-  /// Join two bodies as they stand, the joint's axes along those of the world.   @throws Error
-  void join(std::uint32_t kind, std::size_t a, std::size_t b, const Vec& at);
+  /// Join two bodies as they stand.   @param axes  joint -> world   @throws Error
+  carom_joint join(std::uint32_t kind, std::size_t a, std::size_t b, const Vec& at,
+                   const Quat& axes = Quat::Identity());
 
   Engine& engine() { return engine_; }
   Vec position(std::size_t actor) const;  ///< m, world: origin of the body frame
@@ -87,7 +91,7 @@ class Stage {
 
  private:
   Engine& engine_;
-  std::map<std::pair<double, double>, carom_material> materials_;
+  std::map<std::array<double, 3>, carom_material> materials_;  // by friction, restitution, rolling
 
  public:
   World world;

@@ -33,13 +33,15 @@ std::size_t Stage::add(Actor actor) {
     collider.shape = part.shape == "half_space"     ? engine_.half_space(part.params.data(), part.params.at(3))
                      : part.shape == "height_field" ? engine_.height_field(part.params)
                                                     : engine_.shape(part.shape, part.params);
-    carom_material& material = materials_[{part.friction, part.restitution}];
+    carom_material& material = materials_[{part.friction, part.restitution, part.rolling}];
     if (material == CAROM_NULL_HANDLE) {
       carom_material_desc surface;
       call.done(carom_material_desc_init(&surface), making);
       surface.friction = part.friction;
       surface.restitution = part.restitution;
       call.done(carom_material_create(world.get(), &surface, &material, call), making);
+      if (part.rolling > 0)
+        call.done(carom_material_set_resistance(world.get(), material, part.rolling, 0, call), making);
     }
     collider.material = material;
     put(collider.position, part.position);
@@ -56,7 +58,7 @@ std::size_t Stage::add(Actor actor) {
   return actors.size() - 1;
 }
 
-void Stage::join(std::uint32_t kind, std::size_t a, std::size_t b, const Vec& at) {
+carom_joint Stage::join(std::uint32_t kind, std::size_t a, std::size_t b, const Vec& at, const Quat& axes) {
   Tie tie{kind, a, b, at, CAROM_NULL_HANDLE};
   carom_joint_desc desc;
   Call call;
@@ -66,8 +68,10 @@ void Stage::join(std::uint32_t kind, std::size_t a, std::size_t b, const Vec& at
   desc.fields = CAROM_JOINT_WORLD_FRAME;
   desc.body_a = actors[a].body, desc.body_b = actors[b].body;
   put(desc.position_a, at);
+  put(desc.orientation_a, axes);
   call.done(carom_joint_create(world.get(), &desc, &tie.joint, call), joining);
   ties.push_back(tie);
+  return tie.joint;
 }
 
 std::size_t Stage::add_half_space(const std::string& name, const Vec& normal, const Vec& point, double friction) {

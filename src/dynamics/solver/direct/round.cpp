@@ -49,7 +49,97 @@ void add_outer(Block& b, Real w, const Vec3& d, const Vec3& w_row, const Vec3& w
     for (int j = 0; j < kDof; ++j) b.x[i][j] += row[i] * column[j];
 }
 
+/// M, without what couples bodies.
+void assemble_masses(ConeProblem& problem) {
+  const Elimination& e = *problem.elimination;
+  BlockFactor& f = *problem.factor;
+  for (std::uint32_t i = problem.first; i < problem.last; ++i) {
+    const ConeBody& b = problem.bodies[i];
+    Block& d = f.diagonal[e.place[i]];
+    d = {};
+    for (int k = 0; k < 3; ++k) d.x[k][k] = b.mass;
+    add(d, 3, 3, b.inertia);
+  }
+  std::fill(f.below.begin() + e.column[problem.first], f.below.begin() + e.column[problem.last], Block{});
+}
+
+/// J^T w J of a row.
+void add_link(ConeProblem& problem, const ConeLink& c, Real w) {
+  const Elimination& e = *problem.elimination;
+  BlockFactor& f = *problem.factor;
+  if (c.a != kNobody) add_outer(f.diagonal[e.place[c.a]], w, c.d, c.w_a, c.w_a);
+  if (c.b != kNobody) add_outer(f.diagonal[e.place[c.b]], w, c.d, c.w_b, c.w_b);
+  if (c.below == kNobody) return;
+  add_outer(f.below[c.below], -w, c.d, c.a_later ? c.w_a : c.w_b, c.a_later ? c.w_b : c.w_a);
+}
+
+/// Rows and columns of what is locked: as if nothing touched there.
+void hold_locked(ConeProblem& problem) {
+  const auto locked = [](const ConeBody& b) { return b.locks != 0; };
+  if (std::ranges::none_of(bodies_of(problem), locked)) return;
+  const Elimination& e = *problem.elimination;
+  BlockFactor& f = *problem.factor;
+  for (std::uint32_t i = problem.first; i < problem.last; ++i) {
+    const ConeBody& b = problem.bodies[i];
+    Block& d = f.diagonal[e.place[i]];
+    strike_out(d, b.locks, b.locks);
+    for (int k = 0; k < kDof; ++k)
+      if (b.locks >> k & 1) d.x[k][k] = k < 3 ? b.mass : b.inertia(k - 3, k - 3);
+  }
+  const auto hold_below = [&](const auto& c) {
+    if (c.below == kNobody) return;
+    const std::uint32_t later = c.a_later ? c.a : c.b, other = c.a_later ? c.b : c.a;
+    strike_out(f.below[c.below], problem.bodies[later].locks, problem.bodies[other].locks);
+  };
+  std::ranges::for_each(problem.contacts, hold_below);
+  std::ranges::for_each(problem.links, hold_below);
+}
+
+/// ConeBody::step from the gradient and the factor.
+void solve_for_steps(ConeProblem& problem, Real sign) {
+  const Elimination& e = *problem.elimination;
+  for (std::uint32_t i = problem.first; i < problem.last; ++i) {
+    Vec6& x = problem.scratch[e.place[i]];
+    x = sign * problem.bodies[i].gradient;
+    hold(problem.bodies[i], x);
+  }
+  solve(e, problem.first, problem.last, *problem.factor, problem.scratch);
+  for (std::uint32_t i = problem.first; i < problem.last; ++i) problem.bodies[i].step = problem.scratch[e.place[i]];
+}
+
+bool is_lock(const ConeLink& c) { return c.k > 0 && c.low == c.high && c.give == 0 && c.most == kInfinity; }
+
 }  // namespace
+
+// With momentum g = J^T p given, p' = J y / R and (M + J^T J / R) y = g: J^T p' = g - M y, and y is as small as R.
+void shed_self_stress(ConeProblem& problem) {
+  // kSoftness: what yields less counts as self-stress; at 1e-7 four-bar windows that pass the line in which all bars
+  // lie are stopped there. kMuch: of the impulses; less is left as it is.
+  constexpr Real kSoftness = 1e-5, kMuch = 1e-3;
+  problem.sticking = 0;
+  for (ConeBody& b : bodies_of(problem)) b.gradient.setZero();
+  assemble_masses(problem);
+  for (const ConeLink& c : problem.links) {
+    if (!is_lock(c)) continue;
+    add_impulse<&ConeBody::gradient>(problem, c, c.p);
+    add_link(problem, c, 1 / (kSoftness * c.k));
+  }
+  hold_locked(problem);
+  if (!factor(*problem.elimination, problem.first, problem.last, *problem.factor)) return;
+  solve_for_steps(problem, 1);
+  const auto needed = [&](const ConeLink& c) {
+    return relative<&ConeBody::step>(problem.bodies, c) / (kSoftness * c.k);
+  };
+  Real shed2 = 0, borne2 = 0;
+  for (const ConeLink& c : problem.links) {
+    if (!is_lock(c)) continue;
+    const Real shed = c.p - needed(c);
+    shed2 += c.k * shed * shed, borne2 += c.k * c.p * c.p;
+  }
+  if (!(shed2 > kMuch * kMuch * borne2)) return;
+  for (ConeLink& c : problem.links)
+    if (is_lock(c)) c.p = needed(c);
+}
 
 Round::Round(ConeProblem& problem, Real softness) : problem_(problem), softness_(softness) {
   for (ConeContact& c : problem_.contacts) c.p0 = c.p, c.u0 = c.u;
@@ -116,14 +206,7 @@ bool Round::find_factor() {
 void Round::assemble() {
   const Elimination& e = *problem_.elimination;
   BlockFactor& f = *problem_.factor;
-  for (std::uint32_t i = problem_.first; i < problem_.last; ++i) {
-    const ConeBody& b = problem_.bodies[i];
-    Block& d = f.diagonal[e.place[i]];
-    d = {};
-    for (int k = 0; k < 3; ++k) d.x[k][k] = b.mass;
-    add(d, 3, 3, b.inertia);
-  }
-  std::fill(f.below.begin() + e.column[problem_.first], f.below.begin() + e.column[problem_.last], Block{});
+  assemble_masses(problem_);
   for (const ConeContact& c : problem_.contacts) {
     if (c.p == Vec3::Zero()) continue;  // off the cone: no curvature
     if (c.p == pull(c, c.u)) {          // inside: the same in all directions
@@ -150,45 +233,13 @@ void Round::assemble() {
   for (const ConeLink& c : problem_.links) {
     const Real r = softness_ * c.k;
     if (!(c.k > 0) || !c.follows(c.u, r, c.p0)) continue;
-    const Real w = 1 / (r + c.give);
-    if (c.a != kNobody) add_outer(f.diagonal[e.place[c.a]], w, c.d, c.w_a, c.w_a);
-    if (c.b != kNobody) add_outer(f.diagonal[e.place[c.b]], w, c.d, c.w_b, c.w_b);
-    if (c.below == kNobody) continue;
-    add_outer(f.below[c.below], -w, c.d, c.a_later ? c.w_a : c.w_b, c.a_later ? c.w_b : c.w_a);
+    add_link(problem_, c, 1 / (r + c.give));
   }
-  hold_locked();
-}
-
-void Round::hold_locked() {
-  const auto locked = [](const ConeBody& b) { return b.locks != 0; };
-  if (std::ranges::none_of(bodies_of(problem_), locked)) return;
-  const Elimination& e = *problem_.elimination;
-  BlockFactor& f = *problem_.factor;
-  for (std::uint32_t i = problem_.first; i < problem_.last; ++i) {
-    const ConeBody& b = problem_.bodies[i];
-    Block& d = f.diagonal[e.place[i]];
-    strike_out(d, b.locks, b.locks);
-    for (int k = 0; k < kDof; ++k)
-      if (b.locks >> k & 1) d.x[k][k] = k < 3 ? b.mass : b.inertia(k - 3, k - 3);
-  }
-  const auto hold_below = [&](const auto& c) {
-    if (c.below == kNobody) return;
-    const std::uint32_t later = c.a_later ? c.a : c.b, other = c.a_later ? c.b : c.a;
-    strike_out(f.below[c.below], problem_.bodies[later].locks, problem_.bodies[other].locks);
-  };
-  std::ranges::for_each(problem_.contacts, hold_below);
-  std::ranges::for_each(problem_.links, hold_below);
+  hold_locked(problem_);
 }
 
 void Round::find_step() {
-  const Elimination& e = *problem_.elimination;
-  for (std::uint32_t i = problem_.first; i < problem_.last; ++i) {
-    Vec6& x = problem_.scratch[e.place[i]];
-    x = -problem_.bodies[i].gradient;
-    hold(problem_.bodies[i], x);
-  }
-  solve(e, problem_.first, problem_.last, *problem_.factor, problem_.scratch);
-  for (std::uint32_t i = problem_.first; i < problem_.last; ++i) problem_.bodies[i].step = problem_.scratch[e.place[i]];
+  solve_for_steps(problem_, -1);
   for (ConeContact& c : problem_.contacts) c.du = relative<&ConeBody::step>(problem_.bodies, c);
   for (ConeLink& c : problem_.links) c.du = relative<&ConeBody::step>(problem_.bodies, c);
 }

@@ -47,7 +47,7 @@ std::size_t add_bob(Stage& stage, const Vec& position, double radius, double mas
   return add_link(stage, "bob", position, mass, inertia_of_ball(radius, mass), looks);
 }
 
-carom_joint join(Stage& stage, std::uint32_t kind, carom_body a, carom_body b, const Vec& at) {
+carom_joint join(Stage& stage, std::uint32_t kind, carom_body a, carom_body b, const Vec& at, const Quat& axes) {
   Call call;
   carom_joint_desc desc;
   carom_joint joint = CAROM_NULL_HANDLE;
@@ -55,6 +55,7 @@ carom_joint join(Stage& stage, std::uint32_t kind, carom_body a, carom_body b, c
   desc.kind = kind, desc.body_a = a, desc.body_b = b;
   desc.fields = CAROM_JOINT_WORLD_FRAME;
   for (int k = 0; k < 3; ++k) desc.position_a[k] = at[k];
+  for (int k = 0; k < 4; ++k) desc.orientation_a[k] = axes.coeffs()[k];
   call.done(carom_joint_create(stage.world.get(), &desc, &joint, call), "joining");
   return joint;
 }

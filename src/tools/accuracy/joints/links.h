@@ -15,7 +15,9 @@ std::size_t add_rod(Stage& stage, const Vec& position, double length, double mas
 std::size_t add_bob(Stage& stage, const Vec& position, double radius, double mass);
 
 /// Join two bodies as they stand.   @param a, b  CAROM_NULL_HANDLE: the world   @param at  m, world
-carom_joint join(Stage& stage, std::uint32_t kind, carom_body a, carom_body b, const Vec& at);
+/// @param axes  joint -> world: a hinge turns about its x
+carom_joint join(Stage& stage, std::uint32_t kind, carom_body a, carom_body b, const Vec& at,
+                 const Quat& axes = Quat::Identity());
 
 /// Energy of dynamic bodies without colliders, J: kinetic, and m g y.
 class Mechanism {

@@ -1,0 +1,109 @@
+// Equations of motion that mechanisms of accuracy scenes are judged by.
+#include "accuracy/linkages.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "accuracy/reference.h"
+
+namespace carom::tools::accuracy {
+namespace {
+
+using Eigen::Vector3d;
+
+/// A turn theta with cos theta = 2^(sin s) - 1, its sign such that it is smooth, and how it changes with s.
+struct Turn {
+  double angle, rate;
+};
+
+// 1 - sin s = 2 root^2, so sin theta = sqrt(2^u (2 - 2^u)) = root * shape with u = sin s: no digit is lost where both
+// vanish, and root has the sign that the turn has.
+Turn turn_at(double s) {
+  constexpr double kLn2 = std::numbers::ln2;
+  const double root = std::sin(std::numbers::pi / 4 - s / 2), along = std::cos(std::numbers::pi / 4 - s / 2);
+  const double power = std::exp2(std::sin(s)), left = 2 * root * root;
+  const double share = left > 0 ? -std::expm1(-kLn2 * left) / left : kLn2;  // (1 - 2^-left) / left
+  const double shape = std::sqrt(4 * power * share);
+  return {std::atan2(root * shape, power - 1), -kLn2 * 2 * along * power / shape};
+}
+
+}  // namespace
+
+BricardPose bricard(double s) {
+  const Turn one = turn_at(s), other = turn_at(-s);
+  BricardPose pose;
+  Vector3d along(0, 0, -1), hinge(0, -1, 0), at = Vector3d::Zero(), at_rate = Vector3d::Zero();
+  Vector3d turn_rate = Vector3d::Zero();
+  for (std::size_t k = 0; k < pose.bars.size(); ++k) {
+    const double angle = k % 2 == 0 ? one.angle : other.angle, rate = k % 2 == 0 ? one.rate : -other.rate;
+    along = Eigen::AngleAxisd(angle, hinge) * along;
+    turn_rate += rate * hinge;
+    BricardPose::Bar& bar = pose.bars[k];
+    bar.middle = at + along / 2, bar.middle_rate = at_rate + turn_rate.cross(along) / 2;
+    bar.axes << along, hinge, along.cross(hinge);
+    bar.turn_rate = turn_rate;
+    at += along, at_rate += turn_rate.cross(along);
+    hinge = along.cross(hinge) * (k % 2 == 0 ? 1 : -1);
+  }
+  pose.end = at, pose.end_axis = hinge;
+  return pose;
+}
+
+Vector3d BricardMotion::inertia() {
+  const double thin = kThick * kThick;
+  return Vector3d(2 * thin, 1 + thin, 1 + thin) / 12;
+}
+
+double BricardMotion::mass_of(double s) {
+  double sum = 0;
+  for (const BricardPose::Bar& bar : bricard(s).bars) {
+    const Vector3d spin = bar.axes.transpose() * bar.turn_rate;
+    sum += bar.middle_rate.squaredNorm() + spin.dot(inertia().cwiseProduct(spin));
+  }
+  return sum;
+}
+
+double BricardMotion::height_of(double s) {
+  double sum = 0;
+  for (const BricardPose::Bar& bar : bricard(s).bars) sum += bar.middle.y();
+  return sum;
+}
+
+// M s'' + M' s'^2 / 2 + g V' = 0. M' by differences: of the eighth digit.
+Eigen::Vector2d BricardMotion::rate(const Eigen::Vector2d& state) {
+  constexpr double kStep = 1e-4;
+  const double s = state[0], rate = state[1];
+  const double change = (mass_of(s + kStep) - mass_of(s - kStep)) / (2 * kStep);
+  double fall = 0;
+  for (const BricardPose::Bar& bar : bricard(s).bars) fall += bar.middle_rate.y();
+  return {rate, -(change * rate * rate / 2 + kGravity * fall) / mass_of(s)};
+}
+
+Vector3d Governor::rod_inertia() {
+  constexpr double kThin = 0.01 * 0.01;
+  return kRod / 12 * Vector3d(2 * kThin, 1 + kThin, 1 + kThin);
+}
+
+double Governor::around(double angle) {
+  const Vector3d rod = rod_inertia();
+  const double c = std::cos(angle), s = std::sin(angle), middle = kOff + c / 2, end = kOff + c;
+  const double arm = kRod * middle * middle + rod.y() * c * c + rod.x() * s * s + kBall * end * end;
+  return 2 * arm + kSlider * 0.01 / 6 + kShaft * 2e-4 / 12;  // sides of 0.1 and 0.01 m
+}
+
+// Lagrange's equations of one arm and of half the slider; the angular momentum about the axis stays.
+Eigen::Vector4d Governor::rate(const Eigen::Vector4d& state) {
+  const double angle = state[0], swing = state[1], height = state[2], rise = state[3];
+  const double c = std::cos(angle), s = std::sin(angle);
+  const Vector3d rod = rod_inertia();
+  const double spin = around(kAngle) * kSpin / around(angle);
+  const double half_change = -kRod * (kOff + c / 2) * s / 2 - (rod.y() - rod.x()) * c * s - kBall * (kOff + c) * s;
+  const double across = c / 2, down = kHead - s / 2 - height, length = std::hypot(across, down);
+  const double by_angle = (-across * s / 2 - down * c / 2) / length, by_height = -down / length;
+  const double pull = kStiff * (length - kRest) + kDamp * (by_angle * swing + by_height * rise);
+  const double inertia = kRod / 4 + rod.y() + kBall;
+  return {swing, (half_change * spin * spin + (kRod / 2 + kBall) * kGravity * c - pull * by_angle) / inertia, rise,
+          -kGravity - 2 * pull * by_height / kSlider};
+}
+
+}  // namespace carom::tools::accuracy

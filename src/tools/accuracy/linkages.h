@@ -1,0 +1,59 @@
+// Equations of motion that mechanisms of accuracy scenes are judged by: Bricard's, and the governor.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+
+namespace carom::tools::accuracy {
+
+/// One step of the classical fourth-order method.   @param rate  state -> its derivative
+template <typename State, typename Rate>
+State runge_kutta(const State& x, double h, const Rate& rate) {
+  const State k1 = rate(x), k2 = rate(x + h / 2 * k1), k3 = rate(x + h / 2 * k2), k4 = rate(x + h * k3);
+  return x + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+}
+
+/// Bricard's mechanism of six bars of 1 m along edges of a cube, the last held: bars meet in hinges square to both, the
+/// hinges at a bar's ends are square to each other. It has one way to move, though Gruebler's count leaves none: turns
+/// at its corners are theta and phi in turn, and (1 + cos theta) (1 + cos phi) = 1, the closure of Bricard's trihedral
+/// linkage. So cos theta = 2^(sin s) - 1 and cos phi = 2^(-sin s) - 1 go all the way round as s does.
+struct BricardPose {
+  struct Bar {
+    Eigen::Vector3d middle, middle_rate;  ///< m, and m per unit of s
+    Eigen::Matrix3d axes;                 ///< along, hinge at its beginning, square to both
+    Eigen::Vector3d turn_rate;            ///< rad per unit of s, world
+  };
+  std::array<Bar, 5> bars;
+  Eigen::Vector3d end;       ///< m, where the last of them ends: (0, 0, 1)
+  Eigen::Vector3d end_axis;  ///< of the hinge that would be at the beginning of the held bar
+};
+BricardPose bricard(double s);
+
+/// Square bars of 1 kg under gravity along -y, let go at s = 0: (s, ds/dt).
+struct BricardMotion {
+  static constexpr double kThick = 0.1;  ///< m
+  static Eigen::Vector3d inertia();      ///< kg m^2, along the bar and across
+  static double mass_of(double s);       ///< kg m^2: twice the kinetic energy over (ds/dt)^2
+  static double height_of(double s);     ///< m: potential energy over g
+  static Eigen::Vector2d rate(const Eigen::Vector2d& state);
+};
+
+/// Watt's governor with sprung couplers, A05 of the IFToMM library: a shaft that spins freely, two arms of 1 m hinged
+/// to its head with balls at their ends, a slider on the shaft that springs and dampers hold to the middles of the
+/// arms.
+struct Governor {
+  static constexpr double kHead = 1, kOff = 0.05;        ///< m: hinges above the foot, and from the axis
+  static constexpr double kRod = 0.3, kBall = 5;         ///< kg, of an arm
+  static constexpr double kSlider = 3, kShaft = 0.3;     ///< kg
+  static constexpr double kStiff = 8e5, kDamp = 4e4;     ///< N/m, N s/m
+  static constexpr double kRest = 0.5;                   ///< m
+  static constexpr double kAngle = 0.52359877559829887;  ///< rad, of the arms below the horizontal at first
+  static constexpr double kSpin = 6.283185307179586;     ///< rad/s at first
+  static Eigen::Vector3d rod_inertia();                  ///< kg m^2 about its middle, along and across
+  static double around(double angle);                    ///< kg m^2: of all about the axis
+  /// angle, its rate, the slider's height, its rate
+  static Eigen::Vector4d start() { return {kAngle, 0, 0.5, 0}; }
+  static Eigen::Vector4d rate(const Eigen::Vector4d& state);
+};
+
+}  // namespace carom::tools::accuracy
