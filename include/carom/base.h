@@ -28,7 +28,7 @@ extern "C" {
 #endif
 
 #define CAROM_VERSION_MAJOR 1u
-#define CAROM_VERSION_MINOR 6u
+#define CAROM_VERSION_MINOR 7u
 #define CAROM_VERSION_PATCH 0u
 
 /* ---- results: each has a name and a remedy, see carom_result_name() and carom_result_remedy() ---- */

@@ -13,6 +13,7 @@
 #include <carom/events.h>
 #include <carom/filter.h>
 #include <carom/joint.h>
+#include <carom/ledger.h>
 #include <carom/particles.h>
 #include <carom/plugin.h>
 #include <carom/query.h>

@@ -12,6 +12,7 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/ledger/ledger.h"
 #include "dynamics/scenery.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/solver.h"
@@ -31,6 +32,7 @@ void find_colliders(const Scene& scene, const State&, Customers& customers) {
 void find_in_contacts(const Scene&, const State&, Customers&) {}
 void find_particles(const Scene&, const State&, Customers&) {}
 void find_joints(const Scene&, const State&, Customers&) {}
+void find_booked(const Scene&, const State&, Customers&) {}  // by the ledger itself, as it is no part of the scene
 
 // clang-format off
 constexpr std::array<Effect, kEffectCount> kTable = {{
@@ -55,6 +57,7 @@ constexpr std::array<Effect, kEffectCount> kTable = {{
     {Stage::solve,     "continuous",      continuous::find,      nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::solve,     "surface_velocity", find_in_contacts,     nullptr,            nullptr,                nullptr,               nullptr},
     {Stage::integrate, "axis_locks",      axis_locks::find,      nullptr,            nullptr,                nullptr,               nullptr},
+    {Stage::observe,   "ledger",          find_booked,           nullptr,            nullptr,                nullptr,               nullptr},
 }};
 // clang-format on
 
@@ -63,7 +66,8 @@ static_assert(kTable[kGyroscopicRow].find == gyroscopic::find && kTable[kSleepRo
               kTable[kSensorRow].find == sensing::find && kTable[kJointsRow].find == find_joints &&
               kTable[kSceneryRow].find == scenery::find &&
               kTable[kContinuousRow].find == continuous::find &&
-              kTable[kSurfaceRow].find == find_in_contacts && kTable[kLocksRow].find == axis_locks::find);
+              kTable[kSurfaceRow].find == find_in_contacts && kTable[kLocksRow].find == axis_locks::find &&
+              kTable[kLinearDampingRow].find == linear_damping::find && kTable[kLedgerRow].find == find_booked);
 
 // As CAROM_ROTATION_*; those after them are rotation methods.
 enum RotationChoice : std::uint32_t { kNoGyroscopicTerm, kExplicitTorque, kImplicitStep };
@@ -293,6 +297,7 @@ void refresh(World& world, const StepTime& time) {
 void evaluate_forces(World& world, const Motion& at, const Accelerate& out) {
   for (PlannedEffect& row : world.plan->effects) {
     if (row.served != Served::force || row.customers.count == 0) continue;
+    const BookRow book(world, row, out.v, out.omega, out.share);
     row.effect->force(world.scene, world.state, row.customers, at, out);
     row.evaluations += row.customers.count;
   }
@@ -302,6 +307,7 @@ void evaluate_flows(World& world, Real h, const Quat* q) {
   State& s = world.state;
   for (PlannedEffect& row : world.plan->effects) {
     if (row.served != Served::flow || row.customers.count == 0) continue;
+    const BookRow book(world, row, s.v.data(), s.omega.data(), 1);
     row.effect->flow(world.scene, row.customers, h, q, s.v.data(), s.omega.data());
     row.evaluations += row.customers.count;
   }

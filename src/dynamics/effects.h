@@ -57,9 +57,10 @@ struct Motion {
 
 /// Where accelerations go: target += scale * acceleration. By body slot.
 struct Accelerate {
-  Real scale;   // h for a kick of the velocities, 1 for a derivative
-  Vec3* v;      // m/s or m/s^2, world
-  Vec3* omega;  // rad/s or rad/s^2, world
+  Real scale;      // h for a kick of the velocities, 1 for a derivative
+  Vec3* v;         // m/s or m/s^2, world
+  Vec3* omega;     // rad/s or rad/s^2, world
+  Real share = 1;  // of what is added here, that goes into the velocities: 1 for a kick, s for a derivative
 };
 
 /// A row's work. Exactly one of the two is set in a planned row.
@@ -76,10 +77,10 @@ struct Effect {
   FlowFn flow;                                                    // null: there is no closed form
   Real (*rate)(const Scene&, const Customers&);                   // 1/s, fastest decay among them; null: none decays
 };
-inline constexpr std::size_t kEffectCount = 20;
-inline constexpr std::size_t kGyroscopicRow = 0, kSleepRow = 11, kParticlesRow = 12, kFilterRow = 13, kSensorRow = 14,
+inline constexpr std::size_t kEffectCount = 21;
+inline constexpr std::size_t kGyroscopicRow = 0, kLinearDampingRow = 1, kSleepRow = 11, kParticlesRow = 12, kFilterRow = 13, kSensorRow = 14,
                              kJointsRow = 15, kSceneryRow = 16, kContinuousRow = 17, kSurfaceRow = 18,
-                             kLocksRow = 19;  // of the table
+                             kLocksRow = 19, kLedgerRow = 20;  // of the table
 
 /// What does the work of a planned row.
 enum class Served : std::uint8_t { force, flow, stage };  // effect->force, effect->flow, or neither of them

@@ -11,6 +11,7 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/island.h"
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/ledger/ledger.h"
 #include "dynamics/observe.h"
 #include "dynamics/particles/flight.h"
 #include "dynamics/quarantine.h"
@@ -37,10 +38,17 @@ class Runner {
     const auto start = Clock::now();
     room(world_, {dt_, dt_ / substeps()});
     world_.report.stage_seconds[s] += seconds_since(start);
+    if (world_.ledger) book(room);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
+  /// What a room did, for who asked: after each room, so that none need know of it.
+  void book(void (*room)(World&, const StepTime&)) const {
+    const auto start = Clock::now();
+    book_room(world_, room, {dt_, dt_ / substeps()});
+    world_.report.stage_seconds[static_cast<std::size_t>(Stage::observe)] += seconds_since(start);
+  }
   static double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
