@@ -275,12 +275,37 @@ void book_kicks(World& world, const StepTime&) {
   note_impacts(world);
 }
 
-void book_impacts(World& world, const StepTime&) {
+/// A body that was hit within the substep, at moment t (of several: on average): the velocities that are stored are
+/// those of another moment, and it stands where its motion of now would have begun, -t dv from where it was. Of the
+/// work of the forces, over the velocity after the hit,
+///   F.dv (lag - t)      lag: the moment of stored velocities
+/// is in the change of what is stored; and the way of the body to where it stands is gravity's.
+void share_hit(World& world, std::uint32_t i, Real h) {
+  Ledger& l = ledger_of(world);
+  const State& s = world.state;
+  const Ledger::Body& b = l.body[i];
+  const Real m = world.scene.mass[i];
+  const Vec3 shift = s.x[i] - b.x, late = world.plan->integrator->lag * (s.v[i] - b.seen_v) + shift / h;
+  const auto kicks = l.kicks_of(i);
+  for (std::size_t c = Ledger::kRows; c < l.columns; ++c) {
+    const Real work = m * kicks[c].v.dot(late);
+    const std::size_t cause = l.cause_of[c] == l.gravity ? index_of(Cause::integrator) : l.cause_of[c];
+    l.step[cause].add({work, 0, Vec3::Zero(), Vec3::Zero()});
+    l.book(Cause::restitution, {-work, 0, Vec3::Zero(), Vec3::Zero()});
+  }
+  const Real fallen = m * pull_on(world, i).dot(shift);
+  l.step[l.gravity].add({fallen, -fallen, Vec3::Zero(), Vec3::Zero()});
+  l.book(Cause::restitution, {0, fallen, Vec3::Zero(), Vec3::Zero()});
+  l.book(Cause::integrator, {-fallen, 0, Vec3::Zero(), Vec3::Zero()});
+}
+
+void book_impacts(World& world, const StepTime& time) {
   if (world.contacts->impacts.empty()) return;
   share_impacts(world);
   each_awake(world, [&](std::uint32_t i) {
     if (is_as_seen(world, i)) return;
     close(world, i);
+    share_hit(world, i, time.h);
     forget_kicks(ledger_of(world), i);
     lump(world, i, Cause::restitution);
   });
@@ -433,8 +458,8 @@ void end(World& world, const StepTime&) {
 
 const char* cause_name(std::size_t cause) {
   static constexpr const char* kNames[kFixedCauses] = {
-      "host",       "contact",    "friction", "restitution", "resistance", "joints",     "drives",
-      "continuous", "axis_locks", "correction", "sleep",     "quarantine", "integrator", "unassigned"};
+      "host",       "contact",    "friction",   "restitution", "resistance", "joints",     "drives",
+      "continuous", "axis_locks", "correction", "sleep",       "quarantine", "integrator", "unassigned"};
   if (cause < kFixedCauses) return kNames[cause];
   const Effect& row = effect_table()[cause - kFixedCauses];
   const bool acts = row.force || row.flow;
@@ -472,7 +497,11 @@ Ledger::Ledger(World& world)
 }
 
 void World::keep_ledger(bool on) {
-  if (!on) return void(ledger.reset());
+  if (!on) {
+    ledger.reset();
+    plan->effects[kLedgerRow].customers.count = 0;
+    return;
+  }
   Owned<Ledger> fresh = make_owned<Ledger>(memory, *this);
   ledger = std::move(fresh);
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)

@@ -36,8 +36,8 @@
 namespace carom {
 
 struct Amount {
-  Real kinetic = 0, potential = 0;                       // J
-  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();    // N s; N m s, about the world's origin
+  Real kinetic = 0, potential = 0;                     // J
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();  // N s; N m s, about the world's origin
 
   Amount& operator+=(const Amount& o) {
     kinetic += o.kinetic, potential += o.potential, linear += o.linear, angular += o.angular;
@@ -60,11 +60,11 @@ enum class Cause : std::uint32_t {
   drives,       // their motors, springs and limits
   continuous,   // hits on the way
   axis_locks,
-  correction,   // poses put right apart from velocities
-  sleep,        // velocities of who falls asleep
-  quarantine,   // of who left the finite world
-  integrator,   // beyond what the forces did
-  unassigned,   // of solvers, beyond what their impulses did
+  correction,  // poses put right apart from velocities
+  sleep,       // velocities of who falls asleep
+  quarantine,  // of who left the finite world
+  integrator,  // beyond what the forces did
+  unassigned,  // of solvers, beyond what their impulses did
   count
 };
 inline constexpr std::size_t kFixedCauses = static_cast<std::size_t>(Cause::count);
@@ -114,18 +114,18 @@ struct Ledger {
   };
   /// Columns of kicks: these, then one for each row of the table that acts in this step.
   enum : std::size_t { kTurn, kLock, kResist, kSolve, kRows };
-  Array<Body> body;           // by slot; between steps as the state has it
-  Array<Kick> kicks;          // [slots][columns]; zero between phases
+  Array<Body> body;   // by slot; between steps as the state has it
+  Array<Kick> kicks;  // [slots][columns]; zero between phases
   std::size_t columns = kRows;
   std::array<std::uint8_t, kEffectCount> column_of{};         // by row of the table
   std::array<std::uint8_t, kRows + kEffectCount> cause_of{};  // by column
-  Array<Kick> probe;                                       // by slot: velocities before a row
-  std::size_t gravity = 0;                                 // cause
+  Array<Kick> probe;                                          // by slot: velocities before a row
+  std::size_t gravity = 0;                                    // cause
 
   // what bodies and sets of particles had after the last step
-  Array<Amount> body_amount;   // by slot
-  Array<Amount> set_amount;    // by set
-  Array<Vec3> set_moment;      // kg m, by set: sum of m x
+  Array<Amount> body_amount;  // by slot
+  Array<Amount> set_amount;   // by set
+  Array<Vec3> set_moment;     // kg m, by set: sum of m x
   Array<std::uint64_t> set_held;
   std::uint64_t revision = 0;  // of the scene
   bool is_open = false;        // a step began, and has not ended
