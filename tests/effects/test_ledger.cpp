@@ -386,6 +386,25 @@ static void who_leaves_the_world_leaves_no_hole_in_the_books(void**) {
   }
 }
 
+/// A heavy ball meets a light one head-on, both nearly as fast as bodies may be: what comes back is faster.
+static void whom_a_hit_drives_out_of_the_world_is_booked_as_lost(void**) {
+  for (int solver = 0; solver < kSolverChoices; ++solver)
+    for (const Real restitution : {0., 1.}) {
+      TestWorld t(Vec3::Zero());
+      choose(t, solver, 1);
+      const std::uint32_t m = t.material(0.5, restitution);
+      const std::uint32_t heavy = t.add(t.keep(sphere(1)), Vec3(-1.06, 0, 0), BodyType::dynamic, Quat::Identity(), m);
+      const std::uint32_t light = t.add(t.keep(sphere(0.02)), Vec3(0, 0, 0), BodyType::dynamic, Quat::Identity(), m);
+      t.world.set_continuous(light, SweepMode::never), t.world.set_continuous(heavy, SweepMode::never);
+      t.world.set_velocity(heavy, Vec3(0.8e9, 0, 0), Vec3::Zero());
+      t.world.set_velocity(light, Vec3(-0.8e9, 0, 0), Vec3::Zero());
+      t.world.keep_ledger(true);
+      run(t, 20, 1e-11, "driven out");
+      assert_true((t.world.state.quarantined_count > 0) == (restitution > 0));
+      assert_true((total(t, Cause::quarantine).kinetic < 0) == (restitution > 0));
+    }
+}
+
 static void a_world_goes_on_the_same_with_a_ledger_and_without(void**) {
   for (int solver = 0; solver < kSolverChoices; ++solver) {
     Melee with(solver, kVerletChoice, 6, true), without(solver, kVerletChoice, 6, true);
@@ -425,6 +444,7 @@ int main() {
       cmocka_unit_test(the_books_close_whatever_happens),
       cmocka_unit_test(sleepers_stay_in_the_books),
       cmocka_unit_test(who_leaves_the_world_leaves_no_hole_in_the_books),
+      cmocka_unit_test(whom_a_hit_drives_out_of_the_world_is_booked_as_lost),
       cmocka_unit_test(a_world_goes_on_the_same_with_a_ledger_and_without),
       cmocka_unit_test(only_a_world_that_asked_keeps_a_ledger),
   };

@@ -42,10 +42,19 @@ Amount present(const World& world, std::uint32_t i) {
   return amount_of(world, i, s.x[i], s.q[i], s.v[i], s.omega[i]);
 }
 
-/// Not so for what a solver drove out of the finite world just now: the next rooms will find it, and until then it is
-/// booked as it was when its phase began.
 bool is_sane(const Vec3& v, const Vec3& omega) {
   return v.squaredNorm() <= kMaxSpeed * kMaxSpeed && omega.squaredNorm() <= kMaxSpin * kMaxSpin;
+}
+/// What a solver drove out of the finite world just now, and the next kick will find. Until then nothing is booked: the
+/// ledger has it as its phase began.
+bool is_lost(const World& world, std::uint32_t i) { return !is_sane(world.state.v[i], world.state.omega[i]); }
+
+/// Those of each_awake() whose numbers make sense.
+template <class F>
+void each_booked(const World& world, F&& f) {
+  each_awake(world, [&](std::uint32_t i) {
+    if (!is_lost(world, i)) f(i);
+  });
 }
 
 /// A body's phase begins with the state as it is.
@@ -54,6 +63,7 @@ void open(World& world, std::uint32_t i) {
   Ledger::Body& b = ledger_of(world).body[i];
   b.x = s.x[i], b.q = s.q[i];
   b.v = b.seen_v = s.v[i], b.omega = b.seen_omega = s.omega[i];
+  b.kicked = false;
   b.held = s.quarantined[i] != 0;
 }
 
@@ -72,7 +82,6 @@ void may_round(World& world, std::uint32_t i, Real speed, Real spin) {
 void close(World& world, std::uint32_t i) {
   Ledger& l = ledger_of(world);
   Ledger::Body& b = l.body[i];
-  if (!is_sane(b.seen_v, b.seen_omega)) return;
   const Real m = world.scene.mass[i];
   const bool turns = rotates(world.scene, i);
   const Mat3 inertia = turns ? inertia_at(world, i, b.q) : Mat3(Mat3::Zero());
@@ -103,7 +112,6 @@ void forget_kicks(Ledger& l, std::uint32_t i) {
 void lump(World& world, std::uint32_t i, Cause cause) {
   Ledger& l = ledger_of(world);
   const Ledger::Body b = l.body[i];
-  if (!is_sane(world.state.v[i], world.state.omega[i])) return;
   l.book(cause, present(world, i) - amount_of(world, i, b.x, b.q, b.seen_v, b.seen_omega));
   const State& s = world.state;
   may_round(world, i, b.seen_v.norm() + s.v[i].norm(), b.seen_omega.norm() + s.omega[i].norm());
@@ -233,6 +241,7 @@ void lay_columns(World& world) {
 void book_host(World& world) {
   Ledger& l = ledger_of(world);
   const auto look = [&](std::uint32_t i) {
+    if (is_dynamic(world, i) && is_lost(world, i)) return;
     const Amount a = is_dynamic(world, i) ? present(world, i) : Amount();
     l.book(Cause::host, a - l.body_amount[i]);
     l.body_amount[i] = a;
@@ -302,7 +311,7 @@ void share_hit(World& world, std::uint32_t i, Real h) {
 void book_impacts(World& world, const StepTime& time) {
   if (world.contacts->impacts.empty()) return;
   share_impacts(world);
-  each_awake(world, [&](std::uint32_t i) {
+  each_booked(world, [&](std::uint32_t i) {
     if (is_as_seen(world, i)) return;
     close(world, i);
     share_hit(world, i, time.h);
@@ -359,7 +368,7 @@ void book_move(World& world, std::uint32_t i) {
 void book_moves(World& world, const StepTime&) {
   Ledger& l = ledger_of(world);
   each_awake(world, [&](std::uint32_t i) {
-    if (was_lost(world, i)) return;
+    if (was_lost(world, i) || is_lost(world, i)) return;
     close(world, i);
     book_move(world, i);
     Ledger::Body& b = l.body[i];
@@ -377,7 +386,7 @@ void book_relaxed(World& world, const StepTime&) {
   Ledger& l = ledger_of(world);
   const State& s = world.state;
   const WideJoints& w = *world.wide_joints;
-  each_awake(world, [&](std::uint32_t i) {
+  each_booked(world, [&](std::uint32_t i) {
     Ledger::Body& b = l.body[i];
     if (s.x[i] == b.x && s.q[i].coeffs() == b.q.coeffs()) return;
     l.book(Cause::correction, amount_of(world, i, s.x[i], s.q[i], b.seen_v, b.seen_omega) -
@@ -386,18 +395,17 @@ void book_relaxed(World& world, const StepTime&) {
     b.x = s.x[i], b.q = s.q[i];
   });
   for (std::size_t k = 0; k < w.kicked.size(); ++k) l.body[w.kicked[k]].seen_v += w.before[k];
-  each_awake(world, [&](std::uint32_t i) { see(world, i, Ledger::kSolve); });
+  each_booked(world, [&](std::uint32_t i) { see(world, i, Ledger::kSolve); });
   share_relaxed(world);
-  each_awake(world, [&](std::uint32_t i) {
+  each_booked(world, [&](std::uint32_t i) {
     close(world, i);
     forget_kicks(l, i);
-    l.body[i].kicked = false;
   });
 }
 
 template <Cause cause>
 void book_changed(World& world, const StepTime&) {
-  each_awake(world, [&](std::uint32_t i) {
+  each_booked(world, [&](std::uint32_t i) {
     if (!is_as_seen(world, i)) lump(world, i, cause);
   });
 }
@@ -410,7 +418,7 @@ void book_resisted(World& world, const StepTime& time) {
 void book_swept(World& world, const StepTime&) {
   if (world.continuous->bodies.empty()) return;
   for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i)
-    if (is_dynamic(world, i) && !is_as_seen(world, i)) lump(world, i, Cause::continuous);
+    if (is_dynamic(world, i) && !is_lost(world, i) && !is_as_seen(world, i)) lump(world, i, Cause::continuous);
 }
 
 void book_sleep(World& world, const StepTime& time) {
@@ -424,7 +432,7 @@ void sum_state(World& world, Amount& to) {
   for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) {
     if (!is_dynamic(world, i)) continue;
     const Ledger::Body& b = l.body[i];
-    if (!is_sane(world.state.v[i], world.state.omega[i]))
+    if (is_lost(world, i))
       l.body_amount[i] = amount_of(world, i, b.x, b.q, b.v, b.omega);
     else if (!world.sleep->sleeps(i) || !world.sleep->parked[i])
       l.body_amount[i] = present(world, i);
