@@ -58,33 +58,51 @@ class Gift {
   Amount amount_;
 };
 
-/// A share of what a solver did, out of what is unassigned. What is not finite comes of bodies that are about to be
-/// put in quarantine.
-void give(World& world, Cause cause, const Gift& gift, Cause from = Cause::unassigned) {
-  const Amount& a = gift.amount();
-  if (!finite(a.kinetic) || !finite(a.linear) || !finite(a.angular)) return;
-  world.ledger->book(cause, a);
-  world.ledger->book(from, -a);
-}
+/// Shares of what a solver did, by cause, taken out of what is unassigned (or, of impacts, from restitution).
+class Shares {
+ public:
+  Shares(World& world, Cause from = Cause::unassigned) : world_(world), from_(from) {}
+  /// What is not finite comes of bodies that are about to be put in quarantine.
+  void give(Cause cause, const Gift& gift) {
+    const Amount& a = gift.amount();
+    if (finite(a.kinetic) && finite(a.linear) && finite(a.angular)) by_cause_[index_of(cause)] += a;
+  }
+  ~Shares() {
+    for (const Cause cause : {Cause::contact, Cause::friction, Cause::joints, Cause::drives}) {
+      const Amount& a = by_cause_[index_of(cause)];
+      world_.ledger->book(cause, a);
+      world_.ledger->book(from_, -a);
+    }
+  }
+  Shares(const Shares&) = delete;
+  Shares& operator=(const Shares&) = delete;
+  World& world() const { return world_; }
+
+ private:
+  World& world_;
+  const Cause from_;
+  std::array<Amount, kFixedCauses> by_cause_;  // as many roundings as rows: books close all the same
+};
 
 Link link_of(const Row& row) { return {row.a, row.b, row.moves_a, row.moves_b}; }
 
 // ---- contacts ----
 
 /// A point's impulse, split along the normal and across.
-void share_point(World& world, const Row& row, const Vec3& p, const Vec3& r_a, const Vec3& r_b) {
+void share_point(Shares& shares, const Row& row, const Vec3& p, const Vec3& r_a, const Vec3& r_b) {
   if (p == Vec3::Zero()) return;
   const Link link = link_of(row);
-  Gift normal(world), friction(world);
+  Gift normal(shares.world()), friction(shares.world());
   const Vec3 along = p.dot(row.n) * row.n;
   normal.add(link, along, r_a, r_b);
   friction.add(link, p - along, r_a, r_b);
-  give(world, Cause::contact, normal);
-  give(world, Cause::friction, friction);
+  shares.give(Cause::contact, normal);
+  shares.give(Cause::friction, friction);
 }
 
 /// @param old  impulses are those since note_impulses()
-void share_lanes(World& world, bool old) {
+void share_lanes(Shares& shares, bool old) {
+  const World& world = shares.world();
   const WideContacts& wide = *world.wide;
   const Contacts& c = *world.contacts;
   const Ledger& l = *world.ledger;
@@ -104,37 +122,39 @@ void share_lanes(World& world, bool old) {
     const auto since = [&](Real now, int i) { return old ? now - was[i] : now; };
     friction.add(link, since(pair.p_t[lane], 0) * t + since(pair.p_s[lane], 1) * n.cross(t), r_a, r_b);
     friction.twist(link, since(pair.p_w[lane], 2) * n);
-    give(world, Cause::contact, normal);
-    give(world, Cause::friction, friction);
+    shares.give(Cause::contact, normal);
+    shares.give(Cause::friction, friction);
   }
 }
 
-void share_rows(World& world) {
-  const Contacts& c = *world.contacts;
+void share_rows(Shares& shares) {
+  const Contacts& c = *shares.world().contacts;
   for (std::size_t i = 0; i < c.rows.size(); ++i)
-    share_point(world, c.rows[i], c.rows[i].p, c.mass[i].r_a, c.mass[i].r_b);
+    share_point(shares, c.rows[i], c.rows[i].p, c.mass[i].r_a, c.mass[i].r_b);
 }
 
-void share_groups(World& world) {
+void share_groups(Shares& shares) {
+  const World& world = shares.world();
   const DirectGroups& d = *world.direct;
   for (std::size_t i = 0; i < d.contacts.size(); ++i) {
     const ConeContact& contact = d.contacts[i];
-    share_point(world, world.contacts->rows[d.row[i]], contact.p, contact.r_a, contact.r_b);
+    share_point(shares, world.contacts->rows[d.row[i]], contact.p, contact.r_a, contact.r_b);
   }
 }
 
 // ---- joints ----
 
-void share_joint_row(World& world, const Link& link, const Vec3& d, const Vec3& w_a, const Vec3& w_b, Real p,
+void share_joint_row(Shares& shares, const Link& link, const Vec3& d, const Vec3& w_a, const Vec3& w_b, Real p,
                      bool drives) {
   if (p == 0) return;
-  Gift gift(world);
+  Gift gift(shares.world());
   gift.add(link.moves_a, link.a, -p * d, -p * w_a);
   gift.add(link.moves_b, link.b, p * d, p * w_b);
-  give(world, drives ? Cause::drives : Cause::joints, gift);
+  shares.give(drives ? Cause::drives : Cause::joints, gift);
 }
 
-void share_joint_lanes(World& world, bool old) {
+void share_joint_lanes(Shares& shares, bool old) {
+  const World& world = shares.world();
   const WideJoints& w = *world.wide_joints;
   const Contacts& c = *world.contacts;
   const Ledger& l = *world.ledger;
@@ -145,7 +165,7 @@ void share_joint_lanes(World& world, bool old) {
     const auto share = [&](const JointRowLanes& row, Real before, bool again, bool drives) {
       const Real p = row.p[lane];
       const Real gave = old ? (again ? joint.again[lane] * before : 0) + (p - before) : p;
-      share_joint_row(world, c.links[i], get(row.d, lane), get(row.w_a, lane), get(row.w_b, lane), gave, drives);
+      share_joint_row(shares, c.links[i], get(row.d, lane), get(row.w_a, lane), get(row.w_b, lane), gave, drives);
     };
     for (std::uint32_t k = joint.first; k < joint.first + joint.layout.equalities; ++k)
       share(w.rows[k], l.old_rows[k * kLanes + lane], true, false);
@@ -157,7 +177,8 @@ void share_joint_lanes(World& world, bool old) {
 }
 
 /// @param settled  of groups that were settled after the move: those without contacts
-void share_group_links(World& world, bool settled) {
+void share_group_links(Shares& shares, bool settled) {
+  const World& world = shares.world();
   const DirectGroups& d = *world.direct;
   for (std::size_t g = 0; g < d.groups(); ++g) {
     const DirectGroups::Begin &from = d.begin[g], &to = d.begin[g + 1];
@@ -165,7 +186,7 @@ void share_group_links(World& world, bool settled) {
     for (std::uint32_t i = from.link; i < to.link; ++i) {
       const ConeLink& c = d.links[i];
       const auto slot = [&](std::uint32_t body) { return body == kNobody ? 0 : d.bodies[body].slot; };
-      share_joint_row(world, {slot(c.a), slot(c.b), c.a != kNobody, c.b != kNobody}, c.d, c.w_a, c.w_b, c.p,
+      share_joint_row(shares, {slot(c.a), slot(c.b), c.a != kNobody, c.b != kNobody}, c.d, c.w_a, c.w_b, c.p,
                       d.link_row[i].is_drive);
     }
   }
@@ -213,20 +234,23 @@ void note_impacts(World& world) {
 
 void share_solved(World& world) {
   const Solver* const solver = world.plan->solver;
-  if (solver->in_lanes) share_lanes(world, false);
-  if (solver == &kSeverity) share_rows(world);
-  if (answers_directly(world)) share_groups(world), share_group_links(world, false);
-  if (world.wide_joints->any()) share_joint_lanes(world, false);
+  Shares shares(world);
+  if (solver->in_lanes) share_lanes(shares, false);
+  if (solver == &kSeverity) share_rows(shares);
+  if (answers_directly(world)) share_groups(shares), share_group_links(shares, false);
+  if (world.wide_joints->any()) share_joint_lanes(shares, false);
 }
 
 void share_relaxed(World& world) {
-  if (world.plan->solver->in_lanes) share_lanes(world, true);
-  if (answers_directly(world)) share_group_links(world, true);
-  if (world.wide_joints->any()) share_joint_lanes(world, true);
+  Shares shares(world);
+  if (world.plan->solver->in_lanes) share_lanes(shares, true);
+  if (answers_directly(world)) share_group_links(shares, true);
+  if (world.wide_joints->any()) share_joint_lanes(shares, true);
 }
 
 /// Friction of impacts; their normal impulses are what is left.
 void share_impacts(World& world) {
+  Shares shares(world, Cause::restitution);
   const Contacts& c = *world.contacts;
   for (std::size_t k = 0; k < c.impacts.size(); ++k) {
     const Impact& at = c.impacts[k];
@@ -235,7 +259,7 @@ void share_impacts(World& world) {
     if (p == Vec3::Zero()) continue;
     Gift friction(world, true);
     friction.add(link_of(row), p - p.dot(row.n) * row.n, at.r.a, at.r.b);
-    give(world, Cause::friction, friction, Cause::restitution);
+    shares.give(Cause::friction, friction);
   }
 }
 
