@@ -11,7 +11,9 @@
 namespace carom::tools {
 namespace {
 
-constexpr std::size_t kLines = 5;  // beside the state: as many colours as there are
+constexpr std::size_t kLines = 5;         // beside the state: as many colours as there are
+constexpr std::size_t kMostPoints = 400;  // of a line: the plot has 600 px
+constexpr double kSmall = 0.005;          // of the largest: lies on the axis
 
 double size_of(const double v[3]) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
@@ -69,7 +71,7 @@ void LedgerPlot::add(const World& world, double time) {
   times_.push_back(time);
   // Gravity's energy is none: drawn is what it gave to motion.
   for (std::size_t i = 0; i < entries.size(); ++i) causes_[i].energy.push_back(entries[i].total_kinetic);
-  state_.push_back(s.now_kinetic);
+  state_.push_back(s.now_kinetic - s.start_kinetic);
 }
 
 std::string LedgerPlot::draw(const std::string& title) const {
@@ -79,14 +81,18 @@ std::string LedgerPlot::draw(const std::string& title) const {
   std::stable_sort(most.begin(), most.end(),
                    [](const Line* a, const Line* b) { return peak(a->energy) > peak(b->energy); });
   if (most.size() > kLines) most.resize(kLines);
+  while (!most.empty() && peak(most.back()->energy) < kSmall * peak(most.front()->energy)) most.pop_back();
   report::LinePlot plot;
   plot.title = title;
   plot.x.label = "time, s";
   plot.y.label = "energy of motion given since the start, J";
+  plot.dense = true;
   plot.note = "The ledger's largest causes; their sum, with the small ones, is the state's to rounding.";
   const auto points = [&](const std::vector<double>& values) {
     std::vector<report::Point> list;
-    for (std::size_t i = 0; i < times_.size(); ++i) list.push_back({times_[i], values[i]});
+    const std::size_t stride = 1 + times_.size() / kMostPoints;
+    for (std::size_t i = 0; i < times_.size(); ++i)
+      if (i % stride == 0 || i + 1 == times_.size()) list.push_back({times_[i], values[i]});
     return list;
   };
   int colour = 0;

@@ -25,7 +25,7 @@ class LedgerPlot {
   };
   std::vector<double> times_;  // s
   std::vector<Line> causes_;
-  std::vector<double> state_;  // J, kinetic and potential, since the ledger began
+  std::vector<double> state_;  // J, change of the kinetic energy since the ledger began
 };
 
 }  // namespace carom::tools
