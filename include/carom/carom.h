@@ -14,6 +14,7 @@
 #include <carom/filter.h>
 #include <carom/force.h>
 #include <carom/joint.h>
+#include <carom/ledger.h>
 #include <carom/particles.h>
 #include <carom/plan.h>
 #include <carom/plugin.h>

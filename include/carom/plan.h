@@ -43,7 +43,8 @@ extern "C" {
 #define CAROM_EFFECT_JOINT_LIMITS 26u
 #define CAROM_EFFECT_JOINT_MOTORS 27u
 #define CAROM_EFFECT_EVENTS 28u
-#define CAROM_EFFECT_COUNT 29u
+#define CAROM_EFFECT_LEDGER 29u
+#define CAROM_EFFECT_COUNT 30u
 
 #define CAROM_MODE_AS_NEEDED 0u /* it runs for whom the scene calls for it */
 #define CAROM_MODE_FORBID 1u    /* it does not run */
@@ -62,8 +63,8 @@ CAROM_API int32_t carom_world_set_effect(carom_world *world, uint32_t effect, ui
 CAROM_API int32_t carom_world_get_effect(carom_world *world, uint32_t effect, uint32_t *mode, carom_error *error);
 
 /** The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for the
- *  world is forbidden for it. Particles and events are not a body's.
- *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS: use carom_world_set_effect());
+ *  world is forbidden for it. Particles, events and the ledger are not a body's.
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use carom_world_set_effect());
  *          BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.7 */
 CAROM_API int32_t carom_body_set_effect(carom_world *world, carom_body body, uint32_t effect, uint32_t mode,
                                         carom_error *error);

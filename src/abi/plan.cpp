@@ -20,7 +20,7 @@ static_assert(kGyroscopicRow == CAROM_EFFECT_GYROSCOPIC && kLinearDampingRow == 
               kDragRow == CAROM_EFFECT_DRAG && kWindRow == CAROM_EFFECT_WIND && kFieldsRow == CAROM_EFFECT_FIELDS &&
               kSpringsRow == CAROM_EFFECT_SPRINGS && kBuoyancyRow == CAROM_EFFECT_BUOYANCY &&
               kResponseRow == CAROM_EFFECT_RESPONSE && kLimitsRow == CAROM_EFFECT_JOINT_LIMITS &&
-              kMotorsRow == CAROM_EFFECT_JOINT_MOTORS && kEventsRow == CAROM_EFFECT_EVENTS &&
+              kMotorsRow == CAROM_EFFECT_JOINT_MOTORS && kEventsRow == CAROM_EFFECT_EVENTS && kLedgerRow == CAROM_EFFECT_LEDGER &&
               kEffectCount == CAROM_EFFECT_COUNT);
 static_assert(static_cast<std::uint32_t>(EffectMode::forbid) == CAROM_MODE_FORBID &&
               static_cast<std::uint32_t>(EffectMode::force) == CAROM_MODE_FORCE &&
@@ -38,7 +38,7 @@ bool known_effect(Call& call, int argument, std::uint32_t effect) {
 }
 
 bool is_of_bodies(Call& call, std::uint32_t effect) {
-  return (effect != CAROM_EFFECT_PARTICLES && effect != CAROM_EFFECT_EVENTS) ||
+  return (effect != CAROM_EFFECT_PARTICLES && effect != CAROM_EFFECT_EVENTS && effect != CAROM_EFFECT_LEDGER) ||
          call.fail(CAROM_E_UNSUPPORTED, 3, "effect %s is not a body's; use carom_world_set_effect()",
                    carom_effect_name(effect));
 }

@@ -14,7 +14,7 @@ inline constexpr std::size_t kGyroscopicRow = 0, kLinearDampingRow = 1, kAngular
                              kParticlesRow = 12, kFilterRow = 13, kSensorRow = 14, kJointsRow = 15, kSceneryRow = 16,
                              kContinuousRow = 17, kSurfaceRow = 18, kLocksRow = 19, kDragRow = 20, kWindRow = 21,
                              kFieldsRow = 22, kSpringsRow = 23, kBuoyancyRow = 24, kResponseRow = 25, kLimitsRow = 26,
-                             kMotorsRow = 27, kEventsRow = 28, kEffectCount = 29;
+                             kMotorsRow = 27, kEventsRow = 28, kLedgerRow = 29, kEffectCount = 30;
 
 /// As CAROM_MODE_*.
 enum class EffectMode : std::uint8_t { as_needed, forbid, force };

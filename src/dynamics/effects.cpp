@@ -15,6 +15,7 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/ledger/ledger.h"
 #include "dynamics/scenery.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/solver.h"
@@ -138,6 +139,9 @@ constexpr std::array<Effect, kEffectCount> kTable = {{
     {Stage::observe, "events", hosts,
      find_elsewhere, nullptr, nullptr, nullptr, nullptr, nullptr,
      "a host that collects events", "no host collects events"},
+    {Stage::observe, "ledger", bodies,
+     find_elsewhere, nullptr, nullptr, nullptr, nullptr, nullptr,
+     "bodies and particles whose energy and momentum are booked", "no host keeps a ledger"},
 }};
 // clang-format on
 
@@ -154,7 +158,7 @@ static_assert(is_row(kGyroscopicRow, "gyroscopic") && is_row(kLinearDampingRow, 
               is_row(kLocksRow, "axis_locks") && is_row(kDragRow, "drag") && is_row(kWindRow, "wind") &&
               is_row(kFieldsRow, "fields") && is_row(kSpringsRow, "springs") && is_row(kBuoyancyRow, "buoyancy") &&
               is_row(kResponseRow, "response") && is_row(kLimitsRow, "joint_limits") &&
-              is_row(kMotorsRow, "joint_motors") && is_row(kEventsRow, "events"));
+              is_row(kMotorsRow, "joint_motors") && is_row(kEventsRow, "events") && is_row(kLedgerRow, "ledger"));
 
 // As CAROM_ROTATION_*; those after them are rotation methods.
 enum RotationChoice : std::uint32_t { kNoGyroscopicTerm, kExplicitTorque, kImplicitStep };
@@ -302,6 +306,7 @@ Plan::Plan(Memory* m)
       proposal(m),
       touched(m),
       rotation(m),
+      sprung(m),
       readers(m),
       reader_list(m),
       read_v(m),
@@ -378,24 +383,29 @@ Real radius_of_body(const World& world, std::uint32_t body) {
 
 namespace {
 
+/// Bodies, once each.
+void list(Array<std::uint32_t>& bodies, Customers& once) {
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  for (const std::uint32_t i : bodies) once.add(i);
+}
+
 void find_readers(World& world) {
   Plan& plan = *world.plan;
-  plan.readers.clear();
-  if (!plan.reads_velocities) return;
   Array<std::uint32_t>& bodies = plan.reader_list;
-  bodies.clear();
+  plan.sprung.clear(), plan.readers.clear(), bodies.clear();
   const auto add = [&](std::uint32_t i) {
     if (i != kTheWorld && responds(world.scene, world.state, i)) bodies.push_back(i);
   };
-  if (const PlannedEffect& gyro = plan.effects[kGyroscopicRow]; gyro.served == Served::force) gyro.customers.each(add);
-  plan.effects[kBuoyancyRow].customers.each(add);
   plan.effects[kSpringsRow].customers.each([&](std::uint32_t k) {
     const SpringDef& def = world.scene.springs.def[k];
     add(def.body_a), add(def.body_b);
   });
-  std::sort(bodies.begin(), bodies.end());
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  for (const std::uint32_t i : bodies) plan.readers.add(i);
+  list(bodies, plan.sprung);
+  if (!plan.reads_velocities) return;
+  if (const PlannedEffect& gyro = plan.effects[kGyroscopicRow]; gyro.served == Served::force) gyro.customers.each(add);
+  plan.effects[kBuoyancyRow].customers.each(add);
+  list(bodies, plan.readers);
 }
 
 }  // namespace
@@ -454,6 +464,7 @@ void refresh(World& world, const StepTime& time) {
       row.served = row.rate * time.dt > plan.substeps ? Served::flow : Served::force;
     }
   }
+  plan.effects[kLedgerRow].wanted = world.ledger ? plan.linear.count + plan.rotating.count : 0;
   carry_springs(world, time.h);
   world.scene.water.most_rate = 1 / time.h;
   find_customers(world);
@@ -497,6 +508,7 @@ void evaluate_forces(World& world, const Motion& given, const Accelerate& out) {
   }
   for (PlannedEffect& row : world.plan->effects) {
     if (row.served != Served::force || row.customers.count == 0) continue;
+    const BookRow book(world, row, out.v, out.omega, out.share);
     serve(world, row, [&] { row.effect->force(world.scene, world.state, row.customers, at, out); });
   }
 }
@@ -516,6 +528,7 @@ void evaluate_flows(World& world, Real h, const Quat* q) {
   State& s = world.state;
   for (PlannedEffect& row : world.plan->effects) {
     if (row.served != Served::flow || row.customers.count == 0) continue;
+    const BookRow book(world, row, s.v.data(), s.omega.data(), 1);
     serve(world, row, [&] { row.effect->flow(world.scene, row.customers, h, q, s.v.data(), s.omega.data()); });
   }
 }

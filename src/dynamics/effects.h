@@ -57,9 +57,10 @@ struct Motion {
 
 /// Where accelerations go: target += scale * acceleration. By body slot.
 struct Accelerate {
-  Real scale;   // h for a kick of the velocities, 1 for a derivative
-  Vec3* v;      // m/s or m/s^2, world
-  Vec3* omega;  // rad/s or rad/s^2, world
+  Real scale;      // h for a kick of the velocities, 1 for a derivative
+  Vec3* v;         // m/s or m/s^2, world
+  Vec3* omega;     // rad/s or rad/s^2, world
+  Real share = 1;  // of what is added here, that goes into the velocities: 1 for a kick, s for a derivative
 };
 
 /// A row's work. Exactly one of the two is set in a planned row.
@@ -147,7 +148,8 @@ struct Plan {
   Array<std::uint8_t> touched;       // by body: a solver changed its velocity in this substep
   Array<Mat3> rotation;              // by body: body -> world, at the start of the step
   bool reads_velocities = false;     // some force does: it is given a copy, which forces before it have not changed
-  Customers readers;                 // bodies whose velocity it reads, in this step
+  Customers sprung;                   // bodies that springs act on in this step
+  Customers readers;                  // bodies whose velocity some force reads, in this step
   Array<std::uint32_t> reader_list;  // scratch
   Array<Vec3> read_v, read_omega;    // by body: that copy, of readers
   Array<Vec3> scratch_vectors;       // of the integrator

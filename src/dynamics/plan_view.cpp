@@ -8,6 +8,7 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/events/events.h"
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/ledger/ledger.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom {
@@ -68,6 +69,11 @@ std::uint64_t own_bytes(const World& world, std::size_t row) {
     case kEventsRow:
       return bytes_of(e.contacts, e.sensors, e.sleep, e.joints, e.faults, e.touching, e.within, e.spare, e.approach,
                       e.sensor_pairs, e.slept);
+    case kLedgerRow:
+      if (!world.ledger) return 0;
+      return sizeof(Ledger) + bytes_of(world.ledger->body, world.ledger->kicks, world.ledger->probe,
+                                       world.ledger->body_amount, world.ledger->set_amount, world.ledger->old_points,
+                                       world.ledger->old_pairs, world.ledger->old_rows, world.ledger->old_drives);
     default:
       return 0;
   }
@@ -82,7 +88,7 @@ const char* unit_of(CustomerKind kind) {
 /// Who works within the loops of a stage, in whose time its own is.
 bool is_in_stage(std::size_t row) {
   for (const std::size_t inside : {kFrictionRow, kSpinningRow, kSurfaceRow, kResponseRow, kJointsRow, kLimitsRow,
-                                   kMotorsRow, kFilterRow, kSensorRow, kSceneryRow, kLocksRow, kWindRow})
+                                   kMotorsRow, kFilterRow, kSensorRow, kSceneryRow, kLocksRow, kWindRow, kLedgerRow})
     if (row == inside) return true;
   return false;
 }

@@ -11,6 +11,7 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/island.h"
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/ledger/ledger.h"
 #include "dynamics/observe.h"
 #include "dynamics/particles/flight.h"
 #include "dynamics/quarantine.h"
@@ -40,10 +41,17 @@ class Runner {
     const double seconds = seconds_since(start);
     world_.report.stage_seconds[s] += seconds;
     if (effect < kEffectCount) world_.plan->effects[effect].seconds += seconds;
+    if (keeps_books(world_)) book(room);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
+  /// What a room did, for who asked: after each room, so that none need know of it.
+  void book(void (*room)(World&, const StepTime&)) const {
+    const auto start = Clock::now();
+    book_room(world_, room, {dt_, dt_ / substeps()});
+    world_.report.stage_seconds[static_cast<std::size_t>(Stage::observe)] += seconds_since(start);
+  }
   static double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   }

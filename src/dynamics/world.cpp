@@ -8,6 +8,7 @@
 #include "dynamics/events/events.h"
 #include "dynamics/query/index.h"
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/ledger/ledger.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/direct.h"
 #include "dynamics/solver/wide_contacts.h"

@@ -76,6 +76,7 @@ struct Contacts;      // dynamics/contact/contact.h: rows of the solver, scratch
 struct Events;        // dynamics/events/events.h: what happened, for who asked
 class QueryIndex;     // dynamics/query/index.h: where colliders are, for questions between steps
 struct DirectGroups;  // dynamics/solver/direct.h: contact groups as problems of their own
+struct Ledger;        // dynamics/ledger/ledger.h: where energy and momentum go, for who asked
 struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of them
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
 struct WideJoints;    // dynamics/joint/wide_joints.h: joints in lanes
@@ -132,6 +133,7 @@ class World {
   void wake_body(std::uint32_t body);  // and its island
   bool asleep(std::uint32_t body) const;
   void set_continuous(std::uint32_t body, SweepMode mode);
+  void keep_ledger(bool on);  // anew, from the present state on; or not any more
 
   // ---- stepping: src/dynamics/step.cpp ----
   void step(Real dt);
@@ -159,6 +161,7 @@ class World {
   Owned<Sleep> sleep;
   Owned<Events> events;
   Owned<Continuous> continuous;
+  Owned<Ledger> ledger;       // null: nobody asked for it
   Owned<QueryIndex> queries;  // brought up to date by readers, who see to it that one does so at a time
   Memory* memory;
   bool times_effects = false;  // a host wants to know how long each effect takes

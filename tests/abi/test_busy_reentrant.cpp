@@ -46,6 +46,11 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("world_get_report", carom_world_get_report(b.world, &report, nullptr));
   add("world_get_contacts", carom_world_get_contacts(b.world, nullptr, 0, 0, &count, nullptr));
   add("world_get_faults", carom_world_get_faults(b.world, nullptr, 0, 0, &count, nullptr));
+  carom_ledger_state ledger = {};
+  ledger.struct_size = sizeof ledger;
+  add("world_enable_ledger", carom_world_enable_ledger(b.world, 1, nullptr));
+  add("world_get_ledger", carom_world_get_ledger(b.world, nullptr, 0, 0, &count, nullptr));
+  add("world_get_ledger_state", carom_world_get_ledger_state(b.world, &ledger, nullptr));
   add("world_hash", carom_world_hash(b.world, &count, nullptr));
   add("material_create", carom_material_create(b.world, &material, &handle, nullptr));
   add("material_update", carom_material_update(b.world, b.material, &material, nullptr));

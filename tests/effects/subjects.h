@@ -190,6 +190,8 @@ inline std::vector<Subject> subjects() {
        [](Stage0& s) { s.t.world.particles.destroy(handle_slot(s.thing)); }, false},
       {kEventsRow, [](Stage0& s) { collect(s.t.world, Events::contact, 1); },
        [](Stage0& s) { collect(s.t.world, 0, 1); }, false},
+      {kLedgerRow, [](Stage0& s) { s.t.world.keep_ledger(true); }, [](Stage0& s) { s.t.world.keep_ledger(false); },
+       false},
       {kSleepRow, [](Stage0& s) { s.t.world.set_dial(Dial::sleep, 1); },
        [](Stage0& s) { s.t.world.set_dial(Dial::sleep, 0); }, false},
   };

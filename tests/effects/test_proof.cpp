@@ -11,6 +11,9 @@ namespace {
 
 constexpr int kSteps = 12;
 
+/// All bodies are its customers, or none.
+bool is_for_all(std::size_t row) { return row == kSleepRow || row == kLedgerRow; }
+
 template <class... A>
 void wrong(const char* form, A... values) {
   print_error(form, values...);
@@ -77,7 +80,7 @@ static void a_forbidden_effect_does_nothing_and_says_so(void**) {
     const bool in_contacts = effect_table()[subject.row].customers == CustomerKind::contact_points ||
                              effect_table()[subject.row].customers == CustomerKind::contact_pairs;
     if (!in_contacts) {
-      if (line.wanted != 1 && subject.row != kSleepRow && subject.row != kCollisionRow)
+      if (line.wanted != 1 && !is_for_all(subject.row) && subject.row != kCollisionRow)
         wrong("%s is wanted by %d", name_of(subject.row).c_str(), static_cast<int>(line.wanted));
       assert_non_null(strstr(line.reason, "though the scene calls for it"));
     }
@@ -108,7 +111,7 @@ static void forbidden_it_has_the_bits_of_a_scene_that_does_not_call_for_it(void*
 
 static void one_body_can_be_spared(void**) {
   for (const Subject& subject : subjects()) {
-    if (subject.row == kParticlesRow || subject.row == kEventsRow || subject.row == kSleepRow) continue;
+    if (subject.row == kParticlesRow || subject.row == kEventsRow || is_for_all(subject.row)) continue;
     Stage0 s;
     subject.call(s);
     s.t.world.set_body_mode(s.one, subject.row, EffectMode::forbid);
@@ -145,7 +148,7 @@ static void customers_switch_it_on_and_off_in_mid_run(void**) {
 
 static void one_among_ten_thousand_is_one(void**) {
   for (const Subject& subject : subjects()) {
-    if (subject.row == kSleepRow) continue;  // its customers are all
+    if (is_for_all(subject.row)) continue;
     std::uint64_t served[2];
     for (const int crowd : {0, 10000}) {
       Stage0 s(crowd);

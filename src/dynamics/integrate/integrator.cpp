@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "dynamics/force/force.h"
+#include "dynamics/ledger/ledger.h"
 #include "dynamics/quarantine.h"
 
 namespace carom {
@@ -40,6 +41,7 @@ class Strays {
 void integrate_velocity(World& world, const StepTime& time) {
   Plan& plan = *world.plan;
   plan.integrator->velocity(world, time.h);
+  if (keeps_books(world)) book_turns(world);
   axis_locks::hold(world, time.h);
   // Before any contact reads them, so that one body's infinity does not become its neighbours'.
   Strays strays(world);

@@ -50,7 +50,7 @@ void velocity(World& world, Real h) {
   for (int k = 0; k < 4; ++k) {
     plan.linear.each([&](std::uint32_t i) { t.dv[i] = Vec3::Zero(); });
     plan.rotating.each([&](std::uint32_t i) { t.dv[i] = t.domega[i] = Vec3::Zero(); });
-    evaluate_forces(world, {t.x, t.q, t.v, t.omega}, {1, t.dv, t.domega});
+    evaluate_forces(world, {t.x, t.q, t.v, t.omega}, {1, t.dv, t.domega, h * kWeight[k]});
     const auto advance = [&](std::uint32_t i) {
       t.sum_v[i] += kWeight[k] * t.v[i];
       t.sum_dv[i] += kWeight[k] * t.dv[i];

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/ledger_output.h"
 #include "cli/run_output.h"
 #include "cli/table.h"
 #include "report/page.h"
@@ -20,13 +21,13 @@ namespace carom::tools {
 namespace {
 
 struct Options {
-  std::string scene, gltf, csv, csv_steps, filmstrip, svg;
+  std::string scene, gltf, csv, csv_steps, filmstrip, svg, ledger_svg;
   std::vector<std::string> dials, sets;
   std::optional<double> n, seconds, dt;
   double fps = 30;
   std::uint32_t threads = 1;
   std::string mesh;
-  bool quiet = false, as_json = false;
+  bool quiet = false, as_json = false, ledger = false;
 };
 
 /// `name=value` pairs and --n, as the scene library wants them.
@@ -96,7 +97,8 @@ void run_scene(const Options& options, Context& context) {
   for (const std::string& dial : options.dials) stage.world.set_dial(dial);
   if (!(options.fps > 0 && options.fps <= 1e4))
     throw Error("--fps is out of range", "give frames per second, more than 0 and at most 10000");
-  for (const std::string& path : {options.gltf, options.csv, options.csv_steps, options.filmstrip, options.svg})
+  for (const std::string& path : {options.gltf, options.csv, options.csv_steps, options.filmstrip, options.svg,
+                                  options.ledger_svg})
     make_folder_of(path);
   // Files first: better to hear now than after the run that a folder does not exist.
   std::optional<StepTable> step_table;
@@ -119,6 +121,8 @@ void run_scene(const Options& options, Context& context) {
   }
   std::optional<Recording> recording;
   if (motion_table || !options.gltf.empty() || !options.filmstrip.empty()) recording.emplace(stage, dt, options.fps);
+  LedgerPlot ledger_plot;
+  if (options.ledger || !options.ledger_svg.empty()) stage.world.keep_ledger();
   RunSummary run;
   {
     Progress progress(seconds, talk);
@@ -126,6 +130,7 @@ void run_scene(const Options& options, Context& context) {
       progress.update(report);
       if (recording) recording->after_step(report.steps, report.time);
       if (step_table) step_table->add(report);
+      if (!options.ledger_svg.empty()) ledger_plot.add(stage.world, report.time);
       return true;
     });
   }
@@ -136,11 +141,17 @@ void run_scene(const Options& options, Context& context) {
   if (!options.filmstrip.empty()) write_filmstrip(options.filmstrip, scene, stage, *recording);
   if (!options.svg.empty()) write_picture(options.svg, scene, stage, run.simulated);
 
+  if (!options.ledger_svg.empty() &&
+      !report::write_file(options.ledger_svg, ledger_plot.draw(scene.name + ": where the energy of motion came from")))
+    throw Error("cannot write " + options.ledger_svg,
+                "check that its folder exists and is writable, and that the disk has room");
+
   const std::vector<KindSummary> kinds = where_it_ended(stage);
   if (options.as_json)
     std::printf("%s\n", summary_json(scene, stage, observer.get(), run, kinds, dt).dump(2).c_str());
   else if (!options.quiet)
     print_summary(stage, observer.get(), run, kinds);
+  if (options.ledger && !options.as_json) print_ledger(stage.world);
   if (talk && !options.gltf.empty())
     std::printf("\nmotion: %s (%zu frames), for any glTF viewer\n", options.gltf.c_str(), recording->frame_count());
   if (run_went_wrong(run, kinds)) {
@@ -197,6 +208,9 @@ void add_run_command(CLI::App& app, Context& context) {
   run->add_option("--threads", options->threads, "Threads that share a step; the outcome is the same")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
+  run->add_flag("--ledger", options->ledger,
+                "Print where energy, momentum and angular momentum came from and went to, by cause");
+  run->add_option("--ledger-svg", options->ledger_svg, "Draw energy by cause over time")->type_name("FILE.svg");
   run->add_flag("--quiet", options->quiet, "Say nothing but errors");
   run->add_flag("--json", options->as_json, "Print the summary as JSON");
   run->callback([options, &context] { run_scene(*options, context); });

@@ -123,6 +123,29 @@ carom_step_report World::report() const {
   return report;
 }
 
+void World::keep_ledger() {
+  Call call;
+  call.done(carom_world_enable_ledger(world_, 1, call), "beginning a ledger");
+}
+
+std::vector<carom_ledger_entry> World::ledger() const {
+  std::uint64_t count = 0;
+  Call call;
+  call.done(carom_world_get_ledger(world_, nullptr, 0, 0, &count, call), "counting causes");
+  std::vector<carom_ledger_entry> list(count);
+  call.done(carom_world_get_ledger(world_, list.data(), sizeof(carom_ledger_entry), count, &count, call),
+            "reading the ledger");
+  return list;
+}
+
+carom_ledger_state World::ledger_state() const {
+  carom_ledger_state state{};
+  state.struct_size = sizeof state;
+  Call call;
+  call.done(carom_world_get_ledger_state(world_, &state, call), "reading the ledger's sums");
+  return state;
+}
+
 void World::collect_contact_events(double hit_speed) {
   Call call;
   call.done(carom_world_collect_events(world_, CAROM_EVENTS_CONTACT, hit_speed, call), "asking for events");

@@ -94,6 +94,9 @@ class World {
   std::vector<carom_fault> faults() const;
   std::vector<carom_body> bodies() const;
   std::uint64_t hash() const;
+  void keep_ledger();  ///< from now on
+  std::vector<carom_ledger_entry> ledger() const;
+  carom_ledger_state ledger_state() const;
   /// One field (CAROM_FIELD_*) of the bodies given, doubles, tightly packed into dst (resized).
   void read(std::uint32_t field, const std::vector<carom_body>& which, std::vector<double>& dst) const;
   void set_dial(std::uint32_t dial, double value);

@@ -99,7 +99,7 @@ std::string draw(const LinePlot& plot) {
       if (drawable(p, plot)) path.push_back(frame.at(p));
     if (path.empty()) continue;
     svg.polyline(path, s.reference ? "ref" : series('s', s.colour));
-    if (!s.reference)
+    if (!s.reference && !plot.dense)
       for (const Point& p : path) svg.circle(p, 3.2, series('f', s.colour) + " edge");
     labels.push_back({path.back().y + 4, &s});
   }

@@ -27,7 +27,8 @@ struct LinePlot {
   AxisSpec x, y;
   std::vector<Series> series;
   std::vector<Mark> marks;
-  std::string note;  ///< one line under the plot: conditions
+  std::string note;    ///< one line under the plot: conditions
+  bool dense = false;  ///< points are so many that the line alone is drawn
 };
 
 /// Draw a line plot, 760 x 440 px. A point that is not finite, or <= 0 on a log axis, is left out.

@@ -1,0 +1,266 @@
+// What the impulses of contacts and joints gave, row by row, taken from what their solver did.
+#include <algorithm>
+
+#include "dynamics/contact/contact.h"
+#include "dynamics/force/force.h"
+#include "dynamics/joint/wide_joints.h"
+#include "dynamics/ledger/ledger.h"
+#include "dynamics/solver/direct.h"
+#include "dynamics/solver/fill_lanes.h"
+#include "dynamics/solver/solver.h"
+#include "dynamics/solver/wide_contacts.h"
+
+namespace carom {
+namespace {
+
+/// Impulses of one row, by what they give its bodies.
+class Gift {
+ public:
+  /// @param at_once  they acted since the last booking, and not throughout the phase that ends
+  explicit Gift(const World& world, bool at_once = false) : world_(world), at_once_(at_once) {}
+
+  /// @param p  N s, world   @param moment  N m s, world, about the centre of mass
+  void add(bool moves, std::uint32_t i, const Vec3& impulse, const Vec3& moment) {
+    if (!moves) return;
+    const Ledger::Body& b = world_.ledger->body[i];
+    const State& s = world_.state;
+    const Locks locks = world_.scene.locks_of(i);
+    const Vec3 p = locks ? Vec3(free_axes(locks).cwiseProduct(impulse)) : impulse;
+    Amount a{p.dot((at_once_ ? b.seen_v : b.v) + s.v[i]) / 2, 0, p, b.x.cross(p)};
+    if (rotates(world_.scene, i)) {
+      Vec3 turn = moment;
+      if (locks & kAngularLocks) turn = borne(i, b.q, locks, moment);
+      a.kinetic += turn.dot((at_once_ ? b.seen_omega : b.omega) + s.omega[i]) / 2;
+      a.angular += turn;
+    }
+    amount_ += a;
+  }
+  /// An impulse at a point, on B and the other way on A.   @param r_a, r_b  m, world axes, from the centres of mass
+  void add(const Link& link, const Vec3& p, const Vec3& r_a, const Vec3& r_b) {
+    add(link.moves_a, link.a, -p, -r_a.cross(p));
+    add(link.moves_b, link.b, p, r_b.cross(p));
+  }
+  void twist(const Link& link, const Vec3& moment) {
+    add(link.moves_a, link.a, Vec3::Zero(), -moment);
+    add(link.moves_b, link.b, Vec3::Zero(), moment);
+  }
+  const Amount& amount() const { return amount_; }
+
+ private:
+  /// What of a moment its locks leave.
+  Vec3 borne(std::uint32_t i, const Quat& q, Locks locks, const Vec3& moment) const {
+    const Mat3 r = q.toRotationMatrix(), inertia = r * world_.scene.inertia[i] * r.transpose();
+    return inertia * (inverse_of_free(inertia, locks) * moment);
+  }
+
+  const World& world_;
+  const bool at_once_;
+  Amount amount_;
+};
+
+/// Shares of what a solver did, by cause, taken out of what is unassigned (or, of impacts, from restitution).
+class Shares {
+ public:
+  Shares(World& world, Cause from = Cause::unassigned) : world_(world), from_(from) {}
+  /// What is not finite comes of bodies that are about to be put in quarantine.
+  void give(Cause cause, const Gift& gift) {
+    const Amount& a = gift.amount();
+    if (finite(a.kinetic) && finite(a.linear) && finite(a.angular)) by_cause_[index_of(cause)] += a;
+  }
+  ~Shares() {
+    for (const Cause cause : {Cause::contact, Cause::friction, Cause::joints, Cause::drives}) {
+      const Amount& a = by_cause_[index_of(cause)];
+      world_.ledger->book(cause, a);
+      world_.ledger->book(from_, -a);
+    }
+  }
+  Shares(const Shares&) = delete;
+  Shares& operator=(const Shares&) = delete;
+  World& world() const { return world_; }
+
+ private:
+  World& world_;
+  const Cause from_;
+  std::array<Amount, kFixedCauses> by_cause_;  // as many roundings as rows: books close all the same
+};
+
+Link link_of(const Row& row) { return {row.a, row.b, row.moves_a, row.moves_b}; }
+
+// ---- contacts ----
+
+/// A point's impulse, split along the normal and across.
+void share_point(Shares& shares, const Row& row, const Vec3& p, const Vec3& r_a, const Vec3& r_b) {
+  if (p == Vec3::Zero()) return;
+  const Link link = link_of(row);
+  Gift normal(shares.world()), friction(shares.world());
+  const Vec3 along = p.dot(row.n) * row.n;
+  normal.add(link, along, r_a, r_b);
+  friction.add(link, p - along, r_a, r_b);
+  shares.give(Cause::contact, normal);
+  shares.give(Cause::friction, friction);
+}
+
+/// @param old  impulses are those since note_impulses()
+void share_lanes(Shares& shares, bool old) {
+  const World& world = shares.world();
+  const WideContacts& wide = *world.wide;
+  const Contacts& c = *world.contacts;
+  const Ledger& l = *world.ledger;
+  for (const WideContacts::Manifold& m : wide.manifolds) {
+    const PairLanes& pair = wide.pairs[m.pair];
+    const std::uint32_t lane = m.lane;
+    const Link link = link_of(c.rows[m.row]);
+    const Vec3 n = get(pair.n, lane), t = get(pair.t, lane), r_a = get(pair.r_a, lane), r_b = get(pair.r_b, lane);
+    Gift normal(world), friction(world);
+    for (std::uint32_t k = 0; k < m.points; ++k) {
+      const PointLanes& point = wide.points[pair.first + k];
+      const Real p = point.p_n[lane] - (old ? l.old_points[(pair.first + k) * kLanes + lane] : 0);
+      const Vec3 d = get(point.d, lane);
+      if (p != 0) normal.add(link, p * (pair.one_normal ? n : get(point.n, lane)), r_a + d, r_b + d);
+    }
+    const Real* const was = &l.old_pairs[(m.pair * kLanes + lane) * 3];
+    const auto since = [&](Real now, int i) { return old ? now - was[i] : now; };
+    friction.add(link, since(pair.p_t[lane], 0) * t + since(pair.p_s[lane], 1) * n.cross(t), r_a, r_b);
+    friction.twist(link, since(pair.p_w[lane], 2) * n);
+    shares.give(Cause::contact, normal);
+    shares.give(Cause::friction, friction);
+  }
+}
+
+void share_rows(Shares& shares) {
+  const Contacts& c = *shares.world().contacts;
+  for (std::size_t i = 0; i < c.rows.size(); ++i)
+    share_point(shares, c.rows[i], c.rows[i].p, c.mass[i].r_a, c.mass[i].r_b);
+}
+
+void share_groups(Shares& shares) {
+  const World& world = shares.world();
+  const DirectGroups& d = *world.direct;
+  for (std::size_t i = 0; i < d.contacts.size(); ++i) {
+    const ConeContact& contact = d.contacts[i];
+    share_point(shares, world.contacts->rows[d.row[i]], contact.p, contact.r_a, contact.r_b);
+  }
+}
+
+// ---- joints ----
+
+void share_joint_row(Shares& shares, const Link& link, const Vec3& d, const Vec3& w_a, const Vec3& w_b, Real p,
+                     bool drives) {
+  if (p == 0) return;
+  Gift gift(shares.world());
+  gift.add(link.moves_a, link.a, -p * d, -p * w_a);
+  gift.add(link.moves_b, link.b, p * d, p * w_b);
+  shares.give(drives ? Cause::drives : Cause::joints, gift);
+}
+
+void share_joint_lanes(Shares& shares, bool old) {
+  const World& world = shares.world();
+  const WideJoints& w = *world.wide_joints;
+  const Contacts& c = *world.contacts;
+  const Ledger& l = *world.ledger;
+  for (std::uint32_t i = 0; i < w.active.size(); ++i) {
+    if (w.directly[i]) continue;
+    const std::uint32_t lane = w.place[i].lane;
+    const JointLanes& joint = w.joints[w.place[i].lanes];
+    const auto share = [&](const JointRowLanes& row, Real before, bool again, bool drives) {
+      const Real p = row.p[lane];
+      const Real gave = old ? (again ? joint.again[lane] * before : 0) + (p - before) : p;
+      share_joint_row(shares, c.links[i], get(row.d, lane), get(row.w_a, lane), get(row.w_b, lane), gave, drives);
+    };
+    for (std::uint32_t k = joint.first; k < joint.first + joint.layout.equalities; ++k)
+      share(w.rows[k], l.old_rows[k * kLanes + lane], true, false);
+    for (std::uint32_t k = 0; k < joint.layout.drives; ++k) {
+      const std::uint32_t at = joint.first_drive + k;
+      share(w.drives[at].row, l.old_drives[at * kLanes + lane], joint.layout.drive[k].kind != DriveKind::spring, true);
+    }
+  }
+}
+
+/// @param settled  of groups that were settled after the move: those without contacts
+void share_group_links(Shares& shares, bool settled) {
+  const World& world = shares.world();
+  const DirectGroups& d = *world.direct;
+  for (std::size_t g = 0; g < d.groups(); ++g) {
+    const DirectGroups::Begin &from = d.begin[g], &to = d.begin[g + 1];
+    if (settled && from.contact < to.contact) continue;
+    for (std::uint32_t i = from.link; i < to.link; ++i) {
+      const ConeLink& c = d.links[i];
+      const auto slot = [&](std::uint32_t body) { return body == kNobody ? 0 : d.bodies[body].slot; };
+      share_joint_row(shares, {slot(c.a), slot(c.b), c.a != kNobody, c.b != kNobody}, c.d, c.w_a, c.w_b, c.p,
+                      d.link_row[i].is_drive);
+    }
+  }
+}
+
+bool answers_directly(const World& world) {
+  return (world.plan->solver == &kDirect || world.plan->solver == &kAuto) && world.direct->groups() > 0;
+}
+
+}  // namespace
+
+void make_room_for_shares(World& world) {
+  Ledger& l = *world.ledger;
+  l.old_points.resize(world.wide->points.size() * kLanes);
+  l.old_pairs.resize(world.wide->pairs.size() * kLanes * 3);
+  l.old_rows.resize(world.wide_joints->rows.size() * kLanes);
+  l.old_drives.resize(world.wide_joints->drives.size() * kLanes);
+  l.old_impacts.resize(world.contacts->impacts.size());
+}
+
+void note_impulses(World& world) {
+  Ledger& l = *world.ledger;
+  const WideContacts& wide = *world.wide;
+  const WideJoints& w = *world.wide_joints;
+  const auto note = [](Real* to, std::size_t stride, const Lanes& from) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) to[lane * stride] = from[lane];
+  };
+  if (world.plan->solver->in_lanes) {
+    for (std::size_t i = 0; i < wide.points.size(); ++i) note(&l.old_points[i * kLanes], 1, wide.points[i].p_n);
+    for (std::size_t i = 0; i < wide.pairs.size(); ++i) {
+      Real* const to = &l.old_pairs[i * kLanes * 3];
+      note(to, 3, wide.pairs[i].p_t), note(to + 1, 3, wide.pairs[i].p_s), note(to + 2, 3, wide.pairs[i].p_w);
+    }
+  }
+  for (std::size_t i = 0; i < w.rows.size(); ++i) note(&l.old_rows[i * kLanes], 1, w.rows[i].p);
+  for (std::size_t i = 0; i < w.drives.size(); ++i) note(&l.old_drives[i * kLanes], 1, w.drives[i].row.p);
+}
+
+void note_impacts(World& world) {
+  const Contacts& c = *world.contacts;
+  if (!world.plan->runs[static_cast<std::size_t>(Stage::solve)]) return;
+  for (std::size_t k = 0; k < c.impacts.size(); ++k)
+    world.ledger->old_impacts[k] = c.geometry[c.impacts[k].row].impulse;
+}
+
+void share_solved(World& world) {
+  const Solver* const solver = world.plan->solver;
+  Shares shares(world);
+  if (solver->in_lanes) share_lanes(shares, false);
+  if (solver == &kSeverity) share_rows(shares);
+  if (answers_directly(world)) share_groups(shares), share_group_links(shares, false);
+  if (world.wide_joints->any()) share_joint_lanes(shares, false);
+}
+
+void share_relaxed(World& world) {
+  Shares shares(world);
+  if (world.plan->solver->in_lanes) share_lanes(shares, true);
+  if (answers_directly(world)) share_group_links(shares, true);
+  if (world.wide_joints->any()) share_joint_lanes(shares, true);
+}
+
+/// Friction of impacts; their normal impulses are what is left.
+void share_impacts(World& world) {
+  Shares shares(world, Cause::restitution);
+  const Contacts& c = *world.contacts;
+  for (std::size_t k = 0; k < c.impacts.size(); ++k) {
+    const Impact& at = c.impacts[k];
+    const Row& row = c.rows[at.row];
+    const Vec3 p = c.geometry[at.row].impulse - world.ledger->old_impacts[k];
+    if (p == Vec3::Zero()) continue;
+    Gift friction(world, true);
+    friction.add(link_of(row), p - p.dot(row.n) * row.n, at.r.a, at.r.b);
+    shares.give(Cause::friction, friction);
+  }
+}
+
+}  // namespace carom
