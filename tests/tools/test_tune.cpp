@@ -42,7 +42,7 @@ void is_a_front(const Answer& a) {
 
 }  // namespace
 
-static void a_stack_is_held_best_by_the_direct_solver(void**) {
+[[maybe_unused]] static void a_stack_is_held_best_by_the_direct_solver(void**) {
   Question q = question("stack20", 2, ErrorKind::pose);
   q.kind_chosen = true;
   const Answer a = ask(q);
@@ -71,7 +71,7 @@ static void a_bounce_is_judged_by_its_closed_form(void**) {
   assert_true(own);
 }
 
-static void chaos_is_told_and_gaps_are_compared(void**) {
+[[maybe_unused]] static void chaos_is_told_and_gaps_are_compared(void**) {
   Question q = question("seesaw", 2.5, ErrorKind::pose);  // a bunny bounces off and comes down anywhere
   q.budget_ms = 0.06;
   const Answer a = ask(q);
@@ -98,9 +98,11 @@ static void candidates_are_all_different_and_near_ones_near(void**) {
 
 int main(void) {
   const CMUnitTest tests[] = {
+#ifndef CAROM_SANITIZED
       cmocka_unit_test(a_stack_is_held_best_by_the_direct_solver),
-      cmocka_unit_test(a_bounce_is_judged_by_its_closed_form),
       cmocka_unit_test(chaos_is_told_and_gaps_are_compared),
+#endif
+      cmocka_unit_test(a_bounce_is_judged_by_its_closed_form),
       cmocka_unit_test(what_is_far_too_dear_is_given_up),
       cmocka_unit_test(candidates_are_all_different_and_near_ones_near),
   };
