@@ -1,0 +1,61 @@
+// The work of forces and flows: each on its customers, at one state.
+#include <chrono>
+
+#include "dynamics/force/force.h"
+#include "dynamics/ledger/ledger.h"
+
+namespace carom {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Books what a row does, and its time if somebody wants to know.
+template <class F>
+void serve(World& world, PlannedEffect& row, F&& work) {
+  const auto start = world.times_effects ? Clock::now() : Clock::time_point();
+  work();
+  if (world.times_effects) row.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+  row.evaluations += row.customers.count;
+  if (row.effect->force == drag::force) {
+    PlannedEffect& wind = world.plan->effects[kWindRow];
+    wind.evaluations += wind.customers.count;
+  }
+}
+
+}  // namespace
+
+void evaluate_forces(World& world, const Motion& given, const Accelerate& out) {
+  Motion at = given;
+  if (world.plan->reads_velocities && at.v == out.v) {
+    Plan& plan = *world.plan;
+    plan.readers.each([&](std::uint32_t i) { plan.read_v[i] = at.v[i], plan.read_omega[i] = at.omega[i]; });
+    at.v = plan.read_v.data(), at.omega = plan.read_omega.data();
+  }
+  for (PlannedEffect& row : world.plan->effects) {
+    if (row.served != Served::force || row.customers.count == 0) continue;
+    const BookRow book(world, row, out.v, out.omega, out.share);
+    serve(world, row, [&] { row.effect->force(world.scene, world.state, row.customers, at, out); });
+  }
+}
+
+Motion extrapolated(World& world, const Vec3* x, const Quat* q) {
+  Plan& plan = *world.plan;
+  const State& s = world.state;
+  if (!plan.reads_velocities) return {x, q, s.v.data(), s.omega.data()};
+  plan.readers.each([&](std::uint32_t i) {
+    plan.read_v[i] = 2 * s.v[i] - plan.read_v[i];
+    plan.read_omega[i] = 2 * s.omega[i] - plan.read_omega[i];
+  });
+  return {x, q, plan.read_v.data(), plan.read_omega.data()};
+}
+
+void evaluate_flows(World& world, Real h, const Quat* q) {
+  State& s = world.state;
+  for (PlannedEffect& row : world.plan->effects) {
+    if (row.served != Served::flow || row.customers.count == 0) continue;
+    const BookRow book(world, row, s.v.data(), s.omega.data(), 1);
+    serve(world, row, [&] { row.effect->flow(world.scene, row.customers, h, q, s.v.data(), s.omega.data()); });
+  }
+}
+
+}  // namespace carom

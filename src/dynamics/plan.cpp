@@ -1,0 +1,342 @@
+// The plan of a step, made from the table: who are the customers of what, and what serves them.
+#include <algorithm>
+#include <cstring>
+
+#include "collision/volume.h"
+#include "dynamics/ccd/continuous.h"
+#include "dynamics/effects.h"
+#include "dynamics/force/floats.h"
+#include "dynamics/force/force.h"
+#include "dynamics/integrate/integrator.h"
+#include "dynamics/integrate/rotation/rotation.h"
+#include "dynamics/joint/wide_joints.h"
+#include "dynamics/scenery.h"
+#include "dynamics/sleep/sleep.h"
+#include "dynamics/solver/solver.h"
+
+namespace carom {
+namespace {
+
+// As CAROM_ROTATION_*; those after them are rotation methods.
+enum RotationChoice : std::uint32_t { kNoGyroscopicTerm, kExplicitTorque, kImplicitStep };
+
+/// Rows, their customers, and whether each is a force or a flow: the one place where these dials are switched.
+void plan_rows(World& world, Plan& plan) {
+  const Dials& dials = world.scene.dials;
+  const Integrator* integrators[] = {&kExplicitEuler, &kSemiImplicitEuler, &kRungeKutta4, &kVelocityVerlet};
+  plan.integrator = integrators[dials.choice(Dial::integrator)];
+  const Solver* solvers[] = {&kSeverity, &kSequential, &kSoftStep, &kDirect, &kAuto};
+  plan.solver = solvers[dials.choice(Dial::solver)];
+  plan.watches_speed = dials.choice(Dial::continuous) == kSweepFast && !world.scene.modes.forbids(kContinuousRow);
+  const std::uint32_t rotation = dials.choice(Dial::rotation);
+  plan.rotation_method = plan.integrator->forces_only ? nullptr : rotation_method(rotation);
+  for (PlannedEffect& row : plan.effects) {
+    const bool gyro = row.effect->force == gyroscopic::force;
+    if (!gyro || rotation != kNoGyroscopicTerm)
+      find_candidates(world, row);
+    else
+      row.candidates.clear(), row.wanted = 0;
+    const bool as_flow = row.effect->flow && !plan.integrator->forces_only && !(gyro && rotation == kExplicitTorque);
+    row.served = as_flow ? Served::flow : row.effect->force ? Served::force : Served::stage;
+    if (gyro && row.candidates.count == 0) plan.rotation_method = nullptr;
+    if (gyro && plan.rotation_method) row.served = Served::stage;
+    row.customers.clear();
+    row.customers.runs.reserve(row.candidates.count);
+    if (!row.effect->wakes) row.customers = row.candidates;
+  }
+}
+
+void plan_principal(World& world, Plan& plan, std::uint32_t slots) {
+  plan.carried.assign(slots, 0);
+  plan.principal.resize(slots);
+  plan.proposal.omega.resize(slots, Vec3::Zero());
+  if (plan.rotation_method)
+    plan.effects[kGyroscopicRow].candidates.each(
+        [&](std::uint32_t i) { plan.principal[i] = principal_axes(world.scene.inertia[i]); });
+}
+
+void plan_bodies(World& world, Plan& plan) {
+  const Scene& scene = world.scene;
+  plan.linear.clear(), plan.rotating.clear(), plan.kinematic.clear();
+  const std::uint32_t slots = scene.bodies.slots();
+  for (std::uint32_t i = 0; i < slots; ++i) {
+    if (!scene.bodies.alive(i) || world.state.quarantined[i]) continue;
+    if (scene.type[i] == BodyType::kinematic) plan.kinematic.add(i);
+    if (scene.inv_mass[i] > 0) (rotates(scene, i) ? plan.rotating : plan.linear).add(i);
+  }
+  plan.touched.assign(slots, 0);
+  plan.proposal.x.resize(plan.integrator->proposes ? slots : 0, Vec3::Zero());
+  plan.proposal.q.resize(plan.integrator->proposes || plan.rotation_method ? slots : 0, Quat::Identity());
+  plan_principal(world, plan, plan.rotation_method ? slots : 0);
+  const PlannedEffect& gyro = plan.effects[kGyroscopicRow];
+  plan.reads_velocities = !plan.integrator->forces_only &&
+                          ((gyro.served == Served::force && gyro.candidates.count > 0) ||
+                           plan.effects[kBuoyancyRow].candidates.count > 0 || scene.springs.slots.alive_count() > 0);
+  plan.read_v.resize(plan.reads_velocities ? slots : 0, Vec3::Zero());
+  plan.read_omega.resize(plan.read_v.size(), Vec3::Zero());
+  plan.scratch_vectors.resize(plan.integrator->vectors * slots, Vec3::Zero());
+  plan.scratch_rotations.resize(plan.integrator->rotations * slots, Quat::Identity());
+}
+
+/// In every step: a host may add and remove particles in each, and a plan made anew costs as much as all bodies.
+void plan_particles(const World& world, Plan& plan) {
+  PlannedEffect& row = plan.effects[kParticlesRow];
+  row.wanted = world.particles.count() - world.particles.held_count();
+  row.customers.count = world.scene.modes.forbids(kParticlesRow) ? 0 : row.wanted;
+  plan.runs[static_cast<std::size_t>(Stage::integrate)] =
+      plan.linear.count + plan.rotating.count + plan.kinematic.count + world.particles.count() > 0;
+}
+
+void plan_colliders(World& world, Plan& plan) {
+  Colliders& c = world.scene.colliders;
+  plan.colliders.clear();
+  c.active.clear();
+  c.active.reserve(c.live.size());
+  plan.local.resize(c.slots());
+  const bool oriented = c.slots() || world.joints.slots.alive_count();
+  plan.rotation.resize(oriented ? world.scene.bodies.slots() : 0, Mat3::Identity());
+  for (const std::uint32_t slot : c.live) {
+    const std::uint32_t body = c.body[slot];
+    const bool faulty = std::find(plan.faulty.begin(), plan.faulty.end(), c.shape[slot]) != plan.faulty.end();
+    const EffectModes& modes = world.scene.modes;
+    const bool forbidden = modes.forbids(kCollisionRow, body) ||
+                           (is_scenery(*c.shape[slot]) && modes.forbids(kSceneryRow, body)) ||
+                           (c.is_sensor(slot) && modes.forbids(kSensorRow, body));
+    c.muted[slot] = static_cast<std::uint8_t>((faulty || world.state.quarantined[body] ? Colliders::kFaulty : 0) |
+                                              (forbidden ? Colliders::kForbidden : 0));
+    plan.local[slot] = Frame(c.local[slot].q.toRotationMatrix(), c.local[slot].p - world.scene.center[body]);
+    if (world.sleep->sleeps(body)) continue;
+    c.active.push_back(slot);
+    if (c.movable[slot]) plan.colliders.push_back(slot);
+  }
+  plan.faults.reserve(c.slots());
+}
+
+}  // namespace
+
+void find_candidates(World& world, PlannedEffect& row) {
+  const Effect& effect = *row.effect;
+  const Scene& scene = world.scene;
+  const EffectModes& modes = scene.modes;
+  const auto k = static_cast<std::size_t>(&row - world.plan->effects.data());
+  row.candidates.clear();
+  effect.find(scene, world.state, row.candidates);
+  row.wanted = row.candidates.count;
+  if (modes.forbids(k)) return row.candidates.clear();
+  const bool by_body =
+      k != kSleepRow && (effect.customers == CustomerKind::bodies || effect.customers == CustomerKind::colliders);
+  if (modes.of_world(k) == EffectMode::force && effect.everyone) {
+    row.candidates.clear();
+    effect.everyone(scene, world.state, row.candidates);
+  } else if (!modes.forced_of.empty() && effect.everyone) {
+    Customers all(world.memory), both(world.memory);
+    effect.everyone(scene, world.state, all);
+    const auto forced = [&](std::uint32_t i) { return modes.of_body(k, i) == EffectMode::force; };
+    const auto called = [&](std::uint32_t i) {
+      const auto r = std::partition_point(row.candidates.runs.begin(), row.candidates.runs.end(),
+                                          [i](const Customers::Run& run) { return run.end <= i; });
+      return r != row.candidates.runs.end() && r->begin <= i;
+    };
+    all.each([&](std::uint32_t i) {
+      if (forced(i) || called(i)) both.add(i);
+    });
+    row.candidates = std::move(both);
+  }
+  if (!by_body || !(modes.forbidden_anywhere & row_bit(k))) return;
+  Customers allowed(world.memory);
+  row.candidates.each([&](std::uint32_t i) {
+    if (!modes.forbids(k, effect.customers == CustomerKind::colliders ? scene.colliders.body[i] : i)) allowed.add(i);
+  });
+  row.candidates = std::move(allowed);
+}
+
+Plan::Plan(Memory* m)
+    : effects(m),
+      linear(m),
+      rotating(m),
+      kinematic(m),
+      colliders(m),
+      local(m),
+      principal(m),
+      carried(m),
+      proposal(m),
+      touched(m),
+      rotation(m),
+      sprung(m),
+      readers(m),
+      reader_list(m),
+      read_v(m),
+      read_omega(m),
+      scratch_vectors(m),
+      scratch_rotations(m),
+      faulty(m),
+      faults(m),
+      pairs(m) {
+  effects.reserve(kEffectCount);
+  for (const Effect& row : effect_table()) effects.emplace_back(&row, m);
+}
+
+Plan::~Plan() = default;
+
+PlannedEffect* Plan::find(const char* name) {
+  for (PlannedEffect& row : effects)
+    if (std::strcmp(row.effect->name, name) == 0) return &row;
+  return nullptr;
+}
+
+bool from_host(const Effect& effect) { return effect.force == user_force::force || effect.force == user_torque::force; }
+
+void plan_stages(World& world, Plan& plan) {
+  const auto on = [&](Stage s) -> bool& { return plan.runs[static_cast<std::size_t>(s)]; };
+  const Colliders& c = world.scene.colliders;
+  const std::size_t asleep = c.live.size() - c.active.size(), awake = plan.effects[kCollisionRow].candidates.count;
+  const bool forced = world.scene.modes.of_world(kCollisionRow) == EffectMode::force && !c.active.empty();
+  const bool pairs = (awake > 0 && awake + asleep >= 2) || forced;
+  const bool joints = world.wide_joints->any();
+  plan.effects[kJointsRow].customers.count = world.wide_joints->active.size();
+  on(Stage::refresh) = on(Stage::observe) = true;
+  plan_particles(world, plan);
+  on(Stage::broad) = on(Stage::narrow) = pairs || (joints && !c.live.empty());  // rows are made of the pairs there are
+  on(Stage::group) = on(Stage::solve) = pairs || joints;
+  plan.substeps = pairs || joints ? world.scene.dials.whole(Dial::substeps) : 1;
+  on(Stage::relax) =
+      joints || (pairs && (!plan.solver->counts_positions || world.scene.dials.whole(Dial::position_iterations) > 0));
+}
+
+/// World frame and bounds of a collider. Bounds are grown by half the contact distance, and where a body crosses more
+/// than that within the step by its motion too, so that it meets what it is about to hit. That reach ends at the size
+/// of the shape: beyond, a contact would stop bodies that merely pass by.
+void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
+  Colliders& c = world.scene.colliders;
+  const std::uint32_t body = c.body[slot];
+  const Shape& shape = *c.shape[slot];
+  c.place(slot, Frame(plan.rotation[body], world.state.x[body]) * plan.local[slot]);
+  const Real half_gap = world.scene.dials[Dial::contact_distance] / 2;
+  c.reach[slot] = 0;
+  if (c.movable[slot]) {
+    const Real arm = shape.bounding_radius + plan.local[slot].p.norm();
+    const Real motion = dt * (world.state.v[body].norm() + arm * world.state.omega[body].norm());
+    if (motion > half_gap) {
+      c.reach[slot] = std::min(motion, shape.bounding_radius);
+      if (plan.watches_speed && 4 * motion > shape.bounding_radius) world.continuous->see(body);
+    }
+  }
+  SupportFault fault;
+  c.bounds[slot] = world_bounds(shape, c.frame[slot].r, c.frame[slot].p, fault);
+  const Vec3 grow = Vec3::Constant(half_gap + c.reach[slot]);
+  c.bounds[slot].lo -= grow;
+  c.bounds[slot].hi += grow;
+  if (fault.kind != SupportFault::none) plan.faults.push_back(fault);
+}
+
+Real radius_of_body(const World& world, std::uint32_t body) {
+  const Colliders& c = world.scene.colliders;
+  Real radius = 0;
+  for (std::uint32_t slot = world.scene.first_collider[body]; slot != Colliders::kNone; slot = c.next[slot])
+    radius = std::max(radius, world.plan->local[slot].p.norm() + c.shape[slot]->bounding_radius);
+  return radius;
+}
+
+namespace {
+
+/// Bodies, once each.
+void list(Array<std::uint32_t>& bodies, Customers& once) {
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  for (const std::uint32_t i : bodies) once.add(i);
+}
+
+void find_readers(World& world) {
+  Plan& plan = *world.plan;
+  Array<std::uint32_t>& bodies = plan.reader_list;
+  plan.sprung.clear(), plan.readers.clear(), bodies.clear();
+  const auto add = [&](std::uint32_t i) {
+    if (i != kTheWorld && responds(world.scene, world.state, i)) bodies.push_back(i);
+  };
+  plan.effects[kSpringsRow].customers.each([&](std::uint32_t k) {
+    const SpringDef& def = world.scene.springs.def[k];
+    add(def.body_a), add(def.body_b);
+  });
+  list(bodies, plan.sprung);
+  if (!plan.reads_velocities) return;
+  if (const PlannedEffect& gyro = plan.effects[kGyroscopicRow]; gyro.served == Served::force) gyro.customers.each(add);
+  plan.effects[kBuoyancyRow].customers.each(add);
+  list(bodies, plan.readers);
+}
+
+}  // namespace
+
+void find_customers(World& world) {
+  Plan& plan = *world.plan;
+  for (PlannedEffect& row : plan.effects) {
+    const Effect& effect = *row.effect;
+    if (!effect.wakes) continue;
+    row.customers.clear();
+    row.candidates.each([&](std::uint32_t i) {
+      if (effect.wakes(world.scene, world.state, i)) row.customers.add(i);
+    });
+  }
+  find_readers(world);
+  if (!plan.rotation_method) return;
+  std::fill(plan.carried.begin(), plan.carried.end(), std::uint8_t(0));
+  plan.effects[kGyroscopicRow].customers.each([&](std::uint32_t i) { plan.carried[i] = 1; });
+}
+
+void refresh(World& world, const StepTime& time) {
+  Plan& plan = *world.plan;
+  const bool changed = plan.revision != world.scene.revision;
+  plan.host_wrote = !world.state.written.empty();
+  plan.faults.clear();
+  if (changed) {
+    world.pairs.ask_all();  // how pairs are asked may have changed
+    plan_colliders(world, plan);
+    plan_rows(world, plan);
+    plan_bodies(world, plan);
+    plan_joints(world);
+    plan_springs(world);
+    if (plan.effects[kBuoyancyRow].candidates.count) make_floats(world.scene, world.memory);
+    plan_stages(world, plan);
+    plan_sleep(world, plan);
+    plan.revision = world.scene.revision;
+  }
+  wake_sprung(world);
+  settle_sleepers(world);
+  plan_particles(world, plan);
+  for (PlannedEffect& row : plan.effects) {
+    const Effect& effect = *row.effect;
+    row.seconds = 0;
+    if (effect.customers == CustomerKind::contact_points || effect.customers == CustomerKind::contact_pairs)
+      row.customers.count = 0;
+    if (from_host(effect) && !changed) {
+      if (plan.host_wrote)
+        find_candidates(world, row);
+      else
+        row.candidates.clear(), row.wanted = 0;
+      row.customers = row.candidates;
+    }
+    // An explicit method is stable only for rate * h below a small number (2 for Euler, 2.8 for RK4); well before,
+    // decay is exact.
+    if (effect.rate && plan.integrator->forces_only) {
+      row.rate = effect.rate(world.scene, world.state, row.candidates);
+      row.served = row.rate * time.dt > plan.substeps ? Served::flow : Served::force;
+    }
+  }
+  plan.effects[kLedgerRow].wanted = world.ledger ? plan.linear.count + plan.rotating.count : 0;
+  carry_springs(world, time.h);
+  world.scene.water.most_rate = 1 / time.h;
+  find_customers(world);
+  if (!world.scene.colliders.live.empty() || world.joints.slots.alive_count()) {
+    const State& s = world.state;
+    const auto orient = [&](std::uint32_t i) { plan.rotation[i] = s.q[i].toRotationMatrix(); };
+    if (changed)
+      for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) orient(i);
+    plan.rotating.each(orient);
+    plan.kinematic.each(orient);
+    for (const std::uint32_t i : s.written) orient(i);  // also those that turn by a host's hand alone
+    for (const std::uint32_t slot : changed ? world.scene.colliders.active : plan.colliders)
+      place_collider(world, plan, slot, time.dt);
+  }
+  find_swept(world, time.dt);
+}
+
+}  // namespace carom
