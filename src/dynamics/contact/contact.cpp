@@ -219,10 +219,13 @@ MixedMaterial mixed(const Scene& scene, std::uint32_t collider_a, std::uint32_t 
     const auto forbids = [&](std::uint32_t c) { return modes.forbids(row, scene.colliders.body[c]); };
     return value > 0 && modes.forbidden_anywhere && (forbids(collider_a) || forbids(collider_b)) ? Real(0) : value;
   };
-  return {allowed(kFrictionRow, mix(a.friction_mix, a.friction, b.friction_mix, b.friction)),
-          allowed(kRestitutionRow, mix(a.restitution_mix, a.restitution, b.restitution_mix, b.restitution)),
-          allowed(kRollingRow, mix(a.friction_mix, a.rolling, b.friction_mix, b.rolling)),
-          allowed(kSpinningRow, mix(a.friction_mix, a.spinning, b.friction_mix, b.spinning))};
+  MixedMaterial m{allowed(kFrictionRow, mix(a.friction_mix, a.friction, b.friction_mix, b.friction)),
+                  allowed(kRestitutionRow, mix(a.restitution_mix, a.restitution, b.restitution_mix, b.restitution)), 0,
+                  0};
+  if (!scene.resists) return m;
+  m.rolling = allowed(kRollingRow, mix(a.friction_mix, a.rolling, b.friction_mix, b.rolling));
+  m.spinning = allowed(kSpinningRow, mix(a.friction_mix, a.spinning, b.friction_mix, b.spinning));
+  return m;
 }
 
 Real mix(Mix rule_a, Real a, Mix rule_b, Real b) {
