@@ -1,4 +1,6 @@
 // The `carom` command as a person meets it: exit codes, errors that say what to do, `carom check` on liars.
+#include <carom/carom.h>
+
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -43,6 +45,11 @@ static void errors_exit_nonzero_and_say_what_to_do(void**) {
       {"run falling --n 4 --gltf /no/such/folder/x.glb", "folder"},
       {"run falling --n 4 --csv /no/such/folder/x.csv", "folder"},
       {"run seesaw --mesh /no/such/mesh.obj", "--mesh"},
+      {"run falling --n 4 --force wnd", "the effects are: gyroscopic, "},
+      {"plan sesaw", "did you mean 'seesaw'"},
+      {"plan falling --n 4 --forbid gravty", "did you mean 'gravity'"},
+      {"plan falling --n 4 --forbid drag --force drag", "both forbidden and forced"},
+      {"plan falling --n 4 --seconds 0", "--seconds"},
       {"check /no/such/plugin.so", "carom shapes"},
       {"check box 1 1", "half_extent"},
       {"check box 1 1 0", "half_extent"},
@@ -99,6 +106,54 @@ static void the_same_run_twice_ends_in_the_same_bits(void**) {
   assert_string_equal(hash().c_str(), hash().c_str());
 }
 
+static void a_plan_tells_what_runs_for_whom_and_what_is_left_out(void**) {
+  const auto effects_of = [](const std::string& arguments) {
+    const Outcome o = carom("plan falling --n 8 --json " + arguments, false);
+    assert_int_equal(o.code, 0);
+    nlohmann::json by_name;
+    for (const auto& effect : nlohmann::json::parse(o.text).at("effects")) by_name[effect.at("name")] = effect;
+    return by_name;
+  };
+  const nlohmann::json plain = effects_of("");
+  assert_int_equal(plain.size(), CAROM_EFFECT_COUNT);
+  assert_int_equal(plain.at("gravity").at("customers").get<int>(), 8);
+  assert_true(plain.at("gravity").at("evaluations").get<int>() >= 8 * 60);  // 1 s: once a step at least
+  assert_true(plain.at("gravity").at("seconds").get<double>() > 0);
+  assert_true(plain.at("friction").at("seconds").is_null());  // in the loops of its stage
+  assert_false(plain.at("drag").at("runs").get<bool>());
+  assert_int_equal(plain.at("drag").at("bytes").get<int>(), 0);
+  assert_string_equal(plain.at("drag").at("reason").get<std::string>().c_str(), "no body has drag");
+
+  const nlohmann::json changed = effects_of("--forbid gravity --force drag --seconds 0.1");
+  assert_false(changed.at("gravity").at("runs").get<bool>());
+  assert_string_equal(changed.at("gravity").at("mode").get<std::string>().c_str(), "forbidden");
+  assert_int_equal(changed.at("gravity").at("wanted").get<int>(), 8);
+  assert_int_equal(changed.at("gravity").at("evaluations").get<int>(), 0);
+  assert_string_equal(changed.at("drag").at("mode").get<std::string>().c_str(), "forced");
+  assert_int_equal(changed.at("drag").at("customers").get<int>(), 8);
+  assert_int_equal(changed.at("drag").at("wanted").get<int>(), 0);
+
+  const Outcome text = carom("plan falling --n 8 --forbid gravity");
+  assert_int_equal(text.code, 0);
+  for (const char* expected : {"customers", "left out", "no body has drag", "though the scene calls for it: 8 bodies"})
+    assert_true(says(text, expected));
+}
+
+static void a_run_shows_its_plan_and_minds_what_is_forbidden_or_forced(void**) {
+  const auto run = [](const std::string& arguments) {
+    return nlohmann::json::parse(carom("run falling --n 8 --seconds 0.5 --json " + arguments, false).text);
+  };
+  const nlohmann::json plain = run(""), seen = run("--plan"), forced = run("--force drag"),
+                       light = run("--forbid gravity");
+  assert_false(plain.contains("plan"));
+  assert_int_equal(seen.at("plan").at("effects").size(), CAROM_EFFECT_COUNT);
+  assert_true(seen.at("hash") == plain.at("hash"));    // looking at it changes nothing,
+  assert_true(forced.at("hash") == plain.at("hash"));  // nor does what nobody calls for,
+  assert_true(light.at("hash") != plain.at("hash"));   // but this does
+  assert_true(says(carom("run falling --n 8 --seconds 0.1 --plan"), "the plan of the last step"));
+  assert_string_equal(carom("run falling --n 8 --seconds 0.1 --plan --quiet").text.c_str(), "");
+}
+
 static void honest_plugins_pass_the_check(void**) {
   for (const char* name : {"sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "hull", "template"}) {
     const Outcome o = carom(std::string("check ") + name);
@@ -131,6 +186,8 @@ int main() {
       cmocka_unit_test(lists_show_every_scene_shape_and_dial),
       cmocka_unit_test(a_run_reports_itself_as_json_and_csv),
       cmocka_unit_test(the_same_run_twice_ends_in_the_same_bits),
+      cmocka_unit_test(a_plan_tells_what_runs_for_whom_and_what_is_left_out),
+      cmocka_unit_test(a_run_shows_its_plan_and_minds_what_is_forbidden_or_forced),
       cmocka_unit_test(honest_plugins_pass_the_check),
       cmocka_unit_test(a_plugin_that_hangs_is_stopped_and_the_direction_named),
       cmocka_unit_test(a_plugin_that_crashes_takes_only_the_child_with_it),

@@ -106,6 +106,23 @@ static void people_on_stairs_keep_their_joints_and_limits_and_come_to_rest(void*
   }
 }
 
+static void crates_float_and_leaves_are_carried_up(void**) {
+  const Scene& scene = find_scene("weather");
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  Stage stage(engine);
+  const auto observer = build(scene, {}, stage);
+  const RunSummary run = simulate(stage, observer.get(), scene.seconds, scene.dt);
+  for (const std::string& line : observer->tell(stage)) std::printf("  %s\n", line.c_str());
+  assert_true(observer->came_off(stage));
+  assert_int_equal(run.faults, 0);
+  for (const KindSummary& kind : where_it_ended(stage)) assert_int_equal(kind.escaped + kind.not_finite, 0);
+  std::vector<std::string> running;
+  for (const carom_plan_line& line : stage.world.plan())
+    if (line.runs && line.effect != CAROM_PLAN_NO_EFFECT) running.emplace_back(line.name);
+  for (const char* effect : {"drag", "wind", "fields", "springs", "buoyancy"})
+    assert_true(std::find(running.begin(), running.end(), effect) != running.end());
+}
+
 static void a_pyramid_of_three_rows_stands_and_a_hit_wall_does_not(void**) {
   for (const char* name : {"pyramid", "wall"}) {
     const Scene& scene = find_scene(name);
@@ -215,6 +232,7 @@ int main() {
       cmocka_unit_test(the_catapult_breaks_the_wall),
       cmocka_unit_test(belts_carry_every_box_to_the_turntable),
       cmocka_unit_test(people_on_stairs_keep_their_joints_and_limits_and_come_to_rest),
+      cmocka_unit_test(crates_float_and_leaves_are_carried_up),
       cmocka_unit_test(a_pyramid_of_three_rows_stands_and_a_hit_wall_does_not),
       cmocka_unit_test(a_block_has_fallen_when_it_sinks_or_strays_by_half_an_edge_or_is_not_finite),
       cmocka_unit_test(a_scene_is_the_same_world_every_time),

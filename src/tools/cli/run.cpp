@@ -10,7 +10,9 @@
 
 #include "cli/commands.h"
 #include "cli/ledger_output.h"
+#include "cli/plan_output.h"
 #include "cli/run_output.h"
+#include "cli/scene_choice.h"
 #include "cli/table.h"
 #include "report/page.h"
 #include "report/perspective.h"
@@ -21,23 +23,11 @@ namespace carom::tools {
 namespace {
 
 struct Options {
-  std::string scene, gltf, csv, csv_steps, filmstrip, svg, ledger_svg;
-  std::vector<std::string> dials, sets;
-  std::optional<double> n, seconds, dt;
+  SceneChoice choice;
+  std::string gltf, csv, csv_steps, filmstrip, svg, ledger_svg;
   double fps = 30;
-  std::uint32_t threads = 1;
-  std::string mesh;
-  bool quiet = false, as_json = false, ledger = false;
+  bool quiet = false, as_json = false, plan = false, ledger = false;
 };
-
-/// `name=value` pairs and --n, as the scene library wants them.
-Settings settings_from(const Options& options) {
-  Settings settings;
-  settings.mesh_path = options.mesh;
-  if (options.n) settings.values.emplace_back("n", *options.n);
-  for (auto& value : values_from(options.sets)) settings.values.push_back(std::move(value));
-  return settings;
-}
 
 /// A line that rewrites itself, at most ten times a second, on a terminal only.
 class Progress {
@@ -88,13 +78,14 @@ void write_picture(const std::string& path, const Scene& scene, Stage& stage, do
 }
 
 void run_scene(const Options& options, Context& context) {
-  const Scene& scene = find_scene(options.scene);
-  const double seconds = options.seconds.value_or(scene.seconds), dt = options.dt.value_or(scene.dt);
+  const SceneChoice& choice = options.choice;
+  const Scene& scene = find_scene(choice.scene);
+  const double seconds = choice.seconds.value_or(scene.seconds), dt = choice.dt.value_or(scene.dt);
   Engine engine(context.plugins());
-  engine.set_threads(options.threads);
+  engine.set_threads(choice.threads);
   Stage stage(engine);
-  const std::unique_ptr<Observer> observer = build(scene, settings_from(options), stage);
-  for (const std::string& dial : options.dials) stage.world.set_dial(dial);
+  const std::unique_ptr<Observer> observer = set_up(choice, scene, stage);
+  stage.world.time_effects(options.plan);
   if (!(options.fps > 0 && options.fps <= 1e4))
     throw Error("--fps is out of range", "give frames per second, more than 0 and at most 10000");
   for (const std::string& path : {options.gltf, options.csv, options.csv_steps, options.filmstrip, options.svg,
@@ -147,11 +138,15 @@ void run_scene(const Options& options, Context& context) {
                 "check that its folder exists and is writable, and that the disk has room");
 
   const std::vector<KindSummary> kinds = where_it_ended(stage);
-  if (options.as_json)
-    std::printf("%s\n", summary_json(scene, stage, observer.get(), run, kinds, dt).dump(2).c_str());
-  else if (!options.quiet)
+  if (options.as_json) {
+    nlohmann::json summary = summary_json(scene, stage, observer.get(), run, kinds, dt);
+    if (options.plan) summary["plan"] = plan_json(stage.world.plan());
+    std::printf("%s\n", summary.dump(2).c_str());
+  } else if (!options.quiet) {
     print_summary(stage, observer.get(), run, kinds);
+  }
   if (options.ledger && !options.as_json) print_ledger(stage.world);
+  if (options.plan && talk) std::printf("\n%s", plan_text(stage.world.plan()).c_str());
   if (talk && !options.gltf.empty())
     std::printf("\nmotion: %s (%zu frames), for any glTF viewer\n", options.gltf.c_str(), recording->frame_count());
   if (run_went_wrong(run, kinds)) {
@@ -166,32 +161,10 @@ void run_scene(const Options& options, Context& context) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, double>> values_from(const std::vector<std::string>& sets) {
-  std::vector<std::pair<std::string, double>> values;
-  for (const std::string& text : sets) {
-    const std::size_t equals = text.find('=');
-    char* end = nullptr;
-    const double value = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
-    if (!end || end == text.c_str() + equals + 1 || *end)
-      throw Error("--set " + text + " is not name=number", "write --set name=value; `carom list` shows the names");
-    values.emplace_back(text.substr(0, equals), value);
-  }
-  return values;
-}
-
 void add_run_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<Options>();
   CLI::App* run = app.add_subcommand("run", "Simulate a scene; say what it cost and what ended where");
-  run->add_option("SCENE", options->scene, "Which scene; `carom list` shows them")->required();
-  run->add_option("--n", options->n, "Number of bodies, for scenes that have one (short for --set n=N)");
-  run->add_option("--set", options->sets, "A parameter of the scene, repeatable")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
-  run->add_option("--seconds", options->seconds, "How long to simulate; default: the scene's")->type_name("S");
-  run->add_option("--dt", options->dt, "Time step; default: the scene's")->type_name("S");
-  run->add_option("--dial", options->dials, "A dial of the world, repeatable; `carom dials` lists them")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
+  add_scene_options(*run, options->choice, "How long to simulate; default: the scene's");
   run->add_option("--gltf", options->gltf, "Write the motion as animated glTF")->type_name("FILE.gltf|FILE.glb");
   run->add_option("--filmstrip", options->filmstrip,
                   "Write six moments of the motion, seen from the side, as a drawing")
@@ -202,16 +175,11 @@ void add_run_command(CLI::App& app, Context& context) {
   run->add_option("--csv-steps", options->csv_steps, "Write times, counts and residuals of every step")
       ->type_name("FILE");
   run->add_option("--fps", options->fps, "Frames per simulated second in --gltf and --csv")->capture_default_str();
-  run->add_option("--mesh", options->mesh,
-                  "OBJ file for the bunny; default: the Stanford bunny of Debian's glmark2-data")
-      ->type_name("FILE.obj");
-  run->add_option("--threads", options->threads, "Threads that share a step; the outcome is the same")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
   run->add_flag("--ledger", options->ledger,
                 "Print where energy, momentum and angular momentum came from and went to, by cause");
   run->add_option("--ledger-svg", options->ledger_svg, "Draw energy by cause over time")->type_name("FILE.svg");
   run->add_flag("--quiet", options->quiet, "Say nothing but errors");
+  run->add_flag("--plan", options->plan, "At the end print what ran in the last step, for whom, and what was left out");
   run->add_flag("--json", options->as_json, "Print the summary as JSON");
   run->callback([options, &context] { run_scene(*options, context); });
 }

@@ -103,6 +103,10 @@ class World {
   double dial(std::uint32_t dial) const;
   /// `name=value`, the value a number or the name of a choice.   @throws Error naming the nearest dial or the choices
   void set_dial(const std::string& assignment);
+  /// @param mode  CAROM_MODE_*   @throws Error naming the nearest effect and all of them
+  void set_effect(const std::string& name, std::uint32_t mode);
+  void time_effects(bool on);
+  std::vector<carom_plan_line> plan() const;  ///< of the last step: stages, then effects
 
  private:
   carom_world* world_ = nullptr;

@@ -82,12 +82,26 @@ class Camera {
   Vec from_, ahead_, right_, up_;
 };
 
+/// What of a flat polygon lies where a plane's height h(point) is not negative.
+template <class Height>
+Face cut(const Face& face, const Height& h) {
+  Face kept;
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    const Vec &a = face[i], &b = face[(i + 1) % face.size()];
+    const double ha = h(a), hb = h(b);
+    if (ha >= 0) kept.push_back(a);
+    if ((ha >= 0) != (hb >= 0)) kept.push_back(a + ha / (ha - hb) * (b - a));
+  }
+  return kept;
+}
+
 /// A face as it is painted.
 struct Painted {
   double far = 0;  // m
   int colour = 0, shade = 0;
-  std::vector<Point> points;
-  double radius = 0;  // px, of a particle: one point
+  std::vector<Point> points;  // two: a line
+  double radius = 0;          // px, of a particle: one point
+  bool under = false;         // the water
 };
 
 class Picture {
@@ -112,14 +126,16 @@ class Picture {
       }
       if (actor.parts.empty()) particle(at, colour);
       for (const tools::Part& part : actor.parts) {
-        if (part.shape == "sphere")
+        if (part.shape == "sphere" && !is_cut_by_water(at + turn * part.position, part.params.at(0)))
           ball(at + turn * part.position, part.params.at(0), colour);
         else if (part.shape != "half_space")
           solid(part, at + turn * part.position, turn * part.orientation, colour);
       }
     }
+    for (const tools::Bungee& bungee : stage_.bungees)
+      line(end_of(bungee.a, bungee.at_a, poses), end_of(bungee.b, bungee.at_b, poses));
     std::stable_sort(painted_.begin(), painted_.end(),
-                     [](const Painted& a, const Painted& b) { return a.far > b.far; });
+                     [](const Painted& a, const Painted& b) { return a.under != b.under ? a.under : a.far > b.far; });
   }
 
   std::string document(const std::string& title, const std::string& caption) const {
@@ -128,8 +144,11 @@ class Picture {
     for (std::size_t c = 0; c < kColours.size(); ++c)
       for (int s = 0; s < kShades; ++s) out += style(static_cast<int>(c), s);
     out += "</style>\n" + round_shades() + "<rect width=\"900\" height=\"570\" fill=\"#f4f3ef\"/>\n";
-    out += "<svg width=\"900\" height=\"540\" viewBox=\"" + window() + "\">\n" + ground();
-    for (const Painted& p : painted_) out += element(p);
+    out += "<svg width=\"900\" height=\"540\" viewBox=\"" + window() + "\">\n" + (stage_.water_level ? "" : ground());
+    const auto surface = std::find_if(painted_.begin(), painted_.end(), [](const Painted& p) { return !p.under; });
+    for (auto p = painted_.begin(); p != surface; ++p) out += element(*p);
+    out += water();
+    for (auto p = surface; p != painted_.end(); ++p) out += element(*p);
     return out + "</svg>\n<text x=\"12\" y=\"" + std::to_string(static_cast<int>(kHeight + kFoot - 10)) +
            "\" font-family=\"sans-serif\" font-size=\"13\" fill=\"#444\">" + escape(caption) + "</text>\n</svg>\n";
   }
@@ -197,6 +216,8 @@ class Picture {
                     static_cast<char>('a' + p.colour), p.points[0].x, p.points[0].y, p.radius);
       return text;
     }
+    if (p.points.size() == 2)
+      return "<path d=\"M" + coordinates(p.points[0]) + "L" + coordinates(p.points[1]) + "\" stroke=\"#777\"/>\n";
     std::string out = "<polygon class=\"" + name(p.colour, p.shade) + "\" points=\"";
     for (const Point& at : p.points) out += (out.back() == '"' ? "" : " ") + coordinates(at);
     return out + "\"/>\n";
@@ -210,13 +231,32 @@ class Picture {
     return right > 0 && left < kWidth && bottom > 0 && top < kHeight;
   }
 
+  bool is_cut_by_water(const Vec& at, double radius) const {
+    return stage_.water_level && std::fabs(at.y() - *stage_.water_level) < radius;
+  }
+  bool is_under_water(const Vec& at) const { return stage_.water_level && at.y() < *stage_.water_level; }
+
+  static Vec end_of(std::size_t actor, const Vec& at, const std::vector<double>& poses) {
+    if (actor == tools::Bungee::kWorld) return at;
+    const double* const p = &poses[7 * actor];
+    return Vec(p[0], p[1], p[2]) + tools::Quat(p[6], p[3], p[4], p[5]) * at;
+  }
+  void line(const Vec& a, const Vec& b) {
+    if (!(std::min(camera_.depth(a), camera_.depth(b)) > kNearest)) return;
+    Painted p{(camera_.depth(a) + camera_.depth(b)) / 2, 0, 0,
+              {camera_.place(a), camera_.place(b)},      0, is_under_water((a + b) / 2)};
+    p.colour = static_cast<int>(kColours.size()) - 1;
+    if (in_sight(p.points)) painted_.push_back(std::move(p));
+  }
+
   void particle(const Vec& at, int colour) { ball(at, 0.03, colour); }
 
   /// Seen from anywhere it is a disc, but for a stretch near the rim of the picture. Its shade runs across it.
   void ball(const Vec& at, double radius, int colour) {
     const double depth = camera_.depth(at);
     if (!(depth > kNearest + radius)) return;
-    Painted p{depth, colour, 0, {camera_.place(at)}, std::max(1.0, radius * kWidth / (kOpening * depth))};
+    Painted p{
+        depth, colour, 0, {camera_.place(at)}, std::max(1.0, radius * kWidth / (kOpening * depth)), is_under_water(at)};
     if (in_sight(p.points)) painted_.push_back(std::move(p));
   }
 
@@ -234,18 +274,37 @@ class Picture {
       for (const Vec& c : face) corners.push_back(at + turn * c);
       const Vec normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
       if (!(normal.dot(corners[0] - camera_.from()) < 0)) continue;
-      Painted p;
-      bool ahead = true;
-      for (const Vec& c : corners) {
-        ahead &= camera_.depth(c) > kNearest;
-        p.far += camera_.depth(c) / static_cast<double>(corners.size());
-        p.points.push_back(camera_.place(c));
+      const int shade = static_cast<int>((0.5 + 0.5 * normal.dot(kLight)) * (kShades - 1) + 0.5);
+      if (!stage_.water_level) {
+        polygon(corners, colour, shade, false);
+        continue;
       }
-      if (!ahead || !in_sight(p.points)) continue;
-      p.colour = colour;
-      p.shade = static_cast<int>((0.5 + 0.5 * normal.dot(kLight)) * (kShades - 1) + 0.5);
-      painted_.push_back(std::move(p));
+      const auto height = [&](const Vec& p) { return p.y() - *stage_.water_level; };
+      polygon(cut(corners, height), colour, shade, false);
+      polygon(cut(corners, [&](const Vec& p) { return -height(p); }), colour, shade, true);
     }
+  }
+  void polygon(const Face& corners, int colour, int shade, bool under) {
+    if (corners.size() < 3) return;
+    Painted p{0, colour, shade, {}, 0, under};
+    bool ahead = true;
+    for (const Vec& c : corners) {
+      ahead &= camera_.depth(c) > kNearest;
+      p.far += camera_.depth(c) / static_cast<double>(corners.size());
+      p.points.push_back(camera_.place(c));
+    }
+    if (ahead && in_sight(p.points)) painted_.push_back(std::move(p));
+  }
+
+  /// The surface, through which is seen what is under it; as wide as the floor that viewers draw.
+  std::string water() const {
+    if (!stage_.water_level) return "";
+    const double w = stage_.ground_half_width, y = *stage_.water_level;
+    const Face square =
+        cut(Face{{-w, y, -w}, {-w, y, w}, {w, y, w}, {w, y, -w}}, [&](const Vec& p) { return camera_.depth(p) - 0.5; });
+    std::string out = "<polygon fill=\"#6fa3c8\" fill-opacity=\".62\" points=\"";
+    for (const Vec& p : square) out += (out.back() == '"' ? "" : " ") + coordinates(camera_.place(p));
+    return out + "\"/>\n";
   }
 
   /// The floor that viewers draw, as a grid at height 0; lines are cut where they pass the camera.

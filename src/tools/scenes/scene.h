@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,15 @@ struct Tie {
   carom_joint joint = CAROM_NULL_HANDLE;
 };
 
+/// A spring between two actors, or one and the world (carom/force.h).
+struct Bungee {
+  static constexpr std::size_t kWorld = static_cast<std::size_t>(-1);
+  std::size_t a = kWorld, b = kWorld;           ///< indices of actors
+  Vec at_a = Vec::Zero(), at_b = Vec::Zero();   ///< m, in the body's frame, or world
+  double rest = 0, stiffness = 0, damping = 0;  ///< m, N/m, N s/m
+  carom_spring spring = CAROM_NULL_HANDLE;
+};
+
 /// A world being set up and run, with what the scene knows of its bodies. Colliders of equal surface share a material.
 class Stage {
  public:
@@ -80,6 +90,15 @@ class Stage {
   carom_joint join(std::uint32_t kind, std::size_t a, std::size_t b, const Vec& at,
                    const Quat& axes = Quat::Identity());
 
+  void add_spring(Bungee bungee);  ///< @throws Error
+  /// How air resists an actor.   @param linear  kg/s   @param quadratic  kg/m   @throws Error
+  void set_drag(std::size_t actor, double linear, double quadratic);
+  void set_wind(const Vec& velocity);                          ///< m/s   @throws Error
+  void set_water(const carom_water& water);                    ///< @throws Error
+  void add_field(const carom_force_field_desc& field);         ///< @throws Error
+  void set_field_mask(std::size_t actor, std::uint32_t mask);  ///< @throws Error
+  void set_gravity_factor(std::size_t actor, double factor);   ///< @throws Error
+
   Engine& engine() { return engine_; }
   Vec position(std::size_t actor) const;  ///< m, world: origin of the body frame
   Quat orientation(std::size_t actor) const;
@@ -97,6 +116,8 @@ class Stage {
   World world;
   std::vector<Actor> actors;
   std::vector<Tie> ties;
+  std::vector<Bungee> bungees;
+  std::optional<double> water_level;     ///< m, y: where set_water() put level water
   std::vector<Mesh> meshes;              ///< for the eye only; the physics uses convex shapes
   std::vector<std::string> remarks;      ///< what a viewer of the run should know: credits, stand-ins
   Vec bounds_min = Vec(-1e3, -1, -1e3);  ///< m: a body whose origin leaves these bounds has escaped

@@ -1,0 +1,64 @@
+// The options of a scene, and the stage that they ask for.
+#include "cli/scene_choice.h"
+
+#include "cli/commands.h"
+
+namespace carom::tools {
+
+std::vector<std::pair<std::string, double>> values_from(const std::vector<std::string>& sets) {
+  std::vector<std::pair<std::string, double>> values;
+  for (const std::string& text : sets) {
+    const std::size_t equals = text.find('=');
+    char* end = nullptr;
+    const double value = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
+    if (!end || end == text.c_str() + equals + 1 || *end)
+      throw Error("--set " + text + " is not name=number", "write --set name=value; `carom list` shows the names");
+    values.emplace_back(text.substr(0, equals), value);
+  }
+  return values;
+}
+
+void add_scene_options(CLI::App& command, SceneChoice& choice, const std::string& seconds_help) {
+  command.add_option("SCENE", choice.scene, "Which scene; `carom list` shows them")->required();
+  command.add_option("--n", choice.n, "Number of bodies, for scenes that have one (short for --set n=N)");
+  command.add_option("--set", choice.sets, "A parameter of the scene, repeatable")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--seconds", choice.seconds, seconds_help)->type_name("S");
+  command.add_option("--dt", choice.dt, "Time step; default: the scene's")->type_name("S");
+  command.add_option("--dial", choice.dials, "A dial of the world, repeatable; `carom dials` lists them")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--forbid", choice.forbidden,
+                  "An effect that shall not run, repeatable; `carom plan SCENE` lists them")
+      ->type_name("EFFECT")
+      ->allow_extra_args(false);
+  command.add_option("--force", choice.forced, "An effect that shall run for everybody it can act on, repeatable")
+      ->type_name("EFFECT")
+      ->allow_extra_args(false);
+  command
+      .add_option("--mesh", choice.mesh, "OBJ file for the bunny; default: the Stanford bunny of Debian's glmark2-data")
+      ->type_name("FILE.obj");
+  command.add_option("--threads", choice.threads, "Threads that share a step; the outcome is the same")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+}
+
+std::unique_ptr<Observer> set_up(const SceneChoice& choice, const Scene& scene, Stage& stage) {
+  Settings settings;
+  settings.mesh_path = choice.mesh;
+  if (choice.n) settings.values.emplace_back("n", *choice.n);
+  for (auto& value : values_from(choice.sets)) settings.values.push_back(std::move(value));
+  std::unique_ptr<Observer> observer = build(scene, settings, stage);
+  for (const std::string& dial : choice.dials) stage.world.set_dial(dial);
+  for (const std::string& effect : choice.forbidden) {
+    stage.world.set_effect(effect, CAROM_MODE_FORBID);
+    if (std::find(choice.forced.begin(), choice.forced.end(), effect) != choice.forced.end())
+      throw Error("effect " + effect + " is both forbidden and forced", "leave out --forbid or --force " + effect);
+  }
+  for (const std::string& effect : choice.forced) stage.world.set_effect(effect, CAROM_MODE_FORCE);
+  return observer;
+}
+
+}  // namespace carom::tools

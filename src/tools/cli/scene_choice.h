@@ -1,0 +1,25 @@
+// Which scene, with which parameters, dials and effects: the options that `carom run` and `carom plan` share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/scene.h"
+
+namespace carom::tools {
+
+struct SceneChoice {
+  std::string scene, mesh;
+  std::vector<std::string> dials, sets, forbidden, forced;
+  std::optional<double> n, seconds, dt;
+  std::uint32_t threads = 1;
+};
+
+void add_scene_options(CLI::App& command, SceneChoice& choice, const std::string& seconds_help);
+/// Fill the stage, then set dials and effects.   @return the scene's observer, or null   @throws Error
+std::unique_ptr<Observer> set_up(const SceneChoice& choice, const Scene& scene, Stage& stage);
+
+}  // namespace carom::tools
