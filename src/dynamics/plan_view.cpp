@@ -172,7 +172,8 @@ PlanLine plan_line(const World& world, std::size_t index) {
   }
   line.runs = ran(world, effect);
   line.customers = line.runs ? effect.customers.count : 0;
-  line.wanted = std::max(effect.wanted, line.customers);
+  // Who is found in contacts, or is fast for its size, was not counted before.
+  line.wanted = line.mode == EffectMode::force ? effect.wanted : std::max(effect.wanted, line.customers);
   line.evaluations = effect.evaluations;
   line.seconds = line.timing == Timing::own ? effect.seconds : 0;
   explain(world, row, effect, line);

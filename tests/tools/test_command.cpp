@@ -111,7 +111,8 @@ static void a_plan_tells_what_runs_for_whom_and_what_is_left_out(void**) {
     const Outcome o = carom("plan falling --n 8 --json " + arguments, false);
     assert_int_equal(o.code, 0);
     nlohmann::json by_name;
-    for (const auto& effect : nlohmann::json::parse(o.text).at("effects")) by_name[effect.at("name")] = effect;
+    const nlohmann::json plan = nlohmann::json::parse(o.text);
+    for (const auto& effect : plan.at("effects")) by_name[effect.at("name")] = effect;
     return by_name;
   };
   const nlohmann::json plain = effects_of("");

@@ -93,11 +93,10 @@ Build in_field(FieldDef field) {
                 [field](TestWorld& t) { t.world.add_field(field); });
 }
 
+/// Half of each is in it. Without gravity it pushes nobody away, however long this takes.
 void fill_in_water(TestWorld& t) {
   WaterDef water;
-  water.level = 50, water.drag = 1;  // half of each is in it
-  t.world.set_gravity(Vec3(0, -9.81, 0));
-  for (std::uint32_t i = 0; i < t.world.scene.bodies.slots(); ++i) t.world.set_gravity_factor(i, 0);
+  water.level = 50, water.drag = 0.01;
   t.world.set_water(&water);
 }
 
@@ -201,6 +200,11 @@ std::vector<Crowd> crowds() {
        [=](TestWorld& t, std::uint32_t bodies, std::uint32_t calling) {
          lying(cube, 0.5, rough)(t, bodies, calling);
          collect(t.world, Events::contact, 1);
+       }},
+      {kLedgerRow, "ledger, of boxes", 1000, false,
+       [=](TestWorld& t, std::uint32_t bodies, std::uint32_t calling) {
+         lying(cube, 0.5, rough)(t, bodies, calling);
+         t.world.keep_ledger(true);
        }},
   };
 }
