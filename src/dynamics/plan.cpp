@@ -278,7 +278,7 @@ void find_customers(World& world) {
   }
   find_readers(world);
   if (!plan.rotation_method) return;
-  std::fill(plan.carried.begin(), plan.carried.end(), std::uint8_t(0));
+  plan.effects[kGyroscopicRow].candidates.each([&](std::uint32_t i) { plan.carried[i] = 0; });
   plan.effects[kGyroscopicRow].customers.each([&](std::uint32_t i) { plan.carried[i] = 1; });
 }
 
