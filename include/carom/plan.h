@@ -39,7 +39,7 @@ extern "C" {
 #define CAROM_EFFECT_FIELDS 22u
 #define CAROM_EFFECT_SPRINGS 23u
 #define CAROM_EFFECT_BUOYANCY 24u
-#define CAROM_EFFECT_RESPONSE 25u /* without it, bodies that touch do not push each other; with COLLISION they touch */
+#define CAROM_EFFECT_RESPONSE 25u /* what contacts do: without it bodies pass through each other, and there are no contact points */
 #define CAROM_EFFECT_JOINT_LIMITS 26u
 #define CAROM_EFFECT_JOINT_MOTORS 27u
 #define CAROM_EFFECT_EVENTS 28u
