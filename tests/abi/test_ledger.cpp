@@ -14,8 +14,7 @@ namespace {
 std::vector<carom_ledger_entry> causes_of(carom_world* world) {
   uint64_t count = 0;
   assert_int_equal(carom_world_get_ledger(world, nullptr, 0, 0, &count, nullptr), CAROM_OK);
-  std::vector<carom_ledger_entry> list(count);
-  std::memset(list.data(), 0, count * sizeof(carom_ledger_entry));
+  std::vector<carom_ledger_entry> list(count);  // all zero
   assert_int_equal(
       carom_world_get_ledger(world, list.data(), sizeof(carom_ledger_entry), count, &count, nullptr), CAROM_OK);
   return list;
