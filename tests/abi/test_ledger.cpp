@@ -113,7 +113,7 @@ struct Heap {
 
 void the_number_of_threads_changes_no_bit_of_it(void**) {
   for (uint32_t solver = 0; solver < 5; ++solver) {
-    const int steps = 50;
+    const int steps = 16;
     Heap without(solver, 1, false), alone(solver, 1, true);
     assert_int_equal(bench_steps(without.b.world, steps, nullptr), CAROM_OK);
     for (int i = 0; i < steps; ++i)
