@@ -120,10 +120,6 @@ void remove(carom_engine& engine, World& world, std::uint32_t body) {
   world.remove_body(body);
 }
 
-bool resolve_body(Call& call, const World& world, carom_body body) {
-  return resolve(call, 2, "body", world.scene.bodies, body);
-}
-
 /// Whether a body of this world can have these locks.
 bool lockable(Call& call, const World& world, std::uint32_t body, std::uint32_t locks) {
   if (!only_bits(call, 3, "locks", locks, CAROM_LOCK_ALL)) return false;

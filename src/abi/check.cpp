@@ -33,6 +33,14 @@ bool in_range(Call& call, int argument, const char* name, double value, double l
          call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is %.17g, outside [%g, %g]", name, value, low, high);
 }
 
+bool vector_in_range(Call& call, int argument, const char* name, const double v[3], double most) {
+  if (!finite(call, argument, name, v, 3)) return false;
+  for (int k = 0; k < 3; ++k)
+    if (std::fabs(v[k]) > most)
+      return call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s[%d] is %g, must be within +-%g", name, k, v[k], most);
+  return true;
+}
+
 bool not_negative(Call& call, int argument, const char* name, double value) {
   return value >= 0 || call.fail(value < 0 ? CAROM_E_OUT_OF_RANGE : CAROM_E_NOT_FINITE, argument, "%s is %g", name, value);
 }

@@ -20,6 +20,8 @@ bool present(Call& call, int argument, const char* name, const void* pointer);
 bool finite(Call& call, int argument, const char* name, const double* values, int count);
 /// Finite and within [low, high].
 bool in_range(Call& call, int argument, const char* name, double value, double low, double high);
+/// Three numbers, finite, and each within [-most, most].
+bool vector_in_range(Call& call, int argument, const char* name, const double v[3], double most);
 /// At least 0; may be infinite.
 bool not_negative(Call& call, int argument, const char* name, double value);
 /// Present, finite and of unit length. @param count 3: normal, 4: quaternion

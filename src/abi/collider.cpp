@@ -18,13 +18,6 @@ bool flat(const Shape& shape) {
   return shape.form != Form::half_space && !is_scenery(shape) && !(shape.mass.volume > kFlat * r * r * r);
 }
 
-bool check_surface(Call& call, int argument, const char* name, const double v[3]) {
-  if (!finite(call, argument, name, v, 3)) return false;
-  for (int i = 0; i < 3; ++i)
-    if (!in_range(call, argument, name, v[i], -kFastestSurface, kFastestSurface)) return false;
-  return true;
-}
-
 bool check_desc(Call& call, const World& world, const carom_collider_desc& d) {
   return only_bits(call, 3, "desc->reserved", d.reserved, 0) &&
          (d.material == CAROM_NULL_HANDLE ||
@@ -142,7 +135,8 @@ int32_t carom_collider_set_surface_velocity(carom_world* world, carom_collider c
   return guarded(error, [&](Call& call) {
     const Changing changing(call, world);
     if (!changing || !resolve(call, 2, "collider", changing->scene.collider_slots, collider) ||
-        !check_surface(call, 3, "linear", linear) || !check_surface(call, 4, "angular", angular))
+        !vector_in_range(call, 3, "linear", linear, kFastestSurface) ||
+        !vector_in_range(call, 4, "angular", angular, kFastestSurface))
       return;
     changing->set_surface_velocity(handle_slot(collider), {to_vec3(linear), to_vec3(angular)});
   });

@@ -3,9 +3,9 @@
 
 #include <carom/force.h>
 
+#include "abi/ends.h"
 #include "abi/float_scope.h"
 #include "abi/world.h"
-#include "dynamics/joint/joint.h"
 #include "dynamics/quarantine.h"
 
 namespace carom::abi {
@@ -19,22 +19,11 @@ static_assert(static_cast<std::uint32_t>(FieldKind::uniform) == CAROM_FORCE_FIEL
 constexpr double kMostDrag = 1e12, kFastest = 1e6, kStrongest = 1e30, kLongest = 1e9, kDensest = 1e9, kMostRate = 1e6;
 constexpr std::int32_t kLeastFalloff = -2, kMostFalloff = 8;
 
-bool resolve_body(Call& call, const World& world, carom_body body) {
-  return resolve(call, 2, "body", world.scene.bodies, body);
-}
 bool resolve_field(Call& call, const World& world, carom_force_field field) {
   return resolve(call, 2, "field", world.scene.fields.slots, field);
 }
 bool resolve_spring(Call& call, const World& world, carom_spring spring) {
   return resolve(call, 2, "spring", world.scene.springs.slots, spring);
-}
-
-bool check_vector(Call& call, int argument, const char* name, const double v[3], double most) {
-  if (!finite(call, argument, name, v, 3)) return false;
-  for (int k = 0; k < 3; ++k)
-    if (std::fabs(v[k]) > most)
-      return call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s[%d] is %g, must be within +-%g", name, k, v[k], most);
-  return true;
 }
 
 /// Above 0; may be infinite.
@@ -48,10 +37,10 @@ bool read_field(Call& call, const carom_force_field_desc* given, FieldDef& def) 
   if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
       !known(call, 2, "desc->kind", d.kind, CAROM_FORCE_FIELD_COUNT) ||
       !only_bits(call, 2, "desc->is_force", d.is_force, 1) ||
-      !check_vector(call, 2, "desc->position", d.position, kMaxPosition) ||
+      !vector_in_range(call, 2, "desc->position", d.position, kMaxPosition) ||
       !unit(call, 2, "desc->orientation", d.orientation, 4) || !positive(call, "desc->half[0]", d.half[0]) ||
       !positive(call, "desc->half[1]", d.half[1]) || !positive(call, "desc->half[2]", d.half[2]) ||
-      !check_vector(call, 2, "desc->vector", d.vector, kStrongest) ||
+      !vector_in_range(call, 2, "desc->vector", d.vector, kStrongest) ||
       !in_range(call, 2, "desc->strength", d.strength, -kStrongest, kStrongest) ||
       !in_range(call, 2, "desc->pull", d.pull, -kStrongest, kStrongest) ||
       !in_range(call, 2, "desc->lift", d.lift, -kStrongest, kStrongest) ||
@@ -83,14 +72,6 @@ carom_force_field_desc describe(const FieldDef& def) {
   return d;
 }
 
-bool read_end(Call& call, const World& world, const char* name, carom_body handle, std::uint32_t& slot) {
-  slot = kTheWorld;
-  if (handle == CAROM_NULL_HANDLE) return true;
-  if (!resolve(call, 2, name, world.scene.bodies, handle)) return false;
-  slot = handle_slot(handle);
-  return true;
-}
-
 bool check_spring(Call& call, int argument, double rest, double stiffness, double damping) {
   return in_range(call, argument, "rest", rest, 0, kLongest) &&
          in_range(call, argument == 2 ? 2 : argument + 1, "stiffness", stiffness, 0, kStrongest) &&
@@ -101,18 +82,10 @@ bool read_spring(Call& call, const World& world, const carom_spring_desc* given,
   carom_spring_desc d;
   carom_spring_desc_init(&d);
   if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->only_pulls", d.only_pulls, 1) ||
-      !read_end(call, world, "desc->body_a", d.body_a, def.body_a) ||
-      !read_end(call, world, "desc->body_b", d.body_b, def.body_b))
+      !read_ends(call, world, d, "ties", def))
     return false;
-  if (def.body_a == def.body_b)
-    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc ties %s to itself", d.body_a ? "a body" : "the world");
-  const auto moves = [&](std::uint32_t body) {
-    return body != kTheWorld && world.scene.type[body] == BodyType::dynamic;
-  };
-  if (!moves(def.body_a) && !moves(def.body_b))
-    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "neither of the two bodies is dynamic; one must be");
-  if (!check_vector(call, 2, "desc->anchor_a", d.anchor_a, kMaxPosition) ||
-      !check_vector(call, 2, "desc->anchor_b", d.anchor_b, kMaxPosition) ||
+  if (!vector_in_range(call, 2, "desc->anchor_a", d.anchor_a, kMaxPosition) ||
+      !vector_in_range(call, 2, "desc->anchor_b", d.anchor_b, kMaxPosition) ||
       !check_spring(call, 2, d.rest, d.stiffness, d.damping))
     return false;
   def.anchor_a = to_vec3(d.anchor_a), def.anchor_b = to_vec3(d.anchor_b);
@@ -123,11 +96,8 @@ bool read_spring(Call& call, const World& world, const carom_spring_desc* given,
 
 carom_spring_desc describe(const World& world, const SpringDef& def) {
   carom_spring_desc d{};
-  const auto handle = [&](std::uint32_t slot) {
-    return slot == kTheWorld ? CAROM_NULL_HANDLE : world.scene.bodies.handle(slot);
-  };
   d.only_pulls = def.only_pulls;
-  d.body_a = handle(def.body_a), d.body_b = handle(def.body_b);
+  d.body_a = handle_of_end(world, def.body_a), d.body_b = handle_of_end(world, def.body_b);
   from_vec3(def.anchor_a, d.anchor_a), from_vec3(def.anchor_b, d.anchor_b);
   d.rest = def.rest, d.stiffness = def.stiffness, d.damping = def.damping;
   d.user = def.user;
@@ -141,7 +111,7 @@ bool read_water(Call& call, const carom_water* given, WaterDef& def) {
       !unit(call, 2, "water->normal", w.normal, 3) ||
       !in_range(call, 2, "water->level", w.level, -kMaxPosition, kMaxPosition) ||
       !positive(call, "water->density", w.density) || !in_range(call, 2, "water->density", w.density, 0, kDensest) ||
-      !check_vector(call, 2, "water->current", w.current, kFastest) ||
+      !vector_in_range(call, 2, "water->current", w.current, kFastest) ||
       !in_range(call, 2, "water->drag", w.drag, 0, kMostRate))
     return false;
   def = {to_vec3(w.normal).normalized(), w.level, w.density, to_vec3(w.current), w.drag};
@@ -203,7 +173,7 @@ int32_t carom_body_get_drag(carom_world* world, carom_body body, double* linear,
 int32_t carom_world_set_wind(carom_world* world, const double velocity[3], carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Changing changing(call, world);
-    if (changing && check_vector(call, 2, "velocity", velocity, kFastest)) changing->set_wind(to_vec3(velocity));
+    if (changing && vector_in_range(call, 2, "velocity", velocity, kFastest)) changing->set_wind(to_vec3(velocity));
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "abi/ends.h"
 #include "abi/float_scope.h"
 #include "abi/world.h"
 #include "dynamics/joint/parts.h"
@@ -29,29 +30,6 @@ constexpr double kLongest = 1e9, kFastest = 1e6, kStrongest = 1e30, kStiffest = 
 
 bool resolve_joint(Call& call, const World& world, carom_joint joint) {
   return resolve(call, 2, "joint", world.joints.slots, joint);
-}
-
-/// @return false, and noted, if the handle names neither a body nor the world
-bool read_body(Call& call, const World& world, const char* name, carom_body handle, std::uint32_t& slot) {
-  slot = kTheWorld;
-  if (handle == CAROM_NULL_HANDLE) return true;
-  if (!resolve(call, 2, name, world.scene.bodies, handle)) return false;
-  slot = handle_slot(handle);
-  return true;
-}
-
-bool is_dynamic(const World& world, std::uint32_t slot) {
-  return slot != kTheWorld && world.scene.type[slot] == BodyType::dynamic;
-}
-
-bool read_bodies(Call& call, const World& world, const carom_joint_desc& d, JointDef& def) {
-  if (!read_body(call, world, "desc->body_a", d.body_a, def.body_a) ||
-      !read_body(call, world, "desc->body_b", d.body_b, def.body_b))
-    return false;
-  if (def.body_a == def.body_b)
-    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc joins %s to itself", d.body_a ? "a body" : "the world");
-  return is_dynamic(world, def.body_a) || is_dynamic(world, def.body_b) ||
-         call.fail(CAROM_E_OUT_OF_RANGE, 2, "neither of the two bodies is dynamic; one must be");
 }
 
 bool check_position(Call& call, const char* name, const double v[3]) {
@@ -90,7 +68,7 @@ bool read_joint(Call& call, const World& world, const carom_joint_desc* given, J
   carom_joint_desc_init(&d);
   if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
       !only_bits(call, 2, "desc->fields", d.fields, kFields) ||
-      !known(call, 2, "desc->kind", d.kind, CAROM_JOINT_COUNT) || !read_bodies(call, world, d, def) ||
+      !known(call, 2, "desc->kind", d.kind, CAROM_JOINT_COUNT) || !read_ends(call, world, d, "joins", def) ||
       !read_frames(call, world, d, def) || !in_range(call, 2, "desc->length", d.length, 0, kLongest) ||
       !in_range(call, 2, "desc->break_force", d.break_force, 0, kStrongest) ||
       !in_range(call, 2, "desc->break_torque", d.break_torque, 0, kStrongest))
@@ -117,10 +95,7 @@ carom_joint_desc describe(const World& world, const Joint& joint) {
   carom_joint_desc d{};
   d.kind = static_cast<std::uint32_t>(def.kind);
   d.fields = CAROM_JOINT_FIELD_LENGTH | (def.collide ? CAROM_JOINT_COLLIDE : 0u);
-  const auto handle = [&](std::uint32_t slot) {
-    return slot == kTheWorld ? CAROM_NULL_HANDLE : world.scene.bodies.handle(slot);
-  };
-  d.body_a = handle(def.body_a), d.body_b = handle(def.body_b);
+  d.body_a = handle_of_end(world, def.body_a), d.body_b = handle_of_end(world, def.body_b);
   from_vec3(def.frame_a.p, d.position_a), from_quat(def.frame_a.q, d.orientation_a);
   from_vec3(def.frame_b.p, d.position_b), from_quat(def.frame_b.q, d.orientation_b);
   d.length = def.length;

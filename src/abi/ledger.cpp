@@ -3,6 +3,8 @@
 
 #include <carom/ledger.h>
 
+#include <array>
+
 #include "abi/copy_out.h"
 #include "abi/world.h"
 
@@ -53,16 +55,13 @@ int32_t carom_world_get_ledger(carom_world* world, carom_ledger_entry* dst, uint
                                uint64_t* count, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
-    if (!reading || !present(call, 5, "count", count) || (capacity && !present(call, 2, "dst", dst)) ||
-        (capacity && !element_stride<carom_ledger_entry>(call, 3, stride)))
-      return;
-    *count = 0;
-    if (!reading->ledger) return;
-    for (std::size_t cause = 0; cause < kCauses; ++cause) {
-      if (!cause_name(cause)) continue;
-      if (*count < capacity) write_element(entry(*reading->ledger, cause), dst, *count, stride);
-      ++*count;
-    }
+    if (!reading) return;
+    std::array<std::size_t, kCauses> named;
+    std::uint64_t n = 0;
+    for (std::size_t cause = 0; reading->ledger && cause < kCauses; ++cause)
+      if (cause_name(cause)) named[n++] = cause;
+    copy_elements<carom_ledger_entry>(
+        call, n, [&](std::uint64_t i) { return entry(*reading->ledger, named[i]); }, dst, stride, capacity, count);
   });
 }
 

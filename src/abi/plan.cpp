@@ -1,6 +1,7 @@
 // The plan as a host reads it, and what it forbids and forces.
 #include <carom/plan.h>
 
+#include "abi/copy_out.h"
 #include "abi/world.h"
 #include "dynamics/plan_view.h"
 
@@ -20,18 +21,14 @@ static_assert(kGyroscopicRow == CAROM_EFFECT_GYROSCOPIC && kLinearDampingRow == 
               kDragRow == CAROM_EFFECT_DRAG && kWindRow == CAROM_EFFECT_WIND && kFieldsRow == CAROM_EFFECT_FIELDS &&
               kSpringsRow == CAROM_EFFECT_SPRINGS && kBuoyancyRow == CAROM_EFFECT_BUOYANCY &&
               kResponseRow == CAROM_EFFECT_RESPONSE && kLimitsRow == CAROM_EFFECT_JOINT_LIMITS &&
-              kMotorsRow == CAROM_EFFECT_JOINT_MOTORS && kEventsRow == CAROM_EFFECT_EVENTS && kLedgerRow == CAROM_EFFECT_LEDGER &&
-              kEffectCount == CAROM_EFFECT_COUNT);
+              kMotorsRow == CAROM_EFFECT_JOINT_MOTORS && kEventsRow == CAROM_EFFECT_EVENTS &&
+              kLedgerRow == CAROM_EFFECT_LEDGER && kEffectCount == CAROM_EFFECT_COUNT);
 static_assert(static_cast<std::uint32_t>(EffectMode::forbid) == CAROM_MODE_FORBID &&
               static_cast<std::uint32_t>(EffectMode::force) == CAROM_MODE_FORCE &&
               static_cast<std::uint32_t>(Timing::in_stage) == CAROM_TIME_IN_STAGE &&
               static_cast<std::uint32_t>(Timing::off) == CAROM_TIME_OFF && PlanLine::kStage == CAROM_PLAN_NO_EFFECT);
 
 constexpr std::uint32_t kModes = 3;
-
-bool resolve_body(Call& call, const World& world, carom_body body) {
-  return resolve(call, 2, "body", world.scene.bodies, body);
-}
 
 bool known_effect(Call& call, int argument, std::uint32_t effect) {
   return known(call, argument, "effect", effect, CAROM_EFFECT_COUNT);
@@ -124,11 +121,10 @@ int32_t carom_world_get_plan(carom_world* world, carom_plan_line* dst, uint64_t 
                              uint64_t* count, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
-    if (!reading || !present(call, 5, "count", count) || (capacity && !present(call, 2, "dst", dst))) return;
-    if (capacity && !element_stride<carom_plan_line>(call, 3, stride)) return;
-    *count = kPlanLines;
-    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(capacity, kPlanLines); ++i)
-      write_element(describe(plan_line(*reading, i)), dst, i, stride);
+    if (!reading) return;
+    copy_elements<carom_plan_line>(
+        call, kPlanLines, [&](std::uint64_t i) { return describe(plan_line(*reading, i)); }, dst, stride, capacity,
+        count);
   });
 }
 

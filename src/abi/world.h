@@ -73,6 +73,11 @@ class Reading {
   carom_world* world_ = nullptr;
 };
 
+/// The body of a call, argument 2.
+inline bool resolve_body(Call& call, const World& world, carom_body body) {
+  return resolve(call, 2, "body", world.scene.bodies, body);
+}
+
 /// The world of a call, argument 1, closed to everybody else until the end of the scope.
 class Changing {
  public:

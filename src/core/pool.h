@@ -19,6 +19,8 @@ inline constexpr std::uint32_t kSlotBits = 24, kGenerationBits = 20, kTagBits = 
 inline constexpr std::uint32_t kMaxSlots = 1u << kSlotBits;
 inline constexpr std::uint32_t kMaxGeneration = (1u << kGenerationBits) - 1;
 
+inline constexpr std::uint32_t kTheWorld = 0xFFFFFFFFu;  // in place of a body's slot
+
 inline constexpr std::uint32_t handle_slot(Handle h) { return static_cast<std::uint32_t>(h & (kMaxSlots - 1)); }
 
 /// Which slots are taken, and what generation each is in. The objects themselves live in arrays of their owner, indexed

@@ -44,6 +44,9 @@ struct EffectModes {
   bool forbids(std::size_t row, std::uint32_t body) const {
     return forbidden_anywhere & row_bit(row) && (forbids(row) || of_body(row, body) == EffectMode::forbid);
   }
+  bool forces(std::size_t row, std::uint32_t body) const {
+    return of_world(row) == EffectMode::force || of_body(row, body) == EffectMode::force;
+  }
 };
 
 }  // namespace carom

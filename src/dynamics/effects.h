@@ -27,6 +27,10 @@ struct Customers {
       runs.push_back({slot, slot + 1});
     ++count;
   }
+  bool has(std::uint32_t slot) const {
+    const auto r = std::partition_point(runs.begin(), runs.end(), [slot](const Run& run) { return run.end <= slot; });
+    return r != runs.end() && r->begin <= slot;
+  }
   template <class F>
   void each(F&& f) const {
     for (const Run& r : runs)

@@ -131,14 +131,8 @@ void find_candidates(World& world, PlannedEffect& row) {
   } else if (!modes.forced_of.empty() && effect.everyone) {
     Customers all(world.memory), both(world.memory);
     effect.everyone(scene, world.state, all);
-    const auto forced = [&](std::uint32_t i) { return modes.of_body(k, i) == EffectMode::force; };
-    const auto called = [&](std::uint32_t i) {
-      const auto r = std::partition_point(row.candidates.runs.begin(), row.candidates.runs.end(),
-                                          [i](const Customers::Run& run) { return run.end <= i; });
-      return r != row.candidates.runs.end() && r->begin <= i;
-    };
     all.each([&](std::uint32_t i) {
-      if (forced(i) || called(i)) both.add(i);
+      if (modes.forces(k, i) || row.candidates.has(i)) both.add(i);
     });
     row.candidates = std::move(both);
   }

@@ -95,7 +95,7 @@ bool is_in_stage(std::size_t row) {
 
 Timing timing_of(const World& world, std::size_t row, const PlannedEffect& effect) {
   if (is_in_stage(row)) return Timing::in_stage;
-  if (effect.served == Served::stage && effect.effect->force && row == kGyroscopicRow) return Timing::in_stage;
+  if (effect.served == Served::stage && effect.effect->force) return Timing::in_stage;  // by a rotation method
   return effect.effect->force && !world.times_effects ? Timing::off : Timing::own;
 }
 

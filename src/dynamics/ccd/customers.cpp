@@ -82,14 +82,8 @@ void carry_all_known(World& world) {
   Continuous& c = *world.continuous;
   PlannedEffect& row = plan.effects[kGyroscopicRow];
   c.found.clear(), c.more.clear(), c.merged.clear();
-  const auto is_top = [&](std::uint32_t i) {
-    const auto& runs = row.candidates.runs;
-    const auto ends_by = [i](const Customers::Run& run) { return run.end <= i; };
-    const auto r = std::partition_point(runs.begin(), runs.end(), ends_by);
-    return r != runs.end() && r->begin <= i;
-  };
   for (const SweptBody& b : c.bodies)
-    if (!plan.carried[b.body] && is_top(b.body)) c.found.push_back(b.body);
+    if (!plan.carried[b.body] && row.candidates.has(b.body)) c.found.push_back(b.body);
   if (c.found.empty()) return;
   std::sort(c.found.begin(), c.found.end());
   for (const std::uint32_t i : c.found) c.more.add(i);
@@ -142,10 +136,8 @@ void find_swept(World& world, Real dt) {
     const SweepMode mode = world.scene.def[i].continuous;
     const EffectModes& modes = world.scene.modes;
     if (modes.forbids(kContinuousRow, i)) continue;
-    const bool forced = modes.of_world(kContinuousRow) == EffectMode::force ||
-                        modes.of_body(kContinuousRow, i) == EffectMode::force;
     const bool outruns = world.plan->watches_speed && mode != SweepMode::never && is_fast(world, i, dt);
-    if (!can_sweep(world, i) || !(outruns || mode == SweepMode::always || forced)) continue;
+    if (!can_sweep(world, i) || !(outruns || mode == SweepMode::always || modes.forces(kContinuousRow, i))) continue;
     c.index.resize(world.scene.bodies.slots(), Continuous::kNone);
     SweptBody& b = know(world, i);
     b.swept = true, b.outruns = outruns;

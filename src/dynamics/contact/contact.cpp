@@ -100,7 +100,7 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
   const PairRecord& record = world.pairs[pair_index];
   const std::uint32_t ca = record.pair.a, cb = record.pair.b;
   const Movers m(world, record.pair);
-  const auto [friction, restitution, rolling, spinning] = mixed(scene, ca, cb);
+  const MixedMaterial material = mixed(scene, ca, cb);
   const Frame &fa = world.plan->local[ca], &fb = world.plan->local[cb];
   while (cursor < c.old.size() && c.old[cursor].pair < record.pair) ++cursor;
   std::size_t last = cursor;
@@ -117,9 +117,9 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
     const OldImpulse* const old = match[static_cast<std::size_t>(k)];
     row.u = Vec3::Zero();
     row.n = point.normal;
-    row.p = old ? starting_impulse(*old, row.n, friction, scale) : Vec3(Vec3::Zero());
-    row.friction = friction;
-    row.restitution = restitution;
+    row.p = old ? starting_impulse(*old, row.n, material.friction, scale) : Vec3(Vec3::Zero());
+    row.friction = material.friction;
+    row.restitution = material.restitution;
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
     g.radius_a = radius_a, g.radius_b = radius_b;
     g.l_a = fa.apply(point.on_a);

@@ -4,14 +4,19 @@
 namespace carom {
 namespace {
 
+/// What moves it, unless a host forbids that.
+SurfaceVelocity allowed_surface(const Scene& scene, std::uint32_t collider) {
+  const bool forbidden = scene.modes.forbids(kSurfaceRow, scene.colliders.body[collider]);
+  return forbidden ? SurfaceVelocity{} : scene.surface_of(collider);
+}
+
 /// A surface as the step began.
 struct Moving {
   Vec3 linear, angular;  // m/s, rad/s, world
   Vec3 origin;           // m, world
 
   Moving(const Scene& scene, std::uint32_t collider) : origin(scene.colliders.frame[collider].p) {
-    const bool forbidden = scene.modes.forbids(kSurfaceRow, scene.colliders.body[collider]);
-    const SurfaceVelocity surface = forbidden ? SurfaceVelocity{} : scene.surface_of(collider);
+    const SurfaceVelocity surface = allowed_surface(scene, collider);
     const Mat3& r = scene.colliders.frame[collider].r;
     linear = r * surface.linear, angular = r * surface.angular;
   }
@@ -30,10 +35,7 @@ void find_surfaces(World& world) {
   for (std::uint32_t i = 0, next; i < c.rows.size(); i = next) {
     next = c.first_row[c.geometry[i].pair + 1];
     const Pair& pair = world.pairs.place(c.geometry[i].pair).pair;
-    const auto drives = [&](std::uint32_t collider) {
-      return scene.surface_of(collider).any() && !scene.modes.forbids(kSurfaceRow, scene.colliders.body[collider]);
-    };
-    if (!drives(pair.a) && !drives(pair.b)) continue;
+    if (!allowed_surface(scene, pair.a).any() && !allowed_surface(scene, pair.b).any()) continue;
     const Moving a(scene, pair.a), b(scene, pair.b);
     c.surface.resize(c.rows.size(), Vec3::Zero());
     for (std::uint32_t k = i; k < next; ++k) {

@@ -4,17 +4,10 @@
 
 #include "dynamics/events/events.h"
 #include "dynamics/force/force.h"
-#include "dynamics/joint/joint.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom {
 namespace {
-
-template <class F>
-void each_end(const SpringDef& def, F&& f) {
-  for (const std::uint32_t body : {def.body_a, def.body_b})
-    if (body != kTheWorld) f(body);
-}
 
 /// Locks hold where they are not forbidden.
 void settle_locks(Scene& scene) {
@@ -97,7 +90,7 @@ Handle World::add_spring(const SpringDef& def) {
   s.def[slot] = def;
   if (s.ends.size() < scene.bodies.slots()) s.ends.resize(scene.bodies.slots(), 0);
   if (s.load.size() < scene.bodies.slots()) s.load.resize(scene.bodies.slots());
-  each_end(def, [&](std::uint32_t body) {
+  def.each_end([&](std::uint32_t body, const Vec3&) {
     ++s.ends[body];
     wake(*this, body);
   });
@@ -107,13 +100,13 @@ Handle World::add_spring(const SpringDef& def) {
 
 void World::set_spring(std::uint32_t spring, Real rest, Real stiffness, Real damping) {
   SpringDef& def = scene.springs.def[spring];
-  each_end(def, [&](std::uint32_t body) { wake(*this, body); });
+  def.each_end([&](std::uint32_t body, const Vec3&) { wake(*this, body); });
   def.rest = rest, def.stiffness = stiffness, def.damping = damping;
 }
 
 void World::remove_spring(std::uint32_t spring) {
   Springs& s = scene.springs;
-  each_end(s.def[spring], [&](std::uint32_t body) {
+  s.def[spring].each_end([&](std::uint32_t body, const Vec3&) {
     --s.ends[body];
     wake(*this, body);
   });
@@ -124,8 +117,9 @@ void World::remove_spring(std::uint32_t spring) {
 void remove_springs_of(World& world, std::uint32_t body) {
   const Springs& s = world.scene.springs;
   if (!s.hang_on(body)) return;
-  for (std::uint32_t k = 0; k < s.slots.slots(); ++k)
-    if (s.slots.alive(k) && (s.def[k].body_a == body || s.def[k].body_b == body)) world.remove_spring(k);
+  s.each([&](std::uint32_t k, const SpringDef& def) {
+    if (def.hangs_on(body)) world.remove_spring(k);
+  });
 }
 
 void World::set_mode(std::size_t row, EffectMode mode) {

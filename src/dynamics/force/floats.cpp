@@ -25,6 +25,13 @@ Cap cap_of(Real level) {
   return {std::numbers::pi * h * h * (3 - h) / 3, 3 * (2 - h) * (2 - h) / (4 * (3 - h))};
 }
 
+/// The one from the origin to a triangle, by the side that it shows.
+void add_tetrahedron(Submerged& sum, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Real volume = a.dot(b.cross(c)) / 6;
+  sum.volume += volume;
+  sum.moment += volume / 4 * (a + b + c);
+}
+
 /// Volume and moment of what is on the inner side of triangles and under a plane.
 class Sum {
  public:
@@ -35,30 +42,23 @@ class Sum {
     const std::array<Real, 3> height = {n_.dot(p[0]), n_.dot(p[1]), n_.dot(p[2])};
     const int under = (height[0] <= 0) + (height[1] <= 0) + (height[2] <= 0);
     if (under == 0) return;
-    if (under == 3) return tetrahedron(p[0], p[1], p[2]);
+    if (under == 3) return add_tetrahedron(sum_, p[0], p[1], p[2]);
     const bool lone = under == 1;  // one corner under, or one above: the two edges from it are cut
     for (int i = 0; i < 3; ++i) {
       const std::size_t at = static_cast<std::size_t>(i), next = (at + 1) % 3, last = (at + 2) % 3;
       if ((height[at] <= 0) != lone) continue;
       const Vec3 x = cut(p[at], height[at], p[next], height[next]), y = cut(p[at], height[at], p[last], height[last]);
-      if (lone) return tetrahedron(p[at], x, y);
-      tetrahedron(p[next], p[last], y);
-      return tetrahedron(p[next], y, x);
+      if (lone) return add_tetrahedron(sum_, p[at], x, y);
+      add_tetrahedron(sum_, p[next], p[last], y);
+      return add_tetrahedron(sum_, p[next], y, x);
     }
   }
-  Submerged total() const { return {volume_, moment_ + volume_ * origin_}; }
+  Submerged total() const { return {sum_.volume, sum_.moment + sum_.volume * origin_}; }
 
  private:
   static Vec3 cut(const Vec3& a, Real at_a, const Vec3& b, Real at_b) { return a + at_a / (at_a - at_b) * (b - a); }
-  void tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Real volume = a.dot(b.cross(c)) / 6;
-    volume_ += volume;
-    moment_ += volume / 4 * (a + b + c);
-  }
-
   Vec3 n_, origin_;
-  Real volume_ = 0;
-  Vec3 moment_ = Vec3::Zero();
+  Submerged sum_;  // about the origin_
 };
 
 Submerged under_ellipsoid(const Vec3& half, const Vec3& n, Real level) {
@@ -68,6 +68,9 @@ Submerged under_ellipsoid(const Vec3& half, const Vec3& n, Real level) {
   const Real volume = half.prod() * cap.volume;
   return {volume, -(volume * cap.down / length) * half.cwiseProduct(stretched)};
 }
+
+/// Whether its share under a plane has a closed form.
+bool floats_by_form(const Shape& shape) { return shape.form == Form::sphere || shape.form == Form::ellipsoid; }
 
 /// s with s^3 = x, for x near 1. The same bits everywhere, as cbrt() has not.
 Real cube_root(Real x) {
@@ -98,11 +101,7 @@ void make_surface(const Shape& shape, Array<Vec3>& corner) {
   for (const std::uint32_t v : triangles) corner.push_back(Vec3(points[3 * v], points[3 * v + 1], points[3 * v + 2]));
   if (flat_faced) return;
   Submerged whole;
-  for (std::size_t t = 0; t < corner.size(); t += 3) {
-    const Real v = corner[t].dot(corner[t + 1].cross(corner[t + 2])) / 6;
-    whole.volume += v;
-    whole.moment += v / 4 * (corner[t] + corner[t + 1] + corner[t + 2]);
-  }
+  for (std::size_t t = 0; t < corner.size(); t += 3) add_tetrahedron(whole, corner[t], corner[t + 1], corner[t + 2]);
   if (!(whole.volume > 0)) return corner.clear();
   const Real scale = cube_root(shape.mass.volume / whole.volume);
   const Vec3 middle = whole.moment / whole.volume;
@@ -114,8 +113,6 @@ void make_surface(const Shape& shape, Array<Vec3>& corner) {
 bool floats(const Shape& shape) {
   return shape.form != Form::half_space && shape.form != Form::scenery && shape.mass.volume > 0;
 }
-
-bool floats_by_form(const Shape& shape) { return shape.form == Form::sphere || shape.form == Form::ellipsoid; }
 
 Submerged under_plane(const Shape& shape, const Float* surface, const Vec3& n, Real level) {
   if (level >= shape.bounding_radius) return {shape.mass.volume, shape.mass.volume * shape.mass.centroid};

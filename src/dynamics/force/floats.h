@@ -13,11 +13,9 @@ struct Submerged {
 
 /// Whether a shape has a volume that floats: bounded, convex, not flat.
 bool floats(const Shape& shape);
-/// Whether its share under a plane has a closed form (ball, ellipsoid).
-bool floats_by_form(const Shape& shape);
 
 /// The part of a shape where n . x <= level.
-/// @param surface  of it, unless floats_by_form()
+/// @param surface  of it, but of balls and ellipsoids: those have a closed form
 /// @param n      unit, shape frame   @param level  m
 /// @return       in the shape's frame
 /// @accuracy     balls, ellipsoids, boxes and hulls to rounding. Others by 256 support points, blown up to the volume

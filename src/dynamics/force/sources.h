@@ -41,12 +41,20 @@ struct Fields {
 
 /// A spring as a force, between two bodies or one and the world.
 struct SpringDef {
-  std::uint32_t body_a = 0xFFFFFFFFu, body_b = 0xFFFFFFFFu;  // slots, or kTheWorld
-  Vec3 anchor_a = Vec3::Zero(), anchor_b = Vec3::Zero();     // m, body frame (origin as the host gave it), or world
-  Real rest = 0;                                             // m
-  Real stiffness = 0, damping = 0;                           // N/m, N s/m
+  std::uint32_t body_a = kTheWorld, body_b = kTheWorld;   // slots, or kTheWorld
+  Vec3 anchor_a = Vec3::Zero(), anchor_b = Vec3::Zero();  // m, body frame (origin as the host gave it), or world
+  Real rest = 0;                                          // m
+  Real stiffness = 0, damping = 0;                        // N/m, N s/m
   bool only_pulls = false;
   std::uint64_t user = 0;
+
+  bool hangs_on(std::uint32_t body) const { return body_a == body || body_b == body; }
+  /// f(slot, anchor) for its bodies.
+  template <class F>
+  void each_end(F&& f) const {
+    if (body_a != kTheWorld) f(body_a, anchor_a);
+    if (body_b != kTheWorld) f(body_b, anchor_b);
+  }
 };
 
 struct Springs {
@@ -63,6 +71,12 @@ struct Springs {
   std::uint64_t softened = 0;  // of the customers, those of which a substep can't carry all
 
   bool hang_on(std::uint32_t body) const { return body < ends.size() && ends[body] > 0; }
+  /// f(slot, definition) for all that there are.
+  template <class F>
+  void each(F&& f) const {
+    for (std::uint32_t k = 0; k < slots.slots(); ++k)
+      if (slots.alive(k)) f(k, def[k]);
+  }
 };
 
 /// A plane of water: all of space where normal . x <= level.

@@ -11,7 +11,6 @@
 
 #include "dynamics/effects.h"
 #include "dynamics/force/force.h"
-#include "dynamics/joint/joint.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom {
@@ -86,9 +85,9 @@ void plan_springs(World& world) {
   PlannedEffect& row = world.plan->effects[kSpringsRow];
   row.customers.clear();
   row.wanted = all.slots.alive_count();
-  if (all.slots.alive_count() == 0) return;
-  for (std::uint32_t k = 0; k < all.slots.slots(); ++k)
-    if (all.slots.alive(k) && acts(world, all.def[k])) row.customers.add(k);
+  all.each([&](std::uint32_t k, const SpringDef& def) {
+    if (acts(world, def)) row.customers.add(k);
+  });
 }
 
 void carry_springs(World& world, Real h) {
@@ -97,14 +96,10 @@ void carry_springs(World& world, Real h) {
   const PlannedEffect& row = world.plan->effects[kSpringsRow];
   all.softened = 0;
   if (row.customers.count == 0) return;
-  const auto both = [](const SpringDef& def, auto&& f) {
-    if (def.body_a != kTheWorld) f(def.body_a, def.anchor_a);
-    if (def.body_b != kTheWorld) f(def.body_b, def.anchor_b);
-  };
   row.customers.each(
-      [&](std::uint32_t k) { both(all.def[k], [&](std::uint32_t body, const Vec3&) { all.load[body] = {}; }); });
+      [&](std::uint32_t k) { all.def[k].each_end([&](std::uint32_t body, const Vec3&) { all.load[body] = {}; }); });
   row.customers.each([&](std::uint32_t k) {
-    both(all.def[k], [&](std::uint32_t body, const Vec3&) {
+    all.def[k].each_end([&](std::uint32_t body, const Vec3&) {
       all.load[body].stiffness += all.def[k].stiffness;
       all.load[body].damping += all.def[k].damping;
     });
@@ -112,7 +107,7 @@ void carry_springs(World& world, Real h) {
   row.customers.each([&](std::uint32_t k) {
     const SpringDef& def = all.def[k];
     Real stiff = 0, damp = 0;  // 1/s^2, 1/s
-    both(def, [&](std::uint32_t body, const Vec3& anchor) {
+    def.each_end([&](std::uint32_t body, const Vec3& anchor) {
       const Real most = mobility(scene, world.state, body, anchor);
       stiff += most * all.load[body].stiffness, damp += most * all.load[body].damping;
     });
@@ -126,12 +121,10 @@ void carry_springs(World& world, Real h) {
 void wake_sprung(World& world) {
   const Springs& all = world.scene.springs;
   if (all.slots.alive_count() == 0 || world.sleep->count == 0) return;
-  for (std::uint32_t k = 0; k < all.slots.slots(); ++k) {
-    if (!all.slots.alive(k)) continue;
-    const SpringDef& def = all.def[k];
+  all.each([&](std::uint32_t, const SpringDef& def) {
     if (def.body_a != kTheWorld && is_moved(world, def.body_b)) wake(world, def.body_a);
     if (def.body_b != kTheWorld && is_moved(world, def.body_a)) wake(world, def.body_b);
-  }
+  });
 }
 
 void springs::force(const Scene& scene, const State& state, const Customers& customers, const Motion& at,

@@ -49,8 +49,6 @@ struct JointDrive {
   bool on() const { return limit.on || motor.on || spring.on; }
 };
 
-inline constexpr std::uint32_t kTheWorld = 0xFFFFFFFFu;  // in place of a body's slot
-
 /// What a host says about a joint (ABI: carom_joint_desc), already validated.
 struct JointDef {
   JointKind kind = JointKind::ball;

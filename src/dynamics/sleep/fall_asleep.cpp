@@ -71,10 +71,10 @@ void find_islands(World& world, const Customers& customers, Real time) {
   customers.each([&](std::uint32_t i) { z.restless[z.root[i]] |= !(z.calm[i] >= time); });
   sprung.customers.each([&](std::uint32_t k) {
     const SpringDef& def = world.scene.springs.def[k];
-    if (def.body_a != kTheWorld && def.body_b != kTheWorld && rolls_by(world, def.body_b))
-      z.restless[z.root[def.body_a]] = 1;
-    if (def.body_a != kTheWorld && def.body_b != kTheWorld && rolls_by(world, def.body_a))
-      z.restless[z.root[def.body_b]] = 1;
+    const std::uint32_t a = def.body_a, b = def.body_b;
+    if (a == kTheWorld || b == kTheWorld) return;
+    if (rolls_by(world, b)) z.restless[z.root[a]] = 1;
+    if (rolls_by(world, a)) z.restless[z.root[b]] = 1;
   });
   if (!met) return;
   for (const Row& row : c.rows) {

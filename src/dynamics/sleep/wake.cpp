@@ -52,12 +52,10 @@ void wake_joined(World& world, std::uint32_t body) {
     if (other != kTheWorld && !world.joints.joint[joint].broken) wake(world, other);
   });
   const Springs& springs = world.scene.springs;
-  for (std::uint32_t k = 0; springs.hang_on(body) && k < springs.slots.slots(); ++k) {
-    const SpringDef& def = springs.def[k];
-    if (!springs.slots.alive(k) || (def.body_a != body && def.body_b != body)) continue;
-    for (const std::uint32_t end : {def.body_a, def.body_b})
-      if (end != kTheWorld) wake(world, end);
-  }
+  if (!springs.hang_on(body)) return;
+  springs.each([&](std::uint32_t, const SpringDef& def) {
+    if (def.hangs_on(body)) def.each_end([&](std::uint32_t end, const Vec3&) { wake(world, end); });
+  });
 }
 
 void wake_wearing(World& world, std::uint32_t material) {
