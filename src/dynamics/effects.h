@@ -1,55 +1,13 @@
 // The plan of a step: which effects have customers, who they are, and what they did.
 #pragma once
 
-#include <algorithm>
 #include <array>
 
+#include "dynamics/customers.h"
 #include "dynamics/integrate/rotation/principal.h"
 #include "dynamics/world.h"
 
 namespace carom {
-
-/// Body slots as ascending runs [begin, end), so that loops over many neighbours are dense.
-struct Customers {
-  struct Run {
-    std::uint32_t begin, end;
-  };
-  explicit Customers(Memory* m) : runs(m) {}
-
-  Array<Run> runs;
-  std::uint64_t count = 0;
-
-  void clear() { runs.clear(), count = 0; }
-  void add(std::uint32_t slot) {  // ascending
-    if (!runs.empty() && runs.back().end == slot)
-      ++runs.back().end;
-    else
-      runs.push_back({slot, slot + 1});
-    ++count;
-  }
-  bool has(std::uint32_t slot) const {
-    const auto r = std::partition_point(runs.begin(), runs.end(), [slot](const Run& run) { return run.end <= slot; });
-    return r != runs.end() && r->begin <= slot;
-  }
-  template <class F>
-  void each(F&& f) const {
-    for (const Run& r : runs)
-      for (std::uint32_t i = r.begin; i < r.end; ++i) f(i);
-  }
-  /// Likewise, shared by threads: f(i) writes nothing that f of another slot reads or writes.
-  template <class F>
-  void each(Jobs* jobs, F&& f) const {
-    if (runs.empty()) return;
-    const std::uint32_t first = runs.front().begin;
-    in_parts(jobs, runs.back().end - first, kSlotsAPart, [&](std::uint32_t begin, std::uint32_t end) {
-      const std::uint32_t from = first + begin, to = first + end;
-      auto r = std::partition_point(runs.begin(), runs.end(), [&](const Run& run) { return run.end <= from; });
-      for (; r != runs.end() && r->begin < to; ++r)
-        for (std::uint32_t i = std::max(r->begin, from); i < std::min(r->end, to); ++i) f(i);
-    });
-  }
-  static constexpr std::size_t kSlotsAPart = 128;  // some microseconds of a loop
-};
 
 /// Where forces are evaluated: the state itself, or an intermediate one of RK4. By body slot.
 struct Motion {
@@ -103,10 +61,12 @@ enum class Served : std::uint8_t { force, flow, stage };  // effect->force, effe
 
 /// A row with its customers.
 struct PlannedEffect {
-  PlannedEffect(const Effect* e, Memory* m) : effect(e), candidates(m), customers(m) {}
+  PlannedEffect(const Effect* e, Memory* m) : effect(e), candidates(m), customers(m), calling(m) {}
   const Effect* effect;
-  Customers candidates;      // of the scene
-  Customers customers;       // of this step: the candidates that wake
+  Customers candidates;  // of the scene
+  Customers customers;   // of this step: the candidates that wake
+  Customers calling;     // where it is forced on some: the candidates that would be without that
+  bool is_forced = false;
   std::uint64_t wanted = 0;  // candidates of the scene, whatever a host forbids or forces
   Real rate = 0;             // 1/s, effect->rate of the candidates
   Served served = Served::stage;
@@ -126,6 +86,7 @@ struct Proposal {
   Array<Vec3> omega;  // rad/s, world: what a rotation method turned the body by, where plan.carried
 };
 
+struct FreeFlight;       // dynamics/integrate/free_flight.h: who takes the step in one go
 struct Integrator;       // dynamics/integrate/integrator.h
 struct Rotation;         // dynamics/integrate/rotation/rotation.h
 struct Solver;           // dynamics/solver/solver.h
@@ -139,6 +100,7 @@ struct Plan {
   Array<PlannedEffect> effects;          // every row of the table, in its order; idle rows have no customers
   Customers linear, rotating;            // dynamic bodies that move: without and with rotation
   Customers kinematic;                   // moved by their velocity
+  Customers oriented;                    // those that rotate and have a collider or a joint
   Array<std::uint32_t> colliders;        // active colliders whose body can move
   Array<Frame> local;                    // by collider: shape -> body axes, about the centre of mass
   std::array<bool, kStageCount> runs{};  // stages that have customers
@@ -149,11 +111,12 @@ struct Plan {
   Array<std::uint8_t> carried;                // by body: the rotation method turns it in this step
   const Solver* solver = nullptr;
   Proposal proposal;
+  Owned<FreeFlight> flight;          // null: nobody has flown beside others yet
   Array<std::uint8_t> touched;       // by body: a solver changed its velocity in this substep
   Array<Mat3> rotation;              // by body: body -> world, at the start of the step
   bool reads_velocities = false;     // some force does: it is given a copy, which forces before it have not changed
-  Customers sprung;                   // bodies that springs act on in this step
-  Customers readers;                  // bodies whose velocity some force reads, in this step
+  Customers sprung;                  // bodies that springs act on in this step
+  Customers readers;                 // bodies whose velocity some force reads, in this step
   Array<std::uint32_t> reader_list;  // scratch
   Array<Vec3> read_v, read_omega;    // by body: that copy, of readers
   Array<Vec3> scratch_vectors;       // of the integrator
@@ -186,17 +149,6 @@ void find_customers(World& world);
 void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt);
 /// m, the farthest point of a body's colliders from its centre.
 Real radius_of_body(const World& world, std::uint32_t body);
-
-/// Call f(slot) for who is in either of two lists that share nobody, ascending.
-template <class F>
-void each_of_both(const Customers& one, const Customers& other, F&& f) {
-  const Customers::Run *a = one.runs.data(), *b = other.runs.data();
-  const Customers::Run *const a_end = a + one.runs.size(), *const b_end = b + other.runs.size();
-  while (a < a_end || b < b_end) {
-    const Customers::Run& next = b == b_end || (a < a_end && a->begin < b->begin) ? *a++ : *b++;
-    for (std::uint32_t i = next.begin; i < next.end; ++i) f(i);
-  }
-}
 
 /// All planned forces at one state. Each is a function of that state: none sees what another did to the velocities.
 void evaluate_forces(World& world, const Motion& at, const Accelerate& out);

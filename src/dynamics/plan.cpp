@@ -7,6 +7,7 @@
 #include "dynamics/effects.h"
 #include "dynamics/force/floats.h"
 #include "dynamics/force/force.h"
+#include "dynamics/integrate/free_flight.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/joint/wide_joints.h"
@@ -78,6 +79,16 @@ void plan_bodies(World& world, Plan& plan) {
   plan.scratch_rotations.resize(plan.integrator->rotations * slots, Quat::Identity());
 }
 
+/// Whose axes a step needs in the world's.
+void plan_oriented(World& world, Plan& plan) {
+  plan.oriented.clear();
+  const Array<std::uint8_t>& linked = world.wide_joints->linked;
+  plan.rotating.each([&](std::uint32_t i) {
+    const bool wears = world.scene.first_collider[i] != Colliders::kNone;
+    if (wears || (!linked.empty() && linked[i])) plan.oriented.add(i);
+  });
+}
+
 /// In every step: a host may add and remove particles in each, and a plan made anew costs as much as all bodies.
 void plan_particles(const World& world, Plan& plan) {
   PlannedEffect& row = plan.effects[kParticlesRow];
@@ -122,13 +133,15 @@ void find_candidates(World& world, PlannedEffect& row) {
   row.candidates.clear();
   effect.find(scene, world.state, row.candidates);
   row.wanted = row.candidates.count;
+  row.is_forced = effect.everyone && (modes.of_world(k) == EffectMode::force || !modes.forced_of.empty());
   if (modes.forbids(k)) return row.candidates.clear();
+  if (row.is_forced) row.calling = row.candidates;
   const bool by_body =
       k != kSleepRow && (effect.customers == CustomerKind::bodies || effect.customers == CustomerKind::colliders);
-  if (modes.of_world(k) == EffectMode::force && effect.everyone) {
+  if (row.is_forced && modes.of_world(k) == EffectMode::force) {
     row.candidates.clear();
     effect.everyone(scene, world.state, row.candidates);
-  } else if (!modes.forced_of.empty() && effect.everyone) {
+  } else if (row.is_forced) {
     Customers all(world.memory), both(world.memory);
     effect.everyone(scene, world.state, all);
     all.each([&](std::uint32_t i) {
@@ -149,6 +162,7 @@ Plan::Plan(Memory* m)
       linear(m),
       rotating(m),
       kinematic(m),
+      oriented(m),
       colliders(m),
       local(m),
       principal(m),
@@ -189,6 +203,7 @@ void plan_stages(World& world, Plan& plan) {
   const bool joints = world.wide_joints->any();
   plan.effects[kJointsRow].customers.count = world.wide_joints->active.size();
   on(Stage::refresh) = on(Stage::observe) = true;
+  plan_oriented(world, plan);
   plan_particles(world, plan);
   on(Stage::broad) = on(Stage::narrow) = pairs || (joints && !c.live.empty());  // rows are made of the pairs there are
   on(Stage::group) = on(Stage::solve) = pairs || joints;
@@ -324,7 +339,7 @@ void refresh(World& world, const StepTime& time) {
     const auto orient = [&](std::uint32_t i) { plan.rotation[i] = s.q[i].toRotationMatrix(); };
     if (changed)
       for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) orient(i);
-    plan.rotating.each(orient);
+    plan.oriented.each(orient);
     plan.kinematic.each(orient);
     for (const std::uint32_t i : s.written) orient(i);  // also those that turn by a host's hand alone
     for (const std::uint32_t slot : changed ? world.scene.colliders.active : plan.colliders)

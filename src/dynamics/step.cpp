@@ -8,6 +8,7 @@
 #include "dynamics/detect.h"
 #include "dynamics/effects.h"
 #include "dynamics/events/events.h"
+#include "dynamics/integrate/free_flight.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/island.h"
 #include "dynamics/joint/wide_joints.h"
@@ -76,6 +77,7 @@ void World::step(Real dt) {
   run(Stage::solve, begin_contacts);
   run(Stage::solve, begin_sweeps, kContinuousRow);
   run(Stage::observe, begin_events, kEventsRow);
+  run(Stage::integrate, part_with_flyers);
   for (int k = 0; k < run.substeps(); ++k) {
     run(Stage::solve, note_starts);
     run(Stage::solve, measure_approach);
@@ -90,6 +92,7 @@ void World::step(Real dt) {
     run(Stage::solve, resist, kRollingRow);
     run(Stage::solve, sweep, kContinuousRow);
   }
+  run(Stage::integrate, fly_free);
   run(Stage::integrate, fly, kParticlesRow);
   run(Stage::solve, end_contacts);
   run(Stage::solve, end_sweeps, kContinuousRow);

@@ -54,7 +54,8 @@ struct Subject {
   std::size_t row;
   std::function<void(Stage0&)> call;     // give it a customer
   std::function<void(Stage0&)> dismiss;  // take it away
-  bool flies = true;                     // it acts on bodies in flight, and leaves the others' bits alone
+  bool flies = true;                     // it acts on bodies in flight, each for itself
+  bool spares = flies;                   // who is no customer costs nothing and keeps its bits
 };
 
 inline std::vector<Subject> subjects() {
@@ -82,9 +83,8 @@ inline std::vector<Subject> subjects() {
   spinning.friction = 0, spinning.spinning = 0.1;
   const auto set_drag = [](Stage0& s) { s.t.world.set_drag(s.one, {0.1, 0.1}); };
   const auto unset_drag = [](Stage0& s) { s.t.world.set_drag(s.one, {}); };
-  const auto damp = [](Stage0& s, Real linear, Real angular) {
-    s.t.world.scene.def[s.one].linear_damping = linear, s.t.world.scene.def[s.one].angular_damping = angular;
-    ++s.t.world.scene.revision;
+  const auto damp = [](Real BodyDef::* which, Real rate) {
+    return [=](Stage0& s) { s.t.world.scene.def[s.one].*which = rate, ++s.t.world.scene.revision; };
   };
   const auto drive = [hinge](Stage0& s, bool limit) {
     hinge(s);
@@ -106,8 +106,8 @@ inline std::vector<Subject> subjects() {
          s.t.world.scene.inertia[s.one] = Mat3::Identity(), s.t.world.scene.inv_inertia[s.one] = Mat3::Identity();
          ++s.t.world.scene.revision;
        }},
-      {kLinearDampingRow, [damp](Stage0& s) { damp(s, 0.5, 0); }, [damp](Stage0& s) { damp(s, 0, 0); }},
-      {kAngularDampingRow, [damp](Stage0& s) { damp(s, 0, 0.5); }, [damp](Stage0& s) { damp(s, 0, 0); }},
+      {kLinearDampingRow, damp(&BodyDef::linear_damping, 0.5), damp(&BodyDef::linear_damping, 0)},
+      {kAngularDampingRow, damp(&BodyDef::angular_damping, 0.5), damp(&BodyDef::angular_damping, 0)},
       {kSceneryRow,
        [](Stage0& s) {
          s.touching();
@@ -152,18 +152,18 @@ inline std::vector<Subject> subjects() {
          s.t.world.set_continuous(s.one, SweepMode::always);
        },
        [](Stage0& s) { s.t.world.set_continuous(s.one, SweepMode::automatic); }, false},
-      {kCollisionRow, touch_with(smooth), part, false},
-      {kResponseRow, touch_with(smooth), part, false},
-      {kFrictionRow, [](Stage0& s) { s.touching(); }, part, false},
-      {kRestitutionRow, touch_with(bouncy), part, false},
-      {kRollingRow, touch_with(rolling), part, false},
-      {kSpinningRow, touch_with(spinning), part, false},
+      {kCollisionRow, touch_with(smooth), part, false, true},
+      {kResponseRow, touch_with(smooth), part, false, true},
+      {kFrictionRow, [](Stage0& s) { s.touching(); }, part, false, true},
+      {kRestitutionRow, touch_with(bouncy), part, false, true},
+      {kRollingRow, touch_with(rolling), part, false, true},
+      {kSpinningRow, touch_with(spinning), part, false, true},
       {kSurfaceRow,
        [](Stage0& s) {
          s.touching();
          s.t.world.set_surface_velocity(s.t.world.scene.first_collider[s.one], {Vec3(0, 0, 1), Vec3::Zero()});
        },
-       part, false},
+       part, false, true},
       {kFilterRow,
        [](Stage0& s) {
          s.touching();
@@ -178,9 +178,9 @@ inline std::vector<Subject> subjects() {
          s.t.world.set_sensor(s.t.world.scene.first_collider[s.one], true);
        },
        [](Stage0& s) { s.t.world.set_sensor(s.t.world.scene.first_collider[s.one], false); }, false},
-      {kJointsRow, hinge, unhinge, false},
-      {kLimitsRow, [drive](Stage0& s) { drive(s, true); }, unhinge, false},
-      {kMotorsRow, [drive](Stage0& s) { drive(s, false); }, unhinge, false},
+      {kJointsRow, hinge, unhinge, false, true},
+      {kLimitsRow, [drive](Stage0& s) { drive(s, true); }, unhinge, false, true},
+      {kMotorsRow, [drive](Stage0& s) { drive(s, false); }, unhinge, false, true},
       {kLocksRow, [](Stage0& s) { s.t.world.set_locks(s.one, 1); }, [](Stage0& s) { s.t.world.set_locks(s.one, 0); }},
       {kParticlesRow,
        [](Stage0& s) {

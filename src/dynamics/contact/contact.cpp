@@ -171,26 +171,49 @@ void list_meetings(const PairTable& pairs, Contacts& c) {
   }
 }
 
-/// Where each body's rows will stand in the list of halves. Only bodies that move are looked at: sleepers cost nothing.
+/// Who is moved by rows or joints, ascending. Looked for among the rows where those are few, so that nobody else costs
+/// anything.
+void list_bodies(World& world) {
+  Contacts& c = *world.contacts;
+  const Plan& plan = *world.plan;
+  const std::size_t movers = plan.linear.count + plan.rotating.count;
+  c.is_bound.resize(world.scene.bodies.slots(), 0);
+  c.bodies.reserve(std::min(movers, 2 * (c.meetings.size() + c.links.size())));
+  for (const std::uint32_t i : c.bodies) c.is_bound[i] = 0;
+  c.bodies.clear();
+  const auto see = [&](bool moves, std::uint32_t i) {
+    if (!moves || c.is_bound[i] || world.sleep->sleeps(i)) return;
+    c.is_bound[i] = 1;
+    c.bodies.push_back(i);
+  };
+  for (const auto& both : c.meetings) see(both.moves_a, both.a), see(both.moves_b, both.b);
+  for (const auto& both : c.links) see(both.moves_a, both.a), see(both.moves_b, both.b);
+  constexpr std::size_t kFew = 16;  // of so many that move one is listed: sorting them is cheaper than a look at all
+  if (kFew * c.bodies.size() < movers) {
+    std::sort(c.bodies.begin(), c.bodies.end());
+    return;
+  }
+  c.bodies.clear();
+  each_of_both(plan.linear, plan.rotating, [&](std::uint32_t i) {
+    if (c.is_bound[i]) c.bodies.push_back(i);
+  });
+}
+
+/// Where each body's rows will stand in the list of halves.
 void count_halves(World& world) {
   Contacts& c = *world.contacts;
   const std::size_t slots = world.scene.bodies.slots();
   c.half_begin.resize(slots), c.half_end.resize(slots);
-  const auto each_mover = [&](auto&& f) { each_of_both(world.plan->linear, world.plan->rotating, f); };
-  each_mover([&](std::uint32_t i) { c.half_end[i] = 0; });
+  for (const std::uint32_t i : c.bodies) c.half_end[i] = 0;
   for (const Meeting& m : c.meetings) {
     if (m.moves_a) c.half_end[m.a] += m.count;
     if (m.moves_b) c.half_end[m.b] += m.count;
   }
-  c.bodies.clear();
-  const Array<std::uint8_t>& linked = world.wide_joints->linked;
-  const bool jointed = !linked.empty();
   std::uint32_t begin = 0;
-  each_mover([&](std::uint32_t i) {
-    if (c.half_end[i] > 0 || (jointed && linked[i])) c.bodies.push_back(i);
+  for (const std::uint32_t i : c.bodies) {
     c.half_begin[i] = begin;
     c.half_end[i] = begin += c.half_end[i];
-  });
+  }
   c.half.resize(begin);
 }
 
@@ -272,8 +295,7 @@ void build_rows(World& world, Real h) {
   Contacts& c = *world.contacts;
   const std::size_t slots = world.scene.bodies.slots();
   c.bouncing.clear(), c.impacts.clear();
-  const auto untouch = [&](std::uint32_t i) { world.plan->touched[i] = 0; };
-  world.plan->linear.each(untouch), world.plan->rotating.each(untouch);
+  for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;  // of the last step
   const bool warm = world.scene.dials.choice(Dial::warm_start) != 0 && c.old_h > 0;
   const Real scale = warm ? h / c.old_h : 0;
   fill_all_rows(world, scale);
@@ -289,6 +311,7 @@ void build_rows(World& world, Real h) {
   world.report.contact_points = n;
   list_meetings(world.pairs, c);
   link_joints(world);
+  list_bodies(world);
   count_halves(world);
   c.inv_inertia_w.resize(slots);
   c.last_impact.resize(slots);
@@ -298,8 +321,7 @@ void build_rows(World& world, Real h) {
   world.contact_views.reserve(n);
   const auto rubs = [](const Row& r) { return r.friction > 0; };
   Array<PlannedEffect>& effects = world.plan->effects;
-  effects[kFrictionRow].customers.count =
-      static_cast<std::uint64_t>(std::count_if(c.rows.begin(), c.rows.end(), rubs));
+  effects[kFrictionRow].customers.count = static_cast<std::uint64_t>(std::count_if(c.rows.begin(), c.rows.end(), rubs));
   effects[kRestitutionRow].customers.count = c.bouncing.size();
   effects[kResponseRow].customers.count = c.meetings.size();
 }

@@ -166,6 +166,7 @@ struct Contacts {
         shift(m),
         turn(m),
         bodies(m),
+        is_bound(m),
         bouncing(m),
         impacts(m),
         last_impact(m),
@@ -200,11 +201,12 @@ struct Contacts {
 
   // by body slot
   Array<HalfContact> half;                    // grouped by body
-  Array<std::uint32_t> half_begin, half_end;  // by body that may move in this step: its part of half
+  Array<std::uint32_t> half_begin, half_end;  // by body that rows move: its part of half
   Array<Mat3> inv_inertia_w;                  // 1/(kg m^2), world axes, of this substep; zero if it does not rotate
   Array<Vec3> shift, turn;                    // m, rad: corrections of the pose not yet applied
 
   Array<std::uint32_t> bodies;    // slots that have rows or joints and are moved by them, ascending
+  Array<std::uint8_t> is_bound;   // by slot: it is one of them
   Array<std::uint32_t> bouncing;  // rows with a restitution, ascending
   Array<Impact> impacts;          // of each of them
   Array<Real> last_impact;        // s, by body slot, since the substep began: scratch

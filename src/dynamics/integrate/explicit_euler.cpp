@@ -21,6 +21,6 @@ void velocity(World& world, Real h) {
 
 }  // namespace
 
-const Integrator kExplicitEuler = {"explicit_euler", true, false, 1.5, 0, 0, velocity};
+const Integrator kExplicitEuler = {"explicit_euler", true, false, false, 1.5, 0, 0, velocity};
 
 }  // namespace carom

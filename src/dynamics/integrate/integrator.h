@@ -31,10 +31,11 @@ namespace carom {
 
 struct Integrator {
   const char* name;
-  bool proposes;        // fills plan.proposal for every dynamic body
-  bool forces_only;     // evaluates at intermediate states, so effects must be forces rather than flows
-  Real lag;             // substeps from the start of a substep to the moment whose velocity is stored after it
-  std::size_t vectors;  // scratch it wants: Vec3 arrays and Quat arrays of one element per body slot
+  bool proposes;         // fills plan.proposal for every dynamic body
+  bool forces_only;      // evaluates at intermediate states, so effects must be forces rather than flows
+  bool exact_in_flight;  // where accelerations are constant, h is no approximation
+  Real lag;              // substeps from the start of a substep to the moment whose velocity is stored after it
+  std::size_t vectors;   // scratch it wants: Vec3 arrays and Quat arrays of one element per body slot
   std::size_t rotations;
   void (*velocity)(World& world, Real h);
 };

@@ -85,6 +85,6 @@ void velocity(World& world, Real h) {
 
 }  // namespace
 
-const Integrator kRungeKutta4 = {"rk4", true, true, 1, Scratch::kVectors, Scratch::kRotations, velocity};
+const Integrator kRungeKutta4 = {"rk4", true, true, false, 1, Scratch::kVectors, Scratch::kRotations, velocity};
 
 }  // namespace carom

@@ -14,6 +14,6 @@ void velocity(World& world, Real h) {
 
 }  // namespace
 
-const Integrator kSemiImplicitEuler = {"semi_implicit_euler", false, false, 0.5, 0, 0, velocity};
+const Integrator kSemiImplicitEuler = {"semi_implicit_euler", false, false, false, 0.5, 0, 0, velocity};
 
 }  // namespace carom

@@ -35,6 +35,6 @@ void velocity(World& world, Real h) {
 
 }  // namespace
 
-const Integrator kVelocityVerlet = {"velocity_verlet", true, false, 1, 0, 0, velocity};
+const Integrator kVelocityVerlet = {"velocity_verlet", true, false, true, 1, 0, 0, velocity};
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "dynamics/force/force.h"
+#include "dynamics/integrate/integrator.h"
 #include "dynamics/quarantine.h"
 
 namespace carom {
@@ -34,9 +35,15 @@ struct BlockRange {
       : begin(block * kParticleBlock), end(std::min(begin + kParticleBlock, set.size())) {}
 };
 
+enum : std::uint32_t { kRungeKutta = 2, kVelocityVerletChoice = 3 };  // as CAROM_INTEGRATOR_*
+
+/// As bodies do (integrate/free_flight.h): where nothing but gravity acts, one substep is as good as many.
+int substeps_of(const World& world, const ParticleDef& def) {
+  return world.plan->integrator->exact_in_flight && def.linear_damping == 0 ? 1 : world.plan->substeps;
+}
+
 /// What a set does in a substep, by axis.
 std::array<Flight, 3> plan_flight(const Scene& scene, const ParticleDef& def, const StepTime& time, int substeps) {
-  enum : std::uint32_t { kRungeKutta = 2, kVelocityVerletChoice = 3 };  // as CAROM_INTEGRATOR_*
   const std::uint32_t integrator = scene.dials.choice(Dial::integrator);
   const Real c = def.linear_damping;
   const bool as_force = integrator == kRungeKutta && c * time.dt <= substeps;  // as refresh() decides for bodies
@@ -50,7 +57,9 @@ std::array<Flight, 3> plan_flight(const Scene& scene, const ParticleDef& def, co
 
 constexpr std::size_t kBlocksAPart = 4;  // some microseconds
 
-bool inside(Real x2, Real v2) { return x2 <= kMaxPosition * kMaxPosition && v2 <= kMaxSpeed * kMaxSpeed; }  // NaN is not
+bool inside(Real x2, Real v2) {
+  return x2 <= kMaxPosition * kMaxPosition && v2 <= kMaxSpeed * kMaxSpeed;
+}  // NaN is not
 
 /// Hold those of a block who left the world, at its edge if they went beyond. @return the first, or the block's end
 std::size_t hold_strays(Particles& particles, std::uint32_t s, std::size_t block) {
@@ -93,13 +102,13 @@ void judge(World& world, std::uint32_t s) {
 void fly(World& world, const StepTime& time) {
   Particles& particles = world.particles;
   if (particles.count() == 0 || world.scene.modes.forbids(kParticlesRow)) return;
-  const int substeps = world.plan->substeps;
   const std::uint32_t integrator = world.scene.dials.choice(Dial::integrator);
   PlannedEffect& row = world.plan->effects[kParticlesRow];
-  row.evaluations += row.customers.count * static_cast<std::uint64_t>(substeps);
   for (std::uint32_t s = 0; s < particles.set.size(); ++s) {
     ParticleSet& set = particles.set[s];
-    const std::array<Flight, 3> flight = plan_flight(world.scene, set.def, time, substeps);
+    const int substeps = substeps_of(world, set.def);
+    const std::array<Flight, 3> flight = plan_flight(world.scene, set.def, {time.dt, time.dt / substeps}, substeps);
+    row.evaluations += (set.size() - set.held_count) * static_cast<std::uint64_t>(substeps);
     const bool alike = set.mass.empty();
     const FlyRun fly_run = (alike ? particles.kernels->alike : particles.kernels->weighed)[integrator];
     in_parallel(world.jobs, set.sums.size(), kBlocksAPart, [&](std::uint32_t b) {

@@ -1,0 +1,46 @@
+#include "dynamics/customers.h"
+
+namespace carom {
+namespace {
+
+void add_run(Customers& to, std::uint32_t begin, std::uint32_t end) {  // ascending
+  if (begin == end) return;
+  if (!to.runs.empty() && to.runs.back().end == begin)
+    to.runs.back().end = end;
+  else
+    to.runs.push_back({begin, end});
+  to.count += end - begin;
+}
+
+}  // namespace
+
+void unite(const Customers& one, const Customers& other, Customers& out) {
+  out.clear();
+  const Customers::Run *a = one.runs.data(), *b = other.runs.data();
+  const Customers::Run *const a_end = a + one.runs.size(), *const b_end = b + other.runs.size();
+  std::uint32_t done = 0;  // all slots below it are listed, or in neither
+  while (a < a_end || b < b_end) {
+    const Customers::Run& next = b == b_end || (a < a_end && a->begin < b->begin) ? *a++ : *b++;
+    const std::uint32_t begin = std::max(next.begin, done);
+    if (next.end <= begin) continue;
+    add_run(out, begin, next.end);
+    done = next.end;
+  }
+}
+
+void take_out(const Customers& from, const Customers& those, Customers& out) {
+  out.clear();
+  const Customers::Run* hole = those.runs.data();
+  const Customers::Run* const end = hole + those.runs.size();
+  for (const Customers::Run& run : from.runs) {
+    std::uint32_t at = run.begin;
+    while (hole < end && hole->end <= at) ++hole;
+    for (const Customers::Run* h = hole; h < end && h->begin < run.end; ++h) {
+      if (h->begin > at) add_run(out, at, h->begin);
+      at = std::max(at, h->end);
+    }
+    if (at < run.end) add_run(out, at, run.end);
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,69 @@
+// Who is served: body slots as lists of runs, and what can be done with them at the cost of their runs.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/jobs.h"
+#include "core/memory.h"
+
+namespace carom {
+
+/// Body slots as ascending runs [begin, end), so that loops over many neighbours are dense.
+struct Customers {
+  struct Run {
+    std::uint32_t begin, end;
+  };
+  explicit Customers(Memory* m) : runs(m) {}
+
+  Array<Run> runs;
+  std::uint64_t count = 0;
+
+  void clear() { runs.clear(), count = 0; }
+  void add(std::uint32_t slot) {  // ascending
+    if (!runs.empty() && runs.back().end == slot)
+      ++runs.back().end;
+    else
+      runs.push_back({slot, slot + 1});
+    ++count;
+  }
+  bool has(std::uint32_t slot) const {
+    const auto r = std::partition_point(runs.begin(), runs.end(), [slot](const Run& run) { return run.end <= slot; });
+    return r != runs.end() && r->begin <= slot;
+  }
+  template <class F>
+  void each(F&& f) const {
+    for (const Run& r : runs)
+      for (std::uint32_t i = r.begin; i < r.end; ++i) f(i);
+  }
+  /// Likewise, shared by threads: f(i) writes nothing that f of another slot reads or writes.
+  template <class F>
+  void each(Jobs* jobs, F&& f) const {
+    if (runs.empty()) return;
+    const std::uint32_t first = runs.front().begin;
+    in_parts(jobs, runs.back().end - first, kSlotsAPart, [&](std::uint32_t begin, std::uint32_t end) {
+      const std::uint32_t from = first + begin, to = first + end;
+      auto r = std::partition_point(runs.begin(), runs.end(), [&](const Run& run) { return run.end <= from; });
+      for (; r != runs.end() && r->begin < to; ++r)
+        for (std::uint32_t i = std::max(r->begin, from); i < std::min(r->end, to); ++i) f(i);
+    });
+  }
+  static constexpr std::size_t kSlotsAPart = 128;  // some microseconds of a loop
+};
+
+/// Call f(slot) for who is in either of two lists that share nobody, ascending.
+template <class F>
+void each_of_both(const Customers& one, const Customers& other, F&& f) {
+  const Customers::Run *a = one.runs.data(), *b = other.runs.data();
+  const Customers::Run *const a_end = a + one.runs.size(), *const b_end = b + other.runs.size();
+  while (a < a_end || b < b_end) {
+    const Customers::Run& next = b == b_end || (a < a_end && a->begin < b->begin) ? *a++ : *b++;
+    for (std::uint32_t i = next.begin; i < next.end; ++i) f(i);
+  }
+}
+
+/// Who is in either list; in the first but not in the second. `out` is neither of them; it is written anew.
+void unite(const Customers& one, const Customers& other, Customers& out);
+void take_out(const Customers& from, const Customers& those, Customers& out);
+
+}  // namespace carom

@@ -1,0 +1,37 @@
+// Free flight: bodies on which in this step nothing acts but what is constant (gravity, the host's force).
+//
+// Substeps serve what is not: contacts, joints, forces that depend on where a body is or how fast. Whose acceleration
+// is constant, and whose rotation keeps its omega, ends a step where it ends after any number of substeps. So the
+// substeps are left to the others (who is `bound`: by a row of the solver, or as a customer of another effect that
+// moves it), and those in flight take the step in one go, after them. One joint among 10,000 bodies that fly then costs
+// what it costs alone, and what hangs on it does not change the bits of those that do not.
+//
+// Where somebody is swept (ccd/continuous.h), nobody flies: a sweep asks where others are within the step.
+//
+// @oracle  tests/unit/dynamics/test_free_flight, tests/effects/test_instructions
+#pragma once
+
+#include "dynamics/effects.h"
+
+namespace carom {
+
+struct FreeFlight {
+  explicit FreeFlight(Memory* m);
+
+  /// Lists of a plan, of part of the bodies; and while the plan has that part in them, of all.
+  struct Part {
+    explicit Part(Memory* m);
+    Customers linear, rotating;
+    Array<Customers> of_row;  // by row of the table, of those that move bodies
+  };
+  Part bound, flying;
+  Customers kinematic, springs;  // of those in flight: nobody
+  Customers tied, more;          // scratch: who is bound
+  bool any = false;              // somebody flies in this step
+};
+
+/// Stage functions of the page. Between them the plan lists the bound bodies alone. The first one allocates.
+void part_with_flyers(World& world, const StepTime& time);
+void fly_free(World& world, const StepTime& time);
+
+}  // namespace carom
