@@ -28,7 +28,7 @@ extern "C" {
 #endif
 
 #define CAROM_VERSION_MAJOR 1u
-#define CAROM_VERSION_MINOR 7u
+#define CAROM_VERSION_MINOR 8u
 #define CAROM_VERSION_PATCH 0u
 
 /* ---- results: each has a name and a remedy, see carom_result_name() and carom_result_remedy() ---- */
@@ -96,6 +96,17 @@ CAROM_API const char *carom_result_name(int32_t result);
 
 /** What to do about a result code, in one sentence. Static storage.   @thread any */
 CAROM_API const char *carom_result_remedy(int32_t result);
+
+/** The layout of every struct of this interface, as the compiler that built this library has it: for a binding, which
+ *  compares it with its own when it is loaded. Lines of four words, ending in '\n'; first "carom" and the version:
+ *      carom 1.8.0
+ *      carom_error 0 576 struct              name, offset, size in bytes, kind
+ *      carom_error.struct_size 0 4 u32
+ *      carom_error.witness_dir 16 24 f64[3]
+ *  Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array. Newer
+ *  libraries have more lines, and a struct that no *_init() fills may be larger; a field stays as it is.
+ *  Static storage.   @thread any   @since 1.8 */
+CAROM_API const char *carom_abi_manifest(void);
 
 #ifdef __cplusplus
 }

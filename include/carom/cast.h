@@ -77,9 +77,9 @@ typedef struct carom_overlap {
   uint32_t reserved;
 } carom_overlap;
 
-/** @status OK; NULL_ARGUMENT */
+/** @status OK; NULL_ARGUMENT   @since 1.1 */
 CAROM_API int32_t carom_cast_desc_init(carom_cast_desc *desc);
-/** @status OK; NULL_ARGUMENT */
+/** @status OK; NULL_ARGUMENT   @since 1.1 */
 CAROM_API int32_t carom_motion_init(carom_motion *motion);
 
 /** Cast the ray origin + t direction, 0 <= t <= max, against a shape.

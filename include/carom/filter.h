@@ -25,7 +25,7 @@ CAROM_API int32_t carom_collider_set_filter(carom_world *world, carom_collider c
 /** @param category, mask, group  out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.5 */
 CAROM_API int32_t carom_collider_get_filter(carom_world *world, carom_collider collider, uint64_t *category, uint64_t *mask,
                                             int32_t *group, carom_error *error);
-/** The same for all colliders that a body has now.   @since 1.5 */
+/** The same for all colliders that a body has now.   @status as carom_collider_set_filter()   @since 1.5 */
 CAROM_API int32_t carom_body_set_filter(carom_world *world, carom_body body, uint64_t category, uint64_t mask,
                                         int32_t group, carom_error *error);
 

@@ -6,6 +6,14 @@ function(carom_script_test name)
 endfunction()
 
 carom_script_test(headers)
+# What bindings/gen writes from the headers is as committed. Debian's Python, where there is one: its packages are the set-up's.
+find_program(CAROM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
+find_program(CAROM_PYTHON python3 REQUIRED)
+add_test(NAME abi/api_fresh COMMAND ${CAROM_PYTHON} ${PROJECT_SOURCE_DIR}/bindings/gen/generate --check)
+add_test(NAME abi/api_reader COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/bindings/test_reader.py -q)
+add_test(NAME abi/api_signatures COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/bindings/check_signatures.py
+  ${PROJECT_SOURCE_DIR} ${CMAKE_C_COMPILER} $<TARGET_FILE:carom>)
+set_tests_properties(abi/api_fresh abi/api_reader abi/api_signatures PROPERTIES TIMEOUT 60 LABELS abi)
 carom_script_test(symbols -DLIBRARY=$<TARGET_FILE:carom> -DSANITIZE=${CAROM_SANITIZE})
 carom_script_test(arrows)
 if(EXISTS ${PROJECT_SOURCE_DIR}/README.md)
@@ -42,6 +50,7 @@ get_property(house_plugins DIRECTORY ${PROJECT_SOURCE_DIR}/plugins PROPERTY BUIL
 add_dependencies(test_abi_plugins ${liar_targets} ${house_plugins})
 target_link_libraries(test_abi_plugins PRIVATE m)
 target_link_libraries(test_abi_cast PRIVATE m)
+target_link_libraries(test_abi_manifest PRIVATE nlohmann_json::nlohmann_json)
 target_compile_definitions(test_abi_ffi PRIVATE CAROM_LIBRARY="$<TARGET_FILE:carom>")
 find_package(Threads REQUIRED)
 foreach(name threads busy_reentrant jobs)

@@ -1,0 +1,31 @@
+"""What is written from the headers' data: one function a file, each gives the file's whole text."""
+import json
+
+BY = "Written by bindings/gen/generate from include/carom; do not edit."
+
+
+def api_json(api):
+    """One line for each constant, field, argument: a change of a header is as small here."""
+    def text(value, indent, leaf):
+        if isinstance(value, dict) and not leaf:
+            inside = [f"{indent} {json.dumps(key)}: {text(item, indent + ' ', False)}" for key, item in value.items()]
+            return "{\n" + ",\n".join(inside) + f"\n{indent}}}"
+        if isinstance(value, list) and value and isinstance(value[0], dict):
+            flat = not any(isinstance(item, list) for item in value[0].values())
+            return "[\n" + ",\n".join(f"{indent} {text(item, indent + ' ', flat)}" for item in value) + f"\n{indent}]"
+        return json.dumps(value, ensure_ascii=False)
+    return text(api, "", False) + "\n"
+
+
+def manifest_rows(api):
+    lines = [f"// Rows of the layout manifest, see manifest.cpp. {BY}"]
+    for struct in api["structs"]:
+        lines.append(f"CAROM_STRUCT({struct['name']})")
+        lines += [f"CAROM_FIELD({struct['name']}, {field['name']})" for field in struct["fields"]]
+    return "\n".join(lines) + "\n"
+
+
+FILES = {
+    "bindings/api.json": api_json,
+    "src/abi/manifest_rows.inc": manifest_rows,
+}
