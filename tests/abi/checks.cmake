@@ -16,6 +16,26 @@ add_test(NAME abi/api_signatures COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_
 set_tests_properties(abi/api_fresh abi/api_reader abi/api_signatures PROPERTIES TIMEOUT 60 LABELS abi)
 carom_script_test(symbols -DLIBRARY=$<TARGET_FILE:carom> -DSANITIZE=${CAROM_SANITIZE})
 carom_script_test(arrows)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CAROM_SANITIZE)  # stubs are stubs, sanitized or not: gate/README.md
+  carom_script_test(gate -DLIBRARY=$<TARGET_FILE:carom> -DC_COMPILER=${CMAKE_C_COMPILER})
+  carom_script_test(gate_mutants -DC_COMPILER=${CMAKE_C_COMPILER})
+  carom_script_test(old_library -DC_COMPILER=${CMAKE_C_COMPILER})
+  add_custom_target(freeze_abi COMMAND ${CMAKE_COMMAND} -DFREEZE=ON -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
+    -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/gate -DC_COMPILER=${CMAKE_C_COMPILER}
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/abi/check_gate.cmake VERBATIM)
+endif()
+
+# Clients of every version so far, with the declarations of their time: they see nothing of include/.
+file(GLOB kept_clients CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/abi/client/v1_*.c)
+foreach(source ${kept_clients})
+  get_filename_component(name ${source} NAME_WE)
+  add_executable(client_${name} ${source})
+  target_link_libraries(client_${name} PRIVATE carom_flags $<TARGET_FILE:carom> m)
+  set_target_properties(client_${name} PROPERTIES BUILD_RPATH $<TARGET_FILE_DIR:carom>)
+  add_dependencies(client_${name} carom)
+  add_test(NAME abi/client_${name} COMMAND client_${name})
+  set_tests_properties(abi/client_${name} PROPERTIES TIMEOUT 300 LABELS abi)
+endforeach()
 if(EXISTS ${PROJECT_SOURCE_DIR}/README.md)
   carom_script_test(readme_paths)
 endif()

@@ -1,0 +1,32 @@
+# Today's headers and library against the frozen baseline (gate/README.md). -DFREEZE=ON writes the baseline anew.
+cmake_minimum_required(VERSION 3.25)  # IN_LIST
+include(${SOURCE_DIR}/tests/abi/gate/stub.cmake)
+include(${SOURCE_DIR}/tests/abi/gate/judge.cmake)
+set(headers ${SOURCE_DIR}/include)
+set(baseline ${SOURCE_DIR}/tests/abi/gate/baseline)
+build_stub(${headers} ${SOURCE_DIR}/src/abi/carom.map ${SCRATCH}/stub)
+set(stub ${SCRATCH}/stub/libcarom.so.1)
+symbols_of(${stub} symbols)
+
+if(FREEZE)
+  constants_of(${headers} constants)
+  foreach(kind symbols constants)
+    string(REPLACE ";" "\n" text "${${kind}}")
+    file(WRITE ${baseline}/${kind}.txt "${text}\n")
+  endforeach()
+  types_of(${stub} ${baseline}/carom.abi)
+  message(STATUS "frozen: look at what git says has changed in ${baseline}")
+  return()
+endif()
+
+# What is judged below are the stubs: the library has the same symbols in the same nodes.
+symbols_of(${LIBRARY} real)
+if(NOT real STREQUAL symbols)
+  message(FATAL_ERROR "the library exports other symbols than its headers and map say:\n${real}\n${symbols}")
+endif()
+judge(${baseline} ${headers} ${stub} ${SCRATCH} complaint)
+if(complaint)
+  message(FATAL_ERROR "old clients break: ${complaint}")
+endif()
+list(LENGTH symbols count)
+message(STATUS "${count} symbols, as they were")
