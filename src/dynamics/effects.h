@@ -100,6 +100,7 @@ struct Plan {
   Array<PlannedEffect> effects;          // every row of the table, in its order; idle rows have no customers
   Customers linear, rotating;            // dynamic bodies that move: without and with rotation
   Customers kinematic;                   // moved by their velocity
+  Customers solid;                       // dynamic bodies that have a collider
   Customers oriented;                    // those that rotate and have a collider or a joint
   Array<std::uint32_t> colliders;        // active colliders whose body can move
   Array<Frame> local;                    // by collider: shape -> body axes, about the centre of mass

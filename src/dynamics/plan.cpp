@@ -79,13 +79,16 @@ void plan_bodies(World& world, Plan& plan) {
   plan.scratch_rotations.resize(plan.integrator->rotations * slots, Quat::Identity());
 }
 
-/// Whose axes a step needs in the world's.
-void plan_oriented(World& world, Plan& plan) {
-  plan.oriented.clear();
+/// Who can be touched, and whose axes a step needs in the world's.
+void plan_solid(World& world, Plan& plan) {
+  plan.solid.clear(), plan.oriented.clear();
+  const auto wears = [&](std::uint32_t i) { return world.scene.first_collider[i] != Colliders::kNone; };
+  each_of_both(plan.linear, plan.rotating, [&](std::uint32_t i) {
+    if (wears(i)) plan.solid.add(i);
+  });
   const Array<std::uint8_t>& linked = world.wide_joints->linked;
   plan.rotating.each([&](std::uint32_t i) {
-    const bool wears = world.scene.first_collider[i] != Colliders::kNone;
-    if (wears || (!linked.empty() && linked[i])) plan.oriented.add(i);
+    if (wears(i) || (!linked.empty() && linked[i])) plan.oriented.add(i);
   });
 }
 
@@ -162,6 +165,7 @@ Plan::Plan(Memory* m)
       linear(m),
       rotating(m),
       kinematic(m),
+      solid(m),
       oriented(m),
       colliders(m),
       local(m),
@@ -203,7 +207,7 @@ void plan_stages(World& world, Plan& plan) {
   const bool joints = world.wide_joints->any();
   plan.effects[kJointsRow].customers.count = world.wide_joints->active.size();
   on(Stage::refresh) = on(Stage::observe) = true;
-  plan_oriented(world, plan);
+  plan_solid(world, plan);
   plan_particles(world, plan);
   on(Stage::broad) = on(Stage::narrow) = pairs || (joints && !c.live.empty());  // rows are made of the pairs there are
   on(Stage::group) = on(Stage::solve) = pairs || joints;

@@ -45,7 +45,7 @@ struct Stage0 {
   std::uint64_t evaluations(std::size_t row) const { return t.world.plan->effects[row].evaluations; }
 
   TestWorld t;
-  std::uint32_t one, other = kTheWorld, other_floor = 0;
+  std::uint32_t one, other = kTheWorld, other_floor = kTheWorld;
   const Shape* ball = nullptr;
   Handle thing = 0;
 };
@@ -83,7 +83,7 @@ inline std::vector<Subject> subjects() {
   spinning.friction = 0, spinning.spinning = 0.1;
   const auto set_drag = [](Stage0& s) { s.t.world.set_drag(s.one, {0.1, 0.1}); };
   const auto unset_drag = [](Stage0& s) { s.t.world.set_drag(s.one, {}); };
-  const auto damp = [](Real BodyDef::* which, Real rate) {
+  const auto damp = [](Real BodyDef::*which, Real rate) {
     return [=](Stage0& s) { s.t.world.scene.def[s.one].*which = rate, ++s.t.world.scene.revision; };
   };
   const auto drive = [hinge](Stage0& s, bool limit) {
@@ -113,7 +113,7 @@ inline std::vector<Subject> subjects() {
          s.touching();
          s.other_floor = s.t.add(s.t.keep(mesh(box_surface(Vec3(5, 1, 5)))), Vec3(0, -20, 0), BodyType::fixed);
        },
-       [](Stage0& s) { s.t.world.remove_body(s.other_floor); }, false},
+       [](Stage0& s) { s.t.world.remove_body(s.other_floor); }, false, true},
       {kGravityRow,
        [](Stage0& s) {
          for (std::uint32_t i = 0; i < s.t.world.scene.bodies.slots(); ++i)
@@ -151,7 +151,7 @@ inline std::vector<Subject> subjects() {
          s.touching();
          s.t.world.set_continuous(s.one, SweepMode::always);
        },
-       [](Stage0& s) { s.t.world.set_continuous(s.one, SweepMode::automatic); }, false},
+       [](Stage0& s) { s.t.world.set_continuous(s.one, SweepMode::automatic); }, false, true},
       {kCollisionRow, touch_with(smooth), part, false, true},
       {kResponseRow, touch_with(smooth), part, false, true},
       {kFrictionRow, [](Stage0& s) { s.touching(); }, part, false, true},
@@ -171,13 +171,13 @@ inline std::vector<Subject> subjects() {
          f.category = 2;
          s.t.world.set_filter(s.t.world.scene.first_collider[s.one], f);
        },
-       [](Stage0& s) { s.t.world.set_filter(s.t.world.scene.first_collider[s.one], Filter()); }, false},
+       [](Stage0& s) { s.t.world.set_filter(s.t.world.scene.first_collider[s.one], Filter()); }, false, true},
       {kSensorRow,
        [](Stage0& s) {
          s.touching();
          s.t.world.set_sensor(s.t.world.scene.first_collider[s.one], true);
        },
-       [](Stage0& s) { s.t.world.set_sensor(s.t.world.scene.first_collider[s.one], false); }, false},
+       [](Stage0& s) { s.t.world.set_sensor(s.t.world.scene.first_collider[s.one], false); }, false, true},
       {kJointsRow, hinge, unhinge, false, true},
       {kLimitsRow, [drive](Stage0& s) { drive(s, true); }, unhinge, false, true},
       {kMotorsRow, [drive](Stage0& s) { drive(s, false); }, unhinge, false, true},
@@ -187,9 +187,9 @@ inline std::vector<Subject> subjects() {
          s.thing = s.t.world.particles.create({}, 1);
          s.t.world.particles.extend(handle_slot(s.thing), 1);
        },
-       [](Stage0& s) { s.t.world.particles.destroy(handle_slot(s.thing)); }, false},
+       [](Stage0& s) { s.t.world.particles.destroy(handle_slot(s.thing)); }, false, true},
       {kEventsRow, [](Stage0& s) { collect(s.t.world, Events::contact, 1); },
-       [](Stage0& s) { collect(s.t.world, 0, 1); }, false},
+       [](Stage0& s) { collect(s.t.world, 0, 1); }, false, true},
       {kLedgerRow, [](Stage0& s) { s.t.world.keep_ledger(true); }, [](Stage0& s) { s.t.world.keep_ledger(false); },
        false},
       {kSleepRow, [](Stage0& s) { s.t.world.set_dial(Dial::sleep, 1); },

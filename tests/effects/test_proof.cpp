@@ -30,7 +30,7 @@ std::uint64_t bits_of_crowd(const Stage0& s) {
   Hash h;
   const State& st = s.t.world.state;
   for (std::uint32_t i = 0; i < st.x.size(); ++i)
-    if (i != s.one && i != s.other) {
+    if (i != s.one && i != s.other && i != s.other_floor) {
       for (int k = 0; k < 3; ++k) h.add(st.x[i][k]), h.add(st.v[i][k]);
     }
   return h.value();

@@ -33,6 +33,7 @@ void find_bound(World& world, FreeFlight& flight) {
     std::swap(flight.tied, flight.more);
   };
   tie(plan.sprung);
+  if (!world.continuous->bodies.empty()) tie(plan.solid);
   each_mover_of_bodies(plan, [&](std::size_t row, const PlannedEffect& effect) {
     if (!is_constant(row)) tie(effect.is_forced ? effect.calling : effect.customers);
   });
@@ -68,7 +69,7 @@ FreeFlight::FreeFlight(Memory* m) : bound(m), flying(m), kinematic(m), springs(m
 
 void part_with_flyers(World& world, const StepTime&) {
   Plan& plan = *world.plan;
-  if (plan.substeps == 1 || !plan.integrator->exact_in_flight || !world.continuous->bodies.empty()) return;
+  if (plan.substeps == 1 || !plan.integrator->exact_in_flight) return;
   if (!plan.flight) plan.flight = make_owned<FreeFlight>(world.memory, world.memory);
   FreeFlight& f = *plan.flight;
   find_bound(world, f);

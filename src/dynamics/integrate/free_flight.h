@@ -6,7 +6,8 @@
 // moves it), and those in flight take the step in one go, after them. One joint among 10,000 bodies that fly then costs
 // what it costs alone, and what hangs on it does not change the bits of those that do not.
 //
-// Where somebody is swept (ccd/continuous.h), nobody flies: a sweep asks where others are within the step.
+// Where somebody is swept (ccd/continuous.h), who has a collider is bound: a sweep asks where others are within the step,
+// and what it strikes may go on and meet anybody.
 //
 // @oracle  tests/unit/dynamics/test_free_flight, tests/effects/test_instructions
 #pragma once
