@@ -79,7 +79,7 @@ void write_picture(const std::string& path, const Scene& scene, Stage& stage, do
 
 void run_scene(const Options& options, Context& context) {
   const SceneChoice& choice = options.choice;
-  const Scene& scene = find_scene(choice.scene);
+  const Scene& scene = chosen_scene(choice.scene);
   const double seconds = choice.seconds.value_or(scene.seconds), dt = choice.dt.value_or(scene.dt);
   Engine engine(context.plugins());
   engine.set_threads(choice.threads);
@@ -88,8 +88,8 @@ void run_scene(const Options& options, Context& context) {
   stage.world.time_effects(options.plan);
   if (!(options.fps > 0 && options.fps <= 1e4))
     throw Error("--fps is out of range", "give frames per second, more than 0 and at most 10000");
-  for (const std::string& path : {options.gltf, options.csv, options.csv_steps, options.filmstrip, options.svg,
-                                  options.ledger_svg})
+  for (const std::string& path :
+       {options.gltf, options.csv, options.csv_steps, options.filmstrip, options.svg, options.ledger_svg})
     make_folder_of(path);
   // Files first: better to hear now than after the run that a folder does not exist.
   std::optional<StepTable> step_table;
