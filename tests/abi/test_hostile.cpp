@@ -165,7 +165,7 @@ void try_one(Stages& s, const Row& row, std::size_t at, std::size_t way, Tally& 
       if (call.arguments[i].out && std::string(static_cast<const char*>(call.arguments[i].out), call.arguments[i].out_size) != outs[i] &&
           r != CAROM_E_PLUGIN_DISHONEST && r != CAROM_E_BUFFER_TOO_SMALL)
         complain("a call that failed has written an output");
-    const bool tells = values.back().p == &c.error;
+    const bool tells = !values.empty() && values.back().p == &c.error;
     if (tells) {
       const int32_t named = wrong ? wrong->argument >= 0 ? wrong->argument : static_cast<int32_t>(at) + 1 : c.error.argument;
       if (c.error.code != r) complain("the error has another code");

@@ -61,6 +61,7 @@ struct Context {
   Source& source;
   std::vector<std::unique_ptr<char[]>> blocks;
   carom_error error;
+  bool wants_wrong = true;  // else only what is good is made up, which is quick
 
   Context(Stage& s, Stage& o, Stage& w, Source& c) : own(s), other(o), second(w), source(c) {}
   /// Exactly so many bytes, so that an address sanitizer sees one too many.
@@ -84,6 +85,7 @@ inline Argument engine(Context& c) { return {of(static_cast<const void*>(c.own.e
 
 inline std::vector<Wrong> wrong_handles(Context& c, Kind kind, bool may_be_null) {
   std::vector<Wrong> wrong;
+  if (!c.wants_wrong) return wrong;
   if (!may_be_null) wrong.push_back({"null handle", of(uint64_t(0)), kInvalid});
   wrong.push_back({"never issued", of(uint64_t(0x0123456789abcdef)), kInvalid});
   wrong.push_back({"all bits", of(~uint64_t(0)), kInvalid});
@@ -165,6 +167,7 @@ inline Argument vector(Context& c, int n, Bounds b) {
   auto* good = static_cast<double*>(c.take(sizeof(double) * static_cast<std::size_t>(n)));
   for (int i = 0; i < n; ++i) good[i] = c.between(b.usual_low, b.usual_high);
   a.good = of(good);
+  if (!c.wants_wrong) return a;
   a.wrong.push_back({"null", of(nullptr), kNull});
   for (int i = 0; i < n; ++i)
     for (const auto& [x, codes] : wrong_numbers(b)) {
@@ -204,6 +207,7 @@ inline Argument unit(Context& c, int n) {
   auto* good = static_cast<double*>(c.take(sizeof(double) * static_cast<std::size_t>(n)));
   turn(c, n, good);
   a.good = of(good);
+  if (!c.wants_wrong) return a;
   a.wrong.push_back({"null", of(nullptr), kNull});
   for (const auto& [bad, codes] : wrong_turns(good, n))
     a.wrong.push_back({"not of unit length", of(std::memcpy(c.take(sizeof(double) * static_cast<std::size_t>(n)), bad.data(),
@@ -233,6 +237,7 @@ Argument out_struct(Context& c) {
   auto* p = static_cast<T*>(c.take(sizeof(T), 0x5a));
   p->struct_size = sizeof(T);
   Argument a{of(p), {{"null", of(nullptr), kNull}}, p, sizeof(T)};
+  if (!c.wants_wrong) return a;
   for (const uint32_t size : {0u, 4u, uint32_t(sizeof(T)) - 1, uint32_t(sizeof(T)) + 1, 4104u, 0xFFFFFFF8u}) {
     auto* bad = static_cast<T*>(c.take(sizeof(T), 0x5a));
     bad->struct_size = size;
@@ -296,6 +301,7 @@ template <class T>
 Argument in_struct(Context& c, const T& good, std::initializer_list<Field> fields, bool may_be_null = false) {
   Argument a;
   a.good = of(c.keep(good));
+  if (!c.wants_wrong) return a;
   if (!may_be_null) a.wrong.push_back({"null", of(nullptr), kNull});
   const auto put = [&](std::string what, std::size_t offset, const void* value, std::size_t size, Codes codes) {
     T* bad = c.keep(good);
