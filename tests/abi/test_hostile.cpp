@@ -152,7 +152,9 @@ void try_one(Stages& s, const Row& row, std::size_t at, std::size_t way, Tally& 
     const Digest after(s.own);
     if (call.gone >= 0 || !(after == before)) {
       // It did something: the world steps, and is finite whatever number it was given.
-      if (carom_world_step(s.own.world, 1. / 64, nullptr) != CAROM_OK || !all_finite(s.own.world)) complain("the world is no longer finite");
+      const int32_t steps = carom_world_step(s.own.world, 1. / 64, nullptr);
+      const std::string bad = not_finite(s.own.world);
+      if (steps != CAROM_OK || !bad.empty()) complain(("the world does not go on: " + bad).c_str());
       assert_true(s.again());
     }
   } else {

@@ -116,9 +116,11 @@ class Sequence {
     Codes expected = call.good_codes;
     bool must_fail = false;
     std::string how;
+    std::size_t sinned = SIZE_MAX;
     for (unsigned sin = sins > 4 ? sins == 7 ? 2 : 1 : 0; sin > 0 && !values.empty(); --sin) {
       const std::size_t at = source_.below(static_cast<unsigned>(values.size()));
-      if (call.arguments[at].wrong.empty()) continue;
+      if (call.arguments[at].wrong.empty() || at == sinned) continue;
+      sinned = at;
       const Wrong& w = call.arguments[at].wrong[source_.below(static_cast<unsigned>(call.arguments[at].wrong.size()))];
       values[at] = w.value;
       expected |= w.codes;
@@ -156,7 +158,7 @@ class Sequence {
     if (call.undo) call.undo(values.data());
     if (named(call, "carom_world_step")) {
       ++heard_.steps;
-      if (!all_finite(own.world)) wrong("the world is no longer finite");
+      if (const std::string bad = not_finite(own.world); !bad.empty()) wrong(bad.c_str());
     }
     if (call.made >= 0) born(call, values, own, wrong);
     if (call.gone >= 0) own.dies(call.gone, values[1].u);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <string>
+#include <tuple>
 #include <vector>
 
 namespace hostile {
@@ -281,32 +283,34 @@ class Digest {
   std::vector<char> bytes_;
 };
 
-/// Whether every body's pose and velocity, and every particle's, is finite.
-inline bool all_finite(carom_world* world) {
+/// What of the bodies' and particles' poses and velocities is not finite, in words; empty: nothing.
+inline std::string not_finite(carom_world* world) {
+  const auto find = [](const char* what, const std::vector<double>& values, std::size_t width) -> std::string {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!std::isfinite(values[i]))
+        return std::string(what) + " " + std::to_string(i % width) + " of number " + std::to_string(i / width) + " is not finite";
+    return "";
+  };
   uint64_t n = 0;
-  if (carom_world_get_bodies(world, nullptr, 0, &n, nullptr) != CAROM_OK) return false;
-  std::vector<double> values(7 * n + 1);
-  for (const uint32_t field : {CAROM_FIELD_POSE, CAROM_FIELD_VELOCITY}) {
-    std::fill(values.begin(), values.end(), 0.);
-    if (carom_world_read(world, field, CAROM_SCALAR_F64, nullptr, n, values.data(), 0, nullptr) != CAROM_OK) return false;
-    for (const double v : values)
-      if (!std::isfinite(v)) return false;
+  if (carom_world_get_bodies(world, nullptr, 0, &n, nullptr) != CAROM_OK) return "bodies cannot be counted";
+  for (const auto& [what, field, width] : {std::tuple("pose", CAROM_FIELD_POSE, 7u), std::tuple("velocity", CAROM_FIELD_VELOCITY, 6u)}) {
+    std::vector<double> values(n * width);
+    if (n && carom_world_read(world, field, CAROM_SCALAR_F64, nullptr, n, values.data(), 0, nullptr) != CAROM_OK) return "bodies cannot be read";
+    if (std::string bad = find(what, values, width); !bad.empty()) return bad;
   }
   carom_particles sets[64];
   uint64_t count = 0;
-  if (carom_world_get_particles(world, sets, 64, &count, nullptr) != CAROM_OK) return false;
+  if (carom_world_get_particles(world, sets, 64, &count, nullptr) != CAROM_OK) return "sets cannot be counted";
   for (uint64_t i = 0; i < count && i < 64; ++i) {
-    if (carom_particles_get_count(world, sets[i], &n, nullptr) != CAROM_OK) return false;
-    values.resize(3 * n + 1);
+    if (carom_particles_get_count(world, sets[i], &n, nullptr) != CAROM_OK) return "particles cannot be counted";
     for (const uint32_t field : {CAROM_FIELD_POSITION, CAROM_FIELD_LINEAR_VELOCITY}) {
-      std::fill(values.begin(), values.end(), 0.);
-      if (carom_particles_read(world, sets[i], field, CAROM_SCALAR_F64, nullptr, n, values.data(), 0, nullptr) != CAROM_OK)
-        return false;
-      for (const double v : values)
-        if (!std::isfinite(v)) return false;
+      std::vector<double> values(3 * n);
+      if (n && carom_particles_read(world, sets[i], field, CAROM_SCALAR_F64, nullptr, n, values.data(), 0, nullptr) != CAROM_OK)
+        return "particles cannot be read";
+      if (std::string bad = find("particles' field", values, 3); !bad.empty()) return bad;
     }
   }
-  return true;
+  return "";
 }
 
 }  // namespace hostile
