@@ -10,6 +10,7 @@
 #include "collision/narrow/hybrid.h"
 #include "collision/narrow/pair.h"
 #include "collision/support.h"
+#include "core/float_guard.h"
 
 namespace carom {
 namespace {
@@ -193,7 +194,10 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
       }
       own.manifold.contact_distance = reach;
       SupportFault fault;
-      update(pair, own, record, found, own_report, fault);
+      {
+        const FloatGuard guard;
+        update(pair, own, record, found, own_report, fault);
+      }
       place.points = static_cast<std::uint32_t>(record.manifold.count);
       place.horizon =
           place.points == 0 && fault.kind == SupportFault::none ? horizon_of(table, place.pair, found) : -kInfinity;
