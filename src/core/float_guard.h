@@ -18,7 +18,8 @@ class FloatGuard {
  public:
 #if defined(__SSE2__)  // a step has no x87 arithmetic
   FloatGuard() : mode_(_mm_getcsr()) {}
-  ~FloatGuard() {
+  ~FloatGuard() { put_back(); }
+  void put_back() const {
     constexpr std::uint32_t kFlags = 0x3F;  // what happened, not what is to be done: nobody reads them
     if ((_mm_getcsr() ^ mode_) & ~kFlags) _mm_setcsr(mode_);
   }
@@ -27,7 +28,8 @@ class FloatGuard {
   std::uint32_t mode_;
 #else
   FloatGuard() : mode_(std::fegetround()) {}
-  ~FloatGuard() {
+  ~FloatGuard() { put_back(); }
+  void put_back() const {
     if (std::fegetround() != mode_) std::fesetround(mode_);
   }
 
