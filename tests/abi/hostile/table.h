@@ -358,6 +358,7 @@ inline const Row kRows[] = {
     {"carom_result_remedy", [](Context& c) { return call("carom_result_remedy", carom_result_remedy, {fixed_number(c.source.below(64) - 40u)}); }},
     {"carom_stage_name", [](Context& c) { return call("carom_stage_name", carom_stage_name, {fixed_number(c.source.below(64))}); }},
     {"carom_effect_name", [](Context& c) { return call("carom_effect_name", carom_effect_name, {fixed_number(c.source.below(64))}); }},
+    {"carom_abi_manifest", [](Context&) { return call("carom_abi_manifest", carom_abi_manifest, {}); }},
     // engine
     INIT(carom_engine_desc_init, carom_engine_desc),
     INIT(carom_jobs_desc_init, carom_jobs_desc),
