@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "collision/volume.h"
+#include "core/float_guard.h"
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/effects.h"
 #include "dynamics/force/floats.h"
@@ -235,7 +236,13 @@ void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
     }
   }
   SupportFault fault;
-  c.bounds[slot] = world_bounds(shape, c.frame[slot].r, c.frame[slot].p, fault);
+  const FloatGuard guard;
+  if ((c.muted[slot] & Colliders::kFaulty) && finite(shape.bounding_radius)) {  // who is muted is asked nothing
+    const Vec3 all = Vec3::Constant(shape.bounding_radius);
+    c.bounds[slot] = {c.frame[slot].p - all, c.frame[slot].p + all};
+  } else {
+    c.bounds[slot] = world_bounds(shape, c.frame[slot].r, c.frame[slot].p, fault);
+  }
   const Vec3 grow = Vec3::Constant(half_gap + c.reach[slot]);
   c.bounds[slot].lo -= grow;
   c.bounds[slot].hi += grow;
