@@ -1,6 +1,8 @@
 """What is written from the headers' data: one function a file, each gives the file's whole text."""
 import json
 
+import emit_python
+
 BY = "Written by bindings/gen/generate from include/carom; do not edit."
 
 
@@ -28,4 +30,6 @@ def manifest_rows(api):
 FILES = {
     "bindings/api.json": api_json,
     "src/abi/manifest_rows.inc": manifest_rows,
+    "bindings/python/carom/_c.py": emit_python.declarations,
+    "bindings/python/carom/raw.pyi": emit_python.stubs,
 }
