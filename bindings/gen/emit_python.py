@@ -61,7 +61,7 @@ def declarations(api):
     return "\n".join(out + ["}", ""])
 
 
-PYTHON = {"c_int32": "int", "c_uint32": "int", "c_uint64": "int", "c_double": "float", "c_char_p": "bytes | None",
+PYTHON = {"c_int32": "int", "c_uint32": "int", "c_uint64": "int", "c_double": "float", "c_char_p": "bytes",
           "c_void_p": "int | None", "None": "None"}
 
 
@@ -72,16 +72,23 @@ def stubs(api):
     def doc(text, indent):
         return indent + '"""' + text.replace("\\", "\\\\").replace('"""', "'''").replace("\n", "\n" + indent) + '"""'
 
-    out = ['"""Written by bindings/gen/generate from include/carom; do not edit."""', "import ctypes", "from typing import Any", "",
-           "VERSION: str", "LIBRARY: str", "lib: ctypes.CDLL"]
+    out = ['"""Written by bindings/gen/generate from include/carom; do not edit."""', "import builtins", "import ctypes",
+           "from typing import Any", "", "VERSION: str", "LIBRARY: str", "lib: ctypes.CDLL",
+           "STRUCTS: dict[str, type[ctypes.Structure]]", "HANDLES: dict[str, dict[str, str]]", "FUNCTIONS: dict[str, tuple[str, Any, tuple[Any, ...]]]",
+           "def layout() -> dict[str, tuple[int, int, str]]: ...",
+           "def check_layout(manifest: str, ours: dict[str, tuple[int, int, str]] | None = ...) -> None: ..."]
     out += [f"{c['name']}: {'str' if c['type'] == 'string' else 'int'}" for c in api["constants"]]
     out += [f"{h['name']} = ctypes.c_uint64" for h in api["handles"]] + [f"{c['name']}: Any" for c in api["callbacks"]]
     for s in api["structs"]:
         out += [f"class {s['name']}(ctypes.Structure):"] + ([doc(s["doc"], "    ")] if s["doc"] else [])
         for f in s["fields"]:
-            type = "bytes" if f["type"] == "char" else "Any" if "count" in f else PYTHON.get(types.of(f["type"]).replace("carom_", "c_"), "Any")
-            if f["type"] in types.handles:
+            ctype = types.of(f["type"])
+            if f["type"] == "char":
+                type = "builtins.bytes"  # a field may have that name, too
+            elif f["type"] in types.handles:
                 type = "int"
+            else:
+                type = PYTHON[ctype] if ctype in ("c_int32", "c_uint32", "c_uint64", "c_double") and "count" not in f else "Any"
             if not keyword.iskeyword(f["name"]):
                 out.append(f"    {f['name']}: {type}")
     for f in api["functions"]:

@@ -65,7 +65,7 @@ class Bulk(unittest.TestCase):
         np.testing.assert_array_equal(self.world.read("position", chosen), before)
 
     def test_refused(self):
-        for out, why in [(np.zeros((N, 4)), "shape"), (np.zeros((N - 1, 3)), "rows"), (np.zeros((N, 3), np.int64), "float64"),
+        for out, why in [(np.zeros((N, 4)), "shape"), (np.zeros((N - 1, 3)), "rows"), (np.zeros((N, 3), np.int64), "float64"), (np.zeros((N, 3), ">f8"), "float64"),
                          (np.zeros((3, N)).T, "one piece"), (np.zeros((N, 3))[::-1], "one after the other"), (bytes(24 * N), "packed|read only")]:
             with self.assertRaisesRegex(ValueError, why):
                 self.world.read("position", out=out)
@@ -75,6 +75,17 @@ class Bulk(unittest.TestCase):
             self.world.read("position", out=locked)
         with self.assertRaisesRegex(ValueError, "not one of .*position"):
             self.world.read("colour")
+
+    def test_none_and_one(self):
+        with self.engine.world() as world:
+            self.assertEqual(world.positions().shape, (0, 3))
+            self.assertEqual(len(world.read("position", out=array.array("d"))), 0)
+            world.write("position", [])
+            body = world.body(mass=1)
+            world.write("position", np.array([[1, 2, 3]]), (b for b in [body]))  # integers, a generator
+            self.assertEqual(world.read("position", [body], out=np.zeros((4, 3))[2:3]).tolist(), [[1, 2, 3]])
+            with self.assertRaisesRegex(ValueError, "one piece"):
+                world.read("position", [body], out=np.zeros((1, 6))[:, ::2])
 
     def test_fast(self):
         """One call against N getters. A getter is at least a Python call and a C call, some 500 ns; a row of the bulk call is

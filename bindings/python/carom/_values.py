@@ -3,9 +3,11 @@ from __future__ import annotations
 
 import ctypes
 from types import SimpleNamespace
+from typing import Any
 
 from . import raw
 
+numpy: Any
 try:
     import numpy
 except ImportError:  # optional: only arrays need it

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar, Sequence
 
 from . import raw
 from ._values import bits, describe, enum, record, vec3, vector, word
@@ -16,7 +16,7 @@ class Thing:
     """A handle and its world. Equal when both are; forgetting it destroys nothing."""
 
     __slots__ = ("world", "handle")
-    _destroy = None
+    _destroy: ClassVar[Any] = None
 
     def __init__(self, world: World, handle: int):
         self.world, self.handle = world, handle

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import array
 import ctypes
-from typing import Iterable
+from typing import Any, Callable, Iterable
 
 from . import raw
 from ._values import enum, handles_out, need_numpy, numpy
@@ -24,8 +24,15 @@ def handles_of(bodies):
     if numpy is not None and isinstance(bodies, numpy.ndarray):
         packed = numpy.ascontiguousarray(bodies, dtype=numpy.uint64)
         return packed.ctypes.data_as(ctypes.POINTER(ctypes.c_uint64)), packed.size, packed
-    packed = (ctypes.c_uint64 * len(bodies))(*(getattr(body, "handle", body) for body in bodies))
+    handles = [getattr(body, "handle", body) for body in bodies]
+    packed = (ctypes.c_uint64 * len(handles))(*handles)
     return packed, len(packed), packed
+
+
+def floats(values):
+    """An array of float64 or float32 as it is; of integers, or lists of rows, one of float64."""
+    np = need_numpy("this")
+    return np.asarray(values, dtype=None if isinstance(values, np.ndarray) and values.dtype.kind == "f" else np.float64)
 
 
 def place(data, width: int, rows: int | None, writable: bool):
@@ -33,14 +40,16 @@ def place(data, width: int, rows: int | None, writable: bool):
     @return (address, rows, CAROM_SCALAR_*, stride, keep alive)"""
     if numpy is not None and isinstance(data, numpy.ndarray):
         shaped = data.reshape(-1, 1) if data.ndim == 1 and width == 1 else data
-        if shaped.ndim != 2 or shaped.shape[1] != width or shaped.dtype.type not in (numpy.float64, numpy.float32):
+        if shaped.ndim != 2 or shaped.shape[1] != width or shaped.dtype not in (numpy.float64, numpy.float32):
             raise ValueError(f"takes an array of float64 or float32 of shape (n, {width}), got {data.dtype} {data.shape}")
-        if shaped.shape[0] and (shaped.strides[1] != shaped.itemsize or shaped.strides[0] < width * shaped.itemsize):
+        if shaped.shape[0] > 1 and (shaped.strides[1] != shaped.itemsize or shaped.strides[0] < width * shaped.itemsize):
             raise ValueError("each row must lie in one piece, one after the other")
+        if shaped.shape[0] == 1 and not shaped.flags.c_contiguous:
+            raise ValueError("the row must lie in one piece")
         if writable and not shaped.flags.writeable:
             raise ValueError("out is read only")
         scalar = raw.CAROM_SCALAR_F64 if shaped.itemsize == 8 else raw.CAROM_SCALAR_F32
-        found = shaped.ctypes.data, shaped.shape[0], scalar, shaped.strides[0], shaped
+        found: Any = shaped.ctypes.data, shaped.shape[0], scalar, shaped.strides[0] if shaped.shape[0] > 1 else 0, shaped
     else:
         view = memoryview(data)
         if view.format not in ("d", "f") or not view.c_contiguous or view.nbytes % (width * view.itemsize):
@@ -49,6 +58,8 @@ def place(data, width: int, rows: int | None, writable: bool):
             raise ValueError("out is read only")
         if view.readonly:
             held = (ctypes.c_char * view.nbytes).from_buffer_copy(view)
+        elif view.nbytes == 0:
+            held = (ctypes.c_char * 1)()  # an empty buffer has no address
         else:
             held = (ctypes.c_char * view.nbytes).from_buffer(view)
         scalar = raw.CAROM_SCALAR_F64 if view.format == "d" else raw.CAROM_SCALAR_F32
@@ -61,6 +72,8 @@ def place(data, width: int, rows: int | None, writable: bool):
 class Bulk:
     """Reads and writes of a world. Fields: "position", "orientation", "pose", "linear_velocity", "angular_velocity",
     "velocity", "force", "center", "mass". One call, one copy, no Python object a body."""
+
+    _call: Callable[..., None]
 
     def body_count(self) -> int:
         count = ctypes.c_uint64()
@@ -94,8 +107,8 @@ class Bulk:
         if isinstance(values, (list, tuple)):
             flat = [x for row in values for x in (row if width > 1 else (row,))]
             values = array.array("d", flat)
-        elif numpy is not None and isinstance(values, numpy.ndarray) and values.dtype.kind not in "f":
-            values = values.astype(numpy.float64)
+        elif numpy is not None and isinstance(values, numpy.ndarray):
+            values = floats(values)
         address, _, scalar, stride, held = place(values, width, n, False)
         self._call(raw.carom_world_write, field, scalar, handles, n, address, stride)
 

@@ -10,7 +10,7 @@ from typing import Callable, Iterable, Sequence
 from . import raw
 from ._root import Root, check
 from ._values import bits, describe, doubles, need_numpy, record, vec3, vector
-from .errors import NotFound
+from .errors import AlreadyExists, NotFound
 from .shape import Shape
 from .support import SupportPlugin
 from .world import World
@@ -75,17 +75,23 @@ class Engine(Root):
     def plugin(self, id: str) -> int:
         """The handle of a plugin that is loaded, or found as NAME.so of "carom.NAME" in plugin_folders()."""
         if id not in self._plugins:
-            handle = ctypes.c_uint64()
             try:
-                self._call(raw.carom_plugin_find, id.encode(), ctypes.byref(handle))
-                self._plugins[id] = handle.value
+                self._plugins[id] = self._find_plugin(id)
             except NotFound:
                 file = id.rpartition(".")[2] + ".so"
                 found = next((folder / file for folder in plugin_folders() if (folder / file).exists()), None)
                 if found is None:
                     raise
-                self._plugins[id] = self.load_plugin(found)
+                try:
+                    self._plugins[id] = self.load_plugin(found)
+                except AlreadyExists:  # another thread was faster
+                    self._plugins[id] = self._find_plugin(id)
         return self._plugins[id]
+
+    def _find_plugin(self, id: str) -> int:
+        handle = ctypes.c_uint64()
+        self._call(raw.carom_plugin_find, id.encode(), ctypes.byref(handle))
+        return handle.value
 
     def shape(self, plugin: str | int, params: Iterable[float]) -> Shape:
         """A shape of a plugin, by its id ("carom.sphere") or handle, with the parameters that the plugin documents."""

@@ -36,7 +36,7 @@ def make_joint(world, kind, a, b, position, orientation, axis, about) -> Joint:
         orientation = turn_x_to(axis)
     if position is not None or orientation is not None:
         fields |= raw.CAROM_JOINT_WORLD_FRAME
-        about.update(position_a=position or (0, 0, 0), orientation_a=orientation)
+        about.update(position_a=(0, 0, 0) if position is None else position, orientation_a=orientation)
     if about.get("length") is not None:
         fields |= raw.CAROM_JOINT_FIELD_LENGTH
     about.update(kind=enum("JOINT", kind), fields=fields, body_a=handle_of(a), body_b=handle_of(b))

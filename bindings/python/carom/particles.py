@@ -6,7 +6,7 @@ import ctypes
 from . import raw
 from ._values import enum, need_numpy
 from .body import Thing
-from .bulk import place, width_of
+from .bulk import floats, place, width_of
 
 
 class Particles(Thing):
@@ -20,12 +20,11 @@ class Particles(Thing):
 
     def add(self, positions, velocities=None) -> None:
         """m, m/s; without velocities they are at rest."""
-        np = need_numpy("Particles.add()")
-        positions = np.asarray(positions, dtype=None if isinstance(positions, np.ndarray) else np.float64)
+        positions = floats(positions)
         address, n, scalar, stride, held = place(positions, 3, None, False)
         fast, fast_stride, held_too = None, 0, None
         if velocities is not None:
-            fast, _, _, fast_stride, held_too = place(np.asarray(velocities, dtype=positions.dtype), 3, n, False)
+            fast, _, _, fast_stride, held_too = place(floats(velocities).astype(positions.dtype), 3, n, False)
         self._call(raw.carom_particles_add, n, scalar, address, stride, fast, fast_stride)
 
     def remove(self, indices) -> None:
@@ -44,8 +43,7 @@ class Particles(Thing):
         return out
 
     def write(self, field: str | int, values) -> None:
-        np = need_numpy("Particles.write()")
         field = enum("FIELD", field)
-        values = np.asarray(values, dtype=None if isinstance(values, np.ndarray) else np.float64)
+        values = floats(values)
         address, n, scalar, stride, held = place(values, width_of(field), len(self), False)
         self._call(raw.carom_particles_write, field, scalar, None, n, address, stride)

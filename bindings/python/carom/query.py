@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import ctypes
 import math
-from typing import Sequence
+from typing import Any, Callable, Sequence
 
 from . import raw
 from ._values import Record, describe, enum, need_numpy, record, vec3, word
@@ -13,6 +13,9 @@ OUTCOMES = ("miss", "hit", "overlap", "undecided", "bad_ray")
 
 class Questions:
     """`how`: fields of carom_query_desc, as category=, mask=, ignore=body, tolerance=, target=, flags=."""
+
+    _call: Callable[..., None]
+    _wrap: Callable[[str, int], Any]
 
     def _hit(self, found):
         """A record of carom_world_hit, or None for a miss."""

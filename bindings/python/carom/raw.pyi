@@ -1,10 +1,16 @@
 """Written by bindings/gen/generate from include/carom; do not edit."""
+import builtins
 import ctypes
 from typing import Any
 
 VERSION: str
 LIBRARY: str
 lib: ctypes.CDLL
+STRUCTS: dict[str, type[ctypes.Structure]]
+HANDLES: dict[str, dict[str, str]]
+FUNCTIONS: dict[str, tuple[str, Any, tuple[Any, ...]]]
+def layout() -> dict[str, tuple[int, int, str]]: ...
+def check_layout(manifest: str, ours: dict[str, tuple[int, int, str]] | None = ...) -> None: ...
 CAROM_VERSION_MAJOR: int
 CAROM_VERSION_MINOR: int
 CAROM_VERSION_PATCH: int
@@ -306,8 +312,8 @@ class carom_error(ctypes.Structure):
     has_witness: int
     witness_dir: Any
     witness_out: Any
-    message: bytes
-    remedy: bytes
+    message: builtins.bytes
+    remedy: builtins.bytes
 class carom_material_desc(ctypes.Structure):
     """Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides."""
     struct_size: int
@@ -387,9 +393,9 @@ class carom_rays(ctypes.Structure):
     struct_size: int
     scalar: int
     count: int
-    origins: int | None
-    directions: int | None
-    max: int | None
+    origins: Any
+    directions: Any
+    max: Any
     origin_stride: int
     direction_stride: int
     max_stride: int
@@ -411,9 +417,9 @@ class carom_ray_hits(ctypes.Structure):
     records: Any
     outcomes: Any
     shapes: Any
-    times: int | None
-    normals: int | None
-    points: int | None
+    times: Any
+    normals: Any
+    points: Any
     record_stride: int
     outcome_stride: int
     shape_stride: int
@@ -426,9 +432,9 @@ class carom_dial_info(ctypes.Structure):
     dial: int
     kind: int
     choice_count: int
-    name: bytes | None
-    unit: bytes | None
-    summary: bytes | None
+    name: Any
+    unit: Any
+    summary: Any
     choices: Any
     min: float
     max: float
@@ -450,16 +456,16 @@ class carom_engine_desc(ctypes.Structure):
     reserved: int
     alloc: Any
     free: Any
-    alloc_user: int | None
+    alloc_user: Any
     log: Any
-    log_user: int | None
+    log_user: Any
 class carom_jobs_desc(ctypes.Structure):
     """Who shares the work of a step. The outcome does not depend on it: same bits for any number of threads.
     Fill with carom_jobs_desc_init(), then change what you need."""
     struct_size: int
     threads: int
     run: Any
-    user: int | None
+    user: Any
 class carom_contact_event(ctypes.Structure):
     """Of two colliders; all their contact points together. Sleepers stay in touch."""
     kind: int
@@ -606,7 +612,7 @@ class carom_joint_state(ctypes.Structure):
     coordinate: Any
 class carom_ledger_entry(ctypes.Structure):
     """A cause: what it gave in the last step, and since the ledger began."""
-    name: bytes | None
+    name: Any
     kinetic: float
     potential: float
     linear: Any
@@ -660,13 +666,13 @@ class carom_plan_line(ctypes.Structure):
     seconds: float
     timing: int
     reserved: int
-    name: bytes
-    unit: bytes
-    reason: bytes
+    name: builtins.bytes
+    unit: builtins.bytes
+    reason: builtins.bytes
 class carom_param(ctypes.Structure):
     """Documentation and bounds of one parameter; a value outside [min, max] is refused when a shape is made."""
-    name: bytes | None
-    unit: bytes | None
+    name: Any
+    unit: Any
     min: float
     max: float
 class carom_geometry(ctypes.Structure):
@@ -686,7 +692,7 @@ class carom_shape_plugin(ctypes.Structure):
     abi_major: int
     abi_minor: int
     flags: int
-    id: bytes | None
+    id: Any
     version: int
     param_count: int
     params: Any
@@ -876,9 +882,9 @@ class carom_query_shapes(ctypes.Structure):
     scalar: int
     count: int
     shapes: Any
-    positions: int | None
-    orientations: int | None
-    motions: int | None
+    positions: Any
+    orientations: Any
+    motions: Any
     shape_stride: int
     position_stride: int
     orientation_stride: int
@@ -891,9 +897,9 @@ class carom_world_hits(ctypes.Structure):
     records: Any
     outcomes: Any
     colliders: Any
-    times: int | None
-    normals: int | None
-    points: int | None
+    times: Any
+    normals: Any
+    points: Any
     record_stride: int
     outcome_stride: int
     collider_stride: int
@@ -904,13 +910,13 @@ def carom_version(major: Any, minor: Any, patch: Any) -> int:
     """Version of the library that is running (the CAROM_VERSION_* macros tell the header's).
     @status OK; NULL_ARGUMENT   @thread any"""
     ...
-def carom_result_name(result: Any) -> bytes | None:
+def carom_result_name(result: Any) -> bytes:
     """Name of a result code, e.g. "CAROM_E_BUSY"; "CAROM_E_?" for an unknown one. Static storage.   @thread any"""
     ...
-def carom_result_remedy(result: Any) -> bytes | None:
+def carom_result_remedy(result: Any) -> bytes:
     """What to do about a result code, in one sentence. Static storage.   @thread any"""
     ...
-def carom_abi_manifest() -> bytes | None:
+def carom_abi_manifest() -> bytes:
     """The layout of every struct of this interface, as the compiler that built this library has it: for a binding, which
     compares it with its own when it is loaded. Lines of four words, ending in '\\n'; first "carom" and the version:
         carom 1.8.0
@@ -1443,7 +1449,7 @@ def carom_world_get_particles(world: Any, sets: Any, capacity: Any, count: Any, 
     @param sets [capacity] or NULL   @param count out: how many there are
     @status OK; NULL_ARGUMENT; BUSY   @since 1.4"""
     ...
-def carom_effect_name(effect: Any) -> bytes | None:
+def carom_effect_name(effect: Any) -> bytes:
     """Static name of an effect ("gravity"), or "?".   @thread any   @since 1.7"""
     ...
 def carom_world_set_effect(world: Any, effect: Any, mode: Any, error: Any) -> int:
@@ -1579,7 +1585,7 @@ def carom_world_get_gravity(world: Any, gravity: Any, error: Any) -> int:
 def carom_world_get_report(world: Any, report: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
     ...
-def carom_stage_name(stage: Any) -> bytes | None:
+def carom_stage_name(stage: Any) -> bytes:
     """Static name of a stage ("broad"), or "?".   @thread any"""
     ...
 def carom_world_get_contacts(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import ctypes
+from typing import Any, Callable
 
 from . import raw
 from ._values import bits, copy_out, describe, enum, need_numpy, record, word
@@ -27,6 +28,9 @@ def _effect(name: str | int) -> int:
 
 class Reports:
     """Of the last step. Lists of records; vectors are tuples, handles objects (None where there is none)."""
+
+    _call: Callable[..., None]
+    _wrap: Callable[[str, int], Any]
 
     def _records(self, function, struct, *before, **words):
         found = copy_out(self._call, function, struct, *before)

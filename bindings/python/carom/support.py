@@ -34,7 +34,7 @@ def _guarded(support: Callable, caught: list):
                 caught[-1] = exception
             else:
                 print("carom: a support function raised; its shape is mute from now on (World.faults tells)", file=sys.stderr)
-                traceback.print_exception(exception)
+                traceback.print_exception(type(exception), exception, exception.__traceback__)
             return 1
     return raw.carom_support_fn(call)
 
@@ -53,7 +53,7 @@ class SupportPlugin:
                  tail_group: int = 0, tail_min: int = 0):
         self.engine, self.id = engine, id
         self._caught: list = []
-        table = (raw.carom_param * len(params))(*[(n.encode(), u.encode(), low, high) for n, u, low, high in params])
+        table = (raw.carom_param * len(params))(*[raw.carom_param(n.encode(), u.encode(), low, high) for n, u, low, high in params])
         callback = _guarded(support, self._caught)
         plugin = raw.carom_shape_plugin(
             struct_size=ctypes.sizeof(raw.carom_shape_plugin), abi_major=raw.CAROM_PLUGIN_ABI_MAJOR,
