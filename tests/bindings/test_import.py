@@ -1,7 +1,10 @@
-"""Everything but arrays works where there is no numpy; what needs it says so."""
+"""Importing: without numpy all but arrays works; a library that does not fit is refused, and the text says where and what to do."""
+import os
 import subprocess
 import sys
+import tempfile
 import unittest
+from pathlib import Path
 
 CODE = """
 import sys
@@ -40,13 +43,30 @@ class NoNumpy(unittest.TestCase):
         done = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True)
         self.assertEqual((done.stdout, done.stderr), ("done\n", ""))
 
-    def test_bad_library(self):
-        """What is no library of Carom's, or none at all, is an ImportError that says what to do."""
-        for path, why in [("/no/such/libcarom.so.1", "set CAROM_LIBRARY"), ("libc.so.6", "older than this package: it lacks carom_")]:
-            done = subprocess.run([sys.executable, "-c", "import os; os.environ['CAROM_LIBRARY'] = %r; import carom" % path],
-                                  capture_output=True, text=True)
-            self.assertEqual(done.returncode, 1)
-            self.assertRegex(done.stderr.splitlines()[-1], "^ImportError: .*" + why)
+
+class BadLibrary(unittest.TestCase):
+    def refused(self, library, why):
+        done = subprocess.run([sys.executable, "-c", "import carom"], capture_output=True, text=True,
+                              env={**os.environ, "CAROM_LIBRARY": str(library)})
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stderr.splitlines()[-1], "^ImportError: .*" + why)
+
+    def test_none(self):
+        self.refused("/no/such/libcarom.so.1", "set CAROM_LIBRARY")
+
+    def test_another(self):
+        self.refused("libc.so.6", "older than this package: it lacks carom_.* Install libcarom")
+
+    def test_another_layout(self):
+        """The library itself, but for one word of the layout that it tells: a double that is said to be a float."""
+        image = Path(os.environ["CAROM_LIBRARY"]).read_bytes()
+        row = next(line for line in image[image.index(b"carom_contact.separation "):].splitlines())
+        self.assertTrue(row.endswith(b" 8 f64"), row)
+        self.assertEqual(image.count(row), 1)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "libcarom.so.1")
+            path.write_bytes(image.replace(row, row.replace(b" 8 f64", b" 4 f32")))
+            self.refused(path, "disagree: field separation of carom_contact is f32 of 4 bytes .* f64 of 8 bytes .* Install")
 
 
 if __name__ == "__main__":
