@@ -202,6 +202,93 @@ void events_go_on(void**) {
   bench_free(&b);
 }
 
+/// Bodies and shapes in quarantine, and a joint that broke.
+int32_t fails_at_will(const double*, uint64_t, const double dir[3], double out[3]);
+bool fails = false;
+int32_t fails_at_will(const double* p, uint64_t n, const double dir[3], double out[3]) {
+  return fails ? 1 : bench_box(p, n, dir, out);
+}
+
+void quarantine_and_breaks_go_on(void**) {
+  for (int late = 0; late < 2; ++late) {
+    Bench b;
+    make(b);
+    carom_shape_plugin plugin = bench_plugin("test.fails", bench_box_params, 3, nullptr, fails_at_will);
+    carom_plugin own;
+    carom_shape shape;
+    carom_body body;
+    carom_collider collider;
+    const double half[3] = {0.5, 0.5, 0.5};
+    fails = false;
+    assert_int_equal(carom_plugin_register(b.engine, &plugin, &own, nullptr), CAROM_OK);
+    assert_int_equal(carom_shape_create(b.engine, own, half, 3, &shape, nullptr), CAROM_OK);
+    assert_int_equal(
+        bench_body(b.world, shape, b.material, CAROM_BODY_DYNAMIC, 5, 0.4, 0, &body, &collider, nullptr), CAROM_OK);
+    carom_joint_desc d;
+    carom_joint_desc_init(&d);
+    d.kind = CAROM_JOINT_BALL, d.fields = CAROM_JOINT_WORLD_FRAME, d.break_force = 1e-3;
+    d.body_a = b.bodies[1], d.body_b = b.bodies[3];
+    carom_joint weak;
+    assert_int_equal(carom_joint_create(b.world, &d, &weak, nullptr), CAROM_OK);
+    assert_int_equal(bench_steps(b.world, 3, nullptr), CAROM_OK);
+    const Bytes whole = save(b.world);
+    const double fast[3] = {1e200, 0, 0}, none[3] = {0, 0, 0};
+    assert_int_equal(carom_body_set_velocity(b.world, b.bodies[2], fast, none, nullptr), CAROM_OK);
+    fails = true;
+    assert_int_equal(bench_steps(b.world, late ? 30 : 1, nullptr), CAROM_OK);
+    carom_step_report report = {};
+    report.struct_size = sizeof report;
+    assert_int_equal(carom_world_get_report(b.world, &report, nullptr), CAROM_OK);
+    assert_int_equal(report.quarantined_bodies, 1);
+    const Bytes bytes = save(b.world);
+    assert_int_equal(bench_steps(b.world, 50, nullptr), CAROM_OK);
+    const std::uint64_t onward = bench_hash(b.world);
+    fails = false;
+    assert_int_equal(restore(b.world, whole), CAROM_OK);  // there they are well
+    assert_int_equal(bench_steps(b.world, 30, nullptr), CAROM_OK);
+    assert_int_equal(carom_world_get_report(b.world, &report, nullptr), CAROM_OK);
+    assert_int_equal(report.quarantined_bodies, 0);
+    fails = true;
+    assert_int_equal(restore(b.world, bytes), CAROM_OK);
+    assert_int_equal(bench_steps(b.world, 50, nullptr), CAROM_OK);
+    assert_true(bench_hash(b.world) == onward);
+    assert_int_equal(carom_world_get_report(b.world, &report, nullptr), CAROM_OK);
+    assert_int_equal(report.quarantined_bodies, 1);
+    fails = false;
+    bench_free(&b);
+  }
+}
+
+void questions_and_books_follow(void**) {
+  Bench b;
+  make(b);
+  assert_int_equal(carom_world_enable_ledger(b.world, 1, nullptr), CAROM_OK);
+  assert_int_equal(bench_steps(b.world, 20, nullptr), CAROM_OK);
+  const double from[3] = {1.5, 9, 0.25}, down[3] = {0, -1, 0};
+  carom_world_hit then = {}, now = {};
+  assert_int_equal(carom_world_cast_ray(b.world, from, down, 100, nullptr, &then, sizeof then, nullptr), CAROM_OK);
+  const Bytes bytes = save(b.world);
+  assert_int_equal(bench_steps(b.world, 60, nullptr), CAROM_OK);
+  assert_int_equal(carom_world_cast_ray(b.world, from, down, 100, nullptr, &now, sizeof now, nullptr), CAROM_OK);
+  assert_true(std::memcmp(&then, &now, sizeof now) != 0);
+  assert_int_equal(restore(b.world, bytes), CAROM_OK);
+  assert_int_equal(carom_world_cast_ray(b.world, from, down, 100, nullptr, &now, sizeof now, nullptr), CAROM_OK);
+  assert_true(std::memcmp(&then, &now, sizeof now) == 0);
+  assert_int_equal(bench_steps(b.world, 1, nullptr), CAROM_OK);
+  carom_ledger_state books = {};
+  books.struct_size = sizeof books;
+  assert_int_equal(carom_world_get_ledger_state(b.world, &books, nullptr), CAROM_OK);
+  std::vector<carom_ledger_entry> causes(64);
+  std::uint64_t count = 0;
+  assert_int_equal(
+      carom_world_get_ledger(b.world, causes.data(), sizeof causes[0], causes.size(), &count, nullptr), CAROM_OK);
+  double sum = 0;
+  for (std::uint64_t k = 0; k < count; ++k) sum += causes[k].kinetic + causes[k].potential;
+  const double change = books.now_kinetic + books.now_potential - books.before_kinetic - books.before_potential;
+  assert_true(std::fabs(sum - change) <= books.rounding_energy);
+  bench_free(&b);
+}
+
 void another_structure_is_refused_by_name(void**) {
   Bench b;
   make(b);
@@ -457,6 +544,8 @@ int main(int argc, char** argv) {
       cmocka_unit_test(pending_forces_go_on),
       cmocka_unit_test(edits_after_a_restore_do_what_they_do_without),
       cmocka_unit_test(events_go_on),
+      cmocka_unit_test(quarantine_and_breaks_go_on),
+      cmocka_unit_test(questions_and_books_follow),
       cmocka_unit_test(another_structure_is_refused_by_name),
       cmocka_unit_test(what_is_no_snapshot_is_refused),
       cmocka_unit_test(sections_of_the_future_are_skipped),
