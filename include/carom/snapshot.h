@@ -20,10 +20,11 @@
  *  values stay as they are. Contacts, groups, faults, events and residuals of the last step are empty until the next
  *  one; a ledger books what a restore changes as the host's.
  *
- *  Size: at most 256 bytes for a body with one collider (+ 16 for a further one), + 64 while the dial `sleep` is on and
- *  the body is slow but not asleep, + 52 with settings of its own; 45 for a pair of bounds that overlap, + 88 for each
- *  contact point and 120 for a pair whose patch is kept, + 57 to 81 for each impulse; 140 for a joint, + 73 for each coordinate that is
- *  limited, driven or sprung; 48 for a particle, + 8 if it has a mass of its own.
+ *  Size: at most 230 bytes for a body with one collider (+ 9 for a further one), + 48 with a force pending, + 64 while
+ *  the dial `sleep` is on and the body is slow but not asleep, + 47 with settings of its own; 45 for a pair of bounds
+ *  that overlap, + 88 for each contact point and 120 for a pair whose patch is kept, + 57 to 81 for each impulse; 137 for
+ *  a joint, + 65 for each coordinate that is limited, driven or sprung; 48 for a particle, + 8 if it has a mass of its
+ *  own. Both ways take some 0.1 us a body that falls, 0.5 us a body in a heap.
  *
  *  Bytes: little-endian, sections with tags and sizes and a checksum over all. A newer library's sections that this one does not
  *  know are skipped, and what is absent is as in a new world. Bytes that are damaged, cut off or made up are refused, and

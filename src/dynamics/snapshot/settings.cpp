@@ -219,7 +219,6 @@ struct HeldApart {
     if constexpr (Io::checks) io.needs.apart = n;
     if constexpr (Io::loads) apart.clear();
     std::size_t at = 0;
-    std::uint64_t last = 0;
     for (std::uint64_t k = 0; k < n && !io.bad(); ++k) {
       PairCounts::Entry entry;
       if constexpr (Io::saves) entry = apart.next(at);
@@ -229,7 +228,6 @@ struct HeldApart {
         const auto a = static_cast<std::uint32_t>(key >> 32), b = static_cast<std::uint32_t>(key);
         const SlotPool& bodies = world.scene.bodies;
         io.demand(a < b && bodies.alive(a) && bodies.alive(b) && count > 0);
-        (void)last;
       }
       if constexpr (Io::loads) apart.put(key, count);
     }

@@ -11,7 +11,6 @@
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/snapshot/section.h"
 #include "dynamics/snapshot/structure.h"
-#include "dynamics/solver/solver.h"
 
 namespace carom {
 namespace snapshot {
