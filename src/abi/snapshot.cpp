@@ -10,8 +10,8 @@ namespace {
 
 void save(Call& call, const World& world, std::uint32_t flags, void* buffer, std::uint64_t capacity,
           std::uint64_t* needed) {
-  if (!only_bits(call, 2, "flags", flags, CAROM_SNAPSHOT_STATE) ||
-      (capacity && !present(call, 3, "buffer", buffer)) || !present(call, 5, "needed", needed))
+  if (!only_bits(call, 2, "flags", flags, CAROM_SNAPSHOT_STATE) || (capacity && !present(call, 3, "buffer", buffer)) ||
+      !present(call, 5, "needed", needed))
     return;
   const std::uint64_t size = save_state(world, static_cast<std::byte*>(buffer), capacity);
   *needed = size;

@@ -49,8 +49,8 @@ void mend(Bytes& bytes) {
   std::memcpy(&bytes[24], &sum, 8);
 }
 
-/// A stage with something of everything, some steps on: contacts, joints with a motor that may break, a spring, a field, water,
-/// particles, sleep, events, filters.
+/// A stage with something of everything, some steps on: contacts, joints with a motor that may break, a spring, a
+/// field, water, particles, sleep, events, filters.
 void make(Bench& b, const carom_engine_desc* desc = nullptr) {
   assert_int_equal(bench_make(&b, desc, nullptr), CAROM_OK);
   assert_int_equal(bench_particles(&b, nullptr), CAROM_OK);
@@ -167,8 +167,7 @@ void edits_after_a_restore_do_what_they_do_without(void**) {
       if (edit == 4) carom_body_destroy(b.world, b.bodies[1], nullptr);
       carom_body body;
       carom_collider collider;
-      if (edit == 5)
-        bench_body(b.world, b.ball, b.material, CAROM_BODY_DYNAMIC, 0.25, 4, 0, &body, &collider, nullptr);
+      if (edit == 5) bench_body(b.world, b.ball, b.material, CAROM_BODY_DYNAMIC, 0.25, 4, 0, &body, &collider, nullptr);
       assert_int_equal(bench_steps(b.world, 100, nullptr), CAROM_OK);
       end[rolls_back] = bench_hash(b.world);
       bench_free(&b);
@@ -222,8 +221,8 @@ void quarantine_and_breaks_go_on(void**) {
     fails = false;
     assert_int_equal(carom_plugin_register(b.engine, &plugin, &own, nullptr), CAROM_OK);
     assert_int_equal(carom_shape_create(b.engine, own, half, 3, &shape, nullptr), CAROM_OK);
-    assert_int_equal(
-        bench_body(b.world, shape, b.material, CAROM_BODY_DYNAMIC, 5, 0.4, 0, &body, &collider, nullptr), CAROM_OK);
+    assert_int_equal(bench_body(b.world, shape, b.material, CAROM_BODY_DYNAMIC, 5, 0.4, 0, &body, &collider, nullptr),
+                     CAROM_OK);
     carom_joint_desc d;
     carom_joint_desc_init(&d);
     d.kind = CAROM_JOINT_BALL, d.fields = CAROM_JOINT_WORLD_FRAME, d.break_force = 1e-3;
@@ -280,8 +279,8 @@ void questions_and_books_follow(void**) {
   assert_int_equal(carom_world_get_ledger_state(b.world, &books, nullptr), CAROM_OK);
   std::vector<carom_ledger_entry> causes(64);
   std::uint64_t count = 0;
-  assert_int_equal(
-      carom_world_get_ledger(b.world, causes.data(), sizeof causes[0], causes.size(), &count, nullptr), CAROM_OK);
+  assert_int_equal(carom_world_get_ledger(b.world, causes.data(), sizeof causes[0], causes.size(), &count, nullptr),
+                   CAROM_OK);
   double sum = 0;
   for (std::uint64_t k = 0; k < count; ++k) sum += causes[k].kinetic + causes[k].potential;
   const double change = books.now_kinetic + books.now_potential - books.before_kinetic - books.before_potential;

@@ -1,7 +1,6 @@
 // After a restore every scene goes on as it did, bit for bit: in the world that was saved, and in another one that was
 // made by the same calls, whatever solver, broad phase and number of threads.
 #include <carom/snapshot.h>
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -61,7 +60,8 @@ static std::string name_of(const Case& c) {
 
 /// Set up as the case says, and nothing stepped.
 struct Room {
-  explicit Room(const Case& c) : engine(PluginPath({CAROM_PLUGIN_DIR})), stage((engine.set_threads(c.threads), engine)) {
+  explicit Room(const Case& c)
+      : engine(PluginPath({CAROM_PLUGIN_DIR})), stage((engine.set_threads(c.threads), engine)) {
     const Scene& scene = find_scene(c.scene);
     dt = scene.dt;
     observer = build(scene, {c.knobs, ""}, stage);
@@ -108,8 +108,7 @@ static int goes_on(Case c) {
   hashes(other.stage, other.dt, c.after / 3);
   const Bytes third = save(other.stage);
   restore(room.stage, third);
-  wrong += !same(c, "twice",
-                 {onward.begin() + c.after / 3, onward.end()},
+  wrong += !same(c, "twice", {onward.begin() + c.after / 3, onward.end()},
                  hashes(room.stage, room.dt, c.after - c.after / 3));
   return wrong;
 }
@@ -257,9 +256,12 @@ int main(int argc, char** argv) {
   if (argc > 1) return go_on_from(argv[1]);
   own_path = argv[0];
   const CMUnitTest tests[] = {
-      cmocka_unit_test(every_scene_goes_on_as_it_did),   cmocka_unit_test(so_it_does_under_every_solver),
-      cmocka_unit_test(so_it_does_whatever_the_dials),   cmocka_unit_test(it_goes_on_for_a_thousand_steps),
-      cmocka_unit_test(threads_do_not_matter),           cmocka_unit_test(nor_does_the_process),
+      cmocka_unit_test(every_scene_goes_on_as_it_did),
+      cmocka_unit_test(so_it_does_under_every_solver),
+      cmocka_unit_test(so_it_does_whatever_the_dials),
+      cmocka_unit_test(it_goes_on_for_a_thousand_steps),
+      cmocka_unit_test(threads_do_not_matter),
+      cmocka_unit_test(nor_does_the_process),
       cmocka_unit_test(it_is_small),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);

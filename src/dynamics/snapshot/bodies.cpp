@@ -40,12 +40,12 @@ RowBits bits_of(const Array<RowBits>& of, std::uint32_t i) { return i < of.size(
 
 std::uint8_t settings_of(const Scene& s, std::uint32_t i) {
   const Drag drag = s.drag_of(i);
-  return static_cast<std::uint8_t>(
-      (same_bits(s.gravity_factor_of(i), Real(1)) ? 0 : kGravityFactor) | (s.given_locks_of(i) ? kLocks : 0) |
-      (same_bits(drag.linear, Real(0)) && same_bits(drag.quadratic, Real(0)) ? 0 : kDrag) |
-      (s.fields.mask_of(i) != 1 ? kFieldMask : 0) |
-      (bits_of(s.modes.forbidden_of, i) || bits_of(s.modes.forced_of, i) ? kModes : 0) |
-      (s.def[i].continuous != SweepMode::automatic ? kContinuous : 0));
+  return static_cast<std::uint8_t>((same_bits(s.gravity_factor_of(i), Real(1)) ? 0 : kGravityFactor) |
+                                   (s.given_locks_of(i) ? kLocks : 0) |
+                                   (same_bits(drag.linear, Real(0)) && same_bits(drag.quadratic, Real(0)) ? 0 : kDrag) |
+                                   (s.fields.mask_of(i) != 1 ? kFieldMask : 0) |
+                                   (bits_of(s.modes.forbidden_of, i) || bits_of(s.modes.forced_of, i) ? kModes : 0) |
+                                   (s.def[i].continuous != SweepMode::automatic ? kContinuous : 0));
 }
 
 template <class Io, class S>
@@ -211,10 +211,10 @@ struct Bodies {
 
 // ---- colliders ----
 enum ColliderBits : std::uint8_t {
-  kFrameOfPose = 0,  // as its body stands now
-  kFrameOfPlace = 1, // as its body stood when it was placed
+  kFrameOfPose = 0,   // as its body stands now
+  kFrameOfPlace = 1,  // as its body stood when it was placed
   kFrameItself = 2,
-  kFrameNone = 3,    // it has not been placed yet
+  kFrameNone = 3,  // it has not been placed yet
   kFrameBits = 3,
   kTravelled = 4,
   kFiltered = 8,
@@ -245,15 +245,15 @@ std::uint8_t bits_of_collider(const World& world, std::uint32_t slot) {
   const Colliders& c = world.scene.colliders;
   const Frame& f = c.frame[slot];
   const bool placed = same(f, frame_of_place(world, slot));
-  const int frame = placed                                      ? kFrameOfPlace
-                    : same(f, frame_of_pose(world, slot))       ? kFrameOfPose
-                    : same(f, Frame())                          ? kFrameNone
-                                                                : kFrameItself;
+  const int frame = placed                                ? kFrameOfPlace
+                    : same(f, frame_of_pose(world, slot)) ? kFrameOfPose
+                    : same(f, Frame())                    ? kFrameNone
+                                                          : kFrameItself;
   const SurfaceVelocity surface = world.scene.surface_of(slot);
   const bool still = zero_bits(surface.linear) && zero_bits(surface.angular);
   return static_cast<std::uint8_t>(frame | (same_bits(c.travel[slot], Real(0)) ? 0 : kTravelled) |
-                                   (c.filter_of(slot) == Filter() ? 0 : kFiltered) |
-                                   (c.is_sensor(slot) ? kSensor : 0) | (still ? 0 : kSurface));
+                                   (c.filter_of(slot) == Filter() ? 0 : kFiltered) | (c.is_sensor(slot) ? kSensor : 0) |
+                                   (still ? 0 : kSurface));
 }
 
 template <class Io, class W>

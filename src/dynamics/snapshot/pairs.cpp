@@ -55,11 +55,11 @@ enum RecordBits : std::uint8_t { kPoints = 7, kWarm = 8, kCertain = 16, kFirm = 
 template <class Io, class R>
 void record(Io& io, R& r, int& points) {
   const bool warm = Io::saves && !zero_bits(r.memory.direction);
-  const auto bits = io.value(
-      Io::saves ? static_cast<std::uint8_t>(r.manifold.count | (warm ? kWarm : 0) |
-                                            (r.memory.certificate.known ? kCertain : 0) |
-                                            (r.patch.firm ? kFirm : 0) | (r.patch.firm && r.patch.of_b ? kOfB : 0))
-                : std::uint8_t(0));
+  const auto bits =
+      io.value(Io::saves ? static_cast<std::uint8_t>(
+                               r.manifold.count | (warm ? kWarm : 0) | (r.memory.certificate.known ? kCertain : 0) |
+                               (r.patch.firm ? kFirm : 0) | (r.patch.firm && r.patch.of_b ? kOfB : 0))
+                         : std::uint8_t(0));
   points = bits & kPoints;
   io.demand(bits <= kRecordBits && points <= Manifold::kMaxPoints);
   if (io.bad()) return;

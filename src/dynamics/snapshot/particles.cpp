@@ -10,7 +10,8 @@ namespace {
 
 template <class Io, class S>
 void set(Io& io, S& p, [[maybe_unused]] std::uint32_t slot) {
-  const Real factor = io.real(p.def.gravity_factor), damping = io.real(p.def.linear_damping), mass = io.real(p.def.mass);
+  const Real factor = io.real(p.def.gravity_factor), damping = io.real(p.def.linear_damping),
+             mass = io.real(p.def.mass);
   io.demand(damping >= 0 && mass >= 0);
   keep(io, p.def, ParticleDef{factor, damping, mass});
   const std::uint64_t n = io.count(p.size(), 6 * sizeof(Real)), words = (n + 63) / 64;

@@ -123,14 +123,15 @@ enum JointBits : std::uint8_t {
   kBroken = 1,
   kWithoutLimits = 2,
   kWithoutMotors = 4,
-  kActed = 8,         // it has impulses
-  kFirstDrive = 16,   // a bit for each coordinate whose drive is not as it was made
+  kActed = 8,        // it has impulses
+  kFirstDrive = 16,  // a bit for each coordinate whose drive is not as it was made
 };
 static_assert(kCoordinates <= 4);
 
 bool same_drive(const JointDrive& a, const JointDrive& b) {
-  return a.limit.on == b.limit.on && same_bits(a.limit.lower, b.limit.lower) && same_bits(a.limit.upper, b.limit.upper) &&
-         a.motor.on == b.motor.on && same_bits(a.motor.speed, b.motor.speed) && same_bits(a.motor.most, b.motor.most) &&
+  return a.limit.on == b.limit.on && same_bits(a.limit.lower, b.limit.lower) &&
+         same_bits(a.limit.upper, b.limit.upper) && a.motor.on == b.motor.on &&
+         same_bits(a.motor.speed, b.motor.speed) && same_bits(a.motor.most, b.motor.most) &&
          a.spring.on == b.spring.on && same_bits(a.spring.target, b.spring.target) &&
          same_bits(a.spring.frequency, b.spring.frequency) && same_bits(a.spring.damping, b.spring.damping) &&
          same_bits(a.spring.most, b.spring.most);
@@ -151,8 +152,8 @@ std::uint8_t bits_of(const Joint& j) {
 template <class Io>
 JointDrive drive(Io& io, const JointDrive& now) {
   JointDrive d;
-  const unsigned on = io.value(
-      static_cast<std::uint8_t>((now.limit.on ? 1 : 0) | (now.motor.on ? 2 : 0) | (now.spring.on ? 4 : 0)));
+  const unsigned on =
+      io.value(static_cast<std::uint8_t>((now.limit.on ? 1 : 0) | (now.motor.on ? 2 : 0) | (now.spring.on ? 4 : 0)));
   io.demand(on < 8);
   d.limit.on = on & 1, d.motor.on = on & 2, d.spring.on = on & 4;
   d.limit.lower = loose(io, now.limit.lower), d.limit.upper = loose(io, now.limit.upper);

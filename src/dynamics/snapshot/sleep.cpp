@@ -1,6 +1,7 @@
 // What is remembered of sleepers beside their bodies; and what hosts that want events are to be told of.
-#include "dynamics/events/events.h"
 #include "dynamics/sleep/sleep.h"
+
+#include "dynamics/events/events.h"
 #include "dynamics/snapshot/impulse.h"
 
 namespace carom::snapshot {

@@ -57,8 +57,8 @@ struct Progress {
   static void go(Io& io, W& world) {
     const std::uint64_t steps = io.value(world.report.steps);
     const Real time = io.real(world.report.time);
-    const bool pending = yes_or_no(io, Io::saves && world.plan->revision != world.scene.revision &&
-                                           world.plan->restored != world.scene.revision);
+    const bool pending = yes_or_no(
+        io, Io::saves && world.plan->revision != world.scene.revision && world.plan->restored != world.scene.revision);
     io.demand(time >= 0);
     if constexpr (Io::loads) {
       world.report = StepReport{};
@@ -86,10 +86,9 @@ constexpr std::uint32_t kStructureTag = tag_of("STRU");
 const Section* const* sections(std::size_t& n) {
   static constexpr Section kProgress = section<Progress>("STEP", "progress");
   static constexpr Section kStructure = section<StructurePrint>("STRU", "structure");
-  static constexpr const Section* kAll[] = {&kStructure, &kHappenings, &kDials,   &kBodies, &kColliders,
-                                            &kPairs,     &kImpulses,   &kSleepers, &kJoints, &kMaterials,
-                                            &kFields,    &kSprings,    &kWater,    &kApart,  &kSets,
-                                            &kProgress};
+  static constexpr const Section* kAll[] = {&kStructure, &kHappenings, &kDials,  &kBodies,    &kColliders, &kPairs,
+                                            &kImpulses,  &kSleepers,   &kJoints, &kMaterials, &kFields,    &kSprings,
+                                            &kWater,     &kApart,      &kSets,   &kProgress};
   n = std::size(kAll);
   return kAll;
 }

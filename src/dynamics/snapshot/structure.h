@@ -21,7 +21,7 @@ struct KindPrint {
   bool operator==(const KindPrint&) const = default;
 };
 inline constexpr std::size_t kKinds = 7;
-inline constexpr const char* kKindNames[kKinds] = {"bodies",         "colliders", "materials", "joints",
+inline constexpr const char* kKindNames[kKinds] = {"bodies",        "colliders", "materials", "joints",
                                                    "particle sets", "fields",    "springs"};
 using Structure = std::array<KindPrint, kKinds>;
 
