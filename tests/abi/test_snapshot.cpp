@@ -174,7 +174,9 @@ void edits_after_a_restore_do_what_they_do_without(void**) {
       if (edit == 4) carom_body_destroy(b.world, b.bodies[1], nullptr);
       carom_body body;
       carom_collider collider;
-      if (edit == 5) bench_body(b.world, b.ball, b.material, CAROM_BODY_DYNAMIC, 0.25, 4, 0, &body, &collider, nullptr);
+      if (edit >= 5)
+        bench_body(b.world, edit == 6 ? b.crate : b.ball, b.material, CAROM_BODY_DYNAMIC, stood[0], stood[1], stood[2],
+                   &body, &collider, nullptr);
       assert_int_equal(bench_steps(b.world, 100, nullptr), CAROM_OK);
       end[rolls_back] = bench_hash(b.world);
       bench_free(&b);
