@@ -225,6 +225,7 @@ void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
   const std::uint32_t body = c.body[slot];
   const Shape& shape = *c.shape[slot];
   c.place(slot, Frame(plan.rotation[body], world.state.x[body]) * plan.local[slot]);
+  world.state.placed_x[body] = world.state.x[body], world.state.placed_q[body] = world.state.q[body];
   const Real half_gap = world.scene.dials[Dial::contact_distance] / 2;
   c.reach[slot] = 0;
   if (c.movable[slot]) {
@@ -308,7 +309,7 @@ void refresh(World& world, const StepTime& time) {
   plan.host_wrote = !world.state.written.empty();
   plan.faults.clear();
   if (changed) {
-    world.pairs.ask_all();  // how pairs are asked may have changed
+    if (world.scene.revision != plan.restored) world.pairs.ask_all();  // how pairs are asked may have changed
     plan_colliders(world, plan);
     plan_rows(world, plan);
     plan_bodies(world, plan);
