@@ -1,6 +1,9 @@
 """What is written from the headers' data: one function a file, each gives the file's whole text."""
 import json
 
+import emit_lua
+import emit_python
+
 BY = "Written by bindings/gen/generate from include/carom; do not edit."
 
 
@@ -28,4 +31,7 @@ def manifest_rows(api):
 FILES = {
     "bindings/api.json": api_json,
     "src/abi/manifest_rows.inc": manifest_rows,
+    "bindings/lua/carom_cdef.lua": emit_lua.cdef,
+    "bindings/python/carom/_c.py": emit_python.declarations,
+    "bindings/python/carom/raw.pyi": emit_python.stubs,
 }

@@ -71,7 +71,7 @@ typedef struct carom_body_desc {
   double angular_velocity[3]; /**< rad/s, world; 0 for static */
   double mass;                /**< kg, > 0 for dynamic. A dynamic body without mass from here or from a collider weighs
                                    1 kg and does not rotate (a particle) */
-  double center[3];           /**< m, body frame: centre of mass */
+  double center[3];           /**< m, body frame: centre of mass; each within 1e15 */
   double inertia[9];          /**< kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite;
                                    all zero: the body does not rotate */
   double linear_damping;      /**< 1/s, [0, 1e6], default 0: dv/dt = -c v */
@@ -189,7 +189,7 @@ typedef struct carom_collider_desc {
   uint32_t reserved;      /**< 0 */
   carom_shape shape;
   carom_material material; /**< CAROM_NULL_HANDLE: friction 0.5, restitution 0 */
-  double position[3];     /**< m, body frame: origin of the shape */
+  double position[3];     /**< m, body frame: origin of the shape; each within 1e15 */
   double orientation[4];  /**< x, y, z, w, shape to body; default identity */
   double density;         /**< kg/m^3, [0, 1e9], default 1000; counts unless the body's mass is given */
 } carom_collider_desc;

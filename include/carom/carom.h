@@ -21,6 +21,7 @@
 #include <carom/query.h>
 #include <carom/scenery.h>
 #include <carom/shape.h>
+#include <carom/snapshot.h>
 #include <carom/world.h>
 #include <carom/world_query.h>
 

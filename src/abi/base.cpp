@@ -40,6 +40,8 @@ constexpr ResultRow kResults[] = {
     ROW(CAROM_E_ALREADY_EXISTS, "use carom_plugin_find() to get the one that is loaded"),
     ROW(CAROM_E_NOT_FOUND, "check the spelling; load the plugin first"),
     ROW(CAROM_E_INTERNAL, "report this with the calls that led to it"),
+    ROW(CAROM_E_CORRUPT, "take the bytes again from where they were saved, all of them and unchanged"),
+    ROW(CAROM_E_MISMATCH, "restore into a world that was made by the same calls as the one that was saved"),
 };
 #undef ROW
 

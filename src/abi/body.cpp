@@ -4,6 +4,7 @@
 #include "abi/collider.h"
 #include "abi/float_scope.h"
 #include "abi/world.h"
+#include "dynamics/quarantine.h"
 
 namespace carom::abi {
 namespace {
@@ -51,7 +52,7 @@ bool check_mass(Call& call, const carom_body_desc& d) {
     if (d.type == CAROM_BODY_DYNAMIC && d.mass == 0)
       return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->mass is 0; a dynamic body's must be greater");
   }
-  return (!(d.fields & CAROM_BODY_FIELD_CENTER) || finite(call, 2, "desc->center", d.center, 3)) &&
+  return (!(d.fields & CAROM_BODY_FIELD_CENTER) || vector_in_range(call, 2, "desc->center", d.center, kMaxPosition)) &&
          (!(d.fields & CAROM_BODY_FIELD_INERTIA) || check_inertia(call, d.inertia));
 }
 

@@ -7,7 +7,8 @@ namespace carom::abi {
 namespace {
 
 const char* kind_name(std::uint32_t kind) {
-  constexpr const char* kNames[] = {"nothing", "plugin", "shape", "material", "body", "collider", "set of particles", "joint"};
+  constexpr const char* kNames[] = {"nothing",  "plugin",           "shape", "material",    "body",
+                                    "collider", "set of particles", "joint", "force field", "spring"};
   return kind < std::size(kNames) ? kNames[kind] : "nothing";
 }
 
@@ -42,7 +43,8 @@ bool vector_in_range(Call& call, int argument, const char* name, const double v[
 }
 
 bool not_negative(Call& call, int argument, const char* name, double value) {
-  return value >= 0 || call.fail(value < 0 ? CAROM_E_OUT_OF_RANGE : CAROM_E_NOT_FINITE, argument, "%s is %g", name, value);
+  return value >= 0 ||
+         call.fail(value < 0 ? CAROM_E_OUT_OF_RANGE : CAROM_E_NOT_FINITE, argument, "%s is %g", name, value);
 }
 
 bool unit(Call& call, int argument, const char* name, const double* values, int count) {

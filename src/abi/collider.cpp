@@ -4,6 +4,7 @@
 #include <carom/body.h>
 
 #include "abi/float_scope.h"
+#include "dynamics/quarantine.h"
 
 namespace carom::abi {
 namespace {
@@ -22,7 +23,8 @@ bool check_desc(Call& call, const World& world, const carom_collider_desc& d) {
   return only_bits(call, 3, "desc->reserved", d.reserved, 0) &&
          (d.material == CAROM_NULL_HANDLE ||
           resolve(call, 3, "desc->material", world.scene.material_slots, d.material)) &&
-         finite(call, 3, "desc->position", d.position, 3) && unit(call, 3, "desc->orientation", d.orientation, 4) &&
+         vector_in_range(call, 3, "desc->position", d.position, kMaxPosition) &&
+         unit(call, 3, "desc->orientation", d.orientation, 4) &&
          in_range(call, 3, "desc->density", d.density, 0, kLargestDensity);
 }
 

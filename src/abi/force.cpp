@@ -3,6 +3,8 @@
 
 #include <carom/force.h>
 
+#include <cmath>
+
 #include "abi/ends.h"
 #include "abi/float_scope.h"
 #include "abi/world.h"
@@ -27,29 +29,33 @@ bool resolve_spring(Call& call, const World& world, carom_spring spring) {
 }
 
 /// Above 0; may be infinite.
-bool positive(Call& call, const char* name, double value) {
-  return value > 0 || call.fail(CAROM_E_OUT_OF_RANGE, 2, "%s is %g, must be greater than 0", name, value);
+/// May be infinite.
+bool positive(Call& call, int argument, const char* name, double value) {
+  return value > 0 || call.fail(std::isnan(value) ? CAROM_E_NOT_FINITE : CAROM_E_OUT_OF_RANGE, argument,
+                                "%s is %g, must be greater than 0", name, value);
 }
 
-bool read_field(Call& call, const carom_force_field_desc* given, FieldDef& def) {
+/// @param argument  the descriptor's
+bool read_field(Call& call, int argument, const carom_force_field_desc* given, FieldDef& def) {
   carom_force_field_desc d;
   carom_force_field_desc_init(&d);
-  if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
-      !known(call, 2, "desc->kind", d.kind, CAROM_FORCE_FIELD_COUNT) ||
-      !only_bits(call, 2, "desc->is_force", d.is_force, 1) ||
-      !vector_in_range(call, 2, "desc->position", d.position, kMaxPosition) ||
-      !unit(call, 2, "desc->orientation", d.orientation, 4) || !positive(call, "desc->half[0]", d.half[0]) ||
-      !positive(call, "desc->half[1]", d.half[1]) || !positive(call, "desc->half[2]", d.half[2]) ||
-      !vector_in_range(call, 2, "desc->vector", d.vector, kStrongest) ||
-      !in_range(call, 2, "desc->strength", d.strength, -kStrongest, kStrongest) ||
-      !in_range(call, 2, "desc->pull", d.pull, -kStrongest, kStrongest) ||
-      !in_range(call, 2, "desc->lift", d.lift, -kStrongest, kStrongest) ||
-      !in_range(call, 2, "desc->reference", d.reference, 1e-9, kLongest) ||
-      !in_range(call, 2, "desc->core", d.core, 0, kLongest) || !positive(call, "desc->reach", d.reach))
+  if (!read_struct(call, argument, "desc", given, d) || !only_bits(call, argument, "desc->reserved", d.reserved, 0) ||
+      !known(call, argument, "desc->kind", d.kind, CAROM_FORCE_FIELD_COUNT) ||
+      !only_bits(call, argument, "desc->is_force", d.is_force, 1) ||
+      !vector_in_range(call, argument, "desc->position", d.position, kMaxPosition) ||
+      !unit(call, argument, "desc->orientation", d.orientation, 4) ||
+      !positive(call, argument, "desc->half[0]", d.half[0]) || !positive(call, argument, "desc->half[1]", d.half[1]) ||
+      !positive(call, argument, "desc->half[2]", d.half[2]) ||
+      !vector_in_range(call, argument, "desc->vector", d.vector, kStrongest) ||
+      !in_range(call, argument, "desc->strength", d.strength, -kStrongest, kStrongest) ||
+      !in_range(call, argument, "desc->pull", d.pull, -kStrongest, kStrongest) ||
+      !in_range(call, argument, "desc->lift", d.lift, -kStrongest, kStrongest) ||
+      !in_range(call, argument, "desc->reference", d.reference, 1e-9, kLongest) ||
+      !in_range(call, argument, "desc->core", d.core, 0, kLongest) || !positive(call, argument, "desc->reach", d.reach))
     return false;
   if (d.falloff < kLeastFalloff || d.falloff > kMostFalloff)
-    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->falloff is %d, must be within [%d, %d]", d.falloff, kLeastFalloff,
-                     kMostFalloff);
+    return call.fail(CAROM_E_OUT_OF_RANGE, argument, "desc->falloff is %d, must be within [%d, %d]", d.falloff,
+                     kLeastFalloff, kMostFalloff);
   def.kind = static_cast<FieldKind>(d.kind);
   def.is_force = d.is_force != 0;
   def.pose = {to_quat(d.orientation), to_vec3(d.position)};
@@ -110,7 +116,7 @@ bool read_water(Call& call, const carom_water* given, WaterDef& def) {
   if (!read_struct(call, 2, "water", given, w) || !only_bits(call, 2, "water->reserved", w.reserved, 0) ||
       !unit(call, 2, "water->normal", w.normal, 3) ||
       !in_range(call, 2, "water->level", w.level, -kMaxPosition, kMaxPosition) ||
-      !positive(call, "water->density", w.density) || !in_range(call, 2, "water->density", w.density, 0, kDensest) ||
+      !in_range(call, 2, "water->density", w.density, 0, kDensest) || !positive(call, 2, "water->density", w.density) ||
       !vector_in_range(call, 2, "water->current", w.current, kFastest) ||
       !in_range(call, 2, "water->drag", w.drag, 0, kMostRate))
     return false;
@@ -202,7 +208,7 @@ int32_t carom_force_field_create(carom_world* world, const carom_force_field_des
     if (!changing) return;
     const FloatScope scope;
     FieldDef def;
-    if (!read_field(call, desc, def) || !present(call, 3, "field", field)) return;
+    if (!read_field(call, 2, desc, def) || !present(call, 3, "field", field)) return;
     const Handle handle = changing->add_field(def);
     if (handle)
       *field = handle;
@@ -218,7 +224,7 @@ int32_t carom_force_field_update(carom_world* world, carom_force_field field, co
     if (!changing || !resolve_field(call, *changing, field)) return;
     const FloatScope scope;
     FieldDef def;
-    if (read_field(call, desc, def)) changing->set_field(handle_slot(field), def);
+    if (read_field(call, 3, desc, def)) changing->set_field(handle_slot(field), def);
   });
 }
 

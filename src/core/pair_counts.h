@@ -17,10 +17,12 @@ class PairCounts {
   std::size_t size() const { return size_; }
   bool has(std::uint32_t a, std::uint32_t b) const { return size_ > 0 && entries_[find(key(a, b))].count > 0; }
 
-  /// Room for one more pair, so that add() cannot fail.
-  void make_room() {
-    if (2 * (size_ + 1) <= entries_.size()) return;
-    Array<Entry> old(std::max<std::size_t>(16, 2 * entries_.size()), Entry{}, entries_.get_allocator());
+  /// Room for so many pairs more, so that add() cannot fail.
+  void make_room(std::size_t more = 1) {
+    std::size_t size = std::max<std::size_t>(16, entries_.size());
+    while (size < 2 * (size_ + more)) size *= 2;
+    if (size == entries_.size()) return;
+    Array<Entry> old(size, Entry{}, entries_.get_allocator());
     old.swap(entries_);
     for (const Entry& e : old)
       if (e.count > 0) entries_[find(e.key)] = e;
@@ -47,11 +49,27 @@ class PairCounts {
     }
   }
 
- private:
   struct Entry {
-    std::uint64_t key = 0;
+    std::uint64_t key = 0;    // lower slot, higher slot
     std::uint32_t count = 0;  // 0: free
   };
+  /// The entries one after the other, in an order that means nothing. @param at  0 for the first; moved on
+  const Entry& next(std::size_t& at) const {
+    while (entries_[at].count == 0) ++at;
+    return entries_[at++];
+  }
+  /// There is room. @param key  of an entry
+  void put(std::uint64_t key, std::uint32_t count) {
+    Entry& e = entries_[find(key)];
+    size_ += e.count == 0;
+    e = {key, count};
+  }
+  void clear() {
+    for (Entry& e : entries_) e.count = 0;
+    size_ = 0;
+  }
+
+ private:
   static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
     return static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
   }

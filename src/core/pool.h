@@ -43,13 +43,13 @@ class SlotPool {
       generation_.push_back(0);
     }
     generation_[slot] += 1;  // odd: alive
-    ++alive_;
+    ++alive_, ++changes_;
     return handle(slot);
   }
 
   void release(std::uint32_t slot) {
     generation_[slot] += 1;  // even: free
-    --alive_;
+    --alive_, ++changes_;
     if (generation_[slot] + 1 < kMaxGeneration) free_.push_back(slot);
   }
 
@@ -72,6 +72,15 @@ class SlotPool {
     return generation == generation_[slot] ? HandleFault::none : HandleFault::stale;
   }
 
+  std::uint32_t tag() const { return tag_; }
+  /// Slots taken and released so far.
+  std::uint64_t changes() const { return changes_; }
+  /// Which slots have lived how often, and which comes next.
+  template <class H>
+  void add_to(H& hash) const {
+    for (const std::uint32_t g : generation_) hash.add(std::uint64_t(g));
+    for (const std::uint32_t slot : free_) hash.add(std::uint64_t(slot));
+  }
   std::uint32_t slots() const { return static_cast<std::uint32_t>(generation_.size()); }
   std::uint32_t alive_count() const { return alive_; }
   void reserve(std::size_t n) { generation_.reserve(n), free_.reserve(n); }
@@ -80,6 +89,7 @@ class SlotPool {
   Kind kind_;
   std::uint32_t tag_;
   std::uint32_t alive_ = 0;
+  std::uint64_t changes_ = 0;
   Array<std::uint32_t> generation_;
   Array<std::uint32_t> free_;
 };

@@ -29,7 +29,7 @@ void note_resistance(Scene& s) {
 /// The slot that take() will hand out can be at most the number of slots there are.
 void make_room_for_body(Scene& s, State& t) {
   make_room(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia, s.first_collider,
-            t.x, t.q, t.held_q, t.v, t.omega, t.momentum, t.force, t.torque, t.quarantined, t.loaded_steps,
+            t.x, t.q, t.held_q, t.placed_x, t.placed_q, t.v, t.omega, t.momentum, t.force, t.torque, t.quarantined, t.loaded_steps,
             t.tired_steps, t.written, t.is_written);
 }
 
@@ -68,6 +68,8 @@ Handle World::add_body(const BodyDef& def) {
   put(state.x, i, def.pose.p);
   put(state.q, i, normalized(def.pose.q));
   put(state.held_q, i, state.q[i]);
+  put(state.placed_x, i, state.x[i]);
+  put(state.placed_q, i, state.q[i]);
   const bool moves = def.type != BodyType::fixed;
   put<Vec3>(state.v, i, moves ? def.velocity : Vec3::Zero());
   put<Vec3>(state.omega, i, moves ? def.omega : Vec3::Zero());

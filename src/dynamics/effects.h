@@ -97,6 +97,7 @@ struct Plan {
   ~Plan();
 
   std::uint64_t revision = 0;            // of the scene this plan was made for
+  std::uint64_t restored = 0;            // revision of a scene that is as it was when pairs were last asked, @see snapshot/
   Array<PlannedEffect> effects;          // every row of the table, in its order; idle rows have no customers
   Customers linear, rotating;            // dynamic bodies that move: without and with rotation
   Customers kinematic;                   // moved by their velocity

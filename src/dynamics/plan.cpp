@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "collision/volume.h"
+#include "core/float_guard.h"
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/effects.h"
 #include "dynamics/force/floats.h"
@@ -224,6 +225,7 @@ void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
   const std::uint32_t body = c.body[slot];
   const Shape& shape = *c.shape[slot];
   c.place(slot, Frame(plan.rotation[body], world.state.x[body]) * plan.local[slot]);
+  world.state.placed_x[body] = world.state.x[body], world.state.placed_q[body] = world.state.q[body];
   const Real half_gap = world.scene.dials[Dial::contact_distance] / 2;
   c.reach[slot] = 0;
   if (c.movable[slot]) {
@@ -235,7 +237,13 @@ void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
     }
   }
   SupportFault fault;
-  c.bounds[slot] = world_bounds(shape, c.frame[slot].r, c.frame[slot].p, fault);
+  const FloatGuard guard;
+  if ((c.muted[slot] & Colliders::kFaulty) && finite(shape.bounding_radius)) {  // who is muted is asked nothing
+    const Vec3 all = Vec3::Constant(shape.bounding_radius);
+    c.bounds[slot] = {c.frame[slot].p - all, c.frame[slot].p + all};
+  } else {
+    c.bounds[slot] = world_bounds(shape, c.frame[slot].r, c.frame[slot].p, fault);
+  }
   const Vec3 grow = Vec3::Constant(half_gap + c.reach[slot]);
   c.bounds[slot].lo -= grow;
   c.bounds[slot].hi += grow;
@@ -301,7 +309,7 @@ void refresh(World& world, const StepTime& time) {
   plan.host_wrote = !world.state.written.empty();
   plan.faults.clear();
   if (changed) {
-    world.pairs.ask_all();  // how pairs are asked may have changed
+    if (world.scene.revision != plan.restored) world.pairs.ask_all();  // how pairs are asked may have changed
     plan_colliders(world, plan);
     plan_rows(world, plan);
     plan_bodies(world, plan);

@@ -11,6 +11,8 @@ struct State {
       : x(m),
         q(m),
         held_q(m),
+        placed_x(m),
+        placed_q(m),
         v(m),
         omega(m),
         momentum(m),
@@ -25,6 +27,8 @@ struct State {
   Array<Vec3> x;         // m, world: centre of mass (NOT the origin of the body frame)
   Array<Quat> q;         // body axes -> world
   Array<Quat> held_q;    // a recent q, by which solvers in lanes turn the arms of contacts, @see Dial::hold_angle
+  Array<Vec3> placed_x;  // m, and the pose as which its colliders were last placed: their frames follow from it
+  Array<Quat> placed_q;
   Array<Vec3> v;         // m/s, world, of the centre of mass
   Array<Vec3> omega;     // rad/s, world
   Array<Vec3> momentum;  // kg m^2/s, world, about the centre: what omega was last made from, where a rotation

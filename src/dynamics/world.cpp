@@ -10,6 +10,7 @@
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/ledger/ledger.h"
 #include "dynamics/sleep/sleep.h"
+#include "dynamics/snapshot/structure.h"
 #include "dynamics/solver/direct.h"
 #include "dynamics/solver/wide_contacts.h"
 
@@ -39,12 +40,13 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
       sleep(make_owned<Sleep>(m, m)),
       events(make_owned<Events>(m, m)),
       continuous(make_owned<Continuous>(m, m)),
+      structure(make_owned<StructureCache>(m, m)),
       queries(make_owned<QueryIndex>(m, m)),
       memory(m) {
   scene.gravity = gravity;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };
   reserve(scene.bodies, scene.def, scene.type, scene.inv_mass, scene.mass, scene.center, scene.inertia,
-          scene.inv_inertia, state.x, state.q, state.held_q, state.v, state.omega, state.momentum, state.force, state.torque,
+          scene.inv_inertia, state.x, state.q, state.held_q, state.placed_x, state.placed_q, state.v, state.omega, state.momentum, state.force, state.torque,
           state.quarantined, state.loaded_steps, state.tired_steps, state.written, state.is_written);
 }
 

@@ -51,6 +51,8 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("world_enable_ledger", carom_world_enable_ledger(b.world, 1, nullptr));
   add("world_get_ledger", carom_world_get_ledger(b.world, nullptr, 0, 0, &count, nullptr));
   add("world_get_ledger_state", carom_world_get_ledger_state(b.world, &ledger, nullptr));
+  add("world_save", carom_world_save(b.world, CAROM_SNAPSHOT_STATE, nullptr, 0, &count, nullptr));
+  add("world_restore", carom_world_restore(b.world, "", 0, nullptr));
   add("world_hash", carom_world_hash(b.world, &count, nullptr));
   add("material_create", carom_material_create(b.world, &material, &handle, nullptr));
   add("material_update", carom_material_update(b.world, b.material, &material, nullptr));

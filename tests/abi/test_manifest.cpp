@@ -58,9 +58,9 @@ const nlohmann::json& api() {
   return data;
 }
 
-/// Structs that never grow: filled by a *_init() that knows no size, or in an array whose stride nobody says.
+/// Structs that never grow: filled by a *_init() that knows no size, or in an array whose stride nobody need say.
 std::set<std::string> fixed_structs() {
-  std::set<std::string> names = {"carom_param"};
+  std::set<std::string> names = {"carom_param", "carom_draw_line", "carom_world_hit", "carom_ray_hit"};
   for (const auto& s : api()["structs"])
     if (!s["init"].is_null()) names.insert(s["name"]);
   return names;

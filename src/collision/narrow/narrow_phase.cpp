@@ -10,6 +10,7 @@
 #include "collision/narrow/hybrid.h"
 #include "collision/narrow/pair.h"
 #include "collision/support.h"
+#include "core/float_guard.h"
 
 namespace carom {
 namespace {
@@ -175,6 +176,7 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
                   Array<SupportFault>& faults, Jobs* jobs) {
   Findings findings(report, *faults.get_allocator().resource());
   const auto part = [&](std::uint32_t begin, std::uint32_t end, Whose whose) {
+    const FloatGuard guard;
     NarrowReport own_report;
     Candidates found;
     NarrowSettings own = settings;  // with the pair's own contact distance: fast colliders reach farther
@@ -194,6 +196,7 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
       own.manifold.contact_distance = reach;
       SupportFault fault;
       update(pair, own, record, found, own_report, fault);
+      guard.put_back();
       place.points = static_cast<std::uint32_t>(record.manifold.count);
       place.horizon =
           place.points == 0 && fault.kind == SupportFault::none ? horizon_of(table, place.pair, found) : -kInfinity;

@@ -10,6 +10,10 @@
 
 namespace carom {
 
+namespace snapshot {
+class PairTableImage;  // dynamics/snapshot/pairs.cpp: to bytes and back
+}
+
 struct NarrowSettings {
   QuerySettings query;
   ManifoldSettings manifold;
@@ -91,6 +95,7 @@ class PairTable {
   }
 
  private:
+  friend class snapshot::PairTableImage;
   static constexpr std::uint32_t kNew = 0xFFFFFFFFu;
   /// A parked record stands in a list of each collider that holds it.
   struct Parked {

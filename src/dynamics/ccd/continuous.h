@@ -103,6 +103,7 @@ struct Continuous {
   Array<std::uint32_t> leaves;           // 0, 1, 2, ...
   Array<std::uint32_t> loose;            // places in bodies
   Array<SweepHit> hits;                  // of this step, by time; as many as there is room for
+  std::size_t most_bodies = 0, most_hits = 0;  // of this step: not what arrays have grown to, which is of the past
   Array<std::uint32_t> found;            // scratch: colliders
   Customers one, more, merged;           // scratch, for rotation methods
   SupportFault fault;                    // the first of this step

@@ -244,12 +244,14 @@ void begin_sweeps(World& world, const StepTime& time) {
   for (std::size_t k = 0; k < c.customers; ++k) {
     c.found.clear();
     broad_phase(world).find_near(table, straight_way(world, c.bodies[k].body, c.bodies[k].radius, time.dt), c.found);
+    std::sort(c.found.begin(), c.found.end());  // the order in which it finds them is of the past
     for (const std::uint32_t slot : c.found)
       if (table.movable[slot] && !c.find(table.body[slot]) && can_sweep(world, table.body[slot]))
         know(world, table.body[slot]);
   }
   const std::size_t most =
       std::min<std::size_t>(world.scene.bodies.slots(), c.bodies.size() + kStruck + kStruckEach * c.customers);
+  c.most_bodies = std::max(most, c.bodies.size()), c.most_hits = kHitsEach * (c.customers + 1);
   c.bodies.reserve(most), c.loose.reserve(most), c.boxes.resize(c.customers);
   c.leaves.resize(c.customers);
   c.tree.grow(c.customers);
@@ -259,7 +261,7 @@ void begin_sweeps(World& world, const StepTime& time) {
   }
   c.tree.build(c.leaves, c.boxes);
   carry_all_known(world);
-  c.hits.reserve(kHitsEach * (c.customers + 1));
+  c.hits.reserve(c.most_hits);
   c.one.clear(), c.one.add(0);
   world.plan->effects[kContinuousRow].evaluations += c.customers;
   world.report.swept_bodies = c.customers;

@@ -62,7 +62,7 @@ void Sweeper::strike(SweptBody& b) {
   }
   look_ahead(b, s.now);
   if (partner && partner->swept) look_ahead(*partner, s.now);
-  if (struck && c_.hits.size() < c_.hits.capacity()) {
+  if (struck && c_.hits.size() < c_.most_hits) {
     const bool in_order = s.a.collider < s.b.collider;
     c_.hits.push_back({{std::min(s.a.collider, s.b.collider), std::max(s.a.collider, s.b.collider)},
                        static_cast<std::uint32_t>(c_.hits.size()),
@@ -87,7 +87,7 @@ bool Sweeper::goes_far(const SweptBody& b) const {
 /// The record of a body that is hit, made if there is room; null for what stands still or sleeps.
 SweptBody* Sweeper::take_up(std::uint32_t body) {
   if (SweptBody* const known = c_.find(body)) return known;
-  if (!moved_by_hits(body) || world_.sleep->sleeps(body) || c_.bodies.size() == c_.bodies.capacity()) return nullptr;
+  if (!moved_by_hits(body) || world_.sleep->sleeps(body) || c_.bodies.size() >= c_.most_bodies) return nullptr;
   const Path path = path_of(body);
   SweptBody& b = know(world_, body);
   b.path = path;

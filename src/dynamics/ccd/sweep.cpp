@@ -7,6 +7,7 @@
 #include "dynamics/filter.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
+#include "dynamics/quarantine.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/direct.h"
 #include "dynamics/solver/wide_contacts.h"
@@ -204,9 +205,14 @@ void Sweeper::move_bodies() {
   for (const SweptBody& b : c_.bodies) {
     if (!b.changed) continue;
     any = true;
-    s.x[b.body] = b.path.place(time_.h);
+    const Vec3 x = b.path.place(time_.h);
+    const Quat q = b.path.orientation(time_.h);
+    const Real n2 = q.coeffs().squaredNorm();
+    if (!sane_position(x) || !(n2 > 0.5 && n2 < 2))
+      continue;  // numbers overflowed on the way: it stays where it was going
+    s.x[b.body] = x;
     if (!rotates(world_.scene, b.body)) continue;
-    s.q[b.body] = b.path.orientation(time_.h);
+    s.q[b.body] = q;
     world_.plan->rotation[b.body] = s.q[b.body].toRotationMatrix();
   }
   if (any) tell_contacts(world_);

@@ -11,6 +11,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/sleep/sleep.h"
+#include "dynamics/warm_scale.h"
 
 namespace carom {
 namespace {
@@ -297,7 +298,7 @@ void build_rows(World& world, Real h) {
   c.bouncing.clear(), c.impacts.clear();
   for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;  // of the last step
   const bool warm = world.scene.dials.choice(Dial::warm_start) != 0 && c.old_h > 0;
-  const Real scale = warm ? h / c.old_h : 0;
+  const Real scale = warm ? warm_scale(h, c.old_h) : 0;
   fill_all_rows(world, scale);
   find_resistance(world, scale);
   find_surfaces(world);

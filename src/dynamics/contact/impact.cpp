@@ -8,6 +8,7 @@
 #include "dynamics/contact/impulse.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
+#include "dynamics/quarantine.h"
 
 namespace carom {
 namespace {
@@ -182,8 +183,7 @@ class Impacts {
   void move_back() {
     State& s = world_.state;
     for (const std::uint32_t i : c_.bodies) {
-      s.x[i] += c_.shift[i];
-      if (c_.turn[i] != Vec3::Zero()) s.q[i] = normalized(exp_map(c_.turn[i]) * s.q[i]);
+      correct_pose(s, i, c_.shift[i], c_.turn[i]);
       c_.shift[i].setZero(), c_.turn[i].setZero();
     }
     refresh_rotations(world_);

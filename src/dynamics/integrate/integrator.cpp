@@ -67,11 +67,20 @@ void integrate_position(World& world, const StepTime& time) {
       strays.add(i);  // stays at its last good place
   };
   const auto move = [&](std::uint32_t i) { place(i, s.x[i] + h * s.v[i]); };
-  const auto spin = [&](std::uint32_t i) { s.q[i] = normalized(exp_map(h * s.omega[i]) * s.q[i]); };
+  // What a solver made of omega since the kick may be anything: no turn can be told by numbers whose squares overflow.
+  const auto face = [&](std::uint32_t i, const Quat& q) {
+    const Real n2 = q.coeffs().squaredNorm();
+    if (n2 > 0.5 && n2 < 2)
+      s.q[i] = q;
+    else
+      strays.add(i);
+  };
+  const auto spin = [&](std::uint32_t i) { face(i, normalized(exp_map(h * s.omega[i]) * s.q[i])); };
   const auto turn = [&](std::uint32_t i) {
     if (s.quarantined[i]) return;
-    s.q[i] = plan.proposal.q[i];
-    if (plan.touched[i]) s.q[i] = normalized(exp_map(h * (s.omega[i] - plan.proposal.omega[i])) * s.q[i]);
+    Quat q = plan.proposal.q[i];
+    if (plan.touched[i]) q = normalized(exp_map(h * (s.omega[i] - plan.proposal.omega[i])) * q);
+    face(i, q);
   };
   const bool carries = plan.rotation_method != nullptr;
   const auto orient = [&](std::uint32_t i) { (carries && plan.carried[i]) ? turn(i) : spin(i); };
@@ -84,7 +93,7 @@ void integrate_position(World& world, const StepTime& time) {
     plan.linear.each(world.jobs, [&](std::uint32_t i) { free(i) ? place(i, plan.proposal.x[i]) : move(i); });
     plan.rotating.each(world.jobs, [&](std::uint32_t i) {
       if (free(i))
-        place(i, plan.proposal.x[i]), s.q[i] = plan.proposal.q[i];
+        place(i, plan.proposal.x[i]), face(i, plan.proposal.q[i]);
       else
         move(i), orient(i);
     });

@@ -10,6 +10,7 @@
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/fill_lanes.h"
 #include "dynamics/solver/soft_step.h"
+#include "dynamics/warm_scale.h"
 
 namespace carom {
 namespace {
@@ -138,7 +139,7 @@ void fill(const World& world, std::uint32_t index, const Softness& soft, Real h,
   const JointDef& def = joint.def;
   const JointEnds ends = ends_of(world, def);
   const bool warm = joint.p_h > 0 && scene.dials.choice(Dial::warm_start) != 0;
-  const Real scale = warm ? h / joint.p_h : 0;
+  const Real scale = warm ? warm_scale(h, joint.p_h) : 0;
   const auto side = [&](std::uint32_t body, std::uint32_t& solver, Lanes& inv_mass, LaneSymmetric& inertia) {
     solver = solver_body(world, body);
     set_mass(world, moves(world, body), body, inv_mass, inertia, lane);

@@ -146,6 +146,11 @@ void Particles::hold(std::uint32_t s, std::size_t i) {
   p.mark(i, true);
 }
 
+void Particles::recount() {
+  count_ = 0;
+  for (const ParticleSet& p : set) count_ += p.size();
+}
+
 std::uint64_t Particles::held_count() const {
   std::uint64_t n = 0;
   for (const ParticleSet& p : set) n += p.held_count;

@@ -69,6 +69,7 @@ class Particles {
   void set_mass(std::uint32_t s, std::size_t i, Real mass);
 
   void hold(std::uint32_t s, std::size_t i);  // stop it, until a host places it
+  void recount();                             // after sets were given other sizes
 
   std::uint64_t count() const { return count_; }  // of all sets
   std::uint64_t held_count() const;

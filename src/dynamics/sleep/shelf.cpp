@@ -253,6 +253,24 @@ Sleep::Sleep(Memory* m)
       returning(m),
       spare(m) {}
 
+/// All that is parked, into an empty tree.
+static void replant(World& world) {
+  Sleep& z = *world.sleep;
+  z.colliders.clear();
+  z.tree.clear();
+  z.in_tree.assign(world.scene.colliders.slots(), 0);
+  for (std::uint32_t i = 0; i < z.parked.size(); ++i) {
+    if (!z.parked[i]) continue;
+    if (world.scene.first_collider[i] != kNone) world.plan->rotation[i] = world.state.q[i].toRotationMatrix();
+    each_collider(world.scene, i, [&](std::uint32_t c) {
+      place_collider(world, *world.plan, c, 0);
+      z.colliders.push_back(c);
+    });
+  }
+  plant(world, z.colliders);
+  z.replant = false;
+}
+
 void plan_sleep(World& world, Plan& plan) {
   if (plan.effects[kSleepRow].candidates.count == 0) return;  // the dial is off: nobody sleeps
   Sleep& z = *world.sleep;
@@ -276,6 +294,7 @@ void forget_sleepers(World& world) {
   Sleep& z = *world.sleep;
   wake_all(world);
   z.tree.clear();
+  z.replant = false;
   std::fill(z.in_tree.begin(), z.in_tree.end(), std::uint8_t(0));
   std::fill(z.parked.begin(), z.parked.end(), std::uint8_t(0));
   std::fill(z.kept_first.begin(), z.kept_first.end(), kNone);
@@ -287,6 +306,7 @@ void forget_sleepers(World& world) {
 
 bool settle_sleepers(World& world) {
   Sleep& z = *world.sleep;
+  if (z.replant) replant(world);
   if (std::exchange(z.alarm, false)) wake_all(world);
   if (z.fallen.empty() && z.woken.empty()) return false;
   rejoin(world);

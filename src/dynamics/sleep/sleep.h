@@ -67,6 +67,7 @@ struct Sleep {
 
   BoxTree tree;                 // colliders of parked bodies, by their bounds
   Array<std::uint8_t> in_tree;  // by collider
+  bool replant = false;         // the tree is empty, and is to be made of all parked bodies
   Array<KeptImpulse> kept;
   Array<std::uint32_t> kept_free;
   Array<Pair> near;  // pairs of movers and sleepers whose bounds overlap, ascending, of this step

@@ -6,6 +6,7 @@
 #include "dynamics/contact/held_arms.h"
 #include "dynamics/force/force.h"
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/quarantine.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/round.h"
 #include "dynamics/solver/solver.h"
@@ -267,10 +268,9 @@ class Group {
     answer_ = solve_cones(problem_, is_joined() ? 0.1 * kGap : 0.01 * tolerance, kMostSteps);
     const Real share = displacement_share();
     for (const ConeBody& b : bodies_of(problem_)) {
-      s_.x[b.slot] += share * linear(b.v);
       const Vec3 turn = share * angular(b.v);
+      correct_pose(s_, b.slot, share * linear(b.v), turn);
       if (turn == Vec3::Zero()) continue;
-      s_.q[b.slot] = normalized(exp_map(turn) * s_.q[b.slot]);
       world_.plan->rotation[b.slot] = s_.q[b.slot].toRotationMatrix();
     }
     for (ConeBody& b : bodies_of(problem_)) load(b);

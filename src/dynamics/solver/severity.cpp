@@ -5,6 +5,7 @@
 
 #include "dynamics/contact/impulse.h"
 #include "dynamics/force/force.h"
+#include "dynamics/quarantine.h"
 #include "dynamics/solver/search.h"
 
 namespace carom {
@@ -175,8 +176,7 @@ void positions(World& world, const StepTime&) {
   world.report.position_moves +=
       over_groups<PositionPass>(world, dials[Dial::position_tolerance], dials.whole(Dial::position_iterations));
   for (const std::uint32_t i : c.bodies) {
-    s.x[i] += c.shift[i];
-    if (c.turn[i] != Vec3::Zero()) s.q[i] = normalized(exp_map(c.turn[i]) * s.q[i]);
+    correct_pose(s, i, c.shift[i], c.turn[i]);
     c.shift[i].setZero(), c.turn[i].setZero();
   }
   refresh_rotations(world);

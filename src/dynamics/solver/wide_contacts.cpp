@@ -5,6 +5,7 @@
 #include <array>
 
 #include "dynamics/contact/held_arms.h"
+#include "dynamics/quarantine.h"
 #include "dynamics/solver/fill_lanes.h"
 
 namespace carom {
@@ -332,9 +333,7 @@ void displace(World& world, const WideContacts& wide) {
     const std::uint32_t slot = wide.slot[i];
     if (i < wide.first_moved || !responds(world.scene, s, slot)) return;
     const BodyVelocity& d = wide.displacement[i];
-    const Vec3 turn(d.omega[0], d.omega[1], d.omega[2]);
-    s.x[slot] += Vec3(d.v[0], d.v[1], d.v[2]);
-    if (turn != Vec3::Zero()) s.q[slot] = normalized(exp_map(turn) * s.q[slot]);
+    correct_pose(s, slot, Vec3(d.v[0], d.v[1], d.v[2]), Vec3(d.omega[0], d.omega[1], d.omega[2]));
   });
 }
 

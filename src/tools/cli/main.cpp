@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   add_run_command(app, context);
   add_plan_command(app, context);
+  add_export_command(app, context);
   add_list_command(app, context);
   add_shapes_command(app, context);
   add_dials_command(app, context);

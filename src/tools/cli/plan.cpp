@@ -18,7 +18,7 @@ struct Options {
 
 void print_plan(const Options& options, Context& context) {
   const SceneChoice& choice = options.choice;
-  const Scene& scene = find_scene(choice.scene);
+  const Scene& scene = chosen_scene(choice.scene);
   Engine engine(context.plugins());
   engine.set_threads(choice.threads);
   Stage stage(engine);

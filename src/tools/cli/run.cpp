@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -24,7 +26,7 @@ namespace {
 
 struct Options {
   SceneChoice choice;
-  std::string gltf, csv, csv_steps, filmstrip, svg, ledger_svg;
+  std::string gltf, csv, csv_steps, filmstrip, svg, ledger_svg, save, load;
   double fps = 30;
   bool quiet = false, as_json = false, plan = false, ledger = false;
 };
@@ -77,9 +79,31 @@ void write_picture(const std::string& path, const Scene& scene, Stage& stage, do
     throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
 }
 
+/// The state of the world, for a later run of the same scene with the same settings.
+void save_state(const std::string& path, const World& world) {
+  std::uint64_t size = 0;
+  Call call;
+  call.done(carom_world_save(world.get(), CAROM_SNAPSHOT_STATE, nullptr, 0, &size, call), "measuring the state");
+  std::vector<char> bytes(size);
+  call.done(carom_world_save(world.get(), CAROM_SNAPSHOT_STATE, bytes.data(), size, &size, call), "saving the state");
+  std::ofstream file(path, std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(size)).flush();
+  if (!file)
+    throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
+}
+
+void load_state(const std::string& path, const World& world) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw Error("cannot read " + path, "give --load a file that --save wrote");
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  Call call;
+  call.done(carom_world_restore(world.get(), bytes.empty() ? "" : bytes.data(), bytes.size(), call),
+            "going on from " + path);
+}
+
 void run_scene(const Options& options, Context& context) {
   const SceneChoice& choice = options.choice;
-  const Scene& scene = find_scene(choice.scene);
+  const Scene& scene = chosen_scene(choice.scene);
   const double seconds = choice.seconds.value_or(scene.seconds), dt = choice.dt.value_or(scene.dt);
   Engine engine(context.plugins());
   engine.set_threads(choice.threads);
@@ -88,9 +112,11 @@ void run_scene(const Options& options, Context& context) {
   stage.world.time_effects(options.plan);
   if (!(options.fps > 0 && options.fps <= 1e4))
     throw Error("--fps is out of range", "give frames per second, more than 0 and at most 10000");
-  for (const std::string& path : {options.gltf, options.csv, options.csv_steps, options.filmstrip, options.svg,
-                                  options.ledger_svg})
+  for (const std::string& path :
+       {options.gltf, options.csv, options.csv_steps, options.filmstrip, options.svg, options.ledger_svg, options.save})
     make_folder_of(path);
+  if (!options.load.empty()) load_state(options.load, stage.world);
+  const double start = stage.world.report().time;
   // Files first: better to hear now than after the run that a folder does not exist.
   std::optional<StepTable> step_table;
   if (!options.csv_steps.empty()) step_table.emplace(options.csv_steps);
@@ -116,7 +142,7 @@ void run_scene(const Options& options, Context& context) {
   if (options.ledger || !options.ledger_svg.empty()) stage.world.keep_ledger();
   RunSummary run;
   {
-    Progress progress(seconds, talk);
+    Progress progress(start + seconds, talk);
     run = simulate(stage, observer.get(), seconds, dt, [&](const carom_step_report& report) {
       progress.update(report);
       if (recording) recording->after_step(report.steps, report.time);
@@ -125,6 +151,7 @@ void run_scene(const Options& options, Context& context) {
       return true;
     });
   }
+  if (!options.save.empty()) save_state(options.save, stage.world);
   if (recording) recording->finish(run.simulated);
   if (step_table) step_table->finish();
   if (motion_table) motion_table->write(stage, *recording);
@@ -178,6 +205,9 @@ void add_run_command(CLI::App& app, Context& context) {
   run->add_flag("--ledger", options->ledger,
                 "Print where energy, momentum and angular momentum came from and went to, by cause");
   run->add_option("--ledger-svg", options->ledger_svg, "Draw energy by cause over time")->type_name("FILE.svg");
+  run->add_option("--save", options->save, "Write the state in which the run ends")->type_name("FILE");
+  run->add_option("--load", options->load, "Begin with a state that --save wrote, of the same scene and settings")
+      ->type_name("FILE");
   run->add_flag("--quiet", options->quiet, "Say nothing but errors");
   run->add_flag("--plan", options->plan, "At the end print what ran in the last step, for whom, and what was left out");
   run->add_flag("--json", options->as_json, "Print the summary as JSON");

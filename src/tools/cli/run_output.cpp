@@ -83,8 +83,7 @@ void print_summary(const Stage& stage, const Observer* observer, const RunSummar
   std::printf("faults: %llu; in quarantine: %llu bodies, %llu particles\n", count(run.faults),
               count(run.last.quarantined_bodies), count(run.last.quarantined_particles));
   for (std::size_t i = 0; i < std::min<std::size_t>(3, run.first_faults.size()); ++i)
-    std::printf("  '%s': %s\n", name_of(stage, run.first_faults[i]).c_str(),
-                fault_text(run.first_faults[i].kind));
+    std::printf("  '%s': %s\n", name_of(stage, run.first_faults[i]).c_str(), fault_text(run.first_faults[i].kind));
   std::printf("state hash: %016llx\n", count(run.hash));
   if (observer) {
     std::printf("\nwhat happened:\n");

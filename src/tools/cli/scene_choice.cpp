@@ -2,6 +2,7 @@
 #include "cli/scene_choice.h"
 
 #include "cli/commands.h"
+#include "scenefile/scenefile.h"
 
 namespace carom::tools {
 
@@ -18,8 +19,16 @@ std::vector<std::pair<std::string, double>> values_from(const std::vector<std::s
   return values;
 }
 
+const Scene& chosen_scene(const std::string& name) {
+  static std::map<std::string, Scene> files;
+  if (!is_scene_file(name)) return find_scene(name);
+  const auto known = files.find(name);
+  return known != files.end() ? known->second : files.emplace(name, scene_of_file(name)).first->second;
+}
+
 void add_scene_options(CLI::App& command, SceneChoice& choice, const std::string& seconds_help) {
-  command.add_option("SCENE", choice.scene, "Which scene; `carom list` shows them")->required();
+  command.add_option("SCENE", choice.scene, "Which scene: a name (`carom list` shows them), or a .gltf or .glb file")
+      ->required();
   command.add_option("--n", choice.n, "Number of bodies, for scenes that have one (short for --set n=N)");
   command.add_option("--set", choice.sets, "A parameter of the scene, repeatable")
       ->type_name("NAME=VALUE")
@@ -47,7 +56,7 @@ void add_scene_options(CLI::App& command, SceneChoice& choice, const std::string
 
 std::unique_ptr<Observer> set_up(const SceneChoice& choice, const Scene& scene, Stage& stage) {
   Settings settings;
-  settings.mesh_path = choice.mesh;
+  settings.mesh_path = is_scene_file(choice.scene) ? choice.scene : choice.mesh;
   if (choice.n) settings.values.emplace_back("n", *choice.n);
   for (auto& value : values_from(choice.sets)) settings.values.push_back(std::move(value));
   std::unique_ptr<Observer> observer = build(scene, settings, stage);

@@ -18,6 +18,8 @@ struct SceneChoice {
   std::uint32_t threads = 1;
 };
 
+/// By name, or of a file (.gltf, .glb).   @throws Error
+const Scene& chosen_scene(const std::string& name);
 void add_scene_options(CLI::App& command, SceneChoice& choice, const std::string& seconds_help);
 /// Fill the stage, then set dials and effects.   @return the scene's observer, or null   @throws Error
 std::unique_ptr<Observer> set_up(const SceneChoice& choice, const Scene& scene, Stage& stage);

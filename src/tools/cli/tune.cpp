@@ -11,9 +11,11 @@
 
 #include "cli/commands.h"
 #include "cli/run_output.h"
+#include "cli/scene_choice.h"
 #include "cli/table.h"
 #include "report/page.h"
 #include "report/plot.h"
+#include "scenefile/scenefile.h"
 
 namespace carom::tools {
 namespace {
@@ -59,9 +61,10 @@ Question question_from(const Options& options) {
   if (!q.scene) {
     for (const accuracy::Challenge& c : accuracy::all_challenges())
       if (c.scene.name == options.scene) q.scene = &c.scene;
-    if (!q.scene) q.scene = &find_scene(options.scene);
+    if (!q.scene) q.scene = &chosen_scene(options.scene);
   }
   q.settings.values = values_from(options.sets);
+  if (is_scene_file(options.scene)) q.settings.mesh_path = options.scene;
   q.kind = kind_from(options, q.challenge != nullptr);
   q.kind_chosen = !options.error.empty();
   q.seconds = options.seconds > 0 ? options.seconds : std::min(q.scene->seconds, 10.0);

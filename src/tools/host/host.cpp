@@ -82,6 +82,28 @@ carom_shape Engine::height_field(const std::vector<double>& params) {
   return handle;
 }
 
+carom_shape Engine::mesh(const std::vector<double>& params) {
+  auto key = std::make_pair(std::string("mesh"), params);
+  if (const auto found = shapes_.find(key); found != shapes_.end()) return found->second;
+  const std::size_t vertices = params.size() > 1 && params[1] >= 0 && params[1] < 1e9 ? std::size_t(params[1]) : 0;
+  if (params.size() < 2 + 3 * vertices || (params.size() - 2) % 3 != 0)
+    throw Error("a mesh of " + std::to_string(params.size()) + " parameters",
+                "give flags, the number of vertices, their x, y, z, then three indices a triangle");
+  std::vector<std::uint32_t> corners;
+  for (std::size_t i = 2 + 3 * vertices; i < params.size(); ++i)
+    corners.push_back(params[i] >= 0 && params[i] < 4294967295.0 ? static_cast<std::uint32_t>(params[i]) : UINT32_MAX);
+  carom_mesh_desc desc;
+  carom_shape handle = CAROM_NULL_HANDLE;
+  Call call;
+  call.done(carom_mesh_desc_init(&desc), "making a mesh");
+  desc.flags = static_cast<std::uint32_t>(params[0]);
+  desc.vertices = params.data() + 2, desc.vertex_count = vertices;
+  desc.triangles = corners.data(), desc.triangle_count = corners.size() / 3;
+  call.done(carom_shape_create_mesh(engine_, &desc, &handle, call), "making a mesh");
+  shapes_.emplace(std::move(key), handle);
+  return handle;
+}
+
 carom_shape_info Engine::info(carom_shape shape_handle) const {
   carom_shape_info info{};
   info.struct_size = sizeof info;

@@ -65,6 +65,8 @@ class Engine {
   carom_shape half_space(const double normal[3], double offset);                         ///< made once
   /// Made once. @param params  columns, rows, spacing along x and z (m), then heights row by row (m)
   carom_shape height_field(const std::vector<double>& params);
+  /// Made once. @param params  flags, number of vertices, their x, y, z (m), then three indices a triangle
+  carom_shape mesh(const std::vector<double>& params);
   carom_shape_info info(carom_shape shape) const;
   const carom_shape_plugin& describe(carom_plugin plugin) const;
   std::vector<std::string> loaded() const;  ///< short names of plugins loaded so far, sorted

@@ -16,7 +16,7 @@ void Stage::add_spring(Bungee bungee) {
   std::copy(bungee.at_a.data(), bungee.at_a.data() + 3, desc.anchor_a);
   std::copy(bungee.at_b.data(), bungee.at_b.data() + 3, desc.anchor_b);
   desc.rest = bungee.rest, desc.stiffness = bungee.stiffness, desc.damping = bungee.damping;
-  desc.only_pulls = 1;
+  desc.only_pulls = bungee.only_pulls;
   call.done(carom_spring_create(world.get(), &desc, &bungee.spring, call), "making a spring");
   bungees.push_back(bungee);
 }
@@ -38,10 +38,11 @@ void Stage::set_water(const carom_water& water) {
   if (water.normal[1] == 1) water_level = water.level;
 }
 
-void Stage::add_field(const carom_force_field_desc& field) {
+void Stage::add_field(const carom_force_field_desc& desc) {
   carom_force_field handle = CAROM_NULL_HANDLE;
   Call call;
-  call.done(carom_force_field_create(world.get(), &field, &handle, call), "making a force field");
+  call.done(carom_force_field_create(world.get(), &desc, &handle, call), "making a force field");
+  fields.push_back(handle);
 }
 
 void Stage::set_field_mask(std::size_t actor, std::uint32_t mask) {

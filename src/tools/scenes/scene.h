@@ -21,20 +21,24 @@ using Quat = Eigen::Quaterniond;
 
 /// A collider as a scene describes it.
 struct Part {
-  std::string shape;  ///< plugin name ("box"), or "half_space" with params nx, ny, nz, offset, or "height_field" with
-                      ///< those of Engine::height_field()
+  std::string shape;  ///< plugin name ("box"), or "half_space" with params nx, ny, nz, offset, or "height_field" or
+                      ///< "mesh" with those of Engine::height_field(), Engine::mesh()
   std::vector<double> params;  ///< of the plugin
   Vec position = Vec::Zero();  ///< m, body frame
   Quat orientation = Quat::Identity();
   double density = 1000;  ///< kg/m^3
   double friction = 0.5;
   double restitution = 0;
-  double rolling = 0;                  ///< m: carom_material_set_resistance()
+  std::uint32_t friction_mix = CAROM_MIX_GEOMETRIC_MEAN, restitution_mix = CAROM_MIX_MAXIMUM;
+  double rolling = 0, spinning = 0;    ///< m: carom_material_set_resistance()
   Vec surface_velocity = Vec::Zero();  ///< m/s, axes of the shape: of its surface, while it stays
   Vec surface_spin = Vec::Zero();      ///< rad/s, likewise, about its origin
   int mesh = -1;                       ///< index into Stage::meshes to draw instead of the shape, or -1
+  carom_collider collider = CAROM_NULL_HANDLE;
 
-  bool is_ground() const { return shape == "half_space" || shape == "height_field"; }  ///< no plugin\'s convex shape
+  bool is_ground() const {  ///< no plugin's convex shape
+    return shape == "half_space" || shape == "height_field" || shape == "mesh";
+  }
 };
 
 /// A body or a particle as a scene describes it, and the handle it got.
@@ -44,10 +48,13 @@ struct Actor {
   std::uint32_t type = CAROM_BODY_DYNAMIC;
   Vec position = Vec::Zero();  ///< m, world
   Quat orientation = Quat::Identity();
-  Vec linear_velocity = Vec::Zero();   ///< m/s, world
-  Vec angular_velocity = Vec::Zero();  ///< rad/s, world
-  double mass = 0;                     ///< kg; 0: from the parts' densities
-  std::vector<Part> parts;             ///< none: a point
+  Vec linear_velocity = Vec::Zero();               ///< m/s, world
+  Vec angular_velocity = Vec::Zero();              ///< rad/s, world
+  double mass = 0;                                 ///< kg; 0: from the parts' densities
+  std::optional<Vec> center;                       ///< m, body frame; needs a mass, as does the next
+  std::optional<Eigen::Matrix3d> inertia;          ///< kg m^2, body axes, about the centre
+  double linear_damping = 0, angular_damping = 0;  ///< 1/s
+  std::vector<Part> parts;                         ///< none: a point
   carom_body body = CAROM_NULL_HANDLE;
   carom_particles particles = CAROM_NULL_HANDLE;  ///< instead of body: the set it is in, the actors of a set side by
   std::uint32_t index = 0;                        ///< side, and its place there
@@ -67,6 +74,7 @@ struct Bungee {
   std::size_t a = kWorld, b = kWorld;           ///< indices of actors
   Vec at_a = Vec::Zero(), at_b = Vec::Zero();   ///< m, in the body's frame, or world
   double rest = 0, stiffness = 0, damping = 0;  ///< m, N/m, N s/m
+  bool only_pulls = true;
   carom_spring spring = CAROM_NULL_HANDLE;
 };
 
@@ -89,13 +97,15 @@ class Stage {
   /// Join two bodies as they stand.   @param axes  joint -> world   @throws Error
   carom_joint join(std::uint32_t kind, std::size_t a, std::size_t b, const Vec& at,
                    const Quat& axes = Quat::Identity());
+  /// As a descriptor says, in body frames; one body may be the world.   @throws Error, which begins with `joining`
+  carom_joint join(const carom_joint_desc& desc, const std::string& joining);
 
   void add_spring(Bungee bungee);  ///< @throws Error
   /// How air resists an actor.   @param linear  kg/s   @param quadratic  kg/m   @throws Error
   void set_drag(std::size_t actor, double linear, double quadratic);
   void set_wind(const Vec& velocity);                          ///< m/s   @throws Error
   void set_water(const carom_water& water);                    ///< @throws Error
-  void add_field(const carom_force_field_desc& field);         ///< @throws Error
+  void add_field(const carom_force_field_desc& desc);          ///< @throws Error
   void set_field_mask(std::size_t actor, std::uint32_t mask);  ///< @throws Error
   void set_gravity_factor(std::size_t actor, double factor);   ///< @throws Error
 
@@ -110,13 +120,14 @@ class Stage {
 
  private:
   Engine& engine_;
-  std::map<std::array<double, 3>, carom_material> materials_;  // by friction, restitution, rolling
+  std::map<std::array<double, 6>, carom_material> materials_;  // by what a part says of its surface
 
  public:
   World world;
   std::vector<Actor> actors;
   std::vector<Tie> ties;
   std::vector<Bungee> bungees;
+  std::vector<carom_force_field> fields;
   std::optional<double> water_level;     ///< m, y: where set_water() put level water
   std::vector<Mesh> meshes;              ///< for the eye only; the physics uses convex shapes
   std::vector<std::string> remarks;      ///< what a viewer of the run should know: credits, stand-ins

@@ -24,33 +24,43 @@ std::size_t Stage::add(Actor actor) {
   if (actor.mass > 0) {
     desc.mass = actor.mass;
     desc.fields |= CAROM_BODY_FIELD_MASS;
+    if (actor.center) put(desc.center, *actor.center), desc.fields |= CAROM_BODY_FIELD_CENTER;
+    if (actor.inertia) {
+      for (int i = 0; i < 9; ++i) desc.inertia[i] = (*actor.inertia)(i / 3, i % 3);
+      desc.fields |= CAROM_BODY_FIELD_INERTIA;
+    }
   }
+  desc.linear_damping = actor.linear_damping;
+  desc.angular_damping = actor.angular_damping;
   desc.user = actors.size();
   call.done(carom_body_create(world.get(), &desc, &actor.body, call), making);
-  for (const Part& part : actor.parts) {
+  for (Part& part : actor.parts) {
     carom_collider_desc collider;
     call.done(carom_collider_desc_init(&collider), making);
     collider.shape = part.shape == "half_space"     ? engine_.half_space(part.params.data(), part.params.at(3))
                      : part.shape == "height_field" ? engine_.height_field(part.params)
+                     : part.shape == "mesh"         ? engine_.mesh(part.params)
                                                     : engine_.shape(part.shape, part.params);
-    carom_material& material = materials_[{part.friction, part.restitution, part.rolling}];
+    carom_material& material = materials_[{part.friction, part.restitution, static_cast<double>(part.friction_mix),
+                                           static_cast<double>(part.restitution_mix), part.rolling, part.spinning}];
     if (material == CAROM_NULL_HANDLE) {
       carom_material_desc surface;
       call.done(carom_material_desc_init(&surface), making);
       surface.friction = part.friction;
       surface.restitution = part.restitution;
+      surface.friction_mix = part.friction_mix;
+      surface.restitution_mix = part.restitution_mix;
       call.done(carom_material_create(world.get(), &surface, &material, call), making);
-      if (part.rolling > 0)
-        call.done(carom_material_set_resistance(world.get(), material, part.rolling, 0, call), making);
+      if (part.rolling > 0 || part.spinning > 0)
+        call.done(carom_material_set_resistance(world.get(), material, part.rolling, part.spinning, call), making);
     }
     collider.material = material;
     put(collider.position, part.position);
     put(collider.orientation, part.orientation);
     collider.density = part.density;
-    carom_collider handle = CAROM_NULL_HANDLE;
-    call.done(carom_collider_create(world.get(), actor.body, &collider, &handle, call), making);
+    call.done(carom_collider_create(world.get(), actor.body, &collider, &part.collider, call), making);
     if (part.surface_velocity != Vec::Zero() || part.surface_spin != Vec::Zero())
-      call.done(carom_collider_set_surface_velocity(world.get(), handle, part.surface_velocity.data(),
+      call.done(carom_collider_set_surface_velocity(world.get(), part.collider, part.surface_velocity.data(),
                                                     part.surface_spin.data(), call),
                 making);
   }
@@ -72,6 +82,19 @@ carom_joint Stage::join(std::uint32_t kind, std::size_t a, std::size_t b, const 
   call.done(carom_joint_create(world.get(), &desc, &tie.joint, call), joining);
   ties.push_back(tie);
   return tie.joint;
+}
+
+carom_joint Stage::join(const carom_joint_desc& desc, const std::string& joining) {
+  carom_joint joint = CAROM_NULL_HANDLE;
+  Call call;
+  call.done(carom_joint_create(world.get(), &desc, &joint, call), joining);
+  std::size_t end[2] = {actors.size(), actors.size()};
+  for (std::size_t i = 0; i < actors.size(); ++i)
+    for (int k = 0; k < 2; ++k)
+      if (actors[i].body != CAROM_NULL_HANDLE && actors[i].body == (k ? desc.body_b : desc.body_a)) end[k] = i;
+  if (end[0] < actors.size() && end[1] < actors.size())
+    ties.push_back({desc.kind, end[0], end[1], position(end[0]) + orientation(end[0]) * Vec(desc.position_a), joint});
+  return joint;
 }
 
 std::size_t Stage::add_half_space(const std::string& name, const Vec& normal, const Vec& point, double friction) {

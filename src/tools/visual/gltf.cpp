@@ -41,11 +41,9 @@ class Writer {
     document_["scenes"] = json::array({{{"nodes", roots_}}});
     if (!channels_.empty())
       document_["animations"] = json::array({{{"name", "run"}, {"channels", channels_}, {"samplers", samplers_}}});
-    document_["buffers"] = json::array({{{"byteLength", bytes_.size()}}});
   }
 
-  json& document() { return document_; }
-  const std::string& bytes() const { return bytes_; }
+  GltfDrawing take() { return {std::move(document_), std::move(bytes_), std::move(node_), std::move(part_node_)}; }
 
  private:
   static json numbers(const float* values, int n) {
@@ -147,6 +145,8 @@ class Writer {
 
   void add_actor(std::size_t a) {
     const Actor& actor = stage_.actors[a];
+    node_.push_back(GltfDrawing::kNone);
+    part_node_.emplace_back();
     json node = {{"name", actor.name},
                  {"translation", numbers(recording_.pose(0, a), 3)},
                  {"rotation", unit(recording_.pose(0, a) + 3)}};
@@ -157,16 +157,20 @@ class Writer {
       const std::size_t drawn = mesh(part, actor.kind);
       if (actor.parts.size() == 1 && part.position.isZero() && part.orientation.isApprox(Quat::Identity())) {
         node["mesh"] = drawn;
+        part_node_[a] = {GltfDrawing::kNone};
         continue;
       }
       const Eigen::Vector3f at = part.position.cast<float>();
       const Eigen::Vector4f turned = part.orientation.coeffs().cast<float>();
       children.push_back(append(
           "nodes", {{"mesh", drawn}, {"translation", numbers(at.data(), 3)}, {"rotation", unit(turned.data())}}));
+      part_node_[a].push_back(children.back());
     }
     if (!children.empty()) node["children"] = children;
     const std::size_t id = append("nodes", std::move(node));
     roots_.push_back(id);
+    node_[a] = id;
+    if (part_node_[a].size() == 1 && part_node_[a][0] == GltfDrawing::kNone) part_node_[a][0] = id;
     if (actor.type != CAROM_BODY_STATIC && recording_.frame_count() > 1) animate(id, a, !actor.parts.empty());
   }
 
@@ -230,6 +234,8 @@ class Writer {
   const Recording& recording_;
   json document_, roots_ = json::array(), channels_ = json::array(), samplers_ = json::array();
   std::string bytes_;
+  std::vector<std::size_t> node_;
+  std::vector<std::vector<std::size_t>> part_node_;
   std::map<std::string, std::size_t> materials_;
   std::map<std::tuple<std::string, std::vector<double>, int>, Triangles> shapes_;
   std::map<std::pair<std::tuple<std::string, std::vector<double>, int>, std::string>, std::size_t> meshes_;
@@ -280,19 +286,25 @@ void check_gltf_path(const std::string& path) {
     throw Error("cannot write " + path, "choose a folder that exists and may be written to");
 }
 
-void write_gltf(const std::string& path, Stage& stage, const Recording& recording) {
+GltfDrawing draw_gltf(Stage& stage, const Recording& recording) { return Writer(stage, recording).take(); }
+
+void save_gltf(const std::string& path, GltfDrawing drawing) {
   check_gltf_path(path);
-  Writer writer(stage, recording);
+  drawing.document["buffers"] = json::array({{{"byteLength", drawing.bytes.size()}}});
   std::string out;
   if (path.ends_with(".glb")) {
-    out = container(writer.document().dump(), writer.bytes());
+    out = container(drawing.document.dump(), std::move(drawing.bytes));
   } else {
-    writer.document()["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(writer.bytes());
-    out = writer.document().dump();
+    drawing.document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(drawing.bytes);
+    out = drawing.document.dump();
   }
   std::ofstream file(path, std::ios::binary);
   if (!file.write(out.data(), static_cast<std::streamsize>(out.size())).flush())
     throw Error("writing " + path + " failed", "make room on the disk");
+}
+
+void write_gltf(const std::string& path, Stage& stage, const Recording& recording) {
+  save_gltf(path, draw_gltf(stage, recording));
 }
 
 }  // namespace carom::tools

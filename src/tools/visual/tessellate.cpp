@@ -37,6 +37,7 @@ Mesh tessellate(Engine& engine, const Part& part) {
   if (part.shape == "half_space")
     throw Error("a half-space has no mesh: it is unbounded", "draw a floor of finite size instead");
   if (part.shape == "height_field") return triangles_of(engine, engine.height_field(part.params));
+  if (part.shape == "mesh") return triangles_of(engine, engine.mesh(part.params));
   const carom_shape shape = engine.shape(part.shape, part.params);
   if (engine.info(shape).form == CAROM_FORM_POLYTOPE) {
     const std::uint32_t first = engine.describe(engine.plugin(part.shape)).geometry->form_arg[0];

@@ -1,0 +1,28 @@
+"""Carom, a rigid-body physics engine: bodies, joints and shapes with their contacts, the same bits on every machine.
+
+    import carom
+    with carom.Engine() as engine, engine.world() as world:
+        world.ground()
+        ball = world.body(engine.sphere(0.5), position=(0, 3, 0))
+        carom.run(world, seconds=3)
+        print(ball.position)
+
+SI units, radians, right-handed frames, quaternions x, y, z, w. `carom.raw` is the C interface under its own names.
+"""
+from . import errors, raw
+from ._c import VERSION as __version__
+from .body import Body, Collider, Material
+from .dials import dial_infos
+from .engine import Engine
+from .errors import CaromError, Closed
+from .force import ForceField, Spring, Water
+from .joint import Joint
+from .particles import Particles
+from .report import effects
+from .run import run
+from .shape import Shape
+from .support import SupportPlugin
+from .world import World
+
+__all__ = ["Body", "CaromError", "Closed", "Collider", "Engine", "ForceField", "Joint", "Material", "Particles", "Shape", "Spring",
+           "SupportPlugin", "Water", "World", "dial_infos", "effects", "errors", "raw", "run", "__version__"]

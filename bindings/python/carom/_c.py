@@ -1,0 +1,646 @@
+"""ctypes declarations of include/carom. Written by bindings/gen/generate from include/carom; do not edit."""
+from ctypes import CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_int32, c_uint32, c_uint64, c_void_p
+
+VERSION = '1.8.0'
+
+# constants
+CAROM_VERSION_MAJOR = 1
+CAROM_VERSION_MINOR = 8
+CAROM_VERSION_PATCH = 0
+CAROM_OK = 0
+CAROM_E_NULL_ARGUMENT = -1
+CAROM_E_NOT_FINITE = -2
+CAROM_E_OUT_OF_RANGE = -3
+CAROM_E_NOT_UNIT = -4
+CAROM_E_UNKNOWN_ENUM = -5
+CAROM_E_STRUCT_SIZE = -6
+CAROM_E_UNSUPPORTED = -7
+CAROM_E_INVALID_HANDLE = -8
+CAROM_E_STALE_HANDLE = -9
+CAROM_E_WRONG_KIND = -10
+CAROM_E_WRONG_WORLD = -11
+CAROM_E_BUSY = -12
+CAROM_E_REENTRANT = -13
+CAROM_E_IN_USE = -14
+CAROM_E_OUT_OF_MEMORY = -15
+CAROM_E_LIMIT = -16
+CAROM_E_BUFFER_TOO_SMALL = -17
+CAROM_E_PLUGIN_PATH = -18
+CAROM_E_PLUGIN_LOAD = -19
+CAROM_E_PLUGIN_ABI = -20
+CAROM_E_PLUGIN_DISHONEST = -21
+CAROM_E_DECLARATION_FALSE = -22
+CAROM_E_NO_VOLUME = -23
+CAROM_E_ALREADY_EXISTS = -24
+CAROM_E_NOT_FOUND = -25
+CAROM_E_INTERNAL = -26
+CAROM_NULL_HANDLE = 0
+CAROM_MIX_GEOMETRIC_MEAN = 0
+CAROM_MIX_MAXIMUM = 1
+CAROM_MIX_MINIMUM = 2
+CAROM_MIX_AVERAGE = 3
+CAROM_MIX_MULTIPLY = 4
+CAROM_BODY_STATIC = 0
+CAROM_BODY_KINEMATIC = 1
+CAROM_BODY_DYNAMIC = 2
+CAROM_BODY_FIELD_MASS = 1
+CAROM_BODY_FIELD_CENTER = 2
+CAROM_BODY_FIELD_INERTIA = 4
+CAROM_BODY_STAYS_AWAKE = 8
+CAROM_LOCK_LINEAR_X = 1
+CAROM_LOCK_LINEAR_Y = 2
+CAROM_LOCK_LINEAR_Z = 4
+CAROM_LOCK_ANGULAR_X = 8
+CAROM_LOCK_ANGULAR_Y = 16
+CAROM_LOCK_ANGULAR_Z = 32
+CAROM_LOCK_ALL = 63
+CAROM_LOCK_PLANE = 28
+CAROM_CONTINUOUS_AUTO = 0
+CAROM_CONTINUOUS_ALWAYS = 1
+CAROM_CONTINUOUS_NEVER = 2
+CAROM_FIELD_POSITION = 0
+CAROM_FIELD_ORIENTATION = 1
+CAROM_FIELD_POSE = 2
+CAROM_FIELD_LINEAR_VELOCITY = 3
+CAROM_FIELD_ANGULAR_VELOCITY = 4
+CAROM_FIELD_VELOCITY = 5
+CAROM_FIELD_FORCE = 6
+CAROM_FIELD_CENTER = 7
+CAROM_FIELD_MASS = 8
+CAROM_FIELD_COUNT = 9
+CAROM_SCALAR_F32 = 0
+CAROM_SCALAR_F64 = 1
+CAROM_CAST_MISS = 0
+CAROM_CAST_HIT = 1
+CAROM_CAST_OVERLAP = 2
+CAROM_CAST_UNDECIDED = 3
+CAROM_CAST_BAD_RAY = 4
+CAROM_OVERLAP_APART = 0
+CAROM_OVERLAP_OVERLAPPING = 1
+CAROM_OVERLAP_TOUCHING = 2
+CAROM_OVERLAP_FAULT = 3
+CAROM_NO_SHAPE = 4294967295
+CAROM_DIAL_INTEGRATOR = 0
+CAROM_DIAL_ROTATION = 1
+CAROM_DIAL_SUBSTEPS = 2
+CAROM_DIAL_SOLVER = 3
+CAROM_DIAL_VELOCITY_ITERATIONS = 4
+CAROM_DIAL_POSITION_ITERATIONS = 5
+CAROM_DIAL_VELOCITY_TOLERANCE = 6
+CAROM_DIAL_POSITION_TOLERANCE = 7
+CAROM_DIAL_RESTITUTION_SPEED = 8
+CAROM_DIAL_SEVERITY_SEARCH = 9
+CAROM_DIAL_GROUPS = 10
+CAROM_DIAL_BROAD_PHASE = 11
+CAROM_DIAL_GRID_CELL = 12
+CAROM_DIAL_CONTACT_DISTANCE = 13
+CAROM_DIAL_PAIR_ROUTINES = 14
+CAROM_DIAL_NARROW_PHASE = 15
+CAROM_DIAL_SIMPLEX = 16
+CAROM_DIAL_GJK_TOLERANCE = 17
+CAROM_DIAL_GJK_ITERATIONS = 18
+CAROM_DIAL_EPA_ITERATIONS = 19
+CAROM_DIAL_HYBRID_MARGIN = 20
+CAROM_DIAL_WARM_SEPARATION = 21
+CAROM_DIAL_MANIFOLD = 22
+CAROM_DIAL_CACHE_DISTANCE = 23
+CAROM_DIAL_WARM_START = 24
+CAROM_DIAL_CARRY_OVER = 25
+CAROM_DIAL_CONTACT_FREQUENCY = 26
+CAROM_DIAL_CONTACT_DAMPING = 27
+CAROM_DIAL_PUSH_SPEED = 28
+CAROM_DIAL_SLEEP = 29
+CAROM_DIAL_SLEEP_SPEED = 30
+CAROM_DIAL_SLEEP_TIME = 31
+CAROM_DIAL_DIRECT_SINK = 32
+CAROM_DIAL_DIRECT_RATIO = 33
+CAROM_DIAL_DIRECT_WORK = 34
+CAROM_DIAL_HOLD_ANGLE = 35
+CAROM_DIAL_JOINT_FREQUENCY = 36
+CAROM_DIAL_JOINT_DAMPING = 37
+CAROM_DIAL_CONTINUOUS = 38
+CAROM_DIAL_COUNT = 39
+CAROM_INTEGRATOR_EXPLICIT_EULER = 0
+CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER = 1
+CAROM_INTEGRATOR_RK4 = 2
+CAROM_INTEGRATOR_VELOCITY_VERLET = 3
+CAROM_ROTATION_NONE = 0
+CAROM_ROTATION_EXPLICIT = 1
+CAROM_ROTATION_IMPLICIT = 2
+CAROM_ROTATION_RK4 = 3
+CAROM_ROTATION_LIE_MIDPOINT = 4
+CAROM_ROTATION_SPLITTING = 5
+CAROM_ROTATION_SPLITTING_4 = 6
+CAROM_ROTATION_SPLITTING_6 = 7
+CAROM_SOLVER_SEVERITY = 0
+CAROM_SOLVER_SEQUENTIAL = 1
+CAROM_SOLVER_SOFT_STEP = 2
+CAROM_SOLVER_DIRECT = 3
+CAROM_SOLVER_AUTO = 4
+CAROM_SEARCH_LINEAR = 0
+CAROM_SEARCH_HEAP = 1
+CAROM_BROAD_BRUTE_FORCE = 0
+CAROM_BROAD_SWEEP_AND_PRUNE = 1
+CAROM_BROAD_GRID = 2
+CAROM_BROAD_TREE = 3
+CAROM_NARROW_HYBRID = 0
+CAROM_NARROW_GJK_EPA = 1
+CAROM_SIMPLEX_JOHNSON = 0
+CAROM_SIMPLEX_VORONOI = 1
+CAROM_SIMPLEX_VORONOI_LAST = 2
+CAROM_MANIFOLD_SINGLE = 0
+CAROM_MANIFOLD_CACHE = 1
+CAROM_MANIFOLD_PATCH = 2
+CAROM_MANIFOLD_CLIP = 3
+CAROM_SWEEP_NOBODY = 0
+CAROM_SWEEP_FLAGGED = 1
+CAROM_SWEEP_FAST = 2
+CAROM_DIAL_KIND_NUMBER = 0
+CAROM_DIAL_KIND_INTEGER = 1
+CAROM_DIAL_KIND_CHOICE = 2
+CAROM_DRAW_SHAPES = 1
+CAROM_DRAW_SCENERY = 2
+CAROM_DRAW_BOUNDS = 4
+CAROM_DRAW_CONTACTS = 8
+CAROM_DRAW_JOINTS = 16
+CAROM_DRAW_BODIES = 32
+CAROM_DRAW_BY_TYPE = 0
+CAROM_DRAW_BY_ISLAND = 1
+CAROM_LOG_INFO = 1
+CAROM_LOG_WARNING = 2
+CAROM_LOG_ERROR = 3
+CAROM_EVENTS_CONTACT = 1
+CAROM_EVENTS_SENSOR = 2
+CAROM_EVENTS_SLEEP = 4
+CAROM_EVENTS_JOINT = 8
+CAROM_EVENTS_FAULT = 16
+CAROM_CONTACT_BEGIN = 0
+CAROM_CONTACT_END = 1
+CAROM_CONTACT_HIT = 2
+CAROM_SENSOR_ENTER = 0
+CAROM_SENSOR_LEAVE = 1
+CAROM_SLEEP_ASLEEP = 0
+CAROM_SLEEP_AWAKE = 1
+CAROM_FILTER_CATEGORY = 1
+CAROM_FILTER_MASK = 18446744073709551615
+CAROM_FORCE_FIELD_UNIFORM = 0
+CAROM_FORCE_FIELD_RADIAL = 1
+CAROM_FORCE_FIELD_VORTEX = 2
+CAROM_FORCE_FIELD_COUNT = 3
+CAROM_JOINT_BALL = 0
+CAROM_JOINT_HINGE = 1
+CAROM_JOINT_SLIDER = 2
+CAROM_JOINT_WELD = 3
+CAROM_JOINT_DISTANCE = 4
+CAROM_JOINT_UNIVERSAL = 5
+CAROM_JOINT_COUNT = 6
+CAROM_COORDINATE_TWIST = 0
+CAROM_COORDINATE_SWING = 1
+CAROM_COORDINATE_SLIDE = 2
+CAROM_COORDINATE_DISTANCE = 3
+CAROM_COORDINATE_COUNT = 4
+CAROM_JOINT_WORLD_FRAME = 1
+CAROM_JOINT_COLLIDE = 2
+CAROM_JOINT_FIELD_LENGTH = 4
+CAROM_EFFECT_GYROSCOPIC = 0
+CAROM_EFFECT_LINEAR_DAMPING = 1
+CAROM_EFFECT_ANGULAR_DAMPING = 2
+CAROM_EFFECT_GRAVITY = 3
+CAROM_EFFECT_USER_FORCE = 4
+CAROM_EFFECT_USER_TORQUE = 5
+CAROM_EFFECT_COLLISION = 6
+CAROM_EFFECT_FRICTION = 7
+CAROM_EFFECT_RESTITUTION = 8
+CAROM_EFFECT_ROLLING_RESISTANCE = 9
+CAROM_EFFECT_SPINNING_RESISTANCE = 10
+CAROM_EFFECT_SLEEP = 11
+CAROM_EFFECT_PARTICLES = 12
+CAROM_EFFECT_FILTER = 13
+CAROM_EFFECT_SENSOR = 14
+CAROM_EFFECT_JOINTS = 15
+CAROM_EFFECT_SCENERY = 16
+CAROM_EFFECT_CONTINUOUS = 17
+CAROM_EFFECT_SURFACE_VELOCITY = 18
+CAROM_EFFECT_AXIS_LOCKS = 19
+CAROM_EFFECT_DRAG = 20
+CAROM_EFFECT_WIND = 21
+CAROM_EFFECT_FIELDS = 22
+CAROM_EFFECT_SPRINGS = 23
+CAROM_EFFECT_BUOYANCY = 24
+CAROM_EFFECT_RESPONSE = 25
+CAROM_EFFECT_JOINT_LIMITS = 26
+CAROM_EFFECT_JOINT_MOTORS = 27
+CAROM_EFFECT_EVENTS = 28
+CAROM_EFFECT_LEDGER = 29
+CAROM_EFFECT_COUNT = 30
+CAROM_MODE_AS_NEEDED = 0
+CAROM_MODE_FORBID = 1
+CAROM_MODE_FORCE = 2
+CAROM_PLAN_NO_EFFECT = 4294967295
+CAROM_TIME_OWN = 0
+CAROM_TIME_IN_STAGE = 1
+CAROM_TIME_OFF = 2
+CAROM_PLUGIN_ABI_MAJOR = 1
+CAROM_PLUGIN_ABI_MINOR = 0
+CAROM_FORM_NONE = 0
+CAROM_FORM_SPHERE = 1
+CAROM_FORM_CAPSULE = 2
+CAROM_FORM_BOX = 3
+CAROM_FORM_POLYTOPE = 4
+CAROM_FORM_CYLINDER = 5
+CAROM_FORM_CONE = 6
+CAROM_FORM_ELLIPSOID = 7
+CAROM_NO_PARAM = 4294967295
+CAROM_PLUGIN_HOST_THREAD = 1
+CAROM_SHAPE_PLUGIN_SYMBOL = 'carom_shape_plugin_v1'
+CAROM_QUERY_EXACT_ENOUGH = 0
+CAROM_QUERY_CAPPED = 1
+CAROM_QUERY_ROUNDING = 2
+CAROM_QUERY_FAULT = 3
+CAROM_SCENERY_TWO_SIDED = 1
+CAROM_STAGE_REFRESH = 0
+CAROM_STAGE_BROAD = 1
+CAROM_STAGE_NARROW = 2
+CAROM_STAGE_GROUP = 3
+CAROM_STAGE_INTEGRATE = 4
+CAROM_STAGE_SOLVE = 5
+CAROM_STAGE_RELAX = 6
+CAROM_STAGE_OBSERVE = 7
+CAROM_STAGE_COUNT = 8
+CAROM_REASON_ORDINARY = 0
+CAROM_REASON_MASS_RATIO = 1
+CAROM_REASON_SINK = 2
+CAROM_REASON_TOO_MUCH = 3
+CAROM_REASON_BOUNCE = 4
+CAROM_REASON_BLOW = 5
+CAROM_REASON_STILL = 6
+CAROM_REASON_JOINED = 7
+CAROM_FAULT_RETURNED = 1
+CAROM_FAULT_NOT_FINITE = 2
+CAROM_FAULT_OUTSIDE = 3
+CAROM_FAULT_NOT_SUPPORT = 4
+CAROM_FAULT_BODY_STATE = 5
+CAROM_FAULT_PARTICLE_STATE = 6
+CAROM_WANT_FIRST = 0
+CAROM_WANT_ANY = 1
+CAROM_ASK_GENERIC = 1
+CAROM_ASK_SENSORS = 2
+
+# handles
+carom_plugin = c_uint64
+carom_shape = c_uint64
+carom_material = c_uint64
+carom_body = c_uint64
+carom_collider = c_uint64
+carom_particles = c_uint64
+carom_joint = c_uint64
+carom_force_field = c_uint64
+carom_spring = c_uint64
+
+# callbacks
+carom_job_fn = CFUNCTYPE(None, c_void_p, c_uint32, c_uint32)
+carom_support_fn = CFUNCTYPE(c_int32, POINTER(c_double), c_uint64, POINTER(c_double), POINTER(c_double))
+
+# structs
+class carom_error(Structure):
+    _fields_ = [("struct_size", c_uint32), ("code", c_int32), ("argument", c_int32), ("has_witness", c_uint32), ("witness_dir", c_double * 3), ("witness_out", c_double * 3), ("message", c_char * 256), ("remedy", c_char * 256)]
+class carom_material_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("friction_mix", c_uint32), ("restitution_mix", c_uint32), ("reserved", c_uint32), ("friction", c_double), ("restitution", c_double)]
+class carom_body_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("fields", c_uint32), ("type", c_uint32), ("reserved", c_uint32), ("position", c_double * 3), ("orientation", c_double * 4), ("linear_velocity", c_double * 3), ("angular_velocity", c_double * 3), ("mass", c_double), ("center", c_double * 3), ("inertia", c_double * 9), ("linear_damping", c_double), ("angular_damping", c_double), ("user", c_uint64)]
+class carom_collider_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("shape", carom_shape), ("material", carom_material), ("position", c_double * 3), ("orientation", c_double * 4), ("density", c_double)]
+class carom_cast_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("iterations", c_uint32), ("tolerance", c_double), ("target", c_double)]
+class carom_cast(Structure):
+    _fields_ = [("struct_size", c_uint32), ("outcome", c_uint32), ("status", c_uint32), ("iterations", c_uint32), ("time", c_double), ("lower", c_double), ("upper", c_double), ("separation", c_double), ("slack", c_double), ("normal", c_double * 3), ("point_a", c_double * 3), ("point_b", c_double * 3), ("support_calls", c_uint32), ("reserved", c_uint32)]
+class carom_motion(Structure):
+    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("position", c_double * 3), ("orientation", c_double * 4), ("center", c_double * 3), ("linear_velocity", c_double * 3), ("angular_velocity", c_double * 3)]
+class carom_overlap(Structure):
+    _fields_ = [("struct_size", c_uint32), ("outcome", c_uint32), ("separation_bound", c_double), ("normal", c_double * 3), ("point", c_double * 3), ("slack", c_double), ("support_calls", c_uint32), ("reserved", c_uint32)]
+class carom_rays(Structure):
+    _fields_ = [("struct_size", c_uint32), ("scalar", c_uint32), ("count", c_uint64), ("origins", c_void_p), ("directions", c_void_p), ("max", c_void_p), ("origin_stride", c_uint64), ("direction_stride", c_uint64), ("max_stride", c_uint64)]
+class carom_ray_hit(Structure):
+    _fields_ = [("outcome", c_uint32), ("status", c_uint32), ("shape", c_uint32), ("reserved", c_uint32), ("time", c_double), ("lower", c_double), ("upper", c_double), ("normal", c_double * 3), ("point", c_double * 3)]
+class carom_ray_hits(Structure):
+    _fields_ = [("struct_size", c_uint32), ("scalar", c_uint32), ("records", POINTER(carom_ray_hit)), ("outcomes", POINTER(c_uint32)), ("shapes", POINTER(c_uint32)), ("times", c_void_p), ("normals", c_void_p), ("points", c_void_p), ("record_stride", c_uint64), ("outcome_stride", c_uint64), ("shape_stride", c_uint64), ("time_stride", c_uint64), ("normal_stride", c_uint64), ("point_stride", c_uint64)]
+class carom_dial_info(Structure):
+    _fields_ = [("struct_size", c_uint32), ("dial", c_uint32), ("kind", c_uint32), ("choice_count", c_uint32), ("name", c_char_p), ("unit", c_char_p), ("summary", c_char_p), ("choices", POINTER(c_char_p)), ("min", c_double), ("max", c_double), ("initial", c_double)]
+class carom_draw_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("what", c_uint32), ("colouring", c_uint32), ("reserved", c_uint32), ("scale", c_double)]
+class carom_draw_line(Structure):
+    _fields_ = [("from", c_double * 3), ("to", c_double * 3), ("colour", c_uint32), ("kind", c_uint32), ("body", carom_body)]
+class carom_engine_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("alloc", CFUNCTYPE(c_void_p, c_void_p, c_uint64, c_uint64)), ("free", CFUNCTYPE(None, c_void_p, c_void_p, c_uint64, c_uint64)), ("alloc_user", c_void_p), ("log", CFUNCTYPE(None, c_void_p, c_uint32, c_char_p)), ("log_user", c_void_p)]
+class carom_jobs_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("threads", c_uint32), ("run", CFUNCTYPE(None, c_void_p, carom_job_fn, c_void_p, c_uint32)), ("user", c_void_p)]
+class carom_contact_event(Structure):
+    _fields_ = [("kind", c_uint32), ("reserved", c_uint32), ("collider_a", carom_collider), ("collider_b", carom_collider), ("body_a", carom_body), ("body_b", carom_body), ("point", c_double * 3), ("normal", c_double * 3), ("impulse", c_double), ("approach_speed", c_double)]
+class carom_sensor_event(Structure):
+    _fields_ = [("kind", c_uint32), ("reserved", c_uint32), ("sensor", carom_collider), ("other", carom_collider), ("sensor_body", carom_body), ("other_body", carom_body)]
+class carom_sleep_event(Structure):
+    _fields_ = [("kind", c_uint32), ("reserved", c_uint32), ("body", carom_body)]
+class carom_joint_event(Structure):
+    _fields_ = [("joint", carom_joint), ("body_a", carom_body), ("body_b", carom_body), ("force", c_double * 3), ("torque", c_double * 3), ("step", c_uint64)]
+class carom_fault_event(Structure):
+    _fields_ = [("kind", c_uint32), ("reserved", c_uint32), ("shape", carom_shape), ("body", carom_body), ("particles", carom_particles), ("particle", c_uint64), ("dir", c_double * 3), ("out", c_double * 3), ("step", c_uint64)]
+class carom_force_field_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("kind", c_uint32), ("is_force", c_uint32), ("mask", c_uint32), ("position", c_double * 3), ("orientation", c_double * 4), ("half", c_double * 3), ("vector", c_double * 3), ("strength", c_double), ("pull", c_double), ("lift", c_double), ("reference", c_double), ("core", c_double), ("reach", c_double), ("falloff", c_int32), ("reserved", c_uint32), ("user", c_uint64)]
+class carom_spring_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("only_pulls", c_uint32), ("body_a", carom_body), ("body_b", carom_body), ("anchor_a", c_double * 3), ("anchor_b", c_double * 3), ("rest", c_double), ("stiffness", c_double), ("damping", c_double), ("user", c_uint64)]
+class carom_water(Structure):
+    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("normal", c_double * 3), ("level", c_double), ("density", c_double), ("current", c_double * 3), ("drag", c_double)]
+class carom_joint_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("kind", c_uint32), ("fields", c_uint32), ("reserved", c_uint32), ("body_a", carom_body), ("body_b", carom_body), ("position_a", c_double * 3), ("orientation_a", c_double * 4), ("position_b", c_double * 3), ("orientation_b", c_double * 4), ("length", c_double), ("break_force", c_double), ("break_torque", c_double), ("user", c_uint64)]
+class carom_joint_limit(Structure):
+    _fields_ = [("struct_size", c_uint32), ("enabled", c_uint32), ("lower", c_double), ("upper", c_double)]
+class carom_joint_motor(Structure):
+    _fields_ = [("struct_size", c_uint32), ("enabled", c_uint32), ("speed", c_double), ("most", c_double)]
+class carom_joint_spring(Structure):
+    _fields_ = [("struct_size", c_uint32), ("enabled", c_uint32), ("target", c_double), ("frequency", c_double), ("damping", c_double), ("most", c_double)]
+class carom_joint_state(Structure):
+    _fields_ = [("struct_size", c_uint32), ("broken", c_uint32), ("force", c_double * 3), ("torque", c_double * 3), ("gap", c_double), ("angle", c_double), ("coordinate", c_double * 4)]
+class carom_ledger_entry(Structure):
+    _fields_ = [("name", c_char_p), ("kinetic", c_double), ("potential", c_double), ("linear", c_double * 3), ("angular", c_double * 3), ("total_kinetic", c_double), ("total_potential", c_double), ("total_linear", c_double * 3), ("total_angular", c_double * 3)]
+class carom_ledger_state(Structure):
+    _fields_ = [("struct_size", c_uint32), ("is_kept", c_uint32), ("steps", c_uint64), ("start_kinetic", c_double), ("start_potential", c_double), ("start_linear", c_double * 3), ("start_angular", c_double * 3), ("before_kinetic", c_double), ("before_potential", c_double), ("before_linear", c_double * 3), ("before_angular", c_double * 3), ("now_kinetic", c_double), ("now_potential", c_double), ("now_linear", c_double * 3), ("now_angular", c_double * 3), ("rounding_energy", c_double), ("rounding_linear", c_double), ("rounding_angular", c_double), ("total_rounding_energy", c_double), ("total_rounding_linear", c_double), ("total_rounding_angular", c_double)]
+class carom_particles_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("gravity_factor", c_double), ("linear_damping", c_double), ("mass", c_double), ("capacity", c_uint64)]
+class carom_plan_line(Structure):
+    _fields_ = [("effect", c_uint32), ("stage", c_uint32), ("mode", c_uint32), ("runs", c_uint32), ("customers", c_uint64), ("wanted", c_uint64), ("evaluations", c_uint64), ("bytes", c_uint64), ("seconds", c_double), ("timing", c_uint32), ("reserved", c_uint32), ("name", c_char * 32), ("unit", c_char * 24), ("reason", c_char * 128)]
+class carom_param(Structure):
+    _fields_ = [("name", c_char_p), ("unit", c_char_p), ("min", c_double), ("max", c_double)]
+class carom_geometry(Structure):
+    _fields_ = [("struct_size", c_uint32), ("form", c_uint32), ("form_arg", c_uint32 * 4), ("core_radius_param", c_uint32), ("mass_form", c_uint32), ("mass_arg", c_uint32 * 4)]
+class carom_shape_plugin(Structure):
+    _fields_ = [("struct_size", c_uint32), ("abi_major", c_uint32), ("abi_minor", c_uint32), ("flags", c_uint32), ("id", c_char_p), ("version", c_uint32), ("param_count", c_uint32), ("params", POINTER(carom_param)), ("geometry", POINTER(carom_geometry)), ("support", carom_support_fn), ("param_tail_group", c_uint32), ("param_tail_min", c_uint32)]
+class carom_distance_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("simplex", c_uint32), ("narrow_phase", c_uint32), ("pair_routines", c_uint32), ("tolerance", c_double), ("hybrid_margin", c_double), ("gjk_iterations", c_uint32), ("epa_iterations", c_uint32)]
+class carom_distance(Structure):
+    _fields_ = [("struct_size", c_uint32), ("status", c_uint32), ("separation", c_double), ("lower", c_double), ("upper", c_double), ("normal", c_double * 3), ("point_a", c_double * 3), ("point_b", c_double * 3), ("gjk_iterations", c_uint32), ("epa_iterations", c_uint32), ("support_calls", c_uint32), ("reserved", c_uint32)]
+class carom_mesh_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("vertices", POINTER(c_double)), ("vertex_count", c_uint64), ("triangles", POINTER(c_uint32)), ("triangle_count", c_uint64)]
+class carom_height_field_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("columns", c_uint32), ("rows", c_uint32), ("heights", POINTER(c_double)), ("spacing", c_double * 2)]
+class carom_scenery_info(Structure):
+    _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("pieces", c_uint64), ("vertices", c_uint64), ("dropped", c_uint64), ("rims", c_uint64), ("bytes", c_uint64)]
+class carom_shape_info(Structure):
+    _fields_ = [("struct_size", c_uint32), ("form", c_uint32), ("is_half_space", c_uint32), ("mass_exact", c_uint32), ("plugin", carom_plugin), ("param_count", c_uint64), ("core_radius", c_double), ("bounding_radius", c_double), ("aabb_min", c_double * 3), ("aabb_max", c_double * 3), ("volume", c_double), ("volume_min", c_double), ("volume_max", c_double), ("centroid", c_double * 3), ("centroid_error", c_double), ("inertia", c_double * 9), ("inertia_error", c_double), ("is_scenery", c_uint32), ("reserved", c_uint32)]
+class carom_world_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("gravity", c_double * 3), ("body_capacity", c_uint64)]
+class carom_step_report(Structure):
+    _fields_ = [("struct_size", c_uint32), ("stage_count", c_uint32), ("stage_seconds", c_double * 16), ("total_seconds", c_double), ("steps", c_uint64), ("time", c_double), ("bodies", c_uint64), ("dynamic_bodies", c_uint64), ("colliders", c_uint64), ("broad_pairs", c_uint64), ("contact_pairs", c_uint64), ("contact_points", c_uint64), ("groups", c_uint64), ("largest_group", c_uint64), ("gjk_calls", c_uint64), ("epa_calls", c_uint64), ("support_calls", c_uint64), ("velocity_impulses", c_uint64), ("position_moves", c_uint64), ("quarantined_bodies", c_uint64), ("faults", c_uint64), ("max_penetration", c_double), ("mean_penetration", c_double), ("max_closing_speed", c_double), ("linear_energy", c_double), ("angular_energy", c_double), ("asleep_bodies", c_uint64), ("fell_asleep", c_uint64), ("woke_up", c_uint64), ("direct_groups", c_uint64), ("solver_residual", c_double), ("particles", c_uint64), ("quarantined_particles", c_uint64), ("swept_bodies", c_uint64), ("sweep_hits", c_uint64)]
+class carom_contact(Structure):
+    _fields_ = [("collider_a", carom_collider), ("collider_b", carom_collider), ("body_a", carom_body), ("body_b", carom_body), ("point", c_double * 3), ("normal", c_double * 3), ("separation", c_double), ("normal_impulse", c_double), ("friction_impulse", c_double)]
+class carom_group(Structure):
+    _fields_ = [("body", carom_body), ("bodies", c_uint32), ("points", c_uint32), ("solver", c_uint32), ("reason", c_uint32), ("mass_ratio", c_double), ("sink", c_double)]
+class carom_fault(Structure):
+    _fields_ = [("kind", c_uint32), ("reserved", c_uint32), ("shape", carom_shape), ("body", carom_body), ("dir", c_double * 3), ("out", c_double * 3), ("particles", carom_particles), ("particle", c_uint64)]
+class carom_query_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("category", c_uint64), ("mask", c_uint64), ("ignore", carom_body), ("tolerance", c_double), ("target", c_double), ("iterations", c_uint32), ("reserved", c_uint32)]
+class carom_world_hit(Structure):
+    _fields_ = [("outcome", c_uint32), ("status", c_uint32), ("question", c_uint64), ("collider", carom_collider), ("body", carom_body), ("time", c_double), ("lower", c_double), ("upper", c_double), ("separation", c_double), ("normal", c_double * 3), ("point", c_double * 3), ("point_own", c_double * 3)]
+class carom_query_shapes(Structure):
+    _fields_ = [("struct_size", c_uint32), ("scalar", c_uint32), ("count", c_uint64), ("shapes", POINTER(carom_shape)), ("positions", c_void_p), ("orientations", c_void_p), ("motions", c_void_p), ("shape_stride", c_uint64), ("position_stride", c_uint64), ("orientation_stride", c_uint64), ("motion_stride", c_uint64)]
+class carom_world_hits(Structure):
+    _fields_ = [("struct_size", c_uint32), ("scalar", c_uint32), ("records", POINTER(carom_world_hit)), ("outcomes", POINTER(c_uint32)), ("colliders", POINTER(carom_collider)), ("times", c_void_p), ("normals", c_void_p), ("points", c_void_p), ("record_stride", c_uint64), ("outcome_stride", c_uint64), ("collider_stride", c_uint64), ("time_stride", c_uint64), ("normal_stride", c_uint64), ("point_stride", c_uint64)]
+
+STRUCTS = {
+    "carom_error": carom_error,
+    "carom_material_desc": carom_material_desc,
+    "carom_body_desc": carom_body_desc,
+    "carom_collider_desc": carom_collider_desc,
+    "carom_cast_desc": carom_cast_desc,
+    "carom_cast": carom_cast,
+    "carom_motion": carom_motion,
+    "carom_overlap": carom_overlap,
+    "carom_rays": carom_rays,
+    "carom_ray_hit": carom_ray_hit,
+    "carom_ray_hits": carom_ray_hits,
+    "carom_dial_info": carom_dial_info,
+    "carom_draw_desc": carom_draw_desc,
+    "carom_draw_line": carom_draw_line,
+    "carom_engine_desc": carom_engine_desc,
+    "carom_jobs_desc": carom_jobs_desc,
+    "carom_contact_event": carom_contact_event,
+    "carom_sensor_event": carom_sensor_event,
+    "carom_sleep_event": carom_sleep_event,
+    "carom_joint_event": carom_joint_event,
+    "carom_fault_event": carom_fault_event,
+    "carom_force_field_desc": carom_force_field_desc,
+    "carom_spring_desc": carom_spring_desc,
+    "carom_water": carom_water,
+    "carom_joint_desc": carom_joint_desc,
+    "carom_joint_limit": carom_joint_limit,
+    "carom_joint_motor": carom_joint_motor,
+    "carom_joint_spring": carom_joint_spring,
+    "carom_joint_state": carom_joint_state,
+    "carom_ledger_entry": carom_ledger_entry,
+    "carom_ledger_state": carom_ledger_state,
+    "carom_particles_desc": carom_particles_desc,
+    "carom_plan_line": carom_plan_line,
+    "carom_param": carom_param,
+    "carom_geometry": carom_geometry,
+    "carom_shape_plugin": carom_shape_plugin,
+    "carom_distance_desc": carom_distance_desc,
+    "carom_distance": carom_distance,
+    "carom_mesh_desc": carom_mesh_desc,
+    "carom_height_field_desc": carom_height_field_desc,
+    "carom_scenery_info": carom_scenery_info,
+    "carom_shape_info": carom_shape_info,
+    "carom_world_desc": carom_world_desc,
+    "carom_step_report": carom_step_report,
+    "carom_contact": carom_contact,
+    "carom_group": carom_group,
+    "carom_fault": carom_fault,
+    "carom_query_desc": carom_query_desc,
+    "carom_world_hit": carom_world_hit,
+    "carom_query_shapes": carom_query_shapes,
+    "carom_world_hits": carom_world_hits,
+}
+
+# which fields are handles, and of what
+HANDLES = {
+    "carom_collider_desc": {'shape': 'carom_shape', 'material': 'carom_material'},
+    "carom_draw_line": {'body': 'carom_body'},
+    "carom_contact_event": {'collider_a': 'carom_collider', 'collider_b': 'carom_collider', 'body_a': 'carom_body', 'body_b': 'carom_body'},
+    "carom_sensor_event": {'sensor': 'carom_collider', 'other': 'carom_collider', 'sensor_body': 'carom_body', 'other_body': 'carom_body'},
+    "carom_sleep_event": {'body': 'carom_body'},
+    "carom_joint_event": {'joint': 'carom_joint', 'body_a': 'carom_body', 'body_b': 'carom_body'},
+    "carom_fault_event": {'shape': 'carom_shape', 'body': 'carom_body', 'particles': 'carom_particles'},
+    "carom_spring_desc": {'body_a': 'carom_body', 'body_b': 'carom_body'},
+    "carom_joint_desc": {'body_a': 'carom_body', 'body_b': 'carom_body'},
+    "carom_shape_info": {'plugin': 'carom_plugin'},
+    "carom_contact": {'collider_a': 'carom_collider', 'collider_b': 'carom_collider', 'body_a': 'carom_body', 'body_b': 'carom_body'},
+    "carom_group": {'body': 'carom_body'},
+    "carom_fault": {'shape': 'carom_shape', 'body': 'carom_body', 'particles': 'carom_particles'},
+    "carom_query_desc": {'ignore': 'carom_body'},
+    "carom_world_hit": {'collider': 'carom_collider', 'body': 'carom_body'},
+}
+
+# name: (since, restype, argtypes)
+FUNCTIONS = {
+    "carom_version": ("1.0", c_int32, (POINTER(c_uint32), POINTER(c_uint32), POINTER(c_uint32),)),
+    "carom_result_name": ("1.0", c_char_p, (c_int32,)),
+    "carom_result_remedy": ("1.0", c_char_p, (c_int32,)),
+    "carom_abi_manifest": ("1.8", c_char_p, ()),
+    "carom_material_desc_init": ("1.0", c_int32, (POINTER(carom_material_desc),)),
+    "carom_material_create": ("1.0", c_int32, (c_void_p, POINTER(carom_material_desc), POINTER(carom_material), POINTER(carom_error),)),
+    "carom_material_update": ("1.0", c_int32, (c_void_p, carom_material, POINTER(carom_material_desc), POINTER(carom_error),)),
+    "carom_material_set_resistance": ("1.3", c_int32, (c_void_p, carom_material, c_double, c_double, POINTER(carom_error),)),
+    "carom_material_get_resistance": ("1.3", c_int32, (c_void_p, carom_material, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_material_destroy": ("1.0", c_int32, (c_void_p, carom_material, POINTER(carom_error),)),
+    "carom_body_desc_init": ("1.0", c_int32, (POINTER(carom_body_desc),)),
+    "carom_body_create": ("1.0", c_int32, (c_void_p, POINTER(carom_body_desc), POINTER(carom_body), POINTER(carom_error),)),
+    "carom_body_destroy": ("1.0", c_int32, (c_void_p, carom_body, POINTER(carom_error),)),
+    "carom_body_get": ("1.0", c_int32, (c_void_p, carom_body, POINTER(carom_body_desc), POINTER(carom_error),)),
+    "carom_body_set_pose": ("1.0", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_body_set_velocity": ("1.0", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_body_add_force": ("1.0", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_body_add_impulse": ("1.0", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_body_set_gravity_factor": ("1.6", c_int32, (c_void_p, carom_body, c_double, POINTER(carom_error),)),
+    "carom_body_get_gravity_factor": ("1.6", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(carom_error),)),
+    "carom_body_set_locks": ("1.6", c_int32, (c_void_p, carom_body, c_uint32, POINTER(carom_error),)),
+    "carom_body_get_locks": ("1.6", c_int32, (c_void_p, carom_body, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_body_is_asleep": ("1.2", c_int32, (c_void_p, carom_body, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_body_wake": ("1.2", c_int32, (c_void_p, carom_body, POINTER(carom_error),)),
+    "carom_body_set_continuous": ("1.6", c_int32, (c_void_p, carom_body, c_uint32, POINTER(carom_error),)),
+    "carom_body_get_continuous": ("1.6", c_int32, (c_void_p, carom_body, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_collider_desc_init": ("1.0", c_int32, (POINTER(carom_collider_desc),)),
+    "carom_collider_create": ("1.0", c_int32, (c_void_p, carom_body, POINTER(carom_collider_desc), POINTER(carom_collider), POINTER(carom_error),)),
+    "carom_collider_destroy": ("1.0", c_int32, (c_void_p, carom_collider, POINTER(carom_error),)),
+    "carom_collider_get": ("1.0", c_int32, (c_void_p, carom_collider, POINTER(carom_collider_desc), POINTER(carom_body), POINTER(carom_error),)),
+    "carom_collider_set_surface_velocity": ("1.6", c_int32, (c_void_p, carom_collider, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_collider_get_surface_velocity": ("1.6", c_int32, (c_void_p, carom_collider, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_world_get_bodies": ("1.0", c_int32, (c_void_p, POINTER(carom_body), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_read": ("1.0", c_int32, (c_void_p, c_uint32, c_uint32, POINTER(carom_body), c_uint64, c_void_p, c_uint64, POINTER(carom_error),)),
+    "carom_world_write": ("1.0", c_int32, (c_void_p, c_uint32, c_uint32, POINTER(carom_body), c_uint64, c_void_p, c_uint64, POINTER(carom_error),)),
+    "carom_cast_desc_init": ("1.1", c_int32, (POINTER(carom_cast_desc),)),
+    "carom_motion_init": ("1.1", c_int32, (POINTER(carom_motion),)),
+    "carom_ray_cast": ("1.1", c_int32, (c_void_p, carom_shape, POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_double), c_double, POINTER(carom_cast_desc), POINTER(carom_cast), POINTER(carom_error),)),
+    "carom_shape_cast": ("1.1", c_int32, (c_void_p, carom_shape, POINTER(c_double), POINTER(c_double), POINTER(c_double), carom_shape, POINTER(c_double), POINTER(c_double), POINTER(carom_cast_desc), POINTER(carom_cast), POINTER(carom_error),)),
+    "carom_shape_time_of_impact": ("1.1", c_int32, (c_void_p, carom_shape, POINTER(carom_motion), carom_shape, POINTER(carom_motion), c_double, POINTER(carom_cast_desc), POINTER(carom_cast), POINTER(carom_error),)),
+    "carom_shape_overlap": ("1.1", c_int32, (c_void_p, carom_shape, POINTER(c_double), POINTER(c_double), carom_shape, POINTER(c_double), POINTER(c_double), POINTER(carom_cast_desc), POINTER(carom_overlap), POINTER(carom_error),)),
+    "carom_rays_cast": ("1.1", c_int32, (c_void_p, POINTER(carom_shape), POINTER(c_double), POINTER(c_double), c_uint64, POINTER(carom_rays), POINTER(carom_cast_desc), POINTER(carom_ray_hits), POINTER(carom_error),)),
+    "carom_dial_get_info": ("1.0", c_int32, (c_uint32, POINTER(carom_dial_info), POINTER(carom_error),)),
+    "carom_dial_get_count": ("1.0", c_int32, (POINTER(c_uint32),)),
+    "carom_dial_find": ("1.0", c_int32, (c_char_p, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_draw_desc_init": ("1.6", c_int32, (POINTER(carom_draw_desc),)),
+    "carom_world_draw": ("1.6", c_int32, (c_void_p, POINTER(carom_draw_desc), POINTER(carom_draw_line), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_engine_desc_init": ("1.0", c_int32, (POINTER(carom_engine_desc),)),
+    "carom_engine_create": ("1.0", c_int32, (POINTER(carom_engine_desc), POINTER(c_void_p), POINTER(carom_error),)),
+    "carom_engine_destroy": ("1.0", c_int32, (c_void_p, POINTER(carom_error),)),
+    "carom_jobs_desc_init": ("1.2", c_int32, (POINTER(carom_jobs_desc),)),
+    "carom_engine_set_jobs": ("1.2", c_int32, (c_void_p, POINTER(carom_jobs_desc), POINTER(carom_error),)),
+    "carom_plugin_load": ("1.0", c_int32, (c_void_p, c_char_p, POINTER(carom_plugin), POINTER(carom_error),)),
+    "carom_plugin_register": ("1.0", c_int32, (c_void_p, POINTER(carom_shape_plugin), POINTER(carom_plugin), POINTER(carom_error),)),
+    "carom_plugin_unload": ("1.0", c_int32, (c_void_p, carom_plugin, POINTER(carom_error),)),
+    "carom_plugin_find": ("1.0", c_int32, (c_void_p, c_char_p, POINTER(carom_plugin), POINTER(carom_error),)),
+    "carom_plugin_describe": ("1.0", c_int32, (c_void_p, carom_plugin, POINTER(POINTER(carom_shape_plugin)), POINTER(carom_error),)),
+    "carom_world_collect_events": ("1.5", c_int32, (c_void_p, c_uint32, c_double, POINTER(carom_error),)),
+    "carom_world_get_contact_events": ("1.5", c_int32, (c_void_p, POINTER(carom_contact_event), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_get_sensor_events": ("1.5", c_int32, (c_void_p, POINTER(carom_sensor_event), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_get_sleep_events": ("1.5", c_int32, (c_void_p, POINTER(carom_sleep_event), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_get_joint_events": ("1.6", c_int32, (c_void_p, POINTER(carom_joint_event), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_get_fault_events": ("1.6", c_int32, (c_void_p, POINTER(carom_fault_event), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_collider_set_filter": ("1.5", c_int32, (c_void_p, carom_collider, c_uint64, c_uint64, c_int32, POINTER(carom_error),)),
+    "carom_collider_get_filter": ("1.5", c_int32, (c_void_p, carom_collider, POINTER(c_uint64), POINTER(c_uint64), POINTER(c_int32), POINTER(carom_error),)),
+    "carom_body_set_filter": ("1.5", c_int32, (c_void_p, carom_body, c_uint64, c_uint64, c_int32, POINTER(carom_error),)),
+    "carom_body_hold_apart": ("1.5", c_int32, (c_void_p, carom_body, carom_body, c_uint32, POINTER(carom_error),)),
+    "carom_collider_set_sensor": ("1.5", c_int32, (c_void_p, carom_collider, c_uint32, POINTER(carom_error),)),
+    "carom_collider_is_sensor": ("1.5", c_int32, (c_void_p, carom_collider, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_body_add_force_at": ("1.7", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_body_set_drag": ("1.7", c_int32, (c_void_p, carom_body, c_double, c_double, POINTER(carom_error),)),
+    "carom_body_get_drag": ("1.7", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_world_set_wind": ("1.7", c_int32, (c_void_p, POINTER(c_double), POINTER(carom_error),)),
+    "carom_world_get_wind": ("1.7", c_int32, (c_void_p, POINTER(c_double), POINTER(carom_error),)),
+    "carom_force_field_desc_init": ("1.7", c_int32, (POINTER(carom_force_field_desc),)),
+    "carom_force_field_create": ("1.7", c_int32, (c_void_p, POINTER(carom_force_field_desc), POINTER(carom_force_field), POINTER(carom_error),)),
+    "carom_force_field_update": ("1.7", c_int32, (c_void_p, carom_force_field, POINTER(carom_force_field_desc), POINTER(carom_error),)),
+    "carom_force_field_get": ("1.7", c_int32, (c_void_p, carom_force_field, POINTER(carom_force_field_desc), POINTER(carom_error),)),
+    "carom_force_field_destroy": ("1.7", c_int32, (c_void_p, carom_force_field, POINTER(carom_error),)),
+    "carom_body_set_force_field_mask": ("1.7", c_int32, (c_void_p, carom_body, c_uint32, POINTER(carom_error),)),
+    "carom_body_get_force_field_mask": ("1.7", c_int32, (c_void_p, carom_body, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_spring_desc_init": ("1.7", c_int32, (POINTER(carom_spring_desc),)),
+    "carom_spring_create": ("1.7", c_int32, (c_void_p, POINTER(carom_spring_desc), POINTER(carom_spring), POINTER(carom_error),)),
+    "carom_spring_update": ("1.7", c_int32, (c_void_p, carom_spring, c_double, c_double, c_double, POINTER(carom_error),)),
+    "carom_spring_get": ("1.7", c_int32, (c_void_p, carom_spring, POINTER(carom_spring_desc), POINTER(carom_error),)),
+    "carom_spring_get_state": ("1.7", c_int32, (c_void_p, carom_spring, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_spring_destroy": ("1.7", c_int32, (c_void_p, carom_spring, POINTER(carom_error),)),
+    "carom_water_init": ("1.7", c_int32, (POINTER(carom_water),)),
+    "carom_world_set_water": ("1.7", c_int32, (c_void_p, POINTER(carom_water), POINTER(carom_error),)),
+    "carom_world_get_water": ("1.7", c_int32, (c_void_p, POINTER(carom_water), POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_joint_desc_init": ("1.5", c_int32, (POINTER(carom_joint_desc),)),
+    "carom_joint_limit_init": ("1.5", c_int32, (POINTER(carom_joint_limit),)),
+    "carom_joint_motor_init": ("1.5", c_int32, (POINTER(carom_joint_motor),)),
+    "carom_joint_spring_init": ("1.5", c_int32, (POINTER(carom_joint_spring),)),
+    "carom_joint_create": ("1.5", c_int32, (c_void_p, POINTER(carom_joint_desc), POINTER(carom_joint), POINTER(carom_error),)),
+    "carom_joint_destroy": ("1.5", c_int32, (c_void_p, carom_joint, POINTER(carom_error),)),
+    "carom_joint_get": ("1.5", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_desc), POINTER(carom_error),)),
+    "carom_joint_get_state": ("1.5", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_state), POINTER(carom_error),)),
+    "carom_joint_set_limit": ("1.5", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_limit), POINTER(carom_error),)),
+    "carom_joint_set_motor": ("1.5", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_motor), POINTER(carom_error),)),
+    "carom_joint_set_spring": ("1.5", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_spring), POINTER(carom_error),)),
+    "carom_joint_get_limit": ("1.5", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_limit), POINTER(carom_error),)),
+    "carom_joint_get_motor": ("1.5", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_motor), POINTER(carom_error),)),
+    "carom_joint_get_spring": ("1.5", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_spring), POINTER(carom_error),)),
+    "carom_world_get_joints": ("1.5", c_int32, (c_void_p, POINTER(carom_joint), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_enable_ledger": ("1.7", c_int32, (c_void_p, c_uint32, POINTER(carom_error),)),
+    "carom_world_get_ledger": ("1.7", c_int32, (c_void_p, POINTER(carom_ledger_entry), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_get_ledger_state": ("1.7", c_int32, (c_void_p, POINTER(carom_ledger_state), POINTER(carom_error),)),
+    "carom_particles_desc_init": ("1.4", c_int32, (POINTER(carom_particles_desc),)),
+    "carom_particles_create": ("1.4", c_int32, (c_void_p, POINTER(carom_particles_desc), POINTER(carom_particles), POINTER(carom_error),)),
+    "carom_particles_destroy": ("1.4", c_int32, (c_void_p, carom_particles, POINTER(carom_error),)),
+    "carom_particles_get": ("1.4", c_int32, (c_void_p, carom_particles, POINTER(carom_particles_desc), POINTER(carom_error),)),
+    "carom_particles_update": ("1.4", c_int32, (c_void_p, carom_particles, POINTER(carom_particles_desc), POINTER(carom_error),)),
+    "carom_particles_get_count": ("1.4", c_int32, (c_void_p, carom_particles, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_particles_add": ("1.4", c_int32, (c_void_p, carom_particles, c_uint64, c_uint32, c_void_p, c_uint64, c_void_p, c_uint64, POINTER(carom_error),)),
+    "carom_particles_remove": ("1.4", c_int32, (c_void_p, carom_particles, POINTER(c_uint32), c_uint64, POINTER(carom_error),)),
+    "carom_particles_read": ("1.4", c_int32, (c_void_p, carom_particles, c_uint32, c_uint32, POINTER(c_uint32), c_uint64, c_void_p, c_uint64, POINTER(carom_error),)),
+    "carom_particles_write": ("1.4", c_int32, (c_void_p, carom_particles, c_uint32, c_uint32, POINTER(c_uint32), c_uint64, c_void_p, c_uint64, POINTER(carom_error),)),
+    "carom_particles_get_quarantined": ("1.4", c_int32, (c_void_p, carom_particles, POINTER(c_uint32), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_get_particles": ("1.4", c_int32, (c_void_p, POINTER(carom_particles), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_effect_name": ("1.7", c_char_p, (c_uint32,)),
+    "carom_world_set_effect": ("1.7", c_int32, (c_void_p, c_uint32, c_uint32, POINTER(carom_error),)),
+    "carom_world_get_effect": ("1.7", c_int32, (c_void_p, c_uint32, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_body_set_effect": ("1.7", c_int32, (c_void_p, carom_body, c_uint32, c_uint32, POINTER(carom_error),)),
+    "carom_body_get_effect": ("1.7", c_int32, (c_void_p, carom_body, c_uint32, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_world_time_effects": ("1.7", c_int32, (c_void_p, c_uint32, POINTER(carom_error),)),
+    "carom_world_get_plan": ("1.7", c_int32, (c_void_p, POINTER(carom_plan_line), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_distance_desc_init": ("1.0", c_int32, (POINTER(carom_distance_desc),)),
+    "carom_shape_distance": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(c_double), POINTER(c_double), carom_shape, POINTER(c_double), POINTER(c_double), POINTER(carom_distance_desc), POINTER(carom_distance), POINTER(carom_error),)),
+    "carom_mesh_desc_init": ("1.6", c_int32, (POINTER(carom_mesh_desc),)),
+    "carom_shape_create_mesh": ("1.6", c_int32, (c_void_p, POINTER(carom_mesh_desc), POINTER(carom_shape), POINTER(carom_error),)),
+    "carom_height_field_desc_init": ("1.6", c_int32, (POINTER(carom_height_field_desc),)),
+    "carom_shape_create_height_field": ("1.6", c_int32, (c_void_p, POINTER(carom_height_field_desc), POINTER(carom_shape), POINTER(carom_error),)),
+    "carom_shape_get_scenery_info": ("1.6", c_int32, (c_void_p, carom_shape, POINTER(carom_scenery_info), POINTER(carom_error),)),
+    "carom_shape_get_triangles": ("1.6", c_int32, (c_void_p, carom_shape, c_uint64, POINTER(c_double), POINTER(c_uint64), POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_shape_create": ("1.0", c_int32, (c_void_p, carom_plugin, POINTER(c_double), c_uint64, POINTER(carom_shape), POINTER(carom_error),)),
+    "carom_shape_create_half_space": ("1.0", c_int32, (c_void_p, POINTER(c_double), c_double, POINTER(carom_shape), POINTER(carom_error),)),
+    "carom_shape_destroy": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(carom_error),)),
+    "carom_shape_get_info": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(carom_shape_info), POINTER(carom_error),)),
+    "carom_shape_get_params": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(c_double), POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_shape_support": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(c_double), c_uint64, POINTER(c_double), POINTER(carom_error),)),
+    "carom_world_desc_init": ("1.0", c_int32, (POINTER(carom_world_desc),)),
+    "carom_world_create": ("1.0", c_int32, (c_void_p, POINTER(carom_world_desc), POINTER(c_void_p), POINTER(carom_error),)),
+    "carom_world_destroy": ("1.0", c_int32, (c_void_p, POINTER(carom_error),)),
+    "carom_world_step": ("1.0", c_int32, (c_void_p, c_double, POINTER(carom_error),)),
+    "carom_world_set_dial": ("1.0", c_int32, (c_void_p, c_uint32, c_double, POINTER(carom_error),)),
+    "carom_world_get_dial": ("1.0", c_int32, (c_void_p, c_uint32, POINTER(c_double), POINTER(carom_error),)),
+    "carom_world_set_gravity": ("1.0", c_int32, (c_void_p, POINTER(c_double), POINTER(carom_error),)),
+    "carom_world_get_gravity": ("1.0", c_int32, (c_void_p, POINTER(c_double), POINTER(carom_error),)),
+    "carom_world_get_report": ("1.0", c_int32, (c_void_p, POINTER(carom_step_report), POINTER(carom_error),)),
+    "carom_stage_name": ("1.0", c_char_p, (c_uint32,)),
+    "carom_world_get_contacts": ("1.0", c_int32, (c_void_p, POINTER(carom_contact), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_get_groups": ("1.2", c_int32, (c_void_p, POINTER(carom_group), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_get_faults": ("1.0", c_int32, (c_void_p, POINTER(carom_fault), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_hash": ("1.0", c_int32, (c_void_p, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_query_desc_init": ("1.5", c_int32, (POINTER(carom_query_desc),)),
+    "carom_world_cast_ray": ("1.5", c_int32, (c_void_p, POINTER(c_double), POINTER(c_double), c_double, POINTER(carom_query_desc), POINTER(carom_world_hit), c_uint64, POINTER(carom_error),)),
+    "carom_world_cast_rays": ("1.5", c_int32, (c_void_p, POINTER(carom_rays), c_uint32, POINTER(carom_query_desc), POINTER(carom_world_hits), POINTER(carom_error),)),
+    "carom_world_cast_rays_all": ("1.5", c_int32, (c_void_p, POINTER(carom_rays), POINTER(carom_query_desc), POINTER(carom_world_hit), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_cast_shapes": ("1.5", c_int32, (c_void_p, POINTER(carom_query_shapes), c_uint32, POINTER(carom_query_desc), POINTER(carom_world_hit), c_uint64, POINTER(carom_error),)),
+    "carom_world_cast_shapes_all": ("1.5", c_int32, (c_void_p, POINTER(carom_query_shapes), POINTER(carom_query_desc), POINTER(carom_world_hit), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_overlap_shapes": ("1.5", c_int32, (c_void_p, POINTER(carom_query_shapes), POINTER(carom_query_desc), POINTER(carom_world_hit), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_find_nearest": ("1.5", c_int32, (c_void_p, POINTER(carom_query_shapes), c_double, POINTER(carom_query_desc), POINTER(carom_world_hit), c_uint64, POINTER(carom_error),)),
+}

@@ -1,0 +1,190 @@
+"""The first root: plugins, shapes, threads of work; and questions about shapes without a world."""
+from __future__ import annotations
+
+import ctypes
+import os
+import weakref
+from pathlib import Path
+from typing import Callable, Iterable, Sequence
+
+from . import raw
+from ._root import Root, check
+from ._values import bits, describe, doubles, need_numpy, record, vec3, vector
+from .errors import AlreadyExists, NotFound
+from .shape import Shape
+from .support import SupportPlugin
+from .world import World
+
+IDENTITY = (0.0, 0.0, 0.0, 1.0)
+
+
+def plugin_folders() -> list[Path]:
+    """Where shape plugins are looked for: $CAROM_PLUGIN_DIR, this package, beside the library."""
+    library = Path(raw.LIBRARY)
+    given = os.environ.get("CAROM_PLUGIN_DIR")
+    return ([Path(given)] if given else []) + [Path(__file__).parent / "lib" / "plugins", library.parent / "carom" / "plugins",
+                                               library.parent.parent / "plugins"]
+
+
+class Engine(Root):
+    """Owns plugins and shapes; makes worlds. Closing it closes its worlds.
+
+        with carom.Engine(threads=2) as engine, engine.world() as world: ...
+
+    threads  how many share the work of each step; the outcome is the same to the bit
+    log      called with (level, text), level 1 to 3
+    """
+
+    _kind = "engine"
+
+    def __init__(self, threads: int = 1, log: Callable[[int, str], None] | None = None):
+        desc = describe(raw.carom_engine_desc, {})
+        alive: list = []
+        if log is not None:
+            callback = type(desc.log)(lambda _, level, text: log(level, text.decode("utf-8", "replace")))
+            desc.log = callback
+            alive.append(callback)
+        pointer = ctypes.c_void_p()
+        check(raw.carom_engine_create, ctypes.byref(desc), ctypes.byref(pointer))
+        super().__init__(pointer.value, raw.carom_engine_destroy, *alive)
+        self._worlds: weakref.WeakSet[World] = weakref.WeakSet()
+        self._plugins: dict[str, int] = {}
+        if threads > 1:
+            jobs = describe(raw.carom_jobs_desc, {"threads": threads})
+            self._call(raw.carom_engine_set_jobs, ctypes.byref(jobs))
+
+    def close(self) -> None:
+        if not self._closed:
+            for world in list(self._worlds):
+                world.close()
+        super().close()
+
+    def world(self, gravity: Sequence[float] | None = None, body_capacity: int | None = None, **dials) -> World:
+        """An empty world.
+        @param gravity  m/s^2, default (0, -9.81, 0)   @param dials  as of World.dials: substeps=8, solver="direct" """
+        return World(self, describe(raw.carom_world_desc, {"gravity": gravity, "body_capacity": body_capacity}), dials)
+
+    # ---- shapes ----
+
+    def load_plugin(self, path: str | os.PathLike) -> int:
+        """Load a shape plugin from a file. @return its handle, for shape()"""
+        plugin = ctypes.c_uint64()
+        self._call(raw.carom_plugin_load, os.fsencode(os.path.abspath(path)), ctypes.byref(plugin))
+        return plugin.value
+
+    def plugin(self, id: str) -> int:
+        """The handle of a plugin that is loaded, or found as NAME.so of "carom.NAME" in plugin_folders()."""
+        if id not in self._plugins:
+            try:
+                self._plugins[id] = self._find_plugin(id)
+            except NotFound:
+                file = id.rpartition(".")[2] + ".so"
+                found = next((folder / file for folder in plugin_folders() if (folder / file).exists()), None)
+                if found is None:
+                    raise
+                try:
+                    self._plugins[id] = self.load_plugin(found)
+                except AlreadyExists:  # another thread was faster
+                    self._plugins[id] = self._find_plugin(id)
+        return self._plugins[id]
+
+    def _find_plugin(self, id: str) -> int:
+        handle = ctypes.c_uint64()
+        self._call(raw.carom_plugin_find, id.encode(), ctypes.byref(handle))
+        return handle.value
+
+    def shape(self, plugin: str | int, params: Iterable[float]) -> Shape:
+        """A shape of a plugin, by its id ("carom.sphere") or handle, with the parameters that the plugin documents."""
+        values = tuple(params)
+        handle = ctypes.c_uint64()
+        self._call(raw.carom_shape_create, self.plugin(plugin) if isinstance(plugin, str) else plugin,
+                   (ctypes.c_double * len(values))(*values), len(values), ctypes.byref(handle))
+        return Shape(self, handle.value)
+
+    def sphere(self, radius: float) -> Shape:
+        return self.shape("carom.sphere", (radius,))
+
+    def box(self, x: float, y: float, z: float) -> Shape:
+        """@param x, y, z  m, half extents"""
+        return self.shape("carom.box", (x, y, z))
+
+    def capsule(self, radius: float, half_height: float) -> Shape:
+        """Axis y. @param half_height  m, of the segment between the two balls' centres"""
+        return self.shape("carom.capsule", (radius, half_height))
+
+    def cylinder(self, radius: float, half_height: float) -> Shape:
+        """Axis y."""
+        return self.shape("carom.cylinder", (radius, half_height))
+
+    def cone(self, radius: float, half_height: float) -> Shape:
+        """Axis y, apex up."""
+        return self.shape("carom.cone", (radius, half_height))
+
+    def ellipsoid(self, x: float, y: float, z: float) -> Shape:
+        """@param x, y, z  m, radii"""
+        return self.shape("carom.ellipsoid", (x, y, z))
+
+    def hull(self, points: Iterable[Sequence[float]]) -> Shape:
+        """The convex hull of points, m."""
+        return self.shape("carom.hull", (x for point in points for x in point))
+
+    def half_space(self, normal: Sequence[float] = (0, 1, 0), offset: float = 0) -> Shape:
+        """All x with normal . x <= offset: ground without end, for static bodies."""
+        handle = ctypes.c_uint64()
+        self._call(raw.carom_shape_create_half_space, vec3(normal, "normal"), offset, ctypes.byref(handle))
+        return Shape(self, handle.value)
+
+    def mesh(self, vertices, triangles, two_sided: bool = False) -> Shape:
+        """A surface of triangles, for static and kinematic bodies. @param vertices  rows of 3, m
+        @param triangles  rows of 3 indices, counter-clockwise seen from outside"""
+        corners = [int(i) for row in triangles for i in row]
+        address, count, alive = doubles(vertices, 3, "vertices")
+        desc = describe(raw.carom_mesh_desc, {"flags": bits("SCENERY", "two_sided") if two_sided else 0})
+        desc.vertices, desc.vertex_count = ctypes.cast(address, ctypes.POINTER(ctypes.c_double)), count
+        desc.triangles, desc.triangle_count = (ctypes.c_uint32 * len(corners))(*corners), len(corners) // 3
+        handle = ctypes.c_uint64()
+        self._call(raw.carom_shape_create_mesh, ctypes.byref(desc), ctypes.byref(handle))
+        del alive
+        return Shape(self, handle.value)
+
+    def height_field(self, heights, spacing: Sequence[float] = (1, 1)) -> Shape:
+        """Ground from a grid. @param heights  [rows along z][columns along x] m, NaN for a hole   @param spacing  m, along x, z"""
+        rows = [tuple(float(h) for h in row) for row in heights]
+        columns = len(rows[0]) if rows else 0
+        address, count, alive = doubles(rows, columns, "heights")
+        desc = describe(raw.carom_height_field_desc, {"columns": columns, "rows": count, "spacing": spacing})
+        desc.heights = ctypes.cast(address, ctypes.POINTER(ctypes.c_double))
+        handle = ctypes.c_uint64()
+        self._call(raw.carom_shape_create_height_field, ctypes.byref(desc), ctypes.byref(handle))
+        del alive
+        return Shape(self, handle.value)
+
+    def support_plugin(self, support: Callable, id: str, **about) -> SupportPlugin:
+        """A kind of shape whose support function is written in Python; see support.py.
+
+            box = engine.support_plugin(lambda p, d: tuple(math.copysign(h, x) for h, x in zip(p, d)), "my.box",
+                                        params=[("x", "m", 1e-6, 1e3), ("y", "m", 1e-6, 1e3), ("z", "m", 1e-6, 1e3)])
+            die = box(0.5, 0.5, 0.5)
+        """
+        return SupportPlugin(self, support, id, **about)
+
+    # ---- questions without a world ----
+
+    def distance(self, a: Shape, b: Shape, position_a=(0, 0, 0), position_b=(0, 0, 0), orientation_a=IDENTITY,
+                 orientation_b=IDENTITY, **how):
+        """Signed distance of two shapes, with bracket [lower, upper], normal and closest points.
+        @param how  fields of carom_distance_desc: tolerance=1e-9, pair_routines=1"""
+        desc = describe(raw.carom_distance_desc, how)
+        result = raw.carom_distance(struct_size=ctypes.sizeof(raw.carom_distance))
+        self._call(raw.carom_shape_distance, a.handle, vec3(position_a), vector(orientation_a, 4, "orientation_a"), b.handle,
+                   vec3(position_b), vector(orientation_b, 4, "orientation_b"), ctypes.byref(desc), ctypes.byref(result))
+        return record(result)
+
+    def support(self, shape: Shape, directions):
+        """Farthest points of a shape along directions, numpy arrays of rows of 3."""
+        np = need_numpy("support()")
+        along = np.ascontiguousarray(directions, dtype=np.float64).reshape(-1, 3)
+        points = np.empty_like(along)
+        real = ctypes.POINTER(ctypes.c_double)
+        self._call(raw.carom_shape_support, shape.handle, along.ctypes.data_as(real), len(along), points.ctypes.data_as(real))
+        return points

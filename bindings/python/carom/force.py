@@ -1,0 +1,70 @@
+"""Force fields, springs, water."""
+from __future__ import annotations
+
+import ctypes
+from typing import Sequence
+
+from . import raw
+from ._values import describe, enum, record, set_field, word
+from .body import Thing
+
+
+class ForceField(Thing):
+    __slots__ = ()
+    _destroy = staticmethod(raw.carom_force_field_destroy)
+
+    def _get_desc(self):
+        desc = raw.carom_force_field_desc(struct_size=ctypes.sizeof(raw.carom_force_field_desc))
+        self._call(raw.carom_force_field_get, ctypes.byref(desc))
+        return desc
+
+    @property
+    def desc(self):
+        desc = self._get_desc()
+        return record(desc, kind=word("FORCE_FIELD", desc.kind, ("uniform", "radial", "vortex")))
+
+    def update(self, **about) -> None:
+        """Change some of its fields; the others stay."""
+        desc = self._get_desc()
+        for key, value in about.items():
+            set_field(desc, key, enum("FORCE_FIELD", value) if key == "kind" else value)
+        self._call(raw.carom_force_field_update, ctypes.byref(desc))
+
+
+class Spring(Thing):
+    __slots__ = ()
+    _destroy = staticmethod(raw.carom_spring_destroy)
+
+    @property
+    def desc(self):
+        desc = raw.carom_spring_desc(struct_size=ctypes.sizeof(raw.carom_spring_desc))
+        self._call(raw.carom_spring_get, ctypes.byref(desc))
+        return record(desc, self.world._wrap)
+
+    def update(self, rest: float, stiffness: float, damping: float) -> None:
+        self._call(raw.carom_spring_update, rest, stiffness, damping)
+
+    @property
+    def state(self) -> tuple[float, float]:
+        """Length, m, and force, N: above 0 it pulls its ends together"""
+        length, force = ctypes.c_double(), ctypes.c_double()
+        self._call(raw.carom_spring_get_state, ctypes.byref(length), ctypes.byref(force))
+        return length.value, force.value
+
+
+class Water:
+    """All of space where normal . x <= level. @param density  kg/m^3   @param current  m/s   @param drag  1/s"""
+
+    def __init__(self, level: float = 0, density: float = 1000, normal: Sequence[float] = (0, 1, 0),
+                 current: Sequence[float] = (0, 0, 0), drag: float = 1):
+        self.level, self.density, self.normal, self.current, self.drag = level, density, tuple(normal), tuple(current), drag
+
+    def __repr__(self):
+        return f"Water({', '.join(f'{name}={value}' for name, value in vars(self).items())})"
+
+    def _desc(self):
+        return describe(raw.carom_water, vars(self))
+
+    @staticmethod
+    def _of(desc) -> Water:
+        return Water(desc.level, desc.density, tuple(desc.normal), tuple(desc.current), desc.drag)

@@ -1,0 +1,85 @@
+"""Joints: what holds two bodies together, or one to the world; limits, motors and springs of what is left free."""
+from __future__ import annotations
+
+import ctypes
+import math
+from typing import Sequence
+
+from . import raw
+from ._values import describe, enum, handle_of, record, set_field, word
+from .body import Thing
+
+KINDS = ("ball", "hinge", "slider", "weld", "distance", "universal")
+COORDINATES = ("twist", "swing", "slide", "distance")
+
+
+def turn_x_to(axis: Sequence[float]) -> tuple[float, ...]:
+    """The shortest turn (x, y, z, w) that brings the x axis to `axis`, any length."""
+    x, y, z = axis
+    length = math.sqrt(x * x + y * y + z * z)
+    if not length:
+        raise ValueError("an axis has a length")
+    x, y, z = x / length, y / length, z / length
+    if x < -1 + 1e-12:
+        return 0.0, 0.0, 1.0, 0.0
+    w = math.sqrt((1 + x) / 2)
+    return 0.0, -z / (2 * w), y / (2 * w), w
+
+
+def make_joint(world, kind, a, b, position, orientation, axis, about) -> Joint:
+    """World.joint(). With `position` the joint is placed in the world as the bodies stand now; `axis` is the direction of its
+    x axis there (of a hinge, of a slider), or `orientation` says more. Else position_a, position_b, ... are in the bodies'
+    frames. Also: length, break_force, break_torque, collide=True, user."""
+    about = dict(about)
+    fields = raw.CAROM_JOINT_COLLIDE if about.pop("collide", False) else 0
+    if axis is not None:
+        orientation = turn_x_to(axis)
+    if position is not None or orientation is not None:
+        fields |= raw.CAROM_JOINT_WORLD_FRAME
+        about.update(position_a=(0, 0, 0) if position is None else position, orientation_a=orientation)
+    if about.get("length") is not None:
+        fields |= raw.CAROM_JOINT_FIELD_LENGTH
+    about.update(kind=enum("JOINT", kind), fields=fields, body_a=handle_of(a), body_b=handle_of(b))
+    return world._create("carom_joint", raw.carom_joint_create, ctypes.byref(describe(raw.carom_joint_desc, about)))
+
+
+class Joint(Thing):
+    """Coordinates: "twist" and "swing", rad; "slide" and "distance", m."""
+
+    __slots__ = ()
+    _destroy = staticmethod(raw.carom_joint_destroy)
+
+    @property
+    def desc(self):
+        desc = raw.carom_joint_desc(struct_size=ctypes.sizeof(raw.carom_joint_desc))
+        self._call(raw.carom_joint_get, ctypes.byref(desc))
+        return record(desc, self.world._wrap, kind=word("JOINT", desc.kind, KINDS))
+
+    @property
+    def state(self):
+        """broken, force (N) and torque (N m) on B over the last step, gap (m), angle (rad), coordinate {name: value}."""
+        state = raw.carom_joint_state(struct_size=ctypes.sizeof(raw.carom_joint_state))
+        self._call(raw.carom_joint_get_state, ctypes.byref(state))
+        return record(state, broken=bool(state.broken), coordinate=dict(zip(COORDINATES, state.coordinate)))
+
+    def _part(self, struct, get, set, coordinate, about):
+        number = enum("COORDINATE", coordinate)
+        desc = struct(struct_size=ctypes.sizeof(struct))
+        self._call(get, number, ctypes.byref(desc))
+        if about:
+            for key, value in {"enabled": True, **about}.items():
+                set_field(desc, key, value)
+            self._call(set, number, ctypes.byref(desc))
+        return record(desc, enabled=bool(desc.enabled))
+
+    def limit(self, coordinate: str | int, **about):
+        """Read a limit, or with lower=, upper= (or enabled=False) set it."""
+        return self._part(raw.carom_joint_limit, raw.carom_joint_get_limit, raw.carom_joint_set_limit, coordinate, about)
+
+    def motor(self, coordinate: str | int, **about):
+        """Likewise: speed=, m/s or rad/s, most=, N or N m."""
+        return self._part(raw.carom_joint_motor, raw.carom_joint_get_motor, raw.carom_joint_set_motor, coordinate, about)
+
+    def spring(self, coordinate: str | int, **about):
+        """Likewise: target=, frequency=, Hz, damping=, ratio, most=."""
+        return self._part(raw.carom_joint_spring, raw.carom_joint_get_spring, raw.carom_joint_set_spring, coordinate, about)

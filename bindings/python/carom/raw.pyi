@@ -1,0 +1,1658 @@
+"""Written by bindings/gen/generate from include/carom; do not edit."""
+import builtins
+import ctypes
+from typing import Any
+
+VERSION: str
+LIBRARY: str
+lib: ctypes.CDLL
+STRUCTS: dict[str, type[ctypes.Structure]]
+HANDLES: dict[str, dict[str, str]]
+FUNCTIONS: dict[str, tuple[str, Any, tuple[Any, ...]]]
+def layout() -> dict[str, tuple[int, int, str]]: ...
+def check_layout(manifest: str, ours: dict[str, tuple[int, int, str]] | None = ...) -> None: ...
+CAROM_VERSION_MAJOR: int
+CAROM_VERSION_MINOR: int
+CAROM_VERSION_PATCH: int
+CAROM_OK: int
+CAROM_E_NULL_ARGUMENT: int
+CAROM_E_NOT_FINITE: int
+CAROM_E_OUT_OF_RANGE: int
+CAROM_E_NOT_UNIT: int
+CAROM_E_UNKNOWN_ENUM: int
+CAROM_E_STRUCT_SIZE: int
+CAROM_E_UNSUPPORTED: int
+CAROM_E_INVALID_HANDLE: int
+CAROM_E_STALE_HANDLE: int
+CAROM_E_WRONG_KIND: int
+CAROM_E_WRONG_WORLD: int
+CAROM_E_BUSY: int
+CAROM_E_REENTRANT: int
+CAROM_E_IN_USE: int
+CAROM_E_OUT_OF_MEMORY: int
+CAROM_E_LIMIT: int
+CAROM_E_BUFFER_TOO_SMALL: int
+CAROM_E_PLUGIN_PATH: int
+CAROM_E_PLUGIN_LOAD: int
+CAROM_E_PLUGIN_ABI: int
+CAROM_E_PLUGIN_DISHONEST: int
+CAROM_E_DECLARATION_FALSE: int
+CAROM_E_NO_VOLUME: int
+CAROM_E_ALREADY_EXISTS: int
+CAROM_E_NOT_FOUND: int
+CAROM_E_INTERNAL: int
+CAROM_NULL_HANDLE: int
+CAROM_MIX_GEOMETRIC_MEAN: int
+CAROM_MIX_MAXIMUM: int
+CAROM_MIX_MINIMUM: int
+CAROM_MIX_AVERAGE: int
+CAROM_MIX_MULTIPLY: int
+CAROM_BODY_STATIC: int
+CAROM_BODY_KINEMATIC: int
+CAROM_BODY_DYNAMIC: int
+CAROM_BODY_FIELD_MASS: int
+CAROM_BODY_FIELD_CENTER: int
+CAROM_BODY_FIELD_INERTIA: int
+CAROM_BODY_STAYS_AWAKE: int
+CAROM_LOCK_LINEAR_X: int
+CAROM_LOCK_LINEAR_Y: int
+CAROM_LOCK_LINEAR_Z: int
+CAROM_LOCK_ANGULAR_X: int
+CAROM_LOCK_ANGULAR_Y: int
+CAROM_LOCK_ANGULAR_Z: int
+CAROM_LOCK_ALL: int
+CAROM_LOCK_PLANE: int
+CAROM_CONTINUOUS_AUTO: int
+CAROM_CONTINUOUS_ALWAYS: int
+CAROM_CONTINUOUS_NEVER: int
+CAROM_FIELD_POSITION: int
+CAROM_FIELD_ORIENTATION: int
+CAROM_FIELD_POSE: int
+CAROM_FIELD_LINEAR_VELOCITY: int
+CAROM_FIELD_ANGULAR_VELOCITY: int
+CAROM_FIELD_VELOCITY: int
+CAROM_FIELD_FORCE: int
+CAROM_FIELD_CENTER: int
+CAROM_FIELD_MASS: int
+CAROM_FIELD_COUNT: int
+CAROM_SCALAR_F32: int
+CAROM_SCALAR_F64: int
+CAROM_CAST_MISS: int
+CAROM_CAST_HIT: int
+CAROM_CAST_OVERLAP: int
+CAROM_CAST_UNDECIDED: int
+CAROM_CAST_BAD_RAY: int
+CAROM_OVERLAP_APART: int
+CAROM_OVERLAP_OVERLAPPING: int
+CAROM_OVERLAP_TOUCHING: int
+CAROM_OVERLAP_FAULT: int
+CAROM_NO_SHAPE: int
+CAROM_DIAL_INTEGRATOR: int
+CAROM_DIAL_ROTATION: int
+CAROM_DIAL_SUBSTEPS: int
+CAROM_DIAL_SOLVER: int
+CAROM_DIAL_VELOCITY_ITERATIONS: int
+CAROM_DIAL_POSITION_ITERATIONS: int
+CAROM_DIAL_VELOCITY_TOLERANCE: int
+CAROM_DIAL_POSITION_TOLERANCE: int
+CAROM_DIAL_RESTITUTION_SPEED: int
+CAROM_DIAL_SEVERITY_SEARCH: int
+CAROM_DIAL_GROUPS: int
+CAROM_DIAL_BROAD_PHASE: int
+CAROM_DIAL_GRID_CELL: int
+CAROM_DIAL_CONTACT_DISTANCE: int
+CAROM_DIAL_PAIR_ROUTINES: int
+CAROM_DIAL_NARROW_PHASE: int
+CAROM_DIAL_SIMPLEX: int
+CAROM_DIAL_GJK_TOLERANCE: int
+CAROM_DIAL_GJK_ITERATIONS: int
+CAROM_DIAL_EPA_ITERATIONS: int
+CAROM_DIAL_HYBRID_MARGIN: int
+CAROM_DIAL_WARM_SEPARATION: int
+CAROM_DIAL_MANIFOLD: int
+CAROM_DIAL_CACHE_DISTANCE: int
+CAROM_DIAL_WARM_START: int
+CAROM_DIAL_CARRY_OVER: int
+CAROM_DIAL_CONTACT_FREQUENCY: int
+CAROM_DIAL_CONTACT_DAMPING: int
+CAROM_DIAL_PUSH_SPEED: int
+CAROM_DIAL_SLEEP: int
+CAROM_DIAL_SLEEP_SPEED: int
+CAROM_DIAL_SLEEP_TIME: int
+CAROM_DIAL_DIRECT_SINK: int
+CAROM_DIAL_DIRECT_RATIO: int
+CAROM_DIAL_DIRECT_WORK: int
+CAROM_DIAL_HOLD_ANGLE: int
+CAROM_DIAL_JOINT_FREQUENCY: int
+CAROM_DIAL_JOINT_DAMPING: int
+CAROM_DIAL_CONTINUOUS: int
+CAROM_DIAL_COUNT: int
+CAROM_INTEGRATOR_EXPLICIT_EULER: int
+CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER: int
+CAROM_INTEGRATOR_RK4: int
+CAROM_INTEGRATOR_VELOCITY_VERLET: int
+CAROM_ROTATION_NONE: int
+CAROM_ROTATION_EXPLICIT: int
+CAROM_ROTATION_IMPLICIT: int
+CAROM_ROTATION_RK4: int
+CAROM_ROTATION_LIE_MIDPOINT: int
+CAROM_ROTATION_SPLITTING: int
+CAROM_ROTATION_SPLITTING_4: int
+CAROM_ROTATION_SPLITTING_6: int
+CAROM_SOLVER_SEVERITY: int
+CAROM_SOLVER_SEQUENTIAL: int
+CAROM_SOLVER_SOFT_STEP: int
+CAROM_SOLVER_DIRECT: int
+CAROM_SOLVER_AUTO: int
+CAROM_SEARCH_LINEAR: int
+CAROM_SEARCH_HEAP: int
+CAROM_BROAD_BRUTE_FORCE: int
+CAROM_BROAD_SWEEP_AND_PRUNE: int
+CAROM_BROAD_GRID: int
+CAROM_BROAD_TREE: int
+CAROM_NARROW_HYBRID: int
+CAROM_NARROW_GJK_EPA: int
+CAROM_SIMPLEX_JOHNSON: int
+CAROM_SIMPLEX_VORONOI: int
+CAROM_SIMPLEX_VORONOI_LAST: int
+CAROM_MANIFOLD_SINGLE: int
+CAROM_MANIFOLD_CACHE: int
+CAROM_MANIFOLD_PATCH: int
+CAROM_MANIFOLD_CLIP: int
+CAROM_SWEEP_NOBODY: int
+CAROM_SWEEP_FLAGGED: int
+CAROM_SWEEP_FAST: int
+CAROM_DIAL_KIND_NUMBER: int
+CAROM_DIAL_KIND_INTEGER: int
+CAROM_DIAL_KIND_CHOICE: int
+CAROM_DRAW_SHAPES: int
+CAROM_DRAW_SCENERY: int
+CAROM_DRAW_BOUNDS: int
+CAROM_DRAW_CONTACTS: int
+CAROM_DRAW_JOINTS: int
+CAROM_DRAW_BODIES: int
+CAROM_DRAW_BY_TYPE: int
+CAROM_DRAW_BY_ISLAND: int
+CAROM_LOG_INFO: int
+CAROM_LOG_WARNING: int
+CAROM_LOG_ERROR: int
+CAROM_EVENTS_CONTACT: int
+CAROM_EVENTS_SENSOR: int
+CAROM_EVENTS_SLEEP: int
+CAROM_EVENTS_JOINT: int
+CAROM_EVENTS_FAULT: int
+CAROM_CONTACT_BEGIN: int
+CAROM_CONTACT_END: int
+CAROM_CONTACT_HIT: int
+CAROM_SENSOR_ENTER: int
+CAROM_SENSOR_LEAVE: int
+CAROM_SLEEP_ASLEEP: int
+CAROM_SLEEP_AWAKE: int
+CAROM_FILTER_CATEGORY: int
+CAROM_FILTER_MASK: int
+CAROM_FORCE_FIELD_UNIFORM: int
+CAROM_FORCE_FIELD_RADIAL: int
+CAROM_FORCE_FIELD_VORTEX: int
+CAROM_FORCE_FIELD_COUNT: int
+CAROM_JOINT_BALL: int
+CAROM_JOINT_HINGE: int
+CAROM_JOINT_SLIDER: int
+CAROM_JOINT_WELD: int
+CAROM_JOINT_DISTANCE: int
+CAROM_JOINT_UNIVERSAL: int
+CAROM_JOINT_COUNT: int
+CAROM_COORDINATE_TWIST: int
+CAROM_COORDINATE_SWING: int
+CAROM_COORDINATE_SLIDE: int
+CAROM_COORDINATE_DISTANCE: int
+CAROM_COORDINATE_COUNT: int
+CAROM_JOINT_WORLD_FRAME: int
+CAROM_JOINT_COLLIDE: int
+CAROM_JOINT_FIELD_LENGTH: int
+CAROM_EFFECT_GYROSCOPIC: int
+CAROM_EFFECT_LINEAR_DAMPING: int
+CAROM_EFFECT_ANGULAR_DAMPING: int
+CAROM_EFFECT_GRAVITY: int
+CAROM_EFFECT_USER_FORCE: int
+CAROM_EFFECT_USER_TORQUE: int
+CAROM_EFFECT_COLLISION: int
+CAROM_EFFECT_FRICTION: int
+CAROM_EFFECT_RESTITUTION: int
+CAROM_EFFECT_ROLLING_RESISTANCE: int
+CAROM_EFFECT_SPINNING_RESISTANCE: int
+CAROM_EFFECT_SLEEP: int
+CAROM_EFFECT_PARTICLES: int
+CAROM_EFFECT_FILTER: int
+CAROM_EFFECT_SENSOR: int
+CAROM_EFFECT_JOINTS: int
+CAROM_EFFECT_SCENERY: int
+CAROM_EFFECT_CONTINUOUS: int
+CAROM_EFFECT_SURFACE_VELOCITY: int
+CAROM_EFFECT_AXIS_LOCKS: int
+CAROM_EFFECT_DRAG: int
+CAROM_EFFECT_WIND: int
+CAROM_EFFECT_FIELDS: int
+CAROM_EFFECT_SPRINGS: int
+CAROM_EFFECT_BUOYANCY: int
+CAROM_EFFECT_RESPONSE: int
+CAROM_EFFECT_JOINT_LIMITS: int
+CAROM_EFFECT_JOINT_MOTORS: int
+CAROM_EFFECT_EVENTS: int
+CAROM_EFFECT_LEDGER: int
+CAROM_EFFECT_COUNT: int
+CAROM_MODE_AS_NEEDED: int
+CAROM_MODE_FORBID: int
+CAROM_MODE_FORCE: int
+CAROM_PLAN_NO_EFFECT: int
+CAROM_TIME_OWN: int
+CAROM_TIME_IN_STAGE: int
+CAROM_TIME_OFF: int
+CAROM_PLUGIN_ABI_MAJOR: int
+CAROM_PLUGIN_ABI_MINOR: int
+CAROM_FORM_NONE: int
+CAROM_FORM_SPHERE: int
+CAROM_FORM_CAPSULE: int
+CAROM_FORM_BOX: int
+CAROM_FORM_POLYTOPE: int
+CAROM_FORM_CYLINDER: int
+CAROM_FORM_CONE: int
+CAROM_FORM_ELLIPSOID: int
+CAROM_NO_PARAM: int
+CAROM_PLUGIN_HOST_THREAD: int
+CAROM_SHAPE_PLUGIN_SYMBOL: str
+CAROM_QUERY_EXACT_ENOUGH: int
+CAROM_QUERY_CAPPED: int
+CAROM_QUERY_ROUNDING: int
+CAROM_QUERY_FAULT: int
+CAROM_SCENERY_TWO_SIDED: int
+CAROM_STAGE_REFRESH: int
+CAROM_STAGE_BROAD: int
+CAROM_STAGE_NARROW: int
+CAROM_STAGE_GROUP: int
+CAROM_STAGE_INTEGRATE: int
+CAROM_STAGE_SOLVE: int
+CAROM_STAGE_RELAX: int
+CAROM_STAGE_OBSERVE: int
+CAROM_STAGE_COUNT: int
+CAROM_REASON_ORDINARY: int
+CAROM_REASON_MASS_RATIO: int
+CAROM_REASON_SINK: int
+CAROM_REASON_TOO_MUCH: int
+CAROM_REASON_BOUNCE: int
+CAROM_REASON_BLOW: int
+CAROM_REASON_STILL: int
+CAROM_REASON_JOINED: int
+CAROM_FAULT_RETURNED: int
+CAROM_FAULT_NOT_FINITE: int
+CAROM_FAULT_OUTSIDE: int
+CAROM_FAULT_NOT_SUPPORT: int
+CAROM_FAULT_BODY_STATE: int
+CAROM_FAULT_PARTICLE_STATE: int
+CAROM_WANT_FIRST: int
+CAROM_WANT_ANY: int
+CAROM_ASK_GENERIC: int
+CAROM_ASK_SENSORS: int
+carom_plugin = ctypes.c_uint64
+carom_shape = ctypes.c_uint64
+carom_material = ctypes.c_uint64
+carom_body = ctypes.c_uint64
+carom_collider = ctypes.c_uint64
+carom_particles = ctypes.c_uint64
+carom_joint = ctypes.c_uint64
+carom_force_field = ctypes.c_uint64
+carom_spring = ctypes.c_uint64
+carom_job_fn: Any
+carom_support_fn: Any
+class carom_error(ctypes.Structure):
+    """Details of the last failure of one call. Owned by the caller; start from CAROM_ERROR_INIT.
+    Written only on failure, never past struct_size."""
+    struct_size: int
+    code: int
+    argument: int
+    has_witness: int
+    witness_dir: Any
+    witness_out: Any
+    message: builtins.bytes
+    remedy: builtins.bytes
+class carom_material_desc(ctypes.Structure):
+    """Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides."""
+    struct_size: int
+    friction_mix: int
+    restitution_mix: int
+    reserved: int
+    friction: float
+    restitution: float
+class carom_body_desc(ctypes.Structure):
+    """What a body is made from. Fill with carom_body_desc_init()."""
+    struct_size: int
+    fields: int
+    type: int
+    reserved: int
+    position: Any
+    orientation: Any
+    linear_velocity: Any
+    angular_velocity: Any
+    mass: float
+    center: Any
+    inertia: Any
+    linear_damping: float
+    angular_damping: float
+    user: int
+class carom_collider_desc(ctypes.Structure):
+    struct_size: int
+    reserved: int
+    shape: int
+    material: int
+    position: Any
+    orientation: Any
+    density: float
+class carom_cast_desc(ctypes.Structure):
+    """How to cast; fill with carom_cast_desc_init()."""
+    struct_size: int
+    iterations: int
+    tolerance: float
+    target: float
+class carom_cast(ctypes.Structure):
+    """The answer. Numbers of a fault (status CAROM_QUERY_FAULT) mean nothing."""
+    struct_size: int
+    outcome: int
+    status: int
+    iterations: int
+    time: float
+    lower: float
+    upper: float
+    separation: float
+    slack: float
+    normal: Any
+    point_a: Any
+    point_b: Any
+    support_calls: int
+    reserved: int
+class carom_motion(ctypes.Structure):
+    """A shape that travels and turns: its centre at constant velocity, the shape about its centre at constant angular
+    velocity. Fill with carom_motion_init()."""
+    struct_size: int
+    reserved: int
+    position: Any
+    orientation: Any
+    center: Any
+    linear_velocity: Any
+    angular_velocity: Any
+class carom_overlap(ctypes.Structure):
+    struct_size: int
+    outcome: int
+    separation_bound: float
+    normal: Any
+    point: Any
+    slack: float
+    support_calls: int
+    reserved: int
+class carom_rays(ctypes.Structure):
+    """Rays in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and scalar set by the
+    caller, what is not set zero."""
+    struct_size: int
+    scalar: int
+    count: int
+    origins: Any
+    directions: Any
+    max: Any
+    origin_stride: int
+    direction_stride: int
+    max_stride: int
+class carom_ray_hit(ctypes.Structure):
+    """What one ray met."""
+    outcome: int
+    status: int
+    shape: int
+    reserved: int
+    time: float
+    lower: float
+    upper: float
+    normal: Any
+    point: Any
+class carom_ray_hits(ctypes.Structure):
+    """Where answers go: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0: tightly packed."""
+    struct_size: int
+    scalar: int
+    records: Any
+    outcomes: Any
+    shapes: Any
+    times: Any
+    normals: Any
+    points: Any
+    record_stride: int
+    outcome_stride: int
+    shape_stride: int
+    time_stride: int
+    normal_stride: int
+    point_stride: int
+class carom_dial_info(ctypes.Structure):
+    """What a dial is: documentation and bounds. Strings have static storage."""
+    struct_size: int
+    dial: int
+    kind: int
+    choice_count: int
+    name: Any
+    unit: Any
+    summary: Any
+    choices: Any
+    min: float
+    max: float
+    initial: float
+class carom_draw_desc(ctypes.Structure):
+    struct_size: int
+    what: int
+    colouring: int
+    reserved: int
+    scale: float
+class carom_draw_line(ctypes.Structure):
+    to: Any
+    colour: int
+    kind: int
+    body: int
+class carom_engine_desc(ctypes.Structure):
+    """What an engine is made from. Fill with carom_engine_desc_init(), then change what you need."""
+    struct_size: int
+    reserved: int
+    alloc: Any
+    free: Any
+    alloc_user: Any
+    log: Any
+    log_user: Any
+class carom_jobs_desc(ctypes.Structure):
+    """Who shares the work of a step. The outcome does not depend on it: same bits for any number of threads.
+    Fill with carom_jobs_desc_init(), then change what you need."""
+    struct_size: int
+    threads: int
+    run: Any
+    user: Any
+class carom_contact_event(ctypes.Structure):
+    """Of two colliders; all their contact points together. Sleepers stay in touch."""
+    kind: int
+    reserved: int
+    collider_a: int
+    collider_b: int
+    body_a: int
+    body_b: int
+    point: Any
+    normal: Any
+    impulse: float
+    approach_speed: float
+class carom_sensor_event(ctypes.Structure):
+    """What a sensor overlaps at the end of the step and did not at the end of the one before, or the reverse. Sleepers are
+    within what they sleep in."""
+    kind: int
+    reserved: int
+    sensor: int
+    other: int
+    sensor_body: int
+    other_body: int
+class carom_sleep_event(ctypes.Structure):
+    """A body that sleeps at the end of the step and did not at the end of the one before, or the reverse."""
+    kind: int
+    reserved: int
+    body: int
+class carom_joint_event(ctypes.Structure):
+    """A joint that bore more than its break_force or break_torque in this step, and holds nothing any more. It stays until
+    it is destroyed."""
+    joint: int
+    body_a: int
+    body_b: int
+    force: Any
+    torque: Any
+    step: int
+class carom_fault_event(ctypes.Structure):
+    """A support function that answered falsely, whose shape is mute from the next step on; or a body or particles whose
+    state was not finite, which are in quarantine. The same faults as those of carom_world_get_faults(), but by handles
+    that keep their names when what they name is destroyed."""
+    kind: int
+    reserved: int
+    shape: int
+    body: int
+    particles: int
+    particle: int
+    dir: Any
+    out: Any
+    step: int
+class carom_force_field_desc(ctypes.Structure):
+    """What acts on every body that shares a bit of its mask, at the centre of mass. Distances d are softened: what the law
+    reads is s = sqrt(d^2 + core^2), and the direction's length is d / s. Fill with carom_force_field_desc_init().   @since 1.7"""
+    struct_size: int
+    kind: int
+    is_force: int
+    mask: int
+    position: Any
+    orientation: Any
+    half: Any
+    vector: Any
+    strength: float
+    pull: float
+    lift: float
+    reference: float
+    core: float
+    reach: float
+    falloff: int
+    reserved: int
+    user: int
+class carom_spring_desc(ctypes.Structure):
+    """A spring as a force, F = stiffness (length - rest) + damping d(length)/dt along the line between two points: what it
+    does between two steps is as exact as the integrator. A substep h carries stiffness only up to where its frequency w
+    has w h = 1; one that is stiffer is taken to be as stiff as that (carom_world_get_plan() says how many are). For
+    those, and for rods and ropes, there is CAROM_JOINT_DISTANCE, which solves. Fill with carom_spring_desc_init().
+    @since 1.7"""
+    struct_size: int
+    only_pulls: int
+    body_a: int
+    body_b: int
+    anchor_a: Any
+    anchor_b: Any
+    rest: float
+    stiffness: float
+    damping: float
+    user: int
+class carom_water(ctypes.Structure):
+    """All of space where normal . x <= level is water. What of a body's colliders is in it (not sensors, not scenery) is
+    pushed by the weight of what it displaces, at the middle of that part, against the world's gravity, and is taken along
+    by the current: F = -drag * density * volume * (v - current). Balls, ellipsoids, boxes and hulls displace exactly what
+    they cover, other shapes what a hull of 256 of their support points covers, blown up to their volume. Fill with
+    carom_water_init().   @since 1.7"""
+    struct_size: int
+    reserved: int
+    normal: Any
+    level: float
+    density: float
+    current: Any
+    drag: float
+class carom_joint_desc(ctypes.Structure):
+    """Fill with carom_joint_desc_init().   @since 1.5"""
+    struct_size: int
+    kind: int
+    fields: int
+    reserved: int
+    body_a: int
+    body_b: int
+    position_a: Any
+    orientation_a: Any
+    position_b: Any
+    orientation_b: Any
+    length: float
+    break_force: float
+    break_torque: float
+    user: int
+class carom_joint_limit(ctypes.Structure):
+    """A coordinate kept within bounds.   @since 1.5"""
+    struct_size: int
+    enabled: int
+    lower: float
+    upper: float
+class carom_joint_motor(ctypes.Structure):
+    """A coordinate driven at a speed.   @since 1.5"""
+    struct_size: int
+    enabled: int
+    speed: float
+    most: float
+class carom_joint_spring(ctypes.Structure):
+    """A coordinate pulled towards a place: a spring, or a motor that holds a position. With x the stretch, w = 2 pi frequency
+    and m what the joint's bodies weigh along the coordinate were they alone: force = -m (w^2 x + 2 damping w x').
+    @since 1.5"""
+    struct_size: int
+    enabled: int
+    target: float
+    frequency: float
+    damping: float
+    most: float
+class carom_joint_state(ctypes.Structure):
+    """What a joint does and where it is.   @since 1.5"""
+    struct_size: int
+    broken: int
+    force: Any
+    torque: Any
+    gap: float
+    angle: float
+    coordinate: Any
+class carom_ledger_entry(ctypes.Structure):
+    """A cause: what it gave in the last step, and since the ledger began."""
+    name: Any
+    kinetic: float
+    potential: float
+    linear: Any
+    angular: Any
+    total_kinetic: float
+    total_potential: float
+    total_linear: Any
+    total_angular: Any
+class carom_ledger_state(ctypes.Structure):
+    """The state itself, summed apart from the causes. After a step `now` is `before` plus the causes of that step, and `start` plus
+    their totals, but for rounding: no more than the bounds here."""
+    struct_size: int
+    is_kept: int
+    steps: int
+    start_kinetic: float
+    start_potential: float
+    start_linear: Any
+    start_angular: Any
+    before_kinetic: float
+    before_potential: float
+    before_linear: Any
+    before_angular: Any
+    now_kinetic: float
+    now_potential: float
+    now_linear: Any
+    now_angular: Any
+    rounding_energy: float
+    rounding_linear: float
+    rounding_angular: float
+    total_rounding_energy: float
+    total_rounding_linear: float
+    total_rounding_angular: float
+class carom_particles_desc(ctypes.Structure):
+    """What all particles of a set have in common. Fill with carom_particles_desc_init().   @since 1.4"""
+    struct_size: int
+    reserved: int
+    gravity_factor: float
+    linear_damping: float
+    mass: float
+    capacity: int
+class carom_plan_line(ctypes.Structure):
+    """A line of the plan: a stage or an effect, as it was in the last step.   @since 1.7"""
+    effect: int
+    stage: int
+    mode: int
+    runs: int
+    customers: int
+    wanted: int
+    evaluations: int
+    bytes: int
+    seconds: float
+    timing: int
+    reserved: int
+    name: builtins.bytes
+    unit: builtins.bytes
+    reason: builtins.bytes
+class carom_param(ctypes.Structure):
+    """Documentation and bounds of one parameter; a value outside [min, max] is refused when a shape is made."""
+    name: Any
+    unit: Any
+    min: float
+    max: float
+class carom_geometry(ctypes.Structure):
+    """What the author knows beyond the support function. Data, not code; verified against the support function when a
+    shape is made (a false declaration is refused with a witness direction); never trusted."""
+    struct_size: int
+    form: int
+    form_arg: Any
+    core_radius_param: int
+    mass_form: int
+    mass_arg: Any
+class carom_shape_plugin(ctypes.Structure):
+    """The plugin. Export it as
+        const carom_shape_plugin carom_shape_plugin_v1 = { ... };
+    or pass it to carom_plugin_register(). Everything it points to must live as long as the engine."""
+    struct_size: int
+    abi_major: int
+    abi_minor: int
+    flags: int
+    id: Any
+    version: int
+    param_count: int
+    params: Any
+    geometry: Any
+    support: Any
+    param_tail_group: int
+    param_tail_min: int
+class carom_distance_desc(ctypes.Structure):
+    """How to answer; fill with carom_distance_desc_init(). Values as the dials of the same name."""
+    struct_size: int
+    simplex: int
+    narrow_phase: int
+    pair_routines: int
+    tolerance: float
+    hybrid_margin: float
+    gjk_iterations: int
+    epa_iterations: int
+class carom_distance(ctypes.Structure):
+    """The answer: signed distance (negative: depth of the smallest separating translation) and its bracket."""
+    struct_size: int
+    status: int
+    separation: float
+    lower: float
+    upper: float
+    normal: Any
+    point_a: Any
+    point_b: Any
+    gjk_iterations: int
+    epa_iterations: int
+    support_calls: int
+    reserved: int
+class carom_mesh_desc(ctypes.Structure):
+    """A triangle mesh. Corners at the same place are made one, so vertices may be repeated; triangles without area are
+    dropped (carom_scenery_info counts them). Two triangles that share a side are one surface there; a side of one alone is a rim, and so
+    is a side of three. Fill with carom_mesh_desc_init()."""
+    struct_size: int
+    flags: int
+    vertices: Any
+    vertex_count: int
+    triangles: Any
+    triangle_count: int
+class carom_height_field_desc(ctypes.Structure):
+    """A height field: vertices at (column spacing[0], height, row spacing[1]) in the shape's frame, met from above (+y). Each
+    cell is two triangles, divided from its first corner (column, row) to (column + 1, row + 1). Fill with
+    carom_height_field_desc_init()."""
+    struct_size: int
+    flags: int
+    columns: int
+    rows: int
+    heights: Any
+    spacing: Any
+class carom_scenery_info(ctypes.Structure):
+    """What became of scenery."""
+    struct_size: int
+    flags: int
+    pieces: int
+    vertices: int
+    dropped: int
+    rims: int
+    bytes: int
+class carom_shape_info(ctypes.Structure):
+    """What the engine knows of a shape. Quantities are for unit density (1 kg/m^3) in the shape's own frame; each derived
+    one comes with a rigorous bracket. A half-space has infinite bounds and volume 0."""
+    struct_size: int
+    form: int
+    is_half_space: int
+    mass_exact: int
+    plugin: int
+    param_count: int
+    core_radius: float
+    bounding_radius: float
+    aabb_min: Any
+    aabb_max: Any
+    volume: float
+    volume_min: float
+    volume_max: float
+    centroid: Any
+    centroid_error: float
+    inertia: Any
+    inertia_error: float
+    is_scenery: int
+    reserved: int
+class carom_world_desc(ctypes.Structure):
+    """What a world is made from. Fill with carom_world_desc_init()."""
+    struct_size: int
+    reserved: int
+    gravity: Any
+    body_capacity: int
+class carom_step_report(ctypes.Structure):
+    """Times, counts and residuals of the last step. A stage without customers did not run: its time is 0."""
+    struct_size: int
+    stage_count: int
+    stage_seconds: Any
+    total_seconds: float
+    steps: int
+    time: float
+    bodies: int
+    dynamic_bodies: int
+    colliders: int
+    broad_pairs: int
+    contact_pairs: int
+    contact_points: int
+    groups: int
+    largest_group: int
+    gjk_calls: int
+    epa_calls: int
+    support_calls: int
+    velocity_impulses: int
+    position_moves: int
+    quarantined_bodies: int
+    faults: int
+    max_penetration: float
+    mean_penetration: float
+    max_closing_speed: float
+    linear_energy: float
+    angular_energy: float
+    asleep_bodies: int
+    fell_asleep: int
+    woke_up: int
+    direct_groups: int
+    solver_residual: float
+    particles: int
+    quarantined_particles: int
+    swept_bodies: int
+    sweep_hits: int
+class carom_contact(ctypes.Structure):
+    """A contact point of the last step."""
+    collider_a: int
+    collider_b: int
+    body_a: int
+    body_b: int
+    point: Any
+    normal: Any
+    separation: float
+    normal_impulse: float
+    friction_impulse: float
+class carom_group(ctypes.Structure):
+    """A contact group of the last step, and how CAROM_SOLVER_AUTO answered it.   @since 1.2"""
+    body: int
+    bodies: int
+    points: int
+    solver: int
+    reason: int
+    mass_ratio: float
+    sink: float
+class carom_fault(ctypes.Structure):
+    """Something misbehaved in the last step; the world stayed finite."""
+    kind: int
+    reserved: int
+    shape: int
+    body: int
+    dir: Any
+    out: Any
+    particles: int
+    particle: int
+class carom_query_desc(ctypes.Structure):
+    """How to ask a world; fill with carom_query_desc_init(). The same for all questions of a call."""
+    struct_size: int
+    flags: int
+    category: int
+    mask: int
+    ignore: int
+    tolerance: float
+    target: float
+    iterations: int
+    reserved: int
+class carom_world_hit(ctypes.Structure):
+    """One collider's answer. Of casts: as in carom_cast. Of overlaps: outcome OVERLAP with a point in both, or UNDECIDED
+    within rounding. Of the nearest: separation, lower and upper as in carom_distance, time 0; outcome OVERLAP if it is
+    negative, else HIT."""
+    outcome: int
+    status: int
+    question: int
+    collider: int
+    body: int
+    time: float
+    lower: float
+    upper: float
+    separation: float
+    normal: Any
+    point: Any
+    point_own: Any
+class carom_query_shapes(ctypes.Structure):
+    """Shapes that ask, in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and scalar
+    set by the caller, what is not set zero."""
+    struct_size: int
+    scalar: int
+    count: int
+    shapes: Any
+    positions: Any
+    orientations: Any
+    motions: Any
+    shape_stride: int
+    position_stride: int
+    orientation_stride: int
+    motion_stride: int
+class carom_world_hits(ctypes.Structure):
+    """Where answers to rays go, one each: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0: tightly
+    packed."""
+    struct_size: int
+    scalar: int
+    records: Any
+    outcomes: Any
+    colliders: Any
+    times: Any
+    normals: Any
+    points: Any
+    record_stride: int
+    outcome_stride: int
+    collider_stride: int
+    time_stride: int
+    normal_stride: int
+    point_stride: int
+def carom_version(major: Any, minor: Any, patch: Any) -> int:
+    """Version of the library that is running (the CAROM_VERSION_* macros tell the header's).
+    @status OK; NULL_ARGUMENT   @thread any"""
+    ...
+def carom_result_name(result: Any) -> bytes:
+    """Name of a result code, e.g. "CAROM_E_BUSY"; "CAROM_E_?" for an unknown one. Static storage.   @thread any"""
+    ...
+def carom_result_remedy(result: Any) -> bytes:
+    """What to do about a result code, in one sentence. Static storage.   @thread any"""
+    ...
+def carom_abi_manifest() -> bytes:
+    """The layout of every struct of this interface, as the compiler that built this library has it: for a binding, which
+    compares it with its own when it is loaded. Lines of four words, ending in '\\n'; first "carom" and the version:
+        carom 1.8.0
+        carom_error 0 576 struct              name, offset, size in bytes, kind
+        carom_error.struct_size 0 4 u32
+        carom_error.witness_dir 16 24 f64[3]
+    Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array. Newer
+    libraries have more lines, and a struct that no *_init() fills may be larger; a field stays as it is.
+    Static storage.   @thread any   @since 1.8"""
+    ...
+def carom_material_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT"""
+    ...
+def carom_material_create(world: Any, desc: Any, material: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; OUT_OF_MEMORY"""
+    ...
+def carom_material_update(world: Any, material: Any, desc: Any, error: Any) -> int:
+    """Change a material in place; every collider that wears it follows.   @status as carom_material_create(); *_HANDLE"""
+    ...
+def carom_material_set_resistance(world: Any, material: Any, rolling: Any, spinning: Any, error: Any) -> int:
+    """Resistance of a surface to rolling and to spinning about the normal, 0 when it is created. A contact that presses
+    with a force N bears a moment of up to rolling * N in its plane and of up to spinning * N about its normal. Mixed as
+    friction is; carom_material_update() leaves it alone.
+    @param rolling, spinning m, [0, 1e3]
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY   @since 1.3"""
+    ...
+def carom_material_get_resistance(world: Any, material: Any, rolling: Any, spinning: Any, error: Any) -> int:
+    """@param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.3"""
+    ...
+def carom_material_destroy(world: Any, material: Any, error: Any) -> int:
+    """@status OK; *_HANDLE; IN_USE (a collider wears it); BUSY"""
+    ...
+def carom_body_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT"""
+    ...
+def carom_body_create(world: Any, desc: Any, body: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; REENTRANT; LIMIT;
+            OUT_OF_MEMORY"""
+    ...
+def carom_body_destroy(world: Any, body: Any, error: Any) -> int:
+    """Destroys its colliders too.   @status OK; *_HANDLE; BUSY; REENTRANT"""
+    ...
+def carom_body_get(world: Any, body: Any, desc: Any, error: Any) -> int:
+    """Everything there is to know about a body, with its masses as the engine uses them (fields: all of FIELD_* set; a body that
+    cannot rotate reports zero inertia; a static or kinematic body reports mass 0).
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY"""
+    ...
+def carom_body_set_pose(world: Any, body: Any, position: Any, orientation: Any, error: Any) -> int:
+    """@param position [3] m   @param orientation [4] x, y, z, w   @status OK; *_HANDLE; NOT_FINITE; NOT_UNIT; BUSY; REENTRANT"""
+    ...
+def carom_body_set_velocity(world: Any, body: Any, linear: Any, angular: Any, error: Any) -> int:
+    """@param linear [3] m/s of the centre of mass   @param angular [3] rad/s, both world frame
+    @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT"""
+    ...
+def carom_body_add_force(world: Any, body: Any, force: Any, torque: Any, error: Any) -> int:
+    """Add a force and a torque about the centre of mass, for the next step only.
+    @param force [3] N, world   @param torque [3] N m, world   @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT"""
+    ...
+def carom_body_add_impulse(world: Any, body: Any, impulse: Any, point: Any, error: Any) -> int:
+    """Change velocities at once. @param impulse [3] N s, world   @param point [3] m, world: where it acts
+    @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT"""
+    ...
+def carom_body_set_gravity_factor(world: Any, body: Any, factor: Any, error: Any) -> int:
+    """How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
+    rises. Wakes the body and its island.
+    @param factor any finite number; 1 when a body is created
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.6"""
+    ...
+def carom_body_get_gravity_factor(world: Any, body: Any, factor: Any, error: Any) -> int:
+    """@param factor out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6"""
+    ...
+def carom_body_set_locks(world: Any, body: Any, locks: Any, error: Any) -> int:
+    """Hold the velocity of a dynamic body along and about some world axes at 0, exactly: forces, contacts and joints move it
+    along the others alone, as heavy there as it is. What it has of such velocity now is gone; what a host writes of it
+    later is dropped; a pose that a host sets is taken, and kept from then on. Wakes the body and its island.
+    
+    Every solver but CAROM_SOLVER_SEVERITY knows locks: a world with that dial refuses them, and a world with a locked
+    body refuses that dial.
+    @param locks CAROM_LOCK_* bits, 0 when a body is created
+    @status OK; NULL_ARGUMENT; *_HANDLE; UNSUPPORTED (unknown bits; or solver severity: set CAROM_DIAL_SOLVER to another
+            first); OUT_OF_RANGE (a body that is not dynamic: it moves as its velocity says); BUSY; REENTRANT;
+            OUT_OF_MEMORY   @since 1.6"""
+    ...
+def carom_body_get_locks(world: Any, body: Any, locks: Any, error: Any) -> int:
+    """@param locks out: CAROM_LOCK_* bits   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6"""
+    ...
+def carom_body_is_asleep(world: Any, body: Any, asleep: Any, error: Any) -> int:
+    """@param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.2"""
+    ...
+def carom_body_wake(world: Any, body: Any, error: Any) -> int:
+    """Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; *_HANDLE; BUSY; REENTRANT
+    @since 1.2"""
+    ...
+def carom_body_set_continuous(world: Any, body: Any, mode: Any, error: Any) -> int:
+    """Say when a body is swept, from the next step on. Without effect on a static body, and where CAROM_DIAL_CONTINUOUS
+    says otherwise: under NOBODY nobody is swept, under FLAGGED only CAROM_CONTINUOUS_ALWAYS.
+    @param mode CAROM_CONTINUOUS_*
+    @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT
+    @since 1.6"""
+    ...
+def carom_body_get_continuous(world: Any, body: Any, mode: Any, error: Any) -> int:
+    """@param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6"""
+    ...
+def carom_collider_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT"""
+    ...
+def carom_collider_create(world: Any, body: Any, desc: Any, collider: Any, error: Any) -> int:
+    """Put a shape on a body; the body's mass properties follow. The body's linear velocity is kept as that of its new centre.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a half-space on a
+            body that moves); NO_VOLUME (a flat shape needs CAROM_BODY_FIELD_MASS or density 0); BUSY; REENTRANT; OUT_OF_MEMORY"""
+    ...
+def carom_collider_destroy(world: Any, collider: Any, error: Any) -> int:
+    """@status OK; *_HANDLE; BUSY; REENTRANT"""
+    ...
+def carom_collider_get(world: Any, collider: Any, desc: Any, body: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY"""
+    ...
+def carom_collider_set_surface_velocity(world: Any, collider: Any, linear: Any, angular: Any, error: Any) -> int:
+    """Let a collider's surface move though the collider stays: a conveyor belt, a turntable, a track. Friction then brings
+    what touches it to the velocity of the surface,
+      v_body(x) + R (linear + angular x (R^T (x - p))),   the part of it in the plane of the contact,
+    with R the orientation and p the origin of the shape in the world: axes and origin are the shape's own, so that a
+    belt turns with its body. Nothing moves but by friction: a surface without any carries nothing. On a body that moves
+    it drives that body. Wakes what a change of the collider's filter wakes; what touches a surface that moves does not
+    fall asleep.
+    @param linear  [3] m/s, axes of the shape; 0 when a collider is created
+    @param angular [3] rad/s, axes of the shape, about its origin
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (beyond 1e6 m/s or rad/s); BUSY; REENTRANT;
+            OUT_OF_MEMORY   @since 1.6"""
+    ...
+def carom_collider_get_surface_velocity(world: Any, collider: Any, linear: Any, angular: Any, error: Any) -> int:
+    """@param linear, angular out: [3], as they were set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6"""
+    ...
+def carom_world_get_bodies(world: Any, handles: Any, capacity: Any, count: Any, error: Any) -> int:
+    """Number of bodies, and their handles in creation order of the slots.
+    @param handles [capacity] or NULL   @param count out: how many there are
+    @status OK; NULL_ARGUMENT; BUSY"""
+    ...
+def carom_world_read(world: Any, field: Any, scalar: Any, handles: Any, n: Any, dst: Any, stride: Any, error: Any) -> int:
+    """Read one field of n bodies.
+    @param handles [n], or NULL for all bodies in the order of carom_world_get_bodies() (n must be their number)
+    @param dst     n records of the field's scalars, `stride` bytes apart
+    @param stride  bytes from one record to the next; 0: tightly packed
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY"""
+    ...
+def carom_world_write(world: Any, field: Any, scalar: Any, handles: Any, n: Any, src: Any, stride: Any, error: Any) -> int:
+    """Write one field of n bodies; all values are validated before the first is written. Arguments as carom_world_read().
+    @status as carom_world_read(); UNSUPPORTED (read-only field); NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; REENTRANT"""
+    ...
+def carom_cast_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT   @since 1.1"""
+    ...
+def carom_motion_init(motion: Any) -> int:
+    """@status OK; NULL_ARGUMENT   @since 1.1"""
+    ...
+def carom_ray_cast(engine: Any, shape: Any, position: Any, orientation: Any, origin: Any, direction: Any, max: Any, desc: Any, result: Any, error: Any) -> int:
+    """Cast the ray origin + t direction, 0 <= t <= max, against a shape.
+    @param position, orientation  of the shape: [3] m, [4] x, y, z, w
+    @param origin [3] m   @param direction [3] m per unit of t, any length; zero asks whether the origin is inside
+    @param max    >= 0, may be infinite
+    @param desc   may be NULL: defaults     @param result struct_size set by the caller
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED   @thread any
+    @since 1.1"""
+    ...
+def carom_shape_cast(engine: Any, shape_a: Any, position_a: Any, orientation_a: Any, motion: Any, shape_b: Any, position_b: Any, orientation_b: Any, desc: Any, result: Any, error: Any) -> int:
+    """Move shape A along a straight line, without turning it, until it touches B.
+    @param motion [3] m, of A; times are fractions of it. If B moves too: the difference of the two
+    @param desc   may be NULL: defaults     @param result struct_size set by the caller
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
+    @thread any   @since 1.1"""
+    ...
+def carom_shape_time_of_impact(engine: Any, shape_a: Any, motion_a: Any, shape_b: Any, motion_b: Any, duration: Any, desc: Any, result: Any, error: Any) -> int:
+    """First contact of two shapes that both travel and turn, within a duration. UNDECIDED: the cap came first, nothing touches
+    before `lower`.
+    @param motion_*  struct_size set by carom_motion_init()   @param duration s, 0 to 1e9
+    @param desc   may be NULL: defaults     @param result struct_size set by the caller; times in s
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
+            UNSUPPORTED (two half-spaces, or one that turns)     @thread any   @since 1.1"""
+    ...
+def carom_shape_overlap(engine: Any, shape_a: Any, position_a: Any, orientation_a: Any, shape_b: Any, position_b: Any, orientation_b: Any, desc: Any, result: Any, error: Any) -> int:
+    """Do two shapes overlap (or come nearer than desc->target)? Cheaper than their distance, with a proof of yes or no.
+    @param desc   may be NULL: defaults; tolerance is not used   @param result struct_size set by the caller
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
+    @thread any   @since 1.1"""
+    ...
+def carom_rays_cast(engine: Any, shapes: Any, positions: Any, orientations: Any, shape_count: Any, rays: Any, desc: Any, hits: Any, error: Any) -> int:
+    """Cast many rays against one or more shapes: the first hit of each. A bad ray, or one for which a support function
+    misbehaves (status CAROM_QUERY_FAULT, `shape` says whose), spoils no other. Nothing is allocated per ray.
+    @param shapes [shape_count]   @param positions [3 shape_count] m   @param orientations [4 shape_count] x, y, z, w
+    @param desc   may be NULL: defaults
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED;
+            BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY     @thread any   @since 1.1"""
+    ...
+def carom_dial_get_info(dial: Any, info: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (dial >= CAROM_DIAL_COUNT of this library)   @thread any"""
+    ...
+def carom_dial_get_count(count: Any) -> int:
+    """Number of dials this library has.   @status OK; NULL_ARGUMENT   @thread any"""
+    ...
+def carom_dial_find(name: Any, dial: Any, error: Any) -> int:
+    """@param name as in carom_dial_info.name   @status OK; NULL_ARGUMENT; NOT_FOUND   @thread any"""
+    ...
+def carom_draw_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT   @since 1.6"""
+    ...
+def carom_world_draw(world: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """All lines that are asked for, kind by kind in the order of the bits. Shapes whose support function fails are left out, and so are
+    bodies in quarantine. The same world gives the same lines.
+    @param desc     NULL: defaults
+    @param dst      [capacity] elements `stride` bytes apart (0: sizeof(carom_draw_line)), or NULL to count
+    @param count    out: lines there are; more than capacity: the first `capacity` of them were written
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a bit of what, reserved); UNKNOWN_ENUM; NOT_FINITE, OUT_OF_RANGE (scale);
+            BUFFER_TOO_SMALL (stride); BUSY; REENTRANT; OUT_OF_MEMORY
+    @thread one of many readers of the world   @since 1.6"""
+    ...
+def carom_engine_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT"""
+    ...
+def carom_engine_create(desc: Any, engine: Any, error: Any) -> int:
+    """Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY
+    @thread any"""
+    ...
+def carom_engine_destroy(engine: Any, error: Any) -> int:
+    """Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first); REENTRANT"""
+    ...
+def carom_jobs_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT   @since 1.2"""
+    ...
+def carom_engine_set_jobs(engine: Any, desc: Any, error: Any) -> int:
+    """Say who shares the work of all steps in the engine's worlds, before the first of them is made. Support functions are then
+    called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked on the stepping one.
+    @param desc may be NULL: the stepping thread alone
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has no more
+    threads); OUT_OF_MEMORY; REENTRANT   @since 1.2   @thread any"""
+    ...
+def carom_plugin_load(engine: Any, path: Any, plugin: Any, error: Any) -> int:
+    """Load a shape plugin from a shared object. @param path absolute.
+    The plugin is checked before anything is called, then asked for supports in 256 directions with parameters that the
+    bounds allow. Loading the same path twice is ALREADY_EXISTS.
+    @status OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_DISHONEST; ALREADY_EXISTS; OUT_OF_MEMORY
+    @thread any, also while worlds step"""
+    ...
+def carom_plugin_register(engine: Any, description: Any, plugin: Any, error: Any) -> int:
+    """Register a plugin by pointer: static linking, WebAssembly, or a shape written in the host's language.
+    The struct and all it points to must outlive the engine.   @status as carom_plugin_load()"""
+    ...
+def carom_plugin_unload(engine: Any, plugin: Any, error: Any) -> int:
+    """Forget a plugin (logically: the code stays mapped).   @status OK; IN_USE (shapes of it live); *_HANDLE; REENTRANT"""
+    ...
+def carom_plugin_find(engine: Any, id: Any, plugin: Any, error: Any) -> int:
+    """Find a loaded plugin by its id.   @status OK; NULL_ARGUMENT; NOT_FOUND (load it first)"""
+    ...
+def carom_plugin_describe(engine: Any, plugin: Any, description: Any, error: Any) -> int:
+    """The plugin's own description: documentation, declarations, function. Valid while the engine lives.
+    @status OK; NULL_ARGUMENT; *_HANDLE"""
+    ...
+def carom_world_collect_events(world: Any, kinds: Any, hit_speed: Any, error: Any) -> int:
+    """Say what to collect from the next step on; nothing at first. Contacts and overlaps that there are already begin in
+    that step.
+    @param kinds     CAROM_EVENTS_* bits; 0: nothing
+    @param hit_speed m/s, [0, 1e9]: contacts that approach faster are hits
+    @status OK; NULL_ARGUMENT; UNSUPPORTED (kinds); NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5"""
+    ...
+def carom_world_get_contact_events(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """Copy them out, by the slots of the two colliders; of one pair END before BEGIN before HIT.
+    @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+    @param stride   sizeof(carom_contact_event) as the caller knows it
+    @param count    out: how many there are (may exceed capacity; capacity are written)
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.5"""
+    ...
+def carom_world_get_sensor_events(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """Arguments as carom_world_get_contact_events().   @since 1.5"""
+    ...
+def carom_world_get_sleep_events(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """By the slots of the bodies; arguments as carom_world_get_contact_events().   @since 1.5"""
+    ...
+def carom_world_get_joint_events(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """By the slots of the joints; arguments as carom_world_get_contact_events().   @since 1.6"""
+    ...
+def carom_world_get_fault_events(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """As they happened; arguments as carom_world_get_contact_events().   @since 1.6"""
+    ...
+def carom_collider_set_filter(world: Any, collider: Any, category: Any, mask: Any, group: Any, error: Any) -> int:
+    """Two colliders of different bodies touch if each one's mask has a bit of the other's category; unless both are of one
+    group other than 0: then they do if it is positive and do not if it is negative, whatever their masks say.
+    @param category, mask  any bits   @param group 0: none
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5"""
+    ...
+def carom_collider_get_filter(world: Any, collider: Any, category: Any, mask: Any, group: Any, error: Any) -> int:
+    """@param category, mask, group  out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.5"""
+    ...
+def carom_body_set_filter(world: Any, body: Any, category: Any, mask: Any, group: Any, error: Any) -> int:
+    """The same for all colliders that a body has now.   @status as carom_collider_set_filter()   @since 1.5"""
+    ...
+def carom_body_hold_apart(world: Any, body_a: Any, body_b: Any, apart: Any, error: Any) -> int:
+    """Hold two bodies apart (they make no contacts with each other, whatever their filters say), or no longer. What is held
+    apart twice has to be let go twice; letting go of what is not held does nothing.
+    @param apart 1 or 0
+    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5"""
+    ...
+def carom_collider_set_sensor(world: Any, collider: Any, sensor: Any, error: Any) -> int:
+    """Make a collider a sensor: it tells what overlaps it (carom_world_get_sensor_events()) and is touched by nothing. It obeys
+    its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts as
+    before.
+    @param sensor 1 or 0
+    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (sensor); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5"""
+    ...
+def carom_collider_is_sensor(world: Any, collider: Any, sensor: Any, error: Any) -> int:
+    """@param sensor out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.5"""
+    ...
+def carom_body_add_force_at(world: Any, body: Any, force: Any, point: Any, error: Any) -> int:
+    """Add a force that acts at a point, for the next step only: carom_body_add_force() with its torque about the centre of
+    mass as the body stands now.
+    @param force [3] N, world   @param point [3] m, world
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT   @since 1.7"""
+    ...
+def carom_body_set_drag(world: Any, body: Any, linear: Any, quadratic: Any, error: Any) -> int:
+    """How air resists a body: F = -(linear + quadratic |u|) u at its centre, u its velocity relative to the air. Without other
+    forces speeds follow the closed form at any step. (carom_body_desc.linear_damping is relative to the world, not to the
+    air, and to mass.)
+    @param linear    kg/s, [0, 1e12]: slow, small bodies (6 pi eta r of a ball); 0 when a body is created
+    @param quadratic kg/m, [0, 1e12]: fast, large ones, rho c_d A / 2 (a ball of 0.1 m in air: 0.0087); 0 likewise
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.7"""
+    ...
+def carom_body_get_drag(world: Any, body: Any, linear: Any, quadratic: Any, error: Any) -> int:
+    """@param linear, quadratic out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.7"""
+    ...
+def carom_world_set_wind(world: Any, velocity: Any, error: Any) -> int:
+    """How the air moves; it reaches bodies through their drag alone.
+    @param velocity [3] m/s, |each| <= 1e6; 0 when a world is created
+    @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7"""
+    ...
+def carom_world_get_wind(world: Any, velocity: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; BUSY   @since 1.7"""
+    ...
+def carom_force_field_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT   @since 1.7"""
+    ...
+def carom_force_field_create(world: Any, desc: Any, field: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT;
+            LIMIT; OUT_OF_MEMORY   @since 1.7"""
+    ...
+def carom_force_field_update(world: Any, field: Any, desc: Any, error: Any) -> int:
+    """Change a field in place: move it, turn it up.   @status as carom_force_field_create(); *_HANDLE   @since 1.7"""
+    ...
+def carom_force_field_get(world: Any, field: Any, desc: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.7"""
+    ...
+def carom_force_field_destroy(world: Any, field: Any, error: Any) -> int:
+    """@status OK; *_HANDLE; BUSY; REENTRANT   @since 1.7"""
+    ...
+def carom_body_set_force_field_mask(world: Any, body: Any, mask: Any, error: Any) -> int:
+    """Which fields a body feels. A field with a bit that few bodies have costs those few.
+    @param mask 1 when a body is created; 0: none
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.7"""
+    ...
+def carom_body_get_force_field_mask(world: Any, body: Any, mask: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.7"""
+    ...
+def carom_spring_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT   @since 1.7"""
+    ...
+def carom_spring_create(world: Any, desc: Any, spring: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT;
+            OUT_OF_MEMORY   @since 1.7"""
+    ...
+def carom_spring_update(world: Any, spring: Any, rest: Any, stiffness: Any, damping: Any, error: Any) -> int:
+    """Change what a spring is like; its ends stay.
+    @param rest m   @param stiffness N/m   @param damping N s/m; ranges as in carom_spring_desc
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7"""
+    ...
+def carom_spring_get(world: Any, spring: Any, desc: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.7"""
+    ...
+def carom_spring_get_state(world: Any, spring: Any, length: Any, force: Any, error: Any) -> int:
+    """@param length out: m, as its ends stand   @param force out: N, above 0 it pulls them together, as it is set
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.7"""
+    ...
+def carom_spring_destroy(world: Any, spring: Any, error: Any) -> int:
+    """Goes with its bodies, too.   @status OK; *_HANDLE; BUSY; REENTRANT   @since 1.7"""
+    ...
+def carom_water_init(water: Any) -> int:
+    """@status OK; NULL_ARGUMENT   @since 1.7"""
+    ...
+def carom_world_set_water(world: Any, water: Any, error: Any) -> int:
+    """@param water NULL: none, as a world is created
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7"""
+    ...
+def carom_world_get_water(world: Any, water: Any, present: Any, error: Any) -> int:
+    """@param water out   @param present out: 1 or 0; if 0, water is filled with defaults
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 1.7"""
+    ...
+def carom_joint_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT   @since 1.5"""
+    ...
+def carom_joint_limit_init(limit: Any) -> int:
+    """Not enabled.   @status OK; NULL_ARGUMENT   @since 1.5"""
+    ...
+def carom_joint_motor_init(motor: Any) -> int:
+    """Not enabled.   @status OK; NULL_ARGUMENT   @since 1.5"""
+    ...
+def carom_joint_spring_init(spring: Any) -> int:
+    """Not enabled.   @status OK; NULL_ARGUMENT   @since 1.5"""
+    ...
+def carom_joint_create(world: Any, desc: Any, joint: Any, error: Any) -> int:
+    """Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
+            NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, or none that is dynamic); BUSY; REENTRANT; LIMIT;
+            OUT_OF_MEMORY   @since 1.5"""
+    ...
+def carom_joint_destroy(world: Any, joint: Any, error: Any) -> int:
+    """@status OK; *_HANDLE; BUSY; REENTRANT   @since 1.5"""
+    ...
+def carom_joint_get(world: Any, joint: Any, desc: Any, error: Any) -> int:
+    """@param desc out: as it was made, with frames in body coordinates
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.5"""
+    ...
+def carom_joint_get_state(world: Any, joint: Any, state: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.5"""
+    ...
+def carom_joint_set_limit(world: Any, joint: Any, coordinate: Any, limit: Any, error: Any) -> int:
+    """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
+    @param coordinate CAROM_COORDINATE_*
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.5"""
+    ...
+def carom_joint_set_motor(world: Any, joint: Any, coordinate: Any, motor: Any, error: Any) -> int:
+    """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
+    @param coordinate CAROM_COORDINATE_*
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.5"""
+    ...
+def carom_joint_set_spring(world: Any, joint: Any, coordinate: Any, spring: Any, error: Any) -> int:
+    """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
+    @param coordinate CAROM_COORDINATE_*
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.5"""
+    ...
+def carom_joint_get_limit(world: Any, joint: Any, coordinate: Any, limit: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.5"""
+    ...
+def carom_joint_get_motor(world: Any, joint: Any, coordinate: Any, motor: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.5"""
+    ...
+def carom_joint_get_spring(world: Any, joint: Any, coordinate: Any, spring: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.5"""
+    ...
+def carom_world_get_joints(world: Any, joints: Any, capacity: Any, count: Any, error: Any) -> int:
+    """Number of joints, and their handles in creation order of the slots.
+    @param joints [capacity] or NULL   @param count out: how many there are
+    @status OK; NULL_ARGUMENT; BUSY   @since 1.5"""
+    ...
+def carom_world_enable_ledger(world: Any, on: Any, error: Any) -> int:
+    """Keep a ledger from now on, anew if one is kept; or none. Off in a new world.
+    @param on  0 or 1
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM (on); BUSY; REENTRANT; OUT_OF_MEMORY: as it was   @since 1.7"""
+    ...
+def carom_world_get_ledger(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """Copy out all causes, in the order above; none of a world that keeps no ledger.
+    @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+    @param stride   sizeof(carom_ledger_entry) as the caller knows it
+    @param count    out: how many there are (may exceed capacity; capacity are written)
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.7"""
+    ...
+def carom_world_get_ledger_state(world: Any, state: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 1.7"""
+    ...
+def carom_particles_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT   @since 1.4"""
+    ...
+def carom_particles_create(world: Any, desc: Any, set: Any, error: Any) -> int:
+    """Make an empty set.
+    @param desc may be NULL: defaults
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY
+    @since 1.4"""
+    ...
+def carom_particles_destroy(world: Any, set: Any, error: Any) -> int:
+    """Its particles too.   @status OK; *_HANDLE; BUSY; REENTRANT   @since 1.4"""
+    ...
+def carom_particles_get(world: Any, set: Any, desc: Any, error: Any) -> int:
+    """@param desc out: as it was made or updated; capacity: particles there is memory for
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.4"""
+    ...
+def carom_particles_update(world: Any, set: Any, desc: Any, error: Any) -> int:
+    """Change what they have in common; particles that are there keep their mass.
+    @param desc may be NULL: defaults; capacity: memory for so many in all
+    @status as carom_particles_create(); *_HANDLE   @since 1.4"""
+    ...
+def carom_particles_get_count(world: Any, set: Any, count: Any, error: Any) -> int:
+    """@param count out: particles in the set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.4"""
+    ...
+def carom_particles_add(world: Any, set: Any, n: Any, scalar: Any, positions: Any, position_stride: Any, velocities: Any, velocity_stride: Any, error: Any) -> int:
+    """Add n particles at the end; all values are checked before the first is added.
+    @param scalar          CAROM_SCALAR_*, of both arrays
+    @param positions       [n] m, world, three scalars each, within 1e15 m of the origin
+    @param position_stride bytes from one to the next; 0: tightly packed
+    @param velocities      [n] m/s, world, likewise, at most 1e9 m/s; NULL: at rest
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31 - 1
+            in a set); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.4"""
+    ...
+def carom_particles_remove(world: Any, set: Any, indices: Any, n: Any, error: Any) -> int:
+    """Remove n particles. The others keep their order, so each moves up by as many as went before it.
+    @param indices [n] ascending, each once; NULL: all of them (n must be their number)
+    @status OK; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT   @since 1.4"""
+    ...
+def carom_particles_read(world: Any, set: Any, field: Any, scalar: Any, indices: Any, n: Any, dst: Any, stride: Any, error: Any) -> int:
+    """Read one field of n particles: CAROM_FIELD_POSITION, LINEAR_VELOCITY or MASS.
+    @param indices [n] in any order, or NULL: all of them (n must be their number)
+    @param dst     n records of the field's scalars, `stride` bytes apart
+    @param stride  bytes from one record to the next; 0: tightly packed
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE (an
+            index, n); BUFFER_TOO_SMALL (stride); BUSY   @since 1.4"""
+    ...
+def carom_particles_write(world: Any, set: Any, field: Any, scalar: Any, indices: Any, n: Any, src: Any, stride: Any, error: Any) -> int:
+    """Write one field of n particles; all values are checked before the first is written, bounds as carom_particles_add(),
+    masses as carom_particles_desc. Arguments as carom_particles_read(); where an index comes twice, the last counts.
+    @status as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY   @since 1.4"""
+    ...
+def carom_particles_get_quarantined(world: Any, set: Any, indices: Any, capacity: Any, count: Any, error: Any) -> int:
+    """A particle that has come further than 1e15 m or become faster than 1e9 m/s is put in quarantine: it is held still where
+    it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults() tells of the
+    first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call of all that are held now, ascending.
+    @param indices [capacity] out; may be NULL if capacity is 0
+    @param count   out: how many there are (may exceed capacity; capacity are written)
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.4"""
+    ...
+def carom_world_get_particles(world: Any, sets: Any, capacity: Any, count: Any, error: Any) -> int:
+    """Number of sets, and their handles in creation order of the slots.
+    @param sets [capacity] or NULL   @param count out: how many there are
+    @status OK; NULL_ARGUMENT; BUSY   @since 1.4"""
+    ...
+def carom_effect_name(effect: Any) -> bytes:
+    """Static name of an effect ("gravity"), or "?".   @thread any   @since 1.7"""
+    ...
+def carom_world_set_effect(world: Any, effect: Any, mode: Any, error: Any) -> int:
+    """Forbid or force an effect from the next step on, for all bodies. Wakes everybody. Forbidding one that the scene
+    needs is allowed, and carom_world_get_plan() says so.
+    @param effect CAROM_EFFECT_*   @param mode CAROM_MODE_*
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT   @since 1.7"""
+    ...
+def carom_world_get_effect(world: Any, effect: Any, mode: Any, error: Any) -> int:
+    """@param mode out   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY   @since 1.7"""
+    ...
+def carom_body_set_effect(world: Any, body: Any, effect: Any, mode: Any, error: Any) -> int:
+    """The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for the
+    world is forbidden for it. Particles, events and the ledger are not a body's.
+    @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use carom_world_set_effect());
+            BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.7"""
+    ...
+def carom_body_get_effect(world: Any, body: Any, effect: Any, mode: Any, error: Any) -> int:
+    """@param mode out: of the body itself   @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; BUSY   @since 1.7"""
+    ...
+def carom_world_time_effects(world: Any, on: Any, error: Any) -> int:
+    """Whether each force effect is timed by itself in carom_world_get_plan(), which costs two looks at the clock for each.
+    @param on 1 or 0 (as a world is created)
+    @status OK; NULL_ARGUMENT; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7"""
+    ...
+def carom_world_get_plan(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """Copy out the plan of the last step: stages first, then effects. Before the first step nothing has run.
+    @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+    @param stride   sizeof(carom_plan_line) as the caller knows it
+    @param count    out: how many there are (may exceed capacity; capacity are written)
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.7"""
+    ...
+def carom_distance_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT"""
+    ...
+def carom_shape_distance(engine: Any, shape_a: Any, position_a: Any, orientation_a: Any, shape_b: Any, position_b: Any, orientation_b: Any, desc: Any, result: Any, error: Any) -> int:
+    """Signed distance of two shapes.
+    @param position_*     [3] m     @param orientation_* [4] x, y, z, w
+    @param desc   may be NULL: defaults     @param result struct_size set by the caller
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM;
+            UNSUPPORTED (two half-spaces)     @thread any"""
+    ...
+def carom_mesh_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT   @since 1.6"""
+    ...
+def carom_shape_create_mesh(engine: Any, desc: Any, shape: Any, error: Any) -> int:
+    """Make scenery of a mesh. All is copied.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far out, no
+            triangle that has an area); LIMIT; OUT_OF_MEMORY
+    @thread any, also while worlds step   @since 1.6"""
+    ...
+def carom_height_field_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT   @since 1.6"""
+    ...
+def carom_shape_create_height_field(engine: Any, desc: Any, shape: Any, error: Any) -> int:
+    """Make scenery of a height field. All is copied.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a count, a
+            spacing that is not positive, a height too far out, nothing but holes); LIMIT; OUT_OF_MEMORY
+    @thread any, also while worlds step   @since 1.6"""
+    ...
+def carom_shape_get_scenery_info(engine: Any, shape: Any, info: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE; UNSUPPORTED (a convex shape)   @since 1.6"""
+    ...
+def carom_shape_get_triangles(engine: Any, shape: Any, first: Any, corners: Any, count: Any, next: Any, error: Any) -> int:
+    """Copy out triangles of scenery, for drawing: each by its three corners, as its surface faces. Holes are left out.
+    @param first   number of the first piece wanted
+    @param corners [9 count] m, shape frame, or NULL to count
+    @param count   in: room for how many; out: how many were written (with NULL: how many there are from `first` on)
+    @param next    out: the number of the piece to go on from; the number of pieces when all have been seen
+    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (first); UNSUPPORTED (a convex shape)   @since 1.6"""
+    ...
+def carom_shape_create(engine: Any, plugin: Any, params: Any, count: Any, shape: Any, error: Any) -> int:
+    """Make a shape. The parameters are copied. The support function is checked for these parameters (finite, repeatable,
+    scale-free, samples in convex position), declarations are verified, and AABB and mass properties derived.
+    @param params [count] doubles, meaning as the plugin documents
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which); PLUGIN_DISHONEST;
+            DECLARATION_FALSE; OUT_OF_MEMORY
+    @thread any, also while worlds step"""
+    ...
+def carom_shape_create_half_space(engine: Any, normal: Any, offset: Any, shape: Any, error: Any) -> int:
+    """The built-in half-space { x : normal . x <= offset } in the shape's own frame; unbounded, so static bodies only.
+    @param normal [3] unit (within 1e-6)   @param offset m
+    @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_MEMORY"""
+    ...
+def carom_shape_destroy(engine: Any, shape: Any, error: Any) -> int:
+    """@status OK; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT"""
+    ...
+def carom_shape_get_info(engine: Any, shape: Any, info: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE"""
+    ...
+def carom_shape_get_params(engine: Any, shape: Any, params: Any, count: Any, error: Any) -> int:
+    """Copy out the parameters. @param count in: capacity of params; out: number of parameters.
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed)"""
+    ...
+def carom_shape_support(engine: Any, shape: Any, dirs: Any, n: Any, points: Any, error: Any) -> int:
+    """Support points of the whole shape, core radius included, for n directions at once.
+    @param dirs [3n] nonzero, any length, shape frame   @param points [3n] m, shape frame
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a zero direction); UNSUPPORTED (half-space,
+            scenery); PLUGIN_DISHONEST (the support function failed; the points before are written)"""
+    ...
+def carom_world_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT"""
+    ...
+def carom_world_create(engine: Any, desc: Any, world: Any, error: Any) -> int:
+    """@param desc may be NULL: defaults   @owns the caller: carom_world_destroy(), before the engine
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; LIMIT (65,535 engines and worlds in
+            all); OUT_OF_MEMORY
+    @thread any"""
+    ...
+def carom_world_destroy(world: Any, error: Any) -> int:
+    """Destroys its bodies, colliders, materials and particles too.   @status OK; NULL_ARGUMENT; BUSY; REENTRANT"""
+    ...
+def carom_world_step(world: Any, dt: Any, error: Any) -> int:
+    """Advance by dt.
+    @param dt s, in (0, 1]
+    @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY
+    Out of memory: no body has moved and forces are still pending; contact caches may have been dropped.
+    A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() tells."""
+    ...
+def carom_world_set_dial(world: Any, dial: Any, value: Any, error: Any) -> int:
+    """@param value within the dial's bounds; whole for choices and integers
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
+    ...
+def carom_world_get_dial(world: Any, dial: Any, value: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY"""
+    ...
+def carom_world_set_gravity(world: Any, gravity: Any, error: Any) -> int:
+    """@param gravity [3] m/s^2, |each| <= 1e6   @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
+    ...
+def carom_world_get_gravity(world: Any, gravity: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; BUSY"""
+    ...
+def carom_world_get_report(world: Any, report: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
+    ...
+def carom_stage_name(stage: Any) -> bytes:
+    """Static name of a stage ("broad"), or "?".   @thread any"""
+    ...
+def carom_world_get_contacts(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """Copy out the contact points of the last step, in a deterministic order; those of colliders destroyed since are gone.
+    @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+    @param stride   sizeof(carom_contact) as the caller knows it
+    @param count    out: how many there are (may exceed capacity; capacity are written)
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
+    ...
+def carom_world_get_groups(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """Copy out the contact groups of the last step, in a deterministic order. Other solvers than CAROM_SOLVER_AUTO answer
+    all groups alike: then there are none.
+    @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+    @param stride   sizeof(carom_group) as the caller knows it
+    @param count    out: how many there are (may exceed capacity; capacity are written)
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.2"""
+    ...
+def carom_world_get_faults(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """Copy out the faults of the last step; arguments as carom_world_get_contacts()."""
+    ...
+def carom_world_hash(world: Any, hash: Any, error: Any) -> int:
+    """64-bit hash of the dynamic state: equal iff (up to collision of the hash) every pose, velocity and cached contact
+    has the same bits, and every particle's position and velocity.   @status OK; NULL_ARGUMENT; BUSY"""
+    ...
+def carom_query_desc_init(desc: Any) -> int:
+    """@status OK; NULL_ARGUMENT   @since 1.5"""
+    ...
+def carom_world_cast_ray(world: Any, origin: Any, direction: Any, max: Any, desc: Any, hit: Any, size: Any, error: Any) -> int:
+    """What one ray meets first: origin + t direction, 0 <= t <= max.
+    @param origin [3] m   @param direction [3] m per unit of t, any length   @param max >= 0, may be infinite
+    @param desc   may be NULL: defaults   @param size sizeof(carom_world_hit) as the caller knows it
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE (desc->ignore); NOT_FINITE; OUT_OF_RANGE;
+            BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   @thread any   @since 1.5"""
+    ...
+def carom_world_cast_rays(world: Any, rays: Any, want: Any, desc: Any, hits: Any, error: Any) -> int:
+    """What each of many rays meets first, or whether it meets anything. A bad ray (not finite, or max negative) spoils no
+    other: its outcome is CAROM_CAST_BAD_RAY. Nothing is allocated per ray.
+    @param want   CAROM_WANT_*   @param desc may be NULL: defaults
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE (desc->ignore); NOT_FINITE; OUT_OF_RANGE;
+            BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any   @since 1.5"""
+    ...
+def carom_world_cast_rays_all(world: Any, rays: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """All that each of many rays meets: by ray, then by time, then by slot. A bad ray has one record that says so.
+    @param dst    [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+    @param stride sizeof(carom_world_hit) as the caller knows it
+    @param count  out: how many there are (may exceed capacity; the first `capacity` are written)
+    @status as carom_world_cast_rays()   @thread any   @since 1.5"""
+    ...
+def carom_world_cast_shapes(world: Any, shapes: Any, want: Any, desc: Any, dst: Any, stride: Any, error: Any) -> int:
+    """What each of many shapes meets first as it moves by its motion without turning, or whether it meets anything.
+    @param shapes every shape, position, orientation and motion must be good, else nothing is written
+    @param want   CAROM_WANT_*   @param desc may be NULL: defaults
+    @param dst    [shapes->count] elements `stride` bytes apart   @param stride 0: tightly packed
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; NOT_UNIT;
+            OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any   @since 1.5"""
+    ...
+def carom_world_cast_shapes_all(world: Any, shapes: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all().
+    @since 1.5"""
+    ...
+def carom_world_overlap_shapes(world: Any, shapes: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """All that overlaps each of many shapes (or is nearer than desc->target): by shape, then by slot; arguments as
+    carom_world_cast_rays_all().   @since 1.5"""
+    ...
+def carom_world_find_nearest(world: Any, shapes: Any, reach: Any, desc: Any, dst: Any, stride: Any, error: Any) -> int:
+    """The collider nearest to each of many shapes or points, and where: least signed distance.
+    @param reach  m, >= 0, may be infinite: farther ones are not looked for (then: MISS)
+    @param dst    as carom_world_cast_shapes()
+    @status as carom_world_cast_shapes()   @thread any   @since 1.5"""
+    ...

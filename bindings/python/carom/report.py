@@ -1,0 +1,128 @@
+"""What a step did: report, contacts, events, faults, the plan, the ledger, lines to draw."""
+from __future__ import annotations
+
+import ctypes
+from typing import Any, Callable
+
+from . import raw
+from ._values import bits, copy_out, describe, enum, need_numpy, record, word
+
+STAGES = ("refresh", "broad", "narrow", "group", "integrate", "solve", "relax", "observe")
+FAULTS = ("returned", "not_finite", "outside", "not_support", "body_state", "particle_state")
+MODES = ("as_needed", "forbid", "force")
+
+
+def effects() -> dict[str, int]:
+    """Names of all effects: "gravity", "friction", ..."""
+    return {raw.carom_effect_name(i).decode(): i for i in range(raw.CAROM_EFFECT_COUNT)}
+
+
+def _effect(name: str | int) -> int:
+    if not isinstance(name, str):
+        return name
+    known = effects()
+    if name not in known:
+        raise ValueError(f"{name!r} is not one of {', '.join(known)}")
+    return known[name]
+
+
+class Reports:
+    """Of the last step. Lists of records; vectors are tuples, handles objects (None where there is none)."""
+
+    _call: Callable[..., None]
+    _wrap: Callable[[str, int], Any]
+
+    def _records(self, function, struct, *before, **words):
+        found = copy_out(self._call, function, struct, *before)
+        return [record(one, self._wrap, **{field: word(prefix, getattr(one, field), names) for field, (prefix, names) in words.items()})
+                for one in found]
+
+    @property
+    def report(self):
+        """Counts, times and residuals; stage_seconds by name."""
+        report = raw.carom_step_report(struct_size=ctypes.sizeof(raw.carom_step_report))
+        self._call(raw.carom_world_get_report, ctypes.byref(report))
+        return record(report, stage_seconds=dict(zip(STAGES, report.stage_seconds)))
+
+    def contacts(self):
+        """Contact points: body_a, body_b, point, normal (A to B), separation, normal_impulse, ..."""
+        return self._records(raw.carom_world_get_contacts, raw.carom_contact)
+
+    def contact_array(self):
+        """The same as one numpy structured array, a row each, fields as in carom_contact."""
+        found = copy_out(self._call, raw.carom_world_get_contacts, raw.carom_contact)
+        return need_numpy("contact_array()").ctypeslib.as_array(found)
+
+    def groups(self):
+        """Contact groups, and how solver "auto" answered each."""
+        return self._records(raw.carom_world_get_groups, raw.carom_group)
+
+    def faults(self):
+        """What misbehaved: kind in words, shape, body, dir, out."""
+        return self._records(raw.carom_world_get_faults, raw.carom_fault, kind=("FAULT", FAULTS))
+
+    # ---- events ----
+
+    def collect_events(self, *kinds: str, hit_speed: float = 1.0) -> None:
+        """From the next step on. @param kinds  of "contact", "sensor", "sleep", "joint", "fault"; none: nothing
+        @param hit_speed  m/s: contacts that approach faster are hits"""
+        self._call(raw.carom_world_collect_events, bits("EVENTS", kinds), hit_speed)
+
+    def contact_events(self):
+        """kind: "begin", "end", "hit" """
+        return self._records(raw.carom_world_get_contact_events, raw.carom_contact_event, kind=("CONTACT", ("begin", "end", "hit")))
+
+    def sensor_events(self):
+        """kind: "enter", "leave" """
+        return self._records(raw.carom_world_get_sensor_events, raw.carom_sensor_event, kind=("SENSOR", ("enter", "leave")))
+
+    def sleep_events(self):
+        """kind: "asleep", "awake" """
+        return self._records(raw.carom_world_get_sleep_events, raw.carom_sleep_event, kind=("SLEEP", ("asleep", "awake")))
+
+    def joint_events(self):
+        """Joints that broke."""
+        return self._records(raw.carom_world_get_joint_events, raw.carom_joint_event)
+
+    def fault_events(self):
+        return self._records(raw.carom_world_get_fault_events, raw.carom_fault_event, kind=("FAULT", FAULTS))
+
+    # ---- which effects run, for whom, why ----
+
+    def plan(self):
+        """Stages, then effects: name, runs, customers, reason, seconds, ..."""
+        lines = copy_out(self._call, raw.carom_world_get_plan, raw.carom_plan_line)
+        return [record(line, runs=bool(line.runs), mode=word("MODE", line.mode, MODES),
+                       effect=None if line.effect == raw.CAROM_PLAN_NO_EFFECT else line.effect) for line in lines]
+
+    def set_effect(self, effect: str | int, mode: str | int = "as_needed") -> None:
+        """@param mode  "as_needed", "forbid", "force" """
+        self._call(raw.carom_world_set_effect, _effect(effect), enum("MODE", mode))
+
+    # ---- where energy and momentum come from and go to ----
+
+    def keep_ledger(self, on: bool = True) -> None:
+        """From now on, anew if one is kept."""
+        self._call(raw.carom_world_enable_ledger, int(on))
+
+    def ledger(self):
+        """{cause: record of kinetic, potential (J), linear (N s), angular (N m s), total_...}"""
+        entries = copy_out(self._call, raw.carom_world_get_ledger, raw.carom_ledger_entry)
+        return {entry.name.decode(): record(entry) for entry in entries}
+
+    @property
+    def ledger_state(self):
+        """The state itself: start_..., before_..., now_kinetic, ..., and the bounds of rounding."""
+        state = raw.carom_ledger_state(struct_size=ctypes.sizeof(raw.carom_ledger_state))
+        self._call(raw.carom_world_get_ledger_state, ctypes.byref(state))
+        return record(state, is_kept=bool(state.is_kept))
+
+    def draw(self, *what: str, **how):
+        """Coloured lines: from_, to (m), colour 0xRRGGBBAA, kind, body.
+        @param what  of "shapes", "scenery", "bounds", "contacts", "joints", "bodies"   @param how  colouring="by_island", scale="""
+        if what:
+            how["what"] = bits("DRAW", what)
+        if "colouring" in how:
+            how["colouring"] = enum("DRAW", how["colouring"])
+        desc = describe(raw.carom_draw_desc, how)
+        return self._records(raw.carom_world_draw, raw.carom_draw_line, ctypes.byref(desc))

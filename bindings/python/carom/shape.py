@@ -1,0 +1,47 @@
+"""A shape: a plugin with parameters, immutable, worn by any number of colliders."""
+from __future__ import annotations
+
+import ctypes
+from typing import TYPE_CHECKING
+
+from . import raw
+from ._values import record
+
+if TYPE_CHECKING:
+    from .engine import Engine
+
+
+class Shape:
+    """A handle and its engine. The engine owns the shape; forgetting this object destroys nothing."""
+
+    __slots__ = ("engine", "handle")
+
+    def __init__(self, engine: Engine, handle: int):
+        self.engine, self.handle = engine, handle
+
+    def __eq__(self, other):
+        return isinstance(other, Shape) and (self.engine, self.handle) == (other.engine, other.handle)
+
+    def __hash__(self):
+        return hash(self.handle)
+
+    def __repr__(self):
+        return f"<carom.Shape {self.handle:#x}>"
+
+    @property
+    def info(self):
+        """What the engine knows of it: bounds, volume, centroid, inertia (for 1 kg/m^3), each with its error."""
+        info = raw.carom_shape_info(struct_size=ctypes.sizeof(raw.carom_shape_info))
+        self.engine._call(raw.carom_shape_get_info, self.handle, ctypes.byref(info))
+        return record(info)
+
+    @property
+    def params(self) -> tuple[float, ...]:
+        count = ctypes.c_uint64(self.info.param_count)
+        values = (ctypes.c_double * count.value)()
+        self.engine._call(raw.carom_shape_get_params, self.handle, values, ctypes.byref(count))
+        return tuple(values)
+
+    def destroy(self) -> None:
+        """@raise InUse while a collider wears it"""
+        self.engine._call(raw.carom_shape_destroy, self.handle)

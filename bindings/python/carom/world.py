@@ -1,0 +1,176 @@
+"""The second root: bodies and what holds, pushes and asks them; it steps."""
+from __future__ import annotations
+
+import ctypes
+from typing import TYPE_CHECKING, Sequence
+
+from . import raw
+from ._root import Root
+from ._values import describe, enum, handle_of, handles_out, vec3
+from .body import Body, Collider, Material
+from .bulk import Bulk
+from .dials import Dials
+from .force import ForceField, Spring, Water
+from .joint import Joint, make_joint
+from .particles import Particles
+from .query import Questions
+from .report import Reports
+from .shape import Shape
+
+if TYPE_CHECKING:
+    from .engine import Engine
+
+_OBJECTS = {"carom_body": Body, "carom_collider": Collider, "carom_material": Material, "carom_joint": Joint,
+            "carom_particles": Particles, "carom_force_field": ForceField, "carom_spring": Spring}
+
+
+class World(Root, Bulk, Questions, Reports):
+    """Made by Engine.world(). One thread steps it, or any number read it; who comes at the wrong time gets Busy.
+    A step lets other Python threads run."""
+
+    _kind = "world"
+
+    def __init__(self, engine: Engine, desc, dials: dict):
+        pointer = ctypes.c_void_p()
+        engine._call(raw.carom_world_create, ctypes.byref(desc), ctypes.byref(pointer))
+        super().__init__(pointer.value, raw.carom_world_destroy, engine._owner)
+        self.engine = engine
+        engine._worlds.add(self)
+        self.dials = Dials(self)
+        try:
+            for name, value in dials.items():
+                self.dials[name] = value
+        except BaseException:
+            self.close()
+            raise
+
+    def _wrap(self, kind: str, handle: int):
+        """The object of a handle of this world, or of its engine."""
+        return Shape(self.engine, handle) if kind == "carom_shape" else _OBJECTS[kind](self, handle)
+
+    def _create(self, kind: str, function, *arguments):
+        handle = ctypes.c_uint64()
+        self._call(function, *arguments, ctypes.byref(handle))
+        return _OBJECTS[kind](self, handle.value)
+
+    # ---- time ----
+
+    def step(self, dt: float = 1 / 60) -> None:
+        """Advance by dt, s, in (0, 1]."""
+        self._call(raw.carom_world_step, dt)
+
+    @property
+    def hash(self) -> int:
+        """64 bits that are equal when every pose, velocity and cached contact has the same bits."""
+        value = ctypes.c_uint64()
+        self._call(raw.carom_world_hash, ctypes.byref(value))
+        return value.value
+
+    @property
+    def gravity(self) -> tuple[float, ...]:
+        """m/s^2"""
+        out = (ctypes.c_double * 3)()
+        self._call(raw.carom_world_get_gravity, out)
+        return tuple(out)
+
+    @gravity.setter
+    def gravity(self, value: Sequence[float]) -> None:
+        self._call(raw.carom_world_set_gravity, vec3(value, "gravity"))
+
+    # ---- what is in it ----
+
+    def material(self, friction: float | None = None, restitution: float | None = None, friction_mix: str | int | None = None,
+                 restitution_mix: str | int | None = None, rolling: float = 0, spinning: float = 0) -> Material:
+        """@param friction  default 0.5   @param restitution  default 0   @param rolling, spinning  m, resistance
+        @param friction_mix, restitution_mix  "geometric_mean", "maximum", "minimum", "average", "multiply" """
+        mix = lambda value: None if value is None else enum("MIX", value)  # noqa: E731
+        desc = describe(raw.carom_material_desc, {"friction": friction, "restitution": restitution,
+                                                  "friction_mix": mix(friction_mix), "restitution_mix": mix(restitution_mix)})
+        material = self._create("carom_material", raw.carom_material_create, ctypes.byref(desc))
+        if rolling or spinning:
+            material.resistance = rolling, spinning
+        return material
+
+    def body(self, shape: Shape | None = None, position: Sequence[float] | None = None, orientation: Sequence[float] | None = None,
+             type: str | int = "dynamic", linear_velocity: Sequence[float] | None = None,
+             angular_velocity: Sequence[float] | None = None, mass: float | None = None, center: Sequence[float] | None = None,
+             inertia: Sequence[float] | None = None, linear_damping: float | None = None, angular_damping: float | None = None,
+             stays_awake: bool = False, user: int | None = None, material: Material | None = None,
+             density: float | None = None) -> Body:
+        """A body, and with `shape` its first collider (of `material` and `density`).
+        @param position  m   @param orientation  x, y, z, w   @param type  "static", "kinematic", "dynamic"
+        @param mass  kg, default from the colliders' densities   @param center  m and
+        @param inertia  kg m^2, 9 numbers row by row: need mass   @param density  kg/m^3, default 1000"""
+        fields = ((raw.CAROM_BODY_FIELD_MASS if mass is not None else 0) | (raw.CAROM_BODY_FIELD_CENTER if center is not None else 0)
+                  | (raw.CAROM_BODY_FIELD_INERTIA if inertia is not None else 0) | (raw.CAROM_BODY_STAYS_AWAKE if stays_awake else 0))
+        desc = describe(raw.carom_body_desc, {
+            "fields": fields, "type": enum("BODY", type), "position": position, "orientation": orientation,
+            "linear_velocity": linear_velocity, "angular_velocity": angular_velocity, "mass": mass, "center": center,
+            "inertia": inertia, "linear_damping": linear_damping, "angular_damping": angular_damping, "user": user})
+        body = self._create("carom_body", raw.carom_body_create, ctypes.byref(desc))
+        if shape is not None:
+            try:
+                body.collider(shape, material=material, density=density)
+            except BaseException:
+                body.destroy()
+                raise
+        return body
+
+    def ground(self, normal: Sequence[float] = (0, 1, 0), offset: float = 0, material: Material | None = None) -> Body:
+        """A static half-space."""
+        return self.body(self.engine.half_space(normal, offset), type="static", material=material)
+
+    def joint(self, kind: str | int, a: Body | None = None, b: Body | None = None, position=None, orientation=None, axis=None,
+              **about) -> Joint:
+        """Hold two bodies together, or one and the world (None); see joint.py."""
+        return make_joint(self, kind, a, b, position, orientation, axis, about)
+
+    def force_field(self, kind: str | int = "uniform", **about) -> ForceField:
+        """@param kind  "uniform", "radial", "vortex"   @param about  fields of carom_force_field_desc: vector, strength, ..."""
+        desc = describe(raw.carom_force_field_desc, {"kind": enum("FORCE_FIELD", kind), **about})
+        return self._create("carom_force_field", raw.carom_force_field_create, ctypes.byref(desc))
+
+    def spring(self, a: Body | None, b: Body | None, rest: float, stiffness: float, damping: float | None = None,
+               anchor_a=None, anchor_b=None, only_pulls: bool = False, user: int | None = None) -> Spring:
+        """A spring as a force. @param rest  m   @param stiffness  N/m   @param damping  N s/m   @param anchor_a, anchor_b  m"""
+        desc = describe(raw.carom_spring_desc, {
+            "body_a": handle_of(a), "body_b": handle_of(b), "rest": rest, "stiffness": stiffness, "damping": damping,
+            "anchor_a": anchor_a, "anchor_b": anchor_b, "only_pulls": int(only_pulls), "user": user})
+        return self._create("carom_spring", raw.carom_spring_create, ctypes.byref(desc))
+
+    def particles(self, **about) -> Particles:
+        """An empty set of point masses. @param about  gravity_factor, linear_damping, mass, capacity"""
+        desc = describe(raw.carom_particles_desc, about)
+        return self._create("carom_particles", raw.carom_particles_create, ctypes.byref(desc))
+
+    @property
+    def water(self) -> Water | None:
+        """Set a carom.Water(level=..., density=...), or None: none."""
+        desc, present = describe(raw.carom_water, {}), ctypes.c_uint32()
+        desc.struct_size = ctypes.sizeof(raw.carom_water)
+        self._call(raw.carom_world_get_water, ctypes.byref(desc), ctypes.byref(present))
+        return Water._of(desc) if present.value else None
+
+    @water.setter
+    def water(self, value: Water | None) -> None:
+        self._call(raw.carom_world_set_water, None if value is None else ctypes.byref(value._desc()))
+
+    @property
+    def wind(self) -> tuple[float, ...]:
+        """m/s; it reaches bodies through their drag"""
+        out = (ctypes.c_double * 3)()
+        self._call(raw.carom_world_get_wind, out)
+        return tuple(out)
+
+    @wind.setter
+    def wind(self, value: Sequence[float]) -> None:
+        self._call(raw.carom_world_set_wind, vec3(value, "wind"))
+
+    @property
+    def bodies(self) -> list[Body]:
+        """All of them, in the order of their slots; for thousands rather body_handles() and read()."""
+        return [Body(self, handle) for handle in handles_out(self._call, raw.carom_world_get_bodies)]
+
+    @property
+    def joints(self) -> list[Joint]:
+        return [Joint(self, handle) for handle in handles_out(self._call, raw.carom_world_get_joints)]

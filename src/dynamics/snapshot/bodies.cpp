@@ -1,0 +1,332 @@
+// Bodies and colliders: what a step changes of them, and what a host can set of them.
+#include <algorithm>
+
+#include "dynamics/events/events.h"
+#include "dynamics/quarantine.h"
+#include "dynamics/sleep/sleep.h"
+#include "dynamics/snapshot/section.h"
+
+namespace carom::snapshot {
+namespace {
+
+// Of a body: which of the things that are mostly as one would guess are not.
+enum BodyBits : std::uint16_t {
+  kMoves = 1,  // it has velocities
+  kTop = 2,    // a momentum
+  kHeld = 4,   // held_q is not q
+  kPlacedElsewhere = 8,
+  kPushed = 16,
+  kSolverMemory = 32,
+  kQuarantined = 64,
+  kWritten = 128,
+  kAsleep = 256,
+  kParked = 512,
+  kCalm = 1024,
+  kSleptBefore = 2048,
+  kSettings = 4096,
+  kBodyBits = 8191
+};
+enum SettingBits : std::uint8_t {
+  kGravityFactor = 1,
+  kLocks = 2,
+  kDrag = 4,
+  kFieldMask = 8,
+  kModes = 16,
+  kContinuous = 32,
+  kSettingBits = 63
+};
+
+RowBits bits_of(const Array<RowBits>& of, std::uint32_t i) { return i < of.size() ? of[i] : 0; }
+
+std::uint8_t settings_of(const Scene& s, std::uint32_t i) {
+  const Drag drag = s.drag_of(i);
+  return static_cast<std::uint8_t>((same_bits(s.gravity_factor_of(i), Real(1)) ? 0 : kGravityFactor) |
+                                   (s.given_locks_of(i) ? kLocks : 0) |
+                                   (same_bits(drag.linear, Real(0)) && same_bits(drag.quadratic, Real(0)) ? 0 : kDrag) |
+                                   (s.fields.mask_of(i) != 1 ? kFieldMask : 0) |
+                                   (bits_of(s.modes.forbidden_of, i) || bits_of(s.modes.forced_of, i) ? kModes : 0) |
+                                   (s.def[i].continuous != SweepMode::automatic ? kContinuous : 0));
+}
+
+template <class Io, class S>
+void settings(Io& io, S& s, std::uint32_t i) {
+  const std::uint8_t bits = io.value(Io::saves ? settings_of(s, i) : std::uint8_t(0));
+  io.demand(bits <= kSettingBits);
+  if constexpr (Io::checks) {
+    Needs& n = io.needs;
+    n.gravity_factor |= bits & kGravityFactor, n.locks |= bits & kLocks, n.drag |= bits & kDrag;
+    n.field_mask |= bits & kFieldMask, n.modes |= bits & kModes;
+  }
+  if (bits & kGravityFactor) {
+    const Real factor = io.real(s.gravity_factor_of(i));
+    if constexpr (Io::loads) s.gravity_factor[i] = factor;
+  }
+  if (bits & kLocks) {
+    const Locks locks = io.value(s.given_locks_of(i));
+    io.demand(locks <= kAllLocks && s.type[i] == BodyType::dynamic);
+    if constexpr (Io::loads) s.given_locks[i] = locks;
+  }
+  if (bits & kDrag) {
+    const Real linear = io.real(s.drag_of(i).linear), quadratic = io.real(s.drag_of(i).quadratic);
+    io.demand(linear >= 0 && quadratic >= 0);
+    if constexpr (Io::loads) s.drag[i] = {linear, quadratic};
+  }
+  if (bits & kFieldMask) {
+    const std::uint32_t mask = io.value(s.fields.mask_of(i));
+    if constexpr (Io::loads) s.fields.mask[i] = mask;
+  }
+  if (bits & kModes) {
+    const RowBits forbidden = io.value(bits_of(s.modes.forbidden_of, i));
+    const RowBits forced = io.value(bits_of(s.modes.forced_of, i));
+    io.demand(((forbidden | forced) >> kEffectCount) == 0 && !(forbidden & forced));
+    if constexpr (Io::loads) s.modes.forbidden_of[i] = forbidden, s.modes.forced_of[i] = forced;
+  }
+  if (bits & kContinuous) {
+    const auto mode = io.value(static_cast<std::uint8_t>(s.def[i].continuous));
+    io.demand(mode <= static_cast<std::uint8_t>(SweepMode::never));
+    if constexpr (Io::loads) s.def[i].continuous = static_cast<SweepMode>(mode);
+  }
+}
+
+std::uint16_t bits_of_body(const World& world, std::uint32_t i) {
+  const State& s = world.state;
+  const Sleep& z = *world.sleep;
+  const auto bit = [](bool on, BodyBits b) { return on ? b : 0; };
+  const bool sleeps = i < z.calm.size();
+  const bool calm = sleeps && !(same_bits(z.calm[i], Real(0)) && same_bits(z.anchor_x[i], s.x[i]) &&
+                                same_bits(z.anchor_q[i], s.q[i]));
+  return static_cast<std::uint16_t>(
+      bit(!zero_bits(s.v[i]) || !zero_bits(s.omega[i]), kMoves) | bit(!zero_bits(s.momentum[i]), kTop) |
+      bit(!same_bits(s.held_q[i], s.q[i]), kHeld) |
+      bit(!same_bits(s.placed_x[i], s.x[i]) || !same_bits(s.placed_q[i], s.q[i]), kPlacedElsewhere) |
+      bit(!zero_bits(s.force[i]) || !zero_bits(s.torque[i]), kPushed) |
+      bit(s.loaded_steps[i] | s.tired_steps[i], kSolverMemory) | bit(s.quarantined[i], kQuarantined) |
+      bit(s.is_written[i], kWritten) | bit(z.sleeps(i), kAsleep) | bit(sleeps && z.parked[i], kParked) |
+      bit(calm, kCalm) | bit(i < world.events->slept.size() && world.events->slept[i], kSleptBefore) |
+      bit(settings_of(world.scene, i), kSettings));
+}
+
+bool sane_turn(const Quat& q) {
+  const Real n2 = q.coeffs().squaredNorm();
+  return n2 > 0.5 && n2 < 2;
+}
+
+/// One body of the state.
+template <class Io, class W>
+void body(Io& io, W& world, std::uint32_t i) {
+  auto& s = world.state;
+  auto& z = *world.sleep;
+  const auto bits = io.value(Io::saves ? bits_of_body(world, i) : std::uint16_t(0));
+  io.demand(bits <= kBodyBits);
+  const Vec3 x = io.vec(s.x[i]);
+  const Quat q = io.quat(s.q[i]);
+  const bool written = bits & kWritten;  // then the next step looks at it before anybody else
+  io.demand(sane_turn(q) && (sane_position(x) || written));
+  keep(io, s.x[i], x), keep(io, s.q[i], q);
+  const Vec3 zero = Vec3::Zero();
+  const auto vector_if = [&](BodyBits bit, auto& v) {
+    const Vec3 now = bits & bit ? io.vec(v) : zero;
+    keep(io, v, now);
+    return now;
+  };
+  const Vec3 v = vector_if(kMoves, s.v[i]), omega = vector_if(kMoves, s.omega[i]);
+  io.demand(written || (v.squaredNorm() <= kMaxSpeed * kMaxSpeed && omega.squaredNorm() <= kMaxSpin * kMaxSpin));
+  io.demand(world.scene.type[i] != BodyType::fixed || (v.isZero(0) && omega.isZero(0)));
+  vector_if(kTop, s.momentum[i]);
+  const Quat held = bits & kHeld ? io.quat(s.held_q[i]) : q;
+  io.demand(sane_turn(held));
+  keep(io, s.held_q[i], held);
+  const Vec3 placed_x = bits & kPlacedElsewhere ? io.vec(s.placed_x[i]) : x;
+  const Quat placed_q = bits & kPlacedElsewhere ? io.quat(s.placed_q[i]) : q;
+  io.demand(sane_turn(placed_q));
+  keep(io, s.placed_x[i], placed_x), keep(io, s.placed_q[i], placed_q);
+  vector_if(kPushed, s.force[i]), vector_if(kPushed, s.torque[i]);
+  const auto loaded = bits & kSolverMemory ? io.value(s.loaded_steps[i]) : std::uint8_t(0);
+  const auto tired = bits & kSolverMemory ? io.value(s.tired_steps[i]) : std::uint8_t(0);
+  keep(io, s.loaded_steps[i], loaded), keep(io, s.tired_steps[i], tired);
+  const std::uint32_t ring = bits & kAsleep ? io.value(Io::saves ? z.ring[i] : 0u) : Colliders::kNone;
+  const Real calm = bits & kCalm ? io.real(Io::saves ? z.calm[i] : Real(0)) : Real(0);
+  const Vec3 anchor_x = bits & kCalm ? io.vec(Io::saves ? z.anchor_x[i] : zero) : x;
+  const Quat anchor_q = bits & kCalm ? io.quat(Io::saves ? z.anchor_q[i] : q) : q;
+  if (bits & kSettings) settings(io, world.scene, i);
+  if constexpr (Io::checks) {
+    const bool arrays = i < io.needs.sleepers;
+    io.demand(arrays || !(bits & (kAsleep | kParked | kCalm)));
+    io.demand(!(bits & (kAsleep | kParked)) || world.scene.inv_mass[i] > 0);
+    io.demand(!(bits & kAsleep) ||
+              (ring < io.needs.sleepers && world.scene.bodies.alive(ring) && world.scene.inv_mass[ring] > 0));
+    io.demand(calm >= 0 && sane_turn(anchor_q));
+  }
+  if constexpr (Io::loads) {
+    s.quarantined[i] = (bits & kQuarantined) != 0;
+    s.quarantined_count += s.quarantined[i];
+    if (bits & kWritten) s.mark_written(i);
+    if (i < world.events->slept.size()) world.events->slept[i] = (bits & kSleptBefore) != 0;
+    if (i >= z.calm.size()) return;
+    z.asleep[i] = (bits & kAsleep) != 0, z.parked[i] = (bits & kParked) != 0;
+    z.ring[i] = ring, z.calm[i] = calm, z.anchor_x[i] = anchor_x, z.anchor_q[i] = anchor_q;
+    z.count += z.asleep[i];
+  }
+}
+
+/// What bodies begin from: nobody is in quarantine, asleep or written to, nothing is set.
+void clear_bodies(World& world, std::size_t sleepers) {
+  Scene& c = world.scene;
+  State& s = world.state;
+  Sleep& z = *world.sleep;
+  for (const std::uint32_t i : s.written) s.is_written[i] = 0;
+  s.written.clear();
+  s.quarantined_count = 0;
+  std::fill(c.gravity_factor.begin(), c.gravity_factor.end(), Real(1));
+  std::fill(c.given_locks.begin(), c.given_locks.end(), Locks(0));
+  std::fill(c.drag.begin(), c.drag.end(), Drag{});
+  std::fill(c.fields.mask.begin(), c.fields.mask.end(), 1u);
+  std::fill(c.modes.forbidden_of.begin(), c.modes.forbidden_of.end(), RowBits(0));
+  std::fill(c.modes.forced_of.begin(), c.modes.forced_of.end(), RowBits(0));
+  for (std::uint32_t i = 0; i < c.bodies.slots(); ++i)
+    if (c.bodies.alive(i)) c.def[i].continuous = SweepMode::automatic;
+  z.asleep.assign(sleepers, 0), z.parked.assign(sleepers, 0), z.ring.assign(sleepers, Colliders::kNone);
+  z.calm.assign(sleepers, 0), z.anchor_x.assign(sleepers, Vec3::Zero()), z.anchor_q.assign(sleepers, Quat::Identity());
+  z.radius.assign(sleepers, 0), z.rows.assign(sleepers, 0), z.kept_first.assign(sleepers, Colliders::kNone);
+  z.root.assign(sleepers, 0), z.restless.assign(sleepers, 0);
+  z.count = 0;
+}
+
+struct Bodies {
+  template <class Io, class W>
+  static void go(Io& io, W& world) {
+    const auto sleepers = io.value(static_cast<std::uint32_t>(world.sleep->calm.size()));
+    io.demand(sleepers <= world.scene.bodies.slots());
+    if constexpr (Io::checks) io.needs.sleepers = sleepers;
+    if constexpr (Io::loads) clear_bodies(world, sleepers);
+    for (std::uint32_t i = 0; i < world.scene.bodies.slots() && !io.bad(); ++i)
+      if (world.scene.bodies.alive(i)) body(io, world, i);
+    if constexpr (Io::loads) {
+      Scene& s = world.scene;
+      for (std::uint32_t i = 0; i < s.locks.size(); ++i)
+        s.locks[i] = s.modes.forbids(kLocksRow, i) ? Locks(0) : s.given_locks[i];
+    }
+  }
+};
+
+// ---- colliders ----
+enum ColliderBits : std::uint8_t {
+  kFrameOfPose = 0,   // as its body stands now
+  kFrameOfPlace = 1,  // as its body stood when it was placed
+  kFrameItself = 2,
+  kFrameNone = 3,  // it has not been placed yet
+  kFrameBits = 3,
+  kTravelled = 4,
+  kFiltered = 8,
+  kSensor = 16,
+  kSurface = 32,
+  kColliderBits = 63
+};
+
+bool same(const Frame& a, const Frame& b) { return same_bits(a.r, b.r) && same_bits(a.p, b.p); }
+
+/// As place_collider() makes it.
+Frame frame_at(const World& world, std::uint32_t slot, const Quat& q, const Vec3& x) {
+  const Scene& s = world.scene;
+  const Frame local(s.colliders.local[slot].q.toRotationMatrix(),
+                    s.colliders.local[slot].p - s.center[s.colliders.body[slot]]);
+  return Frame(q.toRotationMatrix(), x) * local;
+}
+Frame frame_of_pose(const World& world, std::uint32_t slot) {
+  const std::uint32_t i = world.scene.colliders.body[slot];
+  return frame_at(world, slot, world.state.q[i], world.state.x[i]);
+}
+Frame frame_of_place(const World& world, std::uint32_t slot) {
+  const std::uint32_t i = world.scene.colliders.body[slot];
+  return frame_at(world, slot, world.state.placed_q[i], world.state.placed_x[i]);
+}
+
+std::uint8_t bits_of_collider(const World& world, std::uint32_t slot) {
+  const Colliders& c = world.scene.colliders;
+  const Frame& f = c.frame[slot];
+  const bool placed = same(f, frame_of_place(world, slot));
+  const int frame = placed                                ? kFrameOfPlace
+                    : same(f, frame_of_pose(world, slot)) ? kFrameOfPose
+                    : same(f, Frame())                    ? kFrameNone
+                                                          : kFrameItself;
+  const SurfaceVelocity surface = world.scene.surface_of(slot);
+  const bool still = zero_bits(surface.linear) && zero_bits(surface.angular);
+  return static_cast<std::uint8_t>(frame | (same_bits(c.travel[slot], Real(0)) ? 0 : kTravelled) |
+                                   (c.filter_of(slot) == Filter() ? 0 : kFiltered) | (c.is_sensor(slot) ? kSensor : 0) |
+                                   (still ? 0 : kSurface));
+}
+
+template <class Io, class W>
+void collider(Io& io, W& world, std::uint32_t slot) {
+  auto& c = world.scene.colliders;
+  const std::uint8_t bits = io.value(Io::saves ? bits_of_collider(world, slot) : std::uint8_t(0));
+  io.demand(bits <= kColliderBits);
+  if ((bits & kFrameBits) == kFrameItself) {
+    const Frame f(io.mat(c.frame[slot].r), io.vec(c.frame[slot].p));
+    io.demand(f.r.cwiseAbs().sum() < 6 && f.p.cwiseAbs().sum() < 1e100);
+    keep(io, c.frame[slot], f);
+  }
+  if constexpr (Io::loads) {
+    if ((bits & kFrameBits) == kFrameOfPose) c.frame[slot] = frame_of_pose(world, slot);
+    if ((bits & kFrameBits) == kFrameOfPlace) c.frame[slot] = frame_of_place(world, slot);
+    if ((bits & kFrameBits) == kFrameNone) c.frame[slot] = Frame();
+  }
+  const Real travel = bits & kTravelled ? io.value(c.travel[slot]) : Real(0);  // of any value: not even NaN misleads
+  keep(io, c.travel[slot], travel);
+  if constexpr (Io::checks)
+    io.needs.filter |= bits & kFiltered, io.needs.sensor |= bits & kSensor, io.needs.surface |= bits & kSurface;
+  if (bits & kFiltered) {
+    const Filter now = c.filter_of(slot);
+    const Filter filter{io.value(now.category), io.value(now.mask), io.value(now.group)};
+    if constexpr (Io::loads) c.filter[slot] = filter;
+  }
+  if constexpr (Io::loads)
+    if (bits & kSensor) c.sensor[slot] = 1;
+  if (bits & kSurface) {
+    const SurfaceVelocity now = world.scene.surface_of(slot);
+    const SurfaceVelocity surface{io.vec(now.linear), io.vec(now.angular)};
+    io.demand(surface.linear.cwiseAbs().maxCoeff() <= 1e6 && surface.angular.cwiseAbs().maxCoeff() <= 1e6);
+    if constexpr (Io::loads) world.scene.surface[slot] = surface, world.scene.belts += surface.any();
+  }
+}
+
+struct Shells {
+  template <class Io, class W>
+  static void go(Io& io, W& world) {
+    auto& c = world.scene.colliders;
+    if constexpr (Io::loads) {
+      std::fill(c.filter.begin(), c.filter.end(), Filter());
+      std::fill(c.sensor.begin(), c.sensor.end(), std::uint8_t(0));
+      std::fill(world.scene.surface.begin(), world.scene.surface.end(), SurfaceVelocity{});
+      world.scene.belts = 0;
+    }
+    for (std::size_t k = 0; k < c.live.size() && !io.bad(); ++k) collider(io, world, c.live[k]);
+    faulty(io, world);
+  }
+
+ private:
+  /// Shapes in quarantine, by the first collider that wears one.
+  template <class Io, class W>
+  static void faulty(Io& io, W& world) {
+    const auto& c = world.scene.colliders;
+    auto& shapes = world.plan->faulty;
+    const std::uint64_t n = io.count(shapes.size(), 4);
+    if constexpr (Io::checks) io.needs.faulty = n;
+    if constexpr (Io::loads) shapes.clear();
+    for (std::uint64_t k = 0; k < n && !io.bad(); ++k) {
+      std::uint32_t slot = 0;
+      if constexpr (Io::saves)
+        slot = *std::ranges::find_if(c.live, [&](std::uint32_t s) { return c.shape[s] == shapes[k]; });
+      slot = io.value(slot);
+      io.demand(world.scene.collider_slots.alive(slot));
+      if constexpr (Io::loads) shapes.push_back(c.shape[slot]);
+    }
+  }
+};
+
+}  // namespace
+
+constinit const Section kBodies = section<Bodies>("BODY", "bodies");
+constinit const Section kColliders = section<Shells>("COLL", "colliders");
+
+}  // namespace carom::snapshot

@@ -1,0 +1,39 @@
+// The sections of a snapshot: what each holds of a world, by a tag that a reader may not know.
+#pragma once
+
+#include "dynamics/snapshot/bytes.h"
+#include "dynamics/world.h"
+
+namespace carom::snapshot {
+
+struct Section {
+  std::uint32_t tag;
+  const char* name;  // for messages
+  void (*save)(Saver&, const World&);
+  void (*check)(Checker&, const World&);
+  void (*load)(Loader&, World&);
+};
+
+constexpr std::uint32_t tag_of(const char (&name)[5]) {
+  return static_cast<std::uint32_t>(name[0]) | static_cast<std::uint32_t>(name[1]) << 8 |
+         static_cast<std::uint32_t>(name[2]) << 16 | static_cast<std::uint32_t>(name[3]) << 24;
+}
+
+/// From a room with one description for all three: template <class Io, class W> static void go(Io&, W&).
+template <class Room>
+constexpr Section section(const char (&tag)[5], const char* name) {
+  return {tag_of(tag), name, Room::template go<Saver, const World>, Room::template go<Checker, const World>,
+          Room::template go<Loader, World>};
+}
+
+// What a snapshot needs of each room of a world. Loading wants the room that checking found out (reserve()).
+extern const Section kBodies, kColliders;                                             // bodies.cpp
+extern const Section kPairs, kImpulses;                                               // pairs.cpp
+extern const Section kSleepers, kHappenings;                                          // sleep.cpp
+extern const Section kDials, kWater, kMaterials, kFields, kSprings, kJoints, kApart;  // settings.cpp
+extern const Section kSets;                                                           // particles.cpp
+
+/// Of a world's pair table, for loading.
+void make_room_for_pairs(World& world, const Needs& needs);
+
+}  // namespace carom::snapshot

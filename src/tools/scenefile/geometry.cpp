@@ -1,0 +1,266 @@
+// What the colliders of a scene file are made of: shapes, surfaces, filters.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scenefile/reader.h"
+
+namespace carom::tools::scenefile {
+namespace {
+
+constexpr std::size_t kHullVertices = 256;
+constexpr std::uint64_t kEverybody = std::uint64_t(1) << 63;  // a bit that every filter of a file lets touch it
+
+/// A shape about y that is round but of two radii: the hull of its rims, and of the caps of a capsule.
+std::vector<double> round_hull(double height, double bottom, double top, bool capped) {
+  constexpr int kAround = 24, kBands = 6;
+  std::vector<double> points;
+  const auto ring = [&](double y, double r) {
+    for (int k = 0; k < (r > 0 ? kAround : 1); ++k) {
+      const double turn = 2 * std::numbers::pi * k / kAround;
+      points.insert(points.end(), {r * std::cos(turn), y, r * std::sin(turn)});
+    }
+  };
+  for (const int side : {-1, 1}) {
+    const double r = side < 0 ? bottom : top, y = side * height / 2;
+    ring(y, r);
+    for (int band = 1; capped && r > 0 && band <= kBands; ++band) {
+      const double up = std::numbers::pi / 2 * band / kBands;
+      ring(y + side * r * std::sin(up), band == kBands ? 0 : r * std::cos(up));
+    }
+  }
+  return points;
+}
+
+bool is_uniform(const Vec& s) { return s.maxCoeff() - s.minCoeff() <= 1e-6 * s.maxCoeff(); }
+
+std::uint32_t mix_of(const Value& rule) {
+  static constexpr const char* kRules[] = {"maximum", "minimum", "average", "multiply"};
+  for (std::uint32_t k = 0; k < 4; ++k)
+    if (rule.text() == kRules[k]) return CAROM_MIX_MAXIMUM + k;
+  rule.fail("is '" + rule.text() + "'", "write average, minimum, maximum or multiply");
+}
+
+}  // namespace
+
+std::vector<Value> Reader::colliders_of(const Value& at) const {
+  std::vector<Value> list;
+  const auto extension = khr(at);
+  if (!extension) return list;
+  for (const char* key : {"collider", "trigger"})
+    if (const auto value = extension->get(key); value && (value->has("geometry") || own(*value)))
+      list.push_back(*value);
+  return list;
+}
+
+Part Reader::part_of(const Value& collider, const Node& at, bool moves) {
+  Part part;
+  const auto mine = own(collider);
+  part.position = at.in_body.p, part.orientation = at.in_body.q;
+  if (mine) {
+    part.density = mine->number_or("density", part.density, 0, 1e9);
+    part.position = mine->vector_or("position", part.position);
+    if (mine->has("orientation")) part.orientation = (*mine)["orientation"].rotation();
+    part.surface_velocity = mine->vector_or("surfaceVelocity", part.surface_velocity);
+    part.surface_spin = mine->vector_or("surfaceSpin", part.surface_spin);
+  }
+  const Vec scale = at.in_body.s.cwiseAbs();
+  if (const auto which = mine ? mine->get("shape") : std::nullopt) {
+    const Value shapes = (*own(doc_.root()))["shapes"];
+    const Value shape = shapes.at(which->index(shapes.size(), "shapes of CAROM_physics"));
+    part.shape = shape["plugin"].text();
+    part.params = shape["params"].numbers();
+    if (part.shape == "half_space" && part.params.size() != 4)
+      shape["params"].fail("are not four", "give normal and offset");
+    if (part.shape == "height_field" && part.params.size() < 4)
+      shape["params"].fail("are too few", "give columns, rows, spacings, heights");
+  } else {
+    const Value geometry = collider["geometry"];
+    if (!(scale.minCoeff() > 0)) collider.fail("has a scale of 0", "leave the collider out");
+    if (const auto shape = geometry.get("shape")) {
+      const auto all = Document::extension(doc_.root(), "KHR_implicit_shapes");
+      if (!all) geometry.fail("needs KHR_implicit_shapes", "add the extension with its shapes");
+      const Value shapes = (*all)["shapes"];
+      read_shape(shapes.at(shape->index(shapes.size(), "shapes")), scale, part);
+    } else {
+      read_mesh(geometry, scale, moves, part);
+    }
+  }
+  if (part.shape == "half_space" && moves) collider.fail("is a plane on a body that moves", "planes are static");
+  read_surface(collider, part);
+  return part;
+}
+
+void Reader::read_shape(const Value& shape, const Vec& scale, Part& part) {
+  constexpr double kMost = 1e8;
+  const std::string& type = shape["type"].text();
+  if (type == "sphere") {
+    const double r = shape.has("sphere") ? shape["sphere"].number_or("radius", 0.5, 1e-9, kMost) : 0.5;
+    part.shape = is_uniform(scale) ? "sphere" : "ellipsoid";
+    if (is_uniform(scale))
+      part.params = {r * scale.x()};
+    else
+      part.params = {r * scale.x(), r * scale.y(), r * scale.z()};
+  } else if (type == "box") {
+    const Vec size = shape.has("box") ? shape["box"].vector_or("size", Vec::Ones()) : Vec(Vec::Ones());
+    if (!(size.minCoeff() > 0)) shape.fail("is a box without volume", "give sizes above 0");
+    part.shape = "box";
+    part.params = {size.x() / 2 * scale.x(), size.y() / 2 * scale.y(), size.z() / 2 * scale.z()};
+  } else if (type == "capsule" || type == "cylinder") {
+    const bool capsule = type == "capsule";
+    constexpr double standard = 0.25;  // m, of both, as of their height 0.5: the extension's
+    const auto given = shape.get(type.c_str());
+    const auto value = [&](const char* key, double otherwise, double least) {
+      return given ? given->number_or(key, otherwise, least, kMost) : otherwise;
+    };
+    const double height = value("height", 0.5, 1e-9) * scale.y();
+    double bottom = value("radiusBottom", standard, 0), top = value("radiusTop", standard, 0);
+    if (!(bottom > 0 || top > 0)) shape.fail("has no radius", "give radiusBottom or radiusTop above 0");
+    const bool round = std::fabs(scale.x() - scale.z()) <= 1e-6 * scale.x() && (!capsule || is_uniform(scale));
+    if (round && bottom == top) {
+      part.shape = capsule ? "capsule" : "cylinder";
+      part.params = {bottom * scale.x(), height / 2};
+    } else if (round && !capsule && (top == 0 || bottom == 0)) {
+      part.shape = "cone";
+      part.params = {std::max(top, bottom) * scale.x(), height / 2};
+      if (bottom == 0) part.orientation = part.orientation * Quat(0, 1, 0, 0);  // its apex looks down
+    } else {
+      part.shape = "hull";
+      part.params = round_hull(height / scale.y(), bottom, top, capsule);
+      for (std::size_t i = 0; i < part.params.size(); ++i) part.params[i] *= scale[static_cast<int>(i % 3)];
+    }
+  } else if (type == "plane") {
+    const auto given = shape.get("plane");
+    const Vec normal = part.orientation * Vec::UnitY();
+    if (given && (given->has("sizeX") || given->has("sizeZ"))) {
+      // A sheet: thin, below its plane, so that its upper side is where it should be.
+      constexpr double kThick = 0.01, kFar = 1e4;  // m
+      part.shape = "box";
+      part.params = {given->number_or("sizeX", kFar, 1e-9, kMost) / 2 * scale.x(), kThick,
+                     given->number_or("sizeZ", kFar, 1e-9, kMost) / 2 * scale.z()};
+      part.position -= kThick * normal;
+    } else {
+      part.shape = "half_space";
+      part.params = {normal.x(), normal.y(), normal.z(), normal.dot(part.position)};
+      part.position = Vec::Zero(), part.orientation = Quat::Identity();
+    }
+  } else {
+    shape["type"].fail("is '" + type + "', which is not known here",
+                       "use sphere, box, capsule, cylinder, plane or a mesh");
+  }
+}
+
+void Reader::read_mesh(const Value& geometry, const Vec& scale, bool moves, Part& part) {
+  const Value which = geometry["node"];
+  Mesh all;
+  const auto add = [&](const auto& self, std::size_t i, const Place& place, std::size_t depth) -> void {
+    if (depth > 64) which.fail("has meshes nested too deep", "flatten the node");
+    if (const auto mesh = node(i).get("mesh")) {
+      const Mesh own_mesh = doc_.mesh(mesh->index(doc_.count("meshes"), "meshes"));
+      const auto first = static_cast<std::uint32_t>(all.points.size());
+      for (const Vec& x : own_mesh.points)
+        all.points.push_back(scale.cwiseProduct(place.p + place.q * Vec(place.s.cwiseProduct(x))));
+      for (auto face : own_mesh.faces) {
+        for (std::uint32_t& corner : face) corner += first;
+        all.faces.push_back(face);
+      }
+    }
+    if (const auto children = node(i).get("children"))
+      for (std::size_t k = 0; k < children->size(); ++k) {
+        const std::size_t child = children->at(k).index(nodes_.size(), "nodes");
+        if (!colliders_of(node(child)).empty()) continue;  // what a child collides with is its own
+        self(self, child, nodes_[child].local.in(place), depth + 1);
+      }
+  };
+  add(add, which.index(nodes_.size(), "nodes"), Place(), 0);
+  if (all.points.size() < 3 || all.faces.empty())
+    which.fail("has no triangles", "name a node with a mesh of triangles");
+  const bool convex = geometry.has("convexHull") && geometry["convexHull"].boolean();
+  if (!convex && moves)
+    remark(geometry.place() + ": a mesh that moves collides as its hull; `carom import` makes convex parts");
+  if (convex || moves) {
+    Mesh hull = convex_hull(all.points);
+    if (hull.points.size() > kHullVertices) hull = reduce_hull(hull, kHullVertices).hull;
+    part.shape = "hull";
+    part.params = hull_params(hull);
+  } else {
+    part.shape = "mesh";
+    part.params = {0, static_cast<double>(all.points.size())};
+    for (const Vec& x : all.points) part.params.insert(part.params.end(), {x.x(), x.y(), x.z()});
+    for (const auto& face : all.faces)
+      for (const std::uint32_t corner : face) part.params.push_back(corner);
+  }
+  part.mesh = static_cast<int>(stage_.meshes.size());
+  stage_.meshes.push_back(std::move(all));
+}
+
+void Reader::read_surface(const Value& collider, Part& part) {
+  const auto which = collider.get("physicsMaterial");
+  if (!which) return;
+  const auto extension = khr(doc_.root());
+  if (!extension)
+    which->fail("needs KHR_physics_rigid_bodies in the document", "add the extension with physicsMaterials");
+  const Value materials = (*extension)["physicsMaterials"];
+  const Value material = materials.at(which->index(materials.size(), "physicsMaterials"));
+  part.friction = material.number_or("dynamicFriction", 0.6, 0, 1e3);
+  part.restitution = material.number_or("restitution", 0, 0, 1);
+  part.friction_mix = part.restitution_mix = CAROM_MIX_AVERAGE;
+  if (const auto rule = material.get("frictionCombine")) part.friction_mix = mix_of(*rule);
+  if (const auto rule = material.get("restitutionCombine")) part.restitution_mix = mix_of(*rule);
+  const double still = material.number_or("staticFriction", part.friction, 0, 1e3);
+  if (still != part.friction) remark(material.place() + ": friction at rest; the dynamic one holds throughout");
+  const auto mine = own(material);
+  if (!mine) return;
+  const auto rule = [&](const char* key, std::uint32_t otherwise) {
+    const auto value = mine->get(key);
+    return value ? static_cast<std::uint32_t>(value->index(5, "ways to mix")) : otherwise;
+  };
+  part.friction_mix = rule("frictionMix", part.friction_mix);
+  part.restitution_mix = rule("restitutionMix", part.restitution_mix);
+  part.rolling = mine->number_or("rolling", 0, 0, 1e3), part.spinning = mine->number_or("spinning", 0, 0, 1e3);
+}
+
+std::uint64_t Reader::system_bit(const Value& name) {
+  constexpr std::size_t kMost = 62;
+  const auto [at, fresh] = systems_.try_emplace(name.text(), 0);
+  if (fresh) {
+    if (systems_.size() > kMost) name.fail("is the 63rd collision system", "use at most 62");
+    at->second = std::uint64_t(1) << (systems_.size() - 1);
+  }
+  return at->second;
+}
+
+void Reader::finish_collider(const Value& collider, bool sensor, const Part& part) {
+  carom_world* const world = stage_.world.get();
+  Call call;
+  if (sensor) call.done(carom_collider_set_sensor(world, part.collider, 1, call), collider.place());
+  const auto mine = own(collider);
+  if (const auto filter = mine ? mine->get("filter") : std::nullopt) {
+    const auto group = static_cast<std::int32_t>(filter->number_or("group", 0, -2147483648.0, 2147483647.0));
+    call.done(carom_collider_set_filter(world, part.collider, (*filter)["category"].bits(), (*filter)["mask"].bits(),
+                                        group, call),
+              filter->place());
+    return;
+  }
+  const auto extension = khr(doc_.root());
+  const auto filters = extension ? extension->get("collisionFilters") : std::nullopt;
+  if (!filters) return;
+  std::uint64_t category = kEverybody, mask = ~std::uint64_t(0);
+  if (const auto which = collider.get("collisionFilter")) {
+    const Value filter = filters->at(which->index(filters->size(), "collisionFilters"));
+    const auto all_of = [&](const char* key) {
+      std::uint64_t bits = 0;
+      if (const auto names = filter.get(key))
+        for (std::size_t k = 0; k < names->size(); ++k) bits |= system_bit(names->at(k));
+      return bits;
+    };
+    if (const std::uint64_t systems = all_of("collisionSystems")) category = systems;
+    if (filter.has("collideWithSystems"))
+      mask = all_of("collideWithSystems") | kEverybody;
+    else
+      mask = ~all_of("notCollideWithSystems");
+  }
+  call.done(carom_collider_set_filter(world, part.collider, category, mask, 0, call), collider.place());
+}
+
+}  // namespace carom::tools::scenefile

@@ -1,0 +1,267 @@
+// Joints of a scene file: sets of limits and drives, told as one of our kinds.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scenefile/reader.h"
+
+namespace carom::tools::scenefile {
+namespace {
+
+constexpr double kUnbounded = 1e30;  // N or N m
+constexpr double kZero = 1e-9;       // m or rad: a limit as narrow is a lock
+
+const char* const kKinds[] = {"ball", "hinge", "slider", "weld", "distance", "universal"};
+const char* const kCoordinates[] = {"twist", "swing", "slide", "distance"};
+
+void put(double (&out)[3], const Vec& v) { std::copy(v.data(), v.data() + 3, out); }
+void put(double (&out)[4], const Quat& q) { std::copy(q.coeffs().data(), q.coeffs().data() + 4, out); }
+
+std::uint32_t which_of(const char* const* names, std::uint32_t count, const Value& at, const std::string& name) {
+  std::string all;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    if (name == names[k]) return k;
+    all += (k ? ", " : "") + std::string(names[k]);
+  }
+  at.fail("is '" + name + "'", "write one of: " + all);
+}
+
+/// Turns the frame so that its x is axis `x` of the file's, y the next one.
+Quat turned_to(int x) {
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
+  for (int k = 0; k < 3; ++k) axes((x + k) % 3, k) = 1;
+  return Quat(axes);
+}
+
+}  // namespace
+
+/// What the limits of a joint leave free.
+struct Reader::Plan {
+  std::uint32_t kind = 0;
+  int axis = 0;  // of the file, that is the frame's x
+  std::uint32_t coordinate = UINT32_MAX;
+  bool limited = false;
+  double lower = 0, upper = 0;
+};
+
+void Reader::make_joints() {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (nodes_[i].parent == kNone) continue;
+    const auto extension = khr(node(i));
+    if (const auto joint = extension ? extension->get("joint") : std::nullopt) make_joint(i, *joint);
+  }
+}
+
+bool Reader::plan_joint(const Value& joint, Plan& plan) {
+  struct Range {
+    bool limited = false, locked = false, soft = false;
+    double lower = -kUnbounded, upper = kUnbounded;
+  };
+  Range linear[3], angular[3];
+  std::optional<Range> distance, cone;
+  if (const auto limits = joint.get("limits"))
+    for (std::size_t k = 0; k < limits->size(); ++k) {
+      const Value limit = limits->at(k);
+      Range r;
+      r.limited = true;
+      r.lower = limit.number_or("min", -kUnbounded), r.upper = limit.number_or("max", kUnbounded);
+      r.locked = std::fabs(r.lower) < kZero && std::fabs(r.upper) < kZero;
+      r.soft = limit.has("stiffness");
+      if (r.soft) remark(limit.place() + ": stiffness of a limit; it is hard"), r.locked = false;
+      const bool turns = limit.has("angularAxes");
+      const Value axes = limit[turns ? "angularAxes" : "linearAxes"];
+      for (std::size_t a = 0; a < axes.size(); ++a) {
+        const std::size_t axis = axes.at(a).index(3, "axes");
+        if (r.locked || axes.size() == 1) (turns ? angular : linear)[axis] = r;
+      }
+      if (!r.locked && axes.size() == 3 && !turns)
+        distance = r;
+      else if (!r.locked && axes.size() == 2 && turns)
+        cone = r, plan.axis = 3 - static_cast<int>(axes.at(0).index(3, "axes") + axes.at(1).index(3, "axes"));
+      else if (!r.locked && axes.size() > 1)
+        return remark(limit.place() + ": a limit over several axes"), false;
+    }
+  const auto count = [](const Range(&r)[3], bool Range::*what) {
+    return std::count_if(r, r + 3, [what](const Range& x) { return x.*what; });
+  };
+  const auto first = [](const Range(&r)[3], bool locked) {
+    for (int k = 0; k < 3; ++k)
+      if (r[k].locked == locked) return k;
+    return 0;
+  };
+  const auto held = count(linear, &Range::locked), turns_held = count(angular, &Range::locked);
+  const auto bound = [&](std::uint32_t coordinate, const Range& r) {
+    plan.coordinate = coordinate;
+    plan.limited = r.limited;
+    plan.lower = r.lower, plan.upper = r.upper;
+  };
+  const bool many = count(angular, &Range::limited) > turns_held + 1 || (cone && turns_held > 0);
+  if (held == 3 && turns_held == 3) {
+    plan.kind = CAROM_JOINT_WELD;
+  } else if (held == 3 && turns_held == 2) {
+    plan.kind = CAROM_JOINT_HINGE, plan.axis = first(angular, false);
+    bound(CAROM_COORDINATE_TWIST, angular[plan.axis]);
+  } else if (held == 3 && turns_held == 1 && !many) {
+    plan.kind = CAROM_JOINT_UNIVERSAL, plan.axis = first(angular, true);
+    if (count(angular, &Range::limited) > 1) remark(joint.place() + ": a limit of one pin of a cross");
+  } else if (held == 3 && turns_held == 0) {
+    plan.kind = CAROM_JOINT_BALL;
+    if (cone)
+      bound(CAROM_COORDINATE_SWING, *cone), plan.lower = std::max(plan.lower, 0.0);
+    else if (count(angular, &Range::limited) == 1)
+      for (int k = 0; k < 3; ++k)
+        if (angular[k].limited) plan.axis = k, bound(CAROM_COORDINATE_TWIST, angular[k]);
+    if (count(angular, &Range::limited) > 1 || (cone && count(angular, &Range::limited) > 0))
+      remark(joint.place() + ": more limits of a ball joint than one cone or one twist");
+  } else if (held == 2 && turns_held == 3) {
+    plan.kind = CAROM_JOINT_SLIDER, plan.axis = first(linear, false);
+    bound(CAROM_COORDINATE_SLIDE, linear[plan.axis]);
+  } else if (held == 0 && turns_held == 0 && distance) {
+    plan.kind = CAROM_JOINT_DISTANCE;
+    bound(CAROM_COORDINATE_DISTANCE, *distance), plan.lower = std::max(plan.lower, 0.0);
+  } else {
+    remark(joint.place() + ": a joint that leaves free " + std::to_string(3 - held) + " ways and " +
+           std::to_string(3 - turns_held) + " turns");
+    return false;
+  }
+  return true;
+}
+
+bool Reader::read_own_joint(const Value& mine, carom_joint_desc& d) const {
+  const auto kind = mine.get("kind");
+  if (!kind) return false;
+  d.kind = which_of(kKinds, CAROM_JOINT_COUNT, *kind, kind->text());
+  if (mine.has("length")) d.length = mine["length"].number(), d.fields |= CAROM_JOINT_FIELD_LENGTH;
+  d.break_force = mine.number_or("breakForce", 0), d.break_torque = mine.number_or("breakTorque", 0);
+  return true;
+}
+
+void Reader::make_joint(std::size_t i, const Value& at) {
+  const auto extension = khr(doc_.root());
+  if (!extension) at.fail("needs KHR_physics_rigid_bodies in the document", "add the extension with physicsJoints");
+  const Value all = (*extension)["physicsJoints"];
+  const Value joint = all.at(at["joint"].index(all.size(), "physicsJoints"));
+  const std::size_t other = at["connectedNode"].index(nodes_.size(), "nodes");
+  carom_joint_desc d;
+  carom_joint_desc_init(&d);
+  const auto mine = own(joint);
+  Plan plan;
+  const bool exact = mine && read_own_joint(*mine, d);
+  if (!exact) {
+    if (!plan_joint(joint, plan)) return;
+    d.kind = plan.kind;
+  }
+  const auto end = [&](std::size_t n, double(&position)[3], double(&orientation)[4]) {
+    const Place place = nodes_[n].body == kNone ? nodes_[n].world : nodes_[n].in_body;
+    const bool is_body = nodes_[n].body == n;  // its own frame, whose scale is not the place of anything
+    put(position, is_body ? Vec(Vec::Zero()) : place.p);
+    const Quat q = is_body ? Quat::Identity() : place.q;
+    put(orientation, exact ? q : Quat((q * turned_to(plan.axis)).normalized()));
+    return nodes_[n].body == kNone ? carom_body(CAROM_NULL_HANDLE) : stage_.actors[actor_of_node_[nodes_[n].body]].body;
+  };
+  d.body_a = end(i, d.position_a, d.orientation_a);
+  d.body_b = end(other, d.position_b, d.orientation_b);
+  if (at.has("enableCollision") && at["enableCollision"].boolean()) d.fields |= CAROM_JOINT_COLLIDE;
+  const auto moves = [&](std::size_t n) {
+    return nodes_[n].body != kNone && stage_.actors[actor_of_node_[nodes_[n].body]].type == CAROM_BODY_DYNAMIC;
+  };
+  if (!moves(i) && !moves(other)) return remark(at.place() + ": a joint between two that do not move");
+  if (d.body_a == d.body_b) return remark(at.place() + ": a joint of a body with itself");
+  carom_joint handle = CAROM_NULL_HANDLE;
+  try {
+    handle = stage_.join(d, at.place());
+  } catch (const Error& e) {
+    at.fail(std::string("cannot be made: ") + e.what(), e.remedy);
+  }
+  if (!exact) return drive_joint(joint, plan, handle, d);
+  carom_world* const world = stage_.world.get();
+  Call call;
+  const auto coordinate = [&](const std::string& name, const Value& v) {
+    return which_of(kCoordinates, CAROM_COORDINATE_COUNT, v, name);
+  };
+  if (const auto limits = mine->get("limits"))
+    for (const auto& [name, value] : limits->items()) {
+      carom_joint_limit limit;
+      carom_joint_limit_init(&limit);
+      limit.enabled = 1, limit.lower = value.at(0).number(), limit.upper = value.at(1).number();
+      call.done(carom_joint_set_limit(world, handle, coordinate(name, value), &limit, call), value.place());
+    }
+  if (const auto motors = mine->get("motors"))
+    for (const auto& [name, value] : motors->items()) {
+      carom_joint_motor motor;
+      carom_joint_motor_init(&motor);
+      motor.enabled = 1, motor.speed = value["speed"].number(), motor.most = value.number_or("most", kUnbounded);
+      call.done(carom_joint_set_motor(world, handle, coordinate(name, value), &motor, call), value.place());
+    }
+  if (const auto springs = mine->get("springs"))
+    for (const auto& [name, value] : springs->items()) {
+      carom_joint_spring spring;
+      carom_joint_spring_init(&spring);
+      spring.enabled = 1, spring.target = value.number_or("target", 0), spring.frequency = value["frequency"].number();
+      spring.damping = value.number_or("damping", 1), spring.most = value.number_or("most", kUnbounded);
+      call.done(carom_joint_set_spring(world, handle, coordinate(name, value), &spring, call), value.place());
+    }
+}
+
+void Reader::drive_joint(const Value& joint, const Plan& plan, carom_joint handle, const carom_joint_desc& d) {
+  carom_world* const world = stage_.world.get();
+  Call call;
+  if (plan.limited) {
+    const bool angle = plan.coordinate == CAROM_COORDINATE_TWIST || plan.coordinate == CAROM_COORDINATE_SWING;
+    const double most = angle ? std::numbers::pi : 1e9;
+    carom_joint_limit limit;
+    carom_joint_limit_init(&limit);
+    limit.enabled = 1, limit.lower = std::clamp(plan.lower, -most, most),
+    limit.upper = std::clamp(plan.upper, -most, most);
+    call.done(carom_joint_set_limit(world, handle, plan.coordinate, &limit, call), joint.place() + "/limits");
+  }
+  const auto drives = joint.get("drives");
+  for (std::size_t k = 0; drives && k < drives->size(); ++k) {
+    const Value drive = drives->at(k);
+    const bool turns = drive["type"].text() == "angular";
+    const std::size_t axis = drive["axis"].index(3, "axes");
+    const bool fits = plan.coordinate == (turns ? CAROM_COORDINATE_TWIST : CAROM_COORDINATE_SLIDE) &&
+                      static_cast<int>(axis) == plan.axis &&
+                      (plan.kind == CAROM_JOINT_HINGE || plan.kind == CAROM_JOINT_SLIDER);
+    if (!fits) {
+      remark(drive.place() + ": a drive along what the joint does not leave free, or of a ball joint");
+      continue;
+    }
+    // What the driven coordinate weighs, were the two bodies alone.
+    double inverse = 0;
+    for (const bool b : {false, true}) {
+      const carom_body body = b ? d.body_b : d.body_a;
+      if (body == CAROM_NULL_HANDLE) continue;
+      carom_body_desc now;
+      carom_body_desc_init(&now);
+      call.done(carom_body_get(world, body, &now, call), drive.place());
+      if (now.type != CAROM_BODY_DYNAMIC) continue;
+      const Eigen::Map<const Eigen::Matrix3d> inertia(now.inertia);
+      const Quat frame(Eigen::Map<const Eigen::Vector4d>(b ? d.orientation_b : d.orientation_a));
+      const Vec x = frame * Vec::UnitX();
+      inverse += turns ? (inertia.norm() > 0 ? x.dot(inertia.inverse() * x) : 0) : 1 / now.mass;
+    }
+    const bool force = !drive.has("mode") || drive["mode"].text() == "force";
+    const double per_mass = force ? inverse : 1, stiffness = drive.number_or("stiffness", 0, 0, 1e300);
+    const double damping = drive.number_or("damping", 0, 0, 1e300),
+                 most = std::min(drive.number_or("maxForce", kUnbounded, 0, 1e300), kUnbounded);
+    if (stiffness > 0) {
+      carom_joint_spring spring;
+      carom_joint_spring_init(&spring);
+      const double omega = std::sqrt(stiffness * per_mass);
+      spring.enabled = 1, spring.target = drive.number_or("positionTarget", 0), spring.most = most;
+      spring.frequency = std::min(omega / (2 * std::numbers::pi), 1e4);
+      spring.damping = omega > 0 ? std::min(damping * per_mass / (2 * omega), 1e3) : 0;
+      call.done(carom_joint_set_spring(world, handle, plan.coordinate, &spring, call), drive.place());
+      if (drive.number_or("velocityTarget", 0) != 0) remark(drive.place() + "/velocityTarget beside a stiffness");
+    } else if (damping > 0) {
+      carom_joint_motor motor;
+      carom_joint_motor_init(&motor);
+      motor.enabled = 1, motor.speed = drive.number_or("velocityTarget", 0), motor.most = most;
+      call.done(carom_joint_set_motor(world, handle, plan.coordinate, &motor, call), drive.place());
+      remark(drive.place() + "/damping: a drive to a velocity is as strong as its maxForce");
+    }
+  }
+}
+
+}  // namespace carom::tools::scenefile

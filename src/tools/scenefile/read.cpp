@@ -1,0 +1,373 @@
+// The world of a scene file, its nodes, its bodies.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "scenefile/reader.h"
+#include "scenefile/scenefile.h"
+
+namespace carom::tools {
+namespace scenefile {
+namespace {
+
+constexpr std::size_t kDeepest = 1000;  // nodes below each other: more is a mistake, or meant to exhaust us
+
+void put(double (&out)[3], const Vec& v) { std::copy(v.data(), v.data() + 3, out); }
+
+Place place_of(const Value& node) {
+  Place place;
+  if (const auto matrix = node.get("matrix")) {
+    const std::vector<double> m = matrix->numbers(16);
+    Eigen::Matrix3d axes;
+    for (int c = 0; c < 3; ++c)
+      for (int r = 0; r < 3; ++r) axes(r, c) = m[static_cast<std::size_t>(4 * c + r)];
+    place.p = Vec(m[12], m[13], m[14]);
+    for (int c = 0; c < 3; ++c) {
+      place.s[c] = axes.col(c).norm();
+      if (place.s[c] > 0) axes.col(c) /= place.s[c];
+    }
+    if (axes.determinant() < 0) axes.col(0) *= -1, place.s[0] *= -1;
+    if (!(axes.determinant() > 0.999)) matrix->fail("shears or flattens", "write translation, rotation and scale");
+    place.q = Quat(axes).normalized();
+    return place;
+  }
+  place.p = node.vector_or("translation", place.p);
+  place.q = node.rotation_or("rotation");
+  place.s = node.vector_or("scale", place.s);
+  return place;
+}
+
+}  // namespace
+
+void Reader::remark(const std::string& text) {
+  constexpr std::size_t kMost = 12;
+  std::size_t mine = 0;
+  for (const std::string& r : stage_.remarks) mine += r.compare(0, 9, "left out:") == 0;
+  if (mine < kMost) stage_.remarks.push_back("left out: " + text);
+  if (mine == kMost) stage_.remarks.push_back("left out: more of that kind");
+}
+
+void Reader::run() {
+  stage_.remarks.push_back("read from " + doc_.path());
+  read_world();
+  find_nodes();
+  make_bodies();
+  make_particles();
+  make_joints();
+  read_fields_and_springs();
+  for (const char* section : {"animations", "skins"})
+    if (doc_.count(section) > 0) remark(std::string(section) + " are not played");
+}
+
+void Reader::read_world() {
+  stage_.bounds_min = Vec::Constant(-1e9), stage_.bounds_max = Vec::Constant(1e9);  // where nobody said what is lost
+  const auto extension = own(doc_.root());
+  if (!extension) return;
+  Call call;
+  carom_world* const world = stage_.world.get();
+  if (const auto g = extension->get("gravity")) {
+    const Vec gravity = g->vector();
+    call.done(carom_world_set_gravity(world, gravity.data(), call), g->place());
+  }
+  if (const auto dials = extension->get("dials"))
+    for (const auto& [name, value] : dials->items()) {
+      char text[32];
+      if (!value.is_text()) std::snprintf(text, sizeof text, "%.17g", value.number());
+      try {
+        stage_.world.set_dial(name + "=" + (value.is_text() ? value.text() : text));
+      } catch (const Error& e) {
+        value.fail(std::string("is wrong: ") + e.what(), e.remedy);
+      }
+    }
+  if (const auto effects = extension->get("effects"))
+    for (const auto& [name, value] : effects->items()) {
+      if (value.text() != "forbid" && value.text() != "force")
+        value.fail("is '" + value.text() + "'", "write \"forbid\" or \"force\"");
+      try {
+        stage_.world.set_effect(name, value.text() == "forbid" ? CAROM_MODE_FORBID : CAROM_MODE_FORCE);
+      } catch (const Error& e) {
+        value.fail(std::string("is wrong: ") + e.what(), e.remedy);
+      }
+    }
+  if (const auto wind = extension->get("wind")) stage_.set_wind(wind->vector());
+  if (const auto water = extension->get("water")) {
+    carom_water w;
+    carom_water_init(&w);
+    put(w.normal, water->vector_or("normal", Vec::UnitY()));
+    put(w.current, water->vector_or("current", Vec::Zero()));
+    w.level = water->number_or("level", 0), w.density = water->number_or("density", w.density);
+    w.drag = water->number_or("drag", w.drag);
+    stage_.set_water(w);
+  }
+  if (const auto camera = extension->get("camera"))
+    stage_.camera_from = (*camera)["from"].vector(), stage_.camera_to = (*camera)["to"].vector();
+  stage_.ground_half_width = extension->number_or("floor", stage_.ground_half_width, 0, 1e9);
+  if (const auto bounds = extension->get("bounds"))
+    stage_.bounds_min = bounds->at(0).vector(), stage_.bounds_max = bounds->at(1).vector();
+}
+
+void Reader::find_nodes() {
+  nodes_.resize(doc_.count("nodes"));
+  actor_of_node_.assign(nodes_.size(), kNone);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    nodes_[i].local = place_of(node(i));
+    const auto extension = khr(node(i));
+    const auto mine = own(node(i));
+    nodes_[i].is_body = (extension && extension->has("motion")) || (mine && mine->has("body"));
+  }
+  if (nodes_.empty()) return;
+  const auto which = doc_.root().get("scene");
+  if (doc_.count("scenes") == 0) doc_.root().fail("has nodes but no scene", "list the root nodes in a scene");
+  const Value scene = doc_.section("scenes", which ? which->index(doc_.count("scenes"), "scenes") : 0);
+  if (const auto roots = scene.get("nodes"))
+    for (std::size_t k = 0; k < roots->size(); ++k) walk(roots->at(k).index(nodes_.size(), "nodes"), kNone, 0);
+}
+
+void Reader::walk(std::size_t i, std::size_t parent, std::size_t depth) {
+  Node& n = nodes_[i];
+  if (n.parent != kNone || depth > kDeepest)
+    node(i).fail(depth > kDeepest ? "is nested too deep" : "has two parents", "make nodes a tree");
+  n.parent = parent == kNone ? i : parent;  // a root is its own: seen
+  n.world = parent == kNone ? n.local : n.local.in(nodes_[parent].world);
+  if (n.is_body) {
+    n.body = i;
+    n.in_body.s = n.world.s;
+  } else if (parent != kNone && nodes_[parent].body != kNone) {
+    n.body = nodes_[parent].body;
+    n.in_body = n.local.in(nodes_[parent].in_body);
+  }
+  if (const auto children = node(i).get("children"))
+    for (std::size_t k = 0; k < children->size(); ++k) {
+      const std::size_t child = children->at(k).index(nodes_.size(), "nodes");
+      if (nodes_[child].parent != kNone) children->at(k).fail("has two parents", "make nodes a tree");
+      walk(child, i, depth + 1);
+    }
+}
+
+Actor Reader::actor_of(std::size_t i) {
+  const Value at = node(i);
+  Actor actor;
+  const auto name = at.get("name");
+  actor.name = name ? name->text() : "node " + std::to_string(i);
+  if (const int before = names_[actor.name]++) actor.name += " #" + std::to_string(before + 1);
+  const auto mine = own(at);
+  const auto kind = mine ? mine->get("kind") : std::nullopt;
+  actor.kind = kind ? kind->text() : "body";
+  actor.type = CAROM_BODY_STATIC;
+  actor.position = nodes_[i].world.p;
+  actor.orientation = nodes_[i].world.q;
+  return actor;
+}
+
+void Reader::read_motion(const Value& at, const Node& n, Actor& actor) {
+  const auto extension = khr(at);
+  const auto mine = own(at);
+  const auto motion = extension ? extension->get("motion") : std::nullopt;
+  actor.type = CAROM_BODY_DYNAMIC;
+  if (motion) {
+    if (motion->has("isKinematic") && (*motion)["isKinematic"].boolean()) actor.type = CAROM_BODY_KINEMATIC;
+    actor.linear_velocity = n.world.q * motion->vector_or("linearVelocity", Vec::Zero());
+    actor.angular_velocity = n.world.q * motion->vector_or("angularVelocity", Vec::Zero());
+    if (!mine) {  // else ours says how the mass was come by
+      actor.mass = motion->number_or("mass", 0, 0, 1e30);
+      if (motion->has("mass") && actor.mass == 0) actor.mass = 1;  // infinite: locked, @see finish_body()
+      const Vec scale = n.world.s.cwiseAbs();
+      if (motion->has("centerOfMass") && actor.mass > 0)
+        actor.center = scale.cwiseProduct((*motion)["centerOfMass"].vector());
+      if (motion->has("inertiaDiagonal") && actor.mass > 0) {
+        Vec moments = (*motion)["inertiaDiagonal"].vector();
+        if (!(moments.minCoeff() >= 0))
+          (*motion)["inertiaDiagonal"].fail("is negative", "give moments of inertia, kg m^2");
+        if (moments == Vec::Zero()) moments.setOnes();  // infinite likewise
+        const Eigen::Matrix3d axes = motion->rotation_or("inertiaOrientation").toRotationMatrix();
+        const Eigen::Matrix3d inertia = axes * moments.asDiagonal() * axes.transpose();
+        if (moments.minCoeff() > 0)
+          actor.inertia = 0.5 * (inertia + inertia.transpose());
+        else
+          remark(at.place() + ": an inertia that is infinite about some axes only");
+      }
+    }
+  }
+  if (!mine) return;
+  if (const auto body = mine->get("body")) {
+    const std::string& type = body->text();
+    actor.type = type == "static"      ? CAROM_BODY_STATIC
+                 : type == "kinematic" ? CAROM_BODY_KINEMATIC
+                 : type == "dynamic"   ? CAROM_BODY_DYNAMIC
+                                       : UINT32_MAX;
+    if (actor.type == UINT32_MAX) body->fail("is '" + type + "'", "write static, kinematic or dynamic");
+  }
+  actor.linear_velocity = mine->vector_or("linearVelocity", actor.linear_velocity);
+  actor.angular_velocity = mine->vector_or("angularVelocity", actor.angular_velocity);
+  actor.mass = mine->number_or("mass", 0, 0, 1e30);
+  if (mine->has("center")) actor.center = (*mine)["center"].vector();
+  if (const auto inertia = mine->get("inertia")) {
+    const std::vector<double> x = inertia->numbers(9);
+    actor.inertia.emplace();
+    for (int k = 0; k < 9; ++k) (*actor.inertia)(k / 3, k % 3) = x[static_cast<std::size_t>(k)];
+  }
+  if (const auto damping = mine->get("damping"))
+    actor.linear_damping = damping->at(0).number(), actor.angular_damping = damping->at(1).number();
+}
+
+void Reader::make_bodies() {
+  // Bodies, and colliders that are no body's: each of these a static body of its own.
+  std::map<std::size_t, std::vector<std::size_t>> colliders;  // by body node, or the collider's own
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const auto mine = own(node(i));
+    if (nodes_[i].parent == kNone) continue;  // of no scene
+    if (mine && mine->has("particle")) {
+      const Value set = (*mine)["particle"];
+      Actor actor = actor_of(i);
+      actor.type = CAROM_BODY_DYNAMIC;
+      actor.linear_velocity = mine->vector_or("linearVelocity", Vec::Zero());
+      particles_.push_back({mine->has("index") ? (*mine)["index"].index(SIZE_MAX, "") : i, set.index(SIZE_MAX, "sets"),
+                            mine->number_or("mass", 1, 0, 1e30), std::move(actor)});
+      continue;
+    }
+    if (nodes_[i].is_body) colliders[i];
+    if (!colliders_of(node(i)).empty()) colliders[nodes_[i].body == kNone ? i : nodes_[i].body].push_back(i);
+  }
+  std::vector<std::pair<std::size_t, std::size_t>> order;  // index, node
+  for (const auto& [i, list] : colliders) {
+    const auto mine = own(node(i));
+    order.emplace_back(mine && mine->has("index") ? (*mine)["index"].index(SIZE_MAX, "") : i, i);
+  }
+  std::stable_sort(order.begin(), order.end());
+  for (const auto& [rank, i] : order) {
+    Actor actor = actor_of(i);
+    if (nodes_[i].is_body) read_motion(node(i), nodes_[i], actor);
+    std::vector<std::pair<Value, bool>> made;
+    for (const std::size_t c : colliders[i])
+      for (const Value& collider : colliders_of(node(c))) {
+        Node at = nodes_[c];
+        if (!nodes_[i].is_body) at.in_body = {Vec::Zero(), Quat::Identity(), at.world.s};
+        actor.parts.push_back(part_of(collider, at, actor.type == CAROM_BODY_DYNAMIC));
+        made.emplace_back(collider, collider.place().ends_with("/trigger"));
+      }
+    std::size_t a = 0;
+    try {
+      a = stage_.add(std::move(actor));
+    } catch (const Error& e) {
+      node(i).fail(std::string("cannot be made: ") + e.what(), e.remedy);
+    }
+    actor_of_node_[i] = a;
+    if (nodes_[i].is_body) finish_body(i, a);
+    for (std::size_t k = 0; k < made.size(); ++k)
+      finish_collider(made[k].first, made[k].second, stage_.actors[a].parts[k]);
+  }
+  for (Node& n : nodes_)
+    if (n.body != kNone && actor_of_node_[n.body] == kNone) n.body = kNone;
+}
+
+void Reader::finish_body(std::size_t i, std::size_t a) {
+  const Value at = node(i);
+  const Actor& actor = stage_.actors[a];
+  const auto extension = khr(at);
+  const auto mine = own(at);
+  const auto motion = extension ? extension->get("motion") : std::nullopt;
+  carom_world* const world = stage_.world.get();
+  Call call;
+  if (actor.type == CAROM_BODY_DYNAMIC) {
+    std::uint32_t locks = 0;
+    if (motion && !mine) {
+      if (motion->has("mass") && motion->number_or("mass", 1) == 0) locks |= 0x7;
+      if (motion->has("inertiaDiagonal") && (*motion)["inertiaDiagonal"].vector() == Vec::Zero()) locks |= 0x38;
+    }
+    if (mine && mine->has("locks")) locks = static_cast<std::uint32_t>((*mine)["locks"].index(64, "sets of locks"));
+    if (locks) call.done(carom_body_set_locks(world, actor.body, locks, call), at.place() + "/locks");
+    if (motion && motion->has("gravityFactor")) stage_.set_gravity_factor(a, (*motion)["gravityFactor"].number());
+    if (const auto drag = mine ? mine->get("drag") : std::nullopt)
+      stage_.set_drag(a, drag->at(0).number(), drag->at(1).number());
+    if (mine && mine->has("fieldMask"))
+      stage_.set_field_mask(a, static_cast<std::uint32_t>((*mine)["fieldMask"].bits()));
+  }
+  if (mine && mine->has("continuous"))
+    call.done(carom_body_set_continuous(world, actor.body,
+                                        static_cast<std::uint32_t>((*mine)["continuous"].index(3, "modes")), call),
+              at.place());
+}
+
+void Reader::make_particles() {
+  std::stable_sort(particles_.begin(), particles_.end(),
+                   [](const Particle& a, const Particle& b) { return a.index < b.index; });
+  for (std::size_t first = 0, end = 0; first < particles_.size(); first = end) {
+    std::vector<Actor> set;
+    for (; end < particles_.size() && particles_[end].set == particles_[first].set; ++end)
+      set.push_back(std::move(particles_[end].actor));
+    stage_.add_particles(std::move(set), particles_[first].mass);
+  }
+}
+
+void Reader::read_fields_and_springs() {
+  const auto extension = own(doc_.root());
+  if (!extension) return;
+  if (const auto fields = extension->get("fields"))
+    for (std::size_t k = 0; k < fields->size(); ++k) {
+      const Value f = fields->at(k);
+      carom_force_field_desc d;
+      carom_force_field_desc_init(&d);
+      const std::string& kind = f["kind"].text();
+      d.kind = kind == "uniform"  ? CAROM_FORCE_FIELD_UNIFORM
+               : kind == "radial" ? CAROM_FORCE_FIELD_RADIAL
+               : kind == "vortex" ? CAROM_FORCE_FIELD_VORTEX
+                                  : UINT32_MAX;
+      if (d.kind == UINT32_MAX) f["kind"].fail("is '" + kind + "'", "write uniform, radial or vortex");
+      d.is_force = f.has("isForce") && f["isForce"].boolean();
+      if (f.has("mask")) d.mask = static_cast<std::uint32_t>(f["mask"].bits());
+      put(d.position, f.vector_or("position", Vec::Zero()));
+      const Quat q = f.rotation_or("orientation");
+      std::copy(q.coeffs().data(), q.coeffs().data() + 4, d.orientation);
+      put(d.vector, f.vector_or("vector", Vec::Zero()));
+      if (const auto half = f.get("half"))
+        for (std::size_t i = 0; i < 3; ++i)
+          if (!half->at(i).is_null()) d.half[i] = half->at(i).number();
+      d.strength = f.number_or("strength", d.strength), d.pull = f.number_or("pull", d.pull);
+      d.lift = f.number_or("lift", d.lift), d.reference = f.number_or("reference", d.reference);
+      d.core = f.number_or("core", d.core), d.reach = f.number_or("reach", d.reach);
+      d.falloff = static_cast<std::int32_t>(f.number_or("falloff", d.falloff, -2, 8));
+      stage_.add_field(d);
+    }
+  if (const auto springs = extension->get("springs"))
+    for (std::size_t k = 0; k < springs->size(); ++k) {
+      const Value s = springs->at(k);
+      const auto end = [&](const char* key) {
+        const auto which = s.get(key);
+        if (!which) return Bungee::kWorld;
+        const std::size_t n = which->index(nodes_.size(), "nodes"), body = nodes_[n].body;
+        if (body == kNone) which->fail("is of no body", "name a node that is a body, or leave it out: the world");
+        return actor_of_node_[body];
+      };
+      Bungee b;
+      b.a = end("nodeA"), b.b = end("nodeB");
+      b.at_a = s.vector_or("anchorA", Vec::Zero()), b.at_b = s.vector_or("anchorB", Vec::Zero());
+      b.rest = s.number_or("rest", 0, 0, 1e9), b.stiffness = s["stiffness"].number(),
+      b.damping = s.number_or("damping", 0);
+      b.only_pulls = s.has("onlyPulls") && s["onlyPulls"].boolean();
+      stage_.add_spring(b);
+    }
+}
+
+}  // namespace scenefile
+
+bool is_scene_file(const std::string& name) { return name.ends_with(".gltf") || name.ends_with(".glb"); }
+
+void read_scene(const std::string& path, Stage& stage) { scenefile::Reader(path, stage).run(); }
+
+Scene scene_of_file(const std::string& path) {
+  const scenefile::Document document(path);
+  const auto own = scenefile::Document::extension(document.root(), "CAROM_physics");
+  Scene scene;
+  scene.name = std::filesystem::path(path).stem().string();
+  scene.summary = "The scene of " + path + ".";
+  scene.look_for = "what the file was made for";
+  scene.seconds = own ? own->number_or("seconds", 5, 1e-6, 1e9) : 5;
+  scene.dt = own ? own->number_or("dt", 1.0 / 60, 1e-9, 1) : 1.0 / 60;
+  scene.fill = [](Stage& stage, const std::vector<double>&, const std::string& file) -> std::unique_ptr<Observer> {
+    read_scene(file, stage);
+    return nullptr;
+  };
+  return scene;
+}
+
+}  // namespace carom::tools

@@ -1,0 +1,86 @@
+// A scene file on its way into a stage.
+#pragma once
+
+#include <map>
+
+#include "scenefile/document.h"
+#include "scenes/scene.h"
+
+namespace carom::tools::scenefile {
+
+/// Where a node is in another frame: x -> p + q (s x), s along the node's own axes.
+struct Place {
+  Vec p = Vec::Zero();  // m
+  Quat q = Quat::Identity();
+  Vec s = Vec::Ones();
+
+  bool is_identity() const { return p.isZero(0) && q.coeffs() == Quat::Identity().coeffs() && s == Vec::Ones(); }
+  /// This frame in that of `parent`. Exact where one of the two is the identity. Shear (a turned child of a node whose
+  /// scale differs by axis) is left out.
+  Place in(const Place& parent) const {
+    if (parent.is_identity()) return *this;
+    if (is_identity()) return parent;
+    return {parent.p + parent.q * Vec(parent.s.cwiseProduct(p)), parent.q * q, parent.s.cwiseProduct(s)};
+  }
+};
+
+class Reader {
+ public:
+  Reader(const std::string& path, Stage& stage) : doc_(path), stage_(stage) {}
+  void run();
+
+ private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  struct Node {
+    Place local, world, in_body;
+    std::size_t parent = kNone, body = kNone;  // body: a node; kNone: the world
+    bool is_body = false;
+  };
+  struct Particle {
+    std::size_t index, set;
+    double mass;
+    Actor actor;
+  };
+
+  // read.cpp: the world, nodes, bodies
+  void read_world();
+  void read_fields_and_springs();
+  void find_nodes();
+  void walk(std::size_t node, std::size_t parent, std::size_t depth);
+  void make_bodies();
+  Actor actor_of(std::size_t node);
+  void read_motion(const Value& node, const Node& at, Actor& actor);
+  void finish_body(std::size_t node, std::size_t actor);
+  void make_particles();
+  Value node(std::size_t i) const { return doc_.section("nodes", i); }
+  std::optional<Value> own(const Value& of) const { return Document::extension(of, "CAROM_physics"); }
+  std::optional<Value> khr(const Value& of) const { return Document::extension(of, "KHR_physics_rigid_bodies"); }
+  void remark(const std::string& text);
+
+  // geometry.cpp: what colliders are made of
+  std::vector<Value> colliders_of(const Value& node) const;
+  Part part_of(const Value& collider, const Node& at, bool moves);
+  void read_shape(const Value& shape, const Vec& scale, Part& part);
+  void read_mesh(const Value& geometry, const Vec& scale, bool moves, Part& part);
+  void read_surface(const Value& collider, Part& part);
+  void finish_collider(const Value& collider, bool sensor, const Part& part);
+  std::uint64_t system_bit(const Value& name);
+
+  // joints.cpp
+  void make_joints();
+  void make_joint(std::size_t node, const Value& joint);
+  bool read_own_joint(const Value& own, carom_joint_desc& desc) const;
+  struct Plan;
+  bool plan_joint(const Value& joint, Plan& plan);
+  void drive_joint(const Value& joint, const Plan& plan, carom_joint handle, const carom_joint_desc& desc);
+
+  Document doc_;
+  Stage& stage_;
+  std::vector<Node> nodes_;
+  std::vector<std::size_t> actor_of_node_;
+  std::vector<Particle> particles_;
+  std::map<std::string, std::uint64_t> systems_;
+  std::map<std::string, int> names_;
+};
+
+}  // namespace carom::tools::scenefile

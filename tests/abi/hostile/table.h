@@ -1,0 +1,781 @@
+// A row for every function of the ABI: its arguments, each with what is good and all that is wrong (arguments.h). A function
+// without a row fails tests/abi/test_hostile.cpp. Used by it and by tests/fuzz/calls.cpp.
+#pragma once
+
+#include "arguments.h"
+
+namespace hostile {
+
+template <class T, class Init>
+T fresh(Init init) {
+  T t;
+  init(&t);
+  return t;
+}
+inline uint64_t pick(Context& c, Kind kind, bool& none) { return living(c, kind, none); }
+/// A body other than `first`, or with a chance of one in three the world.
+inline uint64_t other_end(Context& c, uint64_t first) { return c.source.below(3) == 1 ? 0 : another(c, kBody, first); }
+
+inline Argument body_desc(Context& c) {
+  auto d = fresh<carom_body_desc>(carom_body_desc_init);
+  const unsigned type = c.source.below(8);
+  d.type = type < 6 ? CAROM_BODY_DYNAMIC : type == 6 ? CAROM_BODY_KINEMATIC : CAROM_BODY_STATIC;
+  for (double& x : d.position) x = c.between(-3, 3);
+  turn(c, 4, d.orientation);
+  if (d.type != CAROM_BODY_STATIC) {
+    for (double& x : d.linear_velocity) x = c.between(-3, 3);
+    for (double& x : d.angular_velocity) x = c.between(-3, 3);
+  }
+  if (c.source.below(4) != 3) {
+    d.fields = CAROM_BODY_FIELD_MASS | CAROM_BODY_FIELD_CENTER | CAROM_BODY_FIELD_INERTIA;
+    d.mass = c.between(0.5, 5);
+    for (double& x : d.center) x = c.between(-0.1, 0.1);
+    for (const int i : {0, 4, 8}) d.inertia[i] = c.between(1, 1.5);
+  }
+  d.linear_damping = c.between(0, 1), d.angular_damping = c.between(0, 1);
+  const bool given = d.fields & CAROM_BODY_FIELD_MASS;
+  std::vector<Field> fields;
+  Argument a = in_struct(c, d, {HOSTILE_BITS(carom_body_desc, fields, 15u), HOSTILE_CHOICE(carom_body_desc, type, 3u),
+                                HOSTILE_RESERVED(carom_body_desc, reserved), HOSTILE_NUMBERS(carom_body_desc, position, 3, any()),
+                                HOSTILE_UNIT(carom_body_desc, orientation, 4),
+                                HOSTILE_NUMBERS(carom_body_desc, linear_velocity, 3, any()),
+                                HOSTILE_NUMBERS(carom_body_desc, angular_velocity, 3, any()),
+                                HOSTILE_NUMBERS(carom_body_desc, linear_damping, 1, {0, 1e6}),
+                                HOSTILE_NUMBERS(carom_body_desc, angular_damping, 1, {0, 1e6})});
+  if (given && d.type == CAROM_BODY_DYNAMIC) {
+    const Argument more = in_struct(c, d, {HOSTILE_NUMBERS(carom_body_desc, mass, 1, {kLeast, kMost}),
+                                           HOSTILE_NUMBERS(carom_body_desc, center, 3, any()),
+                                           HOSTILE_NUMBERS(carom_body_desc, inertia, 9, any())});
+    a.wrong.insert(a.wrong.end(), more.wrong.begin(), more.wrong.end());
+  }
+  return a;
+}
+inline Argument collider_desc(Context& c) {
+  auto d = fresh<carom_collider_desc>(carom_collider_desc_init);
+  Argument a;
+  bool none = false, nothing = false;
+  d.shape = pick(c, kShape, none);
+  if (c.source.below(2) == 0) d.material = pick(c, kMaterial, nothing);
+  for (double& x : d.position) x = c.between(-0.5, 0.5);
+  turn(c, 4, d.orientation);
+  d.density = c.between(1, 2000);
+  a = in_struct(c, d, {HOSTILE_RESERVED(carom_collider_desc, reserved), HOSTILE_HANDLE(carom_collider_desc, shape, kShape, false),
+                       HOSTILE_HANDLE(carom_collider_desc, material, kMaterial, true),
+                       HOSTILE_NUMBERS(carom_collider_desc, position, 3, any()), HOSTILE_UNIT(carom_collider_desc, orientation, 4),
+                       HOSTILE_NUMBERS(carom_collider_desc, density, 1, {0, 1e9})});
+  a.impossible = none;
+  return a;
+}
+inline Argument material_desc(Context& c) {
+  auto d = fresh<carom_material_desc>(carom_material_desc_init);
+  d.friction_mix = c.source.below(5), d.restitution_mix = c.source.below(5);
+  d.friction = c.between(0, 2), d.restitution = c.between(0, 1);
+  return in_struct(c, d, {HOSTILE_CHOICE(carom_material_desc, friction_mix, 5u), HOSTILE_CHOICE(carom_material_desc, restitution_mix, 5u),
+                          HOSTILE_RESERVED(carom_material_desc, reserved), HOSTILE_NUMBERS(carom_material_desc, friction, 1, {0, 1e3}),
+                          HOSTILE_NUMBERS(carom_material_desc, restitution, 1, {0, 1})});
+}
+inline Argument particles_desc(Context& c) {
+  auto d = fresh<carom_particles_desc>(carom_particles_desc_init);
+  d.gravity_factor = c.between(-1, 1), d.linear_damping = c.between(0, 1), d.mass = c.between(0.1, 2);
+  return in_struct(c, d, {HOSTILE_RESERVED(carom_particles_desc, reserved), HOSTILE_NUMBERS(carom_particles_desc, gravity_factor, 1, {-1e3, 1e3}),
+                          HOSTILE_NUMBERS(carom_particles_desc, linear_damping, 1, {0, 1e6}),
+                          HOSTILE_NUMBERS(carom_particles_desc, mass, 1, {kLeast, 1e30})}, true);
+}
+inline Argument joint_desc(Context& c) {
+  auto d = fresh<carom_joint_desc>(carom_joint_desc_init);
+  bool none = false;
+  d.kind = c.source.below(CAROM_JOINT_COUNT);
+  d.fields = c.source.below(4);
+  d.body_a = pick(c, kBody, none), d.body_b = other_end(c, d.body_a);
+  for (double& x : d.position_a) x = c.between(-1, 1);
+  for (double& x : d.position_b) x = c.between(-1, 1);
+  turn(c, 4, d.orientation_a), turn(c, 4, d.orientation_b);
+  if (c.source.below(4) == 3) d.break_force = 1000;
+  std::vector<Wrong> more;
+  Argument a = in_struct(c, d, {HOSTILE_CHOICE(carom_joint_desc, kind, uint32_t(CAROM_JOINT_COUNT)), HOSTILE_BITS(carom_joint_desc, fields, 7u),
+                                HOSTILE_RESERVED(carom_joint_desc, reserved), HOSTILE_HANDLE(carom_joint_desc, body_a, kBody, true),
+                                HOSTILE_HANDLE(carom_joint_desc, body_b, kBody, true), HOSTILE_NUMBERS(carom_joint_desc, position_a, 3, any()),
+                                HOSTILE_UNIT(carom_joint_desc, orientation_a, 4),
+                                HOSTILE_NUMBERS(carom_joint_desc, break_force, 1, {0, kMost}),
+                                HOSTILE_NUMBERS(carom_joint_desc, break_torque, 1, {0, kMost})});
+  if (!(d.fields & CAROM_JOINT_WORLD_FRAME)) {
+    const Argument b = in_struct(c, d, {HOSTILE_NUMBERS(carom_joint_desc, position_b, 3, any()), HOSTILE_UNIT(carom_joint_desc, orientation_b, 4)});
+    a.wrong.insert(a.wrong.end(), b.wrong.begin(), b.wrong.end());
+  }
+  a.impossible = none;
+  return a;
+}
+inline Argument joint_limit(Context& c) {
+  auto d = fresh<carom_joint_limit>(carom_joint_limit_init);
+  d.enabled = c.source.below(2), d.lower = c.between(0, 0.3), d.upper = c.between(0.5, 1);
+  return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_limit, enabled, 2u), HOSTILE_NUMBERS(carom_joint_limit, lower, 1, {-1e9, 1e9}),
+                          HOSTILE_NUMBERS(carom_joint_limit, upper, 1, {-1e9, 1e9})});
+}
+inline Argument joint_motor(Context& c) {
+  auto d = fresh<carom_joint_motor>(carom_joint_motor_init);
+  d.enabled = c.source.below(2), d.speed = c.between(-3, 3), d.most = c.between(0, 50);
+  return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_motor, enabled, 2u), HOSTILE_NUMBERS(carom_joint_motor, speed, 1, {-1e6, 1e6}),
+                          HOSTILE_NUMBERS(carom_joint_motor, most, 1, {0, 1e30})});
+}
+inline Argument joint_spring(Context& c) {
+  auto d = fresh<carom_joint_spring>(carom_joint_spring_init);
+  d.enabled = c.source.below(2), d.target = c.between(0, 1), d.frequency = c.between(0, 5), d.damping = c.between(0, 1), d.most = 100;
+  return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_spring, enabled, 2u), HOSTILE_NUMBERS(carom_joint_spring, target, 1, {-1e9, 1e9}),
+                          HOSTILE_NUMBERS(carom_joint_spring, frequency, 1, {0, 1e4}), HOSTILE_NUMBERS(carom_joint_spring, damping, 1, {0, 1e3}),
+                          HOSTILE_NUMBERS(carom_joint_spring, most, 1, {0, 1e30})});
+}
+inline Argument field_desc(Context& c) {
+  auto d = fresh<carom_force_field_desc>(carom_force_field_desc_init);
+  d.kind = c.source.below(3), d.is_force = c.source.below(2);
+  for (double& x : d.position) x = c.between(-3, 3);
+  for (double& x : d.vector) x = c.between(-3, 3);
+  turn(c, 4, d.orientation);
+  d.strength = c.between(-5, 5), d.pull = c.between(-1, 1), d.lift = c.between(-1, 1), d.core = c.between(0, 1);
+  d.falloff = static_cast<int32_t>(c.source.below(5)) - 1;
+  const Bounds strength = {-1e30, 1e30};
+  return in_struct(c, d, {HOSTILE_CHOICE(carom_force_field_desc, kind, 3u), HOSTILE_CHOICE(carom_force_field_desc, is_force, 2u),
+                          HOSTILE_NUMBERS(carom_force_field_desc, position, 3, any()), HOSTILE_UNIT(carom_force_field_desc, orientation, 4),
+                          HOSTILE_NUMBERS(carom_force_field_desc, half, 3, {kLeast, kMost, true}),
+                          HOSTILE_NUMBERS(carom_force_field_desc, vector, 3, strength), HOSTILE_NUMBERS(carom_force_field_desc, strength, 1, strength),
+                          HOSTILE_NUMBERS(carom_force_field_desc, pull, 1, strength), HOSTILE_NUMBERS(carom_force_field_desc, lift, 1, strength),
+                          HOSTILE_NUMBERS(carom_force_field_desc, reference, 1, {kLeast, kMost}), HOSTILE_NUMBERS(carom_force_field_desc, core, 1, {0, kMost}),
+                          HOSTILE_NUMBERS(carom_force_field_desc, reach, 1, {kLeast, kMost, true}), HOSTILE_WHOLE(carom_force_field_desc, falloff, -2, 8),
+                          HOSTILE_RESERVED(carom_force_field_desc, reserved)});
+}
+inline Argument spring_desc(Context& c) {
+  auto d = fresh<carom_spring_desc>(carom_spring_desc_init);
+  bool none = false;
+  d.body_b = pick(c, kBody, none), d.body_a = other_end(c, d.body_b), d.only_pulls = c.source.below(2);
+  for (double& x : d.anchor_a) x = c.between(-1, 1);
+  d.rest = c.between(0, 2), d.stiffness = c.between(0, 100), d.damping = c.between(0, 3);
+  Argument a = in_struct(c, d, {HOSTILE_CHOICE(carom_spring_desc, only_pulls, 2u), HOSTILE_HANDLE(carom_spring_desc, body_a, kBody, true),
+                                HOSTILE_HANDLE(carom_spring_desc, body_b, kBody, true), HOSTILE_NUMBERS(carom_spring_desc, anchor_a, 3, any()),
+                                HOSTILE_NUMBERS(carom_spring_desc, anchor_b, 3, any()), HOSTILE_NUMBERS(carom_spring_desc, rest, 1, {0, 1e9}),
+                                HOSTILE_NUMBERS(carom_spring_desc, stiffness, 1, {0, 1e30}), HOSTILE_NUMBERS(carom_spring_desc, damping, 1, {0, 1e30})});
+  a.impossible = none;
+  return a;
+}
+inline Argument water_desc(Context& c) {
+  auto d = fresh<carom_water>(carom_water_init);
+  turn(c, 3, d.normal);
+  d.level = c.between(-1, 1), d.density = c.between(500, 1500);
+  for (double& x : d.current) x = c.between(-1, 1);
+  return in_struct(c, d, {HOSTILE_RESERVED(carom_water, reserved), HOSTILE_UNIT(carom_water, normal, 3), HOSTILE_NUMBERS(carom_water, level, 1, any()),
+                          HOSTILE_NUMBERS(carom_water, density, 1, {kLeast, 1e9}), HOSTILE_NUMBERS(carom_water, current, 3, any()),
+                          HOSTILE_NUMBERS(carom_water, drag, 1, {0, 1e6})}, true);
+}
+inline Argument cast_desc(Context& c) {
+  auto d = fresh<carom_cast_desc>(carom_cast_desc_init);
+  return in_struct(c, d, {HOSTILE_NUMBERS(carom_cast_desc, tolerance, 1, {kLeast, 1}), HOSTILE_NUMBERS(carom_cast_desc, target, 1, {0, 1e9}),
+                          HOSTILE_CHOICE(carom_cast_desc, iterations, 10001u)}, true);
+}
+inline Argument query_desc(Context& c) {
+  auto d = fresh<carom_query_desc>(carom_query_desc_init);
+  d.flags = c.source.below(4);
+  return in_struct(c, d, {HOSTILE_BITS(carom_query_desc, flags, 3u), HOSTILE_HANDLE(carom_query_desc, ignore, kBody, true),
+                          HOSTILE_NUMBERS(carom_query_desc, tolerance, 1, {kLeast, 1}), HOSTILE_NUMBERS(carom_query_desc, target, 1, {0, 1e9}),
+                          HOSTILE_CHOICE(carom_query_desc, iterations, 10001u), HOSTILE_RESERVED(carom_query_desc, reserved)}, true);
+}
+inline Argument distance_desc(Context& c) {
+  auto d = fresh<carom_distance_desc>(carom_distance_desc_init);
+  d.simplex = c.source.below(3), d.narrow_phase = c.source.below(2), d.pair_routines = c.source.below(2);
+  return in_struct(c, d, {HOSTILE_CHOICE(carom_distance_desc, simplex, 3u), HOSTILE_CHOICE(carom_distance_desc, narrow_phase, 2u),
+                          HOSTILE_CHOICE(carom_distance_desc, pair_routines, 2u), HOSTILE_NUMBERS(carom_distance_desc, tolerance, 1, {kLeast, 1}),
+                          HOSTILE_NUMBERS(carom_distance_desc, hybrid_margin, 1, {0, 1e9}), HOSTILE_CHOICE(carom_distance_desc, gjk_iterations, 100000000u),
+                          HOSTILE_CHOICE(carom_distance_desc, epa_iterations, 100000000u)}, true);
+}
+inline Argument motion(Context& c) {
+  auto d = fresh<carom_motion>(carom_motion_init);
+  for (double& x : d.position) x = c.between(-2, 2);
+  for (double& x : d.linear_velocity) x = c.between(-1, 1);
+  return in_struct(c, d, {HOSTILE_RESERVED(carom_motion, reserved), HOSTILE_NUMBERS(carom_motion, position, 3, any()), HOSTILE_UNIT(carom_motion, orientation, 4),
+                          HOSTILE_NUMBERS(carom_motion, center, 3, any()), HOSTILE_NUMBERS(carom_motion, linear_velocity, 3, any()),
+                          HOSTILE_NUMBERS(carom_motion, angular_velocity, 3, any())});
+}
+inline Argument draw_desc(Context& c) {
+  auto d = fresh<carom_draw_desc>(carom_draw_desc_init);
+  d.what = c.source.below(64), d.colouring = c.source.below(2);
+  return in_struct(c, d, {HOSTILE_BITS(carom_draw_desc, what, 63u), HOSTILE_CHOICE(carom_draw_desc, colouring, 2u), HOSTILE_RESERVED(carom_draw_desc, reserved),
+                          HOSTILE_NUMBERS(carom_draw_desc, scale, 1, {kLeast, kMost})}, true);
+}
+constexpr int kQuestions = 3;
+inline Argument rays(Context& c) {
+  carom_rays r = {};
+  r.struct_size = sizeof r, r.scalar = CAROM_SCALAR_F64, r.count = kQuestions;
+  auto *o = static_cast<double*>(c.take(8 * 3 * kQuestions)), *d = static_cast<double*>(c.take(8 * 3 * kQuestions));
+  for (int i = 0; i < 3 * kQuestions; ++i) o[i] = c.between(-3, 3), d[i] = c.between(-1, 1);
+  if (c.source.below(4) == 3) o[0] = kNan;  // a bad ray spoils no other
+  r.origins = o, r.directions = d;
+  if (c.source.below(2)) r.max = d;
+  return in_struct(c, r, {HOSTILE_CHOICE(carom_rays, scalar, 2u), HOSTILE_POINTER(carom_rays, origins), HOSTILE_POINTER(carom_rays, directions)});
+}
+template <class Hits, class Record>
+Argument hits(Context& c) {
+  Hits h = {};
+  h.struct_size = sizeof h, h.scalar = c.source.below(2) ? CAROM_SCALAR_F32 : CAROM_SCALAR_F64;
+  h.records = static_cast<Record*>(c.take(sizeof(Record) * kQuestions));
+  h.outcomes = static_cast<uint32_t*>(c.take(4 * kQuestions));
+  h.times = c.take(8 * kQuestions), h.normals = c.take(24 * kQuestions), h.points = c.take(24 * kQuestions);
+  return in_struct(c, h, {HOSTILE_CHOICE(Hits, scalar, 2u)});
+}
+inline Argument query_shapes(Context& c, bool move, bool& half_space) {
+  carom_query_shapes q = {};
+  q.struct_size = sizeof q, q.scalar = CAROM_SCALAR_F64, q.count = kQuestions;
+  auto* shapes = static_cast<carom_shape*>(c.take(8 * kQuestions));
+  auto *p = static_cast<double*>(c.take(8 * 3 * kQuestions)), *m = static_cast<double*>(c.take(8 * 3 * kQuestions)),
+       *t = static_cast<double*>(c.take(8 * 4 * kQuestions));
+  half_space = false;
+  for (int i = 0; i < kQuestions; ++i) {
+    bool none = false;
+    const unsigned which = c.source.below(5);
+    shapes[i] = which == 4 ? 0 : c.own.live[kShape].size() > which ? c.own.live[kShape][which].handle : pick(c, kShape, none);
+    for (int k = 0; k < 3; ++k) p[3 * i + k] = c.between(-3, 3), m[3 * i + k] = c.between(-2, 2);
+    turn(c, 4, t + 4 * i);
+  }
+  q.shapes = shapes, q.positions = p, q.orientations = t;
+  if (move) q.motions = m;
+  Argument a = in_struct(c, q, {HOSTILE_CHOICE(carom_query_shapes, scalar, 2u), HOSTILE_POINTER(carom_query_shapes, positions)});
+  for (const Wrong& w : wrong_handles(c, kShape, true)) {
+    carom_query_shapes bad = q;
+    auto* some = static_cast<carom_shape*>(c.take(8 * kQuestions));
+    std::memcpy(some, shapes, 8 * kQuestions);
+    some[kQuestions - 1] = w.value.u;
+    bad.shapes = some;
+    a.wrong.push_back({"last shape: " + w.what, of(c.keep(bad)), w.codes});
+  }
+  for (const double x : {kNan, kInf}) {
+    carom_query_shapes bad = q;
+    auto* some = static_cast<double*>(c.take(8 * 3 * kQuestions));
+    std::memcpy(some, p, 8 * 3 * kQuestions);
+    some[3 * kQuestions - 1] = x;
+    bad.positions = some;
+    a.wrong.push_back({"last position: " + shown(x), of(c.keep(bad)), kNotFinite});
+  }
+  return a;
+}
+
+/// Rows of bulk calls: [handles], n, array, stride after the field and the scalar.
+struct Bulk {
+  Argument field, scalar, list, n, array, stride;
+};
+template <class Id>
+Bulk bulk(Context& c, const std::vector<Id>& ids, std::initializer_list<std::pair<uint32_t, int>> fields, uint32_t known, bool write) {
+  Bulk b;
+  const auto& [field, scalars] = fields.begin()[c.source.below(static_cast<unsigned>(fields.size()))];
+  b.field = {of(uint64_t(field)), {{"unknown field", of(uint64_t(known)), kEnum}, {"all bits", of(uint64_t(0xFFFFFFFF)), kEnum}}};
+  b.scalar = {of(uint64_t(CAROM_SCALAR_F64)), {{"unknown scalar", of(uint64_t(2)), kEnum}, {"all bits", of(uint64_t(0xFFFFFFFF)), kEnum}}};
+  const std::size_t n = ids.size(), bytes = 8 * static_cast<std::size_t>(scalars);
+  auto* list = static_cast<Id*>(c.take(sizeof(Id) * n + 1));
+  if (n) std::memcpy(list, ids.data(), sizeof(Id) * n);
+  b.list = fixed(list);
+  b.n = fixed_number(n);
+  if (write) {
+    auto* values = static_cast<double*>(c.take(bytes * n + 1));
+    for (std::size_t i = 0; i < n; ++i) {
+      for (int k = 0; k < scalars; ++k) values[i * static_cast<std::size_t>(scalars) + static_cast<std::size_t>(k)] = c.between(0.5, 2);
+      if (field == CAROM_FIELD_ORIENTATION) turn(c, 4, values + 4 * i);
+      if (field == CAROM_FIELD_POSE) turn(c, 4, values + 7 * i + 3);
+    }
+    b.array = fixed(values);
+    if (n)
+      for (const double x : {kNan, kInf, -kInf}) {  // the last of all: those before it are not written
+        auto* bad = static_cast<double*>(c.take(bytes * n));
+        std::memcpy(bad, values, bytes * n);
+        bad[static_cast<std::size_t>(scalars) * n - 1] = x;
+        b.array.wrong.push_back({"last is " + shown(x), of(bad), kNotFinite | kNotUnit});
+      }
+  } else {
+    b.array = out(c, bytes * n + 1);
+    b.array.wrong.clear();
+  }
+  if (n) b.array.wrong.push_back({"null", of(nullptr), kNull});
+  b.stride = fixed_number(0);
+  for (const uint64_t s : {uint64_t(1), uint64_t(bytes - 1)}) b.stride.wrong.push_back({"stride " + std::to_string(s), of(s), kSmall});
+  return b;
+}
+inline std::vector<carom_body> bodies_for(Context& c) {
+  std::vector<carom_body> some;
+  for (const Owned& o : c.own.live[kBody])
+    if (some.size() < 2) some.push_back(o.handle);
+  return some;
+}
+/// The list argument with its last handle replaced by each wrong one.
+inline void wrong_last(Context& c, Argument& list, const std::vector<carom_body>& ids) {
+  if (ids.empty()) return;
+  for (const Wrong& w : wrong_handles(c, kBody, false)) {
+    auto* bad = static_cast<carom_body*>(c.take(8 * ids.size()));
+    std::memcpy(bad, ids.data(), 8 * ids.size());
+    bad[ids.size() - 1] = w.value.u;
+    list.wrong.push_back({"last: " + w.what, of(bad), w.codes});
+  }
+}
+inline uint32_t size_of_set(Context& c) {
+  uint64_t n = 0;
+  if (!c.own.live[kParticles].empty()) carom_particles_get_count(c.own.world, c.own.live[kParticles][0].handle, &n, nullptr);
+  return static_cast<uint32_t>(n);
+}
+/// The first set alone: its size is known.
+inline Argument first_set(Context& c) {
+  Argument a = handle(c, kParticles);
+  if (!a.impossible) a.good = of(c.own.live[kParticles][0].handle);
+  return a;
+}
+inline std::vector<uint32_t> first_particles(Context& c) {
+  std::vector<uint32_t> some;
+  for (uint32_t i = 0; i < size_of_set(c) && i < 2; ++i) some.push_back(i);
+  return some;
+}
+inline Argument shape_but_scenery(Context& c) {
+  Argument a = handle(c, kShape);
+  if (!a.impossible) a.good = of(c.own.live[kShape][c.source.below(std::min<unsigned>(4, static_cast<unsigned>(c.own.live[kShape].size())))].handle);
+  return a;
+}
+inline Argument scenery_shape(Context& c) {
+  Argument a = handle(c, kShape);
+  if (!a.impossible) a.good = of(c.own.live[kShape].back().handle);
+  return a;
+}
+inline Argument string(Context& c, const char* good) {
+  auto* s = static_cast<char*>(std::memcpy(c.take(std::strlen(good) + 1), good, std::strlen(good) + 1));
+  return {of(s), {{"null", of(nullptr), kNull}}};
+}
+
+struct Row {
+  const char* name;
+  Call (*make)(Context& c);
+};
+
+#define ROW(f, ...) {#f, [](Context& c) -> Call { return call(#f, f, {__VA_ARGS__}); }}
+#define ROW_THAT(f, that, ...) {#f, [](Context& c) -> Call { Call made = call(#f, f, {__VA_ARGS__}); made.that; return made; }}
+#define GET_LIST(f, T) {#f, [](Context& c) -> Call { List l = list(c, sizeof(T)); return call(#f, f, {world(c), l.dst, l.stride, l.capacity, l.count, error(c)}); }}
+#define GET_HANDLES(f) {#f, [](Context& c) -> Call { Argument dst = out(c, 8 * 64); dst.wrong.clear(); return call(#f, f, {world(c), dst, fixed_number(64), out(c, 8), error(c)}); }}
+#define INIT(f, T) ROW(f, out(c, sizeof(T)))
+
+inline const Row kRows[] = {
+    // base
+    ROW(carom_version, out(c, 4), out(c, 4), out(c, 4)),
+    {"carom_result_name", [](Context& c) { return call("carom_result_name", carom_result_name, {fixed_number(c.source.below(64) - 40u)}); }},
+    {"carom_result_remedy", [](Context& c) { return call("carom_result_remedy", carom_result_remedy, {fixed_number(c.source.below(64) - 40u)}); }},
+    {"carom_stage_name", [](Context& c) { return call("carom_stage_name", carom_stage_name, {fixed_number(c.source.below(64))}); }},
+    {"carom_effect_name", [](Context& c) { return call("carom_effect_name", carom_effect_name, {fixed_number(c.source.below(64))}); }},
+    {"carom_abi_manifest", [](Context&) { return call("carom_abi_manifest", carom_abi_manifest, {}); }},
+    // engine
+    INIT(carom_engine_desc_init, carom_engine_desc),
+    INIT(carom_jobs_desc_init, carom_jobs_desc),
+    {"carom_engine_create", [](Context& c) {
+       auto d = fresh<carom_engine_desc>(carom_engine_desc_init);
+       carom_engine_desc half = d;
+       half.alloc = [](void*, uint64_t, uint64_t) -> void* { return nullptr; };
+       Argument desc = in_struct(c, d, {HOSTILE_RESERVED(carom_engine_desc, reserved)}, true);
+       desc.wrong.push_back({"alloc without free", of(c.keep(half)), kNull});
+       return call("carom_engine_create", carom_engine_create, {desc, out(c, sizeof(void*)), error(c)}).after([](const Value* v) {
+         carom_engine_destroy(*static_cast<carom_engine* const*>(v[1].p), nullptr);
+       });
+     }},
+    ROW_THAT(carom_engine_destroy, only_wrong(), engine(c), error(c)),
+    {"carom_engine_set_jobs", [](Context& c) {
+       auto d = fresh<carom_jobs_desc>(carom_jobs_desc_init);
+       carom_jobs_desc many = d;
+       many.threads = 257;
+       Argument desc = in_struct(c, d, {}, true);
+       desc.wrong.push_back({"257 threads", of(c.keep(many)), kRange | kInUse});
+       return call("carom_engine_set_jobs", carom_engine_set_jobs, {engine(c), desc, error(c)}).may(kInUse);
+     }},
+    {"carom_plugin_load", [](Context& c) {
+       Argument path = string(c, CAROM_PLUGIN_DIR "/template.so");
+       const Codes wrong = code(CAROM_E_PLUGIN_PATH) | code(CAROM_E_PLUGIN_LOAD) | code(CAROM_E_PLUGIN_ABI);
+       path.wrong.push_back({"empty", string(c, "").good, wrong});
+       path.wrong.push_back({"relative", string(c, "template.so").good, wrong});
+       path.wrong.push_back({"a folder", string(c, "/").good, wrong});
+       path.wrong.push_back({"nothing there", string(c, "/nothing/there.so").good, wrong});
+       path.wrong.push_back({"not an ELF", string(c, CAROM_SOURCE_DIR "/README.md").good, wrong});
+       path.wrong.push_back({"very long", string(c, ("/" + std::string(70000, 'x')).c_str()).good, wrong});
+       return call("carom_plugin_load", carom_plugin_load, {engine(c), path, out(c, 8), error(c)}).may(code(CAROM_E_ALREADY_EXISTS));
+     }},
+    {"carom_plugin_register", [](Context& c) {
+       static const carom_shape_plugin spare = plugin_of("hostile.spare", kRadius, 1, &kSphereGeometry, point);
+       Argument p = fixed(&spare);
+       p.wrong.push_back({"null", of(nullptr), kNull});
+       const Codes abi = code(CAROM_E_PLUGIN_ABI);
+       const auto bad = [&](const char* what, auto&& change) {
+         carom_shape_plugin q = spare;
+         change(q);
+         p.wrong.push_back({what, of(c.keep(q)), abi});
+       };
+       bad("size 0", [](auto& q) { q.struct_size = 0; });
+       bad("size 8", [](auto& q) { q.struct_size = 8; });
+       bad("major", [](auto& q) { q.abi_major = 99; });
+       bad("flags", [](auto& q) { q.flags = 2; });
+       bad("no id", [](auto& q) { q.id = nullptr; });
+       bad("no support", [](auto& q) { q.support = nullptr; });
+       bad("no params", [](auto& q) { q.params = nullptr; });
+       bad("many params", [](auto& q) { q.param_count = 0xFFFFFFFF; });
+       return call("carom_plugin_register", carom_plugin_register, {engine(c), p, out(c, 8), error(c)}).may(code(CAROM_E_ALREADY_EXISTS));
+     }},
+    ROW_THAT(carom_plugin_unload, may(kInUse).ends(kPlugin), engine(c), handle(c, kPlugin), error(c)),
+    ROW_THAT(carom_plugin_find, may(code(CAROM_E_NOT_FOUND)), engine(c), string(c, "hostile.ball"), out(c, 8), error(c)),
+    ROW(carom_plugin_describe, engine(c), handle(c, kPlugin), out(c, sizeof(void*)), error(c)),
+    // shapes
+    {"carom_shape_create", [](Context& c) {
+       Argument plugin = handle(c, kPlugin);
+       const bool ball = !plugin.impossible && plugin.good.u == c.own.live[kPlugin][0].handle;
+       Argument n = fixed_number(ball ? 1 : 3);
+       for (const uint64_t bad : {uint64_t(0), uint64_t(2), uint64_t(4), ~uint64_t(0)}) n.wrong.push_back({"count", of(bad), kRange});
+       return call("carom_shape_create", carom_shape_create, {engine(c), plugin, vector(c, ball ? 1 : 3, {0.01, 100, false, 0.1, 1}), n, out(c, 8), error(c)}).makes(kShape, 4).may(kRange);
+     }},
+    ROW_THAT(carom_shape_create_half_space, makes(kShape, 3), engine(c), unit(c, 3), number(c, any()), out(c, 8), error(c)),
+    ROW_THAT(carom_shape_destroy, may(kInUse).ends(kShape), engine(c), handle(c, kShape), error(c)),
+    ROW(carom_shape_get_info, engine(c), handle(c, kShape), out_struct<carom_shape_info>(c), error(c)),
+    {"carom_shape_get_params", [](Context& c) {
+       Argument count{of(c.keep(uint64_t(3))), {{"null", of(nullptr), kNull}}};
+       return call("carom_shape_get_params", carom_shape_get_params, {engine(c), shape_but_scenery(c), out(c, 24), count, error(c)});
+     }},
+    {"carom_shape_support", [](Context& c) {
+       Argument dirs = vector(c, 6, {-DBL_MAX, DBL_MAX, false, 0.1, 2});
+       dirs.wrong.push_back({"a zero direction", of(c.take(48)), kRange});
+       return call("carom_shape_support", carom_shape_support, {engine(c), shape_but_scenery(c), dirs, fixed_number(2), out(c, 48), error(c)});
+     }},
+    INIT(carom_mesh_desc_init, carom_mesh_desc),
+    INIT(carom_height_field_desc_init, carom_height_field_desc),
+    {"carom_shape_create_mesh", [](Context& c) {
+       auto d = fresh<carom_mesh_desc>(carom_mesh_desc_init);
+       auto* v = static_cast<double*>(c.take(8 * 9));
+       for (int i = 0; i < 9; ++i) v[i] = c.between(-3, 3) + (i % 4 == 0);
+       const uint32_t abc[3] = {0, 1, 2}, far[3] = {0, 1, 3};
+       d.vertices = v, d.vertex_count = 3, d.triangles = static_cast<uint32_t*>(std::memcpy(c.take(12), abc, 12)), d.triangle_count = 1;
+       Argument desc = in_struct(c, d, {HOSTILE_BITS(carom_mesh_desc, flags, 1u), HOSTILE_POINTER(carom_mesh_desc, vertices), HOSTILE_POINTER(carom_mesh_desc, triangles)});
+       const auto bad = [&](const char* what, Codes codes, auto&& change) {
+         carom_mesh_desc q = d;
+         change(q);
+         desc.wrong.push_back({what, of(c.keep(q)), codes});
+       };
+       bad("an index beyond", kRange, [&](auto& q) { q.triangles = static_cast<uint32_t*>(std::memcpy(c.take(12), far, 12)); });
+       bad("no vertices", kRange, [](auto& q) { q.vertex_count = 0; });
+       bad("no triangles", kRange, [](auto& q) { q.triangle_count = 0; });
+       bad("too many triangles", kRange | kLimit, [](auto& q) { q.triangle_count = ~uint64_t(0); });
+       bad("too many vertices", kRange | kLimit, [](auto& q) { q.vertex_count = ~uint64_t(0); });
+       for (const auto& [x, codes] : wrong_numbers({-1e8, 1e8})) {
+         auto* w = static_cast<double*>(std::memcpy(c.take(72), v, 72));
+         w[5] = x;
+         bad("a vertex", codes, [&](auto& q) { q.vertices = w; });
+       }
+       bad("no area", kRange, [&](auto& q) { q.vertices = static_cast<double*>(c.take(72)); });
+       return call("carom_shape_create_mesh", carom_shape_create_mesh, {engine(c), desc, out(c, 8), error(c)}).makes(kShape, 2).may(kRange);
+     }},
+    {"carom_shape_create_height_field", [](Context& c) {
+       auto d = fresh<carom_height_field_desc>(carom_height_field_desc_init);
+       auto* h = static_cast<double*>(c.take(8 * 6));
+       for (int i = 0; i < 6; ++i) h[i] = c.between(-1, 1);
+       d.columns = 3, d.rows = 2, d.heights = h;
+       Argument desc = in_struct(c, d, {HOSTILE_BITS(carom_height_field_desc, flags, 0u), HOSTILE_POINTER(carom_height_field_desc, heights),
+                                        HOSTILE_CHOICE(carom_height_field_desc, columns, 16385u), HOSTILE_CHOICE(carom_height_field_desc, rows, 16385u),
+                                        HOSTILE_NUMBERS(carom_height_field_desc, spacing, 2, {kLeast, kMost})});
+       for (const uint32_t one : {0u, 1u}) {
+         carom_height_field_desc q = d;
+         q.rows = one;
+         desc.wrong.push_back({"rows", of(c.keep(q)), kRange});
+       }
+       carom_height_field_desc holes = d, infinite = d;
+       auto *w = static_cast<double*>(c.take(48)), *i = static_cast<double*>(std::memcpy(c.take(48), h, 48));
+       for (int k = 0; k < 6; ++k) w[k] = kNan;
+       i[4] = kInf;
+       holes.heights = w, infinite.heights = i;
+       desc.wrong.push_back({"nothing but holes", of(c.keep(holes)), kRange});
+       desc.wrong.push_back({"an infinite height", of(c.keep(infinite)), kNotFinite});
+       return call("carom_shape_create_height_field", carom_shape_create_height_field, {engine(c), desc, out(c, 8), error(c)}).makes(kShape, 2);
+     }},
+    ROW_THAT(carom_shape_get_scenery_info, may(kUnsupported), engine(c), scenery_shape(c), out_struct<carom_scenery_info>(c), error(c)),
+    {"carom_shape_get_triangles", [](Context& c) {
+       Argument first = fixed_number(0), count{of(c.keep(uint64_t(2))), {{"null", of(nullptr), kNull}}};
+       first.wrong.push_back({"beyond all", of(~uint64_t(0)), kRange});
+       Argument corners = out(c, 9 * 8 * 2);
+       corners.wrong.clear();  // NULL counts
+       return call("carom_shape_get_triangles", carom_shape_get_triangles, {engine(c), scenery_shape(c), first, corners, count, out(c, 8), error(c)}).may(kUnsupported);
+     }},
+    // questions without a world
+    INIT(carom_distance_desc_init, carom_distance_desc),
+    INIT(carom_cast_desc_init, carom_cast_desc),
+    INIT(carom_motion_init, carom_motion),
+    ROW(carom_shape_distance, engine(c), shape_but_scenery(c), vector(c, 3, any()), unit(c, 4), shape_but_scenery(c), vector(c, 3, any()), unit(c, 4), distance_desc(c), out_struct<carom_distance>(c), error(c)),
+    ROW(carom_ray_cast, engine(c), handle(c, kShape), vector(c, 3, any()), unit(c, 4), vector(c, 3, any()), vector(c, 3, any()), number(c, {0, kMost, true, 0, 9}), cast_desc(c), out_struct<carom_cast>(c), error(c)),
+    ROW(carom_shape_cast, engine(c), shape_but_scenery(c), vector(c, 3, any()), unit(c, 4), vector(c, 3, any()), shape_but_scenery(c), vector(c, 3, any()), unit(c, 4), cast_desc(c), out_struct<carom_cast>(c), error(c)),
+    ROW(carom_shape_time_of_impact, engine(c), shape_but_scenery(c), motion(c), shape_but_scenery(c), motion(c), number(c, {0, 1e9, false, 0, 3}), cast_desc(c), out_struct<carom_cast>(c), error(c)),
+    ROW(carom_shape_overlap, engine(c), shape_but_scenery(c), vector(c, 3, any()), unit(c, 4), shape_but_scenery(c), vector(c, 3, any()), unit(c, 4), cast_desc(c), out_struct<carom_overlap>(c), error(c)),
+    {"carom_rays_cast", [](Context& c) {
+       bool none = false;
+       const carom_shape shapes[2] = {pick(c, kShape, none), 0};
+       auto* good = static_cast<carom_shape*>(std::memcpy(c.take(16), shapes, 16));
+       good[0] = c.own.live[kShape].empty() ? 0 : c.own.live[kShape][0].handle, good[1] = good[0];
+       Argument list = fixed(good);
+       list.impossible = none;
+       list.wrong.push_back({"null", of(nullptr), kNull});
+       for (const Wrong& w : wrong_handles(c, kShape, false)) {
+         auto* bad = static_cast<carom_shape*>(std::memcpy(c.take(16), good, 16));
+         bad[1] = w.value.u;
+         list.wrong.push_back({"second: " + w.what, of(bad), w.codes});
+       }
+       Argument turns = fixed(c.take(64));
+       auto* q = static_cast<double*>(const_cast<void*>(turns.good.p));
+       turn(c, 4, q), turn(c, 4, q + 4);
+       turns.wrong.push_back({"null", of(nullptr), kNull});
+       turns.wrong.push_back({"zero", of(c.take(64)), kNotUnit});
+       return call("carom_rays_cast", carom_rays_cast, {engine(c), list, vector(c, 6, any()), turns, fixed_number(2), rays(c), cast_desc(c), hits<carom_ray_hits, carom_ray_hit>(c), error(c)});
+     }},
+    // dials
+    {"carom_dial_get_info", [](Context& c) { return call("carom_dial_get_info", carom_dial_get_info, {choice(c, CAROM_DIAL_COUNT), out_struct<carom_dial_info>(c), error(c)}); }},
+    ROW(carom_dial_get_count, out(c, 4)),
+    {"carom_dial_find", [](Context& c) {
+       Argument name = string(c, "substeps");
+       name.wrong.push_back({"none of this name", string(c, "bananas").good, code(CAROM_E_NOT_FOUND)});
+       return call("carom_dial_find", carom_dial_find, {name, out(c, 4), error(c)});
+     }},
+    // worlds
+    INIT(carom_world_desc_init, carom_world_desc),
+    {"carom_world_create", [](Context& c) {
+       auto d = fresh<carom_world_desc>(carom_world_desc_init);
+       Argument desc = in_struct(c, d, {HOSTILE_RESERVED(carom_world_desc, reserved), HOSTILE_NUMBERS(carom_world_desc, gravity, 3, {-1e6, 1e6})}, true);
+       carom_world_desc many = d;
+       many.body_capacity = ~uint64_t(0);
+       desc.wrong.push_back({"capacity", of(c.keep(many)), kRange});
+       return call("carom_world_create", carom_world_create, {engine(c), desc, out(c, sizeof(void*)), error(c)}).after([](const Value* v) {
+         carom_world_destroy(*static_cast<carom_world* const*>(v[2].p), nullptr);
+       });
+     }},
+    ROW_THAT(carom_world_destroy, only_wrong(), world(c), error(c)),
+    {"carom_world_step", [](Context& c) {
+       Argument dt = number(c, {1e-320, 1, false, 0.004, 0.02});
+       dt.wrong.push_back({"0", of(0.), kRange});
+       return call("carom_world_step", carom_world_step, {world(c), dt, error(c)});
+     }},
+    {"carom_world_set_dial", [](Context& c) {
+       const uint32_t dial = c.source.below(CAROM_DIAL_COUNT);
+       carom_dial_info info = {};
+       info.struct_size = sizeof info;
+       carom_dial_get_info(dial, &info, nullptr);
+       double good = info.initial;
+       if (info.kind == CAROM_DIAL_KIND_CHOICE) good = c.source.below(info.choice_count);
+       if (dial == CAROM_DIAL_SUBSTEPS) good = 1 + c.source.below(4);
+       Argument which{of(uint64_t(dial)), {{"unknown", of(uint64_t(CAROM_DIAL_COUNT)), kEnum}, {"all bits", of(uint64_t(0xFFFFFFFF)), kEnum}}};
+       Argument value{of(good), {}};
+       for (const auto& [x, codes] : wrong_numbers({info.min, info.max})) value.wrong.push_back({shown(x), of(x), codes});
+       if (info.kind != CAROM_DIAL_KIND_NUMBER) value.wrong.push_back({"not whole", of(info.min + 0.5), kRange});
+       return call("carom_world_set_dial", carom_world_set_dial, {world(c), which, value, error(c)}).may(kUnsupported);
+     }},
+    ROW(carom_world_get_dial, world(c), choice(c, CAROM_DIAL_COUNT), out(c, 8), error(c)),
+    ROW(carom_world_set_gravity, world(c), vector(c, 3, {-1e6, 1e6, false, -10, 10}), error(c)),
+    ROW(carom_world_get_gravity, world(c), out(c, 24), error(c)),
+    ROW(carom_world_get_report, world(c), out_struct<carom_step_report>(c), error(c)),
+    GET_LIST(carom_world_get_contacts, carom_contact),
+    GET_LIST(carom_world_get_groups, carom_group),
+    GET_LIST(carom_world_get_faults, carom_fault),
+    ROW(carom_world_hash, world(c), out(c, 8), error(c)),
+    // materials
+    INIT(carom_material_desc_init, carom_material_desc),
+    ROW_THAT(carom_material_create, makes(kMaterial, 2), world(c), material_desc(c), out(c, 8), error(c)),
+    ROW(carom_material_update, world(c), handle(c, kMaterial), material_desc(c), error(c)),
+    ROW(carom_material_set_resistance, world(c), handle(c, kMaterial), number(c, {0, 1e3, false, 0, 0.1}), number(c, {0, 1e3, false, 0, 0.1}), error(c)),
+    ROW(carom_material_get_resistance, world(c), handle(c, kMaterial), out(c, 8), out(c, 8), error(c)),
+    ROW_THAT(carom_material_destroy, may(kInUse).ends(kMaterial), world(c), handle(c, kMaterial), error(c)),
+    // bodies
+    INIT(carom_body_desc_init, carom_body_desc),
+    ROW_THAT(carom_body_create, makes(kBody, 2), world(c), body_desc(c), out(c, 8), error(c)),
+    ROW_THAT(carom_body_destroy, ends(kBody), world(c), handle(c, kBody), error(c)),
+    ROW(carom_body_get, world(c), handle(c, kBody), out_struct<carom_body_desc>(c), error(c)),
+    ROW(carom_body_set_pose, world(c), handle(c, kBody), vector(c, 3, any()), unit(c, 4), error(c)),
+    ROW_THAT(carom_body_set_velocity, may(kRange), world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
+    ROW(carom_body_add_force, world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
+    ROW(carom_body_add_force_at, world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
+    ROW(carom_body_add_impulse, world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
+    ROW(carom_body_set_gravity_factor, world(c), handle(c, kBody), number(c, any()), error(c)),
+    ROW(carom_body_get_gravity_factor, world(c), handle(c, kBody), out(c, 8), error(c)),
+    ROW_THAT(carom_body_set_locks, may(kRange | kUnsupported), world(c), handle(c, kBody), bits(c, CAROM_LOCK_ALL), error(c)),
+    ROW(carom_body_get_locks, world(c), handle(c, kBody), out(c, 4), error(c)),
+    ROW(carom_body_is_asleep, world(c), handle(c, kBody), out(c, 4), error(c)),
+    ROW(carom_body_wake, world(c), handle(c, kBody), error(c)),
+    ROW(carom_body_set_continuous, world(c), handle(c, kBody), choice(c, 3), error(c)),
+    ROW(carom_body_get_continuous, world(c), handle(c, kBody), out(c, 4), error(c)),
+    INIT(carom_collider_desc_init, carom_collider_desc),
+    ROW_THAT(carom_collider_create, makes(kCollider, 3, 1).may(kRange | kNoVolume), world(c), handle(c, kBody), collider_desc(c), out(c, 8), error(c)),
+    ROW_THAT(carom_collider_destroy, ends(kCollider), world(c), handle(c, kCollider), error(c)),
+    ROW(carom_collider_get, world(c), handle(c, kCollider), out_struct<carom_collider_desc>(c), out(c, 8), error(c)),
+    ROW(carom_collider_set_surface_velocity, world(c), handle(c, kCollider), vector(c, 3, {-1e6, 1e6}), vector(c, 3, {-1e6, 1e6}), error(c)),
+    ROW(carom_collider_get_surface_velocity, world(c), handle(c, kCollider), out(c, 24), out(c, 24), error(c)),
+    GET_HANDLES(carom_world_get_bodies),
+    {"carom_world_read", [](Context& c) {
+       const std::vector<carom_body> some = bodies_for(c);
+       Bulk b = bulk(c, some, {{CAROM_FIELD_POSE, 7}, {CAROM_FIELD_VELOCITY, 6}, {CAROM_FIELD_FORCE, 6}, {CAROM_FIELD_MASS, 1}}, CAROM_FIELD_COUNT, false);
+       wrong_last(c, b.list, some);
+       b.list.wrong.push_back({"all of them, but another n", of(nullptr), kRange, 5});
+       return call("carom_world_read", carom_world_read, {world(c), b.field, b.scalar, b.list, b.n, b.array, b.stride, error(c)});
+     }},
+    {"carom_world_write", [](Context& c) {
+       const std::vector<carom_body> some = bodies_for(c);
+       Bulk b = bulk(c, some, {{CAROM_FIELD_POSE, 7}, {CAROM_FIELD_POSITION, 3}, {CAROM_FIELD_ORIENTATION, 4}, {CAROM_FIELD_FORCE, 6}, {CAROM_FIELD_VELOCITY, 6}}, CAROM_FIELD_COUNT, true);
+       wrong_last(c, b.list, some);
+       b.list.wrong.push_back({"all of them, but another n", of(nullptr), kRange, 5});
+       for (const uint32_t f : {CAROM_FIELD_CENTER, CAROM_FIELD_MASS}) b.field.wrong.push_back({"read only", of(uint64_t(f)), kUnsupported});
+       return call("carom_world_write", carom_world_write, {world(c), b.field, b.scalar, b.list, b.n, b.array, b.stride, error(c)}).may(kRange);
+     }},
+    // particles
+    INIT(carom_particles_desc_init, carom_particles_desc),
+    ROW_THAT(carom_particles_create, makes(kParticles, 2), world(c), particles_desc(c), out(c, 8), error(c)),
+    ROW_THAT(carom_particles_destroy, ends(kParticles), world(c), handle(c, kParticles), error(c)),
+    ROW(carom_particles_get, world(c), handle(c, kParticles), out_struct<carom_particles_desc>(c), error(c)),
+    ROW(carom_particles_update, world(c), handle(c, kParticles), particles_desc(c), error(c)),
+    ROW(carom_particles_get_count, world(c), handle(c, kParticles), out(c, 8), error(c)),
+    {"carom_particles_add", [](Context& c) {
+       Argument stride = fixed_number(0), positions = vector(c, 6, {-1e15, 1e15}), velocities = vector(c, 6, {-1e9, 1e9});
+       stride.wrong.push_back({"stride 8", of(uint64_t(8)), kSmall});
+       if (c.wants_wrong) velocities.wrong.erase(velocities.wrong.begin());  // NULL: at rest
+       Argument n = fixed_number(2);
+       n.wrong.push_back({"too many", of(uint64_t(1) << 32), kLimit | kRange});
+       return call("carom_particles_add", carom_particles_add, {world(c), handle(c, kParticles), n, fixed_number(CAROM_SCALAR_F64), positions, stride, velocities, stride, error(c)});
+     }},
+    {"carom_particles_remove", [](Context& c) {
+       Argument set = first_set(c);
+       const uint32_t beyond = size_of_set(c);
+       const std::vector<uint32_t> first = {0};
+       Argument indices = fixed(c.keep(uint32_t(0)));
+       indices.impossible = beyond == 0;
+       indices.wrong.push_back({"beyond all", of(c.keep(beyond)), kRange});
+       indices.wrong.push_back({"all bits", of(c.keep(uint32_t(0xFFFFFFFF))), kRange});
+       Argument n = fixed_number(1);
+       return call("carom_particles_remove", carom_particles_remove, {world(c), set, indices, n, error(c)});
+     }},
+    {"carom_particles_read", [](Context& c) {
+       Argument set = first_set(c);
+       Bulk b = bulk(c, first_particles(c), {{CAROM_FIELD_POSITION, 3}, {CAROM_FIELD_LINEAR_VELOCITY, 3}, {CAROM_FIELD_MASS, 1}}, CAROM_FIELD_COUNT, false);
+       b.list.impossible = size_of_set(c) == 0;
+       b.field.wrong.push_back({"no such field", of(uint64_t(CAROM_FIELD_POSE)), kUnsupported});
+       return call("carom_particles_read", carom_particles_read, {world(c), set, b.field, b.scalar, b.list, b.n, b.array, b.stride, error(c)});
+     }},
+    {"carom_particles_write", [](Context& c) {
+       Argument set = first_set(c);
+       Bulk b = bulk(c, first_particles(c), {{CAROM_FIELD_POSITION, 3}, {CAROM_FIELD_LINEAR_VELOCITY, 3}, {CAROM_FIELD_MASS, 1}}, CAROM_FIELD_COUNT, true);
+       b.list.impossible = size_of_set(c) == 0;
+       b.field.wrong.push_back({"no such field", of(uint64_t(CAROM_FIELD_POSE)), kUnsupported});
+       return call("carom_particles_write", carom_particles_write, {world(c), set, b.field, b.scalar, b.list, b.n, b.array, b.stride, error(c)});
+     }},
+    {"carom_particles_get_quarantined", [](Context& c) {
+       return call("carom_particles_get_quarantined", carom_particles_get_quarantined, {world(c), handle(c, kParticles), fixed(c.take(64)), fixed_number(16), out(c, 8), error(c)});
+     }},
+    GET_HANDLES(carom_world_get_particles),
+    // filters
+    ROW(carom_collider_set_filter, world(c), handle(c, kCollider), whole(c, 4), whole(c, 4), whole(c, 3), error(c)),
+    ROW(carom_collider_get_filter, world(c), handle(c, kCollider), out(c, 8), out(c, 8), out(c, 4), error(c)),
+    ROW(carom_body_set_filter, world(c), handle(c, kBody), whole(c, 4), whole(c, 4), whole(c, 3), error(c)),
+    {"carom_body_hold_apart", [](Context& c) {
+       const Argument a = handle(c, kBody);
+       return call("carom_body_hold_apart", carom_body_hold_apart, {world(c), a, another_handle(c, kBody, a), choice(c, 2), error(c)}).may(kRange);
+     }},
+    ROW(carom_collider_set_sensor, world(c), handle(c, kCollider), choice(c, 2), error(c)),
+    ROW(carom_collider_is_sensor, world(c), handle(c, kCollider), out(c, 4), error(c)),
+    // events
+    ROW(carom_world_collect_events, world(c), bits(c, 31), number(c, {0, 1e9, false, 0, 2}), error(c)),
+    GET_LIST(carom_world_get_contact_events, carom_contact_event),
+    GET_LIST(carom_world_get_sensor_events, carom_sensor_event),
+    GET_LIST(carom_world_get_sleep_events, carom_sleep_event),
+    GET_LIST(carom_world_get_joint_events, carom_joint_event),
+    GET_LIST(carom_world_get_fault_events, carom_fault_event),
+    // joints
+    INIT(carom_joint_desc_init, carom_joint_desc),
+    INIT(carom_joint_limit_init, carom_joint_limit),
+    INIT(carom_joint_motor_init, carom_joint_motor),
+    INIT(carom_joint_spring_init, carom_joint_spring),
+    ROW_THAT(carom_joint_create, makes(kJoint, 2).may(kRange | kUnsupported), world(c), joint_desc(c), out(c, 8), error(c)),
+    ROW_THAT(carom_joint_destroy, ends(kJoint), world(c), handle(c, kJoint), error(c)),
+    ROW(carom_joint_get, world(c), handle(c, kJoint), out_struct<carom_joint_desc>(c), error(c)),
+    ROW(carom_joint_get_state, world(c), handle(c, kJoint), out_struct<carom_joint_state>(c), error(c)),
+    ROW_THAT(carom_joint_set_limit, may(kUnsupported | kRange), world(c), handle(c, kJoint), choice(c, 4), joint_limit(c), error(c)),
+    ROW_THAT(carom_joint_set_motor, may(kUnsupported | kRange), world(c), handle(c, kJoint), choice(c, 4), joint_motor(c), error(c)),
+    ROW_THAT(carom_joint_set_spring, may(kUnsupported | kRange), world(c), handle(c, kJoint), choice(c, 4), joint_spring(c), error(c)),
+    ROW_THAT(carom_joint_get_limit, may(kUnsupported), world(c), handle(c, kJoint), choice(c, 4), out_struct<carom_joint_limit>(c), error(c)),
+    ROW_THAT(carom_joint_get_motor, may(kUnsupported), world(c), handle(c, kJoint), choice(c, 4), out_struct<carom_joint_motor>(c), error(c)),
+    ROW_THAT(carom_joint_get_spring, may(kUnsupported), world(c), handle(c, kJoint), choice(c, 4), out_struct<carom_joint_spring>(c), error(c)),
+    GET_HANDLES(carom_world_get_joints),
+    // forces
+    ROW(carom_body_set_drag, world(c), handle(c, kBody), number(c, {0, 1e12, false, 0, 1}), number(c, {0, 1e12, false, 0, 1}), error(c)),
+    ROW(carom_body_get_drag, world(c), handle(c, kBody), out(c, 8), out(c, 8), error(c)),
+    ROW(carom_world_set_wind, world(c), vector(c, 3, {-1e6, 1e6}), error(c)),
+    ROW(carom_world_get_wind, world(c), out(c, 24), error(c)),
+    INIT(carom_force_field_desc_init, carom_force_field_desc),
+    ROW_THAT(carom_force_field_create, makes(kField, 2), world(c), field_desc(c), out(c, 8), error(c)),
+    ROW(carom_force_field_update, world(c), handle(c, kField), field_desc(c), error(c)),
+    ROW(carom_force_field_get, world(c), handle(c, kField), out_struct<carom_force_field_desc>(c), error(c)),
+    ROW_THAT(carom_force_field_destroy, ends(kField), world(c), handle(c, kField), error(c)),
+    ROW(carom_body_set_force_field_mask, world(c), handle(c, kBody), whole(c, 4), error(c)),
+    ROW(carom_body_get_force_field_mask, world(c), handle(c, kBody), out(c, 4), error(c)),
+    INIT(carom_spring_desc_init, carom_spring_desc),
+    ROW_THAT(carom_spring_create, makes(kSpring, 2).may(kRange), world(c), spring_desc(c), out(c, 8), error(c)),
+    ROW(carom_spring_update, world(c), handle(c, kSpring), number(c, {0, 1e9, false, 0, 2}), number(c, {0, 1e30, false, 0, 99}), number(c, {0, 1e30, false, 0, 2}), error(c)),
+    ROW(carom_spring_get, world(c), handle(c, kSpring), out_struct<carom_spring_desc>(c), error(c)),
+    ROW(carom_spring_get_state, world(c), handle(c, kSpring), out(c, 8), out(c, 8), error(c)),
+    ROW_THAT(carom_spring_destroy, ends(kSpring), world(c), handle(c, kSpring), error(c)),
+    INIT(carom_water_init, carom_water),
+    ROW(carom_world_set_water, world(c), water_desc(c), error(c)),
+    ROW(carom_world_get_water, world(c), out_struct<carom_water>(c), out(c, 4), error(c)),
+    // the plan
+    ROW(carom_world_set_effect, world(c), choice(c, CAROM_EFFECT_COUNT), choice(c, 3), error(c)),
+    ROW(carom_world_get_effect, world(c), choice(c, CAROM_EFFECT_COUNT), out(c, 4), error(c)),
+    ROW_THAT(carom_body_set_effect, may(kUnsupported), world(c), handle(c, kBody), choice(c, CAROM_EFFECT_COUNT), choice(c, 3), error(c)),
+    ROW(carom_body_get_effect, world(c), handle(c, kBody), choice(c, CAROM_EFFECT_COUNT), out(c, 4), error(c)),
+    ROW(carom_world_time_effects, world(c), choice(c, 2), error(c)),
+    GET_LIST(carom_world_get_plan, carom_plan_line),
+    // the ledger
+    ROW(carom_world_enable_ledger, world(c), choice(c, 2), error(c)),
+    GET_LIST(carom_world_get_ledger, carom_ledger_entry),
+    ROW(carom_world_get_ledger_state, world(c), out_struct<carom_ledger_state>(c), error(c)),
+    // drawing
+    INIT(carom_draw_desc_init, carom_draw_desc),
+    {"carom_world_draw", [](Context& c) {
+       List l = list(c, sizeof(carom_draw_line), true);
+       l.dst.wrong.clear();  // NULL counts
+       return call("carom_world_draw", carom_world_draw, {world(c), draw_desc(c), l.dst, l.stride, l.capacity, l.count, error(c)});
+     }},
+    // questions to a world
+    INIT(carom_query_desc_init, carom_query_desc),
+    {"carom_world_cast_ray", [](Context& c) {
+       Argument size = fixed_number(sizeof(carom_world_hit));
+       size.wrong.push_back({"size 4", of(uint64_t(4)), kSmall});
+       return call("carom_world_cast_ray", carom_world_cast_ray, {world(c), vector(c, 3, any()), vector(c, 3, any()), number(c, {0, kMost, true, 0, 9}), query_desc(c), out(c, sizeof(carom_world_hit)), size, error(c)});
+     }},
+    {"carom_world_cast_rays", [](Context& c) {
+       return call("carom_world_cast_rays", carom_world_cast_rays, {world(c), rays(c), choice(c, 2), query_desc(c), hits<carom_world_hits, carom_world_hit>(c), error(c)});
+     }},
+    {"carom_world_cast_rays_all", [](Context& c) {
+       List l = list(c, sizeof(carom_world_hit));
+       return call("carom_world_cast_rays_all", carom_world_cast_rays_all, {world(c), rays(c), query_desc(c), l.dst, l.stride, l.capacity, l.count, error(c)});
+     }},
+    {"carom_world_cast_shapes", [](Context& c) {
+       bool half = false;
+       Argument shapes = query_shapes(c, true, half), stride = fixed_number(0);
+       stride.wrong.push_back({"stride 4", of(uint64_t(4)), kSmall});
+       return call("carom_world_cast_shapes", carom_world_cast_shapes, {world(c), shapes, choice(c, 2), query_desc(c), out(c, sizeof(carom_world_hit) * kQuestions), stride, error(c)});
+     }},
+    {"carom_world_cast_shapes_all", [](Context& c) {
+       bool half = false;
+       Argument shapes = query_shapes(c, true, half);
+       List l = list(c, sizeof(carom_world_hit));
+       return call("carom_world_cast_shapes_all", carom_world_cast_shapes_all, {world(c), shapes, query_desc(c), l.dst, l.stride, l.capacity, l.count, error(c)});
+     }},
+    {"carom_world_overlap_shapes", [](Context& c) {
+       bool half = false;
+       Argument shapes = query_shapes(c, false, half);
+       List l = list(c, sizeof(carom_world_hit));
+       return call("carom_world_overlap_shapes", carom_world_overlap_shapes, {world(c), shapes, query_desc(c), l.dst, l.stride, l.capacity, l.count, error(c)});
+     }},
+    {"carom_world_find_nearest", [](Context& c) {
+       bool half = false;
+       Argument shapes = query_shapes(c, false, half), stride = fixed_number(0);
+       stride.wrong.push_back({"stride 4", of(uint64_t(4)), kSmall});
+       return call("carom_world_find_nearest", carom_world_find_nearest, {world(c), shapes, number(c, {0, kMost, true, 0, 9}), query_desc(c), out(c, sizeof(carom_world_hit) * kQuestions), stride, error(c)});
+     }},
+};
+
+#undef ROW
+#undef ROW_THAT
+#undef GET_LIST
+#undef GET_HANDLES
+#undef INIT
+
+}  // namespace hostile

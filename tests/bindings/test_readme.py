@@ -1,0 +1,48 @@
+"""The Python programs of the READMEs run and say what they should."""
+import re
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def programs(page):
+    return re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(encoding="utf-8"), re.S)
+
+
+PROGRAMS = programs("bindings/python/README.md")
+
+
+def output_of(program):
+    done = subprocess.run([sys.executable, "-X", "dev", "-c", program], capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, ""), done.stderr
+    return done.stdout
+
+
+class Readme(unittest.TestCase):
+    def test_first_program(self):
+        """9 m - 0.9 m at 22 m/s: the ball's surface is at the boxes' after 8.1 / 22 = 0.37 s, in one of the two steps about."""
+        self.assertLessEqual(len([line for line in PROGRAMS[0].splitlines() if line.strip()]), 15)
+        said = output_of(PROGRAMS[0])
+        after = float(re.search(r"hit after ([0-9.]+) s", said).group(1))
+        self.assertTrue(8.1 / 22 - 1 / 60 <= after <= 8.1 / 22 + 2 / 60, said)
+        self.assertLess(int(re.search(r"(\d) of 6 boxes", said).group(1)), 6)
+
+    def test_shape_in_python(self):
+        """1 m^3 of 1000 kg/m^3, at rest on half its height."""
+        said = output_of(PROGRAMS[1])
+        self.assertRegex(said, r"weighs 1000 kg and lies at y = (0\.49[5-9]|0\.50[0-5]) m")
+
+    def test_front_page(self):
+        """As its twin in C: at rest on its radius."""
+        [program] = programs("README.md")
+        self.assertRegex(output_of(program), r"y = (0\.49[5-9]|0\.50[0-5]) m")
+
+    def test_that_is_all(self):
+        self.assertEqual(len(PROGRAMS), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,254 @@
+"""The face: what each room of the package does, on scenes whose answer is known."""
+import io
+import math
+import unittest
+
+import carom
+
+G = 9.81
+
+
+class Face(unittest.TestCase):
+    def setUp(self):
+        self.engine = carom.Engine()
+        self.world = self.engine.world()
+        self.addCleanup(self.engine.close)
+
+    def test_defaults_are_the_descriptors(self):
+        desc = self.world.body().desc
+        self.assertEqual((desc.type, desc.position, desc.orientation, desc.mass), ("dynamic", (0, 0, 0), (0, 0, 0, 1), 1))
+        about = dict(position=(1, 2, 3), orientation=(0, 0.6, 0, 0.8), linear_velocity=(4, 5, 6), angular_velocity=(7, 8, 9), mass=3,
+                     center=(0.1, 0, 0), inertia=(1, 0, 0, 0, 2, 0, 0, 0, 2.5), linear_damping=0.5, angular_damping=0.25, user=77)
+        desc = self.world.body(stays_awake=True, **about).desc
+        for name, value in about.items():
+            if name == "linear_velocity":
+                continue
+            found = getattr(desc, name)
+            if isinstance(value, tuple):
+                for a, b in zip(found, value):
+                    self.assertAlmostEqual(a, b, 14, name)
+            else:
+                self.assertEqual(found, value, name)
+        self.assertTrue(desc.fields & carom.raw.CAROM_BODY_STAYS_AWAKE)
+
+    def test_shapes(self):
+        """Volumes in closed form, within the bracket that the engine gives."""
+        for shape, volume in [(self.engine.sphere(2), 4 / 3 * math.pi * 8), (self.engine.box(1, 2, 3), 48),
+                              (self.engine.capsule(1, 2), math.pi * 4 + 4 / 3 * math.pi), (self.engine.cylinder(1, 2), math.pi * 4),
+                              (self.engine.cone(1, 2), math.pi / 3 * 4), (self.engine.ellipsoid(1, 2, 3), 4 / 3 * math.pi * 6),
+                              (self.engine.hull([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]), 1 / 6)]:
+            info = shape.info
+            self.assertLessEqual(info.volume_min * (1 - 1e-12), volume)
+            self.assertGreaterEqual(info.volume_max * (1 + 1e-12), volume)
+        self.assertEqual(self.engine.box(1, 2, 3).params, (1, 2, 3))
+        self.assertTrue(self.engine.half_space().info.is_half_space)
+        self.assertTrue(self.engine.mesh([(0, 0, 0), (0, 0, 1), (1, 0, 0)], [(0, 1, 2)]).info.is_scenery)
+        self.assertTrue(self.engine.height_field([[0, 0, 0], [0, 1, math.nan]], (1, 2)).info.is_scenery)
+
+    def test_distance(self):
+        answer = self.engine.distance(self.engine.sphere(1), self.engine.sphere(2), (0, 0, 0), (5, 0, 0), tolerance=1e-9)
+        self.assertAlmostEqual(answer.separation, 2, 8)
+        self.assertTrue(answer.lower <= 2 <= answer.upper)
+        self.assertEqual([round(x, 9) for x in answer.normal], [1, 0, 0])
+
+    def test_flight(self):
+        ball = self.world.body(position=(0, 10, 0), linear_velocity=(1, 0, 0))
+        self.assertEqual(carom.run(self.world, 1, dt=1 / 64), 64)
+        x, y, _ = ball.position  # velocity Verlet: exact under gravity
+        self.assertAlmostEqual(x, 1, 12)
+        self.assertAlmostEqual(y, 10 - G / 2, 12)
+        ball.add_impulse((0, 2, 0))
+        self.assertAlmostEqual(ball.linear_velocity[1], 2 - G, 12)
+        self.world.gravity = 0, 0, 0
+        ball.set_velocity()
+        ball.add_force((3, 0, 0))
+        self.world.step(0.5)
+        self.assertAlmostEqual(ball.linear_velocity[0], 1.5, 12)
+
+    def test_run_shows_progress_and_stops(self):
+        file = io.StringIO()
+        self.assertEqual(carom.run(self.world, 0.26, dt=0.1, progress=True, file=file), 3)  # 0.1, 0.1 and what is left
+        self.assertAlmostEqual(self.world.report.time, 0.26, 12)
+        self.assertRegex(file.getvalue(), r"\[#{24}\] .*x real time.* left \n$")
+        silent = io.StringIO()
+        self.assertEqual(carom.run(self.world, 1, dt=0.1, each=lambda w: w.report.time > 0.5, file=silent), 3)
+        self.assertEqual(silent.getvalue(), "")
+        self.assertEqual(carom.run(self.world, 0), 0)
+        self.assertRaises(ValueError, carom.run, self.world, -1)
+
+    def test_dials(self):
+        self.world.dials["solver"] = "direct"
+        self.world.dials["substeps"] = 7
+        self.assertEqual((self.world.dials["solver"], self.world.dials["substeps"]), ("direct", 7))
+        del self.world.dials["substeps"]
+        self.assertEqual(self.world.dials["substeps"], carom.dial_infos()["substeps"].initial)
+        self.assertEqual(len(self.world.dials), carom.raw.CAROM_DIAL_COUNT)
+        with self.engine.world(solver="soft_step", sleep="on") as other:
+            self.assertEqual((other.dials["solver"], other.dials["sleep"]), ("soft_step", "on"))
+
+    def test_questions(self):
+        ball = self.world.body(self.engine.sphere(1), position=(0, 5, 0))
+        self.world.ground()
+        hit = self.world.ray((0, 10, 0), (0, -1, 0))
+        self.assertEqual((hit.outcome, hit.body), ("hit", ball))
+        self.assertTrue(hit.lower <= 4 <= hit.upper)
+        self.assertIsNone(self.world.ray((0, 10, 0), (0, 1, 0)))
+        self.assertIsNone(self.world.ray((0, 10, 0), (0, -1, 0), max=3))
+        self.assertAlmostEqual(self.world.ray((0, 10, 0), (0, -1, 0), ignore=ball).point[1], 0, 6)
+        self.assertEqual(self.world.nearest((3, 5, 0)).body, ball)
+        self.assertAlmostEqual(self.world.nearest((3, 5, 0)).separation, 2, 5)
+        self.assertIsNone(self.world.nearest((30, 50, 0), reach=1))
+        self.assertEqual([hit.body for hit in self.world.overlaps(self.engine.sphere(0.5), (0, 6.2, 0))], [ball])
+        moved = self.world.cast(self.engine.sphere(0.5), (0, 10, 0), (0, -10, 0))
+        self.assertAlmostEqual(moved.time, 0.35, 5)
+        many = self.world.rays([(0, 10, 0), (50, 10, 0), (0, 10, 0)], [(0, -1, 0), (0, -1, 0), (0, 1, 0)])
+        self.assertEqual(many.outcomes.tolist(), [1, 1, 0])
+        self.assertAlmostEqual(many.times[0], 4, 5)
+
+    def test_events(self):
+        self.world.collect_events("contact", "sensor", "sleep", hit_speed=1)
+        self.world.dials["sleep"] = "on"
+        self.world.ground()
+        gate = self.world.body(type="static", position=(0, 2, 0)).collider(self.engine.box(1, 0.2, 1))
+        gate.sensor = True
+        ball = self.world.body(self.engine.sphere(0.5), position=(0, 4, 0))
+        seen = []
+
+        def look(world):
+            seen.extend(("contact", e.kind, ball in (e.body_a, e.body_b)) for e in world.contact_events())
+            seen.extend(("sensor", e.kind, e.sensor == gate and e.other_body == ball) for e in world.sensor_events())
+            seen.extend(("sleep", e.kind, e.body == ball) for e in world.sleep_events())
+
+        carom.run(self.world, 3, each=look)
+        self.assertEqual(seen, [("sensor", "enter", True), ("sensor", "leave", True), ("contact", "begin", True), ("contact", "hit", True),
+                                ("sleep", "asleep", True)])
+        self.assertTrue(ball.asleep)
+        ball.wake()
+        self.assertFalse(ball.asleep)
+
+    def test_joints(self):
+        """A pendulum of a hinge: after a quarter of its swing; and a joint that breaks."""
+        bob = self.world.body(position=(1, 0, 0), mass=1, inertia=(0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1))
+        hinge = self.world.joint("hinge", None, bob, position=(0, 0, 0), axis=(0, 0, 1))
+        self.assertEqual((hinge.desc.kind, hinge.desc.body_a, hinge.desc.body_b), ("hinge", None, bob))
+        limit = hinge.limit("twist", lower=-0.5, upper=0.5)
+        self.assertEqual((limit.enabled, limit.lower, limit.upper), (True, -0.5, 0.5))
+        carom.run(self.world, 2)
+        self.assertAlmostEqual(abs(hinge.state.coordinate["twist"]), 0.5, 2)  # it hangs in its limit
+        self.assertLess(hinge.state.gap, 1e-3)
+        self.assertFalse(hinge.limit("twist", enabled=False).enabled)
+        weight, self.world.gravity = self.world.gravity, (0, 0, 0)
+        motor = hinge.motor("twist", speed=2, most=1e6)
+        self.assertTrue(motor.enabled)
+        self.world.step()
+        self.assertAlmostEqual(abs(bob.angular_velocity[2]), 2, 3)
+        hinge.destroy()
+        self.world.gravity = weight
+        self.assertEqual(self.world.joints, [])
+        self.world.collect_events("joint")
+        weak = self.world.joint("weld", None, bob, position=bob.position, break_force=G / 2)
+        self.world.step()
+        self.assertEqual([e.joint for e in self.world.joint_events()], [weak])
+        self.assertTrue(weak.state.broken)
+        rope = self.world.joint("distance", None, bob, position_a=(0, 5, 0), length=2, user=5)
+        self.assertEqual((rope.desc.length, rope.desc.user), (2, 5))
+
+    def test_forces(self):
+        self.world.gravity = 0, 0, 0
+        one, two = self.world.body(mass=2), self.world.body(mass=2, position=(2, 0, 0))
+        spring = self.world.spring(one, two, rest=1, stiffness=10)
+        self.assertEqual(spring.state, (2, 10))
+        self.assertEqual((spring.desc.body_a, spring.desc.body_b), (one, two))
+        spring.update(2, 10, 0)
+        self.assertEqual(spring.state, (2, 0))
+        field = self.world.force_field("uniform", vector=(0, 3, 0))
+        self.world.step(0.5)
+        self.assertAlmostEqual(one.linear_velocity[1], 1.5, 12)
+        field.update(vector=(0, -3, 0), user=4)
+        self.assertEqual((field.desc.kind, field.desc.vector, field.desc.user), ("uniform", (0, -3, 0), 4))
+        field.destroy()
+        self.assertIsNone(self.world.water)
+        self.world.water = carom.Water(level=1.5, density=900)
+        self.assertEqual((self.world.water.level, self.world.water.density, self.world.water.normal), (1.5, 900, (0, 1, 0)))
+        self.world.water = None
+        self.assertIsNone(self.world.water)
+        self.world.wind, one.drag = (1, 2, 3), (0.5, 0.25)
+        self.assertEqual((self.world.wind, one.drag), ((1, 2, 3), (0.5, 0.25)))
+        one.gravity_factor, one.locks, one.continuous = 0.5, ("linear_z", "angular_x"), "always"
+        self.assertEqual((one.gravity_factor, one.locks, one.continuous), (0.5, 0x4 | 0x8, "always"))
+
+    def test_plan_and_effects(self):
+        self.world.body()
+        self.world.step()
+        plan = {line.name: line for line in self.world.plan()}
+        self.assertTrue(plan["gravity"].runs and plan["gravity"].customers == 1 and plan["gravity"].mode == "as_needed")
+        self.assertFalse(plan["friction"].runs)
+        self.assertTrue(plan["friction"].reason)
+        self.world.set_effect("gravity", "forbid")
+        self.world.step()
+        plan = {line.name: line for line in self.world.plan()}
+        self.assertEqual((plan["gravity"].runs, plan["gravity"].mode), (False, "forbid"))
+        self.assertIn("buoyancy", carom.effects())
+        with self.assertRaisesRegex(ValueError, "not one of .*gravity"):
+            self.world.set_effect("gravitation")
+
+    def test_ledger(self):
+        ball = self.world.body(mass=2)
+        self.assertEqual(self.world.ledger(), {})
+        self.world.keep_ledger()
+        carom.run(self.world, 0.5, dt=0.125)
+        self.assertAlmostEqual(self.world.ledger()["gravity"].total_linear[1], -2 * G * 0.5, 12)
+        state = self.world.ledger_state
+        self.assertTrue(state.is_kept and state.steps == 4)
+        self.assertAlmostEqual(state.now_kinetic, ball.linear_velocity[1] ** 2, 12)
+
+    def test_particles(self):
+        sparks = self.world.particles(mass=0.1, capacity=10)
+        sparks.add([(0, i, 0) for i in range(5)], [(1, 0, 0)] * 5)
+        self.assertEqual(len(sparks), 5)
+        self.world.step(0.5)
+        self.assertEqual(sparks.read("position")[:, 0].tolist(), [0.5] * 5)
+        sparks.write("linear_velocity", [(0, 0, 2)] * 5)
+        sparks.remove([1, 3])
+        self.assertEqual(sparks.read("linear_velocity").tolist(), [[0, 0, 2]] * 3)
+        self.assertEqual(sparks.read("mass", dtype="float32").dtype, "float32")
+
+    def test_materials_and_colliders(self):
+        belt = self.world.material(friction=0.9, restitution=0.1, friction_mix="maximum", rolling=0.01)
+        self.assertEqual(belt.resistance, (0.01, 0))
+        body = self.world.body(self.engine.box(1, 1, 1), material=belt, density=10, type="kinematic")
+        part = body.collider(self.engine.sphere(1), position=(0, 1, 0))
+        desc = part.desc
+        self.assertEqual((desc.body, desc.position, desc.shape, desc.material), (body, (0, 1, 0), desc.shape, None))
+        self.assertIsInstance(desc.shape, carom.Shape)
+        self.assertRaises(carom.errors.InUse, belt.destroy)
+        part.set_filter(category=2, mask=4, group=-1)
+        part.set_surface_velocity((1, 0, 0))
+        part.destroy()
+
+    def test_draw_and_faults(self):
+        self.world.body(self.engine.box(1, 1, 1))
+        lines = self.world.draw("shapes")
+        self.assertEqual(len(lines), 12)
+        self.assertEqual((len(lines[0].from_), len(lines[0].to)), (3, 3))
+        answer = [0.5]
+        fickle = self.engine.support_plugin(lambda p, d: tuple(answer[0] if x >= 0 else -answer[0] for x in d), "test.fickle")()
+        self.world.ground()
+        self.world.body(fickle, position=(5, 0.4, 0))
+        self.world.collect_events("fault")
+        self.world.step()
+        self.assertEqual(self.world.faults(), [])
+        answer[0] = math.nan
+        self.world.step()
+        self.assertEqual([(f.kind, f.shape) for f in self.world.faults()], [("not_finite", fickle)])
+        self.assertEqual([f.kind for f in self.world.fault_events()], ["not_finite"])
+
+    def test_log(self):
+        said = []
+        with carom.Engine(log=lambda level, text: said.append((level, text))) as engine, engine.world() as world:
+            world.step()
+        self.assertTrue(all(level in (1, 2, 3) and text for level, text in said))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,225 @@
+// The model: which handles live, which bodies take what along, and what each call may answer (tests/abi/hostile/table.h). Engines
+// and their first shapes last for the process; worlds, and all else that a sequence makes, go with it.
+#include "calls.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "abi/hostile/table.h"
+#include "bytes.h"
+
+namespace carom::fuzz {
+namespace {
+
+using namespace hostile;
+
+constexpr std::size_t kMostBodies = 16, kMostShapes = 10, kMostOthers = 8;
+constexpr unsigned kMostSteps = 24;
+
+class Chosen : public Source {
+ public:
+  explicit Chosen(Bytes& bytes) : bytes_(bytes) {}
+  unsigned below(unsigned n) override {
+    const unsigned x = n > 256 ? bytes_.byte() << 8 | bytes_.byte() : bytes_.byte();
+    return x % n;
+  }
+  double unit() override { return (bytes_.byte() + 0.5) / 256; }
+
+ private:
+  Bytes& bytes_;
+};
+
+/// Three worlds: 0 and 1 of one engine, 2 of another.
+struct Room {
+  Stage stages[3];
+  Stage nobody;
+  std::size_t base_shapes = 0, base_plugins = 0;
+
+  Room() {
+    good = make_engine(stages[0]) && make_engine(stages[2]);
+    stages[1] = stages[0];
+    base_shapes = stages[0].live[kShape].size(), base_plugins = stages[0].live[kPlugin].size();
+  }
+  bool good;
+};
+
+Room& room() {
+  static Room r;
+  return r;
+}
+
+class Sequence {
+ public:
+  Sequence(const std::uint8_t* bytes, std::size_t size, bool trace) : bytes_(bytes, size), source_(bytes_), trace_(trace) {}
+
+  Heard run(std::size_t size) {
+    if (!room_.good) return complain("the engines could not be made"), heard_;
+    for (Stage& s : room_.stages)
+      if (!make_world(s)) return complain("a world could not be made"), heard_;
+    const std::size_t most = 4 + size / 12;
+    for (std::size_t i = 0; i < most && heard_.complaint.empty(); ++i) one();
+    if (heard_.complaint.empty()) count();
+    tidy();
+    return heard_;
+  }
+
+ private:
+  void complain(const std::string& what) {
+    if (heard_.complaint.empty()) heard_.complaint = what;
+  }
+  uint64_t hash(const Stage& s) {
+    uint64_t h = 0;
+    if (carom_world_hash(s.world, &h, nullptr) != CAROM_OK) complain("a world has no hash");
+    return h;
+  }
+  static bool named(const Call& call, const char* name) { return std::strcmp(call.name, name) == 0; }
+
+  const Row& choose() {
+    static const Row* step = std::find_if(std::begin(kRows), std::end(kRows),
+                                          [](const Row& r) { return std::strcmp(r.name, "carom_world_step") == 0; });
+    const unsigned x = source_.below(1024);
+    if (x % 5 == 0) return *step;
+    return kRows[x % std::size(kRows)];
+  }
+
+  /// What would make a sequence slow, or leave nothing to go on with.
+  bool too_much(const Call& call, const Stage& s, const std::vector<Value>& values) {
+    if (named(call, "carom_plugin_load")) return true;  // the loader's time, not ours
+    if (named(call, "carom_world_step") && heard_.steps >= kMostSteps) return true;
+    if (call.made == kBody && s.live[kBody].size() >= kMostBodies) return true;
+    if (call.made == kShape && s.live[kShape].size() >= kMostShapes) return true;
+    if (call.made >= 0 && call.made != kBody && call.made != kShape && s.live[call.made].size() >= 2 * kMostOthers) return true;
+    // The first shapes and plugins stay, for those who come later.
+    if (call.gone == kShape || call.gone == kPlugin) {
+      const std::size_t base = call.gone == kShape ? room_.base_shapes : room_.base_plugins;
+      for (std::size_t i = 0; i < base; ++i)
+        if (values[1].u == s.live[call.gone][i].handle) return true;
+    }
+    return false;
+  }
+
+  void one() {
+    const unsigned which = source_.below(6);
+    Stage& own = room_.stages[which < 4 ? 0 : which - 3];
+    Stage& second = which < 4 ? room_.stages[1] : which == 4 ? room_.stages[0] : room_.nobody;
+    Stage& other = which == 5 ? room_.stages[0] : room_.stages[2];
+    Context c(own, other, second, source_);
+    const unsigned sins = source_.below(8);  // 0 to 4: none
+    c.wants_wrong = sins > 4;
+    const Row& row = choose();
+    const Call call = row.make(c);
+    std::vector<Value> values;
+    for (const Argument& a : call.arguments) {
+      if (a.impossible) return;
+      values.push_back(a.good);
+    }
+    Codes expected = call.good_codes;
+    bool must_fail = false;
+    std::string how;
+    std::size_t sinned = SIZE_MAX;
+    for (unsigned sin = sins > 4 ? sins == 7 ? 2 : 1 : 0; sin > 0 && !values.empty(); --sin) {
+      const std::size_t at = source_.below(static_cast<unsigned>(values.size()));
+      if (call.arguments[at].wrong.empty() || at == sinned) continue;
+      sinned = at;
+      const Wrong& w = call.arguments[at].wrong[source_.below(static_cast<unsigned>(call.arguments[at].wrong.size()))];
+      values[at] = w.value;
+      expected |= w.codes;
+      must_fail = must_fail || !(w.codes & kFine);
+      if (trace_) how += " " + std::to_string(at + 1) + ": " + w.what;
+    }
+    if (must_fail) expected &= ~kFine;
+    if (!must_fail && call.alone) return;
+    if (too_much(call, own, values)) return;
+    if (trace_) heard_.trace += std::to_string(&own - room_.stages) + " " + call.name + how + "\n";
+    judge(call, values, expected, own, c);
+  }
+
+  void judge(const Call& call, const std::vector<Value>& values, Codes expected, Stage& own, Context& c) {
+    uint64_t before[3];
+    for (int i = 0; i < 3; ++i) before[i] = hash(room_.stages[i]);
+    std::optional<Digest> whole;
+    if (source_.below(8) == 0) whole.emplace(own);
+    c.error = CAROM_ERROR_INIT;
+    const int32_t r = call.invoke(values.data());
+    ++heard_.calls;
+    if (trace_) heard_.trace += std::string("  ") + carom_result_name(r) + " " + c.error.message + "\n";
+    const auto wrong = [&](const char* what) {
+      complain(std::string(call.name) + ": " + what + " (" + carom_result_name(r) + ": " + c.error.message + ")");
+    };
+    if (r > 0 || r < CAROM_E_INTERNAL || !(expected & code(r))) wrong("an answer that the model does not expect");
+    for (int i = 0; i < 3; ++i)
+      if ((&room_.stages[i] != &own || r != CAROM_OK) && hash(room_.stages[i]) != before[i])
+        wrong(&room_.stages[i] == &own ? "failed, and changed the world" : "changed another world");
+    if (r != CAROM_OK) {
+      ++heard_.refused;
+      if (whole && !(Digest(own) == *whole)) wrong("failed, and changed something");
+      return;
+    }
+    if (call.undo) call.undo(values.data());
+    if (named(call, "carom_world_step")) {
+      ++heard_.steps;
+      if (const std::string bad = not_finite(own.world); !bad.empty()) wrong(bad.c_str());
+    }
+    if (call.made >= 0) born(call, values, own, wrong);
+    if (call.gone >= 0) own.dies(call.gone, values[1].u);
+    if (call.made >= 0 || call.gone >= 0) count();
+  }
+
+  template <class F>
+  void born(const Call& call, const std::vector<Value>& values, Stage& own, const F& wrong) {
+    uint64_t handle = 0, a = 0, b = 0;
+    std::memcpy(&handle, values[call.made_at].p, sizeof handle);
+    for (const Owned& o : own.live[call.made])
+      if (o.handle == handle) wrong("gave a handle that lives");
+    for (const uint64_t s : own.stale[call.made])
+      if (s == handle) wrong("gave the handle of what was destroyed");
+    if (call.owner_at >= 0) a = values[static_cast<std::size_t>(call.owner_at)].u;
+    if (call.made == kJoint) a = static_cast<const carom_joint_desc*>(values[1].p)->body_a, b = static_cast<const carom_joint_desc*>(values[1].p)->body_b;
+    if (call.made == kSpring) a = static_cast<const carom_spring_desc*>(values[1].p)->body_a, b = static_cast<const carom_spring_desc*>(values[1].p)->body_b;
+    own.born(call.made, handle, a, b);
+  }
+
+  /// As many live as the model says.
+  void count() {
+    for (const Stage& s : room_.stages) {
+      uint64_t n = 0;
+      if (carom_world_get_bodies(s.world, nullptr, 0, &n, nullptr) != CAROM_OK || n != s.live[kBody].size())
+        complain("there are " + std::to_string(n) + " bodies, not " + std::to_string(s.live[kBody].size()));
+      if (carom_world_get_joints(s.world, nullptr, 0, &n, nullptr) != CAROM_OK || n != s.live[kJoint].size())
+        complain("there are " + std::to_string(n) + " joints, not " + std::to_string(s.live[kJoint].size()));
+      if (carom_world_get_particles(s.world, nullptr, 0, &n, nullptr) != CAROM_OK || n != s.live[kParticles].size())
+        complain("there are " + std::to_string(n) + " sets, not " + std::to_string(s.live[kParticles].size()));
+      carom_step_report report = {};
+      report.struct_size = sizeof report;
+      for (const Owned& o : s.live[kCollider]) {
+        uint32_t sensor = 0;
+        if (carom_collider_is_sensor(s.world, o.handle, &sensor, nullptr) != CAROM_OK) complain("a collider that should live does not");
+      }
+    }
+  }
+
+  void tidy() {
+    for (Stage& s : room_.stages)
+      if (s.world && carom_world_destroy(s.world, nullptr) != CAROM_OK) complain("a world could not be destroyed");
+    for (Stage& s : room_.stages) {
+      s.world = nullptr;
+      while (s.live[kShape].size() > room_.base_shapes) {
+        if (carom_shape_destroy(s.engine, s.live[kShape].back().handle, nullptr) != CAROM_OK) complain("a shape could not be destroyed");
+        s.live[kShape].pop_back();
+      }
+      s.stale[kShape].clear(), s.stale[kPlugin].clear();
+    }
+  }
+
+  Room& room_ = room();
+  Bytes bytes_;
+  Chosen source_;
+  bool trace_;
+  Heard heard_;
+};
+
+}  // namespace
+
+Heard run_calls(const std::uint8_t* bytes, std::size_t size, bool trace) { return Sequence(bytes, size, trace).run(size); }
+
+}  // namespace carom::fuzz

@@ -1,0 +1,461 @@
+// Scene files: what is written is read back to the bit; what other tools write is read as they mean it; what is wrong
+// is refused with its place in the file.
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "carom_test.h"
+#include "scenefile/scenefile.h"
+#include "scenes/run.h"
+
+using namespace carom::tools;
+using nlohmann::json;
+
+namespace {
+
+template <class... A>
+void wrong_with(const char* form, A... values) {
+  print_error(form, values...);
+  print_error("\n");
+  assert_true(false);
+}
+
+struct File {
+  explicit File(const char* ending) : path("/tmp/carom_scene_" + std::to_string(getpid()) + ending) {}
+  File(const json& document, const char* ending = ".gltf") : File(ending) { std::ofstream(path) << document.dump(); }
+  ~File() { std::remove(path.c_str()); }
+  std::string path;
+};
+
+std::uint64_t bits_after(Stage& stage, double seconds, double dt) { return simulate(stage, nullptr, seconds, dt).hash; }
+
+/// A document of nodes, with what belongs into the two KHR extensions.
+json scene(json nodes, json shapes = json::array(), json physics = json::object()) {
+  json roots = json::array();
+  std::vector<bool> is_child(nodes.size(), false);
+  for (const json& node : nodes)
+    for (const json& child : node.value("children", json::array())) is_child[child.get<std::size_t>()] = true;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (!is_child[i]) roots.push_back(i);
+  return {{"asset", {{"version", "2.0"}}},
+          {"scene", 0},
+          {"scenes", {{{"nodes", roots}}}},
+          {"nodes", nodes},
+          {"extensions", {{"KHR_implicit_shapes", {{"shapes", shapes}}}, {"KHR_physics_rigid_bodies", physics}}}};
+}
+json physics(json what) { return {{"KHR_physics_rigid_bodies", std::move(what)}}; }
+json with_shape(int shape) { return {{"geometry", {{"shape", shape}}}}; }
+
+json sphere(double r) { return {{"type", "sphere"}, {"sphere", {{"radius", r}}}}; }
+json box(double x, double y, double z) { return {{"type", "box"}, {"box", {{"size", {x, y, z}}}}}; }
+
+struct Read {
+  explicit Read(const json& document) : file(document), engine(PluginPath({CAROM_PLUGIN_DIR})), stage(engine) {
+    read_scene(file.path, stage);
+  }
+  const Actor& actor(const std::string& name) const {
+    for (const Actor& a : stage.actors)
+      if (a.name == name) return a;
+    wrong_with("no actor %s", name.c_str());
+    return stage.actors[0];
+  }
+  carom_body_desc body(const std::string& name) {
+    carom_body_desc d;
+    carom_body_desc_init(&d);
+    assert_int_equal(carom_body_get(stage.world.get(), actor(name).body, &d, nullptr), CAROM_OK);
+    return d;
+  }
+  File file;
+  Engine engine;
+  Stage stage;
+};
+
+bool near(double a, double b, double most = 1e-12) { return std::fabs(a - b) <= most; }
+
+}  // namespace
+
+static void scenes_that_are_written_and_read_step_the_same_bits(void**) {
+  for (const char* name :
+       {"seesaw", "falling", "net", "conveyor", "terrain", "quoits", "ragdoll", "weather", "bullet"}) {
+    const Scene& given = find_scene(name);
+    Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+    Stage stage(engine);
+    Settings settings;
+    for (const Knob& knob : given.knobs)
+      if (knob.name == "n") settings.values = {{"n", std::string(name) == "net" ? 8 : std::min(knob.initial, 40.0)}};
+    build(given, settings, stage);
+    const File file(std::string(name) == "terrain" ? ".glb" : ".gltf");
+    write_scene(file.path, stage, given.seconds, given.dt);
+    const Scene read = scene_of_file(file.path);
+    assert_true(read.seconds == given.seconds && read.dt == given.dt);
+    Engine other(PluginPath({CAROM_PLUGIN_DIR}));
+    Stage again(other);
+    build(read, {{}, file.path}, again);
+    assert_int_equal(again.actors.size(), stage.actors.size());
+    for (std::size_t a = 0; a < stage.actors.size(); ++a) assert_true(again.actors[a].kind == stage.actors[a].kind);
+    const double seconds = 20 * given.dt;
+    if (bits_after(stage, seconds, given.dt) != bits_after(again, seconds, given.dt))
+      wrong_with("%s: other bits", name);
+  }
+}
+
+static void dials_and_effects_travel_too(void**) {
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  Stage stage(engine), again(engine);
+  build(find_scene("falling"), {{{"n", 8}}, ""}, stage);
+  stage.world.set_dial("solver=direct"), stage.world.set_dial("substeps=7");
+  stage.world.set_effect("friction", CAROM_MODE_FORBID);
+  const File file(".gltf");
+  write_scene(file.path, stage, 1, 0.01);
+  read_scene(file.path, again);
+  for (const carom_dial_info& dial : all_dials()) {
+    std::uint32_t index = 0;
+    assert_int_equal(carom_dial_find(dial.name, &index, nullptr), CAROM_OK);
+    assert_true(stage.world.dial(index) == again.world.dial(index));
+  }
+  assert_true(bits_after(stage, 1, 0.01) == bits_after(again, 1, 0.01));
+}
+
+static void a_scene_can_be_written_in_mid_run(void**) {
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  Stage stage(engine), again(engine);
+  build(find_scene("falling"), {{{"n", 8}}, ""}, stage);
+  simulate(stage, nullptr, 0.25, 1.0 / 64);
+  const File file(".gltf");
+  write_scene(file.path, stage, 1, 1.0 / 64);
+  read_scene(file.path, again);
+  for (std::size_t a = 0; a < stage.actors.size(); ++a) {
+    assert_true((stage.position(a) - again.position(a)).norm() < 1e-15 * (1 + stage.position(a).norm()));
+    assert_true((stage.velocity(a) - again.velocity(a)).norm() < 1e-14 * (1 + stage.velocity(a).norm()));
+  }
+}
+
+static void motion_is_read_as_the_extension_says(void**) {
+  const double s = std::sqrt(0.5);
+  Read r(scene({{{"name", "turned"},
+                 {"translation", {1, 2, 3}},
+                 {"rotation", {0, 0, s, s}},  // a quarter about z: the node's x is the world's y
+                 {"extensions", physics({{"motion",
+                                          {{"mass", 3},
+                                           {"linearVelocity", {2, 0, 0}},
+                                           {"angularVelocity", {0, 5, 0}},
+                                           {"centerOfMass", {0.25, 0, 0}},
+                                           {"inertiaDiagonal", {1, 2, 3}},
+                                           {"inertiaOrientation", {0, 0, s, s}},
+                                           {"gravityFactor", 0.5}}},
+                                         {"collider", with_shape(0)}})}},
+                {{"name", "heavy"},
+                 {"translation", {9, 0, 0}},
+                 {"extensions", physics({{"motion", {{"mass", 0}}}, {"collider", with_shape(0)}})}},
+                {{"name", "moved"},
+                 {"translation", {-9, 0, 0}},
+                 {"extensions", physics({{"motion", {{"isKinematic", true}, {"linearVelocity", {0, 1, 0}}}}})}}},
+               {sphere(0.5)}));
+  const carom_body_desc d = r.body("turned");
+  assert_true(d.type == CAROM_BODY_DYNAMIC && d.mass == 3);
+  assert_true(near(d.linear_velocity[0], 0) && near(d.linear_velocity[1], 2));
+  assert_true(near(d.angular_velocity[0], -5) && near(d.angular_velocity[1], 0));
+  assert_true(near(d.center[0], 0.25));
+  assert_true(near(d.inertia[0], 2) && near(d.inertia[4], 1) &&
+              near(d.inertia[8], 3));  // its first axis is the node's y
+  double factor = 0;
+  assert_int_equal(carom_body_get_gravity_factor(r.stage.world.get(), r.actor("turned").body, &factor, nullptr),
+                   CAROM_OK);
+  assert_true(factor == 0.5);
+  std::uint32_t locks = 0;
+  assert_int_equal(carom_body_get_locks(r.stage.world.get(), r.actor("heavy").body, &locks, nullptr), CAROM_OK);
+  assert_int_equal(locks, 7);  // infinite mass: nothing moves it along, it may turn
+  assert_int_equal(r.body("moved").type, CAROM_BODY_KINEMATIC);
+  simulate(r.stage, nullptr, 1, 1.0 / 64);
+  assert_true(near(r.stage.position(2).y(), 1, 1e-9));
+}
+
+static void colliders_are_where_and_what_their_nodes_say(void**) {
+  const json shapes = {
+      sphere(0.5),
+      box(1, 2, 3),
+      {{"type", "capsule"}, {"capsule", {{"height", 2}, {"radiusBottom", 0.25}, {"radiusTop", 0.25}}}},
+      {{"type", "cylinder"}, {"cylinder", {{"height", 2}, {"radiusBottom", 0.5}, {"radiusTop", 0}}}},
+      {{"type", "cylinder"}, {"cylinder", {{"height", 2}, {"radiusBottom", 0.5}, {"radiusTop", 0.25}}}},
+      {{"type", "plane"}}};
+  json nodes = {{{"name", "body"}, {"children", {1, 2, 3, 4}}, {"extensions", physics({{"motion", json::object()}})}}};
+  for (int k = 0; k < 4; ++k)
+    nodes.push_back({{"translation", {3.0 * k, 0, 0}},
+                     {"scale", {2, 2, 2}},
+                     {"extensions", physics({{"collider", with_shape(k)}})}});
+  nodes.push_back({{"name", "flattened"},
+                   {"scale", {1, 2, 1}},
+                   {"extensions", physics({{"motion", json::object()}, {"collider", with_shape(0)}})}});
+  nodes.push_back({{"name", "tub"}, {"extensions", physics({{"collider", with_shape(4)}})}});
+  nodes.push_back({{"name", "slope"},
+                   {"translation", {0, -2, 0}},
+                   {"rotation", {0, 0, 0.6, 0.8}},
+                   {"extensions", physics({{"collider", with_shape(5)}})}});
+  Read r(scene(nodes, shapes));
+  const Actor& body = r.actor("body");
+  assert_int_equal(body.parts.size(), 4);  // one body of four
+  assert_true(body.parts[0].shape == "sphere" && body.parts[0].params == std::vector<double>{1});
+  assert_true(body.parts[1].shape == "box" && body.parts[1].params == (std::vector<double>{1, 2, 3}));
+  assert_true(body.parts[2].shape == "capsule" && body.parts[2].params == (std::vector<double>{0.5, 2}));
+  assert_true(body.parts[3].shape == "cone" && body.parts[3].params == (std::vector<double>{1, 2}));
+  assert_true(body.parts[3].position == Vec(9, 0, 0));
+  assert_true(r.actor("flattened").parts[0].shape == "ellipsoid");
+  assert_true(r.actor("tub").parts[0].shape == "hull" && r.actor("tub").type == CAROM_BODY_STATIC);
+  const Part& slope = r.actor("slope").parts[0];
+  assert_true(slope.shape == "half_space");
+  const Vec normal(-0.96, 0.28, 0);  // y turned by twice atan(0.6 / 0.8)
+  carom_shape_info info = r.engine.info(r.engine.half_space(slope.params.data(), slope.params[3]));
+  assert_true(info.is_half_space);
+  // In the world it is the plane through the node, whose normal is the node's y.
+  const Actor& actor = r.actor("slope");
+  const Vec in_world = actor.orientation * Vec(slope.params[0], slope.params[1], slope.params[2]);
+  assert_true((in_world - normal).norm() < 1e-12);
+  assert_true(near(slope.params[3], 0));
+}
+
+static void meshes_are_hulls_or_scenery(void**) {
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  Stage stage(engine);
+  Actor cube;
+  cube.name = cube.kind = "cube";
+  Part part;
+  part.shape = "box", part.params = {0.5, 0.5, 0.5};
+  cube.parts = {part};
+  stage.add(cube);
+  const File drawn(".gltf");
+  write_scene(drawn.path, stage, 1, 0.01);
+  std::ifstream in(drawn.path);
+  json document = json::parse(in);
+  // The drawn mesh as geometry: convex and moving; as it is and static.
+  json& nodes = document["nodes"];
+  for (json& node : nodes) node.erase("extensions");
+  nodes[0]["extensions"] =
+      physics({{"motion", json::object()}, {"collider", {{"geometry", {{"node", 0}, {"convexHull", true}}}}}});
+  nodes.push_back({{"name", "floor"},
+                   {"translation", {0, -3, 0}},
+                   {"scale", {4, 1, 4}},
+                   {"extensions", physics({{"collider", {{"geometry", {{"node", 0}}}}}})}});
+  document["scenes"][0]["nodes"].push_back(nodes.size() - 1);
+  document.erase("extensions");
+  Read r(document);
+  const Actor& hull = r.actor("cube");
+  assert_true(hull.parts[0].shape == "hull" && hull.parts[0].params.size() == 24);
+  assert_true(r.actor("floor").parts[0].shape == "mesh");
+  simulate(r.stage, nullptr, 3, 1.0 / 60);
+  assert_true(near(r.stage.position(0).y(), -2, 2e-3));  // it fell by a metre, on to the mesh's upper side at -2.5
+}
+
+static void materials_filters_and_triggers(void**) {
+  const json at = {{"collider", {{"geometry", {{"shape", 0}}}, {"physicsMaterial", 0}, {"collisionFilter", 0}}}};
+  const auto moving = [](json what) {
+    what["motion"] = json::object();
+    return what;
+  };
+  json other = at;
+  other["collider"]["collisionFilter"] = 1;
+  json trigger = {{"trigger", {{"geometry", {{"shape", 0}}}}}};
+  Read r(
+      scene({{{"name", "a"}, {"extensions", physics(moving(at))}},
+             {{"name", "b"}, {"translation", {0, 0.9, 0}}, {"extensions", physics(moving(at))}},
+             {{"name", "c"}, {"translation", {0, 0, 0.9}}, {"extensions", physics(moving(other))}},
+             {{"name", "t"}, {"translation", {0.5, 0, 0}}, {"extensions", physics(trigger)}}},
+            {sphere(0.5)},
+            {{"physicsMaterials", {{{"dynamicFriction", 0.25}, {"restitution", 0.5}, {"frictionCombine", "minimum"}}}},
+             {"collisionFilters",
+              {{{"collisionSystems", {"x"}}, {"notCollideWithSystems", {"x"}}}, {{"collisionSystems", {"y"}}}}}}));
+  const Part& part = r.actor("a").parts[0];
+  assert_true(part.friction == 0.25 && part.restitution == 0.5);
+  assert_true(part.friction_mix == CAROM_MIX_MINIMUM && part.restitution_mix == CAROM_MIX_AVERAGE);
+  r.stage.world.step(1.0 / 60);
+  bool a_c = false;
+  for (const carom_contact& c : r.stage.world.contacts()) {
+    const auto is = [&](const char* one, const char* two) {
+      const carom_body x = r.actor(one).body, y = r.actor(two).body;
+      return (c.body_a == x && c.body_b == y) || (c.body_a == y && c.body_b == x);
+    };
+    assert_false(is("a", "b"));  // x does not collide with x
+    assert_false(is("a", "t") || is("b", "t") || is("c", "t"));
+    a_c |= is("a", "c");
+  }
+  assert_true(a_c);
+}
+
+static void joints_are_told_by_their_limits(void**) {
+  const auto lock = [](const char* what, std::vector<int> axes) { return json{{what, axes}, {"min", 0}, {"max", 0}}; };
+  const json all = lock("linearAxes", {0, 1, 2});
+  const json joints = {
+      {{"limits", {all}}},
+      {{"limits",
+        {all,
+         lock("angularAxes", {0}),
+         lock("angularAxes", {1}),
+         {{"angularAxes", {2}}, {"min", -0.5}, {"max", 0.75}}}},
+       {"drives",
+        {{{"type", "angular"},
+          {"mode", "acceleration"},
+          {"axis", 2},
+          {"positionTarget", 0.5},
+          {"stiffness", 400},
+          {"damping", 20}}}}},
+      {{"limits", {all, lock("angularAxes", {0, 1, 2})}}},
+      {{"limits",
+        {lock("linearAxes", {0, 2}), lock("angularAxes", {0, 1, 2}), {{"linearAxes", {1}}, {"min", -1}, {"max", 2}}}}},
+      {{"limits", {{{"linearAxes", {0, 1, 2}}, {"min", 0}, {"max", 1.5}}}}},
+      {{"limits", {all, {{"angularAxes", {1, 2}}, {"min", 0}, {"max", 0.5}}}}},
+      {{"limits", {{{"linearAxes", {0}}, {"min", 0}, {"max", 0}}}}}};
+  const std::uint32_t kinds[] = {CAROM_JOINT_BALL,   CAROM_JOINT_HINGE,    CAROM_JOINT_WELD,
+                                 CAROM_JOINT_SLIDER, CAROM_JOINT_DISTANCE, CAROM_JOINT_BALL};
+  json nodes = json::array();
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const double x = 10.0 * static_cast<double>(k);
+    nodes.push_back({{"name", "body " + std::to_string(k)},
+                     {"translation", {x, 0, 0}},
+                     {"children", {3 * k + 1}},
+                     {"extensions", physics({{"motion", json::object()}, {"collider", with_shape(0)}})}});
+    nodes.push_back({{"translation", {0, 1, 0}}});
+    nodes.push_back({{"translation", {x, 1, 0}},
+                     {"extensions", physics({{"joint", {{"connectedNode", 3 * k + 1}, {"joint", k}}}})}});
+  }
+  Read r(scene(nodes, {box(0.5, 0.5, 0.5)}, {{"physicsJoints", joints}}));
+  carom_world* const world = r.stage.world.get();
+  std::uint64_t count = 0;
+  carom_joint handles[16];
+  assert_int_equal(carom_world_get_joints(world, handles, 16, &count, nullptr), CAROM_OK);
+  assert_int_equal(count, 6);  // the last is none of ours, and is said to be left out
+  bool said = false;
+  for (const std::string& remark : r.stage.remarks) said |= remark.find("physicsJoints/6") != std::string::npos;
+  assert_true(said);
+  for (std::size_t k = 0; k < 6; ++k) {
+    carom_joint_desc d;
+    carom_joint_desc_init(&d);
+    assert_int_equal(carom_joint_get(world, handles[k], &d, nullptr), CAROM_OK);
+    assert_int_equal(d.kind, kinds[k]);
+    assert_true(d.body_a == CAROM_NULL_HANDLE && d.body_b == r.actor("body " + std::to_string(k)).body);
+  }
+  const auto limit_of = [&](std::size_t k, std::uint32_t coordinate) {
+    carom_joint_limit limit;
+    carom_joint_limit_init(&limit);
+    assert_int_equal(carom_joint_get_limit(world, handles[k], coordinate, &limit, nullptr), CAROM_OK);
+    assert_true(limit.enabled);
+    return std::pair(limit.lower, limit.upper);
+  };
+  assert_true(limit_of(1, CAROM_COORDINATE_TWIST) == std::pair(-0.5, 0.75));
+  assert_true(limit_of(3, CAROM_COORDINATE_SLIDE) == std::pair(-1.0, 2.0));
+  assert_true(limit_of(4, CAROM_COORDINATE_DISTANCE) == std::pair(0.0, 1.5));
+  assert_true(limit_of(5, CAROM_COORDINATE_SWING) == std::pair(0.0, 0.5));
+  carom_joint_spring spring;
+  carom_joint_spring_init(&spring);
+  assert_int_equal(carom_joint_get_spring(world, handles[1], CAROM_COORDINATE_TWIST, &spring, nullptr), CAROM_OK);
+  assert_true(near(spring.frequency, 20 / (8 * std::atan(1.0))) && near(spring.damping, 0.5) && spring.target == 0.5);
+  simulate(r.stage, nullptr, 3, 1.0 / 120);
+  for (std::size_t k = 0; k < 4; ++k) {  // each where its joint lets it be, under its own weight
+    const Vec at = r.stage.position(k);
+    if (k == 3)
+      assert_true(near(at.y(), -1, 5e-3) && near(at.x(), 30, 5e-3));  // down to its limit
+    else
+      assert_true(near((at - Vec(10.0 * static_cast<double>(k), 1, 0)).norm(), 1, 5e-3));
+  }
+}
+
+static void what_is_wrong_is_refused_with_its_place(void**) {
+  const json good =
+      scene({{{"name", "ball"}, {"extensions", physics({{"motion", {{"mass", 1}}}, {"collider", with_shape(0)}})}}},
+            {sphere(0.5)});
+  { Read fine(good); }
+  const struct {
+    const char* where;  // JSON pointer of what is replaced
+    json with;
+    const char* says;
+  } wrongs[] = {
+      {"/asset/version", "1.0", "/asset/version is '1.0'"},
+      {"/nodes/0/extensions/KHR_physics_rigid_bodies/motion/mass", -1, "/motion/mass is -1"},
+      {"/nodes/0/extensions/KHR_physics_rigid_bodies/motion/mass", "heavy", "/motion/mass is a string"},
+      {"/nodes/0/extensions/KHR_physics_rigid_bodies/collider/geometry/shape", 7,
+       "/collider/geometry/shape is 7, but there are 1 shapes"},
+      {"/nodes/0/extensions/KHR_physics_rigid_bodies/collider/geometry/shape", 0.5, "is not an index"},
+      {"/extensions/KHR_implicit_shapes/shapes/0/sphere/radius", 0, "/shapes/0/sphere/radius is 0"},
+      {"/extensions/KHR_implicit_shapes/shapes/0/type", "torus", "/shapes/0/type is 'torus'"},
+      {"/scenes/0/nodes", {0, 0}, "two parents"},
+      {"/nodes/0/children", {0}, "two parents"},
+      {"/nodes/0/rotation", {0, 0, 0, 2}, "/nodes/0/rotation is no unit quaternion"},
+      {"/nodes/0/translation", {0, 1}, "/nodes/0/translation has 2 elements"},
+      {"/nodes/0/translation", {0, nullptr, 0}, "/nodes/0/translation/1 is a null"},
+      {"/scene", 3, "/scene is 3"},
+      {"/extensions/CAROM_physics", {{"dials", {{"solvr", "direct"}}}}, "/dials/solvr"},
+      {"/extensions/CAROM_physics", {{"effects", {{"friction", "off"}}}}, "/effects/friction"},
+      {"/extensions/CAROM_physics", {{"springs", {{{"nodeA", 0}}}}}, "lacks 'stiffness'"},
+      {"/extensionsRequired", {"KHR_draco_mesh_compression"}, "/extensionsRequired/0"},
+  };
+  for (const auto& wrong : wrongs) {
+    json document = good;
+    document[json::json_pointer(wrong.where)] = wrong.with;
+    try {
+      Read r(document);
+      wrong_with("%s = %s was read", wrong.where, wrong.with.dump().c_str());
+    } catch (const Error& e) {
+      if (!std::strstr(e.what(), wrong.says) || e.remedy.empty()) wrong_with("%s: says '%s'", wrong.where, e.what());
+    }
+  }
+  const File no_json(".gltf");
+  std::ofstream(no_json.path) << "{\n\"asset\": oops}";
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  Stage stage(engine);
+  try {
+    read_scene(no_json.path, stage);
+    wrong_with("no JSON was read%s", "");
+  } catch (const Error& e) {
+    assert_non_null(std::strstr(e.what(), "line 2"));
+  }
+}
+
+/// Cut and flipped files end as an error or a scene, never otherwise.
+static void damaged_files_do_no_harm(void**) {
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  std::string whole;
+  {
+    Stage stage(engine);
+    build(find_scene("quoits"), {}, stage);
+    const File file(".glb");
+    write_scene(file.path, stage, 1, 0.01);
+    std::ifstream in(file.path, std::ios::binary);
+    whole.assign(std::istreambuf_iterator<char>(in), {});
+  }
+  std::uint32_t random = 1;
+  const auto next = [&](std::size_t below) { return (random = random * 1664525u + 1013904223u) / 65536u % below; };
+  int refused = 0;
+  for (int round = 0; round < 60; ++round) {
+    std::string damaged = whole;
+    if (round % 3 == 0) damaged.resize(next(whole.size()));
+    for (std::size_t k = next(4); round % 3 && k < 4; ++k)
+      damaged[next(round % 2 ? 4000 : whole.size())] ^= static_cast<char>(1 + next(255));
+    const File file(".glb");
+    std::ofstream(file.path, std::ios::binary) << damaged;
+    Stage stage(engine);
+    try {
+      read_scene(file.path, stage);
+    } catch (const Error& e) {
+      assert_true(!e.remedy.empty());
+      ++refused;
+    }
+  }
+  assert_true(refused > 20);
+}
+
+int main(void) {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(scenes_that_are_written_and_read_step_the_same_bits),
+      cmocka_unit_test(dials_and_effects_travel_too),
+      cmocka_unit_test(a_scene_can_be_written_in_mid_run),
+      cmocka_unit_test(motion_is_read_as_the_extension_says),
+      cmocka_unit_test(colliders_are_where_and_what_their_nodes_say),
+      cmocka_unit_test(meshes_are_hulls_or_scenery),
+      cmocka_unit_test(materials_filters_and_triggers),
+      cmocka_unit_test(joints_are_told_by_their_limits),
+      cmocka_unit_test(what_is_wrong_is_refused_with_its_place),
+      cmocka_unit_test(damaged_files_do_no_harm),
+  };
+  return cmocka_run_group_tests_name("tools/scenefile", tests, nullptr, nullptr);
+}
