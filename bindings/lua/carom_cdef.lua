@@ -256,6 +256,8 @@ int32_t carom_shape_destroy(carom_engine *engine, carom_shape shape, carom_error
 int32_t carom_shape_get_info(carom_engine *engine, carom_shape shape, carom_shape_info *info, carom_error *error);
 int32_t carom_shape_get_params(carom_engine *engine, carom_shape shape, double *params, uint64_t *count, carom_error *error);
 int32_t carom_shape_support(carom_engine *engine, carom_shape shape, const double *dirs, uint64_t n, double *points, carom_error *error);
+int32_t carom_world_save(carom_world *world, uint32_t flags, void *buffer, uint64_t capacity, uint64_t *needed, carom_error *error);
+int32_t carom_world_restore(carom_world *world, const void *bytes, uint64_t size, carom_error *error);
 int32_t carom_world_desc_init(carom_world_desc *desc);
 int32_t carom_world_create(carom_engine *engine, const carom_world_desc *desc, carom_world **world, carom_error *error);
 int32_t carom_world_destroy(carom_world *world, carom_error *error);
@@ -310,6 +312,8 @@ return {
   CAROM_E_ALREADY_EXISTS = -24,
   CAROM_E_NOT_FOUND = -25,
   CAROM_E_INTERNAL = -26,
+  CAROM_E_CORRUPT = -27,
+  CAROM_E_MISMATCH = -28,
   CAROM_NULL_HANDLE = 0x0ULL,
   CAROM_MIX_GEOMETRIC_MEAN = 0,
   CAROM_MIX_MAXIMUM = 1,
@@ -534,6 +538,7 @@ return {
   CAROM_QUERY_ROUNDING = 2,
   CAROM_QUERY_FAULT = 3,
   CAROM_SCENERY_TWO_SIDED = 1,
+  CAROM_SNAPSHOT_STATE = 0,
   CAROM_STAGE_REFRESH = 0,
   CAROM_STAGE_BROAD = 1,
   CAROM_STAGE_NARROW = 2,

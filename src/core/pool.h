@@ -74,7 +74,7 @@ class SlotPool {
 
   std::uint32_t tag() const { return tag_; }
   /// Slots taken and released so far.
-  std::uint64_t changes() const { return changes_; }
+  std::uint32_t changes() const { return changes_; }
   /// Which slots have lived how often, and which comes next.
   template <class H>
   void add_to(H& hash) const {
@@ -89,7 +89,7 @@ class SlotPool {
   Kind kind_;
   std::uint32_t tag_;
   std::uint32_t alive_ = 0;
-  std::uint64_t changes_ = 0;
+  std::uint32_t changes_ = 0;  // modulo 2^32
   Array<std::uint32_t> generation_;
   Array<std::uint32_t> free_;
 };

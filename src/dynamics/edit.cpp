@@ -109,7 +109,7 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
                            std::uint32_t material) {
   Colliders& c = scene.colliders;
   make_room(scene.collider_slots.slots(), c.shape, c.local, c.body, c.material, c.density, c.frame, c.bounds, c.reach,
-            c.movable, c.muted, c.next);
+            c.movable, c.muted, c.next, c.travel);
   make_room(c.live.size(), c.live);
   stir(*this, body);
   const Handle handle = scene.collider_slots.take();

@@ -10,7 +10,6 @@
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/ledger/ledger.h"
 #include "dynamics/sleep/sleep.h"
-#include "dynamics/snapshot/structure.h"
 #include "dynamics/solver/direct.h"
 #include "dynamics/solver/wide_contacts.h"
 
@@ -40,7 +39,6 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
       sleep(make_owned<Sleep>(m, m)),
       events(make_owned<Events>(m, m)),
       continuous(make_owned<Continuous>(m, m)),
-      structure(make_owned<StructureCache>(m, m)),
       queries(make_owned<QueryIndex>(m, m)),
       memory(m) {
   scene.gravity = gravity;
@@ -50,7 +48,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
           state.quarantined, state.loaded_steps, state.tired_steps, state.written, state.is_written);
 }
 
-World::~World() = default;
+World::~World() { structure.forget(memory); }
 
 Pose World::pose(std::uint32_t body) const {
   return {state.q[body], state.x[body] - state.q[body] * scene.center[body]};

@@ -10,6 +10,7 @@
 #include "dynamics/joint/joint.h"
 #include "dynamics/particles/particles.h"
 #include "dynamics/scene.h"
+#include "dynamics/snapshot/structure.h"
 #include "dynamics/state.h"
 
 namespace carom {
@@ -79,7 +80,6 @@ struct DirectGroups;  // dynamics/solver/direct.h: contact groups as problems of
 struct Ledger;        // dynamics/ledger/ledger.h: where energy and momentum go, for who asked
 struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of them
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
-class StructureCache; // dynamics/snapshot/structure.h: what there is, as a number
 struct WideJoints;    // dynamics/joint/wide_joints.h: joints in lanes
 
 class World {
@@ -163,7 +163,7 @@ class World {
   Owned<Events> events;
   Owned<Continuous> continuous;
   Owned<Ledger> ledger;       // null: nobody asked for it
-  Owned<StructureCache> structure;  // likewise by readers
+  StructureCache structure;   // likewise by readers
   Owned<QueryIndex> queries;  // brought up to date by readers, who see to it that one does so at a time
   Memory* memory;
   bool times_effects = false;  // a host wants to know how long each effect takes

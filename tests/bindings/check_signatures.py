@@ -44,7 +44,7 @@ def program(api):
 
 
 def compiles(text):
-    done = subprocess.run([COMPILER, "-std=c11", "-Wall", "-Wno-deprecated", "-fsyntax-only", "-I", ROOT / "include", "-x", "c", "-"],
+    done = subprocess.run([COMPILER, "-std=c11", "-fsyntax-only", "-I", ROOT / "include", "-x", "c", "-"],
                           input=text, capture_output=True, text=True)
     return done.returncode == 0, done.stderr
 

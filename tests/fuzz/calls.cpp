@@ -146,7 +146,7 @@ class Sequence {
     const auto wrong = [&](const char* what) {
       complain(std::string(call.name) + ": " + what + " (" + carom_result_name(r) + ": " + c.error.message + ")");
     };
-    if (r > 0 || r < CAROM_E_INTERNAL || !(expected & code(r))) wrong("an answer that the model does not expect");
+    if (r > 0 || r < kLastCode || !(expected & code(r))) wrong("an answer that the model does not expect");
     for (int i = 0; i < 3; ++i)
       if ((&room_.stages[i] != &own || r != CAROM_OK) && hash(room_.stages[i]) != before[i])
         wrong(&room_.stages[i] == &own ? "failed, and changed the world" : "changed another world");

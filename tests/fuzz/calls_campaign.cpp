@@ -53,7 +53,8 @@ Sum work(const Options& o, int job) {
   const auto start = Clock::now();
   Sum sum;
   std::uint8_t bytes[kBytes];
-  for (std::uint64_t i = o.from + static_cast<std::uint64_t>(job); i < o.from + o.count; i += static_cast<std::uint64_t>(o.jobs)) {
+  for (std::uint64_t i = o.from + static_cast<std::uint64_t>(job); i < o.from + o.count;
+       i += static_cast<std::uint64_t>(o.jobs)) {
     if (std::chrono::duration<double>(Clock::now() - start).count() > o.seconds) break;
     running = i;
     input(i, bytes);
@@ -89,7 +90,8 @@ int campaign(const Options& o) {
       }
     close(ends[1]);
     for (Sum sum; read(ends[0], &sum, sizeof sum) == sizeof sum;)
-      all.sequences += sum.sequences, all.calls += sum.calls, all.refused += sum.refused, all.steps += sum.steps, all.bad += sum.bad;
+      all.sequences += sum.sequences, all.calls += sum.calls, all.refused += sum.refused, all.steps += sum.steps,
+          all.bad += sum.bad;
     for (int status = 0; wait(&status) > 0;) good = good && status == 0;
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

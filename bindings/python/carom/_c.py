@@ -34,6 +34,8 @@ CAROM_E_NO_VOLUME = -23
 CAROM_E_ALREADY_EXISTS = -24
 CAROM_E_NOT_FOUND = -25
 CAROM_E_INTERNAL = -26
+CAROM_E_CORRUPT = -27
+CAROM_E_MISMATCH = -28
 CAROM_NULL_HANDLE = 0
 CAROM_MIX_GEOMETRIC_MEAN = 0
 CAROM_MIX_MAXIMUM = 1
@@ -258,6 +260,7 @@ CAROM_QUERY_CAPPED = 1
 CAROM_QUERY_ROUNDING = 2
 CAROM_QUERY_FAULT = 3
 CAROM_SCENERY_TWO_SIDED = 1
+CAROM_SNAPSHOT_STATE = 0
 CAROM_STAGE_REFRESH = 0
 CAROM_STAGE_BROAD = 1
 CAROM_STAGE_NARROW = 2
@@ -621,6 +624,8 @@ FUNCTIONS = {
     "carom_shape_get_info": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(carom_shape_info), POINTER(carom_error),)),
     "carom_shape_get_params": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(c_double), POINTER(c_uint64), POINTER(carom_error),)),
     "carom_shape_support": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(c_double), c_uint64, POINTER(c_double), POINTER(carom_error),)),
+    "carom_world_save": ("1.8", c_int32, (c_void_p, c_uint32, c_void_p, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_restore": ("1.8", c_int32, (c_void_p, c_void_p, c_uint64, POINTER(carom_error),)),
     "carom_world_desc_init": ("1.0", c_int32, (POINTER(carom_world_desc),)),
     "carom_world_create": ("1.0", c_int32, (c_void_p, POINTER(carom_world_desc), POINTER(c_void_p), POINTER(carom_error),)),
     "carom_world_destroy": ("1.0", c_int32, (c_void_p, POINTER(carom_error),)),

@@ -26,7 +26,8 @@ class CaromError(Exception):
 _ALSO = {"NOT_FINITE": ValueError, "OUT_OF_RANGE": ValueError, "NOT_UNIT": ValueError, "UNKNOWN_ENUM": ValueError,
          "NULL_ARGUMENT": ValueError, "INVALID_HANDLE": ReferenceError, "STALE_HANDLE": ReferenceError,
          "WRONG_KIND": TypeError, "OUT_OF_MEMORY": MemoryError, "NOT_FOUND": LookupError, "UNSUPPORTED": NotImplementedError,
-         "PLUGIN_PATH": OSError, "PLUGIN_LOAD": OSError, "BUFFER_TOO_SMALL": ValueError}
+         "PLUGIN_PATH": OSError, "PLUGIN_LOAD": OSError, "BUFFER_TOO_SMALL": ValueError,
+         "CORRUPT": ValueError, "MISMATCH": ValueError}
 
 
 def _make(word):

@@ -41,6 +41,8 @@ CAROM_E_NO_VOLUME: int
 CAROM_E_ALREADY_EXISTS: int
 CAROM_E_NOT_FOUND: int
 CAROM_E_INTERNAL: int
+CAROM_E_CORRUPT: int
+CAROM_E_MISMATCH: int
 CAROM_NULL_HANDLE: int
 CAROM_MIX_GEOMETRIC_MEAN: int
 CAROM_MIX_MAXIMUM: int
@@ -265,6 +267,7 @@ CAROM_QUERY_CAPPED: int
 CAROM_QUERY_ROUNDING: int
 CAROM_QUERY_FAULT: int
 CAROM_SCENERY_TWO_SIDED: int
+CAROM_SNAPSHOT_STATE: int
 CAROM_STAGE_REFRESH: int
 CAROM_STAGE_BROAD: int
 CAROM_STAGE_NARROW: int
@@ -1549,6 +1552,22 @@ def carom_shape_support(engine: Any, shape: Any, dirs: Any, n: Any, points: Any,
     @param dirs [3n] nonzero, any length, shape frame   @param points [3n] m, shape frame
     @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a zero direction); UNSUPPORTED (half-space,
             scenery); PLUGIN_DISHONEST (the support function failed; the points before are written)"""
+    ...
+def carom_world_save(world: Any, flags: Any, buffer: Any, capacity: Any, needed: Any, error: Any) -> int:
+    """Write a snapshot, between steps. Reads only: other readers may be at work.
+    @param flags    CAROM_SNAPSHOT_*
+    @param buffer   [capacity] bytes, or NULL to ask for the size
+    @param capacity bytes; 0 if buffer is NULL
+    @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
+    @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_world_restore(world: Any, bytes: Any, size: Any, error: Any) -> int:
+    """Put a snapshot back, between steps. All of it is read and checked, and all memory that it takes is there, before
+    anything of the world changes.
+    @param bytes [size], of any alignment   @param size as carom_world_save() told
+    @status OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a newer
+            format); MISMATCH (of a world of another structure: the message names the kind that differs); BUSY; REENTRANT;
+            OUT_OF_MEMORY   @since 1.8"""
     ...
 def carom_world_desc_init(desc: Any) -> int:
     """@status OK; NULL_ARGUMENT"""

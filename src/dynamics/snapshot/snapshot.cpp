@@ -73,7 +73,7 @@ struct StructurePrint {
   template <class Io, class W>
   static void go(Io& io, W& world) {
     if constexpr (Io::saves)
-      for (const KindPrint& kind : world.structure->of(world)) {
+      for (const KindPrint& kind : world.structure.of(world)) {
         io.value(kind.slots), io.value(kind.alive);
         io.value(kind.print);
       }
@@ -147,7 +147,7 @@ bool find_sections(const std::byte* bytes, std::uint64_t n, Found& found, Snapsh
 bool check_structure(const World& world, const std::byte* begin, const std::byte* end, SnapshotFault& fault) {
   Needs needs(world.memory);
   Checker io(begin, end, begin == nullptr, needs);
-  const Structure own = world.structure->of(world);
+  const Structure own = world.structure.of(world);
   for (std::size_t k = 0; k < kKinds; ++k) {
     KindPrint theirs;
     theirs.slots = io.value(0u), theirs.alive = io.value(0u);

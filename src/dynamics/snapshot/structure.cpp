@@ -1,6 +1,7 @@
 #include "dynamics/snapshot/structure.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include "collision/scenery/scenery.h"
 #include "core/hash.h"
@@ -102,15 +103,35 @@ Structure structure_of(const World& world, Memory* memory) {
 }  // namespace
 }  // namespace snapshot
 
-snapshot::Structure StructureCache::of(const World& world) {
+struct StructureCache::Known {
+  std::mutex mutex;
+  std::uint64_t changes = ~std::uint64_t(0);  // of slots, that it is up to date with
+  snapshot::Structure structure;
+};
+
+snapshot::Structure StructureCache::of(const World& world) const {
   const Scene& s = world.scene;
   std::uint64_t changes = 0;
   for (const SlotPool* pool : {&s.bodies, &s.collider_slots, &s.material_slots, &world.joints.slots,
                                &world.particles.slots, &s.fields.slots, &s.springs.slots})
     changes += pool->changes();
-  const std::lock_guard lock(mutex_);
-  if (changes != changes_) known_ = snapshot::structure_of(world, memory_), changes_ = changes;
-  return known_;
+  Known* known = known_.load(std::memory_order_acquire);
+  if (!known) {
+    std::pmr::polymorphic_allocator<> memory(world.memory);
+    Known* const own = memory.new_object<Known>();
+    if (known_.compare_exchange_strong(known, own, std::memory_order_acq_rel))
+      known = own;
+    else
+      memory.delete_object(own);  // another reader was first
+  }
+  const std::lock_guard lock(known->mutex);
+  if (changes != known->changes)
+    known->structure = snapshot::structure_of(world, world.memory), known->changes = changes;
+  return known->structure;
+}
+
+void StructureCache::forget(Memory* memory) {
+  if (Known* const known = known_.exchange(nullptr)) std::pmr::polymorphic_allocator<>(memory).delete_object(known);
 }
 
 }  // namespace carom

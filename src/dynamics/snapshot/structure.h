@@ -3,8 +3,8 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
-#include <mutex>
 
 #include "core/memory.h"
 
@@ -27,17 +27,15 @@ using Structure = std::array<KindPrint, kKinds>;
 
 }  // namespace snapshot
 
-/// Of a world, as of its last change: found out by whoever asks first.
+/// Of a world, as of its last change: found out by whoever asks first, and nothing but a pointer until then.
 class StructureCache {
  public:
-  explicit StructureCache(Memory* m) : memory_(m) {}
-  snapshot::Structure of(const World& world);
+  snapshot::Structure of(const World& world) const;
+  void forget(Memory* memory);  // the world's; before it goes
 
  private:
-  Memory* memory_;
-  std::mutex mutex_;
-  std::uint64_t changes_ = ~std::uint64_t(0);  // of slots, that it is up to date with
-  snapshot::Structure known_;
+  struct Known;
+  mutable std::atomic<Known*> known_{nullptr};
 };
 
 }  // namespace carom

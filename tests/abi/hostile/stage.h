@@ -204,7 +204,9 @@ class Digest {
     for (uint64_t i = 0; i < n && i < 64; ++i) {
       carom_particles_desc d = {};
       d.struct_size = sizeof d;
-      keep(carom_particles_get(world_, list[i], &d, nullptr), d);
+      const int32_t r = carom_particles_get(world_, list[i], &d, nullptr);
+      d.capacity = 0;  // memory that was got before more of it was refused may stay
+      keep(r, d);
       keep(carom_particles_get_count(world_, list[i], &n, nullptr), n);
     }
     for (const Owned& c : s.live[kCollider]) collider(c.handle);

@@ -569,6 +569,28 @@ inline const Row kRows[] = {
     GET_LIST(carom_world_get_groups, carom_group),
     GET_LIST(carom_world_get_faults, carom_fault),
     ROW(carom_world_hash, world(c), out(c, 8), error(c)),
+    // snapshots
+    {"carom_world_save", [](Context& c) {
+       constexpr std::size_t kRoom = 1 << 15;
+       Argument capacity = fixed_number(kRoom);
+       capacity.wrong.push_back({"room for 8 bytes", of(uint64_t(8)), kSmall});
+       return call("carom_world_save", carom_world_save, {world(c), bits(c, CAROM_SNAPSHOT_STATE), fixed(c.take(kRoom)), capacity, out(c, 8), error(c)}).may(kSmall);
+     }},
+    {"carom_world_restore", [](Context& c) {
+       uint64_t size = 0;
+       carom_world_save(c.own.world, CAROM_SNAPSHOT_STATE, nullptr, 0, &size, nullptr);
+       auto* good = static_cast<char*>(c.take(size + 1));
+       carom_world_save(c.own.world, CAROM_SNAPSHOT_STATE, good, size, &size, nullptr);
+       Argument bytes = fixed(good), n = fixed_number(size);
+       bytes.wrong.push_back({"null", of(nullptr), kNull});
+       for (const uint64_t at : {uint64_t(0), uint64_t(9), size / 2, size - 1}) {  // one bit is another
+         auto* bad = static_cast<char*>(std::memcpy(c.take(size + 1), good, size));
+         bad[at] = static_cast<char>(bad[at] ^ 16);
+         bytes.wrong.push_back({"damaged at " + std::to_string(at), of(bad), kCorrupt | kUnsupported | kMismatch});
+       }
+       for (const uint64_t cut : {uint64_t(0), uint64_t(7), size / 2, size - 1}) n.wrong.push_back({"cut off at " + std::to_string(cut), of(cut), kCorrupt, 2});
+       return call("carom_world_restore", carom_world_restore, {world(c), bytes, n, error(c)});
+     }},
     // materials
     INIT(carom_material_desc_init, carom_material_desc),
     ROW_THAT(carom_material_create, makes(kMaterial, 2), world(c), material_desc(c), out(c, 8), error(c)),
