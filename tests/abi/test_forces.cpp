@@ -254,7 +254,7 @@ static void what_is_refused_changes_nothing(void**) {
   bad_field(CAROM_E_OUT_OF_RANGE, [](auto& d) { d.position[2] = 1e300; });
   bad_field(CAROM_E_NOT_UNIT, [](auto& d) { d.orientation[3] = 0.5; });
   bad_field(CAROM_E_OUT_OF_RANGE, [](auto& d) { d.half[0] = 0; });
-  bad_field(CAROM_E_OUT_OF_RANGE, [](auto& d) { d.half[1] = NAN; });
+  bad_field(CAROM_E_NOT_FINITE, [](auto& d) { d.half[1] = NAN; });
   bad_field(CAROM_E_NOT_FINITE, [](auto& d) { d.vector[0] = INFINITY; });
   bad_field(CAROM_E_NOT_FINITE, [](auto& d) { d.strength = NAN; });
   bad_field(CAROM_E_OUT_OF_RANGE, [](auto& d) { d.pull = 1e31; });
