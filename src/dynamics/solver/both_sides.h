@@ -59,9 +59,9 @@ CAROM_LANES_INLINE Lanes half_of(const void* body, int half) {
 
 template <>
 struct Both<float> {
-  FloatVec u, turning;    // of B relative to A, of the centres of mass, m/s; rad/s
-  FloatVec omega_a;       // rad/s
-  FloatVec sum;           // N s, impulses on B
+  FloatVec u, turning;      // of B relative to A, of the centres of mass, m/s; rad/s
+  FloatVec omega_a;         // rad/s
+  FloatVec sum;             // N s, impulses on B
   FloatVec turn_a, turn_b;  // rad/s, what they changed
   const PairLanesOf<float>& pair;
   const LockLanesOf<float>* locks;  // null: none

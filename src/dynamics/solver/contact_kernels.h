@@ -11,7 +11,8 @@ namespace carom {
 template <class Number>
 struct ContactSweeps {
   using Run = LaneRunOf<Number>;
-  /// Masses at each point, from arms and inertias. False: some number is beyond what floats can bear, @see float_range.h
+  /// Masses at each point, from arms and inertias. False: some number is beyond what floats can bear, @see
+  /// float_range.h
   bool (*prepare)(const Run& run);
   /// Let the impulses kept so far act.
   void (*warm_start)(const Run& run);

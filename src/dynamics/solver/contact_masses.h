@@ -44,7 +44,7 @@ void prepare_locked(const LaneRunOf<Number>& run, PairLanesOf<Number>& pair) {
   pair.m_tt = of_both * k_ss + of_one * k_tt;
   pair.m_ts = of_one * k_ts - of_both * k_ts;
   pair.m_ss = of_both * k_tt + of_one * k_ss;
-  const LaneSymmetricOf<Number> &i_a = pair.inv_inertia_a, &i_b = pair.inv_inertia_b;
+  const LaneSymmetricOf<Number>&i_a = pair.inv_inertia_a, &i_b = pair.inv_inertia_b;
   const Lanes k_w = dot(pair.n, i_a * pair.n) + dot(pair.n, i_b * pair.n);
   const Lanes turns = kRounding * ((i_a.xx + i_a.yy + i_a.zz) + (i_b.xx + i_b.yy + i_b.zz));
   pair.m_w = k_w > turns ? inverse_or_zero(k_w) : all<Number>(0);
@@ -72,7 +72,7 @@ bool prepare(const LaneRunOf<Number>& run) {
       prepare_locked(run, pair);
       continue;
     }
-    const LaneSymmetricOf<Number> &inertia_a = pair.inv_inertia_a, &inertia_b = pair.inv_inertia_b;
+    const LaneSymmetricOf<Number>&inertia_a = pair.inv_inertia_a, &inertia_b = pair.inv_inertia_b;
     const Lanes linear = pair.inv_mass_a + pair.inv_mass_b;
     const LaneVec s = cross(pair.n, pair.t);
     const LaneVec t_a = cross(pair.r_a, pair.t), t_b = cross(pair.r_b, pair.t), s_a = cross(pair.r_a, s),

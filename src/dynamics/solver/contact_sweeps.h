@@ -2,9 +2,9 @@
 // registers, compiled for it; all that stands here is local to that file.
 #pragma once
 
+#include "dynamics/solver/both_sides.h"
 #include "dynamics/solver/contact_kernels.h"
 #include "dynamics/solver/contact_masses.h"
-#include "dynamics/solver/both_sides.h"
 
 namespace carom {
 namespace {
@@ -332,8 +332,8 @@ void measure(const LaneRunOf<Number>& run) {
 
 template <class Number>
 constexpr ContactSweeps<Number> all_sweeps() {
-  return {prepare<Number>,      warm_start<Number>, solve<Number>, relax<false, Number>,
-          relax<true, Number>, sweep<Number>,      book<Number>,  part<Number>, measure<Number>};
+  return {prepare<Number>, warm_start<Number>, solve<Number>, relax<false, Number>, relax<true, Number>,
+          sweep<Number>,   book<Number>,       part<Number>,  measure<Number>};
 }
 
 constexpr ContactKernels kernels_named(const char* name) { return {name, all_sweeps<double>(), all_sweeps<float>()}; }

@@ -425,7 +425,7 @@ class Group {
 void begin(World& world, const StepTime& time) {
   if (world.wide_joints->any()) {  // their rows are made in lanes, as are numbers of bodies
     world.contacts->direct.assign(world.contacts->groups(), Contacts::kDirectly);
-    pack(world, *world.wide);
+    pack(world, *world.wide, time.h);
     begin_joints(world, time.h);
   }
   gather_groups(world);

@@ -18,7 +18,7 @@ struct Bearable {
 template <>
 struct Bearable<float> {
   using Lanes = LanesOf<float>;
-  static constexpr float kFar = 1e4f;           // m
+  static constexpr float kFar = 1e4f;  // m
   static constexpr float kMostFriction = 1e6f;
   static constexpr float kMostResponse = 1e4f;  // of a push at a point, times that of one at the centres of mass
   static constexpr float kSlender = 1e-5f;      // least response to a twist, of the largest about any axis

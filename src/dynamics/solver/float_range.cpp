@@ -34,7 +34,9 @@ bool bears_floats(const World& world, const WideContacts& wide, Real h) {
          std::ranges::all_of(world.contacts->driven, [](const Driven& d) { return is_slow(d.spin); });
 }
 
-bool is_slow_enough(const State& state, std::uint32_t body) { return is_slow(state.v[body]) && is_slow(state.omega[body]); }
+bool is_slow_enough(const State& state, std::uint32_t body) {
+  return is_slow(state.v[body]) && is_slow(state.omega[body]);
+}
 
 void cap(BodyVelocity& velocity) {
   const auto within = [](double& x) { x = x > kFastest ? kFastest : x < -kFastest ? -kFastest : x == x ? x : 0; };
