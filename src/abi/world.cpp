@@ -1,4 +1,5 @@
 // The world root: making, destroying, stepping, its dials and gravity.
+#include "abi/record_calls.h"
 #include "abi/world.h"
 
 #include <algorithm>
@@ -32,37 +33,12 @@ void create(Call& call, carom_engine* engine, const carom_world_desc* given, car
               static_cast<unsigned long long>(desc.body_capacity), kMaxSlots);
     return;
   }
-  const std::uint32_t tag = take_tag();
-  if (!tag) {
-    call.fail(CAROM_E_LIMIT, 0, "65,535 engines and worlds are alive in this process");
-    return;
-  }
-  {
-    const std::lock_guard lock(engine->mutex);  // from here on the engine's jobs stay
-    engine->worlds.fetch_add(1, std::memory_order_relaxed);
-  }
-  try {
-    *world = make_on<carom_world>(&engine->memory, *engine, tag, to_vec3(desc.gravity), desc.body_capacity);
-  } catch (...) {
-    release_tag(tag);
-    engine->worlds.fetch_sub(1, std::memory_order_release);
-    throw;
-  }
-}
-
-void destroy(carom_world* world) {
-  carom_engine& engine = world->engine;
-  const Colliders& c = world->inner.scene.colliders;
-  for (const std::uint32_t slot : c.live) unuse_shape(engine, *c.shape[slot]);
-  const std::uint32_t tag = world->tag;
-  destroy_on(&engine.memory, world);
-  release_tag(tag);
-  engine.worlds.fetch_sub(1, std::memory_order_release);  // last: the engine may be destroyed from now on
+  if (carom_world* const made = make_world(call, *engine, to_vec3(desc.gravity), desc.body_capacity)) *world = made;
 }
 
 /// Faults are rare and each shape's comes once, so the log may have every one.
 void log_faults(const carom_world& world) {
-  for (const FaultView& fault : world.inner.fault_views)
+  for (const FaultView& fault : world.inner->fault_views)
     if (fault.particles != FaultView::kNone)
       world.engine.say(CAROM_LOG_WARNING, "particles of set slot %u left the world, number %u first: in quarantine",
                        fault.particles, fault.particle);
@@ -74,6 +50,20 @@ void log_faults(const carom_world& world) {
                        static_cast<unsigned>(fault.support.kind), fault.support.dir[0], fault.support.dir[1],
                        fault.support.dir[2], fault.support.out[0], fault.support.out[1], fault.support.out[2],
                        static_cast<unsigned long long>(fault.support.shape->handle));
+}
+
+/// A step is told before it is taken: should it never end, the record says in which.
+void step(const Changing& changing, double dt) {
+  Recorder* const recorder = changing.recorder();
+  if (recorder) recorder->call(record::world_step(dt));
+  const FloatScope scope;
+  try {
+    changing->step(dt);
+  } catch (...) {
+    if (recorder) recorder->broke_off(*changing);
+    throw;
+  }
+  if (recorder) recorder->stepped(*changing);
 }
 
 bool check_dial(Call& call, std::uint32_t dial, double value) {
@@ -98,6 +88,37 @@ bool knows_all(Call& call, const World& world, std::uint32_t dial, double value)
 }
 
 }  // namespace
+
+carom_world* make_world(Call& call, carom_engine& engine, const Vec3& gravity, std::size_t body_capacity) {
+  const std::uint32_t tag = take_tag();
+  if (!tag) {
+    call.fail(CAROM_E_LIMIT, 0, "65,535 engines and worlds are alive in this process");
+    return nullptr;
+  }
+  {
+    const std::lock_guard lock(engine.mutex);  // from here on the engine's jobs stay
+    engine.worlds.fetch_add(1, std::memory_order_relaxed);
+  }
+  try {
+    return make_on<carom_world>(&engine.memory, engine, tag, gravity, body_capacity);
+  } catch (...) {
+    release_tag(tag);
+    engine.worlds.fetch_sub(1, std::memory_order_release);
+    throw;
+  }
+}
+
+void destroy_world(carom_world* world) {
+  carom_engine& engine = world->engine;
+  if (world->recorder) world->recorder->end();
+  const Colliders& c = world->inner->scene.colliders;
+  for (const std::uint32_t slot : c.live) unuse_shape(engine, *c.shape[slot]);
+  const std::uint32_t tag = world->tag;
+  destroy_on(&engine.memory, world);
+  release_tag(tag);
+  engine.worlds.fetch_sub(1, std::memory_order_release);  // last: the engine may be destroyed from now on
+}
+
 }  // namespace carom::abi
 
 using namespace carom;
@@ -124,7 +145,7 @@ int32_t carom_world_destroy(carom_world* world, carom_error* error) {
     if (!world->gate.enter_alone())  // never left: the world is gone
       call.fail(CAROM_E_BUSY, 1, "another thread is stepping, changing or reading this world");
     else
-      destroy(world);
+      destroy_world(world);
   });
 }
 
@@ -136,17 +157,14 @@ int32_t carom_world_step(carom_world* world, double dt, carom_error* error) {
       call.fail(CAROM_E_OUT_OF_RANGE, 2, "dt is 0, must be greater");
       return;
     }
-    {
-      const FloatScope scope;
-      changing->step(dt);
-    }
+    step(changing, dt);
     log_faults(*world);
   });
 }
 
 int32_t carom_world_set_dial(carom_world* world, uint32_t dial, double value, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::world_set_dial(dial, value));
     if (changing && check_dial(call, dial, value) && knows_all(call, *changing, dial, value))
       changing->set_dial(static_cast<Dial>(dial), value);
   });
@@ -162,7 +180,7 @@ int32_t carom_world_get_dial(carom_world* world, uint32_t dial, double* value, c
 
 int32_t carom_world_set_gravity(carom_world* world, const double gravity[3], carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::world_set_gravity(gravity));
     if (changing && check_gravity(call, 2, gravity)) changing->set_gravity(to_vec3(gravity));
   });
 }

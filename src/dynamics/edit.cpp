@@ -53,7 +53,12 @@ Handle World::add_body(const BodyDef& def) {
   make_room_for_body(scene, state);
   const Handle handle = scene.bodies.take();
   if (handle == 0) return 0;
-  const std::uint32_t i = handle_slot(handle);
+  fill_body(handle_slot(handle), def);
+  ++scene.revision;
+  return handle;
+}
+
+void World::fill_body(std::uint32_t i, const BodyDef& def) {
   put(scene.def, i, def);
   put(scene.type, i, def.type);
   put(scene.inv_mass, i, Real(0));
@@ -82,8 +87,6 @@ Handle World::add_body(const BodyDef& def) {
   if (i == state.is_written.size()) state.is_written.push_back(0);
   set_mass(scene, state, i, mass_of_body(scene, i));
   state.mark_written(i);
-  ++scene.revision;
-  return handle;
 }
 
 void World::remove_body(std::uint32_t body) {
@@ -115,6 +118,17 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   const Handle handle = scene.collider_slots.take();
   if (handle == 0) return 0;
   const std::uint32_t i = handle_slot(handle);
+  fill_collider(i, body, shape, local, density, material);
+  settle_mass(body);
+  queries->note_changed(i);
+  queries->note_moved(body);
+  ++scene.revision, ++scene.collider_revision;
+  return handle;
+}
+
+void World::fill_collider(std::uint32_t i, std::uint32_t body, const Shape* shape, const Pose& local, Real density,
+                          std::uint32_t material) {
+  Colliders& c = scene.colliders;
   put(c.shape, i, shape);
   put(c.local, i, Pose{normalized(local.q), local.p});
   put(c.body, i, body);
@@ -132,12 +146,9 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   put(c.next, i, link);
   link = i;
   c.live.insert(std::lower_bound(c.live.begin(), c.live.end(), i), i);
-  set_mass(scene, state, body, mass_of_body(scene, body));
-  queries->note_changed(i);
-  queries->note_moved(body);
-  ++scene.revision, ++scene.collider_revision;
-  return handle;
 }
+
+void World::settle_mass(std::uint32_t body) { set_mass(scene, state, body, mass_of_body(scene, body)); }
 
 void World::remove_collider(std::uint32_t collider) {
   Colliders& c = scene.colliders;

@@ -222,6 +222,10 @@ std::vector<Line> script(double solver) {
     uint64_t n;
     return carom_world_get_plan(m.s.world, plan, sizeof *plan, 64, &n, nullptr);
   });
+  add("recording", [](Made& m) {
+    const int32_t r = carom_world_record_begin(m.s.world, 0, [](void*, const void*, uint64_t) { return 0; }, nullptr, nullptr);
+    return r ? r : carom_world_record_end(m.s.world, nullptr);
+  });
   for (const double broad : {CAROM_BROAD_BRUTE_FORCE, CAROM_BROAD_GRID, CAROM_BROAD_TREE}) {
     add("broad phase", [broad](Made& m) { return carom_world_set_dial(m.s.world, CAROM_DIAL_BROAD_PHASE, broad, nullptr); });
     steps(2);

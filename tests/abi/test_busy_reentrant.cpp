@@ -53,6 +53,14 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("world_get_ledger_state", carom_world_get_ledger_state(b.world, &ledger, nullptr));
   add("world_save", carom_world_save(b.world, CAROM_SNAPSHOT_STATE, nullptr, 0, &count, nullptr));
   add("world_restore", carom_world_restore(b.world, "", 0, nullptr));
+  carom_difference difference = {};
+  difference.struct_size = sizeof difference;
+  carom_world* copy = nullptr;
+  add("world_compare", carom_world_compare(b.world, "", 0, &difference, nullptr));
+  add("world_fork", carom_world_fork(b.world, &copy, nullptr));
+  add("world_translate_handles", carom_world_translate_handles(b.world, nullptr, 0, nullptr, nullptr));
+  add("world_record_begin", carom_world_record_begin(b.world, 0, [](void*, const void*, uint64_t) { return 0; }, nullptr, nullptr));
+  add("world_record_end", carom_world_record_end(b.world, nullptr));
   add("world_hash", carom_world_hash(b.world, &count, nullptr));
   add("material_create", carom_material_create(b.world, &material, &handle, nullptr));
   add("material_update", carom_material_update(b.world, b.material, &material, nullptr));

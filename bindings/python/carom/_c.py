@@ -36,6 +36,7 @@ CAROM_E_NOT_FOUND = -25
 CAROM_E_INTERNAL = -26
 CAROM_E_CORRUPT = -27
 CAROM_E_MISMATCH = -28
+CAROM_E_WRITE_FAILED = -29
 CAROM_NULL_HANDLE = 0
 CAROM_MIX_GEOMETRIC_MEAN = 0
 CAROM_MIX_MAXIMUM = 1
@@ -259,8 +260,11 @@ CAROM_QUERY_EXACT_ENOUGH = 0
 CAROM_QUERY_CAPPED = 1
 CAROM_QUERY_ROUNDING = 2
 CAROM_QUERY_FAULT = 3
+CAROM_RECORD_HASHES = 0
+CAROM_RECORD_STATES = 1
 CAROM_SCENERY_TWO_SIDED = 1
 CAROM_SNAPSHOT_STATE = 0
+CAROM_SNAPSHOT_WHOLE = 1
 CAROM_STAGE_REFRESH = 0
 CAROM_STAGE_BROAD = 1
 CAROM_STAGE_NARROW = 2
@@ -303,6 +307,7 @@ carom_spring = c_uint64
 # callbacks
 carom_job_fn = CFUNCTYPE(None, c_void_p, c_uint32, c_uint32)
 carom_support_fn = CFUNCTYPE(c_int32, POINTER(c_double), c_uint64, POINTER(c_double), POINTER(c_double))
+carom_write_fn = CFUNCTYPE(c_int32, c_void_p, c_void_p, c_uint64)
 
 # structs
 class carom_error(Structure):
@@ -381,6 +386,8 @@ class carom_distance_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("simplex", c_uint32), ("narrow_phase", c_uint32), ("pair_routines", c_uint32), ("tolerance", c_double), ("hybrid_margin", c_double), ("gjk_iterations", c_uint32), ("epa_iterations", c_uint32)]
 class carom_distance(Structure):
     _fields_ = [("struct_size", c_uint32), ("status", c_uint32), ("separation", c_double), ("lower", c_double), ("upper", c_double), ("normal", c_double * 3), ("point_a", c_double * 3), ("point_b", c_double * 3), ("gjk_iterations", c_uint32), ("epa_iterations", c_uint32), ("support_calls", c_uint32), ("reserved", c_uint32)]
+class carom_difference(Structure):
+    _fields_ = [("struct_size", c_uint32), ("differs", c_uint32), ("first", c_uint64), ("second", c_uint64), ("sections", c_char * 240)]
 class carom_mesh_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("vertices", POINTER(c_double)), ("vertex_count", c_uint64), ("triangles", POINTER(c_uint32)), ("triangle_count", c_uint64)]
 class carom_height_field_desc(Structure):
@@ -447,6 +454,7 @@ STRUCTS = {
     "carom_shape_plugin": carom_shape_plugin,
     "carom_distance_desc": carom_distance_desc,
     "carom_distance": carom_distance,
+    "carom_difference": carom_difference,
     "carom_mesh_desc": carom_mesh_desc,
     "carom_height_field_desc": carom_height_field_desc,
     "carom_scenery_info": carom_scenery_info,
@@ -612,6 +620,9 @@ FUNCTIONS = {
     "carom_world_get_plan": ("1.7", c_int32, (c_void_p, POINTER(carom_plan_line), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_distance_desc_init": ("1.0", c_int32, (POINTER(carom_distance_desc),)),
     "carom_shape_distance": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(c_double), POINTER(c_double), carom_shape, POINTER(c_double), POINTER(c_double), POINTER(carom_distance_desc), POINTER(carom_distance), POINTER(carom_error),)),
+    "carom_world_record_begin": ("1.8", c_int32, (c_void_p, c_uint32, carom_write_fn, c_void_p, POINTER(carom_error),)),
+    "carom_world_record_end": ("1.8", c_int32, (c_void_p, POINTER(carom_error),)),
+    "carom_world_compare": ("1.8", c_int32, (c_void_p, c_void_p, c_uint64, POINTER(carom_difference), POINTER(carom_error),)),
     "carom_mesh_desc_init": ("1.6", c_int32, (POINTER(carom_mesh_desc),)),
     "carom_shape_create_mesh": ("1.6", c_int32, (c_void_p, POINTER(carom_mesh_desc), POINTER(carom_shape), POINTER(carom_error),)),
     "carom_height_field_desc_init": ("1.6", c_int32, (POINTER(carom_height_field_desc),)),
@@ -626,6 +637,8 @@ FUNCTIONS = {
     "carom_shape_support": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(c_double), c_uint64, POINTER(c_double), POINTER(carom_error),)),
     "carom_world_save": ("1.8", c_int32, (c_void_p, c_uint32, c_void_p, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_world_restore": ("1.8", c_int32, (c_void_p, c_void_p, c_uint64, POINTER(carom_error),)),
+    "carom_world_fork": ("1.8", c_int32, (c_void_p, POINTER(c_void_p), POINTER(carom_error),)),
+    "carom_world_translate_handles": ("1.8", c_int32, (c_void_p, POINTER(c_uint64), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_world_desc_init": ("1.0", c_int32, (POINTER(carom_world_desc),)),
     "carom_world_create": ("1.0", c_int32, (c_void_p, POINTER(carom_world_desc), POINTER(c_void_p), POINTER(carom_error),)),
     "carom_world_destroy": ("1.0", c_int32, (c_void_p, POINTER(carom_error),)),

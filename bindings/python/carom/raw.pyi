@@ -43,6 +43,7 @@ CAROM_E_NOT_FOUND: int
 CAROM_E_INTERNAL: int
 CAROM_E_CORRUPT: int
 CAROM_E_MISMATCH: int
+CAROM_E_WRITE_FAILED: int
 CAROM_NULL_HANDLE: int
 CAROM_MIX_GEOMETRIC_MEAN: int
 CAROM_MIX_MAXIMUM: int
@@ -266,8 +267,11 @@ CAROM_QUERY_EXACT_ENOUGH: int
 CAROM_QUERY_CAPPED: int
 CAROM_QUERY_ROUNDING: int
 CAROM_QUERY_FAULT: int
+CAROM_RECORD_HASHES: int
+CAROM_RECORD_STATES: int
 CAROM_SCENERY_TWO_SIDED: int
 CAROM_SNAPSHOT_STATE: int
+CAROM_SNAPSHOT_WHOLE: int
 CAROM_STAGE_REFRESH: int
 CAROM_STAGE_BROAD: int
 CAROM_STAGE_NARROW: int
@@ -306,6 +310,7 @@ carom_force_field = ctypes.c_uint64
 carom_spring = ctypes.c_uint64
 carom_job_fn: Any
 carom_support_fn: Any
+carom_write_fn: Any
 class carom_error(ctypes.Structure):
     """Details of the last failure of one call. Owned by the caller; start from CAROM_ERROR_INIT.
     Written only on failure, never past struct_size."""
@@ -727,6 +732,13 @@ class carom_distance(ctypes.Structure):
     epa_iterations: int
     support_calls: int
     reserved: int
+class carom_difference(ctypes.Structure):
+    """What of a world is not as a snapshot says."""
+    struct_size: int
+    differs: int
+    first: int
+    second: int
+    sections: builtins.bytes
 class carom_mesh_desc(ctypes.Structure):
     """A triangle mesh. Corners at the same place are made one, so vertices may be repeated; triangles without area are
     dropped (carom_scenery_info counts them). Two triangles that share a side are one surface there; a side of one alone is a rim, and so
@@ -1495,6 +1507,23 @@ def carom_shape_distance(engine: Any, shape_a: Any, position_a: Any, orientation
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM;
             UNSUPPORTED (two half-spaces)     @thread any"""
     ...
+def carom_world_record_begin(world: Any, flags: Any, write: Any, user: Any, error: Any) -> int:
+    """Record a world from now on, until carom_world_record_end() or until it is destroyed.
+    @param flags CAROM_RECORD_*   @param write is kept, and called with `user`
+    @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); IN_USE (it is being recorded); WRITE_FAILED; BUSY; REENTRANT;
+            OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_world_record_end(world: Any, error: Any) -> int:
+    """Stop recording.
+    @status OK; NULL_ARGUMENT; NOT_FOUND (it is not being recorded); WRITE_FAILED (`write` said so, now or before: the
+            recording ends there); OUT_OF_MEMORY (likewise, for lack of memory); BUSY; REENTRANT   @since 1.8"""
+    ...
+def carom_world_compare(world: Any, bytes: Any, size: Any, difference: Any, error: Any) -> int:
+    """Compare a world with a snapshot, between steps; of a world of the same structure. Reads only.
+    @param difference its struct_size set by the caller
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; CORRUPT, UNSUPPORTED, MISMATCH (as carom_world_restore()); BUSY; REENTRANT;
+            OUT_OF_MEMORY   @since 1.8"""
+    ...
 def carom_mesh_desc_init(desc: Any) -> int:
     """@status OK; NULL_ARGUMENT   @since 1.6"""
     ...
@@ -1564,10 +1593,29 @@ def carom_world_save(world: Any, flags: Any, buffer: Any, capacity: Any, needed:
 def carom_world_restore(world: Any, bytes: Any, size: Any, error: Any) -> int:
     """Put a snapshot back, between steps. All of it is read and checked, and all memory that it takes is there, before
     anything of the world changes.
+    A world in which nothing was ever made is built anew of a snapshot that is whole; `user` values come with it, a ledger
+    begins anew. Shapes of the same plugin and numbers that the engine has are used, others made; they are the engine's, as
+    if the host had made them (carom_collider_get() tells their handles). Any other world takes its state, as of one that
+    is not whole.
     @param bytes [size], of any alignment   @param size as carom_world_save() told
     @status OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a newer
-            format); MISMATCH (of a world of another structure: the message names the kind that differs); BUSY; REENTRANT;
-            OUT_OF_MEMORY   @since 1.8"""
+            format); MISMATCH (of a world of another structure: the message names the kind that differs; or a plugin of that
+            id and version makes other shapes than it did); NOT_FOUND (a shape plugin is not loaded: the message says id and
+            version); LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_world_fork(world: Any, copy: Any, error: Any) -> int:
+    """Make a world of the same engine that is as this one is, and goes on as it does, bit for bit. Nothing of this one
+    changes; other readers may be at work. Lists and residuals of its last step, and a ledger, the copy has none of.
+    @param copy out: to be destroyed as any world
+    @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_world_translate_handles(world: Any, handles: Any, n: Any, translated: Any, error: Any) -> int:
+    """Handles of another world, as they are in this one: the same slots and generations. For what a host keeps of a world that
+    it has forked, or of one that was saved whole, in another process too.
+    @param handles    [n] of bodies, colliders, materials, joints, particles, fields, springs; 0 stays 0
+    @param translated [n] out; may be `handles`. All of them or, where one is refused, none
+    @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
+            worlds); BUSY; REENTRANT   @since 1.8"""
     ...
 def carom_world_desc_init(desc: Any) -> int:
     """@status OK; NULL_ARGUMENT"""

@@ -42,6 +42,16 @@ carom_plugin Engine::plugin(const std::string& name) {
   return handle;
 }
 
+void Engine::load_all() {
+  for (const auto& file : path_.all()) {
+    try {
+      plugin(file.first);
+    } catch (const Error&) {
+      // Whoever needs it is told that it is missing.
+    }
+  }
+}
+
 carom_shape Engine::shape(const std::string& plugin_name, const std::vector<double>& params) {
   auto key = std::make_pair(plugin_name, params);
   if (const auto found = shapes_.find(key); found != shapes_.end()) return found->second;

@@ -351,6 +351,27 @@ struct Row {
 #define GET_HANDLES(f) {#f, [](Context& c) -> Call { Argument dst = out(c, 8 * 64); dst.wrong.clear(); return call(#f, f, {world(c), dst, fixed_number(64), out(c, 8), error(c)}); }}
 #define INIT(f, T) ROW(f, out(c, sizeof(T)))
 
+/// A snapshot of the caller's own world, and all that may become of one on its way.
+struct Snapshot {
+  Argument bytes, size;
+};
+inline Snapshot snapshot(Context& c, uint32_t flags) {
+  uint64_t size = 0;
+  carom_world_save(c.own.world, flags, nullptr, 0, &size, nullptr);
+  auto* good = static_cast<char*>(c.take(size + 1));
+  carom_world_save(c.own.world, flags, good, size, &size, nullptr);
+  Argument bytes = fixed(good), n = fixed_number(size);
+  bytes.wrong.push_back({"null", of(nullptr), kNull});
+  for (const uint64_t at : {uint64_t(0), uint64_t(9), size / 2, size - 1}) {  // one bit is another
+    auto* bad = static_cast<char*>(std::memcpy(c.take(size + 1), good, size));
+    bad[at] = static_cast<char>(bad[at] ^ 16);
+    bytes.wrong.push_back({"damaged at " + std::to_string(at), of(bad), kCorrupt | kUnsupported | kMismatch});
+  }
+  for (const uint64_t cut : {uint64_t(0), uint64_t(7), size / 2, size - 1})
+    n.wrong.push_back({"cut off at " + std::to_string(cut), of(cut), kCorrupt, 2});
+  return {bytes, n};
+}
+
 inline const Row kRows[] = {
     // base
     ROW(carom_version, out(c, 4), out(c, 4), out(c, 4)),
@@ -571,25 +592,45 @@ inline const Row kRows[] = {
     ROW(carom_world_hash, world(c), out(c, 8), error(c)),
     // snapshots
     {"carom_world_save", [](Context& c) {
-       constexpr std::size_t kRoom = 1 << 15;
+       constexpr std::size_t kRoom = 1 << 16;
        Argument capacity = fixed_number(kRoom);
        capacity.wrong.push_back({"room for 8 bytes", of(uint64_t(8)), kSmall});
-       return call("carom_world_save", carom_world_save, {world(c), bits(c, CAROM_SNAPSHOT_STATE), fixed(c.take(kRoom)), capacity, out(c, 8), error(c)}).may(kSmall);
+       return call("carom_world_save", carom_world_save, {world(c), bits(c, CAROM_SNAPSHOT_WHOLE), fixed(c.take(kRoom)), capacity, out(c, 8), error(c)}).may(kSmall);
      }},
     {"carom_world_restore", [](Context& c) {
-       uint64_t size = 0;
-       carom_world_save(c.own.world, CAROM_SNAPSHOT_STATE, nullptr, 0, &size, nullptr);
-       auto* good = static_cast<char*>(c.take(size + 1));
-       carom_world_save(c.own.world, CAROM_SNAPSHOT_STATE, good, size, &size, nullptr);
-       Argument bytes = fixed(good), n = fixed_number(size);
-       bytes.wrong.push_back({"null", of(nullptr), kNull});
-       for (const uint64_t at : {uint64_t(0), uint64_t(9), size / 2, size - 1}) {  // one bit is another
-         auto* bad = static_cast<char*>(std::memcpy(c.take(size + 1), good, size));
-         bad[at] = static_cast<char>(bad[at] ^ 16);
-         bytes.wrong.push_back({"damaged at " + std::to_string(at), of(bad), kCorrupt | kUnsupported | kMismatch});
+       const Snapshot own = snapshot(c, CAROM_SNAPSHOT_STATE | c.source.below(2));
+       return call("carom_world_restore", carom_world_restore, {world(c), own.bytes, own.size, error(c)});
+     }},
+    {"carom_world_compare", [](Context& c) {
+       const Snapshot own = snapshot(c, CAROM_SNAPSHOT_STATE);
+       return call("carom_world_compare", carom_world_compare, {world(c), own.bytes, own.size, out_struct<carom_difference>(c), error(c)});
+     }},
+    {"carom_world_fork", [](Context& c) {
+       return call("carom_world_fork", carom_world_fork, {world(c), out(c, sizeof(void*)), error(c)}).after([](const Value* v) {
+         carom_world_destroy(*static_cast<carom_world* const*>(v[1].p), nullptr);
+       });
+     }},
+    {"carom_world_translate_handles", [](Context& c) {
+       const Argument one = handle(c, kBody);
+       uint64_t list[2] = {0, one.good.u};
+       Argument handles = fixed(c.keep(list));
+       handles.impossible = one.impossible;
+       handles.wrong.push_back({"null", of(nullptr), kNull});
+       for (const Wrong& w : one.wrong) {
+         if (w.codes & kWrongWorld) continue;  // which is what this is for
+         list[1] = w.value.u;
+         handles.wrong.push_back({w.what, of(c.keep(list)), w.codes});
        }
-       for (const uint64_t cut : {uint64_t(0), uint64_t(7), size / 2, size - 1}) n.wrong.push_back({"cut off at " + std::to_string(cut), of(cut), kCorrupt, 2});
-       return call("carom_world_restore", carom_world_restore, {world(c), bytes, n, error(c)});
+       return call("carom_world_translate_handles", carom_world_translate_handles, {world(c), handles, fixed_number(2), out(c, sizeof list), error(c)});
+     }},
+    {"carom_world_record_begin", [](Context& c) {
+       Argument write = fixed(reinterpret_cast<const void*>(+[](void*, const void*, uint64_t) -> int32_t { return 0; }));
+       write.wrong.push_back({"null", of(nullptr), kNull});
+       return call("carom_world_record_begin", carom_world_record_begin, {world(c), bits(c, CAROM_RECORD_STATES), write, fixed(nullptr), error(c)})
+           .may(kInUse).after([](const Value* v) { carom_world_record_end(static_cast<carom_world*>(const_cast<void*>(v[0].p)), nullptr); });
+     }},
+    {"carom_world_record_end", [](Context& c) {
+       return call("carom_world_record_end", carom_world_record_end, {world(c), error(c)}).may(kNotFound);
      }},
     // materials
     INIT(carom_material_desc_init, carom_material_desc),
