@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "abi/engine.h"
+#include "abi/record_calls.h"
 #include "abi/snapshot_shapes.h"
 #include "dynamics/world.h"
 
@@ -122,11 +123,7 @@ void Recorder::stepped(const World& world) noexcept {
 void Recorder::broke_off(const World& world) noexcept {
   guard([&] {
     const Array<std::byte> state = state_of(world);
-    content_.clear();
-    Pen pen(*this);
-    pen.call("carom_world_restore");
-    pen.bytes(state.data(), state.size());
-    write(kCall, content_);
+    call(record::world_restore(state.data(), state.size()));
   });
 }
 

@@ -84,7 +84,7 @@ struct Session {
     std::vector<char> state(size);
     call.done(carom_world_save(w, 0, state.data(), size, &size, call), "a state");
     steps(5);
-    assert_int_equal(carom_body_set_velocity(w, 12345, up, up, nullptr), CAROM_E_WRONG_KIND);  // is not written
+    assert_int_equal(carom_body_set_velocity(w, 12345, up, up, nullptr), CAROM_E_INVALID_HANDLE);  // is not written
     call.done(carom_world_restore(w, state.data(), size, call), "back");
     call.done(carom_joint_destroy(w, made, call), "no joint");
     call.done(carom_body_destroy(w, wall, call), "no wall");
@@ -116,12 +116,11 @@ static void a_session_comes_out_the_same(void**) {
   }
 }
 
-/// Where a number of a call stands in the bytes; the session writes each but once.
+/// Where a number of a call stands in the bytes: the first time that they have it. (States after it may have it, too.)
 static std::size_t place_of(const Bytes& bytes, double number) {
-  std::size_t at = bytes.size(), times = 0;
-  for (std::size_t i = 0; i + 8 <= bytes.size(); ++i)
-    if (std::memcmp(&bytes[i], &number, 8) == 0) at = i, ++times;
-  assert_int_equal(times, 1);
+  std::size_t at = 0;
+  while (at + 8 <= bytes.size() && std::memcmp(&bytes[at], &number, 8) != 0) ++at;
+  assert_true(at + 8 <= bytes.size());
   return at;
 }
 
@@ -216,7 +215,7 @@ static void* metered(void* user, uint64_t size, uint64_t alignment) {
 /// recording is whole, and comes out the same, or says that it is not.
 static void memory_may_run_out_while_recording(void**) {
   int whole = 0, broken = 0, refused = 0;
-  for (std::int64_t k = 0;; ++k) {
+  for (std::int64_t k = 0;; k += 1 + k / 16) {  // closer where calls are refused, which comes first
     Meter meter;
     carom_engine_desc desc;
     carom_engine_desc_init(&desc);
