@@ -5,6 +5,7 @@
 
 #include "host/host.h"
 #include "mesh/mesh.h"
+#include "mesh/read_mesh.h"
 
 namespace carom::tools {
 namespace {
@@ -65,7 +66,7 @@ Bunny load_bunny(const std::string& mesh_path, double height, std::size_t hull_v
   Bunny bunny;
   std::error_code ignored;
   if (!mesh_path.empty()) {
-    bunny.mesh = read_obj(mesh_path);
+    bunny.mesh = read_mesh(mesh_path);
     bunny.remarks.push_back("bunny: the mesh " + mesh_path);
   } else if (std::filesystem::is_regular_file(kInstalledMesh, ignored)) {
     bunny.mesh = read_obj(kInstalledMesh);
