@@ -74,9 +74,10 @@ Bunny load_bunny(const std::string& mesh_path, double height, std::size_t hull_v
                             std::to_string(bunny.mesh.points.size()) + " vertices, from " + kInstalledMesh);
   } else {
     bunny.mesh = procedural_bunny();
-    bunny.remarks.push_back(
-        std::string("bunny: NOT the Stanford bunny. ") + kInstalledMesh +
-        " is missing, so a body of ellipsoids stands in (apt install glmark2-data, or --mesh FILE)");
+    std::string remark = "bunny: NOT the Stanford bunny. ";
+    remark.append(kInstalledMesh)
+        .append(" is missing, so a body of ellipsoids stands in (apt install glmark2-data, or --mesh FILE)");
+    bunny.remarks.push_back(std::move(remark));
   }
   fit_to_height(bunny.mesh, height);
   const Mesh full = convex_hull(bunny.mesh.points);
