@@ -45,7 +45,7 @@ struct carom_world {
   carom_world& operator=(const carom_world&) = delete;
 
   void drop_budget() {
-    if (budget) carom::abi::destroy_on(&engine.memory, budget);
+    carom::abi::destroy_on(&engine.memory, budget);
     budget = nullptr;
   }
 
