@@ -40,6 +40,7 @@ typedef struct carom_geometry carom_geometry;
 typedef struct carom_shape_plugin carom_shape_plugin;
 typedef struct carom_distance_desc carom_distance_desc;
 typedef struct carom_distance carom_distance;
+typedef struct carom_residuals carom_residuals;
 typedef struct carom_mesh_desc carom_mesh_desc;
 typedef struct carom_height_field_desc carom_height_field_desc;
 typedef struct carom_scenery_info carom_scenery_info;
@@ -102,6 +103,7 @@ struct carom_geometry { uint32_t struct_size; uint32_t form; uint32_t form_arg[4
 struct carom_shape_plugin { uint32_t struct_size; uint32_t abi_major; uint32_t abi_minor; uint32_t flags; const char *id; uint32_t version; uint32_t param_count; const carom_param *params; const carom_geometry *geometry; carom_support_fn support; uint32_t param_tail_group; uint32_t param_tail_min; };
 struct carom_distance_desc { uint32_t struct_size; uint32_t simplex; uint32_t narrow_phase; uint32_t pair_routines; double tolerance; double hybrid_margin; uint32_t gjk_iterations; uint32_t epa_iterations; };
 struct carom_distance { uint32_t struct_size; uint32_t status; double separation; double lower; double upper; double normal[3]; double point_a[3]; double point_b[3]; uint32_t gjk_iterations; uint32_t epa_iterations; uint32_t support_calls; uint32_t reserved; };
+struct carom_residuals { uint32_t struct_size; uint32_t ledger_is_kept; uint64_t contact_points; uint64_t joints; double max_penetration; double mean_penetration; double joint_gap; double joint_angle; double complementarity; double cone; double slip; double energy; double energy_drift; };
 struct carom_mesh_desc { uint32_t struct_size; uint32_t flags; const double *vertices; uint64_t vertex_count; const uint32_t *triangles; uint64_t triangle_count; };
 struct carom_height_field_desc { uint32_t struct_size; uint32_t flags; uint32_t columns; uint32_t rows; const double *heights; double spacing[2]; };
 struct carom_scenery_info { uint32_t struct_size; uint32_t flags; uint64_t pieces; uint64_t vertices; uint64_t dropped; uint64_t rims; uint64_t bytes; };
@@ -244,6 +246,9 @@ int32_t carom_world_time_effects(carom_world *world, uint32_t on, carom_error *e
 int32_t carom_world_get_plan(carom_world *world, carom_plan_line *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_distance_desc_init(carom_distance_desc *desc);
 int32_t carom_shape_distance(carom_engine *engine, carom_shape shape_a, const double *position_a, const double *orientation_a, carom_shape shape_b, const double *position_b, const double *orientation_b, const carom_distance_desc *desc, carom_distance *result, carom_error *error);
+int32_t carom_world_get_residuals(carom_world *world, carom_residuals *residuals, carom_error *error);
+int32_t carom_world_set_budget(carom_world *world, double seconds, uint32_t fewest, uint32_t most, carom_error *error);
+int32_t carom_world_get_budget(carom_world *world, double *seconds, uint32_t *fewest, uint32_t *most, carom_error *error);
 int32_t carom_mesh_desc_init(carom_mesh_desc *desc);
 int32_t carom_shape_create_mesh(carom_engine *engine, const carom_mesh_desc *desc, carom_shape *shape, carom_error *error);
 int32_t carom_height_field_desc_init(carom_height_field_desc *desc);
@@ -567,5 +572,5 @@ return {
   CAROM_ASK_GENERIC = 1,
   CAROM_ASK_SENSORS = 2,
   VERSION = "1.8.0",
-  ROWS = 525, -- of the layout manifest
+  ROWS = 539, -- of the layout manifest
 }

@@ -5,6 +5,7 @@
 
 #include <atomic>
 
+#include "abi/budget.h"
 #include "abi/engine.h"
 #include "dynamics/world.h"
 
@@ -44,6 +45,7 @@ struct carom_world {
   const std::uint32_t tag;
   carom::abi::Gate gate;
   carom::World inner;
+  carom::abi::Budget budget;
 };
 
 namespace carom::abi {

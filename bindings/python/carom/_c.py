@@ -381,6 +381,8 @@ class carom_distance_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("simplex", c_uint32), ("narrow_phase", c_uint32), ("pair_routines", c_uint32), ("tolerance", c_double), ("hybrid_margin", c_double), ("gjk_iterations", c_uint32), ("epa_iterations", c_uint32)]
 class carom_distance(Structure):
     _fields_ = [("struct_size", c_uint32), ("status", c_uint32), ("separation", c_double), ("lower", c_double), ("upper", c_double), ("normal", c_double * 3), ("point_a", c_double * 3), ("point_b", c_double * 3), ("gjk_iterations", c_uint32), ("epa_iterations", c_uint32), ("support_calls", c_uint32), ("reserved", c_uint32)]
+class carom_residuals(Structure):
+    _fields_ = [("struct_size", c_uint32), ("ledger_is_kept", c_uint32), ("contact_points", c_uint64), ("joints", c_uint64), ("max_penetration", c_double), ("mean_penetration", c_double), ("joint_gap", c_double), ("joint_angle", c_double), ("complementarity", c_double), ("cone", c_double), ("slip", c_double), ("energy", c_double), ("energy_drift", c_double)]
 class carom_mesh_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("vertices", POINTER(c_double)), ("vertex_count", c_uint64), ("triangles", POINTER(c_uint32)), ("triangle_count", c_uint64)]
 class carom_height_field_desc(Structure):
@@ -447,6 +449,7 @@ STRUCTS = {
     "carom_shape_plugin": carom_shape_plugin,
     "carom_distance_desc": carom_distance_desc,
     "carom_distance": carom_distance,
+    "carom_residuals": carom_residuals,
     "carom_mesh_desc": carom_mesh_desc,
     "carom_height_field_desc": carom_height_field_desc,
     "carom_scenery_info": carom_scenery_info,
@@ -612,6 +615,9 @@ FUNCTIONS = {
     "carom_world_get_plan": ("1.7", c_int32, (c_void_p, POINTER(carom_plan_line), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_distance_desc_init": ("1.0", c_int32, (POINTER(carom_distance_desc),)),
     "carom_shape_distance": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(c_double), POINTER(c_double), carom_shape, POINTER(c_double), POINTER(c_double), POINTER(carom_distance_desc), POINTER(carom_distance), POINTER(carom_error),)),
+    "carom_world_get_residuals": ("1.8", c_int32, (c_void_p, POINTER(carom_residuals), POINTER(carom_error),)),
+    "carom_world_set_budget": ("1.8", c_int32, (c_void_p, c_double, c_uint32, c_uint32, POINTER(carom_error),)),
+    "carom_world_get_budget": ("1.8", c_int32, (c_void_p, POINTER(c_double), POINTER(c_uint32), POINTER(c_uint32), POINTER(carom_error),)),
     "carom_mesh_desc_init": ("1.6", c_int32, (POINTER(carom_mesh_desc),)),
     "carom_shape_create_mesh": ("1.6", c_int32, (c_void_p, POINTER(carom_mesh_desc), POINTER(carom_shape), POINTER(carom_error),)),
     "carom_height_field_desc_init": ("1.6", c_int32, (POINTER(carom_height_field_desc),)),

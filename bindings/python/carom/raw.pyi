@@ -727,6 +727,23 @@ class carom_distance(ctypes.Structure):
     epa_iterations: int
     support_calls: int
     reserved: int
+class carom_residuals(ctypes.Structure):
+    """What is left undone. Contacts are those of the last step, with the velocities that it ended with; joints and energy are
+    those of the present poses and velocities. Offences against Coulomb's law are in m/s: by how much the velocity at the
+    worst contact would have to be another for its impulse to be right.   @since 1.8"""
+    struct_size: int
+    ledger_is_kept: int
+    contact_points: int
+    joints: int
+    max_penetration: float
+    mean_penetration: float
+    joint_gap: float
+    joint_angle: float
+    complementarity: float
+    cone: float
+    slip: float
+    energy: float
+    energy_drift: float
 class carom_mesh_desc(ctypes.Structure):
     """A triangle mesh. Corners at the same place are made one, so vertices may be repeated; triangles without area are
     dropped (carom_scenery_info counts them). Two triangles that share a side are one surface there; a side of one alone is a rim, and so
@@ -1494,6 +1511,25 @@ def carom_shape_distance(engine: Any, shape_a: Any, position_a: Any, orientation
     @param desc   may be NULL: defaults     @param result struct_size set by the caller
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM;
             UNSUPPORTED (two half-spaces)     @thread any"""
+    ...
+def carom_world_get_residuals(world: Any, residuals: Any, error: Any) -> int:
+    """@param residuals with its struct_size set; filled. Before the first step, and after a step without contacts, what
+                     concerns them is 0.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
+    @accuracy rounding; effective masses are those along the normal
+    @cost linear in contact points, joints and bodies   @since 1.8"""
+    ...
+def carom_world_set_budget(world: Any, seconds: Any, fewest: Any, most: Any, error: Any) -> int:
+    """Choose the dial `substeps` before each step so that steps take about `seconds`. What a substep costs is learnt from the
+    last steps; one that took too long is answered at once, room that opens by one substep more a step. Trajectories then
+    depend on the machine's speed: two runs are not the same to the bit, and what was recorded is not repeated. Off (as a
+    world is created) for replays, lockstep and tests. The steps of a scene that is too dear even with `fewest` take longer.
+    @param seconds  s of wall clock a step, 0 < seconds <= 10; 0: off, the dial keeps its value
+    @param fewest, most  substeps, 1 <= fewest <= most <= the dial's bound; ignored when off
+    @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8"""
+    ...
+def carom_world_get_budget(world: Any, seconds: Any, fewest: Any, most: Any, error: Any) -> int:
+    """@param seconds, fewest, most  out: as set; 0 when off   @status OK; NULL_ARGUMENT; BUSY   @since 1.8"""
     ...
 def carom_mesh_desc_init(desc: Any) -> int:
     """@status OK; NULL_ARGUMENT   @since 1.6"""
