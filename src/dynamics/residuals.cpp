@@ -21,10 +21,8 @@ Real give(const World& world, bool moves, std::uint32_t body, const Vec3& arm, c
 /// A pair's points: its normal impulses one by one, its friction as one.
 void judge_pair(const World& world, const Meeting& m, Residuals& r) {
   const Contacts& c = *world.contacts;
-  const Vec3 n = c.rows[m.row].n;
   Vec3 friction = Vec3::Zero(), slip = Vec3::Zero();
   Real load = 0, k_pair = 0, mu = 0;
-  bool is_open = false;  // none of its points touches
   for (std::uint32_t i = m.row; i < m.row + m.count; ++i) {
     const Row& row = c.rows[i];
     const RowGeometry& g = c.geometry[i];
@@ -45,8 +43,7 @@ void judge_pair(const World& world, const Meeting& m, Residuals& r) {
     k_pair += k / static_cast<Real>(m.count);
     mu = row.friction;
   }
-  is_open = !(load > 0);
-  if (is_open || !(k_pair > 0)) return;
+  if (!(load > 0 && k_pair > 0)) return;
   const Real most = mu * load, rub = friction.norm();
   r.cone = std::max(r.cone, k_pair * (rub - most));
   Vec3 aim = friction - slip / k_pair;
