@@ -45,7 +45,7 @@ CAROM_API int32_t carom_world_get_residuals(carom_world *world, carom_residuals 
  *  world is created) for replays, lockstep and tests. The steps of a scene that is too dear even with `fewest` take longer.
  *  @param seconds  s of wall clock a step, 0 < seconds <= 10; 0: off, the dial keeps its value
  *  @param fewest, most  substeps, 1 <= fewest <= most <= the dial's bound; ignored when off
- *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
 CAROM_API int32_t carom_world_set_budget(carom_world *world, double seconds, uint32_t fewest, uint32_t most,
                                          carom_error *error);
 /** @param seconds, fewest, most  out: as set; 0 when off   @status OK; NULL_ARGUMENT; BUSY   @since 1.8 */

@@ -10,7 +10,7 @@ namespace carom::abi {
 /// step among slow ones promises nothing.
 class Budget {
  public:
-  double seconds = 0;  // s a step; 0: off
+  double seconds = 0;  // s a step
   std::uint32_t fewest = 0, most = 0;
 
   /// How many substeps the next step takes. One more only where there is clearly room, so that a scene at the edge does

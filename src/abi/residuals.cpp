@@ -25,13 +25,12 @@ carom_residuals as_struct(const World& world) {
 
 void set_budget(Call& call, carom_world& world, double seconds, std::uint32_t fewest, std::uint32_t most) {
   if (!in_range(call, 2, "seconds", seconds, 0, kLongestBudget)) return;
-  Budget budget;
-  if (seconds > 0) {
-    const auto bound = dial_table()[CAROM_DIAL_SUBSTEPS].max;
-    if (!in_range(call, 4, "most", most, 1, bound) || !in_range(call, 3, "fewest", fewest, 1, most)) return;
-    budget.seconds = seconds, budget.fewest = fewest, budget.most = most;
-  }
-  world.budget = budget;
+  if (seconds == 0) return world.drop_budget();
+  const auto bound = dial_table()[CAROM_DIAL_SUBSTEPS].max;
+  if (!in_range(call, 4, "most", most, 1, bound) || !in_range(call, 3, "fewest", fewest, 1, most)) return;
+  if (!world.budget) world.budget = make_on<Budget>(&world.engine.memory);
+  *world.budget = Budget();
+  world.budget->seconds = seconds, world.budget->fewest = fewest, world.budget->most = most;
 }
 
 }  // namespace
@@ -63,7 +62,8 @@ int32_t carom_world_get_budget(carom_world* world, double* seconds, uint32_t* fe
     if (!reading || !present(call, 2, "seconds", seconds) || !present(call, 3, "fewest", fewest) ||
         !present(call, 4, "most", most))
       return;
-    *seconds = world->budget.seconds, *fewest = world->budget.fewest, *most = world->budget.most;
+    const Budget off, &budget = world->budget ? *world->budget : off;
+    *seconds = budget.seconds, *fewest = budget.fewest, *most = budget.most;
   });
 }
 

@@ -62,7 +62,7 @@ void destroy(carom_world* world) {
 
 void set_substeps(carom_world& world) {
   const auto now = static_cast<std::uint32_t>(world.inner.scene.dials[Dial::substeps]);
-  const std::uint32_t next = world.budget.choose(now);
+  const std::uint32_t next = world.budget->choose(now);
   if (next == now) return;
   world.inner.scene.dials[Dial::substeps] = next;  // as set_dial(), but whoever sleeps may go on
   ++world.inner.scene.revision;
@@ -73,7 +73,7 @@ void learn_costs(carom_world& world) {
   double in_substeps = 0;
   for (const Stage stage : {Stage::integrate, Stage::solve, Stage::relax})
     in_substeps += report.stage_seconds[static_cast<std::size_t>(stage)];
-  world.budget.learn(report.total_seconds, in_substeps,
+  world.budget->learn(report.total_seconds, in_substeps,
                      static_cast<std::uint32_t>(world.inner.scene.dials[Dial::substeps]));
 }
 
@@ -153,12 +153,12 @@ int32_t carom_world_step(carom_world* world, double dt, carom_error* error) {
       call.fail(CAROM_E_OUT_OF_RANGE, 2, "dt is 0, must be greater");
       return;
     }
-    if (world->budget.seconds > 0) set_substeps(*world);
+    if (world->budget) set_substeps(*world);
     {
       const FloatScope scope;
       changing->step(dt);
     }
-    if (world->budget.seconds > 0) learn_costs(*world);
+    if (world->budget) learn_costs(*world);
     log_faults(*world);
   });
 }

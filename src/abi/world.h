@@ -40,12 +40,20 @@ struct carom_world {
       : engine(owner), tag(owner_tag), inner(owner_tag, gravity, capacity, &owner.memory) {
     inner.jobs = owner.jobs.get();
   }
+  ~carom_world() { drop_budget(); }
+  carom_world(const carom_world&) = delete;
+  carom_world& operator=(const carom_world&) = delete;
+
+  void drop_budget() {
+    if (budget) carom::abi::destroy_on(&engine.memory, budget);
+    budget = nullptr;
+  }
 
   carom_engine& engine;
   const std::uint32_t tag;
   carom::abi::Gate gate;
   carom::World inner;
-  carom::abi::Budget budget;
+  carom::abi::Budget* budget = nullptr;  // null: off; on the engine's memory
 };
 
 namespace carom::abi {

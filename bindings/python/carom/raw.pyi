@@ -1526,7 +1526,7 @@ def carom_world_set_budget(world: Any, seconds: Any, fewest: Any, most: Any, err
     world is created) for replays, lockstep and tests. The steps of a scene that is too dear even with `fewest` take longer.
     @param seconds  s of wall clock a step, 0 < seconds <= 10; 0: off, the dial keeps its value
     @param fewest, most  substeps, 1 <= fewest <= most <= the dial's bound; ignored when off
-    @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8"""
+    @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
     ...
 def carom_world_get_budget(world: Any, seconds: Any, fewest: Any, most: Any, error: Any) -> int:
     """@param seconds, fewest, most  out: as set; 0 when off   @status OK; NULL_ARGUMENT; BUSY   @since 1.8"""

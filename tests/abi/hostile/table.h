@@ -747,9 +747,9 @@ inline const Row kRows[] = {
     ROW(carom_world_enable_ledger, world(c), choice(c, 2), error(c)),
     GET_LIST(carom_world_get_ledger, carom_ledger_entry),
     ROW(carom_world_get_ledger_state, world(c), out_struct<carom_ledger_state>(c), error(c)),
-    // residuals; no budget, which would make of steps what the machine's load makes of them
+    // residuals; a budget that leaves no choice, or steps would be what the machine's load makes of them
     ROW(carom_world_get_residuals, world(c), out_struct<carom_residuals>(c), error(c)),
-    ROW(carom_world_set_budget, world(c), number(c, {0, 10, false, 0, 0}), fixed_number(3), fixed_number(2), error(c)),
+    ROW(carom_world_set_budget, world(c), number(c, {0, 10, false, 0, 0}), fixed_number(4), fixed_number(4), error(c)),
     ROW(carom_world_get_budget, world(c), out(c, 8), out(c, 4), out(c, 4), error(c)),
     // drawing
     INIT(carom_draw_desc_init, carom_draw_desc),
