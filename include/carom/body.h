@@ -100,11 +100,12 @@ CAROM_API int32_t carom_body_set_pose(carom_world *world, carom_body body, const
 CAROM_API int32_t carom_body_set_velocity(carom_world *world, carom_body body, const double linear[3],
                                           const double angular[3], carom_error *error);
 /** Add a force and a torque about the centre of mass, for the next step only.
- *  @param force [3] N, world   @param torque [3] N m, world   @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT */
+ *  @param force [3] N, world   @param torque [3] N m, world
+ *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
 CAROM_API int32_t carom_body_add_force(carom_world *world, carom_body body, const double force[3],
                                        const double torque[3], carom_error *error);
 /** Change velocities at once. @param impulse [3] N s, world   @param point [3] m, world: where it acts
- *  @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT */
+ *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT */
 CAROM_API int32_t carom_body_add_impulse(carom_world *world, carom_body body, const double impulse[3],
                                          const double point[3], carom_error *error);
 

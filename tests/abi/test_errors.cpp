@@ -193,6 +193,8 @@ const Row kWorld[] = {
     {"destroy no world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_world_destroy(nullptr, e); }},
     {"step: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_world_step(nullptr, 0.01, e); }},
     {"step: 0", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return carom_world_step(b.world, 0, e); }},
+    {"step: subnormal", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return carom_world_step(b.world, 4e-310, e); }},
+    {"step: below 1 ns", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return carom_world_step(b.world, 9.9e-10, e); }},
     {"step: -0", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return carom_world_step(b.world, -0.0, e); }},
     {"step: negative", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return carom_world_step(b.world, -0.01, e); }},
     {"step: long", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return carom_world_step(b.world, 1.5, e); }},

@@ -993,11 +993,12 @@ def carom_body_set_velocity(world: Any, body: Any, linear: Any, angular: Any, er
     ...
 def carom_body_add_force(world: Any, body: Any, force: Any, torque: Any, error: Any) -> int:
     """Add a force and a torque about the centre of mass, for the next step only.
-    @param force [3] N, world   @param torque [3] N m, world   @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT"""
+    @param force [3] N, world   @param torque [3] N m, world
+    @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT"""
     ...
 def carom_body_add_impulse(world: Any, body: Any, impulse: Any, point: Any, error: Any) -> int:
     """Change velocities at once. @param impulse [3] N s, world   @param point [3] m, world: where it acts
-    @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT"""
+    @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT"""
     ...
 def carom_body_set_gravity_factor(world: Any, body: Any, factor: Any, error: Any) -> int:
     """How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
@@ -1252,7 +1253,7 @@ def carom_body_add_force_at(world: Any, body: Any, force: Any, point: Any, error
     """Add a force that acts at a point, for the next step only: carom_body_add_force() with its torque about the centre of
     mass as the body stands now.
     @param force [3] N, world   @param point [3] m, world
-    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT   @since 1.7"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT   @since 1.7"""
     ...
 def carom_body_set_drag(world: Any, body: Any, linear: Any, quadratic: Any, error: Any) -> int:
     """How air resists a body: F = -(linear + quadratic |u|) u at its centre, u its velocity relative to the air. Without other
@@ -1619,7 +1620,7 @@ def carom_world_destroy(world: Any, error: Any) -> int:
     ...
 def carom_world_step(world: Any, dt: Any, error: Any) -> int:
     """Advance by dt.
-    @param dt s, in (0, 1]
+    @param dt s, in [1e-9, 1]
     @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY
     Out of memory: no body has moved and forces are still pending; contact caches may have been dropped.
     A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() tells."""

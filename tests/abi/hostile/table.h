@@ -543,7 +543,7 @@ inline const Row kRows[] = {
      }},
     ROW_THAT(carom_world_destroy, only_wrong(), world(c), error(c)),
     {"carom_world_step", [](Context& c) {
-       Argument dt = number(c, {1e-320, 1, false, 0.004, 0.02});
+       Argument dt = number(c, {1e-9, 1, false, 0.004, 0.02});
        dt.wrong.push_back({"0", of(0.), kRange});
        return call("carom_world_step", carom_world_step, {world(c), dt, error(c)});
      }},
