@@ -41,6 +41,7 @@ typedef struct carom_shape_plugin carom_shape_plugin;
 typedef struct carom_distance_desc carom_distance_desc;
 typedef struct carom_distance carom_distance;
 typedef struct carom_difference carom_difference;
+typedef struct carom_residuals carom_residuals;
 typedef struct carom_mesh_desc carom_mesh_desc;
 typedef struct carom_height_field_desc carom_height_field_desc;
 typedef struct carom_scenery_info carom_scenery_info;
@@ -105,6 +106,7 @@ struct carom_shape_plugin { uint32_t struct_size; uint32_t abi_major; uint32_t a
 struct carom_distance_desc { uint32_t struct_size; uint32_t simplex; uint32_t narrow_phase; uint32_t pair_routines; double tolerance; double hybrid_margin; uint32_t gjk_iterations; uint32_t epa_iterations; };
 struct carom_distance { uint32_t struct_size; uint32_t status; double separation; double lower; double upper; double normal[3]; double point_a[3]; double point_b[3]; uint32_t gjk_iterations; uint32_t epa_iterations; uint32_t support_calls; uint32_t reserved; };
 struct carom_difference { uint32_t struct_size; uint32_t differs; uint64_t first; uint64_t second; char sections[240]; };
+struct carom_residuals { uint32_t struct_size; uint32_t ledger_is_kept; uint64_t contact_points; uint64_t joints; double max_penetration; double mean_penetration; double joint_gap; double joint_angle; double complementarity; double cone; double slip; double energy; double energy_drift; };
 struct carom_mesh_desc { uint32_t struct_size; uint32_t flags; const double *vertices; uint64_t vertex_count; const uint32_t *triangles; uint64_t triangle_count; };
 struct carom_height_field_desc { uint32_t struct_size; uint32_t flags; uint32_t columns; uint32_t rows; const double *heights; double spacing[2]; };
 struct carom_scenery_info { uint32_t struct_size; uint32_t flags; uint64_t pieces; uint64_t vertices; uint64_t dropped; uint64_t rims; uint64_t bytes; };
@@ -250,6 +252,9 @@ int32_t carom_shape_distance(carom_engine *engine, carom_shape shape_a, const do
 int32_t carom_world_record_begin(carom_world *world, uint32_t flags, carom_write_fn write, void *user, carom_error *error);
 int32_t carom_world_record_end(carom_world *world, carom_error *error);
 int32_t carom_world_compare(carom_world *world, const void *bytes, uint64_t size, carom_difference *difference, carom_error *error);
+int32_t carom_world_get_residuals(carom_world *world, carom_residuals *residuals, carom_error *error);
+int32_t carom_world_set_budget(carom_world *world, double seconds, uint32_t fewest, uint32_t most, carom_error *error);
+int32_t carom_world_get_budget(carom_world *world, double *seconds, uint32_t *fewest, uint32_t *most, carom_error *error);
 int32_t carom_mesh_desc_init(carom_mesh_desc *desc);
 int32_t carom_shape_create_mesh(carom_engine *engine, const carom_mesh_desc *desc, carom_shape *shape, carom_error *error);
 int32_t carom_height_field_desc_init(carom_height_field_desc *desc);
@@ -579,5 +584,5 @@ return {
   CAROM_ASK_GENERIC = 1,
   CAROM_ASK_SENSORS = 2,
   VERSION = "1.8.0",
-  ROWS = 531, -- of the layout manifest
+  ROWS = 545, -- of the layout manifest
 }

@@ -20,6 +20,7 @@
 #include <carom/plugin.h>
 #include <carom/query.h>
 #include <carom/record.h>
+#include <carom/residuals.h>
 #include <carom/scenery.h>
 #include <carom/shape.h>
 #include <carom/snapshot.h>

@@ -36,7 +36,7 @@ CAROM_API int32_t carom_world_create(carom_engine *engine, const carom_world_des
 CAROM_API int32_t carom_world_destroy(carom_world *world, carom_error *error);
 
 /** Advance by dt.
- *  @param dt s, in (0, 1]
+ *  @param dt s, in [1e-9, 1]
  *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY
  *  Out of memory: no body has moved and forces are still pending; contact caches may have been dropped.
  *  A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() tells. */

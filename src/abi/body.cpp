@@ -250,9 +250,11 @@ int32_t carom_body_add_force(carom_world* world, carom_body body, const double f
                              carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Recorded changing(call, world, record::body_add_force(body, force, torque));
-    if (changing && resolve_body(call, *changing, body) && carom::abi::finite(call, 3, "force", force, 3) &&
-        carom::abi::finite(call, 4, "torque", torque, 3))
-      changing->add_force(handle_slot(body), to_vec3(force), to_vec3(torque));
+    if (!changing || !resolve_body(call, *changing, body) || !carom::abi::finite(call, 3, "force", force, 3) ||
+        !carom::abi::finite(call, 4, "torque", torque, 3))
+      return;
+    if (!changing->add_force(handle_slot(body), to_vec3(force), to_vec3(torque)))
+      call.fail(CAROM_E_OUT_OF_RANGE, 3, "the forces or torques added up to now overflow with this one");
   });
 }
 
@@ -264,7 +266,8 @@ int32_t carom_body_add_impulse(carom_world* world, carom_body body, const double
         !carom::abi::finite(call, 4, "point", point, 3))
       return;
     const FloatScope scope;
-    changing->add_impulse(handle_slot(body), to_vec3(impulse), to_vec3(point));
+    if (!changing->add_impulse(handle_slot(body), to_vec3(impulse), to_vec3(point)))
+      call.fail(CAROM_E_OUT_OF_RANGE, 3, "impulse makes a velocity that overflows");
   });
 }
 

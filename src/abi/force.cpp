@@ -152,7 +152,8 @@ int32_t carom_body_add_force_at(carom_world* world, carom_body body, const doubl
     const FloatScope scope;
     const std::uint32_t slot = handle_slot(body);
     const Vec3 f = to_vec3(force);
-    changing->add_force(slot, f, (to_vec3(point) - changing->state.x[slot]).cross(f));
+    if (!changing->add_force(slot, f, (to_vec3(point) - changing->state.x[slot]).cross(f)))
+      call.fail(CAROM_E_OUT_OF_RANGE, 3, "the forces or torques added up to now overflow with this one");
   });
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kLargestGravity = 1e6;  // m/s^2
 constexpr double kLongestStep = 1;       // s
+constexpr double kShortestStep = 1e-9;   // s: below it forces = impulses / dt overflow sooner than anything moves
 
 bool check_gravity(Call& call, int argument, const double gravity[3]) {
   return present(call, argument, "gravity", gravity) &&
@@ -34,6 +35,23 @@ void create(Call& call, carom_engine* engine, const carom_world_desc* given, car
     return;
   }
   if (carom_world* const made = make_world(call, *engine, to_vec3(desc.gravity), desc.body_capacity)) *world = made;
+}
+
+/// A record has it as a dial that the host set: a replay does not measure time.
+void set_substeps(const Changing& changing, const Budget& budget) {
+  const auto now = static_cast<std::uint32_t>(changing->scene.dials[Dial::substeps]);
+  const std::uint32_t next = budget.choose(now);
+  if (next == now) return;
+  if (Recorder* const recorder = changing.recorder()) recorder->call(record::world_set_dial(CAROM_DIAL_SUBSTEPS, next));
+  changing->set_dial(Dial::substeps, next);
+}
+
+void learn_costs(const World& world, Budget& budget) {
+  const StepReport& report = world.report;
+  double in_substeps = 0;
+  for (const Stage stage : {Stage::integrate, Stage::solve, Stage::relax})
+    in_substeps += report.stage_seconds[static_cast<std::size_t>(stage)];
+  budget.learn(report.total_seconds, in_substeps, static_cast<std::uint32_t>(world.scene.dials[Dial::substeps]));
 }
 
 /// Faults are rare and each shape's comes once, so the log may have every one.
@@ -152,12 +170,10 @@ int32_t carom_world_destroy(carom_world* world, carom_error* error) {
 int32_t carom_world_step(carom_world* world, double dt, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Changing changing(call, world);
-    if (!changing || !in_range(call, 2, "dt", dt, 0, kLongestStep)) return;
-    if (dt == 0) {
-      call.fail(CAROM_E_OUT_OF_RANGE, 2, "dt is 0, must be greater");
-      return;
-    }
+    if (!changing || !in_range(call, 2, "dt", dt, kShortestStep, kLongestStep)) return;
+    if (world->budget) set_substeps(changing, *world->budget);
     step(changing, dt);
+    if (world->budget) learn_costs(*changing, *world->budget);
     log_faults(*world);
   });
 }

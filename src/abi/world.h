@@ -5,6 +5,7 @@
 
 #include <atomic>
 
+#include "abi/budget.h"
 #include "abi/engine.h"
 #include "abi/recorder.h"
 #include "dynamics/world.h"
@@ -46,6 +47,7 @@ struct carom_world {
   carom::abi::Gate gate;
   carom::Owned<carom::World> inner;  // never null; a snapshot may put another in its place
   carom::Owned<carom::abi::Recorder> recorder;  // null: nobody records it
+  carom::Owned<carom::abi::Budget> budget;      // null: off
 };
 
 namespace carom::abi {
@@ -102,6 +104,7 @@ class Changing {
   carom_engine& engine() const { return world_->engine; }
   Recorder* recorder() const { return world_->recorder.get(); }
   void record(Owned<Recorder> recorder) const { world_->recorder = std::move(recorder); }
+  void budget(Owned<Budget> budget) const { world_->budget = std::move(budget); }
   /// Another world in place of this one, which goes. Handles of the old one must not be about.
   void replace(Owned<World> world) const { world_->inner = std::move(world); }
 

@@ -273,7 +273,7 @@ void World::let_go(std::uint32_t a, std::uint32_t b) {
 void World::set_dial(Dial dial, Real value) {
   if (scene.dials[dial] == value) return;
   scene.dials[dial] = value;
-  wake_all(*this);
+  if (dial != Dial::substeps) wake_all(*this);  // who rests does so in steps of any length
   ++scene.revision;
 }
 
@@ -310,19 +310,26 @@ void World::set_velocity(std::uint32_t body, const Vec3& linear, const Vec3& ang
   state.mark_written(body);
 }
 
-void World::add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& point) {
-  if (!(scene.inv_mass[body] > 0)) return;
-  if (impulse != Vec3::Zero()) wake(*this, body);
+bool World::add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& point) {
+  if (!(scene.inv_mass[body] > 0)) return true;
   const Quat& q = state.q[body];
-  state.v[body] += scene.inv_mass[body] * impulse;
+  const Vec3 v = state.v[body] + scene.inv_mass[body] * impulse;
   const Vec3 spin = (point - state.x[body]).cross(impulse);
-  state.omega[body] += q * (scene.inv_inertia[body] * (q.conjugate() * spin));
+  const Vec3 omega = state.omega[body] + q * (scene.inv_inertia[body] * (q.conjugate() * spin));
+  if (!finite(v) || !finite(omega)) return false;
+  if (impulse != Vec3::Zero()) wake(*this, body);
+  state.v[body] = v;
+  state.omega[body] = omega;
   if (scene.locks_of(body)) hold_velocity(scene, body, q, state.v[body], state.omega[body]);
   state.mark_written(body);
+  return true;
 }
 
-void World::add_force(std::uint32_t body, const Vec3& force, const Vec3& torque) {
-  set_force(body, state.force[body] + force, state.torque[body] + torque);
+bool World::add_force(std::uint32_t body, const Vec3& force, const Vec3& torque) {
+  const Vec3 f = state.force[body] + force, t = state.torque[body] + torque;
+  if (!finite(f) || !finite(t)) return false;
+  set_force(body, f, t);
+  return true;
 }
 
 void World::set_force(std::uint32_t body, const Vec3& force, const Vec3& torque) {

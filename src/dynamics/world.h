@@ -135,8 +135,9 @@ class World {
   Pose pose(std::uint32_t body) const;  // body frame -> world
   void set_pose(std::uint32_t body, const Pose& pose);
   void set_velocity(std::uint32_t body, const Vec3& linear, const Vec3& angular);
-  void add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& point);
-  void add_force(std::uint32_t body, const Vec3& force, const Vec3& torque);  // for the next step, about the centre
+  // False, and nothing is changed, where the sum is beyond what a number holds.
+  bool add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& point);
+  bool add_force(std::uint32_t body, const Vec3& force, const Vec3& torque);  // for the next step, about the centre
   void set_force(std::uint32_t body, const Vec3& force, const Vec3& torque);  // replaces what is pending
 
   void wake_body(std::uint32_t body);  // and its island

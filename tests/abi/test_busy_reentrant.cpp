@@ -51,6 +51,13 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("world_enable_ledger", carom_world_enable_ledger(b.world, 1, nullptr));
   add("world_get_ledger", carom_world_get_ledger(b.world, nullptr, 0, 0, &count, nullptr));
   add("world_get_ledger_state", carom_world_get_ledger_state(b.world, &ledger, nullptr));
+  carom_residuals residuals = {};
+  residuals.struct_size = sizeof residuals;
+  double seconds;
+  uint32_t fewest, most;
+  add("world_get_residuals", carom_world_get_residuals(b.world, &residuals, nullptr));
+  add("world_set_budget", carom_world_set_budget(b.world, 0, 0, 0, nullptr));
+  add("world_get_budget", carom_world_get_budget(b.world, &seconds, &fewest, &most, nullptr));
   add("world_save", carom_world_save(b.world, CAROM_SNAPSHOT_STATE, nullptr, 0, &count, nullptr));
   add("world_restore", carom_world_restore(b.world, "", 0, nullptr));
   carom_difference difference = {};

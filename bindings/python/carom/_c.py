@@ -388,6 +388,8 @@ class carom_distance(Structure):
     _fields_ = [("struct_size", c_uint32), ("status", c_uint32), ("separation", c_double), ("lower", c_double), ("upper", c_double), ("normal", c_double * 3), ("point_a", c_double * 3), ("point_b", c_double * 3), ("gjk_iterations", c_uint32), ("epa_iterations", c_uint32), ("support_calls", c_uint32), ("reserved", c_uint32)]
 class carom_difference(Structure):
     _fields_ = [("struct_size", c_uint32), ("differs", c_uint32), ("first", c_uint64), ("second", c_uint64), ("sections", c_char * 240)]
+class carom_residuals(Structure):
+    _fields_ = [("struct_size", c_uint32), ("ledger_is_kept", c_uint32), ("contact_points", c_uint64), ("joints", c_uint64), ("max_penetration", c_double), ("mean_penetration", c_double), ("joint_gap", c_double), ("joint_angle", c_double), ("complementarity", c_double), ("cone", c_double), ("slip", c_double), ("energy", c_double), ("energy_drift", c_double)]
 class carom_mesh_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("vertices", POINTER(c_double)), ("vertex_count", c_uint64), ("triangles", POINTER(c_uint32)), ("triangle_count", c_uint64)]
 class carom_height_field_desc(Structure):
@@ -455,6 +457,7 @@ STRUCTS = {
     "carom_distance_desc": carom_distance_desc,
     "carom_distance": carom_distance,
     "carom_difference": carom_difference,
+    "carom_residuals": carom_residuals,
     "carom_mesh_desc": carom_mesh_desc,
     "carom_height_field_desc": carom_height_field_desc,
     "carom_scenery_info": carom_scenery_info,
@@ -623,6 +626,9 @@ FUNCTIONS = {
     "carom_world_record_begin": ("1.8", c_int32, (c_void_p, c_uint32, carom_write_fn, c_void_p, POINTER(carom_error),)),
     "carom_world_record_end": ("1.8", c_int32, (c_void_p, POINTER(carom_error),)),
     "carom_world_compare": ("1.8", c_int32, (c_void_p, c_void_p, c_uint64, POINTER(carom_difference), POINTER(carom_error),)),
+    "carom_world_get_residuals": ("1.8", c_int32, (c_void_p, POINTER(carom_residuals), POINTER(carom_error),)),
+    "carom_world_set_budget": ("1.8", c_int32, (c_void_p, c_double, c_uint32, c_uint32, POINTER(carom_error),)),
+    "carom_world_get_budget": ("1.8", c_int32, (c_void_p, POINTER(c_double), POINTER(c_uint32), POINTER(c_uint32), POINTER(carom_error),)),
     "carom_mesh_desc_init": ("1.6", c_int32, (POINTER(carom_mesh_desc),)),
     "carom_shape_create_mesh": ("1.6", c_int32, (c_void_p, POINTER(carom_mesh_desc), POINTER(carom_shape), POINTER(carom_error),)),
     "carom_height_field_desc_init": ("1.6", c_int32, (POINTER(carom_height_field_desc),)),

@@ -739,6 +739,23 @@ class carom_difference(ctypes.Structure):
     first: int
     second: int
     sections: builtins.bytes
+class carom_residuals(ctypes.Structure):
+    """What is left undone. Contacts are those of the last step, with the velocities that it ended with; joints and energy are
+    those of the present poses and velocities. Offences against Coulomb's law are in m/s: by how much the velocity at the
+    worst contact would have to be another for its impulse to be right.   @since 1.8"""
+    struct_size: int
+    ledger_is_kept: int
+    contact_points: int
+    joints: int
+    max_penetration: float
+    mean_penetration: float
+    joint_gap: float
+    joint_angle: float
+    complementarity: float
+    cone: float
+    slip: float
+    energy: float
+    energy_drift: float
 class carom_mesh_desc(ctypes.Structure):
     """A triangle mesh. Corners at the same place are made one, so vertices may be repeated; triangles without area are
     dropped (carom_scenery_info counts them). Two triangles that share a side are one surface there; a side of one alone is a rim, and so
@@ -988,11 +1005,12 @@ def carom_body_set_velocity(world: Any, body: Any, linear: Any, angular: Any, er
     ...
 def carom_body_add_force(world: Any, body: Any, force: Any, torque: Any, error: Any) -> int:
     """Add a force and a torque about the centre of mass, for the next step only.
-    @param force [3] N, world   @param torque [3] N m, world   @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT"""
+    @param force [3] N, world   @param torque [3] N m, world
+    @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT"""
     ...
 def carom_body_add_impulse(world: Any, body: Any, impulse: Any, point: Any, error: Any) -> int:
     """Change velocities at once. @param impulse [3] N s, world   @param point [3] m, world: where it acts
-    @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT"""
+    @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT"""
     ...
 def carom_body_set_gravity_factor(world: Any, body: Any, factor: Any, error: Any) -> int:
     """How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
@@ -1247,7 +1265,7 @@ def carom_body_add_force_at(world: Any, body: Any, force: Any, point: Any, error
     """Add a force that acts at a point, for the next step only: carom_body_add_force() with its torque about the centre of
     mass as the body stands now.
     @param force [3] N, world   @param point [3] m, world
-    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT   @since 1.7"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT   @since 1.7"""
     ...
 def carom_body_set_drag(world: Any, body: Any, linear: Any, quadratic: Any, error: Any) -> int:
     """How air resists a body: F = -(linear + quadratic |u|) u at its centre, u its velocity relative to the air. Without other
@@ -1524,6 +1542,26 @@ def carom_world_compare(world: Any, bytes: Any, size: Any, difference: Any, erro
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; CORRUPT, UNSUPPORTED, MISMATCH (as carom_world_restore()); BUSY; REENTRANT;
             OUT_OF_MEMORY   @since 1.8"""
     ...
+def carom_world_get_residuals(world: Any, residuals: Any, error: Any) -> int:
+    """@param residuals with its struct_size set; filled. Before the first step, and after a step without contacts, what
+                     concerns them is 0.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
+    @accuracy rounding; effective masses are those along the normal
+    @cost linear in contact points, joints and bodies   @since 1.8"""
+    ...
+def carom_world_set_budget(world: Any, seconds: Any, fewest: Any, most: Any, error: Any) -> int:
+    """Choose the dial `substeps` before each step so that steps take about `seconds`. What a substep costs is learnt from the
+    last steps; one that took too long is answered at once, room that opens by one substep more a step. Trajectories then
+    depend on the machine's speed: two runs are not the same to the bit. Off (as a world is created) for lockstep and tests.
+    The steps of a scene that is too dear even with `fewest` take longer. A budget is the host's: no snapshot holds it, a
+    copy begins without one, and a record (carom/record.h) has the substeps that it chose.
+    @param seconds  s of wall clock a step, 0 < seconds <= 10; 0: off, the dial keeps its value
+    @param fewest, most  substeps, 1 <= fewest <= most <= the dial's bound; ignored when off
+    @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_world_get_budget(world: Any, seconds: Any, fewest: Any, most: Any, error: Any) -> int:
+    """@param seconds, fewest, most  out: as set; 0 when off   @status OK; NULL_ARGUMENT; BUSY   @since 1.8"""
+    ...
 def carom_mesh_desc_init(desc: Any) -> int:
     """@status OK; NULL_ARGUMENT   @since 1.6"""
     ...
@@ -1631,7 +1669,7 @@ def carom_world_destroy(world: Any, error: Any) -> int:
     ...
 def carom_world_step(world: Any, dt: Any, error: Any) -> int:
     """Advance by dt.
-    @param dt s, in (0, 1]
+    @param dt s, in [1e-9, 1]
     @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY
     Out of memory: no body has moved and forces are still pending; contact caches may have been dropped.
     A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() tells."""

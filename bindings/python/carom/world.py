@@ -67,7 +67,7 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
     # ---- time ----
 
     def step(self, dt: float = 1 / 60) -> None:
-        """Advance by dt, s, in (0, 1]."""
+        """Advance by dt, s, in [1e-9, 1]."""
         self._call(raw.carom_world_step, dt)
 
     @property

@@ -564,7 +564,7 @@ inline const Row kRows[] = {
      }},
     ROW_THAT(carom_world_destroy, only_wrong(), world(c), error(c)),
     {"carom_world_step", [](Context& c) {
-       Argument dt = number(c, {1e-320, 1, false, 0.004, 0.02});
+       Argument dt = number(c, {1e-9, 1, false, 0.004, 0.02});
        dt.wrong.push_back({"0", of(0.), kRange});
        return call("carom_world_step", carom_world_step, {world(c), dt, error(c)});
      }},
@@ -788,6 +788,10 @@ inline const Row kRows[] = {
     ROW(carom_world_enable_ledger, world(c), choice(c, 2), error(c)),
     GET_LIST(carom_world_get_ledger, carom_ledger_entry),
     ROW(carom_world_get_ledger_state, world(c), out_struct<carom_ledger_state>(c), error(c)),
+    // residuals; a budget that leaves no choice, or steps would be what the machine's load makes of them
+    ROW(carom_world_get_residuals, world(c), out_struct<carom_residuals>(c), error(c)),
+    ROW(carom_world_set_budget, world(c), number(c, {0, 10, false, 0, 0}), fixed_number(4), fixed_number(4), error(c)),
+    ROW(carom_world_get_budget, world(c), out(c, 8), out(c, 4), out(c, 4), error(c)),
     // drawing
     INIT(carom_draw_desc_init, carom_draw_desc),
     {"carom_world_draw", [](Context& c) {
