@@ -254,7 +254,7 @@ int32_t carom_body_add_force(carom_world* world, carom_body body, const double f
         !carom::abi::finite(call, 4, "torque", torque, 3))
       return;
     if (!changing->add_force(handle_slot(body), to_vec3(force), to_vec3(torque)))
-      call.fail(CAROM_E_OUT_OF_RANGE, 3, "the forces or torques added up to now overflow with this one");
+      call.fail(CAROM_E_OUT_OF_RANGE, larger_of(3, force, torque), "what was added up to now overflows with this");
   });
 }
 
@@ -267,7 +267,7 @@ int32_t carom_body_add_impulse(carom_world* world, carom_body body, const double
       return;
     const FloatScope scope;
     if (!changing->add_impulse(handle_slot(body), to_vec3(impulse), to_vec3(point)))
-      call.fail(CAROM_E_OUT_OF_RANGE, 3, "impulse makes a velocity that overflows");
+      call.fail(CAROM_E_OUT_OF_RANGE, larger_of(3, impulse, point), "such an impulse makes a velocity that overflows");
   });
 }
 

@@ -153,7 +153,7 @@ int32_t carom_body_add_force_at(carom_world* world, carom_body body, const doubl
     const std::uint32_t slot = handle_slot(body);
     const Vec3 f = to_vec3(force);
     if (!changing->add_force(slot, f, (to_vec3(point) - changing->state.x[slot]).cross(f)))
-      call.fail(CAROM_E_OUT_OF_RANGE, 3, "the forces or torques added up to now overflow with this one");
+      call.fail(CAROM_E_OUT_OF_RANGE, larger_of(3, force, point), "what was added up to now overflows with this");
   });
 }
 
