@@ -81,24 +81,17 @@ void write_picture(const std::string& path, const Scene& scene, Stage& stage, do
 
 /// The state of the world, for a later run of the same scene with the same settings.
 void save_state(const std::string& path, const World& world) {
-  std::uint64_t size = 0;
-  Call call;
-  call.done(carom_world_save(world.get(), CAROM_SNAPSHOT_STATE, nullptr, 0, &size, call), "measuring the state");
-  std::vector<char> bytes(size);
-  call.done(carom_world_save(world.get(), CAROM_SNAPSHOT_STATE, bytes.data(), size, &size, call), "saving the state");
+  const std::vector<char> bytes = world.save();
   std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(size)).flush();
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
   if (!file)
     throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
 }
 
-void load_state(const std::string& path, const World& world) {
+void load_state(const std::string& path, World& world) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw Error("cannot read " + path, "give --load a file that --save wrote");
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  Call call;
-  call.done(carom_world_restore(world.get(), bytes.empty() ? "" : bytes.data(), bytes.size(), call),
-            "going on from " + path);
+  world.restore(std::vector<char>{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}, path);
 }
 
 void run_scene(const Options& options, Context& context) {

@@ -49,8 +49,8 @@ void add_scene_options(CLI::App& command, SceneChoice& choice, const std::string
       ->type_name("EFFECT")
       ->allow_extra_args(false);
   command
-      .add_option("--mesh", choice.mesh, "OBJ file for the bunny; default: the Stanford bunny of Debian's glmark2-data")
-      ->type_name("FILE.obj");
+      .add_option("--mesh", choice.mesh, "OBJ, STL or PLY file for the bunny; default: the Stanford bunny of Debian's glmark2-data")
+      ->type_name("FILE");
   command.add_option("--threads", choice.threads, "Threads that share a step; the outcome is the same")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();

@@ -132,6 +132,21 @@ World::World(Engine& engine, const carom_world_desc* desc) {
 
 World::~World() { carom_world_destroy(world_, nullptr); }
 
+std::vector<char> World::save() const {
+  std::uint64_t size = 0;
+  Call call;
+  call.done(carom_world_save(world_, CAROM_SNAPSHOT_STATE, nullptr, 0, &size, call), "measuring the state");
+  std::vector<char> bytes(size);
+  call.done(carom_world_save(world_, CAROM_SNAPSHOT_STATE, bytes.data(), size, &size, call), "saving the state");
+  return bytes;
+}
+
+void World::restore(const std::vector<char>& state, const std::string& from) {
+  Call call;
+  call.done(carom_world_restore(world_, state.empty() ? "" : state.data(), state.size(), call),
+            "going on from " + from);
+}
+
 void World::step(double dt) {
   Call call;
   call.done(carom_world_step(world_, dt, call), "stepping the world");

@@ -111,6 +111,9 @@ class World {
   void set_effect(const std::string& name, std::uint32_t mode);
   void time_effects(bool on);
   std::vector<carom_plan_line> plan() const;  ///< of the last step: stages, then effects
+  std::vector<char> save() const;              ///< the state (CAROM_SNAPSHOT_STATE)
+  /// @param from  says in errors where the state came from   @throws Error; then nothing has changed
+  void restore(const std::vector<char>& state, const std::string& from);
 
  private:
   carom_world* world_ = nullptr;
