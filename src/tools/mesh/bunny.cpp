@@ -74,10 +74,9 @@ Bunny load_bunny(const std::string& mesh_path, double height, std::size_t hull_v
                             std::to_string(bunny.mesh.points.size()) + " vertices, from " + kInstalledMesh);
   } else {
     bunny.mesh = procedural_bunny();
-    std::string remark = "bunny: NOT the Stanford bunny. ";
-    remark.append(kInstalledMesh)
+    bunny.remarks.emplace_back("bunny: NOT the Stanford bunny. ")
+        .append(kInstalledMesh)
         .append(" is missing, so a body of ellipsoids stands in (apt install glmark2-data, or --mesh FILE)");
-    bunny.remarks.push_back(std::move(remark));
   }
   fit_to_height(bunny.mesh, height);
   const Mesh full = convex_hull(bunny.mesh.points);
