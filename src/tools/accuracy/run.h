@@ -26,9 +26,9 @@ struct Request {
   std::vector<std::string> dials;                                    ///< "solver=severity"
   double dt = 1.0 / 60;                                              ///< s
   double seconds = 0;                                                ///< simulated; 0: what the scene asks for
-  double patience = 0;  ///< s of computing after which a run is given up; 0: never
   std::function<void(Stage&, const carom_step_report&)> after_step;  ///< may be empty
-  std::function<std::unique_ptr<Mover>(Stage&)> mover;  ///< for a stage that is filled; empty: the stage's own world
+  double patience = 0;  ///< s of computing after which a run is given up; 0: never
+  std::function<std::unique_ptr<Mover>(Stage&)> mover = {};  ///< for a stage that is filled; empty: its own world
 };
 
 /// What came of a run.

@@ -154,9 +154,6 @@ Svg work_precision(const SceneView& scene, const View& view) {
   svg.text({kLeft + report::text_width(c.scene.name, 15) + 16, 24}, Anchor::start, "soft", c.scene.summary);
   draw_axes(svg, f, c.metrics[0]);
   draw_fallen(svg, scene, f, view);
-  for (const bool ours : {false, true})  // ours on top
-    for (const Line& line : scene.lines)
-      if ((line.engine == kOurs) == ours) draw_line(svg, scene, line, f, view);
   std::vector<Label> labels;
   std::vector<std::string> engines = scene.engines();
   std::reverse(engines.begin(), engines.end());
@@ -171,6 +168,9 @@ Svg work_precision(const SceneView& scene, const View& view) {
     if (path.size() > 1) svg.polyline(path, report::series('s', view.colour.at(engine)) + " bold front");
     labels.push_back({path.back().y + 4, engine, view.colour.at(engine)});
   }
+  for (const bool ours : {false, true})  // ours on top, dots above fronts
+    for (const Line& line : scene.lines)
+      if ((line.engine == kOurs) == ours) draw_line(svg, scene, line, f, view);
   draw_labels(svg, std::move(labels));
   for (const Line& line : scene.lines)
     if (line.engine == kOurs && line.setting == kDefaultSetting)
