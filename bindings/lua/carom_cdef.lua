@@ -165,6 +165,8 @@ int32_t carom_rays_cast(carom_engine *engine, const carom_shape *shapes, const d
 int32_t carom_dial_get_info(uint32_t dial, carom_dial_info *info, carom_error *error);
 int32_t carom_dial_get_count(uint32_t *count);
 int32_t carom_dial_find(const char *name, uint32_t *dial, carom_error *error);
+const char *carom_preset_name(uint32_t preset);
+int32_t carom_preset_get_dial(uint32_t preset, uint32_t dial, double *value, carom_error *error);
 int32_t carom_draw_desc_init(carom_draw_desc *desc);
 int32_t carom_world_draw(carom_world *world, const carom_draw_desc *desc, carom_draw_line *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_engine_desc_init(carom_engine_desc *desc);
@@ -277,6 +279,7 @@ int32_t carom_world_destroy(carom_world *world, carom_error *error);
 int32_t carom_world_step(carom_world *world, double dt, carom_error *error);
 int32_t carom_world_set_dial(carom_world *world, uint32_t dial, double value, carom_error *error);
 int32_t carom_world_get_dial(carom_world *world, uint32_t dial, double *value, carom_error *error);
+int32_t carom_world_set_preset(carom_world *world, uint32_t preset, carom_error *error);
 int32_t carom_world_set_gravity(carom_world *world, const double *gravity, carom_error *error);
 int32_t carom_world_get_gravity(carom_world *world, double *gravity, carom_error *error);
 int32_t carom_world_get_report(carom_world *world, carom_step_report *report, carom_error *error);
@@ -449,6 +452,11 @@ return {
   CAROM_SWEEP_NOBODY = 0,
   CAROM_SWEEP_FLAGGED = 1,
   CAROM_SWEEP_FAST = 2,
+  CAROM_PRESET_FAST = 0,
+  CAROM_PRESET_BALANCED = 1,
+  CAROM_PRESET_ACCURATE = 2,
+  CAROM_PRESET_REFERENCE = 3,
+  CAROM_PRESET_COUNT = 4,
   CAROM_DIAL_KIND_NUMBER = 0,
   CAROM_DIAL_KIND_INTEGER = 1,
   CAROM_DIAL_KIND_CHOICE = 2,

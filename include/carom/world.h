@@ -48,6 +48,11 @@ CAROM_API int32_t carom_world_set_dial(carom_world *world, uint32_t dial, double
 /** @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
 CAROM_API int32_t carom_world_get_dial(carom_world *world, uint32_t dial, double *value, carom_error *error);
 
+/** Set all dials that presets speak of, from the next step on; see carom_preset_get_dial(). Later calls of
+ *  carom_world_set_dial() change them one by one.   @param preset CAROM_PRESET_*
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT   @since 1.8 */
+CAROM_API int32_t carom_world_set_preset(carom_world *world, uint32_t preset, carom_error *error);
+
 /** @param gravity [3] m/s^2, |each| <= 1e6   @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_world_set_gravity(carom_world *world, const double gravity[3], carom_error *error);
 /** @status OK; NULL_ARGUMENT; BUSY */

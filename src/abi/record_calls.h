@@ -384,6 +384,12 @@ inline auto world_set_dial(uint32_t dial, double value) {
     pen.number(value);
   };
 }
+inline auto world_set_preset(uint32_t preset) {
+  return [=](Pen& pen) {
+    pen.call("carom_world_set_preset");
+    pen.number(preset);
+  };
+}
 inline auto world_set_gravity(const double* gravity) {
   return [=](Pen& pen) {
     pen.call("carom_world_set_gravity");

@@ -7,6 +7,7 @@
 
 #include "abi/float_scope.h"
 #include "abi/tags.h"
+#include "dynamics/presets.h"
 
 namespace carom::abi {
 namespace {
@@ -191,6 +192,16 @@ int32_t carom_world_get_dial(carom_world* world, uint32_t dial, double* value, c
     const Reading reading(call, world);
     if (reading && known(call, 2, "dial", dial, kDialCount) && present(call, 3, "value", value))
       *value = reading->scene.dials[static_cast<Dial>(dial)];
+  });
+}
+
+int32_t carom_world_set_preset(carom_world* world, uint32_t preset, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Recorded changing(call, world, record::world_set_preset(preset));
+    if (!changing || !known(call, 2, "preset", preset, kPresetCount)) return;
+    for (std::size_t dial = 0; dial < kDialCount; ++dial)  // none of them can be refused: no preset asks for severity
+      if (const auto value = preset_value(static_cast<Preset>(preset), static_cast<Dial>(dial)))
+        changing->set_dial(static_cast<Dial>(dial), *value);
   });
 }
 

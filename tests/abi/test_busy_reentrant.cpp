@@ -39,6 +39,7 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   report.struct_size = sizeof report;
   add("world_destroy", carom_world_destroy(b.world, nullptr));
   add("world_step", carom_world_step(b.world, 0.01, nullptr));
+  add("world_set_preset", carom_world_set_preset(b.world, CAROM_PRESET_FAST, nullptr));
   add("world_set_dial", carom_world_set_dial(b.world, CAROM_DIAL_SUBSTEPS, 2, nullptr));
   add("world_get_dial", carom_world_get_dial(b.world, CAROM_DIAL_SUBSTEPS, v, nullptr));
   add("world_set_gravity", carom_world_set_gravity(b.world, kUp, nullptr));
@@ -247,6 +248,8 @@ std::vector<Attempt> try_engine_calls(const Bench& b) {
   add("world_create", carom_world_create(b.engine, nullptr, &world, nullptr));
   add("dial_get_info", carom_dial_get_info(0, &dial_info, nullptr));
   add("dial_find", carom_dial_find("solver", &dial, nullptr));
+  double preset_value = 0;
+  add("preset_get_dial", carom_preset_get_dial(0, CAROM_DIAL_SUBSTEPS, &preset_value, nullptr));
   return out;
 }
 

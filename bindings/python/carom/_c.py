@@ -158,6 +158,11 @@ CAROM_MANIFOLD_CLIP = 3
 CAROM_SWEEP_NOBODY = 0
 CAROM_SWEEP_FLAGGED = 1
 CAROM_SWEEP_FAST = 2
+CAROM_PRESET_FAST = 0
+CAROM_PRESET_BALANCED = 1
+CAROM_PRESET_ACCURATE = 2
+CAROM_PRESET_REFERENCE = 3
+CAROM_PRESET_COUNT = 4
 CAROM_DIAL_KIND_NUMBER = 0
 CAROM_DIAL_KIND_INTEGER = 1
 CAROM_DIAL_KIND_CHOICE = 2
@@ -539,6 +544,8 @@ FUNCTIONS = {
     "carom_dial_get_info": ("1.0", c_int32, (c_uint32, POINTER(carom_dial_info), POINTER(carom_error),)),
     "carom_dial_get_count": ("1.0", c_int32, (POINTER(c_uint32),)),
     "carom_dial_find": ("1.0", c_int32, (c_char_p, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_preset_name": ("1.8", c_char_p, (c_uint32,)),
+    "carom_preset_get_dial": ("1.8", c_int32, (c_uint32, c_uint32, POINTER(c_double), POINTER(carom_error),)),
     "carom_draw_desc_init": ("1.6", c_int32, (POINTER(carom_draw_desc),)),
     "carom_world_draw": ("1.6", c_int32, (c_void_p, POINTER(carom_draw_desc), POINTER(carom_draw_line), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_engine_desc_init": ("1.0", c_int32, (POINTER(carom_engine_desc),)),
@@ -651,6 +658,7 @@ FUNCTIONS = {
     "carom_world_step": ("1.0", c_int32, (c_void_p, c_double, POINTER(carom_error),)),
     "carom_world_set_dial": ("1.0", c_int32, (c_void_p, c_uint32, c_double, POINTER(carom_error),)),
     "carom_world_get_dial": ("1.0", c_int32, (c_void_p, c_uint32, POINTER(c_double), POINTER(carom_error),)),
+    "carom_world_set_preset": ("1.8", c_int32, (c_void_p, c_uint32, POINTER(carom_error),)),
     "carom_world_set_gravity": ("1.0", c_int32, (c_void_p, POINTER(c_double), POINTER(carom_error),)),
     "carom_world_get_gravity": ("1.0", c_int32, (c_void_p, POINTER(c_double), POINTER(carom_error),)),
     "carom_world_get_report": ("1.0", c_int32, (c_void_p, POINTER(carom_step_report), POINTER(carom_error),)),

@@ -165,6 +165,11 @@ CAROM_MANIFOLD_CLIP: int
 CAROM_SWEEP_NOBODY: int
 CAROM_SWEEP_FLAGGED: int
 CAROM_SWEEP_FAST: int
+CAROM_PRESET_FAST: int
+CAROM_PRESET_BALANCED: int
+CAROM_PRESET_ACCURATE: int
+CAROM_PRESET_REFERENCE: int
+CAROM_PRESET_COUNT: int
 CAROM_DIAL_KIND_NUMBER: int
 CAROM_DIAL_KIND_INTEGER: int
 CAROM_DIAL_KIND_CHOICE: int
@@ -1152,6 +1157,15 @@ def carom_dial_get_count(count: Any) -> int:
 def carom_dial_find(name: Any, dial: Any, error: Any) -> int:
     """@param name as in carom_dial_info.name   @status OK; NULL_ARGUMENT; NOT_FOUND   @thread any"""
     ...
+def carom_preset_name(preset: Any) -> bytes:
+    """Static name of a preset ("balanced"), or "?".   @thread any   @since 1.8"""
+    ...
+def carom_preset_get_dial(preset: Any, dial: Any, value: Any, error: Any) -> int:
+    """What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a world
+    finds pairs, who sleeps, and what a host chose for its look they leave alone.
+    @param preset CAROM_PRESET_*   @param dial CAROM_DIAL_*   @param value out
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any   @since 1.8"""
+    ...
 def carom_draw_desc_init(desc: Any) -> int:
     """@status OK; NULL_ARGUMENT   @since 1.6"""
     ...
@@ -1680,6 +1694,11 @@ def carom_world_set_dial(world: Any, dial: Any, value: Any, error: Any) -> int:
     ...
 def carom_world_get_dial(world: Any, dial: Any, value: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY"""
+    ...
+def carom_world_set_preset(world: Any, preset: Any, error: Any) -> int:
+    """Set all dials that presets speak of, from the next step on; see carom_preset_get_dial(). Later calls of
+    carom_world_set_dial() change them one by one.   @param preset CAROM_PRESET_*
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT   @since 1.8"""
     ...
 def carom_world_set_gravity(world: Any, gravity: Any, error: Any) -> int:
     """@param gravity [3] m/s^2, |each| <= 1e6   @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""

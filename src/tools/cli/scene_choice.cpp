@@ -35,6 +35,8 @@ void add_scene_options(CLI::App& command, SceneChoice& choice, const std::string
       ->allow_extra_args(false);
   command.add_option("--seconds", choice.seconds, seconds_help)->type_name("S");
   command.add_option("--dt", choice.dt, "Time step; default: the scene's")->type_name("S");
+  command.add_option("--preset", choice.preset, "fast, balanced, accurate or reference: what `carom dials` says; --dial comes after")
+      ->type_name("NAME");
   command.add_option("--dial", choice.dials, "A dial of the world, repeatable; `carom dials` lists them")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
@@ -60,6 +62,7 @@ std::unique_ptr<Observer> set_up(const SceneChoice& choice, const Scene& scene, 
   if (choice.n) settings.values.emplace_back("n", *choice.n);
   for (auto& value : values_from(choice.sets)) settings.values.push_back(std::move(value));
   std::unique_ptr<Observer> observer = build(scene, settings, stage);
+  if (!choice.preset.empty()) stage.world.set_preset(choice.preset);
   for (const std::string& dial : choice.dials) stage.world.set_dial(dial);
   for (const std::string& effect : choice.forbidden) {
     stage.world.set_effect(effect, CAROM_MODE_FORBID);

@@ -104,8 +104,10 @@ class World {
   void read(std::uint32_t field, const std::vector<carom_body>& which, std::vector<double>& dst) const;
   void set_dial(std::uint32_t dial, double value);
   double dial(std::uint32_t dial) const;
-  /// `name=value`, the value a number or the name of a choice.   @throws Error naming the nearest dial or the choices
+  /// `name=value`, the value a number or the name of a choice; or `preset=fast`.   @throws Error naming the nearest dial or the choices
   void set_dial(const std::string& assignment);
+  /// @throws Error naming the nearest preset and all of them
+  void set_preset(const std::string& name);
   /// @param mode  CAROM_MODE_*   @throws Error naming the nearest effect and all of them
   void set_effect(const std::string& name, std::uint32_t mode);
   void time_effects(bool on);
@@ -124,6 +126,9 @@ std::size_t field_width(std::uint32_t field);
 /// A dial's documentation, by index.   @throws Error
 carom_dial_info dial_info(std::uint32_t dial);
 std::vector<carom_dial_info> all_dials();
+
+/// Names of CAROM_PRESET_*, in order.
+std::vector<std::string> all_presets();
 
 /// The candidate that differs from `name` by the fewest edits (insert, delete, replace a letter); "" if none is close.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);

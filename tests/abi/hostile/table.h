@@ -545,6 +545,10 @@ inline const Row kRows[] = {
     // dials
     {"carom_dial_get_info", [](Context& c) { return call("carom_dial_get_info", carom_dial_get_info, {choice(c, CAROM_DIAL_COUNT), out_struct<carom_dial_info>(c), error(c)}); }},
     ROW(carom_dial_get_count, out(c, 4)),
+    {"carom_preset_name", [](Context& c) { return call("carom_preset_name", carom_preset_name, {fixed_number(c.source.below(64))}); }},
+    {"carom_preset_get_dial", [](Context& c) {
+       return call("carom_preset_get_dial", carom_preset_get_dial, {choice(c, CAROM_PRESET_COUNT), choice(c, CAROM_DIAL_COUNT), out(c, 8), error(c)}).may(code(CAROM_E_NOT_FOUND));
+     }},
     {"carom_dial_find", [](Context& c) {
        Argument name = string(c, "substeps");
        name.wrong.push_back({"none of this name", string(c, "bananas").good, code(CAROM_E_NOT_FOUND)});
@@ -582,6 +586,7 @@ inline const Row kRows[] = {
        if (info.kind != CAROM_DIAL_KIND_NUMBER) value.wrong.push_back({"not whole", of(info.min + 0.5), kRange});
        return call("carom_world_set_dial", carom_world_set_dial, {world(c), which, value, error(c)}).may(kUnsupported);
      }},
+    ROW(carom_world_set_preset, world(c), choice(c, CAROM_PRESET_COUNT), error(c)),
     ROW(carom_world_get_dial, world(c), choice(c, CAROM_DIAL_COUNT), out(c, 8), error(c)),
     ROW(carom_world_set_gravity, world(c), vector(c, 3, {-1e6, 1e6, false, -10, 10}), error(c)),
     ROW(carom_world_get_gravity, world(c), out(c, 24), error(c)),
