@@ -3,6 +3,7 @@ import json
 
 import emit_lua
 import emit_python
+import emit_record
 
 BY = "Written by bindings/gen/generate from include/carom; do not edit."
 
@@ -31,6 +32,8 @@ def manifest_rows(api):
 FILES = {
     "bindings/api.json": api_json,
     "src/abi/manifest_rows.inc": manifest_rows,
+    "src/abi/record_calls.h": emit_record.record_calls,
+    "src/tools/replay/calls.inc": emit_record.replay_calls,
     "bindings/lua/carom_cdef.lua": emit_lua.cdef,
     "bindings/python/carom/_c.py": emit_python.declarations,
     "bindings/python/carom/raw.pyi": emit_python.stubs,

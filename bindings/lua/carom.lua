@@ -34,7 +34,42 @@ function M.load(path)
   M.lib = ffi.load(path)
   check_layout(ffi.string(M.lib.carom_abi_manifest()))
   M.error = ffi.new("carom_error", {struct_size = ffi.sizeof("carom_error")})
-  return M
+  -- A world as a string (flags: carom.CAROM_SNAPSHOT_STATE, the default, or _WHOLE), and back.
+function M.save(world, flags)
+  local size = M.out("uint64_t")
+  M.check("carom_world_save", world, flags or 0, nil, 0, size)
+  local buffer = ffi.new("uint8_t[?]", size[0])
+  M.check("carom_world_save", world, flags or 0, buffer, size[0], size)
+  return ffi.string(buffer, size[0])
+end
+function M.restore(world, state) M.check("carom_world_restore", world, state, #state) end
+
+-- A copy of a world, to be destroyed as any; and what a handle of the one is in another.
+function M.fork(world)
+  local copy = M.out("carom_world *")
+  M.check("carom_world_fork", world, copy)
+  return copy[0]
+end
+function M.counterpart(world, handle)
+  local pair = ffi.new("uint64_t[2]", handle)
+  M.check("carom_world_translate_handles", world, pair, 1, pair + 1)
+  return pair[1]
+end
+
+-- Write every call on a world to a file that io.open() opened, until the function that comes back is called.
+function M.record(world, file, states)
+  local write = ffi.cast("carom_write_fn", function(_, bytes, size)
+    return file:write(ffi.string(bytes, size)) and 0 or 1
+  end)
+  M.check("carom_world_record_begin", world, states and M.CAROM_RECORD_STATES or M.CAROM_RECORD_HASHES, write, nil)
+  return function()
+    local ended, why = pcall(M.check, "carom_world_record_end", world)
+    write:free()
+    if not ended then error(why, 2) end
+  end
+end
+
+return M
 end
 
 -- Room for one value that a call writes.

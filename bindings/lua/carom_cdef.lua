@@ -40,6 +40,8 @@ typedef struct carom_geometry carom_geometry;
 typedef struct carom_shape_plugin carom_shape_plugin;
 typedef struct carom_distance_desc carom_distance_desc;
 typedef struct carom_distance carom_distance;
+typedef struct carom_difference carom_difference;
+typedef struct carom_residuals carom_residuals;
 typedef struct carom_mesh_desc carom_mesh_desc;
 typedef struct carom_height_field_desc carom_height_field_desc;
 typedef struct carom_scenery_info carom_scenery_info;
@@ -64,6 +66,7 @@ typedef uint64_t carom_force_field;
 typedef uint64_t carom_spring;
 typedef void (*carom_job_fn)(void *context, uint32_t begin, uint32_t end);
 typedef int32_t (*carom_support_fn)(const double *params, uint64_t param_len, const double *dir, double *out);
+typedef int32_t (*carom_write_fn)(void *user, const void *bytes, uint64_t size);
 struct carom_error { uint32_t struct_size; int32_t code; int32_t argument; uint32_t has_witness; double witness_dir[3]; double witness_out[3]; char message[256]; char remedy[256]; };
 struct carom_material_desc { uint32_t struct_size; uint32_t friction_mix; uint32_t restitution_mix; uint32_t reserved; double friction; double restitution; };
 struct carom_body_desc { uint32_t struct_size; uint32_t fields; uint32_t type; uint32_t reserved; double position[3]; double orientation[4]; double linear_velocity[3]; double angular_velocity[3]; double mass; double center[3]; double inertia[9]; double linear_damping; double angular_damping; uint64_t user; };
@@ -102,6 +105,8 @@ struct carom_geometry { uint32_t struct_size; uint32_t form; uint32_t form_arg[4
 struct carom_shape_plugin { uint32_t struct_size; uint32_t abi_major; uint32_t abi_minor; uint32_t flags; const char *id; uint32_t version; uint32_t param_count; const carom_param *params; const carom_geometry *geometry; carom_support_fn support; uint32_t param_tail_group; uint32_t param_tail_min; };
 struct carom_distance_desc { uint32_t struct_size; uint32_t simplex; uint32_t narrow_phase; uint32_t pair_routines; double tolerance; double hybrid_margin; uint32_t gjk_iterations; uint32_t epa_iterations; };
 struct carom_distance { uint32_t struct_size; uint32_t status; double separation; double lower; double upper; double normal[3]; double point_a[3]; double point_b[3]; uint32_t gjk_iterations; uint32_t epa_iterations; uint32_t support_calls; uint32_t reserved; };
+struct carom_difference { uint32_t struct_size; uint32_t differs; uint64_t first; uint64_t second; char sections[240]; };
+struct carom_residuals { uint32_t struct_size; uint32_t ledger_is_kept; uint64_t contact_points; uint64_t joints; double max_penetration; double mean_penetration; double joint_gap; double joint_angle; double complementarity; double cone; double slip; double energy; double energy_drift; };
 struct carom_mesh_desc { uint32_t struct_size; uint32_t flags; const double *vertices; uint64_t vertex_count; const uint32_t *triangles; uint64_t triangle_count; };
 struct carom_height_field_desc { uint32_t struct_size; uint32_t flags; uint32_t columns; uint32_t rows; const double *heights; double spacing[2]; };
 struct carom_scenery_info { uint32_t struct_size; uint32_t flags; uint64_t pieces; uint64_t vertices; uint64_t dropped; uint64_t rims; uint64_t bytes; };
@@ -160,6 +165,8 @@ int32_t carom_rays_cast(carom_engine *engine, const carom_shape *shapes, const d
 int32_t carom_dial_get_info(uint32_t dial, carom_dial_info *info, carom_error *error);
 int32_t carom_dial_get_count(uint32_t *count);
 int32_t carom_dial_find(const char *name, uint32_t *dial, carom_error *error);
+const char *carom_preset_name(uint32_t preset);
+int32_t carom_preset_get_dial(uint32_t preset, uint32_t dial, double *value, carom_error *error);
 int32_t carom_draw_desc_init(carom_draw_desc *desc);
 int32_t carom_world_draw(carom_world *world, const carom_draw_desc *desc, carom_draw_line *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_engine_desc_init(carom_engine_desc *desc);
@@ -244,6 +251,12 @@ int32_t carom_world_time_effects(carom_world *world, uint32_t on, carom_error *e
 int32_t carom_world_get_plan(carom_world *world, carom_plan_line *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_distance_desc_init(carom_distance_desc *desc);
 int32_t carom_shape_distance(carom_engine *engine, carom_shape shape_a, const double *position_a, const double *orientation_a, carom_shape shape_b, const double *position_b, const double *orientation_b, const carom_distance_desc *desc, carom_distance *result, carom_error *error);
+int32_t carom_world_record_begin(carom_world *world, uint32_t flags, carom_write_fn write, void *user, carom_error *error);
+int32_t carom_world_record_end(carom_world *world, carom_error *error);
+int32_t carom_world_compare(carom_world *world, const void *bytes, uint64_t size, carom_difference *difference, carom_error *error);
+int32_t carom_world_get_residuals(carom_world *world, carom_residuals *residuals, carom_error *error);
+int32_t carom_world_set_budget(carom_world *world, double seconds, uint32_t fewest, uint32_t most, carom_error *error);
+int32_t carom_world_get_budget(carom_world *world, double *seconds, uint32_t *fewest, uint32_t *most, carom_error *error);
 int32_t carom_mesh_desc_init(carom_mesh_desc *desc);
 int32_t carom_shape_create_mesh(carom_engine *engine, const carom_mesh_desc *desc, carom_shape *shape, carom_error *error);
 int32_t carom_height_field_desc_init(carom_height_field_desc *desc);
@@ -258,12 +271,15 @@ int32_t carom_shape_get_params(carom_engine *engine, carom_shape shape, double *
 int32_t carom_shape_support(carom_engine *engine, carom_shape shape, const double *dirs, uint64_t n, double *points, carom_error *error);
 int32_t carom_world_save(carom_world *world, uint32_t flags, void *buffer, uint64_t capacity, uint64_t *needed, carom_error *error);
 int32_t carom_world_restore(carom_world *world, const void *bytes, uint64_t size, carom_error *error);
+int32_t carom_world_fork(carom_world *world, carom_world **copy, carom_error *error);
+int32_t carom_world_translate_handles(carom_world *world, const uint64_t *handles, uint64_t n, uint64_t *translated, carom_error *error);
 int32_t carom_world_desc_init(carom_world_desc *desc);
 int32_t carom_world_create(carom_engine *engine, const carom_world_desc *desc, carom_world **world, carom_error *error);
 int32_t carom_world_destroy(carom_world *world, carom_error *error);
 int32_t carom_world_step(carom_world *world, double dt, carom_error *error);
 int32_t carom_world_set_dial(carom_world *world, uint32_t dial, double value, carom_error *error);
 int32_t carom_world_get_dial(carom_world *world, uint32_t dial, double *value, carom_error *error);
+int32_t carom_world_set_preset(carom_world *world, uint32_t preset, carom_error *error);
 int32_t carom_world_set_gravity(carom_world *world, const double *gravity, carom_error *error);
 int32_t carom_world_get_gravity(carom_world *world, double *gravity, carom_error *error);
 int32_t carom_world_get_report(carom_world *world, carom_step_report *report, carom_error *error);
@@ -314,6 +330,7 @@ return {
   CAROM_E_INTERNAL = -26,
   CAROM_E_CORRUPT = -27,
   CAROM_E_MISMATCH = -28,
+  CAROM_E_WRITE_FAILED = -29,
   CAROM_NULL_HANDLE = 0x0ULL,
   CAROM_MIX_GEOMETRIC_MEAN = 0,
   CAROM_MIX_MAXIMUM = 1,
@@ -438,6 +455,11 @@ return {
   CAROM_SWEEP_FAST = 2,
   CAROM_PRECISION_FLOAT = 0,
   CAROM_PRECISION_DOUBLE = 1,
+  CAROM_PRESET_FAST = 0,
+  CAROM_PRESET_BALANCED = 1,
+  CAROM_PRESET_ACCURATE = 2,
+  CAROM_PRESET_REFERENCE = 3,
+  CAROM_PRESET_COUNT = 4,
   CAROM_DIAL_KIND_NUMBER = 0,
   CAROM_DIAL_KIND_INTEGER = 1,
   CAROM_DIAL_KIND_CHOICE = 2,
@@ -540,8 +562,11 @@ return {
   CAROM_QUERY_CAPPED = 1,
   CAROM_QUERY_ROUNDING = 2,
   CAROM_QUERY_FAULT = 3,
+  CAROM_RECORD_HASHES = 0,
+  CAROM_RECORD_STATES = 1,
   CAROM_SCENERY_TWO_SIDED = 1,
   CAROM_SNAPSHOT_STATE = 0,
+  CAROM_SNAPSHOT_WHOLE = 1,
   CAROM_STAGE_REFRESH = 0,
   CAROM_STAGE_BROAD = 1,
   CAROM_STAGE_NARROW = 2,
@@ -570,5 +595,5 @@ return {
   CAROM_ASK_GENERIC = 1,
   CAROM_ASK_SENSORS = 2,
   VERSION = "1.8.0",
-  ROWS = 525, -- of the layout manifest
+  ROWS = 545, -- of the layout manifest
 }

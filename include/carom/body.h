@@ -100,11 +100,12 @@ CAROM_API int32_t carom_body_set_pose(carom_world *world, carom_body body, const
 CAROM_API int32_t carom_body_set_velocity(carom_world *world, carom_body body, const double linear[3],
                                           const double angular[3], carom_error *error);
 /** Add a force and a torque about the centre of mass, for the next step only.
- *  @param force [3] N, world   @param torque [3] N m, world   @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT */
+ *  @param force [3] N, world   @param torque [3] N m, world
+ *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
 CAROM_API int32_t carom_body_add_force(carom_world *world, carom_body body, const double force[3],
                                        const double torque[3], carom_error *error);
 /** Change velocities at once. @param impulse [3] N s, world   @param point [3] m, world: where it acts
- *  @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT */
+ *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT */
 CAROM_API int32_t carom_body_add_impulse(carom_world *world, carom_body body, const double impulse[3],
                                          const double point[3], carom_error *error);
 
@@ -151,7 +152,7 @@ CAROM_API int32_t carom_body_get_locks(carom_world *world, carom_body body, uint
  *    than 0), or calls carom_body_wake();
  *  - when the material of it or of what it touches is updated, or a static or kinematic body that it touches is moved by
  *    the host, changed or destroyed;
- *  - with all others when gravity or a dial changes, a shape is muted, or a body is quarantined.
+ *  - with all others when gravity or a dial but CAROM_DIAL_SUBSTEPS changes, a shape is muted, or a body is quarantined.
  * Its contacts are not among those of carom_world_get_contacts(), nor in the residuals of the report. */
 
 /** @param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.2 */

@@ -19,6 +19,8 @@
 #include <carom/plan.h>
 #include <carom/plugin.h>
 #include <carom/query.h>
+#include <carom/record.h>
+#include <carom/residuals.h>
 #include <carom/scenery.h>
 #include <carom/shape.h>
 #include <carom/snapshot.h>

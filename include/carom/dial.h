@@ -112,6 +112,12 @@ extern "C" {
 #define CAROM_PRECISION_FLOAT 0u  /* @since 1.8 */
 #define CAROM_PRECISION_DOUBLE 1u /* @since 1.8 */
 
+#define CAROM_PRESET_FAST 0u      /* one substep and coarse distances: crowds, debris, what nobody looks at closely */
+#define CAROM_PRESET_BALANCED 1u  /* what a new world has */
+#define CAROM_PRESET_ACCURATE 2u  /* a quarter of its error, at two to four times its cost */
+#define CAROM_PRESET_REFERENCE 3u /* to compare others with: as exact as the library is at a given step */
+#define CAROM_PRESET_COUNT 4u
+
 #define CAROM_DIAL_KIND_NUMBER 0u
 #define CAROM_DIAL_KIND_INTEGER 1u
 #define CAROM_DIAL_KIND_CHOICE 2u
@@ -139,6 +145,17 @@ CAROM_API int32_t carom_dial_get_count(uint32_t *count);
 
 /** @param name as in carom_dial_info.name   @status OK; NULL_ARGUMENT; NOT_FOUND   @thread any */
 CAROM_API int32_t carom_dial_find(const char *name, uint32_t *dial, carom_error *error);
+
+/* ---- presets: points on the measured front of error against time, from cheap to exact ---- */
+
+/** Static name of a preset ("balanced"), or "?".   @thread any   @since 1.8 */
+CAROM_API const char *carom_preset_name(uint32_t preset);
+
+/** What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a world
+ *  finds pairs, who sleeps, and what a host chose for its look they leave alone.
+ *  @param preset CAROM_PRESET_*   @param dial CAROM_DIAL_*   @param value out
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any   @since 1.8 */
+CAROM_API int32_t carom_preset_get_dial(uint32_t preset, uint32_t dial, double *value, carom_error *error);
 
 #ifdef __cplusplus
 }

@@ -15,7 +15,7 @@ extern "C" {
 /** Add a force that acts at a point, for the next step only: carom_body_add_force() with its torque about the centre of
  *  mass as the body stands now.
  *  @param force [3] N, world   @param point [3] m, world
- *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT   @since 1.7 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT   @since 1.7 */
 CAROM_API int32_t carom_body_add_force_at(carom_world *world, carom_body body, const double force[3],
                                           const double point[3], carom_error *error);
 

@@ -36,7 +36,7 @@ CAROM_API int32_t carom_world_create(carom_engine *engine, const carom_world_des
 CAROM_API int32_t carom_world_destroy(carom_world *world, carom_error *error);
 
 /** Advance by dt.
- *  @param dt s, in (0, 1]
+ *  @param dt s, in [1e-9, 1]
  *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY
  *  Out of memory: no body has moved and forces are still pending; contact caches may have been dropped.
  *  A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() tells. */
@@ -47,6 +47,11 @@ CAROM_API int32_t carom_world_step(carom_world *world, double dt, carom_error *e
 CAROM_API int32_t carom_world_set_dial(carom_world *world, uint32_t dial, double value, carom_error *error);
 /** @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
 CAROM_API int32_t carom_world_get_dial(carom_world *world, uint32_t dial, double *value, carom_error *error);
+
+/** Set all dials that presets speak of, from the next step on; see carom_preset_get_dial(). Later calls of
+ *  carom_world_set_dial() change them one by one.   @param preset CAROM_PRESET_*
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT   @since 1.8 */
+CAROM_API int32_t carom_world_set_preset(carom_world *world, uint32_t preset, carom_error *error);
 
 /** @param gravity [3] m/s^2, |each| <= 1e6   @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_world_set_gravity(carom_world *world, const double gravity[3], carom_error *error);

@@ -41,7 +41,8 @@ constexpr ResultRow kResults[] = {
     ROW(CAROM_E_NOT_FOUND, "check the spelling; load the plugin first"),
     ROW(CAROM_E_INTERNAL, "report this with the calls that led to it"),
     ROW(CAROM_E_CORRUPT, "take the bytes again from where they were saved, all of them and unchanged"),
-    ROW(CAROM_E_MISMATCH, "restore into a world that was made by the same calls as the one that was saved"),
+    ROW(CAROM_E_MISMATCH, "restore into a world that was made by the same calls as the one that was saved, or save it whole and restore into a new one"),
+    ROW(CAROM_E_WRITE_FAILED, "see that what the write function writes to has room, and record anew"),
 };
 #undef ROW
 

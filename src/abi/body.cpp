@@ -3,6 +3,7 @@
 
 #include "abi/collider.h"
 #include "abi/float_scope.h"
+#include "abi/record_calls.h"
 #include "abi/world.h"
 #include "dynamics/quarantine.h"
 
@@ -158,7 +159,7 @@ int32_t carom_body_desc_init(carom_body_desc* desc) {
 
 int32_t carom_body_create(carom_world* world, const carom_body_desc* desc, carom_body* body, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_create(desc));
     BodyDef def;
     if (!changing || !read_body(call, desc, def) || !present(call, 3, "body", body)) return;
     const FloatScope scope;
@@ -172,7 +173,7 @@ int32_t carom_body_create(carom_world* world, const carom_body_desc* desc, carom
 
 int32_t carom_body_destroy(carom_world* world, carom_body body, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_destroy(body));
     if (!changing || !resolve_body(call, *changing, body)) return;
     const FloatScope scope;
     remove(changing.engine(), *changing, handle_slot(body));
@@ -190,7 +191,7 @@ int32_t carom_body_get(carom_world* world, carom_body body, carom_body_desc* des
 int32_t carom_body_set_pose(carom_world* world, carom_body body, const double position[3], const double orientation[4],
                             carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_set_pose(body, position, orientation));
     if (!changing || !resolve_body(call, *changing, body) || !carom::abi::finite(call, 3, "position", position, 3) ||
         !unit(call, 4, "orientation", orientation, 4))
       return;
@@ -202,7 +203,7 @@ int32_t carom_body_set_pose(carom_world* world, carom_body body, const double po
 int32_t carom_body_set_velocity(carom_world* world, carom_body body, const double linear[3], const double angular[3],
                                 carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_set_velocity(body, linear, angular));
     if (!changing || !resolve_body(call, *changing, body) || !carom::abi::finite(call, 3, "linear", linear, 3) ||
         !carom::abi::finite(call, 4, "angular", angular, 3))
       return;
@@ -224,14 +225,14 @@ int32_t carom_body_is_asleep(carom_world* world, carom_body body, uint32_t* asle
 
 int32_t carom_body_wake(carom_world* world, carom_body body, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_wake(body));
     if (changing && resolve_body(call, *changing, body)) changing->wake_body(handle_slot(body));
   });
 }
 
 int32_t carom_body_set_continuous(carom_world* world, carom_body body, uint32_t mode, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_set_continuous(body, mode));
     if (changing && resolve_body(call, *changing, body) && known(call, 3, "mode", mode, CAROM_CONTINUOUS_NEVER + 1))
       changing->set_continuous(handle_slot(body), static_cast<SweepMode>(mode));
   });
@@ -248,28 +249,31 @@ int32_t carom_body_get_continuous(carom_world* world, carom_body body, uint32_t*
 int32_t carom_body_add_force(carom_world* world, carom_body body, const double force[3], const double torque[3],
                              carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
-    if (changing && resolve_body(call, *changing, body) && carom::abi::finite(call, 3, "force", force, 3) &&
-        carom::abi::finite(call, 4, "torque", torque, 3))
-      changing->add_force(handle_slot(body), to_vec3(force), to_vec3(torque));
+    const Recorded changing(call, world, record::body_add_force(body, force, torque));
+    if (!changing || !resolve_body(call, *changing, body) || !carom::abi::finite(call, 3, "force", force, 3) ||
+        !carom::abi::finite(call, 4, "torque", torque, 3))
+      return;
+    if (!changing->add_force(handle_slot(body), to_vec3(force), to_vec3(torque)))
+      call.fail(CAROM_E_OUT_OF_RANGE, larger_of(3, force, torque), "what was added up to now overflows with this");
   });
 }
 
 int32_t carom_body_add_impulse(carom_world* world, carom_body body, const double impulse[3], const double point[3],
                                carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_add_impulse(body, impulse, point));
     if (!changing || !resolve_body(call, *changing, body) || !carom::abi::finite(call, 3, "impulse", impulse, 3) ||
         !carom::abi::finite(call, 4, "point", point, 3))
       return;
     const FloatScope scope;
-    changing->add_impulse(handle_slot(body), to_vec3(impulse), to_vec3(point));
+    if (!changing->add_impulse(handle_slot(body), to_vec3(impulse), to_vec3(point)))
+      call.fail(CAROM_E_OUT_OF_RANGE, larger_of(3, impulse, point), "such an impulse makes a velocity that overflows");
   });
 }
 
 int32_t carom_body_set_gravity_factor(carom_world* world, carom_body body, double factor, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_set_gravity_factor(body, factor));
     if (changing && resolve_body(call, *changing, body) && carom::abi::finite(call, 3, "factor", &factor, 1))
       changing->set_gravity_factor(handle_slot(body), factor);
   });
@@ -285,7 +289,7 @@ int32_t carom_body_get_gravity_factor(carom_world* world, carom_body body, doubl
 
 int32_t carom_body_set_locks(carom_world* world, carom_body body, uint32_t locks, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_set_locks(body, locks));
     if (!changing || !resolve_body(call, *changing, body) || !lockable(call, *changing, handle_slot(body), locks))
       return;
     const FloatScope scope;

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "abi/collider.h"
+#include "abi/record_calls.h"
 #include "abi/records.h"
 #include "abi/world.h"
 
@@ -190,7 +191,7 @@ int32_t carom_world_read(carom_world* world, uint32_t field, uint32_t scalar, co
 int32_t carom_world_write(carom_world* world, uint32_t field, uint32_t scalar, const carom_body* handles, uint64_t n,
                           const void* src, uint64_t stride, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::world_write(field, scalar, handles, n, src, stride));
     if (!changing || !check_shape_of_data(call, field, scalar, n, "src", src, stride)) return;
     if (!kFields[field].writable) {
       call.fail(CAROM_E_UNSUPPORTED, 2, "%s can be read, not written", kFields[field].name);

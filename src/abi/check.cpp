@@ -42,6 +42,12 @@ bool vector_in_range(Call& call, int argument, const char* name, const double v[
   return true;
 }
 
+int larger_of(int argument, const double a[3], const double b[3]) {
+  double of_a = 0, of_b = 0;
+  for (int k = 0; k < 3; ++k) of_a = std::fmax(of_a, std::fabs(a[k])), of_b = std::fmax(of_b, std::fabs(b[k]));
+  return of_a >= of_b ? argument : argument + 1;
+}
+
 bool not_negative(Call& call, int argument, const char* name, double value) {
   return value >= 0 ||
          call.fail(value < 0 ? CAROM_E_OUT_OF_RANGE : CAROM_E_NOT_FINITE, argument, "%s is %g", name, value);

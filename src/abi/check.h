@@ -22,6 +22,8 @@ bool finite(Call& call, int argument, const char* name, const double* values, in
 bool in_range(Call& call, int argument, const char* name, double value, double low, double high);
 /// Three numbers, finite, and each within [-most, most].
 bool vector_in_range(Call& call, int argument, const char* name, const double v[3], double most);
+/// Which of two vectors, arguments number `argument` and the next, is to blame for a product or sum that overflowed.
+int larger_of(int argument, const double a[3], const double b[3]);
 /// At least 0; may be infinite.
 bool not_negative(Call& call, int argument, const char* name, double value);
 /// Present, finite and of unit length. @param count 3: normal, 4: quaternion

@@ -4,6 +4,7 @@
 #include <carom/body.h>
 
 #include "abi/float_scope.h"
+#include "abi/record_calls.h"
 #include "dynamics/quarantine.h"
 
 namespace carom::abi {
@@ -107,13 +108,13 @@ int32_t carom_collider_desc_init(carom_collider_desc* desc) {
 int32_t carom_collider_create(carom_world* world, carom_body body, const carom_collider_desc* desc,
                               carom_collider* collider, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    if (const Changing changing(call, world); changing) create(call, changing, body, desc, collider);
+    if (const Recorded changing(call, world, record::collider_create(body, desc)); changing) create(call, changing, body, desc, collider);
   });
 }
 
 int32_t carom_collider_destroy(carom_world* world, carom_collider collider, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::collider_destroy(collider));
     if (!changing || !resolve(call, 2, "collider", changing->scene.collider_slots, collider)) return;
     const FloatScope scope;
     remove_collider(changing.engine(), *changing, handle_slot(collider));
@@ -135,7 +136,7 @@ int32_t carom_collider_get(carom_world* world, carom_collider collider, carom_co
 int32_t carom_collider_set_surface_velocity(carom_world* world, carom_collider collider, const double linear[3],
                                             const double angular[3], carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::collider_set_surface_velocity(collider, linear, angular));
     if (!changing || !resolve(call, 2, "collider", changing->scene.collider_slots, collider) ||
         !vector_in_range(call, 3, "linear", linear, kFastestSurface) ||
         !vector_in_range(call, 4, "angular", angular, kFastestSurface))

@@ -4,6 +4,7 @@
 #include "abi/check.h"
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/dials.h"
+#include "dynamics/presets.h"
 
 namespace carom::abi {
 namespace {
@@ -41,6 +42,10 @@ static_assert(kSweepNobody == CAROM_SWEEP_NOBODY && kSweepFlagged == CAROM_SWEEP
               kSweepFast == CAROM_SWEEP_FAST);
 static_assert(static_cast<std::uint32_t>(Precision::in_float) == CAROM_PRECISION_FLOAT &&
               static_cast<std::uint32_t>(Precision::in_double) == CAROM_PRECISION_DOUBLE);
+constexpr bool same(Preset inside, std::uint32_t outside) { return static_cast<std::uint32_t>(inside) == outside; }
+static_assert(same(Preset::fast, CAROM_PRESET_FAST) && same(Preset::balanced, CAROM_PRESET_BALANCED) &&
+              same(Preset::accurate, CAROM_PRESET_ACCURATE) && same(Preset::reference, CAROM_PRESET_REFERENCE) &&
+              same(Preset::count, CAROM_PRESET_COUNT));
 static_assert(DialRow::number == CAROM_DIAL_KIND_NUMBER && DialRow::integer == CAROM_DIAL_KIND_INTEGER &&
               DialRow::choice == CAROM_DIAL_KIND_CHOICE);
 
@@ -86,6 +91,23 @@ int32_t carom_dial_find(const char* name, uint32_t* dial, carom_error* error) {
         return;
       }
     call.fail(CAROM_E_NOT_FOUND, 1, "there is no dial \"%.180s\"", name);
+  });
+}
+
+const char* carom_preset_name(uint32_t preset) {
+  return preset < kPresetCount ? name_of(static_cast<Preset>(preset)) : "?";
+}
+
+int32_t carom_preset_get_dial(uint32_t preset, uint32_t dial, double* value, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    if (!known(call, 1, "preset", preset, kPresetCount) || !known(call, 2, "dial", dial, kDialCount) ||
+        !present(call, 3, "value", value))
+      return;
+    const std::optional<Real> set = preset_value(static_cast<Preset>(preset), static_cast<Dial>(dial));
+    if (set)
+      *value = *set;
+    else
+      call.fail(CAROM_E_NOT_FOUND, 2, "presets leave dial %s alone", dial_table()[dial].name);
   });
 }
 

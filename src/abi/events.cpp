@@ -4,6 +4,7 @@
 #include <carom/events.h>
 
 #include "abi/copy_out.h"
+#include "abi/record_calls.h"
 #include "abi/world.h"
 
 namespace carom::abi {
@@ -76,7 +77,7 @@ extern "C" {
 
 int32_t carom_world_collect_events(carom_world* world, uint32_t kinds, double hit_speed, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::world_collect_events(kinds, hit_speed));
     if (changing && only_bits(call, 2, "kinds", kinds, Events::every) &&
         in_range(call, 3, "hit_speed", hit_speed, 0, kFastest))
       collect(*changing, kinds, hit_speed);

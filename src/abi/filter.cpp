@@ -1,6 +1,7 @@
 // Who may touch whom: filters, bodies held apart, sensors.
 #include <carom/filter.h>
 
+#include "abi/record_calls.h"
 #include "abi/world.h"
 
 using namespace carom;
@@ -11,7 +12,7 @@ extern "C" {
 int32_t carom_collider_set_filter(carom_world* world, carom_collider collider, uint64_t category, uint64_t mask,
                                   int32_t group, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::collider_set_filter(collider, category, mask, group));
     if (!changing || !resolve(call, 2, "collider", changing->scene.collider_slots, collider)) return;
     changing->set_filter(handle_slot(collider), {category, mask, group});
   });
@@ -32,7 +33,7 @@ int32_t carom_collider_get_filter(carom_world* world, carom_collider collider, u
 int32_t carom_body_set_filter(carom_world* world, carom_body body, uint64_t category, uint64_t mask, int32_t group,
                               carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_set_filter(body, category, mask, group));
     if (!changing || !resolve(call, 2, "body", changing->scene.bodies, body)) return;
     changing->set_body_filter(handle_slot(body), {category, mask, group});
   });
@@ -41,7 +42,7 @@ int32_t carom_body_set_filter(carom_world* world, carom_body body, uint64_t cate
 int32_t carom_body_hold_apart(carom_world* world, carom_body body_a, carom_body body_b, uint32_t apart,
                               carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_hold_apart(body_a, body_b, apart));
     if (!changing || !resolve(call, 2, "body_a", changing->scene.bodies, body_a) ||
         !resolve(call, 3, "body_b", changing->scene.bodies, body_b) || !in_range(call, 4, "apart", apart, 0, 1))
       return;
@@ -58,7 +59,7 @@ int32_t carom_body_hold_apart(carom_world* world, carom_body body_a, carom_body 
 
 int32_t carom_collider_set_sensor(carom_world* world, carom_collider collider, uint32_t sensor, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::collider_set_sensor(collider, sensor));
     if (changing && resolve(call, 2, "collider", changing->scene.collider_slots, collider) &&
         in_range(call, 3, "sensor", sensor, 0, 1))
       changing->set_sensor(handle_slot(collider), sensor != 0);

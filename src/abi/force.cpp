@@ -7,6 +7,7 @@
 
 #include "abi/ends.h"
 #include "abi/float_scope.h"
+#include "abi/record_calls.h"
 #include "abi/world.h"
 #include "dynamics/quarantine.h"
 
@@ -144,20 +145,21 @@ extern "C" {
 int32_t carom_body_add_force_at(carom_world* world, carom_body body, const double force[3], const double point[3],
                                 carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_add_force_at(body, force, point));
     if (!changing || !resolve_body(call, *changing, body) || !finite(call, 3, "force", force, 3) ||
         !finite(call, 4, "point", point, 3))
       return;
     const FloatScope scope;
     const std::uint32_t slot = handle_slot(body);
     const Vec3 f = to_vec3(force);
-    changing->add_force(slot, f, (to_vec3(point) - changing->state.x[slot]).cross(f));
+    if (!changing->add_force(slot, f, (to_vec3(point) - changing->state.x[slot]).cross(f)))
+      call.fail(CAROM_E_OUT_OF_RANGE, larger_of(3, force, point), "what was added up to now overflows with this");
   });
 }
 
 int32_t carom_body_set_drag(carom_world* world, carom_body body, double linear, double quadratic, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_set_drag(body, linear, quadratic));
     if (changing && resolve_body(call, *changing, body) && in_range(call, 3, "linear", linear, 0, kMostDrag) &&
         in_range(call, 4, "quadratic", quadratic, 0, kMostDrag))
       changing->set_drag(handle_slot(body), {linear, quadratic});
@@ -178,7 +180,7 @@ int32_t carom_body_get_drag(carom_world* world, carom_body body, double* linear,
 
 int32_t carom_world_set_wind(carom_world* world, const double velocity[3], carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::world_set_wind(velocity));
     if (changing && vector_in_range(call, 2, "velocity", velocity, kFastest)) changing->set_wind(to_vec3(velocity));
   });
 }
@@ -204,7 +206,7 @@ int32_t carom_force_field_desc_init(carom_force_field_desc* desc) {
 int32_t carom_force_field_create(carom_world* world, const carom_force_field_desc* desc, carom_force_field* field,
                                  carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::force_field_create(desc));
     if (!changing) return;
     const FloatScope scope;
     FieldDef def;
@@ -220,7 +222,7 @@ int32_t carom_force_field_create(carom_world* world, const carom_force_field_des
 int32_t carom_force_field_update(carom_world* world, carom_force_field field, const carom_force_field_desc* desc,
                                  carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::force_field_update(field, desc));
     if (!changing || !resolve_field(call, *changing, field)) return;
     const FloatScope scope;
     FieldDef def;
@@ -239,14 +241,14 @@ int32_t carom_force_field_get(carom_world* world, carom_force_field field, carom
 
 int32_t carom_force_field_destroy(carom_world* world, carom_force_field field, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::force_field_destroy(field));
     if (changing && resolve_field(call, *changing, field)) changing->remove_field(handle_slot(field));
   });
 }
 
 int32_t carom_body_set_force_field_mask(carom_world* world, carom_body body, uint32_t mask, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_set_force_field_mask(body, mask));
     if (changing && resolve_body(call, *changing, body)) changing->set_field_mask(handle_slot(body), mask);
   });
 }
@@ -264,7 +266,7 @@ int32_t carom_spring_desc_init(carom_spring_desc* desc) { return begin_desc(desc
 int32_t carom_spring_create(carom_world* world, const carom_spring_desc* desc, carom_spring* spring,
                             carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::spring_create(desc));
     if (!changing) return;
     SpringDef def;
     if (!read_spring(call, *changing, desc, def) || !present(call, 3, "spring", spring)) return;
@@ -279,7 +281,7 @@ int32_t carom_spring_create(carom_world* world, const carom_spring_desc* desc, c
 int32_t carom_spring_update(carom_world* world, carom_spring spring, double rest, double stiffness, double damping,
                             carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::spring_update(spring, rest, stiffness, damping));
     if (changing && resolve_spring(call, *changing, spring) && check_spring(call, 3, rest, stiffness, damping))
       changing->set_spring(handle_slot(spring), rest, stiffness, damping);
   });
@@ -308,7 +310,7 @@ int32_t carom_spring_get_state(carom_world* world, carom_spring spring, double* 
 
 int32_t carom_spring_destroy(carom_world* world, carom_spring spring, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::spring_destroy(spring));
     if (changing && resolve_spring(call, *changing, spring)) changing->remove_spring(handle_slot(spring));
   });
 }
@@ -323,7 +325,7 @@ int32_t carom_water_init(carom_water* water) {
 
 int32_t carom_world_set_water(carom_world* world, const carom_water* water, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::world_set_water(water));
     if (!changing) return;
     const FloatScope scope;
     WaterDef def;

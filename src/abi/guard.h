@@ -28,6 +28,7 @@ class Call {
   void witness(const double dir[3], const double out[3]);
 
   bool ok() const { return code_ == CAROM_OK; }
+  const char* message() const { return message_; }
 
   /// Hand the failure over (never past the size the caller's struct has). @return the result of the call
   std::int32_t finish() const;

@@ -5,6 +5,7 @@
 
 #include "abi/ends.h"
 #include "abi/float_scope.h"
+#include "abi/record_calls.h"
 #include "abi/world.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/quarantine.h"
@@ -187,10 +188,11 @@ void write(const JointDrive& drive, carom_joint_spring& d) {
   d.most = std::min(s.most, kStrongest);
 }
 
-template <class Desc>
-int32_t set(carom_world* world, carom_joint handle, std::uint32_t coordinate, const Desc* desc, carom_error* error) {
+template <class Desc, class Say>
+int32_t set(carom_world* world, carom_joint handle, std::uint32_t coordinate, const Desc* desc, const Say& say,
+            carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, say);
     if (!changing || !resolve_joint(call, *changing, handle)) return;
     const Joint& joint = changing->joints.joint[handle_slot(handle)];
     JointDrive drive = coordinate < kCoordinates ? joint.drive[coordinate] : JointDrive{};
@@ -237,7 +239,7 @@ int32_t carom_joint_spring_init(carom_joint_spring* spring) {
 
 int32_t carom_joint_create(carom_world* world, const carom_joint_desc* desc, carom_joint* joint, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::joint_create(desc));
     if (!changing) return;
     const FloatScope scope;
     JointDef def;
@@ -254,7 +256,7 @@ int32_t carom_joint_create(carom_world* world, const carom_joint_desc* desc, car
 
 int32_t carom_joint_destroy(carom_world* world, carom_joint joint, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::joint_destroy(joint));
     if (changing && resolve_joint(call, *changing, joint)) changing->remove_joint(handle_slot(joint));
   });
 }
@@ -285,15 +287,15 @@ int32_t carom_joint_get_state(carom_world* world, carom_joint handle, carom_join
 
 int32_t carom_joint_set_limit(carom_world* world, carom_joint joint, uint32_t coordinate,
                               const carom_joint_limit* limit, carom_error* error) {
-  return set(world, joint, coordinate, limit, error);
+  return set(world, joint, coordinate, limit, record::joint_set_limit(joint, coordinate, limit), error);
 }
 int32_t carom_joint_set_motor(carom_world* world, carom_joint joint, uint32_t coordinate,
                               const carom_joint_motor* motor, carom_error* error) {
-  return set(world, joint, coordinate, motor, error);
+  return set(world, joint, coordinate, motor, record::joint_set_motor(joint, coordinate, motor), error);
 }
 int32_t carom_joint_set_spring(carom_world* world, carom_joint joint, uint32_t coordinate,
                                const carom_joint_spring* spring, carom_error* error) {
-  return set(world, joint, coordinate, spring, error);
+  return set(world, joint, coordinate, spring, record::joint_set_spring(joint, coordinate, spring), error);
 }
 int32_t carom_joint_get_limit(carom_world* world, carom_joint joint, uint32_t coordinate, carom_joint_limit* limit,
                               carom_error* error) {

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "abi/copy_out.h"
+#include "abi/record_calls.h"
 #include "abi/world.h"
 
 namespace carom::abi {
@@ -46,7 +47,7 @@ extern "C" {
 
 int32_t carom_world_enable_ledger(carom_world* world, uint32_t on, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::world_enable_ledger(on));
     if (changing && known(call, 2, "on", on, 2)) changing->keep_ledger(on != 0);
   });
 }

@@ -1,6 +1,7 @@
 // Materials: surfaces that colliders wear.
 #include <carom/body.h>
 
+#include "abi/record_calls.h"
 #include "abi/world.h"
 
 namespace carom::abi {
@@ -59,7 +60,7 @@ int32_t carom_material_desc_init(carom_material_desc* desc) {
 int32_t carom_material_create(carom_world* world, const carom_material_desc* desc, carom_material* material,
                               carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::material_create(desc));
     Material m;
     if (!changing || !read_material(call, 2, desc, m) || !present(call, 3, "material", material)) return;
     const Handle handle = changing->add_material(m);
@@ -73,7 +74,7 @@ int32_t carom_material_create(carom_world* world, const carom_material_desc* des
 int32_t carom_material_update(carom_world* world, carom_material material, const carom_material_desc* desc,
                               carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::material_update(material, desc));
     Material m;
     if (changing && resolve(call, 2, "material", changing->scene.material_slots, material) &&
         read_material(call, 3, desc, m)) {
@@ -87,7 +88,7 @@ int32_t carom_material_update(carom_world* world, carom_material material, const
 int32_t carom_material_set_resistance(carom_world* world, carom_material material, double rolling, double spinning,
                                       carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::material_set_resistance(material, rolling, spinning));
     if (!changing || !resolve(call, 2, "material", changing->scene.material_slots, material) ||
         !in_range(call, 3, "rolling", rolling, 0, kLargestResistance) ||
         !in_range(call, 4, "spinning", spinning, 0, kLargestResistance))
@@ -112,7 +113,7 @@ int32_t carom_material_get_resistance(carom_world* world, carom_material materia
 
 int32_t carom_material_destroy(carom_world* world, carom_material material, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::material_destroy(material));
     if (!changing || !resolve(call, 2, "material", changing->scene.material_slots, material)) return;
     if (worn(changing->scene, handle_slot(material)))
       call.fail(CAROM_E_IN_USE, 2, "a collider wears this material");

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "abi/float_scope.h"
+#include "abi/record_calls.h"
 #include "abi/records.h"
 #include "abi/world.h"
 #include "dynamics/quarantine.h"
@@ -167,7 +168,7 @@ int32_t carom_particles_desc_init(carom_particles_desc* desc) {
 int32_t carom_particles_create(carom_world* world, const carom_particles_desc* desc, carom_particles* set,
                                carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::particles_create(desc));
     carom_particles_desc d;
     if (!changing || !read_desc(call, 2, desc, d) || !present(call, 3, "set", set)) return;
     const Handle handle = changing->particles.create(def_of(d), d.capacity);
@@ -180,7 +181,7 @@ int32_t carom_particles_create(carom_world* world, const carom_particles_desc* d
 
 int32_t carom_particles_destroy(carom_world* world, carom_particles set, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::particles_destroy(set));
     if (!changing || !resolve_set(call, *changing, set)) return;
     const std::uint32_t slot = handle_slot(set);
     std::erase_if(changing->fault_views, [&](const FaultView& v) { return v.particles == slot; });
@@ -205,7 +206,7 @@ int32_t carom_particles_get(carom_world* world, carom_particles set, carom_parti
 int32_t carom_particles_update(carom_world* world, carom_particles set, const carom_particles_desc* desc,
                                carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::particles_update(set, desc));
     carom_particles_desc d;
     if (!changing || !resolve_set(call, *changing, set) || !read_desc(call, 3, desc, d)) return;
     changing->particles.reserve(handle_slot(set), d.capacity);
@@ -225,7 +226,7 @@ int32_t carom_particles_add(carom_world* world, carom_particles set, uint64_t n,
                             uint64_t position_stride, const void* velocities, uint64_t velocity_stride,
                             carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::particles_add(set, n, scalar, positions, position_stride, velocities, velocity_stride));
     if (!changing || !resolve_set(call, *changing, set) || !known(call, 4, "scalar", scalar, CAROM_SCALAR_F64 + 1) ||
         (n && !present(call, 5, "positions", positions)) ||
         !check_stride(call, 6, kPosition.name, 3, scalar, position_stride) ||
@@ -251,7 +252,7 @@ int32_t carom_particles_add(carom_world* world, carom_particles set, uint64_t n,
 int32_t carom_particles_remove(carom_world* world, carom_particles set, const uint32_t* indices, uint64_t n,
                                carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::particles_remove(set, indices, n));
     if (!changing || !resolve_set(call, *changing, set) ||
         !check_indices(call, 3, set_of(*changing, set), indices, n, true))
       return;
@@ -286,7 +287,7 @@ int32_t carom_particles_write(carom_world* world, carom_particles set, uint32_t 
                               const uint32_t* indices, uint64_t n, const void* src, uint64_t stride,
                               carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::particles_write(set, field, scalar, indices, n, src, stride));
     if (!changing || !resolve_set(call, *changing, set)) return;
     const FieldRow* const row = find_field(call, field);
     if (!row || !known(call, 4, "scalar", scalar, CAROM_SCALAR_F64 + 1) || (n && !present(call, 7, "src", src)) ||

@@ -2,6 +2,7 @@
 #include <carom/plan.h>
 
 #include "abi/copy_out.h"
+#include "abi/record_calls.h"
 #include "abi/world.h"
 #include "dynamics/plan_view.h"
 
@@ -73,7 +74,7 @@ const char* carom_effect_name(uint32_t effect) {
 
 int32_t carom_world_set_effect(carom_world* world, uint32_t effect, uint32_t mode, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::world_set_effect(effect, mode));
     if (changing && known_effect(call, 2, effect) && known(call, 3, "mode", mode, kModes))
       changing->set_mode(effect, static_cast<EffectMode>(mode));
   });
@@ -89,7 +90,7 @@ int32_t carom_world_get_effect(carom_world* world, uint32_t effect, uint32_t* mo
 
 int32_t carom_body_set_effect(carom_world* world, carom_body body, uint32_t effect, uint32_t mode, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::body_set_effect(body, effect, mode));
     if (changing && resolve_body(call, *changing, body) && known_effect(call, 3, effect) &&
         is_of_bodies(call, effect) && known(call, 4, "mode", mode, kModes))
       changing->set_body_mode(handle_slot(body), effect, static_cast<EffectMode>(mode));
@@ -108,7 +109,7 @@ int32_t carom_body_get_effect(carom_world* world, carom_body body, uint32_t effe
 
 int32_t carom_world_time_effects(carom_world* world, uint32_t on, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::world_time_effects(on));
     if (!changing) return;
     if (on > 1)
       call.fail(CAROM_E_OUT_OF_RANGE, 2, "on is %u, must be 1 or 0", on);

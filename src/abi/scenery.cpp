@@ -59,22 +59,25 @@ bool check(Call& call, const carom_height_field_desc& d) {
   return true;
 }
 
-template <class Desc, class Make>
-void create(Call& call, carom_engine* engine, const Desc* given, Desc d, carom_shape* shape, const Make& make) {
-  if (!present(call, 1, "engine", engine) || !read_struct(call, 2, "desc", given, d) || !check(call, d) ||
+template <class Make>
+bool draft_scenery(Call& call, ShapeDraft& draft, const Make& make) {
+  const FloatScope scope;
+  Memory* const memory = draft.memory;
+  auto scenery = std::allocate_shared<Scenery>(std::pmr::polymorphic_allocator<Scenery>(memory), memory);
+  make(*scenery);
+  if (!(scenery->bounds.lo.x() <= scenery->bounds.hi.x()))
+    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "nothing is left: no triangle has an area");
+  make_scenery(std::move(scenery), *draft.shape);
+  return true;
+}
+
+template <class Desc, class Draft>
+void create(Call& call, carom_engine* engine, const Desc* given, Desc d, carom_shape* shape, const Draft& make) {
+  if (!present(call, 1, "engine", engine) || !read_struct(call, 2, "desc", given, d) ||
       !present(call, 3, "shape", shape))
     return;
-  const FloatScope scope;
-  Memory* const memory = &engine->memory;
-  auto scenery = std::allocate_shared<Scenery>(std::pmr::polymorphic_allocator<Scenery>(memory), memory);
-  make(d, *scenery);
-  if (!(scenery->bounds.lo.x() <= scenery->bounds.hi.x())) {
-    call.fail(CAROM_E_OUT_OF_RANGE, 2, "nothing is left: no triangle has an area");
-    return;
-  }
-  ShapeDraft draft(memory);
-  make_scenery(std::move(scenery), *draft.shape);
-  add_shape(call, *engine, draft, shape);
+  ShapeDraft draft(&engine->memory);
+  if (make(call, d, draft)) add_shape(call, *engine, draft, shape);
 }
 
 /// Scenery of a shape, which is kept alive by the pin.
@@ -94,6 +97,22 @@ std::uint64_t rims_of(const Scenery& s) {
 }
 
 }  // namespace
+
+bool draft_mesh(Call& call, const carom_mesh_desc& d, ShapeDraft& draft, std::uint32_t dropped) {
+  return check(call, d) && draft_scenery(call, draft, [&](Scenery& s) {
+           make_mesh({d.vertices, 3 * d.vertex_count}, {d.triangles, 3 * d.triangle_count},
+                     (d.flags & CAROM_SCENERY_TWO_SIDED) != 0, s);
+           s.dropped += dropped;
+         });
+}
+
+bool draft_height_field(Call& call, const carom_height_field_desc& d, ShapeDraft& draft) {
+  return check(call, d) && draft_scenery(call, draft, [&](Scenery& s) {
+           make_height_field({d.heights, std::size_t(d.columns) * d.rows}, d.columns, d.rows, d.spacing[0],
+                             d.spacing[1], s);
+         });
+}
+
 }  // namespace carom::abi
 
 using namespace carom;
@@ -121,10 +140,8 @@ int32_t carom_shape_create_mesh(carom_engine* engine, const carom_mesh_desc* des
   return guarded(error, [&](Call& call) {
     carom_mesh_desc defaults;
     carom_mesh_desc_init(&defaults);
-    create(call, engine, desc, defaults, shape, [](const carom_mesh_desc& d, Scenery& s) {
-      make_mesh({d.vertices, 3 * d.vertex_count}, {d.triangles, 3 * d.triangle_count},
-                (d.flags & CAROM_SCENERY_TWO_SIDED) != 0, s);
-    });
+    create(call, engine, desc, defaults, shape,
+           [](Call& c, const carom_mesh_desc& d, ShapeDraft& draft) { return draft_mesh(c, d, draft); });
   });
 }
 
@@ -133,9 +150,7 @@ int32_t carom_shape_create_height_field(carom_engine* engine, const carom_height
   return guarded(error, [&](Call& call) {
     carom_height_field_desc defaults;
     carom_height_field_desc_init(&defaults);
-    create(call, engine, desc, defaults, shape, [](const carom_height_field_desc& d, Scenery& s) {
-      make_height_field({d.heights, std::size_t(d.columns) * d.rows}, d.columns, d.rows, d.spacing[0], d.spacing[1], s);
-    });
+    create(call, engine, desc, defaults, shape, draft_height_field);
   });
 }
 

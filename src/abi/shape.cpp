@@ -18,33 +18,6 @@ constexpr Real kMassTolerance = 1e-3;  // relative width of the volume bracket a
                                        // less than densities are known to; finer costs supports in proportion (1/N)
 constexpr int kMassSupports = 2000;    // and at most so many: about a millisecond
 
-/// Keeps a plugin from being unloaded while a shape is made of it; for good once kept.
-class PluginPin {
- public:
-  explicit PluginPin(carom_engine& engine) : engine_(engine) {}
-  ~PluginPin() {
-    if (!record_) return;
-    const std::lock_guard lock(engine_.mutex);
-    record_->uses -= 1;
-  }
-  PluginPin(const PluginPin&) = delete;
-  PluginPin& operator=(const PluginPin&) = delete;
-
-  bool take(Call& call, int argument, carom_plugin handle) {
-    const std::lock_guard lock(engine_.mutex);
-    if (!resolve(call, argument, "plugin", engine_.plugin_slots, handle)) return false;
-    record_ = engine_.plugins[handle_slot(handle)];
-    record_->uses += 1;
-    return true;
-  }
-  PluginRecord* get() const { return record_; }
-  void keep() { record_ = nullptr; }
-
- private:
-  carom_engine& engine_;
-  PluginRecord* record_ = nullptr;
-};
-
 bool check_params(Call& call, const PluginRecord& plugin, const double* params, std::uint64_t count) {
   const carom_shape_plugin& d = plugin.description;
   const std::uint64_t named = d.param_count, group = d.param_tail_group;
@@ -194,6 +167,43 @@ void supports(Call& call, const Shape& shape, const double* dirs, std::uint64_t 
 
 }  // namespace
 
+PluginPin::~PluginPin() {
+  if (!record_) return;
+  const std::lock_guard lock(engine_.mutex);
+  record_->uses -= 1;
+}
+
+bool PluginPin::take(Call& call, int argument, carom_plugin handle) {
+  const std::lock_guard lock(engine_.mutex);
+  if (!resolve(call, argument, "plugin", engine_.plugin_slots, handle)) return false;
+  record_ = engine_.plugins[handle_slot(handle)];
+  record_->uses += 1;
+  return true;
+}
+
+bool draft_of_plugin(Call& call, const PluginRecord& plugin, const double* params, std::uint64_t count,
+                     ShapeDraft& draft) {
+  return check_params(call, plugin, params, count) && settle(call, plugin, params, count, draft.memory, *draft.shape);
+}
+
+void draft_half_space(const Vec3& normal, double offset, ShapeDraft& draft) {
+  Shape& s = *draft.shape;
+  s.form = Form::half_space;
+  s.normal = normal;
+  s.offset = offset;
+  s.bounding_radius = kInfinity;
+  s.bounds.lo = Vec3::Constant(-kInfinity);
+  s.bounds.hi = Vec3::Constant(kInfinity);
+}
+
+void remove_shape(carom_engine& engine, std::uint32_t slot) {
+  ShapeRecord& record = engine.shapes[slot];
+  if (record.plugin) record.plugin->uses -= 1;
+  destroy_on(&engine.memory, record.shape);
+  record = {};
+  engine.shape_slots.release(slot);
+}
+
 bool add_shape(Call& call, carom_engine& engine, ShapeDraft& draft, carom_shape* handle, PluginRecord* plugin,
                carom_plugin plugin_handle) {
   const std::lock_guard lock(engine.mutex);
@@ -220,10 +230,9 @@ int32_t carom_shape_create(carom_engine* engine, carom_plugin plugin, const doub
   return guarded(error, [&](Call& call) {
     if (!present(call, 1, "engine", engine) || !present(call, 5, "shape", shape)) return;
     PluginPin pin(*engine);
-    if (!pin.take(call, 2, plugin) || !check_params(call, *pin.get(), params, count)) return;
+    if (!pin.take(call, 2, plugin)) return;
     ShapeDraft draft(&engine->memory);
-    if (settle(call, *pin.get(), params, count, draft.memory, *draft.shape) &&
-        add_shape(call, *engine, draft, shape, pin.get(), plugin))
+    if (draft_of_plugin(call, *pin.get(), params, count, draft) && add_shape(call, *engine, draft, shape, pin.get(), plugin))
       pin.keep();
   });
 }
@@ -235,13 +244,7 @@ int32_t carom_shape_create_half_space(carom_engine* engine, const double normal[
         !carom::abi::finite(call, 3, "offset", &offset, 1) || !present(call, 4, "shape", shape))
       return;
     ShapeDraft draft(&engine->memory);
-    Shape& s = *draft.shape;
-    s.form = Form::half_space;
-    s.normal = to_vec3(normal).normalized();
-    s.offset = offset;
-    s.bounding_radius = kInfinity;
-    s.bounds.lo = Vec3::Constant(-kInfinity);
-    s.bounds.hi = Vec3::Constant(kInfinity);
+    draft_half_space(to_vec3(normal).normalized(), offset, draft);
     add_shape(call, *engine, draft, shape);
   });
 }
@@ -257,10 +260,7 @@ int32_t carom_shape_destroy(carom_engine* engine, carom_shape shape, carom_error
                 static_cast<unsigned long long>(record.uses));
       return;
     }
-    if (record.plugin) record.plugin->uses -= 1;
-    destroy_on(&engine->memory, record.shape);
-    record = {};
-    engine->shape_slots.release(handle_slot(shape));
+    remove_shape(*engine, handle_slot(shape));
   });
 }
 

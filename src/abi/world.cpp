@@ -1,4 +1,5 @@
 // The world root: making, destroying, stepping, its dials and gravity.
+#include "abi/record_calls.h"
 #include "abi/world.h"
 
 #include <algorithm>
@@ -6,12 +7,14 @@
 
 #include "abi/float_scope.h"
 #include "abi/tags.h"
+#include "dynamics/presets.h"
 
 namespace carom::abi {
 namespace {
 
 constexpr double kLargestGravity = 1e6;  // m/s^2
 constexpr double kLongestStep = 1;       // s
+constexpr double kShortestStep = 1e-9;   // s: below it forces = impulses / dt overflow sooner than anything moves
 
 bool check_gravity(Call& call, int argument, const double gravity[3]) {
   return present(call, argument, "gravity", gravity) &&
@@ -32,37 +35,29 @@ void create(Call& call, carom_engine* engine, const carom_world_desc* given, car
               static_cast<unsigned long long>(desc.body_capacity), kMaxSlots);
     return;
   }
-  const std::uint32_t tag = take_tag();
-  if (!tag) {
-    call.fail(CAROM_E_LIMIT, 0, "65,535 engines and worlds are alive in this process");
-    return;
-  }
-  {
-    const std::lock_guard lock(engine->mutex);  // from here on the engine's jobs stay
-    engine->worlds.fetch_add(1, std::memory_order_relaxed);
-  }
-  try {
-    *world = make_on<carom_world>(&engine->memory, *engine, tag, to_vec3(desc.gravity), desc.body_capacity);
-  } catch (...) {
-    release_tag(tag);
-    engine->worlds.fetch_sub(1, std::memory_order_release);
-    throw;
-  }
+  if (carom_world* const made = make_world(call, *engine, to_vec3(desc.gravity), desc.body_capacity)) *world = made;
 }
 
-void destroy(carom_world* world) {
-  carom_engine& engine = world->engine;
-  const Colliders& c = world->inner.scene.colliders;
-  for (const std::uint32_t slot : c.live) unuse_shape(engine, *c.shape[slot]);
-  const std::uint32_t tag = world->tag;
-  destroy_on(&engine.memory, world);
-  release_tag(tag);
-  engine.worlds.fetch_sub(1, std::memory_order_release);  // last: the engine may be destroyed from now on
+/// A record has it as a dial that the host set: a replay does not measure time.
+void set_substeps(const Changing& changing, const Budget& budget) {
+  const auto now = static_cast<std::uint32_t>(changing->scene.dials[Dial::substeps]);
+  const std::uint32_t next = budget.choose(now);
+  if (next == now) return;
+  if (Recorder* const recorder = changing.recorder()) recorder->call(record::world_set_dial(CAROM_DIAL_SUBSTEPS, next));
+  changing->set_dial(Dial::substeps, next);
+}
+
+void learn_costs(const World& world, Budget& budget) {
+  const StepReport& report = world.report;
+  double in_substeps = 0;
+  for (const Stage stage : {Stage::integrate, Stage::solve, Stage::relax})
+    in_substeps += report.stage_seconds[static_cast<std::size_t>(stage)];
+  budget.learn(report.total_seconds, in_substeps, static_cast<std::uint32_t>(world.scene.dials[Dial::substeps]));
 }
 
 /// Faults are rare and each shape's comes once, so the log may have every one.
 void log_faults(const carom_world& world) {
-  for (const FaultView& fault : world.inner.fault_views)
+  for (const FaultView& fault : world.inner->fault_views)
     if (fault.particles != FaultView::kNone)
       world.engine.say(CAROM_LOG_WARNING, "particles of set slot %u left the world, number %u first: in quarantine",
                        fault.particles, fault.particle);
@@ -74,6 +69,20 @@ void log_faults(const carom_world& world) {
                        static_cast<unsigned>(fault.support.kind), fault.support.dir[0], fault.support.dir[1],
                        fault.support.dir[2], fault.support.out[0], fault.support.out[1], fault.support.out[2],
                        static_cast<unsigned long long>(fault.support.shape->handle));
+}
+
+/// A step is told before it is taken: should it never end, the record says in which.
+void step(const Changing& changing, double dt) {
+  Recorder* const recorder = changing.recorder();
+  if (recorder) recorder->call(record::world_step(dt));
+  const FloatScope scope;
+  try {
+    changing->step(dt);
+  } catch (...) {
+    if (recorder) recorder->broke_off(*changing);
+    throw;
+  }
+  if (recorder) recorder->stepped(*changing);
 }
 
 bool check_dial(Call& call, std::uint32_t dial, double value) {
@@ -98,6 +107,37 @@ bool knows_all(Call& call, const World& world, std::uint32_t dial, double value)
 }
 
 }  // namespace
+
+carom_world* make_world(Call& call, carom_engine& engine, const Vec3& gravity, std::size_t body_capacity) {
+  const std::uint32_t tag = take_tag();
+  if (!tag) {
+    call.fail(CAROM_E_LIMIT, 0, "65,535 engines and worlds are alive in this process");
+    return nullptr;
+  }
+  {
+    const std::lock_guard lock(engine.mutex);  // from here on the engine's jobs stay
+    engine.worlds.fetch_add(1, std::memory_order_relaxed);
+  }
+  try {
+    return make_on<carom_world>(&engine.memory, engine, tag, gravity, body_capacity);
+  } catch (...) {
+    release_tag(tag);
+    engine.worlds.fetch_sub(1, std::memory_order_release);
+    throw;
+  }
+}
+
+void destroy_world(carom_world* world) {
+  carom_engine& engine = world->engine;
+  if (world->recorder) world->recorder->end();
+  const Colliders& c = world->inner->scene.colliders;
+  for (const std::uint32_t slot : c.live) unuse_shape(engine, *c.shape[slot]);
+  const std::uint32_t tag = world->tag;
+  destroy_on(&engine.memory, world);
+  release_tag(tag);
+  engine.worlds.fetch_sub(1, std::memory_order_release);  // last: the engine may be destroyed from now on
+}
+
 }  // namespace carom::abi
 
 using namespace carom;
@@ -124,29 +164,24 @@ int32_t carom_world_destroy(carom_world* world, carom_error* error) {
     if (!world->gate.enter_alone())  // never left: the world is gone
       call.fail(CAROM_E_BUSY, 1, "another thread is stepping, changing or reading this world");
     else
-      destroy(world);
+      destroy_world(world);
   });
 }
 
 int32_t carom_world_step(carom_world* world, double dt, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Changing changing(call, world);
-    if (!changing || !in_range(call, 2, "dt", dt, 0, kLongestStep)) return;
-    if (dt == 0) {
-      call.fail(CAROM_E_OUT_OF_RANGE, 2, "dt is 0, must be greater");
-      return;
-    }
-    {
-      const FloatScope scope;
-      changing->step(dt);
-    }
+    if (!changing || !in_range(call, 2, "dt", dt, kShortestStep, kLongestStep)) return;
+    if (world->budget) set_substeps(changing, *world->budget);
+    step(changing, dt);
+    if (world->budget) learn_costs(*changing, *world->budget);
     log_faults(*world);
   });
 }
 
 int32_t carom_world_set_dial(carom_world* world, uint32_t dial, double value, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::world_set_dial(dial, value));
     if (changing && check_dial(call, dial, value) && knows_all(call, *changing, dial, value))
       changing->set_dial(static_cast<Dial>(dial), value);
   });
@@ -160,9 +195,19 @@ int32_t carom_world_get_dial(carom_world* world, uint32_t dial, double* value, c
   });
 }
 
+int32_t carom_world_set_preset(carom_world* world, uint32_t preset, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Recorded changing(call, world, record::world_set_preset(preset));
+    if (!changing || !known(call, 2, "preset", preset, kPresetCount)) return;
+    for (std::size_t dial = 0; dial < kDialCount; ++dial)  // none of them can be refused: no preset asks for severity
+      if (const auto value = preset_value(static_cast<Preset>(preset), static_cast<Dial>(dial)))
+        changing->set_dial(static_cast<Dial>(dial), *value);
+  });
+}
+
 int32_t carom_world_set_gravity(carom_world* world, const double gravity[3], carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Changing changing(call, world);
+    const Recorded changing(call, world, record::world_set_gravity(gravity));
     if (changing && check_gravity(call, 2, gravity)) changing->set_gravity(to_vec3(gravity));
   });
 }

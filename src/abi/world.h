@@ -5,7 +5,9 @@
 
 #include <atomic>
 
+#include "abi/budget.h"
 #include "abi/engine.h"
+#include "abi/recorder.h"
 #include "dynamics/world.h"
 
 namespace carom::abi {
@@ -36,14 +38,16 @@ class Gate {
 
 struct carom_world {
   carom_world(carom_engine& owner, std::uint32_t owner_tag, const carom::Vec3& gravity, std::size_t capacity)
-      : engine(owner), tag(owner_tag), inner(owner_tag, gravity, capacity, &owner.memory) {
-    inner.jobs = owner.jobs.get();
+      : engine(owner), tag(owner_tag), inner(carom::make_owned<carom::World>(&owner.memory, owner_tag, gravity, capacity, &owner.memory)) {
+    inner->jobs = owner.jobs.get();
   }
 
   carom_engine& engine;
   const std::uint32_t tag;
   carom::abi::Gate gate;
-  carom::World inner;
+  carom::Owned<carom::World> inner;  // never null; a snapshot may put another in its place
+  carom::Owned<carom::abi::Recorder> recorder;  // null: nobody records it
+  carom::Owned<carom::abi::Budget> budget;      // null: off
 };
 
 namespace carom::abi {
@@ -65,8 +69,8 @@ class Reading {
   Reading(const Reading&) = delete;
   Reading& operator=(const Reading&) = delete;
   explicit operator bool() const { return world_; }
-  const World& operator*() const { return world_->inner; }
-  const World* operator->() const { return &world_->inner; }
+  const World& operator*() const { return *world_->inner; }
+  const World* operator->() const { return world_->inner.get(); }
   carom_engine& engine() const { return world_->engine; }
 
  private:
@@ -95,12 +99,39 @@ class Changing {
   Changing(const Changing&) = delete;
   Changing& operator=(const Changing&) = delete;
   explicit operator bool() const { return world_; }
-  World& operator*() const { return world_->inner; }
-  World* operator->() const { return &world_->inner; }
+  World& operator*() const { return *world_->inner; }
+  World* operator->() const { return world_->inner.get(); }
   carom_engine& engine() const { return world_->engine; }
+  Recorder* recorder() const { return world_->recorder.get(); }
+  void record(Owned<Recorder> recorder) const { world_->recorder = std::move(recorder); }
+  void budget(Owned<Budget> budget) const { world_->budget = std::move(budget); }
+  /// Another world in place of this one, which goes. Handles of the old one must not be about.
+  void replace(Owned<World> world) const { world_->inner = std::move(world); }
 
  private:
   carom_world* world_ = nullptr;
 };
+
+/// Likewise, by a call that is written down if the world is being recorded, and if the call went well.
+/// @param say  from record_calls.h
+template <class Say>
+class Recorded : public Changing {
+ public:
+  Recorded(Call& call, carom_world* world, const Say& say)
+      : Changing(call, world), call_(call), say_(say), unwinding_(std::uncaught_exceptions()) {}
+  ~Recorded() {
+    if (*this && recorder() && call_.ok() && std::uncaught_exceptions() == unwinding_) recorder()->call(say_);
+  }
+
+ private:
+  Call& call_;
+  Say say_;
+  int unwinding_;
+};
+
+/// Make a world of an engine, in which there is nothing, with a tag of its own. @return null: noted
+carom_world* make_world(Call& call, carom_engine& engine, const Vec3& gravity, std::size_t body_capacity);
+/// The end of a world that nobody uses any more.
+void destroy_world(carom_world* world);
 
 }  // namespace carom::abi

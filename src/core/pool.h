@@ -21,6 +21,11 @@ inline constexpr std::uint32_t kMaxGeneration = (1u << kGenerationBits) - 1;
 
 inline constexpr std::uint32_t kTheWorld = 0xFFFFFFFFu;  // in place of a body's slot
 
+/// The handle of the same slot and generation that another owner issues.
+inline constexpr Handle with_tag(Handle h, std::uint32_t tag) {
+  constexpr Handle kTag = ((Handle(1) << kTagBits) - 1) << (kGenerationBits + kSlotBits);
+  return (h & ~kTag) | static_cast<Handle>(tag) << (kGenerationBits + kSlotBits);
+}
 inline constexpr std::uint32_t handle_slot(Handle h) { return static_cast<std::uint32_t>(h & (kMaxSlots - 1)); }
 
 /// Which slots are taken, and what generation each is in. The objects themselves live in arrays of their owner, indexed
@@ -50,7 +55,7 @@ class SlotPool {
   void release(std::uint32_t slot) {
     generation_[slot] += 1;  // even: free
     --alive_, ++changes_;
-    if (generation_[slot] + 1 < kMaxGeneration) free_.push_back(slot);
+    if (is_waiting(generation_[slot])) free_.push_back(slot);
   }
 
   bool alive(std::uint32_t slot) const { return slot < generation_.size() && (generation_[slot] & 1); }
@@ -81,11 +86,37 @@ class SlotPool {
     for (const std::uint32_t g : generation_) hash.add(std::uint64_t(g));
     for (const std::uint32_t slot : free_) hash.add(std::uint64_t(slot));
   }
+  const Array<std::uint32_t>& generations() const { return generation_; }  // by slot; odd: alive
+  const Array<std::uint32_t>& free_slots() const { return free_; }         // the last is the next to be taken
+  /// Become what another pool was, by what these two said of it. There is nothing in this one.
+  /// @return  false: no pool was ever like that; then nothing has changed
+  bool adopt(const Array<std::uint32_t>& generations, const Array<std::uint32_t>& free) {
+    if (generations.size() > kMaxSlots || !generation_.empty()) return false;
+    std::size_t waiting = 0;
+    std::uint32_t alive = 0;
+    for (const std::uint32_t g : generations) {
+      if (g == 0 || g >= kMaxGeneration) return false;
+      alive += g & 1, waiting += is_waiting(g);
+    }
+    if (free.size() != waiting) return false;
+    Array<std::uint8_t> seen(generations.size(), 0, generation_.get_allocator());
+    for (const std::uint32_t slot : free) {
+      if (slot >= generations.size() || seen[slot] || !is_waiting(generations[slot])) return false;
+      seen[slot] = 1;
+    }
+    generation_.reserve(generations.size()), free_.reserve(generations.size());
+    generation_.assign(generations.begin(), generations.end()), free_.assign(free.begin(), free.end());
+    alive_ = alive, ++changes_;
+    return true;
+  }
   std::uint32_t slots() const { return static_cast<std::uint32_t>(generation_.size()); }
   std::uint32_t alive_count() const { return alive_; }
   void reserve(std::size_t n) { generation_.reserve(n), free_.reserve(n); }
 
  private:
+  /// Free, and not retired.
+  static bool is_waiting(std::uint32_t generation) { return !(generation & 1) && generation + 1 < kMaxGeneration; }
+
   Kind kind_;
   std::uint32_t tag_;
   std::uint32_t alive_ = 0;

@@ -41,7 +41,8 @@ inline SinCos sin_cos(Real x) {
                           z * (1.0 / 3628800 -
                                z * (1.0 / 479001600.0 -
                                     z * (1.0 / 87178291200.0 - z * (1.0 / 20922789888000.0 - z / 6402373705728000.0))))))));
-  switch (static_cast<std::int64_t>(k) & 3) {
+  // What is no number stays none; as an integer it would be anything.
+  switch (std::fabs(k) < 0x1p62 ? static_cast<std::int64_t>(k) & 3 : 0) {
     case 0: return {s, c};
     case 1: return {c, -s};
     case 2: return {-s, -c};

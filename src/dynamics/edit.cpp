@@ -53,7 +53,12 @@ Handle World::add_body(const BodyDef& def) {
   make_room_for_body(scene, state);
   const Handle handle = scene.bodies.take();
   if (handle == 0) return 0;
-  const std::uint32_t i = handle_slot(handle);
+  fill_body(handle_slot(handle), def);
+  ++scene.revision;
+  return handle;
+}
+
+void World::fill_body(std::uint32_t i, const BodyDef& def) {
   put(scene.def, i, def);
   put(scene.type, i, def.type);
   put(scene.inv_mass, i, Real(0));
@@ -82,8 +87,6 @@ Handle World::add_body(const BodyDef& def) {
   if (i == state.is_written.size()) state.is_written.push_back(0);
   set_mass(scene, state, i, mass_of_body(scene, i));
   state.mark_written(i);
-  ++scene.revision;
-  return handle;
 }
 
 void World::remove_body(std::uint32_t body) {
@@ -115,6 +118,17 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   const Handle handle = scene.collider_slots.take();
   if (handle == 0) return 0;
   const std::uint32_t i = handle_slot(handle);
+  fill_collider(i, body, shape, local, density, material);
+  settle_mass(body);
+  queries->note_changed(i);
+  queries->note_moved(body);
+  ++scene.revision, ++scene.collider_revision;
+  return handle;
+}
+
+void World::fill_collider(std::uint32_t i, std::uint32_t body, const Shape* shape, const Pose& local, Real density,
+                          std::uint32_t material) {
+  Colliders& c = scene.colliders;
   put(c.shape, i, shape);
   put(c.local, i, Pose{normalized(local.q), local.p});
   put(c.body, i, body);
@@ -132,12 +146,9 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   put(c.next, i, link);
   link = i;
   c.live.insert(std::lower_bound(c.live.begin(), c.live.end(), i), i);
-  set_mass(scene, state, body, mass_of_body(scene, body));
-  queries->note_changed(i);
-  queries->note_moved(body);
-  ++scene.revision, ++scene.collider_revision;
-  return handle;
 }
+
+void World::settle_mass(std::uint32_t body) { set_mass(scene, state, body, mass_of_body(scene, body)); }
 
 void World::remove_collider(std::uint32_t collider) {
   Colliders& c = scene.colliders;
@@ -262,7 +273,7 @@ void World::let_go(std::uint32_t a, std::uint32_t b) {
 void World::set_dial(Dial dial, Real value) {
   if (scene.dials[dial] == value) return;
   scene.dials[dial] = value;
-  wake_all(*this);
+  if (dial != Dial::substeps) wake_all(*this);  // who rests does so in steps of any length
   ++scene.revision;
 }
 
@@ -299,19 +310,26 @@ void World::set_velocity(std::uint32_t body, const Vec3& linear, const Vec3& ang
   state.mark_written(body);
 }
 
-void World::add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& point) {
-  if (!(scene.inv_mass[body] > 0)) return;
-  if (impulse != Vec3::Zero()) wake(*this, body);
+bool World::add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& point) {
+  if (!(scene.inv_mass[body] > 0)) return true;
   const Quat& q = state.q[body];
-  state.v[body] += scene.inv_mass[body] * impulse;
+  const Vec3 v = state.v[body] + scene.inv_mass[body] * impulse;
   const Vec3 spin = (point - state.x[body]).cross(impulse);
-  state.omega[body] += q * (scene.inv_inertia[body] * (q.conjugate() * spin));
+  const Vec3 omega = state.omega[body] + q * (scene.inv_inertia[body] * (q.conjugate() * spin));
+  if (!finite(v) || !finite(omega)) return false;
+  if (impulse != Vec3::Zero()) wake(*this, body);
+  state.v[body] = v;
+  state.omega[body] = omega;
   if (scene.locks_of(body)) hold_velocity(scene, body, q, state.v[body], state.omega[body]);
   state.mark_written(body);
+  return true;
 }
 
-void World::add_force(std::uint32_t body, const Vec3& force, const Vec3& torque) {
-  set_force(body, state.force[body] + force, state.torque[body] + torque);
+bool World::add_force(std::uint32_t body, const Vec3& force, const Vec3& torque) {
+  const Vec3 f = state.force[body] + force, t = state.torque[body] + torque;
+  if (!finite(f) || !finite(t)) return false;
+  set_force(body, f, t);
+  return true;
 }
 
 void World::set_force(std::uint32_t body, const Vec3& force, const Vec3& torque) {

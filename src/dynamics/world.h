@@ -124,11 +124,20 @@ class World {
   void set_dial(Dial dial, Real value);
   void set_gravity(const Vec3& g);
 
+  // ---- what the above do to a slot that is taken, with room in every array: for snapshots, which bring slots along ----
+  void fill_body(std::uint32_t slot, const BodyDef& def);
+  void fill_collider(std::uint32_t slot, std::uint32_t body, const Shape* shape, const Pose& local, Real density,
+                     std::uint32_t material);  // the body's mass is not yet that
+  void settle_mass(std::uint32_t body);
+  void fill_joint(std::uint32_t slot, const JointDef& def);  // not yet in the lists of its bodies
+  void fill_spring(std::uint32_t slot, const SpringDef& def);
+
   Pose pose(std::uint32_t body) const;  // body frame -> world
   void set_pose(std::uint32_t body, const Pose& pose);
   void set_velocity(std::uint32_t body, const Vec3& linear, const Vec3& angular);
-  void add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& point);
-  void add_force(std::uint32_t body, const Vec3& force, const Vec3& torque);  // for the next step, about the centre
+  // False, and nothing is changed, where the sum is beyond what a number holds.
+  bool add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& point);
+  bool add_force(std::uint32_t body, const Vec3& force, const Vec3& torque);  // for the next step, about the centre
   void set_force(std::uint32_t body, const Vec3& force, const Vec3& torque);  // replaces what is pending
 
   void wake_body(std::uint32_t body);  // and its island

@@ -16,6 +16,12 @@ namespace {
 
 using namespace hostile;
 
+#ifdef CAROM_SANITIZED  // twenty times slower
+constexpr uint64_t kEvery = 7;
+#else
+constexpr uint64_t kEvery = 1;
+#endif
+
 struct Memory {
   std::map<void*, std::pair<uint64_t, uint64_t>> live;
   uint64_t asked = 0, fails_at = ~uint64_t(0), wrong = 0;
@@ -222,6 +228,10 @@ std::vector<Line> script(double solver) {
     uint64_t n;
     return carom_world_get_plan(m.s.world, plan, sizeof *plan, 64, &n, nullptr);
   });
+  add("recording", [](Made& m) {
+    const int32_t r = carom_world_record_begin(m.s.world, 0, [](void*, const void*, uint64_t) { return 0; }, nullptr, nullptr);
+    return r ? r : carom_world_record_end(m.s.world, nullptr);
+  });
   for (const double broad : {CAROM_BROAD_BRUTE_FORCE, CAROM_BROAD_GRID, CAROM_BROAD_TREE}) {
     add("broad phase", [broad](Made& m) { return carom_world_set_dial(m.s.world, CAROM_DIAL_BROAD_PHASE, broad, nullptr); });
     steps(2);
@@ -292,16 +302,17 @@ void every_allocation_may_fail(void**) {
     std::vector<uint64_t> first;
     const uint64_t all = run(lines, ~uint64_t(0), first).allocations;
     assert_true(all > 200);
-    uint64_t told = 0, steps = 0, changed = 0;
-    for (uint64_t k = 0; k < all; ++k) {
+    uint64_t tried = 0, told = 0, steps = 0, changed = 0;
+    for (uint64_t k = 0; k < all; k += kEvery) {
       const Outcome o = run(lines, k, first);
+      ++tried;
       told += !o.failed.empty();
       if (o.failed == "step") ++steps, changed += !o.hash_kept;
     }
-    print_message("solver %g: %llu allocations, %llu failures told, %llu of steps, after %llu of them the hash was another\n", solver,
-                  static_cast<unsigned long long>(all), static_cast<unsigned long long>(told), static_cast<unsigned long long>(steps),
+    print_message("solver %g: %llu allocations, %llu tried, %llu failures told, %llu of steps, after %llu of them the hash was another\n", solver,
+                  static_cast<unsigned long long>(all), static_cast<unsigned long long>(tried), static_cast<unsigned long long>(told), static_cast<unsigned long long>(steps),
                   static_cast<unsigned long long>(changed));
-    assert_true(told == all && steps > 100);
+    assert_true(told == tried && steps * kEvery > 100);
   }
 }
 

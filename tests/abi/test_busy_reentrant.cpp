@@ -39,6 +39,7 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   report.struct_size = sizeof report;
   add("world_destroy", carom_world_destroy(b.world, nullptr));
   add("world_step", carom_world_step(b.world, 0.01, nullptr));
+  add("world_set_preset", carom_world_set_preset(b.world, CAROM_PRESET_FAST, nullptr));
   add("world_set_dial", carom_world_set_dial(b.world, CAROM_DIAL_SUBSTEPS, 2, nullptr));
   add("world_get_dial", carom_world_get_dial(b.world, CAROM_DIAL_SUBSTEPS, v, nullptr));
   add("world_set_gravity", carom_world_set_gravity(b.world, kUp, nullptr));
@@ -51,8 +52,23 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("world_enable_ledger", carom_world_enable_ledger(b.world, 1, nullptr));
   add("world_get_ledger", carom_world_get_ledger(b.world, nullptr, 0, 0, &count, nullptr));
   add("world_get_ledger_state", carom_world_get_ledger_state(b.world, &ledger, nullptr));
+  carom_residuals residuals = {};
+  residuals.struct_size = sizeof residuals;
+  double seconds;
+  uint32_t fewest, most;
+  add("world_get_residuals", carom_world_get_residuals(b.world, &residuals, nullptr));
+  add("world_set_budget", carom_world_set_budget(b.world, 0, 0, 0, nullptr));
+  add("world_get_budget", carom_world_get_budget(b.world, &seconds, &fewest, &most, nullptr));
   add("world_save", carom_world_save(b.world, CAROM_SNAPSHOT_STATE, nullptr, 0, &count, nullptr));
   add("world_restore", carom_world_restore(b.world, "", 0, nullptr));
+  carom_difference difference = {};
+  difference.struct_size = sizeof difference;
+  carom_world* copy = nullptr;
+  add("world_compare", carom_world_compare(b.world, "", 0, &difference, nullptr));
+  add("world_fork", carom_world_fork(b.world, &copy, nullptr));
+  add("world_translate_handles", carom_world_translate_handles(b.world, nullptr, 0, nullptr, nullptr));
+  add("world_record_begin", carom_world_record_begin(b.world, 0, [](void*, const void*, uint64_t) { return 0; }, nullptr, nullptr));
+  add("world_record_end", carom_world_record_end(b.world, nullptr));
   add("world_hash", carom_world_hash(b.world, &count, nullptr));
   add("material_create", carom_material_create(b.world, &material, &handle, nullptr));
   add("material_update", carom_material_update(b.world, b.material, &material, nullptr));
@@ -232,6 +248,8 @@ std::vector<Attempt> try_engine_calls(const Bench& b) {
   add("world_create", carom_world_create(b.engine, nullptr, &world, nullptr));
   add("dial_get_info", carom_dial_get_info(0, &dial_info, nullptr));
   add("dial_find", carom_dial_find("solver", &dial, nullptr));
+  double preset_value = 0;
+  add("preset_get_dial", carom_preset_get_dial(0, CAROM_DIAL_SUBSTEPS, &preset_value, nullptr));
   return out;
 }
 

@@ -58,6 +58,36 @@ static void every_dial_takes_its_bounds_and_nothing_beyond(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
+/* Presets speak of the same dials, within their bounds; balanced is a new world; a preset undoes what another did. */
+static void presets_set_the_dials_they_say(void **state) {
+  Bench b;
+  uint32_t preset, i;
+  (void)state;
+  assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
+  assert_string_equal(carom_preset_name(CAROM_PRESET_BALANCED), "balanced");
+  assert_string_equal(carom_preset_name(CAROM_PRESET_COUNT), "?");
+  assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_GRID_CELL, 2, NULL), CAROM_OK); /* no preset's business */
+  for (preset = 0; preset < CAROM_PRESET_COUNT; ++preset) {
+    assert_int_equal(carom_world_set_preset(b.world, preset, NULL), CAROM_OK);
+    for (i = 0; i < CAROM_DIAL_COUNT; ++i) {
+      carom_dial_info info;
+      double says = 0, balanced = 0, is = 0;
+      int32_t speaks = carom_preset_get_dial(preset, i, &says, NULL);
+      info.struct_size = sizeof info;
+      assert_int_equal(carom_dial_get_info(i, &info, NULL), CAROM_OK);
+      assert_int_equal(carom_world_get_dial(b.world, i, &is, NULL), CAROM_OK);
+      assert_int_equal(carom_preset_get_dial(CAROM_PRESET_BALANCED, i, &balanced, NULL), speaks);
+      if (speaks == CAROM_OK) {
+        assert_true(is == says && says >= info.min && says <= info.max && balanced == info.initial);
+      } else {
+        assert_int_equal(speaks, CAROM_E_NOT_FOUND);
+        assert_true(is == (i == CAROM_DIAL_GRID_CELL ? 2 : info.initial));
+      }
+    }
+  }
+  assert_int_equal(bench_free(&b), CAROM_OK);
+}
+
 /* Each choice of each dial, and both ends of each number: the world stays finite and stands on its floor. */
 static void a_world_steps_at_every_setting(void **state) {
   uint32_t i;
@@ -99,6 +129,7 @@ static void stages_have_names(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(the_table_agrees_with_itself_and_with_a_new_world),
+      cmocka_unit_test(presets_set_the_dials_they_say),
       cmocka_unit_test(every_dial_takes_its_bounds_and_nothing_beyond),
       cmocka_unit_test(a_world_steps_at_every_setting),
       cmocka_unit_test(stages_have_names),

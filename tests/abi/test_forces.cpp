@@ -1,5 +1,6 @@
 // Drag, wind, force fields, springs, water, and the plan of effects, as a host sets and reads them: what it was told is
 // what they are, what is refused changes nothing, and running out of memory is an error and no more.
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -151,6 +152,29 @@ static void a_force_at_a_point_turns(void**) {
     assert_int_equal(bench_free(&b), CAROM_OK);
   }
   assert_true(hash[0] == hash[1]);
+}
+
+/// A sum that overflows is refused and changes nothing: the body stands, may be saved, and comes back.
+static void sums_that_overflow_are_refused(void**) {
+  Bench b;
+  assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
+  const double most[3] = {0, 0, 1.7e308}, zero[3] = {0, 0, 0}, one[3] = {1, 0, 0}, far[3] = {0, 1e300, 0};
+  carom_world* w = b.world;
+  const carom_body body = b.bodies[3];
+  assert_int_equal(carom_body_add_force(w, body, most, zero, nullptr), CAROM_OK);
+  const std::uint64_t before = bench_hash(w);
+  carom_error error = CAROM_ERROR_INIT;
+  assert_int_equal(carom_body_add_force(w, body, most, zero, &error), CAROM_E_OUT_OF_RANGE);
+  assert_true(std::strstr(error.message, "overflow") && error.argument == 3);
+  assert_int_equal(carom_body_add_force_at(w, body, most, one, &error), CAROM_E_OUT_OF_RANGE);
+  const double less[3] = {0, 0, -1e300};
+  assert_int_equal(carom_body_add_force_at(w, body, less, far, &error), CAROM_E_OUT_OF_RANGE);  // the torque
+  assert_int_equal(carom_body_add_impulse(w, body, most, far, &error), CAROM_E_OUT_OF_RANGE);
+  assert_true(bench_hash(w) == before);
+  const double back[3] = {0, 0, -1.7e308};
+  assert_int_equal(carom_body_add_force(w, body, back, zero, nullptr), CAROM_OK);  // the sum is 0 again
+  assert_int_equal(bench_steps(w, 5, nullptr), CAROM_OK);
+  assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
 static void the_plan_tells_what_ran_and_what_did_not(void**) {
@@ -414,6 +438,7 @@ int main(void) {
   const CMUnitTest tests[] = {
       cmocka_unit_test(they_are_what_they_were_set_to),
       cmocka_unit_test(a_force_at_a_point_turns),
+      cmocka_unit_test(sums_that_overflow_are_refused),
       cmocka_unit_test(the_plan_tells_what_ran_and_what_did_not),
       cmocka_unit_test(what_is_refused_changes_nothing),
       cmocka_unit_test(running_out_anywhere_is_an_error_and_no_more),

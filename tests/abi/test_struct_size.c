@@ -34,6 +34,7 @@ static void sizes_of_no_version_are_refused(void **state) {
     carom_shape_info info;
     carom_step_report report;
     carom_ledger_state ledger;
+    carom_residuals residuals;
     carom_dial_info dial;
     carom_engine *engine = NULL;
     carom_world *world = NULL;
@@ -60,7 +61,7 @@ static void sizes_of_no_version_are_refused(void **state) {
     collider_desc.shape = b.ball;
     engine_desc.struct_size = world_desc.struct_size = body_desc.struct_size = material_desc.struct_size =
         collider_desc.struct_size = distance_desc.struct_size = particles_desc.struct_size = info.struct_size = report.struct_size =
-            dial.struct_size = ledger.struct_size = sizes[i];
+            dial.struct_size = ledger.struct_size = residuals.struct_size = sizes[i];
     distance.struct_size = sizeof distance;
     assert_int_equal(carom_particles_create(b.world, &particles_desc, &particles, NULL), CAROM_E_STRUCT_SIZE);
     assert_int_equal(carom_engine_create(&engine_desc, &engine, NULL), CAROM_E_STRUCT_SIZE);
@@ -74,6 +75,7 @@ static void sizes_of_no_version_are_refused(void **state) {
     assert_int_equal(carom_shape_get_info(b.engine, b.ball, &info, NULL), CAROM_E_STRUCT_SIZE);
     assert_int_equal(carom_world_get_report(b.world, &report, NULL), CAROM_E_STRUCT_SIZE);
     assert_int_equal(carom_world_get_ledger_state(b.world, &ledger, NULL), CAROM_E_STRUCT_SIZE);
+    assert_int_equal(carom_world_get_residuals(b.world, &residuals, NULL), CAROM_E_STRUCT_SIZE);
     assert_int_equal(carom_dial_get_info(0, &dial, NULL), CAROM_E_STRUCT_SIZE);
     assert_int_equal(carom_shape_distance(b.engine, b.ball, zero, upright, b.crate, zero, upright, &distance_desc,
                                           &distance, NULL),

@@ -70,5 +70,33 @@ for _ = 1, 3 do
   check("carom_world_hash", world, hash)
   print((bit.tohex(hash[0], 16)))
 end
+-- A copy goes on as it does, and so does a world that was taken back; what was done is written down.
+local function hash_of(w)
+  check("carom_world_hash", w, hash)
+  return bit.tohex(hash[0], 16)
+end
+local state, copy = carom.save(world), carom.fork(world)
+local body = carom.counterpart(copy, hinge.body_b)
+assert(body ~= hinge.body_b and carom.counterpart(world, body) == hinge.body_b)
+local name = os.tmpname()
+local file = assert(io.open(name, "wb"))
+local stop = carom.record(world, file)
+for _ = 1, 10 do check("carom_world_step", world, 1 / 60) end
+stop()
+file:close()
+file = assert(io.open(name, "rb"))
+assert(file:read(8) == "CAROMREC")
+file:close()
+os.remove(name)
+local ahead = hash_of(world)
+for _ = 1, 10 do check("carom_world_step", copy, 1 / 60) end
+assert(hash_of(copy) == ahead)
+carom.restore(world, state)
+for _ = 1, 10 do check("carom_world_step", world, 1 / 60) end
+assert(hash_of(world) == ahead)
+check("carom_world_destroy", copy)
 check("carom_world_destroy", world)
+check("carom_world_create", engine, nil, world_pointer)
+carom.restore(world_pointer[0], carom.save(world_pointer[0], carom.CAROM_SNAPSHOT_WHOLE))
+check("carom_world_destroy", world_pointer[0])
 check("carom_engine_destroy", engine)

@@ -192,6 +192,21 @@ class Face(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "not one of .*gravity"):
             self.world.set_effect("gravitation")
 
+    def test_residuals_and_budget(self):
+        self.assertIsNone(self.world.residuals.energy_drift)
+        self.world.keep_ledger()
+        self.world.step(1 / 64)
+        left = self.world.residuals
+        self.assertEqual(left.max_penetration, self.world.report.max_penetration)
+        self.assertIsInstance(left.energy_drift, float)
+        self.assertIsNone(self.world.budget)
+        self.world.set_budget(2e-3, 2, 6)
+        self.assertEqual(self.world.budget, (2e-3, 2, 6))
+        with self.assertRaises(ValueError):
+            self.world.set_budget(2e-3, 6, 2)
+        self.world.set_budget(None)
+        self.assertIsNone(self.world.budget)
+
     def test_ledger(self):
         ball = self.world.body(mass=2)
         self.assertEqual(self.world.ledger(), {})

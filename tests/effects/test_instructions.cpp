@@ -12,7 +12,7 @@
 #include "carom_test.h"
 #include "subjects.h"
 
-#if __has_include(<valgrind/callgrind.h>) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if __has_include(<valgrind/callgrind.h>) && !defined(CAROM_SANITIZED)
 #include <valgrind/callgrind.h>
 #define CAROM_COUNTS 1
 #else

@@ -7,6 +7,9 @@
 
 #include "abi/hostile/table.h"
 #include "bytes.h"
+#ifdef CAROM_FUZZ_REPLAYS
+#include "replay/replay.h"
+#endif
 
 namespace carom::fuzz {
 namespace {
@@ -50,15 +53,17 @@ Room& room() {
 
 class Sequence {
  public:
-  Sequence(const std::uint8_t* bytes, std::size_t size, bool trace) : bytes_(bytes, size), source_(bytes_), trace_(trace) {}
+  Sequence(const std::uint8_t* bytes, std::size_t size, bool trace) : bytes_(bytes, size), source_(bytes_), trace_(trace), records_(size > 0 && bytes[size - 1] % 4 == 0) {}
 
   Heard run(std::size_t size) {
     if (!room_.good) return complain("the engines could not be made"), heard_;
     for (Stage& s : room_.stages)
       if (!make_world(s)) return complain("a world could not be made"), heard_;
+    if (records_) record();
     const std::size_t most = 4 + size / 12;
     for (std::size_t i = 0; i < most && heard_.complaint.empty(); ++i) one();
     if (heard_.complaint.empty()) count();
+    if (records_ && heard_.complaint.empty()) replay();
     tidy();
     return heard_;
   }
@@ -179,6 +184,36 @@ class Sequence {
     own.born(call.made, handle, a, b);
   }
 
+  /// One in four is written down, and then done again: every step comes out as it did.
+  void record() {
+#ifdef CAROM_FUZZ_REPLAYS
+    const auto keep = [](void* to, const void* bytes, uint64_t size) -> int32_t {
+      const auto* const from = static_cast<const std::byte*>(bytes);
+      static_cast<std::vector<std::byte>*>(to)->insert(static_cast<std::vector<std::byte>*>(to)->end(), from, from + size);
+      return 0;
+    };
+    if (carom_world_record_begin(room_.stages[0].world, CAROM_RECORD_STATES, keep, &session_, nullptr) != CAROM_OK)
+      complain("a new world could not be recorded");
+#endif
+  }
+  void replay() {
+#ifdef CAROM_FUZZ_REPLAYS
+    const int32_t ended = carom_world_record_end(room_.stages[0].world, nullptr);
+    if (ended != CAROM_OK && ended != CAROM_E_NOT_FOUND) complain("a recording could not be ended");
+    try {
+      const auto outcome = tools::replay::play(room_.stages[0].engine, session_);
+      ++heard_.replayed;
+      if (!outcome.ended && !outcome.parting) complain("a recording has no end");
+      if (!outcome.parting) return;
+      const auto& p = *outcome.parting;
+      complain("a replay parts at step " + std::to_string(p.step) + ": " + p.sections + p.refused +
+               (p.calls.empty() ? "" : " after " + p.calls.back()));
+    } catch (const tools::Error& e) {
+      if (e.code != CAROM_E_NOT_FOUND) complain(std::string("a recording cannot be played: ") + e.what());  // else its plugin is gone
+    }
+#endif
+  }
+
   /// As many live as the model says.
   void count() {
     for (const Stage& s : room_.stages) {
@@ -214,7 +249,8 @@ class Sequence {
   Room& room_ = room();
   Bytes bytes_;
   Chosen source_;
-  bool trace_;
+  bool trace_, records_;
+  std::vector<std::byte> session_;
   Heard heard_;
 };
 

@@ -11,7 +11,7 @@ namespace carom::fuzz {
 /// What a sequence was, and what is wrong with how it was answered; empty: nothing.
 struct Heard {
   std::string complaint, trace;
-  unsigned calls = 0, refused = 0, steps = 0;
+  unsigned calls = 0, refused = 0, steps = 0, replayed = 0;
 };
 
 /// @param trace  whether to write down each call

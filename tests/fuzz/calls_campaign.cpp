@@ -26,7 +26,7 @@ struct Options {
   double seconds = 1e9;
 };
 struct Sum {
-  std::uint64_t sequences = 0, calls = 0, refused = 0, steps = 0, bad = 0;
+  std::uint64_t sequences = 0, calls = 0, refused = 0, steps = 0, replayed = 0, bad = 0;
 };
 
 /// As of fuzz_campaign: any of them can be made again alone.
@@ -59,7 +59,7 @@ Sum work(const Options& o, int job) {
     running = i;
     input(i, bytes);
     const Heard h = run_calls(bytes, sizeof bytes, false);
-    ++sum.sequences, sum.calls += h.calls, sum.refused += h.refused, sum.steps += h.steps;
+    ++sum.sequences, sum.calls += h.calls, sum.refused += h.refused, sum.steps += h.steps, sum.replayed += h.replayed;
     if (h.complaint.empty()) continue;
     std::fprintf(stderr, "VIOLATION in sequence %llu: %s\n", static_cast<unsigned long long>(i), h.complaint.c_str());
     if (++sum.bad >= 20) break;
@@ -91,13 +91,13 @@ int campaign(const Options& o) {
     close(ends[1]);
     for (Sum sum; read(ends[0], &sum, sizeof sum) == sizeof sum;)
       all.sequences += sum.sequences, all.calls += sum.calls, all.refused += sum.refused, all.steps += sum.steps,
-          all.bad += sum.bad;
+          all.replayed += sum.replayed, all.bad += sum.bad;
     for (int status = 0; wait(&status) > 0;) good = good && status == 0;
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::printf("%llu sequences in %.1f s: %llu calls, %llu of them refused, %llu steps: %s\n",
+  std::printf("%llu sequences in %.1f s: %llu calls, %llu of them refused, %llu steps; %llu sequences replayed: %s\n",
               static_cast<unsigned long long>(all.sequences), seconds, static_cast<unsigned long long>(all.calls),
-              static_cast<unsigned long long>(all.refused), static_cast<unsigned long long>(all.steps),
+              static_cast<unsigned long long>(all.refused), static_cast<unsigned long long>(all.steps), static_cast<unsigned long long>(all.replayed),
               good && all.bad == 0 ? "no violation" : "VIOLATIONS");
   return good && all.bad == 0 && all.sequences > 0 ? 0 : 1;
 }

@@ -120,7 +120,10 @@ static void a_plan_tells_what_runs_for_whom_and_what_is_left_out(void**) {
   assert_int_equal(plain.at("gravity").at("customers").get<int>(), 8);
   assert_true(plain.at("gravity").at("evaluations").get<int>() >= 8 * 60);  // 1 s: once a step at least
   assert_true(plain.at("gravity").at("seconds").get<double>() > 0);
-  assert_true(plain.at("friction").at("seconds").is_null());  // in the loops of its stage
+  assert_true(plain.at("friction").at("seconds").is_null());  // in the loops of its stage, so by difference
+  assert_true(plain.at("friction").at("difference").at("seconds").get<double>() < 1e-2);
+  assert_true(plain.at("friction").at("difference").at("spread").get<double>() >= 0);
+  assert_false(plain.at("gravity").contains("difference"));
   assert_false(plain.at("drag").at("runs").get<bool>());
   assert_int_equal(plain.at("drag").at("bytes").get<int>(), 0);
   assert_string_equal(plain.at("drag").at("reason").get<std::string>().c_str(), "no body has drag");

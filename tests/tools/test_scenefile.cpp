@@ -46,6 +46,7 @@ json scene(json nodes, json shapes = json::array(), json physics = json::object(
           {"nodes", nodes},
           {"extensions", {{"KHR_implicit_shapes", {{"shapes", shapes}}}, {"KHR_physics_rigid_bodies", physics}}}};
 }
+// A list of one element is an array for gcc and that element for clang (CWG 2311): below such arrays are called arrays.
 json physics(json what) { return {{"KHR_physics_rigid_bodies", std::move(what)}}; }
 json with_shape(int shape) { return {{"geometry", {{"shape", shape}}}}; }
 
@@ -153,7 +154,7 @@ static void motion_is_read_as_the_extension_says(void**) {
                 {{"name", "moved"},
                  {"translation", {-9, 0, 0}},
                  {"extensions", physics({{"motion", {{"isKinematic", true}, {"linearVelocity", {0, 1, 0}}}}})}}},
-               {sphere(0.5)}));
+               json::array({sphere(0.5)})));
   const carom_body_desc d = r.body("turned");
   assert_true(d.type == CAROM_BODY_DYNAMIC && d.mass == 3);
   assert_true(near(d.linear_velocity[0], 0) && near(d.linear_velocity[1], 2));
@@ -262,7 +263,7 @@ static void materials_filters_and_triggers(void**) {
              {{"name", "b"}, {"translation", {0, 0.9, 0}}, {"extensions", physics(moving(at))}},
              {{"name", "c"}, {"translation", {0, 0, 0.9}}, {"extensions", physics(moving(other))}},
              {{"name", "t"}, {"translation", {0.5, 0, 0}}, {"extensions", physics(trigger)}}},
-            {sphere(0.5)},
+            json::array({sphere(0.5)}),
             {{"physicsMaterials", {{{"dynamicFriction", 0.25}, {"restitution", 0.5}, {"frictionCombine", "minimum"}}}},
              {"collisionFilters",
               {{{"collisionSystems", {"x"}}, {"notCollideWithSystems", {"x"}}}, {{"collisionSystems", {"y"}}}}}}));
@@ -319,7 +320,7 @@ static void joints_are_told_by_their_limits(void**) {
     nodes.push_back({{"translation", {x, 1, 0}},
                      {"extensions", physics({{"joint", {{"connectedNode", 3 * k + 1}, {"joint", k}}}})}});
   }
-  Read r(scene(nodes, {box(0.5, 0.5, 0.5)}, {{"physicsJoints", joints}}));
+  Read r(scene(nodes, json::array({box(0.5, 0.5, 0.5)}), json::object({{"physicsJoints", joints}})));
   carom_world* const world = r.stage.world.get();
   std::uint64_t count = 0;
   carom_joint handles[16];
@@ -361,9 +362,10 @@ static void joints_are_told_by_their_limits(void**) {
 }
 
 static void what_is_wrong_is_refused_with_its_place(void**) {
-  const json good =
-      scene({{{"name", "ball"}, {"extensions", physics({{"motion", {{"mass", 1}}}, {"collider", with_shape(0)}})}}},
-            {sphere(0.5)});
+  const json good = scene(
+      json::array(
+          {{{"name", "ball"}, {"extensions", physics({{"motion", {{"mass", 1}}}, {"collider", with_shape(0)}})}}}),
+      json::array({sphere(0.5)}));
   { Read fine(good); }
   const struct {
     const char* where;  // JSON pointer of what is replaced

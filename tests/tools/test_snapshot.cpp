@@ -1,5 +1,6 @@
-// After a restore every scene goes on as it did, bit for bit: in the world that was saved, and in another one that was
-// made by the same calls, whatever solver, broad phase and number of threads.
+// After a restore every scene goes on as it did, bit for bit: in the world that was saved, in another one that was
+// made by the same calls, in one that was built of a whole snapshot by an engine that knows no scene, and in a fork;
+// whatever solver, broad phase and number of threads.
 #include <carom/snapshot.h>
 #include <unistd.h>
 
@@ -17,30 +18,36 @@ using Bytes = std::vector<unsigned char>;
 
 static std::string own_path;
 
-static Bytes save(const Stage& stage) {
+static Bytes save(carom_world* world, std::uint32_t flags = CAROM_SNAPSHOT_STATE) {
   std::uint64_t size = 0, again = 0;
-  assert_int_equal(carom_world_save(stage.world.get(), CAROM_SNAPSHOT_STATE, nullptr, 0, &size, nullptr), CAROM_OK);
+  assert_int_equal(carom_world_save(world, flags, nullptr, 0, &size, nullptr), CAROM_OK);
   Bytes bytes(size);
-  assert_int_equal(carom_world_save(stage.world.get(), CAROM_SNAPSHOT_STATE, bytes.data(), size, &again, nullptr),
-                   CAROM_OK);
+  assert_int_equal(carom_world_save(world, flags, bytes.data(), size, &again, nullptr), CAROM_OK);
   assert_true(size == again);
   return bytes;
 }
+static Bytes save(const Stage& stage) { return save(stage.world.get()); }
 
-static void restore(Stage& stage, const Bytes& bytes) {
+static void restore(carom_world* world, const Bytes& bytes) {
   carom_error error = CAROM_ERROR_INIT;
-  const int32_t result = carom_world_restore(stage.world.get(), bytes.data(), bytes.size(), &error);
+  const int32_t result = carom_world_restore(world, bytes.data(), bytes.size(), &error);
   if (result != CAROM_OK) print_error("%s\n", error.message);
   assert_int_equal(result, CAROM_OK);
 }
+static void restore(Stage& stage, const Bytes& bytes) { restore(stage.world.get(), bytes); }
 
-static std::vector<std::uint64_t> hashes(Stage& stage, double dt, int steps) {
+static std::vector<std::uint64_t> hashes(carom_world* world, double dt, int steps) {
   std::vector<std::uint64_t> all;
   for (int k = 0; k < steps; ++k) {
-    stage.world.step(dt);
-    all.push_back(stage.world.hash());
+    std::uint64_t hash = 0;
+    assert_int_equal(carom_world_step(world, dt, nullptr), CAROM_OK);
+    assert_int_equal(carom_world_hash(world, &hash, nullptr), CAROM_OK);
+    all.push_back(hash);
   }
   return all;
+}
+static std::vector<std::uint64_t> hashes(Stage& stage, double dt, int steps) {
+  return hashes(stage.world.get(), dt, steps);
 }
 
 struct Case {
@@ -84,6 +91,40 @@ static bool same(const Case& c, const char* where, const std::vector<std::uint64
   return true;
 }
 
+/// A world of an engine that has plugins and nothing else, made of a whole snapshot.
+struct Elsewhere {
+  explicit Elsewhere(std::uint32_t threads, const Bytes& bytes)
+      : engine(PluginPath({CAROM_PLUGIN_DIR})), world((engine.set_threads(threads), engine)) {
+    for (const auto& plugin : engine.path().all()) engine.plugin(plugin.first);
+    restore(world.get(), bytes);
+  }
+  Engine engine;
+  World world;
+};
+
+/// @param room  as it was saved, with what comes then
+static int is_the_same_elsewhere(const Case& c, Room& room, const std::vector<std::uint64_t>& onward) {
+  const Bytes state = save(room.stage), whole = save(room.stage.world.get(), CAROM_SNAPSHOT_WHOLE);
+  const std::uint64_t then = room.stage.world.hash();
+  int wrong = 0;
+  const auto complain = [&](const char* what) { ++wrong, print_error("%s: %s\n", name_of(c).c_str(), what); };
+  {
+    Elsewhere other(c.threads, whole);
+    if (save(other.world.get()) != state) complain("what was built of a whole snapshot has another state");
+    if (save(other.world.get(), CAROM_SNAPSHOT_WHOLE) != whole) complain("saved whole again, the bytes are others");
+    wrong += !same(c, "built of a whole snapshot", onward, hashes(other.world.get(), room.dt, c.after));
+  }
+  carom_world* copy = nullptr;
+  assert_int_equal(carom_world_fork(room.stage.world.get(), &copy, nullptr), CAROM_OK);
+  if (save(copy, CAROM_SNAPSHOT_WHOLE) != whole) complain("a fork has another state");
+  const auto part = hashes(copy, room.dt, c.after / 2);
+  wrong += !same(c, "fork", {onward.begin(), onward.begin() + c.after / 2}, part);
+  if (room.stage.world.hash() != then || save(room.stage.world.get(), CAROM_SNAPSHOT_WHOLE) != whole)
+    complain("a fork has changed the world that it is of");
+  assert_int_equal(carom_world_destroy(copy, nullptr), CAROM_OK);
+  return wrong;
+}
+
 static int goes_on(Case c) {
 #ifdef CAROM_SANITIZED
   c.after = std::min(c.after, 45);
@@ -99,6 +140,9 @@ static int goes_on(Case c) {
   const Bytes again = save(room.stage);
   if (again != bytes) ++wrong, print_error("%s: saved again, the bytes are others\n", name_of(c).c_str());
   wrong += !same(c, "same world", onward, hashes(room.stage, room.dt, c.after));
+  restore(room.stage, bytes);
+  wrong += is_the_same_elsewhere(c, room, onward);
+  wrong += !same(c, "forked world", onward, hashes(room.stage, room.dt, c.after));
   Room other(c);
   restore(other.stage, bytes);
   wrong += other.stage.world.hash() != then;
@@ -203,6 +247,7 @@ static void threads_do_not_matter(void**) {
     hashes(room.stage, room.dt, c.before);
     assert_true(save(room.stage) == bytes);
     restore(room.stage, bytes);
+    assert_int_equal(is_the_same_elsewhere(c, room, onward), 0);
     assert_true(same(c, "threads", onward, hashes(room.stage, room.dt, c.after)));
     restore(room.stage, bytes);
     assert_true(same(c, "threads", onward, hashes(room.stage, room.dt, c.after)));

@@ -36,6 +36,7 @@ CAROM_E_NOT_FOUND = -25
 CAROM_E_INTERNAL = -26
 CAROM_E_CORRUPT = -27
 CAROM_E_MISMATCH = -28
+CAROM_E_WRITE_FAILED = -29
 CAROM_NULL_HANDLE = 0
 CAROM_MIX_GEOMETRIC_MEAN = 0
 CAROM_MIX_MAXIMUM = 1
@@ -160,6 +161,11 @@ CAROM_SWEEP_FLAGGED = 1
 CAROM_SWEEP_FAST = 2
 CAROM_PRECISION_FLOAT = 0
 CAROM_PRECISION_DOUBLE = 1
+CAROM_PRESET_FAST = 0
+CAROM_PRESET_BALANCED = 1
+CAROM_PRESET_ACCURATE = 2
+CAROM_PRESET_REFERENCE = 3
+CAROM_PRESET_COUNT = 4
 CAROM_DIAL_KIND_NUMBER = 0
 CAROM_DIAL_KIND_INTEGER = 1
 CAROM_DIAL_KIND_CHOICE = 2
@@ -262,8 +268,11 @@ CAROM_QUERY_EXACT_ENOUGH = 0
 CAROM_QUERY_CAPPED = 1
 CAROM_QUERY_ROUNDING = 2
 CAROM_QUERY_FAULT = 3
+CAROM_RECORD_HASHES = 0
+CAROM_RECORD_STATES = 1
 CAROM_SCENERY_TWO_SIDED = 1
 CAROM_SNAPSHOT_STATE = 0
+CAROM_SNAPSHOT_WHOLE = 1
 CAROM_STAGE_REFRESH = 0
 CAROM_STAGE_BROAD = 1
 CAROM_STAGE_NARROW = 2
@@ -306,6 +315,7 @@ carom_spring = c_uint64
 # callbacks
 carom_job_fn = CFUNCTYPE(None, c_void_p, c_uint32, c_uint32)
 carom_support_fn = CFUNCTYPE(c_int32, POINTER(c_double), c_uint64, POINTER(c_double), POINTER(c_double))
+carom_write_fn = CFUNCTYPE(c_int32, c_void_p, c_void_p, c_uint64)
 
 # structs
 class carom_error(Structure):
@@ -384,6 +394,10 @@ class carom_distance_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("simplex", c_uint32), ("narrow_phase", c_uint32), ("pair_routines", c_uint32), ("tolerance", c_double), ("hybrid_margin", c_double), ("gjk_iterations", c_uint32), ("epa_iterations", c_uint32)]
 class carom_distance(Structure):
     _fields_ = [("struct_size", c_uint32), ("status", c_uint32), ("separation", c_double), ("lower", c_double), ("upper", c_double), ("normal", c_double * 3), ("point_a", c_double * 3), ("point_b", c_double * 3), ("gjk_iterations", c_uint32), ("epa_iterations", c_uint32), ("support_calls", c_uint32), ("reserved", c_uint32)]
+class carom_difference(Structure):
+    _fields_ = [("struct_size", c_uint32), ("differs", c_uint32), ("first", c_uint64), ("second", c_uint64), ("sections", c_char * 240)]
+class carom_residuals(Structure):
+    _fields_ = [("struct_size", c_uint32), ("ledger_is_kept", c_uint32), ("contact_points", c_uint64), ("joints", c_uint64), ("max_penetration", c_double), ("mean_penetration", c_double), ("joint_gap", c_double), ("joint_angle", c_double), ("complementarity", c_double), ("cone", c_double), ("slip", c_double), ("energy", c_double), ("energy_drift", c_double)]
 class carom_mesh_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("vertices", POINTER(c_double)), ("vertex_count", c_uint64), ("triangles", POINTER(c_uint32)), ("triangle_count", c_uint64)]
 class carom_height_field_desc(Structure):
@@ -450,6 +464,8 @@ STRUCTS = {
     "carom_shape_plugin": carom_shape_plugin,
     "carom_distance_desc": carom_distance_desc,
     "carom_distance": carom_distance,
+    "carom_difference": carom_difference,
+    "carom_residuals": carom_residuals,
     "carom_mesh_desc": carom_mesh_desc,
     "carom_height_field_desc": carom_height_field_desc,
     "carom_scenery_info": carom_scenery_info,
@@ -531,6 +547,8 @@ FUNCTIONS = {
     "carom_dial_get_info": ("1.0", c_int32, (c_uint32, POINTER(carom_dial_info), POINTER(carom_error),)),
     "carom_dial_get_count": ("1.0", c_int32, (POINTER(c_uint32),)),
     "carom_dial_find": ("1.0", c_int32, (c_char_p, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_preset_name": ("1.8", c_char_p, (c_uint32,)),
+    "carom_preset_get_dial": ("1.8", c_int32, (c_uint32, c_uint32, POINTER(c_double), POINTER(carom_error),)),
     "carom_draw_desc_init": ("1.6", c_int32, (POINTER(carom_draw_desc),)),
     "carom_world_draw": ("1.6", c_int32, (c_void_p, POINTER(carom_draw_desc), POINTER(carom_draw_line), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_engine_desc_init": ("1.0", c_int32, (POINTER(carom_engine_desc),)),
@@ -615,6 +633,12 @@ FUNCTIONS = {
     "carom_world_get_plan": ("1.7", c_int32, (c_void_p, POINTER(carom_plan_line), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_distance_desc_init": ("1.0", c_int32, (POINTER(carom_distance_desc),)),
     "carom_shape_distance": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(c_double), POINTER(c_double), carom_shape, POINTER(c_double), POINTER(c_double), POINTER(carom_distance_desc), POINTER(carom_distance), POINTER(carom_error),)),
+    "carom_world_record_begin": ("1.8", c_int32, (c_void_p, c_uint32, carom_write_fn, c_void_p, POINTER(carom_error),)),
+    "carom_world_record_end": ("1.8", c_int32, (c_void_p, POINTER(carom_error),)),
+    "carom_world_compare": ("1.8", c_int32, (c_void_p, c_void_p, c_uint64, POINTER(carom_difference), POINTER(carom_error),)),
+    "carom_world_get_residuals": ("1.8", c_int32, (c_void_p, POINTER(carom_residuals), POINTER(carom_error),)),
+    "carom_world_set_budget": ("1.8", c_int32, (c_void_p, c_double, c_uint32, c_uint32, POINTER(carom_error),)),
+    "carom_world_get_budget": ("1.8", c_int32, (c_void_p, POINTER(c_double), POINTER(c_uint32), POINTER(c_uint32), POINTER(carom_error),)),
     "carom_mesh_desc_init": ("1.6", c_int32, (POINTER(carom_mesh_desc),)),
     "carom_shape_create_mesh": ("1.6", c_int32, (c_void_p, POINTER(carom_mesh_desc), POINTER(carom_shape), POINTER(carom_error),)),
     "carom_height_field_desc_init": ("1.6", c_int32, (POINTER(carom_height_field_desc),)),
@@ -629,12 +653,15 @@ FUNCTIONS = {
     "carom_shape_support": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(c_double), c_uint64, POINTER(c_double), POINTER(carom_error),)),
     "carom_world_save": ("1.8", c_int32, (c_void_p, c_uint32, c_void_p, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_world_restore": ("1.8", c_int32, (c_void_p, c_void_p, c_uint64, POINTER(carom_error),)),
+    "carom_world_fork": ("1.8", c_int32, (c_void_p, POINTER(c_void_p), POINTER(carom_error),)),
+    "carom_world_translate_handles": ("1.8", c_int32, (c_void_p, POINTER(c_uint64), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_world_desc_init": ("1.0", c_int32, (POINTER(carom_world_desc),)),
     "carom_world_create": ("1.0", c_int32, (c_void_p, POINTER(carom_world_desc), POINTER(c_void_p), POINTER(carom_error),)),
     "carom_world_destroy": ("1.0", c_int32, (c_void_p, POINTER(carom_error),)),
     "carom_world_step": ("1.0", c_int32, (c_void_p, c_double, POINTER(carom_error),)),
     "carom_world_set_dial": ("1.0", c_int32, (c_void_p, c_uint32, c_double, POINTER(carom_error),)),
     "carom_world_get_dial": ("1.0", c_int32, (c_void_p, c_uint32, POINTER(c_double), POINTER(carom_error),)),
+    "carom_world_set_preset": ("1.8", c_int32, (c_void_p, c_uint32, POINTER(carom_error),)),
     "carom_world_set_gravity": ("1.0", c_int32, (c_void_p, POINTER(c_double), POINTER(carom_error),)),
     "carom_world_get_gravity": ("1.0", c_int32, (c_void_p, POINTER(c_double), POINTER(carom_error),)),
     "carom_world_get_report": ("1.0", c_int32, (c_void_p, POINTER(carom_step_report), POINTER(carom_error),)),

@@ -27,7 +27,8 @@ _ALSO = {"NOT_FINITE": ValueError, "OUT_OF_RANGE": ValueError, "NOT_UNIT": Value
          "NULL_ARGUMENT": ValueError, "INVALID_HANDLE": ReferenceError, "STALE_HANDLE": ReferenceError,
          "WRONG_KIND": TypeError, "OUT_OF_MEMORY": MemoryError, "NOT_FOUND": LookupError, "UNSUPPORTED": NotImplementedError,
          "PLUGIN_PATH": OSError, "PLUGIN_LOAD": OSError, "BUFFER_TOO_SMALL": ValueError,
-         "CORRUPT": ValueError, "MISMATCH": ValueError}
+         "CORRUPT": ValueError, "MISMATCH": ValueError,
+         "WRITE_FAILED": OSError}
 
 
 def _make(word):

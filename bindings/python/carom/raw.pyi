@@ -43,6 +43,7 @@ CAROM_E_NOT_FOUND: int
 CAROM_E_INTERNAL: int
 CAROM_E_CORRUPT: int
 CAROM_E_MISMATCH: int
+CAROM_E_WRITE_FAILED: int
 CAROM_NULL_HANDLE: int
 CAROM_MIX_GEOMETRIC_MEAN: int
 CAROM_MIX_MAXIMUM: int
@@ -167,6 +168,11 @@ CAROM_SWEEP_FLAGGED: int
 CAROM_SWEEP_FAST: int
 CAROM_PRECISION_FLOAT: int
 CAROM_PRECISION_DOUBLE: int
+CAROM_PRESET_FAST: int
+CAROM_PRESET_BALANCED: int
+CAROM_PRESET_ACCURATE: int
+CAROM_PRESET_REFERENCE: int
+CAROM_PRESET_COUNT: int
 CAROM_DIAL_KIND_NUMBER: int
 CAROM_DIAL_KIND_INTEGER: int
 CAROM_DIAL_KIND_CHOICE: int
@@ -269,8 +275,11 @@ CAROM_QUERY_EXACT_ENOUGH: int
 CAROM_QUERY_CAPPED: int
 CAROM_QUERY_ROUNDING: int
 CAROM_QUERY_FAULT: int
+CAROM_RECORD_HASHES: int
+CAROM_RECORD_STATES: int
 CAROM_SCENERY_TWO_SIDED: int
 CAROM_SNAPSHOT_STATE: int
+CAROM_SNAPSHOT_WHOLE: int
 CAROM_STAGE_REFRESH: int
 CAROM_STAGE_BROAD: int
 CAROM_STAGE_NARROW: int
@@ -309,6 +318,7 @@ carom_force_field = ctypes.c_uint64
 carom_spring = ctypes.c_uint64
 carom_job_fn: Any
 carom_support_fn: Any
+carom_write_fn: Any
 class carom_error(ctypes.Structure):
     """Details of the last failure of one call. Owned by the caller; start from CAROM_ERROR_INIT.
     Written only on failure, never past struct_size."""
@@ -730,6 +740,30 @@ class carom_distance(ctypes.Structure):
     epa_iterations: int
     support_calls: int
     reserved: int
+class carom_difference(ctypes.Structure):
+    """What of a world is not as a snapshot says."""
+    struct_size: int
+    differs: int
+    first: int
+    second: int
+    sections: builtins.bytes
+class carom_residuals(ctypes.Structure):
+    """What is left undone. Contacts are those of the last step, with the velocities that it ended with; joints and energy are
+    those of the present poses and velocities. Offences against Coulomb's law are in m/s: by how much the velocity at the
+    worst contact would have to be another for its impulse to be right.   @since 1.8"""
+    struct_size: int
+    ledger_is_kept: int
+    contact_points: int
+    joints: int
+    max_penetration: float
+    mean_penetration: float
+    joint_gap: float
+    joint_angle: float
+    complementarity: float
+    cone: float
+    slip: float
+    energy: float
+    energy_drift: float
 class carom_mesh_desc(ctypes.Structure):
     """A triangle mesh. Corners at the same place are made one, so vertices may be repeated; triangles without area are
     dropped (carom_scenery_info counts them). Two triangles that share a side are one surface there; a side of one alone is a rim, and so
@@ -979,11 +1013,12 @@ def carom_body_set_velocity(world: Any, body: Any, linear: Any, angular: Any, er
     ...
 def carom_body_add_force(world: Any, body: Any, force: Any, torque: Any, error: Any) -> int:
     """Add a force and a torque about the centre of mass, for the next step only.
-    @param force [3] N, world   @param torque [3] N m, world   @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT"""
+    @param force [3] N, world   @param torque [3] N m, world
+    @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT"""
     ...
 def carom_body_add_impulse(world: Any, body: Any, impulse: Any, point: Any, error: Any) -> int:
     """Change velocities at once. @param impulse [3] N s, world   @param point [3] m, world: where it acts
-    @status OK; *_HANDLE; NOT_FINITE; BUSY; REENTRANT"""
+    @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT"""
     ...
 def carom_body_set_gravity_factor(world: Any, body: Any, factor: Any, error: Any) -> int:
     """How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
@@ -1125,6 +1160,15 @@ def carom_dial_get_count(count: Any) -> int:
 def carom_dial_find(name: Any, dial: Any, error: Any) -> int:
     """@param name as in carom_dial_info.name   @status OK; NULL_ARGUMENT; NOT_FOUND   @thread any"""
     ...
+def carom_preset_name(preset: Any) -> bytes:
+    """Static name of a preset ("balanced"), or "?".   @thread any   @since 1.8"""
+    ...
+def carom_preset_get_dial(preset: Any, dial: Any, value: Any, error: Any) -> int:
+    """What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a world
+    finds pairs, who sleeps, and what a host chose for its look they leave alone.
+    @param preset CAROM_PRESET_*   @param dial CAROM_DIAL_*   @param value out
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any   @since 1.8"""
+    ...
 def carom_draw_desc_init(desc: Any) -> int:
     """@status OK; NULL_ARGUMENT   @since 1.6"""
     ...
@@ -1238,7 +1282,7 @@ def carom_body_add_force_at(world: Any, body: Any, force: Any, point: Any, error
     """Add a force that acts at a point, for the next step only: carom_body_add_force() with its torque about the centre of
     mass as the body stands now.
     @param force [3] N, world   @param point [3] m, world
-    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT   @since 1.7"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT   @since 1.7"""
     ...
 def carom_body_set_drag(world: Any, body: Any, linear: Any, quadratic: Any, error: Any) -> int:
     """How air resists a body: F = -(linear + quadratic |u|) u at its centre, u its velocity relative to the air. Without other
@@ -1498,6 +1542,43 @@ def carom_shape_distance(engine: Any, shape_a: Any, position_a: Any, orientation
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM;
             UNSUPPORTED (two half-spaces)     @thread any"""
     ...
+def carom_world_record_begin(world: Any, flags: Any, write: Any, user: Any, error: Any) -> int:
+    """Record a world from now on, until carom_world_record_end() or until it is destroyed.
+    @param flags CAROM_RECORD_*   @param write is kept, and called with `user`
+    @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); IN_USE (it is being recorded); WRITE_FAILED; BUSY; REENTRANT;
+            OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_world_record_end(world: Any, error: Any) -> int:
+    """Stop recording.
+    @status OK; NULL_ARGUMENT; NOT_FOUND (it is not being recorded); WRITE_FAILED (`write` said so, now or before: the
+            recording ends there); OUT_OF_MEMORY (likewise, for lack of memory); BUSY; REENTRANT   @since 1.8"""
+    ...
+def carom_world_compare(world: Any, bytes: Any, size: Any, difference: Any, error: Any) -> int:
+    """Compare a world with a snapshot, between steps; of a world of the same structure. Reads only.
+    @param difference its struct_size set by the caller
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; CORRUPT, UNSUPPORTED, MISMATCH (as carom_world_restore()); BUSY; REENTRANT;
+            OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_world_get_residuals(world: Any, residuals: Any, error: Any) -> int:
+    """@param residuals with its struct_size set; filled. Before the first step, and after a step without contacts, what
+                     concerns them is 0.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
+    @accuracy rounding; effective masses are those along the normal
+    @cost linear in contact points, joints and bodies   @since 1.8"""
+    ...
+def carom_world_set_budget(world: Any, seconds: Any, fewest: Any, most: Any, error: Any) -> int:
+    """Choose the dial `substeps` before each step so that steps take about `seconds`. What a substep costs is learnt from the
+    last steps; one that took too long is answered at once, room that opens by one substep more a step. Trajectories then
+    depend on the machine's speed: two runs are not the same to the bit. Off (as a world is created) for lockstep and tests.
+    The steps of a scene that is too dear even with `fewest` take longer. A budget is the host's: no snapshot holds it, a
+    copy begins without one, and a record (carom/record.h) has the substeps that it chose.
+    @param seconds  s of wall clock a step, 0 < seconds <= 10; 0: off, the dial keeps its value
+    @param fewest, most  substeps, 1 <= fewest <= most <= the dial's bound; ignored when off
+    @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_world_get_budget(world: Any, seconds: Any, fewest: Any, most: Any, error: Any) -> int:
+    """@param seconds, fewest, most  out: as set; 0 when off   @status OK; NULL_ARGUMENT; BUSY   @since 1.8"""
+    ...
 def carom_mesh_desc_init(desc: Any) -> int:
     """@status OK; NULL_ARGUMENT   @since 1.6"""
     ...
@@ -1567,10 +1648,29 @@ def carom_world_save(world: Any, flags: Any, buffer: Any, capacity: Any, needed:
 def carom_world_restore(world: Any, bytes: Any, size: Any, error: Any) -> int:
     """Put a snapshot back, between steps. All of it is read and checked, and all memory that it takes is there, before
     anything of the world changes.
+    A world in which nothing was ever made is built anew of a snapshot that is whole; `user` values come with it, a ledger
+    begins anew. Shapes of the same plugin and numbers that the engine has are used, others made; they are the engine's, as
+    if the host had made them (carom_collider_get() tells their handles). Any other world takes its state, as of one that
+    is not whole.
     @param bytes [size], of any alignment   @param size as carom_world_save() told
     @status OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a newer
-            format); MISMATCH (of a world of another structure: the message names the kind that differs); BUSY; REENTRANT;
-            OUT_OF_MEMORY   @since 1.8"""
+            format); MISMATCH (of a world of another structure: the message names the kind that differs; or a plugin of that
+            id and version makes other shapes than it did); NOT_FOUND (a shape plugin is not loaded: the message says id and
+            version); LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_world_fork(world: Any, copy: Any, error: Any) -> int:
+    """Make a world of the same engine that is as this one is, and goes on as it does, bit for bit. Nothing of this one
+    changes; other readers may be at work. Lists and residuals of its last step, and a ledger, the copy has none of.
+    @param copy out: to be destroyed as any world
+    @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_world_translate_handles(world: Any, handles: Any, n: Any, translated: Any, error: Any) -> int:
+    """Handles of another world, as they are in this one: the same slots and generations. For what a host keeps of a world that
+    it has forked, or of one that was saved whole, in another process too.
+    @param handles    [n] of bodies, colliders, materials, joints, particles, fields, springs; 0 stays 0
+    @param translated [n] out; may be `handles`. All of them or, where one is refused, none
+    @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
+            worlds); BUSY; REENTRANT   @since 1.8"""
     ...
 def carom_world_desc_init(desc: Any) -> int:
     """@status OK; NULL_ARGUMENT"""
@@ -1586,7 +1686,7 @@ def carom_world_destroy(world: Any, error: Any) -> int:
     ...
 def carom_world_step(world: Any, dt: Any, error: Any) -> int:
     """Advance by dt.
-    @param dt s, in (0, 1]
+    @param dt s, in [1e-9, 1]
     @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY
     Out of memory: no body has moved and forces are still pending; contact caches may have been dropped.
     A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() tells."""
@@ -1597,6 +1697,11 @@ def carom_world_set_dial(world: Any, dial: Any, value: Any, error: Any) -> int:
     ...
 def carom_world_get_dial(world: Any, dial: Any, value: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY"""
+    ...
+def carom_world_set_preset(world: Any, preset: Any, error: Any) -> int:
+    """Set all dials that presets speak of, from the next step on; see carom_preset_get_dial(). Later calls of
+    carom_world_set_dial() change them one by one.   @param preset CAROM_PRESET_*
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT   @since 1.8"""
     ...
 def carom_world_set_gravity(world: Any, gravity: Any, error: Any) -> int:
     """@param gravity [3] m/s^2, |each| <= 1e6   @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""

@@ -1,4 +1,4 @@
-"""What a step did: report, contacts, events, faults, the plan, the ledger, lines to draw."""
+"""What a step did: report, contacts, events, faults, the plan, the ledger, residuals, lines to draw."""
 from __future__ import annotations
 
 import ctypes
@@ -116,6 +116,28 @@ class Reports:
         state = raw.carom_ledger_state(struct_size=ctypes.sizeof(raw.carom_ledger_state))
         self._call(raw.carom_world_get_ledger_state, ctypes.byref(state))
         return record(state, is_kept=bool(state.is_kept))
+
+    # ---- what a step left undone, and how long it may take ----
+
+    @property
+    def residuals(self):
+        """max_penetration, joint_gap (m), joint_angle (rad), complementarity, cone, slip (m/s), energy (J), ...;
+        energy_drift is None without a ledger."""
+        left = raw.carom_residuals(struct_size=ctypes.sizeof(raw.carom_residuals))
+        self._call(raw.carom_world_get_residuals, ctypes.byref(left))
+        drift = left.energy_drift if left.ledger_is_kept else None
+        return record(left, ledger_is_kept=bool(left.ledger_is_kept), energy_drift=drift)
+
+    @property
+    def budget(self):
+        """(seconds, fewest, most) that substeps are chosen within, or None."""
+        seconds, fewest, most = ctypes.c_double(), ctypes.c_uint32(), ctypes.c_uint32()
+        self._call(raw.carom_world_get_budget, ctypes.byref(seconds), ctypes.byref(fewest), ctypes.byref(most))
+        return (seconds.value, fewest.value, most.value) if seconds.value else None
+
+    def set_budget(self, seconds: float | None, fewest: int = 1, most: int = 8) -> None:
+        """Steps of about so many seconds, by `fewest` to `most` substeps: runs then depend on the machine's speed. None: off."""
+        self._call(raw.carom_world_set_budget, seconds or 0.0, fewest, most)
 
     def draw(self, *what: str, **how):
         """Coloured lines: from_, to (m), colour 0xRRGGBBAA, kind, body.

@@ -16,6 +16,7 @@ from .particles import Particles
 from .query import Questions
 from .report import Reports
 from .shape import Shape
+from .snapshot import Snapshots
 
 if TYPE_CHECKING:
     from .engine import Engine
@@ -24,7 +25,7 @@ _OBJECTS = {"carom_body": Body, "carom_collider": Collider, "carom_material": Ma
             "carom_particles": Particles, "carom_force_field": ForceField, "carom_spring": Spring}
 
 
-class World(Root, Bulk, Questions, Reports):
+class World(Root, Bulk, Questions, Reports, Snapshots):
     """Made by Engine.world(). One thread steps it, or any number read it; who comes at the wrong time gets Busy.
     A step lets other Python threads run."""
 
@@ -33,16 +34,26 @@ class World(Root, Bulk, Questions, Reports):
     def __init__(self, engine: Engine, desc, dials: dict):
         pointer = ctypes.c_void_p()
         engine._call(raw.carom_world_create, ctypes.byref(desc), ctypes.byref(pointer))
-        super().__init__(pointer.value, raw.carom_world_destroy, engine._owner)
-        self.engine = engine
-        engine._worlds.add(self)
-        self.dials = Dials(self)
+        self._adopt(engine, pointer.value)
         try:
             for name, value in dials.items():
                 self.dials[name] = value
         except BaseException:
             self.close()
             raise
+
+    def _adopt(self, engine: Engine, pointer):
+        Root.__init__(self, pointer, raw.carom_world_destroy, engine._owner)
+        self.engine = engine
+        engine._worlds.add(self)
+        self.dials = Dials(self)
+
+    @classmethod
+    def _adopted(cls, engine: Engine, pointer) -> World:
+        """The object of a world that the library made."""
+        world = cls.__new__(cls)
+        world._adopt(engine, pointer)
+        return world
 
     def _wrap(self, kind: str, handle: int):
         """The object of a handle of this world, or of its engine."""
@@ -56,7 +67,7 @@ class World(Root, Bulk, Questions, Reports):
     # ---- time ----
 
     def step(self, dt: float = 1 / 60) -> None:
-        """Advance by dt, s, in (0, 1]."""
+        """Advance by dt, s, in [1e-9, 1]."""
         self._call(raw.carom_world_step, dt)
 
     @property

@@ -1,6 +1,7 @@
 // Contact points of a pair: at most four, kept from step to step.
 #pragma once
 
+#include <memory>
 #include <utility>
 
 #include "core/pose.h"
@@ -35,7 +36,16 @@ struct Candidates {
   int count = 0;
   bool whole = false;     // a specific routine found every point of the patch: nothing older need be kept
   Real gap = -kInfinity;  // m: where no candidate was found, the distance is not less, to rounding
-  ContactPoint point[kMax];
+  union {                 // not made before they are found: that would take as long as a routine
+    ContactPoint point[kMax];
+  };
+
+  Candidates() {}
+  Candidates(const Candidates& o) : count(o.count), whole(o.whole), gap(o.gap) {
+    std::uninitialized_copy_n(o.point, o.count, point);
+  }
+  Candidates& operator=(const Candidates&) = delete;
+  ContactPoint& add() { return *std::construct_at(point + count++); }
 };
 
 /// The deepest of the points that are near enough, the first of equals; null if there is none. @param reach  m

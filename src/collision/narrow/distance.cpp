@@ -39,19 +39,16 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
   result = QueryResult{};
   if (!usable(b_in_a)) return unknown(QueryStatus::rounding, result);
   if (flat_a && flat_b) return unknown(QueryStatus::capped, result);  // two half-spaces: no contract, no claim
-  const Real size = b_in_a.p.cwiseAbs().sum() + extent(a) + extent(b);
-  const Real slack = (kBracketRounding * kUnitRoundoff + (specific ? entry.accuracy : 0)) * size;
-  const Real asked = settings.tolerance * size_of_pair(a, b, b_in_a);
   // GJK, without the shells of the hybrid, which a routine does not know either.
   const auto ask_gjk = [&] {
     QuerySettings exact = settings;
     exact.method = Method::gjk_epa;
     generic_distance(a, b, b_in_a, exact, memory, result, fault);
   };
-  if (specific && entry.accuracy > 0 && 2 * slack > asked && !flat_a && !flat_b) return ask_gjk();  // not exact enough
   const bool swapped = specific ? entry.swapped : flat_b;
   const Shape &first = swapped ? b : a, &second = swapped ? a : b;
-  const Frame frame = swapped ? Frame(b_in_a.r.transpose(), -(b_in_a.r.transpose() * b_in_a.p)) : b_in_a;
+  const Frame turned_over = swapped ? Frame(b_in_a.r.transpose(), -(b_in_a.r.transpose() * b_in_a.p)) : Frame();
+  const Frame& frame = swapped ? turned_over : b_in_a;
   Candidates found;
   std::uint64_t calls = 0;
   if (specific) {
@@ -59,10 +56,14 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
   } else if (!half_space_by_support(first, second, frame, kInfinity, false, found, calls, fault)) {
     return unknown(QueryStatus::fault, result);
   }
-  result.support_calls = static_cast<int>(calls);
   const ContactPoint* const nearest = deepest(found);
   // The routine is no judge of shapes apart.
-  if (specific && !entry.exact_apart && (!nearest || nearest->separation > 0)) return ask_gjk();
+  if (specific && !entry.exact_apart && !nearest) return ask_gjk();
+  const Real size = b_in_a.p.cwiseAbs().sum() + extent(a) + extent(b);
+  const Real slack = (kBracketRounding * kUnitRoundoff + (specific ? entry.accuracy : 0)) * size;
+  const Real asked = settings.tolerance * size_of_pair(a, b, b_in_a);
+  if (specific && entry.accuracy > 0 && 2 * slack > asked && !flat_a && !flat_b) return ask_gjk();  // not exact enough
+  result.support_calls = static_cast<int>(calls);
   if (!nearest) return unknown(QueryStatus::rounding, result);  // poses that are no numbers
   answer(*nearest, swapped, b_in_a, slack, asked, result);
 }

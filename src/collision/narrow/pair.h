@@ -10,7 +10,7 @@ namespace carom {
 /// Contact points of two declared shapes, every point of the patch.
 /// @param b_in_a  pose of B in A's frame
 /// @param reach   m: points farther apart than this are left out; kInfinity: none is, and ties are broken by depth
-///                alone; a routine that is not exact apart may then say nothing of shapes apart
+///                alone; a routine that is not exact apart may then say nothing of shapes apart, but nothing false
 /// @param found   appended to, at most Candidates::kMax points; normal in A's FRAME, from A to B (the caller turns it).
 ///                The deepest point attains the signed distance of the pair.
 /// @accuracy      16 u M, M the size of the operands, and PairEntry::accuracy times M
@@ -19,7 +19,7 @@ using PairRoutine = void (*)(const Shape& a, const Shape& b, const Frame& b_in_a
 struct PairEntry {
   PairRoutine routine = nullptr;  // null: the generic path
   bool swapped = false;           // call it with B first
-  bool exact_apart = true;        // false: apart, it answers a bound from below, not the distance
+  bool exact_apart = true;        // false: of some pairs apart it does not know the distance, and says nothing
   Real accuracy = 0;              // error of its depth beyond rounding, as a share of the pair's size
 };
 
@@ -52,7 +52,7 @@ void contact_half_space_polytope(const Shape&, const Shape&, const Frame&, Real,
 inline void add_contact(Candidates& found, Real reach, const Vec3& on_a, const Vec3& on_b, const Vec3& normal,
                         Real separation, std::uint32_t feature) {
   if (!(separation <= reach) || found.count == Candidates::kMax) return;
-  ContactPoint& p = found.point[found.count++];
+  ContactPoint& p = found.add();
   p.on_a = on_a;
   p.on_b = on_b;
   p.normal = normal;

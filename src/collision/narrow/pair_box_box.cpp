@@ -34,7 +34,7 @@ struct Axis {
 /// The preferred axis of largest separation, over the three faces of each box and the nine pairs of edges.
 /// For unit axis n: separation(n) = |n . t| - sum_k ha_k |n . e_k| - sum_k hb_k |n . R_k|, a bound of the distance from
 /// below, and the (negative) depth itself at the best of the fifteen when the boxes overlap.
-/// With reach infinite, the depth being asked for, any axis that separates ends it: apart, others know the distance.
+/// With reach infinite, the depth being asked for, any axis that separates ends it.
 /// @source [Gottschalk1996 §5]
 Axis best_axis(const Mat3& r, const Vec3& t, const Vec3& ha, const Vec3& hb, Real reach) {
   const bool exact = reach == kInfinity;
@@ -124,8 +124,9 @@ void face_patch(const View& v, int face, Real reach, std::uint32_t label, Candid
   }
 }
 
-/// The other box's deepest corner against a reference face, wherever it lies beside it.
-void face_corner(const View& v, int face, Real reach, std::uint32_t label, Candidates& found) {
+/// The other box's deepest corner against a reference face.
+/// @param before_it  only if it lies before the face, not beside it
+void face_corner(const View& v, int face, bool before_it, Real reach, std::uint32_t label, Candidates& found) {
   const Real side = v.t[face] < 0 ? -1 : 1;
   Vec3 corner;
   for (int k = 0; k < 3; ++k) corner[k] = side * v.r(face, k) > 0 ? -v.other[k] : v.other[k];
@@ -133,7 +134,33 @@ void face_corner(const View& v, int face, Real reach, std::uint32_t label, Candi
   Vec3 on_face = x.cwiseMax(-v.half).cwiseMin(v.half), normal = Vec3::Zero();
   normal[face] = side;
   on_face[face] = side * v.half[face];
+  if (before_it && !(on_face[next(face)] == x[next(face)] && on_face[next(next(face))] == x[next(next(face))])) return;
   add_contact(found, reach, on_face, corner, normal, side * x[face] - v.half[face], (label + 1) << 12);
+}
+
+View from_a(const Shape& a, const Shape& b, const Frame& b_in_a) { return {b_in_a.r, b_in_a.p, a.half, b.half}; }
+View from_b(const Shape& a, const Shape& b, const Frame& b_in_a) {
+  return {b_in_a.r.transpose(), -(b_in_a.r.transpose() * b_in_a.p), b.half, a.half};
+}
+
+/// Points found from B's side as points between A and B.
+void turn_over(const Frame& b_in_a, ContactPoint* first, ContactPoint* end) {
+  for (ContactPoint* p = first; p < end; ++p) {
+    std::swap(p->on_a, p->on_b);
+    p->normal = -(b_in_a.r * p->normal);
+  }
+}
+
+/// Boxes apart by a face: where the other's nearest corner lies before it, and not beside it, it is the nearest point
+/// of all, since the face's plane says that nothing is nearer. Else others know the distance.
+void corner_before_face(const Shape& a, const Shape& b, const Frame& b_in_a, Candidates& found) {
+  const auto gaps = [](const View& v) { return v.t.cwiseAbs() - v.half - v.r.cwiseAbs() * v.other; };
+  const View side_a = from_a(a, b, b_in_a), side_b = from_b(a, b, b_in_a);
+  int face_a, face_b;
+  const Real gap_a = Vec3(gaps(side_a)).maxCoeff(&face_a), gap_b = Vec3(gaps(side_b)).maxCoeff(&face_b);
+  const bool of_b = gap_b > gap_a;
+  face_corner(of_b ? side_b : side_a, of_b ? face_b : face_a, true, kInfinity, 0, found);
+  if (of_b) turn_over(b_in_a, found.point, found.point + found.count);
 }
 
 void face_contact(const Shape& a, const Shape& b, const Frame& b_in_a, int face, bool apart, Real reach,
@@ -141,18 +168,12 @@ void face_contact(const Shape& a, const Shape& b, const Frame& b_in_a, int face,
   const auto label = static_cast<std::uint32_t>(face);
   const bool of_b = face >= 3;
   const int first = found.count, axis = of_b ? face - 3 : face;
-  const View v = of_b ? View{b_in_a.r.transpose(), -(b_in_a.r.transpose() * b_in_a.p), b.half, a.half}
-                      : View{b_in_a.r, b_in_a.p, a.half, b.half};
+  const View v = of_b ? from_b(a, b, b_in_a) : from_a(a, b, b_in_a);
   face_patch(v, axis, reach, label, found);
   // Apart, an empty patch means that the boxes pass by each other. In overlap there is always a point of least depth;
   // rounding, or the preferred axis not being the best, may have cut it away.
-  if (found.count == first && !apart) face_corner(v, axis, reach, label, found);
-  if (!of_b) return;
-  for (int c = first; c < found.count; ++c) {
-    ContactPoint& p = found.point[c];
-    std::swap(p.on_a, p.on_b);
-    p.normal = -(b_in_a.r * p.normal);
-  }
+  if (found.count == first && !apart) face_corner(v, axis, false, reach, label, found);
+  if (of_b) turn_over(b_in_a, found.point + first, found.point + found.count);
 }
 
 /// One point where two edges cross: the nearest points of their lines, held to the edges.
@@ -188,6 +209,7 @@ void contact_box_box(const Shape& a, const Shape& b, const Frame& b_in_a, Real r
   found.whole = true;
   if (axis.apart) {
     found.gap = axis.gap;
+    if (reach == kInfinity) corner_before_face(a, b, b_in_a, found);
     return;
   }
   if (axis.i >= 0) {

@@ -87,15 +87,18 @@ Handle World::add_spring(const SpringDef& def) {
   if (handle == 0) return 0;
   const std::uint32_t slot = handle_slot(handle);
   if (slot == s.def.size()) s.def.emplace_back(), s.stiffness.push_back(0), s.damping.push_back(0);
-  s.def[slot] = def;
   if (s.ends.size() < scene.bodies.slots()) s.ends.resize(scene.bodies.slots(), 0);
   if (s.load.size() < scene.bodies.slots()) s.load.resize(scene.bodies.slots());
-  def.each_end([&](std::uint32_t body, const Vec3&) {
-    ++s.ends[body];
-    wake(*this, body);
-  });
+  fill_spring(slot, def);
+  def.each_end([&](std::uint32_t body, const Vec3&) { wake(*this, body); });
   ++scene.revision;
   return handle;
+}
+
+void World::fill_spring(std::uint32_t slot, const SpringDef& def) {
+  Springs& s = scene.springs;
+  s.def[slot] = def;
+  def.each_end([&](std::uint32_t body, const Vec3&) { ++s.ends[body]; });
 }
 
 void World::set_spring(std::uint32_t spring, Real rest, Real stiffness, Real damping) {

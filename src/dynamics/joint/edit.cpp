@@ -39,14 +39,19 @@ Handle World::add_joint(const JointDef& def) {
   if (handle == 0) return 0;
   const std::uint32_t slot = handle_slot(handle);
   if (slot == joints.joint.size()) joints.joint.emplace_back();
+  fill_joint(slot, def);
+  Joint& joint = joints.joint[slot];
+  if (def.body_a != kTheWorld) joint.next_a = joints.first[def.body_a], joints.first[def.body_a] = slot;
+  if (def.body_b != kTheWorld) joint.next_b = joints.first[def.body_b], joints.first[def.body_b] = slot;
+  ++scene.revision;
+  return handle;
+}
+
+void World::fill_joint(std::uint32_t slot, const JointDef& def) {
   Joint& joint = joints.joint[slot] = Joint{};
   joint.def = def;
   joint.def.frame_a.q = normalized(def.frame_a.q), joint.def.frame_b.q = normalized(def.frame_b.q);
-  if (def.body_a != kTheWorld) joint.next_a = joints.first[def.body_a], joints.first[def.body_a] = slot;
-  if (def.body_b != kTheWorld) joint.next_b = joints.first[def.body_b], joints.first[def.body_b] = slot;
   if (parts(def)) scene.joined.add(def.body_a, def.body_b);
-  ++scene.revision;
-  return handle;
 }
 
 void World::remove_joint(std::uint32_t slot) {

@@ -116,6 +116,8 @@ template <class Io, class W>
 void body(Io& io, W& world, std::uint32_t i) {
   auto& s = world.state;
   auto& z = *world.sleep;
+  io.begin_item();
+  io.name_item(Item::body, i);
   const auto bits = io.value(Io::saves ? bits_of_body(world, i) : std::uint16_t(0));
   io.demand(bits <= kBodyBits);
   const Vec3 x = io.vec(s.x[i]);
@@ -259,6 +261,8 @@ std::uint8_t bits_of_collider(const World& world, std::uint32_t slot) {
 template <class Io, class W>
 void collider(Io& io, W& world, std::uint32_t slot) {
   auto& c = world.scene.colliders;
+  io.begin_item();
+  io.name_item(Item::collider, slot);
   const std::uint8_t bits = io.value(Io::saves ? bits_of_collider(world, slot) : std::uint8_t(0));
   io.demand(bits <= kColliderBits);
   if ((bits & kFrameBits) == kFrameItself) {
@@ -310,6 +314,8 @@ struct Shells {
   static void faulty(Io& io, W& world) {
     const auto& c = world.scene.colliders;
     auto& shapes = world.plan->faulty;
+    io.begin_item();
+    io.name_item(Item::none);
     const std::uint64_t n = io.count(shapes.size(), 4);
     if constexpr (Io::checks) io.needs.faulty = n;
     if constexpr (Io::loads) shapes.clear();

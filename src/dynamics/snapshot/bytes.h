@@ -19,6 +19,9 @@ namespace carom::snapshot {
 static_assert(std::endian::native == std::endian::little, "snapshots are little-endian");
 static_assert(sizeof(Real) == 8, "and hold doubles");
 
+/// What of a world stands at a place of the bytes.
+enum class Item : std::uint8_t { none, body, collider, pair, joint, set, field, spring, material };
+
 /// Room that loading wants to find in the arrays of a world, found out by checking.
 struct Needs {
   std::size_t places = 0, records = 0, free_records = 0, parked = 0;  // of the pair table
@@ -85,6 +88,8 @@ class Saver {
   }
   void demand(bool) {}
   bool bad() const { return false; }
+  void begin_item() {}
+  void name_item(Item, std::uint32_t = 0, std::uint32_t = 0) {}
 
  private:
   std::byte* to_;
@@ -164,6 +169,17 @@ class Checker : public Reader {
   }
   bool at_end() const { return at_ == end_; }
 
+  /// To be told what stands at a place: the last that begins at it or before it.
+  void watch(const std::byte* place) { watched_ = place; }
+  void begin_item() { item_begin_ = at_; }
+  void name_item(Item item, std::uint32_t a = 0, std::uint32_t b = 0) {
+    if (item_begin_ <= watched_) item_ = item, item_a_ = a, item_b_ = b;
+  }
+  Item item(std::uint32_t& a, std::uint32_t& b) const {
+    a = item_a_, b = item_b_;
+    return item_;
+  }
+
   Needs& needs;
 
  private:
@@ -174,6 +190,10 @@ class Checker : public Reader {
     for (int i = 0; i < v.size(); ++i) demand(finite(v.data()[i]));
     return v;
   }
+
+  const std::byte *watched_ = nullptr, *item_begin_ = nullptr;
+  Item item_ = Item::none;
+  std::uint32_t item_a_ = 0, item_b_ = 0;
 };
 
 class Loader : public Reader {
@@ -182,6 +202,8 @@ class Loader : public Reader {
   Loader(const std::byte* from, const std::byte* end, bool absent) : Reader(from, end, absent) {}
 
   void demand(bool) {}
+  void begin_item() {}
+  void name_item(Item, std::uint32_t = 0, std::uint32_t = 0) {}
   Real real(Real now) { return value(now); }
   Vec3 vec(const Vec3&) {
     Vec3 v;

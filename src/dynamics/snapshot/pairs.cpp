@@ -112,6 +112,8 @@ class PairTableImage {
     };
     Pair last{0, 0};
     for (std::uint64_t k = 0; k < places && !io.bad(); ++k) place(io, world, k, once, last);
+    io.begin_item();
+    io.name_item(Item::none);
     for (std::uint64_t k = 0; k < free && !io.bad(); ++k) {
       const std::uint32_t r = io.value(Io::saves ? t.free_[k] : 0u);
       once(r);
@@ -134,7 +136,9 @@ class PairTableImage {
   static void place(Io& io, W& world, std::uint64_t k, const Once& once, Pair& last) {
     auto& t = world.pairs;
     const PairTable::Place now = Io::checks ? PairTable::Place{} : t.order_[k];
+    io.begin_item();
     const Pair p = pair(io, world, now.pair);
+    io.name_item(Item::pair, p.a, p.b);
     const std::uint32_t at = io.value(now.record);
     Real horizon = io.value(now.horizon);
     once(at);
@@ -246,8 +250,10 @@ struct Remembered {
     if constexpr (Io::loads) c.old.resize(n);
     Pair last{0, 0};
     for (std::uint64_t k = 0; k < n && !io.bad(); ++k) {
+      io.begin_item();
       if constexpr (Io::checks) {
         const OldImpulse o = impulse(io, OldImpulse{});
+        io.name_item(Item::pair, o.pair.a, o.pair.b);
         io.demand(!(o.pair < last) && o.pair.a < o.pair.b && o.pair.b < world.scene.colliders.slots() && h > 0);
         last = o.pair;
       } else {

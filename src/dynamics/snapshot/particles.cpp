@@ -10,6 +10,8 @@ namespace {
 
 template <class Io, class S>
 void set(Io& io, S& p, [[maybe_unused]] std::uint32_t slot) {
+  io.begin_item();
+  io.name_item(Item::set, slot);
   const Real factor = io.real(p.def.gravity_factor), damping = io.real(p.def.linear_damping),
              mass = io.real(p.def.mass);
   io.demand(damping >= 0 && mass >= 0);

@@ -51,6 +51,8 @@ struct Materials {
     if constexpr (Io::loads) s.resists = false;
     for (std::uint32_t i = 0; i < s.material_slots.slots() && !io.bad(); ++i) {
       if (!s.material_slots.alive(i)) continue;
+      io.begin_item();
+      io.name_item(Item::material, i);
       const Material& now = s.material[i];
       Material m;
       m.friction = io.real(now.friction), m.restitution = io.real(now.restitution);
@@ -80,7 +82,7 @@ struct AllFields {
   static void go(Io& io, W& world) {
     auto& all = world.scene.fields;
     for (std::uint32_t i = 0; i < all.slots.slots() && !io.bad(); ++i)
-      if (all.slots.alive(i)) field(io, all.def[i]);
+      if (all.slots.alive(i)) io.begin_item(), io.name_item(Item::field, i), field(io, all.def[i]);
   }
 
  private:
@@ -110,6 +112,8 @@ struct AllSprings {
     auto& all = world.scene.springs;
     for (std::uint32_t i = 0; i < all.slots.slots() && !io.bad(); ++i) {
       if (!all.slots.alive(i)) continue;
+      io.begin_item();
+      io.name_item(Item::spring, i);
       auto& def = all.def[i];
       const Real rest = io.real(def.rest), stiffness = io.real(def.stiffness), damping = io.real(def.damping);
       io.demand(rest >= 0 && stiffness >= 0 && damping >= 0);
@@ -174,7 +178,7 @@ struct AllJoints {
   static void go(Io& io, W& world) {
     auto& all = world.joints;
     for (std::uint32_t i = 0; i < all.slots.slots() && !io.bad(); ++i)
-      if (all.slots.alive(i)) joint(io, world, all.joint[i]);
+      if (all.slots.alive(i)) io.begin_item(), io.name_item(Item::joint, i), joint(io, world, all.joint[i]);
   }
 
  private:

@@ -11,6 +11,7 @@
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/snapshot/section.h"
 #include "dynamics/snapshot/structure.h"
+#include "dynamics/snapshot/whole.h"
 
 namespace carom {
 namespace snapshot {
@@ -109,6 +110,10 @@ bool refuse(SnapshotFault& fault, SnapshotFault::Kind kind, const char* format, 
 struct Found {
   const std::byte* begin[kMostSections] = {};
   const std::byte* end[kMostSections] = {};
+  const std::byte* whole_begin[kWholeSections] = {};
+  const std::byte* whole_end[kWholeSections] = {};
+
+  bool is_whole() const { return whole_begin[0] != nullptr; }
 };
 
 bool find_sections(const std::byte* bytes, std::uint64_t n, Found& found, SnapshotFault& fault) {
@@ -133,11 +138,18 @@ bool find_sections(const std::byte* bytes, std::uint64_t n, Found& found, Snapsh
     at += kSectionHeader;
     if (s.size > n - at || s.size + (-s.size % 8) > n - at)
       return refuse(fault, SnapshotFault::corrupt, "the snapshot ends within a section");
+    bool twice = false;
     for (std::size_t k = 0; k < count; ++k) {
       if (all[k]->tag != s.tag) continue;
-      if (found.begin[k]) return refuse(fault, SnapshotFault::corrupt, "section %s is there twice", all[k]->name);
+      twice |= found.begin[k] != nullptr;
       found.begin[k] = bytes + at, found.end[k] = bytes + at + s.size;
     }
+    for (std::size_t k = 0; k < kWholeSections; ++k) {
+      if (kWhole[k].tag != s.tag) continue;
+      twice |= found.whole_begin[k] != nullptr;
+      found.whole_begin[k] = bytes + at, found.whole_end[k] = bytes + at + s.size;
+    }
+    if (twice) return refuse(fault, SnapshotFault::corrupt, "section %.4s is there twice", (const char*)&s.tag);
     at += s.size + (-s.size % 8);
   }
   return true;
@@ -232,47 +244,58 @@ void forget_last_step(World& world) {
 }  // namespace
 }  // namespace snapshot
 
-std::uint64_t save_state(const World& world, std::byte* to, std::uint64_t capacity) {
-  using namespace snapshot;
-  Saver io(to, to ? capacity : 0);
-  Header header;
-  io.put(&header, kHeader);
-  std::size_t count = 0;
-  const Section* const* const all = sections(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::uint64_t at = io.size();
-    SectionHeader s{all[k]->tag, 0, 0};
-    io.put(&s, kSectionHeader);
-    io.begin_part();
-    all[k]->save(io, world);
-    if (!io.marked()) {  // zeros: what a reader takes it for if it is absent
-      io.shrink(at);
-      continue;
-    }
-    s.size = io.size() - at - kSectionHeader;
-    io.put_at(at, &s, kSectionHeader);
-    io.align();
-  }
-  header.size = io.size();
-  if (io.size() > capacity || !to) return io.size();
-  header.checksum = checksum(to + kHeader, io.size() - kHeader);
-  io.put_at(0, &header, kHeader);
-  return io.size();
-}
+namespace snapshot {
+namespace {
 
-bool restore_state(World& world, const std::byte* bytes, std::uint64_t n, SnapshotFault& fault) {
-  using namespace snapshot;
-  Found found;
-  if (!find_sections(bytes, n, found, fault)) return false;
+/// One section after the other, @see save_section(); what is zeros alone is what a reader takes it for if it is absent.
+class Writer {
+ public:
+  Writer(std::byte* to, std::uint64_t capacity) : io_(to, to ? capacity : 0), to_(to), capacity_(capacity) {
+    io_.put(&header_, kHeader);
+  }
+  template <class Save>
+  void section(std::uint32_t tag, Save&& save) {
+    const std::uint64_t at = io_.size();
+    SectionHeader s{tag, 0, 0};
+    io_.put(&s, kSectionHeader);
+    io_.begin_part();
+    save(io_);
+    if (!io_.marked()) return io_.shrink(at);
+    s.size = io_.size() - at - kSectionHeader;
+    io_.put_at(at, &s, kSectionHeader);
+    io_.align();
+  }
+  void state(const World& world) {
+    std::size_t count = 0;
+    const Section* const* const all = sections(count);
+    for (std::size_t k = 0; k < count; ++k)
+      section(all[k]->tag, [&](Saver& io) { all[k]->save(io, world); });
+  }
+  std::uint64_t finish() {
+    header_.size = io_.size();
+    if (io_.size() > capacity_ || !to_) return io_.size();
+    header_.checksum = checksum(to_ + kHeader, io_.size() - kHeader);
+    io_.put_at(0, &header_, kHeader);
+    return io_.size();
+  }
+
+ private:
+  Header header_;
+  Saver io_;
+  std::byte* to_;
+  std::uint64_t capacity_;
+};
+
+bool is_structure(const Section& section) { return section.tag == kStructureTag; }
+
+/// Look at the state that is in the bytes, and make room for it.
+bool check_state(World& world, Found& found, SnapshotFault& fault) {
   std::size_t count = 0;
   const Section* const* const all = sections(count);
   Needs needs(world.memory);
   std::size_t dials = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    if (all[k]->tag == kStructureTag) {
-      if (!check_structure(world, found.begin[k], found.end[k], fault)) return false;
-      continue;
-    }
+    if (is_structure(*all[k])) continue;
     if (all[k] == &kDials) dials = k;
     Checker io(found.begin[k], found.end[k], found.begin[k] == nullptr, needs);
     all[k]->check(io, world);
@@ -280,12 +303,169 @@ bool restore_state(World& world, const std::byte* bytes, std::uint64_t n, Snapsh
   }
   if (!check_solver(world, found, dials, needs, fault)) return false;
   make_room_for(world, needs);
-  // From here on nothing fails.
+  return true;
+}
+
+/// What check_state() has looked at. Does not fail.
+void load_state(World& world, Found& found) {
+  std::size_t count = 0;
+  const Section* const* const all = sections(count);
   for (std::size_t k = 0; k < count; ++k) {
     Loader io(found.begin[k], found.end[k], found.begin[k] == nullptr);
     all[k]->load(io, world);
   }
   forget_last_step(world);
+}
+
+/// @param built  the world was made of these bytes: it is as they say, where they don't say it twice
+bool check_structure_of(const World& world, const Found& found, bool built, SnapshotFault& fault) {
+  std::size_t count = 0, k = 0;
+  const Section* const* const all = sections(count);
+  while (!is_structure(*all[k])) ++k;
+  return (built && !found.begin[k]) || check_structure(world, found.begin[k], found.end[k], fault);
+}
+
+}  // namespace
+}  // namespace snapshot
+
+std::uint64_t save_state(const World& world, std::byte* to, std::uint64_t capacity) {
+  snapshot::Writer writer(to, capacity);
+  writer.state(world);
+  return writer.finish();
+}
+
+std::uint64_t save_world(const World& world, const ShapeNames& names, std::byte* to, std::uint64_t capacity) {
+  using namespace snapshot;
+  Writer writer(to, capacity);
+  for (std::size_t k = 0; k < kWholeSections; ++k)
+    writer.section(kWhole[k].tag, [&](Saver& io) { save_whole(k, io, world, names); });
+  writer.state(world);
+  return writer.finish();
+}
+
+bool restore_state(World& world, const std::byte* bytes, std::uint64_t n, SnapshotFault& fault) {
+  using namespace snapshot;
+  Found found;
+  if (!find_sections(bytes, n, found, fault) || !check_structure_of(world, found, false, fault) ||
+      !check_state(world, found, fault))
+    return false;
+  load_state(world, found);
+  return true;
+}
+
+namespace snapshot {
+namespace {
+
+/// Sections that say most to whoever looks for what went wrong; the others follow in their own order.
+constexpr const Section* kTelling[] = {&kBodies, &kPairs, &kJoints, &kSets, &kDials};
+
+void name(const World& world, Item item, std::uint32_t a, std::uint32_t b, Difference& out) {
+  const auto handle = [](const SlotPool& pool, std::uint32_t slot) { return pool.alive(slot) ? pool.handle(slot) : 0; };
+  const Scene& s = world.scene;
+  switch (item) {
+    case Item::body:
+      out.first = handle(s.bodies, a);
+      break;
+    case Item::pair:
+      out.first = handle(s.collider_slots, a), out.second = handle(s.collider_slots, b);
+      break;
+    case Item::collider:
+      out.first = handle(s.collider_slots, a);
+      break;
+    case Item::joint:
+      out.first = handle(world.joints.slots, a);
+      break;
+    case Item::set:
+      out.first = handle(world.particles.slots, a);
+      break;
+    case Item::field:
+      out.first = handle(s.fields.slots, a);
+      break;
+    case Item::spring:
+      out.first = handle(s.springs.slots, a);
+      break;
+    case Item::material:
+      out.first = handle(s.material_slots, a);
+      break;
+    case Item::none:
+      break;
+  }
+}
+
+/// Where two sections are no longer the same, in the first. @return null: they are the same
+const std::byte* parts_at(const Found& a, const Found& b, std::size_t k) {
+  static constexpr std::byte kNothing{};
+  if (!a.begin[k] || !b.begin[k]) return a.begin[k] == b.begin[k] ? nullptr : a.begin[k] ? a.begin[k] : &kNothing;
+  const auto at = std::mismatch(a.begin[k], a.end[k], b.begin[k], b.end[k]);
+  return at.first == a.end[k] && at.second == b.end[k] ? nullptr : at.first;
+}
+
+}  // namespace
+}  // namespace snapshot
+
+bool compare_state(const World& world, const std::byte* bytes, std::uint64_t n, Difference& out, SnapshotFault& fault) {
+  using namespace snapshot;
+  Found theirs, ours;
+  if (!find_sections(bytes, n, theirs, fault) || !check_structure_of(world, theirs, false, fault)) return false;
+  Array<std::byte> own(save_state(world, nullptr, 0), std::byte(0), world.memory);
+  save_state(world, own.data(), own.size());
+  if (!find_sections(own.data(), own.size(), ours, fault)) return false;
+  std::size_t count = 0;
+  const Section* const* const all = sections(count);
+  Needs needs(world.memory);
+  std::size_t best = std::size(kTelling) + 1;  // how telling the one is that gave its name
+  bool differs[kMostSections] = {};
+  for (std::size_t k = 0; k < count; ++k) {
+    if (is_structure(*all[k])) continue;
+    const std::byte* const place = parts_at(theirs, ours, k);
+    Checker io(theirs.begin[k], theirs.end[k], theirs.begin[k] == nullptr, needs);
+    io.watch(theirs.begin[k] ? place : nullptr);
+    all[k]->check(io, world);
+    if (io.bad()) return refuse(fault, SnapshotFault::corrupt, "section %s holds what no world does", all[k]->name);
+    if (!place) continue;
+    differs[k] = true;
+    const auto rank = static_cast<std::size_t>(std::ranges::find(kTelling, all[k]) - std::begin(kTelling));
+    if (rank >= best) continue;
+    std::uint32_t a = 0, b = 0;
+    out.first = out.second = 0;
+    const Item item = io.item(a, b);
+    name(world, item, a, b, out), best = rank;
+  }
+  std::size_t at = 0;
+  const auto add = [&](const Section* section) {
+    if (at < sizeof out.sections)
+      at += static_cast<std::size_t>(
+          std::snprintf(out.sections + at, sizeof out.sections - at, "%s%s", at ? ", " : "", section->name));
+  };
+  for (const Section* telling : kTelling)
+    for (std::size_t k = 0; k < count; ++k)
+      if (differs[k] && all[k] == telling) add(telling);
+  for (std::size_t k = 0; k < count; ++k)
+    if (differs[k] && std::ranges::find(kTelling, all[k]) == std::end(kTelling)) add(all[k]);
+  return true;
+}
+
+bool is_whole(const std::byte* bytes, std::uint64_t n) {
+  snapshot::Found found;
+  SnapshotFault fault;
+  return snapshot::find_sections(bytes, n, found, fault) && found.is_whole();
+}
+
+bool build_world(World& world, const std::byte* bytes, std::uint64_t n, ShapeMaker& shapes, SnapshotFault& fault) {
+  using namespace snapshot;
+  Found found;
+  if (!find_sections(bytes, n, found, fault)) return false;
+  Builder builder(world, shapes, fault);
+  for (std::size_t k = 0; k < kWholeSections; ++k) {
+    Needs none(world.memory);
+    Checker io(found.whole_begin[k], found.whole_end[k], found.whole_begin[k] == nullptr, none);
+    if (build_whole(k, io, builder)) continue;
+    if (fault.kind != SnapshotFault::none) return false;
+    return refuse(fault, SnapshotFault::corrupt, "section %s holds what no world does", kWhole[k].name);
+  }
+  // Where it is another, a shape is not what it was: its plugin has other code.
+  if (!check_structure_of(world, found, true, fault) || !check_state(world, found, fault)) return false;
+  load_state(world, found);
   return true;
 }
 

@@ -19,6 +19,12 @@ struct Metric {
   double bound;      ///< the error should not exceed this; kNoBound: told, not judged
 };
 
+/// A force on a body's centre of mass for the step that follows.
+struct Push {
+  std::size_t actor;  ///< index into stage.actors
+  Vec force;          ///< N, world
+};
+
 /// Watches a run and knows the truth. fill() of an accuracy scene returns one of these.
 class Trial : public Observer {
  public:
@@ -26,6 +32,8 @@ class Trial : public Observer {
   virtual std::vector<double> errors(const Stage& stage) const = 0;
   /// Nothing that follows can change the errors any more: the run may end.
   virtual bool over() const { return fell(); }
+  /// What drives the scene, before each step.
+  virtual std::vector<Push> pushes() const { return {}; }
   /// For scenes whose truth is their own run at a much finer step: the quantity that is compared, and the truth for it.
   virtual double answer() const { return 0; }
   virtual void compare_with(double /*truth*/) {}

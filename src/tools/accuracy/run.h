@@ -2,11 +2,23 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "accuracy/challenge.h"
 
 namespace carom::tools::accuracy {
+
+/// Who moves the bodies of a stage: its own world, or another engine whose state is copied into that world after every
+/// step, so that the same Trial judges it.
+class Mover {
+ public:
+  virtual ~Mover() = default;
+  virtual void push(const Stage& stage, const Push& push) = 0;
+  virtual void step(Stage& stage, double dt) = 0;  ///< what is timed
+  /// Bring the stage's world to where bodies are.   @return false: they are nowhere, the run is lost
+  virtual bool show(Stage&) { return true; }
+};
 
 /// How a challenge is to be run.
 struct Request {
@@ -15,6 +27,8 @@ struct Request {
   double dt = 1.0 / 60;                                              ///< s
   double seconds = 0;                                                ///< simulated; 0: what the scene asks for
   std::function<void(Stage&, const carom_step_report&)> after_step;  ///< may be empty
+  double patience = 0;  ///< s of computing after which a run is given up; 0: never
+  std::function<std::unique_ptr<Mover>(Stage&)> mover = {};  ///< for a stage that is filled; empty: its own world
 };
 
 /// What came of a run.
@@ -23,7 +37,8 @@ struct Result {
   std::vector<double> errors;      ///< one per metric of the challenge; infinite: not a number, or no answer
   double fell_at = -1;             ///< s, or -1: it stood, or there was nothing to fall
   double simulated = 0;            ///< s; less than asked for where the run was over before
-  double ms_per_second = 0;        ///< ms of computing, by the library's clock, per simulated second
+  double ms_per_second = 0;        ///< ms of CPU time in steps, per simulated second
+  bool given_up = false;           ///< it ran out of patience: errors say nothing
   std::vector<std::string> story;  ///< the trial's own sentences
 };
 

@@ -18,11 +18,27 @@ std::string bounds_text(const carom_dial_info& dial) {
   return text;
 }
 
+/// What presets set, dial by dial; where each lies on the front: src/tools/accuracy/README.md.
+void print_presets() {
+  std::vector<std::vector<std::string>> rows = {{"preset"}};
+  for (const std::string& name : all_presets()) rows[0].push_back(name);
+  for (const carom_dial_info& dial : all_dials()) {
+    std::vector<std::string> row = {dial.name};
+    for (std::uint32_t preset = 0; preset < CAROM_PRESET_COUNT; ++preset) {
+      double value = 0;
+      if (carom_preset_get_dial(preset, dial.dial, &value, nullptr) == CAROM_OK) row.push_back(value_text(dial, value));
+    }
+    if (row.size() > 1) rows.push_back(row);
+  }
+  std::printf("%s\nSet one with: carom run SCENE --preset fast\n", table(rows).c_str());
+}
+
 void print_dials() {
   std::vector<std::vector<std::string>> rows = {{"dial", "default", "unit", "bounds or choices", "what it trades"}};
   for (const carom_dial_info& dial : all_dials())
     rows.push_back({dial.name, value_text(dial, dial.initial), dial.unit, bounds_text(dial), dial.summary});
-  std::printf("%s\nSet one with: carom run SCENE --dial name=value\n", table(rows).c_str());
+  std::printf("%s\nSet one with: carom run SCENE --dial name=value\n\n", table(rows).c_str());
+  print_presets();
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/table.h"
 #include "mesh/parts.h"
+#include "mesh/read_mesh.h"
 
 namespace carom::tools {
 namespace {
@@ -17,7 +18,7 @@ struct Options {
 };
 
 void run_import(const Options& options) {
-  Mesh mesh = read_obj(options.mesh);
+  Mesh mesh = read_mesh(options.mesh);
   if (options.height < 0) throw Error("--height is out of range", "give metres, more than 0");
   if (options.height > 0) fit_to_height(mesh, options.height);
   std::printf("%s: %zu vertices, %zu faces\n", options.mesh.c_str(), mesh.points.size(), mesh.faces.size());
@@ -51,7 +52,7 @@ void run_import(const Options& options) {
 void add_import_command(CLI::App& app, Context&) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("import", "A mesh as one hull or as several convex parts, for colliders");
-  command->add_option("MESH", options->mesh, "An OBJ file of a closed mesh; small holes do no harm")->required();
+  command->add_option("MESH", options->mesh, "An OBJ, STL or PLY file of a closed mesh; small holes do no harm")->required();
   command->add_option("--parts", options->parts, "At most so many, 1 to 256; 1: its hull")
       ->type_name("N")
       ->capture_default_str();

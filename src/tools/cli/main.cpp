@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
       ->type_name("DIR")
       ->allow_extra_args(false);
   add_run_command(app, context);
+  add_replay_command(app, context);
   add_plan_command(app, context);
   add_export_command(app, context);
   add_list_command(app, context);

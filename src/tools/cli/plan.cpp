@@ -9,7 +9,8 @@
 namespace carom::tools {
 namespace {
 
-constexpr double kMoment = 1;  // s
+constexpr double kMoment = 1;       // s
+constexpr double kDifferences = 1;  // s of wall clock
 
 struct Options {
   SceneChoice choice;
@@ -24,16 +25,18 @@ void print_plan(const Options& options, Context& context) {
   Stage stage(engine);
   set_up(choice, scene, stage);
   stage.world.time_effects(true);
-  const RunSummary run = simulate(stage, nullptr, choice.seconds.value_or(kMoment), choice.dt.value_or(scene.dt));
+  const double dt = choice.dt.value_or(scene.dt);
+  const RunSummary run = simulate(stage, nullptr, choice.seconds.value_or(kMoment), dt);
   const std::vector<carom_plan_line> plan = stage.world.plan();
+  const Differences differences = time_by_difference(stage.world, dt, plan, kDifferences);
   if (options.as_json) {
-    std::printf("%s\n", plan_json(plan).dump(2).c_str());
+    std::printf("%s\n", plan_json(plan, differences).dump(2).c_str());
     return;
   }
   const std::size_t particles = stage.particle_count();
   std::printf("%s: %s\n  %zu bodies, %zu particles, %llu steps, %.4g s\n\n%s", scene.name.c_str(),
               scene.summary.c_str(), stage.actors.size() - particles, particles,
-              static_cast<unsigned long long>(run.steps), run.simulated, plan_text(plan).c_str());
+              static_cast<unsigned long long>(run.steps), run.simulated, plan_text(plan, differences).c_str());
 }
 
 }  // namespace

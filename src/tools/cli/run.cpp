@@ -16,9 +16,11 @@
 #include "cli/run_output.h"
 #include "cli/scene_choice.h"
 #include "cli/table.h"
+#include "replay/replay.h"
 #include "report/page.h"
 #include "report/perspective.h"
 #include "report/silhouette.h"
+#include "scenefile/scenefile.h"
 #include "visual/gltf.h"
 
 namespace carom::tools {
@@ -26,9 +28,9 @@ namespace {
 
 struct Options {
   SceneChoice choice;
-  std::string gltf, csv, csv_steps, filmstrip, svg, ledger_svg, save, load;
+  std::string gltf, csv, csv_steps, filmstrip, svg, ledger_svg, save, load, record;
   double fps = 30;
-  bool quiet = false, as_json = false, plan = false, ledger = false;
+  bool quiet = false, as_json = false, plan = false, ledger = false, record_states = false;
 };
 
 /// A line that rewrites itself, at most ten times a second, on a terminal only.
@@ -79,30 +81,28 @@ void write_picture(const std::string& path, const Scene& scene, Stage& stage, do
     throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
 }
 
-/// The state of the world, for a later run of the same scene with the same settings.
+/// The whole world, so that a later run needs no scene.
 void save_state(const std::string& path, const World& world) {
-  std::uint64_t size = 0;
-  Call call;
-  call.done(carom_world_save(world.get(), CAROM_SNAPSHOT_STATE, nullptr, 0, &size, call), "measuring the state");
-  std::vector<char> bytes(size);
-  call.done(carom_world_save(world.get(), CAROM_SNAPSHOT_STATE, bytes.data(), size, &size, call), "saving the state");
+  const std::vector<char> bytes = world.save(CAROM_SNAPSHOT_WHOLE);
   std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(size)).flush();
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
   if (!file)
     throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
 }
 
-void load_state(const std::string& path, const World& world) {
+void load_state(const std::string& path, World& world) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw Error("cannot read " + path, "give --load a file that --save wrote");
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  Call call;
-  call.done(carom_world_restore(world.get(), bytes.empty() ? "" : bytes.data(), bytes.size(), call),
-            "going on from " + path);
+  world.restore(std::vector<char>{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}, path);
 }
 
-void run_scene(const Options& options, Context& context) {
-  const SceneChoice& choice = options.choice;
+void run_scene(Options options, Context& context) {
+  SceneChoice& choice = options.choice;
+  if (choice.scene.empty() && options.load.empty())
+    throw Error("no scene is named", "give a scene (`carom list` shows them), a .gltf file, or --load FILE");
+  if (choice.scene.empty() && !is_snapshot_file(options.load))
+    throw Error(options.load + " is no snapshot", "give --load a file that --save wrote");
+  if (choice.scene.empty()) choice.scene.swap(options.load);  // which is whole, or told to be none
   const Scene& scene = chosen_scene(choice.scene);
   const double seconds = choice.seconds.value_or(scene.seconds), dt = choice.dt.value_or(scene.dt);
   Engine engine(context.plugins());
@@ -113,10 +113,13 @@ void run_scene(const Options& options, Context& context) {
   if (!(options.fps > 0 && options.fps <= 1e4))
     throw Error("--fps is out of range", "give frames per second, more than 0 and at most 10000");
   for (const std::string& path :
-       {options.gltf, options.csv, options.csv_steps, options.filmstrip, options.svg, options.ledger_svg, options.save})
+       {options.gltf, options.csv, options.csv_steps, options.filmstrip, options.svg, options.ledger_svg, options.save,
+        options.record})
     make_folder_of(path);
   if (!options.load.empty()) load_state(options.load, stage.world);
   const double start = stage.world.report().time;
+  std::optional<replay::FileRecorder> recorder;
+  if (!options.record.empty()) recorder.emplace(stage.world, options.record, options.record_states);
   // Files first: better to hear now than after the run that a folder does not exist.
   std::optional<StepTable> step_table;
   if (!options.csv_steps.empty()) step_table.emplace(options.csv_steps);
@@ -151,6 +154,7 @@ void run_scene(const Options& options, Context& context) {
       return true;
     });
   }
+  if (recorder) recorder->end();
   if (!options.save.empty()) save_state(options.save, stage.world);
   if (recording) recording->finish(run.simulated);
   if (step_table) step_table->finish();
@@ -205,9 +209,14 @@ void add_run_command(CLI::App& app, Context& context) {
   run->add_flag("--ledger", options->ledger,
                 "Print where energy, momentum and angular momentum came from and went to, by cause");
   run->add_option("--ledger-svg", options->ledger_svg, "Draw energy by cause over time")->type_name("FILE.svg");
-  run->add_option("--save", options->save, "Write the state in which the run ends")->type_name("FILE");
-  run->add_option("--load", options->load, "Begin with a state that --save wrote, of the same scene and settings")
+  run->add_option("--save", options->save, "Write the world in which the run ends, whole")->type_name("FILE");
+  run->add_option("--load", options->load, "Begin with what --save wrote: of the same scene and settings, or, if no scene is named, as it is")
       ->type_name("FILE");
+  run->add_option("--record", options->record, "Write every call and the hash of each step, for `carom replay`")
+      ->type_name("FILE");
+  run->add_flag("--record-states", options->record_states,
+                "With --record: the state after each step, too, so that a replay can name what differs");
+  run->get_option("SCENE")->required(false);
   run->add_flag("--quiet", options->quiet, "Say nothing but errors");
   run->add_flag("--plan", options->plan, "At the end print what ran in the last step, for whom, and what was left out");
   run->add_flag("--json", options->as_json, "Print the summary as JSON");

@@ -35,6 +35,8 @@ void add_scene_options(CLI::App& command, SceneChoice& choice, const std::string
       ->allow_extra_args(false);
   command.add_option("--seconds", choice.seconds, seconds_help)->type_name("S");
   command.add_option("--dt", choice.dt, "Time step; default: the scene's")->type_name("S");
+  command.add_option("--preset", choice.preset, "fast, balanced, accurate or reference: what `carom dials` says; --dial comes after")
+      ->type_name("NAME");
   command.add_option("--dial", choice.dials, "A dial of the world, repeatable; `carom dials` lists them")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
@@ -47,8 +49,8 @@ void add_scene_options(CLI::App& command, SceneChoice& choice, const std::string
       ->type_name("EFFECT")
       ->allow_extra_args(false);
   command
-      .add_option("--mesh", choice.mesh, "OBJ file for the bunny; default: the Stanford bunny of Debian's glmark2-data")
-      ->type_name("FILE.obj");
+      .add_option("--mesh", choice.mesh, "OBJ, STL or PLY file for the bunny; default: the Stanford bunny of Debian's glmark2-data")
+      ->type_name("FILE");
   command.add_option("--threads", choice.threads, "Threads that share a step; the outcome is the same")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
@@ -60,6 +62,7 @@ std::unique_ptr<Observer> set_up(const SceneChoice& choice, const Scene& scene, 
   if (choice.n) settings.values.emplace_back("n", *choice.n);
   for (auto& value : values_from(choice.sets)) settings.values.push_back(std::move(value));
   std::unique_ptr<Observer> observer = build(scene, settings, stage);
+  if (!choice.preset.empty()) stage.world.set_preset(choice.preset);
   for (const std::string& dial : choice.dials) stage.world.set_dial(dial);
   for (const std::string& effect : choice.forbidden) {
     stage.world.set_effect(effect, CAROM_MODE_FORBID);

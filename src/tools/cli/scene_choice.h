@@ -12,7 +12,7 @@
 namespace carom::tools {
 
 struct SceneChoice {
-  std::string scene, mesh;
+  std::string scene, mesh, preset;
   std::vector<std::string> dials, sets, forbidden, forced;
   std::optional<double> n, seconds, dt;
   std::uint32_t threads = 1;

@@ -42,6 +42,16 @@ carom_plugin Engine::plugin(const std::string& name) {
   return handle;
 }
 
+void Engine::load_all() {
+  for (const auto& file : path_.all()) {
+    try {
+      plugin(file.first);
+    } catch (const Error&) {
+      // Whoever needs it is told that it is missing.
+    }
+  }
+}
+
 carom_shape Engine::shape(const std::string& plugin_name, const std::vector<double>& params) {
   auto key = std::make_pair(plugin_name, params);
   if (const auto found = shapes_.find(key); found != shapes_.end()) return found->second;
@@ -131,6 +141,21 @@ World::World(Engine& engine, const carom_world_desc* desc) {
 }
 
 World::~World() { carom_world_destroy(world_, nullptr); }
+
+std::vector<char> World::save(std::uint32_t flags) const {
+  std::uint64_t size = 0;
+  Call call;
+  call.done(carom_world_save(world_, flags, nullptr, 0, &size, call), "measuring the state");
+  std::vector<char> bytes(size);
+  call.done(carom_world_save(world_, flags, bytes.data(), size, &size, call), "saving the state");
+  return bytes;
+}
+
+void World::restore(const std::vector<char>& state, const std::string& from) {
+  Call call;
+  call.done(carom_world_restore(world_, state.empty() ? "" : state.data(), state.size(), call),
+            "going on from " + from);
+}
 
 void World::step(double dt) {
   Call call;
@@ -247,6 +272,7 @@ double World::dial(std::uint32_t dial_index) const {
 void World::set_dial(const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   const std::string name = assignment.substr(0, equals);
+  if (name == "preset" && equals != std::string::npos) return set_preset(assignment.substr(equals + 1));
   std::uint32_t index = 0;
   if (carom_dial_find(name.c_str(), &index, nullptr) != CAROM_OK) {
     std::vector<std::string> names;
@@ -271,6 +297,27 @@ void World::set_dial(const std::string& assignment) {
                 choices.empty() ? "give a number; `carom dials` shows the bounds" : "choose one of: " + choices);
   Call call;
   call.done(carom_world_set_dial(world_, index, value, call), "dial " + name);
+}
+
+std::vector<std::string> all_presets() {
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; i < CAROM_PRESET_COUNT; ++i) names.emplace_back(carom_preset_name(i));
+  return names;
+}
+
+void World::set_preset(const std::string& name) {
+  const std::vector<std::string> names = all_presets();
+  std::string list;
+  for (std::uint32_t i = 0; i < names.size(); ++i) {
+    if (name == names[i]) {
+      Call call;
+      return call.done(carom_world_set_preset(world_, i, call), "preset " + name);
+    }
+    list += (i ? ", " : "") + names[i];
+  }
+  const std::string near = nearest_name(name, names);
+  throw Error("there is no preset called '" + name + "'",
+              (near.empty() ? std::string() : "did you mean '" + near + "'? ") + "the presets are: " + list);
 }
 
 carom_dial_info dial_info(std::uint32_t dial) {

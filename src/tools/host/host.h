@@ -61,6 +61,7 @@ class Engine {
   const PluginPath& path() const { return path_; }
   carom_plugin plugin(const std::string& name);         ///< loads plugins/NAME.so on first use   @throws Error
   carom_plugin load(const std::string& absolute_path);  ///< @throws Error
+  void load_all();  ///< of the path; what cannot be loaded is left out
   carom_shape shape(const std::string& plugin_name, const std::vector<double>& params);  ///< made once per params
   carom_shape half_space(const double normal[3], double offset);                         ///< made once
   /// Made once. @param params  columns, rows, spacing along x and z (m), then heights row by row (m)
@@ -103,12 +104,17 @@ class World {
   void read(std::uint32_t field, const std::vector<carom_body>& which, std::vector<double>& dst) const;
   void set_dial(std::uint32_t dial, double value);
   double dial(std::uint32_t dial) const;
-  /// `name=value`, the value a number or the name of a choice.   @throws Error naming the nearest dial or the choices
+  /// `name=value`, the value a number or the name of a choice; or `preset=fast`.   @throws Error naming the nearest dial or the choices
   void set_dial(const std::string& assignment);
+  /// @throws Error naming the nearest preset and all of them
+  void set_preset(const std::string& name);
   /// @param mode  CAROM_MODE_*   @throws Error naming the nearest effect and all of them
   void set_effect(const std::string& name, std::uint32_t mode);
   void time_effects(bool on);
   std::vector<carom_plan_line> plan() const;  ///< of the last step: stages, then effects
+  std::vector<char> save(std::uint32_t flags = CAROM_SNAPSHOT_STATE) const;
+  /// @param from  says in errors where the state came from   @throws Error; then nothing has changed
+  void restore(const std::vector<char>& state, const std::string& from);
 
  private:
   carom_world* world_ = nullptr;
@@ -120,6 +126,9 @@ std::size_t field_width(std::uint32_t field);
 /// A dial's documentation, by index.   @throws Error
 carom_dial_info dial_info(std::uint32_t dial);
 std::vector<carom_dial_info> all_dials();
+
+/// Names of CAROM_PRESET_*, in order.
+std::vector<std::string> all_presets();
 
 /// The candidate that differs from `name` by the fewest edits (insert, delete, replace a letter); "" if none is close.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);

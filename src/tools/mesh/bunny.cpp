@@ -5,6 +5,7 @@
 
 #include "host/host.h"
 #include "mesh/mesh.h"
+#include "mesh/read_mesh.h"
 
 namespace carom::tools {
 namespace {
@@ -65,7 +66,7 @@ Bunny load_bunny(const std::string& mesh_path, double height, std::size_t hull_v
   Bunny bunny;
   std::error_code ignored;
   if (!mesh_path.empty()) {
-    bunny.mesh = read_obj(mesh_path);
+    bunny.mesh = read_mesh(mesh_path);
     bunny.remarks.push_back("bunny: the mesh " + mesh_path);
   } else if (std::filesystem::is_regular_file(kInstalledMesh, ignored)) {
     bunny.mesh = read_obj(kInstalledMesh);
@@ -73,9 +74,9 @@ Bunny load_bunny(const std::string& mesh_path, double height, std::size_t hull_v
                             std::to_string(bunny.mesh.points.size()) + " vertices, from " + kInstalledMesh);
   } else {
     bunny.mesh = procedural_bunny();
-    bunny.remarks.push_back(
-        std::string("bunny: NOT the Stanford bunny. ") + kInstalledMesh +
-        " is missing, so a body of ellipsoids stands in (apt install glmark2-data, or --mesh FILE)");
+    bunny.remarks.emplace_back("bunny: NOT the Stanford bunny. ")
+        .append(kInstalledMesh)
+        .append(" is missing, so a body of ellipsoids stands in (apt install glmark2-data, or --mesh FILE)");
   }
   fit_to_height(bunny.mesh, height);
   const Mesh full = convex_hull(bunny.mesh.points);

@@ -49,7 +49,8 @@ struct Bunny {
   std::vector<std::string> remarks;      ///< credit or stand-in notice, sizes, loss
 };
 
-/// @param mesh_path  an OBJ file; "" takes the one that Debian's glmark2-data installs, else a procedural body
+/// @param mesh_path  an OBJ, STL or PLY file; "" takes the one that Debian's glmark2-data installs, else a procedural
+/// body
 /// @param height     m   @param hull_vertices  at most this many, >= 8
 /// @throws Error if mesh_path is given and cannot be read
 Bunny load_bunny(const std::string& mesh_path, double height, std::size_t hull_vertices);

@@ -9,6 +9,7 @@
 #include "host/host.h"
 #include "mesh/mesh.h"
 #include "mesh/parts.h"
+#include "mesh/read_mesh.h"
 
 namespace carom::tools {
 namespace {
@@ -68,6 +69,7 @@ Mesh read_obj(const std::string& path) {
 }
 
 std::vector<Mesh> read_parts(const std::string& path) {
+  if (mesh_ending(path) != ".obj") return {read_mesh(path)};
   std::vector<std::size_t> begins;
   const Mesh all = read(path, begins);
   begins.push_back(0), begins.push_back(all.faces.size());

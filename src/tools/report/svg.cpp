@@ -11,13 +11,18 @@ namespace {
 // Colours of one scheme. Text in a series colour keeps 4.5:1 against the ground; the six also differ in lightness, and
 // every line is labelled where it ends, for those who see no red or green.
 struct Scheme {
-  const char *ground, *ink, *soft, *grid, *reference;
+  const char *ground, *ink, *soft, *grid, *reference, *bad, *lost;
   const char* series[6];
+  const char* held[4];  // cells of a map, from barely to well
 };
 constexpr Scheme kLight = {"#fcfcfa", "#1f2328", "#62666d",
-                           "#e4e4df", "#6f7278", {"#1f66d0", "#b4450b", "#117a55", "#7a3fd0", "#8a5d00", "#a8326e"}};
+                           "#e4e4df", "#6f7278", "#c11f2e", "#fdecec",
+                           {"#1f66d0", "#b4450b", "#117a55", "#7a3fd0", "#8a5d00", "#a8326e"},
+                           {"#eaf1fb", "#cddff6", "#a9c8f0", "#84b0ea"}};
 constexpr Scheme kDark = {"#16181d", "#e8e8e4", "#a2a6ad",
-                          "#30343b", "#9a9da3", {"#74aaff", "#ff9d66", "#4ec98f", "#bb99f7", "#e3b341", "#f086b8"}};
+                          "#30343b", "#9a9da3", "#ff7079", "#3a1d21",
+                          {"#74aaff", "#ff9d66", "#4ec98f", "#bb99f7", "#e3b341", "#f086b8"},
+                          {"#1c2636", "#223a59", "#27497a", "#2c5aa0"}};
 
 // Plain rules and no CSS variables: many viewers of SVG files know none.
 std::string colours(const Scheme& c) {
@@ -27,7 +32,10 @@ std::string colours(const Scheme& c) {
   std::string css = rule("text", "fill", c.ink) + rule(".bg", "fill", c.ground) + rule(".soft", "fill", c.soft) +
                     rule(".reft", "fill", c.reference) + rule(".axis", "stroke", c.soft) +
                     rule(".grid", "stroke", c.grid) + rule(".ref", "stroke", c.reference) +
-                    rule(".halo,.edge,.under", "stroke", c.ground);
+                    rule(".halo,.edge,.under", "stroke", c.ground) + rule(".bad", "stroke", c.bad) +
+                    rule(".badf,.badt", "fill", c.bad) + rule(".cell", "stroke", c.ground) +
+                    rule(".lost", "fill", c.lost) + rule(".none", "fill", c.ground) + rule(".ring", "stroke", c.ink);
+  for (int i = 0; i < 4; ++i) css += rule(".held" + std::to_string(i), "fill", c.held[i]);
   for (int i = 0; i < 6; ++i) {
     const std::string n = std::to_string(i);
     css += "\n" + rule(".s" + n, "stroke", c.series[i]) + rule(".f" + n + ",.t" + n, "fill", c.series[i]);
@@ -35,13 +43,19 @@ std::string colours(const Scheme& c) {
   return css + "\n";
 }
 
-std::string style() {
+}  // namespace
+
+std::string style_sheet() {
   return "text{font:12px system-ui,sans-serif}.title{font-size:15px;font-weight:600}line,polyline{fill:none}"
          ".axis,.grid,.edge{stroke-width:1}.ref{stroke-width:1.6;stroke-dasharray:5 4}"
          ".halo{stroke-width:4;paint-order:stroke}.under{stroke-width:5}polyline{stroke-width:2;stroke-linejoin:round}."
-         "ghost{fill-opacity:.3}\n" +
+         "ghost{fill-opacity:.3}polyline.thin{stroke-width:1.1;stroke-opacity:.55}polyline.bold{stroke-width:3.4}"
+         ".bad{stroke-width:1.6}.ring{fill:none;stroke-width:1.6}.tiny{font-size:10px}.label{font-weight:600}"
+         ".fell{stroke-width:1.4;stroke-opacity:.8}\n" +
          colours(kLight) + "@media(prefers-color-scheme:dark){" + colours(kDark) + "}";
 }
+
+namespace {
 
 std::string px(double value) {
   char text[32];
@@ -108,6 +122,17 @@ std::string short_number(double value) {
   return s;
 }
 
+std::string power_of_ten(double value) {
+  if (!(value > 0)) return short_number(value);
+  const int exponent = static_cast<int>(std::lround(std::log10(value)));
+  if (std::fabs(value / std::pow(10, exponent) - 1) > 1e-9 || std::abs(exponent) < 3) return short_number(value);
+  const char* raised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                          "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  std::string text = exponent < 0 ? "10\u207b" : "10";
+  for (const char digit : std::to_string(std::abs(exponent))) text += raised[digit - '0'];
+  return text;
+}
+
 std::string series(char role, int colour) { return std::string(1, role) + std::to_string(colour); }
 
 double text_width(const std::string& text, double size) {
@@ -145,6 +170,33 @@ void Svg::circle(Point centre, double radius, const std::string& classes) {
            class_attribute(classes) + "/>\n";
 }
 
+void Svg::mark(Mark shape, Point c, double r, const std::string& classes, const std::string& attributes) {
+  const auto closed = [&](const std::vector<Point>& corners) {
+    body_ += "<polygon points=\"";
+    for (std::size_t i = 0; i < corners.size(); ++i) body_ += (i ? " " : "") + px(corners[i].x) + "," + px(corners[i].y);
+    body_ += "\"" + class_attribute(classes) + attributes + "/>\n";
+  };
+  switch (shape) {
+    case Mark::circle:
+      body_ += "<circle" + attribute("cx", c.x) + attribute("cy", c.y) + attribute("r", r) + class_attribute(classes) +
+               attributes + "/>\n";
+      break;
+    case Mark::square:
+      closed({{c.x - r, c.y - r}, {c.x + r, c.y - r}, {c.x + r, c.y + r}, {c.x - r, c.y + r}});
+      break;
+    case Mark::triangle:
+      closed({{c.x, c.y - 1.3 * r}, {c.x + 1.2 * r, c.y + 0.9 * r}, {c.x - 1.2 * r, c.y + 0.9 * r}});
+      break;
+    case Mark::diamond:
+      closed({{c.x, c.y - 1.4 * r}, {c.x + 1.4 * r, c.y}, {c.x, c.y + 1.4 * r}, {c.x - 1.4 * r, c.y}});
+      break;
+    case Mark::cross:
+      body_ += "<path d=\"M" + px(c.x - r) + " " + px(c.y - r) + "l" + px(2 * r) + " " + px(2 * r) + "m0 " + px(-2 * r) +
+               "l" + px(-2 * r) + " " + px(2 * r) + "\" fill=\"none\"" + class_attribute(classes) + attributes + "/>\n";
+      break;
+  }
+}
+
 void Svg::text(Point at, Anchor anchor, const std::string& classes, const std::string& text) {
   const char* names[] = {"start", "middle", "end"};
   body_ += "<text" + attribute("x", at.x) + attribute("y", at.y) + " text-anchor=\"" + names[static_cast<int>(anchor)] +
@@ -163,12 +215,20 @@ void Svg::open_clip(Point corner, double width, double height) {
            ")\">\n";
 }
 
+void Svg::open_group(const std::string& classes, const std::string& attributes) {
+  body_ += "<g" + class_attribute(classes) + attributes + ">\n";
+}
+
 void Svg::close() { body_ += "</g>\n"; }
 
-std::string Svg::document() const {
+std::string Svg::root(const std::string& style) const {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + px(width_) + " " + px(height_) + "\" width=\"" +
-         px(width_) + "\" height=\"" + px(height_) + "\" role=\"img\">\n<title>" + escape(title_) +
-         "</title>\n<style>" + style() + "</style>\n" + body_ + "</svg>\n";
+         px(width_) + "\" height=\"" + px(height_) + "\" role=\"img\">\n<title>" + escape(title_) + "</title>\n" +
+         style + body_ + "</svg>\n";
 }
+
+std::string Svg::document() const { return root("<style>" + style_sheet() + "</style>\n"); }
+
+std::string Svg::inlined() const { return root(""); }
 
 }  // namespace carom::report

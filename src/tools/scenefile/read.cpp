@@ -350,11 +350,14 @@ void Reader::read_fields_and_springs() {
 
 }  // namespace scenefile
 
-bool is_scene_file(const std::string& name) { return name.ends_with(".gltf") || name.ends_with(".glb"); }
+bool is_scene_file(const std::string& name) {
+  return name.ends_with(".gltf") || name.ends_with(".glb") || is_snapshot_file(name);
+}
 
 void read_scene(const std::string& path, Stage& stage) { scenefile::Reader(path, stage).run(); }
 
 Scene scene_of_file(const std::string& path) {
+  if (is_snapshot_file(path)) return scene_of_snapshot(path);
   const scenefile::Document document(path);
   const auto own = scenefile::Document::extension(document.root(), "CAROM_physics");
   Scene scene;

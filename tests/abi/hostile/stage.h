@@ -192,6 +192,13 @@ class Digest {
     carom_ledger_state ledger = {};
     ledger.struct_size = sizeof ledger;
     keep(carom_world_get_ledger_state(world_, &ledger, nullptr), ledger);
+    carom_residuals residuals = {};
+    residuals.struct_size = sizeof residuals;
+    keep(carom_world_get_residuals(world_, &residuals, nullptr), residuals);
+    double seconds = 0;
+    uint32_t fewest = 0, most = 0;
+    keep(carom_world_get_budget(world_, &seconds, &fewest, &most, nullptr), seconds);
+    keep(fewest, most);
     carom_contact contacts[32] = {};
     keep(carom_world_get_contacts(world_, contacts, sizeof *contacts, 32, &n, nullptr), n);
     keep(0, contacts);

@@ -351,6 +351,27 @@ struct Row {
 #define GET_HANDLES(f) {#f, [](Context& c) -> Call { Argument dst = out(c, 8 * 64); dst.wrong.clear(); return call(#f, f, {world(c), dst, fixed_number(64), out(c, 8), error(c)}); }}
 #define INIT(f, T) ROW(f, out(c, sizeof(T)))
 
+/// A snapshot of the caller's own world, and all that may become of one on its way.
+struct Snapshot {
+  Argument bytes, size;
+};
+inline Snapshot snapshot(Context& c, uint32_t flags) {
+  uint64_t size = 0;
+  carom_world_save(c.own.world, flags, nullptr, 0, &size, nullptr);
+  auto* good = static_cast<char*>(c.take(size + 1));
+  carom_world_save(c.own.world, flags, good, size, &size, nullptr);
+  Argument bytes = fixed(good), n = fixed_number(size);
+  bytes.wrong.push_back({"null", of(nullptr), kNull});
+  for (const uint64_t at : {uint64_t(0), uint64_t(9), size / 2, size - 1}) {  // one bit is another
+    auto* bad = static_cast<char*>(std::memcpy(c.take(size + 1), good, size));
+    bad[at] = static_cast<char>(bad[at] ^ 16);
+    bytes.wrong.push_back({"damaged at " + std::to_string(at), of(bad), kCorrupt | kUnsupported | kMismatch});
+  }
+  for (const uint64_t cut : {uint64_t(0), uint64_t(7), size / 2, size - 1})
+    n.wrong.push_back({"cut off at " + std::to_string(cut), of(cut), kCorrupt, 2});
+  return {bytes, n};
+}
+
 inline const Row kRows[] = {
     // base
     ROW(carom_version, out(c, 4), out(c, 4), out(c, 4)),
@@ -524,6 +545,10 @@ inline const Row kRows[] = {
     // dials
     {"carom_dial_get_info", [](Context& c) { return call("carom_dial_get_info", carom_dial_get_info, {choice(c, CAROM_DIAL_COUNT), out_struct<carom_dial_info>(c), error(c)}); }},
     ROW(carom_dial_get_count, out(c, 4)),
+    {"carom_preset_name", [](Context& c) { return call("carom_preset_name", carom_preset_name, {fixed_number(c.source.below(64))}); }},
+    {"carom_preset_get_dial", [](Context& c) {
+       return call("carom_preset_get_dial", carom_preset_get_dial, {choice(c, CAROM_PRESET_COUNT), choice(c, CAROM_DIAL_COUNT), out(c, 8), error(c)}).may(code(CAROM_E_NOT_FOUND));
+     }},
     {"carom_dial_find", [](Context& c) {
        Argument name = string(c, "substeps");
        name.wrong.push_back({"none of this name", string(c, "bananas").good, code(CAROM_E_NOT_FOUND)});
@@ -543,7 +568,7 @@ inline const Row kRows[] = {
      }},
     ROW_THAT(carom_world_destroy, only_wrong(), world(c), error(c)),
     {"carom_world_step", [](Context& c) {
-       Argument dt = number(c, {1e-320, 1, false, 0.004, 0.02});
+       Argument dt = number(c, {1e-9, 1, false, 0.004, 0.02});
        dt.wrong.push_back({"0", of(0.), kRange});
        return call("carom_world_step", carom_world_step, {world(c), dt, error(c)});
      }},
@@ -561,6 +586,7 @@ inline const Row kRows[] = {
        if (info.kind != CAROM_DIAL_KIND_NUMBER) value.wrong.push_back({"not whole", of(info.min + 0.5), kRange});
        return call("carom_world_set_dial", carom_world_set_dial, {world(c), which, value, error(c)}).may(kUnsupported);
      }},
+    ROW(carom_world_set_preset, world(c), choice(c, CAROM_PRESET_COUNT), error(c)),
     ROW(carom_world_get_dial, world(c), choice(c, CAROM_DIAL_COUNT), out(c, 8), error(c)),
     ROW(carom_world_set_gravity, world(c), vector(c, 3, {-1e6, 1e6, false, -10, 10}), error(c)),
     ROW(carom_world_get_gravity, world(c), out(c, 24), error(c)),
@@ -571,25 +597,45 @@ inline const Row kRows[] = {
     ROW(carom_world_hash, world(c), out(c, 8), error(c)),
     // snapshots
     {"carom_world_save", [](Context& c) {
-       constexpr std::size_t kRoom = 1 << 15;
+       constexpr std::size_t kRoom = 1 << 16;
        Argument capacity = fixed_number(kRoom);
        capacity.wrong.push_back({"room for 8 bytes", of(uint64_t(8)), kSmall});
-       return call("carom_world_save", carom_world_save, {world(c), bits(c, CAROM_SNAPSHOT_STATE), fixed(c.take(kRoom)), capacity, out(c, 8), error(c)}).may(kSmall);
+       return call("carom_world_save", carom_world_save, {world(c), bits(c, CAROM_SNAPSHOT_WHOLE), fixed(c.take(kRoom)), capacity, out(c, 8), error(c)}).may(kSmall);
      }},
     {"carom_world_restore", [](Context& c) {
-       uint64_t size = 0;
-       carom_world_save(c.own.world, CAROM_SNAPSHOT_STATE, nullptr, 0, &size, nullptr);
-       auto* good = static_cast<char*>(c.take(size + 1));
-       carom_world_save(c.own.world, CAROM_SNAPSHOT_STATE, good, size, &size, nullptr);
-       Argument bytes = fixed(good), n = fixed_number(size);
-       bytes.wrong.push_back({"null", of(nullptr), kNull});
-       for (const uint64_t at : {uint64_t(0), uint64_t(9), size / 2, size - 1}) {  // one bit is another
-         auto* bad = static_cast<char*>(std::memcpy(c.take(size + 1), good, size));
-         bad[at] = static_cast<char>(bad[at] ^ 16);
-         bytes.wrong.push_back({"damaged at " + std::to_string(at), of(bad), kCorrupt | kUnsupported | kMismatch});
+       const Snapshot own = snapshot(c, CAROM_SNAPSHOT_STATE | c.source.below(2));
+       return call("carom_world_restore", carom_world_restore, {world(c), own.bytes, own.size, error(c)});
+     }},
+    {"carom_world_compare", [](Context& c) {
+       const Snapshot own = snapshot(c, CAROM_SNAPSHOT_STATE);
+       return call("carom_world_compare", carom_world_compare, {world(c), own.bytes, own.size, out_struct<carom_difference>(c), error(c)});
+     }},
+    {"carom_world_fork", [](Context& c) {
+       return call("carom_world_fork", carom_world_fork, {world(c), out(c, sizeof(void*)), error(c)}).after([](const Value* v) {
+         carom_world_destroy(*static_cast<carom_world* const*>(v[1].p), nullptr);
+       });
+     }},
+    {"carom_world_translate_handles", [](Context& c) {
+       const Argument one = handle(c, kBody);
+       uint64_t list[2] = {0, one.good.u};
+       Argument handles = fixed(c.keep(list));
+       handles.impossible = one.impossible;
+       handles.wrong.push_back({"null", of(nullptr), kNull});
+       for (const Wrong& w : one.wrong) {
+         if (w.codes & kWrongWorld) continue;  // which is what this is for
+         list[1] = w.value.u;
+         handles.wrong.push_back({w.what, of(c.keep(list)), w.codes});
        }
-       for (const uint64_t cut : {uint64_t(0), uint64_t(7), size / 2, size - 1}) n.wrong.push_back({"cut off at " + std::to_string(cut), of(cut), kCorrupt, 2});
-       return call("carom_world_restore", carom_world_restore, {world(c), bytes, n, error(c)});
+       return call("carom_world_translate_handles", carom_world_translate_handles, {world(c), handles, fixed_number(2), out(c, sizeof list), error(c)});
+     }},
+    {"carom_world_record_begin", [](Context& c) {
+       Argument write = fixed(reinterpret_cast<const void*>(+[](void*, const void*, uint64_t) -> int32_t { return 0; }));
+       write.wrong.push_back({"null", of(nullptr), kNull});
+       return call("carom_world_record_begin", carom_world_record_begin, {world(c), bits(c, CAROM_RECORD_STATES), write, fixed(nullptr), error(c)})
+           .may(kInUse).after([](const Value* v) { carom_world_record_end(static_cast<carom_world*>(const_cast<void*>(v[0].p)), nullptr); });
+     }},
+    {"carom_world_record_end", [](Context& c) {
+       return call("carom_world_record_end", carom_world_record_end, {world(c), error(c)}).may(kNotFound);
      }},
     // materials
     INIT(carom_material_desc_init, carom_material_desc),
@@ -747,6 +793,10 @@ inline const Row kRows[] = {
     ROW(carom_world_enable_ledger, world(c), choice(c, 2), error(c)),
     GET_LIST(carom_world_get_ledger, carom_ledger_entry),
     ROW(carom_world_get_ledger_state, world(c), out_struct<carom_ledger_state>(c), error(c)),
+    // residuals; a budget that leaves no choice, or steps would be what the machine's load makes of them
+    ROW(carom_world_get_residuals, world(c), out_struct<carom_residuals>(c), error(c)),
+    ROW(carom_world_set_budget, world(c), number(c, {0, 10, false, 0, 0}), fixed_number(4), fixed_number(4), error(c)),
+    ROW(carom_world_get_budget, world(c), out(c, 8), out(c, 4), out(c, 4), error(c)),
     // drawing
     INIT(carom_draw_desc_init, carom_draw_desc),
     {"carom_world_draw", [](Context& c) {

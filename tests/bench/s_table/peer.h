@@ -26,14 +26,23 @@ struct BodyPlan {
   bool is_static = false;
   double mass = 0;                // kg
   double inertia[3] = {0, 0, 0};  // kg m^2
-  double friction = 0;            // of every pair it is in
+  double friction = 0;            // of every pair it is in: the geometric mean of both
+  double restitution = 0;         // likewise: the larger of both
   BodyState start;
 };
 
+inline constexpr std::size_t kWorldBody = static_cast<std::size_t>(-1);
+
 /// A ball joint.
 struct JointPlan {
-  std::size_t a = 0, b = 0;                         // bodies
+  std::size_t a = 0, b = 0;                         // bodies, or kWorldBody
   double on_a[3] = {0, 0, 0}, on_b[3] = {0, 0, 0};  // m, body frames
+};
+
+/// Something that an engine can be asked to do otherwise than by default. Which names it has, its module says.
+struct PeerDial {
+  const char* name;
+  double value;
 };
 
 struct WorldPlan {
@@ -42,6 +51,16 @@ struct WorldPlan {
   const JointPlan* joints = nullptr;  // bodies that are joined do not touch each other
   std::size_t joint_count = 0;
   double gravity[3] = {0, -9.81, 0};  // m/s^2
+  const PeerDial* dials = nullptr;
+  std::size_t dial_count = 0;
+  double dial(const char* name, double otherwise) const {
+    for (std::size_t i = 0; i < dial_count; ++i) {
+      const char *a = dials[i].name, *b = name;
+      while (*a && *a == *b) ++a, ++b;
+      if (*a == *b) return dials[i].value;
+    }
+    return otherwise;
+  }
   bool sleeping = false;              // bodies at rest may be put to sleep, by the engine's own defaults
 };
 
@@ -51,6 +70,8 @@ class PeerWorld {
   virtual void step(double dt) = 0;
   virtual void read(BodyState* states) const = 0;  // [bodies]
   virtual std::size_t contact_points() const = 0;  // after the last step
+  /// A force on a body's centre of mass for the next step(); no scene of the S-table pushes.   @param force  [3] N, world
+  virtual void push(std::size_t body, const double* force) { (void)body, (void)force; }
   /// What each ray meets first.
   /// @param ends       [6 n] m, world: where a ray starts and where it ends
   /// @param fractions  [n] out: of the way, at which something is met; 2: nothing

@@ -1,5 +1,11 @@
-// Bullet 3 in a module: default settings, except for what the comparison asks of every engine.
+// Bullet 3 in a module: default settings, except for what the comparison asks of every engine, and for dials:
+// iterations, erp, substeps, split_impulse (0, 1), warm_start (0, 1), solver (0 sequential impulses, 1 nonsmooth conjugate
+// gradients, 2 Dantzig's direct method), bounce_speed.
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btEmptyShape.h>
+#include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
+#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
+#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
 #include <btBulletDynamicsCommon.h>
 
 #include <cmath>
@@ -22,14 +28,26 @@ class BulletWorld : public PeerWorld {
  public:
   explicit BulletWorld(const WorldPlan& plan)
       : sleeping_(plan.sleeping),
+        substeps_(static_cast<int>(plan.dial("substeps", 1))),
         dispatcher_(&configuration_),
-        world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
+        solver_(solver(static_cast<int>(plan.dial("solver", 0)))),
+        world_(&dispatcher_, &broadphase_, solver_.get(), &configuration_) {
     world_.setGravity(vec(plan.gravity));
+    btContactSolverInfo& info = world_.getSolverInfo();
+    info.m_numIterations = static_cast<int>(plan.dial("iterations", info.m_numIterations));
+    info.m_erp = info.m_erp2 = btScalar(plan.dial("erp", info.m_erp2));
+    info.m_splitImpulse = static_cast<int>(plan.dial("split_impulse", info.m_splitImpulse));
+    if (plan.dial("warm_start", 1) == 0) info.m_solverMode &= ~SOLVER_USE_WARMSTARTING;
+    info.m_restitutionVelocityThreshold = btScalar(plan.dial("bounce_speed", info.m_restitutionVelocityThreshold));
     for (std::size_t i = 0; i < plan.count; ++i) add(plan.bodies[i]);
     for (std::size_t i = 0; i < plan.joint_count; ++i) {
       const JointPlan& j = plan.joints[i];
-      joints_.push_back(
-          std::make_unique<btPoint2PointConstraint>(*bodies_[j.a], *bodies_[j.b], vec(j.on_a), vec(j.on_b)));
+      if (j.a == kWorldBody || j.b == kWorldBody)
+        joints_.push_back(j.a == kWorldBody ? std::make_unique<btPoint2PointConstraint>(*bodies_[j.b], vec(j.on_b))
+                                            : std::make_unique<btPoint2PointConstraint>(*bodies_[j.a], vec(j.on_a)));
+      else
+        joints_.push_back(
+            std::make_unique<btPoint2PointConstraint>(*bodies_[j.a], *bodies_[j.b], vec(j.on_a), vec(j.on_b)));
       world_.addConstraint(joints_.back().get(), true);
     }
     world_.updateAabbs();
@@ -40,8 +58,16 @@ class BulletWorld : public PeerWorld {
     for (auto& body : bodies_) world_.removeRigidBody(body.get());
   }
 
-  /// One step of exactly dt, no substeps, no interpolation.
-  void step(double dt) override { world_.stepSimulation(btScalar(dt), 0); }
+  /// Steps of exactly dt, or dt over `substeps`, no interpolation.
+  void step(double dt) override {
+    for (int i = 0; i < substeps_; ++i) {
+      for (const auto& [body, force] : pushes_) bodies_[body]->applyCentralForce(force);  // forgotten after a step
+      world_.stepSimulation(btScalar(dt / substeps_), 0);
+    }
+    pushes_.clear();
+  }
+
+  void push(std::size_t body, const double* force) override { pushes_.emplace_back(body, vec(force)); }
 
   void read(BodyState* states) const override {
     for (const auto& body : bodies_) {
@@ -73,6 +99,15 @@ class BulletWorld : public PeerWorld {
   }
 
  private:
+  static std::unique_ptr<btConstraintSolver> solver(int kind) {
+    if (kind == 1) return std::make_unique<btNNCGConstraintSolver>();
+    if (kind == 2) {
+      static btDantzigSolver direct;  // holds no state between steps
+      return std::make_unique<btMLCPSolver>(&direct);
+    }
+    return std::make_unique<btSequentialImpulseConstraintSolver>();
+  }
+
   btCollisionShape* shape(const BodyPlan& plan) {
     std::unique_ptr<btCollisionShape>& shared = shapes_[{plan.solid, plan.params}];
     if (shared) return shared.get();
@@ -108,6 +143,7 @@ class BulletWorld : public PeerWorld {
     info.m_startWorldTransform =
         btTransform(btQuaternion(btScalar(q[0]), btScalar(q[1]), btScalar(q[2]), btScalar(q[3])), vec(start.position));
     info.m_friction = btScalar(std::sqrt(plan.friction));  // Bullet multiplies the two coefficients of a pair
+    info.m_restitution = btScalar(plan.restitution);
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     btRigidBody& body = *bodies_.back();
     if (!sleeping_) body.setActivationState(DISABLE_DEACTIVATION);
@@ -120,10 +156,12 @@ class BulletWorld : public PeerWorld {
   }
 
   bool sleeping_;
+  int substeps_;
+  std::vector<std::pair<std::size_t, btVector3>> pushes_;  // N, for the next step
   btDefaultCollisionConfiguration configuration_;
   mutable btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
-  btSequentialImpulseConstraintSolver solver_;
+  std::unique_ptr<btConstraintSolver> solver_;
   btDiscreteDynamicsWorld world_;
   std::map<std::pair<Solid, const double*>, std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;  // in the plan's order
@@ -143,6 +181,10 @@ extern "C" __attribute__((visibility("default"))) PeerEngine carom_bench_engine(
   btAlignedAllocSetCustomAligned(
       [](std::size_t size, int alignment) { return counted_aligned_alloc(size, static_cast<std::size_t>(alignment)); },
       counted_free);
+  // Of two surfaces the livelier counts; Bullet's own rule multiplies.
+  gCalculateCombinedRestitutionCallback = [](const btCollisionObject* a, const btCollisionObject* b) {
+    return btMax(a->getRestitution(), b->getRestitution());
+  };
   return {kName, [](const WorldPlan& plan) -> PeerWorld* { return new BulletWorld(plan); }, [] { return live_bytes; }};
 }
 

@@ -1,6 +1,8 @@
-// ODE in a module: its iterative stepper with default settings, except for what the comparison asks of every engine.
+// ODE in a module: its iterative stepper with default settings, except for what the comparison asks of every engine, and
+// for dials: stepper (0 QuickStep, 1 the exact one: Dantzig's), iterations, erp, cfm, substeps, bounce_speed.
 #include <ode/ode.h>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <map>
@@ -42,10 +44,17 @@ class OdeWorld : public PeerWorld {
     dRandSetSeed(0);  // its stepper shuffles constraints: each repeat the same way
     dWorldSetGravity(world_, plan.gravity[0], plan.gravity[1], plan.gravity[2]);
     dWorldSetAutoDisableFlag(world_, plan.sleeping);
+    dWorldSetQuickStepNumIterations(world_, static_cast<int>(plan.dial("iterations", dWorldGetQuickStepNumIterations(world_))));
+    dWorldSetERP(world_, plan.dial("erp", dWorldGetERP(world_)));
+    dWorldSetCFM(world_, plan.dial("cfm", dWorldGetCFM(world_)));
+    exact_ = plan.dial("stepper", 0) == 1;
+    substeps_ = static_cast<int>(plan.dial("substeps", 1));
+    bounce_speed_ = plan.dial("bounce_speed", bounce_speed_);
     for (std::size_t i = 0; i < plan.count; ++i) add(plan.bodies[i]);
     for (std::size_t i = 0; i < plan.joint_count; ++i) {
       const JointPlan& j = plan.joints[i];
-      const dBodyID a = members_[j.a].body, b = members_[j.b].body;
+      const dBodyID a = j.a == kWorldBody ? nullptr : members_[j.a].body;
+      const dBodyID b = j.b == kWorldBody ? nullptr : members_[j.b].body;
       const dJointID joint = dJointCreateBall(world_, nullptr);
       dJointAttach(joint, a, b);
       dVector3 at;
@@ -62,10 +71,21 @@ class OdeWorld : public PeerWorld {
   }
 
   void step(double dt) override {
-    contacts_ = 0;
-    dSpaceCollide(space_, this, [](void* self, dGeomID a, dGeomID b) { static_cast<OdeWorld*>(self)->collide(a, b); });
-    dWorldQuickStep(world_, dt);
-    dJointGroupEmpty(group_);
+    for (int i = 0; i < substeps_; ++i) {
+      contacts_ = 0;
+      for (const Push& p : pushes_) dBodyAddForce(p.body, p.force[0], p.force[1], p.force[2]);  // forgotten after a step
+      dSpaceCollide(space_, this, [](void* self, dGeomID a, dGeomID b) { static_cast<OdeWorld*>(self)->collide(a, b); });
+      if (exact_)
+        dWorldStep(world_, dt / substeps_);
+      else
+        dWorldQuickStep(world_, dt / substeps_);
+      dJointGroupEmpty(group_);
+    }
+    pushes_.clear();
+  }
+
+  void push(std::size_t body, const double* force) override {
+    pushes_.push_back({members_[body].body, {force[0], force[1], force[2]}});
   }
 
   void read(BodyState* states) const override {
@@ -90,8 +110,12 @@ class OdeWorld : public PeerWorld {
  private:
   struct Member {
     dBodyID body;  // null: static
-    double friction;
+    double friction, restitution;
     BodyState start;
+  };
+  struct Push {
+    dBodyID body;
+    double force[3];  // N, for the next step
   };
 
   void collide(dGeomID a, dGeomID b) {
@@ -102,11 +126,17 @@ class OdeWorld : public PeerWorld {
     dContactGeom found[kPointsPerPair];
     const int n = dCollide(a, b, kPointsPerPair, found, sizeof(dContactGeom));
     const auto friction = [](dGeomID geom) { return static_cast<const Member*>(dGeomGetData(geom))->friction; };
+    const auto restitution = [](dGeomID geom) { return static_cast<const Member*>(dGeomGetData(geom))->restitution; };
     for (int i = 0; i < n; ++i) {
       dContact contact{};
       contact.geom = found[i];
       contact.surface.mode = dContactApprox1;  // friction in proportion to the normal force
       contact.surface.mu = std::sqrt(friction(a) * friction(b));
+      contact.surface.bounce = std::max(restitution(a), restitution(b));
+      if (contact.surface.bounce > 0) {
+        contact.surface.mode |= dContactBounce;
+        contact.surface.bounce_vel = bounce_speed_;
+      }
       dJointAttach(dJointCreateContact(world_, group_, &contact), body_a, body_b);
     }
     contacts_ += static_cast<std::size_t>(n);
@@ -146,7 +176,7 @@ class OdeWorld : public PeerWorld {
       dBodySetLinearVel(body, start.velocity[0], start.velocity[1], start.velocity[2]);
       dBodySetAngularVel(body, start.omega[0], start.omega[1], start.omega[2]);
     }
-    members_.push_back({body, plan.friction, start});
+    members_.push_back({body, plan.friction, plan.restitution, start});
     const dGeomID shape = geom(plan);
     if (!shape) return;
     dGeomSetData(shape, &members_.back());
@@ -162,6 +192,10 @@ class OdeWorld : public PeerWorld {
   dSpaceID space_;
   dJointGroupID group_;
   std::size_t contacts_ = 0;
+  bool exact_ = false;
+  int substeps_ = 1;
+  double bounce_speed_ = 0.25;  // m/s, below which nothing bounces: Carom's default; ODE asks for one and has none
+  std::vector<Push> pushes_;
   std::deque<Member> members_;  // in the plan's order; geoms point to them
   std::map<const double*, Convex> hulls_;
 };

@@ -17,9 +17,42 @@ Solid solid_of(const std::string& shape) {
 
 }  // namespace
 
-Plan::Plan(tools::Stage& stage) : stage_(stage) {
+Plan::Plan(tools::Stage& stage, bool as_given) : stage_(stage), as_given_(as_given) {
   for (const tools::Actor& actor : stage.actors) add(actor);
-  for (const tools::Tie& tie : stage.ties) add(tie);
+  if (!as_given) {
+    for (const tools::Tie& tie : stage.ties) add(tie);
+    return;
+  }
+  tools::Call call;
+  call.done(carom_world_get_gravity(stage.world.get(), gravity_, call), "asking for gravity");
+  std::uint64_t count = 0;
+  call.done(carom_world_get_joints(stage.world.get(), nullptr, 0, &count, call), "counting joints");
+  std::vector<carom_joint> joints(count);
+  call.done(carom_world_get_joints(stage.world.get(), joints.data(), count, &count, call), "listing joints");
+  for (const carom_joint joint : joints) {
+    carom_joint_desc desc;
+    call.done(carom_joint_desc_init(&desc), "asking for joints");
+    call.done(carom_joint_get(stage.world.get(), joint, &desc, call), "asking for joints");
+    add(desc);
+  }
+}
+
+void Plan::add(const carom_joint_desc& joint) {
+  if (joint.kind != CAROM_JOINT_BALL)
+    throw tools::Error("a joint is not a ball joint", "choose a scene whose joints every engine has");
+  const auto index_of = [&](carom_body body) {
+    for (std::size_t i = 0; i < stage_.actors.size(); ++i)
+      if (body != CAROM_NULL_HANDLE && stage_.actors[i].body == body) return i;
+    return kWorldBody;
+  };
+  JointPlan plan;
+  plan.a = index_of(joint.body_a), plan.b = index_of(joint.body_b);
+  const auto place = [&](std::size_t i, const double(&at)[3], double(&on)[3]) {
+    if (i == kWorldBody) return Vec::Map(on) = vec(at), void();
+    Vec::Map(on) = members_[i].axes.conjugate() * (vec(at) - members_[i].center);
+  };
+  place(plan.a, joint.position_a, plan.on_a), place(plan.b, joint.position_b, plan.on_b);
+  joints_.push_back(plan);
 }
 
 void Plan::add(const tools::Tie& tie) {
@@ -51,7 +84,7 @@ void Plan::add(const tools::Actor& actor) {
   member.mass = plan.mass = body.mass;
   member.center = vec(body.center);
   member.inertia = Eigen::Map<const Eigen::Matrix3d>(body.inertia);
-  if (!actor.parts.empty()) {
+  if (!actor.parts.empty() && actor.parts[0].collider != CAROM_NULL_HANDLE) {  // else a part is there for the eye alone
     const tools::Part& part = actor.parts[0];
     tools::Engine& engine = stage_.engine();
     member.solid = plan.solid = solid_of(part.shape);
@@ -65,6 +98,7 @@ void Plan::add(const tools::Actor& actor) {
       member.axes = Quat(axes);
     }
     plan.friction = part.friction;
+    if (as_given_) plan.restitution = part.restitution;
     describe_shape(part, member, plan);
   }
   const Eigen::Matrix3d axes = member.axes.toRotationMatrix();
@@ -109,6 +143,7 @@ WorldPlan Plan::world(bool sleeping) const {
   plan.count = plans_.size();
   plan.joints = joints_.data();
   plan.joint_count = joints_.size();
+  for (int i = 0; i < 3; ++i) plan.gravity[i] = gravity_[i];
   plan.sleeping = sleeping;
   return plan;
 }

@@ -31,8 +31,10 @@ struct Member {
 /// Bodies have at most one part each, at the body's origin: a shape that every engine has, or none.
 class Plan {
  public:
-  /// @throws Error if an actor has several parts, or a shape that not every engine has
-  explicit Plan(tools::Stage& stage);
+  /// @param as_given  with the stage's restitution and gravity, and its world's joints, the stage knowing of them or not;
+  ///                  else as the S-table has it: no restitution, 9.81 m/s^2, the stage's own ties
+  /// @throws Error if an actor has several parts, or a shape or a joint that not every engine has
+  explicit Plan(tools::Stage& stage, bool as_given = false);
 
   /// For another engine; lives as long as this plan.
   WorldPlan world(bool sleeping) const;
@@ -55,9 +57,12 @@ class Plan {
 
   void add(const tools::Actor& actor);
   void add(const tools::Tie& tie);
+  void add(const carom_joint_desc& joint);
   void describe_shape(const tools::Part& part, const Member& member, BodyPlan& plan);
 
   tools::Stage& stage_;
+  bool as_given_;
+  double gravity_[3] = {0, -9.81, 0};  // m/s^2
   std::vector<Member> members_;  // [actors]
   std::vector<BodyPlan> plans_;  // [actors]
   std::vector<JointPlan> joints_;

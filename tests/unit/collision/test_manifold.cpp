@@ -27,7 +27,7 @@ ContactPoint touch(Real x, Real z, Real separation, std::uint32_t feature = 0) {
 Candidates found_of(const std::vector<ContactPoint>& points, bool whole = false) {
   Candidates c;
   c.whole = whole;
-  for (const ContactPoint& p : points) c.point[c.count++] = p;
+  for (const ContactPoint& p : points) c.add() = p;
   return c;
 }
 

@@ -15,7 +15,7 @@ const Vec kHeading(0.5, 0, 0.866025403784438647);  // 60 degrees off an axis of 
 /// Mean over bodies and steps of the squared error of velocity; the plate is pulled on along the way.
 class RollingTrial : public Trial {
  public:
-  RollingTrial(const Stage& stage, std::size_t plate) : crowd_(stage), plate_(stage.actors[plate].body) { pull(stage); }
+  RollingTrial(const Stage& stage, std::size_t plate) : crowd_(stage), plate_(plate) {}
 
   void watch(const Stage& stage, double time) override {
     crowd_.look(stage);
@@ -23,20 +23,13 @@ class RollingTrial : public Trial {
     for (std::size_t i = 0; i < crowd_.size(); ++i)  // the plate is first
       sum_ += (crowd_.velocity(i) - (i == 0 ? a.plate : a.ball) * time * kHeading).squaredNorm();
     samples_ += static_cast<double>(crowd_.size());
-    pull(stage);
   }
   std::vector<double> errors(const Stage&) const override { return {sum_ / samples_}; }
+  std::vector<Push> pushes() const override { return {{plate_, kPull * kHeading}}; }
 
  private:
-  void pull(const Stage& stage) const {  // counts for the step that follows
-    const Vec force = kPull * kHeading;
-    const double torque[3] = {0, 0, 0};
-    Call call;
-    call.done(carom_body_add_force(stage.world.get(), plate_, force.data(), torque, call), "pulling the plate");
-  }
-
   Crowd crowd_;
-  carom_body plate_;
+  std::size_t plate_;
   double sum_ = 0, samples_ = 0;
 };
 

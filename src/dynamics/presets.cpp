@@ -1,0 +1,45 @@
+// The table of presets. Where each lies on the front: src/tools/accuracy/README.md.
+#include "dynamics/presets.h"
+
+namespace carom {
+namespace {
+
+constexpr const char* kNames[] = {"fast", "balanced", "accurate", "reference"};
+
+struct Row {
+  Dial dial;
+  Real fast, accurate, reference;  // balanced: the dial's initial value
+};
+constexpr Real kAuto = 4, kVerlet = 3, kSplitting = 5, kSplitting6 = 7;  // choices, as dials.cpp numbers them
+constexpr Row kRows[] = {
+    {Dial::integrator, kVerlet, kVerlet, kVerlet},
+    {Dial::rotation, kSplitting, kSplitting, kSplitting6},
+    {Dial::substeps, 1, 16, 64},
+    {Dial::solver, kAuto, kAuto, kAuto},
+    {Dial::velocity_tolerance, 1e-3, 1e-6, 1e-9},
+    {Dial::restitution_speed, 0.25, 0.05, 0.01},
+    {Dial::gjk_tolerance, 1e-4, 1e-8, 1e-12},
+};
+
+}  // namespace
+
+const char* name_of(Preset preset) { return kNames[static_cast<std::size_t>(preset)]; }
+
+std::optional<Real> preset_value(Preset preset, Dial dial) {
+  for (const Row& row : kRows) {
+    if (row.dial != dial) continue;
+    switch (preset) {
+      case Preset::fast:
+        return row.fast;
+      case Preset::accurate:
+        return row.accurate;
+      case Preset::reference:
+        return row.reference;
+      default:
+        return dial_table()[static_cast<std::size_t>(dial)].initial;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace carom

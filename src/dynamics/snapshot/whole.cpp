@@ -1,0 +1,469 @@
+#include "dynamics/snapshot/whole.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "collision/scenery/scenery.h"
+#include "dynamics/quarantine.h"
+#include "dynamics/snapshot/section.h"
+
+namespace carom::snapshot {
+namespace {
+
+constexpr std::uint8_t kVersion = 1;
+
+/// So many numbers, and how many they are.
+template <class Io, class List>
+void list(Io& io, List& values) {
+  using T = std::remove_cvref_t<decltype(values[0])>;
+  const std::uint64_t n = io.count(values.size(), sizeof(T));
+  if constexpr (Io::checks) values.resize(n);
+  for (std::uint64_t k = 0; k < n; ++k) {
+    const T v = io.value(values[k]);
+    if constexpr (Io::checks) values[k] = v;
+  }
+}
+
+bool is_turn(const Quat& q) { return std::fabs(q.coeffs().squaredNorm() - 1) < 1e-6; }
+template <class Io>
+Pose pose(Io& io, const Pose& now) {
+  const Quat q = io.quat(now.q);
+  const Vec3 p = io.vec(now.p);
+  io.demand(is_turn(q) && sane_position(p));
+  return {q, p};
+}
+
+// ---- slots ----
+template <class W>
+auto pools_of(W& w) {
+  auto& s = w.scene;
+  return std::array{&s.bodies,     &s.collider_slots,   &s.material_slots, &w.joints.slots,
+                    &w.particles.slots, &s.fields.slots, &s.springs.slots};
+}
+
+/// Room in every array for the slots that there are now; whoever is alive is filled in later.
+void make_room_for_slots(World& w) {
+  Scene& s = w.scene;
+  State& t = w.state;
+  const std::size_t bodies = s.bodies.slots(), colliders = s.collider_slots.slots();
+  BodyDef nobody;
+  nobody.type = BodyType::fixed;
+  s.def.resize(bodies, nobody), s.type.resize(bodies, BodyType::fixed);
+  s.inv_mass.resize(bodies, 0), s.mass.resize(bodies, 0), s.center.resize(bodies, Vec3::Zero());
+  s.inertia.resize(bodies, Mat3::Zero()), s.inv_inertia.resize(bodies, Mat3::Zero());
+  s.first_collider.resize(bodies, Colliders::kNone);
+  for (Array<Vec3>* a : {&t.x, &t.placed_x, &t.v, &t.omega, &t.momentum, &t.force, &t.torque})
+    a->resize(bodies, Vec3::Zero());
+  for (Array<Quat>* a : {&t.q, &t.held_q, &t.placed_q}) a->resize(bodies, Quat::Identity());
+  for (Array<std::uint8_t>* a : {&t.quarantined, &t.loaded_steps, &t.tired_steps, &t.is_written}) a->resize(bodies, 0);
+  t.written.reserve(bodies);
+  Colliders& c = s.colliders;
+  c.shape.resize(colliders, nullptr), c.local.resize(colliders), c.body.resize(colliders, 0);
+  c.material.resize(colliders, Colliders::kNoMaterial), c.density.resize(colliders, 0), c.frame.resize(colliders);
+  c.travel.resize(colliders, 0), c.bounds.resize(colliders), c.reach.resize(colliders, 0);
+  c.movable.resize(colliders, 0), c.muted.resize(colliders, 0), c.next.resize(colliders, Colliders::kNone);
+  c.live.reserve(colliders);
+  s.material.resize(s.material_slots.slots());
+  s.fields.def.resize(s.fields.slots.slots());
+  const std::size_t springs = s.springs.slots.slots(), joints = w.joints.slots.slots();
+  s.springs.def.resize(springs), s.springs.stiffness.resize(springs, 0), s.springs.damping.resize(springs, 0);
+  if (springs > 0) s.springs.ends.resize(bodies, 0), s.springs.load.resize(bodies);
+  w.joints.joint.resize(joints);
+  if (joints > 0) w.joints.first.resize(bodies, kTheWorld);
+  w.particles.set.reserve(w.particles.slots.slots());
+  for (std::uint32_t k = 0; k < w.particles.slots.slots(); ++k) w.particles.set.emplace_back(w.memory);
+}
+
+struct Slots {
+  template <class Io, class W>
+  static void go(Io& io, W& world, auto&&) {
+    io.demand(io.value(kVersion) == kVersion);
+    for (auto* pool : pools_of(world)) {
+      if constexpr (Io::checks) {
+        Array<std::uint32_t> generations(world.memory), free(world.memory);
+        list(io, generations), list(io, free);
+        if (!io.bad()) io.demand(pool->adopt(generations, free));
+      } else {
+        list(io, pool->generations()), list(io, pool->free_slots());
+      }
+    }
+    if constexpr (Io::checks)
+      if (!io.bad()) make_room_for_slots(world);
+  }
+};
+
+/// f(slot) for those that live.
+template <class F>
+void each_alive(const SlotPool& pool, F&& f) {
+  for (std::uint32_t i = 0; i < pool.slots(); ++i)
+    if (pool.alive(i)) f(i);
+}
+
+// ---- shapes ----
+ShapeImage::Kind kind_of(const Shape& s) {
+  if (s.form == Form::half_space) return ShapeImage::half_space;
+  if (!is_scenery(s)) return ShapeImage::of_plugin;
+  return s.scenery->is_field() ? ShapeImage::height_field : ShapeImage::mesh;
+}
+
+/// Numbers that are of a shape's own, without a copy.
+std::span<const double> numbers_of(const Shape& s, std::array<double, 4>& plane) {
+  switch (kind_of(s)) {
+    case ShapeImage::half_space:
+      plane = {s.normal.x(), s.normal.y(), s.normal.z(), s.offset};
+      return plane;
+    case ShapeImage::mesh:
+      return {reinterpret_cast<const double*>(s.scenery->vertex.data()), 3 * s.scenery->vertex.size()};
+    case ShapeImage::height_field:
+      return s.scenery->heights;
+    default:
+      return s.params;
+  }
+}
+static_assert(sizeof(Vec3) == 3 * sizeof(double));
+
+void save_shape(Saver& io, const Shape& shape, const ShapeNames& names) {
+  std::string_view plugin;
+  std::uint32_t version = 0;
+  const bool named = names.name(shape, plugin, version);
+  const ShapeImage::Kind kind = named ? kind_of(shape) : ShapeImage::known;
+  io.value(static_cast<std::uint8_t>(kind));
+  if (!named) return;
+  if (kind == ShapeImage::of_plugin) io.value(version), list(io, plugin);
+  std::array<double, 4> plane;
+  const std::span<const double> numbers = numbers_of(shape, plane);
+  list(io, numbers);
+  if (!is_scenery(shape)) return;
+  const Scenery& s = *shape.scenery;
+  if (kind == ShapeImage::mesh) io.value(static_cast<std::uint8_t>(s.two_sided)), io.value(s.dropped), list(io, s.corner);
+  if (kind == ShapeImage::height_field)
+    io.value(s.columns), io.value(s.rows), io.value(s.spacing_x), io.value(s.spacing_z);
+}
+
+/// Longest id of a plugin.
+constexpr std::size_t kLongestId = 200;
+
+void build_shape(Checker& io, Builder& b) {
+  Memory* const memory = b.world.memory;
+  ShapeImage image;
+  const auto kind = io.value(std::uint8_t(0));
+  io.demand(kind < ShapeImage::count);
+  image.kind = static_cast<ShapeImage::Kind>(kind);
+  Array<char> id(memory);
+  Array<double> numbers(memory);
+  Array<std::uint32_t> corners(memory);
+  if (image.kind == ShapeImage::of_plugin) {
+    image.version = io.value(0u);
+    list(io, id);
+    io.demand(!id.empty() && id.size() <= kLongestId && std::ranges::count(id, '\0') == 0);
+  }
+  if (image.kind != ShapeImage::known) list(io, numbers);
+  if (image.kind == ShapeImage::mesh) {
+    image.two_sided = yes_or_no(io, false), image.dropped = io.value(0u);
+    list(io, corners);
+  }
+  if (image.kind == ShapeImage::height_field) {
+    image.columns = io.value(0u), image.rows = io.value(0u);
+    image.spacing_x = io.value(0.0), image.spacing_z = io.value(0.0);
+    io.demand(std::uint64_t(image.columns) * image.rows == numbers.size());
+  }
+  io.demand(image.kind != ShapeImage::half_space || numbers.size() == 4);
+  if (io.bad()) return;
+  image.plugin = {id.data(), id.size()}, image.numbers = numbers, image.corners = corners;
+  const Shape* const made = b.shapes.make(b.shape.size(), image, b.fault);
+  io.demand(made && (image.kind == ShapeImage::known || kind_of(*made) == image.kind));
+  b.shape.push_back(made);
+}
+
+// ---- bodies ----
+enum BodyBits : std::uint8_t { kType = 3, kMass = 4, kCenter = 8, kInertia = 16, kStaysAwake = 32, kDamping = 64, kUser = 128 };
+
+template <class Io>
+void describe(Io& io, BodyDef& d) {
+  const auto bit = [](bool on, BodyBits b) { return on ? unsigned(b) : 0u; };
+  const bool damped = !same_bits(d.linear_damping, Real(0)) || !same_bits(d.angular_damping, Real(0));
+  const unsigned bits = io.value(static_cast<std::uint8_t>(
+      static_cast<unsigned>(d.type) | bit(d.has_mass, kMass) | bit(d.has_center, kCenter) | bit(d.has_inertia, kInertia) |
+      bit(d.stays_awake, kStaysAwake) | bit(damped, kDamping) | bit(d.user != 0, kUser)));
+  io.demand((bits & kType) <= static_cast<unsigned>(BodyType::dynamic));
+  io.demand((bits & kType) == static_cast<unsigned>(BodyType::dynamic) || !(bits & (kMass | kCenter | kInertia)));
+  if (io.bad()) return;
+  d.type = static_cast<BodyType>(bits & kType), d.stays_awake = bits & kStaysAwake;
+  d.has_mass = bits & kMass, d.has_center = bits & kCenter, d.has_inertia = bits & kInertia;
+  if (d.has_mass) d.mass = io.real(d.mass);
+  if (d.has_center) d.center = io.vec(d.center);
+  if (d.has_inertia) d.inertia = io.mat(d.inertia);
+  if (bits & kDamping) d.linear_damping = io.real(d.linear_damping), d.angular_damping = io.real(d.angular_damping);
+  if (bits & kUser) d.user = io.value(d.user);
+  io.demand((!d.has_mass || d.mass > 0) && (d.has_mass || !(d.has_center || d.has_inertia)));
+  io.demand(sane_position(d.center) && d.linear_damping >= 0 && d.angular_damping >= 0);
+  io.demand(d.inertia == Mat3(d.inertia.transpose()));
+}
+
+struct Bodies {
+  template <class Io, class W>
+  static void go(Io& io, W& world, auto&&) {
+    each_alive(world.scene.bodies, [&](std::uint32_t i) {
+      if (io.bad()) return;
+      BodyDef def = Io::saves ? world.scene.def[i] : BodyDef();
+      describe(io, def);
+      if constexpr (Io::checks)
+        if (!io.bad()) world.fill_body(i, def);
+    });
+  }
+};
+
+// ---- colliders ----
+enum ColliderBits : std::uint8_t { kMaterial = 1, kLocal = 2, kBits = 3 };
+
+struct Wearers {
+  static bool fits(const Scene& s, std::uint32_t body, const Shape& shape) {
+    if (shape.form == Form::half_space) return s.type[body] == BodyType::fixed;
+    return !is_scenery(shape) || s.type[body] != BodyType::dynamic;
+  }
+
+  /// @param more  when saving, f(shape): its number; else the builder
+  template <class Io, class W, class More>
+  static void go(Io& io, W& world, More&& more) {
+    auto& s = world.scene;
+    auto& c = s.colliders;
+    each_alive(s.collider_slots, [&](std::uint32_t i) {
+      if (io.bad()) return;
+      std::uint32_t shape = 0;
+      Pose local;
+      unsigned bits = 0;
+      if constexpr (Io::saves) {
+        const bool there = zero_bits(c.local[i].p) && same_bits(c.local[i].q, Quat::Identity());
+        bits = (c.material[i] == Colliders::kNoMaterial ? 0u : kMaterial) | (there ? 0u : kLocal);
+        shape = more(c.shape[i]), local = c.local[i];
+      }
+      bits = io.value(static_cast<std::uint8_t>(bits));
+      const std::uint32_t body = io.value(Io::saves ? c.body[i] : 0u);
+      shape = io.value(shape);
+      const Real density = io.real(Io::saves ? c.density[i] : 0);
+      const std::uint32_t material = bits & kMaterial ? io.value(Io::saves ? c.material[i] : 0u) : Colliders::kNoMaterial;
+      if (bits & kLocal) local = pose(io, local);
+      io.demand(bits <= kBits && density >= 0 && s.bodies.alive(body));
+      io.demand(material == Colliders::kNoMaterial || s.material_slots.alive(material));
+      if constexpr (Io::checks) {
+        io.demand(shape < more.shape.size());
+        if (!io.bad()) io.demand(fits(s, body, *more.shape[shape]));
+        if (io.bad()) return;
+        world.fill_collider(i, body, more.shape[shape], local, density, material);
+        c.local[i] = local;  // no further from unit length, nor nearer, than it was
+      }
+    });
+    if constexpr (Io::checks) {
+      if (io.bad()) return;
+      each_alive(s.bodies, [&](std::uint32_t i) {
+        world.settle_mass(i);
+        io.demand(finite(s.mass[i]) && finite(s.inv_mass[i]) && s.center[i].allFinite() && s.inertia[i].allFinite() &&
+                  s.inv_inertia[i].allFinite());
+      });
+    }
+  }
+};
+
+// ---- joints, springs, fields ----
+/// Not NaN: may be infinite.
+template <class Io>
+Real loose(Io& io, Real now) {
+  const Real x = io.value(now);
+  io.demand(x >= 0);
+  return x;
+}
+
+/// Two bodies, or one and the world, of which one can be moved.
+template <class Io, class Def>
+void ends(Io& io, const Scene& s, Def& d) {
+  d.body_a = io.value(d.body_a), d.body_b = io.value(d.body_b);
+  if constexpr (Io::checks) {
+    bool any = false;
+    for (const std::uint32_t body : {d.body_a, d.body_b}) {
+      io.demand(body == kTheWorld || s.bodies.alive(body));
+      any |= s.bodies.alive(body) && s.type[body] == BodyType::dynamic;
+    }
+    io.demand(any && d.body_a != d.body_b);
+  }
+}
+
+struct AllJoints {
+  template <class Io, class W>
+  static void go(Io& io, W& world, auto&&) {
+    auto& all = world.joints;
+    if constexpr (Io::checks) world.scene.joined.make_room(all.slots.alive_count());
+    each_alive(all.slots, [&](std::uint32_t i) {
+      if (io.bad()) return;
+      JointDef d = Io::saves ? all.joint[i].def : JointDef();
+      describe(io, world.scene, d);
+      const std::uint32_t next_a = io.value(all.joint[i].next_a), next_b = io.value(all.joint[i].next_b);
+      if constexpr (Io::checks) {
+        if (io.bad()) return;
+        world.fill_joint(i, d);
+        all.joint[i].def = d;  // frames as they were, to the bit
+        all.joint[i].next_a = next_a, all.joint[i].next_b = next_b;
+      }
+    });
+    // Where the lists of bodies begin: their order is that in which joints came.
+    if (all.slots.alive_count() > 0)
+      each_alive(world.scene.bodies, [&](std::uint32_t body) {
+        const std::uint32_t first = io.value(body < all.first.size() ? all.first[body] : kTheWorld);
+        if constexpr (Io::checks) all.first[body] = first;
+      });
+    if constexpr (Io::checks)
+      if (!io.bad()) check_lists(io, world);
+  }
+
+ private:
+  template <class Io>
+  static void describe(Io& io, const Scene& scene, JointDef& d) {
+    const unsigned bits = io.value(static_cast<std::uint8_t>((static_cast<unsigned>(d.kind) << 1) | d.collide));
+    io.demand(bits >> 1 < static_cast<unsigned>(JointKind::count));
+    if (io.bad()) return;
+    d.kind = static_cast<JointKind>(bits >> 1), d.collide = bits & 1;
+    ends(io, scene, d);
+    d.frame_a = pose(io, d.frame_a), d.frame_b = pose(io, d.frame_b);
+    d.length = io.real(d.length);
+    d.break_force = loose(io, d.break_force), d.break_torque = loose(io, d.break_torque);
+    d.user = io.value(d.user);
+    io.demand(d.length >= 0);
+  }
+
+  /// Each end of each joint stands in the list of its body, once. So no list runs in a circle.
+  static void check_lists(Checker& io, const World& world) {
+    const Joints& all = world.joints;
+    std::size_t wanted = 0, met = 0;
+    each_alive(all.slots, [&](std::uint32_t i) {
+      const JointDef& d = all.joint[i].def;
+      wanted += (d.body_a != kTheWorld) + (d.body_b != kTheWorld);
+    });
+    for (std::uint32_t body = 0; body < all.first.size(); ++body)
+      for (std::uint32_t j = all.first[body]; j != kTheWorld;) {
+        if (++met > wanted || !all.alive(j)) return io.demand(false);
+        const JointDef& d = all.joint[j].def;
+        if (d.body_a != body && d.body_b != body) return io.demand(false);
+        j = d.body_a == body ? all.joint[j].next_a : all.joint[j].next_b;
+      }
+    io.demand(met == wanted);
+  }
+};
+
+struct AllSprings {
+  template <class Io, class W>
+  static void go(Io& io, W& world, auto&&) {
+    auto& all = world.scene.springs;
+    each_alive(all.slots, [&](std::uint32_t i) {
+      if (io.bad()) return;
+      SpringDef d = all.def[i];
+      ends(io, world.scene, d);
+      d.anchor_a = io.vec(d.anchor_a), d.anchor_b = io.vec(d.anchor_b);
+      d.only_pulls = yes_or_no(io, d.only_pulls), d.user = io.value(d.user);
+      io.demand(sane_position(d.anchor_a) && sane_position(d.anchor_b));
+      if constexpr (Io::checks)
+        if (!io.bad()) world.fill_spring(i, d);
+    });
+  }
+};
+
+struct AllFields {
+  template <class Io, class W>
+  static void go(Io& io, W& world, auto&&) {
+    auto& all = world.scene.fields;
+    each_alive(all.slots, [&](std::uint32_t i) {
+      const std::uint64_t user = io.value(all.def[i].user);
+      if constexpr (Io::checks) all.def[i].user = user;
+    });
+  }
+};
+
+enum Number : std::size_t { kSlots, kShapes, kBodiesMade, kCollidersMade, kJointsMade, kSpringsMade, kFieldsMade };
+
+}  // namespace
+
+constinit const WholeSection kWhole[kWholeSections] = {
+    {tag_of("wSLO"), "slots"},  {tag_of("wSHA"), "shapes"},  {tag_of("wBOD"), "bodies made"}, {tag_of("wCOL"), "colliders made"},
+    {tag_of("wJOI"), "joints made"}, {tag_of("wSPR"), "springs made"}, {tag_of("wFIE"), "fields made"}};
+
+void save_whole(std::size_t section, Saver& io, const World& world, const ShapeNames& names) {
+  const int nothing = 0;
+  switch (section) {
+    case kSlots:
+      return Slots::go(io, world, nothing);
+    case kShapes: {
+      const Array<const Shape*> shapes = shapes_of(world, world.memory);
+      io.value(static_cast<std::uint64_t>(shapes.size()));
+      for (const Shape* shape : shapes) save_shape(io, *shape, names);
+      return;
+    }
+    case kBodiesMade:
+      return Bodies::go(io, world, nothing);
+    case kCollidersMade: {
+      struct Known {
+        const Shape* shape;
+        std::uint32_t number;
+      };
+      Array<Known> known(world.memory);
+      const Array<const Shape*> shapes = shapes_of(world, world.memory);
+      for (const Shape* shape : shapes) known.push_back({shape, static_cast<std::uint32_t>(known.size())});
+      std::ranges::sort(known, std::less<>(), &Known::shape);
+      return Wearers::go(io, world, [&](const Shape* shape) {
+        return std::ranges::lower_bound(known, shape, std::less<>(), &Known::shape)->number;
+      });
+    }
+    case kJointsMade:
+      return AllJoints::go(io, world, nothing);
+    case kSpringsMade:
+      return AllSprings::go(io, world, nothing);
+    default:
+      return AllFields::go(io, world, nothing);
+  }
+}
+
+bool build_whole(std::size_t section, Checker& io, Builder& b) {
+  const int nothing = 0;
+  switch (section) {
+    case kSlots:
+      Slots::go(io, b.world, nothing);
+      break;
+    case kShapes:
+      for (std::uint64_t n = io.count(0, 1); n > 0 && !io.bad(); --n) build_shape(io, b);
+      break;
+    case kBodiesMade:
+      Bodies::go(io, b.world, nothing);
+      break;
+    case kCollidersMade:
+      Wearers::go(io, b.world, b);
+      break;
+    case kJointsMade:
+      AllJoints::go(io, b.world, nothing);
+      break;
+    case kSpringsMade:
+      AllSprings::go(io, b.world, nothing);
+      break;
+    default:
+      AllFields::go(io, b.world, nothing);
+  }
+  return !io.bad();
+}
+
+}  // namespace carom::snapshot
+
+namespace carom {
+
+Array<const Shape*> shapes_of(const World& world, Memory* memory) {
+  Array<const Shape*> met(memory), in_order(memory);
+  const Colliders& c = world.scene.colliders;
+  for (const std::uint32_t slot : c.live) {
+    const auto at = std::lower_bound(met.begin(), met.end(), c.shape[slot], std::less<>());
+    if (at != met.end() && *at == c.shape[slot]) continue;
+    met.insert(at, c.shape[slot]);
+    in_order.push_back(c.shape[slot]);
+  }
+  return in_order;
+}
+
+bool is_untouched(const World& world) {
+  return std::ranges::all_of(snapshot::pools_of(world), [](const SlotPool* pool) { return pool->slots() == 0; });
+}
+
+}  // namespace carom

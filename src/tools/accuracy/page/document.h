@@ -1,0 +1,36 @@
+// One HTML file that needs nothing beside it: mark-up, style and script of a report.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/svg.h"
+
+namespace carom::tools::accuracy {
+
+/// Collects sections; the contents are made from their headings.
+class Document {
+ public:
+  explicit Document(std::string title, std::string subtitle) : title_(std::move(title)), subtitle_(std::move(subtitle)) {}
+
+  /// @param id  of its anchor   @param level  2 or 3
+  void heading(int level, const std::string& id, const std::string& text);
+  void paragraph(const std::string& text);  ///< plain text
+  void list(const std::vector<std::string>& items);
+  /// @param svg  an SVG element   @param caption  how to read it
+  void figure(const std::string& id, const std::string& svg, const std::string& caption);
+  /// @param folded  shown when asked for   @param marked  rows that are shown as warnings
+  void table(const std::string& title, const std::vector<std::string>& header,
+             const std::vector<std::vector<std::string>>& rows, bool folded = false,
+             const std::vector<bool>& marked = {});
+  /// The contents stand here; default: before everything.
+  void contents_here() { contents_at_ = body_.size(); }
+
+  std::string text() const;
+
+ private:
+  std::string title_, subtitle_, contents_, body_;
+  std::size_t contents_at_ = 0;
+};
+
+}  // namespace carom::tools::accuracy

@@ -1,0 +1,112 @@
+// The table of settings, and that of what scenes have in them.
+#include "accuracy/sweep/settings.h"
+
+namespace carom::tools::accuracy {
+namespace {
+
+struct Row {
+  const char* name;
+  unsigned has;
+  double seconds;
+};
+// Scenes that are not here have everything and run as long as they ask.
+constexpr Row kScenes[] = {
+    {"pendulum", kJoined | kFlies, 0},
+    {"chain1", kJoined, 0},
+    {"chain100", kJoined, 0},
+    {"chain1e4", kJoined, 0},
+    {"fourbar", kJoined, 0},
+    {"bricard", kJoined | kTurns, 0},
+    {"governor", kJoined | kTurns, 0},
+    {"wrecking", kJoined, 0},
+    {"bridge", kJoined | kTouches, 2},
+    {"bouncing", kBounces | kFlies, 0},
+    {"bounce05", kBounces | kFlies | kTouches, 0},
+    {"cradle", kBounces, 0},
+    {"cannon", kBounces | kFlies, 0},
+    {"elastic666", kBounces | kFlies | kTouches, 0},
+    {"pack666", kTouches, 0},
+    {"slide", kTouches, 0},
+    {"slip", kTouches, 0},
+    {"stick", kTouches, 0},
+    {"rolling", kTouches, 0},
+    {"skid", kTouches, 0},
+    {"coin", kTouches | kTurns, 0},
+    {"painleve", kTouches | kTurns, 0},
+    {"arch", kTouches, 10},
+    {"cards", kTouches, 10},
+    {"kapla", kTouches, 5},
+    {"domino", kTouches | kFlies, 0},
+    {"bullet", kBounces | kTouches, 0},
+    {"spinning_rod", kBounces | kTurns, 0},
+};
+
+Setting solved(const char* solver, int substeps, unsigned matters_to, const std::string& also_named = "",
+               std::vector<std::string> also = {}) {
+  const std::string n = std::to_string(substeps);
+  Setting setting{std::string(solver) + ", " + n + (substeps == 1 ? " substep" : " substeps") + also_named,
+                  {"solver=" + std::string(solver), "substeps=" + n},
+                  matters_to};
+  for (std::string& dial : also) setting.dials.push_back(std::move(dial));
+  return setting;
+}
+
+}  // namespace
+
+SceneTraits traits_of(const Challenge& challenge) {
+  for (const Row& row : kScenes)
+    if (challenge.scene.name == row.name) return {row.has, row.seconds};
+  if (challenge.scene.name.starts_with("stack") || challenge.scene.name.starts_with("massratio") ||
+      challenge.scene.name.starts_with("tower"))
+    return {kTouches, 0};
+  return {};
+}
+
+std::string topic_of(const Challenge& challenge) {
+  const int n = challenge.number;
+  if (n >= 7 && n <= 9) return "Joints";
+  if (n == 30) return "Joints";
+  if (n >= 10 && n <= 15) return "Impacts";
+  if (n == 29) return "Impacts";
+  if ((n >= 16 && n <= 21) || n == 31) return "Friction";
+  return "Standing";
+}
+
+const std::vector<Setting>& carom_settings() {
+  constexpr unsigned kSolved = kTouches | kJoined;  // solvers differ where something lasts; bounces come before them
+  static const std::vector<Setting> settings = {
+      solved("auto", 4, kAny),  // kDefaultSetting, and the preset balanced
+      {"preset fast", {"preset=fast"}, kAny},
+      {"preset accurate", {"preset=accurate"}, kAny},
+      {"preset reference", {"preset=reference"}, kAny},
+      solved("auto", 1, kAny),
+      solved("auto", 2, kAny),
+      solved("auto", 8, kAny),
+      solved("auto", 16, kAny),
+      solved("direct", 1, kSolved),
+      solved("direct", 4, kSolved),
+      solved("soft_step", 4, kSolved),
+      solved("soft_step", 16, kSolved),
+      solved("sequential", 1, kSolved),
+      solved("sequential", 4, kSolved),
+      solved("severity", 1, kSolved),
+      solved("severity", 4, kSolved, ", to the end",
+             {"velocity_tolerance=1e-9", "velocity_iterations=100", "position_iterations=50",
+              "position_tolerance=1e-5"}),
+      solved("auto", 4, kFlies, ", explicit Euler", {"integrator=explicit_euler"}),
+      solved("auto", 4, kFlies, ", semi-implicit Euler", {"integrator=semi_implicit_euler"}),
+      solved("auto", 4, kFlies | kTurns, ", Runge-Kutta 4", {"integrator=rk4"}),
+      solved("auto", 4, kBounces, ", bounces from 1 cm/s on", {"restitution_speed=0.01"}),
+      solved("auto", 4, kTurns, ", rotation none", {"rotation=none"}),
+      solved("auto", 4, kTurns, ", rotation implicit", {"rotation=implicit"}),
+      solved("auto", 4, kTurns, ", rotation splitting_6", {"rotation=splitting_6"}),
+  };
+  return settings;
+}
+
+const std::vector<double>& sweep_steps() {
+  static const std::vector<double> steps = {1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240, 1.0 / 480, 1.0 / 960};
+  return steps;
+}
+
+}  // namespace carom::tools::accuracy

@@ -1,0 +1,43 @@
+// Tables of settings and scenes.
+#include "settings.h"
+
+namespace carom::bench {
+
+std::vector<PeerSetting> settings_of(const std::string& engine) {
+  if (engine.starts_with("ODE"))
+    return {{"QuickStep, 20 iterations (as it comes)", {}},
+            {"QuickStep, 100 iterations", {{"iterations", 100}}},
+            {"QuickStep, 400 iterations", {{"iterations", 400}}},
+            {"QuickStep, 4 substeps", {{"substeps", 4}}},
+            {"QuickStep, 16 substeps", {{"substeps", 16}}},
+            {"exact LCP", {{"stepper", 1}}},
+            {"exact LCP, 4 substeps", {{"stepper", 1}, {"substeps", 4}}},
+            {"exact LCP, erp 0.8", {{"stepper", 1}, {"erp", 0.8}}}};
+  return {{"10 iterations (as it comes)", {}},
+          {"50 iterations", {{"iterations", 50}}},
+          {"200 iterations", {{"iterations", 200}}},
+          {"4 substeps", {{"substeps", 4}}},
+          {"16 substeps", {{"substeps", 16}}},
+          {"50 iterations, erp 0", {{"iterations", 50}, {"erp", 0}}},
+          {"conjugate gradients, 20", {{"solver", 1}, {"iterations", 20}}},
+          {"direct (Dantzig)", {{"solver", 2}}},
+          {"50 iterations, bounces from 1 cm/s on", {{"iterations", 50}, {"bounce_speed", 0.01}}}};
+}
+
+std::string note_on(const std::string& engine) {
+  if (engine.starts_with("ODE"))
+    return "Debian's libode-dev; sweep-and-prune space, four points a pair, friction in proportion to the normal force "
+           "(dContactApprox1), bounces from 0.25 m/s on";
+  return "Debian's; stepSimulation(dt, 0), no sleeping, gyroscopic term as it comes, restitution the larger of both";
+}
+
+const std::vector<std::string>& scenes_for_peers() {
+  static const std::vector<std::string> names = {
+      "pendulum",   "chain1",       "chain100",     "chain1e4",     "wrecking",     "bouncing", "bounce05",
+      "cradle",     "cannon",       "elastic666",   "pack666",      "slide",        "slip",     "stick",
+      "rolling",    "skid",         "stack10",      "stack20",      "stack50",      "cards",    "tower100",
+      "massratio1e2", "massratio1e3", "massratio1e4", "massratio1e5", "massratio1e6"};
+  return names;
+}
+
+}  // namespace carom::bench

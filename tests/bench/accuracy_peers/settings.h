@@ -1,0 +1,19 @@
+// At which settings other engines run: as they come, and over their own dials.
+#pragma once
+
+#include "peer_mover.h"
+
+namespace carom::bench {
+
+struct PeerSetting {
+  std::string name;
+  std::vector<NamedDial> dials;
+};
+/// @param engine  the name that its module gives, "Bullet 3.24 (double)"
+std::vector<PeerSetting> settings_of(const std::string& engine);
+std::string note_on(const std::string& engine);
+
+/// Scenes that are made of what every engine has: boxes, balls, half-spaces, ball joints.
+const std::vector<std::string>& scenes_for_peers();
+
+}  // namespace carom::bench
