@@ -32,7 +32,7 @@ static void errors_exit_nonzero_and_say_what_to_do(void**) {
     const char *line, *expected;
   } cases[] = {
       {"run sesaw", "did you mean 'seesaw'"},
-      {"run", "carom COMMAND --help"},
+      {"run", "no scene is named"},
       {"", "--help"},
       {"run falling --n 0", "from 1 to 100000"},
       {"run falling --set m=3", "it has: n"},
