@@ -294,8 +294,11 @@ void pack(World& world, WideContacts& wide, Real h) {
   number_bodies(world, wide);
   hold_orientations(world, wide);
   colour_manifolds(world, wide);
-  wide.is_float = !wide.manifolds.empty() && bears_floats(world, wide, h) &&
-                  fill(world, wide, wide.in_float, wide.kernels->in_float);
+  wide.is_float = !wide.manifolds.empty() && bears_floats(world, wide, h);
+  if (wide.is_float) {
+    if (!wide.in_float) wide.in_float = make_owned<ContactLanes<float>>(world.memory, world.memory);
+    wide.is_float = fill(world, wide, *wide.in_float, wide.kernels->in_float);
+  }
   if (!wide.is_float) fill(world, wide, wide.in_double, wide.kernels->in_double);
 }
 

@@ -30,7 +30,6 @@ struct ContactLanes {
 struct WideContacts {
   explicit WideContacts(Memory* m)
       : in_double(m),
-        in_float(m),
         velocity(m),
         displacement(m),
         shift(m),
@@ -48,7 +47,7 @@ struct WideContacts {
   const ContactKernels* kernels = &contact_kernels();
 
   ContactLanes<double> in_double;
-  ContactLanes<float> in_float;
+  Owned<ContactLanes<float>> in_float;  // null until a step wants it
   bool is_float = false;  // which of these has the rows of this step: @see float_range.h
 
   // by solver body; 0 is nobody, then those that move of themselves, then those that impulses move
@@ -90,7 +89,7 @@ inline constexpr std::uint32_t kColours = 64;
 template <class Wide, class F>
 void with_lanes(Wide& wide, const F& f) {
   if (wide.is_float)
-    f(wide.in_float, wide.kernels->in_float);
+    f(*wide.in_float, wide.kernels->in_float);
   else
     f(wide.in_double, wide.kernels->in_double);
 }

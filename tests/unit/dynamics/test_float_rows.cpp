@@ -223,7 +223,7 @@ void rows_take_half_the_memory(void**) {
   pile(t, 1, {1, 1, 1});
   t.run(2, kStep);
   assert_int_equal(t.world.wide->in_double.pairs.capacity(), 0);
-  assert_true(t.world.wide->in_float.pairs.size() > 0);
+  assert_true(t.world.wide->in_float->pairs.size() > 0);
 }
 
 }  // namespace
