@@ -15,7 +15,7 @@ set(accuracy_misses
   slide slip                                   # first order in contact: 6e-3 and 0.014 m at a substep of 1/240 s
   coin                                         # contacts are answered where a substep begins
   far                                          # 1000 km off, rounding decides which contacts are within velocity_tolerance
-  pile tumble                                  # impacts are met a substep early or late, and what follows is thrown about
+  pile tumble                                  # impacts are met a substep early or late, and what follows goes elsewhere
   collisions)                                  # angular momentum: both sides of a contact moved since it was found
 foreach(scene ${accuracy_scenes})
   add_test(NAME accuracy/${scene} COMMAND carom_cli accuracy run ${scene} CONFIGURATIONS accuracy)
