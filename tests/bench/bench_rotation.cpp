@@ -6,13 +6,14 @@
 
 #include <algorithm>
 
-#include "free_top.h"
+#include "tools/accuracy/free_top.h"
 #include "world_builder.h"
 
 namespace {
 
 using namespace carom;
 using namespace carom::test;
+using tools::accuracy::FreeTop;
 
 constexpr std::uint32_t kBodies = 1024;
 

@@ -6,11 +6,12 @@
 // where rounding is smaller still.
 #include "carom_test.h"
 #include "dynamics/effects.h"
-#include "free_top.h"
+#include "tools/accuracy/free_top.h"
 #include "world_builder.h"
 
 using namespace carom;
 using namespace carom::test;
+using tools::accuracy::FreeTop;
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "accuracy/free_top.h"
 #include "accuracy/linkages.h"
 #include "accuracy/reference.h"
 #include "carom_test.h"
@@ -297,8 +298,120 @@ static void a_leaning_rod_has_one_answer(void**) {
   }
 }
 
+using Long3 = Eigen::Matrix<long double, 3, 1>;
+using Long4 = Eigen::Matrix<long double, 4, 1>;
+
+static void air_slows_as_its_law_says(void**) {
+  const double g = kGravity, rate = 0.3, speed = -4;
+  using Long2 = Eigen::Matrix<long double, 2, 1>;  // way, speed
+  Long2 slow(0, speed), fast(0, 0);
+  const int n = 100000;
+  const double T = 10, h = T / n;
+  for (int i = 0; i < n; ++i) {
+    slow = runge_kutta(slow, h, [&](const Long2& x) { return Long2(x[1], g - rate * x[1]); });
+    fast = runge_kutta(fast, h, [&](const Long2& x) { return Long2(x[1], g - rate * x[1] * x[1]); });
+  }
+  const Course thrown = thrown_into_air(T, speed, rate, g), fallen = fallen_through_air(T, rate, g);
+  assert_true(std::fabs(thrown.way - static_cast<double>(slow[0])) < 1e-12 * thrown.way);
+  assert_true(std::fabs(thrown.speed - static_cast<double>(slow[1])) < 1e-12 * thrown.speed);
+  assert_true(std::fabs(fallen.way - static_cast<double>(fast[0])) < 1e-12 * fallen.way);
+  assert_true(std::fabs(fallen.speed - static_cast<double>(fast[1])) < 1e-12 * fallen.speed);
+  // Thin air: a parabola but for rate (v t^2 / 2 + g t^3 / 6). Long after: an even fall.
+  const double thin = 1e-5, way = 2 * speed + 2 * g - thin * (2 * speed + 4 * g / 3);
+  assert_true(std::fabs(thrown_into_air(2, speed, thin, g).way - way) < 16 * thin * thin * g);
+  assert_true(fallen_through_air(1e6, rate, g).speed == std::sqrt(g / rate));
+}
+
+/// A rigid body about a point that rests, from the laws alone: (turn, angular momentum), world axes.
+struct Turning {
+  Long3 inertia, arm;      ///< kg m^2, principal, about the point; m, of the weight from it, body axes
+  long double weight = 0;  ///< N, along -y
+  using State = Eigen::Matrix<long double, 7, 1>;
+  using LongQuat = Eigen::Quaternion<long double>;
+
+  static LongQuat turn(const State& x) { return LongQuat(Long4(x.head<4>())).normalized(); }
+  Long3 spin(const State& x) const {  // body axes
+    return (turn(x).conjugate() * Long3(x.tail<3>())).cwiseQuotient(inertia);
+  }
+  State rate(const State& x) const {
+    const LongQuat q = turn(x);
+    const Long3 half = q * spin(x) / 2;
+    State d;
+    d << (LongQuat(0, half.x(), half.y(), half.z()) * LongQuat(Long4(x.head<4>()))).coeffs(),
+        Long3(q * arm).cross(Long3(0, -weight, 0));
+    return d;
+  }
+  State run(const Long3& omega, long double seconds, int steps) const {
+    State x;
+    x << 0, 0, 0, 1, inertia.cwiseProduct(omega);
+    for (int i = 0; i < steps; ++i)
+      x = runge_kutta(x, static_cast<double>(seconds / steps), [&](const State& s) { return rate(s); });
+    return x;
+  }
+};
+
+static void a_free_top_turns_as_euler_s_equations_say(void**) {
+  // Scenes 3, 4 and 5, until after a flip; one that circles its smallest moment. Steps of 2e-5 s: (h w)^4 w T / 120 is
+  // below 1e-17, and what leaves the middle axis takes a difference along, 500 times larger.
+  const struct {
+    Eigen::Vector3d sides, omega;
+    double seconds;
+  } cases[] = {{{1, 4, 9}, {0.1, 5, 0.1}, 3},
+               {{1, 2, 3}, {4, 1, 2}, 3},
+               {{1, 2, 3}, {0.01, 5, 0.01}, 4},
+               {{1, 2, 3}, {-1, 2, 6}, 2}};
+  for (const auto& c : cases) {
+    const Eigen::Vector3d squares = c.sides.cwiseProduct(c.sides);
+    const Eigen::Vector3d inertia = (Eigen::Vector3d::Constant(squares.sum()) - squares) / 12;
+    const FreeTop top(inertia, c.omega);
+    const Turning body{inertia.cast<long double>(), Long3::Zero()};
+    const Turning::State end = body.run(c.omega.cast<long double>(), c.seconds, static_cast<int>(c.seconds / 2e-5));
+    const Eigen::Quaterniond turn = Turning::turn(end).cast<double>(), closed = top.orientation(c.seconds);
+    assert_true((top.omega(c.seconds) - body.spin(end).cast<double>()).norm() < 1e-12 * c.omega.norm());
+    assert_true(2 * (closed.conjugate() * turn).vec().norm() < 1e-12 * c.omega.norm() * c.seconds);
+    // The closed form's own momentum and energy.
+    const Eigen::Vector3d w = top.omega(40), start = inertia.cwiseProduct(c.omega);
+    assert_true((top.orientation(40) * inertia.cwiseProduct(w) - start).norm() < 1e-12 * start.norm());
+    assert_true(std::fabs(w.dot(inertia.cwiseProduct(w)) / c.omega.dot(start) - 1) < 1e-12);
+  }
+  // A flip is where the spin about the middle axis is gone.
+  const FreeTop plank({13, 10, 5}, {0.01, 5, 0.01});
+  assert_int_equal(plank.middle(), 1);
+  assert_true(plank.zero(0) > 0 && plank.zero(0) < plank.period() / 2);
+  assert_true(std::fabs(plank.zero(2) - plank.zero(0) - plank.period()) < 1e-12);
+  const Turning body{Long3(13, 10, 5), Long3::Zero()};
+  const Turning::State flip = body.run(Long3(0.01L, 5, 0.01L), plank.zero(0), 150000);
+  assert_true(std::fabs(static_cast<double>(body.spin(flip).y())) < 1e-11);  // 12 rad/s^2 there: a picosecond
+}
+
+static void a_heavy_top_nods_as_a_rigid_body_does(void**) {
+  using H = HeavyTop;
+  const double hung = H::across() + H::kArm * H::kArm, T = 2;
+  const Turning body{Long3(H::axial(), hung, hung), Long3(H::kArm, 0, 0), kGravity};
+  const Turning::State end = body.run(Long3(H::kSpin, 0, 0), T, 200000);
+  Eigen::Vector3d x = H::start();
+  const auto energy = [&] {  // about its axis it keeps what it has
+    const double s = std::sin(x[0]), round = H::rate(x)[2];
+    return hung * (x[1] * x[1] + round * round * s * s) / 2 + kGravity * H::kArm * std::cos(x[0]);
+  };
+  double lowest = 0;
+  const int n = 100000;
+  for (int i = 0; i < n; ++i) x = runge_kutta(x, T / n, H::rate), lowest = std::max(lowest, x[0]);
+  const Eigen::Vector3d there = (Turning::turn(end) * body.arm).cast<double>();
+  assert_true((H::middle(x) - there).norm() < 1e-12);
+  assert_true(std::fabs(energy()) < 1e-12);
+  // It nods: by 2 m g l I / J^2 at most, and always the same way round.
+  const double spin = H::axial() * H::kSpin;
+  assert_true(lowest > std::acos(-1) / 2 + 0.05 &&
+              lowest - std::acos(-1) / 2 < 2 * kGravity * H::kArm * hung / (spin * spin));
+  assert_true(x[2] > 0);
+}
+
 int main() {
   const CMUnitTest tests[] = {
+      cmocka_unit_test(air_slows_as_its_law_says),
+      cmocka_unit_test(a_free_top_turns_as_euler_s_equations_say),
+      cmocka_unit_test(a_heavy_top_nods_as_a_rigid_body_does),
       cmocka_unit_test(a_bounce_is_a_fall_and_a_reflection),
       cmocka_unit_test(what_turns_round_does_so_at_its_moment),
       cmocka_unit_test(a_rod_that_is_hit_keeps_energy_and_momentum),

@@ -25,6 +25,9 @@ struct Push {
   Vec force;          ///< N, world
 };
 
+/// What a run is compared by where the truth is a finer run: one number, or many.
+using Answer = std::vector<double>;
+
 /// Watches a run and knows the truth. fill() of an accuracy scene returns one of these.
 class Trial : public Observer {
  public:
@@ -34,9 +37,10 @@ class Trial : public Observer {
   virtual bool over() const { return fell(); }
   /// What drives the scene, before each step.
   virtual std::vector<Push> pushes() const { return {}; }
-  /// For scenes whose truth is their own run at a much finer step: the quantity that is compared, and the truth for it.
-  virtual double answer() const { return 0; }
-  virtual void compare_with(double /*truth*/) {}
+  /// For scenes whose truth is their own run at a much finer step: the quantities that are compared, and the truth for
+  /// them.
+  virtual Answer answer() const { return {}; }
+  virtual void compare_with(const Answer& /*truth*/) {}
 
   bool fell() const { return fell_at_ >= 0; }
   double fell_at() const { return fell_at_; }  ///< s, or -1

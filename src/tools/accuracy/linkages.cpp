@@ -106,4 +106,19 @@ Eigen::Vector4d Governor::rate(const Eigen::Vector4d& state) {
           -kGravity - 2 * pull * by_height / kSlider};
 }
 
+Vector3d HeavyTop::start() { return {std::numbers::pi / 2, 0, 0}; }
+
+// About the upright there is no angular momentum at first, and nothing gives any; about the axis there is that of its
+// spin: I sin^2(theta) phi' = -J cos(theta).
+Vector3d HeavyTop::rate(const Vector3d& state) {
+  const double c = std::cos(state[0]), s = std::sin(state[0]), about = axial() * kSpin;
+  const double inertia = across() + kArm * kArm, round = -about * c / (inertia * s * s);
+  return {state[1], (inertia * round * round * s * c - about * round * s + kGravity * kArm * s) / inertia, round};
+}
+
+Vector3d HeavyTop::middle(const Vector3d& state) {
+  const double s = std::sin(state[0]);
+  return kArm * Vector3d(s * std::cos(state[2]), std::cos(state[0]), -s * std::sin(state[2]));
+}
+
 }  // namespace carom::tools::accuracy

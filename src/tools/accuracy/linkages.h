@@ -1,4 +1,4 @@
-// Equations of motion that mechanisms of accuracy scenes are judged by: Bricard's, and the governor.
+// Equations of motion that mechanisms of accuracy scenes are judged by: Bricard's, the governor, and the heavy top.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -54,6 +54,22 @@ struct Governor {
   /// angle, its rate, the slider's height, its rate
   static Eigen::Vector4d start() { return {kAngle, 0, 0.5, 0}; }
   static Eigen::Vector4d rate(const Eigen::Vector4d& state);
+};
+
+/// A disk of 1 kg whose middle is l from a point of its axis that stays, under gravity along -y: (theta, theta', phi),
+/// theta between the axis and the upright, phi how far it has gone round. What spins about the axis and about the
+/// upright stays, so that one equation is left.
+struct HeavyTop {
+  static constexpr double kRadius = 0.5, kThick = 0.1, kArm = 0.5;   ///< m
+  static constexpr double kSpin = 40;                                ///< rad/s, about its axis, at first all there is
+  static constexpr double axial() { return kRadius * kRadius / 2; }  ///< kg m^2, of the disk about its axis
+  static constexpr double across() {                                 ///< likewise, about its middle
+    return (3 * kRadius * kRadius + kThick * kThick) / 12;
+  }
+  /// The axis level, along x.
+  static Eigen::Vector3d start();
+  static Eigen::Vector3d rate(const Eigen::Vector3d& state);
+  static Eigen::Vector3d middle(const Eigen::Vector3d& state);  ///< m, of the disk, from the point that stays
 };
 
 }  // namespace carom::tools::accuracy

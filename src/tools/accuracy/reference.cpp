@@ -2,8 +2,21 @@
 #include "accuracy/reference.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace carom::tools::accuracy {
+
+// v_t + (v_0 - v_t) e^-ct, and its integral.
+Course thrown_into_air(double t, double speed, double rate, double g) {
+  const double last = g / rate, gone = -std::expm1(-rate * t);
+  return {last * t + (speed - last) * gone / rate, speed + (last - speed) * gone};
+}
+
+// The way is log(cosh(g t / v_t)) / rate; cosh alone would overflow.
+Course fallen_through_air(double t, double rate, double g) {
+  const double last = std::sqrt(g / rate), x = g * t / last;
+  return {(x + std::log1p(std::exp(-2 * x)) - std::numbers::ln2) / rate, last * std::tanh(x)};
+}
 
 double bounce_height(double t, double drop, double e, double g) {
   double speed = std::sqrt(2 * g * drop);  // of the next impact

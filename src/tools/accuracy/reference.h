@@ -5,6 +5,17 @@ namespace carom::tools::accuracy {
 
 inline constexpr double kGravity = 9.81;  ///< m/s^2, that of a new world
 
+/// Where something is along one axis, and how fast.
+struct Course {
+  double way, speed;  ///< m from the start, m/s
+};
+/// Thrown with a speed into still air whose drag is `rate` times it, pulled by g along the axis.
+/// @param rate  1/s: kg/s over kg
+Course thrown_into_air(double t, double speed, double rate, double g);
+/// Fallen from rest through air whose drag is `rate` times the square of the speed: v_t tanh(g t / v_t).
+/// @param rate  1/m: kg/m over kg
+Course fallen_through_air(double t, double rate, double g);
+
 /// Height of a ball that was let go at `drop` and bounces with restitution e < 1 until it lies: the sum of flights is
 /// finite.
 /// @param t s, >= 0   @param drop m   @return m

@@ -3,6 +3,12 @@
 
 namespace carom::tools::accuracy {
 
+Challenge freefall_challenge();
+Challenge drag_challenge();
+Challenge gzbox_challenge();
+Challenge top_challenge();
+Challenge dzhanibekov_challenge();
+Challenge heavytop_challenge();
 Challenge pendulum_challenge();
 Challenge fourbar_challenge();
 Challenge bricard_challenge();
@@ -32,10 +38,19 @@ Challenge bullet_challenge();
 Challenge spinning_rod_challenge();
 Challenge arch_challenge();
 Challenge kapla_challenge();
+Challenge overlap_challenge();
+Challenge far_challenge();
+Challenge pile_challenge();
+Challenge tumble_challenge();
+Challenge replay_challenge();
+Challenge collisions_challenge();
 
 const std::vector<Challenge>& all_challenges() {
   static const std::vector<Challenge> challenges = [] {
-    std::vector<Challenge> list = {pendulum_challenge()};
+    std::vector<Challenge> list;
+    for (auto make : {freefall_challenge, drag_challenge, gzbox_challenge, top_challenge, dzhanibekov_challenge,
+                      heavytop_challenge, pendulum_challenge})
+      list.push_back(make());
     for (Challenge& c : chain_challenges()) list.push_back(std::move(c));
     for (auto make : {fourbar_challenge, bricard_challenge, governor_challenge}) list.push_back(make());
     for (auto make : {bouncing_challenge, bounce05_challenge, cradle_challenge, cannon_challenge, elastic666_challenge,
@@ -46,7 +61,8 @@ const std::vector<Challenge>& all_challenges() {
     for (Challenge& c : massratio_challenges()) list.push_back(std::move(c));
     for (auto make :
          {tower100_challenge, domino_challenge, cards_challenge, arch_challenge, bridge_challenge, kapla_challenge,
-          bullet_challenge, spinning_rod_challenge, wrecking_challenge, painleve_challenge})
+          bullet_challenge, spinning_rod_challenge, wrecking_challenge, painleve_challenge, overlap_challenge,
+          far_challenge, pile_challenge, tumble_challenge, replay_challenge, collisions_challenge})
       list.push_back(make());
     return list;
   }();

@@ -35,6 +35,18 @@ std::size_t add_box(Stage& stage, const Vec& position, const Vec& half_extents, 
              orientation);
 }
 
+void set_moving(Stage& stage, std::size_t actor, const Vec& velocity, const Vec& spin) {
+  Call call;
+  call.done(carom_body_set_velocity(stage.world.get(), stage.actors[actor].body, velocity.data(), spin.data(), call),
+            "moving " + stage.actors[actor].name);
+}
+
+void set_gravity(Stage& stage, double g) {
+  const double down[3] = {0, -g, 0};
+  Call call;
+  call.done(carom_world_set_gravity(stage.world.get(), down, call), "setting gravity");
+}
+
 void add_ground(Stage& stage, double friction) { stage.add_half_space("ground", {0, 1, 0}, {0, 0, 0}, friction); }
 
 Crowd::Crowd(const Stage& stage) {

@@ -14,6 +14,10 @@ std::size_t add_ball(Stage& stage, const Vec& position, double radius, double ma
                      const Vec& velocity = Vec::Zero());
 std::size_t add_box(Stage& stage, const Vec& position, const Vec& half_extents, double mass, const Surface& surface,
                     const Vec& velocity = Vec::Zero(), const Quat& orientation = Quat::Identity());
+/// Spin a body about its centre, which moves with `velocity`.   @param spin  rad/s, world
+void set_moving(Stage& stage, std::size_t actor, const Vec& velocity, const Vec& spin);
+/// @param g  m/s^2, along -y; 9.81 in a new world
+void set_gravity(Stage& stage, double g);
 /// Level ground at y = 0. A contact's friction is the geometric mean of both sides', its restitution the larger one.
 void add_ground(Stage& stage, double friction);
 

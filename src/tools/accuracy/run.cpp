@@ -1,9 +1,8 @@
 // Runs a challenge at one step size or at a row of halved ones, and judges it.
 #include "accuracy/run.h"
 
-#include <ctime>
-
 #include <cmath>
+#include <ctime>
 
 namespace carom::tools::accuracy {
 namespace {
@@ -76,7 +75,7 @@ bool within_bounds(const Challenge& challenge, const Result& result) {
   return within;
 }
 
-std::optional<double> own_truth(Engine& engine, const Challenge& challenge, const Request& request) {
+std::optional<Answer> own_truth(Engine& engine, const Challenge& challenge, const Request& request) {
   if (!(challenge.reference_dt > 0)) return std::nullopt;
   Request fine = request;
   fine.dt = challenge.reference_dt;
@@ -84,7 +83,7 @@ std::optional<double> own_truth(Engine& engine, const Challenge& challenge, cons
   return play(engine, challenge, fine).trial().answer();
 }
 
-Result run(Engine& engine, const Challenge& challenge, const Request& request, std::optional<double> truth) {
+Result run(Engine& engine, const Challenge& challenge, const Request& request, const std::optional<Answer>& truth) {
   const Run r = play(engine, challenge, request);
   if (truth) r.trial().compare_with(*truth);
   Result result;
@@ -102,7 +101,7 @@ Result run(Engine& engine, const Challenge& challenge, const Request& request, s
 }
 
 std::vector<Result> run_halved(Engine& engine, const Challenge& challenge, Request request, int halvings) {
-  const std::optional<double> truth = own_truth(engine, challenge, request);
+  const std::optional<Answer> truth = own_truth(engine, challenge, request);
   std::vector<Result> results;
   for (int k = 0; k <= halvings; ++k, request.dt /= 2) results.push_back(run(engine, challenge, request, truth));
   return results;

@@ -27,7 +27,7 @@ struct Request {
   double dt = 1.0 / 60;                                              ///< s
   double seconds = 0;                                                ///< simulated; 0: what the scene asks for
   std::function<void(Stage&, const carom_step_report&)> after_step;  ///< may be empty
-  double patience = 0;  ///< s of computing after which a run is given up; 0: never
+  double patience = 0;                                       ///< s of computing after which a run is given up; 0: never
   std::function<std::unique_ptr<Mover>(Stage&)> mover = {};  ///< for a stage that is filled; empty: its own world
 };
 
@@ -46,10 +46,10 @@ struct Result {
 bool within_bounds(const Challenge& challenge, const Result& result);
 
 /// The scene's own answer at challenge.reference_dt; nothing where the truth is a closed form.   @throws Error
-std::optional<double> own_truth(Engine& engine, const Challenge& challenge, const Request& request);
+std::optional<Answer> own_truth(Engine& engine, const Challenge& challenge, const Request& request);
 
 /// @param truth  from own_truth()   @throws Error (knob, dial or plugin missing; a step failed)
-Result run(Engine& engine, const Challenge& challenge, const Request& request, std::optional<double> truth);
+Result run(Engine& engine, const Challenge& challenge, const Request& request, const std::optional<Answer>& truth);
 
 /// Runs at dt, dt/2, ... dt/2^halvings.
 std::vector<Result> run_halved(Engine& engine, const Challenge& challenge, Request request, int halvings);

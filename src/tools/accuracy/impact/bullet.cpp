@@ -11,12 +11,6 @@ namespace {
 constexpr int kPhases = 16;  // of the step in which something is met
 constexpr double kStep = 1.0 / 60;
 
-void take_gravity_away(Stage& stage) {
-  const double weightless[3] = {0, 0, 0};
-  Call call;
-  call.done(carom_world_set_gravity(stage.world.get(), weightless, call), "switching gravity off");
-}
-
 std::size_t add_post(Stage& stage, const std::string& shape, std::vector<double> params, const Vec& position,
                      double restitution) {
   Actor actor;
@@ -61,7 +55,7 @@ class BulletTrial : public Trial {
 std::unique_ptr<Observer> fill_bullet(Stage& stage, const std::vector<double>& knobs, const std::string&) {
   constexpr double kRadius = 0.1, kWall = 0.05, kAway = 2;  // m
   const double speed = knobs[0], e = knobs[1];
-  take_gravity_away(stage);
+  set_gravity(stage, 0);
   std::vector<BulletTrial::Shot> shots;
   for (int i = 0; i < kPhases; ++i) {
     const double front = -kWall - kRadius, start = front - kAway - speed * kStep * i / kPhases, z = 2 * i;
@@ -111,7 +105,7 @@ class RodTrial : public Trial {
 std::unique_ptr<Observer> fill_spinning_rod(Stage& stage, const std::vector<double>& knobs, const std::string&) {
   constexpr double kHalf = 1, kThin = 0.01, kPost = 0.01, kAway = 0.8;  // m
   const double spin = knobs[0];
-  take_gravity_away(stage);
+  set_gravity(stage, 0);
   const HitRod truth = hit_rod(spin, kHalf, kThin, kPost, kAway);
   std::vector<RodTrial::Rod> rods;
   for (int i = 0; i < kPhases; ++i) {
@@ -119,10 +113,7 @@ std::unique_ptr<Observer> fill_spinning_rod(Stage& stage, const std::vector<doub
     add_post(stage, "capsule", {kPost, 0.5}, Vec(kAway, 0, z), 1);
     const Quat turned(std::cos(angle / 2), 0, std::sin(angle / 2), 0);
     const std::size_t rod = add_box(stage, Vec(0, 0, z), Vec(kHalf, kThin, kThin), 1, {0, 1}, Vec::Zero(), turned);
-    const double linear[3] = {0, 0, 0}, angular[3] = {0, spin, 0};
-    Call call;
-    call.done(carom_body_set_velocity(stage.world.get(), stage.actors[rod].body, linear, angular, call),
-              "spinning a rod");
+    set_moving(stage, rod, Vec::Zero(), Vec(0, spin, 0));
     rods.push_back({rod, (std::numbers::pi - truth.stop - angle) / spin});
   }
   stage.ground_half_width = 0;

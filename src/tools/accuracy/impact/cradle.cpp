@@ -26,9 +26,7 @@ class CradleTrial : public Trial {
 };
 
 std::unique_ptr<Observer> fill_cradle(Stage& stage, const std::vector<double>& knobs, const std::string&) {
-  const double weightless[3] = {0, 0, 0};  // no strings: the balls float in a row
-  Call call;
-  call.done(carom_world_set_gravity(stage.world.get(), weightless, call), "switching gravity off");
+  set_gravity(stage, 0);  // no strings: the balls float in a row
   const int balls = static_cast<int>(knobs[0]);
   for (int i = 0; i < balls; ++i)
     add_ball(stage, Vec(2 * kRadius * i - (i == 0 ? 0.05 : 0), 0, 0), kRadius, 1, {0, 1},

@@ -15,7 +15,7 @@
 namespace carom::tools::accuracy {
 namespace {
 
-const std::vector<std::string> kTopics = {"Joints", "Impacts", "Friction", "Standing"};
+const std::vector<std::string> kTopics = {"Flight", "Joints", "Impacts", "Friction", "Standing", "Invariance"};
 
 std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)));
 std::string format(const char* pattern, ...) {

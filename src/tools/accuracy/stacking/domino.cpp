@@ -21,13 +21,11 @@ class DominoTrial : public Trial {
     reach(stage, time, row_[kTo], to_);
   }
   bool over() const override { return to_.when >= 0; }
-  double answer() const override {
-    return over() ? static_cast<double>(kTo - kFrom) * kPitch / (to_.when - from_.when) : 0;  // m/s; 0: it died away
-  }
-  void compare_with(double truth) override { truth_ = truth; }
-  std::vector<double> errors(const Stage&) const override { return {std::fabs(answer() / truth_ - 1)}; }
+  Answer answer() const override { return {speed()}; }
+  void compare_with(const Answer& truth) override { truth_ = truth.at(0); }
+  std::vector<double> errors(const Stage&) const override { return {std::fabs(speed() / truth_ - 1)}; }
   std::vector<std::string> tell(const Stage&) const override {
-    return {"the wave runs at " + std::to_string(answer()) + " m/s, at the finest step at " + std::to_string(truth_)};
+    return {"the wave runs at " + std::to_string(speed()) + " m/s, at the finest step at " + std::to_string(truth_)};
   }
 
  private:
@@ -48,6 +46,10 @@ class DominoTrial : public Trial {
     p.before = time;
   }
 
+  double speed() const {  // m/s; 0: it died away
+    return over() ? static_cast<double>(kTo - kFrom) * kPitch / (to_.when - from_.when) : 0;
+  }
+
   std::vector<std::size_t> row_;
   Passage from_, to_;
   double truth_ = 0;
@@ -59,10 +61,8 @@ std::unique_ptr<Observer> fill_domino(Stage& stage, const std::vector<double>& k
   std::vector<std::size_t> row;
   for (int i = 0; i < 40; ++i) row.push_back(add_box(stage, Vec(kPitch * i, kHalf.y(), 0), kHalf, 1, {mu, 0}));
   // The first one is tipped over its lower edge; 0.57 rad/s would just carry it over the top.
-  const Vec spin(0, 0, -1), centre(-kHalf.x(), kHalf.y(), 0), speed = spin.cross(centre);
-  Call call;
-  call.done(carom_body_set_velocity(stage.world.get(), stage.actors[row[0]].body, speed.data(), spin.data(), call),
-            "tipping the first domino");
+  const Vec spin(0, 0, -1), centre(-kHalf.x(), kHalf.y(), 0);
+  set_moving(stage, row[0], spin.cross(centre), spin);
   stage.camera_from = Vec(5, 3, 12);
   stage.camera_to = Vec(8, 0, 0);
   return std::make_unique<DominoTrial>(std::move(row));

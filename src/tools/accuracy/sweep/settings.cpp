@@ -11,6 +11,12 @@ struct Row {
 };
 // Scenes that are not here have everything and run as long as they ask.
 constexpr Row kScenes[] = {
+    {"freefall", kFlies, 0},
+    {"drag", kFlies, 0},
+    {"gzbox", kFlies | kTurns, 0},
+    {"top", kTurns, 0},
+    {"dzhanibekov", kTurns, 0},
+    {"heavytop", kJoined | kFlies | kTurns, 0},
     {"pendulum", kJoined | kFlies, 0},
     {"chain1", kJoined, 0},
     {"chain100", kJoined, 0},
@@ -39,6 +45,12 @@ constexpr Row kScenes[] = {
     {"domino", kTouches | kFlies, 0},
     {"bullet", kBounces | kTouches, 0},
     {"spinning_rod", kBounces | kTurns, 0},
+    {"overlap", kTouches, 0},
+    {"far", kTouches, 0},
+    {"pile", kTouches | kFlies, 0},
+    {"tumble", kTouches | kJoined | kFlies, 0},
+    {"replay", kTouches, 0},
+    {"collisions", kBounces | kTurns, 0},
 };
 
 Setting solved(const char* solver, int substeps, unsigned matters_to, const std::string& also_named = "",
@@ -64,11 +76,13 @@ SceneTraits traits_of(const Challenge& challenge) {
 
 std::string topic_of(const Challenge& challenge) {
   const int n = challenge.number;
+  if (n <= 6) return "Flight";
   if (n >= 7 && n <= 9) return "Joints";
   if (n == 30) return "Joints";
   if (n >= 10 && n <= 15) return "Impacts";
-  if (n == 29) return "Impacts";
+  if (n == 29 || n == 37) return "Impacts";
   if ((n >= 16 && n <= 21) || n == 31) return "Friction";
+  if (n == 33 || n == 35 || n == 36) return "Invariance";
   return "Standing";
 }
 
@@ -98,7 +112,11 @@ const std::vector<Setting>& carom_settings() {
       solved("auto", 4, kFlies | kTurns, ", Runge-Kutta 4", {"integrator=rk4"}),
       solved("auto", 4, kBounces, ", bounces from 1 cm/s on", {"restitution_speed=0.01"}),
       solved("auto", 4, kTurns, ", rotation none", {"rotation=none"}),
+      solved("auto", 4, kTurns, ", rotation explicit", {"rotation=explicit"}),
       solved("auto", 4, kTurns, ", rotation implicit", {"rotation=implicit"}),
+      solved("auto", 4, kTurns, ", rotation rk4", {"rotation=rk4"}),
+      solved("auto", 4, kTurns, ", rotation lie_midpoint", {"rotation=lie_midpoint"}),
+      solved("auto", 4, kTurns, ", rotation splitting_4", {"rotation=splitting_4"}),
       solved("auto", 4, kTurns, ", rotation splitting_6", {"rotation=splitting_6"}),
   };
   return settings;

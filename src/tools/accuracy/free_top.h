@@ -1,11 +1,12 @@
 // The torque-free top in closed form: Jacobi's elliptic functions for its spin, one quadrature for its precession.
+// Scenes 3 to 5 are judged by it, and the library's own tests of rotation.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
-#include "core/pose.h"
-
-namespace carom::test {
+namespace carom::tools::accuracy {
 
 struct Jacobi {
   double sn, cn, dn;
@@ -45,7 +46,7 @@ inline double quarter_period(double kc2) {
     const double next = (a + b) / 2;
     b = std::sqrt(a * b), a = next;
   }
-  return M_PI / (a + b);
+  return std::numbers::pi / (a + b);
 }
 
 /// u with sn u = sn, cn u = cn, in (-2K, 2K].
@@ -77,6 +78,9 @@ double integral(F&& f, double from, double to, int n) {
 ///     psi' = |L| (I_1 w_1^2 + I_2 w_2^2) / (I_1^2 w_1^2 + I_2^2 w_2^2),  axes 1, 2, e right-handed
 class FreeTop {
  public:
+  using Vec3 = Eigen::Vector3d;
+  using Quat = Eigen::Quaterniond;
+
   /// @param inertia  [3] kg m^2   @param omega [3] rad/s, body axes, at t = 0, where body and world axes agree
   FreeTop(const Vec3& inertia, const Vec3& omega) : i_(inertia) {
     const Vec3 l = inertia.cwiseProduct(omega);
@@ -147,4 +151,4 @@ class FreeTop {
   double l_, a_e_, a_m_, a_o_, r_, kc2_, u0_;
 };
 
-}  // namespace carom::test
+}  // namespace carom::tools::accuracy
