@@ -100,6 +100,7 @@ const std::vector<Setting>& carom_settings() {
       solved("direct", 1, kSolved),
       solved("direct", 4, kSolved),
       solved("soft_step", 4, kSolved),
+      solved("soft_step", 4, kTouches, ", floats", {"precision=float"}),
       solved("soft_step", 16, kSolved),
       solved("sequential", 1, kSolved),
       solved("sequential", 4, kSolved),
