@@ -54,7 +54,9 @@ extern "C" {
 #define CAROM_DIAL_JOINT_DAMPING 37u       /* their damping ratio */
 #define CAROM_DIAL_CONTINUOUS 38u          /* choice: CAROM_SWEEP_*: who is swept from pose to pose, so that it passes
                                               through nothing; see carom_body_set_continuous()   @since 1.6 */
-#define CAROM_DIAL_COUNT 39u
+#define CAROM_DIAL_PRECISION 39u           /* choice: CAROM_PRECISION_*: the numbers in which contacts are solved
+                                              @since 1.8 */
+#define CAROM_DIAL_COUNT 40u
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
 #define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u
@@ -102,6 +104,13 @@ extern "C" {
 #define CAROM_SWEEP_NOBODY 0u  /* bodies that move farther in a step than they are large may pass through things */
 #define CAROM_SWEEP_FLAGGED 1u /* bodies of CAROM_CONTINUOUS_ALWAYS */
 #define CAROM_SWEEP_FAST 2u    /* also what moves far for its size in a step */
+
+/* In solvers that go over contacts in lanes (sequential, soft_step, and what auto gives to it) the rows of contacts (arms,
+ * masses, impulses) are floats or doubles. Poses, velocities, the search for contacts, joints and the direct solver are
+ * doubles in any case. A step with contacts that floats can't bear is solved in doubles: masses outside 1e-9 to 1e9 kg, places
+ * more than 10 km from a body's centre of mass, friction beyond 1e6, needles thinner than 1 : 700, substeps below 1e-9 s. */
+#define CAROM_PRECISION_FLOAT 0u  /* @since 1.8 */
+#define CAROM_PRECISION_DOUBLE 1u /* @since 1.8 */
 
 #define CAROM_PRESET_FAST 0u      /* one substep and coarse distances: crowds, debris, what nobody looks at closely */
 #define CAROM_PRESET_BALANCED 1u  /* what a new world has */

@@ -86,7 +86,7 @@ bool read_body(Call& call, const carom_body_desc* given, BodyDef& def) {
   if (def.has_center) def.center = to_vec3(d.center);
   if (def.has_inertia) {
     const Mat3 m = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(d.inertia);
-    def.inertia = (m + m.transpose()) / 2;
+    def.inertia = 0.5 * m + 0.5 * m.transpose();  // the largest does not overflow
   }
   def.linear_damping = d.linear_damping;
   def.angular_damping = d.angular_damping;

@@ -36,9 +36,12 @@ static_assert(same(Dial::integrator, CAROM_DIAL_INTEGRATOR) && same(Dial::rotati
               same(Dial::hold_angle, CAROM_DIAL_HOLD_ANGLE) &&
               same(Dial::joint_frequency, CAROM_DIAL_JOINT_FREQUENCY) &&
               same(Dial::joint_damping, CAROM_DIAL_JOINT_DAMPING) &&
-              same(Dial::continuous, CAROM_DIAL_CONTINUOUS) && same(Dial::count, CAROM_DIAL_COUNT));
+              same(Dial::continuous, CAROM_DIAL_CONTINUOUS) && same(Dial::precision, CAROM_DIAL_PRECISION) &&
+              same(Dial::count, CAROM_DIAL_COUNT));
 static_assert(kSweepNobody == CAROM_SWEEP_NOBODY && kSweepFlagged == CAROM_SWEEP_FLAGGED &&
               kSweepFast == CAROM_SWEEP_FAST);
+static_assert(static_cast<std::uint32_t>(Precision::in_float) == CAROM_PRECISION_FLOAT &&
+              static_cast<std::uint32_t>(Precision::in_double) == CAROM_PRECISION_DOUBLE);
 constexpr bool same(Preset inside, std::uint32_t outside) { return static_cast<std::uint32_t>(inside) == outside; }
 static_assert(same(Preset::fast, CAROM_PRESET_FAST) && same(Preset::balanced, CAROM_PRESET_BALANCED) &&
               same(Preset::accurate, CAROM_PRESET_ACCURATE) && same(Preset::reference, CAROM_PRESET_REFERENCE) &&

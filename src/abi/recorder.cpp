@@ -26,10 +26,10 @@ void Pen::records(const void* from, std::uint64_t n, std::uint32_t scalars, std:
   for (std::uint64_t i = 0; i < n; ++i) put(static_cast<const char*>(from) + i * (stride ? stride : size), size);
 }
 
-Recorder::Recorder(carom_engine& engine, std::uint32_t flags, carom_write_fn write, void* user)
+Recorder::Recorder(carom_engine& engine, std::uint32_t flags, carom_write_fn to_host, void* user)
     : engine_(engine),
       flags_(flags),
-      write_(write),
+      write_(to_host),
       user_(user),
       names_(&engine.memory),
       shapes_(&engine.memory),

@@ -44,7 +44,7 @@ bool is_like(const ShapeRecord& record, const ShapeImage& image) {
 
 bool refuse(SnapshotFault& fault, SnapshotFault::Kind kind, const char* what, const char* why) {
   fault.kind = kind;
-  std::snprintf(fault.text, sizeof fault.text, "%s: %s", what, why);
+  std::snprintf(fault.text, sizeof fault.text, "%.150s: %.80s", what, why);
   return false;
 }
 

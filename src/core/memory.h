@@ -29,7 +29,7 @@ void make_room(std::size_t slot, A&... arrays) {
 template <class T>
 struct OwnedDelete {
   Memory* memory = nullptr;
-  std::size_t size = 0, alignment = 0;
+  std::uint32_t size = 0, alignment = 0;
   void operator()(T* object) const {
     object->~T();
     memory->deallocate(object, size, alignment);
@@ -44,7 +44,7 @@ using Owned = std::unique_ptr<T, OwnedDelete<T>>;
 template <class Base, class T = Base, class... Args>
 Owned<Base> make_owned(Memory* memory, Args&&... args) {
   return Owned<Base>(std::pmr::polymorphic_allocator<>(memory).new_object<T>(std::forward<Args>(args)...),
-                     {memory, sizeof(T), alignof(T)});
+                     {memory, static_cast<std::uint32_t>(sizeof(T)), static_cast<std::uint32_t>(alignof(T))});
 }
 
 }  // namespace carom

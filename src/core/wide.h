@@ -1,6 +1,6 @@
-// Lanes: four reals that go through the same arithmetic side by side.
+// Lanes: four reals that go through the same arithmetic side by side, doubles or floats.
 //
-// The width is part of the layout, not of the machine: on SSE2 four lanes are two registers, on AVX2 one. Every lane
+// The width is part of the layout, not of the machine: on SSE2 four doubles are two registers, on AVX2 one. Every lane
 // goes through the same operations in the same order whatever the registers, so results have the same bits anywhere.
 // Everything here is inlined always: a file that includes it may be compiled for a newer machine than the rest, and no
 // copy of a function made for that machine may be left for others to call.
@@ -19,14 +19,32 @@ namespace carom {
 
 inline constexpr int kLanes = 4;
 
-// Aligned by hand: compilers align them by the widest registers that they know of, and layouts must not differ.
-using Lanes = double __attribute__((vector_size(kLanes * sizeof(double)), aligned(kLanes * sizeof(double))));
+/// Lanes of a kind of number. Aligned by hand: compilers align them by the widest registers that they know of, and
+/// layouts must not differ.
+template <class Number>
+struct Wide;
+template <>
+struct Wide<double> {
+  using Lanes = double __attribute__((vector_size(kLanes * sizeof(double)), aligned(kLanes * sizeof(double))));
+};
+template <>
+struct Wide<float> {
+  using Lanes = float __attribute__((vector_size(kLanes * sizeof(float)), aligned(kLanes * sizeof(float))));
+};
+template <class Number>
+using LanesOf = typename Wide<Number>::Lanes;
+using Lanes = LanesOf<double>;
 using LaneMask =
     std::int64_t __attribute__((vector_size(kLanes * sizeof(double)), aligned(kLanes * sizeof(double))));  // 0 or -1
 
 #define CAROM_LANES_INLINE [[gnu::always_inline]] inline
 
 CAROM_LANES_INLINE Lanes all(double x) { return Lanes{x, x, x, x}; }
+template <class Number>
+CAROM_LANES_INLINE LanesOf<Number> all(double x) {
+  const auto n = static_cast<Number>(x);
+  return LanesOf<Number>{n, n, n, n};
+}
 CAROM_LANES_INLINE Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }   // b where either is no number
 CAROM_LANES_INLINE Lanes smaller(Lanes a, Lanes b) { return a < b ? a : b; }  // likewise
 CAROM_LANES_INLINE Lanes square_root(Lanes a) {
@@ -34,9 +52,20 @@ CAROM_LANES_INLINE Lanes square_root(Lanes a) {
 }
 /// 1 / a, 0 where a is not above 0.
 CAROM_LANES_INLINE Lanes inverse_or_zero(Lanes a) {
-  const LaneMask positive = a > 0;
+  const auto positive = a > 0;
   const Lanes inverse = 1 / (positive ? a : all(1));
   return positive ? inverse : all(0);
+}
+// The same for floats.
+CAROM_LANES_INLINE LanesOf<float> larger(LanesOf<float> a, LanesOf<float> b) { return a > b ? a : b; }
+CAROM_LANES_INLINE LanesOf<float> smaller(LanesOf<float> a, LanesOf<float> b) { return a < b ? a : b; }
+CAROM_LANES_INLINE LanesOf<float> square_root(LanesOf<float> a) {
+  return LanesOf<float>{__builtin_sqrtf(a[0]), __builtin_sqrtf(a[1]), __builtin_sqrtf(a[2]), __builtin_sqrtf(a[3])};
+}
+CAROM_LANES_INLINE LanesOf<float> inverse_or_zero(LanesOf<float> a) {
+  const auto positive = a > 0;
+  const LanesOf<float> inverse = 1 / (positive ? a : all<float>(1));
+  return positive ? inverse : all<float>(0);
 }
 
 /// Two numbers of each of four rows as two lanes, and back.
@@ -78,23 +107,56 @@ struct LaneRows {
 };
 #endif
 
-/// Four vectors, component by component.
-struct LaneVec {
-  Lanes x, y, z;
+/// Four rows of four floats as lanes, or back: lane[k][i] = row[i][k].
+struct FloatLanes {
+  LanesOf<float> lane[kLanes];
 };
-CAROM_LANES_INLINE LaneVec operator+(const LaneVec& a, const LaneVec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-CAROM_LANES_INLINE LaneVec operator-(const LaneVec& a, const LaneVec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-CAROM_LANES_INLINE LaneVec operator*(Lanes s, const LaneVec& a) { return {s * a.x, s * a.y, s * a.z}; }
-CAROM_LANES_INLINE Lanes dot(const LaneVec& a, const LaneVec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-CAROM_LANES_INLINE LaneVec cross(const LaneVec& a, const LaneVec& b) {
+CAROM_LANES_INLINE FloatLanes transpose(LanesOf<float> a, LanesOf<float> b, LanesOf<float> c, LanesOf<float> d) {
+  const LanesOf<float> ac = __builtin_shufflevector(a, c, 0, 4, 1, 5), ac2 = __builtin_shufflevector(a, c, 2, 6, 3, 7),
+                       bd = __builtin_shufflevector(b, d, 0, 4, 1, 5), bd2 = __builtin_shufflevector(b, d, 2, 6, 3, 7);
+  return {{__builtin_shufflevector(ac, bd, 0, 4, 1, 5), __builtin_shufflevector(ac, bd, 2, 6, 3, 7),
+           __builtin_shufflevector(ac2, bd2, 0, 4, 1, 5), __builtin_shufflevector(ac2, bd2, 2, 6, 3, 7)}};
+}
+/// @param from  aligned as Lanes are
+CAROM_LANES_INLINE Lanes lanes_at(const double* from) { return *reinterpret_cast<const Lanes*>(from); }
+CAROM_LANES_INLINE LanesOf<float> to_float(Lanes a) { return __builtin_convertvector(a, LanesOf<float>); }
+CAROM_LANES_INLINE Lanes to_double(LanesOf<float> a) { return __builtin_convertvector(a, Lanes); }
+
+/// Four vectors, component by component.
+template <class Number>
+struct LaneVecOf {
+  LanesOf<Number> x, y, z;
+};
+using LaneVec = LaneVecOf<double>;
+template <class Number>
+CAROM_LANES_INLINE LaneVecOf<Number> operator+(const LaneVecOf<Number>& a, const LaneVecOf<Number>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class Number>
+CAROM_LANES_INLINE LaneVecOf<Number> operator-(const LaneVecOf<Number>& a, const LaneVecOf<Number>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class Number>
+CAROM_LANES_INLINE LaneVecOf<Number> operator*(LanesOf<Number> s, const LaneVecOf<Number>& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+template <class Number>
+CAROM_LANES_INLINE LanesOf<Number> dot(const LaneVecOf<Number>& a, const LaneVecOf<Number>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class Number>
+CAROM_LANES_INLINE LaneVecOf<Number> cross(const LaneVecOf<Number>& a, const LaneVecOf<Number>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /// Four symmetric matrices.
-struct LaneSymmetric {
-  Lanes xx, xy, xz, yy, yz, zz;
+template <class Number>
+struct LaneSymmetricOf {
+  LanesOf<Number> xx, xy, xz, yy, yz, zz;
 };
-CAROM_LANES_INLINE LaneVec operator*(const LaneSymmetric& m, const LaneVec& a) {
+using LaneSymmetric = LaneSymmetricOf<double>;
+template <class Number>
+CAROM_LANES_INLINE LaneVecOf<Number> operator*(const LaneSymmetricOf<Number>& m, const LaneVecOf<Number>& a) {
   return {m.xx * a.x + m.xy * a.y + m.xz * a.z, m.xy * a.x + m.yy * a.y + m.yz * a.z,
           m.xz * a.x + m.yz * a.y + m.zz * a.z};
 }

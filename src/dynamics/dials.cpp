@@ -14,6 +14,7 @@ constexpr const char* kBroadPhases[] = {"brute_force", "sweep_and_prune", "grid"
 constexpr const char* kNarrowPhases[] = {"hybrid", "gjk_epa"};
 constexpr const char* kSimplices[] = {"johnson", "voronoi", "voronoi_last"};
 constexpr const char* kContinuous[] = {"off", "flagged", "fast"};
+constexpr const char* kPrecisions[] = {"float", "double"};
 constexpr const char* kManifolds[] = {"single", "cache", "patch", "clip"};
 
 template <std::uint32_t N>
@@ -117,6 +118,10 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
            "who is swept from pose to pose, so that it passes through nothing: nobody, bodies that a host flagged, or "
            "also what moves far for its size in a step",
            kContinuous, 2),
+    choice(Dial::precision, "precision",
+           "numbers in which contacts are solved in lanes: float takes half the memory; poses, velocities and all else "
+           "stay double",
+           kPrecisions, 1),
 }};
 
 constexpr bool in_order() {

@@ -49,9 +49,13 @@ enum class Dial : std::uint32_t {
   joint_frequency,
   joint_damping,
   continuous,
+  precision,
   count
 };
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);
+
+/// Values of Dial::precision.
+enum class Precision : std::uint32_t { in_float, in_double };
 
 struct DialRow {
   Dial dial;

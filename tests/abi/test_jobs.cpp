@@ -65,8 +65,9 @@ struct Heap {
 
 constexpr uint32_t kSolvers[] = {CAROM_SOLVER_SEVERITY, CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP};
 
-uint64_t hash_after(uint32_t solver, const carom_jobs_desc* jobs) {
+uint64_t hash_after(uint32_t solver, const carom_jobs_desc* jobs, uint32_t precision = CAROM_PRECISION_DOUBLE) {
   Heap heap(jobs);
+  assert_int_equal(carom_world_set_dial(heap.b.world, CAROM_DIAL_PRECISION, precision, nullptr), CAROM_OK);
   assert_int_equal(carom_world_set_dial(heap.b.world, CAROM_DIAL_SOLVER, solver, nullptr), CAROM_OK);
   if (solver != CAROM_SOLVER_SEVERITY) {
     assert_int_equal(carom_world_set_dial(heap.b.world, CAROM_DIAL_SUBSTEPS, 2, nullptr), CAROM_OK);
@@ -88,13 +89,15 @@ carom_jobs_desc pool_of(uint32_t threads) {
 }
 
 void the_number_of_threads_does_not_change_a_bit(void**) {
-  for (const uint32_t solver : kSolvers) {
-    const uint64_t alone = hash_after(solver, nullptr);
-    for (const uint32_t threads : {2u, 4u}) {
-      const carom_jobs_desc desc = pool_of(threads);
-      assert_true(hash_after(solver, &desc) == alone);
+  for (const uint32_t solver : kSolvers)
+    for (const uint32_t precision : {CAROM_PRECISION_DOUBLE, CAROM_PRECISION_FLOAT}) {
+      if (solver == CAROM_SOLVER_SEVERITY && precision == CAROM_PRECISION_FLOAT) continue;  // knows of none
+      const uint64_t alone = hash_after(solver, nullptr, precision);
+      for (const uint32_t threads : {2u, 4u}) {
+        const carom_jobs_desc desc = pool_of(threads);
+        assert_true(hash_after(solver, &desc, precision) == alone);
+      }
     }
-  }
 }
 
 /// Ways in which a host may deal out parts, the last of them against the rules.

@@ -43,7 +43,7 @@ class Complete(unittest.TestCase):
             if f["returns"] != "int32_t":
                 continue
             function = getattr(raw, f["name"])
-            empty = [None if issubclass(t, (ctypes.c_void_p, ctypes._Pointer, ctypes.c_char_p)) else 0 for t in function.argtypes]
+            empty = [t() if issubclass(t, ctypes._CFuncPtr) else None if issubclass(t, (ctypes.c_void_p, ctypes._Pointer, ctypes.c_char_p)) else 0 for t in function.argtypes]
             self.assertLess(function(*empty), 0, f["name"])
             called += 1
         self.assertGreater(called, 150)

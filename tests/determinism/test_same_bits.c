@@ -7,8 +7,11 @@
 
 #include "carom_test.h"
 
-static const double kSolvers[] = {CAROM_SOLVER_SEVERITY,   CAROM_SOLVER_SEVERITY, CAROM_SOLVER_SOFT_STEP,
-                                  CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_DIRECT,   CAROM_SOLVER_AUTO};
+/* By setting; the last three with contacts in floats. */
+static const double kSolvers[] = {CAROM_SOLVER_SEVERITY,   CAROM_SOLVER_SEVERITY,  CAROM_SOLVER_SOFT_STEP,
+                                  CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_DIRECT,    CAROM_SOLVER_AUTO,
+                                  CAROM_SOLVER_SOFT_STEP,  CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_AUTO};
+enum { kSettings = 9, kFirstInFloat = 6 };
 
 /* Whether all steps below take a detour: half of them, then a snapshot, some steps more, the snapshot put back, and the
  * other half. */
@@ -41,6 +44,8 @@ static uint64_t bits_after(const carom_engine_desc *desc, int steps, int setting
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_INTEGRATOR, CAROM_INTEGRATOR_RK4, NULL), CAROM_OK);
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_BROAD_PHASE, CAROM_BROAD_GRID, NULL), CAROM_OK);
   }
+  if (setting >= kFirstInFloat)
+    assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_PRECISION, CAROM_PRECISION_FLOAT, NULL), CAROM_OK);
   assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SOLVER, kSolvers[setting], NULL), CAROM_OK);
   assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SUBSTEPS, setting < 2 ? 1 : 4, NULL), CAROM_OK);
   /* So that auto gives to both of its solvers: with its default it would give nothing here to the direct one. */
@@ -113,14 +118,15 @@ static void handle_numbers_do_not_matter(void **state) {
 }
 
 /* What every compiler (gcc, clang), build type (Release, Debug, sanitizers) and machine must get: 200 steps of the stage, by
- * the specific routines, by the generic path, and by the other solvers (soft_step, sequential, direct, auto). When physics is meant to
- * change, so do these: say why in the commit. */
+ * the specific routines, by the generic path, by the other solvers (soft_step, sequential, direct, auto), and with contacts in
+ * floats (soft_step, sequential, auto). When physics is meant to change, so do these: say why in the commit. */
 static void the_bits_are_those_of_every_other_build(void **state) {
-  const uint64_t golden[6] = {0x88ee72e540d68689u, 0xec2c25f96faf8269u, 0x05e875b40c4e0b41u,
-                              0xa76d940665858ca0u, 0x51c3f729cefec461u, 0x9dd9b9ee967ffb52u};
+  const uint64_t golden[kSettings] = {0x88ee72e540d68689u, 0xec2c25f96faf8269u, 0x05e875b40c4e0b41u,
+                              0xa76d940665858ca0u, 0x55c09c009f34fcf6u, 0x9dd9b9ee967ffb52u,
+                                      0xd9786b70b8a06148u, 0x990ae14224c490bau, 0x3b04c04a0e17d6bbu};
   int setting, wrong = 0;
   (void)state;
-  for (setting = 0; setting < 6; ++setting) {
+  for (setting = 0; setting < kSettings; ++setting) {
     const uint64_t got = bits_after(NULL, 200, setting);
     wrong += got != golden[setting];
     if (got != golden[setting]) print_error("setting %d: 0x%016llx\n", setting, (unsigned long long)got);
@@ -206,21 +212,24 @@ static void so_are_those_of_joints(void **state) {
   assert_int_equal(wrong, 0);
 }
 
-/* The same of bodies with a gravity factor, of locked bodies (also on a joint) and of belts, by solver. 200 steps. */
+/* The same of bodies with a gravity factor, of locked bodies (also on a joint) and of belts, by solver, and of sequential and
+ * soft_step with contacts in floats. 200 steps. */
 static void so_are_those_of_factors_locks_and_belts(void **state) {
-  const uint64_t golden[4] = {0x9957e8512367c07du, 0x8099257b0ec21a04u, 0xeae6311db21c8db0u,
-                              0xb6b994747e7ef97cu};
+  const uint64_t golden[6] = {0x9957e8512367c07du, 0x8099257b0ec21a04u, 0xeae6311db21c8db0u,
+                              0xb4f012e74cc096b5u, 0x08b9e5745d5917bfu, 0x33de1f11461898ebu};
   const double belt[3] = {0.75, 0, 0.25}, turn[3] = {0, 0.5, 0};
-  uint32_t solver;
+  uint32_t i;
   int wrong = 0;
   (void)state;
-  for (solver = 1; solver <= 4; ++solver) {
+  for (i = 0; i < 6; ++i) {
     Bench b;
+    const uint32_t solver = 1 + i % 4, precision = i < 4 ? CAROM_PRECISION_DOUBLE : CAROM_PRECISION_FLOAT;
     uint64_t got;
     carom_joint_desc d;
     carom_joint joint;
     assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
+    assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_PRECISION, precision, NULL), CAROM_OK);
     assert_int_equal(carom_collider_set_surface_velocity(b.world, b.ground_collider, belt, turn, NULL), CAROM_OK);
     assert_int_equal(carom_collider_set_surface_velocity(b.world, b.colliders[3], turn, belt, NULL), CAROM_OK);
     assert_int_equal(carom_body_set_gravity_factor(b.world, b.bodies[0], 0.75, NULL), CAROM_OK);
@@ -232,8 +241,8 @@ static void so_are_those_of_factors_locks_and_belts(void **state) {
     assert_int_equal(carom_joint_create(b.world, &d, &joint, NULL), CAROM_OK);
     assert_int_equal(steps_of(b.world, 200, NULL), CAROM_OK);
     got = bench_hash(b.world);
-    wrong += got != golden[solver - 1];
-    if (got != golden[solver - 1]) print_error("solver %u: 0x%016llx\n", solver, (unsigned long long)got);
+    wrong += got != golden[i];
+    if (got != golden[i]) print_error("solver %u, precision %u: 0x%016llx\n", solver, precision, (unsigned long long)got);
     assert_int_equal(bench_free(&b), CAROM_OK);
   }
   assert_int_equal(wrong, 0);

@@ -396,7 +396,7 @@ static void a_world_without_locks_keeps_no_list_of_them(void**) {
     t.run(30, 1.0 / 60);
     const PlannedEffect* row = t.world.plan->find("axis_locks");
     assert_true(row->evaluations == 0 && row->customers.count == 0);
-    assert_true(t.world.scene.locks.capacity() == 0 && t.world.wide->locks.capacity() == 0 &&
+    assert_true(t.world.scene.locks.capacity() == 0 && t.world.wide->in_double.locks.capacity() == 0 &&
                 t.world.wide_joints->locks.capacity() == 0);
   }
 }

@@ -241,7 +241,7 @@ static void what_moves_no_surface_costs_nothing_and_changes_nothing(void**) {
     const std::uint64_t customers = t.world.plan->find("surface_velocity")->customers.count;
     assert_int_equal(customers, i == 2 ? t.world.report.contact_points : 0);
     assert_int_equal(t.world.contacts->surface.capacity() > 0, i == 2);
-    if (i < 2) assert_int_equal(t.world.wide->drives.capacity(), 0);
+    if (i < 2) assert_int_equal(t.world.wide->in_double.drives.capacity(), 0);
   }
   assert_true(hash[0] == hash[1] && hash[0] != hash[2]);
 }

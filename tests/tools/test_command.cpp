@@ -32,7 +32,7 @@ static void errors_exit_nonzero_and_say_what_to_do(void**) {
     const char *line, *expected;
   } cases[] = {
       {"run sesaw", "did you mean 'seesaw'"},
-      {"run", "carom COMMAND --help"},
+      {"run", "no scene is named"},
       {"", "--help"},
       {"run falling --n 0", "from 1 to 100000"},
       {"run falling --set m=3", "it has: n"},
@@ -175,6 +175,12 @@ static void a_plugin_that_hangs_is_stopped_and_the_direction_named(void**) {
 }
 
 static void a_plugin_that_crashes_takes_only_the_child_with_it(void**) { liar("crash", "direction:  ("); }
+static void a_plugin_that_leaves_the_call_is_told_how(void**) {
+  liar("abort", "it crashed (signal 6: Aborted)");
+  liar("exit", "it ended the process (status 0)");
+  liar("throw", "it threw an exception");
+  for (const char* name : {"abort", "exit", "jump", "throw"}) liar(name, "direction:  (");
+}
 
 static void nan_dents_lengths_memory_and_false_declarations_are_caught(void**) {
   liar("nan", "NaN");
@@ -195,6 +201,7 @@ int main() {
       cmocka_unit_test(honest_plugins_pass_the_check),
       cmocka_unit_test(a_plugin_that_hangs_is_stopped_and_the_direction_named),
       cmocka_unit_test(a_plugin_that_crashes_takes_only_the_child_with_it),
+      cmocka_unit_test(a_plugin_that_leaves_the_call_is_told_how),
       cmocka_unit_test(nan_dents_lengths_memory_and_false_declarations_are_caught),
   };
   return cmocka_run_group_tests_name("tools/command", tests, nullptr, nullptr);

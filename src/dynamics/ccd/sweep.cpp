@@ -23,7 +23,7 @@ void tell_contacts(World& world) {
   if (world.contacts->rows.empty()) return;
   refresh_rotations(world);
   refresh_separations(world);
-  if (!world.wide->pairs.empty()) measure_lanes(world);
+  if (!world.wide->manifolds.empty()) measure_lanes(world);
   for (GroupRest& rest : world.direct->rest) rest.lasts = false;
 }
 

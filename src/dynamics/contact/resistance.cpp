@@ -16,8 +16,10 @@ Real pressed(const World& world, const Resistance& r) {
   Real sum = 0;
   if (world.plan->solver->in_lanes && c.answered_in_lanes(r.row)) {
     const WideContacts::Manifold& m = world.wide->manifold_of(r.row);
-    const PairLanes& pair = world.wide->pairs[m.pair];
-    for (std::uint32_t k = 0; k < m.points; ++k) sum += world.wide->points[pair.first + k].p_n[m.lane];
+    with_lanes(*world.wide, [&](const auto& lanes, const auto&) {
+      const auto& pair = lanes.pairs[m.pair];
+      for (std::uint32_t k = 0; k < m.points; ++k) sum += lanes.points[pair.first + k].p_n[m.lane];
+    });
     return sum;
   }
   for (std::uint32_t i = r.row; i < r.row + r.points; ++i) sum += c.geometry[i].impulse.dot(c.rows[i].n);

@@ -101,19 +101,20 @@ void share_point(Shares& shares, const Row& row, const Vec3& p, const Vec3& r_a,
 }
 
 /// @param old  impulses are those since note_impulses()
-void share_lanes(Shares& shares, bool old) {
+template <class Number>
+void share_lanes(Shares& shares, const ContactLanes<Number>& lanes, bool old) {
   const World& world = shares.world();
   const WideContacts& wide = *world.wide;
   const Contacts& c = *world.contacts;
   const Ledger& l = *world.ledger;
   for (const WideContacts::Manifold& m : wide.manifolds) {
-    const PairLanes& pair = wide.pairs[m.pair];
+    const PairLanesOf<Number>& pair = lanes.pairs[m.pair];
     const std::uint32_t lane = m.lane;
     const Link link = link_of(c.rows[m.row]);
     const Vec3 n = get(pair.n, lane), t = get(pair.t, lane), r_a = get(pair.r_a, lane), r_b = get(pair.r_b, lane);
     Gift normal(world), friction(world);
     for (std::uint32_t k = 0; k < m.points; ++k) {
-      const PointLanes& point = wide.points[pair.first + k];
+      const PointLanesOf<Number>& point = lanes.points[pair.first + k];
       const Real p = point.p_n[lane] - (old ? l.old_points[(pair.first + k) * kLanes + lane] : 0);
       const Vec3 d = get(point.d, lane);
       if (p != 0) normal.add(link, p * (pair.one_normal ? n : get(point.n, lane)), r_a + d, r_b + d);
@@ -125,6 +126,10 @@ void share_lanes(Shares& shares, bool old) {
     shares.give(Cause::contact, normal);
     shares.give(Cause::friction, friction);
   }
+}
+
+void share_lanes(Shares& shares, bool old) {
+  with_lanes(*shares.world().wide, [&](const auto& lanes, const auto&) { share_lanes(shares, lanes, old); });
 }
 
 void share_rows(Shares& shares) {
@@ -200,8 +205,10 @@ bool answers_directly(const World& world) {
 
 void make_room_for_shares(World& world) {
   Ledger& l = *world.ledger;
-  l.old_points.resize(world.wide->points.size() * kLanes);
-  l.old_pairs.resize(world.wide->pairs.size() * kLanes * 3);
+  with_lanes(*world.wide, [&](const auto& lanes, const auto&) {
+    l.old_points.resize(lanes.points.size() * kLanes);
+    l.old_pairs.resize(lanes.pairs.size() * kLanes * 3);
+  });
   l.old_rows.resize(world.wide_joints->rows.size() * kLanes);
   l.old_drives.resize(world.wide_joints->drives.size() * kLanes);
   l.old_impacts.resize(world.contacts->impacts.size());
@@ -211,15 +218,18 @@ void note_impulses(World& world) {
   Ledger& l = *world.ledger;
   const WideContacts& wide = *world.wide;
   const WideJoints& w = *world.wide_joints;
-  const auto note = [](Real* to, std::size_t stride, const Lanes& from) {
+  const auto note = [](Real* to, std::size_t stride, const auto& from) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) to[lane * stride] = from[lane];
   };
   if (world.plan->solver->in_lanes) {
-    for (std::size_t i = 0; i < wide.points.size(); ++i) note(&l.old_points[i * kLanes], 1, wide.points[i].p_n);
-    for (std::size_t i = 0; i < wide.pairs.size(); ++i) {
-      Real* const to = &l.old_pairs[i * kLanes * 3];
-      note(to, 3, wide.pairs[i].p_t), note(to + 1, 3, wide.pairs[i].p_s), note(to + 2, 3, wide.pairs[i].p_w);
-    }
+    with_lanes(wide, [&](const auto& lanes, const auto&) {
+      for (std::size_t i = 0; i < lanes.points.size(); ++i) note(&l.old_points[i * kLanes], 1, lanes.points[i].p_n);
+      for (std::size_t i = 0; i < lanes.pairs.size(); ++i) {
+        const auto& pair = lanes.pairs[i];
+        Real* const to = &l.old_pairs[i * kLanes * 3];
+        note(to, 3, pair.p_t), note(to + 1, 3, pair.p_s), note(to + 2, 3, pair.p_w);
+      }
+    });
   }
   for (std::size_t i = 0; i < w.rows.size(); ++i) note(&l.old_rows[i * kLanes], 1, w.rows[i].p);
   for (std::size_t i = 0; i < w.drives.size(); ++i) note(&l.old_drives[i * kLanes], 1, w.drives[i].row.p);

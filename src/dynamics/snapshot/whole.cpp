@@ -234,7 +234,7 @@ struct Wearers {
       unsigned bits = 0;
       if constexpr (Io::saves) {
         const bool there = zero_bits(c.local[i].p) && same_bits(c.local[i].q, Quat::Identity());
-        bits = (c.material[i] == Colliders::kNoMaterial ? 0u : kMaterial) | (there ? 0u : kLocal);
+        bits = (c.material[i] == Colliders::kNoMaterial ? 0u : +kMaterial) | (there ? 0u : +kLocal);
         shape = more(c.shape[i]), local = c.local[i];
       }
       bits = io.value(static_cast<std::uint8_t>(bits));

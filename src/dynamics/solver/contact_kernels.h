@@ -7,31 +7,40 @@
 
 namespace carom {
 
-/// The same functions for one width; same bits from each.
-struct ContactKernels {
-  const char* name;
-  /// Masses at each point, from arms and inertias.
-  void (*prepare)(const LaneRun& run);
+/// What is done to rows of doubles, or of floats.
+template <class Number>
+struct ContactSweeps {
+  using Run = LaneRunOf<Number>;
+  /// Masses at each point, from arms and inertias. False: some number is beyond what floats can bear, @see
+  /// float_range.h
+  bool (*prepare)(const Run& run);
   /// Let the impulses kept so far act.
-  void (*warm_start)(const LaneRun& run);
+  void (*warm_start)(const Run& run);
   /// One sweep: friction, then normals. Contacts that are open may close by their separation within inv_h;
   /// penetration is undone at the rate of the softness, at push_speed at most beyond what holds the load.
   /// @param inv_h  1/s   @param push_speed  m/s
-  void (*solve)(const LaneRun& run, double inv_h, double push_speed);
+  void (*solve)(const Run& run, double inv_h, double push_speed);
   /// Separations at the present poses, then the same sweep without the push: what it gave to velocities is taken back.
-  void (*relax)(const LaneRun& run, double inv_h);
+  void (*relax)(const Run& run, double inv_h);
   /// Likewise, but what will bounce in the next substep is not slowed down now.
-  void (*relax_sparing)(const LaneRun& run, double inv_h);
+  void (*relax_sparing)(const Run& run, double inv_h);
   /// One sweep without a spring: friction, then normals, which undo no penetration.
-  void (*sweep)(const LaneRun& run, double inv_h);
+  void (*sweep)(const Run& run, double inv_h);
   /// Book this substep's impulses under the step's.
-  void (*book)(const LaneRun& run);
+  void (*book)(const Run& run);
   /// One sweep over displacements instead of velocities: what lies deeper than `slop`, and than its spring lets sink
   /// what it bears, is moved apart by `share` of that.
   /// @param run  velocities of this run are displacements, m and rad
-  void (*part)(const LaneRun& run, double share, double slop);
+  void (*part)(const Run& run, double share, double slop);
   /// Separations at the present poses; displacements asked for by part() are forgotten.
-  void (*measure)(const LaneRun& run);
+  void (*measure)(const Run& run);
+};
+
+/// The same functions for one width; same bits from each.
+struct ContactKernels {
+  const char* name;
+  ContactSweeps<double> in_double;
+  ContactSweeps<float> in_float;
 };
 
 /// The widest that this machine has: what a world starts with. A test gives WideContacts::kernels another.

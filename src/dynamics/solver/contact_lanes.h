@@ -30,7 +30,10 @@ inline constexpr int kPairPoints = 4;
 inline constexpr int kCouplings = kPairPoints * (kPairPoints - 1) / 2;
 
 /// One point of each of four pairs. Impulses act on B, and on A the other way.
-struct PointLanes {
+template <class Number>
+struct PointLanesOf {
+  using Lanes = LanesOf<Number>;
+  using LaneVec = LaneVecOf<Number>;
   LaneVec d;         // m, world axes: from the middle of the pair's points, as the step began
   Lanes gap;         // m, separation as the step began
   Lanes separation;  // m, now
@@ -45,7 +48,11 @@ struct PointLanes {
 /// Four pairs of one colour. Friction is answered once a pair, at the middle of its points: a force in the plane,
 /// within the disc of radius mu times the normal impulses, and a twist about the normal, within mu times their moments.
 /// The second tangent is n x t.
-struct PairLanes {
+template <class Number>
+struct PairLanesOf {
+  using Lanes = LanesOf<Number>;
+  using LaneVec = LaneVecOf<Number>;
+  using LaneSymmetric = LaneSymmetricOf<Number>;
   std::uint32_t a[kLanes], b[kLanes];          // solver bodies; 0: nobody, or nobody that moves
   std::uint32_t first, points;                 // in WideContacts::points
   std::uint32_t one_normal;                    // 1: all points of each pair have its n, and PointLanes::n is not read
@@ -66,26 +73,36 @@ struct PairLanes {
 };
 
 /// Four pairs of which some have a surface that moves of itself: what B's does relative to A's, beside the bodies.
-struct DriveLanes {
+template <class Number>
+struct DriveLanesOf {
+  using Lanes = LanesOf<Number>;
   Lanes t, s;  // m/s, along the tangents, at the middle of the points
   Lanes w;     // rad/s, about the normal
 };
 
 /// Four pairs or joints of which some have a body that is locked along world axes: 1 where it is free, 0 where not.
-struct LockLanes {
+template <class Number>
+struct LockLanesOf {
+  using LaneVec = LaneVecOf<Number>;
   LaneVec free_a, free_b;
 };
 
 /// A run of pairs with their points and all bodies.
-struct LaneRun {
-  PairLanes* pairs;
+template <class Number>
+struct LaneRunOf {
+  PairLanesOf<Number>* pairs;
   std::size_t count;
-  PointLanes* points;
+  PointLanesOf<Number>* points;
   BodyVelocity* velocity;
   const BodyShift* shift;
   std::uint32_t first_moved;  // bodies below are not written
-  const DriveLanes* drives;
-  const LockLanes* locks;
+  const DriveLanesOf<Number>* drives;
+  const LockLanesOf<Number>* locks;
 };
+
+using PairLanes = PairLanesOf<double>;
+using PointLanes = PointLanesOf<double>;
+using LockLanes = LockLanesOf<double>;
+using LaneRun = LaneRunOf<double>;
 
 }  // namespace carom

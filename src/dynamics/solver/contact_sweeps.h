@@ -2,9 +2,9 @@
 // registers, compiled for it; all that stands here is local to that file.
 #pragma once
 
+#include "dynamics/solver/both_sides.h"
 #include "dynamics/solver/contact_kernels.h"
 #include "dynamics/solver/contact_masses.h"
-#include "dynamics/solver/lane_sides.h"
 
 namespace carom {
 namespace {
@@ -13,47 +13,13 @@ constexpr int kInnerSweeps = 2;     // there and back
 constexpr double kUnderLoad = 0.1;  // of push_speed: how fast what bears as much as it may push still parts further
 constexpr double kSpared = 1.2;     // times what a spring sinks under its load at rest
 
-/// Both sides of four pairs, and what an impulse does to them.
-struct Both {
-  Side a, b;
-  const PairLanes& pair;
-  const LockLanes* locks;  // null: none
-
-  CAROM_LANES_INLINE Both(const PairLanes& p, const LaneRun& run)
-      : pair(p), locks(p.locked ? run.locks + (p.locked - 1) : nullptr) {
-    a.load(run.velocity, p.a);
-    b.load(run.velocity, p.b);
-  }
-  CAROM_LANES_INLINE void store(const LaneRun& run) const {
-    a.store(run.velocity, run.first_moved, pair.a);
-    b.store(run.velocity, run.first_moved, pair.b);
-  }
-  CAROM_LANES_INLINE LaneVec relative(const LaneVec& r_a, const LaneVec& r_b) const {
-    return (b.v + cross(b.omega, r_b)) - (a.v + cross(a.omega, r_a));
-  }
-  /// @param moment_a, moment_b  N m s, of the impulse about the centres of mass
-  CAROM_LANES_INLINE void apply(const LaneVec& impulse, const LaneVec& moment_a, const LaneVec& moment_b) {
-    a.v = a.v - pair.inv_mass_a * (locks ? each(locks->free_a, impulse) : impulse);
-    a.omega = a.omega - pair.inv_inertia_a * moment_a;
-    b.v = b.v + pair.inv_mass_b * (locks ? each(locks->free_b, impulse) : impulse);
-    b.omega = b.omega + pair.inv_inertia_b * moment_b;
-  }
-  CAROM_LANES_INLINE void push(const LaneVec& r_a, const LaneVec& r_b, const LaneVec& impulse) {
-    apply(impulse, cross(r_a, impulse), cross(r_b, impulse));
-  }
-  CAROM_LANES_INLINE void twist(const LaneVec& moment) {
-    a.omega = a.omega - pair.inv_inertia_a * moment;
-    b.omega = b.omega + pair.inv_inertia_b * moment;
-  }
-};
-
 /// f(count, one_normal) as the pair has it, known to the compiler: points then stay in registers.
 template <int n>
 struct Count {
   static constexpr int value = n;
 };
-template <class F>
-CAROM_LANES_INLINE void as_it_is(const PairLanes& pair, const F& f) {
+template <class Pair, class F>
+CAROM_LANES_INLINE void as_it_is(const Pair& pair, const F& f) {
   static_assert(kPairPoints == 4);
   if (pair.one_normal) switch (pair.points) {
       case 1:
@@ -76,8 +42,10 @@ CAROM_LANES_INLINE void as_it_is(const PairLanes& pair, const F& f) {
 }
 
 /// Coulomb's law in the plane: the impulses that stop twist and slip, shortened to what the normal impulses allow.
-template <int kCount>
-CAROM_LANES_INLINE void rub(Both& both, PairLanes& pair, const PointLanes* points, const DriveLanes* drives) {
+template <int kCount, class Number>
+CAROM_LANES_INLINE void rub(Both<Number>& both, PairLanesOf<Number>& pair, const PointLanesOf<Number>* points,
+                            const DriveLanesOf<Number>* drives) {
+  using Lanes = LanesOf<Number>;
   Lanes load = points[0].p_n, moment = points[0].reach * points[0].p_n;
   for (int k = 1; k < kCount; ++k) {
     load += points[k].p_n;
@@ -85,13 +53,13 @@ CAROM_LANES_INLINE void rub(Both& both, PairLanes& pair, const PointLanes* point
   }
   if constexpr (kCount > 1) {  // one point has no reach, and bears no twist
     const Lanes most_w = pair.friction * moment;
-    Lanes spin = dot(both.b.omega - both.a.omega, pair.n);
+    Lanes spin = dot(both.spin(), pair.n);
     if (pair.driven) spin += drives[pair.driven - 1].w;
     const Lanes p_w = larger(smaller(pair.p_w - pair.m_w * spin, most_w), -most_w);
     both.twist((p_w - pair.p_w) * pair.n);
     pair.p_w = p_w;
   }
-  const LaneVec u = both.relative(pair.r_a, pair.r_b), s = cross(pair.n, pair.t);
+  const LaneVecOf<Number> u = both.relative(pair.r_a, pair.r_b), s = cross(pair.n, pair.t);
   Lanes u_t = dot(u, pair.t), u_s = dot(u, s);
   if (pair.driven) {
     u_t += drives[pair.driven - 1].t;
@@ -99,8 +67,8 @@ CAROM_LANES_INLINE void rub(Both& both, PairLanes& pair, const PointLanes* point
   }
   Lanes p_t = pair.p_t - (pair.m_tt * u_t + pair.m_ts * u_s), p_s = pair.p_s - (pair.m_ts * u_t + pair.m_ss * u_s);
   const Lanes most = pair.friction * load, size2 = p_t * p_t + p_s * p_s;
-  const LaneMask outside = size2 > most * most;
-  const Lanes shorten = outside ? most / square_root(outside ? size2 : all(1)) : all(1);
+  const auto outside = size2 > most * most;
+  const Lanes shorten = outside ? most / square_root(outside ? size2 : all<Number>(1)) : all<Number>(1);
   p_t = shorten * p_t;
   p_s = shorten * p_s;
   both.push(pair.r_a, pair.r_b, (p_t - pair.p_t) * pair.t + (p_s - pair.p_s) * s);
@@ -109,12 +77,14 @@ CAROM_LANES_INLINE void rub(Both& both, PairLanes& pair, const PointLanes* point
 }
 
 /// Normal impulses of a pair, added up: what they are together at the middle of its points, and their moment about it.
-template <int kCount, int kOneNormal>
+template <class Number, int kCount, int kOneNormal>
 struct Press {
+  using Lanes = LanesOf<Number>;
+  using LaneVec = LaneVecOf<Number>;
   LaneVec force, moment;  // N s, N m s
 
   /// @param impulse  [kCount] N s
-  CAROM_LANES_INLINE Press(const PairLanes& pair, const PointLanes* points, const Lanes* impulse) {
+  CAROM_LANES_INLINE Press(const PairLanesOf<Number>& pair, const PointLanesOf<Number>* points, const Lanes* impulse) {
     if constexpr (kOneNormal) {
       Lanes sum = impulse[0];
       LaneVec arm = impulse[0] * points[0].d;
@@ -125,7 +95,7 @@ struct Press {
       force = sum * pair.n;
       moment = cross(arm, pair.n);
     } else {
-      force = moment = {all(0), all(0), all(0)};
+      force = moment = {all<Number>(0), all<Number>(0), all<Number>(0)};
       for (int k = 0; k < kCount; ++k) {
         const LaneVec p = impulse[k] * points[k].n;
         force = force + p;
@@ -133,24 +103,26 @@ struct Press {
       }
     }
   }
-  CAROM_LANES_INLINE void act(Both& both) const {
+  CAROM_LANES_INLINE void act(Both<Number>& both) const {
     both.apply(force, cross(both.pair.r_a, force) + moment, cross(both.pair.r_b, force) + moment);
   }
 };
 
 /// Normal velocities at the points of a pair.
-template <int kOneNormal>
+template <class Number, int kOneNormal>
 struct Closing {
+  using Lanes = LanesOf<Number>;
+  using LaneVec = LaneVecOf<Number>;
   LaneVec u, spin;  // of the middle, m/s; rad/s
   Lanes u_n;
   LaneVec gradient;  // 1/s, of the normal velocity over d
 
-  CAROM_LANES_INLINE explicit Closing(const Both& both)
-      : u(both.relative(both.pair.r_a, both.pair.r_b)), spin(both.b.omega - both.a.omega) {
+  CAROM_LANES_INLINE explicit Closing(const Both<Number>& both)
+      : u(both.relative(both.pair.r_a, both.pair.r_b)), spin(both.spin()) {
     u_n = dot(u, both.pair.n);
     gradient = cross(both.pair.n, spin);
   }
-  CAROM_LANES_INLINE Lanes at(const PointLanes& p) const {
+  CAROM_LANES_INLINE Lanes at(const PointLanesOf<Number>& p) const {
     if constexpr (kOneNormal) return u_n + dot(gradient, p.d);
     return dot(u + cross(spin, p.d), p.n);
   }
@@ -165,29 +137,31 @@ struct Closing {
 ///   goal_k = (1 - back_k) p_k - gain_k lack_k,   p_k = max(goal_k, 0),   goal_l -= gain_l K_kl (change of p_k)
 ///
 /// @tparam kSpare  what will bounce in the next substep keeps the impulse that it has
-template <bool kPush, bool kSpare, int kCount, int kOneNormal>
-CAROM_LANES_INLINE void press(Both& both, PointLanes* points, double inv_h, double push_speed) {
-  const PairLanes& pair = both.pair;
-  const Closing<kOneNormal> closing(both);
+template <bool kPush, bool kSpare, int kCount, int kOneNormal, class Number>
+CAROM_LANES_INLINE void press(Both<Number>& both, PointLanesOf<Number>* points, Number inv_h, Number push_speed) {
+  using Lanes = LanesOf<Number>;
+  constexpr auto kUnder = static_cast<Number>(kUnderLoad);
+  const PairLanesOf<Number>& pair = both.pair;
+  const Closing<Number, kOneNormal> closing(both);
   Lanes goal[kCount], gain[kCount], impulse[kCount], push[kCount];
   for (int k = 0; k < kCount; ++k) {
-    const PointLanes& p = points[k];
+    const PointLanesOf<Number>& p = points[k];
     const Lanes u_n = closing.at(p), s = p.separation;
-    const LaneMask open = s > 0;
+    const auto open = s > 0;
     impulse[k] = push[k] = p.p_n;
     if constexpr (kPush) {
-      gain[k] = (open ? all(1) : pair.mass_scale) * p.m_n;
+      gain[k] = (open ? all<Number>(1) : pair.mass_scale) * p.m_n;
       // push_speed bounds how fast a spring parts bodies, not what it can bear: under a load as large as that it goes
       // on growing, slowly.
       const Lanes given = pair.impulse_scale * p.p_n, most = gain[k] * push_speed;
-      const Lanes spring = smaller(-gain[k] * (pair.bias_rate * s) - given, larger(most - given, kUnderLoad * most));
+      const Lanes spring = smaller(-gain[k] * (pair.bias_rate * s) - given, larger(most - given, kUnder * most));
       goal[k] = p.p_n - gain[k] * u_n + (open ? -gain[k] * (s * inv_h) : spring);
     } else {
       gain[k] = p.m_n;
-      goal[k] = p.p_n - gain[k] * (u_n + (open ? s * inv_h : all(0)));
+      goal[k] = p.p_n - gain[k] * (u_n + (open ? s * inv_h : all<Number>(0)));
       if constexpr (kSpare) {
-        const LaneMask bounces = u_n < -pair.bounce_speed;
-        gain[k] = bounces ? all(0) : gain[k];
+        const auto bounces = u_n < -pair.bounce_speed;
+        gain[k] = bounces ? all<Number>(0) : gain[k];
         goal[k] = bounces ? p.p_n : goal[k];
       }
     }
@@ -197,7 +171,7 @@ CAROM_LANES_INLINE void press(Both& both, PointLanes* points, double inv_h, doub
     for (int l = 0; l < kCount; ++l)
       if (k != l) take[k][l] = gain[l] * pair.coupling[coupling_of(k, l)];
   const auto visit = [&](int k) __attribute__((always_inline)) {
-    const Lanes next = larger(goal[k], all(0)), d = next - impulse[k];
+    const Lanes next = larger(goal[k], all<Number>(0)), d = next - impulse[k];
     impulse[k] = next;
     for (int l = 0; l < kCount; ++l)
       if (l != k) goal[l] -= take[k][l] * d;
@@ -208,84 +182,71 @@ CAROM_LANES_INLINE void press(Both& both, PointLanes* points, double inv_h, doub
     for (int k = kCount - 2; k >= 0; --k) visit(k);
   }
   for (int k = 0; k < kCount; ++k) {
-    PointLanes& p = points[k];
+    PointLanesOf<Number>& p = points[k];
     push[k] = impulse[k] - push[k];
     p.p_n = impulse[k];
   }
-  Press<kCount, kOneNormal>(pair, points, push).act(both);
+  Press<Number, kCount, kOneNormal>(pair, points, push).act(both);
 }
 
-/// How far the four bodies on one side have come.
-struct SideShift {
-  LaneVec x, u;
-  Lanes w;
-
-  CAROM_LANES_INLINE SideShift(const BodyShift* all_bodies, const std::uint32_t* body) {
-    const BodyRows rows(all_bodies, body);
-    const LanePair p = rows.two(0), q = rows.two(2), r = rows.two(4);
-    x = {p.first, p.second, q.first};
-    u = {q.second, r.first, r.second};
-    w = rows.two(6).first;
-  }
-  /// The normal part of what a turn does to an arm is a product with the arm: (rotated - r) . n = m . r for any r.
-  CAROM_LANES_INLINE LaneVec turned(const LaneVec& n) const {
-    return all(2) * (w * cross(n, u) + dot(u, n) * u - dot(u, u) * n);
-  }
-};
-
 /// kernel(pair, points, both, count, one_normal) for each, with bodies' velocities read before and written after.
-template <class Kernel>
-CAROM_LANES_INLINE void each_pair(const LaneRun& run, const Kernel& kernel) {
+template <class Number, class Kernel>
+CAROM_LANES_INLINE void each_pair(const LaneRunOf<Number>& run, const Kernel& kernel) {
   for (std::size_t i = 0; i < run.count; ++i) {
-    PairLanes& pair = run.pairs[i];
-    PointLanes* const points = run.points + pair.first;
+    PairLanesOf<Number>& pair = run.pairs[i];
+    PointLanesOf<Number>* const points = run.points + pair.first;
     as_it_is(
         pair, [&](auto count, auto one_normal) __attribute__((always_inline)) {
-          Both both(pair, run);
+          Both<Number> both(pair, run);
           kernel(pair, points, both, count, one_normal);
           both.store(run);
         });
   }
 }
 
-void warm_start(const LaneRun& run) {
+template <class Number>
+void warm_start(const LaneRunOf<Number>& run) {
   each_pair(
-      run, [&](const PairLanes& pair, const PointLanes* points, Both& both, auto count, auto one_normal)
+      run, [&](const auto& pair, const auto* points, auto& both, auto count, auto one_normal)
                __attribute__((always_inline)) {
                  constexpr int kCount = decltype(count)::value;
-                 Lanes impulse[kCount];
+                 LanesOf<Number> impulse[kCount];
                  for (int k = 0; k < kCount; ++k) impulse[k] = points[k].p_n;
-                 Press<kCount, decltype(one_normal)::value> press(pair, points, impulse);
+                 Press<Number, kCount, decltype(one_normal)::value> press(pair, points, impulse);
                  press.force = press.force + pair.p_t * pair.t + pair.p_s * cross(pair.n, pair.t);
                  press.moment = press.moment + pair.p_w * pair.n;
                  press.act(both);
                });
 }
 
-void solve(const LaneRun& run, double inv_h, double push_speed) {
+template <class Number>
+void solve(const LaneRunOf<Number>& run, double per_substep, double most_push) {
+  const auto inv_h = static_cast<Number>(per_substep), push_speed = static_cast<Number>(most_push);
   each_pair(
-      run, [&](PairLanes & pair, PointLanes * points, Both & both, auto count, auto one_normal)
-               __attribute__((always_inline)) {
-                 constexpr int kCount = decltype(count)::value;
-                 rub<kCount>(both, pair, points, run.drives);
-                 press<true, false, kCount, decltype(one_normal)::value>(both, points, inv_h, push_speed);
-               });
+      run, [&](auto& pair, auto* points, auto& both, auto count, auto one_normal) __attribute__((always_inline)) {
+        constexpr int kCount = decltype(count)::value;
+        rub<kCount>(both, pair, points, run.drives);
+        press<true, false, kCount, decltype(one_normal)::value>(both, points, inv_h, push_speed);
+      });
 }
 
 /// Separations at all points of four pairs, at the present poses.
-template <int kCount, int kOneNormal>
-CAROM_LANES_INLINE void separate(const LaneRun& run, const PairLanes& pair, PointLanes* points) {
-  const SideShift a(run.shift, pair.a), b(run.shift, pair.b);
-  const LaneVec moved = b.x - a.x;
+template <int kCount, int kOneNormal, class Number>
+CAROM_LANES_INLINE void separate(const LaneRunOf<Number>& run, const PairLanesOf<Number>& pair,
+                                 PointLanesOf<Number>* points) {
+  using Lanes = LanesOf<Number>;
+  using LaneVec = LaneVecOf<Number>;
+  const BothShifts<Number> shifts(run.shift, pair);
+  const LaneVec& moved = shifts.moved;
   if constexpr (kOneNormal) {
-    const LaneVec m_a = a.turned(pair.n), m_b = b.turned(pair.n), m = m_b - m_a;
+    const LaneVec m_a = shifts.a.turned(pair.n), m_b = shifts.b.turned(pair.n), m = m_b - m_a;
     const Lanes round = pair.radius_a * dot(m_a, pair.n) + pair.radius_b * dot(m_b, pair.n);
     const Lanes middle = dot(moved, pair.n) + (dot(m_b, pair.r_b) - dot(m_a, pair.r_a)) + round;
     for (int k = 0; k < kCount; ++k) points[k].separation = points[k].gap + (middle + dot(m, points[k].d));
   } else {
     for (int k = 0; k < kCount; ++k) {
-      PointLanes& p = points[k];
-      const LaneVec m_a = a.turned(p.n), m_b = b.turned(p.n);
+      PointLanesOf<Number>& p = points[k];
+      const LaneVec m_a = shifts.a.turned(p.n), m_b = shifts.b.turned(p.n);
       const Lanes turned = dot(m_b, pair.r_b + p.d) - dot(m_a, pair.r_a + p.d);
       const Lanes round = pair.radius_a * dot(m_a, p.n) + pair.radius_b * dot(m_b, p.n);
       p.separation = p.gap + (dot(moved, p.n) + turned + round);
@@ -293,53 +254,62 @@ CAROM_LANES_INLINE void separate(const LaneRun& run, const PairLanes& pair, Poin
   }
 }
 
-CAROM_LANES_INLINE void add_to_sums(PairLanes& pair, PointLanes* points, std::uint32_t count) {
+template <class Number>
+CAROM_LANES_INLINE void add_to_sums(PairLanesOf<Number>& pair, PointLanesOf<Number>* points, std::uint32_t count) {
   pair.sum_t += pair.p_t;
   pair.sum_s += pair.p_s;
   pair.sum_w += pair.p_w;
   for (std::uint32_t k = 0; k < count; ++k) points[k].sum_n += points[k].p_n;
 }
 
-template <bool kSpare>
-void relax(const LaneRun& run, double inv_h) {
+template <bool kSpare, class Number>
+void relax(const LaneRunOf<Number>& run, double per_substep) {
+  const auto inv_h = static_cast<Number>(per_substep);
   each_pair(
-      run, [&](PairLanes & pair, PointLanes * points, Both & both, auto count, auto one_normal)
-               __attribute__((always_inline)) {
-                 constexpr int kCount = decltype(count)::value, kOneNormal = decltype(one_normal)::value;
-                 separate<kCount, kOneNormal>(run, pair, points);
-                 // Normals first: friction is then bound by the loads themselves, of which the springs of solve()
-                 // gave a part away.
-                 press<false, kSpare, kCount, kOneNormal>(both, points, inv_h, 0);
-                 rub<kCount>(both, pair, points, run.drives);
-                 add_to_sums(pair, points, kCount);
-               });
+      run, [&](auto& pair, auto* points, auto& both, auto count, auto one_normal) __attribute__((always_inline)) {
+        constexpr int kCount = decltype(count)::value, kOneNormal = decltype(one_normal)::value;
+        separate<kCount, kOneNormal>(run, pair, points);
+        // Normals first: friction is then bound by the loads themselves, of which the springs of solve()
+        // gave a part away.
+        press<false, kSpare, kCount, kOneNormal>(both, points, inv_h, Number(0));
+        rub<kCount>(both, pair, points, run.drives);
+        add_to_sums(pair, points, kCount);
+      });
 }
 
-void sweep(const LaneRun& run, double inv_h) {
+template <class Number>
+void sweep(const LaneRunOf<Number>& run, double per_substep) {
+  const auto inv_h = static_cast<Number>(per_substep);
   each_pair(
-      run, [&](PairLanes & pair, PointLanes * points, Both & both, auto count, auto one_normal)
-               __attribute__((always_inline)) {
-                 constexpr int kCount = decltype(count)::value;
-                 rub<kCount>(both, pair, points, run.drives);
-                 press<false, false, kCount, decltype(one_normal)::value>(both, points, inv_h, 0);
-               });
+      run, [&](auto& pair, auto* points, auto& both, auto count, auto one_normal) __attribute__((always_inline)) {
+        constexpr int kCount = decltype(count)::value;
+        rub<kCount>(both, pair, points, run.drives);
+        press<false, false, kCount, decltype(one_normal)::value>(both, points, inv_h, Number(0));
+      });
 }
 
-void book(const LaneRun& run) {
+template <class Number>
+void book(const LaneRunOf<Number>& run) {
   for (std::size_t i = 0; i < run.count; ++i)
     add_to_sums(run.pairs[i], run.points + run.pairs[i].first, run.pairs[i].points);
 }
 
-void part(const LaneRun& run, double share, double slop) {
+template <class Number>
+void part(const LaneRunOf<Number>& run, double of_depth, double tolerated) {
+  using Lanes = LanesOf<Number>;
+  using LaneVec = LaneVecOf<Number>;
+  const auto share = static_cast<Number>(of_depth), slop = static_cast<Number>(tolerated);
+  constexpr auto kSpare = static_cast<Number>(kSpared);
   for (std::size_t i = 0; i < run.count; ++i) {
-    const PairLanes& pair = run.pairs[i];
-    Both both(pair, run);
+    const PairLanesOf<Number>& pair = run.pairs[i];
+    Both<Number> both(pair, run);
     for (std::uint32_t k = 0; k < pair.points; ++k) {
-      PointLanes& p = run.points[pair.first + k];
+      PointLanesOf<Number>& p = run.points[pair.first + k];
       const LaneVec n = normal_of(pair, p), r_a = pair.r_a + p.d, r_b = pair.r_b + p.d;
       const Lanes sag = pair.impulse_scale * p.p_n * inverse_or_zero(pair.mass_scale * pair.bias_rate * p.m_n);
-      const Lanes wanted = share * larger(-p.separation - larger(all(slop), kSpared * sag), all(0));
-      const Lanes next = larger(p.push + p.m_n * (wanted - dot(both.relative(r_a, r_b), n)), all(0)), d = next - p.push;
+      const Lanes wanted = share * larger(-p.separation - larger(all<Number>(slop), kSpare * sag), all<Number>(0));
+      const Lanes next = larger(p.push + p.m_n * (wanted - dot(both.relative(r_a, r_b), n)), all<Number>(0)),
+                  d = next - p.push;
       p.push = next;
       both.push(r_a, r_b, d * n);
     }
@@ -347,21 +317,26 @@ void part(const LaneRun& run, double share, double slop) {
   }
 }
 
-void measure(const LaneRun& run) {
+template <class Number>
+void measure(const LaneRunOf<Number>& run) {
   for (std::size_t i = 0; i < run.count; ++i) {
-    const PairLanes& pair = run.pairs[i];
-    PointLanes* const points = run.points + pair.first;
+    const PairLanesOf<Number>& pair = run.pairs[i];
+    PointLanesOf<Number>* const points = run.points + pair.first;
     as_it_is(
         pair, [&](auto count, auto one_normal) __attribute__((always_inline)) {
           separate<decltype(count)::value, decltype(one_normal)::value>(run, pair, points);
         });
-    for (std::uint32_t k = 0; k < pair.points; ++k) points[k].push = all(0);
+    for (std::uint32_t k = 0; k < pair.points; ++k) points[k].push = all<Number>(0);
   }
 }
 
-constexpr ContactKernels kernels_named(const char* name) {
-  return {name, prepare, warm_start, solve, relax<false>, relax<true>, sweep, book, part, measure};
+template <class Number>
+constexpr ContactSweeps<Number> all_sweeps() {
+  return {prepare<Number>, warm_start<Number>, solve<Number>, relax<false, Number>, relax<true, Number>,
+          sweep<Number>,   book<Number>,       part<Number>,  measure<Number>};
 }
+
+constexpr ContactKernels kernels_named(const char* name) { return {name, all_sweeps<double>(), all_sweeps<float>()}; }
 
 }  // namespace
 }  // namespace carom

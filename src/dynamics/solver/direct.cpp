@@ -222,6 +222,7 @@ class Group {
     const Real tolerance = kDirectShare * world_.scene.dials[Dial::velocity_tolerance];
     if (rest_.lasts && repeat(tolerance)) return;
     book_repeats();
+    if (rest_.has_moved) look();
     const Real least = start(h);
     const bool bounded = work && !starts_from_nothing(problem_);
     const std::uint64_t most = bounded ? 2 + work / work_ : kMostSteps;
@@ -245,8 +246,9 @@ class Group {
     keep();
     rest_.is_first = false;
     rest_.lasts = !is_joined() && answer_.factorisations == 0 &&
-                  least >= -world_.scene.dials[Dial::position_tolerance] && c_.resisting.empty() &&
+                  least >= -world_.scene.dials[Dial::position_tolerance] && !rest_.resists &&
                   fastest_any_way(problem_) < kRest * tolerance;
+    rest_.has_moved = rest_.lasts;  // or part() measures
   }
 
   /// A group that overlaps more than the tolerance is parted, to half of it, so that what rests keeps in touch.
@@ -400,6 +402,12 @@ class Group {
     return moved2 > most * most ? most / std::sqrt(moved2) : 1;
   }
 
+  /// At where the bodies of a group at rest are by now, should it not lie still any more.
+  void look() {
+    for (const ConeBody& b : bodies_of(problem_)) world_.plan->rotation[b.slot] = s_.q[b.slot].toRotationMatrix();
+    measure();
+  }
+
   Real measure() {
     Real least = kInfinity;
     each([&](const ConeContact&, std::uint32_t row) {
@@ -425,7 +433,7 @@ class Group {
 void begin(World& world, const StepTime& time) {
   if (world.wide_joints->any()) {  // their rows are made in lanes, as are numbers of bodies
     world.contacts->direct.assign(world.contacts->groups(), Contacts::kDirectly);
-    pack(world, *world.wide);
+    pack(world, *world.wide, time.h);
     begin_joints(world, time.h);
   }
   gather_groups(world);
@@ -447,6 +455,14 @@ void end(World& world, const StepTime&) {
   end_groups(world);
 }
 
+/// Of the group that a row is in; null: another solver answers it.
+GroupRest* rest_of(DirectGroups& d, const Row& row) {
+  const std::uint32_t node = d.body[row.moves_a ? row.a : row.b];
+  if (node == kNobody) return nullptr;
+  const auto after = std::ranges::upper_bound(d.begin, node, {}, [](const auto& begin) { return begin.body; });
+  return &d.rest[static_cast<std::size_t>(after - d.begin.begin()) - 1];
+}
+
 }  // namespace
 
 void gather_groups(World& world) {
@@ -457,12 +473,15 @@ void gather_groups(World& world) {
   load(world, d);
   d.answer.resize(d.groups());
   d.rest.assign(d.groups(), {});
+  for (const Resistance& r : world.contacts->resisting)
+    if (GroupRest* const rest = rest_of(d, world.contacts->rows[r.row])) rest->resists = true;
 }
 
 void solve_groups(World& world, Real h, std::uint64_t work) {
   DirectGroups& d = *world.direct;
-  if (std::ranges::any_of(world.contacts->impacts, &Impact::concerns_solver))
-    for (GroupRest& rest : d.rest) rest.lasts = false;
+  for (const Impact& at : world.contacts->impacts)
+    if (GroupRest* const rest = at.concerns_solver() ? rest_of(d, world.contacts->rows[at.row]) : nullptr)
+      rest->lasts = false;
   in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { Group(world, g).solve(h, work); });
   for (std::size_t g = 0; g < d.groups(); ++g) {
     if (d.rest[g].repeats > 0) continue;

@@ -15,6 +15,8 @@ inline constexpr Real kDirectShare = 0.01;
 struct GroupRest {
   bool is_first = true;       // substep
   bool lasts = false;         // contacts were found at rest
+  bool has_moved = false;     // a little, since its separations were measured
+  bool resists = false;       // some of them resist rolling or spinning
   std::uint32_t repeats = 0;  // substeps that repeated its impulses and are not booked yet
 };
 

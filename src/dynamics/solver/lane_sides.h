@@ -9,7 +9,6 @@ namespace {
 
 static_assert(offsetof(BodyVelocity, omega) == 3 * sizeof(double) && offsetof(BodyShift, u) == 3 * sizeof(double) &&
               offsetof(BodyShift, w) == 6 * sizeof(double));
-
 /// The numbers of four bodies, as lanes.
 template <class Body>
 struct BodyRows {
@@ -20,9 +19,11 @@ struct BodyRows {
   }
   CAROM_LANES_INLINE LanePair two(int at) const { return gather(row, at); }
 };
-
 /// Component by component.
-CAROM_LANES_INLINE LaneVec each(const LaneVec& a, const LaneVec& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+template <class Number>
+CAROM_LANES_INLINE LaneVecOf<Number> each(const LaneVecOf<Number>& a, const LaneVecOf<Number>& b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
 
 /// Velocities of the four bodies on one side.
 struct Side {

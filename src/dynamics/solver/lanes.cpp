@@ -5,26 +5,22 @@
 
 namespace carom {
 
-void begin_lanes(World& world) {
-  pack(world, *world.wide);
-  const ContactKernels& kernels = *world.wide->kernels;
-  in_any_order(world.jobs, everything(*world.wide), kernels.prepare);
+void begin_lanes(World& world, Real h) {
+  pack(world, *world.wide, h);
   world.wide->displacement.resize(world.wide->velocity.size());
 }
 
 void measure_lanes(World& world) {
-  WideContacts& wide = *world.wide;
-  load_shifts(world, wide);
-  in_any_order(world.jobs, everything(wide), wide.kernels->measure);
+  load_shifts(world, *world.wide);
+  over_contacts(world, [](const auto& sweeps, const auto& run) { sweeps.measure(run); });
 }
 
 void part_lanes(World& world, int sweeps, Real share, Real slop) {
   WideContacts& wide = *world.wide;
   std::fill(wide.displacement.begin(), wide.displacement.end(), BodyVelocity{});
-  LaneRun all = everything(wide);
-  all.velocity = wide.displacement.data();
   for (int k = 0; k < sweeps; ++k)
-    by_colour(world.jobs, wide, all, [&](const LaneRun& run) { wide.kernels->part(run, share, slop); });
+    sweep_bodies(world, wide.displacement.data(),
+                 [&](const auto& s, const auto& run) { s.part(run, share, slop); });
   displace(world, wide);
 }
 

@@ -11,25 +11,23 @@ namespace {
 constexpr Real kShare = 0.2;
 
 void begin(World& world, const StepTime& time) {
-  begin_lanes(world);
+  begin_lanes(world, time.h);
   begin_joints(world, time.h);
 }
 
 void velocities(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
-  const ContactKernels& kernels = *wide.kernels;
-  const LaneRun all = everything(wide);
   const Real inv_h = 1 / time.h;
   heed_impacts(world, wide);
   load_velocities(world, wide);
   warm_start_joints(world, time.h);
-  by_colour(world.jobs, wide, all, kernels.warm_start);
+  sweep_contacts(world, [](const auto& s, const auto& run) { s.warm_start(run); });
   const int sweeps = world.scene.dials.whole(Dial::velocity_iterations);
   for (int k = 0; k < sweeps; ++k) {
     solve_joints(world, time.h);
-    by_colour(world.jobs, wide, all, [&](const LaneRun& run) { kernels.sweep(run, inv_h); });
+    sweep_contacts(world, [&](const auto& s, const auto& run) { s.sweep(run, inv_h); });
   }
-  in_any_order(world.jobs, all, kernels.book);
+  over_contacts(world, [](const auto& s, const auto& run) { s.book(run); });
   store_velocities(world, wide, time.h);
   world.report.velocity_impulses += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/solver/fill_lanes.h"
 #include "dynamics/solver/wide_contacts.h"
 
 namespace carom {
@@ -17,33 +18,34 @@ void soften(World& world, Real h) {
   const Dials& dials = world.scene.dials;
   const Real frequency = std::min(dials[Dial::contact_frequency], 0.25 / h), damping = dials[Dial::contact_damping];
   const Softness both = softness(frequency, damping, h), one = softness(2 * frequency, damping, h);
-  in_parallel(world.jobs, world.wide->pairs.size(), kLanes * kPairsAPart, [&](std::uint32_t k) {
-    PairLanes& pair = world.wide->pairs[k];
-    for (int i = 0; i < kLanes; ++i) {
-      const Softness& s = pair.inv_mass_a[i] > 0 && pair.inv_mass_b[i] > 0 ? both : one;
-      pair.bias_rate[i] = s.bias_rate;
-      pair.mass_scale[i] = s.mass_scale;
-      pair.impulse_scale[i] = s.impulse_scale;
-    }
+  with_lanes(*world.wide, [&](auto& lanes, const auto&) {
+    in_parallel(world.jobs, lanes.pairs.size(), kLanes * kPairsAPart, [&](std::uint32_t k) {
+      auto& pair = lanes.pairs[k];
+      for (int i = 0; i < kLanes; ++i) {
+        const Softness& s = pair.inv_mass_a[i] > 0 && pair.inv_mass_b[i] > 0 ? both : one;
+        set(pair.bias_rate, i, s.bias_rate);
+        set(pair.mass_scale, i, s.mass_scale);
+        set(pair.impulse_scale, i, s.impulse_scale);
+      }
+    });
   });
 }
 
 void begin(World& world, const StepTime& time) {
-  begin_lanes(world);
+  begin_lanes(world, time.h);
   begin_joints(world, time.h);
   soften(world, time.h);
 }
 
 void velocities(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
-  const ContactKernels& kernels = *wide.kernels;
   const Real inv_h = 1 / time.h, push_speed = world.scene.dials[Dial::push_speed];
   heed_impacts(world, wide);
   load_velocities(world, wide);
   warm_start_joints(world, time.h);
-  by_colour(world.jobs, wide, everything(wide), kernels.warm_start);
+  sweep_contacts(world, [](const auto& s, const auto& run) { s.warm_start(run); });
   solve_joints(world, time.h);
-  by_colour(world.jobs, wide, everything(wide), [&](const LaneRun& run) { kernels.solve(run, inv_h, push_speed); });
+  sweep_contacts(world, [&](const auto& s, const auto& run) { s.solve(run, inv_h, push_speed); });
   store_velocities(world, wide, time.h);
   world.report.velocity_impulses += world.contacts->rows.size();
 }
@@ -51,10 +53,10 @@ void velocities(World& world, const StepTime& time) {
 void positions(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
   const Real inv_h = 1 / time.h;
-  const auto relax = world.contacts->impacts.empty() ? wide.kernels->relax : wide.kernels->relax_sparing;
+  const bool sparing = !world.contacts->impacts.empty();
   load_shifts(world, wide);
   relax_joints(world, time.h);
-  by_colour(world.jobs, wide, everything(wide), [&](const LaneRun& run) { relax(run, inv_h); });
+  sweep_contacts(world, [&](const auto& s, const auto& run) { (sparing ? s.relax_sparing : s.relax)(run, inv_h); });
   store_velocities(world, wide, time.h);
   world.report.velocity_impulses += world.contacts->rows.size();
 }
@@ -63,12 +65,14 @@ void positions(World& world, const StepTime& time) {
 /// as stiff as makes heaps shake. relax() has just measured.
 void part_deep(World& world) {
   const Real deep = kDeep * world.scene.dials[Dial::position_tolerance];
-  const auto is_deep = [&](const PointLanes& p) {
+  const auto is_deep = [&](const auto& p) {
     bool any = false;
     for (int i = 0; i < kLanes; ++i) any |= p.separation[i] < -deep;
     return any;
   };
-  if (std::ranges::any_of(world.wide->points, is_deep)) part_lanes(world, 1, kShare, deep);
+  bool any = false;
+  with_lanes(*world.wide, [&](const auto& lanes, const auto&) { any = std::ranges::any_of(lanes.points, is_deep); });
+  if (any) part_lanes(world, 1, kShare, deep);
 }
 
 void end(World& world, const StepTime&) {

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 #include "dynamics/contact/held_arms.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/solver/fill_lanes.h"
+#include "dynamics/solver/float_range.h"
 
 namespace carom {
 namespace {
@@ -86,30 +88,34 @@ void colour_manifolds(const World& world, WideContacts& wide) {
   }
 }
 
-void fill_pair(const World& world, const WideContacts& wide, const Row& row, PairLanes& pair, int lane) {
+template <class Number>
+void fill_pair(const World& world, const WideContacts& wide, const Row& row, PairLanesOf<Number>& pair, int lane) {
   const Scene& scene = world.scene;
   pair.a[lane] = wide.body[row.a];
   pair.b[lane] = wide.body[row.b];
-  pair.friction[lane] = row.friction;
+  set(pair.friction, lane, row.friction);
   pair.bias_rate[lane] = pair.mass_scale[lane] = pair.impulse_scale[lane] = 0;
-  pair.bounce_speed[lane] = row.restitution > 0 ? scene.dials[Dial::restitution_speed] : kInfinity;
+  set(pair.bounce_speed, lane, row.restitution > 0 ? scene.dials[Dial::restitution_speed] : kInfinity);
   set_mass(world, row.moves_a, row.a, pair.inv_mass_a, pair.inv_inertia_a, lane);
   set_mass(world, row.moves_b, row.b, pair.inv_mass_b, pair.inv_inertia_b, lane);
 }
 
-void fill_point(const Row& row, const RowGeometry& g, const Arms& r, const Vec3& middle, PointLanes& p, int lane) {
+template <class Number>
+void fill_point(const Row& row, const RowGeometry& g, const Arms& r, const Vec3& middle, PointLanesOf<Number>& p,
+                int lane) {
   const Vec3 d = r.a - middle;
   set(p.d, lane, d);
   set(p.n, lane, row.n);
-  p.gap[lane] = p.separation[lane] = g.separation;
-  p.reach[lane] = d.norm();
-  p.p_n[lane] = row.p.dot(row.n);
+  set(p.gap, lane, g.separation), set(p.separation, lane, g.separation);
+  set(p.reach, lane, d.norm());
+  set(p.p_n, lane, row.p.dot(row.n));
   p.sum_n[lane] = p.push[lane] = 0;
 }
 
 /// The points of a pair, and its friction at the middle of them, from the impulses its rows start with.
-void fill_points(const World& world, const WideContacts& wide, const WideContacts::Manifold& m, PairLanes& pair,
-                 PointLanes* points, int lane) {
+template <class Number>
+void fill_points(const World& world, const WideContacts& wide, const WideContacts::Manifold& m,
+                 PairLanesOf<Number>& pair, PointLanesOf<Number>* points, int lane) {
   const Contacts& c = *world.contacts;
   std::array<Arms, kMaxPoints> arms;
   Vec3 middle_a = Vec3::Zero(), middle_b = Vec3::Zero(), l_a = Vec3::Zero(), l_b = Vec3::Zero();
@@ -137,17 +143,18 @@ void fill_points(const World& world, const WideContacts& wide, const WideContact
   set(pair.t, lane, t);
   set(pair.r_a, lane, middle_a + wide.held_back[pair.a[lane]] * l_a);
   set(pair.r_b, lane, middle_b + wide.held_back[pair.b[lane]] * l_b);
-  pair.radius_a[lane] = c.geometry[m.row].radius_a, pair.radius_b[lane] = c.geometry[m.row].radius_b;
-  pair.p_t[lane] = force.dot(t);
-  pair.p_s[lane] = force.dot(n.cross(t));
-  pair.p_w[lane] = twist;
+  set(pair.radius_a, lane, c.geometry[m.row].radius_a), set(pair.radius_b, lane, c.geometry[m.row].radius_b);
+  set(pair.p_t, lane, force.dot(t));
+  set(pair.p_s, lane, force.dot(n.cross(t)));
+  set(pair.p_w, lane, twist);
   pair.sum_t[lane] = pair.sum_s[lane] = pair.sum_w[lane] = 0;
 }
 
 constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 
 /// A place for each manifold: four of a bucket share one, but beyond the colours each has one for itself.
-void place_manifolds(WideContacts& wide) {
+template <class Number>
+void place_manifolds(WideContacts& wide, ContactLanes<Number>& rows) {
   constexpr std::uint32_t kBuckets = (kColours + 1) * kMaxPoints, kAlone = kColours * kMaxPoints;
   wide.buckets.assign(kBuckets, 0);
   wide.colours.clear();
@@ -162,27 +169,28 @@ void place_manifolds(WideContacts& wide) {
     const std::uint32_t before = wide.colours.empty() ? 0 : wide.colours.back().back();
     if (i < kAlone && i % kMaxPoints == kMaxPoints - 1 && ends.back() > before) wide.colours.push_back(ends);
   }
-  wide.pairs.resize(lanes / kLanes);
+  rows.pairs.resize(lanes / kLanes);
   wide.occupant.assign(lanes, kNobody);
   for (std::uint32_t i = 0; i < wide.manifolds.size(); ++i) {
     WideContacts::Manifold& m = wide.manifolds[i];
     std::uint32_t& next = wide.buckets[m.bucket];
     m.pair = next / kLanes, m.lane = next % kLanes;
     wide.occupant[next] = i;
-    wide.pairs[m.pair].points = m.points;
+    rows.pairs[m.pair].points = m.points;
     next += m.bucket < kAlone ? 1 : kLanes;
   }
   std::uint32_t points = 0;
-  for (PairLanes& pair : wide.pairs) pair.first = points, points += pair.points;
-  wide.points.resize(points);
+  for (auto& pair : rows.pairs) pair.first = points, points += pair.points;
+  rows.points.resize(points);
 }
 
 /// Lanes of nobody.
-void empty(WideContacts& wide, PairLanes& pair) {
+template <class Number>
+void empty(ContactLanes<Number>& rows, PairLanesOf<Number>& pair) {
   const std::uint32_t first = pair.first, points = pair.points;
-  pair = PairLanes{};
+  pair = PairLanesOf<Number>{};
   pair.first = first, pair.points = points;
-  std::fill_n(&wide.points[first], points, PointLanes{});
+  std::fill_n(&rows.points[first], points, PointLanesOf<Number>{});
 }
 
 /// How a pair's friction, a force and a twist at the middle of its points, is shared among them: by their loads, turned
@@ -190,19 +198,21 @@ void empty(WideContacts& wide, PairLanes& pair) {
 class Shares {
  public:
   /// @param load  [points] N s, normal impulses   @param force  N s   @param twist  N m s, about the middle
-  Shares(const PointLanes* points, const Lanes PointLanes::*load, std::uint32_t count, std::uint32_t lane,
-         const Vec3& n, const Vec3& force, Real twist)
+  template <class Point, class Load>
+  Shares(const Point* points, Load Point::* load, std::uint32_t count, std::uint32_t lane, const Vec3& n,
+         const Vec3& force, Real twist)
       : n_(n) {
     Real all = 0, moment = 0, most = 0;
     Vec3 sum = Vec3::Zero();
-    for (const PointLanes* p = points; p < points + count; ++p) {
-      all += (p->*load)[lane];
-      sum += (p->*load)[lane] * get(p->d, lane);
-      most = std::max(most, p->reach[lane] * p->reach[lane]);
+    for (const Point* p = points; p < points + count; ++p) {
+      const Real of_point = (p->*load)[lane], reach = p->reach[lane];
+      all += of_point;
+      sum += of_point * get(p->d, lane);
+      most = std::max(most, reach * reach);
     }
     if (!(all > 0)) return;
     centre_ = sum / all;
-    for (const PointLanes* p = points; p < points + count; ++p)
+    for (const Point* p = points; p < points + count; ++p)
       moment += (p->*load)[lane] * n.cross(get(p->d, lane) - centre_).squaredNorm();
     slide_ = force / all;
     if (moment > 1e-9 * all * most) turn_ = (twist - centre_.cross(force).dot(n)) / moment;
@@ -216,63 +226,80 @@ class Shares {
 };
 
 /// What surfaces do of themselves, of pairs that have any.
-void fill_drives(const World& world, WideContacts& wide) {
+template <class Number>
+void fill_drives(const World& world, const WideContacts& wide, ContactLanes<Number>& rows) {
   const Contacts& c = *world.contacts;
-  wide.drives.clear();
+  rows.drives.clear();
   for (const Driven& driven : c.driven) {
     if (!c.answered_in_lanes(driven.row)) continue;
     const WideContacts::Manifold& m = wide.manifold_of(driven.row);
-    PairLanes& pair = wide.pairs[m.pair];
+    PairLanesOf<Number>& pair = rows.pairs[m.pair];
     if (!pair.driven) {
-      wide.drives.push_back({all(0), all(0), all(0)});
-      pair.driven = static_cast<std::uint32_t>(wide.drives.size());
+      rows.drives.push_back({all<Number>(0), all<Number>(0), all<Number>(0)});
+      pair.driven = static_cast<std::uint32_t>(rows.drives.size());
     }
     Vec3 velocity = Vec3::Zero();  // at the middle: it is linear over the points
     for (std::uint32_t k = 0; k < m.points; ++k) velocity += c.surface[m.row + k];
     velocity /= static_cast<Real>(m.points);
     const Vec3 n = get(pair.n, m.lane), t = get(pair.t, m.lane);
-    DriveLanes& drive = wide.drives[pair.driven - 1];
-    drive.t[m.lane] = velocity.dot(t);
-    drive.s[m.lane] = velocity.dot(n.cross(t));
-    drive.w[m.lane] = driven.spin.dot(n);
+    DriveLanesOf<Number>& drive = rows.drives[pair.driven - 1];
+    const int lane = static_cast<int>(m.lane);
+    set(drive.t, lane, velocity.dot(t));
+    set(drive.s, lane, velocity.dot(n.cross(t)));
+    set(drive.w, lane, driven.spin.dot(n));
   }
 }
 
 /// Which way bodies are free, of pairs some of whose bodies are locked.
-void fill_locks(const World& world, WideContacts& wide) {
-  wide.locks.clear();
+template <class Number>
+void fill_locks(const World& world, const WideContacts& wide, ContactLanes<Number>& rows) {
+  rows.locks.clear();
   if (world.plan->effects[kLocksRow].candidates.count == 0) return;
   for (const WideContacts::Manifold& m : wide.manifolds) {
     const Row& row = world.contacts->rows[m.row];
     const Locks a = world.scene.locks_of(row.a), b = world.scene.locks_of(row.b);
     if (!(a | b)) continue;
-    PairLanes& pair = wide.pairs[m.pair];
-    set_locks(wide.locks, pair.locked, m.lane, a, b);
+    set_locks(rows.locks, rows.pairs[m.pair].locked, m.lane, a, b);
   }
 }
 
-}  // namespace
-
-void pack(World& world, WideContacts& wide) {
-  Contacts& c = *world.contacts;
-  number_bodies(world, wide);
-  hold_orientations(world, wide);
-  colour_manifolds(world, wide);
-  place_manifolds(wide);
-  in_parallel(world.jobs, wide.pairs.size(), kPairsAPart, [&](std::uint32_t i) {
-    PairLanes& pair = wide.pairs[i];
+/// All rows into lanes, and their masses. False: floats can't bear them.
+template <class Number>
+bool fill(World& world, WideContacts& wide, ContactLanes<Number>& rows, const ContactSweeps<Number>& sweeps) {
+  place_manifolds(wide, rows);
+  in_parallel(world.jobs, rows.pairs.size(), kPairsAPart, [&](std::uint32_t i) {
+    PairLanesOf<Number>& pair = rows.pairs[i];
     const std::uint32_t* const occupant = &wide.occupant[std::size_t(i) * kLanes];
-    if (std::find(occupant, occupant + kLanes, kNobody) != occupant + kLanes) empty(wide, pair);
+    if (std::find(occupant, occupant + kLanes, kNobody) != occupant + kLanes) empty(rows, pair);
     pair.one_normal = 1, pair.driven = pair.locked = 0;
     for (int lane = 0; lane < kLanes; ++lane) {
       if (occupant[lane] == kNobody) continue;
       const WideContacts::Manifold& m = wide.manifolds[occupant[lane]];
-      fill_pair(world, wide, c.rows[m.row], pair, lane);
-      fill_points(world, wide, m, pair, &wide.points[pair.first], lane);
+      fill_pair(world, wide, world.contacts->rows[m.row], pair, lane);
+      fill_points(world, wide, m, pair, &rows.points[pair.first], lane);
     }
   });
-  fill_drives(world, wide);
-  fill_locks(world, wide);
+  fill_drives(world, wide, rows);
+  fill_locks(world, wide, rows);
+  std::atomic<bool> bearable = true;
+  in_any_order(world.jobs, everything(wide, rows, wide.velocity.data()), [&](const LaneRunOf<Number>& run) {
+    if (!sweeps.prepare(run)) bearable.store(false, std::memory_order_relaxed);
+  });
+  return bearable;
+}
+
+}  // namespace
+
+void pack(World& world, WideContacts& wide, Real h) {
+  number_bodies(world, wide);
+  hold_orientations(world, wide);
+  colour_manifolds(world, wide);
+  wide.is_float = !wide.manifolds.empty() && bears_floats(world, wide, h);
+  if (wide.is_float) {
+    if (!wide.in_float) wide.in_float = make_owned<ContactLanes<float>>(world.memory, world.memory);
+    wide.is_float = fill(world, wide, *wide.in_float, wide.kernels->in_float);
+  }
+  if (!wide.is_float) fill(world, wide, wide.in_double, wide.kernels->in_double);
 }
 
 void load_velocities(World& world, WideContacts& wide) {
@@ -283,6 +310,7 @@ void load_velocities(World& world, WideContacts& wide) {
     world.plan->touched[slot] = 0;
     BodyVelocity& b = wide.velocity[i];
     for (int k = 0; k < 3; ++k) b.v[k] = s.v[slot][k], b.omega[k] = s.omega[slot][k];
+    if (wide.is_float && !is_slow_enough(s, slot)) cap(b);
   });
 }
 
@@ -291,6 +319,7 @@ void store_velocities(World& world, const WideContacts& wide, Real h) {
   in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
     const std::uint32_t slot = wide.slot[i];
     if (i < wide.first_moved || !responds(world.scene, s, slot)) return;
+    if (wide.is_float && !is_slow_enough(s, slot)) return;
     const BodyVelocity& b = wide.velocity[i];
     const Vec3 v(b.v[0], b.v[1], b.v[2]), omega(b.omega[0], b.omega[1], b.omega[2]);
     if (v == s.v[slot] && omega == s.omega[slot]) return;
@@ -318,12 +347,14 @@ void heed_impacts(World& world, WideContacts& wide) {
   for (const Impact& at : c.impacts) {
     if (!at.concerns_solver() || !c.answered_in_lanes(at.row)) continue;
     const WideContacts::Manifold& m = wide.manifold_of(at.row);
-    PairLanes& pair = wide.pairs[m.pair];
-    PointLanes& p = wide.points[pair.first + at.row - m.row];
-    p.separation[m.lane] = c.geometry[at.row].separation;
-    if (at.count == 0) continue;
-    p.p_n[m.lane] = 0;
-    pair.p_t[m.lane] = pair.p_s[m.lane] = pair.p_w[m.lane] = 0;
+    with_lanes(wide, [&](auto& lanes, const auto&) {
+      auto& pair = lanes.pairs[m.pair];
+      auto& p = lanes.points[pair.first + at.row - m.row];
+      set(p.separation, static_cast<int>(m.lane), c.geometry[at.row].separation);
+      if (at.count == 0) return;
+      p.p_n[m.lane] = 0;
+      pair.p_t[m.lane] = pair.p_s[m.lane] = pair.p_w[m.lane] = 0;
+    });
   }
 }
 
@@ -337,26 +368,29 @@ void displace(World& world, const WideContacts& wide) {
   });
 }
 
-void unpack(World& world, const WideContacts& wide) {
+namespace {
+
+template <class Number>
+void unpack(World& world, const WideContacts& wide, const ContactLanes<Number>& rows) {
+  using Point = PointLanesOf<Number>;
   Contacts& c = *world.contacts;
   const State& s = world.state;
-  refresh_rotations(world);
   in_parallel(world.jobs, wide.manifolds.size(), kLanes * kPairsAPart, [&](std::uint32_t i) {
     const WideContacts::Manifold& m = wide.manifolds[i];
-    const PairLanes& pair = wide.pairs[m.pair];
-    const PointLanes* const points = &wide.points[pair.first];
+    const PairLanesOf<Number>& pair = rows.pairs[m.pair];
+    const Point* const points = &rows.points[pair.first];
     const std::uint32_t lane = m.lane;
     const Vec3 n = get(pair.n, lane), t = get(pair.t, lane), sideways = n.cross(t);
     const Vec3 force = pair.p_t[lane] * t + pair.p_s[lane] * sideways,
                sum_force = pair.sum_t[lane] * t + pair.sum_s[lane] * sideways;
-    const Shares now(points, &PointLanes::p_n, m.points, lane, n, force, pair.p_w[lane]),
-        step(points, &PointLanes::sum_n, m.points, lane, n, sum_force, pair.sum_w[lane]);
+    const Shares now(points, &Point::p_n, m.points, lane, n, force, pair.p_w[lane]),
+        step(points, &Point::sum_n, m.points, lane, n, sum_force, pair.sum_w[lane]);
     const Row& first = c.rows[m.row];
     const Vec3 apart = s.x[first.b] - s.x[first.a];  // first: far from the origin both are large and nearly equal
     for (std::uint32_t k = 0; k < m.points; ++k) {
       Row& row = c.rows[m.row + k];
       RowGeometry& g = c.geometry[m.row + k];
-      const PointLanes& p = points[k];
+      const Point& p = points[k];
       const Vec3 d = get(p.d, lane);
       row.p = p.p_n[lane] * row.n + now.at(d, p.p_n[lane]);
       g.impulse += p.sum_n[lane] * row.n + step.at(d, p.sum_n[lane]);
@@ -365,6 +399,13 @@ void unpack(World& world, const WideContacts& wide) {
       g.separation = (apart + (r_b - r_a)).dot(row.n);
     }
   });
+}
+
+}  // namespace
+
+void unpack(World& world, const WideContacts& wide) {
+  refresh_rotations(world);
+  with_lanes(wide, [&](const auto& rows, const auto&) { unpack(world, wide, rows); });
 }
 
 }  // namespace carom

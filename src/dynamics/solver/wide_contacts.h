@@ -16,12 +16,20 @@ namespace carom {
 
 static_assert(kPairPoints == Manifold::kMaxPoints);
 
+/// Rows in lanes, as doubles or as floats.
+template <class Number>
+struct ContactLanes {
+  explicit ContactLanes(Memory* m) : pairs(m), points(m), drives(m), locks(m) {}
+
+  Array<PairLanesOf<Number>> pairs;    // in the order of solving
+  Array<PointLanesOf<Number>> points;  // [pairs' points] likewise
+  Array<DriveLanesOf<Number>> drives;  // of pairs some of which are driven
+  Array<LockLanesOf<Number>> locks;    // of pairs with bodies that are locked
+};
+
 struct WideContacts {
   explicit WideContacts(Memory* m)
-      : pairs(m),
-        points(m),
-        drives(m),
-        locks(m),
+      : in_double(m),
         velocity(m),
         displacement(m),
         shift(m),
@@ -38,10 +46,9 @@ struct WideContacts {
 
   const ContactKernels* kernels = &contact_kernels();
 
-  Array<PairLanes> pairs;    // in the order of solving
-  Array<PointLanes> points;  // [pairs' points] likewise
-  Array<DriveLanes> drives;  // of pairs some of which are driven
-  Array<LockLanes> locks;    // of pairs with bodies that are locked
+  ContactLanes<double> in_double;
+  Owned<ContactLanes<float>> in_float;  // null until a step wants it
+  bool is_float = false;  // which of these has the rows of this step: @see float_range.h
 
   // by solver body; 0 is nobody, then those that move of themselves, then those that impulses move
   std::uint32_t first_moved = 1;
@@ -78,20 +85,31 @@ struct WideContacts {
 /// Colours of pairs beyond this many are solved one pair at a time: a body with so many movable neighbours is rare.
 inline constexpr std::uint32_t kColours = 64;
 
-inline LaneRun everything(WideContacts& wide) {
-  return {wide.pairs.data(), wide.pairs.size(), wide.points.data(), wide.velocity.data(),
-          wide.shift.data(), wide.first_moved,  wide.drives.data(), wide.locks.data()};
+/// f(lanes, sweeps): those that have the rows of this step.
+template <class Wide, class F>
+void with_lanes(Wide& wide, const F& f) {
+  if (wide.is_float)
+    f(*wide.in_float, wide.kernels->in_float);
+  else
+    f(wide.in_double, wide.kernels->in_double);
+}
+
+/// @param bodies  velocities, or displacements
+template <class Number>
+LaneRunOf<Number> everything(const WideContacts& wide, ContactLanes<Number>& lanes, BodyVelocity* bodies) {
+  return {lanes.pairs.data(), lanes.pairs.size(), lanes.points.data(), bodies,
+          wide.shift.data(),  wide.first_moved,   lanes.drives.data(), lanes.locks.data()};
 }
 
 /// Of a loop that threads share.
 inline constexpr std::size_t kPairsAPart = 16;
 
 /// kernel(part of the run), for kernels that write bodies: one colour after the other, each in parts at once.
-template <class Kernel>
-void by_colour(Jobs* jobs, const WideContacts& wide, const LaneRun& run, const Kernel& kernel) {
+template <class Run, class Kernel>
+void by_colour(Jobs* jobs, const WideContacts& wide, const Run& run, const Kernel& kernel) {
   if (!jobs) return kernel(run);
   const auto part = [&](std::size_t begin, std::size_t end) {
-    LaneRun r = run;
+    Run r = run;
     r.pairs += begin, r.count = end - begin;
     kernel(r);
   };
@@ -113,17 +131,41 @@ void by_colour(Jobs* jobs, const WideContacts& wide, const LaneRun& run, const K
 }
 
 /// Likewise for kernels that write pairs and points alone: all colours at once.
-template <class Kernel>
-void in_any_order(Jobs* jobs, const LaneRun& run, const Kernel& kernel) {
+template <class Run, class Kernel>
+void in_any_order(Jobs* jobs, const Run& run, const Kernel& kernel) {
   in_parts(jobs, run.count, kPairsAPart, [&](std::uint32_t begin, std::uint32_t end) {
-    LaneRun r = run;
+    Run r = run;
     r.pairs += begin, r.count = end - begin;
     kernel(r);
   });
 }
 
-/// Lay this step's rows out in lanes, with the poses and velocities of the present. Allocates.
-void pack(World& world, WideContacts& wide);
+/// kernel(sweeps, part of the run), for sweeps that write bodies: colour by colour.
+/// @param bodies  velocities, or displacements
+template <class Kernel>
+void sweep_bodies(World& world, BodyVelocity* bodies, const Kernel& kernel) {
+  WideContacts& wide = *world.wide;
+  with_lanes(wide, [&](auto& lanes, const auto& sweeps) {
+    by_colour(world.jobs, wide, everything(wide, lanes, bodies), [&](const auto& run) { kernel(sweeps, run); });
+  });
+}
+template <class Kernel>
+void sweep_contacts(World& world, const Kernel& kernel) {
+  sweep_bodies(world, world.wide->velocity.data(), kernel);
+}
+/// Likewise for those that write pairs and points alone.
+template <class Kernel>
+void over_contacts(World& world, const Kernel& kernel) {
+  WideContacts& wide = *world.wide;
+  with_lanes(wide, [&](auto& lanes, const auto& sweeps) {
+    in_any_order(world.jobs, everything(wide, lanes, wide.velocity.data()),
+                 [&](const auto& run) { kernel(sweeps, run); });
+  });
+}
+
+/// Lay this step's rows out in lanes, with the poses and velocities of the present, and their masses. Allocates.
+/// @param h  s, substep
+void pack(World& world, WideContacts& wide, Real h);
 /// Bodies' velocities from the state, and back. The first marks all bodies as untouched, the second those that a solver
 /// moved as touched.
 void load_velocities(World& world, WideContacts& wide);
@@ -139,7 +181,8 @@ void displace(World& world, const WideContacts& wide);
 void unpack(World& world, const WideContacts& wide);
 
 /// What solvers in lanes begin and end a step with: rows into lanes and their masses; impulses back.
-void begin_lanes(World& world);
+/// @param h  s, substep
+void begin_lanes(World& world, Real h);
 void end_lanes(World& world);
 /// Separations of all points from the present poses.
 void measure_lanes(World& world);

@@ -54,7 +54,11 @@ ChildEnd run_in_child(unsigned cpu_seconds, Verdict& shared, void (*work)(Verdic
     const rlimit no_core = {0, 0};
     setrlimit(RLIMIT_CPU, &cpu);
     setrlimit(RLIMIT_CORE, &no_core);
-    work(shared, argument);
+    try {
+      work(shared, argument);
+    } catch (...) {  // or it would go on as a second parent
+      shared.threw = 1;
+    }
     _exit(0);  // no destructors of the parent's copies
   }
   using Clock = std::chrono::steady_clock;
@@ -73,7 +77,7 @@ ChildEnd run_in_child(unsigned cpu_seconds, Verdict& shared, void (*work)(Verdic
     end.out_of_time = end.out_of_time || end.signal == SIGXCPU;
   } else {
     end.status = WEXITSTATUS(status);
-    end.finished = end.status == 0 && shared.complete;
+    end.finished = end.status == 0 && shared.complete && !shared.threw;
   }
   return end;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 
@@ -22,7 +23,8 @@ using accuracy::Sweep;
 using accuracy::SweepPlan;
 
 struct SweepOptions {
-  std::string scene, out;
+  std::vector<std::string> scenes;
+  std::string out;
   double seconds = 600, per_run = 20;
   bool no_maps = false, quiet = false;
 };
@@ -59,9 +61,12 @@ class Teller {
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
+/// Before a long run, not after it. Leaves no empty file behind.
 void check_writable(const std::string& path) {
-  std::ofstream probe(path, std::ios::app);
-  if (!probe) throw Error("cannot write " + path, "check that its folder exists and is writable");
+  const bool was_there = std::filesystem::exists(path);
+  const bool opens = std::ofstream(path, std::ios::app).is_open();
+  if (opens && !was_there) std::filesystem::remove(path);
+  if (!opens) throw Error("cannot write " + path, "check that its folder exists and is writable");
 }
 
 void run_sweep(const SweepOptions& options, Context& context) {
@@ -71,10 +76,11 @@ void run_sweep(const SweepOptions& options, Context& context) {
   if (!csv && !options.out.ends_with(".json"))
     throw Error("--out " + options.out + " is neither .json nor .csv", "name a FILE.json (reports read it) or a FILE.csv");
   SweepPlan plan;
-  if (options.scene == "all")
-    for (const accuracy::Challenge& c : accuracy::all_challenges()) plan.scenes.push_back(&c);
-  else
-    plan.scenes.push_back(&accuracy::find_challenge(options.scene));
+  for (const std::string& scene : options.scenes)
+    if (scene == "all")
+      for (const accuracy::Challenge& c : accuracy::all_challenges()) plan.scenes.push_back(&c);
+    else
+      plan.scenes.push_back(&accuracy::find_challenge(scene));
   check_writable(options.out);
   plan.entries = accuracy::carom_entries();
   plan.steps = accuracy::sweep_steps();
@@ -134,7 +140,7 @@ void run_report(const ReportOptions& options, Context& context) {
 void add_sweep_and_report_commands(CLI::App& accuracy_command, Context& context) {
   const auto sweep_options = std::make_shared<SweepOptions>();
   CLI::App* sweep = accuracy_command.add_subcommand("sweep", "Run scenes at many settings and steps: what accuracy costs");
-  sweep->add_option("SCENE", sweep_options->scene, "Which scene, or all; `carom accuracy list` shows them")->required();
+  sweep->add_option("SCENE", sweep_options->scenes, "Which scenes, or all; `carom accuracy list` shows them")->required();
   sweep->add_option("--out", sweep_options->out, "Every run: .json for `carom accuracy report`, .csv for other tools")
       ->required()
       ->type_name("FILE.json|FILE.csv");

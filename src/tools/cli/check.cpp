@@ -1,4 +1,5 @@
 // `carom check PLUGIN.so`: is this shape plugin honest? Tried in a child process; prints a witness when it is not.
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -46,6 +47,8 @@ void print_death(const ChildEnd& end, const Verdict& verdict, unsigned seconds) 
     how = format("it did not come back within %u s", seconds);
   else if (end.signal)
     how = format("it crashed (signal %d: %s)", end.signal, strsignal(end.signal));
+  else if (verdict.threw)
+    how = "it threw an exception";
   else
     how = format("it ended the process (status %d)", end.status);
   std::printf("  DISHONEST: %s, while %s\n", how.c_str(), phase_text(verdict.phase));
@@ -55,6 +58,8 @@ void print_death(const ChildEnd& end, const Verdict& verdict, unsigned seconds) 
       "     what to do: %s\n",
       end.out_of_time
           ? "a support function needs no open-ended loop: bound every loop and check what ends it for this input"
+      : verdict.threw || !end.signal || end.signal == SIGABRT
+          ? "return other than 0 instead: no exception, abort(), exit() or longjmp() may leave a support function"
           : "check array indices against param_len and every pointer; run it under valgrind with this input");
 }
 

@@ -392,7 +392,9 @@ struct Call {
 
 template <class A>
 A as(const Value& v) {
-  if constexpr (std::is_pointer_v<A>)
+  if constexpr (std::is_function_v<std::remove_pointer_t<A>>)
+    return reinterpret_cast<A>(const_cast<void*>(v.p));
+  else if constexpr (std::is_pointer_v<A>)
     return static_cast<A>(const_cast<void*>(v.p));
   else if constexpr (std::is_floating_point_v<A>)
     return static_cast<A>(v.d);

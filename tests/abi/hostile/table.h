@@ -622,9 +622,10 @@ inline const Row kRows[] = {
        handles.impossible = one.impossible;
        handles.wrong.push_back({"null", of(nullptr), kNull});
        for (const Wrong& w : one.wrong) {
-         if (w.codes & kWrongWorld) continue;  // which is what this is for
+         // Of another world, of any kind, or none: that is what this is for.
+         if ((w.codes & (kWrongWorld | kWrongKind)) || w.value.u == 0) continue;
          list[1] = w.value.u;
-         handles.wrong.push_back({w.what, of(c.keep(list)), w.codes});
+         handles.wrong.push_back({w.what, of(c.keep(list)), w.codes | kWrongKind});  // bits may be of nothing at all
        }
        return call("carom_world_translate_handles", carom_world_translate_handles, {world(c), handles, fixed_number(2), out(c, sizeof list), error(c)});
      }},
@@ -651,9 +652,9 @@ inline const Row kRows[] = {
     ROW(carom_body_get, world(c), handle(c, kBody), out_struct<carom_body_desc>(c), error(c)),
     ROW(carom_body_set_pose, world(c), handle(c, kBody), vector(c, 3, any()), unit(c, 4), error(c)),
     ROW_THAT(carom_body_set_velocity, may(kRange), world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
-    ROW(carom_body_add_force, world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
-    ROW(carom_body_add_force_at, world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
-    ROW(carom_body_add_impulse, world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
+    ROW_THAT(carom_body_add_force, may(kRange), world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
+    ROW_THAT(carom_body_add_force_at, may(kRange), world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
+    ROW_THAT(carom_body_add_impulse, may(kRange), world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
     ROW(carom_body_set_gravity_factor, world(c), handle(c, kBody), number(c, any()), error(c)),
     ROW(carom_body_get_gravity_factor, world(c), handle(c, kBody), out(c, 8), error(c)),
     ROW_THAT(carom_body_set_locks, may(kRange | kUnsupported), world(c), handle(c, kBody), bits(c, CAROM_LOCK_ALL), error(c)),

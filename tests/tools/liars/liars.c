@@ -4,6 +4,11 @@
 
 #if defined(LIE_CRASH)
 static volatile int *nowhere = 0;
+#elif defined(LIE_ABORT) || defined(LIE_EXIT)
+#include <stdlib.h>
+#elif defined(LIE_JUMP)
+#include <setjmp.h>
+static jmp_buf nowhere; /* never set: no frame waits there any more */
 #endif
 
 /* A unit ball, unless told otherwise. */
@@ -20,6 +25,12 @@ static int32_t support(const double *params, uint64_t param_len, const double di
     out[0] += 1;
 #elif defined(LIE_CRASH)
   if (y < -0.95 * length) *nowhere = 1;
+#elif defined(LIE_ABORT)
+  if (y < -0.95 * length) abort();
+#elif defined(LIE_EXIT)
+  if (y < -0.95 * length) exit(0);
+#elif defined(LIE_JUMP)
+  if (y < -0.95 * length) longjmp(nowhere, 1);
 #elif defined(LIE_NAN)
   if (z > 0.99 * length) out[1] = NAN;
 #elif defined(LIE_DENT)

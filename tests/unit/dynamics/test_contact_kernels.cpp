@@ -15,8 +15,9 @@ struct Heap {
   const Shape* const ball = t.keep(sphere(0.4));
   const Shape* const rod = t.keep(capsule(0.2, 0.5));
 
-  Heap(std::uint32_t solver, const ContactKernels& kernels) {
+  Heap(std::uint32_t solver, Precision precision, const ContactKernels& kernels) {
     t.world.wide->kernels = &kernels;
+    t.world.set_dial(Dial::precision, static_cast<Real>(precision));
     t.world.set_dial(Dial::solver, solver);
     t.world.set_dial(Dial::substeps, 4);
     t.ground();
@@ -33,18 +34,21 @@ struct Heap {
 };
 
 void every_width_that_this_machine_has_gives_the_bits_of_the_baseline(void**) {
-  for (const std::uint32_t solver : {1u, 2u}) {  // CAROM_SOLVER_SEQUENTIAL, SOFT_STEP
-    std::uint64_t baseline = 0;
-    for (const ContactKernels* kernels : all_contact_kernels()) {
-      Heap heap(solver, *kernels);
-      heap.t.run(200, 1.0 / 60);
-      assert_true(heap.t.world.report.contact_points > 40);
-      const std::uint64_t hash = heap.t.world.hash();
-      print_message("solver %u, %s: 0x%016llx\n", solver, kernels->name, static_cast<unsigned long long>(hash));
-      if (kernels == all_contact_kernels().front()) baseline = hash;
-      assert_true(hash == baseline);
+  for (const std::uint32_t solver : {1u, 2u})  // CAROM_SOLVER_SEQUENTIAL, SOFT_STEP
+    for (const Precision precision : {Precision::in_double, Precision::in_float}) {
+      std::uint64_t baseline = 0;
+      for (const ContactKernels* kernels : all_contact_kernels()) {
+        Heap heap(solver, precision, *kernels);
+        heap.t.run(200, 1.0 / 60);
+        assert_true(heap.t.world.report.contact_points > 40);
+        assert_true(heap.t.world.wide->is_float == (precision == Precision::in_float));
+        const std::uint64_t hash = heap.t.world.hash();
+        print_message("solver %u, %s, %s: 0x%016llx\n", solver, heap.t.world.wide->is_float ? "float" : "double",
+                      kernels->name, static_cast<unsigned long long>(hash));
+        if (kernels == all_contact_kernels().front()) baseline = hash;
+        assert_true(hash == baseline);
+      }
     }
-  }
 }
 
 void a_world_starts_with_the_widest(void**) {

@@ -28,12 +28,12 @@ static void shares_of_points_add_up_to_the_friction_of_their_pair(void**) {
     const WideContacts& wide = *t.world.wide;
     const Contacts& c = *t.world.contacts;
     for (const WideContacts::Manifold& m : wide.manifolds) {
-      const PairLanes& pair = wide.pairs[m.pair];
+      const PairLanes& pair = wide.in_double.pairs[m.pair];
       const Vec3 n = at(pair.n, m.lane), tangent = at(pair.t, m.lane);
       Vec3 force = Vec3::Zero();
       Real twist = 0, load = 0, reach = 0;
       for (std::uint32_t k = 0; k < m.points; ++k) {
-        const Vec3 p = c.rows[m.row + k].p, d = at(wide.points[pair.first + k].d, m.lane);
+        const Vec3 p = c.rows[m.row + k].p, d = at(wide.in_double.points[pair.first + k].d, m.lane);
         const Vec3 sideways = p - p.dot(n) * n;
         force += sideways, twist += d.cross(sideways).dot(n);
         load += p.dot(n), reach = std::max(reach, d.norm());

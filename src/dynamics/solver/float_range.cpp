@@ -1,0 +1,46 @@
+// What floats can bear of bodies.
+#include "dynamics/solver/float_range.h"
+
+#include <algorithm>
+
+#include "dynamics/force/force.h"
+
+namespace carom {
+namespace {
+
+constexpr Real kLightest = 1e-9, kHeaviest = 1e9;  // kg
+constexpr Real kFastest = 1e9;                     // m/s, rad/s
+constexpr Real kShortest = 1e-9, kLongest = 1e9;   // s
+constexpr Real kLeastTurn = 1e-25;                 // 1/(kg m^2), of the axis that turns most easily
+
+bool is_slow(const Vec3& v) { return v.cwiseAbs().maxCoeff() <= kFastest; }
+
+bool weighs_enough(const Scene& scene, std::uint32_t body) {
+  const Real inv_mass = scene.inv_mass[body];
+  if (!(inv_mass >= 1 / kHeaviest && inv_mass <= 1 / kLightest)) return false;
+  if (!rotates(scene, body)) return true;
+  const Real most = scene.inv_inertia[body].diagonal().maxCoeff();
+  return most >= kLeastTurn && most <= 1 / kLeastTurn;
+}
+
+}  // namespace
+
+bool bears_floats(const World& world, const WideContacts& wide, Real h) {
+  if (Precision(world.scene.dials.choice(Dial::precision)) == Precision::in_double) return false;
+  if (!(h >= kShortest && h <= kLongest)) return false;
+  for (std::size_t i = wide.first_moved; i < wide.slot.size(); ++i)
+    if (!weighs_enough(world.scene, wide.slot[i])) return false;
+  return std::ranges::all_of(world.contacts->surface, is_slow) &&
+         std::ranges::all_of(world.contacts->driven, [](const Driven& d) { return is_slow(d.spin); });
+}
+
+bool is_slow_enough(const State& state, std::uint32_t body) {
+  return is_slow(state.v[body]) && is_slow(state.omega[body]);
+}
+
+void cap(BodyVelocity& velocity) {
+  const auto within = [](double& x) { x = x > kFastest ? kFastest : x < -kFastest ? -kFastest : x == x ? x : 0; };
+  for (int k = 0; k < 3; ++k) within(velocity.v[k]), within(velocity.omega[k]);
+}
+
+}  // namespace carom
