@@ -122,8 +122,9 @@ std::vector<Extras::Effect> measure_effects(Engine& engine) {
   }
   std::vector<Extras::Effect> effects;
   for (auto& [name, sample] : samples) {
-    std::sort(sample.ns.begin(), sample.ns.end());
-    const auto at = [&](double share) { return sample.ns[static_cast<std::size_t>(share * static_cast<double>(sample.ns.size() - 1))]; };
+    std::vector<double>& ns = sample.ns;
+    std::sort(ns.begin(), ns.end());
+    const auto at = [&](double share) { return ns[static_cast<std::size_t>(share * static_cast<double>(ns.size() - 1))]; };
     effects.push_back({name, sample.unit, at(0.5), (at(0.75) - at(0.25)) / 2});
   }
   return effects;
