@@ -14,7 +14,7 @@
 #include "accuracy/page/report.h"
 #include "accuracy/sweep/sweep.h"
 #include "cli/table.h"
-#include "report/page.h"
+#include "host/files.h"
 
 namespace carom::tools {
 namespace {
@@ -123,15 +123,13 @@ void run_report(const ReportOptions& options, Context& context) {
     const std::size_t equals = drawing.find('=');
     if (equals == std::string::npos) throw Error("--draw " + drawing + " names no file", "write --draw NAME=FILE.svg");
     const std::string path = drawing.substr(equals + 1);
-    if (!report::write_file(path, accuracy::report_drawing(sweep, drawing.substr(0, equals))))
-      throw Error("cannot write " + path, "check that its folder exists and is writable");
+    write_file(path, accuracy::report_drawing(sweep, drawing.substr(0, equals)));
   }
   if (options.out.empty()) return;
   accuracy::Extras extras;
   extras.tolerances = accuracy::measure_tolerances(engine);
   extras.effects = options.effects.empty() ? accuracy::measure_effects(engine) : accuracy::read_effects(options.effects);
-  if (!report::write_file(options.out, accuracy::report_page(sweep, extras)))
-    throw Error("cannot write " + options.out, "check that the disk has room");
+  write_file(options.out, accuracy::report_page(sweep, extras));
   if (!options.quiet) std::printf("%s: %zu runs\n", options.out.c_str(), sweep.rows.size());
 }
 

@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/table.h"
+#include "host/files.h"
 
 namespace carom::tools {
 namespace {
@@ -33,12 +34,6 @@ void print(const report::Figure& figure) {
   std::fflush(stdout);
 }
 
-void save(const std::filesystem::path& file, const std::string& content) {
-  if (!report::write_file(file.string(), content))
-    throw Error("cannot write " + file.string(),
-                "check that the folder exists and is writable, and that the disk has room");
-}
-
 void run_paper(const Context& context, const std::string& out, bool quick, const std::string& mesh) {
   std::error_code failed;
   std::filesystem::create_directories(out, failed);
@@ -53,14 +48,14 @@ void run_paper(const Context& context, const std::string& out, bool quick, const
   for (const auto& measure_figure : {report::broad_phase_shares, report::cost_of_size, report::scene_speeds}) {
     const report::Figure figure = measure_figure(run);
     print(figure);
-    save(std::filesystem::path(out) / figure.file_name, figure.drawing);
+    write_file((std::filesystem::path(out) / figure.file_name).string(), figure.drawing);
     page.heading(figure.heading);
     page.drawing(figure.file_name, figure.heading);
     page.table(figure.table);
     for (const std::string& remark : figure.remarks) page.paragraph(remark);
   }
   const auto index = std::filesystem::path(out) / "index.html";
-  save(index, page.document());
+  write_file(index.string(), page.document());
   std::printf("wrote %s and its drawings; open it in a browser\n", index.string().c_str());
 }
 

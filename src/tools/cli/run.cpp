@@ -4,8 +4,6 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -16,8 +14,8 @@
 #include "cli/run_output.h"
 #include "cli/scene_choice.h"
 #include "cli/table.h"
+#include "host/files.h"
 #include "replay/replay.h"
-#include "report/page.h"
 #include "report/perspective.h"
 #include "report/silhouette.h"
 #include "scenefile/scenefile.h"
@@ -69,31 +67,25 @@ void write_filmstrip(const std::string& path, const Scene& scene, Stage& stage, 
   report::Filmstrip strip = report::filmstrip_of(stage, recording, 6);
   strip.title = scene.name + ": " + scene.look_for;
   strip.note = stage.remarks.empty() ? "" : stage.remarks.front();
-  if (!report::write_file(path, report::draw(strip)))
-    throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
+  write_file(path, report::draw(strip));
 }
 
 /// The moment at which the run ended, in perspective.
 void write_picture(const std::string& path, const Scene& scene, Stage& stage, double time) {
   char moment[64];
   std::snprintf(moment, sizeof moment, " after %.4g s", time);
-  if (!report::write_file(path, report::perspective(stage, scene.summary, "carom run " + scene.name + moment)))
-    throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
+  write_file(path, report::perspective(stage, scene.summary, "carom run " + scene.name + moment));
 }
 
 /// The whole world, so that a later run needs no scene.
 void save_state(const std::string& path, const World& world) {
   const std::vector<char> bytes = world.save(CAROM_SNAPSHOT_WHOLE);
-  std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
-  if (!file)
-    throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
+  write_file(path, {bytes.begin(), bytes.end()});
 }
 
 void load_state(const std::string& path, World& world) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error("cannot read " + path, "give --load a file that --save wrote");
-  world.restore(std::vector<char>{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}, path);
+  const std::string bytes = read_file(path, "give --load a file that --save wrote");
+  world.restore({bytes.begin(), bytes.end()}, path);
 }
 
 void run_scene(Options options, Context& context) {
@@ -163,10 +155,8 @@ void run_scene(Options options, Context& context) {
   if (!options.filmstrip.empty()) write_filmstrip(options.filmstrip, scene, stage, *recording);
   if (!options.svg.empty()) write_picture(options.svg, scene, stage, run.simulated);
 
-  if (!options.ledger_svg.empty() &&
-      !report::write_file(options.ledger_svg, ledger_plot.draw(scene.name + ": where the energy of motion came from")))
-    throw Error("cannot write " + options.ledger_svg,
-                "check that its folder exists and is writable, and that the disk has room");
+  if (!options.ledger_svg.empty())
+    write_file(options.ledger_svg, ledger_plot.draw(scene.name + ": where the energy of motion came from"));
 
   const std::vector<KindSummary> kinds = where_it_ended(stage);
   if (options.as_json) {

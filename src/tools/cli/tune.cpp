@@ -13,7 +13,7 @@
 #include "cli/run_output.h"
 #include "cli/scene_choice.h"
 #include "cli/table.h"
-#include "report/page.h"
+#include "host/files.h"
 #include "report/plot.h"
 #include "scenefile/scenefile.h"
 
@@ -242,8 +242,7 @@ void write_plot(const std::string& path, const Question& q, const Answer& a) {
   plot.marks.push_back({q.budget_ms, format("budget %.3g ms", q.budget_ms)});
   plot.note =
       "carom tune " + q.scene->name + format(", %d settings over %g s at %g Hz", a.tried, q.seconds, q.frame_rate);
-  if (!report::write_file(path, report::draw(plot)))
-    throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
+  write_file(path, report::draw(plot));
 }
 
 void run_tune(const Options& options, Context& context) {

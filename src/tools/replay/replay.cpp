@@ -2,9 +2,8 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 
+#include "host/files.h"
 #include "replay/script.h"
 
 namespace carom::tools::replay {
@@ -252,9 +251,7 @@ Outcome play(carom_engine* engine, const Bytes& recording, const std::function<v
 }
 
 Bytes read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error("cannot read " + path, "check the path");
-  const std::vector<char> chars{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const std::string chars = tools::read_file(path, "check the path");
   const auto* const bytes = reinterpret_cast<const std::byte*>(chars.data());
   return Bytes(bytes, bytes + chars.size());
 }

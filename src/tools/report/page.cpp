@@ -1,8 +1,6 @@
 // The page's mark-up and style.
 #include "report/page.h"
 
-#include <fstream>
-
 #include "report/svg.h"
 
 namespace carom::report {
@@ -45,13 +43,6 @@ std::string Page::document() const {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><title>" + escape(title_) +
          "</title><style>" + kStyle + "</style></head><body>\n<h1>" + escape(title_) + "</h1>\n" + body_ +
          "</body></html>\n";
-}
-
-bool write_file(const std::string& path, const std::string& content) {
-  std::ofstream file(path, std::ios::binary);
-  file << content;
-  file.close();
-  return file.good();
 }
 
 }  // namespace carom::report

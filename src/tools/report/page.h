@@ -27,7 +27,4 @@ class Page {
   std::string title_, body_;
 };
 
-/// Write a file, replacing it. @return false if that failed (errno says why)
-bool write_file(const std::string& path, const std::string& content);
-
 }  // namespace carom::report

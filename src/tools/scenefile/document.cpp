@@ -3,23 +3,14 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
+#include "host/files.h"
 #include "host/host.h"
 
 namespace carom::tools::scenefile {
 namespace {
 
 const char* type_of(const json& value) { return value.type_name(); }
-
-std::string read_file(const std::string& path, const std::string& remedy) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw Error("cannot read " + path, remedy);
-  return text.str();
-}
 
 std::uint32_t get32(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;

@@ -2,8 +2,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
+#include "host/files.h"
 #include "scenefile/scenefile.h"
 
 namespace carom::tools {
@@ -38,9 +38,7 @@ bool is_snapshot_file(const std::string& path) {
 }
 
 void read_snapshot(const std::string& path, Stage& stage) {
-  std::ifstream file(path, std::ios::binary);
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file || bytes.empty()) throw Error("cannot read " + path, "check the path");
+  const std::string bytes = read_file(path, "check the path");
   stage.engine().load_all();
   Call call;
   const std::int32_t result = carom_world_restore(stage.world.get(), bytes.data(), bytes.size(), call);

@@ -7,7 +7,10 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
+
+#include "host/files.h"
 
 namespace carom::tools::accuracy {
 namespace {
@@ -60,17 +63,6 @@ Row row_of(const json& j) {
   return row;
 }
 
-std::ofstream open(const std::string& path) {
-  std::ofstream file(path);
-  if (!file) throw Error("cannot write " + path, "check that its folder exists and is writable");
-  return file;
-}
-
-void close(std::ofstream& file, const std::string& path) {
-  file.close();
-  if (!file) throw Error("cannot write " + path, "check that the disk has room");
-}
-
 }  // namespace
 
 void write_json(const std::string& path, const Sweep& sweep) {
@@ -78,7 +70,7 @@ void write_json(const std::string& path, const Sweep& sweep) {
   for (const EngineNote& e : sweep.engines)
     engines.push_back({{"name", e.name}, {"version", e.version}, {"note", e.note}});
   for (const Row& row : sweep.rows) rows.push_back(row_json(row));
-  std::ofstream file = open(path);
+  std::ostringstream file;
   // One row a line: such files are compared and searched.
   file << "{\"format\": " << json(kFormat) << ",\n\"machine\": " << json(sweep.machine)
        << ",\n\"date\": " << json(sweep.date) << ",\n\"engines\": " << engines << ",\n\"scenes\": [";
@@ -90,11 +82,11 @@ void write_json(const std::string& path, const Sweep& sweep) {
   file << ",\n\"rows\": [";
   lines(rows);
   file << "}\n";
-  close(file, path);
+  write_file(path, file.str());
 }
 
 void write_csv(const std::string& path, const Sweep& sweep) {
-  std::ofstream file = open(path);
+  std::ostringstream file;
   file.precision(17);
   file << "engine,setting,scene,knobs,dt,metric,unit,error,bound,fell_at,simulated,cost,left_out\n";
   for (const Row& row : sweep.rows) {
@@ -111,7 +103,7 @@ void write_csv(const std::string& path, const Sweep& sweep) {
       file << ',' << row.fell_at << ',' << row.simulated << ',' << row.cost << ',' << row.left_out << '\n';
     }
   }
-  close(file, path);
+  write_file(path, file.str());
 }
 
 Sweep read_json(const std::string& path) {
