@@ -16,30 +16,34 @@ void view_contacts(World& world) {
   const State& s = world.state;
   StepReport& report = world.report;
   world.contact_views.resize(c.rows.size());
-  in_parallel(world.jobs, c.rows.size(), kRowsAPart, [&](std::uint32_t i) {
-    const Row& row = c.rows[i];
-    const RowGeometry& g = c.geometry[i];
-    const Pair& pair = world.pairs.place(g.pair).pair;
-    const Real normal_impulse = g.impulse.dot(row.n);
-    world.contact_views[i] = {pair.a,
-                              pair.b,
-                              0.5 * ((s.x[row.a] + arm_a(world, row, g)) + (s.x[row.b] + arm_b(world, row, g))),
-                              row.n,
-                              g.separation,
-                              normal_impulse,
-                              (g.impulse - normal_impulse * row.n).norm()};
+  each_block(world, [&](Contacts::Block& block, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Row& row = c.rows[i];
+      const RowGeometry& g = c.geometry[i];
+      const Pair& pair = world.pairs.place(g.pair).pair;
+      const Real normal_impulse = g.impulse.dot(row.n);
+      world.contact_views[i] = {pair.a,
+                                pair.b,
+                                0.5 * ((s.x[row.a] + arm_a(world, row, g)) + (s.x[row.b] + arm_b(world, row, g))),
+                                row.n,
+                                g.separation,
+                                normal_impulse,
+                                (g.impulse - normal_impulse * row.n).norm()};
+      if (row.p != Vec3::Zero()) ++block.loaded;
+      if (!(g.separation < 0)) continue;
+      ++block.overlapping;
+      block.depth = std::max(block.depth, -g.separation);
+      block.sum_of_depths -= g.separation;
+      block.closing = std::max(block.closing, -row.u.dot(row.n));
+    }
   });
   double sum = 0;
   std::uint64_t overlapping = 0;
-  for (std::size_t i = 0; i < c.rows.size(); ++i) {
-    const Row& row = c.rows[i];
-    const RowGeometry& g = c.geometry[i];
-    if (g.separation < 0) {
-      report.max_penetration = std::max<double>(report.max_penetration, -g.separation);
-      sum -= g.separation;
-      ++overlapping;
-      report.max_closing_speed = std::max<double>(report.max_closing_speed, -row.u.dot(row.n));
-    }
+  for (const Contacts::Block& block : c.blocks) {
+    report.max_penetration = std::max<double>(report.max_penetration, block.depth);
+    report.max_closing_speed = std::max<double>(report.max_closing_speed, block.closing);
+    sum += block.sum_of_depths;
+    overlapping += block.overlapping;
   }
   if (overlapping) report.mean_penetration = sum / static_cast<double>(overlapping);
 }

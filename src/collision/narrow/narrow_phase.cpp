@@ -83,7 +83,7 @@ enum class Whose { everybodys, any_threads, host_threads };
 /// along their normal and as much beside it.
 constexpr Real kFarthest = 1.5;
 
-constexpr std::uint32_t kAhead = 4;  // pairs: a hundred nanoseconds or two
+constexpr std::uint32_t kAhead = 12;  // pairs: most of them are not asked
 
 /// Some microseconds of a loop, where most pairs lie still.
 constexpr std::size_t kPairsAPart = 64;

@@ -21,12 +21,12 @@ struct NarrowSettings {
   Real carry_over = 0;  // bracket width, relative to the pair's size, up to which an earlier answer is carried over
 };
 
-/// All that is kept of a pair whose bounds overlap.
-struct PairRecord {
+/// All that is kept of a pair whose bounds overlap. What a pair at rest is asked for stands first, @see PairTable::fetch
+struct alignas(64) PairRecord {
   Pair pair{};
-  QueryMemory memory;
-  Manifold manifold;
   PatchMemory patch;
+  Manifold manifold;
+  QueryMemory memory;
 };
 
 /// Records of the pairs of the current step, in ascending order of pair; a record survives as long as its bounds
@@ -80,14 +80,15 @@ class PairTable {
   };
   Place& place(std::size_t i) { return order_[i]; }
   const Place& place(std::size_t i) const { return order_[i]; }
-  /// Bring the manifold and patch of a pair that touches nearer: records of a step are more than the second cache
+  /// Bring the patch and the points of a pair that touches nearer: records of a step are more than the second cache
   /// holds.
   /// @param i  may be past the end
   void fetch(std::size_t i) const {
     if (i >= order_.size() || order_[i].points == 0) return;
     const auto* const record = reinterpret_cast<const char*>(&records_[order_[i].record]);
-    for (std::size_t at = offsetof(PairRecord, manifold); at < sizeof(PairRecord); at += 64)
-      __builtin_prefetch(record + at);
+    const std::size_t end =
+        offsetof(PairRecord, manifold) + offsetof(Manifold, point) + order_[i].points * sizeof(ContactPoint);
+    for (std::size_t at = 0; at < end; at += 64) __builtin_prefetch(record + at);
   }
   /// No pair is to be taken for out of reach before it is asked once more: how pairs are asked may have changed.
   void ask_all() {

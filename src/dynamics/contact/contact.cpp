@@ -16,7 +16,7 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t kPairsAhead = 4;  // whose records are fetched while those of one pair are read
+constexpr std::size_t kPairsAhead = 12;  // whose records are fetched while those of one pair are read
 
 /// Where a point is for the next step to find again: on A, in the frame of its shape, unless A is static or kinematic,
 /// over which B may slide as fast as it likes; then on B.
@@ -98,21 +98,25 @@ std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
 void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size_t& cursor, Real scale) {
   Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
-  const PairRecord& record = world.pairs[pair_index];
-  const std::uint32_t ca = record.pair.a, cb = record.pair.b;
-  const Movers m(world, record.pair);
+  const Manifold& manifold = world.pairs[pair_index].manifold;
+  const Pair pair = world.pairs.place(pair_index).pair;
+  const std::uint32_t ca = pair.a, cb = pair.b;
+  const Movers m(world, pair);
   const MixedMaterial material = mixed(scene, ca, cb);
   const Frame &fa = world.plan->local[ca], &fb = world.plan->local[cb];
-  while (cursor < c.old.size() && c.old[cursor].pair < record.pair) ++cursor;
+  while (cursor < c.old.size() && c.old[cursor].pair < pair) ++cursor;
   std::size_t last = cursor;
-  while (last < c.old.size() && c.old[last].pair == record.pair) ++last;
+  while (last < c.old.size() && c.old[last].pair == pair) ++last;
+  const bool on_b = placed_on_b(scene, ca);
   std::array<const OldImpulse*, Manifold::kMaxPoints> match{};
   if (scale > 0 && last > cursor)
-    match = match_points(c, cursor, last, record.manifold, placed_on_b(scene, ca), scene.dials[Dial::cache_distance]);
+    match = match_points(c, cursor, last, manifold, on_b, scene.dials[Dial::cache_distance]);
 
   const Real radius_a = scene.colliders.shape[ca]->core_radius, radius_b = scene.colliders.shape[cb]->core_radius;
-  for (int k = 0; k < record.manifold.count; ++k) {
-    const ContactPoint& point = record.manifold.point[k];
+  const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
+  const bool one_normal = std::all_of(manifold.point, manifold.point + manifold.count, is_first);
+  for (int k = 0; k < manifold.count; ++k) {
+    const ContactPoint& point = manifold.point[k];
     Row& row = c.rows[at + static_cast<std::uint32_t>(k)];
     RowGeometry& g = c.geometry[at + static_cast<std::uint32_t>(k)];
     const OldImpulse* const old = match[static_cast<std::size_t>(k)];
@@ -122,12 +126,14 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
     row.friction = material.friction;
     row.restitution = material.restitution;
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
+    row.one_normal = one_normal;
     g.radius_a = radius_a, g.radius_b = radius_b;
     g.l_a = fa.apply(point.on_a);
     g.l_b = fb.apply(point.on_b);
     if (radius_a > 0) g.l_a -= radius_a * (world.plan->rotation[m.a].transpose() * row.n);
     if (radius_b > 0) g.l_b += radius_b * (world.plan->rotation[m.b].transpose() * row.n);
     g.impulse = Vec3::Zero();
+    g.place = place_of(point, on_b);
     g.separation = point.separation;
     g.pair = static_cast<std::uint32_t>(pair_index);
     g.point = static_cast<std::uint32_t>(k);
@@ -160,16 +166,28 @@ void fill_all_rows(World& world, Real scale) {
   });
 }
 
-/// Runs of rows of one pair.
-void list_meetings(const PairTable& pairs, Contacts& c) {
-  c.meetings.clear();
+/// Runs of rows of one pair, and which of them bounce or rub.
+void list_meetings(World& world) {
+  Contacts& c = *world.contacts;
+  c.meetings.clear(), c.bouncing.clear(), c.impacts.clear();
   c.meetings.reserve(c.rows.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
+  std::uint64_t rub = 0;
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
     const std::uint32_t first = c.first_row[i], count = c.first_row[i + 1] - first;
     if (count == 0) continue;
     const Row& row = c.rows[first];
-    c.meetings.push_back({first, count, row.a, row.b, row.moves_a, row.moves_b});
+    c.meetings.push_back({first, count, row.a, row.b, row.moves_a, row.moves_b, row.one_normal});
+    if (row.friction > 0) rub += count;
+    for (std::uint32_t k = first; row.restitution > 0 && k < first + count; ++k) {
+      c.geometry[k].impact = static_cast<std::uint32_t>(c.impacts.size());
+      c.bouncing.push_back(k);
+      c.impacts.emplace_back().row = k;
+    }
   }
+  Array<PlannedEffect>& effects = world.plan->effects;
+  effects[kFrictionRow].customers.count = rub;
+  effects[kRestitutionRow].customers.count = c.bouncing.size();
+  effects[kResponseRow].customers.count = c.meetings.size();
 }
 
 /// Who is moved by rows or joints, ascending. Looked for among the rows where those are few, so that nobody else costs
@@ -198,24 +216,6 @@ void list_bodies(World& world) {
   each_of_both(plan.linear, plan.rotating, [&](std::uint32_t i) {
     if (c.is_bound[i]) c.bodies.push_back(i);
   });
-}
-
-/// Where each body's rows will stand in the list of halves.
-void count_halves(World& world) {
-  Contacts& c = *world.contacts;
-  const std::size_t slots = world.scene.bodies.slots();
-  c.half_begin.resize(slots), c.half_end.resize(slots);
-  for (const std::uint32_t i : c.bodies) c.half_end[i] = 0;
-  for (const Meeting& m : c.meetings) {
-    if (m.moves_a) c.half_end[m.a] += m.count;
-    if (m.moves_b) c.half_end[m.b] += m.count;
-  }
-  std::uint32_t begin = 0;
-  for (const std::uint32_t i : c.bodies) {
-    c.half_begin[i] = begin;
-    c.half_end[i] = begin += c.half_end[i];
-  }
-  c.half.resize(begin);
 }
 
 /// Let a row's starting impulse act.
@@ -292,10 +292,27 @@ Mat3 velocity_per_impulse(const World& world, const Row& row, const RowMass& m) 
   return k;
 }
 
+void make_room_for_search(World& world) {
+  Contacts& c = *world.contacts;
+  const std::size_t slots = world.scene.bodies.slots(), n = c.rows.size();
+  c.half_begin.resize(slots), c.half_end.resize(slots);
+  for (const std::uint32_t i : c.bodies) c.half_end[i] = 0;
+  for (const Meeting& m : c.meetings) {
+    if (m.moves_a) c.half_end[m.a] += m.count;
+    if (m.moves_b) c.half_end[m.b] += m.count;
+  }
+  std::uint32_t begin = 0;
+  for (const std::uint32_t i : c.bodies) {
+    c.half_begin[i] = begin;
+    c.half_end[i] = begin += c.half_end[i];
+  }
+  c.half.resize(begin);
+  c.keys.resize(n), c.place.resize(n), c.ranked.reserve(n);
+}
+
 void build_rows(World& world, Real h) {
   Contacts& c = *world.contacts;
   const std::size_t slots = world.scene.bodies.slots();
-  c.bouncing.clear(), c.impacts.clear();
   for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;  // of the last step
   const bool warm = world.scene.dials.choice(Dial::warm_start) != 0 && c.old_h > 0;
   const Real scale = warm ? warm_scale(h, c.old_h) : 0;
@@ -303,28 +320,17 @@ void build_rows(World& world, Real h) {
   find_resistance(world, scale);
   find_surfaces(world);
   const std::size_t n = c.rows.size();
-  for (std::uint32_t i = 0; i < n; ++i) {
-    if (!(c.rows[i].restitution > 0)) continue;
-    c.geometry[i].impact = static_cast<std::uint32_t>(c.impacts.size());
-    c.bouncing.push_back(i);
-    c.impacts.emplace_back().row = i;
-  }
   world.report.contact_points = n;
-  list_meetings(world.pairs, c);
+  list_meetings(world);
   link_joints(world);
   list_bodies(world);
-  count_halves(world);
+  if (!c.bouncing.empty()) make_room_for_search(world);
   c.inv_inertia_w.resize(slots);
   c.last_impact.resize(slots);
   c.shift.resize(slots, Vec3::Zero()), c.turn.resize(slots, Vec3::Zero());
-  c.keys.resize(n), c.place.resize(n), c.ranked.reserve(n), c.cursor.reserve(std::max(n, slots) + 1);
   c.old.reserve(n);
+  c.blocks.assign((n + kRowsAPart - 1) / kRowsAPart, {});
   world.contact_views.reserve(n);
-  const auto rubs = [](const Row& r) { return r.friction > 0; };
-  Array<PlannedEffect>& effects = world.plan->effects;
-  effects[kFrictionRow].customers.count = static_cast<std::uint64_t>(std::count_if(c.rows.begin(), c.rows.end(), rubs));
-  effects[kRestitutionRow].customers.count = c.bouncing.size();
-  effects[kResponseRow].customers.count = c.meetings.size();
 }
 
 void prepare_rows(World& world, Real h) {
@@ -388,22 +394,24 @@ void refresh_separations(World& world) {
 
 void remember_impulses(World& world, Real h) {
   Contacts& c = *world.contacts;
-  c.old.clear();
+  std::uint32_t n = 0;
+  for (Contacts::Block& block : c.blocks) n += std::exchange(block.loaded, n);  // now: where its impulses stand
+  c.old.resize(n);
   c.old_h = h;
-  const Resistance* resistance = c.resisting.data();
-  const Resistance* const end = resistance + c.resisting.size();
-  for (std::size_t i = 0; i < c.rows.size(); ++i) {
-    if (c.rows[i].p == Vec3::Zero()) continue;
-    const RowGeometry& g = c.geometry[i];
-    world.pairs.fetch(g.pair + kPairsAhead);
-    while (resistance < end && resistance->row + resistance->points <= i) ++resistance;
-    const bool first = resistance < end && resistance->row <= i;
-    const Pair& pair = world.pairs.place(g.pair).pair;
-    const ContactPoint& point = world.pairs[g.pair].manifold.point[g.point];
-    c.old.push_back({pair, place_of(point, placed_on_b(world.scene, pair.a)), c.rows[i].p,
-                     first ? resistance->moment : Vec3(Vec3::Zero())});
-    resistance += first;
-  }
+  each_block(world, [&](const Contacts::Block& block, std::size_t first, std::size_t last) {
+    OldImpulse* to = c.old.data() + block.loaded;
+    const auto ends_before = [](const Resistance& r, std::size_t row) { return r.row + r.points <= row; };
+    auto resistance = std::lower_bound(c.resisting.begin(), c.resisting.end(), first, ends_before);
+    for (std::size_t i = first; i < last; ++i) {
+      const Row& row = c.rows[i];
+      if (row.p == Vec3::Zero()) continue;
+      const RowGeometry& g = c.geometry[i];
+      while (resistance != c.resisting.end() && ends_before(*resistance, i)) ++resistance;
+      const bool resists = resistance != c.resisting.end() && resistance->row <= i;
+      *to++ = {world.pairs.place(g.pair).pair, g.place, row.p, Vec3::Zero()};
+      if (resists) to[-1].moment = resistance->moment;
+    }
+  });
 }
 
 }  // namespace carom

@@ -24,6 +24,7 @@ struct alignas(64) Row {
   Real rub2;                // (N s)^2, |rub|^2
   bool on_rim;              // the friction impulse is as large as the cone allows
   bool moves_a, moves_b;    // an impulse moves it
+  bool one_normal;          // all rows of its pair have the same
   Real friction;            // mixed Coulomb coefficient
 
   Vec3 p;              // N s, impulse on B in this substep so far, world; between substeps, what the next starts from
@@ -59,6 +60,7 @@ struct RowGeometry {
   Vec3 l_a, l_b;            // m, body axes about the centre of mass: the core's points
   Real radius_a, radius_b;  // m, core radii; 0: the surface turns with the body
   Vec3 impulse;             // N s, of the whole step, world
+  Vec3 place;               // m, @see OldImpulse
   Real separation;          // m, as of the last refresh_separations()
   std::uint32_t pair;       // index in the pair table
   std::uint32_t point;      // index in its manifold
@@ -78,6 +80,7 @@ struct Meeting {
   std::uint32_t row, count;
   std::uint32_t a, b;  // body slots
   bool moves_a, moves_b;
+  bool one_normal;
 };
 
 /// Two bodies that a joint holds together, or one and the world.
@@ -89,7 +92,7 @@ struct Link {
 /// What the next step knows of an impulse of this one.
 struct OldImpulse {
   Pair pair;
-  Vec3 place;   // m, where it acted, @see place_of()
+  Vec3 place;   // m, where it acted: on A, in the frame of its shape, or on B, @see placed_on_b()
   Vec3 p;       // N s per substep, world
   Vec3 moment;  // N m s per substep, world, on B: of the pair's first point that is remembered; else zero
 
@@ -178,6 +181,7 @@ struct Contacts {
         group_bodies(m),
         direct(m),
         old(m),
+        blocks(m),
         parent(m),
         label(m),
         keys(m),
@@ -200,7 +204,7 @@ struct Contacts {
   Array<std::uint32_t> group_link_begin;  // [groups + 1]; empty where there are no links
 
   // by body slot
-  Array<HalfContact> half;                    // grouped by body
+  Array<HalfContact> half;                    // grouped by body; of who searches
   Array<std::uint32_t> half_begin, half_end;  // by body that rows move: its part of half
   Array<Mat3> inv_inertia_w;                  // 1/(kg m^2), world axes, of this substep; zero if it does not rotate
   Array<Vec3> shift, turn;                    // m, rad: corrections of the pose not yet applied
@@ -227,7 +231,15 @@ struct Contacts {
   Array<OldImpulse> old;  // of the last step, ascending by pair
   Real old_h = 0;         // s, the substep that made them
 
-  // scratch: union-find, search
+  /// What is summed up over rows, by blocks of kRowsAPart: the same sums whoever does which block.
+  struct Block {
+    std::uint32_t loaded;      // rows that bear an impulse
+    std::uint32_t overlapping;
+    Real depth, sum_of_depths, closing;  // m, m, m/s: the largest of those that overlap, their sum, the fastest
+  };
+  Array<Block> blocks;
+
+  // scratch: union-find, search (@see make_room_for_search())
   Array<std::uint32_t> parent, label;
   Array<Real> keys;
   Array<std::uint32_t> cursor;  // next free place of each body or group while a list is filled
@@ -258,6 +270,9 @@ Real mix(Mix rule_a, Real a, Mix rule_b, Real b);
 /// Rows of this step from the pair table, with last step's impulses matched to them. Allocates all that the rest of the
 /// step needs.
 void build_rows(World& world, Real h);
+/// For who goes from the most severe row to those of its bodies: where those of each will stand in `half`, and room for
+/// keys and ranks. Allocates.
+void make_room_for_search(World& world);
 /// Velocity of B's point relative to A's, from the present state.
 /// @param r_a, r_b  m, world axes, from the centres of mass   @return m/s, world
 inline Vec3 relative_velocity(const State& s, const Row& row, const Vec3& r_a, const Vec3& r_b) {
@@ -282,7 +297,16 @@ void prepare_rows(World& world, Real h);
 void refresh_rotations(World& world);
 /// Separations of all rows from the present poses (after refresh_rotations()). Normals keep their direction.
 void refresh_separations(World& world);
-/// Keep the impulses for the next step.
+/// f(block, its first row, one past its last), on all threads.
+template <class F>
+void each_block(World& world, const F& f) {
+  Contacts& c = *world.contacts;
+  in_parallel(world.jobs, c.blocks.size(), 1, [&](std::uint32_t b) {
+    const std::size_t first = b * kRowsAPart;
+    f(c.blocks[b], first, std::min(first + kRowsAPart, c.rows.size()));
+  });
+}
+/// Keep the impulses for the next step; blocks know how many there are.
 void remember_impulses(World& world, Real h);
 
 }  // namespace carom

@@ -156,7 +156,10 @@ std::uint64_t over_groups(World& world, Real tolerance, int iterations) {
 
 namespace {
 
-void begin(World& world, const StepTime&) { world.contacts->mass.resize(world.contacts->rows.size()); }
+void begin(World& world, const StepTime&) {
+  world.contacts->mass.resize(world.contacts->rows.size());
+  make_room_for_search(world);
+}
 
 void velocities(World& world, const StepTime& time) {
   Contacts& c = *world.contacts;

@@ -14,6 +14,7 @@ namespace carom {
 namespace {
 
 constexpr auto kMaxPoints = static_cast<std::uint32_t>(kPairPoints);
+constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 
 /// Solver bodies: 0 for what no impulse and no host moves, then kinematic bodies as rows name them, then the rest.
 void number_bodies(const World& world, WideContacts& wide) {
@@ -83,7 +84,7 @@ void colour_manifolds(const World& world, WideContacts& wide) {
       if ((m.moves_a && m.moves_b) != both_move) continue;
       const std::uint32_t nth = take_colour(wide.taken, m.moves_a, wide.body[m.a], m.moves_b, wide.body[m.b]);
       const std::uint32_t colour = nth < kColours ? kColours - 1 - nth : kColours;
-      manifold.bucket = colour * kMaxPoints + m.count - 1;
+      manifold.bucket = colour * kPairKinds + (m.one_normal ? 0 : kMaxPoints) + m.count - 1;
     }
   }
 }
@@ -132,7 +133,6 @@ void fill_points(const World& world, const WideContacts& wide, const WideContact
   Real twist = 0;
   for (std::uint32_t k = 0; k < m.points; ++k) {
     const Row& row = c.rows[m.row + k];
-    pair.one_normal &= row.n == n;
     fill_point(row, c.geometry[m.row + k], arms[k], middle_a, points[k], lane);
     if (row.p == Vec3::Zero()) continue;
     const Vec3 sideways = row.p - row.p.dot(row.n) * row.n;
@@ -150,24 +150,22 @@ void fill_points(const World& world, const WideContacts& wide, const WideContact
   pair.sum_t[lane] = pair.sum_s[lane] = pair.sum_w[lane] = 0;
 }
 
-constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
-
 /// A place for each manifold: four of a bucket share one, but beyond the colours each has one for itself.
 template <class Number>
 void place_manifolds(WideContacts& wide, ContactLanes<Number>& rows) {
-  constexpr std::uint32_t kBuckets = (kColours + 1) * kMaxPoints, kAlone = kColours * kMaxPoints;
+  constexpr std::uint32_t kBuckets = (kColours + 1) * kPairKinds, kAlone = kColours * kPairKinds;
   wide.buckets.assign(kBuckets, 0);
   wide.colours.clear();
   for (const WideContacts::Manifold& m : wide.manifolds) ++wide.buckets[m.bucket];
   std::uint32_t lanes = 0;
-  std::array<std::uint32_t, kPairPoints> ends{};
+  std::array<std::uint32_t, kPairKinds> ends{};
   for (std::uint32_t i = 0; i < kBuckets; ++i) {
     const std::uint32_t begin = lanes, count = wide.buckets[i];
     lanes += i < kAlone ? (count + kLanes - 1) / kLanes * kLanes : count * kLanes;
     wide.buckets[i] = begin;
-    ends[i % kMaxPoints] = lanes / kLanes;
+    ends[i % kPairKinds] = lanes / kLanes;
     const std::uint32_t before = wide.colours.empty() ? 0 : wide.colours.back().back();
-    if (i < kAlone && i % kMaxPoints == kMaxPoints - 1 && ends.back() > before) wide.colours.push_back(ends);
+    if (i < kAlone && i % kPairKinds == kPairKinds - 1 && ends.back() > before) wide.colours.push_back(ends);
   }
   rows.pairs.resize(lanes / kLanes);
   wide.occupant.assign(lanes, kNobody);
@@ -177,6 +175,7 @@ void place_manifolds(WideContacts& wide, ContactLanes<Number>& rows) {
     m.pair = next / kLanes, m.lane = next % kLanes;
     wide.occupant[next] = i;
     rows.pairs[m.pair].points = m.points;
+    rows.pairs[m.pair].one_normal = m.bucket % kPairKinds < kMaxPoints;
     next += m.bucket < kAlone ? 1 : kLanes;
   }
   std::uint32_t points = 0;
@@ -187,9 +186,9 @@ void place_manifolds(WideContacts& wide, ContactLanes<Number>& rows) {
 /// Lanes of nobody.
 template <class Number>
 void empty(ContactLanes<Number>& rows, PairLanesOf<Number>& pair) {
-  const std::uint32_t first = pair.first, points = pair.points;
+  const std::uint32_t first = pair.first, points = pair.points, one_normal = pair.one_normal;
   pair = PairLanesOf<Number>{};
-  pair.first = first, pair.points = points;
+  pair.first = first, pair.points = points, pair.one_normal = one_normal;
   std::fill_n(&rows.points[first], points, PointLanesOf<Number>{});
 }
 
@@ -263,6 +262,24 @@ void fill_locks(const World& world, const WideContacts& wide, ContactLanes<Numbe
   }
 }
 
+/// Bring `count` of an array nearer. Lanes have an order of their own, so that what a lane is filled from, or emptied
+/// into, lies anywhere.
+template <class T>
+void fetch(const T* first, std::size_t count) {
+  const auto* const begin = reinterpret_cast<const char*>(first);
+  for (std::size_t at = 0; at < count * sizeof(T); at += 64) __builtin_prefetch(begin + at);
+}
+
+/// The rows that four lanes will be filled from.
+void fetch_rows(const Contacts& c, const WideContacts& wide, const std::uint32_t* occupant) {
+  for (int lane = 0; lane < kLanes; ++lane) {
+    if (occupant[lane] == kNobody) continue;
+    const WideContacts::Manifold& m = wide.manifolds[occupant[lane]];
+    fetch(&c.rows[m.row], m.points);
+    fetch(&c.geometry[m.row], m.points);
+  }
+}
+
 /// All rows into lanes, and their masses. False: floats can't bear them.
 template <class Number>
 bool fill(World& world, WideContacts& wide, ContactLanes<Number>& rows, const ContactSweeps<Number>& sweeps) {
@@ -270,8 +287,9 @@ bool fill(World& world, WideContacts& wide, ContactLanes<Number>& rows, const Co
   in_parallel(world.jobs, rows.pairs.size(), kPairsAPart, [&](std::uint32_t i) {
     PairLanesOf<Number>& pair = rows.pairs[i];
     const std::uint32_t* const occupant = &wide.occupant[std::size_t(i) * kLanes];
+    if (i + 1 < rows.pairs.size()) fetch_rows(*world.contacts, wide, occupant + kLanes);
     if (std::find(occupant, occupant + kLanes, kNobody) != occupant + kLanes) empty(rows, pair);
-    pair.one_normal = 1, pair.driven = pair.locked = 0;
+    pair.driven = pair.locked = 0;
     for (int lane = 0; lane < kLanes; ++lane) {
       if (occupant[lane] == kNobody) continue;
       const WideContacts::Manifold& m = wide.manifolds[occupant[lane]];
@@ -370,12 +388,21 @@ void displace(World& world, const WideContacts& wide) {
 
 namespace {
 
+constexpr std::size_t kManifoldsAhead = 2;
+
 template <class Number>
 void unpack(World& world, const WideContacts& wide, const ContactLanes<Number>& rows) {
   using Point = PointLanesOf<Number>;
   Contacts& c = *world.contacts;
   const State& s = world.state;
   in_parallel(world.jobs, wide.manifolds.size(), kLanes * kPairsAPart, [&](std::uint32_t i) {
+    if (i + kManifoldsAhead < wide.manifolds.size()) {
+      const WideContacts::Manifold& later = wide.manifolds[i + kManifoldsAhead];
+      const PairLanesOf<Number>& its = rows.pairs[later.pair];
+      fetch(&its.n, 2);
+      fetch(&its.p_t, 6);
+      fetch(&rows.points[its.first], later.points);
+    }
     const WideContacts::Manifold& m = wide.manifolds[i];
     const PairLanesOf<Number>& pair = rows.pairs[m.pair];
     const Point* const points = &rows.points[pair.first];

@@ -1,8 +1,8 @@
 // Contacts in lanes: four pairs side by side, point by point, in the order in which a solver visits them.
 //
 // Pairs of one colour share no body that an impulse moves, so that four of them, on several threads, can be solved at
-// once, and the outcome depends on the order of colours alone. Within a colour pairs with the same number of
-// points stand together: nobody waits for a neighbour's points.
+// once, and the outcome depends on the order of colours alone. Within a colour pairs of one kind stand together: nobody
+// waits for a neighbour's points.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +15,9 @@
 namespace carom {
 
 static_assert(kPairPoints == Manifold::kMaxPoints);
+/// Pairs of one kind, by number of points and whether they have one normal, share lanes: so what is computed for a pair
+/// does not depend, to the bit, on who stands beside it (but on whether one of them is locked).
+inline constexpr int kPairKinds = 2 * kPairPoints;
 
 /// Rows in lanes, as doubles or as floats.
 template <class Number>
@@ -73,8 +76,8 @@ struct WideContacts {
     return *(std::upper_bound(manifolds.begin(), manifolds.end(), row, later) - 1);
   }
 
-  Array<std::array<std::uint32_t, kPairPoints>> colours;  // in use: where in pairs those with 1, 2, ... points end;
-                                                          // pairs after the last colour's stand alone
+  /// In use: where in pairs those of each kind end; pairs after the last colour's stand alone.
+  Array<std::array<std::uint32_t, kPairKinds>> colours;
 
   // scratch
   Array<std::uint64_t> taken;     // by solver body: bit c, a pair of colour c moves it
