@@ -21,7 +21,8 @@ struct NarrowSettings {
   Real carry_over = 0;  // bracket width, relative to the pair's size, up to which an earlier answer is carried over
 };
 
-/// All that is kept of a pair whose bounds overlap. What a pair at rest is asked for stands first, @see PairTable::fetch
+/// All that is kept of a pair whose bounds overlap. What a pair at rest is asked for stands first, @see
+/// PairTable::fetch
 struct alignas(64) PairRecord {
   Pair pair{};
   PatchMemory patch;

@@ -233,7 +233,7 @@ struct Contacts {
 
   /// What is summed up over rows, by blocks of kRowsAPart: the same sums whoever does which block.
   struct Block {
-    std::uint32_t loaded;      // rows that bear an impulse
+    std::uint32_t loaded;  // rows that bear an impulse
     std::uint32_t overlapping;
     Real depth, sum_of_depths, closing;  // m, m, m/s: the largest of those that overlap, their sum, the fastest
   };

@@ -15,12 +15,11 @@
 namespace carom {
 namespace {
 
-constexpr std::uint32_t kNobody = 0xFFFFFFFFu, kDirect = kColours + 1;
+constexpr std::uint32_t kNobody = 0xFFFFFFFFu, kAnsweredDirectly = kColours + 1;
 
 bool moves(const World& world, std::uint32_t body) {
   return body != kTheWorld && yields(world.scene, world.state, body);
 }
-/// Something about it can change: a body that is awake, or one that moves by itself.
 /// Whether a host forbids an effect to a joint: altogether, or to one of its bodies.
 bool forbids(const World& world, std::size_t row, const JointDef& def) {
   const EffectModes& modes = world.scene.modes;
@@ -53,21 +52,9 @@ std::uint32_t solver_body(const World& world, std::uint32_t body) {
   return body == kTheWorld ? 0 : world.wide->body[body];
 }
 
-/// The lowest colour that none of its movable bodies has yet.
-void colour_joints(World& world, WideJoints& w) {
-  w.taken.assign(world.wide->slot.size(), 0);
-  w.order.clear();
-  for (std::uint32_t i = 0; i < w.active.size(); ++i) {
-    const Joint& joint = world.joints.joint[w.active[i]];
-    std::uint32_t colour = kDirect;
-    if (w.directly.empty() || !w.directly[i]) {
-      const JointDef& def = joint.def;
-      colour = take_colour(w.taken, moves(world, def.body_a), solver_body(world, def.body_a), moves(world, def.body_b),
-                           solver_body(world, def.body_b));
-    }
-    w.order.push_back({colour, layout_key(joint), i});
-  }
-  std::sort(w.order.begin(), w.order.end());
+BothColours colours_of(World& world, const Joint& joint) {
+  const std::uint32_t a = joint.def.body_a, b = joint.def.body_b;
+  return {world.wide->taken, moves(world, a), solver_body(world, a), moves(world, b), solver_body(world, b)};
 }
 
 /// A place for each: four of one colour and layout share lanes; beyond the colours each has its own.
@@ -88,7 +75,7 @@ void place_lanes(World& world, WideJoints& w) {
       joint.first = rows, joint.first_drive = drives;
       rows += joint.layout.equalities, drives += joint.layout.drives;
       w.occupant.insert(w.occupant.end(), kLanes, kNobody);
-      if (o.colour != kDirect) w.swept = static_cast<std::uint32_t>(w.joints.size());
+      if (o.colour != kAnsweredDirectly) w.swept = static_cast<std::uint32_t>(w.joints.size());
     }
     JointLanes& joint = w.joints.back();
     w.place[o.index] = {static_cast<std::uint32_t>(w.joints.size() - 1), joint.occupied};
@@ -227,21 +214,34 @@ void link_joints(World& world) {
   }
 }
 
-void begin_joints(World& world, Real h) {
+void colour_joints(World& world) {
   WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
   const Contacts& c = *world.contacts;
-  w.kernels = &joint_kernels(world.wide->kernels->name);
   w.directly.assign(w.active.size(), 0);
   bool all_swept = true;
   if (!c.direct.empty())
     for (std::uint32_t i = 0; i < w.active.size(); ++i)
       if ((w.directly[i] = c.direct[c.link_label[i]] != Contacts::kSoftly)) all_swept = false;
-  if (!w.is_packed || !all_swept) {
-    colour_joints(world, w);
-    place_lanes(world, w);
-    w.is_packed = all_swept;
+  if (w.is_packed && all_swept) {
+    for (const WideJoints::Order& o : w.order) colours_of(world, world.joints.joint[w.active[o.index]]).take(o.colour);
+    return;
   }
+  w.order.clear();
+  for (std::uint32_t i = 0; i < w.active.size(); ++i) {
+    const Joint& joint = world.joints.joint[w.active[i]];
+    w.order.push_back(
+        {w.directly[i] ? kAnsweredDirectly : colours_of(world, joint).take_lowest(), layout_key(joint), i});
+  }
+  std::sort(w.order.begin(), w.order.end());
+  place_lanes(world, w);
+  w.is_packed = all_swept;
+}
+
+void begin_joints(World& world, Real h) {
+  WideJoints& w = *world.wide_joints;
+  if (!w.any()) return;
+  w.kernels = &joint_kernels(world.wide->kernels->name);
   find_kicked(world, w);
   const Dials& dials = world.scene.dials;
   const Softness soft = softness(std::min(dials[Dial::joint_frequency], 0.25 / h), dials[Dial::joint_damping], h);
@@ -285,22 +285,12 @@ void bend_joints(World& world, Real h) {
   if (w.any()) over_joints(world, [&](const JointRun& run) { w.kernels->bend(run, h); });
 }
 
-void warm_start_joints(World& world, Real h) {
-  bend_joints(world, h);
-  if (world.wide_joints->any()) sweep_joints(world, world.wide_joints->kernels->warm_start);
-}
-
-void solve_joints(World& world, Real h) {
-  sweep_joints(world, [&, inv_h = 1 / h](const JointRun& run) { world.wide_joints->kernels->solve(run, inv_h); });
-}
-
-void relax_joints(World& world, Real h) {
+void return_to_joints(World& world) {
   const WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
   load_velocities(world, *world.wide);  // half kicks, and the direct solver's answers
   over_joints(world, w.kernels->place);
-  if (!w.kicked.empty()) sweep_joints(world, w.kernels->act_again);
-  sweep_joints(world, [&, inv_h = 1 / h](const JointRun& run) { w.kernels->relax(run, inv_h); });
+  if (!w.kicked.empty()) sweep_joints(world, w.kernels->act_again, [](std::uint32_t) {});
 }
 
 void end_joints(World& world, const StepTime& time) {

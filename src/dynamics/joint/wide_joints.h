@@ -1,8 +1,8 @@
 // Joints in lanes: four side by side, in the order in which a solver visits them.
 //
-// Colours are those of joints alone: within each sweep joints come first, then contacts, which have the last word. Whom
-// a colour's joints move, no other of that colour does. Joints that the direct solver answers stand after the last
-// colour: their rows are made here too, but nobody sweeps them.
+// Their colours are of one numbering with those of contacts, @see colours.h: a sweep goes through both, colour by
+// colour. Joints that the direct solver answers stand after the last colour: their rows are made here too, but nobody
+// sweeps them.
 #pragma once
 
 #include "dynamics/effects.h"
@@ -26,7 +26,6 @@ struct WideJoints {
         kicked(m),
         before(m),
         order(m),
-        taken(m),
         directly(m) {}
 
   const JointKernels* kernels = nullptr;  // of the name of WideContacts::kernels
@@ -43,7 +42,7 @@ struct WideJoints {
   Array<JointRowLanes> rows;
   Array<JointDriveLanes> drives;
   Array<LockLanes> locks;        // of joints with bodies that are locked
-  Array<std::uint32_t> colours;  // where in joints each colour ends; those up to `swept` stand alone
+  Array<std::uint32_t> colours;  // in use, from the lowest: where in joints each ends; those up to `swept` stand alone
   std::uint32_t swept = 0;       // joints up to here are swept
   bool is_packed = false;        // place, occupant and colours are those of active, all of it swept
 
@@ -59,8 +58,7 @@ struct WideJoints {
       return colour != o.colour ? colour < o.colour : key != o.key ? key < o.key : index < o.index;
     }
   };
-  Array<Order> order;
-  Array<std::uint64_t> taken;    // by solver body
+  Array<Order> order;            // of the lanes
   Array<std::uint8_t> directly;  // by index in active
 
   bool any() const { return !active.empty(); }
@@ -87,31 +85,49 @@ void over_joints(World& world, const Kernel& kernel) {
   });
 }
 
-/// kernel(part of the swept joints), for kernels that write bodies: one colour after the other.
-template <class Kernel>
-void sweep_joints(World& world, const Kernel& kernel) {
+/// kernel(part of the swept joints), for kernels that write bodies: one colour after the other, and after each
+/// `then(colour)`.
+template <class Kernel, class Then>
+void sweep_joints(World& world, const Kernel& kernel, const Then& then) {
   const WideJoints& w = *world.wide_joints;
-  if (!w.any()) return;
   const JointRun all = every_joint(world);
   const auto part = [&](std::size_t begin, std::size_t end) {
     JointRun r = all;
     r.joints += begin, r.count = end - begin;
     kernel(r);
   };
-  if (!world.jobs) return part(0, w.swept);
   std::size_t first = 0;
-  for (const std::uint32_t end : w.colours) {
+  for (std::uint32_t colour = 0; colour < kColours; ++colour) {
+    const std::size_t end = colour < w.colours.size() ? w.colours[colour] : first;
     in_parts(world.jobs, end - first, kJointsAPart,
              [&](std::size_t from, std::size_t to) { part(first + from, first + to); });
+    then(colour);
     first = end;
   }
   part(first, w.swept);
+}
+
+/// of_joints(part of the swept joints) and of_contacts(sweeps, part of the pairs), for kernels that write velocities:
+/// colour by colour through both; then those beyond the colours, one after the other.
+template <class OfJoints, class OfContacts>
+void sweep_rows(World& world, const OfJoints& of_joints, const OfContacts& of_contacts) {
+  if (!world.wide_joints->any()) return sweep_contacts(world, of_contacts);
+  WideContacts& wide = *world.wide;
+  if (wide.manifolds.empty()) return sweep_joints(world, of_joints, [](std::uint32_t) {});
+  with_lanes(wide, [&](auto& lanes, const auto& sweeps) {
+    const auto run = everything(wide, lanes, wide.velocity.data());
+    const auto kernel = [&](const auto& part) { of_contacts(sweeps, part); };
+    sweep_joints(world, of_joints, [&](std::uint32_t colour) { over_colour(world.jobs, wide, colour, run, kernel); });
+    over_uncoloured(wide, run, kernel);
+  });
 }
 
 /// Who is active: after the scene changed, or somebody fell asleep or woke.
 void plan_joints(World& world);
 /// Bodies that hang together by joints, for groups.
 void link_joints(World& world);
+/// Part of pack(): colours of joints, which are then taken for contacts. Allocates.
+void colour_joints(World& world);
 /// Lanes of this step, with what the last one's impulses left. After pack(). Allocates.
 void begin_joints(World& world, Real h);
 /// Stage of the page, before the forces of a substep.
@@ -121,13 +137,10 @@ void take_half_kicks(World& world);
 void give_half_kicks(World& world);
 /// Rows of all joints at the present poses.
 void place_joints(World& world);
-/// Sweeps over the joints in lanes; the first prepares all that a substep starts from. Velocities are in WideContacts;
-/// the last takes them from the state again, and wants load_shifts() before it: rows are made anew for the poses after
-/// the move.
+/// What a substep's sweeps start from, before the move; and after it, where velocities are taken from the state again
+/// and rows are made anew for the poses of then: that wants load_shifts() before.
 void bend_joints(World& world, Real h);
-void warm_start_joints(World& world, Real h);
-void solve_joints(World& world, Real h);
-void relax_joints(World& world, Real h);
+void return_to_joints(World& world);
 /// Impulses, forces and errors back into the joints; who bears too much breaks.
 void end_joints(World& world, const StepTime& time);
 

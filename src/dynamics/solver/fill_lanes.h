@@ -1,7 +1,6 @@
 // One lane at a time: what contacts and joints put into their lanes, and read from them.
 #pragma once
 
-#include <bit>
 #include <type_traits>
 
 #include "core/wide.h"
@@ -47,17 +46,6 @@ void set_locks(Array<LockLanesOf<Number>>& all_locks, std::uint32_t& at, std::ui
   LockLanesOf<Number>& locks = all_locks[at - 1];
   set(locks.free_a, static_cast<int>(lane), free_axes(a));
   set(locks.free_b, static_cast<int>(lane), free_axes(b));
-}
-
-/// The first colour, of 64, that neither of two bodies has yet, and has from now on; 64: none is left.
-/// @param taken  by solver body, bit c: it has colour c
-inline std::uint32_t take_colour(Array<std::uint64_t>& taken, bool moves_a, std::uint32_t a, bool moves_b,
-                                 std::uint32_t b) {
-  std::uint64_t nobody = 0;
-  std::uint64_t &of_a = moves_a ? taken[a] : nobody, &of_b = moves_b ? taken[b] : nobody;
-  const auto colour = static_cast<std::uint32_t>(std::countr_one(of_a | of_b));
-  if (colour < 64) of_a |= std::uint64_t{1} << colour, of_b |= std::uint64_t{1} << colour;
-  return colour;
 }
 
 }  // namespace carom

@@ -20,13 +20,16 @@ void velocities(World& world, const StepTime& time) {
   const Real inv_h = 1 / time.h;
   heed_impacts(world, wide);
   load_velocities(world, wide);
-  warm_start_joints(world, time.h);
-  sweep_contacts(world, [](const auto& s, const auto& run) { s.warm_start(run); });
+  bend_joints(world, time.h);
+  const JointKernels* const joints = world.wide_joints->kernels;
+  sweep_rows(
+      world, [&](const JointRun& run) { joints->warm_start(run); },
+      [](const auto& s, const auto& run) { s.warm_start(run); });
   const int sweeps = world.scene.dials.whole(Dial::velocity_iterations);
-  for (int k = 0; k < sweeps; ++k) {
-    solve_joints(world, time.h);
-    sweep_contacts(world, [&](const auto& s, const auto& run) { s.sweep(run, inv_h); });
-  }
+  for (int k = 0; k < sweeps; ++k)
+    sweep_rows(
+        world, [&](const JointRun& run) { joints->solve(run, inv_h); },
+        [&](const auto& s, const auto& run) { s.sweep(run, inv_h); });
   over_contacts(world, [](const auto& s, const auto& run) { s.book(run); });
   store_velocities(world, wide, time.h);
   world.report.velocity_impulses += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
@@ -39,7 +42,10 @@ void positions(World& world, const StepTime& time) {
   part_lanes(world, sweeps, kShare, slop);
   if (world.wide_joints->any()) {
     load_shifts(world, *world.wide);
-    relax_joints(world, time.h);
+    return_to_joints(world);
+    sweep_joints(
+        world, [&, inv_h = 1 / time.h](const JointRun& run) { world.wide_joints->kernels->relax(run, inv_h); },
+        [](std::uint32_t) {});
     store_velocities(world, *world.wide, time.h);
   }
   world.report.position_moves += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();

@@ -42,10 +42,14 @@ void velocities(World& world, const StepTime& time) {
   const Real inv_h = 1 / time.h, push_speed = world.scene.dials[Dial::push_speed];
   heed_impacts(world, wide);
   load_velocities(world, wide);
-  warm_start_joints(world, time.h);
-  sweep_contacts(world, [](const auto& s, const auto& run) { s.warm_start(run); });
-  solve_joints(world, time.h);
-  sweep_contacts(world, [&](const auto& s, const auto& run) { s.solve(run, inv_h, push_speed); });
+  bend_joints(world, time.h);
+  const JointKernels* const joints = world.wide_joints->kernels;
+  sweep_rows(
+      world, [&](const JointRun& run) { joints->warm_start(run); },
+      [](const auto& s, const auto& run) { s.warm_start(run); });
+  sweep_rows(
+      world, [&](const JointRun& run) { joints->solve(run, inv_h); },
+      [&](const auto& s, const auto& run) { s.solve(run, inv_h, push_speed); });
   store_velocities(world, wide, time.h);
   world.report.velocity_impulses += world.contacts->rows.size();
 }
@@ -55,8 +59,10 @@ void positions(World& world, const StepTime& time) {
   const Real inv_h = 1 / time.h;
   const bool sparing = !world.contacts->impacts.empty();
   load_shifts(world, wide);
-  relax_joints(world, time.h);
-  sweep_contacts(world, [&](const auto& s, const auto& run) { (sparing ? s.relax_sparing : s.relax)(run, inv_h); });
+  return_to_joints(world);
+  sweep_rows(
+      world, [&](const JointRun& run) { world.wide_joints->kernels->relax(run, inv_h); },
+      [&](const auto& s, const auto& run) { (sparing ? s.relax_sparing : s.relax)(run, inv_h); });
   store_velocities(world, wide, time.h);
   world.report.velocity_impulses += world.contacts->rows.size();
 }

@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "dynamics/contact/held_arms.h"
+#include "dynamics/joint/wide_joints.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/solver/fill_lanes.h"
 #include "dynamics/solver/float_range.h"
@@ -67,23 +68,22 @@ void hold_orientations(World& world, WideContacts& wide) {
   });
 }
 
-/// Manifolds from meetings, each with the first colour that none of its movable bodies has yet. Colours are taken from
-/// the last on, and first by contacts with what does not move: so these are solved last, with the others' final word,
-/// and what was built from the ground up is swept from the top down.
+/// Manifolds from meetings, each with the highest colour that none of its movable bodies has yet. Contacts with what
+/// does not move are first to take: so these are solved last, with the others' final word, and what was built from the
+/// ground up is swept from the top down.
 void colour_manifolds(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   wide.manifolds.clear();
   for (const Meeting& m : c.meetings)
     if (c.answered_in_lanes(m.row)) wide.manifolds.push_back({m.row, m.count, 0, 0, 0});
-  wide.taken.assign(wide.slot.size(), 0);
   for (const bool both_move : {false, true}) {
     auto at = wide.manifolds.begin();
     for (const Meeting& m : c.meetings) {
       if (!c.answered_in_lanes(m.row)) continue;
       WideContacts::Manifold& manifold = *at++;
       if ((m.moves_a && m.moves_b) != both_move) continue;
-      const std::uint32_t nth = take_colour(wide.taken, m.moves_a, wide.body[m.a], m.moves_b, wide.body[m.b]);
-      const std::uint32_t colour = nth < kColours ? kColours - 1 - nth : kColours;
+      const std::uint32_t colour =
+          BothColours(wide.taken, m.moves_a, wide.body[m.a], m.moves_b, wide.body[m.b]).take_highest();
       manifold.bucket = colour * kPairKinds + (m.one_normal ? 0 : kMaxPoints) + m.count - 1;
     }
   }
@@ -164,8 +164,7 @@ void place_manifolds(WideContacts& wide, ContactLanes<Number>& rows) {
     lanes += i < kAlone ? (count + kLanes - 1) / kLanes * kLanes : count * kLanes;
     wide.buckets[i] = begin;
     ends[i % kPairKinds] = lanes / kLanes;
-    const std::uint32_t before = wide.colours.empty() ? 0 : wide.colours.back().back();
-    if (i < kAlone && i % kPairKinds == kPairKinds - 1 && ends.back() > before) wide.colours.push_back(ends);
+    if (i < kAlone && i % kPairKinds == kPairKinds - 1) wide.colours.push_back(ends);
   }
   rows.pairs.resize(lanes / kLanes);
   wide.occupant.assign(lanes, kNobody);
@@ -311,6 +310,8 @@ bool fill(World& world, WideContacts& wide, ContactLanes<Number>& rows, const Co
 void pack(World& world, WideContacts& wide, Real h) {
   number_bodies(world, wide);
   hold_orientations(world, wide);
+  wide.taken.assign(wide.slot.size(), 0);
+  colour_joints(world);
   colour_manifolds(world, wide);
   wide.is_float = !wide.manifolds.empty() && bears_floats(world, wide, h);
   if (wide.is_float) {

@@ -10,6 +10,7 @@
 
 #include "core/jobs.h"
 #include "dynamics/contact/contact.h"
+#include "dynamics/solver/colours.h"
 #include "dynamics/solver/contact_kernels.h"
 
 namespace carom {
@@ -51,7 +52,7 @@ struct WideContacts {
 
   ContactLanes<double> in_double;
   Owned<ContactLanes<float>> in_float;  // null until a step wants it
-  bool is_float = false;  // which of these has the rows of this step: @see float_range.h
+  bool is_float = false;                // which of these has the rows of this step: @see float_range.h
 
   // by solver body; 0 is nobody, then those that move of themselves, then those that impulses move
   std::uint32_t first_moved = 1;
@@ -76,17 +77,16 @@ struct WideContacts {
     return *(std::upper_bound(manifolds.begin(), manifolds.end(), row, later) - 1);
   }
 
-  /// In use: where in pairs those of each kind end; pairs after the last colour's stand alone.
+  /// [kColours]: where in pairs those of each kind end; pairs after the last colour's stand alone. Empty: there are
+  /// none
   Array<std::array<std::uint32_t, kPairKinds>> colours;
+  std::uint32_t first_of(std::uint32_t colour) const { return colour == 0 ? 0 : colours[colour - 1].back(); }
 
   // scratch
-  Array<std::uint64_t> taken;     // by solver body: bit c, a pair of colour c moves it
+  Array<std::uint64_t> taken;     // by solver body, @see BothColours
   Array<std::uint32_t> occupant;  // [4 pairs] manifold
   Array<std::uint32_t> buckets;
 };
-
-/// Colours of pairs beyond this many are solved one pair at a time: a body with so many movable neighbours is rare.
-inline constexpr std::uint32_t kColours = 64;
 
 /// f(lanes, sweeps): those that have the rows of this step.
 template <class Wide, class F>
@@ -107,30 +107,43 @@ LaneRunOf<Number> everything(const WideContacts& wide, ContactLanes<Number>& lan
 /// Of a loop that threads share.
 inline constexpr std::size_t kPairsAPart = 16;
 
-/// kernel(part of the run), for kernels that write bodies: one colour after the other, each in parts at once.
+template <class Run, class Kernel>
+void over_part(const Run& run, std::size_t begin, std::size_t end, const Kernel& kernel) {
+  Run part = run;
+  part.pairs += begin, part.count = end - begin;
+  kernel(part);
+}
+
+/// kernel(part of the run), for kernels that write bodies: pairs of one colour, in parts at once.
+template <class Run, class Kernel>
+void over_colour(Jobs* jobs, const WideContacts& wide, std::uint32_t colour, const Run& run, const Kernel& kernel) {
+  const auto& ends = wide.colours[colour];
+  const std::size_t first = wide.first_of(colour), count = ends.back() - first;
+  if (!jobs && count > 0) return over_part(run, first, ends.back(), kernel);
+  // A part is the same share of each kind: rows have an order in space, so that a thread which does the same share of
+  // each colour finds in its cache the bodies that it moved before.
+  in_parts(jobs, count, kPairsAPart, [&](std::size_t begin, std::size_t end) {
+    std::size_t from = first;
+    for (const std::uint32_t to : ends) {
+      over_part(run, from + (to - from) * begin / count, from + (to - from) * end / count, kernel);
+      from = to;
+    }
+  });
+}
+
+/// Likewise for pairs beyond the colours, one after the other.
+template <class Run, class Kernel>
+void over_uncoloured(const WideContacts& wide, const Run& run, const Kernel& kernel) {
+  over_part(run, wide.first_of(kColours), run.count, kernel);
+}
+
+/// Likewise for all pairs: one colour after the other.
 template <class Run, class Kernel>
 void by_colour(Jobs* jobs, const WideContacts& wide, const Run& run, const Kernel& kernel) {
+  if (run.count == 0) return;
   if (!jobs) return kernel(run);
-  const auto part = [&](std::size_t begin, std::size_t end) {
-    Run r = run;
-    r.pairs += begin, r.count = end - begin;
-    kernel(r);
-  };
-  std::size_t first = 0;
-  for (const auto& ends : wide.colours) {
-    const std::size_t count = ends.back() - first;
-    // A part is the same share of those with one point, two, ...: rows have an order in space, so that a thread which
-    // does the same share of each colour finds in its cache the bodies that it moved before.
-    in_parts(jobs, count, kPairsAPart, [&](std::size_t begin, std::size_t end) {
-      std::size_t from = first;
-      for (const std::uint32_t to : ends) {
-        part(from + (to - from) * begin / count, from + (to - from) * end / count);
-        from = to;
-      }
-    });
-    first = ends.back();
-  }
-  part(first, run.count);
+  for (std::uint32_t colour = 0; colour < kColours; ++colour) over_colour(jobs, wide, colour, run, kernel);
+  over_uncoloured(wide, run, kernel);
 }
 
 /// Likewise for kernels that write pairs and points alone: all colours at once.
