@@ -37,15 +37,17 @@ std::vector<PeerEngine> load(const Options& options) {
 
 std::vector<Entry> entries_of(const std::vector<PeerEngine>& peers) {
   std::vector<Entry> entries;
-  const auto takes_part = [](const Challenge& c) {
-    const auto& names = scenes_for_peers();
-    return std::find(names.begin(), names.end(), c.scene.name) != names.end();
-  };
   for (const PeerEngine& peer : peers)
-    for (const PeerSetting& setting : settings_of(peer.name))
+    for (const PeerSetting& setting : settings_of(peer.name)) {
+      const auto takes_part = [joints_alone = setting.for_joints_alone](const Challenge& c) {
+        const auto& names = scenes_for_peers();
+        return std::find(names.begin(), names.end(), c.scene.name) != names.end() &&
+               (!joints_alone || is_of_joints_alone(c.scene.name));
+      };
       entries.push_back({peer.name, setting.name, takes_part, {}, [peer, setting](tools::Stage& stage) {
                            return std::make_unique<PeerMover>(stage, peer, setting.dials);
                          }});
+    }
   return entries;
 }
 
@@ -92,7 +94,7 @@ int main(int argc, char** argv) {
   CLI::App app("Accuracy scenes through every engine that is installed");
   app.add_option("SCENES", options.scenes, "Which; default: all that every engine can run");
   app.add_option("--out", options.out, "Rows, for `carom accuracy report --from`")->type_name("FILE.json")->capture_default_str();
-  app.add_option("--engines", options.engines, "Which, besides Carom: bullet, bullet64, ode");
+  app.add_option("--engines", options.engines, "Which, besides Carom: bullet, bullet64, ode, mujoco");
   app.add_option("--seconds", options.seconds, "About how long to take")->capture_default_str();
   app.add_option("--per-run", options.per_run, "A run that takes more s of computing is left out")->capture_default_str();
   app.add_flag("--no-maps", options.no_maps, "Leave out the maps of what stands");

@@ -13,6 +13,17 @@ std::vector<PeerSetting> settings_of(const std::string& engine) {
             {"exact LCP", {{"stepper", 1}}},
             {"exact LCP, 4 substeps", {{"stepper", 1}, {"substeps", 4}}},
             {"exact LCP, erp 0.8", {{"stepper", 1}, {"erp", 0.8}}}};
+  if (engine.starts_with("MuJoCo"))
+    return {{"Newton, solref 20 ms (as it comes)", {}},
+            {"solref two steps", {{"solref", 0}}},
+            {"solref two steps, 4 substeps", {{"solref", 0}, {"substeps", 4}}},
+            {"solref two steps, 16 substeps", {{"solref", 0}, {"substeps", 16}}},
+            {"solref two steps, impratio 10", {{"solref", 0}, {"impratio", 10}}},
+            {"solref two steps, 10 no-slip rounds", {{"solref", 0}, {"noslip", 10}}},
+            {"4 substeps", {{"substeps", 4}}},
+            {"16 substeps", {{"substeps", 16}}},
+            {"Runge-Kutta 4", {{"integrator", 1}}, true},
+            {"Runge-Kutta 4, 4 substeps", {{"integrator", 1}, {"substeps", 4}}, true}};
   return {{"10 iterations (as it comes)", {}},
           {"50 iterations", {{"iterations", 50}}},
           {"200 iterations", {{"iterations", 200}}},
@@ -28,6 +39,10 @@ std::string note_on(const std::string& engine) {
   if (engine.starts_with("ODE"))
     return "Debian's libode-dev; sweep-and-prune space, four points a pair, friction in proportion to the normal force "
            "(dContactApprox1), bounces from 0.25 m/s on";
+  if (engine.starts_with("MuJoCo"))
+    return "Debian's libmujoco-dev; joints as trees of ball joints in reduced coordinates, loops as equality constraints; "
+           "elliptic cones, no collision of joined bodies; friction and restitution of each contact set to the "
+           "comparison's (a bounce is a spring and damper over 20 steps)";
   return "Debian's; stepSimulation(dt, 0), no sleeping, gyroscopic term as it comes, restitution the larger of both";
 }
 
@@ -38,6 +53,10 @@ const std::vector<std::string>& scenes_for_peers() {
       "rolling",    "skid",         "stack10",      "stack20",      "stack50",      "cards",    "tower100",
       "massratio1e2", "massratio1e3", "massratio1e4", "massratio1e5", "massratio1e6"};
   return names;
+}
+
+bool is_of_joints_alone(const std::string& scene) {
+  return scene == "pendulum" || scene == "wrecking" || scene.starts_with("chain");
 }
 
 }  // namespace carom::bench
