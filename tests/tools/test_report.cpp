@@ -1,9 +1,17 @@
 // Drawings and tables of the report library: well-formed, and every datum stands where its axis says.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "carom_test.h"
+#include "host/drawings.h"
+#include "host/files.h"
+#include "host/host.h"
 #include "report/axis.h"
 #include "report/filmstrip.h"
 #include "report/page.h"
@@ -274,8 +282,55 @@ static void a_cube_shows_the_three_faces_that_look_at_the_camera(void**) {
   assert_true(std::fabs(right - (450 + std::sqrt(2.0) * 900 / (1.7 * depth))) < 0.06);
 }
 
+/// Whether some folder of PATH has the command.
+static bool is_installed(const std::string& command) {
+  std::stringstream folders(std::getenv("PATH"));
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (std::filesystem::exists(folder + "/" + command)) return true;
+  return false;
+}
+
+// With rsvg-convert twice as wide and high as the drawing says; without it an error that names what is missing, and
+// nothing is left behind.
+static void a_png_is_the_drawing_at_twice_its_size(void**) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "carom test of drawings";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  const std::string path = (folder / "a 'plot'.png").string(), svg = draw(powers_of_two());
+  const XmlCheck drawing(svg);
+  const auto& elements = drawing.elements();
+  const auto root = std::find_if(elements.begin(), elements.end(), [](const Element& e) { return e.name == "svg"; });
+  assert_true(root != elements.end());
+  if (is_installed("rsvg-convert")) {
+    carom::tools::write_drawing(path, svg);
+    const std::string png = carom::tools::read_file(path, "");
+    assert_true(png.size() > 2000 && png.starts_with("\x89PNG\r\n\x1a\n"));
+    const auto size_at = [&](std::size_t at) {
+      unsigned n = 0;
+      for (std::size_t k = at; k < at + 4; ++k) n = n << 8 | static_cast<unsigned char>(png[k]);
+      return n;
+    };
+    assert_int_equal(size_at(16), std::lround(2 * value(*root, "width")));
+    assert_int_equal(size_at(20), std::lround(2 * value(*root, "height")));
+    std::filesystem::remove(path);
+  }
+  const std::string had = std::getenv("PATH");
+  setenv("PATH", folder.c_str(), 1);
+  std::string remedy;
+  try {
+    carom::tools::write_drawing(path, svg);
+  } catch (const carom::tools::Error& error) {
+    remedy = error.remedy;
+  }
+  setenv("PATH", had.c_str(), 1);
+  assert_non_null(std::strstr(remedy.c_str(), "librsvg2-bin"));
+  assert_true(std::filesystem::is_empty(folder));
+  std::filesystem::remove_all(folder);
+}
+
 int main() {
   const CMUnitTest tests[] = {
+      cmocka_unit_test(a_png_is_the_drawing_at_twice_its_size),
       cmocka_unit_test(a_cube_shows_the_three_faces_that_look_at_the_camera),
       cmocka_unit_test(the_checker_itself_refuses_what_is_not_well_formed),
       cmocka_unit_test(a_linear_axis_covers_the_data_with_four_to_eleven_round_ticks),

@@ -14,6 +14,7 @@
 #include "accuracy/page/report.h"
 #include "accuracy/sweep/sweep.h"
 #include "cli/table.h"
+#include "host/drawings.h"
 #include "host/files.h"
 
 namespace carom::tools {
@@ -121,9 +122,9 @@ void run_report(const ReportOptions& options, Context& context) {
   }
   for (const std::string& drawing : options.draw) {
     const std::size_t equals = drawing.find('=');
-    if (equals == std::string::npos) throw Error("--draw " + drawing + " names no file", "write --draw NAME=FILE.svg");
+    if (equals == std::string::npos) throw Error("--draw " + drawing + " names no file", "write --draw NAME=FILE.svg, or FILE.png");
     const std::string path = drawing.substr(equals + 1);
-    write_file(path, accuracy::report_drawing(sweep, drawing.substr(0, equals)));
+    write_drawing(path, accuracy::report_drawing(sweep, drawing.substr(0, equals)));
   }
   if (options.out.empty()) return;
   accuracy::Extras extras;
@@ -158,7 +159,7 @@ void add_sweep_and_report_commands(CLI::App& accuracy_command, Context& context)
   report->add_option("--effects", report_options->effects, "Costs of effects as `effect_costs --csv` writes them; default: measured now, coarsely")
       ->type_name("FILE.csv");
   report->add_option("--draw", report_options->draw, "One diagram as a drawing of its own, repeatable; a wrong name lists them")
-      ->type_name("NAME=FILE.svg")
+      ->type_name("NAME=FILE.svg|NAME=FILE.png")
       ->allow_extra_args(false);
   report->add_option("--seconds", report_options->seconds, "How long to sweep where --from is not given")->capture_default_str();
   report->add_flag("--quiet", report_options->quiet, "Say nothing but errors");

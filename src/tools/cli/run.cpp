@@ -14,6 +14,7 @@
 #include "cli/run_output.h"
 #include "cli/scene_choice.h"
 #include "cli/table.h"
+#include "host/drawings.h"
 #include "host/files.h"
 #include "replay/replay.h"
 #include "report/perspective.h"
@@ -67,14 +68,14 @@ void write_filmstrip(const std::string& path, const Scene& scene, Stage& stage, 
   report::Filmstrip strip = report::filmstrip_of(stage, recording, 6);
   strip.title = scene.name + ": " + scene.look_for;
   strip.note = stage.remarks.empty() ? "" : stage.remarks.front();
-  write_file(path, report::draw(strip));
+  write_drawing(path, report::draw(strip));
 }
 
 /// The moment at which the run ended, in perspective.
 void write_picture(const std::string& path, const Scene& scene, Stage& stage, double time) {
   char moment[64];
   std::snprintf(moment, sizeof moment, " after %.4g s", time);
-  write_file(path, report::perspective(stage, scene.summary, "carom run " + scene.name + moment));
+  write_drawing(path, report::perspective(stage, scene.summary, "carom run " + scene.name + moment));
 }
 
 /// The whole world, so that a later run needs no scene.
@@ -156,7 +157,7 @@ void run_scene(Options options, Context& context) {
   if (!options.svg.empty()) write_picture(options.svg, scene, stage, run.simulated);
 
   if (!options.ledger_svg.empty())
-    write_file(options.ledger_svg, ledger_plot.draw(scene.name + ": where the energy of motion came from"));
+    write_drawing(options.ledger_svg, ledger_plot.draw(scene.name + ": where the energy of motion came from"));
 
   const std::vector<KindSummary> kinds = where_it_ended(stage);
   if (options.as_json) {
@@ -189,16 +190,16 @@ void add_run_command(CLI::App& app, Context& context) {
   run->add_option("--gltf", options->gltf, "Write the motion as animated glTF")->type_name("FILE.gltf|FILE.glb");
   run->add_option("--filmstrip", options->filmstrip,
                   "Write six moments of the motion, seen from the side, as a drawing")
-      ->type_name("FILE.svg");
+      ->type_name("FILE.svg|FILE.png");
   run->add_option("--svg", options->svg, "Write what it looks like when the run ends, as a drawing; needs no display")
-      ->type_name("FILE.svg");
+      ->type_name("FILE.svg|FILE.png");
   run->add_option("--csv", options->csv, "Write pose and name of every body, per frame")->type_name("FILE");
   run->add_option("--csv-steps", options->csv_steps, "Write times, counts and residuals of every step")
       ->type_name("FILE");
   run->add_option("--fps", options->fps, "Frames per simulated second in --gltf and --csv")->capture_default_str();
   run->add_flag("--ledger", options->ledger,
                 "Print where energy, momentum and angular momentum came from and went to, by cause");
-  run->add_option("--ledger-svg", options->ledger_svg, "Draw energy by cause over time")->type_name("FILE.svg");
+  run->add_option("--ledger-svg", options->ledger_svg, "Draw energy by cause over time")->type_name("FILE.svg|FILE.png");
   run->add_option("--save", options->save, "Write the world in which the run ends, whole")->type_name("FILE");
   run->add_option("--load", options->load, "Begin with what --save wrote: of the same scene and settings, or, if no scene is named, as it is")
       ->type_name("FILE");

@@ -13,7 +13,7 @@
 #include "cli/run_output.h"
 #include "cli/scene_choice.h"
 #include "cli/table.h"
-#include "host/files.h"
+#include "host/drawings.h"
 #include "report/plot.h"
 #include "scenefile/scenefile.h"
 
@@ -242,7 +242,7 @@ void write_plot(const std::string& path, const Question& q, const Answer& a) {
   plot.marks.push_back({q.budget_ms, format("budget %.3g ms", q.budget_ms)});
   plot.note =
       "carom tune " + q.scene->name + format(", %d settings over %g s at %g Hz", a.tried, q.seconds, q.frame_rate);
-  write_file(path, report::draw(plot));
+  write_drawing(path, report::draw(plot));
 }
 
 void run_tune(const Options& options, Context& context) {
@@ -289,7 +289,7 @@ void add_tune_command(CLI::App& app, Context& context) {
   command->add_option("--threads", options.threads, "Threads of the engine")->capture_default_str();
   command->add_option("--json", options.json, "Write front and pick");
   command->add_option("--code", options.code, "Write the pick as C");
-  command->add_option("--svg", options.svg, "Draw error against time");
+  command->add_option("--svg", options.svg, "Draw error against time")->type_name("FILE.svg|FILE.png");
   command->add_flag("--quiet", options.quiet, "No text");
   command->callback([&context] { run_tune(options, context); });
 }

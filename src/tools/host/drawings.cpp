@@ -1,0 +1,60 @@
+#include "host/drawings.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "host/files.h"
+#include "host/host.h"
+
+extern char** environ;
+
+namespace carom::tools {
+namespace {
+
+/// A file that is gone when this is.
+class PassingFile {
+ public:
+  PassingFile(std::string path, const std::string& content) : path_(std::move(path)) { write_file(path_, content); }
+  ~PassingFile() { std::remove(path_.c_str()); }
+  PassingFile(const PassingFile&) = delete;
+  PassingFile& operator=(const PassingFile&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+void draw_png(const std::string& path, const std::string& svg) {
+  const PassingFile source(path + ".svg.part", svg);
+  std::string arguments[] = {"rsvg-convert", "--zoom", "2", "--output", path, source.path()};
+  char* argv[std::size(arguments) + 1] = {};
+  for (std::size_t i = 0; i < std::size(arguments); ++i) argv[i] = arguments[i].data();
+  pid_t child = 0;
+  const int failed = posix_spawnp(&child, argv[0], nullptr, nullptr, argv, environ);
+  int status = 0;
+  if (failed == 0)
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+  const bool missing = failed == ENOENT || (WIFEXITED(status) && WEXITSTATUS(status) == 127);
+  if (missing)
+    throw Error("cannot write " + path + ": the command rsvg-convert, which draws PNG, is not there",
+                "install it (Debian: apt-get install librsvg2-bin), or name a file that ends in .svg");
+  if (failed || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw Error("cannot write " + path + ": rsvg-convert " + (failed ? std::strerror(failed) : "gave up"),
+                "check that its folder is writable and the disk has room, or name a file that ends in .svg");
+}
+
+}  // namespace
+
+void write_drawing(const std::string& path, const std::string& svg) {
+  if (path.ends_with(".png"))
+    draw_png(path, svg);
+  else
+    write_file(path, svg);
+}
+
+}  // namespace carom::tools
