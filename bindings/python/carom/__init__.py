@@ -16,6 +16,7 @@ from .dials import dial_infos
 from .engine import Engine
 from .errors import CaromError, Closed
 from .force import ForceField, Spring, Water
+from .host import share
 from .joint import Joint
 from .particles import Particles
 from .report import effects
@@ -25,4 +26,4 @@ from .support import SupportPlugin
 from .world import World
 
 __all__ = ["Body", "CaromError", "Closed", "Collider", "Engine", "ForceField", "Joint", "Material", "Particles", "Shape", "Spring",
-           "SupportPlugin", "Water", "World", "dial_infos", "effects", "errors", "raw", "run", "__version__"]
+           "SupportPlugin", "Water", "World", "dial_infos", "effects", "errors", "raw", "run", "share", "__version__"]

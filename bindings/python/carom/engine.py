@@ -11,6 +11,7 @@ from . import raw
 from ._root import Root, check
 from ._values import bits, describe, doubles, need_numpy, record, vec3, vector
 from .errors import AlreadyExists, NotFound
+from .host import Allocator, Jobs, put_allocator, put_jobs
 from .shape import Shape
 from .support import SupportPlugin
 from .world import World
@@ -33,13 +34,22 @@ class Engine(Root):
 
     threads  how many share the work of each step; the outcome is the same to the bit
     log      called with (level, text), level 1 to 3
+    allocator  gives the memory of all that grows with a scene, @see host.Allocator
+    jobs     who shares the work of a step in place of `threads`: called with (job, count), it sees to it that job(begin, end) is
+             called for ranges that cover 0 up to count, on any threads at once, and returns when all these calls have. What it
+             leaves out is done when it returns. share(executor, parts) makes one.
     """
 
     _kind = "engine"
 
-    def __init__(self, threads: int = 1, log: Callable[[int, str], None] | None = None):
+    def __init__(self, threads: int = 1, log: Callable[[int, str], None] | None = None, *, allocator: Allocator | None = None,
+                 jobs: Jobs | None = None):
+        if jobs is not None and threads > 1:
+            raise ValueError("either threads of the engine's own or jobs of the host's, not both")
         desc = describe(raw.carom_engine_desc, {})
         alive: list = []
+        if allocator is not None:
+            alive += put_allocator(desc, allocator)
         if log is not None:
             callback = type(desc.log)(lambda _, level, text: log(level, text.decode("utf-8", "replace")))
             desc.log = callback
@@ -49,9 +59,11 @@ class Engine(Root):
         super().__init__(pointer.value, raw.carom_engine_destroy, *alive)
         self._worlds: weakref.WeakSet[World] = weakref.WeakSet()
         self._plugins: dict[str, int] = {}
-        if threads > 1:
-            jobs = describe(raw.carom_jobs_desc, {"threads": threads})
-            self._call(raw.carom_engine_set_jobs, ctypes.byref(jobs))
+        if threads > 1 or jobs is not None:
+            who = describe(raw.carom_jobs_desc, {"threads": threads if jobs is None else 0})
+            if jobs is not None:
+                self._owner.alive += put_jobs(who, jobs)
+            self._call(raw.carom_engine_set_jobs, ctypes.byref(who))
 
     def close(self) -> None:
         if not self._closed:
