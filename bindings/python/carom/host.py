@@ -1,6 +1,7 @@
 """What a host may put in place of the engine's own: memory, and threads of a step."""
 from __future__ import annotations
 
+import traceback
 from concurrent.futures import Executor, wait
 from typing import Callable, Protocol
 
@@ -37,7 +38,15 @@ def share(executor: Executor, parts: int) -> Jobs:
 
 def put_allocator(desc, allocator: Allocator) -> list:
     """@return what must live as long as the engine"""
-    alloc = type(desc.alloc)(lambda _, size, alignment: allocator.alloc(size, alignment))
+
+    def alloc_or_none(_, size, alignment):
+        try:  # what a callback of ctypes returns after an exception is whatever the stack held
+            return allocator.alloc(size, alignment)
+        except Exception:
+            traceback.print_exc()
+            return None
+
+    alloc = type(desc.alloc)(alloc_or_none)
     free = type(desc.free)(lambda _, address, size, alignment: allocator.free(address, size, alignment))
     desc.alloc, desc.free = alloc, free
     return [alloc, free]

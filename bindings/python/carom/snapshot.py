@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, BinaryIO, NamedTuple
+from typing import TYPE_CHECKING, Any, BinaryIO, Callable, NamedTuple, cast
 
 from . import raw
 
@@ -71,6 +71,11 @@ class Recording:
 class Snapshots:
     """Of a world."""
 
+    _call: Callable[..., None]
+    _wrap: Callable[[str, int], Any]
+    _adopted: Callable[..., Any]
+    engine: Any
+
     def save(self, whole: bool = False) -> bytes:
         """The state; `whole`: with all that it takes to make the world again in another process."""
         flags, size = raw.CAROM_SNAPSHOT_WHOLE if whole else raw.CAROM_SNAPSHOT_STATE, ctypes.c_uint64()
@@ -111,7 +116,7 @@ class Snapshots:
         """Write every call from now on, and the hash of each step, to a file opened for binary writing: for `carom replay`.
             with open("session.rec", "wb") as file, world.record(file): ...
         @param states  the state after each step, too, so that a replay can name the body that differs"""
-        return Recording(self, file, states)
+        return Recording(cast("World", self), file, states)
 
 
 _KINDS = {3: "carom_material", 4: "carom_body", 5: "carom_collider", 6: "carom_particles", 7: "carom_joint",
