@@ -248,6 +248,42 @@ static void so_are_those_of_factors_locks_and_belts(void **state) {
   assert_int_equal(wrong, 0);
 }
 
+/* The same of a heap so large that its bodies are halved into regions, on one to three threads: sequential, soft_step and
+ * auto, and soft_step with contacts in floats. 40 steps. */
+static void so_are_those_of_heaps(void **state) {
+  const uint64_t golden[4] = {0x0b66bedb96afa876u, 0xf1f11a160436f467u, 0x4de6d2a3597aa600u, 0x786ac6c8e26b54b2u};
+  const uint32_t solver[4] = {CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_AUTO, CAROM_SOLVER_SOFT_STEP};
+  int i, k, wrong = 0;
+  (void)state;
+  for (i = 0; i < 4; ++i) {
+    Bench b;
+    carom_jobs_desc jobs;
+    carom_body body;
+    carom_collider collider;
+    uint64_t got;
+    memset(&b, 0, sizeof b);
+    assert_int_equal(carom_engine_create(NULL, &b.engine, NULL), CAROM_OK);
+    carom_jobs_desc_init(&jobs);
+    jobs.threads = (uint32_t)(1 + (i + detour) % 3);
+    assert_int_equal(carom_engine_set_jobs(b.engine, &jobs, NULL), CAROM_OK);
+    assert_int_equal(bench_shapes(&b, NULL), CAROM_OK);
+    assert_int_equal(carom_world_create(b.engine, NULL, &b.world, NULL), CAROM_OK);
+    assert_int_equal(bench_bodies(&b, NULL), CAROM_OK);
+    assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SOLVER, solver[i], NULL), CAROM_OK);
+    if (i == 3) assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_PRECISION, CAROM_PRECISION_FLOAT, NULL), CAROM_OK);
+    for (k = 0; k < 7 * 7 * 12; ++k)
+      assert_int_equal(bench_body(b.world, k % 3 ? b.crate : b.ball, b.material, CAROM_BODY_DYNAMIC,
+                                  4 + 1.0625 * (k % 7) + 0.03125 * (k % 5), 0.375 + 0.625 * (k / 49),
+                                  1.5625 * (k / 7 % 7) + 0.03125 * (k % 3), &body, &collider, NULL), CAROM_OK);
+    assert_int_equal(steps_of(b.world, 40, NULL), CAROM_OK);
+    got = bench_hash(b.world);
+    wrong += got != golden[i];
+    if (got != golden[i]) print_error("heap %d: 0x%016llx\n", i, (unsigned long long)got);
+    assert_int_equal(bench_free(&b), CAROM_OK);
+  }
+  assert_int_equal(wrong, 0);
+}
+
 /* And all of these with a restore in the middle. */
 static void a_restore_changes_no_bit(void **state) {
   detour = 1;
@@ -255,6 +291,7 @@ static void a_restore_changes_no_bit(void **state) {
   so_are_those_of_particles(state);
   so_are_those_of_joints(state);
   so_are_those_of_factors_locks_and_belts(state);
+  so_are_those_of_heaps(state);
   detour = 0;
 }
 
@@ -268,6 +305,7 @@ int main(void) {
       cmocka_unit_test(so_are_those_of_particles),
       cmocka_unit_test(so_are_those_of_joints),
       cmocka_unit_test(so_are_those_of_factors_locks_and_belts),
+      cmocka_unit_test(so_are_those_of_heaps),
       cmocka_unit_test(a_restore_changes_no_bit),
   };
   return cmocka_run_group_tests_name("determinism/same_bits", tests, NULL, NULL);

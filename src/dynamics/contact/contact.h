@@ -81,6 +81,12 @@ struct Meeting {
   std::uint32_t a, b;  // body slots
   bool moves_a, moves_b;
   bool one_normal;
+
+  /// But for where their rows stand.
+  bool is_like(const Meeting& m) const {
+    return count == m.count && a == m.a && b == m.b && moves_a == m.moves_a && moves_b == m.moves_b &&
+           one_normal == m.one_normal;
+  }
 };
 
 /// Two bodies that a joint holds together, or one and the world.

@@ -108,7 +108,7 @@ void sweep_joints(World& world, const Kernel& kernel, const Then& then) {
 }
 
 /// of_joints(part of the swept joints) and of_contacts(sweeps, part of the pairs), for kernels that write velocities:
-/// colour by colour through both; then those beyond the colours, one after the other.
+/// colour by colour through both; then those beyond the colours, one after the other, and contacts region by region.
 template <class OfJoints, class OfContacts>
 void sweep_rows(World& world, const OfJoints& of_joints, const OfContacts& of_contacts) {
   if (!world.wide_joints->any()) return sweep_contacts(world, of_contacts);
@@ -118,7 +118,7 @@ void sweep_rows(World& world, const OfJoints& of_joints, const OfContacts& of_co
     const auto run = everything(wide, lanes, wide.velocity.data());
     const auto kernel = [&](const auto& part) { of_contacts(sweeps, part); };
     sweep_joints(world, of_joints, [&](std::uint32_t colour) { over_colour(world.jobs, wide, colour, run, kernel); });
-    over_uncoloured(wide, run, kernel);
+    after_colours(world.jobs, wide, run, kernel);
   });
 }
 

@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kColours = 64;
 class BothColours {
  public:
   /// @param taken  by solver body, bit c: it has colour c
-  BothColours(Array<std::uint64_t>& taken, bool moves_a, std::uint32_t a, bool moves_b, std::uint32_t b)
+  BothColours(std::uint64_t* taken, bool moves_a, std::uint32_t a, bool moves_b, std::uint32_t b)
       : a_(moves_a ? &taken[a] : nullptr), b_(moves_b ? &taken[b] : nullptr) {}
 
   /// A free colour, which both have from now on; kColours: none is left.

@@ -1,4 +1,4 @@
-// Rows into lanes and back: colours, buckets, bodies.
+// Rows into lanes and back.
 #include "dynamics/solver/wide_contacts.h"
 
 #include <algorithm>
@@ -15,48 +15,6 @@ namespace carom {
 namespace {
 
 constexpr auto kMaxPoints = static_cast<std::uint32_t>(kPairPoints);
-constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
-
-/// Solver bodies: 0 for what no impulse and no host moves, then kinematic bodies as rows name them, then the rest.
-void number_bodies(const World& world, WideContacts& wide) {
-  const Contacts& c = *world.contacts;
-  const Scene& scene = world.scene;
-  constexpr std::uint32_t kMoves = 0xFFFFFFFFu;                    // and has no number yet
-  for (const std::uint32_t body : wide.slot) wide.body[body] = 0;  // of the last step: all others are 0
-  wide.body.resize(scene.bodies.slots(), 0);
-  wide.slot.assign(1, 0);
-  wide.slot.reserve(1 + world.plan->kinematic.count + c.bodies.size());  // now: no number may be left that slot lacks
-  const auto number = [&](std::uint32_t i) {
-    wide.body[i] = static_cast<std::uint32_t>(wide.slot.size());
-    wide.slot.push_back(i);
-  };
-  // Kinematic bodies keep their velocity and lend it to those that touch them.
-  for (const Meeting& m : c.meetings) {
-    if (!c.answered_in_lanes(m.row)) continue;
-    for (const auto& [moves, body] : {std::pair(m.moves_a, m.a), std::pair(m.moves_b, m.b)})
-      if (moves)
-        wide.body[body] = kMoves;
-      else if (scene.type[body] == BodyType::kinematic && !wide.body[body])
-        number(body);
-  }
-  for (const Link& l : c.links)
-    for (const auto& [moves, body] : {std::pair(l.moves_a, l.a), std::pair(l.moves_b, l.b)})
-      if (moves)
-        wide.body[body] = kMoves;
-      else if (body != kTheWorld && scene.type[body] == BodyType::kinematic && !wide.body[body])
-        number(body);
-  wide.first_moved = static_cast<std::uint32_t>(wide.slot.size());
-  for (const std::uint32_t i : c.bodies)
-    if (wide.body[i] == kMoves) number(i);
-  const std::size_t n = wide.slot.size();
-  wide.velocity.assign(n, {});
-  wide.shift.assign(n, {});
-  wide.start_x.resize(n), wide.start_q.resize(n);
-  for (std::size_t i = 1; i < n; ++i) {
-    wide.start_x[i] = world.state.x[wide.slot[i]];
-    wide.start_q[i] = world.state.q[wide.slot[i]];
-  }
-}
 
 void hold_orientations(World& world, WideContacts& wide) {
   wide.held_back.resize(wide.slot.size());
@@ -66,27 +24,6 @@ void hold_orientations(World& world, WideContacts& wide) {
     hold_orientation(world, wide.slot[i]);
     wide.held_back[i] = held_back(world, wide.slot[i]);
   });
-}
-
-/// Manifolds from meetings, each with the highest colour that none of its movable bodies has yet. Contacts with what
-/// does not move are first to take: so these are solved last, with the others' final word, and what was built from the
-/// ground up is swept from the top down.
-void colour_manifolds(const World& world, WideContacts& wide) {
-  const Contacts& c = *world.contacts;
-  wide.manifolds.clear();
-  for (const Meeting& m : c.meetings)
-    if (c.answered_in_lanes(m.row)) wide.manifolds.push_back({m.row, m.count, 0, 0, 0});
-  for (const bool both_move : {false, true}) {
-    auto at = wide.manifolds.begin();
-    for (const Meeting& m : c.meetings) {
-      if (!c.answered_in_lanes(m.row)) continue;
-      WideContacts::Manifold& manifold = *at++;
-      if ((m.moves_a && m.moves_b) != both_move) continue;
-      const std::uint32_t colour =
-          BothColours(wide.taken, m.moves_a, wide.body[m.a], m.moves_b, wide.body[m.b]).take_highest();
-      manifold.bucket = colour * kPairKinds + (m.one_normal ? 0 : kMaxPoints) + m.count - 1;
-    }
-  }
 }
 
 template <class Number>
@@ -150,38 +87,6 @@ void fill_points(const World& world, const WideContacts& wide, const WideContact
   pair.sum_t[lane] = pair.sum_s[lane] = pair.sum_w[lane] = 0;
 }
 
-/// A place for each manifold: four of a bucket share one, but beyond the colours each has one for itself.
-template <class Number>
-void place_manifolds(WideContacts& wide, ContactLanes<Number>& rows) {
-  constexpr std::uint32_t kBuckets = (kColours + 1) * kPairKinds, kAlone = kColours * kPairKinds;
-  wide.buckets.assign(kBuckets, 0);
-  wide.colours.clear();
-  for (const WideContacts::Manifold& m : wide.manifolds) ++wide.buckets[m.bucket];
-  std::uint32_t lanes = 0;
-  std::array<std::uint32_t, kPairKinds> ends{};
-  for (std::uint32_t i = 0; i < kBuckets; ++i) {
-    const std::uint32_t begin = lanes, count = wide.buckets[i];
-    lanes += i < kAlone ? (count + kLanes - 1) / kLanes * kLanes : count * kLanes;
-    wide.buckets[i] = begin;
-    ends[i % kPairKinds] = lanes / kLanes;
-    if (i < kAlone && i % kPairKinds == kPairKinds - 1) wide.colours.push_back(ends);
-  }
-  rows.pairs.resize(lanes / kLanes);
-  wide.occupant.assign(lanes, kNobody);
-  for (std::uint32_t i = 0; i < wide.manifolds.size(); ++i) {
-    WideContacts::Manifold& m = wide.manifolds[i];
-    std::uint32_t& next = wide.buckets[m.bucket];
-    m.pair = next / kLanes, m.lane = next % kLanes;
-    wide.occupant[next] = i;
-    rows.pairs[m.pair].points = m.points;
-    rows.pairs[m.pair].one_normal = m.bucket % kPairKinds < kMaxPoints;
-    next += m.bucket < kAlone ? 1 : kLanes;
-  }
-  std::uint32_t points = 0;
-  for (auto& pair : rows.pairs) pair.first = points, points += pair.points;
-  rows.points.resize(points);
-}
-
 /// Lanes of nobody.
 template <class Number>
 void empty(ContactLanes<Number>& rows, PairLanesOf<Number>& pair) {
@@ -197,7 +102,7 @@ class Shares {
  public:
   /// @param load  [points] N s, normal impulses   @param force  N s   @param twist  N m s, about the middle
   template <class Point, class Load>
-  Shares(const Point* points, Load Point::* load, std::uint32_t count, std::uint32_t lane, const Vec3& n,
+  Shares(const Point* points, Load Point::*load, std::uint32_t count, std::uint32_t lane, const Vec3& n,
          const Vec3& force, Real twist)
       : n_(n) {
     Real all = 0, moment = 0, most = 0;
@@ -272,7 +177,7 @@ void fetch(const T* first, std::size_t count) {
 /// The rows that four lanes will be filled from.
 void fetch_rows(const Contacts& c, const WideContacts& wide, const std::uint32_t* occupant) {
   for (int lane = 0; lane < kLanes; ++lane) {
-    if (occupant[lane] == kNobody) continue;
+    if (occupant[lane] == kNobodysLane) continue;
     const WideContacts::Manifold& m = wide.manifolds[occupant[lane]];
     fetch(&c.rows[m.row], m.points);
     fetch(&c.geometry[m.row], m.points);
@@ -282,15 +187,18 @@ void fetch_rows(const Contacts& c, const WideContacts& wide, const std::uint32_t
 /// All rows into lanes, and their masses. False: floats can't bear them.
 template <class Number>
 bool fill(World& world, WideContacts& wide, ContactLanes<Number>& rows, const ContactSweeps<Number>& sweeps) {
-  place_manifolds(wide, rows);
+  rows.pairs.resize(wide.first_point.size());
+  rows.points.resize(wide.parts.back().point);
   in_parallel(world.jobs, rows.pairs.size(), kPairsAPart, [&](std::uint32_t i) {
     PairLanesOf<Number>& pair = rows.pairs[i];
     const std::uint32_t* const occupant = &wide.occupant[std::size_t(i) * kLanes];
     if (i + 1 < rows.pairs.size()) fetch_rows(*world.contacts, wide, occupant + kLanes);
-    if (std::find(occupant, occupant + kLanes, kNobody) != occupant + kLanes) empty(rows, pair);
+    const WideContacts::Manifold& of = wide.manifolds[*occupant];
+    pair.first = wide.first_point[i], pair.points = of.points, pair.one_normal = has_one_normal(of);
+    if (std::find(occupant, occupant + kLanes, kNobodysLane) != occupant + kLanes) empty(rows, pair);
     pair.driven = pair.locked = 0;
     for (int lane = 0; lane < kLanes; ++lane) {
-      if (occupant[lane] == kNobody) continue;
+      if (occupant[lane] == kNobodysLane) continue;
       const WideContacts::Manifold& m = wide.manifolds[occupant[lane]];
       fill_pair(world, wide, world.contacts->rows[m.row], pair, lane);
       fill_points(world, wide, m, pair, &rows.points[pair.first], lane);
@@ -308,11 +216,8 @@ bool fill(World& world, WideContacts& wide, ContactLanes<Number>& rows, const Co
 }  // namespace
 
 void pack(World& world, WideContacts& wide, Real h) {
-  number_bodies(world, wide);
+  place_pairs(world, wide);
   hold_orientations(world, wide);
-  wide.taken.assign(wide.slot.size(), 0);
-  colour_joints(world);
-  colour_manifolds(world, wide);
   wide.is_float = !wide.manifolds.empty() && bears_floats(world, wide, h);
   if (wide.is_float) {
     if (!wide.in_float) wide.in_float = make_owned<ContactLanes<float>>(world.memory, world.memory);

@@ -1,8 +1,8 @@
 // Contacts in lanes: four pairs side by side, point by point, in the order in which a solver visits them.
 //
-// Pairs of one colour share no body that an impulse moves, so that four of them, on several threads, can be solved at
-// once, and the outcome depends on the order of colours alone. Within a colour pairs of one kind stand together: nobody
-// waits for a neighbour's points.
+// Pairs of one region (regions.h) stand together; within it those of one colour, which share no body that an impulse
+// moves, so that four of them can be solved at once; within a colour those of one kind: nobody waits for a neighbour's
+// points. The outcome depends on that order alone: threads share regions of one level, and the colours of the whole.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/solver/colours.h"
 #include "dynamics/solver/contact_kernels.h"
+#include "dynamics/solver/regions.h"
 
 namespace carom {
 
@@ -31,6 +32,29 @@ struct ContactLanes {
   Array<LockLanesOf<Number>> locks;    // of pairs with bodies that are locked
 };
 
+/// What place_pairs() works with. While nobody comes or goes pairs keep their places from step to step.
+struct Placing {
+  explicit Placing(Memory* m)
+      : met(m), kinematic(m), movers(m), regions(m), members(m), by_colour(m), in_region(m), taken(m) {}
+
+  bool stands = false;             // places are those of `met` and `regions`
+  Array<Meeting> met;              // who is answered in lanes
+  Array<std::uint32_t> kinematic;  // slots, as those name them
+  Array<std::uint32_t> movers;     // slots of bodies that impulses move, ascending
+  Regions regions;                 // of movers
+
+  // scratch
+  struct Member {
+    std::uint32_t manifold;
+    std::uint32_t a, b;    // solver bodies, 0 for one that impulses do not move
+    std::uint32_t bucket;  // colour and kind
+  };
+  Array<Member> members;           // by region, ascending by manifold
+  Array<Member> by_colour;         // by region
+  Array<std::uint32_t> in_region;  // by manifold
+  Array<std::uint64_t> taken;      // [levels][solver bodies], @see BothColours
+};
+
 struct WideContacts {
   explicit WideContacts(Memory* m)
       : in_double(m),
@@ -43,10 +67,10 @@ struct WideContacts {
         start_x(m),
         start_q(m),
         manifolds(m),
+        parts(m),
         colours(m),
-        taken(m),
         occupant(m),
-        buckets(m) {}
+        first_point(m) {}
 
   const ContactKernels* kernels = &contact_kernels();
 
@@ -68,7 +92,7 @@ struct WideContacts {
 
   /// Rows of one pair, and where they went.
   struct Manifold {
-    std::uint32_t row, points, bucket;
+    std::uint32_t row, points, kind;
     std::uint32_t pair, lane;  // in pairs
   };
   Array<Manifold> manifolds;  // in the order of the rows
@@ -77,16 +101,26 @@ struct WideContacts {
     return *(std::upper_bound(manifolds.begin(), manifolds.end(), row, later) - 1);
   }
 
-  /// [kColours]: where in pairs those of each kind end; pairs after the last colour's stand alone. Empty: there are
-  /// none
+  /// A region's rows: where they begin, in the order in which they are solved.
+  struct Part {
+    std::uint32_t pair, point;  // in pairs and points
+    std::uint32_t member;       // in Placing::members
+  };
+  Array<Part> parts;  // [regions + 2], by region; the first is of nobody
+  std::uint32_t regions_end() const { return static_cast<std::uint32_t>(parts.size()) - 1; }
+  /// [kColours]: where in pairs those of the whole's rows end that have a colour, kind by kind; pairs after the last
+  /// colour's stand alone. Empty: there are none
   Array<std::array<std::uint32_t, kPairKinds>> colours;
   std::uint32_t first_of(std::uint32_t colour) const { return colour == 0 ? 0 : colours[colour - 1].back(); }
+  Array<std::uint32_t> occupant;     // [4 pairs] manifold, or kNobodysLane
+  Array<std::uint32_t> first_point;  // [pairs]
 
-  // scratch
-  Array<std::uint64_t> taken;     // by solver body, @see BothColours
-  Array<std::uint32_t> occupant;  // [4 pairs] manifold
-  Array<std::uint32_t> buckets;
+  Owned<Placing> placing;  // null until a step has rows
 };
+
+inline bool has_one_normal(const WideContacts::Manifold& m) { return m.kind < kPairPoints; }
+
+inline constexpr std::uint32_t kNobodysLane = 0xFFFFFFFFu;
 
 /// f(lanes, sweeps): those that have the rows of this step.
 template <class Wide, class F>
@@ -114,7 +148,7 @@ void over_part(const Run& run, std::size_t begin, std::size_t end, const Kernel&
   kernel(part);
 }
 
-/// kernel(part of the run), for kernels that write bodies: pairs of one colour, in parts at once.
+/// kernel(part of the run), for kernels that write bodies: pairs of one colour of the whole, in parts at once.
 template <class Run, class Kernel>
 void over_colour(Jobs* jobs, const WideContacts& wide, std::uint32_t colour, const Run& run, const Kernel& kernel) {
   const auto& ends = wide.colours[colour];
@@ -131,22 +165,30 @@ void over_colour(Jobs* jobs, const WideContacts& wide, std::uint32_t colour, con
   });
 }
 
-/// Likewise for pairs beyond the colours, one after the other.
+/// Likewise for pairs beyond the colours, one after the other; then for those of smaller regions.
 template <class Run, class Kernel>
-void over_uncoloured(const WideContacts& wide, const Run& run, const Kernel& kernel) {
-  over_part(run, wide.first_of(kColours), run.count, kernel);
+void after_colours(Jobs* jobs, const WideContacts& wide, const Run& run, const Kernel& kernel) {
+  if (!jobs) return over_part(run, wide.first_of(kColours), run.count, kernel);
+  const auto all_of = [&](std::uint32_t region, std::uint32_t from) {
+    const std::uint32_t end = wide.parts[region + 1].pair;
+    if (from < end) over_part(run, from, end, kernel);
+  };
+  all_of(1, wide.first_of(kColours));
+  for (std::uint32_t first = 2; first < wide.regions_end(); first *= 2)
+    in_parallel(jobs, first, 1, [&](std::uint32_t i) { all_of(first + i, wide.parts[first + i].pair); });
 }
 
-/// Likewise for all pairs: one colour after the other.
+/// Likewise for all pairs, in the order in which they stand: one colour of the whole after the other, then region by
+/// region.
 template <class Run, class Kernel>
-void by_colour(Jobs* jobs, const WideContacts& wide, const Run& run, const Kernel& kernel) {
+void in_order(Jobs* jobs, const WideContacts& wide, const Run& run, const Kernel& kernel) {
   if (run.count == 0) return;
   if (!jobs) return kernel(run);
   for (std::uint32_t colour = 0; colour < kColours; ++colour) over_colour(jobs, wide, colour, run, kernel);
-  over_uncoloured(wide, run, kernel);
+  after_colours(jobs, wide, run, kernel);
 }
 
-/// Likewise for kernels that write pairs and points alone: all colours at once.
+/// Likewise for kernels that write pairs and points alone: all at once.
 template <class Run, class Kernel>
 void in_any_order(Jobs* jobs, const Run& run, const Kernel& kernel) {
   in_parts(jobs, run.count, kPairsAPart, [&](std::uint32_t begin, std::uint32_t end) {
@@ -156,13 +198,13 @@ void in_any_order(Jobs* jobs, const Run& run, const Kernel& kernel) {
   });
 }
 
-/// kernel(sweeps, part of the run), for sweeps that write bodies: colour by colour.
+/// kernel(sweeps, part of the run), for sweeps that write bodies: in order.
 /// @param bodies  velocities, or displacements
 template <class Kernel>
 void sweep_bodies(World& world, BodyVelocity* bodies, const Kernel& kernel) {
   WideContacts& wide = *world.wide;
   with_lanes(wide, [&](auto& lanes, const auto& sweeps) {
-    by_colour(world.jobs, wide, everything(wide, lanes, bodies), [&](const auto& run) { kernel(sweeps, run); });
+    in_order(world.jobs, wide, everything(wide, lanes, bodies), [&](const auto& run) { kernel(sweeps, run); });
   });
 }
 template <class Kernel>
@@ -179,6 +221,8 @@ void over_contacts(World& world, const Kernel& kernel) {
   });
 }
 
+/// Number the bodies, give each pair its place in lanes. Allocates.
+void place_pairs(World& world, WideContacts& wide);
 /// Lay this step's rows out in lanes, with the poses and velocities of the present, and their masses. Allocates.
 /// @param h  s, substep
 void pack(World& world, WideContacts& wide, Real h);
