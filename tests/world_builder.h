@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision/volume.h"
+#include "core/job_pool.h"
 #include "dynamics/effects.h"
 #include "dynamics/world.h"
 #include "shapes.h"
@@ -69,5 +70,18 @@ struct TestWorld {
   std::list<Shape> shapes;
   World world;
 };
+
+/// Bits of a scene (a TestWorld) after some steps of 1/60 s.
+/// @param solver  as of the dial   @param threads  that share a step
+template <class Scene>
+std::uint64_t hash_of_run(Real solver, std::uint32_t threads, int steps) {
+  JobPool pool(
+      threads, [] {}, std::pmr::new_delete_resource());
+  Scene t;
+  t.world.set_dial(Dial::solver, solver);
+  if (threads > 1) t.world.jobs = &pool;
+  t.run(steps, 1.0 / 60);
+  return t.world.hash();
+}
 
 }  // namespace carom::test

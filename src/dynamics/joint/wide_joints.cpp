@@ -54,7 +54,8 @@ std::uint32_t solver_body(const World& world, std::uint32_t body) {
 
 BothColours colours_of(World& world, const Joint& joint) {
   const std::uint32_t a = joint.def.body_a, b = joint.def.body_b;
-  return {world.wide->placing->taken.data(), moves(world, a), solver_body(world, a), moves(world, b), solver_body(world, b)};
+  return {world.wide->placing->taken.data(), moves(world, a), solver_body(world, a), moves(world, b),
+          solver_body(world, b)};
 }
 
 /// A place for each: four of one colour and layout share lanes; beyond the colours each has its own.

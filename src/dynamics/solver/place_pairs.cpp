@@ -73,6 +73,7 @@ void list_bodies(const World& world, WideContacts& wide) {
 /// m, of the grid by which bodies are halved: about what they measure. A power of two, so as to be the same in the next
 /// step.
 Real size_of_cell(const World& world, const Placing& p) {
+  if (levels_for(p.movers.size()) == 1 || p.met.empty()) return 1;  // nobody is halved, or by joints alone
   constexpr std::size_t kAsked = 256;
   const std::size_t stride = p.met.size() / kAsked + 1;
   Real sum = 0, count = 0;
@@ -85,7 +86,8 @@ Real size_of_cell(const World& world, const Placing& p) {
 }
 
 /// Solver bodies: 0 for what no impulse and no host moves, then kinematic bodies as rows name them (they keep their
-/// velocity and lend it to those that touch them), then the rest, region by region.
+/// velocity and lend it to those that touch them), then the rest, region by region: a thread that has a region finds
+/// its bodies beside each other.
 void number_bodies(WideContacts& wide) {
   const Placing& p = *wide.placing;
   for (const std::uint32_t body : wide.slot) wide.body[body] = 0;
@@ -338,8 +340,7 @@ void place_pairs(World& world, WideContacts& wide) {
     take_rows(*world.contacts, wide);
   else
     list_bodies(world, wide);
-  const bool halved = !p.met.empty() && levels_for(p.movers.size()) > 1;
-  same &= halve(world.state.x, halved ? size_of_cell(world, p) : 1, world.jobs, p.movers, p.regions);
+  same &= halve(world.state.x, size_of_cell(world, p), world.jobs, p.movers, p.regions);
   if (!same) {
     number_bodies(wide);
     list_manifolds(wide);

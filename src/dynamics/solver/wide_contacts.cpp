@@ -102,7 +102,7 @@ class Shares {
  public:
   /// @param load  [points] N s, normal impulses   @param force  N s   @param twist  N m s, about the middle
   template <class Point, class Load>
-  Shares(const Point* points, Load Point::*load, std::uint32_t count, std::uint32_t lane, const Vec3& n,
+  Shares(const Point* points, Load Point::* load, std::uint32_t count, std::uint32_t lane, const Vec3& n,
          const Vec3& force, Real twist)
       : n_(n) {
     Real all = 0, moment = 0, most = 0;

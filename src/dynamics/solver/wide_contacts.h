@@ -1,8 +1,8 @@
 // Contacts in lanes: four pairs side by side, point by point, in the order in which a solver visits them.
 //
-// Pairs of one region (regions.h) stand together; within it those of one colour, which share no body that an impulse
-// moves, so that four of them can be solved at once; within a colour those of one kind: nobody waits for a neighbour's
-// points. The outcome depends on that order alone: threads share regions of one level, and the colours of the whole.
+// Pairs of one region (regions.h) stand together, colour by colour; those of a colour share no body that an impulse
+// moves. The four side by side share none, and are of one kind: nobody waits for a neighbour's points. The outcome
+// depends on that order alone. Threads share the colours of the whole and, of smaller regions, those of one level.
 #pragma once
 
 #include <algorithm>
@@ -52,7 +52,7 @@ struct Placing {
   Array<Member> members;           // by region, ascending by manifold
   Array<Member> by_colour;         // by region
   Array<std::uint32_t> in_region;  // by manifold
-  Array<std::uint64_t> taken;      // [levels][solver bodies], @see BothColours
+  Array<std::uint64_t> taken;      // [levels][solver bodies], @see BothColours, then AsTheyCome
 };
 
 struct WideContacts {

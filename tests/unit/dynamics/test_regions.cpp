@@ -5,7 +5,6 @@
 #include <set>
 
 #include "carom_test.h"
-#include "core/job_pool.h"
 #include "dynamics/solver/wide_contacts.h"
 #include "world_builder.h"
 
@@ -109,9 +108,10 @@ void any_place_will_do(void**) {
   check_leaves(Halved(x, 1e300));
 }
 
-/// A heap large enough for several regions, a joint through it, and a plate that all lie on.
+/// A heap large enough for several regions, on the ground, with joints through it.
 struct Heap : TestWorld {
-  explicit Heap(int n = 11) {
+  Heap() {
+    constexpr int n = 11;
     world.set_dial(Dial::solver, 2);  // CAROM_SOLVER_SOFT_STEP
     ground();
     const Shape* cube = keep(box(Vec3::Constant(0.25)));
@@ -183,7 +183,7 @@ struct Columns : TestWorld {
   Columns() {
     world.set_dial(Dial::solver, 2);  // CAROM_SOLVER_SOFT_STEP
     ground();
-    block = add(keep(box(Vec3(5, 0.5, 1))), Vec3(2, -0.25, -2), BodyType::fixed);
+    block = add(slab, Vec3(2, -0.25, -2), BodyType::fixed);
     for (int i = 0; i < 64; ++i)
       for (int k = 0; k < 9; ++k)
         columns.push_back(add(cube, Vec3(0.75 * (i % 8), 0.25 + 0.5 * k + (i < 24 ? 0.25 : 0), 0.75 * (i / 8) - 3.0)));
@@ -195,13 +195,12 @@ struct Columns : TestWorld {
     if (step == 50) {
       const Pose at = world.pose(block);
       world.remove_body(block);
-      block = add(shapes_block(), at.p, BodyType::kinematic);
+      block = add(slab, at.p, BodyType::kinematic);
     }
     if (step == 55) world.set_velocity(block, Vec3(0.25, 0, 0), Vec3::Zero());
   }
-  const Shape* shapes_block() { return keep(box(Vec3(5, 0.5, 1))); }
 
-  const Shape* cube = keep(box(Vec3::Constant(0.25)));
+  const Shape *cube = keep(box(Vec3::Constant(0.25))), *slab = keep(box(Vec3(5, 0.5, 1)));
   std::uint32_t block = 0;
   std::vector<std::uint32_t> columns;
 };
@@ -226,17 +225,8 @@ void places_that_are_kept_are_those_made_anew(void**) {
 
 void the_outcome_does_not_depend_on_threads(void**) {
   for (const Real solver : {1.0, 2.0}) {  // CAROM_SOLVER_SEQUENTIAL, SOFT_STEP
-    std::uint64_t hash[4];
-    for (const std::uint32_t threads : {1u, 2u, 3u}) {
-      JobPool pool(
-          std::max(2u, threads), [] {}, heap());
-      Heap t;
-      t.world.set_dial(Dial::solver, solver);
-      if (threads > 1) t.world.jobs = &pool;
-      t.run(20, 1.0 / 60);
-      hash[threads] = t.world.hash();
-    }
-    assert_true(hash[1] == hash[2] && hash[1] == hash[3]);
+    const std::uint64_t alone = hash_of_run<Heap>(solver, 1, 20);
+    for (const std::uint32_t threads : {2u, 3u}) assert_true(hash_of_run<Heap>(solver, threads, 20) == alone);
   }
 }
 
