@@ -9,14 +9,13 @@ from typing import Callable, Iterable, Sequence
 
 from . import raw
 from ._root import Root, check
-from ._values import bits, describe, doubles, need_numpy, record, vec3, vector
+from ._values import bits, describe, doubles, vec3
 from .errors import AlreadyExists, NotFound
 from .host import Allocator, Jobs, put_allocator, put_jobs
+from .pair import PairQuestions
 from .shape import Shape
 from .support import SupportPlugin
 from .world import World
-
-IDENTITY = (0.0, 0.0, 0.0, 1.0)
 
 
 def plugin_folders() -> list[Path]:
@@ -27,7 +26,7 @@ def plugin_folders() -> list[Path]:
                                                library.parent.parent / "plugins"]
 
 
-class Engine(Root):
+class Engine(Root, PairQuestions):
     """Owns plugins and shapes; makes worlds. Closing it closes its worlds.
 
         with carom.Engine(threads=2) as engine, engine.world() as world: ...
@@ -179,24 +178,3 @@ class Engine(Root):
             die = box(0.5, 0.5, 0.5)
         """
         return SupportPlugin(self, support, id, **about)
-
-    # ---- questions without a world ----
-
-    def distance(self, a: Shape, b: Shape, position_a=(0, 0, 0), position_b=(0, 0, 0), orientation_a=IDENTITY,
-                 orientation_b=IDENTITY, **how):
-        """Signed distance of two shapes, with bracket [lower, upper], normal and closest points.
-        @param how  fields of carom_distance_desc: tolerance=1e-9, pair_routines=1"""
-        desc = describe(raw.carom_distance_desc, how)
-        result = raw.carom_distance(struct_size=ctypes.sizeof(raw.carom_distance))
-        self._call(raw.carom_shape_distance, a.handle, vec3(position_a), vector(orientation_a, 4, "orientation_a"), b.handle,
-                   vec3(position_b), vector(orientation_b, 4, "orientation_b"), ctypes.byref(desc), ctypes.byref(result))
-        return record(result)
-
-    def support(self, shape: Shape, directions):
-        """Farthest points of a shape along directions, numpy arrays of rows of 3."""
-        np = need_numpy("support()")
-        along = np.ascontiguousarray(directions, dtype=np.float64).reshape(-1, 3)
-        points = np.empty_like(along)
-        real = ctypes.POINTER(ctypes.c_double)
-        self._call(raw.carom_shape_support, shape.handle, along.ctypes.data_as(real), len(along), points.ctypes.data_as(real))
-        return points

@@ -6,7 +6,7 @@ import math
 from typing import Any, Callable, Sequence
 
 from . import raw
-from ._values import Record, describe, enum, need_numpy, record, vec3, word
+from ._values import Record, copy_out, describe, enum, need_numpy, numpy, record, vec3, vector, word
 
 OUTCOMES = ("miss", "hit", "overlap", "undecided", "bad_ray")
 
@@ -31,9 +31,9 @@ class Questions:
                    ctypes.byref(found), ctypes.sizeof(found))
         return self._hit(found)
 
-    def rays(self, origins, directions, max=None, want: str = "first", **how):
-        """Many at once, numpy arrays (n, 3). @param max  one number or (n,), default infinite
-        @return arrays: outcomes (0 a miss), colliders (handles), times, normals, points"""
+    @staticmethod
+    def _rays(origins, directions, max):
+        """carom_rays of numpy arrays. Keep what is returned until after the call."""
         np = need_numpy("rays()")
         origins = np.ascontiguousarray(origins, dtype=np.float64).reshape(-1, 3)
         directions = np.ascontiguousarray(np.broadcast_to(np.asarray(directions, dtype=np.float64), origins.shape))
@@ -41,6 +41,13 @@ class Questions:
         ends = np.ascontiguousarray(np.broadcast_to(np.asarray(math.inf if max is None else max, dtype=np.float64), (n,)))
         rays = raw.carom_rays(struct_size=ctypes.sizeof(raw.carom_rays), scalar=raw.CAROM_SCALAR_F64, count=n,
                               origins=origins.ctypes.data, directions=directions.ctypes.data, max=ends.ctypes.data)
+        return rays, (origins, directions, ends), n
+
+    def rays(self, origins, directions, max=None, want: str = "first", **how):
+        """Many at once, numpy arrays (n, 3). @param max  one number or (n,), default infinite
+        @return arrays: outcomes (0 a miss), colliders (handles), times, normals, points"""
+        np = need_numpy("rays()")
+        rays, alive, n = self._rays(origins, directions, max)
         outcomes, colliders = np.zeros(n, np.uint32), np.zeros(n, np.uint64)
         times, normals, points = np.zeros(n), np.zeros((n, 3)), np.zeros((n, 3))
         hits = raw.carom_world_hits(
@@ -52,17 +59,94 @@ class Questions:
         self._call(raw.carom_world_cast_rays, ctypes.byref(rays), enum("WANT", want), ctypes.byref(desc), ctypes.byref(hits))
         return Record(outcomes=outcomes, colliders=colliders, times=times, normals=normals, points=points)
 
+    def rays_all(self, origins, directions, max=None, **how):
+        """All that each of many rays meets: by question, then by time. @return arrays as of casts()"""
+        rays, alive, _ = self._rays(origins, directions, max)
+        desc = describe(raw.carom_query_desc, how)
+        return self._arrays(copy_out(self._call, raw.carom_world_cast_rays_all, raw.carom_world_hit, ctypes.byref(rays),
+                                     ctypes.byref(desc)))
+
     @staticmethod
     def _one_shape(shape, position, orientation, motion):
         """carom_query_shapes of one; `shape` None is a point. Keep what is returned until after the call."""
         handle = ctypes.c_uint64(0 if shape is None else shape.handle)
-        at, turned = vec3(position, "position"), (ctypes.c_double * 4)(*orientation)
+        at, turned = vec3(position, "position"), vector(orientation, 4, "orientation")
         way = None if motion is None else vec3(motion, "motion")
         asking = raw.carom_query_shapes(
             struct_size=ctypes.sizeof(raw.carom_query_shapes), scalar=raw.CAROM_SCALAR_F64, count=1,
             shapes=ctypes.pointer(handle), positions=ctypes.addressof(at), orientations=ctypes.addressof(turned),
             motions=None if way is None else ctypes.addressof(way))
         return asking, (handle, at, turned, way)
+
+    @staticmethod
+    def _shapes(shapes, positions, orientations, motions):
+        """carom_query_shapes of many. @param shapes  one for all, one each, or None: points. Keep what is returned."""
+        np = need_numpy("many shapes")
+        rows = [np.atleast_2d(np.asarray(a, dtype=np.float64)) for a in (positions, motions) if a is not None]
+        n = max([len(a) for a in rows] + [1 if shapes is None or hasattr(shapes, "handle") else len(shapes)])
+
+        def spread(values, width, name):
+            if values is None:
+                return None
+            array = np.atleast_2d(np.asarray(values, dtype=np.float64))
+            if array.shape not in ((n, width), (1, width)):
+                raise ValueError(f"{name} takes {n} rows of {width} numbers, or one for all, got shape {array.shape}")
+            return np.ascontiguousarray(np.broadcast_to(array, (n, width)))
+
+        at, turned, way = spread(positions, 3, "positions"), spread(orientations, 4, "orientations"), spread(motions, 3, "motions")
+        if shapes is not None and not hasattr(shapes, "handle") and len(shapes) not in (1, n):
+            raise ValueError(f"shapes takes {n}, or one for all, got {len(shapes)}")
+        each = None if shapes is None else np.ascontiguousarray(np.broadcast_to(
+            np.asarray([s.handle for s in ([shapes] if hasattr(shapes, "handle") else shapes)], dtype=np.uint64), (n,)))
+        address = lambda array: None if array is None else array.ctypes.data  # noqa: E731
+        asking = raw.carom_query_shapes(
+            struct_size=ctypes.sizeof(raw.carom_query_shapes), scalar=raw.CAROM_SCALAR_F64, count=n,
+            shapes=None if each is None else each.ctypes.data_as(ctypes.POINTER(ctypes.c_uint64)),
+            positions=address(at), orientations=address(turned), motions=address(way))
+        return asking, (each, at, turned, way), n
+
+    @staticmethod
+    def _arrays(found):
+        """Records of carom_world_hit as arrays, a row each."""
+        rows = numpy.ctypeslib.as_array(found) if len(found) else numpy.zeros(0, numpy.dtype(raw.carom_world_hit))
+        names = {"outcome": "outcomes", "question": "questions", "collider": "colliders", "body": "bodies", "time": "times",
+                 "lower": "lower", "upper": "upper", "separation": "separations", "normal": "normals", "point": "points",
+                 "point_own": "points_own", "status": "statuses"}
+        return Record(**{name: rows[field].copy() for field, name in names.items()})
+
+    def _each(self, function, asking, n, *between):
+        found = (raw.carom_world_hit * n)()
+        self._call(function, ctypes.byref(asking), *between, found, ctypes.sizeof(raw.carom_world_hit))
+        return self._arrays(found)
+
+    def casts(self, shapes, positions, motions, orientations=None, want: str = "first", **how):
+        """What each of many shapes meets first as it moves by its motion without turning: numpy arrays.
+        @param shapes  one for all, or one each   @param positions, motions  (n, 3) m   @param orientations  (n, 4) or None
+        @return arrays by question: outcomes (0 a miss), colliders and bodies (handles), times (fractions of the motion),
+                lower, upper, separations, normals, points, points_own"""
+        asking, alive, n = self._shapes(shapes, positions, orientations, motions)
+        desc = describe(raw.carom_query_desc, how)
+        return self._each(raw.carom_world_cast_shapes, asking, n, enum("WANT", want), ctypes.byref(desc))
+
+    def nearests(self, positions, shapes=None, reach: float = math.inf, orientations=None, **how):
+        """The collider nearest to each of many points or shapes. @return arrays as of casts()"""
+        asking, alive, n = self._shapes(shapes, positions, orientations, None)
+        desc = describe(raw.carom_query_desc, how)
+        return self._each(raw.carom_world_find_nearest, asking, n, reach, ctypes.byref(desc))
+
+    def casts_all(self, shapes, positions, motions, orientations=None, **how):
+        """All that each of many moving shapes meets: by question, then by time. @return arrays as of casts()"""
+        asking, alive, _ = self._shapes(shapes, positions, orientations, motions)
+        desc = describe(raw.carom_query_desc, how)
+        return self._arrays(copy_out(self._call, raw.carom_world_cast_shapes_all, raw.carom_world_hit, ctypes.byref(asking),
+                                     ctypes.byref(desc)))
+
+    def overlaps_all(self, shapes, positions, orientations=None, **how):
+        """All that each of many shapes overlaps, by question. @return arrays as of casts()"""
+        asking, alive, _ = self._shapes(shapes, positions, orientations, None)
+        desc = describe(raw.carom_query_desc, how)
+        return self._arrays(copy_out(self._call, raw.carom_world_overlap_shapes, raw.carom_world_hit, ctypes.byref(asking),
+                                     ctypes.byref(desc)))
 
     def cast(self, shape, position: Sequence[float], motion: Sequence[float], orientation: Sequence[float] = (0, 0, 0, 1), **how):
         """What a shape meets first as it moves by `motion`, m, without turning; time is a fraction of it. @return as ray()"""
@@ -83,12 +167,6 @@ class Questions:
     def overlaps(self, shape, position: Sequence[float], orientation: Sequence[float] = (0, 0, 0, 1), **how):
         """All that a shape at a place overlaps. @return list of records as of ray()"""
         asking, alive = self._one_shape(shape, position, orientation, None)
-        desc, count, capacity = describe(raw.carom_query_desc, how), ctypes.c_uint64(), 0
-        stride = ctypes.sizeof(raw.carom_world_hit)
-        while True:
-            found = (raw.carom_world_hit * capacity)()
-            self._call(raw.carom_world_overlap_shapes, ctypes.byref(asking), ctypes.byref(desc), found if capacity else None,
-                       stride, capacity, ctypes.byref(count))
-            if count.value <= capacity:
-                return [self._hit(hit) for hit in found[:count.value]]
-            capacity = count.value
+        desc = describe(raw.carom_query_desc, how)
+        return [self._hit(hit) for hit in copy_out(self._call, raw.carom_world_overlap_shapes, raw.carom_world_hit,
+                                                   ctypes.byref(asking), ctypes.byref(desc))]

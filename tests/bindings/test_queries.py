@@ -1,0 +1,142 @@
+"""Questions: two shapes without a world against closed forms; thousands in a call, the same as one by one."""
+import math
+import unittest
+
+import carom
+import numpy as np
+
+INFINITE = math.inf
+
+
+class Pairs(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.engine = carom.Engine()
+        cls.ball, cls.box = cls.engine.sphere(0.5), cls.engine.box(1, 0.1, 0.1)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.engine.close()
+
+    def assertBrackets(self, answer, time, slack):
+        self.assertLessEqual(answer.lower, time + slack)
+        self.assertGreaterEqual(answer.upper, time - slack)
+        self.assertAlmostEqual(answer.time, time, delta=slack)
+
+    def test_two_balls_meet(self):
+        hit = self.engine.time_of_impact(self.ball, self.ball, 10, {"position": (-4, 0, 0), "linear_velocity": (2, 0, 0)},
+                                         {"position": (4, 0, 0), "linear_velocity": (-1, 0, 0)})
+        self.assertEqual(hit.outcome, "hit")
+        self.assertBrackets(hit, 7 / 3, 1e-5)
+        self.assertAlmostEqual(hit.normal[0], 1, 9)
+        self.assertAlmostEqual(hit.point_b[0], 4 - 7 / 3 - 0.5, 4)
+
+    def test_a_turning_box_reaches_a_ball(self):
+        """The box's face end, 1 m from the axis, comes round to where the ball's surface is, by pi / 2 less what it is thick."""
+        at = (0, 1.3, 0)
+        hit = self.engine.time_of_impact(self.box, self.ball, 10, {"angular_velocity": (0, 0, 1)}, {"position": at})
+        self.assertEqual(hit.outcome, "hit")
+        turned = lambda t: (0, 0, math.sin(t / 2), math.cos(t / 2))  # noqa: E731
+        for t, sign in ((hit.lower - 1e-9, 1), (hit.upper + 1e-3, -1)):
+            apart = self.engine.distance(self.box, self.ball, position_b=at, orientation_a=turned(t), tolerance=1e-9)
+            self.assertGreater(sign * apart.separation, -1e-9)
+
+    def test_rays_casts_and_overlap(self):
+        self.assertBrackets(self.engine.ray_cast(self.ball, (-3, 0, 0), (2, 0, 0)), 1.25, 1e-6)
+        self.assertEqual(self.engine.ray_cast(self.ball, (-3, 0, 0), (2, 0, 0), max=1).outcome, "miss")
+        cast = self.engine.shape_cast(self.ball, self.box, (0, -2, 0), position_a=(0.5, 1.6, 0))
+        self.assertBrackets(cast, 0.5, 1e-5)
+        self.assertEqual(self.engine.overlap(self.ball, self.box, (0, 0.5, 0)).outcome, "overlapping")
+        self.assertEqual(self.engine.overlap(self.ball, self.box, (0, 0.7, 0)).outcome, "apart")
+        self.assertEqual(self.engine.overlap(self.ball, self.box, (0, 0.7, 0), target=0.2).outcome, "overlapping")
+
+    def test_wrong_ones(self):
+        with self.assertRaises(TypeError):
+            self.engine.time_of_impact(self.ball, self.ball, 1, {"speed": 3})
+        with self.assertRaises(ValueError):
+            self.engine.shape_cast(self.ball, self.ball, (1, 0))
+        with self.assertRaises(carom.errors.OutOfRange):
+            self.engine.time_of_impact(self.ball, self.ball, -1)
+
+
+class Crowds(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.engine = carom.Engine()
+        cls.world = cls.engine.world()
+        cls.world.ground()
+        rng = np.random.default_rng(4)
+        cls.ball, cls.box = cls.engine.sphere(0.3), cls.engine.box(0.4, 0.2, 0.3)
+        for at in rng.uniform((-5, 0.5, -5), (5, 5, 5), (200, 3)):
+            cls.world.body(cls.box if at[0] > 0 else cls.ball, position=tuple(at))
+        cls.at, cls.way = rng.uniform((-5, 1, -5), (5, 8, 5), (64, 3)), rng.uniform(-8, 8, (64, 3))
+        q = rng.normal(size=(64, 4))
+        cls.turned = q / np.linalg.norm(q, axis=1)[:, None]
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.engine.close()
+
+    def check(self, many, i, one):
+        if one is None:
+            self.assertEqual(many.outcomes[i], carom.raw.CAROM_CAST_MISS)
+            self.assertEqual(many.colliders[i], 0)
+            return
+        self.assertEqual(many.bodies[i], one.body.handle)
+        self.assertEqual(many.colliders[i], one.collider.handle)
+        self.assertEqual((many.times[i], many.lower[i], many.upper[i]), (one.time, one.lower, one.upper))
+        self.assertEqual(many.separations[i], one.separation)
+        self.assertEqual((tuple(many.points[i]), tuple(many.normals[i])), (one.point, one.normal))
+
+    def test_casts(self):
+        shapes = [self.box if i % 2 else self.ball for i in range(64)]
+        many = self.world.casts(shapes, self.at, self.way, self.turned)
+        self.assertEqual(many.questions.tolist(), list(range(64)))
+        hits = 0
+        for i in range(64):
+            one = self.world.cast(shapes[i], self.at[i], self.way[i], self.turned[i])
+            hits += one is not None
+            self.check(many, i, one)
+        self.assertGreater(hits, 20)
+        any_hit = self.world.casts(shapes, self.at, self.way, self.turned, want="any")
+        self.assertEqual((any_hit.outcomes > 0).tolist(), (many.outcomes > 0).tolist())
+
+    def test_one_for_all(self):
+        many = self.world.casts(self.ball, self.at, (0, -9, 0))
+        for i in (0, 17, 63):
+            self.check(many, i, self.world.cast(self.ball, self.at[i], (0, -9, 0)))
+        self.assertTrue((many.outcomes > 0).all())  # there is the ground
+
+    def test_nearests(self):
+        points, shapes = self.world.nearests(self.at, reach=2), self.world.nearests(self.at, self.box, orientations=self.turned)
+        for i in range(64):
+            self.check(points, i, self.world.nearest(self.at[i], reach=2))
+            self.check(shapes, i, self.world.nearest(self.at[i], self.box, orientation=self.turned[i]))
+
+    def test_all_of_them(self):
+        every = self.world.casts_all(self.ball, self.at, self.way)
+        first = self.world.casts(self.ball, self.at, self.way)
+        for i in range(64):
+            own = np.flatnonzero(every.questions == i)
+            self.assertEqual(len(own) > 0, bool(first.outcomes[i]))
+            if len(own):
+                self.assertEqual(every.times[own].tolist(), sorted(every.times[own]))
+                self.assertEqual(every.times[own[0]], first.times[i])
+        through = self.world.rays_all([(0, 20, 0), (0, 20, 0)], [(0, -1, 0), (0, 1, 0)])
+        self.assertTrue((through.questions == 0).all() and len(through.times) >= 1)
+        over = self.world.overlaps_all(self.box, self.at)
+        for i in (0, 5, 40):
+            self.assertEqual(over.bodies[over.questions == i].tolist(),
+                             [hit.body.handle for hit in self.world.overlaps(self.box, self.at[i])])
+        none = self.world.overlaps_all(self.ball, [(0, 100, 0)])
+        self.assertEqual((len(none.times), none.points.shape), (0, (0, 3)))
+
+    def test_wrong_numbers(self):
+        with self.assertRaises(ValueError):
+            self.world.casts(self.ball, self.at, self.way[:3])
+        with self.assertRaises(ValueError):
+            self.world.casts([self.ball] * 5, self.at, self.way)
+
+
+if __name__ == "__main__":
+    unittest.main()
