@@ -92,6 +92,7 @@ void World::step(Real dt) {
     run(Stage::solve, resist, kRollingRow);
     run(Stage::solve, sweep, kContinuousRow);
   }
+  run(Stage::solve, stop_strays);
   run(Stage::integrate, fly_free);
   run(Stage::integrate, fly, kParticlesRow);
   run(Stage::solve, end_contacts);

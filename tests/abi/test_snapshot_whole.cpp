@@ -385,7 +385,7 @@ void fuzz(std::uint64_t seed, int rounds) {
   assert_true(refused > 0 && taken > 0);
 }
 
-int rounds = 2000;
+int rounds = 20000;
 std::uint64_t seed = 1;
 void mutations_do_no_harm(void**) { fuzz(seed, rounds); }
 

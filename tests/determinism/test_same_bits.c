@@ -175,8 +175,8 @@ static void so_are_those_of_particles(void **state) {
 /* The same of joints, by solver (sequential, soft_step, direct, auto): one of each kind between the world and the bodies of
  * the stage, a motor, a spring and limits on them; 200 steps. */
 static void so_are_those_of_joints(void **state) {
-  const uint64_t golden[4] = {0x86f8c0ec16e9056du, 0xe6fc5754b0ed3a32u, 0xfa9c329210e1d4cbu,
-                              0xfa9c329210e1d4cbu};
+  const uint64_t golden[4] = {0x5f950bb44f43bcb2u, 0x6e55d4a2da25c890u, 0xe7f1941449aba3bfu,
+                              0xe7f1941449aba3bfu};
   uint32_t solver, kind;
   int wrong = 0;
   (void)state;

@@ -6,6 +6,7 @@
 // where rounding is smaller still.
 #include "carom_test.h"
 #include "dynamics/effects.h"
+#include "fine_top.h"
 #include "tools/accuracy/free_top.h"
 #include "world_builder.h"
 
@@ -197,35 +198,6 @@ static void a_plank_flips_when_the_elliptic_period_says(void**) {
   }
 }
 
-namespace {
-
-/// Fine Runge-Kutta of q' = omega q / 2, L' = torque(t, q), omega = q I^-1 q^-1 L: tops with torque have no closed
-/// form.
-template <class Torque>
-Quat fine_top(const Vec3& moment, const Vec3& omega, Real seconds, int n, Torque&& torque) {
-  struct Y {
-    Eigen::Vector4d q;
-    Vec3 l;
-  } y{Quat::Identity().coeffs(), moment.cwiseProduct(omega)};
-  const auto rate = [&](Real t, const Y& at) {
-    const Quat q = Quat(at.q[3], at.q[0], at.q[1], at.q[2]).normalized();
-    const Vec3 half = 0.5 * (q * (q.conjugate() * at.l).cwiseQuotient(moment));
-    const Quat dq = Quat(0, half.x(), half.y(), half.z()) * Quat(at.q[3], at.q[0], at.q[1], at.q[2]);
-    return Y{dq.coeffs(), torque(t, q)};
-  };
-  const auto plus = [](const Y& a, Real s, const Y& d) { return Y{a.q + s * d.q, a.l + s * d.l}; };
-  const Real h = seconds / n;
-  for (int i = 0; i < n; ++i) {
-    const Real t = i * h;
-    const Y k1 = rate(t, y), k2 = rate(t + h / 2, plus(y, h / 2, k1)), k3 = rate(t + h / 2, plus(y, h / 2, k2)),
-            k4 = rate(t + h, plus(y, h, k3));
-    y = plus(plus(plus(plus(y, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4);
-  }
-  return Quat(y.q[3], y.q[0], y.q[1], y.q[2]).normalized();
-}
-
-}  // namespace
-
 static void a_constant_torque_adds_to_momentum_exactly_and_verlet_turns_with_second_order(void**) {
   const Vec3 torque(4000, -2000, 3000), moment(6500, 5000, 2500);
   const Quat exact = fine_top(moment, kTopSpin, 2, 20000, [&](Real, const Quat&) { return torque; });
@@ -253,7 +225,7 @@ static void a_constant_torque_adds_to_momentum_exactly_and_verlet_turns_with_sec
 
 namespace {
 
-/// m: how far the centre of the suite's heavy top (scene 6) is off after 10 s, n steps. There is no joint yet: the body
+/// m: how far the centre of the suite's heavy top (scene 6) is off after 10 s, n steps. Without a joint: the body
 /// stands for the top about its fixed point (moments by the parallel axes), and its host asks for the torque of the
 /// weight in mid-step, as far as the axis' present motion tells.
 ///   Reduced equation, theta from the upward vertical, momenta p_phi and p_psi kept:

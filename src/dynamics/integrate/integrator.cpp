@@ -44,6 +44,11 @@ void integrate_velocity(World& world, const StepTime& time) {
   if (keeps_books(world)) book_turns(world);
   axis_locks::hold(world, time.h);
   // Before any contact reads them, so that one body's infinity does not become its neighbours'.
+  stop_strays(world, time);
+}
+
+void stop_strays(World& world, const StepTime&) {
+  Plan& plan = *world.plan;
   Strays strays(world);
   plan.linear.each(world.jobs, [&](std::uint32_t i) {
     if (!sane_velocity(world.state, i)) strays.add(i);

@@ -22,7 +22,8 @@
 // exp(h omega_solved) q0 would agree to the same order, but gain energy like the explicit torque: omega changes with
 // the orientation even if nothing pushes, and the two belong together. A body at rest has no such change; how far the
 // proposal of one that tumbles departs from its tangent, h^2/2 times its acceleration, is what a contact's linearised
-// motion leaves out anyway.
+// motion leaves out anyway. Who hangs on joints alone gets the omega that belongs to q1 (joint/README.md, "What
+// spins").
 #pragma once
 
 #include "dynamics/effects.h"
@@ -45,5 +46,8 @@ extern const Integrator kExplicitEuler, kSemiImplicitEuler, kRungeKutta4, kVeloc
 /// Stage functions of the page.
 void integrate_velocity(World& world, const StepTime& time);
 void integrate_position(World& world, const StepTime& time);
+/// Bodies whose velocity or spin left the finite world into quarantine: part of integrate_velocity(), and once more
+/// after a step's last impulses, so that no host reads what the next substep would have seen.
+void stop_strays(World& world, const StepTime& time);
 
 }  // namespace carom

@@ -90,6 +90,7 @@ struct JointRun {
   const BodyShift* shift;
   std::uint32_t first_moved;  // bodies below are not written
   const LockLanes* locks;
+  const BodyVelocity* gyro;  // omega: rad/s^2, of bodies that a rotation method carries; null: of none
 };
 
 }  // namespace carom

@@ -300,15 +300,23 @@ void place(const JointRun& run) {
 }
 
 // With g the gap and d a direction that turns with A,
-//   (d.g)'' = d''.g + 2 d'.g' + d.g'',   d' = w_a x d,   g'' = w_b x (w_b x r_b) - w_a x (w_a x r_a);
-// for a distance |g|'' = (g'^2 - (d.g')^2) / |g| + d.g''. Angles are taken to be straight.
+//   (d.g)'' = d''.g + 2 d'.g' + d.g'',   d' = w_a x d,
+//   g'' = w_b x (w_b x r_b) - a_b x r_b - (w_a x (w_a x r_a) - a_a x r_a);
+// for a distance |g|'' = (g'^2 - (d.g')^2) / |g| + d.g''. Angles are taken to be straight. a is how omega changes while
+// nothing acts: what a rotation method carries is turned by the mean of its omega before and after, which is the one
+// after, w, less h a / 2.
 void bend(const JointRun& run, double h) {
   for (std::size_t i = 0; i < run.count; ++i) {
     const JointLanes& joint = run.joints[i];
     Side a, b;
     a.load(run.velocity, joint.a), b.load(run.velocity, joint.b);
     const LaneVec turns_a = cross(a.omega, joint.r_a), turns_b = cross(b.omega, joint.r_b);
-    const LaneVec inward = cross(b.omega, turns_b) - cross(a.omega, turns_a);
+    LaneVec inward = cross(b.omega, turns_b) - cross(a.omega, turns_a);
+    if (run.gyro) {
+      Side gyro_a, gyro_b;
+      gyro_a.load(run.gyro, joint.a), gyro_b.load(run.gyro, joint.b);
+      inward = inward - (cross(gyro_b.omega, joint.r_b) - cross(gyro_a.omega, joint.r_a));
+    }
     // Beyond a radian a substep nothing is straight nor bends like a parabola: then less is asked for, not more.
     const Lanes half = (h / 2) / (1 + (h * h / 4) * (dot(a.omega, a.omega) + dot(b.omega, b.omega)));
     JointRowLanes* r = run.rows + joint.first;

@@ -116,7 +116,7 @@ void fill_drive(const Joint& joint, const DriveRow& row, Real start_p, Real h, b
 }
 
 bool is_kicked(const WideJoints& w, std::uint32_t body) {
-  return body != kTheWorld && std::binary_search(w.kicked.begin(), w.kicked.end(), body);
+  return body != kTheWorld && std::ranges::binary_search(w.kicked, body, {}, &WideJoints::Kicked::body);
 }
 
 /// One joint, with poses and impulses of the present.
@@ -166,9 +166,63 @@ void find_kicked(World& world, WideJoints& w) {
   if (world.plan->integrator != &kVelocityVerlet || !world.plan->runs[static_cast<std::size_t>(Stage::relax)]) return;
   for (const std::uint32_t i : c.bodies) {
     const std::uint32_t group = group_of(c, i);
-    if (c.group_begin[group] == c.group_begin[group + 1]) w.kicked.push_back(i);
+    if (c.group_begin[group] == c.group_begin[group + 1]) w.kicked.emplace_back().body = i;
   }
-  w.before.resize(w.kicked.size());
+}
+
+/// Whether a rotation method carries a body, which is free to turn as it does.
+bool is_carried(const World& world, std::uint32_t body) {
+  return world.plan->rotation_method && world.plan->carried[body] && !(world.scene.locks_of(body) & kAngularLocks);
+}
+/// Who moves on from a rotation method's proposal by what a solver changed, @see integrator.h.
+bool is_turned_on(const World& world, std::uint32_t body) {
+  return is_carried(world, body) && world.plan->touched[body] && !world.state.quarantined[body];
+}
+
+/// kg m^2, world.
+Mat3 inertia_at(const World& world, std::uint32_t body, const Quat& q) {
+  const Mat3 r = q.toRotationMatrix();
+  return r * world.scene.inertia[body] * r.transpose();
+}
+/// rad/s, of an angular momentum.
+Vec3 spin_at(const World& world, std::uint32_t body, const Quat& q, const Vec3& momentum) {
+  return q * (world.scene.inv_inertia[body] * (q.conjugate() * momentum));
+}
+
+/// What a body's omega is where it now faces, if it keeps over the move the momentum of its rotation method's proposal
+/// and of what the solver gave it, at the facing from which it moved.
+Vec3 kept_spin(const World& world, const WideJoints::Kicked& k) {
+  const State& s = world.state;
+  const Vec3 momentum = inertia_at(world, k.body, world.plan->proposal.q[k.body]) * k.omega +
+                        inertia_at(world, k.body, k.facing) * (s.omega[k.body] - k.omega);
+  return spin_at(world, k.body, s.q[k.body], momentum);
+}
+
+/// How omega changes while nothing acts, of bodies that a rotation method carries. Not of those that turn by more than
+/// a radian a substep: there nothing bends like a parabola.
+void find_gyro(const World& world, Real h, WideJoints& w) {
+  const WideContacts& wide = *world.wide;
+  w.gyro.clear();
+  if (!world.plan->rotation_method) return;
+  w.gyro.resize(wide.slot.size());
+  for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
+    const std::uint32_t body = wide.slot[i];
+    const Vec3& omega = world.state.omega[body];
+    if (!w.linked[body] || !is_carried(world, body) || !(h * h * omega.squaredNorm() < 1)) continue;
+    const Quat& q = world.state.q[body];
+    const Vec3 momentum = inertia_at(world, body, q) * omega, a = spin_at(world, body, q, momentum.cross(omega));
+    std::copy_n(a.data(), 3, w.gyro[i].omega);
+  }
+}
+
+/// Impulses of bodies that left the finite world within the step may be anything.
+bool is_finite(const Joint& joint) {
+  const auto finite_all = [](const auto& p) { return std::ranges::all_of(p, [](Real x) { return finite(x); }); };
+  return finite_all(joint.p) && finite_all(joint.drive_p) && joint.force.allFinite() && joint.torque.allFinite();
+}
+void start_cold(Joint& joint) {
+  joint.p.fill(0), joint.drive_p.fill(0);
+  joint.force.setZero(), joint.torque.setZero();
 }
 
 /// Which way bodies are free, of joints some of whose bodies are locked.
@@ -244,6 +298,7 @@ void begin_joints(World& world, Real h) {
   if (!w.any()) return;
   w.kernels = &joint_kernels(world.wide->kernels->name);
   find_kicked(world, w);
+  w.gyro.reserve(world.plan->rotation_method ? world.wide->slot.size() : 0);
   const Dials& dials = world.scene.dials;
   const Softness soft = softness(std::min(dials[Dial::joint_frequency], 0.25 / h), dials[Dial::joint_damping], h);
   in_parallel(world.jobs, w.joints.size(), kJointsAPart, [&](std::uint32_t i) {
@@ -258,22 +313,29 @@ void begin_joints(World& world, Real h) {
 }
 
 void note_velocities(World& world, const StepTime&) {
-  WideJoints& w = *world.wide_joints;
-  for (std::size_t k = 0; k < w.kicked.size(); ++k) w.before[k] = world.state.v[w.kicked[k]];
+  for (WideJoints::Kicked& k : world.wide_joints->kicked) k.half = world.state.v[k.body];
 }
 
 void take_half_kicks(World& world) {
-  WideJoints& w = *world.wide_joints;
-  for (std::size_t k = 0; k < w.kicked.size(); ++k) {
-    Vec3& v = world.state.v[w.kicked[k]];
-    w.before[k] = 0.5 * (v - w.before[k]);
-    v -= w.before[k];
+  State& s = world.state;
+  for (WideJoints::Kicked& k : world.wide_joints->kicked) {
+    k.half = 0.5 * (s.v[k.body] - k.half);
+    s.v[k.body] -= k.half;
+    k.facing = s.q[k.body], k.omega = s.omega[k.body];
   }
 }
 
 void give_half_kicks(World& world) {
-  const WideJoints& w = *world.wide_joints;
-  for (std::size_t k = 0; k < w.kicked.size(); ++k) world.state.v[w.kicked[k]] += w.before[k];
+  State& s = world.state;
+  for (WideJoints::Kicked& k : world.wide_joints->kicked) {
+    k.spun.setZero();
+    if (s.quarantined[k.body]) k.half.setZero();
+    s.v[k.body] += k.half;
+    if (!is_turned_on(world, k.body)) continue;
+    const Vec3 omega = kept_spin(world, k);
+    k.spun = omega - s.omega[k.body];
+    s.omega[k.body] = omega;
+  }
 }
 
 void place_joints(World& world) {
@@ -282,8 +344,10 @@ void place_joints(World& world) {
 }
 
 void bend_joints(World& world, Real h) {
-  const WideJoints& w = *world.wide_joints;
-  if (w.any()) over_joints(world, [&](const JointRun& run) { w.kernels->bend(run, h); });
+  WideJoints& w = *world.wide_joints;
+  if (!w.any()) return;
+  find_gyro(world, h, w);
+  over_joints(world, [&](const JointRun& run) { w.kernels->bend(run, h); });
 }
 
 void return_to_joints(World& world) {
@@ -307,6 +371,7 @@ void end_joints(World& world, const StepTime& time) {
     joint.p_h = time.h;
     joint.force = get(lanes.force, lane) / time.dt;
     joint.torque = get(lanes.torque, lane) / time.dt;
+    if (!is_finite(joint)) start_cold(joint);
   });
   for (const std::uint32_t j : w.active) {
     Joint& joint = world.joints.joint[j];

@@ -24,7 +24,7 @@ struct WideJoints {
         locks(m),
         colours(m),
         kicked(m),
-        before(m),
+        gyro(m),
         order(m),
         directly(m) {}
 
@@ -47,9 +47,17 @@ struct WideJoints {
   bool is_packed = false;        // place, occupant and colours are those of active, all of it swept
 
   /// Bodies of groups that have joints and no contacts: they move by the velocity of the middle of a substep. Half of
-  /// what forces do to it in a substep is taken off before the solver and given back after the move.
-  Array<std::uint32_t> kicked;
-  Array<Vec3> before;  // m/s, by kicked: before the forces; then half of what those did
+  /// what forces do to it in a substep is taken off before the solver and given back after the move. What turns about
+  /// unlike axes keeps its angular momentum over the move.
+  struct Kicked {
+    std::uint32_t body;
+    Vec3 half;    // m/s: of before the forces; then half of what those did
+    Quat facing;  // before the move
+    Vec3 omega;   // rad/s, before the solver
+    Vec3 spun;    // rad/s: what keeping the momentum did to omega
+  };
+  Array<Kicked> kicked;      // ascending
+  Array<BodyVelocity> gyro;  // by solver body, @see JointRun; empty: nobody turns so
 
   // scratch
   struct Order {
@@ -66,9 +74,15 @@ struct WideJoints {
 
 inline JointRun every_joint(World& world) {
   WideJoints& w = *world.wide_joints;
-  return {
-      w.joints.data(),          w.joints.size(),         w.rows.data(), w.drives.data(), world.wide->velocity.data(),
-      world.wide->shift.data(), world.wide->first_moved, w.locks.data()};
+  return {w.joints.data(),
+          w.joints.size(),
+          w.rows.data(),
+          w.drives.data(),
+          world.wide->velocity.data(),
+          world.wide->shift.data(),
+          world.wide->first_moved,
+          w.locks.data(),
+          w.gyro.empty() ? nullptr : w.gyro.data()};
 }
 
 /// Of a loop that threads share.
@@ -132,7 +146,8 @@ void colour_joints(World& world);
 void begin_joints(World& world, Real h);
 /// Stage of the page, before the forces of a substep.
 void note_velocities(World& world, const StepTime& time);
-/// Half of the forces' kick off, before the solver; and back, after the move.
+/// Half of the forces' kick off, before the solver; and back, after the move, with the omega that belongs to the
+/// facing of then.
 void take_half_kicks(World& world);
 void give_half_kicks(World& world);
 /// Rows of all joints at the present poses.

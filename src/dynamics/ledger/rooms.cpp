@@ -126,11 +126,10 @@ void book_moments(World& world, const StepTime&) {
 void book_solved(World& world, const StepTime&) {
   Ledger& l = ledger_of(world);
   const WideJoints& w = *world.wide_joints;
-  for (std::size_t k = 0; k < w.kicked.size(); ++k) {
-    const std::uint32_t i = w.kicked[k];
-    l.body[i].kicked = true;
-    l.body[i].seen_v -= w.before[k];
-    for (Ledger::Kick& kick : l.kicks_of(i)) kick.v *= 0.5;
+  for (const WideJoints::Kicked& k : w.kicked) {
+    l.body[k.body].kicked = true;
+    l.body[k.body].seen_v -= k.half;
+    for (Ledger::Kick& kick : l.kicks_of(k.body)) kick.v *= 0.5;
   }
   each_awake(world, [&](std::uint32_t i) { see_kick(world, i, Ledger::kSolve); });
   share_solved(world);
@@ -178,11 +177,23 @@ void book_moves(World& world, const StepTime&) {
   });
 }
 
+/// Who has turned keeps the momentum, and not the omega.
+void book_spun(World& world, const WideJoints::Kicked& k) {
+  Ledger::Body& b = ledger_of(world).body[k.body];
+  if (k.spun == Vec3::Zero()) return;
+  const Vec3 omega = b.seen_omega + k.spun;
+  ledger_of(world).book(Cause::integrator, amount_of(world, k.body, b.x, b.q, b.seen_v, omega) -
+                                               amount_of(world, k.body, b.x, b.q, b.seen_v, b.seen_omega));
+  may_round(world, k.body, b.seen_v.norm(), omega.norm());
+  b.omega = b.seen_omega = omega;
+}
+
 /// Poses first, where a solver parts what overlaps; then velocities, where bodies stand now.
 void book_relaxed(World& world, const StepTime&) {
   Ledger& l = ledger_of(world);
   const State& s = world.state;
   const WideJoints& w = *world.wide_joints;
+  for (const WideJoints::Kicked& k : w.kicked) book_spun(world, k);
   each_booked(world, [&](std::uint32_t i) {
     Ledger::Body& b = l.body[i];
     if (s.x[i] == b.x && s.q[i].coeffs() == b.q.coeffs()) return;
@@ -191,7 +202,7 @@ void book_relaxed(World& world, const StepTime&) {
     may_round(world, i, b.seen_v.norm(), b.seen_omega.norm());
     b.x = s.x[i], b.q = s.q[i];
   });
-  for (std::size_t k = 0; k < w.kicked.size(); ++k) l.body[w.kicked[k]].seen_v += w.before[k];
+  for (const WideJoints::Kicked& k : w.kicked) l.body[k.body].seen_v += k.half;
   each_booked(world, [&](std::uint32_t i) { see_kick(world, i, Ledger::kSolve); });
   share_relaxed(world);
   each_booked(world, [&](std::uint32_t i) {
@@ -216,6 +227,10 @@ void book_swept(World& world, const StepTime&) {
   if (world.continuous->bodies.empty()) return;
   for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i)
     if (is_dynamic(world, i) && !is_lost(world, i) && !is_as_seen(world, i)) book_change(world, i, Cause::continuous);
+}
+
+void book_lost(World& world, const StepTime&) {
+  each_awake(world, [&](std::uint32_t i) { was_lost(world, i); });
 }
 
 void book_sleep(World& world, const StepTime& time) {
@@ -278,6 +293,7 @@ void book_room(World& world, void (*room)(World&, const StepTime&), const StepTi
       {sweep, book_swept},
       {fly, book_flight},
       {end_contacts, book_changed<Cause::correction>},
+      {stop_strays, book_lost},
       {fall_asleep, book_sleep},
       {note_who_moved, end},
   };

@@ -284,7 +284,11 @@ class Group {
   void settle(Real h) {
     if (!is_joined() || !problem_.contacts.empty()) return;
     const Real tolerance = kDirectShare * world_.scene.dials[Dial::velocity_tolerance];
-    for (ConeBody& b : bodies_of(problem_)) load(b);
+    for (ConeBody& b : bodies_of(problem_)) {
+      world_.plan->rotation[b.slot] = s_.q[b.slot].toRotationMatrix();
+      load_mass(world_, b);
+      load(b);
+    }
     load_links(world_, problem_, link_row_, LinkPhase::settle, h);
     measure_links(problem_);
     const ConeAnswer answer = solve_cones(problem_, kJoinedShare * tolerance, kMostSteps);
