@@ -4,6 +4,7 @@
 
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/impact.h"
+#include "dynamics/contact/mean_motion.h"
 #include "dynamics/contact/resistance.h"
 #include "dynamics/detect.h"
 #include "dynamics/effects.h"
@@ -82,6 +83,7 @@ void World::step(Real dt) {
     run(Stage::solve, note_starts);
     run(Stage::solve, measure_approach);
     run(Stage::solve, note_velocities);
+    run(Stage::solve, note_velocities_of_groups);
     run(Stage::integrate, integrate_velocity);
     run(Stage::solve, note_forces);
     run(Stage::solve, answer_impacts, kRestitutionRow);

@@ -105,19 +105,25 @@ static void what_is_put_on_a_belt_slips_then_rides(void**) {
     }
 }
 
-static void solvers_without_springs_do_what_the_integrator_does(void**) {
-  for (const std::uint32_t solver : {0u, 1u, 3u})
-    for (const int n : {60, 240}) assert_true(std::fabs(ride(solver, n, 1).way.x() - way_in_steps(n)) < 1e-6);
+/// The paper's solver moves bodies by the velocity of a step's end.
+static void the_paper_s_solver_does_what_its_integrator_does(void**) {
+  for (const int n : {60, 240}) assert_true(std::fabs(ride(0, n, 1).way.x() - way_in_steps(n)) < 1e-6);
 }
 
-static void the_error_halves_with_the_step(void**) {
-  for (std::uint32_t solver = 0; solver < kSolvers; ++solver) {
-    const auto off = [&](int n) { return std::fabs(ride(solver, n, 1).way.x() - way()); };
-    const Real slope = std::log2(off(120) / off(480)) / 2;
-    print_message("solver %u: slope %.3f\n", solver, slope);
-    // Where in a step the slip ends moves the end by at most mu g h^2 / 8, h / 4 t of the error.
-    assert_true(slope > 0.9 && slope < 1.1);
-  }
+/// The others by the mean of a step, which is exact until the belt catches the slab, at some time in a step. That one
+/// it moves by the belt's velocity; and the one before, too, if what slips at its end is less than half of mu g h:
+/// together mu g h^2 (1/2 + 1/8) too far at most. Springs (of 30 Hz, or a quarter of the step's rate, with ten times
+/// the critical damping) let it sink by g / (2 w)^2 meanwhile, under less friction, and as long as they tilt it, 20 /
+/// w, it goes by the velocities of steps' ends.
+static void what_slips_moves_by_its_mean_velocity(void**) {
+  for (std::uint32_t solver = 1; solver < kSolvers; ++solver)
+    for (const int n : {60, 120, 240, 480}) {
+      const Real h = kTime / n, off = ride(solver, n, 1).way.x() - way();
+      const Real w = 2 * 3.1416 * std::min(30.0, 0.25 / h);
+      const Real sinks = is_soft(solver) ? kMu * kG * (1 / (4 * w * w) + h / 2 * 20 / w) : 0;
+      print_message("solver %u, n %d: off %.2e\n", solver, n, off);
+      assert_true(std::fabs(off) < kMu * kG * h * h * 5 / 8 + sinks + 1e-6);
+    }
 }
 
 static void a_track_drives_its_body_the_way_it_points(void**) {
@@ -286,8 +292,8 @@ static void a_collider_that_comes_into_a_used_slot_stands_still(void**) {
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(what_is_put_on_a_belt_slips_then_rides),
-      cmocka_unit_test(solvers_without_springs_do_what_the_integrator_does),
-      cmocka_unit_test(the_error_halves_with_the_step),
+      cmocka_unit_test(the_paper_s_solver_does_what_its_integrator_does),
+      cmocka_unit_test(what_slips_moves_by_its_mean_velocity),
       cmocka_unit_test(a_track_drives_its_body_the_way_it_points),
       cmocka_unit_test(a_ball_on_a_turntable_goes_in_a_circle),
       cmocka_unit_test(a_plank_on_rollers_that_turn_inwards_swings),

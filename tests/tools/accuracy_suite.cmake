@@ -12,8 +12,7 @@ set(accuracy_misses
   fourbar bricard governor                     # likewise, and governor's springs are softer than they should be
   elastic666                                   # what meets slower than restitution_speed stops
   pack666 rolling                              # soft contacts; solver direct holds both
-  slide slip                                   # first order in contact: 0.01 m at a substep of 1/240 s
-  domino                                       # likewise: 1.9 % slow
+  domino                                       # first order in contact: 1.9 % slow
   coin                                         # contacts are answered where a substep begins
   far                                          # 1000 km off, rounding decides which contacts are within velocity_tolerance
   pile tumble                                  # impacts are met a substep early or late, and what follows goes elsewhere

@@ -4,6 +4,7 @@
 // acts on B as +p at r_b and on A as -p at r_a.
 #pragma once
 
+#include "dynamics/contact/mean_motion.h"
 #include "dynamics/effects.h"
 #include "dynamics/solver/search.h"
 
@@ -251,6 +252,8 @@ struct Contacts {
   Array<std::uint32_t> cursor;  // next free place of each body or group while a list is filled
   Array<Ranked> ranked;
   Array<std::uint32_t> place;
+
+  Owned<MeanMotion> mean_motion;  // null until there are rows
 
   enum Load : std::uint8_t { kUnseen, kLight, kHeavy };
   Array<std::uint8_t> load;  // by body slot, scratch of a solver that chooses: kUnseen between steps

@@ -3,6 +3,7 @@
 
 #include <atomic>
 
+#include "dynamics/contact/mean_motion.h"
 #include "dynamics/force/force.h"
 #include "dynamics/ledger/ledger.h"
 #include "dynamics/quarantine.h"
@@ -64,6 +65,7 @@ void integrate_position(World& world, const StepTime& time) {
   Plan& plan = *world.plan;
   const Real h = time.h;
 
+  const MeanVelocities means(world);
   Strays strays(world);
   const auto place = [&](std::uint32_t i, const Vec3& x) {
     if (sane_position(x))

@@ -11,8 +11,8 @@
 //   velocity Verlet   v1 = v0 + h/2 (a0 + a1)      x1 = x0 + h (v0 + h/2 a0)      2, symplectic, exact if a is constant
 //
 // A touched body cannot keep its proposal: it was made before the impulses and would carry the body through the floor.
-// It moves by the velocity at the end of the substep, which is what the solver made admissible; that is semi-implicit
-// Euler, and first order is all that a contact's kink allows anyway.
+// It moves by the velocity at the end of the substep, which is what the solver made admissible: semi-implicit Euler.
+// What slides or rolls while its contacts stay as they are moves by the mean of both ends (contact/mean_motion.h).
 //
 // Where a rotation method carries a body (rotation/rotation.h), that method proposes the orientation under any
 // integrator but RK4. A touched body is then turned on from the proposal by what the contacts made of its omega since:

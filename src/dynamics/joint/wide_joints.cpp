@@ -141,7 +141,7 @@ void fill(const World& world, std::uint32_t index, const Softness& soft, Real h,
   lanes.bias_rate[lane] = soft.bias_rate;
   lanes.mass_scale[lane] = soft.mass_scale;
   lanes.impulse_scale[lane] = soft.impulse_scale;
-  const bool again = !w.directly[index] && (is_kicked(w, def.body_a) || is_kicked(w, def.body_b));
+  const bool again = w.is_swept(index) && (is_kicked(w, def.body_a) || is_kicked(w, def.body_b));
   lanes.again[lane] = again ? 1 : 0;
   for (std::uint32_t k = 0; k < lanes.layout.equalities; ++k) w.rows[lanes.first + k].p[lane] = scale * joint.p[k];
   for (std::uint32_t k = 0; k < lanes.layout.drives; ++k)
@@ -273,11 +273,11 @@ void colour_joints(World& world) {
   WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
   const Contacts& c = *world.contacts;
-  w.directly.assign(w.active.size(), 0);
+  const auto directly = [&](std::uint32_t link) {
+    return !c.direct.empty() && c.direct[c.link_label[link]] != Contacts::kSoftly;
+  };
   bool all_swept = true;
-  if (!c.direct.empty())
-    for (std::uint32_t i = 0; i < w.active.size(); ++i)
-      if ((w.directly[i] = c.direct[c.link_label[i]] != Contacts::kSoftly)) all_swept = false;
+  for (std::uint32_t i = 0; i < w.active.size() && all_swept; ++i) all_swept = !directly(i);
   if (w.is_packed && all_swept) {
     for (const WideJoints::Order& o : w.order) colours_of(world, world.joints.joint[w.active[o.index]]).take(o.colour);
     return;
@@ -285,8 +285,7 @@ void colour_joints(World& world) {
   w.order.clear();
   for (std::uint32_t i = 0; i < w.active.size(); ++i) {
     const Joint& joint = world.joints.joint[w.active[i]];
-    w.order.push_back(
-        {w.directly[i] ? kAnsweredDirectly : colours_of(world, joint).take_lowest(), layout_key(joint), i});
+    w.order.push_back({directly(i) ? kAnsweredDirectly : colours_of(world, joint).take_lowest(), layout_key(joint), i});
   }
   std::sort(w.order.begin(), w.order.end());
   place_lanes(world, w);

@@ -25,8 +25,7 @@ struct WideJoints {
         colours(m),
         kicked(m),
         gyro(m),
-        order(m),
-        directly(m) {}
+        order(m) {}
 
   const JointKernels* kernels = nullptr;  // of the name of WideContacts::kernels
 
@@ -66,10 +65,11 @@ struct WideJoints {
       return colour != o.colour ? colour < o.colour : key != o.key ? key < o.key : index < o.index;
     }
   };
-  Array<Order> order;            // of the lanes
-  Array<std::uint8_t> directly;  // by index in active
+  Array<Order> order;  // of the lanes
 
   bool any() const { return !active.empty(); }
+  /// @param link  index in active   @return whether it is swept: else the direct solver answers it
+  bool is_swept(std::uint32_t link) const { return place[link].lanes < swept; }
 };
 
 inline JointRun every_joint(World& world) {

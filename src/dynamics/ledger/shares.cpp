@@ -164,7 +164,7 @@ void share_joint_lanes(Shares& shares, bool old) {
   const Contacts& c = *world.contacts;
   const Ledger& l = *world.ledger;
   for (std::uint32_t i = 0; i < w.active.size(); ++i) {
-    if (w.directly[i]) continue;
+    if (!w.is_swept(i)) continue;
     const std::uint32_t lane = w.place[i].lane;
     const JointLanes& joint = w.joints[w.place[i].lanes];
     const auto share = [&](const JointRowLanes& row, Real before, bool again, bool drives) {

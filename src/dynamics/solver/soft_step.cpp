@@ -11,8 +11,8 @@
 namespace carom {
 namespace {
 
-constexpr Real kDeep = 5;     // position tolerances
-constexpr Real kShare = 0.2;  // of what is deeper than that, per step
+constexpr Real kDeep = 4;     // position tolerances
+constexpr Real kShare = 0.3;  // of what is deeper than that, per step
 
 void soften(World& world, Real h) {
   const Dials& dials = world.scene.dials;

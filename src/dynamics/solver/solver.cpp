@@ -2,6 +2,7 @@
 #include "dynamics/solver/solver.h"
 
 #include "dynamics/contact/contact.h"
+#include "dynamics/contact/mean_motion.h"
 #include "dynamics/joint/wide_joints.h"
 
 namespace carom {
@@ -14,13 +15,15 @@ void serve(void (*room)(World&, const StepTime&), World& world, const StepTime& 
 }  // namespace
 
 void begin_contacts(World& world, const StepTime& time) {
-  if (world.plan->solver->in_lanes || world.wide_joints->any())
+  if (world.plan->solver != &kSeverity || world.wide_joints->any())
     refresh_inertias(world);  // lanes keep those of the step's begin
   serve(world.plan->solver->begin, world, time);
+  find_small_groups(world);
 }
 void solve_velocities(World& world, const StepTime& time) {
   take_half_kicks(world);
   serve(world.plan->solver->velocities, world, time);
+  find_mean_motion(world, time);
 }
 void solve_positions(World& world, const StepTime& time) {
   give_half_kicks(world);

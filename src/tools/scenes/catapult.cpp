@@ -140,10 +140,10 @@ Scene catapult_scene() {
           "three bunnies leave together, and the wall breaks where they hit it",
           {{"columns", "", "blocks in a row of the wall", 6, 2, 40, true},
            {"rows", "", "rows of the wall", 8, 1, 30, true},
-           {"drop", "m", "height that the weight falls", 1, 0.1, 20},
+           {"drop", "m", "height that the weight falls", 0.5, 0.1, 20},
            {"hull_vertices", "", "vertices of a bunny's hull at most", 64, 8, 2000, true},
            {"weight", "kg", "mass of the weight", 800, 1, 1e5},
-           {"wall", "m", "where the wall stands, from the pivot", 4, 3, 100}},
+           {"wall", "m", "where the wall stands, from the pivot", 7, 3, 100}},
           5.0,
           1.0 / 120,
           fill};

@@ -1,0 +1,272 @@
+#include "dynamics/contact/mean_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "dynamics/contact/contact.h"
+#include "dynamics/force/force.h"
+#include "dynamics/integrate/integrator.h"
+#include "dynamics/solver/solver.h"
+
+namespace carom {
+namespace {
+
+constexpr int kMostBodies = 4;  // of a group
+constexpr int kMostPoints = 24;
+constexpr std::size_t kGroupsAPart = 16;
+constexpr Real kSlides = 0.5;   // of the most that changed of a body's velocity: what goes slower at a point sticks
+constexpr Real kTips = 0.03;    // likewise: what lifts or lowers a body's middle
+constexpr Real kCurves = 0.5;   // likewise: what a contact opens or closes as a step begins
+constexpr Real kNotice = 1e-3;  // of velocity_tolerance
+constexpr Real kIndependent = 1e-20;  // of a row squared: what less is left of it by those before is rounding
+
+using Body = MeanMotion::Body;
+using Point = MeanMotion::Point;
+
+/// v and omega of all bodies of a group, or an impulse and a moment on each.
+using Stacked = Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, 6 * kMostBodies, 1>;
+
+/// Takes from a velocity what moves along rows, in the metric of the masses: with rows J and inverse masses W,
+///   c <- c - W J^T (J W J^T)^-1 J c,   by rows made independent one after the other.
+class Projection {
+ public:
+  Projection(const World& world, std::span<const Body> bodies) : world_(world), bodies_(bodies) {}
+
+  /// @param row  an impulse: J c is its product with a velocity
+  void take_out(Stacked row, Stacked& c) {
+    if (held_ == static_cast<int>(row.size())) return;
+    Stacked v = answer(row);
+    const Real whole = row.dot(v);
+    for (int k = 0; k < held_; ++k) {
+      const Real shared = row.dot(velocity_[k]);
+      row -= shared * impulse_[k], v -= shared * velocity_[k];
+    }
+    const Real rest = row.dot(v);
+    if (!(rest > kIndependent * whole)) return;
+    const Real scale = 1 / std::sqrt(rest);
+    impulse_[held_] = scale * row, velocity_[held_] = scale * v;
+    c -= impulse_[held_].dot(c) * velocity_[held_];
+    ++held_;
+  }
+
+ private:
+  Stacked answer(const Stacked& row) const {
+    Stacked v(row.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const std::uint32_t slot = bodies_[i].slot;
+      const auto at = static_cast<Eigen::Index>(6 * i);
+      const Vec3 p = row.segment<3>(at), moment = row.segment<3>(at + 3);
+      v.segment<3>(at) = world_.scene.inv_mass[slot] * free_axes(world_.scene.locks_of(slot)).cwiseProduct(p);
+      v.segment<3>(at + 3).setZero();
+      if (rotates(world_.scene, slot)) v.segment<3>(at + 3) = world_.contacts->inv_inertia_w[slot] * moment;
+    }
+    return v;
+  }
+
+  const World& world_;
+  std::span<const Body> bodies_;
+  int held_ = 0;
+  std::array<Stacked, 6 * kMostBodies> impulse_, velocity_;
+};
+
+/// One group of one substep.
+class Group {
+ public:
+  Group(World& world, std::size_t group)
+      : world_(world),
+        group_(world.contacts->mean_motion->groups[group]),
+        bodies_(between(world.contacts->mean_motion->bodies, &MeanMotion::Group::body, group)),
+        points_(between(world.contacts->mean_motion->points, &MeanMotion::Group::point, group)) {}
+
+  /// @param dt  s, of the step: separations are those of its beginning
+  void find_motion(Real dt) {
+    Stacked c(6 * bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      c.segment<3>(static_cast<Eigen::Index>(6 * i)) = -0.5 * gained_v(bodies_[i]);
+      c.segment<3>(static_cast<Eigen::Index>(6 * i + 3)) = -0.5 * gained_omega(bodies_[i]);
+    }
+    group_.is_moved = false;
+    const bool held =
+        std::ranges::any_of(bodies_, [&](const Body& b) { return world_.state.quarantined[b.slot] != 0; });
+    const Real most = 2 * size_of(c);
+    const bool is_worth_it = most > kNotice * world_.scene.dials[Dial::velocity_tolerance] && finite(most);
+    if (held || group_.is_curved || !is_worth_it) return;
+    group_.is_moved = hold(dt, most, c) && finite(c.squaredNorm());
+    group_.is_first = false;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      bodies_[i].v_change = c.segment<3>(static_cast<Eigen::Index>(6 * i));
+      bodies_[i].omega_change = c.segment<3>(static_cast<Eigen::Index>(6 * i + 3));
+    }
+  }
+
+ private:
+  template <class T>
+  std::span<T> between(Array<T>& all, std::uint32_t MeanMotion::Group::* begin, std::size_t group) const {
+    const MeanMotion::Group* const g = &world_.contacts->mean_motion->groups[group];
+    return {all.data() + g->*begin, g[1].*begin - g->*begin};
+  }
+
+  Vec3 gained_v(const Body& b) const { return world_.state.v[b.slot] - b.v; }
+  /// Without what a rotation method did itself: it has turned the body by the mean of that.
+  Vec3 gained_omega(const Body& b) const {
+    const Plan& plan = *world_.plan;
+    const bool carried = plan.rotation_method && plan.carried[b.slot];
+    return world_.state.omega[b.slot] - (carried ? plan.proposal.omega[b.slot] : b.omega);
+  }
+
+  /// m/s, the most that a body's middle, or a ball of its mass and inertia at its rim, goes by; not finite if any is
+  /// not.
+  Real size_of(const Stacked& c) const {
+    const Scene& scene = world_.scene;
+    Real most2 = 0, all2 = 0;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const std::uint32_t slot = bodies_[i].slot;
+      const auto at = static_cast<Eigen::Index>(6 * i);
+      const Real gyration2 = rotates(scene, slot) ? scene.inertia[slot].trace() * scene.inv_mass[slot] : 0;
+      const Real size2 = c.segment<3>(at).squaredNorm() + gyration2 * c.segment<3>(at + 3).squaredNorm();
+      most2 = std::max(most2, size2), all2 += size2;
+    }
+    return finite(all2) ? std::sqrt(most2) : all2;
+  }
+
+  /// Take out what would move a point that is shut, or drag one that sticks.
+  /// @param most  m/s, that a body's velocity changed by
+  /// @return      whether what contacts bear depends so little on where bodies are that they may go by a mean
+  bool hold(Real dt, Real most, Stacked& c) {
+    Projection projection(world_, bodies_);
+    const Stacked asked = c;
+    std::array<const Point*, kMostPoints> shut;
+    std::size_t shuts = 0;
+    for (const Point& p : points_) {
+      const Row& row = world_.contacts->rows[p.row];
+      const Arms r(world_, row, world_.contacts->geometry[p.row]);
+      Vec3 u = relative_velocity(world_.state, row, r.a, r.b);
+      if (!world_.contacts->surface.empty()) u += world_.contacts->surface[p.row];
+      const Vec3 gained = -2 * (velocity(asked, p.b, r.b) - velocity(asked, p.a, r.a));
+      const Real after = u.dot(row.n), opened = gained.dot(row.n);
+      const Real closing = std::max(-std::min(after, after - opened), Real(0));
+      if (world_.contacts->geometry[p.row].separation > dt * (closing + most)) continue;  // it stays open
+      if (group_.is_first && std::fabs(opened) > kCurves * most) return group_.is_curved = true, false;
+      const auto hold_along = [&](const Vec3& d) {
+        Stacked j = Stacked::Zero(c.size());
+        add_impulse(j, p.a, r.a, -d), add_impulse(j, p.b, r.b, d);
+        projection.take_out(j, c);
+      };
+      hold_along(row.n);
+      shut[shuts++] = &p;
+      const Vec3 sliding = u - after * row.n, slid = sliding - (gained - opened * row.n);
+      if (std::min(slid.norm(), sliding.norm()) > kSlides * most) continue;
+      const Vec3 t = any_perpendicular(row.n).normalized();
+      hold_along(t), hold_along(row.n.cross(t));
+    }
+    return std::none_of(shut.begin(), shut.begin() + shuts, [&](const Point* p) {
+      const Vec3& n = world_.contacts->rows[p->row].n;
+      return lifts(c, p->a, n) > kTips * most || lifts(c, p->b, n) > kTips * most;
+    });
+  }
+
+  /// m/s, of a body that tips its middle is lifted or lowered while no point is.
+  static Real lifts(const Stacked& of, std::uint32_t body, const Vec3& n) {
+    return body == MeanMotion::kNobody ? 0 : 2 * std::fabs(of.segment<3>(static_cast<Eigen::Index>(6 * body)).dot(n));
+  }
+  static Vec3 velocity(const Stacked& of, std::uint32_t body, const Vec3& r) {
+    if (body == MeanMotion::kNobody) return Vec3::Zero();
+    const auto at = static_cast<Eigen::Index>(6 * body);
+    const Vec3 v = of.segment<3>(at), omega = of.segment<3>(at + 3);
+    return v + omega.cross(r);
+  }
+  static void add_impulse(Stacked& to, std::uint32_t body, const Vec3& r, const Vec3& p) {
+    if (body == MeanMotion::kNobody) return;
+    const auto at = static_cast<Eigen::Index>(6 * body);
+    to.segment<3>(at) = p, to.segment<3>(at + 3) = r.cross(p);
+  }
+
+  World& world_;
+  MeanMotion::Group& group_;
+  std::span<Body> bodies_;
+  std::span<const Point> points_;
+};
+
+/// The bodies and points of a group.
+void gather(const Contacts& c, std::size_t group, MeanMotion& m) {
+  const std::size_t first = m.bodies.size();
+  const auto index = [&](bool moves, std::uint32_t slot) {
+    if (!moves) return MeanMotion::kNobody;
+    const auto at = std::find_if(m.bodies.begin() + static_cast<std::ptrdiff_t>(first), m.bodies.end(),
+                                 [&](const Body& b) { return b.slot == slot; });
+    const auto i = static_cast<std::uint32_t>(at - m.bodies.begin() - static_cast<std::ptrdiff_t>(first));
+    if (at == m.bodies.end()) m.bodies.emplace_back().slot = slot;
+    return i;
+  };
+  m.groups.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(m.points.size())});
+  for (std::uint32_t k = c.group_begin[group]; k < c.group_begin[group + 1]; ++k) {
+    const Row& row = c.rows[c.group_rows[k]];
+    const std::uint32_t a = index(row.moves_a, row.a), b = index(row.moves_b, row.b);
+    m.points.push_back({c.group_rows[k], a, b});
+  }
+}
+
+/// f(body), of those groups that are moved so, of those that a solver moved.
+template <class F>
+void each_moved(World& world, const F& f) {
+  MeanMotion* const m = world.contacts->mean_motion.get();
+  if (!m || m->groups.empty()) return;
+  for (std::size_t g = 0; g + 1 < m->groups.size(); ++g) {
+    if (!m->groups[g].is_moved) continue;
+    for (std::uint32_t i = m->groups[g].body; i < m->groups[g + 1].body; ++i)
+      if (world.plan->touched[m->bodies[i].slot]) f(m->bodies[i]);
+  }
+}
+
+}  // namespace
+
+void find_small_groups(World& world) {
+  Contacts& c = *world.contacts;
+  if (c.mean_motion) c.mean_motion->bodies.clear(), c.mean_motion->points.clear(), c.mean_motion->groups.clear();
+  const bool ends_at_end = world.plan->integrator->lag == 1;  // the velocity that is kept is that of the substep's end
+  if (c.rows.empty() || !ends_at_end || world.plan->solver == &kSeverity) return;
+  if (!c.mean_motion) c.mean_motion = make_owned<MeanMotion>(world.memory, world.memory);
+  MeanMotion& m = *c.mean_motion;
+  constexpr std::size_t kSome = 16;  // room before there are any: a small world that settles goes on without allocating
+  m.bodies.reserve(std::max(c.bodies.size(), kSome));
+  m.points.reserve(std::max(c.rows.size(), 4 * kSome));
+  m.groups.reserve(std::max(c.groups(), kSome) + 1);
+  for (std::size_t g = 0; g < c.groups(); ++g) {
+    const bool joined = !c.group_link_begin.empty() && c.group_link_begin[g] < c.group_link_begin[g + 1];
+    const std::uint32_t points = c.group_begin[g + 1] - c.group_begin[g];
+    if (!joined && points > 0 && points <= kMostPoints && c.group_bodies[g] <= kMostBodies) gather(c, g, m);
+  }
+  m.groups.push_back({static_cast<std::uint32_t>(m.bodies.size()), static_cast<std::uint32_t>(m.points.size())});
+}
+
+void note_velocities_of_groups(World& world, const StepTime&) {
+  MeanMotion* const m = world.contacts->mean_motion.get();
+  if (!m) return;
+  for (Body& b : m->bodies) b.v = world.state.v[b.slot], b.omega = world.state.omega[b.slot];
+}
+
+void find_mean_motion(World& world, const StepTime& time) {
+  MeanMotion* const m = world.contacts->mean_motion.get();
+  if (!m || m->groups.empty()) return;
+  in_parallel(world.jobs, m->groups.size() - 1, kGroupsAPart,
+              [&](std::uint32_t g) { Group(world, g).find_motion(time.dt); });
+}
+
+MeanVelocities::MeanVelocities(World& world) : world_(world) {
+  each_moved(world, [&](Body& b) {
+    Vec3 &v = world.state.v[b.slot], &omega = world.state.omega[b.slot];
+    b.v = v, b.omega = omega;
+    v += b.v_change, omega += b.omega_change;
+  });
+}
+
+MeanVelocities::~MeanVelocities() {
+  each_moved(world_, [&](const Body& b) {
+    if (!world_.state.quarantined[b.slot]) world_.state.v[b.slot] = b.v, world_.state.omega[b.slot] = b.omega;
+  });
+  if (MeanMotion* const m = world_.contacts->mean_motion.get())
+    for (MeanMotion::Group& g : m->groups) g.is_moved = false;
+}
+
+}  // namespace carom
