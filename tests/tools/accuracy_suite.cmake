@@ -3,7 +3,7 @@
 set(accuracy_scenes freefall drag gzbox top dzhanibekov heavytop pendulum chain1 chain100 chain1e4 fourbar bricard governor bouncing bounce05 cradle cannon elastic666 pack666
   slide slip stick rolling skid coin stack10 stack20 stack50 massratio1e2 massratio1e3 massratio1e4 massratio1e5 massratio1e6
   tower100 domino cards arch bridge kapla bullet spinning_rod wrecking painleve overlap far pile
-  tumble replay collisions)
+  tumble replay collisions cones_chain cones_capsules cones_stack cones_kapla)
 set(accuracy_misses
   drag                                         # Verlet's second order: 2e-4 m at 1/60 s; rk4 holds it
   gzbox top                                    # rotation=splitting is of second order: 4e-3 rad; splitting_6 holds them
@@ -16,6 +16,7 @@ set(accuracy_misses
   coin                                         # contacts are answered where a substep begins
   far                                          # 1000 km off, rounding decides which contacts are within velocity_tolerance
   pile tumble                                  # impacts are met a substep early or late, and what follows goes elsewhere
+  cones_capsules                               # Newton's steps run out where capsules fall on each other: 1e-4 m/s
   collisions)                                  # angular momentum: both sides of a contact moved since it was found
 foreach(scene ${accuracy_scenes})
   add_test(NAME accuracy/${scene} COMMAND carom_cli accuracy run ${scene} CONFIGURATIONS accuracy)

@@ -40,6 +40,7 @@ Challenge arch_challenge();
 Challenge kapla_challenge();
 Challenge overlap_challenge();
 Challenge far_challenge();
+std::vector<Challenge> cones_challenges();
 Challenge pile_challenge();
 Challenge tumble_challenge();
 Challenge replay_challenge();
@@ -64,6 +65,7 @@ const std::vector<Challenge>& all_challenges() {
           bullet_challenge, spinning_rod_challenge, wrecking_challenge, painleve_challenge, overlap_challenge,
           far_challenge, pile_challenge, tumble_challenge, replay_challenge, collisions_challenge})
       list.push_back(make());
+    for (Challenge& c : cones_challenges()) list.push_back(std::move(c));
     return list;
   }();
   return challenges;

@@ -68,6 +68,7 @@ Setting solved(const char* solver, int substeps, unsigned matters_to, const std:
 SceneTraits traits_of(const Challenge& challenge) {
   for (const Row& row : kScenes)
     if (challenge.scene.name == row.name) return {row.has, row.seconds};
+  if (challenge.scene.name.starts_with("cones_")) return {kSolved, 0};
   if (challenge.scene.name.starts_with("stack") || challenge.scene.name.starts_with("massratio") ||
       challenge.scene.name.starts_with("tower"))
     return {kTouches, 0};
@@ -83,11 +84,12 @@ std::string topic_of(const Challenge& challenge) {
   if (n == 29 || n == 37) return "Impacts";
   if ((n >= 16 && n <= 21) || n == 31) return "Friction";
   if (n == 33 || n == 35 || n == 36) return "Invariance";
+  if (n == 34) return "Cones";
   return "Standing";
 }
 
 const std::vector<Setting>& carom_settings() {
-  constexpr unsigned kSolved = kTouches | kJoined;  // solvers differ where something lasts; bounces come before them
+  constexpr unsigned kLasts = kTouches | kJoined;  // where solvers differ; bounces come before them
   static const std::vector<Setting> settings = {
       solved("auto", 4, kAny),  // kDefaultSetting, and the preset balanced
       {"preset fast", {"preset=fast"}, kAny},
@@ -97,17 +99,17 @@ const std::vector<Setting>& carom_settings() {
       solved("auto", 2, kAny),
       solved("auto", 8, kAny),
       solved("auto", 16, kAny),
-      solved("direct", 1, kSolved),
-      solved("direct", 4, kSolved),
-      solved("soft_step", 4, kSolved),
+      solved("direct", 1, kLasts),
+      solved("direct", 4, kLasts),
+      solved("soft_step", 4, kLasts),
       solved("soft_step", 4, kTouches, ", floats", {"precision=float"}),
-      solved("soft_step", 16, kSolved),
-      solved("sequential", 1, kSolved),
-      solved("sequential", 4, kSolved),
-      solved("severity", 1, kSolved),
-      solved("severity", 4, kSolved, ", to the end",
-             {"velocity_tolerance=1e-9", "velocity_iterations=100", "position_iterations=50",
-              "position_tolerance=1e-5"}),
+      solved("soft_step", 16, kLasts),
+      solved("sequential", 1, kLasts),
+      solved("sequential", 4, kLasts),
+      solved("severity", 1, kLasts),
+      solved(
+          "severity", 4, kLasts, ", to the end",
+          {"velocity_tolerance=1e-9", "velocity_iterations=100", "position_iterations=50", "position_tolerance=1e-5"}),
       solved("auto", 4, kFlies, ", explicit Euler", {"integrator=explicit_euler"}),
       solved("auto", 4, kFlies, ", semi-implicit Euler", {"integrator=semi_implicit_euler"}),
       solved("auto", 4, kFlies | kTurns, ", Runge-Kutta 4", {"integrator=rk4"}),
@@ -119,6 +121,11 @@ const std::vector<Setting>& carom_settings() {
       solved("auto", 4, kTurns, ", rotation lie_midpoint", {"rotation=lie_midpoint"}),
       solved("auto", 4, kTurns, ", rotation splitting_4", {"rotation=splitting_4"}),
       solved("auto", 4, kTurns, ", rotation splitting_6", {"rotation=splitting_6"}),
+      solved("direct", 1, kSolved, ", to 1e-2 m/s", {"velocity_tolerance=1"}),
+      solved("direct", 1, kSolved, ", to 1e-4 m/s", {"velocity_tolerance=1e-2"}),
+      solved("direct", 1, kSolved, ", to 1e-6 m/s", {"velocity_tolerance=1e-4"}),
+      solved("direct", 1, kSolved, ", to 1e-8 m/s", {"velocity_tolerance=1e-6"}),
+      solved("direct", 1, kSolved, ", to 1e-10 m/s", {"velocity_tolerance=1e-8"}),
   };
   return settings;
 }

@@ -1,4 +1,5 @@
-// Which settings of Carom a sweep tries on which scenes: one table, and what each scene has that makes a setting matter.
+// Which settings of Carom a sweep tries on which scenes: one table, and what each scene has that makes a setting
+// matter.
 #pragma once
 
 #include <string>
@@ -10,11 +11,12 @@ namespace carom::tools::accuracy {
 
 /// What a scene has in it, so that a setting matters to it or does not; values are bits of a set.
 enum Trait : unsigned {
-  kBounces = 1,   ///< impacts with restitution
-  kTouches = 2,   ///< contacts that last: slides, stacks
-  kJoined = 4,    ///< joints
-  kFlies = 8,     ///< bodies in free flight
-  kTurns = 16,    ///< bodies with unlike moments of inertia that turn about changing axes
+  kBounces = 1,  ///< impacts with restitution
+  kTouches = 2,  ///< contacts that last: slides, stacks
+  kJoined = 4,   ///< joints
+  kFlies = 8,    ///< bodies in free flight
+  kTurns = 16,   ///< bodies with unlike moments of inertia that turn about changing axes
+  kSolved = 32,  ///< problems for the direct solver alone, which says how well it answered them
   kAny = 31
 };
 
