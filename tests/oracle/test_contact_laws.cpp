@@ -244,8 +244,9 @@ Real tipping_error(int solver, int n) {
 
 }  // namespace
 
-/// A steady acceleration is followed exactly. Soft contacts bear less while they sink, and as long as that tilts the
-/// block (2 zeta / w = 0.1 s) it goes by the velocities of substeps' ends.
+/// A steady acceleration is followed exactly but for the first substep, in which nothing slides yet: that one moves by
+/// a h, not by half of it. Soft contacts bear less while they sink, and as long as that tilts the block (2 zeta / w =
+/// 0.1 s) it goes by the velocities of substeps' ends.
 static void a_block_slides_as_far_as_coulomb_says(void**) {
   const Real mu = 0.3, a = kG * (kSine - mu * kCosine);
   for (const int solver : kOthers)

@@ -7,6 +7,7 @@
 #include "dynamics/filter.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
+#include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/direct.h"
@@ -53,7 +54,7 @@ void Sweeper::run() {
 
 bool Sweeper::moved_by_hits(std::uint32_t body) const { return responds(world_.scene, world_.state, body); }
 bool Sweeper::carried(std::uint32_t body) const {
-  return world_.plan->rotation_method && world_.plan->carried[body] && rotates(world_.scene, body);
+  return is_carried(*world_.plan, body) && rotates(world_.scene, body);
 }
 
 void Sweeper::lay_paths() {

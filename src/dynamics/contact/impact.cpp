@@ -8,6 +8,7 @@
 #include "dynamics/contact/impulse.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
+#include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/quarantine.h"
 
 namespace carom {
@@ -172,7 +173,7 @@ class Impacts {
     c_.turn[body] -= moment * domega;
     Plan& plan = *world_.plan;
     const Real rest = time_.h - moment;
-    const bool carried = plan.rotation_method && plan.carried[body];
+    const bool carried = is_carried(plan, body);
     if (plan.integrator->proposes) plan.proposal.x[body] += rest * dv;
     if (!rotates(world_.scene, body) || !(plan.integrator->proposes || carried)) return;
     plan.proposal.q[body] = normalized(exp_map(rest * domega) * plan.proposal.q[body]);

@@ -7,6 +7,7 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
+#include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/solver/solver.h"
 
 namespace carom {
@@ -86,7 +87,6 @@ class Group {
       c.segment<3>(static_cast<Eigen::Index>(6 * i)) = -0.5 * gained_v(bodies_[i]);
       c.segment<3>(static_cast<Eigen::Index>(6 * i + 3)) = -0.5 * gained_omega(bodies_[i]);
     }
-    group_.is_moved = false;
     const bool held =
         std::ranges::any_of(bodies_, [&](const Body& b) { return world_.state.quarantined[b.slot] != 0; });
     const Real most = 2 * size_of(c);
@@ -94,6 +94,7 @@ class Group {
     if (held || group_.is_curved || !is_worth_it) return;
     group_.is_moved = hold(dt, most, c) && finite(c.squaredNorm());
     group_.is_first = false;
+    if (!group_.is_moved) return;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       bodies_[i].v_change = c.segment<3>(static_cast<Eigen::Index>(6 * i));
       bodies_[i].omega_change = c.segment<3>(static_cast<Eigen::Index>(6 * i + 3));
@@ -111,8 +112,7 @@ class Group {
   /// Without what a rotation method did itself: it has turned the body by the mean of that.
   Vec3 gained_omega(const Body& b) const {
     const Plan& plan = *world_.plan;
-    const bool carried = plan.rotation_method && plan.carried[b.slot];
-    return world_.state.omega[b.slot] - (carried ? plan.proposal.omega[b.slot] : b.omega);
+    return world_.state.omega[b.slot] - (is_carried(plan, b.slot) ? plan.proposal.omega[b.slot] : b.omega);
   }
 
   /// m/s, the most that a body's middle, or a ball of its mass and inertia at its rim, goes by; not finite if any is

@@ -5,6 +5,7 @@
 
 #include "dynamics/events/events.h"
 #include "dynamics/integrate/integrator.h"
+#include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/island.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/sleep/sleep.h"
@@ -171,19 +172,14 @@ void find_kicked(World& world, WideJoints& w) {
 }
 
 /// Whether a rotation method carries a body, which is free to turn as it does.
-bool is_carried(const World& world, std::uint32_t body) {
-  return world.plan->rotation_method && world.plan->carried[body] && !(world.scene.locks_of(body) & kAngularLocks);
+bool turns_freely(const World& world, std::uint32_t body) {
+  return is_carried(*world.plan, body) && !(world.scene.locks_of(body) & kAngularLocks);
 }
 /// Who moves on from a rotation method's proposal by what a solver changed, @see integrator.h.
 bool is_turned_on(const World& world, std::uint32_t body) {
-  return is_carried(world, body) && world.plan->touched[body] && !world.state.quarantined[body];
+  return turns_freely(world, body) && world.plan->touched[body] && !world.state.quarantined[body];
 }
 
-/// kg m^2, world.
-Mat3 inertia_at(const World& world, std::uint32_t body, const Quat& q) {
-  const Mat3 r = q.toRotationMatrix();
-  return r * world.scene.inertia[body] * r.transpose();
-}
 /// rad/s, of an angular momentum.
 Vec3 spin_at(const World& world, std::uint32_t body, const Quat& q, const Vec3& momentum) {
   return q * (world.scene.inv_inertia[body] * (q.conjugate() * momentum));
@@ -193,8 +189,8 @@ Vec3 spin_at(const World& world, std::uint32_t body, const Quat& q, const Vec3& 
 /// and of what the solver gave it, at the facing from which it moved.
 Vec3 kept_spin(const World& world, const WideJoints::Kicked& k) {
   const State& s = world.state;
-  const Vec3 momentum = inertia_at(world, k.body, world.plan->proposal.q[k.body]) * k.omega +
-                        inertia_at(world, k.body, k.facing) * (s.omega[k.body] - k.omega);
+  const Vec3 momentum = inertia_at(world.scene, k.body, world.plan->proposal.q[k.body]) * k.omega +
+                        inertia_at(world.scene, k.body, k.facing) * (s.omega[k.body] - k.omega);
   return spin_at(world, k.body, s.q[k.body], momentum);
 }
 
@@ -208,9 +204,9 @@ void find_gyro(const World& world, Real h, WideJoints& w) {
   for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
     const std::uint32_t body = wide.slot[i];
     const Vec3& omega = world.state.omega[body];
-    if (!w.linked[body] || !is_carried(world, body) || !(h * h * omega.squaredNorm() < 1)) continue;
+    if (!w.linked[body] || !turns_freely(world, body) || !(h * h * omega.squaredNorm() < 1)) continue;
     const Quat& q = world.state.q[body];
-    const Vec3 momentum = inertia_at(world, body, q) * omega, a = spin_at(world, body, q, momentum.cross(omega));
+    const Vec3 momentum = inertia_at(world.scene, body, q) * omega, a = spin_at(world, body, q, momentum.cross(omega));
     std::copy_n(a.data(), 3, w.gyro[i].omega);
   }
 }

@@ -5,11 +5,6 @@
 
 namespace carom {
 
-Mat3 inertia_at(const World& world, std::uint32_t i, const Quat& q) {
-  const Mat3 r = q.toRotationMatrix();
-  return r * world.scene.inertia[i] * r.transpose();
-}
-
 Amount amount_now(const World& world, std::uint32_t i) {
   const State& s = world.state;
   return amount_of(world, i, s.x[i], s.q[i], s.v[i], s.omega[i]);
@@ -42,7 +37,7 @@ void close_phase(World& world, std::uint32_t i) {
   Ledger::Body& b = l.body[i];
   const Real m = world.scene.mass[i];
   const bool turns = rotates(world.scene, i);
-  const Mat3 inertia = turns ? inertia_at(world, i, b.q) : Mat3(Mat3::Zero());
+  const Mat3 inertia = turns ? inertia_at(world.scene, i, b.q) : Mat3(Mat3::Zero());
   const Vec3 v = 0.5 * (b.v + b.seen_v), omega = 0.5 * (b.omega + b.seen_omega);
   Real speed = b.v.norm() + b.seen_v.norm(), spin = b.omega.norm() + b.seen_omega.norm();
   const auto kicks = l.kicks_of(i);

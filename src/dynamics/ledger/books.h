@@ -17,8 +17,6 @@ inline Vec3 pull_on(const World& world, std::uint32_t i) {
   if (world.scene.modes.forbids(kGravityRow, i)) return Vec3::Zero();
   return world.scene.gravity_factor_of(i) * world.scene.gravity;
 }
-/// kg m^2, world.
-Mat3 inertia_at(const World& world, std::uint32_t i, const Quat& q);
 /// What a body has now.
 Amount amount_now(const World& world, std::uint32_t i);
 

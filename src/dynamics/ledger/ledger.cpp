@@ -21,7 +21,7 @@ Amount amount_of(const World& world, std::uint32_t i, const Vec3& x, const Quat&
   const Vec3 p = m * v;
   Amount a{0.5 * m * v.squaredNorm(), -m * pull_on(world, i).dot(x), p, x.cross(p)};
   if (!rotates(world.scene, i)) return a;
-  const Vec3 spin = inertia_at(world, i, q) * omega;
+  const Vec3 spin = inertia_at(world.scene, i, q) * omega;
   a.kinetic += 0.5 * omega.dot(spin);
   a.angular += spin;
   return a;

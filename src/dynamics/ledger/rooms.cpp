@@ -146,7 +146,7 @@ void book_move(World& world, std::uint32_t i) {
   l.step[l.gravity].add({work, -work, Vec3::Zero(), Vec3::Zero()});
   Amount moved{-work, 0, Vec3::Zero(), way.cross(m * s.v[i])};
   if (rotates(world.scene, i) && s.q[i].coeffs() != b.q.coeffs()) {
-    const Vec3 omega = s.omega[i], gained = inertia_at(world, i, s.q[i]) * omega - inertia_at(world, i, b.q) * omega;
+    const Vec3 omega = s.omega[i], gained = inertia_at(world.scene, i, s.q[i]) * omega - inertia_at(world.scene, i, b.q) * omega;
     moved.kinetic += 0.5 * omega.dot(gained);
     moved.angular += gained;
   }

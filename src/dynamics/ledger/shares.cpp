@@ -49,7 +49,7 @@ class Gift {
  private:
   /// What of a moment its locks leave.
   Vec3 borne(std::uint32_t i, const Quat& q, Locks locks, const Vec3& moment) const {
-    const Mat3 r = q.toRotationMatrix(), inertia = r * world_.scene.inertia[i] * r.transpose();
+    const Mat3 inertia = inertia_at(world_.scene, i, q);
     return inertia * (inverse_of_free(inertia, locks) * moment);
   }
 

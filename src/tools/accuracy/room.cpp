@@ -47,6 +47,19 @@ void set_gravity(Stage& stage, double g) {
   call.done(carom_world_set_gravity(stage.world.get(), down, call), "setting gravity");
 }
 
+void add_plank_tower(Stage& stage, int layers) {
+  constexpr double kMass = 0.012;                        // kg: pine
+  constexpr double kQuarter = 0.707106781186547524;      // cosine and sine of half a right angle
+  const double apart = kPlankHalf.x() - kPlankHalf.z();  // the outer ones end flush with the layer below
+  for (int layer = 0; layer < layers; ++layer)
+    for (int i : {-1, 0, 1}) {
+      const double height = kPlankHalf.y() * (2 * layer + 1);
+      const bool across = layer % 2 != 0;
+      add_box(stage, across ? Vec(i * apart, height, 0) : Vec(0, height, i * apart), kPlankHalf, kMass, {0.5, 0},
+              Vec::Zero(), across ? Quat(kQuarter, 0, kQuarter, 0) : Quat::Identity());
+    }
+}
+
 void add_ground(Stage& stage, double friction) { stage.add_half_space("ground", {0, 1, 0}, {0, 0, 0}, friction); }
 
 Crowd::Crowd(const Stage& stage) {

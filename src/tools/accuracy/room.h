@@ -18,6 +18,9 @@ std::size_t add_box(Stage& stage, const Vec& position, const Vec& half_extents, 
 void set_moving(Stage& stage, std::size_t actor, const Vec& velocity, const Vec& spin);
 /// @param g  m/s^2, along -y; 9.81 in a new world
 void set_gravity(Stage& stage, double g);
+/// Planks of 117 x 7.8 x 23.4 mm on the ground at the origin, three to a layer, each layer across the one below.
+void add_plank_tower(Stage& stage, int layers);
+inline const Vec kPlankHalf(0.0585, 0.0039, 0.0117);  // m
 /// Level ground at y = 0. A contact's friction is the geometric mean of both sides', its restitution the larger one.
 void add_ground(Stage& stage, double friction);
 

@@ -29,6 +29,9 @@ extern const Rotation kRotationRungeKutta4, kLieMidpoint, kSplitting, kSplitting
 /// The method of the dial, or null where rotation is left to the effect's force or flow.
 const Rotation* rotation_method(std::uint32_t choice);
 
+/// Whether the method turns a body in this step.
+inline bool is_carried(const Plan& plan, std::uint32_t body) { return plan.rotation_method && plan.carried[body]; }
+
 /// Advance whoever a method carries, if there is one. For integrators, at their place among forces and flows.
 void turn_tops(World& world, Real h);
 

@@ -121,16 +121,8 @@ std::unique_ptr<Observer> fill_stack(Stage& stage, const std::vector<double>& kn
 
 /// A tower of planks that is struck at its foot.
 std::unique_ptr<Observer> fill_kapla(Stage& stage, const std::vector<double>& knobs, const std::string&) {
-  const Vec half(0.0585, 0.0039, 0.0117);  // m
   add_ground(stage, 0.5);
-  const double apart = half.x() - half.z();
-  for (int layer = 0; layer < static_cast<int>(knobs[0]); ++layer)
-    for (const int i : {-1, 0, 1}) {
-      const bool across = layer % 2 != 0;
-      const double height = half.y() * (2 * layer + 1);
-      add_box(stage, across ? Vec(i * apart, height, 0) : Vec(0, height, i * apart), half, 0.012, {0.5, 0}, Vec::Zero(),
-              across ? Quat(kHalfRight, 0, kHalfRight, 0) : Quat::Identity());
-    }
+  add_plank_tower(stage, static_cast<int>(knobs[0]));
   add_ball(stage, Vec(-0.15, 0.05, 0), 0.02, 0.05, {0.5, 0}, Vec(2, 0, 0));
   stage.camera_from = Vec(0.3, 0.2, 0.6);
   stage.camera_to = Vec(0, 0.06, 0);
