@@ -6,6 +6,7 @@
 
 #include "accuracy/reference.h"
 #include "accuracy/run.h"
+#include "accuracy/sweep/settings.h"
 #include "carom_test.h"
 
 using namespace carom::tools;
@@ -308,6 +309,7 @@ static void the_list_is_the_suites(void**) {
     rows.insert(challenge.number);
     assert_true(names.insert(challenge.scene.name).second);
     assert_false(challenge.metrics.empty() || challenge.reference.empty());
+    assert_int_equal(std::count(topics().begin(), topics().end(), topic_of(challenge)), 1);  // or no report shows it
     assert_true(std::any_of(challenge.metrics.begin(), challenge.metrics.end(),
                             [](const Metric& m) { return m.bound != kNoBound; }));
     if (challenge.at_60_hz.error >= 0) assert_true(challenge.at_any_step.error <= challenge.at_60_hz.error);

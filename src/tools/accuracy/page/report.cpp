@@ -15,8 +15,6 @@
 namespace carom::tools::accuracy {
 namespace {
 
-const std::vector<std::string> kTopics = {"Flight", "Joints", "Impacts", "Friction", "Standing", "Invariance"};
-
 std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)));
 std::string format(const char* pattern, ...) {
   char text[1024];
@@ -200,7 +198,7 @@ const char* const kHowToReadWorkPrecision =
 void add_work_precision(Document& page, const View& view) {
   page.heading(2, "work-precision", "What accuracy costs");
   page.paragraph(kHowToReadWorkPrecision);
-  for (const std::string& topic : kTopics) {
+  for (const std::string& topic : topics()) {
     const auto scenes = scenes_where(view, [&](const SceneView& s) { return topic_of(*s.challenge) == topic; });
     if (scenes.empty()) continue;
     page.heading(3, "wp-" + topic, topic);
@@ -232,7 +230,7 @@ void add_orders(Document& page, const View& view) {
       "right by p decades a decade. Blue is Carom at its defaults with a dashed line fitted by least squares, whose slope is "
       "the order that was observed; other engines stand at the first of their settings. Motion in contact is of first order "
       "in all of them; flight and bounces are not, where an engine answers them exactly.");
-  for (const std::string& topic : kTopics) {
+  for (const std::string& topic : topics()) {
     const auto scenes = scenes_where(view, [&](const SceneView& s) { return topic_of(*s.challenge) == topic; });
     if (scenes.empty()) continue;
     page.figure("order-" + topic, order_plot(scenes, view, order_title(topic)).inlined(),
@@ -383,7 +381,7 @@ std::string report_drawing(const Sweep& sweep, const std::string& name) {
     if (name == "wp:" + scene.challenge->scene.name) return work_precision(scene, view).document();
     known += (known.empty() ? "wp:" : ", wp:") + scene.challenge->scene.name;
   }
-  for (const std::string& topic : kTopics) {
+  for (const std::string& topic : topics()) {
     if (name == "order:" + topic)
       return order_plot(scenes_where(view, [&](const SceneView& s) { return topic_of(*s.challenge) == topic; }), view,
                         order_title(topic))

@@ -75,6 +75,12 @@ SceneTraits traits_of(const Challenge& challenge) {
   return {};
 }
 
+const std::vector<std::string>& topics() {
+  static const std::vector<std::string> list = {"Flight",   "Joints", "Impacts",   "Friction",
+                                                "Standing", "Cones",  "Invariance"};
+  return list;
+}
+
 std::string topic_of(const Challenge& challenge) {
   const int n = challenge.number;
   if (n <= 6) return "Flight";

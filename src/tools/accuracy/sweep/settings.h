@@ -27,7 +27,8 @@ struct SceneTraits {
 };
 SceneTraits traits_of(const Challenge& challenge);
 
-/// The heading that a scene stands under in a report.
+/// Headings of a report, in their order; and that which a scene stands under.
+const std::vector<std::string>& topics();
 std::string topic_of(const Challenge& challenge);
 
 /// A line of a work-precision diagram.
