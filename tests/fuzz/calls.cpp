@@ -1,5 +1,7 @@
-// The model: which handles live, which bodies take what along, and what each call may answer (tests/abi/hostile/table.h). Engines
-// and their first shapes last for the process; worlds, and all else that a sequence makes, go with it.
+// The model: which handles live, which bodies take what along, and what each call may answer
+// (tests/abi/hostile/table.h). Engines, their first shapes and three worlds last for the process. A sequence works on
+// forks of these worlds, each forked when it is first called on, or, one in sixty-four, on worlds made anew; they, and all
+// else that it makes, go with it.
 #include "calls.h"
 
 #include <algorithm>
@@ -33,14 +35,16 @@ class Chosen : public Source {
 };
 
 /// Three worlds: 0 and 1 of one engine, 2 of another.
+constexpr int kWorlds = 3;
 struct Room {
-  Stage stages[3];
+  Stage stages[kWorlds];
   Stage nobody;
   std::size_t base_shapes = 0, base_plugins = 0;
 
   Room() {
     good = make_engine(stages[0]) && make_engine(stages[2]);
     stages[1] = stages[0];
+    for (Stage& s : stages) good = good && make_world(s);
     base_shapes = stages[0].live[kShape].size(), base_plugins = stages[0].live[kPlugin].size();
   }
   bool good;
@@ -53,16 +57,20 @@ Room& room() {
 
 class Sequence {
  public:
-  Sequence(const std::uint8_t* bytes, std::size_t size, bool trace) : bytes_(bytes, size), source_(bytes_), trace_(trace), records_(size > 0 && bytes[size - 1] % 4 == 0) {}
+  Sequence(const std::uint8_t* bytes, std::size_t size, bool trace)
+      : bytes_(bytes, size), source_(bytes_), trace_(trace), records_(size > 0 && bytes[size - 1] % 4 == 0) {}
 
   Heard run(std::size_t size) {
-    if (!room_.good) return complain("the engines could not be made"), heard_;
-    for (Stage& s : room_.stages)
-      if (!make_world(s)) return complain("a world could not be made"), heard_;
-    if (records_) record();
-    const std::size_t most = 4 + size / 12;
+    if (!room_.good) return complain("the engines and their worlds could not be made"), heard_;
+    for (int i = 0; i < kWorlds; ++i) stages_[i] = room_.stages[i], hash_[i] = hash(stages_[i]);
+    makes_anew_ = source_.below(64) == 0, roams_ = source_.below(4) == 0, solver_ = source_.below(8);
+    if (records_ && take(0)) record();
+    const std::size_t most = 1 + size / 14;
     for (std::size_t i = 0; i < most && heard_.complaint.empty(); ++i) one();
-    if (heard_.complaint.empty()) count();
+    for (int i = 0; i < kWorlds && heard_.complaint.empty(); ++i) {
+      if (is_own_[i]) count(stages_[i]);
+      if (hash(stages_[i]) != hash_[i]) complain("world " + std::to_string(i) + " was changed by calls on others");
+    }
     if (records_ && heard_.complaint.empty()) replay();
     tidy();
     return heard_;
@@ -77,13 +85,50 @@ class Sequence {
     if (carom_world_hash(s.world, &h, nullptr) != CAROM_OK) complain("a world has no hash");
     return h;
   }
+  /// A world of the sequence's own in place of the one that lasts.
+  bool take(int i) {
+    if (is_own_[i]) return true;
+    Stage& s = stages_[i];
+    carom_world* const lasts = s.world;
+    is_own_[i] = makes_anew_ ? make_world(s) : fork(s);
+    if (!is_own_[i])
+      return s.world = lasts, complain(makes_anew_ ? "a world could not be made" : "a world could not be forked"),
+             false;
+    if (!makes_anew_ && hash(s) != hash_[i]) complain("a fork is not as the world was");
+    // Each solver has its turn (but severity, which knows no joints: a sequence comes to it by its calls); the direct one
+    // takes as long as all others together.
+    constexpr double kSolvers[] = {CAROM_SOLVER_AUTO,       CAROM_SOLVER_DIRECT,    CAROM_SOLVER_SEQUENTIAL,
+                                   CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_SOFT_STEP,
+                                   CAROM_SOLVER_SOFT_STEP,  CAROM_SOLVER_SOFT_STEP};
+    if (carom_world_set_dial(s.world, CAROM_DIAL_SOLVER, kSolvers[solver_], nullptr) != CAROM_OK)
+      complain("a solver was refused");
+    hash_[i] = hash(s);
+    return true;
+  }
+  static bool fork(Stage& s) {
+    carom_world* copy = nullptr;
+    if (carom_world_fork(s.world, &copy, nullptr) != CAROM_OK) return false;
+    s.world = copy;
+    std::vector<uint64_t> handles;
+    const auto each = [&](const auto& f) {
+      for (const int kind : {kMaterial, kBody, kCollider, kParticles, kJoint, kField, kSpring})
+        for (Owned& o : s.live[kind]) f(o.handle), f(o.owner[0]), f(o.owner[1]);
+    };
+    each([&](uint64_t h) { handles.push_back(h); });
+    if (carom_world_translate_handles(copy, handles.data(), handles.size(), handles.data(), nullptr) != CAROM_OK)
+      return carom_world_destroy(copy, nullptr), false;
+    std::size_t i = 0;
+    each([&](uint64_t& h) { h = handles[i++]; });
+    return true;
+  }
+
   static bool named(const Call& call, const char* name) { return std::strcmp(call.name, name) == 0; }
 
   const Row& choose() {
     static const Row* step = std::find_if(std::begin(kRows), std::end(kRows),
                                           [](const Row& r) { return std::strcmp(r.name, "carom_world_step") == 0; });
     const unsigned x = source_.below(1024);
-    if (x % 5 == 0) return *step;
+    if (x % 12 == 0) return *step;
     return kRows[x % std::size(kRows)];
   }
 
@@ -93,7 +138,8 @@ class Sequence {
     if (named(call, "carom_world_step") && heard_.steps >= kMostSteps) return true;
     if (call.made == kBody && s.live[kBody].size() >= kMostBodies) return true;
     if (call.made == kShape && s.live[kShape].size() >= kMostShapes) return true;
-    if (call.made >= 0 && call.made != kBody && call.made != kShape && s.live[call.made].size() >= 2 * kMostOthers) return true;
+    if (call.made >= 0 && call.made != kBody && call.made != kShape && s.live[call.made].size() >= 2 * kMostOthers)
+      return true;
     // The first shapes and plugins stay, for those who come later.
     if (call.gone == kShape || call.gone == kPlugin) {
       const std::size_t base = call.gone == kShape ? room_.base_shapes : room_.base_plugins;
@@ -104,10 +150,12 @@ class Sequence {
   }
 
   void one() {
-    const unsigned which = source_.below(6);
-    Stage& own = room_.stages[which < 4 ? 0 : which - 3];
-    Stage& second = which < 4 ? room_.stages[1] : which == 4 ? room_.stages[0] : room_.nobody;
-    Stage& other = which == 5 ? room_.stages[0] : room_.stages[2];
+    const unsigned which = roams_ ? source_.below(6) : 0;
+    const int at = which < 4 ? 0 : static_cast<int>(which) - 3;
+    if (!take(at)) return;
+    Stage& own = stages_[at];
+    Stage& second = which < 4 ? stages_[1] : which == 4 ? stages_[0] : room_.nobody;
+    Stage& other = which == 5 ? stages_[0] : stages_[2];
     Context c(own, other, second, source_);
     const unsigned sins = source_.below(8);  // 0 to 4: none
     c.wants_wrong = sins > 4;
@@ -123,27 +171,26 @@ class Sequence {
     std::string how;
     std::size_t sinned = SIZE_MAX;
     for (unsigned sin = sins > 4 ? sins == 7 ? 2 : 1 : 0; sin > 0 && !values.empty(); --sin) {
-      const std::size_t at = source_.below(static_cast<unsigned>(values.size()));
-      if (call.arguments[at].wrong.empty() || at == sinned) continue;
-      sinned = at;
-      const Wrong& w = call.arguments[at].wrong[source_.below(static_cast<unsigned>(call.arguments[at].wrong.size()))];
-      values[at] = w.value;
+      const std::size_t k = source_.below(static_cast<unsigned>(values.size()));
+      if (call.arguments[k].wrong.empty() || k == sinned) continue;
+      sinned = k;
+      const Wrong& w = call.arguments[k].wrong[source_.below(static_cast<unsigned>(call.arguments[k].wrong.size()))];
+      values[k] = w.value;
       expected |= w.codes;
       must_fail = must_fail || !(w.codes & kFine);
-      if (trace_) how += " " + std::to_string(at + 1) + ": " + w.what;
+      if (trace_) how += " " + std::to_string(k + 1) + ": " + w.what;
     }
     if (must_fail) expected &= ~kFine;
     if (!must_fail && call.alone) return;
     if (too_much(call, own, values)) return;
-    if (trace_) heard_.trace += std::to_string(&own - room_.stages) + " " + call.name + how + "\n";
-    judge(call, values, expected, own, c);
+    if (trace_) heard_.trace += std::to_string(at) + " " + call.name + how + "\n";
+    judge(call, values, expected, at, c);
   }
 
-  void judge(const Call& call, const std::vector<Value>& values, Codes expected, Stage& own, Context& c) {
-    uint64_t before[3];
-    for (int i = 0; i < 3; ++i) before[i] = hash(room_.stages[i]);
+  void judge(const Call& call, const std::vector<Value>& values, Codes expected, int at, Context& c) {
+    Stage& own = stages_[at];
     std::optional<Digest> whole;
-    if (source_.below(8) == 0) whole.emplace(own);
+    if (source_.below(16) == 0) whole.emplace(own);
     c.error = CAROM_ERROR_INIT;
     const int32_t r = call.invoke(values.data());
     ++heard_.calls;
@@ -152,22 +199,24 @@ class Sequence {
       complain(std::string(call.name) + ": " + what + " (" + carom_result_name(r) + ": " + c.error.message + ")");
     };
     if (r > 0 || r < kLastCode || !(expected & code(r))) wrong("an answer that the model does not expect");
-    for (int i = 0; i < 3; ++i)
-      if ((&room_.stages[i] != &own || r != CAROM_OK) && hash(room_.stages[i]) != before[i])
-        wrong(&room_.stages[i] == &own ? "failed, and changed the world" : "changed another world");
+    const auto changes = [&](int i) { return hash(stages_[i]) != hash_[i]; };
+    for (int i = 0; trace_ && i < kWorlds; ++i)  // else looked at once, in the end
+      if (i != at && changes(i)) wrong("changed another world");
+    if (r != CAROM_OK && changes(at)) wrong("failed, and changed the world");
     if (r != CAROM_OK) {
       ++heard_.refused;
       if (whole && !(Digest(own) == *whole)) wrong("failed, and changed something");
       return;
     }
     if (call.undo) call.undo(values.data());
+    hash_[at] = hash(own);
     if (named(call, "carom_world_step")) {
       ++heard_.steps;
       if (const std::string bad = not_finite(own.world); !bad.empty()) wrong(bad.c_str());
     }
     if (call.made >= 0) born(call, values, own, wrong);
     if (call.gone >= 0) own.dies(call.gone, values[1].u);
-    if (call.made >= 0 || call.gone >= 0) count();
+    if (call.made >= 0 || call.gone >= 0) count(own);
   }
 
   template <class F>
@@ -179,8 +228,12 @@ class Sequence {
     for (const uint64_t s : own.stale[call.made])
       if (s == handle) wrong("gave the handle of what was destroyed");
     if (call.owner_at >= 0) a = values[static_cast<std::size_t>(call.owner_at)].u;
-    if (call.made == kJoint) a = static_cast<const carom_joint_desc*>(values[1].p)->body_a, b = static_cast<const carom_joint_desc*>(values[1].p)->body_b;
-    if (call.made == kSpring) a = static_cast<const carom_spring_desc*>(values[1].p)->body_a, b = static_cast<const carom_spring_desc*>(values[1].p)->body_b;
+    if (call.made == kJoint)
+      a = static_cast<const carom_joint_desc*>(values[1].p)->body_a,
+      b = static_cast<const carom_joint_desc*>(values[1].p)->body_b;
+    if (call.made == kSpring)
+      a = static_cast<const carom_spring_desc*>(values[1].p)->body_a,
+      b = static_cast<const carom_spring_desc*>(values[1].p)->body_b;
     own.born(call.made, handle, a, b);
   }
 
@@ -189,19 +242,20 @@ class Sequence {
 #ifdef CAROM_FUZZ_REPLAYS
     const auto keep = [](void* to, const void* bytes, uint64_t size) -> int32_t {
       const auto* const from = static_cast<const std::byte*>(bytes);
-      static_cast<std::vector<std::byte>*>(to)->insert(static_cast<std::vector<std::byte>*>(to)->end(), from, from + size);
+      static_cast<std::vector<std::byte>*>(to)->insert(static_cast<std::vector<std::byte>*>(to)->end(), from,
+                                                       from + size);
       return 0;
     };
-    if (carom_world_record_begin(room_.stages[0].world, CAROM_RECORD_STATES, keep, &session_, nullptr) != CAROM_OK)
+    if (carom_world_record_begin(stages_[0].world, CAROM_RECORD_STATES, keep, &session_, nullptr) != CAROM_OK)
       complain("a new world could not be recorded");
 #endif
   }
   void replay() {
 #ifdef CAROM_FUZZ_REPLAYS
-    const int32_t ended = carom_world_record_end(room_.stages[0].world, nullptr);
+    const int32_t ended = carom_world_record_end(stages_[0].world, nullptr);
     if (ended != CAROM_OK && ended != CAROM_E_NOT_FOUND) complain("a recording could not be ended");
     try {
-      const auto outcome = tools::replay::play(room_.stages[0].engine, session_);
+      const auto outcome = tools::replay::play(stages_[0].engine, session_);
       ++heard_.replayed;
       if (!outcome.ended && !outcome.parting) complain("a recording has no end");
       if (!outcome.parting) return;
@@ -209,53 +263,56 @@ class Sequence {
       complain("a replay parts at step " + std::to_string(p.step) + ": " + p.sections + p.refused +
                (p.calls.empty() ? "" : " after " + p.calls.back()));
     } catch (const tools::Error& e) {
-      if (e.code != CAROM_E_NOT_FOUND) complain(std::string("a recording cannot be played: ") + e.what());  // else its plugin is gone
+      if (e.code != CAROM_E_NOT_FOUND)
+        complain(std::string("a recording cannot be played: ") + e.what());  // else its plugin is gone
     }
 #endif
   }
 
   /// As many live as the model says.
-  void count() {
-    for (const Stage& s : room_.stages) {
-      uint64_t n = 0;
-      if (carom_world_get_bodies(s.world, nullptr, 0, &n, nullptr) != CAROM_OK || n != s.live[kBody].size())
-        complain("there are " + std::to_string(n) + " bodies, not " + std::to_string(s.live[kBody].size()));
-      if (carom_world_get_joints(s.world, nullptr, 0, &n, nullptr) != CAROM_OK || n != s.live[kJoint].size())
-        complain("there are " + std::to_string(n) + " joints, not " + std::to_string(s.live[kJoint].size()));
-      if (carom_world_get_particles(s.world, nullptr, 0, &n, nullptr) != CAROM_OK || n != s.live[kParticles].size())
-        complain("there are " + std::to_string(n) + " sets, not " + std::to_string(s.live[kParticles].size()));
-      carom_step_report report = {};
-      report.struct_size = sizeof report;
-      for (const Owned& o : s.live[kCollider]) {
-        uint32_t sensor = 0;
-        if (carom_collider_is_sensor(s.world, o.handle, &sensor, nullptr) != CAROM_OK) complain("a collider that should live does not");
-      }
+  void count(const Stage& s) {
+    uint64_t n = 0;
+    if (carom_world_get_bodies(s.world, nullptr, 0, &n, nullptr) != CAROM_OK || n != s.live[kBody].size())
+      complain("there are " + std::to_string(n) + " bodies, not " + std::to_string(s.live[kBody].size()));
+    if (carom_world_get_joints(s.world, nullptr, 0, &n, nullptr) != CAROM_OK || n != s.live[kJoint].size())
+      complain("there are " + std::to_string(n) + " joints, not " + std::to_string(s.live[kJoint].size()));
+    if (carom_world_get_particles(s.world, nullptr, 0, &n, nullptr) != CAROM_OK || n != s.live[kParticles].size())
+      complain("there are " + std::to_string(n) + " sets, not " + std::to_string(s.live[kParticles].size()));
+    for (const Owned& o : s.live[kCollider]) {
+      uint32_t sensor = 0;
+      if (carom_collider_is_sensor(s.world, o.handle, &sensor, nullptr) != CAROM_OK)
+        complain("a collider that should live does not");
     }
   }
 
   void tidy() {
-    for (Stage& s : room_.stages)
-      if (s.world && carom_world_destroy(s.world, nullptr) != CAROM_OK) complain("a world could not be destroyed");
-    for (Stage& s : room_.stages) {
-      s.world = nullptr;
+    for (int i = 0; i < kWorlds; ++i)
+      if (is_own_[i] && carom_world_destroy(stages_[i].world, nullptr) != CAROM_OK)
+        complain("a world could not be destroyed");
+    for (Stage& s : stages_)
       while (s.live[kShape].size() > room_.base_shapes) {
-        if (carom_shape_destroy(s.engine, s.live[kShape].back().handle, nullptr) != CAROM_OK) complain("a shape could not be destroyed");
+        if (carom_shape_destroy(s.engine, s.live[kShape].back().handle, nullptr) != CAROM_OK)
+          complain("a shape could not be destroyed");
         s.live[kShape].pop_back();
       }
-      s.stale[kShape].clear(), s.stale[kPlugin].clear();
-    }
   }
 
   Room& room_ = room();
   Bytes bytes_;
   Chosen source_;
-  bool trace_, records_;
+  bool trace_, records_, makes_anew_ = false, roams_ = false;
+  unsigned solver_ = 0;
+  Stage stages_[kWorlds];
+  uint64_t hash_[kWorlds] = {};
+  bool is_own_[kWorlds] = {};  // else it is the room's, which no call is made on
   std::vector<std::byte> session_;
   Heard heard_;
 };
 
 }  // namespace
 
-Heard run_calls(const std::uint8_t* bytes, std::size_t size, bool trace) { return Sequence(bytes, size, trace).run(size); }
+Heard run_calls(const std::uint8_t* bytes, std::size_t size, bool trace) {
+  return Sequence(bytes, size, trace).run(size);
+}
 
 }  // namespace carom::fuzz
