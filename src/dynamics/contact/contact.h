@@ -122,11 +122,14 @@ struct Arms {
   Arms() = default;
   Arms(const World& world, const Row& row, const RowGeometry& g) {
     const Vec3 apart = world.state.x[row.b] - world.state.x[row.a];
-    const bool round_a = g.radius_a > 0, round_b = g.radius_b > 0;
-    const Real to_b = row.moves_a != row.moves_b ? row.moves_b : (1 + round_b - round_a) / Real(2);
     const Vec3 on_a = arm_a(world, row, g), on_b = apart + arm_b(world, row, g);
-    a = on_a + to_b * (on_b - on_a);
+    a = on_a + to_b(row, g) * (on_b - on_a);
     b = a - apart;
+  }
+  /// How far it is from A's surface point towards B's: 0 to 1.
+  static Real to_b(const Row& row, const RowGeometry& g) {
+    const bool round_a = g.radius_a > 0, round_b = g.radius_b > 0;
+    return row.moves_a != row.moves_b ? row.moves_b : (1 + round_b - round_a) / Real(2);
   }
 };
 

@@ -11,6 +11,11 @@ namespace carom {
 template <class Number>
 struct ContactSweeps {
   using Run = LaneRunOf<Number>;
+  /// Lanes from rows, but for masses and softness.   @param sources  [pairs of the run]
+  void (*lay_out)(const Run& run, const LaneSources* sources);
+  /// Back into rows: impulses, and from the present state relative velocities and separations.
+  /// @param targets  [pairs of the run]
+  void (*read_back)(const Run& run, const LaneTargets* targets);
   /// Masses at each point, from arms and inertias. False: some number is beyond what floats can bear, @see
   /// float_range.h
   bool (*prepare)(const Run& run);

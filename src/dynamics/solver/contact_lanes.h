@@ -100,6 +100,34 @@ struct LaneRunOf {
   const LockLanesOf<Number>* locks;
 };
 
+/// Where the rows of four pairs are found when lanes are filled, all in doubles: vectors of three, matrices of nine,
+/// column by column. Lanes of nobody find zeros.
+struct LaneSources {
+  const double *rotation_a[kLanes], *rotation_b[kLanes];        // world from body axes
+  const double *held_a[kLanes], *held_b[kLanes];                // @see held_arms.h
+  const double *inv_inertia_a[kLanes], *inv_inertia_b[kLanes];  // 1/(kg m^2), world
+  const double *x_a[kLanes], *x_b[kLanes];                      // m
+  const double *row[kLanes], *geometry[kLanes];                 // Row, RowGeometry of the first point
+  Lanes inv_mass_a, inv_mass_b;                                 // 1/kg
+  Lanes to_b;                                                   // @see Arms
+  Lanes friction;
+  Lanes bounce_speed;  // m/s
+};
+/// Where the rows of four pairs are put back, and what of their bodies that takes. Lanes of nobody find zeros and are
+/// put nowhere.
+struct LaneTargets {
+  const double *rotation_a[kLanes], *rotation_b[kLanes];  // world from body axes
+  const double *x_a[kLanes], *x_b[kLanes];                // m
+  const double *v_a[kLanes], *v_b[kLanes];                // m/s
+  const double *omega_a[kLanes], *omega_b[kLanes];        // rad/s
+  const double *row[kLanes], *geometry[kLanes];           // Row, RowGeometry of the first point
+  double *to_row[kLanes], *to_geometry[kLanes];           // the same, or null
+};
+// In those, counted in doubles (wide_contacts.cpp holds them to it).
+inline constexpr int kRowNumbers = 24, kRowVelocity = 0, kRowNormal = 3, kRowImpulse = 16;
+inline constexpr int kGeometryNumbers = 17, kGeometryA = 0, kGeometryB = 3, kGeometryRadiusA = 6, kGeometryRadiusB = 7,
+                     kGeometryImpulse = 8, kGeometrySeparation = 14;
+
 using PairLanes = PairLanesOf<double>;
 using PointLanes = PointLanesOf<double>;
 using LockLanes = LockLanesOf<double>;

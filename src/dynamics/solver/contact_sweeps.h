@@ -4,6 +4,7 @@
 
 #include "dynamics/solver/both_sides.h"
 #include "dynamics/solver/contact_kernels.h"
+#include "dynamics/solver/contact_layout.h"
 #include "dynamics/solver/contact_masses.h"
 
 namespace carom {
@@ -332,8 +333,9 @@ void measure(const LaneRunOf<Number>& run) {
 
 template <class Number>
 constexpr ContactSweeps<Number> all_sweeps() {
-  return {prepare<Number>, warm_start<Number>, solve<Number>, relax<false, Number>, relax<true, Number>,
-          sweep<Number>,   book<Number>,       part<Number>,  measure<Number>};
+  return {lay_out<Number>, read_back<Number>,    prepare<Number>,     warm_start<Number>,
+          solve<Number>,   relax<false, Number>, relax<true, Number>, sweep<Number>,
+          book<Number>,    part<Number>,         measure<Number>};
 }
 
 constexpr ContactKernels kernels_named(const char* name) { return {name, all_sweeps<double>(), all_sweeps<float>()}; }

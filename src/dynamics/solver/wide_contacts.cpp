@@ -14,8 +14,6 @@
 namespace carom {
 namespace {
 
-constexpr auto kMaxPoints = static_cast<std::uint32_t>(kPairPoints);
-
 void hold_orientations(World& world, WideContacts& wide) {
   wide.held_back.resize(wide.slot.size());
   in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
@@ -26,107 +24,56 @@ void hold_orientations(World& world, WideContacts& wide) {
   });
 }
 
-template <class Number>
-void fill_pair(const World& world, const WideContacts& wide, const Row& row, PairLanesOf<Number>& pair, int lane) {
-  const Scene& scene = world.scene;
-  pair.a[lane] = wide.body[row.a];
-  pair.b[lane] = wide.body[row.b];
-  set(pair.friction, lane, row.friction);
-  pair.bias_rate[lane] = pair.mass_scale[lane] = pair.impulse_scale[lane] = 0;
-  set(pair.bounce_speed, lane, row.restitution > 0 ? scene.dials[Dial::restitution_speed] : kInfinity);
-  set_mass(world, row.moves_a, row.a, pair.inv_mass_a, pair.inv_inertia_a, lane);
-  set_mass(world, row.moves_b, row.b, pair.inv_mass_b, pair.inv_inertia_b, lane);
-}
+// What kernels know of a row's layout.
+constexpr std::size_t place_of(std::size_t bytes) { return bytes / sizeof(double); }
+static_assert(sizeof(Row) == kRowNumbers * sizeof(double) && place_of(offsetof(Row, u)) == kRowVelocity &&
+              place_of(offsetof(Row, n)) == kRowNormal && place_of(offsetof(Row, p)) == kRowImpulse);
+static_assert(sizeof(RowGeometry) == kGeometryNumbers * sizeof(double) &&
+              place_of(offsetof(RowGeometry, l_a)) == kGeometryA &&
+              place_of(offsetof(RowGeometry, l_b)) == kGeometryB &&
+              place_of(offsetof(RowGeometry, radius_a)) == kGeometryRadiusA &&
+              place_of(offsetof(RowGeometry, radius_b)) == kGeometryRadiusB &&
+              place_of(offsetof(RowGeometry, impulse)) == kGeometryImpulse &&
+              place_of(offsetof(RowGeometry, separation)) == kGeometrySeparation);
 
-template <class Number>
-void fill_point(const Row& row, const RowGeometry& g, const Arms& r, const Vec3& middle, PointLanesOf<Number>& p,
-                int lane) {
-  const Vec3 d = r.a - middle;
-  set(p.d, lane, d);
-  set(p.n, lane, row.n);
-  set(p.gap, lane, g.separation), set(p.separation, lane, g.separation);
-  set(p.reach, lane, d.norm());
-  set(p.p_n, lane, row.p.dot(row.n));
-  p.sum_n[lane] = p.push[lane] = 0;
-}
+constexpr double kZeros[kPairPoints * kRowNumbers] = {};
 
-/// The points of a pair, and its friction at the middle of them, from the impulses its rows start with.
+/// What four lanes are filled from; and whose they are.
 template <class Number>
-void fill_points(const World& world, const WideContacts& wide, const WideContacts::Manifold& m,
-                 PairLanesOf<Number>& pair, PointLanesOf<Number>* points, int lane) {
+LaneSources sources_of(const World& world, const WideContacts& wide, const std::uint32_t* occupant,
+                       PairLanesOf<Number>& pair) {
   const Contacts& c = *world.contacts;
-  std::array<Arms, kMaxPoints> arms;
-  Vec3 middle_a = Vec3::Zero(), middle_b = Vec3::Zero(), l_a = Vec3::Zero(), l_b = Vec3::Zero();
-  const Real part = 1 / static_cast<Real>(m.points);
-  for (std::uint32_t k = 0; k < m.points; ++k) {
-    arms[k] = Arms(world, c.rows[m.row + k], c.geometry[m.row + k]);
-    middle_a += part * arms[k].a;
-    middle_b += part * arms[k].b;
-    l_a += part * c.geometry[m.row + k].l_a;
-    l_b += part * c.geometry[m.row + k].l_b;
-  }
-  const Vec3 n = c.rows[m.row].n, t = any_perpendicular(n).normalized();
-  Vec3 force = Vec3::Zero();
-  Real twist = 0;
-  for (std::uint32_t k = 0; k < m.points; ++k) {
-    const Row& row = c.rows[m.row + k];
-    fill_point(row, c.geometry[m.row + k], arms[k], middle_a, points[k], lane);
-    if (row.p == Vec3::Zero()) continue;
-    const Vec3 sideways = row.p - row.p.dot(row.n) * row.n;
-    force += sideways;
-    twist += (arms[k].a - middle_a).cross(sideways).dot(n);
-  }
-  set(pair.n, lane, n);
-  set(pair.t, lane, t);
-  set(pair.r_a, lane, middle_a + wide.held_back[pair.a[lane]] * l_a);
-  set(pair.r_b, lane, middle_b + wide.held_back[pair.b[lane]] * l_b);
-  set(pair.radius_a, lane, c.geometry[m.row].radius_a), set(pair.radius_b, lane, c.geometry[m.row].radius_b);
-  set(pair.p_t, lane, force.dot(t));
-  set(pair.p_s, lane, force.dot(n.cross(t)));
-  set(pair.p_w, lane, twist);
-  pair.sum_t[lane] = pair.sum_s[lane] = pair.sum_w[lane] = 0;
-}
-
-/// Lanes of nobody.
-template <class Number>
-void empty(ContactLanes<Number>& rows, PairLanesOf<Number>& pair) {
-  const std::uint32_t first = pair.first, points = pair.points, one_normal = pair.one_normal;
-  pair = PairLanesOf<Number>{};
-  pair.first = first, pair.points = points, pair.one_normal = one_normal;
-  std::fill_n(&rows.points[first], points, PointLanesOf<Number>{});
-}
-
-/// How a pair's friction, a force and a twist at the middle of its points, is shared among them: by their loads, turned
-/// about the point at which those loads act together. Added up again it is what it was.
-class Shares {
- public:
-  /// @param load  [points] N s, normal impulses   @param force  N s   @param twist  N m s, about the middle
-  template <class Point, class Load>
-  Shares(const Point* points, Load Point::* load, std::uint32_t count, std::uint32_t lane, const Vec3& n,
-         const Vec3& force, Real twist)
-      : n_(n) {
-    Real all = 0, moment = 0, most = 0;
-    Vec3 sum = Vec3::Zero();
-    for (const Point* p = points; p < points + count; ++p) {
-      const Real of_point = (p->*load)[lane], reach = p->reach[lane];
-      all += of_point;
-      sum += of_point * get(p->d, lane);
-      most = std::max(most, reach * reach);
+  const Scene& scene = world.scene;
+  LaneSources of;
+  const auto inertia = [&](bool moves, std::uint32_t body) {
+    return moves && rotates(scene, body) ? c.inv_inertia_w[body].data() : kZeros;
+  };
+  for (int lane = 0; lane < kLanes; ++lane) {
+    if (occupant[lane] == kNobodysLane) {
+      for (const auto& all : {of.rotation_a, of.rotation_b, of.held_a, of.held_b, of.inv_inertia_a, of.inv_inertia_b,
+                              of.x_a, of.x_b, of.row, of.geometry})
+        all[lane] = kZeros;
+      pair.a[lane] = pair.b[lane] = 0;
+      of.inv_mass_a[lane] = of.inv_mass_b[lane] = of.to_b[lane] = of.friction[lane] = of.bounce_speed[lane] = 0;
+      continue;
     }
-    if (!(all > 0)) return;
-    centre_ = sum / all;
-    for (const Point* p = points; p < points + count; ++p)
-      moment += (p->*load)[lane] * n.cross(get(p->d, lane) - centre_).squaredNorm();
-    slide_ = force / all;
-    if (moment > 1e-9 * all * most) turn_ = (twist - centre_.cross(force).dot(n)) / moment;
+    const std::uint32_t at = wide.manifolds[occupant[lane]].row;
+    const Row& row = c.rows[at];
+    const RowGeometry& g = c.geometry[at];
+    pair.a[lane] = wide.body[row.a], pair.b[lane] = wide.body[row.b];
+    of.rotation_a[lane] = world.plan->rotation[row.a].data(), of.rotation_b[lane] = world.plan->rotation[row.b].data();
+    of.held_a[lane] = wide.held_back[pair.a[lane]].data(), of.held_b[lane] = wide.held_back[pair.b[lane]].data();
+    of.inv_inertia_a[lane] = inertia(row.moves_a, row.a), of.inv_inertia_b[lane] = inertia(row.moves_b, row.b);
+    of.x_a[lane] = world.state.x[row.a].data(), of.x_b[lane] = world.state.x[row.b].data();
+    of.row[lane] = row.u.data(), of.geometry[lane] = g.l_a.data();
+    of.inv_mass_a[lane] = row.moves_a ? scene.inv_mass[row.a] : 0;
+    of.inv_mass_b[lane] = row.moves_b ? scene.inv_mass[row.b] : 0;
+    of.to_b[lane] = Arms::to_b(row, g);
+    of.friction[lane] = row.friction;
+    of.bounce_speed[lane] = row.restitution > 0 ? scene.dials[Dial::restitution_speed] : kInfinity;
   }
-  /// N s, friction at a point   @param d  m, from the middle   @param load  N s
-  Vec3 at(const Vec3& d, Real load) const { return load * (slide_ + turn_ * n_.cross(d - centre_)); }
-
- private:
-  Vec3 n_, centre_ = Vec3::Zero(), slide_ = Vec3::Zero();
-  Real turn_ = 0;
-};
+  return of;
+}
 
 /// What surfaces do of themselves, of pairs that have any.
 template <class Number>
@@ -184,31 +131,47 @@ void fetch_rows(const Contacts& c, const WideContacts& wide, const std::uint32_t
   }
 }
 
+/// Pairs of lanes with the rows that they are of, a few at a time, so that those are near when kernels come to them.
+/// @param find  -> Where, of (place in pairs, [kLanes] manifolds)   @param take  (begin, end, Where of each)
+template <class Where, class Find, class Take>
+void each_four(const World& world, const WideContacts& wide, const Find& find, const Take& take) {
+  constexpr std::uint32_t kAtOnce = 4;
+  const std::size_t count = wide.first_point.size();
+  in_parts(world.jobs, count, kPairsAPart, [&](std::uint32_t begin, std::uint32_t end) {
+    std::array<Where, kAtOnce> found;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const std::uint32_t* const occupant = &wide.occupant[std::size_t(i) * kLanes];
+      if (i + 1 < count) fetch_rows(*world.contacts, wide, occupant + kLanes);
+      const std::uint32_t at = (i - begin) % kAtOnce;
+      found[at] = find(i, occupant);
+      if (at + 1 == kAtOnce || i + 1 == end) take(i - at, i + 1, found.data());
+    }
+  });
+}
+
 /// All rows into lanes, and their masses. False: floats can't bear them.
 template <class Number>
 bool fill(World& world, WideContacts& wide, ContactLanes<Number>& rows, const ContactSweeps<Number>& sweeps) {
   rows.pairs.resize(wide.first_point.size());
   rows.points.resize(wide.parts.back().point);
-  in_parallel(world.jobs, rows.pairs.size(), kPairsAPart, [&](std::uint32_t i) {
-    PairLanesOf<Number>& pair = rows.pairs[i];
-    const std::uint32_t* const occupant = &wide.occupant[std::size_t(i) * kLanes];
-    if (i + 1 < rows.pairs.size()) fetch_rows(*world.contacts, wide, occupant + kLanes);
-    const WideContacts::Manifold& of = wide.manifolds[*occupant];
-    pair.first = wide.first_point[i], pair.points = of.points, pair.one_normal = has_one_normal(of);
-    if (std::find(occupant, occupant + kLanes, kNobodysLane) != occupant + kLanes) empty(rows, pair);
-    pair.driven = pair.locked = 0;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      if (occupant[lane] == kNobodysLane) continue;
-      const WideContacts::Manifold& m = wide.manifolds[occupant[lane]];
-      fill_pair(world, wide, world.contacts->rows[m.row], pair, lane);
-      fill_points(world, wide, m, pair, &rows.points[pair.first], lane);
-    }
-  });
+  const LaneRunOf<Number> run = everything(wide, rows, wide.velocity.data());
+  each_four<LaneSources>(
+      world, wide,
+      [&](std::uint32_t i, const std::uint32_t* occupant) {
+        PairLanesOf<Number>& pair = rows.pairs[i];
+        const WideContacts::Manifold& of = wide.manifolds[*occupant];
+        pair.first = wide.first_point[i], pair.points = of.points, pair.one_normal = has_one_normal(of);
+        pair.driven = pair.locked = 0;
+        return sources_of(world, wide, occupant, pair);
+      },
+      [&](std::uint32_t begin, std::uint32_t end, const LaneSources* sources) {
+        over_part(run, begin, end, [&](const auto& part) { sweeps.lay_out(part, sources); });
+      });
   fill_drives(world, wide, rows);
   fill_locks(world, wide, rows);
   std::atomic<bool> bearable = true;
-  in_any_order(world.jobs, everything(wide, rows, wide.velocity.data()), [&](const LaneRunOf<Number>& run) {
-    if (!sweeps.prepare(run)) bearable.store(false, std::memory_order_relaxed);
+  in_any_order(world.jobs, everything(wide, rows, wide.velocity.data()), [&](const auto& part) {
+    if (!sweeps.prepare(part)) bearable.store(false, std::memory_order_relaxed);
   });
   return bearable;
 }
@@ -246,10 +209,14 @@ void store_velocities(World& world, const WideContacts& wide, Real h) {
     if (wide.is_float && !is_slow_enough(s, slot)) return;
     const BodyVelocity& b = wide.velocity[i];
     const Vec3 v(b.v[0], b.v[1], b.v[2]), omega(b.omega[0], b.omega[1], b.omega[2]);
-    if (v == s.v[slot] && omega == s.omega[slot]) return;
+    const bool turned = omega != s.omega[slot];
+    if (!turned && v == s.v[slot]) return;
     // Two that fall side by side push each other by the rounding of their places; they are in flight all the same.
-    const Real small = 64 * kUnitRoundoff * (s.x[slot].norm() / h + s.v[slot].norm());
-    if ((v - s.v[slot]).norm() > small || omega != s.omega[slot]) world.plan->touched[slot] = 1;
+    const auto is_pushed = [&] {
+      const Real small = 64 * kUnitRoundoff * (s.x[slot].norm() / h + s.v[slot].norm());
+      return (v - s.v[slot]).norm() > small;
+    };
+    if (turned || is_pushed()) world.plan->touched[slot] = 1;
     s.v[slot] = v, s.omega[slot] = omega;
   });
 }
@@ -294,51 +261,43 @@ void displace(World& world, const WideContacts& wide) {
 
 namespace {
 
-constexpr std::size_t kManifoldsAhead = 2;
-
-template <class Number>
-void unpack(World& world, const WideContacts& wide, const ContactLanes<Number>& rows) {
-  using Point = PointLanesOf<Number>;
+/// Where four lanes are put.
+LaneTargets targets_of(World& world, const WideContacts& wide, const std::uint32_t* occupant) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
-  in_parallel(world.jobs, wide.manifolds.size(), kLanes * kPairsAPart, [&](std::uint32_t i) {
-    if (i + kManifoldsAhead < wide.manifolds.size()) {
-      const WideContacts::Manifold& later = wide.manifolds[i + kManifoldsAhead];
-      const PairLanesOf<Number>& its = rows.pairs[later.pair];
-      fetch(&its.n, 2);
-      fetch(&its.p_t, 6);
-      fetch(&rows.points[its.first], later.points);
+  LaneTargets of;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    if (occupant[lane] == kNobodysLane) {
+      for (const auto& all :
+           {of.rotation_a, of.rotation_b, of.x_a, of.x_b, of.v_a, of.v_b, of.omega_a, of.omega_b, of.row, of.geometry})
+        all[lane] = kZeros;
+      of.to_row[lane] = of.to_geometry[lane] = nullptr;
+      continue;
     }
-    const WideContacts::Manifold& m = wide.manifolds[i];
-    const PairLanesOf<Number>& pair = rows.pairs[m.pair];
-    const Point* const points = &rows.points[pair.first];
-    const std::uint32_t lane = m.lane;
-    const Vec3 n = get(pair.n, lane), t = get(pair.t, lane), sideways = n.cross(t);
-    const Vec3 force = pair.p_t[lane] * t + pair.p_s[lane] * sideways,
-               sum_force = pair.sum_t[lane] * t + pair.sum_s[lane] * sideways;
-    const Shares now(points, &Point::p_n, m.points, lane, n, force, pair.p_w[lane]),
-        step(points, &Point::sum_n, m.points, lane, n, sum_force, pair.sum_w[lane]);
-    const Row& first = c.rows[m.row];
-    const Vec3 apart = s.x[first.b] - s.x[first.a];  // first: far from the origin both are large and nearly equal
-    for (std::uint32_t k = 0; k < m.points; ++k) {
-      Row& row = c.rows[m.row + k];
-      RowGeometry& g = c.geometry[m.row + k];
-      const Point& p = points[k];
-      const Vec3 d = get(p.d, lane);
-      row.p = p.p_n[lane] * row.n + now.at(d, p.p_n[lane]);
-      g.impulse += p.sum_n[lane] * row.n + step.at(d, p.sum_n[lane]);
-      const Vec3 r_a = arm_a(world, row, g), r_b = arm_b(world, row, g);
-      row.u = relative_velocity(s, row, r_a, r_b);
-      g.separation = (apart + (r_b - r_a)).dot(row.n);
-    }
-  });
+    const std::uint32_t at = wide.manifolds[occupant[lane]].row;
+    Row& row = c.rows[at];
+    of.rotation_a[lane] = world.plan->rotation[row.a].data(), of.rotation_b[lane] = world.plan->rotation[row.b].data();
+    of.x_a[lane] = s.x[row.a].data(), of.x_b[lane] = s.x[row.b].data();
+    of.v_a[lane] = s.v[row.a].data(), of.v_b[lane] = s.v[row.b].data();
+    of.omega_a[lane] = s.omega[row.a].data(), of.omega_b[lane] = s.omega[row.b].data();
+    of.row[lane] = of.to_row[lane] = row.u.data();
+    of.geometry[lane] = of.to_geometry[lane] = c.geometry[at].l_a.data();
+  }
+  return of;
 }
 
 }  // namespace
 
-void unpack(World& world, const WideContacts& wide) {
+void unpack(World& world, WideContacts& wide) {
   refresh_rotations(world);
-  with_lanes(wide, [&](const auto& rows, const auto&) { unpack(world, wide, rows); });
+  with_lanes(wide, [&](auto& lanes, const auto& sweeps) {
+    const auto run = everything(wide, lanes, wide.velocity.data());
+    each_four<LaneTargets>(
+        world, wide, [&](std::uint32_t, const std::uint32_t* occupant) { return targets_of(world, wide, occupant); },
+        [&](std::uint32_t begin, std::uint32_t end, const LaneTargets* targets) {
+          over_part(run, begin, end, [&](const auto& part) { sweeps.read_back(part, targets); });
+        });
+  });
 }
 
 }  // namespace carom

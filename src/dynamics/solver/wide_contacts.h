@@ -238,7 +238,7 @@ void heed_impacts(World& world, WideContacts& wide);
 /// Moves bodies by their displacements.
 void displace(World& world, const WideContacts& wide);
 /// Impulses, separations and velocities back into the rows.
-void unpack(World& world, const WideContacts& wide);
+void unpack(World& world, WideContacts& wide);
 
 /// What solvers in lanes begin and end a step with: rows into lanes and their masses; impulses back.
 /// @param h  s, substep
