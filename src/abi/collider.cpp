@@ -83,8 +83,6 @@ carom_collider_desc describe(const World& world, std::uint32_t slot) {
 void remove_collider(carom_engine& engine, World& world, std::uint32_t collider) {
   const Shape* shape = world.scene.colliders.shape[collider];
   world.remove_collider(collider);
-  std::erase_if(world.contact_views,
-                [&](const ContactView& v) { return v.collider_a == collider || v.collider_b == collider; });
   std::erase_if(world.fault_views, [&](const FaultView& v) { return v.support.shape == shape; });
   unuse_shape(engine, *shape);
 }

@@ -126,7 +126,7 @@ int32_t carom_world_get_contacts(carom_world* world, carom_contact* dst, uint64_
                                  uint64_t* count, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
-    if (reading) copy_out(call, *reading, reading->contact_views, contact, dst, stride, capacity, count);
+    if (reading) copy_out(call, *reading, reading->contact_views(), contact, dst, stride, capacity, count);
   });
 }
 

@@ -79,7 +79,7 @@ class Drawing {
       const std::uint32_t x = root(a), y = root(b);
       island_[std::max(x, y)] = std::min(x, y);
     };
-    for (const ContactView& v : world_.contact_views)
+    for (const ContactView& v : world_.contact_views())
       tie(scene_.colliders.body[v.collider_a], scene_.colliders.body[v.collider_b]);
     for (std::uint32_t j = 0; j < world_.joints.slots.slots(); ++j)
       if (world_.joints.alive(j) && !world_.joints.joint[j].broken)
@@ -157,7 +157,7 @@ class Drawing {
 
   void contacts() {
     kind_ = DrawLine::contacts;
-    for (const ContactView& v : world_.contact_views)
+    for (const ContactView& v : world_.contact_views())
       line(v.point, v.point + settings_.scale * v.normal, v.normal_impulse > 0 ? kTouching : kNear,
            scene_.colliders.body[v.collider_b]);
   }

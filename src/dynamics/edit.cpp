@@ -148,14 +148,19 @@ void World::fill_collider(std::uint32_t i, std::uint32_t body, const Shape* shap
   c.live.insert(std::lower_bound(c.live.begin(), c.live.end(), i), i);
 }
 
-void World::settle_mass(std::uint32_t body) { set_mass(scene, state, body, mass_of_body(scene, body)); }
+void World::settle_mass(std::uint32_t body) {
+  contact_views();  // before the body's centre moves
+  set_mass(scene, state, body, mass_of_body(scene, body));
+}
 
 void World::remove_collider(std::uint32_t collider) {
   Colliders& c = scene.colliders;
   const std::uint32_t body = c.body[collider];
+  contact_views();
   wake(*this, body);
   if (scene.type[body] != BodyType::dynamic) wake_touching(*this, collider);  // else they are one island
   pairs.forget(collider);  // may run out of memory, so it comes before any loss
+  views.forget(collider);
   forget_collider(*this, collider);
   const Shape* shape = c.shape[collider];
   set_mass(scene, state, body, mass_of_body(scene, body, collider));
@@ -289,6 +294,7 @@ void World::set_pose(std::uint32_t body, const Pose& pose) {
   const Vec3 x = pose.p + q * scene.center[body];
   const bool same = q.coeffs() == state.q[body].coeffs() && x == state.x[body] && !state.quarantined[body];
   if (same && scene.type[body] != BodyType::dynamic) return;  // a host that places all in every step wakes nobody
+  contact_views();
   stir(*this, body);
   state.q[body] = state.held_q[body] = q;
   state.x[body] = x;

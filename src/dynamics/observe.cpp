@@ -1,4 +1,4 @@
-// Residuals, energies and contact views of a step.
+// What a step comes to: penetration, energies, counts.
 #include "dynamics/observe.h"
 
 #include <algorithm>
@@ -11,29 +11,18 @@
 namespace carom {
 namespace {
 
-void view_contacts(World& world) {
+void measure_contacts(World& world) {
   const Contacts& c = *world.contacts;
-  const State& s = world.state;
   StepReport& report = world.report;
-  world.contact_views.resize(c.rows.size());
   each_block(world, [&](Contacts::Block& block, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const Row& row = c.rows[i];
-      const RowGeometry& g = c.geometry[i];
-      const Pair& pair = world.pairs.place(g.pair).pair;
-      const Real normal_impulse = g.impulse.dot(row.n);
-      world.contact_views[i] = {pair.a,
-                                pair.b,
-                                0.5 * ((s.x[row.a] + arm_a(world, row, g)) + (s.x[row.b] + arm_b(world, row, g))),
-                                row.n,
-                                g.separation,
-                                normal_impulse,
-                                (g.impulse - normal_impulse * row.n).norm()};
+      const Real separation = c.geometry[i].separation;
       if (row.p != Vec3::Zero()) ++block.loaded;
-      if (!(g.separation < 0)) continue;
+      if (!(separation < 0)) continue;
       ++block.overlapping;
-      block.depth = std::max(block.depth, -g.separation);
-      block.sum_of_depths -= g.separation;
+      block.depth = std::max(block.depth, -separation);
+      block.sum_of_depths -= separation;
       block.closing = std::max(block.closing, -row.u.dot(row.n));
     }
   });
@@ -96,7 +85,7 @@ void begin_report(World& world) {
   world.report = StepReport{};
   world.report.steps = steps;
   world.report.time = time;
-  world.contact_views.clear();
+  world.views.clear();
   world.group_views.clear();
   world.events->clear();
 }
@@ -104,7 +93,8 @@ void begin_report(World& world) {
 void observe(World& world, const StepTime& time) {
   StepReport& report = world.report;
   if (world.plan->runs[static_cast<std::size_t>(Stage::solve)]) {
-    view_contacts(world);
+    measure_contacts(world);
+    world.views.expect();
     remember_impulses(world, time.h);
   }
   measure_energy(world);

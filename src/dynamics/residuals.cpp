@@ -53,7 +53,7 @@ void judge_pair(const World& world, const Meeting& m, Residuals& r) {
 
 void judge_contacts(const World& world, Residuals& r) {
   const Contacts& c = *world.contacts;
-  if (world.contact_views.empty()) return;  // nothing touched in the last step, whatever rows an older one left
+  if (world.contact_views().empty()) return;  // nothing touched in the last step, whatever rows an older one left
   Real sum = 0;
   std::uint64_t overlapping = 0;
   r.points = c.rows.size();

@@ -7,6 +7,7 @@
 #include "collision/broad/broad_phase.h"
 #include "collision/narrow/narrow_phase.h"
 #include "core/jobs.h"
+#include "dynamics/contact_views.h"
 #include "dynamics/joint/joint.h"
 #include "dynamics/particles/particles.h"
 #include "dynamics/scene.h"
@@ -41,13 +42,6 @@ struct StepReport {
 };
 
 /// A contact point as a host reads it after the step.
-struct ContactView {
-  std::uint32_t collider_a, collider_b;   // slots
-  Vec3 point, normal;                     // m, world; unit, world, A to B
-  Real separation;                        // m
-  Real normal_impulse, friction_impulse;  // N s over the step
-};
-
 /// A fault of the last step: a support function's, or of the state of a body or particles (then support.kind is none).
 struct FaultView {
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
@@ -150,15 +144,17 @@ class World {
 
   // ---- reading ----
   std::uint64_t hash() const;
+  /// Contacts of the last step, ascending by collider pair; any number of readers at a time.
+  const Array<ContactView>& contact_views() const { return views.of(*this); }
 
   Scene scene;
   State state;
   Particles particles;
   Joints joints;
   StepReport report;
-  Array<ContactView> contact_views;  // of the last step, ascending by collider pair
-  Array<GroupView> group_views;      // of the last step, of a solver that chooses
-  Array<FaultView> fault_views;      // of the last step
+  mutable ContactViews views;
+  Array<GroupView> group_views;  // of the last step, of a solver that chooses
+  Array<FaultView> fault_views;  // of the last step
 
   // ---- what stages keep between steps ----
   PairTable pairs;

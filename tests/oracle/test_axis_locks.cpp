@@ -32,7 +32,7 @@ std::uint32_t slope(TestWorld& t, Real angle, std::uint32_t material) {
 
 Real pressed(const World& world) {
   Real sum = 0;
-  for (const ContactView& view : world.contact_views) sum += view.normal_impulse;
+  for (const ContactView& view : world.contact_views()) sum += view.normal_impulse;
   return sum;
 }
 

@@ -175,7 +175,7 @@ static void impulses_reported_carry_the_weight(void**) {
     t.world.set_dial(Dial::substeps, substeps);
     t.run(60, 1.0 / 60);
     Real sum = 0;
-    for (const ContactView& view : t.world.contact_views) {
+    for (const ContactView& view : t.world.contact_views()) {
       assert_true(view.normal.y() == 1 || view.normal.y() == -1);
       assert_true(std::fabs(view.point.y()) < 1e-3 && view.normal_impulse >= 0);
       sum += view.normal_impulse;

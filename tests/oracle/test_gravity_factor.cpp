@@ -22,7 +22,7 @@ std::uint32_t thrown(TestWorld& t, const Vec3& velocity, Real factor) {
 /// N s: what a world's contacts press in a step.
 Real pressed(const World& world) {
   Real sum = 0;
-  for (const ContactView& view : world.contact_views) sum += view.normal_impulse;
+  for (const ContactView& view : world.contact_views()) sum += view.normal_impulse;
   return sum;
 }
 
@@ -95,7 +95,7 @@ static void contacts_bear_the_weight_that_there_is(void**) {
       const Real weight = std::fabs(factor) * t.world.scene.mass[body] * kG / 60;
       assert_true(std::fabs(pressed(t.world) - weight) < (solver == kSequential ? 1e-3 : 1e-5) * weight);
       Real up = 0;  // impulse on the body
-      for (const ContactView& v : t.world.contact_views) {
+      for (const ContactView& v : t.world.contact_views()) {
         const bool is_b = t.world.scene.colliders.body[v.collider_b] == body;
         up += (is_b ? 1 : -1) * v.normal.y() * v.normal_impulse;
       }

@@ -177,8 +177,8 @@ static void a_plate_lies_on_a_ridge(void**) {
       t.add(t.keep(box(Vec3(0.6, 0.05, 0.4))), Vec3(0, 0.05, 0), BodyType::dynamic, Quat::Identity(), rough);
   t.run(60, kStep);
   assert_true(std::fabs(t.world.state.x[plate].y() - 0.05) < 1e-3);
-  for (const ContactView& v : t.world.contact_views) assert_true(std::fabs(std::fabs(v.normal.y()) - 1) < 1e-9);
-  assert_true(t.world.contact_views.size() >= 2);
+  for (const ContactView& v : t.world.contact_views()) assert_true(std::fabs(std::fabs(v.normal.y()) - 1) < 1e-9);
+  assert_true(t.world.contact_views().size() >= 2);
 }
 
 /// A kinematic mesh carries what stands on it.

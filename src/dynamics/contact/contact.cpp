@@ -330,7 +330,7 @@ void build_rows(World& world, Real h) {
   c.shift.resize(slots, Vec3::Zero()), c.turn.resize(slots, Vec3::Zero());
   c.old.reserve(n);
   c.blocks.assign((n + kRowsAPart - 1) / kRowsAPart, {});
-  world.contact_views.reserve(n);
+  world.views.reserve(n);
 }
 
 void prepare_rows(World& world, Real h) {

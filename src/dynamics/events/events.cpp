@@ -48,7 +48,7 @@ class Contacting {
   explicit Contacting(World& world) : world_(world), e_(*world.events), hits_(world.continuous->hits) {}
 
   void run() {
-    const Array<ContactView>& views = world_.contact_views;
+    const Array<ContactView>& views = world_.contact_views();
     e_.spare.clear();
     std::sort(hits_.begin(), hits_.end(), [](const SweepHit& a, const SweepHit& b) {
       return a.pair == b.pair ? a.order < b.order : a.pair < b.pair;
@@ -74,7 +74,7 @@ class Contacting {
 
  private:
   void meet(const Met& met, bool known) {
-    const Array<ContactView>& views = world_.contact_views;
+    const Array<ContactView>& views = world_.contact_views();
     Real impulse = 0, speed = 0, most = -1;
     Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
     const auto add = [&](Real p, Real approach, const Vec3& at, const Vec3& n) {

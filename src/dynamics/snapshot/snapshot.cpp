@@ -235,7 +235,7 @@ void make_room_for(World& world, const Needs& n) {
 /// What the last step left for who asks is not of the state that is put back.
 void forget_last_step(World& world) {
   Contacts& c = *world.contacts;
-  world.contact_views.clear(), world.group_views.clear(), world.fault_views.clear();
+  world.views.clear(), world.group_views.clear(), world.fault_views.clear();
   world.events->clear();
   c.rows.clear(), c.geometry.clear(), c.meetings.clear(), c.bouncing.clear(), c.impacts.clear(), c.resisting.clear();
   c.driven.clear(), c.surface.clear(), c.group_begin.clear(), c.group_rows.clear(), c.direct.clear();

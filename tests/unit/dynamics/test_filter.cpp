@@ -19,7 +19,7 @@ struct Row : TestWorld {
   std::uint32_t collider(std::uint32_t body) const { return world.scene.first_collider[body]; }
   /// Whether a body was in a contact of the last step.
   bool touches(std::uint32_t body) const {
-    for (const ContactView& v : world.contact_views)
+    for (const ContactView& v : world.contact_views())
       if (world.scene.colliders.body[v.collider_a] == body || world.scene.colliders.body[v.collider_b] == body)
         return true;
     return false;

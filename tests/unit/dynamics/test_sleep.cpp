@@ -240,7 +240,7 @@ static void a_touch_wakes_the_island_in_the_same_step_and_nobody_else(void**) {
       c.t.world.step(kStep);
       // A contact of the ball with the stack is in the step's list; the step in which it is there is the step of
       // waking.
-      for (const ContactView& v : c.t.world.contact_views) {
+      for (const ContactView& v : c.t.world.contact_views()) {
         const std::uint32_t a = c.t.world.scene.colliders.body[v.collider_a],
                             b = c.t.world.scene.colliders.body[v.collider_b];
         met |= (a == ball || b == ball) && a != c.ground && b != c.ground;
