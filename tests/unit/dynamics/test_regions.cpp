@@ -223,6 +223,64 @@ void places_that_are_kept_are_those_made_anew(void**) {
   assert_in_range(times, 40, 75);
 }
 
+struct Colour {
+  std::uint32_t region, colour;
+  bool operator==(const Colour&) const = default;
+};
+using Colours = std::map<std::pair<std::uint32_t, std::uint32_t>, Colour>;  // by bodies that meet
+
+Colours colours_of(const World& world) {
+  Colours colours;
+  const WideContacts& w = *world.wide;
+  for (std::uint32_t region = 1; region < w.regions_end(); ++region)
+    for (std::uint32_t k = w.parts[region].member; k < w.parts[region + 1].member; ++k) {
+      const Placing::Member& m = w.placing->members[k];
+      const Meeting& met = w.placing->met[m.manifold];
+      colours[{met.a, met.b}] = {region, m.bucket / kPairKinds};
+    }
+  return colours;
+}
+
+// Colours follow from who touches whom, pair by pair in a fixed order: one changes only where a neighbour's does, and
+// so on back to who came or went.
+void pairs_keep_their_colours_though_others_come_and_go(void**) {
+  Heap t;
+  t.run(40, 1.0 / 60);
+  Colours before = colours_of(t.world);
+  std::size_t stayed = 0, kept = 0, came = 0;
+  for (int step = 0; step < 30; ++step) {
+    t.run(1, 1.0 / 60);
+    Colours now = colours_of(t.world);
+    // How many pairs of a body changed: one that changes alone has no neighbour to blame.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> changed;
+    const auto count = [&](const Colours& these, const Colours& those) {
+      for (const auto& [pair, colour] : these)
+        if (const auto other = those.find(pair); other == those.end() || !(other->second == colour))
+          ++changed[{colour.region, pair.first}], ++changed[{colour.region, pair.second}];
+    };
+    count(before, now), count(now, before);
+    for (const auto& [pair, colour] : now) {
+      const auto old = before.find(pair);
+      if (old == before.end()) {
+        ++came;
+        continue;
+      }
+      ++stayed;
+      if (old->second == colour) {
+        ++kept;
+        continue;
+      }
+      if (old->second.region != colour.region) continue;
+      const auto neighbours = [&](std::uint32_t body) { return changed[std::pair(colour.region, body)]; };
+      assert_true(neighbours(pair.first) > 2 || neighbours(pair.second) > 2);  // it is counted twice itself
+    }
+    before.swap(now);
+  }
+  print_message("%zu pairs came; of %zu that stayed %.1f %% kept region and colour\n", came, stayed,
+                100.0 * static_cast<double>(kept) / static_cast<double>(stayed));
+  assert_true(came > 100 && kept > stayed / 2);
+}
+
 void the_outcome_does_not_depend_on_threads(void**) {
   for (const Real solver : {1.0, 2.0}) {  // CAROM_SOLVER_SEQUENTIAL, SOFT_STEP
     const std::uint64_t alone = hash_of_run<Heap>(solver, 1, 20);
@@ -241,6 +299,7 @@ int main() {
       cmocka_unit_test(any_place_will_do),
       cmocka_unit_test(rows_of_regions_share_nobody),
       cmocka_unit_test(places_that_are_kept_are_those_made_anew),
+      cmocka_unit_test(pairs_keep_their_colours_though_others_come_and_go),
       cmocka_unit_test(the_outcome_does_not_depend_on_threads),
   };
   return cmocka_run_group_tests_name("unit/dynamics/regions", tests, nullptr, nullptr);
