@@ -3,6 +3,7 @@
 
 #include "carom_test.h"
 #include "core/job_pool.h"
+#include "dynamics/solver/direct.h"
 #include "world_builder.h"
 
 using namespace carom;
@@ -146,6 +147,36 @@ static void a_group_beyond_its_work_is_left_to_soft_contacts_for_a_while(void**)
   for (std::uint32_t i = 1; i <= 40; ++i) assert_true(t.world.state.x[i].y() > 0.1);
 }
 
+/// A wall of 200 blocks that nobody touches, joints of the courses open by `joint`.
+static void a_wall_that_stands_is_solved_now_and_then(void**) {
+  constexpr int kColumns = 20, kRows = 10, kSteps = 300;
+  for (const Real joint : {0.0, 0.005}) {  // m
+    TestWorld t;
+    t.ground();
+    const Shape* block = t.keep(box(Vec3(0.15, 0.15, 0.3)));
+    for (int row = 0; row < kRows; ++row)
+      for (int k = 0; k < kColumns - row % 2; ++k)
+        t.add(block, Vec3(0, 0.15 + 0.3 * row, (k + 0.5 * (row % 2)) * (0.6 + joint)));
+    const Real tolerance = t.world.scene.dials[Dial::velocity_tolerance], work = t.world.scene.dials[Dial::direct_work];
+    double sum = 0;
+    for (int step = 0; step < kSteps; ++step) {
+      t.world.step(kStep);
+      const StepReport& report = t.world.report;
+      assert_int_equal(report.direct_groups, 1);
+      // Two sweeps of soft contacts a substep are booked beside Newton's steps.
+      const double newton =
+          static_cast<double>(report.velocity_impulses - 8 * report.contact_points + report.position_moves);
+      assert_true(report.solver_residual < tolerance);
+      assert_true(report.max_penetration < 1e-5);
+      if (step == 0) continue;  // never solved before: to the end
+      assert_true(newton <= 16 + work / static_cast<double>(t.world.direct->work[0]));
+      sum += newton;
+    }
+    print_message("%.2f steps of Newton a step\n", sum / (kSteps - 1));
+    assert_true(sum / (kSteps - 1) < 2);
+  }
+}
+
 static void a_blow_goes_through_a_row_of_balls_without_loss(void**) {
   TestWorld t(Vec3::Zero());
   use(t, kAutoChoice);
@@ -178,6 +209,7 @@ int main() {
       cmocka_unit_test(it_names_what_it_chose_and_why),
       cmocka_unit_test(groups_are_answered_as_if_alone),
       cmocka_unit_test(a_stack_of_forty_stands_under_either_choice_of_substeps),
+      cmocka_unit_test(a_wall_that_stands_is_solved_now_and_then),
       cmocka_unit_test(a_blow_goes_through_a_row_of_balls_without_loss),
       cmocka_unit_test(threads_do_not_change_a_bit),
       cmocka_unit_test(soft_contacts_take_the_blow_that_strikes_a_stack),

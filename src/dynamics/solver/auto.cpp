@@ -261,8 +261,7 @@ void begin(World& world, const StepTime& time) {
 
 void velocities(World& world, const StepTime& time) {
   kSoftStep.velocities(world, time);
-  const Real work = world.scene.dials[Dial::direct_work] * (time.h / time.dt);
-  solve_groups(world, time.h, 1 + static_cast<std::uint64_t>(work));
+  solve_groups(world, time.h, 1 + static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]));
   spare_the_tired(world);
 }
 

@@ -24,6 +24,7 @@ constexpr Real kJoinedShare = 1e-3;        // of the tolerance, where there are 
 constexpr int kJerks = 3;                  // times that a group is answered anew because a joint was jerked
 constexpr Real kLongest = 30;              // of the largest overlap to be undone, that a body is displaced at most
 constexpr Real kGap = 1e-9;                // m or rad, of a joint that needs no parting
+constexpr std::uint32_t kAlways = 2;       // steps of Newton, a group and substep, however little work is left
 constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: impacts of many bodies take that many
 
 /// Room for some groups before there are any: a small world that settles goes on without allocating when one of its
@@ -224,13 +225,13 @@ class Group {
     book_repeats();
     if (rest_.has_moved) look();
     const Real least = start(h);
-    const bool bounded = work && !starts_from_nothing(problem_);
-    const std::uint64_t most = bounded ? 2 + work / work_ : kMostSteps;
+    rest_.is_bounded = work && !starts_from_nothing(problem_);
+    if (rest_.is_first) rest_.work = work;
     const Real enough = still_ ? std::max(kStillShare * tolerance, rounding(problem_))
                         : work ? std::max(tolerance, kShare * fastest(problem_))
                                : tolerance;
     const Real goal = is_joined() ? std::min(enough, std::max(kJoinedShare * tolerance, rounding(problem_))) : enough;
-    const auto most_steps = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMostSteps));
+    const std::uint32_t most_steps = allowed_steps();
     answer_ = solve_cones(problem_, goal, most_steps);
     for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
       if (has_ring(problem_, link_row_)) {
@@ -242,6 +243,7 @@ class Group {
       start(h);
       answer_ = solve_cones(problem_, goal, most_steps);
     }
+    book_work();
     start_from_loads(problem_);
     keep();
     rest_.is_first = false;
@@ -267,7 +269,12 @@ class Group {
     for (ConeBody& b : bodies_of(problem_)) b.v.setZero();
     load_links(world_, problem_, link_row_, LinkPhase::part, h);
     measure_links(problem_);
-    answer_ = solve_cones(problem_, is_joined() ? 0.1 * kGap : 0.01 * tolerance, kMostSteps);
+    if (is_joined()) {
+      answer_ = solve_cones(problem_, 0.1 * kGap, kMostSteps);
+    } else {
+      answer_ = solve_cones(problem_, 0.01 * tolerance, allowed_steps());
+      book_work();
+    }
     const Real share = displacement_share();
     for (const ConeBody& b : bodies_of(problem_)) {
       const Vec3 turn = share * angular(b.v);
@@ -306,6 +313,17 @@ class Group {
   }
 
  private:
+  /// Of Newton's method.
+  std::uint32_t allowed_steps() const {
+    if (!rest_.is_bounded) return kMostSteps;
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + rest_.work / work_, kMostSteps));
+  }
+  void book_work() {
+    if (!rest_.is_bounded) return;
+    const std::uint32_t beyond = std::max(answer_.factorisations, kAlways) - kAlways;
+    rest_.work -= std::min(rest_.work, beyond * work_);
+  }
+
   /// Impulses of substeps that repeated the one before, into those of the step.
   void book_repeats() {
     if (rest_.repeats == 0) return;

@@ -18,12 +18,16 @@ struct GroupRest {
   bool has_moved = false;     // a little, since its separations were measured
   bool resists = false;       // some of them resist rolling or spinning
   std::uint32_t repeats = 0;  // substeps that repeated its impulses and are not booked yet
+  bool is_bounded = false;    // in what it may take
+  std::uint64_t work = 0;     // block products that it may still take in this step, if so
 };
 
 /// The stages of the direct solver over the groups it answers, for it and for what chooses among solvers.
 void gather_groups(World& world);  // allocates
 /// Velocities.
-/// @param work  most block products that a group may take, beyond two factorisations; 0: no bound
+/// @param work  most block products that a group may take in the step, for velocities and overlaps together, beyond two
+///              factorisations a substep for each; 0: no bound. The first substep takes what it needs: where a group
+///              lies still, one that is solved is worth more than all of them solved in part.
 void solve_groups(World& world, Real h, std::uint64_t work);
 /// Overlaps.
 void part_groups(World& world, Real h);
