@@ -261,7 +261,8 @@ void begin(World& world, const StepTime& time) {
 
 void velocities(World& world, const StepTime& time) {
   kSoftStep.velocities(world, time);
-  solve_groups(world, time.h, 1 + static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]));
+  const auto work = static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
+  solve_groups(world, time.h, 1 + work, world.plan->substeps);
   spare_the_tired(world);
 }
 

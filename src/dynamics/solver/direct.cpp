@@ -219,7 +219,7 @@ class Group {
         still_(world.direct->still[group]) {}
 
   /// @param work  @see solve_groups()
-  void solve(Real h, std::uint64_t work) {
+  void solve(Real h, std::uint64_t work, int substeps) {
     const Real tolerance = kDirectShare * world_.scene.dials[Dial::velocity_tolerance];
     if (rest_.lasts && repeat(tolerance)) return;
     book_repeats();
@@ -231,7 +231,8 @@ class Group {
                         : work ? std::max(tolerance, kShare * fastest(problem_))
                                : tolerance;
     const Real goal = is_joined() ? std::min(enough, std::max(kJoinedShare * tolerance, rounding(problem_))) : enough;
-    const std::uint32_t most_steps = allowed_steps();
+    const bool lies = !is_joined() && fastest_any_way(problem_) < world_.scene.dials[Dial::velocity_tolerance];
+    const std::uint32_t most_steps = allowed_steps(lies ? rest_.work : work / static_cast<std::uint64_t>(substeps));
     answer_ = solve_cones(problem_, goal, most_steps);
     for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
       if (has_ring(problem_, link_row_)) {
@@ -272,7 +273,7 @@ class Group {
     if (is_joined()) {
       answer_ = solve_cones(problem_, 0.1 * kGap, kMostSteps);
     } else {
-      answer_ = solve_cones(problem_, 0.01 * tolerance, allowed_steps());
+      answer_ = solve_cones(problem_, 0.01 * tolerance, allowed_steps(rest_.work));
       book_work();
     }
     const Real share = displacement_share();
@@ -313,10 +314,10 @@ class Group {
   }
 
  private:
-  /// Of Newton's method.
-  std::uint32_t allowed_steps() const {
+  /// Of Newton's method.   @param work  block products, beyond those of kAlways
+  std::uint32_t allowed_steps(std::uint64_t work) const {
     if (!rest_.is_bounded) return kMostSteps;
-    return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + rest_.work / work_, kMostSteps));
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + work / work_, kMostSteps));
   }
   void book_work() {
     if (!rest_.is_bounded) return;
@@ -464,7 +465,7 @@ void begin(World& world, const StepTime& time) {
 void velocities(World& world, const StepTime& time) {
   if (world.wide_joints->any()) load_velocities(world, *world.wide);
   bend_joints(world, time.h);
-  solve_groups(world, time.h, 0);
+  solve_groups(world, time.h, 0, world.plan->substeps);
 }
 
 void positions(World& world, const StepTime& time) {
@@ -499,12 +500,12 @@ void gather_groups(World& world) {
     if (GroupRest* const rest = rest_of(d, world.contacts->rows[r.row])) rest->resists = true;
 }
 
-void solve_groups(World& world, Real h, std::uint64_t work) {
+void solve_groups(World& world, Real h, std::uint64_t work, int substeps) {
   DirectGroups& d = *world.direct;
   for (const Impact& at : world.contacts->impacts)
     if (GroupRest* const rest = at.concerns_solver() ? rest_of(d, world.contacts->rows[at.row]) : nullptr)
       rest->lasts = false;
-  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { Group(world, g).solve(h, work); });
+  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { Group(world, g).solve(h, work, substeps); });
   for (std::size_t g = 0; g < d.groups(); ++g) {
     if (d.rest[g].repeats > 0) continue;
     world.report.velocity_impulses += d.answer[g].factorisations;

@@ -25,10 +25,11 @@ struct GroupRest {
 /// The stages of the direct solver over the groups it answers, for it and for what chooses among solvers.
 void gather_groups(World& world);  // allocates
 /// Velocities.
-/// @param work  most block products that a group may take in the step, for velocities and overlaps together, beyond two
-///              factorisations a substep for each; 0: no bound. The first substep takes what it needs: where a group
-///              lies still, one that is solved is worth more than all of them solved in part.
-void solve_groups(World& world, Real h, std::uint64_t work);
+/// @param work      most block products that a group may take in the step, for velocities and overlaps together, beyond two
+///                  factorisations a substep for each; 0: no bound
+/// @param substeps  that share it, where a group moves. Where it lies still the first takes what it needs: one that is
+///                  solved, which the others repeat, is worth more than all of them solved in part.
+void solve_groups(World& world, Real h, std::uint64_t work, int substeps);
 /// Overlaps.
 void part_groups(World& world, Real h);
 /// Velocities after the move, of groups that hang together by joints alone; places of all that have joints come first.
