@@ -203,11 +203,69 @@ static void what_cannot_be_is_refused_and_changes_nothing(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
+/* From beyond the reach of short numbers (1e17 m), and from where sums overflow. */
+static void it_answers_from_any_distance(void **state) {
+  static const double far[] = {1e16, 1e18, 1e38, 1e100, 1e300, 1.7e308};
+  Bench b;
+  carom_mesh_desc d = level();
+  carom_height_field_desc f;
+  double heights[9] = {0};
+  carom_shape surface[2];
+  uint32_t i, k, s;
+  (void)state;
+  assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
+  assert_int_equal(carom_shape_create_mesh(b.engine, &d, &surface[0], NULL), CAROM_OK);
+  carom_height_field_desc_init(&f);
+  f.columns = f.rows = 3, f.heights = heights;
+  assert_int_equal(carom_shape_create_height_field(b.engine, &f, &surface[1], NULL), CAROM_OK);
+  for (s = 0; s < 2; s++)
+    for (i = 0; i < sizeof far / sizeof *far; i++)
+      for (k = 0; k < 6; k++) {
+        const double sign = k < 3 ? 1 : -1;
+        const int overflows = far[i] >= 1e100; /* its squares do */
+        double from[3] = {0.3, 0.3, 0.3}, away[3] = {0, 0, 0}, back[3] = {0, 0, 0};
+        carom_cast cast;
+        carom_distance distance;
+        carom_overlap overlap;
+        carom_motion still, flies;
+        from[k % 3] = sign * far[i], away[k % 3] = sign, back[k % 3] = -sign;
+        cast.struct_size = sizeof cast, distance.struct_size = sizeof distance, overlap.struct_size = sizeof overlap;
+        assert_int_equal(carom_ray_cast(b.engine, surface[s], nowhere, upright, from, away, INFINITY, NULL, &cast, NULL),
+                         CAROM_OK);
+        assert_true(cast.outcome == CAROM_CAST_MISS || (overflows && cast.outcome == CAROM_CAST_UNDECIDED));
+        assert_int_equal(carom_ray_cast(b.engine, surface[s], nowhere, upright, from, back, INFINITY, NULL, &cast, NULL),
+                         CAROM_OK);
+        if (far[i] == 1e16 && k == 1)
+          assert_true(cast.outcome == CAROM_CAST_HIT && fabs(cast.time / far[i] - 1) < 1e-12);
+        assert_int_equal(carom_ray_cast(b.engine, surface[s], from, upright, nowhere, away, INFINITY, NULL, &cast, NULL),
+                         CAROM_OK);
+        assert_int_equal(carom_shape_cast(b.engine, b.ball, from, upright, away, surface[s], nowhere, upright, NULL, &cast,
+                                          NULL),
+                         CAROM_OK);
+        assert_true(cast.outcome == CAROM_CAST_MISS || (overflows && cast.outcome == CAROM_CAST_UNDECIDED));
+        carom_motion_init(&still), carom_motion_init(&flies);
+        memcpy(flies.position, from, sizeof from), memcpy(flies.linear_velocity, away, sizeof away);
+        assert_int_equal(carom_shape_time_of_impact(b.engine, b.ball, &flies, surface[s], &still, 1, NULL, &cast, NULL),
+                         CAROM_OK);
+        assert_true(cast.outcome == CAROM_CAST_MISS || (overflows && cast.outcome == CAROM_CAST_UNDECIDED));
+        assert_int_equal(carom_shape_overlap(b.engine, b.ball, from, upright, surface[s], nowhere, upright, NULL, &overlap,
+                                             NULL),
+                         CAROM_OK);
+        assert_true(overlap.outcome == CAROM_OVERLAP_APART || (overflows && overlap.outcome == CAROM_OVERLAP_TOUCHING));
+        assert_int_equal(carom_shape_distance(b.engine, b.ball, from, upright, surface[s], nowhere, upright, NULL,
+                                              &distance, NULL),
+                         CAROM_OK);
+        if (!overflows) assert_true(fabs(distance.separation / far[i] - 1) < 1e-6);
+      }
+  assert_int_equal(bench_free(&b), CAROM_OK);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(what_is_known_of_a_mesh),
       cmocka_unit_test(bodies_stand_on_it_and_worlds_answer_for_it),
       cmocka_unit_test(what_cannot_be_is_refused_and_changes_nothing),
+      cmocka_unit_test(it_answers_from_any_distance),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -259,7 +259,7 @@ void QueryTree::sweep() {
 bool QueryTree::worn() const { return cost_ > kWear * built_cost_ || 2 * size_ < built_size_; }
 
 QueryTree::Line::Line(const QueryTree& tree, const Vec3& from, const Vec3& unit, const Aabb& extent) {
-  constexpr Real kLeast = 1e-12;  // of a direction: less strays by less than the padding
+  constexpr Real kLeast = kBlur / 4;  // of a direction: less strays by less than the padding
   const Vec3 reach = extent.lo.cwiseAbs().cwiseMax(extent.hi.cwiseAbs());
   const Real blur = kBlur * ((from - tree.origin_).cwiseAbs().maxCoeff() + reach.maxCoeff());
   for (int k = 0; k < 3; ++k) {

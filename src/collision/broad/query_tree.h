@@ -39,11 +39,17 @@ class QueryTree {
   /// Whether so much has come apart or gone that to build afresh is the better bargain.
   bool worn() const;
 
+  /// m: farther off short numbers do not reach. Who asks from there asks all leaves.
+  static constexpr Real kReach = 1e17;
+  /// No for what is no number, too.
+  static bool reaches(const Vec3& x) { return (x.array().abs() < kReach).all(); }
+  static bool reaches(const Aabb& box) { return reaches(box.lo) && reaches(box.hi); }
+
   /// Asked along a line: the way at which it enters a box.
   class Line {
    public:
-    /// @param unit    direction
-    /// @param extent  m, what is swept: a box about the point that goes along the line
+    /// @param from, extent  in reach; extent: what is swept, a box about the point that goes along the line
+    /// @param unit          direction
     Line(const QueryTree& tree, const Vec3& from, const Vec3& unit, const Aabb& extent);
     unsigned hits(const float* planes, float limit, float key[4]) const;
 
@@ -55,6 +61,7 @@ class QueryTree {
   /// Asked about a box: the square of the distance from it, from below; 0 of boxes that overlap it.
   class Box {
    public:
+    /// @param box  in reach
     Box(const QueryTree& tree, const Aabb& box);
     unsigned hits(const float* planes, float limit, float key[4]) const;
 

@@ -57,6 +57,7 @@ struct Scenery {
   /// box and the scenery alone.
   template <class F>
   void each_near(const Aabb& box, F&& f) const {
+    if (!QueryTree::reaches(box)) return each(f);
     float limit = 0;
     tree.search(QueryTree::Box(tree, box), limit, [&](std::uint32_t leaf) {
       if (is_field())
@@ -72,6 +73,7 @@ struct Scenery {
   /// @param extent  m, what is swept: a box about the point that goes along the line
   template <class F>
   void each_along(const Vec3& from, const Vec3& unit, const Aabb& extent, Real length, F&& f) const {
+    if (!QueryTree::reaches(from) || !QueryTree::reaches(extent)) return each(f);
     float limit = QueryTree::above(length);
     const QueryTree::Line line(tree, from, unit, extent);
     tree.search(line, limit, [&](std::uint32_t leaf) {
@@ -85,6 +87,7 @@ struct Scenery {
   /// Likewise for pieces within a distance of a box, which f may lower.
   template <class F>
   void each_around(const Aabb& box, Real distance, F&& f) const {
+    if (!QueryTree::reaches(box)) return each(f);
     const auto limited = [](Real d) { return d > 0 ? QueryTree::above(d * d) : QueryTree::above(0); };
     float limit = limited(distance);
     tree.search(QueryTree::Box(tree, box), limit, [&](std::uint32_t leaf) {
@@ -107,6 +110,11 @@ struct Scenery {
   /// Call f(corners) for the pieces around a corner of one of them, counter-clockwise each, until it says no.
   template <class F>
   bool all_around(const Piece& piece, int k, F&& f) const;
+  /// All pieces: for who asks from beyond the tree's reach.
+  template <class F>
+  void each(F&& f) const {
+    for (std::uint32_t index = 0; index < pieces(); ++index) f(index);
+  }
   template <class F>
   void each_of_block(std::uint32_t block, F&& f) const {
     const std::uint32_t across = (columns - 2) / kBlock + 1, cells = columns - 1;

@@ -9,8 +9,6 @@
 
 namespace carom {
 
-/// Beyond this the short numbers of the tree do not reach: all colliders are asked.
-inline constexpr Real kTreeReach = 1e17;  // m
 /// What rounding may do to a way, in lengths that enter it; as QueryTree has it.
 inline constexpr Real kWayRounding = 0x1p-42;
 
@@ -30,9 +28,7 @@ struct Way {
     speed = largest * scaled.norm();
     length = speed * max;
   }
-  bool in_reach() const {
-    return from.cwiseAbs().maxCoeff() + extent.lo.cwiseAbs().maxCoeff() + extent.hi.cwiseAbs().maxCoeff() < kTreeReach;
-  }
+  bool in_reach() const { return QueryTree::reaches(from) && QueryTree::reaches(extent); }
   Real time(Real s, Real max) const { return speed > 0 ? std::clamp(s / speed, Real(0), max) : 0; }
 
   /// m, at which a box is met, none of it earlier; infinite: never
@@ -88,8 +84,7 @@ void along(const QueryIndex& index, const Way& way, Ask&& ask) {
 /// Ask all within a distance of a box: ask(slot) says up to which, in m.
 template <class Ask>
 void around(const QueryIndex& index, const Aabb& box, Real distance, Ask&& ask) {
-  const bool in_reach = box.lo.cwiseAbs().maxCoeff() + box.hi.cwiseAbs().maxCoeff() < kTreeReach;
-  if (!in_reach) {
+  if (!QueryTree::reaches(box)) {
     index.each([&](std::uint32_t slot) { ask(slot); });
     return;
   }
