@@ -69,8 +69,8 @@ typedef struct carom_body_desc {
   double orientation[4];      /**< x, y, z, w, unit within 1e-6, body to world; default identity */
   double linear_velocity[3];  /**< m/s, world, of the centre of mass; 0 for static */
   double angular_velocity[3]; /**< rad/s, world; 0 for static */
-  double mass;                /**< kg, > 0 for dynamic. A dynamic body without mass from here or from a collider weighs
-                                   1 kg and does not rotate (a particle) */
+  double mass;                /**< kg, at least 1e-300 for dynamic. A dynamic body without mass from here or from a
+                                   collider weighs 1 kg and does not rotate (a particle) */
   double center[3];           /**< m, body frame: centre of mass; each within 1e15 */
   double inertia[9];          /**< kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite;
                                    all zero: the body does not rotate */

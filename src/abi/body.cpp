@@ -5,6 +5,7 @@
 #include "abi/float_scope.h"
 #include "abi/record_calls.h"
 #include "abi/world.h"
+#include "dynamics/mass.h"
 #include "dynamics/quarantine.h"
 
 namespace carom::abi {
@@ -50,8 +51,9 @@ bool check_mass(Call& call, const carom_body_desc& d) {
     return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->fields is 0x%x: CENTER and INERTIA need MASS", d.fields);
   if (d.fields & CAROM_BODY_FIELD_MASS) {
     if (!in_range(call, 2, "desc->mass", d.mass, 0, kInfinity)) return false;
-    if (d.type == CAROM_BODY_DYNAMIC && d.mass == 0)
-      return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->mass is 0; a dynamic body's must be greater");
+    if (d.type == CAROM_BODY_DYNAMIC && d.mass < kLeastMass)
+      return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->mass is %g; a dynamic body's must be at least %g", d.mass,
+                       kLeastMass);
   }
   return (!(d.fields & CAROM_BODY_FIELD_CENTER) || vector_in_range(call, 2, "desc->center", d.center, kMaxPosition)) &&
          (!(d.fields & CAROM_BODY_FIELD_INERTIA) || check_inertia(call, d.inertia));

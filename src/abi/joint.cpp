@@ -28,6 +28,7 @@ static_assert(kCoordinates == CAROM_COORDINATE_COUNT &&
 
 constexpr std::uint32_t kFields = CAROM_JOINT_WORLD_FRAME | CAROM_JOINT_COLLIDE | CAROM_JOINT_FIELD_LENGTH;
 constexpr double kLongest = 1e9, kFastest = 1e6, kStrongest = 1e30, kStiffest = 1e4, kMostDamping = 1e3;
+constexpr double kFarthestApart = 8 * kMaxPosition;  // m: of places on bodies that no step would quarantine
 
 bool resolve_joint(Call& call, const World& world, carom_joint joint) {
   return resolve(call, 2, "joint", world.joints.slots, joint);
@@ -53,7 +54,10 @@ bool read_frames(Call& call, const World& world, const carom_joint_desc& d, Join
       return Pose{normalized(local.q), local.p};
     };
     def.frame_a = on(def.body_a), def.frame_b = on(def.body_b);
-    return true;
+    return (sane_position(def.frame_a.p) && sane_position(def.frame_b.p)) ||
+           call.fail(CAROM_E_OUT_OF_RANGE, 2,
+                     "desc->position_a lies more than %g m from a body's origin: give that body a pose near it first",
+                     kMaxPosition);
   }
   if (!check_position(call, "desc->position_b", d.position_b) ||
       !unit(call, 2, "desc->orientation_b", d.orientation_b, 4))
@@ -80,9 +84,11 @@ bool read_joint(Call& call, const World& world, const carom_joint_desc* given, J
   def.user = d.user;
   Joint joint;
   joint.def = def;
-  const Real apart = place_of(world, joint).apart.norm();
-  def.length = d.fields & CAROM_JOINT_FIELD_LENGTH ? d.length : apart;
-  return true;
+  def.length = d.fields & CAROM_JOINT_FIELD_LENGTH ? d.length : place_of(world, joint).apart.norm();
+  return def.length <= kFarthestApart ||
+         call.fail(CAROM_E_OUT_OF_RANGE, 2,
+                   "desc joins places %g m apart, at most %g: give the bodies poses within %g m of the origin first",
+                   def.length, kFarthestApart, kMaxPosition);
 }
 
 bool has_joints_solver(Call& call, const World& world) {

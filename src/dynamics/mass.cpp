@@ -61,7 +61,7 @@ BodyMass mass_of_body(const Scene& scene, std::uint32_t body, std::uint32_t skip
     out.inertia = def.inertia;
   else if (sum.mass > 0)
     out.inertia = sum.inertia * (out.mass / sum.mass);
-  if (!(out.mass > 0)) {
+  if (!(out.mass >= kLeastMass)) {
     out.mass = 1;
     out.inertia.setZero();
   }

@@ -5,6 +5,9 @@
 
 namespace carom {
 
+/// kg: of less the reciprocal is no number. What weighs less weighs nothing.
+inline constexpr Real kLeastMass = 1e-300;
+
 struct BodyMass {
   Real mass = 0, inv_mass = 0;  // kg, 1/kg; 0 unless dynamic
   Vec3 center = Vec3::Zero();   // m, body frame

@@ -67,7 +67,8 @@ void hold_velocity(const Scene& scene, std::uint32_t body, const Quat& q, Vec3& 
   v = free_axes(locks).cwiseProduct(v);
   if (!holds_turns(scene, body, locks)) return;
   const Mat3 inertia = inertia_of(scene, body, q);
-  omega = project_turn(omega, inertia, inverse_of_free(inertia, locks), locks);
+  const Vec3 held = project_turn(omega, inertia, inverse_of_free(inertia, locks), locks);
+  if (finite(held)) omega = held;  // else it is beyond all bounds, and the next step stops it
 }
 
 Vec3 angular_acceleration(const Scene& scene, std::uint32_t body, const Quat& q, const Vec3& torque) {

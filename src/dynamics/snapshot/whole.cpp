@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "collision/scenery/scenery.h"
+#include "dynamics/mass.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/snapshot/section.h"
 
@@ -195,7 +196,7 @@ void describe(Io& io, BodyDef& d) {
   if (d.has_inertia) d.inertia = io.mat(d.inertia);
   if (bits & kDamping) d.linear_damping = io.real(d.linear_damping), d.angular_damping = io.real(d.angular_damping);
   if (bits & kUser) d.user = io.value(d.user);
-  io.demand((!d.has_mass || d.mass > 0) && (d.has_mass || !(d.has_center || d.has_inertia)));
+  io.demand((!d.has_mass || d.mass >= kLeastMass) && (d.has_mass || !(d.has_center || d.has_inertia)));
   io.demand(sane_position(d.center) && d.linear_damping >= 0 && d.angular_damping >= 0);
   io.demand(d.inertia == Mat3(d.inertia.transpose()));
 }
