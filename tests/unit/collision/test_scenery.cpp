@@ -143,6 +143,27 @@ static void a_surface_falls_away_around_a_corner_within_its_normals(void**) {
   }
 }
 
+/// A face that a line runs along belongs to the box, from however far off the line comes.
+void a_line_along_a_face_meets_the_box(void**) {
+  QueryTree tree(std::pmr::new_delete_resource());
+  Aabb unit;
+  unit.lo.setZero(), unit.hi.setOnes();
+  tree.build({0u}, {unit});
+  Aabb point;
+  point.lo.setZero(), point.hi.setZero();
+  for (Real far = 1; far < QueryTree::kReach; far *= 10)
+    for (int axis = 0; axis < 3; ++axis)
+      for (int corner = 0; corner < 8; ++corner) {
+        Vec3 from(corner & 1, corner >> 1 & 1, corner >> 2), to = Vec3::Zero();
+        to[axis] = from[axis] > 0 ? -1 : 1;
+        from[axis] = -to[axis] * far;
+        float limit = QueryTree::above(4 * far);
+        int met = 0;
+        tree.search(QueryTree::Line(tree, from, to, point), limit, [&](std::uint32_t) { ++met; });
+        assert_int_equal(met, 1);
+      }
+}
+
 int main() {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(corners_at_one_place_are_one_and_a_closed_surface_has_no_rim),
@@ -152,6 +173,7 @@ int main() {
       cmocka_unit_test(a_hole_of_a_height_field_has_rims_around_it),
       cmocka_unit_test(pieces_near_a_box_are_those_whose_bounds_overlap_it),
       cmocka_unit_test(a_surface_falls_away_around_a_corner_within_its_normals),
+      cmocka_unit_test(a_line_along_a_face_meets_the_box),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
