@@ -1,6 +1,8 @@
 // The direct solver: each contact group as one problem, solved to a residual.
 #pragma once
 
+#include <algorithm>
+
 #include "dynamics/contact/contact.h"
 #include "dynamics/joint/joint_lanes.h"
 #include "dynamics/solver/direct/cone_problem.h"
@@ -25,8 +27,8 @@ struct GroupRest {
 /// The stages of the direct solver over the groups it answers, for it and for what chooses among solvers.
 void gather_groups(World& world);  // allocates
 /// Velocities.
-/// @param work      most block products that a group may take in the step, for velocities and overlaps together, beyond two
-///                  factorisations a substep for each; 0: no bound
+/// @param work      most block products that a group may take in the step, for velocities and overlaps together,
+///                  beyond two factorisations a substep for each; 0: no bound
 /// @param substeps  that share it, where a group moves. Where it lies still the first takes what it needs: one that is
 ///                  solved, which the others repeat, is worth more than all of them solved in part.
 void solve_groups(World& world, Real h, std::uint64_t work, int substeps);
@@ -97,6 +99,14 @@ struct DirectGroups {
       bodies.emplace_back().slot = slot;
     }
     return body[slot];
+  }
+
+  /// Of the group that a row is in; null: another solver answers it.
+  GroupRest* rest_of(const Row& at) {
+    const std::uint32_t of = body[at.moves_a ? at.a : at.b];
+    if (of == kNobody) return nullptr;
+    const auto after = std::ranges::upper_bound(begin, of, {}, [](const Begin& group) { return group.body; });
+    return &rest[static_cast<std::size_t>(after - begin.begin()) - 1];
   }
 
   std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }

@@ -19,7 +19,7 @@ struct ConeContact {
   std::uint32_t a, b;   // bodies of the problem, or kNobody: not moved by impulses
   std::uint32_t below;  // in BlockFactor::below: the block that couples a and b; kNobody where there is none
   bool a_later;         // a is eliminated after b
-  bool is_curved;       // a shape is not known to be a polytope: @see Group::follow_bodies()
+  bool is_curved;       // a shape is not known to be a polytope: @see ConeGroup::follow_bodies()
   Vec3 n;               // unit, world, A to B
   Vec3 r_a, r_b;        // m, world axes; zero where the body does not rotate
   Real friction;

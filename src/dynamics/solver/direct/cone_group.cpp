@@ -1,0 +1,289 @@
+#include "dynamics/solver/direct/cone_group.h"
+
+#include <algorithm>
+
+#include "dynamics/quarantine.h"
+#include "dynamics/solver/direct/group_links.h"
+#include "dynamics/solver/direct/load.h"
+#include "dynamics/solver/direct/round.h"
+
+namespace carom {
+namespace {
+
+// Of the tolerance, for few bodies that lie still: what may roll has no contact against it, and takes each push for
+// good.
+constexpr Real kStillShare = 1e-3;
+constexpr Real kShare = 1e-3;              // of the fastest contact, that is good enough where work is bounded
+constexpr Real kRest = 10;                 // tolerances: contacts that move slower, in any direction, are at rest
+constexpr Real kJoinedShare = 1e-3;        // of the tolerance, where there are joints: velocities add up to gaps
+constexpr int kJerks = 3;                  // times that a group is answered anew because a joint was jerked
+constexpr Real kLongest = 30;              // of the largest overlap to be undone, that a body is displaced at most
+constexpr Real kGap = 1e-9;                // m or rad, of a joint that needs no parting
+constexpr std::uint32_t kAlways = 2;       // steps of Newton, a group and substep, however little work is left
+constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: impacts of many bodies take that many
+
+/// What contacts start from in the next substep. Impulses that are off let velocities grow, substep by substep, until
+/// the solver undoes all that has gathered. Taken over whole that would throw the bodies back in the next substep, and
+/// a group at rest would be solved for ever: what the loads need of it is as much as undoes what velocities gained in
+/// this substep alone. It stays within the cones, which are convex.
+void start_from_loads(ConeProblem& problem) {
+  Real along = 0, size2 = 0;
+  for (const ConeBody& b : bodies_of(problem)) {
+    const Vec6 undone = b.start - b.v, momentum = momentum_of(b, undone);
+    along += momentum.dot(b.gained), size2 += momentum.dot(undone);
+  }
+  const Real share = size2 > 0 ? std::clamp(along / size2, Real(0), Real(1)) : 1;
+  for (ConeContact& c : problem.contacts) c.next_p = c.start_p + share * (c.p - c.start_p);
+  for (ConeLink& c : problem.links) c.next_p = c.start_p + share * (c.p - c.start_p);
+}
+
+/// What was never solved before takes the time it takes, once.
+bool starts_from_nothing(const ConeProblem& problem) {
+  return std::ranges::all_of(problem.contacts, [](const ConeContact& c) { return c.start_p == Vec3::Zero(); }) &&
+         std::ranges::all_of(problem.links, [](const ConeLink& c) { return c.start_p == 0; });
+}
+
+/// m/s, well above what rounding leaves of a residual.
+Real rounding(const ConeProblem& problem) {
+  Real most = 0;
+  for (const ConeContact& c : problem.contacts) most = std::max(most, c.k * c.p.norm());
+  for (const ConeLink& c : problem.links) most = std::max(most, c.k * std::fabs(c.p));
+  return 1e3 * kEpsilon * most;
+}
+
+/// m/s, the most that two points close or part, with impulses as they are.
+Real fastest(const ConeProblem& problem) {
+  Real most = 0;
+  for (const ConeContact& c : problem.contacts) most = std::max(most, std::fabs(c.u.dot(c.n)));
+  return most;
+}
+
+/// m/s, likewise, in any direction.
+Real fastest_any_way(const ConeProblem& problem) {
+  Real most2 = 0;
+  for (const ConeContact& c : problem.contacts) most2 = std::max(most2, c.u.squaredNorm());
+  return std::sqrt(most2);
+}
+
+}  // namespace
+
+ConeGroup::ConeGroup(World& world, std::size_t group)
+    : world_(world),
+      c_(*world.contacts),
+      s_(world.state),
+      rest_(world.direct->rest[group]),
+      answer_(world.direct->answer[group]),
+      problem_(world.direct->problem(group)),
+      row_(world.direct->row.data() + world.direct->begin[group].contact),
+      link_row_(world.direct->link_row.data() + world.direct->begin[group].link),
+      work_(world.direct->work[group]),
+      still_(world.direct->still[group]) {}
+
+/// Of Newton's method.   @param work  block products, beyond those of kAlways
+std::uint32_t ConeGroup::allowed_steps(std::uint64_t work) const {
+  if (!rest_.is_bounded) return kMostSteps;
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + work / work_, kMostSteps));
+}
+
+void ConeGroup::book_work() {
+  if (!rest_.is_bounded) return;
+  const std::uint32_t beyond = std::max(answer_.factorisations, kAlways) - kAlways;
+  rest_.work -= std::min(rest_.work, beyond * work_);
+}
+
+/// Impulses of substeps that repeated the one before, into those of the step.
+void ConeGroup::book_repeats() {
+  if (rest_.repeats == 0) return;
+  each([&](const ConeContact& contact, std::uint32_t row) { c_.geometry[row].impulse += rest_.repeats * contact.p; });
+  rest_.repeats = 0;
+}
+
+/// Where contacts were found at rest and every impulse in order, the next substep's are the same, as long as that
+/// leaves the bodies' velocities as they are: what has changed is looked for once a step.
+bool ConeGroup::repeat(Real tolerance) {
+  for (const ConeBody& b : bodies_of(problem_)) {
+    const Vec3 dv = s_.v[b.slot] + linear(b.change) - linear(b.v);
+    const Vec3 turn = s_.omega[b.slot] + angular(b.change) - angular(b.v);
+    const Real radius2 = b.inertia.trace() * b.inv_mass;
+    if (!(dv.squaredNorm() + radius2 * turn.squaredNorm() < kRest * kRest * tolerance * tolerance)) return false;
+  }
+  for (ConeBody& b : bodies_of(problem_)) {
+    load(b);
+    b.v += b.change;
+    store(b);
+  }
+  ++rest_.repeats;
+  return true;
+}
+
+/// Contacts go with the bodies within a step. But not where a shape is curved: points that turned with it would stay
+/// behind the place where it touches as it rolls, and drive it on.
+void ConeGroup::follow_bodies() {
+  for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b);
+  each([&](ConeContact& contact, std::uint32_t row) {
+    if (!contact.is_curved) load_contact(world_, row, problem_.bodies, contact);
+  });
+}
+
+/// Velocities with the impulses that contacts start from.   @return m, the least separation
+Real ConeGroup::start(Real h) {
+  Real least = kInfinity;
+  for (ConeBody& b : bodies_of(problem_)) {
+    b.gained = -b.v;
+    load(b);
+    b.gradient.setZero();
+  }
+  if (!rest_.is_first) follow_bodies();
+  each([&](ConeContact& contact, std::uint32_t i) {
+    const Row& row = c_.rows[i];
+    const Real separation = c_.geometry[i].separation;
+    least = std::min(least, separation);
+    contact.friction = row.friction;
+    contact.want = separation > 0 ? -separation / h : 0;
+    contact.p = contact.start_p = row.p;
+    add_impulse<&ConeBody::gradient>(problem_, contact, contact.p);
+  });
+  if (is_joined()) stiffen(world_, problem_, link_row_, h);
+  load_links(world_, problem_, link_row_, LinkPhase::move, h);
+  for (const ConeLink& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);
+  for (ConeBody& b : bodies_of(problem_)) {
+    b.change = velocity_of(b, b.gradient);
+    b.start = b.v += b.change;
+    b.gained += b.v;
+  }
+  for (ConeContact& contact : problem_.contacts)
+    contact.u = contact.carried + relative<&ConeBody::v>(problem_.bodies, contact);
+  measure_links(problem_);
+  return least;
+}
+
+void ConeGroup::store(const ConeBody& b) {
+  const Vec3 v = linear(b.v), omega = angular(b.v);
+  world_.plan->touched[b.slot] = v != s_.v[b.slot] || omega != s_.omega[b.slot];
+  s_.v[b.slot] = v, s_.omega[b.slot] = omega;
+}
+
+void ConeGroup::keep() {
+  each([&](const ConeContact& contact, std::uint32_t i) {
+    c_.rows[i].p = contact.next_p;
+    c_.rows[i].u = contact.u;
+    c_.geometry[i].impulse += contact.p;
+  });
+  keep_links(world_, problem_, link_row_);
+  book_links(world_, problem_, link_row_);
+  for (const ConeBody& b : bodies_of(problem_)) store(b);
+}
+
+void ConeGroup::solve(Real h, std::uint64_t work, int substeps) {
+  const Real tolerance = kDirectShare * world_.scene.dials[Dial::velocity_tolerance];
+  if (rest_.lasts && repeat(tolerance)) return;
+  book_repeats();
+  if (rest_.has_moved) turn_frames(), measure();  // should it not lie still any more
+  const Real least = start(h);
+  rest_.is_bounded = work && !starts_from_nothing(problem_);
+  if (rest_.is_first) rest_.work = work;
+  const Real enough = still_ ? std::max(kStillShare * tolerance, rounding(problem_))
+                      : work ? std::max(tolerance, kShare * fastest(problem_))
+                             : tolerance;
+  const Real goal = is_joined() ? std::min(enough, std::max(kJoinedShare * tolerance, rounding(problem_))) : enough;
+  const bool lies = !is_joined() && fastest_any_way(problem_) < world_.scene.dials[Dial::velocity_tolerance];
+  const std::uint32_t most_steps = allowed_steps(lies ? rest_.work : work / static_cast<std::uint64_t>(substeps));
+  answer_ = solve_cones(problem_, goal, most_steps);
+  for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
+    if (has_ring(problem_, link_row_)) {
+      shed_self_stress(problem_);
+      if (!is_jerked(world_, problem_, link_row_, h)) break;
+    }
+    for (ConeLink& link : problem_.links) link.next_p = link.p;
+    keep_links(world_, problem_, link_row_);
+    start(h);
+    answer_ = solve_cones(problem_, goal, most_steps);
+  }
+  book_work();
+  start_from_loads(problem_);
+  keep();
+  rest_.is_first = false;
+  rest_.lasts = !is_joined() && answer_.factorisations == 0 && least >= -world_.scene.dials[Dial::position_tolerance] &&
+                !rest_.resists && fastest_any_way(problem_) < kRest * tolerance;
+  rest_.has_moved = rest_.lasts;  // or part() measures
+}
+
+bool ConeGroup::is_apart() const { return worst_error(world_, problem_, link_row_) > kGap; }
+
+/// To where the bodies are by now.
+void ConeGroup::turn_frames() {
+  for (const ConeBody& b : bodies_of(problem_)) world_.plan->rotation[b.slot] = s_.q[b.slot].toRotationMatrix();
+}
+
+Real ConeGroup::measure() {
+  Real least = kInfinity;
+  each([&](const ConeContact&, std::uint32_t row) {
+    Real& separation = c_.geometry[row].separation;
+    separation = separation_of(world_, c_.rows[row], c_.geometry[row]);
+    least = std::min(least, separation);
+  });
+  return least;
+}
+
+/// Of the displacements that were found, how much is taken. What is wedged between walls that nearly face each other,
+/// or is pushed at from all sides, would be moved by metres to be parted by millimetres.
+Real ConeGroup::displacement_share() const {
+  Real asked = 0, moved2 = 0;
+  for (const ConeContact& c : problem_.contacts) asked = std::max(asked, c.want);
+  for (const ConeLink& c : problem_.links) asked = std::max(asked, std::min(std::fabs(c.low), std::fabs(c.high)));
+  for (const ConeBody& b : bodies_of(problem_)) moved2 = std::max(moved2, linear(b.v).squaredNorm());
+  const Real most = kLongest * asked;
+  return moved2 > most * most ? most / std::sqrt(moved2) : 1;
+}
+
+void ConeGroup::part(Real h) {
+  if (rest_.lasts) return;
+  const Real tolerance = world_.scene.dials[Dial::position_tolerance];
+  const Real most = world_.scene.dials[Dial::push_speed] * h;
+  answer_ = {};
+  const bool overlaps = measure() < -tolerance;
+  if (!overlaps && !(is_joined() && is_apart())) return;
+  each([&](ConeContact& contact, std::uint32_t row) {
+    contact.p.setZero(), contact.u.setZero();
+    contact.friction = 0;
+    contact.want = std::min(-(c_.geometry[row].separation + tolerance / 2), most);
+  });
+  for (ConeBody& b : bodies_of(problem_)) b.v.setZero();
+  load_links(world_, problem_, link_row_, LinkPhase::part, h);
+  measure_links(problem_);
+  if (is_joined()) {
+    answer_ = solve_cones(problem_, 0.1 * kGap, kMostSteps);
+  } else {
+    answer_ = solve_cones(problem_, 0.01 * tolerance, allowed_steps(rest_.work));
+    book_work();
+  }
+  const Real share = displacement_share();
+  for (const ConeBody& b : bodies_of(problem_)) {
+    const Vec3 turn = share * angular(b.v);
+    correct_pose(s_, b.slot, share * linear(b.v), turn);
+    if (turn == Vec3::Zero()) continue;
+    world_.plan->rotation[b.slot] = s_.q[b.slot].toRotationMatrix();
+  }
+  for (ConeBody& b : bodies_of(problem_)) load(b);
+  measure();
+}
+
+void ConeGroup::settle(Real h) {
+  if (!is_joined() || !problem_.contacts.empty()) return;
+  const Real tolerance = kDirectShare * world_.scene.dials[Dial::velocity_tolerance];
+  turn_frames();
+  for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b), load(b);
+  load_links(world_, problem_, link_row_, LinkPhase::settle, h);
+  measure_links(problem_);
+  const ConeAnswer answer = solve_cones(problem_, kJoinedShare * tolerance, kMostSteps);
+  answer_.factorisations += answer.factorisations;
+  book_links(world_, problem_, link_row_);
+  for (const ConeBody& b : bodies_of(problem_)) store(b);
+}
+
+void ConeGroup::end() {
+  book_repeats();
+  measure();
+}
+
+}  // namespace carom

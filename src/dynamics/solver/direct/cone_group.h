@@ -1,0 +1,55 @@
+// One group of one substep: solved, parted, settled.
+#pragma once
+
+#include "dynamics/solver/direct.h"
+
+namespace carom {
+
+class ConeGroup {
+ public:
+  ConeGroup(World& world, std::size_t group);
+
+  /// Velocities.   @param work, substeps  @see solve_groups()
+  void solve(Real h, std::uint64_t work, int substeps);
+  /// A group that overlaps more than the tolerance is parted, to half of it, so that what rests keeps in touch.
+  void part(Real h);
+  /// Velocities along what is locked, where the move has ended. Of groups that nothing touches: contacts, whose poses
+  /// the solved velocities were to make good, are not asked twice.
+  void settle(Real h);
+  void end();
+
+  bool is_joined() const { return !problem_.links.empty(); }
+  /// Whether joints gape.
+  bool is_apart() const;
+
+ private:
+  template <class F>
+  void each(F&& f) {
+    for (std::size_t i = 0; i < problem_.contacts.size(); ++i) f(problem_.contacts[i], row_[i]);
+  }
+  std::uint32_t allowed_steps(std::uint64_t work) const;
+  void book_work();
+  void book_repeats();
+  bool repeat(Real tolerance);
+  Real start(Real h);
+  void follow_bodies();
+  void keep();
+  Real displacement_share() const;
+  void turn_frames();
+  Real measure();
+  void load(ConeBody& b) const { b.v << s_.v[b.slot], s_.omega[b.slot]; }
+  void store(const ConeBody& b);
+
+  World& world_;
+  Contacts& c_;
+  State& s_;
+  GroupRest& rest_;
+  ConeAnswer& answer_;
+  ConeProblem problem_;
+  const std::uint32_t* row_;
+  const DirectGroups::LinkRow* link_row_;
+  std::uint64_t work_;
+  bool still_;
+};
+
+}  // namespace carom

@@ -1,0 +1,100 @@
+// Groups from rows: who is in each, and in which order its bodies are eliminated.
+#include <algorithm>
+
+#include "dynamics/solver/direct.h"
+#include "dynamics/solver/direct/group_links.h"
+#include "dynamics/solver/direct/load.h"
+
+namespace carom {
+namespace {
+
+/// Room for some groups before there are any: a small world that settles goes on without allocating when one of its
+/// bodies comes to rest late, and that group is the first to be answered here.
+void make_room(DirectGroups& d) {
+  constexpr std::size_t kSome = 64;
+  if (d.contacts.capacity() >= kSome) return;
+  const auto reserve = [](auto&... arrays) { (arrays.reserve(kSome), ...); };
+  Elimination& e = d.elimination;
+  reserve(d.contacts, d.row, d.begin, d.bodies, d.edges, d.edge_begin, d.ordered_edges, d.ordered_begin, d.scratch,
+          d.work, d.still, d.answer, d.rest, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
+  Elimination::Scratch& s = e.scratch;
+  reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.next, s.element, s.begin, s.member);
+}
+
+/// Bodies, contacts and edges of each group.
+void gather(World& world, DirectGroups& d) {
+  const Contacts& c = *world.contacts;
+  make_room(d);
+  d.links.clear(), d.link_row.clear();
+  d.still.clear(), d.contacts.clear(), d.row.clear(), d.begin.clear();
+  d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
+  d.body.resize(world.scene.bodies.slots());
+  for (const std::uint32_t slot : c.bodies) d.body[slot] = kNobody;
+  const auto mark = [&] {
+    d.begin.push_back({static_cast<std::uint32_t>(d.contacts.size()), static_cast<std::uint32_t>(d.bodies.size()),
+                       static_cast<std::uint32_t>(d.links.size())});
+    d.edge_begin.push_back(static_cast<std::uint32_t>(d.edges.size()));
+  };
+  for (std::size_t g = 0; g < c.groups(); ++g) {
+    if (!c.answered_directly(g)) continue;
+    mark();
+    d.still.push_back(!c.direct.empty() && c.direct[g] == Contacts::kStill);
+    for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1]; ++k) {
+      const std::uint32_t i = c.group_rows[k];
+      const Row& row = c.rows[i];
+      ConeContact& contact = d.contacts.emplace_back();
+      contact.a = d.node(row.moves_a, row.a);
+      contact.b = d.node(row.moves_b, row.b);
+      const bool coupled = contact.a != kNobody && contact.b != kNobody;
+      if (coupled && (d.edges.size() == d.edge_begin.back() || d.edges.back() != Edge{contact.a, contact.b}))
+        d.edges.push_back({contact.a, contact.b});
+      d.row.push_back(i);
+    }
+    gather_links(world, d, g);
+  }
+  mark();
+}
+
+/// Find an order of elimination, unless the bodies hang together as they did in the last step.
+void order(DirectGroups& d) {
+  if (d.edges == d.ordered_edges && d.edge_begin == d.ordered_begin && d.bodies.size() == d.elimination.place.size())
+    return;
+  d.elimination.clear();
+  d.work.resize(d.groups());
+  for (std::size_t g = 0; g < d.groups(); ++g)
+    d.work[g] = eliminate(d.begin[g].body, d.begin[g + 1].body - d.begin[g].body,
+                          {d.edges.data() + d.edge_begin[g], d.edge_begin[g + 1] - d.edge_begin[g]}, d.elimination);
+  d.factor.diagonal.resize(d.bodies.size());
+  d.factor.below.resize(d.elimination.rows.size());
+  d.scratch.resize(d.bodies.size());
+  d.ordered_edges = d.edges, d.ordered_begin = d.edge_begin;
+}
+
+/// Where in the factor each contact and each row of a joint couples its bodies.
+void place_contacts(DirectGroups& d) {
+  const auto place = [&](auto& c) {
+    c.below = kNobody;
+    if (c.a == kNobody || c.b == kNobody) return;
+    const std::uint32_t a = d.elimination.place[c.a], b = d.elimination.place[c.b];
+    c.a_later = a > b;
+    c.below = static_cast<std::uint32_t>(d.factor.at(d.elimination, std::max(a, b), std::min(a, b)));
+  };
+  std::ranges::for_each(d.contacts, place);
+  std::ranges::for_each(d.links, place);
+}
+
+}  // namespace
+
+void gather_groups(World& world) {
+  DirectGroups& d = *world.direct;
+  gather(world, d);
+  order(d);
+  place_contacts(d);
+  load_groups(world, d);
+  d.answer.resize(d.groups());
+  d.rest.assign(d.groups(), {});
+  for (const Resistance& r : world.contacts->resisting)
+    if (GroupRest* const rest = d.rest_of(world.contacts->rows[r.row])) rest->resists = true;
+}
+
+}  // namespace carom
