@@ -27,7 +27,7 @@ inline int32_t restore(carom_world* world, const Bytes& bytes, carom_error* erro
   return carom_world_restore(world, bytes.data(), bytes.size(), error);
 }
 
-/// As the header has it: another implementation of what README.md and snapshot.cpp say.
+/// As the header has it: another implementation of what README.md and frame.cpp say.
 inline void mend(Bytes& bytes) {
   if (bytes.size() < kHeader) return;
   const std::uint64_t n = bytes.size() - kHeader, whole = bytes.size();

@@ -3,27 +3,15 @@
 #include <algorithm>
 #include <functional>
 
-#include "collision/scenery/scenery.h"
 #include "dynamics/mass.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/snapshot/section.h"
+#include "dynamics/snapshot/whole_shapes.h"
 
 namespace carom::snapshot {
 namespace {
 
 constexpr std::uint8_t kVersion = 1;
-
-/// So many numbers, and how many they are.
-template <class Io, class List>
-void list(Io& io, List& values) {
-  using T = std::remove_cvref_t<decltype(values[0])>;
-  const std::uint64_t n = io.count(values.size(), sizeof(T));
-  if constexpr (Io::checks) values.resize(n);
-  for (std::uint64_t k = 0; k < n; ++k) {
-    const T v = io.value(values[k]);
-    if constexpr (Io::checks) values[k] = v;
-  }
-}
 
 bool is_turn(const Quat& q) { return std::fabs(q.coeffs().squaredNorm() - 1) < 1e-6; }
 template <class Io>
@@ -98,82 +86,6 @@ template <class F>
 void each_alive(const SlotPool& pool, F&& f) {
   for (std::uint32_t i = 0; i < pool.slots(); ++i)
     if (pool.alive(i)) f(i);
-}
-
-// ---- shapes ----
-ShapeImage::Kind kind_of(const Shape& s) {
-  if (s.form == Form::half_space) return ShapeImage::half_space;
-  if (!is_scenery(s)) return ShapeImage::of_plugin;
-  return s.scenery->is_field() ? ShapeImage::height_field : ShapeImage::mesh;
-}
-
-/// Numbers that are of a shape's own, without a copy.
-std::span<const double> numbers_of(const Shape& s, std::array<double, 4>& plane) {
-  switch (kind_of(s)) {
-    case ShapeImage::half_space:
-      plane = {s.normal.x(), s.normal.y(), s.normal.z(), s.offset};
-      return plane;
-    case ShapeImage::mesh:
-      return {reinterpret_cast<const double*>(s.scenery->vertex.data()), 3 * s.scenery->vertex.size()};
-    case ShapeImage::height_field:
-      return s.scenery->heights;
-    default:
-      return s.params;
-  }
-}
-static_assert(sizeof(Vec3) == 3 * sizeof(double));
-
-void save_shape(Saver& io, const Shape& shape, const ShapeNames& names) {
-  std::string_view plugin;
-  std::uint32_t version = 0;
-  const bool named = names.name(shape, plugin, version);
-  const ShapeImage::Kind kind = named ? kind_of(shape) : ShapeImage::known;
-  io.value(static_cast<std::uint8_t>(kind));
-  if (!named) return;
-  if (kind == ShapeImage::of_plugin) io.value(version), list(io, plugin);
-  std::array<double, 4> plane;
-  const std::span<const double> numbers = numbers_of(shape, plane);
-  list(io, numbers);
-  if (!is_scenery(shape)) return;
-  const Scenery& s = *shape.scenery;
-  if (kind == ShapeImage::mesh) io.value(static_cast<std::uint8_t>(s.two_sided)), io.value(s.dropped), list(io, s.corner);
-  if (kind == ShapeImage::height_field)
-    io.value(s.columns), io.value(s.rows), io.value(s.spacing_x), io.value(s.spacing_z);
-}
-
-/// Longest id of a plugin.
-constexpr std::size_t kLongestId = 200;
-
-void build_shape(Checker& io, Builder& b) {
-  Memory* const memory = b.world.memory;
-  ShapeImage image;
-  const auto kind = io.value(std::uint8_t(0));
-  io.demand(kind < ShapeImage::count);
-  image.kind = static_cast<ShapeImage::Kind>(kind);
-  Array<char> id(memory);
-  Array<double> numbers(memory);
-  Array<std::uint32_t> corners(memory);
-  if (image.kind == ShapeImage::of_plugin) {
-    image.version = io.value(0u);
-    list(io, id);
-    io.demand(!id.empty() && id.size() <= kLongestId && std::ranges::count(id, '\0') == 0);
-  }
-  if (image.kind != ShapeImage::known) list(io, numbers);
-  if (image.kind == ShapeImage::mesh) {
-    image.two_sided = yes_or_no(io, false), image.dropped = io.value(0u);
-    list(io, corners);
-  }
-  if (image.kind == ShapeImage::height_field) {
-    image.columns = io.value(0u), image.rows = io.value(0u);
-    image.spacing_x = io.value(0.0), image.spacing_z = io.value(0.0);
-    io.demand(std::uint64_t(image.columns) * image.rows == numbers.size());
-  }
-  io.demand(image.kind != ShapeImage::half_space || numbers.size() == 4);
-  if (io.bad()) return;
-  image.plugin = {id.data(), id.size()}, image.numbers = numbers, image.corners = corners;
-  const Shape* const made = b.shapes.make(b.shape.size(), image, b.fault);
-  io.demand(made && (image.kind == ShapeImage::known || kind_of(*made) == image.kind));
-  b.shape.push_back(made);
 }
 
 // ---- bodies ----
