@@ -29,7 +29,7 @@ inline constexpr Handle with_tag(Handle h, std::uint32_t tag) {
 inline constexpr std::uint32_t handle_slot(Handle h) { return static_cast<std::uint32_t>(h & (kMaxSlots - 1)); }
 
 /// Which slots are taken, and what generation each is in. The objects themselves live in arrays of their owner, indexed
-/// by slot. A slot whose generation is used up (2^19 lives) is retired rather than reused, so no handle ever comes back.
+/// by slot. A slot whose generation is used up (2^19 - 1 lives) is retired rather than reused, so no handle ever comes back.
 class SlotPool {
  public:
   SlotPool(Kind kind, std::uint32_t tag, Memory* memory)

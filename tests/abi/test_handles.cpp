@@ -349,6 +349,35 @@ void a_slot_reused_a_thousand_times_never_gives_the_same_handle(void**) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
+// After as many lives as generations tell apart a slot is retired, in copies of the world, too: no handle comes again.
+void a_slot_that_has_lived_its_lives_is_retired(void**) {
+  constexpr int kLives = (1 << 19) - 1;
+  Bench b;
+  assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
+  carom_material_desc d;
+  carom_material_desc_init(&d);
+  const auto slot_of = [](carom_material m) { return m & 0xFFFFFF; };
+  carom_material first = 0, last = 0, next = 0;
+  for (int i = 0; i < kLives; ++i) {
+    carom_material now;
+    assert_int_equal(carom_material_create(b.world, &d, &now, nullptr), CAROM_OK);
+    if (i == 0) first = now;
+    assert_true(slot_of(now) == slot_of(first) && now > last);
+    last = now;
+    assert_int_equal(carom_material_destroy(b.world, now, nullptr), CAROM_OK);
+  }
+  carom_world* copy;
+  assert_int_equal(carom_world_fork(b.world, &copy, nullptr), CAROM_OK);
+  for (carom_world* world : {b.world, copy}) {
+    assert_int_equal(carom_material_create(world, &d, &next, nullptr), CAROM_OK);
+    assert_true(slot_of(next) != slot_of(first));
+  }
+  for (const carom_material old : {first, last})
+    assert_int_equal(carom_material_update(b.world, old, &d, nullptr), CAROM_E_STALE_HANDLE);
+  assert_int_equal(carom_world_destroy(copy, nullptr), CAROM_OK);
+  assert_int_equal(bench_free(&b), CAROM_OK);
+}
+
 }  // namespace
 
 int main() {
@@ -360,6 +389,7 @@ int main() {
       cmocka_unit_test_setup_teardown(good_handles_work, make, clear),
       cmocka_unit_test(colliders_of_a_destroyed_body_are_stale),
       cmocka_unit_test(a_slot_reused_a_thousand_times_never_gives_the_same_handle),
+      cmocka_unit_test(a_slot_that_has_lived_its_lives_is_retired),
   };
   return cmocka_run_group_tests_name("abi/handles", tests, nullptr, nullptr);
 }
