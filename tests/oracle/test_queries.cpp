@@ -314,6 +314,48 @@ static void far_out_and_beyond(void**) {
   assert_true(hits > 50);
 }
 
+static void what_stands_on_a_lattice_is_met_along_its_faces(void**) {
+  // Boxes whose faces lie in common planes, asked along those planes, edges and diagonals, from near and from far off.
+  TestWorld t;
+  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  Random random(11);
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 at = random.in_cube(4);
+    t.add(cube, Vec3(std::round(at.x()), std::round(at.y()), std::round(at.z())), BodyType::fixed);
+  }
+  const World& world = t.world;
+  const auto step = [&] { return std::round(random.uniform(-1.49, 1.49)); };
+  int hits = 0, grazes = 0;
+  for (Real far = 1; far < 1e15; far *= 10)
+    for (int i = 0; i < 150; ++i) {
+      const Vec3 direction = i % 3 ? Vec3(Vec3::Unit(i % 5 % 3) * (i % 2 ? 1 : -1)) : Vec3(step(), step(), step());
+      if (direction.isZero(0)) continue;
+      const Vec3 in = random.in_cube(9);
+      const Vec3 through(std::round(in.x()) / 2, std::round(in.y()) / 2, std::round(in.z()) / 2);
+      const Ray ray{through - far * direction, direction, i % 4 ? 2 * far : kInfinity};
+      Array<WorldHit> truth =
+          ask_all(world, {}, [&](std::uint32_t slot) { return ray_against(world, slot, ray, {}); });
+      std::sort(truth.begin(), truth.end(), earlier);
+      Array<WorldHit> all;
+      cast_ray_all(world, ray, {}, all);
+      assert_same(all, truth);
+      if (!truth.empty()) assert_same(cast_ray(world, ray, {}), truth[0]);
+      hits += !truth.empty(), grazes += truth.size() > 1 && truth[0].cast.time == truth[1].cast.time;
+      const Asker asker{cube, Frame(Mat3::Identity(), ray.origin)};
+      const Vec3 motion = 2 * far * direction;
+      truth = ask_all(world, {}, [&](std::uint32_t slot) { return shape_against(world, slot, asker, motion, {}); });
+      std::sort(truth.begin(), truth.end(), earlier);
+      all.clear();
+      cast_shape_all(world, asker, motion, {}, all);
+      assert_same(all, truth);
+      truth = ask_all(world, {}, [&](std::uint32_t slot) { return overlap_against(world, slot, asker, {}); });
+      all.clear();
+      find_overlaps(world, asker, {}, all);
+      assert_same(all, truth);
+    }
+  assert_true(hits > 700 && grazes > 50);
+}
+
 static void rays_see_what_lies_where_it_should(void**) {
   // No twin: a row of balls of radius 0.5 at x = 0, 2, 4 ..., 1 m above the ground.
   TestWorld t;
@@ -407,6 +449,7 @@ int main() {
       cmocka_unit_test(answers_are_those_of_asking_everybody),
       cmocka_unit_test(the_same_under_every_broad_phase),
       cmocka_unit_test(far_out_and_beyond),
+      cmocka_unit_test(what_stands_on_a_lattice_is_met_along_its_faces),
       cmocka_unit_test(rays_see_what_lies_where_it_should),
       cmocka_unit_test(equals_go_to_the_lowest_slot),
       cmocka_unit_test(liars_are_met_where_their_bounds_are),
