@@ -106,8 +106,9 @@ CAROM_API int32_t carom_joint_spring_init(carom_joint_spring *spring);
 
 /** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
- *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, or none that is dynamic); BUSY; REENTRANT; LIMIT;
- *          OUT_OF_MEMORY   @since 1.5 */
+ *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a body's origin or
+ *          8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY
+ *  @since 1.5 */
 CAROM_API int32_t carom_joint_create(carom_world *world, const carom_joint_desc *desc, carom_joint *joint,
                                      carom_error *error);
 /** @status OK; *_HANDLE; BUSY; REENTRANT   @since 1.5 */

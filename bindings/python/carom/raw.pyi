@@ -1375,8 +1375,9 @@ def carom_joint_spring_init(spring: Any) -> int:
 def carom_joint_create(world: Any, desc: Any, joint: Any, error: Any) -> int:
     """Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
-            NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, or none that is dynamic); BUSY; REENTRANT; LIMIT;
-            OUT_OF_MEMORY   @since 1.5"""
+            NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a body's origin or
+            8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY
+    @since 1.5"""
     ...
 def carom_joint_destroy(world: Any, joint: Any, error: Any) -> int:
     """@status OK; *_HANDLE; BUSY; REENTRANT   @since 1.5"""
