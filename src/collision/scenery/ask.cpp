@@ -45,16 +45,29 @@ class Sum {
   int calls_ = 0, iterations_ = 0;
 };
 
+/// m; nothing, where nothing moves or no time passes
+Real way(Real speed, Real time) { return speed > 0 && time > 0 ? speed * time : 0; }
+
+/// A motion seen from the scenery. Scaled before it is turned: the largest would overflow.
+struct Heading {
+  Vec3 unit = Vec3::UnitX();
+  Real speed = 0;  // m per unit of time, may be infinite
+
+  Heading(const Frame& scenery, const Vec3& motion) {
+    const Real largest = motion.cwiseAbs().maxCoeff();
+    if (!(largest > 0)) return;
+    const Vec3 scaled = scenery.rotate_inverse(motion / largest);
+    unit = scaled / scaled.norm();
+    speed = largest * scaled.norm();
+  }
+};
+
 /// Ask the pieces along a way that a box about a point goes; ask(piece, one) answers for one of them.
-/// @param from, motion, extent  in the scenery's frame   @param end  of time, of which motion is one unit
+/// @param from, heading, extent  in the scenery's frame   @param end  of time
 template <class Ask>
-void first_along(const Scenery& scenery, const Vec3& from, const Vec3& motion, const Aabb& extent, Real end,
+void first_along(const Scenery& scenery, const Vec3& from, const Heading& heading, const Aabb& extent, Real end,
                  CastResult& result, Ask&& ask) {
   miss(end, result);
-  const Real largest = motion.cwiseAbs().maxCoeff();
-  const bool moves = largest > 0 && end > 0;
-  const Vec3 scaled = moves ? Vec3(motion / largest) : Vec3(Vec3::UnitX());
-  const Real speed = moves ? largest * scaled.norm() : 0;
   Sum sum;
   const auto one = [&](std::uint32_t index) {
     Piece piece;
@@ -64,9 +77,9 @@ void first_along(const Scenery& scenery, const Vec3& from, const Vec3& motion, c
       if (comes_before(answer, result)) result = answer;
     }
     // Brackets are as wide as the tolerance times the size of a piece; what is farther by more comes later.
-    return result.outcome == CastOutcome::miss ? kInfinity : speed * result.upper;
+    return result.outcome == CastOutcome::miss ? kInfinity : way(heading.speed, result.upper);
   };
-  scenery.each_along(from, scaled / scaled.norm(), extent, moves ? speed * end : 0, one);
+  scenery.each_along(from, heading.unit, extent, way(heading.speed, end), one);
   sum.write(result);
 }
 
@@ -78,10 +91,10 @@ void cast_ray_at_pieces(const Ray& ray, const Shape& shape, const Frame& frame, 
   OnePiece at;
   Aabb ball;
   ball.lo.setConstant(-settings.target), ball.hi.setConstant(settings.target);
-  const Vec3 direction = frame.rotate_inverse(ray.direction);
-  first_along(scenery, frame.apply_inverse(ray.origin), direction, ball, ray.max, result,
+  const Heading heading(frame, ray.direction);
+  first_along(scenery, frame.apply_inverse(ray.origin), heading, ball, ray.max, result,
               [&](const Piece& piece, CastResult& one) {
-                if (!scenery.two_sided && piece.normal.dot(direction) > 0) return false;
+                if (!scenery.two_sided && heading.speed > 0 && piece.normal.dot(heading.unit) > 0) return false;
                 at.shape.set(piece);
                 cast_ray(ray, at.shape.shape(), at.place(frame), settings, one, fault);
                 return true;
@@ -100,7 +113,7 @@ void cast_shape_at_pieces(const Shape& a, const Frame& frame_a, const Vec3& moti
     return;
   }
   const Vec3 centre = a_in_scenery.apply(a.mass.centroid);
-  first_along(scenery, a_in_scenery.p, frame.rotate_inverse(motion), extent, 1, result,
+  first_along(scenery, a_in_scenery.p, Heading(frame, motion), extent, 1, result,
               [&](Piece& piece, CastResult& one) {
                 if (!face(scenery, centre, piece)) return false;
                 at.shape.set(piece);
