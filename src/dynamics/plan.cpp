@@ -343,8 +343,9 @@ void refresh(World& world, const StepTime& time) {
     }
   }
   plan.effects[kLedgerRow].wanted = world.ledger ? plan.linear.count + plan.rotating.count : 0;
-  carry_springs(world, time.h);
-  world.scene.water.most_rate = 1 / time.h;
+  const Real h = time.dt / plan.substeps;  // time.h is of the last step's plan
+  carry_springs(world, h);
+  world.scene.water.most_rate = 1 / h;
   find_customers(world);
   if (!world.scene.colliders.live.empty() || world.joints.slots.alive_count()) {
     const State& s = world.state;

@@ -189,6 +189,43 @@ void a_fork_goes_its_own_way(void**) {
   assert_int_equal(carom_engine_destroy(b.engine, nullptr), CAROM_OK);
 }
 
+// A copy has never stepped, its original has. Springs and water are softened to what a substep of this step can carry: stiff
+// ones tell how long it was taken to be.
+void what_is_stiff_is_stiff_from_the_first_step(void**) {
+  for (const bool wet : {false, true}) {
+    Bench b;
+    assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
+    carom_body body, ground;
+    carom_collider collider;
+    assert_int_equal(bench_body(b.world, b.crate, 0, CAROM_BODY_STATIC, 0, -1, 0, &ground, &collider, nullptr), CAROM_OK);
+    assert_int_equal(bench_body(b.world, b.ball, 0, CAROM_BODY_DYNAMIC, 0, 0.5, 0, &body, &collider, nullptr), CAROM_OK);
+    assert_int_equal(bench_steps(b.world, 3, nullptr), CAROM_OK);
+    if (wet) {
+      carom_water water;
+      carom_water_init(&water);
+      water.level = 10, water.density = 1e6, water.drag = 10;
+      assert_int_equal(carom_world_set_water(b.world, &water, nullptr), CAROM_OK);
+    } else {
+      carom_spring_desc spring;
+      carom_spring_desc_init(&spring);
+      spring.body_a = body, spring.body_b = ground, spring.rest = 1, spring.stiffness = 1e10, spring.damping = 1e6;
+      carom_spring made;
+      assert_int_equal(carom_spring_create(b.world, &spring, &made, nullptr), CAROM_OK);
+    }
+    carom_world* copy;
+    assert_int_equal(carom_world_fork(b.world, &copy, nullptr), CAROM_OK);
+    std::uint64_t hashes[2];
+    int i = 0;
+    for (carom_world* world : {b.world, copy}) {
+      assert_int_equal(carom_world_step(world, 1.0 / 60, nullptr), CAROM_OK);
+      assert_int_equal(carom_world_hash(world, &hashes[i++], nullptr), CAROM_OK);
+    }
+    assert_true(hashes[0] == hashes[1]);
+    assert_int_equal(carom_world_destroy(copy, nullptr), CAROM_OK);
+    assert_int_equal(bench_free(&b), CAROM_OK);
+  }
+}
+
 // What a host may write is taken back by a restore and a fork, though the next step stops it; what could not be is
 // refused when it is said.
 void the_edge_of_numbers_is_carried_too(void**) {
@@ -524,6 +561,7 @@ int main(int argc, char** argv) {
   const CMUnitTest tests[] = {
       cmocka_unit_test(a_world_is_built_elsewhere),
       cmocka_unit_test(a_fork_goes_its_own_way),
+      cmocka_unit_test(what_is_stiff_is_stiff_from_the_first_step),
       cmocka_unit_test(the_edge_of_numbers_is_carried_too),
       cmocka_unit_test(handles_are_translated_or_refused),
       cmocka_unit_test(plugins_are_asked_for_by_name),
