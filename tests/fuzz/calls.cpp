@@ -57,8 +57,8 @@ Room& room() {
 
 class Sequence {
  public:
-  Sequence(const std::uint8_t* bytes, std::size_t size, bool trace)
-      : bytes_(bytes, size), source_(bytes_), trace_(trace), records_(size > 0 && bytes[size - 1] % 4 == 0) {}
+  Sequence(const std::uint8_t* bytes, std::size_t size, bool trace, bool to_the_edge)
+      : bytes_(bytes, size), source_(bytes_), trace_(trace), to_the_edge_(to_the_edge), records_(size > 0 && bytes[size - 1] % 4 == 0) {}
 
   Heard run(std::size_t size) {
     if (!room_.good) return complain("the engines and their worlds could not be made"), heard_;
@@ -158,7 +158,7 @@ class Sequence {
     Stage& other = which == 5 ? stages_[0] : stages_[2];
     Context c(own, other, second, source_);
     const unsigned sins = source_.below(8);  // 0 to 4: none
-    c.wants_wrong = sins > 4;
+    c.wants_wrong = sins > 4, c.to_the_edge = to_the_edge_;
     const Row& row = choose();
     const Call call = row.make(c);
     std::vector<Value> values;
@@ -166,7 +166,7 @@ class Sequence {
       if (a.impossible) return;
       values.push_back(a.good);
     }
-    Codes expected = call.good_codes;
+    Codes expected = call.good_codes | (c.is_edged ? kPerhaps : 0);
     bool must_fail = false;
     std::string how;
     std::size_t sinned = SIZE_MAX;
@@ -260,6 +260,8 @@ class Sequence {
       if (!outcome.ended && !outcome.parting) complain("a recording has no end");
       if (!outcome.parting) return;
       const auto& p = *outcome.parting;
+      for (const auto& line : p.calls) heard_.trace += "since the last step: " + line + "\n";
+      for (const auto& line : p.details) heard_.trace += "parted: " + line + "\n";
       complain("a replay parts at step " + std::to_string(p.step) + ": " + p.sections + p.refused +
                (p.calls.empty() ? "" : " after " + p.calls.back()));
     } catch (const tools::Error& e) {
@@ -300,7 +302,7 @@ class Sequence {
   Room& room_ = room();
   Bytes bytes_;
   Chosen source_;
-  bool trace_, records_, makes_anew_ = false, roams_ = false;
+  bool trace_, to_the_edge_, records_, makes_anew_ = false, roams_ = false;
   unsigned solver_ = 0;
   Stage stages_[kWorlds];
   uint64_t hash_[kWorlds] = {};
@@ -311,8 +313,8 @@ class Sequence {
 
 }  // namespace
 
-Heard run_calls(const std::uint8_t* bytes, std::size_t size, bool trace) {
-  return Sequence(bytes, size, trace).run(size);
+Heard run_calls(const std::uint8_t* bytes, std::size_t size, bool trace, bool to_the_edge) {
+  return Sequence(bytes, size, trace, to_the_edge).run(size);
 }
 
 }  // namespace carom::fuzz

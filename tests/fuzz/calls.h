@@ -14,7 +14,8 @@ struct Heard {
   unsigned calls = 0, refused = 0, steps = 0, replayed = 0;
 };
 
-/// @param trace  whether to write down each call
-Heard run_calls(const std::uint8_t* bytes, std::size_t size, bool trace);
+/// @param trace        whether to write down each call
+/// @param to_the_edge  numbers that are good are often as large or small as they may be
+Heard run_calls(const std::uint8_t* bytes, std::size_t size, bool trace, bool to_the_edge = false);
 
 }  // namespace carom::fuzz

@@ -1,7 +1,9 @@
 // Sequences of calls without libFuzzer: numbered inputs of a generator of its own, counted, over several processes.
 //
-//   fuzz_calls_campaign --count N [--from K] [--jobs J] [--seconds S]
-//   fuzz_calls_campaign --show K        that one, with each call and its answer
+//   fuzz_calls_campaign --count N [--from K] [--jobs J] [--seconds S] [--edge 1]
+//   fuzz_calls_campaign [--edge 1] --show K   that one, with each call and its answer
+//
+// With --edge 1 one good number in four is as large or as small as it may be.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,6 +31,7 @@ struct Options {
   std::uint64_t from = 0, count = 0;
   int jobs = 1;
   double seconds = 1e9;
+  bool to_the_edge = false;
 };
 struct Sum {
   std::uint64_t sequences = 0, calls = 0, refused = 0, steps = 0, replayed = 0, bad = 0;
@@ -63,7 +66,7 @@ Sum work(const Options& o, int job) {
     if (std::chrono::duration<double>(Clock::now() - start).count() > o.seconds) break;
     running = i;
     input(i, bytes);
-    const Heard h = run_calls(bytes, size_of(i), false);
+    const Heard h = run_calls(bytes, size_of(i), false, o.to_the_edge);
     if (++sum.sequences % kTold == 0)
       std::fprintf(stderr, "job %d: %llu sequences, %.0f s\n", job, static_cast<unsigned long long>(sum.sequences),
                    std::chrono::duration<double>(Clock::now() - start).count());
@@ -75,10 +78,10 @@ Sum work(const Options& o, int job) {
   return sum;
 }
 
-void show(std::uint64_t index) {
+void show(std::uint64_t index, bool to_the_edge) {
   std::uint8_t bytes[kBytes];
   input(index, bytes);
-  const Heard h = run_calls(bytes, size_of(index), true);
+  const Heard h = run_calls(bytes, size_of(index), true, to_the_edge);
   std::printf("%s%s\n", h.trace.c_str(), h.complaint.c_str());
 }
 
@@ -120,10 +123,11 @@ int main(int argc, char** argv) {
     if (key == "--from") o.from = std::strtoull(argv[i + 1], nullptr, 10);
     if (key == "--jobs") o.jobs = std::atoi(argv[i + 1]);
     if (key == "--seconds") o.seconds = std::atof(argv[i + 1]);
-    if (key == "--show") return show(std::strtoull(argv[i + 1], nullptr, 10)), 0;
+    if (key == "--edge") o.to_the_edge = std::atoi(argv[i + 1]) != 0;
+    if (key == "--show") return show(std::strtoull(argv[i + 1], nullptr, 10), o.to_the_edge), 0;
   }
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(signal, crashed);
   if (o.count > 0 && o.jobs > 0) return campaign(o);
-  std::fprintf(stderr, "usage: fuzz_calls_campaign --count N [--from K] [--jobs J] [--seconds S] | --show K\n");
+  std::fprintf(stderr, "usage: fuzz_calls_campaign --count N [--from K] [--jobs J] [--seconds S] [--edge 1] | [--edge 1] --show K\n");
   return 2;
 }

@@ -65,6 +65,8 @@ struct Context {
   std::vector<std::unique_ptr<char[]>> blocks;
   carom_error error;
   bool wants_wrong = true;  // else only what is good is made up, which is quick
+  bool to_the_edge = false;  // one good number in four is anything that its bounds allow
+  bool is_edged = false;     // one was: so what is made of them may be refused
 
   Context(Stage& s, Stage& o, Stage& w, Source& c) : own(s), other(o), second(w), source(c) {}
   /// Exactly so many bytes, so that an address sanitizer sees one too many.
@@ -137,6 +139,15 @@ struct Bounds {
   bool may_be_infinite = false;
   double usual_low = -2, usual_high = 2;  // what is passed when it is good
 };
+/// A good number, or one at the edge of what is legal.
+inline double perhaps_edged(Context& c, double usual, const Bounds& b) {
+  if (!c.to_the_edge || c.source.below(4) != 0) return usual;
+  const double edges[] = {b.low, b.high, 1.7e308, -1.7e308, 1e160, -1e160, 1e100, 1e15, -1e15, 1e9, 1e-9, 1e-170, 4e-310, 0.0};
+  const double x = edges[c.source.below(static_cast<unsigned>(std::size(edges)))];
+  if (!std::isfinite(x) || x < b.low || x > b.high) return usual;
+  c.is_edged = true;
+  return x;
+}
 inline Bounds any() { return {-DBL_MAX, DBL_MAX}; }
 constexpr double kLeast = 1e-320, kMost = DBL_MAX;  // of what must be above 0
 inline Bounds within(double low, double high) { return {low, high, false, std::fmax(low, -2), std::fmin(high, 2)}; }
@@ -161,14 +172,14 @@ inline std::string shown(double x) {
 
 inline Argument number(Context& c, Bounds b) {
   Argument a;
-  a.good = of(c.between(b.usual_low, b.usual_high));
+  a.good = of(perhaps_edged(c, c.between(b.usual_low, b.usual_high), b));
   for (const auto& [x, codes] : wrong_numbers(b)) a.wrong.push_back({shown(x), of(x), codes});
   return a;
 }
 inline Argument vector(Context& c, int n, Bounds b) {
   Argument a;
   auto* good = static_cast<double*>(c.take(sizeof(double) * static_cast<std::size_t>(n)));
-  for (int i = 0; i < n; ++i) good[i] = c.between(b.usual_low, b.usual_high);
+  for (int i = 0; i < n; ++i) good[i] = perhaps_edged(c, c.between(b.usual_low, b.usual_high), b);
   a.good = of(good);
   if (!c.wants_wrong) return a;
   a.wrong.push_back({"null", of(nullptr), kNull});
@@ -303,7 +314,16 @@ struct Field {
 template <class T>
 Argument in_struct(Context& c, const T& good, std::initializer_list<Field> fields, bool may_be_null = false) {
   Argument a;
-  a.good = of(c.keep(good));
+  T* const passed = c.keep(good);
+  a.good = of(passed);
+  for (const Field& f : fields)
+    for (int i = 0; c.to_the_edge && f.type == Field::kNumber && i < f.count; ++i) {
+      char* const at = reinterpret_cast<char*>(passed) + f.offset + 8 * static_cast<std::size_t>(i);
+      double x;
+      std::memcpy(&x, at, 8);
+      x = perhaps_edged(c, x, f.bounds);
+      std::memcpy(at, &x, 8);
+    }
   if (!c.wants_wrong) return a;
   if (!may_be_null) a.wrong.push_back({"null", of(nullptr), kNull});
   const auto put = [&](std::string what, std::size_t offset, const void* value, std::size_t size, Codes codes) {
