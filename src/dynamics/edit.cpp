@@ -35,6 +35,7 @@ void make_room_for_body(Scene& s, State& t) {
 
 /// New mass properties; the body's frame stays where it is and its centre's velocity what it was.
 void set_mass(Scene& s, State& t, std::uint32_t body, const BodyMass& m) {
+  if (m.center != s.center[body]) t.mark_written(body);  // it may be out of bounds by now
   t.x[body] += t.q[body] * (m.center - s.center[body]);
   s.mass[body] = m.mass, s.inv_mass[body] = m.inv_mass, s.center[body] = m.center;
   s.inertia[body] = m.inertia, s.inv_inertia[body] = m.inv_inertia;

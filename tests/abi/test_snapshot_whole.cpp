@@ -283,6 +283,15 @@ void the_edge_of_numbers_is_carried_too(void**) {
   copies();
   assert_int_equal(carom_world_step(b.world, 0.01, nullptr), CAROM_OK);
   copies();
+  // A body at the bound, and a collider that takes its centre beyond.
+  const double bound[] = {1e15, 0, 0};
+  assert_int_equal(carom_body_set_pose(b.world, feather, bound, upright, nullptr), CAROM_OK);
+  assert_int_equal(carom_world_step(b.world, 0.01, nullptr), CAROM_OK);
+  light.density = 1000, light.position[0] = 1e15;
+  assert_int_equal(carom_collider_create(b.world, feather, &light, &collider, nullptr), CAROM_OK);
+  copies();
+  assert_int_equal(carom_world_step(b.world, 0.01, nullptr), CAROM_OK);
+  copies();
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
