@@ -226,6 +226,42 @@ void what_is_stiff_is_stiff_from_the_first_step(void**) {
   }
 }
 
+// Whose last joint has gone moves as a body does that never had one: so does it in a copy.
+void joints_leave_nothing_behind(void**) {
+  Bench b;
+  assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
+  carom_body bodies[2], rolls;
+  carom_collider collider;
+  for (int i = 0; i < 2; ++i)
+    assert_int_equal(bench_body(b.world, b.ball, 0, CAROM_BODY_DYNAMIC, 0, 5 + 2 * i, 0, &bodies[i], &collider, nullptr),
+                     CAROM_OK);
+  assert_int_equal(bench_body(b.world, b.crate, 0, CAROM_BODY_STATIC, 0, -1, 0, &rolls, &collider, nullptr), CAROM_OK);
+  assert_int_equal(bench_body(b.world, b.ball, 0, CAROM_BODY_DYNAMIC, 0, 0, 0, &rolls, &collider, nullptr), CAROM_OK);
+  carom_force_field_desc field;
+  carom_force_field_desc_init(&field);
+  field.kind = CAROM_FORCE_FIELD_RADIAL, field.strength = 3, field.position[0] = 0.7;
+  carom_force_field made;
+  assert_int_equal(carom_force_field_create(b.world, &field, &made, nullptr), CAROM_OK);
+  carom_joint_desc joint;
+  carom_joint_desc_init(&joint);
+  joint.kind = CAROM_JOINT_BALL, joint.body_a = bodies[0], joint.body_b = bodies[1], joint.position_a[1] = 2;
+  carom_joint joined;
+  assert_int_equal(carom_joint_create(b.world, &joint, &joined, nullptr), CAROM_OK);
+  assert_int_equal(bench_steps(b.world, 3, nullptr), CAROM_OK);
+  assert_int_equal(carom_joint_destroy(b.world, joined, nullptr), CAROM_OK);
+  carom_world* copy;
+  assert_int_equal(carom_world_fork(b.world, &copy, nullptr), CAROM_OK);
+  std::uint64_t hashes[2];
+  int i = 0;
+  for (carom_world* world : {b.world, copy}) {
+    assert_int_equal(bench_steps(world, 20, nullptr), CAROM_OK);
+    assert_int_equal(carom_world_hash(world, &hashes[i++], nullptr), CAROM_OK);
+  }
+  assert_true(hashes[0] == hashes[1]);
+  assert_int_equal(carom_world_destroy(copy, nullptr), CAROM_OK);
+  assert_int_equal(bench_free(&b), CAROM_OK);
+}
+
 // What a host may write is taken back by a restore and a fork, though the next step stops it; what could not be is
 // refused when it is said.
 void the_edge_of_numbers_is_carried_too(void**) {
@@ -571,6 +607,7 @@ int main(int argc, char** argv) {
       cmocka_unit_test(a_world_is_built_elsewhere),
       cmocka_unit_test(a_fork_goes_its_own_way),
       cmocka_unit_test(what_is_stiff_is_stiff_from_the_first_step),
+      cmocka_unit_test(joints_leave_nothing_behind),
       cmocka_unit_test(the_edge_of_numbers_is_carried_too),
       cmocka_unit_test(handles_are_translated_or_refused),
       cmocka_unit_test(plugins_are_asked_for_by_name),

@@ -122,6 +122,26 @@ class Sequence {
     return true;
   }
 
+  /// With the budget, which is the host's.
+  carom_world* copy_of(const Stage& s) {
+    carom_world* copy = nullptr;
+    double seconds = 0;
+    uint32_t fewest = 0, most = 0;
+    if (carom_world_fork(s.world, &copy, nullptr) != CAROM_OK ||
+        carom_world_get_budget(s.world, &seconds, &fewest, &most, nullptr) != CAROM_OK ||
+        (seconds > 0 && carom_world_set_budget(copy, seconds, fewest, most, nullptr) != CAROM_OK))
+      complain("a world could not be copied before a step");
+    return copy;
+  }
+  /// A copy, whatever its original went through, steps as that does.
+  void step_beside(carom_world* copy, double dt, const Stage& s, int32_t result) {
+    uint64_t original = 0, other = 1;
+    if (carom_world_step(copy, dt, nullptr) != result || carom_world_hash(s.world, &original, nullptr) != CAROM_OK ||
+        carom_world_hash(copy, &other, nullptr) != CAROM_OK || original != other)
+      complain("a copy steps another way than its original");
+    if (carom_world_destroy(copy, nullptr) != CAROM_OK) complain("a copy could not be destroyed");
+  }
+
   static bool named(const Call& call, const char* name) { return std::strcmp(call.name, name) == 0; }
 
   const Row& choose() {
@@ -192,8 +212,11 @@ class Sequence {
     std::optional<Digest> whole;
     if (source_.below(16) == 0) whole.emplace(own);
     c.error = CAROM_ERROR_INIT;
+    const bool steps = named(call, "carom_world_step");
+    carom_world* const beside = steps && expected == kFine && heard_.calls % 4 == 0 ? copy_of(own) : nullptr;
     const int32_t r = call.invoke(values.data());
     ++heard_.calls;
+    if (beside) step_beside(beside, values[1].d, own, r);
     if (trace_) heard_.trace += std::string("  ") + carom_result_name(r) + " " + c.error.message + "\n";
     const auto wrong = [&](const char* what) {
       complain(std::string(call.name) + ": " + what + " (" + carom_result_name(r) + ": " + c.error.message + ")");
@@ -210,7 +233,7 @@ class Sequence {
     }
     if (call.undo) call.undo(values.data());
     hash_[at] = hash(own);
-    if (named(call, "carom_world_step")) {
+    if (steps) {
       ++heard_.steps;
       if (const std::string bad = not_finite(own.world); !bad.empty()) wrong(bad.c_str());
     }

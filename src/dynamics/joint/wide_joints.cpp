@@ -238,7 +238,7 @@ void fill_locks(const World& world, WideJoints& w) {
 
 void plan_joints(World& world) {
   WideJoints& w = *world.wide_joints;
-  w.active.clear(), w.linked.clear();
+  w.active.clear(), w.linked.clear(), w.kicked.clear();
   w.is_packed = false;
   for (const std::size_t row : {kLimitsRow, kMotorsRow})
     world.plan->effects[row].wanted = world.plan->effects[row].customers.count = 0;
