@@ -11,7 +11,9 @@
 // unless something strikes it (a blow sends the direct solver through all of a heap, and passes), it is too large, or
 // could not be solved within direct_work lately: then it moves so much that soft contacts will do.
 #include <algorithm>
+#include <array>
 #include <numbers>
+#include <span>
 
 #include "dynamics/force/force.h"
 #include "dynamics/solver/direct.h"
@@ -38,9 +40,9 @@ Real stiffness(const Dials& dials, Real h) {
   return w * w;
 }
 
-/// How deep soft contacts let a point sink under a load: P / (m w^2).
-/// @param load  N
-Real sink_of(const World& world, const Row& row, const Arms& arms, Real load, Real w2) {
+/// How deep soft contacts let a point sink under a load, of the thickness of what touches: P / (m w^2) over that.
+/// @param load  N   @param give  s^2/m, 1 / (w^2 thickness)
+Real sink_of(const World& world, const Row& row, const Arms& arms, Real load, Real give) {
   if (!(load > 0)) return 0;
   const auto response = [&](bool moves, std::uint32_t body, const Vec3& r) {
     if (!moves) return Real(0);
@@ -49,7 +51,7 @@ Real sink_of(const World& world, const Row& row, const Arms& arms, Real load, Re
     return world.scene.inv_mass[body] + turning;
   };
   const Real k = response(row.moves_a, row.a, arms.a) + response(row.moves_b, row.b, arms.b);
-  return load * k / (row.moves_a && row.moves_b ? w2 : 4 * w2);
+  return load * k * give;
 }
 
 /// m/s^2, what pulls harder of two that touch.
@@ -86,9 +88,24 @@ void each_body(const Contacts& c, std::size_t group, F&& f) {
   }
 }
 
+/// Bodies of a group, each once: those whose load is known.
+class Seen {
+ public:
+  /// @param load  of the body: Contacts::kUnseen where it is new
+  void mark(std::uint8_t& load, std::uint32_t body, std::uint8_t as) {
+    if (load == Contacts::kUnseen) body_[count_++] = body;
+    load = std::max(load, as);
+  }
+  std::span<const std::uint32_t> all() const { return {body_.data(), count_}; }
+
+ private:
+  std::array<std::uint32_t, kMostBodies> body_;
+  std::size_t count_ = 0;
+};
+
 /// N: all that a group weighs, if it is new and lies still, as what a host has built does: then nothing else is known
 /// yet of what its points will bear. Else 0. Marks bodies that it counts as light.
-Real weight_if_new(World& world, std::size_t group, Real h) {
+Real weight_if_new(World& world, std::size_t group, Real h, Seen& seen) {
   Contacts& c = *world.contacts;
   if (c.rows[c.group_rows[c.group_begin[group]]].p != Vec3::Zero()) return 0;  // the common case, at once
   const Real gravity = world.scene.gravity.norm();
@@ -97,7 +114,7 @@ Real weight_if_new(World& world, std::size_t group, Real h) {
   each_body(c, group, [&](const Row& row, std::uint32_t body) {
     is_new &= row.p == Vec3::Zero();
     if (c.load[body] != Contacts::kUnseen) return;
-    c.load[body] = Contacts::kLight;
+    seen.mark(c.load[body], body, Contacts::kLight);
     const Real pull = std::fabs(world.scene.gravity_factor_of(body));
     mass += pull * world.scene.mass[body];
     is_new &= world.state.v[body].norm() <= 2 * (pull * gravity) * h;
@@ -118,31 +135,33 @@ struct GroupMotion {
 };
 
 /// What there is to know of a group before it is answered; bodies that bear too much are marked as heavy.
-GroupMotion look_at(World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view) {
+GroupMotion look_at(World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view, Seen& seen) {
   Contacts& c = *world.contacts;
   const Real deep = world.scene.dials[Dial::direct_sink];
   GroupMotion motion;
   std::uint32_t pair = 0xFFFFFFFFu;
-  Real thickness = 0, gravity = 0;
+  const Real rate = 1 / h;
+  Real fall = 0, share = 0, give = 0;  // (m/s)^2, N, s^2/m: of a pair
   for (std::uint32_t k = c.group_begin[group]; k < c.group_begin[group + 1]; ++k) {
     const std::uint32_t i = c.group_rows[k];
     const Row& row = c.rows[i];
     const RowGeometry& g = c.geometry[i];
     if (g.pair != pair) {
       pair = g.pair;
-      thickness = thickness_of(world, g);
-      gravity = pull_on(world.scene, row);
+      const Real thickness = thickness_of(world, g);
+      fall = 2 * pull_on(world.scene, row) * thickness;
+      give = 1 / ((row.moves_a && row.moves_b ? w2 : 4 * w2) * thickness);
+      share = weight / world.pairs.place(pair).points;
       view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(world.scene, row));
     }
     const Arms arms(world, row, g);
-    const Real fall = 2 * gravity * thickness;
     Vec3 u = relative_velocity(world.state, row, arms.a, arms.b);
     if (!c.surface.empty()) u += c.surface[i];
     const Real closing = -u.dot(row.n);
-    const Real load = std::max(row.p.dot(row.n) / h, weight / world.pairs.place(pair).points);
-    const Real sink = sink_of(world, row, arms, load, w2) / thickness;
+    const Real load = std::max(row.p.dot(row.n) * rate, share);
+    const Real sink = sink_of(world, row, arms, load, give);
     const auto bears = [&](bool moves, std::uint32_t body) {
-      if (moves) c.load[body] = std::max<std::uint8_t>(c.load[body], sink > deep ? Contacts::kHeavy : Contacts::kLight);
+      if (moves) seen.mark(c.load[body], body, sink > deep ? Contacts::kHeavy : Contacts::kLight);
     };
     bears(row.moves_a, row.a), bears(row.moves_b, row.b);
     view.sink = std::max(view.sink, sink);
@@ -159,12 +178,11 @@ struct GroupMemory {
 /// What bodies of a group remember, brought up to date. An impact is as heavy as a load, but passes: only what was
 /// borne for two steps counts, and then for a while.
 /// @param at_once  loads count from the first step on
-GroupMemory remember(World& world, std::size_t group, bool at_once) {
+GroupMemory remember(World& world, const Seen& seen, bool at_once) {
   constexpr std::uint8_t kEnough = 2, kLong = 60;  // steps
   Contacts& c = *world.contacts;
   GroupMemory memory;
-  each_body(c, group, [&](const Row&, std::uint32_t body) {
-    if (c.load[body] == Contacts::kUnseen) return;
+  for (const std::uint32_t body : seen.all()) {
     std::uint8_t &steps = world.state.loaded_steps[body], &rest = world.state.tired_steps[body];
     if (c.load[body] == Contacts::kHeavy)
       steps = at_once || steps + 1 >= kEnough ? kLong : static_cast<std::uint8_t>(steps + 1);
@@ -174,7 +192,7 @@ GroupMemory remember(World& world, std::size_t group, bool at_once) {
     memory.tired |= rest > 0;
     if (rest > 0) --rest;
     c.load[body] = Contacts::kUnseen;
-  });
+  }
   return memory;
 }
 
@@ -227,9 +245,10 @@ void choose(World& world, Real h) {
                       : view.bodies <= kFewJoined                 ? GroupReason::joined
                                                                   : GroupReason::ordinary;
       } else {
-        const Real weight = weight_if_new(world, g, h);
-        const GroupMotion motion = look_at(world, g, w2, h, weight, view);
-        const GroupMemory memory = remember(world, g, weight > 0);
+        Seen seen;
+        const Real weight = weight_if_new(world, g, h, seen);
+        const GroupMotion motion = look_at(world, g, w2, h, weight, view, seen);
+        const GroupMemory memory = remember(world, seen, weight > 0);
         view.reason = reason_for(view, motion, memory, dials[Dial::direct_ratio]);
       }
     }

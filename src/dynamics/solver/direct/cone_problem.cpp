@@ -16,14 +16,20 @@ void apply_impulses(ConeProblem& problem) {
   for (ConeLink& c : problem.links) c.u += relative<&ConeBody::change>(problem.bodies, c);
 }
 
-Real offence(const ConeContact& c, Real slip) {
+namespace {
+
+/// How far a contact is from the law, (m/s)^2: (k |p - P_K(p - y / k)|)^2. Of many only the largest needs its root.
+Real offence2(const ConeContact& c, Real slip) {
   const Vec3 y = c.u - (c.want - slip) * c.n;
-  return c.k * (c.p - project_on_cone(c.p - y / c.k, c.n, c.friction)).norm();
+  return (c.k * (c.p - project_on_cone(c.p - y / c.k, c.n, c.friction))).squaredNorm();
 }
+
+}  // namespace
 
 Real residual(const ConeProblem& problem) {
   Real most = 0;
-  for (const ConeContact& c : problem.contacts) most = std::max(most, offence(c, slip_of(c)));
+  for (const ConeContact& c : problem.contacts) most = std::max(most, offence2(c, slip_of(c)));
+  most = std::sqrt(most);
   for (const ConeLink& c : problem.links) most = std::max(most, c.offence());
   return most;
 }
@@ -66,7 +72,8 @@ class FrozenSlip {
 
   Real offence_now() const {
     Real most = 0;
-    for (const ConeContact& c : problem_.contacts) most = std::max(most, offence(c, c.slip));
+    for (const ConeContact& c : problem_.contacts) most = std::max(most, offence2(c, c.slip));
+    most = std::sqrt(most);
     for (const ConeLink& c : problem_.links) most = std::max(most, c.offence());
     return most;
   }

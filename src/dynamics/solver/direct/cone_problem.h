@@ -47,6 +47,7 @@ struct ConeBody {
   Mat3 held_back;             // @see held_arms.h
   Mat3 inertia, inv_inertia;  // kg m^2, 1/(kg m^2), world; identity and zero where it does not rotate
   std::uint8_t locks = 0;     // @see Scene::locks
+  bool turns = false;         // it rotates
   Vec6 v;                     // m/s, rad/s
   Vec6 start, gained;         // with the impulses that the substep starts from; since the last substep, with them
 
@@ -161,8 +162,6 @@ inline std::span<ConeBody> bodies_of(const ConeProblem& problem) {
 inline Real slip_of(const ConeContact& c) {
   return c.friction > 0 ? c.friction * (c.u - c.u.dot(c.n) * c.n).norm() : Real(0);
 }
-/// How far a contact is from the law, m/s: k |p - P_K(p - y / k)|.
-Real offence(const ConeContact& c, Real slip);
 
 // ---- what the solver does ----
 

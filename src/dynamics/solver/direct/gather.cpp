@@ -26,12 +26,17 @@ void gather(World& world, DirectGroups& d) {
   const Contacts& c = *world.contacts;
   make_room(d);
   d.links.clear(), d.link_row.clear();
-  d.still.clear(), d.contacts.clear(), d.row.clear(), d.begin.clear();
+  d.still.clear(), d.row.clear(), d.begin.clear();
   d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
   d.body.resize(world.scene.bodies.slots());
   for (const std::uint32_t slot : c.bodies) d.body[slot] = kNobody;
+  // Contacts of the last step are written over: to make 400 bytes of zeros of each first costs more than to fill it.
+  std::size_t points = 0;
+  for (std::size_t g = 0; g < c.groups(); ++g)
+    if (c.answered_directly(g)) points += c.group_begin[g + 1] - c.group_begin[g];
+  d.contacts.resize(points);
   const auto mark = [&] {
-    d.begin.push_back({static_cast<std::uint32_t>(d.contacts.size()), static_cast<std::uint32_t>(d.bodies.size()),
+    d.begin.push_back({static_cast<std::uint32_t>(d.row.size()), static_cast<std::uint32_t>(d.bodies.size()),
                        static_cast<std::uint32_t>(d.links.size())});
     d.edge_begin.push_back(static_cast<std::uint32_t>(d.edges.size()));
   };
@@ -42,7 +47,7 @@ void gather(World& world, DirectGroups& d) {
     for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1]; ++k) {
       const std::uint32_t i = c.group_rows[k];
       const Row& row = c.rows[i];
-      ConeContact& contact = d.contacts.emplace_back();
+      ConeContact& contact = d.contacts[d.row.size()];
       contact.a = d.node(row.moves_a, row.a);
       contact.b = d.node(row.moves_b, row.b);
       const bool coupled = contact.a != kNobody && contact.b != kNobody;
