@@ -203,6 +203,27 @@ static void what_cannot_be_is_refused_and_changes_nothing(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
+/* A direction of any length: turned into the surface's frame this one would be longer than any number. */
+static void it_is_met_however_fast(void **state) {
+  static const double turned[4] = {0, 0, 0.38268343236508978, 0.92387953251128674}; /* by 45 degrees about z */
+  static const double direction[3] = {1.7e308, -1.7e308, 0}, from[3] = {-1, 1, 0.1};
+  Bench b;
+  carom_mesh_desc d = level();
+  carom_shape surface;
+  carom_cast cast;
+  (void)state;
+  assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
+  assert_int_equal(carom_shape_create_mesh(b.engine, &d, &surface, NULL), CAROM_OK);
+  cast.struct_size = sizeof cast;
+  assert_int_equal(carom_ray_cast(b.engine, surface, nowhere, turned, from, direction, 1, NULL, &cast, NULL), CAROM_OK);
+  assert_true(cast.outcome == CAROM_CAST_HIT || cast.outcome == CAROM_CAST_UNDECIDED);
+  assert_int_equal(carom_shape_cast(b.engine, b.ball, from, upright, direction, surface, nowhere, turned, NULL, &cast,
+                                    NULL),
+                   CAROM_OK);
+  assert_true(cast.outcome != CAROM_CAST_MISS);
+  assert_int_equal(bench_free(&b), CAROM_OK);
+}
+
 /* From beyond the reach of short numbers (1e17 m), and from where sums overflow. */
 static void it_answers_from_any_distance(void **state) {
   static const double far[] = {1e16, 1e18, 1e38, 1e100, 1e300, 1.7e308};
@@ -266,6 +287,7 @@ int main(void) {
       cmocka_unit_test(bodies_stand_on_it_and_worlds_answer_for_it),
       cmocka_unit_test(what_cannot_be_is_refused_and_changes_nothing),
       cmocka_unit_test(it_answers_from_any_distance),
+      cmocka_unit_test(it_is_met_however_fast),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
