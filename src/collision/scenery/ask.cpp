@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "collision/cast/heading.h"
 #include "collision/cast/shape_cast.h"
 #include "collision/volume.h"
 
@@ -47,20 +48,6 @@ class Sum {
 
 /// m; nothing, where nothing moves or no time passes
 Real way(Real speed, Real time) { return speed > 0 && time > 0 ? speed * time : 0; }
-
-/// A motion seen from the scenery. Scaled before it is turned: the largest would overflow.
-struct Heading {
-  Vec3 unit = Vec3::UnitX();
-  Real speed = 0;  // m per unit of time, may be infinite
-
-  Heading(const Frame& scenery, const Vec3& motion) {
-    const Real largest = motion.cwiseAbs().maxCoeff();
-    if (!(largest > 0)) return;
-    const Vec3 scaled = scenery.rotate_inverse(motion / largest);
-    unit = scaled / scaled.norm();
-    speed = largest * scaled.norm();
-  }
-};
 
 /// Ask the pieces along a way that a box about a point goes; ask(piece, one) answers for one of them.
 /// @param from, heading, extent  in the scenery's frame   @param end  of time

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "collision/cast/heading.h"
 #include "collision/volume.h"
 #include "dynamics/query/index.h"
 #include "dynamics/query/query.h"
@@ -21,11 +22,9 @@ struct Way {
 
   /// @param motion  any length; of none, the way ends where it begins
   Way(const Vec3& start, const Vec3& motion, Real max, const Aabb& swept) : from(start), extent(swept) {
-    const Real largest = motion.cwiseAbs().maxCoeff();
-    if (!(largest > 0)) return;
-    const Vec3 scaled = motion / largest;
-    unit = scaled / scaled.norm();
-    speed = largest * scaled.norm();
+    const Heading heading(motion);
+    if (!(heading.speed > 0)) return;
+    unit = heading.unit, speed = heading.speed;
     length = speed * max;
   }
   bool in_reach() const { return QueryTree::reaches(from) && QueryTree::reaches(extent); }
