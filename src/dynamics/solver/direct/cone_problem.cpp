@@ -24,15 +24,19 @@ Real offence2(const ConeContact& c, Real slip) {
   return (c.k * (c.p - project_on_cone(c.p - y / c.k, c.n, c.friction))).squaredNorm();
 }
 
-}  // namespace
-
-Real residual(const ConeProblem& problem) {
-  Real most = 0;
-  for (const ConeContact& c : problem.contacts) most = std::max(most, offence2(c, slip_of(c)));
-  most = std::sqrt(most);
+/// m/s, of all contacts and links.   @param slip  slip(contact): m/s, what stands for mu |u_t|
+template <class Slip>
+Real largest_offence(const ConeProblem& problem, const Slip& slip) {
+  Real most2 = 0;
+  for (const ConeContact& c : problem.contacts) most2 = std::max(most2, offence2(c, slip(c)));
+  Real most = std::sqrt(most2);
   for (const ConeLink& c : problem.links) most = std::max(most, c.offence());
   return most;
 }
+
+}  // namespace
+
+Real residual(const ConeProblem& problem) { return largest_offence(problem, slip_of); }
 
 namespace {
 
@@ -71,11 +75,7 @@ class FrozenSlip {
   static constexpr Real kFirst = 1e-3, kLeast = 1e-10, kMost = 1, kGood = 0.1, kHarder = 0.1, kSofter = 30;
 
   Real offence_now() const {
-    Real most = 0;
-    for (const ConeContact& c : problem_.contacts) most = std::max(most, offence2(c, c.slip));
-    most = std::sqrt(most);
-    for (const ConeLink& c : problem_.links) most = std::max(most, c.offence());
-    return most;
+    return largest_offence(problem_, [](const ConeContact& c) { return c.slip; });
   }
 
   ConeProblem& problem_;
