@@ -189,6 +189,19 @@ void a_fork_goes_its_own_way(void**) {
   assert_int_equal(carom_engine_destroy(b.engine, nullptr), CAROM_OK);
 }
 
+void assert_steps_as_a_copy(carom_world* original, int steps) {
+  carom_world* copy;
+  assert_int_equal(carom_world_fork(original, &copy, nullptr), CAROM_OK);
+  std::uint64_t hashes[2];
+  int i = 0;
+  for (carom_world* world : {original, copy}) {
+    assert_int_equal(bench_steps(world, steps, nullptr), CAROM_OK);
+    assert_int_equal(carom_world_hash(world, &hashes[i++], nullptr), CAROM_OK);
+  }
+  assert_true(hashes[0] == hashes[1]);
+  assert_int_equal(carom_world_destroy(copy, nullptr), CAROM_OK);
+}
+
 // A copy has never stepped, its original has. Springs and water are softened to what a substep of this step can carry: stiff
 // ones tell how long it was taken to be.
 void what_is_stiff_is_stiff_from_the_first_step(void**) {
@@ -212,16 +225,7 @@ void what_is_stiff_is_stiff_from_the_first_step(void**) {
       carom_spring made;
       assert_int_equal(carom_spring_create(b.world, &spring, &made, nullptr), CAROM_OK);
     }
-    carom_world* copy;
-    assert_int_equal(carom_world_fork(b.world, &copy, nullptr), CAROM_OK);
-    std::uint64_t hashes[2];
-    int i = 0;
-    for (carom_world* world : {b.world, copy}) {
-      assert_int_equal(carom_world_step(world, 1.0 / 60, nullptr), CAROM_OK);
-      assert_int_equal(carom_world_hash(world, &hashes[i++], nullptr), CAROM_OK);
-    }
-    assert_true(hashes[0] == hashes[1]);
-    assert_int_equal(carom_world_destroy(copy, nullptr), CAROM_OK);
+    assert_steps_as_a_copy(b.world, 1);
     assert_int_equal(bench_free(&b), CAROM_OK);
   }
 }
@@ -249,16 +253,7 @@ void joints_leave_nothing_behind(void**) {
   assert_int_equal(carom_joint_create(b.world, &joint, &joined, nullptr), CAROM_OK);
   assert_int_equal(bench_steps(b.world, 3, nullptr), CAROM_OK);
   assert_int_equal(carom_joint_destroy(b.world, joined, nullptr), CAROM_OK);
-  carom_world* copy;
-  assert_int_equal(carom_world_fork(b.world, &copy, nullptr), CAROM_OK);
-  std::uint64_t hashes[2];
-  int i = 0;
-  for (carom_world* world : {b.world, copy}) {
-    assert_int_equal(bench_steps(world, 20, nullptr), CAROM_OK);
-    assert_int_equal(carom_world_hash(world, &hashes[i++], nullptr), CAROM_OK);
-  }
-  assert_true(hashes[0] == hashes[1]);
-  assert_int_equal(carom_world_destroy(copy, nullptr), CAROM_OK);
+  assert_steps_as_a_copy(b.world, 20);
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
