@@ -95,6 +95,20 @@ static void what_lies_at_rest_is_seldom_solved(void**) {
   assert_true(newton_steps < 480 / 4);  // of 480 substeps; with all of the correction kept every other one is solved
 }
 
+/// All contacts of what was just built bear nothing and are still. Newton's method does not find them layer by layer.
+static void what_was_just_built_takes_as_long_however_high(void**) {
+  for (const int cubes : {10, 20, 40, 80}) {
+    TestWorld t;
+    use_direct(t, 1e-6);
+    t.ground();
+    const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+    for (int i = 0; i < cubes; ++i) t.add(cube, Vec3(0, i + 0.5, 0));
+    t.world.step(kStep);
+    assert_true(t.world.report.solver_residual <= 1e-6);
+    assert_true(t.world.report.velocity_impulses <= 10);  // a step for each cube and more, if taken as parting at first
+  }
+}
+
 static void a_stack_of_forty_stands(void**) {
   TestWorld t;
   use_direct(t, 1e-6);
@@ -190,6 +204,7 @@ int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(a_heap_obeys_the_law_in_every_step),
       cmocka_unit_test(what_lies_at_rest_is_seldom_solved),
+      cmocka_unit_test(what_was_just_built_takes_as_long_however_high),
       cmocka_unit_test(a_stack_of_forty_stands),
       cmocka_unit_test(a_light_cube_bears_one_of_a_million_times_its_mass),
       cmocka_unit_test(what_bears_too_often_is_borne_evenly),

@@ -436,7 +436,7 @@ static void who_hangs_together_sleeps_and_wakes_together(void**) {
   const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
   const std::uint32_t a = t.add(cube, Vec3(0, 0.5, 0)), b = t.add(cube, Vec3(5, 0.5, 0));
   SpringDef s;
-  s.body_a = a, s.body_b = b, s.rest = 5, s.stiffness = 500, s.damping = 50;
+  s.body_a = a, s.body_b = b, s.rest = 5, s.stiffness = 20000, s.damping = 50;
   t.world.add_spring(s);
   t.run(240, 1.0 / 60);
   assert_true(t.world.asleep(a) && t.world.asleep(b));
@@ -445,7 +445,7 @@ static void who_hangs_together_sleeps_and_wakes_together(void**) {
   t.world.set_velocity(a, Vec3(-4, 0, 0), Vec3::Zero());
   assert_true(!t.world.asleep(a) && !t.world.asleep(b));
   t.run(30, 1.0 / 60);
-  assert_true(t.world.state.v[b].x() != 0);
+  assert_true(t.world.state.v[b].x() < -1);  // friction could bear 0.25 m of such a spring, and it is stretched by more
   t.run(600, 1.0 / 60);
   assert_true(t.world.asleep(a) && t.world.asleep(b));
   // What hangs on a kinematic body wakes when that moves.

@@ -14,7 +14,6 @@ set(accuracy_misses
   pack666 rolling                              # soft contacts; solver direct holds both
   domino                                       # first order in contact: 1.9 % slow
   coin                                         # contacts are answered where a substep begins
-  far                                          # 1000 km off, rounding decides which contacts are within velocity_tolerance
   pile tumble                                  # impacts are met a substep early or late, and what follows goes elsewhere
   cones_capsules                               # Newton's steps run out where capsules fall on each other: 1e-4 m/s
   collisions)                                  # angular momentum: both sides of a contact moved since it was found

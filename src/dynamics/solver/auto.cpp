@@ -17,6 +17,7 @@
 
 #include "dynamics/force/force.h"
 #include "dynamics/solver/direct.h"
+#include "dynamics/solver/pair_points.h"
 #include "dynamics/solver/soft_step.h"
 #include "dynamics/solver/solver.h"
 
@@ -38,20 +39,6 @@ constexpr std::uint32_t kFewJoined = 32;
 Real stiffness(const Dials& dials, Real h) {
   const Real w = 2 * std::numbers::pi * std::min(dials[Dial::contact_frequency], 0.25 / h);
   return w * w;
-}
-
-/// How deep soft contacts let a point sink under a load, of the thickness of what touches: P / (m w^2) over that.
-/// @param load  N   @param give  s^2/m, 1 / (w^2 thickness)
-Real sink_of(const World& world, const Row& row, const Arms& arms, Real load, Real give) {
-  if (!(load > 0)) return 0;
-  const auto response = [&](bool moves, std::uint32_t body, const Vec3& r) {
-    if (!moves) return Real(0);
-    const Vec3 moment = r.cross(row.n);
-    const Real turning = rotates(world.scene, body) ? moment.dot(world.contacts->inv_inertia_w[body] * moment) : 0;
-    return world.scene.inv_mass[body] + turning;
-  };
-  const Real k = response(row.moves_a, row.a, arms.a) + response(row.moves_b, row.b, arms.b);
-  return load * k * give;
 }
 
 /// m/s^2, what pulls harder of two that touch.
@@ -137,37 +124,43 @@ struct GroupMotion {
 /// What there is to know of a group before it is answered; bodies that bear too much are marked as heavy.
 GroupMotion look_at(World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view, Seen& seen) {
   Contacts& c = *world.contacts;
-  const Real deep = world.scene.dials[Dial::direct_sink];
+  const Scene& scene = world.scene;
+  const Real deep = scene.dials[Dial::direct_sink], rate = 1 / h;
   GroupMotion motion;
-  std::uint32_t pair = 0xFFFFFFFFu;
-  const Real rate = 1 / h;
-  Real fall = 0, share = 0, give = 0;  // (m/s)^2, N, s^2/m: of a pair
-  for (std::uint32_t k = c.group_begin[group]; k < c.group_begin[group + 1]; ++k) {
-    const std::uint32_t i = c.group_rows[k];
-    const Row& row = c.rows[i];
-    const RowGeometry& g = c.geometry[i];
-    if (g.pair != pair) {
-      pair = g.pair;
-      const Real thickness = thickness_of(world, g);
-      fall = 2 * pull_on(world.scene, row) * thickness;
-      give = 1 / ((row.moves_a && row.moves_b ? w2 : 4 * w2) * thickness);
-      share = weight / world.pairs.place(pair).points;
-      view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(world.scene, row));
+  const auto sources = [&](const PairRows& pair, PointSources& of) {
+    of = point_sources(world, pair);
+    const auto put = [&](bool moves, std::uint32_t body, const double*& inv_inertia, double& inv_mass) {
+      inv_inertia = moves && rotates(scene, body) ? c.inv_inertia_w[body].data() : kNoMatrix;
+      inv_mass = moves ? scene.inv_mass[body] : 0;
+    };
+    const Row& row = c.rows[pair.row];
+    put(row.moves_a, row.a, of.inv_inertia_a, of.inv_mass_a);
+    put(row.moves_b, row.b, of.inv_inertia_b, of.inv_mass_b);
+    return true;
+  };
+  const std::uint32_t begin = c.group_begin[group];
+  const std::span<const std::uint32_t> rows(c.group_rows.data() + begin, c.group_begin[group + 1] - begin);
+  each_pair(c, rows, sources, world.wide->kernels->points.watch, [&](const PairRows& pair, const PointMotions& points) {
+    const Row& row = c.rows[pair.row];
+    const Real thickness = thickness_of(world, c.geometry[pair.row]);
+    const Real fall = 2 * pull_on(scene, row) * thickness;                           // (m/s)^2
+    const Real give = 1 / ((row.moves_a && row.moves_b ? w2 : 4 * w2) * thickness);  // s^2/m
+    const Real share = weight / pair.count;                                          // N
+    view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(scene, row));
+    Real most = 0;
+    for (std::uint32_t k = 0; k < pair.count; ++k) {
+      const Real load = std::max(points.p_n[k] * rate, share);
+      // How deep soft contacts let the point sink, of the thickness of what touches: P / (m w^2) over that.
+      if (load > 0) most = std::max(most, load * points.response[k] * give);
+      motion.struck |= points.closing[k] * points.closing[k] > kBlow * fall;
+      motion.still &= points.speed2[k] < kStill * fall;
     }
-    const Arms arms(world, row, g);
-    Vec3 u = relative_velocity(world.state, row, arms.a, arms.b);
-    if (!c.surface.empty()) u += c.surface[i];
-    const Real closing = -u.dot(row.n);
-    const Real load = std::max(row.p.dot(row.n) * rate, share);
-    const Real sink = sink_of(world, row, arms, load, give);
     const auto bears = [&](bool moves, std::uint32_t body) {
-      if (moves) seen.mark(c.load[body], body, sink > deep ? Contacts::kHeavy : Contacts::kLight);
+      if (moves) seen.mark(c.load[body], body, most > deep ? Contacts::kHeavy : Contacts::kLight);
     };
     bears(row.moves_a, row.a), bears(row.moves_b, row.b);
-    view.sink = std::max(view.sink, sink);
-    motion.struck |= closing * closing > kBlow * fall;
-    motion.still &= u.squaredNorm() < kStill * fall;
-  }
+    view.sink = std::max(view.sink, most);
+  });
   return motion;
 }
 

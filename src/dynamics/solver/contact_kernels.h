@@ -41,9 +41,16 @@ struct ContactSweeps {
   void (*measure)(const Run& run);
 };
 
+/// What solvers ask that go pair by pair.   @param sources  [pairs]
+struct PointKernels {
+  void (*place)(const PointSources* sources, std::size_t pairs, PointPlaces* places);
+  void (*watch)(const PointSources* sources, std::size_t pairs, PointMotions* motions);
+};
+
 /// The same functions for one width; same bits from each.
 struct ContactKernels {
   const char* name;
+  PointKernels points;
   ContactSweeps<double> in_double;
   ContactSweeps<float> in_float;
 };

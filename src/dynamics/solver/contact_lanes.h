@@ -123,6 +123,32 @@ struct LaneTargets {
   const double *row[kLanes], *geometry[kLanes];           // Row, RowGeometry of the first point
   double *to_row[kLanes], *to_geometry[kLanes];           // the same, or null
 };
+/// The points of one pair side by side, for solvers that go pair by pair: what of its rows and bodies says where they
+/// are and how they move. All in doubles; lanes beyond its points repeat the first.
+struct PointSources {
+  const double *rotation_a, *rotation_b;        // world from body axes
+  const double *held_a, *held_b;                // @see held_arms.h
+  const double *inv_inertia_a, *inv_inertia_b;  // 1/(kg m^2), world; zeros where impulses do not turn it
+  const double *x_a, *x_b;                      // m
+  const double *v_a, *v_b;                      // m/s
+  const double *omega_a, *omega_b;              // rad/s
+  const double* surface[kLanes];                // m/s, what B's does relative to A's by itself
+  const double *row[kLanes], *geometry[kLanes];
+  double inv_mass_a, inv_mass_b;  // 1/kg; 0 where impulses do not move it
+  double to_b;                    // @see Arms
+};
+/// Where they are.
+struct PointPlaces {
+  LaneVec r_a, r_b;  // m, from the centres of mass, as the bodies are held
+  Lanes response;    // 1/kg, mean velocity at the point per impulse there
+};
+/// What they do and bear.
+struct PointMotions {
+  Lanes closing, speed2;  // m/s along the normal, (m/s)^2 in any direction
+  Lanes response;         // 1/kg, normal velocity per normal impulse
+  Lanes p_n;              // N s, normal impulse that the substep starts from
+};
+
 // In those, counted in doubles (wide_contacts.cpp holds them to it).
 inline constexpr int kRowNumbers = 24, kRowVelocity = 0, kRowNormal = 3, kRowImpulse = 16;
 inline constexpr int kGeometryNumbers = 17, kGeometryA = 0, kGeometryB = 3, kGeometryRadiusA = 6, kGeometryRadiusB = 7,

@@ -6,6 +6,7 @@
 #include "dynamics/solver/contact_kernels.h"
 #include "dynamics/solver/contact_layout.h"
 #include "dynamics/solver/contact_masses.h"
+#include "dynamics/solver/contact_points.h"
 
 namespace carom {
 namespace {
@@ -338,7 +339,9 @@ constexpr ContactSweeps<Number> all_sweeps() {
           book<Number>,    part<Number>,         measure<Number>};
 }
 
-constexpr ContactKernels kernels_named(const char* name) { return {name, all_sweeps<double>(), all_sweeps<float>()}; }
+constexpr ContactKernels kernels_named(const char* name) {
+  return {name, {place_points, watch_points}, all_sweeps<double>(), all_sweeps<float>()};
+}
 
 }  // namespace
 }  // namespace carom

@@ -33,6 +33,7 @@ class ConeGroup {
   bool repeat(Real tolerance);
   Real start(Real h);
   void follow_bodies();
+  void follow_impulses();
   void keep();
   Real displacement_share() const;
   void turn_frames();

@@ -40,6 +40,14 @@ Real residual(const ConeProblem& problem) { return largest_offence(problem, slip
 
 namespace {
 
+/// Each contact bears something and could bear some more friction.
+bool is_borne(const ConeProblem& problem) {
+  return std::ranges::all_of(problem.contacts, [](const ConeContact& c) {
+    const ConePart part = part_of(c.p, c.n, c.friction);
+    return part.kind == ConePart::inside && part.t < c.friction * part.n;
+  });
+}
+
 /// Rounds at one slip until the offence with that slip is small.
 class FrozenSlip {
  public:
@@ -47,7 +55,9 @@ class FrozenSlip {
       : problem_(problem),
         answer_(answer),
         most_steps_(most_steps),
-        softness_(problem.contacts.empty() ? kFirstOfLinks : kFirst) {}
+        softness_(problem.contacts.empty() ? kFirstOfLinks
+                  : is_borne(problem)      ? kFirstOfBorne
+                                           : kFirst) {}
 
   void solve(Real target) {
     Real left = offence_now();
@@ -72,6 +82,8 @@ class FrozenSlip {
   // A soft round is easy for Newton's method and goes part of the way, a hard one the other way round.
   // What only locks is linear, and is at its end after a hard round or two.
   static constexpr Real kFirstOfLinks = 1e-7;
+  // What lies on all its contacts, within their cones, will mostly go on to stick: that is nearly linear.
+  static constexpr Real kFirstOfBorne = 1e-5;
   static constexpr Real kFirst = 1e-3, kLeast = 1e-10, kMost = 1, kGood = 0.1, kHarder = 0.1, kSofter = 30;
 
   Real offence_now() const {

@@ -2,19 +2,25 @@
 
 #include "dynamics/contact/held_arms.h"
 #include "dynamics/force/force.h"
+#include "dynamics/solver/pair_points.h"
 
 namespace carom {
 namespace {
 
-/// Mean of the eigenvalues of what an impulse at a point does to the velocity there.
-Real mean_response(const ConeBody* bodies, const ConeContact& c) {
-  const auto of = [&](std::uint32_t body, const Vec3& r) {
-    if (body == kNobody) return Real(0);
-    const Mat3& w = bodies[body].inv_inertia;
-    return bodies[body].inv_mass + (r.squaredNorm() * w.trace() - r.dot(w * r)) / 3;  // -trace([r]x w [r]x) = ...
-  };
-  return of(c.a, c.r_a) + of(c.b, c.r_b);
-}
+/// What a body's point does that impulses do not change: all of it where they move nobody, its spin where they don't
+/// turn the body.
+struct Carried {
+  bool turns;
+  Vec3 v = Vec3::Zero(), omega = Vec3::Zero();  // m/s, rad/s
+
+  Carried(const World& world, const ConeBody* bodies, std::uint32_t body, std::uint32_t slot)
+      : turns(body != kNobody && bodies[body].turns) {
+    if (body == kNobody) v = world.state.v[slot];
+    if (!turns) omega = world.state.omega[slot];
+  }
+  bool any() const { return !turns && (v != Vec3::Zero() || omega != Vec3::Zero()); }
+  Vec3 at(const Vec3& r) const { return v + omega.cross(r); }
+};
 
 bool is_curved(const Shape& s) {
   return s.form != Form::box && s.form != Form::polytope && s.form != Form::half_space && !is_scenery(s);
@@ -34,27 +40,39 @@ void load_mass(const World& world, ConeBody& b) {
                                           : Mat3(r * world.scene.inv_inertia[b.slot] * r.transpose());
 }
 
-void load_contact(const World& world, std::uint32_t row_index, const ConeBody* bodies, ConeContact& contact) {
-  const Row& row = world.contacts->rows[row_index];
-  const RowGeometry& g = world.contacts->geometry[row_index];
-  Arms arms(world, row, g);
-  if (contact.a != kNobody) arms.a += bodies[contact.a].held_back * g.l_a;
-  if (contact.b != kNobody) arms.b += bodies[contact.b].held_back * g.l_b;
-  const auto turns = [&](std::uint32_t body) { return body != kNobody && bodies[body].turns; };
-  const bool turns_a = turns(contact.a), turns_b = turns(contact.b);
-  contact.n = row.n;
-  contact.r_a = turns_a ? arms.a : Vec3::Zero();
-  contact.r_b = turns_b ? arms.b : Vec3::Zero();
-  contact.k = mean_response(bodies, contact);
-  // What of relative_velocity() is not relative() of the bodies here.
-  const State& s = world.state;
-  const Vec3 &v_a = s.v[row.a], &v_b = s.v[row.b], spin_a = s.omega[row.a].cross(arms.a),
-             spin_b = s.omega[row.b].cross(arms.b);
-  Vec3 own = Vec3::Zero();
-  if (contact.b != kNobody) own += v_b + (turns_b ? spin_b : Vec3(Vec3::Zero()));
-  if (contact.a != kNobody) own -= v_a + (turns_a ? spin_a : Vec3(Vec3::Zero()));
-  contact.carried = (v_b + spin_b - v_a - spin_a) - own;
-  if (const Array<Vec3>& surface = world.contacts->surface; !surface.empty()) contact.carried += surface[row_index];
+void load_contacts(const World& world, std::span<const std::uint32_t> rows, const ConeBody* bodies,
+                   ConeContact* contacts, LoadWhat what) {
+  const Contacts& c = *world.contacts;
+  const auto sources = [&](const PairRows& pair, PointSources& of) {
+    const ConeContact& contact = contacts[pair.at];
+    if (what == LoadWhat::not_curved && contact.is_curved) return false;
+    of = point_sources(world, pair);
+    const auto put = [&](std::uint32_t body, const double*& held, const double*& inv_inertia, double& inv_mass) {
+      held = body != kNobody ? bodies[body].held_back.data() : kNoMatrix;
+      inv_inertia = body != kNobody ? bodies[body].inv_inertia.data() : kNoMatrix;
+      inv_mass = body != kNobody ? bodies[body].inv_mass : 0;
+    };
+    put(contact.a, of.held_a, of.inv_inertia_a, of.inv_mass_a);
+    put(contact.b, of.held_b, of.inv_inertia_b, of.inv_mass_b);
+    return true;
+  };
+  each_pair(c, rows, sources, world.wide->kernels->points.place, [&](const PairRows& pair, const PointPlaces& places) {
+    const Row& first = c.rows[pair.row];
+    const ConeContact& of = contacts[pair.at];
+    const Carried carried_a(world, bodies, of.a, first.a), carried_b(world, bodies, of.b, first.b);
+    const bool carries = carried_a.any() || carried_b.any();
+    for (std::uint32_t k = 0; k < pair.count; ++k) {
+      ConeContact& contact = contacts[pair.at + k];
+      const Vec3 r_a(places.r_a.x[k], places.r_a.y[k], places.r_a.z[k]),
+          r_b(places.r_b.x[k], places.r_b.y[k], places.r_b.z[k]);
+      contact.n = c.rows[pair.row + k].n;
+      contact.r_a = carried_a.turns ? r_a : Vec3::Zero();
+      contact.r_b = carried_b.turns ? r_b : Vec3::Zero();
+      contact.k = places.response[k];
+      contact.carried = carries ? Vec3(carried_b.at(r_b) - carried_a.at(r_a)) : Vec3::Zero();
+      if (!c.surface.empty()) contact.carried += c.surface[pair.row + k];
+    }
+  });
 }
 
 void load_groups(World& world, DirectGroups& d) {
@@ -66,7 +84,6 @@ void load_groups(World& world, DirectGroups& d) {
   std::uint32_t of = 0xFFFFFFFFu;  // pair
   bool curved = false;
   for (std::size_t i = 0; i < d.contacts.size(); ++i) {
-    load_contact(world, d.row[i], d.bodies.data(), d.contacts[i]);
     if (const std::uint32_t own = world.contacts->geometry[d.row[i]].pair; own != of) {
       const Pair& pair = world.pairs.place(own).pair;
       const Array<const Shape*>& shape = world.scene.colliders.shape;
@@ -74,6 +91,7 @@ void load_groups(World& world, DirectGroups& d) {
     }
     d.contacts[i].is_curved = curved;
   }
+  load_contacts(world, {d.row.data(), d.row.size()}, d.bodies.data(), d.contacts.data(), LoadWhat::all);
 }
 
 }  // namespace carom

@@ -7,8 +7,11 @@ namespace carom {
 
 /// Masses, in the body's present orientation.
 void load_mass(const World& world, ConeBody& body);
-/// Where a contact is, and what depends on that. Bodies have the velocities of the state.
-void load_contact(const World& world, std::uint32_t row, const ConeBody* bodies, ConeContact& contact);
+enum class LoadWhat { all, not_curved };
+/// Where contacts are, and what depends on that. Bodies have the velocities of the state.
+/// @param rows, contacts  ascending, all or none of a pair's
+void load_contacts(const World& world, std::span<const std::uint32_t> rows, const ConeBody* bodies,
+                   ConeContact* contacts, LoadWhat what);
 /// Bodies and contacts, as the step begins.
 void load_groups(World& world, DirectGroups& d);
 

@@ -157,7 +157,7 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
   std::uint32_t steps = 0;
   for (; steps < most_steps; ++steps) {
     if (find_gradient() <= tolerance) break;
-    if (!find_factor()) break;
+    if (!find_factor(steps == 0 ? tolerance : 0)) break;
     find_step();
     const Real length = search();
     for (ConeBody& b : bodies_of(problem_)) b.change += length * b.step;
@@ -194,22 +194,24 @@ Real Round::find_gradient() {
   return std::sqrt(most);
 }
 
-bool Round::find_factor() {
+bool Round::find_factor(Real still) {
   if (all_stick_ && problem_.sticking == softness_) return true;
   problem_.sticking = 0;
-  assemble();
+  assemble(still);
   if (!factor(*problem_.elimination, problem_.first, problem_.last, *problem_.factor)) return false;
   if (all_stick_) problem_.sticking = softness_;
   return true;
 }
 
-void Round::assemble() {
+void Round::assemble(Real still) {
   const Elimination& e = *problem_.elimination;
   BlockFactor& f = *problem_.factor;
   assemble_masses(problem_);
   for (const ConeContact& c : problem_.contacts) {
-    if (c.p == Vec3::Zero()) continue;  // off the cone: no curvature
-    if (c.p == pull(c, c.u)) {          // inside: the same in all directions
+    const Vec3 pulled = pull(c, c.u);
+    const bool at_tip = c.p0 == Vec3::Zero() && resistance(c) * pulled.norm() <= still;
+    if (c.p == Vec3::Zero() && !at_tip) continue;  // off the cone: no curvature
+    if (c.p == pulled || at_tip) {                 // inside: the same in all directions
       const Real w = 1 / resistance(c);
       if (c.a != kNobody) add_isotropic(f.diagonal[e.place[c.a]], w, c.r_a, c.r_a);
       if (c.b != kNobody) add_isotropic(f.diagonal[e.place[c.b]], w, c.r_b, c.r_b);
@@ -218,7 +220,7 @@ void Round::assemble() {
       add_isotropic(f.below[c.below], -w, later, other);
       continue;
     }
-    const Mat3 w = slope_of_projection(pull(c, c.u), c.n, c.friction) / resistance(c);
+    const Mat3 w = slope_of_projection(pulled, c.n, c.friction) / resistance(c);
     const Mat3 x_a = cross_matrix(c.r_a), x_b = cross_matrix(c.r_b), w_a = w * x_a, w_b = w * x_b;
     if (c.a != kNobody) add_own(f.diagonal[e.place[c.a]], w, x_a, w_a);
     if (c.b != kNobody) add_own(f.diagonal[e.place[c.b]], w, x_b, w_b);

@@ -25,9 +25,12 @@ class Round {
   /// @return m/s, the most that a contact's velocity would change if bodies had the momentum that impulses give
   Real find_gradient();
   /// The factor for the next step, or false: there is none.
-  bool find_factor();
-  /// Curvature: M + sum J^T (dP/dz / R) J.
-  void assemble();
+  /// @param still  m/s, @see assemble()
+  bool find_factor(Real still);
+  /// Curvature: M + sum J^T (dP/dz / R) J. What a host has just built touches and bears nothing yet: all its contacts
+  /// are at the tips of their cones, where dP/dz jumps. Taken as off the cones they would be found one layer a step.
+  /// @param still  m/s: contacts that bear nothing and move no faster are taken to stick
+  void assemble(Real still);
   void find_step();
   /// Where along the step the function is least, closely enough: a root of its derivative, which grows.
   Real search() const;
