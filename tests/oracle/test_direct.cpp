@@ -149,6 +149,25 @@ static void what_bears_too_often_is_borne_evenly(void**) {
     assert_true(std::fabs(c.normal_impulse - weight / 4) < 1e-6 * weight);
 }
 
+/// A box that lay on the ground and is thrown up starts from the impulses that bore it. None of it is left: it goes
+/// along its parabola, as what touches nothing does, and not by half a substep's gravity beside it.
+static void what_bears_nothing_after_all_flies(void**) {
+  for (const Real speed : {0.7, 1.1, 2.3, 3.1}) {
+    TestWorld t;
+    use_direct(t, 1e-6);
+    t.world.set_dial(Dial::substeps, 4);
+    t.ground();
+    const std::uint32_t box_ = t.add(t.keep(box(Vec3(0.3, 0.5, 0.4))), Vec3(0.1, 0.5, 0.2));
+    t.run(3, kStep);
+    const Vec3 x = t.world.state.x[box_], v(0.3 * speed, speed, -0.1 * speed);
+    t.world.set_velocity(box_, v, Vec3::Zero());
+    t.world.step(kStep);
+    const Vec3 want = x + kStep * v + 0.5 * kStep * kStep * t.world.scene.gravity;
+    assert_true(t.world.report.velocity_impulses > 0);  // it was asked
+    assert_true((t.world.state.x[box_] - want).norm() < 1e-13);
+  }
+}
+
 static void a_slope_holds_below_the_angle_of_friction_and_lets_go_above(void**) {
   for (const Real angle : {0.45, 0.48}) {  // tan 0.463 = 0.5
     const Vec3 down(-std::sin(angle), -std::cos(angle), 0);
@@ -208,6 +227,7 @@ int main() {
       cmocka_unit_test(a_stack_of_forty_stands),
       cmocka_unit_test(a_light_cube_bears_one_of_a_million_times_its_mass),
       cmocka_unit_test(what_bears_too_often_is_borne_evenly),
+      cmocka_unit_test(what_bears_nothing_after_all_flies),
       cmocka_unit_test(a_slope_holds_below_the_angle_of_friction_and_lets_go_above),
       cmocka_unit_test(an_impact_is_handed_on_and_keeps_the_energy),
       cmocka_unit_test(a_capped_solve_stays_sane),
