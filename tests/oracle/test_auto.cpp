@@ -147,6 +147,28 @@ static void a_group_beyond_its_work_is_left_to_soft_contacts_for_a_while(void**)
   for (std::uint32_t i = 1; i <= 40; ++i) assert_true(t.world.state.x[i].y() > 0.1);
 }
 
+/// The same heap with some work allowed: a substep that comes nowhere near takes its share, and the next ones do not
+/// try again.
+static void who_gives_up_keeps_the_rest_of_its_work(void**) {
+  constexpr Real kWork = 4000;
+  TestWorld t;
+  use(t, kAutoChoice);
+  t.world.set_dial(Dial::direct_work, kWork);
+  t.world.set_dial(Dial::direct_sink, 0);
+  t.ground();
+  Random random(5);
+  const Shape* cube = t.keep(box(Vec3(0.3, 0.2, 0.4)));
+  for (int i = 0; i < 40; ++i) t.add(cube, Vec3(random.uniform(-0.5, 0.5), 0.5 + 0.4 * i, random.uniform(-0.5, 0.5)));
+  int at_once = 0;
+  for (int step = 0; step < 200; ++step) {
+    t.world.step(kStep);
+    for (const GroupRest& rest : t.world.direct->rest)
+      at_once += rest.gave_up && static_cast<Real>(rest.work) > kWork / 2;  // in the first substep
+  }
+  assert_true(at_once > 0);
+  for (std::uint32_t i = 1; i <= 40; ++i) assert_true(t.world.state.x[i].y() > 0.1);
+}
+
 /// A wall of 200 blocks that nobody touches, joints of the courses open by `joint`.
 static void a_wall_that_stands_is_solved_now_and_then(void**) {
   constexpr int kColumns = 20, kRows = 10, kSteps = 300;
@@ -209,6 +231,7 @@ int main() {
       cmocka_unit_test(it_names_what_it_chose_and_why),
       cmocka_unit_test(groups_are_answered_as_if_alone),
       cmocka_unit_test(a_stack_of_forty_stands_under_either_choice_of_substeps),
+      cmocka_unit_test(who_gives_up_keeps_the_rest_of_its_work),
       cmocka_unit_test(a_wall_that_stands_is_solved_now_and_then),
       cmocka_unit_test(a_blow_goes_through_a_row_of_balls_without_loss),
       cmocka_unit_test(threads_do_not_change_a_bit),

@@ -257,9 +257,8 @@ void choose(World& world, Real h) {
 void spare_the_tired(World& world) {
   constexpr std::uint8_t kWhile = 120;  // steps
   const DirectGroups& d = *world.direct;
-  const Real tolerance = world.scene.dials[Dial::velocity_tolerance];
   for (std::size_t g = 0; g < d.groups(); ++g) {
-    if (d.answer[g].reached || !(d.answer[g].residual > tolerance)) continue;
+    if (!is_far_off(d.answer[g], world.scene.dials)) continue;
     for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
       world.state.tired_steps[d.bodies[i].slot] = kWhile;
   }

@@ -22,7 +22,13 @@ struct GroupRest {
   std::uint32_t repeats = 0;  // substeps that repeated its impulses and are not booked yet
   bool is_bounded = false;    // in what it may take
   std::uint64_t work = 0;     // block products that it may still take in this step, if so
+  bool gave_up = false;       // that did not do for a substep: nor will it for the next
 };
+
+/// An answer that came nowhere near the law.
+inline bool is_far_off(const ConeAnswer& answer, const Dials& dials) {
+  return !answer.reached && answer.residual > dials[Dial::velocity_tolerance];
+}
 
 /// The stages of the direct solver over the groups it answers, for it and for what chooses among solvers.
 void gather_groups(World& world);  // allocates

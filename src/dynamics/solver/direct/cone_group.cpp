@@ -82,6 +82,7 @@ ConeGroup::ConeGroup(World& world, std::size_t group)
 /// Of Newton's method.   @param work  block products, beyond those of kAlways
 std::uint32_t ConeGroup::allowed_steps(std::uint64_t work) const {
   if (!rest_.is_bounded) return kMostSteps;
+  if (rest_.gave_up) return kAlways;
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + work / work_, kMostSteps));
 }
 
@@ -208,6 +209,7 @@ void ConeGroup::solve(Real h, std::uint64_t work, int substeps) {
     answer_ = solve_cones(problem_, goal, most_steps);
   }
   book_work();
+  rest_.gave_up |= rest_.is_bounded && !is_joined() && is_far_off(answer_, world_.scene.dials);
   start_from_loads(problem_);
   keep();
   rest_.is_first = false;
