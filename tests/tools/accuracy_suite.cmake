@@ -17,6 +17,11 @@ set(accuracy_misses
   pile tumble                                  # impacts are met a substep early or late, and what follows goes elsewhere
   cones_capsules                               # Newton's steps run out where capsules fall on each other: 1e-4 m/s
   collisions)                                  # angular momentum: both sides of a contact moved since it was found
+# Bounds of flight are those of the preset `accurate`, at 1/240 s. A second for all: these run always.
+foreach(scene freefall drag gzbox top dzhanibekov heavytop)
+  add_test(NAME tools/accurate_${scene} COMMAND carom_cli accuracy run ${scene} --preset accurate --dt 1/240)
+  set_tests_properties(tools/accurate_${scene} PROPERTIES LABELS tools)
+endforeach()
 foreach(scene ${accuracy_scenes})
   add_test(NAME accuracy/${scene} COMMAND carom_cli accuracy run ${scene} CONFIGURATIONS accuracy)
   set_tests_properties(accuracy/${scene} PROPERTIES LABELS accuracy TIMEOUT 3600)

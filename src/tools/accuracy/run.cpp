@@ -41,6 +41,7 @@ Run play(Engine& engine, const Challenge& challenge, const Request& request) {
   Run r;
   r.stage = std::make_unique<Stage>(engine);
   r.observer = build(challenge.scene, request.settings, *r.stage);
+  if (!request.preset.empty()) r.stage->world.set_preset(request.preset);
   for (const std::string& dial : request.dials) r.stage->world.set_dial(dial);
   const Trial& trial = r.trial();
   const std::unique_ptr<Mover> mover = request.mover ? request.mover(*r.stage) : std::make_unique<OwnWorld>();

@@ -29,6 +29,7 @@ struct Request {
   std::function<void(Stage&, const carom_step_report&)> after_step;  ///< may be empty
   double patience = 0;                                       ///< s of computing after which a run is given up; 0: never
   std::function<std::unique_ptr<Mover>(Stage&)> mover = {};  ///< for a stage that is filled; empty: its own world
+  std::string preset = {};                                   ///< before dials; empty: a new world's
 };
 
 /// What came of a run.

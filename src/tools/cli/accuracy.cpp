@@ -21,7 +21,7 @@ using accuracy::Request;
 using accuracy::Result;
 
 struct Options {
-  std::string scene, dt = "1/60", csv;
+  std::string scene, preset, dt = "1/60", csv;
   std::vector<std::string> dials, sets;
   double seconds = 0;
   int halvings = 0;
@@ -43,10 +43,18 @@ double step_from(const std::string& text) {
 Request request_from(const Options& options) {
   Request request;
   request.settings.values = values_from(options.sets);
+  request.preset = options.preset;
   request.dials = options.dials;
   request.dt = step_from(options.dt);
   request.seconds = options.seconds;
   return request;
+}
+
+/// All that was set, as it is written on the command line.
+std::vector<std::string> settings_of(const Options& options) {
+  std::vector<std::string> all = options.dials;
+  if (!options.preset.empty()) all.insert(all.begin(), "preset=" + options.preset);
+  return all;
 }
 
 std::string error_text(double error) { return std::isfinite(error) ? format("%.2g", error) : "none"; }
@@ -148,7 +156,7 @@ void run_accuracy(const Options& options, Context& context) {
     held += accuracy::within_bounds(*challenge, results.back());
     story = results.back().story;
     if (csv)
-      for (const Result& result : results) csv->add(*challenge, result, options.dials);
+      for (const Result& result : results) csv->add(*challenge, result, settings_of(options));
   }
   if (csv) csv->finish();
   std::printf("%s", table(rows, kRight).c_str());
@@ -185,6 +193,8 @@ void add_accuracy_command(CLI::App& app, Context& context) {
   const auto options = std::make_shared<Options>();
   CLI::App* run = command->add_subcommand("run", "Run a scene, or all, and print error, bound, best peer and cost");
   run->add_option("SCENE", options->scene, "Which scene, or all; `carom accuracy list` shows them")->required();
+  run->add_option("--preset", options->preset, "fast, balanced, accurate or reference; --dial comes after")
+      ->type_name("NAME");
   run->add_option("--dial", options->dials, "A dial of the world, repeatable; `carom dials` lists them")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
