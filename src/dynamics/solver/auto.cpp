@@ -218,38 +218,46 @@ std::uint32_t first_body(const Contacts& c, std::size_t group) {
                                           : of(c.links[c.group_links[c.group_link_begin[group]]]);
 }
 
+/// What is to be known of a group, the choice among it. Writes what bodies of the group remember.
+GroupView view_of(World& world, std::size_t group, Real w2, Real h) {
+  const Contacts& c = *world.contacts;
+  const Real most_ratio = world.scene.dials[Dial::direct_ratio];
+  GroupView view;
+  view.body = first_body(c, group);
+  view.bodies = c.group_bodies[group], view.points = c.group_begin[group + 1] - c.group_begin[group];
+  if (view.bodies > kMostBodies) {
+    view.reason = GroupReason::too_much;
+    return view;
+  }
+  look_at_joints(world, group, view);
+  if (view.points == 0) {
+    view.reason = view.mass_ratio > most_ratio ? GroupReason::mass_ratio
+                  : view.bodies <= kFewJoined  ? GroupReason::joined
+                                               : GroupReason::ordinary;
+    return view;
+  }
+  Seen seen;
+  const Real weight = weight_if_new(world, group, h, seen);
+  const GroupMotion motion = look_at(world, group, w2, h, weight, view, seen);
+  const GroupMemory memory = remember(world, seen, weight > 0);
+  view.reason = reason_for(view, motion, memory, most_ratio);
+  return view;
+}
+
 void choose(World& world, Real h) {
+  constexpr std::size_t kGroupsAPart = 4;
   Contacts& c = *world.contacts;
-  const Dials& dials = world.scene.dials;
-  const Real w2 = stiffness(dials, h);
+  const Real w2 = stiffness(world.scene.dials, h);
   c.load.resize(world.scene.bodies.slots(), Contacts::kUnseen);
-  c.direct.assign(c.groups(), 0);
-  world.group_views.clear();
-  for (std::size_t g = 0; g < c.groups(); ++g) {
-    GroupView view;
-    view.body = first_body(c, g);
-    view.bodies = c.group_bodies[g], view.points = c.group_begin[g + 1] - c.group_begin[g];
-    if (view.bodies > kMostBodies) {
-      view.reason = GroupReason::too_much;
-    } else {
-      look_at_joints(world, g, view);
-      if (view.points == 0) {
-        view.reason = view.mass_ratio > dials[Dial::direct_ratio] ? GroupReason::mass_ratio
-                      : view.bodies <= kFewJoined                 ? GroupReason::joined
-                                                                  : GroupReason::ordinary;
-      } else {
-        Seen seen;
-        const Real weight = weight_if_new(world, g, h, seen);
-        const GroupMotion motion = look_at(world, g, w2, h, weight, view, seen);
-        const GroupMemory memory = remember(world, seen, weight > 0);
-        view.reason = reason_for(view, motion, memory, dials[Dial::direct_ratio]);
-      }
-    }
+  c.direct.resize(c.groups());
+  world.group_views.resize(c.groups());
+  in_parallel(world.jobs, c.groups(), kGroupsAPart, [&](std::uint32_t g) {
+    GroupView& view = world.group_views[g];
+    view = view_of(world, g, w2, h);
     c.direct[g] = answer_to(view.reason);
     view.direct = c.direct[g] != Contacts::kSoftly;
-    world.report.direct_groups += view.direct;
-    world.group_views.push_back(view);
-  }
+  });
+  for (const GroupView& view : world.group_views) world.report.direct_groups += view.direct;
 }
 
 /// A group that came nowhere near its solution within its work is left to soft contacts for a while: it moves too much.

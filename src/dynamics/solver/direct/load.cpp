@@ -75,23 +75,38 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
   });
 }
 
-void load_groups(World& world, DirectGroups& d) {
-  for (ConeBody& b : d.bodies) {
-    hold_orientation(world, b.slot);
-    load_mass(world, b);
-    b.v << world.state.v[b.slot], world.state.omega[b.slot];
-  }
+namespace {
+
+/// Which contacts are of shapes that are not known to be polytopes.
+void note_curves(const World& world, std::span<const std::uint32_t> rows, ConeContact* contacts) {
+  const Array<const Shape*>& shape = world.scene.colliders.shape;
   std::uint32_t of = 0xFFFFFFFFu;  // pair
   bool curved = false;
-  for (std::size_t i = 0; i < d.contacts.size(); ++i) {
-    if (const std::uint32_t own = world.contacts->geometry[d.row[i]].pair; own != of) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (const std::uint32_t own = world.contacts->geometry[rows[i]].pair; own != of) {
       const Pair& pair = world.pairs.place(own).pair;
-      const Array<const Shape*>& shape = world.scene.colliders.shape;
       curved = is_curved(*shape[pair.a]) || is_curved(*shape[pair.b]), of = own;
     }
-    d.contacts[i].is_curved = curved;
+    contacts[i].is_curved = curved;
   }
-  load_contacts(world, {d.row.data(), d.row.size()}, d.bodies.data(), d.contacts.data(), LoadWhat::all);
+}
+
+}  // namespace
+
+void load_groups(World& world, DirectGroups& d) {
+  constexpr std::size_t kGroupsAPart = 4;
+  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) {
+    const DirectGroups::Begin &from = d.begin[g], &to = d.begin[g + 1];
+    for (ConeBody& b : std::span(d.bodies.data() + from.body, to.body - from.body)) {
+      hold_orientation(world, b.slot);
+      load_mass(world, b);
+      b.v << world.state.v[b.slot], world.state.omega[b.slot];
+    }
+    const std::span<const std::uint32_t> rows(d.row.data() + from.contact, to.contact - from.contact);
+    ConeContact* const contacts = d.contacts.data() + from.contact;
+    note_curves(world, rows, contacts);
+    load_contacts(world, rows, d.bodies.data(), contacts, LoadWhat::all);
+  });
 }
 
 }  // namespace carom
