@@ -40,11 +40,14 @@ Real residual(const ConeProblem& problem) { return largest_offence(problem, slip
 
 namespace {
 
-/// Each contact bears something and could bear some more friction.
+/// Each contact bears something, and what there is to undo at it is little beside what friction there could still bear:
+/// it will go on to stick.
 bool is_borne(const ConeProblem& problem) {
+  constexpr Real kLittle = 0.01;
   return std::ranges::all_of(problem.contacts, [](const ConeContact& c) {
     const ConePart part = part_of(c.p, c.n, c.friction);
-    return part.kind == ConePart::inside && part.t < c.friction * part.n;
+    const Real spare = part.kind == ConePart::inside ? c.friction * part.n - part.t : 0;
+    return (c.u - c.want * c.n).norm() < kLittle * c.k * spare;
   });
 }
 
