@@ -12,7 +12,7 @@ set(accuracy_misses
   fourbar bricard governor                     # likewise, and governor's springs are softer than they should be
   elastic666                                   # what meets slower than restitution_speed stops
   pack666 rolling                              # soft contacts; solver direct holds both
-  domino                                       # first order in contact: 1.9 % slow
+  domino                                       # first order in contact: 1.4 % slow
   coin                                         # contacts are answered where a substep begins
   pile tumble                                  # impacts are met a substep early or late, and what follows goes elsewhere
   cones_capsules                               # Newton's steps run out where capsules fall on each other: 1e-4 m/s
