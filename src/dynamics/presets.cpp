@@ -10,8 +10,8 @@ struct Row {
   Dial dial;
   Real fast, accurate, reference;  // balanced: the dial's initial value
 };
-constexpr Real kAuto = 4, kVerlet = 3, kSplitting = 5, kSplitting4 = 6,
-               kSplitting6 = 7;  // choices, as dials.cpp numbers them
+// Choices, as dials.cpp numbers them.
+constexpr Real kAuto = 4, kVerlet = 3, kSplitting = 5, kSplitting4 = 6, kSplitting6 = 7;
 constexpr Row kRows[] = {
     {Dial::integrator, kVerlet, kVerlet, kVerlet},
     {Dial::rotation, kSplitting, kSplitting4, kSplitting6},

@@ -26,6 +26,13 @@ bool is_curved(const Shape& s) {
   return s.form != Form::box && s.form != Form::polytope && s.form != Form::half_space && !is_scenery(s);
 }
 
+/// Whether one of two that touch is not known to be a polytope.
+bool is_curved(const World& world, const RowGeometry& g) {
+  const Pair& pair = world.pairs.place(g.pair).pair;
+  const Array<const Shape*>& shape = world.scene.colliders.shape;
+  return is_curved(*shape[pair.a]) || is_curved(*shape[pair.b]);
+}
+
 }  // namespace
 
 void load_mass(const World& world, ConeBody& b) {
@@ -61,10 +68,12 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
     const ConeContact& of = contacts[pair.at];
     const Carried carried_a(world, bodies, of.a, first.a), carried_b(world, bodies, of.b, first.b);
     const bool carries = carried_a.any() || carried_b.any();
+    const bool curved = what == LoadWhat::all && is_curved(world, c.geometry[pair.row]);
     for (std::uint32_t k = 0; k < pair.count; ++k) {
       ConeContact& contact = contacts[pair.at + k];
       const Vec3 r_a(places.r_a.x[k], places.r_a.y[k], places.r_a.z[k]),
           r_b(places.r_b.x[k], places.r_b.y[k], places.r_b.z[k]);
+      contact.is_curved = curved;
       contact.n = c.rows[pair.row + k].n;
       contact.r_a = carried_a.turns ? r_a : Vec3::Zero();
       contact.r_b = carried_b.turns ? r_b : Vec3::Zero();
@@ -75,24 +84,6 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
   });
 }
 
-namespace {
-
-/// Which contacts are of shapes that are not known to be polytopes.
-void note_curves(const World& world, std::span<const std::uint32_t> rows, ConeContact* contacts) {
-  const Array<const Shape*>& shape = world.scene.colliders.shape;
-  std::uint32_t of = 0xFFFFFFFFu;  // pair
-  bool curved = false;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (const std::uint32_t own = world.contacts->geometry[rows[i]].pair; own != of) {
-      const Pair& pair = world.pairs.place(own).pair;
-      curved = is_curved(*shape[pair.a]) || is_curved(*shape[pair.b]), of = own;
-    }
-    contacts[i].is_curved = curved;
-  }
-}
-
-}  // namespace
-
 void load_groups(World& world, DirectGroups& d) {
   constexpr std::size_t kGroupsAPart = 4;
   in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) {
@@ -102,10 +93,8 @@ void load_groups(World& world, DirectGroups& d) {
       load_mass(world, b);
       b.v << world.state.v[b.slot], world.state.omega[b.slot];
     }
-    const std::span<const std::uint32_t> rows(d.row.data() + from.contact, to.contact - from.contact);
-    ConeContact* const contacts = d.contacts.data() + from.contact;
-    note_curves(world, rows, contacts);
-    load_contacts(world, rows, d.bodies.data(), contacts, LoadWhat::all);
+    load_contacts(world, {d.row.data() + from.contact, to.contact - from.contact}, d.bodies.data(),
+                  d.contacts.data() + from.contact, LoadWhat::all);
   });
 }
 
