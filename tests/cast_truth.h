@@ -11,7 +11,7 @@
 namespace carom::test {
 
 using Long = long double;
-using Long3 = Eigen::Matrix<Long, 3, 1, Eigen::DontAlign>;
+using Long3 = Vector3<Long>;
 
 /// A stretch [in, out] of the line o + t d; none: the line misses.
 struct Stretch {
@@ -50,7 +50,7 @@ inline MaybeStretch through_box(const Long3& o, const Long3& d, const Vec3& half
 }
 
 inline MaybeStretch through_ellipsoid(const Long3& o, const Long3& d, const Vec3& radii) {
-  const Long3 r = radii.cast<Long>(), p = o.cwiseQuotient(r), v = d.cwiseQuotient(r);
+  const Long3 r = radii.cast<Long>(), p = o.over(r), v = d.over(r);
   return quadratic(v.dot(v), p.dot(v), p.dot(p) - 1);
 }
 
@@ -77,7 +77,7 @@ inline MaybeStretch hull_of(const MaybeStretch& x, const MaybeStretch& y) {
 inline MaybeStretch through_capsule(const Long3& o, const Long3& d, Real radius, Real half_height) {
   MaybeStretch s = through_cylinder(o, d, radius, half_height);
   for (const Real end : {-half_height, half_height})
-    s = hull_of(s, through_ellipsoid(Long3(o - Long3(0, end, 0)), d, Vec3::Constant(radius)));
+    s = hull_of(s, through_ellipsoid(Long3(o - Long3(0, end, 0)), d, Vec3::constant(radius)));
   return s;
 }
 
@@ -106,7 +106,7 @@ inline MaybeStretch through(const Shape& s, const Long3& o, const Long3& d,
                             const Array<std::uint32_t>* triangles = nullptr) {
   switch (s.form) {
     case Form::sphere:
-      return through_ellipsoid(o, d, Vec3::Constant(s.radius));
+      return through_ellipsoid(o, d, Vec3::constant(s.radius));
     case Form::box:
       return through_box(o, d, s.half);
     case Form::capsule:

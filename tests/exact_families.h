@@ -22,14 +22,14 @@ inline void best_of_axes(const Long* beyond, const Long* at, ExactPair& pair) {
   for (int i = 0; i < 3; ++i)
     if (i != best) next = std::max(next, beyond[i]);
   if (beyond[best] > 0 || !(next < 2 * beyond[best])) return;
-  pair.normal = Vec3(Vec3::Unit(best) * (at[best] < 0 ? -1 : 1));
+  pair.normal = Vec3(Vec3::unit(best) * (at[best] < 0 ? -1 : 1));
   pair.smallest = static_cast<Real>(std::min(-next / 2, std::fabs(at[best])));
 }
 
 /// The corners of a box, each also a rounding or nothing away, and points within.
 inline Shape box_as_hull(Random& random, const Vec3& half) {
   std::vector<Vec3> points;
-  for (int i = 0; i < 8; ++i) points.push_back(half.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+  for (int i = 0; i < 8; ++i) points.push_back(half.times(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
   for (int i = 0; i < 8; ++i) points.push_back(random.uniform(0, 2) < 1 ? points[i] : Vec3(0.5 * points[i]));
   for (int i = 0; i < 4; ++i) points.push_back(0.5 * (points[2 * i] + points[2 * i + 1]));
   return hull(points);
@@ -48,7 +48,7 @@ inline void parallel_boxes(Random& random, int count, const Take& take) {
     if (hull_b && any_of(random, 5) == 0) b[any_of(random, 3)] = 0;
     Frame f;
     f.r = quarter_turns(random);
-    const Vec3 turned = f.r.cwiseAbs() * b;  // one term a row: exact
+    const Vec3 turned = f.r.abs() * b;  // one term a row: exact
     for (int k = 0; k < 3; ++k) {
       const Real reach = a[k] + turned[k];
       const int where = any_of(random, 4);
@@ -92,22 +92,21 @@ inline void sphere_and_any(Random& random, int count, const Take& take) {
                radius = any_of(random, 3) ? size * pick(random, kAspects) : pick(random, kSizes);
     Shape a = extreme_shape(random, i % 7, size);
     Frame f;
-    if (any_of(random, 2)) f.r = random_rotation(random).toRotationMatrix();
+    if (any_of(random, 2)) f.r = random_rotation(random).matrix();
     const int where = any_of(random, 4);
-    if (where == 1) f.p = random.in_cube(1).cwiseProduct(a.bounds.hi);
+    if (where == 1) f.p = random.in_cube(1).times(a.bounds.hi);
     if (where > 1) {
-      Vec3 n = where == 2 ? random.direction() : Vec3(Vec3::Unit(any_of(random, 3)) * (any_of(random, 2) ? 1 : -1));
+      Vec3 n = where == 2 ? random.direction() : Vec3(Vec3::unit(any_of(random, 3)) * (any_of(random, 2) ? 1 : -1));
       if (where == 2 && any_of(random, 3) == 0) n = Vec3(n.x(), 0, n.z()).normalized();
       f.p = support_point(a, n) + radius * (1 + pick(random, kGaps)) * n;
     }
     bool ring = a.form != Form::sphere && f.p.x() == 0 && f.p.z() == 0;
     if (a.form == Form::ellipsoid) {
       // On an axis: outside any, inside the shortest (the ball through the pole stays inside).
-      int axis = 0;
-      a.half.minCoeff(&axis);
+      const int axis = a.half.min_axis();
       const Real at = a.half[axis] * (any_of(random, 2) ? 1 + pick(random, kGaps) : random.uniform(-1, 1));
-      f.p = Vec3::Unit(axis) * at;
-      ring = ring || a.half.minCoeff() == a.half.maxCoeff() || at == 0;
+      f.p = Vec3::unit(axis) * at;
+      ring = ring || a.half.min_entry() == a.half.max_entry() || at == 0;
     }
     ExactPair pair("sphere and any", std::move(a), sphere(radius), f, 0);
     pair.low = pair.high = point_distance(pair.a, f.p) - Long(radius);
@@ -135,7 +134,7 @@ inline void parallel_axes(Random& random, int count, const Take& take) {
     const int way = any_of(random, 3);
     f.p.x() = way == 0 ? across : way == 1 ? 0 : 0.6 * across;
     f.p.z() = way == 0 ? 0 : way == 1 ? across : 0.8 * across;
-    if (any_of(random, 2)) f.r = Vec3(1, -1, -1).asDiagonal();
+    if (any_of(random, 2)) f.r = Mat3::diagonal(Vec3(1, -1, -1));
     const Long rho = length_of(f.p.x(), f.p.z()), y = std::fabs(Long(f.p.y())) - (Long(h1) + h2);
     const bool coaxial = rho < 1e-3 * (r1 + r2);
     switch (i % 6) {
@@ -193,9 +192,9 @@ inline void over_a_face(Random& random, int count, const Take& take) {
     Shape b = extreme_shape(random, i % kExtremeKinds, other);
     Frame f;
     const int turn = any_of(random, 3);
-    f.r = turn == 0 ? Mat3(random_rotation(random).toRotationMatrix()) : quarter_turns(random);
-    if (turn == 2) f.r = exp_map(std::pow(10.0, random.uniform(-15, -2)) * random.direction()).toRotationMatrix() * f.r;
-    Vec3 down = -f.rotate_inverse(Vec3(Vec3::UnitY()));
+    f.r = turn == 0 ? Mat3(random_rotation(random).matrix()) : quarter_turns(random);
+    if (turn == 2) f.r = exp_map(std::pow(10.0, random.uniform(-15, -2)) * random.direction()).matrix() * f.r;
+    Vec3 down = -f.rotate_inverse(Vec3(Vec3::unit_y()));
     const Vec3 lowest = support_point(b, down / down.norm()), turned = f.r * lowest;
     const Real gap = pick(random, kGaps) * (any_of(random, 2) ? size : half.y());
     f.p = Vec3(half.x() * random.uniform(-0.9, 0.9), half.y() + gap, half.z() * random.uniform(-0.9, 0.9)) - turned;
@@ -206,12 +205,12 @@ inline void over_a_face(Random& random, int count, const Take& take) {
       beyond[r] = std::fabs(at[r]) - half[r];
     }
     ExactPair pair("over a face", any_of(random, 2) ? box(half) : box_as_hull(random, half), std::move(b), f, 0);
-    pair.low = exact_bound(pair.a, pair.b, f, Vec3::UnitY());
+    pair.low = exact_bound(pair.a, pair.b, f, Vec3::unit_y());
     pair.high =
         box_distance(beyond[0], beyond[1], beyond[2]) + kSupportRounding * kUnitRoundoff * pair.b.bounding_radius;
     best_of_axes(beyond, at, pair);
     // The rounding of where it was put may let another face be the nearest: no answer known then.
-    const Long slack = 64 * kUnitRoundoff * (size + pair.b.bounding_radius + f.p.cwiseAbs().sum());
+    const Long slack = 64 * kUnitRoundoff * (size + pair.b.bounding_radius + f.p.abs().sum());
     if (pair.high - pair.low <= slack) take(std::move(pair));
   }
 }
@@ -224,10 +223,10 @@ inline void opposite_points(Random& random, int count, const Take& take) {
     Shape a = extreme_shape(random, i % kExtremeKinds, size),
           b = extreme_shape(random, any_of(random, kExtremeKinds), other);
     Frame f;
-    f.r = any_of(random, 2) ? Mat3(random_rotation(random).toRotationMatrix()) : quarter_turns(random);
+    f.r = any_of(random, 2) ? Mat3(random_rotation(random).matrix()) : quarter_turns(random);
     const int which = any_of(random, 3);
     Vec3 n = which == 0   ? random.direction()
-             : which == 1 ? Vec3(Vec3::Unit(any_of(random, 3)) * (any_of(random, 2) ? 1 : -1))
+             : which == 1 ? Vec3(Vec3::unit(any_of(random, 3)) * (any_of(random, 2) ? 1 : -1))
                           : Vec3(f.r.col(any_of(random, 3)).normalized());
     const Vec3 back = -f.rotate_inverse(n);
     const Vec3 on_a = support_point(a, n), on_b = support_point(b, back / back.norm());
@@ -259,21 +258,21 @@ inline void crossed_boxes(Random& random, int count, const Take& take) {
     const auto length = [&](Real s) { return s * pick(random, {1.0, 0.3, 1e-2, 1e-4}); };
     const Vec3 half_a(length(size), length(size), length(size)), half_b(length(other), length(other), length(other));
     Frame f;
-    f.r = random_rotation(random).toRotationMatrix();
+    f.r = random_rotation(random).matrix();
     std::vector<Vec3> axes;
     bool parallel = false;
     for (int j = 0; j < 3; ++j) {
-      axes.push_back(Vec3::Unit(j));
+      axes.push_back(Vec3::unit(j));
       axes.push_back(f.r.col((j + 1) % 3).cross(f.r.col((j + 2) % 3)));
       for (int k = 0; k < 3; ++k) {
-        axes.push_back(Vec3(Vec3::Unit(j).cross(f.r.col(k))));
+        axes.push_back(Vec3(Vec3::unit(j).cross(f.r.col(k))));
         parallel = parallel || axes.back().norm() < 1e-3;
       }
     }
     if (parallel) continue;
     ExactPair pair("crossed boxes", box(half_a), box(half_b), f, 0);
     const int where = any_of(random, 3);
-    if (where == 1) pair.b_in_a.p = random.in_cube(1).cwiseProduct(half_a);
+    if (where == 1) pair.b_in_a.p = random.in_cube(1).times(half_a);
     if (where == 2) {
       const Vec3 n = axes[static_cast<std::size_t>(any_of(random, 15))].normalized();
       const Real gap = -std::fabs(pick(random, kGaps)) * std::min(size, other);

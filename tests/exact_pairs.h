@@ -136,18 +136,18 @@ inline Shape extreme_shape(Random& random, int kind, Real size) {
       return rounded_box(Vec3(x, y, z), length());
     case 7: {  // a cloud, one point twice, one in the middle of two others
       std::vector<Vec3> points;
-      for (int i = 0; i < 12; ++i) points.push_back(random.direction().cwiseProduct(Vec3(x, y, z)));
+      for (int i = 0; i < 12; ++i) points.push_back(random.direction().times(Vec3(x, y, z)));
       points.push_back(points[3]);
       points.push_back(0.5 * (points[0] + points[1]));
       return hull(points);
     }
     default: {  // a flat cloud, a line, a point, all of them coplanar to the last bit or but for rounding
       const Vec3 half(x, pick(random, {0.0, 0.0, x}), pick(random, {0.0, z, z}));
-      const Mat3 tilt = random_rotation(random).toRotationMatrix();
+      const Mat3 tilt = random_rotation(random).matrix();
       const bool tilted = random.uniform(0, 2) < 1;
       std::vector<Vec3> points;
       for (int i = static_cast<int>(random.uniform(1, 9)); i > 0; --i) {
-        Vec3 v = random.in_cube(1).cwiseProduct(half);
+        Vec3 v = random.in_cube(1).times(half);
         if (half.y() > 0) v.y() = v.x();
         points.push_back(tilted ? Vec3(tilt * v) : v);
       }
@@ -161,7 +161,7 @@ inline constexpr int kExtremeKinds = 9;
 /// One of the 24 turns that take axes to axes: no digit is lost.
 inline Mat3 quarter_turns(Random& random) {
   const auto any = [&](int n) { return static_cast<int>(random.uniform(0, n)); };
-  Mat3 r = Mat3::Zero();
+  Mat3 r = Mat3::zero();
   const int i = any(3), j = (i + 1 + any(2)) % 3, k = 3 - i - j;
   r(0, i) = any(2) ? 1 : -1;
   r(1, j) = any(2) ? 1 : -1;

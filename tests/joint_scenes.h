@@ -19,19 +19,19 @@ inline void choose(TestWorld& t, int solver, int substeps = 4) {
 
 /// A body with mass and inertia of its own and no shape.
 inline std::uint32_t add_body(TestWorld& t, const Vec3& at, Real mass, const Vec3& inertia,
-                              BodyType type = BodyType::dynamic, const Quat& q = Quat::Identity()) {
+                              BodyType type = BodyType::dynamic, const Quat& q = Quat::identity()) {
   BodyDef def;
   def.type = type;
   def.pose = {q, at};
   def.has_mass = def.has_inertia = true;
   def.mass = mass;
-  def.inertia = inertia.asDiagonal();
+  def.inertia = Mat3::diagonal(inertia);
   return handle_slot(t.world.add_body(def));
 }
 
 /// What joins two bodies as they stand, with its frames at one place of the world.
 inline JointDef joint_at(const TestWorld& t, JointKind kind, std::uint32_t a, std::uint32_t b, const Vec3& at,
-                         const Quat& axes = Quat::Identity()) {
+                         const Quat& axes = Quat::identity()) {
   JointDef def;
   def.kind = kind;
   def.body_a = a, def.body_b = b;
@@ -42,7 +42,7 @@ inline JointDef joint_at(const TestWorld& t, JointKind kind, std::uint32_t a, st
   return def;
 }
 inline std::uint32_t join(TestWorld& t, JointKind kind, std::uint32_t a, std::uint32_t b, const Vec3& at,
-                          const Quat& axes = Quat::Identity()) {
+                          const Quat& axes = Quat::identity()) {
   return handle_slot(t.world.add_joint(joint_at(t, kind, a, b, at, axes)));
 }
 
@@ -67,7 +67,7 @@ inline void set_motor(TestWorld& t, std::uint32_t slot, Coordinate c, Real speed
 }
 
 /// The x axis of a frame, laid along another axis of the world.
-inline Quat x_along(const Vec3& axis) { return Quat::FromTwoVectors(Vec3(1, 0, 0), axis); }
+inline Quat x_along(const Vec3& axis) { return turn_between(Vec3(1, 0, 0), axis); }
 
 inline Real energy_of(const TestWorld& t) {
   const Scene& scene = t.world.scene;
@@ -75,7 +75,7 @@ inline Real energy_of(const TestWorld& t) {
   Real e = 0;
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i) {
     const Vec3 w = s.q[i].conjugate() * s.omega[i];
-    e += scene.mass[i] * (0.5 * s.v[i].squaredNorm() - scene.gravity.dot(s.x[i])) + 0.5 * w.dot(scene.inertia[i] * w);
+    e += scene.mass[i] * (0.5 * s.v[i].squared_norm() - scene.gravity.dot(s.x[i])) + 0.5 * w.dot(scene.inertia[i] * w);
   }
   return e;
 }
@@ -102,7 +102,7 @@ inline std::vector<std::uint32_t> chain(TestWorld& t, int rods, Real length, Rea
     before = bodies.back();
   }
   bodies.push_back(
-      add_body(t, Vec3(rods * length + radius, 0, 0), end_mass, Vec3::Constant(0.4 * end_mass * radius * radius)));
+      add_body(t, Vec3(rods * length + radius, 0, 0), end_mass, Vec3::constant(0.4 * end_mass * radius * radius)));
   join(t, kind, before, bodies.back(), Vec3(rods * length, 0, 0));
   return bodies;
 }

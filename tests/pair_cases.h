@@ -34,11 +34,11 @@ inline Shape random_shape(Form form, Real scale, Random& random) {
 inline Mat3 random_rotation(Random& random) {
   const Vec3 any(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
   const Real choice = random.uniform(0, 3);
-  if (choice < 1) return exp_map(any).toRotationMatrix();
-  Mat3 r = Mat3::Identity();
+  if (choice < 1) return exp_map(any).matrix();
+  Mat3 r = Mat3::identity();
   const int turns = static_cast<int>(random.uniform(0, 4)), axis = static_cast<int>(random.uniform(0, 3));
   for (int i = 0; i < turns; ++i) {
-    Mat3 quarter = Mat3::Zero();
+    Mat3 quarter = Mat3::zero();
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     quarter(axis, axis) = 1, quarter(u, v) = -1, quarter(v, u) = 1;
     r = quarter * r;
@@ -46,12 +46,12 @@ inline Mat3 random_rotation(Random& random) {
   if (choice < 1.5) return r;
   static constexpr Real kTilts[] = {1e-15, 1e-12, 1e-9, 1e-8, 1e-7, 1e-5, 1e-3};
   const Real tilt = kTilts[static_cast<int>(random.uniform(0, 7))];
-  return exp_map(tilt * random.direction()).toRotationMatrix() * r;
+  return exp_map(tilt * random.direction()).matrix() * r;
 }
 
 /// Largest n . x over the shape; infinite for a half-space unless n is its normal.
 inline Real support_value(const Shape& s, const Vec3& n) {
-  if (s.form == Form::half_space) return (n - s.normal).squaredNorm() < 1e-24 ? s.offset : kInfinity;
+  if (s.form == Form::half_space) return (n - s.normal).squared_norm() < 1e-24 ? s.offset : kInfinity;
   return n.dot(support_point(s, n));
 }
 
@@ -94,8 +94,8 @@ inline Frame random_pose(const Shape& a, const Shape& b, Random& random) {
   }
   const Real reach = (a.bounding_radius + b.bounding_radius) * random.uniform(0, 1.2);
   const bool in_line = random.uniform(0, 4) < 1;
-  f.p = reach * (in_line ? Vec3(Vec3::Unit(static_cast<int>(random.uniform(0, 3)))) : random.direction());
-  if (random.uniform(0, 10) < 1) f.p.setZero();
+  f.p = reach * (in_line ? Vec3(Vec3::unit(static_cast<int>(random.uniform(0, 3)))) : random.direction());
+  if (random.uniform(0, 10) < 1) f.p.set_zero();
   return f;
 }
 

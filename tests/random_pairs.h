@@ -13,7 +13,7 @@ struct ShapePair {
 };
 
 /// Shifted, not turned.
-inline Frame at(Real x, Real y, Real z) { return Frame(Mat3::Identity(), Vec3(x, y, z)); }
+inline Frame at(Real x, Real y, Real z) { return Frame(Mat3::identity(), Vec3(x, y, z)); }
 
 inline Quat random_rotation(Random& random) {
   // Uniform on the 3-sphere: a point of the 4-ball, scaled.
@@ -29,7 +29,7 @@ inline Quat random_rotation(Random& random) {
 inline Shape random_hull(Random& random, int count) {
   const Vec3 radii(random.uniform(0.4, 1), random.uniform(0.4, 1), random.uniform(0.4, 1));
   std::vector<Vec3> points;
-  for (int i = 0; i < count; ++i) points.push_back(random.direction().cwiseProduct(radii));
+  for (int i = 0; i < count; ++i) points.push_back(random.direction().times(radii));
   return hull(points);
 }
 
@@ -65,7 +65,7 @@ inline Shape random_shape(Random& random, int family) {
 /// A pair at a random attitude whose signed distance is about `gap` metres: moved along a random line, by bisection.
 inline ShapePair random_pair(Random& random, int family_a, int family_b, Real gap) {
   Shape a = random_shape(random, family_a), b = random_shape(random, family_b);
-  const Mat3 r = random_rotation(random).toRotationMatrix();
+  const Mat3 r = random_rotation(random).matrix();
   const Vec3 line = random.direction();
   Real lo = 0, hi = 10;
   for (int i = 0; i < 20; ++i) {

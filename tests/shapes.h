@@ -105,7 +105,7 @@ inline Shape make_shape(Form form, SupportFn support, std::initializer_list<doub
 
 /// A point swollen by a radius.
 inline Shape sphere(Real radius) {
-  Shape s = make_shape(Form::sphere, point_support, {radius}, Vec3::Constant(radius), radius);
+  Shape s = make_shape(Form::sphere, point_support, {radius}, Vec3::constant(radius), radius);
   s.core_radius = s.radius = radius;
   return s;
 }
@@ -127,7 +127,7 @@ inline Shape box(const Vec3& half) {
 
 /// A box swollen by a radius: no closed form is declared for it, only the core radius.
 inline Shape rounded_box(const Vec3& half, Real radius) {
-  Shape s = make_shape(Form::none, box_support, {half.x(), half.y(), half.z(), radius}, half + Vec3::Constant(radius),
+  Shape s = make_shape(Form::none, box_support, {half.x(), half.y(), half.z(), radius}, half + Vec3::constant(radius),
                        half.norm() + radius);
   s.core_radius = radius;
   return s;
@@ -150,7 +150,7 @@ inline Shape cone(Real radius, Real half_height) {
 }
 
 inline Shape ellipsoid(const Vec3& radii) {
-  Shape s = make_shape(Form::ellipsoid, ellipsoid_support, {radii.x(), radii.y(), radii.z()}, radii, radii.maxCoeff());
+  Shape s = make_shape(Form::ellipsoid, ellipsoid_support, {radii.x(), radii.y(), radii.z()}, radii, radii.max_entry());
   s.half = radii;
   return s;
 }
@@ -162,8 +162,8 @@ inline Shape hull(const std::vector<Vec3>& points) {
   s.support = hull_support;
   for (const Vec3& p : points) {
     s.params.insert(s.params.end(), {p.x(), p.y(), p.z()});
-    s.bounds.lo = s.bounds.lo.cwiseMin(p);
-    s.bounds.hi = s.bounds.hi.cwiseMax(p);
+    s.bounds.lo = s.bounds.lo.min(p);
+    s.bounds.hi = s.bounds.hi.max(p);
     s.bounding_radius = std::max(s.bounding_radius, p.norm());
   }
   s.vertices = s.params;
@@ -200,8 +200,8 @@ inline Shape half_space(const Vec3& normal, Real offset) {
   s.form = Form::half_space;
   s.normal = normal;
   s.offset = offset;
-  s.bounds.lo = Vec3::Constant(-kInfinity);
-  s.bounds.hi = Vec3::Constant(kInfinity);
+  s.bounds.lo = Vec3::constant(-kInfinity);
+  s.bounds.hi = Vec3::constant(kInfinity);
   return s;
 }
 
@@ -223,7 +223,7 @@ class Random {
   Vec3 direction() {
     for (;;) {
       const Vec3 v = in_cube(1);
-      const Real n2 = v.squaredNorm();
+      const Real n2 = v.squared_norm();
       if (n2 > 1e-4 && n2 <= 1) return v / std::sqrt(n2);
     }
   }

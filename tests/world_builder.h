@@ -26,7 +26,7 @@ struct TestWorld {
 
   /// A body with one collider of density 1000 kg/m^3 about its origin. @return body slot
   std::uint32_t add(const Shape* shape, const Vec3& position, BodyType type = BodyType::dynamic,
-                    const Quat& orientation = Quat::Identity(), std::uint32_t material = Colliders::kNoMaterial) {
+                    const Quat& orientation = Quat::identity(), std::uint32_t material = Colliders::kNoMaterial) {
     BodyDef def;
     def.type = type;
     def.pose = {orientation, position};
@@ -40,8 +40,8 @@ struct TestWorld {
     Shape s(std::pmr::get_default_resource());
     s.form = Form::half_space;
     s.bounding_radius = kInfinity;
-    s.bounds = {Vec3::Constant(-kInfinity), Vec3::Constant(kInfinity)};
-    return add(keep(std::move(s)), Vec3::Zero(), BodyType::fixed, Quat::Identity(), material);
+    s.bounds = {Vec3::constant(-kInfinity), Vec3::constant(kInfinity)};
+    return add(keep(std::move(s)), Vec3::zero(), BodyType::fixed, Quat::identity(), material);
   }
 
   std::uint32_t material(Real friction, Real restitution) {
@@ -58,8 +58,8 @@ struct TestWorld {
     const Shape* ball = keep(sphere(0.5));
     std::vector<std::uint32_t> row;
     for (int i = 0; i < 5; ++i)
-      row.push_back(add(ball, Vec3(i > 0 ? i : -0.5, 0, 0), BodyType::dynamic, Quat::Identity(), m));
-    world.set_velocity(row[0], Vec3(1, 0, 0), Vec3::Zero());
+      row.push_back(add(ball, Vec3(i > 0 ? i : -0.5, 0, 0), BodyType::dynamic, Quat::identity(), m));
+    world.set_velocity(row[0], Vec3(1, 0, 0), Vec3::zero());
     return row;
   }
 

@@ -29,11 +29,11 @@ constexpr double kSymmetryTolerance = 1e-9;  // of the largest entry: what a rot
 /// Symmetric and positive definite, or zero (does not rotate). Cholesky on entries scaled to 1, so nothing overflows.
 bool check_inertia(Call& call, const double inertia[9]) {
   if (!finite(call, 2, "desc->inertia", inertia, 9)) return false;
-  const Mat3 m = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(inertia);
-  const Real largest = m.cwiseAbs().maxCoeff();
+  const Mat3 m = Mat3::from_rows(inertia);
+  const Real largest = m.abs().max_entry();
   if (largest == 0) return true;
   const Mat3 a = m / largest;
-  if ((a - a.transpose()).cwiseAbs().maxCoeff() > kSymmetryTolerance)
+  if ((a - a.transpose()).abs().max_entry() > kSymmetryTolerance)
     return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->inertia is not symmetric: %g, %g, %g against %g, %g, %g",
                      inertia[1], inertia[2], inertia[5], inertia[3], inertia[6], inertia[7]);
   const Real d0 = a(0, 0), l10 = a(1, 0) / d0, l20 = a(2, 0) / d0;
@@ -87,7 +87,7 @@ bool read_body(Call& call, const carom_body_desc* given, BodyDef& def) {
   if (def.has_mass) def.mass = d.mass;
   if (def.has_center) def.center = to_vec3(d.center);
   if (def.has_inertia) {
-    const Mat3 m = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(d.inertia);
+    const Mat3 m = Mat3::from_rows(d.inertia);
     def.inertia = 0.5 * m + 0.5 * m.transpose();  // the largest does not overflow
   }
   def.linear_damping = d.linear_damping;

@@ -87,7 +87,7 @@ bool read_motion(Call& call, int argument, const char* name, const carom_motion*
   motion.centre = motion.at.apply(to_vec3(m.center));
   motion.velocity = to_vec3(m.linear_velocity);
   motion.omega = to_vec3(m.angular_velocity);
-  return !flat(shape) || motion.omega.isZero(0) ||
+  return !flat(shape) || motion.omega.is_zero() ||
          call.fail(CAROM_E_UNSUPPORTED, argument, "%s turns a half-space: it sweeps over everything", name);
 }
 

@@ -68,6 +68,6 @@ bool take_settings(Call& call, int argument, std::uint32_t iterations, double to
                    CastSettings& settings);
 
 /// Zero, not NaN, in place of numbers that the input was too large for.
-inline void write_finite(const Vec3& v, double out[3]) { from_vec3(carom::finite(v) ? v : Vec3(Vec3::Zero()), out); }
+inline void write_finite(const Vec3& v, double out[3]) { from_vec3(carom::finite(v) ? v : Vec3(Vec3::zero()), out); }
 
 }  // namespace carom::abi

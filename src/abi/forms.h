@@ -13,7 +13,7 @@ struct FormNumbers {
   Form form = Form::none;
   Real radius = 0;                   // m
   Real half_height = 0;              // m
-  Vec3 half = Vec3::Zero();          // m
+  Vec3 half = Vec3::zero();          // m
   std::span<const double> vertices;  // [3k] m
 };
 

@@ -55,7 +55,7 @@ struct FieldRow {
   bool (*blame)(Call& call, int argument, const char* name, const double record[]);  // of one that is not good
 };
 
-bool within(const double v[3], double most) { return to_vec3(v).squaredNorm() <= most * most; }  // NaN is not
+bool within(const double v[3], double most) { return to_vec3(v).squared_norm() <= most * most; }  // NaN is not
 bool blame_length(Call& call, int argument, const char* name, const double v[3], double most) {
   return finite(call, argument, name, v, 3) &&
          call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is (%g, %g, %g), at most %g long", name, v[0], v[1], v[2], most);

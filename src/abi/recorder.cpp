@@ -89,7 +89,7 @@ void Recorder::tell(std::uint64_t shape) {
     const std::lock_guard lock(engine_.mutex);
     worn = engine_.shapes[handle_slot(shape)].shape;  // a collider wears it by now
   }
-  World stand(0, Vec3::Zero(), 1, &engine_.memory);
+  World stand(0, Vec3::zero(), 1, &engine_.memory);
   BodyDef def;
   def.type = BodyType::fixed;
   stand.add_body(def);

@@ -137,7 +137,7 @@ void fill_info(const ShapeRecord& record, carom_shape_info& info) {
 /// Support point of the whole shape: the core's, and the core radius along the direction.
 bool support(Call& call, const Shape& shape, const double* dir, double* out) {
   const Vec3 d = to_vec3(dir);
-  const Real largest = d.cwiseAbs().maxCoeff();  // scaled first: the square of 1e200 is not a number
+  const Real largest = d.abs().max_entry();  // scaled first: the square of 1e200 is not a number
   const std::int32_t result = shape.support(shape.params.data(), shape.params.size(), dir, out);
   if (result != 0 || !carom::finite(to_vec3(out))) {
     call.witness(dir, out);
@@ -155,7 +155,7 @@ void supports(Call& call, const Shape& shape, const double* dirs, std::uint64_t 
   }
   for (std::uint64_t i = 0; i < n; ++i) {
     if (!finite(call, 3, "dirs", dirs + 3 * i, 3)) return;
-    if (to_vec3(dirs + 3 * i).isZero(0)) {
+    if (to_vec3(dirs + 3 * i).is_zero()) {
       call.fail(CAROM_E_OUT_OF_RANGE, 3, "direction %llu is zero", static_cast<unsigned long long>(i));
       return;
     }
@@ -192,8 +192,8 @@ void draft_half_space(const Vec3& normal, double offset, ShapeDraft& draft) {
   s.normal = normal;
   s.offset = offset;
   s.bounding_radius = kInfinity;
-  s.bounds.lo = Vec3::Constant(-kInfinity);
-  s.bounds.hi = Vec3::Constant(kInfinity);
+  s.bounds.lo = Vec3::constant(-kInfinity);
+  s.bounds.hi = Vec3::constant(kInfinity);
 }
 
 void remove_shape(carom_engine& engine, std::uint32_t slot) {

@@ -26,7 +26,7 @@ void save(Call& call, const Reading& world, std::uint32_t flags, void* buffer, s
 }
 
 Owned<World> empty_world(carom_engine& engine, std::uint32_t tag) {
-  Owned<World> world = make_owned<World>(&engine.memory, tag, Vec3::Zero(), std::size_t(0), &engine.memory);
+  Owned<World> world = make_owned<World>(&engine.memory, tag, Vec3::zero(), std::size_t(0), &engine.memory);
   world->jobs = engine.jobs.get();
   return world;
 }
@@ -63,7 +63,7 @@ void fork(Call& call, const Reading& world, carom_world** copy) {
   NumberedShapes shapes(shapes_of(*world, &engine.memory));
   Array<std::byte> bytes(save_world(*world, names, nullptr, 0), std::byte(0), &engine.memory);
   save_world(*world, names, bytes.data(), bytes.size());
-  carom_world* made = make_world(call, engine, Vec3::Zero(), 0);
+  carom_world* made = make_world(call, engine, Vec3::zero(), 0);
   if (!made) return;
   try {
     Owned<World> built = empty_world(engine, made->tag);

@@ -141,7 +141,7 @@ class Askers {
         motions_(&engine.memory) {
     dot_.form = Form::sphere;
     dot_.support = point_support;
-    dot_.bounds = {Vec3::Zero(), Vec3::Zero()};
+    dot_.bounds = {Vec3::zero(), Vec3::zero()};
   }
   ~Askers() {
     for (const Shape* shape : pinned_) unuse_shape(engine_, *shape);

@@ -18,7 +18,7 @@ Real limit2(const Shape& s) {
 
 bool Core::ask(const Vec3& n, Vec3& out) {
   returned_ = shape_->support(shape_->params.data(), shape_->params.size(), n.data(), out.data());
-  return returned_ == 0 && out.squaredNorm() <= limit2(*shape_);  // a comparison that a NaN fails
+  return returned_ == 0 && out.squared_norm() <= limit2(*shape_);  // a comparison that a NaN fails
 }
 
 bool Core::blame(const Vec3& n, const Vec3& out, SupportFault& fault) const {

@@ -63,7 +63,7 @@ inline bool Core::support(const Vec3& n, Vec3& out) {
   const Shape& s = *shape_;
   switch (form_) {
     case Form::sphere:
-      out = Vec3::Zero();
+      out = Vec3::zero();
       return true;
     case Form::capsule:
       out = Vec3(0, toward(n.y(), s.half_height), 0);
@@ -85,10 +85,10 @@ inline bool Core::support(const Vec3& n, Vec3& out) {
                 : on_rim(n, s.radius, -s.half_height);
       return true;
     case Form::ellipsoid: {
-      const Vec3 stretched = s.half.cwiseProduct(n);
-      const Real length2 = stretched.squaredNorm();
+      const Vec3 stretched = s.half.times(n);
+      const Real length2 = stretched.squared_norm();
       if (!(length2 > kSquare)) return ask(n, out);
-      out = s.half.cwiseProduct(stretched * (1 / std::sqrt(length2)));
+      out = s.half.times(stretched * (1 / std::sqrt(length2)));
       return true;
     }
     default:

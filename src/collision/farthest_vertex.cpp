@@ -29,7 +29,7 @@ struct WholeDirection {
 
 /// A direction's cell on the faces of a cube: the largest component names the face, the other two the place on it.
 std::uint32_t cell_of(const Vec3& n, std::uint32_t cells) {
-  const Vec3 a = n.cwiseAbs();
+  const Vec3 a = n.abs();
   const int wider = a.y() > a.x(), axis = wider + (a.z() > std::max(a.x(), a.y())) * (2 - wider);  // without a branch
   const Real half = 0.5 * cells, scale = half / a[axis];
   const auto place = [&](Real t) {
@@ -55,13 +55,13 @@ Vec3 point_of(std::span<const double> xyz, std::size_t i) { return Vec3(xyz[3 * 
 
 /// Points on a hull's grid: centred, the longest half side in [0.99, 1.98) so that differences stay below 4, snapped.
 void put_on_grid(std::span<const double> xyz, Array<Vec3>& y) {
-  Vec3 lo = Vec3::Constant(kInfinity), hi = -lo;
+  Vec3 lo = Vec3::constant(kInfinity), hi = -lo;
   for (std::size_t i = 0; i < y.size(); ++i) {
-    lo = lo.cwiseMin(point_of(xyz, i));
-    hi = hi.cwiseMax(point_of(xyz, i));
+    lo = lo.min(point_of(xyz, i));
+    hi = hi.max(point_of(xyz, i));
   }
   const Vec3 centre = 0.5 * (lo + hi);
-  const Real half = 0.5 * (hi - lo).maxCoeff();
+  const Real half = 0.5 * (hi - lo).max_entry();
   const Real scale = half > 0 ? std::ldexp(Real(1), -std::ilogb(1.01 * half)) : 1;
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = HullMesh::snap(scale * (point_of(xyz, i) - centre));
 }
@@ -170,7 +170,7 @@ std::uint32_t FarthestVertex::guess(const Vec3& n) const { return guesses_[cell_
 /// and none of them rises. (The edges of a corner within a flat face would span that face only; build() keeps no such
 /// one.)
 std::uint32_t FarthestVertex::climb_from(std::uint32_t at, const Vec3& n) const {
-  if (!(n.cwiseAbs().sum() < 8)) return 0;
+  if (!(n.abs().sum() < 8)) return 0;
   const WholeDirection d(n);
   Wide most = d.along(corners_[at]);
   for (;;) {

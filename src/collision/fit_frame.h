@@ -37,7 +37,7 @@ template <class Far>
 bool fit_frame(const Far& far, FitFrame& f) {
   Vec3 found[12];  // six along the axes, four across the longest pair, two across the plane of three
   for (int i = 0; i < 3; ++i)
-    if (!far(Vec3(-Vec3::Unit(i)), found[2 * i]) || !far(Vec3(Vec3::Unit(i)), found[2 * i + 1])) return false;
+    if (!far(Vec3(-Vec3::unit(i)), found[2 * i]) || !far(Vec3(Vec3::unit(i)), found[2 * i + 1])) return false;
   Vec3 width, reach, scale;
   for (int i = 0; i < 3; ++i) {
     const Real lo = found[2 * i][i], hi = found[2 * i + 1][i];
@@ -45,21 +45,21 @@ bool fit_frame(const Far& far, FitFrame& f) {
     reach[i] = std::max(std::fabs(lo), std::fabs(hi));
   }
   f.origin = found[0];
-  f.extent = width.maxCoeff();
+  f.extent = width.max_entry();
   f.flat = true;
-  f.flat_volume = width.cwiseMax(0).prod();
+  f.flat_volume = width.max(Vec3::zero()).product();
   for (int i = 0; i < 3; ++i) {
     if (!(width[i] > 8 * kUnitRoundoff * reach[i])) return true;
     scale[i] = std::ldexp(Real(1), std::ilogb(width[i]) - 1);  // a power of two: scaling by it is exact
   }
-  const auto z = [&](const Vec3& x) { return Vec3((x - f.origin).cwiseQuotient(scale)); };  // widths in [2, 4)
-  const auto far_z = [&](const Vec3& d, Vec3& x) { return far(Vec3(d.cwiseQuotient(scale)), x); };
-  const Real noise = 32 * kUnitRoundoff * (1 + reach.cwiseQuotient(scale).maxCoeff());
+  const auto z = [&](const Vec3& x) { return Vec3((x - f.origin).over(scale)); };  // widths in [2, 4)
+  const auto far_z = [&](const Vec3& d, Vec3& x) { return far(Vec3(d.over(scale)), x); };
+  const Real noise = 32 * kUnitRoundoff * (1 + reach.over(scale).max_entry());
 
   int a = 0, b = 1;
   for (int i = 0; i < 6; ++i)
     for (int j = i + 1; j < 6; ++j)
-      if ((z(found[j]) - z(found[i])).squaredNorm() > (z(found[b]) - z(found[a])).squaredNorm()) a = i, b = j;
+      if ((z(found[j]) - z(found[i])).squared_norm() > (z(found[b]) - z(found[a])).squared_norm()) a = i, b = j;
   f.origin = found[a];
   const Vec3 e1 = z(found[b]);
   const Vec3 axis = e1 / e1.norm(), across = any_perpendicular(axis), other = axis.cross(across);
@@ -72,7 +72,7 @@ bool fit_frame(const Far& far, FitFrame& f) {
     if (distance > away) c = i, away = distance;
   }
   if (!(away > noise)) {  // a rod no longer than 7 and, across the two directions asked, no thicker than 2 noise
-    f.flat_volume = std::min(f.flat_volume, 64 * noise * noise * scale.prod());
+    f.flat_volume = std::min(f.flat_volume, 64 * noise * noise * scale.product());
     return true;
   }
   const Vec3 aside = z(found[c]) - axis.dot(z(found[c])) * axis, normal = axis.cross(aside / away);
@@ -84,17 +84,16 @@ bool fit_frame(const Far& far, FitFrame& f) {
     if (distance > off) d = i, off = distance;
   }
   // No section of a 4 x 4 x 4 box is larger than 24.
-  f.flat_volume = std::min(f.flat_volume, 2 * (off + noise) * 24 * scale.prod());
+  f.flat_volume = std::min(f.flat_volume, 2 * (off + noise) * 24 * scale.product());
   if (!(off > noise)) return true;
 
   f.flat = false;
-  Mat3 axes;  // at right angles in z, as long as the set is wide
-  axes << e1, aside, off * normal;
-  f.from = scale.asDiagonal() * axes;
-  f.to =
-      axes.colwise().squaredNorm().cwiseInverse().asDiagonal() * axes.transpose() * scale.cwiseInverse().asDiagonal();
-  f.determinant = e1.norm() * away * off * scale.prod();
-  f.slack = 16 * kUnitRoundoff * (f.to.cwiseAbs() * reach).maxCoeff();
+  const Mat3 axes = Mat3::columns(e1, aside, off * normal);  // at right angles in z, as long as the set is wide
+  f.from = scale_rows(scale, axes);
+  const Vec3 squares(axes.col(0).squared_norm(), axes.col(1).squared_norm(), axes.col(2).squared_norm());
+  f.to = scale_columns(scale_rows(squares.reciprocal(), axes.transpose()), scale.reciprocal());
+  f.determinant = e1.norm() * away * off * scale.product();
+  f.slack = 16 * kUnitRoundoff * (f.to.abs() * reach).max_entry();
   for (int i = 0; i < 4; ++i) f.start[i] = found[i == 0 ? a : i == 1 ? b : i == 2 ? c : d];
   return true;
 }

@@ -25,10 +25,10 @@ int HullMesh::orientation(const Vec3& p, const Vec3& q, const Vec3& r, const Vec
 
 HullMesh::Facet HullMesh::make(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
   const Vec3 u = points_[b] - points_[a], v = points_[c] - points_[a];  // exact
-  Facet f{{a, b, c}, {kNoFacet, kNoFacet, kNoFacet}, u.cross(v), Vec3::Zero(), 0, true};
+  Facet f{{a, b, c}, {kNoFacet, kNoFacet, kNoFacet}, u.cross(v), Vec3::zero(), 0, true};
   // Each component of the cross product is two products and a difference, of terms no larger than |u_j v_k| + |u_k
   // v_j|; three more products and sums follow in cross . x: 3 u + 3 u of all terms together, doubled for safety.
-  const Vec3 s = u.cwiseAbs(), t = v.cwiseAbs();
+  const Vec3 s = u.abs(), t = v.abs();
   const Real terms = s.x() * (t.y() + t.z()) + s.y() * (t.z() + t.x()) + s.z() * (t.x() + t.y());
   f.noise = 12 * kUnitRoundoff * terms;
   const Real twice = f.cross.norm();
@@ -54,7 +54,7 @@ bool HullMesh::sees(std::uint32_t facet, const Vec3& p) const {
   const Facet& f = facets_[facet];
   const Vec3 x = snap(p) - points_[f.v[0]];
   const Real volume = f.cross.dot(x);
-  if (std::fabs(volume) > f.noise * x.cwiseAbs().maxCoeff()) return volume > 0;
+  if (std::fabs(volume) > f.noise * x.abs().max_entry()) return volume > 0;
   return orientation(points_[f.v[0]], points_[f.v[1]], points_[f.v[2]], snap(p)) > 0;
 }
 
@@ -71,7 +71,7 @@ std::size_t HullMesh::look(std::uint32_t seed, const Vec3& p, Real tolerance) {
   };
   const auto in_sight = [&](std::uint32_t f) {
     if (tolerance == 0) return sees(f, next_point_);
-    return facets_[f].normal.isZero(0) || height(f, next_point_) > tolerance;  // a sliver goes with its neighbour
+    return facets_[f].normal.is_zero() || height(f, next_point_) > tolerance;  // a sliver goes with its neighbour
   };
   add(seed);
   for (std::size_t k = 0; k < seen_.size(); ++k)

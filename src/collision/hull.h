@@ -28,10 +28,10 @@ class HullMesh {
   static constexpr Real kRange = 4;       // coordinates are smaller than this (see FitFrame)
   static constexpr Real kGrid = 0x1p-51;  // and multiples of this: 53 bits, differences exact in a double
 
-  static Vec3 snap(const Vec3& p) { return kGrid * (p / kGrid).array().round().matrix(); }
+  static Vec3 snap(const Vec3& p) { return {kGrid * std::round(p.x() / kGrid), kGrid * std::round(p.y() / kGrid), kGrid * std::round(p.z() / kGrid)}; }
   /// Sign of (q - p) x (r - p) . (x - p), exactly, for points of the grid whose coordinates differ by less than 4.
   static int orientation(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x);
-  static bool in_range(const Vec3& p) { return p.cwiseAbs().maxCoeff() < kRange && finite(p); }
+  static bool in_range(const Vec3& p) { return p.abs().max_entry() < kRange && finite(p); }
 
   explicit HullMesh(Memory* memory)
       : points_(memory),
@@ -88,8 +88,8 @@ class HullMesh {
   Array<std::uint32_t> rim_at_;   // by vertex: its edge on the rim, valid where it points back
   Array<std::uint32_t> seen_at_;  // by facet: its place in seen_, valid where it points back
   Array<std::uint32_t> created_;
-  Vec3 next_point_ = Vec3::Zero();
-  Vec3 inner_ = Vec3::Zero();
+  Vec3 next_point_ = Vec3::zero();
+  Vec3 inner_ = Vec3::zero();
 };
 
 /// Convex hull of points.

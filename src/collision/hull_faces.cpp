@@ -42,8 +42,8 @@ class Gatherer {
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t s, std::uint32_t t) { return area[s] > area[t] || (area[s] == area[t] && s < t); });
     Vec3 lo = point(tri_[0]), hi = lo;
-    for (const std::uint32_t v : tri_) lo = lo.cwiseMin(point(v)), hi = hi.cwiseMax(point(v));
-    const Real extent = (hi - lo).maxCoeff();
+    for (const std::uint32_t v : tri_) lo = lo.min(point(v)), hi = hi.max(point(v));
+    const Real extent = (hi - lo).max_entry();
     tolerance_ = kSamePlane * extent;
     faces_.begin.push_back(0);
     for (const std::uint32_t t : order)
@@ -59,7 +59,7 @@ class Gatherer {
 
   Real longest(std::uint32_t t) const {
     const Vec3 a = point(tri_[3 * t]), b = point(tri_[3 * t + 1]), c = point(tri_[3 * t + 2]);
-    return std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+    return std::sqrt(std::max({(b - a).squared_norm(), (c - b).squared_norm(), (a - c).squared_norm()}));
   }
 
   /// Which triangle lies across each edge.
@@ -165,7 +165,7 @@ void make_box_faces(const Vec3& half, HullFaces& faces) {
       const int u = 1 << (k + 1) % 3, v = 1 << (k + 2) % 3, base = side << k;
       const int around[4] = {base, base | u, base | u | v, base | v};  // counter-clockwise about +k
       for (int i = 0; i < 4; ++i) faces.loop.push_back(static_cast<std::uint32_t>(around[side ? i : 3 - i]));
-      faces.normal.push_back((side ? 1 : -1) * Vec3::Unit(k));
+      faces.normal.push_back((side ? 1 : -1) * Vec3::unit(k));
       faces.begin.push_back(static_cast<std::uint32_t>(faces.loop.size()));
     }
 }

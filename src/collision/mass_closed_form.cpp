@@ -14,7 +14,7 @@ MassProperties exact(Real volume, const Vec3& centroid, const Vec3& diagonal) {
   MassProperties m;
   m.volume = m.volume_min = m.volume_max = volume;
   m.centroid = centroid;
-  m.inertia = (volume * diagonal).asDiagonal();
+  m.inertia = Mat3::diagonal(volume * diagonal);
   m.exact = true;
   return m;
 }
@@ -26,8 +26,8 @@ MassProperties capsule(Real r, Real h) {
   const Real offset = h + 3 * r / 8;
   const Real across = barrel * (r * r / 4 + h * h / 3) + ball * (83 * r * r / 320 + offset * offset);
   const Real along = barrel * r * r / 2 + ball * 2 * r * r / 5;
-  MassProperties m = exact(barrel + ball, Vec3::Zero(), Vec3::Zero());
-  m.inertia = Vec3(across, along, across).asDiagonal();
+  MassProperties m = exact(barrel + ball, Vec3::zero(), Vec3::zero());
+  m.inertia = Mat3::diagonal(Vec3(across, along, across));
   return m;
 }
 
@@ -46,21 +46,21 @@ MassProperties polytope(std::span<const double> vertices, Memory* memory) {
   m.centroid = vertex(0);
   FitFrame frame;
   if (!convex_hull(vertices, triangles, &frame)) return m;
-  Vec3 origin = Vec3::Zero();  // y
+  Vec3 origin = Vec3::zero();  // y
   for (const std::uint32_t i : triangles) origin += frame.map(vertex(i)) / static_cast<Real>(triangles.size());
   Real volume = 0;
   Mat3 second;
   for (int pass = 0; pass < 2; ++pass) {
     Sum<Real> volumes(0);
-    Sum<Vec3> firsts(Vec3::Zero());
-    Sum<Mat3> seconds(Mat3::Zero());
+    Sum<Vec3> firsts(Vec3::zero());
+    Sum<Mat3> seconds(Mat3::zero());
     for (std::size_t t = 0; t < triangles.size(); t += 3) {
       const Vec3 a = frame.map(vertex(triangles[t])) - origin, b = frame.map(vertex(triangles[t + 1])) - origin,
                  c = frame.map(vertex(triangles[t + 2])) - origin, s = a + b + c;
       const Real v = a.dot(b.cross(c)) / 6;
       volumes.add(v);
       firsts.add(v / 4 * s);
-      seconds.add(v / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose()));
+      seconds.add(v / 20 * (outer(a, a) + outer(b, b) + outer(c, c) + outer(s, s)));
     }
     volume = volumes.value();
     second = seconds.value();
@@ -69,7 +69,7 @@ MassProperties polytope(std::span<const double> vertices, Memory* memory) {
   m.volume = m.volume_min = m.volume_max = volume * frame.determinant;
   m.centroid = frame.origin + frame.from * origin;
   const Mat3 x = frame.determinant * (frame.from * second * frame.from.transpose()), turned = (x + x.transpose()) / 2;
-  m.inertia = turned.trace() * Mat3::Identity() - turned;
+  m.inertia = turned.trace() * Mat3::identity() - turned;
   return m;
 }
 
@@ -78,21 +78,21 @@ MassProperties polytope(std::span<const double> vertices, Memory* memory) {
 MassProperties mass_from_form(Form form, Real radius, Real half_height, const Vec3& half,
                               std::span<const double> vertices, Memory* memory) {
   const Real r2 = radius * radius, h2 = half_height * half_height;
-  const Vec3 s = half.cwiseProduct(half);
+  const Vec3 s = half.times(half);
   const Vec3 across(s.y() + s.z(), s.z() + s.x(), s.x() + s.y());
   const Real product = half.x() * half.y() * half.z();
   switch (form) {
     case Form::sphere:
-      return exact(4 * kPi / 3 * r2 * radius, Vec3::Zero(), Vec3::Constant(2 * r2 / 5));
+      return exact(4 * kPi / 3 * r2 * radius, Vec3::zero(), Vec3::constant(2 * r2 / 5));
     case Form::capsule:
       return capsule(radius, half_height);
     case Form::box:
-      return exact(8 * product, Vec3::Zero(), across / 3);
+      return exact(8 * product, Vec3::zero(), across / 3);
     case Form::polytope:
       return polytope(vertices, memory);
     case Form::cylinder: {
       const Real transverse = r2 / 4 + h2 / 3;
-      return exact(kPi * r2 * 2 * half_height, Vec3::Zero(), Vec3(transverse, r2 / 2, transverse));
+      return exact(kPi * r2 * 2 * half_height, Vec3::zero(), Vec3(transverse, r2 / 2, transverse));
     }
     case Form::cone: {  // centroid a quarter of the height above the base
       const Real transverse = 3 * (r2 + h2) / 20;
@@ -100,7 +100,7 @@ MassProperties mass_from_form(Form form, Real radius, Real half_height, const Ve
                    Vec3(transverse, 3 * r2 / 10, transverse));
     }
     case Form::ellipsoid:
-      return exact(4 * kPi / 3 * product, Vec3::Zero(), across / 5);
+      return exact(4 * kPi / 3 * product, Vec3::zero(), across / 5);
     default:
       return {};
   }

@@ -60,7 +60,7 @@ class Growth {
 
  private:
   struct Beyond {
-    Vec3 point = Vec3::Zero();  // y, support point along the facet's normal
+    Vec3 point = Vec3::zero();  // y, support point along the facet's normal
     Real gap = 0;               // y, >= 0
     std::uint32_t stamp = 0;    // which life of the slot
   };
@@ -79,7 +79,7 @@ class Growth {
 
   Vec3 inscribed_centroid() const;
   void integrate(const Vec3& c, Bound& low, Bound& high) const;
-  bool counts(std::uint32_t f) const { return mesh_.facet(f).alive && !mesh_.facet(f).normal.isZero(0); }
+  bool counts(std::uint32_t f) const { return mesh_.facet(f).alive && !mesh_.facet(f).normal.is_zero(); }
 
   bool ask(const Vec3& d, Vec3& x) {
     ++asked_;
@@ -93,7 +93,7 @@ class Growth {
     b.stamp = ++stamp_;
     b.gap = 0;
     const Vec3& n = mesh_.facet(f).normal;
-    if (n.isZero(0)) return true;  // a sliver: no volume stands on it
+    if (n.is_zero()) return true;  // a sliver: no volume stands on it
     const Vec3 d = frame_.pull_back(n);
     Vec3 x;
     if (!ask(d, x)) return false;
@@ -119,7 +119,7 @@ class Growth {
   Real cone(std::uint32_t f) const { return mesh_.facet(f).cross.norm() * mesh_.height(f, mesh_.inner()) / -6; }
   Real stretch(std::uint32_t f) const { return 1 - beyond_[f].gap / mesh_.height(f, mesh_.inner()); }
   void account(std::uint32_t f, int sign) {
-    if (mesh_.facet(f).normal.isZero(0)) return;
+    if (mesh_.facet(f).normal.is_zero()) return;
     inner_ += sign * cone(f);
     outer_ += sign * cone(f) * cube(stretch(f));
   }
@@ -137,7 +137,7 @@ class Growth {
 
 Vec3 Growth::inscribed_centroid() const {
   Sum<Real> volume(0);
-  Sum<Vec3> first(Vec3::Zero());
+  Sum<Vec3> first(Vec3::zero());
   const Vec3& c = mesh_.inner();
   for (std::uint32_t f = 0; f < mesh_.slots(); ++f) {
     if (!counts(f)) continue;
@@ -154,8 +154,8 @@ Vec3 Growth::inscribed_centroid() const {
 /// <= k.
 void Growth::integrate(const Vec3& c, Bound& low, Bound& high) const {
   Sum<Real> volume[2] = {Sum<Real>(0), Sum<Real>(0)};
-  Sum<Vec3> first[2] = {Sum<Vec3>(Vec3::Zero()), Sum<Vec3>(Vec3::Zero())};
-  Sum<Mat3> second[2] = {Sum<Mat3>(Mat3::Zero()), Sum<Mat3>(Mat3::Zero())};
+  Sum<Vec3> first[2] = {Sum<Vec3>(Vec3::zero()), Sum<Vec3>(Vec3::zero())};
+  Sum<Mat3> second[2] = {Sum<Mat3>(Mat3::zero()), Sum<Mat3>(Mat3::zero())};
   for (std::uint32_t f = 0; f < mesh_.slots(); ++f) {
     if (!counts(f)) continue;
     const HullMesh::Facet& facet = mesh_.facet(f);
@@ -165,8 +165,8 @@ void Growth::integrate(const Vec3& c, Bound& low, Bound& high) const {
     const Real shrink = std::max(Real(0), 1 - frame_.slack / height);
     const Real k = 1 + (beyond_[f].gap + frame_.slack) / height;
     const Real inside = v * cube(shrink), outside = v * cube(k);
-    const Mat3 m = v / 20 * (a * a.transpose() + b * b.transpose() + d * d.transpose() + s * s.transpose());
-    const Vec3 most = a.cwiseMax(b).cwiseMax(d).cwiseMax(0), least = a.cwiseMin(b).cwiseMin(d).cwiseMin(0);
+    const Mat3 m = v / 20 * (outer(a, a) + outer(b, b) + outer(d, d) + outer(s, s));
+    const Vec3 most = a.max(b).max(d).max(Vec3::zero()), least = a.min(b).min(d).min(Vec3::zero());
     volume[0].add(inside);
     volume[1].add(outside);
     first[0].add(v / 4 * s + (outside - inside) * k * least);
@@ -186,7 +186,7 @@ MassProperties Growth::bracket() const {
   const Vec3 first = (low.first + high.first) / 2, first_error = (high.first - low.first) / 2;
   const Vec3 centre = first / volume;  // from c
   // |S / V - S^ / V^| = |(S - S^) / V + S^ / V^ (V^ - V) / V|
-  const Vec3 centre_error = (first_error + centre.cwiseAbs() * volume_error) / low.volume;
+  const Vec3 centre_error = (first_error + centre.abs() * volume_error) / low.volume;
 
   const Mat3& from = frame_.from;
   const auto to_shape = [&](const Mat3& m) {
@@ -198,17 +198,17 @@ MassProperties Growth::bracket() const {
   out.volume_min = low.volume * frame_.determinant;
   out.volume_max = high.volume * frame_.determinant;
   out.centroid = frame_.origin + from * (c + centre);
-  out.centroid_error = (from.cwiseAbs() * centre_error).norm();
+  out.centroid_error = (from.abs() * centre_error).norm();
   const Mat3 half_width = (high.second - low.second) / 2;
-  const Mat3 second = to_shape((low.second + high.second) / 2 - volume * centre * centre.transpose());
-  out.inertia = second.trace() * Mat3::Identity() - second;
+  const Mat3 second = to_shape((low.second + high.second) / 2 - outer(volume * centre, centre));
+  out.inertia = second.trace() * Mat3::identity() - second;
   // The set's second moment about c differs from the middle by a matrix E with -half_width <= E <= half_width (as
   // quadratic forms: each adds or takes away mass), and u . inertia(E) u is the trace of E over the plane across u: at
   // most trace(half_width). What the shift to the centroid adds: V g g^T against V^ g^ g^^T.
   const Vec3 g = from * centre;
   const Real shift = 2 * g.norm() * out.centroid_error + out.centroid_error * out.centroid_error;
   out.inertia_error =
-      to_shape(half_width).trace() + out.volume_max * shift + volume_error * frame_.determinant * g.squaredNorm();
+      to_shape(half_width).trace() + out.volume_max * shift + volume_error * frame_.determinant * g.squared_norm();
   return out;
 }
 

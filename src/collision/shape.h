@@ -20,8 +20,8 @@ using SupportFn = std::int32_t (*)(const double* params, std::uint64_t count, co
 enum class Form : std::uint32_t { none, sphere, capsule, box, polytope, cylinder, cone, ellipsoid, half_space, scenery, count };
 
 struct Aabb {
-  Vec3 lo = Vec3::Constant(kInfinity);
-  Vec3 hi = Vec3::Constant(-kInfinity);
+  Vec3 lo = Vec3::constant(kInfinity);
+  Vec3 hi = Vec3::constant(-kInfinity);
   bool overlaps(const Aabb& o) const {
     return lo.x() <= o.hi.x() && o.lo.x() <= hi.x() && lo.y() <= o.hi.y() && o.lo.y() <= hi.y() && lo.z() <= o.hi.z() &&
            o.lo.z() <= hi.z();
@@ -31,9 +31,9 @@ struct Aabb {
 /// Volume, centre and inertia at unit density, each with a rigorous bound of its error.
 struct MassProperties {
   Real volume = 0, volume_min = 0, volume_max = 0;  // m^3
-  Vec3 centroid = Vec3::Zero();                     // m, shape frame
+  Vec3 centroid = Vec3::zero();                     // m, shape frame
   Real centroid_error = 0;                          // m
-  Mat3 inertia = Mat3::Zero();                      // m^5, about the centroid, shape axes
+  Mat3 inertia = Mat3::zero();                      // m^5, about the centroid, shape axes
   Real inertia_error = 0;                           // m^5, bound of the spectral norm
   bool exact = false;                               // from a verified closed form
 };
@@ -54,10 +54,10 @@ struct Shape {
   // Numbers of the closed form, so that no pair routine digs in params:
   Real radius = 0;               // sphere, capsule, cylinder, cone (base)
   Real half_height = 0;          // capsule (of the core segment), cylinder, cone; along y
-  Vec3 half = Vec3::Zero();      // box half extents; ellipsoid radii
+  Vec3 half = Vec3::zero();      // box half extents; ellipsoid radii
   std::span<const double> vertices;  // polytope: [3k] x,y,z, inside params
   FarthestVertex farthest;       // polytope: of these; empty until built
-  Vec3 normal = Vec3::UnitY();   // half-space { x : normal . x <= offset }, unit
+  Vec3 normal = Vec3::unit_y();   // half-space { x : normal . x <= offset }, unit
   Real offset = 0;               // m
 
   HullFaces faces;               // polytope, box: for exact clipping; may be empty
@@ -73,7 +73,7 @@ inline Real extent(const Shape& s) { return s.form == Form::half_space ? std::fa
 inline bool is_scenery(const Shape& s) { return s.form == Form::scenery; }
 
 /// m: the least side of its bounds; infinite of what has no far side.
-inline Real thickness(const Shape& s) { return is_scenery(s) ? kInfinity : (s.bounds.hi - s.bounds.lo).minCoeff(); }
+inline Real thickness(const Shape& s) { return is_scenery(s) ? kInfinity : (s.bounds.hi - s.bounds.lo).min_entry(); }
 
 /// What a misbehaving support function did; kept bit for bit as evidence. Kinds as CAROM_FAULT_*.
 struct SupportFault {

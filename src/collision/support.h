@@ -36,7 +36,7 @@ inline bool core_support(const Shape& shape, const Vec3& d, Vec3& out, SupportFa
 
 /// Unit vector along d, whatever d's length: divided by its largest component before it is squared.
 inline Vec3 direction_of(const Vec3& d) {
-  const Vec3 scaled = d / d.cwiseAbs().maxCoeff();
+  const Vec3 scaled = d / d.abs().max_entry();
   return scaled / scaled.norm();
 }
 

@@ -35,7 +35,7 @@ bool same_bits(const Vec3& a, const Vec3& b) {
 
 /// Smallest error of a support value worth calling a lie, for a set that lies within these bounds.
 Real tolerance_of(const Vec3& lo, const Vec3& hi) {
-  return kSloppiness * (hi - lo).maxCoeff() + kRounding * lo.cwiseAbs().cwiseMax(hi.cwiseAbs()).maxCoeff();
+  return kSloppiness * (hi - lo).max_entry() + kRounding * lo.abs().max(hi.abs()).max_entry();
 }
 
 /// h(d) = max over x in the form of d . x, for unit d.
@@ -47,13 +47,13 @@ Real form_support_value(const Shape& s, Form form, const Vec3& d) {
     case Form::capsule:
       return s.half_height * std::fabs(d.y()) + s.radius;
     case Form::box:
-      return d.cwiseAbs().dot(s.half);
+      return d.abs().dot(s.half);
     case Form::cylinder:
       return s.half_height * std::fabs(d.y()) + s.radius * side;
     case Form::cone:
       return std::max(s.half_height * d.y(), s.radius * side - s.half_height * d.y());
     case Form::ellipsoid:
-      return d.cwiseProduct(s.half).norm();
+      return d.times(s.half).norm();
     default:
       break;
   }
@@ -64,22 +64,24 @@ Real form_support_value(const Shape& s, Form form, const Vec3& d) {
 }
 
 Real spectral_norm(const Mat3& symmetric) {
-  if (!symmetric.allFinite()) return kInfinity;
-  return Eigen::SelfAdjointEigenSolver<Mat3>(symmetric, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff();
+  if (!symmetric.all_finite()) return kInfinity;
+  using Matrix = Eigen::Matrix<Real, 3, 3>;
+  const Matrix m = Eigen::Map<const Matrix>(symmetric.data());
+  return Eigen::SelfAdjointEigenSolver<Matrix>(m, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff();
 }
 
 }  // namespace
 
 Verdict verify_support(const Shape& shape) {
-  if (shape.support == nullptr) return lie("no support function", Vec3::Zero(), Vec3::Zero());
+  if (shape.support == nullptr) return lie("no support function", Vec3::zero(), Vec3::zero());
   const auto dirs = asking_directions();
   std::array<Vec3, kDirections> points;
   SupportFault fault;
-  Vec3 lo = Vec3::Constant(kInfinity), hi = -lo;
+  Vec3 lo = Vec3::constant(kInfinity), hi = -lo;
   for (int i = 0; i < kDirections; ++i) {
     if (!core_support(shape, dirs[i], points[i], fault)) return lie(fault);
-    lo = lo.cwiseMin(points[i]);
-    hi = hi.cwiseMax(points[i]);
+    lo = lo.min(points[i]);
+    hi = hi.max(points[i]);
   }
   // Backwards: the second answer must not depend on what was asked before it either.
   for (int i = kDirections - 1; i >= 0; --i) {
@@ -108,15 +110,15 @@ Verdict verify_support(const Shape& shape) {
 }
 
 Verdict verify_form(const Shape& shape, Form form) {
-  if (form == Form::none || form >= Form::half_space) return lie("no such closed form", Vec3::Zero(), Vec3::Zero());
+  if (form == Form::none || form >= Form::half_space) return lie("no such closed form", Vec3::zero(), Vec3::zero());
   const auto dirs = asking_directions();
   std::array<Vec3, kDirections> points;
   SupportFault fault;
-  Vec3 lo = Vec3::Constant(kInfinity), hi = -lo;
+  Vec3 lo = Vec3::constant(kInfinity), hi = -lo;
   for (int i = 0; i < kDirections; ++i) {
     if (!full_support(shape, dirs[i], points[i], fault)) return lie(fault);
-    lo = lo.cwiseMin(points[i]);
-    hi = hi.cwiseMax(points[i]);
+    lo = lo.min(points[i]);
+    hi = hi.max(points[i]);
   }
   const Real tolerance = tolerance_of(lo, hi);
   for (int i = 0; i < kDirections; ++i)
@@ -130,14 +132,14 @@ Verdict verify_mass(const Shape& shape, const MassProperties& declared) {
   SupportFault fault;
   const MassProperties known = mass_from_support(shape, 1e-9, 512, fault);
   if (fault.kind != SupportFault::none) return lie(fault);
-  const auto no = [](const char* reason) { return lie(reason, Vec3::Zero(), Vec3::Zero()); };
+  const auto no = [](const char* reason) { return lie(reason, Vec3::zero(), Vec3::zero()); };
   // The bracket trusts every support point to rounding, but the function may be as sloppy as verify_support lets it:
   // each of three widths off by kSloppiness (five, for the inertia), on both sides.
   constexpr Real kSlack = 10 * kSloppiness;
   if (!(declared.volume >= known.volume_min * (1 - kSlack) && declared.volume <= known.volume_max * (1 + kSlack)))
     return no("the declared volume lies outside the bracket that the support function gives");
   if (known.volume_min <= 0) return {};  // flat: no centre or inertia to compare
-  const Real size = known.centroid.cwiseAbs().maxCoeff() + std::sqrt(known.inertia.trace() / known.volume);
+  const Real size = known.centroid.abs().max_entry() + std::sqrt(known.inertia.trace() / known.volume);
   if (!((declared.centroid - known.centroid).norm() <= known.centroid_error + kSlack * size))
     return no("the declared centre of mass lies outside the bracket that the support function gives");
   if (!(spectral_norm(declared.inertia - known.inertia) <= known.inertia_error + kSlack * known.inertia.trace()))

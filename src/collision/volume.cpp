@@ -48,7 +48,7 @@ Aabb cone_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
 
 /// One pass over the verified vertices: all six sides at once, where the support function would scan six times.
 Aabb polytope_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
-  Vec3 lo = Vec3::Constant(kInfinity), hi = Vec3::Constant(-kInfinity);
+  Vec3 lo = Vec3::constant(kInfinity), hi = Vec3::constant(-kInfinity);
   for (std::size_t k = 0; k + 3 <= s.vertices.size(); k += 3) {
     const double* v = &s.vertices[k];
     for (int i = 0; i < 3; ++i) {
@@ -67,8 +67,8 @@ Aabb polytope_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
 /// widened by what rounds off where a distance from it is computed, and only who is near makes a pair with it.
 Aabb half_space_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
   Aabb b;
-  b.lo.setConstant(-kInfinity);
-  b.hi.setConstant(kInfinity);
+  b.lo = Vec3::constant(-kInfinity);
+  b.hi = Vec3::constant(kInfinity);
   const Vec3 n = r * s.normal;
   for (int k = 0; k < 3; ++k) {
     if (std::fabs(n[k]) != 1 || n[(k + 1) % 3] != 0 || n[(k + 2) % 3] != 0) continue;
@@ -82,9 +82,9 @@ Aabb half_space_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
 /// The box about the turned box, which no piece leaves.
 Aabb scenery_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
   const Vec3 middle = r * ((s.bounds.lo + s.bounds.hi) / 2) + p,
-             half = r.cwiseAbs() * ((s.bounds.hi - s.bounds.lo) / 2);
-  const Vec3 more = Vec3::Constant(
-      8 * kUnitRoundoff * (s.bounds.lo.cwiseAbs().cwiseMax(s.bounds.hi.cwiseAbs()).sum() + p.cwiseAbs().sum()));
+             half = r.abs() * ((s.bounds.hi - s.bounds.lo) / 2);
+  const Vec3 more = Vec3::constant(
+      8 * kUnitRoundoff * (s.bounds.lo.abs().max(s.bounds.hi.abs()).sum() + p.abs().sum()));
   Aabb b;
   b.lo = middle - half - more, b.hi = middle + half + more;
   return b;
@@ -125,13 +125,13 @@ Real reach_of_form(const Shape& s) {
     case Form::cone:
       return std::sqrt(s.radius * s.radius + s.half_height * s.half_height);
     case Form::ellipsoid:
-      return s.half.maxCoeff();
+      return s.half.max_entry();
     default:
       break;
   }
   Real r2 = 0;
   for (std::size_t k = 0; k + 3 <= s.vertices.size(); k += 3)
-    r2 = std::max(r2, Vec3(s.vertices[k], s.vertices[k + 1], s.vertices[k + 2]).squaredNorm());
+    r2 = std::max(r2, Vec3(s.vertices[k], s.vertices[k + 1], s.vertices[k + 2]).squared_norm());
   return std::sqrt(r2);
 }
 
@@ -193,11 +193,11 @@ Aabb world_bounds(const Shape& shape, const Mat3& r, const Vec3& p, SupportFault
 bool derive_bounds(Shape& shape, SupportFault& fault) {
   shape.bounding_radius = 0;  // not known yet: the run-time check against it sleeps
   if (shape.form == Form::half_space) {
-    shape.bounds.lo.setConstant(-kInfinity), shape.bounds.hi.setConstant(kInfinity);
+    shape.bounds.lo = Vec3::constant(-kInfinity), shape.bounds.hi = Vec3::constant(kInfinity);
     shape.bounding_radius = kInfinity;
     return true;
   }
-  shape.bounds = world_bounds(shape, Mat3::Identity(), Vec3::Zero(), fault);
+  shape.bounds = world_bounds(shape, Mat3::identity(), Vec3::zero(), fault);
   if (!(shape.bounds.lo.x() <= shape.bounds.hi.x())) return false;
   Real reach;
   if (shape.form != Form::none) {
@@ -205,7 +205,7 @@ bool derive_bounds(Shape& shape, SupportFault& fault) {
   } else {
     if (!reach_of_support(shape, reach, fault)) return false;
     // The far corner of the bounds is another bound, the better one for shapes with a corner there.
-    reach = std::min(reach, shape.bounds.lo.cwiseAbs().cwiseMax(shape.bounds.hi.cwiseAbs()).norm());
+    reach = std::min(reach, shape.bounds.lo.abs().max(shape.bounds.hi.abs()).norm());
   }
   shape.bounding_radius = reach * (1 + 8 * kEpsilon);
   return true;

@@ -22,7 +22,7 @@ class Hash {
   }
   template <class V>
   void add_coefficients(const V& v) {
-    for (int i = 0; i < v.size(); ++i) add(static_cast<double>(v[i]));
+    for (const auto x : v.at) add(static_cast<double>(x));
   }
   std::uint64_t value() const { return state_; }
 

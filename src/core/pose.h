@@ -1,17 +1,15 @@
 // Rotations and rigid poses.
 #pragma once
 
+#include "core/quat.h"
 #include "core/trig.h"
-#include "core/vec.h"
 
 namespace carom {
 
-using Quat = Eigen::Quaternion<Real, Eigen::DontAlign>;  // w, x, y, z in calls; stored x, y, z, w
-
 /// A rigid placement of one frame in another: x_outer = q x_inner + p.
 struct Pose {
-  Quat q = Quat::Identity();  // unit, inner -> outer
-  Vec3 p = Vec3::Zero();      // m, outer frame
+  Quat q = Quat::identity();  // unit, inner -> outer
+  Vec3 p = Vec3::zero();      // m, outer frame
 
   Vec3 apply(const Vec3& x) const { return q * x + p; }
   Pose operator*(const Pose& inner) const { return {q * inner.q, q * inner.p + p}; }
@@ -20,12 +18,12 @@ struct Pose {
 
 /// The same placement as a matrix, for places that transform many points.
 struct Frame {
-  Mat3 r = Mat3::Identity();
-  Vec3 p = Vec3::Zero();
+  Mat3 r = Mat3::identity();
+  Vec3 p = Vec3::zero();
 
   Frame() = default;
   Frame(const Mat3& rotation, const Vec3& position) : r(rotation), p(position) {}
-  explicit Frame(const Pose& pose) : r(pose.q.toRotationMatrix()), p(pose.p) {}
+  explicit Frame(const Pose& pose) : r(pose.q.matrix()), p(pose.p) {}
   Vec3 apply(const Vec3& x) const { return r * x + p; }
   Vec3 apply_inverse(const Vec3& x) const { return r.transpose() * (x - p); }
   Vec3 rotate(const Vec3& x) const { return r * x; }
@@ -36,7 +34,7 @@ struct Frame {
 /// Whether a relative pose is one: finite, with squares that stay finite, and a matrix whose entries could be a
 /// rotation's (their absolute sum is at most 3 sqrt 3). Bodies that lost their numbers are quarantined upstream; a
 /// query by a host is not.
-inline bool usable(const Frame& f) { return f.p.cwiseAbs().sum() < 1e100 && f.r.cwiseAbs().sum() < 6; }
+inline bool usable(const Frame& f) { return f.p.abs().sum() < 1e100 && f.r.abs().sum() < 6; }
 
 /// B's frame seen from A's, formed from the difference of positions first, so that two bodies 1e6 m from the origin
 /// lose no digits of their distance beyond those that their positions lack already.
@@ -78,7 +76,7 @@ inline Real way_bound(const Frame& then, const Frame& now, Real radius) {
 /// @accuracy   4 eps; the series below |phi| = 1e-3 has a remainder below 1e-17
 /// @oracle     tests/unit/core/test_pose
 inline Quat exp_map(const Vec3& phi) {
-  const Real angle2 = phi.squaredNorm();
+  const Real angle2 = phi.squared_norm();
   Real scale, w;
   if (angle2 < 1e-6) {
     scale = 0.5 - angle2 / 48 + angle2 * angle2 / 3840;  // sin(x/2)/x
@@ -94,8 +92,8 @@ inline Quat exp_map(const Vec3& phi) {
 
 /// Scale back to unit length; a quaternion that lost its meaning (zero, not finite) becomes identity.
 inline Quat normalized(const Quat& q) {
-  const Real n2 = q.coeffs().squaredNorm();
-  if (!(n2 > 0) || !finite(n2)) return Quat::Identity();
+  const Real n2 = q.squared_norm();
+  if (!(n2 > 0) || !finite(n2)) return Quat::identity();
   const Real s = 1 / std::sqrt(n2);
   return Quat(q.w() * s, q.x() * s, q.y() * s, q.z() * s);
 }

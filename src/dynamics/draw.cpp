@@ -113,7 +113,7 @@ class Drawing {
     std::array<Vec3, kAround> corner;
     for (int i = 0; i < kAround; ++i) {
       const SinCos turn = sin_cos(2 * 3.14159265358979323846 * (i + 0.5) / kAround);  // off the axes: no ties on boxes
-      Vec3 d = Vec3::Zero();
+      Vec3 d = Vec3::zero();
       d[u] = turn.cos, d[v] = turn.sin;
       SupportFault fault;
       if (!full_support(s, d, corner[static_cast<std::size_t>(i)], fault)) return;
@@ -169,8 +169,8 @@ class Drawing {
       const JointDef& def = world_.joints.joint[j].def;
       const JointEnds ends = ends_of(world_, def);
       const auto whose = [](std::uint32_t body) { return body == kTheWorld ? DrawLine::kNobody : body; };
-      axes(ends.a.p, ends.a.q.toRotationMatrix(), whose(def.body_a));
-      axes(ends.b.p, ends.b.q.toRotationMatrix(), whose(def.body_b));
+      axes(ends.a.p, ends.a.q.matrix(), whose(def.body_a));
+      axes(ends.b.p, ends.b.q.matrix(), whose(def.body_b));
       line(ends.a.p, ends.b.p, kTie, whose(def.body_b));
     }
   }
@@ -179,7 +179,7 @@ class Drawing {
     kind_ = DrawLine::bodies;
     for (std::uint32_t i = 0; i < scene_.bodies.slots(); ++i)
       if (scene_.bodies.alive(i) && !world_.state.quarantined[i])
-        axes(world_.state.x[i], world_.state.q[i].toRotationMatrix(), i);
+        axes(world_.state.x[i], world_.state.q[i].matrix(), i);
   }
 
   const World& world_;

@@ -64,9 +64,9 @@ void World::fill_body(std::uint32_t i, const BodyDef& def) {
   put(scene.type, i, def.type);
   put(scene.inv_mass, i, Real(0));
   put(scene.mass, i, Real(0));
-  put<Vec3>(scene.center, i, Vec3::Zero());
-  put<Mat3>(scene.inertia, i, Mat3::Zero());
-  put<Mat3>(scene.inv_inertia, i, Mat3::Zero());
+  put<Vec3>(scene.center, i, Vec3::zero());
+  put<Mat3>(scene.inertia, i, Mat3::zero());
+  put<Mat3>(scene.inv_inertia, i, Mat3::zero());
   put(scene.first_collider, i, Colliders::kNone);
   if (i < scene.gravity_factor.size()) scene.gravity_factor[i] = 1;
   if (i < scene.drag.size()) scene.drag[i] = Drag{};
@@ -77,11 +77,11 @@ void World::fill_body(std::uint32_t i, const BodyDef& def) {
   put(state.placed_x, i, state.x[i]);
   put(state.placed_q, i, state.q[i]);
   const bool moves = def.type != BodyType::fixed;
-  put<Vec3>(state.v, i, moves ? def.velocity : Vec3::Zero());
-  put<Vec3>(state.omega, i, moves ? def.omega : Vec3::Zero());
-  put<Vec3>(state.momentum, i, Vec3::Zero());
-  put<Vec3>(state.force, i, Vec3::Zero());
-  put<Vec3>(state.torque, i, Vec3::Zero());
+  put<Vec3>(state.v, i, moves ? def.velocity : Vec3::zero());
+  put<Vec3>(state.omega, i, moves ? def.omega : Vec3::zero());
+  put<Vec3>(state.momentum, i, Vec3::zero());
+  put<Vec3>(state.force, i, Vec3::zero());
+  put<Vec3>(state.torque, i, Vec3::zero());
   put(state.quarantined, i, std::uint8_t(0));
   put(state.loaded_steps, i, std::uint8_t(0));
   put(state.tired_steps, i, std::uint8_t(0));
@@ -96,10 +96,10 @@ void World::remove_body(std::uint32_t body) {
   remove_springs_of(*this, body);
   while (scene.first_collider[body] != Colliders::kNone) remove_collider(scene.first_collider[body]);
   scene.inv_mass[body] = scene.mass[body] = 0;
-  scene.inertia[body].setZero(), scene.inv_inertia[body].setZero();
+  scene.inertia[body].set_zero(), scene.inv_inertia[body].set_zero();
   if (body < scene.locks.size()) scene.locks[body] = scene.given_locks[body] = 0;
   if (body < scene.modes.forbidden_of.size()) scene.modes.forbidden_of[body] = scene.modes.forced_of[body] = 0;
-  state.v[body] = state.omega[body] = state.force[body] = state.torque[body] = Vec3::Zero();
+  state.v[body] = state.omega[body] = state.force[body] = state.torque[body] = Vec3::zero();
   state.quarantined_count -= state.quarantined[body];
   state.quarantined[body] = 0;
   forget_body(*this, body);
@@ -293,7 +293,7 @@ void World::set_gravity(const Vec3& g) {
 void World::set_pose(std::uint32_t body, const Pose& pose) {
   const Quat q = normalized(pose.q);
   const Vec3 x = pose.p + q * scene.center[body];
-  const bool same = q.coeffs() == state.q[body].coeffs() && x == state.x[body] && !state.quarantined[body];
+  const bool same = q == state.q[body] && x == state.x[body] && !state.quarantined[body];
   if (same && scene.type[body] != BodyType::dynamic) return;  // a host that places all in every step wakes nobody
   contact_views();
   stir(*this, body);
@@ -310,7 +310,7 @@ void World::set_pose(std::uint32_t body, const Pose& pose) {
 }
 
 void World::set_velocity(std::uint32_t body, const Vec3& linear, const Vec3& angular) {
-  if (linear != Vec3::Zero() || angular != Vec3::Zero()) wake(*this, body);
+  if (linear != Vec3::zero() || angular != Vec3::zero()) wake(*this, body);
   state.v[body] = linear;
   state.omega[body] = angular;
   if (scene.locks_of(body)) hold_velocity(scene, body, state.q[body], state.v[body], state.omega[body]);
@@ -324,7 +324,7 @@ bool World::add_impulse(std::uint32_t body, const Vec3& impulse, const Vec3& poi
   const Vec3 spin = (point - state.x[body]).cross(impulse);
   const Vec3 omega = state.omega[body] + q * (scene.inv_inertia[body] * (q.conjugate() * spin));
   if (!finite(v) || !finite(omega)) return false;
-  if (impulse != Vec3::Zero()) wake(*this, body);
+  if (impulse != Vec3::zero()) wake(*this, body);
   state.v[body] = v;
   state.omega[body] = omega;
   if (scene.locks_of(body)) hold_velocity(scene, body, q, state.v[body], state.omega[body]);
@@ -340,7 +340,7 @@ bool World::add_force(std::uint32_t body, const Vec3& force, const Vec3& torque)
 }
 
 void World::set_force(std::uint32_t body, const Vec3& force, const Vec3& torque) {
-  if (force != Vec3::Zero() || torque != Vec3::Zero()) wake(*this, body);
+  if (force != Vec3::zero() || torque != Vec3::zero()) wake(*this, body);
   state.force[body] = force;
   state.torque[body] = torque;
   state.mark_written(body);

@@ -1,18 +1,17 @@
 // Mass properties of a body from its colliders and from what the host said.
 #include "dynamics/mass.h"
 
-#include <Eigen/LU>
 
 namespace carom {
 namespace {
 
 /// Inertia of a point mass about the origin: m (|d|^2 1 - d d^T).
-Mat3 point_inertia(Real m, const Vec3& d) { return m * (d.squaredNorm() * Mat3::Identity() - d * d.transpose()); }
+Mat3 point_inertia(Real m, const Vec3& d) { return m * (d.squared_norm() * Mat3::identity() - outer(d, d)); }
 
 struct Sum {
   Real mass = 0;
-  Vec3 center = Vec3::Zero();
-  Mat3 inertia = Mat3::Zero();  // about center
+  Vec3 center = Vec3::zero();
+  Mat3 inertia = Mat3::zero();  // about center
 };
 
 /// @param by_volume  every density counts as 1
@@ -32,7 +31,7 @@ Sum sum_of_colliders(const Scene& scene, std::uint32_t body, std::uint32_t skip,
   sum.center /= sum.mass;
   each([&](std::uint32_t slot, Real m) {
     const MassProperties& shape = c.shape[slot]->mass;
-    const Mat3 r = c.local[slot].q.toRotationMatrix();
+    const Mat3 r = c.local[slot].q.matrix();
     sum.inertia += (m / shape.volume) * (r * shape.inertia * r.transpose()) +
                    point_inertia(m, c.local[slot].apply(shape.centroid) - sum.center);
   });
@@ -63,13 +62,13 @@ BodyMass mass_of_body(const Scene& scene, std::uint32_t body, std::uint32_t skip
     out.inertia = sum.inertia * (out.mass / sum.mass);
   if (!(out.mass >= kLeastMass)) {
     out.mass = 1;
-    out.inertia.setZero();
+    out.inertia.set_zero();
   }
   out.inv_mass = 1 / out.mass;
   if (positive_definite(out.inertia)) out.inv_inertia = out.inertia.inverse();
-  if (!(out.inv_inertia(0, 0) > 0) || !out.inv_inertia.allFinite()) {
-    out.inertia.setZero();
-    out.inv_inertia.setZero();
+  if (!(out.inv_inertia(0, 0) > 0) || !out.inv_inertia.all_finite()) {
+    out.inertia.set_zero();
+    out.inv_inertia.set_zero();
   }
   return out;
 }

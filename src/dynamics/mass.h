@@ -10,9 +10,9 @@ inline constexpr Real kLeastMass = 1e-300;
 
 struct BodyMass {
   Real mass = 0, inv_mass = 0;  // kg, 1/kg; 0 unless dynamic
-  Vec3 center = Vec3::Zero();   // m, body frame
-  Mat3 inertia = Mat3::Zero();  // kg m^2, body axes, about center; zero: does not rotate
-  Mat3 inv_inertia = Mat3::Zero();
+  Vec3 center = Vec3::zero();   // m, body frame
+  Mat3 inertia = Mat3::zero();  // kg m^2, body axes, about center; zero: does not rotate
+  Mat3 inv_inertia = Mat3::zero();
 };
 
 /// Sum of the colliders by the parallel-axis theorem, then the host's overrides:

@@ -18,7 +18,7 @@ void measure_contacts(World& world) {
     for (std::size_t i = first; i < last; ++i) {
       const Row& row = c.rows[i];
       const Real separation = c.geometry[i].separation;
-      if (row.p != Vec3::Zero()) ++block.loaded;
+      if (row.p != Vec3::zero()) ++block.loaded;
       if (!(separation < 0)) continue;
       ++block.overlapping;
       block.depth = std::max(block.depth, -separation);
@@ -42,7 +42,7 @@ void measure_energy(World& world) {
   const State& s = world.state;
   const Plan& plan = *world.plan;
   StepReport& report = world.report;
-  const auto linear = [&](std::uint32_t i) { report.linear_energy += 0.5 * scene.mass[i] * s.v[i].squaredNorm(); };
+  const auto linear = [&](std::uint32_t i) { report.linear_energy += 0.5 * scene.mass[i] * s.v[i].squared_norm(); };
   plan.linear.each(linear);
   plan.rotating.each([&](std::uint32_t i) {
     linear(i);
@@ -71,7 +71,7 @@ void book_served(World& world) {
 void drop_forces(World& world) {
   State& s = world.state;
   for (const std::uint32_t i : s.written) {
-    s.force[i] = s.torque[i] = Vec3::Zero();
+    s.force[i] = s.torque[i] = Vec3::zero();
     s.is_written[i] = 0;
   }
   s.written.clear();

@@ -51,7 +51,7 @@ void plan_rows(World& world, Plan& plan) {
 void plan_principal(World& world, Plan& plan, std::uint32_t slots) {
   plan.carried.assign(slots, 0);
   plan.principal.resize(slots);
-  plan.proposal.omega.resize(slots, Vec3::Zero());
+  plan.proposal.omega.resize(slots, Vec3::zero());
   if (plan.rotation_method)
     plan.effects[kGyroscopicRow].candidates.each(
         [&](std::uint32_t i) { plan.principal[i] = principal_axes(world.scene.inertia[i]); });
@@ -67,17 +67,17 @@ void plan_bodies(World& world, Plan& plan) {
     if (scene.inv_mass[i] > 0) (rotates(scene, i) ? plan.rotating : plan.linear).add(i);
   }
   plan.touched.assign(slots, 0);
-  plan.proposal.x.resize(plan.integrator->proposes ? slots : 0, Vec3::Zero());
-  plan.proposal.q.resize(plan.integrator->proposes || plan.rotation_method ? slots : 0, Quat::Identity());
+  plan.proposal.x.resize(plan.integrator->proposes ? slots : 0, Vec3::zero());
+  plan.proposal.q.resize(plan.integrator->proposes || plan.rotation_method ? slots : 0, Quat::identity());
   plan_principal(world, plan, plan.rotation_method ? slots : 0);
   const PlannedEffect& gyro = plan.effects[kGyroscopicRow];
   plan.reads_velocities = !plan.integrator->forces_only &&
                           ((gyro.served == Served::force && gyro.candidates.count > 0) ||
                            plan.effects[kBuoyancyRow].candidates.count > 0 || scene.springs.slots.alive_count() > 0);
-  plan.read_v.resize(plan.reads_velocities ? slots : 0, Vec3::Zero());
-  plan.read_omega.resize(plan.read_v.size(), Vec3::Zero());
-  plan.scratch_vectors.resize(plan.integrator->vectors * slots, Vec3::Zero());
-  plan.scratch_rotations.resize(plan.integrator->rotations * slots, Quat::Identity());
+  plan.read_v.resize(plan.reads_velocities ? slots : 0, Vec3::zero());
+  plan.read_omega.resize(plan.read_v.size(), Vec3::zero());
+  plan.scratch_vectors.resize(plan.integrator->vectors * slots, Vec3::zero());
+  plan.scratch_rotations.resize(plan.integrator->rotations * slots, Quat::identity());
 }
 
 /// Who can be touched, and whose axes a step needs in the world's.
@@ -109,7 +109,7 @@ void plan_colliders(World& world, Plan& plan) {
   c.active.reserve(c.live.size());
   plan.local.resize(c.slots());
   const bool oriented = c.slots() || world.joints.slots.alive_count();
-  plan.rotation.resize(oriented ? world.scene.bodies.slots() : 0, Mat3::Identity());
+  plan.rotation.resize(oriented ? world.scene.bodies.slots() : 0, Mat3::identity());
   for (const std::uint32_t slot : c.live) {
     const std::uint32_t body = c.body[slot];
     const bool faulty = std::find(plan.faulty.begin(), plan.faulty.end(), c.shape[slot]) != plan.faulty.end();
@@ -119,7 +119,7 @@ void plan_colliders(World& world, Plan& plan) {
                            (c.is_sensor(slot) && modes.forbids(kSensorRow, body));
     c.muted[slot] = static_cast<std::uint8_t>((faulty || world.state.quarantined[body] ? Colliders::kFaulty : 0) |
                                               (forbidden ? Colliders::kForbidden : 0));
-    plan.local[slot] = Frame(c.local[slot].q.toRotationMatrix(), c.local[slot].p - world.scene.center[body]);
+    plan.local[slot] = Frame(c.local[slot].q.matrix(), c.local[slot].p - world.scene.center[body]);
     if (world.sleep->sleeps(body)) continue;
     c.active.push_back(slot);
     if (c.movable[slot]) plan.colliders.push_back(slot);
@@ -239,12 +239,12 @@ void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
   SupportFault fault;
   const FloatGuard guard;
   if ((c.muted[slot] & Colliders::kFaulty) && finite(shape.bounding_radius)) {  // who is muted is asked nothing
-    const Vec3 all = Vec3::Constant(shape.bounding_radius);
+    const Vec3 all = Vec3::constant(shape.bounding_radius);
     c.bounds[slot] = {c.frame[slot].p - all, c.frame[slot].p + all};
   } else {
     c.bounds[slot] = world_bounds(shape, c.frame[slot].r, c.frame[slot].p, fault);
   }
-  const Vec3 grow = Vec3::Constant(half_gap + c.reach[slot]);
+  const Vec3 grow = Vec3::constant(half_gap + c.reach[slot]);
   c.bounds[slot].lo -= grow;
   c.bounds[slot].hi += grow;
   if (fault.kind != SupportFault::none) plan.faults.push_back(fault);
@@ -349,7 +349,7 @@ void refresh(World& world, const StepTime& time) {
   find_customers(world);
   if (!world.scene.colliders.live.empty() || world.joints.slots.alive_count()) {
     const State& s = world.state;
-    const auto orient = [&](std::uint32_t i) { plan.rotation[i] = s.q[i].toRotationMatrix(); };
+    const auto orient = [&](std::uint32_t i) { plan.rotation[i] = s.q[i].matrix(); };
     if (changed)
       for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) orient(i);
     plan.oriented.each(orient);

@@ -9,7 +9,7 @@ namespace carom {
 
 void quarantine(World& world, std::uint32_t body) {
   State& s = world.state;
-  s.v[body] = s.omega[body] = s.force[body] = s.torque[body] = Vec3::Zero();
+  s.v[body] = s.omega[body] = s.force[body] = s.torque[body] = Vec3::zero();
   if (s.quarantined[body]) return;
   s.quarantined[body] = 1;
   ++s.quarantined_count;
@@ -29,11 +29,11 @@ void admit(World& world, const StepTime&) {
   std::sort(s.written.begin(), s.written.end());  // so that nothing depends on the order of a host's calls
   for (const std::uint32_t i : s.written) {
     if (!world.scene.bodies.alive(i)) continue;
-    if (world.scene.inv_mass[i] > 0 && !(world.scene.inv_inertia[i](0, 0) > 0)) s.omega[i].setZero();  // cannot rotate
-    const Real n2 = s.q[i].coeffs().squaredNorm();
+    if (world.scene.inv_mass[i] > 0 && !(world.scene.inv_inertia[i](0, 0) > 0)) s.omega[i].set_zero();  // cannot rotate
+    const Real n2 = s.q[i].squared_norm();
     const bool placed = sane_position(s.x[i]) && n2 > 0.5 && n2 < 2;
     if (placed && sane_velocity(s, i) && sane_spin(s, i) && finite(s.force[i]) && finite(s.torque[i])) continue;
-    for (Real& x : s.x[i]) x = finite(x) ? std::clamp(x, -kMaxPosition, kMaxPosition) : 0;
+    for (Real& x : s.x[i].at) x = finite(x) ? std::clamp(x, -kMaxPosition, kMaxPosition) : 0;
     s.q[i] = normalized(s.q[i]);
     quarantine(world, i);
   }

@@ -17,17 +17,17 @@ inline constexpr Real kMaxSpin = 1e9;       // rad/s
 inline bool sane_position(const Vec3& x) {
   return std::fabs(x.x()) <= kMaxPosition && std::fabs(x.y()) <= kMaxPosition && std::fabs(x.z()) <= kMaxPosition;
 }
-inline bool sane_velocity(const State& s, std::uint32_t i) { return s.v[i].squaredNorm() <= kMaxSpeed * kMaxSpeed; }
-inline bool sane_spin(const State& s, std::uint32_t i) { return s.omega[i].squaredNorm() <= kMaxSpin * kMaxSpin; }
+inline bool sane_velocity(const State& s, std::uint32_t i) { return s.v[i].squared_norm() <= kMaxSpeed * kMaxSpeed; }
+inline bool sane_spin(const State& s, std::uint32_t i) { return s.omega[i].squared_norm() <= kMaxSpin * kMaxSpin; }
 
 /// Put a body's pose right by what a solver found. A correction that would take it out of the finite world is none:
 /// what it came of is seen, and stopped, when the body moves.
 /// @param shift  m   @param turn  rad, world
 inline void correct_pose(State& s, std::uint32_t i, const Vec3& shift, const Vec3& turn) {
   const Vec3 x = s.x[i] + shift;
-  if (!sane_position(x) || !(turn.squaredNorm() <= kMaxSpin * kMaxSpin)) return;
+  if (!sane_position(x) || !(turn.squared_norm() <= kMaxSpin * kMaxSpin)) return;
   s.x[i] = x;
-  if (turn != Vec3::Zero()) s.q[i] = normalized(exp_map(turn) * s.q[i]);
+  if (turn != Vec3::zero()) s.q[i] = normalized(exp_map(turn) * s.q[i]);
 }
 
 /// Stop a body where it is, mark it, and report the fault. From the next step on it is held still and touches nothing,

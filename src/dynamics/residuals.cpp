@@ -21,7 +21,7 @@ Real give(const World& world, bool moves, std::uint32_t body, const Vec3& arm, c
 /// A pair's points: its normal impulses one by one, its friction as one.
 void judge_pair(const World& world, const Meeting& m, Residuals& r) {
   const Contacts& c = *world.contacts;
-  Vec3 friction = Vec3::Zero(), slip = Vec3::Zero();
+  Vec3 friction = Vec3::zero(), slip = Vec3::zero();
   Real load = 0, k_pair = 0, mu = 0;
   for (std::uint32_t i = m.row; i < m.row + m.count; ++i) {
     const Row& row = c.rows[i];

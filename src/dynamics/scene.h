@@ -27,12 +27,12 @@ struct Material {
 struct BodyDef {
   BodyType type = BodyType::dynamic;
   Pose pose;                     // body frame -> world
-  Vec3 velocity = Vec3::Zero();  // m/s, of the centre of mass
-  Vec3 omega = Vec3::Zero();     // rad/s, world
+  Vec3 velocity = Vec3::zero();  // m/s, of the centre of mass
+  Vec3 omega = Vec3::zero();     // rad/s, world
   bool has_mass = false, has_center = false, has_inertia = false;
   Real mass = 0;                                 // kg
-  Vec3 center = Vec3::Zero();                    // m, body frame
-  Mat3 inertia = Mat3::Zero();                   // kg m^2, body axes, about center
+  Vec3 center = Vec3::zero();                    // m, body frame
+  Mat3 inertia = Mat3::zero();                   // kg m^2, body axes, about center
   Real linear_damping = 0, angular_damping = 0;  // 1/s
   bool stays_awake = false;                      // it, and with it its island, never falls asleep
   SweepMode continuous = SweepMode::automatic;
@@ -42,9 +42,9 @@ struct BodyDef {
 /// How a collider's surface moves though the collider stays: a belt's, a turntable's. What lies on it feels this beside
 /// the motion of the body.
 struct SurfaceVelocity {
-  Vec3 linear = Vec3::Zero();   // m/s, axes of the shape
-  Vec3 angular = Vec3::Zero();  // rad/s, axes of the shape, about its origin
-  bool any() const { return linear != Vec3::Zero() || angular != Vec3::Zero(); }
+  Vec3 linear = Vec3::zero();   // m/s, axes of the shape
+  Vec3 angular = Vec3::zero();  // rad/s, axes of the shape, about its origin
+  bool any() const { return linear != Vec3::zero() || angular != Vec3::zero(); }
 };
 
 /// What of a body's motion is held, in world axes: bits as CAROM_LOCK_*.
@@ -103,7 +103,7 @@ struct Scene {
   bool resists = false;  // some material resists rolling or spinning
 
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
-  Vec3 wind = Vec3::Zero();          // m/s, world: how the air moves
+  Vec3 wind = Vec3::zero();          // m/s, world: how the air moves
 
   EffectModes modes;  // effects that a host forbids or forces
   Array<Drag> drag;   // by body slot; the first so many, none from there on

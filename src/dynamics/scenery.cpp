@@ -63,7 +63,7 @@ std::uint32_t match(PairTable& pairs, SceneryContacts& s, const SceneryContacts:
       if (old.point[0].normal.dot(normal) < kSamePatch || taken(k)) continue;
       for (int p = 0; p < patch.count; ++p)
         for (int q = 0; q < old.count; ++q) {
-          const Real d = (patch.point[p].on_b - side(old.point[q])).squaredNorm();
+          const Real d = (patch.point[p].on_b - side(old.point[q])).squared_norm();
           if (d < nearest) nearest = d, best = k;
         }
     }

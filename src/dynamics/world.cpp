@@ -60,7 +60,7 @@ std::uint64_t World::hash() const {
     if (!scene.bodies.alive(i)) continue;
     h.add(std::uint64_t(i));
     h.add_coefficients(state.x[i]);
-    h.add_coefficients(state.q[i].coeffs());
+    h.add_coefficients(state.q[i]);
     h.add_coefficients(state.v[i]);
     h.add_coefficients(state.omega[i]);
     h.add_coefficients(state.momentum[i]);
@@ -69,7 +69,7 @@ std::uint64_t World::hash() const {
     h.add(std::uint64_t(state.quarantined[i]));
     const std::uint32_t solver_memory = state.loaded_steps[i] + (256u * state.tired_steps[i]);
     if (solver_memory) h.add(std::uint64_t(solver_memory));
-    if (state.held_q[i].coeffs() != state.q[i].coeffs()) h.add_coefficients(state.held_q[i].coeffs());
+    if (state.held_q[i] != state.q[i]) h.add_coefficients(state.held_q[i]);
   }
   const auto add_record = [&](const PairRecord& r) {
     h.add(r.pair.key());

@@ -24,7 +24,7 @@ std::vector<Frame> poses_of(const Shape& a, const Shape& b, Pose kind) {
       continue;
     }
     const Vec3 jitter = 1e-4 * random.direction();
-    Frame f(exp_map(Vec3(0, random.uniform(-3, 3), 0) + jitter).toRotationMatrix(), Vec3::Zero());
+    Frame f(exp_map(Vec3(0, random.uniform(-3, 3), 0) + jitter).matrix(), Vec3::zero());
     const Real bottom = a.form == Form::half_space ? 0 : a.bounds.hi.y();
     f.p =
         Vec3(random.uniform(-0.3, 0.3), bottom - b.bounds.lo.y() + random.uniform(-1e-3, 0), random.uniform(-0.3, 0.3));
@@ -50,7 +50,7 @@ Shape shape_of(Form form) {
     case Form::ellipsoid:
       return ellipsoid(Vec3(0.3, 0.5, 0.4));
     case Form::half_space:
-      return half_space(Vec3::UnitY(), 0);
+      return half_space(Vec3::unit_y(), 0);
     default:
       return random_shape(form, 0.5, random);
   }

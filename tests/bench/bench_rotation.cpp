@@ -21,7 +21,7 @@ std::uint32_t add_top(TestWorld& t) {
   BodyDef def;
   def.has_mass = def.has_inertia = true;
   def.mass = 6000;
-  def.inertia = Vec3(6500, 5000, 2500).asDiagonal();
+  def.inertia = Mat3::diagonal(Vec3(6500, 5000, 2500));
   def.omega = Vec3(4, 1, 2);
   return handle_slot(t.world.add_body(def));
 }

@@ -16,7 +16,7 @@ namespace carom::test {
 struct Stage0 {
   static constexpr Real kStep = 1.0 / 64;  // s, so that times are exact
 
-  explicit Stage0(int crowd = 20) : t(Vec3::Zero()) {
+  explicit Stage0(int crowd = 20) : t(Vec3::zero()) {
     World& w = t.world;
     for (int i = 0; i < crowd; ++i) {
       BodyDef def;
@@ -26,7 +26,7 @@ struct Stage0 {
     }
     BodyDef def;
     def.has_mass = def.has_inertia = true;
-    def.mass = 2, def.inertia = Vec3::Constant(0.3).asDiagonal();  // isotropic: nothing gyroscopic
+    def.mass = 2, def.inertia = Mat3::diagonal(Vec3::constant(0.3));  // isotropic: nothing gyroscopic
     def.velocity = Vec3(0.5, 0, 0), def.omega = Vec3(0, 0, 1);
     one = handle_slot(w.add_body(def));
   }
@@ -34,7 +34,7 @@ struct Stage0 {
   void touching(std::uint32_t material = Colliders::kNoMaterial) {
     ball = t.keep(sphere(0.5));
     t.world.add_collider(one, ball, Pose{}, 1000, material);
-    other = t.add(ball, Vec3(0.99, 0, 0), BodyType::dynamic, Quat::Identity(), material);
+    other = t.add(ball, Vec3(0.99, 0, 0), BodyType::dynamic, Quat::identity(), material);
   }
   void apart() {
     while (t.world.scene.first_collider[one] != Colliders::kNone)
@@ -97,13 +97,13 @@ inline std::vector<Subject> subjects() {
       {kGyroscopicRow,
        [](Stage0& s) {
          s.t.world.add_collider(s.one, s.t.keep(box(Vec3(0.1, 0.2, 0.3))), Pose{}, 1000, Colliders::kNoMaterial);
-         s.t.world.scene.inertia[s.one] = Vec3(0.1, 0.2, 0.3).asDiagonal();
+         s.t.world.scene.inertia[s.one] = Mat3::diagonal(Vec3(0.1, 0.2, 0.3));
          s.t.world.scene.inv_inertia[s.one] = s.t.world.scene.inertia[s.one].inverse();
-         s.t.world.set_velocity(s.one, Vec3::Zero(), Vec3(1, 2, 3));
+         s.t.world.set_velocity(s.one, Vec3::zero(), Vec3(1, 2, 3));
        },
        [](Stage0& s) {
          s.apart();
-         s.t.world.scene.inertia[s.one] = Mat3::Identity(), s.t.world.scene.inv_inertia[s.one] = Mat3::Identity();
+         s.t.world.scene.inertia[s.one] = Mat3::identity(), s.t.world.scene.inv_inertia[s.one] = Mat3::identity();
          ++s.t.world.scene.revision;
        }},
       {kLinearDampingRow, damp(&BodyDef::linear_damping, 0.5), damp(&BodyDef::linear_damping, 0)},
@@ -120,10 +120,10 @@ inline std::vector<Subject> subjects() {
            if (i != s.one) s.t.world.set_gravity_factor(i, 0);
          s.t.world.set_gravity(Vec3(0, -9.81, 0));
        },
-       [](Stage0& s) { s.t.world.set_gravity(Vec3::Zero()); }},
+       [](Stage0& s) { s.t.world.set_gravity(Vec3::zero()); }},
       {kDragRow, set_drag, unset_drag},
       {kWindRow, [set_drag](Stage0& s) { set_drag(s), s.t.world.set_wind(Vec3(3, 0, 0)); },
-       [](Stage0& s) { s.t.world.set_wind(Vec3::Zero()); }},
+       [](Stage0& s) { s.t.world.set_wind(Vec3::zero()); }},
       {kFieldsRow,
        [field](Stage0& s) {
          s.t.world.set_field_mask(s.one, 2);
@@ -140,7 +140,7 @@ inline std::vector<Subject> subjects() {
       {kBuoyancyRow,
        [](Stage0& s) {
          s.t.world.add_collider(s.one, s.t.keep(sphere(0.5)), Pose{}, 1000, Colliders::kNoMaterial);
-         s.t.world.set_gravity(Vec3::Zero());
+         s.t.world.set_gravity(Vec3::zero());
          WaterDef water;
          water.drag = 1;
          s.t.world.set_water(&water);
@@ -161,7 +161,7 @@ inline std::vector<Subject> subjects() {
       {kSurfaceRow,
        [](Stage0& s) {
          s.touching();
-         s.t.world.set_surface_velocity(s.t.world.scene.first_collider[s.one], {Vec3(0, 0, 1), Vec3::Zero()});
+         s.t.world.set_surface_velocity(s.t.world.scene.first_collider[s.one], {Vec3(0, 0, 1), Vec3::zero()});
        },
        part, false, true},
       {kFilterRow,

@@ -65,7 +65,7 @@ static void gravity_gives_its_impulse_and_the_integrator_its_error(void**) {
   for (int integrator = 0; integrator < kIntegratorChoices; ++integrator) {
     TestWorld t;
     t.world.set_dial(Dial::integrator, integrator);
-    const std::uint32_t ball = add_body(t, x0, m, Vec3::Constant(0.1));
+    const std::uint32_t ball = add_body(t, x0, m, Vec3::constant(0.1));
     t.world.set_velocity(ball, v0, Vec3(0, 3, 0));
     t.world.keep_ledger(true);
     run(t, kSteps);
@@ -77,7 +77,7 @@ static void gravity_gives_its_impulse_and_the_integrator_its_error(void**) {
     assert_true(std::fabs(by_gravity.kinetic - m * kDown.dot(t.world.state.x[ball] - x0)) <= u.energy);
     // Euler's way is longer or shorter by h^2/2 g in every step: explicit by a kick too few, semi-implicit one too
     // many.
-    const Real per_step = m * h * h / 2 * kDown.squaredNorm();
+    const Real per_step = m * h * h / 2 * kDown.squared_norm();
     const Real error = integrator == kExplicitChoice ? per_step : integrator == kSemiImplicitChoice ? -per_step : 0;
     assert_true(std::fabs(by_method.energy() - kSteps * error) <= u.energy);
     assert_true(by_method.linear.norm() <= u.linear);
@@ -97,11 +97,11 @@ static void gravity_gives_its_impulse_and_the_integrator_its_error(void**) {
 
 static void damping_alone_takes_what_it_takes(void**) {
   for (int integrator = 0; integrator < kIntegratorChoices; ++integrator) {
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     t.world.set_dial(Dial::integrator, integrator);
     BodyDef def;
     def.has_mass = def.has_inertia = true;
-    def.mass = 3, def.inertia = Mat3::Identity();
+    def.mass = 3, def.inertia = Mat3::identity();
     def.velocity = Vec3(4, 0, 0), def.omega = Vec3(0, 0, 2);
     def.linear_damping = 50, def.angular_damping = 0.25;  // the first too stiff for RK4 as a force
     t.world.add_body(def);
@@ -122,9 +122,9 @@ static void damping_alone_takes_what_it_takes(void**) {
 }
 
 static void a_hosts_force_is_its_own_cause_and_what_it_does_between_steps_is_hosts(void**) {
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   t.world.set_dial(Dial::integrator, kVerletChoice);
-  const std::uint32_t body = add_body(t, Vec3(1, 0, 0), 2, Vec3::Constant(0.5));
+  const std::uint32_t body = add_body(t, Vec3(1, 0, 0), 2, Vec3::constant(0.5));
   t.world.keep_ledger(true);
   t.world.add_force(body, Vec3(0, 6, 0), Vec3(0, 0, 4));
   run(t, 1);
@@ -134,10 +134,10 @@ static void a_hosts_force_is_its_own_cause_and_what_it_does_between_steps_is_hos
   assert_true((total(t, "user_torque").angular - Vec3(0, 0, 4 * kStep)).norm() <= u.angular);
   assert_true(std::fabs(total(t, "user_force").kinetic - std::pow(6 * kStep, 2) / 4) <= u.energy);
   assert_true(std::fabs(total(t, "user_torque").kinetic - std::pow(4 * kStep, 2)) <= u.energy);
-  assert_true(total(t, Cause::host).linear == Vec3::Zero());
+  assert_true(total(t, Cause::host).linear == Vec3::zero());
 
-  t.world.set_velocity(body, Vec3::Zero(), Vec3::Zero());
-  t.world.set_pose(body, {Quat::Identity(), Vec3::Zero()});
+  t.world.set_velocity(body, Vec3::zero(), Vec3::zero());
+  t.world.set_pose(body, {Quat::identity(), Vec3::zero()});
   t.world.add_impulse(body, Vec3(8, 0, 0), Vec3(0, 1, 0));
   run(t, 1);
   const Amount before = t.world.ledger->before, by_host = t.world.ledger->step[index_of(Cause::host)].value();
@@ -146,12 +146,12 @@ static void a_hosts_force_is_its_own_cause_and_what_it_does_between_steps_is_hos
   assert_true(std::fabs(by_host.kinetic + before.kinetic - (16 + 64)) <= u.energy);
 
   t.world.set_gravity(kDown);  // lifts what is above the origin in potential
-  const std::uint32_t other = add_body(t, Vec3(0, 10, 0), 1, Vec3::Constant(1));
+  const std::uint32_t other = add_body(t, Vec3(0, 10, 0), 1, Vec3::constant(1));
   run(t, 1);
   assert_true(std::fabs(t.world.ledger->step[index_of(Cause::host)].value().potential - 98.1) <= u.energy);
   t.world.remove_body(other), t.world.remove_body(body);
   run(t, 2);
-  assert_true(t.world.ledger->now.kinetic == 0 && t.world.ledger->now.linear == Vec3::Zero());
+  assert_true(t.world.ledger->now.kinetic == 0 && t.world.ledger->now.linear == Vec3::zero());
 }
 
 static void a_sliding_block_pays_by_friction(void**) {
@@ -162,10 +162,10 @@ static void a_sliding_block_pays_by_friction(void**) {
     const std::uint32_t material = t.material(mu, 0);
     t.ground(material);
     const std::uint32_t block =
-        t.add(t.keep(box(Vec3(0.4, 0.2, 0.3))), Vec3(0, 0.2, 0), BodyType::dynamic, Quat::Identity(), material);
+        t.add(t.keep(box(Vec3(0.4, 0.2, 0.3))), Vec3(0, 0.2, 0), BodyType::dynamic, Quat::identity(), material);
     t.run(30, kStep);  // it settles
     const Real from = t.world.state.x[block][0];
-    t.world.set_velocity(block, Vec3(v0, 0, 0), Vec3::Zero());
+    t.world.set_velocity(block, Vec3(v0, 0, 0), Vec3::zero());
     t.world.keep_ledger(true);
     run(t, 80);
     const Real way = t.world.state.x[block][0] - from;
@@ -191,7 +191,7 @@ static void a_bounce_loses_what_restitution_says(void**) {
     const std::uint32_t material = t.material(0.3, e);
     t.ground(material);
     const std::uint32_t ball =
-        t.add(t.keep(sphere(r)), Vec3(1, r + fall, 0), BodyType::dynamic, Quat::Identity(), material);
+        t.add(t.keep(sphere(r)), Vec3(1, r + fall, 0), BodyType::dynamic, Quat::identity(), material);
     const Real m = t.world.scene.mass[ball];
     t.world.keep_ledger(true);
     run(t, 45);  // it lands after 0.553 s, and once more 0.885 s later
@@ -211,7 +211,7 @@ static Amount swing(Real dt, int solver, Amount* rest) {
   choose(t, solver, 1);
   t.world.set_dial(Dial::integrator, kVerletChoice);
   const std::uint32_t bob = add_body(t, Vec3(1, 0, 0), 2, Vec3(0.1, 0.2, 0.15));
-  join(t, JointKind::ball, kTheWorld, bob, Vec3::Zero());
+  join(t, JointKind::ball, kTheWorld, bob, Vec3::zero());
   t.world.keep_ledger(true);
   run(t, static_cast<int>(std::lround(1 / dt)), dt, "pendulum");
   *rest = total(t, Cause::integrator) + total(t, Cause::unassigned) + total(t, Cause::correction);
@@ -234,11 +234,11 @@ static void a_pendulums_joint_does_no_work(void**) {
 static void a_free_top_keeps_its_momentum_by_the_integrator(void**) {
   enum { kNone, kExplicit, kImplicit, kFirstMethod, kMethods = 8 };
   for (int method = kFirstMethod; method < kMethods; ++method) {
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     t.world.set_dial(Dial::integrator, kVerletChoice);
     t.world.set_dial(Dial::rotation, method);
     const std::uint32_t top = add_body(t, Vec3(0.5, 0, 0), 1, Vec3(0.2, 0.3, 0.45));
-    t.world.set_velocity(top, Vec3::Zero(), Vec3(0.1, 8, 0.2));
+    t.world.set_velocity(top, Vec3::zero(), Vec3(0.1, 8, 0.2));
     t.world.keep_ledger(true);
     run(t, 256);
     const Amount a = total(t, Cause::integrator);
@@ -284,10 +284,10 @@ struct Melee {
     t.world.scene.def[heap[2]].linear_damping = 0.3;
     t.world.scene.def[heap[3]].angular_damping = 0.3;
     t.world.set_gravity_factor(heap[4], 0.5);
-    pusher = t.add(brick, Vec3(-3, 0.3, 0), BodyType::kinematic, Quat::Identity(), dull);
+    pusher = t.add(brick, Vec3(-3, 0.3, 0), BodyType::kinematic, Quat::identity(), dull);
     t.world.set_velocity(pusher, Vec3(1, 0, 0), Vec3(0, 0.3, 0));
-    bullet = t.add(t.keep(sphere(0.05)), Vec3(-20, 1, 0.1), BodyType::dynamic, Quat::Identity(), bouncy);
-    t.world.set_velocity(bullet, Vec3(90, 4, 0), Vec3::Zero());
+    bullet = t.add(t.keep(sphere(0.05)), Vec3(-20, 1, 0.1), BodyType::dynamic, Quat::identity(), bouncy);
+    t.world.set_velocity(bullet, Vec3(90, 4, 0), Vec3::zero());
     ParticleDef sparks;
     sparks.linear_damping = 0.5, sparks.mass = 0.1;
     const std::uint32_t set = handle_slot(t.world.particles.create(sparks, 3));
@@ -315,7 +315,7 @@ struct Melee {
 
   void disturb(int step) {
     if (step == 20) t.world.add_impulse(heap[1], Vec3(50, 100, 0), Vec3(0, 1, 0));
-    if (step == 30) t.world.set_pose(heap[5], {Quat::Identity(), Vec3(-1, 6, 0)});
+    if (step == 30) t.world.set_pose(heap[5], {Quat::identity(), Vec3(-1, 6, 0)});
     if (step == 40) t.world.add_force(heap[8], Vec3(0, 3000, 0), Vec3(10, 0, 0));
     if (step == 50) t.world.remove_body(heap[9]);
     if (step == 55) heap[9] = t.add(t.keep(box(Vec3(0.1, 0.2, 0.1))), Vec3(0.3, 8, 0.1));
@@ -367,7 +367,7 @@ static void sleepers_stay_in_the_books(void**) {
   const Amount slept = total(melee.t, Cause::sleep);
   assert_true(slept.kinetic < 0 && slept.potential == 0);
   // Who lies has potential and nothing else; and is woken by who hits it.
-  melee.t.world.add_impulse(melee.heap[1], Vec3(0, 900, 0), Vec3::Zero());
+  melee.t.world.add_impulse(melee.heap[1], Vec3(0, 900, 0), Vec3::zero());
   for (int i = 0; i < 200; ++i) run(melee.t, 1, kStep, "woken");
 }
 
@@ -376,8 +376,8 @@ static void who_leaves_the_world_leaves_no_hole_in_the_books(void**) {
     Melee melee(solver, kVerletChoice, 6);
     melee.t.world.keep_ledger(true);
     run(melee.t, 10);
-    melee.t.world.add_force(melee.heap[3], Vec3(0, 1e300, 0), Vec3::Zero());
-    melee.t.world.set_velocity(melee.heap[14], Vec3(kInfinity, 0, 0), Vec3::Zero());
+    melee.t.world.add_force(melee.heap[3], Vec3(0, 1e300, 0), Vec3::zero());
+    melee.t.world.set_velocity(melee.heap[14], Vec3(kInfinity, 0, 0), Vec3::zero());
     melee.t.world.particles.set_velocity(0, 1, Vec3(1e12, 0, 0));
     for (int i = 0; i < 20; ++i) run(melee.t, 1, kStep, "quarantine");
     assert_true(melee.t.world.state.quarantined_count == 2);
@@ -390,14 +390,14 @@ static void who_leaves_the_world_leaves_no_hole_in_the_books(void**) {
 static void whom_a_hit_drives_out_of_the_world_is_booked_as_lost(void**) {
   for (int solver = 0; solver < kSolverChoices; ++solver)
     for (const Real restitution : {0., 1.}) {
-      TestWorld t(Vec3::Zero());
+      TestWorld t(Vec3::zero());
       choose(t, solver, 1);
       const std::uint32_t m = t.material(0.5, restitution);
-      const std::uint32_t heavy = t.add(t.keep(sphere(1)), Vec3(-1.06, 0, 0), BodyType::dynamic, Quat::Identity(), m);
-      const std::uint32_t light = t.add(t.keep(sphere(0.02)), Vec3(0, 0, 0), BodyType::dynamic, Quat::Identity(), m);
+      const std::uint32_t heavy = t.add(t.keep(sphere(1)), Vec3(-1.06, 0, 0), BodyType::dynamic, Quat::identity(), m);
+      const std::uint32_t light = t.add(t.keep(sphere(0.02)), Vec3(0, 0, 0), BodyType::dynamic, Quat::identity(), m);
       t.world.set_continuous(light, SweepMode::never), t.world.set_continuous(heavy, SweepMode::never);
-      t.world.set_velocity(heavy, Vec3(0.8e9, 0, 0), Vec3::Zero());
-      t.world.set_velocity(light, Vec3(-0.8e9, 0, 0), Vec3::Zero());
+      t.world.set_velocity(heavy, Vec3(0.8e9, 0, 0), Vec3::zero());
+      t.world.set_velocity(light, Vec3(-0.8e9, 0, 0), Vec3::zero());
       t.world.keep_ledger(true);
       run(t, 20, 1e-11, "driven out");
       assert_true((t.world.state.quarantined_count > 0) == (restitution > 0));
@@ -464,7 +464,7 @@ static void drag_fields_springs_and_water_are_causes_of_their_own(void**) {
     for (const char* name : {"springs", "drag", "fields", "buoyancy"}) assert_true(total(t, name).kinetic != 0);
     assert_true((total(t, "gravity").linear - 5 * t.world.scene.mass[bodies[0]] * 200 * kStep * kDown).norm() <=
                 u.linear);
-    assert_true(total(t, Cause::host).linear == Vec3::Zero());
+    assert_true(total(t, Cause::host).linear == Vec3::zero());
     if (integrator == kVerletChoice) {
       // What the steps of a method of second order leave is small beside what forces did.
       Real done = 0;

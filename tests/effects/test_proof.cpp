@@ -73,7 +73,7 @@ std::vector<Part> parts() {
       {kSurfaceRow,
        {},
        [](Stage0& s) {
-         s.t.world.set_surface_velocity(s.t.world.scene.first_collider[s.one], {Vec3(0, 0, 1), Vec3::Zero()});
+         s.t.world.set_surface_velocity(s.t.world.scene.first_collider[s.one], {Vec3(0, 0, 1), Vec3::zero()});
        }},
       {kLimitsRow, {}, drive(true), true},
       {kMotorsRow, {}, drive(false), true},
@@ -310,7 +310,7 @@ static void accelerations_add_up(void**) {
   w.set_dial(Dial::integrator, 2);
   for (const Subject& subject : subjects())
     if (subject.flies && subject.row != kLocksRow) subject.call(s);
-  w.scene.inertia[s.one] = Vec3(0.1, 0.2, 0.3).asDiagonal();
+  w.scene.inertia[s.one] = Mat3::diagonal(Vec3(0.1, 0.2, 0.3));
   w.scene.inv_inertia[s.one] = w.scene.inertia[s.one].inverse();
   w.scene.def[s.one].linear_damping = 0.5;
   w.add_force(s.one, Vec3(1, 2, 3), Vec3(0.1, 0.2, 0.3));
@@ -323,12 +323,12 @@ static void accelerations_add_up(void**) {
   const Motion at{st.x.data(), st.q.data(), st.v.data(), st.omega.data()};
   const std::size_t n = st.x.size();
   const auto evaluate = [&](const std::function<void(const Accelerate&)>& f) {
-    std::vector<Vec3> v(n, Vec3::Zero()), omega(n, Vec3::Zero());
+    std::vector<Vec3> v(n, Vec3::zero()), omega(n, Vec3::zero());
     f({1, v.data(), omega.data()});
     return std::pair(v[s.one], omega[s.one]);
   };
   const auto all = evaluate([&](const Accelerate& out) { evaluate_forces(w, at, out); });
-  Vec3 v = Vec3::Zero(), omega = Vec3::Zero();
+  Vec3 v = Vec3::zero(), omega = Vec3::zero();
   Real size = 0;
   int rows = 0;
   for (PlannedEffect& row : w.plan->effects) {
@@ -366,11 +366,11 @@ static void forced_on_everybody_it_changes_nothing(void**) {
 static void without_response_things_touch_and_pass(void**) {
   Stage0 s;
   s.touching();
-  s.t.world.set_velocity(s.one, Vec3(1, 0, 0), Vec3::Zero());
+  s.t.world.set_velocity(s.one, Vec3(1, 0, 0), Vec3::zero());
   s.t.world.set_mode(kResponseRow, EffectMode::forbid);
   s.steps(64);
   assert_true(s.t.world.state.v[s.one] == Vec3(1, 0, 0));
-  assert_true(s.t.world.state.v[s.other] == Vec3::Zero());
+  assert_true(s.t.world.state.v[s.other] == Vec3::zero());
   assert_true(s.t.world.report.broad_pairs > 0 || s.t.world.state.x[s.one].x() > 1.5);
 }
 

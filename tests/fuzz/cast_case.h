@@ -10,8 +10,8 @@ enum class CastKind { linear, ray, turning, overlap, count };
 struct CastCase {
   PairCase pair;
   CastKind kind = CastKind::linear;
-  Vec3 motion = Vec3::Zero();                         // m (turning: m/s) of A, in its own frame; a ray's direction
-  Vec3 turn_a = Vec3::Zero(), turn_b = Vec3::Zero();  // rad/s, about the shapes' origins
+  Vec3 motion = Vec3::zero();                         // m (turning: m/s) of A, in its own frame; a ray's direction
+  Vec3 turn_a = Vec3::zero(), turn_b = Vec3::zero();  // rad/s, about the shapes' origins
   Real target = 0, tolerance = 1e-6;
   int cap = 128;
 };

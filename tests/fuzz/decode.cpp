@@ -94,26 +94,26 @@ void shape(Bytes& in, double size, ShapeSpec& s) {
 Vec3 direction(Bytes& in) {
   const Vec3 v(in.both_signs(), in.both_signs(), in.both_signs());
   const Real norm = v.norm();
-  return norm > 0 ? Vec3(v / norm) : Vec3(Vec3::UnitY());
+  return norm > 0 ? Vec3(v / norm) : Vec3(Vec3::unit_y());
 }
 
 /// Any attitude, a quarter turn, or a quarter turn tilted by little.
 Mat3 rotation(Bytes& in) {
   const unsigned style = in.byte();
-  if (style % 4 == 0) return Mat3::Identity();
+  if (style % 4 == 0) return Mat3::identity();
   if (style % 4 == 1) {
     const Quat q(in.both_signs(), in.both_signs(), in.both_signs(), in.both_signs());
-    return normalized(q).toRotationMatrix();
+    return normalized(q).matrix();
   }
   const unsigned turn = in.byte();
-  Mat3 r = Mat3::Zero();  // a signed permutation with determinant 1
+  Mat3 r = Mat3::zero();  // a signed permutation with determinant 1
   const int i = static_cast<int>(turn) % 3, j = (i + 1 + static_cast<int>(turn / 3) % 2) % 3, k = 3 - i - j;
   r(0, i) = turn & 64 ? -1 : 1;
   r(1, j) = turn & 128 ? -1 : 1;
-  r.row(2).setZero();
+  r.row(2).set_zero();
   r(2, k) = r.row(0).cross(r.row(1))[k];
   if (style % 4 == 2) return r;
-  return exp_map(in.any_order(-54, 0) * direction(in)).toRotationMatrix() * r;
+  return exp_map(in.any_order(-54, 0) * direction(in)).matrix() * r;
 }
 
 Vec3 special_direction(Bytes& in, const Mat3& r) {
@@ -122,11 +122,13 @@ Vec3 special_direction(Bytes& in, const Mat3& r) {
   const Real sign = choice & 128 ? -1 : 1;
   switch (choice % 5) {
     case 0:
-      return sign * Vec3::Unit(axis);
+      return sign * Vec3::unit(axis);
     case 1:
       return sign * r.col(axis);
-    case 2:
-      return sign * Vec3::Unit(axis).cross(r.col((axis + 1) % 3)).stableNormalized();
+    case 2: {
+      const Vec3 across = Vec3::unit(axis).cross(r.col((axis + 1) % 3));
+      return sign * (across / across.abs().max_entry()).normalized();  // however short
+    }
     case 3:
       return Vec3(sign, choice & 64 ? 1 : -1, choice & 32 ? 1 : -1) / std::sqrt(3.0);
     default:
@@ -146,7 +148,7 @@ Real bound(const Shape& a, const Shape& b, const Frame& f, const Vec3& n) {
 Vec3 position(Bytes& in, const Shape& a, const Shape& b, const Mat3& r) {
   const Real size = a.bounding_radius + b.bounding_radius;
   const unsigned style = in.byte();
-  Vec3 p = Vec3::Zero();
+  Vec3 p = Vec3::zero();
   switch (style % 8) {
     case 0:
       break;  // concentric
@@ -217,7 +219,7 @@ void decode(const std::uint8_t* bytes, std::size_t size, PairCase& out) {
   settings(in, std::min(a.bounding_radius, b.bounding_radius), out.settings);
   if (out.twist == Twist::warm) {  // as a step would move it
     out.next.p += reach * in.any_order(-30, -2) * direction(in);
-    out.next.r = exp_map(in.any_order(-30, -1) * direction(in)).toRotationMatrix() * r;
+    out.next.r = exp_map(in.any_order(-30, -1) * direction(in)).matrix() * r;
   }
   if (out.twist == Twist::warm_far) {
     r = rotation(in);
@@ -227,7 +229,7 @@ void decode(const std::uint8_t* bytes, std::size_t size, PairCase& out) {
   if (rare == 253) garbage(in, out.b_in_a);
   if (rare < 254) return;
   // The half-space as B.
-  const Vec3 n = special_direction(in, Mat3::Identity());
+  const Vec3 n = special_direction(in, Mat3::identity());
   out.b.kind = Kind::half_space;
   out.b.swell = 0;
   out.b.lie = Lie::none;

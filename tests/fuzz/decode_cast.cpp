@@ -12,12 +12,12 @@ namespace {
 Vec3 direction(Bytes& in) {
   const Vec3 v(in.both_signs(), in.both_signs(), in.both_signs());
   const int axis = in.below(8);
-  if (axis < 3) return Vec3::Unit(axis) * (v[axis] < 0 ? -1 : 1);
-  return v.norm() > 0 ? Vec3(v.normalized()) : Vec3(Vec3::UnitX());
+  if (axis < 3) return Vec3::unit(axis) * (v[axis] < 0 ? -1 : 1);
+  return v.norm() > 0 ? Vec3(v.normalized()) : Vec3(Vec3::unit_x());
 }
 
 Vec3 turn(Bytes& in, Real fastest) {
-  return in.below(3) == 0 ? Vec3(Vec3::Zero()) : Vec3(fastest * in.unit() * direction(in));
+  return in.below(3) == 0 ? Vec3(Vec3::zero()) : Vec3(fastest * in.unit() * direction(in));
 }
 
 }  // namespace
@@ -39,9 +39,9 @@ void decode(const std::uint8_t* bytes, std::size_t size, CastCase& out) {
   if (style & 1) p.b_in_a.p += far * way;
   out.motion = style & 1 ? Vec3((1 + in.both_signs()) * far * way) : Vec3(reach * in.any_order(-12, 6) * direction(in));
   if (style & 2) out.motion += reach * in.any_order(-40, 0) * direction(in);
-  if (style % 64 == 4) out.motion.setZero();
+  if (style % 64 == 4) out.motion.set_zero();
   out.turn_a = turn(in, 6);
-  out.turn_b = p.b.kind == Kind::half_space ? Vec3(Vec3::Zero()) : turn(in, 6);
+  out.turn_b = p.b.kind == Kind::half_space ? Vec3(Vec3::zero()) : turn(in, 6);
   out.target = in.below(4) == 0 ? least * in.any_order(-20, 1) : 0;
   out.tolerance = in.below(3) == 0 ? in.any_order(-45, -2) : 1e-6;
   out.cap = in.below(8) == 0 ? 1 + in.below(40) : 128;

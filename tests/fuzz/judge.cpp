@@ -110,7 +110,7 @@ void Judge::form(const Answer& x) {
   demand(finite(r.separation) && finite(r.normal) && finite(r.point_a) && finite(r.point_b), "not finite");
   demand(r.lower <= r.upper && r.lower <= r.separation && r.separation <= r.upper, "%.17g not in [%.17g, %.17g]",
          r.separation, r.lower, r.upper);
-  demand(std::fabs(r.normal.squaredNorm() - 1) <= 64 * kU, "normal of length %.17g", r.normal.norm());
+  demand(std::fabs(r.normal.squared_norm() - 1) <= 64 * kU, "normal of length %.17g", r.normal.norm());
   if (!x.known()) {
     demand(r.lower == -kInfinity && r.upper == kInfinity, "half a bracket [%g, %g]", r.lower, r.upper);
     demand(r.status != QueryStatus::exact_enough, "exact enough about nothing");
@@ -209,11 +209,11 @@ void Judge::box_axes(const Answer& x) {
     look(x, Vec3(-n));
   };
   for (int i = 0; i < 3; ++i) {
-    both(Vec3::Unit(i));
+    both(Vec3::unit(i));
     both(Vec3(r.col(i).normalized()));
     for (int j = 0; j < 3; ++j) {
-      const Vec3 c = Vec3::Unit(i).cross(r.col(j));
-      if (c.squaredNorm() > 1e-24) both(c.normalized());
+      const Vec3 c = Vec3::unit(i).cross(r.col(j));
+      if (c.squared_norm() > 1e-24) both(c.normalized());
     }
   }
 }
@@ -281,7 +281,7 @@ void Judge::same(const Answer& x, const Answer& y, Real slack, const char* which
 void measure(Answer& x, Real shell) {
   const Shape &a = x.a, &b = x.b;
   x.shell = shell;
-  x.size = x.b_in_a.p.cwiseAbs().sum() + a.bounding_radius + b.bounding_radius + std::fabs(a.offset) +
+  x.size = x.b_in_a.p.abs().sum() + a.bounding_radius + b.bounding_radius + std::fabs(a.offset) +
            std::fabs(b.offset) + shell;
   x.radii = a.core_radius + b.core_radius + shell;
   const auto radius = [](const Shape& s) { return s.form == Form::half_space ? kInfinity : s.bounding_radius; };

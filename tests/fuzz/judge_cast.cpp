@@ -47,11 +47,11 @@ class Motions {
         cast_shape(a_, Frame(), c_.motion, b_, frame_b, settings, r_, fault);
         break;
       case CastKind::ray:
-        cast_ray(Ray{Vec3::Zero(), c_.motion, 1}, b_, frame_b, settings, r_, fault);
+        cast_ray(Ray{Vec3::zero(), c_.motion, 1}, b_, frame_b, settings, r_, fault);
         break;
       case CastKind::turning: {
-        const RigidMotion moves_a{Pose(), Vec3::Zero(), c_.motion, c_.turn_a};
-        const RigidMotion moves_b{Pose{quat_b_, c_.pair.b_in_a.p}, c_.pair.b_in_a.p, Vec3::Zero(), c_.turn_b};
+        const RigidMotion moves_a{Pose(), Vec3::zero(), c_.motion, c_.turn_a};
+        const RigidMotion moves_b{Pose{quat_b_, c_.pair.b_in_a.p}, c_.pair.b_in_a.p, Vec3::zero(), c_.turn_b};
         time_of_impact(a_, moves_a, b_, moves_b, 1, settings, r_, fault);
         break;
       }
@@ -86,8 +86,8 @@ class Motions {
   QueryResult at(Real t) const {
     Frame a, b = c_.pair.b_in_a;
     if (c_.kind == CastKind::turning) {
-      a = Frame(RigidMotion{Pose(), Vec3::Zero(), c_.motion, c_.turn_a}.after(t));
-      b = Frame(RigidMotion{Pose{quat_b_, b.p}, b.p, Vec3::Zero(), c_.turn_b}.after(t));
+      a = Frame(RigidMotion{Pose(), Vec3::zero(), c_.motion, c_.turn_a}.after(t));
+      b = Frame(RigidMotion{Pose{quat_b_, b.p}, b.p, Vec3::zero(), c_.turn_b}.after(t));
     } else {
       a.p = t * c_.motion;
     }

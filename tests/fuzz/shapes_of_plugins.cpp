@@ -96,8 +96,8 @@ Shape make(const ShapeSpec& spec) {
   if (spec.swell > 0) {
     s.core_radius += spec.swell;
     s.bounding_radius += spec.swell;
-    s.bounds.lo -= Vec3::Constant(spec.swell);
-    s.bounds.hi += Vec3::Constant(spec.swell);
+    s.bounds.lo -= Vec3::constant(spec.swell);
+    s.bounds.hi += Vec3::constant(spec.swell);
   }
   return s;
 }

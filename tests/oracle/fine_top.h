@@ -11,14 +11,14 @@ namespace carom::test {
 template <class Torque>
 Quat fine_top(const Vec3& moment, const Vec3& omega, Real seconds, int n, Torque&& torque) {
   struct Y {
-    Eigen::Vector4d q;
+    Quat q;
     Vec3 l;
-  } y{Quat::Identity().coeffs(), moment.cwiseProduct(omega)};
+  } y{Quat::identity(), moment.times(omega)};
   const auto rate = [&](Real t, const Y& at) {
-    const Quat q = Quat(at.q[3], at.q[0], at.q[1], at.q[2]).normalized();
-    const Vec3 half = 0.5 * (q * (q.conjugate() * at.l).cwiseQuotient(moment));
-    const Quat dq = Quat(0, half.x(), half.y(), half.z()) * Quat(at.q[3], at.q[0], at.q[1], at.q[2]);
-    return Y{dq.coeffs(), torque(t, q)};
+    const Quat q = at.q.normalized();
+    const Vec3 half = 0.5 * (q * (q.conjugate() * at.l).over(moment));
+    const Quat dq = Quat(0, half.x(), half.y(), half.z()) * at.q;
+    return Y{dq, torque(t, q)};
   };
   const auto plus = [](const Y& a, Real s, const Y& d) { return Y{a.q + s * d.q, a.l + s * d.l}; };
   const Real h = seconds / n;
@@ -28,7 +28,7 @@ Quat fine_top(const Vec3& moment, const Vec3& omega, Real seconds, int n, Torque
             k4 = rate(t + h, plus(y, h, k3));
     y = plus(plus(plus(plus(y, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4);
   }
-  return Quat(y.q[3], y.q[0], y.q[1], y.q[2]).normalized();
+  return y.q.normalized();
 }
 
 }  // namespace carom::test

@@ -20,7 +20,7 @@ void use(TestWorld& t, Real solver) {
 }
 
 std::vector<std::uint32_t> stack(TestWorld& t, int count, Real x) {
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   std::vector<std::uint32_t> bodies;
   for (int i = 0; i < count; ++i) bodies.push_back(t.add(cube, Vec3(x, i + 0.5, 0)));
   return bodies;
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> stack(TestWorld& t, int count, Real x) {
 /// A ball that rolls, spins and bumps into a box.
 std::vector<std::uint32_t> bowling(TestWorld& t, Real x) {
   std::vector<std::uint32_t> bodies = {t.add(t.keep(sphere(0.5)), Vec3(x, 0.5, 0)),
-                                       t.add(t.keep(box(Vec3::Constant(0.4))), Vec3(x + 2, 0.4, 0.1))};
+                                       t.add(t.keep(box(Vec3::constant(0.4))), Vec3(x + 2, 0.4, 0.1))};
   t.world.set_velocity(bodies[0], Vec3(3, 0, 0), Vec3(0, 1, -2));
   return bodies;
 }
@@ -48,7 +48,7 @@ static void it_names_what_it_chose_and_why(void**) {
   use(t, kAutoChoice);
   t.world.set_dial(Dial::direct_sink, 0.005);  // what a cube of 1 m sinks under nine others
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   stack(t, 20, 0);
   stack(t, 6, 10);
   const std::uint32_t light = t.add(cube, Vec3(20, 0.5, 0)), heavy = t.add(nullptr, Vec3(20, 1.5, 0));
@@ -111,7 +111,7 @@ static void soft_contacts_take_the_blow_that_strikes_a_stack(void**) {
   t.ground();
   stack(t, 20, 0);
   const std::uint32_t ball = t.add(t.keep(sphere(0.5)), Vec3(-7, 10, 0));
-  t.world.set_velocity(ball, Vec3(20, 0, 0), Vec3::Zero());
+  t.world.set_velocity(ball, Vec3(20, 0, 0), Vec3::zero());
   bool held = false, struck = false;
   for (int step = 0; step < 60; ++step) {
     t.world.step(kStep);
@@ -203,7 +203,7 @@ static void a_wall_that_stands_is_solved_now_and_then(void**) {
 }
 
 static void a_blow_goes_through_a_row_of_balls_without_loss(void**) {
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   use(t, kAutoChoice);
   const std::vector<std::uint32_t> row = t.cradle();
   t.run(60, kStep);

@@ -20,16 +20,16 @@ constexpr int kPhases = 16;
 Real energy(const World& w) { return w.report.linear_energy + w.report.angular_energy; }
 
 Vec3 momentum(const World& w) {
-  Vec3 p = Vec3::Zero();
+  Vec3 p = Vec3::zero();
   for (std::uint32_t i = 0; i < w.scene.bodies.slots(); ++i) p += w.scene.mass[i] * w.state.v[i];
   return p;
 }
 
 /// About the origin.
 Vec3 angular_momentum(const World& w) {
-  Vec3 l = Vec3::Zero();
+  Vec3 l = Vec3::zero();
   for (std::uint32_t i = 0; i < w.scene.bodies.slots(); ++i) {
-    const Mat3 r = w.state.q[i].toRotationMatrix();
+    const Mat3 r = w.state.q[i].matrix();
     l += w.scene.mass[i] * w.state.x[i].cross(w.state.v[i]) +
          r * (w.scene.inertia[i] * (r.transpose() * w.state.omega[i]));
   }
@@ -52,13 +52,13 @@ Real gap(const World& w, std::uint32_t a, std::uint32_t b) {
 struct Range : TestWorld {
   Range(Shape projectile, Real along_x, Real half_thickness, Real restitution, int phase,
         BodyType wall_type = BodyType::fixed)
-      : TestWorld(Vec3::Zero()), speed(along_x) {
+      : TestWorld(Vec3::zero()), speed(along_x) {
     const std::uint32_t m = material(0, restitution);
-    wall = add(keep(box(Vec3(half_thickness, 5, 5))), Vec3::Zero(), wall_type, Quat::Identity(), m);
-    front = -half_thickness - support_point(projectile, Vec3::UnitX()).x();
+    wall = add(keep(box(Vec3(half_thickness, 5, 5))), Vec3::zero(), wall_type, Quat::identity(), m);
+    front = -half_thickness - support_point(projectile, Vec3::unit_x()).x();
     start = front - 2 - speed * kDt * phase / kPhases;
-    bullet = add(keep(std::move(projectile)), Vec3(start, 0, 0), BodyType::dynamic, Quat::Identity(), m);
-    world.set_velocity(bullet, Vec3(speed, 0, 0), Vec3::Zero());
+    bullet = add(keep(std::move(projectile)), Vec3(start, 0, 0), BodyType::dynamic, Quat::identity(), m);
+    world.set_velocity(bullet, Vec3(speed, 0, 0), Vec3::zero());
   }
   /// A step after the one in which it arrives.
   int steps() const { return static_cast<int>(std::ceil((front - start) / speed / kDt)) + 1; }
@@ -112,12 +112,12 @@ static void a_wall_that_moves_takes_its_share(void**) {
 static void momentum_is_kept_off_centre(void**) {
   for (const Real e : {0.3, 1.0})
     for (int phase = 0; phase < kPhases; ++phase) {
-      TestWorld t(Vec3::Zero());
+      TestWorld t(Vec3::zero());
       const std::uint32_t m = t.material(0.4, e);
       const std::uint32_t plank =
-          t.add(t.keep(box(Vec3(0.02, 1, 0.3))), Vec3::Zero(), BodyType::dynamic, Quat::Identity(), m);
+          t.add(t.keep(box(Vec3(0.02, 1, 0.3))), Vec3::zero(), BodyType::dynamic, Quat::identity(), m);
       const std::uint32_t bullet = t.add(t.keep(sphere(0.1)), Vec3(-2 - 200 * kDt * phase / kPhases, 0.7, 0.1),
-                                         BodyType::dynamic, Quat::Identity(), m);
+                                         BodyType::dynamic, Quat::identity(), m);
       t.world.set_velocity(bullet, Vec3(200, 0, 0), Vec3(3, 4, 5));
       const Vec3 p = momentum(t.world), l = angular_momentum(t.world);
       Real before = 0;
@@ -137,11 +137,11 @@ static void gravity_and_bounces_keep_energy(void**) {
   for (const Real dt : {1.0 / 30, 1.0 / 60, 1.0 / 240}) {
     TestWorld t;
     const std::uint32_t m = t.material(0, 1);
-    t.add(t.keep(box(Vec3(5, 0.05, 5))), Vec3(0, -0.05, 0), BodyType::fixed, Quat::Identity(), m);
-    const std::uint32_t ball = t.add(t.keep(sphere(0.02)), Vec3(0, 20, 0), BodyType::dynamic, Quat::Identity(), m);
+    t.add(t.keep(box(Vec3(5, 0.05, 5))), Vec3(0, -0.05, 0), BodyType::fixed, Quat::identity(), m);
+    const std::uint32_t ball = t.add(t.keep(sphere(0.02)), Vec3(0, 20, 0), BodyType::dynamic, Quat::identity(), m);
     const Real mass = t.world.scene.mass[ball];
     const auto all = [&] {
-      return mass * (0.5 * t.world.state.v[ball].squaredNorm() + 9.81 * t.world.state.x[ball].y());
+      return mass * (0.5 * t.world.state.v[ball].squared_norm() + 9.81 * t.world.state.x[ball].y());
     };
     const Real before = all();
     std::uint64_t hits = 0;
@@ -165,15 +165,15 @@ static void a_spinning_rod_does_not_pass_a_post(void**) {
   for (const Real omega : {20.0, 60.0, 150.0, 377.0, 500.0, 800.0})
     for (const Real e : {0.0, 1.0})
       for (int phase = 0; phase < kPhases; ++phase) {
-        TestWorld t(Vec3::Zero());
+        TestWorld t(Vec3::zero());
         const std::uint32_t m = t.material(0, e);
         const std::uint32_t post =
-            t.add(t.keep(capsule(kRadius, 1)), Vec3(kFar, 0, 0), BodyType::fixed, Quat::Identity(), m);
+            t.add(t.keep(capsule(kRadius, 1)), Vec3(kFar, 0, 0), BodyType::fixed, Quat::identity(), m);
         const Real angle =
             0.3 + 2.5 * phase / kPhases;  // of its axis from the post; it turns away, and meets it behind
         const std::uint32_t rod =
-            t.add(t.keep(box(Vec3(1, kHalf, kHalf))), Vec3::Zero(), BodyType::dynamic, exp_map(Vec3(0, angle, 0)), m);
-        t.world.set_velocity(rod, Vec3::Zero(), Vec3(0, omega, 0));
+            t.add(t.keep(box(Vec3(1, kHalf, kHalf))), Vec3::zero(), BodyType::dynamic, exp_map(Vec3(0, angle, 0)), m);
+        t.world.set_velocity(rod, Vec3::zero(), Vec3(0, omega, 0));
         const Real mass = t.world.scene.mass[rod], inertia = t.world.scene.inertia[rod](1, 1);
         const Real way = std::numbers::pi - stop - angle, moment = way / omega;  // rad, s: until it meets
         const int first = static_cast<int>(std::ceil(moment / kDt));             // the step in which it does
@@ -213,14 +213,14 @@ static void a_spinning_rod_does_not_pass_a_post(void**) {
 static void two_bullets_meet(void**) {
   for (const Real e : {0.0, 1.0})
     for (int phase = 0; phase < kPhases; ++phase) {
-      TestWorld t(Vec3::Zero());
+      TestWorld t(Vec3::zero());
       const std::uint32_t m = t.material(0, e);
       const Shape* ball = t.keep(sphere(0.05));
       const Real far = 2 + 300 * kDt * phase / kPhases;
-      const std::uint32_t a = t.add(ball, Vec3(-far, 0, 0), BodyType::dynamic, Quat::Identity(), m);
-      const std::uint32_t b = t.add(ball, Vec3(far, 0, 0), BodyType::dynamic, Quat::Identity(), m);
-      t.world.set_velocity(a, Vec3(200, 0, 0), Vec3::Zero());
-      t.world.set_velocity(b, Vec3(-400, 0, 0), Vec3::Zero());
+      const std::uint32_t a = t.add(ball, Vec3(-far, 0, 0), BodyType::dynamic, Quat::identity(), m);
+      const std::uint32_t b = t.add(ball, Vec3(far, 0, 0), BodyType::dynamic, Quat::identity(), m);
+      t.world.set_velocity(a, Vec3(200, 0, 0), Vec3::zero());
+      t.world.set_velocity(b, Vec3(-400, 0, 0), Vec3::zero());
       const Real moment = (2 * far - 0.1) / 600, where = -far + 200 * moment;
       const int n = static_cast<int>(std::ceil(moment / kDt)) + 1;
       t.run(n, kDt);
@@ -237,14 +237,14 @@ static void what_is_in_a_box_stays_in_it(void**) {
   const std::function<Shape()> shapes[] = {[] { return sphere(0.1); }, [] { return box(Vec3(0.1, 0.1, 0.1)); }};
   for (const auto& make : shapes)
     for (const Real friction : {0.0, 0.5}) {
-      TestWorld t(Vec3::Zero());
+      TestWorld t(Vec3::zero());
       const std::uint32_t m = t.material(friction, 1);
       for (int k = 0; k < 6; ++k) {
-        Vec3 half = Vec3::Constant(1.01), at = Vec3::Zero();
+        Vec3 half = Vec3::constant(1.01), at = Vec3::zero();
         half[k / 2] = 0.005, at[k / 2] = k % 2 ? 1.005 : -1.005;
-        t.add(t.keep(box(half)), at, BodyType::fixed, Quat::Identity(), m);
+        t.add(t.keep(box(half)), at, BodyType::fixed, Quat::identity(), m);
       }
-      const std::uint32_t body = t.add(t.keep(make()), Vec3(0.1, 0.2, 0.3), BodyType::dynamic, Quat::Identity(), m);
+      const std::uint32_t body = t.add(t.keep(make()), Vec3(0.1, 0.2, 0.3), BodyType::dynamic, Quat::identity(), m);
       t.world.set_velocity(body, 500 * Vec3(0.6, 0.48, 0.64), Vec3(1, 2, 3));
       t.world.step(kDt);
       const Real first = energy(t.world);
@@ -252,7 +252,7 @@ static void what_is_in_a_box_stays_in_it(void**) {
       for (int i = 1; i < 600; ++i) {
         t.world.step(kDt);
         hits += t.world.report.sweep_hits;
-        assert_true(t.world.state.x[body].cwiseAbs().maxCoeff() < 0.96);
+        assert_true(t.world.state.x[body].abs().max_entry() < 0.96);
       }
       assert_true(hits > (friction == 0 ? 1000u : 20u));
       assert_true(energy(t.world) < first * (1 + 1e-6));
@@ -269,12 +269,12 @@ static void what_passes_by_is_left_alone(void**) {
     for (const BodyType type : {BodyType::fixed, BodyType::dynamic})
       for (int phase = 0; phase < kPhases; ++phase) {
         const auto fly = [&](bool there) {
-          TestWorld t(Vec3::Zero());
+          TestWorld t(Vec3::zero());
           const Vec3 from(-2 - 200 * kDt * phase / kPhases, 1.101, 0.02);
           const std::uint32_t bullet = t.add(t.keep(sphere(0.1)), from);
           const Shape* obstacle = t.keep(make());
-          t.add(obstacle, there ? Vec3::Zero() : Vec3(0, -1000, 0), type);
-          t.world.set_velocity(bullet, Vec3(200, 0, 0), Vec3::Zero());
+          t.add(obstacle, there ? Vec3::zero() : Vec3(0, -1000, 0), type);
+          t.world.set_velocity(bullet, Vec3(200, 0, 0), Vec3::zero());
           t.run(6, kDt);
           return t.world.state.x[bullet];
         };
@@ -291,10 +291,10 @@ static void what_slides_fast_goes_on(void**) {
       if (wide)
         t.ground(m);
       else
-        t.add(t.keep(box(Vec3(1000, 1, 10))), Vec3(0, -1, 0), BodyType::fixed, Quat::Identity(), m);
+        t.add(t.keep(box(Vec3(1000, 1, 10))), Vec3(0, -1, 0), BodyType::fixed, Quat::identity(), m);
       const std::uint32_t block =
-          t.add(t.keep(box(Vec3(0.5, 0.25, 0.5))), Vec3(-500, 0.25, 0), BodyType::dynamic, Quat::Identity(), m);
-      t.world.set_velocity(block, Vec3(200, 0, 0), Vec3::Zero());
+          t.add(t.keep(box(Vec3(0.5, 0.25, 0.5))), Vec3(-500, 0.25, 0), BodyType::dynamic, Quat::identity(), m);
+      t.world.set_velocity(block, Vec3(200, 0, 0), Vec3::zero());
       t.run(120, kDt);
       const Real v = 200 - mu * 9.81 * 2;
       assert_true(t.world.plan->effects[kContinuousRow].evaluations == 120);
@@ -309,14 +309,14 @@ static void a_bullet_hits_a_spinning_rod(void**) {
   constexpr Real kSubstep = kDt / 4;
   int met = 0, measured = 0;
   for (int phase = 0; phase < kPhases; ++phase) {
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     const std::uint32_t m = t.material(0.2, 0.5);
     const std::uint32_t rod =
-        t.add(t.keep(box(Vec3(1, 0.02, 0.02))), Vec3::Zero(), BodyType::dynamic, exp_map(Vec3(0, 0.2 * phase, 0)), m);
+        t.add(t.keep(box(Vec3(1, 0.02, 0.02))), Vec3::zero(), BodyType::dynamic, exp_map(Vec3(0, 0.2 * phase, 0)), m);
     // Along the axis about which it spins.
-    const std::uint32_t ball = t.add(t.keep(sphere(0.3)), Vec3(0.35, -1.5, 0), BodyType::dynamic, Quat::Identity(), m);
-    t.world.set_velocity(rod, Vec3::Zero(), Vec3(0, 60, 0));
-    t.world.set_velocity(ball, Vec3(0, 20, 0), Vec3::Zero());
+    const std::uint32_t ball = t.add(t.keep(sphere(0.3)), Vec3(0.35, -1.5, 0), BodyType::dynamic, Quat::identity(), m);
+    t.world.set_velocity(rod, Vec3::zero(), Vec3(0, 60, 0));
+    t.world.set_velocity(ball, Vec3(0, 20, 0), Vec3::zero());
     const Vec3 p = momentum(t.world), l = angular_momentum(t.world);
     std::uint64_t hits = 0;
     for (int i = 0; i < 10; ++i) {

@@ -26,8 +26,8 @@ struct Slope : TestWorld {
     const std::uint32_t m = material(mu, 0);
     ground(m);
     // Low and wide: the friction couple (mu * half height) stays within the base, so no corner lifts.
-    block = add(keep(box(Vec3(0.5, 0.1, 0.5))), Vec3(0, 0.1, 0), BodyType::dynamic, Quat::Identity(), m);
-    world.set_velocity(block, velocity, Vec3::Zero());
+    block = add(keep(box(Vec3(0.5, 0.1, 0.5))), Vec3(0, 0.1, 0), BodyType::dynamic, Quat::identity(), m);
+    world.set_velocity(block, velocity, Vec3::zero());
     paper(world);
     world.set_dial(Dial::velocity_tolerance, 1e-7);
     world.set_dial(Dial::velocity_iterations, 100);
@@ -39,7 +39,7 @@ struct Slope : TestWorld {
 static void a_block_slides_down_as_coulomb_says(void**) {
   const Real mu = 0.3, a = kG * (kSine - mu * kCosine), T = 1;
   for (int n : {60, 120, 240}) {
-    Slope s(mu, Vec3::Zero());
+    Slope s(mu, Vec3::zero());
     s.run(n, T / n);
     const Vec3& x = s.world.state.x[s.block];
     // Semi-implicit Euler under a constant acceleration: x_n - x = a T h/2; the solver adds its tolerance times T.
@@ -58,7 +58,7 @@ static void a_block_slides_diagonally_without_a_sideways_pull(void**) {
     paper(t.world);
     const std::uint32_t m = t.material(mu, 0);
     t.ground(m);
-    const std::uint32_t b = t.add(t.keep(sphere(0.5)), Vec3(0, 0.5, 0), BodyType::dynamic, Quat::Identity(), m);
+    const std::uint32_t b = t.add(t.keep(sphere(0.5)), Vec3(0, 0.5, 0), BodyType::dynamic, Quat::identity(), m);
     BodyDef def;  // a sphere that cannot roll is a point of friction
     const std::uint32_t skid = handle_slot([&] {
       def.has_mass = def.has_inertia = true;
@@ -70,7 +70,7 @@ static void a_block_slides_diagonally_without_a_sideways_pull(void**) {
     t.world.remove_body(b);
     const SinCos sc = sin_cos(turn);
     const Vec3 along(sc.cos, 0, sc.sin);
-    t.world.set_velocity(skid, v * along, Vec3::Zero());
+    t.world.set_velocity(skid, v * along, Vec3::zero());
     t.run(120, 1.0 / 60);
     const Vec3 way = t.world.state.x[skid] - Vec3(5, 0.5, 5);
     const Real h = 1.0 / 60;
@@ -83,7 +83,7 @@ static void a_block_slides_diagonally_without_a_sideways_pull(void**) {
 }
 
 static void a_block_sticks_below_the_friction_angle(void**) {
-  Slope s(0.6, Vec3::Zero());  // tan 30 = 0.577
+  Slope s(0.6, Vec3::zero());  // tan 30 = 0.577
   s.run(600, 1.0 / 60);
   const Vec3& x = s.world.state.x[s.block];
   assert_true(std::fabs(x.x()) < 1e-7 * 10 && std::fabs(x.z()) < 1e-7 * 10);  // tolerance times time
@@ -95,7 +95,7 @@ static void a_ball_bounces_to_e_squared_of_its_height(void**) {
       TestWorld t;
       const std::uint32_t m = t.material(0, e);
       t.ground(m);
-      const std::uint32_t b = t.add(t.keep(sphere(0.1)), Vec3(0, 1.1, 0), BodyType::dynamic, Quat::Identity(), m);
+      const std::uint32_t b = t.add(t.keep(sphere(0.1)), Vec3(0, 1.1, 0), BodyType::dynamic, Quat::identity(), m);
       Real top = 0;
       bool bounced = false;
       for (int i = 0; i < static_cast<int>(1.2 / h); ++i) {
@@ -115,7 +115,7 @@ static void below_the_restitution_speed_nothing_bounces(void**) {
   TestWorld t;
   const std::uint32_t m = t.material(0.5, 1);
   t.ground(m);
-  const std::uint32_t b = t.add(t.keep(sphere(0.5)), Vec3(0, 0.501, 0), BodyType::dynamic, Quat::Identity(), m);
+  const std::uint32_t b = t.add(t.keep(sphere(0.5)), Vec3(0, 0.501, 0), BodyType::dynamic, Quat::identity(), m);
   for (int i = 0; i < 60; ++i) {
     t.world.step(1.0 / 60);
     assert_true(t.world.state.v[b].y() <= 1e-3);
@@ -125,7 +125,7 @@ static void below_the_restitution_speed_nothing_bounces(void**) {
 static void two_balls_exchange_momentum_as_closed_form_says(void**) {
   for (const Real e : {0.0, 0.5, 1.0}) {
     for (const Real ratio : {1.0, 3.0, 1000.0}) {
-      TestWorld t(Vec3::Zero());
+      TestWorld t(Vec3::zero());
       paper(t.world);
       const std::uint32_t m = t.material(0.5, e);
       const auto ball = [&](Real mass, const Vec3& x, const Vec3& v) {
@@ -152,14 +152,14 @@ static void two_balls_exchange_momentum_as_closed_form_says(void**) {
 
 static void a_row_of_balls_passes_the_blow_on(void**) {
   for (const Real substeps : {1.0, 4.0, 16.0}) {
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     t.world.set_dial(Dial::substeps, substeps);
     const std::uint32_t m = t.material(0, 1);
     const Shape* ball = t.keep(sphere(0.5));
     std::vector<std::uint32_t> row;
     for (int i = 0; i < 5; ++i)
-      row.push_back(t.add(ball, Vec3(i + (i ? 0.0 : -0.5), 0, 0), BodyType::dynamic, Quat::Identity(), m));
-    t.world.set_velocity(row[0], Vec3(2, 0, 0), Vec3::Zero());
+      row.push_back(t.add(ball, Vec3(i + (i ? 0.0 : -0.5), 0, 0), BodyType::dynamic, Quat::identity(), m));
+    t.world.set_velocity(row[0], Vec3(2, 0, 0), Vec3::zero());
     t.run(60, 1.0 / 60);
     for (int i = 0; i < 4; ++i) assert_true(t.world.state.v[row[i]].norm() < 1e-12);
     assert_true((t.world.state.v[row[4]] - Vec3(2, 0, 0)).norm() < 1e-12);
@@ -169,7 +169,7 @@ static void a_row_of_balls_passes_the_blow_on(void**) {
 static void impulses_reported_carry_the_weight(void**) {
   TestWorld t;
   t.ground();
-  const std::uint32_t b = t.add(t.keep(box(Vec3::Constant(0.5))), Vec3(0, 0.5, 0));
+  const std::uint32_t b = t.add(t.keep(box(Vec3::constant(0.5))), Vec3(0, 0.5, 0));
   t.world.set_dial(Dial::velocity_tolerance, 1e-8);
   for (const Real substeps : {1.0, 4.0}) {
     t.world.set_dial(Dial::substeps, substeps);
@@ -188,8 +188,8 @@ static void impulses_reported_carry_the_weight(void**) {
 static void a_kinematic_platform_carries_what_lies_on_it(void**) {
   TestWorld t;
   const std::uint32_t platform = t.add(t.keep(box(Vec3(5, 0.5, 5))), Vec3(0, -0.5, 0), BodyType::kinematic);
-  const std::uint32_t b = t.add(t.keep(box(Vec3::Constant(0.5))), Vec3(0, 0.5, 0));
-  t.world.set_velocity(platform, Vec3(0.5, 0.25, 0), Vec3::Zero());
+  const std::uint32_t b = t.add(t.keep(box(Vec3::constant(0.5))), Vec3(0, 0.5, 0));
+  t.world.set_velocity(platform, Vec3(0.5, 0.25, 0), Vec3::zero());
   t.run(120, 1.0 / 60);
   assert_true((t.world.state.v[b] - Vec3(0.5, 0.25, 0)).norm() < 4e-3);
   assert_true(std::fabs(t.world.state.x[b].y() - 1) < 2e-3);
@@ -251,7 +251,7 @@ static void a_block_slides_as_far_as_coulomb_says(void**) {
   const Real mu = 0.3, a = kG * (kSine - mu * kCosine);
   for (const int solver : kOthers)
     for (const int n : {60, 240}) {
-      Slope s(mu, Vec3::Zero());
+      Slope s(mu, Vec3::zero());
       choose(s.world, solver);
       s.run(n, 1.0 / n);
       const Vec3& x = s.world.state.x[s.block];
@@ -269,15 +269,15 @@ static void what_sticks_stays_where_it_is(void**) {
     choose(t.world, solver);
     const std::uint32_t m = t.material(0.8, 0);
     const std::uint32_t cart =
-        t.add(t.keep(box(Vec3(2, 0.1, 2))), Vec3(0, -0.1, 0), BodyType::kinematic, Quat::Identity(), m);
+        t.add(t.keep(box(Vec3(2, 0.1, 2))), Vec3(0, -0.1, 0), BodyType::kinematic, Quat::identity(), m);
     const Shape* const slab = t.keep(box(Vec3(0.5, 0.1, 0.5)));
-    const std::uint32_t a = t.add(slab, Vec3(0, 0.1, 0), BodyType::dynamic, Quat::Identity(), m),
-                        b = t.add(slab, Vec3(0, 0.3, 0), BodyType::dynamic, Quat::Identity(), m);
+    const std::uint32_t a = t.add(slab, Vec3(0, 0.1, 0), BodyType::dynamic, Quat::identity(), m),
+                        b = t.add(slab, Vec3(0, 0.3, 0), BodyType::dynamic, Quat::identity(), m);
     t.run(60, 1.0 / 60);
     const Vec3 from_a = t.world.state.x[a] - t.world.state.x[cart], from_b = t.world.state.x[b] - t.world.state.x[a];
     Real most = 0;
     for (int i = 0; i < 120; ++i) {
-      t.world.set_velocity(cart, Vec3(i < 60 ? i / 30.0 : (120 - i) / 30.0, 0, 0), Vec3::Zero());
+      t.world.set_velocity(cart, Vec3(i < 60 ? i / 30.0 : (120 - i) / 30.0, 0, 0), Vec3::zero());
       t.world.step(1.0 / 60);
       most = std::max({most, (t.world.state.x[a] - t.world.state.x[cart] - from_a).norm(),
                        (t.world.state.x[b] - t.world.state.x[a] - from_b).norm()});

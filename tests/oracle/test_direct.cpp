@@ -38,7 +38,7 @@ static void a_heap_obeys_the_law_in_every_step(void**) {
     std::vector<Vec3> before;
     for (const std::uint32_t i : bodies) before.push_back(t.world.state.v[i] + kStep * t.world.scene.gravity);
     t.world.step(kStep);
-    std::vector<Vec3> given(t.world.scene.bodies.slots(), Vec3::Zero());
+    std::vector<Vec3> given(t.world.scene.bodies.slots(), Vec3::zero());
     assert_true(t.world.report.solver_residual < 0.01);
     capped += t.world.report.solver_residual > kTolerance;
     // What the report says bounds each of the law's parts: k |p - P(p - y / k)| is at least what y lacks of the dual
@@ -83,7 +83,7 @@ static void what_lies_at_rest_is_seldom_solved(void**) {
   use_direct(t, 1e-6);
   t.world.set_dial(Dial::substeps, 4);
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   for (int i = 0; i < 40; ++i) t.add(cube, Vec3(0, i + 0.5, 0));
   t.run(60, kStep);
   std::uint64_t newton_steps = 0;
@@ -101,7 +101,7 @@ static void what_was_just_built_takes_as_long_however_high(void**) {
     TestWorld t;
     use_direct(t, 1e-6);
     t.ground();
-    const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+    const Shape* cube = t.keep(box(Vec3::constant(0.5)));
     for (int i = 0; i < cubes; ++i) t.add(cube, Vec3(0, i + 0.5, 0));
     t.world.step(kStep);
     assert_true(t.world.report.solver_residual <= 1e-6);
@@ -113,7 +113,7 @@ static void a_stack_of_forty_stands(void**) {
   TestWorld t;
   use_direct(t, 1e-6);
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   std::vector<std::uint32_t> cubes;
   for (int i = 0; i < 40; ++i) cubes.push_back(t.add(cube, Vec3(0, i + 0.5, 0)));
   t.run(1200, kStep);
@@ -128,7 +128,7 @@ static void a_light_cube_bears_one_of_a_million_times_its_mass(void**) {
   TestWorld t;
   use_direct(t, 1e-6);
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   const std::uint32_t light = t.add(cube, Vec3(0, 0.5, 0)), heavy = t.add(nullptr, Vec3(0, 1.5, 0));
   t.world.add_collider(heavy, cube, Pose{}, 1e9, Colliders::kNoMaterial);
   t.run(600, kStep);
@@ -178,7 +178,7 @@ static void a_slope_holds_below_the_angle_of_friction_and_lets_go_above(void**) 
     const std::uint32_t m = t.material(0.5, 0);
     t.ground(m);
     const std::uint32_t slab =
-        t.add(t.keep(box(Vec3(0.5, 0.1, 0.5))), Vec3(0, 0.1, 0), BodyType::dynamic, Quat::Identity(), m);
+        t.add(t.keep(box(Vec3(0.5, 0.1, 0.5))), Vec3(0, 0.1, 0), BodyType::dynamic, Quat::identity(), m);
     t.run(60, kStep);
     const Real pull = kGravity * (std::sin(angle) - 0.5 * std::cos(angle));
     const Real speed = -t.world.state.v[slab].x();
@@ -187,7 +187,7 @@ static void a_slope_holds_below_the_angle_of_friction_and_lets_go_above(void**) 
 }
 
 static void an_impact_is_handed_on_and_keeps_the_energy(void**) {
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   use_direct(t, 1e-9);
   const std::vector<std::uint32_t> row = t.cradle();
   t.run(60, kStep);
@@ -199,15 +199,15 @@ static void a_capped_solve_stays_sane(void**) {
   std::vector<ConeContact> contacts(2);
   std::vector<ConeBody> bodies(1);
   bodies[0].mass = 1, bodies[0].inv_mass = 1;
-  bodies[0].inertia.setIdentity(), bodies[0].inv_inertia.setIdentity();
-  bodies[0].v.setZero();
+  bodies[0].inertia.set_identity(), bodies[0].inv_inertia.set_identity();
+  bodies[0].v.set_zero();
   for (std::size_t i = 0; i < 2; ++i) {  // squeezed from both sides by walls that close in
     ConeContact& c = contacts[i];
     c.a = kNobody, c.b = 0, c.below = kNobody;
     c.n = i ? Vec3(1, 0, 0) : Vec3(-1, 0, 0);
-    c.r_a.setZero(), c.r_b = -c.n;
+    c.r_a.set_zero(), c.r_b = -c.n;
     c.friction = 0.5, c.want = 1, c.k = 2;
-    c.p.setZero(), c.u.setZero();
+    c.p.set_zero(), c.u.set_zero();
   }
   Elimination e(std::pmr::new_delete_resource());
   e.clear();
@@ -218,7 +218,7 @@ static void a_capped_solve_stays_sane(void**) {
   ConeProblem problem{contacts, bodies.data(), 0, 1, &e, &f, scratch.data()};
   const ConeAnswer answer = solve_cones(problem, 1e-9, 100);
   assert_true(answer.residual > 0.5);  // there is no solution, and it says so
-  assert_true(bodies[0].v.allFinite() && bodies[0].v.norm() < 1);
+  assert_true(bodies[0].v.all_finite() && bodies[0].v.norm() < 1);
 }
 
 int main() {

@@ -41,11 +41,11 @@ struct Top {
 
 /// A box 1 x 2 x 3 m left spinning for T = 2 s in n steps.
 Top spin(Real integrator, Real rotation, int n) {
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   t.world.set_dial(Dial::integrator, integrator);
   t.world.set_dial(Dial::rotation, rotation);
-  const std::uint32_t b = t.add(t.keep(box(Vec3(0.5, 1, 1.5))), Vec3::Zero());
-  t.world.set_velocity(b, Vec3::Zero(), Vec3(4, 1, 2));
+  const std::uint32_t b = t.add(t.keep(box(Vec3(0.5, 1, 1.5))), Vec3::zero());
+  t.world.set_velocity(b, Vec3::zero(), Vec3(4, 1, 2));
   t.run(n, 2.0 / n);
   const Quat& q = t.world.state.q[b];
   const Mat3& inertia = t.world.scene.inertia[b];
@@ -83,7 +83,7 @@ static void drag_converges_with_orders_one_one_and_four(void**) {
 static void damping_alone_is_exact_at_any_step_and_stable_at_any_rate(void**) {
   for (const Real integrator : {kExplicitEuler, kSemiImplicit, kRk4}) {
     for (const Real c : {0.5, 100.0, 1e6}) {
-      TestWorld t(Vec3::Zero());
+      TestWorld t(Vec3::zero());
       t.world.set_dial(Dial::integrator, integrator);
       BodyDef def;
       def.velocity = Vec3(1, 2, 3);
@@ -139,9 +139,9 @@ static void the_implicit_step_never_gains_energy(void**) {
 
 static void a_force_acts_for_one_step_and_a_torque_turns_about_the_centre(void**) {
   for (const Real integrator : {kExplicitEuler, kSemiImplicit, kRk4}) {
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     t.world.set_dial(Dial::integrator, integrator);
-    const std::uint32_t b = t.add(t.keep(sphere(0.5)), Vec3::Zero());
+    const std::uint32_t b = t.add(t.keep(sphere(0.5)), Vec3::zero());
     const Real m = t.world.scene.mass[b], i = 0.4 * m * 0.25;
     t.world.add_force(b, Vec3(m, 0, 0), Vec3(0, i, 0));
     t.world.set_dial(Dial::substeps, 4);  // the force lasts through all substeps of its step

@@ -27,9 +27,9 @@ Real order_of(const std::function<Real(int steps)>& error, int n) { return std::
 
 /// m/s after T of drag alone.
 Vec3 dragged(Real integrator, const Drag& drag, Real mass, const Vec3& v0, const Vec3& wind, Real T, int steps) {
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   t.world.set_dial(Dial::integrator, integrator);
-  const std::uint32_t body = mass_point(t, mass, Vec3::Zero(), v0);
+  const std::uint32_t body = mass_point(t, mass, Vec3::zero(), v0);
   t.world.set_drag(body, drag);
   t.world.set_wind(wind);
   t.run(steps, T / steps);
@@ -46,7 +46,7 @@ Vec3 drag_law(const Drag& drag, Real mass, const Vec3& v0, const Vec3& wind, Rea
 }  // namespace
 
 static void drag_alone_is_exact_at_any_step(void**) {
-  const Vec3 v0(30, -4, 2), winds[] = {Vec3::Zero(), Vec3(-7, 1, 3)};
+  const Vec3 v0(30, -4, 2), winds[] = {Vec3::zero(), Vec3(-7, 1, 3)};
   const Drag drags[] = {{0.3, 0}, {0, 0.02}, {0.3, 0.02}, {1e-9, 0.02}, {0.3, 1e-9}, {900, 50}};
   for (const Vec3& wind : winds)
     for (const Drag& drag : drags)
@@ -79,7 +79,7 @@ static void what_falls_through_air_reaches_its_terminal_speed(void**) {
   const auto error = [&](int n) {
     TestWorld t(Vec3(0, -g, 0));
     t.world.set_dial(Dial::integrator, kVerlet);
-    const std::uint32_t body = mass_point(t, m, Vec3::Zero(), Vec3::Zero());
+    const std::uint32_t body = mass_point(t, m, Vec3::zero(), Vec3::zero());
     t.world.set_drag(body, {0, c});
     t.run(n, T / n);
     return std::fabs(t.world.state.v[body].y() + vt * std::tanh(g * T / vt));
@@ -88,8 +88,8 @@ static void what_falls_through_air_reaches_its_terminal_speed(void**) {
 }
 
 static void wind_takes_along_what_has_drag_and_nothing_else(void**) {
-  TestWorld t(Vec3::Zero());
-  const std::uint32_t leaf = mass_point(t, 0.01, Vec3::Zero(), Vec3::Zero());
+  TestWorld t(Vec3::zero());
+  const std::uint32_t leaf = mass_point(t, 0.01, Vec3::zero(), Vec3::zero());
   const std::uint32_t stone = mass_point(t, 1, Vec3(5, 0, 0), Vec3(0, 1, 0));
   t.world.set_drag(leaf, {0.1, 0.01});
   t.world.set_wind(Vec3(4, 0, -2));
@@ -100,18 +100,18 @@ static void wind_takes_along_what_has_drag_and_nothing_else(void**) {
 }
 
 static void a_uniform_field_ends_where_its_box_does(void**) {
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   t.world.set_dial(Dial::integrator, kVerlet);
   FieldDef f;
   f.vector = Vec3(0, 3, 0);
   f.half = Vec3(1, 10, 10);
-  f.pose = {Quat(Eigen::AngleAxis<Real>(std::numbers::pi / 2, Vec3::UnitY())), Vec3(0, 0, 5)};
+  f.pose = {exp_map(std::numbers::pi / 2 * Vec3::unit_y()), Vec3(0, 0, 5)};
   t.world.add_field(f);  // turned: |z - 5| <= 1, |x| <= 10
   const std::uint32_t in = mass_point(t, 2, Vec3(8, 0, 5), Vec3(0.5, 0, 0)),
-                      out = mass_point(t, 2, Vec3(0, 0, 6.5), Vec3::Zero());
+                      out = mass_point(t, 2, Vec3(0, 0, 6.5), Vec3::zero());
   t.run(60, 1.0 / 60);
   assert_true((t.world.state.x[in] - Vec3(8.5, 1.5, 5)).norm() < 1e-13);
-  assert_true(t.world.state.v[out] == Vec3::Zero());
+  assert_true(t.world.state.v[out] == Vec3::zero());
   f.is_force = true;
   t.world.set_field(0, f);
   const Vec3 v = t.world.state.v[in];
@@ -123,7 +123,7 @@ static void planets_go_round(void**) {
   // mu = strength * reference^2; a circle of radius r takes 2 pi sqrt(r^3 / mu).
   const Real r = 2, mu = 5, period = 2 * std::numbers::pi * std::sqrt(r * r * r / mu);
   const auto after = [&](Real integrator, int n) {
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     t.world.set_dial(Dial::integrator, integrator);
     FieldDef f;
     f.kind = FieldKind::radial;
@@ -149,31 +149,31 @@ static void fields_are_what_they_say(void**) {
   }
   f.falloff = 2, f.core = 4;  // s = 5
   assert_true((field_at(f, d) - 6 * (2.0 / 5) * (2.0 / 5) * d / 5).norm() < 1e-14);
-  assert_true(field_at(f, Vec3(0, 0, 0)) == Vec3::Zero());
+  assert_true(field_at(f, Vec3(0, 0, 0)) == Vec3::zero());
   f.core = 0;
-  assert_true(field_at(f, Vec3(0, 0, 0)) == Vec3::Zero());
-  assert_true(field_at(f, Vec3(0, 10.001, 0)) == Vec3::Zero());
+  assert_true(field_at(f, Vec3(0, 0, 0)) == Vec3::zero());
+  assert_true(field_at(f, Vec3(0, 10.001, 0)) == Vec3::zero());
 
   FieldDef v;
   v.kind = FieldKind::vortex;
   v.strength = 6, v.pull = 2, v.lift = 1, v.reference = 2, v.falloff = 1, v.half.y() = 4, v.reach = 20;
   // At 3 m on the x axis, right-handed about y: around is -z.
   assert_true((field_at(v, Vec3(3, -1, 0)) - 2.0 / 3 * Vec3(-2, 1, -6)).norm() < 1e-14);
-  assert_true(field_at(v, Vec3(3, 4.001, 0)) == Vec3::Zero());
-  v.pose.q = Quat(Eigen::AngleAxis<Real>(std::numbers::pi / 2, Vec3::UnitX()));  // its axis along z
+  assert_true(field_at(v, Vec3(3, 4.001, 0)) == Vec3::zero());
+  v.pose.q = exp_map(std::numbers::pi / 2 * Vec3::unit_x());  // its axis along z
   assert_true((field_at(v, Vec3(3, 0, 0)) - 2.0 / 3 * Vec3(-2, 6, 1)).norm() < 1e-13);
 }
 
 static void who_feels_a_field_is_who_shares_its_mask(void**) {
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   std::vector<std::uint32_t> bodies;
-  for (int i = 0; i < 100; ++i) bodies.push_back(mass_point(t, 1, Vec3(i, 0, 0), Vec3::Zero()));
+  for (int i = 0; i < 100; ++i) bodies.push_back(mass_point(t, 1, Vec3(i, 0, 0), Vec3::zero()));
   FieldDef f;
   f.vector = Vec3(0, 1, 0), f.mask = 8;
   t.world.add_field(f);
   t.world.set_field_mask(bodies[7], 9);
   t.run(10, 0.1);
-  for (const std::uint32_t i : bodies) assert_true((t.world.state.v[i] != Vec3::Zero()) == (i == bodies[7]));
+  for (const std::uint32_t i : bodies) assert_true((t.world.state.v[i] != Vec3::zero()) == (i == bodies[7]));
   assert_int_equal(t.world.plan->find("fields")->customers.count, 1);
 }
 
@@ -185,7 +185,7 @@ static void springs_swing_as_they_should(void**) {
     const Real want = rest + x0 * std::exp(-d * T) * (std::cos(w * T) + d / w * std::sin(w * T));
     const auto error = [&](Real integrator) {
       return [=](int n) {
-        TestWorld t(Vec3::Zero());
+        TestWorld t(Vec3::zero());
         t.world.set_dial(Dial::integrator, integrator);
         SpringDef s;
         s.body_a = mass_point(t, m1, Vec3(0, 0, 0), Vec3(0, 1, 0));
@@ -206,11 +206,11 @@ static void springs_swing_as_they_should(void**) {
 
 static void a_spring_off_the_middle_turns_a_body(void**) {
   // A dumbbell's end tied straight below: small swings of a physical pendulum driven by the spring, checked by energy.
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   t.world.set_dial(Dial::integrator, kVerlet);
   BodyDef def;
   def.has_mass = def.has_inertia = true;
-  def.mass = 1, def.inertia = Vec3(0.2, 0.1, 0.3).asDiagonal();
+  def.mass = 1, def.inertia = Mat3::diagonal(Vec3(0.2, 0.1, 0.3));
   SpringDef s;
   s.body_a = handle_slot(t.world.add_body(def));
   s.anchor_a = Vec3(0.5, 0.1, 0), s.anchor_b = Vec3(1.5, 0.4, 0.3);
@@ -220,7 +220,7 @@ static void a_spring_off_the_middle_turns_a_body(void**) {
     const State& st = t.world.state;
     const Vec3 w = st.q[s.body_a].conjugate() * st.omega[s.body_a];
     const SpringReading r = read_spring(t.world, 0);
-    return 0.5 * st.v[s.body_a].squaredNorm() + 0.5 * w.dot(def.inertia * w) + r.pull * r.pull / (2 * s.stiffness);
+    return 0.5 * st.v[s.body_a].squared_norm() + 0.5 * w.dot(def.inertia * w) + r.pull * r.pull / (2 * s.stiffness);
   };
   const Real start = energy();
   Real worst = 0;
@@ -233,14 +233,14 @@ static void a_spring_off_the_middle_turns_a_body(void**) {
 }
 
 static void a_bungee_only_pulls(void**) {
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   SpringDef s;
   s.body_a = mass_point(t, 1, Vec3(0.5, 0, 0), Vec3(-0.1, 0, 0));
   s.rest = 1, s.stiffness = 100, s.damping = 5, s.only_pulls = true;
   t.world.add_spring(s);
   t.run(60, 1.0 / 60);
   assert_true(t.world.state.v[0] == Vec3(-0.1, 0, 0));
-  t.world.set_pose(0, {Quat::Identity(), Vec3(1.5, 0, 0)});
+  t.world.set_pose(0, {Quat::identity(), Vec3(1.5, 0, 0)});
   t.run(1, 1.0 / 60);
   assert_true(t.world.state.v[0].x() < -0.1);
 }
@@ -253,7 +253,7 @@ static void stiff_springs_stay_bounded(void**) {
     constexpr int n = 6;
     std::vector<std::uint32_t> body;
     for (int i = 0; i < n * n; ++i)
-      body.push_back(mass_point(t, i % 5 == 0 ? 1000 : 1, Vec3(i % n, 0, i / n), Vec3::Zero()));
+      body.push_back(mass_point(t, i % 5 == 0 ? 1000 : 1, Vec3(i % n, 0, i / n), Vec3::zero()));
     const auto tie = [&](std::uint32_t a, std::uint32_t b, const Vec3& anchor) {
       SpringDef s;
       s.body_a = a, s.body_b = b, s.anchor_b = anchor, s.rest = 1, s.stiffness = 1e10, s.damping = 1e3;
@@ -261,8 +261,8 @@ static void stiff_springs_stay_bounded(void**) {
     };
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
-        if (j + 1 < n) tie(body[i * n + j], body[i * n + j + 1], Vec3::Zero());
-        if (i + 1 < n) tie(body[i * n + j], body[(i + 1) * n + j], Vec3::Zero());
+        if (j + 1 < n) tie(body[i * n + j], body[i * n + j + 1], Vec3::zero());
+        if (i + 1 < n) tie(body[i * n + j], body[(i + 1) * n + j], Vec3::zero());
       }
     tie(body[0], 0xFFFFFFFFu, Vec3(0, 1, 0));
     tie(body[n - 1], 0xFFFFFFFFu, Vec3(n - 1, 1, 0));
@@ -293,10 +293,10 @@ static void shares_under_water_add_up(void**) {
     Vec3 box;
     Real tolerance;  // of the volume: rounding, or what a hull of 256 points leaves
   };
-  const auto in_box = [&](const Vec3& x) { return (x.cwiseAbs() - half).maxCoeff() <= 0; };
+  const auto in_box = [&](const Vec3& x) { return (x.abs() - half).max_entry() <= 0; };
   const std::vector<Case> cases = {
-      {keep(sphere(0.8)), [](const Vec3& x) { return x.norm() <= 0.8; }, Vec3::Constant(0.8), 1e-14},
-      {keep(ellipsoid(half)), [&](const Vec3& x) { return x.cwiseQuotient(half).norm() <= 1; }, half, 1e-14},
+      {keep(sphere(0.8)), [](const Vec3& x) { return x.norm() <= 0.8; }, Vec3::constant(0.8), 1e-14},
+      {keep(ellipsoid(half)), [&](const Vec3& x) { return x.over(half).norm() <= 1; }, half, 1e-14},
       {keep(box(half)), in_box, half, 1e-13},
       {keep(cylinder(0.5, 0.9)),
        [](const Vec3& x) { return std::hypot(x.x(), x.z()) <= 0.5 && std::fabs(x.y()) <= 0.9; }, Vec3(0.5, 0.9, 0.5),
@@ -308,7 +308,7 @@ static void shares_under_water_add_up(void**) {
   for (const Case& c : cases) {
     Scene scene(1, std::pmr::new_delete_resource());
     TestWorld t;
-    const std::uint32_t body = t.add(&c.shape, Vec3::Zero());
+    const std::uint32_t body = t.add(&c.shape, Vec3::zero());
     WaterDef water;
     t.world.set_water(&water);
     t.run(1, 1e-3);
@@ -317,7 +317,7 @@ static void shares_under_water_add_up(void**) {
     constexpr int kPlanes = 200, kPoints = 4000;
     std::vector<Vec3> cloud;
     while (cloud.size() < kPoints) {
-      const Vec3 x = c.box.cwiseProduct(Vec3(unit(random), unit(random), unit(random)));
+      const Vec3 x = c.box.times(Vec3(unit(random), unit(random), unit(random)));
       if (c.has(x)) cloud.push_back(x);
     }
     for (int p = 0; p < kPlanes; ++p) {
@@ -328,7 +328,7 @@ static void shares_under_water_add_up(void**) {
       assert_true(std::fabs(under.volume + above.volume - V) <= 1e-13 * V);
       assert_true((under.moment + above.moment - V * c.shape.mass.centroid).norm() <= 1e-13 * V);
       Real inside = 0;
-      Vec3 sum = Vec3::Zero();
+      Vec3 sum = Vec3::zero();
       for (const Vec3& x : cloud)
         if (n.dot(x) <= level) inside += 1, sum += x;
       // Five standard deviations of a binomial share: 0.04; of its middle likewise.
@@ -354,14 +354,14 @@ static void hulls_of_points_displace_nearly_what_they_should(void**) {
   Real worst = 0;
   for (int i = -9; i <= 9; ++i) {
     const Real y = i * 0.1;
-    worst = std::max(worst, std::fabs(share(0, Vec3::UnitY(), y) - (y + 0.9) / 1.8));
+    worst = std::max(worst, std::fabs(share(0, Vec3::unit_y(), y) - (y + 0.9) / 1.8));
     const Real up = (0.9 - y) / 1.8;  // of the cone's height, above the plane; its apex is on top
-    worst = std::max(worst, std::fabs(share(2, Vec3::UnitY(), y) - (1 - up * up * up)));
+    worst = std::max(worst, std::fabs(share(2, Vec3::unit_y(), y) - (1 - up * up * up)));
     const Real x = i * 0.05, segment = std::acos(x / 0.5) - x / 0.5 * std::sqrt(1 - x * x / 0.25);
-    worst = std::max(worst, std::fabs(share(0, Vec3::UnitX(), x) - (1 - segment / std::numbers::pi)));
+    worst = std::max(worst, std::fabs(share(0, Vec3::unit_x(), x) - (1 - segment / std::numbers::pi)));
     const Real cap = std::numbers::pi * (0.5 + x) * (0.5 + x) * (1 - x) / 3;  // ends of the capsule, together a ball
     const Real tube = (std::numbers::pi - segment) * 0.25 * 1.8;
-    worst = std::max(worst, std::fabs(share(1, Vec3::UnitX(), x) - (cap + tube) / shapes[1]->mass.volume));
+    worst = std::max(worst, std::fabs(share(1, Vec3::unit_x(), x) - (cap + tube) / shapes[1]->mass.volume));
   }
   assert_true(worst < 0.01);
 }
@@ -416,7 +416,7 @@ static void a_box_bobs_at_its_frequency(void**) {
 static void a_current_takes_along_and_a_plank_rights_itself(void**) {
   TestWorld t(Vec3(0, -9.81, 0));
   BodyDef def;
-  def.pose = {Quat(Eigen::AngleAxis<Real>(0.6, Vec3::UnitX())), Vec3(0, 0.2, 0)};
+  def.pose = {exp_map(0.6 * Vec3::unit_x()), Vec3(0, 0.2, 0)};
   const std::uint32_t plank = handle_slot(t.world.add_body(def));
   t.world.add_collider(plank, t.keep(box(Vec3(0.5, 0.05, 1))), Pose{}, 500, Colliders::kNoMaterial);
   WaterDef water;
@@ -425,7 +425,7 @@ static void a_current_takes_along_and_a_plank_rights_itself(void**) {
   t.run(3600, 1.0 / 60);
   const State& s = t.world.state;
   assert_true((s.v[plank] - Vec3(1.5, 0, 0)).norm() < 1e-6);
-  assert_true((s.q[plank] * Vec3::UnitY() - Vec3::UnitY()).norm() < 1e-6);
+  assert_true((s.q[plank] * Vec3::unit_y() - Vec3::unit_y()).norm() < 1e-6);
   assert_true(std::fabs(s.x[plank].y()) < 1e-6);
 }
 
@@ -433,7 +433,7 @@ static void who_hangs_together_sleeps_and_wakes_together(void**) {
   TestWorld t(Vec3(0, -9.81, 0));
   t.world.set_dial(Dial::sleep, 1);
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   const std::uint32_t a = t.add(cube, Vec3(0, 0.5, 0)), b = t.add(cube, Vec3(5, 0.5, 0));
   SpringDef s;
   s.body_a = a, s.body_b = b, s.rest = 5, s.stiffness = 20000, s.damping = 50;
@@ -442,7 +442,7 @@ static void who_hangs_together_sleeps_and_wakes_together(void**) {
   assert_true(t.world.asleep(a) && t.world.asleep(b));
   t.run(1, 1.0 / 60);
   assert_int_equal(t.world.plan->find("springs")->customers.count, 0);
-  t.world.set_velocity(a, Vec3(-4, 0, 0), Vec3::Zero());
+  t.world.set_velocity(a, Vec3(-4, 0, 0), Vec3::zero());
   assert_true(!t.world.asleep(a) && !t.world.asleep(b));
   t.run(30, 1.0 / 60);
   assert_true(t.world.state.v[b].x() < -1);  // friction could bear 0.25 m of such a spring, and it is stretched by more
@@ -453,7 +453,7 @@ static void who_hangs_together_sleeps_and_wakes_together(void**) {
   s.body_a = post, s.body_b = b, s.rest = 1;
   t.world.add_spring(s);
   t.run(1200, 1.0 / 60);
-  t.world.set_velocity(post, Vec3(0, 0, 1), Vec3::Zero());
+  t.world.set_velocity(post, Vec3(0, 0, 1), Vec3::zero());
   t.run(2, 1.0 / 60);
   assert_true(!t.world.asleep(b));
   t.world.remove_body(b);  // its springs go with it

@@ -22,7 +22,7 @@ void ccd_support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* ou
   Vec3 d = body.frame.rotate_inverse(Vec3(direction->v[0], direction->v[1], direction->v[2]));
   // libccd asks along zero now and then (its issue 25), and crashes on what is not finite: any point will do then.
   const Real length = d.norm();
-  d = length > 0 && carom::finite(d) ? Vec3(d / length) : Vec3(Vec3::UnitX());
+  d = length > 0 && carom::finite(d) ? Vec3(d / length) : Vec3(Vec3::unit_x());
   const Vec3 p = body.frame.apply(support_point(*body.shape, d));
   for (int i = 0; i < 3; ++i) out->v[i] = p[i];
 }

@@ -21,7 +21,7 @@ Real bound(const ShapePair& p, const Vec3& n) {
 /// The best of a spiral of directions, then of ever smaller steps around the best.
 Real sweep(const ShapePair& p, int directions) {
   Real best = -kInfinity;
-  Vec3 at = Vec3::UnitX();
+  Vec3 at = Vec3::unit_x();
   const auto offer = [&](const Vec3& n) {
     const Real s = bound(p, n);
     if (s > best) {

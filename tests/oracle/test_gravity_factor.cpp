@@ -31,7 +31,7 @@ std::uint64_t pile(std::uint32_t solver, const Vec3& gravity, Real factor) {
   TestWorld t(gravity);
   t.world.set_dial(Dial::solver, solver);
   t.ground();
-  const Shape *cube = t.keep(box(Vec3::Constant(0.5))), *ball = t.keep(sphere(0.4));
+  const Shape *cube = t.keep(box(Vec3::constant(0.5))), *ball = t.keep(sphere(0.4));
   std::vector<std::uint32_t> bodies;
   for (int i = 0; i < 6; ++i) bodies.push_back(t.add(cube, Vec3(0, 0.5 + i, 0)));  // enough for auto to see it sink
   for (int i = 0; i < 4; ++i) bodies.push_back(t.add(ball, Vec3(3 + 0.3 * i, 0.6 + i, 0.1 * i)));
@@ -71,7 +71,7 @@ static void only_bodies_that_float_leave_nothing_to_do(void**) {
 
 static void a_slot_that_is_used_again_has_the_factor_of_a_new_body(void**) {
   TestWorld t(Vec3(0, -kG, 0));
-  const std::uint32_t first = thrown(t, Vec3::Zero(), 0);
+  const std::uint32_t first = thrown(t, Vec3::zero(), 0);
   t.world.remove_body(first);
   const std::uint32_t second = handle_slot(t.world.add_body(BodyDef{}));
   assert_int_equal(first, second);
@@ -86,7 +86,7 @@ static void contacts_bear_the_weight_that_there_is(void**) {
       t.world.set_dial(Dial::velocity_tolerance, 1e-8);
       t.ground();
       t.add(t.keep(box(Vec3(5, 0.5, 5))), Vec3(0, 1.5, 0), BodyType::fixed);  // 1 m above it, a ceiling
-      const std::uint32_t body = t.add(t.keep(box(Vec3::Constant(0.5))), Vec3(0, 0.5, 0));
+      const std::uint32_t body = t.add(t.keep(box(Vec3::constant(0.5))), Vec3(0, 0.5, 0));
       t.world.set_gravity_factor(body, factor);
       t.run(120, 1.0 / 60);
       // Tolerance 1e-8 m/s of 0.04 m/s a step, for each of 4 points; springs of the soft solver have long come to rest.
@@ -117,7 +117,7 @@ static void a_sleeper_whose_factor_changes_wakes(void**) {
   TestWorld t(Vec3(0, -kG, 0));
   t.world.set_dial(Dial::sleep, 1);
   t.ground();
-  const std::uint32_t body = t.add(t.keep(box(Vec3::Constant(0.5))), Vec3(0, 0.5, 0));
+  const std::uint32_t body = t.add(t.keep(box(Vec3::constant(0.5))), Vec3(0, 0.5, 0));
   t.run(180, 1.0 / 60);
   assert_true(t.world.asleep(body));
   t.world.set_gravity_factor(body, -1);

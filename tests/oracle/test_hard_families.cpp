@@ -21,7 +21,7 @@ struct Tally {
 /// @param slack  m, how far the pose that the query got may be from the one that the reference is of
 const char* fault_in(const Known& e, const Shape& a, const Shape& b, const Frame& f, const QuerySettings& s, Real shell,
                      Real slack, const QueryResult& r) {
-  const Real size = f.p.cwiseAbs().sum() + a.bounding_radius + b.bounding_radius + shell;
+  const Real size = f.p.abs().sum() + a.bounding_radius + b.bounding_radius + shell;
   const Real rounding = kBracketRounding * kUnitRoundoff * size,
              asked = s.tolerance * size_of_pair(a, b, f);
   const Real width = r.upper - r.lower, radii = a.core_radius + b.core_radius + shell;
@@ -43,7 +43,7 @@ const char* fault_in(const Known& e, const Shape& a, const Shape& b, const Frame
   if (r.gjk_iterations > 0 && r.lower + radii > 0 && (v + radii * r.normal).norm() - radii > r.upper + rounding)
     return "core points";
   for (int axis = 0; axis < 6; ++axis) {
-    const Vec3 n = (axis < 3 ? 1 : -1) * Vec3::Unit(axis % 3);
+    const Vec3 n = (axis < 3 ? 1 : -1) * Vec3::unit(axis % 3);
     const Real reach = 0.5 * shell + width * (r.gjk_iterations == 0) + rounding;
     if (n.dot(r.point_a - support_point(a, n)) > reach || n.dot(r.point_b - support_point(b, n)) > reach)
       return "point outside";
@@ -74,13 +74,13 @@ class Checker {
     other.routines = true;
     ask(e, e.a, e.b, e.b_in_a, other, 0, "routine");
     // A's frame seen from B's: the transpose is the inverse but for 12 u, and the offset rounds.
-    const Real size = e.b_in_a.p.cwiseAbs().sum() + e.a.bounding_radius + e.b.bounding_radius;
+    const Real size = e.b_in_a.p.abs().sum() + e.a.bounding_radius + e.b.bounding_radius;
     const Frame back(e.b_in_a.r.transpose(), -(e.b_in_a.r.transpose() * e.b_in_a.p));
     Known turned = e;
     if (turned.normal) turned.normal = Vec3(-e.b_in_a.rotate_inverse(*turned.normal));
     ask(turned, e.b, e.a, back, s, 32 * kUnitRoundoff * size, "swapped");
     // Both a thousand kilometres out, at another attitude: a position there is good to its spacing of numbers.
-    Frame out(random_rotation(random_).toRotationMatrix(), 1e6 * random_.direction());
+    Frame out(random_rotation(random_).matrix(), 1e6 * random_.direction());
     const Frame placed = out * e.b_in_a;
     const Real spacing = 4 * kUnitRoundoff * (1e6 * 3 + e.b_in_a.p.norm());
     ask(e, e.a, e.b, relative(out, placed), s, kPoseRounding * kUnitRoundoff * size + spacing, "far out");
@@ -96,7 +96,7 @@ class Checker {
     const bool routine = s.routines && r.gjk_iterations == 0;
     const Real shell = routine ? 0 : shells(s);
     const char* what = fault.kind != SupportFault::none ? "fault" : fault_in(e, a, b, f, s, shell, slack, r);
-    const Real size = f.p.cwiseAbs().sum() + a.bounding_radius + b.bounding_radius + shell;
+    const Real size = f.p.abs().sum() + a.bounding_radius + b.bounding_radius + shell;
     const Real asked = s.tolerance * size_of_pair(a, b, f);
     const bool reachable = asked > 8 * kBracketRounding * kUnitRoundoff * size;
     tally.short_of += !what && !e.ring && reachable && slack == 0 && r.status != QueryStatus::exact_enough;

@@ -36,7 +36,7 @@ Real metres(const HardPair& p, Real tolerance) {
   return tolerance * size_of_pair(p.a, p.b, p.b_in_a);
 }
 
-Real size_of(const HardPair& p) { return p.b_in_a.p.cwiseAbs().sum() + p.a.bounding_radius + p.b.bounding_radius; }
+Real size_of(const HardPair& p) { return p.b_in_a.p.abs().sum() + p.a.bounding_radius + p.b.bounding_radius; }
 
 template <class Check>
 void for_all(const char* what, const Check& check) {

@@ -34,7 +34,7 @@ struct Room : TestWorld {
       if (!(world.scene.inv_mass[i] > 0)) continue;
       const Vec3 v = world.state.v[i] - ahead * step / substeps * world.scene.gravity;
       const Vec3 w = world.state.q[i].conjugate() * world.state.omega[i];
-      sum += world.scene.mass[i] * (v.squaredNorm() / 2 + kG * world.state.x[i].y()) +
+      sum += world.scene.mass[i] * (v.squared_norm() / 2 + kG * world.state.x[i].y()) +
              w.dot(world.scene.inertia[i] * w) / 2;
     }
     return sum;
@@ -60,7 +60,7 @@ void a_ball_keeps_its_energy_from_bounce_to_bounce(void**) {
         Room t(solver, integrator, substeps);
         const std::uint32_t m = t.material(0, 1);
         t.ground(m);
-        t.add(t.keep(sphere(0.1)), Vec3(0, 1.1, 0), BodyType::dynamic, Quat::Identity(), m);
+        t.add(t.keep(sphere(0.1)), Vec3(0, 1.1, 0), BodyType::dynamic, Quat::identity(), m);
         const Real step = 1.0 / 60;
         t.world.step(step);
         const Real start = t.energy(step);
@@ -82,7 +82,7 @@ void a_ball_is_where_its_parabolas_are(void**) {
       Room t(solver, kVerlet, 1);
       const std::uint32_t m = t.material(0, e);
       t.ground(m);
-      t.add(t.keep(sphere(0.1)), Vec3(0, 1.1, 0), BodyType::dynamic, Quat::Identity(), m);
+      t.add(t.keep(sphere(0.1)), Vec3(0, 1.1, 0), BodyType::dynamic, Quat::identity(), m);
       // Until the fourth impact, the slowest at e^3 times 4.4 m/s, whose moment is off by rounding alone.
       for (int i = 1; i * step < 2 * std::sqrt(2 / kG) * (0.5 + e + e * e + e * e * e); ++i) {
         t.world.step(step);
@@ -99,7 +99,7 @@ void a_box_that_falls_flat_bounces_flat(void**) {
       Room t(solver, kVerlet, 1);
       const std::uint32_t m = t.material(0.5, e);
       t.ground(m);
-      t.add(t.keep(box(Vec3(0.5, 0.25, 0.4))), Vec3(0, 1.25, 0), BodyType::dynamic, Quat::Identity(), m);
+      t.add(t.keep(box(Vec3(0.5, 0.25, 0.4))), Vec3(0, 1.25, 0), BodyType::dynamic, Quat::identity(), m);
       const Real flight = 2 * std::sqrt(2 / kG);
       for (int i = 1; i * step < flight * (0.5 + e); ++i) {
         t.world.step(step);
@@ -119,7 +119,7 @@ void a_tumbling_cube_keeps_its_energy(void**) {
     t.world.set_dial(Dial::position_iterations, 0);
     const std::uint32_t m = t.material(0, 1);
     t.ground(m);
-    t.add(t.keep(box(Vec3::Constant(0.25))), Vec3(0, 1.5, 0), BodyType::dynamic, exp_map(Vec3(0.3, 0.2, 0.5)), m);
+    t.add(t.keep(box(Vec3::constant(0.25))), Vec3(0, 1.5, 0), BodyType::dynamic, exp_map(Vec3(0.3, 0.2, 0.5)), m);
     const Real start = t.energy(step);
     for (int i = 0; i < 1200; ++i) t.world.step(step);
     // Each of some hundred impacts is found to 1e-13 of its speed.
@@ -140,7 +140,7 @@ void a_crowd_keeps_its_energy(void**) {
     for (int i = 0; i < 36; ++i)
       t.add(i % 3 ? small : large,
             Vec3(0.4 * (i % 3) + 0.01 * (i % 7), 1 + 0.3 * (i / 9), 0.4 * (i / 3 % 3) + 0.02 * (i % 4)),
-            BodyType::dynamic, Quat::Identity(), m);
+            BodyType::dynamic, Quat::identity(), m);
     const Real start = t.energy(step);
     std::uint64_t pairs = 0;
     for (int i = 0; i < 300; ++i) t.world.step(step), pairs += t.world.report.contact_pairs;
@@ -155,11 +155,11 @@ void between_jaws_a_step_comes_to_its_end(void**) {
     Room t(solver, kVerlet, 1);
     const std::uint32_t m = t.material(0, 1);
     const Shape* plate = t.keep(box(Vec3(1, 0.1, 1)));
-    const std::uint32_t low = t.add(plate, Vec3(0, -0.1, 0), BodyType::kinematic, Quat::Identity(), m);
-    const std::uint32_t high = t.add(plate, Vec3(0, 0.35, 0), BodyType::kinematic, Quat::Identity(), m);
-    const std::uint32_t ball = t.add(t.keep(sphere(0.1)), Vec3(0, 0.12, 0), BodyType::dynamic, Quat::Identity(), m);
-    t.world.set_velocity(low, Vec3(0, 0.5, 0), Vec3::Zero());
-    t.world.set_velocity(high, Vec3(0, -0.5, 0), Vec3::Zero());
+    const std::uint32_t low = t.add(plate, Vec3(0, -0.1, 0), BodyType::kinematic, Quat::identity(), m);
+    const std::uint32_t high = t.add(plate, Vec3(0, 0.35, 0), BodyType::kinematic, Quat::identity(), m);
+    const std::uint32_t ball = t.add(t.keep(sphere(0.1)), Vec3(0, 0.12, 0), BodyType::dynamic, Quat::identity(), m);
+    t.world.set_velocity(low, Vec3(0, 0.5, 0), Vec3::zero());
+    t.world.set_velocity(high, Vec3(0, -0.5, 0), Vec3::zero());
     for (int i = 0; i < 30; ++i) {
       t.world.step(1.0 / 60);
       assert_true(finite(t.world.state.x[ball]) && finite(t.world.state.v[ball]));

@@ -16,7 +16,7 @@ constexpr Real kStep = 1.0 / 60;
 constexpr int kAllSolvers[] = {kSequentialChoice, kSoftChoice, kDirectChoice, kAutoChoice};
 
 struct Momentum {
-  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+  Vec3 linear = Vec3::zero(), angular = Vec3::zero();
 };
 Momentum momentum_of(const TestWorld& t) {
   Momentum m;
@@ -34,7 +34,7 @@ Momentum momentum_of(const TestWorld& t) {
 void build_row(TestWorld& t) {
   const JointKind kinds[] = {JointKind::ball, JointKind::hinge,    JointKind::slider,
                              JointKind::weld, JointKind::distance, JointKind::universal};
-  std::uint32_t before = add_body(t, Vec3::Zero(), 1, Vec3(0.1, 0.2, 0.25));
+  std::uint32_t before = add_body(t, Vec3::zero(), 1, Vec3(0.1, 0.2, 0.25));
   for (int i = 0; i < 6; ++i) {
     const std::uint32_t next = add_body(t, Vec3(i + 1, 0.1 * i, 0), 1 + 0.3 * i, Vec3(0.2, 0.15, 0.1));
     JointDef def = joint_at(t, kinds[i], before, next, Vec3(i + 0.5, 0, 0.1));
@@ -56,7 +56,7 @@ void build_net(TestWorld& t, int n) {
   std::vector<std::uint32_t> bodies;
   for (int i = 0; i < n; ++i)
     for (int k = 0; k < n; ++k)
-      bodies.push_back(add_body(t, Vec3(k * pitch, 0, i * pitch), mass, Vec3::Constant(0.4 * mass * radius * radius),
+      bodies.push_back(add_body(t, Vec3(k * pitch, 0, i * pitch), mass, Vec3::constant(0.4 * mass * radius * radius),
                                 i == 0 ? BodyType::fixed : BodyType::dynamic));
   for (int i = 0; i < n; ++i)
     for (int k = 0; k < n; ++k) {
@@ -71,7 +71,7 @@ void build_net(TestWorld& t, int n) {
 /// Joints between free bodies keep the momentum to rounding: what acts on B acts on A the other way, at one point.
 static void momentum_is_kept(void**) {
   for (const int solver : kAllSolvers) {
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     choose(t, solver);
     build_row(t);
     const Momentum before = momentum_of(t);
@@ -164,8 +164,8 @@ static void who_bears_too_much_breaks(void**) {
     for (const Real strength : {90.0, 110.0}) {
       TestWorld t;
       choose(t, solver);
-      const std::uint32_t lamp = add_body(t, Vec3::Zero(), 10, Vec3::Constant(0.1));
-      JointDef def = joint_at(t, JointKind::ball, kTheWorld, lamp, Vec3::Zero());
+      const std::uint32_t lamp = add_body(t, Vec3::zero(), 10, Vec3::constant(0.1));
+      JointDef def = joint_at(t, JointKind::ball, kTheWorld, lamp, Vec3::zero());
       def.break_force = strength;
       const std::uint32_t j = handle_slot(t.world.add_joint(def));
       t.run(60, kStep);
@@ -178,11 +178,11 @@ static void who_bears_too_much_breaks(void**) {
 static void joined_bodies_touch_if_told_to(void**) {
   for (const bool collide : {false, true})
     for (const int broad : {0, 1, 2, 3}) {
-      TestWorld t(Vec3::Zero());
+      TestWorld t(Vec3::zero());
       choose(t, kAutoChoice);
       t.world.set_dial(Dial::broad_phase, broad);
-      const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
-      const std::uint32_t a = t.add(cube, Vec3::Zero()), b = t.add(cube, Vec3(0.9, 0, 0));
+      const Shape* cube = t.keep(box(Vec3::constant(0.5)));
+      const std::uint32_t a = t.add(cube, Vec3::zero()), b = t.add(cube, Vec3(0.9, 0, 0));
       t.world.step(kStep);
       assert_true(t.world.report.contact_points > 0);
       JointDef def = joint_at(t, JointKind::hinge, a, b, Vec3(0.45, 0, 0));
@@ -205,7 +205,7 @@ static void a_chain_sleeps_and_wakes(void**) {
         choose(*t, solver);
         std::uint32_t before = kTheWorld;
         for (int i = 0; i < 5; ++i) {
-          const std::uint32_t link = add_body(*t, Vec3(0, -0.5 * i - 0.25, 0), 1, Vec3::Constant(0.02));
+          const std::uint32_t link = add_body(*t, Vec3(0, -0.5 * i - 0.25, 0), 1, Vec3::constant(0.02));
           join(*t, JointKind::ball, before, link, Vec3(0, -0.5 * i, 0));
           before = link;
         }

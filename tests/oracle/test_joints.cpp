@@ -32,8 +32,8 @@ PendulumErrors swing_rod(int solver, int substeps, int steps) {
   TestWorld t;
   choose(t, solver, substeps);
   const Real inertia = 1.0 / 12;
-  const std::uint32_t rod = add_body(t, Vec3(0.5, 0, 0), 1, Vec3::Constant(inertia));
-  join(t, JointKind::ball, kTheWorld, rod, Vec3::Zero());
+  const std::uint32_t rod = add_body(t, Vec3(0.5, 0, 0), 1, Vec3::constant(inertia));
+  join(t, JointKind::ball, kTheWorld, rod, Vec3::zero());
   const Real w0 = std::sqrt(kG * 0.5 / (inertia + 0.25)), all = period(w0, kPi / 2);
   PendulumErrors worst;
   for (int i = 0; i < steps; ++i) {
@@ -72,12 +72,12 @@ static void a_spring_swings_at_its_frequency(void**) {
   const Real f = 2, w = 2 * kPi * f;
   for (const int solver : kAllSolvers)
     for (const bool off_centre : {false, true}) {
-      TestWorld t(Vec3::Zero());
+      TestWorld t(Vec3::zero());
       choose(t, solver);
       // Off its centre of mass the hinge has all of m r^2 to turn: the spring knows.
-      const Vec3 at = off_centre ? Vec3(0.7, 0, 0) : Vec3::Zero();
+      const Vec3 at = off_centre ? Vec3(0.7, 0, 0) : Vec3::zero();
       const std::uint32_t wheel = add_body(t, at, 3, Vec3(0.5, 0.6, 0.8));
-      const std::uint32_t hinge = join(t, JointKind::hinge, kTheWorld, wheel, Vec3::Zero(), axis_z());
+      const std::uint32_t hinge = join(t, JointKind::hinge, kTheWorld, wheel, Vec3::zero(), axis_z());
       set_spring(t, hinge, Coordinate::twist, 0.1, f, 0);  // let go at an amplitude of 0.1
       const Real dt = 1.0 / 240, h = dt / 4;
       Real before = -0.1, crossing = 0, amplitude = 0;
@@ -101,10 +101,10 @@ static void a_spring_swings_at_its_frequency(void**) {
 static void a_damped_spring_fades(void**) {
   const Real f = 2, w = 2 * kPi * f, zeta = 0.1;
   for (const int solver : kAllSolvers) {
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     choose(t, solver);
     const std::uint32_t cart = add_body(t, Vec3(0, 0, 0), 3, Vec3(0.5, 0.6, 0.8));
-    const std::uint32_t slider = join(t, JointKind::slider, kTheWorld, cart, Vec3::Zero(), axis_z());
+    const std::uint32_t slider = join(t, JointKind::slider, kTheWorld, cart, Vec3::zero(), axis_z());
     set_spring(t, slider, Coordinate::slide, 0.1, f, zeta);
     const Real dt = 1.0 / 240, h = dt / 4, wd = w * std::sqrt(1 - zeta * zeta);
     Real lowest = 0;  // the first swing back, one period after
@@ -127,7 +127,7 @@ static void a_spring_sags_by_its_load(void**) {
       const std::uint32_t cart = add_body(t, Vec3(0, 5, 0), 7, Vec3(0.5, 0.6, 0.8));
       const std::uint32_t slider = join(t, JointKind::slider, kTheWorld, cart, Vec3(0, 5, 0), x_along(Vec3(0, 1, 0)));
       set_spring(t, slider, Coordinate::slide, 0, f, 1);
-      const std::uint32_t hung = add_body(t, Vec3(3, 5, 0), 2, Vec3::Constant(0.1));
+      const std::uint32_t hung = add_body(t, Vec3(3, 5, 0), 2, Vec3::constant(0.1));
       JointDef def = joint_at(t, JointKind::distance, kTheWorld, hung, Vec3(3, 5, 0));
       def.frame_a.p = Vec3(3, 7, 0);
       const std::uint32_t spring = handle_slot(t.world.add_joint(def));
@@ -143,10 +143,10 @@ static void a_spring_sags_by_its_load(void**) {
 /// it.
 static void a_motor_reaches_its_speed(void**) {
   for (const int solver : kAllSolvers) {
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     choose(t, solver);
-    const std::uint32_t wheel = add_body(t, Vec3::Zero(), 3, Vec3(0.5, 0.6, 0.8));
-    const std::uint32_t hinge = join(t, JointKind::hinge, kTheWorld, wheel, Vec3::Zero(), axis_z());
+    const std::uint32_t wheel = add_body(t, Vec3::zero(), 3, Vec3(0.5, 0.6, 0.8));
+    const std::uint32_t hinge = join(t, JointKind::hinge, kTheWorld, wheel, Vec3::zero(), axis_z());
     set_motor(t, hinge, Coordinate::twist, 5, 6);
     t.run(30, 1.0 / 60);
     assert_true(std::fabs(t.world.state.omega[wheel].z() - 6 / 0.8 * 0.5) < 1e-6);
@@ -154,7 +154,7 @@ static void a_motor_reaches_its_speed(void**) {
     t.run(30, 1.0 / 60);
     assert_true(std::fabs(t.world.state.omega[wheel].z() - 5) < 1e-6);
     assert_true(joint(t, hinge).torque.norm() < 1e-4);
-    t.world.set_force(wheel, Vec3::Zero(), Vec3(0, 0, -8));
+    t.world.set_force(wheel, Vec3::zero(), Vec3(0, 0, -8));
     t.world.step(1.0 / 60);
     assert_true(std::fabs(t.world.state.omega[wheel].z() - (5 - 2 / 0.8 / 60)) < 1e-6);
   }
@@ -166,14 +166,14 @@ static void limits_hold(void**) {
     TestWorld t;
     choose(t, solver);
     const Vec3 down = Vec3(std::cos(kPi / 6), -0.5, 0);
-    const std::uint32_t cart = add_body(t, Vec3::Zero(), 4, Vec3(0.5, 0.6, 0.8));
-    const std::uint32_t rail = join(t, JointKind::slider, kTheWorld, cart, Vec3::Zero(), x_along(down));
+    const std::uint32_t cart = add_body(t, Vec3::zero(), 4, Vec3(0.5, 0.6, 0.8));
+    const std::uint32_t rail = join(t, JointKind::slider, kTheWorld, cart, Vec3::zero(), x_along(down));
     set_limit(t, rail, Coordinate::slide, -1, 0.5);
-    const std::uint32_t rod = add_body(t, Vec3(10, 0.5, 0), 1, Vec3::Constant(1.0 / 12));
+    const std::uint32_t rod = add_body(t, Vec3(10, 0.5, 0), 1, Vec3::constant(1.0 / 12));
     const std::uint32_t cone = join(t, JointKind::ball, kTheWorld, rod, Vec3(10, 0, 0), x_along(Vec3(0, 1, 0)));
     set_limit(t, cone, Coordinate::swing, 0, 0.4);
-    t.world.set_velocity(rod, Vec3(0.5, 0, 0.1), Vec3::Zero());
-    const std::uint32_t ball = add_body(t, Vec3(21, 0, 0), 1, Vec3::Constant(0.1));
+    t.world.set_velocity(rod, Vec3(0.5, 0, 0.1), Vec3::zero());
+    const std::uint32_t ball = add_body(t, Vec3(21, 0, 0), 1, Vec3::constant(0.1));
     JointDef def = joint_at(t, JointKind::distance, kTheWorld, ball, Vec3(21, 0, 0));
     def.frame_a.p = Vec3(20, 0, 0);
     const std::uint32_t rope = handle_slot(t.world.add_joint(def));
@@ -200,7 +200,7 @@ static void a_cantilever_is_borne(void**) {
     choose(t, solver);
     std::uint32_t before = kTheWorld, welds[3];
     for (int i = 0; i < 3; ++i) {
-      const std::uint32_t box = add_body(t, Vec3(i + 0.5, 0, 0), 2, Vec3::Constant(1.0 / 3));
+      const std::uint32_t box = add_body(t, Vec3(i + 0.5, 0, 0), 2, Vec3::constant(1.0 / 3));
       welds[i] = join(t, JointKind::weld, before, box, Vec3(i, 0, 0));
       before = box;
     }
@@ -230,7 +230,7 @@ static void rows_are_rates_of_errors(void**) {
                                 {JointKind::universal, Coordinate::swing}}) {
       const JointKind kind = freedom.first;
       const Coordinate c = freedom.second;
-      TestWorld t(Vec3::Zero());
+      TestWorld t(Vec3::zero());
       choose(t, kSoftChoice, 1);
       const auto place = [&] { return normalized(Quat(1.5, random(), random(), random())); };
       const std::uint32_t a = add_body(t, vector(), 1, Vec3(1, 2, 3), BodyType::dynamic, place()),
@@ -279,12 +279,12 @@ constexpr Real kAxial = 0.5 * 0.5 / 2, kAcross = (3 * 0.5 * 0.5 + 0.1 * 0.1) / 1
 const std::vector<Vec3>& heavy_top_places() {
   static const std::vector<Vec3> places = [] {
     const Real about_tip = kAcross + kStick * kStick;
-    const auto weight = [](Real, const Quat& at) { return (kStick * (at * Vec3::UnitX())).cross(Vec3(0, -kG, 0)); };
+    const auto weight = [](Real, const Quat& at) { return (kStick * (at * Vec3::unit_x())).cross(Vec3(0, -kG, 0)); };
     std::vector<Vec3> at;
     for (int k = 1; k <= 10; ++k)
       at.push_back(
           kStick *
-          (fine_top(Vec3(kAxial, about_tip, about_tip), Vec3(kSpin, 0, 0), 0.2 * k, 2000 * k, weight) * Vec3::UnitX()));
+          (fine_top(Vec3(kAxial, about_tip, about_tip), Vec3(kSpin, 0, 0), 0.2 * k, 2000 * k, weight) * Vec3::unit_x()));
     return at;
   }();
   return places;
@@ -295,8 +295,8 @@ Real heavy_top_error(int solver, int substeps) {
   TestWorld t;
   choose(t, solver, substeps);
   const std::uint32_t disk = add_body(t, Vec3(kStick, 0, 0), 1, Vec3(kAxial, kAcross, kAcross));
-  t.world.set_velocity(disk, Vec3::Zero(), Vec3(kSpin, 0, 0));
-  join(t, JointKind::ball, kTheWorld, disk, Vec3::Zero());
+  t.world.set_velocity(disk, Vec3::zero(), Vec3(kSpin, 0, 0));
+  join(t, JointKind::ball, kTheWorld, disk, Vec3::zero());
   Real worst = 0;
   for (const Vec3& place : heavy_top_places()) {
     t.run(12, 1.0 / 60);

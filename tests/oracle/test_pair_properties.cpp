@@ -20,7 +20,7 @@ ShapePair any_pair(Random& random, int i) {
   };
   Shape a = shape((i / 2) % 9), b = shape((i / 18) % 9);
   Frame f;
-  if (random.uniform(0, 4) > 1) f.r = random_rotation(random).toRotationMatrix();
+  if (random.uniform(0, 4) > 1) f.r = random_rotation(random).matrix();
   const Real reach = a.bounding_radius + b.bounding_radius;
   f.p = reach * pick(random, {0.0, 1e-9, 1e-3, 0.3, 1.0, 2.0}) * random.direction();
   if (random.uniform(0, 3) < 1) {  // farthest points opposite each other, or a little past each other
@@ -47,7 +47,7 @@ QueryResult ask(const Shape& a, const Shape& b, const Frame& f, const QuerySetti
   return r;
 }
 
-Real size_of(const ShapePair& p) { return p.b_in_a.p.cwiseAbs().sum() + p.a.bounding_radius + p.b.bounding_radius; }
+Real size_of(const ShapePair& p) { return p.b_in_a.p.abs().sum() + p.a.bounding_radius + p.b.bounding_radius; }
 
 /// Two brackets of one number meet.
 void assert_same(const QueryResult& x, const QueryResult& y, Real slack) {
@@ -119,7 +119,7 @@ static void a_pair_moved_as_one_is_the_same_pair(void**) {
     const QuerySettings s = any_settings(random);
     const QueryResult here = ask(p.a, p.b, p.b_in_a, s);
     const Real far = size_of(p) * pick(random, {0.0, 1.0, 1e3, 1e6});
-    const Frame a(random_rotation(random).toRotationMatrix(), far * random.direction());
+    const Frame a(random_rotation(random).matrix(), far * random.direction());
     const Frame b = a * p.b_in_a;
     const QueryResult there = ask(p.a, p.b, relative(a, b), s);
     // The pose is made of two rounded ones, the position of B good to the spacing of numbers out there.

@@ -27,9 +27,9 @@ void ccd_support(const void* object, const ccd_vec3_t* dir, ccd_vec3_t* out) {
   auto* placed = static_cast<Placed*>(const_cast<void*>(object));
   Vec3 d = placed->frame.rotate_inverse(Vec3(dir->v[0], dir->v[1], dir->v[2]));
   const Real length = d.norm();
-  d = length > 0 ? Vec3(d / length) : Vec3(Vec3::UnitX());
+  d = length > 0 ? Vec3(d / length) : Vec3(Vec3::unit_x());
   Vec3 x = placed->frame.apply(support_point(*placed->shape, d));
-  if (!finite(x)) ++placed->not_finite, x.setZero();
+  if (!finite(x)) ++placed->not_finite, x.set_zero();
   ccdVec3Set(out, static_cast<ccd_real_t>(x.x()), static_cast<ccd_real_t>(x.y()), static_cast<ccd_real_t>(x.z()));
 }
 

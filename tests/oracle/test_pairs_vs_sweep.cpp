@@ -21,7 +21,7 @@ Real best_of_sweep(const Shape& a, const Shape& b, const Frame& b_in_a, const Ve
   for (int i = 0; i < count; ++i) best = std::max(best, separation_along(a, b, b_in_a, random.direction()));
   for (int axis = 0; axis < 3; ++axis)
     for (const Real side : {-1.0, 1.0})
-      for (const Vec3& n : {Vec3(side * Vec3::Unit(axis)), Vec3(side * b_in_a.r.col(axis))})
+      for (const Vec3& n : {Vec3(side * Vec3::unit(axis)), Vec3(side * b_in_a.r.col(axis))})
         best = std::max(best, separation_along(a, b, b_in_a, n / n.norm()));
   for (Real angle = 0.3; angle > 1e-6; angle *= 0.5) {
     const Vec3 n = normal + angle * random.direction();

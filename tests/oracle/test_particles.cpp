@@ -28,7 +28,7 @@ Real flight_error(Real integrator, Real c, Real factor, int n) {
   TestWorld t(g);
   t.world.set_dial(Dial::integrator, integrator);
   const std::uint32_t s = add_set(t.world, {factor, c, 1});
-  throw_one(t.world, s, Vec3::Zero(), v0);
+  throw_one(t.world, s, Vec3::zero(), v0);
   t.run(n, T / n);
   const Vec3 fg = factor * g;
   const Vec3 want =
@@ -68,10 +68,10 @@ static void drag_converges_with_orders_one_one_four_and_two(void**) {
 static void drag_alone_is_exact_at_any_step_and_stable_at_any_rate(void**) {
   for (const Real integrator : kIntegrators)
     for (const Real c : {0.5, 100.0, 1e6}) {
-      TestWorld t(Vec3::Zero());
+      TestWorld t(Vec3::zero());
       t.world.set_dial(Dial::integrator, integrator);
       const std::uint32_t s = add_set(t.world, {1, c, 1});
-      throw_one(t.world, s, Vec3::Zero(), Vec3(1, 2, 3));
+      throw_one(t.world, s, Vec3::zero(), Vec3(1, 2, 3));
       t.run(30, 1.0 / 60);
       const Real want = std::exp(-c / 2);
       // RK4 integrates slow decay as a force: local error (c h)^5/120 a step. Flows round 30 times, halves 60.
@@ -121,16 +121,16 @@ static void energy_of_the_report_is_that_of_all_particles(void**) {
   def.velocity = Vec3(1, 0, 0);
   const std::uint32_t body = handle_slot(t.world.add_body(def));
   for (int i = 0; i < 1100; ++i) {
-    throw_one(t.world, alike, Vec3::Zero(), Vec3(i % 7, 2, 0));
-    throw_one(t.world, weighed, Vec3::Zero(), Vec3(0, i % 5, 1));
+    throw_one(t.world, alike, Vec3::zero(), Vec3(i % 7, 2, 0));
+    throw_one(t.world, weighed, Vec3::zero(), Vec3(0, i % 5, 1));
   }
   t.world.particles.reserve_masses(weighed);
   for (std::size_t i = 0; i < 1100; ++i) t.world.particles.set_mass(weighed, i, 1 + static_cast<Real>(i % 3));
   t.run(10, 1.0 / 60);
-  Real want = 0.5 * t.world.state.v[body].squaredNorm();
+  Real want = 0.5 * t.world.state.v[body].squared_norm();
   for (std::size_t i = 0; i < 1100; ++i)
-    want += 0.5 * 0.5 * t.world.particles.set[alike].velocity(i).squaredNorm() +
-            0.5 * (1 + static_cast<Real>(i % 3)) * t.world.particles.set[weighed].velocity(i).squaredNorm();
+    want += 0.5 * 0.5 * t.world.particles.set[alike].velocity(i).squared_norm() +
+            0.5 * (1 + static_cast<Real>(i % 3)) * t.world.particles.set[weighed].velocity(i).squared_norm();
   // 2,201 positive terms, each sum and product rounded.
   assert_true(std::fabs(t.world.report.linear_energy - want) <= 2 * 2210 * kEpsilon * want);
   assert_int_equal(t.world.report.particles, 2200);

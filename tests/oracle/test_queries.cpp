@@ -20,7 +20,7 @@ struct Park : TestWorld {
       for (int k = 0; k < 3; ++k) {
         pool.push_back(keep(random_shape(random, family)));
         if (family == 3 || family == 4 || family == 8)  // hulls and what has no form: their masses do not matter here
-          shapes.back().mass = mass_from_form(Form::sphere, 0.5, 0, Vec3::Zero(), {});
+          shapes.back().mass = mass_from_form(Form::sphere, 0.5, 0, Vec3::zero(), {});
       }
   }
   const Shape* any_shape() { return pool[static_cast<std::size_t>(random.uniform(0, Real(pool.size())))]; }
@@ -148,7 +148,7 @@ void ask_rays(Park& park, int count, Tally& tally) {
     const Vec3 from = park.random.in_cube(1.5 * park.spread) + Vec3(0, park.spread, 0);
     Ray ray{from, park.random.in_cube(park.spread) + Vec3(0, park.spread, 0) - from, park.random.uniform(0, 3)};
     if (i % 10 == 0) ray.direction = Vec3(0, -1, 0), ray.max = kInfinity;
-    if (i % 33 == 0) ray.direction.setZero();
+    if (i % 33 == 0) ray.direction.set_zero();
     if (i % 17 == 0) ray.origin -= 1e5 * ray.direction, ray.max = 2e5;
     const auto one = [&](std::uint32_t slot) { return ray_against(world, slot, ray, options.cast); };
     Array<WorldHit> truth = ask_all(world, options, one);
@@ -175,10 +175,10 @@ void ask_shapes(Park& park, int count, Tally& tally) {
     options.cast.routines = i % 2 != 0;
     if (i % 5 == 0) options.cast.target = park.random.uniform(0, 0.5);
     if (i % 7 == 0) options.filter.mask = 1;
-    const Asker asker{park.any_shape(), Frame(random_rotation(park.random).toRotationMatrix(),
+    const Asker asker{park.any_shape(), Frame(random_rotation(park.random).matrix(),
                                               park.random.in_cube(1.5 * park.spread) + Vec3(0, park.spread, 0))};
     Vec3 motion = park.random.in_cube(1.5 * park.spread);
-    if (i % 13 == 0) motion.setZero();
+    if (i % 13 == 0) motion.set_zero();
     Array<WorldHit> truth = ask_all(
         world, options, [&](std::uint32_t slot) { return shape_against(world, slot, asker, motion, options.cast); });
     std::sort(truth.begin(), truth.end(), earlier);
@@ -285,7 +285,7 @@ static void far_out_and_beyond(void**) {
   // A crowd 1e7 m from the origin with one that left it for 1e12 m, and questions from where no short number reaches.
   Park park(8, 4);
   const Vec3 far(1e7, 0, -3e7);
-  park.world.set_gravity(Vec3::Zero());
+  park.world.set_gravity(Vec3::zero());
   for (int i = 0; i < 50; ++i) {
     const std::uint32_t body = park.add_body();
     Pose pose = park.world.pose(body);
@@ -317,7 +317,7 @@ static void far_out_and_beyond(void**) {
 static void what_stands_on_a_lattice_is_met_along_its_faces(void**) {
   // Boxes whose faces lie in common planes, asked along those planes, edges and diagonals, from near and from far off.
   TestWorld t;
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   Random random(11);
   for (int i = 0; i < 60; ++i) {
     const Vec3 at = random.in_cube(4);
@@ -328,8 +328,8 @@ static void what_stands_on_a_lattice_is_met_along_its_faces(void**) {
   int hits = 0, grazes = 0;
   for (Real far = 1; far < 1e15; far *= 10)
     for (int i = 0; i < 150; ++i) {
-      const Vec3 direction = i % 3 ? Vec3(Vec3::Unit(i % 5 % 3) * (i % 2 ? 1 : -1)) : Vec3(step(), step(), step());
-      if (direction.isZero(0)) continue;
+      const Vec3 direction = i % 3 ? Vec3(Vec3::unit(i % 5 % 3) * (i % 2 ? 1 : -1)) : Vec3(step(), step(), step());
+      if (direction.is_zero()) continue;
       const Vec3 in = random.in_cube(9);
       const Vec3 through(std::round(in.x()) / 2, std::round(in.y()) / 2, std::round(in.z()) / 2);
       const Ray ray{through - far * direction, direction, i % 4 ? 2 * far : kInfinity};
@@ -341,7 +341,7 @@ static void what_stands_on_a_lattice_is_met_along_its_faces(void**) {
       assert_same(all, truth);
       if (!truth.empty()) assert_same(cast_ray(world, ray, {}), truth[0]);
       hits += !truth.empty(), grazes += truth.size() > 1 && truth[0].cast.time == truth[1].cast.time;
-      const Asker asker{cube, Frame(Mat3::Identity(), ray.origin)};
+      const Asker asker{cube, Frame(Mat3::identity(), ray.origin)};
       const Vec3 motion = 2 * far * direction;
       truth = ask_all(world, {}, [&](std::uint32_t slot) { return shape_against(world, slot, asker, motion, {}); });
       std::sort(truth.begin(), truth.end(), earlier);
@@ -381,10 +381,10 @@ static void rays_see_what_lies_where_it_should(void**) {
   hit = cast_ray(w, {Vec3(1, 9, 0), Vec3(0, -1, 0), 100}, {});
   assert_true(hit.collider == 0 && std::fabs(hit.cast.time - 9) < 1e-12);  // the ground
   const Shape dot = sphere(0);
-  hit = find_nearest(w, {&dot, Frame(Mat3::Identity(), Vec3(6.1, 1.7, 0))}, 10, {});
+  hit = find_nearest(w, {&dot, Frame(Mat3::identity(), Vec3(6.1, 1.7, 0))}, 10, {});
   assert_true(w.scene.colliders.body[hit.collider] == row[3]);
   assert_true(std::fabs(hit.cast.separation - (std::hypot(0.1, 0.7) - 0.5)) < 1e-12);
-  hit = find_nearest(w, {&dot, Frame(Mat3::Identity(), Vec3(6.1, 1.7, 0))}, 0.2, {});
+  hit = find_nearest(w, {&dot, Frame(Mat3::identity(), Vec3(6.1, 1.7, 0))}, 0.2, {});
   assert_int_equal(hit.collider, WorldHit::kNone);
 }
 
@@ -400,11 +400,11 @@ static void equals_go_to_the_lowest_slot(void**) {
   t.world.remove_collider(0);
   assert_int_equal(cast_ray(t.world, {Vec3(-5, 0.1, 0.2), Vec3(1, 0, 0), 10}, {}).collider, 1);
   const Shape dot = sphere(0);
-  assert_int_equal(find_nearest(t.world, {&dot, Frame(Mat3::Identity(), Vec3(0, 3, 0))}, 10, {}).collider, 1);
+  assert_int_equal(find_nearest(t.world, {&dot, Frame(Mat3::identity(), Vec3(0, 3, 0))}, 10, {}).collider, 1);
 }
 
 static void liars_are_met_where_their_bounds_are(void**) {
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   const Shape* crate = t.keep(box(Vec3(1, 1, 1)));
   // Honest along the axes, where bounds are asked for, and a liar elsewhere.
   Shape liar = box(Vec3(1, 1, 1));

@@ -17,11 +17,11 @@ constexpr int kSolvers = 5;
 
 /// A ball of 0.5 m, which an impulse at its foot along the normal does not turn: k = 1 / m.
 struct Ball {
-  explicit Ball(Real friction, const Vec3& velocity = Vec3::Zero()) {
+  explicit Ball(Real friction, const Vec3& velocity = Vec3::zero()) {
     const std::uint32_t m = t.material(friction, 0);
     t.ground(m);
-    body = t.add(t.keep(sphere(0.5)), Vec3(0, 0.5, 0), BodyType::dynamic, Quat::Identity(), m);
-    t.world.set_velocity(body, velocity, Vec3::Zero());
+    body = t.add(t.keep(sphere(0.5)), Vec3(0, 0.5, 0), BodyType::dynamic, Quat::identity(), m);
+    t.world.set_velocity(body, velocity, Vec3::zero());
   }
   Row& row() { return t.world.contacts->rows[0]; }
   Real k() const { return t.world.scene.inv_mass[body]; }
@@ -36,7 +36,7 @@ static void what_rests_obeys_the_law_and_has_its_energy(void**) {
     TestWorld t;
     t.world.set_dial(Dial::solver, solver);
     t.ground();
-    const std::uint32_t cube = t.add(t.keep(box(Vec3::Constant(0.5))), Vec3(0, 0.5, 0));
+    const std::uint32_t cube = t.add(t.keep(box(Vec3::constant(0.5))), Vec3(0, 0.5, 0));
     t.run(240, kStep);
     const Residuals r = residuals_of(t.world);
     assert_int_equal(r.points, 4);
@@ -59,8 +59,8 @@ static void what_slides_is_held_by_all_its_friction_against_its_way(void**) {
     const std::uint32_t m = t.material(0.3, 0);
     t.ground(m);
     const std::uint32_t cube =
-        t.add(t.keep(box(Vec3(0.5, 0.1, 0.5))), Vec3(0, 0.1, 0), BodyType::dynamic, Quat::Identity(), m);
-    t.world.set_velocity(cube, Vec3(4, 0, 3), Vec3::Zero());
+        t.add(t.keep(box(Vec3(0.5, 0.1, 0.5))), Vec3(0, 0.1, 0), BodyType::dynamic, Quat::identity(), m);
+    t.world.set_velocity(cube, Vec3(4, 0, 3), Vec3::zero());
     t.run(30, kStep);
     assert_true(t.world.state.v[cube].norm() > 3);
     const Residuals r = residuals_of(t.world);
@@ -98,7 +98,7 @@ static void an_impulse_that_is_wrong_is_wrong_by_that_much(void**) {
     assert_true(std::fabs(residuals_of(b.t.world).complementarity - 0.05) < 1e-12);
     row.u = -0.3 * row.n;
     assert_true(std::fabs(residuals_of(b.t.world).complementarity - 0.3) < 1e-12);
-    row.p.setZero();
+    row.p.set_zero();
     row.u = 0.3 * row.n;
     assert_true(residuals_of(b.t.world).complementarity == 0);
     // Still open by more than it closes in a substep.
@@ -109,9 +109,9 @@ static void an_impulse_that_is_wrong_is_wrong_by_that_much(void**) {
 }
 
 static void joints_that_are_pulled_apart_gape_by_that(void**) {
-  TestWorld t(Vec3::Zero());
-  const std::uint32_t a = t.add(t.keep(box(Vec3::Constant(0.5))), Vec3::Zero()),
-                      b = t.add(t.keep(box(Vec3::Constant(0.5))), Vec3(1.5, 0, 0));
+  TestWorld t(Vec3::zero());
+  const std::uint32_t a = t.add(t.keep(box(Vec3::constant(0.5))), Vec3::zero()),
+                      b = t.add(t.keep(box(Vec3::constant(0.5))), Vec3(1.5, 0, 0));
   JointDef def;
   def.kind = JointKind::weld;
   def.body_a = a, def.body_b = b;
@@ -131,7 +131,7 @@ static void joints_that_are_pulled_apart_gape_by_that(void**) {
 
 static void drift_is_what_the_ledger_can_not_account_for(void**) {
   // A brick that nothing acts on, turned by the explicit method: all that its energy changes by is the integrator's.
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   const std::uint32_t brick = t.add(t.keep(box(Vec3(0.5, 0.2, 0.9))), Vec3(2, 0, 0));
   t.world.set_dial(Dial::rotation, 1);
   t.world.set_velocity(brick, Vec3(0, 1, 0), Vec3(3, 2, 1));

@@ -24,7 +24,7 @@ struct Rolling : TestWorld {
     m.friction = 0.8, m.rolling = rolling, m.spinning = spinning;
     const std::uint32_t material = handle_slot(world.add_material(m));
     ground(material);
-    ball = add(keep(sphere(kRadius)), Vec3(0, kRadius, 0), BodyType::dynamic, Quat::Identity(), material);
+    ball = add(keep(sphere(kRadius)), Vec3(0, kRadius, 0), BodyType::dynamic, Quat::identity(), material);
   }
   const Vec3& x() const { return world.state.x[ball]; }
   const Vec3& omega() const { return world.state.omega[ball]; }
@@ -60,7 +60,7 @@ void a_spin_ends_when_its_resistance_says(void**) {
     const Real s = 0.01, w = 5, stop = kInertia * kRadius * kRadius * w / (s * kG);
     Rolling t(solver, 0, s);
     t.run(30, kStep);
-    t.world.set_velocity(t.ball, Vec3::Zero(), Vec3(0, w, 0));
+    t.world.set_velocity(t.ball, Vec3::zero(), Vec3(0, w, 0));
     int steps = 0;
     for (; steps < 200 && t.omega().norm() > 1e-9; ++steps) {
       t.world.step(kStep);
@@ -136,7 +136,7 @@ void a_moment_stays_in_its_disc_and_stops_what_it_can(void**) {
   Random random(7);
   for (int i = 0; i < 1000; ++i) {
     const auto vector = [&] { return Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)); };
-    const Mat3 root = Mat3::Identity() + 0.3 * vector() * vector().transpose();
+    const Mat3 root = Mat3::identity() + 0.3 * outer(vector(), vector());
     const Mat3 k = root * root.transpose();
     const Vec3 n = vector().normalized(), omega = vector(), had = 0.1 * vector();
     const Real rolling = random.uniform(0, 2), spinning = random.uniform(0, 2);
@@ -147,7 +147,7 @@ void a_moment_stays_in_its_disc_and_stops_what_it_can(void**) {
     if (roll < rolling - kRounding) {  // then nothing rolls
       assert_true((after - after.dot(n) * n).norm() < kRounding);
     }
-    assert_true(resisting_moment(had, omega, Mat3::Zero(), n, rolling, spinning) == Vec3::Zero());
+    assert_true(resisting_moment(had, omega, Mat3::zero(), n, rolling, spinning) == Vec3::zero());
     assert_true(resisting_moment(had, omega, k, n, 0, 0).norm() < kRounding);
   }
 }

@@ -6,6 +6,7 @@
 // where rounding is smaller still.
 #include "carom_test.h"
 #include "dynamics/effects.h"
+#include "eigen.h"
 #include "fine_top.h"
 #include "tools/accuracy/free_top.h"
 #include "world_builder.h"
@@ -27,12 +28,12 @@ Real relative(const Vec3& got, const Vec3& want) { return (got - want).norm() / 
 
 /// A box of full sides, alone in the world.
 struct Spinning {
-  Spinning(const Vec3& sides, const Vec3& omega, Real integrator, Real rotation, const Vec3& gravity = Vec3::Zero())
+  Spinning(const Vec3& sides, const Vec3& omega, Real integrator, Real rotation, const Vec3& gravity = Vec3::zero())
       : t(gravity) {
     t.world.set_dial(Dial::integrator, integrator);
     t.world.set_dial(Dial::rotation, rotation);
-    b = t.add(t.keep(box(sides / 2)), Vec3::Zero());
-    t.world.set_velocity(b, Vec3::Zero(), omega);
+    b = t.add(t.keep(box(sides / 2)), Vec3::zero());
+    t.world.set_velocity(b, Vec3::zero(), omega);
   }
   const Quat& q() const { return t.world.state.q[b]; }
   const Mat3& inertia() const { return t.world.scene.inertia[b]; }
@@ -52,9 +53,9 @@ Errors fly(const Vec3& sides, const Vec3& omega, Real integrator, Choice method,
   Spinning s(sides, omega, integrator, method);
   const Vec3 l0 = s.momentum();
   const Real e0 = s.energy();
-  const FreeTop exact(s.inertia().diagonal(), omega);
+  const FreeTop exact(eigen(s.inertia().diagonal()), eigen(omega));
   s.t.run(steps, seconds / steps);
-  return {angle(s.q(), exact.orientation(seconds)), relative(s.momentum(), l0), std::fabs(s.energy() / e0 - 1)};
+  return {angle(s.q(), plain(exact.orientation(seconds))), relative(s.momentum(), l0), std::fabs(s.energy() / e0 - 1)};
 }
 
 const Vec3 kTopSides(1, 2, 3), kTopSpin(4, 1, 2);      // scene 4 of the accuracy suite
@@ -67,27 +68,27 @@ static void the_closed_form_is_what_tiny_runge_kutta_steps_end_at(void**) {
   const Vec3 cases[] = {kTopSpin, Vec3(-4, 1, 2), Vec3(1, -1, 4), Vec3(1, 2, -6), Vec3(0.01, 5, 0.01)};
   for (const Vec3& w0 : cases) {
     const Vec3 inertia(6500, 5000, 2500);
-    const FreeTop top(inertia, w0);
-    const auto rate = [&](const Vec3& w) { return Vec3(-w.cross(inertia.cwiseProduct(w)).cwiseQuotient(inertia)); };
+    const FreeTop top(eigen(inertia), eigen(w0));
+    const auto rate = [&](const Vec3& w) { return Vec3(-w.cross(inertia.times(w)).over(inertia)); };
     Vec3 w = w0;
-    Eigen::Vector4d q(0, 0, 0, 1);
-    const auto turn = [](const Eigen::Vector4d& c, const Vec3& v) {
-      return Eigen::Vector4d((Quat(c[3], c[0], c[1], c[2]) * Quat(0, v.x() / 2, v.y() / 2, v.z() / 2)).coeffs());
+    Quat q = Quat::identity();
+    const auto turn = [](const Quat& at, const Vec3& v) {
+      return at * Quat(0, v.x() / 2, v.y() / 2, v.z() / 2);
     };
     const int n = 20000;
     const Real T = 3, h = T / n;
     for (int i = 0; i < n; ++i) {
       const Vec3 w1 = rate(w), w2 = rate(w + h / 2 * w1), w3 = rate(w + h / 2 * w2), w4 = rate(w + h * w3);
-      const Eigen::Vector4d q1 = turn(q, w), q2 = turn(q + h / 2 * q1, w + h / 2 * w1),
-                            q3 = turn(q + h / 2 * q2, w + h / 2 * w2), q4 = turn(q + h * q3, w + h * w3);
+      const Quat q1 = turn(q, w), q2 = turn(q + h / 2 * q1, w + h / 2 * w1),
+                 q3 = turn(q + h / 2 * q2, w + h / 2 * w2), q4 = turn(q + h * q3, w + h * w3);
       w += h / 6 * (w1 + 2 * w2 + 2 * w3 + w4);
       q += h / 6 * (q1 + 2 * q2 + 2 * q3 + q4);
     }
     // (h |omega|)^4 |omega| T / 120 of either, and n u of rounding.
     const Real method = std::pow(h * w0.norm(), 4) * w0.norm() * T, rounding = n * kEpsilon;
-    assert_true((top.omega(0) - w0).norm() < 1e-13 * w0.norm());
-    assert_true((top.omega(T) - w).norm() < (method + rounding + 1e-12) * w0.norm());
-    assert_true(angle(top.orientation(T), Quat(q[3], q[0], q[1], q[2])) < method + rounding + 1e-11);
+    assert_true((plain(top.omega(0)) - w0).norm() < 1e-13 * w0.norm());
+    assert_true((plain(top.omega(T)) - w).norm() < (method + rounding + 1e-12) * w0.norm());
+    assert_true(angle(plain(top.orientation(T)), q) < method + rounding + 1e-11);
   }
 }
 
@@ -107,11 +108,11 @@ static void the_suite_s_thrown_box_flies_and_turns_within_its_bounds(void**) {
     s.t.world.set_velocity(s.b, v0, kBoxSpin);
     const Vec3 l0 = s.momentum();
     const Real e0 = s.energy();
-    const FreeTop exact(s.inertia().diagonal(), kBoxSpin);
+    const FreeTop exact(eigen(s.inertia().diagonal()), eigen(kBoxSpin));
     s.t.run(2400, 1.0 / 240);
     assert_true((s.t.world.state.x[s.b] - (v0 * 10 + g * 50)).norm() < 1e-9);
     assert_true((s.t.world.state.v[s.b] - (v0 + g * 10)).norm() < 1e-9);
-    assert_true(angle(s.q(), exact.orientation(10)) < 1e-6);
+    assert_true(angle(s.q(), plain(exact.orientation(10))) < 1e-6);
     assert_true(relative(s.momentum(), l0) < 1e-14);
     assert_true(std::fabs(s.energy() / e0 - 1) < 1e-9);
   }
@@ -160,12 +161,12 @@ static void a_body_with_two_equal_moments_is_split_without_error(void**) {
     for (const Choice m : {splitting, splitting_4, splitting_6}) {
       const Vec3 omega(5, 3, 9);
       Spinning s(sides, omega, kSemiImplicit, m);
-      const Vec3 moment = s.inertia().diagonal(), l = moment.cwiseProduct(omega);
+      const Vec3 moment = s.inertia().diagonal(), l = moment.times(omega);
       int odd = 0;
       for (int k = 1; k < 3; ++k)
         if (std::fabs(sides[k] - sides[(k + 1) % 3]) > 0.5 && std::fabs(sides[k] - sides[(k + 2) % 3]) > 0.5) odd = k;
       const Real same = moment[(odd + 1) % 3];
-      Vec3 inner = Vec3::Zero();
+      Vec3 inner = Vec3::zero();
       inner[odd] = 10 * (1 / moment[odd] - 1 / same) * l[odd];
       s.t.run(60, 1.0 / 6);
       // At most 15 turns a step, 20 u each: products of quaternions, and angles whose rates carry a few u.
@@ -177,7 +178,7 @@ static void a_body_with_two_equal_moments_is_split_without_error(void**) {
 static void a_plank_flips_when_the_elliptic_period_says(void**) {
   // Scene 5. When the spin about the middle axis passes through zero, five times in 35 s, at 60 Hz.
   const Vec3 omega(0.01, 5, 0.01);
-  const FreeTop exact(Vec3(6500, 5000, 2500), omega);
+  const FreeTop exact({6500, 5000, 2500}, eigen(omega));
   assert_int_equal(exact.middle(), 1);
   for (const Choice m : {splitting_4, splitting_6}) {
     Spinning s(kTopSides, omega, kSemiImplicit, m);
@@ -209,7 +210,7 @@ static void a_constant_torque_adds_to_momentum_exactly_and_verlet_turns_with_sec
         const Vec3 l = s.momentum() + 2 * torque;
         const int n = 200 << k;
         for (int i = 0; i < n; ++i) {
-          s.t.world.add_force(s.b, Vec3::Zero(), torque);
+          s.t.world.add_force(s.b, Vec3::zero(), torque);
           s.t.world.step(2.0 / n);
         }
         if (integrator == kVerlet && m >= splitting)
@@ -254,23 +255,23 @@ Real heavy_top_error(Choice m, int n) {
   }
   const Vec3 want = l * Vec3(std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi));
 
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   t.world.set_dial(Dial::integrator, kVerlet);
   t.world.set_dial(Dial::rotation, m);
   BodyDef def;
   def.has_mass = def.has_inertia = true;
   def.mass = mass;
-  def.inertia = Vec3(axial, across, across).asDiagonal();
+  def.inertia = Mat3::diagonal(Vec3(axial, across, across));
   def.omega = Vec3(spin, 0, 0);
   const std::uint32_t b = handle_slot(t.world.add_body(def));
   const Real h = T / n;
   for (int i = 0; i < n; ++i) {
-    const Vec3 axis = t.world.state.q[b] * Vec3::UnitX();
+    const Vec3 axis = t.world.state.q[b] * Vec3::unit_x();
     const Vec3 ahead = axis + h / 2 * t.world.state.omega[b].cross(axis);
-    t.world.add_force(b, Vec3::Zero(), (l * ahead).cross(Vec3(0, -mass * g, 0)));
+    t.world.add_force(b, Vec3::zero(), (l * ahead).cross(Vec3(0, -mass * g, 0)));
     t.world.step(h);
   }
-  return (l * (t.world.state.q[b] * Vec3::UnitX()) - want).norm();
+  return (l * (t.world.state.q[b] * Vec3::unit_x()) - want).norm();
 }
 
 }  // namespace
@@ -306,11 +307,11 @@ static void drag_under_verlet_is_of_second_order_and_free_fall_exact(void**) {
 
 static void round_bodies_are_nobody_s_customers(void**) {
   for (const Choice m : kCarrying) {
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     t.world.set_dial(Dial::rotation, m);
-    const std::uint32_t ball = t.add(t.keep(sphere(0.5)), Vec3::Zero());
-    const std::uint32_t die = t.add(t.keep(box(Vec3::Constant(0.5))), Vec3(5, 0, 0));
-    for (const std::uint32_t b : {ball, die}) t.world.set_velocity(b, Vec3::Zero(), Vec3(1, 2, 3));
+    const std::uint32_t ball = t.add(t.keep(sphere(0.5)), Vec3::zero());
+    const std::uint32_t die = t.add(t.keep(box(Vec3::constant(0.5))), Vec3(5, 0, 0));
+    for (const std::uint32_t b : {ball, die}) t.world.set_velocity(b, Vec3::zero(), Vec3(1, 2, 3));
     t.run(60, 1.0 / 60);
     assert_int_equal(t.world.plan->find("gyroscopic")->evaluations, 0);
     for (const std::uint32_t b : {ball, die}) {
@@ -326,15 +327,15 @@ static void a_skew_inertia_spins_as_its_principal_axes_do(void**) {
   for (const Choice m : kCarrying) {
     Quat end[2];
     for (const bool skew : {false, true}) {
-      TestWorld t(Vec3::Zero());
+      TestWorld t(Vec3::zero());
       t.world.set_dial(Dial::rotation, m);
       BodyDef def;
       def.has_mass = def.has_inertia = true;
       def.mass = 6000;
-      const Mat3 r = frame.toRotationMatrix(), diagonal = Vec3(6500, 5000, 2500).asDiagonal();
+      const Mat3 r = frame.matrix(), diagonal = Mat3::diagonal(Vec3(6500, 5000, 2500));
       def.inertia = skew ? Mat3(r * diagonal * r.transpose()) : diagonal;
       def.inertia = Mat3(0.5 * (def.inertia + def.inertia.transpose()));
-      def.pose.q = skew ? frame.conjugate() : Quat::Identity();
+      def.pose.q = skew ? frame.conjugate() : Quat::identity();
       def.omega = kTopSpin;
       const std::uint32_t b = handle_slot(t.world.add_body(def));
       t.run(240, 1.0 / 60);
@@ -370,7 +371,7 @@ static void a_plank_that_tumbles_on_ice_gains_no_energy(void**) {
     t.ground(ice);
     const std::uint32_t b =
         t.add(t.keep(box(Vec3(0.5, 0.1, 1))), Vec3(0, 0.6, 0), BodyType::dynamic, exp_map(Vec3(0.4, 0, 0.3)), ice);
-    t.world.set_velocity(b, Vec3::Zero(), Vec3(0, 12, 4));
+    t.world.set_velocity(b, Vec3::zero(), Vec3(0, 12, 4));
     Real first = 0, most = 0;
     std::uint64_t touching = 0;
     for (int i = 0; i < 600; ++i) {

@@ -15,8 +15,8 @@ using namespace carom::test;
 namespace {
 
 using Long = long double;  // 64 bits of mantissa: 2^-11 of u
-using Long3 = Eigen::Matrix<Long, 3, 1, Eigen::DontAlign>;
-using LongMat = Eigen::Matrix<Long, 3, 3, Eigen::DontAlign>;
+using Long3 = Vector3<Long>;
+using LongMat = Matrix3<Long>;
 
 constexpr Long kU = kUnitRoundoff;
 
@@ -33,7 +33,7 @@ Long support_value(const Shape& s, const Long3& d) {
     case Form::cone:
       return std::max(s.half_height * d.y(), s.radius * side - s.half_height * d.y());
     case Form::ellipsoid:
-      return d.cwiseProduct(s.half.cast<Long>()).norm();
+      return d.times(s.half.cast<Long>()).norm();
     case Form::polytope:
       break;
     default:
@@ -63,8 +63,8 @@ Shape odd_shape(Random& random) {
   const int kind = static_cast<int>(random.uniform(0, kFormCount + 1));
   if (kind < kFormCount) return shape_of(kForms[kind], Vec3(x, y, z));
   std::vector<Vec3> points;
-  const Vec3 off = random.uniform(0, 1) < 0.5 ? Vec3(Vec3::Zero()) : Vec3(random.in_cube(10 * x));
-  for (int i = 0; i < 20; ++i) points.push_back(off + Vec3(x, y, z).cwiseProduct(random.direction()));
+  const Vec3 off = random.uniform(0, 1) < 0.5 ? Vec3(Vec3::zero()) : Vec3(random.in_cube(10 * x));
+  for (int i = 0; i < 20; ++i) points.push_back(off + Vec3(x, y, z).times(random.direction()));
   return hull(points);
 }
 
@@ -84,15 +84,14 @@ Frame odd_frame(Random& random, Real distance) {
   if (random.uniform(0, 1) < 0.3)
     q = normalized(Quat(1, 1, 1, 1));  // |R| as large as it gets: entries of size 2/3 next
   if (random.uniform(0, 1) < 0.3) q = normalized(Quat(1, 1, 1, 0));
-  return Frame(q.toRotationMatrix(), distance * random.direction());
+  return Frame(q.matrix(), distance * random.direction());
 }
 
 LongMat exact_rotation(const Quat& q) {
   const Long x = q.x(), y = q.y(), z = q.z(), w = q.w(), n = x * x + y * y + z * z + w * w;
-  LongMat r;
-  r << w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),  //
+  const LongMat r(w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),  //
       2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),   //
-      2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z;
+      2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z);
   return r / n;
 }
 
@@ -120,7 +119,7 @@ static void bounds_err_by_less_than_the_bracket_is_widened(void**) {
     const Shape a = odd_shape(random), b = odd_shape(random);
     const Real reach = a.bounding_radius + b.bounding_radius;
     const Frame b_in_a = odd_frame(random, reach * any_order(random, -6, i % 4 ? 1 : 20));
-    const Long size = b_in_a.p.cwiseAbs().sum() + reach;
+    const Long size = b_in_a.p.abs().sum() + reach;
     QuerySettings settings;
     settings.tolerance = any_order(random, -45, -3);
     QueryResult r;

@@ -84,11 +84,11 @@ static void a_box_and_its_surface_push_alike(void**) {
   for (const Shape& shape : convex_shapes())
     for (int i = 0; i < 1200; ++i) {
       const Frame at(Pose{chance.turn(), 3 * chance.direction()});
-      Frame frame(Pose{chance.turn(), Vec3::Zero()});
+      Frame frame(Pose{chance.turn(), Vec3::zero()});
       const Real wanted = chance.in(-0.02, 0.025);
       const Real truth = place_at(cube, shape, at, frame, chance.direction(), wanted);
       const Vec3 centre = at.apply_inverse(frame.apply(shape.mass.centroid));
-      if ((centre.cwiseAbs() - half).maxCoeff() < 0) continue;  // it is behind all pieces
+      if ((centre.abs() - half).max_entry() < 0) continue;  // it is behind all pieces
       NarrowReport report;
       SupportFault fault;
       assert_true(meeting.find({surfaces[i % 2], shape, at, frame}, settings, kReach, report, fault));
@@ -204,7 +204,7 @@ static void one_sided_scenery_lets_pass_from_behind(void**) {
   assert_true(std::fabs(r.time - 0.5) < 1e-9 && r.normal == Vec3(0, 1, 0));
   Shape ball = sphere(0.25);
   const auto sweep = [&](const Shape& s, double from, double to) {
-    any_shape::cast_shape(ball, Frame(Mat3::Identity(), Vec3(0.3, from, 0.2)), Vec3(0, to - from, 0), s, Frame(),
+    any_shape::cast_shape(ball, Frame(Mat3::identity(), Vec3(0.3, from, 0.2)), Vec3(0, to - from, 0), s, Frame(),
                           CastSettings(), r, fault);
     return r.outcome;
   };
@@ -233,7 +233,7 @@ static void time_of_impact_knows_pieces(void**) {
     CastResult r, plane;
     SupportFault fault;
     any_shape::time_of_impact(stick, motion, floor, still, 0.5, CastSettings(), r, fault);
-    const Shape half = half_space(Vec3::UnitY(), 0);
+    const Shape half = half_space(Vec3::unit_y(), 0);
     time_of_impact(stick, motion, half, still, 0.5, CastSettings(), plane, fault);
     assert_true(r.outcome == plane.outcome);
     if (plane.outcome == CastOutcome::hit) assert_true(r.lower <= plane.upper && plane.lower <= r.upper);

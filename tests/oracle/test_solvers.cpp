@@ -19,7 +19,7 @@ Real square(Real x) { return x * x; }
 /// A stack of cubes of 1 m on the ground, just touching.
 std::vector<std::uint32_t> stack(TestWorld& t, int count) {
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   std::vector<std::uint32_t> bodies;
   for (int i = 0; i < count; ++i) bodies.push_back(t.add(cube, Vec3(0, i + 0.5, 0)));
   return bodies;
@@ -97,9 +97,9 @@ static void a_sliding_slab_stops_where_friction_says_in_any_direction(void**) {
         const std::uint32_t m = t.material(kFriction, 0);
         t.ground(m);
         const std::uint32_t slab =
-            t.add(t.keep(box(Vec3(0.5, 0.1, 0.5))), Vec3(0, 0.1, 0), BodyType::dynamic, Quat::Identity(), m);
+            t.add(t.keep(box(Vec3(0.5, 0.1, 0.5))), Vec3(0, 0.1, 0), BodyType::dynamic, Quat::identity(), m);
         const Vec3 ahead(std::cos(angle), 0, std::sin(angle)), sideways(-ahead.z(), 0, ahead.x());
-        t.world.set_velocity(slab, kSpeed * ahead, Vec3::Zero());
+        t.world.set_velocity(slab, kSpeed * ahead, Vec3::zero());
         t.run(static_cast<int>(std::lround(2 / dt)), dt);
         const Vec3 x = t.world.state.x[slab];
         // The cone is round: nothing pushes aside. The slab sinks as it slides, unevenly, by less than its spring
@@ -141,19 +141,19 @@ static void a_ball_rolls_on_as_it_is(void**) {
 
 static void collisions_keep_the_momentum(void**) {
   for (const Real solver : {kSequentialChoice, kSoftStepChoice}) {
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     t.world.set_dial(Dial::solver, solver);
     t.world.set_dial(Dial::substeps, 4);
-    const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+    const Shape* cube = t.keep(box(Vec3::constant(0.5)));
     const Shape* ball = t.keep(sphere(0.4));
     std::vector<std::uint32_t> bodies;
     for (int i = 0; i < 27; ++i) {
       const Vec3 x(1.2 * (i % 3), 1.2 * (i / 3 % 3), 1.2 * (i / 9));
       bodies.push_back(t.add(i % 2 ? cube : ball, x));
-      t.world.set_velocity(bodies.back(), -1.5 * (x - Vec3::Constant(1.2)) + Vec3(0.1, 0.2, 0.3), Vec3(1, -2, 0.5));
+      t.world.set_velocity(bodies.back(), -1.5 * (x - Vec3::constant(1.2)) + Vec3(0.1, 0.2, 0.3), Vec3(1, -2, 0.5));
     }
     const auto momentum = [&] {
-      Vec3 sum = Vec3::Zero();
+      Vec3 sum = Vec3::zero();
       for (const std::uint32_t b : bodies) sum += t.world.scene.mass[b] * t.world.state.v[b];
       return sum;
     };
@@ -162,7 +162,7 @@ static void collisions_keep_the_momentum(void**) {
       for (const std::uint32_t b : bodies) {
         const Vec3 w = t.world.state.q[b].conjugate() * t.world.state.omega[b];
         sum +=
-            0.5 * t.world.scene.mass[b] * t.world.state.v[b].squaredNorm() + 0.5 * w.dot(t.world.scene.inertia[b] * w);
+            0.5 * t.world.scene.mass[b] * t.world.state.v[b].squared_norm() + 0.5 * w.dot(t.world.scene.inertia[b] * w);
       }
       return sum;
     };
@@ -184,7 +184,7 @@ static void a_ball_bounces_as_high_as_its_restitution_says(void**) {
     t.world.set_dial(Dial::substeps, 4);
     const std::uint32_t m = t.material(0, 0.5);
     t.ground(m);
-    const std::uint32_t ball = t.add(t.keep(sphere(0.1)), Vec3(0, 1.1, 0), BodyType::dynamic, Quat::Identity(), m);
+    const std::uint32_t ball = t.add(t.keep(sphere(0.1)), Vec3(0, 1.1, 0), BodyType::dynamic, Quat::identity(), m);
     Real top = 0;
     bool down = false;
     for (int i = 0; i < 50; ++i) {

@@ -18,7 +18,7 @@ constexpr std::uint32_t kSolvers = 5;  // severity, sequential, soft_step, direc
 bool is_soft(std::uint32_t solver) { return solver == 2 || solver == 4; }
 
 std::uint32_t collider_of(const TestWorld& t, std::uint32_t body) { return t.world.scene.first_collider[body]; }
-void drive(TestWorld& t, std::uint32_t body, const Vec3& linear, const Vec3& angular = Vec3::Zero()) {
+void drive(TestWorld& t, std::uint32_t body, const Vec3& linear, const Vec3& angular = Vec3::zero()) {
   t.world.set_surface_velocity(collider_of(t, body), {linear, angular});
 }
 void choose(TestWorld& t, std::uint32_t solver, Real substeps) {
@@ -51,7 +51,7 @@ Ridden ride(std::uint32_t solver, int n, Real substeps, const Vec3& gravity = Ve
   choose(t, solver, substeps);
   const std::uint32_t m = t.material(kMu, 0);
   drive(t, t.ground(m), Vec3(kBelt, 0, 0));
-  const std::uint32_t slab = t.add(t.keep(box(kSlab)), Vec3(0, 0.1, 0), BodyType::dynamic, Quat::Identity(), m);
+  const std::uint32_t slab = t.add(t.keep(box(kSlab)), Vec3(0, 0.1, 0), BodyType::dynamic, Quat::identity(), m);
   t.run(n, kTime / n);
   return {t.world.state.x[slab] - Vec3(0, 0.1, 0), t.world.state.v[slab]};
 }
@@ -75,9 +75,9 @@ Real off_the_circle(std::uint32_t solver, int n) {
   TestWorld t(Vec3(0, -kG, 0));
   choose(t, solver, 1);
   const std::uint32_t m = t.material(1, 0);
-  drive(t, t.ground(m), Vec3::Zero(), Vec3(0, kSpin, 0));
+  drive(t, t.ground(m), Vec3::zero(), Vec3(0, kSpin, 0));
   const Vec3 x0(1, kRadius, 0.5), v0(0.3, 0, -0.4), up(0, 1, 0);
-  const std::uint32_t ball = t.add(t.keep(sphere(kRadius)), x0, BodyType::dynamic, Quat::Identity(), m);
+  const std::uint32_t ball = t.add(t.keep(sphere(kRadius)), x0, BodyType::dynamic, Quat::identity(), m);
   // Without slip v + omega x (-R up) = spin up x x; then v' = 2/7 spin up x v for a solid ball.
   t.world.set_velocity(ball, v0, up.cross(v0 - kSpin * up.cross(x0)) / kRadius);
   t.run(n, kAll / n);
@@ -165,10 +165,10 @@ static void a_plank_on_rollers_that_turn_inwards_swings(void**) {
       for (const Real side : {-1.0, 1.0}) {
         const std::uint32_t r = t.add(roller, Vec3(side * kApart, -kRoller, 0), BodyType::fixed, lies, m);
         // About its own axis, y of the shape, which is the world's z: the left one clockwise.
-        drive(t, r, Vec3::Zero(), Vec3(0, side * 10, 0));
+        drive(t, r, Vec3::zero(), Vec3(0, side * 10, 0));
       }
       const std::uint32_t plank =
-          t.add(t.keep(box(Vec3(2, kThick, 0.4))), Vec3(kAway, kThick, 0), BodyType::dynamic, Quat::Identity(), m);
+          t.add(t.keep(box(Vec3(2, kThick, 0.4))), Vec3(kAway, kThick, 0), BodyType::dynamic, Quat::identity(), m);
       t.run(n, T / n);
       return std::fabs(t.world.state.x[plank].x() - kAway * sin_cos(w * T + std::numbers::pi / 2).sin);
     };
@@ -186,9 +186,9 @@ static void a_belt_does_not_push_what_stands_at_its_end(void**) {
     const std::uint32_t ice = t.material(0, 0), rubber = t.material(1, 0);
     t.ground(ice);
     const Shape* belt = t.keep(box(Vec3(1, 0.5, 1)));
-    drive(t, t.add(belt, Vec3(-1, 0.5, 0), BodyType::fixed, Quat::Identity(), rubber), Vec3(speed, 0, 0));
-    const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
-    const std::uint32_t stands = t.add(cube, Vec3(0.5, 0.5, 0), BodyType::dynamic, Quat::Identity(), rubber);
+    drive(t, t.add(belt, Vec3(-1, 0.5, 0), BodyType::fixed, Quat::identity(), rubber), Vec3(speed, 0, 0));
+    const Shape* cube = t.keep(box(Vec3::constant(0.5)));
+    const std::uint32_t stands = t.add(cube, Vec3(0.5, 0.5, 0), BodyType::dynamic, Quat::identity(), rubber);
     t.run(60, 1.0 / 60);
     return t.world.state.x[stands];
   };
@@ -204,7 +204,7 @@ static void a_ball_that_bounces_off_a_belt_takes_mu_times_the_blow_along(void**)
     const std::uint32_t m = t.material(kRough, kBounce);
     drive(t, t.ground(m), Vec3(10, 0, 0));
     const std::uint32_t ball =
-        t.add(t.keep(sphere(0.1)), Vec3(0, kHeight + 0.1, 0), BodyType::dynamic, Quat::Identity(), m);
+        t.add(t.keep(sphere(0.1)), Vec3(0, kHeight + 0.1, 0), BodyType::dynamic, Quat::identity(), m);
     t.run(40, 1.0 / 60);  // the first blow is at 0.45 s, the next at 0.9
     const Real want = kRough * (1 + kBounce) * std::sqrt(2 * kG * kHeight);  // below 2/7 of the belt: it slips
     const Real got = t.world.state.v[ball].x();
@@ -222,9 +222,9 @@ static void what_resists_spinning_is_spun_up_by_a_turntable(void**) {
     Material rough;
     rough.spinning = kArm;
     const std::uint32_t m = handle_slot(t.world.add_material(rough));
-    drive(t, t.ground(m), Vec3::Zero(), Vec3(0, kSpin, 0));
+    drive(t, t.ground(m), Vec3::zero(), Vec3(0, kSpin, 0));
     const std::uint32_t ball =
-        t.add(t.keep(sphere(kRadius)), Vec3(0, kRadius, 0), BodyType::dynamic, Quat::Identity(), m);
+        t.add(t.keep(sphere(kRadius)), Vec3(0, kRadius, 0), BodyType::dynamic, Quat::identity(), m);
     const Real gain = kArm * kG / (0.4 * kRadius * kRadius), dt = 1.0 / 60;  // rad/s^2
     t.run(60, dt);
     // It starts once the load is known, a substep late.
@@ -240,7 +240,7 @@ static void what_moves_no_surface_costs_nothing_and_changes_nothing(void**) {
     TestWorld t(Vec3(0, -kG, 0));
     const std::uint32_t ground = t.ground();
     if (i > 0) drive(t, ground, Vec3(1, 0, 0));
-    if (i == 1) drive(t, ground, Vec3::Zero());
+    if (i == 1) drive(t, ground, Vec3::zero());
     t.add(t.keep(box(kSlab)), Vec3(0, 0.15, 0));
     t.run(60, 1.0 / 60);
     hash[i] = t.world.hash();
@@ -280,7 +280,7 @@ static void a_sleeper_wakes_when_its_belt_starts(void**) {
 static void a_collider_that_comes_into_a_used_slot_stands_still(void**) {
   TestWorld t;
   const Shape* cube = t.keep(box(kSlab));
-  const std::uint32_t body = t.add(cube, Vec3::Zero()), collider = collider_of(t, body);
+  const std::uint32_t body = t.add(cube, Vec3::zero()), collider = collider_of(t, body);
   drive(t, body, Vec3(1, 0, 0));
   assert_int_equal(t.world.scene.belts, 1);
   t.world.remove_collider(collider);

@@ -22,7 +22,7 @@ QueryResult ask(const ShapePair& p, Simplex simplex, int digits, const QuerySett
 
 /// What rounding adds to a bracket, both sides of it. @see Difference::rounding
 Real rounding(const ShapePair& p) {
-  return 96 * kUnitRoundoff * (p.b_in_a.p.cwiseAbs().sum() + p.a.bounding_radius + p.b.bounding_radius);
+  return 96 * kUnitRoundoff * (p.b_in_a.p.abs().sum() + p.a.bounding_radius + p.b.bounding_radius);
 }
 
 template <class Check>

@@ -37,7 +37,7 @@ void build_heap(TestWorld& t, const Setting& s) {
 
 void expect_equal_states(const World& a, const World& b) {
   for (std::uint32_t i = 0; i < a.scene.bodies.slots(); ++i) {
-    assert_true(a.state.x[i] == b.state.x[i] && a.state.q[i].coeffs() == b.state.q[i].coeffs());
+    assert_true(a.state.x[i] == b.state.x[i] && a.state.q[i] == b.state.q[i]);
     assert_true(a.state.v[i] == b.state.v[i] && a.state.omega[i] == b.state.omega[i]);
   }
 }
@@ -64,7 +64,7 @@ static void until_the_first_sleep_a_world_is_that_without(void**) {
     assert_true(a.world.hash() != b.world.hash());
     for (std::uint32_t i = 0; i < a.world.scene.bodies.slots(); ++i)
       assert_true(a.world.state.x[i] == b.world.state.x[i] &&
-                  a.world.state.q[i].coeffs() == b.world.state.q[i].coeffs());
+                  a.world.state.q[i] == b.world.state.q[i]);
   }
 }
 
@@ -78,7 +78,7 @@ static void to_sleepers_no_time_has_passed(void**) {
       assert_int_equal(a.world.report.asleep_bodies, 5);
       a.run(night, kStep);
       for (std::uint32_t i = 0; i < b.world.scene.bodies.slots(); ++i) {
-        b.world.state.v[i] = b.world.state.omega[i] = b.world.state.momentum[i] = Vec3::Zero();
+        b.world.state.v[i] = b.world.state.omega[i] = b.world.state.momentum[i] = Vec3::zero();
         b.world.state.mark_written(i);
       }
       for (std::uint32_t i = 1; i <= 5; ++i) a.world.wake_body(i);
@@ -97,27 +97,27 @@ static void a_blow_to_sleepers_is_that_to_bodies_at_rest(void**) {
   // apart; to the bit.
   for (const Setting& s : kSettings)
     for (const Real spin : {0.0, 3.0}) {
-      TestWorld worlds[2] = {TestWorld(Vec3::Zero()), TestWorld(Vec3::Zero())};
+      TestWorld worlds[2] = {TestWorld(Vec3::zero()), TestWorld(Vec3::zero())};
       for (TestWorld& t : worlds) {
         t.world.set_dial(Dial::solver, s.solver);
         t.world.set_dial(Dial::manifold, s.manifold);
         t.world.set_dial(Dial::broad_phase, s.broad);
         t.world.set_dial(Dial::pair_routines, s.routines);
         t.world.set_dial(Dial::substeps, 4);
-        const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+        const Shape* cube = t.keep(box(Vec3::constant(0.5)));
         for (int i = 0; i < 4; ++i) t.add(cube, Vec3(i, 0.1 * i, 0));
         t.add(cube, Vec3(0, 30, 0));
         const std::uint32_t ball = t.add(t.keep(sphere(0.3)), Vec3(-6, 0.2, 0.1));
         t.world.set_velocity(ball, Vec3(4, 0, 0), Vec3(0, 0, spin));
       }
       worlds[0].world.set_dial(Dial::sleep, 1);
-      Vec3 before = Vec3::Zero();
+      Vec3 before = Vec3::zero();
       std::uint64_t most_asleep = 0;
       for (int k = 0; k < 150; ++k) {
         for (TestWorld& t : worlds) t.world.step(kStep);
         most_asleep = std::max(most_asleep, worlds[0].world.report.asleep_bodies);
         expect_equal_states(worlds[0].world, worlds[1].world);
-        Vec3 momentum = Vec3::Zero();
+        Vec3 momentum = Vec3::zero();
         const World& w = worlds[0].world;
         for (std::uint32_t i = 0; i < w.scene.bodies.slots(); ++i) momentum += w.scene.mass[i] * w.state.v[i];
         if (k == 0) before = momentum;
@@ -137,7 +137,7 @@ static void the_cost_in_calls_does_not_grow_with_the_number_asleep(void**) {
     TestWorld t;
     t.world.set_dial(Dial::sleep, 1);
     t.ground();
-    const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+    const Shape* cube = t.keep(box(Vec3::constant(0.5)));
     for (int i = 0; i < (many ? 400 : 20); ++i) t.add(cube, Vec3(3 * (i % 20), 0.5, 3 * (i / 20)));
     t.run(120, kStep);
     for (int i = 0; i < 10; ++i) t.add(cube, Vec3(3 * i, 2e4, -50));

@@ -26,9 +26,9 @@ Shape wild_shape(Random& random, Real size) {
       Vec3 half(x, y, z);
       if (pick(random, 3) == 0) half[pick(random, 3)] = 0;
       if (pick(random, 5) == 0) half[pick(random, 3)] = 0;
-      std::vector<Vec3> points(1, random.in_cube(1).cwiseProduct(half));
+      std::vector<Vec3> points(1, random.in_cube(1).times(half));
       for (int i = pick(random, 12); i > 0; --i)
-        points.push_back(pick(random, 5) == 0 ? points[0] : Vec3(random.in_cube(1).cwiseProduct(half)));
+        points.push_back(pick(random, 5) == 0 ? points[0] : Vec3(random.in_cube(1).times(half)));
       return hull(points);
     }
     default: {  // points of a lattice: exactly coplanar, collinear and equal ones
@@ -44,7 +44,7 @@ ShapePair wild_pair(Random& random) {
   const Real size = any_order(random, -6, 6);
   Shape a = wild_shape(random, size), b = wild_shape(random, size * any_order(random, -3, 0));
   Frame b_in_a;
-  if (pick(random, 5) > 1) b_in_a.r = random_rotation(random).toRotationMatrix();
+  if (pick(random, 5) > 1) b_in_a.r = random_rotation(random).matrix();
   if (pick(random, 5) > 0) b_in_a.p = random.in_cube(1) * size * any_order(random, -8, 0);
   if (pick(random, 3) == 0) b_in_a.p[pick(random, 3)] = 0;
   if (pick(random, 3) == 0) {

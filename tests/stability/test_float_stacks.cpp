@@ -24,7 +24,7 @@ struct FloatWorld : TestWorld {
 Real energy_of(const World& world) {
   Real sum = 0;
   for (std::uint32_t b = 0; b < world.scene.bodies.slots(); ++b)
-    sum += world.scene.mass[b] * world.state.v[b].squaredNorm() / 2;
+    sum += world.scene.mass[b] * world.state.v[b].squared_norm() / 2;
   return sum;
 }
 
@@ -45,7 +45,7 @@ static void sixteen_columns_of_forty_sink_by_their_springs_and_stand(void**) {
   constexpr int n = 40;
   FloatWorld t(2);  // CAROM_SOLVER_SOFT_STEP
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   for (int k = 0; k < 16; ++k)
     for (int i = 0; i < n; ++i) t.add(cube, Vec3(3 * (k % 4), i + 0.5, 3 * (k / 4)));
   const std::vector<Vec3> home(t.world.state.x.begin(), t.world.state.x.end());
@@ -66,7 +66,7 @@ static void a_pyramid_of_base_thirty_comes_to_rest(void**) {
     FloatWorld t(2);
     t.world.set_dial(Dial::precision, static_cast<Real>(precision));
     t.ground();
-    const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+    const Shape* cube = t.keep(box(Vec3::constant(0.5)));
     constexpr int base = 30;
     for (int row = 0; row < base; ++row)
       for (int i = 0; i < base - row; ++i) t.add(cube, Vec3(i + row / Real(2), row + 0.5, 0));
@@ -83,7 +83,7 @@ static void a_pyramid_of_base_thirty_comes_to_rest(void**) {
 static void auto_gives_stacks_to_the_direct_solver_as_ever(void**) {
   FloatWorld t(4);  // CAROM_SOLVER_AUTO
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   for (int k = 0; k < 2; ++k)
     for (int i = 0; i < 40; ++i) t.add(cube, Vec3(3 * k, i + 0.5, 0));
   const std::vector<Vec3> home(t.world.state.x.begin(), t.world.state.x.end());

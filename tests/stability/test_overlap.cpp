@@ -13,7 +13,7 @@ constexpr Real kStep = 1.0 / 60;
 
 /// Boxes of 1 m, rows half a metre apart, each resting on two of the row below, in which they stand `pitch` apart.
 std::vector<std::uint32_t> sunken_pyramid(TestWorld& t, int base, Real pitch) {
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   std::vector<std::uint32_t> bodies;
   for (int row = 0; row < base; ++row)
     for (int i = 0; i < base - row; ++i)
@@ -53,12 +53,12 @@ static void what_is_wedged_is_not_shot_out(void**) {
   for (const Real solver : {3, 4}) {  // CAROM_SOLVER_DIRECT, AUTO
     TestWorld t;
     t.world.set_dial(Dial::solver, solver);
-    t.world.scene.gravity = Vec3::Zero();
+    t.world.scene.gravity = Vec3::zero();
     for (const Real side : {-1, 1}) {
       const Vec3 n = Vec3(side, lean, 0).normalized();
-      t.add(t.keep(half_space(n, -0.495)), Vec3::Zero(), BodyType::fixed);
+      t.add(t.keep(half_space(n, -0.495)), Vec3::zero(), BodyType::fixed);
     }
-    const std::uint32_t ball = t.add(t.keep(sphere(0.5)), Vec3::Zero());
+    const std::uint32_t ball = t.add(t.keep(sphere(0.5)), Vec3::zero());
     Real last = 0;
     for (int i = 0; i < 60; ++i) {
       t.world.step(kStep);

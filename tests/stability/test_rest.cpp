@@ -21,7 +21,7 @@ Real depth(const World& w) { return w.scene.dials[Dial::position_tolerance]; }
 bool all_finite(const World& w) {
   for (std::uint32_t i = 0; i < w.scene.bodies.slots(); ++i)
     if (!finite(w.state.x[i]) || !finite(w.state.v[i]) || !finite(w.state.omega[i]) ||
-        !w.state.q[i].coeffs().allFinite())
+        !w.state.q[i].all_finite())
       return false;
   return true;
 }
@@ -46,7 +46,7 @@ static void a_stack_of_five_boxes_stands_for_a_minute(void**) {
   for (const Real side : {0.2, 1.0}) {
     TestWorld t;
     t.ground();
-    const Shape* cube = t.keep(box(Vec3::Constant(side / 2)));
+    const Shape* cube = t.keep(box(Vec3::constant(side / 2)));
     std::vector<std::uint32_t> stack;
     for (int i = 0; i < 5; ++i) stack.push_back(t.add(cube, Vec3(0, side * (i + 0.5), 0)));
     t.run(3600, kStep);
@@ -65,7 +65,7 @@ static void a_stack_stands_a_thousand_kilometres_out(void**) {
   const Vec3 far(1e6, 0, -1e6);
   TestWorld t;
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   std::vector<std::uint32_t> stack;
   for (int i = 0; i < 3; ++i) stack.push_back(t.add(cube, far + Vec3(0, i + 0.5, 0)));
   t.run(600, kStep);
@@ -93,7 +93,7 @@ static void sixty_four_bodies_fall_into_a_box_and_come_to_rest(void**) {
     t.add(wall_x, Vec3(side * 1.5, 5, 0), BodyType::fixed);
     t.add(wall_z, Vec3(0, 5, side * 1.5), BodyType::fixed);
   }
-  const Shape* shapes[] = {t.keep(box(Vec3::Constant(0.15))), t.keep(sphere(0.15)), t.keep(capsule(0.1, 0.1)),
+  const Shape* shapes[] = {t.keep(box(Vec3::constant(0.15))), t.keep(sphere(0.15)), t.keep(capsule(0.1, 0.1)),
                            t.keep(cylinder(0.15, 0.15))};
   std::vector<std::uint32_t> bodies;
   for (int i = 0; i < 64; ++i)
@@ -118,7 +118,7 @@ static void sixty_four_bodies_fall_into_a_box_and_come_to_rest(void**) {
 static void deep_overlap_is_undone_without_an_explosion(void**) {
   TestWorld t;
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   std::vector<std::uint32_t> pile;
   for (int i = 0; i < 4; ++i)
     pile.push_back(t.add(cube, Vec3(0.1 * i, 0.5 + 0.5 * i, 0.05 * i)));  // half sunk into each other

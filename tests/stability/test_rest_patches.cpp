@@ -26,7 +26,7 @@ Shape round_hull(Real radius) {
   for (const int i : {-1, 1})
     for (const int j : {-1, 1})
       for (int k = 0; k < 3; ++k) {
-        Vec3 x = Vec3::Zero();
+        Vec3 x = Vec3::zero();
         x[k] = i, x[(k + 1) % 3] = j * golden;
         v.push_back(x.normalized());
       }
@@ -38,11 +38,6 @@ Shape round_hull(Real radius) {
   return hull(v);
 }
 
-Quat turn_to(const Vec3& from, const Vec3& to) {
-  Quat q;
-  q.setFromTwoVectors(from, to);
-  return q;
-}
 
 /// A shape turned so that the flat piece with this outward normal and distance from its origin lies on y = 0.
 struct Rest {
@@ -53,10 +48,10 @@ struct Rest {
 
 std::vector<Rest> rests() {
   std::vector<Rest> all;
-  all.push_back({box(Vec3(0.5, 0.25, 0.5)), -Vec3::UnitY(), 0.25});
-  all.push_back({cylinder(0.3, 0.5), Vec3::UnitX(), 0.3});
-  all.push_back({cylinder(0.3, 0.05), -Vec3::UnitY(), 0.05});
-  all.push_back({cone(0.3, 0.4), -Vec3::UnitY(), 0.4});
+  all.push_back({box(Vec3(0.5, 0.25, 0.5)), -Vec3::unit_y(), 0.25});
+  all.push_back({cylinder(0.3, 0.5), Vec3::unit_x(), 0.3});
+  all.push_back({cylinder(0.3, 0.05), -Vec3::unit_y(), 0.05});
+  all.push_back({cone(0.3, 0.4), -Vec3::unit_y(), 0.4});
   const Vec3 side = Vec3(0.8, 0.3, 0).normalized();
   all.push_back({cone(0.3, 0.4), side, 0.4 * side.y()});
   Shape round = round_hull(0.4);
@@ -88,7 +83,7 @@ void assert_stays(ManifoldKind kind, bool on_slab, bool routines, Rest rest) {
   make_faces(rest.shape);
   const Real size = rest.shape.bounding_radius;
   const std::uint32_t b = t.add(t.keep(std::move(rest.shape)), Vec3(0, rest.distance, 0), BodyType::dynamic,
-                                turn_to(rest.normal, -Vec3::UnitY()));
+                                turn_between(rest.normal, -Vec3::unit_y()));
   const Vec3 x = t.world.state.x[b];
   const Quat q = t.world.state.q[b];
   for (int i = 0; i < 3600; ++i) {

@@ -18,11 +18,11 @@ enum class Ground { plane, mesh, field };
 
 double level(double, double) { return 0; }
 
-void lay(TestWorld& t, Ground ground, std::uint32_t material, const Quat& tilt = Quat::Identity()) {
+void lay(TestWorld& t, Ground ground, std::uint32_t material, const Quat& tilt = Quat::identity()) {
   if (ground == Ground::plane) {
-    t.add(t.keep(half_space(Vec3::UnitY(), 0)), Vec3::Zero(), BodyType::fixed, tilt, material);
+    t.add(t.keep(half_space(Vec3::unit_y(), 0)), Vec3::zero(), BodyType::fixed, tilt, material);
   } else if (ground == Ground::mesh) {
-    t.add(t.keep(mesh(grid(100, 50, 0.2, -4, -5, level))), Vec3::Zero(), BodyType::fixed, tilt, material);
+    t.add(t.keep(mesh(grid(100, 50, 0.2, -4, -5, level))), Vec3::zero(), BodyType::fixed, tilt, material);
   } else {
     const Shape* const field =
         t.keep(height_field(101, 51, 0.2, 0.2, [](std::uint32_t, std::uint32_t) { return 0.0; }));
@@ -45,7 +45,7 @@ Ride slide(std::uint32_t solver, const Shape& shape, Real height, const Quat& q,
   const std::uint32_t body = t.add(&shape, Vec3(-3.087, height, 0.021), BodyType::dynamic, q, smooth);
   t.run(300, kStep);
   const Vec3 push(3, 0, 0.37);
-  t.world.set_velocity(body, push, Vec3::Zero());
+  t.world.set_velocity(body, push, Vec3::zero());
   Ride ride;
   t.run(30, kStep);  // the push is one, on a plane as well
   for (int i = 0; i < 210; ++i) {
@@ -67,7 +67,7 @@ static void bodies_slide_over_ten_thousand_triangles_as_over_a_plane(void**) {
   for (Shape& s : shapes) s.mass = mass_from_form(s.form, s.radius, s.half_height, s.half, s.vertices);
   for (std::uint32_t solver = 0; solver < kSolvers; ++solver)
     for (std::size_t k = 0; k < 3; ++k) {
-      const Quat q = k == 2 ? lying : Quat(Quat::Identity());
+      const Quat q = k == 2 ? lying : Quat(Quat::identity());
       const Ride plane = slide(solver, shapes[k], heights[k], q, Ground::plane);
       for (const Ground ground : {Ground::mesh, Ground::field}) {
         const Ride ride = slide(solver, shapes[k], heights[k], q, ground);
@@ -104,10 +104,10 @@ static void a_ball_rolls_through_a_valley_and_up_again(void**) {
   // strip.
   TestWorld t;
   const std::uint32_t rough = t.material(1, 0);
-  t.add(t.keep(mesh(grid(160, 4, 0.05, -4, -0.1, [](double x, double) { return x * x / 8; }))), Vec3::Zero(),
-        BodyType::fixed, Quat::Identity(), rough);
+  t.add(t.keep(mesh(grid(160, 4, 0.05, -4, -0.1, [](double x, double) { return x * x / 8; }))), Vec3::zero(),
+        BodyType::fixed, Quat::identity(), rough);
   const std::uint32_t ball =
-      t.add(t.keep(sphere(0.2)), Vec3(-2, 0.5 + 0.2, 0), BodyType::dynamic, Quat::Identity(), rough);
+      t.add(t.keep(sphere(0.2)), Vec3(-2, 0.5 + 0.2, 0), BodyType::dynamic, Quat::identity(), rough);
   Real farthest = -2, sideways = 0;
   for (int i = 0; i < 240; ++i) {
     t.world.step(kStep);
@@ -122,7 +122,7 @@ static void a_wall_of_a_stack_stands_on_a_mesh_as_on_a_plane(void**) {
   for (const Ground ground : {Ground::plane, Ground::mesh, Ground::field}) {
     TestWorld t;
     lay(t, ground, t.material(0.5, 0));
-    const Shape* cube = t.keep(box(Vec3::Constant(0.25)));
+    const Shape* cube = t.keep(box(Vec3::constant(0.25)));
     std::vector<std::uint32_t> bodies;
     for (int i = 0; i < 8; ++i) bodies.push_back(t.add(cube, Vec3(0.03, 0.25 + 0.5 * i, -0.02)));
     t.run(1200, kStep);
@@ -139,7 +139,7 @@ static void nothing_leaves_a_room_of_triangles(void**) {
   for (const std::uint32_t solver : {2u, 4u}) {
     TestWorld t;
     t.world.set_dial(Dial::solver, solver);
-    t.add(t.keep(mesh(room)), Vec3::Zero(), BodyType::fixed);
+    t.add(t.keep(mesh(room)), Vec3::zero(), BodyType::fixed);
     const Shape* shapes[] = {t.keep(box(Vec3(0.3, 0.2, 0.25))), t.keep(sphere(0.25)), t.keep(capsule(0.2, 0.15)),
                              t.keep(cylinder(0.2, 0.2)), t.keep(cone(0.25, 0.3))};
     std::mt19937_64 random(7);
@@ -148,10 +148,10 @@ static void nothing_leaves_a_room_of_triangles(void**) {
     for (int i = 0; i < 60; ++i) {
       bodies.push_back(
           t.add(shapes[i % 5], Vec3(-1.4 + 0.7 * (i % 5), -1.4 + 0.9 * (i / 20), -1.2 + 0.8 * (i / 5 % 4))));
-      t.world.set_velocity(bodies.back(), Vec3(speed(random), speed(random), speed(random)), Vec3::Zero());
+      t.world.set_velocity(bodies.back(), Vec3(speed(random), speed(random), speed(random)), Vec3::zero());
     }
     t.run(600, kStep);
-    for (const std::uint32_t b : bodies) assert_true(t.world.state.x[b].cwiseAbs().maxCoeff() < 2);
+    for (const std::uint32_t b : bodies) assert_true(t.world.state.x[b].abs().max_entry() < 2);
     assert_true(t.world.report.linear_energy < 5);
     assert_true(t.world.report.max_penetration < 0.01);
   }
@@ -160,8 +160,8 @@ static void nothing_leaves_a_room_of_triangles(void**) {
 static void bodies_pile_up_on_a_two_sided_sheet_and_hang_below_it_in_upward_gravity(void**) {
   for (const Real side : {1.0, -1.0}) {
     TestWorld t(Vec3(0, -9.81 * side, 0));
-    t.add(t.keep(mesh(grid(10, 10, 0.4, -2, -2, level), true)), Vec3::Zero(), BodyType::fixed);
-    const std::uint32_t body = t.add(t.keep(box(Vec3::Constant(0.3))), Vec3(0, 0.5 * side, 0));
+    t.add(t.keep(mesh(grid(10, 10, 0.4, -2, -2, level), true)), Vec3::zero(), BodyType::fixed);
+    const std::uint32_t body = t.add(t.keep(box(Vec3::constant(0.3))), Vec3(0, 0.5 * side, 0));
     t.run(300, kStep);
     assert_true(std::fabs(t.world.state.x[body].y() - 0.3 * side) < 1e-3);
   }
@@ -171,10 +171,10 @@ static void bodies_pile_up_on_a_two_sided_sheet_and_hang_below_it_in_upward_grav
 static void a_plate_lies_on_a_ridge(void**) {
   TestWorld t;
   const std::uint32_t rough = t.material(0.8, 0);
-  t.add(t.keep(mesh(grid(8, 8, 0.5, -2, -2, [](double x, double) { return -std::fabs(x); }))), Vec3::Zero(),
-        BodyType::fixed, Quat::Identity(), rough);
+  t.add(t.keep(mesh(grid(8, 8, 0.5, -2, -2, [](double x, double) { return -std::fabs(x); }))), Vec3::zero(),
+        BodyType::fixed, Quat::identity(), rough);
   const std::uint32_t plate =
-      t.add(t.keep(box(Vec3(0.6, 0.05, 0.4))), Vec3(0, 0.05, 0), BodyType::dynamic, Quat::Identity(), rough);
+      t.add(t.keep(box(Vec3(0.6, 0.05, 0.4))), Vec3(0, 0.05, 0), BodyType::dynamic, Quat::identity(), rough);
   t.run(60, kStep);
   assert_true(std::fabs(t.world.state.x[plate].y() - 0.05) < 1e-3);
   for (const ContactView& v : t.world.contact_views()) assert_true(std::fabs(std::fabs(v.normal.y()) - 1) < 1e-9);
@@ -184,10 +184,10 @@ static void a_plate_lies_on_a_ridge(void**) {
 /// A kinematic mesh carries what stands on it.
 static void a_lift_of_triangles_lifts(void**) {
   TestWorld t;
-  const std::uint32_t lift = t.add(t.keep(mesh(grid(10, 10, 0.2, -1, -1, level))), Vec3::Zero(), BodyType::kinematic);
-  const std::uint32_t body = t.add(t.keep(box(Vec3::Constant(0.25))), Vec3(0, 0.25, 0));
+  const std::uint32_t lift = t.add(t.keep(mesh(grid(10, 10, 0.2, -1, -1, level))), Vec3::zero(), BodyType::kinematic);
+  const std::uint32_t body = t.add(t.keep(box(Vec3::constant(0.25))), Vec3(0, 0.25, 0));
   t.run(60, kStep);
-  t.world.set_velocity(lift, Vec3(0.2, 0.5, 0), Vec3::Zero());
+  t.world.set_velocity(lift, Vec3(0.2, 0.5, 0), Vec3::zero());
   t.run(120, kStep);
   const Vec3 up = t.world.state.x[body] - t.world.state.x[lift];
   assert_true((up - Vec3(0, 0.25, 0)).norm() < 0.01);
@@ -198,7 +198,7 @@ static void what_sleeps_on_a_mesh_wakes_where_it_lay(void**) {
   t.world.set_dial(Dial::sleep, 1);
   lay(t, Ground::mesh, t.material(0.5, 0));
   std::vector<std::uint32_t> bodies;
-  const Shape* cube = t.keep(box(Vec3::Constant(0.25)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.25)));
   for (int i = 0; i < 3; ++i) bodies.push_back(t.add(cube, Vec3(0.1, 0.25 + 0.5 * i, 0)));
   t.run(300, kStep);
   assert_int_equal(t.world.report.asleep_bodies, 3);
@@ -220,15 +220,15 @@ static void nothing_shoots_through_a_sheet(void**) {
     for (int phase = 0; phase < 8; ++phase)
       for (const Real side : {1.0, -1.0}) {
         if (side < 0 && !two_sided) continue;
-        TestWorld t(Vec3::Zero());
+        TestWorld t(Vec3::zero());
         const std::uint32_t bouncy = t.material(0, 1);
-        t.add(t.keep(mesh(grid(20, 20, 0.3, -3, -3, level), two_sided)), Vec3::Zero(), BodyType::fixed,
-              Quat::Identity(), bouncy);
+        t.add(t.keep(mesh(grid(20, 20, 0.3, -3, -3, level), two_sided)), Vec3::zero(), BodyType::fixed,
+              Quat::identity(), bouncy);
         const Real start = side * (5 + 0.4 * phase);
         const std::uint32_t ball =
-            t.add(t.keep(sphere(0.1)), Vec3(0.11, start, 0.07), BodyType::dynamic, Quat::Identity(), bouncy);
+            t.add(t.keep(sphere(0.1)), Vec3(0.11, start, 0.07), BodyType::dynamic, Quat::identity(), bouncy);
         const std::uint32_t plate = t.add(t.keep(box(Vec3(0.4, 0.02, 0.3))), Vec3(1.4, start, 1.1));
-        t.world.set_velocity(ball, Vec3(0, -side * 200, 0), Vec3::Zero());
+        t.world.set_velocity(ball, Vec3(0, -side * 200, 0), Vec3::zero());
         t.world.set_velocity(plate, Vec3(0, -side * 200, 0), Vec3(3, 0, 2));
         t.run(30, kStep);
         // 0.1 m above the sheet it turns: the way after it is what is left of 200 m/s times 0.5 s.
@@ -241,7 +241,7 @@ static void nothing_shoots_through_a_sheet(void**) {
 static void a_world_without_scenery_makes_nothing_for_it(void**) {
   TestWorld t;
   t.ground();
-  t.add(t.keep(box(Vec3::Constant(0.25))), Vec3(0, 0.25, 0));
+  t.add(t.keep(box(Vec3::constant(0.25))), Vec3(0, 0.25, 0));
   t.run(10, kStep);
   assert_null(t.world.plan->scenery.get());
   assert_int_equal(t.world.plan->find("scenery")->customers.count, 0);

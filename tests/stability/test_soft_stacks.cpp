@@ -16,7 +16,7 @@ constexpr Real kStep = 1.0 / 60, kGravity = 9.81;
 std::vector<std::uint32_t> column(TestWorld& t, int n) {
   t.world.set_dial(Dial::solver, 2);  // CAROM_SOLVER_SOFT_STEP
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   std::vector<std::uint32_t> bodies;
   for (int i = 0; i < n; ++i) bodies.push_back(t.add(cube, Vec3(0, i + 0.5, 0)));
   return bodies;
@@ -68,7 +68,7 @@ static void a_pyramid_comes_to_rest_and_stands_for_a_minute(void**) {
   TestWorld t;
   t.world.set_dial(Dial::solver, 2);
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   std::vector<std::uint32_t> bodies;
   constexpr int base = 20;
   for (int row = 0; row < base; ++row)
@@ -76,7 +76,7 @@ static void a_pyramid_comes_to_rest_and_stands_for_a_minute(void**) {
   const std::vector<Vec3> home = places(t, bodies);
   const auto energy = [&] {
     Real sum = 0;
-    for (const std::uint32_t b : bodies) sum += t.world.scene.mass[b] * t.world.state.v[b].squaredNorm() / 2;
+    for (const std::uint32_t b : bodies) sum += t.world.scene.mass[b] * t.world.state.v[b].squared_norm() / 2;
     return sum;
   };
   t.run(600, kStep);

@@ -9,7 +9,7 @@ namespace {
 
 Aabb both(const Aabb& a, const Aabb& b) {
   Aabb u;
-  u.lo = a.lo.cwiseMin(b.lo), u.hi = a.hi.cwiseMax(b.hi);
+  u.lo = a.lo.min(b.lo), u.hi = a.hi.max(b.hi);
   return u;
 }
 

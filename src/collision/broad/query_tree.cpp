@@ -14,7 +14,7 @@ constexpr std::size_t kClimb = 16;
 
 Aabb both(const Aabb& a, const Aabb& b) {
   Aabb u;
-  u.lo = a.lo.cwiseMin(b.lo), u.hi = a.hi.cwiseMax(b.hi);
+  u.lo = a.lo.min(b.lo), u.hi = a.hi.max(b.hi);
   return u;
 }
 /// Half of it, m^2.
@@ -36,8 +36,8 @@ void QueryTree::clear() {
 
 /// Outwards by kPad of the coordinate, and kBlur of all.
 void QueryTree::put(Node& node, std::uint32_t lane, const Aabb& box) const {
-  const Vec3 far = (box.lo - origin_).cwiseAbs().cwiseMax((box.hi - origin_).cwiseAbs());
-  const auto blur = static_cast<float>(kBlur * far.maxCoeff()) + FLT_MIN;
+  const Vec3 far = (box.lo - origin_).abs().max((box.hi - origin_).abs());
+  const auto blur = static_cast<float>(kBlur * far.max_entry()) + FLT_MIN;
   for (std::uint32_t k = 0; k < 3; ++k) {
     const auto lo = static_cast<float>(box.lo[k] - origin_[k]), hi = static_cast<float>(box.hi[k] - origin_[k]);
     node.planes[4 * k + lane] = lo - kPad * std::fabs(lo) - blur;
@@ -151,7 +151,7 @@ std::size_t QueryTree::halve(Item* first, std::size_t count, int depth) const {
     Aabb box;
     std::size_t count = 0;
   };
-  Vec3 lo = Vec3::Constant(kInfinity), hi = -lo;
+  Vec3 lo = Vec3::constant(kInfinity), hi = -lo;
   for (const Item* i = first; i < first + count; ++i)
     for (int k = 0; k < 3; ++k) {
       const Real c = twice_centre(i->box, k);
@@ -260,8 +260,8 @@ bool QueryTree::worn() const { return cost_ > kWear * built_cost_ || 2 * size_ <
 
 QueryTree::Line::Line(const QueryTree& tree, const Vec3& from, const Vec3& unit, const Aabb& extent) {
   constexpr Real kLeast = kBlur / 4;  // of a direction: less strays by less than the padding
-  const Vec3 reach = extent.lo.cwiseAbs().cwiseMax(extent.hi.cwiseAbs());
-  const Real blur = kBlur * ((from - tree.origin_).cwiseAbs().maxCoeff() + reach.maxCoeff());
+  const Vec3 reach = extent.lo.abs().max(extent.hi.abs());
+  const Real blur = kBlur * ((from - tree.origin_).abs().max_entry() + reach.max_entry());
   for (int k = 0; k < 3; ++k) {
     const Real o = from[k] - tree.origin_[k], d = std::copysign(std::max(std::fabs(unit[k]), kLeast), unit[k]);
     const Real more = blur + static_cast<Real>(kPad) * (std::fabs(o) + reach[k]);

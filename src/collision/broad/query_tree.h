@@ -42,7 +42,7 @@ class QueryTree {
   /// m: farther off short numbers do not reach. Who asks from there asks all leaves.
   static constexpr Real kReach = 1e17;
   /// No for what is no number, too.
-  static bool reaches(const Vec3& x) { return (x.array().abs() < kReach).all(); }
+  static bool reaches(const Vec3& x) { return x.abs().all_below(Vec3::constant(kReach)); }
   static bool reaches(const Aabb& box) { return reaches(box.lo) && reaches(box.hi); }
 
   /// Asked along a line: the way at which it enters a box.
@@ -117,7 +117,7 @@ class QueryTree {
   Array<std::uint32_t> place_;  // by leaf, or kNone
   Array<Item> items_;           // while building
   Array<std::uint32_t> dirty_;  // nodes of which a leaf changed
-  Vec3 origin_ = Vec3::Zero();  // m
+  Vec3 origin_ = Vec3::zero();  // m
   std::size_t size_ = 0, built_size_ = 0;
   Real cost_ = 0, built_cost_ = 0;  // m^2, surfaces of all nodes
 };

@@ -122,7 +122,7 @@ class Tree final : public BroadPhase {
   static Kind kind_of(const Colliders& table, std::uint32_t slot) {
     const Aabb& box = table.bounds[slot];
     if (is_empty(box)) return none;
-    const bool bounded = (box.hi - box.lo).maxCoeff() < kInfinity;
+    const bool bounded = (box.hi - box.lo).max_entry() < kInfinity;
     if (table.movable[slot]) return bounded ? moving : wide;
     return bounded ? fixed : wide_fixed;
   }
@@ -242,7 +242,7 @@ class Tree final : public BroadPhase {
     extent_.clear();
     for (const std::uint32_t slot : live_)
       if (table.movable[slot] && !is_empty(table.bounds[slot])) {
-        const Real extent = (table.bounds[slot].hi - table.bounds[slot].lo).maxCoeff();
+        const Real extent = (table.bounds[slot].hi - table.bounds[slot].lo).max_entry();
         if (extent < kInfinity) extent_.push_back(extent);
       }
     const auto n = static_cast<std::ptrdiff_t>(extent_.size()), kept = n - n / 20;
@@ -255,7 +255,7 @@ class Tree final : public BroadPhase {
   Aabb fattened(const Aabb& box, const Vec3& motion, Real share) const {
     const Vec3 extent = box.hi - box.lo;
     // What crosses its own size in a step leaves any fat box in the next: it gets none.
-    if (!(motion.cwiseAbs().array() <= extent.array()).all()) return box;
+    if (!motion.abs().all_within(extent)) return box;
     constexpr Real most = std::numeric_limits<Real>::max();
     Aabb fat;
     for (int k = 0; k < 3; ++k) {
@@ -273,7 +273,7 @@ class Tree final : public BroadPhase {
       fat_[slot] = box;
     } else if (!known) {
       share_[slot] = kFirst;
-      fat_[slot] = fattened(box, Vec3::Zero(), kFirst);
+      fat_[slot] = fattened(box, Vec3::zero(), kFirst);
     } else {
       Real& share = share_[slot];
       if (calls_ - since_[slot] < kReview) share = std::min(kMost, 2 * share);
@@ -288,7 +288,7 @@ class Tree final : public BroadPhase {
     const Aabb old = fat_[slot];
     share_[slot] = calmer(share_[slot]);
     fat_[slot] = fattened(box, motion(box, slot), share_[slot]);
-    fat_[slot].lo = fat_[slot].lo.cwiseMax(old.lo), fat_[slot].hi = fat_[slot].hi.cwiseMin(old.hi);
+    fat_[slot].lo = fat_[slot].lo.max(old.lo), fat_[slot].hi = fat_[slot].hi.min(old.hi);
     from_[slot] = 0.5 * box.lo + 0.5 * box.hi;
     since_[slot] = calls_;
   }

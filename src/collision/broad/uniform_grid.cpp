@@ -63,7 +63,7 @@ class UniformGrid final : public BroadPhase {
       const Aabb& box = table.bounds[slot];
       if (is_empty(box)) continue;
       put_six(box, &six_[6 * slot]);
-      const Real extent = (box.hi - box.lo).maxCoeff();
+      const Real extent = (box.hi - box.lo).max_entry();
       if (extent < kInfinity) {
         small_.push_back(slot);
         extent_.push_back(extent);

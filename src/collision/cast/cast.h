@@ -27,9 +27,9 @@ struct CastResult {
   Real lower = 0, upper = kInfinity;
   Real separation = 0;          // m, at `time`; negative: depth of an overlap (shape casts)
   Real slack = 0;               // m, see above
-  Vec3 normal = Vec3::Zero();   // unit, from A (or the ray) to B; zero for a miss
-  Vec3 point_a = Vec3::Zero();  // m, on A's surface (of a ray: where it is)
-  Vec3 point_b = Vec3::Zero();  // m, on B's surface
+  Vec3 normal = Vec3::zero();   // unit, from A (or the ray) to B; zero for a miss
+  Vec3 point_a = Vec3::zero();  // m, on A's surface (of a ray: where it is)
+  Vec3 point_b = Vec3::zero();  // m, on B's surface
   int iterations = 0, support_calls = 0;
 };
 

@@ -7,7 +7,7 @@ namespace carom {
 
 /// Scaled before it is turned or measured: squares of the largest would overflow.
 struct Heading {
-  Vec3 unit = Vec3::UnitX();
+  Vec3 unit = Vec3::unit_x();
   Real speed = 0;  // m per unit of time, may be infinite; 0 of no motion
 
   explicit Heading(const Vec3& motion) : Heading(motion, [](const Vec3& v) { return v; }) {}
@@ -18,7 +18,7 @@ struct Heading {
  private:
   template <class Turn>
   Heading(const Vec3& motion, const Turn& turn) {
-    const Real largest = motion.cwiseAbs().maxCoeff();
+    const Real largest = motion.abs().max_entry();
     if (!(largest > 0)) return;
     const Vec3 scaled = turn(motion / largest);
     unit = scaled / scaled.norm();

@@ -29,7 +29,7 @@ struct Entry {
   Real lower = -kInfinity, upper = kInfinity;  // where the line enters
   Real s = 0;                                  // best estimate
   bool settled = false;                        // the bracket is as narrow as asked
-  Vec3 normal = Vec3::UnitZ();                 // unit, attains `lower`: into the set
+  Vec3 normal = Vec3::unit_z();                 // unit, attains `lower`: into the set
   int count = 0;                               // of the points whose hull the line enters
   Point point[4];
   Real weight[3] = {1, 0, 0};
@@ -173,11 +173,8 @@ End enter(Set& set, const Request& request, const Vec2& first, Entry<typename Se
 
 /// Coordinates of a line: two perpendiculars of it, and its direction u, unit.
 inline Mat3 axes_along(const Vec3& u) {
-  Mat3 axes;
-  axes.col(0) = any_perpendicular(u);
-  axes.col(1) = u.cross(axes.col(0));
-  axes.col(2) = u;
-  return axes;
+  const Vec3 across = any_perpendicular(u);
+  return Mat3::columns(across, u.cross(across), u);
 }
 
 /// enters, misses: as above, from the start on. inside: it starts in the set. parting: it starts on the surface, and is
@@ -201,7 +198,7 @@ Contact meet(const Mat3& axes, const SetIn& set_in, const Request& request, cons
   if (!(entry.upper < request.start)) return entry.s <= request.stop ? Contact::enters : Contact::undecided;
   if (entry.calls >= request.cap) return Contact::undecided;
   Mat3 back = axes;
-  back.col(2) = -axes.col(2);
+  back.set_col(2, -axes.col(2));
   auto behind = set_in(back, Real(-1));
   Request turned = request;
   turned.start = -kInfinity;

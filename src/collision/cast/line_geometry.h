@@ -8,8 +8,6 @@
 
 namespace carom::line {
 
-using Vec2 = Eigen::Matrix<Real, 2, 1, Eigen::DontAlign>;
-
 inline Real cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The feature of up to three points nearest to the line, seen along it.
@@ -17,21 +15,21 @@ struct Shadow {
   bool inside = false;  // the line goes through the triangle
   int count = 0;        // 1 or 2; 3 if inside
   int index[3] = {0, 1, 2};
-  Vec2 direction = Vec2::Zero();  // the way of the feature from the line, any length; square to an edge, no difference
+  Vec2 direction = Vec2::zero();  // the way of the feature from the line, any length; square to an edge, no difference
                                   // of nearly equal numbers
   Real distance2 = kInfinity;
 };
 
 inline void offer_shadow(const Vec3* y, int i, int j, Shadow& shadow) {
-  const Vec2 p = y[i].head<2>(), q = y[j].head<2>(), e = q - p;
-  const Real along = -p.dot(e), length2 = e.squaredNorm();
+  const Vec2 p = y[i].xy(), q = y[j].xy(), e = q - p;
+  const Real along = -p.dot(e), length2 = e.squared_norm();
   Shadow found;
   if (along <= 0 || along >= length2) {
     const int k = along <= 0 ? i : j;
     found.count = 1;
     found.index[0] = k;
-    found.direction = y[k].head<2>();
-    found.distance2 = found.direction.squaredNorm();
+    found.direction = y[k].xy();
+    found.distance2 = found.direction.squared_norm();
   } else {
     const Real side = cross2(p, e);
     found.count = 2;
@@ -47,8 +45,8 @@ inline Shadow nearest_shadow(const Vec3* y, int count) {
   Shadow shadow;
   if (count == 1) {
     shadow.count = 1;
-    shadow.direction = y[0].head<2>();
-    shadow.distance2 = shadow.direction.squaredNorm();
+    shadow.direction = y[0].xy();
+    shadow.distance2 = shadow.direction.squared_norm();
   } else if (count == 2) {
     offer_shadow(y, 0, 1, shadow);
   } else {
@@ -56,7 +54,7 @@ inline Shadow nearest_shadow(const Vec3* y, int count) {
     for (int i = 0; i < 3; ++i) {
       const int j = i == 2 ? 0 : i + 1;
       // From the point itself along the edge: an error of u |p| across the edge, however short the edge is.
-      side[i] = cross2(y[i].head<2>(), Vec2(y[j].head<2>() - y[i].head<2>()));
+      side[i] = cross2(y[i].xy(), Vec2(y[j].xy() - y[i].xy()));
     }
     const bool left = side[0] >= 0 && side[1] >= 0 && side[2] >= 0,
                right = side[0] <= 0 && side[1] <= 0 && side[2] <= 0;
@@ -74,14 +72,14 @@ inline Shadow nearest_shadow(const Vec3* y, int count) {
 /// Where the line first comes within the radius of a feature.
 struct Crossing {
   Real s = kInfinity;
-  Vec3 normal = Vec3::UnitZ();  // unit, from the line's point to the feature's; third component >= 0
+  Vec3 normal = Vec3::unit_z();  // unit, from the line's point to the feature's; third component >= 0
   int count = 0;
   int index[3] = {0, 0, 0};
   Real weight[3] = {1, 0, 0};  // of the feature's point
 };
 
 inline void offer_vertex(const Vec3* y, int i, Real radius, Crossing& best) {
-  const Real off = y[i].head<2>().norm();
+  const Real off = y[i].xy().norm();
   if (!(off <= radius)) return;
   const Real depth = std::sqrt((radius - off) * (radius + off));
   const Real s = y[i].z() - depth;
@@ -97,13 +95,13 @@ inline void offer_vertex(const Vec3* y, int i, Real radius, Crossing& best) {
 /// the line by `back` brings the distance to the radius.
 inline void offer_edge(const Vec3* y, int i, int j, Real radius, Crossing& best) {
   const Vec3 e = y[j] - y[i];
-  const Real flat2 = e.head<2>().squaredNorm(), length2 = flat2 + e.z() * e.z();
-  const Real side = cross2(y[i].head<2>(), e.head<2>());
+  const Real flat2 = e.xy().squared_norm(), length2 = flat2 + e.z() * e.z();
+  const Real side = cross2(y[i].xy(), e.xy());
   if (!(side * side <= radius * radius * flat2) || !(flat2 > 1e-30 * length2)) return;  // parallel: its ends will do
   const Real flat = std::sqrt(flat2), off = side / flat;
   const Real share = flat2 / length2;  // sin^2 of the angle between edge and line
   const Real back = std::sqrt((radius - off) * (radius + off) / share);
-  const Real passing = -y[i].head<2>().dot(e.head<2>()) / flat2;  // weight of j where they pass
+  const Real passing = -y[i].xy().dot(e.xy()) / flat2;  // weight of j where they pass
   const Real s = y[i].z() + passing * e.z() - back;
   const Real weight = passing - back * e.z() / length2;
   if (!(s < best.s) || !(weight >= 0 && weight <= 1)) return;
@@ -125,26 +123,26 @@ inline bool passes_by(const Vec2& a, const Vec2& b, const Vec2& c, Real radius) 
   const Vec2 ab = b - a, bc = c - b, ca = a - c;
   const Real side[3] = {cross2(a, ab), cross2(b, bc), cross2(c, ca)};
   const Real sign = side[0] + side[1] + side[2] < 0 ? -1 : 1, r2 = radius * radius;
-  return (sign * side[0] < 0 && side[0] * side[0] > r2 * ab.squaredNorm()) ||
-         (sign * side[1] < 0 && side[1] * side[1] > r2 * bc.squaredNorm()) ||
-         (sign * side[2] < 0 && side[2] * side[2] > r2 * ca.squaredNorm());
+  return (sign * side[0] < 0 && side[0] * side[0] > r2 * ab.squared_norm()) ||
+         (sign * side[1] < 0 && side[1] * side[1] > r2 * bc.squared_norm()) ||
+         (sign * side[2] < 0 && side[2] * side[2] > r2 * ca.squared_norm());
 }
 
 /// The face ijk, pushed towards the line's start by the radius.
 inline void offer_face(const Vec3* y, int i, int j, int k, Real radius, Crossing& best) {
   // The radius is more than all rounding together: what is wrongly passed by is entered elsewhere as early.
-  if (passes_by(y[i].head<2>(), y[j].head<2>(), y[k].head<2>(), radius)) return;
+  if (passes_by(y[i].xy(), y[j].xy(), y[k].xy(), radius)) return;
   const Vec3 raw = triangle_normal(y[i], y[j], y[k]);
   const Real length = raw.norm();
   if (!(std::fabs(raw.z()) > 1e-15 * length)) return;
   const Vec3 n = raw * ((raw.z() < 0 ? -1 : 1) / length);
   // Through the vertex nearest to the line, where the product has the smallest error.
-  const Real li = y[i].head<2>().squaredNorm(), lj = y[j].head<2>().squaredNorm(), lk = y[k].head<2>().squaredNorm();
+  const Real li = y[i].xy().squared_norm(), lj = y[j].xy().squared_norm(), lk = y[k].xy().squared_norm();
   const Vec3& p = li <= lj ? (li <= lk ? y[i] : y[k]) : (lj <= lk ? y[j] : y[k]);
-  const Real s = p.z() + (n.head<2>().dot(p.head<2>()) - radius) / n.z();
+  const Real s = p.z() + (n.xy().dot(p.xy()) - radius) / n.z();
   if (!(s < best.s)) return;
-  const Vec2 foot = radius * n.head<2>();
-  const Vec2 a = y[i].head<2>() - foot, b = y[j].head<2>() - foot, c = y[k].head<2>() - foot;
+  const Vec2 foot = radius * n.xy();
+  const Vec2 a = y[i].xy() - foot, b = y[j].xy() - foot, c = y[k].xy() - foot;
   const Real sign = raw.z() < 0 ? -1 : 1;
   const Real wi = sign * cross2(b, Vec2(c - b)), wj = sign * cross2(c, Vec2(a - c)), wk = sign * cross2(a, Vec2(b - a));
   if (!(wi >= 0 && wj >= 0 && wk >= 0)) return;

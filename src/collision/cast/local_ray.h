@@ -15,8 +15,8 @@ struct LocalRay {
   LocalRay(const Ray& ray, const Shape& shape, const Frame& frame, Real target) {
     o = frame.apply_inverse(ray.origin);
     const Vec3 d = frame.rotate_inverse(ray.direction);
-    const Real largest = d.cwiseAbs().maxCoeff();
-    const Vec3 scaled = largest > 0 ? Vec3(d / largest) : Vec3(Vec3::UnitX());
+    const Real largest = d.abs().max_entry();
+    const Vec3 scaled = largest > 0 ? Vec3(d / largest) : Vec3(Vec3::unit_x());
     const Real length = scaled.norm();
     u = scaled / length;
     speed = largest * length;

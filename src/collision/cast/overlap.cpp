@@ -51,7 +51,7 @@ class Search {
     const Real radii = difference_.radii();
     Vec3 n = difference_.centre_offset();
     const Real length = n.norm();
-    n = length > 1e-100 ? Vec3(n / length) : Vec3(Vec3::UnitX());
+    n = length > 1e-100 ? Vec3(n / length) : Vec3(Vec3::unit_x());
     DifferencePoint p[4];
     Vec3 w[4];
     int count = 0;
@@ -72,14 +72,14 @@ class Search {
       Nearest nearest;
       nearest_voronoi_last(w, count, nearest);
       if (!nearest.inside && !(nearest.distance2 < before)) nearest_voronoi(w, count, nearest);
-      Vec3 v = Vec3::Zero();
+      Vec3 v = Vec3::zero();
       for (int i = 0; i < nearest.count; ++i) v += nearest.weight[i] * w[nearest.index[i]];
       if (v.norm() < radii - rounding_ || (nearest.inside && depth_in(w) > rounding_)) {
         write_witness(p, nearest);
         return true;
       }
       if (nearest.inside || !(nearest.distance2 < before)) return true;
-      const Real d2 = nearest.direction.squaredNorm();
+      const Real d2 = nearest.direction.squared_norm();
       if (!(d2 > 0)) return true;
       before = nearest.distance2;
       n = nearest.direction / std::sqrt(d2);
@@ -91,7 +91,7 @@ class Search {
   }
 
   void write_witness(const DifferencePoint* p, const Nearest& nearest) {
-    Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
+    Vec3 on_a = Vec3::zero(), on_b = Vec3::zero();
     for (int i = 0; i < nearest.count; ++i) {
       on_a += nearest.weight[i] * p[nearest.index[i]].a;
       on_b += nearest.weight[i] * p[nearest.index[i]].b;
@@ -177,7 +177,7 @@ OverlapResult overlap_with_point(const Shape& shape, const Vec3& point, Real tar
                                  SupportFault& fault) {
   Shape dot(std::pmr::null_memory_resource());
   dot.support = point_support;
-  OverlapResult result = overlap(dot, shape, Frame(Mat3::Identity(), -point), target, rounding, cap, fault);
+  OverlapResult result = overlap(dot, shape, Frame(Mat3::identity(), -point), target, rounding, cap, fault);
   result.point += point;
   return result;
 }

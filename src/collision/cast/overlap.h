@@ -10,8 +10,8 @@ enum class Overlap : std::uint32_t { apart, overlapping, touching, fault };
 struct OverlapResult {
   Overlap outcome = Overlap::touching;  // touching: within rounding neither was proven (or the cap came first)
   Real separation_bound = -kInfinity;   // m; apart: the separation is larger than this, which is larger than the target
-  Vec3 normal = Vec3::Zero();           // unit, A's frame, from A to B; apart: proves the bound
-  Vec3 point = Vec3::Zero();            // m, A's frame; overlapping: in both shapes
+  Vec3 normal = Vec3::zero();           // unit, A's frame, from A to B; apart: proves the bound
+  Vec3 point = Vec3::zero();            // m, A's frame; overlapping: in both shapes
   Real slack = 0;                       // m, what rounding may have done
   int support_calls = 0;
 };

@@ -19,7 +19,7 @@ class RaySet {
 
   /// @param basis  columns: two perpendiculars of the line, its direction; shape frame
   /// @param offset of the line across itself, scaled
-  RaySet(const Shape& shape, const Mat3& basis, const line::Vec2& offset, Real scale, SupportFault& fault)
+  RaySet(const Shape& shape, const Mat3& basis, const Vec2& offset, Real scale, SupportFault& fault)
       : core_(shape),
         basis_(basis),
         scaled_(scale * basis.transpose()),
@@ -28,7 +28,7 @@ class RaySet {
 
   bool support(const Vec3& n, Point& out) {
     const Vec3 d = -(basis_ * n);
-    Vec3 p = Vec3::Zero();
+    Vec3 p = Vec3::zero();
     if (!core_.support(d, p)) return core_.blame(d, p, fault_);
     out.y = scaled_ * p - offset_;
     return true;
@@ -77,7 +77,7 @@ bool passes_box(const Shape& shape, const LocalRay& r, Real target) {
 /// A plane is met at one time, known in closed form.
 void cast_at_plane(const Ray& ray, const Shape& shape, const Frame& frame, Real target, CastResult& result) {
   const Vec3 n = frame.rotate(shape.normal), from = ray.origin - frame.p;
-  if (!(from.cwiseAbs().sum() < 1e100 && ray.direction.cwiseAbs().sum() < 1e100)) {
+  if (!(from.abs().sum() < 1e100 && ray.direction.abs().sum() < 1e100)) {
     result.outcome = CastOutcome::undecided;
     result.status = QueryStatus::rounding;
     return;
@@ -92,7 +92,7 @@ void cast_at_plane(const Ray& ray, const Shape& shape, const Frame& frame, Real 
     result.upper = 0;
     result.separation = height;
   } else if (!(rate < 0) || gap > -rate * ray.max) {
-    result.normal.setZero();
+    result.normal.set_zero();
     return miss(ray, result);
   } else {
     result.outcome = CastOutcome::hit;
@@ -155,7 +155,7 @@ void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const Cast
   result.slack = 3 * r.rounding;
   if (settings.routines && cast_at_form(ray, shape, frame, r, settings, result)) return;
   const Vec3 off = r.o - r.start * r.u;
-  if (!(off.squaredNorm() <= r.reach * r.reach) || r.start > r.reach || r.stop < -r.reach) return miss(ray, result);
+  if (!(off.squared_norm() <= r.reach * r.reach) || r.start > r.reach || r.stop < -r.reach) return miss(ray, result);
   if (!(r.speed * ray.max > 0)) return ask_point(ray, shape, frame, settings, result, fault);
   if (passes_box(shape, r, target)) return miss(ray, result);
 
@@ -163,7 +163,7 @@ void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const Cast
   std::frexp(r.reach, &exponent);
   const Real scale = std::ldexp(Real(1), -std::clamp(exponent, -1000, 1000));
   const Mat3 basis = line::axes_along(r.u);
-  const line::Vec2 offset = scale * (basis.transpose() * off).head<2>();
+  const Vec2 offset = scale * (basis.transpose() * off).xy();
   line::Request request;
   request.radius = scale * (shape.core_radius + target);
   request.rounding = scale * r.rounding;
@@ -176,7 +176,7 @@ void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const Cast
   const auto set_in = [&](const Mat3& axes, Real) { return RaySet(shape, axes, offset, scale, fault); };
   RayEntry entry;
   const Vec3 centre = 0.5 * (shape.bounds.lo + shape.bounds.hi);
-  const line::Vec2 first = scale * (basis.transpose() * centre).head<2>() - offset;
+  const Vec2 first = scale * (basis.transpose() * centre).xy() - offset;
   const line::Contact contact = line::meet(basis, set_in, request, first, entry);
   result.support_calls = result.iterations = entry.calls;
   const bool capped = entry.calls >= settings.cap, inside = contact == line::Contact::inside;

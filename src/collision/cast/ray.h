@@ -9,8 +9,8 @@ namespace carom {
 
 /// The points origin + t direction, 0 <= t <= max. A direction of zero asks whether the origin is in the shape.
 struct Ray {
-  Vec3 origin = Vec3::Zero();     // m
-  Vec3 direction = Vec3::Zero();  // m per unit of t, any length
+  Vec3 origin = Vec3::zero();     // m
+  Vec3 direction = Vec3::zero();  // m per unit of t, any length
   Real max = 1;                   // >= 0, may be infinite
 };
 

@@ -101,7 +101,7 @@ class Box {
   Box(const Shape& shape, const LocalRay& r, Real) : half_(shape.half), o_(r.o), u_(r.u) {
     for (int i = 0; i < 3; ++i) by_[i] = 1 / u_[i];
   }
-  bool usable(const LocalRay& r) const { return half_.minCoeff() > 4 * r.rounding; }
+  bool usable(const LocalRay& r) const { return half_.min_entry() > 4 * r.rounding; }
   Chord chord(Real more) const {
     Chord c{true, -kInfinity, kInfinity};
     for (int i = 0; i < 3; ++i) {
@@ -123,7 +123,7 @@ class Box {
     const Vec3 p = r.o + s * r.u;
     for (int i = 0; i < 3; ++i)
       if (std::fabs(p[i]) - half_[i] > most) most = std::fabs(p[i]) - half_[i], axis = i;
-    Vec3 n = Vec3::Zero();
+    Vec3 n = Vec3::zero();
     n[axis] = p[axis] < 0 ? -1 : 1;
     return n;
   }

@@ -48,7 +48,7 @@ void miss(CastResult& result) {
   result.outcome = CastOutcome::miss;
   result.time = result.lower = 1;
   result.upper = kInfinity;
-  result.normal.setZero();
+  result.normal.set_zero();
 }
 
 /// All that the walks share.
@@ -128,7 +128,7 @@ struct Cast {
     }
     if (a.form == Form::half_space || b.form == Form::half_space) return at_plane();
     const Vec3 d = frame_a.rotate_inverse(motion);
-    const Real largest = d.cwiseAbs().maxCoeff();
+    const Real largest = d.abs().max_entry();
     if (!(largest > 0)) return at_rest();
     const Vec3 u = direction_of(d);
     along(u, largest * (d / largest).norm());
@@ -138,7 +138,7 @@ struct Cast {
   void along(const Vec3& u, Real length) {
     const Real ahead = u.dot(b_in_a.p);
     const Real reach = (1 + 1e-6) * (a.bounding_radius + b.bounding_radius + settings.target) + rounding;
-    if (!((b_in_a.p - ahead * u).squaredNorm() <= reach * reach) || ahead < -reach || ahead > length + reach)
+    if (!((b_in_a.p - ahead * u).squared_norm() <= reach * reach) || ahead < -reach || ahead > length + reach)
       return miss(result);
 
     Difference difference(a, b, b_in_a, settings.target);
@@ -152,7 +152,7 @@ struct Cast {
     const Real smaller = std::min(a.bounding_radius, b.bounding_radius);
     request.width = difference.to_scaled(settings.tolerance * (smaller > 0 ? smaller : reach));
     request.cap = settings.cap;
-    const line::Vec2 first = (basis.transpose() * difference.centre_offset()).head<2>();
+    const Vec2 first = (basis.transpose() * difference.centre_offset()).xy();
 
     const Real from = difference.to_scaled(ahead);
     const auto set_in = [&](const Mat3& axes, Real side) { return DifferenceSet(difference, axes, side * from); };
@@ -186,7 +186,7 @@ struct Cast {
     result.upper = std::max(time(e.upper), result.lower);
     result.time = std::clamp(time(e.s), result.lower, result.upper);
     result.separation = settings.target;
-    Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
+    Vec3 on_a = Vec3::zero(), on_b = Vec3::zero();
     for (int i = 0; i < e.count; ++i) {
       on_a += e.weight[i] * e.point[i].d.a;
       on_b += e.weight[i] * e.point[i].d.b;

@@ -37,13 +37,13 @@ class Advance {
         fault_(fault) {
     // Seen from where A starts, moving along with its centre: far from the origin nothing is lost.
     origin_ = motion_a.at.p;
-    ma_.at.p.setZero();
+    ma_.at.p.set_zero();
     ma_.centre -= origin_;
     mb_.at.p -= origin_;
     mb_.centre -= origin_;
     mb_.velocity -= ma_.velocity;
     drift_ = ma_.velocity;
-    ma_.velocity.setZero();
+    ma_.velocity.set_zero();
     arm_a_ = arm(a, ma_);
     arm_b_ = arm(b, mb_);
     const Real size = flat(a)   ? b.bounding_radius
@@ -262,7 +262,7 @@ class Advance {
   struct Seen {
     Real t = 0, rounding = 0;  // s; m, of the poses
     Frame frame_a, frame_b;
-    Vec3 normal = Vec3::UnitX();  // world
+    Vec3 normal = Vec3::unit_x();  // world
     QueryResult found;
   } seen_;
   QueryMemory memory_;

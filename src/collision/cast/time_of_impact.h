@@ -8,9 +8,9 @@ namespace carom {
 /// A motion at constant velocity and angular velocity: the centre goes straight, the shape turns about it.
 struct RigidMotion {
   Pose at;                       // of the shape, at time 0
-  Vec3 centre = Vec3::Zero();    // m, at time 0: what the shape turns about
-  Vec3 velocity = Vec3::Zero();  // m/s, of the centre
-  Vec3 omega = Vec3::Zero();     // rad/s, in the frame of the poses
+  Vec3 centre = Vec3::zero();    // m, at time 0: what the shape turns about
+  Vec3 velocity = Vec3::zero();  // m/s, of the centre
+  Vec3 omega = Vec3::zero();     // rad/s, in the frame of the poses
 
   /// exp(omega t) turns the shape, velocity t moves the centre.
   Pose after(Real t) const {

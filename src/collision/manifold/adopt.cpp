@@ -13,7 +13,7 @@ constexpr Real kLoyalty = 0.02;
 constexpr Real kNear = 0.2;
 
 Real distance2(const ContactPoint& p, const ContactPoint& q) {
-  return std::min((p.on_a - q.on_a).squaredNorm(), (p.on_b - q.on_b).squaredNorm());
+  return std::min((p.on_a - q.on_a).squared_norm(), (p.on_b - q.on_b).squared_norm());
 }
 
 /// The new point that an old one became, or -1.
@@ -38,7 +38,7 @@ void adopt(const Frame& a, const ContactPoint* points, int count, const Manifold
   for (int i = 0; i < count; ++i) {
     taken[i] = !(points[i].separation <= settings.contact_distance);
     near += !taken[i];
-    width2 = std::max(width2, (points[i].on_a - points[0].on_a).squaredNorm());
+    width2 = std::max(width2, (points[i].on_a - points[0].on_a).squared_norm());
   }
   if (near == 0) {
     manifold.count = 0;

@@ -24,7 +24,7 @@ void refresh(const Frame& a, const Frame& b, const Vec3& normal, const ManifoldS
     p.separation = normal.dot(gap);
     if (!(p.separation <= settings.contact_distance)) continue;
     const Vec3 drift = gap - p.separation * normal;
-    if (!(drift.squaredNorm() <= settings.cache_distance * settings.cache_distance)) continue;
+    if (!(drift.squared_norm() <= settings.cache_distance * settings.cache_distance)) continue;
     pool.add(p, p.age + 1);
   }
 }

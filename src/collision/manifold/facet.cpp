@@ -60,7 +60,7 @@ bool ask_ring(const Prober& probe, const Vec3& about, Real tilt, Ring& p) {
 /// The longest chord between opposite points of a ring, and how far another one reaches beside it.
 struct Chords {
   Real length = 0, width = 0;  // m
-  Vec3 along = Vec3::UnitX();  // unit
+  Vec3 along = Vec3::unit_x();  // unit
   Vec3 normal;                 // unit, across both; valid if width > 0
   int longest = 0;
 
@@ -74,7 +74,7 @@ struct Chords {
     }
     if (!(length > 0)) return;
     along = chord[longest] / length;
-    Vec3 beside = Vec3::Zero();
+    Vec3 beside = Vec3::zero();
     for (int k = 0; k < half; ++k) {
       const Vec3 q = chord[k] - chord[k].dot(along) * along;
       const Real w = q.norm();
@@ -89,7 +89,7 @@ struct Chords {
 
 int count_distinct(const Ring& p, Real noise) {
   int n = 0;
-  for (int k = 0; k < p.count; ++k) n += (p[k] - p[k + 1 < p.count ? k + 1 : 0]).squaredNorm() > noise * noise;
+  for (int k = 0; k < p.count; ++k) n += (p[k] - p[k + 1 < p.count ? k + 1 : 0]).squared_norm() > noise * noise;
   return n;
 }
 
@@ -134,10 +134,10 @@ void be_face(const Ring& p, const Vec3& normal, Real noise, Facet& f) {
   f.normal = normal;
   f.count = 0;
   for (int k = 0; k < p.count; ++k) {
-    if (f.count > 0 && (p[k] - f.corner[f.count - 1]).squaredNorm() <= noise * noise) continue;
+    if (f.count > 0 && (p[k] - f.corner[f.count - 1]).squared_norm() <= noise * noise) continue;
     f.corner[f.count++] = p[k];
   }
-  while (f.count > 1 && (f.corner[0] - f.corner[f.count - 1]).squaredNorm() <= noise * noise) --f.count;
+  while (f.count > 1 && (f.corner[0] - f.corner[f.count - 1]).squared_norm() <= noise * noise) --f.count;
 }
 
 /// The facet within the rings' tilts. @param sharp  it is a corner or an edge for certain, after one ring
@@ -164,7 +164,7 @@ bool fit_near(const Prober& probe, const Vec3& n, Facet& f, bool& sharp) {
       // Few corners: all of them. Many: a ring square to the face leaves out fewest, and finds a rim at azimuths that
       // stay put in the body.
       const int distinct = count_distinct(p, noise);
-      const bool square = (c.normal - about).squaredNorm() < 0.01 * kTilt[i] * kTilt[i];
+      const bool square = (c.normal - about).squared_norm() < 0.01 * kTilt[i] * kTilt[i];
       if (distinct <= 4 || (distinct < Facet::kAzimuths && square) || i > 0)
         return be_face(p, c.normal, noise, f), true;
     } else if (last) {
@@ -205,14 +205,14 @@ bool fit_facet(const Prober& probe, const Vec3& n, Real reach, Facet& f) {
 Vec3 steady_perpendicular(const Vec3& n) {
   constexpr Real kSeam = 0.58;  // a unit vector has a component below 1/sqrt(3) = 0.5774
   const int axis = std::fabs(n.x()) < kSeam ? 0 : std::fabs(n.y()) < kSeam ? 1 : 2;
-  const Vec3 e = Vec3::Unit(axis) - n[axis] * n;
+  const Vec3 e = Vec3::unit(axis) - n[axis] * n;
   return e / e.norm();
 }
 
 bool Prober::operator()(const Vec3& d, Vec3& out) const {
   ++calls;
   Core core(shape);
-  out.setZero();
+  out.set_zero();
   return core.support(d, out) || core.blame(d, out, fault);
 }
 

@@ -17,9 +17,9 @@ struct Facet {
   int ring = 0;  // of an edge: which ring found it
   int count = 0;
   Vec3 corner[kAzimuths];       // m; of a face counter-clockwise about `normal`, of an edge its two ends
-  Vec3 normal = Vec3::UnitY();  // unit; of a face its outward normal, else the direction asked for
-  Vec3 along = Vec3::UnitX();   // unit; of an edge
-  Vec3 tip = Vec3::Zero();      // m: a support point along the direction asked for
+  Vec3 normal = Vec3::unit_y();  // unit; of a face its outward normal, else the direction asked for
+  Vec3 along = Vec3::unit_x();   // unit; of an edge
+  Vec3 tip = Vec3::zero();      // m: a support point along the direction asked for
 
   // Corners of a declared polytope's face (clip): vertices[3 loop[i]], in place of `corner`
   const double* vertices = nullptr;

@@ -9,9 +9,9 @@
 namespace carom {
 
 struct ContactPoint {
-  Vec3 on_a = Vec3::Zero();     // m, frame of collider A's shape
-  Vec3 on_b = Vec3::Zero();     // m, frame of collider B's shape
-  Vec3 normal = Vec3::UnitY();  // unit, WORLD frame, from A to B
+  Vec3 on_a = Vec3::zero();     // m, frame of collider A's shape
+  Vec3 on_b = Vec3::zero();     // m, frame of collider B's shape
+  Vec3 normal = Vec3::unit_y();  // unit, WORLD frame, from A to B
   Real separation = 0;          // m, negative in overlap, at the last refresh
   std::uint32_t feature = 0;    // which features met, to match points between steps; 0: unknown
   std::uint32_t age = 0;        // steps since it was added

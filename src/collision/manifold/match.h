@@ -13,7 +13,7 @@ inline Real merge_distance(const ManifoldSettings& settings) { return settings.c
 inline bool same_point(const ContactPoint& p, const ContactPoint& q, Real distance) {
   if (p.feature != 0 && p.feature == q.feature) return true;
   const Real d2 = distance * distance;
-  return (p.on_a - q.on_a).squaredNorm() <= d2 || (p.on_b - q.on_b).squaredNorm() <= d2;
+  return (p.on_a - q.on_a).squared_norm() <= d2 || (p.on_b - q.on_b).squared_norm() <= d2;
 }
 
 }  // namespace carom

@@ -182,7 +182,7 @@ class Patch {
     outline(a_, Frame(), false, a);
     outline(b_, b_in_a_, true, b);
     const Real tolerance =
-        std::max(1e-9 * size_, 16 * kUnitRoundoff * (b_in_a_.p.cwiseAbs().sum() + size_of_both())) + terms_.tolerance;
+        std::max(1e-9 * size_, 16 * kUnitRoundoff * (b_in_a_.p.abs().sum() + size_of_both())) + terms_.tolerance;
     Meetings met;
     cut_outlines(a, b, tolerance, met);
     for (int i = 0; i < met.count; ++i) {
@@ -268,7 +268,7 @@ void adopt_patch(const PatchPair& pair, const Candidates& found, const ManifoldS
   const Vec3 n_b = pair.frame_b.rotate_inverse(manifold.point[0].normal);
   // Of two boxes the normal is a face's, and so along an axis, or of two edges.
   const auto own = [](const Shape& s, const Vec3& n) {
-    return s.form == Form::half_space || (s.form == Form::box && n.cwiseAbs().maxCoeff() > 1 - 1e-12);
+    return s.form == Form::half_space || (s.form == Form::box && n.abs().max_entry() > 1 - 1e-12);
   };
   const bool of_a = own(pair.a, n_a);
   if (!of_a && !own(pair.b, n_b)) return;

@@ -17,7 +17,7 @@ struct PatchPair {
 struct PatchMemory {
   bool firm = false;            // its normal is a face's, and none of its facets is round
   bool of_b = false;            // whose face
-  Vec3 normal = Vec3::UnitY();  // unit, A to B, frame of the one whose face it is
+  Vec3 normal = Vec3::unit_y();  // unit, A to B, frame of the one whose face it is
   Frame b_in_a;                 // when it was made
 };
 

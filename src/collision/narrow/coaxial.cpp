@@ -106,7 +106,7 @@ bool write_corner(Difference& difference, const Profile::Corner& corner, const V
   const Real height = 0.5 * up.dot(rim[0].w + rim[1].w);
   if (std::fabs(height - corner.y) > 4 * rounding + slop) {
     put(corner.point, share);
-    return (corner.point.w - corner.y * up).squaredNorm() <= rounding;
+    return (corner.point.w - corner.y * up).squared_norm() <= rounding;
   }
   put(rim[0], 0.5 * share);
   put(rim[1], 0.5 * share);
@@ -126,7 +126,7 @@ Axis common_axis(const Shape& a, const Shape& b, const Frame& b_in_a) {
     return axis;
   }
   const Vec3 from_b = b_in_a.r.col(of_b == 3 ? 0 : of_b);
-  axis.along = of_a == 3 ? Vec3(from_b / from_b.norm()) : Vec3(Vec3::Unit(of_a));
+  axis.along = of_a == 3 ? Vec3(from_b / from_b.norm()) : Vec3(Vec3::unit(of_a));
   Real tilt = 0;  // 2 sin of half the angle between the axes
   if (of_a != 3 && of_b != 3) {
     const Real same_way = from_b.dot(axis.along) < 0 ? -1 : 1;
@@ -218,7 +218,7 @@ EpaEnd coaxial(Difference& difference, const Axis& axis, Real gap, int cap, Diff
   };
   const bool written = write(from, 1 - share) && write(profile[from].next, share);
   if (difference.fault.kind != SupportFault::none) return EpaEnd::fault;
-  Vec3 witness = Vec3::Zero();
+  Vec3 witness = Vec3::zero();
   for (int i = 0; i < simplex.count; ++i) witness += simplex.weight[i] * simplex.point[i].w;
   // The pair is one of revolution only nearly: its own points must lie where the bracket says, or EPA has to find some.
   const Real off = std::fabs(difference.normal().dot(witness) - difference.lower);

@@ -11,7 +11,7 @@ namespace carom {
 /// d leave d (1 - cos(pi / n)) between it and the bracket, 3e-5 d for all 512 that EPA may have. Revolved, a polygon of
 /// a dozen corners leaves nothing. Who is allowed to revolve says the declared form, which was verified.
 struct Axis {
-  Vec3 along = Vec3::UnitY();  // unit, A's frame, through A's origin
+  Vec3 along = Vec3::unit_y();  // unit, A's frame, through A's origin
   Real uneven = kInfinity;     // m: no point of B is farther from where it would be on that axis; infinite: no axis
   Real tilt = 0;               // angle between the shapes' own axes, as twice the sine of its half
 };

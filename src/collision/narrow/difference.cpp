@@ -30,7 +30,7 @@ void record(SupportFault& fault, SupportFault::Kind kind, const Shape* shape, co
 
 Difference::Difference(const Shape& a, const Shape& b, const Frame& b_in_a, Real shell)
     : core_a_(a), core_b_(b), rotation_(b_in_a.r), offset_(b_in_a.p) {
-  const Real size = b_in_a.p.cwiseAbs().sum() + a.bounding_radius + b.bounding_radius + shell;
+  const Real size = b_in_a.p.abs().sum() + a.bounding_radius + b.bounding_radius + shell;
   usable_ = a.support && b.support && finite(size) && carom::usable(b_in_a);
   if (!usable_) return;
   scale_ = scale_of(size);

@@ -74,7 +74,7 @@ class Difference {
 
  private:
   Core core_a_, core_b_;
-  Vec3 looks_[2] = {Vec3::UnitX(), Vec3::UnitX()};
+  Vec3 looks_[2] = {Vec3::unit_x(), Vec3::unit_x()};
   int best_ = 0;  // of the two looks
   Mat3 rotation_;
   Vec3 offset_;  // m

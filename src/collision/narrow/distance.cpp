@@ -59,7 +59,7 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
   const ContactPoint* const nearest = deepest(found);
   // The routine is no judge of shapes apart.
   if (specific && !entry.exact_apart && !nearest) return ask_gjk();
-  const Real size = b_in_a.p.cwiseAbs().sum() + extent(a) + extent(b);
+  const Real size = b_in_a.p.abs().sum() + extent(a) + extent(b);
   const Real slack = (kBracketRounding * kUnitRoundoff + (specific ? entry.accuracy : 0)) * size;
   const Real asked = settings.tolerance * size_of_pair(a, b, b_in_a);
   if (specific && entry.accuracy > 0 && 2 * slack > asked && !flat_a && !flat_b) return ask_gjk();  // not exact enough

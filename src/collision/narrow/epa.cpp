@@ -40,7 +40,7 @@ void drop_to_feature(Difference& difference, DifferenceSimplex& simplex) {
   offer_face(w, 0, 2, 3, nearest);
   offer_face(w, 1, 2, 3, nearest);
   const DifferenceSimplex all = simplex;
-  Vec3 v = Vec3::Zero();
+  Vec3 v = Vec3::zero();
   simplex.count = nearest.count;
   for (int i = 0; i < nearest.count; ++i) {
     simplex.point[i] = all.point[nearest.index[i]];
@@ -65,7 +65,7 @@ Build build_tetrahedron(Difference& difference, DifferenceSimplex& simplex) {
   }
   if (simplex.count == 3) {
     const Vec3 n = triangle_normal(p[0].w, p[1].w, p[2].w);
-    if (!(n.squaredNorm() > flat * flat * (p[1].w - p[0].w).squaredNorm())) simplex.count = 2;
+    if (!(n.squared_norm() > flat * flat * (p[1].w - p[0].w).squared_norm())) simplex.count = 2;
   }
   if (simplex.count == 2 && !((p[1].w - p[0].w).norm() > flat)) simplex.count = 1;
   if (simplex.count == 1) {
@@ -120,11 +120,11 @@ void report_nearest(const DifferencePoint* p, int count, const Vec3& target, con
   for (int i = 0; i < count; ++i) w[i] = p[i].w - target;
   Nearest nearest;
   nearest_voronoi(w, count, nearest);
-  Vec3 v = Vec3::Zero();
+  Vec3 v = Vec3::zero();
   for (int i = 0; i < nearest.count; ++i) v += nearest.weight[i] * w[nearest.index[i]];
   const Real rounding = difference.rounding(), near = kNear * rounding;
   const Nearness here{std::max(nearest.distance2, near * near),
-                      std::max(std::fabs(difference.normal().dot(v)), rounding), v.squaredNorm()};
+                      std::max(std::fabs(difference.normal().dot(v)), rounding), v.squared_norm()};
   if (!(here < best)) return;
   best = here;
   simplex.count = nearest.count;

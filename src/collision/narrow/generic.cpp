@@ -18,7 +18,7 @@ void give_up(QueryResult& result, QueryStatus status) {
 
 void write_points(const Difference& difference, const DifferenceSimplex& simplex, const Shape& a, const Shape& b,
                   const Frame& b_in_a, Real shell, QueryResult& result) {
-  Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
+  Vec3 on_a = Vec3::zero(), on_b = Vec3::zero();
   for (int i = 0; i < simplex.count; ++i) {
     on_a += simplex.weight[i] * simplex.point[i].a;
     on_b += simplex.weight[i] * simplex.point[i].b;
@@ -84,7 +84,7 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
   request.guess = GuessPolicy::of(a, b);
   const int epa_cap = std::clamp(settings.epa_cap, 1, kMaxEpaIterations);
 
-  const bool warm = memory && memory->direction.squaredNorm() > 0;
+  const bool warm = memory && memory->direction.squared_norm() > 0;
   Vec3 first = warm ? memory->direction : difference.centre_offset();
   // Where the last walk ended; what proves its upper bound if that does not; what proved it in the walk before.
   DifferenceSimplex simplex, spare, proof;
@@ -140,7 +140,7 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
     result.status = capped ? QueryStatus::capped : QueryStatus::rounding;
   // A separating direction starts the next walk near its end. The normal of a deep contact would start it at a sliver,
   // which EPA inherits: forget it.
-  if (memory) memory->direction = deep ? Vec3(Vec3::Zero()) : difference.normal();
+  if (memory) memory->direction = deep ? Vec3(Vec3::zero()) : difference.normal();
 }
 
 }  // namespace carom

@@ -16,7 +16,7 @@ namespace {
 void keep(DifferenceSimplex& simplex, Vec3* w, const Nearest& nearest, Difference& difference,
           DifferenceSimplex& spare) {
   Real weight[4] = {-1, -1, -1, -1};
-  Vec3 v = Vec3::Zero();
+  Vec3 v = Vec3::zero();
   for (int i = 0; i < nearest.count; ++i) {
     weight[nearest.index[i]] = nearest.weight[i];
     v += nearest.weight[i] * w[nearest.index[i]];
@@ -97,8 +97,8 @@ struct NoGuess {
 template <bool kGuess>
 GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first, DifferenceSimplex& simplex,
             DifferenceSimplex& spare, int& iterations) {
-  Vec3 n = Vec3::UnitX(), way = n;
-  const Real length2 = first.squaredNorm();
+  Vec3 n = Vec3::unit_x(), way = n;
+  const Real length2 = first.squared_norm();
   if (length2 > 1e-200) {  // below, squares have lost their digits: any direction will do
     way = about_unit(first, length2);
     n = first / std::sqrt(length2);
@@ -123,7 +123,7 @@ GjkEnd walk(Difference& difference, const GjkRequest& request, const Vec3& first
     if (difference.upper <= difference.rounding()) return GjkEnd::overlap;
     if (iterations >= request.cap) return GjkEnd::capped;
 
-    const Real d2 = towards.squaredNorm();
+    const Real d2 = towards.squared_norm();
     if (!(d2 > 0)) return GjkEnd::overlap;  // the origin is on the vertex or edge itself
     const Real best = difference.lower;
     const bool guessed = kGuess && --plain < 0 && best > difference.rounding() && secant.guess(request.guess.watch, n);

@@ -39,9 +39,9 @@ struct Axis {
 Axis best_axis(const Mat3& r, const Vec3& t, const Vec3& ha, const Vec3& hb, Real reach) {
   const bool exact = reach == kInfinity;
   if (exact) reach = 0;
-  const Mat3 abs_r = r.cwiseAbs();
+  const Mat3 abs_r = r.abs();
   const Real size = ha.sum() + hb.sum();
-  const Real absolute = exact ? kRounding * size : kPreferAbsolute * std::min(ha.minCoeff(), hb.minCoeff());
+  const Real absolute = exact ? kRounding * size : kPreferAbsolute * std::min(ha.min_entry(), hb.min_entry());
   const Real relative = exact ? 0 : kPreferRelative;
   Axis best;
   for (int i = 0; i < 3; ++i) {
@@ -107,7 +107,7 @@ void face_patch(const View& v, int face, Real reach, std::uint32_t label, Candid
   }
   clip_to_rectangle(patch, v.half[iu], v.half[iv]);
 
-  Vec3 normal = Vec3::Zero();
+  Vec3 normal = Vec3::zero();
   normal[face] = side;
   const std::uint32_t faces = (label * 8 + static_cast<std::uint32_t>(2 * j) + (towards > 0)) * 64;
   std::uint32_t arrives = patch.count ? patch.corner[patch.count - 1].side : 0;
@@ -131,7 +131,7 @@ void face_corner(const View& v, int face, bool before_it, Real reach, std::uint3
   Vec3 corner;
   for (int k = 0; k < 3; ++k) corner[k] = side * v.r(face, k) > 0 ? -v.other[k] : v.other[k];
   const Vec3 x = v.r * corner + v.t;
-  Vec3 on_face = x.cwiseMax(-v.half).cwiseMin(v.half), normal = Vec3::Zero();
+  Vec3 on_face = x.max(-v.half).min(v.half), normal = Vec3::zero();
   normal[face] = side;
   on_face[face] = side * v.half[face];
   if (before_it && !(on_face[next(face)] == x[next(face)] && on_face[next(next(face))] == x[next(next(face))])) return;
@@ -154,10 +154,11 @@ void turn_over(const Frame& b_in_a, ContactPoint* first, ContactPoint* end) {
 /// Boxes apart by a face: where the other's nearest corner lies before it, and not beside it, it is the nearest point
 /// of all, since the face's plane says that nothing is nearer. Else others know the distance.
 void corner_before_face(const Shape& a, const Shape& b, const Frame& b_in_a, Candidates& found) {
-  const auto gaps = [](const View& v) { return v.t.cwiseAbs() - v.half - v.r.cwiseAbs() * v.other; };
+  const auto gaps = [](const View& v) { return v.t.abs() - v.half - v.r.abs() * v.other; };
   const View side_a = from_a(a, b, b_in_a), side_b = from_b(a, b, b_in_a);
-  int face_a, face_b;
-  const Real gap_a = Vec3(gaps(side_a)).maxCoeff(&face_a), gap_b = Vec3(gaps(side_b)).maxCoeff(&face_b);
+  const Vec3 gaps_a = gaps(side_a), gaps_b = gaps(side_b);
+  const int face_a = gaps_a.max_axis(), face_b = gaps_b.max_axis();
+  const Real gap_a = gaps_a[face_a], gap_b = gaps_b[face_b];
   const bool of_b = gap_b > gap_a;
   face_corner(of_b ? side_b : side_a, of_b ? face_b : face_a, true, kInfinity, 0, found);
   if (of_b) turn_over(b_in_a, found.point, found.point + found.count);
@@ -179,8 +180,8 @@ void face_contact(const Shape& a, const Shape& b, const Frame& b_in_a, int face,
 /// One point where two edges cross: the nearest points of their lines, held to the edges.
 void edge_contact(const Vec3& ha, const Vec3& hb, const Frame& b_in_a, int i, int j, Real reach, Candidates& found) {
   const Mat3& r = b_in_a.r;
-  Vec3 normal = Vec3::Unit(i).cross(r.col(j));
-  const Real length2 = normal.squaredNorm();
+  Vec3 normal = Vec3::unit(i).cross(r.col(j));
+  const Real length2 = normal.squared_norm();
   normal *= (normal.dot(b_in_a.p) < 0 ? -1 : 1) / std::sqrt(length2);
   Vec3 on_a, on_b;
   std::uint32_t which = 0;  // which of the four edges along each axis
@@ -197,7 +198,7 @@ void edge_contact(const Vec3& ha, const Vec3& hb, const Frame& b_in_a, int i, in
   const Vec3 gap = b_in_a.apply(on_b) - on_a;
   const Real separation = normal.dot(gap);
   // Edges that pass by each other outside their ends do not meet; two that cross do.
-  if (separation > 0 && (gap - separation * normal).squaredNorm() > reach * reach) return;
+  if (separation > 0 && (gap - separation * normal).squared_norm() > reach * reach) return;
   add_contact(found, reach, on_a, on_b, normal, separation,
               (1u << 16) + (static_cast<std::uint32_t>(3 * i + j) << 8) + which);
 }

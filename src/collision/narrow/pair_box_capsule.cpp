@@ -16,7 +16,7 @@ constexpr Real kCoreTouches = 1e-8;
 // limit faces alone decide, so leaving it out costs 1e-8 of the size.
 constexpr Real kParallel = 1e-8;
 
-Vec3 inside(const Vec3& x, const Vec3& half) { return x.cwiseMax(-half).cwiseMin(half); }
+Vec3 inside(const Vec3& x, const Vec3& half) { return x.max(-half).min(half); }
 
 /// The s in [-1, 1] where c + s d is nearest to the box.
 /// Half the slope of the squared distance, g(s) = d . (x - clamp(x)), is non-decreasing and linear between the up to
@@ -57,12 +57,12 @@ struct Axis {
 };
 
 Axis most_separating(const Vec3& c, const Vec3& d, const Vec3& half) {
-  Axis best{Vec3::UnitX(), -kInfinity, -1};
+  Axis best{Vec3::unit_x(), -kInfinity, -1};
   for (int k = 0; k < 3; ++k) {
     const Real s = std::fabs(c[k]) - half[k] - std::fabs(d[k]);
     if (s > best.separation) {
       best.separation = s;
-      best.normal.setZero();
+      best.normal.set_zero();
       best.normal[k] = std::copysign(Real(1), c[k]);
     }
   }
@@ -70,11 +70,11 @@ Axis most_separating(const Vec3& c, const Vec3& d, const Vec3& half) {
   const Real bias = 1e-12 * half.sum();
   const Real length = d.norm();
   for (int k = 0; k < 3; ++k) {
-    Vec3 m = Vec3::Unit(k).cross(d);
+    Vec3 m = Vec3::unit(k).cross(d);
     const Real l = m.norm();
     if (!(l > kParallel * length)) continue;
     m *= (m.dot(c) < 0 ? -1 : 1) / l;
-    const Real s = m.dot(c) - half.dot(m.cwiseAbs());
+    const Real s = m.dot(c) - half.dot(m.abs());
     if (s > best.separation + bias) best = {m, s, k};
   }
   return best;
@@ -88,7 +88,7 @@ struct Contact {
 
   /// A point of the box and the point x of the segment, s its place on it.
   void add(const Vec3& on_box, const Vec3& x, Real s, const Vec3& normal, std::uint32_t feature) const {
-    const Vec3 on_b = s * capsule.half_height * Vec3::UnitY() - capsule.radius * b_in_a.rotate_inverse(normal);
+    const Vec3 on_b = s * capsule.half_height * Vec3::unit_y() - capsule.radius * b_in_a.rotate_inverse(normal);
     add_contact(found, reach, on_box, on_b, normal, normal.dot(x - on_box) - capsule.radius, feature);
   }
 };
@@ -143,15 +143,14 @@ void contact_box_capsule(const Shape& a, const Shape& b, const Frame& b_in_a, Re
   if (gap > kCoreTouches * (half.sum() + b.half_height + b.radius)) {
     const Vec3 normal = (x - on_box) / gap;
     to.add(on_box, x, s, normal, 1);
-    int face;
-    if (normal.cwiseAbs().maxCoeff(&face) > kOnFace) add_ends(to, c, d, half, face, normal, s);
+    const int face = normal.abs().max_axis();
+    if (std::fabs(normal[face]) > kOnFace) add_ends(to, c, d, half, face, normal, s);
     return;
   }
 
   const Axis axis = most_separating(c, d, half);
   if (axis.edge < 0) {
-    int face;
-    axis.normal.cwiseAbs().maxCoeff(&face);
+    const int face = axis.normal.abs().max_axis();
     add_ends(to, c, d, half, face, axis.normal, kInfinity);
     if (found.count > 0 || axis.separation - b.radius > reach) return;
     // The deep end lies beside the face by rounding alone: its nearest point of the face stands for it.
@@ -166,9 +165,9 @@ void contact_box_capsule(const Shape& a, const Shape& b, const Frame& b_in_a, Re
   const int k = axis.edge;
   Vec3 on_edge;
   for (int i = 0; i < 3; ++i) on_edge[i] = i == k ? 0 : std::copysign(half[i], axis.normal[i]);
-  const Vec3 across = d - d[k] * Vec3::Unit(k);  // what moves the segment away from the edge's line
+  const Vec3 across = d - d[k] * Vec3::unit(k);  // what moves the segment away from the edge's line
   const Vec3 from = c - on_edge;
-  const Real at = std::clamp(-(from.dot(across)) / across.squaredNorm(), Real(-1), Real(1));
+  const Real at = std::clamp(-(from.dot(across)) / across.squared_norm(), Real(-1), Real(1));
   const Vec3 deep = c + at * d;
   on_edge[k] = std::clamp(deep[k], -half[k], half[k]);
   to.add(on_edge, deep, at, axis.normal, 8 + static_cast<std::uint32_t>(k));

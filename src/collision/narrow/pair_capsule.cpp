@@ -40,7 +40,7 @@ void contact_capsule_capsule(const Shape& a, const Shape& b, const Frame& b_in_a
   const Real radii = a.radius + b.radius;
   const Real sine2 = e.x() * e.x() + e.z() * e.z();
   const Nearest n = nearest_on_axes(t, e, a.half_height, b.half_height, sine2);
-  const Vec3 out = t + n.v * e - n.s * Vec3::UnitY();
+  const Vec3 out = t + n.v * e - n.s * Vec3::unit_y();
   const Real gap = out.norm();
 
   // Axes that cross: the difference of the cores is flat there, and its normal is the way out. A small gap has lost its
@@ -51,13 +51,13 @@ void contact_capsule_capsule(const Shape& a, const Shape& b, const Frame& b_in_a
   if (gap > 1e-8 * size) {
     normal = out / gap;
   } else {
-    normal = sine2 > 1e-20 ? Vec3(Vec3(e.z(), 0, -e.x()) / std::sqrt(sine2)) : Vec3(Vec3::UnitX());
+    normal = sine2 > 1e-20 ? Vec3(Vec3(e.z(), 0, -e.x()) / std::sqrt(sine2)) : Vec3(Vec3::unit_x());
     if (normal.dot(out) < 0) normal = -normal;
   }
   const Vec3 normal_b = b_in_a.rotate_inverse(normal);
   const auto add = [&](Real s, Real v, std::uint32_t feature) {
-    const Vec3 between = t + v * e - s * Vec3::UnitY();
-    add_contact(found, reach, s * Vec3::UnitY() + a.radius * normal, v * Vec3::UnitY() - b.radius * normal_b, normal,
+    const Vec3 between = t + v * e - s * Vec3::unit_y();
+    add_contact(found, reach, s * Vec3::unit_y() + a.radius * normal, v * Vec3::unit_y() - b.radius * normal_b, normal,
                 normal.dot(between) - radii, feature);
   };
   found.whole = true;

@@ -57,7 +57,7 @@ struct Plane {
 /// place.
 Vec3 down_rim(const Vec3& n) {
   const Real across = std::sqrt(n.x() * n.x() + n.z() * n.z());
-  return across > 1e-9 ? Vec3(-n.x() / across, 0, -n.z() / across) : Vec3(Vec3::UnitX());
+  return across > 1e-9 ? Vec3(-n.x() / across, 0, -n.z() / across) : Vec3(Vec3::unit_x());
 }
 
 /// Four points of a rim of given radius at height y, the deepest first.
@@ -88,8 +88,7 @@ void contact_half_space_box(const Shape& a, const Shape& b, const Frame& b_in_a,
   const Plane plane(a, b_in_a, reach, found);
   // The four corners of the face that looks down most: the deepest corner is one of them, and the corners above carry
   // nothing even where a box thinner than the reach brings them near.
-  int face;
-  plane.n.cwiseAbs().maxCoeff(&face);
+  const int face = plane.n.abs().max_axis();
   Vec3 x;
   x[face] = plane.n[face] > 0 ? -b.half[face] : b.half[face];
   const int u = face == 2 ? 0 : face + 1, v = u == 2 ? 0 : u + 1;
@@ -121,8 +120,8 @@ void contact_half_space_cone(const Shape& a, const Shape& b, const Frame& b_in_a
 
 void contact_half_space_ellipsoid(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
   const Plane plane(a, b_in_a, reach, found);
-  const Vec3 scaled = b.half.cwiseProduct(plane.n);
-  plane.add(-b.half.cwiseProduct(scaled / scaled.norm()), 1);
+  const Vec3 scaled = b.half.times(plane.n);
+  plane.add(-b.half.times(scaled / scaled.norm()), 1);
   found.whole = true;
 }
 
@@ -178,7 +177,7 @@ bool half_space_by_support(const Shape& half_space, const Shape& b, const Frame&
     if (k == 0) found.gap = plane.height(x);
     if (k == 0 && !(found.gap <= reach)) return true;  // the deepest point is out of reach, so are all
     const auto same = [&](int i) {
-      return (found.point[i].on_b - x).squaredNorm() <= 1e-20 * b.bounding_radius * b.bounding_radius;
+      return (found.point[i].on_b - x).squared_norm() <= 1e-20 * b.bounding_radius * b.bounding_radius;
     };
     bool known = false;
     for (int i = before; i < found.count; ++i) known |= same(i);

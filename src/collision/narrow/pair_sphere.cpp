@@ -23,17 +23,17 @@ void add_sphere(const Vec3& core, Real core_radius, const Vec3& normal, Real gap
 }  // namespace
 
 void contact_sphere_sphere(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
-  const Real gap2 = b_in_a.p.squaredNorm(), gap = gap2 > kNoGap2 ? std::sqrt(gap2) : 0;
+  const Real gap2 = b_in_a.p.squared_norm(), gap = gap2 > kNoGap2 ? std::sqrt(gap2) : 0;
   // Concentric: every direction is a normal of least depth; the axis is as good as any, and the same every time.
-  const Vec3 normal = gap > 0 ? Vec3(b_in_a.p / gap) : Vec3(Vec3::UnitY());
-  add_sphere(Vec3::Zero(), a.radius, normal, gap, b, b_in_a, reach, found);
+  const Vec3 normal = gap > 0 ? Vec3(b_in_a.p / gap) : Vec3(Vec3::unit_y());
+  add_sphere(Vec3::zero(), a.radius, normal, gap, b, b_in_a, reach, found);
 }
 
 void contact_box_sphere(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
   const Vec3& c = b_in_a.p;
-  const Vec3 nearest = c.cwiseMax(-a.half).cwiseMin(a.half);
+  const Vec3 nearest = c.max(-a.half).min(a.half);
   const Vec3 out = c - nearest;
-  const Real gap2 = out.squaredNorm();
+  const Real gap2 = out.squared_norm();
   if (gap2 > kNoGap2) {
     const Real gap = std::sqrt(gap2);
     add_sphere(nearest, 0, out / gap, gap, b, b_in_a, reach, found);
@@ -46,7 +46,7 @@ void contact_box_sphere(const Shape& a, const Shape& b, const Frame& b_in_a, Rea
     const Real d = a.half[i] - std::fabs(c[i]);
     if (d < depth) depth = d, axis = i;
   }
-  Vec3 normal = Vec3::Zero(), on_face = c;
+  Vec3 normal = Vec3::zero(), on_face = c;
   normal[axis] = std::copysign(Real(1), c[axis]);
   on_face[axis] = std::copysign(a.half[axis], c[axis]);
   add_sphere(on_face, 0, normal, -depth, b, b_in_a, reach, found);
@@ -56,9 +56,9 @@ void contact_capsule_sphere(const Shape& a, const Shape& b, const Frame& b_in_a,
   const Vec3& c = b_in_a.p;
   const Vec3 nearest(0, std::clamp(c.y(), -a.half_height, a.half_height), 0);
   const Vec3 out = c - nearest;
-  const Real gap2 = out.squaredNorm(), gap = gap2 > kNoGap2 ? std::sqrt(gap2) : 0;
+  const Real gap2 = out.squared_norm(), gap = gap2 > kNoGap2 ? std::sqrt(gap2) : 0;
   // On the core segment every direction across it is a normal of least depth.
-  const Vec3 normal = gap > 0 ? Vec3(out / gap) : Vec3(Vec3::UnitX());
+  const Vec3 normal = gap > 0 ? Vec3(out / gap) : Vec3(Vec3::unit_x());
   add_sphere(nearest, a.radius, normal, gap, b, b_in_a, reach, found);
 }
 

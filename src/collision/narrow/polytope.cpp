@@ -23,7 +23,7 @@ constexpr int edge_of(Polytope::Link link) { return link & 3; }
 void Polytope::place(Face& f) const {
   const Vec3 &a = points_[f.vertex[0]].w, &b = points_[f.vertex[1]].w, &c = points_[f.vertex[2]].w;
   const Vec3 ab = b - a, ac = c - a, n = ab.cross(ac);
-  const Real n2 = n.squaredNorm(), ab2 = ab.squaredNorm(), ac2 = ac.squaredNorm();
+  const Real n2 = n.squared_norm(), ab2 = ab.squared_norm(), ac2 = ac.squared_norm();
   // Twice the area over the longest edge, which is below sqrt(2 (ab2 + ac2)), is the height.
   if (n2 > kWideAngle2 * (ab2 * ac2) && n2 > rounding_ * rounding_ * (ab2 + ac2)) {
     f.normal = n * (1 / std::sqrt(n2));
@@ -38,19 +38,19 @@ void Polytope::place(Face& f) const {
 [[gnu::noinline]] Vec3 Polytope::careful_normal(const Vec3& a, const Vec3& b, const Vec3& c) const {
   Real longest2;
   const Vec3 n = triangle_normal(a, b, c, longest2);
-  const Real n2 = n.squaredNorm();
+  const Real n2 = n.squared_norm();
   if (n2 > rounding_ * rounding_ * longest2 / 16) return n * (1 / std::sqrt(n2));
   const Vec3 w[3] = {a, b, c};
   Nearest nearest;
-  if ((b - a).squaredNorm() == longest2) {
+  if ((b - a).squared_norm() == longest2) {
     offer_edge(w, 0, 1, nearest);
-  } else if ((c - b).squaredNorm() == longest2) {
+  } else if ((c - b).squared_norm() == longest2) {
     offer_edge(w, 1, 2, nearest);
   } else {
     offer_edge(w, 2, 0, nearest);
   }
-  const Real d2 = nearest.direction.squaredNorm();
-  return d2 > 0 ? Vec3(nearest.direction / std::sqrt(d2)) : (n2 > 0 ? Vec3(n / std::sqrt(n2)) : Vec3(Vec3::UnitX()));
+  const Real d2 = nearest.direction.squared_norm();
+  return d2 > 0 ? Vec3(nearest.direction / std::sqrt(d2)) : (n2 > 0 ? Vec3(n / std::sqrt(n2)) : Vec3(Vec3::unit_x()));
 }
 
 inline void Polytope::set(int slot, int i, int j, int k) {

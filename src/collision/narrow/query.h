@@ -30,9 +30,9 @@ struct QueryResult {
   bool farther = false;        // stopped early: lower > max_distance; separation, normal and points are then estimates
   Real separation = 0;         // m, in [lower, upper]
   Real lower = 0, upper = 0;   // m
-  Vec3 normal = Vec3::UnitX(); // unit, A's frame, from A to B
-  Vec3 point_a = Vec3::Zero(); // m, A's frame, on A's surface
-  Vec3 point_b = Vec3::Zero(); // m, B's frame, on B's surface
+  Vec3 normal = Vec3::unit_x(); // unit, A's frame, from A to B
+  Vec3 point_a = Vec3::zero(); // m, A's frame, on A's surface
+  Vec3 point_b = Vec3::zero(); // m, B's frame, on B's surface
   int gjk_iterations = 0, epa_iterations = 0, support_calls = 0;
 };
 
@@ -41,15 +41,15 @@ struct Certificate {
   bool known = false;
   Real shell = 0;               // m: thickness of shells it was computed with
   Real lower = 0, upper = 0;    // m, signed distance
-  Vec3 normal = Vec3::UnitX();  // unit, A's frame, attains the lower bound
-  Vec3 point_a = Vec3::Zero();  // m, A's frame
-  Vec3 point_b = Vec3::Zero();  // m, B's frame
+  Vec3 normal = Vec3::unit_x();  // unit, A's frame, attains the lower bound
+  Vec3 point_a = Vec3::zero();  // m, A's frame
+  Vec3 point_b = Vec3::zero();  // m, B's frame
   Frame b_in_a;                 // B's frame in A's
 };
 
 /// What one query leaves for the next one of the same pair.
 struct QueryMemory {
-  Vec3 direction = Vec3::Zero();  // A's frame: last separating direction (A to B); zero: none yet
+  Vec3 direction = Vec3::zero();  // A's frame: last separating direction (A to B); zero: none yet
   Certificate certificate;        // kept by the narrow phase if answers are carried over
 };
 

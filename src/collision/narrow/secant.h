@@ -51,9 +51,9 @@ class Secant {
     if (known_ < 3) return false;
     const int before = newest_ == 0 ? 2 : newest_ - 1, oldest = 3 - newest_ - before;
     const Vec3 &n0 = n_[newest_], &r0 = r_[newest_];
-    if (watch && !(r0.squaredNorm() < 0.25 * r_[before].squaredNorm())) return false;
+    if (watch && !(r0.squared_norm() < 0.25 * r_[before].squared_norm())) return false;
     const Vec3 u = r_[before] - r0, v = r_[oldest] - r0;
-    const Real uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), ur = u.dot(r0), vr = v.dot(r0);
+    const Real uu = u.squared_norm(), uv = u.dot(v), vv = v.squared_norm(), ur = u.dot(r0), vr = v.dot(r0);
     const Real det = uu * vv - uv * uv;
     Real s, t = 0;
     if (det > kFlat * uu * vv) {
@@ -65,8 +65,8 @@ class Secant {
       return false;
     }
     const Vec3 stride = n_[before] - n0, step = s * stride + t * (n_[oldest] - n0);
-    const Real step2 = step.squaredNorm();
-    if (!(step2 > 0 && step2 < (watch ? stride.squaredNorm() : kFarthest2))) return false;
+    const Real step2 = step.squared_norm();
+    if (!(step2 > 0 && step2 < (watch ? stride.squared_norm() : kFarthest2))) return false;
     n = n0 + step;
     n *= 1 / n.norm();
     return true;
@@ -77,8 +77,8 @@ class Secant {
   static constexpr Real kFarthest2 = 0.25;  // rad^2: no linear model reaches farther on a sphere of directions
 
   int known_ = 0, newest_ = 2;
-  Vec3 n_[3] = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // unit
-  Vec3 r_[3] = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // scaled lengths
+  Vec3 n_[3] = {Vec3::zero(), Vec3::zero(), Vec3::zero()};  // unit
+  Vec3 r_[3] = {Vec3::zero(), Vec3::zero(), Vec3::zero()};  // scaled lengths
 };
 
 }  // namespace carom

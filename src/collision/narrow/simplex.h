@@ -14,7 +14,7 @@ struct Nearest {
   int count = 0;                  // vertices of the feature, 1..3 (4 if inside)
   int index[4] = {0, 0, 0, 0};    // [count] which of the points
   Real weight[4] = {1, 0, 0, 0};  // [count] >= 0, sum 1: v = sum(weight w)
-  Vec3 direction = Vec3::Zero();  // any length, zero if v = 0 and the feature is a vertex or an edge
+  Vec3 direction = Vec3::zero();  // any length, zero if v = 0 and the feature is a vertex or an edge
   Real distance2 = kInfinity;     // |v|^2 as the feature's geometry gives it
 
   /// Nothing found yet; the rest stays as it is.

@@ -27,7 +27,7 @@ inline constexpr Real kWideAngle2 = 0x1p-10;
 /// Cross product that keeps its direction when a and b are nearly parallel.
 inline Vec3 careful_cross(const Vec3& a, const Vec3& b) {
   const Vec3 n = a.cross(b);
-  if (n.squaredNorm() > kNearlyParallel2 * (a.squaredNorm() * b.squaredNorm())) return n;
+  if (n.squared_norm() > kNearlyParallel2 * (a.squared_norm() * b.squared_norm())) return n;
   return accurate_cross(a, b);
 }
 
@@ -35,14 +35,14 @@ inline Vec3 careful_cross(const Vec3& a, const Vec3& b) {
 /// @param longest2  out: squared length of the third
 inline Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c, Real& longest2) {
   const Vec3 ab = b - a, bc = c - b, ca = a - c;
-  const Real lab = ab.squaredNorm(), lbc = bc.squaredNorm(), lca = ca.squaredNorm();
+  const Real lab = ab.squared_norm(), lbc = bc.squared_norm(), lca = ca.squared_norm();
   // The edges before and after the corner that faces the longest edge.
   const bool at_a = lbc >= lab && lbc >= lca, at_b = !at_a && lca >= lab;
   const Vec3 &in = at_a ? ca : (at_b ? ab : bc), &out = at_a ? ab : (at_b ? bc : ca);
   const Real shorter2 = at_a ? lca * lab : (at_b ? lab * lbc : lbc * lca);
   longest2 = at_a ? lbc : (at_b ? lca : lab);
   const Vec3 n = in.cross(out);
-  if (n.squaredNorm() > kNearlyParallel2 * shorter2) return n;
+  if (n.squared_norm() > kNearlyParallel2 * shorter2) return n;
   return accurate_cross(in, out);
 }
 
@@ -53,7 +53,7 @@ inline Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 /// Vertex i, if it is nearer than what stands in `nearest`; so with the edge and the face below.
 inline void offer_vertex(const Vec3* w, int i, Nearest& nearest) {
-  const Real distance2 = w[i].squaredNorm();
+  const Real distance2 = w[i].squared_norm();
   if (!(distance2 < nearest.distance2)) return;
   nearest.count = 1;
   nearest.index[0] = i;
@@ -68,7 +68,7 @@ inline void offer_inner_edge(const Vec3* w, int i, int j, const Vec3& edge, Real
                              Nearest& nearest) {
   // Measured from the nearer end: a x ab then has the smaller error.
   const Vec3 offset = careful_cross(along + along < length2 ? w[i] : w[j], edge);
-  const Real distance2 = offset.squaredNorm() / length2;
+  const Real distance2 = offset.squared_norm() / length2;
   if (!(distance2 < nearest.distance2)) return;
   nearest.count = 2;
   nearest.index[0] = i;
@@ -89,7 +89,7 @@ inline void offer_edge(const Vec3* w, int i, int j, Nearest& nearest) {
   } else if (from_j <= 0) {
     offer_vertex(w, j, nearest);
   } else {
-    offer_inner_edge(w, i, j, edge, from_i, edge.squaredNorm(), nearest);
+    offer_inner_edge(w, i, j, edge, from_i, edge.squared_norm(), nearest);
   }
 }
 
@@ -103,9 +103,9 @@ inline Real projected_area(const Vec3& p, const Vec3& q, const Vec3& normal) { r
 /// The interior of face ijk; the caller knows that the origin projects there, so negative areas are rounding.
 inline void offer_inner_face(const Vec3* w, int i, int j, int k, const Vec3& normal, Areas area, Nearest& nearest) {
   // Through the vertex nearest to the origin, where the product has the smallest error.
-  const Real li = w[i].squaredNorm(), lj = w[j].squaredNorm(), lk = w[k].squaredNorm();
+  const Real li = w[i].squared_norm(), lj = w[j].squared_norm(), lk = w[k].squared_norm();
   const Vec3& p = li <= lj ? (li <= lk ? w[i] : w[k]) : (lj <= lk ? w[j] : w[k]);
-  const Real offset = normal.dot(p), distance2 = offset * offset / normal.squaredNorm();
+  const Real offset = normal.dot(p), distance2 = offset * offset / normal.squared_norm();
   if (!(distance2 < nearest.distance2)) return;
   area.i = area.i > 0 ? area.i : 0;
   area.j = area.j > 0 ? area.j : 0;
@@ -145,7 +145,7 @@ inline void answer_inside(Real of_a, Real of_b, Real of_c, Real of_d, Nearest& n
     nearest.index[i] = i;
     nearest.weight[i] = volume[i] * scale;
   }
-  nearest.direction.setZero();
+  nearest.direction.set_zero();
   nearest.distance2 = 0;
 }
 

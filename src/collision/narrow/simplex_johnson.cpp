@@ -77,7 +77,7 @@ void answer(const Vec3* w, int y, const Cofactors& c, Nearest& nearest) {
       break;
     case 2: {
       const Vec3 edge = w[index[1]] - w[index[0]];
-      offer_inner_edge(w, index[0], index[1], edge, c.delta[y][index[1]], edge.squaredNorm(), nearest);
+      offer_inner_edge(w, index[0], index[1], edge, c.delta[y][index[1]], edge.squared_norm(), nearest);
       break;
     }
     case 3:

@@ -19,7 +19,7 @@ struct Spoke {
   Real length2;
 
   Spoke(const Vec3& newest, const Vec3& end)
-      : edge(end - newest), moment(newest.cross(edge)), length2(edge.squaredNorm()) {}
+      : edge(end - newest), moment(newest.cross(edge)), length2(edge.squared_norm()) {}
 };
 
 /// The face of newest point k and two spokes, without the edge that faces k: its interior, or word that the origin is
@@ -28,7 +28,7 @@ struct Spoke {
 /// @param beyond  in and out: bit i, the edge to i is to be looked at
 void offer_wedge(const Vec3* w, int i, int j, int k, const Spoke& to_i, const Spoke& to_j, const Vec3& cross,
                  unsigned& beyond, Nearest& nearest) {
-  const bool wide = cross.squaredNorm() > kWideAngle2 * (to_i.length2 * to_j.length2);
+  const bool wide = cross.squared_norm() > kWideAngle2 * (to_i.length2 * to_j.length2);
   const Vec3 normal = wide ? cross : triangle_normal(w[i], w[j], w[k]);
   const Real area_i = -normal.dot(to_j.moment), area_j = normal.dot(to_i.moment);
   const bool beyond_j = !(area_i > 0), beyond_i = !(area_j > 0);
@@ -62,7 +62,7 @@ void nearest_voronoi(const Vec3* w, int count, Nearest& nearest) {
              abc = (b - a).cross(c - a).dot(a), volume = da.cross(db).dot(dc);
   // For a positive volume the first three normals point inwards: the origin is outside where the plane's offset is
   // positive.
-  const bool flat = is_flat(volume, da.squaredNorm(), db.squaredNorm(), dc.squaredNorm());
+  const bool flat = is_flat(volume, da.squared_norm(), db.squared_norm(), dc.squared_norm());
   const Real sign = volume > 0 ? 1 : -1;
   const bool out_bcd = flat || sign * bcd > 0, out_cad = flat || sign * cad > 0, out_abd = flat || sign * abd > 0,
              out_abc = flat || sign * abc < 0;

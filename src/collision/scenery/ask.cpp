@@ -32,7 +32,7 @@ void miss(Real end, CastResult& result) {
 }
 
 Aabb grown(Aabb box, Real by) {
-  box.lo.array() -= by, box.hi.array() += by;
+  box.lo -= Vec3::constant(by), box.hi += Vec3::constant(by);
   return box;
 }
 
@@ -77,7 +77,7 @@ void cast_ray_at_pieces(const Ray& ray, const Shape& shape, const Frame& frame, 
   const Scenery& scenery = *shape.scenery;
   OnePiece at;
   Aabb ball;
-  ball.lo.setConstant(-settings.target), ball.hi.setConstant(settings.target);
+  ball.lo = Vec3::constant(-settings.target), ball.hi = Vec3::constant(settings.target);
   const Heading heading(frame, ray.direction);
   first_along(scenery, frame.apply_inverse(ray.origin), heading, ball, ray.max, result,
               [&](const Piece& piece, CastResult& one) {
@@ -93,7 +93,7 @@ void cast_shape_at_pieces(const Shape& a, const Frame& frame_a, const Vec3& moti
   const Scenery& scenery = *shape.scenery;
   OnePiece at;
   const Frame a_in_scenery = relative(frame, frame_a);
-  const Aabb extent = grown(world_bounds(a, a_in_scenery.r, Vec3::Zero(), fault), settings.target);
+  const Aabb extent = grown(world_bounds(a, a_in_scenery.r, Vec3::zero(), fault), settings.target);
   if (fault.kind != SupportFault::none) {
     result = CastResult();
     result.outcome = CastOutcome::undecided, result.status = QueryStatus::fault;
@@ -123,8 +123,8 @@ void time_of_impact_at_pieces(const Shape& a, const RigidMotion& motion_a, const
   const Real past = turn * ((motion_a.centre - motion.centre).norm() + way.norm());
   const Real arm = (frame_a.p - motion_a.centre).norm() + a.bounding_radius + settings.target + past;
   Aabb box;
-  box.lo = grown(box, 0).lo.cwiseMin(start).cwiseMin(start + way),
-  box.hi = box.hi.cwiseMax(start).cwiseMax(start + way);
+  box.lo = grown(box, 0).lo.min(start).min(start + way),
+  box.hi = box.hi.max(start).max(start + way);
   box = grown(box, arm);
   const Vec3 centre = frame.apply_inverse(frame_a.apply(a.mass.centroid));
   miss(duration, result);

@@ -21,11 +21,11 @@ void make_height_field(std::span<const double> heights, std::uint32_t columns, s
     Aabb& box = boxes[b];
     s.each_of_block(b, [&](std::uint32_t index) {
       const Aabb own = s.field_bounds(index);  // of a hole: nothing
-      box.lo = box.lo.cwiseMin(own.lo), box.hi = box.hi.cwiseMax(own.hi);
+      box.lo = box.lo.min(own.lo), box.hi = box.hi.max(own.hi);
     });
     if (!(box.lo.x() <= box.hi.x())) continue;  // nothing but holes
     leaves.push_back(b);
-    s.bounds.lo = s.bounds.lo.cwiseMin(box.lo), s.bounds.hi = s.bounds.hi.cwiseMax(box.hi);
+    s.bounds.lo = s.bounds.lo.min(box.lo), s.bounds.hi = s.bounds.hi.max(box.hi);
   }
   s.tree.build(leaves, boxes);
   s.tree.close();
@@ -35,7 +35,7 @@ Aabb Scenery::field_bounds(std::uint32_t index) const {
   Aabb box;
   std::array<Vec3, 3> c;
   if (!field_corners(index, c)) return box;
-  box.lo = c[0].cwiseMin(c[1]).cwiseMin(c[2]), box.hi = c[0].cwiseMax(c[1]).cwiseMax(c[2]);
+  box.lo = c[0].min(c[1]).min(c[2]), box.hi = c[0].max(c[1]).max(c[2]);
   return box;
 }
 

@@ -51,7 +51,7 @@ struct Sides {
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 along = (p.corner[(i + 1) % 3] - p.corner[i]).normalized();
       out[i] = along.cross(p.normal);
-      down[i] = Vec3::Zero();
+      down[i] = Vec3::zero();
       edge[i] = true, fold[i] = wall[i] = false;
       if (!p.rim[i]) {
         const Vec3 to = p.far[i] - p.corner[i], square = to - to.dot(along) * along;
@@ -117,7 +117,7 @@ Verdict judge(const Scenery& scenery, const Piece& piece, const Sides& sides, co
   }
   std::size_t corner = 0;  // of three at once: a piece smaller than the query can tell
   for (std::size_t k = 1; k < 3; ++k)
-    if ((place - piece.corner[k]).squaredNorm() < (place - piece.corner[corner]).squaredNorm()) corner = k;
+    if ((place - piece.corner[k]).squared_norm() < (place - piece.corner[corner]).squared_norm()) corner = k;
   return scenery.falls_away_around(piece, own_corner(piece, static_cast<int>(corner)), n) ? Verdict::heard
                                                                                           : Verdict::own;
 }
@@ -135,7 +135,7 @@ bool SceneryMeeting::find(const SceneryPair& pair, const NarrowSettings& setting
   if (!usable(convex_in_scenery)) return true;
   Aabb box = world_bounds(pair.convex, convex_in_scenery.r, convex_in_scenery.p, fault);
   if (fault.kind != SupportFault::none) return false;
-  box.lo.array() -= reach, box.hi.array() += reach;
+  box.lo -= Vec3::constant(reach), box.hi += Vec3::constant(reach);
   scenery.each_near(box, [&](std::uint32_t index) { near_.push_back(index); });
   std::sort(near_.begin(), near_.end());  // who moves meets the same pieces in the same order
   const Vec3 centre = convex_in_scenery.apply(pair.convex.mass.centroid);
@@ -212,7 +212,7 @@ bool SceneryMeeting::meet(const SceneryPair& pair, const Piece& piece, const Fra
   }
   const PatchPair patch_pair{shape_.shape(), pair.convex, frame, pair.convex_frame, 0};
   // Neighbours see a place above their common side from frames of their own.
-  const Real blur = 64 * kUnitRoundoff * (frame.p.cwiseAbs().sum() + shape_.origin().cwiseAbs().sum());
+  const Real blur = 64 * kUnitRoundoff * (frame.p.abs().sum() + shape_.origin().abs().sum());
   PatchPoints points;
   if (!find_patch(patch_pair, nearest, {own, reach, blur}, points, report.support_calls, fault)) return false;
   add(points, shape_.origin(), own && points.flat, reach);
@@ -239,7 +239,7 @@ void SceneryMeeting::add(const PatchPoints& points, const Vec3& origin, bool fir
     f.point.on_a += origin;
     f.point.feature = 0;  // a corner's name is its piece's own
     f.patch = static_cast<std::uint32_t>(patch);
-    f.firm = firm && (n - normals_[patch]).squaredNorm() <= 1e-24;
+    f.firm = firm && (n - normals_[patch]).squared_norm() <= 1e-24;
   }
 }
 
@@ -266,8 +266,8 @@ void SceneryMeeting::gather(const Frame& frame, Real same) {
     for (const Found* f : most) {
       if (!f) continue;
       const auto known = [&](const ContactPoint& p) {
-        return (p.on_a - f->point.on_a).squaredNorm() <= same * same &&
-               (p.on_b - f->point.on_b).squaredNorm() <= same * same;
+        return (p.on_a - f->point.on_a).squared_norm() <= same * same &&
+               (p.on_b - f->point.on_b).squared_norm() <= same * same;
       };
       if (std::none_of(patch.point, patch.point + patch.count, known)) patch.point[patch.count++] = f->point;
     }

@@ -44,7 +44,7 @@ Array<std::uint32_t> weld(std::span<const double> xyz, Array<Vec3>& vertex, Memo
 }
 
 bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Real longest2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  const Real longest2 = std::max({(b - a).squared_norm(), (c - b).squared_norm(), (a - c).squared_norm()});
   return (b - a).cross(c - a).norm() > kThin * longest2;
 }
 
@@ -96,9 +96,9 @@ void make_mesh(std::span<const double> xyz, std::span<const std::uint32_t> trian
   for (std::uint32_t i = 0; i < n; ++i) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const Vec3& x = s.vertex[s.corner[3 * i + k]];
-      boxes[i].lo = boxes[i].lo.cwiseMin(x), boxes[i].hi = boxes[i].hi.cwiseMax(x);
+      boxes[i].lo = boxes[i].lo.min(x), boxes[i].hi = boxes[i].hi.max(x);
     }
-    s.bounds.lo = s.bounds.lo.cwiseMin(boxes[i].lo), s.bounds.hi = s.bounds.hi.cwiseMax(boxes[i].hi);
+    s.bounds.lo = s.bounds.lo.min(boxes[i].lo), s.bounds.hi = s.bounds.hi.max(boxes[i].hi);
   }
   s.tree.build(leaves, boxes);
   s.tree.close();

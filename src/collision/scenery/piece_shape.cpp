@@ -23,7 +23,7 @@ PieceShape::PieceShape(Memory* memory) : shape_(memory) {
   shape_.support = farthest_corner;
   shape_.params.assign(9, 0.0);
   shape_.vertices = shape_.params;
-  shape_.faces.normal.assign(2, Vec3::UnitY());
+  shape_.faces.normal.assign(2, Vec3::unit_y());
   shape_.faces.begin = {0, 3, 6};
   shape_.faces.loop = {0, 1, 2, 0, 2, 1};  // front, back
 }
@@ -40,8 +40,8 @@ void PieceShape::reshape(const std::array<Vec3, 3>& corner) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 x = corner[k] - origin_;
     for (int i = 0; i < 3; ++i) shape_.params[3 * k + static_cast<std::size_t>(i)] = x[i];
-    shape_.bounds.lo = shape_.bounds.lo.cwiseMin(x), shape_.bounds.hi = shape_.bounds.hi.cwiseMax(x);
-    radius2 = std::max(radius2, x.squaredNorm());
+    shape_.bounds.lo = shape_.bounds.lo.min(x), shape_.bounds.hi = shape_.bounds.hi.max(x);
+    radius2 = std::max(radius2, x.squared_norm());
   }
   shape_.bounding_radius = std::sqrt(radius2);
 }
@@ -49,7 +49,7 @@ void PieceShape::reshape(const std::array<Vec3, 3>& corner) {
 void make_scenery(std::shared_ptr<const Scenery> scenery, Shape& shape) {
   shape.form = Form::scenery;
   shape.bounds = scenery->bounds;
-  shape.bounding_radius = scenery->bounds.lo.cwiseAbs().cwiseMax(scenery->bounds.hi.cwiseAbs()).norm();
+  shape.bounding_radius = scenery->bounds.lo.abs().max(scenery->bounds.hi.abs()).norm();
   shape.mass.exact = true;
   shape.scenery = std::move(scenery);
 }

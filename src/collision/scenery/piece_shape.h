@@ -20,7 +20,7 @@ class PieceShape {
 
  private:
   Shape shape_;
-  Vec3 origin_ = Vec3::Zero();
+  Vec3 origin_ = Vec3::zero();
 };
 
 /// Make a shape one of scenery: form, bounds, no volume.

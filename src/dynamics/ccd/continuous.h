@@ -69,8 +69,8 @@ struct SweptBody {
   std::uint32_t version = 0;                      // raised when its path changes
   Real radius = 0;                                // m: the farthest of its colliders from its centre
   Path path;                                      // of this substep, from the last hit on
-  Vec3 before = Vec3::Zero();                     // m/s, velocity as the substep began
-  Vec3 accel = Vec3::Zero();                      // m/s^2, of forces in this substep
+  Vec3 before = Vec3::zero();                     // m/s, velocity as the substep began
+  Vec3 accel = Vec3::zero();                      // m/s^2, of forces in this substep
 
   // The first contact ahead:
   Real when = kInfinity;             // s; infinite: there is none

@@ -37,7 +37,7 @@ bool is_fast(const World& world, std::uint32_t body, Real dt) {
     const Shape& shape = *c.shape[slot];
     reach = std::max(reach, shape.bounding_radius);
     const Real arm = world.plan->local[slot].p.norm() + std::max(shape.bounding_radius - shape.core_radius, Real(0));
-    const Real thickness = (shape.bounds.hi - shape.bounds.lo).minCoeff();
+    const Real thickness = (shape.bounds.hi - shape.bounds.lo).min_entry();
     spins |= turn > kSpin && turn * arm > thickness;
   }
   return reach > 0 && (way > reach || spins);
@@ -159,7 +159,7 @@ Aabb swept_bounds(const World& world, std::uint32_t collider, Real dt) {
   const SweptBody* const b = world.continuous->find(table.body[collider]);
   if (!b || !b->swept) return box;
   const Aabb way = straight_way(world, b->body, b->radius, dt);
-  return {box.lo.cwiseMin(way.lo), box.hi.cwiseMax(way.hi)};
+  return {box.lo.min(way.lo), box.hi.max(way.hi)};
 }
 
 bool sweeps_into(World& world, std::uint32_t collider, std::uint32_t sleeper, Real dt) {
@@ -169,7 +169,7 @@ bool sweeps_into(World& world, std::uint32_t collider, std::uint32_t sleeper, Re
   const State& s = world.state;
   const std::uint32_t other = table.body[sleeper];
   const Path way{0, s.x[b->body], s.q[b->body], s.v[b->body], s.omega[b->body]};
-  const Path rest{0, s.x[other], s.q[other], Vec3::Zero(), Vec3::Zero()};
+  const Path rest{0, s.x[other], s.q[other], Vec3::zero(), Vec3::zero()};
   CastSettings settings;
   settings.target = world.scene.dials[Dial::contact_distance];
   const Aabb box = swept_bounds(world, collider, dt), own = table.bounds[sleeper];

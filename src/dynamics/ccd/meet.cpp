@@ -66,8 +66,8 @@ bool Sweeper::is_slow(const Side& a, const Side& b, const Meeting& m) {
 Sweeper::Meeting Sweeper::meet(const Side& a, const Side& b, Real from, Real to) {
   // What comes no nearer than two may sink is the solver's, wherever it is.
   const auto arm = [](const Side& s) { return s.piece.local.p.norm() + s.piece.shape->bounding_radius; };
-  const Real a_turns = a.path.w == Vec3::Zero() ? 0 : a.path.w.norm() * arm(a),
-             b_turns = b.path.w == Vec3::Zero() ? 0 : b.path.w.norm() * arm(b);
+  const Real a_turns = a.path.w == Vec3::zero() ? 0 : a.path.w.norm() * arm(a),
+             b_turns = b.path.w == Vec3::zero() ? 0 : b.path.w.norm() * arm(b);
   if (((a.path.u - b.path.u).norm() + a_turns + b_turns) * (to - from) <= kDeeper * slack(a, b)) return {};
   CastSettings settings;
   settings.tolerance = kTolerance;
@@ -80,7 +80,7 @@ Sweeper::Meeting Sweeper::meet(const Side& a, const Side& b, Real from, Real to)
     any_shape::time_of_impact(*a.piece.shape, a.path.motion(a.piece, start), *b.piece.shape,
                               b.path.motion(b.piece, start), to - start, settings, r, fault);
     if (fault.kind != SupportFault::none && c_.fault.kind == SupportFault::none) c_.fault = fault;
-    if (r.outcome == CastOutcome::miss || r.status == QueryStatus::fault || r.normal == Vec3::Zero()) return {};
+    if (r.outcome == CastOutcome::miss || r.status == QueryStatus::fault || r.normal == Vec3::zero()) return {};
     // What could not be decided is as good as touching: nothing touches before.
     return {start + r.time, r.normal, (r.point_a + r.point_b) / 2};
   };

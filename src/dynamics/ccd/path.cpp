@@ -9,7 +9,7 @@ Vec3 rotation_vector(const Quat& turn, const Vec3& near) {
   constexpr Real kWhole = 6.28318530717958647693;
   const Real sign = turn.w() < 0 ? -1 : 1, s = turn.vec().norm(), c = sign * turn.w(), size = near.norm();
   // Of almost no turn the axis is that of the other: only whole turns are missing.
-  const Vec3 axis = s > 1e-9 ? Vec3(sign / s * turn.vec()) : size > 0 ? Vec3(near / size) : Vec3(Vec3::UnitX());
+  const Vec3 axis = s > 1e-9 ? Vec3(sign / s * turn.vec()) : size > 0 ? Vec3(near / size) : Vec3(Vec3::unit_x());
   const Vec3 least = s > 1e-9 ? Vec3(2 * angle_of(s, c) * axis) : Vec3(2 * sign * turn.vec());
   return least + kWhole * std::floor((near - least).dot(axis) / kWhole + Real(0.5)) * axis;
 }

@@ -16,18 +16,18 @@ Vec3 rotation_vector(const Quat& turn, const Vec3& near);
 /// From time t of a substep on.
 struct Path {
   Real t = 0;                 // s
-  Vec3 x = Vec3::Zero();      // m, world: centre of mass, at t
-  Quat q = Quat::Identity();  // body -> world, at t
-  Vec3 u = Vec3::Zero();      // m/s, world
-  Vec3 w = Vec3::Zero();      // rad/s, world
+  Vec3 x = Vec3::zero();      // m, world: centre of mass, at t
+  Quat q = Quat::identity();  // body -> world, at t
+  Vec3 u = Vec3::zero();      // m/s, world
+  Vec3 w = Vec3::zero();      // rad/s, world
 
   Vec3 place(Real time) const { return x + (time - t) * u; }
-  Quat orientation(Real time) const { return w == Vec3::Zero() ? q : normalized(exp_map((time - t) * w) * q); }
+  Quat orientation(Real time) const { return w == Vec3::zero() ? q : normalized(exp_map((time - t) * w) * q); }
   void go_on_from(Real time) {
     const Quat there = orientation(time);
     x = place(time), q = there, t = time;
   }
-  void stay() { u = w = Vec3::Zero(); }
+  void stay() { u = w = Vec3::zero(); }
 
   /// A piece from a time on, whose zero is that time.
   RigidMotion motion(const SweptPiece& piece, Real from) const {
@@ -44,8 +44,8 @@ struct Path {
   }
   /// What a ball about the centre sweeps. @param radius  m
   Aabb swept(Real from, Real to, Real radius) const {
-    const Vec3 a = place(from), b = place(to), r = Vec3::Constant(radius);
-    return {a.cwiseMin(b) - r, a.cwiseMax(b) + r};
+    const Vec3 a = place(from), b = place(to), r = Vec3::constant(radius);
+    return {a.min(b) - r, a.max(b) + r};
   }
 };
 

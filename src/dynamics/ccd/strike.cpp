@@ -1,5 +1,4 @@
 // What a hit does: one impulse of all points that touch at that moment, and two bodies that go on from there.
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 
@@ -80,7 +79,7 @@ bool Sweeper::goes_far(const SweptBody& b) const {
   const Colliders& table = world_.scene.colliders;
   Real thin = kInfinity;
   for (std::uint32_t slot = world_.scene.first_collider[b.body]; slot != Colliders::kNone; slot = table.next[slot])
-    thin = std::min(thin, (table.shape[slot]->bounds.hi - table.shape[slot]->bounds.lo).minCoeff());
+    thin = std::min(thin, (table.shape[slot]->bounds.hi - table.shape[slot]->bounds.lo).min_entry());
   return 4 * time_.dt * (b.path.u.norm() + b.radius * b.path.w.norm()) > thin;
 }
 
@@ -150,14 +149,14 @@ bool Sweeper::exchange(Strike& s) {
   const Scene& scene = world_.scene;
   s.moves_a = moved_by_hits(s.a.body), s.moves_b = moved_by_hits(s.b.body);
   const auto inertia = [&](const Side& side, bool moves) -> Mat3 {
-    if (!moves || !rotates(scene, side.body)) return Mat3::Zero();
-    const Mat3 r = side.path.orientation(s.now).toRotationMatrix();
+    if (!moves || !rotates(scene, side.body)) return Mat3::zero();
+    const Mat3 r = side.path.orientation(s.now).matrix();
     const Locks locks = scene.locks_of(side.body);
     return locks & kAngularLocks ? inverse_of_free(r * scene.inertia[side.body] * r.transpose(), locks)
                                  : Mat3(r * scene.inv_inertia[side.body] * r.transpose());
   };
   const auto inv_mass = [&](std::uint32_t body, bool moves) -> Vec3 {
-    return moves ? Vec3(scene.inv_mass[body] * free_axes(scene.locks_of(body))) : Vec3(Vec3::Zero());
+    return moves ? Vec3(scene.inv_mass[body] * free_axes(scene.locks_of(body))) : Vec3(Vec3::zero());
   };
   s.inv_mass_a = inv_mass(s.a.body, s.moves_a), s.inv_mass_b = inv_mass(s.b.body, s.moves_b);
   s.inv_inertia_a = inertia(s.a, s.moves_a), s.inv_inertia_b = inertia(s.b, s.moves_b);
@@ -165,7 +164,7 @@ bool Sweeper::exchange(Strike& s) {
 
   // The moment on the parabolas: chords have come nearer by what these sag.
   const auto sag = [&](const Side& side) -> Vec3 {
-    if (!side.known || !side.known->flies) return Vec3::Zero();
+    if (!side.known || !side.known->flies) return Vec3::zero();
     return side.known->accel * ((s.now - side.path.t) * (time_.h - s.now) / 2);
   };
   s.moment = s.now;
@@ -197,12 +196,12 @@ bool Sweeper::exchange(Strike& s) {
     p.mass.r_a = place - x_a, p.mass.r_b = place - x_b;
     const Mat3 cross_a = cross_matrix(p.mass.r_a), cross_b = cross_matrix(p.mass.r_b);
     p.mass.k = -cross_a * s.inv_inertia_a * cross_a - cross_b * s.inv_inertia_b * cross_b;
-    p.mass.k.diagonal() += s.inv_mass_a + s.inv_mass_b;
+    p.mass.k.add_to_diagonal(s.inv_mass_a + s.inv_mass_b);
     p.mass.k_inv = p.mass.k.inverse();
     p.row.n = c.normal;
     p.row.friction = material.friction;
     p.row.k_n = c.normal.dot(p.mass.k * c.normal);
-    p.row.set_impulse(Vec3::Zero());
+    p.row.set_impulse(Vec3::zero());
     const Real speed = c.normal.dot(s.of_a.at(p.mass.r_a) - s.of_b.at(p.mass.r_b));
     p.want = speed > 0 && !(speed > threshold) ? 0 : material.restitution * speed;
     s.speed = std::max(s.speed, speed);
@@ -215,8 +214,8 @@ bool Sweeper::exchange(Strike& s) {
         p.row.u = s.of_b.at(p.mass.r_b) - s.of_a.at(p.mass.r_a);
         const Vec3 next = resolved_impulse(p.row, p.mass, p.want), change = next - p.row.p;
         p.row.set_impulse(next);
-        s.of_a.v -= s.inv_mass_a.cwiseProduct(change), s.of_a.omega -= s.inv_inertia_a * p.mass.r_a.cross(change);
-        s.of_b.v += s.inv_mass_b.cwiseProduct(change), s.of_b.omega += s.inv_inertia_b * p.mass.r_b.cross(change);
+        s.of_a.v -= s.inv_mass_a.times(change), s.of_a.omega -= s.inv_inertia_a * p.mass.r_a.cross(change);
+        s.of_b.v += s.inv_mass_b.times(change), s.of_b.omega += s.inv_inertia_b * p.mass.r_b.cross(change);
         most = std::max(most, change.norm() * p.row.k_n);
       }
       if (!(most > kSettled * s.speed)) break;
@@ -236,7 +235,7 @@ bool Sweeper::exchange(Strike& s) {
 /// A body goes on with other velocities: what is stored changes by as much as the velocity of the moment, the place at
 /// the end by what is left of it.
 void Sweeper::turn_off(Side& side, Strike& s, const Velocity& change) {
-  if (!moved_by_hits(side.body) || (change.v == Vec3::Zero() && change.omega == Vec3::Zero())) return;
+  if (!moved_by_hits(side.body) || (change.v == Vec3::zero() && change.omega == Vec3::zero())) return;
   State& state = world_.state;
   const std::uint32_t i = side.body;
   if (world_.sleep->sleeps(i)) wake(world_, i);

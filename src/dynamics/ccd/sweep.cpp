@@ -71,7 +71,7 @@ void Sweeper::lay_path(SweptBody& b) {
   if (s.quarantined[i]) return;
   b.flies = world_.scene.type[i] == BodyType::dynamic && !world_.plan->touched[i];
   b.path.u = (s.x[i] - b.path.x) / time_.h;
-  if (s.q[i].coeffs() != b.path.q.coeffs())
+  if (s.q[i] != b.path.q)
     b.path.w = rotation_vector(s.q[i] * b.path.q.conjugate(), time_.h * s.omega[i]) / time_.h;
 }
 
@@ -103,8 +103,8 @@ Aabb Sweeper::swept_box(const SweptBody& b, std::uint32_t collider, Real now) {
   const Frame from = b.path.frame(whole, now), to = b.path.frame(whole, time_.h);
   const Aabb first = world_bounds(shape, from.r, from.p, fault), last = world_bounds(shape, to.r, to.p, fault);
   if (fault.kind != SupportFault::none) return ball;
-  const Vec3 sag = Vec3::Constant(turn * turn / 8 * b.radius + kBoxRounding * (from.p.norm() + b.radius));
-  return {first.lo.cwiseMin(last.lo) - sag, first.hi.cwiseMax(last.hi) + sag};
+  const Vec3 sag = Vec3::constant(turn * turn / 8 * b.radius + kBoxRounding * (from.p.norm() + b.radius));
+  return {first.lo.min(last.lo) - sag, first.hi.max(last.hi) + sag};
 }
 
 /// Colliders that may be in a collider's way, each once, ascending.
@@ -186,11 +186,11 @@ SweptBody* Sweeper::next() {
 Path Sweeper::path_of(std::uint32_t body) const {
   if (const SweptBody* const known = c_.find(body)) return known->path;
   const State& s = world_.state;
-  Path p{0, s.x[body], s.q[body], Vec3::Zero(), Vec3::Zero()};
+  Path p{0, s.x[body], s.q[body], Vec3::zero(), Vec3::zero()};
   if (world_.scene.type[body] == BodyType::fixed || s.quarantined[body] || world_.sleep->sleeps(body)) return p;
   p.u = s.v[body], p.w = s.omega[body];
   p.x -= time_.h * p.u;
-  if (p.w != Vec3::Zero()) p.q = normalized(exp_map(-time_.h * p.w) * p.q);
+  if (p.w != Vec3::zero()) p.q = normalized(exp_map(-time_.h * p.w) * p.q);
   return p;
 }
 
@@ -208,13 +208,13 @@ void Sweeper::move_bodies() {
     any = true;
     const Vec3 x = b.path.place(time_.h);
     const Quat q = b.path.orientation(time_.h);
-    const Real n2 = q.coeffs().squaredNorm();
+    const Real n2 = q.squared_norm();
     if (!sane_position(x) || !(n2 > 0.5 && n2 < 2))
       continue;  // numbers overflowed on the way: it stays where it was going
     s.x[b.body] = x;
     if (!rotates(world_.scene, b.body)) continue;
     s.q[b.body] = q;
-    world_.plan->rotation[b.body] = s.q[b.body].toRotationMatrix();
+    world_.plan->rotation[b.body] = s.q[b.body].matrix();
   }
   if (any) tell_contacts(world_);
 }

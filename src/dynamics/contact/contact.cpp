@@ -1,7 +1,6 @@
 // Rows from manifolds: materials, anchors, effective masses, starting impulses.
 #include "dynamics/contact/contact.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -50,7 +49,7 @@ std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Contacts&
       if (std::find(match.begin(), match.end(), old) != match.end()) continue;
       for (int i = 0; i < manifold.count; ++i) {
         if (match[static_cast<std::size_t>(i)]) continue;
-        const Real d = (old->place - place_of(manifold.point[i], on_b)).squaredNorm();
+        const Real d = (old->place - place_of(manifold.point[i], on_b)).squared_norm();
         if (d < least) least = d, nearest = old, of = i;
       }
     }
@@ -65,7 +64,7 @@ std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Contacts&
 Vec3 starting_impulse(const OldImpulse& old, const Vec3& n, Real friction, Real scale) {
   const Vec3 p = scale * old.p;
   const Real normal = p.dot(n);
-  if (!(normal > 0)) return Vec3::Zero();
+  if (!(normal > 0)) return Vec3::zero();
   const Vec3 tangent = p - normal * n;
   const Real bound = friction * normal, size = tangent.norm();
   return size > bound ? Vec3(normal * n + (bound / size) * tangent) : p;
@@ -120,9 +119,9 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
     Row& row = c.rows[at + static_cast<std::uint32_t>(k)];
     RowGeometry& g = c.geometry[at + static_cast<std::uint32_t>(k)];
     const OldImpulse* const old = match[static_cast<std::size_t>(k)];
-    row.u = Vec3::Zero();
+    row.u = Vec3::zero();
     row.n = point.normal;
-    row.p = old ? starting_impulse(*old, row.n, material.friction, scale) : Vec3(Vec3::Zero());
+    row.p = old ? starting_impulse(*old, row.n, material.friction, scale) : Vec3(Vec3::zero());
     row.friction = material.friction;
     row.restitution = material.restitution;
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
@@ -132,7 +131,7 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
     g.l_b = fb.apply(point.on_b);
     if (radius_a > 0) g.l_a -= radius_a * (world.plan->rotation[m.a].transpose() * row.n);
     if (radius_b > 0) g.l_b += radius_b * (world.plan->rotation[m.b].transpose() * row.n);
-    g.impulse = Vec3::Zero();
+    g.impulse = Vec3::zero();
     g.place = place_of(point, on_b);
     g.separation = point.separation;
     g.pair = static_cast<std::uint32_t>(pair_index);
@@ -269,20 +268,17 @@ Real mix(Mix rule_a, Real a, Mix rule_b, Real b) {
 
 void push_body(World& world, std::uint32_t body, const Vec3& p, const Vec3& r) {
   const Locks locks = world.scene.locks_of(body);
-  world.state.v[body] += world.scene.inv_mass[body] * (locks ? Vec3(free_axes(locks).cwiseProduct(p)) : p);
+  world.state.v[body] += world.scene.inv_mass[body] * (locks ? Vec3(free_axes(locks).times(p)) : p);
   if (rotates(world.scene, body)) world.state.omega[body] += world.contacts->inv_inertia_w[body] * r.cross(p);
 }
 
 // K = (1/m_a + 1/m_b) 1 - [r_a]x I_a^-1 [r_a]x - [r_b]x I_b^-1 [r_b]x
 Mat3 velocity_per_impulse(const World& world, const Row& row, const RowMass& m) {
   const Scene& scene = world.scene;
-  Mat3 k = Mat3::Zero();
+  Mat3 k = Mat3::zero();
   const auto add = [&](std::uint32_t body, const Vec3& r) {
     const Locks locks = scene.locks_of(body);
-    if (locks)
-      k.diagonal() += scene.inv_mass[body] * free_axes(locks);
-    else
-      k.diagonal().array() += scene.inv_mass[body];
+    k.add_to_diagonal(locks ? scene.inv_mass[body] * free_axes(locks) : Vec3::constant(scene.inv_mass[body]));
     if (!rotates(scene, body)) return;
     const Mat3 x = cross_matrix(r);
     k -= x * world.contacts->inv_inertia_w[body] * x;
@@ -327,7 +323,7 @@ void build_rows(World& world, Real h) {
   if (!c.bouncing.empty()) make_room_for_search(world);
   c.inv_inertia_w.resize(slots);
   c.last_impact.resize(slots);
-  c.shift.resize(slots, Vec3::Zero()), c.turn.resize(slots, Vec3::Zero());
+  c.shift.resize(slots, Vec3::zero()), c.turn.resize(slots, Vec3::zero());
   c.old.reserve(n);
   c.blocks.assign((n + kRowsAPart - 1) / kRowsAPart, {});
   world.views.reserve(n);
@@ -352,7 +348,7 @@ void prepare_rows(World& world, Real h) {
     if (row.moves_a) c.half[c.half_end[row.a]++] = {m.r_a, i, -1};
     if (row.moves_b) c.half[c.half_end[row.b]++] = {m.r_b, i, 1};
     row.set_impulse(row.p);
-    if (row.p != Vec3::Zero()) start_row(world, row, m);
+    if (row.p != Vec3::zero()) start_row(world, row, m);
   }
   for (std::size_t i = 0; i < c.rows.size(); ++i) {
     Row& row = c.rows[i];
@@ -378,7 +374,7 @@ void refresh_inertias(World& world) {
 
 void refresh_rotations(World& world) {
   Array<Mat3>& rotation = world.plan->rotation;
-  const auto orient = [&](std::uint32_t i) { rotation[i] = world.state.q[i].toRotationMatrix(); };
+  const auto orient = [&](std::uint32_t i) { rotation[i] = world.state.q[i].matrix(); };
   const Array<std::uint32_t>& bodies = world.contacts->bodies;
   in_parallel(world.jobs, bodies.size(), kBodiesAPart, [&](std::uint32_t k) {
     if (rotates(world.scene, bodies[k])) orient(bodies[k]);
@@ -404,11 +400,11 @@ void remember_impulses(World& world, Real h) {
     auto resistance = std::lower_bound(c.resisting.begin(), c.resisting.end(), first, ends_before);
     for (std::size_t i = first; i < last; ++i) {
       const Row& row = c.rows[i];
-      if (row.p == Vec3::Zero()) continue;
+      if (row.p == Vec3::zero()) continue;
       const RowGeometry& g = c.geometry[i];
       while (resistance != c.resisting.end() && ends_before(*resistance, i)) ++resistance;
       const bool resists = resistance != c.resisting.end() && resistance->row <= i;
-      *to++ = {world.pairs.place(g.pair).pair, g.place, row.p, Vec3::Zero()};
+      *to++ = {world.pairs.place(g.pair).pair, g.place, row.p, Vec3::zero()};
       if (resists) to[-1].moment = resistance->moment;
     }
   });

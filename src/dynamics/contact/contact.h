@@ -21,7 +21,7 @@ struct alignas(64) Row {
 
   Real k_n;                 // 1/kg, n.K n: normal velocity per unit of normal impulse
   Real slip_most2;          // (m/s)^2, the most slip that friction could change, squared; 0: no friction impulse now
-  Vec3 rub = Vec3::Zero();  // N s, tangent part of p
+  Vec3 rub = Vec3::zero();  // N s, tangent part of p
   Real rub2;                // (N s)^2, |rub|^2
   bool on_rim;              // the friction impulse is as large as the cone allows
   bool moves_a, moves_b;    // an impulse moves it
@@ -40,7 +40,7 @@ struct alignas(64) Row {
     slip_most2 = 0, on_rim = false;
     if (!(bound > 0)) return;
     rub = p - p_n * n;
-    rub2 = rub.squaredNorm();
+    rub2 = rub.squared_norm();
     on_rim = rub2 >= 0.999999 * bound * bound;
     const Real most = 2 * bound * k_n;
     slip_most2 = most * most;

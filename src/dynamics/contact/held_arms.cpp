@@ -14,13 +14,13 @@ void hold_orientation(World& world, std::uint32_t body) {
   const Quat& q = s.q[body];
   Quat& held = s.held_q[body];
   const Real turned = 2 * (q * held.conjugate()).vec().norm();
-  if (turned > world.scene.dials[Dial::hold_angle] || s.omega[body].squaredNorm() > kSlow * kSlow) held = q;
+  if (turned > world.scene.dials[Dial::hold_angle] || s.omega[body].squared_norm() > kSlow * kSlow) held = q;
 }
 
 Mat3 held_back(const World& world, std::uint32_t body) {
   const Quat& held = world.state.held_q[body];
-  if (held.coeffs() == world.state.q[body].coeffs()) return Mat3::Zero();
-  return held.toRotationMatrix() - world.plan->rotation[body];
+  if (held == world.state.q[body]) return Mat3::zero();
+  return held.matrix() - world.plan->rotation[body];
 }
 
 }  // namespace carom

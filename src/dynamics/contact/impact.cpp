@@ -130,11 +130,11 @@ class Impacts {
     // Where nothing gives way no impulse helps; a little more than nothing keeps it finite, and sweeps undo what that
     // is off.
     if (scene.locks_of(row.a) | scene.locks_of(row.b))
-      p.mass.k.diagonal().array() +=
-          kGiveWay * (row.moves_a * scene.inv_mass[row.a] + row.moves_b * scene.inv_mass[row.b]);
+      p.mass.k.add_to_diagonal(Vec3::constant(
+          kGiveWay * (row.moves_a * scene.inv_mass[row.a] + row.moves_b * scene.inv_mass[row.b])));
     p.mass.k_inv = p.mass.k.inverse();
     p.row.k_n = row.n.dot(p.mass.k * row.n);
-    p.row.set_impulse(Vec3::Zero());
+    p.row.set_impulse(Vec3::zero());
     return p;
   }
 
@@ -160,7 +160,7 @@ class Impacts {
     for (const Point& p : points) {
       ++p.at->count;
       c_.geometry[p.at->row].impulse += p.row.p;
-      c_.rows[p.at->row].p.setZero();  // an impact does not come again
+      c_.rows[p.at->row].p.set_zero();  // an impact does not come again
     }
     if (row.moves_a) turn_off(row.a, hit.time, s.v[row.a] - v_a, s.omega[row.a] - omega_a);
     if (row.moves_b) turn_off(row.b, hit.time, s.v[row.b] - v_b, s.omega[row.b] - omega_b);
@@ -185,7 +185,7 @@ class Impacts {
     State& s = world_.state;
     for (const std::uint32_t i : c_.bodies) {
       correct_pose(s, i, c_.shift[i], c_.turn[i]);
-      c_.shift[i].setZero(), c_.turn[i].setZero();
+      c_.shift[i].set_zero(), c_.turn[i].set_zero();
     }
     refresh_rotations(world_);
     refresh_separations(world_);

@@ -16,7 +16,7 @@ Vec3 resolved_impulse(const Row& row, const RowMass& m, Real target) {
   if (!(row.friction > 0)) return std::max(Real(0), row.p_n + lacking / row.k_n) * n;
   const Vec3 stick = row.p + m.k_inv * (target * n - row.u);
   const Real stick_n = stick.dot(n);
-  if (stick_n > 0 && (stick - stick_n * n).squaredNorm() <= row.friction * row.friction * stick_n * stick_n)
+  if (stick_n > 0 && (stick - stick_n * n).squared_norm() <= row.friction * row.friction * stick_n * stick_n)
     return stick;
 
   // Sliding. The direction that would stick is not the one in which the point then slips; but steps of one size in all

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "core/vec6.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
@@ -26,7 +27,30 @@ using Body = MeanMotion::Body;
 using Point = MeanMotion::Point;
 
 /// v and omega of all bodies of a group, or an impulse and a moment on each.
-using Stacked = Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, 6 * kMostBodies, 1>;
+struct Stacked {
+  std::array<Vec6, kMostBodies> of;
+  std::size_t bodies;
+
+  Stacked() = default;  // not initialised
+  explicit Stacked(std::size_t count) : bodies(count) {
+    for (std::size_t i = 0; i < bodies; ++i) of[i].set_zero();
+  }
+  /// One after the other, not by halves.
+  Real dot(const Stacked& o) const {
+    Real sum = 0;
+    for (std::size_t i = 0; i < bodies; ++i)
+      for (int k = 0; k < 6; ++k) sum += of[i][k] * o.of[i][k];
+    return sum;
+  }
+  void add_scaled(Real s, const Stacked& o) {
+    for (std::size_t i = 0; i < bodies; ++i) of[i] += s * o.of[i];
+  }
+  Stacked scaled(Real s) const {
+    Stacked out(bodies);
+    out.add_scaled(s, *this);
+    return out;
+  }
+};
 
 /// Takes from a velocity what moves along rows, in the metric of the masses: with rows J and inverse masses W,
 ///   c <- c - W J^T (J W J^T)^-1 J c,   by rows made independent one after the other.
@@ -36,38 +60,37 @@ class Projection {
 
   /// @param row  an impulse: J c is its product with a velocity
   void take_out(Stacked row, Stacked& c) {
-    if (held_ == static_cast<int>(row.size())) return;
+    if (held_ == 6 * row.bodies) return;
     Stacked v = answer(row);
     const Real whole = row.dot(v);
-    for (int k = 0; k < held_; ++k) {
+    for (std::size_t k = 0; k < held_; ++k) {
       const Real shared = row.dot(velocity_[k]);
-      row -= shared * impulse_[k], v -= shared * velocity_[k];
+      row.add_scaled(-shared, impulse_[k]), v.add_scaled(-shared, velocity_[k]);
     }
     const Real rest = row.dot(v);
     if (!(rest > kIndependent * whole)) return;
     const Real scale = 1 / std::sqrt(rest);
-    impulse_[held_] = scale * row, velocity_[held_] = scale * v;
-    c -= impulse_[held_].dot(c) * velocity_[held_];
+    impulse_[held_] = row.scaled(scale), velocity_[held_] = v.scaled(scale);
+    c.add_scaled(-impulse_[held_].dot(c), velocity_[held_]);
     ++held_;
   }
 
  private:
   Stacked answer(const Stacked& row) const {
-    Stacked v(row.size());
+    Stacked v(row.bodies);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const std::uint32_t slot = bodies_[i].slot;
-      const auto at = static_cast<Eigen::Index>(6 * i);
-      const Vec3 p = row.segment<3>(at), moment = row.segment<3>(at + 3);
-      v.segment<3>(at) = world_.scene.inv_mass[slot] * free_axes(world_.scene.locks_of(slot)).cwiseProduct(p);
-      v.segment<3>(at + 3).setZero();
-      if (rotates(world_.scene, slot)) v.segment<3>(at + 3) = world_.contacts->inv_inertia_w[slot] * moment;
+      v.of[i].set_linear(world_.scene.inv_mass[slot] *
+                         free_axes(world_.scene.locks_of(slot)).times(row.of[i].linear()));
+      if (rotates(world_.scene, slot))
+        v.of[i].set_angular(world_.contacts->inv_inertia_w[slot] * row.of[i].angular());
     }
     return v;
   }
 
   const World& world_;
   std::span<const Body> bodies_;
-  int held_ = 0;
+  std::size_t held_ = 0;
   std::array<Stacked, 6 * kMostBodies> impulse_, velocity_;
 };
 
@@ -82,22 +105,19 @@ class Group {
 
   /// @param dt  s, of the step: separations are those of its beginning
   void find_motion(Real dt) {
-    Stacked c(6 * bodies_.size());
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      c.segment<3>(static_cast<Eigen::Index>(6 * i)) = -0.5 * gained_v(bodies_[i]);
-      c.segment<3>(static_cast<Eigen::Index>(6 * i + 3)) = -0.5 * gained_omega(bodies_[i]);
-    }
+    Stacked c(bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      c.of[i] = {-0.5 * gained_v(bodies_[i]), -0.5 * gained_omega(bodies_[i])};
     const bool held =
         std::ranges::any_of(bodies_, [&](const Body& b) { return world_.state.quarantined[b.slot] != 0; });
     const Real most = 2 * size_of(c);
     const bool is_worth_it = most > kNotice * world_.scene.dials[Dial::velocity_tolerance] && finite(most);
     if (held || group_.is_curved || !is_worth_it) return;
-    group_.is_moved = hold(dt, most, c) && finite(c.squaredNorm());
+    group_.is_moved = hold(dt, most, c) && finite(c.dot(c));
     group_.is_first = false;
     if (!group_.is_moved) return;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      bodies_[i].v_change = c.segment<3>(static_cast<Eigen::Index>(6 * i));
-      bodies_[i].omega_change = c.segment<3>(static_cast<Eigen::Index>(6 * i + 3));
+      bodies_[i].v_change = c.of[i].linear(), bodies_[i].omega_change = c.of[i].angular();
     }
   }
 
@@ -122,9 +142,8 @@ class Group {
     Real most2 = 0, all2 = 0;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const std::uint32_t slot = bodies_[i].slot;
-      const auto at = static_cast<Eigen::Index>(6 * i);
       const Real gyration2 = rotates(scene, slot) ? scene.inertia[slot].trace() * scene.inv_mass[slot] : 0;
-      const Real size2 = c.segment<3>(at).squaredNorm() + gyration2 * c.segment<3>(at + 3).squaredNorm();
+      const Real size2 = c.of[i].linear().squared_norm() + gyration2 * c.of[i].angular().squared_norm();
       most2 = std::max(most2, size2), all2 += size2;
     }
     return finite(all2) ? std::sqrt(most2) : all2;
@@ -149,7 +168,7 @@ class Group {
       if (world_.contacts->geometry[p.row].separation > dt * (closing + most)) continue;  // it stays open
       if (group_.is_first && std::fabs(opened) > kCurves * most) return group_.is_curved = true, false;
       const auto hold_along = [&](const Vec3& d) {
-        Stacked j = Stacked::Zero(c.size());
+        Stacked j(c.bodies);
         add_impulse(j, p.a, r.a, -d), add_impulse(j, p.b, r.b, d);
         projection.take_out(j, c);
       };
@@ -168,18 +187,15 @@ class Group {
 
   /// m/s, of a body that tips its middle is lifted or lowered while no point is.
   static Real lifts(const Stacked& of, std::uint32_t body, const Vec3& n) {
-    return body == MeanMotion::kNobody ? 0 : 2 * std::fabs(of.segment<3>(static_cast<Eigen::Index>(6 * body)).dot(n));
+    return body == MeanMotion::kNobody ? 0 : 2 * std::fabs(of.of[body].linear().dot(n));
   }
   static Vec3 velocity(const Stacked& of, std::uint32_t body, const Vec3& r) {
-    if (body == MeanMotion::kNobody) return Vec3::Zero();
-    const auto at = static_cast<Eigen::Index>(6 * body);
-    const Vec3 v = of.segment<3>(at), omega = of.segment<3>(at + 3);
-    return v + omega.cross(r);
+    if (body == MeanMotion::kNobody) return Vec3::zero();
+    return of.of[body].linear() + of.of[body].angular().cross(r);
   }
   static void add_impulse(Stacked& to, std::uint32_t body, const Vec3& r, const Vec3& p) {
     if (body == MeanMotion::kNobody) return;
-    const auto at = static_cast<Eigen::Index>(6 * body);
-    to.segment<3>(at) = p, to.segment<3>(at + 3) = r.cross(p);
+    to.of[body] = {p, r.cross(p)};
   }
 
   World& world_;

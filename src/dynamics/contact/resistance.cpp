@@ -47,7 +47,7 @@ void find_resistance(World& world, Real scale) {
     next = c.first_row[c.geometry[i].pair + 1];
     const Pair& pair = world.pairs.place(c.geometry[i].pair).pair;
     const MixedMaterial m = mixed(world.scene, pair.a, pair.b);
-    Resistance r{i, next - i, m.rolling, m.spinning, Vec3::Zero(), 0};
+    Resistance r{i, next - i, m.rolling, m.spinning, Vec3::zero(), 0};
     if (!(r.rolling > 0 || r.spinning > 0)) continue;
     rolling += r.rolling > 0, spinning += r.spinning > 0;
     const auto before = [](const OldImpulse& old, const Pair& p) { return old.pair < p; };
@@ -79,7 +79,7 @@ void resist(World& world, const StepTime&) {
   const Driven* driven = c.driven.data();
   for (Resistance& r : c.resisting) {
     const Row& row = c.rows[r.row];
-    Mat3 k = Mat3::Zero();
+    Mat3 k = Mat3::zero();
     if (turns(world, row.moves_a, row.a)) k += c.inv_inertia_w[row.a];
     if (turns(world, row.moves_b, row.b)) k += c.inv_inertia_w[row.b];
     const Real load = std::max(Real(0), pressed(world, r));
@@ -96,7 +96,7 @@ Vec3 resisting_moment(const Vec3& moment, const Vec3& omega, const Mat3& k, cons
                       Real spinning) {
   constexpr Real kRounding = 1e-12;  // of a response that locks leave
   const Real k_n = n.dot(k * n);
-  if (!(k.trace() > 0)) return Vec3::Zero();
+  if (!(k.trace() > 0)) return Vec3::zero();
   const Real had = moment.dot(n);
   const Real spin = k_n > kRounding * k.trace() ? std::clamp(had - omega.dot(n) / k_n, -spinning, spinning) : 0;
   const Vec3 left = omega + (spin - had) * (k * n);

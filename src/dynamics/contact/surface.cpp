@@ -37,7 +37,7 @@ void find_surfaces(World& world) {
     const Pair& pair = world.pairs.place(c.geometry[i].pair).pair;
     if (!allowed_surface(scene, pair.a).any() && !allowed_surface(scene, pair.b).any()) continue;
     const Moving a(scene, pair.a), b(scene, pair.b);
-    c.surface.resize(c.rows.size(), Vec3::Zero());
+    c.surface.resize(c.rows.size(), Vec3::zero());
     for (std::uint32_t k = i; k < next; ++k) {
       const Row& row = c.rows[k];
       const Arms arms(world, row, c.geometry[k]);

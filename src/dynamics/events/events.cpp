@@ -32,7 +32,7 @@ bool one_sleeps(const World& world, const Pair& p) {
 }
 
 ContactEvent event(ContactEvent::Kind kind, const Together& t) {
-  return {kind, t.a, t.b, t.body_a, t.body_b, Vec3::Zero(), Vec3::Zero(), 0, 0};
+  return {kind, t.a, t.b, t.body_a, t.body_b, Vec3::zero(), Vec3::zero(), 0, 0};
 }
 
 /// A pair's contact views, and the hits that sweeps found.
@@ -76,7 +76,7 @@ class Contacting {
   void meet(const Met& met, bool known) {
     const Array<ContactView>& views = world_.contact_views();
     Real impulse = 0, speed = 0, most = -1;
-    Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
+    Vec3 point = Vec3::zero(), normal = Vec3::zero();
     const auto add = [&](Real p, Real approach, const Vec3& at, const Vec3& n) {
       impulse += p, speed = std::max(speed, approach);
       if (p > most) most = p, point = at, normal = n;

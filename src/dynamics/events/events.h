@@ -17,8 +17,8 @@ struct ContactEvent {
   enum Kind : std::uint32_t { begin, end, hit };
   Kind kind;
   Handle collider_a, collider_b, body_a, body_b;  // what is gone keeps its name
-  Vec3 point = Vec3::Zero();                      // m, world: where the largest impulse acted
-  Vec3 normal = Vec3::Zero();                     // unit, world, A to B
+  Vec3 point = Vec3::zero();                      // m, world: where the largest impulse acted
+  Vec3 normal = Vec3::zero();                     // unit, world, A to B
   Real impulse = 0;                               // N s, along the normals, of all points in the step
   Real speed = 0;                                 // m/s, at which the fastest point approached as the step began
 };

@@ -1,5 +1,4 @@
 // Bodies that do not move along, or turn about, some world axes.
-#include <Eigen/LU>
 #include <bit>
 
 #include "dynamics/force/force.h"
@@ -13,7 +12,7 @@ bool holds_turns(const Scene& scene, std::uint32_t body, Locks locks) {
 }
 
 Mat3 inertia_of(const Scene& scene, std::uint32_t body, const Quat& q) {
-  const Mat3 r = q.toRotationMatrix();
+  const Mat3 r = q.matrix();
   return r * scene.inertia[body] * r.transpose();
 }
 
@@ -22,8 +21,8 @@ Vec3 free_turns(Locks locks) { return free_axes(static_cast<Locks>(locks >> 3));
 /// What of a rotation is free: P = E (E^T I E)^-1 E^T I. The free part is taken as it is, so that what turns freely
 /// does not round.
 Vec3 project_turn(const Vec3& omega, const Mat3& inertia, const Mat3& inverse, Locks locks) {
-  const Vec3 free = free_turns(locks).cwiseProduct(omega), held = omega - free;
-  return held == Vec3::Zero() ? free : Vec3(free + inverse * (inertia * held));
+  const Vec3 free = free_turns(locks).times(omega), held = omega - free;
+  return held == Vec3::zero() ? free : Vec3(free + inverse * (inertia * held));
 }
 
 /// The implicit midpoint rule on E^T (I w' + w x I w) = 0, which keeps the energy. Each sweep gains a factor of
@@ -41,7 +40,7 @@ Vec3 midpoint(const Vec3& omega, const Mat3& inertia, const Mat3& inverse, Real 
 }  // namespace
 
 Mat3 inverse_of_free(const Mat3& inertia, Locks locks) {
-  Mat3 inverse = Mat3::Zero();
+  Mat3 inverse = Mat3::zero();
   const Vec3 free = free_turns(locks);
   switch (std::popcount(static_cast<unsigned>(locks & kAngularLocks))) {
     case 0:
@@ -64,7 +63,7 @@ Mat3 inverse_of_free(const Mat3& inertia, Locks locks) {
 
 void hold_velocity(const Scene& scene, std::uint32_t body, const Quat& q, Vec3& v, Vec3& omega) {
   const Locks locks = scene.locks_of(body);
-  v = free_axes(locks).cwiseProduct(v);
+  v = free_axes(locks).times(v);
   if (!holds_turns(scene, body, locks)) return;
   const Mat3 inertia = inertia_of(scene, body, q);
   const Vec3 held = project_turn(omega, inertia, inverse_of_free(inertia, locks), locks);
@@ -92,7 +91,7 @@ void axis_locks::hold(World& world, Real h) {
   row.customers.each(world.jobs, [&](std::uint32_t i) {
     const Locks locks = scene.locks_of(i);
     const Vec3 free = free_axes(locks);
-    s.v[i] = free.cwiseProduct(s.v[i]);
+    s.v[i] = free.times(s.v[i]);
     for (int k = 0; proposes && k < 3; ++k)
       if (free[k] == 0) to.x[i][k] = s.x[i][k];
     if (!holds_turns(scene, i, locks)) return;

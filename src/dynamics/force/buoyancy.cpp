@@ -68,7 +68,7 @@ void buoyancy::force(const Scene& scene, const State& state, const Customers& cu
     Vec3 force = -displaced * scene.gravity;
     if (water.def.drag > 0) {
       const Real rate = std::min(water.def.drag * displaced * scene.inv_mass[i], water.most_rate);  // 1/s
-      const Vec3 spin = turns ? Vec3(at.omega[i].cross(arm)) : Vec3(Vec3::Zero());
+      const Vec3 spin = turns ? Vec3(at.omega[i].cross(arm)) : Vec3(Vec3::zero());
       force -= rate * scene.mass[i] * (at.v[i] + spin - water.def.current);
       if (turns) out.omega[i] -= out.scale * rate * at.omega[i];
     }

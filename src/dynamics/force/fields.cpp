@@ -13,24 +13,24 @@ Real strength_at(const FieldDef& f, Real distance) {
 }
 
 Vec3 uniform_at(const FieldDef& f, const Vec3& x) {
-  if (f.half == Vec3::Constant(kInfinity)) return f.vector;
+  if (f.half == Vec3::constant(kInfinity)) return f.vector;
   const Vec3 local = f.pose.q.conjugate() * (x - f.pose.p);
-  return (local.cwiseAbs() - f.half).maxCoeff() <= 0 ? f.vector : Vec3(Vec3::Zero());
+  return (local.abs() - f.half).max_entry() <= 0 ? f.vector : Vec3(Vec3::zero());
 }
 
 Vec3 radial_at(const FieldDef& f, const Vec3& x) {
   const Vec3 d = x - f.pose.p;
-  const Real d2 = d.squaredNorm(), s = std::sqrt(d2 + f.core * f.core);
-  if (d2 > f.reach * f.reach || !(s > 0)) return Vec3::Zero();
+  const Real d2 = d.squared_norm(), s = std::sqrt(d2 + f.core * f.core);
+  if (d2 > f.reach * f.reach || !(s > 0)) return Vec3::zero();
   return f.strength * strength_at(f, s) / s * d;
 }
 
 Vec3 vortex_at(const FieldDef& f, const Vec3& x) {
   const Vec3 d = f.pose.q.conjugate() * (x - f.pose.p);
   const Real d2 = d.x() * d.x() + d.z() * d.z(), s = std::sqrt(d2 + f.core * f.core);
-  if (d2 > f.reach * f.reach || std::fabs(d.y()) > f.half.y() || !(s > 0)) return Vec3::Zero();
+  if (d2 > f.reach * f.reach || std::fabs(d.y()) > f.half.y() || !(s > 0)) return Vec3::zero();
   const Vec3 around(d.z(), 0, -d.x()), outward(d.x(), 0, d.z());
-  const Vec3 local = (f.strength * around - f.pull * outward) / s + f.lift * Vec3::UnitY();
+  const Vec3 local = (f.strength * around - f.pull * outward) / s + f.lift * Vec3::unit_y();
   return strength_at(f, s) * (f.pose.q * local);
 }
 

@@ -62,11 +62,11 @@ class Sum {
 };
 
 Submerged under_ellipsoid(const Vec3& half, const Vec3& n, Real level) {
-  const Vec3 stretched = half.cwiseProduct(n);  // the plane's normal where the ellipsoid is the unit ball
+  const Vec3 stretched = half.times(n);  // the plane's normal where the ellipsoid is the unit ball
   const Real length = stretched.norm();
   const Cap cap = cap_of(level / length);
-  const Real volume = half.prod() * cap.volume;
-  return {volume, -(volume * cap.down / length) * half.cwiseProduct(stretched)};
+  const Real volume = half.product() * cap.volume;
+  return {volume, -(volume * cap.down / length) * half.times(stretched)};
 }
 
 /// Whether its share under a plane has a closed form.
@@ -87,7 +87,7 @@ void make_surface(const Shape& shape, Array<Vec3>& corner) {
   if (shape.form == Form::polytope && flat_faced) {
     points.assign(shape.vertices.begin(), shape.vertices.end());
   } else if (flat_faced) {
-    for (int c = 0; c < 8; ++c) add(Vec3(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1).cwiseProduct(shape.half));
+    for (int c = 0; c < 8; ++c) add(Vec3(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1).times(shape.half));
   } else {
     SupportFault fault;
     Vec3 x;
@@ -116,7 +116,7 @@ bool floats(const Shape& shape) {
 
 Submerged under_plane(const Shape& shape, const Float* surface, const Vec3& n, Real level) {
   if (level >= shape.bounding_radius) return {shape.mass.volume, shape.mass.volume * shape.mass.centroid};
-  if (shape.form == Form::sphere) return under_ellipsoid(Vec3::Constant(shape.radius), n, level);
+  if (shape.form == Form::sphere) return under_ellipsoid(Vec3::constant(shape.radius), n, level);
   if (shape.form == Form::ellipsoid) return under_ellipsoid(shape.half, n, level);
   Sum sum(n, level);
   if (surface)

@@ -8,7 +8,7 @@ namespace carom {
 
 struct Submerged {
   Real volume = 0;             // m^3
-  Vec3 moment = Vec3::Zero();  // m^4: volume times centroid
+  Vec3 moment = Vec3::zero();  // m^4: volume times centroid
 };
 
 /// Whether a shape has a volume that floats: bounded, convex, not flat.

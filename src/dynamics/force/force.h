@@ -19,7 +19,7 @@ inline bool yields(const Scene& scene, const State& state, std::uint32_t i) {
 inline bool rotates(const Scene& scene, std::uint32_t i) { return scene.inv_inertia[i](0, 0) > 0; }
 /// kg m^2, world, of a body that faces like q.
 inline Mat3 inertia_at(const Scene& scene, std::uint32_t i, const Quat& q) {
-  const Mat3 r = q.toRotationMatrix();
+  const Mat3 r = q.matrix();
   return r * scene.inertia[i] * r.transpose();
 }
 

@@ -4,7 +4,7 @@
 namespace carom::gravity {
 
 void find(const Scene& scene, const State& state, Customers& customers) {
-  if (scene.gravity == Vec3::Zero()) return;
+  if (scene.gravity == Vec3::zero()) return;
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
     if (responds(scene, state, i) && scene.gravity_factor_of(i) != 0) customers.add(i);
 }

@@ -1,6 +1,5 @@
 // The gyroscopic term: why a spinning body that is not round wobbles although nobody touches it.
 //   d(omega)/dt = -I^-1 (omega x I omega), I the inertia; nothing for spheres and cubes, so they are no customers.
-#include <Eigen/LU>
 
 #include "dynamics/force/force.h"
 
@@ -14,11 +13,11 @@ void find(const Scene& scene, const State& state, Customers& customers) {
     const Real mean = inertia.trace() / 3;
     // Rounding of the parallel-axis sums leaves a cube anisotropic by a few eps; 1e-12 turns the momentum of such a
     // body by less than 1e-12 of its spin.
-    if ((inertia - mean * Mat3::Identity()).cwiseAbs().maxCoeff() > 1e-12 * mean) customers.add(i);
+    if ((inertia - mean * Mat3::identity()).abs().max_entry() > 1e-12 * mean) customers.add(i);
   }
 }
 
-bool wakes(const Scene&, const State& state, std::uint32_t body) { return state.omega[body] != Vec3::Zero(); }
+bool wakes(const Scene&, const State& state, std::uint32_t body) { return state.omega[body] != Vec3::zero(); }
 
 void force(const Scene& scene, const State&, const Customers& customers, const Motion& at, const Accelerate& out) {
   customers.each([&](std::uint32_t i) {

@@ -20,8 +20,8 @@ struct FieldDef {
   FieldKind kind = FieldKind::uniform;
   bool is_force = false;                  // what it says is N, not m/s^2
   Pose pose;                              // field -> world
-  Vec3 half = Vec3::Constant(kInfinity);  // m, where a uniform field ends, in its frame
-  Vec3 vector = Vec3::Zero();             // m/s^2 or N, world: a uniform field
+  Vec3 half = Vec3::constant(kInfinity);  // m, where a uniform field ends, in its frame
+  Vec3 vector = Vec3::zero();             // m/s^2 or N, world: a uniform field
   Real strength = 0, pull = 0, lift = 0;  // likewise: outward; of a vortex around, inward and along its y axis
   Real reference = 1;                     // m, where radial and vortex are as strong as that
   Real core = 0;                          // m, within which they no longer grow
@@ -42,7 +42,7 @@ struct Fields {
 /// A spring as a force, between two bodies or one and the world.
 struct SpringDef {
   std::uint32_t body_a = kTheWorld, body_b = kTheWorld;   // slots, or kTheWorld
-  Vec3 anchor_a = Vec3::Zero(), anchor_b = Vec3::Zero();  // m, body frame (origin as the host gave it), or world
+  Vec3 anchor_a = Vec3::zero(), anchor_b = Vec3::zero();  // m, body frame (origin as the host gave it), or world
   Real rest = 0;                                          // m
   Real stiffness = 0, damping = 0;                        // N/m, N s/m
   bool only_pulls = false;
@@ -81,10 +81,10 @@ struct Springs {
 
 /// A plane of water: all of space where normal . x <= level.
 struct WaterDef {
-  Vec3 normal = Vec3::UnitY();  // unit, world, out of the water
+  Vec3 normal = Vec3::unit_y();  // unit, world, out of the water
   Real level = 0;               // m
   Real density = 1000;          // kg/m^3
-  Vec3 current = Vec3::Zero();  // m/s, world
+  Vec3 current = Vec3::zero();  // m/s, world
   Real drag = 0;                // 1/s: what a kg of displaced water takes of a body's velocity
 };
 

@@ -18,13 +18,13 @@ namespace {
 
 /// One end of a spring.
 struct End {
-  Vec3 x = Vec3::Zero(), v = Vec3::Zero();  // m, m/s, world, of the anchor
-  Vec3 arm = Vec3::Zero();                  // m, world axes, from the centre of mass
+  Vec3 x = Vec3::zero(), v = Vec3::zero();  // m, m/s, world, of the anchor
+  Vec3 arm = Vec3::zero();                  // m, world axes, from the centre of mass
   bool moves = false;                       // forces move it
 };
 
 End end_of(const Scene& scene, const State& s, const Motion& at, std::uint32_t body, const Vec3& anchor) {
-  if (body == kTheWorld) return {anchor, Vec3::Zero(), Vec3::Zero(), false};
+  if (body == kTheWorld) return {anchor, Vec3::zero(), Vec3::zero(), false};
   End e;
   e.moves = responds(scene, s, body);
   const bool held = s.quarantined[body] != 0;
@@ -46,7 +46,7 @@ struct Pull {
 Pull pull_of(const SpringDef& def, Real stiffness, Real damping, const End& a, const End& b) {
   const Vec3 d = b.x - a.x;
   const Real length = d.norm();
-  if (!(length > 0)) return {Vec3::UnitY(), 0};  // no direction
+  if (!(length > 0)) return {Vec3::unit_y(), 0};  // no direction
   const Vec3 n = d / length;
   const Real size = stiffness * (length - def.rest) + damping * n.dot(b.v - a.v);
   return {n, def.only_pulls && (length < def.rest || size < 0) ? 0 : size};
@@ -66,14 +66,14 @@ bool acts(const World& world, const SpringDef& def) {
 /// m/(N s^2): what a newton at the anchor accelerates it by, at most.
 Real mobility(const Scene& scene, const State& state, std::uint32_t body, const Vec3& anchor) {
   if (body == kTheWorld || !responds(scene, state, body)) return 0;
-  const Real arm2 = rotates(scene, body) ? (anchor - scene.center[body]).squaredNorm() : 0;
+  const Real arm2 = rotates(scene, body) ? (anchor - scene.center[body]).squared_norm() : 0;
   return scene.inv_mass[body] + arm2 * scene.inv_inertia[body].trace();
 }
 
 bool is_moved(const World& world, std::uint32_t body) {
   if (body == kTheWorld || world.scene.type[body] == BodyType::fixed) return false;
   if (world.scene.type[body] == BodyType::dynamic) return !world.sleep->sleeps(body);
-  return world.state.v[body] != Vec3::Zero() || world.state.omega[body] != Vec3::Zero();
+  return world.state.v[body] != Vec3::zero() || world.state.omega[body] != Vec3::zero();
 }
 
 }  // namespace

@@ -5,7 +5,7 @@ namespace carom {
 
 void user_force::find(const Scene& scene, const State& state, Customers& customers) {
   for (const std::uint32_t i : state.written)
-    if (responds(scene, state, i) && state.force[i] != Vec3::Zero()) customers.add(i);
+    if (responds(scene, state, i) && state.force[i] != Vec3::zero()) customers.add(i);
 }
 
 void user_force::force(const Scene& scene, const State& state, const Customers& customers, const Motion&,
@@ -15,7 +15,7 @@ void user_force::force(const Scene& scene, const State& state, const Customers& 
 
 void user_torque::find(const Scene& scene, const State& state, Customers& customers) {
   for (const std::uint32_t i : state.written)
-    if (responds(scene, state, i) && rotates(scene, i) && state.torque[i] != Vec3::Zero()) customers.add(i);
+    if (responds(scene, state, i) && rotates(scene, i) && state.torque[i] != Vec3::zero()) customers.add(i);
 }
 
 void user_torque::force(const Scene& scene, const State& state, const Customers& customers, const Motion& at,

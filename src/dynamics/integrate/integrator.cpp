@@ -76,7 +76,7 @@ void integrate_position(World& world, const StepTime& time) {
   const auto move = [&](std::uint32_t i) { place(i, s.x[i] + h * s.v[i]); };
   // What a solver made of omega since the kick may be anything: no turn can be told by numbers whose squares overflow.
   const auto face = [&](std::uint32_t i, const Quat& q) {
-    const Real n2 = q.coeffs().squaredNorm();
+    const Real n2 = q.squared_norm();
     if (n2 > 0.5 && n2 < 2)
       s.q[i] = q;
     else

@@ -36,20 +36,20 @@ void velocity(World& world, Real h) {
 
   const auto start = [&](std::uint32_t i) {
     t.x[i] = s.x[i], t.v[i] = s.v[i], t.q[i] = s.q[i], t.omega[i] = s.omega[i];
-    t.sum_v[i] = t.sum_dv[i] = Vec3::Zero();
+    t.sum_v[i] = t.sum_dv[i] = Vec3::zero();
   };
   plan.linear.each(start);
   plan.rotating.each([&](std::uint32_t i) {
     start(i);
-    t.sum_dq[i].coeffs().setZero();
-    t.sum_domega[i] = Vec3::Zero();
+    t.sum_dq[i] = Quat::zero();
+    t.sum_domega[i] = Vec3::zero();
   });
 
   constexpr Real kWeight[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
   const Real next[4] = {h / 2, h / 2, h, 0};  // how far along this derivative the next evaluation stands
   for (int k = 0; k < 4; ++k) {
-    plan.linear.each([&](std::uint32_t i) { t.dv[i] = Vec3::Zero(); });
-    plan.rotating.each([&](std::uint32_t i) { t.dv[i] = t.domega[i] = Vec3::Zero(); });
+    plan.linear.each([&](std::uint32_t i) { t.dv[i] = Vec3::zero(); });
+    plan.rotating.each([&](std::uint32_t i) { t.dv[i] = t.domega[i] = Vec3::zero(); });
     evaluate_forces(world, {t.x, t.q, t.v, t.omega}, {1, t.dv, t.domega, h * kWeight[k]});
     const auto advance = [&](std::uint32_t i) {
       t.sum_v[i] += kWeight[k] * t.v[i];
@@ -61,9 +61,9 @@ void velocity(World& world, Real h) {
     plan.rotating.each([&](std::uint32_t i) {
       advance(i);
       const Quat dq = spin_rate(t.omega[i], t.q[i]);
-      t.sum_dq[i].coeffs() += kWeight[k] * dq.coeffs();
+      t.sum_dq[i] += kWeight[k] * dq;
       t.sum_domega[i] += kWeight[k] * t.domega[i];
-      t.q[i].coeffs() = s.q[i].coeffs() + next[k] * dq.coeffs();
+      t.q[i] = s.q[i] + next[k] * dq;
       t.q[i] = normalized(t.q[i]);
       t.omega[i] = s.omega[i] + next[k] * t.domega[i];
     });
@@ -76,7 +76,7 @@ void velocity(World& world, Real h) {
   plan.linear.each(finish);
   plan.rotating.each([&](std::uint32_t i) {
     finish(i);
-    plan.proposal.q[i].coeffs() = s.q[i].coeffs() + h * t.sum_dq[i].coeffs();
+    plan.proposal.q[i] = s.q[i] + h * t.sum_dq[i];
     plan.proposal.q[i] = normalized(plan.proposal.q[i]);
     s.omega[i] += h * t.sum_domega[i];
   });

@@ -73,8 +73,8 @@ struct Joint {
   std::array<Real, kMostEqualities> p{};                 // N s, N m s
   std::array<Real, kMostDrives> drive_p{};               // likewise, by row of the layout
   Real p_h = 0;                                          // s, the substep that made them; 0: there are none
-  Vec3 force = Vec3::Zero();                             // N, world, on B, mean over the last step
-  Vec3 torque = Vec3::Zero();                            // N m, world, on B about its point, likewise
+  Vec3 force = Vec3::zero();                             // N, world, on B, mean over the last step
+  Vec3 torque = Vec3::zero();                            // N m, world, on B about its point, likewise
   std::uint32_t next_a = kTheWorld, next_b = kTheWorld;  // the next joint of each body
 };
 

@@ -90,7 +90,7 @@ JointEnds ends_of(const World& world, const JointDef& def) {
   const auto find = [&](std::uint32_t body, const Pose& frame, Pose& to, Vec3& x, Vec3& arm) {
     if (body == kTheWorld) {
       to = frame;
-      x = frame.p, arm = Vec3::Zero();
+      x = frame.p, arm = Vec3::zero();
       return;
     }
     x = s.x[body], arm = s.q[body] * (frame.p - world.scene.center[body]);
@@ -105,7 +105,7 @@ JointEnds ends_of(const World& world, const JointDef& def) {
 JointPlace place_of(const World& world, const Joint& joint) {
   JointPlace place{ends_of(world, joint.def), {}, 0, 0};
   const Quat t = place.a.q.conjugate() * place.b.q;
-  const Mat3 a = place.a.q.toRotationMatrix(), b = place.b.q.toRotationMatrix();
+  const Mat3 a = place.a.q.matrix(), b = place.b.q.matrix();
   const Real sign = t.w() < 0 ? -1 : 1;
   const Real swing = angle_of<double>(a.col(0).cross(b.col(0)).norm(), a.col(0).dot(b.col(0)));
   place.at = {2 * angle_of<double>(sign * t.x(), sign * t.w()), swing, a.col(0).dot(place.apart), place.apart.norm()};

@@ -204,7 +204,7 @@ void find_gyro(const World& world, Real h, WideJoints& w) {
   for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
     const std::uint32_t body = wide.slot[i];
     const Vec3& omega = world.state.omega[body];
-    if (!w.linked[body] || !turns_freely(world, body) || !(h * h * omega.squaredNorm() < 1)) continue;
+    if (!w.linked[body] || !turns_freely(world, body) || !(h * h * omega.squared_norm() < 1)) continue;
     const Quat& q = world.state.q[body];
     const Vec3 momentum = inertia_at(world.scene, body, q) * omega, a = spin_at(world, body, q, momentum.cross(omega));
     std::copy_n(a.data(), 3, w.gyro[i].omega);
@@ -214,11 +214,11 @@ void find_gyro(const World& world, Real h, WideJoints& w) {
 /// Impulses of bodies that left the finite world within the step may be anything.
 bool is_finite(const Joint& joint) {
   const auto finite_all = [](const auto& p) { return std::ranges::all_of(p, [](Real x) { return finite(x); }); };
-  return finite_all(joint.p) && finite_all(joint.drive_p) && joint.force.allFinite() && joint.torque.allFinite();
+  return finite_all(joint.p) && finite_all(joint.drive_p) && joint.force.all_finite() && joint.torque.all_finite();
 }
 void start_cold(Joint& joint) {
   joint.p.fill(0), joint.drive_p.fill(0);
-  joint.force.setZero(), joint.torque.setZero();
+  joint.force.set_zero(), joint.torque.set_zero();
 }
 
 /// Which way bodies are free, of joints some of whose bodies are locked.
@@ -323,8 +323,8 @@ void take_half_kicks(World& world) {
 void give_half_kicks(World& world) {
   State& s = world.state;
   for (WideJoints::Kicked& k : world.wide_joints->kicked) {
-    k.spun.setZero();
-    if (s.quarantined[k.body]) k.half.setZero();
+    k.spun.set_zero();
+    if (s.quarantined[k.body]) k.half.set_zero();
     s.v[k.body] += k.half;
     if (!is_turned_on(world, k.body)) continue;
     const Vec3 omega = kept_spin(world, k);

@@ -37,17 +37,17 @@ void close_phase(World& world, std::uint32_t i) {
   Ledger::Body& b = l.body[i];
   const Real m = world.scene.mass[i];
   const bool turns = rotates(world.scene, i);
-  const Mat3 inertia = turns ? inertia_at(world.scene, i, b.q) : Mat3(Mat3::Zero());
+  const Mat3 inertia = turns ? inertia_at(world.scene, i, b.q) : Mat3(Mat3::zero());
   const Vec3 v = 0.5 * (b.v + b.seen_v), omega = 0.5 * (b.omega + b.seen_omega);
   Real speed = b.v.norm() + b.seen_v.norm(), spin = b.omega.norm() + b.seen_omega.norm();
   const auto kicks = l.kicks_of(i);
   for (std::size_t c = 0; c < l.columns; ++c) {
     const Ledger::Kick& kick = kicks[c];
-    if (kick.v == Vec3::Zero() && kick.omega == Vec3::Zero()) continue;
+    if (kick.v == Vec3::zero() && kick.omega == Vec3::zero()) continue;
     const Vec3 p = m * kick.v, spun = inertia * kick.omega;
     Amount a{p.dot(v) + spun.dot(omega), 0, p, b.x.cross(p) + spun};
     if (l.cause_of[c] == l.gravity) {  // it gives what the way is worth, @see book_move()
-      l.book(Cause::integrator, {a.kinetic, 0, Vec3::Zero(), Vec3::Zero()});
+      l.book(Cause::integrator, {a.kinetic, 0, Vec3::zero(), Vec3::zero()});
       a.kinetic = 0;
     }
     l.step[l.cause_of[c]].add(a);
@@ -58,7 +58,7 @@ void close_phase(World& world, std::uint32_t i) {
 }
 
 void forget_kicks(Ledger& l, std::uint32_t i) {
-  for (Ledger::Kick& kick : l.kicks_of(i)) kick = {Vec3::Zero(), Vec3::Zero()};
+  for (Ledger::Kick& kick : l.kicks_of(i)) kick = {Vec3::zero(), Vec3::zero()};
 }
 
 void book_change(World& world, std::uint32_t i, Cause cause) {
@@ -73,7 +73,7 @@ void book_change(World& world, std::uint32_t i, Cause cause) {
 bool is_as_seen(const World& world, std::uint32_t i) {
   const State& s = world.state;
   const Ledger::Body& b = world.ledger->body[i];
-  return s.v[i] == b.seen_v && s.omega[i] == b.seen_omega && s.x[i] == b.x && s.q[i].coeffs() == b.q.coeffs();
+  return s.v[i] == b.seen_v && s.omega[i] == b.seen_omega && s.x[i] == b.x && s.q[i] == b.q;
 }
 
 bool was_lost(World& world, std::uint32_t i) {

@@ -19,7 +19,7 @@ const char* cause_name(std::size_t cause) {
 Amount amount_of(const World& world, std::uint32_t i, const Vec3& x, const Quat& q, const Vec3& v, const Vec3& omega) {
   const Real m = world.scene.mass[i];
   const Vec3 p = m * v;
-  Amount a{0.5 * m * v.squaredNorm(), -m * pull_on(world, i).dot(x), p, x.cross(p)};
+  Amount a{0.5 * m * v.squared_norm(), -m * pull_on(world, i).dot(x), p, x.cross(p)};
   if (!rotates(world.scene, i)) return a;
   const Vec3 spin = inertia_at(world.scene, i, q) * omega;
   a.kinetic += 0.5 * omega.dot(spin);
@@ -42,7 +42,7 @@ Ledger::Ledger(World& world)
       old_impacts(world.memory) {
   const std::size_t slots = world.scene.bodies.slots(), sets = world.particles.set.size();
   body.resize(slots), body_amount.resize(slots);
-  set_amount.resize(sets), set_moment.resize(sets, Vec3::Zero()), set_held.resize(sets, 0);
+  set_amount.resize(sets), set_moment.resize(sets, Vec3::zero()), set_held.resize(sets, 0);
   revision = world.scene.revision;
 }
 

@@ -37,7 +37,7 @@ namespace carom {
 
 struct Amount {
   Real kinetic = 0, potential = 0;                     // J
-  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();  // N s; N m s, about the world's origin
+  Vec3 linear = Vec3::zero(), angular = Vec3::zero();  // N s; N m s, about the world's origin
 
   Amount& operator+=(const Amount& o) {
     kinetic += o.kinetic, potential += o.potential, linear += o.linear, angular += o.angular;
@@ -83,7 +83,7 @@ class Account {
 
  private:
   Sum<Real> kinetic_{0}, potential_{0};
-  Sum<Vec3> linear_{Vec3(Vec3::Zero())}, angular_{Vec3(Vec3::Zero())};
+  Sum<Vec3> linear_{Vec3(Vec3::zero())}, angular_{Vec3(Vec3::zero())};
 };
 
 /// Bounds of what rounding may leave between the sum of all causes and the change of the state.

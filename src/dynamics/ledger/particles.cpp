@@ -16,17 +16,17 @@ struct SetSums {
 SetSums sums_of(const World& world, std::uint32_t s) {
   constexpr std::size_t kPlain = 32;  // terms added up plainly, which leaves fewer roundings than kRoundings
   const ParticleSet& set = world.particles.set[s];
-  SetSums sums{{}, Vec3::Zero()};
+  SetSums sums{{}, Vec3::zero()};
   Account account;
-  Sum<Vec3> moment{Vec3(Vec3::Zero())};
+  Sum<Vec3> moment{Vec3(Vec3::zero())};
   const Vec3 pull = set.def.gravity_factor * world.scene.gravity;
   for (std::size_t begin = 0; begin < set.size(); begin += kPlain) {
     Amount some;
-    Vec3 some_moment = Vec3::Zero();
+    Vec3 some_moment = Vec3::zero();
     for (std::size_t i = begin; i < std::min(set.size(), begin + kPlain); ++i) {
       const Vec3 x = set.position(i), v = set.velocity(i);
       const Real m = set.mass_of(i);
-      some += {0.5 * m * v.squaredNorm(), -m * pull.dot(x), m * v, m * x.cross(v)};
+      some += {0.5 * m * v.squared_norm(), -m * pull.dot(x), m * v, m * x.cross(v)};
       if (!set.is_held(i)) some_moment += m * x;
       sums.linear += m * v.norm(), sums.angular += m * x.norm() * v.norm();
     }
@@ -50,7 +50,7 @@ void keep_sums(World& world, std::uint32_t s, const SetSums& sums) {
 void take_set(World& world, std::uint32_t s, bool host) {
   Ledger& l = ledger_of(world);
   const bool there = s < world.particles.set.size();
-  const SetSums sums = there ? sums_of(world, s) : SetSums{{}, Vec3::Zero()};
+  const SetSums sums = there ? sums_of(world, s) : SetSums{{}, Vec3::zero()};
   if (host) l.book(Cause::host, sums.amount - l.set_amount[s]);
   if (there) keep_sums(world, s, sums);
 }

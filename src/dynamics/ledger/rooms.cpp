@@ -35,7 +35,7 @@ void lay_columns(World& world) {
   }
   const std::size_t slots = world.scene.bodies.slots();
   if (columns == l.columns && l.kicks.size() == slots * columns) return;
-  l.kicks.assign(slots * columns, {Vec3::Zero(), Vec3::Zero()});
+  l.kicks.assign(slots * columns, {Vec3::zero(), Vec3::zero()});
   l.columns = columns;
 }
 
@@ -63,7 +63,7 @@ void begin(World& world, const StepTime&) {
   l.body.resize(slots), l.body_amount.resize(slots), l.probe.resize(slots);
   l.set_amount.reserve(sets), l.set_moment.reserve(sets), l.set_held.reserve(sets);
   lay_columns(world);
-  l.set_amount.resize(sets), l.set_moment.resize(sets, Vec3::Zero()), l.set_held.resize(sets, 0);
+  l.set_amount.resize(sets), l.set_moment.resize(sets, Vec3::zero()), l.set_held.resize(sets, 0);
   if (!l.is_open) {  // else the step before this was not to be: what the host did until then is booked
     for (Account& account : l.step) account = Account();
     l.step_rounding = {};
@@ -96,13 +96,13 @@ void share_hit(World& world, std::uint32_t i, Real h) {
   for (std::size_t c = Ledger::kRows; c < l.columns; ++c) {
     const Real work = m * kicks[c].v.dot(late);
     const std::size_t cause = l.cause_of[c] == l.gravity ? index_of(Cause::integrator) : l.cause_of[c];
-    l.step[cause].add({work, 0, Vec3::Zero(), Vec3::Zero()});
-    l.book(Cause::restitution, {-work, 0, Vec3::Zero(), Vec3::Zero()});
+    l.step[cause].add({work, 0, Vec3::zero(), Vec3::zero()});
+    l.book(Cause::restitution, {-work, 0, Vec3::zero(), Vec3::zero()});
   }
   const Real fallen = m * pull_on(world, i).dot(shift);
-  l.step[l.gravity].add({fallen, -fallen, Vec3::Zero(), Vec3::Zero()});
-  l.book(Cause::restitution, {0, fallen, Vec3::Zero(), Vec3::Zero()});
-  l.book(Cause::integrator, {-fallen, 0, Vec3::Zero(), Vec3::Zero()});
+  l.step[l.gravity].add({fallen, -fallen, Vec3::zero(), Vec3::zero()});
+  l.book(Cause::restitution, {0, fallen, Vec3::zero(), Vec3::zero()});
+  l.book(Cause::integrator, {-fallen, 0, Vec3::zero(), Vec3::zero()});
 }
 
 void book_impacts(World& world, const StepTime& time) {
@@ -143,9 +143,9 @@ void book_move(World& world, std::uint32_t i) {
   const Real m = world.scene.mass[i];
   const Vec3 way = s.x[i] - b.x;
   const Real work = m * pull_on(world, i).dot(way);
-  l.step[l.gravity].add({work, -work, Vec3::Zero(), Vec3::Zero()});
-  Amount moved{-work, 0, Vec3::Zero(), way.cross(m * s.v[i])};
-  if (rotates(world.scene, i) && s.q[i].coeffs() != b.q.coeffs()) {
+  l.step[l.gravity].add({work, -work, Vec3::zero(), Vec3::zero()});
+  Amount moved{-work, 0, Vec3::zero(), way.cross(m * s.v[i])};
+  if (rotates(world.scene, i) && s.q[i] != b.q) {
     const Vec3 omega = s.omega[i], gained = inertia_at(world.scene, i, s.q[i]) * omega - inertia_at(world.scene, i, b.q) * omega;
     moved.kinetic += 0.5 * omega.dot(gained);
     moved.angular += gained;
@@ -154,7 +154,7 @@ void book_move(World& world, std::uint32_t i) {
     const auto kicks = l.kicks_of(i);
     for (std::size_t c = Ledger::kRows; c < l.columns; ++c) {
       const Vec3 moment = (0.5 * m) * way.cross(kicks[c].v);
-      l.step[l.cause_of[c]].add({0, 0, Vec3::Zero(), moment});
+      l.step[l.cause_of[c]].add({0, 0, Vec3::zero(), moment});
       moved.angular -= moment;
     }
   }
@@ -169,10 +169,10 @@ void book_moves(World& world, const StepTime&) {
     book_move(world, i);
     Ledger::Body& b = l.body[i];
     if (b.kicked)
-      for (Ledger::Kick& kick : l.kicks_of(i)) kick.omega.setZero();
+      for (Ledger::Kick& kick : l.kicks_of(i)) kick.omega.set_zero();
     else
       forget_kicks(l, i);
-    if (b.kicked) l.kicks_of(i)[Ledger::kSolve].v.setZero();
+    if (b.kicked) l.kicks_of(i)[Ledger::kSolve].v.set_zero();
     open_phase(world, i);
   });
 }
@@ -180,7 +180,7 @@ void book_moves(World& world, const StepTime&) {
 /// Who has turned keeps the momentum, and not the omega.
 void book_spun(World& world, const WideJoints::Kicked& k) {
   Ledger::Body& b = ledger_of(world).body[k.body];
-  if (k.spun == Vec3::Zero()) return;
+  if (k.spun == Vec3::zero()) return;
   const Vec3 omega = b.seen_omega + k.spun;
   ledger_of(world).book(Cause::integrator, amount_of(world, k.body, b.x, b.q, b.seen_v, omega) -
                                                amount_of(world, k.body, b.x, b.q, b.seen_v, b.seen_omega));
@@ -196,7 +196,7 @@ void book_relaxed(World& world, const StepTime&) {
   for (const WideJoints::Kicked& k : w.kicked) book_spun(world, k);
   each_booked(world, [&](std::uint32_t i) {
     Ledger::Body& b = l.body[i];
-    if (s.x[i] == b.x && s.q[i].coeffs() == b.q.coeffs()) return;
+    if (s.x[i] == b.x && s.q[i] == b.q) return;
     l.book(Cause::correction, amount_of(world, i, s.x[i], s.q[i], b.seen_v, b.seen_omega) -
                                   amount_of(world, i, b.x, b.q, b.seen_v, b.seen_omega));
     may_round(world, i, b.seen_v.norm(), b.seen_omega.norm());

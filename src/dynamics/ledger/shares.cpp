@@ -25,7 +25,7 @@ class Gift {
     const Ledger::Body& b = world_.ledger->body[i];
     const State& s = world_.state;
     const Locks locks = world_.scene.locks_of(i);
-    const Vec3 p = locks ? Vec3(free_axes(locks).cwiseProduct(impulse)) : impulse;
+    const Vec3 p = locks ? Vec3(free_axes(locks).times(impulse)) : impulse;
     Amount a{p.dot((at_once_ ? b.seen_v : b.v) + s.v[i]) / 2, 0, p, b.x.cross(p)};
     if (rotates(world_.scene, i)) {
       Vec3 turn = moment;
@@ -41,8 +41,8 @@ class Gift {
     add(link.moves_b, link.b, p, r_b.cross(p));
   }
   void twist(const Link& link, const Vec3& moment) {
-    add(link.moves_a, link.a, Vec3::Zero(), -moment);
-    add(link.moves_b, link.b, Vec3::Zero(), moment);
+    add(link.moves_a, link.a, Vec3::zero(), -moment);
+    add(link.moves_b, link.b, Vec3::zero(), moment);
   }
   const Amount& amount() const { return amount_; }
 
@@ -90,7 +90,7 @@ Link link_of(const Row& row) { return {row.a, row.b, row.moves_a, row.moves_b}; 
 
 /// A point's impulse, split along the normal and across.
 void share_point(Shares& shares, const Row& row, const Vec3& p, const Vec3& r_a, const Vec3& r_b) {
-  if (p == Vec3::Zero()) return;
+  if (p == Vec3::zero()) return;
   const Link link = link_of(row);
   Gift normal(shares.world()), friction(shares.world());
   const Vec3 along = p.dot(row.n) * row.n;
@@ -266,7 +266,7 @@ void share_impacts(World& world) {
     const Impact& at = c.impacts[k];
     const Row& row = c.rows[at.row];
     const Vec3 p = c.geometry[at.row].impulse - world.ledger->old_impacts[k];
-    if (p == Vec3::Zero()) continue;
+    if (p == Vec3::zero()) continue;
     Gift friction(world, true);
     friction.add(link_of(row), p - p.dot(row.n) * row.n, at.r.a, at.r.b);
     shares.give(Cause::friction, friction);

@@ -70,12 +70,12 @@ std::size_t hold_strays(Particles& particles, std::uint32_t s, std::size_t block
   for (std::size_t i = range.begin; i < range.end; ++i) {
     if (set.is_held(i)) continue;
     const Vec3 x = set.position(i);
-    const Real x2 = x.squaredNorm(), v2 = set.velocity(i).squaredNorm();
+    const Real x2 = x.squared_norm(), v2 = set.velocity(i).squared_norm();
     if (inside(x2, v2)) {
       vis_viva += (set.mass.empty() ? 1 : set.mass[i]) * v2;
       continue;
     }
-    if (!inside(x2, 0)) particles.place(s, i, finite(x2) ? Vec3(kMaxPosition / std::sqrt(x2) * x) : Vec3(Vec3::Zero()));
+    if (!inside(x2, 0)) particles.place(s, i, finite(x2) ? Vec3(kMaxPosition / std::sqrt(x2) * x) : Vec3(Vec3::zero()));
     particles.hold(s, i);
     first = std::min(first, i);
   }

@@ -141,7 +141,7 @@ void Particles::set_mass(std::uint32_t s, std::size_t i, Real mass) {
 
 void Particles::hold(std::uint32_t s, std::size_t i) {
   ParticleSet& p = set[s];
-  set_velocity(s, i, Vec3::Zero());
+  set_velocity(s, i, Vec3::zero());
   p.held_count += !p.is_held(i);
   p.mark(i, true);
 }

@@ -20,7 +20,7 @@ WorldHit failed(std::uint32_t slot) {
 }
 
 /// m, from below.
-Real between(const Aabb& a, const Aabb& b) { return (a.lo - b.hi).cwiseMax(b.lo - a.hi).cwiseMax(Vec3::Zero()).norm(); }
+Real between(const Aabb& a, const Aabb& b) { return (a.lo - b.hi).max(b.lo - a.hi).max(Vec3::zero()).norm(); }
 
 }  // namespace
 

@@ -125,7 +125,7 @@ void QueryIndex::look_at(const World& world, std::uint32_t slot) {
   const std::uint32_t body = scene.colliders.body[slot];
   const Handle handle = scene.collider_slots.handle(slot);
   const bool known = where_[slot] != Where::nowhere && handle_[slot] == handle && x_[slot] == world.state.x[body] &&
-                     q_[slot].coeffs() == world.state.q[body].coeffs();
+                     q_[slot] == world.state.q[body];
   handle_[slot] = handle;
   if (!known) place(world, slot);
 }

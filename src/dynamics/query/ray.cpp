@@ -8,7 +8,7 @@ namespace {
 
 Aabb ball(Real radius) {
   Aabb b;
-  b.lo.setConstant(-radius), b.hi.setConstant(radius);
+  b.lo = Vec3::constant(-radius), b.hi = Vec3::constant(radius);
   return b;
 }
 
@@ -19,9 +19,9 @@ Way way_of(const Ray& ray, const CastSettings& settings) {
 /// About the asker's origin; empty if its support function fails.
 Aabb extent_of(const Asker& asker, const CastSettings& settings) {
   SupportFault fault;
-  Aabb b = world_bounds(*asker.shape, asker.frame.r, Vec3::Zero(), fault);
+  Aabb b = world_bounds(*asker.shape, asker.frame.r, Vec3::zero(), fault);
   if (is_empty(b)) return b;
-  b.lo.array() -= settings.target, b.hi.array() += settings.target;
+  b.lo -= Vec3::constant(settings.target), b.hi += Vec3::constant(settings.target);
   return b;
 }
 

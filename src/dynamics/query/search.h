@@ -15,7 +15,7 @@ inline constexpr Real kWayRounding = 0x1p-42;
 
 /// A way that a point, or a box about it, goes: [0, length] m along a unit vector.
 struct Way {
-  Vec3 from = Vec3::Zero(), unit = Vec3::UnitX();
+  Vec3 from = Vec3::zero(), unit = Vec3::unit_x();
   Real length = 0;  // m, may be infinite
   Real speed = 0;   // m per unit of time
   Aabb extent;      // m, about the point
@@ -32,9 +32,9 @@ struct Way {
 
   /// m, at which a box is met, none of it earlier; infinite: never
   Real entry(const Aabb& box) const {
-    const Vec3 far = box.lo.cwiseAbs().cwiseMax(box.hi.cwiseAbs());
-    const Real more = kWayRounding * (far.maxCoeff() + from.cwiseAbs().maxCoeff() + extent.hi.cwiseAbs().maxCoeff() +
-                                      extent.lo.cwiseAbs().maxCoeff());
+    const Vec3 far = box.lo.abs().max(box.hi.abs());
+    const Real more = kWayRounding * (far.max_entry() + from.abs().max_entry() + extent.hi.abs().max_entry() +
+                                      extent.lo.abs().max_entry());
     Real in = 0, out = length;
     for (int k = 0; k < 3; ++k) {
       const Real lo = box.lo[k] - extent.hi[k] - from[k] - more, hi = box.hi[k] - extent.lo[k] - from[k] + more;

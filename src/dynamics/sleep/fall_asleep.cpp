@@ -29,7 +29,7 @@ void count_calm(World& world, std::uint32_t i, Real speed, Real dt) {
 
 bool rolls_by(const World& world, std::uint32_t i) {
   return world.scene.type[i] == BodyType::kinematic &&
-         (world.state.v[i] != Vec3::Zero() || world.state.omega[i] != Vec3::Zero());
+         (world.state.v[i] != Vec3::zero() || world.state.omega[i] != Vec3::zero());
 }
 
 /// Who hangs on one spring falls asleep together.
@@ -95,7 +95,7 @@ void find_islands(World& world, const Customers& customers, Real time) {
 void lie_down(World& world, std::uint32_t i) {
   Sleep& z = *world.sleep;
   State& s = world.state;
-  s.v[i] = s.omega[i] = s.momentum[i] = Vec3::Zero();
+  s.v[i] = s.omega[i] = s.momentum[i] = Vec3::zero();
   z.asleep[i] = 1;
   z.ring[i] = i;
   if (const std::uint32_t first = z.root[i]; first != i) {

@@ -51,7 +51,7 @@ void park_pairs(World& world) {
   const State& s = world.state;
   const auto still = [&](std::uint32_t body) {
     return z.parked[body] || scene.type[body] == BodyType::fixed ||
-           (scene.type[body] == BodyType::kinematic && s.v[body] == Vec3::Zero() && s.omega[body] == Vec3::Zero());
+           (scene.type[body] == BodyType::kinematic && s.v[body] == Vec3::zero() && s.omega[body] == Vec3::zero());
   };
   z.holders.assign(world.pairs.size(), PairTable::none);
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
@@ -136,7 +136,7 @@ void park(World& world) {
   for (const std::uint32_t i : z.fallen) {
     if (!z.asleep[i] || z.parked[i]) continue;
     z.parked[i] = 1;
-    if (scene.first_collider[i] != kNone) world.plan->rotation[i] = world.state.q[i].toRotationMatrix();
+    if (scene.first_collider[i] != kNone) world.plan->rotation[i] = world.state.q[i].matrix();
     each_collider(scene, i, [&](std::uint32_t c) {
       place_collider(world, *world.plan, c, 0);
       z.colliders.push_back(c);
@@ -261,7 +261,7 @@ static void replant(World& world) {
   z.in_tree.assign(world.scene.colliders.slots(), 0);
   for (std::uint32_t i = 0; i < z.parked.size(); ++i) {
     if (!z.parked[i]) continue;
-    if (world.scene.first_collider[i] != kNone) world.plan->rotation[i] = world.state.q[i].toRotationMatrix();
+    if (world.scene.first_collider[i] != kNone) world.plan->rotation[i] = world.state.q[i].matrix();
     each_collider(world.scene, i, [&](std::uint32_t c) {
       place_collider(world, *world.plan, c, 0);
       z.colliders.push_back(c);
@@ -277,8 +277,8 @@ void plan_sleep(World& world, Plan& plan) {
   const Scene& scene = world.scene;
   const std::uint32_t slots = scene.bodies.slots();
   z.fallen.reserve(slots), z.woken.reserve(slots);
-  z.parked.resize(slots, 0), z.ring.resize(slots, kNone), z.anchor_x.resize(slots, Vec3::Zero());
-  z.anchor_q.resize(slots, Quat::Identity()), z.radius.resize(slots, 0), z.kept_first.resize(slots, kNone);
+  z.parked.resize(slots, 0), z.ring.resize(slots, kNone), z.anchor_x.resize(slots, Vec3::zero());
+  z.anchor_q.resize(slots, Quat::identity()), z.radius.resize(slots, 0), z.kept_first.resize(slots, kNone);
   z.root.resize(slots, 0), z.restless.resize(slots, 0), z.asleep.resize(slots, 0);
   z.calm.resize(slots, 0);  // last: its size says that all have theirs
   z.rows.assign(slots, 0);

@@ -26,7 +26,7 @@ void gather_movers(World& world) {
   z.asking.clear();
   for (const std::uint32_t slot : world.plan->colliders) {
     const std::uint32_t i = c.body[slot];
-    if (scene.type[i] == BodyType::dynamic || s.v[i] != Vec3::Zero() || s.omega[i] != Vec3::Zero())
+    if (scene.type[i] == BodyType::dynamic || s.v[i] != Vec3::zero() || s.omega[i] != Vec3::zero())
       z.asking.push_back(slot);
   }
   for (const std::uint32_t i : z.stirred) ask_for(world, i);
@@ -40,7 +40,7 @@ void wake_drawn(World& world) {
   const State& s = world.state;
   const std::size_t before = z.woken.size();
   world.plan->kinematic.each([&](std::uint32_t i) {
-    if (s.v[i] != Vec3::Zero() || s.omega[i] != Vec3::Zero()) wake_joined(world, i);
+    if (s.v[i] != Vec3::zero() || s.omega[i] != Vec3::zero()) wake_joined(world, i);
   });
   for (std::size_t k = before; k < z.woken.size(); ++k) ask_for(world, z.woken[k]);
 }

@@ -92,7 +92,7 @@ void forget_body(World& world, std::uint32_t body) {
   for (Array<std::uint32_t>* list : {&z.fallen, &z.woken, &z.stirred}) std::erase(*list, body);
   if (body >= z.parked.size()) return;
   z.parked[body] = 0, z.ring[body] = Colliders::kNone, z.calm[body] = 0;  // as of a slot that has not lived yet
-  z.anchor_x[body] = Vec3::Zero(), z.anchor_q[body] = Quat::Identity();
+  z.anchor_x[body] = Vec3::zero(), z.anchor_q[body] = Quat::identity();
   while (z.kept_first[body] != Colliders::kNone) {
     const std::uint32_t k = z.kept_first[body];
     z.kept_first[body] = z.kept[k].next;

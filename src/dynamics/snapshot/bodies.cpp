@@ -107,7 +107,7 @@ std::uint16_t bits_of_body(const World& world, std::uint32_t i) {
 }
 
 bool sane_turn(const Quat& q) {
-  const Real n2 = q.coeffs().squaredNorm();
+  const Real n2 = q.squared_norm();
   return n2 > 0.5 && n2 < 2;
 }
 
@@ -125,15 +125,15 @@ void body(Io& io, W& world, std::uint32_t i) {
   const bool written = bits & kWritten;  // then the next step looks at it before anybody else
   io.demand(sane_turn(q) && (sane_position(x) || written));
   keep(io, s.x[i], x), keep(io, s.q[i], q);
-  const Vec3 zero = Vec3::Zero();
+  const Vec3 zero = Vec3::zero();
   const auto vector_if = [&](BodyBits bit, auto& v) {
     const Vec3 now = bits & bit ? io.vec(v) : zero;
     keep(io, v, now);
     return now;
   };
   const Vec3 v = vector_if(kMoves, s.v[i]), omega = vector_if(kMoves, s.omega[i]);
-  io.demand(written || (v.squaredNorm() <= kMaxSpeed * kMaxSpeed && omega.squaredNorm() <= kMaxSpin * kMaxSpin));
-  io.demand(world.scene.type[i] != BodyType::fixed || (v.isZero(0) && omega.isZero(0)));
+  io.demand(written || (v.squared_norm() <= kMaxSpeed * kMaxSpeed && omega.squared_norm() <= kMaxSpin * kMaxSpin));
+  io.demand(world.scene.type[i] != BodyType::fixed || (v.is_zero() && omega.is_zero()));
   vector_if(kTop, s.momentum[i]);
   const Quat held = bits & kHeld ? io.quat(s.held_q[i]) : q;
   io.demand(sane_turn(held));
@@ -188,7 +188,7 @@ void clear_bodies(World& world, std::size_t sleepers) {
   for (std::uint32_t i = 0; i < c.bodies.slots(); ++i)
     if (c.bodies.alive(i)) c.def[i].continuous = SweepMode::automatic;
   z.asleep.assign(sleepers, 0), z.parked.assign(sleepers, 0), z.ring.assign(sleepers, Colliders::kNone);
-  z.calm.assign(sleepers, 0), z.anchor_x.assign(sleepers, Vec3::Zero()), z.anchor_q.assign(sleepers, Quat::Identity());
+  z.calm.assign(sleepers, 0), z.anchor_x.assign(sleepers, Vec3::zero()), z.anchor_q.assign(sleepers, Quat::identity());
   z.radius.assign(sleepers, 0), z.rows.assign(sleepers, 0), z.kept_first.assign(sleepers, Colliders::kNone);
   z.root.assign(sleepers, 0), z.restless.assign(sleepers, 0);
   z.count = 0;
@@ -230,9 +230,9 @@ bool same(const Frame& a, const Frame& b) { return same_bits(a.r, b.r) && same_b
 /// As place_collider() makes it.
 Frame frame_at(const World& world, std::uint32_t slot, const Quat& q, const Vec3& x) {
   const Scene& s = world.scene;
-  const Frame local(s.colliders.local[slot].q.toRotationMatrix(),
+  const Frame local(s.colliders.local[slot].q.matrix(),
                     s.colliders.local[slot].p - s.center[s.colliders.body[slot]]);
-  return Frame(q.toRotationMatrix(), x) * local;
+  return Frame(q.matrix(), x) * local;
 }
 Frame frame_of_pose(const World& world, std::uint32_t slot) {
   const std::uint32_t i = world.scene.colliders.body[slot];
@@ -267,7 +267,7 @@ void collider(Io& io, W& world, std::uint32_t slot) {
   io.demand(bits <= kColliderBits);
   if ((bits & kFrameBits) == kFrameItself) {
     const Frame f(io.mat(c.frame[slot].r), io.vec(c.frame[slot].p));
-    io.demand(f.r.cwiseAbs().sum() < 6 && f.p.cwiseAbs().sum() < 1e100);
+    io.demand(f.r.abs().sum() < 6 && f.p.abs().sum() < 1e100);
     keep(io, c.frame[slot], f);
   }
   if constexpr (Io::loads) {
@@ -289,7 +289,7 @@ void collider(Io& io, W& world, std::uint32_t slot) {
   if (bits & kSurface) {
     const SurfaceVelocity now = world.scene.surface_of(slot);
     const SurfaceVelocity surface{io.vec(now.linear), io.vec(now.angular)};
-    io.demand(surface.linear.cwiseAbs().maxCoeff() <= 1e6 && surface.angular.cwiseAbs().maxCoeff() <= 1e6);
+    io.demand(surface.linear.abs().max_entry() <= 1e6 && surface.angular.abs().max_entry() <= 1e6);
     if constexpr (Io::loads) world.scene.surface[slot] = surface, world.scene.belts += surface.any();
   }
 }

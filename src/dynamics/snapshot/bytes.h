@@ -79,7 +79,7 @@ class Saver {
   }
   Real real(Real now) { return value(now); }
   Vec3 vec(const Vec3& now) { return put(now.data(), sizeof(Real) * 3), now; }
-  Quat quat(const Quat& now) { return put(now.coeffs().data(), sizeof(Real) * 4), now; }
+  Quat quat(const Quat& now) { return put(now.data(), sizeof(Real) * 4), now; }
   Mat3 mat(const Mat3& now) { return put(now.data(), sizeof(Real) * 9), now; }
   std::uint64_t count(std::uint64_t now, std::size_t) { return value(now); }
   template <class T>
@@ -142,8 +142,7 @@ class Checker : public Reader {
   }
   Vec3 vec(const Vec3&) { return finite_of<Vec3>(); }
   Quat quat(const Quat&) {
-    Eigen::Matrix<Real, 4, 1> q = finite_of<Eigen::Matrix<Real, 4, 1>>();
-    return Quat(q[3], q[0], q[1], q[2]);
+    return finite_of<Quat>();
   }
   Mat3 mat(const Mat3&) { return finite_of<Mat3>(); }
   /// How many follow, of at least so many bytes each.
@@ -186,8 +185,8 @@ class Checker : public Reader {
   template <class V>
   V finite_of() {
     V v;
-    get(v.data(), sizeof(Real) * static_cast<std::uint64_t>(v.size()));
-    for (int i = 0; i < v.size(); ++i) demand(finite(v.data()[i]));
+    get(v.at, sizeof v.at);
+    for (const Real x : v.at) demand(finite(x));
     return v;
   }
 
@@ -211,7 +210,7 @@ class Loader : public Reader {
   }
   Quat quat(const Quat&) {
     Quat q;
-    get(q.coeffs().data(), sizeof(Real) * 4);
+    get(q.data(), sizeof(Real) * 4);
     return q;
   }
   Mat3 mat(const Mat3&) {
@@ -234,11 +233,10 @@ void keep(const Io&, To& to, const T& value) {
 /// -0 is not 0 here, and NaN is itself.
 template <class V>
 bool same_bits(const V& a, const V& b) {
-  return std::memcmp(a.data(), b.data(), sizeof(Real) * static_cast<std::size_t>(a.size())) == 0;
+  return std::memcmp(a.at, b.at, sizeof a.at) == 0;
 }
-inline bool same_bits(const Quat& a, const Quat& b) { return same_bits(a.coeffs(), b.coeffs()); }
 inline bool same_bits(Real a, Real b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-inline bool zero_bits(const Vec3& v) { return same_bits(v, Vec3(Vec3::Zero())); }
+inline bool zero_bits(const Vec3& v) { return same_bits(v, Vec3(Vec3::zero())); }
 
 /// A number of a few bits of yes and no.
 template <class Io>

@@ -13,7 +13,7 @@ OldImpulse impulse(Io& io, const OldImpulse& now) {
   o.pair.a = io.value(now.pair.a), o.pair.b = io.value(now.pair.b);
   o.place = io.vec(now.place), o.p = io.vec(now.p);
   const bool turns = yes_or_no(io, Io::saves && !zero_bits(now.moment));
-  o.moment = turns ? io.vec(now.moment) : Vec3(Vec3::Zero());
+  o.moment = turns ? io.vec(now.moment) : Vec3(Vec3::zero());
   return o;
 }
 

@@ -20,7 +20,7 @@ Pair pair(Io& io, const World& world, const P& now) {
   return p;
 }
 
-bool is_unit(const Vec3& n) { return std::fabs(n.squaredNorm() - 1) < 0.5; }
+bool is_unit(const Vec3& n) { return std::fabs(n.squared_norm() - 1) < 0.5; }
 
 template <class Io, class P>
 void point(Io& io, P& p) {

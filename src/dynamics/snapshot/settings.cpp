@@ -39,7 +39,7 @@ struct Waters {
     if (!on) return;
     const Vec3 normal = io.vec(w.def.normal), current = io.vec(w.def.current);
     const Real level = io.real(w.def.level), density = io.real(w.def.density), drag = io.real(w.def.drag);
-    io.demand(std::fabs(normal.squaredNorm() - 1) < 1e-3 && density >= 0 && drag >= 0);
+    io.demand(std::fabs(normal.squared_norm() - 1) < 1e-3 && density >= 0 && drag >= 0);
     keep(io, w.def, WaterDef{normal, level, density, current, drag});
   }
 };
@@ -99,8 +99,8 @@ struct AllFields {
     f.strength = io.real(now.strength), f.pull = io.real(now.pull), f.lift = io.real(now.lift);
     f.reference = io.real(now.reference), f.core = io.real(now.core), f.reach = loose(io, now.reach);
     f.falloff = io.value(now.falloff), f.mask = io.value(now.mask), f.user = now.user;
-    const Real n2 = f.pose.q.coeffs().squaredNorm();
-    io.demand(n2 > 0.9 && n2 < 1.1 && f.half.minCoeff() >= 0 && f.reference > 0 && f.core >= 0 && f.reach >= 0 &&
+    const Real n2 = f.pose.q.squared_norm();
+    io.demand(n2 > 0.9 && n2 < 1.1 && f.half.min_entry() >= 0 && f.reference > 0 && f.core >= 0 && f.reach >= 0 &&
               f.falloff >= -8 && f.falloff <= 8);
     keep(io, now, f);
   }
@@ -192,7 +192,7 @@ struct AllJoints {
       if (parts_its_bodies(j.def) && j.broken != broken)
         broken ? joined.remove(j.def.body_a, j.def.body_b) : joined.add(j.def.body_a, j.def.body_b);
       j.broken = broken, j.without_limits = bits & kWithoutLimits, j.without_motors = bits & kWithoutMotors;
-      j.p.fill(0), j.drive_p.fill(0), j.p_h = 0, j.force = j.torque = Vec3::Zero();
+      j.p.fill(0), j.drive_p.fill(0), j.p_h = 0, j.force = j.torque = Vec3::zero();
     }
     if (bits & kActed) {
       for (auto& p : j.p) {

@@ -13,9 +13,9 @@ namespace {
 
 template <class M>
 void add(Hash& h, const M& m) {
-  for (Eigen::Index i = 0; i < m.size(); ++i) h.add(double(m.data()[i]));
+  for (const Real x : m.at) h.add(double(x));
 }
-void add(Hash& h, const Pose& p) { add(h, p.q.coeffs()), add(h, p.p); }
+void add(Hash& h, const Pose& p) { add(h, p.q), add(h, p.p); }
 
 /// What tells a shape from others: its numbers, and what was derived from its support function.
 std::uint64_t print_of(const Shape& s) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint8_t kVersion = 1;
 
-bool is_turn(const Quat& q) { return std::fabs(q.coeffs().squaredNorm() - 1) < 1e-6; }
+bool is_turn(const Quat& q) { return std::fabs(q.squared_norm() - 1) < 1e-6; }
 template <class Io>
 Pose pose(Io& io, const Pose& now) {
   const Quat q = io.quat(now.q);
@@ -38,12 +38,12 @@ void make_room_for_slots(World& w) {
   BodyDef nobody;
   nobody.type = BodyType::fixed;
   s.def.resize(bodies, nobody), s.type.resize(bodies, BodyType::fixed);
-  s.inv_mass.resize(bodies, 0), s.mass.resize(bodies, 0), s.center.resize(bodies, Vec3::Zero());
-  s.inertia.resize(bodies, Mat3::Zero()), s.inv_inertia.resize(bodies, Mat3::Zero());
+  s.inv_mass.resize(bodies, 0), s.mass.resize(bodies, 0), s.center.resize(bodies, Vec3::zero());
+  s.inertia.resize(bodies, Mat3::zero()), s.inv_inertia.resize(bodies, Mat3::zero());
   s.first_collider.resize(bodies, Colliders::kNone);
   for (Array<Vec3>* a : {&t.x, &t.placed_x, &t.v, &t.omega, &t.momentum, &t.force, &t.torque})
-    a->resize(bodies, Vec3::Zero());
-  for (Array<Quat>* a : {&t.q, &t.held_q, &t.placed_q}) a->resize(bodies, Quat::Identity());
+    a->resize(bodies, Vec3::zero());
+  for (Array<Quat>* a : {&t.q, &t.held_q, &t.placed_q}) a->resize(bodies, Quat::identity());
   for (Array<std::uint8_t>* a : {&t.quarantined, &t.loaded_steps, &t.tired_steps, &t.is_written}) a->resize(bodies, 0);
   t.written.reserve(bodies);
   Colliders& c = s.colliders;
@@ -146,7 +146,7 @@ struct Wearers {
       Pose local;
       unsigned bits = 0;
       if constexpr (Io::saves) {
-        const bool there = zero_bits(c.local[i].p) && same_bits(c.local[i].q, Quat::Identity());
+        const bool there = zero_bits(c.local[i].p) && same_bits(c.local[i].q, Quat::identity());
         bits = (c.material[i] == Colliders::kNoMaterial ? 0u : +kMaterial) | (there ? 0u : +kLocal);
         shape = more(c.shape[i]), local = c.local[i];
       }
@@ -170,8 +170,8 @@ struct Wearers {
       if (io.bad()) return;
       each_alive(s.bodies, [&](std::uint32_t i) {
         world.settle_mass(i);
-        io.demand(finite(s.mass[i]) && finite(s.inv_mass[i]) && s.center[i].allFinite() && s.inertia[i].allFinite() &&
-                  s.inv_inertia[i].allFinite());
+        io.demand(finite(s.mass[i]) && finite(s.inv_mass[i]) && s.center[i].all_finite() && s.inertia[i].all_finite() &&
+                  s.inv_inertia[i].all_finite());
       });
     }
   }

@@ -94,12 +94,12 @@ class Seen {
 /// yet of what its points will bear. Else 0. Marks bodies that it counts as light.
 Real weight_if_new(World& world, std::size_t group, Real h, Seen& seen) {
   Contacts& c = *world.contacts;
-  if (c.rows[c.group_rows[c.group_begin[group]]].p != Vec3::Zero()) return 0;  // the common case, at once
+  if (c.rows[c.group_rows[c.group_begin[group]]].p != Vec3::zero()) return 0;  // the common case, at once
   const Real gravity = world.scene.gravity.norm();
   Real mass = 0;  // kg, as heavy where the world's gravity acts in full
   bool is_new = true;
   each_body(c, group, [&](const Row& row, std::uint32_t body) {
-    is_new &= row.p == Vec3::Zero();
+    is_new &= row.p == Vec3::zero();
     if (c.load[body] != Contacts::kUnseen) return;
     seen.mark(c.load[body], body, Contacts::kLight);
     const Real pull = std::fabs(world.scene.gravity_factor_of(body));

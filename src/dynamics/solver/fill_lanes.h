@@ -29,7 +29,7 @@ template <class Number>
 void set_mass(const World& world, bool moves, std::uint32_t body, LanesOf<Number>& inv_mass,
               LaneSymmetricOf<Number>& inv_inertia, int lane) {
   set(inv_mass, lane, moves ? world.scene.inv_mass[body] : 0);
-  const Mat3 m = moves && rotates(world.scene, body) ? world.contacts->inv_inertia_w[body] : Mat3(Mat3::Zero());
+  const Mat3 m = moves && rotates(world.scene, body) ? world.contacts->inv_inertia_w[body] : Mat3(Mat3::zero());
   set(inv_inertia.xx, lane, m(0, 0)), set(inv_inertia.xy, lane, m(0, 1)), set(inv_inertia.xz, lane, m(0, 2));
   set(inv_inertia.yy, lane, m(1, 1)), set(inv_inertia.yz, lane, m(1, 2)), set(inv_inertia.zz, lane, m(2, 2));
 }

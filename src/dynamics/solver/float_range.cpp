@@ -13,13 +13,13 @@ constexpr Real kFastest = 1e9;                     // m/s, rad/s
 constexpr Real kShortest = 1e-9, kLongest = 1e9;   // s
 constexpr Real kLeastTurn = 1e-25;                 // 1/(kg m^2), of the axis that turns most easily
 
-bool is_slow(const Vec3& v) { return v.cwiseAbs().maxCoeff() <= kFastest; }
+bool is_slow(const Vec3& v) { return v.abs().max_entry() <= kFastest; }
 
 bool weighs_enough(const Scene& scene, std::uint32_t body) {
   const Real inv_mass = scene.inv_mass[body];
   if (!(inv_mass >= 1 / kHeaviest && inv_mass <= 1 / kLightest)) return false;
   if (!rotates(scene, body)) return true;
-  const Real most = scene.inv_inertia[body].diagonal().maxCoeff();
+  const Real most = scene.inv_inertia[body].diagonal().max_entry();
   return most >= kLeastTurn && most <= 1 / kLeastTurn;
 }
 

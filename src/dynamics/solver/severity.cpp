@@ -17,7 +17,7 @@ Real velocity_severity_squared(const Row& row) {
   const Real normal = lacking >= 0 ? lacking : std::min(-lacking, row.p_n * row.k_n);
   if (!(row.slip_most2 > 0)) return normal * normal;
   const Vec3 slip = row.u - v_n * row.n;
-  Real slip2 = slip.squaredNorm();
+  Real slip2 = slip.squared_norm();
   if (row.on_rim) {
     // On the rim of the disc, slipping against the friction impulse is what the law wants.
     const Real along = slip.dot(row.rub);
@@ -58,7 +58,7 @@ class VelocityPass {
   /// Change a body's velocity, and with it the relative velocities of its rows.
   void spread(std::uint32_t body, const Vec3& dp, const Vec3& r) {
     const Vec3 dv = world_.scene.inv_mass[body] * dp;
-    const Vec3 dw = rotates(world_.scene, body) ? Vec3(c_.inv_inertia_w[body] * r.cross(dp)) : Vec3(Vec3::Zero());
+    const Vec3 dw = rotates(world_.scene, body) ? Vec3(c_.inv_inertia_w[body] * r.cross(dp)) : Vec3(Vec3::zero());
     world_.state.v[body] += dv;
     world_.state.omega[body] += dw;
     world_.plan->touched[body] = 1;
@@ -119,7 +119,7 @@ class PositionPass {
 
   void spread(std::uint32_t body, const Vec3& p, const Vec3& r) {
     const Vec3 dx = world_.scene.inv_mass[body] * p;
-    const Vec3 dt = rotates(world_.scene, body) ? Vec3(c_.inv_inertia_w[body] * r.cross(p)) : Vec3(Vec3::Zero());
+    const Vec3 dt = rotates(world_.scene, body) ? Vec3(c_.inv_inertia_w[body] * r.cross(p)) : Vec3(Vec3::zero());
     c_.shift[body] += dx;
     c_.turn[body] += dt;
     for (std::uint32_t k = c_.half_begin[body]; k < c_.half_end[body]; ++k) {
@@ -180,7 +180,7 @@ void positions(World& world, const StepTime&) {
       over_groups<PositionPass>(world, dials[Dial::position_tolerance], dials.whole(Dial::position_iterations));
   for (const std::uint32_t i : c.bodies) {
     correct_pose(s, i, c.shift[i], c.turn[i]);
-    c.shift[i].setZero(), c.turn[i].setZero();
+    c.shift[i].set_zero(), c.turn[i].set_zero();
   }
   refresh_rotations(world);
   refresh_separations(world);

@@ -17,7 +17,7 @@ namespace {
 void hold_orientations(World& world, WideContacts& wide) {
   wide.held_back.resize(wide.slot.size());
   in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
-    wide.held_back[i].setZero();
+    wide.held_back[i].set_zero();
     if (i < wide.first_moved) return;
     hold_orientation(world, wide.slot[i]);
     wide.held_back[i] = held_back(world, wide.slot[i]);
@@ -88,7 +88,7 @@ void fill_drives(const World& world, const WideContacts& wide, ContactLanes<Numb
       rows.drives.push_back({all<Number>(0), all<Number>(0), all<Number>(0)});
       pair.driven = static_cast<std::uint32_t>(rows.drives.size());
     }
-    Vec3 velocity = Vec3::Zero();  // at the middle: it is linear over the points
+    Vec3 velocity = Vec3::zero();  // at the middle: it is linear over the points
     for (std::uint32_t k = 0; k < m.points; ++k) velocity += c.surface[m.row + k];
     velocity /= static_cast<Real>(m.points);
     const Vec3 n = get(pair.n, m.lane), t = get(pair.t, m.lane);

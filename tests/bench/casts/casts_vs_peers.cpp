@@ -101,8 +101,8 @@ std::vector<CastCase> make_cases(Task task, int family, std::deque<OwnedSolid>& 
     c.b = &b;
     c.from_a = placement(Frame(Pose{qa, from}));
     c.to_a = placement(Frame(Pose{turns ? Quat(exp_map(spin_a) * qa) : qa, Vec3(1.2 * to - 0.2 * from)}));
-    c.from_b = placement(Frame(Pose{qb, Vec3::Zero()}));
-    c.to_b = placement(Frame(Pose{turns ? Quat(exp_map(spin_b) * qb) : qb, Vec3::Zero()}));
+    c.from_b = placement(Frame(Pose{qb, Vec3::zero()}));
+    c.to_b = placement(Frame(Pose{turns ? Quat(exp_map(spin_b) * qb) : qb, Vec3::zero()}));
     cases.push_back(c);
   }
   return cases;

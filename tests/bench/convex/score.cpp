@@ -28,7 +28,7 @@ double quantile(std::vector<double>& sorted, double q) {
 double climb(const Query& q, test::Random& random) {
   double most = -HUGE_VAL;
   for (int start = 0; start < 3; ++start) {
-    Vec3 best = Vec3::UnitX();
+    Vec3 best = Vec3::unit_x();
     double value = -HUGE_VAL;
     const auto look = [&](const Vec3& n) {
       const double found = separation_along(q, n);

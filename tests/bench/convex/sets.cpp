@@ -35,7 +35,7 @@ Real gap_of(const Draft& d) {
 /// B on a random line through A's origin, both at random attitudes, A within a metre of the world's origin.
 Query random_query(Random& random, const std::deque<OwnedSolid>& solids, Real gap) {
   const auto any = [&] { return &solids[static_cast<std::size_t>(random.uniform(0, kSolids))]; };
-  const auto rotation = [&] { return test::random_rotation(random).toRotationMatrix(); };
+  const auto rotation = [&] { return test::random_rotation(random).matrix(); };
   Draft d;
   d.a = any(), d.b = any();
   d.at_a.r = rotation(), d.at_b.r = rotation();
@@ -83,7 +83,7 @@ Set Family::coherent(bool in_overlap) const {
     for (std::size_t t = 0; t < now.size(); ++t) {
       set.queries.push_back(now[t]);
       Frame frame = frame_of(now[t].at_b);
-      frame.r = exp_map(turn[t]).toRotationMatrix() * frame.r;
+      frame.r = exp_map(turn[t]).matrix() * frame.r;
       frame.p += slide[t];
       now[t].at_b = placement(frame);
     }

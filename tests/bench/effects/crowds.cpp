@@ -16,11 +16,11 @@ Vec3 site(std::uint32_t i) { return Vec3(3.0 * (i % kRow), 50, 3.0 * (i / kRow))
 
 /// Bodies without a shape, far from each other; nothing acts on them.
 void fly(TestWorld& t, std::uint32_t bodies) {
-  t.world.set_gravity(Vec3::Zero());
+  t.world.set_gravity(Vec3::zero());
   for (std::uint32_t i = 0; i < bodies; ++i) {
     BodyDef def;
     def.has_mass = def.has_inertia = true;
-    def.mass = 2, def.inertia = Vec3::Constant(0.3).asDiagonal();
+    def.mass = 2, def.inertia = Mat3::diagonal(Vec3::constant(0.3));
     def.pose.p = site(i);
     def.velocity = Vec3(0.1, 0.2, 0.3), def.omega = Vec3(0.3, 0.2, 0.1);
     t.world.add_body(def);
@@ -64,7 +64,7 @@ Build lying(const Shape& shape, Real height, const Material& material,
     for (std::uint32_t i = 0; i < bodies; ++i) {
       const Vec3 p = site(i);
       const std::uint32_t body =
-          t.add(kept, Vec3(p.x(), height - 0.002, p.z()), BodyType::dynamic, Quat::Identity(), m);
+          t.add(kept, Vec3(p.x(), height - 0.002, p.z()), BodyType::dynamic, Quat::identity(), m);
       if (call) call(t.world, body);
     }
   };
@@ -109,7 +109,7 @@ Material surface(Real friction, Real restitution, Real rolling, Real spinning) {
 }  // namespace
 
 std::vector<Crowd> crowds() {
-  const Shape ball = sphere(0.5), cube = box(Vec3::Constant(0.5));
+  const Shape ball = sphere(0.5), cube = box(Vec3::constant(0.5));
   FieldDef uniform, vortex;
   uniform.vector = Vec3(0, 1, 0);
   vortex.kind = FieldKind::vortex, vortex.strength = 1, vortex.pull = 1, vortex.core = 1, vortex.falloff = 1;
@@ -126,7 +126,7 @@ std::vector<Crowd> crowds() {
   const Material smooth = surface(0, 0, 0, 0), rough = surface(0.5, 0, 0, 0);
   return {
       {kGyroscopicRow, "gyroscopic", 10000, true, flying([](World& w, std::uint32_t i) {
-         w.scene.inertia[i] = Vec3(0.1, 0.2, 0.3).asDiagonal();
+         w.scene.inertia[i] = Mat3::diagonal(Vec3(0.1, 0.2, 0.3));
          w.scene.inv_inertia[i] = w.scene.inertia[i].inverse();
        })},
       {kLinearDampingRow, "linear_damping", 10000, true, flying([](World& w, std::uint32_t i) { damp(w, i, 0.5, 0); })},
@@ -138,8 +138,8 @@ std::vector<Crowd> crowds() {
          for (std::uint32_t i = 0; i < bodies - calling; ++i) t.world.set_gravity_factor(i, 0);
          t.world.set_gravity(Vec3(0, -9.81, 0));
        }},
-      {kUserForceRow, "user_force", 10000, true, flying([](World&, std::uint32_t) {}), push({1, 2, 3}, Vec3::Zero())},
-      {kUserTorqueRow, "user_torque", 10000, true, flying([](World&, std::uint32_t) {}), push(Vec3::Zero(), {1, 2, 3})},
+      {kUserForceRow, "user_force", 10000, true, flying([](World&, std::uint32_t) {}), push({1, 2, 3}, Vec3::zero())},
+      {kUserTorqueRow, "user_torque", 10000, true, flying([](World&, std::uint32_t) {}), push(Vec3::zero(), {1, 2, 3})},
       {kLocksRow, "axis_locks", 10000, true, flying([](World& w, std::uint32_t i) { w.set_locks(i, 1); })},
       {kDragRow, "drag", 10000, true, flying(drag)},
       {kWindRow, "wind", 10000, true, flying(drag, [](TestWorld& t) { t.world.set_wind(Vec3(3, 0, 0)); })},
@@ -177,7 +177,7 @@ std::vector<Crowd> crowds() {
       {kSurfaceRow, "surface_velocity", 1000, false,
        lying(cube, 0.5, rough,
              [](World& w, std::uint32_t i) {
-               w.set_surface_velocity(w.scene.first_collider[i], {Vec3(0, 0, 0.1), Vec3::Zero()});
+               w.set_surface_velocity(w.scene.first_collider[i], {Vec3(0, 0, 0.1), Vec3::zero()});
              })},
       {kSensorRow, "sensor", 1000, false,
        lying(ball, 0.5, rough,
@@ -188,7 +188,7 @@ std::vector<Crowd> crowds() {
       {kSceneryRow, "scenery, one under boxes", 1000, false,
        [=](TestWorld& t, std::uint32_t bodies, std::uint32_t) {
          const int along = static_cast<int>(3 * kRow), across = static_cast<int>(3 * (bodies / kRow + 1));
-         t.add(t.keep(mesh(grid(along, across, 1, -1.5, -1.5, [](double, double) { return 0.0; }))), Vec3::Zero(),
+         t.add(t.keep(mesh(grid(along, across, 1, -1.5, -1.5, [](double, double) { return 0.0; }))), Vec3::zero(),
                BodyType::fixed);
          const Shape* kept = t.keep(cube);
          for (std::uint32_t i = 0; i < bodies; ++i) t.add(kept, Vec3(site(i).x(), 0.498, site(i).z()));

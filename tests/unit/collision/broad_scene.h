@@ -51,7 +51,7 @@ struct BroadScene {
   void drop(std::uint32_t slot) {
     std::erase(table.active, slot);
     // What a free slot's box holds must not matter.
-    table.bounds[slot] = box_at(Vec3::Zero(), Vec3::Constant(kInfinity));
+    table.bounds[slot] = box_at(Vec3::zero(), Vec3::constant(kInfinity));
     ++generation;
   }
 

@@ -34,10 +34,10 @@ void brute_force_is_the_contract_word_for_word(void**) {
   BroadScene s;
   // Half of the boxes are empty on some axis.
   for (std::uint32_t i = 0; i < 40; ++i)
-    s.put(i, box_at(random.in_cube(2), random.in_cube(0.6) + Vec3::Constant(0.4)), i % 3 != 0);
+    s.put(i, box_at(random.in_cube(2), random.in_cube(0.6) + Vec3::constant(0.4)), i % 3 != 0);
   for (std::uint32_t i = 0; i < 40; i += 5) s.table.muted[i] = 1;
   for (std::uint32_t i = 0; i < 40; i += 7) s.table.body[i] = 0;
-  for (std::uint32_t i = 20; i < 30; ++i) s.put(i, box_at(random.in_cube(2), Vec3::Constant(1)));
+  for (std::uint32_t i = 20; i < 30; ++i) s.put(i, box_at(random.in_cube(2), Vec3::constant(1)));
   s.drop(13);
   std::vector<Pair> expected;
   for (std::uint32_t a = 0; a < 40; ++a)
@@ -84,7 +84,7 @@ void they_agree_over_a_long_random_life_of_a_scene(void**) {
         if (there && random.below(2)) {
           s.drop(slot);
         } else {  // also: another object in a slot that was in use
-          s.put(slot, box_at(random.in_cube(2), Vec3::Constant(random.between(0.05, 1.2))), random.below(5) != 0);
+          s.put(slot, box_at(random.in_cube(2), Vec3::constant(random.between(0.05, 1.2))), random.below(5) != 0);
           velocity[slot] = random.in_cube(0.05);
         }
       }
@@ -100,7 +100,7 @@ void touching_boxes_with_equal_coordinates_are_pairs_in_all(void**) {
   Random random(7);
   BroadScene s;
   Quartet quartet;
-  for (std::uint32_t i = 0; i < 90; ++i) s.put(i, box_at(Vec3::Zero(), Vec3::Constant(0.5)));
+  for (std::uint32_t i = 0; i < 90; ++i) s.put(i, box_at(Vec3::zero(), Vec3::constant(0.5)));
   std::size_t touching = 0;
   for (int step = 0; step < 200; ++step) {
     for (const std::uint32_t slot : s.table.active) {
@@ -114,7 +114,7 @@ void touching_boxes_with_equal_coordinates_are_pairs_in_all(void**) {
     }
     quartet.agree(s);
     for (const Pair& p : quartet.expected)
-      touching += (s.table.bounds[p.a].lo.array() == s.table.bounds[p.b].hi.array()).any();
+      for (int axis = 0; axis < 3; ++axis) touching += s.table.bounds[p.a].lo[axis] == s.table.bounds[p.b].hi[axis];
   }
   assert_true(touching > 1000);
 }
@@ -122,8 +122,8 @@ void touching_boxes_with_equal_coordinates_are_pairs_in_all(void**) {
 void a_touch_is_a_pair_and_a_gap_of_one_bit_is_none(void**) {
   BroadScene s;
   Quartet quartet;
-  s.put(0, box_at(Vec3(0, 0, 0), Vec3::Constant(1)));
-  s.put(1, box_at(Vec3(2, 0, 0), Vec3::Constant(1)));
+  s.put(0, box_at(Vec3(0, 0, 0), Vec3::constant(1)));
+  s.put(1, box_at(Vec3(2, 0, 0), Vec3::constant(1)));
   for (int step = 0; step < 3; ++step) {
     s.table.bounds[1].lo.x() = 1;
     quartet.agree(s);
@@ -139,11 +139,11 @@ void unbounded_boxes_pair_with_all_that_they_reach(void**) {
   BroadScene s;
   Quartet quartet;
   Aabb all, below, column;
-  all.lo.setConstant(-kInfinity), all.hi.setConstant(kInfinity);
+  all.lo = Vec3::constant(-kInfinity), all.hi = Vec3::constant(kInfinity);
   below = all, below.hi.y() = 0;
   column = all, column.lo.x() = column.lo.z() = -0.5, column.hi.x() = column.hi.z() = 0.5;
   s.put(0, all, false), s.put(1, below, false), s.put(9, column, false), s.put(50, all);
-  for (std::uint32_t i = 10; i < 50; ++i) s.put(i, box_at(random.in_cube(3), Vec3::Constant(0.4)));
+  for (std::uint32_t i = 10; i < 50; ++i) s.put(i, box_at(random.in_cube(3), Vec3::constant(0.4)));
   for (int step = 0; step < 60; ++step) {
     for (std::uint32_t i = 10; i < 50; ++i) s.shift(i, random.in_cube(0.2));
     if (step == 20) s.drop(0);
@@ -158,13 +158,13 @@ void nothing_one_box_and_many_identical_boxes_are_no_special_case(void**) {
   Quartet quartet;
   quartet.agree(s);
   assert_int_equal(quartet.expected.size(), 0);
-  s.put(5, box_at(Vec3::Zero(), Vec3::Constant(1)));
+  s.put(5, box_at(Vec3::zero(), Vec3::constant(1)));
   quartet.agree(s);
   assert_int_equal(quartet.expected.size(), 0);
-  for (std::uint32_t i = 0; i < 80; ++i) s.put(i, box_at(Vec3(1, 2, 3), Vec3::Constant(1)));
+  for (std::uint32_t i = 0; i < 80; ++i) s.put(i, box_at(Vec3(1, 2, 3), Vec3::constant(1)));
   quartet.agree(s);
   assert_int_equal(quartet.expected.size(), 80 * 79 / 2);
-  for (std::uint32_t i = 0; i < 80; ++i) s.table.bounds[i] = box_at(Vec3(1, 2, 3), Vec3::Zero());  // points
+  for (std::uint32_t i = 0; i < 80; ++i) s.table.bounds[i] = box_at(Vec3(1, 2, 3), Vec3::zero());  // points
   quartet.agree(s);
   assert_int_equal(quartet.expected.size(), 80 * 79 / 2);
   for (std::uint32_t i = 0; i < 80; ++i) s.drop(i);
@@ -178,7 +178,7 @@ void scales_from_atoms_to_the_end_of_doubles_are_all_right(void**) {
   for (const Real scale : {1e-300, 1e-9, 1e6, 1e18, 1e100, 1e300}) {
     BroadScene s;
     Quartet quartet;
-    for (std::uint32_t i = 0; i < 60; ++i) s.put(i, box_at(scale * random.in_cube(3), Vec3::Constant(0.5 * scale)));
+    for (std::uint32_t i = 0; i < 60; ++i) s.put(i, box_at(scale * random.in_cube(3), Vec3::constant(0.5 * scale)));
     for (int step = 0; step < 20; ++step) {
       for (std::uint32_t i = 0; i < 60; ++i) s.shift(i, scale * random.in_cube(0.3));
       quartet.agree(s);
@@ -189,11 +189,11 @@ void scales_from_atoms_to_the_end_of_doubles_are_all_right(void**) {
   Quartet quartet;
   for (std::uint32_t i = 0; i < 100; ++i) {
     const Vec3 home = i % 2 ? Vec3(1e6, -1e6, 1e6) : Vec3(-3e6, 2e6, 1);
-    mixed.put(i, box_at(home + random.in_cube(2), Vec3::Constant(random.between(0.1, 0.6))));
+    mixed.put(i, box_at(home + random.in_cube(2), Vec3::constant(random.between(0.1, 0.6))));
   }
-  mixed.put(100, box_at(Vec3(0, -6.4e6, 0), Vec3::Constant(6.4e6)));
-  mixed.put(101, box_at(Vec3(1e6, -1e6, 1e6), Vec3::Constant(1e-12)));
-  mixed.put(102, box_at(Vec3(1e308, 1e308, -1e308), Vec3::Constant(1)));
+  mixed.put(100, box_at(Vec3(0, -6.4e6, 0), Vec3::constant(6.4e6)));
+  mixed.put(101, box_at(Vec3(1e6, -1e6, 1e6), Vec3::constant(1e-12)));
+  mixed.put(102, box_at(Vec3(1e308, 1e308, -1e308), Vec3::constant(1)));
   for (int step = 0; step < 20; ++step) {
     for (std::uint32_t i = 0; i < 100; ++i) mixed.shift(i, random.in_cube(0.2));
     quartet.agree(mixed);
@@ -205,7 +205,7 @@ void the_cell_size_never_changes_the_answer(void**) {
   Random random(5);
   BroadScene s;
   Quartet quartet;
-  for (std::uint32_t i = 0; i < 100; ++i) s.put(i, box_at(random.in_cube(4), Vec3::Constant(random.between(0.01, 1))));
+  for (std::uint32_t i = 0; i < 100; ++i) s.put(i, box_at(random.in_cube(4), Vec3::constant(random.between(0.01, 1))));
   for (const Real cell : {1e-300, 1e-6, 0.01, 0.3, 1.0, 7.0, 1e6, 1e300, kInfinity}) {
     s.settings.grid_cell = cell;
     for (std::uint32_t i = 0; i < 100; ++i) s.shift(i, random.in_cube(0.1));
@@ -221,9 +221,9 @@ void clusters_that_fly_land_and_rest_are_right_for_thousands_of_steps(void**) {
   BroadScene s;
   Quartet quartet;
   const std::uint32_t n = 64;
-  std::vector<Vec3> velocity(n, Vec3::Zero());
+  std::vector<Vec3> velocity(n, Vec3::zero());
   Aabb floor;
-  floor.lo.setConstant(-kInfinity), floor.hi = Vec3(kInfinity, 0, kInfinity);
+  floor.lo = Vec3::constant(-kInfinity), floor.hi = Vec3(kInfinity, 0, kInfinity);
   s.put(n, floor, false);
   for (std::uint32_t i = 0; i < n; ++i)
     s.put(i, box_at(3 * Vec3(i % 4, 1, i / 16), Vec3(random.between(0.02, 0.5), random.between(0.02, 0.5), 0.3)));
@@ -239,7 +239,7 @@ void clusters_that_fly_land_and_rest_are_right_for_thousands_of_steps(void**) {
       if (random.below(2000) == 0) {
         const bool there = std::binary_search(s.table.active.begin(), s.table.active.end(), i);
         if (there)
-          s.drop(i), s.table.bounds[i] = box_at(3 * random.in_cube(1) + Vec3(0, 5, 0), Vec3::Constant(0.3));
+          s.drop(i), s.table.bounds[i] = box_at(3 * random.in_cube(1) + Vec3(0, 5, 0), Vec3::constant(0.3));
         else
           s.put(i, s.table.bounds[i], random.below(4) != 0);
       }
@@ -258,10 +258,10 @@ void teleports_of_all_boxes_are_right(void**) {
   Random random(13);
   BroadScene s;
   Quartet quartet;
-  for (std::uint32_t i = 0; i < 150; ++i) s.put(i, box_at(random.in_cube(5), Vec3::Constant(0.5)));
+  for (std::uint32_t i = 0; i < 150; ++i) s.put(i, box_at(random.in_cube(5), Vec3::constant(0.5)));
   for (int step = 0; step < 60; ++step) {
     for (std::uint32_t i = 0; i < 150; ++i)
-      if (step % 3) s.table.bounds[i] = box_at(random.in_cube(5), Vec3::Constant(0.5));
+      if (step % 3) s.table.bounds[i] = box_at(random.in_cube(5), Vec3::constant(0.5));
     quartet.agree(s);
   }
 }

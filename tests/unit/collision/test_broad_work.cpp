@@ -36,7 +36,7 @@ constexpr Maker kMakers[] = {make_brute_force, make_sweep_and_prune, make_unifor
 void lattice(BroadScene& s, Random& random, std::uint32_t side) {
   for (std::uint32_t i = 0; i < side * side * side; ++i) {
     const Vec3 at(i % side, i / side % side, i / side / side);
-    s.put(i, box_at(at + random.in_cube(0.2), Vec3::Constant(0.4)));
+    s.put(i, box_at(at + random.in_cube(0.2), Vec3::constant(0.4)));
   }
 }
 
@@ -78,7 +78,7 @@ void a_scene_at_rest_costs_no_exchange_and_a_step_of_one_box_few(void**) {
   Array<Pair> pairs;
   for (int step = 0; step < 3; ++step) sap->find_pairs(s.table, s.generation, s.settings, pairs);
   assert_int_equal(sap->work().swaps + sap->work().rebuilds + sap->work().tests, 0);
-  s.put(600, box_at(Vec3(3, 3, 3), Vec3::Constant(0.4)));  // a newcomer passes each of the others' ends at most once
+  s.put(600, box_at(Vec3(3, 3, 3), Vec3::constant(0.4)));  // a newcomer passes each of the others' ends at most once
   sap->find_pairs(s.table, s.generation, s.settings, pairs);
   assert_int_equal(sap->work().rebuilds, 0);
   assert_true(sap->work().swaps <= 3 * 2 * 2 * 512);
@@ -95,7 +95,7 @@ void a_teleport_of_everything_is_sorted_afresh_within_a_budget(void**) {
   auto sap = make_sweep_and_prune(std::pmr::get_default_resource());
   Array<Pair> pairs;
   for (int step = 0; step < 3; ++step) {
-    for (std::uint32_t i = 0; i < n; ++i) s.table.bounds[i] = box_at(random.in_cube(6), Vec3::Constant(0.4));
+    for (std::uint32_t i = 0; i < n; ++i) s.table.bounds[i] = box_at(random.in_cube(6), Vec3::constant(0.4));
     sap->find_pairs(s.table, s.generation, s.settings, pairs);
     assert_int_equal(sap->work().rebuilds, 1);
     // 6 n ends, log2 n exchanges for each, and the one insertion that overran it; quadratic would be 6 n^2 = 18
@@ -122,9 +122,9 @@ void the_grid_looks_at_neighbours_only(void**) {
   assert_true(grid->work().tests < 0.5 * 1.6 * 1.6 * 1.6 * 3.375 * 3.375 * 1.1 * static_cast<Real>(n));
   assert_int_equal(grid->work().large, 0);
   Aabb floor;
-  floor.lo.setConstant(-kInfinity), floor.hi = Vec3(kInfinity, 0, kInfinity);
+  floor.lo = Vec3::constant(-kInfinity), floor.hi = Vec3(kInfinity, 0, kInfinity);
   s.put(5000, floor, false);
-  s.put(5001, box_at(Vec3::Zero(), Vec3(1000, 1, 1000)), false);  // does not change the cells' size
+  s.put(5001, box_at(Vec3::zero(), Vec3(1000, 1, 1000)), false);  // does not change the cells' size
   const std::uint64_t entries = grid->work().entries;
   grid->find_pairs(s.table, s.generation, s.settings, pairs);
   assert_int_equal(grid->work().large, 2);
@@ -225,8 +225,8 @@ void a_tree_stays_shallow_whatever_comes_in_whatever_order(void**) {
     const std::uint32_t n = way == 2 ? 300 : 2000;
     for (std::uint32_t i = 0; i < n; ++i) {
       const Real x = way == 1 ? 10 * std::pow(1.3, i) : i;
-      const Aabb here = box_at(Vec3(1, 2, 3), Vec3::Constant(i % 2 ? 0 : 1e-3));
-      s.put(i, way == 2 ? here : box_at(Vec3(x, 0, 0), Vec3::Constant(0.3)));
+      const Aabb here = box_at(Vec3(1, 2, 3), Vec3::constant(i % 2 ? 0 : 1e-3));
+      s.put(i, way == 2 ? here : box_at(Vec3(x, 0, 0), Vec3::constant(0.3)));
       tests += tests_of(*tree, s, pairs);
       found += pairs.size();
     }
@@ -243,10 +243,10 @@ void something_huge_among_crumbs_costs_a_tree_its_own_partners_only(void**) {
   Random random(8);
   BroadScene s;
   const std::uint32_t n = 4000;
-  for (std::uint32_t i = 0; i < n; ++i) s.put(i, box_at(Vec3(i % 64, 0, i / 64), Vec3::Constant(0.1)));
+  for (std::uint32_t i = 0; i < n; ++i) s.put(i, box_at(Vec3(i % 64, 0, i / 64), Vec3::constant(0.1)));
   s.put(n, box_at(Vec3(32, -501, 32), Vec3(1000, 500, 1000)));  // a metre below them
   Aabb floor;
-  floor.lo.setConstant(-kInfinity), floor.hi = Vec3(kInfinity, -0.5, kInfinity);
+  floor.lo = Vec3::constant(-kInfinity), floor.hi = Vec3(kInfinity, -0.5, kInfinity);
   s.put(n + 1, floor, false);
   auto tree = make_tree(std::pmr::get_default_resource());
   Array<Pair> pairs;
@@ -274,7 +274,7 @@ void the_steady_state_allocates_nothing(void**) {
       for (int step = 0; step < 100; ++step) {
         for (std::uint32_t i = 0; i < 216; ++i) s.shift(i, random.in_cube(0.05));
         if (step % 30 == 7)
-          s.put(static_cast<std::uint32_t>(random.below(216)), box_at(random.in_cube(3), Vec3::Constant(0.4)));
+          s.put(static_cast<std::uint32_t>(random.below(216)), box_at(random.in_cube(3), Vec3::constant(0.4)));
         if (step % 30 == 9) s.drop(static_cast<std::uint32_t>(random.below(216)));
         phase->find_pairs(s.table, s.generation, s.settings, pairs);
       }
@@ -300,7 +300,7 @@ void a_failed_allocation_is_thrown_and_the_next_answer_is_right(void**) {
       for (int step = 0; step < 6; ++step) {
         for (std::uint32_t i = 0; i < 27; ++i) s.shift(i, random.in_cube(0.2));
         if (step == 3)
-          for (std::uint32_t i = 27; i < 30; ++i) s.put(i, box_at(random.in_cube(2), Vec3::Constant(1)));
+          for (std::uint32_t i = 27; i < 30; ++i) s.put(i, box_at(random.in_cube(2), Vec3::constant(1)));
         try {
           phase->find_pairs(s.table, s.generation, s.settings, pairs);
         } catch (const std::bad_alloc&) {

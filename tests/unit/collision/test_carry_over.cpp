@@ -71,7 +71,7 @@ static void a_small_shape_far_out_on_a_large_one_feels_its_turning(void**) {
   // The ball stays, the plate tips about its own centre 4 m away: in the ball's frame the plate's origin does not move.
   CoherentPair p{sphere(0.1), box(Vec3(5, 0.1, 5)), {}};
   for (int i = 0; i < 200; ++i) {
-    const Mat3 tip = exp_map(Vec3(0, 0, 2e-4 * i)).toRotationMatrix();
+    const Mat3 tip = exp_map(Vec3(0, 0, 2e-4 * i)).matrix();
     p.b_in_a.push_back(Frame(tip, Vec3(-4, -0.18, 0)));
   }
   Count count;

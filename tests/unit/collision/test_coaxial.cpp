@@ -18,7 +18,7 @@ QueryResult ask(const Shape& a, const Shape& b, const Frame& b_in_a, Real tolera
   return result;
 }
 
-Frame at(Real y) { return Frame(Mat3::Identity(), Vec3(0, y, 0)); }
+Frame at(Real y) { return Frame(Mat3::identity(), Vec3(0, y, 0)); }
 
 /// Exact enough, a bracket around the truth in few steps, and points on the surfaces that its normal joins.
 void assert_is(const Shape& a, const Shape& b, const Frame& f, Real truth) {
@@ -74,12 +74,12 @@ static void every_axis_is_found_and_either_way_up(void**) {
   for (int i = 0; i < 30; ++i) {
     // B's own axis turned onto A's, then about it by anything.
     const auto align = [&](const Vec3& from, const Vec3& to) {
-      Quat q = Quat::FromTwoVectors(from, i % 2 ? to : Vec3(-to));
-      return Mat3((exp_map(random.uniform(-3, 3) * to) * q).toRotationMatrix());
+      Quat q = turn_between(from, i % 2 ? to : Vec3(-to));
+      return Mat3((exp_map(random.uniform(-3, 3) * to) * q).matrix());
     };
-    assert_is(upright, lying, Frame(align(Vec3::UnitX(), Vec3::UnitY()), Vec3::Zero()), -0.5);
-    assert_is(lying, deep, Frame(align(Vec3::UnitZ(), Vec3::UnitX()), Vec3::Zero()), -0.45);
-    assert_is(deep, cylinder(0.3, 1), Frame(align(Vec3::UnitY(), Vec3::UnitZ()), Vec3::Zero()), -0.55);
+    assert_is(upright, lying, Frame(align(Vec3::unit_x(), Vec3::unit_y()), Vec3::zero()), -0.5);
+    assert_is(lying, deep, Frame(align(Vec3::unit_z(), Vec3::unit_x()), Vec3::zero()), -0.45);
+    assert_is(deep, cylinder(0.3, 1), Frame(align(Vec3::unit_y(), Vec3::unit_z()), Vec3::zero()), -0.55);
   }
 }
 
@@ -87,7 +87,7 @@ static void nearly_on_the_axis_the_bracket_is_as_wide_as_the_error_at_most(void*
   Random random(6);
   for (const Real error : {1e-12, 1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
     for (int i = 0; i < 6; ++i) {
-      const Mat3 tilt = exp_map(error * random.in_cube(1)).toRotationMatrix();
+      const Mat3 tilt = exp_map(error * random.in_cube(1)).matrix();
       const Frame f(tilt, Vec3(0, 0.2, 0) + error * random.in_cube(1));
       const Shape a = i % 2 ? cylinder(0.5, 2) : ellipsoid(Vec3(0.5, 2, 0.5));
       const Shape b = i % 3 ? cylinder(0.4, 2) : ellipsoid(Vec3(0.4, 2, 0.4));
@@ -108,8 +108,8 @@ static void who_is_not_of_revolution_has_no_axis(void**) {
   assert_true(common_axis(box(Vec3(1, 2, 1)), cylinder(1, 1), same).uneven == kInfinity);
   assert_true(common_axis(ellipsoid(Vec3(1, 2, 3)), cylinder(1, 1), same).uneven == kInfinity);
   assert_true(common_axis(cone(1, 1), cylinder(1, 1), same).uneven == 0);
-  assert_true(common_axis(sphere(1), cylinder(1, 1), Frame(Mat3::Identity(), Vec3(0.5, 0, 0))).uneven == 0.5);
-  assert_true(common_axis(sphere(1), sphere(1), Frame(Mat3::Identity(), Vec3(0.5, 3, 0))).uneven == 0);
+  assert_true(common_axis(sphere(1), cylinder(1, 1), Frame(Mat3::identity(), Vec3(0.5, 0, 0))).uneven == 0.5);
+  assert_true(common_axis(sphere(1), sphere(1), Frame(Mat3::identity(), Vec3(0.5, 3, 0))).uneven == 0);
 }
 
 int main() {

@@ -15,7 +15,7 @@ std::vector<Vec3> directions(Random& random) {
   for (int i = 0; i < 3; ++i)
     for (const Real sign : {1.0, -1.0})
       for (const Real off : {0.0, -0.0, 1e-320, 1e-150, 1e-100, 1e-16, 1e-12, 1e-8}) {
-        Vec3 n = sign * Vec3::Unit(i);
+        Vec3 n = sign * Vec3::unit(i);
         n[(i + 1) % 3] = off;
         n[(i + 2) % 3] = -off;
         d.push_back(n.normalized());
@@ -37,9 +37,9 @@ Real outside(const Shape& s, const Vec3& p) {
     case Form::cone:
       return std::max(side / s.radius - 0.5 * (1 - p.y() / s.half_height), std::fabs(p.y()) / s.half_height - 1);
     case Form::ellipsoid:
-      return p.cwiseQuotient(s.half).norm() - 1;
+      return p.over(s.half).norm() - 1;
     default:
-      return p.cwiseAbs().cwiseQuotient(s.half).maxCoeff() - 1;
+      return p.abs().over(s.half).max_entry() - 1;
   }
 }
 
@@ -64,9 +64,9 @@ static void every_closed_form_attains_what_its_function_attains(void**) {
         // much may a point lie outside, and half of that again for this test's own division.
         assert_true(outside(s, own) <= 6 * kUnitRoundoff);
         // The value is a sum of terms n_i x_i, of which n_i h_i bounds each, h the half sides.
-        const Real terms = n.cwiseAbs().dot(s.bounds.hi);
+        const Real terms = n.abs().dot(s.bounds.hi);
         assert_true(n.dot(own) >= n.dot(asked) - 12 * kUnitRoundoff * terms);
-        if (corners && (n.array() != 0).all()) assert_true(own == asked);
+        if (corners && n.product() != 0) assert_true(own == asked);
       }
     }
   }
@@ -104,8 +104,8 @@ static void a_known_form_does_not_need_its_function(void**) {
     Core core(*s);
     Vec3 out;
     SupportFault fault;
-    assert_false(core.support(Vec3::UnitX(), out));
-    core.blame(Vec3::UnitX(), out, fault);
+    assert_false(core.support(Vec3::unit_x(), out));
+    core.blame(Vec3::unit_x(), out, fault);
     assert_int_equal(fault.kind, SupportFault::returned);
     assert_ptr_equal(fault.shape, s);
   }

@@ -32,16 +32,16 @@ static void aligned_boxes_part_along_the_shallowest_axis(void**) {
   const Shape a = box(Vec3(1, 2, 3)), b = box(Vec3(0.5, 1, 0.25));
   Random random(1);
   for (int i = 0; i < 300; ++i) {
-    const Vec3 p = random.in_cube(1).cwiseProduct(Vec3(1.4, 2.9, 3.2));
-    const Vec3 overlap = Vec3(1.5, 3, 3.25) - p.cwiseAbs();
-    int axis;
-    const Real depth = overlap.minCoeff(&axis);
-    const QueryResult r = ask(a, b, Frame(Mat3::Identity(), p));
+    const Vec3 p = random.in_cube(1).times(Vec3(1.4, 2.9, 3.2));
+    const Vec3 overlap = Vec3(1.5, 3, 3.25) - p.abs();
+    const int axis = overlap.min_axis();
+    const Real depth = overlap[axis];
+    const QueryResult r = ask(a, b, Frame(Mat3::identity(), p));
     assert_true(holds(r, -depth) && r.upper - r.lower <= 1e-6 * b.bounding_radius);
     // The normal is unique where the second axis is deeper by more than the gap allows.
     Vec3 rest = overlap;
     rest[axis] = kInfinity;
-    if (rest.minCoeff() - depth > 1e-4) assert_true(r.normal[axis] * p[axis] >= (1 - 1e-6) * std::fabs(p[axis]));
+    if (rest.min_entry() - depth > 1e-4) assert_true(r.normal[axis] * p[axis] >= (1 - 1e-6) * std::fabs(p[axis]));
     // Sliding B along the normal by the depth brings the witness points together, up to the gap and the directions
     // across.
     const Vec3 between = p + r.point_b - r.point_a;
@@ -65,7 +65,7 @@ static void a_ring_of_equal_answers_still_gives_the_value(void**) {
   const QueryResult r = ask(cylinder(0.3, 1), sphere(0), at(0, 0, 0));
   assert_true(holds(r, -0.3) && std::fabs(r.separation + 0.3) <= 1e-14);
   // Cone on cone, tip past tip by 0.1: the flank's normal is at 1 : 0.5 to the axis, depth 0.1 * 0.5 / sqrt(1.25).
-  Mat3 over = Vec3(1, -1, -1).asDiagonal();
+  Mat3 over = Mat3::diagonal(Vec3(1, -1, -1));
   const QueryResult tips = ask(cone(1, 1), cone(1, 1), Frame(over, Vec3(0, 1.9, 0)));
   const Real truth = -0.1 / std::sqrt(1.25) * 0.5;
   assert_true(holds(tips, truth) && std::fabs(tips.separation - truth) <= 1e-6 * std::sqrt(2.0));
@@ -87,7 +87,7 @@ static void differences_without_volume_are_touching(void**) {
     }
   }
   // Crossing segments: the difference is a parallelogram, and what is left of the depth are the radii.
-  const Mat3 quarter = (Mat3() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished();
+  const Mat3 quarter = Mat3(0, -1, 0, 1, 0, 0, 0, 0, 1);
   const QueryResult crossed = ask(capsule(0.5, 1), capsule(0.25, 1), Frame(quarter, Vec3(0, 0, 0)));
   assert_true(holds(crossed, -0.75) && crossed.upper - crossed.lower <= 1e-13);
   assert_true(std::fabs(std::fabs(crossed.normal.z()) - 1) <= 1e-12);
@@ -101,7 +101,7 @@ static void touching_is_told_to_rounding(void**) {
       // The offset is rounded: the truth is what is left of it.
       const Real x = 2 + gap;
       for (const Vec3& p : {Vec3(x, 0, 0), Vec3(x, 0.3, 0.1), Vec3(x, 1.9, -1.9)}) {
-        const QueryResult r = ask(cube, cube, Frame(Mat3::Identity(), p), 1e-12);
+        const QueryResult r = ask(cube, cube, Frame(Mat3::identity(), p), 1e-12);
         assert_true(holds(r, x - 2) && r.upper - r.lower <= 1e-12 * std::sqrt(3.0));
       }
     }
@@ -121,7 +121,7 @@ static void swap_motion_and_scale_change_nothing(void**) {
     const QueryResult swapped = ask(p.b, p.a, a_in_b);
     assert_true(meet(r, swapped, 4 * kEpsilon * reach));
     // Both moved along in the world, far from its origin: the difference of positions has lost eps of 1000 m.
-    const Frame a_w(random_rotation(random).toRotationMatrix(), 1000 * random.direction());
+    const Frame a_w(random_rotation(random).matrix(), 1000 * random.direction());
     const QueryResult moved = ask(p.a, p.b, relative(a_w, a_w * p.b_in_a));
     assert_true(meet(r, moved, 8 * kEpsilon * (1000 + reach)));
     // EPA may be capped (rings); otherwise the bracket is as narrow as asked.

@@ -21,7 +21,7 @@ std::vector<double> flat_list(const Cloud& cloud) {
 /// Directions that are hard for this cloud: normals of facets, across edges, both, and a hair's breadth beside each.
 std::vector<Vec3> directions(Random& random, const Cloud& cloud, int count) {
   std::vector<Vec3> d;
-  for (int i = 0; i < 3; ++i) d.insert(d.end(), {Vec3::Unit(i), -Vec3::Unit(i)});
+  for (int i = 0; i < 3; ++i) d.insert(d.end(), {Vec3::unit(i), -Vec3::unit(i)});
   for (int i = 0; i < count; ++i) d.push_back(random.direction());
   Array<std::uint32_t> triangles;
   const std::vector<double> xyz = flat_list(cloud);
@@ -46,8 +46,8 @@ std::vector<Vec3> directions(Random& random, const Cloud& cloud, int count) {
 Real worst_share(const FarthestVertex& farthest, const Cloud& cloud, const std::vector<Vec3>& dirs) {
   Vec3 lo = cloud[0], hi = lo;
   Real reach = 0;
-  for (const Vec3& p : cloud) lo = lo.cwiseMin(p), hi = hi.cwiseMax(p), reach = std::max(reach, p.norm());
-  const Real claim = kUnitRoundoff * (farthest.climbs() ? 11 * 0.5 * (hi - lo).maxCoeff() : 6 * reach);
+  for (const Vec3& p : cloud) lo = lo.min(p), hi = hi.max(p), reach = std::max(reach, p.norm());
+  const Real claim = kUnitRoundoff * (farthest.climbs() ? 11 * 0.5 * (hi - lo).max_entry() : 6 * reach);
   // The oracle's own rounding: 2^-64 for each of five operations and for each of the two values.
   const Real oracle = 10 * 0x1p-64 * reach;
   Real worst = 0;
@@ -78,7 +78,7 @@ void check(Random& random, const Cloud& cloud, int dirs = 60) {
 
 Cloud on_ellipsoid(Random& random, int count, const Vec3& radii) {
   Cloud c;
-  for (int i = 0; i < count; ++i) c.push_back(random.direction().cwiseProduct(radii));
+  for (int i = 0; i < count; ++i) c.push_back(random.direction().times(radii));
   return c;
 }
 
@@ -94,7 +94,7 @@ Cloud grid(int n) {
   for (int i = 0; i <= n; ++i)
     for (int j = 0; j <= n; ++j)
       for (int k = 0; k <= n; ++k)
-        if (i % n == 0 || j % n == 0 || k % n == 0) c.push_back(Vec3(i, j, k) / n - Vec3::Constant(0.3));
+        if (i % n == 0 || j % n == 0 || k % n == 0) c.push_back(Vec3(i, j, k) / n - Vec3::constant(0.3));
   return c;
 }
 
@@ -137,11 +137,11 @@ static void flat_faces_of_many_corners_do_not_stop_the_climb(void**) {
   for (const int n : {2, 4, 9}) {
     check(random, grid(n));
     for (int i = 0; i < 8; ++i)  // turned, the faces are flat but for rounding
-      check(random, moved(grid(n), random_rotation(random).toRotationMatrix(), random.in_cube(2)), 30);
+      check(random, moved(grid(n), random_rotation(random).matrix(), random.in_cube(2)), 30);
   }
   for (const int sides : {3, 60, 200, 1000}) {
     check(random, prism(sides, 1));
-    check(random, moved(prism(sides, 0.01), random_rotation(random).toRotationMatrix(), Vec3::Zero()));
+    check(random, moved(prism(sides, 0.01), random_rotation(random).matrix(), Vec3::zero()));
   }
 }
 
@@ -158,10 +158,10 @@ static void thin_and_long_clouds_are_right_at_every_size(void**) {
   Random random(4);
   for (const Real size : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
     for (const Real thin : {1e-1, 1e-4, 1e-8, 1e-12, 1e-14, 1e-15, 1e-16}) {
-      const Mat3 r = size * random_rotation(random).toRotationMatrix();
-      check(random, moved(on_ellipsoid(random, 300, Vec3(1, thin, 1)), r, Vec3::Zero()), 20);
+      const Mat3 r = size * random_rotation(random).matrix();
+      check(random, moved(on_ellipsoid(random, 300, Vec3(1, thin, 1)), r, Vec3::zero()), 20);
       check(random, moved(on_ellipsoid(random, 300, Vec3(thin, 1, thin)), r, 100 * size * random.direction()), 20);
-      check(random, moved(prism(150, thin), r, Vec3::Zero()), 20);
+      check(random, moved(prism(150, thin), r, Vec3::zero()), 20);
     }
   }
 }
@@ -176,7 +176,7 @@ static void clouds_without_a_hull_are_scanned(void**) {
   check(random, sheet);
   check(random, line);
   for (const Cloud& few : {Cloud{Vec3(1, 2, 3)}, Cloud(7, Vec3(1, 2, 3)), Cloud{Vec3(1, 0, 0), Vec3(-1, 0, 0)},
-                           Cloud{Vec3(1, 0, 0), Vec3(0, 0, 0), Vec3(0, 1, 0)}, Cloud{Vec3::Zero()}})
+                           Cloud{Vec3(1, 0, 0), Vec3(0, 0, 0), Vec3(0, 1, 0)}, Cloud{Vec3::zero()}})
     check(random, few);
 }
 
@@ -199,7 +199,7 @@ static void the_same_cloud_gives_the_same_vertices(void**) {
   one.build(xyz);
   two.build(xyz);
   for (int i = 0; i < 1000; ++i) {
-    const Vec3 n = i < 6 ? Vec3((i % 2 ? 1 : -1) * Vec3::Unit(i / 2)) : random.direction();
+    const Vec3 n = i < 6 ? Vec3((i % 2 ? 1 : -1) * Vec3::unit(i / 2)) : random.direction();
     assert_int_equal(one(n), two(n));
     assert_int_equal(one(n), one(n));
   }

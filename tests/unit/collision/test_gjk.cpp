@@ -58,13 +58,13 @@ static void features_of_boxes_have_their_textbook_distance(void**) {
   assert_is(ask(a, b, at(2, 0.3, 0.1)), 0.5, 2e-6);               // face and face
   assert_is(ask(a, b, at(2, 3, 0)), std::hypot(0.5, 0.5), 2e-6);  // edge and edge
   assert_is(ask(a, b, at(2, 3, 4)), std::sqrt(0.75), 2e-6);       // vertex and vertex
-  Mat3 turn;                                                      // 45 degrees about z: an edge looks at the face
-  turn << std::sqrt(0.5), -std::sqrt(0.5), 0, std::sqrt(0.5), std::sqrt(0.5), 0, 0, 0, 1;
+  const Real s = std::sqrt(0.5);
+  const Mat3 turn(s, -s, 0, s, s, 0, 0, 0, 1);  // 45 degrees about z: an edge looks at the face
   assert_is(ask(a, b, Frame(turn, Vec3(2, 0, 0))), 1 - std::sqrt(0.5), 2e-6);
 }
 
 static void a_point_and_a_flat_box_are_shapes_too(void**) {
-  const Shape point = box(Vec3::Zero()), plate = box(Vec3(1, 0, 1)), line = box(Vec3(0, 1, 0));
+  const Shape point = box(Vec3::zero()), plate = box(Vec3(1, 0, 1)), line = box(Vec3(0, 1, 0));
   // A point has no size that a tolerance could be relative to: the plate's counts.
   assert_is(ask(point, plate, at(0.2, 0.5, 0.1)), 0.5, 1e-13);
   assert_is(ask(point, point, at(0, 3, 4)), 5, 1e-13);
@@ -148,7 +148,7 @@ static void the_last_direction_starts_the_next_query_near_its_end(void**) {
   memory.direction = Vec3(1, 0, 0);
   const Shape a = box(Vec3(1, 1, 1));
   ask(a, a, at(0.5, 0.1, 0), {}, &memory);
-  assert_true(memory.direction == Vec3::Zero());
+  assert_true(memory.direction == Vec3::zero());
 }
 
 static void a_power_of_two_in_size_changes_no_bit(void**) {
@@ -266,7 +266,7 @@ static void a_worse_point_than_one_seen_is_caught(void**) {
   for (int i = 0; i < 100; ++i) {
     SupportFault fault;
     const QueryResult r =
-        ask(good, bad, Frame(random_rotation(random).toRotationMatrix(), random.in_cube(2)), {}, nullptr, &fault);
+        ask(good, bad, Frame(random_rotation(random).matrix(), random.in_cube(2)), {}, nullptr, &fault);
     assert_true(carom::finite(r.separation) && carom::finite(r.normal));
     if (r.status != QueryStatus::fault) continue;
     ++caught;

@@ -1,6 +1,5 @@
 // The hull of a point cloud: closed, convex, complete, on clouds chosen to hurt (coplanar, collinear, repeated,
 // needles).
-#include <Eigen/Geometry>
 #include <map>
 #include <set>
 
@@ -36,7 +35,7 @@ std::size_t vertices_of(const Hull& h) {
 
 Real volume_of(const Cloud& cloud) {
   const Shape s = hull(cloud);
-  return mass_from_form(Form::polytope, 0, 0, Vec3::Zero(), s.vertices).volume;
+  return mass_from_form(Form::polytope, 0, 0, Vec3::zero(), s.vertices).volume;
 }
 
 /// Every directed edge once and its reverse once, and V - E + F = 2: one closed surface without handles.
@@ -62,7 +61,7 @@ Real worst_outside(const Cloud& cloud, const Hull& h) {
   for (std::size_t t = 0; t < h.triangles.size(); t += 3) {
     const Vec3 &a = cloud[h.triangles[t]], &b = cloud[h.triangles[t + 1]], &c = cloud[h.triangles[t + 2]];
     const Vec3 cross = (b - a).cross(c - a);
-    const Real longest = std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm()});
+    const Real longest = std::max({(b - a).squared_norm(), (c - a).squared_norm(), (c - b).squared_norm()});
     if (cross.norm() < 1e-3 * longest) continue;
     const Vec3 n = cross / cross.norm();
     for (const Vec3& p : cloud) worst = std::max(worst, n.dot(p - a));
@@ -70,7 +69,7 @@ Real worst_outside(const Cloud& cloud, const Hull& h) {
   return worst / size;
 }
 
-Mat3 some_rotation(Random& random) { return exp_map(2 * random.direction()).toRotationMatrix(); }
+Mat3 some_rotation(Random& random) { return exp_map(2 * random.direction()).matrix(); }
 
 Cloud grid(int n) {
   Cloud cloud;
@@ -112,7 +111,7 @@ static const Real kOutside = 4 * 3.5 * kUnitRoundoff * 1e3;
 static void hulls_of_difficult_clouds_are_closed_and_leave_no_point_out(void**) {
   Random random(1);
   for (int trial = 0; trial < 12; ++trial) {
-    const Mat3 r = trial == 0 ? Mat3(Mat3::Identity()) : some_rotation(random);
+    const Mat3 r = trial == 0 ? Mat3(Mat3::identity()) : some_rotation(random);
     Cloud twice = on_sphere(random, 100);
     twice.insert(twice.end(), twice.begin(), twice.begin() + 50);
     Cloud nearly = on_sphere(random, 300);  // pairs 1e-14 apart
@@ -186,19 +185,19 @@ static void needles_and_plates_of_aspect_1e8_keep_their_volume(void**) {
   const Cloud ball = on_sphere(random, 300);
   const Real volume = volume_of(ball);
   for (const Vec3& stretch : {Vec3(1, 1e-8, 1e-8), Vec3(1e8, 1, 1), Vec3(1e4, 1e-4, 1), Vec3(1e-6, 1e-6, 1e-6)}) {
-    const Mat3 a = stretch.asDiagonal();
-    const Hull h = hull_of(moved(ball, a, Vec3::Zero()));
+    const Mat3 a = Mat3::diagonal(stretch);
+    const Hull h = hull_of(moved(ball, a, Vec3::zero()));
     assert_closed(h);
     assert_int_equal(vertices_of(h), 300);
     // Scaling the axes rounds each coordinate once.
-    assert_true(std::fabs(volume_of(moved(ball, a, Vec3::Zero())) - volume * stretch.prod()) <=
-                32 * kEpsilon * volume * stretch.prod());
+    assert_true(std::fabs(volume_of(moved(ball, a, Vec3::zero())) - volume * stretch.product()) <=
+                32 * kEpsilon * volume * stretch.product());
     // Turned out of the axes, a coordinate of 1 is rounded to u against a width of 1 / aspect.
-    const Real aspect = stretch.maxCoeff() / stretch.minCoeff();
-    const Cloud turned = moved(ball, some_rotation(random) * a, Vec3::Zero());
+    const Real aspect = stretch.max_entry() / stretch.min_entry();
+    const Cloud turned = moved(ball, some_rotation(random) * a, Vec3::zero());
     assert_closed(hull_of(turned));
-    assert_true(std::fabs(volume_of(turned) - volume * stretch.prod()) <=
-                32 * kEpsilon * aspect * volume * stretch.prod());
+    assert_true(std::fabs(volume_of(turned) - volume * stretch.product()) <=
+                32 * kEpsilon * aspect * volume * stretch.product());
   }
 }
 

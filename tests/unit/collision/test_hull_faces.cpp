@@ -65,7 +65,7 @@ static void turned_prisms_of_many_sides_keep_their_faces_whole(void**) {
   Random random(1);
   for (const int n : {3, 4, 5, 7, 16, 100})
     for (int trial = 0; trial < 10; ++trial) {
-      const Mat3 r = exp_map(3 * random.direction()).toRotationMatrix();
+      const Mat3 r = exp_map(3 * random.direction()).matrix();
       const Vec3 off = random.in_cube(1);
       std::vector<Vec3> points;
       for (int i = 0; i < n; ++i) {
@@ -91,7 +91,7 @@ static void random_clouds_are_closed(void**) {
     Shape s = hull(points);
     make_faces(s);
     assert_sound(s);
-    Vec3 sum = Vec3::Zero();
+    Vec3 sum = Vec3::zero();
     for (std::size_t k = 0; k < s.faces.count(); ++k)
       for (std::size_t i = s.faces.begin[k]; i < s.faces.begin[k + 1]; ++i)
         sum += corner(s, i).cross(corner(s, i + 1 < s.faces.begin[k + 1] ? i + 1 : s.faces.begin[k])) / 2;

@@ -18,7 +18,7 @@ ContactPoint touch(Real x, Real z, Real separation, std::uint32_t feature = 0) {
   ContactPoint p;
   p.on_a = Vec3(x, 0, z);
   p.on_b = Vec3(x, separation, z);
-  p.normal = Vec3::UnitY();
+  p.normal = Vec3::unit_y();
   p.separation = separation;
   p.feature = feature;
   return p;
@@ -113,7 +113,7 @@ static void a_point_that_opens_slides_or_turns_is_dropped(void**) {
   assert_int_equal(left(b, far_away), 2);
   b.p = Vec3(0.0201, 0, 0);  // slid past the cache distance
   assert_int_equal(left(b, far_away), 1);
-  b.p.setZero();
+  b.p.set_zero();
   Candidates turned = far_away;
   turned.point[0].normal = Vec3(0.5, std::sqrt(0.75), 0);  // 30 degrees
   assert_int_equal(left(b, turned), 1);

@@ -51,8 +51,8 @@ struct Scene {
   }
 };
 
-Frame at(Real x, Real y, Real z, const Vec3& turn = Vec3::Zero()) {
-  return Frame(exp_map(turn).toRotationMatrix(), Vec3(x, y, z));
+Frame at(Real x, Real y, Real z, const Vec3& turn = Vec3::zero()) {
+  return Frame(exp_map(turn).matrix(), Vec3(x, y, z));
 }
 
 bool whole(const Manifold& m) {
@@ -72,7 +72,7 @@ std::int32_t nan_support(const double*, std::uint64_t, const double*, double* ou
 }  // namespace
 
 static void a_resting_box_keeps_its_four_points_through_a_jitter(void**) {
-  const Shape ground = half_space(Vec3::UnitY(), 0), slab = box(Vec3(2, 0.5, 2)), brick = box(Vec3(0.3, 0.2, 0.4));
+  const Shape ground = half_space(Vec3::unit_y(), 0), slab = box(Vec3(2, 0.5, 2)), brick = box(Vec3(0.3, 0.2, 0.4));
   for (const bool on_box : {false, true}) {
     for (const Real turn : {0.0, 0.3, 0.785398163397}) {
       Scene s;
@@ -98,7 +98,7 @@ static void a_resting_box_keeps_its_four_points_through_a_jitter(void**) {
 }
 
 static void without_routines_a_rocking_box_gathers_its_corners(void**) {
-  const Shape ground = half_space(Vec3::UnitY(), 0), slab = box(Vec3(2, 0.5, 2)), brick = box(Vec3(0.3, 0.2, 0.4));
+  const Shape ground = half_space(Vec3::unit_y(), 0), slab = box(Vec3(2, 0.5, 2)), brick = box(Vec3(0.3, 0.2, 0.4));
   for (const bool on_box : {false, true}) {
     Scene s;
     s.settings.query.routines = false;
@@ -192,7 +192,7 @@ static void a_misbehaving_support_function_costs_its_pair_only(void**) {
   broken.form = Form::none;
   poisoned.support = nan_support;
   poisoned.form = Form::none;
-  const Shape ground = half_space(Vec3::UnitY(), 0), ball = sphere(1);
+  const Shape ground = half_space(Vec3::unit_y(), 0), ball = sphere(1);
   Scene s;
   s.add(ground, at(0, 0, 0));
   s.add(ball, at(0, 0.99, 0));
@@ -216,7 +216,7 @@ static void a_misbehaving_support_function_costs_its_pair_only(void**) {
 }
 
 static void counters_say_which_path_was_taken(void**) {
-  const Shape ground = half_space(Vec3::UnitY(), 0), ball = sphere(1), pin = cylinder(0.5, 1),
+  const Shape ground = half_space(Vec3::unit_y(), 0), ball = sphere(1), pin = cylinder(0.5, 1),
               odd = rounded_box(Vec3(1, 1, 1), 0.1);
   Scene s;
   s.add(ground, at(0, 0, 0));
@@ -237,7 +237,7 @@ static void counters_say_which_path_was_taken(void**) {
 }
 
 static void two_half_spaces_make_no_contact(void**) {
-  const Shape floor = half_space(Vec3::UnitY(), 0), wall = half_space(Vec3::UnitX(), 1);
+  const Shape floor = half_space(Vec3::unit_y(), 0), wall = half_space(Vec3::unit_x(), 1);
   Scene s;
   s.add(floor, at(0, 0, 0));
   s.add(wall, at(0, 0, 0));
@@ -338,7 +338,7 @@ static void a_pair_left_alone_is_asked_again_when_a_jump_or_a_dial_may_have_chan
 }
 
 static void a_steady_step_allocates_nothing(void**) {
-  const Shape ground = half_space(Vec3::UnitY(), 0), brick = box(Vec3(0.5, 0.5, 0.5)), pin = cylinder(0.5, 0.5),
+  const Shape ground = half_space(Vec3::unit_y(), 0), brick = box(Vec3(0.5, 0.5, 0.5)), pin = cylinder(0.5, 0.5),
               ball = sphere(0.5);
   Scene s;
   s.add(ground, at(0, 0, 0));

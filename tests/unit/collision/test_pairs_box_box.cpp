@@ -15,7 +15,7 @@ namespace {
 constexpr Real kReach = 0.01;  // m: the default contact distance
 constexpr Real kQuarter = 0.78539816339744830962;
 
-Frame turned(const Vec3& phi, const Vec3& at) { return Frame(exp_map(phi).toRotationMatrix(), at); }
+Frame turned(const Vec3& phi, const Vec3& at) { return Frame(exp_map(phi).matrix(), at); }
 
 Candidates contacts(const Shape& a, const Shape& b, const Frame& pose, Real reach = kReach) {
   Candidates found;
@@ -38,13 +38,13 @@ Real farthest(const Candidates& found, const Vec3& u) {
 
 static void stacked_cubes_with_an_offset_touch_over_the_common_rectangle(void**) {
   const Shape cube = box(Vec3(1, 1, 1));
-  const Candidates found = contacts(cube, cube, turned(Vec3::Zero(), Vec3(0.5, 1.999, -0.25)));
+  const Candidates found = contacts(cube, cube, turned(Vec3::zero(), Vec3(0.5, 1.999, -0.25)));
   assert_int_equal(found.count, 4);
   assert_true(found.whole);
   for (const Real x : {-0.5, 1.0})
     for (const Real z : {-1.0, 0.75}) assert_true(has_point(found, Vec3(x, 1, z), 4 * kEpsilon));
   for (int k = 0; k < 4; ++k) {
-    assert_true(found.point[k].normal == Vec3::UnitY());
+    assert_true(found.point[k].normal == Vec3::unit_y());
     assert_true(std::fabs(found.point[k].separation + 1e-3) <= 4 * kEpsilon);
   }
 }
@@ -69,8 +69,8 @@ static void the_patch_is_all_that_lies_within_reach(void**) {
   for (int trial = 0; trial < 300; ++trial) {
     const Shape a = random_shape(Form::box, 1, random), b = random_shape(Form::box, 1, random);
     const Vec3 tilt(random.uniform(-3e-3, 3e-3), 0, random.uniform(-3e-3, 3e-3));
-    Frame pose = turned(Vec3(0, random.uniform(-3, 3), 0), Vec3::Zero());
-    pose.r = exp_map(tilt).toRotationMatrix() * pose.r;
+    Frame pose = turned(Vec3(0, random.uniform(-3, 3), 0), Vec3::zero());
+    pose.r = exp_map(tilt).matrix() * pose.r;
     pose.p = Vec3(random.uniform(-0.7, 0.7), a.half.y() + b.half.y() - 2e-3, random.uniform(-0.7, 0.7));
     const Candidates found = contacts(a, b, pose);
     if (found.count < 3 || std::fabs(found.point[0].normal.y()) < 0.999 || !found.whole)
@@ -122,14 +122,14 @@ static void faces_that_are_parallel_to_a_billionth_still_meet_as_faces(void**) {
 static void crossed_rods_meet_in_one_point(void**) {
   const Shape rod = box(Vec3(0.1, 0.1, 1));
   // Turned by 45 degrees about their own axes, then across: edge over edge, sqrt(2) / 10 above either axis.
-  const Mat3 on_edge = exp_map(Vec3(0, 0, kQuarter)).toRotationMatrix();
+  const Mat3 on_edge = exp_map(Vec3(0, 0, kQuarter)).matrix();
   const Real up = std::sqrt(0.02);
   for (const Real turn : {0.3, 0.8, 1.5707963267948966}) {
-    const Mat3 across = exp_map(Vec3(0, turn, 0)).toRotationMatrix();
+    const Mat3 across = exp_map(Vec3(0, turn, 0)).matrix();
     for (const Real overlap : {-0.005, 0.0, 0.005, 0.05}) {
       // Both seen from A, whose edge points up along (1, 1, 0)/sqrt 2 of its own frame.
       const Frame b_in_world(across * on_edge, Vec3(0.03, 2 * up - overlap, 0.02));
-      const Frame pose = relative(Frame(on_edge, Vec3::Zero()), b_in_world);
+      const Frame pose = relative(Frame(on_edge, Vec3::zero()), b_in_world);
       const Candidates found = contacts(rod, rod, pose);
       assert_int_equal(found.count, 1);
       assert_false(found.whole);
@@ -145,8 +145,8 @@ static void crossed_rods_meet_in_one_point(void**) {
 static void a_corner_on_a_face_touches_in_that_corner(void**) {
   const Shape slab = box(Vec3(3, 1, 3)), cube = box(Vec3(0.5, 0.5, 0.5));
   // A diagonal of the cube straight down: y = (1, 1, 1)/sqrt 3 of the cube.
-  const Vec3 diagonal = Vec3(1, 1, 1) / std::sqrt(3.0), axis = diagonal.cross(Vec3::UnitY());
-  const Mat3 r = exp_map(axis / axis.norm() * std::acos(diagonal.y())).toRotationMatrix();
+  const Vec3 diagonal = Vec3(1, 1, 1) / std::sqrt(3.0), axis = diagonal.cross(Vec3::unit_y());
+  const Mat3 r = exp_map(axis / axis.norm() * std::acos(diagonal.y())).matrix();
   const Real down = std::sqrt(0.75);
   for (const Real depth : {-1e-3, -1e-12, 0.0, 1e-12, 1e-3, 0.1}) {
     const Candidates found = contacts(slab, cube, Frame(r, Vec3(0.3, 1 + down - depth, -0.2)));
@@ -163,11 +163,11 @@ static void coincident_and_containing_boxes_know_the_shortest_way_out(void**) {
   assert_true(deepest(same)->separation == -2);
   assert_true(deepest(same)->normal.x() != 0);
   for (const Real y : {0.0, 1.5, -1.5}) {
-    const Candidates found = contacts(outer, inner, Frame(Mat3::Identity(), Vec3(0.2, y, 0)), kInfinity);
+    const Candidates found = contacts(outer, inner, Frame(Mat3::identity(), Vec3(0.2, y, 0)), kInfinity);
     // To the right 1 + 0.1 - 0.2; up 2 + 0.2 - 1.5.
     const Real depth = y == 0 ? 0.9 : 0.7;
     assert_true(std::fabs(deepest(found)->separation + depth) <= 8 * kEpsilon);
-    const Candidates back = contacts(inner, outer, Frame(Mat3::Identity(), Vec3(-0.2, -y, 0)), kInfinity);
+    const Candidates back = contacts(inner, outer, Frame(Mat3::identity(), Vec3(-0.2, -y, 0)), kInfinity);
     assert_true(std::fabs(deepest(back)->separation + depth) <= 8 * kEpsilon);
   }
 }
@@ -180,14 +180,14 @@ static void an_aspect_ratio_of_ten_thousand_loses_nothing(void**) {
       const Candidates found = contacts(sheet, *top, turned(Vec3(0, turn, 0), Vec3(0.1, 1.8e-4, 0.2)), 1e-5);
       assert_true(found.count >= 4);
       for (int k = 0; k < found.count; ++k) {
-        assert_true(found.point[k].normal == Vec3::UnitY());
+        assert_true(found.point[k].normal == Vec3::unit_y());
         assert_true(std::fabs(found.point[k].separation + 2e-5) <= 16 * kEpsilon);
       }
     }
     // Needles crossed one over the other: the patch is their common square.
     const Candidates crossed = contacts(needle, needle, turned(Vec3(0, turn, 0), Vec3(0, 1.8e-4, 0)), 1e-5);
     assert_true(crossed.count >= 4);
-    assert_true(crossed.point[0].normal == Vec3::UnitY());
+    assert_true(crossed.point[0].normal == Vec3::unit_y());
   }
 }
 
@@ -221,7 +221,7 @@ static void the_preferred_axis_costs_no_more_depth_than_its_bias(void**) {
     const Candidates preferred = contacts(a, b, pose), exact = contacts(a, b, pose, kInfinity);
     if (preferred.count == 0 || exact.count == 0) continue;  // apart: no depth
     const Real s = deepest(preferred)->separation, best = deepest(exact)->separation;
-    const Real bias = 0.02 * std::fabs(s) + 1e-3 * std::min(a.half.minCoeff(), b.half.minCoeff());
+    const Real bias = 0.02 * std::fabs(s) + 1e-3 * std::min(a.half.min_entry(), b.half.min_entry());
     assert_true(s <= best + 1e-7);
     if (best < 0) assert_true(s >= best - 2 * bias - 1e-7);
   }
@@ -251,8 +251,8 @@ static void a_corner_before_a_face_is_the_distance_of_boxes_apart(void**) {
     const ContactPoint& p = found.point[0];
     assert_true(std::fabs(p.separation - truth.separation) < 1e-11);
     assert_true((pose.apply(p.on_b) - p.on_a - p.separation * p.normal).norm() < 1e-13);
-    assert_true(((p.on_a.cwiseAbs() - a.half).array() <= 1e-13).all());
-    assert_true(((p.on_b.cwiseAbs() - b.half).array() <= 1e-13).all());
+    assert_true((p.on_a.abs() - a.half).all_within(Vec3::constant(1e-13)));
+    assert_true((p.on_b.abs() - b.half).all_within(Vec3::constant(1e-13)));
   }
   assert_true(apart > 1000);
   assert_true(5 * known > apart);

@@ -14,7 +14,7 @@ constexpr Real kRightAngle = 1.57079632679489661923;
 
 Candidates contacts(const Shape& a, const Shape& b, const Vec3& phi, const Vec3& at, Real reach = kReach) {
   Candidates found;
-  pair_entry(a.form, b.form).routine(a, b, Frame(exp_map(phi).toRotationMatrix(), at), reach, found);
+  pair_entry(a.form, b.form).routine(a, b, Frame(exp_map(phi).matrix(), at), reach, found);
   return found;
 }
 
@@ -38,9 +38,9 @@ static void capsules_side_by_side_touch_at_both_ends_of_the_common_stretch(void*
     assert_true(touches_at(within, 0.2, 2e-3) && touches_at(within, 0.4, 2e-3));
   }
   // One behind the other, on one line: one point between their ends.
-  const Candidates behind = contacts(pill, pill, Vec3::Zero(), Vec3(0, 1.399, 0));
+  const Candidates behind = contacts(pill, pill, Vec3::zero(), Vec3(0, 1.399, 0));
   assert_int_equal(behind.count, 1);
-  assert_true((behind.point[0].normal - Vec3::UnitY()).norm() <= 4 * kEpsilon);
+  assert_true((behind.point[0].normal - Vec3::unit_y()).norm() <= 4 * kEpsilon);
   assert_true(std::fabs(behind.point[0].separation + 1e-3) <= 8 * kEpsilon);
 }
 
@@ -53,7 +53,7 @@ static void cores_that_cross_part_square_to_both(void**) {
       assert_true(std::fabs(std::fabs(deepest(found)->normal.z()) - 1) <= 1e-6);
     }
   }
-  const Candidates same = contacts(pill, pill, Vec3::Zero(), Vec3::Zero(), kInfinity);
+  const Candidates same = contacts(pill, pill, Vec3::zero(), Vec3::zero(), kInfinity);
   assert_true(std::fabs(deepest(same)->separation + 0.4) <= 8 * kEpsilon);
   assert_true(std::fabs(deepest(same)->normal.y()) <= 8 * kEpsilon);
 }
@@ -73,7 +73,7 @@ static void a_capsule_lies_on_a_box_with_two_points(void**) {
       assert_true(std::fabs(lo - (x - 0.5)) <= 1e-3 && std::fabs(hi - std::min(x + 0.5, 1.0)) <= 1e-3);
     }
   }
-  assert_int_equal(contacts(table, pill, Vec3::Zero(), Vec3(0, 1.7, 0)).count, 1);             // standing
+  assert_int_equal(contacts(table, pill, Vec3::zero(), Vec3(0, 1.7, 0)).count, 1);             // standing
   assert_int_equal(contacts(table, pill, Vec3(0, 0, 0.7), Vec3(1.2, 1.05, 0)).count, 1);       // across an edge
   assert_int_equal(contacts(table, pill, Vec3(0, 0, kRightAngle), Vec3(0, 1.3, 0)).count, 0);  // out of reach
 }
@@ -87,7 +87,7 @@ static void a_core_through_a_box_takes_the_shortest_way_out(void**) {
   // Along y near the side x = 1: out sideways, at right angles to the edges along z.
   const Candidates across = contacts(table, spear, Vec3(0, 0, 0.3), Vec3(0.9, 0, 0), kInfinity);
   const ContactPoint& p = *deepest(across);
-  assert_true(std::fabs(p.normal.dot(exp_map(Vec3(0, 0, 0.3)) * Vec3::UnitY())) <= 16 * kEpsilon);
+  assert_true(std::fabs(p.normal.dot(exp_map(Vec3(0, 0, 0.3)) * Vec3::unit_y())) <= 16 * kEpsilon);
   // The edge x = 1, y = -0.3 lies (0.1, -0.3) from the axis: out along (cos 0.3, sin 0.3) until it has passed it.
   const Real depth = (1 - 0.9) * std::cos(0.3) + 0.3 * std::sin(0.3) + 0.05;
   assert_true(std::fabs(p.separation + depth) <= 16 * kEpsilon);
@@ -101,9 +101,9 @@ static void a_sphere_on_a_corner_an_edge_a_face_and_inside(void**) {
     assert_int_equal(found.count, 1);
     assert_true(std::fabs(found.point[0].separation) <= 4 * kEpsilon);
   }
-  const Candidates inside = contacts(cube, ball, Vec3::Zero(), Vec3(0.2, -0.4, 0.3));
+  const Candidates inside = contacts(cube, ball, Vec3::zero(), Vec3(0.2, -0.4, 0.3));
   assert_true(std::fabs(inside.point[0].separation + 1.1) <= 4 * kEpsilon);
-  assert_true(inside.point[0].normal == -Vec3::UnitY());
+  assert_true(inside.point[0].normal == -Vec3::unit_y());
 }
 
 int main() {

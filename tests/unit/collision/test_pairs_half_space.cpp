@@ -15,16 +15,16 @@ constexpr Real kRightAngle = 1.57079632679489661923;
 
 /// Contacts with the ground y <= 0; B turned by phi, its origin at height y.
 Candidates on_ground(const Shape& b, const Vec3& phi, Real y) {
-  const Shape ground = half_space(Vec3::UnitY(), 0);
+  const Shape ground = half_space(Vec3::unit_y(), 0);
   Candidates found;
   pair_entry(Form::half_space, b.form)
-      .routine(ground, b, Frame(exp_map(phi).toRotationMatrix(), Vec3(0, y, 0)), kReach, found);
+      .routine(ground, b, Frame(exp_map(phi).matrix(), Vec3(0, y, 0)), kReach, found);
   return found;
 }
 
 int at_height(const Candidates& found, Real height, Real tol) {
   return static_cast<int>(std::count_if(found.point, found.point + found.count, [&](const ContactPoint& p) {
-    return std::fabs(p.separation - height) <= tol && std::fabs(p.on_a.y()) <= tol && p.normal == Vec3::UnitY();
+    return std::fabs(p.separation - height) <= tol && std::fabs(p.on_a.y()) <= tol && p.normal == Vec3::unit_y();
   }));
 }
 
@@ -54,7 +54,7 @@ static void a_box_rests_on_a_face_an_edge_or_a_corner(void**) {
   const Candidates corner = on_ground(brick, Vec3(0.5, 0.1, 0.6), 0.45);
   assert_true(corner.count <= 1);
   // A plate thinner than the reach: its upper corners are near, but carry nothing.
-  const Candidates plate = on_ground(box(Vec3(1, 0.002, 1)), Vec3::Zero(), 0.002);
+  const Candidates plate = on_ground(box(Vec3(1, 0.002, 1)), Vec3::zero(), 0.002);
   assert_int_equal(plate.count, 4);
   assert_int_equal(at_height(plate, 0, 4 * kEpsilon), 4);
 }
@@ -89,7 +89,7 @@ static void a_cylinder_stands_on_its_rim_and_lies_on_a_line(void**) {
 
 static void a_cone_stands_lies_and_balances(void**) {
   const Shape hat = cone(0.4, 0.5);
-  const Candidates standing = on_ground(hat, Vec3::Zero(), 0.5);
+  const Candidates standing = on_ground(hat, Vec3::zero(), 0.5);
   assert_int_equal(standing.count, 4);
   assert_true(least_reach(standing) >= 0.4 * std::sqrt(0.5) - 1e-9);
   // On its side: from the apex to the rim, a line of length hypot(2 h, r). The half angle at the apex is atan(r / 2 h).
@@ -107,7 +107,7 @@ static void a_capsule_lies_on_both_its_ends(void**) {
   const Shape pill = capsule(0.2, 0.5);
   assert_int_equal(on_ground(pill, Vec3(kRightAngle, 0, 0), 0.2).count, 2);
   assert_int_equal(at_height(on_ground(pill, Vec3(kRightAngle, 0, 0), 0.2), 0, 4 * kEpsilon), 2);
-  assert_int_equal(on_ground(pill, Vec3::Zero(), 0.7).count, 1);
+  assert_int_equal(on_ground(pill, Vec3::zero(), 0.7).count, 1);
 }
 
 static void a_round_body_touches_in_one_point(void**) {
@@ -133,7 +133,7 @@ static void a_polytope_rests_on_eight_well_spread_vertices_at_most(void**) {
     prism.push_back(Vec3(1.01 * u.cos, -0.195, 1.01 * u.sin));
     prism.push_back(Vec3(u.cos, 0.2, u.sin));
   }
-  const Candidates drum = on_ground(hull(prism), Vec3::Zero(), 0.2);
+  const Candidates drum = on_ground(hull(prism), Vec3::zero(), 0.2);
   assert_int_equal(at_height(drum, 0, 4 * kEpsilon), drum.count);
   assert_true(drum.count >= 7);
   // Seven azimuths: the chord between two lies cos(pi / 7) out; corners are 1.8 degrees (0.0314 rad) apart.
@@ -142,7 +142,7 @@ static void a_polytope_rests_on_eight_well_spread_vertices_at_most(void**) {
   std::vector<Vec3> ball;
   Random random(31);
   for (int i = 0; i < 2000; ++i) ball.push_back(random.direction());
-  const Candidates rolling = on_ground(hull(ball), Vec3::Zero(), 0.999);
+  const Candidates rolling = on_ground(hull(ball), Vec3::zero(), 0.999);
   Real lowest = kInfinity;
   for (const Vec3& v : ball) lowest = std::min(lowest, v.y() + 0.999);
   assert_true(rolling.count >= 1);

@@ -28,7 +28,7 @@ Shape faced(Shape s) {
   return s;
 }
 
-Frame turned(const Vec3& by, const Vec3& to) { return Frame(exp_map(by).toRotationMatrix(), to); }
+Frame turned(const Vec3& by, const Vec3& to) { return Frame(exp_map(by).matrix(), to); }
 
 /// Two shapes that touch along a known normal (A's frame, A to B).
 struct Touch {
@@ -46,7 +46,7 @@ struct Found {
 };
 
 /// The patch that starts from the touch's normal, turned off by some angle.
-Found patch_of(const Touch& t, ManifoldKind kind, const Vec3& off = Vec3::Zero()) {
+Found patch_of(const Touch& t, ManifoldKind kind, const Vec3& off = Vec3::zero()) {
   Candidates found;
   found.count = 1;
   ContactPoint& p = found.point[0];
@@ -62,8 +62,8 @@ Found patch_of(const Touch& t, ManifoldKind kind, const Vec3& off = Vec3::Zero()
 /// B on top of A's plane y = 0, both moved somewhere in the world.
 Touch on_top(const Shape& a, Real top, const Shape& b, const Frame& above, Real gap, Random& random) {
   const Frame world = turned(3 * random.direction(), random.in_cube(2));
-  const Frame down(Mat3::Identity(), Vec3(0, -top, 0)), up(Mat3::Identity(), Vec3(0, gap, 0));
-  return {a, b, world * down, world * up * above, world.rotate(Vec3::UnitY()), gap, world.apply(above.p)};
+  const Frame down(Mat3::identity(), Vec3(0, -top, 0)), up(Mat3::identity(), Vec3(0, gap, 0));
+  return {a, b, world * down, world * up * above, world.rotate(Vec3::unit_y()), gap, world.apply(above.p)};
 }
 
 void assert_consistent(const Touch& t, const Found& f, Real separation, Real tolerance) {
@@ -90,7 +90,7 @@ void at_many(const std::function<void(Real gap, ManifoldKind kind, const Vec3& o
   for (int trial = 0; trial < 60; ++trial)
     for (const ManifoldKind kind : kKinds)
       for (const Real gap : {-2e-3, 0.0, 3e-3})
-        check(gap, kind, trial == 0 ? Vec3(Vec3::Zero()) : Vec3(1e-2 * random.uniform(0, 1) * random.direction()),
+        check(gap, kind, trial == 0 ? Vec3(Vec3::zero()) : Vec3(1e-2 * random.uniform(0, 1) * random.direction()),
               random);
 }
 
@@ -108,7 +108,7 @@ Shape prism(int n, Real radius, Real half_height) {
 /// Angle between a cone's axis and its side; the pose in which it lies on y = 0, tip and rim along x.
 Frame lying_cone(const Shape& c) {
   const Vec3 out = Vec3(2 * c.half_height, c.radius, 0).normalized();  // normal of the side that looks along x
-  const Mat3 r = exp_map(Vec3(0, 0, -kPi / 2 - std::atan2(out.y(), out.x()))).toRotationMatrix();
+  const Mat3 r = exp_map(Vec3(0, 0, -kPi / 2 - std::atan2(out.y(), out.x()))).matrix();
   return Frame(r, Vec3(0, -(r * Vec3(0, c.half_height, 0)).y(), 0));
 }
 
@@ -140,7 +140,7 @@ static void a_box_on_a_box_stands_on_its_four_corners(void**) {
 static void boxes_that_overhang_share_the_cut_of_their_faces(void**) {
   const Shape a = faced(box(Vec3(0.5, 0.5, 0.5))), b = faced(box(Vec3(0.5, 0.2, 0.5)));
   at_many([&](Real gap, ManifoldKind kind, const Vec3& off, Random& random) {
-    const Touch t = on_top(a, 0.5, b, Frame(Mat3::Identity(), Vec3(0.4, 0.2, -0.7)), gap, random);
+    const Touch t = on_top(a, 0.5, b, Frame(Mat3::identity(), Vec3(0.4, 0.2, -0.7)), gap, random);
     const Found f = patch_of(t, kind, off);
     // A spans [-0.5, 0.5]^2, B [-0.1, 0.9] x [-1.2, -0.2]: they share [-0.1, 0.5] x [-0.5, -0.2].
     assert_at(f, {Vec3(-0.5, -0.2, 0.2), Vec3(0.1, -0.2, 0.2), Vec3(-0.5, -0.2, 0.5), Vec3(0.1, -0.2, 0.5)}, kRounding);
@@ -152,11 +152,11 @@ static void a_lying_cylinder_touches_along_its_whole_length(void**) {
   const Shape slab = faced(box(Vec3(2, 0.5, 2))), roller = cylinder(0.3, 0.5);
   at_many([&](Real gap, ManifoldKind kind, const Vec3& off, Random& random) {
     const Frame above = turned(Vec3(0, random.uniform(-3, 3), 0), Vec3(0.3, 0.3, -0.2)) *
-                        turned(Vec3(kPi / 2, 0, 0), Vec3::Zero()) *
-                        turned(Vec3(0, random.uniform(-3, 3), 0), Vec3::Zero());
+                        turned(Vec3(kPi / 2, 0, 0), Vec3::zero()) *
+                        turned(Vec3(0, random.uniform(-3, 3), 0), Vec3::zero());
     const Touch t = on_top(slab, 0.5, roller, above, gap, random);
     const Found f = patch_of(t, kind, off);
-    const Vec3 down = -0.3 * above.rotate_inverse(Vec3::UnitY());
+    const Vec3 down = -0.3 * above.rotate_inverse(Vec3::unit_y());
     assert_at(f, {down + Vec3(0, 0.5, 0), down - Vec3(0, 0.5, 0)}, 1e-9);
     assert_consistent(t, f, gap, kRounding);
     assert_true(f.calls <= 9 + 21);
@@ -189,12 +189,12 @@ static void an_ellipsoid_touches_in_exactly_one_point(void**) {
   at_many([&](Real gap, ManifoldKind kind, const Vec3& off, Random& random) {
     const Vec3 radii(random.uniform(0.05, 0.5), random.uniform(0.05, 0.5), random.uniform(0.05, 0.5));
     const Shape egg = ellipsoid(radii);
-    const Mat3 r = exp_map(3 * random.direction()).toRotationMatrix();
-    const Vec3 n = r.transpose() * Vec3::UnitY(), scaled = radii.cwiseProduct(n);
+    const Mat3 r = exp_map(3 * random.direction()).matrix();
+    const Vec3 n = r.transpose() * Vec3::unit_y(), scaled = radii.times(n);
     const Frame above(r, Vec3(0.3, scaled.norm(), -0.2));
     const Touch t = on_top(slab, 0.5, egg, above, gap, random);
     const Found f = patch_of(t, kind, off);
-    assert_at(f, {Vec3(-radii.cwiseProduct(scaled / scaled.norm()))}, kRounding);
+    assert_at(f, {Vec3(-radii.times(scaled / scaled.norm()))}, kRounding);
     assert_consistent(t, f, gap, kRounding);
     assert_true(f.calls <= 9 + 25);
   });
@@ -205,7 +205,7 @@ static void a_lying_cone_touches_from_tip_to_rim(void**) {
   at_many([&](Real gap, ManifoldKind kind, const Vec3& off, Random& random) {
     const Real radius = random.uniform(0.1, 0.5), half_height = random.uniform(0.1, 0.5);  // in this order anywhere
     const Shape hat = cone(radius, half_height);
-    const Frame above = lying_cone(hat) * turned(Vec3(0, 0, 0), Vec3::Zero());
+    const Frame above = lying_cone(hat) * turned(Vec3(0, 0, 0), Vec3::zero());
     const Touch t = on_top(slab, 0.5, hat, above, gap, random);
     const Found f = patch_of(t, kind, off);
     assert_at(f, {Vec3(0, hat.half_height, 0), Vec3(hat.radius, -hat.half_height, 0)},
@@ -226,10 +226,10 @@ static void rounded_shapes_stand_under_their_cores(void**) {
     assert_at(f, {Vec3(0.3, -0.3, 0.4), Vec3(-0.3, -0.3, 0.4), Vec3(-0.3, -0.3, -0.4), Vec3(0.3, -0.3, -0.4)},
               kRounding);
     assert_consistent(t, f, gap, kRounding);
-    const Frame lying = Frame(spun.r, spun.p + Vec3(0, 0.1, 0)) * turned(Vec3(kPi / 2, 0, 0), Vec3::Zero());
+    const Frame lying = Frame(spun.r, spun.p + Vec3(0, 0.1, 0)) * turned(Vec3(kPi / 2, 0, 0), Vec3::zero());
     const Touch u = on_top(slab, 0.5, pill, lying, gap, random);
     const Found g = patch_of(u, kind, off);
-    const Vec3 down = -0.1 * lying.rotate_inverse(Vec3::UnitY());
+    const Vec3 down = -0.1 * lying.rotate_inverse(Vec3::unit_y());
     assert_at(g, {down + Vec3(0, 0.4, 0), down - Vec3(0, 0.4, 0)}, kRounding);
     assert_consistent(u, g, gap, kRounding);
   });
@@ -241,20 +241,20 @@ static void crossing_edges_and_crossing_cylinders_meet_in_one_point(void**) {
   at_many([&](Real gap, ManifoldKind kind, const Vec3& off, Random& random) {
     const Real turn = random.uniform(0.3, 2.8), slide = random.uniform(-0.5, 0.5);
     const Frame spin = turned(Vec3(0, turn, 0), Vec3(slide, 0, 0));
-    const Frame edge = turned(Vec3(kPi / 4, 0, 0), Vec3::Zero());
+    const Frame edge = turned(Vec3(kPi / 4, 0, 0), Vec3::zero());
     const Frame world = turned(3 * random.direction(), random.in_cube(2));
-    const auto at = [&](Real y) { return Frame(Mat3::Identity(), Vec3(0, y, 0)); };
+    const auto at = [&](Real y) { return Frame(Mat3::identity(), Vec3(0, y, 0)); };
     const Touch t{bar,
                   bar,
                   world * at(-half) * edge,
                   world * at(half + gap) * spin * edge,
-                  world.rotate(Vec3::UnitY()),
+                  world.rotate(Vec3::unit_y()),
                   gap,
                   world.apply(spin.p)};
     const Found f = patch_of(t, kind, off);
     assert_at(f, {t.at_b.apply_inverse(world.apply(Vec3(slide, gap, 0)))}, 1e-12);
     assert_consistent(t, f, gap, 1e-12);
-    const Frame lying = turned(Vec3(0, 0, kPi / 2), Vec3::Zero());
+    const Frame lying = turned(Vec3(0, 0, kPi / 2), Vec3::zero());
     const Touch u{rod, rod, world * at(-0.1) * lying, world * at(0.1 + gap) * spin * lying, t.normal, gap, t.place};
     const Found g = patch_of(u, kind, off);
     assert_int_equal(g.manifold.count, 1);
@@ -289,7 +289,7 @@ static void a_tilted_box_touches_where_it_is_lowest_and_hovers_elsewhere(void**)
   for (const ManifoldKind kind : kKinds)
     for (const Real tilt : {1e-6, 1e-4, 1e-3, 1e-2}) {
       // Turned about z: the corners at x = +0.3 rise, those at -0.3 are lowest.
-      const Frame lean = turned(Vec3(0, 0, tilt), Vec3::Zero());
+      const Frame lean = turned(Vec3(0, 0, tilt), Vec3::zero());
       const Real low = -(lean.rotate(Vec3(-0.3, -0.2, 0))).y();
       const Touch t = on_top(slab, 0.5, brick, Frame(lean.r, Vec3(0, low, 0)), 0, random);
       const Found f = patch_of(t, kind, 1e-3 * random.direction());
@@ -311,7 +311,7 @@ static void a_face_that_leans_is_found_as_far_as_the_reach_goes(void**) {
     for (int trial = 0; trial < 50; ++trial) {
       const Real tilt = random.uniform(0.05, 0.25), turn = random.uniform(-3, 3);
       const Frame lean =
-          turned(Vec3(0, turn, 0), Vec3::Zero()) * turned(tilt * Vec3(1, 0, 1).normalized(), Vec3::Zero());
+          turned(Vec3(0, turn, 0), Vec3::zero()) * turned(tilt * Vec3(1, 0, 1).normalized(), Vec3::zero());
       std::vector<Real> height;
       for (const Real x : {-0.3, 0.3})
         for (const Real z : {-0.4, 0.4}) height.push_back(lean.rotate(Vec3(x, -0.2, z)).y());
@@ -342,7 +342,7 @@ static void a_face_that_leans_is_found_as_far_as_the_reach_goes(void**) {
 }
 
 static void a_half_space_carries_whatever_lies_on_it(void**) {
-  const Shape ground = half_space(Vec3::UnitY(), 0);
+  const Shape ground = half_space(Vec3::unit_y(), 0);
   const Shape brick = faced(box(Vec3(0.3, 0.2, 0.4))), coin = cylinder(0.3, 0.05), roller = cylinder(0.3, 0.5),
               egg = ellipsoid(Vec3(0.3, 0.2, 0.4));
   Random random(6);
@@ -353,7 +353,7 @@ static void a_half_space_carries_whatever_lies_on_it(void**) {
         const Frame spun = turned(Vec3(0, random.uniform(-3, 3), 0), Vec3(1, -1e-3, 2));
         const auto count = [&](const Shape& s, const Frame& f, Real height) {
           const Frame at = world * Frame(f.r, f.p + Vec3(0, height, 0));
-          const Vec3 up = world.rotate(Vec3::UnitY());
+          const Vec3 up = world.rotate(Vec3::unit_y());
           const Touch t =
               swapped ? Touch{s, ground, at, world, -up, -1e-3, at.p} : Touch{ground, s, world, at, up, -1e-3, at.p};
           const Found found = patch_of(t, kind);
@@ -362,16 +362,16 @@ static void a_half_space_carries_whatever_lies_on_it(void**) {
         };
         assert_int_equal(count(brick, spun, 0.2), 4);
         assert_int_equal(count(coin, spun, 0.05), 4);
-        assert_int_equal(count(roller, spun * turned(Vec3(kPi / 2, 0, 0), Vec3::Zero()), 0.3), 2);
+        assert_int_equal(count(roller, spun * turned(Vec3(kPi / 2, 0, 0), Vec3::zero()), 0.3), 2);
         assert_int_equal(count(egg, spun, 0.2), 1);
       }
 }
 
 static void a_box_of_a_millimetre_has_four_corners_too(void**) {
-  const Shape slab = faced(box(Vec3(0.1, 0.05, 0.1))), grain = faced(box(Vec3::Constant(5e-4)));
+  const Shape slab = faced(box(Vec3(0.1, 0.05, 0.1))), grain = faced(box(Vec3::constant(5e-4)));
   Random random(7);
   for (const ManifoldKind kind : kKinds) {
-    const Touch t = on_top(slab, 0.05, grain, Frame(Mat3::Identity(), Vec3(0.01, 5e-4, 0.02)), 1e-5, random);
+    const Touch t = on_top(slab, 0.05, grain, Frame(Mat3::identity(), Vec3(0.01, 5e-4, 0.02)), 1e-5, random);
     assert_int_equal(patch_of(t, kind).manifold.count, 4);
   }
 }
@@ -426,7 +426,7 @@ std::vector<Rest> resting_shapes() {
 
 static void turning_the_world_leaves_the_points_where_they_are(void**) {
   const Shape slab = faced(box(Vec3(2, 0.5, 2)));
-  const Frame below(Mat3::Identity(), Vec3(0, -0.5, 0));
+  const Frame below(Mat3::identity(), Vec3(0, -0.5, 0));
   Random random(8);
   for (const Rest& rest : resting_shapes())
     for (const ManifoldKind kind : kKinds) {
@@ -450,14 +450,14 @@ static void turning_the_world_leaves_the_points_where_they_are(void**) {
 static void sliding_and_turning_bodies_keep_their_points(void**) {
   // 1 mm and 3 mrad a step, as bodies at 6 cm/s do; what a point may move in a step is bounded by that, too.
   const Shape slab = faced(box(Vec3(4, 0.5, 4)));
-  const Frame below(Mat3::Identity(), Vec3(0, -0.5, 0));
+  const Frame below(Mat3::identity(), Vec3(0, -0.5, 0));
   Random random(9);
   for (const Rest& rest : resting_shapes())
     for (const ManifoldKind kind : kKinds) {
       Steps steps(slab, rest.shape, kind);
       Manifold before = steps.step(below, rest.at);
       for (std::uint32_t i = 1; i <= 300; ++i) {
-        const Frame slide(exp_map(Vec3(0, 3e-3 * i, 0)).toRotationMatrix(), Vec3(1e-3 * i, 0, -5e-4 * i));
+        const Frame slide(exp_map(Vec3(0, 3e-3 * i, 0)).matrix(), Vec3(1e-3 * i, 0, -5e-4 * i));
         const Frame jitter = turned(1e-5 * random.direction(), 1e-6 * random.direction());
         const Manifold& now = steps.step(below, slide * rest.at * jitter);
         assert_int_equal(now.count, rest.points);
@@ -474,40 +474,40 @@ static void sliding_and_turning_bodies_keep_their_points(void**) {
 
 static void a_patch_is_kept_while_little_moves_and_asked_for_again_after(void**) {
   const Shape slab = faced(box(Vec3(2, 0.5, 2))), brick = faced(box(Vec3(0.3, 0.2, 0.4)));
-  const Frame below(Mat3::Identity(), Vec3(0, -0.5, 0));
+  const Frame below(Mat3::identity(), Vec3(0, -0.5, 0));
   for (const ManifoldKind kind : kKinds) {
     Steps steps(slab, brick, kind);
-    steps.step(below, turned(Vec3::Zero(), Vec3(0, 0.2, 0)));
+    steps.step(below, turned(Vec3::zero(), Vec3(0, 0.2, 0)));
     assert_int_equal(steps.report.kept_patches, 0);
     assert_true(steps.report.support_calls > 0);
     // 2 % of the contact distance, 10 mm, is 0.2 mm.
-    const Manifold& kept = steps.step(below, turned(Vec3::Zero(), Vec3(1.5e-4, 0.2001, 0)));
+    const Manifold& kept = steps.step(below, turned(Vec3::zero(), Vec3(1.5e-4, 0.2001, 0)));
     assert_int_equal(steps.report.kept_patches, 1);
     assert_int_equal(steps.report.support_calls, 0);
     for (int k = 0; k < 4; ++k) {
       assert_true(std::fabs(kept.point[k].separation - 1e-4) < 1e-15);
       assert_int_equal(kept.point[k].age, 1);
     }
-    steps.step(below, turned(Vec3::Zero(), Vec3(2.1e-4, 0.2, 0)));
+    steps.step(below, turned(Vec3::zero(), Vec3(2.1e-4, 0.2, 0)));
     assert_int_equal(steps.report.kept_patches, 0);
     steps.step(below, turned(Vec3(0, 3e-4, 0), Vec3(2.1e-4, 0.2, 0)));  // 3e-4 rad at 0.54 m
     assert_int_equal(steps.report.kept_patches, 1);
     steps.step(below, turned(Vec3(0, 5e-4, 0), Vec3(2.1e-4, 0.2, 0)));
     assert_int_equal(steps.report.kept_patches, 0);
-    steps.step(below, turned(Vec3::Zero(), Vec3(0, 0.3, 0)));  // far apart
+    steps.step(below, turned(Vec3::zero(), Vec3(0, 0.3, 0)));  // far apart
     assert_int_equal(steps.pairs[0].manifold.count, 0);
-    steps.step(below, turned(Vec3::Zero(), Vec3(0, 0.3, 0)));
+    steps.step(below, turned(Vec3::zero(), Vec3(0, 0.3, 0)));
     assert_int_equal(steps.report.kept_patches, 0);
   }
 }
 
 static void kept_separations_are_what_asking_again_would_say(void**) {
   const Shape slab = faced(box(Vec3(2, 0.5, 2))), brick = faced(box(Vec3(0.3, 0.2, 0.4)));
-  const Frame below(Mat3::Identity(), Vec3(0, -0.5, 0));
+  const Frame below(Mat3::identity(), Vec3(0, -0.5, 0));
   Random random(10);
   for (int trial = 0; trial < 200; ++trial) {
     Steps kept(slab, brick, ManifoldKind::patch), fresh(slab, brick, ManifoldKind::patch);
-    kept.step(below, turned(Vec3::Zero(), Vec3(0, 0.2, 0)));
+    kept.step(below, turned(Vec3::zero(), Vec3(0, 0.2, 0)));
     const Frame moved = turned(1e-4 * random.direction(), Vec3(0, 0.2, 0) + 1e-4 * random.direction());
     const Manifold &m = kept.step(below, moved), &f = fresh.step(below, moved);
     assert_int_equal(kept.report.kept_patches, 1);
@@ -533,7 +533,7 @@ static void a_shape_that_fails_while_it_is_probed_is_reported(void**) {
   Random random(12);
   for (left = 0; left < 9;) {
     const int allowed = left;
-    const Touch t = on_top(slab, 0.5, liar, turned(Vec3::Zero(), Vec3(0, 0.2, 0)), 0, random);
+    const Touch t = on_top(slab, 0.5, liar, turned(Vec3::zero(), Vec3(0, 0.2, 0)), 0, random);
     Candidates found;
     found.count = 1;
     found.point[0].normal = t.normal;

@@ -101,7 +101,7 @@ Params some_params(const Case& c, Random& random) {
   if (c.params == 0) {
     const Vec3 stretch(size(), size(), size());
     for (int i = 0; i < 20; ++i) {
-      const Vec3 v = stretch.cwiseProduct(random.direction());
+      const Vec3 v = stretch.times(random.direction());
       p.insert(p.end(), {v.x(), v.y(), v.z()});
     }
   }
@@ -291,7 +291,7 @@ static void the_engine_believes_every_plugin_and_its_declarations(void**) {
       }
       const MassProperties m = mass_from_support(s, 0.01, 400, fault);
       assert_int_equal(fault.kind, SupportFault::none);
-      assert_true(m.volume > 0 && std::isfinite(m.volume) && m.inertia.allFinite() && finite(m.centroid));
+      assert_true(m.volume > 0 && std::isfinite(m.volume) && m.inertia.all_finite() && finite(m.centroid));
     }
   }
 }
@@ -308,7 +308,7 @@ static void the_template_is_measured_from_its_support_function_alone(void**) {
   assert_true((m.volume_max - m.volume_min) / volume <
               1e-3);  // one curved direction: 1 / N^2 (see test_volume), N some hundreds
   assert_true(m.centroid.norm() <= m.centroid_error);
-  const Mat3 exact = Vec3(over, along, over).asDiagonal();
+  const Mat3 exact = Mat3::diagonal(Vec3(over, along, over));
   assert_true((m.inertia - exact).norm() <= std::sqrt(3) * m.inertia_error);  // Frobenius <= sqrt 3 times spectral
   assert_true(m.inertia_error <= 0.01 * over);
 }

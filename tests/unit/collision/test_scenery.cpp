@@ -120,7 +120,7 @@ static void pieces_near_a_box_are_those_whose_bounds_overlap_it(void**) {
       for (std::uint32_t k = 0; k < s.scenery->pieces(); ++k) {
         const Piece p = piece_of(s, k);
         Aabb own;
-        for (const Vec3& c : p.corner) own.lo = own.lo.cwiseMin(c), own.hi = own.hi.cwiseMax(c);
+        for (const Vec3& c : p.corner) own.lo = own.lo.min(c), own.hi = own.hi.max(c);
         if (own.overlaps(box)) assert_true(near.count(k) == 1);  // the tree may name more
       }
     }
@@ -136,9 +136,9 @@ static void a_surface_falls_away_around_a_corner_within_its_normals(void**) {
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < 200; ++j) {
         const Vec3 n = Vec3(any(random), any(random), any(random)).normalized();
-        const Vec3 toward = n.cwiseProduct(p.corner[static_cast<std::size_t>(k)]);
-        if (toward.cwiseAbs().minCoeff() < 1e-6) continue;
-        assert_int_equal(s.scenery->falls_away_around(p, k, n), toward.minCoeff() > 0);
+        const Vec3 toward = n.times(p.corner[static_cast<std::size_t>(k)]);
+        if (toward.abs().min_entry() < 1e-6) continue;
+        assert_int_equal(s.scenery->falls_away_around(p, k, n), toward.min_entry() > 0);
       }
   }
 }
@@ -147,14 +147,14 @@ static void a_surface_falls_away_around_a_corner_within_its_normals(void**) {
 void a_line_along_a_face_meets_the_box(void**) {
   QueryTree tree(std::pmr::new_delete_resource());
   Aabb unit;
-  unit.lo.setZero(), unit.hi.setOnes();
+  unit.lo.set_zero(), unit.hi = Vec3::constant(1);
   tree.build({0u}, {unit});
   Aabb point;
-  point.lo.setZero(), point.hi.setZero();
+  point.lo.set_zero(), point.hi.set_zero();
   for (Real far = 1; far < QueryTree::kReach; far *= 10)
     for (int axis = 0; axis < 3; ++axis)
       for (int corner = 0; corner < 8; ++corner) {
-        Vec3 from(corner & 1, corner >> 1 & 1, corner >> 2), to = Vec3::Zero();
+        Vec3 from(corner & 1, corner >> 1 & 1, corner >> 2), to = Vec3::zero();
         to[axis] = from[axis] > 0 ? -1 : 1;
         from[axis] = -to[axis] * far;
         float limit = QueryTree::above(4 * far);

@@ -11,7 +11,7 @@ using namespace carom::test;
 namespace {
 
 using Long = long double;
-using LongVec = Eigen::Matrix<Long, 3, 1, Eigen::DontAlign>;
+using LongVec = Vector3<Long>;
 
 /// Distance of the origin from the hull of some points: the nearest point of every subset's affine hull, kept where its
 /// weights are not negative. Dependent subsets are left out: a smaller one has their nearest point.
@@ -73,7 +73,7 @@ Real size_of(const Case& c) {
 /// |sum(weight w)| of an answer, and that its weights are weights. "Inside" is a verdict, 0: the weights of a thin
 /// tetrahedron err by u over its thickness, and whoever takes a bound from them computes |v| himself.
 Real length_of(const Case& c, const Nearest& nearest) {
-  Vec3 v = Vec3::Zero();
+  Vec3 v = Vec3::zero();
   Real sum = 0;
   for (int i = 0; i < nearest.count; ++i) {
     assert_true(nearest.weight[i] >= 0);
@@ -138,7 +138,7 @@ static void the_newest_features_are_enough_in_a_walk(void**) {
       Case c = random_case(random, spoil);
       Nearest old;
       nearest_voronoi(c.w, c.count, old);
-      if (old.count > 3 || !(old.direction.squaredNorm() > 0)) continue;
+      if (old.count > 3 || !(old.direction.squared_norm() > 0)) continue;
       Case walk;
       for (int k = 0; k < old.count; ++k) walk.w[k] = c.w[old.index[k]];
       walk.count = old.count + 1;
@@ -167,7 +167,7 @@ static void the_direction_supports_the_whole_feature(void**) {
     const Case c = random_case(random, i % 3);
     Nearest nearest;
     nearest_voronoi(c.w, c.count, nearest);
-    if (nearest.inside || !(nearest.direction.squaredNorm() > 0)) continue;
+    if (nearest.inside || !(nearest.direction.squared_norm() > 0)) continue;
     const Vec3 n = nearest.direction.normalized();
     for (int k = 0; k < nearest.count; ++k)
       assert_true(std::fabs(n.dot(c.w[nearest.index[k]]) - std::sqrt(nearest.distance2)) <=
@@ -193,7 +193,7 @@ static void one_point_four_times_is_that_point(void**) {
       solver(w, count, nearest);
       assert_int_equal(nearest.count, 1);
       assert_false(nearest.inside);
-      assert_true(nearest.distance2 == p.squaredNorm());
+      assert_true(nearest.distance2 == p.squared_norm());
     }
   }
 }

@@ -1,5 +1,4 @@
 // Liars and honest functions before the questions of verify.h: every liar is caught with its witness, no honest one is.
-#include <Eigen/Geometry>
 #include <cstring>
 #include <functional>
 
@@ -40,7 +39,7 @@ void each_honest_shape(const std::function<void(const Shape&)>& visit) {
     // (the test hull does not scale its direction: 1e300 times a coordinate must stay finite)
     const Vec3 stretch = three(), offset = trial % 2 ? Vec3(30 * stretch) : Vec3(0, 0, 0);
     const int count = 1 + static_cast<int>(random.uniform(0, 100));
-    for (int i = 0; i < count; ++i) points.push_back(stretch.cwiseProduct(random.direction()) + offset);
+    for (int i = 0; i < count; ++i) points.push_back(stretch.times(random.direction()) + offset);
     visit(hull(points));
   }
 }
@@ -276,9 +275,9 @@ static void a_wrong_mass_is_caught_where_the_bracket_excludes_it(void**) {
   }
   // A ball known to 10 %: a cube's mass is caught, its own passes.
   const Shape b = sphere(1);
-  assert_true(verify_mass(b, mass_from_form(Form::sphere, 1, 0, Vec3::Zero(), {})).honest);
+  assert_true(verify_mass(b, mass_from_form(Form::sphere, 1, 0, Vec3::zero(), {})).honest);
   assert_false(verify_mass(b, mass_from_form(Form::box, 0, 0, Vec3(1, 1, 1), {})).honest);
-  assert_false(verify_mass(b, mass_from_form(Form::sphere, 1.05, 0, Vec3::Zero(), {})).honest);
+  assert_false(verify_mass(b, mass_from_form(Form::sphere, 1.05, 0, Vec3::zero(), {})).honest);
 }
 
 static void the_asking_directions_are_unit_distinct_and_leave_no_gap(void**) {

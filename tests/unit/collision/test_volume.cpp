@@ -1,13 +1,13 @@
 // Bounds and mass properties: closed forms against each other, against the support function, and the bracket's
 // promises.
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <cstdio>
 
 #include "carom_test.h"
 #include "collision/support.h"
 #include "collision/volume.h"
 #include "core/pose.h"
+#include "eigen.h"
 #include "shapes.h"
 
 using namespace carom;
@@ -18,7 +18,7 @@ namespace {
 MassProperties form_mass(const Shape& s) { return mass_from_form(s.form, s.radius, s.half_height, s.half, s.vertices); }
 
 Mat3 random_rotation(Random& random) {
-  return exp_map(random.uniform(0, 3.14) * random.direction()).toRotationMatrix();
+  return exp_map(random.uniform(0, 3.14) * random.direction()).matrix();
 }
 
 /// Every closed form with sizes from the given range, and a few general ones.
@@ -38,12 +38,12 @@ void each_closed_form(Random& random, Real lo, Real hi, Visit visit) {
   visit(ellipsoid(three()));
   std::vector<Vec3> points;
   const Vec3 stretch = three();
-  for (int i = 0; i < 40; ++i) points.push_back(stretch.cwiseProduct(random.direction() + Vec3(0.3, 0.1, -0.2)));
+  for (int i = 0; i < 40; ++i) points.push_back(stretch.times(random.direction() + Vec3(0.3, 0.1, -0.2)));
   visit(hull(points));
 }
 
 Real spectral_norm(const Mat3& m) {
-  return Eigen::SelfAdjointEigenSolver<Mat3>(m, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(test::eigen(m), Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff();
 }
 
 /// The exact answer lies in the bracket. The exact one is itself good to some ten u.
@@ -71,7 +71,7 @@ static void world_bounds_touch_the_support_planes_whatever_the_pose(void**) {
       const Aabb b = world_bounds(s, r, p, fault);
       assert_int_equal(fault.kind, SupportFault::none);
       for (int i = 0; i < 3; ++i) {
-        const Vec3 axis = r.row(i).transpose();
+        const Vec3 axis = r.row(i);
         const Real hi = p[i] + axis.dot(support_point(s, axis)), lo = p[i] + axis.dot(support_point(s, -axis));
         // Three products and their sums on either side, of numbers no larger than the reach and p; r's row has length 1
         // +- 4 u.
@@ -94,9 +94,9 @@ static void bounds_of_an_undeclared_shape_equal_those_of_the_same_shape_declared
       assert_true(derive_bounds(s, fault));
       // Each coordinate to a rounding or two of its own size; the radius at most 8 / sqrt 66 too large, never too
       // small.
-      const Vec3 tolerance = 4 * kEpsilon * (known.lo.cwiseAbs() + known.hi.cwiseAbs());
-      assert_true(((s.bounds.lo - known.lo).cwiseAbs().array() <= tolerance.array()).all());
-      assert_true(((s.bounds.hi - known.hi).cwiseAbs().array() <= tolerance.array()).all());
+      const Vec3 tolerance = 4 * kEpsilon * (known.lo.abs() + known.hi.abs());
+      assert_true((s.bounds.lo - known.lo).abs().all_within(tolerance));
+      assert_true((s.bounds.hi - known.hi).abs().all_within(tolerance));
       assert_true(s.bounding_radius >= reach * (1 - 16 * kEpsilon));
       assert_true(s.bounding_radius <= reach * std::sqrt(66.0) / 8 * (1 + 16 * kEpsilon));
     });
@@ -122,7 +122,7 @@ static void a_half_space_has_no_bounds(void**) {
   s.form = Form::half_space;
   SupportFault fault;
   assert_true(derive_bounds(s, fault));
-  assert_true(s.bounds.hi == Vec3::Constant(kInfinity) && s.bounds.lo == Vec3::Constant(-kInfinity));
+  assert_true(s.bounds.hi == Vec3::constant(kInfinity) && s.bounds.lo == Vec3::constant(-kInfinity));
   assert_true(s.bounding_radius == kInfinity);
   assert_true(mass_from_support(s, 1e-3, 100, fault).volume == 0);
 }
@@ -136,21 +136,21 @@ static void a_half_space_square_to_an_axis_ends_at_its_plane(void**) {
   SupportFault fault;
   for (int axis = 0; axis < 3; ++axis)
     for (const Real sign : {-1.0, 1.0}) {
-      s.normal = sign * Vec3::Unit(axis);
+      s.normal = sign * Vec3::unit(axis);
       Aabb expected;
-      expected.lo.setConstant(-kInfinity), expected.hi.setConstant(kInfinity);
+      expected.lo = Vec3::constant(-kInfinity), expected.hi = Vec3::constant(kInfinity);
       const Real plane = sign * (s.offset + sign * p[axis]);
       Real& end = (sign > 0 ? expected.hi : expected.lo)[axis];
       end = plane;
-      const Aabb b = world_bounds(s, Mat3::Identity(), p, fault);
+      const Aabb b = world_bounds(s, Mat3::identity(), p, fault);
       const Real beyond = sign * ((sign > 0 ? b.hi : b.lo)[axis] - plane);
       assert_true(beyond > 0 && beyond <= 4 * kEpsilon * (0.1 + std::fabs(p[axis])));
       end = (sign > 0 ? b.hi : b.lo)[axis];
       assert_true(b.lo == expected.lo && b.hi == expected.hi);
     }
   s.normal = Vec3(1e-17, 1, 0);  // its plane meets the axis only far out
-  const Aabb tilted = world_bounds(s, Mat3::Identity(), p, fault);
-  assert_true(tilted.hi == Vec3::Constant(kInfinity) && tilted.lo == Vec3::Constant(-kInfinity));
+  const Aabb tilted = world_bounds(s, Mat3::identity(), p, fault);
+  assert_true(tilted.hi == Vec3::constant(kInfinity) && tilted.lo == Vec3::constant(-kInfinity));
 }
 
 static void the_bracket_holds_the_closed_form_at_every_budget(void**) {
@@ -224,7 +224,7 @@ static void the_mass_of_a_moved_hull_obeys_the_parallel_axis_theorem(void**) {
     const Vec3 p = random.in_cube(3), half(random.uniform(0.1, 2), random.uniform(0.1, 2), random.uniform(0.1, 2));
     std::vector<Vec3> corners;
     for (int i = 0; i < 8; ++i)
-      corners.push_back(r * half.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)) + p);
+      corners.push_back(r * half.times(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)) + p);
     const Shape moved = hull(corners);
     const MassProperties m = form_mass(moved), b = form_mass(box(half));
     // Corners are rounded to u of 4 m against features of 0.2 m, and volumes of 1 m^3 come from tetrahedra of up to 30
@@ -238,7 +238,7 @@ static void the_mass_of_a_moved_hull_obeys_the_parallel_axis_theorem(void**) {
     assert_true(holds(mass_from_support(moved, 0, 100, fault), m));
     // About the shape's origin instead: I_o = I_c + V (|p|^2 1 - p p^T), as signed tetrahedra from the origin would
     // give.
-    const Mat3 about_origin = m.inertia + m.volume * (p.squaredNorm() * Mat3::Identity() - p * p.transpose());
+    const Mat3 about_origin = m.inertia + m.volume * (p.squared_norm() * Mat3::identity() - outer(p, p));
     assert_true(spectral_norm(about_origin) >= spectral_norm(m.inertia) * (1 - u));
   }
 }
@@ -261,7 +261,7 @@ static void an_affine_image_has_its_volume_times_the_determinant(void**) {
     assert_true(std::fabs(n.volume - det * m.volume) <= tolerance * n.volume);
     assert_true((n.centroid - a * m.centroid).norm() <= tolerance * a.norm());
     const auto second = [](const MassProperties& x) {  // int x x^T = tr(I)/2 - I
-      return Mat3(x.inertia.trace() / 2 * Mat3::Identity() - x.inertia);
+      return Mat3(x.inertia.trace() / 2 * Mat3::identity() - x.inertia);
     };
     const Mat3 expected = det * a * second(m) * a.transpose();
     assert_true((second(n) - expected).norm() <= tolerance * expected.norm());
@@ -273,14 +273,14 @@ static void the_core_radius_is_part_of_volume_and_bounds(void**) {
   const Vec3 h(0.5, 0.7, 0.9);
   const Real r = 0.25, pi = 3.14159265358979323846;
   Shape s = rounded_box(h, r);
-  const Real volume = 8 * h.prod() + 8 * (h.x() * h.y() + h.y() * h.z() + h.z() * h.x()) * r +
+  const Real volume = 8 * h.product() + 8 * (h.x() * h.y() + h.y() * h.z() + h.z() * h.x()) * r +
                       8 * h.sum() * r * r * pi / 4 + 4 * pi / 3 * r * r * r;
   SupportFault fault;
   const MassProperties m = mass_from_support(s, 0, 2000, fault);
   assert_true(m.volume_min <= volume && volume <= m.volume_max);
   assert_true((m.volume_max - m.volume_min) / volume < 0.02);  // the sphere's 3 % at this budget, on a part of the body
   assert_true(derive_bounds(s, fault));
-  assert_true(s.bounds.hi == h + Vec3::Constant(r));
+  assert_true(s.bounds.hi == h + Vec3::constant(r));
   assert_true(s.bounding_radius >= h.norm() + r);
 }
 
@@ -291,7 +291,7 @@ static void a_flat_or_thin_hull_has_no_volume_and_breaks_nothing(void**) {
     std::vector<Vec3> points;
     const int dimension = trial % 3;  // a point, a segment, a square, somewhere in space
     for (int i = 0; i < 12; ++i) {
-      Vec3 x = Vec3::Zero();
+      Vec3 x = Vec3::zero();
       for (int k = 0; k < dimension; ++k) x[k] = random.uniform(-1, 1);
       points.push_back(r * x + Vec3(1, 2, 3));
     }
@@ -300,10 +300,10 @@ static void a_flat_or_thin_hull_has_no_volume_and_breaks_nothing(void**) {
     assert_true(derive_bounds(s, fault));
     const MassProperties exact = form_mass(s), bracket = mass_from_support(s, 1e-3, 200, fault);
     assert_int_equal(fault.kind, SupportFault::none);
-    assert_true(exact.volume == 0 && exact.inertia.isZero(0));
+    assert_true(exact.volume == 0 && exact.inertia == Mat3::zero());
     // Coordinates of up to 5 leave a plane by their rounding, over an area of at most 4 (2 x 2).
     assert_true(bracket.volume_min == 0 && bracket.volume_max <= 4 * 4 * 32 * 32 * kEpsilon * 5);
-    assert_true(finite(bracket.centroid) && bracket.inertia.allFinite());
+    assert_true(finite(bracket.centroid) && bracket.inertia.all_finite());
   }
 }
 
@@ -334,7 +334,7 @@ static void a_failing_support_function_is_reported_with_its_evidence(void**) {
     SupportFault bounds_fault, mass_fault, world_fault;
     assert_false(derive_bounds(s, bounds_fault));
     assert_true(mass_from_support(s, 1e-3, 100, mass_fault).volume == 0);
-    const Aabb b = world_bounds(s, Mat3::Identity(), Vec3::Zero(), world_fault);
+    const Aabb b = world_bounds(s, Mat3::identity(), Vec3::zero(), world_fault);
     assert_true(b.lo.x() > b.hi.x());
     for (const SupportFault* f : {&bounds_fault, &mass_fault, &world_fault}) {
       assert_int_equal(f->kind, c.kind);
@@ -346,7 +346,7 @@ static void a_failing_support_function_is_reported_with_its_evidence(void**) {
   s.support = nearest;
   SupportFault fault;
   const MassProperties m = mass_from_support(s, 1e-3, 200, fault);
-  assert_true(m.volume == 0 && m.inertia.allFinite());
+  assert_true(m.volume == 0 && m.inertia.all_finite());
 }
 
 static void a_point_that_leaves_the_measured_shape_at_run_time_is_a_fault(void**) {
@@ -354,7 +354,7 @@ static void a_point_that_leaves_the_measured_shape_at_run_time_is_a_fault(void**
   SupportFault fault;
   assert_true(derive_bounds(s, fault));
   s.params[0] = 2;  // as if the function had changed its mind
-  const Aabb b = world_bounds(s, Mat3::Identity(), Vec3::Zero(), fault);
+  const Aabb b = world_bounds(s, Mat3::identity(), Vec3::zero(), fault);
   assert_true(b.lo.x() > b.hi.x());
   assert_int_equal(fault.kind, SupportFault::outside);
   assert_true(std::fabs(fault.out[0]) == 2);

@@ -25,7 +25,7 @@ static void no_point_of_the_smaller_body_moves_farther_than_the_bound(void**) {
 }
 
 static void a_shift_and_a_turn_alone_attain_the_bound(void**) {
-  const Frame here, shifted(Mat3::Identity(), Vec3(3, 4, 0)), turned(Pose{exp_map(Vec3(0, 0, 0.1)), Vec3::Zero()});
+  const Frame here, shifted(Mat3::identity(), Vec3(3, 4, 0)), turned(Pose{exp_map(Vec3(0, 0, 0.1)), Vec3::zero()});
   assert_true(motion_bound(here, shifted, 1, 2) == 5);
   assert_true(motion_bound(here, here, 1, 2) == 0);  // what rests is kept, however little is allowed
   const Real moved = (turned.apply(Vec3(0.5, 0, 0)) - Vec3(0.5, 0, 0)).norm();
@@ -49,7 +49,7 @@ static void no_point_of_a_body_comes_farther_than_its_way(void**) {
     assert_true(most <= way);
     assert_true(way_bound(then, then, kInfinity) == 0);
   }
-  const Frame here, shifted(Mat3::Identity(), Vec3(3, 4, 0)), turned(Pose{exp_map(Vec3(0, 0, 0.1)), Vec3::Zero()});
+  const Frame here, shifted(Mat3::identity(), Vec3(3, 4, 0)), turned(Pose{exp_map(Vec3(0, 0, 0.1)), Vec3::zero()});
   assert_true(std::fabs(way_bound(here, shifted, kInfinity) - 5) <= 5 * 20 * kUnitRoundoff);
   assert_true(way_bound(here, turned, kInfinity) == kInfinity);
   const Real moved = (turned.apply(Vec3(0.5, 0, 0)) - Vec3(0.5, 0, 0)).norm();

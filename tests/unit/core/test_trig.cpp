@@ -1,5 +1,6 @@
 // Own sine and cosine against long double, with the argument reduction's loss accounted for.
 #include <cmath>
+#include <initializer_list>
 
 #include "core/pose.h"
 
@@ -31,7 +32,7 @@ static void the_exponential_map_joins_its_two_branches(void**) {
     const Quat q = exp_map(Vec3(0, a, 0));
     assert_true(std::fabs(q.w() - std::cos(a / 2)) <= 2 * kEpsilon);
     assert_true(std::fabs(q.y() - std::sin(a / 2)) <= 2 * kEpsilon);
-    assert_true(std::fabs(q.coeffs().squaredNorm() - 1) <= 4 * kEpsilon);
+    assert_true(std::fabs(q.squared_norm() - 1) <= 4 * kEpsilon);
   }
 }
 

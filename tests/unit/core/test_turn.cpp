@@ -1,5 +1,6 @@
 // Turns by a quotient of polynomials against long double.
 #include <cmath>
+#include <initializer_list>
 
 #include "carom_test.h"
 #include "core/turn.h"

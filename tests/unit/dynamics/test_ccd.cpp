@@ -21,11 +21,11 @@ constexpr Real kEverything = 2;  // kSweepFast
 
 /// A thin static wall at x = 0 and a ball that flies at it, weightless.
 struct Range : TestWorld {
-  explicit Range(Real speed = 200, Real restitution = 1) : TestWorld(Vec3::Zero()) {
+  explicit Range(Real speed = 200, Real restitution = 1) : TestWorld(Vec3::zero()) {
     const std::uint32_t m = material(0, restitution);
-    wall = add(keep(box(Vec3(0.005, 2, 2))), Vec3::Zero(), BodyType::fixed, Quat::Identity(), m);
-    ball = add(keep(sphere(0.1)), Vec3(-1, 0, 0), BodyType::dynamic, Quat::Identity(), m);
-    world.set_velocity(ball, Vec3(speed, 0, 0), Vec3::Zero());
+    wall = add(keep(box(Vec3(0.005, 2, 2))), Vec3::zero(), BodyType::fixed, Quat::identity(), m);
+    ball = add(keep(sphere(0.1)), Vec3(-1, 0, 0), BodyType::dynamic, Quat::identity(), m);
+    world.set_velocity(ball, Vec3(speed, 0, 0), Vec3::zero());
   }
   Real x() const { return world.state.x[ball].x(); }
   bool passed() const { return x() > 0; }
@@ -57,9 +57,9 @@ static void a_rotation_vector_turns_as_its_quaternion(void**) {
     const Quat back = exp_map(other) * exp_map(phi).conjugate();
     assert_true(back.vec().norm() < 1e-13 * (1 + angle));
   }
-  const Vec3 whole = rotation_vector(Quat::Identity(), Vec3(0, 6.5, 0));  // of no turn: a whole one
+  const Vec3 whole = rotation_vector(Quat::identity(), Vec3(0, 6.5, 0));  // of no turn: a whole one
   assert_true((whole - Vec3(0, 2 * std::numbers::pi, 0)).norm() < 1e-14);
-  assert_true(rotation_vector(Quat::Identity(), Vec3(0, 3, 0)) == Vec3::Zero());
+  assert_true(rotation_vector(Quat::identity(), Vec3(0, 3, 0)) == Vec3::zero());
 }
 
 static void who_is_slow_pays_nothing(void**) {
@@ -138,15 +138,15 @@ static void who_may_not_touch_is_passed(void**) {
 // In the step in which it is hit, a sleeper wakes and goes; where it was not in the way it sleeps on.
 static void sleepers_wake_when_they_are_hit(void**) {
   for (const bool in_the_way : {true, false}) {
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     const std::uint32_t m = t.material(0, 1);
     t.world.set_dial(Dial::sleep, 1);
     const Shape* ball = t.keep(sphere(0.1));
-    const std::uint32_t rests = t.add(ball, Vec3(0, in_the_way ? 0 : 0.22, 0), BodyType::dynamic, Quat::Identity(), m);
+    const std::uint32_t rests = t.add(ball, Vec3(0, in_the_way ? 0 : 0.22, 0), BodyType::dynamic, Quat::identity(), m);
     t.run(60, kDt);
     assert_true(t.world.asleep(rests));
-    const std::uint32_t comes = t.add(ball, Vec3(-1.2, 0, 0), BodyType::dynamic, Quat::Identity(), m);
-    t.world.set_velocity(comes, Vec3(200, 0, 0), Vec3::Zero());
+    const std::uint32_t comes = t.add(ball, Vec3(-1.2, 0, 0), BodyType::dynamic, Quat::identity(), m);
+    t.world.set_velocity(comes, Vec3(200, 0, 0), Vec3::zero());
     t.run(1, kDt);
     assert_true(t.world.asleep(rests) == !in_the_way);
     if (!in_the_way) continue;
@@ -180,12 +180,12 @@ static void events_tell_of_hits(void**) {
 // A kinematic bat comes at a ball at rest: it is thrown ahead, and the bat goes on as if nothing were there.
 static void a_bat_that_is_fast_hits(void**) {
   for (const Real e : {0.0, 1.0}) {
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     const std::uint32_t m = t.material(0, e);
-    const std::uint32_t ball = t.add(t.keep(sphere(0.1)), Vec3::Zero(), BodyType::dynamic, Quat::Identity(), m);
+    const std::uint32_t ball = t.add(t.keep(sphere(0.1)), Vec3::zero(), BodyType::dynamic, Quat::identity(), m);
     const std::uint32_t bat =
-        t.add(t.keep(box(Vec3(0.01, 0.3, 0.3))), Vec3(-1.11, 0, 0), BodyType::kinematic, Quat::Identity(), m);
-    t.world.set_velocity(bat, Vec3(100, 0, 0), Vec3::Zero());
+        t.add(t.keep(box(Vec3(0.01, 0.3, 0.3))), Vec3(-1.11, 0, 0), BodyType::kinematic, Quat::identity(), m);
+    t.world.set_velocity(bat, Vec3(100, 0, 0), Vec3::zero());
     t.run(1, kDt);
     const Real rest = kDt - 1 / 100.0, v = (1 + e) * 100;
     assert_true(std::fabs(t.world.state.x[bat].x() - (100 * kDt - 1.11)) < 1e-13);
@@ -199,9 +199,9 @@ static void who_is_hit_is_swept_too(void**) {
   for (int k = 0; k < 8; ++k) {
     Range t(0, 0.5);
     const Shape* heavy = t.keep(sphere(0.2));
-    t.world.set_velocity(t.ball, Vec3::Zero(), Vec3::Zero());
+    t.world.set_velocity(t.ball, Vec3::zero(), Vec3::zero());
     const std::uint32_t hammer = t.add(heavy, Vec3(-2 - 0.3 * k, 0, 0));
-    t.world.set_velocity(hammer, Vec3(300, 0, 0), Vec3::Zero());
+    t.world.set_velocity(hammer, Vec3(300, 0, 0), Vec3::zero());
     for (int i = 0; i < 10; ++i) {
       t.world.step(kDt);
       assert_true(!t.passed() && t.world.state.x[hammer].x() < 0);
@@ -220,11 +220,11 @@ static void a_shape_that_misbehaves_is_muted(void**) {
   };
   for (int after = 0; after < 60; after += 3) {
     Range t;
-    Shape odd = make_shape(Form::none, tired, {0.1, 0.1, 0.1}, Vec3::Constant(0.1), 0.174);
+    Shape odd = make_shape(Form::none, tired, {0.1, 0.1, 0.1}, Vec3::constant(0.1), 0.174);
     patience = 1 << 30;
     const std::uint32_t body = t.add(nullptr, Vec3(-1, 0.5, 0));
     t.world.add_collider(body, t.keep(std::move(odd)), Pose{}, 0, Colliders::kNoMaterial);
-    t.world.set_velocity(body, Vec3(200, 0, 0), Vec3::Zero());
+    t.world.set_velocity(body, Vec3(200, 0, 0), Vec3::zero());
     calls = 0, patience = after;
     std::size_t faults = 0;
     for (int i = 0; i < 4; ++i) t.world.step(kDt), faults += t.world.fault_views.size();
@@ -252,7 +252,7 @@ static void running_out_of_memory_moves_nobody(void**) {
   std::uint64_t failures = 0;
   for (std::uint64_t k = 0;; ++k) {
     Failing memory;
-    World world(1, Vec3::Zero(), 0, &memory);
+    World world(1, Vec3::zero(), 0, &memory);
     const auto add = [&](const Shape* shape, const Vec3& p, BodyType type) {
       BodyDef def;
       def.type = type;
@@ -261,11 +261,11 @@ static void running_out_of_memory_moves_nobody(void**) {
       world.add_collider(body, shape, Pose{}, 1000, Colliders::kNoMaterial);
       return body;
     };
-    add(sheet, Vec3::Zero(), BodyType::fixed);
+    add(sheet, Vec3::zero(), BodyType::fixed);
     const std::uint32_t bullet = add(ball, Vec3(-1, 0, 0), BodyType::dynamic);
     add(ball, Vec3(-0.3, 0.05, 0), BodyType::dynamic);
     world.step(kDt);
-    world.set_velocity(bullet, Vec3(200, 0, 0), Vec3::Zero());
+    world.set_velocity(bullet, Vec3(200, 0, 0), Vec3::zero());
     memory.fail_at = memory.calls + k;
     bool failed = false;
     try {
@@ -292,9 +292,9 @@ static std::uint64_t skirmish(int broad, std::uint32_t threads, Real sleep) {
   t.world.set_dial(Dial::sleep, sleep);
   const std::uint32_t m = t.material(0.3, 0.8);
   for (int k = 0; k < 6; ++k) {
-    Vec3 half = Vec3::Constant(3.01), at = Vec3::Zero();
+    Vec3 half = Vec3::constant(3.01), at = Vec3::zero();
     half[k / 2] = 0.01, at[k / 2] = k % 2 ? 3.01 : -3.01;
-    t.add(t.keep(box(half)), at, BodyType::fixed, Quat::Identity(), m);
+    t.add(t.keep(box(half)), at, BodyType::fixed, Quat::identity(), m);
   }
   Random random(3);
   const Shape* shapes[] = {t.keep(sphere(0.1)), t.keep(box(Vec3(0.1, 0.2, 0.15))), t.keep(box(Vec3(0.5, 0.02, 0.02))),
@@ -309,7 +309,7 @@ static std::uint64_t skirmish(int broad, std::uint32_t threads, Real sleep) {
   for (int i = 0; i < 60; ++i) {
     t.world.step(kDt);
     hits += t.world.report.sweep_hits;
-    for (std::uint32_t b = 6; b < 46; ++b) assert_true(t.world.state.x[b].cwiseAbs().maxCoeff() < 3.02);
+    for (std::uint32_t b = 6; b < 46; ++b) assert_true(t.world.state.x[b].abs().max_entry() < 3.02);
   }
   assert_true(hits > 100);
   return t.world.hash();

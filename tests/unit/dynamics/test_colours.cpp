@@ -20,7 +20,7 @@ struct Crowd : TestWorld {
     world.set_dial(Dial::solver, 2);  // CAROM_SOLVER_SOFT_STEP
     ground();
     const Shape* slab = keep(box(Vec3(5, 0.25, 5)));
-    const Shape* cube = keep(box(Vec3::Constant(0.2)));
+    const Shape* cube = keep(box(Vec3::constant(0.2)));
     const Shape* ball = keep(sphere(0.1));
     const std::uint32_t hub = add(slab, Vec3(0, 0.25, 0));
     add(slab, Vec3(20, 0.25, 0));  // the table
@@ -28,8 +28,8 @@ struct Crowd : TestWorld {
       const Vec3 at(0.24 * i - 4.7, 0.25, 5.3);
       JointDef def;
       def.body_a = hub, def.body_b = add(ball, at);
-      def.frame_a = {Quat::Identity(), Vec3(at.x(), 0, 5)};
-      def.frame_b = {Quat::Identity(), Vec3(0, 0, -0.3)};
+      def.frame_a = {Quat::identity(), Vec3(at.x(), 0, 5)};
+      def.frame_b = {Quat::identity(), Vec3(0, 0, -0.3)};
       world.add_joint(def);
     }
     for (int i = 0; i < kLoad; ++i) {
@@ -88,7 +88,7 @@ void joints_keep_their_colours(void**) {
   const std::vector<std::uint32_t> before(joints.occupant.begin(), joints.occupant.end());
   const std::size_t contacts = t.world.wide->manifolds.size();
   for (std::uint32_t i = 0; i < t.world.scene.bodies.slots(); ++i)
-    if (t.world.scene.mass[i] < 100) t.world.set_velocity(i, Vec3(0, 3, 0), Vec3::Zero());
+    if (t.world.scene.mass[i] < 100) t.world.set_velocity(i, Vec3(0, 3, 0), Vec3::zero());
   t.run(10, 1.0 / 60);
   assert_true(t.world.wide->manifolds.size() < contacts);
   assert_true(std::ranges::equal(joints.occupant, before));

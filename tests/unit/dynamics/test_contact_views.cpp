@@ -18,9 +18,9 @@ struct Heap {
   explicit Heap(Real solver)
       : ground(t.ground()), platform(t.add(t.keep(box(Vec3(3, 0.1, 3))), Vec3(0, 0.1, 0), BodyType::kinematic)) {
     t.world.set_dial(Dial::solver, solver);
-    t.world.set_velocity(platform, Vec3(0.1, 0, 0), Vec3::Zero());
+    t.world.set_velocity(platform, Vec3(0.1, 0, 0), Vec3::zero());
     for (int i = 0; i < 12; ++i)
-      bodies.push_back(t.add(t.keep(box(Vec3::Constant(0.25))), Vec3(0.6 * (i % 3), 0.5 + 0.51 * (i / 3), 0.01 * i)));
+      bodies.push_back(t.add(t.keep(box(Vec3::constant(0.25))), Vec3(0.6 * (i % 3), 0.5 + 0.51 * (i / 3), 0.01 * i)));
     bodies.push_back(t.add(t.keep(sphere(0.3)), Vec3(-6, 0.3, 0)));
     t.run(40, 1.0 / 60);
   }
@@ -44,20 +44,20 @@ void what_was_done_since_the_step_does_not_show(void**) {
     assert_true(seen.size() > 30);
     const std::vector<void (*)(Heap&)> edits = {
         [](Heap& h) {
-          h->set_pose(h.bodies[2], Pose{Quat::Identity(), Vec3(0, 9, 0)});
+          h->set_pose(h.bodies[2], Pose{Quat::identity(), Vec3(0, 9, 0)});
         },
         [](Heap& h) {
-          h->set_pose(h.platform, Pose{Quat::Identity(), Vec3(0, -2, 0)});
+          h->set_pose(h.platform, Pose{Quat::identity(), Vec3(0, -2, 0)});
         },
         [](Heap& h) {
           h->set_pose(h.ground, Pose{exp_map(Vec3(0.1, 0, 0)), Vec3(0, 0.1, 0)});
         },
         [](Heap& h) {
-          h->add_collider(h.bodies[4], h.t.keep(sphere(0.5)), Pose{Quat::Identity(), Vec3(1, 0, 0)}, 1000,
+          h->add_collider(h.bodies[4], h.t.keep(sphere(0.5)), Pose{Quat::identity(), Vec3(1, 0, 0)}, 1000,
                           Colliders::kNoMaterial);
         },
         [](Heap& h) { h->set_velocity(h.bodies[5], Vec3(7, 7, 7), Vec3(1, 2, 3)); },
-        [](Heap& h) { h.t.add(h.t.keep(box(Vec3::Constant(0.3))), Vec3(0, 3, 0)); },
+        [](Heap& h) { h.t.add(h.t.keep(box(Vec3::constant(0.3))), Vec3(0, 3, 0)); },
         [](Heap& h) { h->set_dial(Dial::manifold, 0); },
     };
     for (const auto edit : edits) {
@@ -88,7 +88,7 @@ void there_are_none_before_a_step_nor_after_one_without(void**) {
   t.ground();
   t.run(1, 1.0 / 60);
   assert_int_equal(t.world.contact_views().size(), 1);
-  t.world.set_pose(ball, Pose{Quat::Identity(), Vec3(0, 50, 0)});
+  t.world.set_pose(ball, Pose{Quat::identity(), Vec3(0, 50, 0)});
   assert_int_equal(t.world.contact_views().size(), 1);
   t.run(1, 1.0 / 60);
   assert_true(t.world.contact_views().empty());

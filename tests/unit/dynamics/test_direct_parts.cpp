@@ -99,7 +99,7 @@ static void the_slope_of_the_projection_is_what_differences_say(void**) {
     const Mat3 slope = slope_of_projection(z, n, mu);
     constexpr Real kH = 1e-5;  // error h^2 / t^2 ~ 1e-8 from curvature, u / h ~ 1e-11 from rounding
     for (int k = 0; k < 3; ++k) {
-      const Vec3 d = kH * Vec3::Unit(k);
+      const Vec3 d = kH * Vec3::unit(k);
       const Vec3 difference = (project_on_cone(z + d, n, mu) - project_on_cone(z - d, n, mu)) / (2 * kH);
       assert_true((difference - slope.col(k)).norm() < 1e-7);
     }
@@ -155,12 +155,12 @@ static void factors_solve_as_dense_ones_do(void**) {
     Eigen::VectorXd b(6 * nodes);
     for (Eigen::Index i = 0; i < b.size(); ++i) b[i] = random.uniform(-1, 1);
     std::vector<Vec6> x(nodes);
-    for (std::uint32_t i = 0; i < nodes; ++i) x[s.elimination.place[i]] = b.segment<6>(6 * i);
+    for (std::uint32_t i = 0; i < nodes; ++i) x[s.elimination.place[i]] = {Vec3::from(b.data() + 6 * i), Vec3::from(b.data() + 6 * i + 3)};
     solve(s.elimination, 0, nodes, s.factor, x.data());
     const Eigen::VectorXd truth = s.dense.llt().solve(b);
     // Condition below 1e4 (eigenvalues from 1 to 10 |J|^2): both are within 1e4 * 150 u.
     for (std::uint32_t i = 0; i < nodes; ++i)
-      assert_true((x[s.elimination.place[i]] - truth.segment<6>(6 * i)).norm() < 1e-10);
+      assert_true((x[s.elimination.place[i]] - Vec6(Vec3::from(truth.data() + 6 * i), Vec3::from(truth.data() + 6 * i + 3))).norm() < 1e-10);
   }
 }
 

@@ -64,8 +64,8 @@ static void each_effect_serves_its_customers_alone(void**) {
   damped.linear_damping = damped.angular_damping = 1;
   damped.pose.p = Vec3(60, 100, 0);
   t.world.add_body(damped);  // a particle: damped in flight, but nothing turns
-  t.world.set_velocity(spinning, Vec3::Zero(), Vec3(1, 2, 3));
-  t.world.set_velocity(die, Vec3::Zero(), Vec3(1, 2, 3));
+  t.world.set_velocity(spinning, Vec3::zero(), Vec3(1, 2, 3));
+  t.world.set_velocity(die, Vec3::zero(), Vec3(1, 2, 3));
   t.world.add_force(die, Vec3(1, 0, 0), Vec3(0, 1, 0));
   t.run(2, 1.0 / 60);
   assert_int_equal(evaluations(t.world, "gravity"), 8);
@@ -80,15 +80,15 @@ static void each_effect_serves_its_customers_alone(void**) {
 }
 
 static void without_gravity_there_is_no_gravity_effect(void**) {
-  TestWorld t(Vec3::Zero());
-  t.add(nullptr, Vec3::Zero());
+  TestWorld t(Vec3::zero());
+  t.add(nullptr, Vec3::zero());
   t.run(1, 1.0 / 60);
   assert_int_equal(evaluations(t.world, "gravity"), 0);
 }
 
 static void rk4_evaluates_forces_four_times(void**) {
   TestWorld t;
-  t.add(nullptr, Vec3::Zero());
+  t.add(nullptr, Vec3::zero());
   t.world.set_dial(Dial::integrator, 2);
   t.run(1, 1.0 / 60);
   assert_int_equal(evaluations(t.world, "gravity"), 4);
@@ -99,11 +99,11 @@ static void friction_and_restitution_count_the_contacts_that_have_them(void**) {
   const std::uint32_t ice = t.material(0, 0), rubber = t.material(1, 0.5);
   t.ground();
   const Shape* ball = t.keep(sphere(0.5));
-  t.add(ball, Vec3(0, 0.5, 0), BodyType::dynamic, Quat::Identity(), ice);
+  t.add(ball, Vec3(0, 0.5, 0), BodyType::dynamic, Quat::identity(), ice);
   t.world.step(1.0 / 60);
   assert_int_equal(t.world.plan->find("friction")->customers.count, 0);
   assert_int_equal(t.world.plan->find("restitution")->customers.count, 0);
-  t.add(ball, Vec3(3, 0.5, 0), BodyType::dynamic, Quat::Identity(), rubber);
+  t.add(ball, Vec3(3, 0.5, 0), BodyType::dynamic, Quat::identity(), rubber);
   t.world.step(1.0 / 60);
   assert_int_equal(t.world.plan->find("friction")->customers.count, 1);
   assert_int_equal(t.world.plan->find("restitution")->customers.count, 1);
@@ -115,7 +115,7 @@ static void a_pile_at_rest_allocates_nothing(void**) {
     World world(1, Vec3(0, -9.81, 0), 0, &memory);
     world.set_dial(Dial::integrator, integrator);
     TestWorld shapes;
-    const Shape* cube = shapes.keep(box(Vec3::Constant(0.5)));
+    const Shape* cube = shapes.keep(box(Vec3::constant(0.5)));
     const auto add = [&](const Vec3& p, BodyType type) {
       BodyDef def;
       def.type = type;
@@ -159,7 +159,7 @@ static void a_force_lives_for_one_step_also_after_one_that_failed(void**) {
     }
     bool do_is_equal(const memory_resource& o) const noexcept override { return this == &o; }
   } memory;
-  World world(1, Vec3::Zero(), 0, &memory);
+  World world(1, Vec3::zero(), 0, &memory);
   TestWorld shapes;
   const Shape* ball = shapes.keep(sphere(0.5));
   BodyDef def;
@@ -169,7 +169,7 @@ static void a_force_lives_for_one_step_also_after_one_that_failed(void**) {
   }
   world.step(1.0 / 60);
   world.set_dial(Dial::broad_phase, 2);  // whose first call allocates
-  world.add_force(0, Vec3(1, 0, 0), Vec3::Zero());
+  world.add_force(0, Vec3(1, 0, 0), Vec3::zero());
   memory.fails = true;
   bool failed = false;
   try {
@@ -179,7 +179,7 @@ static void a_force_lives_for_one_step_also_after_one_that_failed(void**) {
   }
   memory.fails = false;
   assert_true(failed);
-  assert_true(world.state.v[0] == Vec3::Zero());
+  assert_true(world.state.v[0] == Vec3::zero());
   for (int i = 0; i < 3; ++i) world.step(1.0 / 60);
   const Real once = world.scene.inv_mass[0] / 60;
   assert_true(std::fabs(world.state.v[0].x() - once) <= 4 * kEpsilon * once);

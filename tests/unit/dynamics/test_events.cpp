@@ -23,7 +23,7 @@ struct Fall : TestWorld {
   explicit Fall(Real height, Real restitution = 0) {
     const std::uint32_t m = material(0.5, restitution);
     floor = ground(m);
-    ball = add(keep(sphere(0.5)), Vec3(0, 0.5 + height, 0), BodyType::dynamic, Quat::Identity(), m);
+    ball = add(keep(sphere(0.5)), Vec3(0, 0.5 + height, 0), BodyType::dynamic, Quat::identity(), m);
   }
   std::uint32_t floor, ball;
 };
@@ -53,7 +53,7 @@ static void a_fall_begins_hits_and_ends(void**) {
   }
   assert_int_equal(begun, 1);
   assert_int_equal(hit, 1);  // what rests does not flicker
-  f.world.set_velocity(f.ball, Vec3(0, 3, 0), Vec3::Zero());
+  f.world.set_velocity(f.ball, Vec3(0, 3, 0), Vec3::zero());
   int ended = 0;
   for (int i = 0; i < 20; ++i) {
     f.world.step(kDt);
@@ -137,8 +137,8 @@ static void a_sensor_tells_who_passes_and_stops_nobody(void**) {
     const Shape* slab = t.keep(box(Vec3(3, 1, 3)));
     const std::uint32_t gate = t.add(slab, Vec3(0, -5, 0), BodyType::fixed);
     t.world.set_sensor(t.world.scene.first_collider[gate], true);
-    const std::uint32_t ball = t.add(t.keep(sphere(0.5)), Vec3::Zero());
-    const std::uint32_t twin = alone.add(alone.keep(sphere(0.5)), Vec3::Zero());
+    const std::uint32_t ball = t.add(t.keep(sphere(0.5)), Vec3::zero());
+    const std::uint32_t twin = alone.add(alone.keep(sphere(0.5)), Vec3::zero());
     collect(t.world, Events::sensor, 1);
     std::vector<int> entered, left;
     for (int i = 1; i <= 180; ++i) {
@@ -186,10 +186,10 @@ static void sensors_and_sleepers(void**) {
   step(240);
   assert_true(entered == 1 && left == 0 && fell == 1 && t.world.asleep(ball));
   // Moved away from the sleeper, and back over it: it is told of, and sleeps on.
-  t.world.set_pose(gate, {Quat::Identity(), Vec3(20, 1, 0)});
+  t.world.set_pose(gate, {Quat::identity(), Vec3(20, 1, 0)});
   step(2);
   assert_true(entered == 1 && left == 1 && t.world.asleep(ball));
-  t.world.set_pose(gate, {Quat::Identity(), Vec3(0, 1, 0)});
+  t.world.set_pose(gate, {Quat::identity(), Vec3(0, 1, 0)});
   step(2);
   assert_true(entered == 2 && left == 1 && t.world.asleep(ball));
   // A sensor no longer: what was within leaves.

@@ -11,7 +11,7 @@ namespace {
 
 /// Balls that overlap a static slab, at rest in space.
 struct Row : TestWorld {
-  explicit Row(int count) : TestWorld(Vec3::Zero()) {
+  explicit Row(int count) : TestWorld(Vec3::zero()) {
     slab = add(keep(box(Vec3(50, 1, 5))), Vec3(0, -1.4, 0), BodyType::fixed);
     const Shape* ball = keep(sphere(0.5));
     for (int i = 0; i < count; ++i) balls.push_back(add(ball, Vec3(2 * i, 0, 0)));

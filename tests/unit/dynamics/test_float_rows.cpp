@@ -21,15 +21,15 @@ struct FloatWorld : TestWorld {
   /// A body of that mass, kg.
   std::uint32_t add_mass(const Shape* shape, const Vec3& position, Real mass) {
     BodyDef def;
-    def.pose = {Quat::Identity(), position};
+    def.pose = {Quat::identity(), position};
     const std::uint32_t body = handle_slot(world.add_body(def));
     world.add_collider(body, shape, Pose{}, mass / shape->mass.volume, Colliders::kNoMaterial);
     return body;
   }
   bool is_finite() const {
     for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i)
-      if (!world.state.x[i].allFinite() || !world.state.v[i].allFinite() || !world.state.omega[i].allFinite() ||
-          !world.state.q[i].coeffs().allFinite() || world.state.quarantined[i])
+      if (!world.state.x[i].all_finite() || !world.state.v[i].all_finite() || !world.state.omega[i].all_finite() ||
+          !world.state.q[i].all_finite() || world.state.quarantined[i])
         return false;
     return true;
   }
@@ -38,7 +38,7 @@ struct FloatWorld : TestWorld {
 /// A column of boxes of edge `size`, that of number k of mass mass[k], on the ground, the lowest turned a little.
 void pile(FloatWorld& t, Real size, const std::vector<Real>& mass) {
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(size / 2)));
+  const Shape* cube = t.keep(box(Vec3::constant(size / 2)));
   for (std::size_t k = 0; k < mass.size(); ++k)
     t.add_mass(cube, Vec3(0.1 * size * static_cast<Real>(k), size * (static_cast<Real>(k) + 0.5), 0), mass[k]);
 }
@@ -48,14 +48,14 @@ void pile(FloatWorld& t, Real size, const std::vector<Real>& mass) {
 void momentum_is_kept_to_the_rounding_of_what_changes_hands(void**) {
   FloatWorld t(Precision::in_float, Vec3(0, -9.81, 0));
   const Shape* slab = t.keep(box(Vec3(40, 0.5, 40)));
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   const std::uint32_t truck = t.add_mass(slab, Vec3(0, 0, 0), 1e6);
   t.world.set_gravity_factor(truck, 0);  // it weighs too much for its load to press it down
-  t.world.set_velocity(truck, Vec3(10, 0, 3), Vec3::Zero());
+  t.world.set_velocity(truck, Vec3(10, 0, 3), Vec3::zero());
   std::vector<std::uint32_t> load;
   for (int i = 0; i < 9; ++i) load.push_back(t.add_mass(cube, Vec3(3 * (i % 3) - 15, 1, 3 * (i / 3)), 1));
   const auto momentum = [&] {
-    Vec3 sum = Vec3::Zero();
+    Vec3 sum = Vec3::zero();
     for (std::uint32_t i = 0; i < t.world.scene.bodies.slots(); ++i) sum += t.world.scene.mass[i] * t.world.state.v[i];
     return sum;
   };
@@ -80,15 +80,15 @@ void far_from_the_origin_a_stack_stands_as_at_home(void**) {
   const auto height_of_top = [](Precision precision, const Vec3& where) {
     FloatWorld t(precision);
     const Shape* slab = t.keep(box(Vec3(5, 0.5, 5)));
-    const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+    const Shape* cube = t.keep(box(Vec3::constant(0.5)));
     t.add(slab, where, BodyType::fixed);
     std::uint32_t top = 0;
     for (int i = 0; i < 8; ++i) top = t.add(cube, where + Vec3(0, 1 + i, 0));
     t.run(300, kStep);
     return t.world.state.x[top].y() - where.y();
   };
-  const Real home = height_of_top(Precision::in_float, Vec3::Zero());
-  assert_true(std::abs(home - height_of_top(Precision::in_double, Vec3::Zero())) < 1e-5);
+  const Real home = height_of_top(Precision::in_float, Vec3::zero());
+  assert_true(std::abs(home - height_of_top(Precision::in_double, Vec3::zero())) < 1e-5);
   assert_true(std::abs(home - height_of_top(Precision::in_float, Vec3(1e7, 1e7, -1e7))) < 1e-4);
 }
 
@@ -98,11 +98,11 @@ void who_falls_beside_another_falls_as_in_doubles(void**) {
   Vec3 x[2][2];
   for (const Precision precision : {Precision::in_float, Precision::in_double}) {
     FloatWorld t(precision);
-    const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+    const Shape* cube = t.keep(box(Vec3::constant(0.5)));
     std::uint32_t body[2];
     for (int i = 0; i < 2; ++i) {
       body[i] = t.add(cube, Vec3(i, 1000, 0));
-      t.world.set_velocity(body[i], Vec3(0.3, -7, 0.1), Vec3::Zero());
+      t.world.set_velocity(body[i], Vec3(0.3, -7, 0.1), Vec3::zero());
     }
     t.run(120, kStep);
     assert_true(t.world.report.contact_points > 0 && t.world.wide->is_float == (precision == Precision::in_float));
@@ -124,7 +124,7 @@ void floats_and_doubles_agree_where_nothing_is_chaotic(void**) {
         FloatWorld t(precision, Vec3(0, -9.81 * size, 0));
         t.world.set_dial(Dial::contact_distance, 0.01 * size);
         pile(t, size, {size, ratio * size});
-        t.world.set_velocity(1, Vec3(0.2 * size, 0, 0), Vec3::Zero());
+        t.world.set_velocity(1, Vec3(0.2 * size, 0, 0), Vec3::zero());
         t.run(60, kStep);
         assert_true(t.is_finite());
         const auto i = static_cast<std::size_t>(precision);
@@ -184,7 +184,7 @@ void speeds_beyond_the_range_stay_finite(void**) {
     t.world.add_force(2, Vec3(newton, -newton, newton), Vec3(0, newton, 0));
     t.run(1, kStep);
     for (std::uint32_t i = 1; i <= 3; ++i)
-      assert_true(t.world.state.v[i].allFinite() && t.world.state.omega[i].allFinite());
+      assert_true(t.world.state.v[i].all_finite() && t.world.state.omega[i].all_finite());
   }
 }
 
@@ -194,7 +194,7 @@ void so_are_settings_beyond_the_range(void**) {
     FloatWorld t;
     const std::uint32_t material = t.material(0.5, 0);
     const std::uint32_t ground = t.ground(material);
-    t.add(t.keep(box(Vec3::Constant(0.5))), Vec3(0, 0.5, 0), BodyType::dynamic, Quat::Identity(), material);
+    t.add(t.keep(box(Vec3::constant(0.5))), Vec3(0, 0.5, 0), BodyType::dynamic, Quat::identity(), material);
     change(t, ground, material);
     t.run(10, dt);
     assert_true(t.is_finite() && t.world.report.contact_points == 4);
@@ -207,7 +207,7 @@ void so_are_settings_beyond_the_range(void**) {
     t.world.set_material(material, m);
   };
   const auto belt = [](FloatWorld& t, std::uint32_t ground, std::uint32_t) {
-    t.world.set_surface_velocity(t.world.scene.first_collider[ground], {Vec3(1e12, 0, 0), Vec3::Zero()});
+    t.world.set_surface_velocity(t.world.scene.first_collider[ground], {Vec3(1e12, 0, 0), Vec3::zero()});
   };
   assert_true(stands_in_float(nothing, kStep));
   assert_true(!stands_in_float(rough, kStep));

@@ -30,11 +30,11 @@ std::set<std::uint32_t> slots_of(const Customers& list) {
 
 /// Balls and cubes high up, some of them spinning and some of less weight.
 std::vector<std::uint32_t> throw_some(TestWorld& t) {
-  const Shape *ball = t.keep(sphere(0.3)), *cube = t.keep(box(Vec3::Constant(0.3)));
+  const Shape *ball = t.keep(sphere(0.3)), *cube = t.keep(box(Vec3::constant(0.3)));
   std::vector<std::uint32_t> flyers;
   for (int i = 0; i < 20; ++i) {
     const std::uint32_t body = t.add(i % 2 ? ball : cube, Vec3(2 * i, 500, 0));
-    t.world.set_velocity(body, Vec3(0.1 * i, 1, -2), i % 3 ? Vec3(1, 0.1 * i, 3) : Vec3::Zero());
+    t.world.set_velocity(body, Vec3(0.1 * i, 1, -2), i % 3 ? Vec3(1, 0.1 * i, 3) : Vec3::zero());
     if (i % 4 == 0) t.world.set_gravity_factor(body, 0.5);
     flyers.push_back(body);
   }
@@ -43,7 +43,7 @@ std::vector<std::uint32_t> throw_some(TestWorld& t) {
 
 /// A heap of three, a pendulum, and a plank that tumbles.
 void let_others_work(TestWorld& t) {
-  const Shape *cube = t.keep(box(Vec3::Constant(0.5))), *plank = t.keep(box(Vec3(0.1, 0.4, 1)));
+  const Shape *cube = t.keep(box(Vec3::constant(0.5))), *plank = t.keep(box(Vec3(0.1, 0.4, 1)));
   t.world.set_dial(Dial::sleep, 0);
   t.ground();
   for (int i = 0; i < 3; ++i) t.add(cube, Vec3(0, 0.5 + i, 0));
@@ -52,7 +52,7 @@ void let_others_work(TestWorld& t) {
   def.frame_b.p = Vec3(12, 20, 0);
   def.frame_a.p = Vec3(2, 0, 0);
   t.world.add_joint(def);
-  t.world.set_velocity(t.add(plank, Vec3(30, 100, 0)), Vec3::Zero(), Vec3(1, 2, 3));
+  t.world.set_velocity(t.add(plank, Vec3(30, 100, 0)), Vec3::zero(), Vec3(1, 2, 3));
 }
 
 }  // namespace
@@ -83,13 +83,13 @@ static void flyers_have_the_bits_of_a_world_of_their_own(void**) {
   let_others_work(among);
   for (int step = 0; step < 60; ++step) {
     for (TestWorld* t : {&alone, &among})
-      if (step % 10 == 3) t->world.add_force(flyers[5], Vec3(100, 200, 300), Vec3::Zero());
+      if (step % 10 == 3) t->world.add_force(flyers[5], Vec3(100, 200, 300), Vec3::zero());
     alone.run(1, kStep), among.run(1, kStep);
     assert_true(among.world.report.contact_points > 0);
     const State &a = alone.world.state, &b = among.world.state;
     for (const std::uint32_t i : flyers)
       assert_true(a.x[i] == b.x[i] && a.v[i] == b.v[i] && a.omega[i] == b.omega[i] &&
-                  a.q[i].coeffs() == b.q[i].coeffs());
+                  a.q[i] == b.q[i]);
   }
   // Twice in a step, as often as in a substep of the five others.
   assert_int_equal(alone.world.plan->find("gravity")->evaluations, 2 * 60 * 20);

@@ -19,7 +19,7 @@ static void shares_of_points_add_up_to_the_friction_of_their_pair(void**) {
   t.ground();
   // Loaded off the middle, pushed and turned: loads differ from point to point, and force and twist are not zero.
   const std::uint32_t lower = t.add(t.keep(box(Vec3(0.5, 0.2, 0.7))), Vec3(0, 0.2, 0));
-  const std::uint32_t upper = t.add(t.keep(box(Vec3::Constant(0.3))), Vec3(0.25, 0.7, 0.3));
+  const std::uint32_t upper = t.add(t.keep(box(Vec3::constant(0.3))), Vec3(0.25, 0.7, 0.3));
   int seen = 0;
   for (int i = 0; i < 60; ++i) {
     t.world.add_force(upper, Vec3(300, 0, -150), Vec3(0, 60, 0));
@@ -30,7 +30,7 @@ static void shares_of_points_add_up_to_the_friction_of_their_pair(void**) {
     for (const WideContacts::Manifold& m : wide.manifolds) {
       const PairLanes& pair = wide.in_double.pairs[m.pair];
       const Vec3 n = at(pair.n, m.lane), tangent = at(pair.t, m.lane);
-      Vec3 force = Vec3::Zero();
+      Vec3 force = Vec3::zero();
       Real twist = 0, load = 0, reach = 0;
       for (std::uint32_t k = 0; k < m.points; ++k) {
         const Vec3 p = c.rows[m.row + k].p, d = at(wide.in_double.points[pair.first + k].d, m.lane);

@@ -17,8 +17,8 @@ static void a_body_has_what_its_points_have(void**) {
   BodyDef def;
   def.has_mass = def.has_inertia = true;
   def.mass = m;
-  const Vec3 squares = half.cwiseProduct(half);
-  def.inertia = (m * (Vec3::Constant(squares.sum()) - squares)).asDiagonal();
+  const Vec3 squares = half.times(half);
+  def.inertia = Mat3::diagonal(m * (Vec3::constant(squares.sum()) - squares));
   def.pose = {Quat(0.8, 0.2, -0.5, 0.1).normalized(), x};
   const std::uint32_t body = handle_slot(t.world.add_body(def));
   t.world.set_gravity_factor(body, factor);
@@ -29,7 +29,7 @@ static void a_body_has_what_its_points_have(void**) {
       if (corner >> i & 1) arm[i] = -arm[i];
     arm = def.pose.q * arm;
     const Vec3 at = x + arm, u = v + omega.cross(arm);
-    by_points += {m / 16 * u.squaredNorm(), -m / 8 * factor * g.dot(at), m / 8 * u, m / 8 * at.cross(u)};
+    by_points += {m / 16 * u.squared_norm(), -m / 8 * factor * g.dot(at), m / 8 * u, m / 8 * at.cross(u)};
   }
   const Amount off = amount_of(t.world, body, x, def.pose.q, v, omega) - by_points;
   const Real rounding = 64 * kEpsilon;  // some dozens of operations on numbers of up to 100
@@ -40,9 +40,9 @@ static void a_body_has_what_its_points_have(void**) {
 static void accounts_keep_their_digits(void**) {
   Account account;
   const Amount one{0.1, -0.1, Vec3(0.1, 0, 0), Vec3(0, 0, 0.1)};
-  account.add({1e6, 0, Vec3::Zero(), Vec3::Zero()});
+  account.add({1e6, 0, Vec3::zero(), Vec3::zero()});
   for (int i = 0; i < 1000000; ++i) account.add(one);
-  account.add({-1e6, 0, Vec3::Zero(), Vec3::Zero()});
+  account.add({-1e6, 0, Vec3::zero(), Vec3::zero()});
   const Amount sum = account.value();
   // 1e6 times the double nearest to 0.1, to a rounding of each; a plain sum is off by 1e-6 and more.
   assert_true(std::fabs(sum.kinetic - 1e5) < 1e-10 && std::fabs(sum.potential + 1e5) < 1e-10);

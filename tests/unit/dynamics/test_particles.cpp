@@ -88,7 +88,7 @@ static void islands_asleep_stay_asleep_beside_particles(void**) {
   t.world.set_dial(Dial::substeps, 1);
   t.world.set_dial(Dial::sleep, 1);
   t.ground();
-  const std::uint32_t box_body = t.add(t.keep(box(Vec3::Constant(0.5))), Vec3(0, 0.5, 0));
+  const std::uint32_t box_body = t.add(t.keep(box(Vec3::constant(0.5))), Vec3(0, 0.5, 0));
   const std::uint32_t s = add_set(t.world);
   t.run(120, 1.0 / 60);
   assert_true(t.world.asleep(box_body));
@@ -109,7 +109,7 @@ static void edits_do_what_they_do_to_a_plain_list(void**) {
   for (std::uint32_t seed = 1; seed <= 40; ++seed) {
     std::mt19937 random(seed);
     const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     Particles& p = t.world.particles;
     ParticleDef def;
     const std::uint32_t s = add_set(t.world, def);
@@ -120,7 +120,7 @@ static void edits_do_what_they_do_to_a_plain_list(void**) {
         case 0:
         case 1:
           for (std::size_t n = below(200), k = p.extend(s, n); k < p.set[s].size(); ++k) {
-            plain.push_back({Vec3(a, b, static_cast<Real>(k)), Vec3::Zero(), def.mass, false});
+            plain.push_back({Vec3(a, b, static_cast<Real>(k)), Vec3::zero(), def.mass, false});
             p.place(s, k, plain.back().x);
           }
           break;
@@ -137,7 +137,7 @@ static void edits_do_what_they_do_to_a_plain_list(void**) {
           if (!plain.empty()) {
             const std::size_t i = below(plain.size());
             p.hold(s, i);
-            plain[i].held = true, plain[i].v = Vec3::Zero();
+            plain[i].held = true, plain[i].v = Vec3::zero();
           }
           break;
         case 4:
@@ -202,12 +202,12 @@ static void who_leaves_the_world_is_held_and_reported_and_the_others_fly_on(void
         assert_true(held.norm() <= kMaxPosition * (1 + 4 * kEpsilon));
         t.run(5, 1.0 / 60), alone.run(5, 1.0 / 60);
         assert_int_equal(t.world.report.faults, 0);
-        assert_true(p.set[0].position(130) == held && p.set[0].velocity(130) == Vec3::Zero());
+        assert_true(p.set[0].position(130) == held && p.set[0].velocity(130) == Vec3::zero());
         Real energy = 0;
         for (std::size_t i = 0; i < 1000; ++i) {
           if (i == 130 || i == 700) continue;
           assert_true(p.set[0].position(i) == alone.world.particles.set[0].position(i));
-          energy += 0.5 * p.set[0].mass_of(i) * p.set[0].velocity(i).squaredNorm();
+          energy += 0.5 * p.set[0].mass_of(i) * p.set[0].velocity(i).squared_norm();
         }
         assert_true(std::fabs(t.world.report.linear_energy - energy) <= 2 * 1010 * kEpsilon * energy);
         assert_int_equal(t.world.plan->find("particles")->customers.count, 998);
@@ -220,7 +220,7 @@ static void who_leaves_the_world_is_held_and_reported_and_the_others_fly_on(void
 }
 
 static void in_the_step_in_which_it_strays_energy_leaves_it_out(void**) {
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   const std::uint32_t s = add_set(t.world, {1, 0, 4});
   fill(t.world, s, 3);
   for (std::size_t i = 0; i < 3; ++i) t.world.particles.set_velocity(s, i, Vec3(2, 0, 0));
@@ -276,7 +276,7 @@ static void the_hash_sees_places_velocities_and_who_is_held(void**) {
   assert_true(t.world.hash() != first);
   t.world.particles.place(s, 4, x);
   assert_true(t.world.hash() == first);
-  t.world.particles.set_velocity(s, 2, Vec3::Zero());
+  t.world.particles.set_velocity(s, 2, Vec3::zero());
   const std::uint64_t still = t.world.hash();
   assert_true(still != first);
   t.world.particles.hold(s, 2);
@@ -306,7 +306,7 @@ static void running_out_of_memory_at_any_point_changes_nothing(void**) {
     std::uint64_t k = 0;
     for (bool failed = true; failed; ++k) {
       CountingMemory memory;
-      World world(1, Vec3::Zero(), 0, &memory);
+      World world(1, Vec3::zero(), 0, &memory);
       add_set(world);
       fill(world, 0, 100);
       world.step(0.01);

@@ -9,7 +9,7 @@ using namespace carom::test;
 static bool all_finite(const World& w) {
   for (std::uint32_t i = 0; i < w.scene.bodies.slots(); ++i)
     if (!finite(w.state.x[i]) || !finite(w.state.v[i]) || !finite(w.state.omega[i]) ||
-        !w.state.q[i].coeffs().allFinite())
+        !w.state.q[i].all_finite())
       return false;
   return true;
 }
@@ -20,13 +20,13 @@ static void a_body_that_is_not_finite_is_held_and_its_neighbours_live_on(void**)
     for (int field = 0; field < 4; ++field) {
       TestWorld t;
       t.ground();
-      const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+      const Shape* cube = t.keep(box(Vec3::constant(0.5)));
       const std::uint32_t below = t.add(cube, Vec3(0, 0.5, 0)), sick = t.add(cube, Vec3(0, 1.5, 0));
       t.run(5, 1.0 / 60);
       const Vec3 v(0, bad, 0);
-      if (field == 0) t.world.set_pose(sick, {Quat::Identity(), v});
-      if (field == 1) t.world.set_velocity(sick, v, Vec3::Zero());
-      if (field == 2) t.world.set_velocity(sick, Vec3::Zero(), v);
+      if (field == 0) t.world.set_pose(sick, {Quat::identity(), v});
+      if (field == 1) t.world.set_velocity(sick, v, Vec3::zero());
+      if (field == 2) t.world.set_velocity(sick, Vec3::zero(), v);
       if (field == 3) t.world.set_force(sick, v, v);
       t.world.step(1.0 / 60);
       assert_int_equal(t.world.fault_views.size(), 1);
@@ -40,7 +40,7 @@ static void a_body_that_is_not_finite_is_held_and_its_neighbours_live_on(void**)
       if (field < 3) assert_true(t.world.state.x[sick] == held);
       assert_true(std::fabs(t.world.state.x[below].y() - 0.5) < 0.01);
       // Given a pose, it is back in the world.
-      t.world.set_pose(sick, {Quat::Identity(), Vec3(3, 5, 0)});
+      t.world.set_pose(sick, {Quat::identity(), Vec3(3, 5, 0)});
       t.run(10, 1.0 / 60);
       assert_int_equal(t.world.report.quarantined_bodies, 0);
       assert_true(t.world.state.x[sick].y() < 5);
@@ -61,11 +61,11 @@ static void a_shape_that_misbehaves_is_muted_in_its_world(void**) {
     failing = 0;
     TestWorld t;
     t.ground();
-    Shape shape = box(Vec3::Constant(0.5));
+    Shape shape = box(Vec3::constant(0.5));
     shape.support = moody_support;
     const Shape* moody = t.keep(std::move(shape));
     const_cast<Shape*>(moody)->form = Form::none;  // the generic path asks its support
-    const Shape* good = t.keep(box(Vec3::Constant(0.5)));
+    const Shape* good = t.keep(box(Vec3::constant(0.5)));
     const std::uint32_t a = t.add(moody, Vec3(0, 0.5, 0)), b = t.add(moody, Vec3(5, 0.5, 0)),
                         c = t.add(good, Vec3(9, 0.5, 0));
     t.run(5, 1.0 / 60);

@@ -103,7 +103,7 @@ void trembling_moves_nobody_over(void**) {
 void any_place_will_do(void**) {
   Array<Vec3> x = grid(11, 0);  // all at one place
   check_leaves(Halved(x, 1));
-  x[3] = Vec3::Constant(1e300), x[4] = Vec3(-1e300, 0, 1e-300);
+  x[3] = Vec3::constant(1e300), x[4] = Vec3(-1e300, 0, 1e-300);
   check_leaves(Halved(x, 1e-300));
   check_leaves(Halved(x, 1e300));
 }
@@ -114,7 +114,7 @@ struct Heap : TestWorld {
     constexpr int n = 11;
     world.set_dial(Dial::solver, 2);  // CAROM_SOLVER_SOFT_STEP
     ground();
-    const Shape* cube = keep(box(Vec3::Constant(0.25)));
+    const Shape* cube = keep(box(Vec3::constant(0.25)));
     const Shape* ball = keep(sphere(0.25));
     std::mt19937 random(7);
     std::uniform_real_distribution<Real> off(-0.05, 0.05);
@@ -125,7 +125,7 @@ struct Heap : TestWorld {
     for (std::uint32_t i = 1; i + 250 < world.scene.bodies.slots(); i += 250) {
       JointDef def;
       def.body_a = i, def.body_b = i + 250;
-      def.frame_b = {Quat::Identity(), world.state.x[i] - world.state.x[i + 250]};
+      def.frame_b = {Quat::identity(), world.state.x[i] - world.state.x[i + 250]};
       world.add_joint(def);
     }
   }
@@ -191,16 +191,16 @@ struct Columns : TestWorld {
   void disturb(int step) {
     if (step == 20) world.remove_body(columns[150]);
     if (step == 21) columns[150] = add(cube, Vec3(2, 4, 2));  // in the slot of the other
-    if (step == 40) world.set_velocity(columns[77], Vec3(0.5, 0, 0), Vec3::Zero());
+    if (step == 40) world.set_velocity(columns[77], Vec3(0.5, 0, 0), Vec3::zero());
     if (step == 50) {
       const Pose at = world.pose(block);
       world.remove_body(block);
       block = add(slab, at.p, BodyType::kinematic);
     }
-    if (step == 55) world.set_velocity(block, Vec3(0.25, 0, 0), Vec3::Zero());
+    if (step == 55) world.set_velocity(block, Vec3(0.25, 0, 0), Vec3::zero());
   }
 
-  const Shape *cube = keep(box(Vec3::Constant(0.25))), *slab = keep(box(Vec3(5, 0.5, 1)));
+  const Shape *cube = keep(box(Vec3::constant(0.25))), *slab = keep(box(Vec3(5, 0.5, 1)));
   std::uint32_t block = 0;
   std::vector<std::uint32_t> columns;
 };

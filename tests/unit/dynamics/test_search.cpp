@@ -43,7 +43,7 @@ static std::uint64_t hash_of_a_pile(Real search, Real groups) {
   t.world.set_dial(Dial::severity_search, search);
   t.world.set_dial(Dial::groups, groups);
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(0.25)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.25)));
   const Shape* ball = t.keep(sphere(0.25));
   for (int i = 0; i < 48; ++i)
     t.add(i % 2 ? cube : ball, Vec3(0.31 * (i % 4), 0.3 + 0.5 * (i / 8), 0.37 * (i / 4 % 2)), BodyType::dynamic,

@@ -24,10 +24,10 @@ struct Camp {
     if (solver > 0) t.world.set_dial(Dial::substeps, 4);
     ground_material = t.material(0.5, 0);
     wood = t.material(0.6, 0);
-    cube = t.keep(box(Vec3::Constant(0.5)));
+    cube = t.keep(box(Vec3::constant(0.5)));
     ground = t.ground(ground_material);
     for (int i = 0; i < 3; ++i)
-      stack.push_back(t.add(cube, Vec3(0, i + 0.5, 0), BodyType::dynamic, Quat::Identity(), wood));
+      stack.push_back(t.add(cube, Vec3(0, i + 0.5, 0), BodyType::dynamic, Quat::identity(), wood));
     lone = t.add(cube, Vec3(20, 0.5, 0));
     plank = t.add(t.keep(box(Vec3(0.5, 0.1, 0.5))), Vec3(0, 50, 0), BodyType::kinematic);
     rest();
@@ -53,7 +53,7 @@ std::uint32_t collider_of(const World& w, std::uint32_t body) { return w.scene.f
 static void nobody_sleeps_unless_the_dial_is_on(void**) {
   TestWorld t;
   t.ground();
-  t.add(t.keep(box(Vec3::Constant(0.5))), Vec3(0, 0.5, 0));
+  t.add(t.keep(box(Vec3::constant(0.5))), Vec3(0, 0.5, 0));
   t.run(300, kStep);
   assert_int_equal(t.world.report.asleep_bodies, 0);
   assert_int_equal(t.world.plan->find("sleep")->evaluations, 0);
@@ -83,32 +83,32 @@ static void a_stack_sleeps_within_seconds_and_then_nothing_runs(void**) {
     }
     for (const Stage s : {Stage::broad, Stage::narrow, Stage::group, Stage::integrate, Stage::solve, Stage::relax})
       assert_true(c.t.world.report.stage_seconds[static_cast<std::size_t>(s)] == 0);
-    for (const std::uint32_t i : c.stack) assert_true(c.t.world.state.v[i] == Vec3::Zero());
+    for (const std::uint32_t i : c.stack) assert_true(c.t.world.state.v[i] == Vec3::zero());
   }
 }
 
 static void a_body_at_rest_in_empty_space_sleeps_after_its_time(void**) {
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   t.world.set_dial(Dial::sleep, 1);
-  const std::uint32_t rock = t.add(t.keep(sphere(1)), Vec3::Zero()), point = t.add(nullptr, Vec3(5, 0, 0));
+  const std::uint32_t rock = t.add(t.keep(sphere(1)), Vec3::zero()), point = t.add(nullptr, Vec3(5, 0, 0));
   const std::uint32_t spun = t.add(t.keep(sphere(1)), Vec3(9, 0, 0)), spins = t.add(t.keep(sphere(1)), Vec3(15, 0, 0));
-  t.world.set_velocity(spun, Vec3::Zero(), Vec3(0, 0.04, 0));   // 0.04 m/s at its surface, within sleep_speed
-  t.world.set_velocity(spins, Vec3::Zero(), Vec3(0, 0.06, 0));  // beyond
+  t.world.set_velocity(spun, Vec3::zero(), Vec3(0, 0.04, 0));   // 0.04 m/s at its surface, within sleep_speed
+  t.world.set_velocity(spins, Vec3::zero(), Vec3(0, 0.06, 0));  // beyond
   for (int i = 1; i <= 40; ++i) {
     t.world.step(kStep);
     // sleep_time is 0.5 s; thirty times 1/60 s may round to either side of it.
     if (i < 30) assert_int_equal(t.world.report.asleep_bodies, 0);
   }
   assert_true(t.world.asleep(rock) && t.world.asleep(point) && t.world.asleep(spun) && !t.world.asleep(spins));
-  assert_true(t.world.state.omega[spun] == Vec3::Zero());
+  assert_true(t.world.state.omega[spun] == Vec3::zero());
 }
 
 static void a_body_that_is_moved_without_a_velocity_stays_awake(void**) {
   // As a solver does that undoes penetration: not slow, though the velocity is 0.
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   t.world.set_dial(Dial::sleep, 1);
   t.world.set_dial(Dial::sleep_speed, 1e-3);
-  const std::uint32_t a = t.add(t.keep(sphere(1)), Vec3::Zero());
+  const std::uint32_t a = t.add(t.keep(sphere(1)), Vec3::zero());
   for (int i = 0; i < 60; ++i) {
     t.world.step(kStep);
     t.world.state.x[a].x() += 1e-3 * kStep * 2;  // twice the speed
@@ -122,7 +122,7 @@ static void who_must_stay_awake_keeps_its_island_awake(void**) {
   TestWorld t;
   t.world.set_dial(Dial::sleep, 1);
   t.ground();
-  const Shape* cube = t.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   BodyDef def;
   def.stays_awake = true;
   def.pose.p = Vec3(0, 1.5, 0);
@@ -137,15 +137,15 @@ static void an_island_on_a_belt_that_creeps_stays_awake(void**) {
   TestWorld t;
   t.world.set_dial(Dial::sleep, 1);
   const std::uint32_t belt = t.add(t.keep(box(Vec3(5, 0.5, 5))), Vec3(0, -0.5, 0), BodyType::kinematic);
-  const std::uint32_t parcel = t.add(t.keep(box(Vec3::Constant(0.5))), Vec3(0, 0.5, 0));
-  t.world.set_velocity(belt, Vec3(0.01, 0, 0), Vec3::Zero());  // slower than sleep_speed
+  const std::uint32_t parcel = t.add(t.keep(box(Vec3::constant(0.5))), Vec3(0, 0.5, 0));
+  t.world.set_velocity(belt, Vec3(0.01, 0, 0), Vec3::zero());  // slower than sleep_speed
   t.run(300, kStep);
   assert_false(t.world.asleep(parcel));
-  t.world.set_velocity(belt, Vec3::Zero(), Vec3::Zero());
+  t.world.set_velocity(belt, Vec3::zero(), Vec3::zero());
   t.run(60, kStep);
   assert_true(t.world.asleep(parcel));
   t.world.step(kStep);  // parked by now
-  t.world.set_velocity(belt, Vec3(0.01, 0, 0), Vec3::Zero());
+  t.world.set_velocity(belt, Vec3(0.01, 0, 0), Vec3::zero());
   t.world.step(kStep);
   assert_false(t.world.asleep(parcel));
 }
@@ -159,13 +159,13 @@ static void every_edit_wakes_those_whom_it_concerns(void**) {
   };
   const Cause causes[] = {
       {"pose", true, false, [](Camp& c) { c.t.world.set_pose(c.stack[2], c.t.world.pose(c.stack[2])); }},
-      {"velocity", true, false, [](Camp& c) { c.t.world.set_velocity(c.stack[1], Vec3(0.1, 0, 0), Vec3::Zero()); }},
-      {"spin", true, false, [](Camp& c) { c.t.world.set_velocity(c.stack[1], Vec3::Zero(), Vec3(0, 1, 0)); }},
-      {"zero velocity", false, false, [](Camp& c) { c.t.world.set_velocity(c.stack[1], Vec3::Zero(), Vec3::Zero()); }},
-      {"force", true, false, [](Camp& c) { c.t.world.add_force(c.stack[0], Vec3(1, 0, 0), Vec3::Zero()); }},
-      {"torque", true, false, [](Camp& c) { c.t.world.set_force(c.stack[0], Vec3::Zero(), Vec3(0, 1, 0)); }},
-      {"zero force", false, false, [](Camp& c) { c.t.world.set_force(c.stack[0], Vec3::Zero(), Vec3::Zero()); }},
-      {"impulse", true, false, [](Camp& c) { c.t.world.add_impulse(c.stack[0], Vec3(1, 0, 0), Vec3::Zero()); }},
+      {"velocity", true, false, [](Camp& c) { c.t.world.set_velocity(c.stack[1], Vec3(0.1, 0, 0), Vec3::zero()); }},
+      {"spin", true, false, [](Camp& c) { c.t.world.set_velocity(c.stack[1], Vec3::zero(), Vec3(0, 1, 0)); }},
+      {"zero velocity", false, false, [](Camp& c) { c.t.world.set_velocity(c.stack[1], Vec3::zero(), Vec3::zero()); }},
+      {"force", true, false, [](Camp& c) { c.t.world.add_force(c.stack[0], Vec3(1, 0, 0), Vec3::zero()); }},
+      {"torque", true, false, [](Camp& c) { c.t.world.set_force(c.stack[0], Vec3::zero(), Vec3(0, 1, 0)); }},
+      {"zero force", false, false, [](Camp& c) { c.t.world.set_force(c.stack[0], Vec3::zero(), Vec3::zero()); }},
+      {"impulse", true, false, [](Camp& c) { c.t.world.add_impulse(c.stack[0], Vec3(1, 0, 0), Vec3::zero()); }},
       {"call", true, false, [](Camp& c) { c.t.world.wake_body(c.stack[0]); }},
       {"own material", true, false, [](Camp& c) { c.t.world.set_material(c.wood, Material{}); }},
       {"the ground's material", true, true, [](Camp& c) { c.t.world.set_material(c.ground_material, Material{}); }},
@@ -178,7 +178,7 @@ static void every_edit_wakes_those_whom_it_concerns(void**) {
       {"the ground", true, true, [](Camp& c) { c.t.world.remove_body(c.ground); }},
       {"the ground moved", true, true,
        [](Camp& c) {
-         c.t.world.set_pose(c.ground, {Quat::Identity(), Vec3(0, -1, 0)});
+         c.t.world.set_pose(c.ground, {Quat::identity(), Vec3(0, -1, 0)});
        }},
       {"the ground where it is", false, false, [](Camp& c) { c.t.world.set_pose(c.ground, c.t.world.pose(c.ground)); }},
       {"gravity", true, true, [](Camp& c) { c.t.world.set_gravity(Vec3(0, -1, 0)); }},
@@ -191,12 +191,12 @@ static void every_edit_wakes_those_whom_it_concerns(void**) {
       {"a static body near", false, false, [](Camp& c) { c.t.add(c.cube, Vec3(1.03, 0.5, 0), BodyType::fixed); }},
       {"the plank put there", true, false,
        [](Camp& c) {
-         c.t.world.set_pose(c.plank, {Quat::Identity(), Vec3(0, 3.09, 0)});
+         c.t.world.set_pose(c.plank, {Quat::identity(), Vec3(0, 3.09, 0)});
        }},
       {"the plank moves there", true, false,
        [](Camp& c) {
-         c.t.world.set_pose(c.plank, {Quat::Identity(), Vec3(0, 3.12, 0)});
-         c.t.world.set_velocity(c.plank, Vec3(0, -3, 0), Vec3::Zero());  // 5 cm in the step, the gap is 2 cm
+         c.t.world.set_pose(c.plank, {Quat::identity(), Vec3(0, 3.12, 0)});
+         c.t.world.set_velocity(c.plank, Vec3(0, -3, 0), Vec3::zero());  // 5 cm in the step, the gap is 2 cm
        }},
   };
   for (const bool parked : {false, true})
@@ -233,7 +233,7 @@ static void a_touch_wakes_the_island_in_the_same_step_and_nobody_else(void**) {
     c.t.world.set_dial(Dial::broad_phase, broad);
     c.rest();
     const std::uint32_t ball = c.t.add(c.t.keep(sphere(0.25)), Vec3(-3, 1.5, 0));
-    c.t.world.set_velocity(ball, Vec3(8, 1.5, 0), Vec3::Zero());
+    c.t.world.set_velocity(ball, Vec3(8, 1.5, 0), Vec3::zero());
     bool met = false;
     for (int i = 0; i < 60 && !met; ++i) {
       assert_true(c.stack_sleeps());
@@ -257,7 +257,7 @@ static void a_touch_wakes_the_island_in_the_same_step_and_nobody_else(void**) {
 
 static void islands_that_meet_are_one_and_sleep_and_wake_together(void**) {
   Camp c;
-  c.t.world.set_pose(c.lone, {Quat::Identity(), Vec3(0, 3.5, 0)});
+  c.t.world.set_pose(c.lone, {Quat::identity(), Vec3(0, 3.5, 0)});
   c.t.run(2, kStep);
   assert_true(c.stack_is_awake());
   c.rest();
@@ -325,7 +325,7 @@ static void running_out_of_memory_loses_nobody(void**) {
     bool do_is_equal(const memory_resource& o) const noexcept override { return this == &o; }
   };
   TestWorld shapes;
-  const Shape* cube = shapes.keep(box(Vec3::Constant(0.5)));
+  const Shape* cube = shapes.keep(box(Vec3::constant(0.5)));
   const Shape* slab = shapes.keep(box(Vec3(9, 0.5, 9)));
   std::uint64_t failures = 0;
   for (std::uint64_t k = 0;; ++k) {
@@ -355,9 +355,9 @@ static void running_out_of_memory_loses_nobody(void**) {
       }
     };
     for (int i = 0; i < 3; ++i) step();
-    world.set_velocity(runner, Vec3(6, 0, 0), Vec3::Zero());  // it runs into the stack
+    world.set_velocity(runner, Vec3(6, 0, 0), Vec3::zero());  // it runs into the stack
     for (int i = 0; i < 40; ++i) step();
-    world.set_velocity(runner, Vec3::Zero(), Vec3::Zero());
+    world.set_velocity(runner, Vec3::zero(), Vec3::zero());
     for (int i = 0; i < 200; ++i) step();
     for (const std::uint32_t i : cubes) assert_true(finite(world.state.x[i]) && world.state.x[i].y() > 0.48);
     memory.fail_at = ~std::uint64_t{0};

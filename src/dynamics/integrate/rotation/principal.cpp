@@ -19,14 +19,14 @@ void annihilate(Mat3& a, Mat3& axes, int p, int q) {
   a(p, r) = a(r, p) = c * apr - s * aqr;
   a(q, r) = a(r, q) = s * apr + c * aqr;
   const Vec3 vp = axes.col(p), vq = axes.col(q);
-  axes.col(p) = c * vp - s * vq;
-  axes.col(q) = s * vp + c * vq;
+  axes.set_col(p, c * vp - s * vq);
+  axes.set_col(q, s * vp + c * vq);
 }
 
 }  // namespace
 
 Principal principal_axes(const Mat3& inertia) {
-  Mat3 a = inertia, axes = Mat3::Identity();
+  Mat3 a = inertia, axes = Mat3::identity();
   const Real small = kUnitRoundoff * inertia.trace();
   const auto residue = [&] { return std::fabs(a(0, 1)) + std::fabs(a(0, 2)) + std::fabs(a(1, 2)); };
   Principal top;
@@ -35,7 +35,7 @@ Principal principal_axes(const Mat3& inertia) {
     top.aligned = false;
   }
 
-  const Vec3 moment = a.diagonal(), inverse = moment.cwiseInverse();
+  const Vec3 moment = a.diagonal(), inverse = moment.reciprocal();
   std::uint8_t* k = top.axis;
   const auto swap_if = [&](bool wrong, int i, int j) {
     if (wrong) std::swap(k[i], k[j]), top.sign = -top.sign;
@@ -54,8 +54,7 @@ Principal principal_axes(const Mat3& inertia) {
   top.dz = inverse[k[2]] - inverse[k[0]];
   if (!top.aligned) {
     Mat3 frame;
-    for (int i = 0; i < 3; ++i) frame.col(i) = axes.col(k[i]);
-    frame.col(0) *= top.sign;  // right-handed
+    for (int i = 0; i < 3; ++i) frame.set_col(i, (i == 0 ? top.sign : 1) * axes.col(k[i]));  // right-handed
     top.frame = normalized(Quat(frame));
     for (std::uint8_t i = 0; i < 3; ++i) k[i] = i;
     top.sign = 1;

@@ -9,8 +9,8 @@ namespace carom {
 /// nearer to the middle one's: dy and dz have opposite signs, and vanish together with what two axes differ by.
 struct Principal {
   Real base = 0, dy = 0, dz = 0;     // 1/(kg m^2): 1/I_x, 1/I_y - 1/I_x, 1/I_z - 1/I_x
-  Vec3 moment = Vec3::Zero();        // kg m^2: I_x, I_y, I_z
-  Quat frame = Quat::Identity();     // principal axes -> body axes, where these are not each other's up to order
+  Vec3 moment = Vec3::zero();        // kg m^2: I_x, I_y, I_z
+  Quat frame = Quat::identity();     // principal axes -> body axes, where these are not each other's up to order
   std::uint8_t axis[3] = {0, 1, 2};  // of world and body alike: x, y, z here are these there
   Real sign = 1;                     // -1: that order is left-handed, which turns rotations round
   bool aligned = true;               // the frame is the identity

@@ -15,11 +15,11 @@ void advance(World& world, const Customers& customers, Real h) {
     };
     const auto along = [&](Real far, const Quat& slope) {
       Quat r;
-      r.coeffs() = q.coeffs() + far * slope.coeffs();
+      r = q + far * slope;
       return normalized(r);
     };
     const Quat k1 = rate(q), k2 = rate(along(step / 2, k1)), k3 = rate(along(step / 2, k2)), k4 = rate(along(step, k3));
-    q.coeffs() += (step / 6) * (k1.coeffs() + 2 * (k2.coeffs() + k3.coeffs()) + k4.coeffs());
+    q += (step / 6) * (k1 + 2 * (k2 + k3) + k4);
   });
 }
 

@@ -21,7 +21,7 @@ inline Vec3 spin_of(const Principal& top, const Quat& q, const Vec3& l) {
 /// exp_map() without the unit length: (cos, sin) of half the angle times a common factor near 1. No root is drawn for
 /// small turns.
 inline Quat unscaled_exp(const Vec3& phi) {
-  const Real z = phi.squaredNorm() / 4;
+  const Real z = phi.squared_norm() / 4;
   if (!(z < 0.09)) return exp_map(phi);
   const Real s = 0.5 * (1 - z * (4.0 / 33 - z / 495));  // as in turn_by(), without the factor x
   const Real c = 1 - z * (5.0 / 11 - z * (2.0 / 99 - z / 10395));
@@ -46,8 +46,8 @@ void carry_tops(World& world, const Customers& customers, Real h, Method&& turn)
     Quat q = top.sorted(s.q[i]);
     Vec3 l = top.sorted(s.momentum[i]), p = q.conjugate() * l;
     const Vec3 omega = top.sorted(s.omega[i]);
-    if (!((spin_of(top, q, l, p) - omega).squaredNorm() < kAgree * kAgree * omega.squaredNorm())) {
-      p = top.moment.cwiseProduct(q.conjugate() * omega);
+    if (!((spin_of(top, q, l, p) - omega).squared_norm() < kAgree * kAgree * omega.squared_norm())) {
+      p = top.moment.times(q.conjugate() * omega);
       l = q * p;
       s.momentum[i] = top.unsorted(l);
     }

@@ -1,7 +1,7 @@
 // A symmetric positive definite matrix of 6x6 blocks, one row of blocks a body, and its Cholesky factor in place.
 #pragma once
 
-#include "core/vec.h"
+#include "core/vec6.h"
 #include "dynamics/solver/direct/elimination.h"
 
 namespace carom {
@@ -12,7 +12,6 @@ inline constexpr int kDof = 6;  // of a body: velocity, angular velocity
 struct alignas(16) Block {
   Real x[kDof][kDof];
 };
-using Vec6 = Eigen::Matrix<Real, kDof, 1, Eigen::DontAlign>;
 
 struct BlockFactor {
   explicit BlockFactor(Memory* m) : diagonal(m), below(m) {}

@@ -32,7 +32,7 @@ inline Vec3 project_on_cone(const Vec3& z, const Vec3& n, Real mu) {
     case ConePart::inside:
       return z;
     case ConePart::polar:
-      return Vec3::Zero();
+      return Vec3::zero();
     default:
       return mu > 0 ? Vec3(c.along * (n + (mu / c.t) * (z - c.n * n))) : Vec3(c.along * n);
   }
@@ -43,13 +43,13 @@ inline Mat3 slope_of_projection(const Vec3& z, const Vec3& n, Real mu) {
   const ConePart c = part_of(z, n, mu);
   switch (c.kind) {
     case ConePart::inside:
-      return Mat3::Identity();
+      return Mat3::identity();
     case ConePart::polar:
-      return Mat3::Zero();
+      return Mat3::zero();
     default: {
-      if (!(mu > 0)) return n * n.transpose();
+      if (!(mu > 0)) return outer(n, n);
       const Vec3 t = (z - c.n * n) / c.t, ray = n + mu * t, aside = n.cross(t);
-      return ray * ray.transpose() / (1 + mu * mu) + (mu * c.along / c.t) * aside * aside.transpose();
+      return outer(ray, ray) / (1 + mu * mu) + outer((mu * c.along / c.t) * aside, aside);
     }
   }
 }

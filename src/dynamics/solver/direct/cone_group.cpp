@@ -39,7 +39,7 @@ void start_from_loads(ConeProblem& problem) {
 
 /// What was never solved before takes the time it takes, once.
 bool starts_from_nothing(const ConeProblem& problem) {
-  return std::ranges::all_of(problem.contacts, [](const ConeContact& c) { return c.start_p == Vec3::Zero(); }) &&
+  return std::ranges::all_of(problem.contacts, [](const ConeContact& c) { return c.start_p == Vec3::zero(); }) &&
          std::ranges::all_of(problem.links, [](const ConeLink& c) { return c.start_p == 0; });
 }
 
@@ -61,7 +61,7 @@ Real fastest(const ConeProblem& problem) {
 /// m/s, likewise, in any direction.
 Real fastest_any_way(const ConeProblem& problem) {
   Real most2 = 0;
-  for (const ConeContact& c : problem.contacts) most2 = std::max(most2, c.u.squaredNorm());
+  for (const ConeContact& c : problem.contacts) most2 = std::max(most2, c.u.squared_norm());
   return std::sqrt(most2);
 }
 
@@ -103,10 +103,10 @@ void ConeGroup::book_repeats() {
 /// leaves the bodies' velocities as they are: what has changed is looked for once a step.
 bool ConeGroup::repeat(Real tolerance) {
   for (const ConeBody& b : bodies_of(problem_)) {
-    const Vec3 dv = s_.v[b.slot] + linear(b.change) - linear(b.v);
-    const Vec3 turn = s_.omega[b.slot] + angular(b.change) - angular(b.v);
+    const Vec3 dv = s_.v[b.slot] + b.change.linear() - b.v.linear();
+    const Vec3 turn = s_.omega[b.slot] + b.change.angular() - b.v.angular();
     const Real radius2 = b.inertia.trace() * b.inv_mass;
-    if (!(dv.squaredNorm() + radius2 * turn.squaredNorm() < kRest * kRest * tolerance * tolerance)) return false;
+    if (!(dv.squared_norm() + radius2 * turn.squared_norm() < kRest * kRest * tolerance * tolerance)) return false;
   }
   for (ConeBody& b : bodies_of(problem_)) {
     load(b);
@@ -131,7 +131,7 @@ Real ConeGroup::start(Real h) {
   for (ConeBody& b : bodies_of(problem_)) {
     b.gained = -b.v;
     load(b);
-    b.gradient.setZero();
+    b.gradient.set_zero();
   }
   if (!rest_.is_first) follow_bodies();
   each([&](ConeContact& contact, std::uint32_t i) {
@@ -158,7 +158,7 @@ Real ConeGroup::start(Real h) {
 }
 
 void ConeGroup::store(const ConeBody& b) {
-  const Vec3 v = linear(b.v), omega = angular(b.v);
+  const Vec3 v = b.v.linear(), omega = b.v.angular();
   world_.plan->touched[b.slot] = v != s_.v[b.slot] || omega != s_.omega[b.slot];
   s_.v[b.slot] = v, s_.omega[b.slot] = omega;
 }
@@ -166,7 +166,7 @@ void ConeGroup::store(const ConeBody& b) {
 /// Velocities are what the impulses make of those before, to the bit, whatever rounds went through: what bears nothing
 /// after all flies on as if it had touched nothing. Not with joints: what they bear against each other is less exact.
 void ConeGroup::follow_impulses() {
-  for (ConeBody& b : bodies_of(problem_)) b.gradient.setZero();
+  for (ConeBody& b : bodies_of(problem_)) b.gradient.set_zero();
   for (const ConeContact& c : problem_.contacts) add_impulse<&ConeBody::gradient>(problem_, c, c.p);
   for (ConeBody& b : bodies_of(problem_)) load(b), b.v += velocity_of(b, b.gradient);
 }
@@ -222,7 +222,7 @@ bool ConeGroup::is_apart() const { return worst_error(world_, problem_, link_row
 
 /// To where the bodies are by now.
 void ConeGroup::turn_frames() {
-  for (const ConeBody& b : bodies_of(problem_)) world_.plan->rotation[b.slot] = s_.q[b.slot].toRotationMatrix();
+  for (const ConeBody& b : bodies_of(problem_)) world_.plan->rotation[b.slot] = s_.q[b.slot].matrix();
 }
 
 Real ConeGroup::measure() {
@@ -241,7 +241,7 @@ Real ConeGroup::displacement_share() const {
   Real asked = 0, moved2 = 0;
   for (const ConeContact& c : problem_.contacts) asked = std::max(asked, c.want);
   for (const ConeLink& c : problem_.links) asked = std::max(asked, std::min(std::fabs(c.low), std::fabs(c.high)));
-  for (const ConeBody& b : bodies_of(problem_)) moved2 = std::max(moved2, linear(b.v).squaredNorm());
+  for (const ConeBody& b : bodies_of(problem_)) moved2 = std::max(moved2, b.v.linear().squared_norm());
   const Real most = kLongest * asked;
   return moved2 > most * most ? most / std::sqrt(moved2) : 1;
 }
@@ -254,11 +254,11 @@ void ConeGroup::part(Real h) {
   const bool overlaps = measure() < -tolerance;
   if (!overlaps && !(is_joined() && is_apart())) return;
   each([&](ConeContact& contact, std::uint32_t row) {
-    contact.p.setZero(), contact.u.setZero();
+    contact.p.set_zero(), contact.u.set_zero();
     contact.friction = 0;
     contact.want = std::min(-(c_.geometry[row].separation + tolerance / 2), most);
   });
-  for (ConeBody& b : bodies_of(problem_)) b.v.setZero();
+  for (ConeBody& b : bodies_of(problem_)) b.v.set_zero();
   load_links(world_, problem_, link_row_, LinkPhase::part, h);
   measure_links(problem_);
   if (is_joined()) {
@@ -269,10 +269,10 @@ void ConeGroup::part(Real h) {
   }
   const Real share = displacement_share();
   for (const ConeBody& b : bodies_of(problem_)) {
-    const Vec3 turn = share * angular(b.v);
-    correct_pose(s_, b.slot, share * linear(b.v), turn);
-    if (turn == Vec3::Zero()) continue;
-    world_.plan->rotation[b.slot] = s_.q[b.slot].toRotationMatrix();
+    const Vec3 turn = share * b.v.angular();
+    correct_pose(s_, b.slot, share * b.v.linear(), turn);
+    if (turn == Vec3::zero()) continue;
+    world_.plan->rotation[b.slot] = s_.q[b.slot].matrix();
   }
   for (ConeBody& b : bodies_of(problem_)) load(b);
   measure();

@@ -38,7 +38,7 @@ class ConeGroup {
   Real displacement_share() const;
   void turn_frames();
   Real measure();
-  void load(ConeBody& b) const { b.v << s_.v[b.slot], s_.omega[b.slot]; }
+  void load(ConeBody& b) const { b.v = {s_.v[b.slot], s_.omega[b.slot]}; }
   void store(const ConeBody& b);
 
   World& world_;

@@ -8,7 +8,7 @@
 
 namespace carom {
 void apply_impulses(ConeProblem& problem) {
-  for (ConeBody& b : bodies_of(problem)) b.gradient.setZero();
+  for (ConeBody& b : bodies_of(problem)) b.gradient.set_zero();
   for (const ConeContact& c : problem.contacts) add_impulse<&ConeBody::gradient>(problem, c, c.p);
   for (const ConeLink& c : problem.links) add_impulse<&ConeBody::gradient>(problem, c, c.p);
   for (ConeBody& b : bodies_of(problem)) b.change = velocity_of(b, b.gradient), b.v += b.change;
@@ -21,7 +21,7 @@ namespace {
 /// How far a contact is from the law, (m/s)^2: (k |p - P_K(p - y / k)|)^2. Of many only the largest needs its root.
 Real offence2(const ConeContact& c, Real slip) {
   const Vec3 y = c.u - (c.want - slip) * c.n;
-  return (c.k * (c.p - project_on_cone(c.p - y / c.k, c.n, c.friction))).squaredNorm();
+  return (c.k * (c.p - project_on_cone(c.p - y / c.k, c.n, c.friction))).squared_norm();
 }
 
 /// m/s, of all contacts and links.   @param slip  slip(contact): m/s, what stands for mu |u_t|

@@ -76,34 +76,29 @@ struct ConeProblem {
 
 // ---- small parts that all files of this room share ----
 
-inline Vec3 linear(const Vec6& v) { return v.head<3>(); }
-inline Vec3 angular(const Vec6& v) { return v.tail<3>(); }
-
 /// Impulse p on B and -p on A, as changes of the bodies' momentum.
 template <Vec6 ConeBody::*kMomentum>
 void add_impulse(const ConeProblem& problem, const ConeContact& c, const Vec3& p) {
   if (c.a != kNobody) {
     Vec6& m = problem.bodies[c.a].*kMomentum;
-    m.head<3>() -= p;
-    m.tail<3>() -= c.r_a.cross(p);
+    m -= {p, c.r_a.cross(p)};
   }
   if (c.b != kNobody) {
     Vec6& m = problem.bodies[c.b].*kMomentum;
-    m.head<3>() += p;
-    m.tail<3>() += c.r_b.cross(p);
+    m += {p, c.r_b.cross(p)};
   }
 }
 
 template <Vec6 ConeBody::*kVelocity>
 Vec3 relative(const ConeBody* bodies, const ConeContact& c) {
-  Vec3 u = Vec3::Zero();
+  Vec3 u = Vec3::zero();
   if (c.b != kNobody) {
     const Vec6& v = bodies[c.b].*kVelocity;
-    u += linear(v) + angular(v).cross(c.r_b);
+    u += v.linear() + v.angular().cross(c.r_b);
   }
   if (c.a != kNobody) {
     const Vec6& v = bodies[c.a].*kVelocity;
-    u -= linear(v) + angular(v).cross(c.r_a);
+    u -= v.linear() + v.angular().cross(c.r_a);
   }
   return u;
 }
@@ -112,13 +107,11 @@ template <Vec6 ConeBody::*kMomentum>
 void add_impulse(const ConeProblem& problem, const ConeLink& c, Real p) {
   if (c.a != kNobody) {
     Vec6& m = problem.bodies[c.a].*kMomentum;
-    m.head<3>() -= p * c.d;
-    m.tail<3>() -= p * c.w_a;
+    m -= {p * c.d, p * c.w_a};
   }
   if (c.b != kNobody) {
     Vec6& m = problem.bodies[c.b].*kMomentum;
-    m.head<3>() += p * c.d;
-    m.tail<3>() += p * c.w_b;
+    m += {p * c.d, p * c.w_b};
   }
 }
 
@@ -127,11 +120,11 @@ Real relative(const ConeBody* bodies, const ConeLink& c) {
   Real u = 0;
   if (c.b != kNobody) {
     const Vec6& v = bodies[c.b].*kVelocity;
-    u += c.d.dot(linear(v)) + c.w_b.dot(angular(v));
+    u += c.d.dot(v.linear()) + c.w_b.dot(v.angular());
   }
   if (c.a != kNobody) {
     const Vec6& v = bodies[c.a].*kVelocity;
-    u -= c.d.dot(linear(v)) + c.w_a.dot(angular(v));
+    u -= c.d.dot(v.linear()) + c.w_a.dot(v.angular());
   }
   return u;
 }
@@ -142,17 +135,12 @@ inline void hold(const ConeBody& body, Vec6& v) {
     if (body.locks >> k & 1) v[k] = 0;
 }
 inline Vec6 velocity_of(const ConeBody& body, const Vec6& momentum) {
-  Vec6 v;
-  v.head<3>() = body.inv_mass * momentum.head<3>();
-  v.tail<3>() = body.inv_inertia * momentum.tail<3>();
+  Vec6 v(body.inv_mass * momentum.linear(), body.inv_inertia * momentum.angular());
   hold(body, v);
   return v;
 }
 inline Vec6 momentum_of(const ConeBody& body, const Vec6& velocity) {
-  Vec6 m;
-  m.head<3>() = body.mass * velocity.head<3>();
-  m.tail<3>() = body.inertia * velocity.tail<3>();
-  return m;
+  return {body.mass * velocity.linear(), body.inertia * velocity.angular()};
 }
 
 inline std::span<ConeBody> bodies_of(const ConeProblem& problem) {

@@ -1,7 +1,6 @@
 // Rows of joints in the direct solver's groups.
 #include "dynamics/solver/direct/group_links.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "dynamics/force/force.h"
@@ -65,9 +64,9 @@ void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow&
 /// 1/kg or 1/(kg m^2); 0 where locks leave but rounding.
 Real locked_response(const ConeBody& b, const Vec3& d, const Vec3& turn) {
   constexpr Real kRounding = 1e-9;
-  const Real moves = b.inv_mass * free_axes(b.locks).cwiseProduct(d).squaredNorm(),
+  const Real moves = b.inv_mass * free_axes(b.locks).times(d).squared_norm(),
              turns = turn.dot(b.inv_inertia * turn);
-  const Real whole = b.inv_mass * d.squaredNorm() + b.inv_inertia.trace() * turn.squaredNorm();
+  const Real whole = b.inv_mass * d.squared_norm() + b.inv_inertia.trace() * turn.squared_norm();
   return moves + turns > kRounding * whole ? moves + turns : 0;
 }
 
@@ -109,8 +108,8 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
     };
     const Vec3 w_a = get(row.w_a, lane), w_b = get(row.w_b, lane);
     c.d = get(row.d, lane);
-    c.w_a = turns(c.a) ? w_a : Vec3::Zero();
-    c.w_b = turns(c.b) ? w_b : Vec3::Zero();
+    c.w_a = turns(c.a) ? w_a : Vec3::zero();
+    c.w_b = turns(c.b) ? w_b : Vec3::zero();
     // Whom impulses do not move: a kinematic body, or solver body 0, whose velocities are 0.
     const auto of = [&](std::uint32_t solver_body, const Vec3& turn) {
       const BodyVelocity& v = velocity[solver_body];
@@ -123,7 +122,7 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
       if (body == kNobody) return Real(0);
       const ConeBody& b = problem.bodies[body];
       if (b.locks) return locked_response(b, c.d, turn);
-      return b.inv_mass * c.d.squaredNorm() + turn.dot(b.inv_inertia * turn);
+      return b.inv_mass * c.d.squared_norm() + turn.dot(b.inv_inertia * turn);
     };
     c.k = response(c.a, c.w_a) + response(c.b, c.w_b);
     c.p = c.start_p = phase == LinkPhase::move ? get(row.p, lane) : 0;
@@ -143,17 +142,17 @@ namespace {
 template <class F>
 void find_swings(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h, F&& impulse) {
   const WideJoints& w = *world.wide_joints;
-  for (ConeBody& b : bodies_of(problem)) b.swing.setZero();
+  for (ConeBody& b : bodies_of(problem)) b.swing.set_zero();
   const auto add_to = [&](std::uint32_t body, const Vec3& r, Real force) {
-    const Real r2 = r.squaredNorm();
+    const Real r2 = r.squared_norm();
     if (body == kNobody || !(r2 > 0) || !rotates(world.scene, problem.bodies[body].slot)) return;
     const Real r1 = std::sqrt(r2);
-    problem.bodies[body].swing += (force * r1) * (Mat3::Identity() - r * r.transpose() / r2);
+    problem.bodies[body].swing += (force * r1) * (Mat3::identity() - outer(r, r) / r2);
   };
   for (std::size_t i = 0, next; i < problem.links.size(); i = next) {
     const JointLanes& joint = w.joints[rows[i].joint];
     const std::uint32_t lane = rows[i].lane;
-    Vec3 p = Vec3::Zero();
+    Vec3 p = Vec3::zero();
     for (next = i; next < problem.links.size() && rows[next].joint == rows[i].joint && rows[next].lane == lane;
          ++next) {
       const JointRowLanes& row = row_at(w, rows[next]);
@@ -180,10 +179,10 @@ void stiffen(const World& world, ConeProblem& problem, const DirectGroups::LinkR
   for (ConeBody& b : bodies_of(problem)) {
     const Real needed = b.swing.trace() / 4, own = b.inertia.trace() / 3;
     if (!(needed > kSwing * own)) continue;
-    const Vec3 momentum = b.inertia * angular(b.v);
+    const Vec3 momentum = b.inertia * b.v.angular();
     b.inertia += (0.5 * (1 - kSwing * own / needed)) * b.swing;
-    b.inv_inertia = b.locks & kAngularLocks ? inverse_of_free(b.inertia, b.locks) : Mat3(b.inertia.inverse());
-    b.v.tail<3>() = b.inv_inertia * momentum;
+    b.inv_inertia = b.locks & kAngularLocks ? inverse_of_free(b.inertia, b.locks) : b.inertia.inverse();
+    b.v.set_angular(b.inv_inertia * momentum);
   }
 }
 

@@ -11,14 +11,14 @@ namespace {
 /// turn the body.
 struct Carried {
   bool turns;
-  Vec3 v = Vec3::Zero(), omega = Vec3::Zero();  // m/s, rad/s
+  Vec3 v = Vec3::zero(), omega = Vec3::zero();  // m/s, rad/s
 
   Carried(const World& world, const ConeBody* bodies, std::uint32_t body, std::uint32_t slot)
       : turns(body != kNobody && bodies[body].turns) {
     if (body == kNobody) v = world.state.v[slot];
     if (!turns) omega = world.state.omega[slot];
   }
-  bool any() const { return !turns && (v != Vec3::Zero() || omega != Vec3::Zero()); }
+  bool any() const { return !turns && (v != Vec3::zero() || omega != Vec3::zero()); }
   Vec3 at(const Vec3& r) const { return v + omega.cross(r); }
 };
 
@@ -39,7 +39,7 @@ void load_mass(const World& world, ConeBody& b) {
   b.mass = world.scene.mass[b.slot], b.inv_mass = world.scene.inv_mass[b.slot];
   b.locks = world.scene.locks_of(b.slot);
   b.turns = rotates(world.scene, b.slot);
-  if (!b.turns) return void((b.inertia.setIdentity(), b.inv_inertia.setZero(), b.held_back.setZero()));
+  if (!b.turns) return void((b.inertia.set_identity(), b.inv_inertia.set_zero(), b.held_back.set_zero()));
   const Mat3& r = world.plan->rotation[b.slot];
   b.held_back = held_back(world, b.slot);
   b.inertia = r * world.scene.inertia[b.slot] * r.transpose();
@@ -75,10 +75,10 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
           r_b(places.r_b.x[k], places.r_b.y[k], places.r_b.z[k]);
       contact.is_curved = curved;
       contact.n = c.rows[pair.row + k].n;
-      contact.r_a = carried_a.turns ? r_a : Vec3::Zero();
-      contact.r_b = carried_b.turns ? r_b : Vec3::Zero();
+      contact.r_a = carried_a.turns ? r_a : Vec3::zero();
+      contact.r_b = carried_b.turns ? r_b : Vec3::zero();
       contact.k = places.response[k];
-      contact.carried = carries ? Vec3(carried_b.at(r_b) - carried_a.at(r_a)) : Vec3::Zero();
+      contact.carried = carries ? Vec3(carried_b.at(r_b) - carried_a.at(r_a)) : Vec3::zero();
       if (!c.surface.empty()) contact.carried += c.surface[pair.row + k];
     }
   });
@@ -91,7 +91,7 @@ void load_groups(World& world, DirectGroups& d) {
     for (ConeBody& b : std::span(d.bodies.data() + from.body, to.body - from.body)) {
       hold_orientation(world, b.slot);
       load_mass(world, b);
-      b.v << world.state.v[b.slot], world.state.omega[b.slot];
+      b.v = {world.state.v[b.slot], world.state.omega[b.slot]};
     }
     load_contacts(world, {d.row.data() + from.contact, to.contact - from.contact}, d.bodies.data(),
                   d.contacts.data() + from.contact, LoadWhat::all);

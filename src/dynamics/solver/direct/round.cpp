@@ -117,7 +117,7 @@ void shed_self_stress(ConeProblem& problem) {
   // lie are stopped there. kMuch: of the impulses; less is left as it is.
   constexpr Real kSoftness = 1e-5, kMuch = 1e-3;
   problem.sticking = 0;
-  for (ConeBody& b : bodies_of(problem)) b.gradient.setZero();
+  for (ConeBody& b : bodies_of(problem)) b.gradient.set_zero();
   assemble_masses(problem);
   for (const ConeLink& c : problem.links) {
     if (!is_lock(c)) continue;
@@ -144,7 +144,7 @@ void shed_self_stress(ConeProblem& problem) {
 Round::Round(ConeProblem& problem, Real softness) : problem_(problem), softness_(softness) {
   for (ConeContact& c : problem_.contacts) c.p0 = c.p, c.u0 = c.u;
   for (ConeLink& c : problem_.links) c.p0 = c.p, c.u0 = c.u;
-  for (ConeBody& b : bodies_of(problem_)) b.change.setZero();
+  for (ConeBody& b : bodies_of(problem_)) b.change.set_zero();
 }
 
 void Round::take_back() {
@@ -186,7 +186,7 @@ Real Round::find_gradient() {
   for (ConeBody& b : bodies_of(problem_)) b.step = velocity_of(b, b.gradient);
   Real most = 0;
   for (const ConeContact& c : problem_.contacts)
-    most = std::max(most, relative<&ConeBody::step>(problem_.bodies, c).squaredNorm());
+    most = std::max(most, relative<&ConeBody::step>(problem_.bodies, c).squared_norm());
   for (const ConeLink& c : problem_.links) {
     const Real u = relative<&ConeBody::step>(problem_.bodies, c);
     most = std::max(most, u * u);
@@ -209,8 +209,8 @@ void Round::assemble(Real still) {
   assemble_masses(problem_);
   for (const ConeContact& c : problem_.contacts) {
     const Vec3 pulled = pull(c, c.u);
-    const bool at_tip = c.p0 == Vec3::Zero() && resistance(c) * pulled.norm() <= still;
-    if (c.p == Vec3::Zero() && !at_tip) continue;  // off the cone: no curvature
+    const bool at_tip = c.p0 == Vec3::zero() && resistance(c) * pulled.norm() <= still;
+    if (c.p == Vec3::zero() && !at_tip) continue;  // off the cone: no curvature
     if (c.p == pulled || at_tip) {                 // inside: the same in all directions
       const Real w = 1 / resistance(c);
       if (c.a != kNobody) add_isotropic(f.diagonal[e.place[c.a]], w, c.r_a, c.r_a);
@@ -281,7 +281,7 @@ Real Round::search() const {
 }
 
 void Round::accept() {
-  for (ConeBody& b : bodies_of(problem_)) b.gradient.setZero();
+  for (ConeBody& b : bodies_of(problem_)) b.gradient.set_zero();
   for (ConeContact& c : problem_.contacts) add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0);
   for (ConeLink& c : problem_.links) add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0);
   for (ConeBody& b : bodies_of(problem_)) b.change = velocity_of(b, b.gradient), b.v += b.change;

@@ -72,7 +72,7 @@ static void a_hundred_thousand_rays_never_leave_their_bracket(void**) {
   for (int k = 0; k < 1000; ++k) {
     const int family = kKnown[k % 6];
     const Known known(random_shape(random, family));
-    const Frame frame(random_rotation(random).toRotationMatrix(), random.in_cube(5));
+    const Frame frame(random_rotation(random).matrix(), random.in_cube(5));
     CastSettings settings;
     settings.tolerance = std::pow(10.0, -random.uniform(2, 12));
     for (int i = 0; i < 100; ++i) {
@@ -131,17 +131,16 @@ static void normals_point_into_the_surface(void**) {
       ++met;
       const Vec3 x = r.point_a;
       if (s.form == Form::box) {
-        int face;
-        const Vec3 share = x.cwiseQuotient(radii);
-        share.cwiseAbs().maxCoeff(&face);
+        const Vec3 share = x.over(radii);
+        const int face = share.abs().max_axis();
         // Away from edges the face it lies on is plain.
-        Vec3 others = share.cwiseAbs();
+        Vec3 others = share.abs();
         others[face] = 0;
-        if (others.maxCoeff() > 1 - 1e-9) continue;
-        assert_true((r.normal + std::copysign(1.0, share[face]) * Vec3::Unit(face)).norm() < 1e-12);
+        if (others.max_entry() > 1 - 1e-9) continue;
+        assert_true((r.normal + std::copysign(1.0, share[face]) * Vec3::unit(face)).norm() < 1e-12);
       } else {
-        const Vec3 q = s.form == Form::sphere ? Vec3(Vec3::Constant(radii.x())) : radii;
-        const Vec3 outward = x.cwiseQuotient(q.cwiseProduct(q)).normalized();
+        const Vec3 q = s.form == Form::sphere ? Vec3(Vec3::constant(radii.x())) : radii;
+        const Vec3 outward = x.over(q.times(q)).normalized();
         // A plane that misses the surface by a gap g there is turned by sqrt(2 g k), k curvature: at most 1 / 0.3^2
         // here.
         assert_true((r.normal + outward).norm() < std::sqrt(2 * 1e-10 * 12) + 1e-7);
@@ -229,14 +228,14 @@ static void starts_inside_and_behind(void**) {
 static void a_ray_of_no_length_is_a_point(void**) {
   const Shape shapes[] = {box(Vec3(1, 1, 1)), sphere(1), ellipsoid(Vec3(1, 2, 3)), cylinder(1, 1)};
   for (const Shape& s : shapes) {
-    for (const Ray& still : {Ray{Vec3(0.4, 0.1, 0.2), Vec3::Zero(), 1}, Ray{Vec3(0.4, 0.1, 0.2), Vec3(1, 0, 0), 0},
-                             Ray{Vec3(0.4, 0.1, 0.2), Vec3::Zero(), kInfinity}}) {
+    for (const Ray& still : {Ray{Vec3(0.4, 0.1, 0.2), Vec3::zero(), 1}, Ray{Vec3(0.4, 0.1, 0.2), Vec3(1, 0, 0), 0},
+                             Ray{Vec3(0.4, 0.1, 0.2), Vec3::zero(), kInfinity}}) {
       assert_true(ask(still, s).outcome == CastOutcome::overlap);
       Ray away = still;
       away.origin = Vec3(0, 3.5, 0);
       assert_true(ask(away, s).outcome == CastOutcome::miss);
     }
-    const Ray on{support_point(s, Vec3(1, 0, 0)), Vec3::Zero(), 1};
+    const Ray on{support_point(s, Vec3(1, 0, 0)), Vec3::zero(), 1};
     assert_true(ask(on, s).outcome != CastOutcome::miss);
   }
 }
@@ -307,7 +306,7 @@ static void a_ball_instead_of_a_ray_is_a_swollen_shape(void**) {
 
 static void half_spaces_are_met_where_they_say(void**) {
   const Shape s = half_space(Vec3(0, 1, 0), 0.5);
-  const Frame frame(exp_map(Vec3(0, 0, 0.3)).toRotationMatrix(), Vec3(1, 2, 3));
+  const Frame frame(exp_map(Vec3(0, 0, 0.3)).matrix(), Vec3(1, 2, 3));
   const Vec3 n = frame.rotate(Vec3(0, 1, 0));
   const Vec3 above = frame.apply(Vec3(0.2, 1.5, 0.1));
   const CastResult r = ask(Ray{above, -2 * n, 1}, s, frame);
@@ -319,7 +318,7 @@ static void half_spaces_are_met_where_they_say(void**) {
 }
 
 static void flat_and_pointlike_shapes(void**) {
-  const Shape plate = box(Vec3(1, 0, 1)), line = box(Vec3(0, 1, 0)), point = box(Vec3::Zero());
+  const Shape plate = box(Vec3(1, 0, 1)), line = box(Vec3(0, 1, 0)), point = box(Vec3::zero());
   assert_true(std::fabs(ask(Ray{Vec3(0.3, 2, 0.2), Vec3(0, -1, 0), 5}, plate).time - 2) < 1e-13);
   assert_true(ask(Ray{Vec3(1.1, 2, 0.2), Vec3(0, -1, 0), 5}, plate).outcome == CastOutcome::miss);
   // In the plate's plane, across a line, at a point: contact of measure zero, within slack.
@@ -341,7 +340,7 @@ static void the_first_of_many_is_found(void**) {
   std::vector<Placed> placed;
   for (int i = 0; i < 40; ++i) shapes.push_back(random_shape(random, i % kFamilyCount));
   for (Shape& s : shapes)
-    placed.push_back({&s, Frame(random_rotation(random).toRotationMatrix(), 6 * random.direction())});
+    placed.push_back({&s, Frame(random_rotation(random).matrix(), 6 * random.direction())});
   int met = 0;
   for (int i = 0; i < 2000; ++i) {
     const Ray ray{random.in_cube(3), 12 * random.direction(), 1};
@@ -364,7 +363,7 @@ static void the_first_of_many_is_found(void**) {
   assert_true(met > 200);
   CastResult none;
   SupportFault fault;
-  assert_int_equal(cast_ray(Ray{Vec3::Zero(), Vec3(1, 0, 0), 1}, {}, CastSettings(), none, fault), -1);
+  assert_int_equal(cast_ray(Ray{Vec3::zero(), Vec3(1, 0, 0), 1}, {}, CastSettings(), none, fault), -1);
   assert_true(none.outcome == CastOutcome::miss);
 }
 

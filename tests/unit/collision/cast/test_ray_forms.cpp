@@ -55,7 +55,7 @@ static void forms_agree_with_support_functions_and_the_truth(void**) {
   int hits = 0, overlaps = 0, misses = 0, flat = 0;
   for (int k = 0; k < 3000; ++k) {
     const Shape shape = random_shape(random, k % 3);  // sphere, box, capsule
-    const Frame frame(random_rotation(random).toRotationMatrix(), random.in_cube(k % 7 == 0 ? 1e4 : 5));
+    const Frame frame(random_rotation(random).matrix(), random.in_cube(k % 7 == 0 ? 1e4 : 5));
     for (int i = 0; i < 40; ++i) {
       const Vec3 from = frame.p + random.uniform(0, 4) * random.direction();
       Ray ray{from, random.uniform(0.2, 3) * (frame.p + random.in_cube(1) - from), random.uniform(0.1, 2)};
@@ -88,7 +88,7 @@ static void a_ray_swollen_to_a_ball_agrees_too(void**) {
   int hits = 0;
   for (int k = 0; k < 20000; ++k) {
     const Shape shape = random_shape(random, k % 2 ? 0 : 2);
-    const Frame frame(random_rotation(random).toRotationMatrix(), random.in_cube(5));
+    const Frame frame(random_rotation(random).matrix(), random.in_cube(5));
     const Vec3 from = frame.p + 4 * random.direction();
     const Ray ray{from, frame.p + random.in_cube(1.5) - from, 1.5};
     const Real target = random.uniform(0, 1);

@@ -89,8 +89,8 @@ static void the_twin_agrees(void**) {
     const int i = k % kFamilyCount, j = k / kFamilyCount % kFamilyCount;
     if (i == 4 || j == 4) continue;  // hulls of 1,000: the same as of 32, slower
     const Shape a = random_shape(random, i), b = random_shape(random, j);
-    const Frame fa(random_rotation(random).toRotationMatrix(), random.in_cube(2));
-    const Frame fb(random_rotation(random).toRotationMatrix(), random.in_cube(2));
+    const Frame fa(random_rotation(random).matrix(), random.in_cube(2));
+    const Frame fb(random_rotation(random).matrix(), random.in_cube(2));
     const Vec3 motion = random.uniform(0, 6) * random.direction() + random.uniform(0, 1.5) * (fb.p - fa.p);
     CastSettings settings;
     settings.target = k % 3 ? 0 : random.uniform(0, 0.2);
@@ -120,8 +120,8 @@ static void roles_may_be_swapped(void**) {
   Random random(52);
   for (int k = 0; k < 2000; ++k) {
     const Shape a = random_shape(random, k % 4), b = random_shape(random, 5 + k / 4 % 4);
-    const Frame fa(random_rotation(random).toRotationMatrix(), random.in_cube(2));
-    const Frame fb(random_rotation(random).toRotationMatrix(), random.in_cube(2));
+    const Frame fa(random_rotation(random).matrix(), random.in_cube(2));
+    const Frame fb(random_rotation(random).matrix(), random.in_cube(2));
     const Vec3 motion = random.uniform(0, 2) * (fb.p - fa.p);
     const CastResult r = ask(a, fa, motion, b, fb), q = ask(b, fb, -motion, a, fa);
     assert_true(r.outcome == q.outcome);
@@ -133,7 +133,7 @@ static void a_wider_margin_is_met_no_later(void**) {
   Random random(53);
   for (int k = 0; k < 500; ++k) {
     const Shape a = random_shape(random, k % 9), b = random_shape(random, k / 9 % 9);
-    const Frame fa(random_rotation(random).toRotationMatrix(), 4 * random.direction()), fb = at(0, 0, 0);
+    const Frame fa(random_rotation(random).matrix(), 4 * random.direction()), fb = at(0, 0, 0);
     const Vec3 motion = random.in_cube(0.5) - fa.p;
     Real later = kInfinity;
     for (const Real target : {0.0, 1e-9, 1e-6, 1e-3, 0.1, 0.5}) {
@@ -166,7 +166,7 @@ static void starts_in_touch_and_a_hair_apart(void**) {
   const CastResult same = ask(cube, at(0, 0, 0), Vec3(0, 1, 0), cube, at(0, 0, 0));
   assert_true(same.outcome == CastOutcome::overlap && std::fabs(same.separation + 1) < 1e-6);
   for (const Real y : {0.5, 3.0}) {  // no motion at all
-    const CastResult still = ask(cube, at(0, y, 0), Vec3::Zero(), cube, at(0, 0, 0));
+    const CastResult still = ask(cube, at(0, y, 0), Vec3::zero(), cube, at(0, 0, 0));
     assert_true(still.outcome == (y < 1 ? CastOutcome::overlap : CastOutcome::miss));
   }
 }
@@ -178,7 +178,7 @@ static void grazes_terminate_and_are_never_called_wrongly(void**) {
   for (int k = 0; k < 6000; ++k) {
     const Shape a = random_shape(random, k % 4), b = random_shape(random, std::array{0, 1, 2, 3, 5, 7}[k / 4 % 6]);
     const Real offset = std::pow(10.0, -random.uniform(4, 15)) * (k % 2 ? 1 : -1);
-    const Frame fa(random_rotation(random).toRotationMatrix(), Vec3::Zero());
+    const Frame fa(random_rotation(random).matrix(), Vec3::zero());
     const Vec3 n = random.direction(), e = any_perpendicular(n);
     const Vec3 on_a = fa.rotate(support_point(a, fa.rotate_inverse(-n))), on_b = support_point(b, n);
     Frame from = fa;
@@ -198,9 +198,9 @@ static void far_from_the_origin_and_at_any_scale(void**) {
   Random random(55);
   for (int k = 0; k < 300; ++k) {
     const Vec3 half(random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1));
-    const Mat3 ra = random_rotation(random).toRotationMatrix(), rb = random_rotation(random).toRotationMatrix();
+    const Mat3 ra = random_rotation(random).matrix(), rb = random_rotation(random).matrix();
     const Vec3 start = 4 * random.direction(), motion = random.in_cube(0.5) - start;
-    const CastResult near = ask(box(half), Frame(ra, start), motion, ellipsoid(half), Frame(rb, Vec3::Zero()));
+    const CastResult near = ask(box(half), Frame(ra, start), motion, ellipsoid(half), Frame(rb, Vec3::zero()));
     // 2^20 m away: positions keep 2^-32 m, so the start given there is the start rounded to that.
     const Vec3 away = 0x1p20 * Vec3(1, -1, 1);
     Frame moved(ra, start + away);
@@ -212,14 +212,14 @@ static void far_from_the_origin_and_at_any_scale(void**) {
     }
     for (const Real factor : {0x1p-20, 0x1p20}) {
       const CastResult scaled = ask(box(factor * half), Frame(ra, factor * start), factor * motion,
-                                    ellipsoid(factor * half), Frame(rb, Vec3::Zero()));
+                                    ellipsoid(factor * half), Frame(rb, Vec3::zero()));
       assert_true(scaled.outcome == near.outcome && scaled.lower == near.lower && scaled.upper == near.upper);
     }
   }
 }
 
 static void flat_thin_and_needle_shapes(void**) {
-  const Shape plate = box(Vec3(1, 0, 1)), needle = box(Vec3(0, 1, 0)), point = box(Vec3::Zero()),
+  const Shape plate = box(Vec3(1, 0, 1)), needle = box(Vec3(0, 1, 0)), point = box(Vec3::zero()),
               sheet = box(Vec3(1e3, 1e-5, 1e3));
   const CastResult down = ask(needle, at(0.2, 3, 0.3), Vec3(0, -4, 0), plate, at(0, 0, 0));
   assert_true(down.outcome == CastOutcome::hit && std::fabs(down.time - 0.5) < 1e-12);
@@ -240,7 +240,7 @@ static void half_spaces_stop_everything_in_time(void**) {
   Random random(56);
   for (int k = 0; k < 900; ++k) {
     const Shape a = random_shape(random, k % 9);
-    const Frame fa(random_rotation(random).toRotationMatrix(), Vec3(0, 3, 0));
+    const Frame fa(random_rotation(random).matrix(), Vec3(0, 3, 0));
     const Real lowest = 3 + fa.rotate(support_point(a, fa.rotate_inverse(Vec3(0, -1, 0)))).y();
     const CastResult r = ask(a, fa, Vec3(2, -4, 1), floor, at(0, 0, 0)),
                      q = ask(floor, at(0, 0, 0), Vec3(-2, 4, -1), a, fa);

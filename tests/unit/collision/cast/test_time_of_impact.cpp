@@ -20,8 +20,8 @@ CastResult ask(const Shape& a, const RigidMotion& ma, const Shape& b, const Rigi
   return result;
 }
 
-RigidMotion moving(const Vec3& p, const Vec3& v = Vec3::Zero(), const Vec3& omega = Vec3::Zero(),
-                   const Quat& q = Quat::Identity()) {
+RigidMotion moving(const Vec3& p, const Vec3& v = Vec3::zero(), const Vec3& omega = Vec3::zero(),
+                   const Quat& q = Quat::identity()) {
   RigidMotion m;
   m.at = {q, p};
   m.centre = p;
@@ -55,7 +55,7 @@ static void a_rod_that_turns_strikes_a_plane_when_the_sine_says(void**) {
   const Shape rod = box(Vec3(1, 0, 0)), floor = half_space(Vec3(0, 1, 0), 0);
   for (const Real spin : {1.0, -2.0, 50.0, 1e4}) {
     const CastResult r =
-        ask(rod, moving(Vec3(0, 0.6, 0), Vec3::Zero(), Vec3(0, 0, spin)), floor, moving(Vec3::Zero()), 10);
+        ask(rod, moving(Vec3(0, 0.6, 0), Vec3::zero(), Vec3(0, 0, spin)), floor, moving(Vec3::zero()), 10);
     const Real truth = std::asin(0.6) / std::fabs(spin);
     assert_hits_at(r, truth);
     assert_true((r.upper - r.lower) * std::fabs(spin) < 4e-6 && (r.normal - Vec3(0, -1, 0)).norm() < 1e-14);
@@ -65,10 +65,10 @@ static void a_rod_that_turns_strikes_a_plane_when_the_sine_says(void**) {
   CastSettings patient;  // ten passes, some 15 looks each
   patient.cap = 1000;
   assert_true(
-      ask(rod, moving(Vec3(0, 1 + 1e-5, 0), Vec3::Zero(), Vec3(0, 0, 3)), floor, moving(Vec3::Zero()), 10, patient)
+      ask(rod, moving(Vec3(0, 1 + 1e-5, 0), Vec3::zero(), Vec3(0, 0, 3)), floor, moving(Vec3::zero()), 10, patient)
           .outcome == CastOutcome::miss);
   const CastResult touch =
-      ask(rod, moving(Vec3(0, 1 - 1e-5, 0), Vec3::Zero(), Vec3(0, 0, 3)), floor, moving(Vec3::Zero()), 10);
+      ask(rod, moving(Vec3(0, 1 - 1e-5, 0), Vec3::zero(), Vec3(0, 0, 3)), floor, moving(Vec3::zero()), 10);
   assert_hits_at(touch, std::asin(1 - 1e-5) / 3);
 }
 
@@ -77,7 +77,7 @@ static void a_rod_that_turns_strikes_a_ball(void**) {
   // it.
   const Shape rod = box(Vec3(1, 0, 0)), ball = sphere(0.25);
   const Real away = 0.8;
-  const CastResult r = ask(rod, moving(Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, -2)), ball, moving(Vec3(0, -away, 0)), 3);
+  const CastResult r = ask(rod, moving(Vec3::zero(), Vec3::zero(), Vec3(0, 0, -2)), ball, moving(Vec3(0, -away, 0)), 3);
   assert_hits_at(r, (kPi / 2 - std::asin(0.25 / away)) / 2);
   const Vec3 on = r.point_b - Vec3(0, -away, 0);
   assert_true(std::fabs(on.norm() - 0.25) < 1e-6 && (r.point_a - r.point_b).norm() < 1e-5);
@@ -88,9 +88,9 @@ static void a_wheel_rolls_into_a_wall(void**) {
   const Shape wall = box(Vec3(1, 10, 10)), wheel = cylinder(0.5, 0.2), ball = sphere(0.5);
   const Quat upright = exp_map(Vec3(kPi / 2, 0, 0));
   const CastResult c =
-      ask(wheel, moving(Vec3(-3, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, -20), upright), wall, moving(Vec3::Zero()), 3);
+      ask(wheel, moving(Vec3(-3, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, -20), upright), wall, moving(Vec3::zero()), 3);
   assert_hits_at(c, 1.5, 1e-9);
-  const CastResult b = ask(ball, moving(Vec3(-3, 0, 0), Vec3(1, 0, 0), Vec3(9, 9, -20)), wall, moving(Vec3::Zero()), 3);
+  const CastResult b = ask(ball, moving(Vec3(-3, 0, 0), Vec3(1, 0, 0), Vec3(9, 9, -20)), wall, moving(Vec3::zero()), 3);
   assert_hits_at(b, 1.5);
   assert_true(b.iterations <= 6);  // a ball's spin moves nothing
 }
@@ -102,21 +102,21 @@ static void a_depth_is_reached_when_it_must_be(void**) {
   deep.target = -0.02;
   for (const Real gap : {0.3, 0.0, -0.01}) {
     const RigidMotion at_wall = moving(Vec3(-1.5 - gap, 0.2, 0), Vec3(2, 0.1, 0));
-    const CastResult r = ask(ball, at_wall, wall, moving(Vec3::Zero()), 1, deep);
+    const CastResult r = ask(ball, at_wall, wall, moving(Vec3::zero()), 1, deep);
     assert_true(r.outcome == CastOutcome::hit && std::fabs(r.time - (gap + 0.02) / 2) < 1e-6);
     assert_true(r.lower <= (gap + 0.02) / 2 + 1e-12 && std::fabs(r.separation + 0.02) < 2e-6);
-    assert_true((r.normal - Vec3::UnitX()).norm() < 1e-6);
+    assert_true((r.normal - Vec3::unit_x()).norm() < 1e-6);
   }
   // Along the wall, as deep as it is: never deeper.
   const RigidMotion along = moving(Vec3(-1.49, 0, 0), Vec3(0, 3, 0));
-  assert_true(ask(ball, along, wall, moving(Vec3::Zero()), 1, deep).outcome == CastOutcome::miss);
+  assert_true(ask(ball, along, wall, moving(Vec3::zero()), 1, deep).outcome == CastOutcome::miss);
   // Deeper already: at once.
   const RigidMotion within = moving(Vec3(-1.4, 0, 0), Vec3(1, 0, 0));
-  assert_true(ask(ball, within, wall, moving(Vec3::Zero()), 1, deep).outcome == CastOutcome::overlap);
+  assert_true(ask(ball, within, wall, moving(Vec3::zero()), 1, deep).outcome == CastOutcome::overlap);
   // A rod that lies on a floor and turns down by one end: sin(3 t) = 0.02.
   const Shape rod = box(Vec3(1, 0, 0));
-  const CastResult r = ask(rod, moving(Vec3(0, 0, 0), Vec3::Zero(), Vec3(0, 0, -3)), half_space(Vec3::UnitY(), 0),
-                           moving(Vec3::Zero()), 1, deep);
+  const CastResult r = ask(rod, moving(Vec3(0, 0, 0), Vec3::zero(), Vec3(0, 0, -3)), half_space(Vec3::unit_y(), 0),
+                           moving(Vec3::zero()), 1, deep);
   assert_true(r.outcome == CastOutcome::hit && std::fabs(r.time - std::asin(0.02) / 3) < 1e-6);
 }
 
@@ -126,8 +126,8 @@ static void without_rotation_it_is_a_linear_cast(void**) {
   for (int k = 0; k < 800; ++k) {
     const Shape a = random_shape(random, k % 9), b = random_shape(random, k / 9 % 9);
     if (k % 9 == 4 || k / 9 % 9 == 4) continue;
-    const RigidMotion ma = moving(random.in_cube(2), random.in_cube(3), Vec3::Zero(), random_rotation(random));
-    const RigidMotion mb = moving(random.in_cube(2), random.in_cube(3), Vec3::Zero(), random_rotation(random));
+    const RigidMotion ma = moving(random.in_cube(2), random.in_cube(3), Vec3::zero(), random_rotation(random));
+    const RigidMotion mb = moving(random.in_cube(2), random.in_cube(3), Vec3::zero(), random_rotation(random));
     const Vec3 v = ma.velocity - mb.velocity;
     CastResult linear;
     SupportFault fault;
@@ -153,7 +153,7 @@ static void the_twin_agrees(void**) {
     const int i = k % 9, j = k / 9 % 9;
     if (i == 4 || j == 4) continue;
     const Shape a = random_shape(random, i), b = random_shape(random, j);
-    RigidMotion ma = moving(random.in_cube(3), Vec3::Zero(), random.in_cube(4), random_rotation(random));
+    RigidMotion ma = moving(random.in_cube(3), Vec3::zero(), random.in_cube(4), random_rotation(random));
     RigidMotion mb = moving(random.in_cube(3), random.in_cube(2), random.in_cube(4), random_rotation(random));
     ma.velocity = mb.at.p - ma.at.p + random.in_cube(2);
     ma.centre += random.in_cube(0.3);
@@ -205,25 +205,25 @@ static void touching_resting_and_parting_at_the_start(void**) {
   const Shape cube = box(Vec3(0.5, 0.5, 0.5));
   // Resting: contact at once, to tolerance. Falling from a hair: contact when the hair is gone.
   const CastResult rest =
-      ask(cube, moving(Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 1, 0)), cube, moving(Vec3::Zero()), 1);
+      ask(cube, moving(Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 1, 0)), cube, moving(Vec3::zero()), 1);
   assert_true((rest.outcome == CastOutcome::hit || rest.outcome == CastOutcome::overlap) && rest.lower == 0 &&
               rest.time < 1e-5);
   for (const Real apart : {1e-2, 1e-4, 1e-6, 1e-9, 1e-12}) {
     CastSettings settings;
     settings.tolerance = 1e-2 * apart;
     const CastResult r = ask(cube, moving(Vec3(0, 1 + apart, 0), Vec3(0, -1, 0), Vec3(0, 2, 0)), cube,
-                             moving(Vec3::Zero()), 1, settings);
+                             moving(Vec3::zero()), 1, settings);
     assert_true(r.outcome == CastOutcome::hit && r.lower <= apart && apart <= r.upper + 1e-2 * apart + 1e-13);
     // Parting, spinning in the plane of contact: nothing comes nearer, whatever the bound on speed fears.
     const CastResult away =
-        ask(cube, moving(Vec3(0, 1 + apart, 0), Vec3(0, 1, 0), Vec3(0, 2, 0)), cube, moving(Vec3::Zero()), 1, settings);
+        ask(cube, moving(Vec3(0, 1 + apart, 0), Vec3(0, 1, 0), Vec3(0, 2, 0)), cube, moving(Vec3::zero()), 1, settings);
     assert_true(away.outcome == CastOutcome::miss);
     assert_true(
-        ask(cube, moving(Vec3(0, 1 + apart, 0), Vec3(1, 0, 0)), cube, moving(Vec3::Zero()), 1, settings).outcome ==
+        ask(cube, moving(Vec3(0, 1 + apart, 0), Vec3(1, 0, 0)), cube, moving(Vec3::zero()), 1, settings).outcome ==
         CastOutcome::miss);
   }
   const CastResult deep =
-      ask(cube, moving(Vec3(0, 0.8, 0), Vec3(0, 5, 0), Vec3(1, 0, 0)), cube, moving(Vec3::Zero()), 1);
+      ask(cube, moving(Vec3(0, 0.8, 0), Vec3(0, 5, 0), Vec3(1, 0, 0)), cube, moving(Vec3::zero()), 1);
   assert_true(deep.outcome == CastOutcome::overlap && std::fabs(deep.separation + 0.2) < 1e-6 && deep.time == 0);
 }
 
@@ -236,8 +236,8 @@ static void grazes_end_within_the_cap(void**) {
       const Real off = side * std::pow(10.0, -e);
       CastSettings settings;
       settings.tolerance = 1e-9;
-      const CastResult r = ask(rod, moving(Vec3(0, reach + off, 0), Vec3::Zero(), Vec3(0, 0, 3)), floor,
-                               moving(Vec3::Zero()), 2, settings);
+      const CastResult r = ask(rod, moving(Vec3(0, reach + off, 0), Vec3::zero(), Vec3(0, 0, 3)), floor,
+                               moving(Vec3::zero()), 2, settings);
       if (off > 1e-9 * reach) assert_true(r.outcome == CastOutcome::miss);
       if (off < -1e-13) assert_true(r.outcome == CastOutcome::hit);
       assert_true(r.outcome != CastOutcome::undecided && r.iterations <= 100);
@@ -253,21 +253,21 @@ static void fast_spin_over_long_times(void**) {
   // Ten thousand turns that come to nothing, and a cap that says how far it got.
   const Shape rod = box(Vec3(1, 0.01, 0.01)), ball = sphere(0.1);
   const CastResult clear =
-      ask(rod, moving(Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, 62831.853)), ball, moving(Vec3(0, 2, 0)), 1);
+      ask(rod, moving(Vec3::zero(), Vec3::zero(), Vec3(0, 0, 62831.853)), ball, moving(Vec3(0, 2, 0)), 1);
   assert_true(clear.outcome != CastOutcome::hit);
   if (clear.outcome == CastOutcome::undecided)
     assert_true(clear.status == QueryStatus::capped && clear.lower > 0 && clear.lower < 1 && clear.upper == kInfinity);
   // Far enough that even the farthest tip stays clear: no spin matters.
   CastSettings few;
   few.cap = 4;
-  const RigidMotion spin = moving(Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, 1e6));
+  const RigidMotion spin = moving(Vec3::zero(), Vec3::zero(), Vec3(0, 0, 1e6));
   const CastResult capped = ask(rod, spin, ball, moving(Vec3(0, 1.2, 0)), 1, few);
   assert_true(capped.outcome == CastOutcome::undecided && capped.status == QueryStatus::capped &&
               capped.iterations <= 5);
   assert_true(capped.lower > 0 && capped.lower < 1);
   // A hit in the 3rd turn: the ball comes down on the spinning rod's plane.
   const CastResult late =
-      ask(rod, moving(Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, 20)), ball, moving(Vec3(0.5, 0, 2), Vec3(0, 0, -1.9)), 2);
+      ask(rod, moving(Vec3::zero(), Vec3::zero(), Vec3(0, 0, 20)), ball, moving(Vec3(0.5, 0, 2), Vec3(0, 0, -1.9)), 2);
   assert_true(late.outcome == CastOutcome::hit && late.lower > 0.9);
 }
 
@@ -275,9 +275,9 @@ static void far_from_the_origin_nothing_changes(void**) {
   Random random(63);
   for (int k = 0; k < 200; ++k) {
     const Shape a = random_shape(random, k % 4), b = random_shape(random, 5 + k % 3);
-    RigidMotion ma = moving(3 * random.direction(), Vec3::Zero(), random.in_cube(3), random_rotation(random));
+    RigidMotion ma = moving(3 * random.direction(), Vec3::zero(), random.in_cube(3), random_rotation(random));
     ma.velocity = -1.2 * ma.at.p;
-    RigidMotion mb = moving(Vec3::Zero(), random.in_cube(0.5), random.in_cube(3), random_rotation(random));
+    RigidMotion mb = moving(Vec3::zero(), random.in_cube(0.5), random.in_cube(3), random_rotation(random));
     const CastResult near = ask(a, ma, b, mb, 1);
     const Vec3 away = 0x1p20 * Vec3(1, 1, -1);
     ma.at.p += away, ma.centre += away, mb.at.p += away, mb.centre += away;
@@ -294,7 +294,7 @@ static void far_from_the_origin_nothing_changes(void**) {
 static void the_same_input_has_the_same_bits(void**) {
   const Shape a = box(Vec3(1, 0.2, 0.3)), b = cylinder(0.5, 0.7);
   const RigidMotion ma = moving(Vec3(3, 0.1, 0), Vec3(-3, 0, 0), Vec3(1, 2, 3)),
-                    mb = moving(Vec3::Zero(), Vec3::Zero(), Vec3(3, 2, 1));
+                    mb = moving(Vec3::zero(), Vec3::zero(), Vec3(3, 2, 1));
   const CastResult r = ask(a, ma, b, mb, 1), q = ask(a, ma, b, mb, 1);
   assert_true(r.outcome == CastOutcome::hit && r.time == q.time && r.lower == q.lower && r.upper == q.upper &&
               r.normal == q.normal);
@@ -305,9 +305,9 @@ static void wild_motions_give_no_nan(void**) {
   for (const Real wild : {1e20, 1e60, 1e120, 1e300}) {
     const RigidMotion still = moving(Vec3(5, 0, 0));
     for (const CastResult& r :
-         {ask(a, moving(Vec3::Zero(), Vec3(wild, 0, 0)), b, still, 1),
-          ask(a, moving(Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, wild)), b, still, 1),
-          ask(a, moving(Vec3(wild, 0, 0)), b, still, 1), ask(a, moving(Vec3::Zero()), b, still, 1e300)})
+         {ask(a, moving(Vec3::zero(), Vec3(wild, 0, 0)), b, still, 1),
+          ask(a, moving(Vec3::zero(), Vec3::zero(), Vec3(0, 0, wild)), b, still, 1),
+          ask(a, moving(Vec3(wild, 0, 0)), b, still, 1), ask(a, moving(Vec3::zero()), b, still, 1e300)})
       assert_true(!std::isnan(r.time) && !std::isnan(r.lower) && !std::isnan(r.upper) && r.lower <= r.upper);
   }
 }
@@ -315,7 +315,7 @@ static void wild_motions_give_no_nan(void**) {
 static void a_failing_support_function_is_named(void**) {
   const Shape liar = make_shape(Form::none, failing_support, {1}, Vec3(1, 1, 1), 1.8), cube = box(Vec3(1, 1, 1));
   SupportFault fault;
-  const CastResult r = ask(liar, moving(Vec3(0, 4, 0), Vec3(0, -4, 0)), cube, moving(Vec3::Zero()), 1, {}, &fault);
+  const CastResult r = ask(liar, moving(Vec3(0, 4, 0), Vec3(0, -4, 0)), cube, moving(Vec3::zero()), 1, {}, &fault);
   assert_true(r.status == QueryStatus::fault && fault.shape == &liar);
 }
 
