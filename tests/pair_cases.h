@@ -31,7 +31,7 @@ inline Shape random_shape(Form form, Real scale, Random& random) {
 
 /// A rotation: any, or one of those that put features in line (a quarter turn about an axis, with or without a
 /// tilt far below, near, and above what routines call parallel).
-inline Mat3 random_rotation(Random& random) {
+inline Mat3 random_turn(Random& random) {
   const Vec3 any(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
   const Real choice = random.uniform(0, 3);
   if (choice < 1) return exp_map(any).matrix();
@@ -86,7 +86,7 @@ inline constexpr std::array<std::pair<Form, Form>, 13> kRoutinePairs = {{
 /// B somewhere near A: apart, near touch, or deep; every fourth time with centres in line on an axis of A.
 inline Frame random_pose(const Shape& a, const Shape& b, Random& random) {
   Frame f;
-  f.r = random_rotation(random);
+  f.r = random_turn(random);
   if (a.form == Form::half_space) {
     f.p = a.normal * (a.offset + random.uniform(-0.5, 1.5) * b.bounding_radius) +
           any_perpendicular(a.normal) * random.uniform(-1, 1);

@@ -19,7 +19,7 @@ static_assert(static_cast<std::uint32_t>(SweepMode::automatic) == CAROM_CONTINUO
               static_cast<std::uint32_t>(SweepMode::always) == CAROM_CONTINUOUS_ALWAYS &&
               static_cast<std::uint32_t>(SweepMode::never) == CAROM_CONTINUOUS_NEVER);
 
-constexpr std::uint32_t kFields = CAROM_BODY_FIELD_MASS | CAROM_BODY_FIELD_CENTER | CAROM_BODY_FIELD_INERTIA;
+constexpr std::uint32_t kBodyFields = CAROM_BODY_FIELD_MASS | CAROM_BODY_FIELD_CENTER | CAROM_BODY_FIELD_INERTIA;
 static_assert(kAllLocks == CAROM_LOCK_ALL &&
               kLinearLocks == (CAROM_LOCK_LINEAR_X | CAROM_LOCK_LINEAR_Y | CAROM_LOCK_LINEAR_Z) &&
               kAngularLocks == (CAROM_LOCK_ANGULAR_X | CAROM_LOCK_ANGULAR_Y | CAROM_LOCK_ANGULAR_Z));
@@ -46,7 +46,7 @@ bool check_inertia(Call& call, const double inertia[9]) {
 
 bool check_mass(Call& call, const carom_body_desc& d) {
   const std::uint32_t about_mass = CAROM_BODY_FIELD_CENTER | CAROM_BODY_FIELD_INERTIA;
-  if (!only_bits(call, 2, "desc->fields", d.fields, kFields | CAROM_BODY_STAYS_AWAKE)) return false;
+  if (!only_bits(call, 2, "desc->fields", d.fields, kBodyFields | CAROM_BODY_STAYS_AWAKE)) return false;
   if ((d.fields & about_mass) && !(d.fields & CAROM_BODY_FIELD_MASS))
     return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->fields is 0x%x: CENTER and INERTIA need MASS", d.fields);
   if (d.fields & CAROM_BODY_FIELD_MASS) {
@@ -100,7 +100,7 @@ bool read_body(Call& call, const carom_body_desc* given, BodyDef& def) {
 carom_body_desc describe(const World& world, std::uint32_t slot) {
   const BodyDef& def = world.scene.def[slot];
   carom_body_desc d{};
-  d.fields = kFields | (def.stays_awake ? CAROM_BODY_STAYS_AWAKE : 0u);
+  d.fields = kBodyFields | (def.stays_awake ? CAROM_BODY_STAYS_AWAKE : 0u);
   d.type = static_cast<std::uint32_t>(world.scene.type[slot]);
   const Pose pose = world.pose(slot);
   from_vec3(pose.p, d.position);

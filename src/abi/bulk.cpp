@@ -46,7 +46,7 @@ void write_angular(World& w, std::uint32_t b, const double* r) { w.set_velocity(
 void write_velocity(World& w, std::uint32_t b, const double* r) { w.set_velocity(b, to_vec3(r), to_vec3(r + 3)); }
 void write_force(World& w, std::uint32_t b, const double* r) { w.set_force(b, to_vec3(r), to_vec3(r + 3)); }
 
-constexpr FieldRow kFields[CAROM_FIELD_COUNT] = {
+constexpr FieldRow kBulkFields[CAROM_FIELD_COUNT] = {
     // in the order of CAROM_FIELD_*
     {"position", 3, true, -1, false, read_position, write_position},
     {"orientation", 4, true, 0, false, read_orientation, write_orientation},
@@ -97,7 +97,7 @@ bool check_shape_of_data(Call& call, std::uint32_t field, std::uint32_t scalar, 
   if (!known(call, 2, "field", field, CAROM_FIELD_COUNT) || !known(call, 3, "scalar", scalar, CAROM_SCALAR_F64 + 1) ||
       (n && !present(call, 6, name, data)))
     return false;
-  return check_stride(call, 7, kFields[field].name, kFields[field].scalars, scalar, stride);
+  return check_stride(call, 7, kBulkFields[field].name, kBulkFields[field].scalars, scalar, stride);
 }
 
 template <class Scalar>
@@ -184,7 +184,7 @@ int32_t carom_world_read(carom_world* world, uint32_t field, uint32_t scalar, co
     const Selection selection(*reading, handles);
     if (!selection.check(call, n)) return;
     const auto read = scalar == CAROM_SCALAR_F32 ? read_all<float> : read_all<double>;
-    read(*reading, kFields[field], selection, n, dst, stride);
+    read(*reading, kBulkFields[field], selection, n, dst, stride);
   });
 }
 
@@ -193,14 +193,14 @@ int32_t carom_world_write(carom_world* world, uint32_t field, uint32_t scalar, c
   return guarded(error, [&](Call& call) {
     const Recorded changing(call, world, record::world_write(field, scalar, handles, n, src, stride));
     if (!changing || !check_shape_of_data(call, field, scalar, n, "src", src, stride)) return;
-    if (!kFields[field].writable) {
-      call.fail(CAROM_E_UNSUPPORTED, 2, "%s can be read, not written", kFields[field].name);
+    if (!kBulkFields[field].writable) {
+      call.fail(CAROM_E_UNSUPPORTED, 2, "%s can be read, not written", kBulkFields[field].name);
       return;
     }
     const Selection selection(*changing, handles);
     if (!selection.check(call, n)) return;
     const auto write = scalar == CAROM_SCALAR_F32 ? write_all<float> : write_all<double>;
-    write(call, *changing, kFields[field], selection, n, src, stride);
+    write(call, *changing, kBulkFields[field], selection, n, src, stride);
   });
 }
 

@@ -15,7 +15,7 @@ constexpr double kFastestSurface = 1e6;  // m/s, rad/s
 // Below this share of the cube of its bounding radius a volume is rounding, and the inertia that follows from it noise.
 constexpr Real kFlat = 1e-15;
 
-bool flat(const Shape& shape) {
+bool is_flat(const Shape& shape) {
   const Real r = shape.bounding_radius;
   return shape.form != Form::half_space && !is_scenery(shape) && !(shape.mass.volume > kFlat * r * r * r);
 }
@@ -38,7 +38,7 @@ bool check_fit(Call& call, const World& world, std::uint32_t body, const Shape& 
         CAROM_E_OUT_OF_RANGE, 3,
         "scenery has no volume: it fits static and kinematic bodies (a body that moves by forces takes convex shapes)");
   const bool weighs = world.scene.type[body] == BodyType::dynamic && density > 0 && !world.scene.def[body].has_mass;
-  return !(weighs && flat(shape)) ||
+  return !(weighs && is_flat(shape)) ||
          call.fail(CAROM_E_NO_VOLUME, 3,
                    "the shape has volume %g m^3 within radius %g m: no mass follows from density %g", shape.mass.volume,
                    shape.bounding_radius, density);
@@ -66,7 +66,7 @@ void create(Call& call, const Changing& changing, carom_body body, const carom_c
   *collider = handle;
 }
 
-carom_collider_desc describe(const World& world, std::uint32_t slot) {
+carom_collider_desc describe_collider(const World& world, std::uint32_t slot) {
   const Colliders& c = world.scene.colliders;
   carom_collider_desc d{};
   d.shape = c.shape[slot]->handle;
@@ -126,7 +126,7 @@ int32_t carom_collider_get(carom_world* world, carom_collider collider, carom_co
     if (!reading || !resolve(call, 2, "collider", reading->scene.collider_slots, collider) ||
         !fillable(call, 3, "desc", desc) || !present(call, 4, "body", body))
       return;
-    write_struct(describe(*reading, handle_slot(collider)), desc);
+    write_struct(describe_collider(*reading, handle_slot(collider)), desc);
     *body = reading->scene.bodies.handle(reading->scene.colliders.body[handle_slot(collider)]);
   });
 }

@@ -15,7 +15,7 @@ static_assert(DrawLine::shapes == CAROM_DRAW_SHAPES && DrawLine::scenery == CARO
               DrawLine::joints == CAROM_DRAW_JOINTS && DrawLine::bodies == CAROM_DRAW_BODIES);
 
 constexpr std::uint32_t kAll = 2 * CAROM_DRAW_BODIES - 1;
-constexpr double kLongest = 1e9;  // m
+constexpr double kLongestLine = 1e9;  // m
 
 carom_draw_line element(const World& world, const DrawLine& line) {
   carom_draw_line out{};
@@ -52,7 +52,7 @@ int32_t carom_world_draw(carom_world* world, const carom_draw_desc* desc, carom_
     if (!reading || (desc && !read_struct(call, 2, "desc", desc, d)) ||
         !only_bits(call, 2, "desc->what", d.what, kAll) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
         !known(call, 2, "desc->colouring", d.colouring, CAROM_DRAW_BY_ISLAND + 1) ||
-        !in_range(call, 2, "desc->scale", d.scale, 1e-9, kLongest) || !present(call, 6, "count", count))
+        !in_range(call, 2, "desc->scale", d.scale, 1e-9, kLongestLine) || !present(call, 6, "count", count))
       return;
     const std::uint64_t step = stride ? stride : sizeof(carom_draw_line), room = dst ? capacity : 0;
     if (room && !element_stride<carom_draw_line>(call, 4, step)) return;

@@ -16,7 +16,7 @@ static_assert(Events::contact == CAROM_EVENTS_CONTACT && Events::sensor == CAROM
               Events::sleeping == CAROM_EVENTS_SLEEP && Events::joint == CAROM_EVENTS_JOINT &&
               Events::fault == CAROM_EVENTS_FAULT);
 
-constexpr double kFastest = 1e9;  // m/s
+constexpr double kFastestImpact = 1e9;  // m/s
 
 carom_contact_event contact_event(const World&, const ContactEvent& e) {
   carom_contact_event out{};
@@ -79,7 +79,7 @@ int32_t carom_world_collect_events(carom_world* world, uint32_t kinds, double hi
   return guarded(error, [&](Call& call) {
     const Recorded changing(call, world, record::world_collect_events(kinds, hit_speed));
     if (changing && only_bits(call, 2, "kinds", kinds, Events::every) &&
-        in_range(call, 3, "hit_speed", hit_speed, 0, kFastest))
+        in_range(call, 3, "hit_speed", hit_speed, 0, kFastestImpact))
       collect(*changing, kinds, hit_speed);
   });
 }

@@ -19,7 +19,7 @@ static_assert(static_cast<std::uint32_t>(FieldKind::uniform) == CAROM_FORCE_FIEL
               static_cast<std::uint32_t>(FieldKind::vortex) == CAROM_FORCE_FIELD_VORTEX &&
               static_cast<std::uint32_t>(FieldKind::count) == CAROM_FORCE_FIELD_COUNT);
 
-constexpr double kMostDrag = 1e12, kFastest = 1e6, kStrongest = 1e30, kLongest = 1e9, kDensest = 1e9, kMostRate = 1e6;
+constexpr double kMostDrag = 1e12, kFastestWind = 1e6, kStrongestForce = 1e30, kLongestSpring = 1e9, kDensest = 1e9, kMostRate = 1e6;
 constexpr std::int32_t kLeastFalloff = -2, kMostFalloff = 8;
 
 bool resolve_field(Call& call, const World& world, carom_force_field field) {
@@ -47,12 +47,12 @@ bool read_field(Call& call, int argument, const carom_force_field_desc* given, F
       !unit(call, argument, "desc->orientation", d.orientation, 4) ||
       !positive(call, argument, "desc->half[0]", d.half[0]) || !positive(call, argument, "desc->half[1]", d.half[1]) ||
       !positive(call, argument, "desc->half[2]", d.half[2]) ||
-      !vector_in_range(call, argument, "desc->vector", d.vector, kStrongest) ||
-      !in_range(call, argument, "desc->strength", d.strength, -kStrongest, kStrongest) ||
-      !in_range(call, argument, "desc->pull", d.pull, -kStrongest, kStrongest) ||
-      !in_range(call, argument, "desc->lift", d.lift, -kStrongest, kStrongest) ||
-      !in_range(call, argument, "desc->reference", d.reference, 1e-9, kLongest) ||
-      !in_range(call, argument, "desc->core", d.core, 0, kLongest) || !positive(call, argument, "desc->reach", d.reach))
+      !vector_in_range(call, argument, "desc->vector", d.vector, kStrongestForce) ||
+      !in_range(call, argument, "desc->strength", d.strength, -kStrongestForce, kStrongestForce) ||
+      !in_range(call, argument, "desc->pull", d.pull, -kStrongestForce, kStrongestForce) ||
+      !in_range(call, argument, "desc->lift", d.lift, -kStrongestForce, kStrongestForce) ||
+      !in_range(call, argument, "desc->reference", d.reference, 1e-9, kLongestSpring) ||
+      !in_range(call, argument, "desc->core", d.core, 0, kLongestSpring) || !positive(call, argument, "desc->reach", d.reach))
     return false;
   if (d.falloff < kLeastFalloff || d.falloff > kMostFalloff)
     return call.fail(CAROM_E_OUT_OF_RANGE, argument, "desc->falloff is %d, must be within [%d, %d]", d.falloff,
@@ -80,9 +80,9 @@ carom_force_field_desc describe(const FieldDef& def) {
 }
 
 bool check_spring(Call& call, int argument, double rest, double stiffness, double damping) {
-  return in_range(call, argument, "rest", rest, 0, kLongest) &&
-         in_range(call, argument == 2 ? 2 : argument + 1, "stiffness", stiffness, 0, kStrongest) &&
-         in_range(call, argument == 2 ? 2 : argument + 2, "damping", damping, 0, kStrongest);
+  return in_range(call, argument, "rest", rest, 0, kLongestSpring) &&
+         in_range(call, argument == 2 ? 2 : argument + 1, "stiffness", stiffness, 0, kStrongestForce) &&
+         in_range(call, argument == 2 ? 2 : argument + 2, "damping", damping, 0, kStrongestForce);
 }
 
 bool read_spring(Call& call, const World& world, const carom_spring_desc* given, SpringDef& def) {
@@ -118,7 +118,7 @@ bool read_water(Call& call, const carom_water* given, WaterDef& def) {
       !unit(call, 2, "water->normal", w.normal, 3) ||
       !in_range(call, 2, "water->level", w.level, -kMaxPosition, kMaxPosition) ||
       !in_range(call, 2, "water->density", w.density, 0, kDensest) || !positive(call, 2, "water->density", w.density) ||
-      !vector_in_range(call, 2, "water->current", w.current, kFastest) ||
+      !vector_in_range(call, 2, "water->current", w.current, kFastestWind) ||
       !in_range(call, 2, "water->drag", w.drag, 0, kMostRate))
     return false;
   def = {to_vec3(w.normal).normalized(), w.level, w.density, to_vec3(w.current), w.drag};
@@ -181,7 +181,7 @@ int32_t carom_body_get_drag(carom_world* world, carom_body body, double* linear,
 int32_t carom_world_set_wind(carom_world* world, const double velocity[3], carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Recorded changing(call, world, record::world_set_wind(velocity));
-    if (changing && vector_in_range(call, 2, "velocity", velocity, kFastest)) changing->set_wind(to_vec3(velocity));
+    if (changing && vector_in_range(call, 2, "velocity", velocity, kFastestWind)) changing->set_wind(to_vec3(velocity));
   });
 }
 

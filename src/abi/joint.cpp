@@ -26,8 +26,8 @@ static_assert(kCoordinates == CAROM_COORDINATE_COUNT &&
               static_cast<std::uint32_t>(Coordinate::slide) == CAROM_COORDINATE_SLIDE &&
               static_cast<std::uint32_t>(Coordinate::distance) == CAROM_COORDINATE_DISTANCE);
 
-constexpr std::uint32_t kFields = CAROM_JOINT_WORLD_FRAME | CAROM_JOINT_COLLIDE | CAROM_JOINT_FIELD_LENGTH;
-constexpr double kLongest = 1e9, kFastest = 1e6, kStrongest = 1e30, kStiffest = 1e4, kMostDamping = 1e3;
+constexpr std::uint32_t kJointFields = CAROM_JOINT_WORLD_FRAME | CAROM_JOINT_COLLIDE | CAROM_JOINT_FIELD_LENGTH;
+constexpr double kLongestJoint = 1e9, kFastestMotor = 1e6, kStrongestMotor = 1e30, kStiffest = 1e4, kMostDamping = 1e3;
 constexpr double kFarthestApart = 8 * kMaxPosition;  // m: of places on bodies that no step would quarantine
 
 bool resolve_joint(Call& call, const World& world, carom_joint joint) {
@@ -72,11 +72,11 @@ bool read_joint(Call& call, const World& world, const carom_joint_desc* given, J
   carom_joint_desc d;
   carom_joint_desc_init(&d);
   if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
-      !only_bits(call, 2, "desc->fields", d.fields, kFields) ||
+      !only_bits(call, 2, "desc->fields", d.fields, kJointFields) ||
       !known(call, 2, "desc->kind", d.kind, CAROM_JOINT_COUNT) || !read_ends(call, world, d, "joins", def) ||
-      !read_frames(call, world, d, def) || !in_range(call, 2, "desc->length", d.length, 0, kLongest) ||
-      !in_range(call, 2, "desc->break_force", d.break_force, 0, kStrongest) ||
-      !in_range(call, 2, "desc->break_torque", d.break_torque, 0, kStrongest))
+      !read_frames(call, world, d, def) || !in_range(call, 2, "desc->length", d.length, 0, kLongestJoint) ||
+      !in_range(call, 2, "desc->break_force", d.break_force, 0, kStrongestMotor) ||
+      !in_range(call, 2, "desc->break_torque", d.break_torque, 0, kStrongestMotor))
     return false;
   def.kind = static_cast<JointKind>(d.kind);
   def.collide = d.fields & CAROM_JOINT_COLLIDE;
@@ -123,9 +123,9 @@ Bounds bounds_of(std::uint32_t coordinate) {
     case CAROM_COORDINATE_SWING:
       return {0, kPi};
     case CAROM_COORDINATE_SLIDE:
-      return {-kLongest, kLongest};
+      return {-kLongestJoint, kLongestJoint};
     default:
-      return {0, kLongest};
+      return {0, kLongestJoint};
   }
 }
 
@@ -159,8 +159,8 @@ bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_
   carom_joint_motor_init(&d);
   if (!drivable(call, joint, coordinate) || !read_struct(call, 4, "motor", given, d) ||
       !known(call, 4, "motor->enabled", d.enabled, 2) ||
-      !in_range(call, 4, "motor->speed", d.speed, -kFastest, kFastest) ||
-      !in_range(call, 4, "motor->most", d.most, 0, kStrongest))
+      !in_range(call, 4, "motor->speed", d.speed, -kFastestMotor, kFastestMotor) ||
+      !in_range(call, 4, "motor->most", d.most, 0, kStrongestMotor))
     return false;
   drive.motor = {d.enabled != 0, d.speed, d.most};
   return true;
@@ -176,7 +176,7 @@ bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_
   if (!in_range(call, 4, "spring->target", d.target, b.low, b.high) ||
       !in_range(call, 4, "spring->frequency", d.frequency, 0, kStiffest) ||
       !in_range(call, 4, "spring->damping", d.damping, 0, kMostDamping) ||
-      !in_range(call, 4, "spring->most", d.most, 0, kStrongest))
+      !in_range(call, 4, "spring->most", d.most, 0, kStrongestMotor))
     return false;
   drive.spring = {d.enabled != 0, d.target, d.frequency, d.damping, d.most};
   return true;
@@ -191,7 +191,7 @@ void write(const JointDrive& drive, carom_joint_motor& d) {
 void write(const JointDrive& drive, carom_joint_spring& d) {
   const JointSpring& s = drive.spring;
   d.enabled = s.on, d.target = s.target, d.frequency = s.frequency, d.damping = s.damping;
-  d.most = std::min(s.most, kStrongest);
+  d.most = std::min(s.most, kStrongestMotor);
 }
 
 template <class Desc, class Say>
@@ -239,7 +239,7 @@ int32_t carom_joint_motor_init(carom_joint_motor* motor) { return begin_desc(mot
 int32_t carom_joint_spring_init(carom_joint_spring* spring) {
   if (begin_desc(spring) != CAROM_OK) return CAROM_E_NULL_ARGUMENT;
   spring->frequency = spring->damping = 1;
-  spring->most = kStrongest;
+  spring->most = kStrongestMotor;
   return CAROM_OK;
 }
 

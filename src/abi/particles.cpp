@@ -12,7 +12,7 @@
 namespace carom::abi {
 namespace {
 
-constexpr double kLargestFactor = 1e3, kLargestDamping = 1e6, kLargestMass = 1e30;  // 1, 1/s, kg
+constexpr double kLargestFactor = 1e3, kLargestParticleDamping = 1e6, kLargestMass = 1e30;  // 1, 1/s, kg
 
 bool resolve_set(Call& call, const World& world, carom_particles set) {
   return resolve(call, 2, "set", world.particles.slots, set);
@@ -39,14 +39,14 @@ bool read_desc(Call& call, int argument, const carom_particles_desc* given, caro
   return (!given || read_struct(call, argument, "desc", given, d)) &&
          only_bits(call, argument, "desc->reserved", d.reserved, 0) &&
          in_range(call, argument, "desc->gravity_factor", d.gravity_factor, -kLargestFactor, kLargestFactor) &&
-         in_range(call, argument, "desc->linear_damping", d.linear_damping, 0, kLargestDamping) &&
+         in_range(call, argument, "desc->linear_damping", d.linear_damping, 0, kLargestParticleDamping) &&
          check_mass(call, argument, "desc->mass", d.mass) && check_capacity(call, argument, d.capacity);
 }
 
 ParticleDef def_of(const carom_particles_desc& d) { return {d.gravity_factor, d.linear_damping, d.mass}; }
 
 /// A field of a particle. Whether a record is good is asked of thousands; what is wrong with one is put into words once.
-struct FieldRow {
+struct ParticleFieldRow {
   const char* name;
   int scalars;
   void (*read)(const ParticleSet& set, std::size_t i, double record[]);
@@ -61,7 +61,7 @@ bool blame_length(Call& call, int argument, const char* name, const double v[3],
          call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is (%g, %g, %g), at most %g long", name, v[0], v[1], v[2], most);
 }
 
-constexpr FieldRow kPosition = {
+constexpr ParticleFieldRow kPosition = {
     "position",
     3,
     [](const ParticleSet& p, std::size_t i, double* r) { from_vec3(p.position(i), r); },
@@ -70,7 +70,7 @@ constexpr FieldRow kPosition = {
     [](Call& call, int argument, const char* name, const double* r) {
       return blame_length(call, argument, name, r, kMaxPosition);
     }};
-constexpr FieldRow kVelocity = {
+constexpr ParticleFieldRow kVelocity = {
     "linear_velocity",
     3,
     [](const ParticleSet& p, std::size_t i, double* r) { from_vec3(p.velocity(i), r); },
@@ -79,7 +79,7 @@ constexpr FieldRow kVelocity = {
     [](Call& call, int argument, const char* name, const double* r) {
       return blame_length(call, argument, name, r, kMaxSpeed);
     }};
-constexpr FieldRow kMass = {
+constexpr ParticleFieldRow kMass = {
     "mass",
     1,
     [](const ParticleSet& p, std::size_t i, double* r) { *r = p.mass_of(i); },
@@ -88,7 +88,7 @@ constexpr FieldRow kMass = {
     [](Call& call, int argument, const char* name, const double* r) { return check_mass(call, argument, name, *r); }};
 
 /// @return null, and noted in the call, if particles have no such field
-const FieldRow* find_field(Call& call, std::uint32_t field) {
+const ParticleFieldRow* find_field(Call& call, std::uint32_t field) {
   if (!known(call, 3, "field", field, CAROM_FIELD_COUNT)) return nullptr;
   if (field == CAROM_FIELD_POSITION) return &kPosition;
   if (field == CAROM_FIELD_LINEAR_VELOCITY) return &kVelocity;
@@ -128,7 +128,7 @@ struct Records {
   }
 };
 
-bool check_records(Call& call, int argument, const FieldRow& field, const Records& records, std::uint64_t n) {
+bool check_records(Call& call, int argument, const ParticleFieldRow& field, const Records& records, std::uint64_t n) {
   for (std::uint64_t k = 0; k < n; ++k) {
     double record[kMostScalars];
     records.get(k, record);
@@ -140,7 +140,7 @@ bool check_records(Call& call, int argument, const FieldRow& field, const Record
   return true;
 }
 
-void put_records(Particles& particles, std::uint32_t s, const FieldRow& field, const Records& records,
+void put_records(Particles& particles, std::uint32_t s, const ParticleFieldRow& field, const Records& records,
                  const std::uint32_t* indices, std::size_t first, std::uint64_t n) {
   for (std::uint64_t k = 0; k < n; ++k) {
     double record[kMostScalars];
@@ -268,7 +268,7 @@ int32_t carom_particles_read(carom_world* world, carom_particles set, uint32_t f
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_set(call, *reading, set)) return;
-    const FieldRow* const row = find_field(call, field);
+    const ParticleFieldRow* const row = find_field(call, field);
     if (!row || !known(call, 4, "scalar", scalar, CAROM_SCALAR_F64 + 1) || (n && !present(call, 7, "dst", dst)) ||
         !check_stride(call, 8, row->name, row->scalars, scalar, stride))
       return;
@@ -289,7 +289,7 @@ int32_t carom_particles_write(carom_world* world, carom_particles set, uint32_t 
   return guarded(error, [&](Call& call) {
     const Recorded changing(call, world, record::particles_write(set, field, scalar, indices, n, src, stride));
     if (!changing || !resolve_set(call, *changing, set)) return;
-    const FieldRow* const row = find_field(call, field);
+    const ParticleFieldRow* const row = find_field(call, field);
     if (!row || !known(call, 4, "scalar", scalar, CAROM_SCALAR_F64 + 1) || (n && !present(call, 7, "src", src)) ||
         !check_stride(call, 8, row->name, row->scalars, scalar, stride) ||
         !check_indices(call, 5, set_of(*changing, set), indices, n, false))

@@ -12,7 +12,7 @@
 
 struct carom_engine;
 
-namespace carom {
+namespace carom::dynamics {
 class World;
 }
 

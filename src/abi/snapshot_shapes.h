@@ -4,7 +4,7 @@
 #include "abi/engine.h"
 #include "dynamics/snapshot/snapshot.h"
 
-namespace carom {
+namespace carom::dynamics {
 class World;
 }
 

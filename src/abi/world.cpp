@@ -41,10 +41,10 @@ void create(Call& call, carom_engine* engine, const carom_world_desc* given, car
 /// A record has it as a dial that the host set: a replay does not measure time.
 void set_substeps(const Changing& changing, const Budget& budget) {
   const auto now = static_cast<std::uint32_t>(changing->scene.dials[Dial::substeps]);
-  const std::uint32_t next = budget.choose(now);
-  if (next == now) return;
-  if (Recorder* const recorder = changing.recorder()) recorder->call(record::world_set_dial(CAROM_DIAL_SUBSTEPS, next));
-  changing->set_dial(Dial::substeps, next);
+  const std::uint32_t chosen = budget.choose(now);
+  if (chosen == now) return;
+  if (Recorder* const recorder = changing.recorder()) recorder->call(record::world_set_dial(CAROM_DIAL_SUBSTEPS, chosen));
+  changing->set_dial(Dial::substeps, chosen);
 }
 
 void learn_costs(const World& world, Budget& budget) {

@@ -4,7 +4,7 @@
 #include "collision/shape.h"
 #include "core/pose.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Whom a collider may touch. Two do if each one's mask has a bit of the other's categories, unless they are of one group
 /// other than 0: of a positive one they always do, of a negative one never.
@@ -88,4 +88,4 @@ inline bool may_touch(const Colliders& c, std::uint32_t a, std::uint32_t b) {
   return c.body[a] != c.body[b] && (c.movable[a] | c.movable[b]) && !(c.muted[a] | c.muted[b]);
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace carom {
+namespace carom::collision {
 
 namespace {
 
@@ -29,4 +29,4 @@ bool Core::blame(const Vec3& n, const Vec3& out, SupportFault& fault) const {
   return false;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -4,7 +4,7 @@
 
 #include "collision/shape.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Support points of one core, for directions of about unit length.
 ///
@@ -96,4 +96,4 @@ inline bool Core::support(const Vec3& n, Vec3& out) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -6,7 +6,7 @@
 #include "core/trig.h"
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::collision {
 
 inline constexpr int kDirections = 256;
 
@@ -29,4 +29,4 @@ inline std::array<Vec3, kDirections> asking_directions() {
   return d;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

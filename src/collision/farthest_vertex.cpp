@@ -7,7 +7,7 @@
 
 #include "collision/hull.h"
 
-namespace carom {
+namespace carom::collision {
 
 namespace {
 
@@ -215,4 +215,4 @@ std::uint32_t FarthestVertex::scan(const Vec3& n) const {
   return std::min(static_cast<std::uint32_t>(which[best[1] > best[0]]), count_ - 1);  // padding repeats the last
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -6,7 +6,7 @@
 #include "core/memory.h"
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// The vertices of a declared polytope, arranged once for the question that a narrow phase asks most.
 ///
@@ -68,4 +68,4 @@ class FarthestVertex {
   Array<std::uint32_t> guesses_;  // [6][cells_][cells_] climb: a corner for each patch of directions
 };
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -10,7 +10,7 @@
 
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::collision {
 
 struct FitFrame {
   Vec3 origin;       // m, a point of the set
@@ -98,4 +98,4 @@ bool fit_frame(const Far& far, FitFrame& f) {
   return true;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace carom {
+namespace carom::collision {
 
 __extension__ typedef __int128 Wide;
 
@@ -243,4 +243,4 @@ bool convex_hull(std::span<const double> xyz, Array<std::uint32_t>& triangles, F
   return convex_hull_on_grid(y, start, triangles);
 }
 
-}  // namespace carom
+}  // namespace carom::collision

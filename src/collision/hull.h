@@ -8,7 +8,7 @@
 #include "collision/fit_frame.h"
 #include "core/memory.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// A closed, convex triangle mesh whose vertices lie on a grid, so that "does this facet see that point?" has an exact
 /// answer. With rounded answers, a cluster of nearly equal points makes facets that tilt anywhere, and then points far
@@ -112,4 +112,4 @@ FitFrame fit_frame_of_points(std::span<const double> xyz);
 /// @return           false, and no triangles, if the four lie in a plane
 bool convex_hull_on_grid(std::span<const Vec3> y, const std::uint32_t start[4], Array<std::uint32_t>& triangles);
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -7,7 +7,7 @@
 #include "collision/hull.h"
 #include "collision/shape.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 constexpr Real kSamePlane = 1e-9;  // of the extent
@@ -175,4 +175,4 @@ void make_faces(Shape& shape) {
   if (shape.form == Form::box) make_box_faces(shape.half, shape.faces);
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -6,7 +6,7 @@
 #include "core/memory.h"
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Faces with their corners; triangles of the hull that lie in one plane are one face.
 struct HullFaces {
@@ -37,4 +37,4 @@ struct Shape;
 /// Give a shape the faces that its verified form has: box and polytope have some, all others none.
 void make_faces(Shape& shape);
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -4,7 +4,7 @@
 #include "collision/volume.h"
 #include "core/sum.h"
 
-namespace carom {
+namespace carom::collision {
 
 namespace {
 
@@ -106,4 +106,4 @@ MassProperties mass_from_form(Form form, Real radius, Real half_height, const Ve
   }
 }
 
-}  // namespace carom
+}  // namespace carom::collision

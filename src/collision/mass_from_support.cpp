@@ -17,7 +17,7 @@
 #include "collision/volume.h"
 #include "core/sum.h"
 
-namespace carom {
+namespace carom::collision {
 
 namespace {
 
@@ -228,4 +228,4 @@ MassProperties mass_from_support(const Shape& shape, Real tolerance, int max_sup
   return growth.bracket();
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -9,7 +9,7 @@
 #include "core/memory.h"
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::collision {
 
 struct Scenery;  // scenery/scenery.h: many triangles
 
@@ -84,4 +84,4 @@ struct SupportFault {
   double out[3] = {0, 0, 0};
 };
 
-}  // namespace carom
+}  // namespace carom::collision

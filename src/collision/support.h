@@ -5,7 +5,7 @@
 
 #include "collision/shape.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Farthest from its origin that a shape may reach. A hundred million metres keep every cube of a length, and the fifth
 /// powers in an inertia, far from overflow; ten times that, and a support function is called unbounded.
@@ -47,4 +47,4 @@ inline bool full_support(const Shape& shape, const Vec3& d, Vec3& out, SupportFa
   return true;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -8,11 +8,11 @@
 #include "collision/support.h"
 #include "collision/volume.h"
 
-namespace carom {
+namespace carom::collision {
 
 namespace {
 
-constexpr Real kRounding = 64 * kUnitRoundoff;  // of the largest coordinate: a few dozen operations in double
+constexpr Real kSupportRounding = 64 * kUnitRoundoff;  // of the largest coordinate: a few dozen operations in double
 
 Verdict lie(const char* reason, const Vec3& dir, const Vec3& out) {
   Verdict v{false, reason, {dir.x(), dir.y(), dir.z()}, {out.x(), out.y(), out.z()}};
@@ -35,7 +35,7 @@ bool same_bits(const Vec3& a, const Vec3& b) {
 
 /// Smallest error of a support value worth calling a lie, for a set that lies within these bounds.
 Real tolerance_of(const Vec3& lo, const Vec3& hi) {
-  return kSloppiness * (hi - lo).max_entry() + kRounding * lo.abs().max(hi.abs()).max_entry();
+  return kSloppiness * (hi - lo).max_entry() + kSupportRounding * lo.abs().max(hi.abs()).max_entry();
 }
 
 /// h(d) = max over x in the form of d . x, for unit d.
@@ -147,4 +147,4 @@ Verdict verify_mass(const Shape& shape, const MassProperties& declared) {
   return {};
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 
 #include "collision/shape.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// The answer, with evidence: the direction that shows the lie and what came back for it.
 struct Verdict {
@@ -25,4 +25,4 @@ Verdict verify_form(const Shape& shape, Form form);
 /// The declared mass lies inside the bracket that the support function gives.
 Verdict verify_mass(const Shape& shape, const MassProperties& declared);
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -5,7 +5,7 @@
 
 #include "collision/support.h"
 
-namespace carom {
+namespace carom::collision {
 
 namespace {
 
@@ -211,4 +211,4 @@ bool derive_bounds(Shape& shape, SupportFault& fault) {
   return true;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

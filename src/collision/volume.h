@@ -3,7 +3,7 @@
 
 #include "collision/shape.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// World bounds of a shape.
 /// @param r  [3x3] shape -> world   @param p [3] m
@@ -29,4 +29,4 @@ MassProperties mass_from_support(const Shape& shape, Real tolerance, int max_sup
 MassProperties mass_from_form(Form form, Real radius, Real half_height, const Vec3& half,
                               std::span<const double> vertices, Memory* memory = std::pmr::get_default_resource());
 
-}  // namespace carom
+}  // namespace carom::collision

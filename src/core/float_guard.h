@@ -1,6 +1,8 @@
 // Arithmetic that a plugin's code must not change for those who come after it.
 #pragma once
 
+#include "core/layers.h"
+
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 
@@ -9,7 +11,7 @@
 #include <cfenv>
 #endif
 
-namespace carom {
+namespace carom::core {
 
 /// Puts rounding, flush-to-zero and the masks back as they were at its start, at the end of its scope, if somebody has
 /// changed them: a support function that was honest about it when it was loaded and no longer is. One read of a
@@ -41,4 +43,4 @@ class FloatGuard {
   FloatGuard& operator=(const FloatGuard&) = delete;
 };
 
-}  // namespace carom
+}  // namespace carom::core

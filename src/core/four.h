@@ -2,13 +2,15 @@
 // doubles and one register of any x86-64.
 #pragma once
 
+#include "core/layers.h"
+
 #include <cstdint>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
 
-namespace carom {
+namespace carom::core {
 
 /// min and max as the processor has them: the second operand where either is not a number.
 #if defined(__SSE2__)
@@ -69,4 +71,4 @@ class Four {
 };
 #endif
 
-}  // namespace carom
+}  // namespace carom::core

@@ -1,10 +1,12 @@
 // A 64-bit hash of bits, for comparing states: order matters, every bit counts, -0 and 0 differ.
 #pragma once
 
+#include "core/layers.h"
+
 #include <cstdint>
 #include <cstring>
 
-namespace carom {
+namespace carom::core {
 
 class Hash {
  public:
@@ -30,4 +32,4 @@ class Hash {
   std::uint64_t state_ = 0xCA40CA40CA40CA40ull;
 };
 
-}  // namespace carom
+}  // namespace carom::core

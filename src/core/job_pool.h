@@ -16,7 +16,7 @@
 #include "core/jobs.h"
 #include "core/memory.h"
 
-namespace carom {
+namespace carom::core {
 
 class JobPool final : public Jobs {
  public:
@@ -136,4 +136,4 @@ class JobPool final : public Jobs {
   Array<std::thread> threads_;  // last: they use all of the above
 };
 
-}  // namespace carom
+}  // namespace carom::core

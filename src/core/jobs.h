@@ -2,10 +2,12 @@
 // no other part reads or writes: then the outcome does not depend on threads.
 #pragma once
 
+#include "core/layers.h"
+
 #include <cstddef>
 #include <cstdint>
 
-namespace carom {
+namespace carom::core {
 
 class Jobs {
  public:
@@ -39,4 +41,4 @@ void in_parallel(Jobs* jobs, std::size_t count, std::size_t grain, const Each& e
   });
 }
 
-}  // namespace carom
+}  // namespace carom::core

@@ -1,13 +1,15 @@
 // Memory: every array of an engine draws from the host's allocator through one resource.
 #pragma once
 
+#include "core/layers.h"
+
 #include <algorithm>
 #include <memory>
 #include <memory_resource>
 #include <utility>
 #include <vector>
 
-namespace carom {
+namespace carom::core {
 
 using Memory = std::pmr::memory_resource;
 
@@ -47,4 +49,4 @@ Owned<Base> make_owned(Memory* memory, Args&&... args) {
                      {memory, static_cast<std::uint32_t>(sizeof(T)), static_cast<std::uint32_t>(alignof(T))});
 }
 
-}  // namespace carom
+}  // namespace carom::core

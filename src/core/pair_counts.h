@@ -6,7 +6,7 @@
 
 #include "core/memory.h"
 
-namespace carom {
+namespace carom::core {
 
 /// Open addressing over a power of two, at most half full. An empty one owns no memory and answers with one comparison.
 class PairCounts {
@@ -100,4 +100,4 @@ class PairCounts {
   std::size_t size_ = 0;
 };
 
-}  // namespace carom
+}  // namespace carom::core

@@ -8,7 +8,7 @@
 
 #include "core/memory.h"
 
-namespace carom {
+namespace carom::core {
 
 using Handle = std::uint64_t;
 
@@ -125,4 +125,4 @@ class SlotPool {
   Array<std::uint32_t> free_;
 };
 
-}  // namespace carom
+}  // namespace carom::core

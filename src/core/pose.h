@@ -4,7 +4,7 @@
 #include "core/quat.h"
 #include "core/trig.h"
 
-namespace carom {
+namespace carom::core {
 
 /// A rigid placement of one frame in another: x_outer = q x_inner + p.
 struct Pose {
@@ -98,4 +98,4 @@ inline Quat normalized(const Quat& q) {
   return Quat(q.w() * s, q.x() * s, q.y() * s, q.z() * s);
 }
 
-}  // namespace carom
+}  // namespace carom::core

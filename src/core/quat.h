@@ -3,7 +3,7 @@
 
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::core {
 
 /// w + x i + y j + z k: w, x, y, z in calls; x, y, z, w in memory. A rotation where its length is 1. Products and turns
 /// add in one order, as vectors do (core/vec.h).
@@ -112,4 +112,4 @@ inline Quat turn_between(const Vec3& from, const Vec3& to) {
   return Quat(a.dot(middle), axis.x(), axis.y(), axis.z()).normalized();
 }
 
-}  // namespace carom
+}  // namespace carom::core

@@ -2,7 +2,9 @@
 // u.
 #pragma once
 
-namespace carom {
+#include "core/layers.h"
+
+namespace carom::core {
 
 /// Compensated sum of numbers, vectors or matrices.
 /// @accuracy  2 u of the result + n^2 u^2 of the sum of magnitudes
@@ -23,4 +25,4 @@ class Sum {
   T sum_, lost_;
 };
 
-}  // namespace carom
+}  // namespace carom::core

@@ -3,7 +3,7 @@
 
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::core {
 
 struct SinCos {
   Real sin, cos;
@@ -50,4 +50,4 @@ inline SinCos sin_cos(Real x) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::core

@@ -3,7 +3,7 @@
 
 #include "core/trig.h"
 
-namespace carom {
+namespace carom::core {
 
 /// A turn about one axis: its angle's cosine and sine, and those of half the angle up to one positive factor, which is
 /// all that a quaternion needs that is scaled back later.
@@ -30,4 +30,4 @@ inline Turn turn_by(Real angle) {
   return {c, s, (c - s) * (c + s) * n, 2 * c * s * n};
 }
 
-}  // namespace carom
+}  // namespace carom::core

@@ -7,7 +7,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace carom {
+namespace carom::core {
 
 /// A pair of numbers and what comes of comparing two such pairs, in the words of the processor where it has some.
 #if defined(__SSE2__)
@@ -44,4 +44,4 @@ class Two {
 };
 #endif
 
-}  // namespace carom
+}  // namespace carom::core

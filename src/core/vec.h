@@ -5,11 +5,13 @@
 // trajectory's bits, and so no expression here may be written otherwise without new golden hashes.
 #pragma once
 
+#include "core/layers.h"
+
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
-namespace carom {
+namespace carom::core {
 
 using Real = double;
 
@@ -291,4 +293,4 @@ inline Vec3 any_perpendicular(const Vec3& n) {
 /// The matrix K with K x = v cross x.
 inline Mat3 cross_matrix(const Vec3& v) { return {0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0}; }
 
-}  // namespace carom
+}  // namespace carom::core

@@ -3,7 +3,7 @@
 
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::core {
 
 struct Vec6 {
   Real at[6];
@@ -43,4 +43,4 @@ struct Vec6 {
   }
 };
 
-}  // namespace carom
+}  // namespace carom::core

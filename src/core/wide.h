@@ -6,6 +6,8 @@
 // copy of a function made for that machine may be left for others to call.
 #pragma once
 
+#include "core/layers.h"
+
 #include <cstdint>
 
 // How such values are passed between functions depends on the machine: none is, everything below is inlined.
@@ -15,7 +17,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 
-namespace carom {
+namespace carom::core {
 
 inline constexpr int kLanes = 4;
 
@@ -74,7 +76,9 @@ struct LanePair {
   Lanes first, second;
 };
 using Half = double __attribute__((vector_size(2 * sizeof(double))));
+// Two ways, by the machine that a file is compiled for, each in a namespace of its own: they are different types.
 #if defined(__AVX__)
+inline namespace by_shuffles {
 CAROM_LANES_INLINE Half half_at(const double* from) {
   Half h;
   __builtin_memcpy(&h, from, sizeof h);
@@ -95,7 +99,9 @@ struct LaneRows {
   }
   CAROM_LANES_INLINE void put(int i, double* to) const { __builtin_memcpy(to, &row[i], sizeof row[i]); }
 };
+}  // namespace by_shuffles
 #else  // compilers take such shuffles apart
+inline namespace one_by_one {
 CAROM_LANES_INLINE LanePair gather(const double* const* row, int at) {
   return {Lanes{row[0][at], row[1][at], row[2][at], row[3][at]},
           Lanes{row[0][at + 1], row[1][at + 1], row[2][at + 1], row[3][at + 1]}};
@@ -105,6 +111,7 @@ struct LaneRows {
   CAROM_LANES_INLINE LaneRows(Lanes a, Lanes b) : first(a), second(b) {}
   CAROM_LANES_INLINE void put(int i, double* to) const { to[0] = first[i], to[1] = second[i]; }
 };
+}  // namespace one_by_one
 #endif
 
 /// Four rows of four floats as lanes, or back: lane[k][i] = row[i][k].
@@ -161,4 +168,4 @@ CAROM_LANES_INLINE LaneVecOf<Number> operator*(const LaneSymmetricOf<Number>& m,
           m.xz * a.x + m.yz * a.y + m.zz * a.z};
 }
 
-}  // namespace carom
+}  // namespace carom::core

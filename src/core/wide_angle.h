@@ -4,7 +4,7 @@
 
 #include "core/wide.h"
 
-namespace carom {
+namespace carom::core {
 
 CAROM_LANES_INLINE double square_root(double a) { return __builtin_sqrt(a); }
 
@@ -28,4 +28,4 @@ CAROM_LANES_INLINE Number angle_of(Number y, Number x) {
   return y < 0 ? -all_of_it : all_of_it;
 }
 
-}  // namespace carom
+}  // namespace carom::core

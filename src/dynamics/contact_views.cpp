@@ -3,7 +3,7 @@
 
 #include "dynamics/contact/contact.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 const Array<ContactView>& ContactViews::of(const World& world) {
   std::uint8_t state = state_.load(std::memory_order_acquire);
@@ -29,4 +29,4 @@ const Array<ContactView>& ContactViews::of(const World& world) {
   return list_;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

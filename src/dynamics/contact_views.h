@@ -7,7 +7,7 @@
 #include "core/memory.h"
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 class World;
 
@@ -47,4 +47,4 @@ class ContactViews {
   std::atomic<std::uint8_t> state_{kMade};
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

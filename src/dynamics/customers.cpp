@@ -1,6 +1,6 @@
 #include "dynamics/customers.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 void add_run(Customers& to, std::uint32_t begin, std::uint32_t end) {  // ascending
@@ -43,4 +43,4 @@ void take_out(const Customers& from, const Customers& those, Customers& out) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

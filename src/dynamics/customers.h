@@ -7,7 +7,7 @@
 #include "core/jobs.h"
 #include "core/memory.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Body slots as ascending runs [begin, end), so that loops over many neighbours are dense.
 struct Customers {
@@ -66,4 +66,4 @@ void each_of_both(const Customers& one, const Customers& other, F&& f) {
 void unite(const Customers& one, const Customers& other, Customers& out);
 void take_out(const Customers& from, const Customers& those, Customers& out);
 
-}  // namespace carom
+}  // namespace carom::dynamics

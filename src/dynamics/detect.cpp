@@ -8,7 +8,7 @@
 #include "dynamics/scenery.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 BroadPhase& broad_phase(World& world) {
   using Make = Owned<BroadPhase> (*)(Memory*);
@@ -94,4 +94,4 @@ void find_contacts(World& world, const StepTime&) {
   for (const SupportFault& fault : plan.faults) mute(world, fault);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -5,7 +5,7 @@
 #include "collision/narrow/narrow_phase.h"
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// How the dials want pairs to be asked.
 NarrowSettings narrow_settings(const Dials& dials);
@@ -22,4 +22,4 @@ void find_pairs(World& world, const StepTime& time);
 /// Stage narrow: manifolds of those pairs. Shapes whose support function misbehaved are muted from here on.
 void find_contacts(World& world, const StepTime& time);
 
-}  // namespace carom
+}  // namespace carom::dynamics

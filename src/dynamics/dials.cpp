@@ -1,7 +1,7 @@
 // The one table of dials: names, bounds, defaults, and what each trades.
 #include "dynamics/dials.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 constexpr const char* kIntegrators[] = {"explicit_euler", "semi_implicit_euler", "rk4", "velocity_verlet"};
@@ -29,7 +29,7 @@ constexpr DialRow number(Dial d, const char* name, const char* unit, const char*
   return {d, DialRow::number, name, unit, summary, nullptr, 0, min, max, initial};
 }
 
-constexpr std::array<DialRow, kDialCount> kTable = {{
+constexpr std::array<DialRow, kDialCount> kDialTable = {{
     choice(Dial::integrator, "integrator",
            "order of the error in flight: 1, 1, 4, 2; cost 1, 1, 4, 2 force evaluations", kIntegrators, 3),
     choice(Dial::rotation, "rotation",
@@ -126,17 +126,17 @@ constexpr std::array<DialRow, kDialCount> kTable = {{
 
 constexpr bool in_order() {
   for (std::size_t i = 0; i < kDialCount; ++i)
-    if (static_cast<std::size_t>(kTable[i].dial) != i) return false;
+    if (static_cast<std::size_t>(kDialTable[i].dial) != i) return false;
   return true;
 }
 static_assert(in_order(), "rows stand in the order of enum Dial");
 
 }  // namespace
 
-const std::array<DialRow, kDialCount>& dial_table() { return kTable; }
+const std::array<DialRow, kDialCount>& dial_table() { return kDialTable; }
 
 Dials::Dials() {
-  for (std::size_t i = 0; i < kDialCount; ++i) value[i] = kTable[i].initial;
+  for (std::size_t i = 0; i < kDialCount; ++i) value[i] = kDialTable[i].initial;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

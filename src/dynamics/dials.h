@@ -6,7 +6,7 @@
 
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Same numbers as CAROM_DIAL_* (a static_assert in src/abi/dial.cpp holds them together).
 enum class Dial : std::uint32_t {
@@ -81,4 +81,4 @@ struct Dials {
   int whole(Dial d) const { return static_cast<int>((*this)[d]); }
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -13,7 +13,7 @@
 #include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 constexpr std::uint32_t kGrey = 0x8A8F94FFu, kBlue = 0x3B7DD8FFu, kSand = 0xD8A657FFu, kDim = 0x6B6257FFu;
@@ -196,4 +196,4 @@ void draw(const World& world, const DrawSettings& settings, Array<DrawLine>& lin
   Drawing(world, settings, lines).run();
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

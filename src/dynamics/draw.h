@@ -3,7 +3,7 @@
 
 #include "dynamics/world.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 struct DrawLine {
   enum Kind : std::uint32_t { shapes = 1, scenery = 2, bounds = 4, contacts = 8, joints = 16, bodies = 32 };
@@ -23,4 +23,4 @@ struct DrawSettings {
 /// All lines asked for, kind by kind.
 void draw(const World& world, const DrawSettings& settings, Array<DrawLine>& lines);
 
-}  // namespace carom
+}  // namespace carom::dynamics

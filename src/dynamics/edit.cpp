@@ -9,7 +9,7 @@
 #include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 template <class T>
@@ -354,4 +354,4 @@ void World::set_continuous(std::uint32_t body, SweepMode mode) {
 
 void World::wake_body(std::uint32_t body) { wake(*this, body); }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -5,7 +5,7 @@
 
 #include "core/memory.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// As CAROM_EFFECT_*. What reads velocities comes before what does not, in each of the two groups of force effects.
 inline constexpr std::size_t kGyroscopicRow = 0, kLinearDampingRow = 1, kAngularDampingRow = 2, kGravityRow = 3,
@@ -49,4 +49,4 @@ struct EffectModes {
   }
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

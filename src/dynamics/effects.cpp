@@ -11,7 +11,7 @@
 #include "dynamics/scenery.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 void find_colliders(const Scene& scene, const State&, Customers& customers) {
@@ -37,7 +37,7 @@ void everyone_that_turns(const Scene& scene, const State& state, Customers& cust
 
 using enum CustomerKind;
 // clang-format off
-constexpr std::array<Effect, kEffectCount> kTable = {{
+constexpr std::array<Effect, kEffectCount> kEffectTable = {{
     // stage, name, customers are
     //     who may be one, who is in this step | force, flow, its decay rate | whom it can be forced on
     //     called by | missing
@@ -134,7 +134,7 @@ constexpr std::array<Effect, kEffectCount> kTable = {{
 }};
 // clang-format on
 
-constexpr bool is_row(std::size_t row, const char* name) { return std::string_view(kTable[row].name) == name; }
+constexpr bool is_row(std::size_t row, const char* name) { return std::string_view(kEffectTable[row].name) == name; }
 static_assert(is_row(kGyroscopicRow, "gyroscopic") && is_row(kLinearDampingRow, "linear_damping") &&
               is_row(kAngularDampingRow, "angular_damping") && is_row(kGravityRow, "gravity") &&
               is_row(kUserForceRow, "user_force") && is_row(kUserTorqueRow, "user_torque") &&
@@ -151,6 +151,6 @@ static_assert(is_row(kGyroscopicRow, "gyroscopic") && is_row(kLinearDampingRow, 
 
 }  // namespace
 
-const std::array<Effect, kEffectCount>& effect_table() { return kTable; }
+const std::array<Effect, kEffectCount>& effect_table() { return kEffectTable; }
 
-}  // namespace carom
+}  // namespace carom::dynamics

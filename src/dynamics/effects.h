@@ -7,7 +7,7 @@
 #include "dynamics/integrate/rotation/principal.h"
 #include "dynamics/world.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Where forces are evaluated: the state itself, or an intermediate one of RK4. By body slot.
 struct Motion {
@@ -162,4 +162,4 @@ Motion extrapolated(World& world, const Vec3* x, const Quat* q);
 /// @param q  by body slot: orientations during h
 void evaluate_flows(World& world, Real h, const Quat* q);
 
-}  // namespace carom
+}  // namespace carom::dynamics

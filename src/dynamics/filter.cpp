@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace carom {
+namespace carom::dynamics {
 
 void filtering::find(const Scene& scene, const State&, Customers& customers) {
   const Array<Filter>& filter = scene.colliders.filter;
@@ -31,4 +31,4 @@ void drop_filtered(World& world, Array<Pair>& pairs) {
   std::erase_if(pairs, [&](const Pair& p) { return !lets_touch(world.scene, p.a, p.b); });
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

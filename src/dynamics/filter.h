@@ -4,7 +4,7 @@
 
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Row of the table: colliders with a filter of their own.
 namespace filtering {
@@ -18,4 +18,4 @@ bool any_held_apart(const World& world);
 /// Drop the pairs that are to be held apart, in their order.
 void drop_filtered(World& world, Array<Pair>& pairs);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Root of a body's tree; halves the path, so that later searches are short.
@@ -90,4 +90,4 @@ void find_groups(World& world, const StepTime& time) {
         std::max<std::uint64_t>(world.report.largest_group, c.group_begin[g + 1] - c.group_begin[g]);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

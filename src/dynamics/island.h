@@ -3,7 +3,7 @@
 
 #include "dynamics/contact/contact.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Stage group: rows from manifolds, then groups by union-find over rows between two dynamic bodies. Static, kinematic
 /// and quarantined bodies cut the chain. With the dial off, all rows are one group. Order: groups by their lowest row,
@@ -21,4 +21,4 @@ std::uint32_t group_of(Contacts& contacts, std::uint32_t body);
 /// twin)
 void partition_rows(Contacts& contacts, std::size_t body_slots, bool grouped);
 
-}  // namespace carom
+}  // namespace carom::dynamics

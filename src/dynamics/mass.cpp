@@ -2,22 +2,22 @@
 #include "dynamics/mass.h"
 
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Inertia of a point mass about the origin: m (|d|^2 1 - d d^T).
 Mat3 point_inertia(Real m, const Vec3& d) { return m * (d.squared_norm() * Mat3::identity() - outer(d, d)); }
 
-struct Sum {
+struct MassSum {
   Real mass = 0;
   Vec3 center = Vec3::zero();
   Mat3 inertia = Mat3::zero();  // about center
 };
 
 /// @param by_volume  every density counts as 1
-Sum sum_of_colliders(const Scene& scene, std::uint32_t body, std::uint32_t skip, bool by_volume) {
+MassSum sum_of_colliders(const Scene& scene, std::uint32_t body, std::uint32_t skip, bool by_volume) {
   const Colliders& c = scene.colliders;
-  Sum sum;
+  MassSum sum;
   const auto each = [&](auto&& f) {
     for (std::uint32_t slot = scene.first_collider[body]; slot != Colliders::kNone; slot = c.next[slot])
       if (slot != skip && c.shape[slot]->mass.volume > 0)
@@ -52,7 +52,7 @@ BodyMass mass_of_body(const Scene& scene, std::uint32_t body, std::uint32_t skip
     if (def.has_center) out.center = def.center;
     return out;
   }
-  Sum sum = sum_of_colliders(scene, body, skip, false);
+  MassSum sum = sum_of_colliders(scene, body, skip, false);
   if (def.has_mass && !(sum.mass > 0)) sum = sum_of_colliders(scene, body, skip, true);
   out.mass = def.has_mass ? def.mass : sum.mass;
   out.center = def.has_center ? def.center : sum.center;
@@ -73,4 +73,4 @@ BodyMass mass_of_body(const Scene& scene, std::uint32_t body, std::uint32_t skip
   return out;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -3,7 +3,7 @@
 
 #include "dynamics/scene.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// kg: of less the reciprocal is no number. What weighs less weighs nothing.
 inline constexpr Real kLeastMass = 1e-300;
@@ -28,4 +28,4 @@ struct BodyMass {
 /// @oracle      tests/unit/dynamics/test_mass
 BodyMass mass_of_body(const Scene& scene, std::uint32_t body, std::uint32_t skip = Colliders::kNoMaterial);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -8,7 +8,7 @@
 #include "dynamics/events/events.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 void measure_contacts(World& world) {
@@ -112,4 +112,4 @@ void observe(World& world, const StepTime& time) {
   report.woke_up = std::exchange(world.sleep->woke, 0);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

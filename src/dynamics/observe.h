@@ -3,7 +3,7 @@
 
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Clear the report for a new step.
 void begin_report(World& world);
@@ -12,4 +12,4 @@ void begin_report(World& world);
 /// the next step's start).
 void observe(World& world, const StepTime& time);
 
-}  // namespace carom
+}  // namespace carom::dynamics

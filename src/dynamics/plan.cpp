@@ -16,7 +16,7 @@
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/solver.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 // As CAROM_ROTATION_*; those after them are rotation methods.
@@ -361,4 +361,4 @@ void refresh(World& world, const StepTime& time) {
   find_swept(world, time.dt);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

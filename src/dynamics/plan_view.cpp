@@ -11,7 +11,7 @@
 #include "dynamics/ledger/ledger.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 template <class... A>
@@ -180,4 +180,4 @@ PlanLine plan_line(const World& world, std::size_t index) {
   return line;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -3,7 +3,7 @@
 
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Whose time an effect's is; as CAROM_TIME_*.
 enum class Timing : std::uint32_t { own, in_stage, off };
@@ -27,4 +27,4 @@ struct PlanLine {
 inline constexpr std::size_t kPlanLines = kStageCount + kEffectCount;
 PlanLine plan_line(const World& world, std::size_t index);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -1,18 +1,18 @@
 // The table of presets. Where each lies on the front: src/tools/accuracy/README.md.
 #include "dynamics/presets.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 constexpr const char* kNames[] = {"fast", "balanced", "accurate", "reference"};
 
-struct Row {
+struct PresetRow {
   Dial dial;
   Real fast, accurate, reference;  // balanced: the dial's initial value
 };
 // Choices, as dials.cpp numbers them.
 constexpr Real kAuto = 4, kVerlet = 3, kSplitting = 5, kSplitting4 = 6, kSplitting6 = 7;
-constexpr Row kRows[] = {
+constexpr PresetRow kRows[] = {
     {Dial::integrator, kVerlet, kVerlet, kVerlet},
     {Dial::rotation, kSplitting, kSplitting4, kSplitting6},
     {Dial::substeps, 1, 16, 64},
@@ -27,7 +27,7 @@ constexpr Row kRows[] = {
 const char* name_of(Preset preset) { return kNames[static_cast<std::size_t>(preset)]; }
 
 std::optional<Real> preset_value(Preset preset, Dial dial) {
-  for (const Row& row : kRows) {
+  for (const PresetRow& row : kRows) {
     if (row.dial != dial) continue;
     switch (preset) {
       case Preset::fast:
@@ -43,4 +43,4 @@ std::optional<Real> preset_value(Preset preset, Dial dial) {
   return std::nullopt;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

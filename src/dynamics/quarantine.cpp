@@ -5,7 +5,7 @@
 
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 void quarantine(World& world, std::uint32_t body) {
   State& s = world.state;
@@ -39,4 +39,4 @@ void admit(World& world, const StepTime&) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -3,7 +3,7 @@
 
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 // Beyond these a state is not a scene but an accident. Squares and products of a few of them stay far from overflow
 // (1e308), which is what lets every other room compute without checks. Larger bounds would admit overflow in the narrow
@@ -38,4 +38,4 @@ void quarantine(World& world, std::uint32_t body);
 /// finite becomes the nearest thing to it: components that are not finite become 0, those too large the bound.
 void admit(World& world, const StepTime& time);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -8,7 +8,7 @@
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/ledger/books.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// 1/kg, what a unit impulse along n changes of the velocity along n at an arm.
@@ -102,4 +102,4 @@ Residuals residuals_of(const World& world) {
   return r;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

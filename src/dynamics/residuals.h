@@ -3,7 +3,7 @@
 
 #include "dynamics/world.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// @see carom_residuals for units and what is of when.
 struct Residuals {
@@ -21,4 +21,4 @@ struct Residuals {
 /// @oracle tests/oracle/test_residuals
 Residuals residuals_of(const World& world);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -8,7 +8,7 @@
 #include "dynamics/effect_rows.h"
 #include "dynamics/force/sources.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };  // as CAROM_BODY_*
 /// Whether a body is swept from pose to pose, @see dynamics/ccd/continuous.h; as CAROM_CONTINUOUS_*.
@@ -124,4 +124,4 @@ struct Scene {
   std::uint64_t collider_revision = 1;  // raised when the set of colliders, or who may touch whom, changed
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

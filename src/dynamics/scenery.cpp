@@ -6,11 +6,11 @@
 
 #include "collision/manifold/adopt.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 // Cosine of 0.35 rad: a patch goes on from a record whose points looked the same way within this.
-constexpr Real kSamePatch = 0.94;
+constexpr Real kSceneryPatch = 0.94;
 
 /// A pair with scenery as collision/scenery sees it; none where both are without a volume to be pushed.
 struct Parties {
@@ -60,7 +60,7 @@ std::uint32_t match(PairTable& pairs, SceneryContacts& s, const SceneryContacts:
     for (std::uint32_t k = 0; k < of.count; ++k) {
       const SceneryPatch& patch = s.patches[of.first + k];
       const Vec3 normal = swapped ? Vec3(-patch.normal) : patch.normal;
-      if (old.point[0].normal.dot(normal) < kSamePatch || taken(k)) continue;
+      if (old.point[0].normal.dot(normal) < kSceneryPatch || taken(k)) continue;
       for (int p = 0; p < patch.count; ++p)
         for (int q = 0; q < old.count; ++q) {
           const Real d = (patch.point[p].on_b - side(old.point[q])).squared_norm();
@@ -173,4 +173,4 @@ bool touches_scenery(World& world, const NarrowSettings& settings, const Pair& p
   return !meeting.patches().empty() || fault.kind != SupportFault::none;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -5,7 +5,7 @@
 #include "collision/scenery/meet.h"
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 namespace scenery {
 /// Colliders of meshes and height fields that the broad phase goes through.
@@ -35,4 +35,4 @@ void meet_scenery(World& world, const NarrowSettings& settings);
 /// Whether a shape touches scenery as the narrow phase would find. A fault counts as a touch.
 bool touches_scenery(World& world, const NarrowSettings& settings, const Pair& pair);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -4,7 +4,7 @@
 #include "core/memory.h"
 #include "core/pose.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 struct State {
   explicit State(Memory* m)
@@ -56,4 +56,4 @@ struct State {
   }
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -21,7 +21,7 @@
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/solver.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Runs a stage if it has customers, and books its time.
@@ -105,4 +105,4 @@ void World::step(Real dt) {
   run(Stage::observe, note_who_moved);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -5,7 +5,7 @@
 
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Impulses are carried as forces, so by the ratio of the substeps. But what a substep leaves is not force alone:
 /// rounding, and what undid a gap, do not shrink with it. After one of 1e-20 s the ratio made 1e5 m/s of them, and
@@ -16,4 +16,4 @@ inline constexpr Real kMostCarried = 1e3;
 /// @param h, old_h  s, > 0: this substep, and the one that left the impulses
 inline Real warm_scale(Real h, Real old_h) { return std::min(h / old_h, kMostCarried); }
 
-}  // namespace carom
+}  // namespace carom::dynamics

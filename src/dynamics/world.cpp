@@ -13,7 +13,7 @@
 #include "dynamics/solver/direct.h"
 #include "dynamics/solver/wide_contacts.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 const char* stage_name(Stage stage) {
   static constexpr const char* kNames[kStageCount] = {"refresh",   "broad", "narrow", "group",
@@ -109,4 +109,4 @@ std::uint64_t World::hash() const {
 
 bool World::asleep(std::uint32_t body) const { return sleep->sleeps(body); }
 
-}  // namespace carom
+}  // namespace carom::dynamics

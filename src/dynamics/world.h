@@ -14,7 +14,7 @@
 #include "dynamics/snapshot/structure.h"
 #include "dynamics/state.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Stages as a host sees them, in the order of CAROM_STAGE_*.
 enum class Stage : std::uint32_t { refresh, broad, narrow, group, integrate, solve, relax, observe, count };
@@ -175,4 +175,4 @@ class World {
   Jobs* jobs = nullptr;  // who shares a step's loops; null: nobody
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

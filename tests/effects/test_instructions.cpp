@@ -81,7 +81,7 @@ void one_among_ten_thousand_costs_what_one_alone_costs(void**) {
   assert_non_null(mkdtemp(folder));
   const std::string command =
       "valgrind -q --tool=callgrind --collect-atstart=no --callgrind-out-file=" + std::string(folder) + "/out '" +
-      g_self + "' --count > /dev/null 2>&1";
+      g_self + "' instructions --count > /dev/null 2>&1";
   assert_int_equal(std::system(command.c_str()), 0);
   const std::map<std::string, double> counts = read_counts(folder);
   std::filesystem::remove_all(folder);

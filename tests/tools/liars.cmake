@@ -1,4 +1,6 @@
 # Plugins for `carom check` to judge: the same ball with one lie each, and one honest.
+set(carom_judged "")
+set(carom_judged_dir ${CMAKE_BINARY_DIR}/judged)
 foreach(lie HONEST HANG CRASH ABORT EXIT JUMP NAN DENT LENGTH MEMORY DECLARATION)
   string(TOLOWER ${lie} name)
   add_library(judged_${name} MODULE ${CMAKE_CURRENT_LIST_DIR}/liars/liars.c)
@@ -6,19 +8,13 @@ foreach(lie HONEST HANG CRASH ABORT EXIT JUMP NAN DENT LENGTH MEMORY DECLARATION
   target_compile_definitions(judged_${name} PRIVATE LIE_${lie})
   target_link_libraries(judged_${name} PRIVATE carom_flags m)
   set_target_properties(judged_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name} LIBRARY_OUTPUT_DIRECTORY
-    ${CMAKE_BINARY_DIR}/judged)
-  add_dependencies(test_tools_command judged_${name})
+    ${carom_judged_dir})
+  list(APPEND carom_judged judged_${name})
 endforeach()
 # The same as C++, which can throw.
 add_library(judged_throw MODULE ${CMAKE_CURRENT_LIST_DIR}/liars/throws.cpp)
 target_link_libraries(judged_throw PRIVATE carom_flags)
 target_include_directories(judged_throw PRIVATE ${PROJECT_SOURCE_DIR}/include)
 set_target_properties(judged_throw PROPERTIES PREFIX "" OUTPUT_NAME throw LIBRARY_OUTPUT_DIRECTORY
-  ${CMAKE_BINARY_DIR}/judged)
-add_dependencies(test_tools_command judged_throw)
-add_dependencies(test_tools_command carom_cli ${plugins})
-foreach(test command gltf scenes)
-  target_compile_definitions(test_tools_${test} PRIVATE CAROM_COMMAND="$<TARGET_FILE:carom_cli>"
-    CAROM_LIARS="${CMAKE_BINARY_DIR}/judged")
-  add_dependencies(test_tools_${test} ${plugins})
-endforeach()
+  ${carom_judged_dir})
+list(APPEND carom_judged judged_throw)

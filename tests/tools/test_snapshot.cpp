@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -299,7 +300,7 @@ static void it_is_small(void**) {
 /// Argument: a snapshot to go on from, in place of the tests.
 int main(int argc, char** argv) {
   if (argc > 1) return go_on_from(argv[1]);
-  own_path = argv[0];
+  own_path = std::filesystem::read_symlink("/proc/self/exe").string() + " snapshot";
   const CMUnitTest tests[] = {
       cmocka_unit_test(every_scene_goes_on_as_it_did),
       cmocka_unit_test(so_it_does_under_every_solver),

@@ -4,7 +4,7 @@
 #include "collision/colliders.h"
 #include "core/two.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Whether a box holds no point. The formula of Aabb::overlaps() must not see one: [2, 1] would overlap [0, 3].
 inline bool is_empty(const Aabb& box) {
@@ -48,4 +48,4 @@ inline void put_six(const Aabb& box, Real* six) {
   six[3] = box.hi.x(), six[4] = box.hi.y(), six[5] = box.hi.z();
 }
 
-}  // namespace carom
+}  // namespace carom::collision

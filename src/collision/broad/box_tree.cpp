@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 Aabb both(const Aabb& a, const Aabb& b) {
@@ -281,4 +281,4 @@ bool BoxTree::worn() const {
   return waste_ > kBuilding * static_cast<Real>(size_ * static_cast<std::size_t>(std::bit_width(size_)));
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -5,7 +5,7 @@
 
 #include "collision/broad/bounds.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// An R-tree [Guttman1984]: every node holds the boxes of up to four children side by side, all leaves are equally
 /// deep. So a query goes down level by level, four boxes at a time, and nothing in it has to be guessed by a processor
@@ -186,4 +186,4 @@ std::uint64_t BoxTree::each_pair(Found&& found) {
   return tests;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

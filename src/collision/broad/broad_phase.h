@@ -4,7 +4,7 @@
 #include "collision/broad/bounds.h"
 #include "collision/colliders.h"
 
-namespace carom {
+namespace carom::collision {
 
 struct BroadSettings {
   Real grid_cell = 0;  // m; 0: chosen from the scene
@@ -52,4 +52,4 @@ Owned<BroadPhase> make_sweep_and_prune(Memory* memory);
 Owned<BroadPhase> make_uniform_grid(Memory* memory);
 Owned<BroadPhase> make_tree(Memory* memory);
 
-}  // namespace carom
+}  // namespace carom::collision

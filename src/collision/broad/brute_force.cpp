@@ -2,7 +2,7 @@
 #include "collision/broad/bounds.h"
 #include "collision/broad/broad_phase.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 class BruteForce final : public BroadPhase {
@@ -27,4 +27,4 @@ class BruteForce final : public BroadPhase {
 
 Owned<BroadPhase> make_brute_force(Memory* memory) { return make_owned<BroadPhase, BruteForce>(memory); }
 
-}  // namespace carom
+}  // namespace carom::collision

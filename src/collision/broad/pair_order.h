@@ -5,7 +5,7 @@
 
 #include "collision/colliders.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Counting sort by the second slot, then, stably, by the first: two passes over the pairs and two over the slots.
 /// A comparison sort of the ~5 pairs a body of a pile costs as much as finding them.
@@ -38,4 +38,4 @@ class PairOrder {
   Array<std::size_t> first_;  // where the next pair of a slot goes
 };
 
-}  // namespace carom
+}  // namespace carom::collision

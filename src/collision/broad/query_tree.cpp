@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 constexpr int kBins = 16;
@@ -12,7 +12,7 @@ constexpr Real kWear = 1.6;
 /// To climb from a node costs as much as to sweep over so many.
 constexpr std::size_t kClimb = 16;
 
-Aabb both(const Aabb& a, const Aabb& b) {
+Aabb box_around(const Aabb& a, const Aabb& b) {
   Aabb u;
   u.lo = a.lo.min(b.lo), u.hi = a.hi.max(b.hi);
   return u;
@@ -108,7 +108,7 @@ std::uint32_t QueryTree::fill(std::uint32_t parent, Item* first, std::size_t cou
   };
   const auto part = [](Item* from, std::size_t n) {
     Aabb all = from->box;
-    for (const Item* i = from + 1; i < from + n; ++i) all = both(all, i->box);
+    for (const Item* i = from + 1; i < from + n; ++i) all = box_around(all, i->box);
     return Part{from, n, surface_of(all)};
   };
   std::array<Part, kWidth> parts{part(first, count)};
@@ -169,21 +169,21 @@ std::size_t QueryTree::halve(Item* first, std::size_t count, int depth) const {
     std::array<Bin, kBins> bins;
     for (const Item* i = first; i < first + count; ++i) {
       Bin& bin = bins[bin_of(*i)];
-      bin.box = both(bin.box, i->box);
+      bin.box = box_around(bin.box, i->box);
       ++bin.count;
     }
     std::array<Real, kBins> right{};  // of all bins from here on
     Aabb all;
     std::size_t n = 0;
     for (std::size_t b = kBins; b-- > 1;) {
-      all = both(all, bins[b].box), n += bins[b].count;
+      all = box_around(all, bins[b].box), n += bins[b].count;
       right[b] = n ? static_cast<Real>(n) * surface_of(all) : 0;
     }
     Real best = kInfinity;
     std::size_t last = kBins;  // bin on the left
     all = Aabb(), n = 0;
     for (std::size_t b = 0; b + 1 < kBins; ++b) {
-      all = both(all, bins[b].box), n += bins[b].count;
+      all = box_around(all, bins[b].box), n += bins[b].count;
       if (n == 0 || n == count) continue;
       const Real cost = static_cast<Real>(n) * surface_of(all) + right[b + 1];
       if (cost < best) best = cost, last = b;
@@ -284,4 +284,4 @@ QueryTree::Box::Box(const QueryTree& tree, const Aabb& box) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::collision

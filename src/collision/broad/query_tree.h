@@ -8,7 +8,7 @@
 #include "collision/broad/bounds.h"
 #include "core/four.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Every node holds the boxes of up to four children side by side, as float about an origin of the tree's own, each
 /// rounded outwards by more than a search, or a cast after it, loses to rounding. So a search may visit a leaf in vain
@@ -184,4 +184,4 @@ void QueryTree::search(const Keys& keys, float& limit, Leaf&& leaf) const {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -21,7 +21,7 @@
 #include "collision/broad/broad_phase.h"
 #include "collision/broad/pair_order.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 constexpr std::size_t kAxes = 3;
@@ -258,4 +258,4 @@ class SweepAndPrune final : public BroadPhase {
 
 Owned<BroadPhase> make_sweep_and_prune(Memory* memory) { return make_owned<BroadPhase, SweepAndPrune>(memory, memory); }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -17,7 +17,7 @@
 #include "collision/broad/broad_phase.h"
 #include "collision/broad/pair_order.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 // A fat box is larger on each side by a share of its extent along that axis, so that a plate stays thin. Every body
@@ -415,4 +415,4 @@ class Tree final : public BroadPhase {
 
 Owned<BroadPhase> make_tree(Memory* memory) { return make_owned<BroadPhase, Tree>(memory, memory); }
 
-}  // namespace carom
+}  // namespace carom::collision

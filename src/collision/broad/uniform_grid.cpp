@@ -12,7 +12,7 @@
 #include "collision/broad/broad_phase.h"
 #include "collision/broad/pair_order.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 /// A box in more cells than this is "large". 4 x 4 x 4: boxes up to 3 cells long, six times the usual size, always fit.
@@ -181,4 +181,4 @@ class UniformGrid final : public BroadPhase {
 
 Owned<BroadPhase> make_uniform_grid(Memory* memory) { return make_owned<BroadPhase, UniformGrid>(memory, memory); }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -4,7 +4,7 @@
 
 #include "collision/narrow/query.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// hit: they touch within the motion. overlap: they touched already at its start. undecided: so near to touching, or so
 /// slowly approaching, that neither was proven.
@@ -33,4 +33,4 @@ struct CastResult {
   int iterations = 0, support_calls = 0;
 };
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 
 #include "core/pose.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Scaled before it is turned or measured: squares of the largest would overflow.
 struct Heading {
@@ -26,4 +26,4 @@ struct Heading {
   }
 };
 
-}  // namespace carom
+}  // namespace carom::collision

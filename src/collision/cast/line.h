@@ -8,7 +8,7 @@
 
 #include "collision/cast/line_geometry.h"
 
-namespace carom::line {
+namespace carom::collision::line {
 
 struct Request {
   Real radius = 0;          // of the ball added to the set
@@ -215,4 +215,4 @@ Contact meet(const Mat3& axes, const SetIn& set_in, const Request& request, cons
   return entry.calls < request.cap ? Contact::parting : Contact::undecided;
 }
 
-}  // namespace carom::line
+}  // namespace carom::collision::line

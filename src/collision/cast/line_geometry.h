@@ -6,7 +6,7 @@
 
 #include "collision/narrow/simplex_geometry.h"
 
-namespace carom::line {
+namespace carom::collision::line {
 
 inline Real cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -174,4 +174,4 @@ inline Crossing first_crossing(const Vec3* y, int count, Real radius, bool newes
   return best;
 }
 
-}  // namespace carom::line
+}  // namespace carom::collision::line

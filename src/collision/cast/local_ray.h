@@ -4,7 +4,7 @@
 #include "collision/cast/ray.h"
 #include "collision/cast/rounding.h"
 
-namespace carom {
+namespace carom::collision {
 
 struct LocalRay {
   Vec3 o, u;             // m; unit
@@ -45,4 +45,4 @@ inline void miss(const Ray& ray, CastResult& result) {
 bool cast_at_form(const Ray& ray, const Shape& shape, const Frame& frame, const LocalRay& r,
                   const CastSettings& settings, CastResult& result);
 
-}  // namespace carom
+}  // namespace carom::collision

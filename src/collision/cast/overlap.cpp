@@ -9,7 +9,7 @@
 #include "collision/narrow/pair.h"
 #include "collision/narrow/simplex_geometry.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 /// How far within a tetrahedron the origin is; negative: outside. The planes' errors are left to the caller.
@@ -182,4 +182,4 @@ OverlapResult overlap_with_point(const Shape& shape, const Vec3& point, Real tar
   return result;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

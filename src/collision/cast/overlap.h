@@ -3,7 +3,7 @@
 
 #include "collision/narrow/query.h"
 
-namespace carom {
+namespace carom::collision {
 
 enum class Overlap : std::uint32_t { apart, overlapping, touching, fault };
 
@@ -26,4 +26,4 @@ OverlapResult overlap(const Shape& a, const Shape& b, const Frame& b_in_a, Real 
 OverlapResult overlap_with_point(const Shape& shape, const Vec3& point, Real target, Real rounding, int cap,
                                  SupportFault& fault);
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -7,7 +7,7 @@
 #include "collision/core.h"
 #include "collision/support.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 /// The core of one shape in the coordinates of a line.
@@ -223,4 +223,4 @@ int cast_ray(const Ray& ray, std::span<const Placed> shapes, const CastSettings&
   return first;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -5,7 +5,7 @@
 
 #include "collision/cast/cast.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// The points origin + t direction, 0 <= t <= max. A direction of zero asks whether the origin is in the shape.
 struct Ray {
@@ -37,4 +37,4 @@ struct Placed {
 int cast_ray(const Ray& ray, std::span<const Placed> shapes, const CastSettings& settings, CastResult& result,
              SupportFault& fault);
 
-}  // namespace carom
+}  // namespace carom::collision

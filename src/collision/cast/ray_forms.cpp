@@ -3,7 +3,7 @@
 // as it is.
 #include "collision/cast/local_ray.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 /// Where a line is in a convex set, m along it from the ray's origin.
@@ -188,4 +188,4 @@ bool cast_at_form(const Ray& ray, const Shape& shape, const Frame& frame, const 
   }
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 
 #include "collision/narrow/rounding.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Error of a support value in the line's coordinates, in units of u M, M = length of the offset of the shapes (of a
 /// ray: its origin seen from the shape) + radii. In units of u:
@@ -16,4 +16,4 @@ namespace carom {
 ///     the foot on the line, and lengths along it from there to the start                                 6 M
 inline constexpr Real kCastRounding = kBracketRounding + kPoseRounding + 53;
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -10,7 +10,7 @@
 #include "collision/narrow/pair.h"
 #include "collision/support.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 /// B - A of the cores in the coordinates of a line.
@@ -42,7 +42,7 @@ class DifferenceSet {
   Vec3 from_;
 };
 
-using PairEntry = line::Entry<DifferenceSet::Point>;
+using CastEntry = line::Entry<DifferenceSet::Point>;
 
 void miss(CastResult& result) {
   result.outcome = CastOutcome::miss;
@@ -156,7 +156,7 @@ struct Cast {
 
     const Real from = difference.to_scaled(ahead);
     const auto set_in = [&](const Mat3& axes, Real side) { return DifferenceSet(difference, axes, side * from); };
-    PairEntry entry;
+    CastEntry entry;
     const line::Contact contact = line::meet(basis, set_in, request, first, entry);
     result.support_calls = result.iterations = entry.calls;
     if (contact == line::Contact::misses) return miss(result);
@@ -179,7 +179,7 @@ struct Cast {
     result.time = std::clamp(ahead / length, Real(0), Real(1));
   }
 
-  void write_hit(const Difference& difference, const Mat3& basis, const PairEntry& e, Real length, Real ahead) {
+  void write_hit(const Difference& difference, const Mat3& basis, const CastEntry& e, Real length, Real ahead) {
     const auto time = [&](Real s) { return std::clamp((difference.to_metres(s) + ahead) / length, Real(0), Real(1)); };
     result.outcome = CastOutcome::hit;
     result.lower = time(e.lower);
@@ -206,4 +206,4 @@ void cast_shape(const Shape& a, const Frame& frame_a, const Vec3& motion, const 
   Cast{a, b, frame_a, frame_b, motion, settings, result, fault, relative(frame_a, frame_b)}.run();
 }
 
-}  // namespace carom
+}  // namespace carom::collision

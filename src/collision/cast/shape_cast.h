@@ -3,7 +3,7 @@
 
 #include "collision/cast/cast.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Cast shape A along a translation against B at rest. At most one of them may be a half-space.
 /// @param motion    [3] m, of A relative to B; times are fractions of it, in [0, 1]
@@ -14,4 +14,4 @@ namespace carom {
 void cast_shape(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& b, const Frame& frame_b,
                 const CastSettings& settings, CastResult& result, SupportFault& fault);
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -7,7 +7,7 @@
 #include "collision/cast/rounding.h"
 #include "collision/core.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 // A turn by an angle phi is computed to 4 u, its angle to 2 u phi: what that moves, in units of u of the arm.
@@ -163,7 +163,7 @@ class Advance {
       value = n.dot(frame.apply(p)) + s.core_radius;
       return true;
     };
-    Real of_a, of_b;
+    Real of_a = 0, of_b = 0;
     ++result_.support_calls;
     if (!farthest(Core(a_), ma_, seen_.normal, of_a) || !farthest(Core(b_), mb_, -seen_.normal, of_b)) return fail();
     gap = -of_b - of_a - settings_.target - rounding_at(t) - kBracketRounding * kUnitRoundoff * size();
@@ -276,4 +276,4 @@ void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b,
   Advance(a, motion_a, b, motion_b, duration, settings, result, fault).run();
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 
 #include "collision/cast/cast.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// A motion at constant velocity and angular velocity: the centre goes straight, the shape turns about it.
 struct RigidMotion {
@@ -35,4 +35,4 @@ struct RigidMotion {
 void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b, const RigidMotion& motion_b, Real duration,
                     const CastSettings& settings, CastResult& result, SupportFault& fault);
 
-}  // namespace carom
+}  // namespace carom::collision

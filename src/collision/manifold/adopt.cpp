@@ -3,7 +3,7 @@
 
 #include "collision/manifold/match.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 // A new point takes an old one's place if it widens the patch by this share of its width: below, which of two nearly
@@ -58,4 +58,4 @@ void adopt(const Frame& a, const ContactPoint* points, int count, const Manifold
   store(a, settings, pool, kLoyalty, manifold);
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 
 #include "collision/manifold/choice.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Replace a manifold by the points of a new patch. Each old point hands its age to the new point nearest to it, on
 /// either shape, or made of the same features; where there are more than four, the choice between equals stays with
@@ -11,4 +11,4 @@ namespace carom {
 /// @param points  [count] at most Pool::kMax; those farther apart than the contact distance are left out
 void adopt(const Frame& a, const ContactPoint* points, int count, const ManifoldSettings& settings, Manifold& manifold);
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -4,7 +4,7 @@
 #include "collision/manifold/choice.h"
 #include "collision/manifold/match.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 // A kept point whose normal differs from the newest by more than this (cosine; 20 degrees) belonged to another face.
@@ -81,4 +81,4 @@ void update_cache(const Frame& a, const Frame& b, const Candidates& found, const
   store(a, settings, pool, 0, manifold);
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -1,13 +1,13 @@
 // The greedy choice of four: deepest, farthest from it, farthest beside that line, farthest outside that triangle.
 #include "collision/manifold/choice.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 // How much side a point must add to be worth a unit of height over the deepest one (rise per run, 3 degrees): points
 // that hover do not carry. Steeper: corners that hover displace ones that touch. Flatter: a tilt of a jitter leaves an
 // edge in place of a face.
-constexpr Real kTilt = 0.05;
+constexpr Real kChoiceTilt = 0.05;
 // Depths within this share of the contact distance are equal: the choice then stays with the older point.
 constexpr Real kSameDepth = 0.01;
 
@@ -23,7 +23,7 @@ Choice::Choice(const Frame& a, const Pool& pool, Real same_depth, Real loyalty) 
     width = std::max({width, std::fabs(x_[i] - x_[0]), std::fabs(y_[i] - y_[0])});
   }
   for (int i = 0; i < pool.count; ++i)
-    cost_[i] = std::max(Real(0), pool.point[i]->separation - deepest) / kTilt +
+    cost_[i] = std::max(Real(0), pool.point[i]->separation - deepest) / kChoiceTilt +
                (pool.age[i] == 0 ? loyalty * width : Real(0));
   int first = 0;
   while (pool.point[first]->separation > deepest + same_depth) ++first;
@@ -79,4 +79,4 @@ void store(const Frame& a, const ManifoldSettings& settings, const Pool& pool, R
   for (int k = 0; k < Manifold::kMaxPoints; ++k) put(k, choice[k]);
 }
 
-}  // namespace carom
+}  // namespace carom::collision

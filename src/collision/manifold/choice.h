@@ -5,7 +5,7 @@
 
 #include "collision/manifold/manifold.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Points to choose from: where they are, and how old.
 struct Pool {
@@ -47,4 +47,4 @@ class Choice {
 /// Keep a pool's points, or the four of them that `Choice` names.
 void store(const Frame& a, const ManifoldSettings& settings, const Pool& pool, Real loyalty, Manifold& manifold);
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -1,7 +1,7 @@
 // Clipping a convex polygon to a rectangle, one side after the other.
 #include "collision/manifold/clip.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 /// Keep what lies at sign * (corner.*axis) <= half; a new corner's side along the cut is labelled `label`.
@@ -38,4 +38,4 @@ void clip_to_rectangle(Polygon& polygon, Real half_x, Real half_y) {
   cut(other, polygon, &Corner::y, -1, half_y, 7);
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -5,7 +5,7 @@
 
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// A corner of a polygon over a rectangle |x| <= half_x, |y| <= half_y, with its height z above it.
 struct Corner {
@@ -25,4 +25,4 @@ struct Polygon {
 /// @accuracy  a cut corner lies on the side it was cut from to 4 u times the size
 void clip_to_rectangle(Polygon& polygon, Real half_x, Real half_y);
 
-}  // namespace carom
+}  // namespace carom::collision

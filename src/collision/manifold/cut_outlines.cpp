@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 // Lines that enclose less (sine) lie along each other: the tilt within which facets are fitted at all.
@@ -167,4 +167,4 @@ void cut_outlines(const Outline& a, const Outline& b, Real tolerance, Meetings& 
   Cutter(a, b, tolerance, out).run();
 }
 
-}  // namespace carom
+}  // namespace carom::collision

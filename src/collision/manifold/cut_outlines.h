@@ -3,7 +3,7 @@
 
 #include "collision/manifold/facet.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// A facet seen along a normal: its outline in the plane, and its height over it, an affine function of the place.
 struct Outline {
@@ -48,4 +48,4 @@ class Meetings {
 /// @param tolerance  m: a corner this far outside still counts as inside, and corners this close are one
 void cut_outlines(const Outline& a, const Outline& b, Real tolerance, Meetings& out);
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -5,7 +5,7 @@
 
 #include "collision/core.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 constexpr int kRings = 3;
@@ -13,7 +13,7 @@ constexpr int kRings = 3;
 // face: at 0.03 a box's face is found whole with a normal 0.02 off, and neighbours that enclose less are taken for one
 // curved piece. Each ring leaves the normal off by about the square of its tilt, so the next may be that much finer and
 // still see both ends of what is flat; the last leaves a round edge's height off by tilt^2/2 = 5e-9 of its radius.
-constexpr Real kTilt[kRings] = {0.03, 2e-3, 1e-4};
+constexpr Real kFacetTilt[kRings] = {0.03, 2e-3, 1e-4};
 // The most that a face may lean, rad, to be looked for at all. Beyond, its far side carries nothing before the next
 // step.
 constexpr Real kWidest = 0.3;
@@ -36,7 +36,7 @@ constexpr Real kFlat = 1e-6;
 // A chord shorter than this share of its predecessor shrank with the tilt (by 15 or 20), so it spans a curved piece.
 constexpr Real kShrank = 0.3;
 // Cosine of 0.06 rad: a fitted plane farther from the direction asked for spans several facets and says nothing.
-constexpr Real kSamePlane = 0.9982;
+constexpr Real kFacetSamePlane = 0.9982;
 
 struct Ring {
   int count = 0;
@@ -49,7 +49,7 @@ struct Ring {
 };
 
 bool ask_ring(const Prober& probe, const Vec3& about, Real tilt, Ring& p) {
-  const bool last = tilt == kTilt[kRings - 1];
+  const bool last = tilt == kFacetTilt[kRings - 1];
   const auto* way = last ? kLastRing : kRing;
   const Vec3 e1 = steady_perpendicular(about), e2 = about.cross(e1);
   for (p.count = 0; p.count < (last ? 6 : Facet::kAzimuths); ++p.count)
@@ -149,7 +149,7 @@ bool fit_near(const Prober& probe, const Vec3& n, Facet& f, bool& sharp) {
   Real length = 0, width = 0;  // of the ring before
   for (int i = 0; i < kRings; ++i) {
     Ring p;
-    if (!ask_ring(probe, about, kTilt[i], p)) return false;
+    if (!ask_ring(probe, about, kFacetTilt[i], p)) return false;
     const Chords c(p, n);
     const bool last = i + 1 == kRings;
     if (c.length <= noise) return sharp = i == 0, be_point(f, i > 0), true;
@@ -159,17 +159,17 @@ bool fit_near(const Prober& probe, const Vec3& n, Facet& f, bool& sharp) {
       continue;
     }
     if (c.width <= noise || c.width < kShrank * width) return sharp = i == 0, be_edge(p, c.along, i, f), true;
-    const bool near = c.normal.dot(n) > kSamePlane;
+    const bool near = c.normal.dot(n) > kFacetSamePlane;
     if (near && flat(p, f.tip, c.normal, std::max(kFlat * c.length, noise))) {
       // Few corners: all of them. Many: a ring square to the face leaves out fewest, and finds a rim at azimuths that
       // stay put in the body.
       const int distinct = count_distinct(p, noise);
-      const bool square = (c.normal - about).squared_norm() < 0.01 * kTilt[i] * kTilt[i];
+      const bool square = (c.normal - about).squared_norm() < 0.01 * kFacetTilt[i] * kFacetTilt[i];
       if (distinct <= 4 || (distinct < Facet::kAzimuths && square) || i > 0)
         return be_face(p, c.normal, noise, f), true;
     } else if (last) {
       return near ? be_face(p, c.normal, noise, f) : be_edge(p, c.along, i, f), true;
-    } else if (i == 0 && dome(p, f.tip, c, kTilt[i])) {
+    } else if (i == 0 && dome(p, f.tip, c, kFacetTilt[i])) {
       return be_point(f, true), true;
     }
     if (near) about = c.normal;
@@ -199,7 +199,7 @@ bool fit_facet(const Prober& probe, const Vec3& n, Real reach, Facet& f) {
   bool sharp = false;
   if (!fit_near(probe, n, f, sharp)) return false;
   const Real lean = leaning(probe.shape, reach);
-  return !sharp || lean <= kTilt[0] || look_wide(probe, n, lean, f);
+  return !sharp || lean <= kFacetTilt[0] || look_wide(probe, n, lean, f);
 }
 
 Vec3 steady_perpendicular(const Vec3& n) {
@@ -229,7 +229,7 @@ bool settle_facet(const Prober& probe, const Vec3& n, Facet& f) {
       Vec3 across = n - n.dot(f.along) * f.along;
       across /= across.norm();
       const Real length = (f.corner[0] - f.corner[1]).norm();
-      if (!probe(across + kTilt[i] * f.along, f.corner[0]) || !probe(across - kTilt[i] * f.along, f.corner[1]))
+      if (!probe(across + kFacetTilt[i] * f.along, f.corner[0]) || !probe(across - kFacetTilt[i] * f.along, f.corner[1]))
         return false;
       const Vec3 chord = f.corner[0] - f.corner[1];
       const Real now = chord.norm();
@@ -242,4 +242,4 @@ bool settle_facet(const Prober& probe, const Vec3& n, Facet& f) {
   return be_point(f, true), true;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

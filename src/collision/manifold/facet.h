@@ -4,7 +4,7 @@
 #include "collision/shape.h"
 #include "core/pose.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// What of a core meets another shape that comes along `normal`, in the shape's own frame.
 struct Facet {
@@ -63,4 +63,4 @@ Real leaning(const Shape& shape, Real reach);
 /// calls, and 25 with those of fit_facet. An edge that is not there any more becomes a point.
 bool settle_facet(const Prober& probe, const Vec3& n, Facet& facet);
 
-}  // namespace carom
+}  // namespace carom::collision

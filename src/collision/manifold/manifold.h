@@ -6,7 +6,7 @@
 
 #include "core/pose.h"
 
-namespace carom {
+namespace carom::collision {
 
 struct ContactPoint {
   Vec3 on_a = Vec3::zero();     // m, frame of collider A's shape
@@ -75,4 +75,4 @@ void keep_deepest(const Candidates& found, const ManifoldSettings& settings, Man
 void update_cache(const Frame& a, const Frame& b, const Candidates& found, const ManifoldSettings& settings,
                   Manifold& manifold);
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 
 #include "collision/manifold/manifold.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// m: points nearer to each other than this are one. A quarter of the drift that a kept point may have, so that a point
 /// that slides is replaced by its successor well before it is dropped, and corners of a small box stay four.
@@ -16,4 +16,4 @@ inline bool same_point(const ContactPoint& p, const ContactPoint& q, Real distan
   return (p.on_a - q.on_a).squared_norm() <= d2 || (p.on_b - q.on_b).squared_norm() <= d2;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

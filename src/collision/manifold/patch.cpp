@@ -7,17 +7,17 @@
 #include "collision/manifold/cut_outlines.h"
 #include "collision/manifold/facet.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 // By how much a normal further down the list (A's face, B's, crossing edges, the query's own) must separate better to
 // be taken: a part of the separation, and of the smaller bounding radius. Resting shapes have several normals equal up
 // to the tilt of a jitter; without a preference the patch would change from step to step. As in pair_box_box.cpp.
-constexpr Real kPreferRelative = 0.02, kPreferAbsolute = 5e-4;
+constexpr Real kPatchPreferRelative = 0.02, kPatchPreferAbsolute = 5e-4;
 // rad: a declared face that leans by more is probed for, not looked up. Half as much again as probing sees.
 constexpr Real kFacing = 0.045;
 // Cosine of 0.06 rad, sine of 0.03: crossing edges that give a normal at all, and one near the query's.
-constexpr Real kNearNormal = 0.9982, kParallel = 0.03;
+constexpr Real kNearNormal = 0.9982, kPatchParallel = 0.03;
 // What a kept patch may have moved: shares of the contact distance and of the smaller bounding radius.
 constexpr Real kKeepDistance = 0.02, kKeepRadius = 2e-3;
 
@@ -80,7 +80,7 @@ class Patch {
         a_(pair.a, pair.shell, calls, fault),
         b_(pair.b, pair.shell, calls, fault),
         size_(std::min(pair.a.bounding_radius, pair.b.bounding_radius)),
-        margin_(kPreferRelative * std::fabs(nearest.separation) + kPreferAbsolute * size_),
+        margin_(kPatchPreferRelative * std::fabs(nearest.separation) + kPatchPreferAbsolute * size_),
         n_(pair.frame_a.rotate_inverse(nearest.normal)) {}
 
   bool find(bool declared, Real reach) {
@@ -138,7 +138,7 @@ class Patch {
     if (a_.facet.rank != Facet::edge || b_.facet.rank != Facet::edge) return;
     const Vec3 along_b = b_in_a_.rotate(b_.facet.along), across = a_.facet.along.cross(along_b);
     const Real sine = across.norm();
-    if (sine > kParallel) {
+    if (sine > kPatchParallel) {
       offer((across.dot(queried) < 0 ? -1 : 1) / sine * across, Owner::none);
     } else {
       const Vec3 square = queried - queried.dot(a_.facet.along) * a_.facet.along;
@@ -296,4 +296,4 @@ bool keep_patch(const PatchPair& pair, const ManifoldSettings& settings, const P
   return true;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

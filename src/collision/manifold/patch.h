@@ -4,7 +4,7 @@
 #include "collision/manifold/manifold.h"
 #include "collision/shape.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// A pair as the patch sees it. At most one of the two is a half-space.
 struct PatchPair {
@@ -61,4 +61,4 @@ bool find_patch(const PatchPair& pair, const ContactPoint& nearest, const PatchT
 /// grow a step older. Nothing is asked of the shapes.
 bool keep_patch(const PatchPair& pair, const ManifoldSettings& settings, const PatchMemory& memory, Manifold& manifold);
 
-}  // namespace carom
+}  // namespace carom::collision

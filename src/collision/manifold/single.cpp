@@ -2,7 +2,7 @@
 #include "collision/manifold/manifold.h"
 #include "collision/manifold/match.h"
 
-namespace carom {
+namespace carom::collision {
 
 void keep_deepest(const Candidates& found, const ManifoldSettings& settings, Manifold& manifold) {
   const ContactPoint* const nearest = deepest(found, settings.contact_distance);
@@ -18,4 +18,4 @@ void keep_deepest(const Candidates& found, const ManifoldSettings& settings, Man
   manifold.count = 1;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

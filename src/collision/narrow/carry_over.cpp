@@ -5,7 +5,7 @@
 
 #include "collision/narrow/difference.h"
 
-namespace carom {
+namespace carom::collision {
 
 void certify(const QueryResult& result, const Frame& b_in_a, Real shell, Certificate& certificate) {
   certificate.known = result.status != QueryStatus::fault && !result.farther && finite(result.upper);
@@ -55,4 +55,4 @@ bool carry_over(const Shape& a, const Shape& b, const Frame& b_in_a, Real width,
   return true;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 
 #include "collision/narrow/query.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Remember an answer; one without a bracket of the distance (a fault, or "farther") makes the certificate unknown.
 void certify(const QueryResult& result, const Frame& b_in_a, Real shell, Certificate& certificate);
@@ -24,4 +24,4 @@ void certify(const QueryResult& result, const Frame& b_in_a, Real shell, Certifi
 bool carry_over(const Shape& a, const Shape& b, const Frame& b_in_a, Real width, Real shell,
                 const Certificate& certificate, QueryResult& result);
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace carom {
+namespace carom::collision {
 
 namespace {
 
@@ -225,4 +225,4 @@ EpaEnd coaxial(Difference& difference, const Axis& axis, Real gap, int cap, Diff
   return written && off <= difference.upper - difference.lower + difference.rounding() ? end : nothing();
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 
 #include "collision/narrow/epa.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// The axis that two shapes share, and by how much they miss it.
 ///
@@ -35,4 +35,4 @@ Axis common_axis(const Shape& a, const Shape& b, const Frame& b_in_a);
 EpaEnd coaxial(Difference& difference, const Axis& axis, Real gap, int cap, DifferenceSimplex& simplex,
                int& iterations);
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -6,7 +6,7 @@
 
 #include "collision/narrow/rounding.h"
 
-namespace carom {
+namespace carom::collision {
 
 namespace {
 
@@ -57,4 +57,4 @@ void Difference::blame_worse(const Vec3& n, const DifferencePoint& claimed, cons
     record(fault, SupportFault::not_support, &core_b_.shape(), n_b, claimed.b);
 }
 
-}  // namespace carom
+}  // namespace carom::collision

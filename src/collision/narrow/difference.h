@@ -5,7 +5,7 @@
 #include "collision/core.h"
 #include "collision/narrow/query.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// A support point of the difference and the points it came from.
 struct DifferencePoint {
@@ -82,4 +82,4 @@ class Difference {
   bool usable_ = false;
 };
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -5,7 +5,7 @@
 #include "collision/narrow/query.h"
 #include "collision/narrow/rounding.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 /// A contact point as the answer of a query.
@@ -68,4 +68,4 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
   answer(*nearest, swapped, b_in_a, slack, asked, result);
 }
 
-}  // namespace carom
+}  // namespace carom::collision

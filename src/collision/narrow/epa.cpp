@@ -7,7 +7,7 @@
 #include "collision/narrow/polytope.h"
 #include "collision/narrow/simplex_geometry.h"
 
-namespace carom {
+namespace carom::collision {
 
 namespace {
 
@@ -100,7 +100,7 @@ Build build_tetrahedron(Difference& difference, DifferenceSimplex& simplex) {
   return Build::solid;
 }
 
-constexpr Real kNear = 4;  // roundings: the way to a feature that is there
+constexpr Real kEpaNear = 4;  // roundings: the way to a feature that is there
 
 /// How near a feature comes to a target: as its geometry says; then, since the weights of a sliver may name a point
 /// anywhere along it, how far off the plane through the target that point is, and how far off the target. The first two
@@ -122,7 +122,7 @@ void report_nearest(const DifferencePoint* p, int count, const Vec3& target, con
   nearest_voronoi(w, count, nearest);
   Vec3 v = Vec3::zero();
   for (int i = 0; i < nearest.count; ++i) v += nearest.weight[i] * w[nearest.index[i]];
-  const Real rounding = difference.rounding(), near = kNear * rounding;
+  const Real rounding = difference.rounding(), near = kEpaNear * rounding;
   const Nearness here{std::max(nearest.distance2, near * near),
                       std::max(std::fabs(difference.normal().dot(v)), rounding), v.squared_norm()};
   if (!(here < best)) return;
@@ -141,7 +141,7 @@ void report_nearest(const DifferencePoint* p, int count, const Vec3& target, con
 /// @param likely  the face that probably holds it: looked at first, it spares the others; -1: none
 void report_witness(const Polytope& polytope, int likely, const Difference& difference, DifferenceSimplex& simplex) {
   const Vec3 out = difference.lower * difference.normal();
-  const Real near = kNear * difference.rounding();
+  const Real near = kEpaNear * difference.rounding();
   Nearness best;
   const auto look_at = [&](int f) {
     const Polytope::Face& face = polytope.face(f);
@@ -224,4 +224,4 @@ EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex
   return end;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

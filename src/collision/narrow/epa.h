@@ -3,7 +3,7 @@
 
 #include "collision/narrow/gjk.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Iterations that the arenas on the stack have room for; what the dial epa_iterations may ask at most.
 inline constexpr int kMaxEpaIterations = 512;
@@ -20,4 +20,4 @@ enum class EpaEnd { narrow, apart, flat, stuck, capped, fault };
 ///                 that point
 EpaEnd epa(Difference& difference, Real gap, int cap, DifferenceSimplex& simplex, int& iterations);
 
-}  // namespace carom
+}  // namespace carom::collision

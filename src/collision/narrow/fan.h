@@ -5,7 +5,7 @@
 
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Vertices around a hole, side by side.
 /// @tparam kMost  how many there may be; a few more places are for the lanes that have nothing to do
@@ -62,4 +62,4 @@ struct Fan {
   }
 };
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -4,7 +4,7 @@
 #include "collision/narrow/coaxial.h"
 #include "collision/narrow/hybrid.h"
 
-namespace carom {
+namespace carom::collision {
 
 namespace {
 
@@ -143,4 +143,4 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
   if (memory) memory->direction = deep ? Vec3(Vec3::zero()) : difference.normal();
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -6,7 +6,7 @@
 #include <bit>
 #include <type_traits>
 
-namespace carom {
+namespace carom::collision {
 
 namespace {
 
@@ -167,4 +167,4 @@ GjkEnd gjk(Difference& difference, const GjkRequest& request, const Vec3& first,
   return walk<true>(difference, request, first, simplex, spare, iterations);
 }
 
-}  // namespace carom
+}  // namespace carom::collision

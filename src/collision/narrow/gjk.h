@@ -5,7 +5,7 @@
 #include "collision/narrow/secant.h"
 #include "collision/narrow/simplex.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Up to four points of the difference; a walk leaves it for the witness points and for EPA.
 struct DifferenceSimplex {
@@ -34,4 +34,4 @@ struct GjkRequest {
 GjkEnd gjk(Difference& difference, const GjkRequest& request, const Vec3& first, DifferenceSimplex& simplex,
            DifferenceSimplex& spare, int& iterations);
 
-}  // namespace carom
+}  // namespace carom::collision

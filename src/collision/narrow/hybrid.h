@@ -4,7 +4,7 @@
 
 #include "collision/narrow/query.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Thickness of shell that a method adds to both shapes together.
 ///
@@ -18,4 +18,4 @@ inline Real shells(const QuerySettings& settings) {
   return settings.method == Method::hybrid && settings.margin > 0 ? 2 * settings.margin : 0;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

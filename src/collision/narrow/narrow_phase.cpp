@@ -12,7 +12,7 @@
 #include "collision/support.h"
 #include "core/float_guard.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 /// Points found in the first shape's frame become points between A and B in the world.
@@ -81,9 +81,9 @@ enum class Whose { everybodys, any_threads, host_threads };
 
 /// No routine finds a point where shapes are farther apart than this times their reach: two edges may meet at the reach
 /// along their normal and as much beside it.
-constexpr Real kFarthest = 1.5;
+constexpr Real kFarthestPair = 1.5;
 
-constexpr std::uint32_t kAhead = 12;  // pairs: most of them are not asked
+constexpr std::uint32_t kPairsAhead = 12;  // pairs: most of them are not asked
 
 /// Some microseconds of a loop, where most pairs lie still.
 constexpr std::size_t kPairsAPart = 64;
@@ -182,10 +182,10 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
     NarrowSettings own = settings;  // with the pair's own contact distance: fast colliders reach farther
     for (std::uint32_t i = begin; i < end; ++i) {
       PairTable::Place& place = pairs.place(i);
-      if (i + kAhead < end) pairs.fetch(i + kAhead);  // beyond, another thread may be writing
+      if (i + kPairsAhead < end) pairs.fetch(i + kPairsAhead);  // beyond, another thread may be writing
       const std::uint32_t a = place.pair.a, b = place.pair.b;
       const Real reach = settings.manifold.contact_distance + table.reach[a] + table.reach[b];
-      if (table.travel[a] + table.travel[b] + kFarthest * reach < place.horizon) continue;
+      if (table.travel[a] + table.travel[b] + kFarthestPair * reach < place.horizon) continue;
       PairRecord& record = pairs[i];
       const PatchPair pair{*table.shape[a], *table.shape[b], table.frame[a], table.frame[b],
                            shells(settings.query) / 2};
@@ -215,4 +215,4 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
   findings.append_faults(faults);
 }
 
-}  // namespace carom
+}  // namespace carom::collision

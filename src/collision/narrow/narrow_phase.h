@@ -8,11 +8,11 @@
 #include "collision/narrow/query.h"
 #include "core/jobs.h"
 
-namespace carom {
-
-namespace snapshot {
+namespace carom::dynamics::snapshot {
 class PairTableImage;  // dynamics/snapshot/pairs.cpp: to bytes and back
 }
+
+namespace carom::collision {
 
 struct NarrowSettings {
   QuerySettings query;
@@ -97,7 +97,7 @@ class PairTable {
   }
 
  private:
-  friend class snapshot::PairTableImage;
+  friend class dynamics::snapshot::PairTableImage;
   static constexpr std::uint32_t kNew = 0xFFFFFFFFu;
   /// A parked record stands in a list of each collider that holds it.
   struct Parked {
@@ -146,4 +146,4 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
 void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& frame_b, const NarrowSettings& settings,
              QueryMemory& memory, Candidates& found, NarrowReport& report, SupportFault& fault);
 
-}  // namespace carom
+}  // namespace carom::collision

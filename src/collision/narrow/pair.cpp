@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 constexpr std::size_t kForms = static_cast<std::size_t>(Form::count);
@@ -18,12 +18,12 @@ constexpr void enter(Table& table, Form a, Form b, PairRoutine routine, Real acc
 constexpr Table make_table() {
   // Edges that enclose less than 1e-8 rad count as parallel, cores nearer than 1e-8 of the size as touching,
   // rims tilted by less than 1e-9 rad as level; each routine says why beside its constant.
-  constexpr Real kEdges = 2e-8, kAxes = 2e-8, kRim = 1e-9;
+  constexpr Real kEdges = 2e-8, kNoAxes = 2e-8, kRim = 1e-9;
   Table t{};
   enter(t, Form::sphere, Form::sphere, contact_sphere_sphere);
   enter(t, Form::box, Form::sphere, contact_box_sphere);
   enter(t, Form::capsule, Form::sphere, contact_capsule_sphere);
-  enter(t, Form::capsule, Form::capsule, contact_capsule_capsule, kAxes);
+  enter(t, Form::capsule, Form::capsule, contact_capsule_capsule, kNoAxes);
   enter(t, Form::box, Form::capsule, contact_box_capsule, kEdges);
   enter(t, Form::box, Form::box, contact_box_box, kEdges, false);
   enter(t, Form::half_space, Form::sphere, contact_half_space_sphere);
@@ -42,4 +42,4 @@ constexpr Table kTable = make_table();
 
 const PairEntry& pair_entry(Form a, Form b) { return kTable[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)]; }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -5,7 +5,7 @@
 #include "collision/shape.h"
 #include "core/pose.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Contact points of two declared shapes, every point of the patch.
 /// @param b_in_a  pose of B in A's frame
@@ -61,4 +61,4 @@ inline void add_contact(Candidates& found, Real reach, const Vec3& on_a, const V
   p.age = 0;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

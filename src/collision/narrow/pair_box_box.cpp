@@ -5,24 +5,24 @@
 #include "collision/manifold/clip.h"
 #include "collision/narrow/pair.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 // Two edges that enclose a smaller angle (rad) count as parallel. Their cross product has rounding noise u / angle in
 // its direction; leaving it out moves the depth by at most angle * size, since with parallel edges the faces decide.
 // Here the two are equal: 1e-8 of the size.
-constexpr Real kParallel = 1e-8;
+constexpr Real kEdgesParallel = 1e-8;
 // How much better another axis must be than the one preferred (faces of A, faces of B, edges, in this order): a part of
 // the depth, and of the smallest half extent. Resting boxes have several axes equal up to the tilt of a jitter; without
 // a preference the patch would change from step to step. The price is a normal that is not the one of least depth where
 // the depths differ by less than this. Smaller: flicker. Larger: edges sink in before they are seen as edges.
 constexpr Real kPreferRelative = 0.02, kPreferAbsolute = 1e-3;
 // The same where the depth itself is asked for (reach is infinite): rounding only.
-constexpr Real kRounding = 1e-13;
+constexpr Real kBoxRounding = 1e-13;
 
 constexpr int next(int i) { return i == 2 ? 0 : i + 1; }
 
-struct Axis {
+struct BoxAxis {
   int face = 0;  // 0..2: face of A; 3..5: face of B
   Real face_separation = -kInfinity;
   int i = -1, j = -1;  // edges of A and B, where they separate better
@@ -36,14 +36,14 @@ struct Axis {
 /// below, and the (negative) depth itself at the best of the fifteen when the boxes overlap.
 /// With reach infinite, the depth being asked for, any axis that separates ends it.
 /// @source [Gottschalk1996 §5]
-Axis best_axis(const Mat3& r, const Vec3& t, const Vec3& ha, const Vec3& hb, Real reach) {
+BoxAxis best_axis(const Mat3& r, const Vec3& t, const Vec3& ha, const Vec3& hb, Real reach) {
   const bool exact = reach == kInfinity;
   if (exact) reach = 0;
   const Mat3 abs_r = r.abs();
   const Real size = ha.sum() + hb.sum();
-  const Real absolute = exact ? kRounding * size : kPreferAbsolute * std::min(ha.min_entry(), hb.min_entry());
+  const Real absolute = exact ? kBoxRounding * size : kPreferAbsolute * std::min(ha.min_entry(), hb.min_entry());
   const Real relative = exact ? 0 : kPreferRelative;
-  Axis best;
+  BoxAxis best;
   for (int i = 0; i < 3; ++i) {
     const Real s = std::fabs(t[i]) - ha[i] - (abs_r(i, 0) * hb[0] + abs_r(i, 1) * hb[1] + abs_r(i, 2) * hb[2]);
     if (s > best.face_separation) best.face_separation = s, best.face = i;
@@ -67,7 +67,7 @@ Axis best_axis(const Mat3& r, const Vec3& t, const Vec3& ha, const Vec3& hb, Rea
       // |L| <= 1, so dividing by it lowers what is negative: most axes are out without a root.
       if (!(over > std::min(to_beat, Real(0)))) continue;
       const Real length2 = r(i1, j) * r(i1, j) + r(i2, j) * r(i2, j);
-      if (length2 < kParallel * kParallel) continue;
+      if (length2 < kEdgesParallel * kEdgesParallel) continue;
       const Real s = over / std::sqrt(length2);
       if (s > reach) return best.apart = true, best.gap = s, best;
       if (s > to_beat) to_beat = best.edge_separation = s, best.i = i, best.j = j;
@@ -206,7 +206,7 @@ void edge_contact(const Vec3& ha, const Vec3& hb, const Frame& b_in_a, int i, in
 }  // namespace
 
 void contact_box_box(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
-  const Axis axis = best_axis(b_in_a.r, b_in_a.p, a.half, b.half, reach);
+  const BoxAxis axis = best_axis(b_in_a.r, b_in_a.p, a.half, b.half, reach);
   found.whole = true;
   if (axis.apart) {
     found.gap = axis.gap;
@@ -222,4 +222,4 @@ void contact_box_box(const Shape& a, const Shape& b, const Frame& b_in_a, Real r
   face_contact(a, b, b_in_a, axis.face, axis.face_separation > 0, reach, found);
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -4,7 +4,7 @@
 
 #include "collision/narrow/pair.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 // Cosine above which a normal counts as a face's own (2.5 degrees): the capsule may lie on that face.
@@ -14,7 +14,7 @@ constexpr Real kOnFace = 0.999;
 constexpr Real kCoreTouches = 1e-8;
 // Sine of the angle below which an edge runs along the segment, and their cross product is left out as noise. In the
 // limit faces alone decide, so leaving it out costs 1e-8 of the size.
-constexpr Real kParallel = 1e-8;
+constexpr Real kSegmentParallel = 1e-8;
 
 Vec3 inside(const Vec3& x, const Vec3& half) { return x.max(-half).min(half); }
 
@@ -50,14 +50,14 @@ Real nearest_on_segment(const Vec3& c, const Vec3& d, const Vec3& half) {
 /// The axis that separates box and segment most, and by how much (negative: the overlap along it).
 /// The faces of box - segment are the box's faces and those spanned by an edge and the segment: six axes decide
 /// exactly.
-struct Axis {
+struct SegmentAxis {
   Vec3 normal;      // unit, from the box to the segment
   Real separation;  // m
   int edge;         // -1: a face's normal; k: across edges along axis k
 };
 
-Axis most_separating(const Vec3& c, const Vec3& d, const Vec3& half) {
-  Axis best{Vec3::unit_x(), -kInfinity, -1};
+SegmentAxis most_separating(const Vec3& c, const Vec3& d, const Vec3& half) {
+  SegmentAxis best{Vec3::unit_x(), -kInfinity, -1};
   for (int k = 0; k < 3; ++k) {
     const Real s = std::fabs(c[k]) - half[k] - std::fabs(d[k]);
     if (s > best.separation) {
@@ -72,7 +72,7 @@ Axis most_separating(const Vec3& c, const Vec3& d, const Vec3& half) {
   for (int k = 0; k < 3; ++k) {
     Vec3 m = Vec3::unit(k).cross(d);
     const Real l = m.norm();
-    if (!(l > kParallel * length)) continue;
+    if (!(l > kSegmentParallel * length)) continue;
     m *= (m.dot(c) < 0 ? -1 : 1) / l;
     const Real s = m.dot(c) - half.dot(m.abs());
     if (s > best.separation + bias) best = {m, s, k};
@@ -148,7 +148,7 @@ void contact_box_capsule(const Shape& a, const Shape& b, const Frame& b_in_a, Re
     return;
   }
 
-  const Axis axis = most_separating(c, d, half);
+  const SegmentAxis axis = most_separating(c, d, half);
   if (axis.edge < 0) {
     const int face = axis.normal.abs().max_axis();
     add_ends(to, c, d, half, face, axis.normal, kInfinity);
@@ -173,4 +173,4 @@ void contact_box_capsule(const Shape& a, const Shape& b, const Frame& b_in_a, Re
   to.add(on_edge, deep, at, axis.normal, 8 + static_cast<std::uint32_t>(k));
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 
 #include "collision/narrow/pair.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 // Two axes that enclose less than this (squared sine; 3 degrees) rest on each other along a line rather than at a
@@ -11,16 +11,16 @@ namespace {
 constexpr Real kSideBySide2 = 2.5e-3;
 
 /// Where the two axes come nearest: A's at height s, B's at height v.
-struct Nearest {
+struct NearestOfSegments {
   Real s, v;
 };
 
-/// Nearest points of two segments, A's along y through the origin, B's along unit e through t.
+/// NearestOfSegments points of two segments, A's along y through the origin, B's along unit e through t.
 ///   minimise |t + v e - s y|^2:  s = (t . w) / |w|^2 with w = y - (y . e) e, then v, then s again, each clamped.
 /// w is written without the difference 1 - (y . e)^2, so its length keeps its digits however small the angle is, and an
 /// error of s moves the distance only in second order.
 /// @source [Ericson2005 §5.1.9]
-Nearest nearest_on_axes(const Vec3& t, const Vec3& e, Real half_a, Real half_b, Real sine2) {
+NearestOfSegments nearest_on_axes(const Vec3& t, const Vec3& e, Real half_a, Real half_b, Real sine2) {
   const Real b = e.y(), t_e = t.dot(e);
   Real s;
   if (sine2 > 0) {
@@ -39,7 +39,7 @@ void contact_capsule_capsule(const Shape& a, const Shape& b, const Frame& b_in_a
   const Vec3& t = b_in_a.p;
   const Real radii = a.radius + b.radius;
   const Real sine2 = e.x() * e.x() + e.z() * e.z();
-  const Nearest n = nearest_on_axes(t, e, a.half_height, b.half_height, sine2);
+  const NearestOfSegments n = nearest_on_axes(t, e, a.half_height, b.half_height, sine2);
   const Vec3 out = t + n.v * e - n.s * Vec3::unit_y();
   const Real gap = out.norm();
 
@@ -73,4 +73,4 @@ void contact_capsule_capsule(const Shape& a, const Shape& b, const Frame& b_in_a
       add(s, std::clamp(s * e.y() - t.dot(e), -b.half_height, b.half_height), s == lo ? 2 : 3);
 }
 
-}  // namespace carom
+}  // namespace carom::collision

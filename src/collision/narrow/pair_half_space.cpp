@@ -6,13 +6,13 @@
 #include "collision/narrow/pair.h"
 #include "collision/support.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 // How far to the side a point must lie to be worth its height (rise per run; 3 degrees): among the points near a plane,
 // those asked for are the extreme ones along directions tilted by this from the normal. Steeper: points that do not
 // carry. Flatter: a jitter in tilt makes the patch collapse to an edge.
-constexpr Real kTilt = 0.05;
+constexpr Real kPlaneTilt = 0.05;
 // Azimuths of those directions: equally spaced, so that a corner of a right angle or less can't hide between two of
 // them, and turned by 0.1 rad, so that on shapes built along their axes no two corners tie.
 constexpr Real kSeven[7][2] = {
@@ -126,7 +126,7 @@ void contact_half_space_ellipsoid(const Shape& a, const Shape& b, const Frame& b
 }
 
 /// All vertices are looked at once, which is what a single support call of theirs costs. Of those within reach the
-/// deepest and the extreme ones in seven azimuths stay, each weighed by its height at kTilt.
+/// deepest and the extreme ones in seven azimuths stay, each weighed by its height at kPlaneTilt.
 void contact_half_space_polytope(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
   const Plane plane(a, b_in_a, reach, found);
   const Vec3 e1 = any_perpendicular(plane.n), e2 = plane.n.cross(e1);
@@ -136,7 +136,7 @@ void contact_half_space_polytope(const Shape& a, const Shape& b, const Frame& b_
   most.fill(-kInfinity);
   std::array<Vec3, kWays> way;
   way[0] = -plane.n;
-  for (int k = 1; k < kWays; ++k) way[k] = kTilt * (kSeven[k - 1][0] * e1 + kSeven[k - 1][1] * e2) - plane.n;
+  for (int k = 1; k < kWays; ++k) way[k] = kPlaneTilt * (kSeven[k - 1][0] * e1 + kSeven[k - 1][1] * e2) - plane.n;
 
   const double* v = b.vertices.data();
   const std::size_t count = b.vertices.size() / 3;
@@ -166,7 +166,7 @@ bool half_space_by_support(const Shape& half_space, const Shape& b, const Frame&
   const int before = found.count;
   for (int k = 0; k <= (probe ? 4 : 0); ++k) {
     Vec3 dir = -plane.n;
-    if (k > 0) dir += kTilt * (kFour[k - 1][0] * e1 + kFour[k - 1][1] * e2);
+    if (k > 0) dir += kPlaneTilt * (kFour[k - 1][0] * e1 + kFour[k - 1][1] * e2);
     dir /= dir.norm();
     Vec3 x;
     ++calls;
@@ -186,4 +186,4 @@ bool half_space_by_support(const Shape& half_space, const Shape& b, const Frame&
   return true;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

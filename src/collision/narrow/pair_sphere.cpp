@@ -3,7 +3,7 @@
 
 #include "collision/narrow/pair.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 // m^2: a squared gap below this is no gap. Its root keeps its digits only above 1e-290, where doubles stop being dense.
@@ -62,4 +62,4 @@ void contact_capsule_sphere(const Shape& a, const Shape& b, const Frame& b_in_a,
   add_sphere(nearest, a.radius, normal, gap, b, b_in_a, reach, found);
 }
 
-}  // namespace carom
+}  // namespace carom::collision

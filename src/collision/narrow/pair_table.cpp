@@ -4,7 +4,7 @@
 
 #include "collision/narrow/narrow_phase.h"
 
-namespace carom {
+namespace carom::collision {
 
 void PairTable::update(const Array<Pair>& pairs) {
   next_.clear();
@@ -166,4 +166,4 @@ void PairTable::clear() {
   parked_count_ = 0;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

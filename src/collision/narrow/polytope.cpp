@@ -6,7 +6,7 @@
 
 #include "collision/narrow/simplex_geometry.h"
 
-namespace carom {
+namespace carom::collision {
 
 namespace {
 
@@ -213,4 +213,4 @@ bool Polytope::add(int face) {
   return true;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -5,7 +5,7 @@
 #include "collision/narrow/epa.h"
 #include "collision/narrow/fan.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// A closed mesh of triangles around the origin, wound outwards. Lives on the stack, allocates nothing.
 ///
@@ -72,4 +72,4 @@ class Polytope {
   Rim<kFaces> rim_at_;            // where they lie
 };
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -6,7 +6,7 @@
 #include "collision/shape.h"
 #include "core/pose.h"
 
-namespace carom {
+namespace carom::collision {
 
 enum class Simplex : std::uint32_t { johnson, voronoi, voronoi_last };
 enum class Method : std::uint32_t { hybrid, gjk_epa };
@@ -76,4 +76,4 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
 void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySettings& settings, QueryMemory* memory,
               QueryResult& result, SupportFault& fault);
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// Half-width, in units of u M, that is added to both sides of every bracket of the generic path and of the casts.
 ///
@@ -54,4 +54,4 @@ inline constexpr Real kUnitLength = 8;
 /// pays for one of them, a product (5) and the difference (1). Positions lose nothing more, however far out both are.
 inline constexpr Real kPoseRounding = 72;
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 
 #include "collision/shape.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// When to guess. Facets have nothing to extrapolate, a smooth difference nearly always has; between the two the walk
 /// is watched. @see Secant
@@ -81,4 +81,4 @@ class Secant {
   Vec3 r_[3] = {Vec3::zero(), Vec3::zero(), Vec3::zero()};  // scaled lengths
 };
 
-}  // namespace carom
+}  // namespace carom::collision

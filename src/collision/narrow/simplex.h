@@ -3,7 +3,7 @@
 
 #include "collision/narrow/query.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// The feature of a simplex that holds its point v nearest to the origin.
 ///
@@ -44,4 +44,4 @@ void nearest_voronoi_last(const Vec3* w, int count, Nearest& nearest);
 
 SimplexSolver simplex_solver(Simplex which);
 
-}  // namespace carom
+}  // namespace carom::collision

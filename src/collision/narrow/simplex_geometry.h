@@ -3,7 +3,7 @@
 
 #include "collision/narrow/simplex.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// a b - c d with an error of 2 ulp of the result, whatever cancels.
 /// @source Kahan's difference of products, see [Jeannerod2013]
@@ -149,4 +149,4 @@ inline void answer_inside(Real of_a, Real of_b, Real of_c, Real of_d, Nearest& n
   nearest.distance2 = 0;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -7,7 +7,7 @@
 // the vertex of Y nearest to j, so that the difference is as short as can be.
 #include "collision/narrow/simplex_geometry.h"
 
-namespace carom {
+namespace carom::collision {
 
 namespace {
 
@@ -108,4 +108,4 @@ void nearest_johnson(const Vec3* w, int count, Nearest& nearest) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::collision

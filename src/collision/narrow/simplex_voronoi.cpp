@@ -1,7 +1,7 @@
 // The simplex sub-algorithm by Voronoi regions: all features, or only those that touch the newest point.
 #include "collision/narrow/simplex_geometry.h"
 
-namespace carom {
+namespace carom::collision {
 
 namespace {
 
@@ -116,4 +116,4 @@ SimplexSolver simplex_solver(Simplex which) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::collision

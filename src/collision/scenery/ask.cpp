@@ -7,7 +7,7 @@
 #include "collision/cast/shape_cast.h"
 #include "collision/volume.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 /// A piece as a shape, on the stack: threads ask side by side, and none of them allocates.
@@ -252,4 +252,4 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
 
 }  // namespace any_shape
 
-}  // namespace carom
+}  // namespace carom::collision

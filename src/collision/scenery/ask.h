@@ -10,7 +10,7 @@
 #include "collision/cast/time_of_impact.h"
 #include "collision/scenery/piece_shape.h"
 
-namespace carom {
+namespace carom::collision {
 
 namespace any_shape {
 // As the functions of the same names outside, of shapes of which one may be scenery, the second one where there
@@ -42,4 +42,4 @@ OverlapResult overlap_with_pieces(const Shape& a, const Shape& scenery, const Fr
 void distance_to_pieces(const Shape& a, const Shape& scenery, const Frame& scenery_in_a, const QuerySettings& settings,
                         QueryResult& result, SupportFault& fault);
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -4,7 +4,7 @@
 
 #include "collision/scenery/scenery.h"
 
-namespace carom {
+namespace carom::collision {
 
 void make_height_field(std::span<const double> heights, std::uint32_t columns, std::uint32_t rows, Real spacing_x,
                        Real spacing_z, Scenery& s) {
@@ -75,4 +75,4 @@ bool Scenery::field_piece(std::uint32_t index, Piece& out) const {
   return true;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -10,7 +10,7 @@
 #include "collision/support.h"
 #include "collision/volume.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 // Sine of an angle by which a surface must turn down at a side to be an edge there. Flatter, it goes on level to
@@ -27,7 +27,7 @@ constexpr std::size_t kMostPatches = 16;
 constexpr Real kFoldShare = 0.05, kFarthestFold = 4;
 // Which points of many stay: the extreme ones along directions tilted from the normal by this (as in
 // narrow/pair_half_space.cpp), at azimuths turned off every symmetry.
-constexpr Real kTilt = 0.05;
+constexpr Real kTriangleTilt = 0.05;
 constexpr int kWays = 12;
 constexpr Real kAzimuth[kWays][2] = {
     {0.9950041652780258, 0.09983341664682815},   {0.8117821756786866, 0.5839603576017622},
@@ -100,26 +100,26 @@ std::array<Vec3, 3> over_folds(const Scenery& scenery, const Piece& piece, const
 ///   neighbours the surface turns down at a side there, and n leans farther over it than the piece beyond does, or it
 ///              turns up between piece and shape: whatever is met there, the piece beyond or another one meets it
 ///   own        no more than the way out of this piece alone: the piece's own normal is meant
-enum class Verdict { own, heard, neighbours };
-Verdict judge(const Scenery& scenery, const Piece& piece, const Sides& sides, const Vec3& place, const Vec3& n,
+enum class Ruling { own, heard, neighbours };
+Ruling judge(const Scenery& scenery, const Piece& piece, const Sides& sides, const Vec3& place, const Vec3& n,
               Real near) {
   std::array<bool, 3> at{};
   int count = 0;
   for (std::size_t i = 0; i < 3; ++i) count += at[i] = -sides.out[i].dot(place - piece.corner[i]) <= near;
-  if (count == 0) return Verdict::own;
+  if (count == 0) return Ruling::own;
   for (std::size_t i = 0; i < 3; ++i)
     if (at[i] && (sides.edge[i] ? sides.down[i].dot(n) > kLevel : sides.wall[i] && sides.out[i].dot(n) > kLevel))
-      return Verdict::neighbours;
-  if (n.dot(piece.normal) < -kLevel) return Verdict::own;
+      return Ruling::neighbours;
+  if (n.dot(piece.normal) < -kLevel) return Ruling::own;
   if (count == 1) {
     const auto i = static_cast<std::size_t>(at[0] ? 0 : at[1] ? 1 : 2);
-    return sides.edge[i] && -sides.out[i].dot(n) <= kLevel ? Verdict::heard : Verdict::own;
+    return sides.edge[i] && -sides.out[i].dot(n) <= kLevel ? Ruling::heard : Ruling::own;
   }
   std::size_t corner = 0;  // of three at once: a piece smaller than the query can tell
   for (std::size_t k = 1; k < 3; ++k)
     if ((place - piece.corner[k]).squared_norm() < (place - piece.corner[corner]).squared_norm()) corner = k;
-  return scenery.falls_away_around(piece, own_corner(piece, static_cast<int>(corner)), n) ? Verdict::heard
-                                                                                          : Verdict::own;
+  return scenery.falls_away_around(piece, own_corner(piece, static_cast<int>(corner)), n) ? Ruling::heard
+                                                                                          : Ruling::own;
 }
 
 }  // namespace
@@ -189,10 +189,10 @@ bool SceneryMeeting::meet(const SceneryPair& pair, const Piece& piece, const Fra
     if (answer.status == QueryStatus::fault) return false;
     if (answer.farther || !(answer.separation <= reach)) return true;
     const Vec3 place = answer.point_a + shape_.origin();
-    const Verdict verdict =
+    const Ruling verdict =
         judge(*pair.scenery.scenery, piece, sides, place, answer.normal, 1e-7 * shape_.shape().bounding_radius);
-    if (verdict == Verdict::neighbours) return leave(), true;
-    own = verdict == Verdict::own;
+    if (verdict == Ruling::neighbours) return leave(), true;
+    own = verdict == Ruling::own;
     if (!own) {
       nearest.normal = answer.normal, nearest.separation = answer.separation;
       nearest.on_a = answer.point_a, nearest.on_b = answer.point_b;
@@ -259,7 +259,7 @@ void SceneryMeeting::gather(const Frame& frame, Real same) {
       for (std::size_t way = 0; way <= kWays; ++way) {
         const Real s = way == 0
                            ? depth
-                           : depth + kTilt * (kAzimuth[way - 1][0] * e1 + kAzimuth[way - 1][1] * e2).dot(f.point.on_a);
+                           : depth + kTriangleTilt * (kAzimuth[way - 1][0] * e1 + kAzimuth[way - 1][1] * e2).dot(f.point.on_a);
         if (s > score[way]) score[way] = s, most[way] = &f;
       }
     }
@@ -274,4 +274,4 @@ void SceneryMeeting::gather(const Frame& frame, Real same) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::collision

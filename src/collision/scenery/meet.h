@@ -7,7 +7,7 @@
 #include "collision/narrow/narrow_phase.h"
 #include "collision/scenery/piece_shape.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// A convex shape and scenery, each where it stands.
 struct SceneryPair {
@@ -58,4 +58,4 @@ class SceneryMeeting {
   Array<SceneryPatch> patches_;
 };
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -4,10 +4,10 @@
 
 #include "collision/scenery/scenery.h"
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
-constexpr int kNext[3] = {1, 2, 0};
+constexpr int kNextCorner[3] = {1, 2, 0};
 // A triangle whose least height is below this share of its longest side has no normal to speak of: rounding of its
 // corners alone turns it by a tenth of a milliradian.
 constexpr Real kThin = 1e-12;
@@ -59,7 +59,7 @@ void find_neighbours(Scenery& s, Memory* memory) {
   Array<Side> sides(memory);
   sides.reserve(s.corner.size());
   for (std::uint32_t at = 0; at < s.corner.size(); ++at) {
-    const std::uint32_t a = s.corner[at], b = s.corner[at - at % 3 + static_cast<std::uint32_t>(kNext[at % 3])];
+    const std::uint32_t a = s.corner[at], b = s.corner[at - at % 3 + static_cast<std::uint32_t>(kNextCorner[at % 3])];
     sides.push_back({std::min(a, b), std::max(a, b), at});
   }
   std::sort(sides.begin(), sides.end());
@@ -115,7 +115,7 @@ bool Scenery::piece(std::uint32_t index, Piece& out) const {
     out.rim[k] = other == Piece::kNone;
     out.far[k] = out.corner[k];
     if (out.rim[k]) continue;
-    const std::uint32_t from = c[k], to = c[kNext[k]];
+    const std::uint32_t from = c[k], to = c[kNextCorner[k]];
     for (std::size_t m = 0; m < 3; ++m) {
       const std::uint32_t v = corner[3 * std::size_t(other) + m];
       if (v != from && v != to) out.far[k] = vertex[v];
@@ -156,10 +156,10 @@ bool Scenery::all_around(const Piece& p, int k, F&& f) const {
       const std::uint32_t next = beyond[3 * std::size_t(at) + leave];
       if (next == Piece::kNone || steps == kMostAround) break;
       if (next == p.index) return true;
-      const std::uint32_t a = name[leave], b = name[kNext[leave]];
+      const std::uint32_t a = name[leave], b = name[kNextCorner[leave]];
       const std::uint32_t* const d = &corner[3 * std::size_t(next)];
       came_by = 0;
-      while (!((d[came_by] == a && d[kNext[came_by]] == b) || (d[came_by] == b && d[kNext[came_by]] == a))) ++came_by;
+      while (!((d[came_by] == a && d[kNextCorner[came_by]] == b) || (d[came_by] == b && d[kNextCorner[came_by]] == a))) ++came_by;
       at = next;
     }
   }
@@ -182,4 +182,4 @@ bool Scenery::is_before_all_around(const Piece& p, int k, const Vec3& point) con
   });
 }
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace carom {
+namespace carom::collision {
 namespace {
 
 std::int32_t farthest_corner(const double* xyz, std::uint64_t, const double d[3], double out[3]) {
@@ -65,4 +65,4 @@ bool face(const Scenery& scenery, const Vec3& point, Piece& piece) {
   return true;
 }
 
-}  // namespace carom
+}  // namespace carom::collision

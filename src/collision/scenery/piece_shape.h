@@ -4,7 +4,7 @@
 #include "collision/scenery/scenery.h"
 #include "collision/shape.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// One triangle after another as a flat polytope about its middle. Allocates when it is made and never again.
 class PieceShape {
@@ -34,4 +34,4 @@ bool face(const Scenery& scenery, const Vec3& point, Piece& piece);
 /// Corner of a turned piece as Scenery counts it.
 inline int own_corner(const Piece& piece, int k) { return piece.turned ? (3 - k) % 3 : k; }
 
-}  // namespace carom
+}  // namespace carom::collision

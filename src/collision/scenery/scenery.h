@@ -7,7 +7,7 @@
 #include "collision/broad/query_tree.h"
 #include "core/pose.h"
 
-namespace carom {
+namespace carom::collision {
 
 /// One triangle of a surface, in the scenery's frame.
 struct Piece {
@@ -141,4 +141,4 @@ void make_mesh(std::span<const double> xyz, std::span<const std::uint32_t> trian
 void make_height_field(std::span<const double> heights, std::uint32_t columns, std::uint32_t rows, Real spacing_x,
                        Real spacing_z, Scenery& scenery);
 
-}  // namespace carom
+}  // namespace carom::collision

@@ -42,7 +42,7 @@
 #include "dynamics/ccd/path.h"
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// The dial's choices.
 enum SweepChoice : std::uint32_t { kSweepNobody, kSweepFlagged, kSweepFast };
@@ -143,4 +143,4 @@ void sweep(World& world, const StepTime& time);
 /// What the step's sweeps leave behind.
 void end_sweeps(World& world, const StepTime& time);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -9,7 +9,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 // Contacts turn with a body, but not about it: by a quarter of a radian they have come an eighth of their arm astray
@@ -285,4 +285,4 @@ void end_sweeps(World& world, const StepTime&) {
   if (fault.kind != SupportFault::none) mute(world, fault);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

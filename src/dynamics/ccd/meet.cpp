@@ -4,13 +4,13 @@
 #include "dynamics/ccd/sweeper.h"
 #include "dynamics/integrate/rotation/rotation.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 // Width of the bracket of a time of impact, as length, relative to the smaller of the two: rounding begins a hundred
 // times below.
 constexpr Real kTolerance = 1e-9;
-constexpr int kCap = 256;  // distance queries; a rod takes some ten for each quarter turn
+constexpr int kMeetCap = 256;  // distance queries; a rod takes some ten for each quarter turn
 // Of the thickness of the thinner, that two may sink without a hit.
 constexpr Real kMostSlack = 0.05, kLeastSlack = 1e-5;
 // Of that, by how much what is as deep already may sink on in a substep.
@@ -71,7 +71,7 @@ Sweeper::Meeting Sweeper::meet(const Side& a, const Side& b, Real from, Real to)
   if (((a.path.u - b.path.u).norm() + a_turns + b_turns) * (to - from) <= kDeeper * slack(a, b)) return {};
   CastSettings settings;
   settings.tolerance = kTolerance;
-  settings.cap = kCap;
+  settings.cap = kMeetCap;
   CastResult r;
   Real start = from, allowed = 0;
   const auto look = [&]() -> Meeting {
@@ -94,4 +94,4 @@ Sweeper::Meeting Sweeper::meet(const Side& a, const Side& b, Real from, Real to)
   return r.outcome == CastOutcome::overlap ? Meeting{} : second;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

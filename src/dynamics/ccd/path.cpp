@@ -3,7 +3,7 @@
 
 #include "core/wide_angle.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 Vec3 rotation_vector(const Quat& turn, const Vec3& near) {
   constexpr Real kWhole = 6.28318530717958647693;
@@ -14,4 +14,4 @@ Vec3 rotation_vector(const Quat& turn, const Vec3& near) {
   return least + kWhole * std::floor((near - least).dot(axis) / kWhole + Real(0.5)) * axis;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -4,7 +4,7 @@
 #include "collision/scenery/ask.h"
 #include "dynamics/ccd/pieces.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// The rotation vector of a turn, of all those that are whole turns apart the one nearest to another.
 ///   exp_map(phi) = turn,   phi = angle axis + 2 pi k axis
@@ -49,4 +49,4 @@ struct Path {
   }
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

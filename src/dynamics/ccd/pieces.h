@@ -4,7 +4,7 @@
 
 #include "dynamics/world.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// A shape of a collider.
 struct SweptPiece {
@@ -22,4 +22,4 @@ void each_swept_piece(const World& world, std::uint32_t collider, const Aabb& bo
   f(SweptPiece{c.shape[collider], {local.q, local.p - world.scene.center[c.body[collider]]}});
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

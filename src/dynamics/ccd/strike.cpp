@@ -13,12 +13,12 @@
 #include "dynamics/scenery.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
-constexpr int kSweeps = 50;        // over the points, which depend on each other
-constexpr Real kSamePatch = 0.99;  // cosine of 0.14 rad: a patch of scenery is of the hit
-constexpr Real kSettled = 1e-13;   // of the speed of the impact: what the last sweep may still change
+constexpr int kStrikeSweeps = 50;        // over the points, which depend on each other
+constexpr Real kStrikeSamePatch = 0.99;  // cosine of 0.14 rad: a patch of scenery is of the hit
+constexpr Real kStrikeSettled = 1e-13;   // of the speed of the impact: what the last sweep may still change
 
 }  // namespace
 
@@ -104,7 +104,7 @@ void Sweeper::scenery_points(const SceneryPair& pair, const NarrowSettings& sett
     return;  // the sweep's own point does
   }
   for (const SceneryPatch& patch : meeting.patches()) {
-    if (patch.normal.dot(-normal) < kSamePatch || patch.count <= manifold.count) continue;
+    if (patch.normal.dot(-normal) < kStrikeSamePatch || patch.count <= manifold.count) continue;
     manifold.count = 0;
     ContactPoint point[PatchPoints::kMax];
     for (int i = 0; i < patch.count; ++i) point[i] = exchanged(patch.point[i]);
@@ -207,7 +207,7 @@ bool Sweeper::exchange(Strike& s) {
     s.speed = std::max(s.speed, speed);
   }
   if (s.speed > 0) {
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (int sweep = 0; sweep < kStrikeSweeps; ++sweep) {
       Real most = 0;
       for (std::size_t k = 0; k < count; ++k) {
         Point& p = points[k];
@@ -218,7 +218,7 @@ bool Sweeper::exchange(Strike& s) {
         s.of_b.v += s.inv_mass_b.times(change), s.of_b.omega += s.inv_inertia_b * p.mass.r_b.cross(change);
         most = std::max(most, change.norm() * p.row.k_n);
       }
-      if (!(most > kSettled * s.speed)) break;
+      if (!(most > kStrikeSettled * s.speed)) break;
     }
     for (std::size_t k = 0; k < count; ++k) s.impulse += points[k].row.p_n;
   }
@@ -277,4 +277,4 @@ void Sweeper::aim(const Side& side, Real now) {
   known->path.w = s.omega[side.body] = u.omega;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -13,7 +13,7 @@
 #include "dynamics/solver/direct.h"
 #include "dynamics/solver/wide_contacts.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Of lengths that enter a box: far from the origin places are rounded.
@@ -223,4 +223,4 @@ void sweep(World& world, const StepTime& time) {
   if (!world.continuous->bodies.empty()) Sweeper(world, time).run();
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -5,7 +5,7 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/scenery.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 class Sweeper {
  public:
@@ -70,4 +70,4 @@ class Sweeper {
   bool filtered_;         // somebody is held apart
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -12,7 +12,7 @@
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/warm_scale.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 constexpr std::size_t kPairsAhead = 12;  // whose records are fetched while those of one pair are read
@@ -410,4 +410,4 @@ void remember_impulses(World& world, Real h) {
   });
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

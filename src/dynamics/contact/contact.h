@@ -8,7 +8,7 @@
 #include "dynamics/effects.h"
 #include "dynamics/solver/search.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// What the solver reads and writes most. The first two cache lines are all that a disturbance by a neighbour touches;
 /// what depends on the row's own impulse alone (p_n, rub, ...) is kept there, since a row is disturbed ten times as
@@ -321,4 +321,4 @@ void each_block(World& world, const F& f) {
 /// Keep the impulses for the next step; blocks know how many there are.
 void remember_impulses(World& world, Real h);
 
-}  // namespace carom
+}  // namespace carom::dynamics

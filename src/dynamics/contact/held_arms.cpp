@@ -2,7 +2,7 @@
 
 #include "dynamics/world.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 constexpr Real kSlow = 0.1;  // rad/s: what turns faster is on its way, not leaning
@@ -23,4 +23,4 @@ Mat3 held_back(const World& world, std::uint32_t body) {
   return held.matrix() - world.plan->rotation[body];
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

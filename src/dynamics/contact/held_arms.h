@@ -4,7 +4,7 @@
 
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Once a step, before arms are asked for: a body that has turned by hold_angle since, or turns at some speed, is held
 /// as it is now. Writes State::held_q of that body alone.
@@ -14,4 +14,4 @@ void hold_orientation(World& world, std::uint32_t body);
 /// plan.rotation; zero where nothing is held.
 Mat3 held_back(const World& world, std::uint32_t body);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -11,14 +11,14 @@
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/quarantine.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 // A contact that is hit more often in one substep lies between bodies that press: there is no end to its impacts, and
 // the solver holds it.
 constexpr std::uint32_t kMostImpacts = 100;
-constexpr int kSweeps = 50;       // over the points of a pair, which depend on each other
-constexpr Real kSettled = 1e-13;  // of the speed of an impact: what the last sweep may still change
+constexpr int kImpactSweeps = 50;       // over the points of a pair, which depend on each other
+constexpr Real kImpactSettled = 1e-13;  // of the speed of an impact: what the last sweep may still change
 constexpr Real kGiveWay = 1e-9;   // of the response without locks
 constexpr std::size_t kPoints = Manifold::kMaxPoints;
 
@@ -144,7 +144,7 @@ class Impacts {
     const Row& row = points[0].row;
     const State& s = world_.state;
     const Vec3 v_a = s.v[row.a], v_b = s.v[row.b], omega_a = s.omega[row.a], omega_b = s.omega[row.b];
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (int sweep = 0; sweep < kImpactSweeps; ++sweep) {
       Real most = 0;
       for (Point& p : points) {
         p.row.u = velocity(*p.at) + (hit.time - lag_) * p.at->accel;
@@ -155,7 +155,7 @@ class Impacts {
         if (row.moves_b) push_body(world_, row.b, change, p.mass.r_b);
         most = std::max(most, change.norm() * p.row.k_n);
       }
-      if (!(most > kSettled * hit.speed)) break;
+      if (!(most > kImpactSettled * hit.speed)) break;
     }
     for (const Point& p : points) {
       ++p.at->count;
@@ -244,4 +244,4 @@ void answer_impacts(World& world, const StepTime& time) {
   if (!world.contacts->impacts.empty()) Impacts(world, time).answer();
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

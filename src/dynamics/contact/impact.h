@@ -15,7 +15,7 @@
 
 #include "dynamics/contact/contact.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Stage functions of the page.
 /// Velocities and gaps before the forces of this substep, at rows that bounce.
@@ -34,4 +34,4 @@ struct Touch {
 /// @param since  s, of the last impact of either body; negative: there was none, and a meeting may be as long ago
 Touch find_touch(Real gap, Real closing, Real accel, Real since);
 
-}  // namespace carom
+}  // namespace carom::dynamics

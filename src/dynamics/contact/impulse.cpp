@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 constexpr int kSlideSweeps = 4;  // per visit
@@ -47,4 +47,4 @@ Vec3 resolved_impulse(const Row& row, const RowMass& m, Real target) {
   return p;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

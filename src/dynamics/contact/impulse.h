@@ -3,7 +3,7 @@
 
 #include "dynamics/contact/contact.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// The accumulated impulse that fulfils a row's law if nothing else acts.
 ///   stick:  p' = p + K^-1 (target n - u), if inside the cone
@@ -12,4 +12,4 @@ namespace carom {
 /// @return N s, world, on B
 Vec3 resolved_impulse(const Row& row, const RowMass& m, Real target);
 
-}  // namespace carom
+}  // namespace carom::dynamics

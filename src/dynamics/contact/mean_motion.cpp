@@ -11,12 +11,12 @@
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/solver/solver.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
-constexpr int kMostBodies = 4;  // of a group
-constexpr int kMostPoints = 24;
-constexpr std::size_t kGroupsAPart = 16;
+constexpr int kMostMeanBodies = 4;  // of a group
+constexpr int kMostMeanPoints = 24;
+constexpr std::size_t kMeanGroupsAPart = 16;
 constexpr Real kSlides = 0.5;   // of the most that changed of a body's velocity: what goes slower at a point sticks
 constexpr Real kTips = 0.03;    // likewise: what lifts or lowers a body's middle
 constexpr Real kCurves = 0.5;   // likewise: what a contact opens or closes as a step begins
@@ -28,7 +28,7 @@ using Point = MeanMotion::Point;
 
 /// v and omega of all bodies of a group, or an impulse and a moment on each.
 struct Stacked {
-  std::array<Vec6, kMostBodies> of;
+  std::array<Vec6, kMostMeanBodies> of;
   std::size_t bodies;
 
   Stacked() = default;  // not initialised
@@ -91,7 +91,7 @@ class Projection {
   const World& world_;
   std::span<const Body> bodies_;
   std::size_t held_ = 0;
-  std::array<Stacked, 6 * kMostBodies> impulse_, velocity_;
+  std::array<Stacked, 6 * kMostMeanBodies> impulse_, velocity_;
 };
 
 /// One group of one substep.
@@ -155,7 +155,7 @@ class Group {
   bool hold(Real dt, Real most, Stacked& c) {
     Projection projection(world_, bodies_);
     const Stacked asked = c;
-    std::array<const Point*, kMostPoints> shut;
+    std::array<const Point*, kMostMeanPoints> shut;
     std::size_t shuts = 0;
     for (const Point& p : points_) {
       const Row& row = world_.contacts->rows[p.row];
@@ -251,7 +251,7 @@ void find_small_groups(World& world) {
   for (std::size_t g = 0; g < c.groups(); ++g) {
     const bool joined = !c.group_link_begin.empty() && c.group_link_begin[g] < c.group_link_begin[g + 1];
     const std::uint32_t points = c.group_begin[g + 1] - c.group_begin[g];
-    if (!joined && points > 0 && points <= kMostPoints && c.group_bodies[g] <= kMostBodies) gather(c, g, m);
+    if (!joined && points > 0 && points <= kMostMeanPoints && c.group_bodies[g] <= kMostMeanBodies) gather(c, g, m);
   }
   m.groups.push_back({static_cast<std::uint32_t>(m.bodies.size()), static_cast<std::uint32_t>(m.points.size())});
 }
@@ -265,7 +265,7 @@ void note_velocities_of_groups(World& world, const StepTime&) {
 void find_mean_motion(World& world, const StepTime& time) {
   MeanMotion* const m = world.contacts->mean_motion.get();
   if (!m || m->groups.empty()) return;
-  in_parallel(world.jobs, m->groups.size() - 1, kGroupsAPart,
+  in_parallel(world.jobs, m->groups.size() - 1, kMeanGroupsAPart,
               [&](std::uint32_t g) { Group(world, g).find_motion(time.dt); });
 }
 
@@ -285,4 +285,4 @@ MeanVelocities::~MeanVelocities() {
     for (MeanMotion::Group& g : m->groups) g.is_moved = false;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

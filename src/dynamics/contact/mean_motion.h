@@ -21,7 +21,7 @@
 
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 struct MeanMotion {
   explicit MeanMotion(Memory* m) : bodies(m), points(m), groups(m) {}
@@ -66,4 +66,4 @@ class MeanVelocities {
   World& world_;
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -7,7 +7,7 @@
 #include "dynamics/solver/solver.h"
 #include "dynamics/solver/wide_contacts.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// N s: what a pair's points press in all, in this step so far; of solvers in lanes, in this substep.
@@ -116,4 +116,4 @@ Vec3 resisting_moment(const Vec3& moment, const Vec3& omega, const Mat3& k, cons
   return spin * n + roll_t * t + roll_s * s;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -13,7 +13,7 @@
 
 #include "dynamics/contact/contact.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Resisting pairs of this step and the moments that they start from; nothing where no material resists.
 /// @param scale  substep now over substep then; 0: start cold
@@ -32,4 +32,4 @@ void resist(World& world, const StepTime& time);
 /// @return N m s, world, on B
 Vec3 resisting_moment(const Vec3& moment, const Vec3& omega, const Mat3& k, const Vec3& n, Real rolling, Real spinning);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -1,7 +1,7 @@
 // Contacts whose surfaces move of themselves.
 #include "dynamics/contact/surface.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// What moves it, unless a host forbids that.
@@ -49,4 +49,4 @@ void find_surfaces(World& world) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -11,9 +11,9 @@
 
 #include "dynamics/contact/contact.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Driven pairs of this step and the velocities of their surfaces; nothing where no collider has one.
 void find_surfaces(World& world);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -11,7 +11,7 @@
 #include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 Together together(const World& world, const Pair& p) {
@@ -281,4 +281,4 @@ void end_events(World& world, const StepTime&) {
   if (wanted & Events::fault) tell_faults(world);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -11,7 +11,7 @@
 
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 struct ContactEvent {
   enum Kind : std::uint32_t { begin, end, hit };
@@ -113,4 +113,4 @@ void begin_events(World& world, const StepTime& time);
 /// Stage observe, at the end: what happened.
 void end_events(World& world, const StepTime& time);
 
-}  // namespace carom
+}  // namespace carom::dynamics

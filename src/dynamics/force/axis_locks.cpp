@@ -4,7 +4,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 bool holds_turns(const Scene& scene, std::uint32_t body, Locks locks) {
@@ -105,4 +105,4 @@ void axis_locks::hold(World& world, Real h) {
   row.evaluations += row.customers.count;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -5,7 +5,7 @@
 #include "dynamics/force/floats.h"
 #include "dynamics/force/force.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// m^3 and m (world) of what is under water of a body.
@@ -77,4 +77,4 @@ void buoyancy::force(const Scene& scene, const State& state, const Customers& cu
   });
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -3,7 +3,7 @@
 
 #include "dynamics/force/force.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 Real decay(Real x) {
   if (!(x < 700)) return 0;
@@ -62,4 +62,4 @@ Real rate(const Scene& scene, const State&, const Customers& customers) {
 }
 
 }  // namespace angular_damping
-}  // namespace carom
+}  // namespace carom::dynamics

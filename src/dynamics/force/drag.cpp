@@ -5,7 +5,7 @@
 
 #include "dynamics/force/force.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// (1 - e^-x) / x   @param x  x >= 0   @accuracy  16 eps relative
@@ -66,4 +66,4 @@ Real drag::rate(const Scene& scene, const State& state, const Customers& custome
   return fastest;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -6,7 +6,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Locks hold where they are not forbidden.
@@ -149,4 +149,4 @@ void World::set_body_mode(std::uint32_t body, std::size_t row, EffectMode mode) 
   settle_modes(*this);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

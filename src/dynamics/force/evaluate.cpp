@@ -4,7 +4,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/ledger/ledger.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -58,4 +58,4 @@ void evaluate_flows(World& world, Real h, const Quat* q) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -1,7 +1,7 @@
 // Fields of acceleration or force: uniform in a box, radial, vortex. They act at centres of mass.
 #include "dynamics/force/force.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// (reference / distance)^falloff
@@ -64,4 +64,4 @@ void fields::force(const Scene& scene, const State&, const Customers& customers,
   }
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

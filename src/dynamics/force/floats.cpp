@@ -12,7 +12,7 @@
 #include "collision/hull.h"
 #include "collision/support.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// The cap of a unit ball about the origin where n . x <= level, |n| = 1: volume, and how far its centroid is down -n.
@@ -33,9 +33,9 @@ void add_tetrahedron(Submerged& sum, const Vec3& a, const Vec3& b, const Vec3& c
 }
 
 /// Volume and moment of what is on the inner side of triangles and under a plane.
-class Sum {
+class WettedSum {
  public:
-  Sum(const Vec3& n, Real level) : n_(n), origin_(level * n) {}
+  WettedSum(const Vec3& n, Real level) : n_(n), origin_(level * n) {}
 
   void triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
     const std::array<Vec3, 3> p = {a - origin_, b - origin_, c - origin_};
@@ -118,7 +118,7 @@ Submerged under_plane(const Shape& shape, const Float* surface, const Vec3& n, R
   if (level >= shape.bounding_radius) return {shape.mass.volume, shape.mass.volume * shape.mass.centroid};
   if (shape.form == Form::sphere) return under_ellipsoid(Vec3::constant(shape.radius), n, level);
   if (shape.form == Form::ellipsoid) return under_ellipsoid(shape.half, n, level);
-  Sum sum(n, level);
+  WettedSum sum(n, level);
   if (surface)
     for (std::size_t t = 0; t + 2 < surface->corner.size(); t += 3)
       sum.triangle(surface->corner[t], surface->corner[t + 1], surface->corner[t + 2]);
@@ -148,4 +148,4 @@ void make_floats(Scene& scene, Memory* memory) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -4,7 +4,7 @@
 #include "collision/shape.h"
 #include "dynamics/scene.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 struct Submerged {
   Real volume = 0;             // m^3
@@ -26,4 +26,4 @@ Submerged under_plane(const Shape& shape, const Float* surface, const Vec3& n, R
 /// Surfaces for the shapes of all colliders, where they are not there yet; those of others go.
 void make_floats(Scene& scene, Memory* memory);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -6,7 +6,7 @@
 
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Whether forces act on a body at all: dynamic, there, and not in quarantine.
 inline bool responds(const Scene& scene, const State& state, std::uint32_t i) {
@@ -140,4 +140,4 @@ void hold_velocity(const Scene& scene, std::uint32_t body, const Quat& q, Vec3& 
 /// @oracle    tests/unit/dynamics/test_forces
 Real decay(Real x);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -1,7 +1,7 @@
 // Uniform gravity on every body that has mass, each by its factor.
 #include "dynamics/force/force.h"
 
-namespace carom::gravity {
+namespace carom::dynamics::gravity {
 
 void find(const Scene& scene, const State& state, Customers& customers) {
   if (scene.gravity == Vec3::zero()) return;
@@ -16,4 +16,4 @@ void force(const Scene& scene, const State&, const Customers& customers, const M
   customers.each([&](std::uint32_t i) { out.v[i] += scene.gravity_factor_of(i) * dv; });
 }
 
-}  // namespace carom::gravity
+}  // namespace carom::dynamics::gravity

@@ -3,7 +3,7 @@
 
 #include "dynamics/force/force.h"
 
-namespace carom::gyroscopic {
+namespace carom::dynamics::gyroscopic {
 
 void find(const Scene& scene, const State& state, Customers& customers) {
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i) {
@@ -42,4 +42,4 @@ void flow(const Scene& scene, const Customers& customers, Real h, const Quat* q,
   });
 }
 
-}  // namespace carom::gyroscopic
+}  // namespace carom::dynamics::gyroscopic

@@ -4,7 +4,7 @@
 #include "core/pool.h"
 #include "core/pose.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// What air does to a body that moves through it: F = -(linear + quadratic |u|) u, u its velocity relative to the air.
 struct Drag {
@@ -105,4 +105,4 @@ struct Water {
   Real most_rate = kInfinity;     // 1/s, that a substep can carry
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

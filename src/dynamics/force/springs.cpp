@@ -13,7 +13,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// One end of a spring.
@@ -156,4 +156,4 @@ SpringReading read_spring(const World& world, std::uint32_t slot) {
   return {(b.x - a.x).norm(), pull_of(def, def.stiffness, def.damping, a, b).size};
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -1,7 +1,7 @@
 // Forces and torques that a host asked for, for one step: only bodies that it wrote to can have any.
 #include "dynamics/force/force.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 void user_force::find(const Scene& scene, const State& state, Customers& customers) {
   for (const std::uint32_t i : state.written)
@@ -24,4 +24,4 @@ void user_torque::force(const Scene& scene, const State& state, const Customers&
       [&](std::uint32_t i) { out.omega[i] += out.scale * angular_acceleration(scene, i, at.q[i], state.torque[i]); });
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

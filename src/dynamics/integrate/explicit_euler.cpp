@@ -2,10 +2,10 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
-void velocity(World& world, Real h) {
+void velocity_by_explicit_euler(World& world, Real h) {
   State& s = world.state;
   Plan& plan = *world.plan;
   plan.linear.each([&](std::uint32_t i) { plan.proposal.x[i] = s.x[i] + h * s.v[i]; });
@@ -21,6 +21,6 @@ void velocity(World& world, Real h) {
 
 }  // namespace
 
-const Integrator kExplicitEuler = {"explicit_euler", true, false, false, 1.5, 0, 0, velocity};
+const Integrator kExplicitEuler = {"explicit_euler", true, false, false, 1.5, 0, 0, velocity_by_explicit_euler};
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -8,7 +8,7 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/ledger/ledger.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 bool is_constant(std::size_t row) { return row == kGravityRow || row == kUserForceRow; }
@@ -97,4 +97,4 @@ void fly_free(World& world, const StepTime& time) {
   exchange(plan, f.flying), exchange_the_rest(plan, f);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

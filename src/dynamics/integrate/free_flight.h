@@ -14,7 +14,7 @@
 
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 struct FreeFlight {
   explicit FreeFlight(Memory* m);
@@ -35,4 +35,4 @@ struct FreeFlight {
 void part_with_flyers(World& world, const StepTime& time);
 void fly_free(World& world, const StepTime& time);
 
-}  // namespace carom
+}  // namespace carom::dynamics

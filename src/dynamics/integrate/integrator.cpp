@@ -8,7 +8,7 @@
 #include "dynamics/ledger/ledger.h"
 #include "dynamics/quarantine.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Bodies that left the finite world: marked by whichever thread sees it, put in quarantine by the stepping one.
@@ -109,4 +109,4 @@ void integrate_position(World& world, const StepTime& time) {
   strays.quarantine_all();
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

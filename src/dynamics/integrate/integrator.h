@@ -28,7 +28,7 @@
 
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 struct Integrator {
   const char* name;
@@ -50,4 +50,4 @@ void integrate_position(World& world, const StepTime& time);
 /// after a step's last impulses, so that no host reads what the next substep would have seen.
 void stop_strays(World& world, const StepTime& time);
 
-}  // namespace carom
+}  // namespace carom::dynamics

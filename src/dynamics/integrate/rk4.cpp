@@ -7,7 +7,7 @@
 // renormalising the intermediate orientations costs no order.   @source [Hairer1993 §II.1]
 #include "dynamics/integrate/integrator.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 Quat spin_rate(const Vec3& omega, const Quat& q) {
@@ -29,7 +29,7 @@ struct Scratch {
   }
 };
 
-void velocity(World& world, Real h) {
+void velocity_by_rk4(World& world, Real h) {
   State& s = world.state;
   Plan& plan = *world.plan;
   const Scratch t(plan, s.x.size());
@@ -85,6 +85,6 @@ void velocity(World& world, Real h) {
 
 }  // namespace
 
-const Integrator kRungeKutta4 = {"rk4", true, true, false, 1, Scratch::kVectors, Scratch::kRotations, velocity};
+const Integrator kRungeKutta4 = {"rk4", true, true, false, 1, Scratch::kVectors, Scratch::kRotations, velocity_by_rk4};
 
-}  // namespace carom
+}  // namespace carom::dynamics

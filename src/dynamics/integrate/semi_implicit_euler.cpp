@@ -2,10 +2,10 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
-void velocity(World& world, Real h) {
+void velocity_by_semi_implicit_euler(World& world, Real h) {
   State& s = world.state;
   evaluate_forces(world, {s.x.data(), s.q.data(), s.v.data(), s.omega.data()}, {h, s.v.data(), s.omega.data()});
   evaluate_flows(world, h, s.q.data());
@@ -14,6 +14,6 @@ void velocity(World& world, Real h) {
 
 }  // namespace
 
-const Integrator kSemiImplicitEuler = {"semi_implicit_euler", false, false, false, 0.5, 0, 0, velocity};
+const Integrator kSemiImplicitEuler = {"semi_implicit_euler", false, false, false, 0.5, 0, 0, velocity_by_semi_implicit_euler};
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -9,10 +9,10 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
-void velocity(World& world, Real h) {
+void velocity_by_verlet(World& world, Real h) {
   State& s = world.state;
   Plan& plan = *world.plan;
   Proposal& to = plan.proposal;
@@ -35,6 +35,6 @@ void velocity(World& world, Real h) {
 
 }  // namespace
 
-const Integrator kVelocityVerlet = {"velocity_verlet", true, false, true, 1, 0, 0, velocity};
+const Integrator kVelocityVerlet = {"velocity_verlet", true, false, true, 1, 0, 0, velocity_by_verlet};
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -4,7 +4,7 @@
 #include "dynamics/joint/parts.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Whether a joint keeps its bodies' colliders from touching.
@@ -82,4 +82,4 @@ void World::break_joint(std::uint32_t slot) {
   ++scene.revision;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -10,7 +10,7 @@
 #include "core/pool.h"
 #include "core/pose.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 enum class JointKind : std::uint8_t { ball, hinge, slider, weld, distance, universal, count };  // as CAROM_JOINT_*
 
@@ -114,4 +114,4 @@ struct JointPlace : JointEnds {
   Real angle = 0;                     // rad, of what is locked of the axes
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <initializer_list>
 
-namespace carom {
+namespace carom::dynamics {
 
 extern const JointKernels kBaselineJoints;
 #if defined(__x86_64__)
@@ -21,4 +21,4 @@ const JointKernels& joint_kernels(const char* name) {
   return kBaselineJoints;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

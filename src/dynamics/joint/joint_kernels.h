@@ -3,7 +3,7 @@
 
 #include "dynamics/joint/joint_lanes.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// The same functions for one width; same bits from each.
 struct JointKernels {
@@ -27,4 +27,4 @@ struct JointKernels {
 /// The widest that this machine has, or the one of that name.
 const JointKernels& joint_kernels(const char* name);
 
-}  // namespace carom
+}  // namespace carom::dynamics

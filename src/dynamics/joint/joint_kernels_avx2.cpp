@@ -2,10 +2,10 @@
 #include "dynamics/joint/joint_sweeps.h"
 
 #if defined(__AVX2__)
-namespace carom {
+namespace carom::dynamics {
 
 extern const JointKernels kAvx2Joints;
 constexpr JointKernels kAvx2Joints = joint_kernels_named("avx2");
 
-}  // namespace carom
+}  // namespace carom::dynamics
 #endif

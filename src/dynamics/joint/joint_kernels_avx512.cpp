@@ -2,10 +2,10 @@
 #include "dynamics/joint/joint_sweeps.h"
 
 #if defined(__AVX512VL__)
-namespace carom {
+namespace carom::dynamics {
 
 extern const JointKernels kAvx512Joints;
 constexpr JointKernels kAvx512Joints = joint_kernels_named("avx512");
 
-}  // namespace carom
+}  // namespace carom::dynamics
 #endif

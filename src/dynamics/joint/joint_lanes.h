@@ -4,7 +4,7 @@
 
 #include "dynamics/solver/contact_lanes.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 struct LaneQuat {
   Lanes x, y, z, w;
@@ -93,4 +93,4 @@ struct JointRun {
   const BodyVelocity* gyro;  // omega: rad/s^2, of bodies that a rotation method carries; null: of none
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -12,7 +12,7 @@
 #include "dynamics/joint/joint_kernels.h"
 #include "dynamics/joint/place_sweep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Velocities of the four bodies on both sides.
@@ -193,4 +193,4 @@ constexpr JointKernels joint_kernels_named(const char* name) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -6,7 +6,7 @@
 
 #include "core/wide_angle.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 constexpr std::uint32_t bit(Coordinate c) { return 1u << static_cast<std::uint32_t>(c); }
@@ -141,4 +141,4 @@ JointPlace place_of(const World& world, const Joint& joint) {
   return place;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -5,7 +5,7 @@
 #include "dynamics/joint/joint_lanes.h"
 #include "dynamics/world.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// What a kind of joint is made of.
 struct KindRow {
@@ -44,4 +44,4 @@ struct Spring {
 };
 Spring spring_of(Real frequency, Real damping, Real h);
 
-}  // namespace carom
+}  // namespace carom::dynamics

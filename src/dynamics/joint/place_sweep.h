@@ -5,7 +5,7 @@
 #include "dynamics/joint/joint_kernels.h"
 #include "dynamics/solver/lane_sides.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 CAROM_LANES_INLINE LaneQuat operator*(const LaneQuat& a, const LaneQuat& b) {
@@ -356,4 +356,4 @@ void bend(const JointRun& run, double h) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -13,10 +13,10 @@
 #include "dynamics/solver/soft_step.h"
 #include "dynamics/warm_scale.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
-constexpr std::uint32_t kNobody = 0xFFFFFFFFu, kAnsweredDirectly = kColours + 1;
+constexpr std::uint32_t kNoPlace = 0xFFFFFFFFu, kAnsweredDirectly = kColours + 1;
 
 bool moves(const World& world, std::uint32_t body) {
   return body != kTheWorld && yields(world.scene, world.state, body);
@@ -76,7 +76,7 @@ void place_lanes(World& world, WideJoints& w) {
       joint.layout = layout_of(world.joints.joint[w.active[o.index]]);
       joint.first = rows, joint.first_drive = drives;
       rows += joint.layout.equalities, drives += joint.layout.drives;
-      w.occupant.insert(w.occupant.end(), kLanes, kNobody);
+      w.occupant.insert(w.occupant.end(), kLanes, kNoPlace);
       if (o.colour != kAnsweredDirectly) w.swept = static_cast<std::uint32_t>(w.joints.size());
     }
     JointLanes& joint = w.joints.back();
@@ -88,7 +88,7 @@ void place_lanes(World& world, WideJoints& w) {
   w.rows.resize(rows), w.drives.resize(drives);
 }
 
-void set(LaneQuat& to, int lane, const Quat& q) {
+void set_quat(LaneQuat& to, int lane, const Quat& q) {
   to.x[lane] = q.x(), to.y[lane] = q.y(), to.z[lane] = q.z(), to.w[lane] = q.w();
 }
 
@@ -136,7 +136,7 @@ void fill(const World& world, std::uint32_t index, const Softness& soft, Real h,
   side(def.body_a, lanes.a[lane], lanes.inv_mass_a, lanes.start_inertia_a);
   side(def.body_b, lanes.b[lane], lanes.inv_mass_b, lanes.start_inertia_b);
   set(lanes.start_a, lane, ends.arm_a), set(lanes.start_b, lane, ends.arm_b);
-  set(lanes.start_frame_a, lane, ends.a.q), set(lanes.start_frame_b, lane, ends.b.q);
+  set_quat(lanes.start_frame_a, lane, ends.a.q), set_quat(lanes.start_frame_b, lane, ends.b.q);
   set(lanes.start_gap, lane, ends.apart);
   lanes.length[lane] = joint.def.length;
   lanes.bias_rate[lane] = soft.bias_rate;
@@ -376,4 +376,4 @@ void end_joints(World& world, const StepTime& time) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

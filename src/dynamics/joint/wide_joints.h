@@ -10,7 +10,7 @@
 #include "dynamics/joint/joint_kernels.h"
 #include "dynamics/solver/wide_contacts.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 struct WideJoints {
   explicit WideJoints(Memory* m)
@@ -159,4 +159,4 @@ void return_to_joints(World& world);
 /// Impulses, forces and errors back into the joints; who bears too much breaks.
 void end_joints(World& world, const StepTime& time);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -3,7 +3,7 @@
 
 #include "dynamics/quarantine.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 Amount amount_now(const World& world, std::uint32_t i) {
   const State& s = world.state;
@@ -95,4 +95,4 @@ void see_kick(World& world, std::uint32_t i, std::size_t column) {
   b.seen_v = s.v[i], b.seen_omega = s.omega[i];
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

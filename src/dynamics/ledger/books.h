@@ -4,7 +4,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/ledger/ledger.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Roundings that a booking may add up, of the magnitude of its terms: some ten columns, each a difference of
 /// velocities that is multiplied and added a few times.
@@ -55,4 +55,4 @@ void take_set(World& world, std::uint32_t set, bool host);
 /// What a step did to particles.
 void book_flight(World& world, const StepTime& time);
 
-}  // namespace carom
+}  // namespace carom::dynamics

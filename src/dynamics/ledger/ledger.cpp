@@ -4,7 +4,7 @@
 #include "dynamics/ledger/books.h"
 #include "dynamics/quarantine.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 const char* cause_name(std::size_t cause) {
   static constexpr const char* kNames[kFixedCauses] = {
@@ -106,4 +106,4 @@ void book_turns(World& world) {
   });
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

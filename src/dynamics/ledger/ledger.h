@@ -33,7 +33,7 @@
 #include "core/sum.h"
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 struct Amount {
   Real kinetic = 0, potential = 0;                     // J
@@ -191,4 +191,4 @@ void share_solved(World& world);
 void share_relaxed(World& world);
 void share_impacts(World& world);
 
-}  // namespace carom
+}  // namespace carom::dynamics

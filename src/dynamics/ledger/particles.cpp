@@ -3,7 +3,7 @@
 
 #include "dynamics/ledger/books.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 struct SetSums {
@@ -86,4 +86,4 @@ void book_flight(World& world, const StepTime& time) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -12,7 +12,7 @@
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/solver.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Columns for what acts in this step.
@@ -301,4 +301,4 @@ void book_room(World& world, void (*room)(World&, const StepTime&), const StepTi
     if (booking.room == room) return booking.book(world, time);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -10,7 +10,7 @@
 #include "dynamics/solver/solver.h"
 #include "dynamics/solver/wide_contacts.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Impulses of one row, by what they give its bodies.
@@ -273,4 +273,4 @@ void share_impacts(World& world) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -8,7 +8,7 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/quarantine.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Call f(begin, end) for runs of [begin, end) in which nobody is held.
@@ -125,4 +125,4 @@ void fly(World& world, const StepTime& time) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

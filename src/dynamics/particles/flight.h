@@ -3,10 +3,10 @@
 
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Their part of stage integrate: all substeps of each particle at once, since none waits for another. What leaves the
 /// world is held.
 void fly(World& world, const StepTime& time);
 
-}  // namespace carom
+}  // namespace carom::dynamics

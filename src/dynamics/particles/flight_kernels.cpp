@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace carom {
+namespace carom::dynamics {
 
 extern const FlightKernels kBaselineFlight;
 #if defined(__x86_64__)
@@ -12,11 +12,11 @@ extern const FlightKernels kAvx2Flight;
 
 namespace {
 
-struct Choice {
+struct FlightKernelChoice {
   std::array<const FlightKernels*, 2> kernels{};
   std::size_t count = 0;
 
-  Choice() {
+  FlightKernelChoice() {
     kernels[count++] = &kBaselineFlight;
 #if defined(__x86_64__)
     __builtin_cpu_init();
@@ -28,10 +28,10 @@ struct Choice {
 }  // namespace
 
 std::span<const FlightKernels* const> all_flight_kernels() {
-  static const Choice kChoice;
+  static const FlightKernelChoice kChoice;
   return {kChoice.kernels.data(), kChoice.count};
 }
 
 const FlightKernels& flight_kernels() { return *all_flight_kernels().back(); }
 
-}  // namespace carom
+}  // namespace carom::dynamics

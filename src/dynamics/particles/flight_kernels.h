@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-namespace carom {
+namespace carom::dynamics {
 
 /// A substep of particles along one axis: gravity and drag leave the axes to themselves.
 struct Flight {
@@ -43,4 +43,4 @@ const FlightKernels& flight_kernels();
 /// All that this machine can run, the baseline first.
 std::span<const FlightKernels* const> all_flight_kernels();
 
-}  // namespace carom
+}  // namespace carom::dynamics

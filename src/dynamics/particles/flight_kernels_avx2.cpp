@@ -2,10 +2,10 @@
 #include "dynamics/particles/flight_sweeps.h"
 
 #if defined(__AVX2__)
-namespace carom {
+namespace carom::dynamics {
 
 extern const FlightKernels kAvx2Flight;
 constexpr FlightKernels kAvx2Flight = kernels_named("avx2");
 
-}  // namespace carom
+}  // namespace carom::dynamics
 #endif

@@ -8,7 +8,7 @@
 #include "core/wide.h"
 #include "dynamics/particles/flight_kernels.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 struct ExplicitEulerFlight {
@@ -105,4 +105,4 @@ constexpr FlightKernels kernels_named(const char* name) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::dynamics

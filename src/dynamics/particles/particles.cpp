@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 template <class F>
@@ -180,4 +180,4 @@ Real Particles::linear_energy() const {
   return energy;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -8,7 +8,7 @@
 #include "core/vec.h"
 #include "dynamics/particles/flight_kernels.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// What a host says about a set (ABI: carom_particles_desc), already validated.
 struct ParticleDef {
@@ -85,4 +85,4 @@ class Particles {
   std::uint64_t count_ = 0;
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

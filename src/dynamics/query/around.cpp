@@ -3,7 +3,7 @@
 #include "collision/scenery/ask.h"
 #include "dynamics/query/search.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 Aabb bounds_of(const Asker& asker) {
@@ -118,4 +118,4 @@ WorldHit find_nearest(const World& world, const Asker& asker, Real reach, const 
   return best;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

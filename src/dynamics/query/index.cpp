@@ -5,7 +5,7 @@
 
 #include "collision/volume.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 QueryIndex::QueryIndex(Memory* m)
     : tree_(m),
@@ -171,4 +171,4 @@ void QueryIndex::rebuild() {
   tree_.build(leaves_, bounds_);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

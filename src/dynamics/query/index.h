@@ -8,7 +8,7 @@
 #include "collision/broad/query_tree.h"
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 class QueryIndex {
  public:
@@ -86,4 +86,4 @@ bool takes_part(const World& world, std::uint32_t slot);
 /// Stage observe: the bodies that this step moved, if anybody asks.
 void note_who_moved(World& world, const StepTime& time);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -9,7 +9,7 @@
 #include "collision/cast/ray.h"
 #include "dynamics/world.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Which colliders are asked.
 struct QueryFilter {
@@ -72,4 +72,4 @@ WorldHit overlap_against(const World& world, std::uint32_t slot, const Asker& as
 WorldHit nearest_against(const World& world, std::uint32_t slot, const Asker& asker, Real reach,
                          const CastSettings& settings);
 
-}  // namespace carom
+}  // namespace carom::dynamics

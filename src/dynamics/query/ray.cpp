@@ -3,17 +3,17 @@
 #include "collision/scenery/ask.h"
 #include "dynamics/query/search.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
-Aabb ball(Real radius) {
+Aabb ball_hits(Real radius) {
   Aabb b;
   b.lo = Vec3::constant(-radius), b.hi = Vec3::constant(radius);
   return b;
 }
 
 Way way_of(const Ray& ray, const CastSettings& settings) {
-  return Way(ray.origin, ray.direction, ray.max, ball(settings.target));
+  return Way(ray.origin, ray.direction, ray.max, ball_hits(settings.target));
 }
 
 /// About the asker's origin; empty if its support function fails.
@@ -71,7 +71,7 @@ CastResult any(const World& world, const Way& way, Real max, const QueryOptions&
 }
 
 template <class One>
-void all(const World& world, const Way& way, const QueryOptions& options, Array<WorldHit>& hits, One&& one) {
+void all_hits(const World& world, const Way& way, const QueryOptions& options, Array<WorldHit>& hits, One&& one) {
   const auto begin = static_cast<std::ptrdiff_t>(hits.size());
   along(*world.queries, way, [&](std::uint32_t slot) {
     if (!passes(world, options.filter, slot)) return kInfinity;
@@ -137,7 +137,7 @@ CastResult any_on_ray(const World& world, const Ray& ray, const QueryOptions& op
 void cast_ray_all(const World& world, const Ray& ray, const QueryOptions& options, Array<WorldHit>& hits) {
   world.queries->bring_up_to_date(world);
   const Way way = way_of(ray, options.cast);
-  all(world, way, options, hits, [&](std::uint32_t slot) { return ray_on(world, slot, ray, way, options.cast); });
+  all_hits(world, way, options, hits, [&](std::uint32_t slot) { return ray_on(world, slot, ray, way, options.cast); });
 }
 
 WorldHit cast_shape(const World& world, const Asker& asker, const Vec3& motion, const QueryOptions& options) {
@@ -164,8 +164,8 @@ void cast_shape_all(const World& world, const Asker& asker, const Vec3& motion, 
   const Aabb extent = extent_of(asker, options.cast);
   if (is_empty(extent)) return hits.push_back({WorldHit::kNone, failed()});
   const Way way(asker.frame.p, motion, 1, extent);
-  all(world, way, options, hits,
+  all_hits(world, way, options, hits,
       [&](std::uint32_t slot) { return shape_on(world, slot, asker, motion, way, options.cast); });
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -8,7 +8,7 @@
 #include "dynamics/query/index.h"
 #include "dynamics/query/query.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// What rounding may do to a way, in lengths that enter it; as QueryTree has it.
 inline constexpr Real kWayRounding = 0x1p-42;
@@ -109,4 +109,4 @@ inline Real width_of_answers(const QueryIndex& index, const CastSettings& settin
   return std::max(settings.tolerance, Real(1e-6)) * index.largest_radius();
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

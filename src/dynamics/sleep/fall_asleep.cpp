@@ -3,7 +3,7 @@
 #include "dynamics/island.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Count on a body's time of being slow, or start it anew. Comparisons are such that NaN is not slow.
@@ -136,4 +136,4 @@ void fall_asleep(World& world, const StepTime& time) {
   world.report.asleep_bodies = z.count;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -8,7 +8,7 @@
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 constexpr std::uint32_t kNone = Colliders::kNone;
@@ -327,4 +327,4 @@ void rejoin(World& world) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

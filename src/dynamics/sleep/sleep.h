@@ -30,7 +30,7 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// An impulse to start from, kept for a pair of sleepers.
 struct KeptImpulse {
@@ -123,4 +123,4 @@ void rejoin(World& world);
 /// Where memory ran out half-way: everybody is awake, and caches are gone.
 void forget_sleepers(World& world);
 
-}  // namespace carom
+}  // namespace carom::dynamics

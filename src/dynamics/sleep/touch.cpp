@@ -8,7 +8,7 @@
 #include "dynamics/scenery.h"
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 void ask_for(World& world, std::uint32_t body) {
@@ -113,4 +113,4 @@ void wake_touched(World& world, const StepTime& time) {
   z.near.erase(std::unique(z.near.begin(), z.near.end()), z.near.end());
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -4,7 +4,7 @@
 
 #include "dynamics/sleep/sleep.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Call f(record) for the record of every pair that a sleeper may be in. Those who fell asleep in the last step are not
@@ -100,4 +100,4 @@ void forget_body(World& world, std::uint32_t body) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -6,7 +6,7 @@
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/snapshot/section.h"
 
-namespace carom::snapshot {
+namespace carom::dynamics::snapshot {
 namespace {
 
 // Of a body: which of the things that are mostly as one would guess are not.
@@ -335,4 +335,4 @@ struct Shells {
 constinit const Section kBodies = section<Bodies>("BODY", "bodies");
 constinit const Section kColliders = section<Shells>("COLL", "colliders");
 
-}  // namespace carom::snapshot
+}  // namespace carom::dynamics::snapshot

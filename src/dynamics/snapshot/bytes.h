@@ -14,7 +14,7 @@
 #include "core/memory.h"
 #include "core/pose.h"
 
-namespace carom::snapshot {
+namespace carom::dynamics::snapshot {
 
 static_assert(std::endian::native == std::endian::little, "snapshots are little-endian");
 static_assert(sizeof(Real) == 8, "and hold doubles");
@@ -246,4 +246,4 @@ bool yes_or_no(Io& io, bool now) {
   return v != 0;
 }
 
-}  // namespace carom::snapshot
+}  // namespace carom::dynamics::snapshot

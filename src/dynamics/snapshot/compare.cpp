@@ -4,7 +4,7 @@
 
 #include "dynamics/snapshot/frame.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace snapshot {
 namespace {
 
@@ -97,4 +97,4 @@ bool compare_state(const World& world, const std::byte* bytes, std::uint64_t n, 
   return true;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

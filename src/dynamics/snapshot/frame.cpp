@@ -7,7 +7,7 @@
 #include "dynamics/effects.h"
 #include "dynamics/snapshot/structure.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace snapshot {
 namespace {
 
@@ -225,4 +225,4 @@ bool is_whole(const std::byte* bytes, std::uint64_t n) {
   return snapshot::find_sections(bytes, n, found, fault) && found.is_whole();
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -5,7 +5,7 @@
 #include "dynamics/snapshot/snapshot.h"
 #include "dynamics/snapshot/whole.h"
 
-namespace carom::snapshot {
+namespace carom::dynamics::snapshot {
 
 inline constexpr std::size_t kMostSections = 16;
 /// In the order in which they are loaded: who slept is told to who listens, so those come first.
@@ -32,4 +32,4 @@ bool find_sections(const std::byte* bytes, std::uint64_t n, Found& found, Snapsh
 /// @param built  the world was made of these bytes: it is as they say, where they don't say it twice
 bool check_structure_of(const World& world, const Found& found, bool built, SnapshotFault& fault);
 
-}  // namespace carom::snapshot
+}  // namespace carom::dynamics::snapshot

@@ -4,7 +4,7 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/snapshot/section.h"
 
-namespace carom::snapshot {
+namespace carom::dynamics::snapshot {
 
 /// @param now  when saving, what is written; what comes back is what the bytes say
 template <class Io>
@@ -17,4 +17,4 @@ OldImpulse impulse(Io& io, const OldImpulse& now) {
   return o;
 }
 
-}  // namespace carom::snapshot
+}  // namespace carom::dynamics::snapshot

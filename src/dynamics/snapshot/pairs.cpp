@@ -5,7 +5,7 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/snapshot/impulse.h"
 
-namespace carom::snapshot {
+namespace carom::dynamics::snapshot {
 namespace {
 
 template <class Io, class P>
@@ -271,4 +271,4 @@ void make_room_for_pairs(World& world, const Needs& needs) { PairTableImage::mak
 constinit const Section kPairs = section<PairTableImage>("PAIR", "pairs");
 constinit const Section kImpulses = section<Remembered>("IMPU", "impulses");
 
-}  // namespace carom::snapshot
+}  // namespace carom::dynamics::snapshot

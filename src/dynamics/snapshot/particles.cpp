@@ -5,7 +5,7 @@
 
 #include "dynamics/snapshot/section.h"
 
-namespace carom::snapshot {
+namespace carom::dynamics::snapshot {
 namespace {
 
 template <class Io, class S>
@@ -50,4 +50,4 @@ struct Sets {
 
 constinit const Section kSets = section<Sets>("PART", "particles");
 
-}  // namespace carom::snapshot
+}  // namespace carom::dynamics::snapshot

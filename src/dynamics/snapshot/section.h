@@ -4,7 +4,7 @@
 #include "dynamics/snapshot/bytes.h"
 #include "dynamics/world.h"
 
-namespace carom::snapshot {
+namespace carom::dynamics::snapshot {
 
 struct Section {
   std::uint32_t tag;
@@ -36,4 +36,4 @@ extern const Section kSets;                                                     
 /// Of a world's pair table, for loading.
 void make_room_for_pairs(World& world, const Needs& needs);
 
-}  // namespace carom::snapshot
+}  // namespace carom::dynamics::snapshot

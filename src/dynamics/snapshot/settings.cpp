@@ -4,7 +4,7 @@
 
 #include "dynamics/snapshot/section.h"
 
-namespace carom::snapshot {
+namespace carom::dynamics::snapshot {
 namespace {
 
 struct DialsAndGravity {
@@ -249,4 +249,4 @@ constinit const Section kSprings = section<AllSprings>("SPRI", "springs");
 constinit const Section kJoints = section<AllJoints>("JOIN", "joints");
 constinit const Section kApart = section<HeldApart>("APAR", "pairs held apart");
 
-}  // namespace carom::snapshot
+}  // namespace carom::dynamics::snapshot

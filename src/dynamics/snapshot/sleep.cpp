@@ -4,7 +4,7 @@
 #include "dynamics/events/events.h"
 #include "dynamics/snapshot/impulse.h"
 
-namespace carom::snapshot {
+namespace carom::dynamics::snapshot {
 namespace {
 
 /// A list of slots of something.
@@ -151,4 +151,4 @@ struct Happenings {
 constinit const Section kSleepers = section<Sleepers>("SLEE", "sleepers");
 constinit const Section kHappenings = section<Happenings>("EVEN", "events");
 
-}  // namespace carom::snapshot
+}  // namespace carom::dynamics::snapshot

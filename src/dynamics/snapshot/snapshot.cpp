@@ -8,7 +8,7 @@
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/snapshot/frame.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace snapshot {
 namespace {
 
@@ -137,4 +137,4 @@ bool build_world(World& world, const std::byte* bytes, std::uint64_t n, ShapeMak
   return true;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

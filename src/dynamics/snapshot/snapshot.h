@@ -8,10 +8,13 @@
 
 #include "core/memory.h"
 
-namespace carom {
+namespace carom::collision {
+struct Shape;
+}
+
+namespace carom::dynamics {
 
 class World;
-struct Shape;
 
 /// Why bytes are refused. Then nothing of the world has changed.
 struct SnapshotFault {
@@ -76,4 +79,4 @@ bool is_whole(const std::byte* bytes, std::uint64_t n);
 /// @return false: refused; then, and if it throws, the world is of no more use
 bool build_world(World& world, const std::byte* bytes, std::uint64_t n, ShapeMaker& shapes, SnapshotFault& fault);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -7,7 +7,7 @@
 #include "core/hash.h"
 #include "dynamics/world.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace snapshot {
 namespace {
 
@@ -134,4 +134,4 @@ void StructureCache::forget(Memory* memory) {
   if (Known* const known = known_.exchange(nullptr)) std::pmr::polymorphic_allocator<>(memory).delete_object(known);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -8,7 +8,7 @@
 
 #include "core/memory.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 class World;
 
@@ -38,4 +38,4 @@ class StructureCache {
   mutable std::atomic<Known*> known_{nullptr};
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -8,7 +8,7 @@
 #include "dynamics/snapshot/section.h"
 #include "dynamics/snapshot/whole_shapes.h"
 
-namespace carom::snapshot {
+namespace carom::dynamics::snapshot {
 namespace {
 
 constexpr std::uint8_t kVersion = 1;
@@ -89,11 +89,11 @@ void each_alive(const SlotPool& pool, F&& f) {
 }
 
 // ---- bodies ----
-enum BodyBits : std::uint8_t { kType = 3, kMass = 4, kCenter = 8, kInertia = 16, kStaysAwake = 32, kDamping = 64, kUser = 128 };
+enum WholeBodyBits : std::uint8_t { kType = 3, kMass = 4, kCenter = 8, kInertia = 16, kStaysAwake = 32, kDamping = 64, kUser = 128 };
 
 template <class Io>
 void describe(Io& io, BodyDef& d) {
-  const auto bit = [](bool on, BodyBits b) { return on ? unsigned(b) : 0u; };
+  const auto bit = [](bool on, WholeBodyBits b) { return on ? unsigned(b) : 0u; };
   const bool damped = !same_bits(d.linear_damping, Real(0)) || !same_bits(d.angular_damping, Real(0));
   const unsigned bits = io.value(static_cast<std::uint8_t>(
       static_cast<unsigned>(d.type) | bit(d.has_mass, kMass) | bit(d.has_center, kCenter) | bit(d.has_inertia, kInertia) |
@@ -113,7 +113,7 @@ void describe(Io& io, BodyDef& d) {
   io.demand(d.inertia == Mat3(d.inertia.transpose()));
 }
 
-struct Bodies {
+struct WholeBodies {
   template <class Io, class W>
   static void go(Io& io, W& world, auto&&) {
     each_alive(world.scene.bodies, [&](std::uint32_t i) {
@@ -127,7 +127,7 @@ struct Bodies {
 };
 
 // ---- colliders ----
-enum ColliderBits : std::uint8_t { kMaterial = 1, kLocal = 2, kBits = 3 };
+enum WholeColliderBits : std::uint8_t { kMaterial = 1, kLocal = 2, kBits = 3 };
 
 struct Wearers {
   static bool fits(const Scene& s, std::uint32_t body, const Shape& shape) {
@@ -180,7 +180,7 @@ struct Wearers {
 // ---- joints, springs, fields ----
 /// Not NaN: may be infinite.
 template <class Io>
-Real loose(Io& io, Real now) {
+Real loose_end(Io& io, Real now) {
   const Real x = io.value(now);
   io.demand(x >= 0);
   return x;
@@ -200,7 +200,7 @@ void ends(Io& io, const Scene& s, Def& d) {
   }
 }
 
-struct AllJoints {
+struct WholeJoints {
   template <class Io, class W>
   static void go(Io& io, W& world, auto&&) {
     auto& all = world.joints;
@@ -237,7 +237,7 @@ struct AllJoints {
     ends(io, scene, d);
     d.frame_a = pose(io, d.frame_a), d.frame_b = pose(io, d.frame_b);
     d.length = io.real(d.length);
-    d.break_force = loose(io, d.break_force), d.break_torque = loose(io, d.break_torque);
+    d.break_force = loose_end(io, d.break_force), d.break_torque = loose_end(io, d.break_torque);
     d.user = io.value(d.user);
     io.demand(d.length >= 0);
   }
@@ -261,7 +261,7 @@ struct AllJoints {
   }
 };
 
-struct AllSprings {
+struct WholeSprings {
   template <class Io, class W>
   static void go(Io& io, W& world, auto&&) {
     auto& all = world.scene.springs;
@@ -278,7 +278,7 @@ struct AllSprings {
   }
 };
 
-struct AllFields {
+struct WholeFields {
   template <class Io, class W>
   static void go(Io& io, W& world, auto&&) {
     auto& all = world.scene.fields;
@@ -309,7 +309,7 @@ void save_whole(std::size_t section, Saver& io, const World& world, const ShapeN
       return;
     }
     case kBodiesMade:
-      return Bodies::go(io, world, nothing);
+      return WholeBodies::go(io, world, nothing);
     case kCollidersMade: {
       struct Known {
         const Shape* shape;
@@ -324,11 +324,11 @@ void save_whole(std::size_t section, Saver& io, const World& world, const ShapeN
       });
     }
     case kJointsMade:
-      return AllJoints::go(io, world, nothing);
+      return WholeJoints::go(io, world, nothing);
     case kSpringsMade:
-      return AllSprings::go(io, world, nothing);
+      return WholeSprings::go(io, world, nothing);
     default:
-      return AllFields::go(io, world, nothing);
+      return WholeFields::go(io, world, nothing);
   }
 }
 
@@ -342,26 +342,26 @@ bool build_whole(std::size_t section, Checker& io, Builder& b) {
       for (std::uint64_t n = io.count(0, 1); n > 0 && !io.bad(); --n) build_shape(io, b);
       break;
     case kBodiesMade:
-      Bodies::go(io, b.world, nothing);
+      WholeBodies::go(io, b.world, nothing);
       break;
     case kCollidersMade:
       Wearers::go(io, b.world, b);
       break;
     case kJointsMade:
-      AllJoints::go(io, b.world, nothing);
+      WholeJoints::go(io, b.world, nothing);
       break;
     case kSpringsMade:
-      AllSprings::go(io, b.world, nothing);
+      WholeSprings::go(io, b.world, nothing);
       break;
     default:
-      AllFields::go(io, b.world, nothing);
+      WholeFields::go(io, b.world, nothing);
   }
   return !io.bad();
 }
 
-}  // namespace carom::snapshot
+}  // namespace carom::dynamics::snapshot
 
-namespace carom {
+namespace carom::dynamics {
 
 Array<const Shape*> shapes_of(const World& world, Memory* memory) {
   Array<const Shape*> met(memory), in_order(memory);
@@ -379,4 +379,4 @@ bool is_untouched(const World& world) {
   return std::ranges::all_of(snapshot::pools_of(world), [](const SlotPool* pool) { return pool->slots() == 0; });
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

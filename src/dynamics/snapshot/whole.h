@@ -6,7 +6,7 @@
 #include "dynamics/snapshot/snapshot.h"
 #include "dynamics/world.h"
 
-namespace carom::snapshot {
+namespace carom::dynamics::snapshot {
 
 struct WholeSection {
   std::uint32_t tag;
@@ -31,4 +31,4 @@ struct Builder {
 /// Read one of them. @return false: refused; where fault.kind is none, since the bytes hold what no world does
 bool build_whole(std::size_t section, Checker& io, Builder& builder);
 
-}  // namespace carom::snapshot
+}  // namespace carom::dynamics::snapshot

@@ -4,7 +4,7 @@
 
 #include "collision/scenery/scenery.h"
 
-namespace carom::snapshot {
+namespace carom::dynamics::snapshot {
 namespace {
 
 /// Longest id of a plugin.
@@ -85,4 +85,4 @@ void build_shape(Checker& io, Builder& b) {
   b.shape.push_back(made);
 }
 
-}  // namespace carom::snapshot
+}  // namespace carom::dynamics::snapshot

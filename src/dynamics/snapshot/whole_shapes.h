@@ -3,7 +3,7 @@
 
 #include "dynamics/snapshot/whole.h"
 
-namespace carom::snapshot {
+namespace carom::dynamics::snapshot {
 
 /// So many numbers, and how many they are.
 template <class Io, class List>
@@ -21,4 +21,4 @@ void save_shape(Saver& io, const Shape& shape, const ShapeNames& names);
 /// Into builder.shape.
 void build_shape(Checker& io, Builder& builder);
 
-}  // namespace carom::snapshot
+}  // namespace carom::dynamics::snapshot

@@ -21,10 +21,10 @@
 #include "dynamics/solver/soft_step.h"
 #include "dynamics/solver/solver.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
-constexpr std::uint32_t kMostBodies = 256;  // of a group: beyond, finding an order of elimination alone takes too long
+constexpr std::uint32_t kMostDirectBodies = 256;  // of a group: beyond, finding an order of elimination alone takes too long
 
 // Points that close or part as fast as after a fall through this share of the thickness are struck. What a host has
 // just piled up, or what rocks and creaks under its load, stays well below.
@@ -86,7 +86,7 @@ class Seen {
   std::span<const std::uint32_t> all() const { return {body_.data(), count_}; }
 
  private:
-  std::array<std::uint32_t, kMostBodies> body_;
+  std::array<std::uint32_t, kMostDirectBodies> body_;
   std::size_t count_ = 0;
 };
 
@@ -225,7 +225,7 @@ GroupView view_of(World& world, std::size_t group, Real w2, Real h) {
   GroupView view;
   view.body = first_body(c, group);
   view.bodies = c.group_bodies[group], view.points = c.group_begin[group + 1] - c.group_begin[group];
-  if (view.bodies > kMostBodies) {
+  if (view.bodies > kMostDirectBodies) {
     view.reason = GroupReason::too_much;
     return view;
   }
@@ -272,33 +272,33 @@ void spare_the_tired(World& world) {
   }
 }
 
-void begin(World& world, const StepTime& time) {
+void auto_begin(World& world, const StepTime& time) {
   choose(world, time.h);
   kSoftStep.begin(world, time);
   gather_groups(world);
 }
 
-void velocities(World& world, const StepTime& time) {
+void auto_velocities(World& world, const StepTime& time) {
   kSoftStep.velocities(world, time);
   const auto work = static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
   solve_groups(world, time.h, 1 + work, world.plan->substeps);
   spare_the_tired(world);
 }
 
-void positions(World& world, const StepTime& time) {
+void auto_positions(World& world, const StepTime& time) {
   kSoftStep.positions(world, time);
   if (world.direct->groups() == 0) return;
   part_groups(world, time.h);
   settle_joints(world, time.h);
 }
 
-void end(World& world, const StepTime& time) {
+void auto_end(World& world, const StepTime& time) {
   kSoftStep.end(world, time);
   if (world.direct->groups() > 0) end_groups(world);
 }
 
 }  // namespace
 
-extern constexpr Solver kAuto = {"auto", true, false, begin, velocities, positions, end};
+extern constexpr Solver kAuto = {"auto", true, false, auto_begin, auto_velocities, auto_positions, auto_end};
 
-}  // namespace carom
+}  // namespace carom::dynamics

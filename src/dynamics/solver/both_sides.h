@@ -9,7 +9,7 @@
 
 #include "dynamics/solver/lane_sides.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 template <class Number>
@@ -190,4 +190,4 @@ struct BothShifts<float> {
 };
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::dynamics

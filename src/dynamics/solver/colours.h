@@ -8,7 +8,7 @@
 
 #include "core/memory.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Rows beyond this many colours are solved one at a time: a body with so many movable neighbours is rare.
 inline constexpr std::uint32_t kColours = 64;
@@ -40,4 +40,4 @@ class BothColours {
   std::uint64_t *a_, *b_;
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

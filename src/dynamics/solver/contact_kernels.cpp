@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace carom {
+namespace carom::dynamics {
 
 extern const ContactKernels kBaselineKernels;
 #if defined(__x86_64__)
@@ -12,11 +12,11 @@ extern const ContactKernels kAvx2Kernels, kAvx512Kernels;
 
 namespace {
 
-struct Choice {
+struct ContactKernelChoice {
   std::array<const ContactKernels*, 3> kernels{};
   std::size_t count = 0;
 
-  Choice() {
+  ContactKernelChoice() {
     kernels[count++] = &kBaselineKernels;
 #if defined(__x86_64__)
     __builtin_cpu_init();
@@ -29,10 +29,10 @@ struct Choice {
 }  // namespace
 
 std::span<const ContactKernels* const> all_contact_kernels() {
-  static const Choice kChoice;
+  static const ContactKernelChoice kChoice;
   return {kChoice.kernels.data(), kChoice.count};
 }
 
 const ContactKernels& contact_kernels() { return *all_contact_kernels().back(); }
 
-}  // namespace carom
+}  // namespace carom::dynamics

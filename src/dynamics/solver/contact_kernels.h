@@ -5,7 +5,7 @@
 
 #include "dynamics/solver/contact_lanes.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// What is done to rows of doubles, or of floats.
 template <class Number>
@@ -60,4 +60,4 @@ const ContactKernels& contact_kernels();
 /// All that this machine can run, the baseline first.
 std::span<const ContactKernels* const> all_contact_kernels();
 
-}  // namespace carom
+}  // namespace carom::dynamics

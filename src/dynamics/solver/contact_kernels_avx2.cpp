@@ -2,10 +2,10 @@
 #include "dynamics/solver/contact_sweeps.h"
 
 #if defined(__AVX2__)
-namespace carom {
+namespace carom::dynamics {
 
 extern const ContactKernels kAvx2Kernels;
 constexpr ContactKernels kAvx2Kernels = kernels_named("avx2");
 
-}  // namespace carom
+}  // namespace carom::dynamics
 #endif

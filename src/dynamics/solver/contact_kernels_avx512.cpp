@@ -3,10 +3,10 @@
 #include "dynamics/solver/contact_sweeps.h"
 
 #if defined(__AVX512VL__)
-namespace carom {
+namespace carom::dynamics {
 
 extern const ContactKernels kAvx512Kernels;
 constexpr ContactKernels kAvx512Kernels = kernels_named("avx512");
 
-}  // namespace carom
+}  // namespace carom::dynamics
 #endif

@@ -8,7 +8,7 @@
 
 #include "core/wide.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// What a solver reads and writes of a body: one cache line. Body 0 is nobody: what does not move has no mass here.
 /// Kinematic bodies come next: read by many pairs of a colour, written by none.
@@ -159,4 +159,4 @@ using PointLanes = PointLanesOf<double>;
 using LockLanes = LockLanesOf<double>;
 using LaneRun = LaneRunOf<double>;
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -4,7 +4,7 @@
 
 #include "dynamics/solver/contact_kernels.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 template <class Number>
@@ -220,4 +220,4 @@ void read_back(const LaneRunOf<Number>& run, const LaneTargets* targets) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -6,7 +6,7 @@
 #include "dynamics/solver/float_limits.h"
 #include "dynamics/solver/lane_sides.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 template <class Number>
@@ -107,4 +107,4 @@ bool prepare(const LaneRunOf<Number>& run) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -4,7 +4,7 @@
 
 #include "dynamics/solver/contact_layout.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// The same vector, the same matrix in each lane.
@@ -76,4 +76,4 @@ void watch_points(const PointSources* sources, std::size_t pairs, PointMotions* 
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -8,7 +8,7 @@
 #include "dynamics/solver/contact_masses.h"
 #include "dynamics/solver/contact_points.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 constexpr int kInnerSweeps = 2;     // there and back
@@ -344,4 +344,4 @@ constexpr ContactKernels kernels_named(const char* name) {
 }
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -7,12 +7,12 @@
 #include "dynamics/solver/direct/cone_group.h"
 #include "dynamics/solver/solver.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 constexpr std::size_t kGroupsAPart = 1;  // a group takes as long as many bodies of other loops
 
-void begin(World& world, const StepTime& time) {
+void direct_begin(World& world, const StepTime& time) {
   if (world.wide_joints->any()) {  // their rows are made in lanes, as are numbers of bodies
     world.contacts->direct.assign(world.contacts->groups(), Contacts::kDirectly);
     pack(world, *world.wide, time.h);
@@ -21,18 +21,18 @@ void begin(World& world, const StepTime& time) {
   gather_groups(world);
 }
 
-void velocities(World& world, const StepTime& time) {
+void direct_velocities(World& world, const StepTime& time) {
   if (world.wide_joints->any()) load_velocities(world, *world.wide);
   bend_joints(world, time.h);
   solve_groups(world, time.h, 0, world.plan->substeps);
 }
 
-void positions(World& world, const StepTime& time) {
+void direct_positions(World& world, const StepTime& time) {
   part_groups(world, time.h);
   settle_joints(world, time.h);
 }
 
-void end(World& world, const StepTime&) {
+void direct_end(World& world, const StepTime&) {
   refresh_rotations(world);
   end_groups(world);
 }
@@ -85,6 +85,6 @@ void end_groups(World& world) {
   in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { ConeGroup(world, g).end(); });
 }
 
-extern constexpr Solver kDirect = {"direct", false, true, begin, velocities, positions, end};
+extern constexpr Solver kDirect = {"direct", false, true, direct_begin, direct_velocities, direct_positions, direct_end};
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -7,7 +7,7 @@
 #include "dynamics/joint/joint_lanes.h"
 #include "dynamics/solver/direct/cone_problem.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Residual that a group is solved to, over velocity_tolerance. What is left of a body's weight adds up from step to
 /// step: 1e-4 m/s would be 6 mm in a minute.
@@ -130,4 +130,4 @@ struct DirectGroups {
   }
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

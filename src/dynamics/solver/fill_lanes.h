@@ -7,7 +7,7 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/force/force.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Rounds to what the lanes are.
 template <class Lanes>
@@ -19,6 +19,7 @@ void set(LaneVecOf<Number>& to, int lane, const Vec3& v) {
   set(to.x, lane, v.x()), set(to.y, lane, v.y()), set(to.z, lane, v.z());
 }
 
+inline Real get(const Lanes& from, std::uint32_t lane) { return from[lane]; }
 template <class Number>
 Vec3 get(const LaneVecOf<Number>& from, std::uint32_t lane) {
   return Vec3(from.x[lane], from.y[lane], from.z[lane]);
@@ -48,4 +49,4 @@ void set_locks(Array<LockLanesOf<Number>>& all_locks, std::uint32_t& at, std::ui
   set(locks.free_b, static_cast<int>(lane), free_axes(b));
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -4,7 +4,7 @@
 
 #include "dynamics/solver/contact_lanes.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Doubles bear anything.
@@ -47,4 +47,4 @@ struct Bearable<float> {
 };
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -5,12 +5,12 @@
 
 #include "dynamics/force/force.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 constexpr Real kLightest = 1e-9, kHeaviest = 1e9;  // kg
 constexpr Real kFastest = 1e9;                     // m/s, rad/s
-constexpr Real kShortest = 1e-9, kLongest = 1e9;   // s
+constexpr Real kShortest = 1e-9, kLongestInFloat = 1e9;   // s
 constexpr Real kLeastTurn = 1e-25;                 // 1/(kg m^2), of the axis that turns most easily
 
 bool is_slow(const Vec3& v) { return v.abs().max_entry() <= kFastest; }
@@ -27,7 +27,7 @@ bool weighs_enough(const Scene& scene, std::uint32_t body) {
 
 bool bears_floats(const World& world, const WideContacts& wide, Real h) {
   if (Precision(world.scene.dials.choice(Dial::precision)) == Precision::in_double) return false;
-  if (!(h >= kShortest && h <= kLongest)) return false;
+  if (!(h >= kShortest && h <= kLongestInFloat)) return false;
   for (std::size_t i = wide.first_moved; i < wide.slot.size(); ++i)
     if (!weighs_enough(world.scene, wide.slot[i])) return false;
   return std::ranges::all_of(world.contacts->surface, is_slow) &&
@@ -43,4 +43,4 @@ void cap(BodyVelocity& velocity) {
   for (int k = 0; k < 3; ++k) within(velocity.v[k]), within(velocity.omega[k]);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -14,7 +14,7 @@
 
 #include "dynamics/solver/wide_contacts.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Of what is known before there are lanes; ContactSweeps::prepare looks at these.
 /// @param h  s, substep
@@ -24,4 +24,4 @@ bool is_slow_enough(const State& state, std::uint32_t body);
 /// As fast as it may be.
 void cap(BodyVelocity& velocity);
 
-}  // namespace carom
+}  // namespace carom::dynamics

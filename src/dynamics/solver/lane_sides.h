@@ -4,7 +4,7 @@
 
 #include "dynamics/solver/contact_lanes.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 static_assert(offsetof(BodyVelocity, omega) == 3 * sizeof(double) && offsetof(BodyShift, u) == 3 * sizeof(double) &&
@@ -47,4 +47,4 @@ struct Side {
 };
 
 }  // namespace
-}  // namespace carom
+}  // namespace carom::dynamics

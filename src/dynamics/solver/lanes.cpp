@@ -3,7 +3,7 @@
 
 #include "dynamics/solver/wide_contacts.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 void begin_lanes(World& world, Real h) {
   pack(world, *world.wide, h);
@@ -26,4 +26,4 @@ void part_lanes(World& world, int sweeps, Real share, Real slop) {
 
 void end_lanes(World& world) { unpack(world, *world.wide); }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -6,7 +6,7 @@
 
 #include "dynamics/solver/wide_contacts.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Rows of one pair, which stand together: in the list of rows that is gone through, and in Contacts::rows.
 struct PairRows {
@@ -60,4 +60,4 @@ void each_pair(const Contacts& c, std::span<const std::uint32_t> rows, const Sou
   if (n > 0) answer();
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -7,7 +7,7 @@
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/wide_contacts.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 using Manifold = WideContacts::Manifold;
@@ -350,4 +350,4 @@ void place_pairs(World& world, WideContacts& wide) {
   p.stands = world.contacts->links.empty();
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 constexpr std::uint32_t kMostLevels = 16;
@@ -14,21 +14,21 @@ constexpr Real kOffset = 0.377;  // cells: what a scene lines up, at round numbe
 constexpr int kBits = 21;
 constexpr std::uint64_t kMost = (std::uint64_t{1} << kBits) - 1;
 std::uint64_t cell_of(Real x, Real cell) {
-  constexpr Real kMiddle = Real(kMost / 2);
-  return static_cast<std::uint64_t>(std::clamp(std::floor(x / cell + kOffset) + kMiddle, Real(0), Real(kMost)));
+  constexpr Real kMiddleOfCell = Real(kMost / 2);
+  return static_cast<std::uint64_t>(std::clamp(std::floor(x / cell + kOffset) + kMiddleOfCell, Real(0), Real(kMost)));
 }
-std::uint64_t get(std::uint64_t cell, int axis) { return cell >> kBits * axis & kMost; }
+std::uint64_t coordinate_of(std::uint64_t cell, int axis) { return cell >> kBits * axis & kMost; }
 
 using Placed = Regions::Placed;
 
 /// First those of the first half along the longest side, by cells; then by cells along the others, then by number.
 void halve_one(Placed* first, Placed* middle, Placed* last) {
   std::uint64_t low[3], high[3];
-  for (int k = 0; k < 3; ++k) low[k] = high[k] = get(first->cell, k);
+  for (int k = 0; k < 3; ++k) low[k] = high[k] = coordinate_of(first->cell, k);
   for (const Placed* p = first; p != last; ++p)
     for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], get(p->cell, k));
-      high[k] = std::max(high[k], get(p->cell, k));
+      low[k] = std::min(low[k], coordinate_of(p->cell, k));
+      high[k] = std::max(high[k], coordinate_of(p->cell, k));
     }
   int longest = 0;
   for (int k = 1; k < 3; ++k)
@@ -100,4 +100,4 @@ bool halve(const Array<Vec3>& x, Real cell, Jobs* jobs, const Array<std::uint32_
   return false;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -15,7 +15,7 @@
 #include "core/memory.h"
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// A region has this many bodies at most. Fewer: lanes are left empty, and rows cross cuts; more: too few regions for
 /// threads to share, and more rows than a thread's cache holds.
@@ -56,4 +56,4 @@ std::uint32_t levels_for(std::size_t bodies);
 /// @return        whether all are where they were, so that nothing has changed
 bool halve(const Array<Vec3>& x, Real cell, Jobs* jobs, const Array<std::uint32_t>& bodies, Regions& regions);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -9,7 +9,7 @@
 #include "core/memory.h"
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 inline constexpr std::uint32_t kNoRow = 0xFFFFFFFFu;
 
@@ -120,4 +120,4 @@ class HeapSearch {
   Real threshold_ = 0;
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

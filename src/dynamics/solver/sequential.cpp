@@ -4,18 +4,18 @@
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/wide_contacts.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Of the penetration, per substep: all at once would overshoot where contacts depend on each other.
-constexpr Real kShare = 0.2;
+constexpr Real kSequentialShare = 0.2;
 
-void begin(World& world, const StepTime& time) {
+void sequential_begin(World& world, const StepTime& time) {
   begin_lanes(world, time.h);
   begin_joints(world, time.h);
 }
 
-void velocities(World& world, const StepTime& time) {
+void sequential_velocities(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
   const Real inv_h = 1 / time.h;
   heed_impacts(world, wide);
@@ -35,11 +35,11 @@ void velocities(World& world, const StepTime& time) {
   world.report.velocity_impulses += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
 }
 
-void positions(World& world, const StepTime& time) {
+void sequential_positions(World& world, const StepTime& time) {
   const int sweeps = world.scene.dials.whole(Dial::position_iterations);
   const Real slop = world.scene.dials[Dial::position_tolerance] / 2;  // so that a body at rest keeps in touch
   measure_lanes(world);
-  part_lanes(world, sweeps, kShare, slop);
+  part_lanes(world, sweeps, kSequentialShare, slop);
   if (world.wide_joints->any()) {
     load_shifts(world, *world.wide);
     return_to_joints(world);
@@ -51,10 +51,10 @@ void positions(World& world, const StepTime& time) {
   world.report.position_moves += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
 }
 
-void end(World& world, const StepTime&) { end_lanes(world); }
+void sequential_end(World& world, const StepTime&) { end_lanes(world); }
 
 }  // namespace
 
-extern constexpr Solver kSequential = {"sequential", true, true, begin, velocities, positions, end};
+extern constexpr Solver kSequential = {"sequential", true, true, sequential_begin, sequential_velocities, sequential_positions, sequential_end};
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -8,7 +8,7 @@
 #include "dynamics/quarantine.h"
 #include "dynamics/solver/search.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 Real velocity_severity_squared(const Row& row) {
   const Real v_n = row.u.dot(row.n);
@@ -156,12 +156,12 @@ std::uint64_t over_groups(World& world, Real tolerance, int iterations) {
 
 namespace {
 
-void begin(World& world, const StepTime&) {
+void severity_begin(World& world, const StepTime&) {
   world.contacts->mass.resize(world.contacts->rows.size());
   make_room_for_search(world);
 }
 
-void velocities(World& world, const StepTime& time) {
+void severity_velocities(World& world, const StepTime& time) {
   Contacts& c = *world.contacts;
   prepare_rows(world, time.h);
   const Dials& dials = world.scene.dials;
@@ -170,7 +170,7 @@ void velocities(World& world, const StepTime& time) {
   for (std::size_t i = 0; i < c.rows.size(); ++i) c.geometry[i].impulse += c.rows[i].p;
 }
 
-void positions(World& world, const StepTime&) {
+void severity_positions(World& world, const StepTime&) {
   Contacts& c = *world.contacts;
   State& s = world.state;
   refresh_rotations(world);
@@ -188,6 +188,6 @@ void positions(World& world, const StepTime&) {
 
 }  // namespace
 
-extern constexpr Solver kSeverity = {"severity", false, true, begin, velocities, positions, nullptr};
+extern constexpr Solver kSeverity = {"severity", false, true, severity_begin, severity_velocities, severity_positions, nullptr};
 
-}  // namespace carom
+}  // namespace carom::dynamics

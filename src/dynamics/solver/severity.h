@@ -16,9 +16,9 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/solver/solver.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Severity of a row's velocity, squared (m/s)^2.
 Real velocity_severity_squared(const Row& row);
 
-}  // namespace carom
+}  // namespace carom::dynamics

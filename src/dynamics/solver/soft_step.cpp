@@ -8,11 +8,11 @@
 #include "dynamics/solver/fill_lanes.h"
 #include "dynamics/solver/wide_contacts.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 constexpr Real kDeep = 4;     // position tolerances
-constexpr Real kShare = 0.3;  // of what is deeper than that, per step
+constexpr Real kSoftShare = 0.3;  // of what is deeper than that, per step
 
 void soften(World& world, Real h) {
   const Dials& dials = world.scene.dials;
@@ -31,13 +31,13 @@ void soften(World& world, Real h) {
   });
 }
 
-void begin(World& world, const StepTime& time) {
+void soft_step_begin(World& world, const StepTime& time) {
   begin_lanes(world, time.h);
   begin_joints(world, time.h);
   soften(world, time.h);
 }
 
-void velocities(World& world, const StepTime& time) {
+void soft_step_velocities(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
   const Real inv_h = 1 / time.h, push_speed = world.scene.dials[Dial::push_speed];
   heed_impacts(world, wide);
@@ -54,7 +54,7 @@ void velocities(World& world, const StepTime& time) {
   world.report.velocity_impulses += world.contacts->rows.size();
 }
 
-void positions(World& world, const StepTime& time) {
+void soft_step_positions(World& world, const StepTime& time) {
   WideContacts& wide = *world.wide;
   const Real inv_h = 1 / time.h;
   const bool sparing = !world.contacts->impacts.empty();
@@ -78,10 +78,10 @@ void part_deep(World& world) {
   };
   bool any = false;
   with_lanes(*world.wide, [&](const auto& lanes, const auto&) { any = std::ranges::any_of(lanes.points, is_deep); });
-  if (any) part_lanes(world, 1, kShare, deep);
+  if (any) part_lanes(world, 1, kSoftShare, deep);
 }
 
-void end(World& world, const StepTime&) {
+void soft_step_end(World& world, const StepTime&) {
   part_deep(world);
   end_lanes(world);
 }
@@ -94,6 +94,6 @@ Softness softness(Real frequency, Real damping, Real h) {
   return {w / b, a / (1 + a), 1 / (1 + a)};
 }
 
-extern constexpr Solver kSoftStep = {"soft_step", true, false, begin, velocities, positions, end};
+extern constexpr Solver kSoftStep = {"soft_step", true, false, soft_step_begin, soft_step_velocities, soft_step_positions, soft_step_end};
 
-}  // namespace carom
+}  // namespace carom::dynamics

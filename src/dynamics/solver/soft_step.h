@@ -14,7 +14,7 @@
 #include "dynamics/solver/solver.h"
 #include "dynamics/solver/wide_contacts.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 struct Softness {
   Real bias_rate;      // 1/s
@@ -25,4 +25,4 @@ struct Softness {
 /// @param frequency  Hz, >= 0   @param damping  ratio, >= 0   @param h  s
 Softness softness(Real frequency, Real damping, Real h);
 
-}  // namespace carom
+}  // namespace carom::dynamics

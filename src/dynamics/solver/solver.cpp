@@ -5,7 +5,7 @@
 #include "dynamics/contact/mean_motion.h"
 #include "dynamics/joint/wide_joints.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 void serve(void (*room)(World&, const StepTime&), World& world, const StepTime& time) {
@@ -34,4 +34,4 @@ void end_contacts(World& world, const StepTime& time) {
   end_joints(world, time);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

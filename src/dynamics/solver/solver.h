@@ -3,7 +3,7 @@
 
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// What a solver does at each place of the page; null where it has nothing to do.
 struct Solver {
@@ -24,4 +24,4 @@ void solve_velocities(World& world, const StepTime& time);
 void solve_positions(World& world, const StepTime& time);
 void end_contacts(World& world, const StepTime& time);
 
-}  // namespace carom
+}  // namespace carom::dynamics

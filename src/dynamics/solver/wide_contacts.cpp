@@ -11,7 +11,7 @@
 #include "dynamics/solver/fill_lanes.h"
 #include "dynamics/solver/float_range.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 void hold_orientations(World& world, WideContacts& wide) {
@@ -300,4 +300,4 @@ void unpack(World& world, WideContacts& wide) {
   });
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

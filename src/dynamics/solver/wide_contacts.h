@@ -14,7 +14,7 @@
 #include "dynamics/solver/contact_kernels.h"
 #include "dynamics/solver/regions.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 static_assert(kPairPoints == Manifold::kMaxPoints);
 /// Pairs of one kind, by number of points and whether they have one normal, share lanes: so what is computed for a pair
@@ -250,4 +250,4 @@ void measure_lanes(World& world);
 /// @param share  of what is deeper, that is undone   @param slop  m
 void part_lanes(World& world, int sweeps, Real share, Real slop);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -12,7 +12,7 @@
 namespace carom::tools {
 namespace {
 
-struct Options {
+struct CheckOptions {
   std::string plugin;
   std::vector<double> params;
   unsigned seconds = 20;
@@ -63,7 +63,7 @@ void print_death(const ChildEnd& end, const Verdict& verdict, unsigned seconds) 
           : "check array indices against param_len and every pointer; run it under valgrind with this input");
 }
 
-int print_verdict(const Verdict& verdict, const ChildEnd& end, const Options& options) {
+int print_verdict(const Verdict& verdict, const ChildEnd& end, const CheckOptions& options) {
   std::printf("  %s; %llu calls, %llu parameter sets, %llu shapes made%s\n", verdict.id[0] ? verdict.id : "(no id)",
               static_cast<unsigned long long>(verdict.calls), static_cast<unsigned long long>(verdict.param_sets),
               static_cast<unsigned long long>(verdict.shapes),
@@ -86,7 +86,7 @@ int print_verdict(const Verdict& verdict, const ChildEnd& end, const Options& op
   return 0;
 }
 
-void check(const Options& options, Context& context) {
+void check(const CheckOptions& options, Context& context) {
   ProbeRequest request;
   request.path = absolute_path(options.plugin, context.plugins());
   request.params = options.params;
@@ -103,7 +103,7 @@ void check(const Options& options, Context& context) {
 }  // namespace
 
 void add_check_command(CLI::App& app, Context& context) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckOptions>();
   CLI::App* command =
       app.add_subcommand("check", "Is this shape plugin honest? Tried in a child process; a witness when it lies");
   command->add_option("PLUGIN", options->plugin, "A shared object, or the name of a plugin that `carom shapes` lists")

@@ -9,12 +9,12 @@
 namespace carom::tools {
 namespace {
 
-struct Options {
+struct ExportOptions {
   SceneChoice choice;
   std::string file;
 };
 
-void export_scene(const Options& options, Context& context) {
+void export_scene(const ExportOptions& options, Context& context) {
   const SceneChoice& choice = options.choice;
   const Scene& scene = chosen_scene(choice.scene);
   const double dt = choice.dt.value_or(scene.dt);
@@ -31,7 +31,7 @@ void export_scene(const Options& options, Context& context) {
 }  // namespace
 
 void add_export_command(CLI::App& app, Context& context) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   CLI::App* command =
       app.add_subcommand("export", "Write a scene as glTF with physics, for `carom run` and other tools");
   add_scene_options(*command, options->choice, "Simulate so long before writing; default: 0");

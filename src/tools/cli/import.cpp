@@ -11,13 +11,13 @@
 namespace carom::tools {
 namespace {
 
-struct Options {
+struct ImportOptions {
   std::string mesh, out;
   int parts = 16, vertices = 64;
   double concavity = 0, height = 0;
 };
 
-void run_import(const Options& options) {
+void run_import(const ImportOptions& options) {
   Mesh mesh = read_mesh(options.mesh);
   if (options.height < 0) throw Error("--height is out of range", "give metres, more than 0");
   if (options.height > 0) fit_to_height(mesh, options.height);
@@ -50,7 +50,7 @@ void run_import(const Options& options) {
 }  // namespace
 
 void add_import_command(CLI::App& app, Context&) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ImportOptions>();
   CLI::App* command = app.add_subcommand("import", "A mesh as one hull or as several convex parts, for colliders");
   command->add_option("MESH", options->mesh, "An OBJ, STL or PLY file of a closed mesh; small holes do no harm")->required();
   command->add_option("--parts", options->parts, "At most so many, 1 to 256; 1: its hull")

@@ -12,12 +12,12 @@ namespace {
 constexpr double kMoment = 1;       // s
 constexpr double kDifferences = 1;  // s of wall clock
 
-struct Options {
+struct PlanOptions {
   SceneChoice choice;
   bool as_json = false;
 };
 
-void print_plan(const Options& options, Context& context) {
+void print_plan(const PlanOptions& options, Context& context) {
   const SceneChoice& choice = options.choice;
   const Scene& scene = chosen_scene(choice.scene);
   Engine engine(context.plugins());
@@ -42,7 +42,7 @@ void print_plan(const Options& options, Context& context) {
 }  // namespace
 
 void add_plan_command(CLI::App& app, Context& context) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlanOptions>();
   CLI::App* plan = app.add_subcommand("plan", "Which stages and effects a scene runs, for whom, at what cost, and why");
   add_scene_options(*plan, options->choice, "Simulate so long before looking; default: 1");
   plan->add_flag("--json", options->as_json, "Print the plan as JSON");

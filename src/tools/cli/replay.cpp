@@ -9,7 +9,7 @@
 namespace carom::tools {
 namespace {
 
-struct Options {
+struct ReplayOptions {
   std::string file;
   std::uint32_t threads = 1;
 };
@@ -37,7 +37,7 @@ void print_parting(const replay::Outcome& outcome) {
   for (const std::string& detail : p.details) std::printf("    %s\n", detail.c_str());
 }
 
-void run_replay(const Options& options, Context& context) {
+void run_replay(const ReplayOptions& options, Context& context) {
   Engine engine(context.plugins());
   engine.set_threads(options.threads);
   engine.load_all();
@@ -56,7 +56,7 @@ void run_replay(const Options& options, Context& context) {
 }  // namespace
 
 void add_replay_command(CLI::App& app, Context& context) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReplayOptions>();
   CLI::App* replay = app.add_subcommand("replay", "Do a recorded session again; name the first step that differs, and why");
   replay->add_option("FILE", options->file, "What carom_world_record_begin() or `carom run --record` wrote")->required();
   replay->add_option("--threads", options->threads, "Threads that share a step; the outcome is the same")

@@ -25,7 +25,7 @@
 namespace carom::tools {
 namespace {
 
-struct Options {
+struct RunOptions {
   SceneChoice choice;
   std::string gltf, csv, csv_steps, filmstrip, svg, ledger_svg, save, load, record;
   double fps = 30;
@@ -89,7 +89,7 @@ void load_state(const std::string& path, World& world) {
   world.restore({bytes.begin(), bytes.end()}, path);
 }
 
-void run_scene(Options options, Context& context) {
+void run_scene(RunOptions options, Context& context) {
   SceneChoice& choice = options.choice;
   if (choice.scene.empty() && options.load.empty())
     throw Error("no scene is named", "give a scene (`carom list` shows them), a .gltf file, or --load FILE");
@@ -184,7 +184,7 @@ void run_scene(Options options, Context& context) {
 }  // namespace
 
 void add_run_command(CLI::App& app, Context& context) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   CLI::App* run = app.add_subcommand("run", "Simulate a scene; say what it cost and what ended where");
   add_scene_options(*run, options->choice, "How long to simulate; default: the scene's");
   run->add_option("--gltf", options->gltf, "Write the motion as animated glTF")->type_name("FILE.gltf|FILE.glb");

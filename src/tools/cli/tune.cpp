@@ -25,7 +25,7 @@ using tune::ErrorKind;
 using tune::Measured;
 using tune::Question;
 
-struct Options {
+struct TuneOptions {
   std::string scene, error, json, code, svg;
   std::vector<std::string> sets;
   double budget = 2, frame = 60, seconds = 0;
@@ -37,7 +37,7 @@ struct Options {
 const std::vector<ErrorKind> kKinds = {ErrorKind::truth, ErrorKind::pose, ErrorKind::drift, ErrorKind::energy,
                                        ErrorKind::gap};
 
-ErrorKind kind_from(const Options& options, bool is_challenge) {
+ErrorKind kind_from(const TuneOptions& options, bool is_challenge) {
   if (options.error.empty()) return is_challenge ? ErrorKind::truth : ErrorKind::pose;
   std::string names;
   for (const ErrorKind kind : kKinds) {
@@ -53,7 +53,7 @@ ErrorKind kind_from(const Options& options, bool is_challenge) {
   throw Error("--error " + options.error + " is not known", "give one of " + names);
 }
 
-Question question_from(const Options& options) {
+Question question_from(const TuneOptions& options) {
   Question q;
   for (const accuracy::Challenge& c : accuracy::all_challenges())
     if (c.scene.name == options.scene && !(c.reference_dt > 0)) q.challenge = &c;
@@ -245,7 +245,7 @@ void write_plot(const std::string& path, const Question& q, const Answer& a) {
   write_drawing(path, report::draw(plot));
 }
 
-void run_tune(const Options& options, Context& context) {
+void run_tune(const TuneOptions& options, Context& context) {
   if (!(options.budget > 0)) throw Error("--budget must be more than 0", "give milliseconds, e.g. --budget 2");
   if (!(options.frame > 0 && options.frame <= 1e4))
     throw Error("--frame is out of range", "give frames per second, e.g. 60");
@@ -275,7 +275,7 @@ void run_tune(const Options& options, Context& context) {
 }  // namespace
 
 void add_tune_command(CLI::App& app, Context& context) {
-  static Options options;
+  static TuneOptions options;
   CLI::App* command = app.add_subcommand("tune", "2 ms a frame: which settings err least on a scene?");
   command->add_option("scene", options.scene, "A scene of `carom list` or `carom accuracy list`")->required();
   command->add_option("--budget", options.budget, "ms of computing a frame")->capture_default_str();

@@ -154,7 +154,7 @@ class PhysicsWriter {
     json own = {{"density", part.density}}, collider = json::object();
     if (part.shape == "half_space") {
       const Vec normal(part.params[0], part.params[1], part.params[2]);
-      const Quat turn = part.orientation * Quat::FromTwoVectors(Vec::UnitY(), normal);
+      const Quat turn = part.orientation * turn_between(Vec::UnitY(), normal);
       id = new_node({{"translation", numbers(Vec(part.position + part.orientation * (part.params[3] * normal)))},
                      {"rotation", numbers(turn)}},
                     body);

@@ -53,7 +53,7 @@ class Person {
     actor.kind = "bone";
     actor.name = std::string(bone.name) + " " + std::to_string(number_) + "." + std::to_string(stage_.actors.size());
     actor.position = at_ + bone.middle;
-    actor.orientation = Quat::FromTwoVectors(Vec::UnitY(), bone.along);  // a capsule lies along y
+    actor.orientation = turn_between(Vec::UnitY(), bone.along);  // a capsule lies along y
     actor.linear_velocity = velocity_;
     Part part;
     part.shape = "capsule", part.params = {bone.radius, bone.half};
@@ -69,7 +69,7 @@ class Person {
   }
   /// Twist about the bone that hangs on it, swing away from straight.
   void ball(std::size_t a, std::size_t b, const Vec& at, const Limits& limits) {
-    const carom_joint joint = stage_.join(CAROM_JOINT_BALL, a, b, at_ + at, Quat::FromTwoVectors(Vec::UnitX(), kDown));
+    const carom_joint joint = stage_.join(CAROM_JOINT_BALL, a, b, at_ + at, turn_between(Vec::UnitX(), kDown));
     limit(joint, CAROM_COORDINATE_TWIST, limits.twist_from, limits.twist_to);
     limit(joint, CAROM_COORDINATE_SWING, 0, limits.swing);
   }

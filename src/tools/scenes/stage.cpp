@@ -198,6 +198,17 @@ void read_actors(const World& world, const Actor* actors, std::size_t n, std::ui
 
 }  // namespace
 
+Quat turn_between(const Vec& from, const Vec& to) {
+  const Vec a = from.normalized(), b = to.normalized();
+  const double twice_cosine = std::sqrt(2 * (1 + std::max(b.dot(a), -1.0)));  // of half the angle
+  if (twice_cosine > 1e-6) {
+    const Vec axis = a.cross(b) / twice_cosine;
+    return Quat(twice_cosine / 2, axis.x(), axis.y(), axis.z());
+  }
+  const Vec across = a.cross(Vec::Unit(std::abs(a.x()) < 0.9 ? 0 : 1)).normalized();
+  return Quat(0, across.x(), across.y(), across.z());
+}
+
 Vec Stage::position(std::size_t actor) const {
   Vec value = Vec::Zero();
   read_actors(world, &actors[actor], 1, CAROM_FIELD_POSITION, value.data());

@@ -361,7 +361,7 @@ static void the_same_scene_gives_the_same_bits(void**) {
     for (const Form f : {Form::half_space, Form::sphere, Form::box, Form::box, Form::capsule, Form::cylinder,
                          Form::cone, Form::ellipsoid, Form::polytope})
       shapes.push_back(random_shape(f, 1, random));
-    for (const Shape& shape : shapes) s.add(shape, Frame(random_rotation(random), random.in_cube(1)));
+    for (const Shape& shape : shapes) s.add(shape, Frame(random_turn(random), random.in_cube(1)));
     for (int step = 0; step < 20; ++step) {
       for (Frame& f : s.table.frame) f.p += 1e-3 * random.direction();
       s.step();

@@ -5,21 +5,21 @@
 // that energy drifts a little.   @source [Hairer2006 §IV.8]
 #include "dynamics/integrate/rotation/top.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
-constexpr int kSweeps = 3;
+constexpr int kMidpointSweeps = 3;
 
-void advance(World& world, const Customers& customers, Real h) {
+void advance_by_midpoint(World& world, const Customers& customers, Real h) {
   carry_tops(world, customers, h, [](const Principal& top, Real step, const Vec3& l, const Vec3& p, Quat& q) {
     Vec3 phi = step * spin_of(top, q, l, p);
-    for (int sweep = 0; sweep < kSweeps; ++sweep) phi = step * spin_of(top, normalized(unscaled_exp(0.5 * phi) * q), l);
+    for (int sweep = 0; sweep < kMidpointSweeps; ++sweep) phi = step * spin_of(top, normalized(unscaled_exp(0.5 * phi) * q), l);
     q = unscaled_exp(phi) * q;
   });
 }
 
 }  // namespace
 
-const Rotation kLieMidpoint = {"lie_midpoint", advance};
+const Rotation kLieMidpoint = {"lie_midpoint", advance_by_midpoint};
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Turn the matrix about one axis such that element (p, q) vanishes; the axes are turned along.
@@ -62,4 +62,4 @@ Principal principal_axes(const Mat3& inertia) {
   return top;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -3,7 +3,7 @@
 
 #include "core/pose.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// A body as its rotation method sees it. Axis x has the middle moment of inertia, y is the one whose reciprocal is
 /// nearer to the middle one's: dy and dz have opposite signs, and vanish together with what two axes differ by.
@@ -41,4 +41,4 @@ struct Principal {
 /// @oracle         tests/unit/dynamics/test_principal
 Principal principal_axes(const Mat3& inertia);
 
-}  // namespace carom
+}  // namespace carom::dynamics

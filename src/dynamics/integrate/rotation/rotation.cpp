@@ -1,7 +1,7 @@
 // Which rotation method the dial names, and the call that integrators make.
 #include "dynamics/integrate/rotation/rotation.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 const Rotation* rotation_method(std::uint32_t choice) {
   static constexpr const Rotation* kMethods[] = {nullptr,       nullptr,     nullptr,      &kRotationRungeKutta4,
@@ -18,4 +18,4 @@ void turn_tops(World& world, Real h) {
   row.evaluations += row.customers.count;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -16,7 +16,7 @@
 
 #include "dynamics/effects.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 struct Rotation {
   const char* name;
@@ -35,4 +35,4 @@ inline bool is_carried(const Plan& plan, std::uint32_t body) { return plan.rotat
 /// Advance whoever a method carries, if there is one. For integrators, at their place among forces and flows.
 void turn_tops(World& world, Real h);
 
-}  // namespace carom
+}  // namespace carom::dynamics

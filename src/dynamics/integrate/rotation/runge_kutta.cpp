@@ -4,10 +4,10 @@
 // The field leaves |q| constant, so renormalising the stages costs no order. Energy drifts, by h^5 a step.
 #include "dynamics/integrate/rotation/top.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
-void advance(World& world, const Customers& customers, Real h) {
+void advance_by_runge_kutta(World& world, const Customers& customers, Real h) {
   carry_tops(world, customers, h, [](const Principal& top, Real step, const Vec3& l, const Vec3&, Quat& q) {
     const auto rate = [&](const Quat& at) {
       const Vec3 half = 0.5 * spin_of(top, at, l);
@@ -25,6 +25,6 @@ void advance(World& world, const Customers& customers, Real h) {
 
 }  // namespace
 
-const Rotation kRotationRungeKutta4 = {"rk4", advance};
+const Rotation kRotationRungeKutta4 = {"rk4", advance_by_runge_kutta};
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -15,7 +15,7 @@
 // @source [McLachlan1993], [Touma1994], [Hairer2006 §V.3.2, §VII.5]
 #include "dynamics/integrate/rotation/top.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Turn about the body's axis y by angle: q becomes q exp(angle e_y), and p is seen from the turned axes. Inlined, so
@@ -59,4 +59,4 @@ const Rotation kSplitting = {"splitting", [](World& w, const Customers& c, Real 
 const Rotation kSplitting4 = {"splitting_4", [](World& w, const Customers& c, Real h) { split(w, c, h, kSuzuki4); }};
 const Rotation kSplitting6 = {"splitting_6", [](World& w, const Customers& c, Real h) { split(w, c, h, kYoshida6); }};
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -5,7 +5,7 @@
 #include "dynamics/integrate/rotation/principal.h"
 #include "dynamics/integrate/rotation/rotation.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// omega of a top with a given momentum at an orientation.
 ///   I^-1 = 1/I_x + diag(0, dy, dz)   =>   omega = L/I_x + q (0, dy p_y, dz p_z),   p = q^-1 L
@@ -58,4 +58,4 @@ void carry_tops(World& world, const Customers& customers, Real h, Method&& turn)
   });
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// a := its lower Cholesky factor; what is above the diagonal is left.
@@ -102,4 +102,4 @@ void solve(const Elimination& e, std::uint32_t first, std::uint32_t last, const 
   }
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -4,7 +4,7 @@
 #include "core/vec6.h"
 #include "dynamics/solver/direct/elimination.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 inline constexpr int kDof = 6;  // of a body: velocity, angular velocity
 
@@ -31,4 +31,4 @@ bool factor(const Elimination& e, std::uint32_t first, std::uint32_t last, Block
 /// @param x  by place
 void solve(const Elimination& e, std::uint32_t first, std::uint32_t last, const BlockFactor& f, Vec6* x);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -3,7 +3,7 @@
 
 #include "core/vec.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Which part of space an impulse lies in.
 struct ConePart {
@@ -54,4 +54,4 @@ inline Mat3 slope_of_projection(const Vec3& z, const Vec3& n, Real mu) {
   }
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

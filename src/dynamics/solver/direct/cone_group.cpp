@@ -7,17 +7,17 @@
 #include "dynamics/solver/direct/load.h"
 #include "dynamics/solver/direct/round.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 // Of the tolerance, for few bodies that lie still: what may roll has no contact against it, and takes each push for
 // good.
 constexpr Real kStillShare = 1e-3;
-constexpr Real kShare = 1e-3;              // of the fastest contact, that is good enough where work is bounded
+constexpr Real kConeShare = 1e-3;              // of the fastest contact, that is good enough where work is bounded
 constexpr Real kRest = 10;                 // tolerances: contacts that move slower, in any direction, are at rest
 constexpr Real kJoinedShare = 1e-3;        // of the tolerance, where there are joints: velocities add up to gaps
 constexpr int kJerks = 3;                  // times that a group is answered anew because a joint was jerked
-constexpr Real kLongest = 30;              // of the largest overlap to be undone, that a body is displaced at most
+constexpr Real kLongestTurn = 30;              // of the largest overlap to be undone, that a body is displaced at most
 constexpr Real kGap = 1e-9;                // m or rad, of a joint that needs no parting
 constexpr std::uint32_t kAlways = 2;       // steps of Newton, a group and substep, however little work is left
 constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: impacts of many bodies take that many
@@ -192,7 +192,7 @@ void ConeGroup::solve(Real h, std::uint64_t work, int substeps) {
   rest_.is_bounded = work && !starts_from_nothing(problem_);
   if (rest_.is_first) rest_.work = work;
   const Real enough = still_ ? std::max(kStillShare * tolerance, rounding(problem_))
-                      : work ? std::max(tolerance, kShare * fastest(problem_))
+                      : work ? std::max(tolerance, kConeShare * fastest(problem_))
                              : tolerance;
   const Real goal = is_joined() ? std::min(enough, std::max(kJoinedShare * tolerance, rounding(problem_))) : enough;
   const bool lies = !is_joined() && fastest_any_way(problem_) < world_.scene.dials[Dial::velocity_tolerance];
@@ -242,7 +242,7 @@ Real ConeGroup::displacement_share() const {
   for (const ConeContact& c : problem_.contacts) asked = std::max(asked, c.want);
   for (const ConeLink& c : problem_.links) asked = std::max(asked, std::min(std::fabs(c.low), std::fabs(c.high)));
   for (const ConeBody& b : bodies_of(problem_)) moved2 = std::max(moved2, b.v.linear().squared_norm());
-  const Real most = kLongest * asked;
+  const Real most = kLongestTurn * asked;
   return moved2 > most * most ? most / std::sqrt(moved2) : 1;
 }
 
@@ -296,4 +296,4 @@ void ConeGroup::end() {
   measure();
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

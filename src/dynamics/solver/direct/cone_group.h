@@ -3,7 +3,7 @@
 
 #include "dynamics/solver/direct.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 class ConeGroup {
  public:
@@ -53,4 +53,4 @@ class ConeGroup {
   bool still_;
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

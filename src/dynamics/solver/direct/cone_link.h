@@ -10,7 +10,7 @@
 
 #include "dynamics/solver/direct/block_factor.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 struct ConeLink {
   std::uint32_t a, b;   // bodies of the problem, or kNobody
@@ -43,4 +43,4 @@ struct ConeLink {
   Real offence() const { return k > 0 ? (k + give) * std::fabs(p - pulled(u, k, p)) : 0; }
 };
 
-}  // namespace carom
+}  // namespace carom::dynamics

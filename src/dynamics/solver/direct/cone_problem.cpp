@@ -6,7 +6,7 @@
 #include "dynamics/solver/direct/cone.h"
 #include "dynamics/solver/direct/round.h"
 
-namespace carom {
+namespace carom::dynamics {
 void apply_impulses(ConeProblem& problem) {
   for (ConeBody& b : bodies_of(problem)) b.gradient.set_zero();
   for (const ConeContact& c : problem.contacts) add_impulse<&ConeBody::gradient>(problem, c, c.p);
@@ -154,4 +154,4 @@ ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_
   return answer;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

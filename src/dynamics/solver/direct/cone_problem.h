@@ -11,7 +11,7 @@
 #include "dynamics/solver/direct/block_factor.h"
 #include "dynamics/solver/direct/cone_link.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 inline constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 
@@ -176,4 +176,4 @@ Real residual(const ConeProblem& problem);
 /// @source [DeSaxce1998], [Todorov2014] for the primal view; @oracle tests/oracle/test_direct
 ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps);
 
-}  // namespace carom
+}  // namespace carom::dynamics

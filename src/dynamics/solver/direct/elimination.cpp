@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
-constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+constexpr std::uint32_t kNoParent = 0xFFFFFFFFu;
 
 /// Nodes counted from 0; an element carries the number of the node whose elimination made it.
 class QuotientGraph {
@@ -23,18 +23,18 @@ class QuotientGraph {
       s_.neighbour[s_.mark[e.a - first]++] = e.b - first;
       s_.neighbour[s_.mark[e.b - first]++] = e.a - first;
     }
-    s_.mark.assign(count_, kNone);
-    s_.first.assign(count_, kNone);
+    s_.mark.assign(count_, kNoParent);
+    s_.first.assign(count_, kNoParent);
     s_.next.clear(), s_.element.clear(), s_.member.clear();
-    s_.begin.assign(2 * count_, kNone);  // of an element's members, and their end
+    s_.begin.assign(2 * count_, kNoParent);  // of an element's members, and their end
     s_.degree.resize(count_);
     for (std::uint32_t i = 0; i < count_; ++i) s_.degree[i] = degree_of(i);
   }
 
   std::uint32_t least_degree() const {
-    std::uint32_t best = kNone;
+    std::uint32_t best = kNoParent;
     for (std::uint32_t i = 0; i < count_; ++i)
-      if (s_.degree[i] < (best == kNone ? kNone : s_.degree[best])) best = i;
+      if (s_.degree[i] < (best == kNoParent ? kNoParent : s_.degree[best])) best = i;
     return best;
   }
 
@@ -43,9 +43,9 @@ class QuotientGraph {
     const auto begin = static_cast<std::uint32_t>(s_.member.size());
     each_neighbour(node, [&](std::uint32_t i) { s_.member.push_back(i); });
     const auto end = static_cast<std::uint32_t>(s_.member.size());
-    for (std::uint32_t k = s_.first[node]; k != kNone; k = s_.next[k]) s_.begin[2 * s_.element[k]] = kNone;  // absorbed
+    for (std::uint32_t k = s_.first[node]; k != kNoParent; k = s_.next[k]) s_.begin[2 * s_.element[k]] = kNoParent;  // absorbed
     s_.begin[2 * node] = begin, s_.begin[2 * node + 1] = end;
-    s_.degree[node] = kNone;
+    s_.degree[node] = kNoParent;
     for (std::uint32_t k = begin; k < end; ++k) {
       const std::uint32_t i = s_.member[k];
       s_.element.push_back(node);
@@ -57,7 +57,7 @@ class QuotientGraph {
   }
 
  private:
-  bool gone(std::uint32_t i) const { return s_.begin[2 * i + 1] != kNone; }
+  bool gone(std::uint32_t i) const { return s_.begin[2 * i + 1] != kNoParent; }
 
   template <class F>
   void each_neighbour(std::uint32_t node, F&& f) {
@@ -69,9 +69,9 @@ class QuotientGraph {
       f(i);
     };
     for (std::uint32_t k = s_.neighbour_begin[node]; k < s_.neighbour_begin[node + 1]; ++k) visit(s_.neighbour[k]);
-    for (std::uint32_t k = s_.first[node]; k != kNone; k = s_.next[k]) {
+    for (std::uint32_t k = s_.first[node]; k != kNoParent; k = s_.next[k]) {
       const std::uint32_t e = s_.element[k];
-      if (s_.begin[2 * e] == kNone) continue;
+      if (s_.begin[2 * e] == kNoParent) continue;
       for (std::uint32_t j = s_.begin[2 * e], last = s_.begin[2 * e + 1]; j < last; ++j) visit(s_.member[j]);
     }
   }
@@ -108,4 +108,4 @@ std::uint64_t eliminate(std::uint32_t first, std::uint32_t count, std::span<cons
   return products;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

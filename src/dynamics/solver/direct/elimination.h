@@ -5,7 +5,7 @@
 
 #include "core/memory.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Two nodes whose block is not zero.
 struct Edge {
@@ -38,4 +38,4 @@ struct Elimination {
 /// @source [George1989]
 std::uint64_t eliminate(std::uint32_t first, std::uint32_t count, std::span<const Edge> edges, Elimination& out);
 
-}  // namespace carom
+}  // namespace carom::dynamics

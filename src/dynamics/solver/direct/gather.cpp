@@ -5,7 +5,7 @@
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/load.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// Room for some groups before there are any: a small world that settles goes on without allocating when one of its
@@ -102,4 +102,4 @@ void gather_groups(World& world) {
     if (GroupRest* const rest = d.rest_of(world.contacts->rows[r.row])) rest->resists = true;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

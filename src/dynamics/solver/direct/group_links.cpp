@@ -7,7 +7,7 @@
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/fill_lanes.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 constexpr Real kPush = 10;  // m/s or rad/s: an error is undone no faster
@@ -15,7 +15,6 @@ constexpr Real kPush = 10;  // m/s or rad/s: an error is undone no faster
 constexpr Real kSwing = 2;
 constexpr Real kLeastDrag = 1e-9;  // of a spring: with less its give is beyond measure
 
-Real get(const Lanes& from, std::uint32_t lane) { return from[lane]; }
 /// One lane alone: groups that share lanes are solved by several threads.
 Real& at(Lanes& to, std::uint32_t lane) { return reinterpret_cast<Real*>(&to)[lane]; }
 void add(LaneVec& to, std::uint32_t lane, const Vec3& v) {
@@ -231,4 +230,4 @@ Real worst_error(const World& world, const ConeProblem& problem, const DirectGro
   return worst;
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

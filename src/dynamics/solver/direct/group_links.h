@@ -3,7 +3,7 @@
 
 #include "dynamics/solver/direct.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// What rows are asked for.
 enum class LinkPhase : std::uint8_t {
@@ -38,4 +38,4 @@ void keep_links(World& world, const ConeProblem& problem, const DirectGroups::Li
 /// m or rad: the largest error of what is locked and limited.
 Real worst_error(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -4,7 +4,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/solver/pair_points.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 /// What a body's point does that impulses do not change: all of it where they move nobody, its spin where they don't
@@ -98,4 +98,4 @@ void load_groups(World& world, DirectGroups& d) {
   });
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

@@ -3,7 +3,7 @@
 
 #include "dynamics/solver/direct.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Masses, in the body's present orientation.
 void load_mass(const World& world, ConeBody& body);
@@ -15,4 +15,4 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
 /// Bodies and contacts, as the step begins.
 void load_groups(World& world, DirectGroups& d);
 
-}  // namespace carom
+}  // namespace carom::dynamics

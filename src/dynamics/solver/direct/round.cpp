@@ -5,7 +5,7 @@
 
 #include "dynamics/solver/direct/cone.h"
 
-namespace carom {
+namespace carom::dynamics {
 namespace {
 
 void add(Block& d, int row, int column, const Mat3& m) {
@@ -289,4 +289,4 @@ void Round::accept() {
   for (ConeLink& c : problem_.links) c.u = c.u0 + relative<&ConeBody::change>(problem_.bodies, c);
 }
 
-}  // namespace carom
+}  // namespace carom::dynamics

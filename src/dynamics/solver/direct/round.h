@@ -3,7 +3,7 @@
 
 #include "dynamics/solver/direct/cone_problem.h"
 
-namespace carom {
+namespace carom::dynamics {
 
 /// Minimises over velocities v
 ///     |v - v0|^2_M / 2 - sum p0.(u - u0) + sum R |P_K(p0 - y / R)|^2 / 2,   R = softness * k,
@@ -48,4 +48,4 @@ class Round {
 /// @accuracy  impulses: 1e-5, relative; velocities of bodies stay as they are
 void shed_self_stress(ConeProblem& problem);
 
-}  // namespace carom
+}  // namespace carom::dynamics

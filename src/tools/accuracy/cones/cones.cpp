@@ -92,7 +92,7 @@ std::unique_ptr<Observer> fill_capsules(Stage& stage, const std::vector<double>&
     const auto k = static_cast<double>(i);
     const Vec at(0.3 * std::sin(2.4 * k), 0.3 + 0.08 * k, 0.3 * std::cos(2.4 * k));  // a helix of the golden angle
     const Vec axis = Vec(std::cos(k), 0.3, std::sin(k)).normalized();
-    Actor capsule = actor_of("capsule", i, at, Quat::FromTwoVectors(Vec::UnitY(), axis));
+    Actor capsule = actor_of("capsule", i, at, turn_between(Vec::UnitY(), axis));
     Part part;
     part.shape = "capsule";
     part.params = {kRadius, kHalf};

@@ -38,7 +38,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>&, const s
   Part looks;
   looks.shape = "cylinder";
   looks.params = {HeavyTop::kRadius, HeavyTop::kThick / 2};
-  looks.orientation = Quat::FromTwoVectors(Vec::UnitY(), Vec::UnitX());
+  looks.orientation = turn_between(Vec::UnitY(), Vec::UnitX());
   const Vec inertia = kMass * Vec(HeavyTop::axial(), HeavyTop::across(), HeavyTop::across());
   const std::size_t disk = add_link(stage, "disk", HeavyTop::middle(HeavyTop::start()), kMass, inertia, looks);
   set_moving(stage, disk, Vec::Zero(), Vec(HeavyTop::kSpin, 0, 0));

@@ -34,7 +34,7 @@ class BricardTrial : public Trial {
 };
 
 /// @param axis  of a hinge, unit   @return joint -> world
-Quat hinge_along(const Vec& axis) { return Quat::FromTwoVectors(Vec::UnitX(), axis); }
+Quat hinge_along(const Vec& axis) { return turn_between(Vec::UnitX(), axis); }
 
 std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>&, const std::string&) {
   const BricardPose pose = bricard(0);

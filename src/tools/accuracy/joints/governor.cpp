@@ -94,8 +94,8 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>&, const s
     looks.params = {x, y, z};
     return looks;
   };
-  const Quat upwards = Quat::FromTwoVectors(Vec::UnitX(), kUp),
-             sideways = Quat::FromTwoVectors(Vec::UnitX(), Vec::UnitZ());
+  const Quat upwards = turn_between(Vec::UnitX(), kUp),
+             sideways = turn_between(Vec::UnitX(), Vec::UnitZ());
   Mechanism hinges;
   const double thin = 1e-4 * G::kShaft / 12, tall = (1 + 1e-4) * G::kShaft / 12;
   const std::size_t shaft_link =
@@ -110,7 +110,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>&, const s
     const double side = i == 0 ? 1 : -1;
     const Vec along(side * std::cos(G::kAngle), -std::sin(G::kAngle), 0), head(side * G::kOff, G::kHead, 0);
     const std::size_t link = add_link(stage, "arm", head + kMiddle * along, kArm, arm_inertia(), box(0.5, 0.005, 0.005),
-                                      Quat::FromTwoVectors(Vec::UnitX(), along));
+                                      turn_between(Vec::UnitX(), along));
     const carom_body arm = spin(link);
     hinges.add(join(stage, CAROM_JOINT_HINGE, shaft, arm, head, sideways));
     carom_joint_desc desc;

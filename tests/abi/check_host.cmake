@@ -1,0 +1,58 @@
+# A host that takes Carom in with add_subdirectory(): it gets the library in both forms and the plugins, nothing else, and
+# can do so with warnings of its own, which are not ours. All of it is linked with -flto on the way, so that two layers that
+# define one name differently (the One Definition Rule) stop the build.
+file(REMOVE_RECURSE ${SCRATCH})
+file(WRITE ${SCRATCH}/CMakeLists.txt [[
+cmake_minimum_required(VERSION 3.25)
+project(host C CXX)
+set(CAROM_BUILD_STATIC ON)
+add_subdirectory(${CAROM} carom)
+add_executable(host host.c)
+target_link_libraries(host PRIVATE carom::carom)
+add_executable(host_static host.c)
+target_link_libraries(host_static PRIVATE carom::carom_static)
+set_target_properties(host_static PROPERTIES LINKER_LANGUAGE CXX)
+get_property(tests DIRECTORY ${CAROM} PROPERTY TESTS)
+if(tests OR TARGET carom_cli OR TARGET python_wheel_test)
+  message(FATAL_ERROR "a host gets tests or tools: ${tests}")
+endif()
+]])
+file(WRITE ${SCRATCH}/host.c [[
+#include <carom/carom.h>
+#include <stdio.h>
+int main(void) {
+  carom_engine *engine;
+  carom_world *world;
+  carom_body ball;
+  carom_body_desc desc;
+  double p[3];
+  if (carom_engine_create(NULL, &engine, NULL) || carom_world_create(engine, NULL, &world, NULL)) return 1;
+  carom_body_desc_init(&desc), desc.position[1] = 10;
+  if (carom_body_create(world, &desc, &ball, NULL)) return 2;
+  for (int i = 0; i < 60; i++)
+    if (carom_world_step(world, 1.0 / 60, NULL)) return 3;
+  if (carom_world_read(world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, &ball, 1, p, 0, NULL)) return 4;
+  printf("y = %.3f m\n", p[1]);
+  if (carom_world_destroy(world, NULL) || carom_engine_destroy(engine, NULL)) return 5;
+  return p[1] > 4.9 && p[1] < 5.2 ? 0 : 6; /* 10 - g/2, and what semi-implicit Euler adds */
+}
+]])
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    string(REPLACE ";" " " command "${ARGN}")
+    message(FATAL_ERROR "${command}\n${output}")
+  endif()
+endfunction()
+set(odr "-O1 -flto -Werror=odr -Werror=lto-type-mismatch")
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SCRATCH} -B ${SCRATCH}/build -DCAROM=${SOURCE_DIR} -DCAROM_UNITY=ON
+  -DCMAKE_C_COMPILER=${C_COMPILER} -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${odr} -DCMAKE_AR=${LTO_AR} -DCMAKE_RANLIB=${LTO_RANLIB})
+run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
+file(GLOB_RECURSE hosts ${SCRATCH}/build/host ${SCRATCH}/build/host_static)
+list(LENGTH hosts count)
+if(NOT count EQUAL 2)
+  message(FATAL_ERROR "not built where it was looked for: ${hosts}")
+endif()
+foreach(host ${hosts})
+  run(${host})
+endforeach()
