@@ -1,6 +1,7 @@
 // What the last step did: stages, counts, residuals, contact points, faults.
 #include "abi/copy_out.h"
 #include "abi/world.h"
+#include "dynamics/contact_views.h"
 
 namespace carom::abi {
 namespace {

@@ -29,4 +29,6 @@ const Array<ContactView>& ContactViews::of(const World& world) {
   return list_;
 }
 
+const Array<ContactView>& World::contact_views() const { return views->of(*this); }
+
 }  // namespace carom::dynamics

@@ -12,6 +12,7 @@
 #include "dynamics/joint/parts.h"
 #include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
+#include "dynamics/contact_views.h"
 
 namespace carom::dynamics {
 namespace {
@@ -54,7 +55,7 @@ class Drawing {
   std::uint32_t colour_of(std::uint32_t body) const {
     const bool dynamic = scene_.type[body] == BodyType::dynamic;
     if (settings_.by_island && dynamic) return kIsland[island_[body] % kIsland.size()];
-    if (dynamic) return world_.sleep->sleeps(body) ? kDim : kSand;
+    if (dynamic) return world_.state.sleeps(body) ? kDim : kSand;
     return scene_.type[body] == BodyType::kinematic ? kBlue : kGrey;
   }
   void line(const Vec3& from, const Vec3& to, std::uint32_t colour, std::uint32_t body) {

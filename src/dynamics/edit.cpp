@@ -8,6 +8,7 @@
 #include "dynamics/mass.h"
 #include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
+#include "dynamics/contact_views.h"
 
 namespace carom::dynamics {
 namespace {
@@ -161,7 +162,7 @@ void World::remove_collider(std::uint32_t collider) {
   wake(*this, body);
   if (scene.type[body] != BodyType::dynamic) wake_touching(*this, collider);  // else they are one island
   pairs.forget(collider);  // may run out of memory, so it comes before any loss
-  views.forget(collider);
+  views->forget(collider);
   forget_collider(*this, collider);
   const Shape* shape = c.shape[collider];
   set_mass(scene, state, body, mass_of_body(scene, body, collider));

@@ -116,13 +116,13 @@ struct Plan {
   Owned<FreeFlight> flight;          // null: nobody has flown beside others yet
   Array<std::uint8_t> touched;       // by body: a solver changed its velocity in this substep
   Array<Mat3> rotation;              // by body: body -> world, at the start of the step
-  bool reads_velocities = false;     // some force does: it is given a copy, which forces before it have not changed
   Customers sprung;                  // bodies that springs act on in this step
   Customers readers;                 // bodies whose velocity some force reads, in this step
   Array<std::uint32_t> reader_list;  // scratch
   Array<Vec3> read_v, read_omega;    // by body: that copy, of readers
   Array<Vec3> scratch_vectors;       // of the integrator
   Array<Quat> scratch_rotations;
+  bool reads_velocities = false;   // some force does: it is given a copy, which forces before it have not changed
   bool watches_speed = false;      // what moves far for its size is swept
   bool host_wrote = false;         // to the state, before this step
   Array<const Shape*> faulty;      // shapes in quarantine in this world

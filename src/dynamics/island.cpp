@@ -1,6 +1,8 @@
 // Contact groups by union-find.
 #include "dynamics/island.h"
 
+#include "dynamics/contact_views.h"
+
 #include <algorithm>
 
 namespace carom::dynamics {
@@ -79,9 +81,9 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
   if (!c.links.empty()) sort_by_label(c.link_label, groups, c.group_link_begin, c.group_links);
 }
 
-void find_groups(World& world, const StepTime& time) {
+void find_groups(World& world, const StepTime&) {
   Contacts& c = *world.contacts;
-  build_rows(world, time.h);
+  world.views->reserve(c.rows.size());
   c.direct.clear();
   partition_rows(c, world.scene.bodies.slots(), world.scene.dials.choice(Dial::groups) != 0);
   world.report.groups = c.groups();

@@ -5,7 +5,7 @@
 
 namespace carom::dynamics {
 
-/// Stage group: rows from manifolds, then groups by union-find over rows between two dynamic bodies. Static, kinematic
+/// Stage group: by union-find over rows between two dynamic bodies. Static, kinematic
 /// and quarantined bodies cut the chain. With the dial off, all rows are one group. Order: groups by their lowest row,
 /// those of joints alone after them, rows ascending.
 void find_groups(World& world, const StepTime& time);

@@ -7,6 +7,7 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/events/events.h"
 #include "dynamics/sleep/sleep.h"
+#include "dynamics/contact_views.h"
 
 namespace carom::dynamics {
 namespace {
@@ -85,7 +86,7 @@ void begin_report(World& world) {
   world.report = StepReport{};
   world.report.steps = steps;
   world.report.time = time;
-  world.views.clear();
+  world.views->clear();
   world.group_views.clear();
   world.events->clear();
 }
@@ -94,7 +95,7 @@ void observe(World& world, const StepTime& time) {
   StepReport& report = world.report;
   if (world.plan->runs[static_cast<std::size_t>(Stage::solve)]) {
     measure_contacts(world);
-    world.views.expect();
+    world.views->expect();
     remember_impulses(world, time.h);
   }
   measure_energy(world);

@@ -120,7 +120,7 @@ void plan_colliders(World& world, Plan& plan) {
     c.muted[slot] = static_cast<std::uint8_t>((faulty || world.state.quarantined[body] ? Colliders::kFaulty : 0) |
                                               (forbidden ? Colliders::kForbidden : 0));
     plan.local[slot] = Frame(c.local[slot].q.matrix(), c.local[slot].p - world.scene.center[body]);
-    if (world.sleep->sleeps(body)) continue;
+    if (world.state.sleeps(body)) continue;
     c.active.push_back(slot);
     if (c.movable[slot]) plan.colliders.push_back(slot);
   }

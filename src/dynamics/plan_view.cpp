@@ -40,7 +40,7 @@ std::uint64_t own_bytes(const World& world, std::size_t row) {
     case kSensorRow:
       return bytes_of(s.colliders.sensor);
     case kSleepRow:
-      return bytes_of(z.asleep, z.parked, z.ring, z.calm, z.anchor_x, z.anchor_q, z.radius, z.rows, z.kept_first,
+      return bytes_of(world.state.asleep, z.parked, z.ring, z.calm, z.anchor_x, z.anchor_q, z.radius, z.rows, z.kept_first,
                       z.root, z.restless, z.in_tree, z.kept);
     case kParticlesRow: {
       std::uint64_t sum = 0;

@@ -7,6 +7,7 @@
 #include "dynamics/joint/parts.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/ledger/books.h"
+#include "dynamics/contact_views.h"
 
 namespace carom::dynamics {
 namespace {

@@ -19,6 +19,7 @@ struct State {
         force(m),
         torque(m),
         quarantined(m),
+        asleep(m),
         loaded_steps(m),
         tired_steps(m),
         written(m),
@@ -37,11 +38,15 @@ struct State {
   Array<Vec3> torque;    // N m, world, about the centre of mass, likewise
   Array<std::uint8_t> quarantined;  // 1: state was not finite; held still, makes no contacts
 
+  Array<std::uint8_t> asleep;  // 1: its island rests and takes no part in steps; empty until a step with the dial on
+
   // What a solver that chooses remembers: for how long a body has borne too much, and for how long its group is not
   // to be given to the direct solver, for which it was too much.
   Array<std::uint8_t> loaded_steps, tired_steps;
 
   std::uint64_t quarantined_count = 0;
+
+  bool sleeps(std::uint32_t body) const { return body < asleep.size() && asleep[body]; }
 
   /// Bodies that a host wrote to since the last step, each once, in any order until a step begins: it checks them, and
   /// looks among them for pending forces. What nobody wrote it need not read.

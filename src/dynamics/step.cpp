@@ -6,6 +6,7 @@
 #include "dynamics/contact/impact.h"
 #include "dynamics/contact/mean_motion.h"
 #include "dynamics/contact/resistance.h"
+#include "dynamics/contact/surface.h"
 #include "dynamics/detect.h"
 #include "dynamics/effects.h"
 #include "dynamics/events/events.h"
@@ -74,6 +75,11 @@ void World::step(Real dt) {
   run(Stage::broad, find_pairs, kCollisionRow);
   run(Stage::narrow, find_contacts, kCollisionRow);
   run(Stage::narrow, leave_to_sweep, kContinuousRow);
+  run(Stage::group, make_rows);
+  run(Stage::group, find_resistance);
+  run(Stage::group, find_surfaces);
+  run(Stage::group, link_joints);
+  run(Stage::group, list_moved_bodies);
   run(Stage::group, find_groups);
   run(Stage::solve, begin_contacts);
   run(Stage::solve, begin_sweeps, kContinuousRow);

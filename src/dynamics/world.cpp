@@ -4,6 +4,8 @@
 #include "core/hash.h"
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/contact.h"
+#include "dynamics/contact/mean_motion.h"
+#include "dynamics/contact_views.h"
 #include "dynamics/effects.h"
 #include "dynamics/events/events.h"
 #include "dynamics/query/index.h"
@@ -27,7 +29,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
       state(m),
       particles(tag, m),
       joints(tag, m),
-      views(m),
+      views(make_owned<ContactViews>(m, m)),
       group_views(m),
       fault_views(m),
       pairs(m),
@@ -99,7 +101,7 @@ std::uint64_t World::hash() const {
     for (const Real p : joint.drive_p) h.add(p);
   }
   if (sleep->count > 0) {
-    for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i) h.add(std::uint64_t(sleep->sleeps(i)));
+    for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i) h.add(std::uint64_t(state.sleeps(i)));
     pairs.each_parked(add_record);
     for (const std::uint32_t first : sleep->kept_first)
       for (std::uint32_t k = first; k != Colliders::kNone; k = sleep->kept[k].next) add_impulse(sleep->kept[k].impulse);
@@ -107,6 +109,6 @@ std::uint64_t World::hash() const {
   return h.value();
 }
 
-bool World::asleep(std::uint32_t body) const { return sleep->sleeps(body); }
+bool World::asleep(std::uint32_t body) const { return state.sleeps(body); }
 
 }  // namespace carom::dynamics

@@ -7,11 +7,10 @@
 #include "collision/broad/broad_phase.h"
 #include "collision/narrow/narrow_phase.h"
 #include "core/jobs.h"
-#include "dynamics/contact_views.h"
 #include "dynamics/joint/joint.h"
 #include "dynamics/particles/particles.h"
 #include "dynamics/scene.h"
-#include "dynamics/snapshot/structure.h"
+#include "dynamics/snapshot/structure_cache.h"
 #include "dynamics/state.h"
 
 namespace carom::dynamics {
@@ -67,11 +66,14 @@ struct GroupView {
 
 struct Plan;          // dynamics/effects.h: which effects have customers
 struct Continuous;    // dynamics/ccd/continuous.h: who is swept, and what that met
+struct ContactView;    // dynamics/contact_views.h: contacts as a host sees them
+class ContactViews;
 struct Contacts;      // dynamics/contact/contact.h: rows of the solver, scratch kept between steps
 struct Events;        // dynamics/events/events.h: what happened, for who asked
 class QueryIndex;     // dynamics/query/index.h: where colliders are, for questions between steps
 struct DirectGroups;  // dynamics/solver/direct.h: contact groups as problems of their own
 struct Ledger;        // dynamics/ledger/ledger.h: where energy and momentum go, for who asked
+struct MeanMotion;     // dynamics/contact/mean_motion.h: which velocity moves what slides and rolls
 struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of them
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
 struct WideJoints;    // dynamics/joint/wide_joints.h: joints in lanes
@@ -145,14 +147,14 @@ class World {
   // ---- reading ----
   std::uint64_t hash() const;
   /// Contacts of the last step, ascending by collider pair; any number of readers at a time.
-  const Array<ContactView>& contact_views() const { return views.of(*this); }
+  const Array<ContactView>& contact_views() const;
 
   Scene scene;
   State state;
   Particles particles;
   Joints joints;
   StepReport report;
-  mutable ContactViews views;
+  Owned<ContactViews> views;
   Array<GroupView> group_views;  // of the last step, of a solver that chooses
   Array<FaultView> fault_views;  // of the last step
 
@@ -161,6 +163,7 @@ class World {
   std::array<Owned<BroadPhase>, 4> broad;  // by CAROM_BROAD_*, made when first used
   Owned<Plan> plan;
   Owned<Contacts> contacts;
+  Owned<MeanMotion> mean_motion;  // null until there are rows
   Owned<WideContacts> wide;
   Owned<WideJoints> wide_joints;
   Owned<DirectGroups> direct;

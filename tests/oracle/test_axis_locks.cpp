@@ -7,6 +7,7 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/force/force.h"
 #include "joint_scenes.h"
+#include "dynamics/contact_views.h"
 
 using namespace carom;
 using namespace carom::test;

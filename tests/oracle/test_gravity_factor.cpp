@@ -1,6 +1,7 @@
 // Bodies that gravity pulls by a factor of their own, against closed forms and against worlds with another gravity.
 #include "carom_test.h"
 #include "world_builder.h"
+#include "dynamics/contact_views.h"
 
 using namespace carom;
 using namespace carom::test;

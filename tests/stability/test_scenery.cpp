@@ -6,6 +6,7 @@
 #include "dynamics/sleep/sleep.h"
 #include "scenery_builder.h"
 #include "world_builder.h"
+#include "dynamics/contact_views.h"
 
 using namespace carom;
 using namespace carom::test;

@@ -17,7 +17,7 @@ namespace {
 // rounding of its corners, and the gap between two normals is narrower than the tolerance of an outline.
 constexpr Real kCrease = 1e-8;
 // Sine of what a normal may be off and still count as allowed by a surface: rounding, and far more.
-constexpr Real kLevel = 1e-7;
+constexpr Real kMeetLevel = 1e-7;
 // Cosine of 0.05 rad: pieces that look the same way within this are one patch, each point with its own normal.
 constexpr Real kSameWay = 0.99875;
 // More patches than this one shape is not given: the nearest of them takes what would begin another.
@@ -108,12 +108,12 @@ Ruling judge(const Scenery& scenery, const Piece& piece, const Sides& sides, con
   for (std::size_t i = 0; i < 3; ++i) count += at[i] = -sides.out[i].dot(place - piece.corner[i]) <= near;
   if (count == 0) return Ruling::own;
   for (std::size_t i = 0; i < 3; ++i)
-    if (at[i] && (sides.edge[i] ? sides.down[i].dot(n) > kLevel : sides.wall[i] && sides.out[i].dot(n) > kLevel))
+    if (at[i] && (sides.edge[i] ? sides.down[i].dot(n) > kMeetLevel : sides.wall[i] && sides.out[i].dot(n) > kMeetLevel))
       return Ruling::neighbours;
-  if (n.dot(piece.normal) < -kLevel) return Ruling::own;
+  if (n.dot(piece.normal) < -kMeetLevel) return Ruling::own;
   if (count == 1) {
     const auto i = static_cast<std::size_t>(at[0] ? 0 : at[1] ? 1 : 2);
-    return sides.edge[i] && -sides.out[i].dot(n) <= kLevel ? Ruling::heard : Ruling::own;
+    return sides.edge[i] && -sides.out[i].dot(n) <= kMeetLevel ? Ruling::heard : Ruling::own;
   }
   std::size_t corner = 0;  // of three at once: a piece smaller than the query can tell
   for (std::size_t k = 1; k < 3; ++k)

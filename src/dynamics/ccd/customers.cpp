@@ -21,7 +21,7 @@ constexpr Real kSpin = 0.25;  // rad a step
 constexpr std::size_t kStruck = 64, kStruckEach = 4, kHitsEach = 16;
 
 bool can_sweep(const World& world, std::uint32_t body) {
-  return world.scene.type[body] != BodyType::fixed && !world.state.quarantined[body] && !world.sleep->sleeps(body);
+  return world.scene.type[body] != BodyType::fixed && !world.state.quarantined[body] && !world.state.sleeps(body);
 }
 
 /// Whether a body moves farther in a step than any of its contacts reaches ahead, or turns its ends by more than its

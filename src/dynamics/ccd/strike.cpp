@@ -86,7 +86,7 @@ bool Sweeper::goes_far(const SweptBody& b) const {
 /// The record of a body that is hit, made if there is room; null for what stands still or sleeps.
 SweptBody* Sweeper::take_up(std::uint32_t body) {
   if (SweptBody* const known = c_.find(body)) return known;
-  if (!moved_by_hits(body) || world_.sleep->sleeps(body) || c_.bodies.size() >= c_.most_bodies) return nullptr;
+  if (!moved_by_hits(body) || world_.state.sleeps(body) || c_.bodies.size() >= c_.most_bodies) return nullptr;
   const Path path = path_of(body);
   SweptBody& b = know(world_, body);
   b.path = path;
@@ -238,7 +238,7 @@ void Sweeper::turn_off(Side& side, Strike& s, const Velocity& change) {
   if (!moved_by_hits(side.body) || (change.v == Vec3::zero() && change.omega == Vec3::zero())) return;
   State& state = world_.state;
   const std::uint32_t i = side.body;
-  if (world_.sleep->sleeps(i)) wake(world_, i);
+  if (world_.state.sleeps(i)) wake(world_, i);
   SweptBody* const known = c_.find(i);
   state.v[i] += change.v;
   if (!known) {

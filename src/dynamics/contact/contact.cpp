@@ -5,11 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "dynamics/contact/resistance.h"
-#include "dynamics/contact/surface.h"
-#include "dynamics/force/force.h"
-#include "dynamics/joint/wide_joints.h"
-#include "dynamics/sleep/sleep.h"
+#include "dynamics/body_state.h"
 #include "dynamics/warm_scale.h"
 
 namespace carom::dynamics {
@@ -77,9 +73,8 @@ struct Movers {
 
   Movers(const World& world, const Pair& pair)
       : a(world.scene.colliders.body[pair.a]), b(world.scene.colliders.body[pair.b]) {
-    const Sleep& z = *world.sleep;
-    moves_a = yields(world.scene, world.state, a) && !z.sleeps(a);
-    moves_b = yields(world.scene, world.state, b) && !z.sleeps(b);
+    moves_a = yields(world.scene, world.state, a) && !world.state.sleeps(a);
+    moves_b = yields(world.scene, world.state, b) && !world.state.sleeps(b);
   }
 };
 
@@ -200,7 +195,7 @@ void list_bodies(World& world) {
   for (const std::uint32_t i : c.bodies) c.is_bound[i] = 0;
   c.bodies.clear();
   const auto see = [&](bool moves, std::uint32_t i) {
-    if (!moves || c.is_bound[i] || world.sleep->sleeps(i)) return;
+    if (!moves || c.is_bound[i] || world.state.sleeps(i)) return;
     c.is_bound[i] = 1;
     c.bodies.push_back(i);
   };
@@ -306,19 +301,22 @@ void make_room_for_search(World& world) {
   c.keys.resize(n), c.place.resize(n), c.ranked.reserve(n);
 }
 
-void build_rows(World& world, Real h) {
+Real start_scale(const World& world, Real h) {
+  const bool warm = world.scene.dials.choice(Dial::warm_start) != 0 && world.contacts->old_h > 0;
+  return warm ? warm_scale(h, world.contacts->old_h) : 0;
+}
+
+void make_rows(World& world, const StepTime& time) {
   Contacts& c = *world.contacts;
-  const std::size_t slots = world.scene.bodies.slots();
   for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;  // of the last step
-  const bool warm = world.scene.dials.choice(Dial::warm_start) != 0 && c.old_h > 0;
-  const Real scale = warm ? warm_scale(h, c.old_h) : 0;
-  fill_all_rows(world, scale);
-  find_resistance(world, scale);
-  find_surfaces(world);
-  const std::size_t n = c.rows.size();
-  world.report.contact_points = n;
+  fill_all_rows(world, start_scale(world, time.h));
+  world.report.contact_points = c.rows.size();
   list_meetings(world);
-  link_joints(world);
+}
+
+void list_moved_bodies(World& world, const StepTime&) {
+  Contacts& c = *world.contacts;
+  const std::size_t n = c.rows.size(), slots = world.scene.bodies.slots();
   list_bodies(world);
   if (!c.bouncing.empty()) make_room_for_search(world);
   c.inv_inertia_w.resize(slots);
@@ -326,7 +324,6 @@ void build_rows(World& world, Real h) {
   c.shift.resize(slots, Vec3::zero()), c.turn.resize(slots, Vec3::zero());
   c.old.reserve(n);
   c.blocks.assign((n + kRowsAPart - 1) / kRowsAPart, {});
-  world.views.reserve(n);
 }
 
 void prepare_rows(World& world, Real h) {

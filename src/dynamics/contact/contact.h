@@ -4,7 +4,6 @@
 // acts on B as +p at r_b and on A as -p at r_a.
 #pragma once
 
-#include "dynamics/contact/mean_motion.h"
 #include "dynamics/effects.h"
 #include "dynamics/solver/search.h"
 
@@ -256,8 +255,6 @@ struct Contacts {
   Array<Ranked> ranked;
   Array<std::uint32_t> place;
 
-  Owned<MeanMotion> mean_motion;  // null until there are rows
-
   enum Load : std::uint8_t { kUnseen, kLight, kHeavy };
   Array<std::uint8_t> load;  // by body slot, scratch of a solver that chooses: kUnseen between steps
 
@@ -279,9 +276,12 @@ MixedMaterial mixed(const Scene& scene, std::uint32_t collider_a, std::uint32_t 
 /// Mixed coefficient of two, by the rule with the larger number.
 Real mix(Mix rule_a, Real a, Mix rule_b, Real b);
 
-/// Rows of this step from the pair table, with last step's impulses matched to them. Allocates all that the rest of the
-/// step needs.
-void build_rows(World& world, Real h);
+/// Stage group: rows of this step from the pair table, with last step's impulses matched to them. Allocates.
+void make_rows(World& world, const StepTime& time);
+/// Stage group: who is moved by rows or joints, and room for all that the rest of the step needs of them. Allocates.
+void list_moved_bodies(World& world, const StepTime& time);
+/// By what the impulses of the last step are multiplied, to start from: substep now over substep then; 0: start cold.
+Real start_scale(const World& world, Real h);
 /// For who goes from the most severe row to those of its bodies: where those of each will stand in `half`, and room for
 /// keys and ranks. Allocates.
 void make_room_for_search(World& world);

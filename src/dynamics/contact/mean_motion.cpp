@@ -6,10 +6,10 @@
 
 #include "core/vec6.h"
 #include "dynamics/contact/contact.h"
-#include "dynamics/force/force.h"
+#include "dynamics/body_state.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
-#include "dynamics/solver/solver.h"
+#include "dynamics/solver/table.h"
 
 namespace carom::dynamics {
 namespace {
@@ -99,9 +99,9 @@ class Group {
  public:
   Group(World& world, std::size_t group)
       : world_(world),
-        group_(world.contacts->mean_motion->groups[group]),
-        bodies_(between(world.contacts->mean_motion->bodies, &MeanMotion::Group::body, group)),
-        points_(between(world.contacts->mean_motion->points, &MeanMotion::Group::point, group)) {}
+        group_(world.mean_motion->groups[group]),
+        bodies_(between(world.mean_motion->bodies, &MeanMotion::Group::body, group)),
+        points_(between(world.mean_motion->points, &MeanMotion::Group::point, group)) {}
 
   /// @param dt  s, of the step: separations are those of its beginning
   void find_motion(Real dt) {
@@ -124,7 +124,7 @@ class Group {
  private:
   template <class T>
   std::span<T> between(Array<T>& all, std::uint32_t MeanMotion::Group::* begin, std::size_t group) const {
-    const MeanMotion::Group* const g = &world_.contacts->mean_motion->groups[group];
+    const MeanMotion::Group* const g = &world_.mean_motion->groups[group];
     return {all.data() + g->*begin, g[1].*begin - g->*begin};
   }
 
@@ -226,7 +226,7 @@ void gather(const Contacts& c, std::size_t group, MeanMotion& m) {
 /// f(body), of those groups that are moved so, of those that a solver moved.
 template <class F>
 void each_moved(World& world, const F& f) {
-  MeanMotion* const m = world.contacts->mean_motion.get();
+  MeanMotion* const m = world.mean_motion.get();
   if (!m || m->groups.empty()) return;
   for (std::size_t g = 0; g + 1 < m->groups.size(); ++g) {
     if (!m->groups[g].is_moved) continue;
@@ -239,11 +239,11 @@ void each_moved(World& world, const F& f) {
 
 void find_small_groups(World& world) {
   Contacts& c = *world.contacts;
-  if (c.mean_motion) c.mean_motion->bodies.clear(), c.mean_motion->points.clear(), c.mean_motion->groups.clear();
+  if (world.mean_motion) world.mean_motion->bodies.clear(), world.mean_motion->points.clear(), world.mean_motion->groups.clear();
   const bool ends_at_end = world.plan->integrator->lag == 1;  // the velocity that is kept is that of the substep's end
-  if (c.rows.empty() || !ends_at_end || world.plan->solver == &kSeverity) return;
-  if (!c.mean_motion) c.mean_motion = make_owned<MeanMotion>(world.memory, world.memory);
-  MeanMotion& m = *c.mean_motion;
+  if (c.rows.empty() || !ends_at_end || world.plan->solver->row_by_row) return;
+  if (!world.mean_motion) world.mean_motion = make_owned<MeanMotion>(world.memory, world.memory);
+  MeanMotion& m = *world.mean_motion;
   constexpr std::size_t kSome = 16;  // room before there are any: a small world that settles goes on without allocating
   m.bodies.reserve(std::max(c.bodies.size(), kSome));
   m.points.reserve(std::max(c.rows.size(), 4 * kSome));
@@ -257,13 +257,13 @@ void find_small_groups(World& world) {
 }
 
 void note_velocities_of_groups(World& world, const StepTime&) {
-  MeanMotion* const m = world.contacts->mean_motion.get();
+  MeanMotion* const m = world.mean_motion.get();
   if (!m) return;
   for (Body& b : m->bodies) b.v = world.state.v[b.slot], b.omega = world.state.omega[b.slot];
 }
 
 void find_mean_motion(World& world, const StepTime& time) {
-  MeanMotion* const m = world.contacts->mean_motion.get();
+  MeanMotion* const m = world.mean_motion.get();
   if (!m || m->groups.empty()) return;
   in_parallel(world.jobs, m->groups.size() - 1, kMeanGroupsAPart,
               [&](std::uint32_t g) { Group(world, g).find_motion(time.dt); });
@@ -281,7 +281,7 @@ MeanVelocities::~MeanVelocities() {
   each_moved(world_, [&](const Body& b) {
     if (!world_.state.quarantined[b.slot]) world_.state.v[b.slot] = b.v, world_.state.omega[b.slot] = b.omega;
   });
-  if (MeanMotion* const m = world_.contacts->mean_motion.get())
+  if (MeanMotion* const m = world_.mean_motion.get())
     for (MeanMotion::Group& g : m->groups) g.is_moved = false;
 }
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "dynamics/force/force.h"
-#include "dynamics/solver/solver.h"
+#include "dynamics/body_state.h"
+#include "dynamics/solver/table.h"
 #include "dynamics/solver/wide_contacts.h"
 
 namespace carom::dynamics {
@@ -39,8 +39,9 @@ void twist(World& world, const Row& row, const Vec3& moment) {
 
 }  // namespace
 
-void find_resistance(World& world, Real scale) {
+void find_resistance(World& world, const StepTime& time) {
   Contacts& c = *world.contacts;
+  const Real scale = start_scale(world, time.h);
   c.resisting.clear();
   std::uint64_t rolling = 0, spinning = 0;
   for (std::uint32_t i = 0, next; world.scene.resists && i < c.rows.size(); i = next) {

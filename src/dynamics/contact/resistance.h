@@ -15,11 +15,9 @@
 
 namespace carom::dynamics {
 
-/// Resisting pairs of this step and the moments that they start from; nothing where no material resists.
-/// @param scale  substep now over substep then; 0: start cold
-void find_resistance(World& world, Real scale);
-
 /// Stage functions of the page.
+/// Resisting pairs of this step and the moments that they start from; nothing where no material resists.
+void find_resistance(World& world, const StepTime& time);
 /// Let the moments act that were found last.
 void hold_moments(World& world, const StepTime& time);
 /// Moments of this substep, within what its contacts bear.

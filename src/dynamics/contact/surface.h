@@ -13,7 +13,7 @@
 
 namespace carom::dynamics {
 
-/// Driven pairs of this step and the velocities of their surfaces; nothing where no collider has one.
-void find_surfaces(World& world);
+/// Stage group: driven pairs of this step and the velocities of their surfaces; nothing where no collider has one.
+void find_surfaces(World& world, const StepTime& time);
 
 }  // namespace carom::dynamics

@@ -10,6 +10,7 @@
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
+#include "dynamics/contact_views.h"
 
 namespace carom::dynamics {
 namespace {
@@ -28,7 +29,7 @@ bool lives(const World& world, const Together& t) {
 
 bool one_sleeps(const World& world, const Pair& p) {
   const Colliders& c = world.scene.colliders;
-  return world.sleep->sleeps(c.body[p.a]) || world.sleep->sleeps(c.body[p.b]);
+  return world.state.sleeps(c.body[p.a]) || world.state.sleeps(c.body[p.b]);
 }
 
 ContactEvent event(ContactEvent::Kind kind, const Together& t) {
@@ -171,7 +172,7 @@ class Sensing {
 void look_who_sleeps(World& world) {
   Events& e = *world.events;
   for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) {
-    const auto now = static_cast<std::uint8_t>(world.sleep->sleeps(i));
+    const auto now = static_cast<std::uint8_t>(world.state.sleeps(i));
     if (e.slept[i] == now) continue;
     e.slept[i] = now;
     e.sleep.push_back({now == 0, world.scene.bodies.handle(i)});
@@ -215,7 +216,7 @@ void collect(World& world, std::uint32_t asked, Real hit_speed) {
   if (gone & Events::fault) e.faults.clear();
   if (kinds & ~e.wanted & Events::sleeping) {
     e.slept.assign(world.scene.bodies.slots(), 0);
-    for (std::uint32_t i = 0; i < e.slept.size(); ++i) e.slept[i] = static_cast<std::uint8_t>(world.sleep->sleeps(i));
+    for (std::uint32_t i = 0; i < e.slept.size(); ++i) e.slept[i] = static_cast<std::uint8_t>(world.state.sleeps(i));
   }
   e.asked = asked, e.wanted = kinds;
 }

@@ -11,12 +11,6 @@ bool holds_turns(const Scene& scene, std::uint32_t body, Locks locks) {
   return (locks & kAngularLocks) && rotates(scene, body);
 }
 
-Mat3 inertia_of(const Scene& scene, std::uint32_t body, const Quat& q) {
-  const Mat3 r = q.matrix();
-  return r * scene.inertia[body] * r.transpose();
-}
-
-Vec3 free_turns(Locks locks) { return free_axes(static_cast<Locks>(locks >> 3)); }
 
 /// What of a rotation is free: P = E (E^T I E)^-1 E^T I. The free part is taken as it is, so that what turns freely
 /// does not round.
@@ -39,40 +33,18 @@ Vec3 midpoint(const Vec3& omega, const Mat3& inertia, const Mat3& inverse, Real 
 
 }  // namespace
 
-Mat3 inverse_of_free(const Mat3& inertia, Locks locks) {
-  Mat3 inverse = Mat3::zero();
-  const Vec3 free = free_turns(locks);
-  switch (std::popcount(static_cast<unsigned>(locks & kAngularLocks))) {
-    case 0:
-      return inertia.inverse();
-    case 1: {
-      const int held = free[0] == 0 ? 0 : free[1] == 0 ? 1 : 2, i = (held + 1) % 3, j = (held + 2) % 3;
-      const Real cross = (inertia(i, j) + inertia(j, i)) / 2, det = inertia(i, i) * inertia(j, j) - cross * cross;
-      inverse(i, i) = inertia(j, j) / det, inverse(j, j) = inertia(i, i) / det;
-      inverse(i, j) = inverse(j, i) = -cross / det;
-      return inverse;
-    }
-    case 2:
-      for (int i = 0; i < 3; ++i)
-        if (free[i] != 0) inverse(i, i) = 1 / inertia(i, i);
-      return inverse;
-    default:
-      return inverse;
-  }
-}
-
 void hold_velocity(const Scene& scene, std::uint32_t body, const Quat& q, Vec3& v, Vec3& omega) {
   const Locks locks = scene.locks_of(body);
   v = free_axes(locks).times(v);
   if (!holds_turns(scene, body, locks)) return;
-  const Mat3 inertia = inertia_of(scene, body, q);
+  const Mat3 inertia = inertia_at(scene, body, q);
   const Vec3 held = project_turn(omega, inertia, inverse_of_free(inertia, locks), locks);
   if (finite(held)) omega = held;  // else it is beyond all bounds, and the next step stops it
 }
 
 Vec3 angular_acceleration(const Scene& scene, std::uint32_t body, const Quat& q, const Vec3& torque) {
   if (const Locks locks = scene.locks_of(body); locks & kAngularLocks)
-    return inverse_of_free(inertia_of(scene, body, q), locks) * torque;
+    return inverse_of_free(inertia_at(scene, body, q), locks) * torque;
   return q * (scene.inv_inertia[body] * (q.conjugate() * torque));
 }
 
@@ -95,7 +67,7 @@ void axis_locks::hold(World& world, Real h) {
     for (int k = 0; proposes && k < 3; ++k)
       if (free[k] == 0) to.x[i][k] = s.x[i][k];
     if (!holds_turns(scene, i, locks)) return;
-    const Mat3 inertia = inertia_of(scene, i, s.q[i]), inverse = inverse_of_free(inertia, locks);
+    const Mat3 inertia = inertia_at(scene, i, s.q[i]), inverse = inverse_of_free(inertia, locks);
     s.omega[i] = project_turn(s.omega[i], inertia, inverse, locks);  // no room of today's leaves anything to take off
     if (!gyroscopic || std::popcount(static_cast<unsigned>(locks & kAngularLocks)) != 1) return;
     const Vec3 before = s.omega[i];

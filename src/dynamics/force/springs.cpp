@@ -54,7 +54,7 @@ Pull pull_of(const SpringDef& def, Real stiffness, Real damping, const End& a, c
 
 bool acts(const World& world, const SpringDef& def) {
   const auto awake = [&](std::uint32_t body) {
-    return body != kTheWorld && responds(world.scene, world.state, body) && !world.sleep->sleeps(body);
+    return body != kTheWorld && responds(world.scene, world.state, body) && !world.state.sleeps(body);
   };
   const auto forbids = [&](std::uint32_t body) {
     return body != kTheWorld && world.scene.modes.forbids(kSpringsRow, body);
@@ -72,7 +72,7 @@ Real mobility(const Scene& scene, const State& state, std::uint32_t body, const 
 
 bool is_moved(const World& world, std::uint32_t body) {
   if (body == kTheWorld || world.scene.type[body] == BodyType::fixed) return false;
-  if (world.scene.type[body] == BodyType::dynamic) return !world.sleep->sleeps(body);
+  if (world.scene.type[body] == BodyType::dynamic) return !world.state.sleeps(body);
   return world.state.v[body] != Vec3::zero() || world.state.omega[body] != Vec3::zero();
 }
 

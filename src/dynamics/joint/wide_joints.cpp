@@ -8,7 +8,6 @@
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/island.h"
 #include "dynamics/joint/parts.h"
-#include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/fill_lanes.h"
 #include "dynamics/solver/soft_step.h"
 #include "dynamics/warm_scale.h"
@@ -45,7 +44,7 @@ void note_parts(World& world, Joint& joint) {
 
 bool is_active(const World& world, const Joint& joint) {
   if (joint.broken || forbids(world, kJointsRow, joint.def)) return false;
-  const auto awake = [&](std::uint32_t body) { return moves(world, body) && !world.sleep->sleeps(body); };
+  const auto awake = [&](std::uint32_t body) { return moves(world, body) && !world.state.sleeps(body); };
   return awake(joint.def.body_a) || awake(joint.def.body_b);
 }
 
@@ -256,7 +255,7 @@ void plan_joints(World& world) {
   }
 }
 
-void link_joints(World& world) {
+void link_joints(World& world, const StepTime&) {
   Contacts& c = *world.contacts;
   c.links.clear();
   for (const std::uint32_t j : world.wide_joints->active) {

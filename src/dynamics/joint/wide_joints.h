@@ -139,7 +139,7 @@ void sweep_rows(World& world, const OfJoints& of_joints, const OfContacts& of_co
 /// Who is active: after the scene changed, or somebody fell asleep or woke.
 void plan_joints(World& world);
 /// Bodies that hang together by joints, for groups.
-void link_joints(World& world);
+void link_joints(World& world, const StepTime& time);
 /// Part of pack(): colours of joints, which are then taken for contacts. Allocates.
 void colour_joints(World& world);
 /// Lanes of this step, with what the last one's impulses left. After pack(). Allocates.

@@ -1,7 +1,7 @@
 // Parts of the ledger's rooms: the book of one body, and what is booked in it.
 #pragma once
 
-#include "dynamics/force/force.h"
+#include "dynamics/body_state.h"
 #include "dynamics/ledger/ledger.h"
 
 namespace carom::dynamics {

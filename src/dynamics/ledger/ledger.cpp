@@ -1,6 +1,7 @@
 // The ledger itself: made and dropped, its causes, what a body has; what rows of the table do.
 #include "dynamics/ledger/ledger.h"
 
+#include "dynamics/force/force.h"
 #include "dynamics/ledger/books.h"
 #include "dynamics/quarantine.h"
 

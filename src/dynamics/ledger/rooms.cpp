@@ -5,6 +5,7 @@
 #include "dynamics/events/events.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/force/force.h"
 #include "dynamics/ledger/books.h"
 #include "dynamics/observe.h"
 #include "dynamics/particles/flight.h"
@@ -246,7 +247,7 @@ void sum_state(World& world, Amount& to) {
     const Ledger::Body& b = l.body[i];
     if (is_lost(world, i))
       l.body_amount[i] = amount_of(world, i, b.x, b.q, b.v, b.omega);
-    else if (!world.sleep->sleeps(i) || !world.sleep->parked[i])
+    else if (!world.state.sleeps(i) || !world.sleep->parked[i])
       l.body_amount[i] = amount_now(world, i);
     account.add(l.body_amount[i]);
     const Amount& a = l.body_amount[i];

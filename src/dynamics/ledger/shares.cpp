@@ -7,7 +7,7 @@
 #include "dynamics/ledger/ledger.h"
 #include "dynamics/solver/direct.h"
 #include "dynamics/solver/fill_lanes.h"
-#include "dynamics/solver/solver.h"
+#include "dynamics/solver/table.h"
 #include "dynamics/solver/wide_contacts.h"
 
 namespace carom::dynamics {
@@ -198,7 +198,7 @@ void share_group_links(Shares& shares, bool settled) {
 }
 
 bool answers_directly(const World& world) {
-  return (world.plan->solver == &kDirect || world.plan->solver == &kAuto) && world.direct->groups() > 0;
+  return world.plan->solver->calls_direct && world.direct->groups() > 0;
 }
 
 }  // namespace
@@ -246,7 +246,7 @@ void share_solved(World& world) {
   const Solver* const solver = world.plan->solver;
   Shares shares(world);
   if (solver->in_lanes) share_lanes(shares, false);
-  if (solver == &kSeverity) share_rows(shares);
+  if (solver->row_by_row) share_rows(shares);
   if (answers_directly(world)) share_groups(shares), share_group_links(shares, false);
   if (world.wide_joints->any()) share_joint_lanes(shares, false);
 }

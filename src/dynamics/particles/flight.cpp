@@ -57,7 +57,7 @@ std::array<Flight, 3> plan_flight(const Scene& scene, const ParticleDef& def, co
 
 constexpr std::size_t kBlocksAPart = 4;  // some microseconds
 
-bool inside(Real x2, Real v2) {
+bool within_limits(Real x2, Real v2) {
   return x2 <= kMaxPosition * kMaxPosition && v2 <= kMaxSpeed * kMaxSpeed;
 }  // NaN is not
 
@@ -71,11 +71,11 @@ std::size_t hold_strays(Particles& particles, std::uint32_t s, std::size_t block
     if (set.is_held(i)) continue;
     const Vec3 x = set.position(i);
     const Real x2 = x.squared_norm(), v2 = set.velocity(i).squared_norm();
-    if (inside(x2, v2)) {
+    if (within_limits(x2, v2)) {
       vis_viva += (set.mass.empty() ? 1 : set.mass[i]) * v2;
       continue;
     }
-    if (!inside(x2, 0)) particles.place(s, i, finite(x2) ? Vec3(kMaxPosition / std::sqrt(x2) * x) : Vec3(Vec3::zero()));
+    if (!within_limits(x2, 0)) particles.place(s, i, finite(x2) ? Vec3(kMaxPosition / std::sqrt(x2) * x) : Vec3(Vec3::zero()));
     particles.hold(s, i);
     first = std::min(first, i);
   }
@@ -88,7 +88,7 @@ void judge(World& world, std::uint32_t s) {
   ParticleSet& set = world.particles.set[s];
   FaultView view;
   for (std::size_t b = 0; b < set.sums.size(); ++b) {
-    if (inside(set.sums[b].x2, set.sums[b].v2)) continue;
+    if (within_limits(set.sums[b].x2, set.sums[b].v2)) continue;
     const std::size_t first = hold_strays(world.particles, s, b);
     if (first < BlockRange(set, b).end && view.particles == FaultView::kNone)
       view.particles = s, view.particle = static_cast<std::uint32_t>(first);

@@ -96,7 +96,7 @@ void lie_down(World& world, std::uint32_t i) {
   Sleep& z = *world.sleep;
   State& s = world.state;
   s.v[i] = s.omega[i] = s.momentum[i] = Vec3::zero();
-  z.asleep[i] = 1;
+  world.state.asleep[i] = 1;
   z.ring[i] = i;
   if (const std::uint32_t first = z.root[i]; first != i) {
     // The root has the lowest slot of its island, so it lies already.

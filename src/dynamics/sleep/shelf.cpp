@@ -134,7 +134,7 @@ void park(World& world) {
   z.colliders.clear();
   z.in_tree.resize(scene.colliders.slots(), 0);
   for (const std::uint32_t i : z.fallen) {
-    if (!z.asleep[i] || z.parked[i]) continue;
+    if (!world.state.asleep[i] || z.parked[i]) continue;
     z.parked[i] = 1;
     if (scene.first_collider[i] != kNone) world.plan->rotation[i] = world.state.q[i].matrix();
     each_collider(scene, i, [&](std::uint32_t c) {
@@ -152,7 +152,7 @@ void take_back(World& world) {
   Sleep& z = *world.sleep;
   z.bodies.clear();
   for (const std::uint32_t i : z.woken)
-    if (!z.asleep[i] && z.parked[i]) z.bodies.push_back(i), z.parked[i] = 0;
+    if (!world.state.asleep[i] && z.parked[i]) z.bodies.push_back(i), z.parked[i] = 0;
   z.woken.clear();
   std::sort(z.bodies.begin(), z.bodies.end());
   for (const std::uint32_t i : z.bodies)
@@ -164,13 +164,14 @@ void take_back(World& world) {
 }
 
 /// Who of an ascending list is awake, and the woken bodies (ascending) among them.
-void relist(Sleep& z, const Array<std::uint32_t>& woken, Customers& list) {
+void relist(World& world, const Array<std::uint32_t>& woken, Customers& list) {
+  Sleep& z = *world.sleep;
   z.spare.clear();
   std::size_t k = 0;
   list.each([&](std::uint32_t i) {
     while (k < woken.size() && woken[k] < i) z.spare.add(woken[k++]);
     if (k < woken.size() && woken[k] == i) ++k;
-    if (!z.asleep[i]) z.spare.add(i);
+    if (!world.state.asleep[i]) z.spare.add(i);
   });
   while (k < woken.size()) z.spare.add(woken[k++]);
   std::swap(list, z.spare);
@@ -185,7 +186,7 @@ void relist_colliders(World& world, const Array<std::uint32_t>& woken) {
   std::sort(z.colliders.begin(), z.colliders.end());
   std::erase_if(z.colliders,
                 [&](std::uint32_t slot) { return std::binary_search(c.active.begin(), c.active.end(), slot); });
-  std::erase_if(c.active, [&](std::uint32_t slot) { return z.sleeps(c.body[slot]); });
+  std::erase_if(c.active, [&](std::uint32_t slot) { return world.state.sleeps(c.body[slot]); });
   const std::size_t before = c.active.size();
   c.active.insert(c.active.end(), z.colliders.begin(), z.colliders.end());
   std::size_t to = c.active.size(), i = before, k = z.colliders.size();
@@ -199,7 +200,7 @@ void relist_colliders(World& world, const Array<std::uint32_t>& woken) {
 void list_awake(World& world, const Array<std::uint32_t>& woken) {
   Sleep& z = *world.sleep;
   Plan& plan = *world.plan;
-  relist(z, woken, plan.effects[kSleepRow].candidates);
+  relist(world, woken, plan.effects[kSleepRow].candidates);
   relist_colliders(world, woken);
   const Customers& awake = plan.effects[kSleepRow].candidates;
   plan.linear.clear(), plan.rotating.clear();
@@ -225,8 +226,7 @@ void list_awake(World& world, const Array<std::uint32_t>& woken) {
 }  // namespace
 
 Sleep::Sleep(Memory* m)
-    : asleep(m),
-      parked(m),
+    : parked(m),
       ring(m),
       calm(m),
       anchor_x(m),
@@ -279,7 +279,7 @@ void plan_sleep(World& world, Plan& plan) {
   z.fallen.reserve(slots), z.woken.reserve(slots);
   z.parked.resize(slots, 0), z.ring.resize(slots, kNone), z.anchor_x.resize(slots, Vec3::zero());
   z.anchor_q.resize(slots, Quat::identity()), z.radius.resize(slots, 0), z.kept_first.resize(slots, kNone);
-  z.root.resize(slots, 0), z.restless.resize(slots, 0), z.asleep.resize(slots, 0);
+  z.root.resize(slots, 0), z.restless.resize(slots, 0), world.state.asleep.resize(slots, 0);
   z.calm.resize(slots, 0);  // last: its size says that all have theirs
   z.rows.assign(slots, 0);
   for (std::size_t k = 0; k < plan.effects.size(); ++k)

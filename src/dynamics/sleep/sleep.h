@@ -43,10 +43,7 @@ struct KeptImpulse {
 struct Sleep {
   explicit Sleep(Memory* m);
 
-  bool sleeps(std::uint32_t body) const { return body < asleep.size() && asleep[body]; }
-
-  // By body slot; empty until a step with the dial on.
-  Array<std::uint8_t> asleep;
+  // By body slot; empty until a step with the dial on. Who sleeps, the state says.
   Array<std::uint8_t> parked;  // it has left the arrays of the step
   Array<std::uint32_t> ring;   // the next sleeper of its island, around to the first
   Array<Real> calm;            // s, for how long it has been slow
@@ -63,11 +60,11 @@ struct Sleep {
   Array<std::uint32_t> rejoined;       // colliders that came back: what no pair reclaims is dropped
   std::uint64_t count = 0;             // bodies asleep
   std::uint64_t woke = 0;              // bodies woken since the last report
+  bool replant = false;                // the tree below is empty, and is to be made of all parked bodies
   bool alarm = false;                  // something is muted or in quarantine: all wake
 
   BoxTree tree;                 // colliders of parked bodies, by their bounds
   Array<std::uint8_t> in_tree;  // by collider
-  bool replant = false;         // the tree is empty, and is to be made of all parked bodies
   Array<KeptImpulse> kept;
   Array<std::uint32_t> kept_free;
   Array<Pair> near;  // pairs of movers and sleepers whose bounds overlap, ascending, of this step

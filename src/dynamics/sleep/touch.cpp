@@ -73,7 +73,7 @@ void ask(World& world, const NarrowSettings& settings, std::uint32_t slot, Real 
   std::sort(z.hits.begin(), z.hits.end());  // the tree's order means nothing
   for (const std::uint32_t other : z.hits) {
     const std::uint32_t body = c.body[other];
-    if (!z.asleep[body] || !may_touch(c, slot, other) || (filtered && !lets_touch(world.scene, slot, other))) continue;
+    if (!world.state.asleep[body] || !may_touch(c, slot, other) || (filtered && !lets_touch(world.scene, slot, other))) continue;
     const Pair pair{std::min(slot, other), std::max(slot, other)};
     const bool meets = !c.is_sensor(slot) && !c.is_sensor(other) &&
                        (touches(world, settings, pair) || sweeps_into(world, slot, other, dt));
@@ -107,7 +107,7 @@ void wake_touched(World& world, const StepTime& time) {
   find_customers(world);
   // Between two that are awake by now, the broad phase finds the pair. What does not move makes none with a sleeper.
   const Colliders& c = world.scene.colliders;
-  const auto void_pair = [&](const Pair& p) { return z.asleep[c.body[p.a]] == z.asleep[c.body[p.b]]; };
+  const auto void_pair = [&](const Pair& p) { return world.state.asleep[c.body[p.a]] == world.state.asleep[c.body[p.b]]; };
   std::erase_if(z.near, void_pair);
   std::sort(z.near.begin(), z.near.end());
   z.near.erase(std::unique(z.near.begin(), z.near.end()), z.near.end());

@@ -26,8 +26,8 @@ void wake(World& world, std::uint32_t body) {
   Sleep& z = *world.sleep;
   if (body >= z.calm.size()) return;
   z.calm[body] = 0;
-  for (std::uint32_t i = body; z.asleep[i]; i = z.ring[i]) {
-    z.asleep[i] = 0;
+  for (std::uint32_t i = body; world.state.asleep[i]; i = z.ring[i]) {
+    world.state.asleep[i] = 0;
     z.calm[i] = 0;
     z.anchor_x[i] = world.state.x[i], z.anchor_q[i] = world.state.q[i];
     if (z.parked[i]) z.woken.push_back(i);  // there is room for every body
@@ -36,8 +36,7 @@ void wake(World& world, std::uint32_t body) {
 }
 
 void wake_all(World& world) {
-  Sleep& z = *world.sleep;
-  for (std::uint32_t i = 0; i < z.asleep.size(); ++i) wake(world, i);
+  for (std::uint32_t i = 0; i < world.state.asleep.size(); ++i) wake(world, i);
 }
 
 void wake_touching(World& world, std::uint32_t collider) {

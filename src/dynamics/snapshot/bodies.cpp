@@ -101,7 +101,7 @@ std::uint16_t bits_of_body(const World& world, std::uint32_t i) {
       bit(!same_bits(s.placed_x[i], s.x[i]) || !same_bits(s.placed_q[i], s.q[i]), kPlacedElsewhere) |
       bit(!zero_bits(s.force[i]) || !zero_bits(s.torque[i]), kPushed) |
       bit(s.loaded_steps[i] | s.tired_steps[i], kSolverMemory) | bit(s.quarantined[i], kQuarantined) |
-      bit(s.is_written[i], kWritten) | bit(z.sleeps(i), kAsleep) | bit(sleeps && z.parked[i], kParked) |
+      bit(s.is_written[i], kWritten) | bit(world.state.sleeps(i), kAsleep) | bit(sleeps && z.parked[i], kParked) |
       bit(calm, kCalm) | bit(i < world.events->slept.size() && world.events->slept[i], kSleptBefore) |
       bit(settings_of(world.scene, i), kSettings));
 }
@@ -165,9 +165,9 @@ void body(Io& io, W& world, std::uint32_t i) {
     if (bits & kWritten) s.mark_written(i);
     if (i < world.events->slept.size()) world.events->slept[i] = (bits & kSleptBefore) != 0;
     if (i >= z.calm.size()) return;
-    z.asleep[i] = (bits & kAsleep) != 0, z.parked[i] = (bits & kParked) != 0;
+    world.state.asleep[i] = (bits & kAsleep) != 0, z.parked[i] = (bits & kParked) != 0;
     z.ring[i] = ring, z.calm[i] = calm, z.anchor_x[i] = anchor_x, z.anchor_q[i] = anchor_q;
-    z.count += z.asleep[i];
+    z.count += world.state.asleep[i];
   }
 }
 
@@ -187,7 +187,7 @@ void clear_bodies(World& world, std::size_t sleepers) {
   std::fill(c.modes.forced_of.begin(), c.modes.forced_of.end(), RowBits(0));
   for (std::uint32_t i = 0; i < c.bodies.slots(); ++i)
     if (c.bodies.alive(i)) c.def[i].continuous = SweepMode::automatic;
-  z.asleep.assign(sleepers, 0), z.parked.assign(sleepers, 0), z.ring.assign(sleepers, Colliders::kNone);
+  world.state.asleep.assign(sleepers, 0), z.parked.assign(sleepers, 0), z.ring.assign(sleepers, Colliders::kNone);
   z.calm.assign(sleepers, 0), z.anchor_x.assign(sleepers, Vec3::zero()), z.anchor_q.assign(sleepers, Quat::identity());
   z.radius.assign(sleepers, 0), z.rows.assign(sleepers, 0), z.kept_first.assign(sleepers, Colliders::kNone);
   z.root.assign(sleepers, 0), z.restless.assign(sleepers, 0);

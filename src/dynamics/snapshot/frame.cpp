@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "dynamics/effects.h"
-#include "dynamics/snapshot/structure.h"
+#include "dynamics/snapshot/structure_cache.h"
 
 namespace carom::dynamics {
 namespace snapshot {

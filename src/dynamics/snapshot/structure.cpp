@@ -1,4 +1,4 @@
-#include "dynamics/snapshot/structure.h"
+#include "dynamics/snapshot/structure_cache.h"
 
 #include <algorithm>
 #include <mutex>

@@ -299,6 +299,6 @@ void auto_end(World& world, const StepTime& time) {
 
 }  // namespace
 
-extern constexpr Solver kAuto = {"auto", true, false, auto_begin, auto_velocities, auto_positions, auto_end};
+extern constexpr Solver kAuto = {"auto", true, false, true, false, auto_begin, auto_velocities, auto_positions, auto_end};
 
 }  // namespace carom::dynamics

@@ -10,7 +10,7 @@
 namespace carom::dynamics {
 namespace {
 
-constexpr std::size_t kGroupsAPart = 1;  // a group takes as long as many bodies of other loops
+constexpr std::size_t kDirectGroupsAPart = 1;  // a group takes as long as many bodies of other loops
 
 void direct_begin(World& world, const StepTime& time) {
   if (world.wide_joints->any()) {  // their rows are made in lanes, as are numbers of bodies
@@ -44,7 +44,7 @@ void solve_groups(World& world, Real h, std::uint64_t work, int substeps) {
   for (const Impact& at : world.contacts->impacts)
     if (GroupRest* const rest = at.concerns_solver() ? d.rest_of(world.contacts->rows[at.row]) : nullptr)
       rest->lasts = false;
-  in_parallel(world.jobs, d.groups(), kGroupsAPart,
+  in_parallel(world.jobs, d.groups(), kDirectGroupsAPart,
               [&](std::uint32_t g) { ConeGroup(world, g).solve(h, work, substeps); });
   for (std::size_t g = 0; g < d.groups(); ++g) {
     if (d.rest[g].repeats > 0) continue;
@@ -58,7 +58,7 @@ void part_groups(World& world, Real h) {
   if (!d.links.empty()) place_joints(world);
   if (std::ranges::all_of(d.rest, [](const GroupRest& rest) { return rest.lasts; })) return;
   refresh_rotations(world);
-  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { ConeGroup(world, g).part(h); });
+  in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) { ConeGroup(world, g).part(h); });
   for (const ConeAnswer& answer : d.answer) world.report.position_moves += answer.factorisations;
 }
 
@@ -72,19 +72,19 @@ void settle_joints(World& world, Real h) {
     bool any = false;
     for (std::size_t g = 0; g < d.groups() && !any; ++g) any = ConeGroup(world, g).is_apart();
     if (!any) break;
-    in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) {
+    in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
       if (ConeGroup group(world, g); group.is_apart()) group.part(h);
     });
     if (k + 1 == kTimes) place_joints(world);
   }
-  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { ConeGroup(world, g).settle(h); });
+  in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) { ConeGroup(world, g).settle(h); });
 }
 
 void end_groups(World& world) {
   DirectGroups& d = *world.direct;
-  in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) { ConeGroup(world, g).end(); });
+  in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) { ConeGroup(world, g).end(); });
 }
 
-extern constexpr Solver kDirect = {"direct", false, true, direct_begin, direct_velocities, direct_positions, direct_end};
+extern constexpr Solver kDirect = {"direct", false, false, true, true, direct_begin, direct_velocities, direct_positions, direct_end};
 
 }  // namespace carom::dynamics

@@ -5,7 +5,7 @@
 
 #include "core/wide.h"
 #include "dynamics/contact/contact.h"
-#include "dynamics/force/force.h"
+#include "dynamics/body_state.h"
 
 namespace carom::dynamics {
 

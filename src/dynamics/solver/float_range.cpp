@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "dynamics/force/force.h"
+#include "dynamics/body_state.h"
 
 namespace carom::dynamics {
 namespace {

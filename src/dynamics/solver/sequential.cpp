@@ -55,6 +55,6 @@ void sequential_end(World& world, const StepTime&) { end_lanes(world); }
 
 }  // namespace
 
-extern constexpr Solver kSequential = {"sequential", true, true, sequential_begin, sequential_velocities, sequential_positions, sequential_end};
+extern constexpr Solver kSequential = {"sequential", true, false, false, true, sequential_begin, sequential_velocities, sequential_positions, sequential_end};
 
 }  // namespace carom::dynamics

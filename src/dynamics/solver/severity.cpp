@@ -188,6 +188,6 @@ void severity_positions(World& world, const StepTime&) {
 
 }  // namespace
 
-extern constexpr Solver kSeverity = {"severity", false, true, severity_begin, severity_velocities, severity_positions, nullptr};
+extern constexpr Solver kSeverity = {"severity", false, true, false, true, severity_begin, severity_velocities, severity_positions, nullptr};
 
 }  // namespace carom::dynamics

@@ -94,6 +94,6 @@ Softness softness(Real frequency, Real damping, Real h) {
   return {w / b, a / (1 + a), 1 / (1 + a)};
 }
 
-extern constexpr Solver kSoftStep = {"soft_step", true, false, soft_step_begin, soft_step_velocities, soft_step_positions, soft_step_end};
+extern constexpr Solver kSoftStep = {"soft_step", true, false, false, false, soft_step_begin, soft_step_velocities, soft_step_positions, soft_step_end};
 
 }  // namespace carom::dynamics

@@ -15,7 +15,7 @@ void serve(void (*room)(World&, const StepTime&), World& world, const StepTime& 
 }  // namespace
 
 void begin_contacts(World& world, const StepTime& time) {
-  if (world.plan->solver != &kSeverity || world.wide_joints->any())
+  if (!world.plan->solver->row_by_row || world.wide_joints->any())
     refresh_inertias(world);  // lanes keep those of the step's begin
   serve(world.plan->solver->begin, world, time);
   find_small_groups(world);

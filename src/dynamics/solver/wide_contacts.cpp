@@ -6,7 +6,6 @@
 #include <atomic>
 
 #include "dynamics/contact/held_arms.h"
-#include "dynamics/joint/wide_joints.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/solver/fill_lanes.h"
 #include "dynamics/solver/float_range.h"

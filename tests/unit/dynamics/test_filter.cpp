@@ -3,6 +3,7 @@
 #include "carom_test.h"
 #include "dynamics/filter.h"
 #include "world_builder.h"
+#include "dynamics/contact_views.h"
 
 using namespace carom;
 using namespace carom::test;

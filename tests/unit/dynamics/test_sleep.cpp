@@ -8,6 +8,7 @@
 #include "carom_test.h"
 #include "dynamics/sleep/sleep.h"
 #include "world_builder.h"
+#include "dynamics/contact_views.h"
 
 using namespace carom;
 using namespace carom::test;
@@ -57,7 +58,7 @@ static void nobody_sleeps_unless_the_dial_is_on(void**) {
   t.run(300, kStep);
   assert_int_equal(t.world.report.asleep_bodies, 0);
   assert_int_equal(t.world.plan->find("sleep")->evaluations, 0);
-  assert_int_equal(t.world.sleep->asleep.capacity(), 0);
+  assert_int_equal(t.world.state.asleep.capacity(), 0);
   assert_int_equal(t.world.sleep->tree.size(), 0);
 }
 
