@@ -32,7 +32,7 @@ def manifest_rows(api):
 FILES = {
     "bindings/api.json": api_json,
     "src/abi/manifest_rows.inc": manifest_rows,
-    "src/abi/record_calls.h": emit_record.record_calls,
+    "src/abi/record_calls.inc": emit_record.record_calls,
     "src/tools/replay/calls.inc": emit_record.replay_calls,
     "bindings/lua/carom_cdef.lua": emit_lua.cdef,
     "bindings/python/carom/_c.py": emit_python.declarations,

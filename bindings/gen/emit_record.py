@@ -1,4 +1,4 @@
-"""How calls that change a world are written down, and made again: src/abi/record_calls.h, src/tools/replay/calls.inc.
+"""How calls that change a world are written down, and made again: src/abi/record_calls.inc, src/tools/replay/calls.inc.
 
 What a function does with an argument follows from its type; what does not is said here. A function that is neither known to
 read nor of arguments that this knows is refused, so that nobody forgets to say how it is recorded.
@@ -80,8 +80,7 @@ def spelled(argument):
 
 def record_calls(api):
     kinds = Kinds(api)
-    lines = [f"// How each call that changes a world is written down, see recorder.h. {BY}", "#pragma once", "",
-             '#include <carom/carom.h>', "", '#include "abi/columns.h"', '#include "abi/recorder.h"', "",
+    lines = [f"// How each call that changes a world is written down; record_calls.h includes this. {BY}", "",
              "namespace carom::abi::record {", ""]
     for name, arguments in changing(api):
         used, says = [], []

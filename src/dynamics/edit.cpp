@@ -258,7 +258,7 @@ void World::set_locks(std::uint32_t body, Locks locks) {
   scene.given_locks.resize(scene.locks.size(), 0);
   wake(*this, body);
   scene.given_locks[body] = locks;
-  scene.locks[body] = scene.modes.forbids(kLocksRow, body) ? Locks(0) : locks;
+  scene.locks[body] = scene.modes.forbids(+EffectId::axis_locks, body) ? Locks(0) : locks;
   hold_velocity(scene, body, state.q[body], state.v[body], state.omega[body]);
   state.mark_written(body);
   ++scene.revision;

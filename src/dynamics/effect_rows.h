@@ -1,4 +1,4 @@
-// The rows of the table by number, and what a host says about them beyond what its scene calls for.
+// Effects by number, and what a host says about them beyond what its scene calls for.
 #pragma once
 
 #include <array>
@@ -7,14 +7,44 @@
 
 namespace carom::dynamics {
 
-/// As CAROM_EFFECT_*. What reads velocities comes before what does not, in each of the two groups of force effects.
-inline constexpr std::size_t kGyroscopicRow = 0, kLinearDampingRow = 1, kAngularDampingRow = 2, kGravityRow = 3,
-                             kUserForceRow = 4, kUserTorqueRow = 5, kCollisionRow = 6, kFrictionRow = 7,
-                             kRestitutionRow = 8, kRollingRow = 9, kSpinningRow = 10, kSleepRow = 11,
-                             kParticlesRow = 12, kFilterRow = 13, kSensorRow = 14, kJointsRow = 15, kSceneryRow = 16,
-                             kContinuousRow = 17, kSurfaceRow = 18, kLocksRow = 19, kDragRow = 20, kWindRow = 21,
-                             kFieldsRow = 22, kSpringsRow = 23, kBuoyancyRow = 24, kResponseRow = 25, kLimitsRow = 26,
-                             kMotorsRow = 27, kEventsRow = 28, kLedgerRow = 29, kEffectCount = 30;
+/// What may happen in a step; as CAROM_EFFECT_*. What reads velocities comes before what does not, in each of the two
+/// groups of force effects.
+enum class EffectId : std::uint32_t {
+  gyroscopic,
+  linear_damping,
+  angular_damping,
+  gravity,
+  user_force,
+  user_torque,
+  collision,
+  friction,
+  restitution,
+  rolling_resistance,
+  spinning_resistance,
+  sleep,
+  particles,
+  filter,
+  sensor,
+  joints,
+  scenery,
+  continuous,
+  surface_velocity,
+  axis_locks,
+  drag,
+  wind,
+  fields,
+  springs,
+  buoyancy,
+  response,
+  joint_limits,
+  joint_motors,
+  events,
+  ledger,
+  count
+};
+/// Its place in tables.
+constexpr std::size_t operator+(EffectId id) { return static_cast<std::size_t>(id); }
+inline constexpr std::size_t kEffectCount = +EffectId::count;
 
 /// As CAROM_MODE_*.
 enum class EffectMode : std::uint8_t { as_needed, forbid, force };

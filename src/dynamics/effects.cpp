@@ -2,7 +2,7 @@
 #include "dynamics/effects.h"
 
 #include <algorithm>
-#include <string_view>
+#include <iterator>
 
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/events/events.h"
@@ -21,11 +21,6 @@ void find_colliders(const Scene& scene, const State&, Customers& customers) {
   for (const std::uint32_t slot : c.active)
     if (!(c.muted[slot] & Colliders::kFaulty)) customers.add(slot);
 }
-// Counted elsewhere: contacts where they are built, particles by plan_particles(), joints and springs where they are
-// planned, hosts that want events by begin_events(). Who moves far for its size joins the flagged customers of
-// `continuous` in find_swept().
-void find_elsewhere(const Scene&, const State&, Customers&) {}
-
 void everyone(const Scene& scene, const State& state, Customers& customers) {
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
     if (responds(scene, state, i)) customers.add(i);
@@ -36,121 +31,138 @@ void everyone_that_turns(const Scene& scene, const State& state, Customers& cust
 }
 
 using enum CustomerKind;
-// clang-format off
-constexpr std::array<Effect, kEffectCount> kEffectTable = {{
-    // stage, name, customers are
-    //     who may be one, who is in this step | force, flow, its decay rate | whom it can be forced on
-    //     called by | missing
-    {Stage::integrate, "gyroscopic", bodies,
-     gyroscopic::find, gyroscopic::wakes, gyroscopic::force, gyroscopic::flow, nullptr, everyone_that_turns,
-     "bodies with unlike moments of inertia that spin", "no body with unlike moments of inertia, or dial rotation is none"},
-    {Stage::integrate, "linear_damping", bodies,
-     linear_damping::find, nullptr, linear_damping::force, linear_damping::flow, linear_damping::rate, everyone,
-     "bodies with linear damping", "no body has linear damping"},
-    {Stage::integrate, "angular_damping", bodies,
-     angular_damping::find, nullptr, angular_damping::force, angular_damping::flow, angular_damping::rate, everyone_that_turns,
-     "bodies with angular damping that turn", "no body that turns has angular damping"},
-    {Stage::integrate, "gravity", bodies,
-     gravity::find, nullptr, gravity::force, nullptr, nullptr, everyone,
-     "bodies with weight", "gravity is zero, or no body feels it"},
-    {Stage::integrate, "user_force", bodies,
-     user_force::find, nullptr, user_force::force, nullptr, nullptr, nullptr,
-     "bodies with a force from the host for this step", "the host asked for no force in this step"},
-    {Stage::integrate, "user_torque", bodies,
-     user_torque::find, nullptr, user_torque::force, nullptr, nullptr, nullptr,
-     "bodies with a torque from the host for this step", "the host asked for no torque in this step"},
-    {Stage::broad, "collision", colliders,
-     find_colliders, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "colliders of which two can touch", "no two colliders of which one can move"},
-    {Stage::solve, "friction", contact_points,
-     find_elsewhere, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "contact points with friction", "no pair that touches mixes to a friction above 0"},
-    {Stage::solve, "restitution", contact_points,
-     find_elsewhere, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "contact points with a restitution", "no pair that touches mixes to a restitution above 0"},
-    {Stage::solve, "rolling_resistance", contact_pairs,
-     find_elsewhere, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "pairs that resist rolling", "no pair that touches resists rolling"},
-    {Stage::solve, "spinning_resistance", contact_pairs,
-     find_elsewhere, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "pairs that resist spinning", "no pair that touches resists spinning"},
-    {Stage::observe, "sleep", bodies,
-     sleeping::find, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "bodies that are awake and may fall asleep", "dial sleep is off, or all sleep"},
-    {Stage::integrate, "particles", particles,
-     find_elsewhere, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "particles", "no particles"},
-    {Stage::broad, "filter", colliders,
-     filtering::find, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "colliders with a filter", "no collider has a filter"},
-    {Stage::broad, "sensor", colliders,
-     sensing::find, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "sensors", "no collider is a sensor"},
-    {Stage::solve, "joints", joints,
-     find_elsewhere, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "joints that hold a body which is awake", "no joint holds a body that is awake"},
-    {Stage::narrow, "scenery", colliders,
-     scenery::find, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "meshes and height fields", "no collider is a mesh or height field"},
-    {Stage::solve, "continuous", bodies,
-     continuous::find, nullptr, nullptr, nullptr, nullptr, everyone,
-     "bodies that are flagged, or fast for their size", "no body is flagged, and none was fast for its size"},
-    {Stage::solve, "surface_velocity", contact_points,
-     find_elsewhere, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "contact points on surfaces that move", "nothing touches a surface that moves"},
-    {Stage::integrate, "axis_locks", bodies,
-     axis_locks::find, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "bodies with locked axes", "no body has a locked axis"},
-    {Stage::integrate, "drag", bodies,
-     drag::find, nullptr, drag::force, drag::flow, drag::rate, everyone,
-     "bodies that air resists", "no body has drag"},
-    {Stage::integrate, "wind", bodies,
-     wind::find, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "bodies with drag, in a wind", "no wind, or no body has drag"},
-    {Stage::integrate, "fields", bodies,
-     fields::find, nullptr, fields::force, nullptr, nullptr, everyone,
-     "bodies that feel a field", "no field, or no body feels one"},
-    {Stage::integrate, "springs", springs,
-     springs::find, nullptr, springs::force, nullptr, nullptr, nullptr,
-     "springs with an end that moves", "no spring, or all its bodies sleep"},
-    {Stage::integrate, "buoyancy", bodies,
-     buoyancy::find, buoyancy::wakes, buoyancy::force, nullptr, nullptr, nullptr,
-     "bodies in the water", "no water, or no body with a volume in it"},
-    {Stage::solve, "response", contact_pairs,
-     find_elsewhere, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "pairs that touch", "nothing touches"},
-    {Stage::solve, "joint_limits", joints,
-     find_elsewhere, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "joints with a limit", "no joint with a limit holds a body that is awake"},
-    {Stage::solve, "joint_motors", joints,
-     find_elsewhere, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "joints with a motor", "no joint with a motor holds a body that is awake"},
-    {Stage::observe, "events", hosts,
-     find_elsewhere, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "a host that collects events", "no host collects events"},
-    {Stage::observe, "ledger", bodies,
-     find_elsewhere, nullptr, nullptr, nullptr, nullptr, nullptr,
-     "bodies and particles whose energy and momentum are booked", "no host keeps a ledger"},
-}};
-// clang-format on
 
-constexpr bool is_row(std::size_t row, const char* name) { return std::string_view(kEffectTable[row].name) == name; }
-static_assert(is_row(kGyroscopicRow, "gyroscopic") && is_row(kLinearDampingRow, "linear_damping") &&
-              is_row(kAngularDampingRow, "angular_damping") && is_row(kGravityRow, "gravity") &&
-              is_row(kUserForceRow, "user_force") && is_row(kUserTorqueRow, "user_torque") &&
-              is_row(kCollisionRow, "collision") && is_row(kFrictionRow, "friction") &&
-              is_row(kRestitutionRow, "restitution") && is_row(kRollingRow, "rolling_resistance") &&
-              is_row(kSpinningRow, "spinning_resistance") && is_row(kSleepRow, "sleep") &&
-              is_row(kParticlesRow, "particles") && is_row(kFilterRow, "filter") && is_row(kSensorRow, "sensor") &&
-              is_row(kJointsRow, "joints") && is_row(kSceneryRow, "scenery") && is_row(kContinuousRow, "continuous") &&
-              is_row(kSurfaceRow, "surface_velocity") && is_row(kLocksRow, "axis_locks") && is_row(kDragRow, "drag") &&
-              is_row(kWindRow, "wind") && is_row(kFieldsRow, "fields") && is_row(kSpringsRow, "springs") &&
-              is_row(kBuoyancyRow, "buoyancy") && is_row(kResponseRow, "response") &&
-              is_row(kLimitsRow, "joint_limits") && is_row(kMotorsRow, "joint_motors") &&
-              is_row(kEventsRow, "events") && is_row(kLedgerRow, "ledger"));
+/// Fields that a row leaves out are null; participants that `find` does not find are counted by the stage that makes them
+/// (contacts, joints, springs, particles, hosts): count_participants().
+constexpr Effect kEffectRows[] = {
+    {.id = EffectId::gyroscopic, .name = "gyroscopic", .stage = Stage::integrate, .customers = bodies,
+     .find = gyroscopic::find, .wakes = gyroscopic::wakes, .force = gyroscopic::force, .flow = gyroscopic::flow,
+     .everyone = everyone_that_turns,
+     .called_by = "bodies with unlike moments of inertia that spin",
+     .missing = "no body with unlike moments of inertia, or dial rotation is none"},
+    {.id = EffectId::linear_damping, .name = "linear_damping", .stage = Stage::integrate, .customers = bodies,
+     .find = linear_damping::find, .force = linear_damping::force, .flow = linear_damping::flow,
+     .rate = linear_damping::rate, .everyone = everyone,
+     .called_by = "bodies with linear damping",
+     .missing = "no body has linear damping"},
+    {.id = EffectId::angular_damping, .name = "angular_damping", .stage = Stage::integrate, .customers = bodies,
+     .find = angular_damping::find, .force = angular_damping::force, .flow = angular_damping::flow,
+     .rate = angular_damping::rate, .everyone = everyone_that_turns,
+     .called_by = "bodies with angular damping that turn",
+     .missing = "no body that turns has angular damping"},
+    {.id = EffectId::gravity, .name = "gravity", .stage = Stage::integrate, .customers = bodies,
+     .find = gravity::find, .force = gravity::force, .everyone = everyone,
+     .called_by = "bodies with weight",
+     .missing = "gravity is zero, or no body feels it"},
+    {.id = EffectId::user_force, .name = "user_force", .stage = Stage::integrate, .customers = bodies,
+     .find = user_force::find, .force = user_force::force,
+     .called_by = "bodies with a force from the host for this step",
+     .missing = "the host asked for no force in this step"},
+    {.id = EffectId::user_torque, .name = "user_torque", .stage = Stage::integrate, .customers = bodies,
+     .find = user_torque::find, .force = user_torque::force,
+     .called_by = "bodies with a torque from the host for this step",
+     .missing = "the host asked for no torque in this step"},
+    {.id = EffectId::collision, .name = "collision", .stage = Stage::broad, .customers = colliders,
+     .find = find_colliders,
+     .called_by = "colliders of which two can touch",
+     .missing = "no two colliders of which one can move"},
+    {.id = EffectId::friction, .name = "friction", .stage = Stage::solve, .customers = contact_points,
+     .called_by = "contact points with friction",
+     .missing = "no pair that touches mixes to a friction above 0"},
+    {.id = EffectId::restitution, .name = "restitution", .stage = Stage::solve, .customers = contact_points,
+     .called_by = "contact points with a restitution",
+     .missing = "no pair that touches mixes to a restitution above 0"},
+    {.id = EffectId::rolling_resistance, .name = "rolling_resistance", .stage = Stage::solve, .customers = contact_pairs,
+     .called_by = "pairs that resist rolling",
+     .missing = "no pair that touches resists rolling"},
+    {.id = EffectId::spinning_resistance, .name = "spinning_resistance", .stage = Stage::solve, .customers = contact_pairs,
+     .called_by = "pairs that resist spinning",
+     .missing = "no pair that touches resists spinning"},
+    {.id = EffectId::sleep, .name = "sleep", .stage = Stage::observe, .customers = bodies,
+     .find = sleeping::find,
+     .called_by = "bodies that are awake and may fall asleep",
+     .missing = "dial sleep is off, or all sleep"},
+    {.id = EffectId::particles, .name = "particles", .stage = Stage::integrate, .customers = particles,
+     .called_by = "particles",
+     .missing = "no particles"},
+    {.id = EffectId::filter, .name = "filter", .stage = Stage::broad, .customers = colliders,
+     .find = filtering::find,
+     .called_by = "colliders with a filter",
+     .missing = "no collider has a filter"},
+    {.id = EffectId::sensor, .name = "sensor", .stage = Stage::broad, .customers = colliders,
+     .find = sensing::find,
+     .called_by = "sensors",
+     .missing = "no collider is a sensor"},
+    {.id = EffectId::joints, .name = "joints", .stage = Stage::solve, .customers = joints,
+     .called_by = "joints that hold a body which is awake",
+     .missing = "no joint holds a body that is awake"},
+    {.id = EffectId::scenery, .name = "scenery", .stage = Stage::narrow, .customers = colliders,
+     .find = scenery::find,
+     .called_by = "meshes and height fields",
+     .missing = "no collider is a mesh or height field"},
+    {.id = EffectId::continuous, .name = "continuous", .stage = Stage::solve, .customers = bodies,
+     .find = continuous::find, .everyone = everyone,
+     .called_by = "bodies that are flagged, or fast for their size",
+     .missing = "no body is flagged, and none was fast for its size"},
+    {.id = EffectId::surface_velocity, .name = "surface_velocity", .stage = Stage::solve, .customers = contact_points,
+     .called_by = "contact points on surfaces that move",
+     .missing = "nothing touches a surface that moves"},
+    {.id = EffectId::axis_locks, .name = "axis_locks", .stage = Stage::integrate, .customers = bodies,
+     .find = axis_locks::find,
+     .called_by = "bodies with locked axes",
+     .missing = "no body has a locked axis"},
+    {.id = EffectId::drag, .name = "drag", .stage = Stage::integrate, .customers = bodies,
+     .find = drag::find, .force = drag::force, .flow = drag::flow, .rate = drag::rate, .everyone = everyone,
+     .called_by = "bodies that air resists",
+     .missing = "no body has drag"},
+    {.id = EffectId::wind, .name = "wind", .stage = Stage::integrate, .customers = bodies,
+     .find = wind::find,
+     .called_by = "bodies with drag, in a wind",
+     .missing = "no wind, or no body has drag"},
+    {.id = EffectId::fields, .name = "fields", .stage = Stage::integrate, .customers = bodies,
+     .find = fields::find, .force = fields::force, .everyone = everyone,
+     .called_by = "bodies that feel a field",
+     .missing = "no field, or no body feels one"},
+    {.id = EffectId::springs, .name = "springs", .stage = Stage::integrate, .customers = springs,
+     .find = springs::find, .force = springs::force,
+     .called_by = "springs with an end that moves",
+     .missing = "no spring, or all its bodies sleep"},
+    {.id = EffectId::buoyancy, .name = "buoyancy", .stage = Stage::integrate, .customers = bodies,
+     .find = buoyancy::find, .wakes = buoyancy::wakes, .force = buoyancy::force,
+     .called_by = "bodies in the water",
+     .missing = "no water, or no body with a volume in it"},
+    {.id = EffectId::response, .name = "response", .stage = Stage::solve, .customers = contact_pairs,
+     .called_by = "pairs that touch",
+     .missing = "nothing touches"},
+    {.id = EffectId::joint_limits, .name = "joint_limits", .stage = Stage::solve, .customers = joints,
+     .called_by = "joints with a limit",
+     .missing = "no joint with a limit holds a body that is awake"},
+    {.id = EffectId::joint_motors, .name = "joint_motors", .stage = Stage::solve, .customers = joints,
+     .called_by = "joints with a motor",
+     .missing = "no joint with a motor holds a body that is awake"},
+    {.id = EffectId::events, .name = "events", .stage = Stage::observe, .customers = hosts,
+     .called_by = "a host that collects events",
+     .missing = "no host collects events"},
+    {.id = EffectId::ledger, .name = "ledger", .stage = Stage::observe, .customers = bodies,
+     .called_by = "bodies and particles whose energy and momentum are booked",
+     .missing = "no host keeps a ledger"},
+};
+
+/// By number. What has no row, or two, does not compile.
+constexpr std::array<Effect, kEffectCount> kEffectTable = [] {
+  std::array<Effect, kEffectCount> table{};
+  for (const Effect& row : kEffectRows) table[+row.id] = row;
+  return table;
+}();
+static_assert(std::size(kEffectRows) == kEffectCount);
+static_assert(std::all_of(kEffectTable.begin(), kEffectTable.end(), [](const Effect& row) { return row.name != nullptr; }));
 
 }  // namespace
 
 const std::array<Effect, kEffectCount>& effect_table() { return kEffectTable; }
+
+void count_participants(World& world, EffectId id, std::uint64_t count) {
+  world.plan->effects[+id].customers.count = count;
+}
 
 }  // namespace carom::dynamics

@@ -43,17 +43,19 @@ enum class CustomerKind : std::uint8_t {
 
 /// A row of the table.
 struct Effect {
-  Stage stage;
-  const char* name;
-  CustomerKind customers;
-  void (*find)(const Scene&, const State&, Customers&);           // who may be a customer, from what a host changes
-  bool (*wakes)(const Scene&, const State&, std::uint32_t slot);  // null, or: is this one a customer in this step?
-  ForceFn force;                                                  // null: served by its stage, not by the integrator
-  FlowFn flow;                                                    // null: there is no closed form
-  Real (*rate)(const Scene&, const State&, const Customers&);     // 1/s, fastest decay among them; null: none decays
-  void (*everyone)(const Scene&, const State&, Customers&);       // whom it can be forced on; null: on nobody
-  const char* called_by;                                          // what customers are: "bodies with ..."
-  const char* missing;                                            // what a scene without any lacks
+  EffectId id{};
+  const char* name = nullptr;
+  Stage stage{};
+  CustomerKind customers{};
+  // Who may be a customer, from what a host changes; null: a stage counts them, @see count_participants()
+  void (*find)(const Scene&, const State&, Customers&) = nullptr;
+  bool (*wakes)(const Scene&, const State&, std::uint32_t slot) = nullptr;  // or: is this one a customer in this step?
+  ForceFn force = nullptr;  // null: served by its stage, not by the integrator
+  FlowFn flow = nullptr;    // null: there is no closed form
+  Real (*rate)(const Scene&, const State&, const Customers&) = nullptr;   // 1/s, fastest decay; null: none decays
+  void (*everyone)(const Scene&, const State&, Customers&) = nullptr;     // whom it can be forced on; null: on nobody
+  const char* called_by = nullptr;                                        // what customers are: "bodies with ..."
+  const char* missing = nullptr;                                          // what a scene without any lacks
 };
 
 /// What does the work of a planned row.
@@ -67,9 +69,9 @@ struct PlannedEffect {
   Customers customers;   // of this step: the candidates that wake
   Customers calling;     // where it is forced on some: the candidates that would be without that
   bool is_forced = false;
+  Served served = Served::stage;
   std::uint64_t wanted = 0;  // candidates of the scene, whatever a host forbids or forces
   Real rate = 0;             // 1/s, effect->rate of the candidates
-  Served served = Served::stage;
   std::uint64_t evaluations = 0;  // customers served since the world was made
   double seconds = 0;             // of this step, as far as it has a room of its own, @see World::times_effects
 };
@@ -114,6 +116,10 @@ struct Plan {
   const Solver* solver = nullptr;
   Proposal proposal;
   Owned<FreeFlight> flight;          // null: nobody has flown beside others yet
+  struct Begun {
+    Vec3 v, omega;  // m/s, rad/s, world: before the forces of the substep
+  };
+  Array<Begun> begun;                // by body, of those that somebody asks for, @see begin_substep()
   Array<std::uint8_t> touched;       // by body: a solver changed its velocity in this substep
   Array<Mat3> rotation;              // by body: body -> world, at the start of the step
   Customers sprung;                  // bodies that springs act on in this step
@@ -135,6 +141,9 @@ struct Plan {
 
 /// The table, in the order in which effects act within a kick: those that read velocities first.
 const std::array<Effect, kEffectCount>& effect_table();
+
+/// For effects whose participants a stage makes or counts: how many there are in this step.
+void count_participants(World& world, EffectId id, std::uint64_t count);
 
 /// A row's candidates: who the scene calls for, but for whom a host forbids it, with whom it forces it on.
 void find_candidates(World& world, PlannedEffect& row);

@@ -15,14 +15,14 @@ bool lets_touch(const Scene& scene, std::uint32_t a, std::uint32_t b) {
   const Colliders& c = scene.colliders;
   const std::uint32_t body_a = c.body[a], body_b = c.body[b];
   const auto filter = [&](std::uint32_t collider, std::uint32_t body) {
-    return scene.modes.forbids(kFilterRow, body) ? Filter() : c.filter_of(collider);
+    return scene.modes.forbids(+EffectId::filter, body) ? Filter() : c.filter_of(collider);
   };
   return let_touch(filter(a, body_a), filter(b, body_b)) && !scene.apart.has(body_a, body_b) &&
          !scene.joined.has(body_a, body_b);
 }
 
 bool any_held_apart(const World& world) {
-  return world.plan->effects[kFilterRow].customers.count > 0 || !world.scene.apart.empty() ||
+  return world.plan->effects[+EffectId::filter].customers.count > 0 || !world.scene.apart.empty() ||
          !world.scene.joined.empty();
 }
 

@@ -29,7 +29,7 @@ void plan_rows(World& world, Plan& plan) {
   plan.integrator = integrators[dials.choice(Dial::integrator)];
   const Solver* solvers[] = {&kSeverity, &kSequential, &kSoftStep, &kDirect, &kAuto};
   plan.solver = solvers[dials.choice(Dial::solver)];
-  plan.watches_speed = dials.choice(Dial::continuous) == kSweepFast && !world.scene.modes.forbids(kContinuousRow);
+  plan.watches_speed = dials.choice(Dial::continuous) == kSweepFast && !world.scene.modes.forbids(+EffectId::continuous);
   const std::uint32_t rotation = dials.choice(Dial::rotation);
   plan.rotation_method = plan.integrator->forces_only ? nullptr : rotation_method(rotation);
   for (PlannedEffect& row : plan.effects) {
@@ -53,7 +53,7 @@ void plan_principal(World& world, Plan& plan, std::uint32_t slots) {
   plan.principal.resize(slots);
   plan.proposal.omega.resize(slots, Vec3::zero());
   if (plan.rotation_method)
-    plan.effects[kGyroscopicRow].candidates.each(
+    plan.effects[+EffectId::gyroscopic].candidates.each(
         [&](std::uint32_t i) { plan.principal[i] = principal_axes(world.scene.inertia[i]); });
 }
 
@@ -70,10 +70,10 @@ void plan_bodies(World& world, Plan& plan) {
   plan.proposal.x.resize(plan.integrator->proposes ? slots : 0, Vec3::zero());
   plan.proposal.q.resize(plan.integrator->proposes || plan.rotation_method ? slots : 0, Quat::identity());
   plan_principal(world, plan, plan.rotation_method ? slots : 0);
-  const PlannedEffect& gyro = plan.effects[kGyroscopicRow];
+  const PlannedEffect& gyro = plan.effects[+EffectId::gyroscopic];
   plan.reads_velocities = !plan.integrator->forces_only &&
                           ((gyro.served == Served::force && gyro.candidates.count > 0) ||
-                           plan.effects[kBuoyancyRow].candidates.count > 0 || scene.springs.slots.alive_count() > 0);
+                           plan.effects[+EffectId::buoyancy].candidates.count > 0 || scene.springs.slots.alive_count() > 0);
   plan.read_v.resize(plan.reads_velocities ? slots : 0, Vec3::zero());
   plan.read_omega.resize(plan.read_v.size(), Vec3::zero());
   plan.scratch_vectors.resize(plan.integrator->vectors * slots, Vec3::zero());
@@ -95,9 +95,9 @@ void plan_solid(World& world, Plan& plan) {
 
 /// In every step: a host may add and remove particles in each, and a plan made anew costs as much as all bodies.
 void plan_particles(const World& world, Plan& plan) {
-  PlannedEffect& row = plan.effects[kParticlesRow];
+  PlannedEffect& row = plan.effects[+EffectId::particles];
   row.wanted = world.particles.count() - world.particles.held_count();
-  row.customers.count = world.scene.modes.forbids(kParticlesRow) ? 0 : row.wanted;
+  row.customers.count = world.scene.modes.forbids(+EffectId::particles) ? 0 : row.wanted;
   plan.runs[static_cast<std::size_t>(Stage::integrate)] =
       plan.linear.count + plan.rotating.count + plan.kinematic.count + world.particles.count() > 0;
 }
@@ -114,9 +114,9 @@ void plan_colliders(World& world, Plan& plan) {
     const std::uint32_t body = c.body[slot];
     const bool faulty = std::find(plan.faulty.begin(), plan.faulty.end(), c.shape[slot]) != plan.faulty.end();
     const EffectModes& modes = world.scene.modes;
-    const bool forbidden = modes.forbids(kCollisionRow, body) ||
-                           (is_scenery(*c.shape[slot]) && modes.forbids(kSceneryRow, body)) ||
-                           (c.is_sensor(slot) && modes.forbids(kSensorRow, body));
+    const bool forbidden = modes.forbids(+EffectId::collision, body) ||
+                           (is_scenery(*c.shape[slot]) && modes.forbids(+EffectId::scenery, body)) ||
+                           (c.is_sensor(slot) && modes.forbids(+EffectId::sensor, body));
     c.muted[slot] = static_cast<std::uint8_t>((faulty || world.state.quarantined[body] ? Colliders::kFaulty : 0) |
                                               (forbidden ? Colliders::kForbidden : 0));
     plan.local[slot] = Frame(c.local[slot].q.matrix(), c.local[slot].p - world.scene.center[body]);
@@ -135,13 +135,13 @@ void find_candidates(World& world, PlannedEffect& row) {
   const EffectModes& modes = scene.modes;
   const auto k = static_cast<std::size_t>(&row - world.plan->effects.data());
   row.candidates.clear();
-  effect.find(scene, world.state, row.candidates);
+  if (effect.find) effect.find(scene, world.state, row.candidates);
   row.wanted = row.candidates.count;
   row.is_forced = effect.everyone && (modes.of_world(k) == EffectMode::force || !modes.forced_of.empty());
   if (modes.forbids(k)) return row.candidates.clear();
   if (row.is_forced) row.calling = row.candidates;
   const bool by_body =
-      k != kSleepRow && (effect.customers == CustomerKind::bodies || effect.customers == CustomerKind::colliders);
+      k != +EffectId::sleep && (effect.customers == CustomerKind::bodies || effect.customers == CustomerKind::colliders);
   if (row.is_forced && modes.of_world(k) == EffectMode::force) {
     row.candidates.clear();
     effect.everyone(scene, world.state, row.candidates);
@@ -173,6 +173,7 @@ Plan::Plan(Memory* m)
       principal(m),
       carried(m),
       proposal(m),
+      begun(m),
       touched(m),
       rotation(m),
       sprung(m),
@@ -202,11 +203,11 @@ bool from_host(const Effect& effect) { return effect.force == user_force::force 
 void plan_stages(World& world, Plan& plan) {
   const auto on = [&](Stage s) -> bool& { return plan.runs[static_cast<std::size_t>(s)]; };
   const Colliders& c = world.scene.colliders;
-  const std::size_t asleep = c.live.size() - c.active.size(), awake = plan.effects[kCollisionRow].candidates.count;
-  const bool forced = world.scene.modes.of_world(kCollisionRow) == EffectMode::force && !c.active.empty();
+  const std::size_t asleep = c.live.size() - c.active.size(), awake = plan.effects[+EffectId::collision].candidates.count;
+  const bool forced = world.scene.modes.of_world(+EffectId::collision) == EffectMode::force && !c.active.empty();
   const bool pairs = (awake > 0 && awake + asleep >= 2) || forced;
   const bool joints = world.wide_joints->any();
-  plan.effects[kJointsRow].customers.count = world.wide_joints->active.size();
+  count_participants(world, EffectId::joints, world.wide_joints->active.size());
   on(Stage::refresh) = on(Stage::observe) = true;
   plan_solid(world, plan);
   plan_particles(world, plan);
@@ -274,14 +275,14 @@ void find_readers(World& world) {
   const auto add = [&](std::uint32_t i) {
     if (i != kTheWorld && responds(world.scene, world.state, i)) bodies.push_back(i);
   };
-  plan.effects[kSpringsRow].customers.each([&](std::uint32_t k) {
+  plan.effects[+EffectId::springs].customers.each([&](std::uint32_t k) {
     const SpringDef& def = world.scene.springs.def[k];
     add(def.body_a), add(def.body_b);
   });
   list(bodies, plan.sprung);
   if (!plan.reads_velocities) return;
-  if (const PlannedEffect& gyro = plan.effects[kGyroscopicRow]; gyro.served == Served::force) gyro.customers.each(add);
-  plan.effects[kBuoyancyRow].customers.each(add);
+  if (const PlannedEffect& gyro = plan.effects[+EffectId::gyroscopic]; gyro.served == Served::force) gyro.customers.each(add);
+  plan.effects[+EffectId::buoyancy].customers.each(add);
   list(bodies, plan.readers);
 }
 
@@ -299,8 +300,8 @@ void find_customers(World& world) {
   }
   find_readers(world);
   if (!plan.rotation_method) return;
-  plan.effects[kGyroscopicRow].candidates.each([&](std::uint32_t i) { plan.carried[i] = 0; });
-  plan.effects[kGyroscopicRow].customers.each([&](std::uint32_t i) { plan.carried[i] = 1; });
+  plan.effects[+EffectId::gyroscopic].candidates.each([&](std::uint32_t i) { plan.carried[i] = 0; });
+  plan.effects[+EffectId::gyroscopic].customers.each([&](std::uint32_t i) { plan.carried[i] = 1; });
 }
 
 void refresh(World& world, const StepTime& time) {
@@ -315,7 +316,7 @@ void refresh(World& world, const StepTime& time) {
     plan_bodies(world, plan);
     plan_joints(world);
     plan_springs(world);
-    if (plan.effects[kBuoyancyRow].candidates.count) make_floats(world.scene, world.memory);
+    if (plan.effects[+EffectId::buoyancy].candidates.count) make_floats(world.scene, world.memory);
     plan_stages(world, plan);
     plan_sleep(world, plan);
     plan.revision = world.scene.revision;
@@ -342,7 +343,7 @@ void refresh(World& world, const StepTime& time) {
       row.served = row.rate * time.dt > plan.substeps ? Served::flow : Served::force;
     }
   }
-  plan.effects[kLedgerRow].wanted = world.ledger ? plan.linear.count + plan.rotating.count : 0;
+  plan.effects[+EffectId::ledger].wanted = world.ledger ? plan.linear.count + plan.rotating.count : 0;
   const Real h = time.dt / plan.substeps;  // time.h is of the last step's plan
   carry_springs(world, h);
   world.scene.water.most_rate = 1 / h;

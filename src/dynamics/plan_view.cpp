@@ -25,51 +25,51 @@ std::uint64_t own_bytes(const World& world, std::size_t row) {
   const Sleep& z = *world.sleep;
   const Events& e = *world.events;
   switch (row) {
-    case kGyroscopicRow:
+    case +EffectId::gyroscopic:
       return bytes_of(world.plan->principal, world.plan->carried);
-    case kGravityRow:
+    case +EffectId::gravity:
       return bytes_of(s.gravity_factor);
-    case kRestitutionRow:
+    case +EffectId::restitution:
       return bytes_of(world.contacts->bouncing, world.contacts->impacts);
-    case kRollingRow:
+    case +EffectId::rolling_resistance:
       return bytes_of(world.contacts->resisting);
-    case kSurfaceRow:
+    case +EffectId::surface_velocity:
       return bytes_of(s.surface, world.contacts->driven, world.contacts->surface);
-    case kFilterRow:
+    case +EffectId::filter:
       return bytes_of(s.colliders.filter);
-    case kSensorRow:
+    case +EffectId::sensor:
       return bytes_of(s.colliders.sensor);
-    case kSleepRow:
+    case +EffectId::sleep:
       return bytes_of(world.state.asleep, z.parked, z.ring, z.calm, z.anchor_x, z.anchor_q, z.radius, z.rows, z.kept_first,
                       z.root, z.restless, z.in_tree, z.kept);
-    case kParticlesRow: {
+    case +EffectId::particles: {
       std::uint64_t sum = 0;
       for (const ParticleSet& set : world.particles.set)
         sum += bytes_of(set.x[0], set.x[1], set.x[2], set.v[0], set.v[1], set.v[2], set.mass, set.held, set.sums);
       return sum;
     }
-    case kJointsRow:
+    case +EffectId::joints:
       return bytes_of(world.joints.joint, world.joints.first, world.wide_joints->joints, world.wide_joints->active,
                       world.wide_joints->linked);
-    case kContinuousRow:
+    case +EffectId::continuous:
       return bytes_of(world.continuous->bodies, world.continuous->index, world.continuous->hits);
-    case kLocksRow:
+    case +EffectId::axis_locks:
       return bytes_of(s.locks, s.given_locks);
-    case kDragRow:
+    case +EffectId::drag:
       return bytes_of(s.drag);
-    case kFieldsRow:
+    case +EffectId::fields:
       return bytes_of(s.fields.def, s.fields.mask);
-    case kSpringsRow:
+    case +EffectId::springs:
       return bytes_of(s.springs.def, s.springs.stiffness, s.springs.damping, s.springs.ends, s.springs.load);
-    case kBuoyancyRow: {
+    case +EffectId::buoyancy: {
       std::uint64_t sum = bytes_of(s.water.float_of, s.water.floats);
       for (const Float& f : s.water.floats) sum += bytes_of(f.corner);
       return sum;
     }
-    case kEventsRow:
+    case +EffectId::events:
       return bytes_of(e.contacts, e.sensors, e.sleep, e.joints, e.faults, e.touching, e.within, e.spare, e.approach,
                       e.sensor_pairs, e.slept);
-    case kLedgerRow:
+    case +EffectId::ledger:
       if (!world.ledger) return 0;
       return sizeof(Ledger) + bytes_of(world.ledger->body, world.ledger->kicks, world.ledger->probe,
                                        world.ledger->body_amount, world.ledger->set_amount, world.ledger->old_points,
@@ -87,8 +87,8 @@ const char* unit_of(CustomerKind kind) {
 
 /// Who works within the loops of a stage, in whose time its own is.
 bool is_in_stage(std::size_t row) {
-  for (const std::size_t inside : {kFrictionRow, kSpinningRow, kSurfaceRow, kResponseRow, kJointsRow, kLimitsRow,
-                                   kMotorsRow, kFilterRow, kSensorRow, kSceneryRow, kLocksRow, kWindRow, kLedgerRow})
+  for (const std::size_t inside : {+EffectId::friction, +EffectId::spinning_resistance, +EffectId::surface_velocity, +EffectId::response, +EffectId::joints, +EffectId::joint_limits,
+                                   +EffectId::joint_motors, +EffectId::filter, +EffectId::sensor, +EffectId::scenery, +EffectId::axis_locks, +EffectId::wind, +EffectId::ledger})
     if (row == inside) return true;
   return false;
 }
@@ -121,7 +121,7 @@ void explain(const World& world, std::size_t row, const PlannedEffect& effect, P
     return count("forced by the host on %llu %s; the scene calls for %llu", customers, line.unit, wanted);
   if (line.mode == EffectMode::force)
     return count("forced by the host, but there is nothing it can act on: %s", e.missing);
-  if (row == kSpringsRow && line.runs && world.scene.springs.softened > 0)
+  if (row == +EffectId::springs && line.runs && world.scene.springs.softened > 0)
     return count("%llu springs, %llu stiffer than a substep carries: softened; more substeps, or joints", customers,
                  static_cast<unsigned long long>(world.scene.springs.softened));
   if (line.runs && of_bodies && wanted > customers)

@@ -82,7 +82,7 @@ void measure_energy(const World& world, Residuals& r) {
   Sum<Real> energy{0};
   for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i)
     if (is_dynamic(world, i) && !is_lost(world, i)) energy.add(amount_now(world, i).energy());
-  if (!world.scene.modes.forbids(kGravityRow))
+  if (!world.scene.modes.forbids(+EffectId::gravity))
     for (const ParticleSet& set : world.particles.set)
       for (std::size_t i = 0; i < set.size(); ++i)
         if (!set.is_held(i))

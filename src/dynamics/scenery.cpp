@@ -129,7 +129,7 @@ void scenery::find(const Scene& scene, const State&, Customers& customers) {
 }
 
 void meet_scenery(World& world, const NarrowSettings& settings) {
-  if (world.plan->effects[kSceneryRow].customers.count == 0) return;
+  if (world.plan->effects[+EffectId::scenery].customers.count == 0) return;
   if (!world.plan->scenery) world.plan->scenery = make_owned<SceneryContacts>(world.memory, world.memory);
   SceneryContacts& s = *world.plan->scenery;
   const Colliders& c = world.scene.colliders;

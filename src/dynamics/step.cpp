@@ -1,31 +1,15 @@
-// THE PAGE: what a step does, in order. Each line names the stage that its time is booked under and the room that does
-// it.
+// A step: the stages of the table (stages.cpp), in order, those of a substep as often as there are substeps.
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 
-#include "dynamics/ccd/continuous.h"
-#include "dynamics/contact/impact.h"
-#include "dynamics/contact/mean_motion.h"
-#include "dynamics/contact/resistance.h"
-#include "dynamics/contact/surface.h"
-#include "dynamics/detect.h"
-#include "dynamics/effects.h"
-#include "dynamics/events/events.h"
-#include "dynamics/integrate/free_flight.h"
-#include "dynamics/integrate/integrator.h"
-#include "dynamics/island.h"
-#include "dynamics/joint/wide_joints.h"
-#include "dynamics/ledger/ledger.h"
 #include "dynamics/observe.h"
-#include "dynamics/particles/flight.h"
-#include "dynamics/quarantine.h"
-#include "dynamics/query/index.h"
-#include "dynamics/sleep/sleep.h"
-#include "dynamics/solver/solver.h"
+#include "dynamics/stages.h"
 
 namespace carom::dynamics {
 namespace {
 
-/// Runs a stage if it has customers, and books its time.
+/// Runs a stage if it has customers, and books what it did and its time.
 class Runner {
  public:
   Runner(World& world, Real dt) : world_(world), dt_(dt) {}
@@ -35,24 +19,35 @@ class Runner {
 
   int substeps() const { return world_.plan->substeps; }  // once the plan is made
 
-  /// @param effect  row of the table whose room this is, if it is one effect's
-  void operator()(Stage stage, void (*room)(World&, const StepTime&), std::size_t effect = kEffectCount) const {
-    const auto s = static_cast<std::size_t>(stage);
-    if (stage != Stage::refresh && !world_.plan->runs[s]) return;
+  void operator()(const StageEntry& entry) const {
+    const auto s = static_cast<std::size_t>(entry.stage);
+    if (entry.stage != Stage::refresh && !world_.plan->runs[s]) return;
     const auto start = Clock::now();
-    room(world_, {dt_, dt_ / substeps()});
+    if (world_.watches_stages)
+      watch(entry);
+    else
+      entry.run(world_, {dt_, dt_ / substeps()});
     const double seconds = seconds_since(start);
     world_.report.stage_seconds[s] += seconds;
-    if (effect < kEffectCount) world_.plan->effects[effect].seconds += seconds;
-    if (keeps_books(world_)) book(room);
+    if (entry.effect < kEffectCount) world_.plan->effects[entry.effect].seconds += seconds;
+    if (keeps_books(world_)) book(entry);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
-  /// What a room did, for who asked: after each room, so that none need know of it.
-  void book(void (*room)(World&, const StepTime&)) const {
+
+  /// A stage that writes what it does not declare is a bug of ours.
+  void watch(const StageEntry& entry) const {
+    const Parts undeclared = run_watched(entry, world_, {dt_, dt_ / substeps()});
+    for (std::size_t i = 0; i < kPartCount; ++i)
+      if (undeclared.has(static_cast<Part>(i)))
+        std::fprintf(stderr, "carom: stage '%.*s' writes %s; its entry in stages.cpp does not say so\n",
+                     static_cast<int>(entry.name.size()), entry.name.data(), part_name(static_cast<Part>(i)));
+    if (undeclared.bits) std::abort();
+  }
+  void book(const StageEntry& entry) const {
     const auto start = Clock::now();
-    book_room(world_, room, {dt_, dt_ / substeps()});
+    book_stage(world_, entry.booking, {dt_, dt_ / substeps()});
     world_.report.stage_seconds[static_cast<std::size_t>(Stage::observe)] += seconds_since(start);
   }
   static double seconds_since(Clock::time_point start) {
@@ -69,46 +64,15 @@ class Runner {
 void World::step(Real dt) {
   const Runner run(*this, dt);
   begin_report(*this);
-  run(Stage::refresh, admit);
-  run(Stage::refresh, refresh);
-  run(Stage::refresh, wake_touched);
-  run(Stage::broad, find_pairs, kCollisionRow);
-  run(Stage::narrow, find_contacts, kCollisionRow);
-  run(Stage::narrow, leave_to_sweep, kContinuousRow);
-  run(Stage::group, make_rows);
-  run(Stage::group, find_resistance);
-  run(Stage::group, find_surfaces);
-  run(Stage::group, link_joints);
-  run(Stage::group, list_moved_bodies);
-  run(Stage::group, find_groups);
-  run(Stage::solve, begin_contacts);
-  run(Stage::solve, begin_sweeps, kContinuousRow);
-  run(Stage::observe, begin_events, kEventsRow);
-  run(Stage::integrate, part_with_flyers);
-  for (int k = 0; k < run.substeps(); ++k) {
-    run(Stage::solve, note_starts);
-    run(Stage::solve, measure_approach);
-    run(Stage::solve, note_velocities);
-    run(Stage::solve, note_velocities_of_groups);
-    run(Stage::integrate, integrate_velocity);
-    run(Stage::solve, note_forces);
-    run(Stage::solve, answer_impacts, kRestitutionRow);
-    run(Stage::solve, hold_moments, kRollingRow);
-    run(Stage::solve, solve_velocities);
-    run(Stage::integrate, integrate_position);
-    run(Stage::relax, solve_positions);
-    run(Stage::solve, resist, kRollingRow);
-    run(Stage::solve, sweep, kContinuousRow);
+  const std::span<const StageEntry> table = stage_table();
+  for (auto first = table.begin(); first != table.end();) {
+    auto last = first;
+    while (last != table.end() && last->each_substep == first->each_substep) ++last;
+    const int times = first->each_substep ? run.substeps() : 1;
+    for (int k = 0; k < times; ++k)
+      for (auto entry = first; entry != last; ++entry) run(*entry);
+    first = last;
   }
-  run(Stage::solve, stop_strays);
-  run(Stage::integrate, fly_free);
-  run(Stage::integrate, fly, kParticlesRow);
-  run(Stage::solve, end_contacts);
-  run(Stage::solve, end_sweeps, kContinuousRow);
-  run(Stage::observe, observe);
-  run(Stage::observe, fall_asleep, kSleepRow);
-  run(Stage::observe, end_events, kEventsRow);
-  run(Stage::observe, note_who_moved);
 }
 
 }  // namespace carom::dynamics

@@ -175,6 +175,11 @@ class World {
   Owned<QueryIndex> queries;  // brought up to date by readers, who see to it that one does so at a time
   Memory* memory;
   bool times_effects = false;  // a host wants to know how long each effect takes
+#ifdef NDEBUG
+  bool watches_stages = false;  // slow: each writes only what it declares, or the program ends, @see stages.h
+#else
+  bool watches_stages = true;
+#endif
   Jobs* jobs = nullptr;  // who shares a step's loops; null: nobody
 };
 

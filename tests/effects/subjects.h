@@ -94,7 +94,7 @@ inline std::vector<Subject> subjects() {
     s.t.world.set_joint_drive(handle_slot(s.thing), Coordinate::twist, d);
   };
   return {
-      {kGyroscopicRow,
+      {+EffectId::gyroscopic,
        [](Stage0& s) {
          s.t.world.add_collider(s.one, s.t.keep(box(Vec3(0.1, 0.2, 0.3))), Pose{}, 1000, Colliders::kNoMaterial);
          s.t.world.scene.inertia[s.one] = Mat3::diagonal(Vec3(0.1, 0.2, 0.3));
@@ -106,38 +106,38 @@ inline std::vector<Subject> subjects() {
          s.t.world.scene.inertia[s.one] = Mat3::identity(), s.t.world.scene.inv_inertia[s.one] = Mat3::identity();
          ++s.t.world.scene.revision;
        }},
-      {kLinearDampingRow, damp(&BodyDef::linear_damping, 0.5), damp(&BodyDef::linear_damping, 0)},
-      {kAngularDampingRow, damp(&BodyDef::angular_damping, 0.5), damp(&BodyDef::angular_damping, 0)},
-      {kSceneryRow,
+      {+EffectId::linear_damping, damp(&BodyDef::linear_damping, 0.5), damp(&BodyDef::linear_damping, 0)},
+      {+EffectId::angular_damping, damp(&BodyDef::angular_damping, 0.5), damp(&BodyDef::angular_damping, 0)},
+      {+EffectId::scenery,
        [](Stage0& s) {
          s.touching();
          s.other_floor = s.t.add(s.t.keep(mesh(box_surface(Vec3(5, 1, 5)))), Vec3(0, -20, 0), BodyType::fixed);
        },
        [](Stage0& s) { s.t.world.remove_body(s.other_floor); }, false, true},
-      {kGravityRow,
+      {+EffectId::gravity,
        [](Stage0& s) {
          for (std::uint32_t i = 0; i < s.t.world.scene.bodies.slots(); ++i)
            if (i != s.one) s.t.world.set_gravity_factor(i, 0);
          s.t.world.set_gravity(Vec3(0, -9.81, 0));
        },
        [](Stage0& s) { s.t.world.set_gravity(Vec3::zero()); }},
-      {kDragRow, set_drag, unset_drag},
-      {kWindRow, [set_drag](Stage0& s) { set_drag(s), s.t.world.set_wind(Vec3(3, 0, 0)); },
+      {+EffectId::drag, set_drag, unset_drag},
+      {+EffectId::wind, [set_drag](Stage0& s) { set_drag(s), s.t.world.set_wind(Vec3(3, 0, 0)); },
        [](Stage0& s) { s.t.world.set_wind(Vec3::zero()); }},
-      {kFieldsRow,
+      {+EffectId::fields,
        [field](Stage0& s) {
          s.t.world.set_field_mask(s.one, 2);
          s.thing = s.t.world.add_field(field());
        },
        [](Stage0& s) { s.t.world.remove_field(handle_slot(s.thing)); }},
-      {kSpringsRow,
+      {+EffectId::springs,
        [](Stage0& s) {
          SpringDef d;
          d.body_a = s.one, d.anchor_b = Vec3(1, 2, 3), d.rest = 1, d.stiffness = 10;
          s.thing = s.t.world.add_spring(d);
        },
        [](Stage0& s) { s.t.world.remove_spring(handle_slot(s.thing)); }},
-      {kBuoyancyRow,
+      {+EffectId::buoyancy,
        [](Stage0& s) {
          s.t.world.add_collider(s.one, s.t.keep(sphere(0.5)), Pose{}, 1000, Colliders::kNoMaterial);
          s.t.world.set_gravity(Vec3::zero());
@@ -146,25 +146,25 @@ inline std::vector<Subject> subjects() {
          s.t.world.set_water(&water);
        },
        [](Stage0& s) { s.t.world.set_water(nullptr); }},
-      {kContinuousRow,
+      {+EffectId::continuous,
        [](Stage0& s) {
          s.touching();
          s.t.world.set_continuous(s.one, SweepMode::always);
        },
        [](Stage0& s) { s.t.world.set_continuous(s.one, SweepMode::automatic); }, false, true},
-      {kCollisionRow, touch_with(smooth), part, false, true},
-      {kResponseRow, touch_with(smooth), part, false, true},
-      {kFrictionRow, [](Stage0& s) { s.touching(); }, part, false, true},
-      {kRestitutionRow, touch_with(bouncy), part, false, true},
-      {kRollingRow, touch_with(rolling), part, false, true},
-      {kSpinningRow, touch_with(spinning), part, false, true},
-      {kSurfaceRow,
+      {+EffectId::collision, touch_with(smooth), part, false, true},
+      {+EffectId::response, touch_with(smooth), part, false, true},
+      {+EffectId::friction, [](Stage0& s) { s.touching(); }, part, false, true},
+      {+EffectId::restitution, touch_with(bouncy), part, false, true},
+      {+EffectId::rolling_resistance, touch_with(rolling), part, false, true},
+      {+EffectId::spinning_resistance, touch_with(spinning), part, false, true},
+      {+EffectId::surface_velocity,
        [](Stage0& s) {
          s.touching();
          s.t.world.set_surface_velocity(s.t.world.scene.first_collider[s.one], {Vec3(0, 0, 1), Vec3::zero()});
        },
        part, false, true},
-      {kFilterRow,
+      {+EffectId::filter,
        [](Stage0& s) {
          s.touching();
          Filter f;
@@ -172,27 +172,27 @@ inline std::vector<Subject> subjects() {
          s.t.world.set_filter(s.t.world.scene.first_collider[s.one], f);
        },
        [](Stage0& s) { s.t.world.set_filter(s.t.world.scene.first_collider[s.one], Filter()); }, false, true},
-      {kSensorRow,
+      {+EffectId::sensor,
        [](Stage0& s) {
          s.touching();
          s.t.world.set_sensor(s.t.world.scene.first_collider[s.one], true);
        },
        [](Stage0& s) { s.t.world.set_sensor(s.t.world.scene.first_collider[s.one], false); }, false, true},
-      {kJointsRow, hinge, unhinge, false, true},
-      {kLimitsRow, [drive](Stage0& s) { drive(s, true); }, unhinge, false, true},
-      {kMotorsRow, [drive](Stage0& s) { drive(s, false); }, unhinge, false, true},
-      {kLocksRow, [](Stage0& s) { s.t.world.set_locks(s.one, 1); }, [](Stage0& s) { s.t.world.set_locks(s.one, 0); }},
-      {kParticlesRow,
+      {+EffectId::joints, hinge, unhinge, false, true},
+      {+EffectId::joint_limits, [drive](Stage0& s) { drive(s, true); }, unhinge, false, true},
+      {+EffectId::joint_motors, [drive](Stage0& s) { drive(s, false); }, unhinge, false, true},
+      {+EffectId::axis_locks, [](Stage0& s) { s.t.world.set_locks(s.one, 1); }, [](Stage0& s) { s.t.world.set_locks(s.one, 0); }},
+      {+EffectId::particles,
        [](Stage0& s) {
          s.thing = s.t.world.particles.create({}, 1);
          s.t.world.particles.extend(handle_slot(s.thing), 1);
        },
        [](Stage0& s) { s.t.world.particles.destroy(handle_slot(s.thing)); }, false, true},
-      {kEventsRow, [](Stage0& s) { collect(s.t.world, Events::contact, 1); },
+      {+EffectId::events, [](Stage0& s) { collect(s.t.world, Events::contact, 1); },
        [](Stage0& s) { collect(s.t.world, 0, 1); }, false, true},
-      {kLedgerRow, [](Stage0& s) { s.t.world.keep_ledger(true); }, [](Stage0& s) { s.t.world.keep_ledger(false); },
+      {+EffectId::ledger, [](Stage0& s) { s.t.world.keep_ledger(true); }, [](Stage0& s) { s.t.world.keep_ledger(false); },
        false},
-      {kSleepRow, [](Stage0& s) { s.t.world.set_dial(Dial::sleep, 1); },
+      {+EffectId::sleep, [](Stage0& s) { s.t.world.set_dial(Dial::sleep, 1); },
        [](Stage0& s) { s.t.world.set_dial(Dial::sleep, 0); }, false},
   };
 }

@@ -455,7 +455,7 @@ static void drag_fields_springs_and_water_are_causes_of_their_own(void**) {
     WaterDef water;
     water.drag = 2, water.current = Vec3(0, 0, 1);
     t.world.set_water(&water);
-    t.world.set_body_mode(bodies[4], kGravityRow, EffectMode::forbid);
+    t.world.set_body_mode(bodies[4], +EffectId::gravity, EffectMode::forbid);
     t.world.keep_ledger(true);
     run(t, 200, kStep, "forces");
     const Rounding& u = t.world.ledger->since_rounding;
@@ -471,7 +471,7 @@ static void drag_fields_springs_and_water_are_causes_of_their_own(void**) {
       for (const char* name : {"springs", "drag", "fields", "buoyancy"}) done += std::fabs(total(t, name).kinetic);
       assert_true(std::fabs(total(t, Cause::integrator).energy()) < 0.02 * done);
     }
-    t.world.set_mode(kGravityRow, EffectMode::forbid);  // the potential goes with it, by the host's hand
+    t.world.set_mode(+EffectId::gravity, EffectMode::forbid);  // the potential goes with it, by the host's hand
     run(t, 20, kStep, "without gravity");
     assert_true(t.world.ledger->now.potential == 0);
   }

@@ -12,7 +12,7 @@ namespace {
 constexpr int kSteps = 12;
 
 /// All bodies are its customers, or none.
-bool is_for_all(std::size_t row) { return row == kSleepRow || row == kLedgerRow; }
+bool is_for_all(std::size_t row) { return row == +EffectId::sleep || row == +EffectId::ledger; }
 
 template <class... A>
 void wrong(const char* form, A... values) {
@@ -66,20 +66,20 @@ std::vector<Part> parts() {
     };
   };
   std::vector<Part> all = {
-      {kFrictionRow, set(&Material::friction, 0.5), {}},
-      {kRestitutionRow, set(&Material::restitution, 0.8), {}},
-      {kRollingRow, set(&Material::rolling, 0.05), {}},
-      {kSpinningRow, set(&Material::spinning, 0.05), {}},
-      {kSurfaceRow,
+      {+EffectId::friction, set(&Material::friction, 0.5), {}},
+      {+EffectId::restitution, set(&Material::restitution, 0.8), {}},
+      {+EffectId::rolling_resistance, set(&Material::rolling, 0.05), {}},
+      {+EffectId::spinning_resistance, set(&Material::spinning, 0.05), {}},
+      {+EffectId::surface_velocity,
        {},
        [](Stage0& s) {
          s.t.world.set_surface_velocity(s.t.world.scene.first_collider[s.one], {Vec3(0, 0, 1), Vec3::zero()});
        }},
-      {kLimitsRow, {}, drive(true), true},
-      {kMotorsRow, {}, drive(false), true},
+      {+EffectId::joint_limits, {}, drive(true), true},
+      {+EffectId::joint_motors, {}, drive(false), true},
   };
   for (const Subject& subject : subjects())  // those that bring a collider of their own are not for this scene
-    if (subject.flies && subject.row != kGyroscopicRow && subject.row != kBuoyancyRow && subject.row != kSpringsRow)
+    if (subject.flies && subject.row != +EffectId::gyroscopic && subject.row != +EffectId::buoyancy && subject.row != +EffectId::springs)
       all.push_back({subject.row, {}, subject.call});
   return all;
 }
@@ -156,21 +156,21 @@ static void a_forbidden_effect_does_nothing_and_says_so(void**) {
     const bool in_contacts = effect_table()[subject.row].customers == CustomerKind::contact_points ||
                              effect_table()[subject.row].customers == CustomerKind::contact_pairs;
     if (!in_contacts) {
-      if (line.wanted != 1 && !is_for_all(subject.row) && subject.row != kCollisionRow)
+      if (line.wanted != 1 && !is_for_all(subject.row) && subject.row != +EffectId::collision)
         wrong("%s is wanted by %d", name_of(subject.row).c_str(), static_cast<int>(line.wanted));
       assert_non_null(strstr(line.reason, "though the scene calls for it"));
     }
     // Allowed again, it runs.
     s.t.world.set_mode(subject.row, EffectMode::as_needed);
     s.steps(1);
-    if (subject.row != kRestitutionRow && s.evaluations(subject.row) == 0)
+    if (subject.row != +EffectId::restitution && s.evaluations(subject.row) == 0)
       wrong("%s did not come back", name_of(subject.row).c_str());
   }
 }
 
 static void forbidden_it_has_the_bits_of_a_scene_that_does_not_call_for_it(void**) {
   for (const Subject& subject : subjects()) {
-    if (!subject.flies || subject.row == kGyroscopicRow || subject.row == kBuoyancyRow || subject.row == kWindRow)
+    if (!subject.flies || subject.row == +EffectId::gyroscopic || subject.row == +EffectId::buoyancy || subject.row == +EffectId::wind)
       continue;  // the scene of these has a collider, or drag, more
     const std::uint64_t quiet = run_with_mode(subject, EffectMode::as_needed, false);
     if (run_with_mode(subject, EffectMode::forbid, true) != quiet)
@@ -180,27 +180,27 @@ static void forbidden_it_has_the_bits_of_a_scene_that_does_not_call_for_it(void*
   Stage0 still, windy;
   for (Stage0* s : {&still, &windy}) s->t.world.set_drag(s->one, {0.1, 0.1});
   windy.t.world.set_wind(Vec3(3, 0, 0));
-  windy.t.world.set_mode(kWindRow, EffectMode::forbid);
+  windy.t.world.set_mode(+EffectId::wind, EffectMode::forbid);
   still.steps(kSteps), windy.steps(kSteps);
   assert_true(still.t.world.hash() == windy.t.world.hash());
 }
 
 static void one_body_can_be_spared(void**) {
   for (const Subject& subject : subjects()) {
-    if (subject.row == kParticlesRow || subject.row == kEventsRow || is_for_all(subject.row)) continue;
+    if (subject.row == +EffectId::particles || subject.row == +EffectId::events || is_for_all(subject.row)) continue;
     Stage0 s;
     subject.call(s);
     s.t.world.set_body_mode(s.one, subject.row, EffectMode::forbid);
-    if (subject.row == kSceneryRow) s.t.world.set_body_mode(s.other_floor, subject.row, EffectMode::forbid);
+    if (subject.row == +EffectId::scenery) s.t.world.set_body_mode(s.other_floor, subject.row, EffectMode::forbid);
     s.steps(kSteps);
     const std::uint64_t served = s.evaluations(subject.row);
     // The other of the pair still is a collider that may collide.
-    if (served != 0 && subject.row != kCollisionRow)
+    if (served != 0 && subject.row != +EffectId::collision)
       wrong("%s served a body it is forbidden to, %d times", name_of(subject.row).c_str(), static_cast<int>(served));
     s.t.world.set_body_mode(s.one, subject.row, EffectMode::as_needed);
-    if (subject.row == kSceneryRow) s.t.world.set_body_mode(s.other_floor, subject.row, EffectMode::as_needed);
+    if (subject.row == +EffectId::scenery) s.t.world.set_body_mode(s.other_floor, subject.row, EffectMode::as_needed);
     s.steps(1);
-    if (subject.row != kRestitutionRow) assert_true(s.evaluations(subject.row) > served);
+    if (subject.row != +EffectId::restitution) assert_true(s.evaluations(subject.row) > served);
   }
 }
 
@@ -246,7 +246,7 @@ static void one_among_ten_thousand_is_one(void**) {
 static void every_two_effects_compose(void**) {
   const auto flying = [] {
     std::vector<Subject> all = subjects();
-    std::erase_if(all, [](const Subject& s) { return !s.flies || s.row == kLocksRow; });
+    std::erase_if(all, [](const Subject& s) { return !s.flies || s.row == +EffectId::axis_locks; });
     return all;
   }();
   // What a kick of one step changes, with forces that are evaluated once at the state that the step begins with.
@@ -269,11 +269,11 @@ static void every_two_effects_compose(void**) {
   for (const Subject& a : flying)
     for (const Subject& b : flying) {
       if (a.row == b.row) continue;
-      if (a.row == kDragRow && b.row == kWindRow) continue;  // wind is what drag is relative to: without it, nothing
+      if (a.row == +EffectId::drag && b.row == +EffectId::wind) continue;  // wind is what drag is relative to: without it, nothing
       const auto both = change({&a, &b}, kEffectCount), without = change({&a, &b}, a.row);
       // Switched off, nobody else is served more or less often.
       for (std::size_t row = 0; row < kEffectCount; ++row)
-        if (row != a.row && !(row == kWindRow && a.row == kDragRow) &&
+        if (row != a.row && !(row == +EffectId::wind && a.row == +EffectId::drag) &&
             both.evaluations[row] != without.evaluations[row])
           wrong("without %s, %s is served %d times instead of %d", name_of(a.row).c_str(), name_of(row).c_str(),
                 static_cast<int>(without.evaluations[row]), static_cast<int>(both.evaluations[row]));
@@ -288,14 +288,14 @@ static void every_two_effects_of_a_contact_compose(void**) {
   for (const Part& a : all)
     for (const Part& b : all) {
       // Wind is what drag is relative to; without it drag is left, @see above.
-      if (a.row == b.row || a.row == kWindRow || (a.row == kDragRow && b.row == kWindRow)) continue;
+      if (a.row == b.row || a.row == +EffectId::wind || (a.row == +EffectId::drag && b.row == +EffectId::wind)) continue;
       const std::string names = name_of(a.row) + " beside " + name_of(b.row);
       const Outcome both = outcome_of(a, b, true, kEffectCount), off = outcome_of(a, b, true, a.row),
                     without = outcome_of(a, b, false, kEffectCount);
       if (off.bits != without.bits) wrong("%s, forbidden, leaves a trace", names.c_str());
       if (both.evaluations[a.row] == 0) wrong("%s is not served", names.c_str());
       for (std::size_t row = 0; row < kEffectCount; ++row)
-        if (row != a.row && !(row == kWindRow && a.row == kDragRow) && both.evaluations[row] != off.evaluations[row])
+        if (row != a.row && !(row == +EffectId::wind && a.row == +EffectId::drag) && both.evaluations[row] != off.evaluations[row])
           wrong("%s: without it %s is served %d times instead of %d", names.c_str(), name_of(row).c_str(),
                 static_cast<int>(off.evaluations[row]), static_cast<int>(both.evaluations[row]));
       ++pairs;
@@ -309,7 +309,7 @@ static void accelerations_add_up(void**) {
   World& w = s.t.world;
   w.set_dial(Dial::integrator, 2);
   for (const Subject& subject : subjects())
-    if (subject.flies && subject.row != kLocksRow) subject.call(s);
+    if (subject.flies && subject.row != +EffectId::axis_locks) subject.call(s);
   w.scene.inertia[s.one] = Mat3::diagonal(Vec3(0.1, 0.2, 0.3));
   w.scene.inv_inertia[s.one] = w.scene.inertia[s.one].inverse();
   w.scene.def[s.one].linear_damping = 0.5;
@@ -344,7 +344,7 @@ static void accelerations_add_up(void**) {
 }
 
 static void forced_on_everybody_it_changes_nothing(void**) {
-  for (const std::size_t row : {kGravityRow, kLinearDampingRow, kAngularDampingRow, kDragRow, kFieldsRow}) {
+  for (const std::size_t row : {+EffectId::gravity, +EffectId::linear_damping, +EffectId::angular_damping, +EffectId::drag, +EffectId::fields}) {
     Stage0 quiet, forced;
     forced.t.world.set_mode(row, EffectMode::force);
     quiet.steps(kSteps), forced.steps(kSteps);
@@ -357,17 +357,17 @@ static void forced_on_everybody_it_changes_nothing(void**) {
     assert_int_equal(line_of(single, row).customers, 1);
   }
   Stage0 nobody;  // there is no joint that could be forced
-  nobody.t.world.set_mode(kJointsRow, EffectMode::force);
+  nobody.t.world.set_mode(+EffectId::joints, EffectMode::force);
   nobody.steps(1);
-  assert_false(line_of(nobody, kJointsRow).runs);
-  assert_non_null(strstr(line_of(nobody, kJointsRow).reason, "nothing it can act on"));
+  assert_false(line_of(nobody, +EffectId::joints).runs);
+  assert_non_null(strstr(line_of(nobody, +EffectId::joints).reason, "nothing it can act on"));
 }
 
 static void without_response_things_touch_and_pass(void**) {
   Stage0 s;
   s.touching();
   s.t.world.set_velocity(s.one, Vec3(1, 0, 0), Vec3::zero());
-  s.t.world.set_mode(kResponseRow, EffectMode::forbid);
+  s.t.world.set_mode(+EffectId::response, EffectMode::forbid);
   s.steps(64);
   assert_true(s.t.world.state.v[s.one] == Vec3(1, 0, 0));
   assert_true(s.t.world.state.v[s.other] == Vec3::zero());

@@ -297,7 +297,7 @@ static void what_slides_fast_goes_on(void**) {
       t.world.set_velocity(block, Vec3(200, 0, 0), Vec3::zero());
       t.run(120, kDt);
       const Real v = 200 - mu * 9.81 * 2;
-      assert_true(t.world.plan->effects[kContinuousRow].evaluations == 120);
+      assert_true(t.world.plan->effects[+EffectId::continuous].evaluations == 120);
       assert_true(std::fabs(t.world.state.v[block].x() - v) < 0.01 * (200 - v) + 1e-6);
       assert_true(std::fabs(t.world.state.x[block].y() - 0.25) < 1e-3);
     }

@@ -69,7 +69,6 @@ struct SweptBody {
   std::uint32_t version = 0;                      // raised when its path changes
   Real radius = 0;                                // m: the farthest of its colliders from its centre
   Path path;                                      // of this substep, from the last hit on
-  Vec3 before = Vec3::zero();                     // m/s, velocity as the substep began
   Vec3 accel = Vec3::zero();                      // m/s^2, of forces in this substep
 
   // The first contact ahead:
@@ -130,14 +129,16 @@ bool sweeps_into(World& world, std::uint32_t collider, std::uint32_t sleeper, Re
 /// m, world: bounds of a collider and, if its body is a customer, of its straight path in this step.
 Aabb swept_bounds(const World& world, std::uint32_t collider, Real dt);
 
+/// Within begin_substep(): where its paths begin.
+void begin_paths(World& world);
+
 /// Stage functions of the page.
 /// Take from the solver the contacts that the sweep knows better.
 void leave_to_sweep(World& world, const StepTime& time);
 /// Room for all that the substeps may do; who stands in the way.
 void begin_sweeps(World& world, const StepTime& time);
-/// Where a substep's paths begin, and what forces do to velocities in it.
-void note_starts(World& world, const StepTime& time);
-void note_forces(World& world, const StepTime& time);
+/// What forces did to velocities in this substep.
+void save_accelerations(World& world, const StepTime& time);
 /// The hits of a substep.
 void sweep(World& world, const StepTime& time);
 /// What the step's sweeps leave behind.

@@ -53,7 +53,7 @@ void forget(Continuous& c) {
 /// Everybody that may be a customer, once, ascending.
 void list_candidates(World& world) {
   Continuous& c = *world.continuous;
-  const PlannedEffect& row = world.plan->effects[kContinuousRow];
+  const PlannedEffect& row = world.plan->effects[+EffectId::continuous];
   if (std::exchange(c.too_many_seen, false)) {
     // There was no room to note them, and there is to be: this happens once, or where more come than ever before.
     const Colliders& table = world.scene.colliders;
@@ -80,7 +80,7 @@ void carry_all_known(World& world) {
   Plan& plan = *world.plan;
   if (!plan.rotation_method) return;
   Continuous& c = *world.continuous;
-  PlannedEffect& row = plan.effects[kGyroscopicRow];
+  PlannedEffect& row = plan.effects[+EffectId::gyroscopic];
   c.found.clear(), c.more.clear(), c.merged.clear();
   for (const SweptBody& b : c.bodies)
     if (!plan.carried[b.body] && row.candidates.has(b.body)) c.found.push_back(b.body);
@@ -127,7 +127,7 @@ void continuous::find(const Scene& scene, const State& state, Customers& custome
 
 void find_swept(World& world, Real dt) {
   Continuous& c = *world.continuous;
-  PlannedEffect& row = world.plan->effects[kContinuousRow];
+  PlannedEffect& row = world.plan->effects[+EffectId::continuous];
   forget(c);
   row.customers.clear();
   if (c.seen.empty() && !c.too_many_seen && row.candidates.count == 0) return;
@@ -135,9 +135,9 @@ void find_swept(World& world, Real dt) {
   for (const std::uint32_t i : c.seen) {
     const SweepMode mode = world.scene.def[i].continuous;
     const EffectModes& modes = world.scene.modes;
-    if (modes.forbids(kContinuousRow, i)) continue;
+    if (modes.forbids(+EffectId::continuous, i)) continue;
     const bool outruns = world.plan->watches_speed && mode != SweepMode::never && is_fast(world, i, dt);
-    if (!can_sweep(world, i) || !(outruns || mode == SweepMode::always || modes.forces(kContinuousRow, i))) continue;
+    if (!can_sweep(world, i) || !(outruns || mode == SweepMode::always || modes.forces(+EffectId::continuous, i))) continue;
     c.index.resize(world.scene.bodies.slots(), Continuous::kNone);
     SweptBody& b = know(world, i);
     b.swept = true, b.outruns = outruns;
@@ -263,21 +263,21 @@ void begin_sweeps(World& world, const StepTime& time) {
   carry_all_known(world);
   c.hits.reserve(c.most_hits);
   c.one.clear(), c.one.add(0);
-  world.plan->effects[kContinuousRow].evaluations += c.customers;
+  world.plan->effects[+EffectId::continuous].evaluations += c.customers;
   world.report.swept_bodies = c.customers;
 }
 
-void note_starts(World& world, const StepTime&) {
+void begin_paths(World& world) {
   const State& s = world.state;
   for (SweptBody& b : world.continuous->bodies) {
     b.path.t = 0, b.path.x = s.x[b.body], b.path.q = s.q[b.body];
-    b.before = s.v[b.body];
     b.changed = false, b.hits = 0;
   }
 }
 
-void note_forces(World& world, const StepTime& time) {
-  for (SweptBody& b : world.continuous->bodies) b.accel = (world.state.v[b.body] - b.before) / time.h;
+void save_accelerations(World& world, const StepTime& time) {
+  for (SweptBody& b : world.continuous->bodies)
+    b.accel = (world.state.v[b.body] - world.plan->begun[b.body].v) / time.h;
 }
 
 void end_sweeps(World& world, const StepTime&) {

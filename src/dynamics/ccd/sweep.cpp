@@ -151,7 +151,7 @@ void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t 
   if (!may_touch(table, own, other) || table.is_sensor(other) || (filtered_ && !lets_touch(world_.scene, own, other)))
     return;
   const EffectModes& modes = world_.scene.modes;
-  if (modes.forbids(kResponseRow, b.body) || modes.forbids(kResponseRow, body)) return;
+  if (modes.forbids(+EffectId::response, b.body) || modes.forbids(+EffectId::response, body)) return;
   if (!moved_by_hits(b.body) && !moved_by_hits(body)) return;
   const SweptBody* const known = c_.find(body);
   // Who has been hit enough waits for the next substep: it stops others, but is not pushed on by what nothing stops.

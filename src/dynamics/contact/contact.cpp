@@ -82,7 +82,7 @@ std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
   if (place.points == 0) return 0;
   const Movers m(world, place.pair);
   const EffectModes& modes = world.scene.modes;
-  if (modes.forbids(kResponseRow, m.a) || modes.forbids(kResponseRow, m.b)) return 0;
+  if (modes.forbids(+EffectId::response, m.a) || modes.forbids(+EffectId::response, m.b)) return 0;
   return m.moves_a || m.moves_b ? place.points : 0;
 }
 
@@ -178,10 +178,9 @@ void list_meetings(World& world) {
       c.impacts.emplace_back().row = k;
     }
   }
-  Array<PlannedEffect>& effects = world.plan->effects;
-  effects[kFrictionRow].customers.count = rub;
-  effects[kRestitutionRow].customers.count = c.bouncing.size();
-  effects[kResponseRow].customers.count = c.meetings.size();
+  count_participants(world, EffectId::friction, rub);
+  count_participants(world, EffectId::restitution, c.bouncing.size());
+  count_participants(world, EffectId::response, c.meetings.size());
 }
 
 /// Who is moved by rows or joints, ascending. Looked for among the rows where those are few, so that nobody else costs
@@ -237,12 +236,12 @@ MixedMaterial mixed(const Scene& scene, std::uint32_t collider_a, std::uint32_t 
     const auto forbids = [&](std::uint32_t c) { return modes.forbids(row, scene.colliders.body[c]); };
     return value > 0 && modes.forbidden_anywhere && (forbids(collider_a) || forbids(collider_b)) ? Real(0) : value;
   };
-  MixedMaterial m{allowed(kFrictionRow, mix(a.friction_mix, a.friction, b.friction_mix, b.friction)),
-                  allowed(kRestitutionRow, mix(a.restitution_mix, a.restitution, b.restitution_mix, b.restitution)), 0,
+  MixedMaterial m{allowed(+EffectId::friction, mix(a.friction_mix, a.friction, b.friction_mix, b.friction)),
+                  allowed(+EffectId::restitution, mix(a.restitution_mix, a.restitution, b.restitution_mix, b.restitution)), 0,
                   0};
   if (!scene.resists) return m;
-  m.rolling = allowed(kRollingRow, mix(a.friction_mix, a.rolling, b.friction_mix, b.rolling));
-  m.spinning = allowed(kSpinningRow, mix(a.friction_mix, a.spinning, b.friction_mix, b.spinning));
+  m.rolling = allowed(+EffectId::rolling_resistance, mix(a.friction_mix, a.rolling, b.friction_mix, b.rolling));
+  m.spinning = allowed(+EffectId::spinning_resistance, mix(a.friction_mix, a.spinning, b.friction_mix, b.spinning));
   return m;
 }
 
@@ -363,7 +362,7 @@ void refresh_inertias(World& world) {
     const std::uint32_t i = c.bodies[k];
     if (rotates(scene, i)) c.inv_inertia_w[i] = rotation[i] * scene.inv_inertia[i] * rotation[i].transpose();
   });
-  world.plan->effects[kLocksRow].customers.each([&](std::uint32_t i) {
+  world.plan->effects[+EffectId::axis_locks].customers.each([&](std::uint32_t i) {
     if (rotates(scene, i) && (scene.locks_of(i) & kAngularLocks))
       c.inv_inertia_w[i] = inverse_of_free(rotation[i] * scene.inertia[i] * rotation[i].transpose(), scene.locks_of(i));
   });

@@ -226,7 +226,7 @@ Touch find_touch(Real gap, Real closing, Real accel, Real since) {
   return {from, 0};
 }
 
-void measure_approach(World& world, const StepTime&) {
+void measure_approach(World& world) {
   Contacts& c = *world.contacts;
   if (c.impacts.empty()) return;
   refresh_rotations(world);

@@ -17,9 +17,10 @@
 
 namespace carom::dynamics {
 
+/// Within begin_substep(): velocities and gaps before the forces of this substep, at rows that bounce.
+void measure_approach(World& world);
+
 /// Stage functions of the page.
-/// Velocities and gaps before the forces of this substep, at rows that bounce.
-void measure_approach(World& world, const StepTime& time);
 /// Impacts of this substep. Velocities and poses after it are such that the bodies, moved by them over the whole
 /// substep, end where impacts leave them; proposals of integrators are brought up to date, separations measured.
 void answer_impacts(World& world, const StepTime& time);

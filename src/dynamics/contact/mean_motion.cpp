@@ -128,11 +128,11 @@ class Group {
     return {all.data() + g->*begin, g[1].*begin - g->*begin};
   }
 
-  Vec3 gained_v(const Body& b) const { return world_.state.v[b.slot] - b.v; }
+  Vec3 gained_v(const Body& b) const { return world_.state.v[b.slot] - world_.plan->begun[b.slot].v; }
   /// Without what a rotation method did itself: it has turned the body by the mean of that.
   Vec3 gained_omega(const Body& b) const {
     const Plan& plan = *world_.plan;
-    return world_.state.omega[b.slot] - (is_carried(plan, b.slot) ? plan.proposal.omega[b.slot] : b.omega);
+    return world_.state.omega[b.slot] - (is_carried(plan, b.slot) ? plan.proposal.omega[b.slot] : plan.begun[b.slot].omega);
   }
 
   /// m/s, the most that a body's middle, or a ball of its mass and inertia at its rim, goes by; not finite if any is
@@ -254,12 +254,6 @@ void find_small_groups(World& world) {
     if (!joined && points > 0 && points <= kMostMeanPoints && c.group_bodies[g] <= kMostMeanBodies) gather(c, g, m);
   }
   m.groups.push_back({static_cast<std::uint32_t>(m.bodies.size()), static_cast<std::uint32_t>(m.points.size())});
-}
-
-void note_velocities_of_groups(World& world, const StepTime&) {
-  MeanMotion* const m = world.mean_motion.get();
-  if (!m) return;
-  for (Body& b : m->bodies) b.v = world.state.v[b.slot], b.omega = world.state.omega[b.slot];
 }
 
 void find_mean_motion(World& world, const StepTime& time) {

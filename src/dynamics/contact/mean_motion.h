@@ -28,7 +28,7 @@ struct MeanMotion {
 
   struct Body {
     std::uint32_t slot;
-    Vec3 v, omega;                // m/s, rad/s: before the forces of the substep; v1, while the state has v1 + c
+    Vec3 v, omega;                // m/s, rad/s: v1, while the state has v1 + c
     Vec3 v_change, omega_change;  // c
   };
   struct Point {
@@ -49,8 +49,6 @@ struct MeanMotion {
 
 /// Groups that move so, once they are known. Allocates.
 void find_small_groups(World& world);
-/// Stage of the page: velocities before the forces of a substep.
-void note_velocities_of_groups(World& world, const StepTime& time);
 /// After a solver: c of each body.
 void find_mean_motion(World& world, const StepTime& time);
 

@@ -58,8 +58,8 @@ void find_resistance(World& world, const StepTime& time) {
         r.moment += scale * old->moment;
     c.resisting.push_back(r);
   }
-  world.plan->effects[kRollingRow].customers.count = rolling;
-  world.plan->effects[kSpinningRow].customers.count = spinning;
+  count_participants(world, EffectId::rolling_resistance, rolling);
+  count_participants(world, EffectId::spinning_resistance, spinning);
 }
 
 void hold_moments(World& world, const StepTime&) {

@@ -6,7 +6,7 @@ namespace {
 
 /// What moves it, unless a host forbids that.
 SurfaceVelocity allowed_surface(const Scene& scene, std::uint32_t collider) {
-  const bool forbidden = scene.modes.forbids(kSurfaceRow, scene.colliders.body[collider]);
+  const bool forbidden = scene.modes.forbids(+EffectId::surface_velocity, scene.colliders.body[collider]);
   return forbidden ? SurfaceVelocity{} : scene.surface_of(collider);
 }
 
@@ -30,9 +30,8 @@ void find_surfaces(World& world, const StepTime&) {
   Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
   c.driven.clear(), c.surface.clear();
-  std::uint64_t& customers = world.plan->effects[kSurfaceRow].customers.count = 0;
-  if (scene.belts == 0) return;
-  for (std::uint32_t i = 0, next; i < c.rows.size(); i = next) {
+  std::uint64_t driven = 0;
+  for (std::uint32_t i = 0, next; scene.belts > 0 && i < c.rows.size(); i = next) {
     next = c.first_row[c.geometry[i].pair + 1];
     const Pair& pair = world.pairs.place(c.geometry[i].pair).pair;
     if (!allowed_surface(scene, pair.a).any() && !allowed_surface(scene, pair.b).any()) continue;
@@ -45,8 +44,9 @@ void find_surfaces(World& world, const StepTime&) {
       c.surface[k] = s - s.dot(row.n) * row.n;
     }
     c.driven.push_back({i, next - i, b.angular - a.angular});
-    customers += next - i;
+    driven += next - i;
   }
+  count_participants(world, EffectId::surface_velocity, driven);
 }
 
 }  // namespace carom::dynamics

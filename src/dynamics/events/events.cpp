@@ -207,7 +207,7 @@ void sensing::find(const Scene& scene, const State&, Customers& customers) {
 void collect(World& world, std::uint32_t asked, Real hit_speed) {
   Events& e = *world.events;
   e.hit_speed = hit_speed;
-  const std::uint32_t kinds = world.scene.modes.forbids(kEventsRow) ? 0 : asked;
+  const std::uint32_t kinds = world.scene.modes.forbids(+EffectId::events) ? 0 : asked;
   const std::uint32_t gone = e.wanted & ~kinds;
   if (gone & Events::contact) e.touching.clear(), e.contacts.clear();
   if (gone & Events::sensor) e.within.clear(), e.sensors.clear();
@@ -231,7 +231,7 @@ void tell_broken(World& world, std::uint32_t slot) {
 }
 
 void set_sensors_aside(World& world, Array<Pair>& pairs) {
-  if (world.plan->effects[kSensorRow].customers.count == 0) return;
+  if (world.plan->effects[+EffectId::sensor].customers.count == 0) return;
   const Colliders& c = world.scene.colliders;
   Events& e = *world.events;
   const bool asked = e.wanted & Events::sensor;
@@ -242,8 +242,9 @@ void set_sensors_aside(World& world, Array<Pair>& pairs) {
 
 void begin_events(World& world, const StepTime&) {
   Events& e = *world.events;
-  PlannedEffect& row = world.plan->effects[kEventsRow];
-  row.wanted = e.asked != 0, row.customers.count = e.wanted != 0;
+  PlannedEffect& row = world.plan->effects[+EffectId::events];
+  row.wanted = e.asked != 0;
+  count_participants(world, EffectId::events, e.wanted != 0);
   if (e.wanted == 0) return;
   ++row.evaluations;
   if ((e.wanted & Events::sensor) && !world.plan->runs[static_cast<std::size_t>(Stage::broad)]) {

@@ -54,7 +54,7 @@ void axis_locks::find(const Scene& scene, const State& state, Customers& custome
 }
 
 void axis_locks::hold(World& world, Real h) {
-  PlannedEffect& row = world.plan->effects[kLocksRow];
+  PlannedEffect& row = world.plan->effects[+EffectId::axis_locks];
   if (row.customers.count == 0) return;
   const Scene& scene = world.scene;
   State& s = world.state;

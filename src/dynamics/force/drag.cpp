@@ -24,13 +24,13 @@ bool meets_air(const Scene& scene, const State& state, std::uint32_t i) {
 }  // namespace
 
 Vec3 air_velocity(const Scene& scene, std::uint32_t body) {
-  return scene.modes.forbids(kWindRow, body) ? Vec3(Vec3::zero()) : scene.wind;
+  return scene.modes.forbids(+EffectId::wind, body) ? Vec3(Vec3::zero()) : scene.wind;
 }
 
 void wind::find(const Scene& scene, const State& state, Customers& customers) {
   if (scene.wind == Vec3::zero()) return;
   for (std::uint32_t i = 0; i < scene.drag.size(); ++i)
-    if (meets_air(scene, state, i) && !scene.modes.forbids(kDragRow, i)) customers.add(i);
+    if (meets_air(scene, state, i) && !scene.modes.forbids(+EffectId::drag, i)) customers.add(i);
 }
 
 void drag::find(const Scene& scene, const State& state, Customers& customers) {

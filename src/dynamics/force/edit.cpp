@@ -12,7 +12,7 @@ namespace {
 /// Locks hold where they are not forbidden.
 void settle_locks(Scene& scene) {
   for (std::uint32_t i = 0; i < scene.locks.size(); ++i)
-    scene.locks[i] = scene.modes.forbids(kLocksRow, i) ? Locks(0) : scene.given_locks[i];
+    scene.locks[i] = scene.modes.forbids(+EffectId::axis_locks, i) ? Locks(0) : scene.given_locks[i];
 }
 
 /// What a forbidden or forced effect changes beyond the plan.
@@ -127,7 +127,7 @@ void remove_springs_of(World& world, std::uint32_t body) {
 
 void World::set_mode(std::size_t row, EffectMode mode) {
   if (scene.modes.of_world(row) == mode) return;
-  if (row == kEventsRow) events->slept.reserve(scene.bodies.slots());  // the last that may run out of memory
+  if (row == +EffectId::events) events->slept.reserve(scene.bodies.slots());  // the last that may run out of memory
   wake_all(*this);
   set_bit(scene.modes.forbidden, row, mode == EffectMode::forbid);
   set_bit(scene.modes.forced, row, mode == EffectMode::force);

@@ -17,7 +17,7 @@ void serve(World& world, PlannedEffect& row, F&& work) {
   if (world.times_effects) row.seconds += std::chrono::duration<double>(Clock::now() - start).count();
   row.evaluations += row.customers.count;
   if (row.effect->force == drag::force) {
-    PlannedEffect& wind = world.plan->effects[kWindRow];
+    PlannedEffect& wind = world.plan->effects[+EffectId::wind];
     wind.evaluations += wind.customers.count;
   }
 }

@@ -57,10 +57,10 @@ bool acts(const World& world, const SpringDef& def) {
     return body != kTheWorld && responds(world.scene, world.state, body) && !world.state.sleeps(body);
   };
   const auto forbids = [&](std::uint32_t body) {
-    return body != kTheWorld && world.scene.modes.forbids(kSpringsRow, body);
+    return body != kTheWorld && world.scene.modes.forbids(+EffectId::springs, body);
   };
   return (awake(def.body_a) || awake(def.body_b)) && !forbids(def.body_a) && !forbids(def.body_b) &&
-         !world.scene.modes.forbids(kSpringsRow);
+         !world.scene.modes.forbids(+EffectId::springs);
 }
 
 /// m/(N s^2): what a newton at the anchor accelerates it by, at most.
@@ -82,7 +82,7 @@ void springs::find(const Scene&, const State&, Customers&) {}  // by plan_spring
 
 void plan_springs(World& world) {
   Springs& all = world.scene.springs;
-  PlannedEffect& row = world.plan->effects[kSpringsRow];
+  PlannedEffect& row = world.plan->effects[+EffectId::springs];
   row.customers.clear();
   row.wanted = all.slots.alive_count();
   all.each([&](std::uint32_t k, const SpringDef& def) {
@@ -93,7 +93,7 @@ void plan_springs(World& world) {
 void carry_springs(World& world, Real h) {
   Springs& all = world.scene.springs;
   const Scene& scene = world.scene;
-  const PlannedEffect& row = world.plan->effects[kSpringsRow];
+  const PlannedEffect& row = world.plan->effects[+EffectId::springs];
   all.softened = 0;
   if (row.customers.count == 0) return;
   row.customers.each(

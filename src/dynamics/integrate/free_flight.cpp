@@ -11,7 +11,7 @@
 namespace carom::dynamics {
 namespace {
 
-bool is_constant(std::size_t row) { return row == kGravityRow || row == kUserForceRow; }
+bool is_constant(std::size_t row) { return row == +EffectId::gravity || row == +EffectId::user_force; }
 
 /// Call f(row, effect) for rows of the integrator whose customers are bodies.
 template <class F>
@@ -55,7 +55,7 @@ void exchange(Plan& plan, FreeFlight::Part& part) {
 
 void exchange_the_rest(Plan& plan, FreeFlight& flight) {
   std::swap(plan.kinematic, flight.kinematic);
-  std::swap(plan.effects[kSpringsRow].customers, flight.springs);
+  std::swap(plan.effects[+EffectId::springs].customers, flight.springs);
 }
 
 }  // namespace
@@ -90,9 +90,13 @@ void fly_free(World& world, const StepTime& time) {
   exchange(plan, f.bound);
   exchange(plan, f.flying), exchange_the_rest(plan, f);
   const StepTime whole{time.dt, time.dt};
-  for (const auto room : {integrate_velocity, integrate_position}) {
-    room(world, whole);
-    if (keeps_books(world)) book_room(world, room, whole);
+  const struct {
+    void (*run)(World&, const StepTime&);
+    Booking booking;
+  } kBoth[] = {{integrate_velocity, Booking::forces}, {integrate_position, Booking::moves}};
+  for (const auto& stage : kBoth) {
+    stage.run(world, whole);
+    if (keeps_books(world)) book_stage(world, stage.booking, whole);
   }
   exchange(plan, f.flying), exchange_the_rest(plan, f);
 }

@@ -30,20 +30,20 @@ bool forbids(const World& world, std::size_t row, const JointDef& def) {
 /// Note what is forbidden to a joint, and whom of the table it calls for.
 void note_parts(World& world, Joint& joint) {
   const std::uint32_t before = layout_key(joint);
-  joint.without_limits = forbids(world, kLimitsRow, joint.def);
-  joint.without_motors = forbids(world, kMotorsRow, joint.def);
+  joint.without_limits = forbids(world, +EffectId::joint_limits, joint.def);
+  joint.without_motors = forbids(world, +EffectId::joint_motors, joint.def);
   if (layout_key(joint) != before) joint.drive_p.fill(0), joint.p.fill(0);  // rows stand for something else now
   const auto any = [&](auto&& has) { return std::any_of(joint.drive.begin(), joint.drive.end(), has); };
   const auto count = [&](std::size_t row, bool has, bool without) {
     world.plan->effects[row].wanted += has;
     world.plan->effects[row].customers.count += has && !without;
   };
-  count(kLimitsRow, any([](const JointDrive& d) { return d.limit.on; }), joint.without_limits);
-  count(kMotorsRow, any([](const JointDrive& d) { return d.motor.on; }), joint.without_motors);
+  count(+EffectId::joint_limits, any([](const JointDrive& d) { return d.limit.on; }), joint.without_limits);
+  count(+EffectId::joint_motors, any([](const JointDrive& d) { return d.motor.on; }), joint.without_motors);
 }
 
 bool is_active(const World& world, const Joint& joint) {
-  if (joint.broken || forbids(world, kJointsRow, joint.def)) return false;
+  if (joint.broken || forbids(world, +EffectId::joints, joint.def)) return false;
   const auto awake = [&](std::uint32_t body) { return moves(world, body) && !world.state.sleeps(body); };
   return awake(joint.def.body_a) || awake(joint.def.body_b);
 }
@@ -224,7 +224,7 @@ void start_cold(Joint& joint) {
 void fill_locks(const World& world, WideJoints& w) {
   w.locks.clear();
   for (JointLanes& joint : w.joints) joint.locked = 0;
-  if (world.plan->effects[kLocksRow].candidates.count == 0) return;
+  if (world.plan->effects[+EffectId::axis_locks].candidates.count == 0) return;
   const auto locks_of = [&](std::uint32_t body) { return body == kTheWorld ? Locks(0) : world.scene.locks_of(body); };
   for (std::uint32_t i = 0; i < w.active.size(); ++i) {
     const JointDef& def = world.joints.joint[w.active[i]].def;
@@ -239,9 +239,9 @@ void plan_joints(World& world) {
   WideJoints& w = *world.wide_joints;
   w.active.clear(), w.linked.clear(), w.kicked.clear();
   w.is_packed = false;
-  for (const std::size_t row : {kLimitsRow, kMotorsRow})
+  for (const std::size_t row : {+EffectId::joint_limits, +EffectId::joint_motors})
     world.plan->effects[row].wanted = world.plan->effects[row].customers.count = 0;
-  world.plan->effects[kJointsRow].wanted = world.joints.slots.alive_count();
+  world.plan->effects[+EffectId::joints].wanted = world.joints.slots.alive_count();
   if (world.joints.slots.alive_count() == 0) return;
   for (std::uint32_t j = 0; j < world.joints.slots.slots(); ++j)
     if (world.joints.alive(j) && is_active(world, world.joints.joint[j])) w.active.push_back(j);
@@ -306,14 +306,10 @@ void begin_joints(World& world, Real h) {
   over_joints(world, w.kernels->place);
 }
 
-void note_velocities(World& world, const StepTime&) {
-  for (WideJoints::Kicked& k : world.wide_joints->kicked) k.half = world.state.v[k.body];
-}
-
 void take_half_kicks(World& world) {
   State& s = world.state;
   for (WideJoints::Kicked& k : world.wide_joints->kicked) {
-    k.half = 0.5 * (s.v[k.body] - k.half);
+    k.half = 0.5 * (s.v[k.body] - world.plan->begun[k.body].v);
     s.v[k.body] -= k.half;
     k.facing = s.q[k.body], k.omega = s.omega[k.body];
   }

@@ -50,7 +50,7 @@ struct WideJoints {
   /// unlike axes keeps its angular momentum over the move.
   struct Kicked {
     std::uint32_t body;
-    Vec3 half;    // m/s: of before the forces; then half of what those did
+    Vec3 half;    // m/s: half of what forces did in this substep
     Quat facing;  // before the move
     Vec3 omega;   // rad/s, before the solver
     Vec3 spun;    // rad/s: what keeping the momentum did to omega
@@ -144,8 +144,6 @@ void link_joints(World& world, const StepTime& time);
 void colour_joints(World& world);
 /// Lanes of this step, with what the last one's impulses left. After pack(). Allocates.
 void begin_joints(World& world, Real h);
-/// Stage of the page, before the forces of a substep.
-void note_velocities(World& world, const StepTime& time);
 /// Half of the forces' kick off, before the solver; and back, after the move, with the omega that belongs to the
 /// facing of then.
 void take_half_kicks(World& world);

@@ -14,7 +14,7 @@ inline Ledger& ledger_of(World& world) { return *world.ledger; }
 inline bool is_dynamic(const World& world, std::uint32_t i) { return world.scene.inv_mass[i] > 0; }
 /// m/s^2, what the potential is of.
 inline Vec3 pull_on(const World& world, std::uint32_t i) {
-  if (world.scene.modes.forbids(kGravityRow, i)) return Vec3::zero();
+  if (world.scene.modes.forbids(+EffectId::gravity, i)) return Vec3::zero();
   return world.scene.gravity_factor_of(i) * world.scene.gravity;
 }
 /// What a body has now.

@@ -50,7 +50,7 @@ Ledger::Ledger(World& world)
 void World::keep_ledger(bool on) {
   if (!on) {
     ledger.reset();
-    plan->effects[kLedgerRow].customers.count = 0;
+    plan->effects[+EffectId::ledger].customers.count = 0;
     return;
   }
   Owned<Ledger> fresh = make_owned<Ledger>(memory, *this);

@@ -148,10 +148,32 @@ void each_awake(const World& world, F&& f) {
 }
 
 /// Whether what happens is booked: a host asked for it, and does not forbid it.
-inline bool keeps_books(const World& world) { return world.ledger && !world.scene.modes.forbids(kLedgerRow); }
+inline bool keeps_books(const World& world) { return world.ledger && !world.scene.modes.forbids(+EffectId::ledger); }
 
-/// After a room of the page: book what it did. Rooms that the ledger need not know are skipped.
-void book_room(World& world, void (*room)(World&, const StepTime&), const StepTime& time);
+/// How the ledger books what a stage did, @see stages.cpp, which says so of each.
+enum class Booking : std::uint8_t {
+  none,          // it changes nothing that is booked
+  with_host,     // before the books of a step open: its changes count among the host's
+  by_itself,     // it books on the way
+  opens,         // the books of a step, with what the host did since the last one
+  makes_room,    // for what solvers give
+  forces,
+  impacts,
+  moments,
+  solver,
+  moves,
+  relaxation,
+  resistance,
+  sweeps,
+  particles,
+  corrections,
+  lost_bodies,   // who left the finite world
+  sleepers,
+  closes
+};
+
+/// After a stage: book what it did.
+void book_stage(World& world, Booking booking, const StepTime& time);
 
 // Within integrate_velocity().
 void before_row(World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega);

@@ -79,7 +79,7 @@ void book_flight(World& world, const StepTime& time) {
     if (lost)
       l.book(Cause::quarantine, rest);
     else if (set.def.linear_damping > 0)
-      l.step[cause_of_row(kLinearDampingRow)].add(rest);
+      l.step[cause_of_row(+EffectId::linear_damping)].add(rest);
     else
       l.book(Cause::integrator, rest);
     keep_sums(world, s, sums);

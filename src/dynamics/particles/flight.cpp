@@ -101,9 +101,9 @@ void judge(World& world, std::uint32_t s) {
 
 void fly(World& world, const StepTime& time) {
   Particles& particles = world.particles;
-  if (particles.count() == 0 || world.scene.modes.forbids(kParticlesRow)) return;
+  if (particles.count() == 0 || world.scene.modes.forbids(+EffectId::particles)) return;
   const std::uint32_t integrator = world.scene.dials.choice(Dial::integrator);
-  PlannedEffect& row = world.plan->effects[kParticlesRow];
+  PlannedEffect& row = world.plan->effects[+EffectId::particles];
   for (std::uint32_t s = 0; s < particles.set.size(); ++s) {
     ParticleSet& set = particles.set[s];
     const int substeps = substeps_of(world, set.def);

@@ -11,7 +11,7 @@ void count_calm(World& world, std::uint32_t i, Real speed, Real dt) {
   Sleep& z = *world.sleep;
   const State& s = world.state;
   const bool slow = s.v[i].norm() + z.radius[i] * s.omega[i].norm() <= speed && !s.quarantined[i] &&
-                    !world.scene.def[i].stays_awake && !world.scene.modes.forbids(kSleepRow, i);
+                    !world.scene.def[i].stays_awake && !world.scene.modes.forbids(+EffectId::sleep, i);
   if (slow) {
     // A turn by angle a moves a point at radius r by 2 r sin(a/2), which is 2 r times the vector part of its
     // quaternion.
@@ -40,7 +40,7 @@ void join_sprung(World& world) {
     while (root[i] != i) i = root[i];
     return i;
   };
-  const PlannedEffect& row = world.plan->effects[kSpringsRow];
+  const PlannedEffect& row = world.plan->effects[+EffectId::springs];
   row.customers.each([&](std::uint32_t k) {
     const std::uint32_t a = springs.def[k].body_a, b = springs.def[k].body_b;
     if (a == kTheWorld || b == kTheWorld || !responds(world.scene, world.state, a) ||
@@ -61,7 +61,7 @@ void find_islands(World& world, const Customers& customers, Real time) {
     const bool grouped = world.scene.dials.choice(Dial::groups) != 0;
     for (const std::uint32_t i : c.bodies) z.root[i] = grouped ? island_of(c, i) : c.bodies[0];
   }
-  const PlannedEffect& sprung = world.plan->effects[kSpringsRow];
+  const PlannedEffect& sprung = world.plan->effects[+EffectId::springs];
   if (sprung.customers.count > 0) {
     join_sprung(world);
     customers.each([&](std::uint32_t i) {  // ascending, and roots are lower: they stand already
@@ -116,7 +116,7 @@ void sleeping::find(const Scene& scene, const State& state, Customers& customers
 }
 
 void fall_asleep(World& world, const StepTime& time) {
-  PlannedEffect& row = world.plan->effects[kSleepRow];
+  PlannedEffect& row = world.plan->effects[+EffectId::sleep];
   if (row.customers.count == 0) return;
   Sleep& z = *world.sleep;
   const Dials& dials = world.scene.dials;

@@ -200,14 +200,14 @@ void relist_colliders(World& world, const Array<std::uint32_t>& woken) {
 void list_awake(World& world, const Array<std::uint32_t>& woken) {
   Sleep& z = *world.sleep;
   Plan& plan = *world.plan;
-  relist(world, woken, plan.effects[kSleepRow].candidates);
+  relist(world, woken, plan.effects[+EffectId::sleep].candidates);
   relist_colliders(world, woken);
-  const Customers& awake = plan.effects[kSleepRow].candidates;
+  const Customers& awake = plan.effects[+EffectId::sleep].candidates;
   plan.linear.clear(), plan.rotating.clear();
   awake.each([&](std::uint32_t i) { (rotates(world.scene, i) ? plan.rotating : plan.linear).add(i); });
   for (std::size_t k = 0; k < plan.effects.size(); ++k) {
     PlannedEffect& row = plan.effects[k];
-    if (of_bodies(row) && k != kSleepRow && !from_host(*row.effect)) {
+    if (of_bodies(row) && k != +EffectId::sleep && !from_host(*row.effect)) {
       row.candidates.clear();
       awake.each([&](std::uint32_t i) {
         if (z.rows[i] & row_bit(k)) row.candidates.add(i);
@@ -216,7 +216,7 @@ void list_awake(World& world, const Array<std::uint32_t>& woken) {
     if (row.effect->stage == Stage::broad) {
       find_candidates(world, row);
     }
-    if (row.effect->stage != Stage::solve && k != kSpringsRow && !row.effect->wakes) row.customers = row.candidates;
+    if (row.effect->stage != Stage::solve && k != +EffectId::springs && !row.effect->wakes) row.customers = row.candidates;
   }
   plan_joints(world);
   plan_springs(world);
@@ -272,7 +272,7 @@ static void replant(World& world) {
 }
 
 void plan_sleep(World& world, Plan& plan) {
-  if (plan.effects[kSleepRow].candidates.count == 0) return;  // the dial is off: nobody sleeps
+  if (plan.effects[+EffectId::sleep].candidates.count == 0) return;  // the dial is off: nobody sleeps
   Sleep& z = *world.sleep;
   const Scene& scene = world.scene;
   const std::uint32_t slots = scene.bodies.slots();
@@ -285,7 +285,7 @@ void plan_sleep(World& world, Plan& plan) {
   for (std::size_t k = 0; k < plan.effects.size(); ++k)
     if (of_bodies(plan.effects[k]) && !from_host(*plan.effects[k].effect))
       plan.effects[k].candidates.each([&](std::uint32_t i) { z.rows[i] |= row_bit(k); });
-  plan.effects[kSleepRow].candidates.each([&](std::uint32_t i) { z.radius[i] = radius_of_body(world, i); });
+  plan.effects[+EffectId::sleep].candidates.each([&](std::uint32_t i) { z.radius[i] = radius_of_body(world, i); });
   z.bodies.clear();
   if (z.count > 0) list_awake(world, z.bodies);
 }

@@ -78,7 +78,7 @@ struct Sleep {
 
 /// Whether anybody may fall asleep at all.
 inline bool anyone_sleeps(const Scene& scene) {
-  return scene.dials.choice(Dial::sleep) != 0 && !scene.modes.forbids(kSleepRow);
+  return scene.dials.choice(Dial::sleep) != 0 && !scene.modes.forbids(+EffectId::sleep);
 }
 /// Row of the table: who may fall asleep. Its customers are all dynamic bodies that are awake.
 namespace sleeping {

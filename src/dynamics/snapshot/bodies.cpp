@@ -206,7 +206,7 @@ struct Bodies {
     if constexpr (Io::loads) {
       Scene& s = world.scene;
       for (std::uint32_t i = 0; i < s.locks.size(); ++i)
-        s.locks[i] = s.modes.forbids(kLocksRow, i) ? Locks(0) : s.given_locks[i];
+        s.locks[i] = s.modes.forbids(+EffectId::axis_locks, i) ? Locks(0) : s.given_locks[i];
     }
   }
 };

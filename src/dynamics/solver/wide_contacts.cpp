@@ -103,7 +103,7 @@ void fill_drives(const World& world, const WideContacts& wide, ContactLanes<Numb
 template <class Number>
 void fill_locks(const World& world, const WideContacts& wide, ContactLanes<Number>& rows) {
   rows.locks.clear();
-  if (world.plan->effects[kLocksRow].candidates.count == 0) return;
+  if (world.plan->effects[+EffectId::axis_locks].candidates.count == 0) return;
   for (const WideContacts::Manifold& m : wide.manifolds) {
     const Row& row = world.contacts->rows[m.row];
     const Locks a = world.scene.locks_of(row.a), b = world.scene.locks_of(row.b);

@@ -125,67 +125,67 @@ std::vector<Crowd> crowds() {
   };
   const Material smooth = surface(0, 0, 0, 0), rough = surface(0.5, 0, 0, 0);
   return {
-      {kGyroscopicRow, "gyroscopic", 10000, true, flying([](World& w, std::uint32_t i) {
+      {+EffectId::gyroscopic, "gyroscopic", 10000, true, flying([](World& w, std::uint32_t i) {
          w.scene.inertia[i] = Mat3::diagonal(Vec3(0.1, 0.2, 0.3));
          w.scene.inv_inertia[i] = w.scene.inertia[i].inverse();
        })},
-      {kLinearDampingRow, "linear_damping", 10000, true, flying([](World& w, std::uint32_t i) { damp(w, i, 0.5, 0); })},
-      {kAngularDampingRow, "angular_damping", 10000, true,
+      {+EffectId::linear_damping, "linear_damping", 10000, true, flying([](World& w, std::uint32_t i) { damp(w, i, 0.5, 0); })},
+      {+EffectId::angular_damping, "angular_damping", 10000, true,
        flying([](World& w, std::uint32_t i) { damp(w, i, 0, 0.5); })},
-      {kGravityRow, "gravity", 10000, true,
+      {+EffectId::gravity, "gravity", 10000, true,
        [](TestWorld& t, std::uint32_t bodies, std::uint32_t calling) {
          fly(t, bodies);
          for (std::uint32_t i = 0; i < bodies - calling; ++i) t.world.set_gravity_factor(i, 0);
          t.world.set_gravity(Vec3(0, -9.81, 0));
        }},
-      {kUserForceRow, "user_force", 10000, true, flying([](World&, std::uint32_t) {}), push({1, 2, 3}, Vec3::zero())},
-      {kUserTorqueRow, "user_torque", 10000, true, flying([](World&, std::uint32_t) {}), push(Vec3::zero(), {1, 2, 3})},
-      {kLocksRow, "axis_locks", 10000, true, flying([](World& w, std::uint32_t i) { w.set_locks(i, 1); })},
-      {kDragRow, "drag", 10000, true, flying(drag)},
-      {kWindRow, "wind", 10000, true, flying(drag, [](TestWorld& t) { t.world.set_wind(Vec3(3, 0, 0)); })},
-      {kFieldsRow, "fields, uniform", 10000, true, in_field(uniform)},
-      {kFieldsRow, "fields, vortex", 10000, true, in_field(vortex)},
-      {kSpringsRow, "springs", 1000, true, flying([](World& w, std::uint32_t i) {
+      {+EffectId::user_force, "user_force", 10000, true, flying([](World&, std::uint32_t) {}), push({1, 2, 3}, Vec3::zero())},
+      {+EffectId::user_torque, "user_torque", 10000, true, flying([](World&, std::uint32_t) {}), push(Vec3::zero(), {1, 2, 3})},
+      {+EffectId::axis_locks, "axis_locks", 10000, true, flying([](World& w, std::uint32_t i) { w.set_locks(i, 1); })},
+      {+EffectId::drag, "drag", 10000, true, flying(drag)},
+      {+EffectId::wind, "wind", 10000, true, flying(drag, [](TestWorld& t) { t.world.set_wind(Vec3(3, 0, 0)); })},
+      {+EffectId::fields, "fields, uniform", 10000, true, in_field(uniform)},
+      {+EffectId::fields, "fields, vortex", 10000, true, in_field(vortex)},
+      {+EffectId::springs, "springs", 1000, true, flying([](World& w, std::uint32_t i) {
          SpringDef d;
          d.body_a = i, d.anchor_b = w.pose(i).p + Vec3(0, 2, 0), d.rest = 1, d.stiffness = 10, d.damping = 0.1;
          w.add_spring(d);
        })},
-      {kBuoyancyRow, "buoyancy, balls", 10000, true, flying_shapes(ball, {}, fill_in_water)},
-      {kBuoyancyRow, "buoyancy, boxes", 10000, true, flying_shapes(cube, {}, fill_in_water)},
-      {kParticlesRow, "particles", 10000, true,
+      {+EffectId::buoyancy, "buoyancy, balls", 10000, true, flying_shapes(ball, {}, fill_in_water)},
+      {+EffectId::buoyancy, "buoyancy, boxes", 10000, true, flying_shapes(cube, {}, fill_in_water)},
+      {+EffectId::particles, "particles", 10000, true,
        [](TestWorld& t, std::uint32_t bodies, std::uint32_t calling) {
          if (calling < bodies) fly(t, bodies);
          t.world.particles.extend(handle_slot(t.world.particles.create({}, calling)), calling);
        }},
-      {kCollisionRow, "collision, far apart", 10000, false, flying_shapes(ball)},
-      {kFilterRow, "filter", 10000, false,
+      {+EffectId::collision, "collision, far apart", 10000, false, flying_shapes(ball)},
+      {+EffectId::filter, "filter", 10000, false,
        flying_shapes(ball,
                      [](World& w, std::uint32_t i) {
                        Filter f;
                        f.category = 2;
                        w.set_filter(w.scene.first_collider[i], f);
                      })},
-      {kContinuousRow, "continuous", 10000, false,
+      {+EffectId::continuous, "continuous", 10000, false,
        flying_shapes(ball, [](World& w, std::uint32_t i) { w.set_continuous(i, SweepMode::always); })},
-      {kSleepRow, "sleep, awake", 10000, false,
+      {+EffectId::sleep, "sleep, awake", 10000, false,
        flying([](World&, std::uint32_t) {}, [](TestWorld& t) { t.world.set_dial(Dial::sleep, 1); })},
-      {kResponseRow, "response, boxes", 1000, false, lying(cube, 0.5, smooth)},
-      {kFrictionRow, "friction, boxes", 1000, false, lying(cube, 0.5, rough)},
-      {kRestitutionRow, "restitution, balls", 1000, false, lying(ball, 0.5, surface(0, 0.5, 0, 0))},
-      {kRollingRow, "rolling_resistance", 1000, false, lying(ball, 0.5, surface(0.5, 0, 0.05, 0))},
-      {kSpinningRow, "spinning_resistance", 1000, false, lying(ball, 0.5, surface(0.5, 0, 0, 0.05))},
-      {kSurfaceRow, "surface_velocity", 1000, false,
+      {+EffectId::response, "response, boxes", 1000, false, lying(cube, 0.5, smooth)},
+      {+EffectId::friction, "friction, boxes", 1000, false, lying(cube, 0.5, rough)},
+      {+EffectId::restitution, "restitution, balls", 1000, false, lying(ball, 0.5, surface(0, 0.5, 0, 0))},
+      {+EffectId::rolling_resistance, "rolling_resistance", 1000, false, lying(ball, 0.5, surface(0.5, 0, 0.05, 0))},
+      {+EffectId::spinning_resistance, "spinning_resistance", 1000, false, lying(ball, 0.5, surface(0.5, 0, 0, 0.05))},
+      {+EffectId::surface_velocity, "surface_velocity", 1000, false,
        lying(cube, 0.5, rough,
              [](World& w, std::uint32_t i) {
                w.set_surface_velocity(w.scene.first_collider[i], {Vec3(0, 0, 0.1), Vec3::zero()});
              })},
-      {kSensorRow, "sensor", 1000, false,
+      {+EffectId::sensor, "sensor", 1000, false,
        lying(ball, 0.5, rough,
              [](World& w, std::uint32_t i) {
                w.set_gravity_factor(i, 0);
                w.set_sensor(w.scene.first_collider[i], true);
              })},
-      {kSceneryRow, "scenery, one under boxes", 1000, false,
+      {+EffectId::scenery, "scenery, one under boxes", 1000, false,
        [=](TestWorld& t, std::uint32_t bodies, std::uint32_t) {
          const int along = static_cast<int>(3 * kRow), across = static_cast<int>(3 * (bodies / kRow + 1));
          t.add(t.keep(mesh(grid(along, across, 1, -1.5, -1.5, [](double, double) { return 0.0; }))), Vec3::zero(),
@@ -193,15 +193,15 @@ std::vector<Crowd> crowds() {
          const Shape* kept = t.keep(cube);
          for (std::uint32_t i = 0; i < bodies; ++i) t.add(kept, Vec3(site(i).x(), 0.498, site(i).z()));
        }},
-      {kJointsRow, "joints, hinges", 1000, true, hinged({})},
-      {kLimitsRow, "joint_limits, hinges", 1000, true, hinged(limit)},
-      {kMotorsRow, "joint_motors, hinges", 1000, true, hinged(motor)},
-      {kEventsRow, "events, of boxes", 1000, false,
+      {+EffectId::joints, "joints, hinges", 1000, true, hinged({})},
+      {+EffectId::joint_limits, "joint_limits, hinges", 1000, true, hinged(limit)},
+      {+EffectId::joint_motors, "joint_motors, hinges", 1000, true, hinged(motor)},
+      {+EffectId::events, "events, of boxes", 1000, false,
        [=](TestWorld& t, std::uint32_t bodies, std::uint32_t calling) {
          lying(cube, 0.5, rough)(t, bodies, calling);
          collect(t.world, Events::contact, 1);
        }},
-      {kLedgerRow, "ledger, of boxes", 1000, false,
+      {+EffectId::ledger, "ledger, of boxes", 1000, false,
        [=](TestWorld& t, std::uint32_t bodies, std::uint32_t calling) {
          lying(cube, 0.5, rough)(t, bodies, calling);
          t.world.keep_ledger(true);

@@ -40,7 +40,7 @@ void pave(TestWorld& t, int n) {
   for (int i = 0; i < n * n; ++i) t.add(ball, Vec3(i % n - n / 2, 0.25, i / n - n / 2));
 }
 
-std::uint64_t evaluations(const World& w) { return w.plan->effects[kContinuousRow].evaluations; }
+std::uint64_t evaluations(const World& w) { return w.plan->effects[+EffectId::continuous].evaluations; }
 
 }  // namespace
 

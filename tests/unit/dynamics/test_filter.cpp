@@ -131,7 +131,7 @@ static void a_world_without_filters_goes_the_same_way(void**) {
       row.world.set_filter(row.collider(row.balls[0]), Filter());
     }
     row.run(60, 1.0 / 60);
-    assert_int_equal(row.world.plan->effects[kFilterRow].customers.count, 0);
+    assert_int_equal(row.world.plan->effects[+EffectId::filter].customers.count, 0);
     assert_false(any_held_apart(row.world));
     return row.world.hash();
   };

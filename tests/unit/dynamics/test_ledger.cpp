@@ -60,7 +60,7 @@ static void every_cause_has_a_name_of_its_own(void**) {
   for (std::size_t row = 0; row < kEffectCount; ++row) {
     const Effect& effect = effect_table()[row];
     const bool acts = effect.force || effect.flow;
-    assert_true((cause_name(cause_of_row(row)) != nullptr) == (acts && row != kGyroscopicRow));
+    assert_true((cause_name(cause_of_row(row)) != nullptr) == (acts && row != +EffectId::gyroscopic));
   }
   assert_int_equal(names.size() + silent, kCauses);
 }

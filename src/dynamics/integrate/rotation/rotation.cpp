@@ -12,7 +12,7 @@ const Rotation* rotation_method(std::uint32_t choice) {
 void turn_tops(World& world, Real h) {
   Plan& plan = *world.plan;
   if (!plan.rotation_method) return;
-  PlannedEffect& row = plan.effects[kGyroscopicRow];
+  PlannedEffect& row = plan.effects[+EffectId::gyroscopic];
   if (row.customers.count == 0) return;
   plan.rotation_method->advance(world, row.customers, h);
   row.evaluations += row.customers.count;

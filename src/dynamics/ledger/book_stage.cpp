@@ -1,4 +1,4 @@
-// What each room of the page did, and under which cause it is booked.
+// What each stage did, and under which cause it is booked.
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/impact.h"
 #include "dynamics/contact/resistance.h"
@@ -58,7 +58,7 @@ void book_host(World& world) {
   for (std::uint32_t s = 0; s < l.set_amount.size(); ++s) take_set(world, s, true);
 }
 
-void begin(World& world, const StepTime&) {
+void open_books(World& world) {
   Ledger& l = ledger_of(world);
   const std::size_t slots = world.scene.bodies.slots(), sets = world.particles.set.size();
   l.body.resize(slots), l.body_amount.resize(slots), l.probe.resize(slots);
@@ -72,7 +72,7 @@ void begin(World& world, const StepTime&) {
   }
   l.is_open = true;
   book_host(world);
-  world.plan->effects[kLedgerRow].customers.count = world.plan->linear.count + world.plan->rotating.count;
+  count_participants(world, EffectId::ledger, world.plan->linear.count + world.plan->rotating.count);
 }
 
 void book_kicks(World& world, const StepTime&) {
@@ -235,7 +235,7 @@ void book_lost(World& world, const StepTime&) {
 }
 
 void book_sleep(World& world, const StepTime& time) {
-  if (world.plan->effects[kSleepRow].customers.count > 0) book_changed<Cause::sleep>(world, time);
+  if (world.plan->effects[+EffectId::sleep].customers.count > 0) book_changed<Cause::sleep>(world, time);
 }
 
 /// The state itself, apart from all bookings.
@@ -262,14 +262,14 @@ void sum_state(World& world, Amount& to) {
   to = account.value();
 }
 
-void end(World& world, const StepTime&) {
+void close_books(World& world) {
   Ledger& l = ledger_of(world);
   sum_state(world, l.now);
   for (std::size_t c = 0; c < kCauses; ++c) l.since[c].add(l.step[c].value());
   l.since_rounding.energy += l.step_rounding.energy;
   l.since_rounding.linear += l.step_rounding.linear;
   l.since_rounding.angular += l.step_rounding.angular;
-  PlannedEffect& row = world.plan->effects[kLedgerRow];
+  PlannedEffect& row = world.plan->effects[+EffectId::ledger];
   row.evaluations += row.customers.count;
   ++l.steps;
   l.is_open = false;
@@ -277,29 +277,27 @@ void end(World& world, const StepTime&) {
 
 }  // namespace
 
-void book_room(World& world, void (*room)(World&, const StepTime&), const StepTime& time) {
-  using Room = void (*)(World&, const StepTime&);
-  static constexpr struct {
-    Room room, book;
-  } kBookings[] = {
-      {wake_touched, begin},
-      {begin_contacts, [](World& w, const StepTime&) { make_room_for_shares(w); }},
-      {integrate_velocity, book_kicks},
-      {answer_impacts, book_impacts},
-      {hold_moments, book_moments},
-      {solve_velocities, book_solved},
-      {integrate_position, book_moves},
-      {solve_positions, book_relaxed},
-      {resist, book_resisted},
-      {sweep, book_swept},
-      {fly, book_flight},
-      {end_contacts, book_changed<Cause::correction>},
-      {stop_strays, book_lost},
-      {fall_asleep, book_sleep},
-      {note_who_moved, end},
-  };
-  for (const auto& booking : kBookings)
-    if (booking.room == room) return booking.book(world, time);
+void book_stage(World& world, Booking booking, const StepTime& time) {
+  switch (booking) {
+    case Booking::none:
+    case Booking::with_host:
+    case Booking::by_itself: return;
+    case Booking::opens: return open_books(world);
+    case Booking::makes_room: return make_room_for_shares(world);
+    case Booking::forces: return book_kicks(world, time);
+    case Booking::impacts: return book_impacts(world, time);
+    case Booking::moments: return book_moments(world, time);
+    case Booking::solver: return book_solved(world, time);
+    case Booking::moves: return book_moves(world, time);
+    case Booking::relaxation: return book_relaxed(world, time);
+    case Booking::resistance: return book_resisted(world, time);
+    case Booking::sweeps: return book_swept(world, time);
+    case Booking::particles: return book_flight(world, time);
+    case Booking::corrections: return book_changed<Cause::correction>(world, time);
+    case Booking::lost_bodies: return book_lost(world, time);
+    case Booking::sleepers: return book_sleep(world, time);
+    case Booking::closes: return close_books(world);
+  }
 }
 
 }  // namespace carom::dynamics

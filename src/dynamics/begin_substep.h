@@ -1,0 +1,14 @@
+// What a substep saves of its beginning, once, for all who ask for it.
+#pragma once
+
+#include "dynamics/effects.h"
+
+namespace carom::dynamics {
+
+/// Stage functions of the page. Room for Plan::begun, where somebody will ask for it; allocates.
+void make_room_for_begun(World& world, const StepTime& time);
+/// Before the forces of a substep: velocities of bodies that hang on joints, that slide in small groups or that are
+/// swept; paths of those; approach at rows that bounce. Of other bodies nothing is read.
+void begin_substep(World& world, const StepTime& time);
+
+}  // namespace carom::dynamics

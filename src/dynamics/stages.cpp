@@ -1,0 +1,280 @@
+#include "dynamics/stages.h"
+
+#include <algorithm>
+
+#include "core/hash.h"
+#include "dynamics/begin_substep.h"
+#include "dynamics/ccd/continuous.h"
+#include "dynamics/contact/contact.h"
+#include "dynamics/contact/impact.h"
+#include "dynamics/contact/resistance.h"
+#include "dynamics/contact/surface.h"
+#include "dynamics/detect.h"
+#include "dynamics/events/events.h"
+#include "dynamics/integrate/free_flight.h"
+#include "dynamics/integrate/integrator.h"
+#include "dynamics/island.h"
+#include "dynamics/joint/wide_joints.h"
+#include "dynamics/observe.h"
+#include "dynamics/particles/flight.h"
+#include "dynamics/quarantine.h"
+#include "dynamics/query/index.h"
+#include "dynamics/sleep/sleep.h"
+#include "dynamics/solver/solver.h"
+
+namespace carom::dynamics {
+namespace {
+
+constexpr Parts kMotion = Part::poses | Part::velocities;
+constexpr Parts kContactsRead = Part::pairs | Part::colliders | kMotion;
+
+constexpr StageEntry kStageTable[] = {
+    // ---- once: who takes part, who meets whom. All that allocates stands here. ----
+    {.name = "admit",
+     .what = "bodies whose state makes no sense are put in quarantine; only after a host wrote to them",
+     .run = admit, .stage = Stage::refresh, .reads = kMotion | Part::forces,
+     .writes = kMotion | Part::quarantine | Part::forces, .booking = Booking::with_host},
+    {.name = "refresh",
+     .what = "who takes part in each effect, if the scene changed; frames and bounds of colliders",
+     .run = refresh, .stage = Stage::refresh, .reads = kMotion | Part::sleep | Part::quarantine,
+     .writes = Part::colliders | Part::sleep | Part::pairs | Part::impulses},
+    {.name = "wake touched",
+     .what = "islands asleep that something touches, or will within the step",
+     .run = wake_touched, .stage = Stage::refresh, .reads = kContactsRead | Part::sleep,
+     .writes = Part::sleep | Part::colliders | Part::pairs | Part::impulses, .booking = Booking::opens},
+    {.name = "find pairs",
+     .what = "colliders whose bounds overlap",
+     .run = find_pairs, .stage = Stage::broad, .effect = +EffectId::collision,
+     .reads = Part::colliders | Part::sleep, .writes = Part::pairs},
+    {.name = "find contacts",
+     .what = "contact points of those pairs",
+     .run = find_contacts, .stage = Stage::narrow, .effect = +EffectId::collision,
+     .reads = kContactsRead, .writes = Part::pairs | Part::colliders},
+    {.name = "leave to sweep",
+     .what = "contacts that a sweep knows better are left out",
+     .run = leave_to_sweep, .stage = Stage::narrow, .effect = +EffectId::continuous,
+     .reads = kContactsRead, .writes = Part::pairs},
+    {.name = "make rows",
+     .what = "a row of the solver for each contact point, with the impulse of the last step",
+     .run = make_rows, .stage = Stage::group, .reads = kContactsRead | Part::impulses},
+    {.name = "find resistance",
+     .what = "pairs that resist rolling or spinning",
+     .run = find_resistance, .stage = Stage::group, .reads = Part::pairs | Part::impulses},
+    {.name = "find surfaces",
+     .what = "pairs of which a surface moves of itself",
+     .run = find_surfaces, .stage = Stage::group, .reads = Part::pairs | Part::colliders},
+    {.name = "link joints",
+     .what = "joints of awake bodies",
+     .run = link_joints, .stage = Stage::group, .reads = Part::joints},
+    {.name = "list moved bodies",
+     .what = "bodies that rows or joints move",
+     .run = list_moved_bodies, .stage = Stage::group, .reads = Part::sleep},
+    {.name = "find groups",
+     .what = "which contacts and joints hang together",
+     .run = find_groups, .stage = Stage::group},
+    {.name = "begin contacts",
+     .what = "what the solver lays out for a step",
+     .run = begin_contacts, .stage = Stage::solve, .reads = kMotion | Part::joints,
+     .booking = Booking::makes_room},
+    {.name = "begin sweeps",
+     .what = "which bodies are swept, and what stands in their way",
+     .run = begin_sweeps, .stage = Stage::solve, .effect = +EffectId::continuous,
+     .reads = kContactsRead},
+    {.name = "begin events",
+     .what = "how fast bodies approach, if a host wants to know",
+     .run = begin_events, .stage = Stage::observe, .effect = +EffectId::events,
+     .reads = kContactsRead},
+    {.name = "make room",
+     .what = "for what substeps save",
+     .run = make_room_for_begun, .stage = Stage::solve},
+    {.name = "part with flyers",
+     .what = "bodies that nothing binds wait until the others had their substeps",
+     .run = part_with_flyers, .stage = Stage::integrate},
+    // ---- each substep ----
+    {.name = "begin substep",
+     .what = "velocities and gaps before the forces are saved for all that need them",
+     .run = begin_substep, .stage = Stage::solve, .reads = kMotion, .each_substep = true},
+    {.name = "integrate velocity",
+     .what = "forces change velocities",
+     .run = integrate_velocity, .stage = Stage::integrate,
+     .reads = kMotion | Part::forces, .writes = Part::velocities, .booking = Booking::forces, .each_substep = true},
+    {.name = "save accelerations",
+     .what = "of swept bodies",
+     .run = save_accelerations, .stage = Stage::solve, .effect = +EffectId::continuous,
+     .reads = Part::velocities, .each_substep = true},
+    {.name = "answer impacts",
+     .what = "what is hit bounces, each contact at its moment",
+     .run = answer_impacts, .stage = Stage::solve, .effect = +EffectId::restitution,
+     .reads = kMotion, .writes = kMotion, .booking = Booking::impacts, .each_substep = true},
+    {.name = "hold moments",
+     .what = "moments of the last substep against rolling and spinning",
+     .run = hold_moments, .stage = Stage::solve, .effect = +EffectId::rolling_resistance,
+     .reads = kMotion | Part::impulses, .writes = Part::velocities, .booking = Booking::moments, .each_substep = true},
+    {.name = "solve velocities",
+     .what = "joints and contacts change velocities",
+     .run = solve_velocities, .stage = Stage::solve,
+     .reads = kMotion | Part::joints | Part::impulses, .writes = Part::velocities, .booking = Booking::solver,
+     .each_substep = true},
+    {.name = "integrate position",
+     .what = "bodies move",
+     .run = integrate_position, .stage = Stage::integrate, .reads = kMotion,
+     .writes = kMotion | Part::quarantine, .booking = Booking::moves, .each_substep = true},
+    {.name = "solve positions",
+     .what = "penetration is undone, or the velocity that undid it taken back",
+     .run = solve_positions, .stage = Stage::relax, .reads = kMotion | Part::joints,
+     .writes = kMotion, .booking = Booking::relaxation, .each_substep = true},
+    {.name = "resist",
+     .what = "those moments put right, now that loads are known",
+     .run = resist, .stage = Stage::solve, .effect = +EffectId::rolling_resistance, .reads = kMotion,
+     .writes = Part::velocities, .booking = Booking::resistance, .each_substep = true},
+    {.name = "sweep",
+     .what = "a fast body stops at what is in its way, bounces there and goes on",
+     .run = sweep, .stage = Stage::solve, .effect = +EffectId::continuous, .reads = kContactsRead,
+     .writes = kMotion | Part::sleep | Part::quarantine, .booking = Booking::sweeps, .each_substep = true},
+    // ---- once: what is left of the step, and what it tells ----
+    {.name = "stop strays",
+     .what = "bodies that left the finite world are put in quarantine",
+     .run = stop_strays, .stage = Stage::solve, .reads = kMotion,
+     .writes = kMotion | Part::quarantine, .booking = Booking::lost_bodies},
+    {.name = "fly free",
+     .what = "bodies that nothing binds take the whole step in one go",
+     .run = fly_free, .stage = Stage::integrate, .reads = kMotion | Part::forces,
+     .writes = kMotion | Part::quarantine, .booking = Booking::by_itself},
+    {.name = "fly particles",
+     .what = "all substeps at once",
+     .run = fly, .stage = Stage::integrate, .effect = +EffectId::particles, .reads = Part::particles,
+     .writes = Part::particles, .booking = Booking::particles},
+    {.name = "end contacts",
+     .what = "impulses back from lanes into rows; joints that were overloaded break",
+     .run = end_contacts, .stage = Stage::solve, .reads = kMotion | Part::joints,
+     .writes = kMotion | Part::joints, .booking = Booking::corrections},
+    {.name = "end sweeps",
+     .what = "shapes whose support function failed are disabled",
+     .run = end_sweeps, .stage = Stage::solve, .effect = +EffectId::continuous,
+     .writes = Part::colliders},
+    {.name = "observe",
+     .what = "penetration and energies; impulses for the next step",
+     .run = observe, .stage = Stage::observe, .reads = kContactsRead | Part::joints,
+     .writes = Part::forces | Part::impulses},
+    {.name = "fall asleep",
+     .what = "islands that came to rest",
+     .run = fall_asleep, .stage = Stage::observe, .effect = +EffectId::sleep,
+     .reads = kMotion | Part::pairs | Part::sleep, .writes = Part::velocities | Part::sleep,
+     .booking = Booking::sleepers},
+    {.name = "end events",
+     .what = "what began, ended, was hit, entered, left, slept or woke",
+     .run = end_events, .stage = Stage::observe, .effect = +EffectId::events,
+     .reads = kContactsRead | Part::sleep},
+    {.name = "save who moved",
+     .what = "for queries between steps",
+     .run = note_who_moved, .stage = Stage::observe, .reads = kMotion,
+     .booking = Booking::closes},
+};
+
+/// What the ledger accounts for: whoever changes it says how that is booked.
+constexpr bool all_writers_are_booked() {
+  for (const StageEntry& entry : kStageTable)
+    if (entry.writes.meets(kMotion | Part::particles) && entry.booking == Booking::none) return false;
+  return true;
+}
+static_assert(all_writers_are_booked(), "a stage moves bodies or particles, and the ledger does not know of it");
+
+constexpr bool substeps_stand_together() {
+  int changes = 0;
+  for (std::size_t i = 1; i < std::size(kStageTable); ++i)
+    changes += kStageTable[i].each_substep != kStageTable[i - 1].each_substep;
+  return changes == 2 && !kStageTable[0].each_substep;
+}
+static_assert(substeps_stand_together());
+
+template <class T>
+void add_all(Hash& h, const Array<T>& of) {
+  h.add(std::uint64_t(of.size()));
+  for (const T& x : of) {
+    if constexpr (requires { x.at; })
+      h.add_coefficients(x);
+    else
+      h.add(std::uint64_t(x));
+  }
+}
+
+void add_colliders(Hash& h, const World& world) {
+  const Colliders& c = world.scene.colliders;
+  for (const Frame& f : c.frame) h.add_coefficients(f.r), h.add_coefficients(f.p);
+  for (const Aabb& b : c.bounds) h.add_coefficients(b.lo), h.add_coefficients(b.hi);
+  add_all(h, c.muted), add_all(h, c.active);
+}
+
+void add_particles(Hash& h, const World& world) {
+  for (const ParticleSet& set : world.particles.set)
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const Real x : set.x[static_cast<std::size_t>(axis)]) h.add(double(x));
+      for (const Real v : set.v[static_cast<std::size_t>(axis)]) h.add(double(v));
+    }
+}
+
+void add_joints(Hash& h, const World& world) {
+  for (const Joint& joint : world.joints.joint) {
+    for (const Real p : joint.p) h.add(double(p));
+    for (const Real p : joint.drive_p) h.add(double(p));
+    h.add(double(joint.p_h)), h.add(std::uint64_t(joint.broken));
+    h.add_coefficients(joint.force), h.add_coefficients(joint.torque);
+  }
+}
+
+void add_pairs(Hash& h, const World& world) {
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
+    const PairRecord& record = world.pairs[i];
+    h.add(std::uint64_t(record.pair.a) << 32 | record.pair.b);
+    for (int k = 0; k < record.manifold.count; ++k) h.add_coefficients(record.manifold.point[k].on_a);
+  }
+}
+
+void add_impulses(Hash& h, const World& world) {
+  for (const OldImpulse& old : world.contacts->old) {
+    h.add(std::uint64_t(old.pair.a) << 32 | old.pair.b);
+    h.add_coefficients(old.p), h.add_coefficients(old.moment), h.add_coefficients(old.place);
+  }
+}
+
+}  // namespace
+
+const char* part_name(Part part) {
+  static constexpr const char* kNames[kPartCount] = {"colliders", "poses",     "velocities", "forces", "quarantine",
+                                                     "sleep",     "particles", "joints",     "pairs",  "impulses"};
+  const auto i = static_cast<std::size_t>(part);
+  return i < kPartCount ? kNames[i] : "?";
+}
+
+std::span<const StageEntry> stage_table() { return kStageTable; }
+
+std::array<std::uint64_t, kPartCount> prints_of(const World& world) {
+  std::array<Hash, kPartCount> hash;
+  const auto of = [&](Part part) -> Hash& { return hash[static_cast<std::size_t>(part)]; };
+  const State& s = world.state;
+  add_colliders(of(Part::colliders), world);
+  add_all(of(Part::poses), s.x), add_all(of(Part::poses), s.q);
+  add_all(of(Part::velocities), s.v), add_all(of(Part::velocities), s.omega), add_all(of(Part::velocities), s.momentum);
+  add_all(of(Part::forces), s.force), add_all(of(Part::forces), s.torque);
+  add_all(of(Part::quarantine), s.quarantined);
+  add_all(of(Part::sleep), s.asleep);
+  add_particles(of(Part::particles), world);
+  add_joints(of(Part::joints), world);
+  add_pairs(of(Part::pairs), world);
+  add_impulses(of(Part::impulses), world);
+  std::array<std::uint64_t, kPartCount> prints;
+  std::transform(hash.begin(), hash.end(), prints.begin(), [](const Hash& h) { return h.value(); });
+  return prints;
+}
+
+Parts run_watched(const StageEntry& entry, World& world, const StepTime& time) {
+  const auto before = prints_of(world);
+  entry.run(world, time);
+  const auto after = prints_of(world);
+  Parts changed;
+  for (std::size_t i = 0; i < kPartCount; ++i)
+    if (before[i] != after[i]) changed |= static_cast<Part>(i);
+  return changed.without(entry.writes);
+}
+
+}  // namespace carom::dynamics
