@@ -1,215 +1,12 @@
-// Rows from manifolds: materials, anchors, effective masses, starting impulses.
+// What a substep makes of rows: effective masses, relative velocities, separations.
 #include "dynamics/contact/contact.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "dynamics/body_state.h"
-#include "dynamics/warm_scale.h"
 
 namespace carom::dynamics {
 namespace {
-
-constexpr std::size_t kPairsAhead = 12;  // whose records are fetched while those of one pair are read
-
-/// Where a point is for the next step to find again: on A, in the frame of its shape, unless A is static or kinematic,
-/// over which B may slide as fast as it likes; then on B.
-const Vec3& place_of(const ContactPoint& p, bool on_b) { return on_b ? p.on_b : p.on_a; }
-bool placed_on_b(const Scene& scene, std::uint32_t collider_a) {
-  return scene.type[scene.colliders.body[collider_a]] != BodyType::dynamic;
-}
-
-/// Which old point each point of a manifold goes on from: the nearest within reach, nearest pairs first, each taken
-/// once; a single point goes on from a single one however far it rolled. Two points that started from the same old one
-/// would carry its load twice, which upsets thin bodies whose points come and go.
-/// @param first, last  range of the pair in c.old   @return by point; null: none
-std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Contacts& c, std::size_t first, std::size_t last,
-                                                                 const Manifold& manifold, bool on_b, Real reach) {
-  std::array<const OldImpulse*, Manifold::kMaxPoints> match{};
-  if (last - first == 1 && manifold.count == 1) return {&c.old[first]};
-  std::size_t left = last - first;
-  // A kept patch has its points where they were, in their order: nothing is nearer.
-  std::size_t next = first;
-  for (int i = 0; i < manifold.count && next < last && reach > 0; ++i) {
-    if (c.old[next].place != place_of(manifold.point[i], on_b)) continue;
-    match[static_cast<std::size_t>(i)] = &c.old[next++];
-    --left;
-  }
-  for (; left > 0; --left) {
-    Real least = reach * reach;
-    const OldImpulse* nearest = nullptr;
-    int of = 0;
-    for (std::size_t k = first; k < last; ++k) {
-      const OldImpulse* const old = &c.old[k];
-      if (std::find(match.begin(), match.end(), old) != match.end()) continue;
-      for (int i = 0; i < manifold.count; ++i) {
-        if (match[static_cast<std::size_t>(i)]) continue;
-        const Real d = (old->place - place_of(manifold.point[i], on_b)).squared_norm();
-        if (d < least) least = d, nearest = old, of = i;
-      }
-    }
-    if (!nearest) break;
-    match[static_cast<std::size_t>(of)] = nearest;
-  }
-  return match;
-}
-
-/// What a point starts from: the impulse that held it, which stays as it is in the world while a normal turns with the
-/// body it stands on, within the new cone.   @param scale  substep now over substep then
-Vec3 starting_impulse(const OldImpulse& old, const Vec3& n, Real friction, Real scale) {
-  const Vec3 p = scale * old.p;
-  const Real normal = p.dot(n);
-  if (!(normal > 0)) return Vec3::zero();
-  const Vec3 tangent = p - normal * n;
-  const Real bound = friction * normal, size = tangent.norm();
-  return size > bound ? Vec3(normal * n + (bound / size) * tangent) : p;
-}
-
-/// Which of a pair's bodies contacts move in this step.
-struct Movers {
-  std::uint32_t a, b;  // body slots
-  bool moves_a, moves_b;
-
-  Movers(const World& world, const Pair& pair)
-      : a(world.scene.colliders.body[pair.a]), b(world.scene.colliders.body[pair.b]) {
-    moves_a = yields(world.scene, world.state, a) && !world.state.sleeps(a);
-    moves_b = yields(world.scene, world.state, b) && !world.state.sleeps(b);
-  }
-};
-
-std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
-  if (place.points == 0) return 0;
-  const Movers m(world, place.pair);
-  const EffectModes& modes = world.scene.modes;
-  if (modes.forbids(+EffectId::response, m.a) || modes.forbids(+EffectId::response, m.b)) return 0;
-  return m.moves_a || m.moves_b ? place.points : 0;
-}
-
-/// The rows of a pair, from `at` on.
-/// @param cursor  in c.old, not after the pair; moved on to it
-/// @param scale   substep now over substep then; 0: start cold
-void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size_t& cursor, Real scale) {
-  Contacts& c = *world.contacts;
-  const Scene& scene = world.scene;
-  const Manifold& manifold = world.pairs[pair_index].manifold;
-  const Pair pair = world.pairs.place(pair_index).pair;
-  const std::uint32_t ca = pair.a, cb = pair.b;
-  const Movers m(world, pair);
-  const MixedMaterial material = mixed(scene, ca, cb);
-  const Frame &fa = world.plan->local[ca], &fb = world.plan->local[cb];
-  while (cursor < c.old.size() && c.old[cursor].pair < pair) ++cursor;
-  std::size_t last = cursor;
-  while (last < c.old.size() && c.old[last].pair == pair) ++last;
-  const bool on_b = placed_on_b(scene, ca);
-  std::array<const OldImpulse*, Manifold::kMaxPoints> match{};
-  if (scale > 0 && last > cursor)
-    match = match_points(c, cursor, last, manifold, on_b, scene.dials[Dial::cache_distance]);
-
-  const Real radius_a = scene.colliders.shape[ca]->core_radius, radius_b = scene.colliders.shape[cb]->core_radius;
-  const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
-  const bool one_normal = std::all_of(manifold.point, manifold.point + manifold.count, is_first);
-  for (int k = 0; k < manifold.count; ++k) {
-    const ContactPoint& point = manifold.point[k];
-    Row& row = c.rows[at + static_cast<std::uint32_t>(k)];
-    RowGeometry& g = c.geometry[at + static_cast<std::uint32_t>(k)];
-    const OldImpulse* const old = match[static_cast<std::size_t>(k)];
-    row.u = Vec3::zero();
-    row.n = point.normal;
-    row.p = old ? starting_impulse(*old, row.n, material.friction, scale) : Vec3(Vec3::zero());
-    row.friction = material.friction;
-    row.restitution = material.restitution;
-    row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
-    row.one_normal = one_normal;
-    g.radius_a = radius_a, g.radius_b = radius_b;
-    g.l_a = fa.apply(point.on_a);
-    g.l_b = fb.apply(point.on_b);
-    if (radius_a > 0) g.l_a -= radius_a * (world.plan->rotation[m.a].transpose() * row.n);
-    if (radius_b > 0) g.l_b += radius_b * (world.plan->rotation[m.b].transpose() * row.n);
-    g.impulse = Vec3::zero();
-    g.place = place_of(point, on_b);
-    g.separation = point.separation;
-    g.pair = static_cast<std::uint32_t>(pair_index);
-    g.point = static_cast<std::uint32_t>(k);
-  }
-}
-
-/// Rows of all pairs, in their order: first how many each has, then what they are.
-void fill_all_rows(World& world, Real scale) {
-  constexpr std::size_t kPairsAPart = 64;
-  Contacts& c = *world.contacts;
-  const std::size_t pairs = world.pairs.size();
-  c.first_row.resize(pairs + 1);
-  in_parallel(world.jobs, pairs, 2 * kPairsAPart,
-              [&](std::uint32_t i) { c.first_row[i] = count_rows(world, world.pairs.place(i)); });
-  std::uint32_t n = 0;
-  for (std::size_t i = 0; i < pairs; ++i) {
-    world.report.contact_pairs += c.first_row[i] > 0;
-    n += std::exchange(c.first_row[i], n);
-  }
-  c.first_row[pairs] = n;
-  c.rows.resize(n), c.geometry.resize(n);
-  in_parts(world.jobs, pairs, kPairsAPart, [&](std::uint32_t begin, std::uint32_t end) {
-    const auto before = [](const OldImpulse& old, const Pair& pair) { return old.pair < pair; };
-    auto cursor = static_cast<std::size_t>(
-        std::lower_bound(c.old.begin(), c.old.end(), world.pairs.place(begin).pair, before) - c.old.begin());
-    for (std::uint32_t i = begin; i < end; ++i) {
-      world.pairs.fetch(i + kPairsAhead);
-      if (c.first_row[i] < c.first_row[i + 1]) fill_rows(world, i, c.first_row[i], cursor, scale);
-    }
-  });
-}
-
-/// Runs of rows of one pair, and which of them bounce or rub.
-void list_meetings(World& world) {
-  Contacts& c = *world.contacts;
-  c.meetings.clear(), c.bouncing.clear(), c.impacts.clear();
-  c.meetings.reserve(c.rows.size());
-  std::uint64_t rub = 0;
-  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
-    const std::uint32_t first = c.first_row[i], count = c.first_row[i + 1] - first;
-    if (count == 0) continue;
-    const Row& row = c.rows[first];
-    c.meetings.push_back({first, count, row.a, row.b, row.moves_a, row.moves_b, row.one_normal});
-    if (row.friction > 0) rub += count;
-    for (std::uint32_t k = first; row.restitution > 0 && k < first + count; ++k) {
-      c.geometry[k].impact = static_cast<std::uint32_t>(c.impacts.size());
-      c.bouncing.push_back(k);
-      c.impacts.emplace_back().row = k;
-    }
-  }
-  count_participants(world, EffectId::friction, rub);
-  count_participants(world, EffectId::restitution, c.bouncing.size());
-  count_participants(world, EffectId::response, c.meetings.size());
-}
-
-/// Who is moved by rows or joints, ascending. Looked for among the rows where those are few, so that nobody else costs
-/// anything.
-void list_bodies(World& world) {
-  Contacts& c = *world.contacts;
-  const Plan& plan = *world.plan;
-  const std::size_t movers = plan.linear.count + plan.rotating.count;
-  c.is_bound.resize(world.scene.bodies.slots(), 0);
-  c.bodies.reserve(std::min(movers, 2 * (c.meetings.size() + c.links.size())));
-  for (const std::uint32_t i : c.bodies) c.is_bound[i] = 0;
-  c.bodies.clear();
-  const auto see = [&](bool moves, std::uint32_t i) {
-    if (!moves || c.is_bound[i] || world.state.sleeps(i)) return;
-    c.is_bound[i] = 1;
-    c.bodies.push_back(i);
-  };
-  for (const auto& both : c.meetings) see(both.moves_a, both.a), see(both.moves_b, both.b);
-  for (const auto& both : c.links) see(both.moves_a, both.a), see(both.moves_b, both.b);
-  constexpr std::size_t kFew = 16;  // of so many that move one is listed: sorting them is cheaper than a look at all
-  if (kFew * c.bodies.size() < movers) {
-    std::sort(c.bodies.begin(), c.bodies.end());
-    return;
-  }
-  c.bodies.clear();
-  each_of_both(plan.linear, plan.rotating, [&](std::uint32_t i) {
-    if (c.is_bound[i]) c.bodies.push_back(i);
-  });
-}
 
 /// Let a row's starting impulse act.
 void start_row(World& world, const Row& row, const RowMass& m) {
@@ -222,43 +19,6 @@ void start_row(World& world, const Row& row, const RowMass& m) {
 }
 
 }  // namespace
-
-const Material& material_of(const Scene& scene, std::uint32_t collider) {
-  static constexpr Material kDefault;
-  const std::uint32_t slot = scene.colliders.material[collider];
-  return slot == Colliders::kNoMaterial ? kDefault : scene.material[slot];
-}
-
-MixedMaterial mixed(const Scene& scene, std::uint32_t collider_a, std::uint32_t collider_b) {
-  const Material &a = material_of(scene, collider_a), &b = material_of(scene, collider_b);
-  const EffectModes& modes = scene.modes;
-  const auto allowed = [&](std::size_t row, Real value) {
-    const auto forbids = [&](std::uint32_t c) { return modes.forbids(row, scene.colliders.body[c]); };
-    return value > 0 && modes.forbidden_anywhere && (forbids(collider_a) || forbids(collider_b)) ? Real(0) : value;
-  };
-  MixedMaterial m{allowed(+EffectId::friction, mix(a.friction_mix, a.friction, b.friction_mix, b.friction)),
-                  allowed(+EffectId::restitution, mix(a.restitution_mix, a.restitution, b.restitution_mix, b.restitution)), 0,
-                  0};
-  if (!scene.resists) return m;
-  m.rolling = allowed(+EffectId::rolling_resistance, mix(a.friction_mix, a.rolling, b.friction_mix, b.rolling));
-  m.spinning = allowed(+EffectId::spinning_resistance, mix(a.friction_mix, a.spinning, b.friction_mix, b.spinning));
-  return m;
-}
-
-Real mix(Mix rule_a, Real a, Mix rule_b, Real b) {
-  switch (std::max(rule_a, rule_b)) {
-    case Mix::maximum:
-      return std::max(a, b);
-    case Mix::minimum:
-      return std::min(a, b);
-    case Mix::average:
-      return (a + b) / 2;
-    case Mix::multiply:
-      return a * b;
-    default:
-      return std::sqrt(a * b);
-  }
-}
 
 void push_body(World& world, std::uint32_t body, const Vec3& p, const Vec3& r) {
   const Locks locks = world.scene.locks_of(body);
@@ -280,49 +40,6 @@ Mat3 velocity_per_impulse(const World& world, const Row& row, const RowMass& m) 
   if (row.moves_a) add(row.a, m.r_a);
   if (row.moves_b) add(row.b, m.r_b);
   return k;
-}
-
-void make_room_for_search(World& world) {
-  Contacts& c = *world.contacts;
-  const std::size_t slots = world.scene.bodies.slots(), n = c.rows.size();
-  c.half_begin.resize(slots), c.half_end.resize(slots);
-  for (const std::uint32_t i : c.bodies) c.half_end[i] = 0;
-  for (const Meeting& m : c.meetings) {
-    if (m.moves_a) c.half_end[m.a] += m.count;
-    if (m.moves_b) c.half_end[m.b] += m.count;
-  }
-  std::uint32_t begin = 0;
-  for (const std::uint32_t i : c.bodies) {
-    c.half_begin[i] = begin;
-    c.half_end[i] = begin += c.half_end[i];
-  }
-  c.half.resize(begin);
-  c.keys.resize(n), c.place.resize(n), c.ranked.reserve(n);
-}
-
-Real start_scale(const World& world, Real h) {
-  const bool warm = world.scene.dials.choice(Dial::warm_start) != 0 && world.contacts->old_h > 0;
-  return warm ? warm_scale(h, world.contacts->old_h) : 0;
-}
-
-void make_rows(World& world, const StepTime& time) {
-  Contacts& c = *world.contacts;
-  for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;  // of the last step
-  fill_all_rows(world, start_scale(world, time.h));
-  world.report.contact_points = c.rows.size();
-  list_meetings(world);
-}
-
-void list_moved_bodies(World& world, const StepTime&) {
-  Contacts& c = *world.contacts;
-  const std::size_t n = c.rows.size(), slots = world.scene.bodies.slots();
-  list_bodies(world);
-  if (!c.bouncing.empty()) make_room_for_search(world);
-  c.inv_inertia_w.resize(slots);
-  c.last_impact.resize(slots);
-  c.shift.resize(slots, Vec3::zero()), c.turn.resize(slots, Vec3::zero());
-  c.old.reserve(n);
-  c.blocks.assign((n + kRowsAPart - 1) / kRowsAPart, {});
 }
 
 void prepare_rows(World& world, Real h) {
@@ -382,28 +99,6 @@ void refresh_separations(World& world) {
   Contacts& c = *world.contacts;
   in_parallel(world.jobs, c.rows.size(), kRowsAPart,
               [&](std::uint32_t i) { c.geometry[i].separation = separation_of(world, c.rows[i], c.geometry[i]); });
-}
-
-void remember_impulses(World& world, Real h) {
-  Contacts& c = *world.contacts;
-  std::uint32_t n = 0;
-  for (Contacts::Block& block : c.blocks) n += std::exchange(block.loaded, n);  // now: where its impulses stand
-  c.old.resize(n);
-  c.old_h = h;
-  each_block(world, [&](const Contacts::Block& block, std::size_t first, std::size_t last) {
-    OldImpulse* to = c.old.data() + block.loaded;
-    const auto ends_before = [](const Resistance& r, std::size_t row) { return r.row + r.points <= row; };
-    auto resistance = std::lower_bound(c.resisting.begin(), c.resisting.end(), first, ends_before);
-    for (std::size_t i = first; i < last; ++i) {
-      const Row& row = c.rows[i];
-      if (row.p == Vec3::zero()) continue;
-      const RowGeometry& g = c.geometry[i];
-      while (resistance != c.resisting.end() && ends_before(*resistance, i)) ++resistance;
-      const bool resists = resistance != c.resisting.end() && resistance->row <= i;
-      *to++ = {world.pairs.place(g.pair).pair, g.place, row.p, Vec3::zero()};
-      if (resists) to[-1].moment = resistance->moment;
-    }
-  });
 }
 
 }  // namespace carom::dynamics
