@@ -1,0 +1,84 @@
+// Two bodies that are hit at one moment: the impulses of all points that touch then, after which each point moves as
+// its materials want.
+//
+// Who asks says how fast two bodies move at a point at that moment, and what one impulse there does to them; both
+// depend on what the velocities are those of: a whole substep (contact/impact.h), or a moment on a path
+// (ccd/continuous.h).
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "dynamics/contact/impulse.h"
+
+namespace carom::dynamics {
+
+// Sweeps over the points of an impact, which depend on each other. Fewer: a box that lands flat on four points is left
+// rocking. More: only where friction and restitution of many points don't settle, and then the time of an impact.
+inline constexpr int kImpactSweeps = 50;
+// Of the speed of an impact: what the last sweep may still change. Larger: what is hit on both sides alike is thrown a
+// little to one of them; smaller than rounding (1e-16): every impact takes all sweeps.
+inline constexpr Real kImpactSettled = 1e-13;
+
+/// One of two bodies that are hit.
+struct ImpactBody {
+  Vec3 v, omega;      // m/s, rad/s, world; impulses change them
+  Vec3 inv_mass;      // 1/kg, along the world's axes; 0 along what is locked
+  Mat3 inv_inertia;   // 1/(kg m^2), world; of what turns
+  bool moves, turns;  // by impulses
+
+  Vec3 at(const Vec3& arm) const { return v + omega.cross(arm); }
+  /// @param p  N s   @param arm  m, world axes, from the centre of mass
+  void push(const Vec3& p, const Vec3& arm) {
+    if (!moves) return;
+    v += inv_mass.times(p);
+    if (turns) omega += inv_inertia * arm.cross(p);
+  }
+};
+
+struct ImpactPair {
+  ImpactBody a, b;
+};
+
+/// A point at which they touch.
+struct ImpactPoint {
+  Row row;       // its impulse is that of the impact alone
+  RowMass mass;  // arms and K are the caller's, @see be_ready()
+  Real want;     // m/s, normal velocity after the impact
+
+  /// With arms, K, normal and friction known, and no impulse given yet.
+  void be_ready() {
+    mass.k_inv = mass.k.inverse();
+    row.k_n = row.n.dot(mass.k * row.n);
+    row.set_impulse(Vec3::zero());
+  }
+};
+
+/// m/s, normal velocity after an impact.
+/// @param speed      m/s, at which the point closes; negative: it parts, and what pushes elsewhere may turn that round
+/// @param threshold  m/s, the slowest that bounces
+inline Real wanted_speed(Real speed, Real restitution, Real threshold) {
+  return speed > 0 && !(speed > threshold) ? 0 : restitution * speed;
+}
+
+/// The impulses after which all points move as they want, with Coulomb's friction.
+/// @param points    std::span of ImpactPoint or of what is made of it
+/// @param speed     m/s, of the impact
+/// @param velocity  of B's surface relative to A's at a point, m/s, as the bodies move by now: velocity(point)
+template <class Point, class Velocity>
+void resolve_impact(ImpactPair& pair, std::span<Point> points, Real speed, const Velocity& velocity) {
+  for (int sweep = 0; sweep < kImpactSweeps; ++sweep) {
+    Real most = 0;
+    for (Point& p : points) {
+      p.row.u = velocity(p);
+      const Vec3 next = resolved_impulse(p.row, p.mass, p.want), change = next - p.row.p;
+      p.row.set_impulse(next);
+      pair.a.push(-change, p.mass.r_a);
+      pair.b.push(change, p.mass.r_b);
+      most = std::max(most, change.norm() * p.row.k_n);
+    }
+    if (!(most > kImpactSettled * speed)) break;
+  }
+}
+
+}  // namespace carom::dynamics
