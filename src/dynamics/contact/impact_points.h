@@ -9,16 +9,23 @@
 #include <algorithm>
 #include <span>
 
+#include "core/constant.h"
 #include "dynamics/contact/impulse.h"
 
 namespace carom::dynamics {
 
-// Sweeps over the points of an impact, which depend on each other. Fewer: a box that lands flat on four points is left
-// rocking. More: only where friction and restitution of many points don't settle, and then the time of an impact.
-inline constexpr int kImpactSweeps = 50;
-// Of the speed of an impact: what the last sweep may still change. Larger: what is hit on both sides alike is thrown a
-// little to one of them; smaller than rounding (1e-16): every impact takes all sweeps.
-inline constexpr Real kImpactSettled = 1e-13;
+inline constexpr Constant<int> kImpactSweeps{"impact_sweeps", 50, "sweeps",
+                                             "at most, over the points of an impact, which depend on each other: most "
+                                             "settle within a few, a box flat on four points within some twenty",
+                                             "fewer: a box that lands flat is left turning; more: time where friction "
+                                             "and restitution of many points don't settle"};
+inline constexpr Constant<Real> kImpactSettled{
+    "impact_settled", 1e-13, "1",
+    "share of the speed of an impact that the last sweep may still change: well above rounding, well below what a "
+    "bouncing body shows after a thousand impacts",
+    "larger: what is hit on both sides alike drifts to one of them; as small as rounding: every impact takes all "
+    "sweeps"};
+inline constexpr ConstantRow kImpactConstants[] = {kImpactSweeps, kImpactSettled};
 
 /// One of two bodies that are hit.
 struct ImpactBody {
