@@ -26,7 +26,7 @@ struct Sweeper::Strike {
   Real now;     // s, on the path
   Real moment;  // s, on the parabolas of which the paths are chords
   Vec3 normal, point;
-  ImpactPair of;  // bodies at the moment, changed by the impulse
+  ImpactPair of;                // bodies at the moment, changed by the impulse
   Real impulse = 0, speed = 0;  // N s; m/s, the fastest point's
   Real sinks = 0;               // m/s, at which the paths after it would still close
 };
@@ -185,6 +185,8 @@ bool Sweeper::exchange(Strike& s) {
   const MixedMaterial material = mixed(scene, s.a.collider, s.b.collider);
   const Real threshold = scene.dials[Dial::restitution_speed];
   const Frame frame_a = s.a.path.frame(s.a.piece, s.now), frame_b = s.b.path.frame(s.b.piece, s.now);
+  const bool locked = scene.locks_of(s.a.body) | scene.locks_of(s.b.body);
+  const Real unlocked = locked ? s.of.a.moves * scene.inv_mass[s.a.body] + s.of.b.moves * scene.inv_mass[s.b.body] : 0;
   std::array<ImpactPoint, Manifold::kMaxPoints> points;
   const auto count = static_cast<std::size_t>(manifold.count);
   for (std::size_t k = 0; k < count; ++k) {
@@ -197,7 +199,7 @@ bool Sweeper::exchange(Strike& s) {
     p.mass.k.add_to_diagonal(s.of.a.inv_mass + s.of.b.inv_mass);
     p.row.n = c.normal;
     p.row.friction = material.friction;
-    p.be_ready();
+    p.be_ready(unlocked);
     const Real speed = c.normal.dot(s.of.a.at(p.mass.r_a) - s.of.b.at(p.mass.r_b));
     p.want = wanted_speed(speed, material.restitution, threshold);
     s.speed = std::max(s.speed, speed);

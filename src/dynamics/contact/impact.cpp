@@ -17,7 +17,6 @@ namespace {
 // A contact that is hit more often in one substep lies between bodies that press: there is no end to its impacts, and
 // the solver holds it.
 constexpr std::uint32_t kMostImpacts = 100;
-constexpr Real kGiveWay = 1e-9;  // of the response without locks
 constexpr std::size_t kPoints = Manifold::kMaxPoints;
 
 class Impacts {
@@ -122,12 +121,8 @@ class Impacts {
     p.mass.r_a = at.r.a, p.mass.r_b = at.r.b;
     p.mass.k = velocity_per_impulse(world_, row, p.mass);
     const Scene& scene = world_.scene;
-    // Where nothing gives way no impulse helps; a little more than nothing keeps it finite, and sweeps undo what that
-    // is off.
-    if (scene.locks_of(row.a) | scene.locks_of(row.b))
-      p.mass.k.add_to_diagonal(Vec3::constant(
-          kGiveWay * (row.moves_a * scene.inv_mass[row.a] + row.moves_b * scene.inv_mass[row.b])));
-    p.be_ready();
+    const bool locked = scene.locks_of(row.a) | scene.locks_of(row.b);
+    p.be_ready(locked ? row.moves_a * scene.inv_mass[row.a] + row.moves_b * scene.inv_mass[row.b] : 0);
     return p;
   }
 

@@ -25,7 +25,12 @@ inline constexpr Constant<Real> kImpactSettled{
     "bouncing body shows after a thousand impacts",
     "larger: what is hit on both sides alike drifts to one of them; as small as rounding: every impact takes all "
     "sweeps"};
-inline constexpr ConstantRow kImpactConstants[] = {kImpactSweeps, kImpactSettled};
+inline constexpr Constant<Real> kGiveWay{"impact_give_way", 1e-9, "1",
+                                         "share of what bodies would answer without their locks, by which they give "
+                                         "way where they are locked: an impulse that nothing answers stays finite",
+                                         "larger: sweeps take longer to undo it; as small as rounding: what is hit "
+                                         "along its locks gets an infinite impulse, and ends in quarantine"};
+inline constexpr ConstantRow kImpactConstants[] = {kImpactSweeps, kImpactSettled, kGiveWay};
 
 /// One of two bodies that are hit.
 struct ImpactBody {
@@ -54,7 +59,11 @@ struct ImpactPoint {
   Real want;     // m/s, normal velocity after the impact
 
   /// With arms, K, normal and friction known, and no impulse given yet.
-  void be_ready() {
+  /// @param unlocked  1/kg, of both bodies if one of them has locks: what they would answer without; else 0
+  void be_ready(Real unlocked) {
+    // Where nothing gives way no impulse helps; a little more than nothing keeps it finite, and sweeps undo what that
+    // is off.
+    if (unlocked > 0) mass.k.add_to_diagonal(Vec3::constant(kGiveWay * unlocked));
     mass.k_inv = mass.k.inverse();
     row.k_n = row.n.dot(mass.k * row.n);
     row.set_impulse(Vec3::zero());
