@@ -14,6 +14,7 @@ typedef struct carom_rays carom_rays;
 typedef struct carom_ray_hit carom_ray_hit;
 typedef struct carom_ray_hits carom_ray_hits;
 typedef struct carom_dial_info carom_dial_info;
+typedef struct carom_constant_info carom_constant_info;
 typedef struct carom_draw_desc carom_draw_desc;
 typedef struct carom_draw_line carom_draw_line;
 typedef struct carom_engine_desc carom_engine_desc;
@@ -79,6 +80,7 @@ struct carom_rays { uint32_t struct_size; uint32_t scalar; uint64_t count; const
 struct carom_ray_hit { uint32_t outcome; uint32_t status; uint32_t shape; uint32_t reserved; double time; double lower; double upper; double normal[3]; double point[3]; };
 struct carom_ray_hits { uint32_t struct_size; uint32_t scalar; carom_ray_hit *records; uint32_t *outcomes; uint32_t *shapes; void *times; void *normals; void *points; uint64_t record_stride; uint64_t outcome_stride; uint64_t shape_stride; uint64_t time_stride; uint64_t normal_stride; uint64_t point_stride; };
 struct carom_dial_info { uint32_t struct_size; uint32_t dial; uint32_t kind; uint32_t choice_count; const char *name; const char *unit; const char *summary; const char *const *choices; double min; double max; double initial; };
+struct carom_constant_info { uint32_t struct_size; uint32_t constant; const char *name; const char *unit; const char *reason; const char *consequence; double value; };
 struct carom_draw_desc { uint32_t struct_size; uint32_t what; uint32_t colouring; uint32_t reserved; double scale; };
 struct carom_draw_line { double from[3]; double to[3]; uint32_t colour; uint32_t kind; carom_body body; };
 struct carom_engine_desc { uint32_t struct_size; uint32_t reserved; void * (*alloc)(void *, uint64_t, uint64_t); void (*free)(void *, void *, uint64_t, uint64_t); void *alloc_user; void (*log)(void *, uint32_t, const char *); void *log_user; };
@@ -165,6 +167,8 @@ int32_t carom_rays_cast(carom_engine *engine, const carom_shape *shapes, const d
 int32_t carom_dial_get_info(uint32_t dial, carom_dial_info *info, carom_error *error);
 int32_t carom_dial_get_count(uint32_t *count);
 int32_t carom_dial_find(const char *name, uint32_t *dial, carom_error *error);
+int32_t carom_constant_get_count(uint32_t *count);
+int32_t carom_constant_get_info(uint32_t constant, carom_constant_info *info, carom_error *error);
 const char *carom_preset_name(uint32_t preset);
 int32_t carom_preset_get_dial(uint32_t preset, uint32_t dial, double *value, carom_error *error);
 int32_t carom_draw_desc_init(carom_draw_desc *desc);
@@ -331,6 +335,7 @@ return {
   CAROM_E_CORRUPT = -27,
   CAROM_E_MISMATCH = -28,
   CAROM_E_WRITE_FAILED = -29,
+  CAROM_E_READ_ONLY = -30,
   CAROM_NULL_HANDLE = 0x0ULL,
   CAROM_MIX_GEOMETRIC_MEAN = 0,
   CAROM_MIX_MAXIMUM = 1,
@@ -595,5 +600,5 @@ return {
   CAROM_ASK_GENERIC = 1,
   CAROM_ASK_SENSORS = 2,
   VERSION = "1.8.0",
-  ROWS = 545, -- of the layout manifest
+  ROWS = 553, -- of the layout manifest
 }

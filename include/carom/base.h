@@ -62,6 +62,7 @@ extern "C" {
 #define CAROM_E_CORRUPT (-27)           /* bytes that are damaged, cut off or no snapshot   @since 1.8 */
 #define CAROM_E_MISMATCH (-28)          /* a snapshot of a world with other things in it   @since 1.8 */
 #define CAROM_E_WRITE_FAILED (-29)      /* a function that the host gave to write with said that it failed   @since 1.8 */
+#define CAROM_E_READ_ONLY (-30)         /* a number of the library that is fixed, no dial   @since 1.8 */
 
 /** Details of the last failure of one call. Owned by the caller; start from CAROM_ERROR_INIT.
  *  Written only on failure, never past struct_size. */

@@ -143,8 +143,30 @@ CAROM_API int32_t carom_dial_get_info(uint32_t dial, carom_dial_info *info, caro
 /** Number of dials this library has.   @status OK; NULL_ARGUMENT   @thread any */
 CAROM_API int32_t carom_dial_get_count(uint32_t *count);
 
-/** @param name as in carom_dial_info.name   @status OK; NULL_ARGUMENT; NOT_FOUND   @thread any */
+/** @param name as in carom_dial_info.name
+ *  @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (the name of a constant, since 1.8)   @thread any */
 CAROM_API int32_t carom_dial_find(const char *name, uint32_t *dial, carom_error *error);
+
+/* ---- constants: numbers of the library that trade nothing, so that nobody sets them; read them to know why ---- */
+
+/** What a constant is. Strings have static storage. Names are distinct from those of dials; which constants there are, and
+ *  in which order, may change from version to version.   @since 1.8 */
+typedef struct carom_constant_info {
+  uint32_t struct_size;
+  uint32_t constant;       /**< its number, from 0 */
+  const char *name;        /**< "direct_blow" */
+  const char *unit;        /**< "rad", "steps"; "1" of a share or a ratio */
+  const char *reason;      /**< what it is, and why it is as large as that */
+  const char *consequence; /**< what breaks if it moves */
+  double value;
+} carom_constant_info;
+
+/** Number of constants this library has.   @status OK; NULL_ARGUMENT   @thread any   @since 1.8 */
+CAROM_API int32_t carom_constant_get_count(uint32_t *count);
+
+/** @param constant from 0   @param info out
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count())   @thread any   @since 1.8 */
+CAROM_API int32_t carom_constant_get_info(uint32_t constant, carom_constant_info *info, carom_error *error);
 
 /* ---- presets: points on the measured front of error against time, from cheap to exact ---- */
 

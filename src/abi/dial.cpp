@@ -3,6 +3,7 @@
 
 #include "abi/check.h"
 #include "dynamics/ccd/continuous.h"
+#include "dynamics/constants.h"
 #include "dynamics/dials.h"
 #include "dynamics/presets.h"
 
@@ -90,7 +91,35 @@ int32_t carom_dial_find(const char* name, uint32_t* dial, carom_error* error) {
         *dial = static_cast<uint32_t>(row.dial);
         return;
       }
+    for (const ConstantRow& row : constant_table())
+      if (std::strcmp(row.name, name) == 0) {
+        call.fail(CAROM_E_READ_ONLY, 1, "%s is no dial but a constant: %g", row.name, row.value);
+        return;
+      }
     call.fail(CAROM_E_NOT_FOUND, 1, "there is no dial \"%.180s\"", name);
+  });
+}
+
+int32_t carom_constant_get_count(uint32_t* count) {
+  if (!count) return CAROM_E_NULL_ARGUMENT;
+  *count = static_cast<uint32_t>(constant_table().size());
+  return CAROM_OK;
+}
+
+int32_t carom_constant_get_info(uint32_t constant, carom_constant_info* info, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const auto table = constant_table();
+    if (!known(call, 1, "constant", constant, static_cast<uint32_t>(table.size())) || !fillable(call, 2, "info", info))
+      return;
+    const ConstantRow& row = table[constant];
+    carom_constant_info full{};
+    full.constant = constant;
+    full.name = row.name;
+    full.unit = row.unit;
+    full.reason = row.reason;
+    full.consequence = row.consequence;
+    full.value = row.value;
+    write_struct(full, info);
   });
 }
 

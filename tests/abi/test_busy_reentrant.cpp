@@ -247,6 +247,9 @@ std::vector<Attempt> try_engine_calls(const Bench& b) {
   add("rays_cast", carom_rays_cast(b.engine, &b.ball, kUp, kUpright, 1, &rays, nullptr, &hits, nullptr));
   add("world_create", carom_world_create(b.engine, nullptr, &world, nullptr));
   add("dial_get_info", carom_dial_get_info(0, &dial_info, nullptr));
+  carom_constant_info constant_info = {};
+  constant_info.struct_size = sizeof constant_info;
+  add("constant_get_info", carom_constant_get_info(0, &constant_info, nullptr));
   add("dial_find", carom_dial_find("solver", &dial, nullptr));
   double preset_value = 0;
   add("preset_get_dial", carom_preset_get_dial(0, CAROM_DIAL_SUBSTEPS, &preset_value, nullptr));

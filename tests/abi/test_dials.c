@@ -115,6 +115,36 @@ static void a_world_steps_at_every_setting(void **state) {
   }
 }
 
+/* Numbers that nobody sets: each says why, and under no name or number is it a dial. */
+static void constants_give_their_reasons_and_are_fixed(void **state) {
+  Bench b;
+  uint32_t count = 0, dials = 0, i, k;
+  (void)state;
+  assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
+  assert_int_equal(carom_constant_get_count(&count), CAROM_OK);
+  assert_int_equal(carom_dial_get_count(&dials), CAROM_OK);
+  assert_true(count >= 20);
+  for (i = 0; i < count; ++i) {
+    carom_constant_info info, other;
+    carom_error error = CAROM_ERROR_INIT;
+    uint32_t dial = 7;
+    info.struct_size = other.struct_size = sizeof info;
+    assert_int_equal(carom_constant_get_info(i, &info, NULL), CAROM_OK);
+    assert_int_equal(info.constant, i);
+    assert_true(strlen(info.name) > 2 && strlen(info.unit) > 0);
+    assert_true(strlen(info.reason) > 20 && strlen(info.consequence) > 20);
+    assert_true(isfinite(info.value) && info.value > 0);
+    assert_int_equal(carom_dial_find(info.name, &dial, &error), CAROM_E_READ_ONLY);
+    assert_true(dial == 7 && strstr(error.message, info.name) && strstr(error.remedy, "fixed"));
+    for (k = 0; k < i; ++k) {
+      assert_int_equal(carom_constant_get_info(k, &other, NULL), CAROM_OK);
+      assert_string_not_equal(info.name, other.name);
+    }
+    assert_int_equal(carom_world_set_dial(b.world, dials + i, info.value, NULL), CAROM_E_UNKNOWN_ENUM);
+  }
+  assert_int_equal(bench_free(&b), CAROM_OK);
+}
+
 static void stages_have_names(void **state) {
   uint32_t i, k;
   (void)state;
@@ -132,6 +162,7 @@ int main(void) {
       cmocka_unit_test(presets_set_the_dials_they_say),
       cmocka_unit_test(every_dial_takes_its_bounds_and_nothing_beyond),
       cmocka_unit_test(a_world_steps_at_every_setting),
+      cmocka_unit_test(constants_give_their_reasons_and_are_fixed),
       cmocka_unit_test(stages_have_names),
   };
   return cmocka_run_group_tests_name("abi/dials", tests, NULL, NULL);

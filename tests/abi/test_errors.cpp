@@ -293,6 +293,10 @@ const Row kWorld[] = {
     {"dial find: name", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint32_t d; return carom_dial_find(nullptr, &d, e); }},
     {"dial find: out", CAROM_E_NULL_ARGUMENT, 2, [](Bench&, carom_error* e) { return carom_dial_find("solver", nullptr, e); }},
     {"dial find: unknown", CAROM_E_NOT_FOUND, 1, [](Bench&, carom_error* e) { uint32_t d; return carom_dial_find("charm", &d, e); }},
+    {"dial find: a constant", CAROM_E_READ_ONLY, 1, [](Bench&, carom_error* e) { uint32_t d; return carom_dial_find("direct_blow", &d, e); }},
+    {"constant info: unknown", CAROM_E_UNKNOWN_ENUM, 1, [](Bench&, carom_error* e) { uint32_t n; carom_constant_get_count(&n); carom_constant_info i = {}; i.struct_size = sizeof i; return carom_constant_get_info(n, &i, e); }},
+    {"constant info: out", CAROM_E_NULL_ARGUMENT, 2, [](Bench&, carom_error* e) { return carom_constant_get_info(0, nullptr, e); }},
+    {"constant info: struct_size", CAROM_E_STRUCT_SIZE, 2, [](Bench&, carom_error* e) { carom_constant_info i = {}; return carom_constant_get_info(0, &i, e); }},
 };
 
 const Row kBody[] = {
@@ -855,13 +859,13 @@ void every_wrong_argument_of_filters_and_events_is_refused(void**) { each_is_ref
 
 void every_result_has_its_own_name_and_a_remedy(void**) {
   std::set<std::string> names;
-  for (int32_t code = CAROM_E_WRITE_FAILED; code <= CAROM_OK; ++code) {
+  for (int32_t code = CAROM_E_READ_ONLY; code <= CAROM_OK; ++code) {
     const std::string name = carom_result_name(code);
     assert_true(name.rfind("CAROM_", 0) == 0 && name != "CAROM_E_?");
     assert_true(names.insert(name).second);
     assert_true(std::strlen(carom_result_remedy(code)) > 8);
   }
-  for (int32_t code : {1, CAROM_E_WRITE_FAILED - 1, INT32_MAX, INT32_MIN}) {
+  for (int32_t code : {1, CAROM_E_READ_ONLY - 1, INT32_MAX, INT32_MIN}) {
     assert_string_equal(carom_result_name(code), "CAROM_E_?");
     assert_non_null(carom_result_remedy(code));
   }
@@ -883,6 +887,7 @@ void calls_without_an_error_object_refuse_null_too(void**) {
   assert_int_equal(carom_particles_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_query_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_dial_get_count(nullptr), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_constant_get_count(nullptr), CAROM_E_NULL_ARGUMENT);
 }
 
 void a_flat_shape_on_a_body_without_mass_has_no_volume(void**) {

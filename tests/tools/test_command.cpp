@@ -41,6 +41,7 @@ static void errors_exit_nonzero_and_say_what_to_do(void**) {
       {"run falling --n 4 --dial brod_phase=grid", "did you mean 'broad_phase'"},
       {"run falling --n 4 --dial broad_phase=octree", "brute_force, sweep_and_prune, grid, tree"},
       {"run falling --n 4 --dial substeps=0", "what to do"},
+      {"run falling --n 4 --dial direct_blow=1", "it is fixed"},
       {"run falling --n 4 --gltf motion.obj", ".gltf or .glb"},
       {"run falling --n 4 --gltf /no/such/folder/x.glb", "folder"},
       {"run falling --n 4 --csv /no/such/folder/x.csv", "folder"},
@@ -71,7 +72,7 @@ static void lists_show_every_scene_shape_and_dial(void**) {
   for (const char* name : {"seesaw", "catapult", "bunnies", "particles", "falling"}) assert_true(says(scenes, name));
   for (const char* name : {"sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "hull"})
     assert_true(says(shapes, name));
-  for (const char* name : {"broad_phase", "sweep_and_prune", "gjk_tolerance"}) assert_true(says(dials, name));
+  for (const char* name : {"broad_phase", "sweep_and_prune", "gjk_tolerance", "Constants", "direct_blow = 0.1", "facet_tilt = 0.03 rad"}) assert_true(says(dials, name));
 }
 
 static void a_run_reports_itself_as_json_and_csv(void**) {

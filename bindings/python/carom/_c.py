@@ -37,6 +37,7 @@ CAROM_E_INTERNAL = -26
 CAROM_E_CORRUPT = -27
 CAROM_E_MISMATCH = -28
 CAROM_E_WRITE_FAILED = -29
+CAROM_E_READ_ONLY = -30
 CAROM_NULL_HANDLE = 0
 CAROM_MIX_GEOMETRIC_MEAN = 0
 CAROM_MIX_MAXIMUM = 1
@@ -342,6 +343,8 @@ class carom_ray_hits(Structure):
     _fields_ = [("struct_size", c_uint32), ("scalar", c_uint32), ("records", POINTER(carom_ray_hit)), ("outcomes", POINTER(c_uint32)), ("shapes", POINTER(c_uint32)), ("times", c_void_p), ("normals", c_void_p), ("points", c_void_p), ("record_stride", c_uint64), ("outcome_stride", c_uint64), ("shape_stride", c_uint64), ("time_stride", c_uint64), ("normal_stride", c_uint64), ("point_stride", c_uint64)]
 class carom_dial_info(Structure):
     _fields_ = [("struct_size", c_uint32), ("dial", c_uint32), ("kind", c_uint32), ("choice_count", c_uint32), ("name", c_char_p), ("unit", c_char_p), ("summary", c_char_p), ("choices", POINTER(c_char_p)), ("min", c_double), ("max", c_double), ("initial", c_double)]
+class carom_constant_info(Structure):
+    _fields_ = [("struct_size", c_uint32), ("constant", c_uint32), ("name", c_char_p), ("unit", c_char_p), ("reason", c_char_p), ("consequence", c_char_p), ("value", c_double)]
 class carom_draw_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("what", c_uint32), ("colouring", c_uint32), ("reserved", c_uint32), ("scale", c_double)]
 class carom_draw_line(Structure):
@@ -438,6 +441,7 @@ STRUCTS = {
     "carom_ray_hit": carom_ray_hit,
     "carom_ray_hits": carom_ray_hits,
     "carom_dial_info": carom_dial_info,
+    "carom_constant_info": carom_constant_info,
     "carom_draw_desc": carom_draw_desc,
     "carom_draw_line": carom_draw_line,
     "carom_engine_desc": carom_engine_desc,
@@ -547,6 +551,8 @@ FUNCTIONS = {
     "carom_dial_get_info": ("1.0", c_int32, (c_uint32, POINTER(carom_dial_info), POINTER(carom_error),)),
     "carom_dial_get_count": ("1.0", c_int32, (POINTER(c_uint32),)),
     "carom_dial_find": ("1.0", c_int32, (c_char_p, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_constant_get_count": ("1.8", c_int32, (POINTER(c_uint32),)),
+    "carom_constant_get_info": ("1.8", c_int32, (c_uint32, POINTER(carom_constant_info), POINTER(carom_error),)),
     "carom_preset_name": ("1.8", c_char_p, (c_uint32,)),
     "carom_preset_get_dial": ("1.8", c_int32, (c_uint32, c_uint32, POINTER(c_double), POINTER(carom_error),)),
     "carom_draw_desc_init": ("1.6", c_int32, (POINTER(carom_draw_desc),)),

@@ -44,6 +44,7 @@ CAROM_E_INTERNAL: int
 CAROM_E_CORRUPT: int
 CAROM_E_MISMATCH: int
 CAROM_E_WRITE_FAILED: int
+CAROM_E_READ_ONLY: int
 CAROM_NULL_HANDLE: int
 CAROM_MIX_GEOMETRIC_MEAN: int
 CAROM_MIX_MAXIMUM: int
@@ -455,6 +456,16 @@ class carom_dial_info(ctypes.Structure):
     min: float
     max: float
     initial: float
+class carom_constant_info(ctypes.Structure):
+    """What a constant is. Strings have static storage. Names are distinct from those of dials; which constants there are, and
+    in which order, may change from version to version.   @since 1.8"""
+    struct_size: int
+    constant: int
+    name: Any
+    unit: Any
+    reason: Any
+    consequence: Any
+    value: float
 class carom_draw_desc(ctypes.Structure):
     struct_size: int
     what: int
@@ -1158,7 +1169,15 @@ def carom_dial_get_count(count: Any) -> int:
     """Number of dials this library has.   @status OK; NULL_ARGUMENT   @thread any"""
     ...
 def carom_dial_find(name: Any, dial: Any, error: Any) -> int:
-    """@param name as in carom_dial_info.name   @status OK; NULL_ARGUMENT; NOT_FOUND   @thread any"""
+    """@param name as in carom_dial_info.name
+    @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (the name of a constant, since 1.8)   @thread any"""
+    ...
+def carom_constant_get_count(count: Any) -> int:
+    """Number of constants this library has.   @status OK; NULL_ARGUMENT   @thread any   @since 1.8"""
+    ...
+def carom_constant_get_info(constant: Any, info: Any, error: Any) -> int:
+    """@param constant from 0   @param info out
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count())   @thread any   @since 1.8"""
     ...
 def carom_preset_name(preset: Any) -> bytes:
     """Static name of a preset ("balanced"), or "?".   @thread any   @since 1.8"""

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 
+#include "collision/manifold/patch_constants.h"
+
 namespace carom::collision {
 namespace {
-
-// Lines that enclose less (sine) lie along each other: the tilt within which facets are fitted at all.
-constexpr Real kParallel = 0.03;
 
 std::uint32_t corner_of_a(std::uint32_t name) { return name ? 0x40000000u | name : 0; }
 std::uint32_t corner_of_b(std::uint32_t name) { return name ? 0x80000000u | name : 0; }
@@ -93,7 +92,8 @@ class Cutter {
     const Real ax = a_.x[1] - a_.x[0], ay = a_.y[1] - a_.y[0], bx = b_.x[1] - b_.x[0], by = b_.y[1] - b_.y[0];
     const Real la2 = ax * ax + ay * ay, lb2 = bx * bx + by * by, turn = ax * by - ay * bx;
     const Real wx = b_.x[0] - a_.x[0], wy = b_.y[0] - a_.y[0];
-    if (turn * turn > kParallel * kParallel * la2 * lb2) {
+    // Lines that enclose less (sine) lie along each other: the tilt within which facets are fitted at all.
+    if (turn * turn > kFirstTilt * kFirstTilt * la2 * lb2) {
       const Real s = (wx * by - wy * bx) / turn, t = (wx * ay - wy * ax) / turn;
       if (s >= 0 && s <= 1 && t >= 0 && t <= 1) add(a_.x[0] + s * ax, a_.y[0] + s * ay, 0);
       return;

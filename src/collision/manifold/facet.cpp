@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "collision/core.h"
+#include "collision/manifold/patch_constants.h"
 
 namespace carom::collision {
 namespace {
@@ -13,7 +14,7 @@ constexpr int kRings = 3;
 // face: at 0.03 a box's face is found whole with a normal 0.02 off, and neighbours that enclose less are taken for one
 // curved piece. Each ring leaves the normal off by about the square of its tilt, so the next may be that much finer and
 // still see both ends of what is flat; the last leaves a round edge's height off by tilt^2/2 = 5e-9 of its radius.
-constexpr Real kFacetTilt[kRings] = {0.03, 2e-3, 1e-4};
+constexpr Real kFacetTilt[kRings] = {kFirstTilt, 2e-3, 1e-4};
 // The most that a face may lean, rad, to be looked for at all. Beyond, its far side carries nothing before the next
 // step.
 constexpr Real kWidest = 0.3;
@@ -35,8 +36,6 @@ constexpr Real kNoise = 1e-8;
 constexpr Real kFlat = 1e-6;
 // A chord shorter than this share of its predecessor shrank with the tilt (by 15 or 20), so it spans a curved piece.
 constexpr Real kShrank = 0.3;
-// Cosine of 0.06 rad: a fitted plane farther from the direction asked for spans several facets and says nothing.
-constexpr Real kFacetSamePlane = 0.9982;
 
 struct Ring {
   int count = 0;
@@ -159,7 +158,7 @@ bool fit_near(const Prober& probe, const Vec3& n, Facet& f, bool& sharp) {
       continue;
     }
     if (c.width <= noise || c.width < kShrank * width) return sharp = i == 0, be_edge(p, c.along, i, f), true;
-    const bool near = c.normal.dot(n) > kFacetSamePlane;
+    const bool near = c.normal.dot(n) > kPatchSamePlane;
     if (near && flat(p, f.tip, c.normal, std::max(kFlat * c.length, noise))) {
       // Few corners: all of them. Many: a ring square to the face leaves out fewest, and finds a rim at azimuths that
       // stay put in the body.

@@ -6,20 +6,13 @@
 #include "collision/manifold/adopt.h"
 #include "collision/manifold/cut_outlines.h"
 #include "collision/manifold/facet.h"
+#include "collision/manifold/patch_constants.h"
 
 namespace carom::collision {
 namespace {
 
-// By how much a normal further down the list (A's face, B's, crossing edges, the query's own) must separate better to
-// be taken: a part of the separation, and of the smaller bounding radius. Resting shapes have several normals equal up
-// to the tilt of a jitter; without a preference the patch would change from step to step. As in pair_box_box.cpp.
-constexpr Real kPatchPreferRelative = 0.02, kPatchPreferAbsolute = 5e-4;
 // rad: a declared face that leans by more is probed for, not looked up. Half as much again as probing sees.
-constexpr Real kFacing = 0.045;
-// Cosine of 0.06 rad, sine of 0.03: crossing edges that give a normal at all, and one near the query's.
-constexpr Real kNearNormal = 0.9982, kPatchParallel = 0.03;
-// What a kept patch may have moved: shares of the contact distance and of the smaller bounding radius.
-constexpr Real kKeepDistance = 0.02, kKeepRadius = 2e-3;
+constexpr Real kFacing = 1.5 * kFirstTilt;
 
 struct Party {
   Prober probe;
@@ -129,7 +122,7 @@ class Patch {
     const Vec3 queried = n_;
     const auto offer = [&](const Vec3& m, Owner whose) {
       const Real s = separation_along(m);
-      if (!(s >= to_beat) || !(m.dot(queried) > kNearNormal)) return;
+      if (!(s >= to_beat) || !(m.dot(queried) > kPatchSamePlane)) return;
       n_ = m, owner_ = whose;
       to_beat = std::max(to_beat, s + margin_);
     };
@@ -138,7 +131,7 @@ class Patch {
     if (a_.facet.rank != Facet::edge || b_.facet.rank != Facet::edge) return;
     const Vec3 along_b = b_in_a_.rotate(b_.facet.along), across = a_.facet.along.cross(along_b);
     const Real sine = across.norm();
-    if (sine > kPatchParallel) {
+    if (sine > kFirstTilt) {  // what encloses less lies along each other
       offer((across.dot(queried) < 0 ? -1 : 1) / sine * across, Owner::none);
     } else {
       const Vec3 square = queried - queried.dot(a_.facet.along) * a_.facet.along;

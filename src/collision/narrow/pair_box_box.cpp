@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "collision/manifold/clip.h"
+#include "collision/manifold/patch_constants.h"
 #include "collision/narrow/pair.h"
 
 namespace carom::collision {
@@ -16,7 +17,7 @@ constexpr Real kEdgesParallel = 1e-8;
 // the depth, and of the smallest half extent. Resting boxes have several axes equal up to the tilt of a jitter; without
 // a preference the patch would change from step to step. The price is a normal that is not the one of least depth where
 // the depths differ by less than this. Smaller: flicker. Larger: edges sink in before they are seen as edges.
-constexpr Real kPreferRelative = 0.02, kPreferAbsolute = 1e-3;
+constexpr Real kPreferAbsolute = 1e-3;  // and kPatchPreferRelative
 // The same where the depth itself is asked for (reach is infinite): rounding only.
 constexpr Real kBoxRounding = 1e-13;
 
@@ -42,7 +43,7 @@ BoxAxis best_axis(const Mat3& r, const Vec3& t, const Vec3& ha, const Vec3& hb, 
   const Mat3 abs_r = r.abs();
   const Real size = ha.sum() + hb.sum();
   const Real absolute = exact ? kBoxRounding * size : kPreferAbsolute * std::min(ha.min_entry(), hb.min_entry());
-  const Real relative = exact ? 0 : kPreferRelative;
+  const Real relative = exact ? 0 : kPatchPreferRelative.value;
   BoxAxis best;
   for (int i = 0; i < 3; ++i) {
     const Real s = std::fabs(t[i]) - ha[i] - (abs_r(i, 0) * hb[0] + abs_r(i, 1) * hb[1] + abs_r(i, 2) * hb[2]);

@@ -1,11 +1,12 @@
 // What a hit does: one impulse of all points that touch at that moment, and two bodies that go on from there.
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "collision/manifold/adopt.h"
 #include "collision/narrow/hybrid.h"
 #include "dynamics/ccd/sweeper.h"
-#include "dynamics/contact/impulse.h"
+#include "dynamics/contact/impact_points.h"
 #include "dynamics/detect.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
@@ -16,9 +17,7 @@
 namespace carom::dynamics {
 namespace {
 
-constexpr int kStrikeSweeps = 50;        // over the points, which depend on each other
 constexpr Real kStrikeSamePatch = 0.99;  // cosine of 0.14 rad: a patch of scenery is of the hit
-constexpr Real kStrikeSettled = 1e-13;   // of the speed of the impact: what the last sweep may still change
 
 }  // namespace
 
@@ -27,10 +26,7 @@ struct Sweeper::Strike {
   Real now;     // s, on the path
   Real moment;  // s, on the parabolas of which the paths are chords
   Vec3 normal, point;
-  Velocity of_a, of_b;                // at the moment, changed by the impulse
-  Mat3 inv_inertia_a, inv_inertia_b;  // 1/(kg m^2), world; zero of what does not turn
-  Vec3 inv_mass_a, inv_mass_b;        // 1/kg, along the world's axes; 0 of what a hit does not move, or a lock holds
-  bool moves_a, moves_b;
+  ImpactPair of;                // bodies at the moment, changed by the impulse
   Real impulse = 0, speed = 0;  // N s; m/s, the fastest point's
   Real sinks = 0;               // m/s, at which the paths after it would still close
 };
@@ -143,23 +139,26 @@ int Sweeper::find_points(const Strike& s, Manifold& manifold) {
   return 1;
 }
 
+/// But for its velocities.
+ImpactBody Sweeper::body_of(const Side& side, Real now) const {
+  const Scene& scene = world_.scene;
+  const Locks locks = scene.locks_of(side.body);
+  ImpactBody b{};
+  b.moves = moved_by_hits(side.body), b.turns = b.moves && rotates(scene, side.body);
+  b.inv_mass = b.moves ? scene.inv_mass[side.body] * free_axes(locks) : Vec3::zero();
+  b.inv_inertia = Mat3::zero();
+  if (!b.turns) return b;
+  const Mat3 r = side.path.orientation(now).matrix();
+  b.inv_inertia = locks & kAngularLocks ? inverse_of_free(r * scene.inertia[side.body] * r.transpose(), locks)
+                                        : Mat3(r * scene.inv_inertia[side.body] * r.transpose());
+  return b;
+}
+
 /// The impulse after which all points part as their materials want.
 /// @return whether there was one: no point closes on velocities that already part
 bool Sweeper::exchange(Strike& s) {
   const Scene& scene = world_.scene;
-  s.moves_a = moved_by_hits(s.a.body), s.moves_b = moved_by_hits(s.b.body);
-  const auto inertia = [&](const Side& side, bool moves) -> Mat3 {
-    if (!moves || !rotates(scene, side.body)) return Mat3::zero();
-    const Mat3 r = side.path.orientation(s.now).matrix();
-    const Locks locks = scene.locks_of(side.body);
-    return locks & kAngularLocks ? inverse_of_free(r * scene.inertia[side.body] * r.transpose(), locks)
-                                 : Mat3(r * scene.inv_inertia[side.body] * r.transpose());
-  };
-  const auto inv_mass = [&](std::uint32_t body, bool moves) -> Vec3 {
-    return moves ? Vec3(scene.inv_mass[body] * free_axes(scene.locks_of(body))) : Vec3(Vec3::zero());
-  };
-  s.inv_mass_a = inv_mass(s.a.body, s.moves_a), s.inv_mass_b = inv_mass(s.b.body, s.moves_b);
-  s.inv_inertia_a = inertia(s.a, s.moves_a), s.inv_inertia_b = inertia(s.b, s.moves_b);
+  s.of = {body_of(s.a, s.now), body_of(s.b, s.now)};
   const Vec3 x_a = s.a.path.place(s.now), x_b = s.b.path.place(s.now);
 
   // The moment on the parabolas: chords have come nearer by what these sag.
@@ -167,66 +166,54 @@ bool Sweeper::exchange(Strike& s) {
     if (!side.known || !side.known->flies) return Vec3::zero();
     return side.known->accel * ((s.now - side.path.t) * (time_.h - s.now) / 2);
   };
-  s.moment = s.now;
-  s.of_a = velocity(s.a, s.now), s.of_b = velocity(s.b, s.now);
+  const auto move = [&](Real to) {
+    const auto put = [&](const Side& side, ImpactBody& b) {
+      const Velocity u = velocity(side, to);
+      b.v = u.v, b.omega = u.omega;
+    };
+    s.moment = to;
+    put(s.a, s.of.a), put(s.b, s.of.b);
+  };
+  move(s.now);
   const Real gap = s.normal.dot(sag(s.a) - sag(s.b));
-  const Real closing = s.normal.dot(s.of_a.at(s.point - x_a) - s.of_b.at(s.point - x_b));
-  if (closing > 0 && gap != 0) {
-    s.moment = std::clamp(s.now + gap / closing, std::max(s.a.path.t, s.b.path.t), time_.h);
-    s.of_a = velocity(s.a, s.moment), s.of_b = velocity(s.b, s.moment);
-  }
-  const Velocity before_a = s.of_a, before_b = s.of_b;
+  const Real closing = s.normal.dot(s.of.a.at(s.point - x_a) - s.of.b.at(s.point - x_b));
+  if (closing > 0 && gap != 0) move(std::clamp(s.now + gap / closing, std::max(s.a.path.t, s.b.path.t), time_.h));
+  const ImpactPair before = s.of;
 
   Manifold manifold;
   find_points(s, manifold);
   const MixedMaterial material = mixed(scene, s.a.collider, s.b.collider);
   const Real threshold = scene.dials[Dial::restitution_speed];
   const Frame frame_a = s.a.path.frame(s.a.piece, s.now), frame_b = s.b.path.frame(s.b.piece, s.now);
-  struct Point {
-    Row row;
-    RowMass mass;
-    Real want;
-  };
-  std::array<Point, Manifold::kMaxPoints> points;
+  const bool locked = scene.locks_of(s.a.body) | scene.locks_of(s.b.body);
+  const Real unlocked = locked ? s.of.a.moves * scene.inv_mass[s.a.body] + s.of.b.moves * scene.inv_mass[s.b.body] : 0;
+  std::array<ImpactPoint, Manifold::kMaxPoints> points;
   const auto count = static_cast<std::size_t>(manifold.count);
   for (std::size_t k = 0; k < count; ++k) {
     const ContactPoint& c = manifold.point[k];
-    Point& p = points[k];
+    ImpactPoint& p = points[k];
     const Vec3 place = (frame_a.apply(c.on_a) + frame_b.apply(c.on_b)) / 2;
     p.mass.r_a = place - x_a, p.mass.r_b = place - x_b;
     const Mat3 cross_a = cross_matrix(p.mass.r_a), cross_b = cross_matrix(p.mass.r_b);
-    p.mass.k = -cross_a * s.inv_inertia_a * cross_a - cross_b * s.inv_inertia_b * cross_b;
-    p.mass.k.add_to_diagonal(s.inv_mass_a + s.inv_mass_b);
-    p.mass.k_inv = p.mass.k.inverse();
+    p.mass.k = -cross_a * s.of.a.inv_inertia * cross_a - cross_b * s.of.b.inv_inertia * cross_b;
+    p.mass.k.add_to_diagonal(s.of.a.inv_mass + s.of.b.inv_mass);
     p.row.n = c.normal;
     p.row.friction = material.friction;
-    p.row.k_n = c.normal.dot(p.mass.k * c.normal);
-    p.row.set_impulse(Vec3::zero());
-    const Real speed = c.normal.dot(s.of_a.at(p.mass.r_a) - s.of_b.at(p.mass.r_b));
-    p.want = speed > 0 && !(speed > threshold) ? 0 : material.restitution * speed;
+    p.be_ready(unlocked);
+    const Real speed = c.normal.dot(s.of.a.at(p.mass.r_a) - s.of.b.at(p.mass.r_b));
+    p.want = wanted_speed(speed, material.restitution, threshold);
     s.speed = std::max(s.speed, speed);
   }
   if (s.speed > 0) {
-    for (int sweep = 0; sweep < kStrikeSweeps; ++sweep) {
-      Real most = 0;
-      for (std::size_t k = 0; k < count; ++k) {
-        Point& p = points[k];
-        p.row.u = s.of_b.at(p.mass.r_b) - s.of_a.at(p.mass.r_a);
-        const Vec3 next = resolved_impulse(p.row, p.mass, p.want), change = next - p.row.p;
-        p.row.set_impulse(next);
-        s.of_a.v -= s.inv_mass_a.times(change), s.of_a.omega -= s.inv_inertia_a * p.mass.r_a.cross(change);
-        s.of_b.v += s.inv_mass_b.times(change), s.of_b.omega += s.inv_inertia_b * p.mass.r_b.cross(change);
-        most = std::max(most, change.norm() * p.row.k_n);
-      }
-      if (!(most > kStrikeSettled * s.speed)) break;
-    }
+    resolve_impact(s.of, std::span(points.data(), count), s.speed,
+                   [&](const ImpactPoint& p) { return s.of.b.at(p.mass.r_b) - s.of.a.at(p.mass.r_a); });
     for (std::size_t k = 0; k < count; ++k) s.impulse += points[k].row.p_n;
   }
-  turn_off(s.a, s, {s.of_a.v - before_a.v, s.of_a.omega - before_a.omega});
-  turn_off(s.b, s, {s.of_b.v - before_b.v, s.of_b.omega - before_b.omega});
+  turn_off(s.a, s, {s.of.a.v - before.a.v, s.of.a.omega - before.a.omega});
+  turn_off(s.b, s, {s.of.b.v - before.b.v, s.of.b.omega - before.b.omega});
   for (std::size_t k = 0; k < count; ++k) {
     const Velocity path_a{s.a.path.u, s.a.path.w}, path_b{s.b.path.u, s.b.path.w};
-    const Point& p = points[k];
+    const ImpactPoint& p = points[k];
     s.sinks = std::max(s.sinks, p.row.n.dot(path_a.at(p.mass.r_a) - path_b.at(p.mass.r_b)));
   }
   return s.impulse > 0;

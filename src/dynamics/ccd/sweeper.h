@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dynamics/ccd/continuous.h"
-#include "dynamics/contact/contact.h"
+#include "dynamics/contact/impact_points.h"
 #include "dynamics/scenery.h"
 
 namespace carom::dynamics {
@@ -58,6 +58,7 @@ class Sweeper {
   void strike(SweptBody& b);
   int find_points(const Strike& s, Manifold& manifold);
   void scenery_points(const SceneryPair& pair, const NarrowSettings& settings, const Vec3& normal, Manifold& manifold);
+  ImpactBody body_of(const Side& side, Real now) const;
   bool exchange(Strike& s);
   void turn_off(Side& side, Strike& s, const Velocity& change);
   void aim(const Side& side, Real now);

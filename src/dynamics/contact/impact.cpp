@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "dynamics/contact/impulse.h"
+#include "dynamics/contact/impact_points.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
@@ -17,9 +17,6 @@ namespace {
 // A contact that is hit more often in one substep lies between bodies that press: there is no end to its impacts, and
 // the solver holds it.
 constexpr std::uint32_t kMostImpacts = 100;
-constexpr int kImpactSweeps = 50;       // over the points of a pair, which depend on each other
-constexpr Real kImpactSettled = 1e-13;  // of the speed of an impact: what the last sweep may still change
-constexpr Real kGiveWay = 1e-9;   // of the response without locks
 constexpr std::size_t kPoints = Manifold::kMaxPoints;
 
 class Impacts {
@@ -49,11 +46,8 @@ class Impacts {
   }
 
  private:
-  struct Point {
+  struct Point : ImpactPoint {
     Impact* at;
-    Real want;  // m/s, normal velocity after the impact
-    Row row;
-    RowMass mass;
   };
 
   void answer_all() {
@@ -120,54 +114,51 @@ class Impacts {
     ++world_.report.velocity_impulses;
   }
 
-  /// @param speed  m/s, at which it closes; negative: it parts, and what pushes elsewhere may turn that round
+  /// @param speed  m/s, @see wanted_speed()
   Point point(Impact& at, Real speed) const {
     const Row& row = c_.rows[at.row];
-    Point p{&at, speed > 0 && !(speed > threshold_) ? 0 : row.restitution * speed, row, {}};
+    Point p{{row, {}, wanted_speed(speed, row.restitution, threshold_)}, &at};
     p.mass.r_a = at.r.a, p.mass.r_b = at.r.b;
     p.mass.k = velocity_per_impulse(world_, row, p.mass);
     const Scene& scene = world_.scene;
-    // Where nothing gives way no impulse helps; a little more than nothing keeps it finite, and sweeps undo what that
-    // is off.
-    if (scene.locks_of(row.a) | scene.locks_of(row.b))
-      p.mass.k.add_to_diagonal(Vec3::constant(
-          kGiveWay * (row.moves_a * scene.inv_mass[row.a] + row.moves_b * scene.inv_mass[row.b])));
-    p.mass.k_inv = p.mass.k.inverse();
-    p.row.k_n = row.n.dot(p.mass.k * row.n);
-    p.row.set_impulse(Vec3::zero());
+    const bool locked = scene.locks_of(row.a) | scene.locks_of(row.b);
+    p.be_ready(locked ? row.moves_a * scene.inv_mass[row.a] + row.moves_b * scene.inv_mass[row.b] : 0);
     return p;
   }
 
-  /// The impulses after which all points move as they want, with Coulomb's friction; the bodies' share of the motion
-  /// up to this moment is taken back.
+  ImpactBody body_of(std::uint32_t i, bool moves) const {
+    const Scene& scene = world_.scene;
+    const bool turns = moves && rotates(scene, i);
+    const Vec3 inv_mass = moves ? scene.inv_mass[i] * free_axes(scene.locks_of(i)) : Vec3::zero();
+    const Mat3 inv_inertia = turns ? c_.inv_inertia_w[i] : Mat3::zero();
+    return {world_.state.v[i], world_.state.omega[i], inv_mass, inv_inertia, moves, turns};
+  }
+
+  /// What the points give each other; the bodies' share of the motion up to this moment is taken back.
   void exchange(std::span<Point> points, const Touch& hit) {
     const Row& row = points[0].row;
-    const State& s = world_.state;
-    const Vec3 v_a = s.v[row.a], v_b = s.v[row.b], omega_a = s.omega[row.a], omega_b = s.omega[row.b];
-    for (int sweep = 0; sweep < kImpactSweeps; ++sweep) {
-      Real most = 0;
-      for (Point& p : points) {
-        p.row.u = velocity(*p.at) + (hit.time - lag_) * p.at->accel;
-        if (!c_.surface.empty()) p.row.u += c_.surface[p.at->row];
-        const Vec3 next = resolved_impulse(p.row, p.mass, p.want), change = next - p.row.p;
-        p.row.set_impulse(next);
-        if (row.moves_a) push_body(world_, row.a, -change, p.mass.r_a);
-        if (row.moves_b) push_body(world_, row.b, change, p.mass.r_b);
-        most = std::max(most, change.norm() * p.row.k_n);
-      }
-      if (!(most > kImpactSettled * hit.speed)) break;
-    }
+    ImpactPair pair{body_of(row.a, row.moves_a), body_of(row.b, row.moves_b)};
+    // As stored, but of the moment; in the order of additions of relative_velocity().
+    resolve_impact(pair, points, hit.speed, [&](const Point& p) {
+      Vec3 u = pair.b.v + pair.b.omega.cross(p.mass.r_b) - pair.a.v - pair.a.omega.cross(p.mass.r_a);
+      u += (hit.time - lag_) * p.at->accel;
+      if (!c_.surface.empty()) u += c_.surface[p.at->row];
+      return u;
+    });
     for (const Point& p : points) {
       ++p.at->count;
       c_.geometry[p.at->row].impulse += p.row.p;
       c_.rows[p.at->row].p.set_zero();  // an impact does not come again
     }
-    if (row.moves_a) turn_off(row.a, hit.time, s.v[row.a] - v_a, s.omega[row.a] - omega_a);
-    if (row.moves_b) turn_off(row.b, hit.time, s.v[row.b] - v_b, s.omega[row.b] - omega_b);
+    if (row.moves_a) turn_off(row.a, hit.time, pair.a);
+    if (row.moves_b) turn_off(row.b, hit.time, pair.b);
   }
 
-  /// A body's velocities changed at a moment of the substep.
-  void turn_off(std::uint32_t body, Real moment, const Vec3& dv, const Vec3& domega) {
+  /// A body's velocities change at a moment of the substep.
+  void turn_off(std::uint32_t body, Real moment, const ImpactBody& hit) {
+    State& s = world_.state;
+    const Vec3 dv = hit.v - s.v[body], domega = hit.omega - s.omega[body];
+    s.v[body] = hit.v, s.omega[body] = hit.omega;
     c_.last_impact[body] = moment;
     c_.shift[body] -= moment * dv;
     c_.turn[body] -= moment * domega;

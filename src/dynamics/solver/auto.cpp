@@ -16,6 +16,7 @@
 #include <span>
 
 #include "dynamics/force/force.h"
+#include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct.h"
 #include "dynamics/solver/pair_points.h"
 #include "dynamics/solver/soft_step.h"
@@ -23,17 +24,6 @@
 
 namespace carom::dynamics {
 namespace {
-
-constexpr std::uint32_t kMostDirectBodies = 256;  // of a group: beyond, finding an order of elimination alone takes too long
-
-// Points that close or part as fast as after a fall through this share of the thickness are struck. What a host has
-// just piled up, or what rocks and creaks under its load, stays well below.
-constexpr Real kBlow = 0.1;
-// Likewise, of a group that lies still: 0.06 m/s for a cube of 1 m.
-constexpr Real kStill = 2e-4;
-constexpr std::uint32_t kFew = 4;  // bodies
-// Of a group that hangs together by joints alone: its equations are solved at once, without a search for what touches.
-constexpr std::uint32_t kFewJoined = 32;
 
 /// Squared angular frequency of the springs between two bodies that move.
 Real stiffness(const Dials& dials, Real h) {
@@ -153,7 +143,7 @@ GroupMotion look_at(World& world, std::size_t group, Real w2, Real h, Real weigh
       // How deep soft contacts let the point sink, of the thickness of what touches: P / (m w^2) over that.
       if (load > 0) most = std::max(most, load * points.response[k] * give);
       motion.struck |= points.closing[k] * points.closing[k] > kBlow * fall;
-      motion.still &= points.speed2[k] < kStill * fall;
+      motion.still &= points.speed2[k] < kLiesStill * fall;
     }
     const auto bears = [&](bool moves, std::uint32_t body) {
       if (moves) seen.mark(c.load[body], body, most > deep ? Contacts::kHeavy : Contacts::kLight);
@@ -172,16 +162,15 @@ struct GroupMemory {
 /// borne for two steps counts, and then for a while.
 /// @param at_once  loads count from the first step on
 GroupMemory remember(World& world, const Seen& seen, bool at_once) {
-  constexpr std::uint8_t kEnough = 2, kLong = 60;  // steps
   Contacts& c = *world.contacts;
   GroupMemory memory;
   for (const std::uint32_t body : seen.all()) {
     std::uint8_t &steps = world.state.loaded_steps[body], &rest = world.state.tired_steps[body];
     if (c.load[body] == Contacts::kHeavy)
-      steps = at_once || steps + 1 >= kEnough ? kLong : static_cast<std::uint8_t>(steps + 1);
+      steps = at_once || steps + 1 >= kBorneFor ? kBearsFor.value : static_cast<std::uint8_t>(steps + 1);
     else if (steps > 0)
       --steps;
-    memory.bears |= steps >= kEnough;
+    memory.bears |= steps >= kBorneFor;
     memory.tired |= rest > 0;
     if (rest > 0) --rest;
     c.load[body] = Contacts::kUnseen;
@@ -190,7 +179,7 @@ GroupMemory remember(World& world, const Seen& seen, bool at_once) {
 }
 
 GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const GroupMemory& memory, Real most_ratio) {
-  const bool unlike = view.mass_ratio > most_ratio, still = motion.still && view.bodies <= kFew;
+  const bool unlike = view.mass_ratio > most_ratio, still = motion.still && view.bodies <= kFewStill;
   if (!unlike && !memory.bears && !still) return GroupReason::ordinary;
   if (memory.tired && !unlike) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
@@ -263,12 +252,11 @@ void choose(World& world, Real h) {
 /// A group that came nowhere near its solution within its work is left to soft contacts for a while: it moves too much.
 /// But not bodies of unlike masses, which soft contacts would throw about.
 void spare_the_tired(World& world) {
-  constexpr std::uint8_t kWhile = 120;  // steps
   const DirectGroups& d = *world.direct;
   for (std::size_t g = 0; g < d.groups(); ++g) {
     if (!is_far_off(d.answer[g], world.scene.dials)) continue;
     for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
-      world.state.tired_steps[d.bodies[i].slot] = kWhile;
+      world.state.tired_steps[d.bodies[i].slot] = kTiredFor;
   }
 }
 

@@ -7,13 +7,10 @@
 #include "dynamics/solver/contact_layout.h"
 #include "dynamics/solver/contact_masses.h"
 #include "dynamics/solver/contact_points.h"
+#include "dynamics/solver/sweep_constants.h"
 
 namespace carom::dynamics {
 namespace {
-
-constexpr int kInnerSweeps = 2;     // there and back
-constexpr double kUnderLoad = 0.1;  // of push_speed: how fast what bears as much as it may push still parts further
-constexpr double kSpared = 1.2;     // times what a spring sinks under its load at rest
 
 /// f(count, one_normal) as the pair has it, known to the compiler: points then stay in registers.
 template <int n>
@@ -142,7 +139,7 @@ struct Closing {
 template <bool kPush, bool kSpare, int kCount, int kOneNormal, class Number>
 CAROM_LANES_INLINE void press(Both<Number>& both, PointLanesOf<Number>* points, Number inv_h, Number push_speed) {
   using Lanes = LanesOf<Number>;
-  constexpr auto kUnder = static_cast<Number>(kUnderLoad);
+  constexpr auto kUnder = static_cast<Number>(kUnderLoad.value);
   const PairLanesOf<Number>& pair = both.pair;
   const Closing<Number, kOneNormal> closing(both);
   Lanes goal[kCount], gain[kCount], impulse[kCount], push[kCount];
@@ -179,7 +176,7 @@ CAROM_LANES_INLINE void press(Both<Number>& both, PointLanesOf<Number>* points, 
       if (l != k) goal[l] -= take[k][l] * d;
   };
   visit(0);
-  for (int i = 0; i < (kCount > 1 ? kInnerSweeps : 0); ++i) {  // a point needs no second visit where the way turns
+  for (int i = 0; i < (kCount > 1 ? kInnerSweeps.value : 0); ++i) {  // a point needs no second visit where the way turns
     for (int k = 1; k < kCount; ++k) visit(k);
     for (int k = kCount - 2; k >= 0; --k) visit(k);
   }
@@ -301,7 +298,7 @@ void part(const LaneRunOf<Number>& run, double of_depth, double tolerated) {
   using Lanes = LanesOf<Number>;
   using LaneVec = LaneVecOf<Number>;
   const auto share = static_cast<Number>(of_depth), slop = static_cast<Number>(tolerated);
-  constexpr auto kSpare = static_cast<Number>(kSpared);
+  constexpr auto kSpare = static_cast<Number>(kSpared.value);
   for (std::size_t i = 0; i < run.count; ++i) {
     const PairLanesOf<Number>& pair = run.pairs[i];
     Both<Number> both(pair, run);

@@ -1,4 +1,5 @@
-// `carom dials`: the library's own table of dials: name, default, bounds or choices, and what each trades.
+// `carom dials`: the library's own table of dials: name, default, bounds or choices, and what each trades. After it
+// presets, and the numbers that are no dials.
 #include <cstdio>
 
 #include "cli/commands.h"
@@ -33,18 +34,28 @@ void print_presets() {
   std::printf("%s\nSet one with: carom run SCENE --preset fast\n", table(rows).c_str());
 }
 
+/// Fixed numbers: each with two lines of prose, so no table.
+void print_constants() {
+  std::printf("\nConstants: fixed, each for a reason.\n\n");
+  for (const carom_constant_info& c : all_constants())
+    std::printf("%s = %g%s%s\n    %s\n    If it moves: %s\n", c.name, c.value, std::string(c.unit) == "1" ? "" : " ",
+                std::string(c.unit) == "1" ? "" : c.unit, c.reason, c.consequence);
+}
+
 void print_dials() {
   std::vector<std::vector<std::string>> rows = {{"dial", "default", "unit", "bounds or choices", "what it trades"}};
   for (const carom_dial_info& dial : all_dials())
     rows.push_back({dial.name, value_text(dial, dial.initial), dial.unit, bounds_text(dial), dial.summary});
   std::printf("%s\nSet one with: carom run SCENE --dial name=value\n\n", table(rows).c_str());
   print_presets();
+  print_constants();
 }
 
 }  // namespace
 
 void add_dials_command(CLI::App& app, Context&) {
-  app.add_subcommand("dials", "List every dial of a world: default, bounds, what it trades")->callback(print_dials);
+  app.add_subcommand("dials", "List every dial of a world: default, bounds, what it trades; and what is fixed, and why")
+      ->callback(print_dials);
 }
 
 }  // namespace carom::tools

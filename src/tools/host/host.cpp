@@ -274,7 +274,10 @@ void World::set_dial(const std::string& assignment) {
   const std::string name = assignment.substr(0, equals);
   if (name == "preset" && equals != std::string::npos) return set_preset(assignment.substr(equals + 1));
   std::uint32_t index = 0;
-  if (carom_dial_find(name.c_str(), &index, nullptr) != CAROM_OK) {
+  const std::int32_t found = carom_dial_find(name.c_str(), &index, nullptr);
+  if (found == CAROM_E_READ_ONLY)
+    throw Error("'" + name + "' is a constant, not a dial", "it is fixed: `carom dials` says why, and lists what can be set");
+  if (found != CAROM_OK) {
     std::vector<std::string> names;
     for (const carom_dial_info& d : all_dials()) names.emplace_back(d.name);
     const std::string near = nearest_name(name, names);
@@ -334,6 +337,18 @@ std::vector<carom_dial_info> all_dials() {
   call.done(carom_dial_get_count(&count), "counting dials");
   std::vector<carom_dial_info> list;
   for (std::uint32_t i = 0; i < count; ++i) list.push_back(dial_info(i));
+  return list;
+}
+
+std::vector<carom_constant_info> all_constants() {
+  std::uint32_t count = 0;
+  Call call;
+  call.done(carom_constant_get_count(&count), "counting constants");
+  std::vector<carom_constant_info> list(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    list[i].struct_size = sizeof list[i];
+    call.done(carom_constant_get_info(i, &list[i], call), "asking about a constant");
+  }
   return list;
 }
 

@@ -126,6 +126,8 @@ std::size_t field_width(std::uint32_t field);
 /// A dial's documentation, by index.   @throws Error
 carom_dial_info dial_info(std::uint32_t dial);
 std::vector<carom_dial_info> all_dials();
+/// Numbers of the library that nobody sets.
+std::vector<carom_constant_info> all_constants();
 
 /// Names of CAROM_PRESET_*, in order.
 std::vector<std::string> all_presets();

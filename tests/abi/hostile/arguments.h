@@ -27,7 +27,7 @@ constexpr Codes kNull = code(CAROM_E_NULL_ARGUMENT), kNotFinite = code(CAROM_E_N
                 kNoVolume = code(CAROM_E_NO_VOLUME), kLimit = code(CAROM_E_LIMIT), kMemory = code(CAROM_E_OUT_OF_MEMORY), kCorrupt = code(CAROM_E_CORRUPT),
                 kMismatch = code(CAROM_E_MISMATCH), kNotFound = code(CAROM_E_NOT_FOUND);
 /// Codes go from here to CAROM_OK.
-constexpr int32_t kLastCode = CAROM_E_WRITE_FAILED;
+constexpr int32_t kLastCode = CAROM_E_READ_ONLY;
 /// Refused as a number, or taken: nobody says which, but the world stays as it was or stays finite.
 constexpr Codes kPerhaps = kFine | kRange | kNotFinite | kNotUnit | kUnsupported | kNoVolume | kEnum;
 

@@ -545,6 +545,12 @@ inline const Row kRows[] = {
     // dials
     {"carom_dial_get_info", [](Context& c) { return call("carom_dial_get_info", carom_dial_get_info, {choice(c, CAROM_DIAL_COUNT), out_struct<carom_dial_info>(c), error(c)}); }},
     ROW(carom_dial_get_count, out(c, 4)),
+    {"carom_constant_get_info", [](Context& c) {
+       uint32_t count = 0;
+       carom_constant_get_count(&count);
+       return call("carom_constant_get_info", carom_constant_get_info, {choice(c, count), out_struct<carom_constant_info>(c), error(c)});
+     }},
+    ROW(carom_constant_get_count, out(c, 4)),
     {"carom_preset_name", [](Context& c) { return call("carom_preset_name", carom_preset_name, {fixed_number(c.source.below(64))}); }},
     {"carom_preset_get_dial", [](Context& c) {
        return call("carom_preset_get_dial", carom_preset_get_dial, {choice(c, CAROM_PRESET_COUNT), choice(c, CAROM_DIAL_COUNT), out(c, 8), error(c)}).may(code(CAROM_E_NOT_FOUND));
@@ -552,6 +558,7 @@ inline const Row kRows[] = {
     {"carom_dial_find", [](Context& c) {
        Argument name = string(c, "substeps");
        name.wrong.push_back({"none of this name", string(c, "bananas").good, code(CAROM_E_NOT_FOUND)});
+       name.wrong.push_back({"a constant", string(c, "direct_blow").good, code(CAROM_E_READ_ONLY)});
        return call("carom_dial_find", carom_dial_find, {name, out(c, 4), error(c)});
      }},
     // worlds

@@ -194,6 +194,25 @@ static void a_bat_that_is_fast_hits(void**) {
   }
 }
 
+// What it hits can't give way along its path, or not at all: it stays where it is, and finite.
+static void what_is_hit_along_its_locks_stays(void**) {
+  for (const Locks locks : {Locks(kLinearLocks), Locks(1), Locks(kAllLocks)})
+    for (const Real friction : {0.0, 0.5})
+      for (const Real e : {0.0, 1.0}) {
+        TestWorld t(Vec3::zero());
+        const std::uint32_t m = t.material(friction, e);
+        const std::uint32_t ball = t.add(t.keep(sphere(0.1)), Vec3::zero(), BodyType::dynamic, Quat::identity(), m);
+        t.world.set_locks(ball, locks);
+        const std::uint32_t bat =
+            t.add(t.keep(box(Vec3(0.01, 0.3, 0.3))), Vec3(-1.11, 0, 0), BodyType::kinematic, Quat::identity(), m);
+        t.world.set_velocity(bat, Vec3(100, 0, 0), Vec3::zero());
+        t.run(1, kDt);
+        assert_int_equal(t.world.report.quarantined_bodies, 0);
+        assert_true(t.world.report.sweep_hits > 0);
+        assert_true(t.world.state.x[ball] == Vec3::zero() && t.world.state.v[ball] == Vec3::zero());
+      }
+}
+
 // What a ball hits is swept itself from then on: a light ball behind it does not leave through the wall behind.
 static void who_is_hit_is_swept_too(void**) {
   for (int k = 0; k < 8; ++k) {
@@ -361,6 +380,7 @@ int main() {
       cmocka_unit_test(sleepers_wake_when_they_are_hit),
       cmocka_unit_test(events_tell_of_hits),
       cmocka_unit_test(a_bat_that_is_fast_hits),
+      cmocka_unit_test(what_is_hit_along_its_locks_stays),
       cmocka_unit_test(who_is_hit_is_swept_too),
       cmocka_unit_test(a_shape_that_misbehaves_is_muted),
       cmocka_unit_test(running_out_of_memory_moves_nobody),

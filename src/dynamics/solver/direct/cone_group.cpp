@@ -3,24 +3,13 @@
 #include <algorithm>
 
 #include "dynamics/quarantine.h"
+#include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/load.h"
 #include "dynamics/solver/direct/round.h"
 
 namespace carom::dynamics {
 namespace {
-
-// Of the tolerance, for few bodies that lie still: what may roll has no contact against it, and takes each push for
-// good.
-constexpr Real kStillShare = 1e-3;
-constexpr Real kConeShare = 1e-3;              // of the fastest contact, that is good enough where work is bounded
-constexpr Real kRest = 10;                 // tolerances: contacts that move slower, in any direction, are at rest
-constexpr Real kJoinedShare = 1e-3;        // of the tolerance, where there are joints: velocities add up to gaps
-constexpr int kJerks = 3;                  // times that a group is answered anew because a joint was jerked
-constexpr Real kLongestTurn = 30;              // of the largest overlap to be undone, that a body is displaced at most
-constexpr Real kGap = 1e-9;                // m or rad, of a joint that needs no parting
-constexpr std::uint32_t kAlways = 2;       // steps of Newton, a group and substep, however little work is left
-constexpr std::uint32_t kMostSteps = 200;  // of Newton, a group and substep: impacts of many bodies take that many
 
 /// What contacts start from in the next substep. Impulses that are off let velocities grow, substep by substep, until
 /// the solver undoes all that has gathered. Taken over whole that would throw the bodies back in the next substep, and
@@ -88,7 +77,7 @@ std::uint32_t ConeGroup::allowed_steps(std::uint64_t work) const {
 
 void ConeGroup::book_work() {
   if (!rest_.is_bounded) return;
-  const std::uint32_t beyond = std::max(answer_.factorisations, kAlways) - kAlways;
+  const std::uint32_t beyond = std::max(answer_.factorisations, kAlways.value) - kAlways;
   rest_.work -= std::min(rest_.work, beyond * work_);
 }
 
@@ -191,10 +180,9 @@ void ConeGroup::solve(Real h, std::uint64_t work, int substeps) {
   const Real least = start(h);
   rest_.is_bounded = work && !starts_from_nothing(problem_);
   if (rest_.is_first) rest_.work = work;
-  const Real enough = still_ ? std::max(kStillShare * tolerance, rounding(problem_))
-                      : work ? std::max(tolerance, kConeShare * fastest(problem_))
-                             : tolerance;
-  const Real goal = is_joined() ? std::min(enough, std::max(kJoinedShare * tolerance, rounding(problem_))) : enough;
+  const auto fine = [&] { return std::max(kFineShare * tolerance, rounding(problem_)); };
+  const Real enough = still_ ? fine() : work ? std::max(tolerance, kConeShare * fastest(problem_)) : tolerance;
+  const Real goal = is_joined() ? std::min(enough, fine()) : enough;
   const bool lies = !is_joined() && fastest_any_way(problem_) < world_.scene.dials[Dial::velocity_tolerance];
   const std::uint32_t most_steps = allowed_steps(lies ? rest_.work : work / static_cast<std::uint64_t>(substeps));
   answer_ = solve_cones(problem_, goal, most_steps);
@@ -285,7 +273,7 @@ void ConeGroup::settle(Real h) {
   for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b), load(b);
   load_links(world_, problem_, link_row_, LinkPhase::settle, h);
   measure_links(problem_);
-  const ConeAnswer answer = solve_cones(problem_, kJoinedShare * tolerance, kMostSteps);
+  const ConeAnswer answer = solve_cones(problem_, kFineShare * tolerance, kMostSteps);
   answer_.factorisations += answer.factorisations;
   book_links(world_, problem_, link_row_);
   for (const ConeBody& b : bodies_of(problem_)) store(b);

@@ -1,0 +1,52 @@
+// Numbers behind the patch of a pair: how facets are fitted, which normal is taken, how long a patch is kept.
+#pragma once
+
+#include "core/constant.h"
+
+namespace carom::collision {
+
+inline constexpr Constant<Real> kFirstTilt{
+    "facet_tilt", 0.03, "rad",
+    "tilt of the first ring of support calls: above the error of a query's normal, below the angle to the next face; "
+    "what encloses less is taken for one piece",
+    "smaller: a face is found in parts where the normal is 0.02 rad off, and what rests on it rocks; larger: faces "
+    "that meet at a blunt edge are taken for one curved piece"};
+inline constexpr Constant<Real> kPatchSamePlane{
+    "facet_same_plane", 0.9982, "1",
+    "cosine of 0.06 rad, twice the first tilt: the farthest that a fitted plane or a crossing of edges lies from the "
+    "normal that was asked for",
+    "smaller: planes that span several facets are taken for faces, and points lie off the shape; larger: normals that "
+    "a query has a little wrong lose the face they mean"};
+
+// By how much a normal further down the list (A's face, B's, crossing edges, the query's own) must separate better to
+// be taken: resting shapes have several normals equal up to the tilt of a jitter.
+inline constexpr Constant<Real> kPatchPreferRelative{
+    "patch_prefer_relative", 0.02, "1",
+    "share of the separation by which another normal must be better to be taken, between boxes as well: more than "
+    "resting shapes jitter",
+    "smaller: the patch of what rests changes from step to step, and warm starts are lost; larger: edges sink in "
+    "before they are seen as edges"};
+inline constexpr Constant<Real> kPatchPreferAbsolute{
+    "patch_prefer_absolute", 5e-4, "1",
+    "share of the smaller bounding radius by which another normal must be better, beside that of the separation: what "
+    "rests is nearly without separation, of which any share is nothing",
+    "smaller: normals of what just touches flicker; larger: small overlaps are parted along the wrong face"};
+
+// What a kept patch may have moved.
+inline constexpr Constant<Real> kKeepDistance{
+    "patch_keep_distance", 0.02, "1",
+    "share of the contact distance: two bodies may move by so much before their patch is looked for anew, and what is "
+    "overlooked stays well within the distance at which contacts are made",
+    "larger: points hang behind bodies that slide, and touch too late; smaller: what rests pays for a query in every "
+    "step"};
+inline constexpr Constant<Real> kKeepRadius{
+    "patch_keep_radius", 2e-3, "1",
+    "share of the smaller bounding radius that two bodies may move before their patch is looked for anew: of bodies as "
+    "small as the contact distance corners move by less than a patch is wide",
+    "larger: small bodies tip over corners that have gone; smaller: what is small and rests pays for a query in every "
+    "step"};
+
+inline constexpr ConstantRow kPatchConstants[] = {kFirstTilt,           kPatchSamePlane, kPatchPreferRelative,
+                                                  kPatchPreferAbsolute, kKeepDistance,   kKeepRadius};
+
+}  // namespace carom::collision

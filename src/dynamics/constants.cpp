@@ -1,0 +1,33 @@
+// The table of constants, joined when it is compiled.
+#include "dynamics/constants.h"
+
+#include <array>
+
+#include "collision/manifold/patch_constants.h"
+#include "dynamics/contact/impact_points.h"
+#include "dynamics/solver/auto_constants.h"
+#include "dynamics/solver/direct/cone_group_constants.h"
+#include "dynamics/solver/sweep_constants.h"
+
+namespace carom::dynamics {
+namespace {
+
+template <std::size_t... n>
+constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
+  std::array<ConstantRow, (n + ...)> all;
+  std::size_t i = 0;
+  const auto add = [&](const auto& part) {
+    for (const ConstantRow& row : part) all[i++] = row;
+  };
+  (add(parts), ...);
+  return all;
+}
+
+constexpr auto kConstantTable =
+    in_one_table(kPatchConstants, kImpactConstants, kSweepConstants, kAutoConstants, kConeGroupConstants);
+
+}  // namespace
+
+std::span<const ConstantRow> constant_table() { return kConstantTable; }
+
+}  // namespace carom::dynamics

@@ -1,0 +1,100 @@
+// Two bodies that are hit at one moment: the impulses of all points that touch then, after which each point moves as
+// its materials want.
+//
+// Who asks says how fast two bodies move at a point at that moment, and what one impulse there does to them; both
+// depend on what the velocities are those of: a whole substep (contact/impact.h), or a moment on a path
+// (ccd/continuous.h).
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "core/constant.h"
+#include "dynamics/contact/impulse.h"
+
+namespace carom::dynamics {
+
+inline constexpr Constant<int> kImpactSweeps{"impact_sweeps", 50, "sweeps",
+                                             "at most, over the points of an impact, which depend on each other: most "
+                                             "settle within a few, a box flat on four points within some twenty",
+                                             "fewer: a box that lands flat is left turning; more: time where friction "
+                                             "and restitution of many points don't settle"};
+inline constexpr Constant<Real> kImpactSettled{
+    "impact_settled", 1e-13, "1",
+    "share of the speed of an impact that the last sweep may still change: well above rounding, well below what a "
+    "bouncing body shows after a thousand impacts",
+    "larger: what is hit on both sides alike drifts to one of them; as small as rounding: every impact takes all "
+    "sweeps"};
+inline constexpr Constant<Real> kGiveWay{"impact_give_way", 1e-9, "1",
+                                         "share of what bodies would answer without their locks, by which they give "
+                                         "way where they are locked: an impulse that nothing answers stays finite",
+                                         "larger: sweeps take longer to undo it; as small as rounding: what is hit "
+                                         "along its locks gets an infinite impulse, and ends in quarantine"};
+inline constexpr ConstantRow kImpactConstants[] = {kImpactSweeps, kImpactSettled, kGiveWay};
+
+/// One of two bodies that are hit.
+struct ImpactBody {
+  Vec3 v, omega;      // m/s, rad/s, world; impulses change them
+  Vec3 inv_mass;      // 1/kg, along the world's axes; 0 along what is locked
+  Mat3 inv_inertia;   // 1/(kg m^2), world; of what turns
+  bool moves, turns;  // by impulses
+
+  Vec3 at(const Vec3& arm) const { return v + omega.cross(arm); }
+  /// @param p  N s   @param arm  m, world axes, from the centre of mass
+  void push(const Vec3& p, const Vec3& arm) {
+    if (!moves) return;
+    v += inv_mass.times(p);
+    if (turns) omega += inv_inertia * arm.cross(p);
+  }
+};
+
+struct ImpactPair {
+  ImpactBody a, b;
+};
+
+/// A point at which they touch.
+struct ImpactPoint {
+  Row row;       // its impulse is that of the impact alone
+  RowMass mass;  // arms and K are the caller's, @see be_ready()
+  Real want;     // m/s, normal velocity after the impact
+
+  /// With arms, K, normal and friction known, and no impulse given yet.
+  /// @param unlocked  1/kg, of both bodies if one of them has locks: what they would answer without; else 0
+  void be_ready(Real unlocked) {
+    // Where nothing gives way no impulse helps; a little more than nothing keeps it finite, and sweeps undo what that
+    // is off.
+    if (unlocked > 0) mass.k.add_to_diagonal(Vec3::constant(kGiveWay * unlocked));
+    mass.k_inv = mass.k.inverse();
+    row.k_n = row.n.dot(mass.k * row.n);
+    row.set_impulse(Vec3::zero());
+  }
+};
+
+/// m/s, normal velocity after an impact.
+/// @param speed      m/s, at which the point closes; negative: it parts, and what pushes elsewhere may turn that round
+/// @param threshold  m/s, the slowest that bounces
+inline Real wanted_speed(Real speed, Real restitution, Real threshold) {
+  return speed > 0 && !(speed > threshold) ? 0 : restitution * speed;
+}
+
+/// The impulses after which all points move as they want, with Coulomb's friction.
+/// @param points    std::span of ImpactPoint or of what is made of it
+/// @param speed     m/s, of the impact
+/// @param velocity  of B's surface relative to A's at a point, m/s, as the bodies move by now: velocity(point)
+template <class Point, class Velocity>
+void resolve_impact(ImpactPair& pair, std::span<Point> points, Real speed, const Velocity& velocity) {
+  for (int sweep = 0; sweep < kImpactSweeps; ++sweep) {
+    Real most = 0;
+    for (Point& p : points) {
+      p.row.u = velocity(p);
+      const Vec3 next = resolved_impulse(p.row, p.mass, p.want), change = next - p.row.p;
+      p.row.set_impulse(next);
+      pair.a.push(-change, p.mass.r_a);
+      pair.b.push(change, p.mass.r_b);
+      most = std::max(most, change.norm() * p.row.k_n);
+    }
+    if (!(most > kImpactSettled * speed)) break;
+  }
+}
+
+}  // namespace carom::dynamics

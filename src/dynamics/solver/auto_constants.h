@@ -1,0 +1,58 @@
+// Numbers by which solver auto chooses, beside its dials direct_sink, direct_ratio and direct_work.
+#pragma once
+
+#include <cstdint>
+
+#include "core/constant.h"
+
+namespace carom::dynamics {
+
+inline constexpr Constant<std::uint32_t> kMostDirectBodies{
+    "direct_most_bodies", 256, "bodies",
+    "of a group that the direct solver answers: beyond, finding an order of elimination alone takes too long",
+    "more: a large heap stalls the step in which it counts as heavy; fewer: long chains and tall walls of unlike "
+    "masses are left to soft contacts, and sink"};
+
+// Points that close or part as fast as after a fall through a share of the thickness are struck, or do not lie still.
+inline constexpr Constant<Real> kBlow{
+    "direct_blow", 0.1, "1",
+    "share of the thickness: points that close as fast as after a fall through it are struck; what was just piled up, "
+    "or rocks and creaks under its load, stays well below",
+    "larger: a blow sends the direct solver through all of a heap; smaller: a stack that rocks counts as struck, and "
+    "sinks under its load"};
+inline constexpr Constant<Real> kLiesStill{
+    "direct_still", 2e-4, "1",
+    "share of the thickness: a group whose points are all slower than after a fall through it lies still; 0.06 m/s for "
+    "a cube of 1 m, below which nobody sees it move",
+    "larger: few bodies that still roll or slide are solved exactly, step by step, at several times the cost; smaller: "
+    "what rests keeps the sag of soft contacts"};
+inline constexpr Constant<std::uint32_t> kFewStill{
+    "direct_few_still", 4, "bodies", "of a group that lies still: to hold so few exactly costs next to nothing",
+    "more: rooms full of small stacks pay for a solution that they don't need; fewer: two boxes on each other sag"};
+inline constexpr Constant<std::uint32_t> kFewJoined{
+    "direct_few_joined", 32, "bodies",
+    "of a group that hangs together by joints alone: its equations are solved at once, without a search for what "
+    "touches",
+    "more: nets of joints cost more than sweeps over them; fewer: ragdolls and short chains stretch"};
+
+// What bodies remember.
+inline constexpr Constant<std::uint8_t> kBorneFor{
+    "direct_borne_for", 2, "steps",
+    "for so long must a load be borne to count: an impact is as heavy as a load, but passes",
+    "1: every landing sends its group to the direct solver; more: a tall stack sinks for as long before it is held"};
+inline constexpr Constant<std::uint8_t> kBearsFor{
+    "direct_bears_for", 60, "steps",
+    "for so long does a load count that is no longer borne: a second at 60 Hz, longer than a stack rocks",
+    "fewer: groups go to and fro between two solvers, and jerk at each change; more: what was unloaded is solved "
+    "exactly for as long, to no use"};
+inline constexpr Constant<std::uint8_t> kTiredFor{
+    "direct_tired_for", 120, "steps",
+    "for so long is a group left to soft contacts that came nowhere near its solution within direct_work: it moves too "
+    "much, and goes on to",
+    "fewer: what can't be solved in time is tried again and again, at the full price each time; more: a heap that came "
+    "to rest sags for as long"};
+
+inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kBlow,     kLiesStill, kFewStill,
+                                                 kFewJoined,        kBorneFor, kBearsFor,  kTiredFor};
+
+}  // namespace carom::dynamics

@@ -1,0 +1,50 @@
+// Numbers of the direct solver: how well a group is solved, and at what work.
+#pragma once
+
+#include <cstdint>
+
+#include "core/constant.h"
+
+namespace carom::dynamics {
+
+inline constexpr Constant<Real> kFineShare{
+    "direct_fine_share", 1e-3, "1",
+    "share of the tolerance to which few bodies that lie still, and all that is joined, are solved: what may roll "
+    "takes each push for good, and velocities along joints add up to gaps",
+    "larger: balls at rest creep away, joints gape; smaller: steps of Newton for what rounding undoes"};
+inline constexpr Constant<Real> kConeShare{"direct_blow_share", 1e-3, "1",
+                                           "share of the fastest contact's speed that is good enough where work is "
+                                           "bounded: who looks at a blow does not see a thousandth of it",
+                                           "larger: what is struck leaves with velocities that friction and "
+                                           "restitution did not make; smaller: blows take all the work there is"};
+inline constexpr Constant<Real> kRest{
+    "direct_rest", 10, "1",
+    "tolerances below which contacts are at rest, however they move: the next substep then repeats this one",
+    "larger: what starts to slide is held until the next step; smaller: what rests is solved in every substep"};
+inline constexpr Constant<int> kJerks{
+    "direct_jerks", 3, "times",
+    "that a group is answered anew because a joint was jerked: each answer tells how hard joints pull, and so how much "
+    "stiffer their bodies must be taken in the next",
+    "fewer: a joint that is jerked throws its bodies; more: a mechanism at a dead point takes so many times the work"};
+inline constexpr Constant<Real> kLongestTurn{
+    "direct_longest_way", 30, "1",
+    "times the largest overlap to be undone: a body is displaced by so much at most, for what is wedged between walls "
+    "that nearly face each other would be moved by metres to be parted by millimetres",
+    "larger: what is wedged flies out; smaller: long levers part too slowly"};
+inline constexpr Constant<Real> kGap{"direct_gap", 1e-9, "m or rad",
+                                     "of a joint that needs no parting: far above rounding (1e-12 m at 4 km from the "
+                                     "origin), far below what anybody sees",
+                                     "larger: linkages whose joints depend on each other drift apart; smaller: joints "
+                                     "far from the origin are parted in every step for their rounding"};
+inline constexpr Constant<std::uint32_t> kAlways{
+    "direct_always", 2, "steps of Newton",
+    "of a group and substep, however little work is left: the first finds who slides, the second solves for it",
+    "fewer: groups over their budget are thrown about by half a solution; more: direct_work bounds nothing"};
+inline constexpr Constant<std::uint32_t> kMostSteps{
+    "direct_most_steps", 200, "steps of Newton", "of a group and substep: impacts of many bodies take that many",
+    "fewer: blows through many bodies end unsolved; more: a problem that has no solution stalls the step for longer"};
+
+inline constexpr ConstantRow kConeGroupConstants[] = {kFineShare,   kConeShare, kRest,   kJerks,
+                                                      kLongestTurn, kGap,       kAlways, kMostSteps};
+
+}  // namespace carom::dynamics

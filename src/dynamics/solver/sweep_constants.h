@@ -1,0 +1,27 @@
+// Numbers of the sweeps over contacts in lanes.
+#pragma once
+
+#include "core/constant.h"
+
+namespace carom::dynamics {
+
+inline constexpr Constant<int> kInnerSweeps{
+    "inner_sweeps", 2, "sweeps",
+    "over the points of one pair, there and back, within each visit of it: they depend on each other so much that one "
+    "would leave the bodies rocking",
+    "1: what stands on four points rocks; more: time in the innermost loop that the next substep makes good anyway"};
+inline constexpr Constant<double> kUnderLoad{"under_load_share", 0.1, "1",
+                                             "share of push_speed at which a spring that bears as much as it may push "
+                                             "still parts its bodies: it goes on growing under the load, slowly",
+                                             "0: what is too heavy for push_speed sinks and never comes up; larger: "
+                                             "overlap under a load is undone with a leap when the load goes"};
+inline constexpr Constant<double> kSpared{
+    "sag_spared", 1.2, "1",
+    "times what a spring sinks under its load at rest: so much overlap is left alone when places are corrected, a "
+    "little more than all that belongs to the spring",
+    "1 or less: places are corrected against the springs, and stacks climb and creak; larger: overlap stays that no "
+    "load asks for"};
+
+inline constexpr ConstantRow kSweepConstants[] = {kInnerSweeps, kUnderLoad, kSpared};
+
+}  // namespace carom::dynamics
