@@ -15,10 +15,10 @@
 namespace carom::dynamics {
 
 inline constexpr Constant<int> kImpactSweeps{"impact_sweeps", 50, "sweeps",
-                                             "at most, over the points of an impact, which depend on each other: most "
-                                             "settle within a few, a box flat on four points within some twenty",
-                                             "fewer: a box that lands flat is left turning; more: time where friction "
-                                             "and restitution of many points don't settle"};
+                                             "at most, over the points of an impact, which depend on each other: a "
+                                             "bound, so that what does not settle costs no more than that",
+                                             "fewer: what lands flat on several points is left turning; more: time, "
+                                             "where many points with friction and restitution do not settle"};
 inline constexpr Constant<Real> kImpactSettled{
     "impact_settled", 1e-13, "1",
     "share of the speed of an impact that the last sweep may still change: well above rounding, well below what a "

@@ -38,8 +38,8 @@ inline constexpr Constant<Real> kGap{"direct_gap", 1e-9, "m or rad",
                                      "far from the origin are parted in every step for their rounding"};
 inline constexpr Constant<std::uint32_t> kAlways{
     "direct_always", 2, "steps of Newton",
-    "of a group and substep, however little work is left: the first finds who slides, the second solves for it",
-    "fewer: groups over their budget are thrown about by half a solution; more: direct_work bounds nothing"};
+    "of a group and substep, however little work is left: a group over its budget still comes nearer to its solution",
+    "fewer: groups over their budget keep the impulses they started from; more: direct_work bounds less"};
 inline constexpr Constant<std::uint32_t> kMostSteps{
     "direct_most_steps", 200, "steps of Newton", "of a group and substep: impacts of many bodies take that many",
     "fewer: blows through many bodies end unsolved; more: a problem that has no solution stalls the step for longer"};
