@@ -5,6 +5,7 @@
 
 #include "dynamics/contact/mean_motion.h"
 #include "dynamics/body_state.h"
+#include "dynamics/force/force.h"
 #include "dynamics/ledger/ledger.h"
 #include "dynamics/quarantine.h"
 

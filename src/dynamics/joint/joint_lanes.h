@@ -34,7 +34,8 @@ struct JointLayout {
   DriveRow drive[kMostDriveRows] = {};
 };
 
-/// One row of each of four joints: u = d.(v_b - v_a) + w_b.omega_b - w_a.omega_a, the rate of `error`.
+/// One row of each of four joints: u = d.(v_b - v_a) + w_b.omega_b - w_a.omega_a, the rate of `error`. Where A is
+/// pulled another way than B, u = d.v_b - d_a.v_a + ..., @see PullLanes.
 struct JointRowLanes {
   LaneVec d;         // world; unit or zero
   LaneVec w_a, w_b;  // m or 1, world
@@ -53,6 +54,12 @@ struct JointDriveLanes {
   Lanes pull, drag;  // 1/s, 1: a spring's impulse is that of -m (pull x + drag u) - (1 - drag) p = 0, @see spring_of()
 };
 
+/// Joints whose rows act one way at A and another at B: all rows of a joint have the same. Apart from the rows, so that
+/// joints of one direction are as small as they were.
+struct PullLanes {
+  LaneVec d_a;  // world, at A
+};
+
 inline constexpr int kFactor = kMostRows * (kMostRows + 1) / 2;
 
 /// Four joints of one colour with one layout.
@@ -61,6 +68,7 @@ struct JointLanes {
   std::uint32_t occupied;              // lanes in use, from the first
   std::uint32_t first, first_drive;    // in WideJoints::rows and drives
   std::uint32_t locked;                // in JointRun::locks, from 1; 0: no body of the four is
+  std::uint32_t pulled;                // in JointRun::pulls, from 1; 0: rows have one direction
   JointLayout layout;
   Lanes inv_mass_a, inv_mass_b;                    // 1/kg
   LaneSymmetric start_inertia_a, start_inertia_b;  // inverse, 1/(kg m^2), world, as the step began
@@ -91,6 +99,7 @@ struct JointRun {
   std::uint32_t first_moved;  // bodies below are not written
   const LockLanes* locks;
   const BodyVelocity* gyro;  // omega: rad/s^2, of bodies that a rotation method carries; null: of none
+  PullLanes* pulls;
 };
 
 }  // namespace carom::dynamics

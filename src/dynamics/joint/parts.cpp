@@ -28,9 +28,11 @@ constexpr std::uint32_t rows_of(JointPart part) {
     case JointPart::line:
     case JointPart::direction:
       return 2;
-    default:
+    case JointPart::rod:
+    case JointPart::pins:
       return 1;
   }
+  return 0;
 }
 
 constexpr Real kNoLength = 1e-9;  // m: a rod that has none has no direction; its points just stay together

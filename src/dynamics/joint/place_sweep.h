@@ -152,10 +152,11 @@ struct JointPlacing {
         about(r[1], axes_a.z, dot(axes_a.z, turn));
         return r + 2;
       }
-      default:  // pins
+      case JointPart::pins:
         about(*r, cross(axes_b.z, axes_a.y), dot(axes_a.y, axes_b.z));
         return r + 1;
     }
+    return r;
   }
 
   CAROM_LANES_INLINE void distance(JointRowLanes& r) const {
@@ -193,18 +194,33 @@ struct JointPlacing {
 };
 
 /// Velocity at one row per impulse at another.
+/// @tparam kTwoWays  A is pulled another way than B
+template <bool kTwoWays>
 struct RowResponse {
   LaneVec d, i_a, i_b;  // of the impulse, over the masses
-  CAROM_LANES_INLINE void set(const JointLanes& joint, const LockLanes* locks, const JointRowLanes& r) {
-    d = locks ? each(joint.inv_mass_a * locks->free_a + joint.inv_mass_b * locks->free_b, r.d)
-              : (joint.inv_mass_a + joint.inv_mass_b) * r.d;
+  Lanes at_a;           // of two ways: what the impulse does at A, along the way all rows have there
+  CAROM_LANES_INLINE void set(const JointLanes& joint, const LockLanes* locks, const JointRowLanes& r,
+                              const PullLanes* pull) {
+    if constexpr (kTwoWays) {
+      d = joint.inv_mass_b * (locks ? each(locks->free_b, r.d) : r.d);
+      at_a = joint.inv_mass_a * dot(locks ? each(locks->free_a, pull->d_a) : pull->d_a, pull->d_a);
+    } else {
+      d = locks ? each(joint.inv_mass_a * locks->free_a + joint.inv_mass_b * locks->free_b, r.d)
+                : (joint.inv_mass_a + joint.inv_mass_b) * r.d;
+    }
     i_a = joint.inv_inertia_a * r.w_a;
     i_b = joint.inv_inertia_b * r.w_b;
   }
   CAROM_LANES_INLINE Lanes at(const JointRowLanes& r) const {
-    return dot(d, r.d) + (dot(i_a, r.w_a) + dot(i_b, r.w_b));
+    const Lanes rest = dot(d, r.d) + (dot(i_a, r.w_a) + dot(i_b, r.w_b));
+    if constexpr (kTwoWays) return at_a + rest;
+    return rest;
   }
 };
+
+CAROM_LANES_INLINE PullLanes* pull_of(const JointRun& run, const JointLanes& joint) {
+  return joint.pulled ? run.pulls + (joint.pulled - 1) : nullptr;
+}
 
 CAROM_LANES_INLINE const LockLanes* locks_of(const JointRun& run, const JointLanes& joint) {
   return joint.locked ? run.locks + (joint.locked - 1) : nullptr;
@@ -212,23 +228,28 @@ CAROM_LANES_INLINE const LockLanes* locks_of(const JointRun& run, const JointLan
 
 /// What a row's response is measured by: of its own size, but where bodies are locked of what it would be if they were
 /// not, to within the unlikeness of a body's moments: what is left of a locked direction is rounding.
-CAROM_LANES_INLINE Lanes whole_of(const JointLanes& joint, const LockLanes* locks, const JointRowLanes& r, Lanes own) {
+template <bool kTwoWays>
+CAROM_LANES_INLINE Lanes whole_of(const JointLanes& joint, const LockLanes* locks, const JointRowLanes& r,
+                                  const PullLanes* pull, Lanes own) {
   if (!locks) return own;
   const LaneSymmetric &i_a = joint.inv_inertia_a, &i_b = joint.inv_inertia_b;
-  return 1e2 * ((joint.inv_mass_a + joint.inv_mass_b) * dot(r.d, r.d) + dot(r.w_a, r.w_a) * (i_a.xx + i_a.yy + i_a.zz) +
-                dot(r.w_b, r.w_b) * (i_b.xx + i_b.yy + i_b.zz));
+  Lanes moved = (joint.inv_mass_a + joint.inv_mass_b) * dot(r.d, r.d);
+  if constexpr (kTwoWays) moved = joint.inv_mass_a * dot(pull->d_a, pull->d_a) + joint.inv_mass_b * dot(r.d, r.d);
+  return 1e2 * (moved + dot(r.w_a, r.w_a) * (i_a.xx + i_a.yy + i_a.zz) + dot(r.w_b, r.w_b) * (i_b.xx + i_b.yy + i_b.zz));
 }
 
 /// L D L^T of the coupling of n rows.
-CAROM_LANES_INLINE void factor_rows(JointLanes& joint, const LockLanes* locks, const JointRowLanes* rows) {
+template <bool kTwoWays>
+CAROM_LANES_INLINE void factor_rows(JointLanes& joint, const LockLanes* locks, const PullLanes* pull,
+                                    const JointRowLanes* rows) {
   const int n = static_cast<int>(joint.layout.equalities);
   Lanes* const f = joint.factor;
   for (int k = 0; k < n; ++k) {
-    RowResponse response;
-    response.set(joint, locks, rows[k]);
+    RowResponse<kTwoWays> response;
+    response.set(joint, locks, rows[k], pull);
     Lanes v[kMostRows];
     Lanes* const row = f + k * (k + 1) / 2;
-    const Lanes own = response.at(rows[k]), whole = whole_of(joint, locks, rows[k], own);
+    const Lanes own = response.at(rows[k]), whole = whole_of<kTwoWays>(joint, locks, rows[k], pull, own);
     Lanes rest = own;
     for (int l = 0; l < k; ++l) {
       v[l] = response.at(rows[l]);
@@ -261,10 +282,11 @@ CAROM_LANES_INLINE void solve_any(const JointLanes& joint, Lanes* x) {
 }
 
 /// Effective mass of a drive, what is locked staying so.
-CAROM_LANES_INLINE void weigh(const JointLanes& joint, const LockLanes* locks, const JointRowLanes* rows,
-                              JointDriveLanes& drive) {
-  RowResponse response;
-  response.set(joint, locks, drive.row);
+template <bool kTwoWays>
+CAROM_LANES_INLINE void weigh(const JointLanes& joint, const LockLanes* locks, const PullLanes* pull,
+                              const JointRowLanes* rows, JointDriveLanes& drive) {
+  RowResponse<kTwoWays> response;
+  response.set(joint, locks, drive.row, pull);
   Lanes coupled[kMostRows], x[kMostRows];
   const int n = static_cast<int>(joint.layout.equalities);
   for (int k = 0; k < n; ++k) x[k] = coupled[k] = response.at(rows[k]);
@@ -272,30 +294,34 @@ CAROM_LANES_INLINE void weigh(const JointLanes& joint, const LockLanes* locks, c
   const Lanes own = response.at(drive.row);
   Lanes rest = own;
   for (int k = 0; k < n; ++k) rest -= coupled[k] * x[k];
-  drive.m = inverse_of_rest(rest, whole_of(joint, locks, drive.row, own));
+  drive.m = inverse_of_rest(rest, whole_of<kTwoWays>(joint, locks, drive.row, pull, own));
 }
 
 /// @param locks  null, known when compiled: none
+template <bool kTwoWays>
 CAROM_LANES_INLINE void place_one(const JointRun& run, JointLanes& joint, const LockLanes* locks) {
   const JointPlacing placing(joint, run.shift, locks != nullptr);
   JointRowLanes* const rows = run.rows + joint.first;
   JointRowLanes* next = rows;
   for (std::uint32_t k = 0; k < joint.layout.parts; ++k) next = placing.part(joint.layout.part[k], next);
-  factor_rows(joint, locks, rows);
+  const PullLanes* const pull = kTwoWays ? pull_of(run, joint) : nullptr;
+  factor_rows<kTwoWays>(joint, locks, pull, rows);
   for (std::uint32_t k = 0; k < joint.layout.drives; ++k) {
     JointDriveLanes& drive = run.drives[joint.first_drive + k];
     placing.coordinate(joint.layout.drive[k].coordinate, drive.row);
-    weigh(joint, locks, rows, drive);
+    weigh<kTwoWays>(joint, locks, pull, rows, drive);
   }
 }
 
 void place(const JointRun& run) {
   for (std::size_t i = 0; i < run.count; ++i) {
     JointLanes& joint = run.joints[i];
-    if (joint.locked)
-      place_one(run, joint, run.locks + (joint.locked - 1));
+    if (joint.pulled)
+      place_one<true>(run, joint, locks_of(run, joint));
+    else if (joint.locked)
+      place_one<false>(run, joint, run.locks + (joint.locked - 1));
     else
-      place_one(run, joint, nullptr);
+      place_one<false>(run, joint, nullptr);
   }
 }
 
@@ -348,8 +374,9 @@ void bend(const JointRun& run, double h) {
         case JointPart::direction:
           r += 2;
           break;
-        default:
+        case JointPart::pins:
           r += 1;
+          break;
       }
     }
   }

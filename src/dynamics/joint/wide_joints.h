@@ -22,6 +22,7 @@ struct WideJoints {
         rows(m),
         drives(m),
         locks(m),
+        pulls(m),
         colours(m),
         kicked(m),
         gyro(m),
@@ -41,6 +42,7 @@ struct WideJoints {
   Array<JointRowLanes> rows;
   Array<JointDriveLanes> drives;
   Array<LockLanes> locks;        // of joints with bodies that are locked
+  Array<PullLanes> pulls;        // of joints that pull A another way than B
   Array<std::uint32_t> colours;  // in use, from the lowest: where in joints each ends; those up to `swept` stand alone
   std::uint32_t swept = 0;       // joints up to here are swept
   bool is_packed = false;        // place, occupant and colours are those of active, all of it swept
@@ -72,6 +74,11 @@ struct WideJoints {
   bool is_swept(std::uint32_t link) const { return place[link].lanes < swept; }
 };
 
+/// Which way a row pulls at A.
+inline const LaneVec& pull_at_a(const WideJoints& w, const JointLanes& joint, const JointRowLanes& row) {
+  return joint.pulled ? w.pulls[joint.pulled - 1].d_a : row.d;
+}
+
 inline JointRun every_joint(World& world) {
   WideJoints& w = *world.wide_joints;
   return {w.joints.data(),
@@ -82,7 +89,8 @@ inline JointRun every_joint(World& world) {
           world.wide->shift.data(),
           world.wide->first_moved,
           w.locks.data(),
-          w.gyro.empty() ? nullptr : w.gyro.data()};
+          w.gyro.empty() ? nullptr : w.gyro.data(),
+          w.pulls.data()};
 }
 
 /// Of a loop that threads share.
