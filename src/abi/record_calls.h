@@ -289,6 +289,13 @@ inline auto joint_set_spring(carom_joint joint, uint32_t coordinate, const carom
     pen.structure(spring);
   };
 }
+inline auto joint_set_transmission(carom_joint joint, const carom_joint_transmission* transmission) {
+  return [=](Pen& pen) {
+    pen.call("carom_joint_set_transmission");
+    pen.number(joint);
+    pen.structure(transmission);
+  };
+}
 inline auto world_enable_ledger(uint32_t on) {
   return [=](Pen& pen) {
     pen.call("carom_world_enable_ledger");

@@ -75,6 +75,14 @@ void World::set_joint_drive(std::uint32_t slot, Coordinate c, const JointDrive& 
   ++scene.revision;
 }
 
+void World::set_transmission(std::uint32_t slot, const Transmission& transmission) {
+  Joint& joint = joints.joint[slot];
+  wake_both(*this, joint.def);
+  joint.transmission = transmission;
+  joint.drive_p.fill(0), joint.p.fill(0);
+  ++scene.revision;
+}
+
 void World::break_joint(std::uint32_t slot) {
   Joint& joint = joints.joint[slot];
   joint.broken = true;

@@ -12,14 +12,14 @@
 
 namespace carom::dynamics {
 
-enum class JointKind : std::uint8_t { ball, hinge, slider, weld, distance, universal, count };  // as CAROM_JOINT_*
+enum class JointKind : std::uint8_t { ball, hinge, slider, weld, distance, universal, pulley, count };  // as CAROM_JOINT_*
 
 /// What may be limited, driven or sprung of a joint; as CAROM_COORDINATE_*.
 enum class Coordinate : std::uint8_t {
   twist,     // rad, of B about the x axes, (-pi, pi]
   swing,     // rad, between the x axes, [0, pi]
   slide,     // m, of B's point along A's x axis
-  distance,  // m, between the points
+  distance,  // m, between the points; of a pulley, of its ropes: that of A and ratio times that of B
   count
 };
 inline constexpr std::size_t kCoordinates = static_cast<std::size_t>(Coordinate::count);
@@ -60,6 +60,13 @@ struct JointDef {
   std::uint64_t user = 0;
 };
 
+/// By what a joint turns the motion of one body into that of the other.
+struct Transmission {
+  Real ratio = 0;                                         // of a pulley: B's rope counts so many times; 0: none is strung
+  Vec3 anchor_a = Vec3::zero(), anchor_b = Vec3::zero();  // m, world: what the ropes run over
+  Real length = 0;                                        // m, of the ropes: that of A and ratio times that of B
+};
+
 inline constexpr int kMostEqualities = 6;
 inline constexpr int kMostDrives = 4;  // rows that limit, drive or spring, of one joint
 
@@ -67,6 +74,7 @@ inline constexpr int kMostDrives = 4;  // rows that limit, drive or spring, of o
 struct Joint {
   JointDef def;
   std::array<JointDrive, kCoordinates> drive;
+  Transmission transmission;
   bool broken = false;
   bool without_limits = false, without_motors = false;  // a host forbids them, as of the last plan
 

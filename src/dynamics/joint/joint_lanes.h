@@ -17,7 +17,8 @@ enum class JointPart : std::uint8_t {
   rod,          // 1: it stays at a distance
   orientation,  // 3: the frames stay parallel
   direction,    // 2: the x axes do
-  pins          // 1: B's z axis stays at right angles to A's y axis
+  pins,         // 1: B's z axis stays at right angles to A's y axis
+  ropes         // 1: the lengths of two ropes have a sum
 };
 enum class DriveKind : std::uint8_t { motor, spring, limit };  // in the order in which they are visited
 struct DriveRow {
@@ -30,6 +31,7 @@ inline constexpr int kMostParts = 2, kMostRows = 6, kMostDriveRows = 6;
 /// The rows of a joint: those of its parts, then its drives. Joints that share lanes have the same.
 struct JointLayout {
   std::uint32_t parts = 0, equalities = 0, drives = 0;
+  bool two_ways = false;  // A is pulled another way than B, @see PullLanes
   JointPart part[kMostParts] = {};
   DriveRow drive[kMostDriveRows] = {};
 };
@@ -57,7 +59,10 @@ struct JointDriveLanes {
 /// Joints whose rows act one way at A and another at B: all rows of a joint have the same. Apart from the rows, so that
 /// joints of one direction are as small as they were.
 struct PullLanes {
-  LaneVec d_a;  // world, at A
+  LaneVec d_a;                         // world, at A
+  LaneVec start_rope_a, start_rope_b;  // m, world, from the anchors to the points, as the step began
+  LaneVec rope_a, rope_b;              // as bodies are placed now
+  Lanes ratio;                         // of B's rope
 };
 
 inline constexpr int kFactor = kMostRows * (kMostRows + 1) / 2;

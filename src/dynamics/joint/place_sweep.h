@@ -73,16 +73,18 @@ struct JointPlacing {
   JointShift a, b;
   LaneQuat q_a, q_b;
   LaneAxes axes_a, axes_b;
+  PullLanes* pull;  // of a pulley; else null
 
   /// @param locked  some of the bodies are
-  CAROM_LANES_INLINE JointPlacing(JointLanes& j, const BodyShift* shift, bool locked)
+  CAROM_LANES_INLINE JointPlacing(JointLanes& j, const BodyShift* shift, bool locked, PullLanes* of_pulley)
       : joint(j),
         a(shift, j.a),
         b(shift, j.b),
         q_a(a.turn * j.start_frame_a),
         q_b(b.turn * j.start_frame_b),
         axes_a(q_a),
-        axes_b(q_b) {
+        axes_b(q_b),
+        pull(of_pulley) {
     const LaneVec d_a = a.change(j.start_a), d_b = b.change(j.start_b);
     j.r_a = j.start_a + d_a;
     j.r_b = j.start_b + d_b;
@@ -90,6 +92,10 @@ struct JointPlacing {
     j.x_a = axes_a.x;
     j.inv_inertia_a = locked ? turned_within(a, j.start_inertia_a) : a.turned(j.start_inertia_a);
     j.inv_inertia_b = locked ? turned_within(b, j.start_inertia_b) : b.turned(j.start_inertia_b);
+    if (pull) {
+      pull->rope_a = pull->start_rope_a + (a.x + d_a);
+      pull->rope_b = pull->start_rope_b + (b.x + d_b);
+    }
   }
 
   /// What is locked stays so in world axes: who cannot turn about one of them has nothing in its corner of the tensor.
@@ -155,8 +161,23 @@ struct JointPlacing {
       case JointPart::pins:
         about(*r, cross(axes_b.z, axes_a.y), dot(axes_a.y, axes_b.z));
         return r + 1;
+      case JointPart::ropes:
+        ropes(*r);
+        r->error = r->error - joint.length;
+        return r + 1;
     }
     return r;
+  }
+
+  /// Along both ropes at once: the rate of |rope_a| + ratio |rope_b|. A rope of no length pulls nowhere.
+  CAROM_LANES_INLINE void ropes(JointRowLanes& r) const {
+    const Lanes far_a = square_root(dot(pull->rope_a, pull->rope_a)), far_b = square_root(dot(pull->rope_b, pull->rope_b));
+    pull->d_a = -inverse_or_zero(far_a > 1e-12 ? far_a : all(0)) * pull->rope_a;
+    r.d = pull->ratio * inverse_or_zero(far_b > 1e-12 ? far_b : all(0)) * pull->rope_b;
+    r.w_a = cross(joint.r_a, pull->d_a);
+    r.w_b = cross(joint.r_b, r.d);
+    r.error = far_a + pull->ratio * far_b;
+    r.curve = all(0);
   }
 
   CAROM_LANES_INLINE void distance(JointRowLanes& r) const {
@@ -188,7 +209,7 @@ struct JointPlacing {
       case 2:
         return along(r, axes_a.x, dot(axes_a.x, joint.gap));
       default:
-        return distance(r);
+        return pull ? ropes(r) : distance(r);
     }
   }
 };
@@ -300,11 +321,11 @@ CAROM_LANES_INLINE void weigh(const JointLanes& joint, const LockLanes* locks, c
 /// @param locks  null, known when compiled: none
 template <bool kTwoWays>
 CAROM_LANES_INLINE void place_one(const JointRun& run, JointLanes& joint, const LockLanes* locks) {
-  const JointPlacing placing(joint, run.shift, locks != nullptr);
+  PullLanes* const pull = kTwoWays ? pull_of(run, joint) : nullptr;
+  const JointPlacing placing(joint, run.shift, locks != nullptr, pull);
   JointRowLanes* const rows = run.rows + joint.first;
   JointRowLanes* next = rows;
   for (std::uint32_t k = 0; k < joint.layout.parts; ++k) next = placing.part(joint.layout.part[k], next);
-  const PullLanes* const pull = kTwoWays ? pull_of(run, joint) : nullptr;
   factor_rows<kTwoWays>(joint, locks, pull, rows);
   for (std::uint32_t k = 0; k < joint.layout.drives; ++k) {
     JointDriveLanes& drive = run.drives[joint.first_drive + k];
@@ -323,6 +344,21 @@ void place(const JointRun& run) {
     else
       place_one<false>(run, joint, nullptr);
   }
+}
+
+/// m/s^2: how the length of a rope bends, its far end being that of an arm.
+CAROM_LANES_INLINE Lanes rope_bend(const JointRun& run, const std::uint32_t* body, const Side& side, const LaneVec& arm,
+                                   const LaneVec& rope) {
+  const LaneVec turns = cross(side.omega, arm), moves = side.v + turns;
+  LaneVec inward = cross(side.omega, turns);
+  if (run.gyro) {
+    Side gyro;
+    gyro.load(run.gyro, body);
+    inward = inward - cross(gyro.omega, arm);
+  }
+  const Lanes far = square_root(dot(rope, rope)), inverse = inverse_or_zero(far > 1e-9 ? far : all(0));
+  const Lanes out = inverse * dot(rope, moves);
+  return (dot(moves, moves) - out * out) * inverse + inverse * dot(rope, inward);
 }
 
 // With g the gap and d a direction that turns with A,
@@ -377,6 +413,13 @@ void bend(const JointRun& run, double h) {
         case JointPart::pins:
           r += 1;
           break;
+        case JointPart::ropes: {
+          const PullLanes& pull = *pull_of(run, joint);
+          r->curve = half * (rope_bend(run, joint.a, a, joint.r_a, pull.rope_a) +
+                             pull.ratio * rope_bend(run, joint.b, b, joint.r_b, pull.rope_b));
+          r += 1;
+          break;
+        }
       }
     }
   }

@@ -61,7 +61,7 @@ BothColours colours_of(World& world, const Joint& joint) {
 /// A place for each: four of one colour and layout share lanes; beyond the colours each has its own.
 void place_lanes(World& world, WideJoints& w) {
   w.place.resize(w.active.size());
-  w.occupant.clear(), w.colours.clear(), w.joints.clear();
+  w.occupant.clear(), w.colours.clear(), w.joints.clear(), w.pulls.clear();
   std::uint32_t rows = 0, drives = 0;
   w.swept = 0;
   for (std::size_t k = 0; k < w.order.size(); ++k) {
@@ -75,6 +75,10 @@ void place_lanes(World& world, WideJoints& w) {
       joint.layout = layout_of(world.joints.joint[w.active[o.index]]);
       joint.first = rows, joint.first_drive = drives;
       rows += joint.layout.equalities, drives += joint.layout.drives;
+      if (joint.layout.two_ways) {
+        w.pulls.emplace_back();
+        joint.pulled = static_cast<std::uint32_t>(w.pulls.size());
+      }
       w.occupant.insert(w.occupant.end(), kLanes, kNoPlace);
       if (o.colour != kAnsweredDirectly) w.swept = static_cast<std::uint32_t>(w.joints.size());
     }
@@ -138,6 +142,13 @@ void fill(const World& world, std::uint32_t index, const Softness& soft, Real h,
   set_quat(lanes.start_frame_a, lane, ends.a.q), set_quat(lanes.start_frame_b, lane, ends.b.q);
   set(lanes.start_gap, lane, ends.apart);
   lanes.length[lane] = joint.def.length;
+  if (lanes.pulled) {
+    PullLanes& pull = w.pulls[lanes.pulled - 1];
+    const Ropes ropes = ropes_of(world, joint, ends);
+    set(pull.start_rope_a, lane, ropes.a), set(pull.start_rope_b, lane, ropes.b);
+    pull.ratio[lane] = joint.transmission.ratio;
+    lanes.length[lane] = joint.transmission.length;
+  }
   lanes.bias_rate[lane] = soft.bias_rate;
   lanes.mass_scale[lane] = soft.mass_scale;
   lanes.impulse_scale[lane] = soft.impulse_scale;
@@ -153,7 +164,8 @@ void empty(WideJoints& w, JointLanes& joint) {
   const JointLanes was = joint;
   joint = JointLanes{};
   joint.occupied = was.occupied, joint.first = was.first, joint.first_drive = was.first_drive;
-  joint.layout = was.layout;
+  joint.layout = was.layout, joint.pulled = was.pulled;
+  if (joint.pulled) w.pulls[joint.pulled - 1] = PullLanes{};
   joint.start_frame_a.w = joint.start_frame_b.w = all(1);
   std::fill_n(w.rows.data() + joint.first, joint.layout.equalities, JointRowLanes{});
   std::fill_n(w.drives.data() + joint.first_drive, joint.layout.drives, JointDriveLanes{});
