@@ -20,7 +20,8 @@ static_assert(static_cast<std::uint32_t>(JointKind::count) == CAROM_JOINT_COUNT 
               static_cast<std::uint32_t>(JointKind::weld) == CAROM_JOINT_WELD &&
               static_cast<std::uint32_t>(JointKind::distance) == CAROM_JOINT_DISTANCE &&
               static_cast<std::uint32_t>(JointKind::universal) == CAROM_JOINT_UNIVERSAL &&
-              static_cast<std::uint32_t>(JointKind::pulley) == CAROM_JOINT_PULLEY);
+              static_cast<std::uint32_t>(JointKind::pulley) == CAROM_JOINT_PULLEY &&
+              static_cast<std::uint32_t>(JointKind::gear) == CAROM_JOINT_GEAR);
 static_assert(kCoordinates == CAROM_COORDINATE_COUNT &&
               static_cast<std::uint32_t>(Coordinate::twist) == CAROM_COORDINATE_TWIST &&
               static_cast<std::uint32_t>(Coordinate::swing) == CAROM_COORDINATE_SWING &&
@@ -115,9 +116,18 @@ carom_joint_desc describe(const World& world, const Joint& joint) {
 }
 
 bool has_transmission(Call& call, const Joint& joint, int argument) {
-  return joint.def.kind == JointKind::pulley ||
-         call.fail(CAROM_E_UNSUPPORTED, argument, "a %s joint has no transmission; one of CAROM_JOINT_PULLEY has",
+  return dynamics::has_transmission(joint.def.kind) ||
+         call.fail(CAROM_E_UNSUPPORTED, argument, "a %s joint has no transmission; those of CAROM_JOINT_PULLEY and _GEAR have",
                    row_of(joint.def.kind).name);
+}
+
+/// A rope cannot push; wheels turn either way.
+bool check_ratio(Call& call, JointKind kind, double ratio) {
+  if (kind != JointKind::gear) return in_range(call, 3, "transmission->ratio", ratio, kLeastRatio, kMostRatio);
+  return finite(call, 3, "transmission->ratio", &ratio, 1) &&
+         ((std::fabs(ratio) >= kLeastRatio && std::fabs(ratio) <= kMostRatio) ||
+          call.fail(CAROM_E_OUT_OF_RANGE, 3, "transmission->ratio is %.17g; of a gear it is within [%g, %g] or their negatives",
+                    ratio, kLeastRatio, kMostRatio));
 }
 
 /// @param joint  as it is so far
@@ -127,11 +137,12 @@ bool read_transmission(Call& call, const World& world, Joint joint, const carom_
   carom_joint_transmission_init(&d);
   if (!read_struct(call, 3, "transmission", given, d) ||
       !only_bits(call, 3, "transmission->fields", d.fields, CAROM_JOINT_FIELD_LENGTH) ||
-      !in_range(call, 3, "transmission->ratio", d.ratio, kLeastRatio, kMostRatio) ||
+      !check_ratio(call, joint.def.kind, d.ratio) ||
       !check_position(call, "transmission->anchor_a", d.anchor_a, 3) ||
       !check_position(call, "transmission->anchor_b", d.anchor_b, 3) ||
       !in_range(call, 3, "transmission->length", d.length, 0, kLongestJoint) || !has_transmission(call, joint, 3))
     return false;
+  if (joint.def.kind == JointKind::gear) return to = {d.ratio}, true;
   to = {d.ratio, to_vec3(d.anchor_a), to_vec3(d.anchor_b), d.length};
   if (d.fields & CAROM_JOINT_FIELD_LENGTH) return true;
   joint.transmission = to;

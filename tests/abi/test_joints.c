@@ -286,6 +286,50 @@ static void a_pulley_is_strung(void **state) {
   assert_true(state_of(b, pulley).gap < 1e-3);
 }
 
+/* A gear's turns and a pulley's rope are part of a snapshot: from there all goes on to the same bits. */
+static void gears_and_pulleys_come_back(void **state) {
+  Bench *b = *state;
+  static unsigned char bytes[1 << 17];
+  uint64_t size, hash;
+  int whole;
+  const carom_joint gear = join(b, CAROM_JOINT_GEAR, b->bodies[0], b->bodies[1]);
+  const carom_joint pulley = join(b, CAROM_JOINT_PULLEY, b->bodies[2], b->bodies[3]);
+  carom_joint_transmission t, back;
+  assert_int_equal(carom_joint_transmission_init(&t), CAROM_OK);
+  t.ratio = -2.5;
+  assert_int_equal(carom_joint_set_transmission(b->world, pulley, &t, NULL), CAROM_E_OUT_OF_RANGE);
+  assert_int_equal(carom_joint_set_transmission(b->world, gear, &t, NULL), CAROM_OK);
+  t.ratio = 0;
+  assert_int_equal(carom_joint_set_transmission(b->world, gear, &t, NULL), CAROM_E_OUT_OF_RANGE);
+  t.ratio = 2, t.anchor_a[1] = 9, t.anchor_b[1] = 8;
+  assert_int_equal(carom_joint_set_transmission(b->world, pulley, &t, NULL), CAROM_OK);
+  assert_int_equal(bench_steps(b->world, 20, NULL), CAROM_OK);
+  for (whole = 0; whole < 2; ++whole) {
+    carom_world *other = NULL;
+    assert_int_equal(carom_world_save(b->world, 0, bytes, sizeof bytes, &size, NULL), CAROM_OK);
+    if (whole) assert_int_equal(carom_world_fork(b->world, &other, NULL), CAROM_OK);
+    assert_int_equal(bench_steps(b->world, 20, NULL), CAROM_OK);
+    hash = bench_hash(b->world);
+    if (whole) {
+      assert_int_equal(bench_steps(other, 20, NULL), CAROM_OK);
+      assert_true(bench_hash(other) == hash);
+      assert_int_equal(carom_world_destroy(other, NULL), CAROM_OK);
+      continue;
+    }
+    t.ratio = 3;
+    assert_int_equal(carom_joint_set_transmission(b->world, pulley, &t, NULL), CAROM_OK);
+    assert_int_equal(carom_joint_set_transmission(b->world, gear, &t, NULL), CAROM_OK);
+    assert_int_equal(carom_world_restore(b->world, bytes, size, NULL), CAROM_OK);
+    back.struct_size = sizeof back;
+    assert_int_equal(carom_joint_get_transmission(b->world, gear, &back, NULL), CAROM_OK);
+    assert_true(back.ratio == -2.5);
+    assert_int_equal(carom_joint_get_transmission(b->world, pulley, &back, NULL), CAROM_OK);
+    assert_true(back.ratio == 2 && back.anchor_b[1] == 8);
+    assert_int_equal(bench_steps(b->world, 20, NULL), CAROM_OK);
+    assert_true(bench_hash(b->world) == hash);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(every_kind_holds, make, clear),
@@ -295,6 +339,7 @@ int main(void) {
       cmocka_unit_test_setup_teardown(severity_knows_no_joints, make, clear),
       cmocka_unit_test_setup_teardown(wrong_joints_are_refused, make, clear),
       cmocka_unit_test_setup_teardown(a_pulley_is_strung, make, clear),
+      cmocka_unit_test_setup_teardown(gears_and_pulleys_come_back, make, clear),
       cmocka_unit_test_setup_teardown(nonsense_stays_finite, make, clear),
   };
   return cmocka_run_group_tests_name("abi/joints", tests, NULL, NULL);

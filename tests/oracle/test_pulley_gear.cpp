@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "carom_test.h"
+#include "dynamics/ledger/ledger.h"
 #include "joint_scenes.h"
 
 using namespace carom;
@@ -105,6 +106,29 @@ static void a_pendulum_over_a_pulley_keeps_its_energy(void**) {
     }
 }
 
+/// A rope that keeps its length does no work on its two bodies together: what it gives one it takes of the other, along
+/// another line. Books of both sides close to rounding of what goes to and fro.
+static void a_rope_does_no_work(void**) {
+  for (const int solver : kJointSolvers) {
+    TestWorld t;
+    choose(t, solver, 4);
+    const std::uint32_t a = add_body(t, Vec3(0, -5, 0), 3, Vec3::constant(0.1)),
+                        b = add_body(t, Vec3(2, -5, 0), 2, Vec3::constant(0.1));
+    hang(t, a, b, 2);
+    t.world.keep_ledger(true);
+    const int steps = 40;
+    t.run(steps, kDt);
+    const auto of = [&](Cause cause) { return t.world.ledger->since[index_of(cause)].value(); };
+    const Atwood m{3, 2, 2};
+    const Real fell = m.a() * (steps * kDt) * (steps * kDt) / 2, through = std::fabs(m.tension() * fell);  // J, A's to B
+    const Real gives = kG * 3 / (240.0 * 240.0);  // m: a soft rope, in its first substep
+    assert_true(through > 1 && std::fabs(of(Cause::joints).kinetic) <= m.tension() * gives);
+    assert_true(std::fabs(of(Cause::unassigned).energy()) <= 8 * steps * 4 * kUnitRoundoff * through);
+    const Vec3 up = of(Cause::joints).linear;  // N s: both sides pull upwards, T and 2 T
+    assert_true((up - Vec3(0, 3 * m.tension() * steps * kDt, 0)).norm() <= 8 * steps * 4 * kUnitRoundoff * up.norm());
+  }
+}
+
 /// With a limit the rope may be slack: a weight thrown up falls free until it is taut again, and never is the rope longer
 /// than by what the fastest end goes in a substep.
 static void a_rope_may_be_slack(void**) {
@@ -172,12 +196,106 @@ static void a_rope_s_row_is_the_rate_of_its_length(void**) {
   }
 }
 
+namespace {
+
+constexpr Real kWhole = 2 * 3.14159265358979323846;
+
+/// Two flywheels that turn about z, a metre apart. @return the gear
+struct Flywheels {
+  Flywheels(int solver, int substeps, Real ratio_of_gear, Real inertia_a, Real inertia_b)
+      : t(Vec3::zero()), ratio(ratio_of_gear), i_a(inertia_a), i_b(inertia_b) {
+    choose(t, solver, substeps);
+    a = add_body(t, Vec3(0, 0, 0), 1, Vec3(i_a, i_a, i_a)), b = add_body(t, Vec3(1, 0, 0), 1, Vec3(i_b, i_b, i_b));
+  }
+  std::uint32_t mesh() {
+    const std::uint32_t gear = join(t, JointKind::gear, a, b, Vec3::zero(), x_along(Vec3(0, 0, 1)));
+    t.world.set_transmission(gear, {ratio});
+    return gear;
+  }
+  Real spin(std::uint32_t body) const { return t.world.state.omega[body].z(); }
+  Real angle(std::uint32_t body) const {
+    const Quat& q = t.world.state.q[body];
+    return 2 * std::atan2(q.z(), q.w());
+  }
+  TestWorld t;
+  Real ratio, i_a, i_b;
+  std::uint32_t a = 0, b = 0;
+};
+
+}  // namespace
+
+/// Torque on one of two flywheels: angle a + r angle b stays, so it turns I_a + I_b / r^2. The torque is uniform: rounding
+/// is all that is off. A soft gear slips by less than the torque turns A alone in a substep, and the direct solver leaves 1e-9.
+static void geared_flywheels_speed_up_in_closed_form(void**) {
+  const Real torque = 3;
+  for (const Real ratio : {1.0, -2.0, 0.3})
+    for (const int solver : kJointSolvers)
+      for (const int substeps : {4, 8}) {
+        Flywheels f(solver, substeps, ratio, 0.5, 2);
+        const std::uint32_t hinge = join(f.t, JointKind::hinge, kTheWorld, f.a, Vec3::zero(), x_along(Vec3(0, 0, 1)));
+        join(f.t, JointKind::hinge, kTheWorld, f.b, Vec3(1, 0, 0), x_along(Vec3(0, 0, 1)));
+        const std::uint32_t gear = f.mesh();
+        set_motor(f.t, hinge, Coordinate::twist, 1e6, torque);
+        const int steps = 60;
+        f.t.run(steps, kDt);
+        const Real a = torque / (f.i_a + f.i_b / (ratio * ratio)), time = steps * kDt;
+        const Real rounding = 8 * steps * substeps * kUnitRoundoff * a * time * std::max(1.0, 1 / std::fabs(ratio));
+        assert_true(std::fabs(f.spin(f.a) - a * time) <= rounding);
+        assert_true(std::fabs(f.spin(f.b) + a * time / ratio) <= rounding);
+        assert_true(std::fabs(joint(f.t, gear).torque.z() / (-f.i_b * a / ratio) - 1) <= 8 * steps * substeps * kUnitRoundoff);
+        const Real h = kDt / substeps, gives = solver >= kDirectChoice ? 1e-9 : torque / f.i_a * h * h;
+        assert_true(place_of(f.t.world, joint(f.t, gear)).angle <= gives);
+      }
+}
+
+/// One flywheel spins, and is geared to another at rest: of what the gear exchanges, A gets p and B r p, so w_a becomes
+/// w I_a / (I_a + I_b / r^2).
+static void gears_exchange_momentum(void**) {
+  for (const Real ratio : {1.0, -2.0, 0.3})
+    for (const int solver : kJointSolvers)
+      for (const int substeps : {4, 8}) {
+        Flywheels f(solver, substeps, ratio, 0.5, 2);
+        f.t.world.set_velocity(f.a, Vec3::zero(), Vec3(0, 0, 7));
+        f.mesh();
+        f.t.run(30, kDt);
+        const Real after = 7 * f.i_a / (f.i_a + f.i_b / (ratio * ratio));
+        const Real rounding = 8 * 30 * substeps * kUnitRoundoff * 7 * std::max(1.0, 1 / std::fabs(ratio));
+        assert_true(std::fabs(f.spin(f.a) - after) <= rounding);
+        assert_true(std::fabs(f.spin(f.b) + after / ratio) <= rounding);
+      }
+}
+
+/// A thousand turns and more, up to three a substep: twice angle a + 2.5 angle b, told by where both wheels are, is a whole
+/// number of turns to what rounding makes of a substep's turn w h, a few units of 1 + w h.
+static void gears_do_not_drift(void**) {
+  for (const Real turns_a_second : {25.0, 100.0, 700.0})
+    for (const int solver : kJointSolvers)
+      for (const int substeps : {4, 8}) {
+        Flywheels f(solver, substeps, 2.5, 0.5, 0.4);
+        const Real w = kWhole * turns_a_second;
+        f.t.world.set_velocity(f.a, Vec3::zero(), Vec3(0, 0, w));
+        f.t.world.set_velocity(f.b, Vec3::zero(), Vec3(0, 0, -w / 2.5));
+        const std::uint32_t gear = f.mesh();
+        const int steps = static_cast<int>(1000 / turns_a_second / kDt) + 60;
+        f.t.run(steps, kDt);
+        const Real off = std::remainder(2 * f.angle(f.a) + 5 * f.angle(f.b), kWhole) / 2;
+        const Real rounding = 8 * steps * substeps * kUnitRoundoff * (1 + 2.5) * (1 + w * kDt / substeps);
+        assert_true(std::fabs(off) <= rounding);
+        assert_true(std::fabs(joint(f.t, gear).transmission.phase) <= rounding);
+        assert_true(std::fabs(f.spin(f.a) / w - 1) <= rounding);
+      }
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(weights_fall_as_of_atwood),
       cmocka_unit_test(a_pendulum_over_a_pulley_keeps_its_energy),
+      cmocka_unit_test(a_rope_does_no_work),
       cmocka_unit_test(a_rope_may_be_slack),
       cmocka_unit_test(a_rope_s_row_is_the_rate_of_its_length),
+      cmocka_unit_test(geared_flywheels_speed_up_in_closed_form),
+      cmocka_unit_test(gears_exchange_momentum),
+      cmocka_unit_test(gears_do_not_drift),
   };
   return cmocka_run_group_tests_name("oracle/pulley_gear", tests, nullptr, nullptr);
 }

@@ -9,7 +9,7 @@ from . import raw
 from ._values import describe, enum, handle_of, record, set_field, word
 from .body import Thing
 
-KINDS = ("ball", "hinge", "slider", "weld", "distance", "universal", "pulley")
+KINDS = ("ball", "hinge", "slider", "weld", "distance", "universal", "pulley", "gear")
 COORDINATES = ("twist", "swing", "slide", "distance")
 
 
@@ -63,8 +63,8 @@ class Joint(Thing):
         return record(state, broken=bool(state.broken), coordinate=dict(zip(COORDINATES, state.coordinate)))
 
     def transmission(self, **about):
-        """Of a pulley. Read it, or with anchor_a=, anchor_b= (m, world), ratio=, length= set it; without a length the rope is as
-        long as it is now."""
+        """Of a pulley or a gear. Read it, or with ratio=, and of a pulley anchor_a=, anchor_b= (m, world), length=, set it;
+        without a length the rope is as long as it is now."""
         struct = raw.carom_joint_transmission
         if about:
             if about.get("length") is not None:

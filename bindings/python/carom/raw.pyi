@@ -212,6 +212,7 @@ CAROM_JOINT_WELD: int
 CAROM_JOINT_DISTANCE: int
 CAROM_JOINT_UNIVERSAL: int
 CAROM_JOINT_PULLEY: int
+CAROM_JOINT_GEAR: int
 CAROM_JOINT_COUNT: int
 CAROM_COORDINATE_TWIST: int
 CAROM_COORDINATE_SWING: int
@@ -619,7 +620,7 @@ class carom_joint_spring(ctypes.Structure):
     damping: float
     most: float
 class carom_joint_transmission(ctypes.Structure):
-    """By what a pulley turns the motion of A into that of B. Fill with carom_joint_transmission_init().   @since 1.8"""
+    """By what a pulley or a gear turns the motion of A into that of B. Fill with carom_joint_transmission_init().   @since 1.8"""
     struct_size: int
     fields: int
     ratio: float
@@ -1429,11 +1430,13 @@ def carom_joint_get_spring(world: Any, joint: Any, coordinate: Any, spring: Any,
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.5"""
     ...
 def carom_joint_set_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
-    """Say what a pulley's rope runs over; its bodies wake. What a limit, motor or spring on the distance coordinate asks for is in
-    metres of the rope.
+    """Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a pulley's
+    distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they may turn: turns
+    are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in one; a pose that the
+    host sets between steps is no turn.
     Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and under the
-    direct solver by 1e-9 m. Oracle: tests/oracle/test_pulley_gear.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is no pulley; a newer field); *_HANDLE; NOT_FINITE;
+    direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE; NOT_FINITE;
             OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT   @since 1.8"""
     ...
 def carom_joint_get_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:

@@ -50,6 +50,7 @@ Handle World::add_joint(const JointDef& def) {
 void World::fill_joint(std::uint32_t slot, const JointDef& def) {
   Joint& joint = joints.joint[slot] = Joint{};
   joint.def = def;
+  if (def.kind == JointKind::gear) joint.transmission.ratio = 1;
   joint.def.frame_a.q = normalized(def.frame_a.q), joint.def.frame_b.q = normalized(def.frame_b.q);
   if (parts(def)) scene.joined.add(def.body_a, def.body_b);
 }

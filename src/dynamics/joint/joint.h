@@ -12,7 +12,10 @@
 
 namespace carom::dynamics {
 
-enum class JointKind : std::uint8_t { ball, hinge, slider, weld, distance, universal, pulley, count };  // as CAROM_JOINT_*
+enum class JointKind : std::uint8_t { ball, hinge, slider, weld, distance, universal, pulley, gear, count };  // CAROM_JOINT_*
+
+/// Whether a kind turns one motion into another.
+inline bool has_transmission(JointKind kind) { return kind == JointKind::pulley || kind == JointKind::gear; }
 
 /// What may be limited, driven or sprung of a joint; as CAROM_COORDINATE_*.
 enum class Coordinate : std::uint8_t {
@@ -62,9 +65,12 @@ struct JointDef {
 
 /// By what a joint turns the motion of one body into that of the other.
 struct Transmission {
-  Real ratio = 0;                                         // of a pulley: B's rope counts so many times; 0: none is strung
+  Real ratio = 0;                                         // how often B's rope or turn counts; 0: of a pulley, none is strung
   Vec3 anchor_a = Vec3::zero(), anchor_b = Vec3::zero();  // m, world: what the ropes run over
   Real length = 0;                                        // m, of the ropes: that of A and ratio times that of B
+  // Of a gear: angle of A + ratio * angle of B, about their x axes, each relative to the world, as they have turned since
+  // the gear was set. No pose says how often a body has turned: this is carried along.
+  Real phase = 0;  // rad
 };
 
 inline constexpr int kMostEqualities = 6;

@@ -18,7 +18,8 @@ enum class JointPart : std::uint8_t {
   orientation,  // 3: the frames stay parallel
   direction,    // 2: the x axes do
   pins,         // 1: B's z axis stays at right angles to A's y axis
-  ropes         // 1: the lengths of two ropes have a sum
+  ropes,        // 1: the lengths of two ropes have a sum
+  gears         // 1: the angles of both bodies about their x axes have a sum
 };
 enum class DriveKind : std::uint8_t { motor, spring, limit };  // in the order in which they are visited
 struct DriveRow {
@@ -65,6 +66,13 @@ struct PullLanes {
   Lanes ratio;                         // of B's rope
 };
 
+/// What gears have beside.
+struct GearLanes {
+  Lanes ratio, phase;        // rad: as the step began
+  Lanes turned_a, turned_b;  // rad, about the x axes, since then
+  Lanes ahead_a, ahead_b;    // rad, how far they go on in the move to come: which of many turns a pose stands for
+};
+
 inline constexpr int kFactor = kMostRows * (kMostRows + 1) / 2;
 
 /// Four joints of one colour with one layout.
@@ -74,6 +82,7 @@ struct JointLanes {
   std::uint32_t first, first_drive;    // in WideJoints::rows and drives
   std::uint32_t locked;                // in JointRun::locks, from 1; 0: no body of the four is
   std::uint32_t pulled;                // in JointRun::pulls, from 1; 0: rows have one direction
+  std::uint32_t geared;                // in JointRun::gears, from 1; 0: it is none
   JointLayout layout;
   Lanes inv_mass_a, inv_mass_b;                    // 1/kg
   LaneSymmetric start_inertia_a, start_inertia_b;  // inverse, 1/(kg m^2), world, as the step began
@@ -105,6 +114,7 @@ struct JointRun {
   const LockLanes* locks;
   const BodyVelocity* gyro;  // omega: rad/s^2, of bodies that a rotation method carries; null: of none
   PullLanes* pulls;
+  GearLanes* gears;
 };
 
 }  // namespace carom::dynamics

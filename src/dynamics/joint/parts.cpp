@@ -19,6 +19,7 @@ constexpr std::array<KindRow, static_cast<std::size_t>(JointKind::count)> kKinds
     {"distance", 1, {JointPart::rod, {}}, bit(Coordinate::distance)},
     {"universal", 2, {JointPart::point, JointPart::pins}, bit(Coordinate::swing)},
     {"pulley", 1, {JointPart::ropes, {}}, bit(Coordinate::distance)},
+    {"gear", 1, {JointPart::gears, {}}, 0},
 }};
 
 constexpr std::uint32_t rows_of(JointPart part) {
@@ -32,6 +33,7 @@ constexpr std::uint32_t rows_of(JointPart part) {
     case JointPart::rod:
     case JointPart::pins:
     case JointPart::ropes:
+    case JointPart::gears:
       return 1;
   }
   return 0;
@@ -143,6 +145,9 @@ JointPlace place_of(const World& world, const Joint& joint) {
         break;
       case JointPart::ropes:
         place.gap = std::fabs(place.at[3] - joint.transmission.length);
+        break;
+      case JointPart::gears:
+        place.angle = std::fabs(joint.transmission.phase);
         break;
       case JointPart::rod:
         place.gap = std::fabs(place.at[3] - joint.def.length);

@@ -62,6 +62,16 @@ CAROM_LANES_INLINE void solve_coupled(const Lanes* factor, Lanes* x) {
   }
 }
 
+/// rad: by how much a turn is one about an axis, of all such angles the nearest to one.
+CAROM_LANES_INLINE Lanes turned_about(const LaneQuat& turn, const LaneVec& axis, Lanes near) {
+  const Lanes along = turn.x * axis.x + turn.y * axis.y + turn.z * axis.z;
+  const LaneMask back = turn.w < 0;
+  const Lanes angle = 2 * angle_of<Lanes>(back ? -along : along, back ? -turn.w : turn.w);
+  constexpr double kTurn = 6.283185307179586477, kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds
+  const Lanes turns = ((near - angle) * (1 / kTurn) + kRound) - kRound;
+  return angle + kTurn * turns;
+}
+
 /// The inverse of what is left of a number, or 0 where that is but rounding: a row that others imply bears nothing.
 CAROM_LANES_INLINE Lanes inverse_of_rest(Lanes rest, Lanes whole) {
   return inverse_or_zero(rest > 1e-11 * whole ? rest : all(0));
@@ -74,9 +84,11 @@ struct JointPlacing {
   LaneQuat q_a, q_b;
   LaneAxes axes_a, axes_b;
   PullLanes* pull;  // of a pulley; else null
+  GearLanes* gear;  // of a gear; else null
 
   /// @param locked  some of the bodies are
-  CAROM_LANES_INLINE JointPlacing(JointLanes& j, const BodyShift* shift, bool locked, PullLanes* of_pulley)
+  CAROM_LANES_INLINE JointPlacing(JointLanes& j, const BodyShift* shift, bool locked, PullLanes* of_pulley,
+                                  GearLanes* of_gear)
       : joint(j),
         a(shift, j.a),
         b(shift, j.b),
@@ -84,7 +96,8 @@ struct JointPlacing {
         q_b(b.turn * j.start_frame_b),
         axes_a(q_a),
         axes_b(q_b),
-        pull(of_pulley) {
+        pull(of_pulley),
+        gear(of_gear) {
     const LaneVec d_a = a.change(j.start_a), d_b = b.change(j.start_b);
     j.r_a = j.start_a + d_a;
     j.r_b = j.start_b + d_b;
@@ -165,8 +178,28 @@ struct JointPlacing {
         ropes(*r);
         r->error = r->error - joint.length;
         return r + 1;
+      case JointPart::gears:
+        gears(*r);
+        return r + 1;
     }
     return r;
+  }
+
+  /// About both axes at once: the rate of angle a + ratio * angle b. What turns about an axis that itself turns is told by
+  /// the mean of that axis before and after, as a twist is.
+  CAROM_LANES_INLINE void gears(JointRowLanes& r) const {
+    const LaneVec from_a = LaneAxes(joint.start_frame_a).x, from_b = LaneAxes(joint.start_frame_b).x;
+    gear->turned_a = turned_about(a.turn, from_a, gear->turned_a + gear->ahead_a);
+    gear->turned_b = turned_about(b.turn, from_b, gear->turned_b + gear->ahead_b);
+    gear->ahead_a = gear->ahead_b = all(0);
+    const auto mean = [](const LaneVec& before, const LaneVec& now) __attribute__((always_inline)) {
+      return (1 / larger(1 + dot(before, now), all(1e-3))) * (before + now);
+    };
+    r.d = {all(0), all(0), all(0)};
+    r.w_a = all(-1) * mean(from_a, axes_a.x);
+    r.w_b = gear->ratio * mean(from_b, axes_b.x);
+    r.error = gear->phase + gear->turned_a + gear->ratio * gear->turned_b;
+    r.curve = all(0);
   }
 
   /// Along both ropes at once: the rate of |rope_a| + ratio |rope_b|. A rope of no length pulls nowhere.
@@ -322,7 +355,8 @@ CAROM_LANES_INLINE void weigh(const JointLanes& joint, const LockLanes* locks, c
 template <bool kTwoWays>
 CAROM_LANES_INLINE void place_one(const JointRun& run, JointLanes& joint, const LockLanes* locks) {
   PullLanes* const pull = kTwoWays ? pull_of(run, joint) : nullptr;
-  const JointPlacing placing(joint, run.shift, locks != nullptr, pull);
+  GearLanes* const gear = kTwoWays || !joint.geared ? nullptr : run.gears + (joint.geared - 1);
+  const JointPlacing placing(joint, run.shift, locks != nullptr, pull, gear);
   JointRowLanes* const rows = run.rows + joint.first;
   JointRowLanes* next = rows;
   for (std::uint32_t k = 0; k < joint.layout.parts; ++k) next = placing.part(joint.layout.part[k], next);
@@ -417,6 +451,13 @@ void bend(const JointRun& run, double h) {
           const PullLanes& pull = *pull_of(run, joint);
           r->curve = half * (rope_bend(run, joint.a, a, joint.r_a, pull.rope_a) +
                              pull.ratio * rope_bend(run, joint.b, b, joint.r_b, pull.rope_b));
+          r += 1;
+          break;
+        }
+        case JointPart::gears: {
+          GearLanes& gear = run.gears[joint.geared - 1];
+          gear.ahead_a = -h * dot(r->w_a, a.omega);
+          gear.ahead_b = (h / gear.ratio) * dot(r->w_b, b.omega);
           r += 1;
           break;
         }

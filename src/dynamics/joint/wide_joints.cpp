@@ -2,7 +2,9 @@
 #include "dynamics/joint/wide_joints.h"
 
 #include <algorithm>
+#include <numbers>
 
+#include "core/wide_angle.h"
 #include "dynamics/events/events.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
@@ -58,10 +60,12 @@ BothColours colours_of(World& world, const Joint& joint) {
           solver_body(world, b)};
 }
 
+bool is_gear(const JointLayout& layout) { return layout.parts == 1 && layout.part[0] == JointPart::gears; }
+
 /// A place for each: four of one colour and layout share lanes; beyond the colours each has its own.
 void place_lanes(World& world, WideJoints& w) {
   w.place.resize(w.active.size());
-  w.occupant.clear(), w.colours.clear(), w.joints.clear(), w.pulls.clear();
+  w.occupant.clear(), w.colours.clear(), w.joints.clear(), w.pulls.clear(), w.gears.clear();
   std::uint32_t rows = 0, drives = 0;
   w.swept = 0;
   for (std::size_t k = 0; k < w.order.size(); ++k) {
@@ -78,6 +82,10 @@ void place_lanes(World& world, WideJoints& w) {
       if (joint.layout.two_ways) {
         w.pulls.emplace_back();
         joint.pulled = static_cast<std::uint32_t>(w.pulls.size());
+      }
+      if (is_gear(joint.layout)) {
+        w.gears.emplace_back();
+        joint.geared = static_cast<std::uint32_t>(w.gears.size());
       }
       w.occupant.insert(w.occupant.end(), kLanes, kNoPlace);
       if (o.colour != kAnsweredDirectly) w.swept = static_cast<std::uint32_t>(w.joints.size());
@@ -149,6 +157,11 @@ void fill(const World& world, std::uint32_t index, const Softness& soft, Real h,
     pull.ratio[lane] = joint.transmission.ratio;
     lanes.length[lane] = joint.transmission.length;
   }
+  if (lanes.geared) {
+    GearLanes& gear = w.gears[lanes.geared - 1];
+    gear.ratio[lane] = joint.transmission.ratio, gear.phase[lane] = joint.transmission.phase;
+    gear.turned_a[lane] = gear.turned_b[lane] = gear.ahead_a[lane] = gear.ahead_b[lane] = 0;
+  }
   lanes.bias_rate[lane] = soft.bias_rate;
   lanes.mass_scale[lane] = soft.mass_scale;
   lanes.impulse_scale[lane] = soft.impulse_scale;
@@ -164,8 +177,9 @@ void empty(WideJoints& w, JointLanes& joint) {
   const JointLanes was = joint;
   joint = JointLanes{};
   joint.occupied = was.occupied, joint.first = was.first, joint.first_drive = was.first_drive;
-  joint.layout = was.layout, joint.pulled = was.pulled;
+  joint.layout = was.layout, joint.pulled = was.pulled, joint.geared = was.geared;
   if (joint.pulled) w.pulls[joint.pulled - 1] = PullLanes{};
+  if (joint.geared) w.gears[joint.geared - 1] = GearLanes{}, w.gears[joint.geared - 1].ratio = all(1);
   joint.start_frame_a.w = joint.start_frame_b.w = all(1);
   std::fill_n(w.rows.data() + joint.first, joint.layout.equalities, JointRowLanes{});
   std::fill_n(w.drives.data() + joint.first_drive, joint.layout.drives, JointDriveLanes{});
@@ -225,11 +239,26 @@ void find_gyro(const World& world, Real h, WideJoints& w) {
 /// Impulses of bodies that left the finite world within the step may be anything.
 bool is_finite(const Joint& joint) {
   const auto finite_all = [](const auto& p) { return std::ranges::all_of(p, [](Real x) { return finite(x); }); };
-  return finite_all(joint.p) && finite_all(joint.drive_p) && joint.force.all_finite() && joint.torque.all_finite();
+  return finite_all(joint.p) && finite_all(joint.drive_p) && finite(joint.transmission.phase) && joint.force.all_finite() && joint.torque.all_finite();
 }
 void start_cold(Joint& joint) {
   joint.p.fill(0), joint.drive_p.fill(0);
+  joint.transmission.phase = finite(joint.transmission.phase) ? joint.transmission.phase : 0;
   joint.force.set_zero(), joint.torque.set_zero();
+}
+
+/// rad: how far a gear is off where the step has ended, which the last rows were made before if anything was put right.
+Real phase_of(const World& world, const Joint& joint, const WideJoints& w, const JointLanes& lanes, std::uint32_t lane) {
+  const GearLanes& gear = w.gears[lanes.geared - 1];
+  const JointEnds ends = ends_of(world, joint.def);
+  const auto turned = [&](const LaneQuat& from, const Quat& to, Real near) {
+    const Quat start(from.w[lane], from.x[lane], from.y[lane], from.z[lane]), turn = to * start.conjugate();
+    const Real along = turn.vec().dot(start * Vec3::unit_x()), sign = turn.w() < 0 ? -1 : 1;
+    const Real angle = 2 * angle_of<double>(sign * along, sign * turn.w()), whole = 2 * std::numbers::pi;
+    return angle + whole * std::nearbyint((near - angle) / whole);
+  };
+  return get(gear.phase, lane) + turned(lanes.start_frame_a, ends.a.q, get(gear.turned_a, lane)) +
+         get(gear.ratio, lane) * turned(lanes.start_frame_b, ends.b.q, get(gear.turned_b, lane));
 }
 
 /// Which way bodies are free, of joints some of whose bodies are locked.
@@ -375,6 +404,7 @@ void end_joints(World& world, const StepTime& time) {
     for (std::uint32_t k = 0; k < lanes.layout.drives; ++k)
       joint.drive_p[k] = w.drives[lanes.first_drive + k].row.p[lane];
     joint.p_h = time.h;
+    if (lanes.geared) joint.transmission.phase = phase_of(world, joint, w, lanes, lane);
     joint.force = get(lanes.force, lane) / time.dt;
     joint.torque = get(lanes.torque, lane) / time.dt;
     if (!is_finite(joint)) start_cold(joint);

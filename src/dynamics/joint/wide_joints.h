@@ -23,6 +23,7 @@ struct WideJoints {
         drives(m),
         locks(m),
         pulls(m),
+        gears(m),
         colours(m),
         kicked(m),
         gyro(m),
@@ -43,6 +44,7 @@ struct WideJoints {
   Array<JointDriveLanes> drives;
   Array<LockLanes> locks;        // of joints with bodies that are locked
   Array<PullLanes> pulls;        // of joints that pull A another way than B
+  Array<GearLanes> gears;        // of gears
   Array<std::uint32_t> colours;  // in use, from the lowest: where in joints each ends; those up to `swept` stand alone
   std::uint32_t swept = 0;       // joints up to here are swept
   bool is_packed = false;        // place, occupant and colours are those of active, all of it swept
@@ -90,7 +92,8 @@ inline JointRun every_joint(World& world) {
           world.wide->first_moved,
           w.locks.data(),
           w.gyro.empty() ? nullptr : w.gyro.data(),
-          w.pulls.data()};
+          w.pulls.data(),
+          w.gears.data()};
 }
 
 /// Of a loop that threads share.

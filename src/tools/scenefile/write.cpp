@@ -248,7 +248,7 @@ class PhysicsWriter {
     static constexpr const char* kKinds[] = {"ball", "hinge", "slider", "weld", "distance", "universal"};
     static constexpr const char* kCoordinates[] = {"twist", "swing", "slide", "distance"};
     if (d.kind >= std::size(kKinds))
-      throw Error("a pulley stands in the scene, and KHR_physics_rigid_bodies has no such joint",
+      throw Error("a pulley or a gear stands in the scene, and KHR_physics_rigid_bodies has no such joint",
                   "take it out first, or keep the world as a snapshot: carom_world_save()");
     json own = {{"kind", kKinds[d.kind]}}, limits = json::array();
     const auto lock = [&](const char* axes, std::vector<int> which) {
