@@ -123,11 +123,8 @@ bool has_transmission(Call& call, const Joint& joint, int argument) {
 
 /// A rope cannot push; wheels turn either way.
 bool check_ratio(Call& call, JointKind kind, double ratio) {
-  if (kind != JointKind::gear) return in_range(call, 3, "transmission->ratio", ratio, kLeastRatio, kMostRatio);
-  return finite(call, 3, "transmission->ratio", &ratio, 1) &&
-         ((std::fabs(ratio) >= kLeastRatio && std::fabs(ratio) <= kMostRatio) ||
-          call.fail(CAROM_E_OUT_OF_RANGE, 3, "transmission->ratio is %.17g; of a gear it is within [%g, %g] or their negatives",
-                    ratio, kLeastRatio, kMostRatio));
+  return in_range(call, 3, kind == JointKind::gear ? "transmission->ratio, or its negative," : "transmission->ratio",
+                  kind == JointKind::gear ? std::fabs(ratio) : ratio, kLeastRatio, kMostRatio);
 }
 
 /// @param joint  as it is so far
@@ -138,8 +135,7 @@ bool read_transmission(Call& call, const World& world, Joint joint, const carom_
   if (!read_struct(call, 3, "transmission", given, d) ||
       !only_bits(call, 3, "transmission->fields", d.fields, CAROM_JOINT_FIELD_LENGTH) ||
       !check_ratio(call, joint.def.kind, d.ratio) ||
-      !check_position(call, "transmission->anchor_a", d.anchor_a, 3) ||
-      !check_position(call, "transmission->anchor_b", d.anchor_b, 3) ||
+      !check_position(call, "transmission->anchor_a", d.anchor_a, 3) || !check_position(call, "transmission->anchor_b", d.anchor_b, 3) ||
       !in_range(call, 3, "transmission->length", d.length, 0, kLongestJoint) || !has_transmission(call, joint, 3))
     return false;
   if (joint.def.kind == JointKind::gear) return to = {d.ratio}, true;
@@ -381,10 +377,9 @@ int32_t carom_joint_get_transmission(carom_world* world, carom_joint handle, car
     if (!reading || !resolve_joint(call, *reading, handle)) return;
     const Joint& joint = reading->joints.joint[handle_slot(handle)];
     if (!fillable(call, 3, "transmission", transmission) || !has_transmission(call, joint, 3)) return;
-    carom_joint_transmission full{};
-    full.fields = CAROM_JOINT_FIELD_LENGTH;
-    full.ratio = joint.transmission.ratio, full.length = joint.transmission.length;
-    from_vec3(joint.transmission.anchor_a, full.anchor_a), from_vec3(joint.transmission.anchor_b, full.anchor_b);
+    const Transmission& t = joint.transmission;
+    carom_joint_transmission full{0, CAROM_JOINT_FIELD_LENGTH, t.ratio, {}, {}, t.length};
+    from_vec3(t.anchor_a, full.anchor_a), from_vec3(t.anchor_b, full.anchor_b);
     write_struct(full, transmission);
   });
 }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "core/wide_angle.h"
+#include "dynamics/joint/bend_sweep.h"
 #include "dynamics/joint/joint_kernels.h"
 #include "dynamics/joint/place_sweep.h"
 

@@ -1,8 +1,8 @@
-// Where joints in lanes are: arms, axes, errors, and how their rows are coupled. Part of joint_sweeps.h.
+// Where joints in lanes are: arms, axes, errors. Part of joint_sweeps.h.
 #pragma once
 
 #include "core/wide_angle.h"
-#include "dynamics/joint/joint_kernels.h"
+#include "dynamics/joint/couple_rows.h"
 #include "dynamics/solver/lane_sides.h"
 
 namespace carom::dynamics {
@@ -51,17 +51,6 @@ struct JointShift {
   }
 };
 
-/// x <- K^-1 x.
-template <int n>
-CAROM_LANES_INLINE void solve_coupled(const Lanes* factor, Lanes* x) {
-  for (int k = 1; k < n; ++k)
-    for (int l = 0; l < k; ++l) x[k] -= factor[k * (k + 1) / 2 + l] * x[l];
-  for (int k = n - 1; k >= 0; --k) {
-    x[k] = x[k] * factor[k * (k + 1) / 2 + k];
-    for (int l = k + 1; l < n; ++l) x[k] -= factor[l * (l + 1) / 2 + k] * x[l];
-  }
-}
-
 /// rad: by how much a turn is one about an axis, of all such angles the nearest to one.
 CAROM_LANES_INLINE Lanes turned_about(const LaneQuat& turn, const LaneVec& axis, Lanes near) {
   const Lanes along = turn.x * axis.x + turn.y * axis.y + turn.z * axis.z;
@@ -70,11 +59,6 @@ CAROM_LANES_INLINE Lanes turned_about(const LaneQuat& turn, const LaneVec& axis,
   constexpr double kTurn = 6.283185307179586477, kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds
   const Lanes turns = ((near - angle) * (1 / kTurn) + kRound) - kRound;
   return angle + kTurn * turns;
-}
-
-/// The inverse of what is left of a number, or 0 where that is but rounding: a row that others imply bears nothing.
-CAROM_LANES_INLINE Lanes inverse_of_rest(Lanes rest, Lanes whole) {
-  return inverse_or_zero(rest > 1e-11 * whole ? rest : all(0));
 }
 
 /// A joint at the present poses; writes its rows.
@@ -247,110 +231,6 @@ struct JointPlacing {
   }
 };
 
-/// Velocity at one row per impulse at another.
-/// @tparam kTwoWays  A is pulled another way than B
-template <bool kTwoWays>
-struct RowResponse {
-  LaneVec d, i_a, i_b;  // of the impulse, over the masses
-  Lanes at_a;           // of two ways: what the impulse does at A, along the way all rows have there
-  CAROM_LANES_INLINE void set(const JointLanes& joint, const LockLanes* locks, const JointRowLanes& r,
-                              const PullLanes* pull) {
-    if constexpr (kTwoWays) {
-      d = joint.inv_mass_b * (locks ? each(locks->free_b, r.d) : r.d);
-      at_a = joint.inv_mass_a * dot(locks ? each(locks->free_a, pull->d_a) : pull->d_a, pull->d_a);
-    } else {
-      d = locks ? each(joint.inv_mass_a * locks->free_a + joint.inv_mass_b * locks->free_b, r.d)
-                : (joint.inv_mass_a + joint.inv_mass_b) * r.d;
-    }
-    i_a = joint.inv_inertia_a * r.w_a;
-    i_b = joint.inv_inertia_b * r.w_b;
-  }
-  CAROM_LANES_INLINE Lanes at(const JointRowLanes& r) const {
-    const Lanes rest = dot(d, r.d) + (dot(i_a, r.w_a) + dot(i_b, r.w_b));
-    if constexpr (kTwoWays) return at_a + rest;
-    return rest;
-  }
-};
-
-CAROM_LANES_INLINE PullLanes* pull_of(const JointRun& run, const JointLanes& joint) {
-  return joint.pulled ? run.pulls + (joint.pulled - 1) : nullptr;
-}
-
-CAROM_LANES_INLINE const LockLanes* locks_of(const JointRun& run, const JointLanes& joint) {
-  return joint.locked ? run.locks + (joint.locked - 1) : nullptr;
-}
-
-/// What a row's response is measured by: of its own size, but where bodies are locked of what it would be if they were
-/// not, to within the unlikeness of a body's moments: what is left of a locked direction is rounding.
-template <bool kTwoWays>
-CAROM_LANES_INLINE Lanes whole_of(const JointLanes& joint, const LockLanes* locks, const JointRowLanes& r,
-                                  const PullLanes* pull, Lanes own) {
-  if (!locks) return own;
-  const LaneSymmetric &i_a = joint.inv_inertia_a, &i_b = joint.inv_inertia_b;
-  Lanes moved = (joint.inv_mass_a + joint.inv_mass_b) * dot(r.d, r.d);
-  if constexpr (kTwoWays) moved = joint.inv_mass_a * dot(pull->d_a, pull->d_a) + joint.inv_mass_b * dot(r.d, r.d);
-  return 1e2 * (moved + dot(r.w_a, r.w_a) * (i_a.xx + i_a.yy + i_a.zz) + dot(r.w_b, r.w_b) * (i_b.xx + i_b.yy + i_b.zz));
-}
-
-/// L D L^T of the coupling of n rows.
-template <bool kTwoWays>
-CAROM_LANES_INLINE void factor_rows(JointLanes& joint, const LockLanes* locks, const PullLanes* pull,
-                                    const JointRowLanes* rows) {
-  const int n = static_cast<int>(joint.layout.equalities);
-  Lanes* const f = joint.factor;
-  for (int k = 0; k < n; ++k) {
-    RowResponse<kTwoWays> response;
-    response.set(joint, locks, rows[k], pull);
-    Lanes v[kMostRows];
-    Lanes* const row = f + k * (k + 1) / 2;
-    const Lanes own = response.at(rows[k]), whole = whole_of<kTwoWays>(joint, locks, rows[k], pull, own);
-    Lanes rest = own;
-    for (int l = 0; l < k; ++l) {
-      v[l] = response.at(rows[l]);
-      const Lanes* const other = f + l * (l + 1) / 2;
-      for (int m = 0; m < l; ++m) v[l] -= other[m] * v[m];
-      row[l] = v[l] * other[l];
-    }
-    for (int l = 0; l < k; ++l) rest -= row[l] * v[l];
-    row[k] = inverse_of_rest(rest, whole);
-  }
-}
-
-CAROM_LANES_INLINE void solve_any(const JointLanes& joint, Lanes* x) {
-  switch (joint.layout.equalities) {
-    case 1:
-      return solve_coupled<1>(joint.factor, x);
-    case 2:
-      return solve_coupled<2>(joint.factor, x);
-    case 3:
-      return solve_coupled<3>(joint.factor, x);
-    case 4:
-      return solve_coupled<4>(joint.factor, x);
-    case 5:
-      return solve_coupled<5>(joint.factor, x);
-    case 6:
-      return solve_coupled<6>(joint.factor, x);
-    default:
-      return;
-  }
-}
-
-/// Effective mass of a drive, what is locked staying so.
-template <bool kTwoWays>
-CAROM_LANES_INLINE void weigh(const JointLanes& joint, const LockLanes* locks, const PullLanes* pull,
-                              const JointRowLanes* rows, JointDriveLanes& drive) {
-  RowResponse<kTwoWays> response;
-  response.set(joint, locks, drive.row, pull);
-  Lanes coupled[kMostRows], x[kMostRows];
-  const int n = static_cast<int>(joint.layout.equalities);
-  for (int k = 0; k < n; ++k) x[k] = coupled[k] = response.at(rows[k]);
-  solve_any(joint, x);
-  const Lanes own = response.at(drive.row);
-  Lanes rest = own;
-  for (int k = 0; k < n; ++k) rest -= coupled[k] * x[k];
-  drive.m = inverse_of_rest(rest, whole_of<kTwoWays>(joint, locks, drive.row, pull, own));
-}
-
 /// @param locks  null, known when compiled: none
 template <bool kTwoWays>
 CAROM_LANES_INLINE void place_one(const JointRun& run, JointLanes& joint, const LockLanes* locks) {
@@ -377,92 +257,6 @@ void place(const JointRun& run) {
       place_one<false>(run, joint, run.locks + (joint.locked - 1));
     else
       place_one<false>(run, joint, nullptr);
-  }
-}
-
-/// m/s^2: how the length of a rope bends, its far end being that of an arm.
-CAROM_LANES_INLINE Lanes rope_bend(const JointRun& run, const std::uint32_t* body, const Side& side, const LaneVec& arm,
-                                   const LaneVec& rope) {
-  const LaneVec turns = cross(side.omega, arm), moves = side.v + turns;
-  LaneVec inward = cross(side.omega, turns);
-  if (run.gyro) {
-    Side gyro;
-    gyro.load(run.gyro, body);
-    inward = inward - cross(gyro.omega, arm);
-  }
-  const Lanes far = square_root(dot(rope, rope)), inverse = inverse_or_zero(far > 1e-9 ? far : all(0));
-  const Lanes out = inverse * dot(rope, moves);
-  return (dot(moves, moves) - out * out) * inverse + inverse * dot(rope, inward);
-}
-
-// With g the gap and d a direction that turns with A,
-//   (d.g)'' = d''.g + 2 d'.g' + d.g'',   d' = w_a x d,
-//   g'' = w_b x (w_b x r_b) - a_b x r_b - (w_a x (w_a x r_a) - a_a x r_a);
-// for a distance |g|'' = (g'^2 - (d.g')^2) / |g| + d.g''. Angles are taken to be straight. a is how omega changes while
-// nothing acts: what a rotation method carries is turned by the mean of its omega before and after, which is the one
-// after, w, less h a / 2.
-void bend(const JointRun& run, double h) {
-  for (std::size_t i = 0; i < run.count; ++i) {
-    const JointLanes& joint = run.joints[i];
-    Side a, b;
-    a.load(run.velocity, joint.a), b.load(run.velocity, joint.b);
-    const LaneVec turns_a = cross(a.omega, joint.r_a), turns_b = cross(b.omega, joint.r_b);
-    LaneVec inward = cross(b.omega, turns_b) - cross(a.omega, turns_a);
-    if (run.gyro) {
-      Side gyro_a, gyro_b;
-      gyro_a.load(run.gyro, joint.a), gyro_b.load(run.gyro, joint.b);
-      inward = inward - (cross(gyro_b.omega, joint.r_b) - cross(gyro_a.omega, joint.r_a));
-    }
-    // Beyond a radian a substep nothing is straight nor bends like a parabola: then less is asked for, not more.
-    const Lanes half = (h / 2) / (1 + (h * h / 4) * (dot(a.omega, a.omega) + dot(b.omega, b.omega)));
-    JointRowLanes* r = run.rows + joint.first;
-    for (std::uint32_t k = 0; k < joint.layout.parts; ++k) {
-      const LaneVec parting = (b.v + turns_b) - (a.v + turns_a);
-      switch (joint.layout.part[k]) {
-        case JointPart::point:
-          r[0].curve = half * inward.x;
-          r[1].curve = half * inward.y;
-          r[2].curve = half * inward.z;
-          r += 3;
-          break;
-        case JointPart::line:
-          for (int l = 0; l < 2; ++l, ++r) {
-            const LaneVec d1 = cross(a.omega, r->d), d2 = cross(a.omega, d1);
-            r->curve = half * (dot(d2, joint.gap) + 2 * dot(d1, parting) + dot(r->d, inward));
-          }
-          break;
-        case JointPart::rod: {
-          const Lanes closing = dot(r->d, parting), far = r->error + joint.length;
-          const Lanes across = dot(parting, parting) - closing * closing;
-          r->curve = half * (across * inverse_or_zero(far > 1e-9 ? far : all(0)) + dot(r->d, inward));
-          r += 1;
-          break;
-        }
-        case JointPart::orientation:
-          r += 3;
-          break;
-        case JointPart::direction:
-          r += 2;
-          break;
-        case JointPart::pins:
-          r += 1;
-          break;
-        case JointPart::ropes: {
-          const PullLanes& pull = *pull_of(run, joint);
-          r->curve = half * (rope_bend(run, joint.a, a, joint.r_a, pull.rope_a) +
-                             pull.ratio * rope_bend(run, joint.b, b, joint.r_b, pull.rope_b));
-          r += 1;
-          break;
-        }
-        case JointPart::gears: {
-          GearLanes& gear = run.gears[joint.geared - 1];
-          gear.ahead_a = -h * dot(r->w_a, a.omega);
-          gear.ahead_b = (h / gear.ratio) * dot(r->w_b, b.omega);
-          r += 1;
-          break;
-        }
-      }
-    }
   }
 }
 

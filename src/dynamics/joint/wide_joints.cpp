@@ -2,9 +2,7 @@
 #include "dynamics/joint/wide_joints.h"
 
 #include <algorithm>
-#include <numbers>
 
-#include "core/wide_angle.h"
 #include "dynamics/events/events.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
@@ -150,18 +148,7 @@ void fill(const World& world, std::uint32_t index, const Softness& soft, Real h,
   set_quat(lanes.start_frame_a, lane, ends.a.q), set_quat(lanes.start_frame_b, lane, ends.b.q);
   set(lanes.start_gap, lane, ends.apart);
   lanes.length[lane] = joint.def.length;
-  if (lanes.pulled) {
-    PullLanes& pull = w.pulls[lanes.pulled - 1];
-    const Ropes ropes = ropes_of(world, joint, ends);
-    set(pull.start_rope_a, lane, ropes.a), set(pull.start_rope_b, lane, ropes.b);
-    pull.ratio[lane] = joint.transmission.ratio;
-    lanes.length[lane] = joint.transmission.length;
-  }
-  if (lanes.geared) {
-    GearLanes& gear = w.gears[lanes.geared - 1];
-    gear.ratio[lane] = joint.transmission.ratio, gear.phase[lane] = joint.transmission.phase;
-    gear.turned_a[lane] = gear.turned_b[lane] = gear.ahead_a[lane] = gear.ahead_b[lane] = 0;
-  }
+  fill_transmission(world, joint, ends, w, lanes, lane);
   lanes.bias_rate[lane] = soft.bias_rate;
   lanes.mass_scale[lane] = soft.mass_scale;
   lanes.impulse_scale[lane] = soft.impulse_scale;
@@ -245,20 +232,6 @@ void start_cold(Joint& joint) {
   joint.p.fill(0), joint.drive_p.fill(0);
   joint.transmission.phase = finite(joint.transmission.phase) ? joint.transmission.phase : 0;
   joint.force.set_zero(), joint.torque.set_zero();
-}
-
-/// rad: how far a gear is off where the step has ended, which the last rows were made before if anything was put right.
-Real phase_of(const World& world, const Joint& joint, const WideJoints& w, const JointLanes& lanes, std::uint32_t lane) {
-  const GearLanes& gear = w.gears[lanes.geared - 1];
-  const JointEnds ends = ends_of(world, joint.def);
-  const auto turned = [&](const LaneQuat& from, const Quat& to, Real near) {
-    const Quat start(from.w[lane], from.x[lane], from.y[lane], from.z[lane]), turn = to * start.conjugate();
-    const Real along = turn.vec().dot(start * Vec3::unit_x()), sign = turn.w() < 0 ? -1 : 1;
-    const Real angle = 2 * angle_of<double>(sign * along, sign * turn.w()), whole = 2 * std::numbers::pi;
-    return angle + whole * std::nearbyint((near - angle) / whole);
-  };
-  return get(gear.phase, lane) + turned(lanes.start_frame_a, ends.a.q, get(gear.turned_a, lane)) +
-         get(gear.ratio, lane) * turned(lanes.start_frame_b, ends.b.q, get(gear.turned_b, lane));
 }
 
 /// Which way bodies are free, of joints some of whose bodies are locked.

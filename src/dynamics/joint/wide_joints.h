@@ -161,6 +161,11 @@ void note_velocities(World& world, const StepTime& time);
 /// facing of then.
 void take_half_kicks(World& world);
 void give_half_kicks(World& world);
+/// What one joint, a pulley or a gear, has beside its rows, as a step begins.
+void fill_transmission(const World& world, const Joint& joint, const JointEnds& ends, WideJoints& w, JointLanes& lanes,
+                       int lane);
+/// rad: how far a gear is off where the step has ended, which the last rows were made before if anything was put right.
+Real phase_of(const World& world, const Joint& joint, const WideJoints& w, const JointLanes& lanes, std::uint32_t lane);
 /// Rows of all joints at the present poses.
 void place_joints(World& world);
 /// What a substep's sweeps start from, before the move; and after it, where velocities are taken from the state again
