@@ -31,6 +31,7 @@ typedef struct carom_joint_desc carom_joint_desc;
 typedef struct carom_joint_limit carom_joint_limit;
 typedef struct carom_joint_motor carom_joint_motor;
 typedef struct carom_joint_spring carom_joint_spring;
+typedef struct carom_joint_transmission carom_joint_transmission;
 typedef struct carom_joint_state carom_joint_state;
 typedef struct carom_ledger_entry carom_ledger_entry;
 typedef struct carom_ledger_state carom_ledger_state;
@@ -97,6 +98,7 @@ struct carom_joint_desc { uint32_t struct_size; uint32_t kind; uint32_t fields; 
 struct carom_joint_limit { uint32_t struct_size; uint32_t enabled; double lower; double upper; };
 struct carom_joint_motor { uint32_t struct_size; uint32_t enabled; double speed; double most; };
 struct carom_joint_spring { uint32_t struct_size; uint32_t enabled; double target; double frequency; double damping; double most; };
+struct carom_joint_transmission { uint32_t struct_size; uint32_t fields; double ratio; double anchor_a[3]; double anchor_b[3]; double length; };
 struct carom_joint_state { uint32_t struct_size; uint32_t broken; double force[3]; double torque[3]; double gap; double angle; double coordinate[4]; };
 struct carom_ledger_entry { const char *name; double kinetic; double potential; double linear[3]; double angular[3]; double total_kinetic; double total_potential; double total_linear[3]; double total_angular[3]; };
 struct carom_ledger_state { uint32_t struct_size; uint32_t is_kept; uint64_t steps; double start_kinetic; double start_potential; double start_linear[3]; double start_angular[3]; double before_kinetic; double before_potential; double before_linear[3]; double before_angular[3]; double now_kinetic; double now_potential; double now_linear[3]; double now_angular[3]; double rounding_energy; double rounding_linear; double rounding_angular; double total_rounding_energy; double total_rounding_linear; double total_rounding_angular; };
@@ -220,6 +222,7 @@ int32_t carom_joint_desc_init(carom_joint_desc *desc);
 int32_t carom_joint_limit_init(carom_joint_limit *limit);
 int32_t carom_joint_motor_init(carom_joint_motor *motor);
 int32_t carom_joint_spring_init(carom_joint_spring *spring);
+int32_t carom_joint_transmission_init(carom_joint_transmission *transmission);
 int32_t carom_joint_create(carom_world *world, const carom_joint_desc *desc, carom_joint *joint, carom_error *error);
 int32_t carom_joint_destroy(carom_world *world, carom_joint joint, carom_error *error);
 int32_t carom_joint_get(carom_world *world, carom_joint joint, carom_joint_desc *desc, carom_error *error);
@@ -230,6 +233,8 @@ int32_t carom_joint_set_spring(carom_world *world, carom_joint joint, uint32_t c
 int32_t carom_joint_get_limit(carom_world *world, carom_joint joint, uint32_t coordinate, carom_joint_limit *limit, carom_error *error);
 int32_t carom_joint_get_motor(carom_world *world, carom_joint joint, uint32_t coordinate, carom_joint_motor *motor, carom_error *error);
 int32_t carom_joint_get_spring(carom_world *world, carom_joint joint, uint32_t coordinate, carom_joint_spring *spring, carom_error *error);
+int32_t carom_joint_set_transmission(carom_world *world, carom_joint joint, const carom_joint_transmission *transmission, carom_error *error);
+int32_t carom_joint_get_transmission(carom_world *world, carom_joint joint, carom_joint_transmission *transmission, carom_error *error);
 int32_t carom_world_get_joints(carom_world *world, carom_joint *joints, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_world_enable_ledger(carom_world *world, uint32_t on, carom_error *error);
 int32_t carom_world_get_ledger(carom_world *world, carom_ledger_entry *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
@@ -503,7 +508,9 @@ return {
   CAROM_JOINT_WELD = 3,
   CAROM_JOINT_DISTANCE = 4,
   CAROM_JOINT_UNIVERSAL = 5,
-  CAROM_JOINT_COUNT = 6,
+  CAROM_JOINT_PULLEY = 6,
+  CAROM_JOINT_GEAR = 7,
+  CAROM_JOINT_COUNT = 8,
   CAROM_COORDINATE_TWIST = 0,
   CAROM_COORDINATE_SWING = 1,
   CAROM_COORDINATE_SLIDE = 2,
@@ -600,5 +607,5 @@ return {
   CAROM_ASK_GENERIC = 1,
   CAROM_ASK_SENSORS = 2,
   VERSION = "1.8.0",
-  ROWS = 553, -- of the layout manifest
+  ROWS = 560, -- of the layout manifest
 }

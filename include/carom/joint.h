@@ -23,13 +23,19 @@ extern "C" {
 #define CAROM_JOINT_WELD 3u      /* nothing is free */
 #define CAROM_JOINT_DISTANCE 4u  /* the points stay `length` apart: a rod. With a limit a rope, with a spring a spring */
 #define CAROM_JOINT_UNIVERSAL 5u /* the points stay together, B's z axis at right angles to A's y axis: a cross of two pins */
-#define CAROM_JOINT_COUNT 6u
+#define CAROM_JOINT_PULLEY 6u    /* a rope from A's point over two anchors to B's, as carom_joint_set_transmission() says; until
+                                    then it holds nothing. Without a limit the rope neither stretches nor gives way; with one it
+                                    may be slack   @since 1.8 */
+#define CAROM_JOINT_GEAR 7u      /* A's angle about the x axis of its frame, plus `ratio` times B's about its own, stays what it is;
+                                    each relative to the world, where bearings of their own hold the wheels. Ratio 1 until
+                                    carom_joint_set_transmission() says another: they turn against each other   @since 1.8 */
+#define CAROM_JOINT_COUNT 8u
 
 /** What may be limited, driven or sprung. */
 #define CAROM_COORDINATE_TWIST 0u    /* rad, (-pi, pi], of B about the x axes: ball, hinge */
 #define CAROM_COORDINATE_SWING 1u    /* rad, [0, pi], between the x axes: ball, universal */
 #define CAROM_COORDINATE_SLIDE 2u    /* m, of B's point along A's x axis: slider */
-#define CAROM_COORDINATE_DISTANCE 3u /* m, between the points: distance */
+#define CAROM_COORDINATE_DISTANCE 3u /* m, between the points: distance; of the rope, |a - anchor_a| + ratio |b - anchor_b|: pulley */
 #define CAROM_COORDINATE_COUNT 4u
 
 /** @name Bits of carom_joint_desc.fields
@@ -86,14 +92,28 @@ typedef struct carom_joint_spring {
   double most;      /**< N or N m, [0, 1e30]: how hard it pulls at most */
 } carom_joint_spring;
 
+/** By what a pulley or a gear turns the motion of A into that of B. Fill with carom_joint_transmission_init().   @since 1.8 */
+typedef struct carom_joint_transmission {
+  uint32_t struct_size;
+  uint32_t fields;    /**< CAROM_JOINT_FIELD_LENGTH: length is given; else it is that of the rope as the bodies stand now */
+  double ratio;       /**< [0.001, 1000]: B's part of the rope counts so many times, as if it ran to and fro so often: B is
+                           pulled ratio times as hard as A, and moves 1 / ratio as far. Of a gear B's angle, likewise, of
+                           either sign: negative where they turn the same way, as in a ring gear. 1 at first */
+  double anchor_a[3]; /**< m, world: the place that A's part of the rope runs over. A gear has neither anchors nor length */
+  double anchor_b[3]; /**< m, world: likewise of B's */
+  double length;      /**< m, [0, 1e9]: |a - anchor_a| + ratio |b - anchor_b| is kept at it, a and b the joint's points.
+                           A part of the rope without length pulls nowhere: keep points off anchors */
+} carom_joint_transmission;
+
 /** What a joint does and where it is.   @since 1.5 */
 typedef struct carom_joint_state {
   uint32_t struct_size;
   uint32_t broken;      /**< 1: it bore too much, and holds nothing any more */
-  double force[3];      /**< N, world, on B at its point, mean over the last step; on A the opposite */
+  double force[3];      /**< N, world, on B at its point, mean over the last step; on A the opposite, but of a pulley
+                             1 / ratio of it, along A's own part of the rope */
   double torque[3];     /**< N m, world, on B about its point, likewise */
   double gap;           /**< m, how far the points are from where they should be, limits included */
-  double angle;         /**< rad, how far the axes are, likewise */
+  double angle;         /**< rad, how far the axes are, likewise; of a gear how far its wheels have slipped, of A's turns */
   double coordinate[4]; /**< by CAROM_COORDINATE_*, as the bodies stand now */
 } carom_joint_state;
 
@@ -103,6 +123,8 @@ CAROM_API int32_t carom_joint_desc_init(carom_joint_desc *desc);
 CAROM_API int32_t carom_joint_limit_init(carom_joint_limit *limit);
 CAROM_API int32_t carom_joint_motor_init(carom_joint_motor *motor);
 CAROM_API int32_t carom_joint_spring_init(carom_joint_spring *spring);
+/** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT   @since 1.8 */
+CAROM_API int32_t carom_joint_transmission_init(carom_joint_transmission *transmission);
 
 /** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
@@ -137,6 +159,21 @@ CAROM_API int32_t carom_joint_get_motor(carom_world *world, carom_joint joint, u
                                         carom_joint_motor *motor, carom_error *error);
 CAROM_API int32_t carom_joint_get_spring(carom_world *world, carom_joint joint, uint32_t coordinate,
                                          carom_joint_spring *spring, carom_error *error);
+
+/** Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a pulley's
+ *  distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they may turn: turns
+ *  are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in one; a pose that the
+ *  host sets between steps is no turn.
+ *  Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and under the
+ *  direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE; NOT_FINITE;
+ *          OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT   @since 1.8 */
+CAROM_API int32_t carom_joint_set_transmission(carom_world *world, carom_joint joint,
+                                               const carom_joint_transmission *transmission, carom_error *error);
+/** @param transmission out: as it was set, with its length; ratio 0: not yet
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8 */
+CAROM_API int32_t carom_joint_get_transmission(carom_world *world, carom_joint joint, carom_joint_transmission *transmission,
+                                               carom_error *error);
 
 /** Number of joints, and their handles in creation order of the slots.
  *  @param joints [capacity] or NULL   @param count out: how many there are

@@ -19,7 +19,9 @@ static_assert(static_cast<std::uint32_t>(JointKind::count) == CAROM_JOINT_COUNT 
               static_cast<std::uint32_t>(JointKind::slider) == CAROM_JOINT_SLIDER &&
               static_cast<std::uint32_t>(JointKind::weld) == CAROM_JOINT_WELD &&
               static_cast<std::uint32_t>(JointKind::distance) == CAROM_JOINT_DISTANCE &&
-              static_cast<std::uint32_t>(JointKind::universal) == CAROM_JOINT_UNIVERSAL);
+              static_cast<std::uint32_t>(JointKind::universal) == CAROM_JOINT_UNIVERSAL &&
+              static_cast<std::uint32_t>(JointKind::pulley) == CAROM_JOINT_PULLEY &&
+              static_cast<std::uint32_t>(JointKind::gear) == CAROM_JOINT_GEAR);
 static_assert(kCoordinates == CAROM_COORDINATE_COUNT &&
               static_cast<std::uint32_t>(Coordinate::twist) == CAROM_COORDINATE_TWIST &&
               static_cast<std::uint32_t>(Coordinate::swing) == CAROM_COORDINATE_SWING &&
@@ -28,15 +30,16 @@ static_assert(kCoordinates == CAROM_COORDINATE_COUNT &&
 
 constexpr std::uint32_t kJointFields = CAROM_JOINT_WORLD_FRAME | CAROM_JOINT_COLLIDE | CAROM_JOINT_FIELD_LENGTH;
 constexpr double kLongestJoint = 1e9, kFastestMotor = 1e6, kStrongestMotor = 1e30, kStiffest = 1e4, kMostDamping = 1e3;
+constexpr double kLeastRatio = 1e-3, kMostRatio = 1e3;
 constexpr double kFarthestApart = 8 * kMaxPosition;  // m: of places on bodies that no step would quarantine
 
 bool resolve_joint(Call& call, const World& world, carom_joint joint) {
   return resolve(call, 2, "joint", world.joints.slots, joint);
 }
 
-bool check_position(Call& call, const char* name, const double v[3]) {
-  return finite(call, 2, name, v, 3) &&
-         (to_vec3(v).norm() <= kMaxPosition || call.fail(CAROM_E_OUT_OF_RANGE, 2, "%s is (%g, %g, %g), at most %g long",
+bool check_position(Call& call, const char* name, const double v[3], int argument = 2) {
+  return finite(call, argument, name, v, 3) &&
+         (to_vec3(v).norm() <= kMaxPosition || call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is (%g, %g, %g), at most %g long",
                                                          name, v[0], v[1], v[2], kMaxPosition));
 }
 
@@ -110,6 +113,39 @@ carom_joint_desc describe(const World& world, const Joint& joint) {
   d.break_torque = def.break_torque < kInfinity ? def.break_torque : 0;
   d.user = def.user;
   return d;
+}
+
+bool has_transmission(Call& call, const Joint& joint, int argument) {
+  return dynamics::has_transmission(joint.def.kind) ||
+         call.fail(CAROM_E_UNSUPPORTED, argument, "a %s joint has no transmission; those of CAROM_JOINT_PULLEY and _GEAR have",
+                   row_of(joint.def.kind).name);
+}
+
+/// A rope cannot push; wheels turn either way.
+bool check_ratio(Call& call, JointKind kind, double ratio) {
+  return in_range(call, 3, kind == JointKind::gear ? "transmission->ratio, or its negative," : "transmission->ratio",
+                  kind == JointKind::gear ? std::fabs(ratio) : ratio, kLeastRatio, kMostRatio);
+}
+
+/// @param joint  as it is so far
+bool read_transmission(Call& call, const World& world, Joint joint, const carom_joint_transmission* given,
+                       Transmission& to) {
+  carom_joint_transmission d;
+  carom_joint_transmission_init(&d);
+  if (!read_struct(call, 3, "transmission", given, d) ||
+      !only_bits(call, 3, "transmission->fields", d.fields, CAROM_JOINT_FIELD_LENGTH) ||
+      !check_ratio(call, joint.def.kind, d.ratio) ||
+      !check_position(call, "transmission->anchor_a", d.anchor_a, 3) || !check_position(call, "transmission->anchor_b", d.anchor_b, 3) ||
+      !in_range(call, 3, "transmission->length", d.length, 0, kLongestJoint) || !has_transmission(call, joint, 3))
+    return false;
+  if (joint.def.kind == JointKind::gear) return to = {d.ratio}, true;
+  to = {d.ratio, to_vec3(d.anchor_a), to_vec3(d.anchor_b), d.length};
+  if (d.fields & CAROM_JOINT_FIELD_LENGTH) return true;
+  joint.transmission = to;
+  to.length = place_of(world, joint).at[static_cast<std::size_t>(Coordinate::distance)];
+  return to.length <= kLongestJoint ||
+         call.fail(CAROM_E_OUT_OF_RANGE, 3, "the rope would be %g m long, at most %g: give anchors that are nearer",
+                   to.length, kLongestJoint);
 }
 
 struct Bounds {
@@ -243,6 +279,12 @@ int32_t carom_joint_spring_init(carom_joint_spring* spring) {
   return CAROM_OK;
 }
 
+int32_t carom_joint_transmission_init(carom_joint_transmission* transmission) {
+  if (begin_desc(transmission) != CAROM_OK) return CAROM_E_NULL_ARGUMENT;
+  transmission->ratio = 1;
+  return CAROM_OK;
+}
+
 int32_t carom_joint_create(carom_world* world, const carom_joint_desc* desc, carom_joint* joint, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Recorded changing(call, world, record::joint_create(desc));
@@ -314,6 +356,32 @@ int32_t carom_joint_get_motor(carom_world* world, carom_joint joint, uint32_t co
 int32_t carom_joint_get_spring(carom_world* world, carom_joint joint, uint32_t coordinate, carom_joint_spring* spring,
                                carom_error* error) {
   return get(world, joint, coordinate, spring, "spring", error);
+}
+
+int32_t carom_joint_set_transmission(carom_world* world, carom_joint joint,
+                                     const carom_joint_transmission* transmission, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Recorded changing(call, world, record::joint_set_transmission(joint, transmission));
+    if (!changing || !resolve_joint(call, *changing, joint)) return;
+    const FloatScope scope;
+    const std::uint32_t slot = handle_slot(joint);
+    Transmission to;
+    if (read_transmission(call, *changing, changing->joints.joint[slot], transmission, to))
+      changing->set_transmission(slot, to);
+  });
+}
+int32_t carom_joint_get_transmission(carom_world* world, carom_joint handle, carom_joint_transmission* transmission,
+                                     carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !resolve_joint(call, *reading, handle)) return;
+    const Joint& joint = reading->joints.joint[handle_slot(handle)];
+    if (!fillable(call, 3, "transmission", transmission) || !has_transmission(call, joint, 3)) return;
+    const Transmission& t = joint.transmission;
+    carom_joint_transmission full{0, CAROM_JOINT_FIELD_LENGTH, t.ratio, {}, {}, t.length};
+    from_vec3(t.anchor_a, full.anchor_a), from_vec3(t.anchor_b, full.anchor_b);
+    write_struct(full, transmission);
+  });
 }
 
 int32_t carom_world_get_joints(carom_world* world, carom_joint* joints, uint64_t capacity, uint64_t* count,

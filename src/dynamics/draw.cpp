@@ -172,7 +172,14 @@ class Drawing {
       const auto whose = [](std::uint32_t body) { return body == kTheWorld ? DrawLine::kNobody : body; };
       axes(ends.a.p, ends.a.q.matrix(), whose(def.body_a));
       axes(ends.b.p, ends.b.q.matrix(), whose(def.body_b));
-      line(ends.a.p, ends.b.p, kTie, whose(def.body_b));
+      if (def.kind == JointKind::pulley) {
+        const Transmission& over = world_.joints.joint[j].transmission;
+        line(ends.a.p, over.anchor_a, kTie, whose(def.body_a));
+        line(over.anchor_a, over.anchor_b, kTie, whose(def.body_b));
+        line(over.anchor_b, ends.b.p, kTie, whose(def.body_b));
+      } else {
+        line(ends.a.p, ends.b.p, kTie, whose(def.body_b));
+      }
     }
   }
 

@@ -101,6 +101,7 @@ class World {
   void set_locks(std::uint32_t body, Locks locks);              // of a dynamic body
   void hold_apart(std::uint32_t body_a, std::uint32_t body_b);  // counted: as often as it is let go
   void let_go(std::uint32_t body_a, std::uint32_t body_b);
+  void set_transmission(std::uint32_t slot, const Transmission& transmission);
   Handle add_joint(const JointDef& def);  // its bodies are two, or one and the world
   void remove_joint(std::uint32_t joint);
   void set_joint_drive(std::uint32_t joint, Coordinate coordinate, const JointDrive& drive);

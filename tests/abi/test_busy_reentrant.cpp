@@ -176,6 +176,8 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   carom_joint_motor_init(&motor);
   carom_joint_spring spring;
   carom_joint_spring_init(&spring);
+  carom_joint_transmission transmission;
+  carom_joint_transmission_init(&transmission);
   carom_joint_state joint_state = {};
   joint_state.struct_size = sizeof joint_state;
   const carom_joint none = CAROM_NULL_HANDLE;  // BUSY comes before any look at it
@@ -189,6 +191,8 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("joint_get_limit", carom_joint_get_limit(b.world, none, CAROM_COORDINATE_TWIST, &limit, nullptr));
   add("joint_get_motor", carom_joint_get_motor(b.world, none, CAROM_COORDINATE_TWIST, &motor, nullptr));
   add("joint_get_spring", carom_joint_get_spring(b.world, none, CAROM_COORDINATE_TWIST, &spring, nullptr));
+  add("joint_set_transmission", carom_joint_set_transmission(b.world, none, &transmission, nullptr));
+  add("joint_get_transmission", carom_joint_get_transmission(b.world, none, &transmission, nullptr));
   add("world_get_joints", carom_world_get_joints(b.world, nullptr, 0, &count, nullptr));
   add("world_get_bodies", carom_world_get_bodies(b.world, nullptr, 0, &count, nullptr));
   add("world_read", carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, b.bodies, 1, v, 0, nullptr));

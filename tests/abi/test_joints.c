@@ -241,6 +241,95 @@ static void nonsense_stays_finite(void **state) {
   }
 }
 
+/* A pulley holds nothing until it is strung; then its rope keeps its length. What is wrong is refused, and changes nothing. */
+static void a_pulley_is_strung(void **state) {
+  Bench *b = *state;
+  const carom_joint ball = join(b, CAROM_JOINT_BALL, CAROM_NULL_HANDLE, b->bodies[2]);
+  carom_joint_desc d = desc_of(CAROM_JOINT_PULLEY, b->bodies[0], b->bodies[1]);
+  carom_joint pulley = 0;
+  carom_joint_transmission t, back;
+  carom_joint_state s;
+  carom_error e = CAROM_ERROR_INIT;
+  uint64_t hash;
+  d.fields = 0, d.position_a[1] = 0;
+  assert_int_equal(carom_joint_create(b->world, &d, &pulley, NULL), CAROM_OK);
+  assert_int_equal(carom_joint_transmission_init(NULL), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_joint_transmission_init(&t), CAROM_OK);
+  assert_true(t.struct_size == sizeof t && t.ratio == 1 && t.fields == 0);
+  back.struct_size = sizeof back;
+  assert_int_equal(carom_joint_get_transmission(b->world, pulley, &back, NULL), CAROM_OK);
+  assert_true(back.ratio == 0);
+  assert_int_equal(bench_steps(b->world, 10, NULL), CAROM_OK);
+  s = state_of(b, pulley);
+  assert_true(s.force[1] == 0 && s.gap == 0);
+  hash = bench_hash(b->world);
+  assert_int_equal(carom_joint_set_transmission(b->world, ball, &t, &e), CAROM_E_UNSUPPORTED);
+  assert_true(e.argument == 3 && strstr(e.message, "PULLEY"));
+  assert_int_equal(carom_joint_get_transmission(b->world, ball, &back, NULL), CAROM_E_UNSUPPORTED);
+  t.ratio = 0;
+  assert_int_equal(carom_joint_set_transmission(b->world, pulley, &t, &e), CAROM_E_OUT_OF_RANGE);
+  assert_true(e.argument == 3 && strstr(e.message, "ratio"));
+  t.ratio = NAN;
+  assert_int_equal(carom_joint_set_transmission(b->world, pulley, &t, NULL), CAROM_E_NOT_FINITE);
+  t.ratio = 2, t.anchor_b[1] = 1e300;
+  assert_int_equal(carom_joint_set_transmission(b->world, pulley, &t, NULL), CAROM_E_OUT_OF_RANGE);
+  t.anchor_b[1] = 9, t.fields = 1;
+  assert_int_equal(carom_joint_set_transmission(b->world, pulley, &t, NULL), CAROM_E_UNSUPPORTED);
+  t.fields = 0;
+  assert_true(bench_hash(b->world) == hash);
+  t.anchor_a[1] = 9;
+  assert_int_equal(carom_joint_set_transmission(b->world, pulley, &t, NULL), CAROM_OK);
+  assert_int_equal(carom_joint_get_transmission(b->world, pulley, &back, NULL), CAROM_OK);
+  assert_true(back.ratio == 2 && back.anchor_a[1] == 9 && back.fields == CAROM_JOINT_FIELD_LENGTH);
+  assert_true(fabs(back.length - state_of(b, pulley).coordinate[CAROM_COORDINATE_DISTANCE]) < 1e-12);
+  assert_int_equal(bench_steps(b->world, 20, NULL), CAROM_OK);
+  assert_true(state_of(b, pulley).gap < 1e-3);
+}
+
+/* A gear's turns and a pulley's rope are part of a snapshot: from there all goes on to the same bits. */
+static void gears_and_pulleys_come_back(void **state) {
+  Bench *b = *state;
+  static unsigned char bytes[1 << 17];
+  uint64_t size, hash;
+  int whole;
+  const carom_joint gear = join(b, CAROM_JOINT_GEAR, b->bodies[0], b->bodies[1]);
+  const carom_joint pulley = join(b, CAROM_JOINT_PULLEY, b->bodies[2], b->bodies[3]);
+  carom_joint_transmission t, back;
+  assert_int_equal(carom_joint_transmission_init(&t), CAROM_OK);
+  t.ratio = -2.5;
+  assert_int_equal(carom_joint_set_transmission(b->world, pulley, &t, NULL), CAROM_E_OUT_OF_RANGE);
+  assert_int_equal(carom_joint_set_transmission(b->world, gear, &t, NULL), CAROM_OK);
+  t.ratio = 0;
+  assert_int_equal(carom_joint_set_transmission(b->world, gear, &t, NULL), CAROM_E_OUT_OF_RANGE);
+  t.ratio = 2, t.anchor_a[1] = 9, t.anchor_b[1] = 8;
+  assert_int_equal(carom_joint_set_transmission(b->world, pulley, &t, NULL), CAROM_OK);
+  assert_int_equal(bench_steps(b->world, 20, NULL), CAROM_OK);
+  for (whole = 0; whole < 2; ++whole) {
+    carom_world *other = NULL;
+    assert_int_equal(carom_world_save(b->world, 0, bytes, sizeof bytes, &size, NULL), CAROM_OK);
+    if (whole) assert_int_equal(carom_world_fork(b->world, &other, NULL), CAROM_OK);
+    assert_int_equal(bench_steps(b->world, 20, NULL), CAROM_OK);
+    hash = bench_hash(b->world);
+    if (whole) {
+      assert_int_equal(bench_steps(other, 20, NULL), CAROM_OK);
+      assert_true(bench_hash(other) == hash);
+      assert_int_equal(carom_world_destroy(other, NULL), CAROM_OK);
+      continue;
+    }
+    t.ratio = 3;
+    assert_int_equal(carom_joint_set_transmission(b->world, pulley, &t, NULL), CAROM_OK);
+    assert_int_equal(carom_joint_set_transmission(b->world, gear, &t, NULL), CAROM_OK);
+    assert_int_equal(carom_world_restore(b->world, bytes, size, NULL), CAROM_OK);
+    back.struct_size = sizeof back;
+    assert_int_equal(carom_joint_get_transmission(b->world, gear, &back, NULL), CAROM_OK);
+    assert_true(back.ratio == -2.5);
+    assert_int_equal(carom_joint_get_transmission(b->world, pulley, &back, NULL), CAROM_OK);
+    assert_true(back.ratio == 2 && back.anchor_b[1] == 8);
+    assert_int_equal(bench_steps(b->world, 20, NULL), CAROM_OK);
+    assert_true(bench_hash(b->world) == hash);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(every_kind_holds, make, clear),
@@ -249,6 +338,8 @@ int main(void) {
       cmocka_unit_test_setup_teardown(what_broke_says_so, make, clear),
       cmocka_unit_test_setup_teardown(severity_knows_no_joints, make, clear),
       cmocka_unit_test_setup_teardown(wrong_joints_are_refused, make, clear),
+      cmocka_unit_test_setup_teardown(a_pulley_is_strung, make, clear),
+      cmocka_unit_test_setup_teardown(gears_and_pulleys_come_back, make, clear),
       cmocka_unit_test_setup_teardown(nonsense_stays_finite, make, clear),
   };
   return cmocka_run_group_tests_name("abi/joints", tests, NULL, NULL);

@@ -153,6 +153,25 @@ class Face(unittest.TestCase):
         rope = self.world.joint("distance", None, bob, position_a=(0, 5, 0), length=2, user=5)
         self.assertEqual((rope.desc.length, rope.desc.user), (2, 5))
 
+    def test_pulleys_and_gears(self):
+        """Atwood's machine, g (m1 - m2) / (m1 + m2); and two wheels that turn against each other."""
+        inertia = (0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1)
+        heavy = self.world.body(position=(0, -3, 0), mass=3, inertia=inertia)
+        light = self.world.body(position=(2, -3, 0), mass=1, inertia=inertia)
+        pulley = self.world.joint("pulley", heavy, light)
+        over = pulley.transmission(anchor_a=(0, 0, 0), anchor_b=(2, 0, 0))
+        self.assertEqual((pulley.desc.kind, over.ratio, over.length), ("pulley", 1, 6))
+        carom.run(self.world, 0.5)
+        self.assertAlmostEqual(heavy.linear_velocity[1], -G / 2 * 0.5, 9)
+        self.world.gravity = 0, 0, 0
+        one, two = (self.world.body(position=(x, 9, 0), mass=1, inertia=inertia) for x in (5, 6))
+        gear = self.world.joint("gear", one, two, position=(5, 9, 0), axis=(0, 0, 1))
+        self.assertEqual(gear.transmission(ratio=-2).ratio, -2)
+        one.angular_velocity = 0, 0, 5
+        carom.run(self.world, 0.5)
+        self.assertAlmostEqual(one.angular_velocity[2], 4, 9)  # of 5 (1 / (1 + 1 / 4))
+        self.assertAlmostEqual(two.angular_velocity[2], 2, 9)
+
     def test_forces(self):
         self.world.gravity = 0, 0, 0
         one, two = self.world.body(mass=2), self.world.body(mass=2, position=(2, 0, 0))

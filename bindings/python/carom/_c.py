@@ -205,7 +205,9 @@ CAROM_JOINT_SLIDER = 2
 CAROM_JOINT_WELD = 3
 CAROM_JOINT_DISTANCE = 4
 CAROM_JOINT_UNIVERSAL = 5
-CAROM_JOINT_COUNT = 6
+CAROM_JOINT_PULLEY = 6
+CAROM_JOINT_GEAR = 7
+CAROM_JOINT_COUNT = 8
 CAROM_COORDINATE_TWIST = 0
 CAROM_COORDINATE_SWING = 1
 CAROM_COORDINATE_SLIDE = 2
@@ -377,6 +379,8 @@ class carom_joint_motor(Structure):
     _fields_ = [("struct_size", c_uint32), ("enabled", c_uint32), ("speed", c_double), ("most", c_double)]
 class carom_joint_spring(Structure):
     _fields_ = [("struct_size", c_uint32), ("enabled", c_uint32), ("target", c_double), ("frequency", c_double), ("damping", c_double), ("most", c_double)]
+class carom_joint_transmission(Structure):
+    _fields_ = [("struct_size", c_uint32), ("fields", c_uint32), ("ratio", c_double), ("anchor_a", c_double * 3), ("anchor_b", c_double * 3), ("length", c_double)]
 class carom_joint_state(Structure):
     _fields_ = [("struct_size", c_uint32), ("broken", c_uint32), ("force", c_double * 3), ("torque", c_double * 3), ("gap", c_double), ("angle", c_double), ("coordinate", c_double * 4)]
 class carom_ledger_entry(Structure):
@@ -458,6 +462,7 @@ STRUCTS = {
     "carom_joint_limit": carom_joint_limit,
     "carom_joint_motor": carom_joint_motor,
     "carom_joint_spring": carom_joint_spring,
+    "carom_joint_transmission": carom_joint_transmission,
     "carom_joint_state": carom_joint_state,
     "carom_ledger_entry": carom_ledger_entry,
     "carom_ledger_state": carom_ledger_state,
@@ -604,6 +609,7 @@ FUNCTIONS = {
     "carom_joint_limit_init": ("1.5", c_int32, (POINTER(carom_joint_limit),)),
     "carom_joint_motor_init": ("1.5", c_int32, (POINTER(carom_joint_motor),)),
     "carom_joint_spring_init": ("1.5", c_int32, (POINTER(carom_joint_spring),)),
+    "carom_joint_transmission_init": ("1.8", c_int32, (POINTER(carom_joint_transmission),)),
     "carom_joint_create": ("1.5", c_int32, (c_void_p, POINTER(carom_joint_desc), POINTER(carom_joint), POINTER(carom_error),)),
     "carom_joint_destroy": ("1.5", c_int32, (c_void_p, carom_joint, POINTER(carom_error),)),
     "carom_joint_get": ("1.5", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_desc), POINTER(carom_error),)),
@@ -614,6 +620,8 @@ FUNCTIONS = {
     "carom_joint_get_limit": ("1.5", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_limit), POINTER(carom_error),)),
     "carom_joint_get_motor": ("1.5", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_motor), POINTER(carom_error),)),
     "carom_joint_get_spring": ("1.5", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_spring), POINTER(carom_error),)),
+    "carom_joint_set_transmission": ("1.8", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_transmission), POINTER(carom_error),)),
+    "carom_joint_get_transmission": ("1.8", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_transmission), POINTER(carom_error),)),
     "carom_world_get_joints": ("1.5", c_int32, (c_void_p, POINTER(carom_joint), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_world_enable_ledger": ("1.7", c_int32, (c_void_p, c_uint32, POINTER(carom_error),)),
     "carom_world_get_ledger": ("1.7", c_int32, (c_void_p, POINTER(carom_ledger_entry), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),

@@ -9,7 +9,7 @@ from . import raw
 from ._values import describe, enum, handle_of, record, set_field, word
 from .body import Thing
 
-KINDS = ("ball", "hinge", "slider", "weld", "distance", "universal")
+KINDS = ("ball", "hinge", "slider", "weld", "distance", "universal", "pulley", "gear")
 COORDINATES = ("twist", "swing", "slide", "distance")
 
 
@@ -61,6 +61,18 @@ class Joint(Thing):
         state = raw.carom_joint_state(struct_size=ctypes.sizeof(raw.carom_joint_state))
         self._call(raw.carom_joint_get_state, ctypes.byref(state))
         return record(state, broken=bool(state.broken), coordinate=dict(zip(COORDINATES, state.coordinate)))
+
+    def transmission(self, **about):
+        """Of a pulley or a gear. Read it, or with ratio=, and of a pulley anchor_a=, anchor_b= (m, world), length=, set it;
+        without a length the rope is as long as it is now."""
+        struct = raw.carom_joint_transmission
+        if about:
+            if about.get("length") is not None:
+                about["fields"] = raw.CAROM_JOINT_FIELD_LENGTH
+            self._call(raw.carom_joint_set_transmission, ctypes.byref(describe(struct, about)))
+        now = struct(struct_size=ctypes.sizeof(struct))
+        self._call(raw.carom_joint_get_transmission, ctypes.byref(now))
+        return record(now)
 
     def _part(self, struct, get, set, coordinate, about):
         number = enum("COORDINATE", coordinate)

@@ -212,6 +212,8 @@ CAROM_JOINT_SLIDER: int
 CAROM_JOINT_WELD: int
 CAROM_JOINT_DISTANCE: int
 CAROM_JOINT_UNIVERSAL: int
+CAROM_JOINT_PULLEY: int
+CAROM_JOINT_GEAR: int
 CAROM_JOINT_COUNT: int
 CAROM_COORDINATE_TWIST: int
 CAROM_COORDINATE_SWING: int
@@ -628,6 +630,14 @@ class carom_joint_spring(ctypes.Structure):
     frequency: float
     damping: float
     most: float
+class carom_joint_transmission(ctypes.Structure):
+    """By what a pulley or a gear turns the motion of A into that of B. Fill with carom_joint_transmission_init().   @since 1.8"""
+    struct_size: int
+    fields: int
+    ratio: float
+    anchor_a: Any
+    anchor_b: Any
+    length: float
 class carom_joint_state(ctypes.Structure):
     """What a joint does and where it is.   @since 1.5"""
     struct_size: int
@@ -1391,6 +1401,9 @@ def carom_joint_motor_init(motor: Any) -> int:
 def carom_joint_spring_init(spring: Any) -> int:
     """Not enabled.   @status OK; NULL_ARGUMENT   @since 1.5"""
     ...
+def carom_joint_transmission_init(transmission: Any) -> int:
+    """Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT   @since 1.8"""
+    ...
 def carom_joint_create(world: Any, desc: Any, joint: Any, error: Any) -> int:
     """Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
@@ -1434,6 +1447,20 @@ def carom_joint_get_motor(world: Any, joint: Any, coordinate: Any, motor: Any, e
     ...
 def carom_joint_get_spring(world: Any, joint: Any, coordinate: Any, spring: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.5"""
+    ...
+def carom_joint_set_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
+    """Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a pulley's
+    distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they may turn: turns
+    are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in one; a pose that the
+    host sets between steps is no turn.
+    Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and under the
+    direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE; NOT_FINITE;
+            OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT   @since 1.8"""
+    ...
+def carom_joint_get_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
+    """@param transmission out: as it was set, with its length; ratio 0: not yet
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8"""
     ...
 def carom_world_get_joints(world: Any, joints: Any, capacity: Any, count: Any, error: Any) -> int:
     """Number of joints, and their handles in creation order of the slots.

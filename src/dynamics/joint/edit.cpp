@@ -50,6 +50,7 @@ Handle World::add_joint(const JointDef& def) {
 void World::fill_joint(std::uint32_t slot, const JointDef& def) {
   Joint& joint = joints.joint[slot] = Joint{};
   joint.def = def;
+  if (def.kind == JointKind::gear) joint.transmission.ratio = 1;
   joint.def.frame_a.q = normalized(def.frame_a.q), joint.def.frame_b.q = normalized(def.frame_b.q);
   if (parts(def)) scene.joined.add(def.body_a, def.body_b);
 }
@@ -72,6 +73,14 @@ void World::set_joint_drive(std::uint32_t slot, Coordinate c, const JointDrive& 
   if (layout_key(joint) == before) return;
   joint.drive_p.fill(0);  // rows stand for something else now
   joint.p.fill(0);
+  ++scene.revision;
+}
+
+void World::set_transmission(std::uint32_t slot, const Transmission& transmission) {
+  Joint& joint = joints.joint[slot];
+  wake_both(*this, joint.def);
+  joint.transmission = transmission;
+  joint.drive_p.fill(0), joint.p.fill(0);
   ++scene.revision;
 }
 

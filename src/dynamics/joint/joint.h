@@ -12,14 +12,17 @@
 
 namespace carom::dynamics {
 
-enum class JointKind : std::uint8_t { ball, hinge, slider, weld, distance, universal, count };  // as CAROM_JOINT_*
+enum class JointKind : std::uint8_t { ball, hinge, slider, weld, distance, universal, pulley, gear, count };  // CAROM_JOINT_*
+
+/// Whether a kind turns one motion into another.
+inline bool has_transmission(JointKind kind) { return kind == JointKind::pulley || kind == JointKind::gear; }
 
 /// What may be limited, driven or sprung of a joint; as CAROM_COORDINATE_*.
 enum class Coordinate : std::uint8_t {
   twist,     // rad, of B about the x axes, (-pi, pi]
   swing,     // rad, between the x axes, [0, pi]
   slide,     // m, of B's point along A's x axis
-  distance,  // m, between the points
+  distance,  // m, between the points; of a pulley, of its ropes: that of A and ratio times that of B
   count
 };
 inline constexpr std::size_t kCoordinates = static_cast<std::size_t>(Coordinate::count);
@@ -60,6 +63,16 @@ struct JointDef {
   std::uint64_t user = 0;
 };
 
+/// By what a joint turns the motion of one body into that of the other.
+struct Transmission {
+  Real ratio = 0;                                         // how often B's rope or turn counts; 0: of a pulley, none is strung
+  Vec3 anchor_a = Vec3::zero(), anchor_b = Vec3::zero();  // m, world: what the ropes run over
+  Real length = 0;                                        // m, of the ropes: that of A and ratio times that of B
+  // Of a gear: angle of A + ratio * angle of B, about their x axes, each relative to the world, as they have turned since
+  // the gear was set. No pose says how often a body has turned: this is carried along.
+  Real phase = 0;  // rad
+};
+
 inline constexpr int kMostEqualities = 6;
 inline constexpr int kMostDrives = 4;  // rows that limit, drive or spring, of one joint
 
@@ -67,6 +80,7 @@ inline constexpr int kMostDrives = 4;  // rows that limit, drive or spring, of o
 struct Joint {
   JointDef def;
   std::array<JointDrive, kCoordinates> drive;
+  Transmission transmission;
   bool broken = false;
   bool without_limits = false, without_motors = false;  // a host forbids them, as of the last plan
 

@@ -17,7 +17,9 @@ enum class JointPart : std::uint8_t {
   rod,          // 1: it stays at a distance
   orientation,  // 3: the frames stay parallel
   direction,    // 2: the x axes do
-  pins          // 1: B's z axis stays at right angles to A's y axis
+  pins,         // 1: B's z axis stays at right angles to A's y axis
+  ropes,        // 1: the lengths of two ropes have a sum
+  gears         // 1: the angles of both bodies about their x axes have a sum
 };
 enum class DriveKind : std::uint8_t { motor, spring, limit };  // in the order in which they are visited
 struct DriveRow {
@@ -30,11 +32,13 @@ inline constexpr int kMostParts = 2, kMostRows = 6, kMostDriveRows = 6;
 /// The rows of a joint: those of its parts, then its drives. Joints that share lanes have the same.
 struct JointLayout {
   std::uint32_t parts = 0, equalities = 0, drives = 0;
+  bool two_ways = false;  // A is pulled another way than B, @see PullLanes
   JointPart part[kMostParts] = {};
   DriveRow drive[kMostDriveRows] = {};
 };
 
-/// One row of each of four joints: u = d.(v_b - v_a) + w_b.omega_b - w_a.omega_a, the rate of `error`.
+/// One row of each of four joints: u = d.(v_b - v_a) + w_b.omega_b - w_a.omega_a, the rate of `error`. Where A is
+/// pulled another way than B, u = d.v_b - d_a.v_a + ..., @see PullLanes.
 struct JointRowLanes {
   LaneVec d;         // world; unit or zero
   LaneVec w_a, w_b;  // m or 1, world
@@ -53,6 +57,22 @@ struct JointDriveLanes {
   Lanes pull, drag;  // 1/s, 1: a spring's impulse is that of -m (pull x + drag u) - (1 - drag) p = 0, @see spring_of()
 };
 
+/// Joints whose rows act one way at A and another at B: all rows of a joint have the same. Apart from the rows, so that
+/// joints of one direction are as small as they were.
+struct PullLanes {
+  LaneVec d_a;                         // world, at A
+  LaneVec start_rope_a, start_rope_b;  // m, world, from the anchors to the points, as the step began
+  LaneVec rope_a, rope_b;              // as bodies are placed now
+  Lanes ratio;                         // of B's rope
+};
+
+/// What gears have beside.
+struct GearLanes {
+  Lanes ratio, phase;        // rad: as the step began
+  Lanes turned_a, turned_b;  // rad, about the x axes, since then
+  Lanes ahead_a, ahead_b;    // rad, how far they go on in the move to come: which of many turns a pose stands for
+};
+
 inline constexpr int kFactor = kMostRows * (kMostRows + 1) / 2;
 
 /// Four joints of one colour with one layout.
@@ -61,6 +81,8 @@ struct JointLanes {
   std::uint32_t occupied;              // lanes in use, from the first
   std::uint32_t first, first_drive;    // in WideJoints::rows and drives
   std::uint32_t locked;                // in JointRun::locks, from 1; 0: no body of the four is
+  std::uint32_t pulled;                // in JointRun::pulls, from 1; 0: rows have one direction
+  std::uint32_t geared;                // in JointRun::gears, from 1; 0: it is none
   JointLayout layout;
   Lanes inv_mass_a, inv_mass_b;                    // 1/kg
   LaneSymmetric start_inertia_a, start_inertia_b;  // inverse, 1/(kg m^2), world, as the step began
@@ -91,6 +113,8 @@ struct JointRun {
   std::uint32_t first_moved;  // bodies below are not written
   const LockLanes* locks;
   const BodyVelocity* gyro;  // omega: rad/s^2, of bodies that a rotation method carries; null: of none
+  PullLanes* pulls;
+  GearLanes* gears;
 };
 
 }  // namespace carom::dynamics

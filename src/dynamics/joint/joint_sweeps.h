@@ -9,19 +9,36 @@
 #pragma once
 
 #include "core/wide_angle.h"
+#include "dynamics/joint/bend_sweep.h"
 #include "dynamics/joint/joint_kernels.h"
 #include "dynamics/joint/place_sweep.h"
 
 namespace carom::dynamics {
 namespace {
 
+/// Impulses at several rows, added up before they act.
+struct Pushes {
+  LaneVec p{}, turn_a{}, turn_b{};
+  Lanes sum{};  // of all rows; where A is pulled another way, that is what it is pulled with
+  CAROM_LANES_INLINE void add(const JointRowLanes& r, Lanes impulse) {
+    p = p + impulse * r.d;
+    turn_a = turn_a + impulse * r.w_a;
+    turn_b = turn_b + impulse * r.w_b;
+    sum = sum + impulse;
+  }
+};
+
 /// Velocities of the four bodies on both sides.
+/// @tparam kTwoWays  A is pulled another way than B
+template <bool kTwoWays>
 struct JointSides {
   Side a, b;
   const JointLanes& joint;
   const LockLanes* locks;  // null: none
+  const PullLanes* pull;   // null unless of two ways
 
-  CAROM_LANES_INLINE JointSides(const JointLanes& j, const JointRun& run) : joint(j), locks(locks_of(run, j)) {
+  CAROM_LANES_INLINE JointSides(const JointLanes& j, const JointRun& run)
+      : joint(j), locks(locks_of(run, j)), pull(kTwoWays ? pull_of(run, j) : nullptr) {
     a.load(run.velocity, j.a);
     b.load(run.velocity, j.b);
   }
@@ -30,29 +47,24 @@ struct JointSides {
     b.store(run.velocity, run.first_moved, joint.b);
   }
   CAROM_LANES_INLINE Lanes along(const JointRowLanes& r) const {
-    return dot(r.d, b.v - a.v) + (dot(r.w_b, b.omega) - dot(r.w_a, a.omega));
+    const Lanes turning = dot(r.w_b, b.omega) - dot(r.w_a, a.omega);
+    if constexpr (kTwoWays) return (dot(r.d, b.v) - dot(pull->d_a, a.v)) + turning;
+    return dot(r.d, b.v - a.v) + turning;
   }
-  CAROM_LANES_INLINE void push(const LaneVec& p, const LaneVec& turn_a, const LaneVec& turn_b) {
-    a.v = a.v - joint.inv_mass_a * (locks ? each(locks->free_a, p) : p);
-    a.omega = a.omega - joint.inv_inertia_a * turn_a;
+  CAROM_LANES_INLINE void push(const Pushes& pushes) {
+    const LaneVec& p = pushes.p;
+    LaneVec at_a = p;
+    if constexpr (kTwoWays) at_a = pushes.sum * pull->d_a;
+    a.v = a.v - joint.inv_mass_a * (locks ? each(locks->free_a, at_a) : at_a);
+    a.omega = a.omega - joint.inv_inertia_a * pushes.turn_a;
     b.v = b.v + joint.inv_mass_b * (locks ? each(locks->free_b, p) : p);
-    b.omega = b.omega + joint.inv_inertia_b * turn_b;
+    b.omega = b.omega + joint.inv_inertia_b * pushes.turn_b;
   }
-  CAROM_LANES_INLINE void push(const JointRowLanes& r, Lanes p) { push(p * r.d, p * r.w_a, p * r.w_b); }
+  CAROM_LANES_INLINE void push(const JointRowLanes& r, Lanes p) { push({p * r.d, p * r.w_a, p * r.w_b, p}); }
 };
 
-/// Impulses at several rows, added up before they act.
-struct Pushes {
-  LaneVec p{}, turn_a{}, turn_b{};
-  CAROM_LANES_INLINE void add(const JointRowLanes& r, Lanes impulse) {
-    p = p + impulse * r.d;
-    turn_a = turn_a + impulse * r.w_a;
-    turn_b = turn_b + impulse * r.w_b;
-  }
-};
-
-template <bool kPush, int n>
-CAROM_LANES_INLINE void hold(JointSides& sides, const JointLanes& joint, JointRowLanes* rows) {
+template <bool kPush, int n, class Sides>
+CAROM_LANES_INLINE void hold(Sides& sides, const JointLanes& joint, JointRowLanes* rows) {
   Lanes x[n];
   for (int k = 0; k < n; ++k) {
     const JointRowLanes& r = rows[k];
@@ -67,12 +79,12 @@ CAROM_LANES_INLINE void hold(JointSides& sides, const JointLanes& joint, JointRo
     rows[k].p += change;
     pushes.add(rows[k], change);
   }
-  sides.push(pushes.p, pushes.turn_a, pushes.turn_b);
+  sides.push(pushes);
 }
 
 /// A coordinate's impulse within its bounds; those of the lower end push, those of the upper pull.
-template <bool kPush>
-CAROM_LANES_INLINE void limit(JointSides& sides, const JointLanes& joint, JointDriveLanes& drive, double inv_h) {
+template <bool kPush, class Sides>
+CAROM_LANES_INLINE void limit(Sides& sides, const JointLanes& joint, JointDriveLanes& drive, double inv_h) {
   const Lanes u = sides.along(drive.row), p = drive.row.p;
   const Lanes above = drive.row.error - drive.lower, below = drive.upper - drive.row.error;
   const auto wanted = [&](Lanes room, Lanes closing) __attribute__((always_inline)) {
@@ -93,8 +105,8 @@ CAROM_LANES_INLINE void limit(JointSides& sides, const JointLanes& joint, JointD
   drive.row.p = next;
 }
 
-template <bool kPush>
-CAROM_LANES_INLINE void act(JointSides& sides, const JointLanes& joint, JointDriveLanes& drive, DriveKind kind,
+template <bool kPush, class Sides>
+CAROM_LANES_INLINE void act(Sides& sides, const JointLanes& joint, JointDriveLanes& drive, DriveKind kind,
                             double inv_h) {
   if (kind == DriveKind::limit) return limit<kPush>(sides, joint, drive, inv_h);
   const Lanes u = sides.along(drive.row), p = drive.row.p;
@@ -109,8 +121,8 @@ CAROM_LANES_INLINE void act(JointSides& sides, const JointLanes& joint, JointDri
   drive.row.p = next;
 }
 
-template <bool kPush>
-CAROM_LANES_INLINE void hold_all(JointSides& sides, const JointLanes& joint, JointRowLanes* rows) {
+template <bool kPush, class Sides>
+CAROM_LANES_INLINE void hold_all(Sides& sides, const JointLanes& joint, JointRowLanes* rows) {
   switch (joint.layout.equalities) {
     case 1:
       return hold<kPush, 1>(sides, joint, rows);
@@ -138,11 +150,22 @@ CAROM_LANES_INLINE Pushes all_of(const JointRun& run, const JointLanes& joint) {
   return pushes;
 }
 
+/// Let impulses act on the bodies of a joint.
+CAROM_LANES_INLINE void push_both(const JointRun& run, const JointLanes& joint, const Pushes& pushes) {
+  const auto push = [&](auto sides) __attribute__((always_inline)) {
+    sides.push(pushes);
+    sides.store(run);
+  };
+  if (joint.pulled)
+    push(JointSides<true>(joint, run));
+  else
+    push(JointSides<false>(joint, run));
+}
+
 /// What acts again: not what a spring does, which is all of a substep's.
 void act_again(const JointRun& run) {
   for (std::size_t i = 0; i < run.count; ++i) {
     JointLanes& joint = run.joints[i];
-    JointSides sides(joint, run);
     Pushes pushes;
     for (std::uint32_t k = 0; k < joint.layout.equalities; ++k)
       pushes.add(run.rows[joint.first + k], joint.again * run.rows[joint.first + k].p);
@@ -151,8 +174,7 @@ void act_again(const JointRun& run) {
         pushes.add(run.drives[joint.first_drive + k].row, joint.again * run.drives[joint.first_drive + k].row.p);
     joint.force = joint.force + pushes.p;
     joint.torque = joint.torque + (pushes.turn_b - cross(joint.r_b, pushes.p));
-    sides.push(pushes.p, pushes.turn_a, pushes.turn_b);
-    sides.store(run);
+    push_both(run, joint, pushes);
   }
 }
 
@@ -165,22 +187,27 @@ CAROM_LANES_INLINE void book_one(const JointRun& run, JointLanes& joint) {
 void warm_start(const JointRun& run) {
   for (std::size_t i = 0; i < run.count; ++i) {
     const JointLanes& joint = run.joints[i];
-    JointSides sides(joint, run);
-    const Pushes pushes = all_of(run, joint);
-    sides.push(pushes.p, pushes.turn_a, pushes.turn_b);
-    sides.store(run);
+    push_both(run, joint, all_of(run, joint));
   }
+}
+
+template <bool kPush, bool kTwoWays>
+CAROM_LANES_INLINE void sweep_one(const JointRun& run, const JointLanes& joint, double inv_h) {
+  JointSides<kTwoWays> sides(joint, run);
+  for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
+    act<kPush>(sides, joint, run.drives[joint.first_drive + k], joint.layout.drive[k].kind, inv_h);
+  hold_all<kPush>(sides, joint, run.rows + joint.first);
+  sides.store(run);
 }
 
 template <bool kPush>
 CAROM_LANES_INLINE void sweep(const JointRun& run, double inv_h) {
   for (std::size_t i = 0; i < run.count; ++i) {
     JointLanes& joint = run.joints[i];
-    JointSides sides(joint, run);
-    for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
-      act<kPush>(sides, joint, run.drives[joint.first_drive + k], joint.layout.drive[k].kind, inv_h);
-    hold_all<kPush>(sides, joint, run.rows + joint.first);
-    sides.store(run);
+    if (joint.pulled)
+      sweep_one<kPush, true>(run, joint, inv_h);
+    else
+      sweep_one<kPush, false>(run, joint, inv_h);
     if constexpr (!kPush) book_one(run, joint);
   }
 }

@@ -18,6 +18,8 @@ constexpr std::array<KindRow, static_cast<std::size_t>(JointKind::count)> kKinds
     {"weld", 2, {JointPart::point, JointPart::orientation}, 0},
     {"distance", 1, {JointPart::rod, {}}, bit(Coordinate::distance)},
     {"universal", 2, {JointPart::point, JointPart::pins}, bit(Coordinate::swing)},
+    {"pulley", 1, {JointPart::ropes, {}}, bit(Coordinate::distance)},
+    {"gear", 1, {JointPart::gears, {}}, 0},
 }};
 
 constexpr std::uint32_t rows_of(JointPart part) {
@@ -28,14 +30,22 @@ constexpr std::uint32_t rows_of(JointPart part) {
     case JointPart::line:
     case JointPart::direction:
       return 2;
-    default:
+    case JointPart::rod:
+    case JointPart::pins:
+    case JointPart::ropes:
+    case JointPart::gears:
       return 1;
   }
+  return 0;
 }
 
 constexpr Real kNoLength = 1e-9;  // m: a rod that has none has no direction; its points just stay together
 bool is_point(const Joint& joint) { return joint.def.kind == JointKind::distance && joint.def.length < kNoLength; }
 
+/// A pulley that nobody said the anchors of holds nothing.
+bool is_unstrung(const Joint& joint) { return joint.def.kind == JointKind::pulley && !(joint.transmission.ratio > 0); }
+
+/// What is limited or sprung is no rod, nor are its ropes taut.
 bool is_rod(const Joint& joint) {
   const JointDrive& d = joint.drive[static_cast<std::size_t>(Coordinate::distance)];
   return !d.limit.on && !d.spring.on;
@@ -60,8 +70,10 @@ const KindRow& row_of(JointKind kind) { return kKinds[static_cast<std::size_t>(k
 JointLayout layout_of(const Joint& joint) {
   JointLayout layout;
   const KindRow& row = row_of(joint.def.kind);
+  layout.two_ways = joint.def.kind == JointKind::pulley;
+  if (is_unstrung(joint)) return layout;
   for (std::uint32_t k = 0; k < row.part_count; ++k) {
-    if (row.part[k] == JointPart::rod && !is_rod(joint)) continue;
+    if ((row.part[k] == JointPart::rod || row.part[k] == JointPart::ropes) && !is_rod(joint)) continue;
     const JointPart part = is_point(joint) ? JointPart::point : row.part[k];
     layout.part[layout.parts++] = part;
     layout.equalities += rows_of(part);
@@ -73,7 +85,8 @@ JointLayout layout_of(const Joint& joint) {
 }
 
 std::uint32_t layout_key(const Joint& joint) {
-  std::uint32_t key = static_cast<std::uint32_t>(joint.def.kind) | (is_point(joint) ? 1u << 31 : 0u);
+  std::uint32_t key =
+      static_cast<std::uint32_t>(joint.def.kind) | (is_point(joint) ? 1u << 31 : 0u) | (is_unstrung(joint) ? 1u << 30 : 0u);
   each_drive(joint, [&](std::uint32_t c, DriveKind kind) { key |= 8u << (3 * c + static_cast<std::uint32_t>(kind)); });
   return key;
 }
@@ -102,6 +115,15 @@ JointEnds ends_of(const World& world, const JointDef& def) {
   return place;
 }
 
+Ropes ropes_of(const World& world, const Joint& joint, const JointEnds& ends) {
+  const auto from = [&](std::uint32_t body, const Pose& frame) {
+    return body == kTheWorld ? frame.p : world.state.x[body];
+  };
+  const JointDef& def = joint.def;
+  return {(from(def.body_a, def.frame_a) - joint.transmission.anchor_a) + ends.arm_a,
+          (from(def.body_b, def.frame_b) - joint.transmission.anchor_b) + ends.arm_b};
+}
+
 JointPlace place_of(const World& world, const Joint& joint) {
   JointPlace place{ends_of(world, joint.def), {}, 0, 0};
   const Quat t = place.a.q.conjugate() * place.b.q;
@@ -109,6 +131,10 @@ JointPlace place_of(const World& world, const Joint& joint) {
   const Real sign = t.w() < 0 ? -1 : 1;
   const Real swing = angle_of<double>(a.col(0).cross(b.col(0)).norm(), a.col(0).dot(b.col(0)));
   place.at = {2 * angle_of<double>(sign * t.x(), sign * t.w()), swing, a.col(0).dot(place.apart), place.apart.norm()};
+  if (joint.def.kind == JointKind::pulley) {
+    const Ropes ropes = ropes_of(world, joint, place);
+    place.at[3] = ropes.a.norm() + joint.transmission.ratio * ropes.b.norm();
+  }
   const JointLayout layout = layout_of(joint);
   for (std::uint32_t k = 0; k < layout.parts; ++k) switch (layout.part[k]) {
       case JointPart::point:
@@ -116,6 +142,12 @@ JointPlace place_of(const World& world, const Joint& joint) {
         break;
       case JointPart::line:
         place.gap = (place.apart - place.at[2] * a.col(0)).norm();
+        break;
+      case JointPart::ropes:
+        place.gap = std::fabs(place.at[3] - joint.transmission.length);
+        break;
+      case JointPart::gears:
+        place.angle = std::fabs(joint.transmission.phase);
         break;
       case JointPart::rod:
         place.gap = std::fabs(place.at[3] - joint.def.length);

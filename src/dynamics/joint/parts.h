@@ -32,6 +32,13 @@ JointEnds ends_of(const World& world, const JointDef& def);
 /// @accuracy  gap: rounding of the bodies' positions; angle: 1e-8 rad near 0, where it is the root of a sum of squares
 JointPlace place_of(const World& world, const Joint& joint);
 
+/// The ropes of a pulley, from what they run over to the bodies' points. m, world
+struct Ropes {
+  Vec3 a, b;
+};
+/// @accuracy  as of JointEnds::apart
+Ropes ropes_of(const World& world, const Joint& joint, const JointEnds& ends);
+
 /// Coefficients of a spring of one row: with x the stretch as a substep begins and u the velocity as it ends, its
 /// impulse is p = -m (h w^2 x + 2 zeta w h u), m the row's effective mass, w = 2 pi frequency.
 ///   pull = h w^2 / (1 + 2 zeta w h),   drag = 2 zeta w h / (1 + 2 zeta w h)

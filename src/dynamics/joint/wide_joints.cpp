@@ -58,10 +58,12 @@ BothColours colours_of(World& world, const Joint& joint) {
           solver_body(world, b)};
 }
 
+bool is_gear(const JointLayout& layout) { return layout.parts == 1 && layout.part[0] == JointPart::gears; }
+
 /// A place for each: four of one colour and layout share lanes; beyond the colours each has its own.
 void place_lanes(World& world, WideJoints& w) {
   w.place.resize(w.active.size());
-  w.occupant.clear(), w.colours.clear(), w.joints.clear();
+  w.occupant.clear(), w.colours.clear(), w.joints.clear(), w.pulls.clear(), w.gears.clear();
   std::uint32_t rows = 0, drives = 0;
   w.swept = 0;
   for (std::size_t k = 0; k < w.order.size(); ++k) {
@@ -75,6 +77,14 @@ void place_lanes(World& world, WideJoints& w) {
       joint.layout = layout_of(world.joints.joint[w.active[o.index]]);
       joint.first = rows, joint.first_drive = drives;
       rows += joint.layout.equalities, drives += joint.layout.drives;
+      if (joint.layout.two_ways) {
+        w.pulls.emplace_back();
+        joint.pulled = static_cast<std::uint32_t>(w.pulls.size());
+      }
+      if (is_gear(joint.layout)) {
+        w.gears.emplace_back();
+        joint.geared = static_cast<std::uint32_t>(w.gears.size());
+      }
       w.occupant.insert(w.occupant.end(), kLanes, kNoPlace);
       if (o.colour != kAnsweredDirectly) w.swept = static_cast<std::uint32_t>(w.joints.size());
     }
@@ -138,6 +148,7 @@ void fill(const World& world, std::uint32_t index, const Softness& soft, Real h,
   set_quat(lanes.start_frame_a, lane, ends.a.q), set_quat(lanes.start_frame_b, lane, ends.b.q);
   set(lanes.start_gap, lane, ends.apart);
   lanes.length[lane] = joint.def.length;
+  fill_transmission(world, joint, ends, w, lanes, lane);
   lanes.bias_rate[lane] = soft.bias_rate;
   lanes.mass_scale[lane] = soft.mass_scale;
   lanes.impulse_scale[lane] = soft.impulse_scale;
@@ -153,7 +164,9 @@ void empty(WideJoints& w, JointLanes& joint) {
   const JointLanes was = joint;
   joint = JointLanes{};
   joint.occupied = was.occupied, joint.first = was.first, joint.first_drive = was.first_drive;
-  joint.layout = was.layout;
+  joint.layout = was.layout, joint.pulled = was.pulled, joint.geared = was.geared;
+  if (joint.pulled) w.pulls[joint.pulled - 1] = PullLanes{};
+  if (joint.geared) w.gears[joint.geared - 1] = GearLanes{}, w.gears[joint.geared - 1].ratio = all(1);
   joint.start_frame_a.w = joint.start_frame_b.w = all(1);
   std::fill_n(w.rows.data() + joint.first, joint.layout.equalities, JointRowLanes{});
   std::fill_n(w.drives.data() + joint.first_drive, joint.layout.drives, JointDriveLanes{});
@@ -213,10 +226,11 @@ void find_gyro(const World& world, Real h, WideJoints& w) {
 /// Impulses of bodies that left the finite world within the step may be anything.
 bool is_finite(const Joint& joint) {
   const auto finite_all = [](const auto& p) { return std::ranges::all_of(p, [](Real x) { return finite(x); }); };
-  return finite_all(joint.p) && finite_all(joint.drive_p) && joint.force.all_finite() && joint.torque.all_finite();
+  return finite_all(joint.p) && finite_all(joint.drive_p) && finite(joint.transmission.phase) && joint.force.all_finite() && joint.torque.all_finite();
 }
 void start_cold(Joint& joint) {
   joint.p.fill(0), joint.drive_p.fill(0);
+  joint.transmission.phase = finite(joint.transmission.phase) ? joint.transmission.phase : 0;
   joint.force.set_zero(), joint.torque.set_zero();
 }
 
@@ -359,6 +373,7 @@ void end_joints(World& world, const StepTime& time) {
     for (std::uint32_t k = 0; k < lanes.layout.drives; ++k)
       joint.drive_p[k] = w.drives[lanes.first_drive + k].row.p[lane];
     joint.p_h = time.h;
+    if (lanes.geared) joint.transmission.phase = phase_of(world, joint, w, lanes, lane);
     joint.force = get(lanes.force, lane) / time.dt;
     joint.torque = get(lanes.torque, lane) / time.dt;
     if (!is_finite(joint)) start_cold(joint);

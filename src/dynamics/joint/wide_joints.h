@@ -22,6 +22,8 @@ struct WideJoints {
         rows(m),
         drives(m),
         locks(m),
+        pulls(m),
+        gears(m),
         colours(m),
         kicked(m),
         gyro(m),
@@ -41,6 +43,8 @@ struct WideJoints {
   Array<JointRowLanes> rows;
   Array<JointDriveLanes> drives;
   Array<LockLanes> locks;        // of joints with bodies that are locked
+  Array<PullLanes> pulls;        // of joints that pull A another way than B
+  Array<GearLanes> gears;        // of gears
   Array<std::uint32_t> colours;  // in use, from the lowest: where in joints each ends; those up to `swept` stand alone
   std::uint32_t swept = 0;       // joints up to here are swept
   bool is_packed = false;        // place, occupant and colours are those of active, all of it swept
@@ -72,6 +76,11 @@ struct WideJoints {
   bool is_swept(std::uint32_t link) const { return place[link].lanes < swept; }
 };
 
+/// Which way a row pulls at A.
+inline const LaneVec& pull_at_a(const WideJoints& w, const JointLanes& joint, const JointRowLanes& row) {
+  return joint.pulled ? w.pulls[joint.pulled - 1].d_a : row.d;
+}
+
 inline JointRun every_joint(World& world) {
   WideJoints& w = *world.wide_joints;
   return {w.joints.data(),
@@ -82,7 +91,9 @@ inline JointRun every_joint(World& world) {
           world.wide->shift.data(),
           world.wide->first_moved,
           w.locks.data(),
-          w.gyro.empty() ? nullptr : w.gyro.data()};
+          w.gyro.empty() ? nullptr : w.gyro.data(),
+          w.pulls.data(),
+          w.gears.data()};
 }
 
 /// Of a loop that threads share.
@@ -148,6 +159,11 @@ void begin_joints(World& world, Real h);
 /// facing of then.
 void take_half_kicks(World& world);
 void give_half_kicks(World& world);
+/// What one joint, a pulley or a gear, has beside its rows, as a step begins.
+void fill_transmission(const World& world, const Joint& joint, const JointEnds& ends, WideJoints& w, JointLanes& lanes,
+                       int lane);
+/// rad: how far a gear is off where the step has ended, which the last rows were made before if anything was put right.
+Real phase_of(const World& world, const Joint& joint, const WideJoints& w, const JointLanes& lanes, std::uint32_t lane);
 /// Rows of all joints at the present poses.
 void place_joints(World& world);
 /// What a substep's sweeps start from, before the move; and after it, where velocities are taken from the state again

@@ -149,12 +149,15 @@ void share_groups(Shares& shares) {
 
 // ---- joints ----
 
-void share_joint_row(Shares& shares, const Link& link, const Vec3& d, const Vec3& w_a, const Vec3& w_b, Real p,
-                     bool drives) {
+/// What a row does at its two ends, per impulse.
+struct RowEnds {
+  Vec3 d_a, d_b, w_a, w_b;
+};
+void share_joint_row(Shares& shares, const Link& link, const RowEnds& row, Real p, bool drives) {
   if (p == 0) return;
   Gift gift(shares.world());
-  gift.add(link.moves_a, link.a, -p * d, -p * w_a);
-  gift.add(link.moves_b, link.b, p * d, p * w_b);
+  gift.add(link.moves_a, link.a, -p * row.d_a, -p * row.w_a);
+  gift.add(link.moves_b, link.b, p * row.d_b, p * row.w_b);
   shares.give(drives ? Cause::drives : Cause::joints, gift);
 }
 
@@ -170,7 +173,9 @@ void share_joint_lanes(Shares& shares, bool old) {
     const auto share = [&](const JointRowLanes& row, Real before, bool again, bool drives) {
       const Real p = row.p[lane];
       const Real gave = old ? (again ? joint.again[lane] * before : 0) + (p - before) : p;
-      share_joint_row(shares, c.links[i], get(row.d, lane), get(row.w_a, lane), get(row.w_b, lane), gave, drives);
+      const RowEnds ends = {get(pull_at_a(w, joint, row), lane), get(row.d, lane), get(row.w_a, lane),
+                            get(row.w_b, lane)};
+      share_joint_row(shares, c.links[i], ends, gave, drives);
     };
     for (std::uint32_t k = joint.first; k < joint.first + joint.layout.equalities; ++k)
       share(w.rows[k], l.old_rows[k * kLanes + lane], true, false);
@@ -191,8 +196,8 @@ void share_group_links(Shares& shares, bool settled) {
     for (std::uint32_t i = from.link; i < to.link; ++i) {
       const ConeLink& c = d.links[i];
       const auto slot = [&](std::uint32_t body) { return body == kNobody ? 0 : d.bodies[body].slot; };
-      share_joint_row(shares, {slot(c.a), slot(c.b), c.a != kNobody, c.b != kNobody}, c.d, c.w_a, c.w_b, c.p,
-                      d.link_row[i].is_drive);
+      share_joint_row(shares, {slot(c.a), slot(c.b), c.a != kNobody, c.b != kNobody},
+                      {c.d_a, c.d_b, c.w_a, c.w_b}, c.p, d.link_row[i].is_drive);
     }
   }
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/quarantine.h"
 #include "dynamics/snapshot/section.h"
 
 namespace carom::dynamics::snapshot {
@@ -208,11 +209,21 @@ struct AllJoints {
       io.demand(h >= 0);
       keep(io, j.p_h, h), keep(io, j.force, force), keep(io, j.torque, torque);
     }
+    if (has_transmission(j.def.kind)) transmission(io, j.transmission);
     for (std::size_t k = 0; k < kCoordinates; ++k) {
       const bool given = bits & unsigned(kFirstDrive) << k;
       const JointDrive d = given ? drive(io, j.drive[k]) : JointDrive{};
       keep(io, j.drive[k], d);
     }
+  }
+
+  template <class Io, class T>
+  static void transmission(Io& io, T& now) {
+    const Vec3 anchor_a = io.vec(now.anchor_a), anchor_b = io.vec(now.anchor_b);
+    const Real ratio = io.real(now.ratio), length = io.real(now.length), phase = io.real(now.phase);
+    io.demand(sane_position(anchor_a) && sane_position(anchor_b) && length >= 0);
+    keep(io, now.anchor_a, anchor_a), keep(io, now.anchor_b, anchor_b);
+    keep(io, now.ratio, ratio), keep(io, now.length, length), keep(io, now.phase, phase);
   }
 };
 

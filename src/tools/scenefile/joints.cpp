@@ -130,7 +130,7 @@ bool Reader::plan_joint(const Value& joint, Plan& plan) {
 bool Reader::read_own_joint(const Value& mine, carom_joint_desc& d) const {
   const auto kind = mine.get("kind");
   if (!kind) return false;
-  d.kind = which_of(kKinds, CAROM_JOINT_COUNT, *kind, kind->text());
+  d.kind = which_of(kKinds, std::size(kKinds), *kind, kind->text());
   if (mine.has("length")) d.length = mine["length"].number(), d.fields |= CAROM_JOINT_FIELD_LENGTH;
   d.break_force = mine.number_or("breakForce", 0), d.break_torque = mine.number_or("breakTorque", 0);
   return true;

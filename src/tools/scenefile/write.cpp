@@ -247,6 +247,9 @@ class PhysicsWriter {
   json joint_json(carom_joint joint, const carom_joint_desc& d) {
     static constexpr const char* kKinds[] = {"ball", "hinge", "slider", "weld", "distance", "universal"};
     static constexpr const char* kCoordinates[] = {"twist", "swing", "slide", "distance"};
+    if (d.kind >= std::size(kKinds))
+      throw Error("a pulley or a gear stands in the scene, and KHR_physics_rigid_bodies has no such joint",
+                  "take it out first, or keep the world as a snapshot: carom_world_save()");
     json own = {{"kind", kKinds[d.kind]}}, limits = json::array();
     const auto lock = [&](const char* axes, std::vector<int> which) {
       limits.push_back({{axes, which}, {"min", 0}, {"max", 0}});

@@ -262,6 +262,9 @@ class Digest {
     carom_joint_desc d = {};
     d.struct_size = sizeof d;
     keep(carom_joint_get(world_, j, &d, nullptr), d);
+    carom_joint_transmission transmission = {};
+    transmission.struct_size = sizeof transmission;
+    keep(carom_joint_get_transmission(world_, j, &transmission, nullptr), transmission);
     for (uint32_t i = 0; i < CAROM_COORDINATE_COUNT; ++i) {
       carom_joint_limit limit = {};
       carom_joint_motor motor = {};

@@ -117,6 +117,17 @@ inline Argument joint_motor(Context& c) {
   return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_motor, enabled, 2u), HOSTILE_NUMBERS(carom_joint_motor, speed, 1, {-1e6, 1e6}),
                           HOSTILE_NUMBERS(carom_joint_motor, most, 1, {0, 1e30})});
 }
+inline Argument joint_transmission(Context& c) {
+  auto d = fresh<carom_joint_transmission>(carom_joint_transmission_init);
+  d.ratio = c.between(0.1, 10), d.length = c.between(0, 10), d.fields = c.source.below(2) ? CAROM_JOINT_FIELD_LENGTH : 0u;
+  for (double& x : d.anchor_a) x = c.between(-3, 3);
+  for (double& x : d.anchor_b) x = c.between(-3, 3);
+  return in_struct(c, d, {HOSTILE_BITS(carom_joint_transmission, fields, uint32_t(CAROM_JOINT_FIELD_LENGTH)),
+                          HOSTILE_NUMBERS(carom_joint_transmission, ratio, 1, {-1e3, 1e3}),
+                          HOSTILE_NUMBERS(carom_joint_transmission, anchor_a, 3, any()),
+                          HOSTILE_NUMBERS(carom_joint_transmission, anchor_b, 3, any()),
+                          HOSTILE_NUMBERS(carom_joint_transmission, length, 1, {0, 1e9})});
+}
 inline Argument joint_spring(Context& c) {
   auto d = fresh<carom_joint_spring>(carom_joint_spring_init);
   d.enabled = c.source.below(2), d.target = c.between(0, 1), d.frequency = c.between(0, 5), d.damping = c.between(0, 1), d.most = 100;
@@ -758,6 +769,7 @@ inline const Row kRows[] = {
     INIT(carom_joint_limit_init, carom_joint_limit),
     INIT(carom_joint_motor_init, carom_joint_motor),
     INIT(carom_joint_spring_init, carom_joint_spring),
+    INIT(carom_joint_transmission_init, carom_joint_transmission),
     ROW_THAT(carom_joint_create, makes(kJoint, 2).may(kRange | kUnsupported), world(c), joint_desc(c), out(c, 8), error(c)),
     ROW_THAT(carom_joint_destroy, ends(kJoint), world(c), handle(c, kJoint), error(c)),
     ROW(carom_joint_get, world(c), handle(c, kJoint), out_struct<carom_joint_desc>(c), error(c)),
@@ -768,6 +780,8 @@ inline const Row kRows[] = {
     ROW_THAT(carom_joint_get_limit, may(kUnsupported), world(c), handle(c, kJoint), choice(c, 4), out_struct<carom_joint_limit>(c), error(c)),
     ROW_THAT(carom_joint_get_motor, may(kUnsupported), world(c), handle(c, kJoint), choice(c, 4), out_struct<carom_joint_motor>(c), error(c)),
     ROW_THAT(carom_joint_get_spring, may(kUnsupported), world(c), handle(c, kJoint), choice(c, 4), out_struct<carom_joint_spring>(c), error(c)),
+    ROW_THAT(carom_joint_set_transmission, may(kUnsupported | kRange), world(c), handle(c, kJoint), joint_transmission(c), error(c)),
+    ROW_THAT(carom_joint_get_transmission, may(kUnsupported), world(c), handle(c, kJoint), out_struct<carom_joint_transmission>(c), error(c)),
     GET_HANDLES(carom_world_get_joints),
     // forces
     ROW(carom_body_set_drag, world(c), handle(c, kBody), number(c, {0, 1e12, false, 0, 1}), number(c, {0, 1e12, false, 0, 1}), error(c)),

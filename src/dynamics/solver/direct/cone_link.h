@@ -16,7 +16,7 @@ struct ConeLink {
   std::uint32_t a, b;   // bodies of the problem, or kNobody
   std::uint32_t below;  // as of a contact
   bool a_later;
-  Vec3 d;          // world; u = d.(v_b - v_a) + w_b.omega_b - w_a.omega_a
+  Vec3 d_a, d_b;   // world; u = d_b.v_b - d_a.v_a + w_b.omega_b - w_a.omega_a
   Vec3 w_a, w_b;   // m or 1; zero where the body does not rotate
   Real low, high;  // m/s or rad/s
   Real give;       // 1/kg or 1/(kg m^2)

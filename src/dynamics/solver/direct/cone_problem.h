@@ -107,11 +107,11 @@ template <Vec6 ConeBody::*kMomentum>
 void add_impulse(const ConeProblem& problem, const ConeLink& c, Real p) {
   if (c.a != kNobody) {
     Vec6& m = problem.bodies[c.a].*kMomentum;
-    m -= {p * c.d, p * c.w_a};
+    m -= {p * c.d_a, p * c.w_a};
   }
   if (c.b != kNobody) {
     Vec6& m = problem.bodies[c.b].*kMomentum;
-    m += {p * c.d, p * c.w_b};
+    m += {p * c.d_b, p * c.w_b};
   }
 }
 
@@ -120,11 +120,11 @@ Real relative(const ConeBody* bodies, const ConeLink& c) {
   Real u = 0;
   if (c.b != kNobody) {
     const Vec6& v = bodies[c.b].*kVelocity;
-    u += c.d.dot(v.linear()) + c.w_b.dot(v.angular());
+    u += c.d_b.dot(v.linear()) + c.w_b.dot(v.angular());
   }
   if (c.a != kNobody) {
     const Vec6& v = bodies[c.a].*kVelocity;
-    u -= c.d.dot(v.linear()) + c.w_a.dot(v.angular());
+    u -= c.d_a.dot(v.linear()) + c.w_a.dot(v.angular());
   }
   return u;
 }

@@ -49,7 +49,7 @@ void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow&
       lock(c, get(drive.speed, row.lane));
       c.most = get(drive.most, row.lane);
       return;
-    default: {
+    case DriveKind::spring: {
       const Real m = get(drive.m, row.lane), pull = get(drive.pull, row.lane);
       if (phase != LinkPhase::move || !(m > 0) || !(pull > 0)) return leave(c);
       const Real drag = std::max(get(drive.drag, row.lane), kLeastDrag);
@@ -106,24 +106,24 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
       return body != kNobody && rotates(world.scene, problem.bodies[body].slot);
     };
     const Vec3 w_a = get(row.w_a, lane), w_b = get(row.w_b, lane);
-    c.d = get(row.d, lane);
+    c.d_a = get(pull_at_a(w, joint, row), lane), c.d_b = get(row.d, lane);
     c.w_a = turns(c.a) ? w_a : Vec3::zero();
     c.w_b = turns(c.b) ? w_b : Vec3::zero();
     // Whom impulses do not move: a kinematic body, or solver body 0, whose velocities are 0.
-    const auto of = [&](std::uint32_t solver_body, const Vec3& turn) {
+    const auto of = [&](std::uint32_t solver_body, const Vec3& d, const Vec3& turn) {
       const BodyVelocity& v = velocity[solver_body];
-      return c.d.dot(Vec3(v.v[0], v.v[1], v.v[2])) + turn.dot(Vec3(v.omega[0], v.omega[1], v.omega[2]));
+      return d.dot(Vec3(v.v[0], v.v[1], v.v[2])) + turn.dot(Vec3(v.omega[0], v.omega[1], v.omega[2]));
     };
     c.carried = 0;
     if (phase != LinkPhase::part)
-      c.carried = (c.b == kNobody ? of(joint.b[lane], w_b) : 0) - (c.a == kNobody ? of(joint.a[lane], w_a) : 0);
-    const auto response = [&](std::uint32_t body, const Vec3& turn) {
+      c.carried = (c.b == kNobody ? of(joint.b[lane], c.d_b, w_b) : 0) - (c.a == kNobody ? of(joint.a[lane], c.d_a, w_a) : 0);
+    const auto response = [&](std::uint32_t body, const Vec3& d, const Vec3& turn) {
       if (body == kNobody) return Real(0);
       const ConeBody& b = problem.bodies[body];
-      if (b.locks) return locked_response(b, c.d, turn);
-      return b.inv_mass * c.d.squared_norm() + turn.dot(b.inv_inertia * turn);
+      if (b.locks) return locked_response(b, d, turn);
+      return b.inv_mass * d.squared_norm() + turn.dot(b.inv_inertia * turn);
     };
-    c.k = response(c.a, c.w_a) + response(c.b, c.w_b);
+    c.k = response(c.a, c.d_a, c.w_a) + response(c.b, c.d_b, c.w_b);
     c.p = c.start_p = phase == LinkPhase::move ? get(row.p, lane) : 0;
     if (at_row.is_drive)
       ask(c, w.drives[at_row.row], at_row, phase, h);
@@ -151,15 +151,17 @@ void find_swings(const World& world, ConeProblem& problem, const DirectGroups::L
   for (std::size_t i = 0, next; i < problem.links.size(); i = next) {
     const JointLanes& joint = w.joints[rows[i].joint];
     const std::uint32_t lane = rows[i].lane;
-    Vec3 p = Vec3::zero();
+    Vec3 p_a = Vec3::zero(), p_b = Vec3::zero();
     for (next = i; next < problem.links.size() && rows[next].joint == rows[i].joint && rows[next].lane == lane;
          ++next) {
       const JointRowLanes& row = row_at(w, rows[next]);
-      p += impulse(next, row) * get(row.d, lane);
+      const Real p = impulse(next, row);
+      p_a += p * get(pull_at_a(w, joint, row), lane);
+      p_b += p * get(row.d, lane);
     }
-    const Real f_h2 = 2 * p.norm() * h;  // half of the load comes after the move
-    add_to(problem.links[i].a, get(joint.r_a, lane), f_h2);
-    add_to(problem.links[i].b, get(joint.r_b, lane), f_h2);
+    // Half of the load comes after the move.
+    add_to(problem.links[i].a, get(joint.r_a, lane), 2 * p_a.norm() * h);
+    add_to(problem.links[i].b, get(joint.r_b, lane), 2 * p_b.norm() * h);
   }
 }
 
@@ -203,8 +205,8 @@ void book_links(World& world, const ConeProblem& problem, const DirectGroups::Li
     const ConeLink& c = problem.links[i];
     JointLanes& joint = w.joints[rows[i].joint];
     const std::uint32_t lane = rows[i].lane;
-    const Vec3 turn = get(row_at(w, rows[i]).w_b, lane) - get(joint.r_b, lane).cross(c.d);
-    add(joint.force, lane, c.p * c.d);
+    const Vec3 turn = get(row_at(w, rows[i]).w_b, lane) - get(joint.r_b, lane).cross(c.d_b);
+    add(joint.force, lane, c.p * c.d_b);
     add(joint.torque, lane, c.p * turn);
   }
 }

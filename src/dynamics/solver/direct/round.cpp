@@ -42,9 +42,12 @@ void strike_out(Block& d, std::uint8_t row_locks, std::uint8_t column_locks) {
 }
 
 /// w (d, w_row) (d, w_column)^T.
-void add_outer(Block& b, Real w, const Vec3& d, const Vec3& w_row, const Vec3& w_column) {
-  const Real row[kDof] = {w * d.x(), w * d.y(), w * d.z(), w * w_row.x(), w * w_row.y(), w * w_row.z()};
-  const Real column[kDof] = {d.x(), d.y(), d.z(), w_column.x(), w_column.y(), w_column.z()};
+struct LinkArms {
+  const Vec3 &d, &w;
+};
+void add_outer(Block& b, Real w, const LinkArms& r, const LinkArms& c) {
+  const Real row[kDof] = {w * r.d.x(), w * r.d.y(), w * r.d.z(), w * r.w.x(), w * r.w.y(), w * r.w.z()};
+  const Real column[kDof] = {c.d.x(), c.d.y(), c.d.z(), c.w.x(), c.w.y(), c.w.z()};
   for (int i = 0; i < kDof; ++i)
     for (int j = 0; j < kDof; ++j) b.x[i][j] += row[i] * column[j];
 }
@@ -67,10 +70,11 @@ void assemble_masses(ConeProblem& problem) {
 void add_link(ConeProblem& problem, const ConeLink& c, Real w) {
   const Elimination& e = *problem.elimination;
   BlockFactor& f = *problem.factor;
-  if (c.a != kNobody) add_outer(f.diagonal[e.place[c.a]], w, c.d, c.w_a, c.w_a);
-  if (c.b != kNobody) add_outer(f.diagonal[e.place[c.b]], w, c.d, c.w_b, c.w_b);
+  const LinkArms a = {c.d_a, c.w_a}, b = {c.d_b, c.w_b};
+  if (c.a != kNobody) add_outer(f.diagonal[e.place[c.a]], w, a, a);
+  if (c.b != kNobody) add_outer(f.diagonal[e.place[c.b]], w, b, b);
   if (c.below == kNobody) return;
-  add_outer(f.below[c.below], -w, c.d, c.a_later ? c.w_a : c.w_b, c.a_later ? c.w_b : c.w_a);
+  add_outer(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
 }
 
 /// Rows and columns of what is locked: as if nothing touched there.
