@@ -120,6 +120,26 @@ static void dials_and_effects_travel_too(void**) {
   assert_true(bits_after(stage, 1, 0.01) == bits_after(again, 1, 0.01));
 }
 
+static void a_pulley_is_refused_and_not_written_as_another_kind(void**) {
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  Stage stage(engine);
+  build(find_scene("ragdoll"), {}, stage);
+  carom_joint_desc d;
+  carom_joint_desc_init(&d);
+  d.kind = CAROM_JOINT_PULLEY, d.body_b = stage.actors[stage.ties.front().b].body;
+  carom_joint pulley = 0;
+  Call call;
+  call.done(carom_joint_create(stage.world.get(), &d, &pulley, call), "a pulley");
+  const File file(".gltf");
+  bool told = false;
+  try {
+    write_scene(file.path, stage, 1, 0.01);
+  } catch (const Error& e) {
+    told = std::string(e.what()).find("pulley") != std::string::npos && e.remedy.find("snapshot") != std::string::npos;
+  }
+  assert_true(told);
+}
+
 static void a_scene_can_be_written_in_mid_run(void**) {
   Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
   Stage stage(engine), again(engine);
@@ -456,6 +476,7 @@ int main(void) {
       cmocka_unit_test(meshes_are_hulls_or_scenery),
       cmocka_unit_test(materials_filters_and_triggers),
       cmocka_unit_test(joints_are_told_by_their_limits),
+      cmocka_unit_test(a_pulley_is_refused_and_not_written_as_another_kind),
       cmocka_unit_test(what_is_wrong_is_refused_with_its_place),
       cmocka_unit_test(damaged_files_do_no_harm),
   };
