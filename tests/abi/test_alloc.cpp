@@ -77,7 +77,7 @@ void an_empty_world_costs_kilobytes(void**) {
   assert_int_equal(carom_world_create(engine, nullptr, &world, nullptr), CAROM_OK);
   assert_int_equal(carom_world_step(world, 0.01, nullptr), CAROM_OK);
   print_message("an empty world: %llu bytes\n", static_cast<unsigned long long>(ledger.bytes - before));
-  assert_true(ledger.bytes - before > 500 && ledger.bytes - before < 17 * 1024);
+  assert_true(ledger.bytes - before > 500 && ledger.bytes - before < 16 * 1024);
   assert_int_equal(carom_world_destroy(world, nullptr), CAROM_OK);
   assert_int_equal(carom_engine_destroy(engine, nullptr), CAROM_OK);
 }
