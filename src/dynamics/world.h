@@ -142,7 +142,7 @@ class World {
   void set_continuous(std::uint32_t body, SweepMode mode);
   void keep_ledger(bool on);  // anew, from the present state on; or not any more
 
-  // ---- stepping: src/dynamics/step.cpp ----
+  // ---- stepping: src/dynamics/stages.cpp ----
   void step(Real dt);
 
   // ---- reading ----
