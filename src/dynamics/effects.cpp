@@ -34,6 +34,7 @@ using enum CustomerKind;
 
 /// Fields that a row leaves out are null; participants that `find` does not find are counted by the stage that makes them
 /// (contacts, joints, springs, particles, hosts): count_participants().
+// clang-format off
 constexpr Effect kEffectRows[] = {
     {.id = EffectId::gyroscopic, .name = "gyroscopic", .stage = Stage::integrate, .customers = bodies,
      .find = gyroscopic::find, .wakes = gyroscopic::wakes, .force = gyroscopic::force, .flow = gyroscopic::flow,
@@ -147,6 +148,7 @@ constexpr Effect kEffectRows[] = {
      .called_by = "bodies and particles whose energy and momentum are booked",
      .missing = "no host keeps a ledger"},
 };
+// clang-format on
 
 /// By number. What has no row, or two, does not compile.
 constexpr std::array<Effect, kEffectCount> kEffectTable = [] {

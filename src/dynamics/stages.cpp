@@ -28,6 +28,7 @@ namespace {
 constexpr Parts kMotion = Part::poses | Part::velocities;
 constexpr Parts kContactsRead = Part::pairs | Part::colliders | kMotion;
 
+// clang-format off
 constexpr StageEntry kStageTable[] = {
     // ---- once: who takes part, who meets whom. All that allocates stands here. ----
     {.name = "admit",
@@ -170,6 +171,7 @@ constexpr StageEntry kStageTable[] = {
      .run = note_who_moved, .stage = Stage::observe, .reads = kMotion,
      .booking = Booking::closes},
 };
+// clang-format on
 
 /// What the ledger accounts for: whoever changes it says how that is booked.
 constexpr bool all_writers_are_booked() {
