@@ -22,7 +22,7 @@ void run(benchmark::State& state, Owned<BroadPhase> (*make)(Memory*), Motion mot
   BroadScene scene;
   const Real half_room = 0.5 * std::cbrt(2.0 * n);
   Aabb floor;
-  floor.lo.setConstant(-kInfinity);
+  floor.lo = Vec3::constant(-kInfinity);
   floor.hi = Vec3(kInfinity, 0.5 - half_room, kInfinity);
   scene.put(0, floor, false);
   for (std::uint32_t i = 1; i <= n; ++i) {

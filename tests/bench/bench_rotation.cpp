@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "eigen.h"
 #include "tools/accuracy/free_top.h"
 #include "world_builder.h"
 
@@ -27,7 +28,7 @@ std::uint32_t add_top(TestWorld& t) {
 }
 
 double least_ns(Real integrator, Real method, Real h) {
-  TestWorld t(Vec3::Zero());
+  TestWorld t(Vec3::zero());
   t.world.set_dial(Dial::integrator, integrator);
   t.world.set_dial(Dial::rotation, method);
   for (std::uint32_t i = 0; i < kBodies; ++i) add_top(t);
@@ -42,20 +43,20 @@ double least_ns(Real integrator, Real method, Real h) {
 void spin(benchmark::State& state, Real integrator, Real method) {
   const auto hertz = static_cast<int>(state.range(0));
   const Vec3 inertia(6500, 5000, 2500), omega(4, 1, 2);
-  static const Quat kEnd = FreeTop(inertia, omega).orientation(60);
+  static const Quat kEnd = plain(FreeTop(eigen(inertia), eigen(omega)).orientation(60));
   double ns = 1e9, angle = 0, momentum = 0, energy = 0;
   for (auto _ : state) {
     ns = std::min(ns, least_ns(integrator, method, 1.0 / hertz));
-    TestWorld t(Vec3::Zero());
+    TestWorld t(Vec3::zero());
     t.world.set_dial(Dial::integrator, integrator);
     t.world.set_dial(Dial::rotation, method);
     const std::uint32_t b = add_top(t);
     t.run(60 * hertz, 1.0 / hertz);
     const Quat& q = t.world.state.q[b];
-    const Vec3 w = q.conjugate() * t.world.state.omega[b], l0 = inertia.cwiseProduct(omega);
+    const Vec3 w = q.conjugate() * t.world.state.omega[b], l0 = inertia.times(omega);
     angle = 2 * std::min((kEnd.conjugate() * q).vec().norm(), 1.0);
-    momentum = (q * inertia.cwiseProduct(w) - l0).norm() / l0.norm();
-    energy = std::fabs(w.dot(inertia.cwiseProduct(w)) / omega.dot(l0) - 1);
+    momentum = (q * inertia.times(w) - l0).norm() / l0.norm();
+    energy = std::fabs(w.dot(inertia.times(w)) / omega.dot(l0) - 1);
   }
   state.counters["ns"] = ns;
   state.counters["angle"] = angle;

@@ -31,8 +31,9 @@ RigidMotion motion_of(const Placement& from, const Placement& to) {
   m.at = {Quat(f.r), f.p};
   m.centre = f.p;
   m.velocity = t.p - f.p;
-  const Eigen::AngleAxis<Real> turn(Mat3(t.r * f.r.transpose()));
-  m.omega = turn.angle() * turn.axis();
+  const Quat turn(t.r * f.r.transpose());
+  const Real sine = turn.vec().norm();  // of half the angle
+  if (sine > 0) m.omega = 2 * std::atan2(std::copysign(sine, turn.w()), std::fabs(turn.w())) / sine * turn.vec();
   return m;
 }
 

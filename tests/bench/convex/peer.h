@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace carom {
+namespace carom::collision {
 struct Shape;
 }
 
@@ -37,7 +37,7 @@ struct Solid {
   std::int32_t (*scan)(const double*, std::uint64_t, const double*, double*) = nullptr;  // support of the core
   const double* params = nullptr;
   std::uint64_t param_count = 0;
-  const Shape* shape = nullptr;  // Carom's
+  const collision::Shape* shape = nullptr;  // Carom's
 };
 
 struct Placement {

@@ -55,7 +55,8 @@ bool given(const double* v) { return !(std::isnan(v[0]) && std::isnan(v[1]) && s
 }  // namespace
 
 double separation_along(const Query& q, const Vec3& n) {
-  const Real length = n.stableNorm();
+  const Real most = n.abs().max_entry();  // scaled first: no square overflows
+  const Real length = most > 0 ? most * (n / most).norm() : most;
   if (!(length > 0) || !std::isfinite(length)) return NAN;
   const Vec3 unit = n / length;
   const Vec3 offset(q.at_b.p[0] - q.at_a.p[0], q.at_b.p[1] - q.at_a.p[1], q.at_b.p[2] - q.at_a.p[2]);

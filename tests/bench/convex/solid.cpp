@@ -77,7 +77,7 @@ Placement placement(const Frame& frame) {
 }
 
 Frame frame_of(const Placement& at) {
-  return Frame(Eigen::Map<const Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>>(at.r), Eigen::Map<const Vec3>(at.p));
+  return Frame(Mat3::from_rows(at.r), Vec3::from(at.p));
 }
 
 }  // namespace carom::bench
