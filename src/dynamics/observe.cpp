@@ -62,8 +62,10 @@ void book_served(World& world) {
     if (plan.runs[static_cast<std::size_t>(stage)]) effect.evaluations += times * effect.customers.count;
   };
   const auto substeps = static_cast<std::uint64_t>(plan.substeps);
-  for (const std::size_t row : {+EffectId::friction, +EffectId::restitution, +EffectId::rolling_resistance, +EffectId::spinning_resistance, +EffectId::surface_velocity, +EffectId::response,
-                                +EffectId::joints, +EffectId::joint_limits, +EffectId::joint_motors})
+  for (const std::size_t row :
+       {+EffectId::friction, +EffectId::restitution, +EffectId::rolling_resistance, +EffectId::spinning_resistance,
+        +EffectId::surface_velocity, +EffectId::response, +EffectId::joints, +EffectId::joint_limits,
+        +EffectId::joint_motors})
     book(row, Stage::solve, substeps);
   for (const std::size_t row : {+EffectId::collision, +EffectId::filter, +EffectId::sensor, +EffectId::scenery}) book(row, Stage::broad, 1);
 }

@@ -37,13 +37,7 @@ int main(void) {
   return p[1] > 4.9 && p[1] < 5.2 ? 0 : 6; /* 10 - g/2, and what semi-implicit Euler adds */
 }
 ]])
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    string(REPLACE ";" " " command "${ARGN}")
-    message(FATAL_ERROR "${command}\n${output}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 set(odr "-O1 -flto -Werror=odr -Werror=lto-type-mismatch")
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SCRATCH} -B ${SCRATCH}/build -DCAROM=${SOURCE_DIR} -DCAROM_UNITY=ON
   -DCMAKE_C_COMPILER=${C_COMPILER} -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${odr} -DCMAKE_AR=${LTO_AR} -DCMAKE_RANLIB=${LTO_RANLIB})

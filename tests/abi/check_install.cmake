@@ -1,13 +1,7 @@
 # Install to a fresh prefix, then build and run a C client by find_package and by pkg-config, as a stranger would.
 file(REMOVE_RECURSE ${SCRATCH})
 set(prefix ${SCRATCH}/prefix)
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    string(REPLACE ";" " " command "${ARGN}")
-    message(FATAL_ERROR "${command}\n${output}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 foreach(piece src plugins)  # what a client uses; the tools need not be built for this check
   run(${CMAKE_COMMAND} --install ${BINARY_DIR}/${piece} --prefix ${prefix})
