@@ -5,6 +5,7 @@ typedef struct carom_world carom_world;
 typedef struct carom_error carom_error;
 typedef struct carom_material_desc carom_material_desc;
 typedef struct carom_body_desc carom_body_desc;
+typedef struct carom_attribute_info carom_attribute_info;
 typedef struct carom_collider_desc carom_collider_desc;
 typedef struct carom_cast_desc carom_cast_desc;
 typedef struct carom_cast carom_cast;
@@ -72,6 +73,7 @@ typedef int32_t (*carom_write_fn)(void *user, const void *bytes, uint64_t size);
 struct carom_error { uint32_t struct_size; int32_t code; int32_t argument; uint32_t has_witness; double witness_dir[3]; double witness_out[3]; char message[256]; char remedy[256]; };
 struct carom_material_desc { uint32_t struct_size; uint32_t friction_mix; uint32_t restitution_mix; uint32_t reserved; double friction; double restitution; };
 struct carom_body_desc { uint32_t struct_size; uint32_t fields; uint32_t type; uint32_t reserved; double position[3]; double orientation[4]; double linear_velocity[3]; double angular_velocity[3]; double mass; double center[3]; double inertia[9]; double linear_damping; double angular_damping; uint64_t user; };
+struct carom_attribute_info { uint32_t struct_size; uint32_t attribute; uint32_t numbers; uint32_t is_whole; uint32_t of_dynamic; uint32_t effect; const char *name; const char *unit; const char *summary; double least; double most; double usual[4]; };
 struct carom_collider_desc { uint32_t struct_size; uint32_t reserved; carom_shape shape; carom_material material; double position[3]; double orientation[4]; double density; };
 struct carom_cast_desc { uint32_t struct_size; uint32_t iterations; double tolerance; double target; };
 struct carom_cast { uint32_t struct_size; uint32_t outcome; uint32_t status; uint32_t iterations; double time; double lower; double upper; double separation; double slack; double normal[3]; double point_a[3]; double point_b[3]; uint32_t support_calls; uint32_t reserved; };
@@ -146,6 +148,9 @@ int32_t carom_body_set_gravity_factor(carom_world *world, carom_body body, doubl
 int32_t carom_body_get_gravity_factor(carom_world *world, carom_body body, double *factor, carom_error *error);
 int32_t carom_body_set_locks(carom_world *world, carom_body body, uint32_t locks, carom_error *error);
 int32_t carom_body_get_locks(carom_world *world, carom_body body, uint32_t *locks, carom_error *error);
+int32_t carom_attribute_get_info(uint32_t attribute, carom_attribute_info *info, carom_error *error);
+int32_t carom_body_set_attribute(carom_world *world, carom_body body, uint32_t attribute, const double *value, carom_error *error);
+int32_t carom_body_get_attribute(carom_world *world, carom_body body, uint32_t attribute, double *value, carom_error *error);
 int32_t carom_body_is_asleep(carom_world *world, carom_body body, uint32_t *asleep, carom_error *error);
 int32_t carom_body_wake(carom_world *world, carom_body body, carom_error *error);
 int32_t carom_body_set_continuous(carom_world *world, carom_body body, uint32_t mode, carom_error *error);
@@ -202,6 +207,7 @@ int32_t carom_body_set_drag(carom_world *world, carom_body body, double linear, 
 int32_t carom_body_get_drag(carom_world *world, carom_body body, double *linear, double *quadratic, carom_error *error);
 int32_t carom_world_set_wind(carom_world *world, const double *velocity, carom_error *error);
 int32_t carom_world_get_wind(carom_world *world, double *velocity, carom_error *error);
+const char *carom_force_field_name(uint32_t kind);
 int32_t carom_force_field_desc_init(carom_force_field_desc *desc);
 int32_t carom_force_field_create(carom_world *world, const carom_force_field_desc *desc, carom_force_field *field, carom_error *error);
 int32_t carom_force_field_update(carom_world *world, carom_force_field field, const carom_force_field_desc *desc, carom_error *error);
@@ -362,6 +368,12 @@ return {
   CAROM_LOCK_ANGULAR_Z = 32,
   CAROM_LOCK_ALL = 63,
   CAROM_LOCK_PLANE = 28,
+  CAROM_ATTRIBUTE_GRAVITY_FACTOR = 0,
+  CAROM_ATTRIBUTE_LOCKS = 1,
+  CAROM_ATTRIBUTE_DRAG = 2,
+  CAROM_ATTRIBUTE_FORCE_FIELD_MASK = 3,
+  CAROM_ATTRIBUTE_COUNT = 4,
+  CAROM_ATTRIBUTE_NUMBERS = 4,
   CAROM_CONTINUOUS_AUTO = 0,
   CAROM_CONTINUOUS_ALWAYS = 1,
   CAROM_CONTINUOUS_NEVER = 2,
@@ -607,5 +619,5 @@ return {
   CAROM_ASK_GENERIC = 1,
   CAROM_ASK_SENSORS = 2,
   VERSION = "1.8.0",
-  ROWS = 560, -- of the layout manifest
+  ROWS = 573, -- of the layout manifest
 }

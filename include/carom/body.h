@@ -142,6 +142,47 @@ CAROM_API int32_t carom_body_set_locks(carom_world *world, carom_body body, uint
 /** @param locks out: CAROM_LOCK_* bits   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6 */
 CAROM_API int32_t carom_body_get_locks(carom_world *world, carom_body body, uint32_t *locks, carom_error *error);
 
+/* ---- attributes: what may be said of a body beside its descriptor, each by its number ----
+ * The calls above and those of force.h set the same numbers. These here serve programs that go through all attributes, as
+ * scene files and editors do, and attributes that have no call of their own. */
+
+#define CAROM_ATTRIBUTE_GRAVITY_FACTOR 0u   /* carom_body_set_gravity_factor() */
+#define CAROM_ATTRIBUTE_LOCKS 1u            /* carom_body_set_locks(); as the host gave them, whether or not they are forbidden */
+#define CAROM_ATTRIBUTE_DRAG 2u             /* carom_body_set_drag(): linear, quadratic */
+#define CAROM_ATTRIBUTE_FORCE_FIELD_MASK 3u /* carom_body_set_force_field_mask() */
+#define CAROM_ATTRIBUTE_COUNT 4u
+#define CAROM_ATTRIBUTE_NUMBERS 4u /* what every attribute has room for */
+
+/** What an attribute is. Strings have static storage.   @since 1.8 */
+typedef struct carom_attribute_info {
+  uint32_t struct_size;
+  uint32_t attribute;  /**< CAROM_ATTRIBUTE_* */
+  uint32_t numbers;    /**< how many it has, 1 to 4 */
+  uint32_t is_whole;   /**< 1: whole numbers */
+  uint32_t of_dynamic; /**< 1: only dynamic bodies may have another value than the usual one */
+  uint32_t effect;     /**< CAROM_EFFECT_*, which it makes a body take part in */
+  const char *name;    /**< "gravity_factor" */
+  const char *unit;    /**< "kg/s, kg/m": of its numbers in turn; "1" of a share or of bits */
+  const char *summary; /**< one line */
+  double least;        /**< bounds of each number, inclusive */
+  double most;
+  double usual[4];     /**< what a body has when it is created; numbers that the attribute does not have are 0 */
+} carom_attribute_info;
+
+/** @param attribute CAROM_ATTRIBUTE_*   @param info out
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM   @thread any   @since 1.8 */
+CAROM_API int32_t carom_attribute_get_info(uint32_t attribute, carom_attribute_info *info, carom_error *error);
+/** Set an attribute. Another value than it has wakes the body and its island.
+ *  @param value [4] in the units of carom_attribute_info; numbers that the attribute does not have must be 0
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a fraction where numbers are whole; a
+ *          body that is not dynamic); UNSUPPORTED (locks under solver severity); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+CAROM_API int32_t carom_body_set_attribute(carom_world *world, carom_body body, uint32_t attribute, const double value[4],
+                                           carom_error *error);
+/** @param value [4] out: numbers that the attribute does not have are 0
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; BUSY   @since 1.8 */
+CAROM_API int32_t carom_body_get_attribute(carom_world *world, carom_body body, uint32_t attribute, double value[4],
+                                           carom_error *error);
+
 /* ---- sleep, if CAROM_DIAL_SLEEP is on (by default it is off) ----
  * An island (dynamic bodies that hang together through contacts, or one by itself) whose bodies were all slower than
  * CAROM_DIAL_SLEEP_SPEED for CAROM_DIAL_SLEEP_TIME falls asleep at the end of a step: its velocities become 0, and from

@@ -46,6 +46,9 @@ CAROM_API int32_t carom_world_get_wind(carom_world *world, double velocity[3], c
 #define CAROM_FORCE_FIELD_VORTEX 2u  /* the same about the frame's y axis (right-handed), `pull` towards it, `lift` along it */
 #define CAROM_FORCE_FIELD_COUNT 3u
 
+/** Static name of a kind of field ("uniform"), or "?".   @thread any   @since 1.8 */
+CAROM_API const char *carom_force_field_name(uint32_t kind);
+
 /** What acts on every body that shares a bit of its mask, at the centre of mass. Distances d are softened: what the law
  *  reads is s = sqrt(d^2 + core^2), and the direction's length is d / s. Fill with carom_force_field_desc_init().   @since 1.7 */
 typedef struct carom_force_field_desc {

@@ -124,17 +124,6 @@ void remove(carom_engine& engine, World& world, std::uint32_t body) {
   world.remove_body(body);
 }
 
-/// Whether a body of this world can have these locks.
-bool lockable(Call& call, const World& world, std::uint32_t body, std::uint32_t locks) {
-  if (!only_bits(call, 3, "locks", locks, CAROM_LOCK_ALL)) return false;
-  if (locks == 0) return true;
-  if (world.scene.type[body] != BodyType::dynamic)
-    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "locks hold dynamic bodies only; others move as their velocity says");
-  return world.scene.dials.choice(Dial::solver) != CAROM_SOLVER_SEVERITY ||
-         call.fail(CAROM_E_UNSUPPORTED, 3,
-                   "solver severity knows no locks; set CAROM_DIAL_SOLVER to another before locking bodies");
-}
-
 }  // namespace
 
 bool at_rest(Call& call, int argument, const char* name, const double v[3]) {
@@ -270,40 +259,6 @@ int32_t carom_body_add_impulse(carom_world* world, carom_body body, const double
     const FloatScope scope;
     if (!changing->add_impulse(handle_slot(body), to_vec3(impulse), to_vec3(point)))
       call.fail(CAROM_E_OUT_OF_RANGE, larger_of(3, impulse, point), "such an impulse makes a velocity that overflows");
-  });
-}
-
-int32_t carom_body_set_gravity_factor(carom_world* world, carom_body body, double factor, carom_error* error) {
-  return guarded(error, [&](Call& call) {
-    const Recorded changing(call, world, record::body_set_gravity_factor(body, factor));
-    if (changing && resolve_body(call, *changing, body) && carom::abi::finite(call, 3, "factor", &factor, 1))
-      changing->set_gravity_factor(handle_slot(body), factor);
-  });
-}
-
-int32_t carom_body_get_gravity_factor(carom_world* world, carom_body body, double* factor, carom_error* error) {
-  return guarded(error, [&](Call& call) {
-    const Reading reading(call, world);
-    if (reading && resolve_body(call, *reading, body) && present(call, 3, "factor", factor))
-      *factor = reading->scene.gravity_factor_of(handle_slot(body));
-  });
-}
-
-int32_t carom_body_set_locks(carom_world* world, carom_body body, uint32_t locks, carom_error* error) {
-  return guarded(error, [&](Call& call) {
-    const Recorded changing(call, world, record::body_set_locks(body, locks));
-    if (!changing || !resolve_body(call, *changing, body) || !lockable(call, *changing, handle_slot(body), locks))
-      return;
-    const FloatScope scope;
-    changing->set_locks(handle_slot(body), static_cast<Locks>(locks));
-  });
-}
-
-int32_t carom_body_get_locks(carom_world* world, carom_body body, uint32_t* locks, carom_error* error) {
-  return guarded(error, [&](Call& call) {
-    const Reading reading(call, world);
-    if (reading && resolve_body(call, *reading, body) && present(call, 3, "locks", locks))
-      *locks = reading->scene.locks_of(handle_slot(body));
   });
 }
 

@@ -14,12 +14,9 @@
 namespace carom::abi {
 namespace {
 
-static_assert(static_cast<std::uint32_t>(FieldKind::uniform) == CAROM_FORCE_FIELD_UNIFORM &&
-              static_cast<std::uint32_t>(FieldKind::radial) == CAROM_FORCE_FIELD_RADIAL &&
-              static_cast<std::uint32_t>(FieldKind::vortex) == CAROM_FORCE_FIELD_VORTEX &&
-              static_cast<std::uint32_t>(FieldKind::count) == CAROM_FORCE_FIELD_COUNT);
+static_assert(static_cast<std::uint32_t>(FieldKind::count) == CAROM_FORCE_FIELD_COUNT);
 
-constexpr double kMostDrag = 1e12, kFastestWind = 1e6, kStrongestForce = 1e30, kLongestSpring = 1e9, kDensest = 1e9, kMostRate = 1e6;
+constexpr double kFastestWind = 1e6, kStrongestForce = 1e30, kLongestSpring = 1e9, kDensest = 1e9, kMostRate = 1e6;
 constexpr std::int32_t kLeastFalloff = -2, kMostFalloff = 8;
 
 bool resolve_field(Call& call, const World& world, carom_force_field field) {
@@ -157,27 +154,6 @@ int32_t carom_body_add_force_at(carom_world* world, carom_body body, const doubl
   });
 }
 
-int32_t carom_body_set_drag(carom_world* world, carom_body body, double linear, double quadratic, carom_error* error) {
-  return guarded(error, [&](Call& call) {
-    const Recorded changing(call, world, record::body_set_drag(body, linear, quadratic));
-    if (changing && resolve_body(call, *changing, body) && in_range(call, 3, "linear", linear, 0, kMostDrag) &&
-        in_range(call, 4, "quadratic", quadratic, 0, kMostDrag))
-      changing->set_drag(handle_slot(body), {linear, quadratic});
-  });
-}
-
-int32_t carom_body_get_drag(carom_world* world, carom_body body, double* linear, double* quadratic,
-                            carom_error* error) {
-  return guarded(error, [&](Call& call) {
-    const Reading reading(call, world);
-    if (!reading || !resolve_body(call, *reading, body) || !present(call, 3, "linear", linear) ||
-        !present(call, 4, "quadratic", quadratic))
-      return;
-    const Drag drag = reading->scene.drag_of(handle_slot(body));
-    *linear = drag.linear, *quadratic = drag.quadratic;
-  });
-}
-
 int32_t carom_world_set_wind(carom_world* world, const double velocity[3], carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Recorded changing(call, world, record::world_set_wind(velocity));
@@ -191,6 +167,8 @@ int32_t carom_world_get_wind(carom_world* world, double velocity[3], carom_error
     if (reading && present(call, 2, "velocity", velocity)) from_vec3(reading->scene.wind, velocity);
   });
 }
+
+const char* carom_force_field_name(uint32_t kind) { return kind < CAROM_FORCE_FIELD_COUNT ? kFieldKinds[kind].name : "?"; }
 
 int32_t carom_force_field_desc_init(carom_force_field_desc* desc) {
   if (begin_desc(desc) != CAROM_OK) return CAROM_E_NULL_ARGUMENT;
@@ -243,21 +221,6 @@ int32_t carom_force_field_destroy(carom_world* world, carom_force_field field, c
   return guarded(error, [&](Call& call) {
     const Recorded changing(call, world, record::force_field_destroy(field));
     if (changing && resolve_field(call, *changing, field)) changing->remove_field(handle_slot(field));
-  });
-}
-
-int32_t carom_body_set_force_field_mask(carom_world* world, carom_body body, uint32_t mask, carom_error* error) {
-  return guarded(error, [&](Call& call) {
-    const Recorded changing(call, world, record::body_set_force_field_mask(body, mask));
-    if (changing && resolve_body(call, *changing, body)) changing->set_field_mask(handle_slot(body), mask);
-  });
-}
-
-int32_t carom_body_get_force_field_mask(carom_world* world, carom_body body, uint32_t* mask, carom_error* error) {
-  return guarded(error, [&](Call& call) {
-    const Reading reading(call, world);
-    if (reading && resolve_body(call, *reading, body) && present(call, 3, "mask", mask))
-      *mask = reading->scene.fields.mask_of(handle_slot(body));
   });
 }
 

@@ -9,21 +9,7 @@
 namespace carom::abi {
 namespace {
 
-static_assert(+EffectId::gyroscopic == CAROM_EFFECT_GYROSCOPIC && +EffectId::linear_damping == CAROM_EFFECT_LINEAR_DAMPING &&
-              +EffectId::angular_damping == CAROM_EFFECT_ANGULAR_DAMPING && +EffectId::gravity == CAROM_EFFECT_GRAVITY &&
-              +EffectId::user_force == CAROM_EFFECT_USER_FORCE && +EffectId::user_torque == CAROM_EFFECT_USER_TORQUE &&
-              +EffectId::collision == CAROM_EFFECT_COLLISION && +EffectId::friction == CAROM_EFFECT_FRICTION &&
-              +EffectId::restitution == CAROM_EFFECT_RESTITUTION && +EffectId::rolling_resistance == CAROM_EFFECT_ROLLING_RESISTANCE &&
-              +EffectId::spinning_resistance == CAROM_EFFECT_SPINNING_RESISTANCE && +EffectId::sleep == CAROM_EFFECT_SLEEP &&
-              +EffectId::particles == CAROM_EFFECT_PARTICLES && +EffectId::filter == CAROM_EFFECT_FILTER &&
-              +EffectId::sensor == CAROM_EFFECT_SENSOR && +EffectId::joints == CAROM_EFFECT_JOINTS &&
-              +EffectId::scenery == CAROM_EFFECT_SCENERY && +EffectId::continuous == CAROM_EFFECT_CONTINUOUS &&
-              +EffectId::surface_velocity == CAROM_EFFECT_SURFACE_VELOCITY && +EffectId::axis_locks == CAROM_EFFECT_AXIS_LOCKS &&
-              +EffectId::drag == CAROM_EFFECT_DRAG && +EffectId::wind == CAROM_EFFECT_WIND && +EffectId::fields == CAROM_EFFECT_FIELDS &&
-              +EffectId::springs == CAROM_EFFECT_SPRINGS && +EffectId::buoyancy == CAROM_EFFECT_BUOYANCY &&
-              +EffectId::response == CAROM_EFFECT_RESPONSE && +EffectId::joint_limits == CAROM_EFFECT_JOINT_LIMITS &&
-              +EffectId::joint_motors == CAROM_EFFECT_JOINT_MOTORS && +EffectId::events == CAROM_EFFECT_EVENTS &&
-              +EffectId::ledger == CAROM_EFFECT_LEDGER && kEffectCount == CAROM_EFFECT_COUNT);
+static_assert(kEffectCount == CAROM_EFFECT_COUNT);  // each at its number: tests/abi/test_attributes
 static_assert(static_cast<std::uint32_t>(EffectMode::forbid) == CAROM_MODE_FORBID &&
               static_cast<std::uint32_t>(EffectMode::force) == CAROM_MODE_FORCE &&
               static_cast<std::uint32_t>(Timing::in_stage) == CAROM_TIME_IN_STAGE &&

@@ -69,9 +69,6 @@ void World::fill_body(std::uint32_t i, const BodyDef& def) {
   put<Mat3>(scene.inertia, i, Mat3::zero());
   put<Mat3>(scene.inv_inertia, i, Mat3::zero());
   put(scene.first_collider, i, Colliders::kNone);
-  if (i < scene.gravity_factor.size()) scene.gravity_factor[i] = 1;
-  if (i < scene.drag.size()) scene.drag[i] = Drag{};
-  if (i < scene.fields.mask.size()) scene.fields.mask[i] = 1;
   put(state.x, i, def.pose.p);
   put(state.q, i, normalized(def.pose.q));
   put(state.held_q, i, state.q[i]);
@@ -98,7 +95,8 @@ void World::remove_body(std::uint32_t body) {
   while (scene.first_collider[body] != Colliders::kNone) remove_collider(scene.first_collider[body]);
   scene.inv_mass[body] = scene.mass[body] = 0;
   scene.inertia[body].set_zero(), scene.inv_inertia[body].set_zero();
-  if (body < scene.locks.size()) scene.locks[body] = scene.given_locks[body] = 0;
+  scene.attributes.reset(body);
+  settle_locks(scene, body);
   if (body < scene.modes.forbidden_of.size()) scene.modes.forbidden_of[body] = scene.modes.forced_of[body] = 0;
   state.v[body] = state.omega[body] = state.force[body] = state.torque[body] = Vec3::zero();
   state.quarantined_count -= state.quarantined[body];
@@ -243,24 +241,18 @@ void World::set_surface_velocity(std::uint32_t collider, const SurfaceVelocity& 
   ++scene.revision;
 }
 
-void World::set_gravity_factor(std::uint32_t body, Real factor) {
-  if (scene.gravity_factor_of(body) == factor) return;
-  if (scene.gravity_factor.size() < scene.bodies.slots()) scene.gravity_factor.resize(scene.bodies.slots(), 1);
-  wake(*this, body);
-  scene.gravity_factor[body] = factor;
-  ++scene.revision;
-}
-
-void World::set_locks(std::uint32_t body, Locks locks) {
-  if (scene.given_locks_of(body) == locks) return;
+void World::set_attribute(std::uint32_t body, AttributeId id, const AttributeValue& value) {
+  if (scene.attributes.of(id, body) == value) return;
   const std::uint32_t slots = scene.bodies.slots();
-  if (scene.locks.size() < slots) scene.given_locks.reserve(slots), scene.locks.resize(slots, 0);
-  scene.given_locks.resize(scene.locks.size(), 0);
+  if (id == AttributeId::locks && scene.locks.size() < slots) scene.locks.resize(slots, 0);
+  scene.attributes.make_room(id, slots);
   wake(*this, body);
-  scene.given_locks[body] = locks;
-  scene.locks[body] = scene.modes.forbids(+EffectId::axis_locks, body) ? Locks(0) : locks;
-  hold_velocity(scene, body, state.q[body], state.v[body], state.omega[body]);
-  state.mark_written(body);
+  scene.attributes.set(id, body, value);
+  if (id == AttributeId::locks) {
+    settle_locks(scene, body);
+    hold_velocity(scene, body, state.q[body], state.v[body], state.omega[body]);
+    state.mark_written(body);
+  }
   ++scene.revision;
 }
 

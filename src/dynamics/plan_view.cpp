@@ -19,7 +19,7 @@ std::uint64_t bytes_of(const A&... arrays) {
   return (std::uint64_t(0) + ... + (arrays.capacity() * sizeof(arrays[0])));
 }
 
-/// Held for an effect alone, beside the list of its customers.
+/// Held for an effect alone, beside the list of its customers and the attributes of bodies.
 std::uint64_t own_bytes(const World& world, std::size_t row) {
   const Scene& s = world.scene;
   const Sleep& z = *world.sleep;
@@ -27,8 +27,6 @@ std::uint64_t own_bytes(const World& world, std::size_t row) {
   switch (row) {
     case +EffectId::gyroscopic:
       return bytes_of(world.plan->principal, world.plan->carried);
-    case +EffectId::gravity:
-      return bytes_of(s.gravity_factor);
     case +EffectId::restitution:
       return bytes_of(world.contacts->bouncing, world.contacts->impacts);
     case +EffectId::rolling_resistance:
@@ -55,11 +53,9 @@ std::uint64_t own_bytes(const World& world, std::size_t row) {
     case +EffectId::continuous:
       return bytes_of(world.continuous->bodies, world.continuous->index, world.continuous->hits);
     case +EffectId::axis_locks:
-      return bytes_of(s.locks, s.given_locks);
-    case +EffectId::drag:
-      return bytes_of(s.drag);
+      return bytes_of(s.locks);
     case +EffectId::fields:
-      return bytes_of(s.fields.def, s.fields.mask);
+      return bytes_of(s.fields.def);
     case +EffectId::springs:
       return bytes_of(s.springs.def, s.springs.stiffness, s.springs.damping, s.springs.ends, s.springs.load);
     case +EffectId::buoyancy: {
@@ -165,7 +161,8 @@ PlanLine plan_line(const World& world, std::size_t index) {
   line.mode = world.scene.modes.of_world(row);
   line.name = effect.effect->name;
   line.unit = unit_of(effect.effect->customers);
-  line.bytes = own_bytes(world, row) + bytes_of(effect.candidates.runs, effect.customers.runs);
+  line.bytes = own_bytes(world, row) + world.scene.attributes.bytes_of(effect.effect->id) +
+               bytes_of(effect.candidates.runs, effect.customers.runs);
   line.timing = timing_of(world, row, effect);
   if (world.report.steps == 0) {
     std::snprintf(line.reason, sizeof line.reason, "no step yet");

@@ -4,6 +4,7 @@
 #include "collision/colliders.h"
 #include "core/pair_counts.h"
 #include "core/pool.h"
+#include "dynamics/body_attributes.h"
 #include "dynamics/dials.h"
 #include "dynamics/effect_rows.h"
 #include "dynamics/force/sources.h"
@@ -57,9 +58,8 @@ struct Scene {
         collider_slots(Kind::collider, tag, m),
         material_slots(Kind::material, tag, m),
         def(m),
-        gravity_factor(m),
+        attributes(m),
         locks(m),
-        given_locks(m),
         type(m),
         inv_mass(m),
         mass(m),
@@ -73,7 +73,6 @@ struct Scene {
         apart(m),
         joined(m),
         modes(m),
-        drag(m),
         fields(tag, m),
         springs(tag, m),
         water(m) {}
@@ -82,9 +81,8 @@ struct Scene {
 
   // by body slot
   Array<BodyDef> def;          // as the host gave it; poses and velocities in it are stale after a step
-  Array<Real> gravity_factor;  // of the world's gravity; the first so many, 1 from there on
-  Array<Locks> locks;          // likewise, 0 from there on; of dynamic bodies alone; as they hold, @see given_locks
-  Array<Locks> given_locks;    // likewise, as the host gave them: those it forbids do not hold
+  BodyAttributes attributes;   // what a host said of it beside that
+  Array<Locks> locks;          // the first so many, 0 from there on; as they hold, @see settle_locks()
   Array<BodyType> type;
   Array<Real> inv_mass;                 // 1/kg; 0: static, kinematic, free slot
   Array<Real> mass;                     // kg; 0 where inv_mass is 0
@@ -106,15 +104,21 @@ struct Scene {
   Vec3 wind = Vec3::zero();          // m/s, world: how the air moves
 
   EffectModes modes;  // effects that a host forbids or forces
-  Array<Drag> drag;   // by body slot; the first so many, none from there on
   Fields fields;
   Springs springs;
   Water water;
 
-  Real gravity_factor_of(std::uint32_t body) const { return body < gravity_factor.size() ? gravity_factor[body] : 1; }
+  Real gravity_factor_of(std::uint32_t body) const { return attributes.number<AttributeId::gravity_factor>(body); }
   Locks locks_of(std::uint32_t body) const { return body < locks.size() ? locks[body] : Locks(0); }
-  Locks given_locks_of(std::uint32_t body) const { return body < given_locks.size() ? given_locks[body] : Locks(0); }
-  Drag drag_of(std::uint32_t body) const { return body < drag.size() ? drag[body] : Drag{}; }
+  Locks given_locks_of(std::uint32_t body) const {
+    return static_cast<Locks>(attributes.number<AttributeId::locks>(body));
+  }
+  Drag drag_of(std::uint32_t body) const {
+    return {attributes.number<AttributeId::drag>(body, 0), attributes.number<AttributeId::drag>(body, 1)};
+  }
+  std::uint32_t field_mask_of(std::uint32_t body) const {
+    return static_cast<std::uint32_t>(attributes.number<AttributeId::force_field_mask>(body));
+  }
   SurfaceVelocity surface_of(std::uint32_t collider) const {
     return collider < surface.size() ? surface[collider] : SurfaceVelocity{};
   }

@@ -97,8 +97,7 @@ class World {
   void set_body_filter(std::uint32_t body, const Filter& filter);  // of all colliders that it has now
   void set_sensor(std::uint32_t collider, bool sensor);
   void set_surface_velocity(std::uint32_t collider, const SurfaceVelocity& surface);
-  void set_gravity_factor(std::uint32_t body, Real factor);
-  void set_locks(std::uint32_t body, Locks locks);              // of a dynamic body
+  void set_attribute(std::uint32_t body, AttributeId id, const AttributeValue& value);  // one that it may have
   void hold_apart(std::uint32_t body_a, std::uint32_t body_b);  // counted: as often as it is let go
   void let_go(std::uint32_t body_a, std::uint32_t body_b);
   void set_transmission(std::uint32_t slot, const Transmission& transmission);
@@ -106,13 +105,11 @@ class World {
   void remove_joint(std::uint32_t joint);
   void set_joint_drive(std::uint32_t joint, Coordinate coordinate, const JointDrive& drive);
   void break_joint(std::uint32_t joint);  // it stays, and holds nothing any more
-  void set_drag(std::uint32_t body, const Drag& drag);
   void set_wind(const Vec3& wind);
   void set_water(const WaterDef* water);  // null: none
   Handle add_field(const FieldDef& def);
   void set_field(std::uint32_t field, const FieldDef& def);
   void remove_field(std::uint32_t field);
-  void set_field_mask(std::uint32_t body, std::uint32_t mask);
   Handle add_spring(const SpringDef& def);  // its bodies are two, or one and the world
   void set_spring(std::uint32_t spring, Real rest, Real stiffness, Real damping);
   void remove_spring(std::uint32_t spring);

@@ -113,6 +113,10 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("body_get_gravity_factor", carom_body_get_gravity_factor(b.world, b.bodies[0], &factor, nullptr));
   add("body_set_locks", carom_body_set_locks(b.world, b.bodies[0], 1, nullptr));
   add("body_get_locks", carom_body_get_locks(b.world, b.bodies[0], &flag, nullptr));
+  const double attribute[4] = {1};
+  double attribute_out[4];
+  add("body_set_attribute", carom_body_set_attribute(b.world, b.bodies[0], 0, attribute, nullptr));
+  add("body_get_attribute", carom_body_get_attribute(b.world, b.bodies[0], 0, attribute_out, nullptr));
   add("collider_set_surface_velocity", carom_collider_set_surface_velocity(b.world, b.colliders[0], kUp, kUp, nullptr));
   add("collider_get_surface_velocity",
       carom_collider_get_surface_velocity(b.world, b.colliders[0], linear, angular, nullptr));
@@ -254,6 +258,9 @@ std::vector<Attempt> try_engine_calls(const Bench& b) {
   carom_constant_info constant_info = {};
   constant_info.struct_size = sizeof constant_info;
   add("constant_get_info", carom_constant_get_info(0, &constant_info, nullptr));
+  carom_attribute_info attribute_info = {};
+  attribute_info.struct_size = sizeof attribute_info;
+  add("attribute_get_info", carom_attribute_get_info(0, &attribute_info, nullptr));
   add("dial_find", carom_dial_find("solver", &dial, nullptr));
   double preset_value = 0;
   add("preset_get_dial", carom_preset_get_dial(0, CAROM_DIAL_SUBSTEPS, &preset_value, nullptr));

@@ -102,6 +102,8 @@ const Place kPlaces[] = {
     {"body_set_gravity_factor", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_set_gravity_factor(b.world, h, 2, e); }},
     {"body_get_gravity_factor", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { double f; return carom_body_get_gravity_factor(b.world, h, &f, e); }},
     {"body_set_locks", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_set_locks(b.world, h, 1, e); }},
+    {"body_set_attribute", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { const double v[4] = {2}; return carom_body_set_attribute(b.world, h, 0, v, e); }},
+    {"body_get_attribute", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { double v[4]; return carom_body_get_attribute(b.world, h, 0, v, e); }},
     {"body_get_locks", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { uint32_t m; return carom_body_get_locks(b.world, h, &m, e); }},
     {"collider_set_filter", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_collider_set_filter(b.world, h, 1, 1, 0, e); }},
     {"collider_get_filter", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { uint64_t c, m; int32_t g; return carom_collider_get_filter(b.world, h, &c, &m, &g, e); }},

@@ -126,6 +126,26 @@ class Face(unittest.TestCase):
         ball.wake()
         self.assertFalse(ball.asleep)
 
+    def test_attributes(self):
+        """Each by its name, as the typed properties have them; and what they are."""
+        ball = self.world.body(self.engine.sphere(0.5), position=(0, 4, 0))
+        infos = carom.attribute_infos()
+        self.assertEqual(set(ball.attributes), set(infos))
+        self.assertEqual((infos["drag"].numbers, infos["drag"].unit, infos["locks"].whole), (2, "kg/s, kg/m", True))
+        for name, info in infos.items():
+            value = tuple(min(x + 1, info.most) for x in info.usual)
+            ball.attributes[name] = value if info.numbers > 1 else value[0]
+            self.assertEqual(ball.attributes[name], value if info.numbers > 1 else value[0])
+        self.assertEqual((ball.gravity_factor, ball.drag, ball.locks), (2, (1, 1), 1))
+        del ball.attributes["drag"]
+        self.assertEqual(ball.drag, (0, 0))
+        with self.assertRaisesRegex(KeyError, "no attribute 'weight'; there are .*drag"):
+            ball.attributes["weight"] = 1
+        with self.assertRaisesRegex(ValueError, "2 numbers"):
+            ball.attributes["drag"] = 1
+        with self.assertRaises(carom.CaromError):
+            ball.attributes["locks"] = 0.5
+
     def test_joints(self):
         """A pendulum of a hinge: after a quarter of its swing; and a joint that breaks."""
         bob = self.world.body(position=(1, 0, 0), mass=1, inertia=(0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1))

@@ -81,8 +81,8 @@ inline std::vector<Subject> subjects() {
   bouncy.friction = 0, bouncy.restitution = 1;
   rolling.friction = 0, rolling.rolling = 0.1;
   spinning.friction = 0, spinning.spinning = 0.1;
-  const auto set_drag = [](Stage0& s) { s.t.world.set_drag(s.one, {0.1, 0.1}); };
-  const auto unset_drag = [](Stage0& s) { s.t.world.set_drag(s.one, {}); };
+  const auto set_drag = [](Stage0& s) { s.t.world.set_attribute(s.one, AttributeId::drag, {0.1, 0.1}); };
+  const auto unset_drag = [](Stage0& s) { s.t.world.set_attribute(s.one, AttributeId::drag, {}); };
   const auto damp = [](Real BodyDef::*which, Real rate) {
     return [=](Stage0& s) { s.t.world.scene.def[s.one].*which = rate, ++s.t.world.scene.revision; };
   };
@@ -117,7 +117,7 @@ inline std::vector<Subject> subjects() {
       {+EffectId::gravity,
        [](Stage0& s) {
          for (std::uint32_t i = 0; i < s.t.world.scene.bodies.slots(); ++i)
-           if (i != s.one) s.t.world.set_gravity_factor(i, 0);
+           if (i != s.one) s.t.world.set_attribute(i, AttributeId::gravity_factor, {0});
          s.t.world.set_gravity(Vec3(0, -9.81, 0));
        },
        [](Stage0& s) { s.t.world.set_gravity(Vec3::zero()); }},
@@ -126,7 +126,7 @@ inline std::vector<Subject> subjects() {
        [](Stage0& s) { s.t.world.set_wind(Vec3::zero()); }},
       {+EffectId::fields,
        [field](Stage0& s) {
-         s.t.world.set_field_mask(s.one, 2);
+         s.t.world.set_attribute(s.one, AttributeId::force_field_mask, {Real(2)});
          s.thing = s.t.world.add_field(field());
        },
        [](Stage0& s) { s.t.world.remove_field(handle_slot(s.thing)); }},
@@ -181,7 +181,7 @@ inline std::vector<Subject> subjects() {
       {+EffectId::joints, hinge, unhinge, false, true},
       {+EffectId::joint_limits, [drive](Stage0& s) { drive(s, true); }, unhinge, false, true},
       {+EffectId::joint_motors, [drive](Stage0& s) { drive(s, false); }, unhinge, false, true},
-      {+EffectId::axis_locks, [](Stage0& s) { s.t.world.set_locks(s.one, 1); }, [](Stage0& s) { s.t.world.set_locks(s.one, 0); }},
+      {+EffectId::axis_locks, [](Stage0& s) { s.t.world.set_attribute(s.one, AttributeId::locks, {Real(1)}); }, [](Stage0& s) { s.t.world.set_attribute(s.one, AttributeId::locks, {}); }},
       {+EffectId::particles,
        [](Stage0& s) {
          s.thing = s.t.world.particles.create({}, 1);

@@ -283,7 +283,7 @@ struct Melee {
                                         : dull));
     t.world.scene.def[heap[2]].linear_damping = 0.3;
     t.world.scene.def[heap[3]].angular_damping = 0.3;
-    t.world.set_gravity_factor(heap[4], 0.5);
+    t.world.set_attribute(heap[4], AttributeId::gravity_factor, {0.5});
     pusher = t.add(brick, Vec3(-3, 0.3, 0), BodyType::kinematic, Quat::identity(), dull);
     t.world.set_velocity(pusher, Vec3(1, 0, 0), Vec3(0, 0.3, 0));
     bullet = t.add(t.keep(sphere(0.05)), Vec3(-20, 1, 0.1), BodyType::dynamic, Quat::identity(), bouncy);
@@ -306,8 +306,8 @@ struct Melee {
       if (i == 2) set_spring(t, j, Coordinate::slide, 0.1, 2, 0.2), set_limit(t, j, Coordinate::slide, -0.2, 0.3);
       above = link;
     }
-    t.world.set_locks(heap[6], 4 | 8 | 16);  // flat
-    t.world.set_locks(heap[7], 1 | 8);       // turns about two axes
+    t.world.set_attribute(heap[6], AttributeId::locks, {Real(4 | 8 | 16)});  // flat
+    t.world.set_attribute(heap[7], AttributeId::locks, {Real(1 | 8)});       // turns about two axes
     SurfaceVelocity belt;
     belt.linear = Vec3(0.5, 0, 0);
     t.world.set_surface_velocity(t.world.scene.first_collider[heap[0]], belt);
@@ -440,7 +440,7 @@ static void drag_fields_springs_and_water_are_causes_of_their_own(void**) {
     std::vector<std::uint32_t> bodies;
     for (int i = 0; i < 6; ++i) bodies.push_back(t.add(crate, Vec3(3 * i, 0.5 * i - 1, 0)));
     t.world.set_velocity(bodies[0], Vec3(1, 2, 3), Vec3(3, 2, 1));
-    t.world.set_drag(bodies[5], {20, 30});
+    t.world.set_attribute(bodies[5], AttributeId::drag, {20, 30});
     t.world.set_wind(Vec3(5, 0, 1));
     FieldDef vortex;
     vortex.kind = FieldKind::vortex;

@@ -30,7 +30,7 @@ Vec3 dragged(Real integrator, const Drag& drag, Real mass, const Vec3& v0, const
   TestWorld t(Vec3::zero());
   t.world.set_dial(Dial::integrator, integrator);
   const std::uint32_t body = mass_point(t, mass, Vec3::zero(), v0);
-  t.world.set_drag(body, drag);
+  t.world.set_attribute(body, AttributeId::drag, {drag.linear, drag.quadratic});
   t.world.set_wind(wind);
   t.run(steps, T / steps);
   return t.world.state.v[body];
@@ -80,7 +80,7 @@ static void what_falls_through_air_reaches_its_terminal_speed(void**) {
     TestWorld t(Vec3(0, -g, 0));
     t.world.set_dial(Dial::integrator, kVerlet);
     const std::uint32_t body = mass_point(t, m, Vec3::zero(), Vec3::zero());
-    t.world.set_drag(body, {0, c});
+    t.world.set_attribute(body, AttributeId::drag, {0, c});
     t.run(n, T / n);
     return std::fabs(t.world.state.v[body].y() + vt * std::tanh(g * T / vt));
   };
@@ -91,7 +91,7 @@ static void wind_takes_along_what_has_drag_and_nothing_else(void**) {
   TestWorld t(Vec3::zero());
   const std::uint32_t leaf = mass_point(t, 0.01, Vec3::zero(), Vec3::zero());
   const std::uint32_t stone = mass_point(t, 1, Vec3(5, 0, 0), Vec3(0, 1, 0));
-  t.world.set_drag(leaf, {0.1, 0.01});
+  t.world.set_attribute(leaf, AttributeId::drag, {0.1, 0.01});
   t.world.set_wind(Vec3(4, 0, -2));
   t.run(120, 1.0 / 60);
   assert_true((t.world.state.v[leaf] - Vec3(4, 0, -2)).norm() < 1e-6);
@@ -171,7 +171,7 @@ static void who_feels_a_field_is_who_shares_its_mask(void**) {
   FieldDef f;
   f.vector = Vec3(0, 1, 0), f.mask = 8;
   t.world.add_field(f);
-  t.world.set_field_mask(bodies[7], 9);
+  t.world.set_attribute(bodies[7], AttributeId::force_field_mask, {Real(9)});
   t.run(10, 0.1);
   for (const std::uint32_t i : bodies) assert_true((t.world.state.v[i] != Vec3::zero()) == (i == bodies[7]));
   assert_int_equal(t.world.plan->find("fields")->customers.count, 1);

@@ -16,7 +16,7 @@ std::uint32_t thrown(TestWorld& t, const Vec3& velocity, Real factor) {
   BodyDef def;
   def.velocity = velocity;
   const std::uint32_t body = handle_slot(t.world.add_body(def));
-  t.world.set_gravity_factor(body, factor);
+  t.world.set_attribute(body, AttributeId::gravity_factor, {factor});
   return body;
 }
 
@@ -36,7 +36,7 @@ std::uint64_t pile(std::uint32_t solver, const Vec3& gravity, Real factor) {
   std::vector<std::uint32_t> bodies;
   for (int i = 0; i < 6; ++i) bodies.push_back(t.add(cube, Vec3(0, 0.5 + i, 0)));  // enough for auto to see it sink
   for (int i = 0; i < 4; ++i) bodies.push_back(t.add(ball, Vec3(3 + 0.3 * i, 0.6 + i, 0.1 * i)));
-  for (const std::uint32_t body : bodies) t.world.set_gravity_factor(body, factor);
+  for (const std::uint32_t body : bodies) t.world.set_attribute(body, AttributeId::gravity_factor, {factor});
   t.run(60, 1.0 / 60);
   return t.world.hash();
 }
@@ -88,7 +88,7 @@ static void contacts_bear_the_weight_that_there_is(void**) {
       t.ground();
       t.add(t.keep(box(Vec3(5, 0.5, 5))), Vec3(0, 1.5, 0), BodyType::fixed);  // 1 m above it, a ceiling
       const std::uint32_t body = t.add(t.keep(box(Vec3::constant(0.5))), Vec3(0, 0.5, 0));
-      t.world.set_gravity_factor(body, factor);
+      t.world.set_attribute(body, AttributeId::gravity_factor, {factor});
       t.run(120, 1.0 / 60);
       // Tolerance 1e-8 m/s of 0.04 m/s a step, for each of 4 points; springs of the soft solver have long come to rest.
       // Sequential has no tolerance but a number of sweeps; that it is off by as much under another gravity says
@@ -121,7 +121,7 @@ static void a_sleeper_whose_factor_changes_wakes(void**) {
   const std::uint32_t body = t.add(t.keep(box(Vec3::constant(0.5))), Vec3(0, 0.5, 0));
   t.run(180, 1.0 / 60);
   assert_true(t.world.asleep(body));
-  t.world.set_gravity_factor(body, -1);
+  t.world.set_attribute(body, AttributeId::gravity_factor, {-1});
   t.run(60, 1.0 / 60);
   assert_true(!t.world.asleep(body) && t.world.state.x[body].y() > 1);
 }

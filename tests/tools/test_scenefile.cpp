@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "attributes.h"
 #include "carom_test.h"
 #include "scenefile/scenefile.h"
 #include "scenes/run.h"
@@ -118,6 +119,34 @@ static void dials_and_effects_travel_too(void**) {
     assert_true(stage.world.dial(index) == again.world.dial(index));
   }
   assert_true(bits_after(stage, 1, 0.01) == bits_after(again, 1, 0.01));
+}
+
+/// None is named here: one that a scene file forgets fails this.
+static void every_attribute_of_a_body_travels_too(void**) {
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  Stage stage(engine), again(engine);
+  build(find_scene("falling"), {{{"n", 8}}, ""}, stage);
+  const auto value_of = [](Stage& s, std::uint32_t attribute, std::size_t actor) {
+    std::array<double, CAROM_ATTRIBUTE_NUMBERS> value{};
+    Call call;
+    call.done(carom_body_get_attribute(s.world.get(), s.actors[actor].body, attribute, value.data(), call), "reading");
+    return value;
+  };
+  Call call;
+  std::vector<std::size_t> falls;
+  for (std::size_t a = 0; a < stage.actors.size(); ++a)
+    if (stage.actors[a].type == CAROM_BODY_DYNAMIC) falls.push_back(a);
+  for (std::uint32_t k = 0; k < CAROM_ATTRIBUTE_COUNT; ++k)  // each on a body of its own, and all on one
+    for (const std::size_t actor : {falls[0], falls.at(1 + k % 6)})
+      call.done(carom_body_set_attribute(stage.world.get(), stage.actors[actor].body, k,
+                                         unusual_value(attribute_info(k)).data(), call), "setting");
+  const File file(".gltf");
+  write_scene(file.path, stage, 1, 0.01);
+  read_scene(file.path, again);
+  for (std::size_t actor = 0; actor < stage.actors.size(); ++actor)
+    for (std::uint32_t k = 0; k < CAROM_ATTRIBUTE_COUNT; ++k)
+      assert_true(value_of(stage, k, actor) == value_of(again, k, actor));
+  assert_true(value_of(again, 0, falls[0]) == unusual_value(attribute_info(0)));
 }
 
 static void a_pulley_is_refused_and_not_written_as_another_kind(void**) {
@@ -470,6 +499,7 @@ int main(void) {
   const CMUnitTest tests[] = {
       cmocka_unit_test(scenes_that_are_written_and_read_step_the_same_bits),
       cmocka_unit_test(dials_and_effects_travel_too),
+      cmocka_unit_test(every_attribute_of_a_body_travels_too),
       cmocka_unit_test(a_scene_can_be_written_in_mid_run),
       cmocka_unit_test(motion_is_read_as_the_extension_says),
       cmocka_unit_test(colliders_are_where_and_what_their_nodes_say),

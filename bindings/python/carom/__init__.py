@@ -11,6 +11,7 @@ SI units, radians, right-handed frames, quaternions x, y, z, w. `carom.raw` is t
 """
 from . import errors, raw
 from ._c import VERSION as __version__
+from .attributes import Attributes, attribute_infos
 from .body import Body, Collider, Material
 from .dials import dial_infos
 from .engine import Engine
@@ -25,5 +26,5 @@ from .shape import Shape
 from .support import SupportPlugin
 from .world import World
 
-__all__ = ["Body", "CaromError", "Closed", "Collider", "Engine", "ForceField", "Joint", "Material", "Particles", "Shape", "Spring",
-           "SupportPlugin", "Water", "World", "dial_infos", "effects", "errors", "raw", "run", "share", "__version__"]
+__all__ = ["Attributes", "Body", "CaromError", "Closed", "Collider", "Engine", "ForceField", "Joint", "Material", "Particles", "Shape", "Spring",
+           "SupportPlugin", "Water", "World", "attribute_infos", "dial_infos", "effects", "errors", "raw", "run", "share", "__version__"]

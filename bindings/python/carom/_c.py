@@ -59,6 +59,12 @@ CAROM_LOCK_ANGULAR_Y = 16
 CAROM_LOCK_ANGULAR_Z = 32
 CAROM_LOCK_ALL = 63
 CAROM_LOCK_PLANE = 28
+CAROM_ATTRIBUTE_GRAVITY_FACTOR = 0
+CAROM_ATTRIBUTE_LOCKS = 1
+CAROM_ATTRIBUTE_DRAG = 2
+CAROM_ATTRIBUTE_FORCE_FIELD_MASK = 3
+CAROM_ATTRIBUTE_COUNT = 4
+CAROM_ATTRIBUTE_NUMBERS = 4
 CAROM_CONTINUOUS_AUTO = 0
 CAROM_CONTINUOUS_ALWAYS = 1
 CAROM_CONTINUOUS_NEVER = 2
@@ -327,6 +333,8 @@ class carom_material_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("friction_mix", c_uint32), ("restitution_mix", c_uint32), ("reserved", c_uint32), ("friction", c_double), ("restitution", c_double)]
 class carom_body_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("fields", c_uint32), ("type", c_uint32), ("reserved", c_uint32), ("position", c_double * 3), ("orientation", c_double * 4), ("linear_velocity", c_double * 3), ("angular_velocity", c_double * 3), ("mass", c_double), ("center", c_double * 3), ("inertia", c_double * 9), ("linear_damping", c_double), ("angular_damping", c_double), ("user", c_uint64)]
+class carom_attribute_info(Structure):
+    _fields_ = [("struct_size", c_uint32), ("attribute", c_uint32), ("numbers", c_uint32), ("is_whole", c_uint32), ("of_dynamic", c_uint32), ("effect", c_uint32), ("name", c_char_p), ("unit", c_char_p), ("summary", c_char_p), ("least", c_double), ("most", c_double), ("usual", c_double * 4)]
 class carom_collider_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("shape", carom_shape), ("material", carom_material), ("position", c_double * 3), ("orientation", c_double * 4), ("density", c_double)]
 class carom_cast_desc(Structure):
@@ -436,6 +444,7 @@ STRUCTS = {
     "carom_error": carom_error,
     "carom_material_desc": carom_material_desc,
     "carom_body_desc": carom_body_desc,
+    "carom_attribute_info": carom_attribute_info,
     "carom_collider_desc": carom_collider_desc,
     "carom_cast_desc": carom_cast_desc,
     "carom_cast": carom_cast,
@@ -533,6 +542,9 @@ FUNCTIONS = {
     "carom_body_get_gravity_factor": ("1.6", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(carom_error),)),
     "carom_body_set_locks": ("1.6", c_int32, (c_void_p, carom_body, c_uint32, POINTER(carom_error),)),
     "carom_body_get_locks": ("1.6", c_int32, (c_void_p, carom_body, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_attribute_get_info": ("1.8", c_int32, (c_uint32, POINTER(carom_attribute_info), POINTER(carom_error),)),
+    "carom_body_set_attribute": ("1.8", c_int32, (c_void_p, carom_body, c_uint32, POINTER(c_double), POINTER(carom_error),)),
+    "carom_body_get_attribute": ("1.8", c_int32, (c_void_p, carom_body, c_uint32, POINTER(c_double), POINTER(carom_error),)),
     "carom_body_is_asleep": ("1.2", c_int32, (c_void_p, carom_body, POINTER(c_uint32), POINTER(carom_error),)),
     "carom_body_wake": ("1.2", c_int32, (c_void_p, carom_body, POINTER(carom_error),)),
     "carom_body_set_continuous": ("1.6", c_int32, (c_void_p, carom_body, c_uint32, POINTER(carom_error),)),
@@ -589,6 +601,7 @@ FUNCTIONS = {
     "carom_body_get_drag": ("1.7", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
     "carom_world_set_wind": ("1.7", c_int32, (c_void_p, POINTER(c_double), POINTER(carom_error),)),
     "carom_world_get_wind": ("1.7", c_int32, (c_void_p, POINTER(c_double), POINTER(carom_error),)),
+    "carom_force_field_name": ("1.8", c_char_p, (c_uint32,)),
     "carom_force_field_desc_init": ("1.7", c_int32, (POINTER(carom_force_field_desc),)),
     "carom_force_field_create": ("1.7", c_int32, (c_void_p, POINTER(carom_force_field_desc), POINTER(carom_force_field), POINTER(carom_error),)),
     "carom_force_field_update": ("1.7", c_int32, (c_void_p, carom_force_field, POINTER(carom_force_field_desc), POINTER(carom_error),)),

@@ -5,6 +5,7 @@ import ctypes
 from typing import TYPE_CHECKING, Any, ClassVar, Sequence
 
 from . import raw
+from .attributes import Attributes
 from ._values import bits, describe, enum, record, vec3, vector, word
 
 if TYPE_CHECKING:
@@ -125,6 +126,11 @@ class Body(Thing):
     @property
     def asleep(self) -> bool:
         return bool(self._get(raw.carom_body_is_asleep, ctypes.c_uint32))
+
+    @property
+    def attributes(self) -> Attributes:
+        """All that may be said of it beside its descriptor, by name: a mapping."""
+        return Attributes(self)
 
     @property
     def gravity_factor(self) -> float:

@@ -66,6 +66,12 @@ CAROM_LOCK_ANGULAR_Y: int
 CAROM_LOCK_ANGULAR_Z: int
 CAROM_LOCK_ALL: int
 CAROM_LOCK_PLANE: int
+CAROM_ATTRIBUTE_GRAVITY_FACTOR: int
+CAROM_ATTRIBUTE_LOCKS: int
+CAROM_ATTRIBUTE_DRAG: int
+CAROM_ATTRIBUTE_FORCE_FIELD_MASK: int
+CAROM_ATTRIBUTE_COUNT: int
+CAROM_ATTRIBUTE_NUMBERS: int
 CAROM_CONTINUOUS_AUTO: int
 CAROM_CONTINUOUS_ALWAYS: int
 CAROM_CONTINUOUS_NEVER: int
@@ -357,6 +363,20 @@ class carom_body_desc(ctypes.Structure):
     linear_damping: float
     angular_damping: float
     user: int
+class carom_attribute_info(ctypes.Structure):
+    """What an attribute is. Strings have static storage.   @since 1.8"""
+    struct_size: int
+    attribute: int
+    numbers: int
+    is_whole: int
+    of_dynamic: int
+    effect: int
+    name: Any
+    unit: Any
+    summary: Any
+    least: float
+    most: float
+    usual: Any
 class carom_collider_desc(ctypes.Structure):
     struct_size: int
     reserved: int
@@ -1065,6 +1085,20 @@ def carom_body_set_locks(world: Any, body: Any, locks: Any, error: Any) -> int:
 def carom_body_get_locks(world: Any, body: Any, locks: Any, error: Any) -> int:
     """@param locks out: CAROM_LOCK_* bits   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6"""
     ...
+def carom_attribute_get_info(attribute: Any, info: Any, error: Any) -> int:
+    """@param attribute CAROM_ATTRIBUTE_*   @param info out
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM   @thread any   @since 1.8"""
+    ...
+def carom_body_set_attribute(world: Any, body: Any, attribute: Any, value: Any, error: Any) -> int:
+    """Set an attribute. Another value than it has wakes the body and its island.
+    @param value [4] in the units of carom_attribute_info; numbers that the attribute does not have must be 0
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a fraction where numbers are whole; a
+            body that is not dynamic); UNSUPPORTED (locks under solver severity); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_body_get_attribute(world: Any, body: Any, attribute: Any, value: Any, error: Any) -> int:
+    """@param value [4] out: numbers that the attribute does not have are 0
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; BUSY   @since 1.8"""
+    ...
 def carom_body_is_asleep(world: Any, body: Any, asleep: Any, error: Any) -> int:
     """@param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.2"""
     ...
@@ -1331,6 +1365,9 @@ def carom_world_set_wind(world: Any, velocity: Any, error: Any) -> int:
     ...
 def carom_world_get_wind(world: Any, velocity: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; BUSY   @since 1.7"""
+    ...
+def carom_force_field_name(kind: Any) -> bytes:
+    """Static name of a kind of field ("uniform"), or "?".   @thread any   @since 1.8"""
     ...
 def carom_force_field_desc_init(desc: Any) -> int:
     """@status OK; NULL_ARGUMENT   @since 1.7"""

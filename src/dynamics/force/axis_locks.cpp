@@ -33,6 +33,11 @@ Vec3 midpoint(const Vec3& omega, const Mat3& inertia, const Mat3& inverse, Real 
 
 }  // namespace
 
+void settle_locks(Scene& scene, std::uint32_t body) {
+  if (body >= scene.locks.size()) return;
+  scene.locks[body] = scene.modes.forbids(+EffectId::axis_locks, body) ? Locks(0) : scene.given_locks_of(body);
+}
+
 void hold_velocity(const Scene& scene, std::uint32_t body, const Quat& q, Vec3& v, Vec3& omega) {
   const Locks locks = scene.locks_of(body);
   v = free_axes(locks).times(v);
@@ -49,8 +54,8 @@ Vec3 angular_acceleration(const Scene& scene, std::uint32_t body, const Quat& q,
 }
 
 void axis_locks::find(const Scene& scene, const State& state, Customers& customers) {
-  for (std::uint32_t i = 0; i < scene.given_locks.size(); ++i)
-    if (scene.given_locks[i] && responds(scene, state, i)) customers.add(i);
+  for (std::uint32_t i = 0; i < scene.attributes.bodies(AttributeId::locks); ++i)
+    if (scene.given_locks_of(i) && responds(scene, state, i)) customers.add(i);
 }
 
 void axis_locks::hold(World& world, Real h) {

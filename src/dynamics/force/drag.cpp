@@ -29,12 +29,12 @@ Vec3 air_velocity(const Scene& scene, std::uint32_t body) {
 
 void wind::find(const Scene& scene, const State& state, Customers& customers) {
   if (scene.wind == Vec3::zero()) return;
-  for (std::uint32_t i = 0; i < scene.drag.size(); ++i)
+  for (std::uint32_t i = 0; i < scene.attributes.bodies(AttributeId::drag); ++i)
     if (meets_air(scene, state, i) && !scene.modes.forbids(+EffectId::drag, i)) customers.add(i);
 }
 
 void drag::find(const Scene& scene, const State& state, Customers& customers) {
-  for (std::uint32_t i = 0; i < scene.drag.size(); ++i)
+  for (std::uint32_t i = 0; i < scene.attributes.bodies(AttributeId::drag); ++i)
     if (meets_air(scene, state, i)) customers.add(i);
 }
 

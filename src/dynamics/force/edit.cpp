@@ -9,15 +9,9 @@
 namespace carom::dynamics {
 namespace {
 
-/// Locks hold where they are not forbidden.
-void settle_locks(Scene& scene) {
-  for (std::uint32_t i = 0; i < scene.locks.size(); ++i)
-    scene.locks[i] = scene.modes.forbids(+EffectId::axis_locks, i) ? Locks(0) : scene.given_locks[i];
-}
-
 /// What a forbidden or forced effect changes beyond the plan.
 void settle_modes(World& world) {
-  settle_locks(world.scene);
+  for (std::uint32_t i = 0; i < world.scene.locks.size(); ++i) settle_locks(world.scene, i);
   collect(world, world.events->asked, world.events->hit_speed);
   ++world.scene.revision, ++world.scene.collider_revision;
 }
@@ -25,15 +19,6 @@ void settle_modes(World& world) {
 void set_bit(RowBits& bits, std::size_t row, bool on) { bits = on ? bits | row_bit(row) : bits & ~row_bit(row); }
 
 }  // namespace
-
-void World::set_drag(std::uint32_t body, const Drag& drag) {
-  const Drag was = scene.drag_of(body);
-  if (was.linear == drag.linear && was.quadratic == drag.quadratic) return;
-  if (scene.drag.size() < scene.bodies.slots()) scene.drag.resize(scene.bodies.slots());
-  wake(*this, body);
-  scene.drag[body] = drag;
-  ++scene.revision;
-}
 
 void World::set_wind(const Vec3& wind) {
   if (scene.wind == wind) return;
@@ -68,14 +53,6 @@ void World::set_field(std::uint32_t field, const FieldDef& def) {
 void World::remove_field(std::uint32_t field) {
   scene.fields.slots.release(field);
   wake_all(*this);
-  ++scene.revision;
-}
-
-void World::set_field_mask(std::uint32_t body, std::uint32_t mask) {
-  if (scene.fields.mask_of(body) == mask) return;
-  if (scene.fields.mask.size() < scene.bodies.slots()) scene.fields.mask.resize(scene.bodies.slots(), 1);
-  wake(*this, body);
-  scene.fields.mask[body] = mask;
   ++scene.revision;
 }
 

@@ -40,28 +40,25 @@ void fields::find(const Scene& scene, const State& state, Customers& customers) 
   const Fields& all = scene.fields;
   if (all.slots.alive_count() == 0) return;
   std::uint32_t felt = 0;
-  for (std::uint32_t k = 0; k < all.slots.slots(); ++k)
-    if (all.slots.alive(k)) felt |= all.def[k].mask;
+  all.each([&](const FieldDef& f) { felt |= pushes(f.kind) ? f.mask : 0; });
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
-    if (responds(scene, state, i) && all.mask_of(i) & felt) customers.add(i);
+    if (responds(scene, state, i) && scene.field_mask_of(i) & felt) customers.add(i);
 }
 
 Vec3 field_at(const FieldDef& field, const Vec3& x) {
-  if (field.kind == FieldKind::uniform) return uniform_at(field, x);
-  return field.kind == FieldKind::radial ? radial_at(field, x) : vortex_at(field, x);
+  if (field.kind == FieldKind::radial) return radial_at(field, x);
+  return field.kind == FieldKind::vortex ? vortex_at(field, x) : uniform_at(field, x);
 }
 
 void fields::force(const Scene& scene, const State&, const Customers& customers, const Motion& at,
                    const Accelerate& out) {
-  const Fields& all = scene.fields;
-  for (std::uint32_t k = 0; k < all.slots.slots(); ++k) {
-    if (!all.slots.alive(k)) continue;
-    const FieldDef& f = all.def[k];
+  scene.fields.each([&](const FieldDef& f) {
+    if (!pushes(f.kind)) return;
     customers.each([&](std::uint32_t i) {
-      if (!(all.mask_of(i) & f.mask)) return;
+      if (!(scene.field_mask_of(i) & f.mask)) return;
       out.v[i] += out.scale * (f.is_force ? scene.inv_mass[i] : 1) * field_at(f, at.x[i]);
     });
-  }
+  });
 }
 
 }  // namespace carom::dynamics

@@ -111,6 +111,8 @@ void find(const Scene&, const State&, Customers&);
 void hold(World& world, Real h);
 }  // namespace axis_locks
 
+/// A body's locks hold where they are not forbidden: to be called where either has changed.
+void settle_locks(Scene& scene, std::uint32_t body);
 /// What of velocities locks leave. Not of a body without locks.
 /// @param v, omega  m/s, rad/s, world
 void hold_velocity(const Scene& scene, std::uint32_t body, const Quat& q, Vec3& v, Vec3& omega);

@@ -12,7 +12,7 @@ void find(const Scene& scene, const State& state, Customers& customers) {
 /// a = f g
 void force(const Scene& scene, const State&, const Customers& customers, const Motion&, const Accelerate& out) {
   const Vec3 dv = out.scale * scene.gravity;
-  if (scene.gravity_factor.empty()) return customers.each([&](std::uint32_t i) { out.v[i] += dv; });
+  if (scene.attributes.bodies(AttributeId::gravity_factor) == 0) return customers.each([&](std::uint32_t i) { out.v[i] += dv; });
   customers.each([&](std::uint32_t i) { out.v[i] += scene.gravity_factor_of(i) * dv; });
 }
 

@@ -14,6 +14,18 @@ struct Drag {
 };
 
 enum class FieldKind : std::uint32_t { uniform, radial, vortex, count };  // as CAROM_FORCE_FIELD_*
+struct FieldKindRow {
+  FieldKind kind;
+  const char* name;
+  bool pushes;  // it is a force or an acceleration; else another effect reads it
+};
+inline constexpr FieldKindRow kFieldKinds[] = {
+    {FieldKind::uniform, "uniform", true},
+    {FieldKind::radial, "radial", true},
+    {FieldKind::vortex, "vortex", true},
+};
+static_assert(std::size(kFieldKinds) == static_cast<std::size_t>(FieldKind::count));
+constexpr bool pushes(FieldKind kind) { return kFieldKinds[static_cast<std::size_t>(kind)].pushes; }
 
 /// A field of acceleration or force.
 struct FieldDef {
@@ -32,11 +44,15 @@ struct FieldDef {
 };
 
 struct Fields {
-  Fields(std::uint32_t tag, Memory* m) : slots(Kind::field, tag, m), def(m), mask(m) {}
+  Fields(std::uint32_t tag, Memory* m) : slots(Kind::field, tag, m), def(m) {}
   SlotPool slots;
-  Array<FieldDef> def;        // by slot
-  Array<std::uint32_t> mask;  // by body slot, what it feels; the first so many, 1 from there on
-  std::uint32_t mask_of(std::uint32_t body) const { return body < mask.size() ? mask[body] : 1; }
+  Array<FieldDef> def;  // by slot
+  /// f(definition) for all that there are.
+  template <class F>
+  void each(F&& f) const {
+    for (std::uint32_t k = 0; k < slots.slots(); ++k)
+      if (slots.alive(k)) f(def[k]);
+  }
 };
 
 /// A spring as a force, between two bodies or one and the world.

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "dynamics/events/events.h"
+#include "dynamics/force/force.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/snapshot/section.h"
@@ -26,62 +27,71 @@ enum BodyBits : std::uint16_t {
   kSettings = 4096,
   kBodyBits = 8191
 };
-enum SettingBits : std::uint8_t {
-  kGravityFactor = 1,
-  kLocks = 2,
-  kDrag = 4,
-  kFieldMask = 8,
-  kModes = 16,
-  kContinuous = 32,
-  kSettingBits = 63
-};
+// Of its settings, those that are not as they usually are: a bit each. Seven to a byte, the eighth says that a byte follows.
+// Attributes came in between: 0 to 3 are those of the first version, 4 and 5 the two here, all others come after them.
+constexpr unsigned kModes = 4, kContinuous = 5;
+constexpr unsigned bit_of(AttributeId id) { return static_cast<unsigned>(+id < 4 ? +id : +id + 2); }
+constexpr unsigned kSettingBits = 6 + (kAttributeCount > 4 ? kAttributeCount - 4 : 0);
+static_assert(kSettingBits <= 14, "two bytes");
 
 RowBits bits_of(const Array<RowBits>& of, std::uint32_t i) { return i < of.size() ? of[i] : 0; }
 
-std::uint8_t settings_of(const Scene& s, std::uint32_t i) {
-  const Drag drag = s.drag_of(i);
-  return static_cast<std::uint8_t>((same_bits(s.gravity_factor_of(i), Real(1)) ? 0 : kGravityFactor) |
-                                   (s.given_locks_of(i) ? kLocks : 0) |
-                                   (same_bits(drag.linear, Real(0)) && same_bits(drag.quadratic, Real(0)) ? 0 : kDrag) |
-                                   (s.fields.mask_of(i) != 1 ? kFieldMask : 0) |
-                                   (bits_of(s.modes.forbidden_of, i) || bits_of(s.modes.forced_of, i) ? kModes : 0) |
-                                   (s.def[i].continuous != SweepMode::automatic ? kContinuous : 0));
+bool same_value(const AttributeValue& a, const AttributeValue& b) { return std::memcmp(a.data(), b.data(), sizeof a) == 0; }
+
+std::uint16_t settings_of(const Scene& s, std::uint32_t i) {
+  unsigned bits = 0;
+  for (const AttributeRow& row : kAttributeTable)
+    if (i < s.attributes.bodies(row.id) && !same_value(s.attributes.of(row.id, i), row.usual)) bits |= 1u << bit_of(row.id);
+  if (bits_of(s.modes.forbidden_of, i) || bits_of(s.modes.forced_of, i)) bits |= 1u << kModes;
+  if (s.def[i].continuous != SweepMode::automatic) bits |= 1u << kContinuous;
+  return static_cast<std::uint16_t>(bits);
+}
+
+template <class Io>
+unsigned setting_bits(Io& io, std::uint16_t now) {
+  const auto first = io.value(static_cast<std::uint8_t>((now & 127) | (now >> 7 ? 128 : 0)));
+  unsigned bits = first & 127;
+  if (first & 128) bits |= unsigned(io.value(static_cast<std::uint8_t>(now >> 7))) << 7;
+  io.demand(bits >> kSettingBits == 0);
+  return bits;
+}
+
+template <class Io>
+Real number(Io& io, StoredAs as, Real now) {
+  switch (as) {
+    case StoredAs::real:
+      return io.real(now);
+    case StoredAs::byte:
+      return io.value(static_cast<std::uint8_t>(now));
+    case StoredAs::word:
+      return io.value(static_cast<std::uint32_t>(now));
+  }
+  return now;
+}
+
+template <class Io, class S>
+void attribute(Io& io, S& s, std::uint32_t i, const AttributeRow& row) {
+  if constexpr (Io::checks) io.needs.attributes |= 1u << +row.id;
+  AttributeValue value = s.attributes.of(row.id, i);
+  for (std::uint32_t k = 0; k < row.numbers; ++k) value[k] = number(io, row.stored, value[k]);
+  io.demand(fault_of(row, value).kind == AttributeFault::Kind::none);
+  io.demand(!row.of_dynamic || s.type[i] == BodyType::dynamic);
+  if constexpr (Io::loads) s.attributes.set(row.id, i, value);
 }
 
 template <class Io, class S>
 void settings(Io& io, S& s, std::uint32_t i) {
-  const std::uint8_t bits = io.value(Io::saves ? settings_of(s, i) : std::uint8_t(0));
-  io.demand(bits <= kSettingBits);
-  if constexpr (Io::checks) {
-    Needs& n = io.needs;
-    n.gravity_factor |= bits & kGravityFactor, n.locks |= bits & kLocks, n.drag |= bits & kDrag;
-    n.field_mask |= bits & kFieldMask, n.modes |= bits & kModes;
-  }
-  if (bits & kGravityFactor) {
-    const Real factor = io.real(s.gravity_factor_of(i));
-    if constexpr (Io::loads) s.gravity_factor[i] = factor;
-  }
-  if (bits & kLocks) {
-    const Locks locks = io.value(s.given_locks_of(i));
-    io.demand(locks <= kAllLocks && s.type[i] == BodyType::dynamic);
-    if constexpr (Io::loads) s.given_locks[i] = locks;
-  }
-  if (bits & kDrag) {
-    const Real linear = io.real(s.drag_of(i).linear), quadratic = io.real(s.drag_of(i).quadratic);
-    io.demand(linear >= 0 && quadratic >= 0);
-    if constexpr (Io::loads) s.drag[i] = {linear, quadratic};
-  }
-  if (bits & kFieldMask) {
-    const std::uint32_t mask = io.value(s.fields.mask_of(i));
-    if constexpr (Io::loads) s.fields.mask[i] = mask;
-  }
-  if (bits & kModes) {
+  const unsigned bits = setting_bits(io, Io::saves ? settings_of(s, i) : std::uint16_t(0));
+  for (const AttributeRow& row : kAttributeTable)
+    if (bits >> bit_of(row.id) & 1) attribute(io, s, i, row);
+  if (bits >> kModes & 1) {
+    if constexpr (Io::checks) io.needs.modes = true;
     const RowBits forbidden = io.value(bits_of(s.modes.forbidden_of, i));
     const RowBits forced = io.value(bits_of(s.modes.forced_of, i));
     io.demand(((forbidden | forced) >> kEffectCount) == 0 && !(forbidden & forced));
     if constexpr (Io::loads) s.modes.forbidden_of[i] = forbidden, s.modes.forced_of[i] = forced;
   }
-  if (bits & kContinuous) {
+  if (bits >> kContinuous & 1) {
     const auto mode = io.value(static_cast<std::uint8_t>(s.def[i].continuous));
     io.demand(mode <= static_cast<std::uint8_t>(SweepMode::never));
     if constexpr (Io::loads) s.def[i].continuous = static_cast<SweepMode>(mode);
@@ -179,10 +189,7 @@ void clear_bodies(World& world, std::size_t sleepers) {
   for (const std::uint32_t i : s.written) s.is_written[i] = 0;
   s.written.clear();
   s.quarantined_count = 0;
-  std::fill(c.gravity_factor.begin(), c.gravity_factor.end(), Real(1));
-  std::fill(c.given_locks.begin(), c.given_locks.end(), Locks(0));
-  std::fill(c.drag.begin(), c.drag.end(), Drag{});
-  std::fill(c.fields.mask.begin(), c.fields.mask.end(), 1u);
+  c.attributes.reset_all();
   std::fill(c.modes.forbidden_of.begin(), c.modes.forbidden_of.end(), RowBits(0));
   std::fill(c.modes.forced_of.begin(), c.modes.forced_of.end(), RowBits(0));
   for (std::uint32_t i = 0; i < c.bodies.slots(); ++i)
@@ -204,9 +211,7 @@ struct Bodies {
     for (std::uint32_t i = 0; i < world.scene.bodies.slots() && !io.bad(); ++i)
       if (world.scene.bodies.alive(i)) body(io, world, i);
     if constexpr (Io::loads) {
-      Scene& s = world.scene;
-      for (std::uint32_t i = 0; i < s.locks.size(); ++i)
-        s.locks[i] = s.modes.forbids(+EffectId::axis_locks, i) ? Locks(0) : s.given_locks[i];
+      for (std::uint32_t i = 0; i < world.scene.locks.size(); ++i) settle_locks(world.scene, i);
     }
   }
 };

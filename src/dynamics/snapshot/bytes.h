@@ -29,7 +29,8 @@ struct Needs {
   std::size_t sleepers = 0;                                           // slots of the arrays of sleep
   std::size_t fallen = 0, woken = 0, stirred = 0, rejoined = 0;
   std::size_t touching = 0, within = 0, slept = 0, faulty = 0, apart = 0, unbroken = 0;
-  bool gravity_factor = false, locks = false, drag = false, field_mask = false, modes = false;
+  std::uint32_t attributes = 0;  // of bodies: a bit for each that some body has
+  bool modes = false;
   bool filter = false, sensor = false, surface = false;
 
   struct Set {

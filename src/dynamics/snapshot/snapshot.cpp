@@ -23,7 +23,7 @@ bool check_solver(const World& world, Found& found, std::size_t dials, const Nee
     const Real value = io.value(Real(0));
     if (k == static_cast<std::uint64_t>(Dial::solver)) solver = value;
   }
-  const bool knows = solver != 0 || (!needs.locks && world.joints.slots.alive_count() == 0);
+  const bool knows = solver != 0 || (!(needs.attributes >> +AttributeId::locks & 1) && world.joints.slots.alive_count() == 0);
   return knows || refuse(fault, SnapshotFault::corrupt, "solver severity knows no joints and no locks");
 }
 
@@ -39,13 +39,9 @@ void make_room_for(World& world, const Needs& n) {
   Sleep& z = *world.sleep;
   Events& e = *world.events;
   const std::size_t bodies = s.bodies.slots(), colliders = s.colliders.slots();
-  widen(s.gravity_factor, bodies, Real(1), n.gravity_factor);
-  if (n.locks && s.locks.size() < bodies) {
-    s.given_locks.reserve(bodies), s.locks.reserve(bodies);
-    s.given_locks.resize(bodies, 0), s.locks.resize(bodies, 0);
-  }
-  widen(s.drag, bodies, Drag{}, n.drag);
-  widen(s.fields.mask, bodies, 1u, n.field_mask);
+  for (const AttributeRow& row : kAttributeTable)
+    if (n.attributes >> +row.id & 1) s.attributes.make_room(row.id, s.bodies.slots());
+  widen(s.locks, bodies, Locks(0), n.attributes >> +AttributeId::locks & 1);
   widen(s.modes.forbidden_of, bodies, RowBits(0), n.modes), widen(s.modes.forced_of, bodies, RowBits(0), n.modes);
   widen(s.colliders.filter, colliders, Filter(), n.filter);
   widen(s.colliders.sensor, colliders, std::uint8_t(0), n.sensor);

@@ -37,7 +37,7 @@ Real pull_on(const Scene& scene, const Row& row) {
   const auto of = [&](bool moves, std::uint32_t body) {
     return moves ? std::fabs(scene.gravity_factor_of(body)) * gravity : 0;
   };
-  return scene.gravity_factor.empty() ? gravity : std::max(of(row.moves_a, row.a), of(row.moves_b, row.b));
+  return scene.attributes.bodies(AttributeId::gravity_factor) == 0 ? gravity : std::max(of(row.moves_a, row.a), of(row.moves_b, row.b));
 }
 
 /// @param row  a contact or a joint

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "scenefile/attributes.h"
 #include "scenefile/reader.h"
 #include "scenefile/scenefile.h"
 
@@ -274,13 +275,9 @@ void Reader::finish_body(std::size_t i, std::size_t a) {
       if (motion->has("mass") && motion->number_or("mass", 1) == 0) locks |= 0x7;
       if (motion->has("inertiaDiagonal") && (*motion)["inertiaDiagonal"].vector() == Vec::Zero()) locks |= 0x38;
     }
-    if (mine && mine->has("locks")) locks = static_cast<std::uint32_t>((*mine)["locks"].index(64, "sets of locks"));
     if (locks) call.done(carom_body_set_locks(world, actor.body, locks, call), at.place() + "/locks");
     if (motion && motion->has("gravityFactor")) stage_.set_gravity_factor(a, (*motion)["gravityFactor"].number());
-    if (const auto drag = mine ? mine->get("drag") : std::nullopt)
-      stage_.set_drag(a, drag->at(0).number(), drag->at(1).number());
-    if (mine && mine->has("fieldMask"))
-      stage_.set_field_mask(a, static_cast<std::uint32_t>((*mine)["fieldMask"].bits()));
+    if (mine) read_attributes(*mine, world, actor.body);
   }
   if (mine && mine->has("continuous"))
     call.done(carom_body_set_continuous(world, actor.body,
@@ -308,11 +305,10 @@ void Reader::read_fields_and_springs() {
       carom_force_field_desc d;
       carom_force_field_desc_init(&d);
       const std::string& kind = f["kind"].text();
-      d.kind = kind == "uniform"  ? CAROM_FORCE_FIELD_UNIFORM
-               : kind == "radial" ? CAROM_FORCE_FIELD_RADIAL
-               : kind == "vortex" ? CAROM_FORCE_FIELD_VORTEX
-                                  : UINT32_MAX;
-      if (d.kind == UINT32_MAX) f["kind"].fail("is '" + kind + "'", "write uniform, radial or vortex");
+      std::string kinds;
+      for (d.kind = 0; d.kind < CAROM_FORCE_FIELD_COUNT && kind != carom_force_field_name(d.kind); ++d.kind)
+        kinds += std::string(d.kind ? ", " : "") + carom_force_field_name(d.kind);
+      if (d.kind == CAROM_FORCE_FIELD_COUNT) f["kind"].fail("is '" + kind + "'", "write one of " + kinds);
       d.is_force = f.has("isForce") && f["isForce"].boolean();
       if (f.has("mask")) d.mask = static_cast<std::uint32_t>(f["mask"].bits());
       put(d.position, f.vector_or("position", Vec::Zero()));

@@ -1,6 +1,7 @@
 // A stage as a scene file: what visual/ draws, with physics hung on its nodes.
 #include <nlohmann/json.hpp>
 
+#include "scenefile/attributes.h"
 #include "scenefile/scenefile.h"
 #include "visual/gltf.h"
 
@@ -102,16 +103,9 @@ class PhysicsWriter {
       if (actor.inertia) own["inertia"] = numbers(actor.inertia->data(), 9);  // symmetric
       if (actor.linear_damping > 0 || actor.angular_damping > 0)
         own["damping"] = {actor.linear_damping, actor.angular_damping};
-      double factor = 1, drag[2] = {0, 0};
-      std::uint32_t locks = 0, mask = 1;
-      call.done(carom_body_get_gravity_factor(world, actor.body, &factor, call), "reading a body");
-      call.done(carom_body_get_drag(world, actor.body, &drag[0], &drag[1], call), "reading a body");
-      call.done(carom_body_get_locks(world, actor.body, &locks, call), "reading a body");
-      call.done(carom_body_get_force_field_mask(world, actor.body, &mask, call), "reading a body");
-      if (factor != 1) motion["gravityFactor"] = factor;
-      if (drag[0] > 0 || drag[1] > 0) own["drag"] = {drag[0], drag[1]};
-      if (locks) own["locks"] = locks;
-      if (mask != 1) own["fieldMask"] = mask;
+      json attributes = scenefile::attributes_of(world, actor.body);
+      if (attributes.contains("gravity_factor")) motion["gravityFactor"] = attributes["gravity_factor"];
+      if (!attributes.empty()) own["attributes"] = std::move(attributes);
     }
     std::uint32_t continuous = CAROM_CONTINUOUS_AUTO;
     call.done(carom_body_get_continuous(world, actor.body, &continuous, call), "reading a body");
@@ -345,12 +339,11 @@ class PhysicsWriter {
   }
 
   void write_field(carom_force_field handle) {
-    static constexpr const char* kKinds[] = {"uniform", "radial", "vortex"};
     carom_force_field_desc f;
     Call call;
     carom_force_field_desc_init(&f);
     call.done(carom_force_field_get(stage_.world.get(), handle, &f, call), "reading a field");
-    json field = {{"kind", kKinds[f.kind]},
+    json field = {{"kind", carom_force_field_name(f.kind)},
                   {"isForce", f.is_force != 0},
                   {"mask", f.mask},
                   {"position", numbers(f.position, 3)},

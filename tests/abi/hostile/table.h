@@ -388,6 +388,7 @@ inline const Row kRows[] = {
     ROW(carom_version, out(c, 4), out(c, 4), out(c, 4)),
     {"carom_result_name", [](Context& c) { return call("carom_result_name", carom_result_name, {fixed_number(c.source.below(64) - 40u)}); }},
     {"carom_result_remedy", [](Context& c) { return call("carom_result_remedy", carom_result_remedy, {fixed_number(c.source.below(64) - 40u)}); }},
+    {"carom_force_field_name", [](Context& c) { return call("carom_force_field_name", carom_force_field_name, {fixed_number(c.source.below(64))}); }},
     {"carom_stage_name", [](Context& c) { return call("carom_stage_name", carom_stage_name, {fixed_number(c.source.below(64))}); }},
     {"carom_effect_name", [](Context& c) { return call("carom_effect_name", carom_effect_name, {fixed_number(c.source.below(64))}); }},
     {"carom_abi_manifest", [](Context&) { return call("carom_abi_manifest", carom_abi_manifest, {}); }},
@@ -562,6 +563,26 @@ inline const Row kRows[] = {
        return call("carom_constant_get_info", carom_constant_get_info, {choice(c, count), out_struct<carom_constant_info>(c), error(c)});
      }},
     ROW(carom_constant_get_count, out(c, 4)),
+    ROW(carom_attribute_get_info, choice(c, CAROM_ATTRIBUTE_COUNT), out_struct<carom_attribute_info>(c), error(c)),
+    {"carom_body_set_attribute", [](Context& c) {
+       Argument which = choice(c, CAROM_ATTRIBUTE_COUNT);
+       carom_attribute_info info{};
+       info.struct_size = sizeof info;
+       carom_attribute_get_info(static_cast<uint32_t>(which.good.u), &info, nullptr);
+       auto* good = static_cast<double*>(c.take(sizeof info.usual));
+       for (uint32_t i = 0; i < info.numbers; ++i) good[i] = std::floor(c.between(std::max(info.least, -3.0), std::min(info.most, 9.0)));
+       Argument value{of(good), {{"null", of(nullptr), kNull}}};
+       const auto bad = [&](const char* what, uint32_t i, double x, Codes codes) {
+         auto* q = static_cast<double*>(std::memcpy(c.take(sizeof info.usual), good, sizeof info.usual));
+         q[i] = x;
+         value.wrong.push_back({what, of(q), codes});
+       };
+       bad("nan", info.numbers - 1, kNan, kNotFinite), bad("infinite", 0, kInf, kNotFinite), bad("surplus", 3, 1, kRange);
+       if (info.most < DBL_MAX) bad("above", 0, 2 * info.most, kRange), bad("below", 0, info.least - std::fabs(info.most), kRange);
+       if (info.is_whole) bad("a fraction", 0, 0.5, kRange);
+       return call("carom_body_set_attribute", carom_body_set_attribute, {world(c), handle(c, kBody), which, value, error(c)}).may(kRange | kUnsupported);
+     }},
+    ROW(carom_body_get_attribute, world(c), handle(c, kBody), choice(c, CAROM_ATTRIBUTE_COUNT), out(c, 32), error(c)),
     {"carom_preset_name", [](Context& c) { return call("carom_preset_name", carom_preset_name, {fixed_number(c.source.below(64))}); }},
     {"carom_preset_get_dial", [](Context& c) {
        return call("carom_preset_get_dial", carom_preset_get_dial, {choice(c, CAROM_PRESET_COUNT), choice(c, CAROM_DIAL_COUNT), out(c, 8), error(c)}).may(code(CAROM_E_NOT_FOUND));

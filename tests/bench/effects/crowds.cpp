@@ -89,7 +89,7 @@ void damp(World& w, std::uint32_t i, Real linear, Real angular) {
 
 Build in_field(FieldDef field) {
   field.mask = 2;
-  return flying([](World& w, std::uint32_t i) { w.set_field_mask(i, 2); },
+  return flying([](World& w, std::uint32_t i) { w.set_attribute(i, AttributeId::force_field_mask, {2}); },
                 [field](TestWorld& t) { t.world.add_field(field); });
 }
 
@@ -116,7 +116,7 @@ std::vector<Crowd> crowds() {
   JointDrive limit, motor;
   limit.limit.on = true, limit.limit.lower = -0.5, limit.limit.upper = 0.5;
   motor.motor.on = true, motor.motor.speed = 1, motor.motor.most = 5;
-  const auto drag = [](World& w, std::uint32_t i) { w.set_drag(i, {0.1, 0.1}); };
+  const auto drag = [](World& w, std::uint32_t i) { w.set_attribute(i, AttributeId::drag, {0.1, 0.1}); };
   const auto push = [](const Vec3& force, const Vec3& torque) {
     return [=](TestWorld& t, std::uint32_t calling) {
       const std::uint32_t bodies = t.world.scene.bodies.slots();
@@ -135,12 +135,12 @@ std::vector<Crowd> crowds() {
       {+EffectId::gravity, "gravity", 10000, true,
        [](TestWorld& t, std::uint32_t bodies, std::uint32_t calling) {
          fly(t, bodies);
-         for (std::uint32_t i = 0; i < bodies - calling; ++i) t.world.set_gravity_factor(i, 0);
+         for (std::uint32_t i = 0; i < bodies - calling; ++i) t.world.set_attribute(i, AttributeId::gravity_factor, {0});
          t.world.set_gravity(Vec3(0, -9.81, 0));
        }},
       {+EffectId::user_force, "user_force", 10000, true, flying([](World&, std::uint32_t) {}), push({1, 2, 3}, Vec3::zero())},
       {+EffectId::user_torque, "user_torque", 10000, true, flying([](World&, std::uint32_t) {}), push(Vec3::zero(), {1, 2, 3})},
-      {+EffectId::axis_locks, "axis_locks", 10000, true, flying([](World& w, std::uint32_t i) { w.set_locks(i, 1); })},
+      {+EffectId::axis_locks, "axis_locks", 10000, true, flying([](World& w, std::uint32_t i) { w.set_attribute(i, AttributeId::locks, {1}); })},
       {+EffectId::drag, "drag", 10000, true, flying(drag)},
       {+EffectId::wind, "wind", 10000, true, flying(drag, [](TestWorld& t) { t.world.set_wind(Vec3(3, 0, 0)); })},
       {+EffectId::fields, "fields, uniform", 10000, true, in_field(uniform)},
@@ -182,7 +182,7 @@ std::vector<Crowd> crowds() {
       {+EffectId::sensor, "sensor", 1000, false,
        lying(ball, 0.5, rough,
              [](World& w, std::uint32_t i) {
-               w.set_gravity_factor(i, 0);
+               w.set_attribute(i, AttributeId::gravity_factor, {0});
                w.set_sensor(w.scene.first_collider[i], true);
              })},
       {+EffectId::scenery, "scenery, one under boxes", 1000, false,

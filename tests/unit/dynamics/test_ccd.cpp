@@ -202,7 +202,7 @@ static void what_is_hit_along_its_locks_stays(void**) {
         TestWorld t(Vec3::zero());
         const std::uint32_t m = t.material(friction, e);
         const std::uint32_t ball = t.add(t.keep(sphere(0.1)), Vec3::zero(), BodyType::dynamic, Quat::identity(), m);
-        t.world.set_locks(ball, locks);
+        t.world.set_attribute(ball, AttributeId::locks, {Real(locks)});
         const std::uint32_t bat =
             t.add(t.keep(box(Vec3(0.01, 0.3, 0.3))), Vec3(-1.11, 0, 0), BodyType::kinematic, Quat::identity(), m);
         t.world.set_velocity(bat, Vec3(100, 0, 0), Vec3::zero());

@@ -50,7 +50,7 @@ void momentum_is_kept_to_the_rounding_of_what_changes_hands(void**) {
   const Shape* slab = t.keep(box(Vec3(40, 0.5, 40)));
   const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   const std::uint32_t truck = t.add_mass(slab, Vec3(0, 0, 0), 1e6);
-  t.world.set_gravity_factor(truck, 0);  // it weighs too much for its load to press it down
+  t.world.set_attribute(truck, AttributeId::gravity_factor, {0});  // it weighs too much for its load to press it down
   t.world.set_velocity(truck, Vec3(10, 0, 3), Vec3::zero());
   std::vector<std::uint32_t> load;
   for (int i = 0; i < 9; ++i) load.push_back(t.add_mass(cube, Vec3(3 * (i % 3) - 15, 1, 3 * (i / 3)), 1));

@@ -35,7 +35,7 @@ std::vector<std::uint32_t> throw_some(TestWorld& t) {
   for (int i = 0; i < 20; ++i) {
     const std::uint32_t body = t.add(i % 2 ? ball : cube, Vec3(2 * i, 500, 0));
     t.world.set_velocity(body, Vec3(0.1 * i, 1, -2), i % 3 ? Vec3(1, 0.1 * i, 3) : Vec3::zero());
-    if (i % 4 == 0) t.world.set_gravity_factor(body, 0.5);
+    if (i % 4 == 0) t.world.set_attribute(body, AttributeId::gravity_factor, {0.5});
     flyers.push_back(body);
   }
   return flyers;
@@ -115,7 +115,7 @@ static void what_depends_on_the_state_is_substepped(void**) {
   TestWorld t;
   let_others_work(t);
   const std::uint32_t ball = t.add(t.keep(sphere(0.3)), Vec3(0, 500, 0));
-  t.world.set_drag(ball, {0.1, 0.1});
+  t.world.set_attribute(ball, AttributeId::drag, {0.1, 0.1});
   t.run(1, kStep);
   const std::uint64_t flows = t.world.plan->find("drag")->evaluations;
   assert_int_equal(flows, 2 * t.world.plan->substeps);

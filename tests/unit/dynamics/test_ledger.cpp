@@ -21,7 +21,7 @@ static void a_body_has_what_its_points_have(void**) {
   def.inertia = Mat3::diagonal(m * (Vec3::constant(squares.sum()) - squares));
   def.pose = {Quat(0.8, 0.2, -0.5, 0.1).normalized(), x};
   const std::uint32_t body = handle_slot(t.world.add_body(def));
-  t.world.set_gravity_factor(body, factor);
+  t.world.set_attribute(body, AttributeId::gravity_factor, {factor});
   Amount by_points;
   for (int corner = 0; corner < 8; ++corner) {
     Vec3 arm = half;
