@@ -63,11 +63,11 @@ enum class Served : std::uint8_t { force, flow, stage };  // effect->force, effe
 
 /// A row with its customers.
 struct PlannedEffect {
-  PlannedEffect(const Effect* e, Memory* m) : effect(e), candidates(m), customers(m), calling(m) {}
+  PlannedEffect(const Effect* e, Memory* m) : effect(e), candidates(m), customers(m) {}
   const Effect* effect;
   Customers candidates;  // of the scene
   Customers customers;   // of this step: the candidates that wake
-  Customers calling;     // where it is forced on some: the candidates that would be without that
+  Owned<Customers> calling;  // where it is forced on some: the candidates that would be without that; else null
   bool is_forced = false;
   Served served = Served::stage;
   std::uint64_t wanted = 0;  // candidates of the scene, whatever a host forbids or forces

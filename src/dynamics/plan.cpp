@@ -139,7 +139,10 @@ void find_candidates(World& world, PlannedEffect& row) {
   row.wanted = row.candidates.count;
   row.is_forced = effect.everyone && (modes.of_world(k) == EffectMode::force || !modes.forced_of.empty());
   if (modes.forbids(k)) return row.candidates.clear();
-  if (row.is_forced) row.calling = row.candidates;
+  if (row.is_forced) {
+    if (!row.calling) row.calling = make_owned<Customers>(world.memory, world.memory);
+    *row.calling = row.candidates;
+  }
   const bool by_body =
       k != +EffectId::sleep && (effect.customers == CustomerKind::bodies || effect.customers == CustomerKind::colliders);
   if (row.is_forced && modes.of_world(k) == EffectMode::force) {

@@ -271,7 +271,7 @@ static void what_is_refused_changes_nothing(void**) {
     assert_int_equal(made, 0);
   };
   bad_field(CAROM_E_STRUCT_SIZE, [](auto& d) { d.struct_size = 3; });
-  bad_field(CAROM_E_UNKNOWN_ENUM, [](auto& d) { d.kind = 3; });
+  bad_field(CAROM_E_UNKNOWN_ENUM, [](auto& d) { d.kind = CAROM_FORCE_FIELD_COUNT; });
   bad_field(CAROM_E_UNSUPPORTED, [](auto& d) { d.is_force = 2; });
   bad_field(CAROM_E_UNSUPPORTED, [](auto& d) { d.reserved = 1; });
   bad_field(CAROM_E_NOT_FINITE, [](auto& d) { d.position[2] = NAN; });

@@ -5,7 +5,7 @@ import ctypes
 from typing import Sequence
 
 from . import raw
-from ._values import describe, enum, record, set_field, word
+from ._values import describe, enum, record, set_field
 from .body import Thing
 
 
@@ -21,7 +21,7 @@ class ForceField(Thing):
     @property
     def desc(self):
         desc = self._get_desc()
-        return record(desc, kind=word("FORCE_FIELD", desc.kind, ("uniform", "radial", "vortex")))
+        return record(desc, kind=raw.carom_force_field_name(desc.kind).decode())
 
     def update(self, **about) -> None:
         """Change some of its fields; the others stay."""

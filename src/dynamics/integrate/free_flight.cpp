@@ -13,10 +13,11 @@ namespace {
 
 bool is_constant(std::size_t row) { return row == +EffectId::gravity || row == +EffectId::user_force; }
 
-/// Call f(row, effect) for rows of the integrator whose customers are bodies.
+/// Call f(row, effect) for rows of the integrator that bodies of the scene call for.
 template <class F>
 void each_mover_of_bodies(Plan& plan, F&& f) {
   for (std::size_t row = 0; row < kEffectCount; ++row) {
+    if (plan.effects[row].candidates.count == 0) continue;  // all step long
     const Effect& effect = *plan.effects[row].effect;
     if (effect.stage == Stage::integrate && effect.customers == CustomerKind::bodies) f(row, plan.effects[row]);
   }
@@ -35,7 +36,7 @@ void find_bound(World& world, FreeFlight& flight) {
   tie(plan.sprung);
   if (!world.continuous->bodies.empty()) tie(plan.solid);
   each_mover_of_bodies(plan, [&](std::size_t row, const PlannedEffect& effect) {
-    if (!is_constant(row)) tie(effect.is_forced ? effect.calling : effect.customers);
+    if (!is_constant(row)) tie(effect.is_forced ? *effect.calling : effect.customers);
   });
 }
 

@@ -144,7 +144,7 @@ inline Argument field_desc(Context& c) {
   d.strength = c.between(-5, 5), d.pull = c.between(-1, 1), d.lift = c.between(-1, 1), d.core = c.between(0, 1);
   d.falloff = static_cast<int32_t>(c.source.below(5)) - 1;
   const Bounds strength = {-1e30, 1e30};
-  return in_struct(c, d, {HOSTILE_CHOICE(carom_force_field_desc, kind, 3u), HOSTILE_CHOICE(carom_force_field_desc, is_force, 2u),
+  return in_struct(c, d, {HOSTILE_CHOICE(carom_force_field_desc, kind, CAROM_FORCE_FIELD_COUNT), HOSTILE_CHOICE(carom_force_field_desc, is_force, 2u),
                           HOSTILE_NUMBERS(carom_force_field_desc, position, 3, any()), HOSTILE_UNIT(carom_force_field_desc, orientation, 4),
                           HOSTILE_NUMBERS(carom_force_field_desc, half, 3, {kLeast, kMost, true}),
                           HOSTILE_NUMBERS(carom_force_field_desc, vector, 3, strength), HOSTILE_NUMBERS(carom_force_field_desc, strength, 1, strength),
