@@ -15,23 +15,12 @@
 
 #include "collision/broad/box_tree.h"
 #include "collision/broad/broad_phase.h"
+#include "collision/broad/fat_boxes.h"
 #include "collision/broad/pair_order.h"
 
 namespace carom::collision {
 namespace {
 
-// A fat box is larger on each side by a share of its extent along that axis, so that a plate stays thin. Every body
-// learns its share: left within kReview steps, the box was too small, and the share doubles; not left for so long, it
-// falls to a third. Larger shares: fewer bodies leave their box; smaller ones: fewer candidates to filter, which are
-// twice the pairs at 0.13.
-constexpr Real kLeast = 0.01, kMost = 0.08, kFirst = 0.06;
-constexpr std::uint64_t kReview = 32;
-/// Not more than this share of the usual size: else something huge would have all crumbs near it for candidates.
-constexpr Real kUsual = 0.25;
-/// How many steps ahead a fat box reaches along the motion, up to its own extent.
-constexpr Real kAhead = 12;
-/// A smaller fat box is given if it adds to the bounds less than the old one by this factor: for less, no work.
-constexpr Real kBloated = 1.9;
 /// Part of the leaves that may change one by one; beyond, building afresh costs less.
 constexpr std::size_t kAfresh = 2;
 
@@ -44,16 +33,12 @@ class Tree final : public BroadPhase {
         owner_(m),
         changed_(m),
         fat_(m),
-        from_(m),
-        share_(m),
-        since_(m),
         live_(m),
         asked_(m),
         gone_(m),
         shrunk_(m),
         wide_(m),
         leaves_(m),
-        extent_(m),
         known_(m),
         fresh_(m),
         spare_(m),
@@ -64,7 +49,7 @@ class Tree final : public BroadPhase {
     if (!whole_) forget();
     whole_ = false;  // stays so if an allocation fails half-way: the next call starts afresh
     grow(table.slots());
-    ++calls_;
+    fat_.begin_call();
     const bool muted = take_in(table);
     if (!asked_.empty() || !gone_.empty() || !shrunk_.empty()) {
       settle(table);
@@ -106,7 +91,7 @@ class Tree final : public BroadPhase {
     moving_.clear(), fixed_.clear();
     std::fill(kind_.begin(), kind_.end(), none);
     std::fill(changed_.begin(), changed_.end(), std::uint8_t(0));
-    std::fill(fat_.begin(), fat_.end(), Aabb());
+    fat_.forget();
     live_.clear(), asked_.clear(), gone_.clear(), shrunk_.clear(), wide_.clear(), known_.clear();
   }
 
@@ -114,8 +99,7 @@ class Tree final : public BroadPhase {
     if (kind_.size() >= slots) return;
     moving_.grow(slots), fixed_.grow(slots);
     for (Array<std::uint32_t>* list : {&live_, &asked_, &gone_, &shrunk_, &wide_, &leaves_}) list->reserve(2 * slots);
-    owner_.resize(slots), changed_.resize(slots, 0), fat_.resize(slots), from_.resize(slots), share_.resize(slots),
-        since_.resize(slots);
+    owner_.resize(slots), changed_.resize(slots, 0), fat_.grow(slots);
     kind_.resize(slots, none);  // last: its size says that all have theirs
   }
 
@@ -148,36 +132,21 @@ class Tree final : public BroadPhase {
     std::uint8_t muted = 0;
     for (const std::uint32_t slot : live_) {
       muted |= table.muted[slot];
-      if (owner_[slot] == owner(table, slot) && holds(fat_[slot], table.bounds[slot])) continue;
+      if (owner_[slot] == owner(table, slot) && holds(fat_.of[slot], table.bounds[slot])) continue;
       if (is_empty(table.bounds[slot]))
         leave(slot);
       else
         ask(slot);
     }
-    for (std::size_t i = calls_ % kReview; i < live_.size(); i += kReview)
-      if (bloated(table, live_[i])) shrunk_.push_back(live_[i]), changed_[live_[i]] = kShrunk;
+    for (std::size_t i = fat_.calls() % FatBoxes::kReview; i < live_.size(); i += FatBoxes::kReview)
+      if (kind_[live_[i]] == moving && !changed_[live_[i]] && fat_.bloated(table.bounds[live_[i]], live_[i]))
+        shrunk_.push_back(live_[i]), changed_[live_[i]] = kShrunk;
     return muted;
   }
 
   void ask(std::uint32_t slot) { asked_.push_back(slot), changed_[slot] = kVoid; }
   void leave(std::uint32_t slot) {
     if (kind_[slot] != none) gone_.push_back(slot), changed_[slot] = kVoid;
-  }
-
-  static Real calmer(Real share) { return std::max(kLeast, share / 3); }
-
-  /// Whether a box that was not left for long, or that reaches ahead of a body at rest, should shrink.
-  bool bloated(const Colliders& table, std::uint32_t slot) const {
-    if (kind_[slot] != moving || changed_[slot] || calls_ - since_[slot] < kReview) return false;
-    const Aabb &box = table.bounds[slot], &fat = fat_[slot];
-    const Aabb wanted = fattened(box, motion(box, slot), calmer(share_[slot]));
-    const auto sides = [](const Aabb& x) { return (x.hi - x.lo).sum(); };
-    return sides(fat) - sides(box) > kBloated * (sides(wanted) - sides(box));
-  }
-
-  /// m a step, in the mean since the fat box was made
-  Vec3 motion(const Aabb& box, std::uint32_t slot) const {
-    return (0.5 * box.lo + 0.5 * box.hi - from_[slot]) / static_cast<Real>(calls_ - since_[slot]);
   }
 
   /// Bring fat boxes and trees up to date with who changed.
@@ -192,7 +161,7 @@ class Tree final : public BroadPhase {
     }
     const bool afresh[2] = {kAfresh * touched[0] > fixed_.size(),
                             kAfresh * touched[1] > moving_.size() || moving_.worn()};
-    if (afresh[1]) measure(table);
+    if (afresh[1]) fat_.measure(table, live_);
 
     bool rewide = false;
     const auto take_out = [&](std::uint32_t slot) {
@@ -202,24 +171,24 @@ class Tree final : public BroadPhase {
       kind_[slot] = none;
     };
     bool deep[2] = {false, false};
-    for (const std::uint32_t slot : gone_) take_out(slot), fat_[slot] = Aabb();  // which holds nothing
+    for (const std::uint32_t slot : gone_) take_out(slot), fat_.of[slot] = Aabb();  // which holds nothing
     for (const std::uint32_t slot : asked_) {
       const Kind before = kind_[slot], now = kind_of(table, slot);
       if (before != now) take_out(slot);
-      fatten(table.bounds[slot], slot, now, before == moving && owner_[slot] == owner(table, slot));
+      fat_.fatten(table.bounds[slot], slot, now == moving, before == moving && owner_[slot] == owner(table, slot));
       kind_[slot] = now;
       owner_[slot] = owner(table, slot);
       rewide |= !in_tree(now);
       if (in_tree(now) && !afresh[now == moving]) {
         BoxTree& t = tree(now);
-        const std::size_t depth = before == now ? t.move(slot, fat_[slot]) : t.insert(slot, fat_[slot]);
+        const std::size_t depth = before == now ? t.move(slot, fat_.of[slot]) : t.insert(slot, fat_.of[slot]);
         // Halving leaves would get by with a third of this.
         deep[now == moving] |= depth > 3 * static_cast<std::size_t>(std::bit_width(t.size())) + 8;
       }
     }
     for (const std::uint32_t slot : shrunk_) {
-      shrink(table.bounds[slot], slot);
-      if (!afresh[1]) moving_.shrink(slot, fat_[slot]);
+      fat_.shrink(table.bounds[slot], slot);
+      if (!afresh[1]) moving_.shrink(slot, fat_.of[slot]);
     }
     for (const Kind k : {fixed, moving})
       if (afresh[k == moving] || deep[k == moving]) rebuild(k);
@@ -233,64 +202,8 @@ class Tree final : public BroadPhase {
     leaves_.clear();
     for (const std::uint32_t slot : live_)
       if (kind_[slot] == k) leaves_.push_back(slot);
-    tree(k).build(leaves_, fat_);
+    tree(k).build(leaves_, fat_.of);
     ++work_.rebuilds;
-  }
-
-  /// The usual size: mean of the longest sides of what moves, the longest twentieth set aside.
-  void measure(const Colliders& table) {
-    extent_.clear();
-    for (const std::uint32_t slot : live_)
-      if (table.movable[slot] && !is_empty(table.bounds[slot])) {
-        const Real extent = (table.bounds[slot].hi - table.bounds[slot].lo).max_entry();
-        if (extent < kInfinity) extent_.push_back(extent);
-      }
-    const auto n = static_cast<std::ptrdiff_t>(extent_.size()), kept = n - n / 20;
-    if (kept < n) std::nth_element(extent_.begin(), extent_.begin() + kept, extent_.end());
-    usual_ = 0;  // divided first: the sum of finite numbers may not be finite
-    for (std::ptrdiff_t i = 0; i < kept; ++i) usual_ += extent_[static_cast<std::size_t>(i)] / static_cast<Real>(kept);
-  }
-
-  /// @param motion  m a step
-  Aabb fattened(const Aabb& box, const Vec3& motion, Real share) const {
-    const Vec3 extent = box.hi - box.lo;
-    // What crosses its own size in a step leaves any fat box in the next: it gets none.
-    if (!motion.abs().all_within(extent)) return box;
-    constexpr Real most = std::numeric_limits<Real>::max();
-    Aabb fat;
-    for (int k = 0; k < 3; ++k) {
-      const Real margin = std::min(share * extent[k], kUsual * usual_);
-      const Real ahead = std::clamp(kAhead * motion[k], -extent[k], extent[k]);
-      fat.lo[k] = std::max(box.lo[k] - margin + std::min(ahead, Real(0)), -most);
-      fat.hi[k] = std::min(box.hi[k] + margin + std::max(ahead, Real(0)), most);
-    }
-    return fat;
-  }
-
-  /// @param known  it was there in the last call, and was a body that moves
-  void fatten(const Aabb& box, std::uint32_t slot, Kind kind, bool known) {
-    if (kind != moving) {
-      fat_[slot] = box;
-    } else if (!known) {
-      share_[slot] = kFirst;
-      fat_[slot] = fattened(box, Vec3::zero(), kFirst);
-    } else {
-      Real& share = share_[slot];
-      if (calls_ - since_[slot] < kReview) share = std::min(kMost, 2 * share);
-      fat_[slot] = fattened(box, motion(box, slot), share);
-    }
-    from_[slot] = 0.5 * box.lo + 0.5 * box.hi;
-    since_[slot] = calls_;
-  }
-
-  /// Whom its fat box holds on to is known, so that nobody needs to be asked.
-  void shrink(const Aabb& box, std::uint32_t slot) {
-    const Aabb old = fat_[slot];
-    share_[slot] = calmer(share_[slot]);
-    fat_[slot] = fattened(box, motion(box, slot), share_[slot]);
-    fat_[slot].lo = fat_[slot].lo.max(old.lo), fat_[slot].hi = fat_[slot].hi.min(old.hi);
-    from_[slot] = 0.5 * box.lo + 0.5 * box.hi;
-    since_[slot] = calls_;
   }
 
   /// The lists change places, so what one has grown to the others get too; and what they are merged and sorted into.
@@ -309,7 +222,7 @@ class Tree final : public BroadPhase {
   void look_around() {
     fresh_.clear();
     for (const std::uint32_t slot : asked_) {
-      const Aabb& box = fat_[slot];
+      const Aabb& box = fat_.of[slot];
       const auto found = [&](std::uint32_t other) {
         // Of two that are both asked for, the one with the smaller number finds the other.
         if (other != slot && !(changed_[other] == kVoid && other < slot)) add(slot, other);
@@ -318,7 +231,7 @@ class Tree final : public BroadPhase {
       work_.tests += moving_.query(box, found) + wide_.size();
       if (free) work_.tests += fixed_.query(box, found);
       for (const std::uint32_t other : wide_)
-        if ((free || moves(kind_[other])) && box.overlaps(fat_[other])) found(other);
+        if ((free || moves(kind_[other])) && box.overlaps(fat_.of[other])) found(other);
     }
     order_.sort(fresh_, kind_.size());
   }
@@ -333,15 +246,15 @@ class Tree final : public BroadPhase {
     BoxTree& other = tree(asking == fixed ? moving : fixed);
     if (fixed_.size() > 0)
       for (const std::uint32_t slot : live_)
-        if (kind_[slot] == asking) work_.tests += other.query(fat_[slot], [&](std::uint32_t b) { add(slot, b); });
+        if (kind_[slot] == asking) work_.tests += other.query(fat_.of[slot], [&](std::uint32_t b) { add(slot, b); });
     for (std::size_t i = 0; i < wide_.size(); ++i) {
       const std::uint32_t slot = wide_[i];
       const bool free = moves(kind_[slot]);
       const auto beside = [&](std::uint32_t b) { add(slot, b); };
-      work_.tests += moving_.query(fat_[slot], beside) + wide_.size() - i;
-      if (free) work_.tests += fixed_.query(fat_[slot], beside);
+      work_.tests += moving_.query(fat_.of[slot], beside) + wide_.size() - i;
+      if (free) work_.tests += fixed_.query(fat_.of[slot], beside);
       for (std::size_t j = i + 1; j < wide_.size(); ++j)
-        if ((free || moves(kind_[wide_[j]])) && fat_[slot].overlaps(fat_[wide_[j]])) beside(wide_[j]);
+        if ((free || moves(kind_[wide_[j]])) && fat_.of[slot].overlaps(fat_.of[wide_[j]])) beside(wide_[j]);
     }
     order_.sort(fresh_, kind_.size());
     known_.swap(fresh_);
@@ -375,7 +288,7 @@ class Tree final : public BroadPhase {
     };
     const auto pass = [&](const Pair& p) {
       const int change = changed[p.a] | changed[p.b];
-      take(p, change == kStays || (change == kShrunk && fat_[p.a].overlaps(fat_[p.b])));
+      take(p, change == kStays || (change == kShrunk && fat_.of[p.a].overlaps(fat_.of[p.b])));
     };
     const Pair* p = known_.data();
     const Pair* const end = p + known_.size();
@@ -394,20 +307,14 @@ class Tree final : public BroadPhase {
   Array<Kind> kind_;                            // [slots] as of the last call
   Array<std::uint64_t> owner_;                  // [slots] see owner()
   Array<std::uint8_t> changed_;                 // [slots] in this call, see Change
-  Array<Aabb> fat_;                             // [slots] m; the bounds themselves unless it can move
-  Array<Vec3> from_;                            // [slots] m, centre when the fat box was made
-  Array<Real> share_;                           // [slots] see kLeast
-  Array<std::uint64_t> since_;                  // [slots] the call in which it was made
+  FatBoxes fat_;
   Array<std::uint32_t> live_;                   // slots of the table, ascending
   Array<std::uint32_t> asked_, gone_, shrunk_;  // of this call
   Array<std::uint32_t> wide_;                   // slots with an unbounded box
   Array<std::uint32_t> leaves_;                 // of a tree to be built
-  Array<Real> extent_;                          // m
   Array<Pair> known_;                           // candidates, ascending
   Array<Pair> fresh_, spare_;
   PairOrder order_;
-  Real usual_ = 0;  // m
-  std::uint64_t calls_ = 0;
   bool whole_ = false;  // all of the above are those of the last call
 };
 

@@ -15,12 +15,6 @@
 #include "dynamics/sleep/sleep.h"
 
 namespace carom::dynamics {
-namespace {
-
-constexpr Real kStrikeSamePatch = 0.99;  // cosine of 0.14 rad: a patch of scenery is of the hit
-
-}  // namespace
-
 struct Sweeper::Strike {
   Side a, b;
   Real now;     // s, on the path

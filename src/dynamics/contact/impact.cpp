@@ -14,9 +14,6 @@
 namespace carom::dynamics {
 namespace {
 
-// A contact that is hit more often in one substep lies between bodies that press: there is no end to its impacts, and
-// the solver holds it.
-constexpr std::uint32_t kMostImpacts = 100;
 constexpr std::size_t kPoints = Manifold::kMaxPoints;
 
 class Impacts {

@@ -30,7 +30,16 @@ inline constexpr Constant<Real> kGiveWay{"impact_give_way", 1e-9, "1",
                                          "way where they are locked: an impulse that nothing answers stays finite",
                                          "larger: sweeps take longer to undo it; as small as rounding: what is hit "
                                          "along its locks gets an infinite impulse, and ends in quarantine"};
-inline constexpr ConstantRow kImpactConstants[] = {kImpactSweeps, kImpactSettled, kGiveWay};
+inline constexpr Constant<std::uint32_t> kMostImpacts{
+    "impact_most", 100, "1",
+    "impacts of one contact in a substep, after which the solver has it: what is hit more often lies between bodies that press, and "
+    "its impacts have no end",
+    "fewer: a ball that bounces low stops early; more: time, in heaps that bounce"};
+inline constexpr Constant<Real> kStrikeSamePatch{
+    "strike_same_patch", 0.99, "1",
+    "cosine of the angle (0.14 rad) up to which the surface beside the place of a swept hit is of that hit",
+    "larger: what lands flat on a mesh is hit at one point and left turning; smaller: a neighbouring slope turns it aside"};
+inline constexpr ConstantRow kImpactConstants[] = {kImpactSweeps, kImpactSettled, kGiveWay, kMostImpacts, kStrikeSamePatch};
 
 /// One of two bodies that are hit.
 struct ImpactBody {
