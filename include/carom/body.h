@@ -150,7 +150,8 @@ CAROM_API int32_t carom_body_get_locks(carom_world *world, carom_body body, uint
 #define CAROM_ATTRIBUTE_LOCKS 1u            /* carom_body_set_locks(); as the host gave them, whether or not they are forbidden */
 #define CAROM_ATTRIBUTE_DRAG 2u             /* carom_body_set_drag(): linear, quadratic */
 #define CAROM_ATTRIBUTE_FORCE_FIELD_MASK 3u /* carom_body_set_force_field_mask() */
-#define CAROM_ATTRIBUTE_COUNT 4u
+#define CAROM_ATTRIBUTE_MAGNETIC_MOMENT 4u  /* A m^2, axes of the body: magnetic fields turn it, see CAROM_FORCE_FIELD_MAGNETIC */
+#define CAROM_ATTRIBUTE_COUNT 5u
 #define CAROM_ATTRIBUTE_NUMBERS 4u /* what every attribute has room for */
 
 /** What an attribute is. Strings have static storage.   @since 1.8 */

@@ -44,7 +44,10 @@ CAROM_API int32_t carom_world_get_wind(carom_world *world, double velocity[3], c
 #define CAROM_FORCE_FIELD_UNIFORM 0u /* `vector` within a box about the frame's origin */
 #define CAROM_FORCE_FIELD_RADIAL 1u  /* strength (reference / s)^falloff away from the origin; below 0 it attracts */
 #define CAROM_FORCE_FIELD_VORTEX 2u  /* the same about the frame's y axis (right-handed), `pull` towards it, `lift` along it */
-#define CAROM_FORCE_FIELD_COUNT 3u
+#define CAROM_FORCE_FIELD_MAGNETIC 3u /* `vector` in teslas within a box, as UNIFORM: pushes nothing, and turns bodies that have a
+                                         magnetic moment by T = moment x vector. Second order in the step with
+                                         velocity_verlet, fourth with rk4; oracle: tests/oracle/test_magnetism   @since 1.8 */
+#define CAROM_FORCE_FIELD_COUNT 4u
 
 /** Static name of a kind of field ("uniform"), or "?".   @thread any   @since 1.8 */
 CAROM_API const char *carom_force_field_name(uint32_t kind);
@@ -60,7 +63,7 @@ typedef struct carom_force_field_desc {
   double orientation[4]; /**< x, y, z, w, frame to world; default identity */
   double half[3];        /**< m, > 0, may be infinite (default): where a uniform field ends along the axes of the frame,
                               and a vortex along its y axis */
-  double vector[3];      /**< m/s^2 or N, world: of a uniform field */
+  double vector[3];      /**< m/s^2 or N, world: of a uniform field; T: of a magnetic one */
   double strength;       /**< m/s^2 or N at distance `reference`: outward, or of a vortex around the axis */
   double pull;           /**< likewise, of a vortex: towards the axis */
   double lift;           /**< likewise, of a vortex: along the axis */

@@ -44,7 +44,8 @@ extern "C" {
 #define CAROM_EFFECT_JOINT_MOTORS 27u
 #define CAROM_EFFECT_EVENTS 28u
 #define CAROM_EFFECT_LEDGER 29u
-#define CAROM_EFFECT_COUNT 30u
+#define CAROM_EFFECT_MAGNETISM 30u /* @since 1.8 */
+#define CAROM_EFFECT_COUNT 31u
 
 #define CAROM_MODE_AS_NEEDED 0u /* it runs for whom the scene calls for it */
 #define CAROM_MODE_FORBID 1u    /* it does not run */

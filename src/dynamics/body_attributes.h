@@ -15,7 +15,14 @@
 
 namespace carom::dynamics {
 
-enum class AttributeId : std::uint32_t { gravity_factor, locks, drag, force_field_mask, count };  // CAROM_ATTRIBUTE_*
+enum class AttributeId : std::uint32_t {  // as CAROM_ATTRIBUTE_*
+  gravity_factor,
+  locks,
+  drag,
+  force_field_mask,
+  magnetic_moment,
+  count
+};
 constexpr std::size_t operator+(AttributeId id) { return static_cast<std::size_t>(id); }
 inline constexpr std::size_t kAttributeCount = +AttributeId::count;
 
@@ -54,6 +61,9 @@ inline constexpr AttributeRow kAttributeTable[] = {
     {.id = AttributeId::force_field_mask, .name = "force_field_mask", .unit = "1",
      .what = "fields that share a bit with it act on the body",
      .effect = EffectId::fields, .most = 4294967295.0, .stored = StoredAs::word, .usual = {1}},
+    {.id = AttributeId::magnetic_moment, .name = "magnetic_moment", .unit = "A m^2, A m^2, A m^2",
+     .what = "by which magnetic fields turn the body, in its own axes",
+     .effect = EffectId::magnetism, .numbers = 3, .least = -1e12, .most = 1e12},
 };
 // clang-format on
 static_assert(std::size(kAttributeTable) == kAttributeCount);

@@ -40,6 +40,7 @@ enum class EffectId : std::uint32_t {
   joint_motors,
   events,
   ledger,
+  magnetism,
   count
 };
 /// Its place in tables.

@@ -147,6 +147,10 @@ constexpr Effect kEffectRows[] = {
     {.id = EffectId::ledger, .name = "ledger", .stage = Stage::observe, .customers = bodies,
      .called_by = "bodies and particles whose energy and momentum are booked",
      .missing = "no host keeps a ledger"},
+    {.id = EffectId::magnetism, .name = "magnetism", .stage = Stage::integrate, .customers = bodies,
+     .find = magnetism::find, .force = magnetism::force,
+     .called_by = "bodies with a magnetic moment in a magnetic field",
+     .missing = "no magnetic field, or no body that turns has a moment"},
 };
 // clang-format on
 

@@ -130,6 +130,14 @@ inline std::vector<Subject> subjects() {
          s.thing = s.t.world.add_field(field());
        },
        [](Stage0& s) { s.t.world.remove_field(handle_slot(s.thing)); }},
+      {+EffectId::magnetism,
+       [](Stage0& s) {
+         FieldDef f;
+         f.kind = FieldKind::magnetic, f.vector = Vec3(0, 2, 0), f.mask = 3;
+         s.t.world.set_attribute(s.one, AttributeId::magnetic_moment, {3, 0, 1});
+         s.thing = s.t.world.add_field(f);
+       },
+       [](Stage0& s) { s.t.world.remove_field(handle_slot(s.thing)); }},
       {+EffectId::springs,
        [](Stage0& s) {
          SpringDef d;

@@ -71,6 +71,12 @@ void force(const Scene&, const State&, const Customers&, const Motion& at, const
 /// m/s^2 or N, world, at a place.   @param x  m, world
 Vec3 field_at(const FieldDef& field, const Vec3& x);
 
+/// Magnetic moments in magnetic fields.   @oracle tests/oracle/test_magnetism
+namespace magnetism {
+void find(const Scene&, const State&, Customers&);
+void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
+}  // namespace magnetism
+
 /// Springs as forces. Customers are springs, by slot.   @oracle tests/oracle/test_forces
 namespace springs {
 void find(const Scene&, const State&, Customers&);

@@ -13,7 +13,7 @@ struct Drag {
   bool any() const { return linear > 0 || quadratic > 0; }
 };
 
-enum class FieldKind : std::uint32_t { uniform, radial, vortex, count };  // as CAROM_FORCE_FIELD_*
+enum class FieldKind : std::uint32_t { uniform, radial, vortex, magnetic, count };  // as CAROM_FORCE_FIELD_*
 struct FieldKindRow {
   FieldKind kind;
   const char* name;
@@ -23,6 +23,7 @@ inline constexpr FieldKindRow kFieldKinds[] = {
     {FieldKind::uniform, "uniform", true},
     {FieldKind::radial, "radial", true},
     {FieldKind::vortex, "vortex", true},
+    {FieldKind::magnetic, "magnetic", false},  // force/magnetism.cpp
 };
 static_assert(std::size(kFieldKinds) == static_cast<std::size_t>(FieldKind::count));
 constexpr bool pushes(FieldKind kind) { return kFieldKinds[static_cast<std::size_t>(kind)].pushes; }
