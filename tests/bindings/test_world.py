@@ -146,6 +146,16 @@ class Face(unittest.TestCase):
         with self.assertRaises(carom.CaromError):
             ball.attributes["locks"] = 0.5
 
+    def test_magnets(self):
+        """A compass turns towards the field: moment times field over inertia, in its first step."""
+        self.world.gravity = (0, 0, 0)
+        needle = self.world.body(self.engine.box(0.1, 0.1, 0.1), position=(0, 4, 0))
+        needle.attributes["magnetic_moment"] = (2, 0, 0)
+        field = self.world.force_field("magnetic", vector=(0, 0, 0.5))
+        self.assertEqual(field.desc.kind, "magnetic")
+        self.world.step(1 / 480)
+        self.assertAlmostEqual(needle.angular_velocity[1], -2 * 0.5 / (8 * 0.02 / 3) / 480, 4)
+
     def test_joints(self):
         """A pendulum of a hinge: after a quarter of its swing; and a joint that breaks."""
         bob = self.world.body(position=(1, 0, 0), mass=1, inertia=(0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1))
