@@ -74,6 +74,19 @@ class Kinds:
                 for f in self.structs[struct]["fields"] if f["type"] in self.handles]
 
 
+def length_of(what, detail):
+    """How many elements a recorded list must have, in C++; records are recorded as bytes."""
+    if what == "records":
+        return f"Script::bytes_of({detail[0]}, {detail[1]}, {detail[2]})"
+    return detail[0]
+
+
+def lengths(api):
+    """(function, argument) -> how many elements, in words: for api.json"""
+    for (function, argument), how in SIZED.items():
+        yield function, argument, f"{how[1]} * {how[2]}" if how[0] == "records" else how[1]
+
+
 def spelled(argument):
     return argument["type"].replace(" *", "* ") + ("" if argument["type"].endswith("*") else " ") + argument["name"]
 
@@ -143,6 +156,11 @@ def replay_calls(api):
                 given[-1] = "&made"
             elif what == "stride":
                 given[-1] = "0"
+        # What counts an array may stand behind it: lengths are compared when all has been read.
+        for argument in arguments:
+            what, detail = kinds.of(name, argument)
+            if what in ("array", "bytes", "records"):
+                lines.append(f'   s.demand("{argument["name"]}", {length_of(what, detail)});')
         lines.append(f"   return {name}(s.world(), {', '.join(given + ['s.error()'])});")
         lines.append(" }},")
     return "\n".join(lines) + "\n"

@@ -16,8 +16,9 @@ struct Outcome {
   bool says(const std::string& what) const { return text.find(what) != std::string::npos; }
 };
 
-inline Outcome run_carom(const std::string& arguments, bool errors_too = true) {
-  const std::string line = std::string(CAROM_COMMAND) + " --plugins " + CAROM_PLUGIN_DIR + " " + arguments +
+/// @param before  of the command's line: limits, say
+inline Outcome run_carom(const std::string& arguments, bool errors_too = true, const std::string& before = "") {
+  const std::string line = before + CAROM_COMMAND + " --plugins " + CAROM_PLUGIN_DIR + " " + arguments +
                            (errors_too ? " 2>&1" : " 2>/dev/null");
   FILE* pipe = popen(line.c_str(), "r");
   assert_non_null(pipe);

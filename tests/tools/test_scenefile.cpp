@@ -430,7 +430,7 @@ static void what_is_wrong_is_refused_with_its_place(void**) {
       {"/extensions/KHR_implicit_shapes/shapes/0/sphere/radius", 0, "/shapes/0/sphere/radius is 0"},
       {"/extensions/KHR_implicit_shapes/shapes/0/type", "torus", "/shapes/0/type is 'torus'"},
       {"/scenes/0/nodes", {0, 0}, "two parents"},
-      {"/nodes/0/children", {0}, "two parents"},
+      {"/nodes/0/children", {0}, "among its own children"},
       {"/nodes/0/rotation", {0, 0, 0, 2}, "/nodes/0/rotation is no unit quaternion"},
       {"/nodes/0/translation", {0, 1}, "/nodes/0/translation has 2 elements"},
       {"/nodes/0/translation", {0, nullptr, 0}, "/nodes/0/translation/1 is a null"},

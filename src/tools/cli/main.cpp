@@ -2,11 +2,14 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "host/files.h"
 
 int main(int argc, char** argv) {
   using namespace carom::tools;
   CLI::App app{"Carom: rigid-body physics whose shapes are plugins. Try: carom run seesaw --gltf seesaw.gltf", "carom"};
   app.require_subcommand(1);
+  app.set_version_flag("--version", "carom " + std::to_string(CAROM_VERSION_MAJOR) + "." + std::to_string(CAROM_VERSION_MINOR) + "." +
+                                        std::to_string(CAROM_VERSION_PATCH));
   app.fallthrough();  // options of carom itself may follow the subcommand
   app.footer("Exit codes: 0 done; 1 bad news (a dishonest plugin, a run that went wrong); 2 could not run.");
   Context context;
@@ -14,6 +17,17 @@ int main(int argc, char** argv) {
                  "Folder with shape plugins (repeatable); also CAROM_PLUGIN_PATH, then the folders of this program")
       ->type_name("DIR")
       ->allow_extra_args(false);
+  const auto mib = [](std::size_t& bytes) {
+    return [&bytes](const std::size_t& n) { bytes = n << 20; };
+  };
+  app.add_option_function<std::size_t>("--file-limit", mib(file_limits().largest), "Largest file that is read; default: 256 MiB")
+      ->type_name("MIB")
+      ->check(CLI::Range(1, 1 << 20));
+  app.add_option("--file-factor", file_limits().factor,
+                 "Bytes of memory that a scene file may take for each that is read of it, beyond 64 MiB")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1 << 20))
+      ->capture_default_str();
   add_run_command(app, context);
   add_replay_command(app, context);
   add_plan_command(app, context);
@@ -30,6 +44,8 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
+  } catch (const CLI::CallForVersion& version) {
+    return app.exit(version);
   } catch (const CLI::ParseError& wrong) {
     std::fprintf(stderr, "carom: %s\n  what to do: see `carom --help`, or `carom COMMAND --help` for its options\n",
                  wrong.what());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace carom::tools {
 
@@ -80,7 +81,11 @@ carom_shape Engine::height_field(const std::vector<double>& params) {
   carom_shape handle = CAROM_NULL_HANDLE;
   Call call;
   call.done(carom_height_field_desc_init(&field), "making a height field");
-  field.columns = static_cast<std::uint32_t>(params.at(0)), field.rows = static_cast<std::uint32_t>(params.at(1));
+  for (const std::size_t k : {std::size_t(0), std::size_t(1)})
+    if (!(params.at(k) >= 2 && params.at(k) <= 16384 && params.at(k) == std::floor(params.at(k))))
+      throw Error("a height field of " + std::to_string(params[k]) + (k ? " rows" : " columns"),
+                  "give whole numbers from 2 to 16384");
+  field.columns = static_cast<std::uint32_t>(params[0]), field.rows = static_cast<std::uint32_t>(params[1]);
   field.spacing[0] = params.at(2), field.spacing[1] = params.at(3);
   if (params.size() != 4 + std::size_t(field.columns) * field.rows)
     throw Error("a height field of " + std::to_string(field.columns) + " by " + std::to_string(field.rows) +
@@ -95,7 +100,10 @@ carom_shape Engine::height_field(const std::vector<double>& params) {
 carom_shape Engine::mesh(const std::vector<double>& params) {
   auto key = std::make_pair(std::string("mesh"), params);
   if (const auto found = shapes_.find(key); found != shapes_.end()) return found->second;
-  const std::size_t vertices = params.size() > 1 && params[1] >= 0 && params[1] < 1e9 ? std::size_t(params[1]) : 0;
+  const bool counted = params.size() > 1 && params[1] >= 0 && params[1] < 1e9 && params[1] == std::floor(params[1]);
+  const std::size_t vertices = counted ? std::size_t(params[1]) : 0;
+  if (!counted || !(params[0] >= 0 && params[0] < 4294967296.0 && params[0] == std::floor(params[0])))
+    throw Error("a mesh whose flags or number of vertices are no whole numbers", "give flags, then how many vertices there are");
   if (params.size() < 2 + 3 * vertices || (params.size() - 2) % 3 != 0)
     throw Error("a mesh of " + std::to_string(params.size()) + " parameters",
                 "give flags, the number of vertices, their x, y, z, then three indices a triangle");

@@ -32,6 +32,9 @@ class Call {
   carom_error error_ = CAROM_ERROR_INIT;
 };
 
+/// Letters, digits, _ and -; dots within; at most 64 of them. A name is no path.
+bool is_plugin_name(const std::string& name);
+
 /// Folders in which plugins are looked for, in order. Built once from the command line.
 class PluginPath {
  public:

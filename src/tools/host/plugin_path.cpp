@@ -1,4 +1,5 @@
 // Where shape plugins are found: the library takes absolute paths only, so the search is ours.
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -29,13 +30,39 @@ PluginPath::PluginPath(std::vector<std::string> explicit_dirs) {
   }
 }
 
+bool is_plugin_name(const std::string& name) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !name.empty() && name.size() <= 64 && plain(name.front()) &&
+         std::all_of(name.begin(), name.end(), [&](char c) { return plain(c) || c == '.'; });
+}
+
+namespace {
+
+/// Whether a file lies in a folder, links resolved.   @param folder  canonical
+bool lies_in(const fs::path& file, const fs::path& folder) {
+  std::error_code failed;
+  const fs::path real = fs::canonical(file, failed);
+  return !failed && std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first == folder.end();
+}
+
+}  // namespace
+
 std::string PluginPath::find(const std::string& name) const {
+  if (!is_plugin_name(name))
+    throw Error("'" + name.substr(0, 80) + "' is no name of a shape plugin",
+                "give its id alone: up to 64 letters, digits, _, - or dots; `carom shapes` lists them");
   std::string searched;
   for (const std::string& folder : folders_) {
     const fs::path candidate = fs::path(folder) / (name + ".so");
     std::error_code ignored;
-    if (fs::is_regular_file(candidate, ignored)) return candidate.string();
-    searched += "\n    " + folder;
+    if (fs::is_regular_file(candidate, ignored)) {
+      if (lies_in(candidate, folder)) return candidate.string();
+      searched += "\n    " + folder + " (what stands there is a link out of it)";
+    } else {
+      searched += "\n    " + folder;
+    }
   }
   throw Error(
       "the shape plugin '" + name + ".so' was not found; searched:" + (searched.empty() ? " nowhere" : searched),
@@ -48,7 +75,8 @@ std::map<std::string, std::string> PluginPath::all() const {
   for (const std::string& folder : folders_) {
     std::error_code failed;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed))
-      if (entry.path().extension() == ".so" && entry.is_regular_file(failed))
+      if (entry.path().extension() == ".so" && is_plugin_name(entry.path().stem().string()) && entry.is_regular_file(failed) &&
+          lies_in(entry.path(), folder))
         found.emplace(entry.path().stem().string(), entry.path().string());
   }
   return found;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "host/files.h"
 #include "host/host.h"
 #include "mesh/mesh.h"
 #include "mesh/parts.h"
@@ -33,8 +34,7 @@ std::uint32_t vertex_index(const std::string& token, std::size_t count, const st
 
 /// @param begins  out: of the faces, where an object or a group begins
 Mesh read(const std::string& path, std::vector<std::size_t>& begins) {
-  std::ifstream file(path);
-  if (!file) throw Error("cannot read the mesh " + path, "check the path and its permissions, or leave --mesh out");
+  std::istringstream file(read_file(path, "check the path and its permissions, or leave --mesh out"));
   Mesh mesh;
   std::string text;
   for (std::size_t line = 1; std::getline(file, text); ++line) {

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "host/files.h"
 #include "host/host.h"
 
 namespace carom::tools {
@@ -22,9 +21,7 @@ Mesh read_mesh(const std::string& path) {
   if (ending == ".obj") return read_obj(path);
   if (ending != ".stl" && ending != ".ply")
     throw Error("the mesh " + path + " is of no kind that can be read", "give a file that ends in .obj, .stl or .ply");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error("cannot read the mesh " + path, "check the path and its permissions");
-  const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const std::string bytes = read_file(path, "check the path and its permissions");
   return ending == ".stl" ? parse_stl(bytes, path) : parse_ply(bytes, path);
 }
 

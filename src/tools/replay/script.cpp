@@ -34,6 +34,17 @@ Bytes* Script::block(std::uint64_t element, std::uint64_t& n) {
   return &kept_.back();
 }
 
+void Script::demand(const char* name, std::uint64_t elements) const {
+  const auto read = lengths_.find(name);
+  if (read != lengths_.end() && read->second != elements) damaged();
+}
+
+std::uint64_t Script::bytes_of(std::uint64_t n, std::uint64_t width, std::uint32_t scalar) {
+  constexpr std::uint64_t kNone = ~std::uint64_t(0);
+  const std::uint64_t each = width * (scalar == CAROM_SCALAR_F32 ? 4 : 8);
+  return each == 0 || n > kNone / each ? kNone : n * each;
+}
+
 void Script::say(const std::string& name, const std::string& value) {
   text_ += (text_.empty() ? "" : ", ") + name + "=" + value;
 }
@@ -58,6 +69,7 @@ const std::uint64_t* Script::handles(const char* name) {
   Bytes* const bytes = block(sizeof(std::uint64_t), n);
   if (!bytes) return say(name, "NULL"), nullptr;
   auto* const own = reinterpret_cast<std::uint64_t*>(bytes->data());
+  lengths_[name] = n;
   std::string shown;
   for (std::uint64_t i = 0; i < n && i < 4; ++i) shown += (i ? ", " : "") + name_of_handle(own[i]);
   say(name, "(" + shown + (n > 4 ? ", ... " + std::to_string(n) + " in all" : "") + ")");

@@ -55,6 +55,7 @@ class Script {
     if (!bytes) return say(name, "NULL"), nullptr;
     if (wanted && n != wanted) damaged();
     const T* const values = reinterpret_cast<const T*>(bytes->data());
+    lengths_[name] = n;
     show_list(name, values, n);
     return values;
   }
@@ -73,6 +74,12 @@ class Script {
   }
   std::uint64_t own_handle(const char* name, std::uint64_t recorded);
   std::uint64_t own_shape(const char* name, std::uint64_t recorded);
+
+  /// A list that was read must have so many elements, as another argument says; null may stand for any number.
+  /// @throws Error: the recording is damaged
+  void demand(const char* name, std::uint64_t elements) const;
+  /// Of n elements of `width` numbers each.   @return more than any list has, where that is no number of bytes
+  static std::uint64_t bytes_of(std::uint64_t n, std::uint64_t width, std::uint32_t scalar);
 
  private:
   [[noreturn]] static void damaged();
@@ -96,6 +103,7 @@ class Script {
   const std::map<std::uint64_t, carom_shape>& shapes_;
   const std::byte *at_, *end_;
   std::deque<Bytes> kept_;
+  std::map<std::string, std::uint64_t> lengths_;  // of lists, by name
   std::string text_;
   carom_error error_ = CAROM_ERROR_INIT;
 };

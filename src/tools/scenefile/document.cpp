@@ -1,5 +1,7 @@
 #include "scenefile/document.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -56,6 +58,45 @@ void open_container(const std::string& path, const std::string& bytes, std::stri
   if (text.empty()) bad("no JSON chunk");
 }
 
+/// "[json.exception.out_of_range.406] number overflow" without the tag.
+std::string after_tag(const std::string& what) {
+  const std::size_t end = what.find("] ");
+  return (end == std::string::npos ? what : what.substr(end + 2)).substr(0, 200);
+}
+
+/// Of a document nested no deeper than a scene needs: freeing what is nested deeper takes more stack than there is.
+json parse_json(const std::string& text) {
+  constexpr int kDeepest = 256;
+  return json::parse(text, [](int depth, json::parse_event_t, json&) {
+    if (depth > kDeepest) throw Error("the document is nested deeper than " + std::to_string(kDeepest) + " levels", "flatten it");
+    return true;
+  });
+}
+
+/// %20 and the like.   @return false: no two hex digits after a %
+bool decode_percent(const std::string& text, std::string& out) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      out += text[i];
+      continue;
+    }
+    unsigned char byte = 0;
+    if (i + 2 >= text.size()) return false;
+    const auto [end, failed] = std::from_chars(&text[i + 1], &text[i + 1] + 2, byte, 16);
+    if (failed != std::errc() || end != &text[i + 1] + 2) return false;
+    out += static_cast<char>(byte), i += 2;
+  }
+  return true;
+}
+
+/// Extensions that are read here, and those without which a scene only looks different.
+bool is_understood(const std::string& name) {
+  static constexpr const char* kRead[] = {"KHR_implicit_shapes", "KHR_physics_rigid_bodies", "CAROM_physics"};
+  static constexpr const char* kLooks[] = {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "EXT_lights_", "MSFT_texture_", "KHR_xmp"};
+  return std::ranges::any_of(kRead, [&](const char* known) { return name == known; }) ||
+         std::ranges::any_of(kLooks, [&](const char* start) { return name.starts_with(start); });
+}
+
 }  // namespace
 
 void Value::fail(const std::string& problem, const std::string& remedy) const {
@@ -64,18 +105,14 @@ void Value::fail(const std::string& problem, const std::string& remedy) const {
 
 bool Value::has(const char* key) const { return value_->is_object() && value_->contains(key); }
 
-std::optional<Value> Value::get(const char* key) const {
+Maybe Value::get(const char* key) const {
   if (!value_->is_object()) fail(std::string("is a ") + type_of(*value_), "write an object");
   const auto found = value_->find(key);
-  if (found == value_->end()) return std::nullopt;
+  if (found == value_->end()) return {*this, key};
   return Value(*found, *file_, place_ + "/" + key);
 }
 
-Value Value::operator[](const char* key) const {
-  const std::optional<Value> value = get(key);
-  if (!value) fail(std::string("lacks '") + key + "'", std::string("give '") + key + "'");
-  return *value;
-}
+Value Value::operator[](const char* key) const { return *get(key); }
 
 std::size_t Value::size() const {
   if (!value_->is_array()) fail(std::string("is a ") + type_of(*value_), "write an array");
@@ -106,7 +143,7 @@ double Value::number(double least, double most) const {
 }
 
 double Value::number_or(const char* key, double otherwise, double least, double most) const {
-  const std::optional<Value> value = get(key);
+  const Maybe value = get(key);
   return value ? value->number(least, most) : otherwise;
 }
 
@@ -121,7 +158,8 @@ const std::string& Value::text() const {
 }
 
 std::size_t Value::index(std::size_t below, const char* what) const {
-  if (!value_->is_number_integer() || value_->get<double>() < 0) fail("is not an index", "write a whole number from 0");
+  if (!value_->is_number_unsigned() && !(value_->is_number_integer() && value_->get<std::int64_t>() >= 0))
+    fail("is not an index", "write a whole number from 0");
   const auto i = value_->get<std::uint64_t>();
   if (i >= below)
     fail("is " + std::to_string(i) + ", but there are " + std::to_string(below) + " " + what, "check the index");
@@ -129,11 +167,15 @@ std::size_t Value::index(std::size_t below, const char* what) const {
 }
 
 std::uint64_t Value::bits() const {
-  if (value_->is_number_integer()) return value_->get<std::uint64_t>();
+  if (value_->is_number_unsigned()) return value_->get<std::uint64_t>();
+  if (value_->is_number()) fail("is no set of bits", "write a whole number from 0, or one like \"0xff\"");
   const std::string& digits = text();
-  char* end = nullptr;
-  const std::uint64_t value = std::strtoull(digits.c_str(), &end, 0);
-  if (digits.empty() || *end) fail("is '" + digits + "'", "write a whole number, or one like \"0xff\"");
+  const bool hex = digits.starts_with("0x") || digits.starts_with("0X");
+  std::uint64_t value = 0;
+  const char *const from = digits.data() + (hex ? 2 : 0), *const to = digits.data() + digits.size();
+  const auto [end, failed] = std::from_chars(from, to, value, hex ? 16 : 10);
+  if (failed != std::errc() || end != to || from == to)
+    fail("is '" + digits.substr(0, 80) + "'", "write a whole number of at most 64 bits, or one like \"0xff\"");
   return value;
 }
 
@@ -153,7 +195,7 @@ Eigen::Vector3d Value::vector() const {
 }
 
 Eigen::Vector3d Value::vector_or(const char* key, const Eigen::Vector3d& otherwise) const {
-  const std::optional<Value> value = get(key);
+  const Maybe value = get(key);
   return value ? value->vector() : otherwise;
 }
 
@@ -167,34 +209,41 @@ Eigen::Quaterniond Value::rotation() const {
 }
 
 Eigen::Quaterniond Value::rotation_or(const char* key) const {
-  const std::optional<Value> value = get(key);
+  const Maybe value = get(key);
   return value ? value->rotation() : Eigen::Quaterniond::Identity();
 }
 
 Document::Document(const std::string& path) : path_(path) {
   const std::string bytes = read_file(path, "check the name; a scene file ends in .gltf or .glb");
+  budget_.earn(bytes.size());
   std::string text;
   if (bytes.compare(0, 4, "glTF") == 0)
     open_container(path, bytes, text, chunk_);
   else
     text = bytes;
   try {
-    json_ = json::parse(text);
+    json_ = parse_json(text);
   } catch (const json::parse_error& e) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(e.byte, text.size()));
     throw Error(path + ": no JSON at line " + std::to_string(1 + std::count(text.begin(), end, '\n')),
                 "a scene file is glTF 2.0, text or binary; `carom export` writes one");
+  } catch (const json::exception& e) {  // a number that no double holds
+    throw Error(path + ": " + after_tag(e.what()), "write numbers between -1e300 and 1e300");
   }
+  check_version();
+  load_buffers();
+}
+
+void Document::check_version() const {
   const Value version = root()["asset"]["version"];
   if (version.text().compare(0, 2, "2.") != 0) version.fail("is '" + version.text() + "'", "glTF 2.0 is read");
-  // What only looks different without an extension may be required by it; what says in another way where vertices are
-  // cannot be read.
-  if (const auto required = root().get("extensionsRequired"))
-    for (std::size_t i = 0; i < required->size(); ++i)
-      for (const char* encoding : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"})
-        if (required->at(i).text() == encoding)
-          required->at(i).fail(std::string("is ") + encoding, "write the file without compression of its meshes");
-  load_buffers();
+  const auto required = root().get("extensionsRequired");
+  for (std::size_t i = 0; required && i < required->size(); ++i) {
+    const std::string& name = required->at(i).text();
+    if (!is_understood(name))
+      required->at(i).fail("is '" + name.substr(0, 80) + "', which is not understood here",
+                           "glTF says that a reader must refuse it: write the file without that extension");
+  }
 }
 
 void Document::load_buffers() {
@@ -203,17 +252,23 @@ void Document::load_buffers() {
     std::string bytes;
     const auto uri = entry.get("uri");
     if (!uri) {
+      if (i > 0) entry.fail("has no uri", "only the first buffer of a .glb may leave it out");
       bytes = chunk_;
-    } else if (const std::string& text = uri->text(); text.compare(0, 5, "data:") == 0) {
+    } else if (const std::string& text = uri->text(); text.starts_with("data:")) {
       const std::size_t comma = text.find(";base64,");
       if (comma == std::string::npos || !decode_base64(text, comma + 8, bytes))
         uri->fail("is no base64 data", "embed the buffer as data:application/octet-stream;base64,...");
     } else {
-      const std::filesystem::path relative(text);
-      if (relative.is_absolute() || text.find("..") != std::string::npos || text.find("://") != std::string::npos)
-        uri->fail("is '" + text + "'", "a buffer lies in the scene file, or beside it");
-      bytes = read_file((std::filesystem::path(path_).parent_path() / relative).string(),
-                        "put the buffer beside the scene file, or embed it");
+      std::string relative;
+      if (!decode_percent(text, relative) || text.find("://") != std::string::npos)
+        uri->fail("is '" + text.substr(0, 80) + "'", "a buffer lies in the scene file, or below its folder: write a relative path");
+      try {
+        bytes = read_below(std::filesystem::path(path_).parent_path().string(), relative,
+                           "put the buffer beside the scene file, as a file and no link, or embed it");
+      } catch (const Error& e) {
+        uri->fail(std::string("is not read: ") + e.what(), e.remedy);
+      }
+      budget_.earn(bytes.size());
     }
     const double length = entry["byteLength"].number(0, 1e15);
     if (static_cast<double>(bytes.size()) < length)
@@ -229,13 +284,14 @@ std::size_t Document::count(const char* name) const {
 
 Value Document::section(const char* name, std::size_t index) const { return root()[name].at(index); }
 
-std::optional<Value> Document::extension(const Value& of, const char* name) {
+Maybe Document::extension(const Value& of, const char* name) {
   const auto all = of.get("extensions");
-  return all ? all->get(name) : std::nullopt;
+  return all ? all->get(name) : all;
 }
 
-std::vector<double> Document::read_accessor(const Value& accessor, std::size_t width) const {
+std::vector<double> Document::read_accessor(const Value& accessor, std::size_t width) {
   const std::size_t n = accessor["count"].index(std::size_t(1) << 30, "elements that fit");
+  budget_.charge(n, 2 * width * sizeof(double), path_ + ": " + accessor.place() + "/count");  // and once more in a mesh
   const std::size_t type = accessor["componentType"].index(6000, "component types");
   const std::size_t size = type == 5126 || type == 5125 ? 4 : type == 5123 || type == 5122 ? 2 : 1;
   if (type < 5120 || type > 5126 || type == 5124) accessor["componentType"].fail("is unknown", "5120 to 5126 but 5124");
@@ -249,6 +305,7 @@ std::vector<double> Document::read_accessor(const Value& accessor, std::size_t w
     return value ? value->index(std::size_t(1) << 40, "bytes that fit") : otherwise;
   };
   const std::size_t stride = whole(view, "byteStride", size * width);
+  if (stride < size * width || stride > 252) view["byteStride"].fail("is " + std::to_string(stride) + ", less than an element or more than 252", "write the file anew");
   const std::size_t begin = whole(view, "byteOffset", 0) + whole(accessor, "byteOffset", 0);
   if (n > 0 && (begin > bytes.size() || (n - 1) * stride + size * width > bytes.size() - begin))
     accessor.fail("goes beyond its buffer", "write the file anew");
@@ -284,7 +341,7 @@ std::vector<double> Document::read_accessor(const Value& accessor, std::size_t w
   return values;
 }
 
-Mesh Document::mesh(std::size_t index) const {
+Mesh Document::mesh(std::size_t index) {
   Mesh mesh;
   const Value primitives = section("meshes", index)["primitives"];
   for (std::size_t p = 0; p < primitives.size(); ++p) {

@@ -66,9 +66,13 @@ Part Reader::part_of(const Value& collider, const Node& at, bool moves) {
   }
   const Vec scale = at.in_body.s.cwiseAbs();
   if (const auto which = mine ? mine->get("shape") : std::nullopt) {
-    const Value shapes = (*own(doc_.root()))["shapes"];
+    const Value shapes = (*own(doc_.root()))["shapes"];  // which says so where the document has none
     const Value shape = shapes.at(which->index(shapes.size(), "shapes of CAROM_physics"));
     part.shape = shape["plugin"].text();
+    if (!is_plugin_name(part.shape))
+      shape["plugin"].fail("is '" + part.shape.substr(0, 80) + "', which is no name of a plugin",
+                           "write its id alone: up to 64 letters, digits, _, - or dots, no path");
+    doc_.budget().charge(shape["params"].size(), 8 * sizeof(double), doc_.path() + ": " + shape.place() + "/params");
     part.params = shape["params"].numbers();
     if (part.shape == "half_space" && part.params.size() != 4)
       shape["params"].fail("are not four", "give normal and offset");
@@ -157,6 +161,7 @@ void Reader::read_mesh(const Value& geometry, const Vec& scale, bool moves, Part
     if (depth > 64) which.fail("has meshes nested too deep", "flatten the node");
     if (const auto mesh = node(i).get("mesh")) {
       const Mesh own_mesh = doc_.mesh(mesh->index(doc_.count("meshes"), "meshes"));
+      doc_.budget().charge(own_mesh.points.size() + own_mesh.faces.size(), 4 * sizeof(Vec), doc_.path() + ": " + which.place());
       const auto first = static_cast<std::uint32_t>(all.points.size());
       for (const Vec& x : own_mesh.points)
         all.points.push_back(scale.cwiseProduct(place.p + place.q * Vec(place.s.cwiseProduct(x))));
@@ -213,7 +218,7 @@ void Reader::read_surface(const Value& collider, Part& part) {
   if (!mine) return;
   const auto rule = [&](const char* key, std::uint32_t otherwise) {
     const auto value = mine->get(key);
-    return value ? static_cast<std::uint32_t>(value->index(5, "ways to mix")) : otherwise;
+    return value ? checked<std::uint32_t>(value->index(5, "ways to mix")) : otherwise;
   };
   part.friction_mix = rule("frictionMix", part.friction_mix);
   part.restitution_mix = rule("restitutionMix", part.restitution_mix);
@@ -236,7 +241,7 @@ void Reader::finish_collider(const Value& collider, bool sensor, const Part& par
   if (sensor) call.done(carom_collider_set_sensor(world, part.collider, 1, call), collider.place());
   const auto mine = own(collider);
   if (const auto filter = mine ? mine->get("filter") : std::nullopt) {
-    const auto group = static_cast<std::int32_t>(filter->number_or("group", 0, -2147483648.0, 2147483647.0));
+    const auto group = filter->has("group") ? (*filter)["group"].whole<std::int32_t>() : 0;
     call.done(carom_collider_set_filter(world, part.collider, (*filter)["category"].bits(), (*filter)["mask"].bits(),
                                         group, call),
               filter->place());

@@ -58,7 +58,12 @@ bool Reader::plan_joint(const Value& joint, Plan& plan) {
     double lower = -kUnbounded, upper = kUnbounded;
   };
   Range linear[3], angular[3];
-  std::optional<Range> distance, cone;
+  struct Several : Range {
+    bool given = false;
+    explicit operator bool() const { return given; }
+    const Range& operator*() const { return *this; }
+    Several& operator=(const Range& r) { return static_cast<Range&>(*this) = r, given = true, *this; }
+  } distance, cone;
   if (const auto limits = joint.get("limits"))
     for (std::size_t k = 0; k < limits->size(); ++k) {
       const Value limit = limits->at(k);

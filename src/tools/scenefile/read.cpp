@@ -11,6 +11,7 @@ namespace carom::tools {
 namespace scenefile {
 namespace {
 
+constexpr std::size_t kSettled = static_cast<std::size_t>(-2);
 constexpr std::size_t kDeepest = 1000;  // nodes below each other: more is a mistake, or meant to exhaust us
 
 void put(double (&out)[3], const Vec& v) { std::copy(v.data(), v.data() + 3, out); }
@@ -22,6 +23,8 @@ Place place_of(const Value& node) {
     Eigen::Matrix3d axes;
     for (int c = 0; c < 3; ++c)
       for (int r = 0; r < 3; ++r) axes(r, c) = m[static_cast<std::size_t>(4 * c + r)];
+    if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
+      matrix->fail("is projective", "write a matrix whose last row is 0, 0, 0, 1");
     place.p = Vec(m[12], m[13], m[14]);
     for (int c = 0; c < 3; ++c) {
       place.s[c] = axes.col(c).norm();
@@ -108,6 +111,7 @@ void Reader::read_world() {
 }
 
 void Reader::find_nodes() {
+  doc_.budget().charge(doc_.count("nodes"), 4 * sizeof(Node), "nodes");
   nodes_.resize(doc_.count("nodes"));
   actor_of_node_.assign(nodes_.size(), kNone);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -116,12 +120,36 @@ void Reader::find_nodes() {
     const auto mine = own(node(i));
     nodes_[i].is_body = (extension && extension->has("motion")) || (mine && mine->has("body"));
   }
+  demand_trees();
   if (nodes_.empty()) return;
   const auto which = doc_.root().get("scene");
   if (doc_.count("scenes") == 0) doc_.root().fail("has nodes but no scene", "list the root nodes in a scene");
   const Value scene = doc_.section("scenes", which ? which->index(doc_.count("scenes"), "scenes") : 0);
   if (const auto roots = scene.get("nodes"))
     for (std::size_t k = 0; k < roots->size(); ++k) walk(roots->at(k).index(nodes_.size(), "nodes"), kNone, 0);
+}
+
+/// Nodes form trees: then what follows from a node to its children ends, and takes no more steps than there are nodes.
+void Reader::demand_trees() const {
+  std::vector<std::size_t> parent(nodes_.size(), kNone);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const auto children = node(i).get("children");
+    for (std::size_t k = 0; children && k < children->size(); ++k) {
+      const std::size_t child = children->at(k).index(nodes_.size(), "nodes");
+      if (parent[child] != kNone) children->at(k).fail("has two parents", "make nodes a tree");
+      parent[child] = i;
+    }
+  }
+  std::vector<std::size_t> seen(nodes_.size(), kNone);  // on the way up from which node
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    for (std::size_t up = i; up != kNone && seen[up] != kSettled; up = parent[up]) {
+      if (seen[up] == i) node(up).fail("is among its own children", "make nodes a tree");
+      seen[up] = i;
+      if (parent[up] == kNone || seen[parent[up]] == kSettled) {
+        for (std::size_t down = i; down != kNone && seen[down] != kSettled; down = parent[down]) seen[down] = kSettled;
+        break;
+      }
+    }
 }
 
 void Reader::walk(std::size_t i, std::size_t parent, std::size_t depth) {
@@ -179,6 +207,9 @@ void Reader::read_motion(const Value& at, const Node& n, Actor& actor) {
         Vec moments = (*motion)["inertiaDiagonal"].vector();
         if (!(moments.minCoeff() >= 0))
           (*motion)["inertiaDiagonal"].fail("is negative", "give moments of inertia, kg m^2");
+        if (moments.minCoeff() > 0 && 2 * moments.maxCoeff() > moments.sum() * (1 + 1e-6))
+          (*motion)["inertiaDiagonal"].fail("is of no body: one moment is larger than the two others together",
+                                            "mend it: each moment is at most the sum of the others");
         if (moments == Vec::Zero()) moments.setOnes();  // infinite likewise
         const Eigen::Matrix3d axes = motion->rotation_or("inertiaOrientation").toRotationMatrix();
         const Eigen::Matrix3d inertia = axes * moments.asDiagonal() * axes.transpose();
@@ -281,7 +312,7 @@ void Reader::finish_body(std::size_t i, std::size_t a) {
   }
   if (mine && mine->has("continuous"))
     call.done(carom_body_set_continuous(world, actor.body,
-                                        static_cast<std::uint32_t>((*mine)["continuous"].index(3, "modes")), call),
+                                        checked<std::uint32_t>((*mine)["continuous"].index(3, "modes")), call),
               at.place());
 }
 
@@ -310,7 +341,7 @@ void Reader::read_fields_and_springs() {
         kinds += std::string(d.kind ? ", " : "") + carom_force_field_name(d.kind);
       if (d.kind == CAROM_FORCE_FIELD_COUNT) f["kind"].fail("is '" + kind + "'", "write one of " + kinds);
       d.is_force = f.has("isForce") && f["isForce"].boolean();
-      if (f.has("mask")) d.mask = static_cast<std::uint32_t>(f["mask"].bits());
+      if (f.has("mask")) d.mask = f["mask"].bits_as<std::uint32_t>();
       put(d.position, f.vector_or("position", Vec::Zero()));
       const Quat q = f.rotation_or("orientation");
       std::copy(q.coeffs().data(), q.coeffs().data() + 4, d.orientation);
@@ -321,7 +352,7 @@ void Reader::read_fields_and_springs() {
       d.strength = f.number_or("strength", d.strength), d.pull = f.number_or("pull", d.pull);
       d.lift = f.number_or("lift", d.lift), d.reference = f.number_or("reference", d.reference);
       d.core = f.number_or("core", d.core), d.reach = f.number_or("reach", d.reach);
-      d.falloff = static_cast<std::int32_t>(f.number_or("falloff", d.falloff, -2, 8));
+      if (f.has("falloff")) d.falloff = f["falloff"].whole<std::int32_t>(-2, 8);
       stage_.add_field(d);
     }
   if (const auto springs = extension->get("springs"))

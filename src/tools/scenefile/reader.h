@@ -46,6 +46,7 @@ class Reader {
   void read_world();
   void read_fields_and_springs();
   void find_nodes();
+  void demand_trees() const;
   void walk(std::size_t node, std::size_t parent, std::size_t depth);
   void make_bodies();
   Actor actor_of(std::size_t node);
@@ -53,8 +54,8 @@ class Reader {
   void finish_body(std::size_t node, std::size_t actor);
   void make_particles();
   Value node(std::size_t i) const { return doc_.section("nodes", i); }
-  std::optional<Value> own(const Value& of) const { return Document::extension(of, "CAROM_physics"); }
-  std::optional<Value> khr(const Value& of) const { return Document::extension(of, "KHR_physics_rigid_bodies"); }
+  Maybe own(const Value& of) const { return Document::extension(of, "CAROM_physics"); }
+  Maybe khr(const Value& of) const { return Document::extension(of, "KHR_physics_rigid_bodies"); }
   void remark(const std::string& text);
 
   // geometry.cpp: what colliders are made of

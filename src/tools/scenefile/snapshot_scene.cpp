@@ -33,8 +33,10 @@ void find_bodies(Stage& stage) {
 
 bool is_snapshot_file(const std::string& path) {
   char magic[8] = {0};
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(path, failed)) return false;  // opening a FIFO would wait
   std::ifstream file(path, std::ios::binary);
-  return std::filesystem::is_regular_file(path) && file.read(magic, sizeof magic) && std::memcmp(magic, "CAROMSNP", 8) == 0;
+  return file.read(magic, sizeof magic) && std::memcmp(magic, "CAROMSNP", 8) == 0;
 }
 
 void read_snapshot(const std::string& path, Stage& stage) {

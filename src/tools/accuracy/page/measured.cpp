@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <random>
 #include <sstream>
+
+#include "host/files.h"
 
 namespace carom::tools::accuracy {
 namespace {
@@ -131,8 +132,7 @@ std::vector<Extras::Effect> measure_effects(Engine& engine) {
 }
 
 std::vector<Extras::Effect> read_effects(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw Error("cannot read " + path, "give --effects a file that `effect_costs --csv` wrote");
+  std::istringstream file(read_file(path, "give --effects a file that `effect_costs --csv` wrote"));
   std::vector<Extras::Effect> effects;
   std::string line;
   std::getline(file, line);

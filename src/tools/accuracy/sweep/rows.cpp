@@ -107,10 +107,9 @@ void write_csv(const std::string& path, const Sweep& sweep) {
 }
 
 Sweep read_json(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw Error("cannot read " + path, "give --from a file that `carom accuracy sweep --out FILE.json` wrote");
+  const std::string text = read_file(path, "give --from a file that `carom accuracy sweep --out FILE.json` wrote");
   try {
-    const json j = json::parse(file);
+    const json j = json::parse(text);
     if (j.at("format") != kFormat) throw Error(path + " is of another version", "sweep again");
     Sweep sweep;
     sweep.machine = j.at("machine"), sweep.date = j.at("date");
