@@ -11,7 +11,7 @@
 #include "core/wide_angle.h"
 #include "dynamics/joint/bend_sweep.h"
 #include "dynamics/joint/joint_kernels.h"
-#include "dynamics/joint/place_sweep.h"
+#include "dynamics/joint/axes_sweep.h"
 
 namespace carom::dynamics {
 namespace {
@@ -105,16 +105,31 @@ CAROM_LANES_INLINE void limit(Sides& sides, const JointLanes& joint, JointDriveL
   drive.row.p = next;
 }
 
+/// A soft stop: beyond either end a spring's law, by impulses that only push back.
+template <bool kPush, class Sides>
+CAROM_LANES_INLINE void stop(Sides& sides, JointDriveLanes& drive) {
+  if constexpr (!kPush) return;
+  const Lanes u = sides.along(drive.row), p = drive.row.p;
+  const Lanes above = drive.row.error - drive.lower, below = drive.upper - drive.row.error;
+  const Lanes kept = drive.drag * p, dragged = drive.drag * u;
+  const Lanes pushed = kept - drive.m * (drive.pull * above + dragged),
+              pulled = kept + drive.m * (drive.pull * below - dragged);
+  const Lanes next = (above < 0 ? larger(pushed, all(0)) : all(0)) + (below < 0 ? smaller(pulled, all(0)) : all(0));
+  sides.push(drive.row, next - p);
+  drive.row.p = next;
+}
+
 template <bool kPush, class Sides>
 CAROM_LANES_INLINE void act(Sides& sides, const JointLanes& joint, JointDriveLanes& drive, DriveKind kind,
                             double inv_h) {
   if (kind == DriveKind::limit) return limit<kPush>(sides, joint, drive, inv_h);
+  if (kind == DriveKind::stop) return stop<kPush>(sides, drive);
   const Lanes u = sides.along(drive.row), p = drive.row.p;
   Lanes next = p;
   if (kind == DriveKind::motor) next = p - drive.m * (u - drive.speed);
   if (kind == DriveKind::spring) {
     if constexpr (!kPush) return;  // its law holds for the whole substep, with the place where that began
-    next = drive.drag * p - drive.m * (drive.pull * (drive.row.error - drive.lower) + drive.drag * u);
+    next = drive.drag * p - drive.m * (drive.pull * (drive.row.error - drive.lower) + drive.drag * (u - drive.speed));
   }
   next = larger(smaller(next, drive.most), -drive.most);
   sides.push(drive.row, next - p);
@@ -162,7 +177,7 @@ CAROM_LANES_INLINE void push_both(const JointRun& run, const JointLanes& joint, 
     push(JointSides<false>(joint, run));
 }
 
-/// What acts again: not what a spring does, which is all of a substep's.
+/// What acts again: not what springs and stops do, which is all of a substep's.
 void act_again(const JointRun& run) {
   for (std::size_t i = 0; i < run.count; ++i) {
     JointLanes& joint = run.joints[i];
@@ -170,7 +185,7 @@ void act_again(const JointRun& run) {
     for (std::uint32_t k = 0; k < joint.layout.equalities; ++k)
       pushes.add(run.rows[joint.first + k], joint.again * run.rows[joint.first + k].p);
     for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
-      if (joint.layout.drive[k].kind != DriveKind::spring)
+      if (!acts_once(joint.layout.drive[k].kind))
         pushes.add(run.drives[joint.first_drive + k].row, joint.again * run.drives[joint.first_drive + k].row.p);
     joint.force = joint.force + pushes.p;
     joint.torque = joint.torque + (pushes.turn_b - cross(joint.r_b, pushes.p));
