@@ -52,20 +52,20 @@ extern "C" {
 #define CAROM_AXIS_TURN_X 3u    /* rad, (-pi, pi]   @since 1.8 */
 #define CAROM_AXIS_TURN_Y 4u    /* rad, [-pi, pi]   @since 1.8 */
 #define CAROM_AXIS_TURN_Z 5u    /* rad, [-pi, pi]   @since 1.8 */
-#define CAROM_AXIS_COUNT 6u
+#define CAROM_AXIS_COUNT 6u /* @since 1.8 */
 #define CAROM_AXIS_MODE_FREE 0u    /* @since 1.8 */
 #define CAROM_AXIS_MODE_LOCKED 1u  /* at `lower`   @since 1.8 */
 #define CAROM_AXIS_MODE_LIMITED 2u /* from `lower` to `upper`; where both are the same and the stops hard, it is locked   @since 1.8 */
-#define CAROM_AXIS_MODE_COUNT 3u
+#define CAROM_AXIS_MODE_COUNT 3u /* @since 1.8 */
 /** @} */
 
 /** @name What a drive aims at
  *  @{ */
-#define CAROM_DRIVE_NONE 0u
+#define CAROM_DRIVE_NONE 0u /* @since 1.8 */
 #define CAROM_DRIVE_POSITION 1u /* force = stiffness (target - x) + damping (speed - x'), `most` at most   @since 1.8 */
 #define CAROM_DRIVE_VELOCITY 2u /* the speed, by whatever force up to `most`   @since 1.8 */
 #define CAROM_DRIVE_EFFORT 3u   /* a force or torque, `most` at most, whatever the motion   @since 1.8 */
-#define CAROM_DRIVE_COUNT 4u
+#define CAROM_DRIVE_COUNT 4u /* @since 1.8 */
 /** @} */
 
 /** @name In what a stiffness and a damping are given. m: what the joint's bodies weigh along the axis, were they alone and what
@@ -74,7 +74,7 @@ extern "C" {
 #define CAROM_GAINS_FREQUENCY 0u    /* Hz and a ratio: force = -m (w^2 x + 2 damping w x'), w = 2 pi stiffness   @since 1.8 */
 #define CAROM_GAINS_FORCE 1u        /* N/m and N s/m, or N m/rad and N m s/rad: force = -(stiffness x + damping x')   @since 1.8 */
 #define CAROM_GAINS_ACCELERATION 2u /* 1/s^2 and 1/s: force = -m (stiffness x + damping x')   @since 1.8 */
-#define CAROM_GAINS_COUNT 3u
+#define CAROM_GAINS_COUNT 3u /* @since 1.8 */
 /** @} */
 
 /** @name Bits of carom_joint_desc.fields

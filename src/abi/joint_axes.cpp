@@ -43,7 +43,7 @@ Real or_any(double most) { return most < kStrongestMotor ? most : kInfinity; }
 
 bool is_six_axis(Call& call, const Joint& joint) {
   return joint.def.kind == JointKind::six_axis ||
-         call.fail(CAROM_E_UNSUPPORTED, 3,
+         call.fail(CAROM_E_UNSUPPORTED, 4,
                    "a %s joint has no axes to be set; one of CAROM_JOINT_SIX_AXIS has, others have limits, motors and springs",
                    row_of(joint.def.kind).name);
 }
