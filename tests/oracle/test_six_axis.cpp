@@ -437,9 +437,9 @@ static void a_ball_is_driven_about_three_axes(void**) {
 namespace {
 
 /// Where a body on a joint of a kind, or on a six-axis joint that is set up as one, ends.
-std::array<Pose, 2> end_of(int solver, JointKind kind, bool as_axes, int drive) {
+std::array<Pose, 2> end_of(int solver, int substeps, JointKind kind, bool as_axes, int drive) {
   TestWorld t;
-  choose(t, solver);
+  choose(t, solver, substeps);
   const std::uint32_t a = add_body(t, Vec3::zero(), 4, Vec3(0.5, 0.6, 0.7)), b = add_body(t, Vec3(1, 0.2, 0), 2, Vec3(0.2, 0.3, 0.35));
   join(t, JointKind::ball, kTheWorld, a, Vec3(-0.5, 0, 0));
   const std::uint32_t j = join(t, as_axes ? JointKind::six_axis : kind, a, b, Vec3(0.5, 0, 0), kOblique);
@@ -463,21 +463,29 @@ std::array<Pose, 2> end_of(int solver, JointKind kind, bool as_axes, int drive) 
 
 }  // namespace
 
-/// Set up as a hinge, slider, weld or ball it is one: the same rows, to rounding.
-static void axes_are_the_other_kinds(void**) {
+static Real unlike(int solver, int substeps, JointKind kind, int drive) {
+  const auto one = end_of(solver, substeps, kind, false, drive), other = end_of(solver, substeps, kind, true, drive);
   Real most = 0;
+  for (int i = 0; i < 2; ++i)
+    most = std::max({most, (one[i].p - other[i].p).norm(), (one[i].q - other[i].q).norm()});
+  return most;
+}
+
+/// Set up as a hinge, slider, weld or ball it is one: the same rows, to rounding. With a spring, a motor or a limit likewise where it is
+/// answered directly; where it is swept, six-axis joints hold their locks before drives, too, and the two meet as substeps get small (but when a limit is hit is not smooth in them).
+static void axes_are_the_other_kinds(void**) {
   for (const int solver : kEverySolver)
     for (const JointKind kind : {JointKind::ball, JointKind::hinge, JointKind::slider, JointKind::weld})
       for (int drive = 0; drive < (kind == JointKind::weld ? 1 : 4); ++drive) {
-        const auto one = end_of(solver, kind, false, drive), other = end_of(solver, kind, true, drive);
-        for (int i = 0; i < 2; ++i) {
-          const Real off = std::max((one[i].p - other[i].p).norm(), (one[i].q - other[i].q).norm());
-          most = std::max(most, off);
-          if (std::getenv("SHOW") && off > 1e-13) std::printf("as %d kind %d drive %d: %g\n", solver, int(kind), drive, off);
+        const Real off = unlike(solver, 4, kind, drive);
+        const bool swept = drive && !is_direct(solver);
+        if (std::getenv("SHOW"))
+          std::printf("as %d kind %d drive %d: %g %g\n", solver, int(kind), drive, off, swept ? unlike(solver, 8, kind, drive) : 0);
+        if (!swept)
           assert_true(off < 1e-12);
-        }
+        else
+          assert_true(off < 2e-3 && (drive == 3 || unlike(solver, 32, kind, drive) < off / 4));
       }
-  if (std::getenv("SHOW")) std::printf("as: %g\n", most);
 }
 
 int main() {

@@ -209,6 +209,9 @@ void warm_start(const JointRun& run) {
 template <bool kPush, bool kTwoWays>
 CAROM_LANES_INLINE void sweep_one(const JointRun& run, const JointLanes& joint, double inv_h) {
   JointSides<kTwoWays> sides(joint, run);
+  // Locks first, too: a spring answers a velocity, and what locks have yet to do to it is none of that. (Joints of other kinds keep
+  // their bits: a damped spring on one whose weight hangs off its axis rests off by c / k of such a velocity, in first order.)
+  if (joint.axed && joint.layout.drives) hold_all<kPush>(sides, joint, run.rows + joint.first);
   for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
     act<kPush>(sides, joint, run.drives[joint.first_drive + k], joint.layout.drive[k].kind, inv_h);
   hold_all<kPush>(sides, joint, run.rows + joint.first);
