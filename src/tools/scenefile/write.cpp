@@ -1,6 +1,7 @@
 // A stage as a scene file: what visual/ draws, with physics hung on its nodes.
 #include <nlohmann/json.hpp>
 
+#include "scenefile/axes.h"
 #include "scenefile/scenefile.h"
 #include "visual/gltf.h"
 
@@ -247,10 +248,11 @@ class PhysicsWriter {
   json joint_json(carom_joint joint, const carom_joint_desc& d) {
     static constexpr const char* kKinds[] = {"ball", "hinge", "slider", "weld", "distance", "universal"};
     static constexpr const char* kCoordinates[] = {"twist", "swing", "slide", "distance"};
-    if (d.kind >= std::size(kKinds))
+    const bool has_axes = d.kind == CAROM_JOINT_SIX_AXIS;
+    if (!has_axes && d.kind >= std::size(kKinds))
       throw Error("a pulley or a gear stands in the scene, and KHR_physics_rigid_bodies has no such joint",
                   "take it out first, or keep the world as a snapshot: carom_world_save()");
-    json own = {{"kind", kKinds[d.kind]}}, limits = json::array();
+    json own = {{"kind", has_axes ? "six_axis" : kKinds[d.kind]}}, limits = json::array();
     const auto lock = [&](const char* axes, std::vector<int> which) {
       limits.push_back({{axes, which}, {"min", 0}, {"max", 0}});
     };
@@ -259,7 +261,7 @@ class PhysicsWriter {
     if (d.break_torque > 0) own["breakTorque"] = d.break_torque;
     if (d.kind == CAROM_JOINT_SLIDER)
       lock("linearAxes", {1, 2});
-    else if (d.kind != CAROM_JOINT_DISTANCE)
+    else if (d.kind != CAROM_JOINT_DISTANCE && !has_axes)
       lock("linearAxes", {0, 1, 2});
     if (d.kind == CAROM_JOINT_HINGE) lock("angularAxes", {1, 2});
     if (d.kind == CAROM_JOINT_UNIVERSAL) lock("angularAxes", {0});
@@ -293,6 +295,7 @@ class PhysicsWriter {
     if (d.kind == CAROM_JOINT_DISTANCE && free_length)
       limits.push_back({{"linearAxes", {0, 1, 2}}, {"min", d.length}, {"max", d.length}});
     json entry = {{"limits", std::move(limits)}};
+    scenefile::write_axes(stage_.world.get(), joint, has_axes, own, entry);
     entry["extensions"]["CAROM_physics"] = std::move(own);
     return entry;
   }
