@@ -262,10 +262,14 @@ CAROM_API int32_t carom_joint_set_transmission(carom_world *world, carom_joint j
 CAROM_API int32_t carom_joint_get_transmission(carom_world *world, carom_joint joint, carom_joint_transmission *transmission,
                                                carom_error *error);
 
-/** Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its drives.
- *  Accuracy: second order in the substep, as all joints. What is locked errs by what joint_frequency leaves, under the direct
- *  solver by 1e-9 m or rad; soft stops and springs sag by load / stiffness to rounding, swing at their frequency to (w h)^2 / 24,
- *  and fade at their rate to stiffness h / damping and damping h / m of it. Oracle: tests/oracle/test_six_axis.
+/** Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its drives; springs
+ *  and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
+ *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the frequency and
+ *  b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their amplitude and fade slower by
+ *  b h of their rate; at rest they sag by load / stiffness, to rounding where one joint bears all, in first order where soft_step
+ *  sweeps over several. A drive to a velocity holds that of the middle of a substep under the direct solver, and one with a damping
+ *  alone does under any: what a step ends with differs by what the load does in h / 2. Forces of drives are met to rounding.
+ *  Oracle: tests/oracle/test_six_axis, test_six_axis_scenes.
  *  @param axis CAROM_AXIS_*
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
  *          *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8 */

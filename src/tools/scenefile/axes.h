@@ -6,6 +6,9 @@
 
 namespace carom::tools::scenefile {
 
+/// An entry of physicsJoints.   @throws Error if the file can say nothing of its kind
+json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& desc);
+
 /// What CAROM_physics says of a joint's axes and its drive to an orientation is added to `own`, and locks, limits and drives to
 /// `entry`, as KHR_physics_rigid_bodies has them.
 void write_axes(carom_world* world, carom_joint joint, bool has_axes, json& own, json& entry);
