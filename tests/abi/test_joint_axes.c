@@ -140,8 +140,8 @@ static void drive_all(const Bench *b, carom_joint six, carom_joint ball, double 
   assert_int_equal(carom_joint_set_orientation_drive(b->world, ball, &t, NULL), CAROM_OK);
 }
 
-/* All of it is part of a snapshot and of a copy: from there all goes on to the same bits, under each solver, however many joints came
- * and went before. */
+/* All of it is part of a snapshot and of a copy: from there all goes on to the same bits, under each solver, however many
+ * joints came and went before. */
 static void axes_come_back(void **state) {
   Bench *b = *state;
   static unsigned char bytes[1 << 17];
@@ -185,14 +185,16 @@ static void extreme_axes_stay_finite(void **state) {
   int i;
   d.drive_gains = d.stop_gains = d.spring_gains = CAROM_GAINS_FORCE;
   d.drive_stiffness = d.drive_damping = d.stop_stiffness = d.spring_stiffness = d.spring_damping = 1e30;
-  d.mode = CAROM_AXIS_MODE_LIMITED, d.lower = -3.14, d.upper = 3.14, d.drive = CAROM_DRIVE_POSITION, d.target = 3.14, d.rest = -3.14;
+  d.mode = CAROM_AXIS_MODE_LIMITED, d.lower = -3.14, d.upper = 3.14, d.drive = CAROM_DRIVE_POSITION;
+  d.target = 3.14, d.rest = -3.14;
   for (k = 0; k < CAROM_AXIS_COUNT; ++k) assert_int_equal(carom_joint_set_axis(b->world, six, k, &d, NULL), CAROM_OK);
   t.drive = CAROM_DRIVE_POSITION, t.target[2] = 1, t.target[3] = 0, t.stiffness = 1e4, t.velocity[0] = 1e6;
   assert_int_equal(carom_joint_set_orientation_drive(b->world, six, &t, NULL), CAROM_OK);
   for (solver = CAROM_SOLVER_SEQUENTIAL; solver <= CAROM_SOLVER_AUTO; ++solver) {
     assert_int_equal(carom_world_set_dial(b->world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
     assert_int_equal(bench_steps(b->world, 40, NULL), CAROM_OK);
-    assert_int_equal(carom_world_read(b->world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, b->bodies, BENCH_BODIES, x, 0, NULL), CAROM_OK);
+    assert_int_equal(carom_world_read(b->world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, b->bodies, BENCH_BODIES, x, 0, NULL),
+                     CAROM_OK);
     for (i = 0; i < BENCH_BODIES; ++i)
       for (k = 0; k < 3; ++k) assert_true(isfinite(x[i][k]));
   }

@@ -29,8 +29,8 @@ Real where(const TestWorld& t, std::uint32_t j, std::uint32_t k) { return axes_a
 
 namespace {
 
-/// A quarter of a car on its wheel, which is heavy and held: spring, damper and bump stop of one axis, all in SI, share its weight:
-/// k x + s (x + 0.05) = -m g. The stop bears what the spring does not.
+/// A quarter of a car on its wheel, which is heavy and held: spring, damper and bump stop of one axis, all in SI, share its
+/// weight: k x + s (x + 0.05) = -m g. The stop bears what the spring does not.
 struct Rest {
   Real off, force;  // m; of its weight
 };
@@ -58,7 +58,6 @@ static void a_suspension_rests_on_its_bump_stop(void**) {
   for (const int solver : kTheSolvers)
     for (const int substeps : {2, 4}) {
       const Rest rest = rest_on_bump_stop(solver, substeps);
-      if (std::getenv("SHOW")) std::printf("car %d: %g force %g\n", solver, rest.off, rest.force);
       assert_true(rest.off < 1e-9 && rest.force < 1e-9);
     }
 }
@@ -111,15 +110,14 @@ static Real sag(int solver, int substeps, bool about_y) {
   return std::max(std::fabs(where(t, joints[0], axis) - expected[0]), std::fabs(where(t, joints[1], axis) - expected[1]));
 }
 
-/// It sags to where drives balance its weight, a fixed point that is found without the engine; what drives and joints give is booked.
-/// Soft points give way by what weights fall in a substep. And where a sweep answers joint by joint, a spring's damper meets what the
-/// other joint is yet to do: soft_step, which sweeps once, rests off by c / k of such a velocity, that half a substep of what drives
-/// and weights bear, 65 N m, gives the first link about its middle, 0.32 kg m^2: in first order.
+/// It sags to where drives balance its weight, a fixed point that is found without the engine; what drives and joints give is
+/// booked. Soft points give way by what weights fall in a substep. And where a sweep answers joint by joint, a spring's damper
+/// meets what the other joint is yet to do: soft_step, which sweeps once, rests off by c / k of such a velocity, that half a
+/// substep of what drives and weights bear, 65 N m, gives the first link about its middle, 0.32 kg m^2: in first order.
 static void an_arm_sags_under_its_weight(void**) {
   for (const int solver : kTheSolvers)
     for (const bool about_y : {false, true}) {
       const Real coarse = sag(solver, 3, about_y), fine = sag(solver, 6, about_y), h = 1.0 / 360;
-      if (std::getenv("SHOW")) std::printf("arm %d %d: %g %g\n", solver, about_y, coarse, fine);
       if (solver >= kDirectChoice)
         assert_true(coarse < 1e-7 && fine < 1e-7);
       else
@@ -128,8 +126,9 @@ static void an_arm_sags_under_its_weight(void**) {
     }
 }
 
-/// Two bodies about one centre that fly and turn against each other from 2.9 rad, overdamped, in N m/rad: with I the inertia of both
-/// together, e = (r2 exp(r1 t) - r1 exp(r2 t)) e0 / (r2 - r1), r the roots of I r^2 + c r + k; their angular momenta cancel.
+/// Two bodies about one centre that fly and turn against each other from 2.9 rad, overdamped, in N m/rad: with I the inertia of
+/// both together, e = (r2 exp(r1 t) - r1 exp(r2 t)) e0 / (r2 - r1), r the roots of I r^2 + c r + k; their angular momenta
+/// cancel.
 static void a_gimbal_turns_overdamped(void**) {
   const Real i1 = 9, i2 = 0.6, both = i1 * i2 / (i1 + i2), k = 8, c = 12, e0 = 2.9;
   const Real root = std::sqrt(c * c - 4 * both * k), r1 = (-c + root) / (2 * both), r2 = (-c - root) / (2 * both);
@@ -141,7 +140,8 @@ static void a_gimbal_turns_overdamped(void**) {
       choose(t, solver, fine ? 12 : 6);
       t.world.set_dial(Dial::velocity_tolerance, 1e-9);
       const std::uint32_t a = add_body(t, Vec3(50, -20, 10), 30, Vec3::constant(i1)),
-                          b = add_body(t, Vec3(50, -20, 10), 4, Vec3::constant(i2), BodyType::dynamic, normalized(exp_map(e0 * axis)));
+                          b = add_body(t, Vec3(50, -20, 10), 4, Vec3::constant(i2), BodyType::dynamic,
+                                       normalized(exp_map(e0 * axis)));
       JointDef def;
       def.kind = JointKind::ball;
       def.body_a = a, def.body_b = b;
@@ -160,7 +160,6 @@ static void a_gimbal_turns_overdamped(void**) {
         across = std::max(across, off.vec().cross(axis).norm());
       }
       errors[fine] = worst;
-      if (std::getenv("SHOW")) std::printf("gimbal %d %d: %g spin %g across %g\n", solver, fine, worst, spin, across);
       assert_true(spin < 1e-12 && across < 1e-11);
     }
     // First order in the substep.

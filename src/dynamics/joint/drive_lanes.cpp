@@ -1,6 +1,7 @@
 // Limits, motors, springs and axes of a joint into lanes and back.
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/parts.h"
