@@ -166,7 +166,9 @@ static void locks_follow_and_give(void**) {
     soft.mode = AxisMode::limited, soft.stop = {Gains::force, 400, 50};
     t.world.set_joint_axis(j, 1, soft);
     t.run(300, kStep);
-    assert_true(std::fabs(axis_of(t, j, 1) - 2 * kG / 400) < 1e-9);  // A hangs below B
+    // A hangs below B, 0.6 m aside: soft locks of turns let it tilt by what that moment turns in a substep.
+    const Real h = kStep / 4, tilt = is_direct(solver) ? 1e-9 : 2 * kG * 0.6 / 0.2 * h * h;
+    assert_true(std::fabs(axis_of(t, j, 1) - 2 * kG / 400) < 1e-12 + 0.6 * tilt * tilt);
   }
 }
 
