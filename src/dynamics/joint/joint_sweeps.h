@@ -9,9 +9,9 @@
 #pragma once
 
 #include "core/wide_angle.h"
+#include "dynamics/joint/axes_sweep.h"
 #include "dynamics/joint/bend_sweep.h"
 #include "dynamics/joint/joint_kernels.h"
-#include "dynamics/joint/axes_sweep.h"
 
 namespace carom::dynamics {
 namespace {
@@ -119,17 +119,19 @@ CAROM_LANES_INLINE void stop(Sides& sides, JointDriveLanes& drive) {
   drive.row.p = next;
 }
 
-template <bool kPush, class Sides>
+/// @tparam kAxed  it may be a stop, or a spring whose target moves
+template <bool kPush, bool kAxed, class Sides>
 CAROM_LANES_INLINE void act(Sides& sides, const JointLanes& joint, JointDriveLanes& drive, DriveKind kind,
                             double inv_h) {
   if (kind == DriveKind::limit) return limit<kPush>(sides, joint, drive, inv_h);
-  if (kind == DriveKind::stop) return stop<kPush>(sides, drive);
+  if constexpr (kAxed)
+    if (kind == DriveKind::stop) return stop<kPush>(sides, drive);
   const Lanes u = sides.along(drive.row), p = drive.row.p;
   Lanes next = p;
   if (kind == DriveKind::motor) next = p - drive.m * (u - drive.speed);
   if (kind == DriveKind::spring) {
     if constexpr (!kPush) return;  // its law holds for the whole substep, with the place where that began
-    next = drive.drag * p - drive.m * (drive.pull * (drive.row.error - drive.lower) + drive.drag * (u - drive.speed));
+    next = drive.drag * p - drive.m * (drive.pull * (drive.row.error - drive.lower) + drive.drag * (kAxed ? u - drive.speed : u));
   }
   next = larger(smaller(next, drive.most), -drive.most);
   sides.push(drive.row, next - p);
@@ -206,26 +208,34 @@ void warm_start(const JointRun& run) {
   }
 }
 
-template <bool kPush, bool kTwoWays>
+template <bool kPush, bool kTwoWays, bool kAxed>
 CAROM_LANES_INLINE void sweep_one(const JointRun& run, const JointLanes& joint, double inv_h) {
   JointSides<kTwoWays> sides(joint, run);
   // Locks first, too: a spring answers a velocity, and what locks have yet to do to it is none of that. (Joints of other kinds keep
   // their bits: a damped spring on one whose weight hangs off its axis rests off by c / k of such a velocity, in first order.)
-  if (joint.axed && joint.layout.drives) hold_all<kPush>(sides, joint, run.rows + joint.first);
+  if (kAxed && joint.layout.drives) hold_all<kPush>(sides, joint, run.rows + joint.first);
   for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
-    act<kPush>(sides, joint, run.drives[joint.first_drive + k], joint.layout.drive[k].kind, inv_h);
+    act<kPush, kAxed>(sides, joint, run.drives[joint.first_drive + k], joint.layout.drive[k].kind, inv_h);
   hold_all<kPush>(sides, joint, run.rows + joint.first);
   sides.store(run);
+}
+
+/// Apart, so that sweeps over other kinds are as they were.
+template <bool kPush>
+[[gnu::noinline]] void sweep_axed(const JointRun& run, const JointLanes& joint, double inv_h) {
+  sweep_one<kPush, false, true>(run, joint, inv_h);
 }
 
 template <bool kPush>
 CAROM_LANES_INLINE void sweep(const JointRun& run, double inv_h) {
   for (std::size_t i = 0; i < run.count; ++i) {
     JointLanes& joint = run.joints[i];
-    if (joint.pulled)
-      sweep_one<kPush, true>(run, joint, inv_h);
+    if (joint.axed)
+      sweep_axed<kPush>(run, joint, inv_h);
+    else if (joint.pulled)
+      sweep_one<kPush, true, false>(run, joint, inv_h);
     else
-      sweep_one<kPush, false>(run, joint, inv_h);
+      sweep_one<kPush, false, false>(run, joint, inv_h);
     if constexpr (!kPush) book_one(run, joint);
   }
 }
