@@ -33,6 +33,8 @@ typedef struct carom_joint_limit carom_joint_limit;
 typedef struct carom_joint_motor carom_joint_motor;
 typedef struct carom_joint_spring carom_joint_spring;
 typedef struct carom_joint_transmission carom_joint_transmission;
+typedef struct carom_joint_axis carom_joint_axis;
+typedef struct carom_joint_orientation_drive carom_joint_orientation_drive;
 typedef struct carom_joint_state carom_joint_state;
 typedef struct carom_ledger_entry carom_ledger_entry;
 typedef struct carom_ledger_state carom_ledger_state;
@@ -101,7 +103,9 @@ struct carom_joint_limit { uint32_t struct_size; uint32_t enabled; double lower;
 struct carom_joint_motor { uint32_t struct_size; uint32_t enabled; double speed; double most; };
 struct carom_joint_spring { uint32_t struct_size; uint32_t enabled; double target; double frequency; double damping; double most; };
 struct carom_joint_transmission { uint32_t struct_size; uint32_t fields; double ratio; double anchor_a[3]; double anchor_b[3]; double length; };
-struct carom_joint_state { uint32_t struct_size; uint32_t broken; double force[3]; double torque[3]; double gap; double angle; double coordinate[4]; };
+struct carom_joint_axis { uint32_t struct_size; uint32_t mode; double lower; double upper; uint32_t stop_gains; uint32_t drive_gains; uint32_t spring_gains; uint32_t drive; double stop_stiffness; double stop_damping; double target; double speed; double effort; double most; double drive_stiffness; double drive_damping; double rest; double spring_stiffness; double spring_damping; };
+struct carom_joint_orientation_drive { uint32_t struct_size; uint32_t drive; uint32_t gains; uint32_t reserved; double target[4]; double velocity[3]; double effort[3]; double most[3]; double stiffness; double damping; };
+struct carom_joint_state { uint32_t struct_size; uint32_t broken; double force[3]; double torque[3]; double gap; double angle; double coordinate[4]; double axis[6]; };
 struct carom_ledger_entry { const char *name; double kinetic; double potential; double linear[3]; double angular[3]; double total_kinetic; double total_potential; double total_linear[3]; double total_angular[3]; };
 struct carom_ledger_state { uint32_t struct_size; uint32_t is_kept; uint64_t steps; double start_kinetic; double start_potential; double start_linear[3]; double start_angular[3]; double before_kinetic; double before_potential; double before_linear[3]; double before_angular[3]; double now_kinetic; double now_potential; double now_linear[3]; double now_angular[3]; double rounding_energy; double rounding_linear; double rounding_angular; double total_rounding_energy; double total_rounding_linear; double total_rounding_angular; };
 struct carom_particles_desc { uint32_t struct_size; uint32_t reserved; double gravity_factor; double linear_damping; double mass; uint64_t capacity; };
@@ -229,6 +233,8 @@ int32_t carom_joint_limit_init(carom_joint_limit *limit);
 int32_t carom_joint_motor_init(carom_joint_motor *motor);
 int32_t carom_joint_spring_init(carom_joint_spring *spring);
 int32_t carom_joint_transmission_init(carom_joint_transmission *transmission);
+int32_t carom_joint_axis_init(carom_joint_axis *axis);
+int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive *drive);
 int32_t carom_joint_create(carom_world *world, const carom_joint_desc *desc, carom_joint *joint, carom_error *error);
 int32_t carom_joint_destroy(carom_world *world, carom_joint joint, carom_error *error);
 int32_t carom_joint_get(carom_world *world, carom_joint joint, carom_joint_desc *desc, carom_error *error);
@@ -241,6 +247,10 @@ int32_t carom_joint_get_motor(carom_world *world, carom_joint joint, uint32_t co
 int32_t carom_joint_get_spring(carom_world *world, carom_joint joint, uint32_t coordinate, carom_joint_spring *spring, carom_error *error);
 int32_t carom_joint_set_transmission(carom_world *world, carom_joint joint, const carom_joint_transmission *transmission, carom_error *error);
 int32_t carom_joint_get_transmission(carom_world *world, carom_joint joint, carom_joint_transmission *transmission, carom_error *error);
+int32_t carom_joint_set_axis(carom_world *world, carom_joint joint, uint32_t axis, const carom_joint_axis *desc, carom_error *error);
+int32_t carom_joint_get_axis(carom_world *world, carom_joint joint, uint32_t axis, carom_joint_axis *desc, carom_error *error);
+int32_t carom_joint_set_orientation_drive(carom_world *world, carom_joint joint, const carom_joint_orientation_drive *drive, carom_error *error);
+int32_t carom_joint_get_orientation_drive(carom_world *world, carom_joint joint, carom_joint_orientation_drive *drive, carom_error *error);
 int32_t carom_world_get_joints(carom_world *world, carom_joint *joints, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_world_enable_ledger(carom_world *world, uint32_t on, carom_error *error);
 int32_t carom_world_get_ledger(carom_world *world, carom_ledger_entry *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
@@ -524,12 +534,33 @@ return {
   CAROM_JOINT_UNIVERSAL = 5,
   CAROM_JOINT_PULLEY = 6,
   CAROM_JOINT_GEAR = 7,
-  CAROM_JOINT_COUNT = 8,
+  CAROM_JOINT_SIX_AXIS = 8,
+  CAROM_JOINT_COUNT = 9,
   CAROM_COORDINATE_TWIST = 0,
   CAROM_COORDINATE_SWING = 1,
   CAROM_COORDINATE_SLIDE = 2,
   CAROM_COORDINATE_DISTANCE = 3,
   CAROM_COORDINATE_COUNT = 4,
+  CAROM_AXIS_X = 0,
+  CAROM_AXIS_Y = 1,
+  CAROM_AXIS_Z = 2,
+  CAROM_AXIS_TURN_X = 3,
+  CAROM_AXIS_TURN_Y = 4,
+  CAROM_AXIS_TURN_Z = 5,
+  CAROM_AXIS_COUNT = 6,
+  CAROM_AXIS_MODE_FREE = 0,
+  CAROM_AXIS_MODE_LOCKED = 1,
+  CAROM_AXIS_MODE_LIMITED = 2,
+  CAROM_AXIS_MODE_COUNT = 3,
+  CAROM_DRIVE_NONE = 0,
+  CAROM_DRIVE_POSITION = 1,
+  CAROM_DRIVE_VELOCITY = 2,
+  CAROM_DRIVE_EFFORT = 3,
+  CAROM_DRIVE_COUNT = 4,
+  CAROM_GAINS_FREQUENCY = 0,
+  CAROM_GAINS_FORCE = 1,
+  CAROM_GAINS_ACCELERATION = 2,
+  CAROM_GAINS_COUNT = 3,
   CAROM_JOINT_WORLD_FRAME = 1,
   CAROM_JOINT_COLLIDE = 2,
   CAROM_JOINT_FIELD_LENGTH = 4,
@@ -622,5 +653,5 @@ return {
   CAROM_ASK_GENERIC = 1,
   CAROM_ASK_SENSORS = 2,
   VERSION = "1.8.0",
-  ROWS = 573, -- of the layout manifest
+  ROWS = 605, -- of the layout manifest
 }

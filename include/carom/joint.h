@@ -29,7 +29,9 @@ extern "C" {
 #define CAROM_JOINT_GEAR 7u      /* A's angle about the x axis of its frame, plus `ratio` times B's about its own, stays what it is;
                                     each relative to the world, where bearings of their own hold the wheels. Ratio 1 until
                                     carom_joint_set_transmission() says another: they turn against each other   @since 1.8 */
-#define CAROM_JOINT_COUNT 8u
+#define CAROM_JOINT_SIX_AXIS 8u  /* each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then
+                                    all are free   @since 1.8 */
+#define CAROM_JOINT_COUNT 9u
 
 /** What may be limited, driven or sprung. */
 #define CAROM_COORDINATE_TWIST 0u    /* rad, (-pi, pi], of B about the x axes: ball, hinge */
@@ -37,6 +39,43 @@ extern "C" {
 #define CAROM_COORDINATE_SLIDE 2u    /* m, of B's point along A's x axis: slider */
 #define CAROM_COORDINATE_DISTANCE 3u /* m, between the points: distance; of the rope, |a - anchor_a| + ratio |b - anchor_b|: pulley */
 #define CAROM_COORDINATE_COUNT 4u
+
+/** @name Axes of a six-axis joint: where B's frame is in A's
+ *  B's orientation in A's frame is a twist about x, then a swing about an axis across x, q = swing * twist. TURN_X is the
+ *  twist, 2 atan2(q.x, q.w). TURN_Y and TURN_Z are the components of the swing's rotation vector: axis times angle. Where one
+ *  turn alone is not 0, it is the angle about that axis. Near a swing of pi the three are no coordinates any more: keep limits
+ *  and drives off it by 0.01 rad. All three turns together may be locked anywhere.
+ *  @{ */
+#define CAROM_AXIS_X 0u         /* m, B's point along A's x axis   @since 1.8 */
+#define CAROM_AXIS_Y 1u         /* m   @since 1.8 */
+#define CAROM_AXIS_Z 2u         /* m   @since 1.8 */
+#define CAROM_AXIS_TURN_X 3u    /* rad, (-pi, pi]   @since 1.8 */
+#define CAROM_AXIS_TURN_Y 4u    /* rad, [-pi, pi]   @since 1.8 */
+#define CAROM_AXIS_TURN_Z 5u    /* rad, [-pi, pi]   @since 1.8 */
+#define CAROM_AXIS_COUNT 6u /* @since 1.8 */
+#define CAROM_AXIS_MODE_FREE 0u    /* @since 1.8 */
+#define CAROM_AXIS_MODE_LOCKED 1u  /* at `lower`   @since 1.8 */
+#define CAROM_AXIS_MODE_LIMITED 2u /* from `lower` to `upper`; where both are the same and the stops hard, it is locked   @since 1.8 */
+#define CAROM_AXIS_MODE_COUNT 3u /* @since 1.8 */
+/** @} */
+
+/** @name What a drive aims at
+ *  @{ */
+#define CAROM_DRIVE_NONE 0u /* @since 1.8 */
+#define CAROM_DRIVE_POSITION 1u /* force = stiffness (target - x) + damping (speed - x'), `most` at most   @since 1.8 */
+#define CAROM_DRIVE_VELOCITY 2u /* the speed, by whatever force up to `most`   @since 1.8 */
+#define CAROM_DRIVE_EFFORT 3u   /* a force or torque, `most` at most, whatever the motion   @since 1.8 */
+#define CAROM_DRIVE_COUNT 4u /* @since 1.8 */
+/** @} */
+
+/** @name In what a stiffness and a damping are given. m: what the joint's bodies weigh along the axis, were they alone and what
+ *  is locked staying so
+ *  @{ */
+#define CAROM_GAINS_FREQUENCY 0u    /* Hz and a ratio: force = -m (w^2 x + 2 damping w x'), w = 2 pi stiffness   @since 1.8 */
+#define CAROM_GAINS_FORCE 1u        /* N/m and N s/m, or N m/rad and N m s/rad: force = -(stiffness x + damping x')   @since 1.8 */
+#define CAROM_GAINS_ACCELERATION 2u /* 1/s^2 and 1/s: force = -m (stiffness x + damping x')   @since 1.8 */
+#define CAROM_GAINS_COUNT 3u /* @since 1.8 */
+/** @} */
 
 /** @name Bits of carom_joint_desc.fields
  *  @{ */
@@ -105,6 +144,48 @@ typedef struct carom_joint_transmission {
                            A part of the rope without length pulls nowhere: keep points off anchors */
 } carom_joint_transmission;
 
+/** What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside each other; of
+ *  what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it.   @since 1.8 */
+typedef struct carom_joint_axis {
+  uint32_t struct_size;
+  uint32_t mode;           /**< CAROM_AXIS_MODE_* */
+  double lower;            /**< m, [-1e9, 1e9], or rad, [-pi, pi] */
+  double upper;            /**< likewise, at least lower */
+  uint32_t stop_gains;     /**< CAROM_GAINS_*: of the stops of a limit */
+  uint32_t drive_gains;    /**< of a drive to a position */
+  uint32_t spring_gains;   /**< of the spring beside the drive */
+  uint32_t drive;          /**< CAROM_DRIVE_* */
+  double stop_stiffness;   /**< of a spring that pushes back from beyond a limit; in Hz [0, 1e4], else [0, 1e30]; it and
+                                stop_damping 0: the stops are hard */
+  double stop_damping;     /**< beyond a limit; a ratio [0, 1e3], else [0, 1e30] */
+  double target;           /**< m or rad, as lower: of a drive to a position */
+  double speed;            /**< m/s or rad/s, [-1e6, 1e6]: of a drive to a velocity; of a drive to a position that of its target */
+  double effort;           /**< N or N m, [-1e30, 1e30]: of a drive by effort */
+  double most;             /**< N or N m, [0, 1e30]: how hard the drive pushes at most */
+  double drive_stiffness;  /**< as stop_stiffness */
+  double drive_damping;    /**< as stop_damping */
+  double rest;             /**< m or rad, as lower: where the spring rests */
+  double spring_stiffness; /**< as stop_stiffness; it and spring_damping 0: there is none */
+  double spring_damping;   /**< as stop_damping */
+} carom_joint_axis;
+
+/** A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is locked (else
+ *  it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's frame is, its torque is
+ *  stiffness (-e) + damping (velocity - omega), about each of A's axes `most` at most. Fill with
+ *  carom_joint_orientation_drive_init().   @since 1.8 */
+typedef struct carom_joint_orientation_drive {
+  uint32_t struct_size;
+  uint32_t drive;     /**< CAROM_DRIVE_* */
+  uint32_t gains;     /**< CAROM_GAINS_* */
+  uint32_t reserved;  /**< 0 */
+  double target[4];   /**< x, y, z, w: B's frame -> A's; of CAROM_DRIVE_POSITION. Half a turn off there is no shortest way */
+  double velocity[3]; /**< rad/s, [-1e6, 1e6], A's frame, of B relative to A */
+  double effort[3];   /**< N m, [-1e30, 1e30], A's frame: of CAROM_DRIVE_EFFORT */
+  double most[3];     /**< N m, [0, 1e30], about A's x, y, z axis */
+  double stiffness;   /**< Hz [0, 1e4], else [0, 1e30] */
+  double damping;     /**< a ratio [0, 1e3], else [0, 1e30] */
+} carom_joint_orientation_drive;
+
 /** What a joint does and where it is.   @since 1.5 */
 typedef struct carom_joint_state {
   uint32_t struct_size;
@@ -115,6 +196,7 @@ typedef struct carom_joint_state {
   double gap;           /**< m, how far the points are from where they should be, limits included */
   double angle;         /**< rad, how far the axes are, likewise; of a gear how far its wheels have slipped, of A's turns */
   double coordinate[4]; /**< by CAROM_COORDINATE_*, as the bodies stand now */
+  double axis[6];       /**< m and rad, by CAROM_AXIS_*, likewise; of any kind   @since 1.8 */
 } carom_joint_state;
 
 /** @status OK; NULL_ARGUMENT   @since 1.5 */
@@ -125,6 +207,11 @@ CAROM_API int32_t carom_joint_motor_init(carom_joint_motor *motor);
 CAROM_API int32_t carom_joint_spring_init(carom_joint_spring *spring);
 /** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT   @since 1.8 */
 CAROM_API int32_t carom_joint_transmission_init(carom_joint_transmission *transmission);
+
+/** Free, without drive and spring, `most` as large as may be.   @status OK; NULL_ARGUMENT   @since 1.8 */
+CAROM_API int32_t carom_joint_axis_init(carom_joint_axis *axis);
+/** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT   @since 1.8 */
+CAROM_API int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive *drive);
 
 /** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
@@ -174,6 +261,35 @@ CAROM_API int32_t carom_joint_set_transmission(carom_world *world, carom_joint j
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8 */
 CAROM_API int32_t carom_joint_get_transmission(carom_world *world, carom_joint joint, carom_joint_transmission *transmission,
                                                carom_error *error);
+
+/** Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its drives; springs
+ *  and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
+ *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the frequency and
+ *  b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their amplitude and fade slower by
+ *  b h of their rate; at rest they sag by load / stiffness, to rounding where one joint bears all, in first order where soft_step
+ *  sweeps over several. A drive to a velocity holds that of the middle of a substep under the direct solver, and one with a damping
+ *  alone does under any: what a step ends with differs by what the load does in h / 2. Forces of drives are met to rounding.
+ *  Oracle: tests/oracle/test_six_axis, test_six_axis_scenes.
+ *  @param axis CAROM_AXIS_*
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
+ *          *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8 */
+CAROM_API int32_t carom_joint_set_axis(carom_world *world, carom_joint joint, uint32_t axis, const carom_joint_axis *desc,
+                                       carom_error *error);
+/** @param axis CAROM_AXIS_*   @param desc out: as it was set
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8 */
+CAROM_API int32_t carom_joint_get_axis(carom_world *world, carom_joint joint, uint32_t axis, carom_joint_axis *desc,
+                                       carom_error *error);
+/** Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect joint_motors.
+ *  Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls it ends at the target to
+ *  rounding. Oracle: tests/oracle/test_six_axis.
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer field; a
+ *          reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8 */
+CAROM_API int32_t carom_joint_set_orientation_drive(carom_world *world, carom_joint joint,
+                                                    const carom_joint_orientation_drive *drive, carom_error *error);
+/** @param drive out: as it was set
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8 */
+CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_joint joint, carom_joint_orientation_drive *drive,
+                                                    carom_error *error);
 
 /** Number of joints, and their handles in creation order of the slots.
  *  @param joints [capacity] or NULL   @param count out: how many there are

@@ -5,8 +5,10 @@
 
 #include "abi/ends.h"
 #include "abi/float_scope.h"
+#include "abi/joint_numbers.h"
 #include "abi/record_calls.h"
 #include "abi/world.h"
+#include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/quarantine.h"
 
@@ -21,7 +23,8 @@ static_assert(static_cast<std::uint32_t>(JointKind::count) == CAROM_JOINT_COUNT 
               static_cast<std::uint32_t>(JointKind::distance) == CAROM_JOINT_DISTANCE &&
               static_cast<std::uint32_t>(JointKind::universal) == CAROM_JOINT_UNIVERSAL &&
               static_cast<std::uint32_t>(JointKind::pulley) == CAROM_JOINT_PULLEY &&
-              static_cast<std::uint32_t>(JointKind::gear) == CAROM_JOINT_GEAR);
+              static_cast<std::uint32_t>(JointKind::gear) == CAROM_JOINT_GEAR &&
+              static_cast<std::uint32_t>(JointKind::six_axis) == CAROM_JOINT_SIX_AXIS);
 static_assert(kCoordinates == CAROM_COORDINATE_COUNT &&
               static_cast<std::uint32_t>(Coordinate::twist) == CAROM_COORDINATE_TWIST &&
               static_cast<std::uint32_t>(Coordinate::swing) == CAROM_COORDINATE_SWING &&
@@ -29,13 +32,8 @@ static_assert(kCoordinates == CAROM_COORDINATE_COUNT &&
               static_cast<std::uint32_t>(Coordinate::distance) == CAROM_COORDINATE_DISTANCE);
 
 constexpr std::uint32_t kJointFields = CAROM_JOINT_WORLD_FRAME | CAROM_JOINT_COLLIDE | CAROM_JOINT_FIELD_LENGTH;
-constexpr double kLongestJoint = 1e9, kFastestMotor = 1e6, kStrongestMotor = 1e30, kStiffest = 1e4, kMostDamping = 1e3;
 constexpr double kLeastRatio = 1e-3, kMostRatio = 1e3;
 constexpr double kFarthestApart = 8 * kMaxPosition;  // m: of places on bodies that no step would quarantine
-
-bool resolve_joint(Call& call, const World& world, carom_joint joint) {
-  return resolve(call, 2, "joint", world.joints.slots, joint);
-}
 
 bool check_position(Call& call, const char* name, const double v[3], int argument = 2) {
   return finite(call, argument, name, v, 3) &&
@@ -328,7 +326,8 @@ int32_t carom_joint_get_state(carom_world* world, carom_joint handle, carom_join
     full.broken = joint.broken;
     from_vec3(joint.force, full.force), from_vec3(joint.torque, full.torque);
     full.gap = place.gap, full.angle = place.angle;
-    std::copy(place.at.begin(), place.at.end(), full.coordinate);
+    const auto axis = axes_at(place);
+    std::copy(place.at.begin(), place.at.end(), full.coordinate), std::copy(axis.begin(), axis.end(), full.axis);
     write_struct(full, state);
   });
 }

@@ -219,9 +219,13 @@ void add_joints(Hash& h, const World& world) {
   for (const Joint& joint : world.joints.joint) {
     for (const Real p : joint.p) h.add(double(p));
     for (const Real p : joint.drive_p) h.add(double(p));
+    h.add_coefficients(joint.turn.p);
     h.add(double(joint.p_h)), h.add(std::uint64_t(joint.broken));
     h.add_coefficients(joint.force), h.add_coefficients(joint.torque);
   }
+  for (const JointAxes& axes : world.joints.axes)
+    for (const auto& of_axis : axes.p)
+      for (const Real p : of_axis) h.add(double(p));
 }
 
 void add_pairs(Hash& h, const World& world) {

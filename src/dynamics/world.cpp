@@ -99,6 +99,10 @@ std::uint64_t World::hash() const {
     h.add((std::uint64_t(j) << 1) | joint.broken);
     for (const Real p : joint.p) h.add(p);
     for (const Real p : joint.drive_p) h.add(p);
+    for (const auto& of_axis : joints.axes_of(joint).p)
+      for (const Real p : of_axis)
+        if (joint.axes) h.add(p);
+    if (joint.turn.mode != AxisDrive::none) h.add_coefficients(joint.turn.p);
   }
   if (sleep->count > 0) {
     for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i) h.add(std::uint64_t(state.sleeps(i)));

@@ -104,6 +104,8 @@ class World {
   Handle add_joint(const JointDef& def);  // its bodies are two, or one and the world
   void remove_joint(std::uint32_t joint);
   void set_joint_drive(std::uint32_t joint, Coordinate coordinate, const JointDrive& drive);
+  void set_joint_axis(std::uint32_t joint, std::uint32_t axis, const JointAxis& to);  // of a six-axis joint
+  void set_joint_turn(std::uint32_t joint, const TurnDrive& to);  // of a ball or a six-axis joint
   void break_joint(std::uint32_t joint);  // it stays, and holds nothing any more
   void set_wind(const Vec3& wind);
   void set_water(const WaterDef* water);  // null: none

@@ -182,6 +182,10 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   carom_joint_spring_init(&spring);
   carom_joint_transmission transmission;
   carom_joint_transmission_init(&transmission);
+  carom_joint_axis axis;
+  carom_joint_axis_init(&axis);
+  carom_joint_orientation_drive turn;
+  carom_joint_orientation_drive_init(&turn);
   carom_joint_state joint_state = {};
   joint_state.struct_size = sizeof joint_state;
   const carom_joint none = CAROM_NULL_HANDLE;  // BUSY comes before any look at it
@@ -197,6 +201,10 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("joint_get_spring", carom_joint_get_spring(b.world, none, CAROM_COORDINATE_TWIST, &spring, nullptr));
   add("joint_set_transmission", carom_joint_set_transmission(b.world, none, &transmission, nullptr));
   add("joint_get_transmission", carom_joint_get_transmission(b.world, none, &transmission, nullptr));
+  add("joint_set_axis", carom_joint_set_axis(b.world, none, CAROM_AXIS_X, &axis, nullptr));
+  add("joint_get_axis", carom_joint_get_axis(b.world, none, CAROM_AXIS_X, &axis, nullptr));
+  add("joint_set_orientation_drive", carom_joint_set_orientation_drive(b.world, none, &turn, nullptr));
+  add("joint_get_orientation_drive", carom_joint_get_orientation_drive(b.world, none, &turn, nullptr));
   add("world_get_joints", carom_world_get_joints(b.world, nullptr, 0, &count, nullptr));
   add("world_get_bodies", carom_world_get_bodies(b.world, nullptr, 0, &count, nullptr));
   add("world_read", carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, b.bodies, 1, v, 0, nullptr));

@@ -168,6 +168,10 @@ const Place kPlaces[] = {
     {"joint_get_spring", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_spring d; carom_joint_spring_init(&d); return carom_joint_get_spring(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
     {"joint_set_transmission", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_transmission d; carom_joint_transmission_init(&d); return of_a_hinge(carom_joint_set_transmission(b.world, h, &d, e)); }},
     {"joint_get_transmission", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_transmission d; carom_joint_transmission_init(&d); return of_a_hinge(carom_joint_get_transmission(b.world, h, &d, e)); }},
+    {"joint_set_axis", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_axis d; carom_joint_axis_init(&d); return of_a_hinge(carom_joint_set_axis(b.world, h, 0, &d, e)); }},
+    {"joint_get_axis", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_axis d; carom_joint_axis_init(&d); return of_a_hinge(carom_joint_get_axis(b.world, h, 0, &d, e)); }},
+    {"joint_set_orientation_drive", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_orientation_drive d; carom_joint_orientation_drive_init(&d); return of_a_hinge(carom_joint_set_orientation_drive(b.world, h, &d, e)); }},
+    {"joint_get_orientation_drive", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_orientation_drive d; carom_joint_orientation_drive_init(&d); return of_a_hinge(carom_joint_get_orientation_drive(b.world, h, &d, e)); }},
     {"joint_destroy", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_joint_destroy(b.world, h, e); }},
     {"particles_destroy", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_particles_destroy(b.world, h, e); }},
 };

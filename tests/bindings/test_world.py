@@ -202,6 +202,28 @@ class Face(unittest.TestCase):
         self.assertAlmostEqual(one.angular_velocity[2], 4, 9)  # of 5 (1 / (1 + 1 / 4))
         self.assertAlmostEqual(two.angular_velocity[2], 2, 9)
 
+    def test_axes(self):
+        """A weight on a spring in N/m sags by m g / k; a ball turns to where it is told to."""
+        inertia = (0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1)
+        weight = self.world.body(position=(0, 0, 0), mass=2, inertia=inertia)
+        rail = self.world.joint("six_axis", None, weight, position=(0, 0, 0))
+        self.assertEqual((rail.desc.kind, rail.axis("x").mode), ("six_axis", "free"))
+        for name in ("x", "z", "turn_x", "turn_y", "turn_z"):
+            self.assertEqual(rail.axis(name, mode="locked").mode, "locked")
+        now = rail.axis("y", spring_gains="force", spring_stiffness=500, spring_damping=60)
+        self.assertEqual((now.spring_gains, now.spring_stiffness, now.drive), ("force", 500, "none"))
+        carom.run(self.world, 3)
+        self.assertAlmostEqual(rail.state.axis["y"], -2 * G / 500, 9)
+        head = self.world.body(position=(5, 0, 0), mass=2, inertia=inertia)
+        neck = self.world.joint("ball", None, head, position=(5, 0, 0))
+        half = math.sqrt(0.5)
+        drive = neck.orientation_drive(drive="position", target=(0, half, 0, half), stiffness=2, damping=1)
+        self.assertEqual((drive.drive, drive.gains, drive.stiffness), ("position", "frequency", 2))
+        carom.run(self.world, 3)
+        self.assertAlmostEqual(neck.state.axis["turn_y"], math.pi / 2, 9)
+        with self.assertRaises(NotImplementedError):
+            neck.axis("x")
+
     def test_forces(self):
         self.world.gravity = 0, 0, 0
         one, two = self.world.body(mass=2), self.world.body(mass=2, position=(2, 0, 0))

@@ -355,7 +355,7 @@ static void joints_are_told_by_their_limits(void**) {
         {lock("linearAxes", {0, 2}), lock("angularAxes", {0, 1, 2}), {{"linearAxes", {1}}, {"min", -1}, {"max", 2}}}}},
       {{"limits", {{{"linearAxes", {0, 1, 2}}, {"min", 0}, {"max", 1.5}}}}},
       {{"limits", {all, {{"angularAxes", {1, 2}}, {"min", 0}, {"max", 0.5}}}}},
-      {{"limits", {{{"linearAxes", {0}}, {"min", 0}, {"max", 0}}}}}};
+      {{"limits", {{{"linearAxes", {0, 2}}, {"min", 0}, {"max", 1}}}}}};  // a tube: no kind, and no axis
   const std::uint32_t kinds[] = {CAROM_JOINT_BALL,   CAROM_JOINT_HINGE,    CAROM_JOINT_WELD,
                                  CAROM_JOINT_SLIDER, CAROM_JOINT_DISTANCE, CAROM_JOINT_BALL};
   json nodes = json::array();
@@ -408,6 +408,59 @@ static void joints_are_told_by_their_limits(void**) {
     else
       assert_true(near((at - Vec(10.0 * static_cast<double>(k), 1, 0)).norm(), 1, 5e-3));
   }
+}
+
+/// What no other kind has comes to six-axis joints: part of the axes locked, at offsets, soft limits, drives along several axes and to
+/// velocities. Angles and places are those of the file's axes.
+static void other_joints_are_told_by_their_axes(void**) {
+  const json joints = {
+      {{"limits", {{{"linearAxes", {0}}, {"min", 0.25}, {"max", 0.25}}, {{"angularAxes", {0, 1, 2}}, {"min", 0}, {"max", 0}}}}},
+      {{"limits",
+        {{{"linearAxes", {0, 2}}, {"min", 0}, {"max", 0}},
+         {{"linearAxes", {1}}, {"min", -0.5}, {"stiffness", 400}, {"damping", 30}},
+         {{"angularAxes", {2}}, {"min", -0.5}, {"max", 0.75}}}},
+       {"drives",
+        {{{"type", "angular"}, {"axis", 1}, {"velocityTarget", 2}, {"damping", 5}, {"maxForce", 7}},
+         {{"type", "linear"}, {"mode", "acceleration"}, {"axis", 1}, {"positionTarget", 1}, {"stiffness", 100}, {"damping", 8}}}}}};
+  json nodes = json::array();
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const double x = 10.0 * static_cast<double>(k);
+    nodes.push_back({{"name", "body " + std::to_string(k)},
+                     {"translation", {x, 0, 0}},
+                     {"extensions", physics({{"motion", json::object()}, {"collider", with_shape(0)}})}});
+    nodes.push_back({{"translation", {x, 0, 0}},
+                     {"extensions", physics({{"joint", {{"connectedNode", 2 * k}, {"joint", k}}}})}});
+  }
+  Read r(scene(nodes, json::array({box(0.5, 0.5, 0.5)}), json::object({{"physicsJoints", joints}})));
+  for (const std::string& remark : r.stage.remarks) assert_true(remark.find("left out") == std::string::npos);
+  carom_world* const world = r.stage.world.get();
+  std::uint64_t count = 0;
+  carom_joint handles[4];
+  assert_int_equal(carom_world_get_joints(world, handles, 4, &count, nullptr), CAROM_OK);
+  assert_int_equal(count, 2);
+  const auto axis = [&](std::size_t k, std::uint32_t which) {
+    carom_joint_axis d;
+    carom_joint_axis_init(&d);
+    assert_int_equal(carom_joint_get_axis(world, handles[k], which, &d, nullptr), CAROM_OK);
+    return d;
+  };
+  assert_true(axis(0, CAROM_AXIS_X).mode == CAROM_AXIS_MODE_LOCKED && axis(0, CAROM_AXIS_X).lower == 0.25);
+  assert_true(axis(0, CAROM_AXIS_Y).mode == CAROM_AXIS_MODE_FREE && axis(0, CAROM_AXIS_TURN_Z).mode == CAROM_AXIS_MODE_LOCKED);
+  const carom_joint_axis soft = axis(1, CAROM_AXIS_Y), turn = axis(1, CAROM_AXIS_TURN_Y), hard = axis(1, CAROM_AXIS_TURN_Z);
+  assert_true(soft.lower == -0.5 && soft.upper == 1e9 && soft.stop_stiffness == 400 && soft.stop_damping == 30);
+  assert_true(soft.drive == CAROM_DRIVE_POSITION && soft.drive_gains == CAROM_GAINS_ACCELERATION && soft.target == 1);
+  assert_true(turn.drive_gains == CAROM_GAINS_FORCE && turn.speed == 2 && turn.drive_damping == 5 && turn.most == 7);
+  assert_true(hard.lower == -0.5 && hard.upper == 0.75 && hard.stop_stiffness == 0);
+  const File file(".gltf");  // and so they are written, and read back to the same bits
+  write_scene(file.path, r.stage, 1, 0.01);
+  Engine other(PluginPath({CAROM_PLUGIN_DIR}));
+  Stage again(other);
+  read_scene(file.path, again);
+  assert_true(bits_after(r.stage, 0.5, 0.01) == bits_after(again, 0.5, 0.01));
+  carom_joint_state s = {};
+  s.struct_size = sizeof s;
+  assert_int_equal(carom_joint_get_state(world, handles[0], &s, nullptr), CAROM_OK);
+  assert_true(near(s.axis[CAROM_AXIS_X], 0.25, 1e-3) && s.axis[CAROM_AXIS_Y] < -1);
 }
 
 static void what_is_wrong_is_refused_with_its_place(void**) {
@@ -506,6 +559,7 @@ int main(void) {
       cmocka_unit_test(meshes_are_hulls_or_scenery),
       cmocka_unit_test(materials_filters_and_triggers),
       cmocka_unit_test(joints_are_told_by_their_limits),
+      cmocka_unit_test(other_joints_are_told_by_their_axes),
       cmocka_unit_test(a_pulley_is_refused_and_not_written_as_another_kind),
       cmocka_unit_test(what_is_wrong_is_refused_with_its_place),
       cmocka_unit_test(damaged_files_do_no_harm),

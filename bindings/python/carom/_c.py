@@ -215,12 +215,33 @@ CAROM_JOINT_DISTANCE = 4
 CAROM_JOINT_UNIVERSAL = 5
 CAROM_JOINT_PULLEY = 6
 CAROM_JOINT_GEAR = 7
-CAROM_JOINT_COUNT = 8
+CAROM_JOINT_SIX_AXIS = 8
+CAROM_JOINT_COUNT = 9
 CAROM_COORDINATE_TWIST = 0
 CAROM_COORDINATE_SWING = 1
 CAROM_COORDINATE_SLIDE = 2
 CAROM_COORDINATE_DISTANCE = 3
 CAROM_COORDINATE_COUNT = 4
+CAROM_AXIS_X = 0
+CAROM_AXIS_Y = 1
+CAROM_AXIS_Z = 2
+CAROM_AXIS_TURN_X = 3
+CAROM_AXIS_TURN_Y = 4
+CAROM_AXIS_TURN_Z = 5
+CAROM_AXIS_COUNT = 6
+CAROM_AXIS_MODE_FREE = 0
+CAROM_AXIS_MODE_LOCKED = 1
+CAROM_AXIS_MODE_LIMITED = 2
+CAROM_AXIS_MODE_COUNT = 3
+CAROM_DRIVE_NONE = 0
+CAROM_DRIVE_POSITION = 1
+CAROM_DRIVE_VELOCITY = 2
+CAROM_DRIVE_EFFORT = 3
+CAROM_DRIVE_COUNT = 4
+CAROM_GAINS_FREQUENCY = 0
+CAROM_GAINS_FORCE = 1
+CAROM_GAINS_ACCELERATION = 2
+CAROM_GAINS_COUNT = 3
 CAROM_JOINT_WORLD_FRAME = 1
 CAROM_JOINT_COLLIDE = 2
 CAROM_JOINT_FIELD_LENGTH = 4
@@ -392,8 +413,12 @@ class carom_joint_spring(Structure):
     _fields_ = [("struct_size", c_uint32), ("enabled", c_uint32), ("target", c_double), ("frequency", c_double), ("damping", c_double), ("most", c_double)]
 class carom_joint_transmission(Structure):
     _fields_ = [("struct_size", c_uint32), ("fields", c_uint32), ("ratio", c_double), ("anchor_a", c_double * 3), ("anchor_b", c_double * 3), ("length", c_double)]
+class carom_joint_axis(Structure):
+    _fields_ = [("struct_size", c_uint32), ("mode", c_uint32), ("lower", c_double), ("upper", c_double), ("stop_gains", c_uint32), ("drive_gains", c_uint32), ("spring_gains", c_uint32), ("drive", c_uint32), ("stop_stiffness", c_double), ("stop_damping", c_double), ("target", c_double), ("speed", c_double), ("effort", c_double), ("most", c_double), ("drive_stiffness", c_double), ("drive_damping", c_double), ("rest", c_double), ("spring_stiffness", c_double), ("spring_damping", c_double)]
+class carom_joint_orientation_drive(Structure):
+    _fields_ = [("struct_size", c_uint32), ("drive", c_uint32), ("gains", c_uint32), ("reserved", c_uint32), ("target", c_double * 4), ("velocity", c_double * 3), ("effort", c_double * 3), ("most", c_double * 3), ("stiffness", c_double), ("damping", c_double)]
 class carom_joint_state(Structure):
-    _fields_ = [("struct_size", c_uint32), ("broken", c_uint32), ("force", c_double * 3), ("torque", c_double * 3), ("gap", c_double), ("angle", c_double), ("coordinate", c_double * 4)]
+    _fields_ = [("struct_size", c_uint32), ("broken", c_uint32), ("force", c_double * 3), ("torque", c_double * 3), ("gap", c_double), ("angle", c_double), ("coordinate", c_double * 4), ("axis", c_double * 6)]
 class carom_ledger_entry(Structure):
     _fields_ = [("name", c_char_p), ("kinetic", c_double), ("potential", c_double), ("linear", c_double * 3), ("angular", c_double * 3), ("total_kinetic", c_double), ("total_potential", c_double), ("total_linear", c_double * 3), ("total_angular", c_double * 3)]
 class carom_ledger_state(Structure):
@@ -475,6 +500,8 @@ STRUCTS = {
     "carom_joint_motor": carom_joint_motor,
     "carom_joint_spring": carom_joint_spring,
     "carom_joint_transmission": carom_joint_transmission,
+    "carom_joint_axis": carom_joint_axis,
+    "carom_joint_orientation_drive": carom_joint_orientation_drive,
     "carom_joint_state": carom_joint_state,
     "carom_ledger_entry": carom_ledger_entry,
     "carom_ledger_state": carom_ledger_state,
@@ -626,6 +653,8 @@ FUNCTIONS = {
     "carom_joint_motor_init": ("1.5", c_int32, (POINTER(carom_joint_motor),)),
     "carom_joint_spring_init": ("1.5", c_int32, (POINTER(carom_joint_spring),)),
     "carom_joint_transmission_init": ("1.8", c_int32, (POINTER(carom_joint_transmission),)),
+    "carom_joint_axis_init": ("1.8", c_int32, (POINTER(carom_joint_axis),)),
+    "carom_joint_orientation_drive_init": ("1.8", c_int32, (POINTER(carom_joint_orientation_drive),)),
     "carom_joint_create": ("1.5", c_int32, (c_void_p, POINTER(carom_joint_desc), POINTER(carom_joint), POINTER(carom_error),)),
     "carom_joint_destroy": ("1.5", c_int32, (c_void_p, carom_joint, POINTER(carom_error),)),
     "carom_joint_get": ("1.5", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_desc), POINTER(carom_error),)),
@@ -638,6 +667,10 @@ FUNCTIONS = {
     "carom_joint_get_spring": ("1.5", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_spring), POINTER(carom_error),)),
     "carom_joint_set_transmission": ("1.8", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_transmission), POINTER(carom_error),)),
     "carom_joint_get_transmission": ("1.8", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_transmission), POINTER(carom_error),)),
+    "carom_joint_set_axis": ("1.8", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_axis), POINTER(carom_error),)),
+    "carom_joint_get_axis": ("1.8", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_axis), POINTER(carom_error),)),
+    "carom_joint_set_orientation_drive": ("1.8", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_orientation_drive), POINTER(carom_error),)),
+    "carom_joint_get_orientation_drive": ("1.8", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_orientation_drive), POINTER(carom_error),)),
     "carom_world_get_joints": ("1.5", c_int32, (c_void_p, POINTER(carom_joint), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_world_enable_ledger": ("1.7", c_int32, (c_void_p, c_uint32, POINTER(carom_error),)),
     "carom_world_get_ledger": ("1.7", c_int32, (c_void_p, POINTER(carom_ledger_entry), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),

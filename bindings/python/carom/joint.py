@@ -9,8 +9,10 @@ from . import raw
 from ._values import describe, enum, handle_of, record, set_field, word
 from .body import Thing
 
-KINDS = ("ball", "hinge", "slider", "weld", "distance", "universal", "pulley", "gear")
+KINDS = ("ball", "hinge", "slider", "weld", "distance", "universal", "pulley", "gear", "six_axis")
 COORDINATES = ("twist", "swing", "slide", "distance")
+AXES = ("x", "y", "z", "turn_x", "turn_y", "turn_z")
+MODES, DRIVES, GAINS = ("free", "locked", "limited"), ("none", "position", "velocity", "effort"), ("frequency", "force", "acceleration")
 
 
 def turn_x_to(axis: Sequence[float]) -> tuple[float, ...]:
@@ -43,6 +45,13 @@ def make_joint(world, kind, a, b, position, orientation, axis, about) -> Joint:
     return world._create("carom_joint", raw.carom_joint_create, ctypes.byref(describe(raw.carom_joint_desc, about)))
 
 
+def _with_numbers(about: dict) -> dict:
+    """Words for modes, drives and gains as their numbers."""
+    prefixes = {"mode": "AXIS_MODE", "drive": "DRIVE"}
+    return {name: enum("GAINS" if name.endswith("gains") else prefixes[name], value)
+            if name in prefixes or name.endswith("gains") else value for name, value in about.items()}
+
+
 class Joint(Thing):
     """Coordinates: "twist" and "swing", rad; "slide" and "distance", m."""
 
@@ -57,10 +66,12 @@ class Joint(Thing):
 
     @property
     def state(self):
-        """broken, force (N) and torque (N m) on B over the last step, gap (m), angle (rad), coordinate {name: value}."""
+        """broken, force (N) and torque (N m) on B over the last step, gap (m), angle (rad), coordinate and axis
+        {name: value}."""
         state = raw.carom_joint_state(struct_size=ctypes.sizeof(raw.carom_joint_state))
         self._call(raw.carom_joint_get_state, ctypes.byref(state))
-        return record(state, broken=bool(state.broken), coordinate=dict(zip(COORDINATES, state.coordinate)))
+        return record(state, broken=bool(state.broken), coordinate=dict(zip(COORDINATES, state.coordinate)),
+                      axis=dict(zip(AXES, state.axis)))
 
     def transmission(self, **about):
         """Of a pulley or a gear. Read it, or with ratio=, and of a pulley anchor_a=, anchor_b= (m, world), length=, set it;
@@ -73,6 +84,29 @@ class Joint(Thing):
         now = struct(struct_size=ctypes.sizeof(struct))
         self._call(raw.carom_joint_get_transmission, ctypes.byref(now))
         return record(now)
+
+    def axis(self, axis: str | int, **about):
+        """Of a six-axis joint. Read what an axis ("x", ..., "turn_z") does, or set it, all of it: mode="free", "locked" or
+        "limited", lower=, upper= (m or rad); drive="position", "velocity" or "effort", with target=, speed=, effort=, most=,
+        drive_stiffness=, drive_damping=; rest=, spring_stiffness=, spring_damping=; stop_stiffness=, stop_damping=; and in what
+        those are, stop_gains=, drive_gains=, spring_gains="frequency", "force" or "acceleration"."""
+        number, struct = enum("AXIS", axis), raw.carom_joint_axis
+        if about:
+            self._call(raw.carom_joint_set_axis, number, ctypes.byref(describe(struct, _with_numbers(about))))
+        now = struct(struct_size=ctypes.sizeof(struct))
+        self._call(raw.carom_joint_get_axis, number, ctypes.byref(now))
+        return record(now, mode=MODES[now.mode], drive=DRIVES[now.drive],
+                      **{name: GAINS[getattr(now, name)] for name in ("stop_gains", "drive_gains", "spring_gains")})
+
+    def orientation_drive(self, **about):
+        """Of a ball or a six-axis joint. Read the drive to an orientation, or set it: drive="position" with target= (x, y, z, w: B's
+        frame in A's), velocity= (rad/s, A's frame), stiffness=, damping=, gains=; "velocity"; "effort" with effort= (N m); most=."""
+        struct = raw.carom_joint_orientation_drive
+        if about:
+            self._call(raw.carom_joint_set_orientation_drive, ctypes.byref(describe(struct, _with_numbers(about))))
+        now = struct(struct_size=ctypes.sizeof(struct))
+        self._call(raw.carom_joint_get_orientation_drive, ctypes.byref(now))
+        return record(now, drive=DRIVES[now.drive], gains=GAINS[now.gains])
 
     def _part(self, struct, get, set, coordinate, about):
         number = enum("COORDINATE", coordinate)

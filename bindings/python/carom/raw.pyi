@@ -222,12 +222,33 @@ CAROM_JOINT_DISTANCE: int
 CAROM_JOINT_UNIVERSAL: int
 CAROM_JOINT_PULLEY: int
 CAROM_JOINT_GEAR: int
+CAROM_JOINT_SIX_AXIS: int
 CAROM_JOINT_COUNT: int
 CAROM_COORDINATE_TWIST: int
 CAROM_COORDINATE_SWING: int
 CAROM_COORDINATE_SLIDE: int
 CAROM_COORDINATE_DISTANCE: int
 CAROM_COORDINATE_COUNT: int
+CAROM_AXIS_X: int
+CAROM_AXIS_Y: int
+CAROM_AXIS_Z: int
+CAROM_AXIS_TURN_X: int
+CAROM_AXIS_TURN_Y: int
+CAROM_AXIS_TURN_Z: int
+CAROM_AXIS_COUNT: int
+CAROM_AXIS_MODE_FREE: int
+CAROM_AXIS_MODE_LOCKED: int
+CAROM_AXIS_MODE_LIMITED: int
+CAROM_AXIS_MODE_COUNT: int
+CAROM_DRIVE_NONE: int
+CAROM_DRIVE_POSITION: int
+CAROM_DRIVE_VELOCITY: int
+CAROM_DRIVE_EFFORT: int
+CAROM_DRIVE_COUNT: int
+CAROM_GAINS_FREQUENCY: int
+CAROM_GAINS_FORCE: int
+CAROM_GAINS_ACCELERATION: int
+CAROM_GAINS_COUNT: int
 CAROM_JOINT_WORLD_FRAME: int
 CAROM_JOINT_COLLIDE: int
 CAROM_JOINT_FIELD_LENGTH: int
@@ -661,6 +682,43 @@ class carom_joint_transmission(ctypes.Structure):
     anchor_a: Any
     anchor_b: Any
     length: float
+class carom_joint_axis(ctypes.Structure):
+    """What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside each other; of
+    what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it.   @since 1.8"""
+    struct_size: int
+    mode: int
+    lower: float
+    upper: float
+    stop_gains: int
+    drive_gains: int
+    spring_gains: int
+    drive: int
+    stop_stiffness: float
+    stop_damping: float
+    target: float
+    speed: float
+    effort: float
+    most: float
+    drive_stiffness: float
+    drive_damping: float
+    rest: float
+    spring_stiffness: float
+    spring_damping: float
+class carom_joint_orientation_drive(ctypes.Structure):
+    """A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is locked (else
+    it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's frame is, its torque is
+    stiffness (-e) + damping (velocity - omega), about each of A's axes `most` at most. Fill with
+    carom_joint_orientation_drive_init().   @since 1.8"""
+    struct_size: int
+    drive: int
+    gains: int
+    reserved: int
+    target: Any
+    velocity: Any
+    effort: Any
+    most: Any
+    stiffness: float
+    damping: float
 class carom_joint_state(ctypes.Structure):
     """What a joint does and where it is.   @since 1.5"""
     struct_size: int
@@ -670,6 +728,7 @@ class carom_joint_state(ctypes.Structure):
     gap: float
     angle: float
     coordinate: Any
+    axis: Any
 class carom_ledger_entry(ctypes.Structure):
     """A cause: what it gave in the last step, and since the ledger began."""
     name: Any
@@ -1444,6 +1503,12 @@ def carom_joint_spring_init(spring: Any) -> int:
 def carom_joint_transmission_init(transmission: Any) -> int:
     """Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT   @since 1.8"""
     ...
+def carom_joint_axis_init(axis: Any) -> int:
+    """Free, without drive and spring, `most` as large as may be.   @status OK; NULL_ARGUMENT   @since 1.8"""
+    ...
+def carom_joint_orientation_drive_init(drive: Any) -> int:
+    """No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT   @since 1.8"""
+    ...
 def carom_joint_create(world: Any, desc: Any, joint: Any, error: Any) -> int:
     """Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
@@ -1500,6 +1565,34 @@ def carom_joint_set_transmission(world: Any, joint: Any, transmission: Any, erro
     ...
 def carom_joint_get_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
     """@param transmission out: as it was set, with its length; ratio 0: not yet
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8"""
+    ...
+def carom_joint_set_axis(world: Any, joint: Any, axis: Any, desc: Any, error: Any) -> int:
+    """Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its drives; springs
+    and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
+    Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the frequency and
+    b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their amplitude and fade slower by
+    b h of their rate; at rest they sag by load / stiffness, to rounding where one joint bears all, in first order where soft_step
+    sweeps over several. A drive to a velocity holds that of the middle of a substep under the direct solver, and one with a damping
+    alone does under any: what a step ends with differs by what the load does in h / 2. Forces of drives are met to rounding.
+    Oracle: tests/oracle/test_six_axis, test_six_axis_scenes.
+    @param axis CAROM_AXIS_*
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
+            *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8"""
+    ...
+def carom_joint_get_axis(world: Any, joint: Any, axis: Any, desc: Any, error: Any) -> int:
+    """@param axis CAROM_AXIS_*   @param desc out: as it was set
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8"""
+    ...
+def carom_joint_set_orientation_drive(world: Any, joint: Any, drive: Any, error: Any) -> int:
+    """Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect joint_motors.
+    Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls it ends at the target to
+    rounding. Oracle: tests/oracle/test_six_axis.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer field; a
+            reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8"""
+    ...
+def carom_joint_get_orientation_drive(world: Any, joint: Any, drive: Any, error: Any) -> int:
+    """@param drive out: as it was set
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8"""
     ...
 def carom_world_get_joints(world: Any, joints: Any, capacity: Any, count: Any, error: Any) -> int:

@@ -52,7 +52,10 @@ void bend(const JointRun& run, double h) {
           r += 3;
           break;
         case JointPart::line:
-          for (int l = 0; l < 2; ++l, ++r) {
+        case JointPart::place_x:
+        case JointPart::place_y:
+        case JointPart::place_z:
+          for (int l = joint.layout.part[k] == JointPart::line ? 0 : 1; l < 2; ++l, ++r) {
             const LaneVec d1 = cross(a.omega, r->d), d2 = cross(a.omega, d1);
             r->curve = half * (dot(d2, joint.gap) + 2 * dot(d1, parting) + dot(r->d, inward));
           }
@@ -71,6 +74,9 @@ void bend(const JointRun& run, double h) {
           r += 2;
           break;
         case JointPart::pins:
+        case JointPart::turn_x:
+        case JointPart::turn_y:
+        case JointPart::turn_z:
           r += 1;
           break;
         case JointPart::ropes: {

@@ -28,12 +28,20 @@ std::uint32_t& link_of(Joints& joints, std::uint32_t body, std::uint32_t slot) {
   return *link;
 }
 
+/// @param before  the key of its layout, as it was
+void note_layout(World& world, Joint& joint, std::uint64_t before) {
+  if (layout_key(world.joints, joint) == before) return;
+  world.joints.forget_impulses(joint);
+  ++world.scene.revision;
+}
+
 }  // namespace
 
 Handle World::add_joint(const JointDef& def) {
   make_room(joints.slots.slots(), joints.joint);
   if (joints.first.size() < scene.bodies.slots()) joints.first.resize(scene.bodies.slots(), kTheWorld);
   if (parts(def)) scene.joined.make_room();
+  if (def.kind == JointKind::six_axis) make_room(joints.axes.size(), joints.axes);
   wake_both(*this, def);  // may run out of memory, as all so far: nothing has changed yet
   const Handle handle = joints.slots.take();
   if (handle == 0) return 0;
@@ -51,6 +59,10 @@ void World::fill_joint(std::uint32_t slot, const JointDef& def) {
   Joint& joint = joints.joint[slot] = Joint{};
   joint.def = def;
   if (def.kind == JointKind::gear) joint.transmission.ratio = 1;
+  if (def.kind == JointKind::six_axis) {
+    joints.axes.emplace_back().owner = slot;
+    joint.axes = static_cast<std::uint32_t>(joints.axes.size());
+  }
   joint.def.frame_a.q = normalized(def.frame_a.q), joint.def.frame_b.q = normalized(def.frame_b.q);
   if (parts(def)) scene.joined.add(def.body_a, def.body_b);
 }
@@ -61,26 +73,46 @@ void World::remove_joint(std::uint32_t slot) {
   if (joint.def.body_a != kTheWorld) link_of(joints, joint.def.body_a, slot) = joint.next_a;
   if (joint.def.body_b != kTheWorld) link_of(joints, joint.def.body_b, slot) = joint.next_b;
   if (!joint.broken) unpart(scene, joint.def);
+  if (JointAxes* const axes = joints.axes_of(joint)) {
+    *axes = joints.axes.back();  // the last takes its place
+    joints.joint[axes->owner].axes = joint.axes;
+    joints.axes.pop_back();
+    joint.axes = 0;
+  }
   joints.slots.release(slot);
   ++scene.revision;
 }
 
 void World::set_joint_drive(std::uint32_t slot, Coordinate c, const JointDrive& drive) {
   Joint& joint = joints.joint[slot];
-  const std::uint32_t before = layout_key(joint);
+  const std::uint64_t before = layout_key(joints, joint);
   wake_both(*this, joint.def);
   joint.drive[static_cast<std::size_t>(c)] = drive;
-  if (layout_key(joint) == before) return;
-  joint.drive_p.fill(0);  // rows stand for something else now
-  joint.p.fill(0);
-  ++scene.revision;
+  note_layout(*this, joint, before);
+}
+
+void World::set_joint_axis(std::uint32_t slot, std::uint32_t axis, const JointAxis& to) {
+  Joint& joint = joints.joint[slot];
+  const std::uint64_t before = layout_key(joints, joint);
+  wake_both(*this, joint.def);
+  joints.axes_of(joint)->axis[axis] = to;
+  note_layout(*this, joint, before);
+}
+
+void World::set_joint_turn(std::uint32_t slot, const TurnDrive& to) {
+  Joint& joint = joints.joint[slot];
+  const std::uint64_t before = layout_key(joints, joint);
+  wake_both(*this, joint.def);
+  const Vec3 p = joint.turn.p;
+  joint.turn = to, joint.turn.p = p;
+  note_layout(*this, joint, before);
 }
 
 void World::set_transmission(std::uint32_t slot, const Transmission& transmission) {
   Joint& joint = joints.joint[slot];
   wake_both(*this, joint.def);
   joint.transmission = transmission;
-  joint.drive_p.fill(0), joint.p.fill(0);
+  joints.forget_impulses(joint);
   ++scene.revision;
 }
 

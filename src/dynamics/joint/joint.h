@@ -8,11 +8,13 @@
 #include <array>
 
 #include "core/pool.h"
-#include "core/pose.h"
+#include "dynamics/joint/axes.h"
 
 namespace carom::dynamics {
 
-enum class JointKind : std::uint8_t { ball, hinge, slider, weld, distance, universal, pulley, gear, count };  // CAROM_JOINT_*
+enum class JointKind : std::uint8_t {
+  ball, hinge, slider, weld, distance, universal, pulley, gear, six_axis, count  // CAROM_JOINT_*
+};
 
 /// Whether a kind turns one motion into another.
 inline bool has_transmission(JointKind kind) { return kind == JointKind::pulley || kind == JointKind::gear; }
@@ -90,16 +92,29 @@ struct Joint {
   Vec3 force = Vec3::zero();                             // N, world, on B, mean over the last step
   Vec3 torque = Vec3::zero();                            // N m, world, on B about its point, likewise
   std::uint32_t next_a = kTheWorld, next_b = kTheWorld;  // the next joint of each body
+  std::uint32_t axes = 0;                                // in Joints::axes, from 1; 0: it is no six-axis joint
+  TurnDrive turn;                                        // of a ball, or of a six-axis joint that may turn any way
 };
 
+/// Of a joint that has none: all are free.
+inline constexpr JointAxes kFreeAxes{};
+
 struct Joints {
-  Joints(std::uint32_t tag, Memory* m) : slots(Kind::joint, tag, m), joint(m), first(m) {}
+  Joints(std::uint32_t tag, Memory* m) : slots(Kind::joint, tag, m), joint(m), axes(m), first(m) {}
 
   SlotPool slots;
   Array<Joint> joint;          // by slot
+  Array<JointAxes> axes;       // of six-axis joints, in no order
   Array<std::uint32_t> first;  // by body slot: its first joint, or kTheWorld; empty until there is a joint
 
   bool alive(std::uint32_t slot) const { return slots.alive(slot); }
+  const JointAxes& axes_of(const Joint& j) const { return j.axes ? axes[j.axes - 1] : kFreeAxes; }
+  JointAxes* axes_of(Joint& j) { return j.axes ? &axes[j.axes - 1] : nullptr; }
+  /// No impulses any more: rows stand for something else now.
+  void forget_impulses(Joint& j) {
+    j.p.fill(0), j.drive_p.fill(0), j.turn.p.set_zero();
+    if (JointAxes* const a = axes_of(j)) a->p = {};
+  }
   /// f(slot, other body or kTheWorld) for the joints of a body.
   template <class F>
   void each_of(std::uint32_t body, F&& f) const {

@@ -19,20 +19,32 @@ enum class JointPart : std::uint8_t {
   direction,    // 2: the x axes do
   pins,         // 1: B's z axis stays at right angles to A's y axis
   ropes,        // 1: the lengths of two ropes have a sum
-  gears         // 1: the angles of both bodies about their x axes have a sum
+  gears,        // 1: the angles of both bodies about their x axes have a sum
+  place_x,      // 1: B's point stays in the plane across A's x axis
+  place_y,      // 1
+  place_z,      // 1
+  turn_x,       // 1: the twist stays
+  turn_y,       // 1: so does one component of the swing
+  turn_z        // 1
 };
-enum class DriveKind : std::uint8_t { motor, spring, limit };  // in the order in which they are visited
+enum class DriveKind : std::uint8_t { motor, spring, limit, stop };  // in the order in which they are visited
+/// Whether all of what a row does in a substep is done at once, by a law of where that began.
+CAROM_LANES_INLINE bool acts_once(DriveKind kind) { return kind == DriveKind::spring || kind == DriveKind::stop; }
 struct DriveRow {
-  std::uint8_t coordinate;  // as Coordinate
+  std::uint8_t coordinate;  // as Coordinate; from kFirstAxis, kFirstTurn
   DriveKind kind;
+  std::uint8_t source = 0;  // of an axis: as AxisSource
 };
+inline constexpr int kFirstAxis = 4;   // coordinates of rows: six axes, then
+inline constexpr int kFirstTurn = 10;  // the three components of what is left of a turn to an orientation
 
-inline constexpr int kMostParts = 2, kMostRows = 6, kMostDriveRows = 6;
+inline constexpr int kMostParts = 6, kMostRows = 6, kMostDriveRows = 21;
 
 /// The rows of a joint: those of its parts, then its drives. Joints that share lanes have the same.
 struct JointLayout {
   std::uint32_t parts = 0, equalities = 0, drives = 0;
   bool two_ways = false;  // A is pulled another way than B, @see PullLanes
+  bool axed = false;      // it has AxesLanes
   JointPart part[kMostParts] = {};
   DriveRow drive[kMostDriveRows] = {};
 };
@@ -73,6 +85,17 @@ struct GearLanes {
   Lanes ahead_a, ahead_b;    // rad, how far they go on in the move to come: which of many turns a pose stands for
 };
 
+/// What joints have beside whose axes, or whose turns as one, are locked, driven and sprung.
+struct AxesLanes {
+  LaneVec turn;     // rad: where turns are locked that are locked alone
+  LaneQuat target;  // of a drive to an orientation: B's frame in A's
+  struct Pull {
+    Lanes stiffness, damping;  // N, N s at 1 m or rad; per mass m/s and 1: all times a substep
+    Lanes stiffest;            // m/s at 1 m or rad, per mass, likewise: stiffer is not stable
+    Lanes per_mass;            // 1: times the row's mass; else 0
+  } pull[kMostDriveRows];      // by row: of springs and stops
+};
+
 inline constexpr int kFactor = kMostRows * (kMostRows + 1) / 2;
 
 /// Four joints of one colour with one layout.
@@ -83,6 +106,7 @@ struct JointLanes {
   std::uint32_t locked;                // in JointRun::locks, from 1; 0: no body of the four is
   std::uint32_t pulled;                // in JointRun::pulls, from 1; 0: rows have one direction
   std::uint32_t geared;                // in JointRun::gears, from 1; 0: it is none
+  std::uint32_t axed;                  // in JointRun::axes, from 1; 0: it has none
   JointLayout layout;
   Lanes inv_mass_a, inv_mass_b;                    // 1/kg
   LaneSymmetric start_inertia_a, start_inertia_b;  // inverse, 1/(kg m^2), world, as the step began
@@ -115,6 +139,7 @@ struct JointRun {
   const BodyVelocity* gyro;  // omega: rad/s^2, of bodies that a rotation method carries; null: of none
   PullLanes* pulls;
   GearLanes* gears;
+  AxesLanes* axes;
 };
 
 }  // namespace carom::dynamics

@@ -9,9 +9,9 @@
 #pragma once
 
 #include "core/wide_angle.h"
+#include "dynamics/joint/axes_sweep.h"
 #include "dynamics/joint/bend_sweep.h"
 #include "dynamics/joint/joint_kernels.h"
-#include "dynamics/joint/place_sweep.h"
 
 namespace carom::dynamics {
 namespace {
@@ -105,16 +105,33 @@ CAROM_LANES_INLINE void limit(Sides& sides, const JointLanes& joint, JointDriveL
   drive.row.p = next;
 }
 
+/// A soft stop: beyond either end a spring's law, by impulses that only push back.
 template <bool kPush, class Sides>
+CAROM_LANES_INLINE void stop(Sides& sides, JointDriveLanes& drive) {
+  if constexpr (!kPush) return;
+  const Lanes u = sides.along(drive.row), p = drive.row.p;
+  const Lanes above = drive.row.error - drive.lower, below = drive.upper - drive.row.error;
+  const Lanes kept = drive.drag * p, dragged = drive.drag * u;
+  const Lanes pushed = kept - drive.m * (drive.pull * above + dragged),
+              pulled = kept + drive.m * (drive.pull * below - dragged);
+  const Lanes next = (above < 0 ? larger(pushed, all(0)) : all(0)) + (below < 0 ? smaller(pulled, all(0)) : all(0));
+  sides.push(drive.row, next - p);
+  drive.row.p = next;
+}
+
+/// @tparam kAxed  it may be a stop, or a spring whose target moves
+template <bool kPush, bool kAxed, class Sides>
 CAROM_LANES_INLINE void act(Sides& sides, const JointLanes& joint, JointDriveLanes& drive, DriveKind kind,
                             double inv_h) {
   if (kind == DriveKind::limit) return limit<kPush>(sides, joint, drive, inv_h);
+  if constexpr (kAxed)
+    if (kind == DriveKind::stop) return stop<kPush>(sides, drive);
   const Lanes u = sides.along(drive.row), p = drive.row.p;
   Lanes next = p;
   if (kind == DriveKind::motor) next = p - drive.m * (u - drive.speed);
   if (kind == DriveKind::spring) {
     if constexpr (!kPush) return;  // its law holds for the whole substep, with the place where that began
-    next = drive.drag * p - drive.m * (drive.pull * (drive.row.error - drive.lower) + drive.drag * u);
+    next = drive.drag * p - drive.m * (drive.pull * (drive.row.error - drive.lower) + drive.drag * (kAxed ? u - drive.speed : u));
   }
   next = larger(smaller(next, drive.most), -drive.most);
   sides.push(drive.row, next - p);
@@ -162,7 +179,7 @@ CAROM_LANES_INLINE void push_both(const JointRun& run, const JointLanes& joint, 
     push(JointSides<false>(joint, run));
 }
 
-/// What acts again: not what a spring does, which is all of a substep's.
+/// What acts again: not what springs and stops do, which is all of a substep's.
 void act_again(const JointRun& run) {
   for (std::size_t i = 0; i < run.count; ++i) {
     JointLanes& joint = run.joints[i];
@@ -170,7 +187,7 @@ void act_again(const JointRun& run) {
     for (std::uint32_t k = 0; k < joint.layout.equalities; ++k)
       pushes.add(run.rows[joint.first + k], joint.again * run.rows[joint.first + k].p);
     for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
-      if (joint.layout.drive[k].kind != DriveKind::spring)
+      if (!acts_once(joint.layout.drive[k].kind))
         pushes.add(run.drives[joint.first_drive + k].row, joint.again * run.drives[joint.first_drive + k].row.p);
     joint.force = joint.force + pushes.p;
     joint.torque = joint.torque + (pushes.turn_b - cross(joint.r_b, pushes.p));
@@ -191,23 +208,34 @@ void warm_start(const JointRun& run) {
   }
 }
 
-template <bool kPush, bool kTwoWays>
+template <bool kPush, bool kTwoWays, bool kAxed>
 CAROM_LANES_INLINE void sweep_one(const JointRun& run, const JointLanes& joint, double inv_h) {
   JointSides<kTwoWays> sides(joint, run);
+  // Locks first, too: a spring answers a velocity, and what locks have yet to do to it is none of that. (Joints of other kinds keep
+  // their bits: a damped spring on one whose weight hangs off its axis rests off by c / k of such a velocity, in first order.)
+  if (kAxed && joint.layout.drives) hold_all<kPush>(sides, joint, run.rows + joint.first);
   for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
-    act<kPush>(sides, joint, run.drives[joint.first_drive + k], joint.layout.drive[k].kind, inv_h);
+    act<kPush, kAxed>(sides, joint, run.drives[joint.first_drive + k], joint.layout.drive[k].kind, inv_h);
   hold_all<kPush>(sides, joint, run.rows + joint.first);
   sides.store(run);
+}
+
+/// Apart, so that sweeps over other kinds are as they were.
+template <bool kPush>
+[[gnu::noinline]] void sweep_axed(const JointRun& run, const JointLanes& joint, double inv_h) {
+  sweep_one<kPush, false, true>(run, joint, inv_h);
 }
 
 template <bool kPush>
 CAROM_LANES_INLINE void sweep(const JointRun& run, double inv_h) {
   for (std::size_t i = 0; i < run.count; ++i) {
     JointLanes& joint = run.joints[i];
-    if (joint.pulled)
-      sweep_one<kPush, true>(run, joint, inv_h);
+    if (joint.axed)
+      sweep_axed<kPush>(run, joint, inv_h);
+    else if (joint.pulled)
+      sweep_one<kPush, true, false>(run, joint, inv_h);
     else
-      sweep_one<kPush, false>(run, joint, inv_h);
+      sweep_one<kPush, false, false>(run, joint, inv_h);
     if constexpr (!kPush) book_one(run, joint);
   }
 }

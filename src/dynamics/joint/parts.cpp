@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/wide_angle.h"
+#include "dynamics/joint/axis_parts.h"
 
 namespace carom::dynamics {
 namespace {
@@ -20,6 +21,7 @@ constexpr std::array<KindRow, static_cast<std::size_t>(JointKind::count)> kKinds
     {"universal", 2, {JointPart::point, JointPart::pins}, bit(Coordinate::swing)},
     {"pulley", 1, {JointPart::ropes, {}}, bit(Coordinate::distance)},
     {"gear", 1, {JointPart::gears, {}}, 0},
+    {"six-axis", 0, {}, 0},  // @see axis_parts.h
 }};
 
 constexpr std::uint32_t rows_of(JointPart part) {
@@ -34,6 +36,12 @@ constexpr std::uint32_t rows_of(JointPart part) {
     case JointPart::pins:
     case JointPart::ropes:
     case JointPart::gears:
+    case JointPart::place_x:
+    case JointPart::place_y:
+    case JointPart::place_z:
+    case JointPart::turn_x:
+    case JointPart::turn_y:
+    case JointPart::turn_z:
       return 1;
   }
   return 0;
@@ -67,7 +75,7 @@ void each_drive(const Joint& joint, F&& f) {
 
 const KindRow& row_of(JointKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 
-JointLayout layout_of(const Joint& joint) {
+JointLayout layout_of(const Joints& joints, const Joint& joint) {
   JointLayout layout;
   const KindRow& row = row_of(joint.def.kind);
   layout.two_ways = joint.def.kind == JointKind::pulley;
@@ -78,17 +86,22 @@ JointLayout layout_of(const Joint& joint) {
     layout.part[layout.parts++] = part;
     layout.equalities += rows_of(part);
   }
+  if (joint.def.kind == JointKind::six_axis)
+    for (const JointPart part : locked_parts(joints.axes_of(joint)))
+      layout.part[layout.parts++] = part, layout.equalities += rows_of(part);
   each_drive(joint, [&](std::uint32_t c, DriveKind kind) {
     layout.drive[layout.drives++] = {static_cast<std::uint8_t>(c), kind};
   });
+  add_axis_drives(joints, joint, layout);
   return layout;
 }
 
-std::uint32_t layout_key(const Joint& joint) {
+std::uint64_t layout_key(const Joints& joints, const Joint& joint) {
+  if (joint.def.kind == JointKind::six_axis) return axes_key(joints, joint);
   std::uint32_t key =
       static_cast<std::uint32_t>(joint.def.kind) | (is_point(joint) ? 1u << 31 : 0u) | (is_unstrung(joint) ? 1u << 30 : 0u);
   each_drive(joint, [&](std::uint32_t c, DriveKind kind) { key |= 8u << (3 * c + static_cast<std::uint32_t>(kind)); });
-  return key;
+  return key | turn_key(joint, kFreeAxes);
 }
 
 Spring spring_of(Real frequency, Real damping, Real h) {
@@ -135,7 +148,8 @@ JointPlace place_of(const World& world, const Joint& joint) {
     const Ropes ropes = ropes_of(world, joint, place);
     place.at[3] = ropes.a.norm() + joint.transmission.ratio * ropes.b.norm();
   }
-  const JointLayout layout = layout_of(joint);
+  if (joint.def.kind == JointKind::six_axis) return judge_axes(world.joints.axes_of(joint), place);
+  const JointLayout layout = layout_of(world.joints, joint);
   for (std::uint32_t k = 0; k < layout.parts; ++k) switch (layout.part[k]) {
       case JointPart::point:
         place.gap = place.apart.norm();
@@ -159,9 +173,15 @@ JointPlace place_of(const World& world, const Joint& joint) {
         place.angle = swing;
         break;
       case JointPart::pins:
-        const Real across = a.col(1).dot(b.col(2));
-        place.angle = std::fabs(angle_of<double>(across, a.col(1).cross(b.col(2)).norm()));
+        place.angle = std::fabs(angle_of<double>(a.col(1).dot(b.col(2)), a.col(1).cross(b.col(2)).norm()));
         break;
+      case JointPart::place_x:
+      case JointPart::place_y:
+      case JointPart::place_z:
+      case JointPart::turn_x:
+      case JointPart::turn_y:
+      case JointPart::turn_z:
+        break;  // of six-axis joints alone, judged above
     }
   for (std::size_t c = 0; c < kCoordinates; ++c) {
     const JointLimit& limit = joint.drive[c].limit;

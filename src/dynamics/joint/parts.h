@@ -20,9 +20,9 @@ inline bool has(JointKind kind, Coordinate c) {
 }
 
 /// The rows of a joint as it is set up now. A distance joint that is limited or sprung is no rod.
-JointLayout layout_of(const Joint& joint);
+JointLayout layout_of(const Joints& joints, const Joint& joint);
 /// A number for a layout: joints with the same one may share lanes.
-std::uint32_t layout_key(const Joint& joint);
+std::uint64_t layout_key(const Joints& joints, const Joint& joint);
 
 /// Where a joint's frames are now.
 /// @accuracy  apart: the difference of the centres is formed first, so far from the origin it loses no digits of its

@@ -165,6 +165,13 @@ struct JointPlacing {
       case JointPart::gears:
         gears(*r);
         return r + 1;
+      case JointPart::place_x:
+      case JointPart::place_y:
+      case JointPart::place_z:
+      case JointPart::turn_x:
+      case JointPart::turn_y:
+      case JointPart::turn_z:
+        break;  // of six-axis joints alone, @see AxesPlacing
     }
     return r;
   }
@@ -245,18 +252,6 @@ CAROM_LANES_INLINE void place_one(const JointRun& run, JointLanes& joint, const 
     JointDriveLanes& drive = run.drives[joint.first_drive + k];
     placing.coordinate(joint.layout.drive[k].coordinate, drive.row);
     weigh<kTwoWays>(joint, locks, pull, rows, drive);
-  }
-}
-
-void place(const JointRun& run) {
-  for (std::size_t i = 0; i < run.count; ++i) {
-    JointLanes& joint = run.joints[i];
-    if (joint.pulled)
-      place_one<true>(run, joint, locks_of(run, joint));
-    else if (joint.locked)
-      place_one<false>(run, joint, run.locks + (joint.locked - 1));
-    else
-      place_one<false>(run, joint, nullptr);
   }
 }
 

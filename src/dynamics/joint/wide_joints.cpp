@@ -29,17 +29,18 @@ bool forbids(const World& world, std::size_t row, const JointDef& def) {
 
 /// Note what is forbidden to a joint, and whom of the table it calls for.
 void note_parts(World& world, Joint& joint) {
-  const std::uint32_t before = layout_key(joint);
+  const std::uint64_t before = layout_key(world.joints, joint);
   joint.without_limits = forbids(world, +EffectId::joint_limits, joint.def);
   joint.without_motors = forbids(world, +EffectId::joint_motors, joint.def);
-  if (layout_key(joint) != before) joint.drive_p.fill(0), joint.p.fill(0);  // rows stand for something else now
+  if (layout_key(world.joints, joint) != before) world.joints.forget_impulses(joint);
   const auto any = [&](auto&& has) { return std::any_of(joint.drive.begin(), joint.drive.end(), has); };
+  const DrivenAxes axes = driven_axes(world.joints, joint);
   const auto count = [&](std::size_t row, bool has, bool without) {
     world.plan->effects[row].wanted += has;
     world.plan->effects[row].customers.count += has && !without;
   };
-  count(+EffectId::joint_limits, any([](const JointDrive& d) { return d.limit.on; }), joint.without_limits);
-  count(+EffectId::joint_motors, any([](const JointDrive& d) { return d.motor.on; }), joint.without_motors);
+  count(+EffectId::joint_limits, any([](const JointDrive& d) { return d.limit.on; }) || axes.limited, joint.without_limits);
+  count(+EffectId::joint_motors, any([](const JointDrive& d) { return d.motor.on; }) || axes.driven, joint.without_motors);
 }
 
 bool is_active(const World& world, const Joint& joint) {
@@ -63,7 +64,7 @@ bool is_gear(const JointLayout& layout) { return layout.parts == 1 && layout.par
 /// A place for each: four of one colour and layout share lanes; beyond the colours each has its own.
 void place_lanes(World& world, WideJoints& w) {
   w.place.resize(w.active.size());
-  w.occupant.clear(), w.colours.clear(), w.joints.clear(), w.pulls.clear(), w.gears.clear();
+  w.occupant.clear(), w.colours.clear(), w.joints.clear(), w.pulls.clear(), w.gears.clear(), w.axes.clear();
   std::uint32_t rows = 0, drives = 0;
   w.swept = 0;
   for (std::size_t k = 0; k < w.order.size(); ++k) {
@@ -74,12 +75,16 @@ void place_lanes(World& world, WideJoints& w) {
       w.colours.push_back(static_cast<std::uint32_t>(w.joints.size()));
     if (!shares) {
       JointLanes& joint = w.joints.emplace_back();
-      joint.layout = layout_of(world.joints.joint[w.active[o.index]]);
+      joint.layout = layout_of(world.joints, world.joints.joint[w.active[o.index]]);
       joint.first = rows, joint.first_drive = drives;
       rows += joint.layout.equalities, drives += joint.layout.drives;
       if (joint.layout.two_ways) {
         w.pulls.emplace_back();
         joint.pulled = static_cast<std::uint32_t>(w.pulls.size());
+      }
+      if (joint.layout.axed) {
+        w.axes.emplace_back();
+        joint.axed = static_cast<std::uint32_t>(w.axes.size());
       }
       if (is_gear(joint.layout)) {
         w.gears.emplace_back();
@@ -99,30 +104,6 @@ void place_lanes(World& world, WideJoints& w) {
 
 void set_quat(LaneQuat& to, int lane, const Quat& q) {
   to.x[lane] = q.x(), to.y[lane] = q.y(), to.z[lane] = q.z(), to.w[lane] = q.w();
-}
-
-void fill_drive(const Joint& joint, const DriveRow& row, Real start_p, Real h, bool again, JointDriveLanes& drive,
-                int lane) {
-  const JointDrive& d = joint.drive[row.coordinate];
-  drive.row.p[lane] = start_p;
-  drive.lower[lane] = drive.upper[lane] = drive.speed[lane] = drive.pull[lane] = drive.drag[lane] = 0;
-  drive.most[lane] = kInfinity;
-  switch (row.kind) {
-    case DriveKind::motor:
-      drive.speed[lane] = d.motor.speed;
-      drive.most[lane] = d.motor.most * (again ? h / 2 : h);
-      break;
-    case DriveKind::spring: {
-      const Spring spring = spring_of(d.spring.frequency, d.spring.damping, h);
-      drive.lower[lane] = drive.upper[lane] = d.spring.target;
-      drive.pull[lane] = spring.pull, drive.drag[lane] = spring.drag;
-      drive.most[lane] = d.spring.most * h;
-      break;
-    }
-    case DriveKind::limit:
-      drive.lower[lane] = d.limit.lower, drive.upper[lane] = d.limit.upper;
-      break;
-  }
 }
 
 bool is_kicked(const WideJoints& w, std::uint32_t body) {
@@ -149,14 +130,14 @@ void fill(const World& world, std::uint32_t index, const Softness& soft, Real h,
   set(lanes.start_gap, lane, ends.apart);
   lanes.length[lane] = joint.def.length;
   fill_transmission(world, joint, ends, w, lanes, lane);
+  if (lanes.axed) fill_axes(world, joint, w.axes[lanes.axed - 1], lanes, lane);
   lanes.bias_rate[lane] = soft.bias_rate;
   lanes.mass_scale[lane] = soft.mass_scale;
   lanes.impulse_scale[lane] = soft.impulse_scale;
   const bool again = w.is_swept(index) && (is_kicked(w, def.body_a) || is_kicked(w, def.body_b));
   lanes.again[lane] = again ? 1 : 0;
   for (std::uint32_t k = 0; k < lanes.layout.equalities; ++k) w.rows[lanes.first + k].p[lane] = scale * joint.p[k];
-  for (std::uint32_t k = 0; k < lanes.layout.drives; ++k)
-    fill_drive(joint, lanes.layout.drive[k], scale * joint.drive_p[k], h, again, w.drives[lanes.first_drive + k], lane);
+  fill_drives(world, joint, {scale, h, again}, w, lanes, lane);
 }
 
 /// Lanes of nobody.
@@ -164,9 +145,10 @@ void empty(WideJoints& w, JointLanes& joint) {
   const JointLanes was = joint;
   joint = JointLanes{};
   joint.occupied = was.occupied, joint.first = was.first, joint.first_drive = was.first_drive;
-  joint.layout = was.layout, joint.pulled = was.pulled, joint.geared = was.geared;
+  joint.layout = was.layout, joint.pulled = was.pulled, joint.geared = was.geared, joint.axed = was.axed;
   if (joint.pulled) w.pulls[joint.pulled - 1] = PullLanes{};
   if (joint.geared) w.gears[joint.geared - 1] = GearLanes{}, w.gears[joint.geared - 1].ratio = all(1);
+  if (joint.axed) w.axes[joint.axed - 1] = AxesLanes{}, w.axes[joint.axed - 1].target.w = all(1);
   joint.start_frame_a.w = joint.start_frame_b.w = all(1);
   std::fill_n(w.rows.data() + joint.first, joint.layout.equalities, JointRowLanes{});
   std::fill_n(w.drives.data() + joint.first_drive, joint.layout.drives, JointDriveLanes{});
@@ -221,17 +203,6 @@ void find_gyro(const World& world, Real h, WideJoints& w) {
     const Vec3 momentum = inertia_at(world.scene, body, q) * omega, a = spin_at(world, body, q, momentum.cross(omega));
     std::copy_n(a.data(), 3, w.gyro[i].omega);
   }
-}
-
-/// Impulses of bodies that left the finite world within the step may be anything.
-bool is_finite(const Joint& joint) {
-  const auto finite_all = [](const auto& p) { return std::ranges::all_of(p, [](Real x) { return finite(x); }); };
-  return finite_all(joint.p) && finite_all(joint.drive_p) && finite(joint.transmission.phase) && joint.force.all_finite() && joint.torque.all_finite();
-}
-void start_cold(Joint& joint) {
-  joint.p.fill(0), joint.drive_p.fill(0);
-  joint.transmission.phase = finite(joint.transmission.phase) ? joint.transmission.phase : 0;
-  joint.force.set_zero(), joint.torque.set_zero();
 }
 
 /// Which way bodies are free, of joints some of whose bodies are locked.
@@ -294,7 +265,8 @@ void colour_joints(World& world) {
   w.order.clear();
   for (std::uint32_t i = 0; i < w.active.size(); ++i) {
     const Joint& joint = world.joints.joint[w.active[i]];
-    w.order.push_back({directly(i) ? kAnsweredDirectly : colours_of(world, joint).take_lowest(), layout_key(joint), i});
+    const std::uint32_t colour = directly(i) ? kAnsweredDirectly : colours_of(world, joint).take_lowest();
+    w.order.push_back({layout_key(world.joints, joint), colour, i});
   }
   std::sort(w.order.begin(), w.order.end());
   place_lanes(world, w);
@@ -370,13 +342,12 @@ void end_joints(World& world, const StepTime& time) {
     const JointLanes& lanes = w.joints[w.place[i].lanes];
     const std::uint32_t lane = w.place[i].lane;
     for (std::uint32_t k = 0; k < lanes.layout.equalities; ++k) joint.p[k] = w.rows[lanes.first + k].p[lane];
-    for (std::uint32_t k = 0; k < lanes.layout.drives; ++k)
-      joint.drive_p[k] = w.drives[lanes.first_drive + k].row.p[lane];
+    keep_drives(world.joints, joint, w, lanes, lane);
     joint.p_h = time.h;
     if (lanes.geared) joint.transmission.phase = phase_of(world, joint, w, lanes, lane);
     joint.force = get(lanes.force, lane) / time.dt;
     joint.torque = get(lanes.torque, lane) / time.dt;
-    if (!is_finite(joint)) start_cold(joint);
+    if (!has_sane_impulses(world.joints, joint)) start_cold(world.joints, joint);
   });
   for (const std::uint32_t j : w.active) {
     Joint& joint = world.joints.joint[j];

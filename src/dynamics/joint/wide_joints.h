@@ -24,6 +24,7 @@ struct WideJoints {
         locks(m),
         pulls(m),
         gears(m),
+        axes(m),
         colours(m),
         kicked(m),
         gyro(m),
@@ -45,6 +46,7 @@ struct WideJoints {
   Array<LockLanes> locks;        // of joints with bodies that are locked
   Array<PullLanes> pulls;        // of joints that pull A another way than B
   Array<GearLanes> gears;        // of gears
+  Array<AxesLanes> axes;         // of joints whose axes, or turns as one, are told by themselves
   Array<std::uint32_t> colours;  // in use, from the lowest: where in joints each ends; those up to `swept` stand alone
   std::uint32_t swept = 0;       // joints up to here are swept
   bool is_packed = false;        // place, occupant and colours are those of active, all of it swept
@@ -64,7 +66,8 @@ struct WideJoints {
 
   // scratch
   struct Order {
-    std::uint32_t colour, key, index;
+    std::uint64_t key;
+    std::uint32_t colour, index;
     bool operator<(const Order& o) const {
       return colour != o.colour ? colour < o.colour : key != o.key ? key < o.key : index < o.index;
     }
@@ -93,7 +96,8 @@ inline JointRun every_joint(World& world) {
           w.locks.data(),
           w.gyro.empty() ? nullptr : w.gyro.data(),
           w.pulls.data(),
-          w.gears.data()};
+          w.gears.data(),
+          w.axes.data()};
 }
 
 /// Of a loop that threads share.
@@ -164,6 +168,21 @@ void fill_transmission(const World& world, const Joint& joint, const JointEnds& 
                        int lane);
 /// rad: how far a gear is off where the step has ended, which the last rows were made before if anything was put right.
 Real phase_of(const World& world, const Joint& joint, const WideJoints& w, const JointLanes& lanes, std::uint32_t lane);
+/// What drives and springs of one joint start a step with.
+struct DriveStart {
+  Real scale;  // of the impulses kept
+  Real h;      // s, a substep
+  bool again;  // half a substep's load comes before the move, half after
+};
+void fill_drives(const World& world, const Joint& joint, const DriveStart& start, WideJoints& w, JointLanes& lanes,
+                 int lane);
+/// What one joint has beside its rows whose axes are told one by one. Moves A's point and turns B's frame by what is locked at
+/// an offset.
+void fill_axes(const World& world, const Joint& joint, AxesLanes& to, JointLanes& lanes, int lane);
+void keep_drives(Joints& joints, Joint& joint, const WideJoints& w, const JointLanes& lanes, std::uint32_t lane);
+/// Impulses of bodies that left the finite world within the step may be anything.
+bool has_sane_impulses(Joints& joints, Joint& joint);
+void start_cold(Joints& joints, Joint& joint);
 /// Rows of all joints at the present poses.
 void place_joints(World& world);
 /// What a substep's sweeps start from, before the move; and after it, where velocities are taken from the state again

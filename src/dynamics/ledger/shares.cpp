@@ -181,7 +181,7 @@ void share_joint_lanes(Shares& shares, bool old) {
       share(w.rows[k], l.old_rows[k * kLanes + lane], true, false);
     for (std::uint32_t k = 0; k < joint.layout.drives; ++k) {
       const std::uint32_t at = joint.first_drive + k;
-      share(w.drives[at].row, l.old_drives[at * kLanes + lane], joint.layout.drive[k].kind != DriveKind::spring, true);
+      share(w.drives[at].row, l.old_drives[at * kLanes + lane], !acts_once(joint.layout.drive[k].kind), true);
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dynamics/quarantine.h"
+#include "dynamics/snapshot/joint_axes.h"
 #include "dynamics/snapshot/section.h"
 
 namespace carom::dynamics::snapshot {
@@ -130,8 +131,11 @@ enum JointBits : std::uint8_t {
   kWithoutMotors = 4,
   kActed = 8,        // it has impulses
   kFirstDrive = 16,  // a bit for each coordinate whose drive is not as it was made
+  kTurnDrive = 128   // of kinds that turn any way, which have no distance: so is their drive to an orientation
 };
-static_assert(kCoordinates <= 4);
+static_assert(kCoordinates <= 4 && kTurnDrive == kFirstDrive << static_cast<unsigned>(Coordinate::distance));
+
+bool turns_any_way(JointKind kind) { return kind == JointKind::ball || kind == JointKind::six_axis; }
 
 bool same_drive(const JointDrive& a, const JointDrive& b) {
   return a.limit.on == b.limit.on && same_bits(a.limit.lower, b.limit.lower) &&
@@ -151,6 +155,7 @@ std::uint8_t bits_of(const Joint& j) {
                   bit(j.without_motors, kWithoutMotors) | bit(acted, kActed);
   for (std::size_t k = 0; k < kCoordinates; ++k)
     if (!same_drive(j.drive[k], JointDrive{})) bits |= unsigned(kFirstDrive) << k;
+  if (turns_any_way(j.def.kind) && !same_turn_drive(j.turn, TurnDrive{})) bits |= kTurnDrive;
   return static_cast<std::uint8_t>(bits);
 }
 
@@ -210,7 +215,11 @@ struct AllJoints {
       keep(io, j.p_h, h), keep(io, j.force, force), keep(io, j.torque, torque);
     }
     if (has_transmission(j.def.kind)) transmission(io, j.transmission);
-    for (std::size_t k = 0; k < kCoordinates; ++k) {
+    if (j.axes) all_axes(io, world.joints.axes[j.axes - 1]);
+    const bool turns = turns_any_way(j.def.kind);
+    if constexpr (Io::loads) j.turn = TurnDrive{};
+    if (turns && bits & kTurnDrive) turn_drive(io, j.turn);
+    for (std::size_t k = 0; k < (turns ? kCoordinates - 1 : kCoordinates); ++k) {
       const bool given = bits & unsigned(kFirstDrive) << k;
       const JointDrive d = given ? drive(io, j.drive[k]) : JointDrive{};
       keep(io, j.drive[k], d);

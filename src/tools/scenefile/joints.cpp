@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scenefile/axes.h"
 #include "scenefile/reader.h"
 
 namespace carom::tools::scenefile {
@@ -132,10 +133,34 @@ bool Reader::plan_joint(const Value& joint, Plan& plan) {
   return true;
 }
 
+bool Reader::fits(const Value& drive, const Plan& plan) const {
+  const bool turns = drive["type"].text() == "angular";
+  return plan.coordinate == (turns ? CAROM_COORDINATE_TWIST : CAROM_COORDINATE_SLIDE) &&
+         static_cast<int>(drive["axis"].index(3, "axes")) == plan.axis &&
+         (plan.kind == CAROM_JOINT_HINGE || plan.kind == CAROM_JOINT_SLIDER);
+}
+
+/// Whether axes say all of a joint, and none of our other kinds does.
+bool Reader::wants_axes(const Value& joint) {
+  if (!is_told_by_axes(joint)) return false;
+  const std::vector<std::string> before = stage_.remarks;
+  const std::size_t told = told_;
+  Plan plan;
+  bool rest = !plan_joint(joint, plan) || told_ != told;
+  stage_.remarks = before, told_ = told;
+  const auto drives = joint.get("drives");
+  for (std::size_t k = 0; drives && k < drives->size(); ++k) {
+    const Value drive = drives->at(k);
+    const bool pulls = drive.number_or("stiffness", 0) > 0;
+    rest |= !fits(drive, plan) || (pulls ? drive.number_or("velocityTarget", 0) != 0 : drive.number_or("damping", 0) > 0);
+  }
+  return rest;
+}
+
 bool Reader::read_own_joint(const Value& mine, carom_joint_desc& d) const {
   const auto kind = mine.get("kind");
   if (!kind) return false;
-  d.kind = which_of(kKinds, std::size(kKinds), *kind, kind->text());
+  d.kind = kind->text() == "six_axis" ? CAROM_JOINT_SIX_AXIS : which_of(kKinds, std::size(kKinds), *kind, kind->text());
   if (mine.has("length")) d.length = mine["length"].number(), d.fields |= CAROM_JOINT_FIELD_LENGTH;
   d.break_force = mine.number_or("breakForce", 0), d.break_torque = mine.number_or("breakTorque", 0);
   return true;
@@ -151,8 +176,10 @@ void Reader::make_joint(std::size_t i, const Value& at) {
   carom_joint_desc_init(&d);
   const auto mine = own(joint);
   Plan plan;
-  const bool exact = mine && read_own_joint(*mine, d);
-  if (!exact) {
+  const bool exact = mine && read_own_joint(*mine, d), by_axes = !exact && wants_axes(joint);
+  if (by_axes) {
+    d.kind = CAROM_JOINT_SIX_AXIS;
+  } else if (!exact) {
     if (!plan_joint(joint, plan)) return;
     d.kind = plan.kind;
   }
@@ -178,8 +205,10 @@ void Reader::make_joint(std::size_t i, const Value& at) {
   } catch (const Error& e) {
     at.fail(std::string("cannot be made: ") + e.what(), e.remedy);
   }
-  if (!exact) return drive_joint(joint, plan, handle, d);
   carom_world* const world = stage_.world.get();
+  if (by_axes) return read_khr_axes(world, handle, joint);
+  if (!exact) return drive_joint(joint, plan, handle, d);
+  read_own_axes(world, handle, *mine);
   Call call;
   const auto coordinate = [&](const std::string& name, const Value& v) {
     return which_of(kCoordinates, CAROM_COORDINATE_COUNT, v, name);
@@ -224,11 +253,7 @@ void Reader::drive_joint(const Value& joint, const Plan& plan, carom_joint handl
   for (std::size_t k = 0; drives && k < drives->size(); ++k) {
     const Value drive = drives->at(k);
     const bool turns = drive["type"].text() == "angular";
-    const std::size_t axis = drive["axis"].index(3, "axes");
-    const bool fits = plan.coordinate == (turns ? CAROM_COORDINATE_TWIST : CAROM_COORDINATE_SLIDE) &&
-                      static_cast<int>(axis) == plan.axis &&
-                      (plan.kind == CAROM_JOINT_HINGE || plan.kind == CAROM_JOINT_SLIDER);
-    if (!fits) {
+    if (!fits(drive, plan)) {
       remark(drive.place() + ": a drive along what the joint does not leave free, or of a ball joint");
       continue;
     }

@@ -73,10 +73,13 @@ class Reader {
   bool read_own_joint(const Value& own, carom_joint_desc& desc) const;
   struct Plan;
   bool plan_joint(const Value& joint, Plan& plan);
+  bool fits(const Value& drive, const Plan& plan) const;
+  bool wants_axes(const Value& joint);
   void drive_joint(const Value& joint, const Plan& plan, carom_joint handle, const carom_joint_desc& desc);
 
   Document doc_;
   Stage& stage_;
+  std::size_t told_ = 0;  // remarks, those beyond the most that are kept too
   std::vector<Node> nodes_;
   std::vector<std::size_t> actor_of_node_;
   std::vector<Particle> particles_;

@@ -265,6 +265,14 @@ class Digest {
     carom_joint_transmission transmission = {};
     transmission.struct_size = sizeof transmission;
     keep(carom_joint_get_transmission(world_, j, &transmission, nullptr), transmission);
+    carom_joint_orientation_drive drive = {};
+    drive.struct_size = sizeof drive;
+    keep(carom_joint_get_orientation_drive(world_, j, &drive, nullptr), drive);
+    for (uint32_t i = 0; i < CAROM_AXIS_COUNT; ++i) {
+      carom_joint_axis axis = {};
+      axis.struct_size = sizeof axis;
+      keep(carom_joint_get_axis(world_, j, i, &axis, nullptr), axis);
+    }
     for (uint32_t i = 0; i < CAROM_COORDINATE_COUNT; ++i) {
       carom_joint_limit limit = {};
       carom_joint_motor motor = {};

@@ -128,6 +128,40 @@ inline Argument joint_transmission(Context& c) {
                           HOSTILE_NUMBERS(carom_joint_transmission, anchor_b, 3, any()),
                           HOSTILE_NUMBERS(carom_joint_transmission, length, 1, {0, 1e9})});
 }
+inline Argument joint_axis(Context& c) {
+  auto d = fresh<carom_joint_axis>(carom_joint_axis_init);
+  d.mode = c.source.below(3), d.drive = c.source.below(4), d.lower = c.between(-1, 0), d.upper = c.between(0, 1);
+  d.stop_gains = c.source.below(3), d.drive_gains = c.source.below(3), d.spring_gains = c.source.below(3);
+  d.stop_stiffness = c.between(0, 9), d.drive_stiffness = c.between(0, 9), d.spring_stiffness = c.source.below(2) ? 4 : 0;
+  d.stop_damping = c.between(0, 1), d.drive_damping = c.between(0, 1), d.spring_damping = c.between(0, 1);
+  d.target = c.between(-1, 1), d.speed = c.between(-2, 2), d.effort = c.between(-9, 9), d.most = c.between(0, 50), d.rest = c.between(-1, 1);
+  return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_axis, mode, uint32_t(CAROM_AXIS_MODE_COUNT)), HOSTILE_CHOICE(carom_joint_axis, drive, uint32_t(CAROM_DRIVE_COUNT)),
+                          HOSTILE_CHOICE(carom_joint_axis, stop_gains, uint32_t(CAROM_GAINS_COUNT)),
+                          HOSTILE_CHOICE(carom_joint_axis, drive_gains, uint32_t(CAROM_GAINS_COUNT)),
+                          HOSTILE_CHOICE(carom_joint_axis, spring_gains, uint32_t(CAROM_GAINS_COUNT)),
+                          HOSTILE_NUMBERS(carom_joint_axis, lower, 1, {-1e9, 1e9}), HOSTILE_NUMBERS(carom_joint_axis, upper, 1, {-1e9, 1e9}),
+                          HOSTILE_NUMBERS(carom_joint_axis, stop_stiffness, 1, {0, 1e30}), HOSTILE_NUMBERS(carom_joint_axis, stop_damping, 1, {0, 1e30}),
+                          HOSTILE_NUMBERS(carom_joint_axis, target, 1, {-1e9, 1e9}), HOSTILE_NUMBERS(carom_joint_axis, speed, 1, {-1e6, 1e6}),
+                          HOSTILE_NUMBERS(carom_joint_axis, effort, 1, {-1e30, 1e30}), HOSTILE_NUMBERS(carom_joint_axis, most, 1, {0, 1e30}),
+                          HOSTILE_NUMBERS(carom_joint_axis, drive_stiffness, 1, {0, 1e30}), HOSTILE_NUMBERS(carom_joint_axis, drive_damping, 1, {0, 1e30}),
+                          HOSTILE_NUMBERS(carom_joint_axis, rest, 1, {-1e9, 1e9}), HOSTILE_NUMBERS(carom_joint_axis, spring_stiffness, 1, {0, 1e30}),
+                          HOSTILE_NUMBERS(carom_joint_axis, spring_damping, 1, {0, 1e30})});
+}
+inline Argument joint_orientation_drive(Context& c) {
+  auto d = fresh<carom_joint_orientation_drive>(carom_joint_orientation_drive_init);
+  d.drive = c.source.below(4), d.gains = c.source.below(3), d.stiffness = c.between(0, 9), d.damping = c.between(0, 1);
+  for (double& x : d.velocity) x = c.between(-3, 3);
+  for (double& x : d.effort) x = c.between(-3, 3);
+  for (double& x : d.most) x = c.between(0, 9);
+  return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_orientation_drive, drive, uint32_t(CAROM_DRIVE_COUNT)),
+                          HOSTILE_CHOICE(carom_joint_orientation_drive, gains, uint32_t(CAROM_GAINS_COUNT)),
+                          HOSTILE_RESERVED(carom_joint_orientation_drive, reserved), HOSTILE_UNIT(carom_joint_orientation_drive, target, 4),
+                          HOSTILE_NUMBERS(carom_joint_orientation_drive, velocity, 3, {-1e6, 1e6}),
+                          HOSTILE_NUMBERS(carom_joint_orientation_drive, effort, 3, {-1e30, 1e30}),
+                          HOSTILE_NUMBERS(carom_joint_orientation_drive, most, 3, {0, 1e30}),
+                          HOSTILE_NUMBERS(carom_joint_orientation_drive, stiffness, 1, {0, 1e30}),
+                          HOSTILE_NUMBERS(carom_joint_orientation_drive, damping, 1, {0, 1e30})});
+}
 inline Argument joint_spring(Context& c) {
   auto d = fresh<carom_joint_spring>(carom_joint_spring_init);
   d.enabled = c.source.below(2), d.target = c.between(0, 1), d.frequency = c.between(0, 5), d.damping = c.between(0, 1), d.most = 100;
@@ -791,6 +825,8 @@ inline const Row kRows[] = {
     INIT(carom_joint_motor_init, carom_joint_motor),
     INIT(carom_joint_spring_init, carom_joint_spring),
     INIT(carom_joint_transmission_init, carom_joint_transmission),
+    INIT(carom_joint_axis_init, carom_joint_axis),
+    INIT(carom_joint_orientation_drive_init, carom_joint_orientation_drive),
     ROW_THAT(carom_joint_create, makes(kJoint, 2).may(kRange | kUnsupported), world(c), joint_desc(c), out(c, 8), error(c)),
     ROW_THAT(carom_joint_destroy, ends(kJoint), world(c), handle(c, kJoint), error(c)),
     ROW(carom_joint_get, world(c), handle(c, kJoint), out_struct<carom_joint_desc>(c), error(c)),
@@ -803,6 +839,10 @@ inline const Row kRows[] = {
     ROW_THAT(carom_joint_get_spring, may(kUnsupported), world(c), handle(c, kJoint), choice(c, 4), out_struct<carom_joint_spring>(c), error(c)),
     ROW_THAT(carom_joint_set_transmission, may(kUnsupported | kRange), world(c), handle(c, kJoint), joint_transmission(c), error(c)),
     ROW_THAT(carom_joint_get_transmission, may(kUnsupported), world(c), handle(c, kJoint), out_struct<carom_joint_transmission>(c), error(c)),
+    ROW_THAT(carom_joint_set_axis, may(kUnsupported | kRange), world(c), handle(c, kJoint), choice(c, 6), joint_axis(c), error(c)),
+    ROW_THAT(carom_joint_get_axis, may(kUnsupported), world(c), handle(c, kJoint), choice(c, 6), out_struct<carom_joint_axis>(c), error(c)),
+    ROW_THAT(carom_joint_set_orientation_drive, may(kUnsupported | kRange), world(c), handle(c, kJoint), joint_orientation_drive(c), error(c)),
+    ROW_THAT(carom_joint_get_orientation_drive, may(kUnsupported), world(c), handle(c, kJoint), out_struct<carom_joint_orientation_drive>(c), error(c)),
     GET_HANDLES(carom_world_get_joints),
     // forces
     ROW(carom_body_set_drag, world(c), handle(c, kBody), number(c, {0, 1e12, false, 0, 1}), number(c, {0, 1e12, false, 0, 1}), error(c)),

@@ -13,6 +13,7 @@ namespace {
 constexpr Real kPush = 10;  // m/s or rad/s: an error is undone no faster
 // Of f r h^2 / 2 over an inertia, beyond which a body is stiffened: f r h^2 < 4 I is where turns across a force hold.
 constexpr Real kSwing = 2;
+constexpr Real kNowhere = 1e30;    // m/s or rad/s, where nothing gets
 constexpr Real kLeastDrag = 1e-9;  // of a spring: with less its give is beyond measure
 
 /// One lane alone: groups that share lanes are solved by several threads.
@@ -51,11 +52,22 @@ void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow&
       return;
     case DriveKind::spring: {
       const Real m = get(drive.m, row.lane), pull = get(drive.pull, row.lane);
-      if (phase != LinkPhase::move || !(m > 0) || !(pull > 0)) return leave(c);
+      if (phase != LinkPhase::move || !(m > 0) || !(pull > 0 || get(drive.drag, row.lane) > 0)) return leave(c);
       const Real drag = std::max(get(drive.drag, row.lane), kLeastDrag);
-      lock(c, -(pull / drag) * (x - get(drive.lower, row.lane)));
+      lock(c, get(drive.speed, row.lane) - (pull / drag) * (x - get(drive.lower, row.lane)));
       c.give = (1 - drag) / (drag * m);
       c.most = get(drive.most, row.lane);
+      return;
+    }
+    case DriveKind::stop: {
+      const Real m = get(drive.m, row.lane), pull = get(drive.pull, row.lane);
+      const Real above = x - get(drive.lower, row.lane), below = get(drive.upper, row.lane) - x;
+      if (phase != LinkPhase::move || !(m > 0) || (above >= 0 && below >= 0)) return leave(c);
+      const Real drag = std::max(get(drive.drag, row.lane), kLeastDrag);
+      c.low = above < 0 ? -(pull / drag) * above : -kNowhere;
+      c.high = below < 0 ? (pull / drag) * below : kNowhere;
+      c.give = (1 - drag) / (drag * m);
+      c.most = kInfinity;
     }
   }
 }

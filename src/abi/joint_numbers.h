@@ -1,0 +1,15 @@
+// What calls about joints share: the joint they are about, and bounds of numbers.
+#pragma once
+
+#include "abi/world.h"
+
+namespace carom::abi {
+
+inline constexpr double kLongestJoint = 1e9, kFastestMotor = 1e6, kStrongestMotor = 1e30, kStiffest = 1e4, kMostDamping = 1e3;
+
+/// Argument 2 of a call.
+inline bool resolve_joint(Call& call, const World& world, carom_joint joint) {
+  return resolve(call, 2, "joint", world.joints.slots, joint);
+}
+
+}  // namespace carom::abi

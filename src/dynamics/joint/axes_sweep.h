@@ -1,0 +1,149 @@
+// Rows of joints in lanes whose axes are told one by one. Part of joint_sweeps.h.
+//
+// With q = q_a^-1 q_b, B's frame in A's, q = swing * twist: the twist t turns about x, the swing about an axis across x.
+// n is B's x axis in A's frame, theta = angle(x, n), f = theta / sin theta, g = (sin theta - theta cos theta) / sin^3 theta:
+//   s_y = -f n_z,  s_z = f n_y;   with w the relative omega in A's frame, n' = w x n:
+//   s_y' = (-f n_y, g n_z^2 + f n_x, -g n_y n_z) . w
+//   s_z' = (-f n_z, -g n_y n_z, g n_y^2 + f n_x) . w
+//   t'   = (x + n) . w / (1 + n_x)
+// At theta = pi there is neither a twist nor a direction of the swing: rows are held short there.
+#pragma once
+
+#include "dynamics/joint/place_sweep.h"
+
+namespace carom::dynamics {
+namespace {
+
+struct AxesPlacing : JointPlacing {
+  const AxesLanes& axes;
+  Lanes n_x, n_y, n_z, f, g;
+
+  CAROM_LANES_INLINE AxesPlacing(JointLanes& j, const BodyShift* shift, bool locked, const AxesLanes& of_joint)
+      : JointPlacing(j, shift, locked, nullptr, nullptr), axes(of_joint) {
+    n_x = dot(axes_a.x, axes_b.x), n_y = dot(axes_a.y, axes_b.x), n_z = dot(axes_a.z, axes_b.x);
+    const Lanes sine = square_root(n_y * n_y + n_z * n_z), angle = angle_of<Lanes>(sine, n_x);
+    const LaneMask apart = sine > 1e-5, straight = n_x > 0;
+    const Lanes s = larger(sine, all(1e-5));
+    f = apart ? angle / s : (straight ? all(1) : angle / s);
+    g = apart ? (s - angle * n_x) / (s * s * s) : (straight ? all(1.0 / 3) : all(0));
+  }
+
+  /// A vector of A's frame, in the world.
+  CAROM_LANES_INLINE LaneVec in_world(Lanes x, Lanes y, Lanes z) const {
+    return x * axes_a.x + (y * axes_a.y + z * axes_a.z);
+  }
+
+  CAROM_LANES_INLINE void axis(int which, JointRowLanes& r) const {
+    switch (which) {
+      case 0:
+        return along(r, axes_a.x, dot(axes_a.x, joint.gap));
+      case 1:
+        return along(r, axes_a.y, dot(axes_a.y, joint.gap));
+      case 2:
+        return along(r, axes_a.z, dot(axes_a.z, joint.gap));
+      case 3:
+        return coordinate(0, r);
+      case 4:
+        return about(r, in_world(-f * n_y, g * n_z * n_z + f * n_x, -g * n_y * n_z), -f * n_z);
+      default:
+        return about(r, in_world(-f * n_z, -g * n_y * n_z, g * n_y * n_y + f * n_x), f * n_y);
+    }
+  }
+
+  /// A turn that is locked alone; of a twist, the nearer way.
+  CAROM_LANES_INLINE void turn(int which, JointRowLanes& r) const {
+    constexpr double kHalf = 3.14159265358979323846;
+    axis(3 + which, r);
+    const Lanes off = r.error - (which == 0 ? axes.turn.x : which == 1 ? axes.turn.y : axes.turn.z);
+    r.error = off > kHalf ? off - 2 * kHalf : (off < -kHalf ? off + 2 * kHalf : off);
+  }
+
+  CAROM_LANES_INLINE JointRowLanes* lock(JointPart which, JointRowLanes* r) const {
+    switch (which) {
+      case JointPart::place_x:
+        return axis(0, *r), r + 1;
+      case JointPart::place_y:
+        return axis(1, *r), r + 1;
+      case JointPart::place_z:
+        return axis(2, *r), r + 1;
+      case JointPart::turn_x:
+        return turn(0, *r), r + 1;
+      case JointPart::turn_y:
+        return turn(1, *r), r + 1;
+      case JointPart::turn_z:
+        return turn(2, *r), r + 1;
+      case JointPart::point:
+      case JointPart::line:
+      case JointPart::rod:
+      case JointPart::orientation:
+      case JointPart::direction:
+      case JointPart::pins:
+      case JointPart::ropes:
+      case JointPart::gears:
+        break;
+    }
+    return part(which, r);
+  }
+
+  /// What is left of a turn to an orientation, about A's axes: the rotation vector of the shortest turn from there to here.
+  CAROM_LANES_INLINE void to_target(JointRowLanes* const (&r)[3]) const {
+    const LaneQuat off = (conjugate(q_a) * q_b) * conjugate(axes.target);
+    const LaneMask back = off.w < 0;
+    const Lanes sine = square_root(off.x * off.x + off.y * off.y + off.z * off.z);
+    const LaneMask apart = sine > 1e-12;
+    const Lanes long_way = 2 * angle_of<Lanes>(sine, back ? -off.w : off.w) / (apart ? sine : all(1));
+    const Lanes scale = (back ? all(-1) : all(1)) * (apart ? long_way : all(2));
+    about(*r[0], axes_a.x, scale * off.x);
+    about(*r[1], axes_a.y, scale * off.y);
+    about(*r[2], axes_a.z, scale * off.z);
+  }
+};
+
+/// What a spring's or a stop's coefficients are at the row's mass, @see spring_of().
+CAROM_LANES_INLINE void find_pull(const AxesLanes::Pull& of, JointDriveLanes& drive) {
+  const LaneMask per_mass = of.per_mass > 0;
+  const Lanes unit = per_mass ? drive.m : all(1);
+  const Lanes stiff = smaller(unit * of.stiffness, drive.m * of.stiffest), drags = unit * of.damping;
+  const Lanes inverse = inverse_or_zero(drive.m + drags);
+  drive.pull = stiff * inverse;
+  drive.drag = drags * inverse;
+}
+
+void place_axes(const JointRun& run, JointLanes& joint) {
+  const LockLanes* const locks = locks_of(run, joint);
+  const AxesLanes& axes = run.axes[joint.axed - 1];
+  const AxesPlacing placing(joint, run.shift, locks != nullptr, axes);
+  JointRowLanes* const rows = run.rows + joint.first;
+  JointRowLanes* next = rows;
+  for (std::uint32_t k = 0; k < joint.layout.parts; ++k) next = placing.lock(joint.layout.part[k], next);
+  factor_rows<false>(joint, locks, nullptr, rows);
+  JointDriveLanes* const drives = run.drives + joint.first_drive;
+  for (std::uint32_t k = 0; k < joint.layout.drives; ++k) {
+    const int c = joint.layout.drive[k].coordinate;
+    if (c == kFirstTurn)
+      placing.to_target({&drives[k].row, &drives[k + 1].row, &drives[k + 2].row});
+    else if (c < kFirstAxis)
+      placing.coordinate(c, drives[k].row);
+    else if (c < kFirstTurn)
+      placing.axis(c - kFirstAxis, drives[k].row);
+    weigh<false>(joint, locks, nullptr, rows, drives[k]);
+    if (acts_once(joint.layout.drive[k].kind) && c >= kFirstAxis) find_pull(axes.pull[k], drives[k]);
+  }
+}
+
+void place(const JointRun& run) {
+  for (std::size_t i = 0; i < run.count; ++i) {
+    JointLanes& joint = run.joints[i];
+    if (joint.axed)
+      place_axes(run, joint);
+    else if (joint.pulled)
+      place_one<true>(run, joint, locks_of(run, joint));
+    else if (joint.locked)
+      place_one<false>(run, joint, run.locks + (joint.locked - 1));
+    else
+      place_one<false>(run, joint, nullptr);
+  }
+}
+
+}  // namespace
+}  // namespace carom::dynamics

@@ -1,0 +1,160 @@
+// What the axes of a six-axis joint come to in rows, and where they are.
+#include "dynamics/joint/axis_parts.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/wide_angle.h"
+
+namespace carom::dynamics {
+namespace {
+
+constexpr JointPart kAlone[kAxes] = {JointPart::place_x, JointPart::place_y, JointPart::place_z,
+                                     JointPart::turn_x,  JointPart::turn_y,  JointPart::turn_z};
+
+/// What stands for the two axes across x, and for all three.
+struct AxisParts {
+  JointPart two, three;
+};
+constexpr AxisParts kAxisParts[2] = {{JointPart::line, JointPart::point},
+                                   {JointPart::direction, JointPart::orientation}};
+
+/// Of places, at any offset: A's point is moved there. Of turns: all three at any offset, for B's frame is turned; the two
+/// across x where x axes stay parallel.
+void add_parts(const std::array<JointAxis, kAxes>& axis, std::uint32_t first, LockedParts& parts) {
+  const AxisParts& together = kAxisParts[first / kPlaces];
+  const bool x = axis[first].is_locked(), y = axis[first + 1].is_locked(), z = axis[first + 2].is_locked();
+  if (x && y && z) return parts.add(together.three);
+  const bool parallel = first < kPlaces || (axis[4].lower == 0 && axis[5].lower == 0);
+  if (!x && y && z && parallel) return parts.add(together.two);
+  for (std::uint32_t k = first; k < first + kPlaces; ++k)
+    if (axis[k].is_locked()) parts.add(kAlone[k]);
+}
+
+/// f(source, kind of row) for all that acts along an axis, in the order of rows.
+template <class F>
+void each_row_of(const JointAxis& a, const Joint& joint, F&& f) {
+  if (a.is_locked()) return;
+  const bool pulls = a.drive == AxisDrive::position;
+  if (a.drive != AxisDrive::none && !joint.without_motors && (!pulls || a.gains.on()))
+    f(kOfDrive, pulls ? DriveKind::spring : DriveKind::motor);
+  if (a.spring.on()) f(kOfSpring, DriveKind::spring);
+  if (a.is_limited() && !joint.without_limits) f(kOfLimit, a.stop.on() ? DriveKind::stop : DriveKind::limit);
+}
+
+bool turns_as_one(const Joint& joint, const JointAxes& axes) {
+  return (joint.def.kind == JointKind::ball || joint.def.kind == JointKind::six_axis) && acts(joint.turn) &&
+         axes.turns_are_free();
+}
+
+/// rad, of all angles that are the same the nearest to 0.
+Real nearest(Real angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+
+Real root_of_squares(const Real (&v)[3]) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+}  // namespace
+
+LockedParts locked_parts(const JointAxes& axes) {
+  LockedParts parts;
+  add_parts(axes.axis, 0, parts);
+  add_parts(axes.axis, kPlaces, parts);
+  return parts;
+}
+
+AxisOffsets offsets_of(const JointAxes& axes) {
+  AxisOffsets off;
+  off.all_turns = true;
+  for (std::uint32_t k = 0; k < kPlaces; ++k) {
+    const JointAxis &place = axes.axis[k], &turn = axes.axis[kPlaces + k];
+    if (place.is_locked()) off.place[static_cast<int>(k)] = place.lower;
+    if (turn.is_locked())
+      off.turn[static_cast<int>(k)] = turn.lower;
+    else
+      off.all_turns = false;
+  }
+  if (off.all_turns)
+    off.orientation = exp_map(Vec3(0, off.turn.y(), off.turn.z())) * exp_map(Vec3(off.turn.x(), 0, 0));
+  return off;
+}
+
+void add_axis_drives(const Joints& joints, const Joint& joint, JointLayout& layout) {
+  const JointAxes& axes = joints.axes_of(joint);
+  layout.axed = joint.def.kind == JointKind::six_axis;
+  const auto add = [&](std::uint32_t coordinate, DriveKind kind, std::uint8_t source) {
+    layout.drive[layout.drives++] = {static_cast<std::uint8_t>(coordinate), kind, source};
+  };
+  if (layout.axed)
+    for (std::uint32_t k = 0; k < kAxes; ++k)
+      each_row_of(axes.axis[k], joint, [&](AxisSource source, DriveKind kind) { add(kFirstAxis + k, kind, source); });
+  if (!turns_as_one(joint, axes) || joint.without_motors) return;
+  layout.axed = true;
+  const DriveKind kind = joint.turn.mode == AxisDrive::position ? DriveKind::spring : DriveKind::motor;
+  for (std::uint32_t k = 0; k < 3; ++k) add(kFirstTurn + k, kind, kOfDrive);
+}
+
+std::uint64_t turn_key(const Joint& joint, const JointAxes& axes) {
+  if (!turns_as_one(joint, axes) || joint.without_motors) return 0;
+  return std::uint64_t(joint.turn.mode == AxisDrive::position ? 1 : 2) << 60;
+}
+
+std::uint64_t axes_key(const Joints& joints, const Joint& joint) {
+  const JointAxes& axes = joints.axes_of(joint);
+  std::uint64_t key = std::uint64_t(1) << 63 | turn_key(joint, axes);
+  for (std::uint32_t k = 0; k < kAxes; ++k) {
+    const JointAxis& a = axes.axis[k];
+    if (a.is_locked()) key |= std::uint64_t(1) << (7 * k);
+    each_row_of(a, joint, [&](AxisSource source, DriveKind kind) {
+      key |= std::uint64_t(kind == DriveKind::motor || kind == DriveKind::stop ? 2 : 1) << (7 * k + 1 + 2 * source);
+    });
+  }
+  for (const JointPart part : locked_parts(axes))
+    if (part == JointPart::direction) key |= std::uint64_t(1) << 58;
+  return key;
+}
+
+DrivenAxes driven_axes(const Joints& joints, const Joint& joint) {
+  const JointAxes& axes = joints.axes_of(joint);
+  DrivenAxes any = {false, turns_as_one(joint, axes)};
+  for (const JointAxis& a : axes.axis) {
+    any.limited |= a.is_limited();
+    any.driven |= !a.is_locked() && a.drive != AxisDrive::none;
+  }
+  return any;
+}
+
+std::array<Real, kAxes> axes_at(const JointEnds& ends) {
+  const Quat t = ends.a.q.conjugate() * ends.b.q;
+  const Vec3 place = ends.a.q.conjugate() * ends.apart, n = t * Vec3::unit_x();
+  const Real sign = t.w() < 0 ? -1 : 1, twist = 2 * angle_of<double>(sign * t.x(), sign * t.w());
+  const Real sine = std::sqrt(n.y() * n.y() + n.z() * n.z()), angle = angle_of<double>(sine, n.x());
+  Real y = -n.z(), z = n.y();
+  if (sine > 1e-12)
+    y *= angle / sine, z *= angle / sine;
+  else if (n.x() < 0)
+    y = angle, z = 0;
+  return {place.x(), place.y(), place.z(), twist, y, z};
+}
+
+JointPlace judge_axes(const JointAxes& axes, JointPlace place) {
+  const std::array<Real, kAxes> at = axes_at(place);
+  Real off[2][3] = {}, beyond[2] = {};
+  for (std::uint32_t k = 0; k < kAxes; ++k) {
+    const JointAxis& a = axes.axis[k];
+    const std::uint32_t group = k / kPlaces;
+    if (a.is_locked())
+      off[group][k % kPlaces] = k == 3 ? nearest(at[k] - a.lower) : at[k] - a.lower;
+    else if (a.is_limited() && !a.stop.on())
+      beyond[group] = std::max({beyond[group], a.lower - at[k], at[k] - a.upper});
+  }
+  const AxisOffsets offsets = offsets_of(axes);
+  place.gap = std::max(root_of_squares(off[0]), beyond[0]);
+  Real angle = root_of_squares(off[1]);
+  if (offsets.all_turns) {
+    const Quat t = (place.a.q.conjugate() * place.b.q) * offsets.orientation.conjugate();
+    angle = 2 * angle_of<double>(t.vec().norm(), std::fabs(t.w()));
+  }
+  place.angle = std::max(angle, beyond[1]);
+  return place;
+}
+
+}  // namespace carom::dynamics

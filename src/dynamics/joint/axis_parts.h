@@ -1,0 +1,47 @@
+// What the axes of a six-axis joint come to in rows, and where they are.
+#pragma once
+
+#include "dynamics/joint/joint.h"
+#include "dynamics/joint/joint_lanes.h"
+
+namespace carom::dynamics {
+
+/// Parts that lock a joint's axes: together where a part of the other kinds is the same, else one by one.
+struct LockedParts {
+  std::uint32_t count = 0;
+  JointPart part[kMostParts] = {};
+  const JointPart* begin() const { return part; }
+  const JointPart* end() const { return part + count; }
+  void add(JointPart p) { part[count++] = p; }
+};
+LockedParts locked_parts(const JointAxes& axes);
+
+/// Where axes are locked.
+struct AxisOffsets {
+  Vec3 place = Vec3::zero();             // m, A's frame; 0 where free
+  Vec3 turn = Vec3::zero();              // rad, likewise
+  bool all_turns = false;                // all three are locked, B's frame in A's at
+  Quat orientation = Quat::identity();
+};
+AxisOffsets offsets_of(const JointAxes& axes);
+
+/// Rows of what drives, springs and limits axes, and of a drive to an orientation.
+void add_axis_drives(const Joints& joints, const Joint& joint, JointLayout& layout);
+/// Parts of layout_key().
+std::uint64_t axes_key(const Joints& joints, const Joint& joint);
+std::uint64_t turn_key(const Joint& joint, const JointAxes& axes);
+
+struct DrivenAxes {
+  bool limited, driven;
+};
+DrivenAxes driven_axes(const Joints& joints, const Joint& joint);
+
+/// Where B's frame is in A's: m along A's x, y, z; rad, the twist about x and the swing's rotation vector along y, z, of
+/// q = swing * twist. At a swing of pi the twist is 0 and the swing about y.
+/// @accuracy  places: rounding of the bodies' positions; angles 1e-15 / cos(swing / 2) rad
+std::array<Real, kAxes> axes_at(const JointEnds& ends);
+
+/// How far a six-axis joint is off what it locks, and beyond hard limits.
+JointPlace judge_axes(const JointAxes& axes, JointPlace place);
+
+}  // namespace carom::dynamics

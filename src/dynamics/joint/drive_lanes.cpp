@@ -1,0 +1,170 @@
+// Limits, motors, springs and axes of a joint into lanes and back.
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "dynamics/joint/axis_parts.h"
+#include "dynamics/joint/parts.h"
+#include "dynamics/joint/wide_joints.h"
+#include "dynamics/solver/fill_lanes.h"
+
+namespace carom::dynamics {
+namespace {
+
+constexpr Real kPushesOn = 1e30;  // m/s or rad/s: never reached, so that a motor is a force
+
+/// Of a coordinate of a kind.
+void fill_drive(const Joint& joint, const DriveRow& row, Real start_p, Real h, bool again, JointDriveLanes& drive,
+                int lane) {
+  const JointDrive& d = joint.drive[row.coordinate];
+  drive.row.p[lane] = start_p;
+  drive.lower[lane] = drive.upper[lane] = drive.speed[lane] = drive.pull[lane] = drive.drag[lane] = 0;
+  drive.most[lane] = kInfinity;
+  switch (row.kind) {
+    case DriveKind::motor:
+      drive.speed[lane] = d.motor.speed;
+      drive.most[lane] = d.motor.most * (again ? h / 2 : h);
+      break;
+    case DriveKind::spring: {
+      const Spring spring = spring_of(d.spring.frequency, d.spring.damping, h);
+      drive.lower[lane] = drive.upper[lane] = d.spring.target;
+      drive.pull[lane] = spring.pull, drive.drag[lane] = spring.drag;
+      drive.most[lane] = d.spring.most * h;
+      break;
+    }
+    case DriveKind::limit:
+    case DriveKind::stop:
+      drive.lower[lane] = d.limit.lower, drive.upper[lane] = d.limit.upper;
+      break;
+  }
+}
+
+void fill_motor(AxisDrive mode, Real speed, Real effort, Real most, Real h, JointDriveLanes& drive, int lane) {
+  const bool pushes = mode == AxisDrive::effort;
+  drive.speed[lane] = !pushes ? speed : effort < 0 ? -kPushesOn : kPushesOn;
+  drive.most[lane] = (pushes ? std::min(std::fabs(effort), most) : most) * h;
+}
+
+void fill_spring(Real target, Real speed, Real most, Real h, JointDriveLanes& drive, int lane) {
+  drive.lower[lane] = drive.upper[lane] = target;
+  drive.speed[lane] = speed;
+  drive.most[lane] = most * h;
+}
+
+/// @param springs  how many act on the axis: together no stiffer than a substep carries
+void fill_pull(const AxisPull& pull, Real h, int springs, AxesLanes::Pull& to, int lane) {
+  constexpr Real kPi = std::numbers::pi;
+  const Real fastest = kPi / 2 / h;  // rad/s, a quarter of the substep rate
+  Real k = pull.stiffness, c = pull.damping;
+  if (pull.gains == Gains::frequency) {
+    const Real w = std::min(2 * kPi * k, fastest);
+    k = w * w, c = 2 * c * w;
+  }
+  to.per_mass[lane] = pull.gains == Gains::force ? 0 : 1;
+  to.stiffness[lane] = h * k, to.damping[lane] = h * c;
+  to.stiffest[lane] = h * fastest * fastest / springs;
+}
+
+struct RowFill {
+  Real h, half;  // s: of a substep; of what acts again
+  JointDriveLanes& drive;
+  AxesLanes::Pull& pull;
+  int lane;
+};
+
+void fill_axis(const JointAxis& a, const DriveRow& row, const RowFill& to) {
+  const int springs = std::max(1, (a.drive == AxisDrive::position) + a.spring.on() + (a.is_limited() && a.stop.on()));
+  switch (row.source) {
+    case kOfDrive:
+      if (row.kind == DriveKind::motor) return fill_motor(a.drive, a.speed, a.effort, a.most, to.half, to.drive, to.lane);
+      fill_spring(a.target, a.speed, a.most, to.h, to.drive, to.lane);
+      return fill_pull(a.gains, to.h, springs, to.pull, to.lane);
+    case kOfSpring:
+      fill_spring(a.rest, 0, kInfinity, to.h, to.drive, to.lane);
+      return fill_pull(a.spring, to.h, springs, to.pull, to.lane);
+    default:
+      to.drive.lower[to.lane] = a.lower, to.drive.upper[to.lane] = a.upper;
+      if (row.kind == DriveKind::stop) fill_pull(a.stop, to.h, springs, to.pull, to.lane);
+  }
+}
+
+void fill_turn(const TurnDrive& d, const DriveRow& row, const RowFill& to) {
+  const int k = row.coordinate - kFirstTurn;
+  if (row.kind == DriveKind::motor) return fill_motor(d.mode, d.velocity[k], d.effort[k], d.most[k], to.half, to.drive, to.lane);
+  fill_spring(0, d.velocity[k], d.most[k], to.h, to.drive, to.lane);
+  fill_pull(d.gains, to.h, 1, to.pull, to.lane);
+}
+
+/// Where the impulse of a row is kept between steps.
+Real& impulse_of(JointAxes* axes, Joint& joint, const DriveRow& row, std::uint32_t k) {
+  if (row.coordinate >= kFirstTurn) return joint.turn.p[row.coordinate - kFirstTurn];
+  if (row.coordinate >= kFirstAxis) return axes->p[row.coordinate - kFirstAxis][row.source];
+  return joint.drive_p[k];
+}
+Real kept_impulse(const JointAxes& axes, const Joint& joint, const DriveRow& row, std::uint32_t k) {
+  if (row.coordinate >= kFirstTurn) return joint.turn.p[row.coordinate - kFirstTurn];
+  if (row.coordinate >= kFirstAxis) return axes.p[row.coordinate - kFirstAxis][row.source];
+  return joint.drive_p[k];
+}
+
+}  // namespace
+
+void fill_drives(const World& world, const Joint& joint, const DriveStart& start, WideJoints& w, JointLanes& lanes,
+                 int lane) {
+  const JointAxes& axes = world.joints.axes_of(joint);
+  AxesLanes::Pull none;
+  for (std::uint32_t k = 0; k < lanes.layout.drives; ++k) {
+    const DriveRow& row = lanes.layout.drive[k];
+    JointDriveLanes& drive = w.drives[lanes.first_drive + k];
+    const Real p = start.scale * kept_impulse(axes, joint, row, k);
+    if (row.coordinate < kFirstAxis) {
+      fill_drive(joint, row, p, start.h, start.again, drive, lane);
+      continue;
+    }
+    drive.row.p[lane] = p;
+    drive.lower[lane] = drive.upper[lane] = drive.speed[lane] = drive.pull[lane] = drive.drag[lane] = 0;
+    drive.most[lane] = kInfinity;
+    const RowFill to = {start.h, start.again ? start.h / 2 : start.h, drive,
+                        lanes.axed ? w.axes[lanes.axed - 1].pull[k] : none, lane};
+    if (row.coordinate < kFirstTurn)
+      fill_axis(axes.axis[row.coordinate - kFirstAxis], row, to);
+    else
+      fill_turn(joint.turn, row, to);
+  }
+}
+
+void keep_drives(Joints& joints, Joint& joint, const WideJoints& w, const JointLanes& lanes, std::uint32_t lane) {
+  JointAxes* const axes = joints.axes_of(joint);
+  for (std::uint32_t k = 0; k < lanes.layout.drives; ++k)
+    impulse_of(axes, joint, lanes.layout.drive[k], k) = w.drives[lanes.first_drive + k].row.p[lane];
+}
+
+void fill_axes(const World& world, const Joint& joint, AxesLanes& to, JointLanes& lanes, int lane) {
+  const JointAxes& axes = world.joints.axes_of(joint);
+  const AxisOffsets off = offsets_of(axes);
+  const JointEnds ends = ends_of(world, joint.def);
+  const Vec3 moved = ends.a.q * off.place;
+  set(lanes.start_a, lane, ends.arm_a + moved), set(lanes.start_gap, lane, ends.apart - moved);
+  set(to.turn, lane, off.turn);
+  const auto put = [&](LaneQuat& quat, const Quat& q) {
+    quat.x[lane] = q.x(), quat.y[lane] = q.y(), quat.z[lane] = q.z(), quat.w[lane] = q.w();
+  };
+  put(to.target, joint.turn.target);
+  if (off.all_turns) put(lanes.start_frame_b, ends.b.q * off.orientation.conjugate());
+}
+
+bool has_sane_impulses(Joints& joints, Joint& joint) {
+  const auto finite_all = [](const auto& p) { return std::ranges::all_of(p, [](Real x) { return finite(x); }); };
+  const JointAxes& axes = std::as_const(joints).axes_of(joint);
+  return finite_all(joint.p) && finite_all(joint.drive_p) && joint.turn.p.all_finite() &&
+         std::ranges::all_of(axes.p, finite_all) && finite(joint.transmission.phase) && joint.force.all_finite() &&
+         joint.torque.all_finite();
+}
+
+void start_cold(Joints& joints, Joint& joint) {
+  joints.forget_impulses(joint);
+  joint.transmission.phase = finite(joint.transmission.phase) ? joint.transmission.phase : 0;
+  joint.force.set_zero(), joint.torque.set_zero();
+}
+
+}  // namespace carom::dynamics

@@ -1,0 +1,23 @@
+// Six-axis joints, and drives to an orientation, in scene files.
+#pragma once
+
+#include "scenefile/document.h"
+#include "scenes/scene.h"
+
+namespace carom::tools::scenefile {
+
+/// An entry of physicsJoints.   @throws Error if the file can say nothing of its kind
+json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& desc);
+
+/// What CAROM_physics says of a joint's axes and its drive to an orientation is added to `own`, and locks, limits and drives to
+/// `entry`, as KHR_physics_rigid_bodies has them.
+void write_axes(carom_world* world, carom_joint joint, bool has_axes, json& own, json& entry);
+/// The same, back into a joint.   @throws Error
+void read_own_axes(carom_world* world, carom_joint joint, const Value& own);
+
+/// Whether all limits of a joint of KHR_physics_rigid_bodies are of one axis each, or lock: then axes say it.
+bool is_told_by_axes(const Value& joint);
+/// Its limits and drives as those of the axes of a joint.   @throws Error
+void read_khr_axes(carom_world* world, carom_joint handle, const Value& joint);
+
+}  // namespace carom::tools::scenefile
