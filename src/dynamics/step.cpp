@@ -63,7 +63,7 @@ class Runner {
 
 void World::step(Real dt) {
   const Runner run(*this, dt);
-  begin_report(*this);
+  begin_report(*this, report, group_views);
   const std::span<const StageEntry> table = stage_table();
   for (auto first = table.begin(); first != table.end();) {
     auto last = first;

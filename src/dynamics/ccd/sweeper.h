@@ -9,7 +9,7 @@ namespace carom::dynamics {
 
 class Sweeper {
  public:
-  Sweeper(World& world, const StepTime& time);
+  Sweeper(const World& world, Sweeping to, const StepTime& time);
   void run();
 
  private:
@@ -64,7 +64,12 @@ class Sweeper {
   void aim(const Side& side, Real now);
   SweptBody* take_up(std::uint32_t body);
 
-  World& world_;
+  const World& world_;
+  Poses& poses_;
+  Velocities& motion_;
+  SleepFlags& sleep_;
+  BroadPhases& broad_;
+  StepReport& report_;
   Continuous& c_;
   StepTime time_;
   Real lag_, tolerance_;  // s; m, what is left unresolved

@@ -46,7 +46,7 @@ struct Met {
 /// Contacts of this step (views and swept hits) beside those of the last: lists in the same order.
 class Contacting {
  public:
-  explicit Contacting(World& world) : world_(world), e_(*world.events), hits_(world.continuous->hits) {}
+  explicit Contacting(const World& world) : world_(world), e_(*world.events), hits_(world.continuous->hits) {}
 
   void run() {
     const Array<ContactView>& views = world_.contact_views();
@@ -106,7 +106,7 @@ class Contacting {
   }
 
   static constexpr Pair kLast{Colliders::kNone, Colliders::kNone};
-  World& world_;
+  const World& world_;
   Events& e_;
   Array<SweepHit>& hits_;
 };
@@ -125,7 +125,7 @@ bool overlaps(const World& world, const Pair& p, bool before) {
 
 class Sensing {
  public:
-  explicit Sensing(World& world) : world_(world), e_(*world.events) {}
+  explicit Sensing(const World& world) : world_(world), e_(*world.events) {}
 
   void run() {
     e_.spare.clear();
@@ -165,11 +165,11 @@ class Sensing {
                                     : SensorEvent{entered, t.b, t.a, t.body_b, t.body_a});
   }
 
-  World& world_;
+  const World& world_;
   Events& e_;
 };
 
-void look_who_sleeps(World& world) {
+void look_who_sleeps(const World& world) {
   Events& e = *world.events;
   for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) {
     const auto now = static_cast<std::uint8_t>(world.state.sleeps(i));
@@ -179,7 +179,7 @@ void look_who_sleeps(World& world) {
   }
 }
 
-void tell_faults(World& world) {
+void tell_faults(const World& world) {
   Events& e = *world.events;
   const auto named = [](const SlotPool& slots, std::uint32_t slot) {
     return slot == FaultView::kNone ? Handle(0) : slots.handle(slot);
@@ -204,7 +204,7 @@ void sensing::find(const Scene& scene, const State&, Customers& customers) {
     if (sensor[slot] && scene.collider_slots.alive(slot)) customers.add(slot);
 }
 
-void collect(World& world, std::uint32_t asked, Real hit_speed) {
+void collect(const World& world, std::uint32_t asked, Real hit_speed) {
   Events& e = *world.events;
   e.hit_speed = hit_speed;
   const std::uint32_t kinds = world.scene.modes.forbids(+EffectId::events) ? 0 : asked;
@@ -221,7 +221,7 @@ void collect(World& world, std::uint32_t asked, Real hit_speed) {
   e.asked = asked, e.wanted = kinds;
 }
 
-void tell_broken(World& world, std::uint32_t slot) {
+void tell_broken(const World& world, std::uint32_t slot) {
   Events& e = *world.events;
   if (!(e.wanted & Events::joint)) return;
   const Joint& joint = world.joints.joint[slot];
@@ -230,7 +230,7 @@ void tell_broken(World& world, std::uint32_t slot) {
                       joint.torque, world.report.steps + 1});
 }
 
-void set_sensors_aside(World& world, Array<Pair>& pairs) {
+void set_sensors_aside(const World& world, Array<Pair>& pairs) {
   if (world.plan->effects[+EffectId::sensor].customers.count == 0) return;
   const Colliders& c = world.scene.colliders;
   Events& e = *world.events;
@@ -240,7 +240,7 @@ void set_sensors_aside(World& world, Array<Pair>& pairs) {
   std::erase_if(pairs, [&](const Pair& p) { return c.is_sensor(p.a) || c.is_sensor(p.b); });
 }
 
-void begin_events(World& world, const StepTime&) {
+void begin_events(const World& world, const StepTime&) {
   Events& e = *world.events;
   PlannedEffect& row = world.plan->effects[+EffectId::events];
   row.wanted = e.asked != 0;
@@ -275,7 +275,7 @@ void begin_events(World& world, const StepTime&) {
   });
 }
 
-void end_events(World& world, const StepTime&) {
+void end_events(const World& world, const StepTime&) {
   const std::uint32_t wanted = world.events->wanted;
   if (wanted & Events::contact) Contacting(world).run();
   if (wanted & Events::sensor) Sensing(world).run();

@@ -23,7 +23,7 @@ void each_mover_of_bodies(Plan& plan, F&& f) {
 }
 
 /// Who is moved by what is not constant. On whom an effect is forced without a call for it, it changes nothing.
-void find_bound(World& world, FreeFlight& flight) {
+void find_bound(const World& world, FreeFlight& flight) {
   Plan& plan = *world.plan;
   flight.tied.clear();
   for (const std::uint32_t i : world.contacts->bodies) flight.tied.add(i);
@@ -67,7 +67,7 @@ FreeFlight::Part::Part(Memory* m) : linear(m), rotating(m), of_row(m) {
 
 FreeFlight::FreeFlight(Memory* m) : bound(m), flying(m), kinematic(m), springs(m), tied(m), more(m) {}
 
-void part_with_flyers(World& world, const StepTime&) {
+void part_with_flyers(const World& world, const StepTime&) {
   Plan& plan = *world.plan;
   if (plan.substeps == 1 || !plan.integrator->exact_in_flight) return;
   if (!plan.flight) plan.flight = make_owned<FreeFlight>(world.memory, world.memory);
@@ -83,21 +83,20 @@ void part_with_flyers(World& world, const StepTime&) {
   exchange(plan, f.bound);
 }
 
-void fly_free(World& world, const StepTime& time) {
+void fly_free(const World& world, Poses& poses, Quarantining to, const StepTime& time) {
   Plan& plan = *world.plan;
   if (!plan.flight || !std::exchange(plan.flight->any, false)) return;
   FreeFlight& f = *plan.flight;
   exchange(plan, f.bound);
   exchange(plan, f.flying), exchange_the_rest(plan, f);
   const StepTime whole{time.dt, time.dt};
-  const struct {
-    void (*run)(World&, const StepTime&);
-    Booking booking;
-  } kBoth[] = {{integrate_velocity, Booking::forces}, {integrate_position, Booking::moves}};
-  for (const auto& stage : kBoth) {
-    stage.run(world, whole);
-    if (keeps_books(world)) book_stage(world, stage.booking, whole);
-  }
+  const auto book = [&](Booking booking) {
+    if (keeps_books(world)) book_stage(world, booking, whole);
+  };
+  integrate_velocity(world, to, whole);
+  book(Booking::forces);
+  integrate_position(world, poses, to, whole);
+  book(Booking::moves);
   exchange(plan, f.flying), exchange_the_rest(plan, f);
 }
 

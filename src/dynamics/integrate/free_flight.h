@@ -13,6 +13,7 @@
 #pragma once
 
 #include "dynamics/effects.h"
+#include "dynamics/quarantine.h"
 
 namespace carom::dynamics {
 
@@ -32,7 +33,7 @@ struct FreeFlight {
 };
 
 /// Stage functions of the page. Between them the plan lists the bound bodies alone. The first one allocates.
-void part_with_flyers(World& world, const StepTime& time);
-void fly_free(World& world, const StepTime& time);
+void part_with_flyers(const World& world, const StepTime& time);
+void fly_free(const World& world, Poses& poses, Quarantining to, const StepTime& time);
 
 }  // namespace carom::dynamics

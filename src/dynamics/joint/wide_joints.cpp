@@ -28,7 +28,7 @@ bool forbids(const World& world, std::size_t row, const JointDef& def) {
 }
 
 /// Note what is forbidden to a joint, and whom of the table it calls for.
-void note_parts(World& world, Joint& joint) {
+void note_parts(const World& world, Joint& joint) {
   const std::uint32_t before = layout_key(joint);
   joint.without_limits = forbids(world, +EffectId::joint_limits, joint.def);
   joint.without_motors = forbids(world, +EffectId::joint_motors, joint.def);
@@ -52,7 +52,7 @@ std::uint32_t solver_body(const World& world, std::uint32_t body) {
   return body == kTheWorld ? 0 : world.wide->body[body];
 }
 
-BothColours colours_of(World& world, const Joint& joint) {
+BothColours colours_of(const World& world, const Joint& joint) {
   const std::uint32_t a = joint.def.body_a, b = joint.def.body_b;
   return {world.wide->placing->taken.data(), moves(world, a), solver_body(world, a), moves(world, b),
           solver_body(world, b)};
@@ -61,7 +61,7 @@ BothColours colours_of(World& world, const Joint& joint) {
 bool is_gear(const JointLayout& layout) { return layout.parts == 1 && layout.part[0] == JointPart::gears; }
 
 /// A place for each: four of one colour and layout share lanes; beyond the colours each has its own.
-void place_lanes(World& world, WideJoints& w) {
+void place_lanes(const World& world, WideJoints& w) {
   w.place.resize(w.active.size());
   w.occupant.clear(), w.colours.clear(), w.joints.clear(), w.pulls.clear(), w.gears.clear();
   std::uint32_t rows = 0, drives = 0;
@@ -173,7 +173,7 @@ void empty(WideJoints& w, JointLanes& joint) {
 }
 
 /// Bodies that hang on joints and on no contact.
-void find_kicked(World& world, WideJoints& w) {
+void find_kicked(const World& world, WideJoints& w) {
   Contacts& c = *world.contacts;
   w.kicked.clear();
   if (world.plan->integrator != &kVelocityVerlet || !world.plan->runs[static_cast<std::size_t>(Stage::relax)]) return;
@@ -249,7 +249,7 @@ void fill_locks(const World& world, WideJoints& w) {
 
 }  // namespace
 
-void plan_joints(World& world) {
+void plan_joints(const World& world, Joints& joints) {
   WideJoints& w = *world.wide_joints;
   w.active.clear(), w.linked.clear(), w.kicked.clear();
   w.is_packed = false;
@@ -260,7 +260,7 @@ void plan_joints(World& world) {
   for (std::uint32_t j = 0; j < world.joints.slots.slots(); ++j)
     if (world.joints.alive(j) && is_active(world, world.joints.joint[j])) w.active.push_back(j);
   if (!w.any()) return;
-  for (const std::uint32_t j : w.active) note_parts(world, world.joints.joint[j]);
+  for (const std::uint32_t j : w.active) note_parts(world, joints.joint[j]);
   w.linked.assign(world.scene.bodies.slots(), 0);
   for (const std::uint32_t j : w.active) {
     const JointDef& def = world.joints.joint[j].def;
@@ -269,7 +269,7 @@ void plan_joints(World& world) {
   }
 }
 
-void link_joints(World& world, const StepTime&) {
+void link_joints(const World& world, const StepTime&) {
   Contacts& c = *world.contacts;
   c.links.clear();
   for (const std::uint32_t j : world.wide_joints->active) {
@@ -278,7 +278,7 @@ void link_joints(World& world, const StepTime&) {
   }
 }
 
-void colour_joints(World& world) {
+void colour_joints(const World& world) {
   WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
   const Contacts& c = *world.contacts;
@@ -301,7 +301,7 @@ void colour_joints(World& world) {
   w.is_packed = all_swept;
 }
 
-void begin_joints(World& world, Real h) {
+void begin_joints(const World& world, Real h) {
   WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
   w.kernels = &joint_kernels(world.wide->kernels->name);
@@ -320,41 +320,41 @@ void begin_joints(World& world, Real h) {
   over_joints(world, w.kernels->place);
 }
 
-void take_half_kicks(World& world) {
-  State& s = world.state;
+void take_half_kicks(const World& world, Velocities& to) {
+  const State& s = world.state;
   for (WideJoints::Kicked& k : world.wide_joints->kicked) {
     k.half = 0.5 * (s.v[k.body] - world.plan->begun[k.body].v);
-    s.v[k.body] -= k.half;
+    to.v[k.body] -= k.half;
     k.facing = s.q[k.body], k.omega = s.omega[k.body];
   }
 }
 
-void give_half_kicks(World& world) {
-  State& s = world.state;
+void give_half_kicks(const World& world, Velocities& to) {
+  const State& s = world.state;
   for (WideJoints::Kicked& k : world.wide_joints->kicked) {
     k.spun.set_zero();
     if (s.quarantined[k.body]) k.half.set_zero();
-    s.v[k.body] += k.half;
+    to.v[k.body] += k.half;
     if (!is_turned_on(world, k.body)) continue;
     const Vec3 omega = kept_spin(world, k);
     k.spun = omega - s.omega[k.body];
-    s.omega[k.body] = omega;
+    to.omega[k.body] = omega;
   }
 }
 
-void place_joints(World& world) {
+void place_joints(const World& world) {
   load_shifts(world, *world.wide);
   over_joints(world, world.wide_joints->kernels->place);
 }
 
-void bend_joints(World& world, Real h) {
+void bend_joints(const World& world, Real h) {
   WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
   find_gyro(world, h, w);
   over_joints(world, [&](const JointRun& run) { w.kernels->bend(run, h); });
 }
 
-void return_to_joints(World& world) {
+void return_to_joints(const World& world) {
   const WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
   load_velocities(world, *world.wide);  // half kicks, and the direct solver's answers
@@ -362,11 +362,12 @@ void return_to_joints(World& world) {
   if (!w.kicked.empty()) sweep_joints(world, w.kernels->act_again, [](std::uint32_t) {});
 }
 
-void end_joints(World& world, const StepTime& time) {
+void end_joints(const World& world, Breaking to, const StepTime& time) {
   WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
+  Joints& joints = to;
   in_parallel(world.jobs, w.active.size(), kLanes * kJointsAPart, [&](std::uint32_t i) {
-    Joint& joint = world.joints.joint[w.active[i]];
+    Joint& joint = joints.joint[w.active[i]];
     const JointLanes& lanes = w.joints[w.place[i].lanes];
     const std::uint32_t lane = w.place[i].lane;
     for (std::uint32_t k = 0; k < lanes.layout.equalities; ++k) joint.p[k] = w.rows[lanes.first + k].p[lane];
@@ -379,10 +380,10 @@ void end_joints(World& world, const StepTime& time) {
     if (!is_finite(joint)) start_cold(joint);
   });
   for (const std::uint32_t j : w.active) {
-    Joint& joint = world.joints.joint[j];
+    const Joint& joint = joints.joint[j];
     if (joint.force.norm() <= joint.def.break_force && joint.torque.norm() <= joint.def.break_torque) continue;
     tell_broken(world, j);
-    world.break_joint(j);
+    break_joint(to, j);
   }
 }
 

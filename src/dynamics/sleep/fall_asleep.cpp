@@ -7,7 +7,7 @@ namespace carom::dynamics {
 namespace {
 
 /// Count on a body's time of being slow, or start it anew. Comparisons are such that NaN is not slow.
-void count_calm(World& world, std::uint32_t i, Real speed, Real dt) {
+void count_calm(const World& world, std::uint32_t i, Real speed, Real dt) {
   Sleep& z = *world.sleep;
   const State& s = world.state;
   const bool slow = s.v[i].norm() + z.radius[i] * s.omega[i].norm() <= speed && !s.quarantined[i] &&
@@ -33,7 +33,7 @@ bool rolls_by(const World& world, std::uint32_t i) {
 }
 
 /// Who hangs on one spring falls asleep together.
-void join_sprung(World& world) {
+void join_sprung(const World& world) {
   Array<std::uint32_t>& root = world.sleep->root;
   const Springs& springs = world.scene.springs;
   const auto root_of = [&](std::uint32_t i) {
@@ -52,7 +52,7 @@ void join_sprung(World& world) {
 }
 
 /// The island of every customer, and which islands something keeps awake.
-void find_islands(World& world, const Customers& customers, Real time) {
+void find_islands(const World& world, const Customers& customers, Real time) {
   Sleep& z = *world.sleep;
   Contacts& c = *world.contacts;
   customers.each([&](std::uint32_t i) { z.root[i] = i, z.restless[i] = 0; });
@@ -92,11 +92,10 @@ void find_islands(World& world, const Customers& customers, Real time) {
   }
 }
 
-void lie_down(World& world, std::uint32_t i) {
+void lie_down(const World& world, Velocities& s, SleepFlags& flags, std::uint32_t i) {
   Sleep& z = *world.sleep;
-  State& s = world.state;
   s.v[i] = s.omega[i] = s.momentum[i] = Vec3::zero();
-  world.state.asleep[i] = 1;
+  flags.asleep[i] = 1;
   z.ring[i] = i;
   if (const std::uint32_t first = z.root[i]; first != i) {
     // The root has the lowest slot of its island, so it lies already.
@@ -115,7 +114,7 @@ void sleeping::find(const Scene& scene, const State& state, Customers& customers
     if (responds(scene, state, i)) customers.add(i);
 }
 
-void fall_asleep(World& world, const StepTime& time) {
+void fall_asleep(const World& world, Velocities& motion, SleepFlags& flags, StepReport& report, const StepTime& time) {
   PlannedEffect& row = world.plan->effects[+EffectId::sleep];
   if (row.customers.count == 0) return;
   Sleep& z = *world.sleep;
@@ -130,10 +129,10 @@ void fall_asleep(World& world, const StepTime& time) {
   if (!anyone) return;
   find_islands(world, row.customers, need);
   row.customers.each([&](std::uint32_t i) {
-    if (!z.restless[z.root[i]]) lie_down(world, i);
+    if (!z.restless[z.root[i]]) lie_down(world, motion, flags, i);
   });
-  world.report.fell_asleep = z.fallen.size();
-  world.report.asleep_bodies = z.count;
+  report.fell_asleep = z.fallen.size();
+  report.asleep_bodies = z.count;
 }
 
 }  // namespace carom::dynamics
