@@ -32,7 +32,7 @@ void mute(const World& world, Revisions& scene, FaultViews& views, const Support
     }
   views.push_back(view);
   ++scene.revision, ++scene.collider_revision;
-  world.sleep->alarm = true;
+  scene.alarm = true;
 }
 
 namespace {
@@ -64,8 +64,10 @@ NarrowSettings narrow_settings(const Dials& dials) {
   return s;
 }
 
-void find_pairs(const World& world, BroadPhases& broad, Forgetting to, StepReport& report, const StepTime&) {
+void find_pairs(const World& world, BroadPhases& broad, Forgetting to, Events& events, StepReport& report,
+                const StepTime&) {
   PairTable& pairs = to;
+  Sleep& sleep = to;
   BroadSettings settings;
   settings.grid_cell = world.scene.dials[Dial::grid_cell];
   try {
@@ -73,10 +75,10 @@ void find_pairs(const World& world, BroadPhases& broad, Forgetting to, StepRepor
     broad_phase(world, broad).find_pairs(world.scene.colliders, world.scene.collider_revision, settings, plan.pairs);
     add_near(world.sleep->near, plan.pairs);
     drop_filtered(world, plan.pairs);
-    set_sensors_aside(world, plan.pairs);
+    set_sensors_aside(world, events, plan.pairs);
     pairs.update(plan.pairs);
-    for (const std::uint32_t collider : world.sleep->rejoined) pairs.release(collider);
-    world.sleep->rejoined.clear();
+    for (const std::uint32_t collider : sleep.rejoined) pairs.release(collider);
+    sleep.rejoined.clear();
   } catch (...) {
     // Out of memory: forget what may be half changed; the next step starts these caches afresh.
     for (auto& b : broad) b.reset();

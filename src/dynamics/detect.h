@@ -17,7 +17,8 @@ BroadPhase& broad_phase(const World& world, BroadPhases& all);
 void mute(const World& world, Revisions& scene, FaultViews& views, const SupportFault& fault);
 
 /// Stage broad: pairs of colliders whose bounds overlap.
-void find_pairs(const World& world, BroadPhases& broad, Forgetting to, StepReport& report, const StepTime& time);
+void find_pairs(const World& world, BroadPhases& broad, Forgetting to, Events& events, StepReport& report,
+                const StepTime& time);
 
 /// Stage narrow: manifolds of those pairs. Shapes whose support function misbehaved are muted from here on.
 void find_contacts(const World& world, PairTable& pairs, Revisions& scene, FaultViews& views, StepReport& report,

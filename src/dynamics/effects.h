@@ -152,7 +152,9 @@ void find_candidates(const World& world, PlannedEffect& row);
 bool from_host(const Effect& effect);
 
 /// Stage refresh: bring the plan up to date, then frames and bounds of what moves.
-using Settling = Writes<SleepFlags, Colliders, PlacedPoses, Joints, PairTable, Impulses, Revisions>;
+/// Who is woken, and what goes with them.
+using Sleepers = Writes<SleepFlags, Sleep>;
+using Settling = Writes<SleepFlags, Sleep, Colliders, PlacedPoses, Joints, PairTable, Impulses, Revisions>;
 void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floats, const StepTime& time);
 // Parts of it that others need too: which stages have customers; customers of this step; one collider's frame and
 // bounds.

@@ -88,8 +88,7 @@ void find_groups(const World& world, StepReport& report, const StepTime&) {
   partition_rows(c, world.scene.bodies.slots(), world.scene.dials.choice(Dial::groups) != 0);
   report.groups = c.groups();
   for (std::size_t g = 0; g < c.groups(); ++g)
-    report.largest_group =
-        std::max<std::uint64_t>(report.largest_group, c.group_begin[g + 1] - c.group_begin[g]);
+    report.largest_group = std::max<std::uint64_t>(report.largest_group, c.group_begin[g + 1] - c.group_begin[g]);
 }
 
 }  // namespace carom::dynamics

@@ -79,7 +79,7 @@ void drop_forces(HostForces& s) {
 
 }  // namespace
 
-void begin_report(const World& world, StepReport& report, GroupViews& groups) {
+void begin_report(const World& world, StepReport& report, GroupViews& groups, Events& events) {
   const std::uint64_t steps = report.steps;
   const double time = report.time;
   report = StepReport{};
@@ -87,10 +87,11 @@ void begin_report(const World& world, StepReport& report, GroupViews& groups) {
   report.time = time;
   world.views->clear();
   groups.clear();
-  world.events->clear();
+  events.clear();
 }
 
-void observe(const World& world, StepReport& report, HostForces& host, Impulses& impulses, const StepTime& time) {
+void observe(const World& world, StepReport& report, HostForces& host, Impulses& impulses, Sleep& sleep,
+             const StepTime& time) {
   if (world.plan->runs[static_cast<std::size_t>(Stage::solve)]) {
     measure_contacts(world, report);
     world.views->expect();
@@ -108,7 +109,7 @@ void observe(const World& world, StepReport& report, HostForces& host, Impulses&
   report.quarantined_particles = world.particles.held_count();
   report.faults = world.fault_views.size();
   report.asleep_bodies = world.sleep->count;
-  report.woke_up = std::exchange(world.sleep->woke, 0);
+  report.woke_up = std::exchange(sleep.woke, 0);
 }
 
 }  // namespace carom::dynamics

@@ -1,7 +1,8 @@
 // The parts of a world that stages write, as types: who is to write one is given it, and nobody is given the World.
 //
-// A stage reads by `const World&`. A part of it does not change through that: it stands in the World by value. What is
-// made anew in each step (the plan, rows, lanes) hangs on a pointer, and may be written through a const World.
+// A stage reads by `const World&`, and no part of it changes through that: parts stand in the World by value, or as
+// Kept. What is made anew in each step (the plan, rows, lanes) hangs on an Owned, and may be written through a const
+// World; so may the ledger, which books and changes nothing.
 #pragma once
 
 #include <type_traits>
@@ -17,13 +18,14 @@ enum class Part : std::uint32_t {
   velocities,  // v, omega, momentum
   forces,      // of the host, for this step
   quarantine,
-  sleep,       // who sleeps
-  memory,      // what solvers remember of bodies
+  sleep,   // who sleeps, what is kept of them, and for how long bodies have been slow
+  memory,  // what solvers remember of bodies
   particles,
-  joints,      // their impulses, whether they are broken, whom they keep from touching
-  pairs,       // records of the pair table
-  impulses,    // of contacts, which the next step starts from
-  revisions,   // raised where somebody is taken out
+  joints,     // their impulses, whether they are broken, whom they keep from touching
+  pairs,      // records of the pair table
+  impulses,   // of contacts, which the next step starts from
+  events,     // who touched, was within and slept in the last step, and what is told of this one
+  revisions,  // raised where somebody is taken out
   count
 };
 inline constexpr std::size_t kPartCount = static_cast<std::size_t>(Part::count);
@@ -64,6 +66,8 @@ inline constexpr Parts kPartOf<Quarantine> = Part::quarantine;
 template <>
 inline constexpr Parts kPartOf<SleepFlags> = Part::sleep;
 template <>
+inline constexpr Parts kPartOf<Sleep> = Part::sleep;
+template <>
 inline constexpr Parts kPartOf<SolverMemory> = Part::memory;
 template <>
 inline constexpr Parts kPartOf<Particles> = Part::particles;
@@ -76,26 +80,46 @@ inline constexpr Parts kPartOf<PairTable> = Part::pairs;
 template <>
 inline constexpr Parts kPartOf<Impulses> = Part::impulses;
 template <>
+inline constexpr Parts kPartOf<Events> = Part::events;
+template <>
 inline constexpr Parts kPartOf<Revisions> = Part::revisions;
 
 /// Where a world has it.
 template <class T>
 T& part_of(World& world) {
   static_assert(!std::is_same_v<T, State> && !std::is_same_v<T, Scene>, "parts of it, not all");
-  if constexpr (std::is_base_of_v<T, State>) return world.state;
-  else if constexpr (std::is_same_v<T, Colliders>) return world.scene.colliders;
-  else if constexpr (std::is_same_v<T, Revisions>) return world.scene;
-  else if constexpr (std::is_same_v<T, SpringLoads>) return world.scene.springs;
-  else if constexpr (std::is_same_v<T, Floats>) return world.scene.water;
-  else if constexpr (std::is_same_v<T, Particles>) return world.particles;
-  else if constexpr (std::is_same_v<T, Joints>) return world.joints;
-  else if constexpr (std::is_same_v<T, PairCounts>) return world.scene.joined;
-  else if constexpr (std::is_same_v<T, PairTable>) return world.pairs;
-  else if constexpr (std::is_same_v<T, Impulses>) return world.impulses;
-  else if constexpr (std::is_same_v<T, StepReport>) return world.report;
-  else if constexpr (std::is_same_v<T, FaultViews>) return world.fault_views;
-  else if constexpr (std::is_same_v<T, GroupViews>) return world.group_views;
-  else if constexpr (std::is_same_v<T, BroadPhases>) return world.broad;
+  if constexpr (std::is_base_of_v<T, State>)
+    return world.state;
+  else if constexpr (std::is_same_v<T, Colliders>)
+    return world.scene.colliders;
+  else if constexpr (std::is_same_v<T, Revisions>)
+    return world.scene;
+  else if constexpr (std::is_same_v<T, SpringLoads>)
+    return world.scene.springs;
+  else if constexpr (std::is_same_v<T, Floats>)
+    return world.scene.water;
+  else if constexpr (std::is_same_v<T, Sleep>)
+    return *world.sleep;
+  else if constexpr (std::is_same_v<T, Particles>)
+    return world.particles;
+  else if constexpr (std::is_same_v<T, Joints>)
+    return world.joints;
+  else if constexpr (std::is_same_v<T, PairCounts>)
+    return world.scene.joined;
+  else if constexpr (std::is_same_v<T, PairTable>)
+    return world.pairs;
+  else if constexpr (std::is_same_v<T, Impulses>)
+    return world.impulses;
+  else if constexpr (std::is_same_v<T, Events>)
+    return *world.events;
+  else if constexpr (std::is_same_v<T, StepReport>)
+    return world.report;
+  else if constexpr (std::is_same_v<T, FaultViews>)
+    return world.fault_views;
+  else if constexpr (std::is_same_v<T, GroupViews>)
+    return world.group_views;
+  else if constexpr (std::is_same_v<T, BroadPhases>)
+    return world.broad;
   else {
     static_assert(std::is_same_v<T, Owned<MeanMotion>>, "no part of a world");
     return world.mean_motion;
@@ -116,8 +140,9 @@ struct Writes : Writable<P>... {
   Writes(P&... parts) : Writable<P>{parts}... {}
   explicit Writes(World& world) : Writable<P>{part_of<P>(world)}... {}
   template <class... Q>
-    requires(sizeof...(Q) > sizeof...(P) && (std::is_base_of_v<Writable<P>, Writes<Q...>> && ...))
-  Writes(const Writes<Q...>& more) : Writable<P>(more)... {}
+  requires(sizeof...(Q) > sizeof...(P) && (std::is_base_of_v<Writable<P>, Writes<Q...>> && ...))
+      Writes(const Writes<Q...>& more)
+      : Writable<P>(more)... {}
 };
 
 }  // namespace carom::dynamics

@@ -100,7 +100,8 @@ void fill(const Colliders& c, const NarrowSettings& settings, const SceneryPatch
   record.patch.b_in_a = relative(a, b);
 }
 
-void ask(const World& world, PairTable& pairs, NarrowReport& report, const NarrowSettings& settings, SceneryContacts& s, SceneryContacts::OfPair& of) {
+void ask(const World& world, PairTable& pairs, NarrowReport& report, const NarrowSettings& settings, SceneryContacts& s,
+         SceneryContacts::OfPair& of) {
   const Colliders& c = world.scene.colliders;
   const Pair pair = world.pairs.place(of.place).pair;
   const Parties parties(c, pair);
@@ -111,8 +112,7 @@ void ask(const World& world, PairTable& pairs, NarrowReport& report, const Narro
     return;
   }
   SupportFault fault;
-  if (parties.can_meet(c) &&
-      s.meeting.find(parties.pair(c), settings, parties.reach(c, settings), report, fault)) {
+  if (parties.can_meet(c) && s.meeting.find(parties.pair(c), settings, parties.reach(c, settings), report, fault)) {
     s.patches.insert(s.patches.end(), s.meeting.patches().begin(), s.meeting.patches().end());
     of.count = static_cast<std::uint32_t>(s.meeting.patches().size());
   }

@@ -182,6 +182,8 @@ void add_all(Hash& h, const Array<T>& of) {
   for (const T& x : of) {
     if constexpr (requires { x.at; })
       h.add_coefficients(x);
+    else if constexpr (std::is_floating_point_v<T>)
+      h.add(double(x));
     else
       h.add(std::uint64_t(x));
   }
@@ -227,11 +229,25 @@ void add_impulses(Hash& h, const World& world) {
   }
 }
 
+void add_sleep(Hash& h, const World& world) {
+  const Sleep& z = *world.sleep;
+  add_all(h, world.state.asleep), add_all(h, z.parked), add_all(h, z.calm), add_all(h, z.woken), add_all(h, z.fallen);
+  h.add(z.count), h.add(z.woke), h.add(std::uint64_t(z.kept.size()));
+}
+
+void add_events(Hash& h, const Events& e) {
+  add_all(h, e.slept), add_all(h, e.approach);
+  h.add(std::uint64_t(e.sensor_pairs.size())), h.add(std::uint64_t(e.joints.size()));
+  for (const auto* list : {&e.touching, &e.within})
+    for (const Together& t : *list) h.add(std::uint64_t(t.pair.a) << 32 | t.pair.b);
+}
+
 }  // namespace
 
 const char* part_name(Part part) {
-  static constexpr const char* kNames[] = {"colliders", "poses",     "velocities", "forces", "quarantine", "sleep",
-                                           "memory",    "particles", "joints",     "pairs",  "impulses",   "revisions"};
+  static constexpr const char* kNames[] = {"colliders", "poses",  "velocities", "forces", "quarantine",
+                                           "sleep",     "memory", "particles",  "joints", "pairs",
+                                           "impulses",  "events", "revisions"};
   static_assert(std::size(kNames) == kPartCount);
   const auto i = static_cast<std::size_t>(part);
   return i < kPartCount ? kNames[i] : "?";
@@ -248,13 +264,16 @@ std::array<std::uint64_t, kPartCount> prints_of(const World& world) {
   add_all(of(Part::velocities), s.v), add_all(of(Part::velocities), s.omega), add_all(of(Part::velocities), s.momentum);
   add_all(of(Part::forces), s.force), add_all(of(Part::forces), s.torque);
   add_all(of(Part::quarantine), s.quarantined);
-  add_all(of(Part::sleep), s.asleep);
-  add_all(of(Part::memory), s.held_q), add_all(of(Part::memory), s.loaded_steps), add_all(of(Part::memory), s.tired_steps);
+  add_sleep(of(Part::sleep), world);
+  add_all(of(Part::memory), s.held_q), add_all(of(Part::memory), s.loaded_steps),
+      add_all(of(Part::memory), s.tired_steps);
   add_particles(of(Part::particles), world);
   add_joints(of(Part::joints), world);
   add_pairs(of(Part::pairs), world);
   add_impulses(of(Part::impulses), world);
+  add_events(of(Part::events), *world.events);
   of(Part::revisions).add(world.scene.revision), of(Part::revisions).add(world.scene.collider_revision);
+  of(Part::revisions).add(std::uint64_t(world.scene.alarm));
   std::array<std::uint64_t, kPartCount> prints;
   std::transform(hash.begin(), hash.end(), prints.begin(), [](const Hash& h) { return h.value(); });
   return prints;

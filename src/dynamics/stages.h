@@ -1,8 +1,9 @@
 // The stages of a step as one table: what runs, whose it is, what it reads and writes, how the ledger books it.
 //
-// step.cpp loops over it; the picture in ../README.md is made from it (tests/unit/dynamics/test_stages); a stage that
-// moves bodies and has no booking does not compile; one that writes what it does not declare is found by StageWatch,
-// which debug builds run.
+// step.cpp loops over it; the picture in ../README.md is made from it (tests/unit/dynamics/test_stages). A stage is a
+// function of a const World, the time, and the parts that it writes; what it writes is read off its parameters. One
+// that moves bodies and has no booking does not compile; one that takes a mutable World does not either. Who writes a
+// part all the same, by a way round, is found by run_watched(), which debug builds use.
 #pragma once
 
 #include <array>
@@ -44,8 +45,8 @@ struct StageEntry {
   void (*run)(World&, const StepTime&) = nullptr;
   Stage stage{};                      // as which a host sees its time; it runs if this has customers
   std::size_t effect = kEffectCount;  // of the one effect whose it is, if it is one's alone
-  Parts reads{};   // declared: const World& gives them all
-  Parts writes{};  // derived from the function, @see stage()
+  Parts reads{};                      // declared: const World& gives them all
+  Parts writes{};                     // derived from the function, @see stage()
   Booking booking = Booking::none;
   bool each_substep = false;
 };
@@ -75,7 +76,7 @@ std::span<const StageEntry> stage_table();
 std::array<std::uint64_t, kPartCount> prints_of(const World& world);
 
 /// Run a stage and see what it changes: slow, for debug builds and tests.
-/// @return  parts that it changed without declaring it
+/// @return  parts that it changed and was not given
 Parts run_watched(const StageEntry& entry, World& world, const StepTime& time);
 
 }  // namespace carom::dynamics

@@ -83,8 +83,9 @@ struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
 struct WideJoints;    // dynamics/joint/wide_joints.h: joints in lanes
 
-/// Const, it is what a stage reads: parts that stand in it by value do not change, and who writes one is given it by
-/// itself (dynamics/part.h). What hangs on a pointer is scratch, and may be written all the same.
+/// Const, it is what a stage reads: what stands in it by value or as Kept does not change, and who writes a part of it
+/// is given that part by itself (dynamics/part.h). What hangs on an Owned is made anew in each step (the plan, rows,
+/// lanes) or stands beside it (the ledger, what is kept for readers): that may be written all the same.
 class World {
  public:
   World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, Memory* memory);
@@ -176,8 +177,8 @@ class World {
   Owned<WideContacts> wide;
   Owned<WideJoints> wide_joints;
   Owned<DirectGroups> direct;
-  Owned<Sleep> sleep;
-  Owned<Events> events;
+  Kept<Sleep> sleep;
+  Kept<Events> events;
   Owned<Continuous> continuous;
   Owned<Ledger> ledger;       // null: nobody asked for it
   StructureCache structure;   // likewise by readers

@@ -140,7 +140,7 @@ void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, co
 /// What forces did to velocities in this substep.
 void save_accelerations(const World& world, const StepTime& time);
 /// The hits of a substep.
-using Sweeping = Writes<Poses, Velocities, SleepFlags, BroadPhases, StepReport>;
+using Sweeping = Writes<Poses, Velocities, SleepFlags, Sleep, BroadPhases, StepReport>;
 void sweep(const World& world, Sweeping to, const StepTime& time);
 /// What the step's sweeps leave behind.
 void end_sweeps(const World& world, Revisions& scene, FaultViews& views, const StepTime& time);

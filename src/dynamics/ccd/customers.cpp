@@ -242,7 +242,8 @@ void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, co
   c.found.reserve(2 * table.slots());
   for (std::size_t k = 0; k < c.customers; ++k) {
     c.found.clear();
-    broad_phase(world, broad).find_near(table, straight_way(world, c.bodies[k].body, c.bodies[k].radius, time.dt), c.found);
+    broad_phase(world, broad)
+        .find_near(table, straight_way(world, c.bodies[k].body, c.bodies[k].radius, time.dt), c.found);
     std::sort(c.found.begin(), c.found.end());  // the order in which it finds them is of the past
     for (const std::uint32_t slot : c.found)
       if (table.movable[slot] && !c.find(table.body[slot]) && can_sweep(world, table.body[slot]))

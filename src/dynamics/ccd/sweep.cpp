@@ -117,8 +117,8 @@ void Sweeper::gather(const SweptBody& b, const Aabb& box, Real now) {
   const Colliders& table = world_.scene.colliders;
   c_.found.clear();
   broad_phase(world_, broad_).find_near(table, box, c_.found);
-  if (world_.sleep->tree.size() > 0)
-    world_.sleep->tree.query(box, [&](std::uint32_t slot) { c_.found.push_back(slot); });
+  Sleep& z = sleep_;
+  if (z.tree.size() > 0) z.tree.query(box, [&](std::uint32_t slot) { c_.found.push_back(slot); });
   // Bounds were made as the step began, for as far as contacts reach: whoever is swept is elsewhere.
   std::erase_if(c_.found, [&](std::uint32_t slot) {
     const SweptBody* const other = c_.find(table.body[slot]);

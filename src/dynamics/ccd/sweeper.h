@@ -4,6 +4,7 @@
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/impact_points.h"
 #include "dynamics/scenery.h"
+#include "dynamics/sleep/sleep.h"
 
 namespace carom::dynamics {
 
@@ -67,7 +68,7 @@ class Sweeper {
   const World& world_;
   Poses& poses_;
   Velocities& motion_;
-  SleepFlags& sleep_;
+  Sleepers sleep_;
   BroadPhases& broad_;
   StepReport& report_;
   Continuous& c_;

@@ -23,8 +23,9 @@ bool placed_on_b(const Scene& scene, std::uint32_t collider_a) {
 /// once; a single point goes on from a single one however far it rolled. Two points that started from the same old one
 /// would carry its load twice, which upsets thin bodies whose points come and go.
 /// @param first, last  range of the pair in them   @return by point; null: none
-std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Array<OldImpulse>& old_points, std::size_t first, std::size_t last,
-                                                                 const Manifold& manifold, bool on_b, Real reach) {
+std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Array<OldImpulse>& old_points, std::size_t first,
+                                                                 std::size_t last, const Manifold& manifold, bool on_b,
+                                                                 Real reach) {
   std::array<const OldImpulse*, Manifold::kMaxPoints> match{};
   if (last - first == 1 && manifold.count == 1) return {&old_points[first]};
   std::size_t left = last - first;

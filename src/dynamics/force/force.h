@@ -83,7 +83,7 @@ void plan_springs(const World& world);
 /// How stiff they may be in substeps of h.
 void carry_springs(const World& world, SpringLoads& to, Real h);
 /// Wake who hangs on something that moves.
-void wake_sprung(const World& world, SleepFlags& to);
+void wake_sprung(const World& world, Sleepers to);
 struct SpringReading {
   Real length;  // m
   Real pull;    // N, above 0 it pulls its ends together; as it was set, whatever a substep can carry

@@ -118,7 +118,7 @@ void carry_springs(const World& world, SpringLoads& to, Real h) {
   });
 }
 
-void wake_sprung(const World& world, SleepFlags& to) {
+void wake_sprung(const World& world, Sleepers to) {
   const Springs& all = world.scene.springs;
   if (all.slots.alive_count() == 0 || world.sleep->count == 0) return;
   all.each([&](std::uint32_t, const SpringDef& def) {

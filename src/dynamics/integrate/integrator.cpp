@@ -27,7 +27,7 @@ class Strays {
       std::uint8_t& mark = held().quarantined[i];
       if (!(mark & kMark)) return;
       mark &= static_cast<std::uint8_t>(~kMark);
-      quarantine(world_, to_, i);
+      quarantine(to_, i);
     };
     world_.plan->linear.each(take), world_.plan->rotating.each(take), world_.plan->kinematic.each(take);
   }

@@ -362,7 +362,7 @@ void return_to_joints(const World& world) {
   if (!w.kicked.empty()) sweep_joints(world, w.kernels->act_again, [](std::uint32_t) {});
 }
 
-void end_joints(const World& world, Breaking to, const StepTime& time) {
+void end_joints(const World& world, Breaking to, Events& events, const StepTime& time) {
   WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
   Joints& joints = to;
@@ -382,7 +382,7 @@ void end_joints(const World& world, Breaking to, const StepTime& time) {
   for (const std::uint32_t j : w.active) {
     const Joint& joint = joints.joint[j];
     if (joint.force.norm() <= joint.def.break_force && joint.torque.norm() <= joint.def.break_torque) continue;
-    tell_broken(world, j);
+    tell_broken(world, events, j);
     break_joint(to, j);
   }
 }

@@ -172,7 +172,7 @@ void bend_joints(const World& world, Real h);
 void return_to_joints(const World& world);
 /// Impulses, forces and errors back into the joints; who bears too much breaks.
 using Breaking = Writes<Joints, PairCounts, Revisions>;
-void end_joints(const World& world, Breaking to, const StepTime& time);
+void end_joints(const World& world, Breaking to, Events& events, const StepTime& time);
 /// It stays, and holds nothing any more.
 void break_joint(Breaking to, std::uint32_t joint);
 

@@ -24,8 +24,7 @@ bool of_bodies(const PlannedEffect& row) {
 }
 
 /// Put boxes into the tree: one by one, or, where they are many, all afresh.
-void plant(const World& world, const Array<std::uint32_t>& colliders) {
-  Sleep& z = *world.sleep;
+void plant(const World& world, Sleep& z, const Array<std::uint32_t>& colliders) {
   const Colliders& c = world.scene.colliders;
   bool afresh = 8 * colliders.size() > z.tree.size();
   z.tree.grow(c.slots());
@@ -45,8 +44,7 @@ void plant(const World& world, const Array<std::uint32_t>& colliders) {
 }
 
 /// Records between two that do not move, one of them asleep.
-void park_pairs(const World& world, PairTable& pairs) {
-  Sleep& z = *world.sleep;
+void park_pairs(const World& world, Sleep& z, PairTable& pairs) {
   const Scene& scene = world.scene;
   const State& s = world.state;
   const auto still = [&](std::uint32_t body) {
@@ -78,8 +76,7 @@ void keep_impulse(Sleep& z, std::uint32_t body, const KeptImpulse& impulse) {
 }
 
 /// Impulses of pairs that a sleeper is in: all its contacts are with its island or with what does not move.
-void park_impulses(const World& world, Impulses& from) {
-  Sleep& z = *world.sleep;
+void park_impulses(const World& world, Sleep& z, Impulses& from) {
   const Array<std::uint32_t>& body = world.scene.colliders.body;
   z.kept.reserve(z.kept.size() + from.old.size());
   z.kept_free.reserve(z.kept.capacity());
@@ -97,8 +94,7 @@ void park_impulses(const World& world, Impulses& from) {
 }
 
 /// Impulses of woken bodies, back among those that the step starts from.
-void return_impulses(const World& world, Impulses& back_to, const Array<std::uint32_t>& bodies) {
-  Sleep& z = *world.sleep;
+void return_impulses(Sleep& z, Impulses& back_to, const Array<std::uint32_t>& bodies) {
   z.returning.clear();
   for (const std::uint32_t body : bodies)
     for (std::uint32_t k = z.kept_first[body]; k != kNone; k = z.kept[k].next)
@@ -127,7 +123,7 @@ void return_impulses(const World& world, Impulses& back_to, const Array<std::uin
 }
 
 void park(const World& world, Settling to) {
-  Sleep& z = *world.sleep;
+  Sleep& z = to;
   const Scene& scene = world.scene;
   z.colliders.clear();
   z.in_tree.resize(scene.colliders.slots(), 0);
@@ -141,13 +137,12 @@ void park(const World& world, Settling to) {
     });
   }
   z.fallen.clear();
-  plant(world, z.colliders);
-  park_pairs(world, to);
-  park_impulses(world, to);
+  plant(world, z, z.colliders);
+  park_pairs(world, z, to);
+  park_impulses(world, z, to);
 }
 
-void take_back(const World& world, Impulses& to) {
-  Sleep& z = *world.sleep;
+void take_back(const World& world, Sleep& z, Impulses& to) {
   z.bodies.clear();
   for (const std::uint32_t i : z.woken)
     if (!world.state.asleep[i] && z.parked[i]) z.bodies.push_back(i), z.parked[i] = 0;
@@ -158,12 +153,11 @@ void take_back(const World& world, Impulses& to) {
       if (c < z.in_tree.size() && z.in_tree[c]) z.tree.remove(c), z.in_tree[c] = 0;
       z.rejoined.push_back(c);
     });
-  return_impulses(world, to, z.bodies);
+  return_impulses(z, to, z.bodies);
 }
 
 /// Who of an ascending list is awake, and the woken bodies (ascending) among them.
-void relist(const World& world, const Array<std::uint32_t>& woken, Customers& list) {
-  Sleep& z = *world.sleep;
+void relist(const World& world, Sleep& z, const Array<std::uint32_t>& woken, Customers& list) {
   z.spare.clear();
   std::size_t k = 0;
   list.each([&](std::uint32_t i) {
@@ -175,8 +169,7 @@ void relist(const World& world, const Array<std::uint32_t>& woken, Customers& li
   std::swap(list, z.spare);
 }
 
-void relist_colliders(const World& world, Colliders& c, const Array<std::uint32_t>& woken) {
-  Sleep& z = *world.sleep;
+void relist_colliders(const World& world, Sleep& z, Colliders& c, const Array<std::uint32_t>& woken) {
   z.colliders.clear();
   for (const std::uint32_t i : woken)
     each_collider(world.scene, i, [&](std::uint32_t slot) { z.colliders.push_back(slot); });
@@ -194,11 +187,10 @@ void relist_colliders(const World& world, Colliders& c, const Array<std::uint32_
 }
 
 /// Everybody's rows and lists, for those who are awake.
-void list_awake(const World& world, Colliders& colliders, Joints& joints, const Array<std::uint32_t>& woken) {
-  Sleep& z = *world.sleep;
+void list_awake(const World& world, Sleep& z, Colliders& colliders, Joints& joints, const Array<std::uint32_t>& woken) {
   Plan& plan = *world.plan;
-  relist(world, woken, plan.effects[+EffectId::sleep].candidates);
-  relist_colliders(world, colliders, woken);
+  relist(world, z, woken, plan.effects[+EffectId::sleep].candidates);
+  relist_colliders(world, z, colliders, woken);
   const Customers& awake = plan.effects[+EffectId::sleep].candidates;
   plan.linear.clear(), plan.rotating.clear();
   awake.each([&](std::uint32_t i) { (rotates(world.scene, i) ? plan.rotating : plan.linear).add(i); });
@@ -251,8 +243,7 @@ Sleep::Sleep(Memory* m)
       spare(m) {}
 
 /// All that is parked, into an empty tree.
-static void replant(const World& world, Colliders& table, PlacedPoses& placed) {
-  Sleep& z = *world.sleep;
+static void replant(const World& world, Sleep& z, Colliders& table, PlacedPoses& placed) {
   z.colliders.clear();
   z.tree.clear();
   z.in_tree.assign(world.scene.colliders.slots(), 0);
@@ -264,13 +255,13 @@ static void replant(const World& world, Colliders& table, PlacedPoses& placed) {
       z.colliders.push_back(c);
     });
   }
-  plant(world, z.colliders);
+  plant(world, z, z.colliders);
   z.replant = false;
 }
 
 void plan_sleep(const World& world, Settling to, Plan& plan) {
   if (plan.effects[+EffectId::sleep].candidates.count == 0) return;  // the dial is off: nobody sleeps
-  Sleep& z = *world.sleep;
+  Sleep& z = to;
   const Scene& scene = world.scene;
   const std::uint32_t slots = scene.bodies.slots();
   SleepFlags& flags = to;
@@ -285,11 +276,11 @@ void plan_sleep(const World& world, Settling to, Plan& plan) {
       plan.effects[k].candidates.each([&](std::uint32_t i) { z.rows[i] |= row_bit(k); });
   plan.effects[+EffectId::sleep].candidates.each([&](std::uint32_t i) { z.radius[i] = radius_of_body(world, i); });
   z.bodies.clear();
-  if (z.count > 0) list_awake(world, to, to, z.bodies);
+  if (z.count > 0) list_awake(world, z, to, to, z.bodies);
 }
 
 void forget_sleepers(const World& world, Forgetting to) {
-  Sleep& z = *world.sleep;
+  Sleep& z = to;
   wake_all(world, to);
   z.tree.clear();
   z.replant = false;
@@ -306,22 +297,23 @@ void forget_sleepers(const World& world, Forgetting to) {
 }
 
 bool settle_sleepers(const World& world, Settling to) {
-  Sleep& z = *world.sleep;
-  if (z.replant) replant(world, to, to);
-  if (std::exchange(z.alarm, false)) wake_all(world, to);
+  Revisions& scene = to;
+  Sleep& z = to;
+  if (z.replant) replant(world, z, to, to);
+  if (std::exchange(scene.alarm, false)) wake_all(world, to);
   if (z.fallen.empty() && z.woken.empty()) return false;
   rejoin(world, to);
   return true;
 }
 
 void rejoin(const World& world, Settling to) {
-  Sleep& z = *world.sleep;
+  Sleep& z = to;
   try {
-    take_back(world, to);
+    take_back(world, z, to);
     if (!z.fallen.empty()) park(world, to);
     if (!anyone_sleeps(world.scene)) return;  // the plan is everybody's
     std::erase_if(z.bodies, [&](std::uint32_t i) { return !responds(world.scene, world.state, i); });
-    list_awake(world, to, to, z.bodies);
+    list_awake(world, z, to, to, z.bodies);
   } catch (...) {
     forget_sleepers(world, to);
     throw;

@@ -22,12 +22,13 @@ void wake_both(World& world, const PairRecord& r) {
 
 }  // namespace
 
-void wake(const World& world, SleepFlags& to, std::uint32_t body) {
-  Sleep& z = *world.sleep;
+void wake(const World& world, Sleepers to, std::uint32_t body) {
+  Sleep& z = to;
+  SleepFlags& flags = to;
   if (body >= z.calm.size()) return;
   z.calm[body] = 0;
   for (std::uint32_t i = body; world.state.asleep[i]; i = z.ring[i]) {
-    to.asleep[i] = 0;
+    flags.asleep[i] = 0;
     z.calm[i] = 0;
     z.anchor_x[i] = world.state.x[i], z.anchor_q[i] = world.state.q[i];
     if (z.parked[i]) z.woken.push_back(i);  // there is room for every body
@@ -35,7 +36,7 @@ void wake(const World& world, SleepFlags& to, std::uint32_t body) {
   }
 }
 
-void wake_all(const World& world, SleepFlags& to) {
+void wake_all(const World& world, Sleepers to) {
   for (std::uint32_t i = 0; i < world.state.asleep.size(); ++i) wake(world, to, i);
 }
 
@@ -46,7 +47,7 @@ void wake_touching(World& world, std::uint32_t collider) {
   });
 }
 
-void wake_joined(const World& world, SleepFlags& to, std::uint32_t body) {
+void wake_joined(const World& world, Sleepers to, std::uint32_t body) {
   world.joints.each_of(body, [&](std::uint32_t joint, std::uint32_t other) {
     if (other != kTheWorld && !world.joints.joint[joint].broken) wake(world, to, other);
   });
@@ -69,7 +70,7 @@ void stir(World& world, std::uint32_t body) {
   const Scene& scene = world.scene;
   if (scene.type[body] == BodyType::dynamic) return wake(world, body);
   if (world.sleep->count == 0) return;
-  wake_joined(world, world.state, body);
+  wake_joined(world, Sleepers(world), body);
   world.sleep->stirred.push_back(body);
   for (std::uint32_t c = scene.first_collider[body]; c != Colliders::kNone; c = scene.colliders.next[c])
     wake_touching(world, c);

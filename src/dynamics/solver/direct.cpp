@@ -77,7 +77,8 @@ void settle_joints(const World& world, Poses& poses, Velocities& motion, Real h)
     });
     if (k + 1 == kTimes) place_joints(world);
   }
-  in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) { ConeGroup(world, g).settle(motion, h); });
+  in_parallel(world.jobs, d.groups(), kDirectGroupsAPart,
+              [&](std::uint32_t g) { ConeGroup(world, g).settle(motion, h); });
 }
 
 void end_groups(const World& world) {

@@ -33,9 +33,9 @@ void solve_positions(const World& world, Solver::Relaxes to, const StepTime& tim
   give_half_kicks(world, to);
   serve(world.plan->solver->positions, world, to, time);
 }
-void end_contacts(const World& world, Poses& poses, Breaking joints, const StepTime& time) {
+void end_contacts(const World& world, Poses& poses, Breaking joints, Events& events, const StepTime& time) {
   serve(world.plan->solver->end, world, poses, time);
-  end_joints(world, joints, time);
+  end_joints(world, joints, events, time);
 }
 
 }  // namespace carom::dynamics

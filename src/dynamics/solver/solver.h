@@ -10,6 +10,6 @@ namespace carom::dynamics {
 void begin_contacts(const World& world, Solver::Begins to, Owned<MeanMotion>& means, const StepTime& time);
 void solve_velocities(const World& world, Solver::Solves to, const StepTime& time);
 void solve_positions(const World& world, Solver::Relaxes to, const StepTime& time);
-void end_contacts(const World& world, Poses& poses, Breaking joints, const StepTime& time);
+void end_contacts(const World& world, Poses& poses, Breaking joints, Events& events, const StepTime& time);
 
 }  // namespace carom::dynamics

@@ -30,7 +30,7 @@ std::string padded(std::string text, std::size_t width) {
 std::string picture() {
   std::ostringstream out;
   const auto line = [&](std::string name, const char* as, const std::string& writes, std::string_view what) {
-    out << "    " << padded(std::move(name), 20) << padded(as, 9) << padded(writes, 37) << what << "\n";
+    out << "    " << padded(std::move(name), 20) << padded(as, 9) << padded(writes, 54) << what << "\n";
   };
   line("stage", "as", "writes", "what happens");
   bool within = false;
@@ -115,7 +115,8 @@ void parameters_say_what_a_stage_writes(void**) {
   static_assert(writes_of(writes_many).bits == (Part::poses | Part::joints | Part::colliders).bits);
   TestWorld t;
   t.add(t.keep(sphere(0.3)), Vec3(0, 5, 0));
-  constexpr StageEntry two = stage<writes_two>({.name = "two", .what = ""}), many = stage<writes_many>({.name = "many", .what = ""});
+  constexpr StageEntry two = stage<writes_two>({.name = "two", .what = ""}),
+                       many = stage<writes_many>({.name = "many", .what = ""});
   assert_int_equal(run_watched(two, t.world, {0.1, 0.1}).bits, 0);
   assert_int_equal(run_watched(many, t.world, {0.1, 0.1}).bits, 0);
   assert_true(t.world.state.v[0].x() == 1 && t.world.state.x[0].x() == 1);

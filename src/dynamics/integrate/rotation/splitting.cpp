@@ -55,8 +55,11 @@ constexpr Real kYoshida6[] = {kOuter, kMiddle, kBack, 1 - 2 * (kOuter + kMiddle 
 
 }  // namespace
 
-const Rotation kSplitting = {"splitting", [](const World& w, Velocities& to, const Customers& c, Real h) { split(w, to, c, h, kOne); }};
-const Rotation kSplitting4 = {"splitting_4", [](const World& w, Velocities& to, const Customers& c, Real h) { split(w, to, c, h, kSuzuki4); }};
-const Rotation kSplitting6 = {"splitting_6", [](const World& w, Velocities& to, const Customers& c, Real h) { split(w, to, c, h, kYoshida6); }};
+const Rotation kSplitting = {
+    "splitting", [](const World& w, Velocities& to, const Customers& c, Real h) { split(w, to, c, h, kOne); }};
+const Rotation kSplitting4 = {
+    "splitting_4", [](const World& w, Velocities& to, const Customers& c, Real h) { split(w, to, c, h, kSuzuki4); }};
+const Rotation kSplitting6 = {
+    "splitting_6", [](const World& w, Velocities& to, const Customers& c, Real h) { split(w, to, c, h, kYoshida6); }};
 
 }  // namespace carom::dynamics
