@@ -151,10 +151,10 @@ void find_candidates(const World& world, PlannedEffect& row);
 /// Whether an effect is what a host asked for, for one step.
 bool from_host(const Effect& effect);
 
-/// Stage refresh: bring the plan up to date, then frames and bounds of what moves.
-/// Who is woken, and what goes with them.
+/// Who sleeps; and what comes and goes with them: boxes, joints that act, records of pairs, impulses.
 using Sleepers = Writes<SleepFlags, Sleep>;
 using Settling = Writes<SleepFlags, Sleep, Colliders, PlacedPoses, Joints, PairTable, Impulses, Revisions>;
+/// Stage refresh: bring the plan up to date, then frames and bounds of what moves.
 void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floats, const StepTime& time);
 // Parts of it that others need too: which stages have customers; customers of this step; one collider's frame and
 // bounds.

@@ -32,9 +32,10 @@ inline void correct_pose(Poses& s, std::uint32_t i, const Vec3& shift, const Vec
   if (turn != Vec3::zero()) s.q[i] = normalized(exp_map(turn) * s.q[i]);
 }
 
+/// What a body in quarantine leaves behind.
+using Quarantining = Writes<Velocities, HostForces, Quarantine, Revisions, FaultViews>;
 /// Stop a body where it is, mark it, and report the fault. From the next step on it is held still and touches nothing,
 /// until a host gives it a pose.
-using Quarantining = Writes<Velocities, HostForces, Quarantine, Revisions, FaultViews>;
 void quarantine(Quarantining to, std::uint32_t body);
 
 /// Stage admit: of the bodies that a host wrote to, quarantine those whose state makes no sense. A pose that is not

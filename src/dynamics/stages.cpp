@@ -212,6 +212,7 @@ void add_joints(Hash& h, const World& world) {
     h.add(double(joint.p_h)), h.add(std::uint64_t(joint.broken));
     h.add_coefficients(joint.force), h.add_coefficients(joint.torque);
   }
+  h.add(std::uint64_t(world.scene.joined.size()));
 }
 
 void add_pairs(Hash& h, const World& world) {

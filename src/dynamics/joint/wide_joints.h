@@ -170,8 +170,9 @@ void place_joints(const World& world);
 /// and rows are made anew for the poses of then: that wants load_shifts() before.
 void bend_joints(const World& world, Real h);
 void return_to_joints(const World& world);
-/// Impulses, forces and errors back into the joints; who bears too much breaks.
+/// A joint, whom it kept from touching, and the plan's being stale.
 using Breaking = Writes<Joints, PairCounts, Revisions>;
+/// Impulses, forces and errors back into the joints; who bears too much breaks.
 void end_joints(const World& world, Breaking to, Events& events, const StepTime& time);
 /// It stays, and holds nothing any more.
 void break_joint(Breaking to, std::uint32_t joint);

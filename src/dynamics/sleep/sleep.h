@@ -118,8 +118,8 @@ void fall_asleep(const World& world, Velocities& motion, Sleepers to, StepReport
 
 /// Settle, for stages that wake: bodies of sleep.woken back into arrays and lists of the plan.
 void rejoin(const World& world, Settling to);
-/// Where memory ran out half-way: everybody is awake, and caches are gone.
 using Forgetting = Writes<SleepFlags, Sleep, PairTable, Impulses, Revisions>;
+/// Where memory ran out half-way: everybody is awake, and caches are gone.
 void forget_sleepers(const World& world, Forgetting to);
 
 }  // namespace carom::dynamics

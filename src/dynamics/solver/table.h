@@ -15,8 +15,8 @@ struct Solver {
   using Begins = Writes<SolverMemory, GroupViews, StepReport>;
   using Solves = Writes<Velocities, SolverMemory, StepReport>;
   using Relaxes = Writes<Poses, Velocities, StepReport>;
-  void (*begin)(const World& world, Begins to,
-                const StepTime& time);  // the rows are made, nothing has moved; may allocate
+  // The rows are made, nothing has moved; may allocate.
+  void (*begin)(const World& world, Begins to, const StepTime& time);
   void (*velocities)(const World& world, Solves to, const StepTime& time);  // before bodies move
   void (*positions)(const World& world, Relaxes to, const StepTime& time);  // after
   void (*end)(const World& world, Poses& to, const StepTime& time);         // after the last substep
