@@ -126,23 +126,26 @@ T& part_of(World& world) {
   }
 }
 
-/// Leave to write one part.
-template <class P>
-struct Writable {
-  P& part;
-  operator P&() const { return part; }
-};
-
-/// Leave to write some parts: for functions that many stages call, which hand parts on. One with more parts is one with
-/// fewer, and each of its parts.
+/// Leave to write some parts: for functions that many stages call, which hand parts on. It turns into each of its
+/// parts, and into leave to write fewer. As large as a reference, whatever it gives.
 template <class... P>
-struct Writes : Writable<P>... {
-  Writes(P&... parts) : Writable<P>{parts}... {}
-  explicit Writes(World& world) : Writable<P>{part_of<P>(world)}... {}
+class Writes {
+ public:
+  explicit Writes(World& world) : world_(&world) {}
   template <class... Q>
-  requires(sizeof...(Q) > sizeof...(P) && (std::is_base_of_v<Writable<P>, Writes<Q...>> && ...))
-      Writes(const Writes<Q...>& more)
-      : Writable<P>(more)... {}
+  requires((Writes<Q...>::template gives<P>() && ...)) Writes(const Writes<Q...>& more) : world_(more.world_) {}
+
+  template <class T>
+  static constexpr bool gives() {
+    return (std::is_same_v<T, P> || ...);
+  }
+  template <class T>
+  requires(gives<T>()) operator T&() const { return part_of<T>(*world_); }
+
+ private:
+  template <class...>
+  friend class Writes;
+  World* world_;
 };
 
 }  // namespace carom::dynamics

@@ -355,8 +355,10 @@ void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floa
     plan.oriented.each(orient);
     plan.kinematic.each(orient);
     for (const std::uint32_t i : s.written) orient(i);  // also those that turn by a host's hand alone
-    for (const std::uint32_t slot : changed ? world.scene.colliders.active : plan.colliders)
-      place_collider(world, to, to, plan, slot, time.dt);
+    Colliders& table = to;
+    PlacedPoses& placed = to;
+    for (const std::uint32_t slot : changed ? table.active : plan.colliders)
+      place_collider(world, table, placed, plan, slot, time.dt);
   }
   find_swept(world, to, time.dt);
 }

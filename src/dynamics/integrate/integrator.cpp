@@ -76,7 +76,7 @@ void integrate_position(const World& world, Poses& poses, Quarantining to, const
     else
       strays.add(i);  // stays at its last good place
   };
-  const auto move = [&](std::uint32_t i) { place(i, s.x[i] + h * s.v[i]); };
+  const auto move = [&](std::uint32_t i) { place(i, poses.x[i] + h * s.v[i]); };
   // What a solver made of omega since the kick may be anything: no turn can be told by numbers whose squares overflow.
   const auto face = [&](std::uint32_t i, const Quat& q) {
     const Real n2 = q.squared_norm();
@@ -85,7 +85,7 @@ void integrate_position(const World& world, Poses& poses, Quarantining to, const
     else
       strays.add(i);
   };
-  const auto spin = [&](std::uint32_t i) { face(i, normalized(exp_map(h * s.omega[i]) * s.q[i])); };
+  const auto spin = [&](std::uint32_t i) { face(i, normalized(exp_map(h * s.omega[i]) * poses.q[i])); };
   const auto turn = [&](std::uint32_t i) {
     if (s.quarantined[i]) return;
     Quat q = plan.proposal.q[i];

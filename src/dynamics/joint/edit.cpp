@@ -85,7 +85,7 @@ void World::set_transmission(std::uint32_t slot, const Transmission& transmissio
   ++scene.revision;
 }
 
-void World::break_joint(std::uint32_t slot) { dynamics::break_joint({joints, scene.joined, scene}, slot); }
+void World::break_joint(std::uint32_t slot) { dynamics::break_joint(Breaking(*this), slot); }
 
 void break_joint(Breaking to, std::uint32_t slot) {
   Joints& joints = to;
