@@ -1,6 +1,7 @@
 // Who flies: what the plan lists but for who is bound, found from runs of slots, not from each body.
 #include "dynamics/integrate/free_flight.h"
 
+#include <bit>
 #include <utility>
 
 #include "dynamics/ccd/continuous.h"
@@ -13,12 +14,22 @@ namespace {
 
 bool is_constant(std::size_t row) { return row == +EffectId::gravity || row == +EffectId::user_force; }
 
-/// Call f(row, effect) for rows of the integrator whose customers are bodies.
-template <class F>
-void each_mover_of_bodies(Plan& plan, F&& f) {
+/// Rows of the integrator whose customers are bodies.
+RowBits movers_of_bodies(const Plan& plan) {
+  RowBits movers = 0;
   for (std::size_t row = 0; row < kEffectCount; ++row) {
     const Effect& effect = *plan.effects[row].effect;
-    if (effect.stage == Stage::integrate && effect.customers == CustomerKind::bodies) f(row, plan.effects[row]);
+    if (effect.stage == Stage::integrate && effect.customers == CustomerKind::bodies) movers |= row_bit(row);
+  }
+  return movers;
+}
+
+/// Call f(row, effect) for each of them.
+template <class F>
+void each_mover_of_bodies(Plan& plan, RowBits movers, F&& f) {
+  for (RowBits left = movers; left != 0; left &= left - 1) {
+    const auto row = static_cast<std::size_t>(std::countr_zero(left));
+    f(row, plan.effects[row]);
   }
 }
 
@@ -34,7 +45,7 @@ void find_bound(const World& world, FreeFlight& flight) {
   };
   tie(plan.sprung);
   if (!world.continuous->bodies.empty()) tie(plan.solid);
-  each_mover_of_bodies(plan, [&](std::size_t row, const PlannedEffect& effect) {
+  each_mover_of_bodies(plan, flight.movers, [&](std::size_t row, const PlannedEffect& effect) {
     if (!is_constant(row)) tie(effect.is_forced ? effect.calling : effect.customers);
   });
 }
@@ -45,10 +56,10 @@ void split(const Customers& all, const Customers& tied, Customers& bound, Custom
   take_out(all, flying, bound);
 }
 
-void exchange(Plan& plan, FreeFlight::Part& part) {
+void exchange(Plan& plan, RowBits movers, FreeFlight::Part& part) {
   std::swap(plan.linear, part.linear);
   std::swap(plan.rotating, part.rotating);
-  each_mover_of_bodies(plan, [&](std::size_t row, PlannedEffect& effect) {
+  each_mover_of_bodies(plan, movers, [&](std::size_t row, PlannedEffect& effect) {
     if (effect.customers.count + part.of_row[row].count > 0) std::swap(effect.customers, part.of_row[row]);
   });
 }
@@ -70,34 +81,35 @@ FreeFlight::FreeFlight(Memory* m) : bound(m), flying(m), kinematic(m), springs(m
 void part_with_flyers(const World& world, const StepTime&) {
   Plan& plan = *world.plan;
   if (plan.substeps == 1 || !plan.integrator->exact_in_flight) return;
-  if (!plan.flight) plan.flight = make_owned<FreeFlight>(world.memory, world.memory);
+  if (!plan.flight) {
+    plan.flight = make_owned<FreeFlight>(world.memory, world.memory);
+    plan.flight->movers = movers_of_bodies(plan);
+  }
   FreeFlight& f = *plan.flight;
   find_bound(world, f);
   split(plan.linear, f.tied, f.bound.linear, f.flying.linear);
   split(plan.rotating, f.tied, f.bound.rotating, f.flying.rotating);
   if (f.flying.linear.count + f.flying.rotating.count == 0) return;
-  each_mover_of_bodies(plan, [&](std::size_t row, const PlannedEffect& effect) {
+  each_mover_of_bodies(plan, f.movers, [&](std::size_t row, const PlannedEffect& effect) {
     split(effect.customers, f.tied, f.bound.of_row[row], f.flying.of_row[row]);
   });
   f.any = true;
-  exchange(plan, f.bound);
+  exchange(plan, f.movers, f.bound);
 }
 
 void fly_free(const World& world, Poses& poses, Quarantining to, const StepTime& time) {
   Plan& plan = *world.plan;
   if (!plan.flight || !std::exchange(plan.flight->any, false)) return;
   FreeFlight& f = *plan.flight;
-  exchange(plan, f.bound);
-  exchange(plan, f.flying), exchange_the_rest(plan, f);
+  exchange(plan, f.movers, f.bound);
+  exchange(plan, f.movers, f.flying), exchange_the_rest(plan, f);
   const StepTime whole{time.dt, time.dt};
-  const auto book = [&](Booking booking) {
-    if (keeps_books(world)) book_stage(world, booking, whole);
-  };
+  const bool is_booked = keeps_books(world);
   integrate_velocity(world, to, whole);
-  book(Booking::forces);
+  if (is_booked) book_stage(world, Booking::forces, whole);
   integrate_position(world, poses, to, whole);
-  book(Booking::moves);
-  exchange(plan, f.flying), exchange_the_rest(plan, f);
+  if (is_booked) book_stage(world, Booking::moves, whole);
+  exchange(plan, f.movers, f.flying), exchange_the_rest(plan, f);
 }
 
 }  // namespace carom::dynamics

@@ -30,6 +30,7 @@ struct FreeFlight {
   Customers kinematic, springs;  // of those in flight: nobody
   Customers tied, more;          // scratch: who is bound
   bool any = false;              // somebody flies in this step
+  RowBits movers = 0;            // rows of the table that move bodies: four loops a step go through them
 };
 
 /// Stage functions of the page. Between them the plan lists the bound bodies alone. The first one allocates.

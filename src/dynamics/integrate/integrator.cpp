@@ -15,13 +15,13 @@ namespace {
 /// Bodies that left the finite world: marked by whichever thread sees it, put in quarantine by the stepping one.
 class Strays {
  public:
-  Strays(const World& world, Quarantining to) : world_(world), to_(to) {}
+  explicit Strays(Quarantining to) : to_(to) {}
 
   void add(std::uint32_t body) {
     held().quarantined[body] |= kMark;
     any_.store(true, std::memory_order_relaxed);
   }
-  void quarantine_all() {
+  void quarantine_all(const Plan& plan) {
     if (!any_.load(std::memory_order_relaxed)) return;
     const auto take = [&](std::uint32_t i) {
       std::uint8_t& mark = held().quarantined[i];
@@ -29,13 +29,12 @@ class Strays {
       mark &= static_cast<std::uint8_t>(~kMark);
       quarantine(to_, i);
     };
-    world_.plan->linear.each(take), world_.plan->rotating.each(take), world_.plan->kinematic.each(take);
+    plan.linear.each(take), plan.rotating.each(take), plan.kinematic.each(take);
   }
 
  private:
   static constexpr std::uint8_t kMark = 2;
   Quarantine& held() const { return to_; }
-  const World& world_;
   Quarantining to_;
   std::atomic<bool> any_{false};
 };
@@ -53,14 +52,14 @@ void integrate_velocity(const World& world, Quarantining to, const StepTime& tim
 
 void stop_strays(const World& world, Quarantining to, const StepTime&) {
   Plan& plan = *world.plan;
-  Strays strays(world, to);
+  Strays strays(to);
   plan.linear.each(world.jobs, [&](std::uint32_t i) {
     if (!sane_velocity(world.state, i)) strays.add(i);
   });
   plan.rotating.each(world.jobs, [&](std::uint32_t i) {
     if (!sane_velocity(world.state, i) || !sane_spin(world.state, i)) strays.add(i);
   });
-  strays.quarantine_all();
+  strays.quarantine_all(plan);
 }
 
 void integrate_position(const World& world, Poses& poses, Quarantining to, const StepTime& time) {
@@ -69,7 +68,7 @@ void integrate_position(const World& world, Poses& poses, Quarantining to, const
   const Real h = time.h;
 
   const MeanVelocities means(world, to);
-  Strays strays(world, to);
+  Strays strays(to);
   const auto place = [&](std::uint32_t i, const Vec3& x) {
     if (sane_position(x))
       poses.x[i] = x;
@@ -109,7 +108,7 @@ void integrate_position(const World& world, Poses& poses, Quarantining to, const
     });
   }
   plan.kinematic.each([&](std::uint32_t i) { move(i), spin(i); });
-  strays.quarantine_all();
+  strays.quarantine_all(plan);
 }
 
 }  // namespace carom::dynamics
