@@ -42,6 +42,20 @@ struct OwnedDelete {
 template <class T>
 using Owned = std::unique_ptr<T, OwnedDelete<T>>;
 
+/// Likewise, of what is part of its owner: const where that is.
+template <class T>
+class Kept {
+ public:
+  Kept(Owned<T> owned) : owned_(std::move(owned)) {}
+  T& operator*() { return *owned_; }
+  T* operator->() { return owned_.get(); }
+  const T& operator*() const { return *owned_; }
+  const T* operator->() const { return owned_.get(); }
+
+ private:
+  Owned<T> owned_;
+};
+
 /// Make a T, owned as a T or as its (first) base. Nothing is leaked if its constructor throws.
 template <class Base, class T = Base, class... Args>
 Owned<Base> make_owned(Memory* memory, Args&&... args) {

@@ -19,13 +19,13 @@ void each_asked(const World& world, F&& f) {
 
 }  // namespace
 
-void make_room_for_begun(World& world, const StepTime&) {
+void make_room_for_begun(const World& world, const StepTime&) {
   bool any = false;
   each_asked(world, [&](std::uint32_t) { any = true; });
   if (any) world.plan->begun.resize(world.scene.bodies.slots());
 }
 
-void begin_substep(World& world, const StepTime&) {
+void begin_substep(const World& world, const StepTime&) {
   const State& s = world.state;
   each_asked(world, [&](std::uint32_t i) { world.plan->begun[i] = {s.v[i], s.omega[i]}; });
   begin_paths(world);

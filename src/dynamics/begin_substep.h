@@ -6,9 +6,9 @@
 namespace carom::dynamics {
 
 /// Stage functions of the page. Room for Plan::begun, where somebody will ask for it; allocates.
-void make_room_for_begun(World& world, const StepTime& time);
+void make_room_for_begun(const World& world, const StepTime& time);
 /// Before the forces of a substep: velocities of bodies that hang on joints, that slide in small groups or that are
 /// swept; paths of those; approach at rows that bounce. Of other bodies nothing is read.
-void begin_substep(World& world, const StepTime& time);
+void begin_substep(const World& world, const StepTime& time);
 
 }  // namespace carom::dynamics

@@ -10,15 +10,15 @@
 
 namespace carom::dynamics {
 
-BroadPhase& broad_phase(World& world) {
+BroadPhase& broad_phase(const World& world, BroadPhases& all) {
   using Make = Owned<BroadPhase> (*)(Memory*);
   static constexpr Make kMake[] = {make_brute_force, make_sweep_and_prune, make_uniform_grid, make_tree};
   const std::uint32_t choice = world.scene.dials.choice(Dial::broad_phase);
-  if (!world.broad[choice]) world.broad[choice] = kMake[choice](world.memory);
-  return *world.broad[choice];
+  if (!all[choice]) all[choice] = kMake[choice](world.memory);
+  return *all[choice];
 }
 
-void mute(World& world, const SupportFault& fault) {
+void mute(const World& world, Revisions& scene, FaultViews& views, const SupportFault& fault) {
   Plan& plan = *world.plan;
   if (std::find(plan.faulty.begin(), plan.faulty.end(), fault.shape) != plan.faulty.end()) return;
   plan.faulty.push_back(fault.shape);
@@ -30,9 +30,9 @@ void mute(World& world, const SupportFault& fault) {
       view.body = c.body[slot];
       break;
     }
-  world.fault_views.push_back(view);
-  ++world.scene.revision, ++world.scene.collider_revision;
-  world.sleep->alarm = true;
+  views.push_back(view);
+  ++scene.revision, ++scene.collider_revision;
+  scene.alarm = true;
 }
 
 namespace {
@@ -64,34 +64,38 @@ NarrowSettings narrow_settings(const Dials& dials) {
   return s;
 }
 
-void find_pairs(World& world, const StepTime&) {
+void find_pairs(const World& world, BroadPhases& broad, Forgetting to, Events& events, StepReport& report,
+                const StepTime&) {
+  PairTable& pairs = to;
+  Sleep& sleep = to;
   BroadSettings settings;
   settings.grid_cell = world.scene.dials[Dial::grid_cell];
   try {
     Plan& plan = *world.plan;
-    broad_phase(world).find_pairs(world.scene.colliders, world.scene.collider_revision, settings, plan.pairs);
+    broad_phase(world, broad).find_pairs(world.scene.colliders, world.scene.collider_revision, settings, plan.pairs);
     add_near(world.sleep->near, plan.pairs);
     drop_filtered(world, plan.pairs);
-    set_sensors_aside(world, plan.pairs);
-    world.pairs.update(plan.pairs);
-    for (const std::uint32_t collider : world.sleep->rejoined) world.pairs.release(collider);
-    world.sleep->rejoined.clear();
+    set_sensors_aside(world, events, plan.pairs);
+    pairs.update(plan.pairs);
+    for (const std::uint32_t collider : sleep.rejoined) pairs.release(collider);
+    sleep.rejoined.clear();
   } catch (...) {
     // Out of memory: forget what may be half changed; the next step starts these caches afresh.
-    for (auto& b : world.broad) b.reset();
-    world.pairs.clear();
-    forget_sleepers(world);
+    for (auto& b : broad) b.reset();
+    pairs.clear();
+    forget_sleepers(world, to);
     throw;
   }
-  world.report.broad_pairs = world.plan->pairs.size();
+  report.broad_pairs = world.plan->pairs.size();
 }
 
-void find_contacts(World& world, const StepTime&) {
+void find_contacts(const World& world, PairTable& pairs, Revisions& scene, FaultViews& views, StepReport& report,
+                   const StepTime&) {
   Plan& plan = *world.plan;
   const NarrowSettings settings = narrow_settings(world.scene.dials);
-  meet_scenery(world, settings);
-  narrow_phase(world.scene.colliders, settings, world.pairs, world.report.narrow, plan.faults, world.jobs);
-  for (const SupportFault& fault : plan.faults) mute(world, fault);
+  meet_scenery(world, pairs, report.narrow, settings);
+  narrow_phase(world.scene.colliders, settings, pairs, report.narrow, plan.faults, world.jobs);
+  for (const SupportFault& fault : plan.faults) mute(world, scene, views, fault);
 }
 
 }  // namespace carom::dynamics

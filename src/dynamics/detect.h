@@ -3,7 +3,7 @@
 
 #include "collision/broad/broad_phase.h"
 #include "collision/narrow/narrow_phase.h"
-#include "dynamics/effects.h"
+#include "dynamics/sleep/sleep.h"
 
 namespace carom::dynamics {
 
@@ -11,15 +11,17 @@ namespace carom::dynamics {
 NarrowSettings narrow_settings(const Dials& dials);
 
 /// The strategy of the dial, made when first asked for.
-BroadPhase& broad_phase(World& world);
+BroadPhase& broad_phase(const World& world, BroadPhases& all);
 
 /// Mute a shape in this world, from the next step on, and say so.
-void mute(World& world, const SupportFault& fault);
+void mute(const World& world, Revisions& scene, FaultViews& views, const SupportFault& fault);
 
 /// Stage broad: pairs of colliders whose bounds overlap.
-void find_pairs(World& world, const StepTime& time);
+void find_pairs(const World& world, BroadPhases& broad, Forgetting to, Events& events, StepReport& report,
+                const StepTime& time);
 
 /// Stage narrow: manifolds of those pairs. Shapes whose support function misbehaved are muted from here on.
-void find_contacts(World& world, const StepTime& time);
+void find_contacts(const World& world, PairTable& pairs, Revisions& scene, FaultViews& views, StepReport& report,
+                   const StepTime& time);
 
 }  // namespace carom::dynamics

@@ -167,7 +167,7 @@ static_assert(std::all_of(kEffectTable.begin(), kEffectTable.end(), [](const Eff
 
 const std::array<Effect, kEffectCount>& effect_table() { return kEffectTable; }
 
-void count_participants(World& world, EffectId id, std::uint64_t count) {
+void count_participants(const World& world, EffectId id, std::uint64_t count) {
   world.plan->effects[+id].customers.count = count;
 }
 

@@ -5,7 +5,7 @@
 
 #include "dynamics/customers.h"
 #include "dynamics/integrate/rotation/principal.h"
-#include "dynamics/world.h"
+#include "dynamics/part.h"
 
 namespace carom::dynamics {
 
@@ -143,32 +143,35 @@ struct Plan {
 const std::array<Effect, kEffectCount>& effect_table();
 
 /// For effects whose participants a stage makes or counts: how many there are in this step.
-void count_participants(World& world, EffectId id, std::uint64_t count);
+void count_participants(const World& world, EffectId id, std::uint64_t count);
 
 /// A row's candidates: who the scene calls for, but for whom a host forbids it, with whom it forces it on.
-void find_candidates(World& world, PlannedEffect& row);
+void find_candidates(const World& world, PlannedEffect& row);
 
 /// Whether an effect is what a host asked for, for one step.
 bool from_host(const Effect& effect);
 
+/// Who sleeps; and what comes and goes with them: boxes, joints that act, records of pairs, impulses.
+using Sleepers = Writes<SleepFlags, Sleep>;
+using Settling = Writes<SleepFlags, Sleep, Colliders, PlacedPoses, Joints, PairTable, Impulses, Revisions>;
 /// Stage refresh: bring the plan up to date, then frames and bounds of what moves.
-void refresh(World& world, const StepTime& time);
+void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floats, const StepTime& time);
 // Parts of it that others need too: which stages have customers; customers of this step; one collider's frame and
 // bounds.
-void plan_stages(World& world, Plan& plan);
-void find_customers(World& world);
-void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt);
+void plan_stages(const World& world, Plan& plan);
+void find_customers(const World& world);
+void place_collider(const World& world, Colliders& c, PlacedPoses& placed, Plan& plan, std::uint32_t slot, Real dt);
 /// m, the farthest point of a body's colliders from its centre.
 Real radius_of_body(const World& world, std::uint32_t body);
 
 /// All planned forces at one state. Each is a function of that state: none sees what another did to the velocities.
-void evaluate_forces(World& world, const Motion& at, const Accelerate& out);
+void evaluate_forces(const World& world, const Motion& at, const Accelerate& out);
 /// Velocities for a second evaluation, h later: those that the first one read, and twice what it changed since, as if
 /// it went on like that. Where no force reads velocities, the world's own.
 /// @return  x and q as given
-Motion extrapolated(World& world, const Vec3* x, const Quat* q);
+Motion extrapolated(const World& world, const Vec3* x, const Quat* q);
 /// All planned flows over h, on the world's velocities.
 /// @param q  by body slot: orientations during h
-void evaluate_flows(World& world, Real h, const Quat* q);
+void evaluate_flows(const World& world, Velocities& to, Real h, const Quat* q);
 
 }  // namespace carom::dynamics

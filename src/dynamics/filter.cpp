@@ -26,7 +26,7 @@ bool any_held_apart(const World& world) {
          !world.scene.joined.empty();
 }
 
-void drop_filtered(World& world, Array<Pair>& pairs) {
+void drop_filtered(const World& world, Array<Pair>& pairs) {
   if (!any_held_apart(world)) return;
   std::erase_if(pairs, [&](const Pair& p) { return !lets_touch(world.scene, p.a, p.b); });
 }

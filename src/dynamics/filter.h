@@ -16,6 +16,6 @@ bool lets_touch(const Scene& scene, std::uint32_t a, std::uint32_t b);
 /// Whether anybody is held apart at all, as of this step's plan.
 bool any_held_apart(const World& world);
 /// Drop the pairs that are to be held apart, in their order.
-void drop_filtered(World& world, Array<Pair>& pairs);
+void drop_filtered(const World& world, Array<Pair>& pairs);
 
 }  // namespace carom::dynamics

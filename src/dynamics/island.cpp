@@ -81,15 +81,14 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
   if (!c.links.empty()) sort_by_label(c.link_label, groups, c.group_link_begin, c.group_links);
 }
 
-void find_groups(World& world, const StepTime&) {
+void find_groups(const World& world, StepReport& report, const StepTime&) {
   Contacts& c = *world.contacts;
   world.views->reserve(c.rows.size());
   c.direct.clear();
   partition_rows(c, world.scene.bodies.slots(), world.scene.dials.choice(Dial::groups) != 0);
-  world.report.groups = c.groups();
+  report.groups = c.groups();
   for (std::size_t g = 0; g < c.groups(); ++g)
-    world.report.largest_group =
-        std::max<std::uint64_t>(world.report.largest_group, c.group_begin[g + 1] - c.group_begin[g]);
+    report.largest_group = std::max<std::uint64_t>(report.largest_group, c.group_begin[g + 1] - c.group_begin[g]);
 }
 
 }  // namespace carom::dynamics

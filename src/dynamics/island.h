@@ -8,7 +8,7 @@ namespace carom::dynamics {
 /// Stage group: by union-find over rows between two dynamic bodies. Static, kinematic
 /// and quarantined bodies cut the chain. With the dial off, all rows are one group. Order: groups by their lowest row,
 /// those of joints alone after them, rows ascending.
-void find_groups(World& world, const StepTime& time);
+void find_groups(const World& world, StepReport& report, const StepTime& time);
 
 /// The body that a dynamic body's group is named after, of those that hang together by the last partition into groups:
 /// the lowest slot. @param body  one that a row moves

@@ -12,9 +12,8 @@
 namespace carom::dynamics {
 namespace {
 
-void measure_contacts(World& world) {
+void measure_contacts(const World& world, StepReport& report) {
   const Contacts& c = *world.contacts;
-  StepReport& report = world.report;
   each_block(world, [&](Contacts::Block& block, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const Row& row = c.rows[i];
@@ -38,11 +37,10 @@ void measure_contacts(World& world) {
   if (overlapping) report.mean_penetration = sum / static_cast<double>(overlapping);
 }
 
-void measure_energy(World& world) {
+void measure_energy(const World& world, StepReport& report) {
   const Scene& scene = world.scene;
   const State& s = world.state;
   const Plan& plan = *world.plan;
-  StepReport& report = world.report;
   const auto linear = [&](std::uint32_t i) { report.linear_energy += 0.5 * scene.mass[i] * s.v[i].squared_norm(); };
   plan.linear.each(linear);
   plan.rotating.each([&](std::uint32_t i) {
@@ -55,7 +53,7 @@ void measure_energy(World& world) {
 }
 
 /// What effects without a room of their own did: they are served within the loops of their stages.
-void book_served(World& world) {
+void book_served(const World& world) {
   Plan& plan = *world.plan;
   const auto book = [&](std::size_t row, Stage stage, std::uint64_t times) {
     PlannedEffect& effect = plan.effects[row];
@@ -71,8 +69,7 @@ void book_served(World& world) {
 }
 
 /// A force lives for one step.
-void drop_forces(World& world) {
-  State& s = world.state;
+void drop_forces(HostForces& s) {
   for (const std::uint32_t i : s.written) {
     s.force[i] = s.torque[i] = Vec3::zero();
     s.is_written[i] = 0;
@@ -82,27 +79,27 @@ void drop_forces(World& world) {
 
 }  // namespace
 
-void begin_report(World& world) {
-  const std::uint64_t steps = world.report.steps;
-  const double time = world.report.time;
-  world.report = StepReport{};
-  world.report.steps = steps;
-  world.report.time = time;
+void begin_report(const World& world, StepReport& report, GroupViews& groups, Events& events) {
+  const std::uint64_t steps = report.steps;
+  const double time = report.time;
+  report = StepReport{};
+  report.steps = steps;
+  report.time = time;
   world.views->clear();
-  world.group_views.clear();
-  world.events->clear();
+  groups.clear();
+  events.clear();
 }
 
-void observe(World& world, const StepTime& time) {
-  StepReport& report = world.report;
+void observe(const World& world, StepReport& report, HostForces& host, Impulses& impulses, Sleep& sleep,
+             const StepTime& time) {
   if (world.plan->runs[static_cast<std::size_t>(Stage::solve)]) {
-    measure_contacts(world);
+    measure_contacts(world, report);
     world.views->expect();
-    remember_impulses(world, time.h);
+    remember_impulses(world, impulses, time.h);
   }
-  measure_energy(world);
+  measure_energy(world, report);
   book_served(world);
-  if (world.plan->host_wrote) drop_forces(world);
+  if (world.plan->host_wrote) drop_forces(host);
   report.steps += 1;
   report.time += time.dt;
   report.bodies = world.scene.bodies.alive_count();
@@ -112,7 +109,7 @@ void observe(World& world, const StepTime& time) {
   report.quarantined_particles = world.particles.held_count();
   report.faults = world.fault_views.size();
   report.asleep_bodies = world.sleep->count;
-  report.woke_up = std::exchange(world.sleep->woke, 0);
+  report.woke_up = std::exchange(sleep.woke, 0);
 }
 
 }  // namespace carom::dynamics

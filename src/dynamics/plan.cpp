@@ -23,7 +23,7 @@ namespace {
 enum RotationChoice : std::uint32_t { kNoGyroscopicTerm, kExplicitTorque, kImplicitStep };
 
 /// Rows, their customers, and whether each is a force or a flow: the one place where these dials are switched.
-void plan_rows(World& world, Plan& plan) {
+void plan_rows(const World& world, Plan& plan) {
   const Dials& dials = world.scene.dials;
   const Integrator* integrators[] = {&kExplicitEuler, &kSemiImplicitEuler, &kRungeKutta4, &kVelocityVerlet};
   plan.integrator = integrators[dials.choice(Dial::integrator)];
@@ -48,7 +48,7 @@ void plan_rows(World& world, Plan& plan) {
   }
 }
 
-void plan_principal(World& world, Plan& plan, std::uint32_t slots) {
+void plan_principal(const World& world, Plan& plan, std::uint32_t slots) {
   plan.carried.assign(slots, 0);
   plan.principal.resize(slots);
   plan.proposal.omega.resize(slots, Vec3::zero());
@@ -57,7 +57,7 @@ void plan_principal(World& world, Plan& plan, std::uint32_t slots) {
         [&](std::uint32_t i) { plan.principal[i] = principal_axes(world.scene.inertia[i]); });
 }
 
-void plan_bodies(World& world, Plan& plan) {
+void plan_bodies(const World& world, Plan& plan) {
   const Scene& scene = world.scene;
   plan.linear.clear(), plan.rotating.clear(), plan.kinematic.clear();
   const std::uint32_t slots = scene.bodies.slots();
@@ -81,7 +81,7 @@ void plan_bodies(World& world, Plan& plan) {
 }
 
 /// Who can be touched, and whose axes a step needs in the world's.
-void plan_solid(World& world, Plan& plan) {
+void plan_solid(const World& world, Plan& plan) {
   plan.solid.clear(), plan.oriented.clear();
   const auto wears = [&](std::uint32_t i) { return world.scene.first_collider[i] != Colliders::kNone; };
   each_of_both(plan.linear, plan.rotating, [&](std::uint32_t i) {
@@ -102,8 +102,7 @@ void plan_particles(const World& world, Plan& plan) {
       plan.linear.count + plan.rotating.count + plan.kinematic.count + world.particles.count() > 0;
 }
 
-void plan_colliders(World& world, Plan& plan) {
-  Colliders& c = world.scene.colliders;
+void plan_colliders(const World& world, Colliders& c, Plan& plan) {
   plan.colliders.clear();
   c.active.clear();
   c.active.reserve(c.live.size());
@@ -129,7 +128,7 @@ void plan_colliders(World& world, Plan& plan) {
 
 }  // namespace
 
-void find_candidates(World& world, PlannedEffect& row) {
+void find_candidates(const World& world, PlannedEffect& row) {
   const Effect& effect = *row.effect;
   const Scene& scene = world.scene;
   const EffectModes& modes = scene.modes;
@@ -203,7 +202,7 @@ PlannedEffect* Plan::find(const char* name) {
 
 bool from_host(const Effect& effect) { return effect.force == user_force::force || effect.force == user_torque::force; }
 
-void plan_stages(World& world, Plan& plan) {
+void plan_stages(const World& world, Plan& plan) {
   const auto on = [&](Stage s) -> bool& { return plan.runs[static_cast<std::size_t>(s)]; };
   const Colliders& c = world.scene.colliders;
   const std::size_t asleep = c.live.size() - c.active.size(), awake = plan.effects[+EffectId::collision].candidates.count;
@@ -224,12 +223,11 @@ void plan_stages(World& world, Plan& plan) {
 /// World frame and bounds of a collider. Bounds are grown by half the contact distance, and where a body crosses more
 /// than that within the step by its motion too, so that it meets what it is about to hit. That reach ends at the size
 /// of the shape: beyond, a contact would stop bodies that merely pass by.
-void place_collider(World& world, Plan& plan, std::uint32_t slot, Real dt) {
-  Colliders& c = world.scene.colliders;
+void place_collider(const World& world, Colliders& c, PlacedPoses& placed, Plan& plan, std::uint32_t slot, Real dt) {
   const std::uint32_t body = c.body[slot];
   const Shape& shape = *c.shape[slot];
   c.place(slot, Frame(plan.rotation[body], world.state.x[body]) * plan.local[slot]);
-  world.state.placed_x[body] = world.state.x[body], world.state.placed_q[body] = world.state.q[body];
+  placed.placed_x[body] = world.state.x[body], placed.placed_q[body] = world.state.q[body];
   const Real half_gap = world.scene.dials[Dial::contact_distance] / 2;
   c.reach[slot] = 0;
   if (c.movable[slot]) {
@@ -271,7 +269,7 @@ void list(Array<std::uint32_t>& bodies, Customers& once) {
   for (const std::uint32_t i : bodies) once.add(i);
 }
 
-void find_readers(World& world) {
+void find_readers(const World& world) {
   Plan& plan = *world.plan;
   Array<std::uint32_t>& bodies = plan.reader_list;
   plan.sprung.clear(), plan.readers.clear(), bodies.clear();
@@ -291,7 +289,7 @@ void find_readers(World& world) {
 
 }  // namespace
 
-void find_customers(World& world) {
+void find_customers(const World& world) {
   Plan& plan = *world.plan;
   for (PlannedEffect& row : plan.effects) {
     const Effect& effect = *row.effect;
@@ -307,25 +305,26 @@ void find_customers(World& world) {
   plan.effects[+EffectId::gyroscopic].customers.each([&](std::uint32_t i) { plan.carried[i] = 1; });
 }
 
-void refresh(World& world, const StepTime& time) {
+void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floats, const StepTime& time) {
+  PairTable& pairs = to;
   Plan& plan = *world.plan;
   const bool changed = plan.revision != world.scene.revision;
   plan.host_wrote = !world.state.written.empty();
   plan.faults.clear();
   if (changed) {
-    if (world.scene.revision != plan.restored) world.pairs.ask_all();  // how pairs are asked may have changed
-    plan_colliders(world, plan);
+    if (world.scene.revision != plan.restored) pairs.ask_all();  // how pairs are asked may have changed
+    plan_colliders(world, to, plan);
     plan_rows(world, plan);
     plan_bodies(world, plan);
-    plan_joints(world);
+    plan_joints(world, to);
     plan_springs(world);
-    if (plan.effects[+EffectId::buoyancy].candidates.count) make_floats(world.scene, world.memory);
+    if (plan.effects[+EffectId::buoyancy].candidates.count) make_floats(world.scene.colliders, floats, world.memory);
     plan_stages(world, plan);
-    plan_sleep(world, plan);
+    plan_sleep(world, to, plan);
     plan.revision = world.scene.revision;
   }
-  wake_sprung(world);
-  settle_sleepers(world);
+  wake_sprung(world, to);
+  settle_sleepers(world, to);
   plan_particles(world, plan);
   for (PlannedEffect& row : plan.effects) {
     const Effect& effect = *row.effect;
@@ -348,8 +347,8 @@ void refresh(World& world, const StepTime& time) {
   }
   plan.effects[+EffectId::ledger].wanted = world.ledger ? plan.linear.count + plan.rotating.count : 0;
   const Real h = time.dt / plan.substeps;  // time.h is of the last step's plan
-  carry_springs(world, h);
-  world.scene.water.most_rate = 1 / h;
+  carry_springs(world, springs, h);
+  floats.most_rate = 1 / h;
   find_customers(world);
   if (!world.scene.colliders.live.empty() || world.joints.slots.alive_count()) {
     const State& s = world.state;
@@ -359,10 +358,12 @@ void refresh(World& world, const StepTime& time) {
     plan.oriented.each(orient);
     plan.kinematic.each(orient);
     for (const std::uint32_t i : s.written) orient(i);  // also those that turn by a host's hand alone
-    for (const std::uint32_t slot : changed ? world.scene.colliders.active : plan.colliders)
-      place_collider(world, plan, slot, time.dt);
+    Colliders& table = to;
+    PlacedPoses& placed = to;
+    for (const std::uint32_t slot : changed ? table.active : plan.colliders)
+      place_collider(world, table, placed, plan, slot, time.dt);
   }
-  find_swept(world, time.dt);
+  find_swept(world, to, time.dt);
 }
 
 }  // namespace carom::dynamics

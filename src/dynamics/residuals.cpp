@@ -32,7 +32,7 @@ void judge_pair(const World& world, const Meeting& m, Residuals& r) {
     if (!(k > 0)) continue;
     const Real p = row.p.dot(row.n), u_n = row.u.dot(row.n);
     // What is still open may close in the next substep.
-    const Real closing = c.old_h > 0 ? u_n + std::max(g.separation, Real(0)) / c.old_h : u_n;
+    const Real closing = world.impulses.old_h > 0 ? u_n + std::max(g.separation, Real(0)) / world.impulses.old_h : u_n;
     const bool bounces = row.restitution > 0 && u_n > 0;
     if (!bounces)
       r.complementarity = std::max(r.complementarity, k * std::fabs(p - std::max(p - closing / k, Real(0))));

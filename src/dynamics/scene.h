@@ -52,7 +52,14 @@ struct SurfaceVelocity {
 using Locks = std::uint8_t;
 inline constexpr Locks kLinearLocks = 7, kAngularLocks = 56, kAllLocks = 63;
 
-struct Scene {
+/// Numbers that tell what was made from a scene that it is stale. A step raises them too, where it takes somebody out.
+struct Revisions {
+  std::uint64_t revision = 1;           // raised by every change a host makes to the scene
+  std::uint64_t collider_revision = 1;  // raised when the set of colliders, or who may touch whom, changed
+  bool alarm = false;                   // something is muted or in quarantine: all sleepers are to wake
+};
+
+struct Scene : Revisions {
   Scene(std::uint32_t tag, Memory* m)
       : bodies(Kind::body, tag, m),
         collider_slots(Kind::collider, tag, m),
@@ -124,8 +131,6 @@ struct Scene {
   }
 
   Dials dials;
-  std::uint64_t revision = 1;           // raised by every change a host makes to anything above
-  std::uint64_t collider_revision = 1;  // raised when the set of colliders, or who may touch whom, changed
 };
 
 }  // namespace carom::dynamics

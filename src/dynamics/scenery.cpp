@@ -100,24 +100,24 @@ void fill(const Colliders& c, const NarrowSettings& settings, const SceneryPatch
   record.patch.b_in_a = relative(a, b);
 }
 
-void ask(World& world, const NarrowSettings& settings, SceneryContacts& s, SceneryContacts::OfPair& of) {
+void ask(const World& world, PairTable& pairs, NarrowReport& report, const NarrowSettings& settings, SceneryContacts& s,
+         SceneryContacts::OfPair& of) {
   const Colliders& c = world.scene.colliders;
   const Pair pair = world.pairs.place(of.place).pair;
   const Parties parties(c, pair);
   of.first = static_cast<std::uint32_t>(s.patches.size()), of.count = 0;
-  of.kept = keep(c, settings, world.pairs, of);
+  of.kept = keep(c, settings, pairs, of);
   if (of.kept) {
-    world.report.narrow.kept_patches += of.places;
+    report.kept_patches += of.places;
     return;
   }
   SupportFault fault;
-  if (parties.can_meet(c) &&
-      s.meeting.find(parties.pair(c), settings, parties.reach(c, settings), world.report.narrow, fault)) {
+  if (parties.can_meet(c) && s.meeting.find(parties.pair(c), settings, parties.reach(c, settings), report, fault)) {
     s.patches.insert(s.patches.end(), s.meeting.patches().begin(), s.meeting.patches().end());
     of.count = static_cast<std::uint32_t>(s.meeting.patches().size());
   }
   if (fault.kind != SupportFault::none) world.plan->faults.push_back(fault);
-  arrange(world.pairs, s, of, parties.swapped);
+  arrange(pairs, s, of, parties.swapped);
 }
 
 }  // namespace
@@ -128,12 +128,11 @@ void scenery::find(const Scene& scene, const State&, Customers& customers) {
     if (is_scenery(*c.shape[slot]) && !(c.muted[slot] & Colliders::kFaulty)) customers.add(slot);
 }
 
-void meet_scenery(World& world, const NarrowSettings& settings) {
+void meet_scenery(const World& world, PairTable& pairs, NarrowReport& report, const NarrowSettings& settings) {
   if (world.plan->effects[+EffectId::scenery].customers.count == 0) return;
   if (!world.plan->scenery) world.plan->scenery = make_owned<SceneryContacts>(world.memory, world.memory);
   SceneryContacts& s = *world.plan->scenery;
   const Colliders& c = world.scene.colliders;
-  PairTable& pairs = world.pairs;
   s.of_pair.clear(), s.patches.clear(), s.order.clear(), s.runs.clear();
   for (std::uint32_t i = 0, j; i < pairs.size(); i = j) {
     const Pair pair = pairs.place(i).pair;
@@ -142,7 +141,7 @@ void meet_scenery(World& world, const NarrowSettings& settings) {
   }
   std::uint32_t shift = 0;  // what runs before have grown by
   for (SceneryContacts::OfPair& of : s.of_pair) {
-    ask(world, settings, s, of);
+    ask(world, pairs, report, settings, s, of);
     const std::uint32_t wanted = of.kept ? of.places : std::max(of.count, 1u);
     if (wanted != of.places) s.runs.push_back({of.place, of.places, wanted});
     of.place += shift;
@@ -163,13 +162,13 @@ void meet_scenery(World& world, const NarrowSettings& settings) {
   }
 }
 
-bool touches_scenery(World& world, const NarrowSettings& settings, const Pair& pair) {
+bool touches_scenery(const World& world, NarrowReport& report, const NarrowSettings& settings, const Pair& pair) {
   const Colliders& c = world.scene.colliders;
   const Parties parties(c, pair);
   if (!parties.can_meet(c)) return false;
   SceneryMeeting meeting(world.memory);
   SupportFault fault;
-  meeting.find(parties.pair(c), settings, parties.reach(c, settings), world.report.narrow, fault);
+  meeting.find(parties.pair(c), settings, parties.reach(c, settings), report, fault);
   return !meeting.patches().empty() || fault.kind != SupportFault::none;
 }
 

@@ -30,9 +30,9 @@ struct SceneryContacts {
 };
 
 /// Manifolds of all pairs with scenery, and as many records of each as it has patches.
-void meet_scenery(World& world, const NarrowSettings& settings);
+void meet_scenery(const World& world, PairTable& pairs, NarrowReport& report, const NarrowSettings& settings);
 
 /// Whether a shape touches scenery as the narrow phase would find. A fault counts as a touch.
-bool touches_scenery(World& world, const NarrowSettings& settings, const Pair& pair);
+bool touches_scenery(const World& world, NarrowReport& report, const NarrowSettings& settings, const Pair& pair);
 
 }  // namespace carom::dynamics

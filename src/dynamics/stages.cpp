@@ -31,145 +31,132 @@ constexpr Parts kContactsRead = Part::pairs | Part::colliders | kMotion;
 // clang-format off
 constexpr StageEntry kStageTable[] = {
     // ---- once: who takes part, who meets whom. All that allocates stands here. ----
-    {.name = "admit",
+    stage<admit>({.name = "admit",
      .what = "bodies whose state makes no sense are put in quarantine; only after a host wrote to them",
-     .run = admit, .stage = Stage::refresh, .reads = kMotion | Part::forces,
-     .writes = kMotion | Part::quarantine | Part::forces, .booking = Booking::with_host},
-    {.name = "refresh",
+     .stage = Stage::refresh, .reads = kMotion | Part::forces, .booking = Booking::with_host}),
+    stage<refresh>({.name = "refresh",
      .what = "who takes part in each effect, if the scene changed; frames and bounds of colliders",
-     .run = refresh, .stage = Stage::refresh, .reads = kMotion | Part::sleep | Part::quarantine,
-     .writes = Part::colliders | Part::sleep | Part::pairs | Part::impulses},
-    {.name = "wake touched",
+     .stage = Stage::refresh, .reads = kMotion | Part::sleep | Part::quarantine}),
+    stage<wake_touched>({.name = "wake touched",
      .what = "islands asleep that something touches, or will within the step",
-     .run = wake_touched, .stage = Stage::refresh, .reads = kContactsRead | Part::sleep,
-     .writes = Part::sleep | Part::colliders | Part::pairs | Part::impulses, .booking = Booking::opens},
-    {.name = "find pairs",
+     .stage = Stage::refresh, .reads = kContactsRead | Part::sleep, .booking = Booking::opens}),
+    stage<find_pairs>({.name = "find pairs",
      .what = "colliders whose bounds overlap",
-     .run = find_pairs, .stage = Stage::broad, .effect = +EffectId::collision,
-     .reads = Part::colliders | Part::sleep, .writes = Part::pairs},
-    {.name = "find contacts",
+     .stage = Stage::broad, .effect = +EffectId::collision,
+     .reads = Part::colliders | Part::sleep}),
+    stage<find_contacts>({.name = "find contacts",
      .what = "contact points of those pairs",
-     .run = find_contacts, .stage = Stage::narrow, .effect = +EffectId::collision,
-     .reads = kContactsRead, .writes = Part::pairs | Part::colliders},
-    {.name = "leave to sweep",
+     .stage = Stage::narrow, .effect = +EffectId::collision,
+     .reads = kContactsRead}),
+    stage<leave_to_sweep>({.name = "leave to sweep",
      .what = "contacts that a sweep knows better are left out",
-     .run = leave_to_sweep, .stage = Stage::narrow, .effect = +EffectId::continuous,
-     .reads = kContactsRead, .writes = Part::pairs},
-    {.name = "make rows",
+     .stage = Stage::narrow, .effect = +EffectId::continuous,
+     .reads = kContactsRead}),
+    stage<make_rows>({.name = "make rows",
      .what = "a row of the solver for each contact point, with the impulse of the last step",
-     .run = make_rows, .stage = Stage::group, .reads = kContactsRead | Part::impulses},
-    {.name = "find resistance",
+     .stage = Stage::group, .reads = kContactsRead | Part::impulses}),
+    stage<find_resistance>({.name = "find resistance",
      .what = "pairs that resist rolling or spinning",
-     .run = find_resistance, .stage = Stage::group, .reads = Part::pairs | Part::impulses},
-    {.name = "find surfaces",
+     .stage = Stage::group, .reads = Part::pairs | Part::impulses}),
+    stage<find_surfaces>({.name = "find surfaces",
      .what = "pairs of which a surface moves of itself",
-     .run = find_surfaces, .stage = Stage::group, .reads = Part::pairs | Part::colliders},
-    {.name = "link joints",
+     .stage = Stage::group, .reads = Part::pairs | Part::colliders}),
+    stage<link_joints>({.name = "link joints",
      .what = "joints of awake bodies",
-     .run = link_joints, .stage = Stage::group, .reads = Part::joints},
-    {.name = "list moved bodies",
+     .stage = Stage::group, .reads = Part::joints}),
+    stage<list_moved_bodies>({.name = "list moved bodies",
      .what = "bodies that rows or joints move",
-     .run = list_moved_bodies, .stage = Stage::group, .reads = Part::sleep},
-    {.name = "find groups",
+     .stage = Stage::group, .reads = Part::sleep}),
+    stage<find_groups>({.name = "find groups",
      .what = "which contacts and joints hang together",
-     .run = find_groups, .stage = Stage::group},
-    {.name = "begin contacts",
+     .stage = Stage::group}),
+    stage<begin_contacts>({.name = "begin contacts",
      .what = "what the solver lays out for a step",
-     .run = begin_contacts, .stage = Stage::solve, .reads = kMotion | Part::joints,
-     .booking = Booking::makes_room},
-    {.name = "begin sweeps",
+     .stage = Stage::solve, .reads = kMotion | Part::joints,
+     .booking = Booking::makes_room}),
+    stage<begin_sweeps>({.name = "begin sweeps",
      .what = "which bodies are swept, and what stands in their way",
-     .run = begin_sweeps, .stage = Stage::solve, .effect = +EffectId::continuous,
-     .reads = kContactsRead},
-    {.name = "begin events",
+     .stage = Stage::solve, .effect = +EffectId::continuous,
+     .reads = kContactsRead}),
+    stage<begin_events>({.name = "begin events",
      .what = "how fast bodies approach, if a host wants to know",
-     .run = begin_events, .stage = Stage::observe, .effect = +EffectId::events,
-     .reads = kContactsRead},
-    {.name = "make room",
+     .stage = Stage::observe, .effect = +EffectId::events,
+     .reads = kContactsRead}),
+    stage<make_room_for_begun>({.name = "make room",
      .what = "for what substeps save",
-     .run = make_room_for_begun, .stage = Stage::solve},
-    {.name = "part with flyers",
+     .stage = Stage::solve}),
+    stage<part_with_flyers>({.name = "part with flyers",
      .what = "bodies that nothing binds wait until the others had their substeps",
-     .run = part_with_flyers, .stage = Stage::integrate},
+     .stage = Stage::integrate}),
     // ---- each substep ----
-    {.name = "begin substep",
+    stage<begin_substep>({.name = "begin substep",
      .what = "velocities and gaps before the forces are saved for all that need them",
-     .run = begin_substep, .stage = Stage::solve, .reads = kMotion, .each_substep = true},
-    {.name = "integrate velocity",
+     .stage = Stage::solve, .reads = kMotion, .each_substep = true}),
+    stage<integrate_velocity>({.name = "integrate velocity",
      .what = "forces change velocities",
-     .run = integrate_velocity, .stage = Stage::integrate,
-     .reads = kMotion | Part::forces, .writes = Part::velocities, .booking = Booking::forces, .each_substep = true},
-    {.name = "save accelerations",
+     .stage = Stage::integrate,
+     .reads = kMotion | Part::forces, .booking = Booking::forces, .each_substep = true}),
+    stage<save_accelerations>({.name = "save accelerations",
      .what = "of swept bodies",
-     .run = save_accelerations, .stage = Stage::solve, .effect = +EffectId::continuous,
-     .reads = Part::velocities, .each_substep = true},
-    {.name = "answer impacts",
+     .stage = Stage::solve, .effect = +EffectId::continuous,
+     .reads = Part::velocities, .each_substep = true}),
+    stage<answer_impacts>({.name = "answer impacts",
      .what = "what is hit bounces, each contact at its moment",
-     .run = answer_impacts, .stage = Stage::solve, .effect = +EffectId::restitution,
-     .reads = kMotion, .writes = kMotion, .booking = Booking::impacts, .each_substep = true},
-    {.name = "hold moments",
+     .stage = Stage::solve, .effect = +EffectId::restitution,
+     .reads = kMotion, .booking = Booking::impacts, .each_substep = true}),
+    stage<hold_moments>({.name = "hold moments",
      .what = "moments of the last substep against rolling and spinning",
-     .run = hold_moments, .stage = Stage::solve, .effect = +EffectId::rolling_resistance,
-     .reads = kMotion | Part::impulses, .writes = Part::velocities, .booking = Booking::moments, .each_substep = true},
-    {.name = "solve velocities",
+     .stage = Stage::solve, .effect = +EffectId::rolling_resistance,
+     .reads = kMotion | Part::impulses, .booking = Booking::moments, .each_substep = true}),
+    stage<solve_velocities>({.name = "solve velocities",
      .what = "joints and contacts change velocities",
-     .run = solve_velocities, .stage = Stage::solve,
-     .reads = kMotion | Part::joints | Part::impulses, .writes = Part::velocities, .booking = Booking::solver,
-     .each_substep = true},
-    {.name = "integrate position",
+     .stage = Stage::solve,
+     .reads = kMotion | Part::joints | Part::impulses, .booking = Booking::solver,
+     .each_substep = true}),
+    stage<integrate_position>({.name = "integrate position",
      .what = "bodies move",
-     .run = integrate_position, .stage = Stage::integrate, .reads = kMotion,
-     .writes = kMotion | Part::quarantine, .booking = Booking::moves, .each_substep = true},
-    {.name = "solve positions",
+     .stage = Stage::integrate, .reads = kMotion, .booking = Booking::moves, .each_substep = true}),
+    stage<solve_positions>({.name = "solve positions",
      .what = "penetration is undone, or the velocity that undid it taken back",
-     .run = solve_positions, .stage = Stage::relax, .reads = kMotion | Part::joints,
-     .writes = kMotion, .booking = Booking::relaxation, .each_substep = true},
-    {.name = "resist",
+     .stage = Stage::relax, .reads = kMotion | Part::joints, .booking = Booking::relaxation, .each_substep = true}),
+    stage<resist>({.name = "resist",
      .what = "those moments put right, now that loads are known",
-     .run = resist, .stage = Stage::solve, .effect = +EffectId::rolling_resistance, .reads = kMotion,
-     .writes = Part::velocities, .booking = Booking::resistance, .each_substep = true},
-    {.name = "sweep",
+     .stage = Stage::solve, .effect = +EffectId::rolling_resistance, .reads = kMotion, .booking = Booking::resistance, .each_substep = true}),
+    stage<sweep>({.name = "sweep",
      .what = "a fast body stops at what is in its way, bounces there and goes on",
-     .run = sweep, .stage = Stage::solve, .effect = +EffectId::continuous, .reads = kContactsRead,
-     .writes = kMotion | Part::sleep | Part::quarantine, .booking = Booking::sweeps, .each_substep = true},
+     .stage = Stage::solve, .effect = +EffectId::continuous, .reads = kContactsRead, .booking = Booking::sweeps, .each_substep = true}),
     // ---- once: what is left of the step, and what it tells ----
-    {.name = "stop strays",
+    stage<stop_strays>({.name = "stop strays",
      .what = "bodies that left the finite world are put in quarantine",
-     .run = stop_strays, .stage = Stage::solve, .reads = kMotion,
-     .writes = kMotion | Part::quarantine, .booking = Booking::lost_bodies},
-    {.name = "fly free",
+     .stage = Stage::solve, .reads = kMotion, .booking = Booking::lost_bodies}),
+    stage<fly_free>({.name = "fly free",
      .what = "bodies that nothing binds take the whole step in one go",
-     .run = fly_free, .stage = Stage::integrate, .reads = kMotion | Part::forces,
-     .writes = kMotion | Part::quarantine, .booking = Booking::by_itself},
-    {.name = "fly particles",
+     .stage = Stage::integrate, .reads = kMotion | Part::forces, .booking = Booking::by_itself}),
+    stage<fly>({.name = "fly particles",
      .what = "all substeps at once",
-     .run = fly, .stage = Stage::integrate, .effect = +EffectId::particles, .reads = Part::particles,
-     .writes = Part::particles, .booking = Booking::particles},
-    {.name = "end contacts",
+     .stage = Stage::integrate, .effect = +EffectId::particles, .reads = Part::particles, .booking = Booking::particles}),
+    stage<end_contacts>({.name = "end contacts",
      .what = "impulses back from lanes into rows; joints that were overloaded break",
-     .run = end_contacts, .stage = Stage::solve, .reads = kMotion | Part::joints,
-     .writes = kMotion | Part::joints, .booking = Booking::corrections},
-    {.name = "end sweeps",
+     .stage = Stage::solve, .reads = kMotion | Part::joints, .booking = Booking::corrections}),
+    stage<end_sweeps>({.name = "end sweeps",
      .what = "shapes whose support function failed are disabled",
-     .run = end_sweeps, .stage = Stage::solve, .effect = +EffectId::continuous,
-     .writes = Part::colliders},
-    {.name = "observe",
+     .stage = Stage::solve, .effect = +EffectId::continuous}),
+    stage<observe>({.name = "observe",
      .what = "penetration and energies; impulses for the next step",
-     .run = observe, .stage = Stage::observe, .reads = kContactsRead | Part::joints,
-     .writes = Part::forces | Part::impulses},
-    {.name = "fall asleep",
+     .stage = Stage::observe, .reads = kContactsRead | Part::joints}),
+    stage<fall_asleep>({.name = "fall asleep",
      .what = "islands that came to rest",
-     .run = fall_asleep, .stage = Stage::observe, .effect = +EffectId::sleep,
-     .reads = kMotion | Part::pairs | Part::sleep, .writes = Part::velocities | Part::sleep,
-     .booking = Booking::sleepers},
-    {.name = "end events",
+     .stage = Stage::observe, .effect = +EffectId::sleep,
+     .reads = kMotion | Part::pairs | Part::sleep,
+     .booking = Booking::sleepers}),
+    stage<end_events>({.name = "end events",
      .what = "what began, ended, was hit, entered, left, slept or woke",
-     .run = end_events, .stage = Stage::observe, .effect = +EffectId::events,
-     .reads = kContactsRead | Part::sleep},
-    {.name = "save who moved",
+     .stage = Stage::observe, .effect = +EffectId::events,
+     .reads = kContactsRead | Part::sleep}),
+    stage<note_who_moved>({.name = "save who moved",
      .what = "for queries between steps",
-     .run = note_who_moved, .stage = Stage::observe, .reads = kMotion,
-     .booking = Booking::closes},
+     .stage = Stage::observe, .reads = kMotion,
+     .booking = Booking::closes}),
 };
 // clang-format on
 
@@ -195,6 +182,8 @@ void add_all(Hash& h, const Array<T>& of) {
   for (const T& x : of) {
     if constexpr (requires { x.at; })
       h.add_coefficients(x);
+    else if constexpr (std::is_floating_point_v<T>)
+      h.add(double(x));
     else
       h.add(std::uint64_t(x));
   }
@@ -205,6 +194,7 @@ void add_colliders(Hash& h, const World& world) {
   for (const Frame& f : c.frame) h.add_coefficients(f.r), h.add_coefficients(f.p);
   for (const Aabb& b : c.bounds) h.add_coefficients(b.lo), h.add_coefficients(b.hi);
   add_all(h, c.muted), add_all(h, c.active);
+  add_all(h, world.state.placed_x), add_all(h, world.state.placed_q);
 }
 
 void add_particles(Hash& h, const World& world) {
@@ -226,6 +216,7 @@ void add_joints(Hash& h, const World& world) {
   for (const JointAxes& axes : world.joints.axes)
     for (const auto& of_axis : axes.p)
       for (const Real p : of_axis) h.add(double(p));
+  h.add(std::uint64_t(world.scene.joined.size()));
 }
 
 void add_pairs(Hash& h, const World& world) {
@@ -237,17 +228,32 @@ void add_pairs(Hash& h, const World& world) {
 }
 
 void add_impulses(Hash& h, const World& world) {
-  for (const OldImpulse& old : world.contacts->old) {
+  for (const OldImpulse& old : world.impulses.old) {
     h.add(std::uint64_t(old.pair.a) << 32 | old.pair.b);
     h.add_coefficients(old.p), h.add_coefficients(old.moment), h.add_coefficients(old.place);
   }
 }
 
+void add_sleep(Hash& h, const World& world) {
+  const Sleep& z = *world.sleep;
+  add_all(h, world.state.asleep), add_all(h, z.parked), add_all(h, z.calm), add_all(h, z.woken), add_all(h, z.fallen);
+  h.add(z.count), h.add(z.woke), h.add(std::uint64_t(z.kept.size()));
+}
+
+void add_events(Hash& h, const Events& e) {
+  add_all(h, e.slept), add_all(h, e.approach);
+  h.add(std::uint64_t(e.sensor_pairs.size())), h.add(std::uint64_t(e.joints.size()));
+  for (const auto* list : {&e.touching, &e.within})
+    for (const Together& t : *list) h.add(std::uint64_t(t.pair.a) << 32 | t.pair.b);
+}
+
 }  // namespace
 
 const char* part_name(Part part) {
-  static constexpr const char* kNames[kPartCount] = {"colliders", "poses",     "velocities", "forces", "quarantine",
-                                                     "sleep",     "particles", "joints",     "pairs",  "impulses"};
+  static constexpr const char* kNames[] = {"colliders", "poses",  "velocities", "forces", "quarantine",
+                                           "sleep",     "memory", "particles",  "joints", "pairs",
+                                           "impulses",  "events", "revisions"};
+  static_assert(std::size(kNames) == kPartCount);
   const auto i = static_cast<std::size_t>(part);
   return i < kPartCount ? kNames[i] : "?";
 }
@@ -263,11 +269,16 @@ std::array<std::uint64_t, kPartCount> prints_of(const World& world) {
   add_all(of(Part::velocities), s.v), add_all(of(Part::velocities), s.omega), add_all(of(Part::velocities), s.momentum);
   add_all(of(Part::forces), s.force), add_all(of(Part::forces), s.torque);
   add_all(of(Part::quarantine), s.quarantined);
-  add_all(of(Part::sleep), s.asleep);
+  add_sleep(of(Part::sleep), world);
+  add_all(of(Part::memory), s.held_q), add_all(of(Part::memory), s.loaded_steps),
+      add_all(of(Part::memory), s.tired_steps);
   add_particles(of(Part::particles), world);
   add_joints(of(Part::joints), world);
   add_pairs(of(Part::pairs), world);
   add_impulses(of(Part::impulses), world);
+  add_events(of(Part::events), *world.events);
+  of(Part::revisions).add(world.scene.revision), of(Part::revisions).add(world.scene.collider_revision);
+  of(Part::revisions).add(std::uint64_t(world.scene.alarm));
   std::array<std::uint64_t, kPartCount> prints;
   std::transform(hash.begin(), hash.end(), prints.begin(), [](const Hash& h) { return h.value(); });
   return prints;

@@ -1,8 +1,9 @@
 // The stages of a step as one table: what runs, whose it is, what it reads and writes, how the ledger books it.
 //
-// step.cpp loops over it; the picture in ../README.md is made from it (tests/unit/dynamics/test_stages); a stage that
-// moves bodies and has no booking does not compile; one that writes what it does not declare is found by StageWatch,
-// which debug builds run.
+// step.cpp loops over it; the picture in ../README.md is made from it (tests/unit/dynamics/test_stages). A stage is a
+// function of a const World, the time, and the parts that it writes; what it writes is read off its parameters. One
+// that moves bodies and has no booking does not compile; one that takes a mutable World does not either. Who writes a
+// part all the same, by a way round, is found by run_watched(), which debug builds use.
 #pragma once
 
 #include <array>
@@ -13,50 +14,60 @@
 
 namespace carom::dynamics {
 
-/// Parts of a world that outlive a step. What is made anew in each (the plan, rows, lanes, reports) is scratch, and is
-/// not listed.
-enum class Part : std::uint32_t {
-  colliders,   // frames, bounds, which are disabled
-  poses,       // x, q
-  velocities,  // v, omega, momentum
-  forces,      // of the host, for this step
-  quarantine,
-  sleep,       // who sleeps
-  particles,
-  joints,      // their impulses, and whether they are broken
-  pairs,       // records of the pair table
-  impulses,    // of contacts, which the next step starts from
-  count
+/// What a stage function takes of a world, by the type of a parameter: the world to read, a part or some to write, the
+/// time. That is all it can write, so that it is what it declares.
+template <class A>
+struct Taken;
+template <>
+struct Taken<const World&> {
+  static constexpr Parts writes{};
+  static const World& from(World& world, const StepTime&) { return world; }
 };
-inline constexpr std::size_t kPartCount = static_cast<std::size_t>(Part::count);
-const char* part_name(Part part);
-
-/// A set of parts.
-struct Parts {
-  std::uint32_t bits = 0;
-  constexpr Parts() = default;
-  constexpr Parts(Part part) : bits(1u << static_cast<std::uint32_t>(part)) {}  // one part is a set
-  friend constexpr Parts operator|(Parts a, Parts b) { return a |= b; }
-  constexpr Parts& operator|=(Parts o) { return bits |= o.bits, *this; }
-  constexpr bool has(Part part) const { return bits & Parts(part).bits; }
-  constexpr bool meets(Parts o) const { return bits & o.bits; }
-  constexpr Parts without(Parts o) const {
-    o.bits = bits & ~o.bits;
-    return o;
-  }
+template <>
+struct Taken<const StepTime&> {
+  static constexpr Parts writes{};
+  static const StepTime& from(World&, const StepTime& time) { return time; }
 };
-
-constexpr Parts operator|(Part a, Part b) { return Parts(a) | Parts(b); }
+template <class P>
+struct Taken<P&> {
+  static_assert(!std::is_same_v<P, World>, "a stage receives what it writes, not a mutable World");
+  static constexpr Parts writes = kPartOf<P>;
+  static P& from(World& world, const StepTime&) { return part_of<P>(world); }
+};
+template <class... P>
+struct Taken<Writes<P...>> {
+  static constexpr Parts writes = (Parts() | ... | kPartOf<P>);
+  static Writes<P...> from(World& world, const StepTime&) { return Writes<P...>(world); }
+};
 
 struct StageEntry {
   std::string_view name, what;
-  void (*run)(World&, const StepTime&);
-  Stage stage;                        // as which a host sees its time; it runs if this has customers
+  void (*run)(World&, const StepTime&) = nullptr;
+  Stage stage{};                      // as which a host sees its time; it runs if this has customers
   std::size_t effect = kEffectCount;  // of the one effect whose it is, if it is one's alone
-  Parts reads{}, writes{};
+  Parts reads{};                      // declared: const World& gives them all
+  Parts writes{};                     // derived from the function, @see stage()
   Booking booking = Booking::none;
   bool each_substep = false;
 };
+
+/// What a stage function makes of an entry: how it runs, and what it writes.
+template <class... A>
+consteval Parts writes_of(void (*)(A...)) {
+  return (Parts() | ... | Taken<A>::writes);
+}
+template <auto function>
+struct Runs;
+template <class... A, void (*function)(A...)>
+struct Runs<function> {
+  static void run(World& world, const StepTime& time) { function(Taken<A>::from(world, time)...); }
+};
+template <auto function>
+consteval StageEntry stage(StageEntry entry) {
+  entry.run = Runs<function>::run;
+  entry.writes = writes_of(function);
+  return entry;
+}
 
 /// In the order in which they run; those of each substep stand together.
 std::span<const StageEntry> stage_table();
@@ -65,7 +76,7 @@ std::span<const StageEntry> stage_table();
 std::array<std::uint64_t, kPartCount> prints_of(const World& world);
 
 /// Run a stage and see what it changes: slow, for debug builds and tests.
-/// @return  parts that it changed without declaring it
+/// @return  parts that it changed and was not given
 Parts run_watched(const StageEntry& entry, World& world, const StepTime& time);
 
 }  // namespace carom::dynamics

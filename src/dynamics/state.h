@@ -1,4 +1,4 @@
-// What a step changes. Structure of arrays, indexed by body slot.
+// What a step changes, in parts. Structure of arrays, indexed by body slot.
 #pragma once
 
 #include "core/memory.h"
@@ -6,59 +6,72 @@
 
 namespace carom::dynamics {
 
-struct State {
-  explicit State(Memory* m)
-      : x(m),
-        q(m),
-        held_q(m),
-        placed_x(m),
-        placed_q(m),
-        v(m),
-        omega(m),
-        momentum(m),
-        force(m),
-        torque(m),
-        quarantined(m),
-        asleep(m),
-        loaded_steps(m),
-        tired_steps(m),
-        written(m),
-        is_written(m) {}
+/// Where bodies are.
+struct Poses {
+  explicit Poses(Memory* m) : x(m), q(m) {}
+  Array<Vec3> x;  // m, world: centre of mass (NOT the origin of the body frame)
+  Array<Quat> q;  // body axes -> world
+};
 
-  Array<Vec3> x;         // m, world: centre of mass (NOT the origin of the body frame)
-  Array<Quat> q;         // body axes -> world
-  Array<Quat> held_q;    // a recent q, by which solvers in lanes turn the arms of contacts, @see Dial::hold_angle
-  Array<Vec3> placed_x;  // m, and the pose as which its colliders were last placed: their frames follow from it
+/// The poses as which colliders were last placed: their frames follow from them.
+struct PlacedPoses {
+  explicit PlacedPoses(Memory* m) : placed_x(m), placed_q(m) {}
+  Array<Vec3> placed_x;  // m
   Array<Quat> placed_q;
+};
+
+struct Velocities {
+  explicit Velocities(Memory* m) : v(m), omega(m), momentum(m) {}
   Array<Vec3> v;         // m/s, world, of the centre of mass
   Array<Vec3> omega;     // rad/s, world
   Array<Vec3> momentum;  // kg m^2/s, world, about the centre: what omega was last made from, where a rotation
                          // method keeps it (integrate/rotation/top.h); it counts only while omega agrees
-  Array<Vec3> force;     // N, world, from the host, for the next step only
-  Array<Vec3> torque;    // N m, world, about the centre of mass, likewise
-  Array<std::uint8_t> quarantined;  // 1: state was not finite; held still, makes no contacts
+};
 
-  Array<std::uint8_t> asleep;  // 1: its island rests and takes no part in steps; empty until a step with the dial on
-
-  // What a solver that chooses remembers: for how long a body has borne too much, and for how long its group is not
-  // to be given to the direct solver, for which it was too much.
-  Array<std::uint8_t> loaded_steps, tired_steps;
-
-  std::uint64_t quarantined_count = 0;
-
-  bool sleeps(std::uint32_t body) const { return body < asleep.size() && asleep[body]; }
+/// What a host asks for the next step, and to whom it wrote.
+struct HostForces {
+  explicit HostForces(Memory* m) : force(m), torque(m), written(m), is_written(m) {}
+  Array<Vec3> force;   // N, world
+  Array<Vec3> torque;  // N m, world, about the centre of mass
 
   /// Bodies that a host wrote to since the last step, each once, in any order until a step begins: it checks them, and
   /// looks among them for pending forces. What nobody wrote it need not read.
   Array<std::uint32_t> written;
   Array<std::uint8_t> is_written;
 
-  /// To be called by whoever writes to these arrays between steps (World's editing functions do). There is room.
+  /// To be called by whoever writes to a body between steps (World's editing functions do). There is room.
   void mark_written(std::uint32_t body) {
     if (is_written[body]) return;
     is_written[body] = 1;
     written.push_back(body);
   }
+};
+
+struct Quarantine {
+  explicit Quarantine(Memory* m) : quarantined(m) {}
+  Array<std::uint8_t> quarantined;  // 1: state was not finite; held still, makes no contacts
+  std::uint64_t quarantined_count = 0;
+};
+
+struct SleepFlags {
+  explicit SleepFlags(Memory* m) : asleep(m) {}
+  Array<std::uint8_t> asleep;  // 1: its island rests and takes no part in steps; empty until a step with the dial on
+  bool sleeps(std::uint32_t body) const { return body < asleep.size() && asleep[body]; }
+};
+
+/// What solvers remember of bodies.
+struct SolverMemory {
+  explicit SolverMemory(Memory* m) : held_q(m), loaded_steps(m), tired_steps(m) {}
+  Array<Quat> held_q;  // a recent q, by which solvers in lanes turn the arms of contacts, @see Dial::hold_angle
+  // Of a solver that chooses: for how long a body has borne too much, and for how long its group is not to be given to
+  // the direct solver, for which it was too much.
+  Array<std::uint8_t> loaded_steps, tired_steps;
+};
+
+/// All of it. A stage gets the parts that it writes, @see part.h
+struct State : Poses, PlacedPoses, Velocities, HostForces, Quarantine, SleepFlags, SolverMemory {
+  explicit State(Memory* m)
+      : Poses(m), PlacedPoses(m), Velocities(m), HostForces(m), Quarantine(m), SleepFlags(m), SolverMemory(m) {}
 };
 
 }  // namespace carom::dynamics

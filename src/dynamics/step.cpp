@@ -36,12 +36,12 @@ class Runner {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// A stage that writes what it does not declare is a bug of ours.
+  /// A stage that writes what it was not given is a bug of ours.
   void watch(const StageEntry& entry) const {
     const Parts undeclared = run_watched(entry, world_, {dt_, dt_ / substeps()});
     for (std::size_t i = 0; i < kPartCount; ++i)
       if (undeclared.has(static_cast<Part>(i)))
-        std::fprintf(stderr, "carom: stage '%.*s' writes %s; its entry in stages.cpp does not say so\n",
+        std::fprintf(stderr, "carom: stage '%.*s' writes %s; its function was not given that\n",
                      static_cast<int>(entry.name.size()), entry.name.data(), part_name(static_cast<Part>(i)));
     if (undeclared.bits) std::abort();
   }
@@ -63,7 +63,7 @@ class Runner {
 
 void World::step(Real dt) {
   const Runner run(*this, dt);
-  begin_report(*this);
+  begin_report(*this, report, group_views, *events);
   const std::span<const StageEntry> table = stage_table();
   for (auto first = table.begin(); first != table.end();) {
     auto last = first;

@@ -33,6 +33,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
       group_views(m),
       fault_views(m),
       pairs(m),
+      impulses(m),
       plan(make_owned<Plan>(m, m)),
       contacts(make_owned<Contacts>(m, m)),
       wide(make_owned<WideContacts>(m, m)),
@@ -91,7 +92,7 @@ std::uint64_t World::hash() const {
     h.add_coefficients(o.place);
     h.add_coefficients(o.p);
   };
-  for (const OldImpulse& o : contacts->old) add_impulse(o);
+  for (const OldImpulse& o : impulses.old) add_impulse(o);
   particles.add_to(h);
   for (std::uint32_t j = 0; j < joints.slots.slots(); ++j) {
     if (!joints.alive(j)) continue;

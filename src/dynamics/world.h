@@ -7,6 +7,7 @@
 #include "collision/broad/broad_phase.h"
 #include "collision/narrow/narrow_phase.h"
 #include "core/jobs.h"
+#include "dynamics/contact/old_impulses.h"
 #include "dynamics/joint/joint.h"
 #include "dynamics/particles/particles.h"
 #include "dynamics/scene.h"
@@ -64,6 +65,10 @@ struct GroupView {
                         // thickness of the thinner of the two that touch there
 };
 
+using FaultViews = Array<FaultView>;
+using GroupViews = Array<GroupView>;
+using BroadPhases = std::array<Owned<BroadPhase>, 4>;  // by CAROM_BROAD_*, made when first used
+
 struct Plan;          // dynamics/effects.h: which effects have customers
 struct Continuous;    // dynamics/ccd/continuous.h: who is swept, and what that met
 struct ContactView;    // dynamics/contact_views.h: contacts as a host sees them
@@ -78,6 +83,9 @@ struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
 struct WideJoints;    // dynamics/joint/wide_joints.h: joints in lanes
 
+/// Const, it is what a stage reads: what stands in it by value or as Kept does not change, and who writes a part of it
+/// is given that part by itself (dynamics/part.h). What hangs on an Owned is made anew in each step (the plan, rows,
+/// lanes) or stands beside it (the ledger, what is kept for readers): that may be written all the same.
 class World {
  public:
   World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, Memory* memory);
@@ -155,20 +163,21 @@ class World {
   Joints joints;
   StepReport report;
   Owned<ContactViews> views;
-  Array<GroupView> group_views;  // of the last step, of a solver that chooses
-  Array<FaultView> fault_views;  // of the last step
+  GroupViews group_views;  // of the last step, of a solver that chooses
+  FaultViews fault_views;  // of the last step
 
   // ---- what stages keep between steps ----
   PairTable pairs;
-  std::array<Owned<BroadPhase>, 4> broad;  // by CAROM_BROAD_*, made when first used
+  Impulses impulses;
+  BroadPhases broad;
   Owned<Plan> plan;
   Owned<Contacts> contacts;
   Owned<MeanMotion> mean_motion;  // null until there are rows
   Owned<WideContacts> wide;
   Owned<WideJoints> wide_joints;
   Owned<DirectGroups> direct;
-  Owned<Sleep> sleep;
-  Owned<Events> events;
+  Kept<Sleep> sleep;
+  Kept<Events> events;
   Owned<Continuous> continuous;
   Owned<Ledger> ledger;       // null: nobody asked for it
   StructureCache structure;   // likewise by readers

@@ -13,9 +13,10 @@ endif()
 add_test(NAME abi/api_fresh COMMAND ${CAROM_PYTHON} ${PROJECT_SOURCE_DIR}/bindings/gen/generate --check)
 add_test(NAME abi/api_reader COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/bindings/test_reader.py -q)
 add_test(NAME abi/circles COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/abi/check_circles.py ${PROJECT_SOURCE_DIR}/src)
+add_test(NAME abi/parts COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/abi/check_parts.py ${PROJECT_SOURCE_DIR}/src)
 add_test(NAME abi/api_signatures COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/bindings/check_signatures.py
   ${PROJECT_SOURCE_DIR} ${CMAKE_C_COMPILER} $<TARGET_FILE:carom>)
-set_tests_properties(abi/api_fresh abi/api_reader abi/api_signatures abi/circles PROPERTIES TIMEOUT 60 LABELS abi)
+set_tests_properties(abi/api_fresh abi/api_reader abi/api_signatures abi/circles abi/parts PROPERTIES TIMEOUT 60 LABELS abi)
 carom_script_test(symbols -DLIBRARY=$<TARGET_FILE:carom> -DSANITIZE=${CAROM_SANITIZE})
 carom_script_test(arrows)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CAROM_SANITIZE)  # stubs are stubs, sanitized or not: gate/README.md

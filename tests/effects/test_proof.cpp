@@ -46,14 +46,14 @@ std::uint64_t run_with_mode(const Subject& subject, EffectMode mode, bool called
 
 /// An effect of contacts, of joints, or on velocities, in a scene of two balls that touch, one of which may hang on a
 /// hinge.
-struct Part {
+struct ScenePart {
   std::size_t row;
   std::function<void(Stage0&, Material&)> prepare;  // the material before there is a contact
   std::function<void(Stage0&)> call;                // once there is one
   bool hangs = false;
 };
 
-std::vector<Part> parts() {
+std::vector<ScenePart> parts() {
   const auto set = [](Real Material::*what, Real value) { return [=](Stage0&, Material& m) { m.*what = value; }; };
   const auto drive = [](bool limit) {
     return [=](Stage0& s) {
@@ -65,7 +65,7 @@ std::vector<Part> parts() {
       s.t.world.set_joint_drive(handle_slot(s.thing), Coordinate::twist, d);
     };
   };
-  std::vector<Part> all = {
+  std::vector<ScenePart> all = {
       {+EffectId::friction, set(&Material::friction, 0.5), {}},
       {+EffectId::restitution, set(&Material::restitution, 0.8), {}},
       {+EffectId::rolling_resistance, set(&Material::rolling, 0.05), {}},
@@ -90,12 +90,12 @@ struct Outcome {
   std::vector<std::uint64_t> evaluations;  // of the first step
 };
 
-Outcome outcome_of(const Part& a, const Part& b, bool with_a, std::size_t forbidden) {
+Outcome outcome_of(const ScenePart& a, const ScenePart& b, bool with_a, std::size_t forbidden) {
   Stage0 s(2);
   if (forbidden < kEffectCount) s.t.world.set_mode(forbidden, EffectMode::forbid);
   Material m;
   m.friction = 0;
-  for (const Part* part : {&a, &b})
+  for (const ScenePart* part : {&a, &b})
     if (part->prepare && (part == &b || with_a)) part->prepare(s, m);
   s.touching(handle_slot(s.t.world.add_material(m)));
   s.t.world.set_velocity(s.one, Vec3(0.5, 0, 0), Vec3(1, 2, 3));
@@ -106,7 +106,7 @@ Outcome outcome_of(const Part& a, const Part& b, bool with_a, std::size_t forbid
     def.frame_b.p = s.t.world.pose(s.one).p;
     s.thing = s.t.world.add_joint(def);
   }
-  for (const Part* part : {&a, &b})
+  for (const ScenePart* part : {&a, &b})
     if (part->call && (part == &b || with_a)) part->call(s);
   Outcome o;
   s.steps(1);
@@ -283,10 +283,10 @@ static void every_two_effects_compose(void**) {
 /// Switched off, an effect leaves what it would leave if nothing called for it, to the bit, whatever other acts on the
 /// same contact, joint or body; and the other is served as before.
 static void every_two_effects_of_a_contact_compose(void**) {
-  const std::vector<Part> all = parts();
+  const std::vector<ScenePart> all = parts();
   int pairs = 0;
-  for (const Part& a : all)
-    for (const Part& b : all) {
+  for (const ScenePart& a : all)
+    for (const ScenePart& b : all) {
       // Wind is what drag is relative to; without it drag is left, @see above.
       if (a.row == b.row || a.row == +EffectId::wind || (a.row == +EffectId::drag && b.row == +EffectId::wind)) continue;
       const std::string names = name_of(a.row) + " beside " + name_of(b.row);

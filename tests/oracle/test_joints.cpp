@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "carom_test.h"
+#include "dynamics/stages.h"
 #include "fine_top.h"
 #include "joint_scenes.h"
 
@@ -243,9 +244,9 @@ static void rows_are_rates_of_errors(void**) {
       set_limit(t, j, c, -1, 1);
       t.world.set_velocity(a, vector(), vector());
       t.world.set_velocity(b, vector(), vector());
-      refresh(t.world, {1e-6, 1e-6});
+      Runs<refresh>::run(t.world, {1e-6, 1e-6});
       const Real before = coordinate(t, j, c);
-      plan_joints(t.world);
+      plan_joints(t.world, t.world.joints);
       t.world.step(1e-9);  // makes rows
       const JointRowLanes& row = t.world.wide_joints->drives[0].row;
       assert_true(std::fabs(row.error[0] - before) < 1e-7);

@@ -175,7 +175,7 @@ static void a_rope_s_row_is_the_rate_of_its_length(void**) {
     def.frame_a = {place(), vector()}, def.frame_b = {place(), vector()};
     const std::uint32_t j = handle_slot(t.world.add_joint(def));
     t.world.set_transmission(j, {1 + 0.5 * random(), vector() + Vec3(0, 5, 0), vector() + Vec3(3, 4, 0), 3});
-    plan_joints(t.world);
+    plan_joints(t.world, t.world.joints);
     t.world.step(1e-9);  // makes rows
     const WideJoints& w = *t.world.wide_joints;
     const auto of = [](const LaneVec& v) { return Vec3(v.x[0], v.y[0], v.z[0]); };

@@ -103,7 +103,7 @@ static void an_impulse_that_is_wrong_is_wrong_by_that_much(void**) {
     assert_true(residuals_of(b.t.world).complementarity == 0);
     // Still open by more than it closes in a substep.
     row.u = -0.3 * row.n;
-    g.separation = 0.3 * b.t.world.contacts->old_h * 1.01;
+    g.separation = 0.3 * b.t.world.impulses.old_h * 1.01;
     assert_true(residuals_of(b.t.world).complementarity == 0);
   }
 }

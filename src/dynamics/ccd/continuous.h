@@ -119,29 +119,30 @@ void find(const Scene&, const State&, Customers&);
 }
 
 /// Take up a body that is not known yet.
-SweptBody& know(World& world, std::uint32_t body);
+SweptBody& know(const World& world, std::uint32_t body);
 
 /// Part of refresh(), when bounds are made: who outruns its contacts, and with those that a host asked for, who is
 /// swept.
-void find_swept(World& world, Real dt);
+void find_swept(const World& world, Colliders& table, Real dt);
 /// Whether a customer's straight path in this step meets a sleeper. Stage refresh.
-bool sweeps_into(World& world, std::uint32_t collider, std::uint32_t sleeper, Real dt);
+bool sweeps_into(const World& world, std::uint32_t collider, std::uint32_t sleeper, Real dt);
 /// m, world: bounds of a collider and, if its body is a customer, of its straight path in this step.
 Aabb swept_bounds(const World& world, std::uint32_t collider, Real dt);
 
 /// Within begin_substep(): where its paths begin.
-void begin_paths(World& world);
+void begin_paths(const World& world);
 
 /// Stage functions of the page.
 /// Take from the solver the contacts that the sweep knows better.
-void leave_to_sweep(World& world, const StepTime& time);
+void leave_to_sweep(const World& world, BroadPhases& broad, PairTable& pairs, const StepTime& time);
 /// Room for all that the substeps may do; who stands in the way.
-void begin_sweeps(World& world, const StepTime& time);
+void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, const StepTime& time);
 /// What forces did to velocities in this substep.
-void save_accelerations(World& world, const StepTime& time);
-/// The hits of a substep.
-void sweep(World& world, const StepTime& time);
+void save_accelerations(const World& world, const StepTime& time);
+/// The hits of a substep. Who sleeps and is hit wakes.
+using Sweeping = Writes<Poses, Velocities, SleepFlags, Sleep, BroadPhases, StepReport>;
+void sweep(const World& world, Sweeping to, const StepTime& time);
 /// What the step's sweeps leave behind.
-void end_sweeps(World& world, const StepTime& time);
+void end_sweeps(const World& world, Revisions& scene, FaultViews& views, const StepTime& time);
 
 }  // namespace carom::dynamics

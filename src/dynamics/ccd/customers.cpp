@@ -51,7 +51,7 @@ void forget(Continuous& c) {
 }
 
 /// Everybody that may be a customer, once, ascending.
-void list_candidates(World& world) {
+void list_candidates(const World& world) {
   Continuous& c = *world.continuous;
   const PlannedEffect& row = world.plan->effects[+EffectId::continuous];
   if (std::exchange(c.too_many_seen, false)) {
@@ -76,7 +76,7 @@ Aabb straight_way(const World& world, std::uint32_t body, Real radius, Real dt) 
 }
 
 /// Who lies still needs no rotation method, but may be hit and does then: the method carries all that are known.
-void carry_all_known(World& world) {
+void carry_all_known(const World& world) {
   Plan& plan = *world.plan;
   if (!plan.rotation_method) return;
   Continuous& c = *world.continuous;
@@ -108,7 +108,7 @@ Continuous::Continuous(Memory* m)
       more(m),
       merged(m) {}
 
-SweptBody& know(World& world, std::uint32_t body) {
+SweptBody& know(const World& world, std::uint32_t body) {
   Continuous& c = *world.continuous;
   SweptBody& b = c.bodies.emplace_back();
   b.body = body;
@@ -125,7 +125,7 @@ void continuous::find(const Scene& scene, const State& state, Customers& custome
       customers.add(i);
 }
 
-void find_swept(World& world, Real dt) {
+void find_swept(const World& world, Colliders& table, Real dt) {
   Continuous& c = *world.continuous;
   PlannedEffect& row = world.plan->effects[+EffectId::continuous];
   forget(c);
@@ -145,7 +145,6 @@ void find_swept(World& world, Real dt) {
   }
   c.seen.clear();
   c.customers = c.bodies.size();
-  Colliders& table = world.scene.colliders;
   for (const SweptBody& b : c.bodies) {
     if (!b.outruns) continue;  // it is met by contacts as well, as far as they reach
     for (std::uint32_t slot = world.scene.first_collider[b.body]; slot != Colliders::kNone; slot = table.next[slot])
@@ -162,7 +161,7 @@ Aabb swept_bounds(const World& world, std::uint32_t collider, Real dt) {
   return {box.lo.min(way.lo), box.hi.max(way.hi)};
 }
 
-bool sweeps_into(World& world, std::uint32_t collider, std::uint32_t sleeper, Real dt) {
+bool sweeps_into(const World& world, std::uint32_t collider, std::uint32_t sleeper, Real dt) {
   const Colliders& table = world.scene.colliders;
   const SweptBody* const b = world.continuous->find(table.body[collider]);
   if (!b || !b->swept) return false;
@@ -187,7 +186,7 @@ bool sweeps_into(World& world, std::uint32_t collider, std::uint32_t sleeper, Re
   return meets;
 }
 
-void leave_to_sweep(World& world, const StepTime& time) {
+void leave_to_sweep(const World& world, BroadPhases& broad, PairTable& pairs, const StepTime& time) {
   Continuous& c = *world.continuous;
   if (c.bodies.empty()) return;
   const Colliders& table = world.scene.colliders;
@@ -208,21 +207,21 @@ void leave_to_sweep(World& world, const StepTime& time) {
   };
   const auto look_at = [&](std::uint32_t own, std::uint32_t other) {
     const Pair pair{std::min(own, other), std::max(own, other)};
-    std::size_t lo = 0, hi = world.pairs.size();
+    std::size_t lo = 0, hi = pairs.size();
     while (lo < hi) {
       const std::size_t mid = (lo + hi) / 2;
-      if (world.pairs.place(mid).pair < pair)
+      if (pairs.place(mid).pair < pair)
         lo = mid + 1;
       else
         hi = mid;
     }
-    for (; lo < world.pairs.size() && world.pairs.place(lo).pair == pair; ++lo) {
-      PairRecord& r = world.pairs[lo];
-      if (world.pairs.place(lo).points == 0 || !closes_fast(r)) continue;
+    for (; lo < pairs.size() && pairs.place(lo).pair == pair; ++lo) {
+      PairRecord& r = pairs[lo];
+      if (pairs.place(lo).points == 0 || !closes_fast(r)) continue;
       r.manifold.count = 0;
       r.patch.firm = false;
-      world.pairs.place(lo).points = 0;
-      world.pairs.place(lo).horizon = -kInfinity;
+      pairs.place(lo).points = 0;
+      pairs.place(lo).horizon = -kInfinity;
     }
   };
   for (std::size_t k = 0; k < c.customers; ++k) {
@@ -230,20 +229,21 @@ void leave_to_sweep(World& world, const StepTime& time) {
     for (std::uint32_t slot = world.scene.first_collider[c.bodies[k].body]; slot != Colliders::kNone;
          slot = table.next[slot]) {
       c.found.clear();
-      broad_phase(world).find_near(table, table.bounds[slot], c.found);
+      broad_phase(world, broad).find_near(table, table.bounds[slot], c.found);
       for (const std::uint32_t other : c.found) look_at(slot, other);
     }
   }
 }
 
-void begin_sweeps(World& world, const StepTime& time) {
+void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, const StepTime& time) {
   Continuous& c = *world.continuous;
   if (c.bodies.empty()) return;
   const Colliders& table = world.scene.colliders;
   c.found.reserve(2 * table.slots());
   for (std::size_t k = 0; k < c.customers; ++k) {
     c.found.clear();
-    broad_phase(world).find_near(table, straight_way(world, c.bodies[k].body, c.bodies[k].radius, time.dt), c.found);
+    broad_phase(world, broad)
+        .find_near(table, straight_way(world, c.bodies[k].body, c.bodies[k].radius, time.dt), c.found);
     std::sort(c.found.begin(), c.found.end());  // the order in which it finds them is of the past
     for (const std::uint32_t slot : c.found)
       if (table.movable[slot] && !c.find(table.body[slot]) && can_sweep(world, table.body[slot]))
@@ -264,10 +264,10 @@ void begin_sweeps(World& world, const StepTime& time) {
   c.hits.reserve(c.most_hits);
   c.one.clear(), c.one.add(0);
   world.plan->effects[+EffectId::continuous].evaluations += c.customers;
-  world.report.swept_bodies = c.customers;
+  report.swept_bodies = c.customers;
 }
 
-void begin_paths(World& world) {
+void begin_paths(const World& world) {
   const State& s = world.state;
   for (SweptBody& b : world.continuous->bodies) {
     b.path.t = 0, b.path.x = s.x[b.body], b.path.q = s.q[b.body];
@@ -275,14 +275,14 @@ void begin_paths(World& world) {
   }
 }
 
-void save_accelerations(World& world, const StepTime& time) {
+void save_accelerations(const World& world, const StepTime& time) {
   for (SweptBody& b : world.continuous->bodies)
     b.accel = (world.state.v[b.body] - world.plan->begun[b.body].v) / time.h;
 }
 
-void end_sweeps(World& world, const StepTime&) {
+void end_sweeps(const World& world, Revisions& scene, FaultViews& views, const StepTime&) {
   const SupportFault& fault = world.continuous->fault;
-  if (fault.kind != SupportFault::none) mute(world, fault);
+  if (fault.kind != SupportFault::none) mute(world, scene, views, fault);
 }
 
 }  // namespace carom::dynamics

@@ -40,15 +40,16 @@ Sweeper::Velocity Sweeper::velocity(const Side& side, Real time) {
 /// differs from that of the path by enough to take a spin about its axis for one of its ends, or the other way round.
 Vec3 Sweeper::turned(const Side& side, Real from, Real by, const Vec3& omega) {
   if (by == 0) return omega;
-  State& s = world_.state;
   const std::uint32_t i = side.body;
-  const Quat kept_q = s.q[i];
-  const Vec3 kept_omega = s.omega[i], kept_momentum = s.momentum[i];
-  s.q[i] = side.path.orientation(from), s.omega[i] = omega;
+  Quat& q = poses_.q[i];
+  Vec3 &spin = motion_.omega[i], &momentum = motion_.momentum[i];
+  const Quat kept_q = q;
+  const Vec3 kept_omega = spin, kept_momentum = momentum;
+  q = side.path.orientation(from), spin = omega;
   c_.one.runs[0] = {i, i + 1};
-  world_.plan->rotation_method->advance(world_, c_.one, by);
-  const Vec3 seen = world_.plan->proposal.q[i].conjugate() * s.omega[i];
-  s.q[i] = kept_q, s.omega[i] = kept_omega, s.momentum[i] = kept_momentum;
+  world_.plan->rotation_method->advance(world_, motion_, c_.one, by);
+  const Vec3 seen = world_.plan->proposal.q[i].conjugate() * spin;
+  q = kept_q, spin = kept_omega, momentum = kept_momentum;
   return side.path.orientation(from + by) * seen;
 }
 

@@ -37,7 +37,7 @@ void Sweeper::strike(SweptBody& b) {
   for (SweptBody* const p : {&b, partner})
     if (p && moved_by_hits(p->body)) ++p->hits;
   const bool struck = exchange(s);
-  ++world_.report.sweep_hits;
+  ++report_.sweep_hits;
   // Bodies that are pushed on by nothing but their path are aimed along their velocity, which does not close.
   const Real rest = time_.h - s.now;
   const bool astray = !struck || s.sinks * rest > slack(s.a, s.b);
@@ -89,7 +89,7 @@ void Sweeper::scenery_points(const SceneryPair& pair, const NarrowSettings& sett
   SceneryMeeting& meeting = world_.plan->scenery->meeting;
   SupportFault fault;
   try {
-    if (!meeting.find(pair, settings, settings.manifold.contact_distance, world_.report.narrow, fault)) return;
+    if (!meeting.find(pair, settings, settings.manifold.contact_distance, report_.narrow, fault)) return;
   } catch (const std::bad_alloc&) {
     return;  // the sweep's own point does
   }
@@ -113,14 +113,14 @@ int Sweeper::find_points(const Strike& s, Manifold& manifold) {
   Candidates found;
   SupportFault fault;
   if (is_scenery(b) && world_.plan->scenery) scenery_points({b, a, frame_b, frame_a}, settings, s.normal, manifold);
-  collide(a, frame_a, b, frame_b, settings, memory, found, world_.report.narrow, fault);
+  collide(a, frame_a, b, frame_b, settings, memory, found, report_.narrow, fault);
   const PatchPair pair{a, b, frame_a, frame_b, shells(settings.query) / 2};
   PatchMemory patch;
   if (fault.kind == SupportFault::none && found.count > 0) {
     if (found.whole)
       adopt_patch(pair, found, settings.manifold, manifold, patch);
     else
-      update_patch(pair, found, settings.manifold, manifold, patch, world_.report.narrow.support_calls, fault);
+      update_patch(pair, found, settings.manifold, manifold, patch, report_.narrow.support_calls, fault);
   }
   if (fault.kind != SupportFault::none) manifold.count = 0;
   for (int k = 0; k < manifold.count; ++k)
@@ -217,31 +217,30 @@ bool Sweeper::exchange(Strike& s) {
 /// the end by what is left of it.
 void Sweeper::turn_off(Side& side, Strike& s, const Velocity& change) {
   if (!moved_by_hits(side.body) || (change.v == Vec3::zero() && change.omega == Vec3::zero())) return;
-  State& state = world_.state;
   const std::uint32_t i = side.body;
-  if (world_.state.sleeps(i)) wake(world_, i);
+  if (world_.state.sleeps(i)) wake(world_, sleep_, i);
   SweptBody* const known = c_.find(i);
-  state.v[i] += change.v;
+  motion_.v[i] += change.v;
   if (!known) {
-    state.omega[i] += change.omega;
+    motion_.omega[i] += change.omega;
     return;
   }
   const Real rest = time_.h - s.now;
   const Vec3 end = known->path.place(time_.h) + (time_.h - s.moment) * change.v;
   known->changed = true;
   const bool turns = carried(i);
-  const Vec3 omega = (turns ? velocity(side, s.moment).omega : state.omega[i]) + change.omega;
+  const Vec3 omega = (turns ? velocity(side, s.moment).omega : motion_.omega[i]) + change.omega;
   known->path.go_on_from(s.now);
   Path& path = known->path;
-  path.u = rest > 0 ? Vec3((end - path.x) / rest) : state.v[i];
+  path.u = rest > 0 ? Vec3((end - path.x) / rest) : motion_.v[i];
   if (turns && rest > 0) {
     // The method itself, over what is left.
-    state.q[i] = path.q, state.omega[i] = omega;
+    poses_.q[i] = path.q, motion_.omega[i] = omega;
     c_.one.runs[0] = {i, i + 1};
-    world_.plan->rotation_method->advance(world_, c_.one, rest);
+    world_.plan->rotation_method->advance(world_, motion_, c_.one, rest);
     path.w = rotation_vector(world_.plan->proposal.q[i] * path.q.conjugate(), rest * omega) / rest;
   } else {
-    state.omega[i] = omega;
+    motion_.omega[i] = omega;
     path.w += change.omega;
   }
   side.path = path;
@@ -250,12 +249,11 @@ void Sweeper::turn_off(Side& side, Strike& s, const Velocity& change) {
 /// Along its velocity from now on, and about its axis of now.
 void Sweeper::aim(const Side& side, Real now) {
   SweptBody* const known = c_.find(side.body);
-  State& s = world_.state;
   const Velocity u = velocity(side, now);
   known->changed = true;
   known->path.go_on_from(now);
-  known->path.u = s.v[side.body];
-  known->path.w = s.omega[side.body] = u.omega;
+  known->path.u = motion_.v[side.body];
+  known->path.w = motion_.omega[side.body] = u.omega;
 }
 
 }  // namespace carom::dynamics

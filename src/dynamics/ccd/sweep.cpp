@@ -20,7 +20,7 @@ namespace {
 constexpr Real kBoxRounding = 64 * kUnitRoundoff;
 
 /// Contacts read places off lanes and rows that were measured before; what rests is taken to rest on.
-void tell_contacts(World& world) {
+void tell_contacts(const World& world) {
   if (world.contacts->rows.empty()) return;
   refresh_rotations(world);
   refresh_separations(world);
@@ -30,8 +30,13 @@ void tell_contacts(World& world) {
 
 }  // namespace
 
-Sweeper::Sweeper(World& world, const StepTime& time)
+Sweeper::Sweeper(const World& world, Sweeping to, const StepTime& time)
     : world_(world),
+      poses_(to),
+      motion_(to),
+      sleep_(to),
+      broad_(to),
+      report_(to),
       c_(*world.continuous),
       time_(time),
       lag_(world.plan->integrator->lag * time.h),
@@ -111,9 +116,9 @@ Aabb Sweeper::swept_box(const SweptBody& b, std::uint32_t collider, Real now) {
 void Sweeper::gather(const SweptBody& b, const Aabb& box, Real now) {
   const Colliders& table = world_.scene.colliders;
   c_.found.clear();
-  broad_phase(world_).find_near(table, box, c_.found);
-  if (world_.sleep->tree.size() > 0)
-    world_.sleep->tree.query(box, [&](std::uint32_t slot) { c_.found.push_back(slot); });
+  broad_phase(world_, broad_).find_near(table, box, c_.found);
+  Sleep& z = sleep_;
+  if (z.tree.size() > 0) z.tree.query(box, [&](std::uint32_t slot) { c_.found.push_back(slot); });
   // Bounds were made as the step began, for as far as contacts reach: whoever is swept is elsewhere.
   std::erase_if(c_.found, [&](std::uint32_t slot) {
     const SweptBody* const other = c_.find(table.body[slot]);
@@ -201,7 +206,6 @@ std::uint32_t Sweeper::version_of(std::uint32_t body) const {
 
 /// Who was hit ends where its path leads; all others end where they were going.
 void Sweeper::move_bodies() {
-  State& s = world_.state;
   bool any = false;
   for (const SweptBody& b : c_.bodies) {
     if (!b.changed) continue;
@@ -211,16 +215,16 @@ void Sweeper::move_bodies() {
     const Real n2 = q.squared_norm();
     if (!sane_position(x) || !(n2 > 0.5 && n2 < 2))
       continue;  // numbers overflowed on the way: it stays where it was going
-    s.x[b.body] = x;
+    poses_.x[b.body] = x;
     if (!rotates(world_.scene, b.body)) continue;
-    s.q[b.body] = q;
-    world_.plan->rotation[b.body] = s.q[b.body].matrix();
+    poses_.q[b.body] = q;
+    world_.plan->rotation[b.body] = poses_.q[b.body].matrix();
   }
   if (any) tell_contacts(world_);
 }
 
-void sweep(World& world, const StepTime& time) {
-  if (!world.continuous->bodies.empty()) Sweeper(world, time).run();
+void sweep(const World& world, Sweeping to, const StepTime& time) {
+  if (!world.continuous->bodies.empty()) Sweeper(world, to, time).run();
 }
 
 }  // namespace carom::dynamics

@@ -4,12 +4,13 @@
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/impact_points.h"
 #include "dynamics/scenery.h"
+#include "dynamics/sleep/sleep.h"
 
 namespace carom::dynamics {
 
 class Sweeper {
  public:
-  Sweeper(World& world, const StepTime& time);
+  Sweeper(const World& world, Sweeping to, const StepTime& time);
   void run();
 
  private:
@@ -64,7 +65,12 @@ class Sweeper {
   void aim(const Side& side, Real now);
   SweptBody* take_up(std::uint32_t body);
 
-  World& world_;
+  const World& world_;
+  Poses& poses_;
+  Velocities& motion_;
+  Sleepers sleep_;
+  BroadPhases& broad_;
+  StepReport& report_;
   Continuous& c_;
   StepTime time_;
   Real lag_, tolerance_;  // s; m, what is left unresolved

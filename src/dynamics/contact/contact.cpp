@@ -9,9 +9,9 @@ namespace carom::dynamics {
 namespace {
 
 /// Let a row's starting impulse act.
-void start_row(World& world, const Row& row, const RowMass& m) {
+void start_row(const World& world, Velocities& to, const Row& row, const RowMass& m) {
   const auto push = [&](std::uint32_t body, const Vec3& p, const Vec3& r) {
-    push_body(world, body, p, r);
+    push_body(world, to, body, p, r);
     world.plan->touched[body] = 1;
   };
   if (row.moves_a) push(row.a, -row.p, m.r_a);
@@ -20,10 +20,10 @@ void start_row(World& world, const Row& row, const RowMass& m) {
 
 }  // namespace
 
-void push_body(World& world, std::uint32_t body, const Vec3& p, const Vec3& r) {
+void push_body(const World& world, Velocities& to, std::uint32_t body, const Vec3& p, const Vec3& r) {
   const Locks locks = world.scene.locks_of(body);
-  world.state.v[body] += world.scene.inv_mass[body] * (locks ? Vec3(free_axes(locks).times(p)) : p);
-  if (rotates(world.scene, body)) world.state.omega[body] += world.contacts->inv_inertia_w[body] * r.cross(p);
+  to.v[body] += world.scene.inv_mass[body] * (locks ? Vec3(free_axes(locks).times(p)) : p);
+  if (rotates(world.scene, body)) to.omega[body] += world.contacts->inv_inertia_w[body] * r.cross(p);
 }
 
 // K = (1/m_a + 1/m_b) 1 - [r_a]x I_a^-1 [r_a]x - [r_b]x I_b^-1 [r_b]x
@@ -42,7 +42,7 @@ Mat3 velocity_per_impulse(const World& world, const Row& row, const RowMass& m) 
   return k;
 }
 
-void prepare_rows(World& world, Real h) {
+void prepare_rows(const World& world, Velocities& to, Real h) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
   for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;
@@ -61,7 +61,7 @@ void prepare_rows(World& world, Real h) {
     if (row.moves_a) c.half[c.half_end[row.a]++] = {m.r_a, i, -1};
     if (row.moves_b) c.half[c.half_end[row.b]++] = {m.r_b, i, 1};
     row.set_impulse(row.p);
-    if (row.p != Vec3::zero()) start_row(world, row, m);
+    if (row.p != Vec3::zero()) start_row(world, to, row, m);
   }
   for (std::size_t i = 0; i < c.rows.size(); ++i) {
     Row& row = c.rows[i];
@@ -71,7 +71,7 @@ void prepare_rows(World& world, Real h) {
   for (std::size_t i = 0; i < c.surface.size(); ++i) c.rows[i].u += c.surface[i];
 }
 
-void refresh_inertias(World& world) {
+void refresh_inertias(const World& world) {
   Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
   const Array<Mat3>& rotation = world.plan->rotation;
@@ -85,7 +85,7 @@ void refresh_inertias(World& world) {
   });
 }
 
-void refresh_rotations(World& world) {
+void refresh_rotations(const World& world) {
   Array<Mat3>& rotation = world.plan->rotation;
   const auto orient = [&](std::uint32_t i) { rotation[i] = world.state.q[i].matrix(); };
   const Array<std::uint32_t>& bodies = world.contacts->bodies;
@@ -95,7 +95,7 @@ void refresh_rotations(World& world) {
   world.plan->kinematic.each(orient);
 }
 
-void refresh_separations(World& world) {
+void refresh_separations(const World& world) {
   Contacts& c = *world.contacts;
   in_parallel(world.jobs, c.rows.size(), kRowsAPart,
               [&](std::uint32_t i) { c.geometry[i].separation = separation_of(world, c.rows[i], c.geometry[i]); });

@@ -4,6 +4,7 @@
 // acts on B as +p at r_b and on A as -p at r_a.
 #pragma once
 
+#include "dynamics/contact/old_impulses.h"
 #include "dynamics/effects.h"
 #include "dynamics/solver/search.h"
 
@@ -95,17 +96,6 @@ struct Link {
   bool moves_a, moves_b;
 };
 
-/// What the next step knows of an impulse of this one.
-struct OldImpulse {
-  Pair pair;
-  Vec3 place;   // m, where it acted: on A, in the frame of its shape, or on B, @see placed_on_b()
-  Vec3 p;       // N s per substep, world
-  Vec3 moment;  // N m s per substep, world, on B: of the pair's first point that is remembered; else zero
-
-  /// As if a substep that much longer had made it.
-  void stretch(Real by) { p *= by, moment *= by; }
-};
-
 /// From the centre of mass to the surface point. m, world axes, by plan.rotation
 inline Vec3 arm_a(const World& world, const Row& row, const RowGeometry& g) {
   return world.plan->rotation[row.a] * g.l_a + g.radius_a * row.n;
@@ -189,7 +179,6 @@ struct Contacts {
         group_begin(m),
         group_bodies(m),
         direct(m),
-        old(m),
         blocks(m),
         parent(m),
         label(m),
@@ -237,9 +226,6 @@ struct Contacts {
   Array<std::uint8_t> direct;  // by group, of a solver that chooses: Choice, where not kSoftly the direct solver
                                // answers; else empty
 
-  Array<OldImpulse> old;  // of the last step, ascending by pair
-  Real old_h = 0;         // s, the substep that made them
-
   /// What is summed up over rows, by blocks of kRowsAPart: the same sums whoever does which block.
   struct Block {
     std::uint32_t loaded;  // rows that bear an impulse
@@ -277,14 +263,14 @@ MixedMaterial mixed(const Scene& scene, std::uint32_t collider_a, std::uint32_t 
 Real mix(Mix rule_a, Real a, Mix rule_b, Real b);
 
 /// Stage group: rows of this step from the pair table, with last step's impulses matched to them. Allocates.
-void make_rows(World& world, const StepTime& time);
+void make_rows(const World& world, StepReport& report, const StepTime& time);
 /// Stage group: who is moved by rows or joints, and room for all that the rest of the step needs of them. Allocates.
-void list_moved_bodies(World& world, const StepTime& time);
+void list_moved_bodies(const World& world, Impulses& impulses, const StepTime& time);
 /// By what the impulses of the last step are multiplied, to start from: substep now over substep then; 0: start cold.
 Real start_scale(const World& world, Real h);
 /// For who goes from the most severe row to those of its bodies: where those of each will stand in `half`, and room for
 /// keys and ranks. Allocates.
-void make_room_for_search(World& world);
+void make_room_for_search(const World& world);
 /// Velocity of B's point relative to A's, from the present state.
 /// @param r_a, r_b  m, world axes, from the centres of mass   @return m/s, world
 inline Vec3 relative_velocity(const State& s, const Row& row, const Vec3& r_a, const Vec3& r_b) {
@@ -298,20 +284,20 @@ inline Real separation_of(const World& world, const Row& row, const RowGeometry&
 }
 /// What an impulse on a body does to its velocities.
 /// @param p  N s, world   @param r  m, world axes, from the centre of mass
-void push_body(World& world, std::uint32_t body, const Vec3& p, const Vec3& r);
+void push_body(const World& world, Velocities& to, std::uint32_t body, const Vec3& p, const Vec3& r);
 /// K, 1/kg, world: the change of the relative velocity at a point per impulse there.
 Mat3 velocity_per_impulse(const World& world, const Row& row, const RowMass& m);
 /// inv_inertia_w of bodies in contact, from their present rotation matrices.
-void refresh_inertias(World& world);
+void refresh_inertias(const World& world);
 /// Arms, effective masses, targets and relative velocities for this substep; applies the starting impulses.
-void prepare_rows(World& world, Real h);
+void prepare_rows(const World& world, Velocities& to, Real h);
 /// Rotation matrices of bodies in contact, after their poses changed.
-void refresh_rotations(World& world);
+void refresh_rotations(const World& world);
 /// Separations of all rows from the present poses (after refresh_rotations()). Normals keep their direction.
-void refresh_separations(World& world);
+void refresh_separations(const World& world);
 /// f(block, its first row, one past its last), on all threads.
 template <class F>
-void each_block(World& world, const F& f) {
+void each_block(const World& world, const F& f) {
   Contacts& c = *world.contacts;
   in_parallel(world.jobs, c.blocks.size(), 1, [&](std::uint32_t b) {
     const std::size_t first = b * kRowsAPart;
@@ -319,6 +305,6 @@ void each_block(World& world, const F& f) {
   });
 }
 /// Keep the impulses for the next step; blocks know how many there are.
-void remember_impulses(World& world, Real h);
+void remember_impulses(const World& world, Impulses& to, Real h);
 
 }  // namespace carom::dynamics

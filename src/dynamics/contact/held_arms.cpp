@@ -9,10 +9,10 @@ constexpr Real kSlow = 0.1;  // rad/s: what turns faster is on its way, not lean
 
 }  // namespace
 
-void hold_orientation(World& world, std::uint32_t body) {
-  State& s = world.state;
+void hold_orientation(const World& world, SolverMemory& to, std::uint32_t body) {
+  const State& s = world.state;
   const Quat& q = s.q[body];
-  Quat& held = s.held_q[body];
+  Quat& held = to.held_q[body];
   const Real turned = 2 * (q * held.conjugate()).vec().norm();
   if (turned > world.scene.dials[Dial::hold_angle] || s.omega[body].squared_norm() > kSlow * kSlow) held = q;
 }

@@ -18,8 +18,11 @@ constexpr std::size_t kPoints = Manifold::kMaxPoints;
 
 class Impacts {
  public:
-  Impacts(World& world, const StepTime& time)
+  Impacts(const World& world, Poses& poses, Velocities& motion, StepReport& report, const StepTime& time)
       : world_(world),
+        poses_(poses),
+        motion_(motion),
+        report_(report),
         c_(*world.contacts),
         search_(c_.keys, c_.ranked, c_.place),
         time_(time),
@@ -108,7 +111,7 @@ class Impacts {
         search_.set(i, key(c_.impacts[c_.geometry[i].impact]));
       }
     }
-    ++world_.report.velocity_impulses;
+    ++report_.velocity_impulses;
   }
 
   /// @param speed  m/s, @see wanted_speed()
@@ -153,7 +156,7 @@ class Impacts {
 
   /// A body's velocities change at a moment of the substep.
   void turn_off(std::uint32_t body, Real moment, const ImpactBody& hit) {
-    State& s = world_.state;
+    Velocities& s = motion_;
     const Vec3 dv = hit.v - s.v[body], domega = hit.omega - s.omega[body];
     s.v[body] = hit.v, s.omega[body] = hit.omega;
     c_.last_impact[body] = moment;
@@ -170,9 +173,8 @@ class Impacts {
 
   /// Bodies stand where the motion that they have now would have begun.
   void move_back() {
-    State& s = world_.state;
     for (const std::uint32_t i : c_.bodies) {
-      correct_pose(s, i, c_.shift[i], c_.turn[i]);
+      correct_pose(poses_, i, c_.shift[i], c_.turn[i]);
       c_.shift[i].set_zero(), c_.turn[i].set_zero();
     }
     refresh_rotations(world_);
@@ -191,7 +193,10 @@ class Impacts {
     }
   }
 
-  World& world_;
+  const World& world_;
+  Poses& poses_;
+  Velocities& motion_;
+  StepReport& report_;
   Contacts& c_;
   HeapSearch search_;
   StepTime time_;
@@ -214,7 +219,7 @@ Touch find_touch(Real gap, Real closing, Real accel, Real since) {
   return {from, 0};
 }
 
-void measure_approach(World& world) {
+void measure_approach(const World& world) {
   Contacts& c = *world.contacts;
   if (c.impacts.empty()) return;
   refresh_rotations(world);
@@ -228,8 +233,8 @@ void measure_approach(World& world) {
   }
 }
 
-void answer_impacts(World& world, const StepTime& time) {
-  if (!world.contacts->impacts.empty()) Impacts(world, time).answer();
+void answer_impacts(const World& world, Poses& poses, Velocities& motion, StepReport& report, const StepTime& time) {
+  if (!world.contacts->impacts.empty()) Impacts(world, poses, motion, report, time).answer();
 }
 
 }  // namespace carom::dynamics

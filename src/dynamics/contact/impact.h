@@ -18,12 +18,12 @@
 namespace carom::dynamics {
 
 /// Within begin_substep(): velocities and gaps before the forces of this substep, at rows that bounce.
-void measure_approach(World& world);
+void measure_approach(const World& world);
 
 /// Stage functions of the page.
 /// Impacts of this substep. Velocities and poses after it are such that the bodies, moved by them over the whole
 /// substep, end where impacts leave them; proposals of integrators are brought up to date, separations measured.
-void answer_impacts(World& world, const StepTime& time);
+void answer_impacts(const World& world, Poses& poses, Velocities& motion, StepReport& report, const StepTime& time);
 
 /// When and how fast two points meet.
 struct Touch {

@@ -22,17 +22,18 @@ bool placed_on_b(const Scene& scene, std::uint32_t collider_a) {
 /// Which old point each point of a manifold goes on from: the nearest within reach, nearest pairs first, each taken
 /// once; a single point goes on from a single one however far it rolled. Two points that started from the same old one
 /// would carry its load twice, which upsets thin bodies whose points come and go.
-/// @param first, last  range of the pair in c.old   @return by point; null: none
-std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Contacts& c, std::size_t first, std::size_t last,
-                                                                 const Manifold& manifold, bool on_b, Real reach) {
+/// @param first, last  range of the pair in them   @return by point; null: none
+std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Array<OldImpulse>& old_points, std::size_t first,
+                                                                 std::size_t last, const Manifold& manifold, bool on_b,
+                                                                 Real reach) {
   std::array<const OldImpulse*, Manifold::kMaxPoints> match{};
-  if (last - first == 1 && manifold.count == 1) return {&c.old[first]};
+  if (last - first == 1 && manifold.count == 1) return {&old_points[first]};
   std::size_t left = last - first;
   // A kept patch has its points where they were, in their order: nothing is nearer.
   std::size_t next = first;
   for (int i = 0; i < manifold.count && next < last && reach > 0; ++i) {
-    if (c.old[next].place != place_of(manifold.point[i], on_b)) continue;
-    match[static_cast<std::size_t>(i)] = &c.old[next++];
+    if (old_points[next].place != place_of(manifold.point[i], on_b)) continue;
+    match[static_cast<std::size_t>(i)] = &old_points[next++];
     --left;
   }
   for (; left > 0; --left) {
@@ -40,7 +41,7 @@ std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Contacts&
     const OldImpulse* nearest = nullptr;
     int of = 0;
     for (std::size_t k = first; k < last; ++k) {
-      const OldImpulse* const old = &c.old[k];
+      const OldImpulse* const old = &old_points[k];
       if (std::find(match.begin(), match.end(), old) != match.end()) continue;
       for (int i = 0; i < manifold.count; ++i) {
         if (match[static_cast<std::size_t>(i)]) continue;
@@ -86,10 +87,11 @@ std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
 }
 
 /// The rows of a pair, from `at` on.
-/// @param cursor  in c.old, not after the pair; moved on to it
+/// @param cursor  in the old ones, not after the pair; moved on to it
 /// @param scale   substep now over substep then; 0: start cold
-void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size_t& cursor, Real scale) {
+void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std::size_t& cursor, Real scale) {
   Contacts& c = *world.contacts;
+  const Array<OldImpulse>& olds = world.impulses.old;
   const Scene& scene = world.scene;
   const Manifold& manifold = world.pairs[pair_index].manifold;
   const Pair pair = world.pairs.place(pair_index).pair;
@@ -97,13 +99,13 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
   const Movers m(world, pair);
   const MixedMaterial material = mixed(scene, ca, cb);
   const Frame &fa = world.plan->local[ca], &fb = world.plan->local[cb];
-  while (cursor < c.old.size() && c.old[cursor].pair < pair) ++cursor;
+  while (cursor < olds.size() && olds[cursor].pair < pair) ++cursor;
   std::size_t last = cursor;
-  while (last < c.old.size() && c.old[last].pair == pair) ++last;
+  while (last < olds.size() && olds[last].pair == pair) ++last;
   const bool on_b = placed_on_b(scene, ca);
   std::array<const OldImpulse*, Manifold::kMaxPoints> match{};
   if (scale > 0 && last > cursor)
-    match = match_points(c, cursor, last, manifold, on_b, scene.dials[Dial::cache_distance]);
+    match = match_points(olds, cursor, last, manifold, on_b, scene.dials[Dial::cache_distance]);
 
   const Real radius_a = scene.colliders.shape[ca]->core_radius, radius_b = scene.colliders.shape[cb]->core_radius;
   const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
@@ -134,16 +136,17 @@ void fill_rows(World& world, std::size_t pair_index, std::uint32_t at, std::size
 }
 
 /// Rows of all pairs, in their order: first how many each has, then what they are.
-void fill_all_rows(World& world, Real scale) {
+void fill_all_rows(const World& world, StepReport& report, Real scale) {
   constexpr std::size_t kPairsAPart = 64;
   Contacts& c = *world.contacts;
+  const Array<OldImpulse>& olds = world.impulses.old;
   const std::size_t pairs = world.pairs.size();
   c.first_row.resize(pairs + 1);
   in_parallel(world.jobs, pairs, 2 * kPairsAPart,
               [&](std::uint32_t i) { c.first_row[i] = count_rows(world, world.pairs.place(i)); });
   std::uint32_t n = 0;
   for (std::size_t i = 0; i < pairs; ++i) {
-    world.report.contact_pairs += c.first_row[i] > 0;
+    report.contact_pairs += c.first_row[i] > 0;
     n += std::exchange(c.first_row[i], n);
   }
   c.first_row[pairs] = n;
@@ -151,7 +154,7 @@ void fill_all_rows(World& world, Real scale) {
   in_parts(world.jobs, pairs, kPairsAPart, [&](std::uint32_t begin, std::uint32_t end) {
     const auto before = [](const OldImpulse& old, const Pair& pair) { return old.pair < pair; };
     auto cursor = static_cast<std::size_t>(
-        std::lower_bound(c.old.begin(), c.old.end(), world.pairs.place(begin).pair, before) - c.old.begin());
+        std::lower_bound(olds.begin(), olds.end(), world.pairs.place(begin).pair, before) - olds.begin());
     for (std::uint32_t i = begin; i < end; ++i) {
       world.pairs.fetch(i + kPairsAhead);
       if (c.first_row[i] < c.first_row[i + 1]) fill_rows(world, i, c.first_row[i], cursor, scale);
@@ -160,7 +163,7 @@ void fill_all_rows(World& world, Real scale) {
 }
 
 /// Runs of rows of one pair, and which of them bounce or rub.
-void list_meetings(World& world) {
+void list_meetings(const World& world) {
   Contacts& c = *world.contacts;
   c.meetings.clear(), c.bouncing.clear(), c.impacts.clear();
   c.meetings.reserve(c.rows.size());
@@ -184,7 +187,7 @@ void list_meetings(World& world) {
 
 /// Who is moved by rows or joints, ascending. Looked for among the rows where those are few, so that nobody else costs
 /// anything.
-void list_bodies(World& world) {
+void list_bodies(const World& world) {
   Contacts& c = *world.contacts;
   const Plan& plan = *world.plan;
   const std::size_t movers = plan.linear.count + plan.rotating.count;
@@ -212,7 +215,7 @@ void list_bodies(World& world) {
 
 }  // namespace
 
-void make_room_for_search(World& world) {
+void make_room_for_search(const World& world) {
   Contacts& c = *world.contacts;
   const std::size_t slots = world.scene.bodies.slots(), n = c.rows.size();
   c.half_begin.resize(slots), c.half_end.resize(slots);
@@ -231,19 +234,19 @@ void make_room_for_search(World& world) {
 }
 
 Real start_scale(const World& world, Real h) {
-  const bool warm = world.scene.dials.choice(Dial::warm_start) != 0 && world.contacts->old_h > 0;
-  return warm ? warm_scale(h, world.contacts->old_h) : 0;
+  const bool warm = world.scene.dials.choice(Dial::warm_start) != 0 && world.impulses.old_h > 0;
+  return warm ? warm_scale(h, world.impulses.old_h) : 0;
 }
 
-void make_rows(World& world, const StepTime& time) {
+void make_rows(const World& world, StepReport& report, const StepTime& time) {
   Contacts& c = *world.contacts;
   for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;  // of the last step
-  fill_all_rows(world, start_scale(world, time.h));
-  world.report.contact_points = c.rows.size();
+  fill_all_rows(world, report, start_scale(world, time.h));
+  report.contact_points = c.rows.size();
   list_meetings(world);
 }
 
-void list_moved_bodies(World& world, const StepTime&) {
+void list_moved_bodies(const World& world, Impulses& impulses, const StepTime&) {
   Contacts& c = *world.contacts;
   const std::size_t n = c.rows.size(), slots = world.scene.bodies.slots();
   list_bodies(world);
@@ -251,18 +254,18 @@ void list_moved_bodies(World& world, const StepTime&) {
   c.inv_inertia_w.resize(slots);
   c.last_impact.resize(slots);
   c.shift.resize(slots, Vec3::zero()), c.turn.resize(slots, Vec3::zero());
-  c.old.reserve(n);
+  impulses.old.reserve(n);
   c.blocks.assign((n + kRowsAPart - 1) / kRowsAPart, {});
 }
 
-void remember_impulses(World& world, Real h) {
+void remember_impulses(const World& world, Impulses& to, Real h) {
   Contacts& c = *world.contacts;
   std::uint32_t n = 0;
   for (Contacts::Block& block : c.blocks) n += std::exchange(block.loaded, n);  // now: where its impulses stand
-  c.old.resize(n);
-  c.old_h = h;
+  to.old.resize(n);
+  to.old_h = h;
   each_block(world, [&](const Contacts::Block& block, std::size_t first, std::size_t last) {
-    OldImpulse* to = c.old.data() + block.loaded;
+    OldImpulse* next = to.old.data() + block.loaded;
     const auto ends_before = [](const Resistance& r, std::size_t row) { return r.row + r.points <= row; };
     auto resistance = std::lower_bound(c.resisting.begin(), c.resisting.end(), first, ends_before);
     for (std::size_t i = first; i < last; ++i) {
@@ -271,8 +274,8 @@ void remember_impulses(World& world, Real h) {
       const RowGeometry& g = c.geometry[i];
       while (resistance != c.resisting.end() && ends_before(*resistance, i)) ++resistance;
       const bool resists = resistance != c.resisting.end() && resistance->row <= i;
-      *to++ = {world.pairs.place(g.pair).pair, g.place, row.p, Vec3::zero()};
-      if (resists) to[-1].moment = resistance->moment;
+      *next++ = {world.pairs.place(g.pair).pair, g.place, row.p, Vec3::zero()};
+      if (resists) next[-1].moment = resistance->moment;
     }
   });
 }

@@ -97,7 +97,7 @@ class Projection {
 /// One group of one substep.
 class Group {
  public:
-  Group(World& world, std::size_t group)
+  Group(const World& world, std::size_t group)
       : world_(world),
         group_(world.mean_motion->groups[group]),
         bodies_(between(world.mean_motion->bodies, &MeanMotion::Group::body, group)),
@@ -198,7 +198,7 @@ class Group {
     to.of[body] = {p, r.cross(p)};
   }
 
-  World& world_;
+  const World& world_;
   MeanMotion::Group& group_;
   std::span<Body> bodies_;
   std::span<const Point> points_;
@@ -225,7 +225,7 @@ void gather(const Contacts& c, std::size_t group, MeanMotion& m) {
 
 /// f(body), of those groups that are moved so, of those that a solver moved.
 template <class F>
-void each_moved(World& world, const F& f) {
+void each_moved(const World& world, const F& f) {
   MeanMotion* const m = world.mean_motion.get();
   if (!m || m->groups.empty()) return;
   for (std::size_t g = 0; g + 1 < m->groups.size(); ++g) {
@@ -237,13 +237,13 @@ void each_moved(World& world, const F& f) {
 
 }  // namespace
 
-void find_small_groups(World& world) {
+void find_small_groups(const World& world, Owned<MeanMotion>& mean_motion) {
   Contacts& c = *world.contacts;
-  if (world.mean_motion) world.mean_motion->bodies.clear(), world.mean_motion->points.clear(), world.mean_motion->groups.clear();
+  if (mean_motion) mean_motion->bodies.clear(), mean_motion->points.clear(), mean_motion->groups.clear();
   const bool ends_at_end = world.plan->integrator->lag == 1;  // the velocity that is kept is that of the substep's end
   if (c.rows.empty() || !ends_at_end || world.plan->solver->row_by_row) return;
-  if (!world.mean_motion) world.mean_motion = make_owned<MeanMotion>(world.memory, world.memory);
-  MeanMotion& m = *world.mean_motion;
+  if (!mean_motion) mean_motion = make_owned<MeanMotion>(world.memory, world.memory);
+  MeanMotion& m = *mean_motion;
   constexpr std::size_t kSome = 16;  // room before there are any: a small world that settles goes on without allocating
   m.bodies.reserve(std::max(c.bodies.size(), kSome));
   m.points.reserve(std::max(c.rows.size(), 4 * kSome));
@@ -256,16 +256,16 @@ void find_small_groups(World& world) {
   m.groups.push_back({static_cast<std::uint32_t>(m.bodies.size()), static_cast<std::uint32_t>(m.points.size())});
 }
 
-void find_mean_motion(World& world, const StepTime& time) {
+void find_mean_motion(const World& world, const StepTime& time) {
   MeanMotion* const m = world.mean_motion.get();
   if (!m || m->groups.empty()) return;
   in_parallel(world.jobs, m->groups.size() - 1, kMeanGroupsAPart,
               [&](std::uint32_t g) { Group(world, g).find_motion(time.dt); });
 }
 
-MeanVelocities::MeanVelocities(World& world) : world_(world) {
+MeanVelocities::MeanVelocities(const World& world, Velocities& to) : world_(world), to_(to) {
   each_moved(world, [&](Body& b) {
-    Vec3 &v = world.state.v[b.slot], &omega = world.state.omega[b.slot];
+    Vec3 &v = to.v[b.slot], &omega = to.omega[b.slot];
     b.v = v, b.omega = omega;
     v += b.v_change, omega += b.omega_change;
   });
@@ -273,7 +273,7 @@ MeanVelocities::MeanVelocities(World& world) : world_(world) {
 
 MeanVelocities::~MeanVelocities() {
   each_moved(world_, [&](const Body& b) {
-    if (!world_.state.quarantined[b.slot]) world_.state.v[b.slot] = b.v, world_.state.omega[b.slot] = b.omega;
+    if (!world_.state.quarantined[b.slot]) to_.v[b.slot] = b.v, to_.omega[b.slot] = b.omega;
   });
   if (MeanMotion* const m = world_.mean_motion.get())
     for (MeanMotion::Group& g : m->groups) g.is_moved = false;

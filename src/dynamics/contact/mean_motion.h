@@ -48,20 +48,21 @@ struct MeanMotion {
 };
 
 /// Groups that move so, once they are known. Allocates.
-void find_small_groups(World& world);
+void find_small_groups(const World& world, Owned<MeanMotion>& mean_motion);
 /// After a solver: c of each body.
-void find_mean_motion(World& world, const StepTime& time);
+void find_mean_motion(const World& world, const StepTime& time);
 
 /// While it lives, velocities of such bodies in the state are v1 + c. What puts one in quarantine stays.
 class MeanVelocities {
  public:
-  explicit MeanVelocities(World& world);
+  MeanVelocities(const World& world, Velocities& to);
   ~MeanVelocities();
   MeanVelocities(const MeanVelocities&) = delete;
   MeanVelocities& operator=(const MeanVelocities&) = delete;
 
  private:
-  World& world_;
+  const World& world_;
+  Velocities& to_;
 };
 
 }  // namespace carom::dynamics

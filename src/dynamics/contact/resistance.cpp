@@ -31,15 +31,15 @@ bool turns(const World& world, bool moves, std::uint32_t body) {
   return moves && rotates(world.scene, body) && !world.state.quarantined[body];
 }
 
-void twist(World& world, const Row& row, const Vec3& moment) {
+void twist(const World& world, Velocities& to, const Row& row, const Vec3& moment) {
   const Contacts& c = *world.contacts;
-  if (turns(world, row.moves_a, row.a)) world.state.omega[row.a] -= c.inv_inertia_w[row.a] * moment;
-  if (turns(world, row.moves_b, row.b)) world.state.omega[row.b] += c.inv_inertia_w[row.b] * moment;
+  if (turns(world, row.moves_a, row.a)) to.omega[row.a] -= c.inv_inertia_w[row.a] * moment;
+  if (turns(world, row.moves_b, row.b)) to.omega[row.b] += c.inv_inertia_w[row.b] * moment;
 }
 
 }  // namespace
 
-void find_resistance(World& world, const StepTime& time) {
+void find_resistance(const World& world, const StepTime& time) {
   Contacts& c = *world.contacts;
   const Real scale = start_scale(world, time.h);
   c.resisting.clear();
@@ -53,8 +53,8 @@ void find_resistance(World& world, const StepTime& time) {
     rolling += r.rolling > 0, spinning += r.spinning > 0;
     const auto before = [](const OldImpulse& old, const Pair& p) { return old.pair < p; };
     if (scale > 0)
-      for (auto old = std::lower_bound(c.old.begin(), c.old.end(), pair, before);
-           old != c.old.end() && old->pair == pair; ++old)
+      for (auto old = std::lower_bound(world.impulses.old.begin(), world.impulses.old.end(), pair, before);
+           old != world.impulses.old.end() && old->pair == pair; ++old)
         r.moment += scale * old->moment;
     c.resisting.push_back(r);
   }
@@ -62,19 +62,19 @@ void find_resistance(World& world, const StepTime& time) {
   count_participants(world, EffectId::spinning_resistance, spinning);
 }
 
-void hold_moments(World& world, const StepTime&) {
+void hold_moments(const World& world, Velocities& to, const StepTime&) {
   Contacts& c = *world.contacts;
   if (c.resisting.empty()) return;
   refresh_rotations(world);
   refresh_inertias(world);
   for (Resistance& r : c.resisting) {
-    twist(world, c.rows[r.row], r.moment);
+    twist(world, to, c.rows[r.row], r.moment);
     r.pressed = 0;
     r.pressed = pressed(world, r);
   }
 }
 
-void resist(World& world, const StepTime&) {
+void resist(const World& world, Velocities& to, const StepTime&) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
   const Driven* driven = c.driven.data();
@@ -88,7 +88,7 @@ void resist(World& world, const StepTime&) {
     while (driven < c.driven.data() + c.driven.size() && driven->row < r.row) ++driven;
     if (driven < c.driven.data() + c.driven.size() && driven->row == r.row) spin += driven->spin;
     const Vec3 next = resisting_moment(r.moment, spin, k, row.n, r.rolling * load, r.spinning * load);
-    twist(world, row, next - r.moment);
+    twist(world, to, row, next - r.moment);
     r.moment = next;
   }
 }

@@ -17,11 +17,11 @@ namespace carom::dynamics {
 
 /// Stage functions of the page.
 /// Resisting pairs of this step and the moments that they start from; nothing where no material resists.
-void find_resistance(World& world, const StepTime& time);
+void find_resistance(const World& world, const StepTime& time);
 /// Let the moments act that were found last.
-void hold_moments(World& world, const StepTime& time);
+void hold_moments(const World& world, Velocities& to, const StepTime& time);
 /// Moments of this substep, within what its contacts bear.
-void resist(World& world, const StepTime& time);
+void resist(const World& world, Velocities& to, const StepTime& time);
 
 /// The moment impulse after which a pair neither rolls nor spins, or resists as much as it can.
 /// @param moment  N m s, on B, that acts already   @param omega  rad/s, of B relative to A, while it acts

@@ -26,7 +26,7 @@ struct Moving {
 
 }  // namespace
 
-void find_surfaces(World& world, const StepTime&) {
+void find_surfaces(const World& world, const StepTime&) {
   Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
   c.driven.clear(), c.surface.clear();

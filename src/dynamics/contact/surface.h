@@ -14,6 +14,6 @@
 namespace carom::dynamics {
 
 /// Stage group: driven pairs of this step and the velocities of their surfaces; nothing where no collider has one.
-void find_surfaces(World& world, const StepTime& time);
+void find_surfaces(const World& world, const StepTime& time);
 
 }  // namespace carom::dynamics

@@ -46,7 +46,7 @@ struct Met {
 /// Contacts of this step (views and swept hits) beside those of the last: lists in the same order.
 class Contacting {
  public:
-  explicit Contacting(World& world) : world_(world), e_(*world.events), hits_(world.continuous->hits) {}
+  Contacting(const World& world, Events& e) : world_(world), e_(e), hits_(world.continuous->hits) {}
 
   void run() {
     const Array<ContactView>& views = world_.contact_views();
@@ -106,7 +106,7 @@ class Contacting {
   }
 
   static constexpr Pair kLast{Colliders::kNone, Colliders::kNone};
-  World& world_;
+  const World& world_;
   Events& e_;
   Array<SweepHit>& hits_;
 };
@@ -125,7 +125,7 @@ bool overlaps(const World& world, const Pair& p, bool before) {
 
 class Sensing {
  public:
-  explicit Sensing(World& world) : world_(world), e_(*world.events) {}
+  Sensing(const World& world, Events& e) : world_(world), e_(e) {}
 
   void run() {
     e_.spare.clear();
@@ -165,12 +165,11 @@ class Sensing {
                                     : SensorEvent{entered, t.b, t.a, t.body_b, t.body_a});
   }
 
-  World& world_;
+  const World& world_;
   Events& e_;
 };
 
-void look_who_sleeps(World& world) {
-  Events& e = *world.events;
+void look_who_sleeps(const World& world, Events& e) {
   for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) {
     const auto now = static_cast<std::uint8_t>(world.state.sleeps(i));
     if (e.slept[i] == now) continue;
@@ -179,8 +178,7 @@ void look_who_sleeps(World& world) {
   }
 }
 
-void tell_faults(World& world) {
-  Events& e = *world.events;
+void tell_faults(const World& world, Events& e) {
   const auto named = [](const SlotPool& slots, std::uint32_t slot) {
     return slot == FaultView::kNone ? Handle(0) : slots.handle(slot);
   };
@@ -221,8 +219,7 @@ void collect(World& world, std::uint32_t asked, Real hit_speed) {
   e.asked = asked, e.wanted = kinds;
 }
 
-void tell_broken(World& world, std::uint32_t slot) {
-  Events& e = *world.events;
+void tell_broken(const World& world, Events& e, std::uint32_t slot) {
   if (!(e.wanted & Events::joint)) return;
   const Joint& joint = world.joints.joint[slot];
   const auto body = [&](std::uint32_t b) { return b == kTheWorld ? Handle(0) : world.scene.bodies.handle(b); };
@@ -230,18 +227,16 @@ void tell_broken(World& world, std::uint32_t slot) {
                       joint.torque, world.report.steps + 1});
 }
 
-void set_sensors_aside(World& world, Array<Pair>& pairs) {
+void set_sensors_aside(const World& world, Events& e, Array<Pair>& pairs) {
   if (world.plan->effects[+EffectId::sensor].customers.count == 0) return;
   const Colliders& c = world.scene.colliders;
-  Events& e = *world.events;
   const bool asked = e.wanted & Events::sensor;
   for (const Pair& p : pairs)
     if (asked && c.is_sensor(p.a) != c.is_sensor(p.b)) e.sensor_pairs.push_back(p);
   std::erase_if(pairs, [&](const Pair& p) { return c.is_sensor(p.a) || c.is_sensor(p.b); });
 }
 
-void begin_events(World& world, const StepTime&) {
-  Events& e = *world.events;
+void begin_events(const World& world, Events& e, const StepTime&) {
   PlannedEffect& row = world.plan->effects[+EffectId::events];
   row.wanted = e.asked != 0;
   count_participants(world, EffectId::events, e.wanted != 0);
@@ -275,12 +270,12 @@ void begin_events(World& world, const StepTime&) {
   });
 }
 
-void end_events(World& world, const StepTime&) {
-  const std::uint32_t wanted = world.events->wanted;
-  if (wanted & Events::contact) Contacting(world).run();
-  if (wanted & Events::sensor) Sensing(world).run();
-  if (wanted & Events::sleeping) look_who_sleeps(world);
-  if (wanted & Events::fault) tell_faults(world);
+void end_events(const World& world, Events& e, const StepTime&) {
+  const std::uint32_t wanted = e.wanted;
+  if (wanted & Events::contact) Contacting(world, e).run();
+  if (wanted & Events::sensor) Sensing(world, e).run();
+  if (wanted & Events::sleeping) look_who_sleeps(world, e);
+  if (wanted & Events::fault) tell_faults(world, e);
 }
 
 }  // namespace carom::dynamics

@@ -103,14 +103,14 @@ void find(const Scene&, const State&, Customers&);
 void collect(World& world, std::uint32_t kinds, Real hit_speed);
 
 /// A joint breaks in this step, under what it now says that it bears.
-void tell_broken(World& world, std::uint32_t joint);
+void tell_broken(const World& world, Events& e, std::uint32_t joint);
 
 /// Take the pairs with a sensor out of those that make contacts.
-void set_sensors_aside(World& world, Array<Pair>& pairs);
+void set_sensors_aside(const World& world, Events& e, Array<Pair>& pairs);
 
 /// Stage observe, before the first substep: make room for all that may happen, and see how fast who approaches.
-void begin_events(World& world, const StepTime& time);
+void begin_events(const World& world, Events& e, const StepTime& time);
 /// Stage observe, at the end: what happened.
-void end_events(World& world, const StepTime& time);
+void end_events(const World& world, Events& e, const StepTime& time);
 
 }  // namespace carom::dynamics

@@ -58,25 +58,26 @@ void axis_locks::find(const Scene& scene, const State& state, Customers& custome
     if (scene.given_locks_of(i) && responds(scene, state, i)) customers.add(i);
 }
 
-void axis_locks::hold(World& world, Real h) {
+void axis_locks::hold(const World& world, Velocities& motion, Real h) {
   PlannedEffect& row = world.plan->effects[+EffectId::axis_locks];
   if (row.customers.count == 0) return;
   const Scene& scene = world.scene;
-  State& s = world.state;
+  const State& s = world.state;
   Proposal& to = world.plan->proposal;
   const bool proposes = world.plan->integrator->proposes, gyroscopic = scene.dials.choice(Dial::rotation) != 0;
   row.customers.each(world.jobs, [&](std::uint32_t i) {
     const Locks locks = scene.locks_of(i);
     const Vec3 free = free_axes(locks);
-    s.v[i] = free.times(s.v[i]);
+    motion.v[i] = free.times(s.v[i]);
     for (int k = 0; proposes && k < 3; ++k)
       if (free[k] == 0) to.x[i][k] = s.x[i][k];
     if (!holds_turns(scene, i, locks)) return;
     const Mat3 inertia = inertia_at(scene, i, s.q[i]), inverse = inverse_of_free(inertia, locks);
-    s.omega[i] = project_turn(s.omega[i], inertia, inverse, locks);  // no room of today's leaves anything to take off
+    motion.omega[i] =
+        project_turn(s.omega[i], inertia, inverse, locks);  // no room of today's leaves anything to take off
     if (!gyroscopic || std::popcount(static_cast<unsigned>(locks & kAngularLocks)) != 1) return;
     const Vec3 before = s.omega[i];
-    s.omega[i] = midpoint(before, inertia, inverse, h);
+    motion.omega[i] = midpoint(before, inertia, inverse, h);
     if (proposes) to.q[i] = normalized(exp_map((h / 2) * (s.omega[i] - before)) * to.q[i]);
   });
   row.evaluations += row.customers.count;

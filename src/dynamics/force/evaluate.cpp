@@ -11,7 +11,7 @@ using Clock = std::chrono::steady_clock;
 
 /// Books what a row does, and its time if somebody wants to know.
 template <class F>
-void serve(World& world, PlannedEffect& row, F&& work) {
+void serve(const World& world, PlannedEffect& row, F&& work) {
   const auto start = world.times_effects ? Clock::now() : Clock::time_point();
   work();
   if (world.times_effects) row.seconds += std::chrono::duration<double>(Clock::now() - start).count();
@@ -24,7 +24,7 @@ void serve(World& world, PlannedEffect& row, F&& work) {
 
 }  // namespace
 
-void evaluate_forces(World& world, const Motion& given, const Accelerate& out) {
+void evaluate_forces(const World& world, const Motion& given, const Accelerate& out) {
   Motion at = given;
   if (world.plan->reads_velocities && at.v == out.v) {
     Plan& plan = *world.plan;
@@ -38,7 +38,7 @@ void evaluate_forces(World& world, const Motion& given, const Accelerate& out) {
   }
 }
 
-Motion extrapolated(World& world, const Vec3* x, const Quat* q) {
+Motion extrapolated(const World& world, const Vec3* x, const Quat* q) {
   Plan& plan = *world.plan;
   const State& s = world.state;
   if (!plan.reads_velocities) return {x, q, s.v.data(), s.omega.data()};
@@ -49,12 +49,11 @@ Motion extrapolated(World& world, const Vec3* x, const Quat* q) {
   return {x, q, plan.read_v.data(), plan.read_omega.data()};
 }
 
-void evaluate_flows(World& world, Real h, const Quat* q) {
-  State& s = world.state;
+void evaluate_flows(const World& world, Velocities& to, Real h, const Quat* q) {
   for (PlannedEffect& row : world.plan->effects) {
     if (row.served != Served::flow || row.customers.count == 0) continue;
-    const BookRow book(world, row, s.v.data(), s.omega.data(), 1);
-    serve(world, row, [&] { row.effect->flow(world.scene, row.customers, h, q, s.v.data(), s.omega.data()); });
+    const BookRow book(world, row, to.v.data(), to.omega.data(), 1);
+    serve(world, row, [&] { row.effect->flow(world.scene, row.customers, h, q, to.v.data(), to.omega.data()); });
   }
 }
 

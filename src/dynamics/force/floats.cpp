@@ -125,9 +125,7 @@ Submerged under_plane(const Shape& shape, const Float* surface, const Vec3& n, R
   return sum.total();
 }
 
-void make_floats(Scene& scene, Memory* memory) {
-  Water& water = scene.water;
-  const Colliders& c = scene.colliders;
+void make_floats(const Colliders& c, Floats& water, Memory* memory) {
   const auto is_of = [&](std::uint32_t at, const Shape& shape) {
     return at < water.floats.size() && water.floats[at].shape == &shape && water.floats[at].handle == shape.handle;
   };

@@ -24,6 +24,6 @@ bool floats(const Shape& shape);
 Submerged under_plane(const Shape& shape, const Float* surface, const Vec3& n, Real level);
 
 /// Surfaces for the shapes of all colliders, where they are not there yet; those of others go.
-void make_floats(Scene& scene, Memory* memory);
+void make_floats(const Colliders& c, Floats& water, Memory* memory);
 
 }  // namespace carom::dynamics

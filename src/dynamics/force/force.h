@@ -85,11 +85,11 @@ void force(const Scene&, const State&, const Customers&, const Motion& at, const
 /// Before a body goes.
 void remove_springs_of(World& world, std::uint32_t body);
 /// Which of them act: neither forbidden, nor both ends asleep or immovable.
-void plan_springs(World& world);
+void plan_springs(const World& world);
 /// How stiff they may be in substeps of h.
-void carry_springs(World& world, Real h);
+void carry_springs(const World& world, SpringLoads& to, Real h);
 /// Wake who hangs on something that moves.
-void wake_sprung(World& world);
+void wake_sprung(const World& world, Sleepers to);
 struct SpringReading {
   Real length;  // m
   Real pull;    // N, above 0 it pulls its ends together; as it was set, whatever a substep can carry
@@ -114,7 +114,7 @@ void force(const Scene&, const State&, const Customers&, const Motion& at, const
 namespace axis_locks {
 void find(const Scene&, const State&, Customers&);
 /// After the forces of a substep: velocities, and what integrators propose.
-void hold(World& world, Real h);
+void hold(const World& world, Velocities& to, Real h);
 }  // namespace axis_locks
 
 /// A body's locks hold where they are not forbidden: to be called where either has changed.

@@ -74,18 +74,22 @@ struct SpringDef {
   }
 };
 
-struct Springs {
-  Springs(std::uint32_t tag, Memory* m)
-      : slots(Kind::spring, tag, m), def(m), stiffness(m), damping(m), ends(m), load(m) {}
-  SlotPool slots;
-  Array<SpringDef> def;            // by slot
-  Array<Real> stiffness, damping;  // by slot, N/m, N s/m: what a substep can carry of it, @see force/springs.cpp
-  Array<std::uint32_t> ends;       // by body slot: springs that hang on it
+/// What a substep can carry of springs: made anew in each step.
+struct SpringLoads {
+  explicit SpringLoads(Memory* m) : stiffness(m), damping(m), load(m) {}
+  Array<Real> stiffness, damping;  // by slot, N/m, N s/m, @see force/springs.cpp
   struct Load {
     Real stiffness = 0, damping = 0;  // N/m, N s/m, of all of them
   };
   Array<Load> load;            // by body slot, scratch
   std::uint64_t softened = 0;  // of the customers, those of which a substep can't carry all
+};
+
+struct Springs : SpringLoads {
+  Springs(std::uint32_t tag, Memory* m) : SpringLoads(m), slots(Kind::spring, tag, m), def(m), ends(m) {}
+  SlotPool slots;
+  Array<SpringDef> def;       // by slot
+  Array<std::uint32_t> ends;  // by body slot: springs that hang on it
 
   bool hang_on(std::uint32_t body) const { return body < ends.size() && ends[body] > 0; }
   /// f(slot, definition) for all that there are.
@@ -113,13 +117,18 @@ struct Float {
   Array<Vec3> corner;  // [3k] m, shape frame, counter-clockwise seen from outside
 };
 
-struct Water {
-  explicit Water(Memory* m) : floats(m), float_of(m) {}
-  bool on = false;
-  WaterDef def;
+/// What a plan and a step make for buoyancy.
+struct Floats {
+  explicit Floats(Memory* m) : floats(m), float_of(m) {}
   Array<Float> floats;            // of the shapes that need one
   Array<std::uint32_t> float_of;  // by collider slot: index of the above, or Colliders::kNone
   Real most_rate = kInfinity;     // 1/s, that a substep can carry
+};
+
+struct Water : Floats {
+  explicit Water(Memory* m) : Floats(m) {}
+  bool on = false;
+  WaterDef def;
 };
 
 }  // namespace carom::dynamics

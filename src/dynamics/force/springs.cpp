@@ -80,8 +80,8 @@ bool is_moved(const World& world, std::uint32_t body) {
 
 void springs::find(const Scene&, const State&, Customers&) {}  // by plan_springs(): they are springs, not bodies
 
-void plan_springs(World& world) {
-  Springs& all = world.scene.springs;
+void plan_springs(const World& world) {
+  const Springs& all = world.scene.springs;
   PlannedEffect& row = world.plan->effects[+EffectId::springs];
   row.customers.clear();
   row.wanted = all.slots.alive_count();
@@ -90,18 +90,18 @@ void plan_springs(World& world) {
   });
 }
 
-void carry_springs(World& world, Real h) {
-  Springs& all = world.scene.springs;
+void carry_springs(const World& world, SpringLoads& to, Real h) {
+  const Springs& all = world.scene.springs;
   const Scene& scene = world.scene;
   const PlannedEffect& row = world.plan->effects[+EffectId::springs];
-  all.softened = 0;
+  to.softened = 0;
   if (row.customers.count == 0) return;
   row.customers.each(
-      [&](std::uint32_t k) { all.def[k].each_end([&](std::uint32_t body, const Vec3&) { all.load[body] = {}; }); });
+      [&](std::uint32_t k) { all.def[k].each_end([&](std::uint32_t body, const Vec3&) { to.load[body] = {}; }); });
   row.customers.each([&](std::uint32_t k) {
     all.def[k].each_end([&](std::uint32_t body, const Vec3&) {
-      all.load[body].stiffness += all.def[k].stiffness;
-      all.load[body].damping += all.def[k].damping;
+      to.load[body].stiffness += all.def[k].stiffness;
+      to.load[body].damping += all.def[k].damping;
     });
   });
   row.customers.each([&](std::uint32_t k) {
@@ -113,17 +113,17 @@ void carry_springs(World& world, Real h) {
     });
     const Real of_stiffness = stiff * h * h > 1 ? 1 / (stiff * h * h) : 1,
                of_damping = damp * h > 1 ? 1 / (damp * h) : 1;
-    all.stiffness[k] = of_stiffness * def.stiffness, all.damping[k] = of_damping * def.damping;
-    all.softened += of_stiffness < 1 || of_damping < 1;
+    to.stiffness[k] = of_stiffness * def.stiffness, to.damping[k] = of_damping * def.damping;
+    to.softened += of_stiffness < 1 || of_damping < 1;
   });
 }
 
-void wake_sprung(World& world) {
+void wake_sprung(const World& world, Sleepers to) {
   const Springs& all = world.scene.springs;
   if (all.slots.alive_count() == 0 || world.sleep->count == 0) return;
   all.each([&](std::uint32_t, const SpringDef& def) {
-    if (def.body_a != kTheWorld && is_moved(world, def.body_b)) wake(world, def.body_a);
-    if (def.body_b != kTheWorld && is_moved(world, def.body_a)) wake(world, def.body_b);
+    if (def.body_a != kTheWorld && is_moved(world, def.body_b)) wake(world, to, def.body_a);
+    if (def.body_b != kTheWorld && is_moved(world, def.body_a)) wake(world, to, def.body_b);
   });
 }
 

@@ -5,18 +5,18 @@
 namespace carom::dynamics {
 namespace {
 
-void velocity_by_explicit_euler(World& world, Real h) {
-  State& s = world.state;
+void velocity_by_explicit_euler(const World& world, Velocities& to, Real h) {
+  const State& s = world.state;
   Plan& plan = *world.plan;
   plan.linear.each([&](std::uint32_t i) { plan.proposal.x[i] = s.x[i] + h * s.v[i]; });
   plan.rotating.each([&](std::uint32_t i) {
     plan.proposal.x[i] = s.x[i] + h * s.v[i];
     plan.proposal.q[i] = normalized(exp_map(h * s.omega[i]) * s.q[i]);
   });
-  turn_tops(world, h);
+  turn_tops(world, to, h);
   // In place: rows that read velocities come first in the table, so each reads those of the start of the substep.
-  evaluate_forces(world, {s.x.data(), s.q.data(), s.v.data(), s.omega.data()}, {h, s.v.data(), s.omega.data()});
-  evaluate_flows(world, h, s.q.data());
+  evaluate_forces(world, {s.x.data(), s.q.data(), s.v.data(), s.omega.data()}, {h, to.v.data(), to.omega.data()});
+  evaluate_flows(world, to, h, s.q.data());
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "dynamics/effects.h"
+#include "dynamics/quarantine.h"
 
 namespace carom::dynamics {
 
@@ -29,10 +30,11 @@ struct FreeFlight {
   Customers kinematic, springs;  // of those in flight: nobody
   Customers tied, more;          // scratch: who is bound
   bool any = false;              // somebody flies in this step
+  RowBits movers = 0;            // rows of the table that move bodies in this step: four loops go through them
 };
 
 /// Stage functions of the page. Between them the plan lists the bound bodies alone. The first one allocates.
-void part_with_flyers(World& world, const StepTime& time);
-void fly_free(World& world, const StepTime& time);
+void part_with_flyers(const World& world, const StepTime& time);
+void fly_free(const World& world, Poses& poses, Quarantining to, const StepTime& time);
 
 }  // namespace carom::dynamics

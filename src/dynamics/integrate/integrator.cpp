@@ -15,75 +15,76 @@ namespace {
 /// Bodies that left the finite world: marked by whichever thread sees it, put in quarantine by the stepping one.
 class Strays {
  public:
-  explicit Strays(World& world) : world_(world) {}
+  explicit Strays(Quarantining to) : to_(to) {}
 
   void add(std::uint32_t body) {
-    world_.state.quarantined[body] |= kMark;
+    held().quarantined[body] |= kMark;
     any_.store(true, std::memory_order_relaxed);
   }
-  void quarantine_all() {
+  void quarantine_all(const Plan& plan) {
     if (!any_.load(std::memory_order_relaxed)) return;
     const auto take = [&](std::uint32_t i) {
-      std::uint8_t& mark = world_.state.quarantined[i];
+      std::uint8_t& mark = held().quarantined[i];
       if (!(mark & kMark)) return;
       mark &= static_cast<std::uint8_t>(~kMark);
-      quarantine(world_, i);
+      quarantine(to_, i);
     };
-    world_.plan->linear.each(take), world_.plan->rotating.each(take), world_.plan->kinematic.each(take);
+    plan.linear.each(take), plan.rotating.each(take), plan.kinematic.each(take);
   }
 
  private:
   static constexpr std::uint8_t kMark = 2;
-  World& world_;
+  Quarantine& held() const { return to_; }
+  Quarantining to_;
   std::atomic<bool> any_{false};
 };
 
 }  // namespace
 
-void integrate_velocity(World& world, const StepTime& time) {
+void integrate_velocity(const World& world, Quarantining to, const StepTime& time) {
   Plan& plan = *world.plan;
-  plan.integrator->velocity(world, time.h);
+  plan.integrator->velocity(world, to, time.h);
   if (keeps_books(world)) book_turns(world);
-  axis_locks::hold(world, time.h);
+  axis_locks::hold(world, to, time.h);
   // Before any contact reads them, so that one body's infinity does not become its neighbours'.
-  stop_strays(world, time);
+  stop_strays(world, to, time);
 }
 
-void stop_strays(World& world, const StepTime&) {
+void stop_strays(const World& world, Quarantining to, const StepTime&) {
   Plan& plan = *world.plan;
-  Strays strays(world);
+  Strays strays(to);
   plan.linear.each(world.jobs, [&](std::uint32_t i) {
     if (!sane_velocity(world.state, i)) strays.add(i);
   });
   plan.rotating.each(world.jobs, [&](std::uint32_t i) {
     if (!sane_velocity(world.state, i) || !sane_spin(world.state, i)) strays.add(i);
   });
-  strays.quarantine_all();
+  strays.quarantine_all(plan);
 }
 
-void integrate_position(World& world, const StepTime& time) {
-  State& s = world.state;
+void integrate_position(const World& world, Poses& poses, Quarantining to, const StepTime& time) {
+  const State& s = world.state;
   Plan& plan = *world.plan;
   const Real h = time.h;
 
-  const MeanVelocities means(world);
-  Strays strays(world);
+  const MeanVelocities means(world, to);
+  Strays strays(to);
   const auto place = [&](std::uint32_t i, const Vec3& x) {
     if (sane_position(x))
-      s.x[i] = x;
+      poses.x[i] = x;
     else
       strays.add(i);  // stays at its last good place
   };
-  const auto move = [&](std::uint32_t i) { place(i, s.x[i] + h * s.v[i]); };
+  const auto move = [&](std::uint32_t i) { place(i, poses.x[i] + h * s.v[i]); };
   // What a solver made of omega since the kick may be anything: no turn can be told by numbers whose squares overflow.
   const auto face = [&](std::uint32_t i, const Quat& q) {
     const Real n2 = q.squared_norm();
     if (n2 > 0.5 && n2 < 2)
-      s.q[i] = q;
+      poses.q[i] = q;
     else
       strays.add(i);
   };
-  const auto spin = [&](std::uint32_t i) { face(i, normalized(exp_map(h * s.omega[i]) * s.q[i])); };
+  const auto spin = [&](std::uint32_t i) { face(i, normalized(exp_map(h * s.omega[i]) * poses.q[i])); };
   const auto turn = [&](std::uint32_t i) {
     if (s.quarantined[i]) return;
     Quat q = plan.proposal.q[i];
@@ -107,7 +108,7 @@ void integrate_position(World& world, const StepTime& time) {
     });
   }
   plan.kinematic.each([&](std::uint32_t i) { move(i), spin(i); });
-  strays.quarantine_all();
+  strays.quarantine_all(plan);
 }
 
 }  // namespace carom::dynamics

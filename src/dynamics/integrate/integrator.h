@@ -27,6 +27,7 @@
 #pragma once
 
 #include "dynamics/effects.h"
+#include "dynamics/quarantine.h"
 
 namespace carom::dynamics {
 
@@ -38,16 +39,16 @@ struct Integrator {
   Real lag;              // substeps from the start of a substep to the moment whose velocity is stored after it
   std::size_t vectors;   // scratch it wants: Vec3 arrays and Quat arrays of one element per body slot
   std::size_t rotations;
-  void (*velocity)(World& world, Real h);
+  void (*velocity)(const World& world, Velocities& to, Real h);
 };
 
 extern const Integrator kExplicitEuler, kSemiImplicitEuler, kRungeKutta4, kVelocityVerlet;
 
 /// Stage functions of the page.
-void integrate_velocity(World& world, const StepTime& time);
-void integrate_position(World& world, const StepTime& time);
+void integrate_velocity(const World& world, Quarantining to, const StepTime& time);
+void integrate_position(const World& world, Poses& poses, Quarantining to, const StepTime& time);
 /// Bodies whose velocity or spin left the finite world into quarantine: part of integrate_velocity(), and once more
 /// after a step's last impulses, so that no host reads what the next substep would have seen.
-void stop_strays(World& world, const StepTime& time);
+void stop_strays(const World& world, Quarantining to, const StepTime& time);
 
 }  // namespace carom::dynamics

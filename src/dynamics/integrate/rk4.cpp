@@ -29,8 +29,8 @@ struct Scratch {
   }
 };
 
-void velocity_by_rk4(World& world, Real h) {
-  State& s = world.state;
+void velocity_by_rk4(const World& world, Velocities& to, Real h) {
+  const State& s = world.state;
   Plan& plan = *world.plan;
   const Scratch t(plan, s.x.size());
 
@@ -71,16 +71,16 @@ void velocity_by_rk4(World& world, Real h) {
 
   const auto finish = [&](std::uint32_t i) {
     plan.proposal.x[i] = s.x[i] + h * t.sum_v[i];
-    s.v[i] += h * t.sum_dv[i];
+    to.v[i] += h * t.sum_dv[i];
   };
   plan.linear.each(finish);
   plan.rotating.each([&](std::uint32_t i) {
     finish(i);
     plan.proposal.q[i] = s.q[i] + h * t.sum_dq[i];
     plan.proposal.q[i] = normalized(plan.proposal.q[i]);
-    s.omega[i] += h * t.sum_domega[i];
+    to.omega[i] += h * t.sum_domega[i];
   });
-  evaluate_flows(world, h, s.q.data());  // only effects too stiff for an explicit method are flows here
+  evaluate_flows(world, to, h, s.q.data());  // only effects too stiff for an explicit method are flows here
 }
 
 }  // namespace

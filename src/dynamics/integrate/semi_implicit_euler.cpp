@@ -5,11 +5,11 @@
 namespace carom::dynamics {
 namespace {
 
-void velocity_by_semi_implicit_euler(World& world, Real h) {
-  State& s = world.state;
-  evaluate_forces(world, {s.x.data(), s.q.data(), s.v.data(), s.omega.data()}, {h, s.v.data(), s.omega.data()});
-  evaluate_flows(world, h, s.q.data());
-  turn_tops(world, h);
+void velocity_by_semi_implicit_euler(const World& world, Velocities& to, Real h) {
+  const State& s = world.state;
+  evaluate_forces(world, {s.x.data(), s.q.data(), s.v.data(), s.omega.data()}, {h, to.v.data(), to.omega.data()});
+  evaluate_flows(world, to, h, s.q.data());
+  turn_tops(world, to, h);
 }
 
 }  // namespace

@@ -12,12 +12,12 @@
 namespace carom::dynamics {
 namespace {
 
-void velocity_by_verlet(World& world, Real h) {
-  State& s = world.state;
+void velocity_by_verlet(const World& world, Velocities& end, Real h) {
+  const State& s = world.state;
   Plan& plan = *world.plan;
   Proposal& to = plan.proposal;
-  const Accelerate kick = {h / 2, s.v.data(), s.omega.data()};
-  evaluate_flows(world, h / 2, s.q.data());
+  const Accelerate kick = {h / 2, end.v.data(), end.omega.data()};
+  evaluate_flows(world, end, h / 2, s.q.data());
   evaluate_forces(world, {s.x.data(), s.q.data(), s.v.data(), s.omega.data()}, kick);
 
   const auto move = [&](std::uint32_t i) { to.x[i] = s.x[i] + h * s.v[i]; };
@@ -27,10 +27,10 @@ void velocity_by_verlet(World& world, Real h) {
     move(i);
     if (!carries || !plan.carried[i]) to.q[i] = normalized(exp_map(h * s.omega[i]) * s.q[i]);
   });
-  turn_tops(world, h);
+  turn_tops(world, end, h);
 
   evaluate_forces(world, extrapolated(world, to.x.data(), to.q.data()), kick);
-  evaluate_flows(world, h / 2, to.q.data());
+  evaluate_flows(world, end, h / 2, to.q.data());
 }
 
 }  // namespace

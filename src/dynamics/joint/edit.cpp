@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "dynamics/joint/parts.h"
+#include "dynamics/joint/wide_joints.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom::dynamics {
@@ -10,8 +11,8 @@ namespace {
 /// Whether a joint keeps its bodies' colliders from touching.
 bool parts(const JointDef& def) { return !def.collide && def.body_a != kTheWorld && def.body_b != kTheWorld; }
 
-void unpart(Scene& scene, const JointDef& def) {
-  if (parts(def)) scene.joined.remove(def.body_a, def.body_b);
+void unpart(PairCounts& joined, const JointDef& def) {
+  if (parts(def)) joined.remove(def.body_a, def.body_b);
 }
 
 void wake_both(World& world, const JointDef& def) {
@@ -72,7 +73,7 @@ void World::remove_joint(std::uint32_t slot) {
   wake_both(*this, joint.def);
   if (joint.def.body_a != kTheWorld) link_of(joints, joint.def.body_a, slot) = joint.next_a;
   if (joint.def.body_b != kTheWorld) link_of(joints, joint.def.body_b, slot) = joint.next_b;
-  if (!joint.broken) unpart(scene, joint.def);
+  if (!joint.broken) unpart(scene.joined, joint.def);
   if (JointAxes* const axes = joints.axes_of(joint)) {
     *axes = joints.axes.back();  // the last takes its place
     joints.joint[axes->owner].axes = joint.axes;
@@ -116,10 +117,14 @@ void World::set_transmission(std::uint32_t slot, const Transmission& transmissio
   ++scene.revision;
 }
 
-void World::break_joint(std::uint32_t slot) {
+void World::break_joint(std::uint32_t slot) { dynamics::break_joint(Breaking(*this), slot); }
+
+void break_joint(Breaking to, std::uint32_t slot) {
+  Joints& joints = to;
   Joint& joint = joints.joint[slot];
   joint.broken = true;
-  unpart(scene, joint.def);
+  unpart(to, joint.def);
+  Revisions& scene = to;
   ++scene.revision;
 }
 

@@ -7,6 +7,7 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/island.h"
+#include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/solver/fill_lanes.h"
 #include "dynamics/solver/soft_step.h"
@@ -28,13 +29,13 @@ bool forbids(const World& world, std::size_t row, const JointDef& def) {
 }
 
 /// Note what is forbidden to a joint, and whom of the table it calls for.
-void note_parts(World& world, Joint& joint) {
-  const std::uint64_t before = layout_key(world.joints, joint);
+void note_parts(const World& world, Joints& joints, Joint& joint) {
+  const std::uint64_t before = layout_key(joints, joint);
   joint.without_limits = forbids(world, +EffectId::joint_limits, joint.def);
   joint.without_motors = forbids(world, +EffectId::joint_motors, joint.def);
-  if (layout_key(world.joints, joint) != before) world.joints.forget_impulses(joint);
+  if (layout_key(joints, joint) != before) joints.forget_impulses(joint);
   const auto any = [&](auto&& has) { return std::any_of(joint.drive.begin(), joint.drive.end(), has); };
-  const DrivenAxes axes = driven_axes(world.joints, joint);
+  const DrivenAxes axes = driven_axes(joints, joint);
   const auto count = [&](std::size_t row, bool has, bool without) {
     world.plan->effects[row].wanted += has;
     world.plan->effects[row].customers.count += has && !without;
@@ -53,7 +54,7 @@ std::uint32_t solver_body(const World& world, std::uint32_t body) {
   return body == kTheWorld ? 0 : world.wide->body[body];
 }
 
-BothColours colours_of(World& world, const Joint& joint) {
+BothColours colours_of(const World& world, const Joint& joint) {
   const std::uint32_t a = joint.def.body_a, b = joint.def.body_b;
   return {world.wide->placing->taken.data(), moves(world, a), solver_body(world, a), moves(world, b),
           solver_body(world, b)};
@@ -62,7 +63,7 @@ BothColours colours_of(World& world, const Joint& joint) {
 bool is_gear(const JointLayout& layout) { return layout.parts == 1 && layout.part[0] == JointPart::gears; }
 
 /// A place for each: four of one colour and layout share lanes; beyond the colours each has its own.
-void place_lanes(World& world, WideJoints& w) {
+void place_lanes(const World& world, WideJoints& w) {
   w.place.resize(w.active.size());
   w.occupant.clear(), w.colours.clear(), w.joints.clear(), w.pulls.clear(), w.gears.clear(), w.axes.clear();
   std::uint32_t rows = 0, drives = 0;
@@ -155,7 +156,7 @@ void empty(WideJoints& w, JointLanes& joint) {
 }
 
 /// Bodies that hang on joints and on no contact.
-void find_kicked(World& world, WideJoints& w) {
+void find_kicked(const World& world, WideJoints& w) {
   Contacts& c = *world.contacts;
   w.kicked.clear();
   if (world.plan->integrator != &kVelocityVerlet || !world.plan->runs[static_cast<std::size_t>(Stage::relax)]) return;
@@ -220,7 +221,7 @@ void fill_locks(const World& world, WideJoints& w) {
 
 }  // namespace
 
-void plan_joints(World& world) {
+void plan_joints(const World& world, Joints& joints) {
   WideJoints& w = *world.wide_joints;
   w.active.clear(), w.linked.clear(), w.kicked.clear();
   w.is_packed = false;
@@ -231,7 +232,7 @@ void plan_joints(World& world) {
   for (std::uint32_t j = 0; j < world.joints.slots.slots(); ++j)
     if (world.joints.alive(j) && is_active(world, world.joints.joint[j])) w.active.push_back(j);
   if (!w.any()) return;
-  for (const std::uint32_t j : w.active) note_parts(world, world.joints.joint[j]);
+  for (const std::uint32_t j : w.active) note_parts(world, joints, joints.joint[j]);
   w.linked.assign(world.scene.bodies.slots(), 0);
   for (const std::uint32_t j : w.active) {
     const JointDef& def = world.joints.joint[j].def;
@@ -240,7 +241,7 @@ void plan_joints(World& world) {
   }
 }
 
-void link_joints(World& world, const StepTime&) {
+void link_joints(const World& world, const StepTime&) {
   Contacts& c = *world.contacts;
   c.links.clear();
   for (const std::uint32_t j : world.wide_joints->active) {
@@ -249,7 +250,7 @@ void link_joints(World& world, const StepTime&) {
   }
 }
 
-void colour_joints(World& world) {
+void colour_joints(const World& world) {
   WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
   const Contacts& c = *world.contacts;
@@ -273,7 +274,7 @@ void colour_joints(World& world) {
   w.is_packed = all_swept;
 }
 
-void begin_joints(World& world, Real h) {
+void begin_joints(const World& world, Real h) {
   WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
   w.kernels = &joint_kernels(world.wide->kernels->name);
@@ -292,41 +293,41 @@ void begin_joints(World& world, Real h) {
   over_joints(world, w.kernels->place);
 }
 
-void take_half_kicks(World& world) {
-  State& s = world.state;
+void take_half_kicks(const World& world, Velocities& to) {
+  const State& s = world.state;
   for (WideJoints::Kicked& k : world.wide_joints->kicked) {
     k.half = 0.5 * (s.v[k.body] - world.plan->begun[k.body].v);
-    s.v[k.body] -= k.half;
+    to.v[k.body] -= k.half;
     k.facing = s.q[k.body], k.omega = s.omega[k.body];
   }
 }
 
-void give_half_kicks(World& world) {
-  State& s = world.state;
+void give_half_kicks(const World& world, Velocities& to) {
+  const State& s = world.state;
   for (WideJoints::Kicked& k : world.wide_joints->kicked) {
     k.spun.set_zero();
     if (s.quarantined[k.body]) k.half.set_zero();
-    s.v[k.body] += k.half;
+    to.v[k.body] += k.half;
     if (!is_turned_on(world, k.body)) continue;
     const Vec3 omega = kept_spin(world, k);
     k.spun = omega - s.omega[k.body];
-    s.omega[k.body] = omega;
+    to.omega[k.body] = omega;
   }
 }
 
-void place_joints(World& world) {
+void place_joints(const World& world) {
   load_shifts(world, *world.wide);
   over_joints(world, world.wide_joints->kernels->place);
 }
 
-void bend_joints(World& world, Real h) {
+void bend_joints(const World& world, Real h) {
   WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
   find_gyro(world, h, w);
   over_joints(world, [&](const JointRun& run) { w.kernels->bend(run, h); });
 }
 
-void return_to_joints(World& world) {
+void return_to_joints(const World& world) {
   const WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
   load_velocities(world, *world.wide);  // half kicks, and the direct solver's answers
@@ -334,26 +335,27 @@ void return_to_joints(World& world) {
   if (!w.kicked.empty()) sweep_joints(world, w.kernels->act_again, [](std::uint32_t) {});
 }
 
-void end_joints(World& world, const StepTime& time) {
+void end_joints(const World& world, Breaking to, Events& events, const StepTime& time) {
   WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
+  Joints& joints = to;
   in_parallel(world.jobs, w.active.size(), kLanes * kJointsAPart, [&](std::uint32_t i) {
-    Joint& joint = world.joints.joint[w.active[i]];
+    Joint& joint = joints.joint[w.active[i]];
     const JointLanes& lanes = w.joints[w.place[i].lanes];
     const std::uint32_t lane = w.place[i].lane;
     for (std::uint32_t k = 0; k < lanes.layout.equalities; ++k) joint.p[k] = w.rows[lanes.first + k].p[lane];
-    keep_drives(world.joints, joint, w, lanes, lane);
+    keep_drives(joints, joint, w, lanes, lane);
     joint.p_h = time.h;
     if (lanes.geared) joint.transmission.phase = phase_of(world, joint, w, lanes, lane);
     joint.force = get(lanes.force, lane) / time.dt;
     joint.torque = get(lanes.torque, lane) / time.dt;
-    if (!has_sane_impulses(world.joints, joint)) start_cold(world.joints, joint);
+    if (!has_sane_impulses(joints, joint)) start_cold(joints, joint);
   });
   for (const std::uint32_t j : w.active) {
-    Joint& joint = world.joints.joint[j];
+    const Joint& joint = joints.joint[j];
     if (joint.force.norm() <= joint.def.break_force && joint.torque.norm() <= joint.def.break_torque) continue;
-    tell_broken(world, j);
-    world.break_joint(j);
+    tell_broken(world, events, j);
+    break_joint(to, j);
   }
 }
 

@@ -84,7 +84,7 @@ inline const LaneVec& pull_at_a(const WideJoints& w, const JointLanes& joint, co
   return joint.pulled ? w.pulls[joint.pulled - 1].d_a : row.d;
 }
 
-inline JointRun every_joint(World& world) {
+inline JointRun every_joint(const World& world) {
   WideJoints& w = *world.wide_joints;
   return {w.joints.data(),
           w.joints.size(),
@@ -105,7 +105,7 @@ inline constexpr std::size_t kJointsAPart = 16;
 
 /// kernel(part of all joints), for kernels that write joints alone.
 template <class Kernel>
-void over_joints(World& world, const Kernel& kernel) {
+void over_joints(const World& world, const Kernel& kernel) {
   const JointRun all = every_joint(world);
   in_parts(world.jobs, all.count, kJointsAPart, [&](std::uint32_t begin, std::uint32_t end) {
     JointRun r = all;
@@ -117,7 +117,7 @@ void over_joints(World& world, const Kernel& kernel) {
 /// kernel(part of the swept joints), for kernels that write bodies: one colour after the other, and after each
 /// `then(colour)`.
 template <class Kernel, class Then>
-void sweep_joints(World& world, const Kernel& kernel, const Then& then) {
+void sweep_joints(const World& world, const Kernel& kernel, const Then& then) {
   const WideJoints& w = *world.wide_joints;
   const JointRun all = every_joint(world);
   const auto part = [&](std::size_t begin, std::size_t end) {
@@ -139,7 +139,7 @@ void sweep_joints(World& world, const Kernel& kernel, const Then& then) {
 /// of_joints(part of the swept joints) and of_contacts(sweeps, part of the pairs), for kernels that write velocities:
 /// colour by colour through both; then those beyond the colours, one after the other, and contacts region by region.
 template <class OfJoints, class OfContacts>
-void sweep_rows(World& world, const OfJoints& of_joints, const OfContacts& of_contacts) {
+void sweep_rows(const World& world, const OfJoints& of_joints, const OfContacts& of_contacts) {
   if (!world.wide_joints->any()) return sweep_contacts(world, of_contacts);
   WideContacts& wide = *world.wide;
   if (wide.manifolds.empty()) return sweep_joints(world, of_joints, [](std::uint32_t) {});
@@ -152,17 +152,17 @@ void sweep_rows(World& world, const OfJoints& of_joints, const OfContacts& of_co
 }
 
 /// Who is active: after the scene changed, or somebody fell asleep or woke.
-void plan_joints(World& world);
+void plan_joints(const World& world, Joints& joints);
 /// Bodies that hang together by joints, for groups.
-void link_joints(World& world, const StepTime& time);
+void link_joints(const World& world, const StepTime& time);
 /// Part of pack(): colours of joints, which are then taken for contacts. Allocates.
-void colour_joints(World& world);
+void colour_joints(const World& world);
 /// Lanes of this step, with what the last one's impulses left. After pack(). Allocates.
-void begin_joints(World& world, Real h);
+void begin_joints(const World& world, Real h);
 /// Half of the forces' kick off, before the solver; and back, after the move, with the omega that belongs to the
 /// facing of then.
-void take_half_kicks(World& world);
-void give_half_kicks(World& world);
+void take_half_kicks(const World& world, Velocities& to);
+void give_half_kicks(const World& world, Velocities& to);
 /// What one joint, a pulley or a gear, has beside its rows, as a step begins.
 void fill_transmission(const World& world, const Joint& joint, const JointEnds& ends, WideJoints& w, JointLanes& lanes,
                        int lane);
@@ -184,12 +184,16 @@ void keep_drives(Joints& joints, Joint& joint, const WideJoints& w, const JointL
 bool has_sane_impulses(Joints& joints, Joint& joint);
 void start_cold(Joints& joints, Joint& joint);
 /// Rows of all joints at the present poses.
-void place_joints(World& world);
+void place_joints(const World& world);
 /// What a substep's sweeps start from, before the move; and after it, where velocities are taken from the state again
 /// and rows are made anew for the poses of then: that wants load_shifts() before.
-void bend_joints(World& world, Real h);
-void return_to_joints(World& world);
+void bend_joints(const World& world, Real h);
+void return_to_joints(const World& world);
+/// A joint, whom it kept from touching, and the plan's being stale.
+using Breaking = Writes<Joints, PairCounts, Revisions>;
 /// Impulses, forces and errors back into the joints; who bears too much breaks.
-void end_joints(World& world, const StepTime& time);
+void end_joints(const World& world, Breaking to, Events& events, const StepTime& time);
+/// It stays, and holds nothing any more.
+void break_joint(Breaking to, std::uint32_t joint);
 
 }  // namespace carom::dynamics

@@ -17,7 +17,7 @@ namespace carom::dynamics {
 namespace {
 
 /// Columns for what acts in this step.
-void lay_columns(World& world) {
+void lay_columns(const World& world) {
   Ledger& l = ledger_of(world);
   const Plan& plan = *world.plan;
   l.cause_of[Ledger::kTurn] = static_cast<std::uint8_t>(index_of(Cause::integrator));
@@ -41,7 +41,7 @@ void lay_columns(World& world) {
 }
 
 /// What a host did since the last step.
-void book_host(World& world) {
+void book_host(const World& world) {
   Ledger& l = ledger_of(world);
   const auto look = [&](std::uint32_t i) {
     if (is_dynamic(world, i) && is_lost(world, i)) return;
@@ -58,7 +58,7 @@ void book_host(World& world) {
   for (std::uint32_t s = 0; s < l.set_amount.size(); ++s) take_set(world, s, true);
 }
 
-void open_books(World& world) {
+void open_books(const World& world) {
   Ledger& l = ledger_of(world);
   const std::size_t slots = world.scene.bodies.slots(), sets = world.particles.set.size();
   l.body.resize(slots), l.body_amount.resize(slots), l.probe.resize(slots);
@@ -75,7 +75,7 @@ void open_books(World& world) {
   count_participants(world, EffectId::ledger, world.plan->linear.count + world.plan->rotating.count);
 }
 
-void book_kicks(World& world, const StepTime&) {
+void book_kicks(const World& world, const StepTime&) {
   each_awake(world, [&](std::uint32_t i) {
     if (!was_lost(world, i)) see_kick(world, i, Ledger::kLock);
   });
@@ -87,7 +87,7 @@ void book_kicks(World& world, const StepTime&) {
 /// work of the forces, over the velocity after the hit,
 ///   F.dv (lag - t)      lag: the moment of stored velocities
 /// is in the change of what is stored; and the way of the body to where it stands is gravity's.
-void share_hit(World& world, std::uint32_t i, Real h) {
+void share_hit(const World& world, std::uint32_t i, Real h) {
   Ledger& l = ledger_of(world);
   const State& s = world.state;
   const Ledger::Body& b = l.body[i];
@@ -106,7 +106,7 @@ void share_hit(World& world, std::uint32_t i, Real h) {
   l.book(Cause::integrator, {-fallen, 0, Vec3::zero(), Vec3::zero()});
 }
 
-void book_impacts(World& world, const StepTime& time) {
+void book_impacts(const World& world, const StepTime& time) {
   if (world.contacts->impacts.empty()) return;
   share_impacts(world);
   each_booked(world, [&](std::uint32_t i) {
@@ -118,13 +118,13 @@ void book_impacts(World& world, const StepTime& time) {
   });
 }
 
-void book_moments(World& world, const StepTime&) {
+void book_moments(const World& world, const StepTime&) {
   if (world.contacts->resisting.empty()) return;
   each_awake(world, [&](std::uint32_t i) { see_kick(world, i, Ledger::kResist); });
 }
 
 /// Half of the kicks, which take_half_kicks() took off and give_half_kicks() gives back after the move.
-void book_solved(World& world, const StepTime&) {
+void book_solved(const World& world, const StepTime&) {
   Ledger& l = ledger_of(world);
   const WideJoints& w = *world.wide_joints;
   for (const WideJoints::Kicked& k : w.kicked) {
@@ -137,7 +137,7 @@ void book_solved(World& world, const StepTime&) {
   note_impulses(world);
 }
 
-void book_move(World& world, std::uint32_t i) {
+void book_move(const World& world, std::uint32_t i) {
   Ledger& l = ledger_of(world);
   const State& s = world.state;
   const Ledger::Body& b = l.body[i];
@@ -162,7 +162,7 @@ void book_move(World& world, std::uint32_t i) {
   l.book(Cause::integrator, moved);
 }
 
-void book_moves(World& world, const StepTime&) {
+void book_moves(const World& world, const StepTime&) {
   Ledger& l = ledger_of(world);
   each_awake(world, [&](std::uint32_t i) {
     if (was_lost(world, i) || is_lost(world, i)) return;
@@ -179,7 +179,7 @@ void book_moves(World& world, const StepTime&) {
 }
 
 /// Who has turned keeps the momentum, and not the omega.
-void book_spun(World& world, const WideJoints::Kicked& k) {
+void book_spun(const World& world, const WideJoints::Kicked& k) {
   Ledger::Body& b = ledger_of(world).body[k.body];
   if (k.spun == Vec3::zero()) return;
   const Vec3 omega = b.seen_omega + k.spun;
@@ -190,7 +190,7 @@ void book_spun(World& world, const WideJoints::Kicked& k) {
 }
 
 /// Poses first, where a solver parts what overlaps; then velocities, where bodies stand now.
-void book_relaxed(World& world, const StepTime&) {
+void book_relaxed(const World& world, const StepTime&) {
   Ledger& l = ledger_of(world);
   const State& s = world.state;
   const WideJoints& w = *world.wide_joints;
@@ -213,33 +213,33 @@ void book_relaxed(World& world, const StepTime&) {
 }
 
 template <Cause cause>
-void book_changed(World& world, const StepTime&) {
+void book_changed(const World& world, const StepTime&) {
   each_booked(world, [&](std::uint32_t i) {
     if (!is_as_seen(world, i)) book_change(world, i, cause);
   });
 }
 
-void book_resisted(World& world, const StepTime& time) {
+void book_resisted(const World& world, const StepTime& time) {
   if (!world.contacts->resisting.empty()) book_changed<Cause::resistance>(world, time);
 }
 
 /// Also sleepers that were hit.
-void book_swept(World& world, const StepTime&) {
+void book_swept(const World& world, const StepTime&) {
   if (world.continuous->bodies.empty()) return;
   for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i)
     if (is_dynamic(world, i) && !is_lost(world, i) && !is_as_seen(world, i)) book_change(world, i, Cause::continuous);
 }
 
-void book_lost(World& world, const StepTime&) {
+void book_lost(const World& world, const StepTime&) {
   each_awake(world, [&](std::uint32_t i) { was_lost(world, i); });
 }
 
-void book_sleep(World& world, const StepTime& time) {
+void book_sleep(const World& world, const StepTime& time) {
   if (world.plan->effects[+EffectId::sleep].customers.count > 0) book_changed<Cause::sleep>(world, time);
 }
 
 /// The state itself, apart from all bookings.
-void sum_state(World& world, Amount& to) {
+void sum_state(const World& world, Amount& to) {
   Ledger& l = ledger_of(world);
   Account account;
   for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) {
@@ -262,7 +262,7 @@ void sum_state(World& world, Amount& to) {
   to = account.value();
 }
 
-void close_books(World& world) {
+void close_books(const World& world) {
   Ledger& l = ledger_of(world);
   sum_state(world, l.now);
   for (std::size_t c = 0; c < kCauses; ++c) l.since[c].add(l.step[c].value());
@@ -277,7 +277,7 @@ void close_books(World& world) {
 
 }  // namespace
 
-void book_stage(World& world, Booking booking, const StepTime& time) {
+void book_stage(const World& world, Booking booking, const StepTime& time) {
   switch (booking) {
     case Booking::none:
     case Booking::with_host:

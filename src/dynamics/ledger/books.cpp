@@ -14,7 +14,7 @@ bool is_lost(const World& world, std::uint32_t i) {
   return !sane_velocity(world.state, i) || !sane_spin(world.state, i);
 }
 
-void open_phase(World& world, std::uint32_t i) {
+void open_phase(const World& world, std::uint32_t i) {
   const State& s = world.state;
   Ledger::Body& b = ledger_of(world).body[i];
   b.x = s.x[i], b.q = s.q[i];
@@ -23,7 +23,7 @@ void open_phase(World& world, std::uint32_t i) {
   b.held = s.quarantined[i] != 0;
 }
 
-void may_round(World& world, std::uint32_t i, Real speed, Real spin) {
+void may_round(const World& world, std::uint32_t i, Real speed, Real spin) {
   Rounding& r = ledger_of(world).step_rounding;
   const Real m = world.scene.mass[i], inertia = world.scene.inertia[i].trace(),
              reach = ledger_of(world).body[i].x.norm();
@@ -32,7 +32,7 @@ void may_round(World& world, std::uint32_t i, Real speed, Real spin) {
   r.angular += kRoundings * (reach * m * speed + inertia * spin);
 }
 
-void close_phase(World& world, std::uint32_t i) {
+void close_phase(const World& world, std::uint32_t i) {
   Ledger& l = ledger_of(world);
   Ledger::Body& b = l.body[i];
   const Real m = world.scene.mass[i];
@@ -61,7 +61,7 @@ void forget_kicks(Ledger& l, std::uint32_t i) {
   for (Ledger::Kick& kick : l.kicks_of(i)) kick = {Vec3::zero(), Vec3::zero()};
 }
 
-void book_change(World& world, std::uint32_t i, Cause cause) {
+void book_change(const World& world, std::uint32_t i, Cause cause) {
   Ledger& l = ledger_of(world);
   const Ledger::Body b = l.body[i];
   l.book(cause, amount_now(world, i) - amount_of(world, i, b.x, b.q, b.seen_v, b.seen_omega));
@@ -76,7 +76,7 @@ bool is_as_seen(const World& world, std::uint32_t i) {
   return s.v[i] == b.seen_v && s.omega[i] == b.seen_omega && s.x[i] == b.x && s.q[i] == b.q;
 }
 
-bool was_lost(World& world, std::uint32_t i) {
+bool was_lost(const World& world, std::uint32_t i) {
   Ledger& l = ledger_of(world);
   Ledger::Body& b = l.body[i];
   if (!world.state.quarantined[i] || b.held) return false;
@@ -86,7 +86,7 @@ bool was_lost(World& world, std::uint32_t i) {
   return true;
 }
 
-void see_kick(World& world, std::uint32_t i, std::size_t column) {
+void see_kick(const World& world, std::uint32_t i, std::size_t column) {
   Ledger& l = ledger_of(world);
   Ledger::Body& b = l.body[i];
   Ledger::Kick& kick = l.kicks_of(i)[column];

@@ -10,7 +10,7 @@ namespace carom::dynamics {
 /// velocities that is multiplied and added a few times.
 inline constexpr Real kRoundings = 64 * kUnitRoundoff;
 
-inline Ledger& ledger_of(World& world) { return *world.ledger; }
+inline Ledger& ledger_of(const World& world) { return *world.ledger; }
 inline bool is_dynamic(const World& world, std::uint32_t i) { return world.scene.inv_mass[i] > 0; }
 /// m/s^2, what the potential is of.
 inline Vec3 pull_on(const World& world, std::uint32_t i) {
@@ -32,27 +32,27 @@ void each_booked(const World& world, F&& f) {
 }
 
 /// A body's phase begins with the state as it is.
-void open_phase(World& world, std::uint32_t i);
+void open_phase(const World& world, std::uint32_t i);
 /// What velocities changed since the last booking, into a column.
-void see_kick(World& world, std::uint32_t i, std::size_t column);
+void see_kick(const World& world, std::uint32_t i, std::size_t column);
 /// The phase of a body ends with the velocities that were seen last: book its kicks. They stay.
-void close_phase(World& world, std::uint32_t i);
+void close_phase(const World& world, std::uint32_t i);
 void forget_kicks(Ledger& l, std::uint32_t i);
 
 bool is_as_seen(const World& world, std::uint32_t i);
 /// All that changed since the last booking, poses with it, under one cause; a new phase begins.
-void book_change(World& world, std::uint32_t i, Cause cause);
+void book_change(const World& world, std::uint32_t i, Cause cause);
 /// Whose state left the finite world in this room: what its phase had booked so far makes no sense. It is booked.
-bool was_lost(World& world, std::uint32_t i);
+bool was_lost(const World& world, std::uint32_t i);
 
 /// Terms of a booking, for the bound of its rounding.
 /// @param speed, spin  m/s, rad/s: sums of magnitudes
-void may_round(World& world, std::uint32_t i, Real speed, Real spin);
+void may_round(const World& world, std::uint32_t i, Real speed, Real spin);
 
 // ---- particles.cpp ----
 /// Take a set as it is.   @param host  what changed since the last time is a host's
-void take_set(World& world, std::uint32_t set, bool host);
+void take_set(const World& world, std::uint32_t set, bool host);
 /// What a step did to particles.
-void book_flight(World& world, const StepTime& time);
+void book_flight(const World& world, const StepTime& time);
 
 }  // namespace carom::dynamics

@@ -28,7 +28,7 @@ Amount amount_of(const World& world, std::uint32_t i, const Vec3& x, const Quat&
   return a;
 }
 
-Ledger::Ledger(World& world)
+Ledger::Ledger(const World& world)
     : body(world.memory),
       kicks(world.memory),
       probe(world.memory),
@@ -79,12 +79,12 @@ const Customers& written_by(const World& world, const PlannedEffect& row) {
 
 }  // namespace
 
-void before_row(World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega) {
+void before_row(const World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega) {
   Ledger& l = ledger_of(world);
   written_by(world, row).each([&](std::uint32_t i) { l.probe[i] = {v[i], omega[i]}; });
 }
 
-void after_row(World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega, Real share) {
+void after_row(const World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega, Real share) {
   Ledger& l = ledger_of(world);
   const std::size_t column = l.column_of[static_cast<std::size_t>(&row - world.plan->effects.data())];
   written_by(world, row).each([&](std::uint32_t i) {
@@ -94,7 +94,7 @@ void after_row(World& world, const PlannedEffect& row, const Vec3* v, const Vec3
   });
 }
 
-void book_turns(World& world) {
+void book_turns(const World& world) {
   Ledger& l = ledger_of(world);
   const State& s = world.state;
   each_awake(world, [&](std::uint32_t i) {

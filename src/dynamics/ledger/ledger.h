@@ -92,7 +92,7 @@ struct Rounding {
 };
 
 struct Ledger {
-  explicit Ledger(World& world);  // begins with the state as it is
+  explicit Ledger(const World& world);  // begins with the state as it is
 
   // ---- what a host reads ----
   std::array<Account, kCauses> step{}, since{};  // of the last step; since the ledger began, with it
@@ -173,17 +173,17 @@ enum class Booking : std::uint8_t {
 };
 
 /// After a stage: book what it did.
-void book_stage(World& world, Booking booking, const StepTime& time);
+void book_stage(const World& world, Booking booking, const StepTime& time);
 
 // Within integrate_velocity().
-void before_row(World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega);
-void after_row(World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega, Real share);
+void before_row(const World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega);
+void after_row(const World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega, Real share);
 /// Books what a row of the table does, in this scope, to velocities or to what becomes of them. It writes to nobody
 /// but its customers.
 class BookRow {
  public:
   /// @param v, omega  by body slot   @param share  @see Accelerate
-  BookRow(World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega, Real share)
+  BookRow(const World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega, Real share)
       : world_(world), row_(row), v_(v), omega_(omega), share_(share) {
     if (keeps_books(world_)) before_row(world_, row_, v_, omega_);
   }
@@ -194,23 +194,23 @@ class BookRow {
   BookRow& operator=(const BookRow&) = delete;
 
  private:
-  World& world_;
+  const World& world_;
   const PlannedEffect& row_;
   const Vec3 *v_, *omega_;
   const Real share_;
 };
 /// After the integrator and before locks: what is not of a row.
-void book_turns(World& world);
+void book_turns(const World& world);
 
 // ---- shares.cpp: of a solver's impulses ----
 /// Room for what the next two keep. Allocates.
-void make_room_for_shares(World& world);
+void make_room_for_shares(const World& world);
 /// Impulses as the phase after the move begins with them.
-void note_impulses(World& world);
-void note_impacts(World& world);  // likewise before impacts are answered
+void note_impulses(const World& world);
+void note_impacts(const World& world);  // likewise before impacts are answered
 /// Split what the solver did into its causes; bodies have the velocities with which their phases end.
-void share_solved(World& world);
-void share_relaxed(World& world);
-void share_impacts(World& world);
+void share_solved(const World& world);
+void share_relaxed(const World& world);
+void share_impacts(const World& world);
 
 }  // namespace carom::dynamics

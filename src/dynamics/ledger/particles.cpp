@@ -36,7 +36,7 @@ SetSums sums_of(const World& world, std::uint32_t s) {
   return sums;
 }
 
-void keep_sums(World& world, std::uint32_t s, const SetSums& sums) {
+void keep_sums(const World& world, std::uint32_t s, const SetSums& sums) {
   Ledger& l = ledger_of(world);
   l.set_amount[s] = sums.amount, l.set_moment[s] = sums.moment;
   l.set_held[s] = world.particles.set[s].held_count;
@@ -47,7 +47,7 @@ void keep_sums(World& world, std::uint32_t s, const SetSums& sums) {
 
 }  // namespace
 
-void take_set(World& world, std::uint32_t s, bool host) {
+void take_set(const World& world, std::uint32_t s, bool host) {
   Ledger& l = ledger_of(world);
   const bool there = s < world.particles.set.size();
   const SetSums sums = there ? sums_of(world, s) : SetSums{{}, Vec3::zero()};
@@ -57,7 +57,7 @@ void take_set(World& world, std::uint32_t s, bool host) {
 
 /// Gravity's impulse is the step's, at the middle of the way; damping has the rest, and where there is none the
 /// integrator.
-void book_flight(World& world, const StepTime& time) {
+void book_flight(const World& world, const StepTime& time) {
   Ledger& l = ledger_of(world);
   for (std::uint32_t s = 0; s < world.particles.set.size(); ++s) {
     const ParticleSet& set = world.particles.set[s];

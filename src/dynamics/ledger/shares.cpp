@@ -61,7 +61,7 @@ class Gift {
 /// Shares of what a solver did, by cause, taken out of what is unassigned (or, of impacts, from restitution).
 class Shares {
  public:
-  Shares(World& world, Cause from = Cause::unassigned) : world_(world), from_(from) {}
+  Shares(const World& world, Cause from = Cause::unassigned) : world_(world), from_(from) {}
   /// What is not finite comes of bodies that are about to be put in quarantine.
   void give(Cause cause, const Gift& gift) {
     const Amount& a = gift.amount();
@@ -76,10 +76,10 @@ class Shares {
   }
   Shares(const Shares&) = delete;
   Shares& operator=(const Shares&) = delete;
-  World& world() const { return world_; }
+  const World& world() const { return world_; }
 
  private:
-  World& world_;
+  const World& world_;
   const Cause from_;
   std::array<Amount, kFixedCauses> by_cause_;  // as many roundings as rows: books close all the same
 };
@@ -208,7 +208,7 @@ bool answers_directly(const World& world) {
 
 }  // namespace
 
-void make_room_for_shares(World& world) {
+void make_room_for_shares(const World& world) {
   Ledger& l = *world.ledger;
   with_lanes(*world.wide, [&](const auto& lanes, const auto&) {
     l.old_points.resize(lanes.points.size() * kLanes);
@@ -219,7 +219,7 @@ void make_room_for_shares(World& world) {
   l.old_impacts.resize(world.contacts->impacts.size());
 }
 
-void note_impulses(World& world) {
+void note_impulses(const World& world) {
   Ledger& l = *world.ledger;
   const WideContacts& wide = *world.wide;
   const WideJoints& w = *world.wide_joints;
@@ -240,14 +240,14 @@ void note_impulses(World& world) {
   for (std::size_t i = 0; i < w.drives.size(); ++i) note(&l.old_drives[i * kLanes], 1, w.drives[i].row.p);
 }
 
-void note_impacts(World& world) {
+void note_impacts(const World& world) {
   const Contacts& c = *world.contacts;
   if (!world.plan->runs[static_cast<std::size_t>(Stage::solve)]) return;
   for (std::size_t k = 0; k < c.impacts.size(); ++k)
     world.ledger->old_impacts[k] = c.geometry[c.impacts[k].row].impulse;
 }
 
-void share_solved(World& world) {
+void share_solved(const World& world) {
   const Solver* const solver = world.plan->solver;
   Shares shares(world);
   if (solver->in_lanes) share_lanes(shares, false);
@@ -256,7 +256,7 @@ void share_solved(World& world) {
   if (world.wide_joints->any()) share_joint_lanes(shares, false);
 }
 
-void share_relaxed(World& world) {
+void share_relaxed(const World& world) {
   Shares shares(world);
   if (world.plan->solver->in_lanes) share_lanes(shares, true);
   if (answers_directly(world)) share_group_links(shares, true);
@@ -264,7 +264,7 @@ void share_relaxed(World& world) {
 }
 
 /// Friction of impacts; their normal impulses are what is left.
-void share_impacts(World& world) {
+void share_impacts(const World& world) {
   Shares shares(world, Cause::restitution);
   const Contacts& c = *world.contacts;
   for (std::size_t k = 0; k < c.impacts.size(); ++k) {

@@ -84,23 +84,21 @@ std::size_t hold_strays(Particles& particles, std::uint32_t s, std::size_t block
 }
 
 /// Look for strays where there may be some (a sum bounds its terms), and report the first of the set.
-void judge(World& world, std::uint32_t s) {
-  ParticleSet& set = world.particles.set[s];
+void judge(Particles& particles, FaultViews& faults, std::uint32_t s) {
+  ParticleSet& set = particles.set[s];
   FaultView view;
   for (std::size_t b = 0; b < set.sums.size(); ++b) {
     if (within_limits(set.sums[b].x2, set.sums[b].v2)) continue;
-    const std::size_t first = hold_strays(world.particles, s, b);
+    const std::size_t first = hold_strays(particles, s, b);
     if (first < BlockRange(set, b).end && view.particles == FaultView::kNone)
       view.particles = s, view.particle = static_cast<std::uint32_t>(first);
   }
-  if (view.particles != FaultView::kNone && world.fault_views.size() < world.fault_views.capacity())
-    world.fault_views.push_back(view);
+  if (view.particles != FaultView::kNone && faults.size() < faults.capacity()) faults.push_back(view);
 }
 
 }  // namespace
 
-void fly(World& world, const StepTime& time) {
-  Particles& particles = world.particles;
+void fly(const World& world, Particles& particles, FaultViews& faults, const StepTime& time) {
   if (particles.count() == 0 || world.scene.modes.forbids(+EffectId::particles)) return;
   const std::uint32_t integrator = world.scene.dials.choice(Dial::integrator);
   PlannedEffect& row = world.plan->effects[+EffectId::particles];
@@ -121,7 +119,7 @@ void fly(World& world, const StepTime& time) {
       });
       set.sums[b] = sums;
     });
-    judge(world, s);
+    judge(particles, faults, s);
   }
 }
 

@@ -7,8 +7,7 @@ namespace carom::dynamics {
 namespace {
 
 /// Count on a body's time of being slow, or start it anew. Comparisons are such that NaN is not slow.
-void count_calm(World& world, std::uint32_t i, Real speed, Real dt) {
-  Sleep& z = *world.sleep;
+void count_calm(const World& world, Sleep& z, std::uint32_t i, Real speed, Real dt) {
   const State& s = world.state;
   const bool slow = s.v[i].norm() + z.radius[i] * s.omega[i].norm() <= speed && !s.quarantined[i] &&
                     !world.scene.def[i].stays_awake && !world.scene.modes.forbids(+EffectId::sleep, i);
@@ -33,8 +32,7 @@ bool rolls_by(const World& world, std::uint32_t i) {
 }
 
 /// Who hangs on one spring falls asleep together.
-void join_sprung(World& world) {
-  Array<std::uint32_t>& root = world.sleep->root;
+void join_sprung(const World& world, Array<std::uint32_t>& root) {
   const Springs& springs = world.scene.springs;
   const auto root_of = [&](std::uint32_t i) {
     while (root[i] != i) i = root[i];
@@ -52,8 +50,7 @@ void join_sprung(World& world) {
 }
 
 /// The island of every customer, and which islands something keeps awake.
-void find_islands(World& world, const Customers& customers, Real time) {
-  Sleep& z = *world.sleep;
+void find_islands(const World& world, Sleep& z, const Customers& customers, Real time) {
   Contacts& c = *world.contacts;
   customers.each([&](std::uint32_t i) { z.root[i] = i, z.restless[i] = 0; });
   const bool met = world.plan->runs[static_cast<std::size_t>(Stage::group)];
@@ -63,7 +60,7 @@ void find_islands(World& world, const Customers& customers, Real time) {
   }
   const PlannedEffect& sprung = world.plan->effects[+EffectId::springs];
   if (sprung.customers.count > 0) {
-    join_sprung(world);
+    join_sprung(world, z.root);
     customers.each([&](std::uint32_t i) {  // ascending, and roots are lower: they stand already
       z.root[i] = z.root[z.root[i]];
     });
@@ -92,11 +89,9 @@ void find_islands(World& world, const Customers& customers, Real time) {
   }
 }
 
-void lie_down(World& world, std::uint32_t i) {
-  Sleep& z = *world.sleep;
-  State& s = world.state;
+void lie_down(Velocities& s, SleepFlags& flags, Sleep& z, std::uint32_t i) {
   s.v[i] = s.omega[i] = s.momentum[i] = Vec3::zero();
-  world.state.asleep[i] = 1;
+  flags.asleep[i] = 1;
   z.ring[i] = i;
   if (const std::uint32_t first = z.root[i]; first != i) {
     // The root has the lowest slot of its island, so it lies already.
@@ -115,25 +110,25 @@ void sleeping::find(const Scene& scene, const State& state, Customers& customers
     if (responds(scene, state, i)) customers.add(i);
 }
 
-void fall_asleep(World& world, const StepTime& time) {
+void fall_asleep(const World& world, Velocities& motion, Sleepers to, StepReport& report, const StepTime& time) {
   PlannedEffect& row = world.plan->effects[+EffectId::sleep];
   if (row.customers.count == 0) return;
-  Sleep& z = *world.sleep;
+  Sleep& z = to;
   const Dials& dials = world.scene.dials;
   const Real speed = dials[Dial::sleep_speed], need = dials[Dial::sleep_time];
   bool anyone = false;
   row.customers.each([&](std::uint32_t i) {
-    count_calm(world, i, speed, time.dt);
+    count_calm(world, z, i, speed, time.dt);
     anyone |= z.calm[i] >= need;
   });
   row.evaluations += row.customers.count;
   if (!anyone) return;
-  find_islands(world, row.customers, need);
+  find_islands(world, z, row.customers, need);
   row.customers.each([&](std::uint32_t i) {
-    if (!z.restless[z.root[i]]) lie_down(world, i);
+    if (!z.restless[z.root[i]]) lie_down(motion, to, z, i);
   });
-  world.report.fell_asleep = z.fallen.size();
-  world.report.asleep_bodies = z.count;
+  report.fell_asleep = z.fallen.size();
+  report.asleep_bodies = z.count;
 }
 
 }  // namespace carom::dynamics

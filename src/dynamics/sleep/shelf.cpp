@@ -24,8 +24,7 @@ bool of_bodies(const PlannedEffect& row) {
 }
 
 /// Put boxes into the tree: one by one, or, where they are many, all afresh.
-void plant(World& world, const Array<std::uint32_t>& colliders) {
-  Sleep& z = *world.sleep;
+void plant(const World& world, Sleep& z, const Array<std::uint32_t>& colliders) {
   const Colliders& c = world.scene.colliders;
   bool afresh = 8 * colliders.size() > z.tree.size();
   z.tree.grow(c.slots());
@@ -45,8 +44,7 @@ void plant(World& world, const Array<std::uint32_t>& colliders) {
 }
 
 /// Records between two that do not move, one of them asleep.
-void park_pairs(World& world) {
-  Sleep& z = *world.sleep;
+void park_pairs(const World& world, Sleep& z, PairTable& pairs) {
   const Scene& scene = world.scene;
   const State& s = world.state;
   const auto still = [&](std::uint32_t body) {
@@ -61,7 +59,7 @@ void park_pairs(World& world) {
     if (z.parked[a]) z.holders[i] |= PairTable::by_a;
     if (z.parked[b]) z.holders[i] |= PairTable::by_b;
   }
-  world.pairs.park(z.holders, scene.colliders.slots());
+  pairs.park(z.holders, scene.colliders.slots());
 }
 
 void keep_impulse(Sleep& z, std::uint32_t body, const KeptImpulse& impulse) {
@@ -78,29 +76,25 @@ void keep_impulse(Sleep& z, std::uint32_t body, const KeptImpulse& impulse) {
 }
 
 /// Impulses of pairs that a sleeper is in: all its contacts are with its island or with what does not move.
-void park_impulses(World& world) {
-  Sleep& z = *world.sleep;
-  Contacts& c = *world.contacts;
+void park_impulses(const World& world, Sleep& z, Impulses& from) {
   const Array<std::uint32_t>& body = world.scene.colliders.body;
-  z.kept.reserve(z.kept.size() + c.old.size());
+  z.kept.reserve(z.kept.size() + from.old.size());
   z.kept_free.reserve(z.kept.capacity());
   std::size_t stay = 0;
   std::uint32_t order = 0;
-  for (std::size_t i = 0; i < c.old.size(); ++i) {
-    order = i > 0 && c.old[i].pair == c.old[i - 1].pair ? order + 1 : 0;
-    const std::uint32_t a = body[c.old[i].pair.a], b = body[c.old[i].pair.b];
+  for (std::size_t i = 0; i < from.old.size(); ++i) {
+    order = i > 0 && from.old[i].pair == from.old[i - 1].pair ? order + 1 : 0;
+    const std::uint32_t a = body[from.old[i].pair.a], b = body[from.old[i].pair.b];
     if (z.parked[a] || z.parked[b])
-      keep_impulse(z, z.parked[a] ? a : b, {c.old[i], c.old_h, order, kNone});
+      keep_impulse(z, z.parked[a] ? a : b, {from.old[i], from.old_h, order, kNone});
     else
-      c.old[stay++] = c.old[i];
+      from.old[stay++] = from.old[i];
   }
-  c.old.resize(stay);
+  from.old.resize(stay);
 }
 
 /// Impulses of woken bodies, back among those that the step starts from.
-void return_impulses(World& world, const Array<std::uint32_t>& bodies) {
-  Sleep& z = *world.sleep;
-  Contacts& c = *world.contacts;
+void return_impulses(Sleep& z, Impulses& back_to, const Array<std::uint32_t>& bodies) {
   z.returning.clear();
   for (const std::uint32_t body : bodies)
     for (std::uint32_t k = z.kept_first[body]; k != kNone; k = z.kept[k].next)
@@ -108,17 +102,17 @@ void return_impulses(World& world, const Array<std::uint32_t>& bodies) {
   std::sort(z.returning.begin(), z.returning.end(), [](const KeptImpulse& x, const KeptImpulse& y) {
     return std::tuple(x.impulse.pair.key(), x.order) < std::tuple(y.impulse.pair.key(), y.order);
   });
-  std::size_t to = c.old.size() + z.returning.size(), i = c.old.size(), k = z.returning.size();
-  c.old.resize(to);
+  std::size_t to = back_to.old.size() + z.returning.size(), i = back_to.old.size(), k = z.returning.size();
+  back_to.old.resize(to);
   while (k > 0) {  // merged from behind; no pair is on both sides
-    if (i > 0 && z.returning[k - 1].impulse.pair < c.old[i - 1].pair) {
-      c.old[--to] = c.old[--i];
+    if (i > 0 && z.returning[k - 1].impulse.pair < back_to.old[i - 1].pair) {
+      back_to.old[--to] = back_to.old[--i];
       continue;
     }
     KeptImpulse& back = z.returning[--k];
-    if (!(c.old_h > 0)) c.old_h = back.h;
-    if (back.h != c.old_h) back.impulse.stretch(c.old_h / back.h);  // as if the others' substep had made it
-    c.old[--to] = back.impulse;
+    if (!(back_to.old_h > 0)) back_to.old_h = back.h;
+    if (back.h != back_to.old_h) back.impulse.stretch(back_to.old_h / back.h);  // as if the others' substep had made it
+    back_to.old[--to] = back.impulse;
   }
   for (const std::uint32_t body : bodies)
     while (z.kept_first[body] != kNone) {
@@ -128,8 +122,8 @@ void return_impulses(World& world, const Array<std::uint32_t>& bodies) {
     }
 }
 
-void park(World& world) {
-  Sleep& z = *world.sleep;
+void park(const World& world, Settling to) {
+  Sleep& z = to;
   const Scene& scene = world.scene;
   z.colliders.clear();
   z.in_tree.resize(scene.colliders.slots(), 0);
@@ -138,18 +132,17 @@ void park(World& world) {
     z.parked[i] = 1;
     if (scene.first_collider[i] != kNone) world.plan->rotation[i] = world.state.q[i].matrix();
     each_collider(scene, i, [&](std::uint32_t c) {
-      place_collider(world, *world.plan, c, 0);
+      place_collider(world, to, to, *world.plan, c, 0);
       z.colliders.push_back(c);
     });
   }
   z.fallen.clear();
-  plant(world, z.colliders);
-  park_pairs(world);
-  park_impulses(world);
+  plant(world, z, z.colliders);
+  park_pairs(world, z, to);
+  park_impulses(world, z, to);
 }
 
-void take_back(World& world) {
-  Sleep& z = *world.sleep;
+void take_back(const World& world, Sleep& z, Impulses& to) {
   z.bodies.clear();
   for (const std::uint32_t i : z.woken)
     if (!world.state.asleep[i] && z.parked[i]) z.bodies.push_back(i), z.parked[i] = 0;
@@ -160,12 +153,11 @@ void take_back(World& world) {
       if (c < z.in_tree.size() && z.in_tree[c]) z.tree.remove(c), z.in_tree[c] = 0;
       z.rejoined.push_back(c);
     });
-  return_impulses(world, z.bodies);
+  return_impulses(z, to, z.bodies);
 }
 
 /// Who of an ascending list is awake, and the woken bodies (ascending) among them.
-void relist(World& world, const Array<std::uint32_t>& woken, Customers& list) {
-  Sleep& z = *world.sleep;
+void relist(const World& world, Sleep& z, const Array<std::uint32_t>& woken, Customers& list) {
   z.spare.clear();
   std::size_t k = 0;
   list.each([&](std::uint32_t i) {
@@ -177,9 +169,7 @@ void relist(World& world, const Array<std::uint32_t>& woken, Customers& list) {
   std::swap(list, z.spare);
 }
 
-void relist_colliders(World& world, const Array<std::uint32_t>& woken) {
-  Sleep& z = *world.sleep;
-  Colliders& c = world.scene.colliders;
+void relist_colliders(const World& world, Sleep& z, Colliders& c, const Array<std::uint32_t>& woken) {
   z.colliders.clear();
   for (const std::uint32_t i : woken)
     each_collider(world.scene, i, [&](std::uint32_t slot) { z.colliders.push_back(slot); });
@@ -197,11 +187,10 @@ void relist_colliders(World& world, const Array<std::uint32_t>& woken) {
 }
 
 /// Everybody's rows and lists, for those who are awake.
-void list_awake(World& world, const Array<std::uint32_t>& woken) {
-  Sleep& z = *world.sleep;
+void list_awake(const World& world, Sleep& z, Colliders& colliders, Joints& joints, const Array<std::uint32_t>& woken) {
   Plan& plan = *world.plan;
-  relist(world, woken, plan.effects[+EffectId::sleep].candidates);
-  relist_colliders(world, woken);
+  relist(world, z, woken, plan.effects[+EffectId::sleep].candidates);
+  relist_colliders(world, z, colliders, woken);
   const Customers& awake = plan.effects[+EffectId::sleep].candidates;
   plan.linear.clear(), plan.rotating.clear();
   awake.each([&](std::uint32_t i) { (rotates(world.scene, i) ? plan.rotating : plan.linear).add(i); });
@@ -218,7 +207,7 @@ void list_awake(World& world, const Array<std::uint32_t>& woken) {
     }
     if (row.effect->stage != Stage::solve && k != +EffectId::springs && !row.effect->wakes) row.customers = row.candidates;
   }
-  plan_joints(world);
+  plan_joints(world, joints);
   plan_springs(world);
   plan_stages(world, plan);
 }
@@ -254,8 +243,7 @@ Sleep::Sleep(Memory* m)
       spare(m) {}
 
 /// All that is parked, into an empty tree.
-static void replant(World& world) {
-  Sleep& z = *world.sleep;
+static void replant(const World& world, Sleep& z, Colliders& table, PlacedPoses& placed) {
   z.colliders.clear();
   z.tree.clear();
   z.in_tree.assign(world.scene.colliders.slots(), 0);
@@ -263,23 +251,24 @@ static void replant(World& world) {
     if (!z.parked[i]) continue;
     if (world.scene.first_collider[i] != kNone) world.plan->rotation[i] = world.state.q[i].matrix();
     each_collider(world.scene, i, [&](std::uint32_t c) {
-      place_collider(world, *world.plan, c, 0);
+      place_collider(world, table, placed, *world.plan, c, 0);
       z.colliders.push_back(c);
     });
   }
-  plant(world, z.colliders);
+  plant(world, z, z.colliders);
   z.replant = false;
 }
 
-void plan_sleep(World& world, Plan& plan) {
+void plan_sleep(const World& world, Settling to, Plan& plan) {
   if (plan.effects[+EffectId::sleep].candidates.count == 0) return;  // the dial is off: nobody sleeps
-  Sleep& z = *world.sleep;
+  Sleep& z = to;
   const Scene& scene = world.scene;
   const std::uint32_t slots = scene.bodies.slots();
+  SleepFlags& flags = to;
   z.fallen.reserve(slots), z.woken.reserve(slots);
   z.parked.resize(slots, 0), z.ring.resize(slots, kNone), z.anchor_x.resize(slots, Vec3::zero());
   z.anchor_q.resize(slots, Quat::identity()), z.radius.resize(slots, 0), z.kept_first.resize(slots, kNone);
-  z.root.resize(slots, 0), z.restless.resize(slots, 0), world.state.asleep.resize(slots, 0);
+  z.root.resize(slots, 0), z.restless.resize(slots, 0), flags.asleep.resize(slots, 0);
   z.calm.resize(slots, 0);  // last: its size says that all have theirs
   z.rows.assign(slots, 0);
   for (std::size_t k = 0; k < plan.effects.size(); ++k)
@@ -287,42 +276,46 @@ void plan_sleep(World& world, Plan& plan) {
       plan.effects[k].candidates.each([&](std::uint32_t i) { z.rows[i] |= row_bit(k); });
   plan.effects[+EffectId::sleep].candidates.each([&](std::uint32_t i) { z.radius[i] = radius_of_body(world, i); });
   z.bodies.clear();
-  if (z.count > 0) list_awake(world, z.bodies);
+  if (z.count > 0) list_awake(world, z, to, to, z.bodies);
 }
 
-void forget_sleepers(World& world) {
-  Sleep& z = *world.sleep;
-  wake_all(world);
+void forget_sleepers(const World& world, Forgetting to) {
+  Sleep& z = to;
+  wake_all(world, to);
   z.tree.clear();
   z.replant = false;
   std::fill(z.in_tree.begin(), z.in_tree.end(), std::uint8_t(0));
   std::fill(z.parked.begin(), z.parked.end(), std::uint8_t(0));
   std::fill(z.kept_first.begin(), z.kept_first.end(), kNone);
   z.kept.clear(), z.kept_free.clear(), z.fallen.clear(), z.woken.clear(), z.rejoined.clear(), z.near.clear();
-  world.contacts->old.clear();
-  world.pairs.clear();
-  ++world.scene.revision;
+  Impulses& impulses = to;
+  PairTable& pairs = to;
+  Revisions& scene = to;
+  impulses.old.clear();
+  pairs.clear();
+  ++scene.revision;
 }
 
-bool settle_sleepers(World& world) {
-  Sleep& z = *world.sleep;
-  if (z.replant) replant(world);
-  if (std::exchange(z.alarm, false)) wake_all(world);
+bool settle_sleepers(const World& world, Settling to) {
+  Revisions& scene = to;
+  Sleep& z = to;
+  if (z.replant) replant(world, z, to, to);
+  if (std::exchange(scene.alarm, false)) wake_all(world, to);
   if (z.fallen.empty() && z.woken.empty()) return false;
-  rejoin(world);
+  rejoin(world, to);
   return true;
 }
 
-void rejoin(World& world) {
-  Sleep& z = *world.sleep;
+void rejoin(const World& world, Settling to) {
+  Sleep& z = to;
   try {
-    take_back(world);
-    if (!z.fallen.empty()) park(world);
+    take_back(world, z, to);
+    if (!z.fallen.empty()) park(world, to);
     if (!anyone_sleeps(world.scene)) return;  // the plan is everybody's
     std::erase_if(z.bodies, [&](std::uint32_t i) { return !responds(world.scene, world.state, i); });
-    list_awake(world, z.bodies);
+    list_awake(world, z, to, to, z.bodies);
   } catch (...) {
-    forget_sleepers(world);
+    forget_sleepers(world, to);
     throw;
   }
 }

@@ -61,7 +61,6 @@ struct Sleep {
   std::uint64_t count = 0;             // bodies asleep
   std::uint64_t woke = 0;              // bodies woken since the last report
   bool replant = false;                // the tree below is empty, and is to be made of all parked bodies
-  bool alarm = false;                  // something is muted or in quarantine: all wake
 
   BoxTree tree;                 // colliders of parked bodies, by their bounds
   Array<std::uint8_t> in_tree;  // by collider
@@ -87,12 +86,14 @@ void find(const Scene&, const State&, Customers&);
 
 // ---- a host's edits (between steps); a body is a slot. None allocates but stir(). ----
 /// Wake a body's island; a body that is awake starts to be slow anew.
-void wake(World& world, std::uint32_t body);
-void wake_all(World& world);
+void wake(const World& world, Sleepers to, std::uint32_t body);
+inline void wake(World& world, std::uint32_t body) { wake(world, Sleepers(world), body); }
+void wake_all(const World& world, Sleepers to);
+inline void wake_all(World& world) { wake_all(world, Sleepers(world)); }
 /// Wake who touches a collider.
 void wake_touching(World& world, std::uint32_t collider);
 /// Wake who is joined to a body, or hangs on it by a spring.
-void wake_joined(World& world, std::uint32_t body);
+void wake_joined(const World& world, Sleepers to, std::uint32_t body);
 /// Wake who wears a material, or touches what wears it.
 void wake_wearing(World& world, std::uint32_t material);
 /// A host changed what a body is or where it stands: it wakes; who touched a static or kinematic one wakes; whom that
@@ -104,20 +105,21 @@ void forget_body(World& world, std::uint32_t body);
 
 // ---- within refresh() ----
 /// After a plan was made for everybody: cut its lists down to who is awake.
-void plan_sleep(World& world, Plan& plan);
+void plan_sleep(const World& world, Settling to, Plan& plan);
 /// Let the arrays follow who fell asleep or woke.
 /// @return whether customers changed
-bool settle_sleepers(World& world);
+bool settle_sleepers(const World& world, Settling to);
 
 // ---- stages of the page ----
 /// Stage refresh: wake the islands that something moving touches, and note the pairs that come near.
-void wake_touched(World& world, const StepTime& time);
+void wake_touched(const World& world, Settling to, SpringLoads& springs, StepReport& report, const StepTime& time);
 /// Stage observe: put to sleep the islands that came to rest.
-void fall_asleep(World& world, const StepTime& time);
+void fall_asleep(const World& world, Velocities& motion, Sleepers to, StepReport& report, const StepTime& time);
 
 /// Settle, for stages that wake: bodies of sleep.woken back into arrays and lists of the plan.
-void rejoin(World& world);
+void rejoin(const World& world, Settling to);
+using Forgetting = Writes<SleepFlags, Sleep, PairTable, Impulses, Revisions>;
 /// Where memory ran out half-way: everybody is awake, and caches are gone.
-void forget_sleepers(World& world);
+void forget_sleepers(const World& world, Forgetting to);
 
 }  // namespace carom::dynamics

@@ -11,15 +11,14 @@
 namespace carom::dynamics {
 namespace {
 
-void ask_for(World& world, std::uint32_t body) {
+void ask_for(const World& world, Sleep& z, std::uint32_t body) {
   const Colliders& c = world.scene.colliders;
   for (std::uint32_t slot = world.scene.first_collider[body]; slot != Colliders::kNone; slot = c.next[slot])
-    world.sleep->asking.push_back(slot);
+    z.asking.push_back(slot);
 }
 
 /// Colliders of what moves, by itself or by a host's hand.
-void gather_movers(World& world) {
-  Sleep& z = *world.sleep;
+void gather_movers(const World& world, Sleep& z) {
   const Scene& scene = world.scene;
   const State& s = world.state;
   const Colliders& c = scene.colliders;
@@ -29,41 +28,42 @@ void gather_movers(World& world) {
     if (scene.type[i] == BodyType::dynamic || s.v[i] != Vec3::zero() || s.omega[i] != Vec3::zero())
       z.asking.push_back(slot);
   }
-  for (const std::uint32_t i : z.stirred) ask_for(world, i);
+  for (const std::uint32_t i : z.stirred) ask_for(world, z, i);
   z.stirred.clear();
 }
 
 /// Who hangs on a kinematic body that moves; of those woken, the colliders ask like other movers'.
-void wake_drawn(World& world) {
+void wake_drawn(const World& world, Sleepers to) {
   if (world.joints.slots.alive_count() == 0) return;
-  Sleep& z = *world.sleep;
+  Sleep& z = to;
   const State& s = world.state;
   const std::size_t before = z.woken.size();
   world.plan->kinematic.each([&](std::uint32_t i) {
-    if (s.v[i] != Vec3::zero() || s.omega[i] != Vec3::zero()) wake_joined(world, i);
+    if (s.v[i] != Vec3::zero() || s.omega[i] != Vec3::zero()) wake_joined(world, to, i);
   });
-  for (std::size_t k = before; k < z.woken.size(); ++k) ask_for(world, z.woken[k]);
+  for (std::size_t k = before; k < z.woken.size(); ++k) ask_for(world, z, z.woken[k]);
 }
 
 /// Whether the narrow phase would find a contact. Asked with a copy of what the pair remembers, so that the answer is
 /// the narrow phase's own, and what is remembered stays as it was.
-bool touches(World& world, const NarrowSettings& settings, const Pair& pair) {
+bool touches(const World& world, NarrowReport& report, const NarrowSettings& settings, const Pair& pair) {
   const Colliders& c = world.scene.colliders;
-  if (is_scenery(*c.shape[pair.a]) || is_scenery(*c.shape[pair.b])) return touches_scenery(world, settings, pair);
+  if (is_scenery(*c.shape[pair.a]) || is_scenery(*c.shape[pair.b]))
+    return touches_scenery(world, report, settings, pair);
   NarrowSettings own = settings;
   own.manifold.contact_distance += c.reach[pair.a] + c.reach[pair.b];
   const PairRecord* const record = world.pairs.find(pair);
   QueryMemory memory = record ? record->memory : QueryMemory{};
   Candidates found;
   SupportFault fault;
-  collide(*c.shape[pair.a], c.frame[pair.a], *c.shape[pair.b], c.frame[pair.b], own, memory, found, world.report.narrow,
-          fault);
+  collide(*c.shape[pair.a], c.frame[pair.a], *c.shape[pair.b], c.frame[pair.b], own, memory, found, report, fault);
   return found.count > 0 || fault.kind != SupportFault::none;  // a fault is the narrow phase's to tell
 }
 
 /// Ask what one collider touches. Whom it wakes asks in turn: what slept apart may have come to rest in touch.
-void ask(World& world, const NarrowSettings& settings, std::uint32_t slot, Real dt) {
-  Sleep& z = *world.sleep;
+void ask(const World& world, Sleepers to, NarrowReport& report, const NarrowSettings& settings, std::uint32_t slot,
+         Real dt) {
+  Sleep& z = to;
   const Colliders& c = world.scene.colliders;
   if (!(c.bounds[slot].lo.x() <= c.bounds[slot].hi.x())) return;
   const Aabb box = swept_bounds(world, slot, dt);
@@ -76,34 +76,34 @@ void ask(World& world, const NarrowSettings& settings, std::uint32_t slot, Real 
     if (!world.state.asleep[body] || !may_touch(c, slot, other) || (filtered && !lets_touch(world.scene, slot, other))) continue;
     const Pair pair{std::min(slot, other), std::max(slot, other)};
     const bool meets = !c.is_sensor(slot) && !c.is_sensor(other) &&
-                       (touches(world, settings, pair) || sweeps_into(world, slot, other, dt));
+                       (touches(world, report, settings, pair) || sweeps_into(world, slot, other, dt));
     if (!meets) {
       z.near.push_back(pair);
       continue;
     }
     const std::size_t before = z.woken.size();
-    wake(world, body);
-    for (std::size_t k = before; k < z.woken.size(); ++k) ask_for(world, z.woken[k]);
+    wake(world, to, body);
+    for (std::size_t k = before; k < z.woken.size(); ++k) ask_for(world, z, z.woken[k]);
   }
 }
 
 }  // namespace
 
-void wake_touched(World& world, const StepTime& time) {
-  Sleep& z = *world.sleep;
+void wake_touched(const World& world, Settling to, SpringLoads& springs, StepReport& report, const StepTime& time) {
+  Sleep& z = to;
   z.near.clear();
   if (z.count == 0) return z.stirred.clear();
   const NarrowSettings settings = narrow_settings(world.scene.dials);
   try {
-    gather_movers(world);
-    wake_drawn(world);
-    for (std::size_t k = 0; k < z.asking.size(); ++k) ask(world, settings, z.asking[k], time.dt);
-    if (!z.woken.empty()) rejoin(world);
+    gather_movers(world, z);
+    wake_drawn(world, to);
+    for (std::size_t k = 0; k < z.asking.size(); ++k) ask(world, to, report.narrow, settings, z.asking[k], time.dt);
+    if (!z.woken.empty()) rejoin(world, to);
   } catch (...) {
-    forget_sleepers(world);  // whom a host's hand stirred, and whom it touched, is lost otherwise
+    forget_sleepers(world, to);  // whom a host's hand stirred, and whom it touched, is lost otherwise
     throw;
   }
-  carry_springs(world, time.h);
+  carry_springs(world, springs, time.h);
   find_customers(world);
   // Between two that are awake by now, the broad phase finds the pair. What does not move makes none with a sleeper.
   const Colliders& c = world.scene.colliders;

@@ -22,12 +22,13 @@ void wake_both(World& world, const PairRecord& r) {
 
 }  // namespace
 
-void wake(World& world, std::uint32_t body) {
-  Sleep& z = *world.sleep;
+void wake(const World& world, Sleepers to, std::uint32_t body) {
+  Sleep& z = to;
+  SleepFlags& flags = to;
   if (body >= z.calm.size()) return;
   z.calm[body] = 0;
   for (std::uint32_t i = body; world.state.asleep[i]; i = z.ring[i]) {
-    world.state.asleep[i] = 0;
+    flags.asleep[i] = 0;
     z.calm[i] = 0;
     z.anchor_x[i] = world.state.x[i], z.anchor_q[i] = world.state.q[i];
     if (z.parked[i]) z.woken.push_back(i);  // there is room for every body
@@ -35,8 +36,8 @@ void wake(World& world, std::uint32_t body) {
   }
 }
 
-void wake_all(World& world) {
-  for (std::uint32_t i = 0; i < world.state.asleep.size(); ++i) wake(world, i);
+void wake_all(const World& world, Sleepers to) {
+  for (std::uint32_t i = 0; i < world.state.asleep.size(); ++i) wake(world, to, i);
 }
 
 void wake_touching(World& world, std::uint32_t collider) {
@@ -46,14 +47,14 @@ void wake_touching(World& world, std::uint32_t collider) {
   });
 }
 
-void wake_joined(World& world, std::uint32_t body) {
+void wake_joined(const World& world, Sleepers to, std::uint32_t body) {
   world.joints.each_of(body, [&](std::uint32_t joint, std::uint32_t other) {
-    if (other != kTheWorld && !world.joints.joint[joint].broken) wake(world, other);
+    if (other != kTheWorld && !world.joints.joint[joint].broken) wake(world, to, other);
   });
   const Springs& springs = world.scene.springs;
   if (!springs.hang_on(body)) return;
   springs.each([&](std::uint32_t, const SpringDef& def) {
-    if (def.hangs_on(body)) def.each_end([&](std::uint32_t end, const Vec3&) { wake(world, end); });
+    if (def.hangs_on(body)) def.each_end([&](std::uint32_t end, const Vec3&) { wake(world, to, end); });
   });
 }
 
@@ -69,7 +70,7 @@ void stir(World& world, std::uint32_t body) {
   const Scene& scene = world.scene;
   if (scene.type[body] == BodyType::dynamic) return wake(world, body);
   if (world.sleep->count == 0) return;
-  wake_joined(world, body);
+  wake_joined(world, Sleepers(world), body);
   world.sleep->stirred.push_back(body);
   for (std::uint32_t c = scene.first_collider[body]; c != Colliders::kNone; c = scene.colliders.next[c])
     wake_touching(world, c);
@@ -81,7 +82,7 @@ void forget_collider(World& world, std::uint32_t collider) {
   const auto names = [&](const OldImpulse& o) { return o.pair.a == collider || o.pair.b == collider; };
   for (KeptImpulse& k : z.kept)
     if (names(k.impulse)) k.impulse.pair = {Colliders::kNone, Colliders::kNone};
-  std::erase_if(world.contacts->old, names);
+  std::erase_if(world.impulses.old, names);
   std::erase_if(z.near, [&](const Pair& p) { return p.a == collider || p.b == collider; });
   std::erase(z.rejoined, collider);
 }

@@ -241,7 +241,7 @@ namespace {
 struct Remembered {
   template <class Io, class W>
   static void go(Io& io, W& world) {
-    auto& c = *world.contacts;
+    auto& c = world.impulses;
     const Real h = io.real(c.old_h);
     io.demand(h >= 0);
     keep(io, c.old_h, h);

@@ -56,9 +56,9 @@ struct Sleepers {
   template <class Io, class W>
   static void go(Io& io, W& world) {
     auto& z = *world.sleep;
-    const auto alarm = yes_or_no(io, z.alarm);
+    const auto alarm = yes_or_no(io, world.scene.alarm);
     const std::uint64_t woke = io.value(z.woke);
-    keep(io, z.alarm, alarm), keep(io, z.woke, woke);
+    keep(io, world.scene.alarm, alarm), keep(io, z.woke, woke);
     Needs none(world.memory), &needs = needs_of(io, none);
     const auto body = [&](std::uint32_t i) { return world.scene.bodies.alive(i); };
     const auto sleeper = [&](std::uint32_t i) { return body(i) && i < needs.sleepers; };

@@ -47,7 +47,7 @@ void make_room_for(World& world, const Needs& n) {
   widen(s.colliders.sensor, colliders, std::uint8_t(0), n.sensor);
   widen(s.surface, colliders, SurfaceVelocity{}, n.surface);
   make_room_for_pairs(world, n);
-  world.contacts->old.reserve(n.old);
+  world.impulses.old.reserve(n.old);
   const std::size_t sleepers = n.sleepers;
   world.state.asleep.reserve(sleepers), z.parked.reserve(sleepers), z.ring.reserve(sleepers), z.calm.reserve(sleepers);
   z.anchor_x.reserve(sleepers), z.anchor_q.reserve(sleepers), z.radius.reserve(sleepers), z.rows.reserve(sleepers);

@@ -82,7 +82,7 @@ class Seen {
 
 /// N: all that a group weighs, if it is new and lies still, as what a host has built does: then nothing else is known
 /// yet of what its points will bear. Else 0. Marks bodies that it counts as light.
-Real weight_if_new(World& world, std::size_t group, Real h, Seen& seen) {
+Real weight_if_new(const World& world, std::size_t group, Real h, Seen& seen) {
   Contacts& c = *world.contacts;
   if (c.rows[c.group_rows[c.group_begin[group]]].p != Vec3::zero()) return 0;  // the common case, at once
   const Real gravity = world.scene.gravity.norm();
@@ -112,7 +112,7 @@ struct GroupMotion {
 };
 
 /// What there is to know of a group before it is answered; bodies that bear too much are marked as heavy.
-GroupMotion look_at(World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view, Seen& seen) {
+GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view, Seen& seen) {
   Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
   const Real deep = scene.dials[Dial::direct_sink], rate = 1 / h;
@@ -161,11 +161,11 @@ struct GroupMemory {
 /// What bodies of a group remember, brought up to date. An impact is as heavy as a load, but passes: only what was
 /// borne for two steps counts, and then for a while.
 /// @param at_once  loads count from the first step on
-GroupMemory remember(World& world, const Seen& seen, bool at_once) {
+GroupMemory remember(const World& world, SolverMemory& of, const Seen& seen, bool at_once) {
   Contacts& c = *world.contacts;
   GroupMemory memory;
   for (const std::uint32_t body : seen.all()) {
-    std::uint8_t &steps = world.state.loaded_steps[body], &rest = world.state.tired_steps[body];
+    std::uint8_t &steps = of.loaded_steps[body], &rest = of.tired_steps[body];
     if (c.load[body] == Contacts::kHeavy)
       steps = at_once || steps + 1 >= kBorneFor ? kBearsFor.value : static_cast<std::uint8_t>(steps + 1);
     else if (steps > 0)
@@ -208,7 +208,7 @@ std::uint32_t first_body(const Contacts& c, std::size_t group) {
 }
 
 /// What is to be known of a group, the choice among it. Writes what bodies of the group remember.
-GroupView view_of(World& world, std::size_t group, Real w2, Real h) {
+GroupView view_of(const World& world, SolverMemory& of, std::size_t group, Real w2, Real h) {
   const Contacts& c = *world.contacts;
   const Real most_ratio = world.scene.dials[Dial::direct_ratio];
   GroupView view;
@@ -228,60 +228,60 @@ GroupView view_of(World& world, std::size_t group, Real w2, Real h) {
   Seen seen;
   const Real weight = weight_if_new(world, group, h, seen);
   const GroupMotion motion = look_at(world, group, w2, h, weight, view, seen);
-  const GroupMemory memory = remember(world, seen, weight > 0);
+  const GroupMemory memory = remember(world, of, seen, weight > 0);
   view.reason = reason_for(view, motion, memory, most_ratio);
   return view;
 }
 
-void choose(World& world, Real h) {
+void choose(const World& world, SolverMemory& memory, GroupViews& views, StepReport& report, Real h) {
   constexpr std::size_t kGroupsAPart = 4;
   Contacts& c = *world.contacts;
   const Real w2 = stiffness(world.scene.dials, h);
   c.load.resize(world.scene.bodies.slots(), Contacts::kUnseen);
   c.direct.resize(c.groups());
-  world.group_views.resize(c.groups());
+  views.resize(c.groups());
   in_parallel(world.jobs, c.groups(), kGroupsAPart, [&](std::uint32_t g) {
-    GroupView& view = world.group_views[g];
-    view = view_of(world, g, w2, h);
+    GroupView& view = views[g];
+    view = view_of(world, memory, g, w2, h);
     c.direct[g] = answer_to(view.reason);
     view.direct = c.direct[g] != Contacts::kSoftly;
   });
-  for (const GroupView& view : world.group_views) world.report.direct_groups += view.direct;
+  for (const GroupView& view : views) report.direct_groups += view.direct;
 }
 
 /// A group that came nowhere near its solution within its work is left to soft contacts for a while: it moves too much.
 /// But not bodies of unlike masses, which soft contacts would throw about.
-void spare_the_tired(World& world) {
+void spare_the_tired(const World& world, SolverMemory& memory) {
   const DirectGroups& d = *world.direct;
   for (std::size_t g = 0; g < d.groups(); ++g) {
     if (!is_far_off(d.answer[g], world.scene.dials)) continue;
     for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
-      world.state.tired_steps[d.bodies[i].slot] = kTiredFor;
+      memory.tired_steps[d.bodies[i].slot] = kTiredFor;
   }
 }
 
-void auto_begin(World& world, const StepTime& time) {
-  choose(world, time.h);
-  kSoftStep.begin(world, time);
-  gather_groups(world);
+void auto_begin(const World& world, Solver::Begins to, const StepTime& time) {
+  choose(world, to, to, to, time.h);
+  kSoftStep.begin(world, to, time);
+  gather_groups(world, to);
 }
 
-void auto_velocities(World& world, const StepTime& time) {
-  kSoftStep.velocities(world, time);
+void auto_velocities(const World& world, Solver::Solves to, const StepTime& time) {
+  kSoftStep.velocities(world, to, time);
   const auto work = static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
-  solve_groups(world, time.h, 1 + work, world.plan->substeps);
-  spare_the_tired(world);
+  solve_groups(world, to, to, time.h, 1 + work, world.plan->substeps);
+  spare_the_tired(world, to);
 }
 
-void auto_positions(World& world, const StepTime& time) {
-  kSoftStep.positions(world, time);
+void auto_positions(const World& world, Solver::Relaxes to, const StepTime& time) {
+  kSoftStep.positions(world, to, time);
   if (world.direct->groups() == 0) return;
-  part_groups(world, time.h);
-  settle_joints(world, time.h);
+  part_groups(world, to, to, time.h);
+  settle_joints(world, to, to, time.h);
 }
 
-void auto_end(World& world, const StepTime& time) {
-  kSoftStep.end(world, time);
+void auto_end(const World& world, Poses& to, const StepTime& time) {
+  kSoftStep.end(world, to, time);
   if (world.direct->groups() > 0) end_groups(world);
 }
 

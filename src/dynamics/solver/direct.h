@@ -31,20 +31,20 @@ inline bool is_far_off(const ConeAnswer& answer, const Dials& dials) {
 }
 
 /// The stages of the direct solver over the groups it answers, for it and for what chooses among solvers.
-void gather_groups(World& world);  // allocates
+void gather_groups(const World& world, SolverMemory& memory);  // allocates
 /// Velocities.
 /// @param work      most block products that a group may take in the step, for velocities and overlaps together,
 ///                  beyond two factorisations a substep for each; 0: no bound
 /// @param substeps  that share it, where a group moves. Where it lies still the first takes what it needs: one that is
 ///                  solved, which the others repeat, is worth more than all of them solved in part.
-void solve_groups(World& world, Real h, std::uint64_t work, int substeps);
+void solve_groups(const World& world, Velocities& to, StepReport& report, Real h, std::uint64_t work, int substeps);
 /// Overlaps.
-void part_groups(World& world, Real h);
+void part_groups(const World& world, Poses& to, StepReport& report, Real h);
 /// Velocities after the move, of groups that hang together by joints alone; places of all that have joints come first.
 /// Rows are those of where the bodies are. Nothing to do where no group has joints.
-void settle_joints(World& world, Real h);
+void settle_joints(const World& world, Poses& poses, Velocities& motion, Real h);
 /// Impulses of the step, and separations, from plan.rotation.
-void end_groups(World& world);
+void end_groups(const World& world);
 
 /// What the direct solver keeps over a step.
 struct DirectGroups {

@@ -5,25 +5,25 @@
 
 namespace carom::dynamics {
 
-void begin_lanes(World& world, Real h) {
-  pack(world, *world.wide, h);
+void begin_lanes(const World& world, SolverMemory& memory, Real h) {
+  pack(world, memory, *world.wide, h);
   world.wide->displacement.resize(world.wide->velocity.size());
 }
 
-void measure_lanes(World& world) {
+void measure_lanes(const World& world) {
   load_shifts(world, *world.wide);
   over_contacts(world, [](const auto& sweeps, const auto& run) { sweeps.measure(run); });
 }
 
-void part_lanes(World& world, int sweeps, Real share, Real slop) {
+void part_lanes(const World& world, Poses& to, int sweeps, Real share, Real slop) {
   WideContacts& wide = *world.wide;
   std::fill(wide.displacement.begin(), wide.displacement.end(), BodyVelocity{});
   for (int k = 0; k < sweeps; ++k)
     sweep_bodies(world, wide.displacement.data(),
                  [&](const auto& s, const auto& run) { s.part(run, share, slop); });
-  displace(world, wide);
+  displace(world, to, wide);
 }
 
-void end_lanes(World& world) { unpack(world, *world.wide); }
+void end_lanes(const World& world) { unpack(world, *world.wide); }
 
 }  // namespace carom::dynamics

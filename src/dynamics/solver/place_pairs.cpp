@@ -308,7 +308,7 @@ void settle(WideContacts& wide, std::uint32_t region) {
 }
 
 /// Colours, lanes and places of all.
-void place_all(World& world, WideContacts& wide) {
+void place_all(const World& world, WideContacts& wide) {
   Placing& p = *wide.placing;
   p.taken.assign(p.regions.levels * wide.slot.size(), 0);
   wide.colours.resize(kColours);
@@ -331,7 +331,7 @@ void place_all(World& world, WideContacts& wide) {
 
 }  // namespace
 
-void place_pairs(World& world, WideContacts& wide) {
+void place_pairs(const World& world, WideContacts& wide) {
   if (!wide.placing) wide.placing = make_owned<Placing>(world.memory, world.memory);
   Placing& p = *wide.placing;
   bool same = meet_as_before(world, wide);

@@ -10,12 +10,13 @@ namespace {
 /// Of the penetration, per substep: all at once would overshoot where contacts depend on each other.
 constexpr Real kSequentialShare = 0.2;
 
-void sequential_begin(World& world, const StepTime& time) {
-  begin_lanes(world, time.h);
+void sequential_begin(const World& world, Solver::Begins to, const StepTime& time) {
+  begin_lanes(world, to, time.h);
   begin_joints(world, time.h);
 }
 
-void sequential_velocities(World& world, const StepTime& time) {
+void sequential_velocities(const World& world, Solver::Solves to, const StepTime& time) {
+  StepReport& report = to;
   WideContacts& wide = *world.wide;
   const Real inv_h = 1 / time.h;
   heed_impacts(world, wide);
@@ -31,27 +32,28 @@ void sequential_velocities(World& world, const StepTime& time) {
         world, [&](const JointRun& run) { joints->solve(run, inv_h); },
         [&](const auto& s, const auto& run) { s.sweep(run, inv_h); });
   over_contacts(world, [](const auto& s, const auto& run) { s.book(run); });
-  store_velocities(world, wide, time.h);
-  world.report.velocity_impulses += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
+  store_velocities(world, to, wide, time.h);
+  report.velocity_impulses += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
 }
 
-void sequential_positions(World& world, const StepTime& time) {
+void sequential_positions(const World& world, Solver::Relaxes to, const StepTime& time) {
+  StepReport& report = to;
   const int sweeps = world.scene.dials.whole(Dial::position_iterations);
   const Real slop = world.scene.dials[Dial::position_tolerance] / 2;  // so that a body at rest keeps in touch
   measure_lanes(world);
-  part_lanes(world, sweeps, kSequentialShare, slop);
+  part_lanes(world, to, sweeps, kSequentialShare, slop);
   if (world.wide_joints->any()) {
     load_shifts(world, *world.wide);
     return_to_joints(world);
     sweep_joints(
         world, [&, inv_h = 1 / time.h](const JointRun& run) { world.wide_joints->kernels->relax(run, inv_h); },
         [](std::uint32_t) {});
-    store_velocities(world, *world.wide, time.h);
+    store_velocities(world, to, *world.wide, time.h);
   }
-  world.report.position_moves += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
+  report.position_moves += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
 }
 
-void sequential_end(World& world, const StepTime&) { end_lanes(world); }
+void sequential_end(const World& world, Poses&, const StepTime&) { end_lanes(world); }
 
 }  // namespace
 

@@ -31,7 +31,8 @@ namespace {
 template <class Search>
 class VelocityPass {
  public:
-  VelocityPass(World& world, Search& search) : world_(world), c_(*world.contacts), search_(search) {}
+  VelocityPass(const World& world, Search& search, Velocities& to)
+      : world_(world), to_(to), c_(*world.contacts), search_(search) {}
 
   /// @return impulses applied
   std::uint64_t run(std::span<const std::uint32_t> rows, Real tolerance, std::uint64_t budget) {
@@ -59,8 +60,8 @@ class VelocityPass {
   void spread(std::uint32_t body, const Vec3& dp, const Vec3& r) {
     const Vec3 dv = world_.scene.inv_mass[body] * dp;
     const Vec3 dw = rotates(world_.scene, body) ? Vec3(c_.inv_inertia_w[body] * r.cross(dp)) : Vec3(Vec3::zero());
-    world_.state.v[body] += dv;
-    world_.state.omega[body] += dw;
+    to_.v[body] += dv;
+    to_.omega[body] += dw;
     world_.plan->touched[body] = 1;
     for (const HalfContact& half : halves(body)) c_.rows[half.row].u += half.sign * (dv + dw.cross(half.r));
   }
@@ -78,7 +79,8 @@ class VelocityPass {
     return {c_.half.data() + c_.half_begin[body], c_.half_end[body] - c_.half_begin[body]};
   }
 
-  World& world_;
+  const World& world_;
+  Velocities& to_;
   Contacts& c_;
   Search& search_;
 };
@@ -86,7 +88,7 @@ class VelocityPass {
 template <class Search>
 class PositionPass {
  public:
-  PositionPass(World& world, Search& search) : world_(world), c_(*world.contacts), search_(search) {}
+  PositionPass(const World& world, Search& search) : world_(world), c_(*world.contacts), search_(search) {}
 
   std::uint64_t run(std::span<const std::uint32_t> rows, Real tolerance, std::uint64_t budget) {
     for (const std::uint32_t i : rows) c_.keys[i] = -c_.geometry[i].separation;
@@ -130,17 +132,17 @@ class PositionPass {
     }
   }
 
-  World& world_;
+  const World& world_;
   Contacts& c_;
   Search& search_;
 };
 
 /// A pass over all groups with the search that the dial names. @return corrections applied
-template <template <class> class Pass>
-std::uint64_t over_groups(World& world, Real tolerance, int iterations) {
+template <template <class> class Pass, class... To>
+std::uint64_t over_groups(const World& world, Real tolerance, int iterations, To&... to) {
   Contacts& c = *world.contacts;
   const auto with = [&]<class Search>(Search search) {
-    Pass<Search> pass(world, search);
+    Pass<Search> pass(world, search, to...);
     std::uint64_t done = 0;
     for (std::size_t g = 0; g < c.groups(); ++g) {
       const std::span rows(c.group_rows.data() + c.group_begin[g], c.group_begin[g + 1] - c.group_begin[g]);
@@ -156,30 +158,32 @@ std::uint64_t over_groups(World& world, Real tolerance, int iterations) {
 
 namespace {
 
-void severity_begin(World& world, const StepTime&) {
+void severity_begin(const World& world, Solver::Begins, const StepTime&) {
   world.contacts->mass.resize(world.contacts->rows.size());
   make_room_for_search(world);
 }
 
-void severity_velocities(World& world, const StepTime& time) {
+void severity_velocities(const World& world, Solver::Solves to, const StepTime& time) {
+  Velocities& motion = to;
+  StepReport& report = to;
   Contacts& c = *world.contacts;
-  prepare_rows(world, time.h);
+  prepare_rows(world, motion, time.h);
   const Dials& dials = world.scene.dials;
-  world.report.velocity_impulses +=
-      over_groups<VelocityPass>(world, dials[Dial::velocity_tolerance], dials.whole(Dial::velocity_iterations));
+  report.velocity_impulses +=
+      over_groups<VelocityPass>(world, dials[Dial::velocity_tolerance], dials.whole(Dial::velocity_iterations), motion);
   for (std::size_t i = 0; i < c.rows.size(); ++i) c.geometry[i].impulse += c.rows[i].p;
 }
 
-void severity_positions(World& world, const StepTime&) {
+void severity_positions(const World& world, Solver::Relaxes to, const StepTime&) {
   Contacts& c = *world.contacts;
-  State& s = world.state;
+  StepReport& report = to;
   refresh_rotations(world);
   refresh_separations(world);
   const Dials& dials = world.scene.dials;
-  world.report.position_moves +=
+  report.position_moves +=
       over_groups<PositionPass>(world, dials[Dial::position_tolerance], dials.whole(Dial::position_iterations));
   for (const std::uint32_t i : c.bodies) {
-    correct_pose(s, i, c.shift[i], c.turn[i]);
+    correct_pose(to, i, c.shift[i], c.turn[i]);
     c.shift[i].set_zero(), c.turn[i].set_zero();
   }
   refresh_rotations(world);

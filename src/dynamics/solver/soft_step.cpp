@@ -14,7 +14,7 @@ namespace {
 constexpr Real kDeep = 4;     // position tolerances
 constexpr Real kSoftShare = 0.3;  // of what is deeper than that, per step
 
-void soften(World& world, Real h) {
+void soften(const World& world, Real h) {
   const Dials& dials = world.scene.dials;
   const Real frequency = std::min(dials[Dial::contact_frequency], 0.25 / h), damping = dials[Dial::contact_damping];
   const Softness both = softness(frequency, damping, h), one = softness(2 * frequency, damping, h);
@@ -31,13 +31,14 @@ void soften(World& world, Real h) {
   });
 }
 
-void soft_step_begin(World& world, const StepTime& time) {
-  begin_lanes(world, time.h);
+void soft_step_begin(const World& world, Solver::Begins to, const StepTime& time) {
+  begin_lanes(world, to, time.h);
   begin_joints(world, time.h);
   soften(world, time.h);
 }
 
-void soft_step_velocities(World& world, const StepTime& time) {
+void soft_step_velocities(const World& world, Solver::Solves to, const StepTime& time) {
+  StepReport& report = to;
   WideContacts& wide = *world.wide;
   const Real inv_h = 1 / time.h, push_speed = world.scene.dials[Dial::push_speed];
   heed_impacts(world, wide);
@@ -50,11 +51,12 @@ void soft_step_velocities(World& world, const StepTime& time) {
   sweep_rows(
       world, [&](const JointRun& run) { joints->solve(run, inv_h); },
       [&](const auto& s, const auto& run) { s.solve(run, inv_h, push_speed); });
-  store_velocities(world, wide, time.h);
-  world.report.velocity_impulses += world.contacts->rows.size();
+  store_velocities(world, to, wide, time.h);
+  report.velocity_impulses += world.contacts->rows.size();
 }
 
-void soft_step_positions(World& world, const StepTime& time) {
+void soft_step_positions(const World& world, Solver::Relaxes to, const StepTime& time) {
+  StepReport& report = to;
   WideContacts& wide = *world.wide;
   const Real inv_h = 1 / time.h;
   const bool sparing = !world.contacts->impacts.empty();
@@ -63,13 +65,13 @@ void soft_step_positions(World& world, const StepTime& time) {
   sweep_rows(
       world, [&](const JointRun& run) { world.wide_joints->kernels->relax(run, inv_h); },
       [&](const auto& s, const auto& run) { (sparing ? s.relax_sparing : s.relax)(run, inv_h); });
-  store_velocities(world, wide, time.h);
-  world.report.velocity_impulses += world.contacts->rows.size();
+  store_velocities(world, to, wide, time.h);
+  report.velocity_impulses += world.contacts->rows.size();
 }
 
 /// What springs let sink deep is parted once a step, apart from velocities: for springs to do it they would have to be
 /// as stiff as makes heaps shake. relax() has just measured.
-void part_deep(World& world) {
+void part_deep(const World& world, Poses& to) {
   const Real deep = kDeep * world.scene.dials[Dial::position_tolerance];
   const auto is_deep = [&](const auto& p) {
     bool any = false;
@@ -78,11 +80,11 @@ void part_deep(World& world) {
   };
   bool any = false;
   with_lanes(*world.wide, [&](const auto& lanes, const auto&) { any = std::ranges::any_of(lanes.points, is_deep); });
-  if (any) part_lanes(world, 1, kSoftShare, deep);
+  if (any) part_lanes(world, to, 1, kSoftShare, deep);
 }
 
-void soft_step_end(World& world, const StepTime&) {
-  part_deep(world);
+void soft_step_end(const World& world, Poses& to, const StepTime&) {
+  part_deep(world, to);
   end_lanes(world);
 }
 

@@ -1,6 +1,8 @@
 // The stages of the page that a solver serves.
 #include "dynamics/solver/solver.h"
 
+#include <type_traits>
+
 #include "dynamics/contact/contact.h"
 #include "dynamics/contact/mean_motion.h"
 #include "dynamics/joint/wide_joints.h"
@@ -8,30 +10,32 @@
 namespace carom::dynamics {
 namespace {
 
-void serve(void (*room)(World&, const StepTime&), World& world, const StepTime& time) {
-  if (room) room(world, time);
+template <class To>
+void serve(void (*room)(const World&, To, const StepTime&), const World& world, std::type_identity_t<To> to,
+           const StepTime& time) {
+  if (room) room(world, to, time);
 }
 
 }  // namespace
 
-void begin_contacts(World& world, const StepTime& time) {
+void begin_contacts(const World& world, Solver::Begins to, Owned<MeanMotion>& means, const StepTime& time) {
   if (!world.plan->solver->row_by_row || world.wide_joints->any())
     refresh_inertias(world);  // lanes keep those of the step's begin
-  serve(world.plan->solver->begin, world, time);
-  find_small_groups(world);
+  serve(world.plan->solver->begin, world, to, time);
+  find_small_groups(world, means);
 }
-void solve_velocities(World& world, const StepTime& time) {
-  take_half_kicks(world);
-  serve(world.plan->solver->velocities, world, time);
+void solve_velocities(const World& world, Solver::Solves to, const StepTime& time) {
+  take_half_kicks(world, to);
+  serve(world.plan->solver->velocities, world, to, time);
   find_mean_motion(world, time);
 }
-void solve_positions(World& world, const StepTime& time) {
-  give_half_kicks(world);
-  serve(world.plan->solver->positions, world, time);
+void solve_positions(const World& world, Solver::Relaxes to, const StepTime& time) {
+  give_half_kicks(world, to);
+  serve(world.plan->solver->positions, world, to, time);
 }
-void end_contacts(World& world, const StepTime& time) {
-  serve(world.plan->solver->end, world, time);
-  end_joints(world, time);
+void end_contacts(const World& world, Poses& poses, Breaking joints, Events& events, const StepTime& time) {
+  serve(world.plan->solver->end, world, poses, time);
+  end_joints(world, joints, events, time);
 }
 
 }  // namespace carom::dynamics

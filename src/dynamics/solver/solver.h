@@ -1,14 +1,15 @@
 // Solvers: how the contacts of a step are answered, one room each over the same rows.
 #pragma once
 
+#include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/table.h"
 
 namespace carom::dynamics {
 
 /// Stage functions of the page.
-void begin_contacts(World& world, const StepTime& time);
-void solve_velocities(World& world, const StepTime& time);
-void solve_positions(World& world, const StepTime& time);
-void end_contacts(World& world, const StepTime& time);
+void begin_contacts(const World& world, Solver::Begins to, Owned<MeanMotion>& means, const StepTime& time);
+void solve_velocities(const World& world, Solver::Solves to, const StepTime& time);
+void solve_positions(const World& world, Solver::Relaxes to, const StepTime& time);
+void end_contacts(const World& world, Poses& poses, Breaking joints, Events& events, const StepTime& time);
 
 }  // namespace carom::dynamics

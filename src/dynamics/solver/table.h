@@ -12,10 +12,14 @@ struct Solver {
   bool row_by_row;        // keeps the velocity of each row up to date, and goes to the most severe
   bool calls_direct;      // gives groups to the direct solver
   bool counts_positions;  // positions() does as many rounds as position_iterations says: none, if that is 0
-  void (*begin)(World& world, const StepTime& time);       // the rows are made, nothing has moved; may allocate
-  void (*velocities)(World& world, const StepTime& time);  // before bodies move
-  void (*positions)(World& world, const StepTime& time);   // after
-  void (*end)(World& world, const StepTime& time);         // after the last substep
+  using Begins = Writes<SolverMemory, GroupViews, StepReport>;
+  using Solves = Writes<Velocities, SolverMemory, StepReport>;
+  using Relaxes = Writes<Poses, Velocities, StepReport>;
+  // The rows are made, nothing has moved; may allocate.
+  void (*begin)(const World& world, Begins to, const StepTime& time);
+  void (*velocities)(const World& world, Solves to, const StepTime& time);  // before bodies move
+  void (*positions)(const World& world, Relaxes to, const StepTime& time);  // after
+  void (*end)(const World& world, Poses& to, const StepTime& time);         // after the last substep
 };
 
 extern const Solver kSeverity, kSequential, kSoftStep, kDirect, kAuto;  // by CAROM_SOLVER_*

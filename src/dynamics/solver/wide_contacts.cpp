@@ -13,12 +13,12 @@
 namespace carom::dynamics {
 namespace {
 
-void hold_orientations(World& world, WideContacts& wide) {
+void hold_orientations(const World& world, SolverMemory& memory, WideContacts& wide) {
   wide.held_back.resize(wide.slot.size());
   in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
     wide.held_back[i].set_zero();
     if (i < wide.first_moved) return;
-    hold_orientation(world, wide.slot[i]);
+    hold_orientation(world, memory, wide.slot[i]);
     wide.held_back[i] = held_back(world, wide.slot[i]);
   });
 }
@@ -150,7 +150,7 @@ void each_four(const World& world, const WideContacts& wide, const Find& find, c
 
 /// All rows into lanes, and their masses. False: floats can't bear them.
 template <class Number>
-bool fill(World& world, WideContacts& wide, ContactLanes<Number>& rows, const ContactSweeps<Number>& sweeps) {
+bool fill(const World& world, WideContacts& wide, ContactLanes<Number>& rows, const ContactSweeps<Number>& sweeps) {
   rows.pairs.resize(wide.first_point.size());
   rows.points.resize(wide.parts.back().point);
   const LaneRunOf<Number> run = everything(wide, rows, wide.velocity.data());
@@ -177,9 +177,9 @@ bool fill(World& world, WideContacts& wide, ContactLanes<Number>& rows, const Co
 
 }  // namespace
 
-void pack(World& world, WideContacts& wide, Real h) {
+void pack(const World& world, SolverMemory& memory, WideContacts& wide, Real h) {
   place_pairs(world, wide);
-  hold_orientations(world, wide);
+  hold_orientations(world, memory, wide);
   wide.is_float = !wide.manifolds.empty() && bears_floats(world, wide, h);
   if (wide.is_float) {
     if (!wide.in_float) wide.in_float = make_owned<ContactLanes<float>>(world.memory, world.memory);
@@ -188,7 +188,7 @@ void pack(World& world, WideContacts& wide, Real h) {
   if (!wide.is_float) fill(world, wide, wide.in_double, wide.kernels->in_double);
 }
 
-void load_velocities(World& world, WideContacts& wide) {
+void load_velocities(const World& world, WideContacts& wide) {
   const State& s = world.state;
   in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
     if (i == 0) return;
@@ -200,8 +200,8 @@ void load_velocities(World& world, WideContacts& wide) {
   });
 }
 
-void store_velocities(World& world, const WideContacts& wide, Real h) {
-  State& s = world.state;
+void store_velocities(const World& world, Velocities& to, const WideContacts& wide, Real h) {
+  const State& s = world.state;
   in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
     const std::uint32_t slot = wide.slot[i];
     if (i < wide.first_moved || !responds(world.scene, s, slot)) return;
@@ -216,7 +216,7 @@ void store_velocities(World& world, const WideContacts& wide, Real h) {
       return (v - s.v[slot]).norm() > small;
     };
     if (turned || is_pushed()) world.plan->touched[slot] = 1;
-    s.v[slot] = v, s.omega[slot] = omega;
+    to.v[slot] = v, to.omega[slot] = omega;
   });
 }
 
@@ -230,7 +230,7 @@ void load_shifts(const World& world, WideContacts& wide) {
   });
 }
 
-void heed_impacts(World& world, WideContacts& wide) {
+void heed_impacts(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   if (std::ranges::none_of(c.impacts, &Impact::concerns_solver)) return;
   measure_lanes(world);
@@ -248,20 +248,20 @@ void heed_impacts(World& world, WideContacts& wide) {
   }
 }
 
-void displace(World& world, const WideContacts& wide) {
-  State& s = world.state;
+void displace(const World& world, Poses& to, const WideContacts& wide) {
+  const State& s = world.state;
   in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
     const std::uint32_t slot = wide.slot[i];
     if (i < wide.first_moved || !responds(world.scene, s, slot)) return;
     const BodyVelocity& d = wide.displacement[i];
-    correct_pose(s, slot, Vec3(d.v[0], d.v[1], d.v[2]), Vec3(d.omega[0], d.omega[1], d.omega[2]));
+    correct_pose(to, slot, Vec3(d.v[0], d.v[1], d.v[2]), Vec3(d.omega[0], d.omega[1], d.omega[2]));
   });
 }
 
 namespace {
 
 /// Where four lanes are put.
-LaneTargets targets_of(World& world, const WideContacts& wide, const std::uint32_t* occupant) {
+LaneTargets targets_of(const World& world, const WideContacts& wide, const std::uint32_t* occupant) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
   LaneTargets of;
@@ -287,7 +287,7 @@ LaneTargets targets_of(World& world, const WideContacts& wide, const std::uint32
 
 }  // namespace
 
-void unpack(World& world, WideContacts& wide) {
+void unpack(const World& world, WideContacts& wide) {
   refresh_rotations(world);
   with_lanes(wide, [&](auto& lanes, const auto& sweeps) {
     const auto run = everything(wide, lanes, wide.velocity.data());

@@ -201,19 +201,19 @@ void in_any_order(Jobs* jobs, const Run& run, const Kernel& kernel) {
 /// kernel(sweeps, part of the run), for sweeps that write bodies: in order.
 /// @param bodies  velocities, or displacements
 template <class Kernel>
-void sweep_bodies(World& world, BodyVelocity* bodies, const Kernel& kernel) {
+void sweep_bodies(const World& world, BodyVelocity* bodies, const Kernel& kernel) {
   WideContacts& wide = *world.wide;
   with_lanes(wide, [&](auto& lanes, const auto& sweeps) {
     in_order(world.jobs, wide, everything(wide, lanes, bodies), [&](const auto& run) { kernel(sweeps, run); });
   });
 }
 template <class Kernel>
-void sweep_contacts(World& world, const Kernel& kernel) {
+void sweep_contacts(const World& world, const Kernel& kernel) {
   sweep_bodies(world, world.wide->velocity.data(), kernel);
 }
 /// Likewise for those that write pairs and points alone.
 template <class Kernel>
-void over_contacts(World& world, const Kernel& kernel) {
+void over_contacts(const World& world, const Kernel& kernel) {
   WideContacts& wide = *world.wide;
   with_lanes(wide, [&](auto& lanes, const auto& sweeps) {
     in_any_order(world.jobs, everything(wide, lanes, wide.velocity.data()),
@@ -222,32 +222,32 @@ void over_contacts(World& world, const Kernel& kernel) {
 }
 
 /// Number the bodies, give each pair its place in lanes. Allocates.
-void place_pairs(World& world, WideContacts& wide);
+void place_pairs(const World& world, WideContacts& wide);
 /// Lay this step's rows out in lanes, with the poses and velocities of the present, and their masses. Allocates.
 /// @param h  s, substep
-void pack(World& world, WideContacts& wide, Real h);
+void pack(const World& world, SolverMemory& memory, WideContacts& wide, Real h);
 /// Bodies' velocities from the state, and back. The first marks all bodies as untouched, the second those that a solver
 /// moved as touched.
-void load_velocities(World& world, WideContacts& wide);
+void load_velocities(const World& world, WideContacts& wide);
 /// @param h  s, substep
-void store_velocities(World& world, const WideContacts& wide, Real h);
+void store_velocities(const World& world, Velocities& to, const WideContacts& wide, Real h);
 /// How far bodies have come, from the state.
 void load_shifts(const World& world, WideContacts& wide);
 /// What impacts of this substep did to poses and impulses.
-void heed_impacts(World& world, WideContacts& wide);
+void heed_impacts(const World& world, WideContacts& wide);
 /// Moves bodies by their displacements.
-void displace(World& world, const WideContacts& wide);
+void displace(const World& world, Poses& to, const WideContacts& wide);
 /// Impulses, separations and velocities back into the rows.
-void unpack(World& world, WideContacts& wide);
+void unpack(const World& world, WideContacts& wide);
 
 /// What solvers in lanes begin and end a step with: rows into lanes and their masses; impulses back.
 /// @param h  s, substep
-void begin_lanes(World& world, Real h);
-void end_lanes(World& world);
+void begin_lanes(const World& world, SolverMemory& memory, Real h);
+void end_lanes(const World& world);
 /// Separations of all points from the present poses.
-void measure_lanes(World& world);
+void measure_lanes(const World& world);
 /// Moves bodies, apart from their velocities, so that points part which were measured to be deeper than `slop`.
 /// @param share  of what is deeper, that is undone   @param slop  m
-void part_lanes(World& world, int sweeps, Real share, Real slop);
+void part_lanes(const World& world, Poses& to, int sweeps, Real share, Real slop);
 
 }  // namespace carom::dynamics

@@ -359,7 +359,7 @@ static void a_broad_phase_finds_what_is_near(void**) {
         const Vec3 at = 6 * random.in_cube(1), half = random.uniform(0, 2) * Vec3(1, 0.5, 2);
         const Aabb box{at - half, at + half};
         found.clear();
-        broad_phase(t.world).find_near(c, box, found);
+        broad_phase(t.world, t.world.broad).find_near(c, box, found);
         std::sort(found.begin(), found.end());
         std::size_t k = 0;
         for (const std::uint32_t slot : c.live)

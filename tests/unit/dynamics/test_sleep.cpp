@@ -274,7 +274,7 @@ static void sleepers_are_out_of_the_lists_and_their_records_are_kept(void**) {
   c.t.world.step(kStep);
   assert_int_equal(c.t.world.pairs.size(), 0);  // the plank is 50 m above all
   assert_int_equal(c.t.world.pairs.parked_count(), records);
-  assert_int_equal(c.t.world.contacts->old.size(), 0);
+  assert_int_equal(c.t.world.impulses.old.size(), 0);
   assert_int_equal(c.t.world.scene.colliders.active.size(), 2);  // ground and plank
   assert_int_equal(c.t.world.plan->linear.count + c.t.world.plan->rotating.count, 0);
   assert_int_equal(c.t.world.sleep->tree.size(), 4);

@@ -30,7 +30,7 @@ std::string padded(std::string text, std::size_t width) {
 std::string picture() {
   std::ostringstream out;
   const auto line = [&](std::string name, const char* as, const std::string& writes, std::string_view what) {
-    out << "    " << padded(std::move(name), 20) << padded(as, 9) << padded(writes, 37) << what << "\n";
+    out << "    " << padded(std::move(name), 20) << padded(as, 9) << padded(writes, 54) << what << "\n";
   };
   line("stage", "as", "writes", "what happens");
   bool within = false;
@@ -101,6 +101,29 @@ void the_watch_names_what_a_stage_did_not_declare(void**) {
   assert_int_equal(run_watched(entry, t.world, {0.1, 0.1}).bits, 0);
 }
 
+void writes_nothing(const World&, const StepTime&) {}
+void writes_two(const World&, Velocities& to, StepReport&, SleepFlags&, const StepTime&) { to.v[0].x() += 1; }
+void writes_many(const World&, Writes<Poses, Joints> to, Colliders&, const StepTime&) {
+  Poses& poses = to;
+  poses.x[0].x() += 1;
+}
+
+/// What a function receives is what its entry says that it writes; and it gets what is the world's.
+void parameters_say_what_a_stage_writes(void**) {
+  static_assert(writes_of(writes_nothing).bits == 0);
+  static_assert(writes_of(writes_two).bits == (Part::velocities | Part::sleep).bits);
+  static_assert(writes_of(writes_many).bits == (Part::poses | Part::joints | Part::colliders).bits);
+  TestWorld t;
+  t.add(t.keep(sphere(0.3)), Vec3(0, 5, 0));
+  constexpr StageEntry two = stage<writes_two>({.name = "two", .what = ""}),
+                       many = stage<writes_many>({.name = "many", .what = ""});
+  assert_int_equal(run_watched(two, t.world, {0.1, 0.1}).bits, 0);
+  assert_int_equal(run_watched(many, t.world, {0.1, 0.1}).bits, 0);
+  assert_true(t.world.state.v[0].x() == 1 && t.world.state.x[0].x() == 1);
+  for (const StageEntry& entry : stage_table())
+    if (entry.name == "resist") assert_int_equal(entry.writes.bits, Parts(Part::velocities).bits);
+}
+
 /// Watching changes no bit.
 void a_watched_world_steps_the_same_bits(void**) {
   std::uint64_t hash[2];
@@ -123,6 +146,7 @@ int main(int argc, char** argv) {
       cmocka_unit_test(the_picture_on_the_page_is_that_of_the_table),
       cmocka_unit_test(no_stage_writes_what_it_does_not_declare),
       cmocka_unit_test(the_watch_names_what_a_stage_did_not_declare),
+      cmocka_unit_test(parameters_say_what_a_stage_writes),
       cmocka_unit_test(a_watched_world_steps_the_same_bits),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);

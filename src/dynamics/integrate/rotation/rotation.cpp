@@ -9,12 +9,12 @@ const Rotation* rotation_method(std::uint32_t choice) {
   return kMethods[choice];
 }
 
-void turn_tops(World& world, Real h) {
+void turn_tops(const World& world, Velocities& to, Real h) {
   Plan& plan = *world.plan;
   if (!plan.rotation_method) return;
   PlannedEffect& row = plan.effects[+EffectId::gyroscopic];
   if (row.customers.count == 0) return;
-  plan.rotation_method->advance(world, row.customers, h);
+  plan.rotation_method->advance(world, to, row.customers, h);
   row.evaluations += row.customers.count;
 }
 

@@ -21,7 +21,7 @@ namespace carom::dynamics {
 struct Rotation {
   const char* name;
   /// Over h: omega of each customer, and its proposal: the orientation, and the omega that belongs to it.
-  void (*advance)(World& world, const Customers& tops, Real h);
+  void (*advance)(const World& world, Velocities& to, const Customers& tops, Real h);
 };
 
 extern const Rotation kRotationRungeKutta4, kLieMidpoint, kSplitting, kSplitting4, kSplitting6;
@@ -33,6 +33,6 @@ const Rotation* rotation_method(std::uint32_t choice);
 inline bool is_carried(const Plan& plan, std::uint32_t body) { return plan.rotation_method && plan.carried[body]; }
 
 /// Advance whoever a method carries, if there is one. For integrators, at their place among forces and flows.
-void turn_tops(World& world, Real h);
+void turn_tops(const World& world, Velocities& to, Real h);
 
 }  // namespace carom::dynamics

@@ -34,8 +34,8 @@ namespace {
 }
 
 template <std::size_t n>
-void split(World& world, const Customers& customers, Real h, const Real (&g)[n]) {
-  carry_tops(world, customers, h, [&g](const Principal& top, Real step, const Vec3& l, Vec3& p, Quat& q) {
+void split(const World& world, Velocities& to, const Customers& customers, Real h, const Real (&g)[n]) {
+  carry_tops(world, to, customers, h, [&g](const Principal& top, Real step, const Vec3& l, Vec3& p, Quat& q) {
     q = unscaled_exp(step * top.base * l) * q;
     const Real y = step * top.dy, z = step * top.dz;
     turn_y(y * (g[0] / 2) * p.y(), q, p);
@@ -55,8 +55,11 @@ constexpr Real kYoshida6[] = {kOuter, kMiddle, kBack, 1 - 2 * (kOuter + kMiddle 
 
 }  // namespace
 
-const Rotation kSplitting = {"splitting", [](World& w, const Customers& c, Real h) { split(w, c, h, kOne); }};
-const Rotation kSplitting4 = {"splitting_4", [](World& w, const Customers& c, Real h) { split(w, c, h, kSuzuki4); }};
-const Rotation kSplitting6 = {"splitting_6", [](World& w, const Customers& c, Real h) { split(w, c, h, kYoshida6); }};
+const Rotation kSplitting = {
+    "splitting", [](const World& w, Velocities& to, const Customers& c, Real h) { split(w, to, c, h, kOne); }};
+const Rotation kSplitting4 = {
+    "splitting_4", [](const World& w, Velocities& to, const Customers& c, Real h) { split(w, to, c, h, kSuzuki4); }};
+const Rotation kSplitting6 = {
+    "splitting_6", [](const World& w, Velocities& to, const Customers& c, Real h) { split(w, to, c, h, kYoshida6); }};
 
 }  // namespace carom::dynamics

@@ -36,10 +36,10 @@ inline Quat unscaled_exp(const Vec3& phi) {
 /// found: whoever else has written omega or q (a contact, a torque, a host) has changed them by more than rounding, or
 /// not at all.
 template <class Method>
-void carry_tops(World& world, const Customers& customers, Real h, Method&& turn) {
+void carry_tops(const World& world, Velocities& to, const Customers& customers, Real h, Method&& turn) {
   // What spin_of() rounds by: two rotations, 8 u each with a length of q off by 4 u, a sum of terms up to 2 |omega|.
   constexpr Real kAgree = 64 * kUnitRoundoff;
-  State& s = world.state;
+  const State& s = world.state;
   Plan& plan = *world.plan;
   customers.each(world.jobs, [&](std::uint32_t i) {
     const Principal& top = plan.principal[i];
@@ -49,12 +49,12 @@ void carry_tops(World& world, const Customers& customers, Real h, Method&& turn)
     if (!((spin_of(top, q, l, p) - omega).squared_norm() < kAgree * kAgree * omega.squared_norm())) {
       p = top.moment.times(q.conjugate() * omega);
       l = q * p;
-      s.momentum[i] = top.unsorted(l);
+      to.momentum[i] = top.unsorted(l);
     }
     turn(top, h, l, p, q);
     q = normalized(q);
     plan.proposal.q[i] = top.unsorted(q);
-    plan.proposal.omega[i] = s.omega[i] = top.unsorted(spin_of(top, q, l));
+    plan.proposal.omega[i] = to.omega[i] = top.unsorted(spin_of(top, q, l));
   });
 }
 

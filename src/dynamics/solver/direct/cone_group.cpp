@@ -56,7 +56,7 @@ Real fastest_any_way(const ConeProblem& problem) {
 
 }  // namespace
 
-ConeGroup::ConeGroup(World& world, std::size_t group)
+ConeGroup::ConeGroup(const World& world, std::size_t group)
     : world_(world),
       c_(*world.contacts),
       s_(world.state),
@@ -90,7 +90,7 @@ void ConeGroup::book_repeats() {
 
 /// Where contacts were found at rest and every impulse in order, the next substep's are the same, as long as that
 /// leaves the bodies' velocities as they are: what has changed is looked for once a step.
-bool ConeGroup::repeat(Real tolerance) {
+bool ConeGroup::repeat(Velocities& to, Real tolerance) {
   for (const ConeBody& b : bodies_of(problem_)) {
     const Vec3 dv = s_.v[b.slot] + b.change.linear() - b.v.linear();
     const Vec3 turn = s_.omega[b.slot] + b.change.angular() - b.v.angular();
@@ -100,7 +100,7 @@ bool ConeGroup::repeat(Real tolerance) {
   for (ConeBody& b : bodies_of(problem_)) {
     load(b);
     b.v += b.change;
-    store(b);
+    store(to, b);
   }
   ++rest_.repeats;
   return true;
@@ -146,10 +146,10 @@ Real ConeGroup::start(Real h) {
   return least;
 }
 
-void ConeGroup::store(const ConeBody& b) {
+void ConeGroup::store(Velocities& to, const ConeBody& b) {
   const Vec3 v = b.v.linear(), omega = b.v.angular();
   world_.plan->touched[b.slot] = v != s_.v[b.slot] || omega != s_.omega[b.slot];
-  s_.v[b.slot] = v, s_.omega[b.slot] = omega;
+  to.v[b.slot] = v, to.omega[b.slot] = omega;
 }
 
 /// Velocities are what the impulses make of those before, to the bit, whatever rounds went through: what bears nothing
@@ -160,7 +160,7 @@ void ConeGroup::follow_impulses() {
   for (ConeBody& b : bodies_of(problem_)) load(b), b.v += velocity_of(b, b.gradient);
 }
 
-void ConeGroup::keep() {
+void ConeGroup::keep(Velocities& to) {
   if (answer_.factorisations > 0 && !is_joined()) follow_impulses();
   each([&](const ConeContact& contact, std::uint32_t i) {
     c_.rows[i].p = contact.next_p;
@@ -169,12 +169,12 @@ void ConeGroup::keep() {
   });
   keep_links(world_, problem_, link_row_);
   book_links(world_, problem_, link_row_);
-  for (const ConeBody& b : bodies_of(problem_)) store(b);
+  for (const ConeBody& b : bodies_of(problem_)) store(to, b);
 }
 
-void ConeGroup::solve(Real h, std::uint64_t work, int substeps) {
+void ConeGroup::solve(Velocities& to, Real h, std::uint64_t work, int substeps) {
   const Real tolerance = kDirectShare * world_.scene.dials[Dial::velocity_tolerance];
-  if (rest_.lasts && repeat(tolerance)) return;
+  if (rest_.lasts && repeat(to, tolerance)) return;
   book_repeats();
   if (rest_.has_moved) turn_frames(), measure();  // should it not lie still any more
   const Real least = start(h);
@@ -199,7 +199,7 @@ void ConeGroup::solve(Real h, std::uint64_t work, int substeps) {
   book_work();
   rest_.gave_up |= rest_.is_bounded && !is_joined() && is_far_off(answer_, world_.scene.dials);
   start_from_loads(problem_);
-  keep();
+  keep(to);
   rest_.is_first = false;
   rest_.lasts = !is_joined() && answer_.factorisations == 0 && least >= -world_.scene.dials[Dial::position_tolerance] &&
                 !rest_.resists && fastest_any_way(problem_) < kRest * tolerance;
@@ -234,7 +234,7 @@ Real ConeGroup::displacement_share() const {
   return moved2 > most * most ? most / std::sqrt(moved2) : 1;
 }
 
-void ConeGroup::part(Real h) {
+void ConeGroup::part(Poses& to, Real h) {
   if (rest_.lasts) return;
   const Real tolerance = world_.scene.dials[Dial::position_tolerance];
   const Real most = world_.scene.dials[Dial::push_speed] * h;
@@ -258,7 +258,7 @@ void ConeGroup::part(Real h) {
   const Real share = displacement_share();
   for (const ConeBody& b : bodies_of(problem_)) {
     const Vec3 turn = share * b.v.angular();
-    correct_pose(s_, b.slot, share * b.v.linear(), turn);
+    correct_pose(to, b.slot, share * b.v.linear(), turn);
     if (turn == Vec3::zero()) continue;
     world_.plan->rotation[b.slot] = s_.q[b.slot].matrix();
   }
@@ -266,7 +266,7 @@ void ConeGroup::part(Real h) {
   measure();
 }
 
-void ConeGroup::settle(Real h) {
+void ConeGroup::settle(Velocities& to, Real h) {
   if (!is_joined() || !problem_.contacts.empty()) return;
   const Real tolerance = kDirectShare * world_.scene.dials[Dial::velocity_tolerance];
   turn_frames();
@@ -276,7 +276,7 @@ void ConeGroup::settle(Real h) {
   const ConeAnswer answer = solve_cones(problem_, kFineShare * tolerance, kMostSteps);
   answer_.factorisations += answer.factorisations;
   book_links(world_, problem_, link_row_);
-  for (const ConeBody& b : bodies_of(problem_)) store(b);
+  for (const ConeBody& b : bodies_of(problem_)) store(to, b);
 }
 
 void ConeGroup::end() {

@@ -7,15 +7,15 @@ namespace carom::dynamics {
 
 class ConeGroup {
  public:
-  ConeGroup(World& world, std::size_t group);
+  ConeGroup(const World& world, std::size_t group);
 
   /// Velocities.   @param work, substeps  @see solve_groups()
-  void solve(Real h, std::uint64_t work, int substeps);
+  void solve(Velocities& to, Real h, std::uint64_t work, int substeps);
   /// A group that overlaps more than the tolerance is parted, to half of it, so that what rests keeps in touch.
-  void part(Real h);
+  void part(Poses& to, Real h);
   /// Velocities along what is locked, where the move has ended. Of groups that nothing touches: contacts, whose poses
   /// the solved velocities were to make good, are not asked twice.
-  void settle(Real h);
+  void settle(Velocities& to, Real h);
   void end();
 
   bool is_joined() const { return !problem_.links.empty(); }
@@ -30,20 +30,20 @@ class ConeGroup {
   std::uint32_t allowed_steps(std::uint64_t work) const;
   void book_work();
   void book_repeats();
-  bool repeat(Real tolerance);
+  bool repeat(Velocities& to, Real tolerance);
   Real start(Real h);
   void follow_bodies();
   void follow_impulses();
-  void keep();
+  void keep(Velocities& to);
   Real displacement_share() const;
   void turn_frames();
   Real measure();
   void load(ConeBody& b) const { b.v = {s_.v[b.slot], s_.omega[b.slot]}; }
-  void store(const ConeBody& b);
+  void store(Velocities& to, const ConeBody& b);
 
-  World& world_;
+  const World& world_;
   Contacts& c_;
-  State& s_;
+  const State& s_;
   GroupRest& rest_;
   ConeAnswer& answer_;
   ConeProblem problem_;

@@ -22,7 +22,7 @@ void make_room(DirectGroups& d) {
 }
 
 /// Bodies, contacts and edges of each group.
-void gather(World& world, DirectGroups& d) {
+void gather(const World& world, DirectGroups& d) {
   const Contacts& c = *world.contacts;
   make_room(d);
   d.links.clear(), d.link_row.clear();
@@ -90,12 +90,12 @@ void place_contacts(DirectGroups& d) {
 
 }  // namespace
 
-void gather_groups(World& world) {
+void gather_groups(const World& world, SolverMemory& memory) {
   DirectGroups& d = *world.direct;
   gather(world, d);
   order(d);
   place_contacts(d);
-  load_groups(world, d);
+  load_groups(world, memory, d);
   d.answer.resize(d.groups());
   d.rest.assign(d.groups(), {});
   for (const Resistance& r : world.contacts->resisting)

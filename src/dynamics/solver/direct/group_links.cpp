@@ -83,7 +83,7 @@ Real locked_response(const ConeBody& b, const Vec3& d, const Vec3& turn) {
 
 }  // namespace
 
-void gather_links(World& world, DirectGroups& d, std::size_t group) {
+void gather_links(const World& world, DirectGroups& d, std::size_t group) {
   const Contacts& c = *world.contacts;
   const WideJoints& w = *world.wide_joints;
   if (c.group_link_begin.empty()) return;
@@ -211,7 +211,7 @@ void measure_links(ConeProblem& problem) {
   for (ConeLink& c : problem.links) c.u = c.carried + relative<&ConeBody::v>(problem.bodies, c);
 }
 
-void book_links(World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
+void book_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
   WideJoints& w = *world.wide_joints;
   for (std::size_t i = 0; i < problem.links.size(); ++i) {
     const ConeLink& c = problem.links[i];
@@ -223,7 +223,7 @@ void book_links(World& world, const ConeProblem& problem, const DirectGroups::Li
   }
 }
 
-void keep_links(World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
+void keep_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
   WideJoints& w = *world.wide_joints;
   for (std::size_t i = 0; i < problem.links.size(); ++i)
     at(row_at(w, rows[i]).p, rows[i].lane) = problem.links[i].next_p;

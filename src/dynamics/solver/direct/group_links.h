@@ -13,7 +13,7 @@ enum class LinkPhase : std::uint8_t {
 };
 
 /// Add the rows of a group's joints, its bodies and their couplings.
-void gather_links(World& world, DirectGroups& d, std::size_t group);
+void gather_links(const World& world, DirectGroups& d, std::size_t group);
 
 /// Rows where bodies are now, and what is asked of them. Impulses are those kept, or none but in `move`.
 /// @param problem  bodies' velocities are those of the state
@@ -32,9 +32,9 @@ bool has_ring(const ConeProblem& problem, const DirectGroups::LinkRow* rows);
 /// Velocities at rows, from the bodies'.
 void measure_links(ConeProblem& problem);
 /// Book the impulses under the step's.
-void book_links(World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);
+void book_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);
 /// Keep what the next substep starts from.
-void keep_links(World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);
+void keep_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);
 /// m or rad: the largest error of what is locked and limited.
 Real worst_error(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);
 

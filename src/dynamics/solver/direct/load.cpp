@@ -84,12 +84,12 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
   });
 }
 
-void load_groups(World& world, DirectGroups& d) {
+void load_groups(const World& world, SolverMemory& memory, DirectGroups& d) {
   constexpr std::size_t kGroupsAPart = 4;
   in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) {
     const DirectGroups::Begin &from = d.begin[g], &to = d.begin[g + 1];
     for (ConeBody& b : std::span(d.bodies.data() + from.body, to.body - from.body)) {
-      hold_orientation(world, b.slot);
+      hold_orientation(world, memory, b.slot);
       load_mass(world, b);
       b.v = {world.state.v[b.slot], world.state.omega[b.slot]};
     }

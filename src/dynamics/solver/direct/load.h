@@ -13,6 +13,6 @@ enum class LoadWhat { all, not_curved };
 void load_contacts(const World& world, std::span<const std::uint32_t> rows, const ConeBody* bodies,
                    ConeContact* contacts, LoadWhat what);
 /// Bodies and contacts, as the step begins.
-void load_groups(World& world, DirectGroups& d);
+void load_groups(const World& world, SolverMemory& memory, DirectGroups& d);
 
 }  // namespace carom::dynamics
