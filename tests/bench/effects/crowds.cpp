@@ -145,6 +145,13 @@ std::vector<Crowd> crowds() {
       {+EffectId::wind, "wind", 10000, true, flying(drag, [](TestWorld& t) { t.world.set_wind(Vec3(3, 0, 0)); })},
       {+EffectId::fields, "fields, uniform", 10000, true, in_field(uniform)},
       {+EffectId::fields, "fields, vortex", 10000, true, in_field(vortex)},
+      {+EffectId::magnetism, "magnetism", 10000, true,
+       flying([](World& w, std::uint32_t i) { w.set_attribute(i, AttributeId::magnetic_moment, {1e-3, 0, 0}); },
+              [](TestWorld& t) {
+                FieldDef f;
+                f.kind = FieldKind::magnetic, f.vector = Vec3(0, 1, 0);
+                t.world.add_field(f);
+              })},
       {+EffectId::springs, "springs", 1000, true, flying([](World& w, std::uint32_t i) {
          SpringDef d;
          d.body_a = i, d.anchor_b = w.pose(i).p + Vec3(0, 2, 0), d.rest = 1, d.stiffness = 10, d.damping = 0.1;
