@@ -41,6 +41,7 @@ typedef struct carom_ledger_state carom_ledger_state;
 typedef struct carom_particles_desc carom_particles_desc;
 typedef struct carom_plan_line carom_plan_line;
 typedef struct carom_param carom_param;
+typedef struct carom_param_rule carom_param_rule;
 typedef struct carom_geometry carom_geometry;
 typedef struct carom_shape_plugin carom_shape_plugin;
 typedef struct carom_distance_desc carom_distance_desc;
@@ -111,8 +112,9 @@ struct carom_ledger_state { uint32_t struct_size; uint32_t is_kept; uint64_t ste
 struct carom_particles_desc { uint32_t struct_size; uint32_t reserved; double gravity_factor; double linear_damping; double mass; uint64_t capacity; };
 struct carom_plan_line { uint32_t effect; uint32_t stage; uint32_t mode; uint32_t runs; uint64_t customers; uint64_t wanted; uint64_t evaluations; uint64_t bytes; double seconds; uint32_t timing; uint32_t reserved; char name[32]; char unit[24]; char reason[128]; };
 struct carom_param { const char *name; const char *unit; double min; double max; };
+struct carom_param_rule { const char *text; uint32_t term_count; uint32_t param[4]; double weight[4]; double most; };
 struct carom_geometry { uint32_t struct_size; uint32_t form; uint32_t form_arg[4]; uint32_t core_radius_param; uint32_t mass_form; uint32_t mass_arg[4]; };
-struct carom_shape_plugin { uint32_t struct_size; uint32_t abi_major; uint32_t abi_minor; uint32_t flags; const char *id; uint32_t version; uint32_t param_count; const carom_param *params; const carom_geometry *geometry; carom_support_fn support; uint32_t param_tail_group; uint32_t param_tail_min; };
+struct carom_shape_plugin { uint32_t struct_size; uint32_t abi_major; uint32_t abi_minor; uint32_t flags; const char *id; uint32_t version; uint32_t param_count; const carom_param *params; const carom_geometry *geometry; carom_support_fn support; uint32_t param_tail_group; uint32_t param_tail_min; const carom_param_rule *rules; uint32_t rule_count; uint32_t reserved; };
 struct carom_distance_desc { uint32_t struct_size; uint32_t simplex; uint32_t narrow_phase; uint32_t pair_routines; double tolerance; double hybrid_margin; uint32_t gjk_iterations; uint32_t epa_iterations; };
 struct carom_distance { uint32_t struct_size; uint32_t status; double separation; double lower; double upper; double normal[3]; double point_a[3]; double point_b[3]; uint32_t gjk_iterations; uint32_t epa_iterations; uint32_t support_calls; uint32_t reserved; };
 struct carom_difference { uint32_t struct_size; uint32_t differs; uint64_t first; uint64_t second; char sections[240]; };
@@ -653,5 +655,5 @@ return {
   CAROM_ASK_GENERIC = 1,
   CAROM_ASK_SENSORS = 2,
   VERSION = "1.8.0",
-  ROWS = 605, -- of the layout manifest
+  ROWS = 614, -- of the layout manifest
 }

@@ -89,7 +89,8 @@ CAROM_API int32_t carom_plugin_unload(carom_engine *engine, carom_plugin plugin,
 /** Find a loaded plugin by its id.   @status OK; NULL_ARGUMENT; NOT_FOUND (load it first) */
 CAROM_API int32_t carom_plugin_find(carom_engine *engine, const char *id, carom_plugin *plugin, carom_error *error);
 
-/** The plugin's own description: documentation, declarations, function. Valid while the engine lives.
+/** The plugin's own description, as its author compiled it: documentation, declarations, function. Only fields within its
+ *  struct_size are there. Valid while the engine lives.
  *  @status OK; NULL_ARGUMENT; *_HANDLE */
 CAROM_API int32_t carom_plugin_describe(carom_engine *engine, carom_plugin plugin,
                                         const carom_shape_plugin **description, carom_error *error);

@@ -33,6 +33,17 @@ typedef struct carom_param {
   double max;       /**< largest legal value, inclusive */
 } carom_param;
 
+/** What several parameters fulfil together: the sum of weight[i] * params[param[i]] over its terms is at most `most`. Parameters
+ *  that do not are refused when a shape is made (OUT_OF_RANGE, with `text`), and the plugin is not judged by them.
+ *  A lens that is thinner than its radius: {"height <= 0.99 radius", 2, {1, 0}, {1, -0.99}, 0}.   @since 1.8 */
+typedef struct carom_param_rule {
+  const char *text;    /**< for people: "height <= 0.99 radius" */
+  uint32_t term_count; /**< 1 to 4 */
+  uint32_t param[4];   /**< [term_count] indices into params; of a tail, its first group */
+  double weight[4];    /**< [term_count] finite */
+  double most;         /**< finite */
+} carom_param_rule;
+
 /* Closed forms that an engine may know a faster or exact routine for. arg[i] below are indices into params. */
 #define CAROM_FORM_NONE 0u      /* nothing declared */
 #define CAROM_FORM_SPHERE 1u    /* centre at the origin; arg[0]: radius */
@@ -77,6 +88,9 @@ typedef struct carom_shape_plugin {
   uint32_t param_tail_group;     /**< 0: exactly param_count parameters. k > 0: the last k entries repeat, so a shape
                                       has param_count + m*k parameters, m >= 0 (hull: x, y, z repeated) */
   uint32_t param_tail_min;       /**< smallest number of groups in all, the declared one included (hull: 1) */
+  const carom_param_rule *rules; /**< [rule_count] or NULL   @since 1.8 */
+  uint32_t rule_count;           /**< at most 64   @since 1.8 */
+  uint32_t reserved;             /**< 0   @since 1.8 */
 } carom_shape_plugin;
 
 /** The symbol looked up in a shared object. */

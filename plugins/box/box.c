@@ -17,15 +17,14 @@ static const carom_geometry geometry = {
     CAROM_NO_PARAM,         CAROM_FORM_BOX, {0, 1, 2, CAROM_NO_PARAM},
 };
 
-CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {sizeof(carom_shape_plugin),
-                                                                      CAROM_PLUGIN_ABI_MAJOR,
-                                                                      CAROM_PLUGIN_ABI_MINOR,
-                                                                      0,
-                                                                      "carom.box",
-                                                                      1,
-                                                                      3,
-                                                                      parameters,
-                                                                      &geometry,
-                                                                      support,
-                                                                      0,
-                                                                      0};
+CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
+    .struct_size = sizeof(carom_shape_plugin),
+    .abi_major = CAROM_PLUGIN_ABI_MAJOR,
+    .abi_minor = CAROM_PLUGIN_ABI_MINOR,
+    .id = "carom.box",
+    .version = 1,
+    .param_count = 3,
+    .params = parameters,
+    .geometry = &geometry,
+    .support = support,
+};

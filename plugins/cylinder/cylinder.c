@@ -29,15 +29,14 @@ static const carom_geometry geometry = {
     CAROM_NO_PARAM,         CAROM_FORM_CYLINDER, {RADIUS, HALF_HEIGHT, CAROM_NO_PARAM, CAROM_NO_PARAM},
 };
 
-CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {sizeof(carom_shape_plugin),
-                                                                      CAROM_PLUGIN_ABI_MAJOR,
-                                                                      CAROM_PLUGIN_ABI_MINOR,
-                                                                      0,
-                                                                      "carom.cylinder",
-                                                                      1,
-                                                                      2,
-                                                                      parameters,
-                                                                      &geometry,
-                                                                      support,
-                                                                      0,
-                                                                      0};
+CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
+    .struct_size = sizeof(carom_shape_plugin),
+    .abi_major = CAROM_PLUGIN_ABI_MAJOR,
+    .abi_minor = CAROM_PLUGIN_ABI_MINOR,
+    .id = "carom.cylinder",
+    .version = 1,
+    .param_count = 2,
+    .params = parameters,
+    .geometry = &geometry,
+    .support = support,
+};

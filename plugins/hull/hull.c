@@ -33,15 +33,16 @@ static const carom_geometry geometry = {
     CAROM_NO_PARAM,         CAROM_FORM_POLYTOPE, {0, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM},
 };
 
-CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {sizeof(carom_shape_plugin),
-                                                                      CAROM_PLUGIN_ABI_MAJOR,
-                                                                      CAROM_PLUGIN_ABI_MINOR,
-                                                                      0,
-                                                                      "carom.hull",
-                                                                      1,
-                                                                      3,
-                                                                      parameters,
-                                                                      &geometry,
-                                                                      support,
-                                                                      3,
-                                                                      1};
+CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
+    .struct_size = sizeof(carom_shape_plugin),
+    .abi_major = CAROM_PLUGIN_ABI_MAJOR,
+    .abi_minor = CAROM_PLUGIN_ABI_MINOR,
+    .id = "carom.hull",
+    .version = 1,
+    .param_count = 3,
+    .params = parameters,
+    .geometry = &geometry,
+    .support = support,
+    .param_tail_group = 3,
+    .param_tail_min = 1,
+};

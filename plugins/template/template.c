@@ -60,21 +60,18 @@ static const carom_param parameters[] = {{"radius", "m", 1e-9, 1e8}, {"half_heig
  *         CAROM_FORM_CYLINDER, {RADIUS, HALF_HEIGHT, CAROM_NO_PARAM, CAROM_NO_PARAM},   its mass
  *     };
  *
- * and put &geometry where NULL stands below. */
+ * and add .geometry = &geometry below. */
 
 /* The one exported symbol. CHANGE: the id (yours: "org.example.top"); raise the version when the same parameters come
- * to mean another set. The two last zeros: no parameters repeat (see plugins/hull for a shape where they do). */
+ * to mean another set. What is not named is 0: no declarations,
+ * no parameters that repeat (see plugins/hull), no rules between parameters (carom_param_rule). */
 CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
-    sizeof(carom_shape_plugin), /* struct_size */
-    CAROM_PLUGIN_ABI_MAJOR,     /* abi_major */
-    CAROM_PLUGIN_ABI_MINOR,     /* abi_minor */
-    0,                          /* flags */
-    "carom.template",           /* id */
-    1,                          /* version */
-    2,                          /* param_count */
-    parameters,                 /* params */
-    0,                          /* geometry: no declarations (NULL) */
-    support,                    /* support */
-    0,                          /* param_tail_group */
-    0,                          /* param_tail_min */
+    .struct_size = sizeof(carom_shape_plugin),
+    .abi_major = CAROM_PLUGIN_ABI_MAJOR,
+    .abi_minor = CAROM_PLUGIN_ABI_MINOR,
+    .id = "carom.template",
+    .version = 1,
+    .param_count = 2,
+    .params = parameters,
+    .support = support,
 };

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 
 #include "abi/engine.h"
@@ -55,6 +56,23 @@ bool check_params(Call& call, const carom_shape_plugin& d) {
   return true;
 }
 
+bool check_rules(Call& call, const carom_shape_plugin& d) {
+  constexpr std::uint32_t kMostRules = 64;
+  if (d.rule_count > kMostRules || (d.rule_count && !d.rules) || d.reserved)
+    return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: rule_count is %u (at most %u), rules %s, reserved %u", d.id, d.rule_count,
+                     kMostRules, d.rules ? "given" : "NULL", d.reserved);
+  for (std::uint32_t k = 0; k < d.rule_count; ++k) {
+    const carom_param_rule& rule = d.rules[k];
+    bool sound = rule.text && rule.term_count >= 1 && rule.term_count <= std::size(rule.param) && std::isfinite(rule.most);
+    for (std::uint32_t i = 0; sound && i < rule.term_count; ++i)
+      sound = rule.param[i] < d.param_count && std::isfinite(rule.weight[i]);
+    if (!sound)
+      return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: rules[%u] needs a text, 1 to 4 terms of parameters there are, finite numbers",
+                       d.id, k);
+  }
+  return true;
+}
+
 bool check_geometry(Call& call, const carom_shape_plugin& d, carom_geometry& g) {
   for (std::uint32_t& a : g.form_arg) a = CAROM_NO_PARAM;
   for (std::uint32_t& a : g.mass_arg) a = CAROM_NO_PARAM;
@@ -81,17 +99,20 @@ bool check_description(Call& call, const carom_shape_plugin* given, std::size_t 
   if (!d.id || !d.id[0] || strnlen(d.id, kLongestId + 1) > kLongestId)
     return call.fail(CAROM_E_PLUGIN_ABI, 2, "id is %s", !d.id ? "NULL" : d.id[0] ? "longer than 200 bytes" : "empty");
   if (!d.support) return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: support is NULL", d.id);
-  if (!check_params(call, d) || !check_geometry(call, d, record.geometry)) return false;
+  if (!check_params(call, d) || !check_rules(call, d) || !check_geometry(call, d, record.geometry)) return false;
   record.given = given;
   record.id = d.id;
   d.id = record.id.c_str();
   record.bounds.assign(d.params, d.params + d.param_count);
+  record.rules.assign(d.rules, d.rules + d.rule_count);
   return true;
 }
 
 /// Parameters near 1 that the bounds allow, different from one another, of both signs where allowed; six groups of a
 /// tail (a hull then has volume).
-void sample_params(const PluginRecord& record, Array<double>& params) {
+/// @param trial  0 the usual ones, then others
+void sample_params(const PluginRecord& record, std::uint32_t trial, Array<double>& params) {
+  params.clear();
   const carom_shape_plugin& d = record.description;
   const std::uint32_t group = d.param_tail_group;
   const std::uint32_t groups = group ? std::clamp(d.param_tail_min, 6u, 4096u) : 0;
@@ -99,19 +120,26 @@ void sample_params(const PluginRecord& record, Array<double>& params) {
   for (std::uint32_t i = 0; i < count; ++i) {
     const carom_param& bound =
         record.bounds[i < d.param_count ? i : d.param_count - group + (i - d.param_count) % group];
-    const double size = 0.5 + static_cast<double>((i * 7u) % 11u) / 11;
+    // Trials reach from 1/16 to 16 of the usual sizes, each parameter by itself: rules often compare two of them.
+    const double scale = trial == 0 ? 1 : std::ldexp(1.0, static_cast<int>((trial * 0x9E3779B9u + i * 0x85EBCA6Bu) >> 28) % 9 - 4);
+    const double size = scale * (0.5 + static_cast<double>((i * 7u) % 11u) / 11);
     const double wanted = bound.min < 0 && (i * 0x9E3779B9u) >> 31 ? -size : size;
     double value = std::clamp(wanted, bound.min, bound.max);
     if (value != wanted && std::isfinite(bound.min) && std::isfinite(bound.max))
-      value = bound.min + (bound.max - bound.min) * (0.3 + 0.4 * size / 1.5);  // inside, off the bounds
+      value = bound.min + (bound.max - bound.min) * (0.3 + 0.4 * size / scale / 1.5);  // inside, off the bounds
     params.push_back(value);
   }
 }
 
-/// 256 directions at sample parameters.
+/// 256 directions at sample parameters that fulfil the rules. Where none of them does, shapes are judged when they are made.
 bool check_honest(Call& call, const PluginRecord& record, Memory* memory) {
+  constexpr std::uint32_t kTrials = 256;
   Shape sample(memory);
-  sample_params(record, sample.params);
+  std::uint32_t trial = 0;
+  do {
+    if (trial == kTrials) return true;
+    sample_params(record, trial++, sample.params);
+  } while (broken_rule(record, sample.params.data()));
   sample.support = record.description.support;
   return ask_honest(call, record.id.c_str(), 2, sample);
 }
@@ -191,6 +219,16 @@ const carom_shape_plugin* open_symbol(Call& call, const char* path, std::size_t&
 }
 
 }  // namespace
+
+const carom_param_rule* broken_rule(const PluginRecord& plugin, const double* params) {
+  for (const carom_param_rule& rule : plugin.rules) {
+    double sum = 0;
+    for (std::uint32_t i = 0; i < rule.term_count; ++i) sum += rule.weight[i] * params[rule.param[i]];
+    if (!(sum <= rule.most)) return &rule;
+  }
+  return nullptr;
+}
+
 }  // namespace carom::abi
 
 using namespace carom;

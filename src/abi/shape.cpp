@@ -16,6 +16,7 @@ namespace {
 
 constexpr Real kMassTolerance = 1e-3;  // relative width of the volume bracket at which deriving stops: 0.1 % of mass is
                                        // less than densities are known to; finer costs supports in proportion (1/N)
+constexpr Real kSmallestSize = 5e-5;   // m, half across: contacts hold from there on, see tests/abi/test_sizes
 constexpr int kMassSupports = 2000;    // and at most so many: about a millisecond
 
 bool check_params(Call& call, const PluginRecord& plugin, const double* params, std::uint64_t count) {
@@ -34,7 +35,8 @@ bool check_params(Call& call, const PluginRecord& plugin, const double* params, 
                      "params[%llu] (%s of %s) is %.17g, outside [%g, %g]", static_cast<unsigned long long>(i),
                      bound.name, plugin.id.c_str(), params[i], bound.min, bound.max);
   }
-  return true;
+  const carom_param_rule* const rule = broken_rule(plugin, params);
+  return !rule || call.fail(CAROM_E_OUT_OF_RANGE, 3, "params of %s break its rule: %s", plugin.id.c_str(), rule->text);
 }
 
 bool dishonest(Call& call, const char* id, const SupportFault& fault) {
@@ -232,8 +234,13 @@ int32_t carom_shape_create(carom_engine* engine, carom_plugin plugin, const doub
     PluginPin pin(*engine);
     if (!pin.take(call, 2, plugin)) return;
     ShapeDraft draft(&engine->memory);
-    if (draft_of_plugin(call, *pin.get(), params, count, draft) && add_shape(call, *engine, draft, shape, pin.get(), plugin))
-      pin.keep();
+    if (!draft_of_plugin(call, *pin.get(), params, count, draft)) return;
+    const Real across = (draft.shape->bounds.hi - draft.shape->bounds.lo).max_entry();
+    if (!add_shape(call, *engine, draft, shape, pin.get(), plugin)) return;
+    if (across < 2 * kSmallestSize)
+      engine->say(CAROM_LOG_WARNING, "a shape of %s is %g m across: contacts of bodies smaller than %g m do not hold; scale the scene up",
+                  pin.get()->id.c_str(), across, 2 * kSmallestSize);
+    pin.keep();
   });
 }
 

@@ -84,6 +84,61 @@ static int clear(void **state) {
   return 0;
 }
 
+/* A cube of half an edge, rounded by a radius: a smaller cube swollen by it. Rounder than it is large it makes no sense. */
+static int32_t rounded_cube(const double *params, uint64_t count, const double given[3], double out[3]) {
+  const double big = fmax(fabs(given[0]), fmax(fabs(given[1]), fabs(given[2])));
+  const double dir[3] = {given[0] / big, given[1] / big, given[2] / big}, core = params[0] - params[1];
+  const double length = sqrt(dir[0] * dir[0] + dir[1] * dir[1] + dir[2] * dir[2]);
+  int i;
+  (void)count;
+  for (i = 0; i < 3; ++i) out[i] = (dir[i] < 0 ? -core : core) + params[1] * dir[i] / length;
+  return 0;
+}
+
+static void parameters_that_constrain_each_other_say_so(void **state) {
+  static const carom_param params[] = {{"half", "m", 1e-3, 1e3}, {"radius", "m", 1e-3, 1e3}};
+  static const carom_param_rule rules[] = {{"radius <= 0.99 half", 2, {1, 0, 0, 0}, {1, -0.99, 0, 0}, 0}};
+  Bench *b = *state;
+  carom_shape_plugin p = bench_plugin("rounded", params, 2, NULL, rounded_cube);
+  carom_plugin plugin = 0;
+  carom_shape shape = 0;
+  carom_shape_info info = {0};
+  carom_error e = CAROM_ERROR_INIT;
+  const double thin[2] = {1, 0.25}, thick[2] = {1, 1.5};
+  const double pi = 3.14159265358979323846;
+  size_t k;
+  assert_int_equal(carom_plugin_register(b->engine, &p, &plugin, &e), CAROM_E_PLUGIN_DISHONEST); /* judged by one that is no set */
+  p.rules = rules, p.rule_count = 1;
+  assert_int_equal(carom_plugin_register(b->engine, &p, &plugin, &e), CAROM_OK);
+  assert_int_equal(carom_shape_create(b->engine, plugin, thick, 2, &shape, &e), CAROM_E_OUT_OF_RANGE);
+  assert_int_equal(e.argument, 3);
+  assert_non_null(strstr(e.message, "radius <= 0.99 half"));
+  assert_int_equal(carom_shape_create(b->engine, plugin, thin, 2, &shape, &e), CAROM_OK);
+  info.struct_size = sizeof info;
+  assert_int_equal(carom_shape_get_info(b->engine, shape, &info, NULL), CAROM_OK);
+  /* Of edge a = 1.5, swollen by r = 0.25: a^3 + 6 a^2 r + 3 pi a r^2 + 4/3 pi r^3. */
+  assert_true(fabs(info.volume - (3.375 + 3.375 + pi * 0.28125 + pi / 48)) < 1e-3 * info.volume);
+  for (k = 0; k < 6; ++k) {
+    carom_param_rule bad = rules[0];
+    carom_shape_plugin q = p;
+    q.id = "rounded.bad", q.rules = &bad;
+    if (k == 0) bad.text = NULL;
+    if (k == 1) bad.term_count = 5;
+    if (k == 2) bad.term_count = 0;
+    if (k == 3) bad.param[0] = 2;
+    if (k == 4) bad.weight[1] = NAN;
+    if (k == 5) q.rules = NULL;
+    assert_int_equal(carom_plugin_register(b->engine, &q, &plugin, &e), CAROM_E_PLUGIN_ABI);
+  }
+  p.id = "rounded.never", p.rules = rules; /* a rule that nothing keeps: shapes are judged when they are made, and there are none */
+  {
+    carom_param_rule never = {"never", 1, {0, 0, 0, 0}, {0, 0, 0, 0}, -1};
+    p.rules = &never;
+    assert_int_equal(carom_plugin_register(b->engine, &p, &plugin, &e), CAROM_OK);
+    assert_int_equal(carom_shape_create(b->engine, plugin, thin, 2, &shape, &e), CAROM_E_OUT_OF_RANGE);
+  }
+}
+
 static void a_dishonest_support_function_is_refused_at_registration(void **state) {
   static const struct {
     const char *what;
@@ -483,6 +538,7 @@ static void all_plugins_of_the_house_are_taken_in_and_measured(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
+      cmocka_unit_test_setup_teardown(parameters_that_constrain_each_other_say_so, make, clear),
       cmocka_unit_test_setup_teardown(a_dishonest_support_function_is_refused_at_registration, make, clear),
       cmocka_unit_test_setup_teardown(a_nonsensical_struct_is_refused_before_anything_is_called, make, clear),
       cmocka_unit_test_setup_teardown(a_struct_of_an_older_or_newer_minor_version_is_read_as_such, make, clear),

@@ -62,7 +62,7 @@ Real order_of(const std::function<Real(int)>& error, int n) { return std::log2(e
 /// second order shows.
 void swings_with_its_order(const Compass& c) {
   for (const auto& [integrator, order, steps] : {std::tuple{kSemiImplicit, 2.0, 800}, {kVerlet, 2.0, 400}, {kRk4, 4.0, 200}}) {
-    const auto error = [&](int n) { return c.error_after_a_period(integrator, n); };
+    const auto error = [&, method = integrator](int n) { return c.error_after_a_period(method, n); };
     const Real found = order_of(error, steps);
     // Over a whole period a term of the error may drop out, and a higher order show: one held-out swing does so with rk4.
     if (found < order - 0.15) print_error("integrator %g: order %g, error %g\n", integrator, found, error(steps));
@@ -101,8 +101,8 @@ static void a_compass_swings_as_a_pendulum(void**) {
 
 static void a_spinning_dipole_precesses(void**) {
   for (const auto& [integrator, order, steps] : {std::tuple{kVerlet, 2.0, 400}, {kRk4, 4.0, 100}}) {
-    const auto error = [&](int n) {
-      return error_of_precession(Vec3::constant(0.05), 30, Vec3(0, 0.02, 0), 0.7, 2.5, integrator, 1, n);
+    const auto error = [method = integrator](int n) {
+      return error_of_precession(Vec3::constant(0.05), 30, Vec3(0, 0.02, 0), 0.7, 2.5, method, 1, n);
     };
     assert_true(std::fabs(order_of(error, steps) - order) < 0.15);
   }

@@ -429,10 +429,12 @@ class carom_plan_line(Structure):
     _fields_ = [("effect", c_uint32), ("stage", c_uint32), ("mode", c_uint32), ("runs", c_uint32), ("customers", c_uint64), ("wanted", c_uint64), ("evaluations", c_uint64), ("bytes", c_uint64), ("seconds", c_double), ("timing", c_uint32), ("reserved", c_uint32), ("name", c_char * 32), ("unit", c_char * 24), ("reason", c_char * 128)]
 class carom_param(Structure):
     _fields_ = [("name", c_char_p), ("unit", c_char_p), ("min", c_double), ("max", c_double)]
+class carom_param_rule(Structure):
+    _fields_ = [("text", c_char_p), ("term_count", c_uint32), ("param", c_uint32 * 4), ("weight", c_double * 4), ("most", c_double)]
 class carom_geometry(Structure):
     _fields_ = [("struct_size", c_uint32), ("form", c_uint32), ("form_arg", c_uint32 * 4), ("core_radius_param", c_uint32), ("mass_form", c_uint32), ("mass_arg", c_uint32 * 4)]
 class carom_shape_plugin(Structure):
-    _fields_ = [("struct_size", c_uint32), ("abi_major", c_uint32), ("abi_minor", c_uint32), ("flags", c_uint32), ("id", c_char_p), ("version", c_uint32), ("param_count", c_uint32), ("params", POINTER(carom_param)), ("geometry", POINTER(carom_geometry)), ("support", carom_support_fn), ("param_tail_group", c_uint32), ("param_tail_min", c_uint32)]
+    _fields_ = [("struct_size", c_uint32), ("abi_major", c_uint32), ("abi_minor", c_uint32), ("flags", c_uint32), ("id", c_char_p), ("version", c_uint32), ("param_count", c_uint32), ("params", POINTER(carom_param)), ("geometry", POINTER(carom_geometry)), ("support", carom_support_fn), ("param_tail_group", c_uint32), ("param_tail_min", c_uint32), ("rules", POINTER(carom_param_rule)), ("rule_count", c_uint32), ("reserved", c_uint32)]
 class carom_distance_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("simplex", c_uint32), ("narrow_phase", c_uint32), ("pair_routines", c_uint32), ("tolerance", c_double), ("hybrid_margin", c_double), ("gjk_iterations", c_uint32), ("epa_iterations", c_uint32)]
 class carom_distance(Structure):
@@ -508,6 +510,7 @@ STRUCTS = {
     "carom_particles_desc": carom_particles_desc,
     "carom_plan_line": carom_plan_line,
     "carom_param": carom_param,
+    "carom_param_rule": carom_param_rule,
     "carom_geometry": carom_geometry,
     "carom_shape_plugin": carom_shape_plugin,
     "carom_distance_desc": carom_distance_desc,

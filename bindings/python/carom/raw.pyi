@@ -794,6 +794,15 @@ class carom_param(ctypes.Structure):
     unit: Any
     min: float
     max: float
+class carom_param_rule(ctypes.Structure):
+    """What several parameters fulfil together: the sum of weight[i] * params[param[i]] over its terms is at most `most`. Parameters
+    that do not are refused when a shape is made (OUT_OF_RANGE, with `text`), and the plugin is not judged by them.
+    A lens that is thinner than its radius: {"height <= 0.99 radius", 2, {1, 0}, {1, -0.99}, 0}.   @since 1.8"""
+    text: Any
+    term_count: int
+    param: Any
+    weight: Any
+    most: float
 class carom_geometry(ctypes.Structure):
     """What the author knows beyond the support function. Data, not code; verified against the support function when a
     shape is made (a false declaration is refused with a witness direction); never trusted."""
@@ -819,6 +828,9 @@ class carom_shape_plugin(ctypes.Structure):
     support: Any
     param_tail_group: int
     param_tail_min: int
+    rules: Any
+    rule_count: int
+    reserved: int
 class carom_distance_desc(ctypes.Structure):
     """How to answer; fill with carom_distance_desc_init(). Values as the dials of the same name."""
     struct_size: int

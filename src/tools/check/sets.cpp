@@ -53,6 +53,17 @@ std::vector<Direction> trial_directions(std::size_t count) {
   return list;
 }
 
+bool keeps_rules(const carom_shape_plugin& plugin, const std::vector<double>& params) {
+  if (plugin.struct_size < sizeof plugin) return true;  // of a time before there were rules
+  for (std::uint32_t k = 0; k < plugin.rule_count; ++k) {
+    const carom_param_rule& rule = plugin.rules[k];
+    double sum = 0;
+    for (std::uint32_t i = 0; i < rule.term_count; ++i) sum += rule.weight[i] * params[rule.param[i]];
+    if (!(sum <= rule.most)) return false;
+  }
+  return true;
+}
+
 std::vector<std::vector<double>> trial_params(const carom_shape_plugin& plugin, std::size_t* ordinary) {
   Random random(11);
   std::vector<std::vector<double>> sets;
@@ -60,7 +71,9 @@ std::vector<std::vector<double>> trial_params(const carom_shape_plugin& plugin, 
   auto fill = [&](std::size_t groups, auto&& value) {
     std::vector<double> set;
     for (std::size_t i = 0; i < plugin.param_count + groups * tail; ++i) set.push_back(value(bounds_of(plugin, i)));
-    sets.push_back(std::move(set));
+    for (int again = 0; again < 1000 && !keeps_rules(plugin, set); ++again)  // drawn until its rules hold
+      for (std::size_t i = 0; i < set.size(); ++i) set[i] = draw(bounds_of(plugin, i), random);
+    if (keeps_rules(plugin, set)) sets.push_back(std::move(set));
   };
   const std::size_t fewest = tail && plugin.param_tail_min > 1 ? plugin.param_tail_min - 1 : 0;
   auto more = [&] { return tail ? fewest + 3 + static_cast<std::size_t>(random.bits() % 20) : 0; };

@@ -30,6 +30,8 @@ void print_plugin(Engine& engine, const std::string& name, const std::string& fi
                 plugin.params[i].unit);
   if (plugin.param_tail_group)
     std::printf("    the last %u repeat, at least %u times\n", plugin.param_tail_group, plugin.param_tail_min);
+  for (std::uint32_t k = 0; plugin.struct_size >= sizeof plugin && k < plugin.rule_count; ++k)
+    std::printf("    rule: %s\n", plugin.rules[k].text);
   std::printf("    declares %s\n\n", declarations(plugin).c_str());
 }
 

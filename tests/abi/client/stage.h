@@ -40,8 +40,16 @@ static const carom_geometry stage_geometry = {sizeof(carom_geometry),
                                               CAROM_FORM_SPHERE,
                                               {0, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM}};
 static const carom_shape_plugin stage_plugin = {
-    sizeof(carom_shape_plugin), CAROM_PLUGIN_ABI_MAJOR, CAROM_PLUGIN_ABI_MINOR, 0, "kept.sphere", 1, 1, stage_params,
-    &stage_geometry,            stage_point,            0,                      0};
+    .struct_size = sizeof(carom_shape_plugin),
+    .abi_major = CAROM_PLUGIN_ABI_MAJOR,
+    .abi_minor = CAROM_PLUGIN_ABI_MINOR,
+    .id = "kept.sphere",
+    .version = 1,
+    .param_count = 1,
+    .params = stage_params,
+    .geometry = &stage_geometry,
+    .support = stage_point,
+};
 
 /* A ball of radius 0.5 m and 1000 kg/m^3 on body `body`. */
 static carom_body stage_ball(Stage *s, double x, double y, double z, carom_collider *collider) {

@@ -12,5 +12,12 @@ __attribute__((constructor)) static void set_flush_to_zero(void) {
 }
 
 CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
-    sizeof(carom_shape_plugin), CAROM_PLUGIN_ABI_MAJOR, CAROM_PLUGIN_ABI_MINOR, 0, "liar.flush_to_zero", 1, 1, liar_params,
-    0, liar_ball, 0, 0};
+    .struct_size = sizeof(carom_shape_plugin),
+    .abi_major = CAROM_PLUGIN_ABI_MAJOR,
+    .abi_minor = CAROM_PLUGIN_ABI_MINOR,
+    .id = "liar.flush_to_zero",
+    .version = 1,
+    .param_count = 1,
+    .params = liar_params,
+    .support = liar_ball,
+};

@@ -2,4 +2,12 @@
 #include "liar.h"
 
 CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
-    16, CAROM_PLUGIN_ABI_MAJOR, CAROM_PLUGIN_ABI_MINOR, 0, "liar.short_struct", 1, 1, liar_params, 0, liar_ball, 0, 0};
+    .struct_size = 16,
+    .abi_major = CAROM_PLUGIN_ABI_MAJOR,
+    .abi_minor = CAROM_PLUGIN_ABI_MINOR,
+    .id = "liar.short_struct",
+    .version = 1,
+    .param_count = 1,
+    .params = liar_params,
+    .support = liar_ball,
+};

@@ -2,5 +2,12 @@
 #include "liar.h"
 
 CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
-    sizeof(carom_shape_plugin), CAROM_PLUGIN_ABI_MAJOR + 1, 0, 0, "liar.wrong_major", 1, 1, liar_params, 0, liar_ball, 0,
-    0};
+    .struct_size = sizeof(carom_shape_plugin),
+    .abi_major = CAROM_PLUGIN_ABI_MAJOR + 1,
+    .abi_minor = 0,
+    .id = "liar.wrong_major",
+    .version = 1,
+    .param_count = 1,
+    .params = liar_params,
+    .support = liar_ball,
+};

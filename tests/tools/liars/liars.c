@@ -51,10 +51,17 @@ static int32_t support(const double *params, uint64_t param_len, const double di
 static const carom_param parameters[] = {{"half", "m", 1, 1}};
 static const carom_geometry geometry = {sizeof(carom_geometry), CAROM_FORM_BOX, {0, 0, 0, CAROM_NO_PARAM}, CAROM_NO_PARAM,
                                         CAROM_FORM_NONE, {CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM}};
-#define PARAMETERS 1, parameters, &geometry
+#define PARAMETERS .param_count = 1, .params = parameters, .geometry = &geometry
 #else
-#define PARAMETERS 0, 0, 0
+#define PARAMETERS .param_count = 0
 #endif
 
 CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
-    sizeof(carom_shape_plugin), CAROM_PLUGIN_ABI_MAJOR, CAROM_PLUGIN_ABI_MINOR, 0, "test.liar", 1, PARAMETERS, support, 0, 0};
+    .struct_size = sizeof(carom_shape_plugin),
+    .abi_major = CAROM_PLUGIN_ABI_MAJOR,
+    .abi_minor = CAROM_PLUGIN_ABI_MINOR,
+    .id = "test.liar",
+    .version = 1,
+    PARAMETERS,
+    .support = support,
+};
