@@ -130,8 +130,10 @@ std::vector<Case> cases() {
   add("columns in part", field, {"columns", "whole"});
   add("a projective matrix", with(minimal(), "/nodes/0/matrix", {1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}), {"/nodes/0/matrix", "projective"});
   json spindle = minimal();
-  spindle["nodes"][0]["extensions"]["KHR_physics_rigid_bodies"] = {{"motion", {{"mass", 1}, {"inertiaDiagonal", {1, 1, 3}}}}};
-  add("an inertia of no body", spindle, {"inertiaDiagonal", "larger than the two others"});
+  spindle["nodes"][0]["extensions"]["KHR_physics_rigid_bodies"] = {{"motion", {{"mass", 1}, {"inertiaDiagonal", {1, 1, -3}}}}};
+  add("a negative inertia", spindle, {"inertiaDiagonal", "negative"});
+  add("an inertia that is no number", with(spindle, "/nodes/0/extensions/KHR_physics_rigid_bodies/motion/inertiaDiagonal", {1, 1, nullptr}),
+      {"inertiaDiagonal/2", "null"});
   all.push_back({"a number that no double holds", R"({"asset":{"version":"2.0"},"nodes":[{"translation":[1e309,0,0]}]})", {"1e309"}});
   add("an extension that is required", with(minimal(), "/extensionsRequired", {"ACME_future"}), {"/extensionsRequired/0", "ACME_future"});
   add("a mask of too many bits", with(minimal(), "/extensions/CAROM_physics/fields",

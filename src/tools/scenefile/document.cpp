@@ -91,7 +91,8 @@ bool decode_percent(const std::string& text, std::string& out) {
 
 /// Extensions that are read here, and those without which a scene only looks different.
 bool is_understood(const std::string& name) {
-  static constexpr const char* kRead[] = {"KHR_implicit_shapes", "KHR_physics_rigid_bodies", "CAROM_physics"};
+  static constexpr const char* kRead[] = {"KHR_implicit_shapes", "KHR_physics_rigid_bodies", "CAROM_physics", "OMI_physics_body",
+                                          "OMI_physics_shape",   "OMI_physics_joint",        "OMI_physics_gravity"};
   static constexpr const char* kLooks[] = {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "EXT_lights_", "MSFT_texture_", "KHR_xmp"};
   return std::ranges::any_of(kRead, [&](const char* known) { return name == known; }) ||
          std::ranges::any_of(kLooks, [&](const char* start) { return name.starts_with(start); });
