@@ -16,6 +16,8 @@ constexpr std::size_t kDeepest = 1000;  // nodes below each other: more is a mis
 
 void put(double (&out)[3], const Vec& v) { std::copy(v.data(), v.data() + 3, out); }
 
+}  // namespace
+
 Place place_of(const Value& node) {
   Place place;
   if (const auto matrix = node.get("matrix")) {
@@ -40,8 +42,6 @@ Place place_of(const Value& node) {
   place.s = node.vector_or("scale", place.s);
   return place;
 }
-
-}  // namespace
 
 void Reader::tell(const std::string& kind, const std::string& text) {
   constexpr std::size_t kMost = 12;

@@ -24,6 +24,8 @@ struct Place {
   }
 };
 
+Place place_of(const Value& node);  ///< in its parent   @throws Error
+
 class Reader {
  public:
   Reader(const std::string& path, Stage& stage) : doc_(path), stage_(stage) {}
