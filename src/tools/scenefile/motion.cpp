@@ -29,8 +29,10 @@ std::uint32_t locks_of_turns(const Value& motion, const Quat& world) {
   return 0x38u & ~(8u << along);
 }
 
-/// Moments that files leave open, 0, as those of what hardly turns.
-constexpr double kHardly = 1e9;  // times the largest other
+/// An infinite moment that locks do not say is so much times the largest other. Not more: a step takes a blow with the moments
+/// as they lay when it began, so some h w^2 of it goes about the axis that hardly turns, and that times a very large moment
+/// makes a gyroscope of the body.
+constexpr double kHardly = 100;
 
 }  // namespace
 
@@ -50,7 +52,7 @@ void Reader::read_inertia(const Value& motion, const Node& n, Actor& actor) {
     moments.setConstant(moments.maxCoeff());
   } else if (some) {
     moments = (moments.array() == 0).select(kHardly * moments.maxCoeff(), moments);
-    note(given->place() + ": infinite about some axes; a thousand million times the largest other (locks hold turns about the world's axes)");
+    note(given->place() + ": infinite about some axes; a hundred times the largest other, as locks hold turns about the world's axes alone");
   } else if (2 * moments.maxCoeff() > moments.sum() * (1 + 1e-6)) {
     stage_.remarks.push_back("as given: " + given->place() + " is of no body: one moment is larger than the two others together");
   }

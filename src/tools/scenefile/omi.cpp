@@ -146,12 +146,10 @@ bool Reader::make_gravity_volume(std::size_t i, const Value& gravity, bool is_al
 
 /// What the file holds of physics, and nothing here asks for.
 void Reader::name_what_is_not_read() {
-  static constexpr const char* kKnown[] = {"KHR_implicit_shapes", "KHR_physics_rigid_bodies", "CAROM_physics", "OMI_physics_body",
-                                           "OMI_physics_shape",   "OMI_physics_joint",        "OMI_physics_gravity"};
   const auto used = doc_.root().get("extensionsUsed");
   for (std::size_t k = 0; used && k < used->size(); ++k) {
     const std::string& name = used->at(k).text();
-    if (sounds_like_physics(name) && std::ranges::find(kKnown, name) == std::end(kKnown))
+    if (sounds_like_physics(name) && !is_read(name))
       remark(used->at(k).place() + ": the extension " + name.substr(0, 80));
   }
   for (std::size_t i = 0; i < doc_.count("nodes"); ++i) {
@@ -161,7 +159,8 @@ void Reader::name_what_is_not_read() {
     if (const auto old = Document::extension(node(i), "OMI_collider")) remark(old->place() + ": a collider of an earlier draft");
     const auto body = khr(node(i));
     const auto trigger = body ? body->get("trigger") : std::nullopt;
-    if (trigger && trigger->has("nodes")) remark(trigger->place() + "/nodes: a trigger of several is none here; each of them is one");
+    if (trigger && trigger->has("nodes") && (*trigger)["nodes"].size() > 1)
+      remark(trigger->place() + "/nodes: a trigger of several is none here; each of them is one");
   }
 }
 

@@ -44,13 +44,17 @@ Place place_of(const Value& node) {
 }
 
 void Reader::tell(const std::string& kind, const std::string& text) {
-  constexpr std::size_t kMost = 12;
-  std::size_t mine = 0;
-  for (const std::string& r : stage_.remarks) mine += r.starts_with(kind);
+  constexpr std::size_t kOfOne = 4, kMost = 40;  // of one sentence, about several places; of all
+  const std::size_t colon = text.find(": ");
+  const std::string sentence = colon == std::string::npos ? text : text.substr(colon);
+  std::size_t same = 0, mine = 0;
+  for (const std::string& r : stage_.remarks) same += r.starts_with(kind) && r.ends_with(sentence), mine += r.starts_with(kind);
   ++told_;
-  if (std::ranges::find(stage_.remarks, kind + ": " + text) != stage_.remarks.end()) return;
-  if (mine < kMost) stage_.remarks.push_back(kind + ": " + text);
-  if (mine == kMost) stage_.remarks.push_back(kind + ": more of that kind");
+  if (std::ranges::find(stage_.remarks, kind + ": " + text) != stage_.remarks.end() || same > kOfOne || mine > kMost) return;
+  if (mine == kMost)
+    stage_.remarks.push_back(kind + ": more of other kinds");
+  else
+    stage_.remarks.push_back(kind + ": " + (same < kOfOne ? text : "more places" + sentence));
 }
 void Reader::remark(const std::string& text) { tell("left out", text); }
 void Reader::note(const std::string& text) { tell("not quite", text); }
