@@ -10,7 +10,7 @@ namespace carom::tools::scenefile {
 namespace {
 
 constexpr std::size_t kHullVertices = 256;
-constexpr std::size_t kMostParts = 16, kMostMeshes = 16;  // of a mesh; of a file: taking apart takes time
+constexpr std::size_t kMostParts = 16, kMostMeshes = 8;  // of a mesh; of a file: taking apart takes time
 constexpr double kGridBytes = 64.0 * 64 * 64 * 16;        // a grid of 60 cells along its length, and what is cut of it
 
 /// Whether a hull is the mesh: it holds no more.
