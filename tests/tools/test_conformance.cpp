@@ -174,6 +174,24 @@ static void a_soft_limit_sinks_by_load_over_stiffness(void**) {
   is_near((w.at("body") - Vec(0, -kG / 300, 0)).norm(), 0, 1e-3);
 }
 
+/// A soft range of a distance: within it nothing, beyond it a spring.
+static void a_soft_distance_is_a_spring(void**) {
+  const json rope = {{"limits", json::array({json::object({{"linearAxes", {0, 1, 2}}, {"min", 0}, {"max", 1}, {"stiffness", 200}, {"damping", 20}})})}};
+  ReadScene w(jointed({{"mass", 1}}, rope, Vec(0, -0.5, 0), kStraight, false));
+  assert_true(w.says("a soft distance is a spring"));
+  w.run(0.1);
+  is_near(w.velocity("body").y(), -kG * 0.1, 1e-6);  // still slack
+  w.run(6);
+  is_near(w.at("body").y(), -1 - kG / 200, 1e-3);
+}
+
+static void materials_that_mix_in_another_order_are_named(void**) {
+  json d = document(json::array(), json::array());
+  d["extensions"]["KHR_physics_rigid_bodies"]["physicsMaterials"] = list({json{{"frictionCombine", "multiply"}}, json{{"frictionCombine", "minimum"}}});
+  ReadScene w(d);
+  assert_true(w.says("some multiply (frictionCombine)"));
+}
+
 static void a_limit_of_no_stiffness_holds_nothing_and_is_named(void**) {
   json limits = locks({0, 2}, {0, 1, 2});
   limits.push_back({{"linearAxes", {1}}, {"min", 0}, {"max", 0}, {"stiffness", 0}});
@@ -385,6 +403,8 @@ int main(void) {
   const CMUnitTest tests[] = {
       cmocka_unit_test(a_lock_at_an_offset_holds_there),
       cmocka_unit_test(a_soft_limit_sinks_by_load_over_stiffness),
+      cmocka_unit_test(a_soft_distance_is_a_spring),
+      cmocka_unit_test(materials_that_mix_in_another_order_are_named),
       cmocka_unit_test(a_limit_of_no_stiffness_holds_nothing_and_is_named),
       cmocka_unit_test(a_drive_reaches_its_velocity_with_its_force),
       cmocka_unit_test(what_is_negative_has_no_bound_in_omi),

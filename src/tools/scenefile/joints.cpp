@@ -178,9 +178,10 @@ void Reader::make_joint(std::size_t i, const Value& at) {
   const Value all = (*extension)["physicsJoints"];
   const Value joint = all.at(at["joint"].index(all.size(), "physicsJoints"));
   const std::size_t other = at["connectedNode"].index(nodes_.size(), "nodes");
+  const auto mine = own(joint);
+  if (!mine && make_soft_distance(i, other, joint)) return;
   carom_joint_desc d;
   carom_joint_desc_init(&d);
-  const auto mine = own(joint);
   Plan plan;
   const bool exact = mine && read_own_joint(*mine, d), by_axes = !exact && wants_axes(joint);
   if (by_axes) {

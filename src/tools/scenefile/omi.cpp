@@ -144,8 +144,24 @@ bool Reader::make_gravity_volume(std::size_t i, const Value& gravity, bool is_al
   return true;
 }
 
+/// Of two ways to mix the extensions let multiply yield to all others, and Carom lets all others yield to it.
+void Reader::name_how_materials_mix() {
+  for (const char* extension : {"KHR_physics_rigid_bodies", "OMI_physics_body"}) {
+    const auto of = Document::extension(doc_.root(), extension);
+    const auto materials = of ? of->get("physicsMaterials") : std::nullopt;
+    for (const char* key : {"frictionCombine", "restitutionCombine"}) {
+      std::size_t multiplying = 0;
+      for (std::size_t k = 0; materials && k < materials->size(); ++k)
+        if (const auto rule = materials->at(k).get(key)) multiplying += rule->text() == "multiply";
+      if (multiplying > 0 && multiplying < materials->size())
+        note(materials->place() + ": some multiply (" + key + "), others do not; where two such touch, the two are multiplied");
+    }
+  }
+}
+
 /// What the file holds of physics, and nothing here asks for.
 void Reader::name_what_is_not_read() {
+  name_how_materials_mix();
   const auto used = doc_.root().get("extensionsUsed");
   for (std::size_t k = 0; used && k < used->size(); ++k) {
     const std::string& name = used->at(k).text();

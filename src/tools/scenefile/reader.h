@@ -97,6 +97,7 @@ class Reader {
   void make_gravity_volumes();
   bool make_gravity_volume(std::size_t node, const Value& gravity, bool is_alone);
   void name_what_is_not_read();
+  void name_how_materials_mix();
 
   // joints.cpp
   void make_joints();
@@ -106,6 +107,7 @@ class Reader {
   bool plan_joint(const Value& joint, Plan& plan);
   bool fits(const Value& drive, const Plan& plan) const;
   bool wants_axes(const Value& joint);
+  bool make_soft_distance(std::size_t node, std::size_t other, const Value& joint);
   void drive_joint(const Value& joint, const Plan& plan, carom_joint handle, const carom_joint_desc& desc);
 
   Document doc_;
