@@ -199,6 +199,26 @@ std::string by_hand(bool binary) {
   return binary ? as_glb(text, data) : text;
 }
 
+/// The other family of extensions: bodies, shapes of all kinds, a joint, gravity of the world and of a volume, a mesh that moves.
+std::string omi_by_hand() {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1,3,4]}],"extensionsUsed":["OMI_physics_body"],
+"nodes":[{"extensions":{"OMI_physics_body":{"motion":{"type":"dynamic","mass":2,"inertiaDiagonal":[1,2,0],"centerOfMass":[0,0.1,0],
+"linearVelocity":[1,0,0]},"collider":{"shape":3,"physicsMaterial":0,"collisionFilter":-1}}}},
+{"name":"b","translation":[0,2,0],"children":[2],"extensions":{"OMI_physics_body":{"motion":{"type":"dynamic","gravityFactor":0.5},"collider":{"shape":1}}}},
+{"extensions":{"OMI_physics_joint":{"joint":0,"connectedNode":0,"enableCollision":true}}},
+{"extensions":{"OMI_physics_body":{"trigger":{"shape":0,"nodes":[3,4]}},"OMI_physics_gravity":{"type":"directional","gravity":3,"stop":true,
+"directional":{"direction":[0,1,0]}}}},
+{"translation":[5,0,0],"extensions":{"OMI_physics_body":{"motion":{"type":"static"},"collider":{"shape":2}}}}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"accessors":[{"componentType":5126,"count":3,"type":"VEC3","bufferView":0}],"bufferViews":[{"buffer":0,"byteLength":36}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+"extensions":{"OMI_physics_shape":{"shapes":[{"type":"box","box":{"size":[1,1,1]}},{"type":"capsule","capsule":{"height":1,"radius":0.1}},
+{"type":"trimesh","trimesh":{"mesh":0}},{"type":"sphere","radius":0.3}]},"OMI_physics_body":{"physicsMaterials":[{"dynamicFriction":0.5}],
+"collisionFilters":[{"collisionSystems":["a"]}]},"OMI_physics_gravity":{"gravity":9.8,"direction":[0,-1,0]},
+"OMI_physics_joint":{"physicsJoints":[{"limits":[{"linearAxes":[0,1,2],"min":0,"max":0,"stiffness":-1},{"angularAxes":[1],"min":-0.5,"stiffness":3}],
+"drives":[{"type":"angular","mode":"force","axis":0,"maxForce":-1,"velocityTarget":1,"damping":2}]}]}}})";
+}
+
 std::string stl_of(bool binary) {
   const float facet[12] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
   if (!binary)
@@ -224,7 +244,7 @@ std::string ply_of(bool binary) {
 std::vector<std::string> make_seeds(FileFormat format) {
   switch (format) {
     case FileFormat::gltf:
-      return {by_hand(false), stage_as("falling", {{"n", 6}}, format), stage_as("ragdoll", {{"n", 1}}, format)};
+      return {by_hand(false), omi_by_hand(), stage_as("falling", {{"n", 6}}, format), stage_as("ragdoll", {{"n", 1}}, format)};
     case FileFormat::glb:
       return {by_hand(true)};
     case FileFormat::obj:

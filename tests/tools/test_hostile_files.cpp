@@ -130,8 +130,23 @@ std::vector<Case> cases() {
   add("columns in part", field, {"columns", "whole"});
   add("a projective matrix", with(minimal(), "/nodes/0/matrix", {1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}), {"/nodes/0/matrix", "projective"});
   json spindle = minimal();
-  spindle["nodes"][0]["extensions"]["KHR_physics_rigid_bodies"] = {{"motion", {{"mass", 1}, {"inertiaDiagonal", {1, 1, 3}}}}};
-  add("an inertia of no body", spindle, {"inertiaDiagonal", "larger than the two others"});
+  spindle["nodes"][0]["extensions"]["KHR_physics_rigid_bodies"] = {{"motion", {{"mass", 1}, {"inertiaDiagonal", {1, 1, -3}}}}};
+  add("a negative inertia", spindle, {"inertiaDiagonal", "negative"});
+  add("an inertia that is no number", with(spindle, "/nodes/0/extensions/KHR_physics_rigid_bodies/motion/inertiaDiagonal", {1, 1, nullptr}),
+      {"inertiaDiagonal/2", "null"});
+  json omi = minimal();
+  omi["nodes"][0]["extensions"]["OMI_physics_body"] = {{"motion", {{"type", "dynamic"}}}, {"collider", {{"shape", 0}}}};
+  add("an OMI shape of no extension", omi, {"/nodes/0/extensions/OMI_physics_body/collider/shape", "OMI_physics_shape"});
+  omi["extensions"]["OMI_physics_shape"]["shapes"] = json::array({{{"type", "trimesh"}, {"trimesh", {{"mesh", -1}}}}});
+  add("an OMI mesh of none", omi, {"/extensions/OMI_physics_shape/shapes/0/trimesh", "names no mesh"});
+  add("an OMI mesh beyond", with(omi, "/extensions/OMI_physics_shape/shapes/0/trimesh/mesh", 3), {"/trimesh/mesh", "there are 0"});
+  add("an OMI index in part", with(omi, "/nodes/0/extensions/OMI_physics_body/collider/shape", 0.5), {"/collider/shape", "whole number"});
+  add("an OMI body of no type", with(omi, "/nodes/0/extensions/OMI_physics_body/motion/type", "rigid"), {"/motion/type", "rigid"});
+  add("gravity without direction", with(minimal(), "/extensions/OMI_physics_gravity", {{"gravity", 9.8}, {"direction", {0, 0, 0}}}),
+      {"/extensions/OMI_physics_gravity/direction", "no direction"});
+  json joint = minimal();
+  joint["nodes"][0]["extensions"]["OMI_physics_joint"] = {{"joint", 0}, {"connectedNode", 0}};
+  add("an OMI joint of no extension", joint, {"/nodes/0/extensions/OMI_physics_joint", "physicsJoints"});
   all.push_back({"a number that no double holds", R"({"asset":{"version":"2.0"},"nodes":[{"translation":[1e309,0,0]}]})", {"1e309"}});
   add("an extension that is required", with(minimal(), "/extensionsRequired", {"ACME_future"}), {"/extensionsRequired/0", "ACME_future"});
   add("a mask of too many bits", with(minimal(), "/extensions/CAROM_physics/fields",

@@ -1,24 +1,46 @@
 // `carom import`: a mesh as one hull or as several convex parts, and what they are off by.
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "cli/commands.h"
 #include "cli/table.h"
 #include "mesh/parts.h"
 #include "mesh/read_mesh.h"
+#include "scenefile/scenefile.h"
 
 namespace carom::tools {
 namespace {
 
 struct ImportOptions {
-  std::string mesh, out;
+  std::string mesh, which, out;
   int parts = 16, vertices = 64;
   double concavity = 0, height = 0;
 };
 
-void run_import(const ImportOptions& options) {
-  Mesh mesh = read_mesh(options.mesh);
+bool is_gltf(const std::string& path) { return mesh_ending(path) == ".gltf" || mesh_ending(path) == ".glb"; }
+
+Mesh read_any_mesh(const ImportOptions& options) {
+  if (is_gltf(options.mesh)) return mesh_of_gltf(options.mesh, options.which);
+  if (!options.which.empty()) throw Error("--mesh is for glTF files, which have several", "leave it out");
+  return read_mesh(options.mesh);
+}
+
+void write_result(const ImportOptions& options, const Parts& parts, const Context& context) {
+  if (!is_gltf(options.out)) {
+    write_parts(options.out, parts.hulls);
+    std::printf("wrote %s; see it with: carom run quoits --mesh %s\n", options.out.c_str(), options.out.c_str());
+    return;
+  }
+  Engine engine(context.plugins());
+  Stage stage(engine);
+  write_parts_scene(options.out, std::filesystem::path(options.mesh).stem().string(), parts.hulls, stage);
+  std::printf("wrote %s, a body of these parts; see it with: carom run %s\n", options.out.c_str(), options.out.c_str());
+}
+
+void run_import(const ImportOptions& options, const Context& context) {
+  Mesh mesh = read_any_mesh(options);
   if (options.height < 0) throw Error("--height is out of range", "give metres, more than 0");
   if (options.height > 0) fit_to_height(mesh, options.height);
   std::printf("%s: %zu vertices, %zu faces\n", options.mesh.c_str(), mesh.points.size(), mesh.faces.size());
@@ -42,17 +64,17 @@ void run_import(const ImportOptions& options) {
               parts.mesh_volume, parts.hull_volume, seconds);
   std::printf("they stand out of the mesh by at most %.4g m, the mesh out of them by at most %.2g m\n", parts.outside,
               parts.lost);
-  if (options.out.empty()) return;
-  write_parts(options.out, parts.hulls);
-  std::printf("wrote %s; see it with: carom run quoits --mesh %s\n", options.out.c_str(), options.out.c_str());
+  if (!options.out.empty()) write_result(options, parts, context);
 }
 
 }  // namespace
 
-void add_import_command(CLI::App& app, Context&) {
+void add_import_command(CLI::App& app, Context& context) {
   const auto options = std::make_shared<ImportOptions>();
   CLI::App* command = app.add_subcommand("import", "A mesh as one hull or as several convex parts, for colliders");
-  command->add_option("MESH", options->mesh, "An OBJ, STL or PLY file of a closed mesh; small holes do no harm")->required();
+  command->add_option("MESH", options->mesh, "An OBJ, STL, PLY, glTF or GLB file of a closed mesh; small holes do no harm")->required();
+  command->add_option("--mesh", options->which, "Of a glTF file: this mesh alone, by name or index; else all of its scene, as they stand")
+      ->type_name("NAME");
   command->add_option("--parts", options->parts, "At most so many, 1 to 256; 1: its hull")
       ->type_name("N")
       ->capture_default_str();
@@ -69,9 +91,9 @@ void add_import_command(CLI::App& app, Context&) {
                    "Scale it to so many metres along y, its middle at the origin; 0: leave it")
       ->type_name("M")
       ->capture_default_str();
-  command->add_option("--out", options->out, "Write the parts, an object each")->type_name("FILE.obj");
+  command->add_option("--out", options->out, "Write the parts: an object each, or one body of a scene file")->type_name("FILE.obj|FILE.gltf|FILE.glb");
   command->footer("Parts cover the mesh: they are hulls of its own faces within boxes that leave no gap.");
-  command->callback([options] { run_import(*options); });
+  command->callback([options, &context] { run_import(*options, context); });
 }
 
 }  // namespace carom::tools

@@ -132,22 +132,29 @@ struct Khr {
   double lower, upper;
   Value axes;
 };
+
+/// OMI_physics_joint says "infinite" with what is negative.
+double given_or_boundless(const Value& of, const char* key, double boundless) {
+  const bool omi = of.place().starts_with("/extensions/OMI_");
+  const double x = of.number_or(key, boundless, omi ? -1e300 : 0, 1e300);
+  return x < 0 ? boundless : x;
+}
 Khr khr_of(const Value& limit) {
   const bool turns = limit.has("angularAxes");
   const double far = turns ? std::numbers::pi : kFar;
   const double lower = std::clamp(limit.number_or("min", -far), -far, far), upper = std::clamp(limit.number_or("max", far), -far, far);
-  return {turns, upper - lower < kZeroWidth && !limit.has("stiffness"), lower, std::max(lower, upper),
-          limit[turns ? "angularAxes" : "linearAxes"]};
+  return {turns, upper - lower < kZeroWidth && !is_soft_limit(limit), lower, std::max(lower, upper), limit[turns ? "angularAxes" : "linearAxes"]};
 }
 
 void take_limit(const Value& limit, std::array<carom_joint_axis, CAROM_AXIS_COUNT>& axes) {
   const Khr khr = khr_of(limit);
+  if (holds_nothing(limit)) return;
   for (std::size_t k = 0; k < khr.axes.size(); ++k) {
     carom_joint_axis& d = axes[khr.axes.at(k).index(3, "axes") + (khr.turns ? 3 : 0)];
     d.mode = khr.is_lock ? CAROM_AXIS_MODE_LOCKED : CAROM_AXIS_MODE_LIMITED;
     d.lower = khr.lower, d.upper = khr.upper;
     d.stop_gains = CAROM_GAINS_FORCE;
-    d.stop_stiffness = std::min(limit.number_or("stiffness", 0, 0, 1e300), kAnyForce);
+    d.stop_stiffness = std::min(given_or_boundless(limit, "stiffness", 0), kAnyForce);
     d.stop_damping = d.stop_stiffness > 0 ? std::min(limit.number_or("damping", 0, 0, 1e300), kAnyForce) : 0;
   }
 }
@@ -158,11 +165,11 @@ void take_drive(const Value& drive, std::array<carom_joint_axis, CAROM_AXIS_COUN
   carom_joint_axis& d = axes[drive["axis"].index(3, "axes") + (turns ? 3 : 0)];
   d.drive = CAROM_DRIVE_POSITION;
   d.drive_gains = !drive.has("mode") || drive["mode"].text() == "force" ? CAROM_GAINS_FORCE : CAROM_GAINS_ACCELERATION;
-  d.drive_stiffness = std::min(drive.number_or("stiffness", 0, 0, 1e300), kAnyForce);
+  d.drive_stiffness = std::min(stiffness_of_drive(drive), kAnyForce);
   d.drive_damping = std::min(drive.number_or("damping", 0, 0, 1e300), kAnyForce);
   d.target = std::clamp(drive.number_or("positionTarget", 0), -far, far);
   d.speed = std::clamp(drive.number_or("velocityTarget", 0), -1e6, 1e6);
-  d.most = std::min(drive.number_or("maxForce", kAnyForce, 0, 1e300), kAnyForce);
+  d.most = std::min(most_of_drive(drive), kAnyForce);
 }
 
 }  // namespace
@@ -195,11 +202,25 @@ void read_own_axes(carom_world* world, carom_joint joint, const Value& own) {
   }
 }
 
+bool holds_nothing(const Value& limit) {
+  return is_soft_limit(limit) && given_or_boundless(limit, "stiffness", -1) == 0;
+}
+
+bool is_soft_limit(const Value& limit) { return limit.has("stiffness") && given_or_boundless(limit, "stiffness", -1) >= 0; }
+
+double stiffness_of_drive(const Value& drive) {
+  const bool omi = drive.place().starts_with("/extensions/OMI_");  // there a spring needs a target
+  return omi && !drive.has("positionTarget") ? 0 : drive.number_or("stiffness", 0, 0, 1e300);
+}
+
+double most_of_drive(const Value& drive) { return given_or_boundless(drive, "maxForce", kAnyForce); }
+
 bool is_told_by_axes(const Value& joint) {
   const auto limits = joint.get("limits");
   for (std::size_t k = 0; limits && k < limits->size(); ++k) {
     const Khr khr = khr_of(limits->at(k));
-    const bool at_zero = khr.is_lock && std::fabs(khr.lower) < kZeroWidth;
+    // Springs of one stiffness to 0 along several axes are one to the middle, as to turns while these are small.
+    const bool at_zero = khr.upper - khr.lower < kZeroWidth && std::fabs(khr.lower) < kZeroWidth;
     if (khr.axes.size() > 1 && !at_zero) return false;
   }
   return true;

@@ -17,6 +17,11 @@ void read_own_axes(carom_world* world, carom_joint joint, const Value& own);
 
 /// Whether all limits of a joint of KHR_physics_rigid_bodies are of one axis each, or lock: then axes say it.
 bool is_told_by_axes(const Value& joint);
+/// What its parts say in the terms of their extension: OMI_physics_joint has its own words for infinity.
+bool is_soft_limit(const Value& limit);
+bool holds_nothing(const Value& limit);  ///< it is soft, of no stiffness
+double stiffness_of_drive(const Value& drive);
+double most_of_drive(const Value& drive);
 /// Its limits and drives as those of the axes of a joint.   @throws Error
 void read_khr_axes(carom_world* world, carom_joint handle, const Value& joint);
 

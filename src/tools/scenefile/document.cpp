@@ -91,13 +91,17 @@ bool decode_percent(const std::string& text, std::string& out) {
 
 /// Extensions that are read here, and those without which a scene only looks different.
 bool is_understood(const std::string& name) {
-  static constexpr const char* kRead[] = {"KHR_implicit_shapes", "KHR_physics_rigid_bodies", "CAROM_physics"};
   static constexpr const char* kLooks[] = {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "EXT_lights_", "MSFT_texture_", "KHR_xmp"};
-  return std::ranges::any_of(kRead, [&](const char* known) { return name == known; }) ||
-         std::ranges::any_of(kLooks, [&](const char* start) { return name.starts_with(start); });
+  return is_read(name) || std::ranges::any_of(kLooks, [&](const char* start) { return name.starts_with(start); });
 }
 
 }  // namespace
+
+bool is_read(const std::string& name) {
+  static constexpr const char* kRead[] = {"KHR_implicit_shapes", "KHR_physics_rigid_bodies", "CAROM_physics", "OMI_physics_body",
+                                          "OMI_physics_shape",   "OMI_physics_joint",        "OMI_physics_gravity"};
+  return std::ranges::any_of(kRead, [&](const char* known) { return name == known; });
+}
 
 void Value::fail(const std::string& problem, const std::string& remedy) const {
   throw Error(*file_ + ": " + (place_.empty() ? "the document" : place_) + " " + problem, remedy);

@@ -105,6 +105,8 @@ class Maybe {
   std::string key_;
 };
 
+bool is_read(const std::string& extension);  ///< here
+
 class Document {
  public:
   /// @param path  .gltf, with buffers in it or beside it, or .glb   @throws Error

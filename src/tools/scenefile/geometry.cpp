@@ -8,7 +8,6 @@
 namespace carom::tools::scenefile {
 namespace {
 
-constexpr std::size_t kHullVertices = 256;
 constexpr std::uint64_t kEverybody = std::uint64_t(1) << 63;  // a bit that every filter of a file lets touch it
 
 /// A shape about y that is round but of two radii: the hull of its rims, and of the caps of a capsule.
@@ -48,13 +47,15 @@ std::vector<Value> Reader::colliders_of(const Value& at) const {
   const auto extension = khr(at);
   if (!extension) return list;
   for (const char* key : {"collider", "trigger"})
-    if (const auto value = extension->get(key); value && (value->has("geometry") || own(*value)))
+    if (const auto value = extension->get(key); value && (value->has("geometry") || own(*value) || omi_index(*value, "shape")))
       list.push_back(*value);
   return list;
 }
 
-Part Reader::part_of(const Value& collider, const Node& at, bool moves) {
+/// One, but for a mesh that moves.
+std::vector<Part> Reader::parts_of(const Value& collider, const Node& at, bool moves) {
   Part part;
+  Hulls hulls;
   const auto mine = own(collider);
   part.position = at.in_body.p, part.orientation = at.in_body.q;
   if (mine) {
@@ -78,47 +79,58 @@ Part Reader::part_of(const Value& collider, const Node& at, bool moves) {
       shape["params"].fail("are not four", "give normal and offset");
     if (part.shape == "height_field" && part.params.size() < 4)
       shape["params"].fail("are too few", "give columns, rows, spacings, heights");
+  } else if (!(scale.minCoeff() > 0)) {
+    collider.fail("has a scale of 0", "leave the collider out");
+  } else if (const auto omi = omi_index(collider, "shape")) {
+    read_omi_shape(*omi, scale, moves, part, hulls);
   } else {
     const Value geometry = collider["geometry"];
-    if (!(scale.minCoeff() > 0)) collider.fail("has a scale of 0", "leave the collider out");
     if (const auto shape = geometry.get("shape")) {
       const auto all = Document::extension(doc_.root(), "KHR_implicit_shapes");
       if (!all) geometry.fail("needs KHR_implicit_shapes", "add the extension with its shapes");
       const Value shapes = (*all)["shapes"];
       read_shape(shapes.at(shape->index(shapes.size(), "shapes")), scale, part);
     } else {
-      read_mesh(geometry, scale, moves, part);
+      const bool convex = geometry.has("convexHull") && geometry["convexHull"].boolean();
+      collide_as(mesh_of(geometry, scale), geometry, convex, moves, part, hulls);
     }
   }
   if (part.shape == "half_space" && moves) collider.fail("is a plane on a body that moves", "planes are static");
   read_surface(collider, part);
-  return part;
+  std::vector<Part> parts{part};
+  for (std::size_t k = 1; k < hulls.size(); ++k) {
+    parts.push_back(part);
+    parts.back().params = hulls[k];
+  }
+  return parts;
 }
 
 void Reader::read_shape(const Value& shape, const Vec& scale, Part& part) {
   constexpr double kMost = 1e8;
   const std::string& type = shape["type"].text();
+  const Maybe given = is_omi(shape) ? omi_details(shape) : shape.get(type.c_str());
   if (type == "sphere") {
-    const double r = shape.has("sphere") ? shape["sphere"].number_or("radius", 0.5, 1e-9, kMost) : 0.5;
+    const double r = given ? given->number_or("radius", 0.5, 1e-9, kMost) : 0.5;
     part.shape = is_uniform(scale) ? "sphere" : "ellipsoid";
     if (is_uniform(scale))
       part.params = {r * scale.x()};
     else
       part.params = {r * scale.x(), r * scale.y(), r * scale.z()};
   } else if (type == "box") {
-    const Vec size = shape.has("box") ? shape["box"].vector_or("size", Vec::Ones()) : Vec(Vec::Ones());
+    const Vec size = given ? given->vector_or("size", Vec::Ones()) : Vec(Vec::Ones());
     if (!(size.minCoeff() > 0)) shape.fail("is a box without volume", "give sizes above 0");
     part.shape = "box";
     part.params = {size.x() / 2 * scale.x(), size.y() / 2 * scale.y(), size.z() / 2 * scale.z()};
   } else if (type == "capsule" || type == "cylinder") {
     const bool capsule = type == "capsule";
-    constexpr double standard = 0.25;  // m, of both, as of their height 0.5: the extension's
-    const auto given = shape.get(type.c_str());
+    // m, where nothing is said: each extension has its own.
+    const double usual = is_omi(shape) ? 0.5 : 0.25, tall = !is_omi(shape) ? 0.5 : capsule ? 1 : 2;
     const auto value = [&](const char* key, double otherwise, double least) {
       return given ? given->number_or(key, otherwise, least, kMost) : otherwise;
     };
-    const double height = value("height", 0.5, 1e-9) * scale.y();
-    double bottom = value("radiusBottom", standard, 0), top = value("radiusTop", standard, 0);
+    double bottom = value("radiusBottom", usual, 0), top = value("radiusTop", usual, 0), mid = value("height", tall, 1e-9);
+    if (is_omi(shape)) read_omi_radius(shape, bottom, top, mid);
+    const double height = mid * scale.y();
     if (!(bottom > 0 || top > 0)) shape.fail("has no radius", "give radiusBottom or radiusTop above 0");
     const bool round = std::fabs(scale.x() - scale.z()) <= 1e-6 * scale.x() && (!capsule || is_uniform(scale));
     if (round && bottom == top) {
@@ -134,7 +146,6 @@ void Reader::read_shape(const Value& shape, const Vec& scale, Part& part) {
       for (std::size_t i = 0; i < part.params.size(); ++i) part.params[i] *= scale[static_cast<int>(i % 3)];
     }
   } else if (type == "plane") {
-    const auto given = shape.get("plane");
     const Vec normal = part.orientation * Vec::UnitY();
     if (given && (given->has("sizeX") || given->has("sizeZ"))) {
       // A sheet: thin, below its plane, so that its upper side is where it should be.
@@ -154,57 +165,12 @@ void Reader::read_shape(const Value& shape, const Vec& scale, Part& part) {
   }
 }
 
-void Reader::read_mesh(const Value& geometry, const Vec& scale, bool moves, Part& part) {
-  const Value which = geometry["node"];
-  Mesh all;
-  const auto add = [&](const auto& self, std::size_t i, const Place& place, std::size_t depth) -> void {
-    if (depth > 64) which.fail("has meshes nested too deep", "flatten the node");
-    if (const auto mesh = node(i).get("mesh")) {
-      const Mesh own_mesh = doc_.mesh(mesh->index(doc_.count("meshes"), "meshes"));
-      doc_.budget().charge(own_mesh.points.size() + own_mesh.faces.size(), 4 * sizeof(Vec), doc_.path() + ": " + which.place());
-      const auto first = static_cast<std::uint32_t>(all.points.size());
-      for (const Vec& x : own_mesh.points)
-        all.points.push_back(scale.cwiseProduct(place.p + place.q * Vec(place.s.cwiseProduct(x))));
-      for (auto face : own_mesh.faces) {
-        for (std::uint32_t& corner : face) corner += first;
-        all.faces.push_back(face);
-      }
-    }
-    if (const auto children = node(i).get("children"))
-      for (std::size_t k = 0; k < children->size(); ++k) {
-        const std::size_t child = children->at(k).index(nodes_.size(), "nodes");
-        if (!colliders_of(node(child)).empty()) continue;  // what a child collides with is its own
-        self(self, child, nodes_[child].local.in(place), depth + 1);
-      }
-  };
-  add(add, which.index(nodes_.size(), "nodes"), Place(), 0);
-  if (all.points.size() < 3 || all.faces.empty())
-    which.fail("has no triangles", "name a node with a mesh of triangles");
-  const bool convex = geometry.has("convexHull") && geometry["convexHull"].boolean();
-  if (!convex && moves)
-    remark(geometry.place() + ": a mesh that moves collides as its hull; `carom import` makes convex parts");
-  if (convex || moves) {
-    Mesh hull = convex_hull(all.points);
-    if (hull.points.size() > kHullVertices) hull = reduce_hull(hull, kHullVertices).hull;
-    part.shape = "hull";
-    part.params = hull_params(hull);
-  } else {
-    part.shape = "mesh";
-    part.params = {0, static_cast<double>(all.points.size())};
-    for (const Vec& x : all.points) part.params.insert(part.params.end(), {x.x(), x.y(), x.z()});
-    for (const auto& face : all.faces)
-      for (const std::uint32_t corner : face) part.params.push_back(corner);
-  }
-  part.mesh = static_cast<int>(stage_.meshes.size());
-  stage_.meshes.push_back(std::move(all));
-}
-
 void Reader::read_surface(const Value& collider, Part& part) {
-  const auto which = collider.get("physicsMaterial");
+  const auto which = is_omi(collider) ? omi_index(collider, "physicsMaterial") : collider.get("physicsMaterial");
   if (!which) return;
-  const auto extension = khr(doc_.root());
+  const auto extension = of_document(*which);
   if (!extension)
-    which->fail("needs KHR_physics_rigid_bodies in the document", "add the extension with physicsMaterials");
+    which->fail("needs its extension in the document", "add the extension with physicsMaterials");
   const Value materials = (*extension)["physicsMaterials"];
   const Value material = materials.at(which->index(materials.size(), "physicsMaterials"));
   part.friction = material.number_or("dynamicFriction", 0.6, 0, 1e3);
@@ -247,11 +213,11 @@ void Reader::finish_collider(const Value& collider, bool sensor, const Part& par
               filter->place());
     return;
   }
-  const auto extension = khr(doc_.root());
+  const auto extension = of_document(collider);
   const auto filters = extension ? extension->get("collisionFilters") : std::nullopt;
   if (!filters) return;
   std::uint64_t category = kEverybody, mask = ~std::uint64_t(0);
-  if (const auto which = collider.get("collisionFilter")) {
+  if (const auto which = is_omi(collider) ? omi_index(collider, "collisionFilter") : collider.get("collisionFilter")) {
     const Value filter = filters->at(which->index(filters->size(), "collisionFilters"));
     const auto all_of = [&](const char* key) {
       std::uint64_t bits = 0;

@@ -48,8 +48,14 @@ struct Reader::Plan {
 void Reader::make_joints() {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (nodes_[i].parent == kNone) continue;
-    const auto extension = khr(node(i));
+    const auto extension = Document::extension(node(i), "KHR_physics_rigid_bodies");
     if (const auto joint = extension ? extension->get("joint") : std::nullopt) make_joint(i, *joint);
+    if (const auto omi = Document::extension(node(i), "OMI_physics_joint"); omi && !(extension && extension->has("joint"))) {
+      if (omi->has("joint"))
+        make_joint(i, *omi);
+      else
+        remark(omi->place() + ": a joint without 'joint', of an earlier draft");
+    }
   }
 }
 
@@ -72,7 +78,7 @@ bool Reader::plan_joint(const Value& joint, Plan& plan) {
       r.limited = true;
       r.lower = limit.number_or("min", -kUnbounded), r.upper = limit.number_or("max", kUnbounded);
       r.locked = std::fabs(r.lower) < kZero && std::fabs(r.upper) < kZero;
-      r.soft = limit.has("stiffness");
+      r.soft = is_soft_limit(limit);
       if (r.soft) remark(limit.place() + ": stiffness of a limit; it is hard"), r.locked = false;
       const bool turns = limit.has("angularAxes");
       const Value axes = limit[turns ? "angularAxes" : "linearAxes"];
@@ -151,7 +157,7 @@ bool Reader::wants_axes(const Value& joint) {
   const auto drives = joint.get("drives");
   for (std::size_t k = 0; drives && k < drives->size(); ++k) {
     const Value drive = drives->at(k);
-    const bool pulls = drive.number_or("stiffness", 0) > 0;
+    const bool pulls = stiffness_of_drive(drive) > 0;
     rest |= !fits(drive, plan) || (pulls ? drive.number_or("velocityTarget", 0) != 0 : drive.number_or("damping", 0) > 0);
   }
   return rest;
@@ -167,14 +173,15 @@ bool Reader::read_own_joint(const Value& mine, carom_joint_desc& d) const {
 }
 
 void Reader::make_joint(std::size_t i, const Value& at) {
-  const auto extension = khr(doc_.root());
-  if (!extension) at.fail("needs KHR_physics_rigid_bodies in the document", "add the extension with physicsJoints");
+  const auto extension = of_document(at);
+  if (!extension) at.fail("needs its extension in the document", "add the extension with physicsJoints");
   const Value all = (*extension)["physicsJoints"];
   const Value joint = all.at(at["joint"].index(all.size(), "physicsJoints"));
   const std::size_t other = at["connectedNode"].index(nodes_.size(), "nodes");
+  const auto mine = own(joint);
+  if (!mine && make_soft_distance(i, other, joint)) return;
   carom_joint_desc d;
   carom_joint_desc_init(&d);
-  const auto mine = own(joint);
   Plan plan;
   const bool exact = mine && read_own_joint(*mine, d), by_axes = !exact && wants_axes(joint);
   if (by_axes) {
@@ -206,7 +213,12 @@ void Reader::make_joint(std::size_t i, const Value& at) {
     at.fail(std::string("cannot be made: ") + e.what(), e.remedy);
   }
   carom_world* const world = stage_.world.get();
-  if (by_axes) return read_khr_axes(world, handle, joint);
+  if (by_axes) {
+    const auto limits = joint.get("limits");
+    for (std::size_t k = 0; limits && k < limits->size(); ++k)
+      if (holds_nothing(limits->at(k))) remark(limits->at(k).place() + ": a limit of no stiffness, which holds nothing");
+    return read_khr_axes(world, handle, joint);
+  }
   if (!exact) return drive_joint(joint, plan, handle, d);
   read_own_axes(world, handle, *mine);
   Call call;
@@ -272,9 +284,9 @@ void Reader::drive_joint(const Value& joint, const Plan& plan, carom_joint handl
       inverse += turns ? (inertia.norm() > 0 ? x.dot(inertia.inverse() * x) : 0) : 1 / now.mass;
     }
     const bool force = !drive.has("mode") || drive["mode"].text() == "force";
-    const double per_mass = force ? inverse : 1, stiffness = drive.number_or("stiffness", 0, 0, 1e300);
+    const double per_mass = force ? inverse : 1, stiffness = stiffness_of_drive(drive);
     const double damping = drive.number_or("damping", 0, 0, 1e300),
-                 most = std::min(drive.number_or("maxForce", kUnbounded, 0, 1e300), kUnbounded);
+                 most = std::min(most_of_drive(drive), kUnbounded);
     if (stiffness > 0) {
       carom_joint_spring spring;
       carom_joint_spring_init(&spring);

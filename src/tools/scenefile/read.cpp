@@ -16,6 +16,8 @@ constexpr std::size_t kDeepest = 1000;  // nodes below each other: more is a mis
 
 void put(double (&out)[3], const Vec& v) { std::copy(v.data(), v.data() + 3, out); }
 
+}  // namespace
+
 Place place_of(const Value& node) {
   Place place;
   if (const auto matrix = node.get("matrix")) {
@@ -41,24 +43,32 @@ Place place_of(const Value& node) {
   return place;
 }
 
-}  // namespace
-
-void Reader::remark(const std::string& text) {
-  constexpr std::size_t kMost = 12;
-  std::size_t mine = 0;
-  for (const std::string& r : stage_.remarks) mine += r.compare(0, 9, "left out:") == 0;
+void Reader::tell(const std::string& kind, const std::string& text) {
+  constexpr std::size_t kOfOne = 4, kMost = 40;  // of one sentence, about several places; of all
+  const std::size_t colon = text.find(": ");
+  const std::string sentence = colon == std::string::npos ? text : text.substr(colon);
+  std::size_t same = 0, mine = 0;
+  for (const std::string& r : stage_.remarks) same += r.starts_with(kind) && r.ends_with(sentence), mine += r.starts_with(kind);
   ++told_;
-  if (mine < kMost) stage_.remarks.push_back("left out: " + text);
-  if (mine == kMost) stage_.remarks.push_back("left out: more of that kind");
+  if (std::ranges::find(stage_.remarks, kind + ": " + text) != stage_.remarks.end() || same > kOfOne || mine > kMost) return;
+  if (mine == kMost)
+    stage_.remarks.push_back(kind + ": more of other kinds");
+  else
+    stage_.remarks.push_back(kind + ": " + (same < kOfOne ? text : "more places" + sentence));
 }
+void Reader::remark(const std::string& text) { tell("left out", text); }
+void Reader::note(const std::string& text) { tell("not quite", text); }
 
 void Reader::run() {
   stage_.remarks.push_back("read from " + doc_.path());
   read_world();
+  read_omi_gravity();
+  name_what_is_not_read();
   find_nodes();
   make_bodies();
   make_particles();
   make_joints();
+  make_gravity_volumes();
   read_fields_and_springs();
   for (const char* section : {"animations", "skins"})
     if (doc_.count(section) > 0) remark(std::string(section) + " are not played");
@@ -189,60 +199,6 @@ Actor Reader::actor_of(std::size_t i) {
   return actor;
 }
 
-void Reader::read_motion(const Value& at, const Node& n, Actor& actor) {
-  const auto extension = khr(at);
-  const auto mine = own(at);
-  const auto motion = extension ? extension->get("motion") : std::nullopt;
-  actor.type = CAROM_BODY_DYNAMIC;
-  if (motion) {
-    if (motion->has("isKinematic") && (*motion)["isKinematic"].boolean()) actor.type = CAROM_BODY_KINEMATIC;
-    actor.linear_velocity = n.world.q * motion->vector_or("linearVelocity", Vec::Zero());
-    actor.angular_velocity = n.world.q * motion->vector_or("angularVelocity", Vec::Zero());
-    if (!mine) {  // else ours says how the mass was come by
-      actor.mass = motion->number_or("mass", 0, 0, 1e30);
-      if (motion->has("mass") && actor.mass == 0) actor.mass = 1;  // infinite: locked, @see finish_body()
-      const Vec scale = n.world.s.cwiseAbs();
-      if (motion->has("centerOfMass") && actor.mass > 0)
-        actor.center = scale.cwiseProduct((*motion)["centerOfMass"].vector());
-      if (motion->has("inertiaDiagonal") && actor.mass > 0) {
-        Vec moments = (*motion)["inertiaDiagonal"].vector();
-        if (!(moments.minCoeff() >= 0))
-          (*motion)["inertiaDiagonal"].fail("is negative", "give moments of inertia, kg m^2");
-        if (moments.minCoeff() > 0 && 2 * moments.maxCoeff() > moments.sum() * (1 + 1e-6))
-          (*motion)["inertiaDiagonal"].fail("is of no body: one moment is larger than the two others together",
-                                            "mend it: each moment is at most the sum of the others");
-        if (moments == Vec::Zero()) moments.setOnes();  // infinite likewise
-        const Eigen::Matrix3d axes = motion->rotation_or("inertiaOrientation").toRotationMatrix();
-        const Eigen::Matrix3d inertia = axes * moments.asDiagonal() * axes.transpose();
-        if (moments.minCoeff() > 0)
-          actor.inertia = 0.5 * (inertia + inertia.transpose());
-        else
-          remark(at.place() + ": an inertia that is infinite about some axes only");
-      }
-    }
-  }
-  if (!mine) return;
-  if (const auto body = mine->get("body")) {
-    const std::string& type = body->text();
-    actor.type = type == "static"      ? CAROM_BODY_STATIC
-                 : type == "kinematic" ? CAROM_BODY_KINEMATIC
-                 : type == "dynamic"   ? CAROM_BODY_DYNAMIC
-                                       : UINT32_MAX;
-    if (actor.type == UINT32_MAX) body->fail("is '" + type + "'", "write static, kinematic or dynamic");
-  }
-  actor.linear_velocity = mine->vector_or("linearVelocity", actor.linear_velocity);
-  actor.angular_velocity = mine->vector_or("angularVelocity", actor.angular_velocity);
-  actor.mass = mine->number_or("mass", 0, 0, 1e30);
-  if (mine->has("center")) actor.center = (*mine)["center"].vector();
-  if (const auto inertia = mine->get("inertia")) {
-    const std::vector<double> x = inertia->numbers(9);
-    actor.inertia.emplace();
-    for (int k = 0; k < 9; ++k) (*actor.inertia)(k / 3, k % 3) = x[static_cast<std::size_t>(k)];
-  }
-  if (const auto damping = mine->get("damping"))
-    actor.linear_damping = damping->at(0).number(), actor.angular_damping = damping->at(1).number();
-}
-
 void Reader::make_bodies() {
   // Bodies, and colliders that are no body's: each of these a static body of its own.
   std::map<std::size_t, std::vector<std::size_t>> colliders;  // by body node, or the collider's own
@@ -275,8 +231,10 @@ void Reader::make_bodies() {
       for (const Value& collider : colliders_of(node(c))) {
         Node at = nodes_[c];
         if (!nodes_[i].is_body) at.in_body = {Vec::Zero(), Quat::Identity(), at.world.s};
-        actor.parts.push_back(part_of(collider, at, actor.type == CAROM_BODY_DYNAMIC));
-        made.emplace_back(collider, collider.place().ends_with("/trigger"));
+        for (Part& part : parts_of(collider, at, actor.type == CAROM_BODY_DYNAMIC)) {
+          actor.parts.push_back(std::move(part));
+          made.emplace_back(collider, collider.place().ends_with("/trigger"));
+        }
       }
     std::size_t a = 0;
     try {
@@ -291,30 +249,6 @@ void Reader::make_bodies() {
   }
   for (Node& n : nodes_)
     if (n.body != kNone && actor_of_node_[n.body] == kNone) n.body = kNone;
-}
-
-void Reader::finish_body(std::size_t i, std::size_t a) {
-  const Value at = node(i);
-  const Actor& actor = stage_.actors[a];
-  const auto extension = khr(at);
-  const auto mine = own(at);
-  const auto motion = extension ? extension->get("motion") : std::nullopt;
-  carom_world* const world = stage_.world.get();
-  Call call;
-  if (actor.type == CAROM_BODY_DYNAMIC) {
-    std::uint32_t locks = 0;
-    if (motion && !mine) {
-      if (motion->has("mass") && motion->number_or("mass", 1) == 0) locks |= 0x7;
-      if (motion->has("inertiaDiagonal") && (*motion)["inertiaDiagonal"].vector() == Vec::Zero()) locks |= 0x38;
-    }
-    if (locks) call.done(carom_body_set_locks(world, actor.body, locks, call), at.place() + "/locks");
-    if (motion && motion->has("gravityFactor")) stage_.set_gravity_factor(a, (*motion)["gravityFactor"].number());
-    if (mine) read_attributes(*mine, world, actor.body);
-  }
-  if (mine && mine->has("continuous"))
-    call.done(carom_body_set_continuous(world, actor.body,
-                                        checked<std::uint32_t>((*mine)["continuous"].index(3, "modes")), call),
-              at.place());
 }
 
 void Reader::make_particles() {

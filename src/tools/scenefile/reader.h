@@ -24,6 +24,8 @@ struct Place {
   }
 };
 
+Place place_of(const Value& node);  ///< in its parent   @throws Error
+
 class Reader {
  public:
   Reader(const std::string& path, Stage& stage) : doc_(path), stage_(stage) {}
@@ -50,22 +52,52 @@ class Reader {
   void walk(std::size_t node, std::size_t parent, std::size_t depth);
   void make_bodies();
   Actor actor_of(std::size_t node);
-  void read_motion(const Value& node, const Node& at, Actor& actor);
-  void finish_body(std::size_t node, std::size_t actor);
   void make_particles();
   Value node(std::size_t i) const { return doc_.section("nodes", i); }
   Maybe own(const Value& of) const { return Document::extension(of, "CAROM_physics"); }
-  Maybe khr(const Value& of) const { return Document::extension(of, "KHR_physics_rigid_bodies"); }
-  void remark(const std::string& text);
+  /// What a node says of physics: OMI_physics_body has the same structure, and is asked where there is no KHR extension.
+  Maybe khr(const Value& of) const {
+    const Maybe first = Document::extension(of, "KHR_physics_rigid_bodies");
+    return first ? first : Document::extension(of, "OMI_physics_body");
+  }
+  /// Materials, filters and joints of the extension that a value stands in.
+  Maybe of_document(const Value& of) const;
+  void remark(const std::string& text);  ///< what is left out
+  void note(const std::string& text);    ///< what is read as something near it
+  void tell(const std::string& kind, const std::string& text);
+
+  // motion.cpp
+  void read_motion(const Value& node, const Node& at, Actor& actor);
+  void read_mass(const Value& motion, const Node& at, Actor& actor);
+  void read_inertia(const Value& motion, const Node& at, Actor& actor);
+  void finish_body(std::size_t node, std::size_t actor);
+  void name_what_locks_stop(const Value& motion, std::uint32_t locks);
 
   // geometry.cpp: what colliders are made of
+  using Hulls = std::vector<std::vector<double>>;  // parameters of the hull plugin
   std::vector<Value> colliders_of(const Value& node) const;
-  Part part_of(const Value& collider, const Node& at, bool moves);
+  std::vector<Part> parts_of(const Value& collider, const Node& at, bool moves);
   void read_shape(const Value& shape, const Vec& scale, Part& part);
-  void read_mesh(const Value& geometry, const Vec& scale, bool moves, Part& part);
   void read_surface(const Value& collider, Part& part);
   void finish_collider(const Value& collider, bool sensor, const Part& part);
   std::uint64_t system_bit(const Value& name);
+
+  // meshes.cpp: meshes as colliders
+  Mesh mesh_of(const Value& geometry, const Vec& scale);
+  void collide_as(Mesh mesh, const Value& at, bool convex, bool moves, Part& part, Hulls& hulls);
+  bool take_into_hulls(const Mesh& mesh, const Value& at, Hulls& hulls);
+
+  // omi.cpp: what OMI_physics_body, _shape, _joint and _gravity say otherwise
+  static bool is_omi(const Value& value) { return value.place().find("/extensions/OMI_physics_") != std::string::npos; }
+  static Maybe omi_index(const Value& of, const char* key);  ///< nothing where it is -1
+  Maybe omi_details(const Value& shape);
+  void read_omi_radius(const Value& shape, double& bottom, double& top, double& height);
+  void read_omi_shape(const Value& which, const Vec& scale, bool moves, Part& part, Hulls& hulls);
+  void read_omi_gravity();
+  void make_gravity_volumes();
+  bool make_gravity_volume(std::size_t node, const Value& gravity, bool is_alone);
+  void name_what_is_not_read();
+  void name_how_materials_mix();
 
   // joints.cpp
   void make_joints();
@@ -75,6 +107,7 @@ class Reader {
   bool plan_joint(const Value& joint, Plan& plan);
   bool fits(const Value& drive, const Plan& plan) const;
   bool wants_axes(const Value& joint);
+  bool make_soft_distance(std::size_t node, std::size_t other, const Value& joint);
   void drive_joint(const Value& joint, const Plan& plan, carom_joint handle, const carom_joint_desc& desc);
 
   Document doc_;
@@ -85,6 +118,7 @@ class Reader {
   std::vector<Particle> particles_;
   std::map<std::string, std::uint64_t> systems_;
   std::map<std::string, int> names_;
+  std::vector<std::pair<Mesh, Hulls>> taken_apart_;
 };
 
 }  // namespace carom::tools::scenefile

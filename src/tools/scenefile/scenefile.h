@@ -24,4 +24,11 @@ void read_scene(const std::string& path, Stage& stage);
 /// Write what a stage is made of, as it stands.   @param seconds, dt  s, suggested to who runs it   @throws Error
 void write_scene(const std::string& path, Stage& stage, double seconds, double dt);
 
+/// The triangles of a glTF file: of all nodes of its scene, as they stand, or of one mesh in its own frame.
+/// @param which  name or index of a mesh; "": all   @throws Error that names the place in the file
+Mesh mesh_of_gltf(const std::string& path, const std::string& which = "");
+
+/// Write a scene of one body that is made of hulls.   @param stage  empty   @throws Error
+void write_parts_scene(const std::string& path, const std::string& name, const std::vector<Mesh>& hulls, Stage& stage);
+
 }  // namespace carom::tools
