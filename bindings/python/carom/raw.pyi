@@ -1358,7 +1358,8 @@ def carom_plugin_find(engine: Any, id: Any, plugin: Any, error: Any) -> int:
     """Find a loaded plugin by its id.   @status OK; NULL_ARGUMENT; NOT_FOUND (load it first)"""
     ...
 def carom_plugin_describe(engine: Any, plugin: Any, description: Any, error: Any) -> int:
-    """The plugin's own description: documentation, declarations, function. Valid while the engine lives.
+    """The plugin's own description, as its author compiled it: documentation, declarations, function. Only fields within its
+    struct_size are there. Valid while the engine lives.
     @status OK; NULL_ARGUMENT; *_HANDLE"""
     ...
 def carom_world_collect_events(world: Any, kinds: Any, hit_speed: Any, error: Any) -> int:
