@@ -351,6 +351,14 @@ static void gravity_of_a_volume_is_a_field_or_named(void**) {
   room.run(1);
   is_near(room.at("in").y(), 0, 1e-9);
   is_near(room.at("out").y(), -kG / 2, 0.03);
+  // Two rooms apart are two fields; two that meet have to be weighed by priority, and are named.
+  const json up = {{"type", "directional"}, {"gravity", -1}, {"stop", true}};
+  ReadScene apart(document(list({volume(up, {0, 0, 0}, 1), volume(up, {30, 0, 0}, 1), body("in", {30, 0, 0})}), shapes));
+  apart.says_nothing_else();
+  apart.run(1);
+  is_near(apart.at("in").y(), 0.5, 0.01);
+  ReadScene meeting(document(list({volume(up, {0, 0, 0}, 1), volume(up, {4, 0, 0}, 1), body("in", {0, 0, 0})}), shapes));
+  assert_true(meeting.says("/nodes/0/extensions/OMI_physics_gravity: gravity") && meeting.says("/nodes/1/extensions/OMI_physics_gravity: gravity"));
   // A planet: a quarter of its surface's gravity at twice its radius.
   json planet = document(list({volume({{"type", "point"}, {"gravity", 8}, {"point", {{"unitDistance", 5}}}}, {0, 0, 0}, 2), body("in", {10, 0, 0}), body("out", {0, 50, 0})}), shapes);
   planet["extensions"]["OMI_physics_gravity"] = {{"gravity", 0}};
