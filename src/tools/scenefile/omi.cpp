@@ -1,5 +1,5 @@
-// OMI_physics_body, OMI_physics_shape, OMI_physics_joint and OMI_physics_gravity: bodies and joints have the structure of the
-// KHR extension, and are read by what reads that; here is what they say otherwise.
+// OMI_physics_body, OMI_physics_shape, OMI_physics_joint and OMI_physics_gravity: bodies and joints have the structure
+// of the KHR extension, and are read by what reads that; here is what they say otherwise.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,8 @@ Vec direction_of(const Value& at) {
 
 /// Words of names of extensions that are about physics.
 bool sounds_like_physics(const std::string& name) {
-  static constexpr const char* kWords[] = {"physics", "rigid", "collision", "collider", "joint", "vehicle", "gravity", "cloth", "soft_body"};
+  static constexpr const char* kWords[] = {"physics", "rigid",   "collision", "collider", "joint",
+                                           "vehicle", "gravity", "cloth",     "soft_body"};
   return std::ranges::any_of(kWords, [&](const char* word) { return name.find(word) != std::string::npos; });
 }
 
@@ -29,7 +30,9 @@ bool sounds_like_physics(const std::string& name) {
 
 Maybe Reader::of_document(const Value& of) const {
   const bool joint = of.place().find("/extensions/OMI_physics_joint") != std::string::npos;
-  return Document::extension(doc_.root(), joint ? "OMI_physics_joint" : is_omi(of) ? "OMI_physics_body" : "KHR_physics_rigid_bodies");
+  return Document::extension(doc_.root(), joint        ? "OMI_physics_joint"
+                                          : is_omi(of) ? "OMI_physics_body"
+                                                       : "KHR_physics_rigid_bodies");
 }
 
 Maybe Reader::omi_index(const Value& of, const char* key) {
@@ -43,7 +46,8 @@ Maybe Reader::omi_details(const Value& shape) {
   if (const auto inner = shape.get(shape["type"].text().c_str())) return inner;
   for (const char* key : {"size", "radius", "radiusTop", "radiusBottom", "height", "mesh"})
     if (shape.has(key)) {
-      note(shape.place() + "/" + key + ": read as in an earlier draft of OMI_physics_shape, that had it beside the type");
+      note(shape.place() + "/" + key +
+           ": read as in an earlier draft of OMI_physics_shape, that had it beside the type");
       break;
     }
   return shape;
@@ -88,8 +92,8 @@ void Reader::read_omi_gravity() {
 struct Reader::GravityVolume {
   std::size_t node;
   Value gravity;
-  Place at{};     // of the shape
-  Part shape{};   // a box or a sphere, or nothing that is known here
+  Place at{};                                              // of the shape
+  Part shape{};                                            // a box or a sphere, or nothing that is known here
   double reach = std::numeric_limits<double>::infinity();  // m, from its middle
 };
 
@@ -119,7 +123,8 @@ void Reader::find_volume(GravityVolume& volume) {
 void Reader::make_gravity_volumes() {
   std::vector<GravityVolume> volumes;
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (const auto gravity = Document::extension(node(i), "OMI_physics_gravity"); gravity && nodes_[i].parent != kNone) {
+    if (const auto gravity = Document::extension(node(i), "OMI_physics_gravity");
+        gravity && nodes_[i].parent != kNone) {
       constexpr std::size_t kMost = 1000;  // each is compared with each
       if (volumes.size() == kMost) gravity->fail("is one of more than 1000 volumes with gravity", "join some");
       doc_.budget().charge(1, sizeof(GravityVolume), doc_.path() + ": " + gravity->place());
@@ -130,8 +135,8 @@ void Reader::make_gravity_volumes() {
     const auto flag = [&](const char* key) { return v.gravity.has(key) && v.gravity[key].boolean(); };
     const bool has_say = flag("stop") || flag("replace");  // over others in the same place: let there be none
     const bool meets = has_say && std::ranges::any_of(volumes, [&](const GravityVolume& other) {
-      return other.node != v.node && !((other.at.p - v.at.p).norm() > other.reach + v.reach);
-    });
+                         return other.node != v.node && !((other.at.p - v.at.p).norm() > other.reach + v.reach);
+                       });
     if (meets || !make_gravity_volume(v, flag("stop")))
       remark(v.gravity.place() + ": gravity of a volume that no force field does exactly");
   }
@@ -155,7 +160,8 @@ bool Reader::make_gravity_volume(const GravityVolume& v, bool stops) {
     const Vec own_gravity = strength * (origin.q * (details ? direction_of(*details) : Vec(0, -1, 0)));
     put(d.vector, stops ? Vec(own_gravity - world_gravity) : own_gravity);
     d.kind = CAROM_FORCE_FIELD_UNIFORM;
-  } else if (type == "point" && v.shape.shape == "sphere" && origin.p == v.at.p && (!stops || world_gravity.isZero(0))) {
+  } else if (type == "point" && v.shape.shape == "sphere" && origin.p == v.at.p &&
+             (!stops || world_gravity.isZero(0))) {
     const double unit = details ? details->number_or("unitDistance", 0, 0, 1e9) : 0;
     d.kind = CAROM_FORCE_FIELD_RADIAL;
     d.strength = -strength, d.reach = v.shape.params[0];
@@ -178,7 +184,8 @@ void Reader::name_how_materials_mix() {
       for (std::size_t k = 0; materials && k < materials->size(); ++k)
         if (const auto rule = materials->at(k).get(key)) multiplying += rule->text() == "multiply";
       if (multiplying > 0 && multiplying < materials->size())
-        note(materials->place() + ": some multiply (" + key + "), others do not; where two such touch, the two are multiplied");
+        note(materials->place() + ": some multiply (" + key +
+             "), others do not; where two such touch, the two are multiplied");
     }
   }
 }
@@ -195,8 +202,10 @@ void Reader::name_what_is_not_read() {
   for (std::size_t i = 0; i < doc_.count("nodes"); ++i) {
     const auto omi = Document::extension(node(i), "OMI_physics_body");
     if (omi && omi->has("type")) remark(omi->place() + "/type: a body of an earlier draft");
-    if (omi && Document::extension(node(i), "KHR_physics_rigid_bodies")) remark(omi->place() + ": beside KHR_physics_rigid_bodies, which holds");
-    if (const auto old = Document::extension(node(i), "OMI_collider")) remark(old->place() + ": a collider of an earlier draft");
+    if (omi && Document::extension(node(i), "KHR_physics_rigid_bodies"))
+      remark(omi->place() + ": beside KHR_physics_rigid_bodies, which holds");
+    if (const auto old = Document::extension(node(i), "OMI_collider"))
+      remark(old->place() + ": a collider of an earlier draft");
     const auto body = khr(node(i));
     const auto trigger = body ? body->get("trigger") : std::nullopt;
     if (trigger && trigger->has("nodes") && (*trigger)["nodes"].size() > 1)
