@@ -38,13 +38,17 @@ json document(json nodes, json shapes, json joints = json::array()) {
     if (!is_child[i]) roots.push_back(i);
   json d = {{"asset", {{"version", "2.0"}}}, {"scene", 0}, {"nodes", std::move(nodes)}};
   d["scenes"] = json::array({json::object({{"nodes", roots}})});
-  d["extensions"] = {{"KHR_implicit_shapes", {{"shapes", shapes}}},     {"OMI_physics_shape", {{"shapes", shapes}}},
-                     {"KHR_physics_rigid_bodies", {{"physicsJoints", joints}}}, {"OMI_physics_joint", {{"physicsJoints", joints}}}};
+  d["extensions"] = {{"KHR_implicit_shapes", {{"shapes", shapes}}},
+                     {"OMI_physics_shape", {{"shapes", shapes}}},
+                     {"KHR_physics_rigid_bodies", {{"physicsJoints", joints}}},
+                     {"OMI_physics_joint", {{"physicsJoints", joints}}}};
   return d;
 }
 json box(double x, double y, double z) { return {{"type", "box"}, {"box", {{"size", {x, y, z}}}}}; }
 json ball(double r) { return {{"type", "sphere"}, {"sphere", {{"radius", r}}}}; }
-json limit(const char* axes, json which, double lower, double upper) { return {{axes, std::move(which)}, {"min", lower}, {"max", upper}}; }
+json limit(const char* axes, json which, double lower, double upper) {
+  return {{axes, std::move(which)}, {"min", lower}, {"max", upper}};
+}
 json locks(json linear, json angular) {
   return list({limit("linearAxes", std::move(linear), 0, 0), limit("angularAxes", std::move(angular), 0, 0)});
 }
@@ -56,7 +60,8 @@ struct Scenery {
     const auto first = static_cast<std::uint16_t>(points.size() / 3);
     for (int k = 0; k < 8; ++k)
       for (int i = 0; i < 3; ++i) points.push_back(static_cast<float>(k >> i & 1 ? high[i] : low[i]));
-    for (const int c : {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5})
+    for (const int c :
+         {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5})
       corners.push_back(static_cast<std::uint16_t>(first + c));
   }
   /// As mesh `index` of a document, in a file of its own.
@@ -66,11 +71,14 @@ struct Scenery {
     std::ofstream out(name, std::ios::binary);
     out.write(reinterpret_cast<const char*>(points.data()), static_cast<std::streamsize>(4 * points.size()));
     out.write(reinterpret_cast<const char*>(corners.data()), static_cast<std::streamsize>(2 * corners.size()));
-    d["buffers"].push_back({{"byteLength", 4 * points.size() + 2 * corners.size()}, {"uri", name.substr(name.rfind('/') + 1)}});
+    d["buffers"].push_back(
+        {{"byteLength", 4 * points.size() + 2 * corners.size()}, {"uri", name.substr(name.rfind('/') + 1)}});
     d["bufferViews"].push_back({{"buffer", n}, {"byteLength", 4 * points.size()}});
     d["bufferViews"].push_back({{"buffer", n}, {"byteOffset", 4 * points.size()}, {"byteLength", 2 * corners.size()}});
-    d["accessors"].push_back({{"bufferView", 2 * n}, {"componentType", 5126}, {"type", "VEC3"}, {"count", points.size() / 3}});
-    d["accessors"].push_back({{"bufferView", 2 * n + 1}, {"componentType", 5123}, {"type", "SCALAR"}, {"count", corners.size()}});
+    d["accessors"].push_back(
+        {{"bufferView", 2 * n}, {"componentType", 5126}, {"type", "VEC3"}, {"count", points.size() / 3}});
+    d["accessors"].push_back(
+        {{"bufferView", 2 * n + 1}, {"componentType", 5123}, {"type", "SCALAR"}, {"count", corners.size()}});
     json primitive = {{"attributes", {{"POSITION", 2 * n}}}, {"indices", 2 * n + 1}};
     d["meshes"].push_back({{"name", "mesh " + std::to_string(n)}, {"primitives", json::array({primitive})}});
   }
@@ -78,12 +86,14 @@ struct Scenery {
 /// A trough along z: 2 m wide, its hollow 1.5 m wide and 1 m deep.
 Scenery trough() {
   Scenery s;
-  s.add_box({-1, 0, -1}, {1, 0.25, 1}), s.add_box({-1, 0.25, -1}, {-0.75, 1.25, 1}), s.add_box({0.75, 0.25, -1}, {1, 1.25, 1});
+  s.add_box({-1, 0, -1}, {1, 0.25, 1}), s.add_box({-1, 0.25, -1}, {-0.75, 1.25, 1}),
+      s.add_box({0.75, 0.25, -1}, {1, 1.25, 1});
   return s;
 }
 
 struct ReadScene {
-  explicit ReadScene(const json& d) : path(base_name() + ".gltf"), engine(PluginPath({CAROM_PLUGIN_DIR})), stage(engine) {
+  explicit ReadScene(const json& d)
+      : path(base_name() + ".gltf"), engine(PluginPath({CAROM_PLUGIN_DIR})), stage(engine) {
     std::ofstream(path) << d.dump();
     read_scene(path, stage);
     stage.world.set_dial("sleep=off");
@@ -135,11 +145,14 @@ void is_near(double a, double b, double most) {
 /// A body on a joint to the world: node 0 is the body, 1 its end of the joint, 2 the world's, turned alike.
 json jointed(const json& motion, const json& joint, const Vec& body_at, const json& turn, bool is_omi) {
   json from = {{"translation", {0, 0, 0}}, {"rotation", turn}};
-  json body = {{"name", "body"}, {"translation", {body_at.x(), body_at.y(), body_at.z()}}, {"children", json::array({1})}};
-  body["extensions"] = is_omi ? omi({{"motion", motion}, {"collider", {{"shape", 0}}}}) : khr({{"motion", motion}, {"collider", of_shape(0)}});
+  json body = {
+      {"name", "body"}, {"translation", {body_at.x(), body_at.y(), body_at.z()}}, {"children", json::array({1})}};
+  body["extensions"] = is_omi ? omi({{"motion", motion}, {"collider", {{"shape", 0}}}})
+                              : khr({{"motion", motion}, {"collider", of_shape(0)}});
   const json ends = {{"connectedNode", 1}, {"joint", 0}};
   from["extensions"] = is_omi ? json{{"OMI_physics_joint", ends}} : khr({{"joint", ends}});
-  return document(json::array({body, json::object({{"rotation", turn}}), from}), json::array({box(0.2, 0.2, 0.2)}), json::array({joint}));
+  return document(json::array({body, json::object({{"rotation", turn}}), from}), json::array({box(0.2, 0.2, 0.2)}),
+                  json::array({joint}));
 }
 const json kStraight = {0, 0, 0, 1};
 const json kXUp = {0, 0, std::sqrt(0.5), std::sqrt(0.5)};
@@ -166,9 +179,11 @@ static void a_soft_limit_sinks_by_load_over_stiffness(void**) {
     is_near(w.at("body").y(), -2 * kG / 500, 1e-4);
   }
   // A spring to a point, as one limit of three axes.
-  ReadScene w(jointed({{"mass", 1}, {"type", "dynamic"}},
-                   {{"limits", json::array({json::object({{"linearAxes", {0, 1, 2}}, {"min", 0}, {"max", 0}, {"stiffness", 300}, {"damping", 30}})})}},
-                   Vec(0.1, 0, 0), kStraight, true));
+  ReadScene w(jointed(
+      {{"mass", 1}, {"type", "dynamic"}},
+      {{"limits", json::array({json::object(
+                      {{"linearAxes", {0, 1, 2}}, {"min", 0}, {"max", 0}, {"stiffness", 300}, {"damping", 30}})})}},
+      Vec(0.1, 0, 0), kStraight, true));
   w.says_nothing_else();
   w.run(6);
   is_near((w.at("body") - Vec(0, -kG / 300, 0)).norm(), 0, 1e-3);
@@ -176,7 +191,9 @@ static void a_soft_limit_sinks_by_load_over_stiffness(void**) {
 
 /// A soft range of a distance: within it nothing, beyond it a spring.
 static void a_soft_distance_is_a_spring(void**) {
-  const json rope = {{"limits", json::array({json::object({{"linearAxes", {0, 1, 2}}, {"min", 0}, {"max", 1}, {"stiffness", 200}, {"damping", 20}})})}};
+  const json rope = {
+      {"limits", json::array({json::object(
+                     {{"linearAxes", {0, 1, 2}}, {"min", 0}, {"max", 1}, {"stiffness", 200}, {"damping", 20}})})}};
   ReadScene w(jointed({{"mass", 1}}, rope, Vec(0, -0.5, 0), kStraight, false));
   assert_true(w.says("a soft distance is a spring"));
   w.run(0.1);
@@ -187,7 +204,8 @@ static void a_soft_distance_is_a_spring(void**) {
 
 static void materials_that_mix_in_another_order_are_named(void**) {
   json d = document(json::array(), json::array());
-  d["extensions"]["KHR_physics_rigid_bodies"]["physicsMaterials"] = list({json{{"frictionCombine", "multiply"}}, json{{"frictionCombine", "minimum"}}});
+  d["extensions"]["KHR_physics_rigid_bodies"]["physicsMaterials"] =
+      list({json{{"frictionCombine", "multiply"}}, json{{"frictionCombine", "minimum"}}});
   ReadScene w(d);
   assert_true(w.says("some multiply (frictionCombine)"));
 }
@@ -202,9 +220,11 @@ static void a_limit_of_no_stiffness_holds_nothing_and_is_named(void**) {
 }
 
 static void a_drive_reaches_its_velocity_with_its_force(void**) {
-  json drive = {{"type", "angular"}, {"mode", "force"}, {"axis", 1}, {"velocityTarget", 3}, {"damping", 50}, {"maxForce", 2}};
-  ReadScene w(jointed({{"mass", 1}, {"inertiaDiagonal", {1, 1, 1}}}, {{"limits", locks({0, 1, 2}, {0, 2})}, {"drives", json::array({drive})}},
-                   Vec::Zero(), kStraight, false));
+  json drive = {{"type", "angular"},   {"mode", "force"}, {"axis", 1},
+                {"velocityTarget", 3}, {"damping", 50},   {"maxForce", 2}};
+  ReadScene w(jointed({{"mass", 1}, {"inertiaDiagonal", {1, 1, 1}}},
+                      {{"limits", locks({0, 1, 2}, {0, 2})}, {"drives", json::array({drive})}}, Vec::Zero(), kStraight,
+                      false));
   w.says_nothing_else();
   w.run(1);
   is_near(w.spin("body").y(), 2, 0.02);  // rad/s: as fast as 2 N m make it
@@ -219,15 +239,19 @@ static void what_is_negative_has_no_bound_in_omi(void**) {
   w.says_nothing_else();
   w.run(1);
   is_near(w.at("body").y(), 0, 1e-3);
-  json drive = {{"type", "linear"}, {"mode", "force"}, {"axis", 1}, {"stiffness", 100}, {"damping", 10}, {"maxForce", -1}};
-  ReadScene no_target(jointed({{"mass", 1}, {"type", "dynamic"}}, {{"limits", locks({0, 2}, {0, 1, 2})}, {"drives", json::array({drive})}}, Vec::Zero(), kStraight, true));
+  json drive = {{"type", "linear"}, {"mode", "force"}, {"axis", 1},
+                {"stiffness", 100}, {"damping", 10},   {"maxForce", -1}};
+  ReadScene no_target(jointed({{"mass", 1}, {"type", "dynamic"}},
+                              {{"limits", locks({0, 2}, {0, 1, 2})}, {"drives", json::array({drive})}}, Vec::Zero(),
+                              kStraight, true));
   no_target.run(3);
-  is_near(no_target.velocity("body").y(), -kG / 10, 0.01);  // m/s: no spring without a target, so damping alone bears it
+  is_near(no_target.velocity("body").y(), -kG / 10,
+          0.01);  // m/s: no spring without a target, so damping alone bears it
 }
 
 static void moments_are_taken_as_given(void**) {
-  ReadScene w(jointed({{"mass", 1}, {"inertiaDiagonal", {0.4, 0.1, 0.1}}, {"angularVelocity", {2, 0, 0}}}, {{"limits", locks({0, 1, 2}, {1, 2})}},
-                   Vec::Zero(), kStraight, false));
+  ReadScene w(jointed({{"mass", 1}, {"inertiaDiagonal", {0.4, 0.1, 0.1}}, {"angularVelocity", {2, 0, 0}}},
+                      {{"limits", locks({0, 1, 2}, {1, 2})}}, Vec::Zero(), kStraight, false));
   assert_true(w.says("as given") && w.says("/nodes/0/extensions/KHR_physics_rigid_bodies/motion/inertiaDiagonal"));
   is_near(w.body("body").inertia[0], 0.4, 1e-12);
   w.run(1);
@@ -237,11 +261,13 @@ static void moments_are_taken_as_given(void**) {
 /// Two infinite moments are locks where the third lies along an axis of the world; one is a very large number.
 static void infinite_moments(void**) {
   const auto spinner = [](json moments, json rotation) {
-    json motion = {{"mass", 1}, {"inertiaDiagonal", std::move(moments)}, {"angularVelocity", {0, 2, 0}}, {"gravityFactor", 0}};
+    json motion = {
+        {"mass", 1}, {"inertiaDiagonal", std::move(moments)}, {"angularVelocity", {0, 2, 0}}, {"gravityFactor", 0}};
     json node = {{"name", "body"}, {"rotation", std::move(rotation)}};
     node["extensions"] = khr({{"motion", motion}, {"collider", of_shape(0)}});
     json bullet = {{"name", "bullet"}, {"translation", {0.4, 2, 0}}};
-    bullet["extensions"] = khr({{"motion", {{"mass", 1}, {"linearVelocity", {0, -3, 0}}, {"gravityFactor", 0}}}, {"collider", of_shape(1)}});
+    bullet["extensions"] = khr(
+        {{"motion", {{"mass", 1}, {"linearVelocity", {0, -3, 0}}, {"gravityFactor", 0}}}, {"collider", of_shape(1)}});
     return document(json::array({node, bullet}), json::array({box(1, 1, 1), ball(0.1)}));
   };
   ReadScene exact(spinner({0, 1, 0}, kStraight));
@@ -294,16 +320,18 @@ static void omi_bodies_fall_with_their_gravity(void**) {
   json d = document(
       json::array({node("falls", 0, {{"motion", {{"type", "dynamic"}, {"linearVelocity", {0, 1, 0}}}}}, {4, 5}),
                    node("stays", 10, {{"motion", {{"type", "static"}, {"mass", 7}}}, {"collider", collider}}),
-                   node("moves", 20, {{"motion", {{"type", "kinematic"}, {"linearVelocity", {0, 0, 2}}}}, {"collider", collider}}),
-                   node("alone", 30, {{"collider", collider}, {"trigger", {{"shape", -1}}}}), node("half", 1, {{"collider", {{"shape", 1}}}}),
-                   node("sensor", 0, {{"trigger", collider}})}),
+                   node("moves", 20,
+                        {{"motion", {{"type", "kinematic"}, {"linearVelocity", {0, 0, 2}}}}, {"collider", collider}}),
+                   node("alone", 30, {{"collider", collider}, {"trigger", {{"shape", -1}}}}),
+                   node("half", 1, {{"collider", {{"shape", 1}}}}), node("sensor", 0, {{"trigger", collider}})}),
       json::array({box(1, 1, 1), json::object({{"type", "capsule"}})}));
   d["extensions"]["OMI_physics_gravity"] = {{"gravity", 1.6}, {"direction", {1, 0, 0}}};
   ReadScene w(d);
   w.says_nothing_else();
   assert_int_equal(w.stage.actors.size(), 4);
   const Actor& falls = w.stage.actors[w.index("falls")];
-  assert_true(falls.parts.size() == 2 && falls.parts[0].shape == "capsule" && falls.parts[0].params == std::vector<double>({0.5, 0.5}));
+  assert_true(falls.parts.size() == 2 && falls.parts[0].shape == "capsule" &&
+              falls.parts[0].params == std::vector<double>({0.5, 0.5}));
   is_near(w.body("falls").mass, 1, 1e-12);
   is_near(w.body("falls").center[0], 0, 1e-12);  // where the extension has it if nothing is said
   w.run(1);
@@ -317,18 +345,22 @@ static void omi_meshes_and_earlier_drafts(void**) {
   json bodies = json::array();
   for (int k = 0; k < 3; ++k) {
     bodies.push_back({{"name", "body " + std::to_string(k)}, {"translation", {5 * k, 0, 0}}});
-    bodies.back()["extensions"] = omi({{"motion", {{"type", k == 1 ? "static" : "dynamic"}}}, {"collider", {{"shape", k}}}});
+    bodies.back()["extensions"] =
+        omi({{"motion", {{"type", k == 1 ? "static" : "dynamic"}}}, {"collider", {{"shape", k}}}});
   }
   bodies.push_back({{"extensions", omi({{"type", "rigid"}, {"mass", 1}})}});
   bodies.push_back({{"extensions", {{"OMI_collider", {{"collider", 0}}}}}});
-  json d = document(bodies, json::array({json{{"type", "convex"}, {"convex", {{"mesh", 0}}}}, json{{"type", "trimesh"}, {"trimesh", {{"mesh", 0}}}},
+  json d = document(bodies, json::array({json{{"type", "convex"}, {"convex", {{"mesh", 0}}}},
+                                         json{{"type", "trimesh"}, {"trimesh", {{"mesh", 0}}}},
                                          json{{"type", "capsule"}, {"capsule", {{"height", 1}, {"radius", 0.2}}}}}));
   d["extensionsUsed"] = {"OMI_physics_body", "OMI_vehicle_body", "KHR_materials_unlit"};
   trough().put_into(d);
   ReadScene w(d);
-  assert_true(w.stage.actors[0].parts.size() == 1 && w.stage.actors[0].parts[0].shape == "hull" && w.stage.actors[1].parts[0].shape == "mesh");
+  assert_true(w.stage.actors[0].parts.size() == 1 && w.stage.actors[0].parts[0].shape == "hull" &&
+              w.stage.actors[1].parts[0].shape == "mesh");
   is_near(w.stage.actors[2].parts[0].params[1], 0.3, 1e-12);  // m: half of 1, less a cap
-  for (const char* what : {"its height counts the caps", "a body of an earlier draft", "a collider of an earlier draft", "OMI_vehicle_body"})
+  for (const char* what : {"its height counts the caps", "a body of an earlier draft", "a collider of an earlier draft",
+                           "OMI_vehicle_body"})
     assert_true(w.says(what));
   assert_false(w.says("KHR_materials_unlit"));
 }
@@ -336,7 +368,8 @@ static void omi_meshes_and_earlier_drafts(void**) {
 static void gravity_of_a_volume_is_a_field_or_named(void**) {
   const auto volume = [](json gravity, json at, int shape) {
     json node = {{"translation", std::move(at)}};
-    node["extensions"] = {{"OMI_physics_body", {{"trigger", {{"shape", shape}}}}}, {"OMI_physics_gravity", std::move(gravity)}};
+    node["extensions"] = {{"OMI_physics_body", {{"trigger", {{"shape", shape}}}}},
+                          {"OMI_physics_gravity", std::move(gravity)}};
     return node;
   };
   const auto body = [](const char* name, json at) {
@@ -346,20 +379,37 @@ static void gravity_of_a_volume_is_a_field_or_named(void**) {
   };
   const json shapes = list({ball(0.1), box(10, 10, 10), ball(40)});
   // Weightless in a room: the volume stops the world's gravity.
-  ReadScene room(document(list({volume({{"type", "directional"}, {"gravity", 0}, {"stop", true}}, {0, 0, 0}, 1), body("in", {1, 0, 0}), body("out", {20, 0, 0})}), shapes));
+  ReadScene room(document(list({volume({{"type", "directional"}, {"gravity", 0}, {"stop", true}}, {0, 0, 0}, 1),
+                                body("in", {1, 0, 0}), body("out", {20, 0, 0})}),
+                          shapes));
   room.says_nothing_else();
   room.run(1);
   is_near(room.at("in").y(), 0, 1e-9);
   is_near(room.at("out").y(), -kG / 2, 0.03);
+  // Two rooms apart are two fields; two that meet have to be weighed by priority, and are named.
+  const json up = {{"type", "directional"}, {"gravity", -1}, {"stop", true}};
+  ReadScene apart(
+      document(list({volume(up, {0, 0, 0}, 1), volume(up, {30, 0, 0}, 1), body("in", {30, 0, 0})}), shapes));
+  apart.says_nothing_else();
+  apart.run(1);
+  is_near(apart.at("in").y(), 0.5, 0.01);
+  ReadScene meeting(
+      document(list({volume(up, {0, 0, 0}, 1), volume(up, {4, 0, 0}, 1), body("in", {0, 0, 0})}), shapes));
+  assert_true(meeting.says("/nodes/0/extensions/OMI_physics_gravity: gravity") &&
+              meeting.says("/nodes/1/extensions/OMI_physics_gravity: gravity"));
   // A planet: a quarter of its surface's gravity at twice its radius.
-  json planet = document(list({volume({{"type", "point"}, {"gravity", 8}, {"point", {{"unitDistance", 5}}}}, {0, 0, 0}, 2), body("in", {10, 0, 0}), body("out", {0, 50, 0})}), shapes);
+  json planet =
+      document(list({volume({{"type", "point"}, {"gravity", 8}, {"point", {{"unitDistance", 5}}}}, {0, 0, 0}, 2),
+                     body("in", {10, 0, 0}), body("out", {0, 50, 0})}),
+               shapes);
   planet["extensions"]["OMI_physics_gravity"] = {{"gravity", 0}};
   ReadScene space(planet);
   space.says_nothing_else();
   space.run(0.5);
   is_near(space.at("in").x(), 10 - 0.25, 0.01);
   assert_true(space.at("out") == Vec(0, 50, 0));
-  ReadScene torus(document(list({volume({{"type", "torus"}, {"gravity", 8}}, {0, 0, 0}, 2), body("in", {10, 0, 0})}), shapes));
+  ReadScene torus(
+      document(list({volume({{"type", "torus"}, {"gravity", 8}}, {0, 0, 0}, 2), body("in", {10, 0, 0})}), shapes));
   assert_true(torus.says("/nodes/0/extensions/OMI_physics_gravity: gravity of a volume"));
 }
 

@@ -72,8 +72,12 @@ void run_import(const ImportOptions& options, const Context& context) {
 void add_import_command(CLI::App& app, Context& context) {
   const auto options = std::make_shared<ImportOptions>();
   CLI::App* command = app.add_subcommand("import", "A mesh as one hull or as several convex parts, for colliders");
-  command->add_option("MESH", options->mesh, "An OBJ, STL, PLY, glTF or GLB file of a closed mesh; small holes do no harm")->required();
-  command->add_option("--mesh", options->which, "Of a glTF file: this mesh alone, by name or index; else all of its scene, as they stand")
+  command
+      ->add_option("MESH", options->mesh, "An OBJ, STL, PLY, glTF or GLB file of a closed mesh; small holes do no harm")
+      ->required();
+  command
+      ->add_option("--mesh", options->which,
+                   "Of a glTF file: this mesh alone, by name or index; else all of its scene, as they stand")
       ->type_name("NAME");
   command->add_option("--parts", options->parts, "At most so many, 1 to 256; 1: its hull")
       ->type_name("N")
@@ -91,7 +95,8 @@ void add_import_command(CLI::App& app, Context& context) {
                    "Scale it to so many metres along y, its middle at the origin; 0: leave it")
       ->type_name("M")
       ->capture_default_str();
-  command->add_option("--out", options->out, "Write the parts: an object each, or one body of a scene file")->type_name("FILE.obj|FILE.gltf|FILE.glb");
+  command->add_option("--out", options->out, "Write the parts: an object each, or one body of a scene file")
+      ->type_name("FILE.obj|FILE.gltf|FILE.glb");
   command->footer("Parts cover the mesh: they are hulls of its own faces within boxes that leave no gap.");
   command->callback([options, &context] { run_import(*options, context); });
 }

@@ -11,7 +11,8 @@ namespace {
 /// Triangles are added where they stand. What mirrors them turns them, so that they still look outwards.
 void add_mesh(Document& doc, std::size_t index, const Place& place, Mesh& all) {
   const Mesh mesh = doc.mesh(index);
-  doc.budget().charge(mesh.points.size() + mesh.faces.size(), 2 * sizeof(Vec), doc.path() + ": /meshes/" + std::to_string(index));
+  doc.budget().charge(mesh.points.size() + mesh.faces.size(), 2 * sizeof(Vec),
+                      doc.path() + ": /meshes/" + std::to_string(index));
   const auto first = static_cast<std::uint32_t>(all.points.size());
   for (const Vec& x : mesh.points) all.points.push_back(place.p + place.q * Vec(place.s.cwiseProduct(x)));
   const bool mirrored = place.s.prod() < 0;
@@ -23,7 +24,8 @@ void add_mesh(Document& doc, std::size_t index, const Place& place, Mesh& all) {
 }
 
 /// Those of a node and below it. A node is seen once, whatever the file says.
-void add_node(Document& doc, const Value& which, const Place& parent, std::size_t depth, std::set<std::size_t>& seen, Mesh& all) {
+void add_node(Document& doc, const Value& which, const Place& parent, std::size_t depth, std::set<std::size_t>& seen,
+              Mesh& all) {
   constexpr std::size_t kDeepest = 1000;
   if (depth > kDeepest) which.fail("is nested too deep", "make nodes a tree");
   const std::size_t i = which.index(doc.count("nodes"), "nodes");
@@ -32,7 +34,8 @@ void add_node(Document& doc, const Value& which, const Place& parent, std::size_
   const Place place = place_of(node).in(parent);
   if (const auto mesh = node.get("mesh")) add_mesh(doc, mesh->index(doc.count("meshes"), "meshes"), place, all);
   const auto children = node.get("children");
-  for (std::size_t k = 0; children && k < children->size(); ++k) add_node(doc, children->at(k), place, depth + 1, seen, all);
+  for (std::size_t k = 0; children && k < children->size(); ++k)
+    add_node(doc, children->at(k), place, depth + 1, seen, all);
 }
 
 std::size_t index_of_mesh(const Document& doc, const std::string& which) {
@@ -41,7 +44,8 @@ std::size_t index_of_mesh(const Document& doc, const std::string& which) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto name = doc.section("meshes", i).get("name");
     if (which == std::to_string(i) || (name && name->text() == which)) return i;
-    if (names.size() < 300) names += (i ? ", " : "") + std::to_string(i) + (name ? " (" + name->text().substr(0, 60) + ")" : "");
+    if (names.size() < 300)
+      names += (i ? ", " : "") + std::to_string(i) + (name ? " (" + name->text().substr(0, 60) + ")" : "");
   }
   throw Error(doc.path() + " has no mesh '" + which + "'", count ? "name one of: " + names : "it has none at all");
 }
@@ -64,8 +68,9 @@ Mesh mesh_of_gltf(const std::string& path, const std::string& which) {
     const auto roots = scene.get("nodes");
     for (std::size_t k = 0; roots && k < roots->size(); ++k) add_node(doc, roots->at(k), Place(), 0, seen, all);
   }
-  if (all.faces.empty()) throw Error(path + " has no triangles" + (which.empty() ? " in its scene" : " in mesh '" + which + "'"),
-                                     "give a file with meshes, or name one: --mesh NAME");
+  if (all.faces.empty())
+    throw Error(path + " has no triangles" + (which.empty() ? " in its scene" : " in mesh '" + which + "'"),
+                "give a file with meshes, or name one: --mesh NAME");
   return all;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kHullVertices = 256;
 constexpr std::size_t kMostParts = 16, kMostMeshes = 8;  // of a mesh; of a file: taking apart takes time
-constexpr double kGridBytes = 64.0 * 64 * 64 * 16;        // a grid of 60 cells along its length, and what is cut of it
+constexpr double kGridBytes = 64.0 * 64 * 64 * 16;       // a grid of 60 cells along its length, and what is cut of it
 
 /// Whether a hull is the mesh: it holds no more.
 bool is_convex(const Mesh& mesh, const Mesh& hull) { return std::fabs(volume_of(mesh)) >= 0.995 * volume_of(hull); }
@@ -32,7 +32,8 @@ Mesh Reader::mesh_of(const Value& geometry, const Vec& scale) {
     if (depth > 64) which.fail("has meshes nested too deep", "flatten the node");
     if (const auto mesh = node(i).get("mesh")) {
       const Mesh own_mesh = doc_.mesh(mesh->index(doc_.count("meshes"), "meshes"));
-      doc_.budget().charge(own_mesh.points.size() + own_mesh.faces.size(), 4 * sizeof(Vec), doc_.path() + ": " + which.place());
+      doc_.budget().charge(own_mesh.points.size() + own_mesh.faces.size(), 4 * sizeof(Vec),
+                           doc_.path() + ": " + which.place());
       const auto first = static_cast<std::uint32_t>(all.points.size());
       for (const Vec& x : own_mesh.points)
         all.points.push_back(scale.cwiseProduct(place.p + place.q * Vec(place.s.cwiseProduct(x))));
@@ -83,8 +84,10 @@ bool Reader::take_into_hulls(const Mesh& mesh, const Value& at, Hulls& hulls) {
     if (taken_apart_.size() < kMostMeshes) taken_apart_.emplace_back(mesh, Hulls());
     return false;
   };
-  if (taken_apart_.size() >= kMostMeshes) return as_hull("more than " + std::to_string(kMostMeshes) + " are not taken apart");
-  doc_.budget().charge(1, static_cast<std::uint64_t>(kGridBytes), doc_.path() + ": " + at.place() + ", taking it apart");
+  if (taken_apart_.size() >= kMostMeshes)
+    return as_hull("more than " + std::to_string(kMostMeshes) + " are not taken apart");
+  doc_.budget().charge(1, static_cast<std::uint64_t>(kGridBytes),
+                       doc_.path() + ": " + at.place() + ", taking it apart");
   PartsWanted wanted;
   wanted.most = kMostParts;
   wanted.concavity = length_of(mesh) / 20;
@@ -96,7 +99,8 @@ bool Reader::take_into_hulls(const Mesh& mesh, const Value& at, Hulls& hulls) {
   }
   for (const Mesh& hull : parts.hulls) hulls.push_back(hull_params(hull));
   char text[120];
-  std::snprintf(text, sizeof text, ": a mesh that moves collides as %zu convex parts that stand out of it by %.2g m at most",
+  std::snprintf(text, sizeof text,
+                ": a mesh that moves collides as %zu convex parts that stand out of it by %.2g m at most",
                 parts.hulls.size(), parts.outside);
   note(at.place() + text);
   taken_apart_.emplace_back(mesh, hulls);

@@ -15,8 +15,8 @@ std::uint32_t type_named(const Value& text) {
   return CAROM_BODY_DYNAMIC;
 }
 
-/// The two turns that an inertia which is infinite about two axes forbids, as locks. They forbid them for good if the third axis
-/// lies along one of the world's: no turn about an axis moves it.   @return 0: locks do not say it
+/// The two turns that an inertia which is infinite about two axes forbids, as locks. They forbid them for good if the
+/// third axis lies along one of the world's: no turn about an axis moves it.   @return 0: locks do not say it
 std::uint32_t locks_of_turns(const Value& motion, const Quat& world) {
   const Vec moments = motion["inertiaDiagonal"].vector();
   int third = 0;
@@ -29,9 +29,9 @@ std::uint32_t locks_of_turns(const Value& motion, const Quat& world) {
   return 0x38u & ~(8u << along);
 }
 
-/// An infinite moment that locks do not say is so much times the largest other. Not more: a step takes a blow with the moments
-/// as they lay when it began, so some h w^2 of it goes about the axis that hardly turns, and that times a very large moment
-/// makes a gyroscope of the body.
+/// An infinite moment that locks do not say is so much times the largest other. Not more: a step takes a blow with the
+/// moments as they lay when it began, so some h w^2 of it goes about the axis that hardly turns, and that times a very
+/// large moment makes a gyroscope of the body.
 constexpr double kHardly = 100;
 
 }  // namespace
@@ -52,9 +52,12 @@ void Reader::read_inertia(const Value& motion, const Node& n, Actor& actor) {
     moments.setConstant(moments.maxCoeff());
   } else if (some) {
     moments = (moments.array() == 0).select(kHardly * moments.maxCoeff(), moments);
-    note(given->place() + ": infinite about some axes; a hundred times the largest other, as locks hold turns about the world's axes alone");
+    note(given->place() +
+         ": infinite about some axes; a hundred times the largest other, as locks hold turns about the world's axes "
+         "alone");
   } else if (2 * moments.maxCoeff() > moments.sum() * (1 + 1e-6)) {
-    stage_.remarks.push_back("as given: " + given->place() + " is of no body: one moment is larger than the two others together");
+    stage_.remarks.push_back("as given: " + given->place() +
+                             " is of no body: one moment is larger than the two others together");
   }
   const Eigen::Matrix3d axes = motion.rotation_or("inertiaOrientation").toRotationMatrix();
   const Eigen::Matrix3d inertia = axes * moments.asDiagonal() * axes.transpose();
@@ -124,7 +127,8 @@ void Reader::finish_body(std::size_t i, std::size_t a) {
     if (motion && !mine && !is_omi(*motion)) {
       if (motion->has("mass") && motion->number_or("mass", 1) == 0) locks |= 0x7;
       if (motion->has("inertiaDiagonal") && motion->has("mass"))
-        locks |= (*motion)["inertiaDiagonal"].vector() == Vec::Zero() ? 0x38 : locks_of_turns(*motion, nodes_[i].world.q);
+        locks |=
+            (*motion)["inertiaDiagonal"].vector() == Vec::Zero() ? 0x38 : locks_of_turns(*motion, nodes_[i].world.q);
       name_what_locks_stop(*motion, locks);
     }
     if (locks) call.done(carom_body_set_locks(world, actor.body, locks, call), at.place() + "/locks");

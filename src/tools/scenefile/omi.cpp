@@ -1,8 +1,9 @@
-// OMI_physics_body, OMI_physics_shape, OMI_physics_joint and OMI_physics_gravity: bodies and joints have the structure of the
-// KHR extension, and are read by what reads that; here is what they say otherwise.
+// OMI_physics_body, OMI_physics_shape, OMI_physics_joint and OMI_physics_gravity: bodies and joints have the structure
+// of the KHR extension, and are read by what reads that; here is what they say otherwise.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "scenefile/reader.h"
 
@@ -20,7 +21,8 @@ Vec direction_of(const Value& at) {
 
 /// Words of names of extensions that are about physics.
 bool sounds_like_physics(const std::string& name) {
-  static constexpr const char* kWords[] = {"physics", "rigid", "collision", "collider", "joint", "vehicle", "gravity", "cloth", "soft_body"};
+  static constexpr const char* kWords[] = {"physics", "rigid",   "collision", "collider", "joint",
+                                           "vehicle", "gravity", "cloth",     "soft_body"};
   return std::ranges::any_of(kWords, [&](const char* word) { return name.find(word) != std::string::npos; });
 }
 
@@ -28,7 +30,9 @@ bool sounds_like_physics(const std::string& name) {
 
 Maybe Reader::of_document(const Value& of) const {
   const bool joint = of.place().find("/extensions/OMI_physics_joint") != std::string::npos;
-  return Document::extension(doc_.root(), joint ? "OMI_physics_joint" : is_omi(of) ? "OMI_physics_body" : "KHR_physics_rigid_bodies");
+  return Document::extension(doc_.root(), joint        ? "OMI_physics_joint"
+                                          : is_omi(of) ? "OMI_physics_body"
+                                                       : "KHR_physics_rigid_bodies");
 }
 
 Maybe Reader::omi_index(const Value& of, const char* key) {
@@ -42,7 +46,8 @@ Maybe Reader::omi_details(const Value& shape) {
   if (const auto inner = shape.get(shape["type"].text().c_str())) return inner;
   for (const char* key : {"size", "radius", "radiusTop", "radiusBottom", "height", "mesh"})
     if (shape.has(key)) {
-      note(shape.place() + "/" + key + ": read as in an earlier draft of OMI_physics_shape, that had it beside the type");
+      note(shape.place() + "/" + key +
+           ": read as in an earlier draft of OMI_physics_shape, that had it beside the type");
       break;
     }
   return shape;
@@ -83,58 +88,83 @@ void Reader::read_omi_gravity() {
   call.done(carom_world_set_gravity(stage_.world.get(), g.data(), call), gravity->place());
 }
 
-/// Volumes with gravity of their own become force fields, where these do the same.
-void Reader::make_gravity_volumes() {
-  std::vector<std::pair<std::size_t, Value>> volumes;
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (const auto gravity = Document::extension(node(i), "OMI_physics_gravity"); gravity && nodes_[i].parent != kNone)
-      volumes.emplace_back(i, *gravity);
-  for (const auto& [i, gravity] : volumes)
-    if (!make_gravity_volume(i, gravity, volumes.size() == 1))
-      remark(gravity.place() + ": gravity of a volume that no force field does exactly");
+/// Where gravity of its own holds: the one shape of a trigger.
+struct Reader::GravityVolume {
+  std::size_t node;
+  Value gravity;
+  Place at{};                                              // of the shape
+  Part shape{};                                            // a box or a sphere, or nothing that is known here
+  double reach = std::numeric_limits<double>::infinity();  // m, from its middle
+};
+
+void Reader::find_volume(GravityVolume& volume) {
+  const auto trigger_of = [&](std::size_t n) -> Maybe {
+    const auto body = Document::extension(node(n), "OMI_physics_body");
+    return body ? body->get("trigger") : body;
+  };
+  std::size_t n = volume.node;
+  auto trigger = trigger_of(n);
+  if (trigger && !omi_index(*trigger, "shape"))
+    if (const auto several = trigger->get("nodes"); several && several->size() == 1)
+      n = several->at(0).index(nodes_.size(), "nodes"), trigger = trigger_of(n);
+  const auto which = trigger ? omi_index(*trigger, "shape") : trigger;
+  const auto all = Document::extension(doc_.root(), "OMI_physics_shape");
+  if (!which || !all) return;
+  const Value shapes = (*all)["shapes"], shape = shapes.at(which->index(shapes.size(), "shapes"));
+  volume.at = nodes_[n].world;
+  const std::string& form = shape["type"].text();
+  if (form != "box" && form != "sphere") return;
+  read_shape(shape, volume.at.s.cwiseAbs(), volume.shape);
+  const std::vector<double>& size = volume.shape.params;
+  volume.reach = size.size() == 3 ? Vec(size[0], size[1], size[2]).norm() : size[0];
 }
 
-/// @param is_alone  no other volume can be in the same place
-bool Reader::make_gravity_volume(std::size_t i, const Value& gravity, bool is_alone) {
-  const auto body = Document::extension(node(i), "OMI_physics_body");
-  const auto trigger = body ? body->get("trigger") : std::nullopt;
-  if (!trigger) return false;
-  std::size_t n = i;  // the node of its one shape
-  auto shape_index = omi_index(*trigger, "shape");
-  if (const auto several = trigger->get("nodes"); several && !shape_index) {
-    if (several->size() != 1) return false;
-    n = several->at(0).index(nodes_.size(), "nodes");
-    const auto there = Document::extension(node(n), "OMI_physics_body");
-    const auto its = there ? there->get("trigger") : std::nullopt;
-    shape_index = its ? omi_index(*its, "shape") : std::nullopt;
+/// Volumes with gravity of their own become force fields, where these do the same.
+void Reader::make_gravity_volumes() {
+  std::vector<GravityVolume> volumes;
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (const auto gravity = Document::extension(node(i), "OMI_physics_gravity");
+        gravity && nodes_[i].parent != kNone) {
+      constexpr std::size_t kMost = 1000;  // each is compared with each
+      if (volumes.size() == kMost) gravity->fail("is one of more than 1000 volumes with gravity", "join some");
+      doc_.budget().charge(1, sizeof(GravityVolume), doc_.path() + ": " + gravity->place());
+      volumes.push_back({i, *gravity});
+      find_volume(volumes.back());
+    }
+  for (const GravityVolume& v : volumes) {
+    const auto flag = [&](const char* key) { return v.gravity.has(key) && v.gravity[key].boolean(); };
+    const bool has_say = flag("stop") || flag("replace");  // over others in the same place: let there be none
+    const bool meets = has_say && std::ranges::any_of(volumes, [&](const GravityVolume& other) {
+                         return other.node != v.node && !((other.at.p - v.at.p).norm() > other.reach + v.reach);
+                       });
+    if (meets || !make_gravity_volume(v, flag("stop")))
+      remark(v.gravity.place() + ": gravity of a volume that no force field does exactly");
   }
-  const auto all = Document::extension(doc_.root(), "OMI_physics_shape");
-  if (!shape_index || !all) return false;
-  const Value shapes = (*all)["shapes"], shape = shapes.at(shape_index->index(shapes.size(), "shapes"));
-  const auto flag = [&](const char* key) { return gravity.has(key) && gravity[key].boolean(); };
-  if ((flag("stop") || flag("replace")) && !is_alone) return false;
+}
+
+/// @param stops  the world's gravity does not count in it
+bool Reader::make_gravity_volume(const GravityVolume& v, bool stops) {
   Vec world_gravity;
   Call call;
-  call.done(carom_world_get_gravity(stage_.world.get(), world_gravity.data(), call), gravity.place());
-  const Place &at = nodes_[i].world, &there = nodes_[n].world;
-  Part volume;
-  if (const std::string& form = shape["type"].text(); form == "box" || form == "sphere") read_shape(shape, there.s.cwiseAbs(), volume);
-  const std::string& type = gravity["type"].text();
-  const double strength = gravity["gravity"].number(-1e9, 1e9);
-  const auto details = gravity.get(type.c_str());
+  call.done(carom_world_get_gravity(stage_.world.get(), world_gravity.data(), call), v.gravity.place());
+  const Place& origin = nodes_[v.node].world;
+  const std::string& type = v.gravity["type"].text();
+  const double strength = v.gravity["gravity"].number(-1e9, 1e9);
+  const auto details = v.gravity.get(type.c_str());
   carom_force_field_desc d;
   carom_force_field_desc_init(&d);
-  put(d.position, there.p);
-  if (type == "directional" && volume.shape == "box") {
-    std::copy(there.q.coeffs().data(), there.q.coeffs().data() + 4, d.orientation);
-    std::copy(volume.params.begin(), volume.params.end(), d.half);
-    const Vec own_gravity = strength * (at.q * (details ? direction_of(*details) : Vec(0, -1, 0)));
-    put(d.vector, flag("stop") ? Vec(own_gravity - world_gravity) : own_gravity);
+  put(d.position, v.at.p);
+  if (type == "directional" && v.shape.shape == "box") {
+    std::copy(v.at.q.coeffs().data(), v.at.q.coeffs().data() + 4, d.orientation);
+    std::copy(v.shape.params.begin(), v.shape.params.end(), d.half);
+    const Vec own_gravity = strength * (origin.q * (details ? direction_of(*details) : Vec(0, -1, 0)));
+    put(d.vector, stops ? Vec(own_gravity - world_gravity) : own_gravity);
     d.kind = CAROM_FORCE_FIELD_UNIFORM;
-  } else if (type == "point" && volume.shape == "sphere" && at.p == there.p && (!flag("stop") || world_gravity.isZero(0))) {
+  } else if (type == "point" && v.shape.shape == "sphere" && origin.p == v.at.p &&
+             (!stops || world_gravity.isZero(0))) {
     const double unit = details ? details->number_or("unitDistance", 0, 0, 1e9) : 0;
     d.kind = CAROM_FORCE_FIELD_RADIAL;
-    d.strength = -strength, d.reach = volume.params[0];
+    d.strength = -strength, d.reach = v.shape.params[0];
     d.falloff = unit > 0 ? 2 : 0;
     if (unit > 0) d.reference = unit;
   } else {
@@ -154,7 +184,8 @@ void Reader::name_how_materials_mix() {
       for (std::size_t k = 0; materials && k < materials->size(); ++k)
         if (const auto rule = materials->at(k).get(key)) multiplying += rule->text() == "multiply";
       if (multiplying > 0 && multiplying < materials->size())
-        note(materials->place() + ": some multiply (" + key + "), others do not; where two such touch, the two are multiplied");
+        note(materials->place() + ": some multiply (" + key +
+             "), others do not; where two such touch, the two are multiplied");
     }
   }
 }
@@ -171,8 +202,10 @@ void Reader::name_what_is_not_read() {
   for (std::size_t i = 0; i < doc_.count("nodes"); ++i) {
     const auto omi = Document::extension(node(i), "OMI_physics_body");
     if (omi && omi->has("type")) remark(omi->place() + "/type: a body of an earlier draft");
-    if (omi && Document::extension(node(i), "KHR_physics_rigid_bodies")) remark(omi->place() + ": beside KHR_physics_rigid_bodies, which holds");
-    if (const auto old = Document::extension(node(i), "OMI_collider")) remark(old->place() + ": a collider of an earlier draft");
+    if (omi && Document::extension(node(i), "KHR_physics_rigid_bodies"))
+      remark(omi->place() + ": beside KHR_physics_rigid_bodies, which holds");
+    if (const auto old = Document::extension(node(i), "OMI_collider"))
+      remark(old->place() + ": a collider of an earlier draft");
     const auto body = khr(node(i));
     const auto trigger = body ? body->get("trigger") : std::nullopt;
     if (trigger && trigger->has("nodes") && (*trigger)["nodes"].size() > 1)

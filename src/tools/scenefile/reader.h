@@ -95,7 +95,9 @@ class Reader {
   void read_omi_shape(const Value& which, const Vec& scale, bool moves, Part& part, Hulls& hulls);
   void read_omi_gravity();
   void make_gravity_volumes();
-  bool make_gravity_volume(std::size_t node, const Value& gravity, bool is_alone);
+  struct GravityVolume;
+  void find_volume(GravityVolume& volume);
+  bool make_gravity_volume(const GravityVolume& volume, bool stops);
   void name_what_is_not_read();
   void name_how_materials_mix();
 
