@@ -297,9 +297,10 @@ static void a_mesh_that_moves_is_hollow_where_it_is(void**) {
   trough().put_into(d);
   ReadScene w(d);
   const std::size_t parts = w.stage.actors[w.index("trough")].parts.size();
-  assert_true(parts >= 3 && parts <= 16 && w.says(std::to_string(parts) + " convex parts that stand out of it by"));
+  assert_true(parts >= 3 && parts <= 8 && w.says(std::to_string(parts) + " convex parts that stand out of it by"));
   w.run(3);
-  is_near(w.at("ball").y(), 0.45, 0.03);  // in the hollow, and not on its hull, at 1.45
+  // In the hollow, and not on its hull, at 1.45: parts may stand out by a tenth of the mesh's length of 2 m.
+  is_near(w.at("ball").y(), 0.45, 0.2);
   json brick = d;
   for (const char* key : {"meshes", "buffers", "bufferViews", "accessors"}) brick.erase(key);
   Scenery solid;

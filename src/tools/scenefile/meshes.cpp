@@ -10,8 +10,9 @@ namespace carom::tools::scenefile {
 namespace {
 
 constexpr std::size_t kHullVertices = 256;
-constexpr std::size_t kMostParts = 16, kMostMeshes = 8;  // of a mesh; of a file: taking apart takes time
-constexpr double kGridBytes = 64.0 * 64 * 64 * 16;       // a grid of 60 cells along its length, and what is cut of it
+// Of a mesh; of a file. Taking one apart takes up to half a second, and a file of strangers may take two in all.
+constexpr std::size_t kMostParts = 8, kMostMeshes = 2;
+constexpr double kGridBytes = 64.0 * 64 * 64 * 16;  // more than a grid of 32 cells along its length, and what is cut of it
 
 /// Whether a hull is the mesh: it holds no more.
 bool is_convex(const Mesh& mesh, const Mesh& hull) { return std::fabs(volume_of(mesh)) >= 0.995 * volume_of(hull); }
@@ -90,7 +91,7 @@ bool Reader::take_into_hulls(const Mesh& mesh, const Value& at, Hulls& hulls) {
                        doc_.path() + ": " + at.place() + ", taking it apart");
   PartsWanted wanted;
   wanted.most = kMostParts;
-  wanted.concavity = length_of(mesh) / 20;
+  wanted.concavity = length_of(mesh) / 10;
   Parts parts;
   try {
     parts = take_apart(mesh, wanted);
