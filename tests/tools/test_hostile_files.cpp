@@ -155,6 +155,15 @@ std::vector<Case> cases() {
                                       json::array({{{"kind", "uniform"}, {"mask", "-1"}}})), {"/mask"});
   add("a falloff in part", with(minimal(), "/extensions/CAROM_physics/fields",
                                 json::array({{{"kind", "radial"}, {"falloff", 1.5}}})), {"/falloff", "whole number"});
+  for (const int axis : {0, 2}) {  // what is left of three when it is taken twice
+    json twice = minimal();
+    twice["nodes"][0]["extensions"]["KHR_physics_rigid_bodies"] = {{"motion", {{"mass", 1}}}, {"joint", {{"connectedNode", 1}, {"joint", 0}}}};
+    twice["nodes"].push_back(json::object());
+    twice["scenes"][0]["nodes"].push_back(1);
+    twice["extensions"]["KHR_physics_rigid_bodies"]["physicsJoints"] =
+        json::array({{{"limits", json::array({{{"angularAxes", {axis, axis}}, {"min", -1}, {"max", 1}}})}}});
+    add("an axis named twice", twice, {"/angularAxes/1", "named twice"});
+  }
   for (const char* uri : {"/etc/hostname", "../secret.bin", "sub/../../secret.bin", "%2e%2e/secret.bin", "file://secret.bin", "bad%zz.bin",
                           "link.bin", "pipe.bin", "sublink/inner.bin", "folder", "missing.bin", ""})
     add("a buffer elsewhere", with(minimal(), "/buffers", json::array({{{"byteLength", 4}, {"uri", uri}}})), {"/buffers/0/uri"});

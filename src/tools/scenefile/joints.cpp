@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "scenefile/axes.h"
 #include "scenefile/reader.h"
@@ -82,8 +83,10 @@ bool Reader::plan_joint(const Value& joint, Plan& plan) {
       if (r.soft) remark(limit.place() + ": stiffness of a limit; it is hard"), r.locked = false;
       const bool turns = limit.has("angularAxes");
       const Value axes = limit[turns ? "angularAxes" : "linearAxes"];
+      bool named[3] = {};
       for (std::size_t a = 0; a < axes.size(); ++a) {
         const std::size_t axis = axes.at(a).index(3, "axes");
+        if (std::exchange(named[axis], true)) axes.at(a).fail("is named twice", "name each axis once");
         if (r.locked || axes.size() == 1) (turns ? angular : linear)[axis] = r;
       }
       if (!r.locked && axes.size() == 3 && !turns)
