@@ -124,7 +124,7 @@ struct carom_height_field_desc { uint32_t struct_size; uint32_t flags; uint32_t 
 struct carom_scenery_info { uint32_t struct_size; uint32_t flags; uint64_t pieces; uint64_t vertices; uint64_t dropped; uint64_t rims; uint64_t bytes; };
 struct carom_shape_info { uint32_t struct_size; uint32_t form; uint32_t is_half_space; uint32_t mass_exact; carom_plugin plugin; uint64_t param_count; double core_radius; double bounding_radius; double aabb_min[3]; double aabb_max[3]; double volume; double volume_min; double volume_max; double centroid[3]; double centroid_error; double inertia[9]; double inertia_error; uint32_t is_scenery; uint32_t reserved; };
 struct carom_world_desc { uint32_t struct_size; uint32_t reserved; double gravity[3]; uint64_t body_capacity; };
-struct carom_step_report { uint32_t struct_size; uint32_t stage_count; double stage_seconds[16]; double total_seconds; uint64_t steps; double time; uint64_t bodies; uint64_t dynamic_bodies; uint64_t colliders; uint64_t broad_pairs; uint64_t contact_pairs; uint64_t contact_points; uint64_t groups; uint64_t largest_group; uint64_t gjk_calls; uint64_t epa_calls; uint64_t support_calls; uint64_t velocity_impulses; uint64_t position_moves; uint64_t quarantined_bodies; uint64_t faults; double max_penetration; double mean_penetration; double max_closing_speed; double linear_energy; double angular_energy; uint64_t asleep_bodies; uint64_t fell_asleep; uint64_t woke_up; uint64_t direct_groups; double solver_residual; uint64_t particles; uint64_t quarantined_particles; uint64_t swept_bodies; uint64_t sweep_hits; };
+struct carom_step_report { uint32_t struct_size; uint32_t stage_count; double stage_seconds[16]; double total_seconds; uint64_t steps; double time; uint64_t bodies; uint64_t dynamic_bodies; uint64_t colliders; uint64_t broad_pairs; uint64_t contact_pairs; uint64_t contact_points; uint64_t groups; uint64_t largest_group; uint64_t gjk_calls; uint64_t epa_calls; uint64_t support_calls; uint64_t velocity_impulses; uint64_t position_moves; uint64_t quarantined_bodies; uint64_t faults; double max_penetration; double mean_penetration; double max_closing_speed; double linear_energy; double angular_energy; uint64_t asleep_bodies; uint64_t fell_asleep; uint64_t woke_up; uint64_t direct_groups; double solver_residual; uint64_t particles; uint64_t quarantined_particles; uint64_t swept_bodies; uint64_t sweep_hits; uint64_t wedged_groups; uint64_t refused_answers; };
 struct carom_contact { carom_collider collider_a; carom_collider collider_b; carom_body body_a; carom_body body_b; double point[3]; double normal[3]; double separation; double normal_impulse; double friction_impulse; };
 struct carom_group { carom_body body; uint32_t bodies; uint32_t points; uint32_t solver; uint32_t reason; double mass_ratio; double sink; };
 struct carom_fault { uint32_t kind; uint32_t reserved; carom_shape shape; carom_body body; double dir[3]; double out[3]; carom_particles particles; uint64_t particle; };
@@ -655,5 +655,5 @@ return {
   CAROM_ASK_GENERIC = 1,
   CAROM_ASK_SENSORS = 2,
   VERSION = "1.8.0",
-  ROWS = 614, -- of the layout manifest
+  ROWS = 616, -- of the layout manifest
 }

@@ -108,6 +108,10 @@ typedef struct carom_step_report {
   uint64_t quarantined_particles; /**< of them, held still since their state left the world   @since 1.4 */
   uint64_t swept_bodies;       /**< swept from pose to pose, see carom_body_set_continuous()   @since 1.6 */
   uint64_t sweep_hits;         /**< what they met in the step's substeps, answered at its moment   @since 1.6 */
+  uint64_t wedged_groups;      /**< groups of the direct solver, counted a substep, that no velocity could satisfy, as
+                                    where two surfaces close on a body: answered by contacts that yield   @since 1.8 */
+  uint64_t refused_answers;    /**< answers of the direct solver by which contacts would have given energy, counted a
+                                    substep: answered again by sweeps, which can't   @since 1.8 */
 } carom_step_report;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */

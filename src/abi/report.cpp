@@ -60,6 +60,8 @@ void fill_report(const StepReport& from, carom_step_report& to) {
   to.quarantined_particles = from.quarantined_particles;
   to.swept_bodies = from.swept_bodies;
   to.sweep_hits = from.sweep_hits;
+  to.wedged_groups = from.wedged_groups;
+  to.refused_answers = from.refused_answers;
 }
 
 carom_contact contact(const World& world, const ContactView& view) {

@@ -122,8 +122,8 @@ static void handle_numbers_do_not_matter(void **state) {
  * floats (soft_step, sequential, auto). When physics is meant to change, so do these: say why in the commit. */
 static void the_bits_are_those_of_every_other_build(void **state) {
   const uint64_t golden[kSettings] = {0x88ee72e540d68689u, 0xec2c25f96faf8269u, 0x405ea7efd57a17d2u,
-                                      0xee7afc09fbf82806u, 0xa0cc405ad39ace27u, 0xe4a53360d1d80224u,
-                                      0x972586395ffed5fcu, 0x6edb6ce64f338656u, 0xb009224c34be6b43u};
+                                      0xee7afc09fbf82806u, 0x47ca4561d6943109u, 0xc36791e0ed245f8bu,
+                                      0x972586395ffed5fcu, 0x6edb6ce64f338656u, 0x3887bf78f2b43603u};
   int setting, wrong = 0;
   (void)state;
   for (setting = 0; setting < kSettings; ++setting) {
@@ -175,8 +175,8 @@ static void so_are_those_of_particles(void **state) {
 /* The same of joints, by solver (sequential, soft_step, direct, auto): one of each kind between the world and the bodies of
  * the stage, a motor, a spring and limits on them; 200 steps. */
 static void so_are_those_of_joints(void **state) {
-  const uint64_t golden[4] = {0x5f950bb44f43bcb2u, 0xce2653b98d6a8066u, 0xd702a7a3b2c295cau,
-                                      0xd702a7a3b2c295cau};
+  const uint64_t golden[4] = {0x5f950bb44f43bcb2u, 0xce2653b98d6a8066u, 0x4b904f31c5895b60u,
+                                      0x4b904f31c5895b60u};
   uint32_t solver, kind;
   int wrong = 0;
   (void)state;
@@ -215,8 +215,8 @@ static void so_are_those_of_joints(void **state) {
 /* The same of bodies with a gravity factor, of locked bodies (also on a joint) and of belts, by solver, and of sequential and
  * soft_step with contacts in floats. 200 steps. */
 static void so_are_those_of_factors_locks_and_belts(void **state) {
-  const uint64_t golden[6] = {0xe22e875ce8e11a2bu, 0xa77de7ceccc91855u, 0x815a16fde920566au,
-                                      0x4eecc31f78c2c12au, 0x09cdd376cb79590du, 0x8edf02f13b541c4fu};
+  const uint64_t golden[6] = {0xe22e875ce8e11a2bu, 0xa77de7ceccc91855u, 0xb15c2d08bb6fc839u,
+                                      0x0d2a3849a4a460c2u, 0x09cdd376cb79590du, 0x8edf02f13b541c4fu};
   const double belt[3] = {0.75, 0, 0.25}, turn[3] = {0, 0.5, 0};
   uint32_t i;
   int wrong = 0;
@@ -251,7 +251,7 @@ static void so_are_those_of_factors_locks_and_belts(void **state) {
 /* The same of a heap so large that its bodies are halved into regions, on one to three threads: sequential, soft_step and
  * auto, and soft_step with contacts in floats. 40 steps. */
 static void so_are_those_of_heaps(void **state) {
-  const uint64_t golden[4] = {0x3fa6b0bca692c016u, 0x447a5a709f5d18a8u, 0x58caa9ed55376bb2u,
+  const uint64_t golden[4] = {0x3fa6b0bca692c016u, 0x447a5a709f5d18a8u, 0x344122a767584e47u,
                                       0x875c16a3c58c1654u};
   const uint32_t solver[4] = {CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_AUTO, CAROM_SOLVER_SOFT_STEP};
   int i, k, wrong = 0;

@@ -973,6 +973,8 @@ class carom_step_report(ctypes.Structure):
     quarantined_particles: int
     swept_bodies: int
     sweep_hits: int
+    wedged_groups: int
+    refused_answers: int
 class carom_contact(ctypes.Structure):
     """A contact point of the last step."""
     collider_a: int

@@ -260,8 +260,28 @@ void spare_the_tired(const World& world, SolverMemory& memory) {
   }
 }
 
+/// Groups that the direct solver gave up in the last step start softly from nothing: impulses that all but cancel each
+/// other, as where surfaces close on a body, would throw it.
+void drop_impulses_of_new_tired(const World& world) {
+  Contacts& c = *world.contacts;
+  for (std::size_t g = 0; g < c.groups(); ++g) {
+    if (c.direct[g] != Contacts::kSoftly) continue;
+    const auto rows = std::span(c.group_rows.data() + c.group_begin[g], c.group_begin[g + 1] - c.group_begin[g]);
+    const auto is_new = [&](std::uint32_t i) {
+      const Row& row = c.rows[i];
+      const auto is_new_tired = [&](bool moves, std::uint32_t body) {
+        return moves && world.state.tired_steps[body] == kTiredFor - 1;
+      };
+      return is_new_tired(row.moves_a, row.a) || is_new_tired(row.moves_b, row.b);
+    };
+    if (std::ranges::any_of(rows, is_new))
+      for (const std::uint32_t i : rows) c.rows[i].p.set_zero();
+  }
+}
+
 void auto_begin(const World& world, Solver::Begins to, const StepTime& time) {
   choose(world, to, to, to, time.h);
+  drop_impulses_of_new_tired(world);
   kSoftStep.begin(world, to, time);
   gather_groups(world, to);
 }

@@ -66,6 +66,9 @@ void print_summary(const Stage& stage, const Observer* observer, const RunSummar
   if (run.last.direct_groups || run.last.solver_residual > 0)
     std::printf("direct solver: %llu groups chosen for it at the end, residual %.2g m/s\n",
                 count(run.last.direct_groups), run.last.solver_residual);
+  if (run.wedged_groups || run.refused_answers)
+    std::printf("answered otherwise, over the run: %llu groups that surfaces close on, %llu that would have gained energy\n",
+                count(run.wedged_groups), count(run.refused_answers));
   std::printf(
       "residuals at the end: penetration max %.3f mm, mean %.3f mm (worst during the run %.1f mm); closing speed "
       "%.4f m/s\n",

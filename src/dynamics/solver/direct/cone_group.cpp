@@ -5,6 +5,7 @@
 #include "dynamics/quarantine.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
+#include "dynamics/solver/direct/least_force.h"
 #include "dynamics/solver/direct/load.h"
 #include "dynamics/solver/direct/round.h"
 
@@ -24,6 +25,12 @@ void start_from_loads(ConeProblem& problem) {
   const Real share = size2 > 0 ? std::clamp(along / size2, Real(0), Real(1)) : 1;
   for (ConeContact& c : problem.contacts) c.next_p = c.start_p + share * (c.p - c.start_p);
   for (ConeLink& c : problem.links) c.next_p = c.start_p + share * (c.p - c.start_p);
+}
+
+/// Impulses that all but cancel each other where bodies are now would throw them where they will be.
+void start_from_nothing(ConeProblem& problem) {
+  for (ConeContact& c : problem.contacts) c.next_p.set_zero();
+  for (ConeLink& c : problem.links) c.next_p = 0;
 }
 
 /// What was never solved before takes the time it takes, once.
@@ -134,6 +141,11 @@ Real ConeGroup::start(Real h) {
   });
   if (is_joined()) stiffen(world_, problem_, link_row_, h);
   load_links(world_, problem_, link_row_, LinkPhase::move, h);
+  for (ConeBody& b : bodies_of(problem_)) b.before = b.v;
+  if (const Real share = share_that_helps(problem_); share < 1) {
+    for (ConeContact& contact : problem_.contacts) contact.p *= share, contact.start_p = contact.p;
+    for (ConeBody& b : bodies_of(problem_)) b.gradient = share * b.gradient;
+  }
   for (const ConeLink& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);
   for (ConeBody& b : bodies_of(problem_)) {
     b.change = velocity_of(b, b.gradient);
@@ -161,7 +173,7 @@ void ConeGroup::follow_impulses() {
 }
 
 void ConeGroup::keep(Velocities& to) {
-  if (answer_.factorisations > 0 && !is_joined()) follow_impulses();
+  if (answer_.factorisations > 0 && !is_joined() && !answer_.is_by_sweeps) follow_impulses();
   each([&](const ConeContact& contact, std::uint32_t i) {
     c_.rows[i].p = contact.next_p;
     c_.rows[i].u = contact.u;
@@ -170,6 +182,28 @@ void ConeGroup::keep(Velocities& to) {
   keep_links(world_, problem_, link_row_);
   book_links(world_, problem_, link_row_);
   for (const ConeBody& b : bodies_of(problem_)) store(to, b);
+}
+
+/// Impulses, by the law and the rules beside it (least_force.h).
+void ConeGroup::find(Real goal, std::uint32_t most_steps) {
+  const bool shares = is_joined() && !problem_.contacts.empty();
+  answer_ = shares ? solve_with_least_force(problem_, goal, most_steps) : solve_cones(problem_, goal, most_steps);
+  if (answer_.reached || !is_wedged(problem_)) return;
+  const std::uint32_t taken = answer_.factorisations;
+  for (ConeContact& c : problem_.contacts) c.p = -c.p;
+  for (ConeLink& c : problem_.links) c.p = -c.p;
+  apply_impulses(problem_);
+  for (ConeContact& c : problem_.contacts) c.p.set_zero();
+  for (ConeLink& c : problem_.links) c.p = 0;
+  answer_ = solve_with_least_force(problem_, goal, most_steps);
+  answer_.factorisations += taken;
+}
+
+void ConeGroup::refuse_gain() {
+  if (answer_.factorisations == 0) return;
+  if (!gives_energy(problem_, world_.scene.dials[Dial::velocity_tolerance])) return;
+  answer_by_sweeps(problem_);
+  answer_.residual = residual(problem_), answer_.reached = false, answer_.is_by_sweeps = true;
 }
 
 void ConeGroup::solve(Velocities& to, Real h, std::uint64_t work, int substeps) {
@@ -185,7 +219,7 @@ void ConeGroup::solve(Velocities& to, Real h, std::uint64_t work, int substeps) 
   const Real goal = is_joined() ? std::min(enough, fine()) : enough;
   const bool lies = !is_joined() && fastest_any_way(problem_) < world_.scene.dials[Dial::velocity_tolerance];
   const std::uint32_t most_steps = allowed_steps(lies ? rest_.work : work / static_cast<std::uint64_t>(substeps));
-  answer_ = solve_cones(problem_, goal, most_steps);
+  find(goal, most_steps);
   for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
     if (has_ring(problem_, link_row_)) {
       shed_self_stress(problem_);
@@ -194,11 +228,15 @@ void ConeGroup::solve(Velocities& to, Real h, std::uint64_t work, int substeps) 
     for (ConeLink& link : problem_.links) link.next_p = link.p;
     keep_links(world_, problem_, link_row_);
     start(h);
-    answer_ = solve_cones(problem_, goal, most_steps);
+    find(goal, most_steps);
   }
+  refuse_gain();
   book_work();
   rest_.gave_up |= rest_.is_bounded && !is_joined() && is_far_off(answer_, world_.scene.dials);
-  start_from_loads(problem_);
+  if (answer_.is_wedged || answer_.is_by_sweeps)
+    start_from_nothing(problem_);
+  else
+    start_from_loads(problem_);
   keep(to);
   rest_.is_first = false;
   rest_.lasts = !is_joined() && answer_.factorisations == 0 && least >= -world_.scene.dials[Dial::position_tolerance] &&

@@ -34,6 +34,8 @@ class ConeGroup {
   Real start(Real h);
   void follow_bodies();
   void follow_impulses();
+  void find(Real goal, std::uint32_t most_steps);
+  void refuse_gain();
   void keep(Velocities& to);
   Real displacement_share() const;
   void turn_frames();

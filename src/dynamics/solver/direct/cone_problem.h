@@ -28,6 +28,8 @@ struct ConeContact {
   Vec3 start_p;  // N s, p as the substep began
   Vec3 next_p;   // N s, p as the next one begins
   Real k;        // 1/kg, mean velocity at the point per impulse there
+  Real give;     // 1/kg, by which it yields while forces are undetermined: @see least_force.h
+  Vec3 least_p;  // N s, of the answer with that
   Vec3 p;        // N s, on B, world
   Vec3 u;        // m/s, relative velocity with p and all others acting
 
@@ -49,6 +51,7 @@ struct ConeBody {
   std::uint8_t locks = 0;     // @see Scene::locks
   bool turns = false;         // it rotates
   Vec6 v;                     // m/s, rad/s
+  Vec6 before;                // without any impulse of this substep
   Vec6 start, gained;         // with the impulses that the substep starts from; since the last substep, with them
 
   Mat3 swing;  // kg m^2, scratch: @see stiffen()
@@ -156,6 +159,8 @@ inline Real slip_of(const ConeContact& c) {
 struct ConeAnswer {
   Real residual = 0;                 // m/s, @see residual()
   bool reached = false;              // it is within the tolerance
+  bool is_wedged = false;            // no velocity obeys the law: @see least_force.h
+  bool is_by_sweeps = false;         // the solver's own would have given energy
   std::uint32_t rounds = 0;          // proximal
   std::uint32_t factorisations = 0;  // Newton steps
 };

@@ -78,6 +78,7 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
       contact.r_a = carried_a.turns ? r_a : Vec3::zero();
       contact.r_b = carried_b.turns ? r_b : Vec3::zero();
       contact.k = places.response[k];
+      contact.give = 0;
       contact.carried = carries ? Vec3(carried_b.at(r_b) - carried_a.at(r_a)) : Vec3::zero();
       if (!c.surface.empty()) contact.carried += c.surface[pair.row + k];
     }

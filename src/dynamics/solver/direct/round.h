@@ -6,8 +6,8 @@
 namespace carom::dynamics {
 
 /// Minimises over velocities v
-///     |v - v0|^2_M / 2 - sum p0.(u - u0) + sum R |P_K(p0 - y / R)|^2 / 2,   R = softness * k,
-/// whose gradient is nought where momentum and the impulses P_K(p0 - y / R) agree.
+///     |v - v0|^2_M / 2 - sum p0.(u - u0) + sum R |P_K(z)|^2 / 2,   z = p0 - (y + give p0) / R,   R = softness * k + give,
+/// whose gradient is nought where momentum and the impulses P_K(z) agree.
 class Round {
  public:
   Round(ConeProblem& problem, Real softness);
@@ -18,9 +18,11 @@ class Round {
   void take_back();
 
  private:
-  Real resistance(const ConeContact& c) const { return softness_ * c.k; }
-  /// p0 - y / R at velocity u.
-  Vec3 pull(const ConeContact& c, const Vec3& u) const { return c.p0 - (u - (c.want - c.slip) * c.n) / resistance(c); }
+  Real resistance(const ConeContact& c) const { return softness_ * c.k + c.give; }
+  /// Impulse before it is projected, at velocity u.
+  Vec3 pull(const ConeContact& c, const Vec3& u) const {
+    return c.p0 - (u - (c.want - c.slip) * c.n + c.give * c.p0) / resistance(c);
+  }
   /// Impulses at the present velocities, and what is lacking in the bodies' momentum.
   /// @return m/s, the most that a contact's velocity would change if bodies had the momentum that impulses give
   Real find_gradient();

@@ -1,0 +1,170 @@
+#include "dynamics/solver/direct/least_force.h"
+
+#include <algorithm>
+
+#include "dynamics/solver/direct/least_force_constants.h"
+
+namespace carom::dynamics {
+namespace {
+
+void give_way(ConeProblem& problem, Real share) {
+  for (ConeContact& c : problem.contacts) c.give = share * c.k;
+}
+
+void save_least(ConeProblem& problem) {
+  for (ConeContact& c : problem.contacts) c.least_p = c.p;
+  for (ConeLink& c : problem.links) c.least_p = c.p;
+}
+
+/// From the impulses that act to others.
+void change_to_least(ConeProblem& problem) {
+  for (ConeContact& c : problem.contacts) c.p = c.least_p - c.p;
+  for (ConeLink& c : problem.links) c.p = c.least_p - c.p;
+  apply_impulses(problem);
+  for (ConeContact& c : problem.contacts) c.p = c.least_p;
+  for (ConeLink& c : problem.links) c.p = c.least_p;
+}
+
+/// Sum of k p^2, kg m^2/s^2.
+Real borne(const ConeProblem& problem) {
+  Real sum = 0;
+  for (const ConeContact& c : problem.contacts) sum += c.k * c.p.squared_norm();
+  return sum;
+}
+
+/// kg m/s and kg m^2/s of each body, by contacts alone.
+void find_contact_momentum(ConeProblem& problem) {
+  for (ConeBody& b : bodies_of(problem)) b.gradient.set_zero();
+  for (const ConeContact& c : problem.contacts) add_impulse<&ConeBody::gradient>(problem, c, c.p);
+}
+
+void push(ConeProblem& problem, const ConeContact& c, const Vec3& p) {
+  const auto act = [&](std::uint32_t body, const Vec3& r, Real sign) {
+    if (body == kNobody) return;
+    ConeBody& b = problem.bodies[body];
+    b.v += velocity_of(b, {sign * p, sign * r.cross(p)});
+  };
+  act(c.a, c.r_a, -1), act(c.b, c.r_b, 1);
+}
+
+void push(ConeProblem& problem, const ConeLink& c, Real p) {
+  if (c.a != kNobody) problem.bodies[c.a].v -= velocity_of(problem.bodies[c.a], {p * c.d_a, p * c.w_a});
+  if (c.b != kNobody) problem.bodies[c.b].v += velocity_of(problem.bodies[c.b], {p * c.d_b, p * c.w_b});
+}
+
+/// 1/kg, along the normal; and what no direction exceeds.
+struct Responses {
+  Real normal = 0, any = 0;
+  Responses(const ConeProblem& problem, const ConeContact& c) {
+    const auto add = [&](std::uint32_t body, const Vec3& r) {
+      if (body == kNobody) return;
+      const ConeBody& b = problem.bodies[body];
+      const Vec3 turn = r.cross(c.n);
+      normal += b.inv_mass + turn.dot(b.inv_inertia * turn);
+      any += b.inv_mass + b.inv_inertia.trace() * r.squared_norm();
+    };
+    add(c.a, c.r_a), add(c.b, c.r_b);
+  }
+};
+
+void visit(ConeProblem& problem, ConeContact& c) {
+  const Responses response(problem, c);
+  if (!(response.normal > 0)) return;
+  const Real give = kGiveOfSweeps * response.normal;
+  const auto velocity = [&] { return Vec3(c.carried + relative<&ConeBody::v>(problem.bodies, c)); };
+  const Real p_n = c.p.dot(c.n);
+  const Real next_n = std::max(Real(0), p_n - (velocity().dot(c.n) - c.want + give * p_n) / (response.normal + give));
+  push(problem, c, (next_n - p_n) * c.n);
+  const Vec3 u = velocity(), p_t = c.p - p_n * c.n;
+  Vec3 next_t = p_t - (u - u.dot(c.n) * c.n) / response.any;
+  const Real size = next_t.norm(), most = c.friction * next_n;
+  if (size > most) next_t *= most / size;
+  push(problem, c, next_t - p_t);
+  c.p = next_n * c.n + next_t;
+}
+
+void visit(ConeProblem& problem, ConeLink& c) {
+  if (!(c.k > 0)) return;
+  const Real u = c.carried + relative<&ConeBody::v>(problem.bodies, c);
+  const Real next = c.pulled(u, c.k, c.p);
+  push(problem, c, next - c.p);
+  c.p = next;
+}
+
+}  // namespace
+
+bool is_wedged(const ConeProblem& problem) {
+  const Real bears = borne(problem);
+  if (!(bears > 0)) return false;
+  Real needed = 0;
+  for (const ConeBody& b : bodies_of(problem)) {
+    const Vec6 change = b.v - b.before;
+    needed += change.dot(momentum_of(b, change));
+  }
+  return needed < kWedged * bears;
+}
+
+ConeAnswer solve_with_least_force(ConeProblem& problem, Real tolerance, std::uint32_t most_steps) {
+  ConeAnswer answer;
+  if (residual(problem) > tolerance) {
+    give_way(problem, kGiveOfContacts);
+    answer = solve_cones(problem, tolerance, most_steps);
+    give_way(problem, 0);
+    save_least(problem);
+  }
+  const Real bears = borne(problem);
+  const std::uint32_t taken = answer.factorisations, rounds = answer.rounds;
+  answer = solve_cones(problem, tolerance, most_steps > taken ? most_steps - taken : 0);
+  answer.factorisations += taken, answer.rounds += rounds;
+  if (taken > 0 && !answer.reached && borne(problem) > kFarMore * bears) {
+    change_to_least(problem);
+    answer.is_wedged = true;
+    answer.residual = residual(problem);
+    answer.reached = answer.residual <= tolerance;
+  }
+  return answer;
+}
+
+// Over a share s they take -(s p.u + s^2 p.A p / 2) of the energy of relative motion: least at s = -p.u / p.A p, and
+// more at 1 than at 0 where that is below a half.
+Real share_that_helps(const ConeProblem& problem) {
+  Real along = 0, size2 = 0;
+  for (const ConeBody& b : bodies_of(problem)) {
+    along += b.gradient.dot(b.before);
+    size2 += b.gradient.dot(velocity_of(b, b.gradient));
+  }
+  for (const ConeContact& c : problem.contacts) along += c.p.dot(c.carried);
+  const Real best = size2 > 0 ? -along / size2 : 1;
+  return best < 0.5 ? std::max(best, Real(0)) : 1;
+}
+
+// Bodies gain G.(v + v')/2 by contacts' momentum G, of which surfaces that are carried give -p.carried.
+bool gives_energy(ConeProblem& problem, Real residual) {
+  find_contact_momentum(problem);
+  Real gained = 0, rounding = 0;
+  for (const ConeBody& b : bodies_of(problem)) {
+    const Vec6 mean = 0.5 * (b.before + b.v);
+    gained += b.gradient.dot(mean);
+    rounding += b.before.dot(momentum_of(b, b.before)) + b.v.dot(momentum_of(b, b.v));
+  }
+  Real allowed = 1e3 * kEpsilon * rounding;
+  for (const ConeContact& c : problem.contacts) {
+    gained += c.p.dot(c.carried);
+    allowed += c.p.norm() * residual;
+  }
+  return gained > allowed;
+}
+
+void answer_by_sweeps(ConeProblem& problem) {
+  for (ConeContact& c : problem.contacts) c.p.set_zero();
+  for (ConeLink& c : problem.links) c.p = 0;
+  for (ConeBody& b : bodies_of(problem)) b.v = b.before;
+  for (int i = 0; i < kLastSweeps; ++i) {
+    for (ConeLink& c : problem.links) visit(problem, c);
+    for (ConeContact& c : problem.contacts) visit(problem, c);
+  }
+  for (ConeContact& c : problem.contacts) c.u = c.carried + relative<&ConeBody::v>(problem.bodies, c);
+  for (ConeLink& c : problem.links) c.u = c.carried + relative<&ConeBody::v>(problem.bodies, c);
+}
+
+}  // namespace carom::dynamics

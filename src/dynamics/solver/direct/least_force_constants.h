@@ -1,0 +1,34 @@
+// Numbers of the rules beside the direct solver's law: least force, no gain.
+#pragma once
+
+#include "core/constant.h"
+
+namespace carom::dynamics {
+
+inline constexpr Constant<Real> kGiveOfContacts{
+    "direct_give", 1e-3, "1",
+    "of a contact's response to an impulse: by so much it yields while it is found how joints and contacts share a "
+    "load; far above what rounds anchor impulses by, so that those that no load asks for vanish",
+    "larger: shares are those of softer contacts, and the exact law is farther away; smaller: what is wedged bears more, "
+    "without end at 0"};
+inline constexpr Constant<Real> kWedged{
+    "direct_wedged", 1e-10, "1",
+    "of the sum of k p^2 of contacts, what they do to bodies: less is impulses that cancel each other; a cube under a "
+    "million times its mass has 1e-6, stacks of n cubes n^-2",
+    "larger: what bears a heavy load counts as wedged, and starts from nothing in each step; smaller: bodies that "
+    "surfaces close on keep impulses that throw them in the next step"};
+inline constexpr Constant<Real> kFarMore{
+    "direct_far_more", 10, "1",
+    "times what contacts bear that yield: where the exact law is not reached by as much more, it has no solution",
+    "larger: what is wedged bears more; smaller: a blow that could not be solved in time counts as wedged"};
+inline constexpr Constant<Real> kGiveOfSweeps{
+    "direct_last_give", 0.06, "1",
+    "of a contact's response: softness in the sweeps of last resort, that of solver soft_step at 30 Hz and 1/240 s",
+    "larger: bodies sink deeper in such a step; smaller: what is wedged bears more"};
+inline constexpr Constant<int> kLastSweeps{
+    "direct_last_sweeps", 20, "sweeps", "over a group whose answer gave energy; a step later it is solved again",
+    "fewer: tall piles sink in such a step; more: it costs as many more"};
+
+inline constexpr ConstantRow kLeastForceConstants[] = {kGiveOfContacts, kWedged, kFarMore, kGiveOfSweeps, kLastSweeps};
+
+}  // namespace carom::dynamics
