@@ -50,6 +50,7 @@ Seeds seeds_from(const JuryOptions& options) {
 
 std::string text_of(const Failure& f) {
   std::string text = format("%s at step %zu, %s: %.3g %s (%.3g borne)", jury::name_of(f.kind), f.step, f.who.c_str(), f.value, f.unit, f.limit);
+  if (f.plain_step) text += format("; plain from step %zu", f.plain_step);
   if (f.worst_step != f.step) text += format("; at worst %.3g %s at step %zu, %s", f.worst, f.unit, f.worst_step, f.worst_who.c_str());
   return text;
 }
@@ -57,7 +58,8 @@ std::string text_of(const Failure& f) {
 /// Numbers of all scenes together.
 struct Tally {
   std::size_t scenes = 0, failed = 0;
-  std::array<std::size_t, jury::kKinds> by_kind{};
+  std::array<std::size_t, jury::kKinds> by_kind{}, plain{};
+  std::size_t plainly = 0;  // scenes with a failure that anybody would see
   std::vector<double> steps, ratios;  // s, and of each scene its worst step over its mean
   double worst = 0;                   // s
   std::uint64_t worst_seed = 0, worst_ratio_seed = 0;
@@ -67,7 +69,13 @@ struct Tally {
     const jury::Verdict& v = trial.verdict;
     ++scenes;
     failed += !v.failures.empty();
-    for (const Failure& f : v.failures) ++by_kind[static_cast<std::size_t>(f.kind)];
+    bool any = false;
+    for (const Failure& f : v.failures) {
+      ++by_kind[static_cast<std::size_t>(f.kind)];
+      plain[static_cast<std::size_t>(f.kind)] += f.plain_step > 0;
+      any |= f.plain_step > 0;
+    }
+    plainly += any;
     steps.insert(steps.end(), v.seconds.begin(), v.seconds.end());
     if (v.worst_seconds > worst) worst = v.worst_seconds, worst_seed = trial.seed;
     const double ratio = v.mean_seconds > 0 ? v.worst_seconds / v.mean_seconds : 0;
@@ -88,11 +96,11 @@ struct Tally {
 };
 
 void print_tally(const Tally& t, bool times) {
-  std::vector<std::vector<std::string>> rows = {{"failure", "scenes", "which is"}};
+  std::vector<std::vector<std::string>> rows = {{"failure", "scenes", "plain", "which is"}};
   for (std::size_t k = 0; k < jury::kKinds; ++k)
-    rows.push_back({jury::name_of(static_cast<Kind>(k)), std::to_string(t.by_kind[k]), jury::meaning_of(static_cast<Kind>(k))});
-  rows.push_back({"any", std::to_string(t.failed), "of " + std::to_string(t.scenes) + " scenes"});
-  std::printf("\n%s", table(rows, {false, true}).c_str());
+    rows.push_back({jury::name_of(static_cast<Kind>(k)), std::to_string(t.by_kind[k]), std::to_string(t.plain[k]), jury::meaning_of(static_cast<Kind>(k))});
+  rows.push_back({"any", std::to_string(t.failed), std::to_string(t.plainly), "of " + std::to_string(t.scenes) + " scenes"});
+  std::printf("\n%s", table(rows, {false, true, true}).c_str());
   if (!times) return;
   std::printf("\nms a step: mean %.3f, p99 %.3f, worst %.3f (seed %llu); worst over mean: median %.1f, most %.1f (seed %llu)\n",
               1e3 * t.mean(), 1e3 * Tally::share(t.steps, 0.99), 1e3 * t.worst, static_cast<unsigned long long>(t.worst_seed),
@@ -109,17 +117,22 @@ nlohmann::json trial_json(const Trial& trial) {
                         {"worst_work", trial.verdict.worst_work},
                         {"failures", nlohmann::json::array()}};
   for (const Failure& f : trial.verdict.failures)
-    out["failures"].push_back({{"kind", jury::name_of(f.kind)}, {"step", f.step}, {"who", f.who}, {"value", f.value}, {"limit", f.limit}, {"unit", f.unit},
+    out["failures"].push_back({{"kind", jury::name_of(f.kind)}, {"step", f.step}, {"who", f.who}, {"value", f.value}, {"limit", f.limit}, {"unit", f.unit}, {"plain_step", f.plain_step},
                                {"worst", f.worst}, {"worst_step", f.worst_step}, {"worst_who", f.worst_who}});
   return out;
 }
 
 nlohmann::json tally_json(const Tally& t) {
-  nlohmann::json kinds;
-  for (std::size_t k = 0; k < jury::kKinds; ++k) kinds[jury::name_of(static_cast<Kind>(k))] = t.by_kind[k];
+  nlohmann::json kinds, plain;
+  for (std::size_t k = 0; k < jury::kKinds; ++k) {
+    kinds[jury::name_of(static_cast<Kind>(k))] = t.by_kind[k];
+    plain[jury::name_of(static_cast<Kind>(k))] = t.plain[k];
+  }
   return {{"scenes", t.scenes},
           {"failed", t.failed},
           {"failures", kinds},
+          {"failed_plainly", t.plainly},
+          {"plain_failures", plain},
           {"mean_ms", 1e3 * t.mean()},
           {"p99_ms", 1e3 * Tally::share(t.steps, 0.99)},
           {"worst_ms", 1e3 * t.worst},

@@ -138,7 +138,7 @@ void add_link(Drawing& d, const PlannedLink& planned, std::size_t first) {
 
 /// Bodies of a cluster move as one: what joints hold is not torn apart at the start.
 void add_cluster(Drawing& d, const Cluster& cluster) {
-  const bool thrown = !cluster.hangs && d.chance(0.3), spun = !cluster.hangs && d.chance(0.3);
+  const bool thrown = !cluster.hangs && d.chance(d.lively), spun = !cluster.hangs && d.chance(d.lively);
   const Vec velocity = thrown ? Vec(d.random.between(0, 6) * d.random.direction()) : Vec(Vec::Zero());
   const double turns = cluster.bodies.size() > 1 ? 4 : 15;
   const Vec spin = spun ? Vec(d.random.between(0, turns) * d.random.direction()) : Vec(Vec::Zero());
@@ -192,7 +192,7 @@ Case draw(std::uint64_t seed, Stage& stage) {
   if (stirred) draw_paddle(d);
   const std::size_t count = 3 + d.pick(38);
   draw_bodies(d, count, joined);
-  d.scene.summary = std::to_string(count) + " bodies on " + ground;
+  d.scene.summary = std::string(d.thin > 0 ? d.thin > 0.3 ? "many thin of " : "some thin of " : "") + std::to_string(count) + " bodies on " + ground + (d.lively > 0 ? d.lively > 0.3 ? ", lively" : ", some thrown" : "");
   if (!d.scene.links.empty()) d.scene.summary += ", " + std::to_string(d.scene.links.size()) + " joints";
   if (stirred) d.scene.summary += ", a paddle";
   return std::move(d.scene);

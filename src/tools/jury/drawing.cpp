@@ -17,9 +17,9 @@ Widths widths(Drawing& d) {
   const double length = 0.05 * octaves(4 * d.random.unit());
   const double ratio = 2 * octaves(3.875 * d.random.unit());  // 2 to 30
   const double a = d.random.between(0.5, 1), b = d.random.between(0.5, 1);
-  const double kind = d.random.unit();
-  if (kind < 0.5) return {length, length * a, length * b, "lump"};
-  if (kind < 0.75) return {length, length / ratio, length / ratio, "rod"};
+  const bool thin = d.chance(d.thin), rod = d.chance(0.5);
+  if (!thin) return {length, length * a, length * b, "lump"};
+  if (rod) return {length, length / ratio, length / ratio, "rod"};
   return {length, length * a, length / ratio, "plate"};
 }
 

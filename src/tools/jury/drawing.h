@@ -18,10 +18,15 @@ struct Solid {
 
 class Drawing {
  public:
-  Drawing(std::uint64_t seed, Stage& stage) : random(Random(seed).bits()), stage_(stage) {}
+  Drawing(std::uint64_t seed, Stage& stage) : random(Random(seed).bits()), stage_(stage) {
+    static constexpr double kShares[] = {0, 0.15, 0.5};
+    thin = kShares[pick(3)], lively = kShares[pick(3)];
+  }
 
   Random random;
   Case scene;
+  double thin = 0;    ///< share of rods and plates among the bodies of this scene
+  double lively = 0;  ///< share of bodies that are thrown, and of those that spin
 
   bool chance(double share) { return random.unit() < share; }
   std::size_t pick(std::size_t n) { return static_cast<std::size_t>(random.bits() % n); }

@@ -23,6 +23,7 @@ struct Failure {
   double value = 0;      ///< then, in `unit`
   double limit = 0;      ///< what would have been borne
   const char* unit = "";
+  std::size_t plain_step = 0;  ///< from when on anybody would see it; 0: never
   std::size_t worst_step = 0;  ///< when it was farthest beyond its limit
   std::string worst_who;
   double worst = 0;

@@ -100,6 +100,9 @@ bool is_within(carom_engine* engine, const Case& c, std::size_t a, std::size_t b
 bool went_through(carom_engine* engine, const Case& c, std::size_t a, std::size_t b, const Frame& before, const Frame& now) {
   const Member& thing = c.members[b];
   if (thing.is_plane || thing.is_heights) return false;
+  const double moved = (now[a].position - before[a].position).norm() + (now[b].position - before[b].position).norm();
+  const double apart = (center_of(c.members[a], now[a]) - now[b].position).norm();
+  if (moved < 1e-3 * thing.thickness || apart > thing.radius + 2 * moved + c.members[a].radius) return false;
   const Quat turned = now[b].orientation * before[b].orientation.conjugate();
   if (std::fabs(turned.w()) < 0.97) return false;  // half a radian: no straight line in its frame
   const Vec from = center_in(c, a, b, before), to = center_in(c, a, b, now), way = to - from, back = -way;

@@ -1,6 +1,6 @@
 """Runs scenes that `carom jury --write` wrote through Rapier and writes their motion for `carom jury --judge`.
 
-    rapier_peer.py FOLDER SEED...       reads FOLDER/SEED.json, writes FOLDER/SEED.motion
+beside_rapier calls it; README.md of src/tools/jury says what is in the files.
 
 Needs the packages rapier3d and numpy. Rapier runs at its defaults, without sleep, as Carom does. What differs in the scene:
 ellipsoids and double cones are hulls of some hundred points; a height field is a mesh of the same triangles.
@@ -8,7 +8,6 @@ ellipsoids and double cones are hulls of some hundred points; a height field is 
 import array
 import json
 import math
-import sys
 
 import rapier3d as rapier
 
@@ -72,11 +71,11 @@ def rotation(q):
     return rapier.Rotation3.from_quaternion(q[3], q[0], q[1], q[2])
 
 
-def add_body(world, body):
+def add_body(world, body, ccd):
     b = rapier.RigidBody
     builder = {"static": b.fixed, "kinematic": b.kinematic_velocity_based, "dynamic": b.dynamic}[body["type"]]()
     builder = builder.position(rapier.Isometry3(tuple(body["position"]), rotation(body["orientation"])))
-    builder = builder.linvel(tuple(body["velocity"])).angvel(tuple(body["spin"])).can_sleep(False)
+    builder = builder.linvel(tuple(body["velocity"])).angvel(tuple(body["spin"])).can_sleep(False).ccd_enabled(ccd)
     collider = (collider_of(body).density(body["density"]).friction(body["friction"]).restitution(body["restitution"])
                 .friction_combine_rule(rapier.CoefficientCombineRule.GEOMETRIC_MEAN)
                 .restitution_combine_rule(rapier.CoefficientCombineRule.MAX))
@@ -102,11 +101,11 @@ def state_of(body):
     return [t.x, t.y, t.z, r.i, r.j, r.k, r.w, v.x, v.y, v.z, w.x, w.y, w.z]
 
 
-def run(scene):
+def run(scene, ccd):
     world = rapier.PhysicsWorld(gravity=(0, -scene["gravity"], 0))
     world.integration_parameters.dt = scene["dt"]
     world.set_num_threads(1)
-    handles = [add_body(world, body) for body in scene["bodies"]]
+    handles = [add_body(world, body, ccd) for body in scene["bodies"]]
     for joint in scene["joints"]:
         world.impulse_joints.insert(handles[joint["a"]], handles[joint["b"]], joint_of(joint))
     world.physics_pipeline.counters.enable()
@@ -124,14 +123,8 @@ def run(scene):
     return out
 
 
-def main():
-    folder = sys.argv[1]
-    for seed in sys.argv[2:]:
-        with open(f"{folder}/{seed}.json") as file:
-            scene = json.load(file)
-        with open(f"{folder}/{seed}.motion", "wb") as file:
-            run(scene).tofile(file)
-
-
-if __name__ == "__main__":
-    main()
+def simulate_file(folder, seed, ccd):
+    with open(f"{folder}/{seed}.json") as file:
+        scene = json.load(file)
+    with open(f"{folder}/{seed}.motion", "wb") as file:
+        run(scene, ccd).tofile(file)
