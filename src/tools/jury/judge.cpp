@@ -66,6 +66,7 @@ struct Judge::Inside {
   std::map<std::tuple<Trouble, std::size_t, std::size_t>, std::size_t> troubles, troubles_before;  // steps in a row
   std::map<Kind, Failure> failures;
   std::array<double, kKinds> worst_ratio{};  // beyond its limit, by kind
+  std::vector<bool> over_rim;  // by member: left the hills, whatever is above it now
   std::vector<Cost> costs;
   Reading reading;
   bool over = false;  // a state that is not finite: there is nothing more to judge
@@ -169,7 +170,8 @@ void Judge::Inside::judge_depth(const std::vector<Near>& pairs, const Frame& fra
   for (std::size_t i = 0; i < frame.size(); ++i) {
     if (!c.members[i].moves()) continue;
     const UnderHills under = under_hills(engine, c, i, frame[i]);
-    if (is_stirred[i]) continue;
+    over_rim[i] = over_rim[i] || under.is_beyond;
+    if (is_stirred[i] || over_rim[i]) continue;
     if (under.is_through)
       fail(Kind::pass, name(i) + " in hills", under.depth, c.members[i].thickness / 2, "m", lasts(Trouble::within, i, hills) >= kPlainTime);
     else
@@ -196,11 +198,12 @@ void Judge::Inside::judge_joints(const Frame& frame) {
   }
 }
 
-Judge::Judge(carom_engine* engine, const Case& the_case, double dt) : inside_(new Inside{engine, the_case, dt, {}, {}, {}, {}, {}, {}, {}, {}, {}}) {}
+Judge::Judge(carom_engine* engine, const Case& the_case, double dt) : inside_(new Inside{engine, the_case, dt, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}) {}
 Judge::~Judge() = default;
 
 void Judge::start(const Frame& frame) {
   inside_->before = frame;
+  inside_->over_rim.assign(frame.size(), false);
   inside_->pairs_before = near_pairs(inside_->engine, inside_->c, frame, inside_->dt);
   inside_->energies = std::make_unique<Energies>(inside_->c, inside_->dt, frame);
 }
@@ -211,7 +214,7 @@ const Reading& Judge::step(const Frame& frame, const Cost& cost) {
   in.reading = Reading{};
   in.troubles_before.swap(in.troubles);
   in.troubles.clear();
-  if (cost.faults) in.fail(Kind::fault, "a shape or a body", static_cast<double>(cost.faults), 0, "faults", true);
+  if (cost.faults) in.fail(Kind::fault, cost.faulty.empty() ? "a shape or a body" : cost.faulty, static_cast<double>(cost.faults), 0, "faults", true);
   for (std::size_t i = 0; i < frame.size() && !in.over; ++i)
     if (!is_sane(frame[i])) in.fail(Kind::fault, in.name(i), 1, 0, "states", true), in.over = true;
   if (in.over) return in.reading;

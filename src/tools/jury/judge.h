@@ -34,6 +34,7 @@ struct Cost {
   double seconds = 0;
   double work = 0;  ///< support calls, impulses and moves: alike on every machine
   std::uint64_t faults = 0;
+  std::string faulty;  ///< who, and how
 };
 
 struct Verdict {

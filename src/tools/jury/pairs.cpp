@@ -70,6 +70,7 @@ UnderHills under_hills(carom_engine* engine, const Case& c, std::size_t body, co
   const Heights& hills = *c.heights;
   const Vec center = center_of(c.members[body], state);
   const auto middle = hills.at(center.x(), center.z());
+  under.is_beyond = !middle;
   if (!middle) return under;
   under.is_through = center.y() < middle->height;
   if (center.y() - middle->height > 2 * c.members[body].radius + 0.5) return under;

@@ -37,6 +37,19 @@ Cost cost_of(const carom_step_report& report, double seconds, bool times) {
   return cost;
 }
 
+/// What misbehaved first in the last step.
+std::string fault_text(const Stage& stage) {
+  static constexpr const char* kNames[] = {"fault", "support returned an error", "support not finite", "support outside the bounds",
+                                           "support worse than before", "state not finite", "particle not finite"};
+  const std::vector<carom_fault> faults = stage.world.faults();
+  if (faults.empty()) return "";
+  const carom_fault& first = faults.front();
+  std::string who = "a shape";
+  for (const Actor& actor : stage.actors)
+    if (actor.body == first.body) who = actor.name;
+  return who + ": " + kNames[std::min<std::size_t>(first.kind, 6)];
+}
+
 /// Run once; `after` hears of each step.
 void run_once(Scenery& scenery, const Setting& setting,
               const std::function<void(std::size_t, const carom_step_report&, double)>& after) {
@@ -71,7 +84,9 @@ Trial run(const PluginPath& plugins, std::uint64_t seed, const Setting& setting,
   if (motion) motion->frames.push_back(frame_of(scenery.stage));
   run_once(scenery, setting, [&](std::size_t step, const carom_step_report& report, double seconds) {
     const Frame frame = frame_of(scenery.stage);
-    const Reading& reading = judge.step(frame, cost_of(report, seconds, setting.times));
+    Cost cost = cost_of(report, seconds, setting.times);
+    if (report.faults) cost.faulty = fault_text(scenery.stage);
+    const Reading& reading = judge.step(frame, cost);
     if (watch) watch(step, reading, report);
     if (motion) motion->frames.push_back(frame), motion->seconds.push_back(seconds);
   });
