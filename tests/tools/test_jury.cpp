@@ -1,5 +1,5 @@
-// `carom jury`: scenes are as README says, the judge finds what is done to it and nothing else, and a slice of seeds does not get
-// worse.
+// `carom jury`: scenes are as README says, the judge finds what is done to it and nothing else, and a slice of seeds
+// does not get worse.
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,12 +8,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "carom_command.h"
 #include "jury/drawing.h"
 #include "jury/gaps.h"
 #include "jury/pairs.h"
 #include "jury/trial.h"
-
-#include "carom_command.h"
 
 using namespace carom::tools;
 using namespace carom::tools::jury;
@@ -22,10 +21,12 @@ namespace {
 
 constexpr double kDt = 1.0 / 60;
 
-/// Of the scenes of twenty seeds. It changes with the generator alone: then seeds name other scenes, and all records of them are void.
+/// Of the scenes of twenty seeds. It changes with the generator alone: then seeds name other scenes, and all records of
+/// them are void.
 constexpr std::uint64_t kGolden = 0x67a048e37215a435u;
 
-/// The slice, and how many of its scenes failed when it was last looked at, by kind: fault, gain, throw, gape, sink, pass, stall.
+/// The slice, and how many of its scenes failed when it was last looked at, by kind: fault, gain, throw, gape, sink,
+/// pass, stall.
 constexpr std::uint64_t kSliceFirst = 1001, kSliceCount = 20;
 constexpr std::size_t kCeiling[kKinds] = {4, 3, 4, 14, 5, 5, 0};
 constexpr std::size_t kPlainCeiling[kKinds] = {4, 3, 4, 1, 2, 4, 0};
@@ -57,7 +58,8 @@ struct Script {
     return drawing.add(actor);
   }
   /// @param move  changes the frame of the step before into that of a step
-  Verdict play(std::size_t steps, const std::function<void(std::size_t, Frame&)>& move, const std::function<Cost(std::size_t)>& cost = {}) {
+  Verdict play(std::size_t steps, const std::function<void(std::size_t, Frame&)>& move,
+               const std::function<Cost(std::size_t)>& cost = {}) {
     Judge judge(engine.get(), drawing.scene, kDt);
     Frame frame = frame_of(stage);
     judge.start(frame);
@@ -96,15 +98,17 @@ struct TwoBalls : Script {
   Script fall;
   const std::size_t ball = fall.add("sphere", {0.1}, {0, 3, 0});
   double energy = 9.81 * 3;
-  const Verdict v = fall.play(300, [&](std::size_t, Frame& f) {  // bounces with restitution 0.5, in steps of semi-implicit Euler
-    State& s = f[ball];
-    s.velocity.y() -= 9.81 * kDt;
-    s.position += kDt * s.velocity;
-    if (s.position.y() < 0.1 && s.velocity.y() < 0) s.velocity.y() *= -0.5, s.position.y() = 0.1;
-    energy = 0.5 * s.velocity.squaredNorm() + 9.81 * s.position.y();
-  });
+  const Verdict v =
+      fall.play(300, [&](std::size_t, Frame& f) {  // bounces with restitution 0.5, in steps of semi-implicit Euler
+        State& s = f[ball];
+        s.velocity.y() -= 9.81 * kDt;
+        s.position += kDt * s.velocity;
+        if (s.position.y() < 0.1 && s.velocity.y() < 0) s.velocity.y() *= -0.5, s.position.y() = 0.1;
+        energy = 0.5 * s.velocity.squaredNorm() + 9.81 * s.position.y();
+      });
   assert_true(energy < 9.81 * 0.2);
-  for (const Failure& f : v.failures) print_message("%s at step %zu: %g of %g\n", name_of(f.kind), f.step, f.value, f.limit);
+  for (const Failure& f : v.failures)
+    print_message("%s at step %zu: %g of %g\n", name_of(f.kind), f.step, f.value, f.limit);
   assert_true(v.failures.empty());
 }
 
@@ -124,7 +128,8 @@ struct TwoBalls : Script {
   balls.stage.actors[balls.one].linear_velocity = Vec(1, 0, 0);
   Call call;
   const double v[3] = {1, 0, 0}, w[3] = {0, 0, 0};
-  call.done(carom_body_set_velocity(balls.stage.world.get(), balls.stage.actors[balls.one].body, v, w, call), "throwing");
+  call.done(carom_body_set_velocity(balls.stage.world.get(), balls.stage.actors[balls.one].body, v, w, call),
+            "throwing");
   const Verdict verdict = balls.play(30, [&](std::size_t step, Frame& f) {
     f[balls.one].velocity.x() = step < 10 ? 1 : 0;
     f[balls.other].velocity.x() = step < 10 ? 0 : 1;
@@ -185,7 +190,9 @@ static Verdict batted(double speed) {
     // Along the axis a slider is free, between its limits.
     s.drawing.scene.links[0].limited = kind == CAROM_JOINT_SLIDER;
     s.drawing.scene.links[0].lower = -0.1, s.drawing.scene.links[0].upper = 0.1;
-    const Verdict along = s.play(20, [&](std::size_t step, Frame& f) { f[b].position.x() += step == 3 ? 0.09 : step == 9 ? 0.03 : 0; });
+    const Verdict along = s.play(20, [&](std::size_t step, Frame& f) {
+      f[b].position.x() += step == 3 ? 0.09 : step == 9 ? 0.03 : 0;
+    });
     fails_by(along, Kind::gape, kind == CAROM_JOINT_SLIDER ? 9 : 3);
     // A turn about the axis is a hinge's business and a ball's.
     const Verdict turned = s.play(20, [&](std::size_t step, Frame& f) {
@@ -199,7 +206,9 @@ static Verdict batted(double speed) {
 [[maybe_unused]] static void what_sinks_for_long_is_found(void**) {
   TwoBalls balls;
   const auto deep = [&](std::size_t from, std::size_t to, double depth) {
-    return [&, from, to, depth](std::size_t step, Frame& f) { f[balls.one].position.y() = 0.1 - (step >= from && step < to ? depth : 0); };
+    return [&, from, to, depth](std::size_t step, Frame& f) {
+      f[balls.one].position.y() = 0.1 - (step >= from && step < to ? depth : 0);
+    };
   };
   const double limit = 0.001 + 0.02 * 0.2;
   assert_null(balls.play(40, deep(5, 14, 1.1 * limit)).of(Kind::sink));  // for nine steps
@@ -211,7 +220,8 @@ static Verdict batted(double speed) {
 
 [[maybe_unused]] static void what_passes_through_is_found(void**) {
   TwoBalls balls;  // below the ground
-  fails_by(balls.play(10, [&](std::size_t step, Frame& f) { f[balls.one].position.y() = step >= 5 ? -0.01 : 0.1; }), Kind::pass, 5);
+  fails_by(balls.play(10, [&](std::size_t step, Frame& f) { f[balls.one].position.y() = step >= 5 ? -0.01 : 0.1; }),
+           Kind::pass, 5);
   Script s;  // through a plate, within a step
   const std::size_t ball = s.add("sphere", {0.05}, {-0.5, 1, 0});
   s.add("box", {0.01, 1, 1}, {0, 1, 0}, CAROM_BODY_STATIC);
@@ -237,7 +247,8 @@ static Verdict batted(double speed) {
   assert_true(balls.play(60, nothing, costs(1e-3, 2.9e-3, false)).failures.empty());  // below three times the mean
   fails_by(balls.play(60, nothing, costs(1e-4, 2.1e-3, false)), Kind::stall, 33);
   fails_by(balls.play(60, nothing, costs(1e3, 1.1e5, true)), Kind::stall, 33);
-  fails_by(balls.play(20, [&](std::size_t step, Frame& f) { f[balls.one].position.x() = step == 9 ? NAN : 0; }), Kind::fault, 9);
+  fails_by(balls.play(20, [&](std::size_t step, Frame& f) { f[balls.one].position.x() = step == 9 ? NAN : 0; }),
+           Kind::fault, 9);
   fails_by(balls.play(20, nothing,
                       [](std::size_t step) {
                         Cost cost;
@@ -263,8 +274,8 @@ static Verdict batted(double speed) {
       carom_cast hit;
       hit.struct_size = sizeof hit;
       Call call;
-      call.done(carom_ray_cast(drawn.engine.get(), drawn.scene.members[ground].shape, hills.corner.data(), straight.coeffs().data(), from, down, 1,
-                               nullptr, &hit, call),
+      call.done(carom_ray_cast(drawn.engine.get(), drawn.scene.members[ground].shape, hills.corner.data(),
+                               straight.coeffs().data(), from, down, 1, nullptr, &hit, call),
                 "looking down");
       assert_int_equal(hit.outcome, CAROM_CAST_HIT);
       const auto at = hills.at(x, z);
@@ -291,8 +302,9 @@ static Verdict batted(double speed) {
     joined += !c.links.empty(), stirred += !c.paddles.empty();
     for (const Link& link : c.links) assert_true(gap_of(c, link, start) < 1e-9);
     for (const Near& near : near_pairs(drawn.engine.get(), c, start, kDt)) {
-      const bool tied = std::any_of(c.links.begin(), c.links.end(),
-                                    [&](const Link& l) { return std::minmax(l.a, l.b) == std::minmax(near.a, near.b); });
+      const bool tied = std::any_of(c.links.begin(), c.links.end(), [&](const Link& l) {
+        return std::minmax(l.a, l.b) == std::minmax(near.a, near.b);
+      });
       if (!tied) assert_true(near.separation > 0.999 * kGap);
     }
   }
@@ -303,7 +315,8 @@ static Verdict batted(double speed) {
 /// Bits of all that was drawn.
 static std::uint64_t bits_of(const Frame& frame, std::uint64_t hash) {
   for (const State& s : frame)
-    for (const double x : {s.position.x(), s.position.y(), s.position.z(), s.orientation.x(), s.orientation.w(), s.velocity.y(), s.omega.z()}) {
+    for (const double x : {s.position.x(), s.position.y(), s.position.z(), s.orientation.x(), s.orientation.w(),
+                           s.velocity.y(), s.omega.z()}) {
       std::uint64_t bits;
       std::memcpy(&bits, &x, sizeof bits);
       hash = (hash ^ bits) * 1099511628211u;
@@ -319,7 +332,8 @@ static std::uint64_t bits_of(const Frame& frame, std::uint64_t hash) {
 }
 
 [[maybe_unused]] static void the_command_says_what_the_judge_says(void**) {
-  const std::string folder = (std::filesystem::temp_directory_path() / ("carom_jury_" + std::to_string(::getpid()))).string();
+  const std::string folder =
+      (std::filesystem::temp_directory_path() / ("carom_jury_" + std::to_string(::getpid()))).string();
   const auto ran = command_test::run_carom("jury --seeds 3..4 --no-times --json --write " + folder, false);
   const auto judged = command_test::run_carom("jury --seeds 3..4 --no-times --json --judge " + folder, false);
   assert_true(ran.code == 0 || ran.code == 1);
@@ -329,8 +343,9 @@ static std::uint64_t bits_of(const Frame& frame, std::uint64_t hash) {
     for (const auto& f : run["scenes"][i]["failures"]) {
       if (f["kind"] == "stall" || f["kind"] == "fault") continue;  // of times and of what the engine says of itself
       const auto& found = again["scenes"][i]["failures"];
-      assert_true(std::any_of(found.begin(), found.end(),
-                              [&](const auto& g) { return g["kind"] == f["kind"] && g["step"] == f["step"] && g["who"] == f["who"]; }));
+      assert_true(std::any_of(found.begin(), found.end(), [&](const auto& g) {
+        return g["kind"] == f["kind"] && g["step"] == f["step"] && g["who"] == f["who"];
+      }));
     }
   assert_true(command_test::run_carom("run " + folder + "/3.gltf --seconds 0.05 --quiet").code <= 1);
   std::filesystem::remove_all(folder);
@@ -351,8 +366,8 @@ static std::uint64_t bits_of(const Frame& frame, std::uint64_t hash) {
     }
   }
   for (std::size_t k = 0; k < kKinds; ++k) {
-    print_message("%-6s %2zu scenes of %zu (at most %zu), %2zu plainly (at most %zu)\n", name_of(static_cast<Kind>(k)), failed[k],
-                  static_cast<std::size_t>(kSliceCount), kCeiling[k], plain[k], kPlainCeiling[k]);
+    print_message("%-6s %2zu scenes of %zu (at most %zu), %2zu plainly (at most %zu)\n", name_of(static_cast<Kind>(k)),
+                  failed[k], static_cast<std::size_t>(kSliceCount), kCeiling[k], plain[k], kPlainCeiling[k]);
     assert_true(failed[k] <= kCeiling[k] && plain[k] <= kPlainCeiling[k]);
   }
 }

@@ -74,7 +74,8 @@ bool attach(Drawing& d, Cluster& cluster, Planned body) {
     const Vec here = root.position + d.support(root.part, root.orientation, way);
     body.position = here + kGap * way - d.support(body.part, body.orientation, -way);
     if (!keeps_clear(d, cluster, body, parent)) continue;
-    static constexpr std::uint32_t kKinds[] = {CAROM_JOINT_BALL, CAROM_JOINT_HINGE, CAROM_JOINT_SLIDER, CAROM_JOINT_WELD};
+    static constexpr std::uint32_t kKinds[] = {CAROM_JOINT_BALL, CAROM_JOINT_HINGE, CAROM_JOINT_SLIDER,
+                                               CAROM_JOINT_WELD};
     const std::uint32_t kind = kKinds[d.pick(4)];
     const Quat axes = kind == CAROM_JOINT_SLIDER ? turn_between(Vec::UnitX(), way) : d.random.rotation();
     cluster.links.push_back({kind, parent, cluster.bodies.size(), here + kGap / 2 * way, axes});
@@ -88,7 +89,8 @@ bool attach(Drawing& d, Cluster& cluster, Planned body) {
 void place(Drawing& d, Cluster& cluster) {
   for (int attempt = 0;; ++attempt) {
     const double wide = kPlace + 0.02 * attempt;
-    const Vec origin(d.random.between(-wide, wide), d.random.between(0.1, 2.2 + 0.05 * attempt), d.random.between(-wide, wide));
+    const Vec origin(d.random.between(-wide, wide), d.random.between(0.1, 2.2 + 0.05 * attempt),
+                     d.random.between(-wide, wide));
     const Quat turned = cluster.bodies.size() > 1 ? d.random.rotation() : Quat::Identity();
     const bool is_free = std::all_of(cluster.bodies.begin(), cluster.bodies.end(), [&](const Planned& body) {
       return d.is_free(body.part, origin + turned * body.position, turned * body.orientation, kGap);
@@ -117,7 +119,8 @@ void limit(Drawing& d, Link& link, carom_joint joint) {
   call.done(carom_joint_limit_init(&limit), "limiting a joint");
   limit.enabled = 1;
   limit.lower = link.lower, limit.upper = link.upper;
-  call.done(carom_joint_set_limit(d.stage().world.get(), joint, slides ? CAROM_COORDINATE_SLIDE : CAROM_COORDINATE_TWIST, &limit, call),
+  call.done(carom_joint_set_limit(d.stage().world.get(), joint,
+                                  slides ? CAROM_COORDINATE_SLIDE : CAROM_COORDINATE_TWIST, &limit, call),
             "limiting a joint");
 }
 
@@ -160,8 +163,9 @@ void add_cluster(Drawing& d, const Cluster& cluster) {
     actor.linear_velocity = velocity + spin.cross(center - start.position);
     actor.angular_velocity = spin;
     Call call;
-    call.done(carom_body_set_velocity(d.stage().world.get(), actor.body, actor.linear_velocity.data(), spin.data(), call),
-              "throwing a body");
+    call.done(
+        carom_body_set_velocity(d.stage().world.get(), actor.body, actor.linear_velocity.data(), spin.data(), call),
+        "throwing a body");
   }
   for (const PlannedLink& link : cluster.links) add_link(d, link, first);
 }
@@ -192,7 +196,9 @@ Case draw(std::uint64_t seed, Stage& stage) {
   if (stirred) draw_paddle(d);
   const std::size_t count = 3 + d.pick(38);
   draw_bodies(d, count, joined);
-  d.scene.summary = std::string(d.thin > 0 ? d.thin > 0.3 ? "many thin of " : "some thin of " : "") + std::to_string(count) + " bodies on " + ground + (d.lively > 0 ? d.lively > 0.3 ? ", lively" : ", some thrown" : "");
+  d.scene.summary = std::string(d.thin > 0 ? d.thin > 0.3 ? "many thin of " : "some thin of " : "") +
+                    std::to_string(count) + " bodies on " + ground +
+                    (d.lively > 0 ? d.lively > 0.3 ? ", lively" : ", some thrown" : "");
   if (!d.scene.links.empty()) d.scene.summary += ", " + std::to_string(d.scene.links.size()) + " joints";
   if (stirred) d.scene.summary += ", a paddle";
   return std::move(d.scene);

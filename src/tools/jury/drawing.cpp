@@ -74,7 +74,8 @@ double octaves(double x) {
 }
 
 Solid Drawing::solid() {
-  static constexpr const char* kPlugins[] = {"sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "hull", "template"};
+  static constexpr const char* kPlugins[] = {"sphere", "box",       "capsule", "cylinder",
+                                             "cone",   "ellipsoid", "hull",    "template"};
   const std::size_t kind = pick(8);
   const Widths w = widths(*this);
   Solid solid{kPlugins[kind], {}, w.form};
@@ -111,7 +112,8 @@ Vec Drawing::support(const Part& part, const Quat& turned, const Vec& direction)
   const Vec local = turned.conjugate() * direction;
   Vec point;
   Call call;
-  call.done(carom_shape_support(stage_.engine().get(), shape_of(part), local.data(), 1, point.data(), call), "placing a body");
+  call.done(carom_shape_support(stage_.engine().get(), shape_of(part), local.data(), 1, point.data(), call),
+            "placing a body");
   return turned * point;
 }
 
@@ -128,7 +130,8 @@ bool Drawing::is_free(const Part& part, const Vec& position, const Quat& turned,
       if (!under) return false;
       double highest = -HUGE_VAL;
       for (const double h : scene.heights->values) highest = std::max(highest, h);
-      if (position.y() - reach < std::min(highest + scene.heights->corner.y(), under->height + reach) + gap) return false;
+      if (position.y() - reach < std::min(highest + scene.heights->corner.y(), under->height + reach) + gap)
+        return false;
       continue;
     }
     const Actor& actor = stage_.actors[i];
@@ -136,8 +139,9 @@ bool Drawing::is_free(const Part& part, const Vec& position, const Quat& turned,
     carom_distance result;
     result.struct_size = sizeof result;
     Call call;
-    call.done(carom_shape_distance(stage_.engine().get(), shape_of(part), position.data(), turned.coeffs().data(), other.shape,
-                                   actor.position.data(), actor.orientation.coeffs().data(), nullptr, &result, call),
+    call.done(carom_shape_distance(stage_.engine().get(), shape_of(part), position.data(), turned.coeffs().data(),
+                                   other.shape, actor.position.data(), actor.orientation.coeffs().data(), nullptr,
+                                   &result, call),
               "placing a body");
     if (result.lower < gap) return false;
   }

@@ -6,7 +6,8 @@
 
 namespace carom::tools::jury {
 
-/// Twice as far with each whole number, straight between: a logarithmic scale without logarithms, alike on every platform.
+/// Twice as far with each whole number, straight between: a logarithmic scale without logarithms, alike on every
+/// platform.
 double octaves(double x);
 
 /// A shape with the names of its plugin and its parameters.
@@ -30,13 +31,14 @@ class Drawing {
 
   bool chance(double share) { return random.unit() < share; }
   std::size_t pick(std::size_t n) { return static_cast<std::size_t>(random.bits() % n); }
-  Solid solid();                                ///< of a random kind, 5 to 80 cm long, no thinner than 1:30
-  Part part(const Solid& solid);                ///< with a random density and surface
+  Solid solid();                  ///< of a random kind, 5 to 80 cm long, no thinner than 1:30
+  Part part(const Solid& solid);  ///< with a random density and surface
   Vec support(const Part& part, const Quat& turned, const Vec& direction);  ///< m, from the origin, world axes
   /// The farthest that the shape reaches from its origin.
   double radius(const Part& part);
   /// Whether a shape at a place keeps `gap` from all that was added, but for some members.
-  bool is_free(const Part& part, const Vec& position, const Quat& turned, double gap, const std::vector<std::size_t>& but = {});
+  bool is_free(const Part& part, const Vec& position, const Quat& turned, double gap,
+               const std::vector<std::size_t>& but = {});
   /// @return its index among members and actors
   std::size_t add(Actor actor);
   Stage& stage() { return stage_; }

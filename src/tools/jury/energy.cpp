@@ -8,10 +8,12 @@ namespace carom::tools::jury {
 namespace {
 
 /// How fast the paddle's surface moves at a place, m/s.
-Vec surface_velocity(const State& paddle, const Vec& at) { return paddle.velocity + paddle.omega.cross(at - paddle.position); }
+Vec surface_velocity(const State& paddle, const Vec& at) {
+  return paddle.velocity + paddle.omega.cross(at - paddle.position);
+}
 
-/// What a body can have after it met a surface that moves at u: in the frame of the surface nothing is gained, so its motion
-/// there is at most what it was, in any direction.
+/// What a body can have after it met a surface that moves at u: in the frame of the surface nothing is gained, so its
+/// motion there is at most what it was, in any direction.
 /// @param spread  m/s, by how much u differs between the points at which they may touch
 double most_after(const Member& m, const State& s, const Vec& u, double spread) {
   State relative = s;
@@ -28,9 +30,12 @@ double kinetic(const Member& m, const State& s) {
 
 double potential(const Member& m, const State& s, double gravity) { return m.mass * gravity * center_of(m, s).y(); }
 
-double Purse::limit(double gravity, double dt) const { return 0.02 * std::max(had - lowest, 0.0) + slack + gravity * dt / 2 * brisk; }
+double Purse::limit(double gravity, double dt) const {
+  return 0.02 * std::max(had - lowest, 0.0) + slack + gravity * dt / 2 * brisk;
+}
 
-Energies::Energies(const Case& c, double dt, const Frame& start) : the_case_(c), dt_(dt), sets_(start.size()), gains_(start.size()) {
+Energies::Energies(const Case& c, double dt, const Frame& start)
+    : the_case_(c), dt_(dt), sets_(start.size()), gains_(start.size()) {
   for (std::size_t i = 0; i < start.size(); ++i) {
     const Member& m = c.members[i];
     Purse purse;
@@ -59,7 +64,8 @@ void Energies::merge(std::size_t a, std::size_t b) {
 }
 
 /// How much of what a body gained in a step the paddles explain.
-double Energies::paddle_share(const Frame& before, const std::vector<Near>& pairs, const Sets& islands, std::size_t body, double gain) {
+double Energies::paddle_share(const Frame& before, const std::vector<Near>& pairs, const Sets& islands,
+                              std::size_t body, double gain) {
   const Member& m = the_case_.members[body];
   double most = 0;
   for (const Near& near : pairs) {
@@ -69,7 +75,8 @@ double Energies::paddle_share(const Frame& before, const std::vector<Near>& pair
     if (islands.of(touched) != islands.of(body)) continue;
     const Vec u = surface_velocity(before[paddle], a_stirs ? near.point_a : near.point_b);
     Purse& purse = purses_[sets_.of(body)];
-    const double spread = before[paddle].omega.norm() * std::min(the_case_.members[touched].size, the_case_.members[paddle].size);
+    const double spread =
+        before[paddle].omega.norm() * std::min(the_case_.members[touched].size, the_case_.members[paddle].size);
     purse.stirred = std::max(purse.stirred, u.norm() + spread);
     double after = most_after(m, before[body], u, spread);
     if (touched != body)  // pushed through others, from any side

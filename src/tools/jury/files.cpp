@@ -1,8 +1,9 @@
 // Scenes as JSON for other engines, motion as plain doubles.
+#include "host/files.h"
+
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "host/files.h"
 #include "jury/trial.h"
 
 namespace carom::tools::jury {
@@ -34,9 +35,12 @@ json body_json(const Actor& actor, const Member& member) {
 
 json link_json(const Link& link) {
   static constexpr const char* kNames[] = {"ball", "hinge", "slider", "weld"};
-  json out = {{"kind", kNames[link.kind]},     {"a", link.a},
-              {"b", link.b},                   {"at_a", numbers(link.at_a)},
-              {"at_b", numbers(link.at_b)},    {"axes_a", numbers(link.axes_a)},
+  json out = {{"kind", kNames[link.kind]},
+              {"a", link.a},
+              {"b", link.b},
+              {"at_a", numbers(link.at_a)},
+              {"at_b", numbers(link.at_b)},
+              {"axes_a", numbers(link.axes_a)},
               {"axes_b", numbers(link.axes_b)}};
   if (link.limited) out["limit"] = {link.lower, link.upper};
   return out;
@@ -45,7 +49,8 @@ json link_json(const Link& link) {
 json paddle_json(const Paddle& paddle, const Setting& setting) {
   json velocities = json::array();
   for (std::size_t step = 0; step < steps_of(setting); ++step)
-    velocities.push_back(numbers(paddle.velocity(setting.dt * static_cast<double>(step), setting.dt * static_cast<double>(step + 1))));
+    velocities.push_back(
+        numbers(paddle.velocity(setting.dt * static_cast<double>(step), setting.dt * static_cast<double>(step + 1))));
   return {{"body", paddle.member}, {"spin", numbers(paddle.spin)}, {"velocities", velocities}};
 }
 
@@ -69,9 +74,14 @@ State state_from(const double* in) {
 
 void write_scene_json(const std::string& path, const Scenery& scenery, const Setting& setting) {
   const Case& scene = scenery.scene;
-  json out = {{"seed", scene.seed}, {"summary", scene.summary}, {"gravity", scene.gravity}, {"dt", setting.dt}, {"steps", steps_of(setting)}};
+  json out = {{"seed", scene.seed},
+              {"summary", scene.summary},
+              {"gravity", scene.gravity},
+              {"dt", setting.dt},
+              {"steps", steps_of(setting)}};
   out["bodies"] = out["joints"] = out["paddles"] = json::array();
-  for (std::size_t i = 0; i < scene.members.size(); ++i) out["bodies"].push_back(body_json(scenery.stage.actors[i], scene.members[i]));
+  for (std::size_t i = 0; i < scene.members.size(); ++i)
+    out["bodies"].push_back(body_json(scenery.stage.actors[i], scene.members[i]));
   for (const Link& link : scene.links) out["joints"].push_back(link_json(link));
   for (const Paddle& paddle : scene.paddles) out["paddles"].push_back(paddle_json(paddle, setting));
   write_file(path, out.dump());
@@ -90,7 +100,8 @@ Motion read_motion(const std::string& path, std::size_t members) {
   const std::string bytes = read_file(path, "write it with the other engine first");
   const std::size_t record = (1 + kNumbers * members) * sizeof(double);
   if (bytes.empty() || bytes.size() % record)
-    throw Error(path + " is no motion of this scene", "a record holds a time and 13 numbers for each of " + std::to_string(members) + " bodies");
+    throw Error(path + " is no motion of this scene",
+                "a record holds a time and 13 numbers for each of " + std::to_string(members) + " bodies");
   std::vector<double> in(bytes.size() / sizeof(double));
   std::memcpy(in.data(), bytes.data(), bytes.size());
   Motion motion;

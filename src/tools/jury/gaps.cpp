@@ -19,7 +19,8 @@ double gap_of(const Case& c, const Link& link, const Frame& frame) {
   const State &a = frame[link.a], &b = frame[link.b];
   const Quat axes_a = a.orientation * link.axes_a, axes_b = b.orientation * link.axes_b;
   const Quat turn = axes_a.conjugate() * axes_b;  // B's frame in A's
-  const Vec apart = axes_a.conjugate() * Vec(b.position + b.orientation * link.at_b - a.position - a.orientation * link.at_a);
+  const Vec apart =
+      axes_a.conjugate() * Vec(b.position + b.orientation * link.at_b - a.position - a.orientation * link.at_a);
   const auto radius = [&](std::size_t i) { return c.members[i].moves() ? c.members[i].size / 2 : HUGE_VAL; };
   const double arm = std::min(radius(link.a), radius(link.b));
   if (link.kind == CAROM_JOINT_BALL) return apart.norm();

@@ -44,7 +44,8 @@ void add_blocks(Drawing& d) {
   const std::size_t count = 2 + d.pick(6);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec half(d.random.between(0.1, 0.7), d.random.between(0.03, 0.3), d.random.between(0.1, 0.7));
-    const Vec place(d.random.between(-kPlace, kPlace), d.random.between(0, half.y()), d.random.between(-kPlace, kPlace));
+    const Vec place(d.random.between(-kPlace, kPlace), d.random.between(0, half.y()),
+                    d.random.between(-kPlace, kPlace));
     const bool tumbled = d.chance(0.3);
     add_block(d, "block " + std::to_string(i), half, place,
               tumbled ? d.random.rotation() : turn(Vec::UnitY(), d.random.between(-1, 1)));
@@ -76,7 +77,8 @@ void add_heights(Drawing& d) {
   };
   for (std::size_t row = 0; row < field.rows; ++row)
     for (std::size_t column = 0; column < field.columns; ++column) {
-      const double u = std::fabs(static_cast<double>(column) / 10 - 1), v = std::fabs(static_cast<double>(row) / 10 - 1);
+      const double u = std::fabs(static_cast<double>(column) / 10 - 1),
+                   v = std::fabs(static_cast<double>(row) / 10 - 1);
       const double edge = std::max(u, v), square = edge * edge, rim = square * square * square;
       field.values.push_back((2 * at(row, column) + at(row + 1, column) + at(row, column + 1)) / 4 + rim);
     }
@@ -152,7 +154,8 @@ Vec Paddle::velocity(double from, double to) const {
 
 std::optional<Heights::At> Heights::at(double x, double z) const {
   const double u = (x - corner.x()) / spacing, v = (z - corner.z()) / spacing;
-  if (!(u >= 0 && v >= 0 && u < static_cast<double>(columns - 1) && v < static_cast<double>(rows - 1))) return std::nullopt;
+  if (!(u >= 0 && v >= 0 && u < static_cast<double>(columns - 1) && v < static_cast<double>(rows - 1)))
+    return std::nullopt;
   const auto column = static_cast<std::size_t>(u), row = static_cast<std::size_t>(v);
   const double s = u - static_cast<double>(column), t = v - static_cast<double>(row);
   const double* h = values.data() + row * columns + column;

@@ -10,14 +10,14 @@
 namespace carom::tools::jury {
 namespace {
 
-constexpr double kLasting = 1.0 / 6;     // s that a body may be too deep: an impact is over by then
-constexpr double kPlainTime = 0.5;       // s after which anybody sees that a body is where it should not be
-constexpr double kPlainGain = 5;         // times the limit: a tenth of all energy there was
-constexpr double kPlainGap = 3;          // times the limit
+constexpr double kLasting = 1.0 / 6;      // s that a body may be too deep: an impact is over by then
+constexpr double kPlainTime = 0.5;        // s after which anybody sees that a body is where it should not be
+constexpr double kPlainGain = 5;          // times the limit: a tenth of all energy there was
+constexpr double kPlainGap = 3;           // times the limit
 constexpr double kPlainThickness = 0.02;  // m: who went through this went through something
-constexpr double kStallRatio = 3;        // of the mean of the scene
-constexpr double kStallSeconds = 0.002;  // s: an eighth of a frame at 60 Hz
-constexpr double kStallWork = 1e5;       // support calls, impulses and moves, of 20 ns each
+constexpr double kStallRatio = 3;         // of the mean of the scene
+constexpr double kStallSeconds = 0.002;   // s: an eighth of a frame at 60 Hz
+constexpr double kStallWork = 1e5;        // support calls, impulses and moves, of 20 ns each
 
 bool is_sane(const State& s) {
   const auto bounded = [](const Vec& v) { return v.allFinite() && v.cwiseAbs().maxCoeff() < 1e6; };
@@ -66,7 +66,7 @@ struct Judge::Inside {
   std::map<std::tuple<Trouble, std::size_t, std::size_t>, std::size_t> troubles, troubles_before;  // steps in a row
   std::map<Kind, Failure> failures;
   std::array<double, kKinds> worst_ratio{};  // beyond its limit, by kind
-  std::vector<bool> over_rim;  // by member: left the hills, whatever is above it now
+  std::vector<bool> over_rim;                // by member: left the hills, whatever is above it now
   std::vector<Cost> costs;
   Reading reading;
   bool over = false;  // a state that is not finite: there is nothing more to judge
@@ -95,7 +95,8 @@ double Judge::Inside::lasts(Trouble trouble, std::size_t a, std::size_t b) {
 
 /// @param plain  whether anybody would see it
 void Judge::Inside::fail(Kind kind, const std::string& who, double value, double limit, const char* unit, bool plain) {
-  Failure& f = failures.emplace(kind, Failure{kind, now(), who, value, limit, unit, 0, now(), who, value}).first->second;
+  Failure& f =
+      failures.emplace(kind, Failure{kind, now(), who, value, limit, unit, 0, now(), who, value}).first->second;
   if (plain && !f.plain_step) f.plain_step = now();
   const double beyond = value / std::max(limit, 1e-12);
   double& most = worst_ratio[static_cast<std::size_t>(kind)];
@@ -134,8 +135,9 @@ void Judge::Inside::judge_energy(const Frame& frame, const std::vector<Near>& pa
   const std::size_t worst = reading.gainer = energies->worst();
   reading.excess = energies->excess_of(worst), reading.excess_limit = energies->limit(worst);
   reading.given = energies->given();
-  if (reading.excess > reading.excess_limit) fail(Kind::gain, name(worst), reading.excess, reading.excess_limit, "J",
-                                                  reading.excess > kPlainGain * reading.excess_limit);
+  if (reading.excess > reading.excess_limit)
+    fail(Kind::gain, name(worst), reading.excess, reading.excess_limit, "J",
+         reading.excess > kPlainGain * reading.excess_limit);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     if (!c.members[i].moves()) continue;
     reading.kinetic += kinetic(c.members[i], frame[i]);
@@ -151,14 +153,17 @@ void Judge::Inside::judge_pair_depth(std::size_t a, std::size_t b, double depth,
   if (depth > reading.depth) reading.depth = depth, reading.deep_a = a, reading.deep_b = b;
   if (!(depth > limit)) return;
   const std::string who = name(a) + " in " + name(b);
-  const bool plain = depth > plain_depth(c.members[a], c.members[b]) && lasts(Trouble::plainly_deep, a, b) >= kPlainTime;
+  const bool plain =
+      depth > plain_depth(c.members[a], c.members[b]) && lasts(Trouble::plainly_deep, a, b) >= kPlainTime;
   if (lasts(Trouble::deep, a, b) >= kLasting) fail(Kind::sink, who, depth, limit, "m", plain);
-  if (!c.members[b].is_heights && (is_within(engine, c, a, b, frame) || (c.members[b].moves() && is_within(engine, c, b, a, frame))))
+  if (!c.members[b].is_heights &&
+      (is_within(engine, c, a, b, frame) || (c.members[b].moves() && is_within(engine, c, b, a, frame))))
     fail(Kind::pass, who, depth, limit, "m", lasts(Trouble::within, a, b) >= kPlainTime);
 }
 
 /// What a paddle presses on the ground may sink: there is nowhere to go.
-void Judge::Inside::judge_depth(const std::vector<Near>& pairs, const Frame& frame, const std::vector<bool>& is_stirred) {
+void Judge::Inside::judge_depth(const std::vector<Near>& pairs, const Frame& frame,
+                                const std::vector<bool>& is_stirred) {
   for (const Near& near : pairs) {
     if (is_stirred[near.a] || is_stirred[near.b] || are_joined(near.a, near.b)) continue;
     const bool a_moves = c.members[near.a].moves();
@@ -173,13 +178,15 @@ void Judge::Inside::judge_depth(const std::vector<Near>& pairs, const Frame& fra
     over_rim[i] = over_rim[i] || under.is_beyond;
     if (is_stirred[i] || over_rim[i]) continue;
     if (under.is_through)
-      fail(Kind::pass, name(i) + " in hills", under.depth, c.members[i].thickness / 2, "m", lasts(Trouble::within, i, hills) >= kPlainTime);
+      fail(Kind::pass, name(i) + " in hills", under.depth, c.members[i].thickness / 2, "m",
+           lasts(Trouble::within, i, hills) >= kPlainTime);
     else
       judge_pair_depth(i, hills, under.depth, frame);
   }
 }
 
-/// By centres: what went from one side of another body to the other within the step. Also if it was put there, without speed.
+/// By centres: what went from one side of another body to the other within the step. Also if it was put there, without
+/// speed.
 void Judge::Inside::judge_passing(const Frame& frame, const std::vector<bool>& is_stirred) {
   for (std::size_t a = 0; a < frame.size(); ++a)
     for (std::size_t b = 0; b < frame.size() && c.members[a].moves() && !is_stirred[a]; ++b)
@@ -198,7 +205,8 @@ void Judge::Inside::judge_joints(const Frame& frame) {
   }
 }
 
-Judge::Judge(carom_engine* engine, const Case& the_case, double dt) : inside_(new Inside{engine, the_case, dt, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}) {}
+Judge::Judge(carom_engine* engine, const Case& the_case, double dt)
+    : inside_(new Inside{engine, the_case, dt, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}) {}
 Judge::~Judge() = default;
 
 void Judge::start(const Frame& frame) {
@@ -214,7 +222,9 @@ const Reading& Judge::step(const Frame& frame, const Cost& cost) {
   in.reading = Reading{};
   in.troubles_before.swap(in.troubles);
   in.troubles.clear();
-  if (cost.faults) in.fail(Kind::fault, cost.faulty.empty() ? "a shape or a body" : cost.faulty, static_cast<double>(cost.faults), 0, "faults", true);
+  if (cost.faults)
+    in.fail(Kind::fault, cost.faulty.empty() ? "a shape or a body" : cost.faulty, static_cast<double>(cost.faults), 0,
+            "faults", true);
   for (std::size_t i = 0; i < frame.size() && !in.over; ++i)
     if (!is_sane(frame[i])) in.fail(Kind::fault, in.name(i), 1, 0, "states", true), in.over = true;
   if (in.over) return in.reading;
@@ -258,9 +268,11 @@ Verdict Judge::verdict() const {
   const double most_seconds = std::max(kStallRatio * v.mean_seconds, kStallSeconds);
   const double most_work = std::max(kStallRatio * v.mean_work, kStallWork);
   if (v.worst_seconds > most_seconds)
-    v.failures.push_back({Kind::stall, v.worst_step, "step", 1e3 * v.worst_seconds, 1e3 * most_seconds, "ms", v.worst_step, v.worst_step, "step", 1e3 * v.worst_seconds});
+    v.failures.push_back({Kind::stall, v.worst_step, "step", 1e3 * v.worst_seconds, 1e3 * most_seconds, "ms",
+                          v.worst_step, v.worst_step, "step", 1e3 * v.worst_seconds});
   else if (v.worst_work > most_work)
-    v.failures.push_back({Kind::stall, worst_work_step, "step", v.worst_work, most_work, "units of work", worst_work_step, worst_work_step, "step", v.worst_work});
+    v.failures.push_back({Kind::stall, worst_work_step, "step", v.worst_work, most_work, "units of work",
+                          worst_work_step, worst_work_step, "step", v.worst_work});
   return v;
 }
 

@@ -48,8 +48,8 @@ struct Verdict {
 
 /// What is read off one step, for who wants to see it.
 struct Reading {
-  double kinetic = 0, potential = 0;  ///< J; potential from the origin
-  double given = 0;                   ///< J, by paddles in this step, at most
+  double kinetic = 0, potential = 0;    ///< J; potential from the origin
+  double given = 0;                     ///< J, by paddles in this step, at most
   double excess = 0, excess_limit = 0;  ///< J, of the set of bodies that is nearest its limit
   std::size_t gainer = 0;               ///< the body that gained the most in this step
   double speed = 0;                     ///< m/s

@@ -14,8 +14,9 @@ Near distance(carom_engine* engine, const Case& c, std::size_t a, std::size_t b,
   carom_distance result;
   result.struct_size = sizeof result;
   Call call;
-  call.done(carom_shape_distance(engine, c.members[a].shape, sa.position.data(), sa.orientation.coeffs().data(), c.members[b].shape,
-                                 sb.position.data(), sb.orientation.coeffs().data(), nullptr, &result, call),
+  call.done(carom_shape_distance(engine, c.members[a].shape, sa.position.data(), sa.orientation.coeffs().data(),
+                                 c.members[b].shape, sb.position.data(), sb.orientation.coeffs().data(), nullptr,
+                                 &result, call),
             "measuring a pair");
   return {a, b, result.separation, Vec(result.point_a), Vec(result.point_b)};
 }
@@ -27,7 +28,8 @@ double meets(carom_engine* engine, carom_shape shape, const Vec& start, const Ve
   carom_cast result;
   result.struct_size = sizeof result;
   Call call;
-  call.done(carom_ray_cast(engine, shape, origin.data(), straight.coeffs().data(), start.data(), way.data(), 1, nullptr, &result, call),
+  call.done(carom_ray_cast(engine, shape, origin.data(), straight.coeffs().data(), start.data(), way.data(), 1, nullptr,
+                           &result, call),
             "measuring a way");
   if (result.outcome == CAROM_CAST_OVERLAP) return 0;
   return result.outcome == CAROM_CAST_HIT ? result.time : -1;
@@ -83,7 +85,8 @@ UnderHills under_hills(carom_engine* engine, const Case& c, std::size_t body, co
     }
   std::vector<double> points(dirs.size());
   Call call;
-  call.done(carom_shape_support(engine, c.members[body].shape, dirs.data(), dirs.size() / 3, points.data(), call), "measuring a body");
+  call.done(carom_shape_support(engine, c.members[body].shape, dirs.data(), dirs.size() / 3, points.data(), call),
+            "measuring a body");
   for (std::size_t i = 0; i < points.size(); i += 3) {
     const Vec point = state.position + state.orientation * Vec(points.data() + i);
     const auto at = hills.at(point.x(), point.z());
@@ -98,7 +101,8 @@ bool is_within(carom_engine* engine, const Case& c, std::size_t a, std::size_t b
   return meets(engine, thing.shape, center_in(c, a, b, frame), Vec::Zero()) == 0;
 }
 
-bool went_through(carom_engine* engine, const Case& c, std::size_t a, std::size_t b, const Frame& before, const Frame& now) {
+bool went_through(carom_engine* engine, const Case& c, std::size_t a, std::size_t b, const Frame& before,
+                  const Frame& now) {
   const Member& thing = c.members[b];
   if (thing.is_plane || thing.is_heights) return false;
   const double moved = (now[a].position - before[a].position).norm() + (now[b].position - before[b].position).norm();

@@ -6,8 +6,8 @@
 namespace carom::tools::jury {
 
 struct Near {
-  std::size_t a, b;  ///< a < b
-  double separation;  ///< m, negative in overlap
+  std::size_t a, b;      ///< a < b
+  double separation;     ///< m, negative in overlap
   Vec point_a, point_b;  ///< m, world, nearest each other
 };
 

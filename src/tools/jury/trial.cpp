@@ -23,8 +23,8 @@ void drive(Scenery& scenery, double from, double to) {
   for (const Paddle& paddle : scenery.scene.paddles) {
     const Vec velocity = paddle.velocity(from, to);
     Call call;
-    call.done(carom_body_set_velocity(scenery.stage.world.get(), scenery.stage.actors[paddle.member].body, velocity.data(),
-                                      paddle.spin.data(), call),
+    call.done(carom_body_set_velocity(scenery.stage.world.get(), scenery.stage.actors[paddle.member].body,
+                                      velocity.data(), paddle.spin.data(), call),
               "driving a paddle");
   }
 }
@@ -39,8 +39,13 @@ Cost cost_of(const carom_step_report& report, double seconds, bool times) {
 
 /// What misbehaved first in the last step.
 std::string fault_text(const Stage& stage) {
-  static constexpr const char* kNames[] = {"fault", "support returned an error", "support not finite", "support outside the bounds",
-                                           "support worse than before", "state not finite", "particle not finite"};
+  static constexpr const char* kNames[] = {"fault",
+                                           "support returned an error",
+                                           "support not finite",
+                                           "support outside the bounds",
+                                           "support worse than before",
+                                           "state not finite",
+                                           "particle not finite"};
   const std::vector<carom_fault> faults = stage.world.faults();
   if (faults.empty()) return "";
   const carom_fault& first = faults.front();
@@ -65,7 +70,9 @@ void run_once(Scenery& scenery, const Setting& setting,
 
 }  // namespace
 
-std::size_t steps_of(const Setting& setting) { return static_cast<std::size_t>(std::ceil(setting.seconds / setting.dt - 1e-9)); }
+std::size_t steps_of(const Setting& setting) {
+  return static_cast<std::size_t>(std::ceil(setting.seconds / setting.dt - 1e-9));
+}
 
 Frame frame_of(const Stage& stage) {
   std::vector<double> poses, velocities;
@@ -73,7 +80,8 @@ Frame frame_of(const Stage& stage) {
   stage.read(CAROM_FIELD_VELOCITY, velocities);
   Frame frame;
   for (std::size_t i = 0; i < stage.actors.size(); ++i)
-    frame.push_back({Vec(&poses[7 * i]), Quat(Eigen::Vector4d(&poses[7 * i + 3])), Vec(&velocities[6 * i]), Vec(&velocities[6 * i + 3])});
+    frame.push_back({Vec(&poses[7 * i]), Quat(Eigen::Vector4d(&poses[7 * i + 3])), Vec(&velocities[6 * i]),
+                     Vec(&velocities[6 * i + 3])});
   return frame;
 }
 
@@ -92,7 +100,8 @@ Trial run(const PluginPath& plugins, std::uint64_t seed, const Setting& setting,
   });
   for (int again = 0; again < 2 && setting.times && judge.may_stall(); ++again) {
     Scenery other(plugins, seed);
-    run_once(other, setting, [&](std::size_t step, const carom_step_report&, double seconds) { judge.retime(step, seconds); });
+    run_once(other, setting,
+             [&](std::size_t step, const carom_step_report&, double seconds) { judge.retime(step, seconds); });
   }
   return {seed, scenery.scene.summary, judge.verdict(), scenery.stage.world.hash()};
 }

@@ -26,7 +26,7 @@ struct Scenery {
 
 /// What a run left behind beside its verdict.
 struct Motion {
-  std::vector<Frame> frames;  ///< the start, then after each step
+  std::vector<Frame> frames;    ///< the start, then after each step
   std::vector<double> seconds;  ///< of each step
 };
 
@@ -40,7 +40,8 @@ struct Trial {
 };
 
 /// @param motion  filled if not null
-Trial run(const PluginPath& plugins, std::uint64_t seed, const Setting& setting, const Watcher& watch = {}, Motion* motion = nullptr);
+Trial run(const PluginPath& plugins, std::uint64_t seed, const Setting& setting, const Watcher& watch = {},
+          Motion* motion = nullptr);
 /// Judge what another engine did with the scene.
 Trial judge(const PluginPath& plugins, std::uint64_t seed, double dt, const Motion& motion, const Watcher& watch = {});
 
