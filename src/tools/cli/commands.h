@@ -33,6 +33,7 @@ void add_check_command(CLI::App& app, Context& context);
 void add_paper_command(CLI::App& app, Context& context);
 void add_accuracy_command(CLI::App& app, Context& context);
 void add_tune_command(CLI::App& app, Context& context);
+void add_jury_command(CLI::App& app, Context& context);
 void add_import_command(CLI::App& app, Context& context);
 
 /// The values of repeated --set NAME=NUMBER.   @throws Error

@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
   add_paper_command(app, context);
   add_accuracy_command(app, context);
   add_tune_command(app, context);
+  add_jury_command(app, context);
   add_import_command(app, context);
   try {
     app.parse(argc, argv);

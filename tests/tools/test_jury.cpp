@@ -1,0 +1,395 @@
+// `carom jury`: scenes are as README says, the judge finds what is done to it and nothing else, and a slice of seeds
+// does not get worse.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "carom_command.h"
+#include "jury/drawing.h"
+#include "jury/gaps.h"
+#include "jury/pairs.h"
+#include "jury/trial.h"
+
+using namespace carom::tools;
+using namespace carom::tools::jury;
+
+namespace {
+
+constexpr double kDt = 1.0 / 60;
+
+/// Of the scenes of twenty seeds. It changes with the generator alone: then seeds name other scenes, and all records of
+/// them are void.
+constexpr std::uint64_t kGolden = 0x67a048e37215a435u;
+
+/// The slice, and how many of its scenes failed when it was last looked at, by kind: fault, gain, throw, gape, sink,
+/// pass, stall.
+constexpr std::uint64_t kSliceFirst = 1001, kSliceCount = 20;
+constexpr std::size_t kCeiling[kKinds] = {4, 3, 4, 14, 5, 5, 0};
+constexpr std::size_t kPlainCeiling[kKinds] = {4, 3, 4, 1, 2, 4, 0};
+
+PluginPath plugins() { return PluginPath({CAROM_PLUGIN_DIR}); }
+
+/// A scene by hand, and its motion by script: what happens to whom is set by the test.
+struct Script {
+  Script() : engine(plugins()), stage(engine), drawing(1, stage) {
+    Actor ground;
+    ground.name = "plane";
+    ground.type = CAROM_BODY_STATIC;
+    Part part;
+    part.shape = "half_space";
+    part.params = {0, 1, 0, 0};
+    ground.parts.push_back(part);
+    drawing.add(ground);
+  }
+  std::size_t add(const std::string& shape, const std::vector<double>& params, const Vec& position,
+                  std::uint32_t type = CAROM_BODY_DYNAMIC) {
+    Actor actor;
+    actor.name = shape + " " + std::to_string(drawing.scene.members.size());
+    actor.type = type;
+    actor.position = position;
+    Part part;
+    part.shape = shape;
+    part.params = params;
+    actor.parts.push_back(part);
+    return drawing.add(actor);
+  }
+  /// @param move  changes the frame of the step before into that of a step
+  Verdict play(std::size_t steps, const std::function<void(std::size_t, Frame&)>& move,
+               const std::function<Cost(std::size_t)>& cost = {}) {
+    Judge judge(engine.get(), drawing.scene, kDt);
+    Frame frame = frame_of(stage);
+    judge.start(frame);
+    for (std::size_t step = 1; step <= steps; ++step) {
+      move(step, frame);
+      judge.step(frame, cost ? cost(step) : Cost{});
+    }
+    return judge.verdict();
+  }
+  Engine engine;
+  Stage stage;
+  Drawing drawing;
+};
+
+void nothing(std::size_t, Frame&) {}
+
+/// Exactly one kind of failure, from a step on.
+void fails_by(const Verdict& v, Kind kind, std::size_t step) {
+  for (const Failure& f : v.failures)
+    if (f.kind != kind) print_message("also %s at step %zu, %s\n", name_of(f.kind), f.step, f.who.c_str());
+  assert_int_equal(v.failures.size(), 1);
+  assert_true(v.failures[0].kind == kind);
+  assert_int_equal(v.failures[0].step, step);
+}
+
+/// A ball on the ground and one beside it, both at rest.
+struct TwoBalls : Script {
+  std::size_t one = add("sphere", {0.1}, {0, 0.1, 0}), other = add("sphere", {0.1}, {5, 0.1, 0});
+};
+
+}  // namespace
+
+[[maybe_unused]] static void what_is_at_rest_or_falls_is_let_be(void**) {
+  TwoBalls rest;
+  assert_true(rest.play(300, nothing).failures.empty());
+  Script fall;
+  const std::size_t ball = fall.add("sphere", {0.1}, {0, 3, 0});
+  double energy = 9.81 * 3;
+  const Verdict v =
+      fall.play(300, [&](std::size_t, Frame& f) {  // bounces with restitution 0.5, in steps of semi-implicit Euler
+        State& s = f[ball];
+        s.velocity.y() -= 9.81 * kDt;
+        s.position += kDt * s.velocity;
+        if (s.position.y() < 0.1 && s.velocity.y() < 0) s.velocity.y() *= -0.5, s.position.y() = 0.1;
+        energy = 0.5 * s.velocity.squaredNorm() + 9.81 * s.position.y();
+      });
+  assert_true(energy < 9.81 * 0.2);
+  for (const Failure& f : v.failures)
+    print_message("%s at step %zu: %g of %g\n", name_of(f.kind), f.step, f.value, f.limit);
+  assert_true(v.failures.empty());
+}
+
+[[maybe_unused]] static void energy_from_nowhere_is_found(void**) {
+  TwoBalls balls;  // one rises by itself at 0.5 m/s
+  fails_by(balls.play(60,
+                      [&](std::size_t step, Frame& f) {
+                        if (step < 20) return;
+                        f[balls.one].velocity.y() = 0.5;
+                        f[balls.one].position.y() += 0.5 * kDt;
+                      }),
+           Kind::gain, 20);
+}
+
+[[maybe_unused]] static void energy_does_not_jump_to_a_stranger(void**) {
+  TwoBalls balls;
+  balls.stage.actors[balls.one].linear_velocity = Vec(1, 0, 0);
+  Call call;
+  const double v[3] = {1, 0, 0}, w[3] = {0, 0, 0};
+  call.done(carom_body_set_velocity(balls.stage.world.get(), balls.stage.actors[balls.one].body, v, w, call),
+            "throwing");
+  const Verdict verdict = balls.play(30, [&](std::size_t step, Frame& f) {
+    f[balls.one].velocity.x() = step < 10 ? 1 : 0;
+    f[balls.other].velocity.x() = step < 10 ? 0 : 1;
+    f[balls.one].position.x() += kDt * f[balls.one].velocity.x();
+    f[balls.other].position.x() += kDt * f[balls.other].velocity.x();
+  });
+  assert_non_null(verdict.of(Kind::gain));
+  assert_int_equal(verdict.of(Kind::gain)->step, 10);
+}
+
+[[maybe_unused]] static void a_throw_is_found(void**) {
+  TwoBalls balls;
+  const Verdict v = balls.play(30, [&](std::size_t step, Frame& f) {
+    if (step >= 12) f[balls.one].velocity.x() = 20, f[balls.one].position.x() -= 0.1;
+  });
+  assert_non_null(v.of(Kind::throws));
+  assert_int_equal(v.of(Kind::throws)->step, 12);
+  assert_true(v.of(Kind::throws)->plain_step == 12);
+}
+
+/// A paddle that comes at a ball at 1 m/s: the ball may leave at 2 m/s, as from an elastic bat, and not at 4.
+static Verdict batted(double speed) {
+  Script s;
+  const std::size_t ball = s.add("sphere", {0.1}, {0, 0.1, 0});
+  const std::size_t paddle = s.add("box", {0.1, 0.3, 0.5}, {-0.5, 0.35, 0}, CAROM_BODY_KINEMATIC);
+  s.drawing.scene.paddles.push_back({paddle, Vec::Zero(), Vec::UnitX(), 1});
+  return s.play(60, [&](std::size_t, Frame& f) {
+    f[paddle].velocity = Vec(1, 0, 0);
+    f[paddle].position.x() += kDt;
+    if (f[paddle].position.x() > -0.205) f[ball].velocity.x() = speed;
+    f[ball].position.x() += kDt * f[ball].velocity.x();
+  });
+}
+
+[[maybe_unused]] static void a_paddle_gives_what_it_can_and_no_more(void**) {
+  assert_true(batted(2).failures.empty());
+  assert_non_null(batted(4).of(Kind::gain));
+  assert_non_null(batted(20).of(Kind::throws));
+}
+
+[[maybe_unused]] static void a_gape_is_found(void**) {
+  Script s;
+  const std::size_t a = s.add("box", {0.1, 0.1, 0.1}, {0, 0.1, 0}), b = s.add("box", {0.1, 0.1, 0.1}, {0.25, 0.1, 0});
+  for (const std::uint32_t kind : {CAROM_JOINT_BALL, CAROM_JOINT_HINGE, CAROM_JOINT_SLIDER, CAROM_JOINT_WELD}) {
+    Link link;
+    link.kind = kind, link.a = a, link.b = b;
+    link.at_a = Vec(0.125, 0, 0), link.at_b = Vec(-0.125, 0, 0);
+    s.drawing.scene.links = {link};
+    assert_true(s.play(5, nothing).failures.empty());
+    const auto aside = [&](double by) {
+      return [&, by](std::size_t step, Frame& f) {
+        if (step == 3) f[b].position.z() += by;
+      };
+    };
+    assert_true(s.play(20, aside(0.009)).failures.empty());
+    fails_by(s.play(20, aside(0.011)), Kind::gape, 3);
+    assert_int_equal(s.play(20, aside(0.04)).of(Kind::gape)->plain_step, 12);  // a sixth of a second
+    // Along the axis a slider is free, between its limits.
+    s.drawing.scene.links[0].limited = kind == CAROM_JOINT_SLIDER;
+    s.drawing.scene.links[0].lower = -0.1, s.drawing.scene.links[0].upper = 0.1;
+    const Verdict along = s.play(20, [&](std::size_t step, Frame& f) {
+      f[b].position.x() += step == 3 ? 0.09 : step == 9 ? 0.03 : 0;
+    });
+    fails_by(along, Kind::gape, kind == CAROM_JOINT_SLIDER ? 9 : 3);
+    // A turn about the axis is a hinge's business and a ball's.
+    const Verdict turned = s.play(20, [&](std::size_t step, Frame& f) {
+      if (step != 3) return;
+      f[b].orientation = Quat(1, 0.2, 0, 0).normalized();
+    });
+    assert_int_equal(turned.of(Kind::gape) != nullptr, kind == CAROM_JOINT_SLIDER || kind == CAROM_JOINT_WELD);
+  }
+}
+
+[[maybe_unused]] static void what_sinks_for_long_is_found(void**) {
+  TwoBalls balls;
+  const auto deep = [&](std::size_t from, std::size_t to, double depth) {
+    return [&, from, to, depth](std::size_t step, Frame& f) {
+      f[balls.one].position.y() = 0.1 - (step >= from && step < to ? depth : 0);
+    };
+  };
+  const double limit = 0.001 + 0.02 * 0.2;
+  assert_null(balls.play(40, deep(5, 14, 1.1 * limit)).of(Kind::sink));  // for nine steps
+  assert_true(balls.play(40, deep(5, 41, 0.9 * limit)).failures.empty());
+  fails_by(balls.play(40, deep(5, 41, 1.1 * limit)), Kind::sink, 14);
+  assert_int_equal(balls.play(40, deep(5, 40, 1.1 * limit)).of(Kind::sink)->plain_step, 0);
+  assert_int_equal(balls.play(60, deep(5, 60, 6 * limit)).of(Kind::sink)->plain_step, 34);
+}
+
+[[maybe_unused]] static void what_passes_through_is_found(void**) {
+  TwoBalls balls;  // below the ground
+  fails_by(balls.play(10, [&](std::size_t step, Frame& f) { f[balls.one].position.y() = step >= 5 ? -0.01 : 0.1; }),
+           Kind::pass, 5);
+  Script s;  // through a plate, within a step
+  const std::size_t ball = s.add("sphere", {0.05}, {-0.5, 1, 0});
+  s.add("box", {0.01, 1, 1}, {0, 1, 0}, CAROM_BODY_STATIC);
+  for (const double way : {0.4, 1.0}) {
+    const Verdict v = s.play(20, [&](std::size_t step, Frame& f) {
+      if (step == 7) f[ball].position.x() += way;
+    });
+    assert_int_equal(v.failures.size(), way > 0.5);
+    if (way > 0.5) fails_by(v, Kind::pass, 7);
+  }
+}
+
+[[maybe_unused]] static void stalls_and_faults_are_found(void**) {
+  TwoBalls balls;
+  const auto costs = [](double usual, double once, bool work) {
+    return [=](std::size_t step) {
+      Cost cost;
+      (work ? cost.work : cost.seconds) = step == 33 ? once : usual;
+      return cost;
+    };
+  };
+  assert_true(balls.play(60, nothing, costs(1e-4, 1.9e-3, false)).failures.empty());  // below 2 ms
+  assert_true(balls.play(60, nothing, costs(1e-3, 2.9e-3, false)).failures.empty());  // below three times the mean
+  fails_by(balls.play(60, nothing, costs(1e-4, 2.1e-3, false)), Kind::stall, 33);
+  fails_by(balls.play(60, nothing, costs(1e3, 1.1e5, true)), Kind::stall, 33);
+  fails_by(balls.play(20, [&](std::size_t step, Frame& f) { f[balls.one].position.x() = step == 9 ? NAN : 0; }),
+           Kind::fault, 9);
+  fails_by(balls.play(20, nothing,
+                      [](std::size_t step) {
+                        Cost cost;
+                        cost.faults = step == 4;
+                        return cost;
+                      }),
+           Kind::fault, 4);
+}
+
+[[maybe_unused]] static void hills_are_where_the_engine_has_them(void**) {
+  for (std::uint64_t seed = 1, seen = 0; seen < 3; ++seed) {
+    const Scenery drawn(plugins(), seed);
+    if (!drawn.scene.heights) continue;
+    ++seen;
+    const Heights& hills = *drawn.scene.heights;
+    std::size_t ground = 0;
+    while (!drawn.scene.members[ground].is_heights) ++ground;
+    Random random(seed);
+    for (int i = 0; i < 100; ++i) {
+      const double x = random.between(-1.5, 1.5), z = random.between(-1.5, 1.5);
+      const double from[3] = {x, 5, z}, down[3] = {0, -10, 0};
+      const Quat straight = Quat::Identity();
+      carom_cast hit;
+      hit.struct_size = sizeof hit;
+      Call call;
+      call.done(carom_ray_cast(drawn.engine.get(), drawn.scene.members[ground].shape, hills.corner.data(),
+                               straight.coeffs().data(), from, down, 1, nullptr, &hit, call),
+                "looking down");
+      assert_int_equal(hit.outcome, CAROM_CAST_HIT);
+      const auto at = hills.at(x, z);
+      assert_true(std::fabs(5 - 10 * hit.time - at->height) < 1e-9);
+      assert_true((Vec(hit.normal) + at->normal).norm() < 1e-9);
+    }
+  }
+}
+
+[[maybe_unused]] static void scenes_are_as_described(void**) {
+  std::size_t joined = 0, stirred = 0, hulls = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const Scenery drawn(plugins(), seed);
+    const Case& c = drawn.scene;
+    const Frame start = frame_of(drawn.stage);
+    std::size_t bodies = 0;
+    for (const Member& m : c.members) {
+      if (!m.moves()) continue;
+      ++bodies;
+      assert_true(m.size > 0.02 && m.size < 1.2 && m.thickness > 0.0005);  // a box of 80 cm is wider across its corners
+      hulls += m.name.find("hull") != std::string::npos;
+    }
+    assert_true(bodies >= 2 && bodies <= 40);
+    joined += !c.links.empty(), stirred += !c.paddles.empty();
+    for (const Link& link : c.links) assert_true(gap_of(c, link, start) < 1e-9);
+    for (const Near& near : near_pairs(drawn.engine.get(), c, start, kDt)) {
+      const bool tied = std::any_of(c.links.begin(), c.links.end(), [&](const Link& l) {
+        return std::minmax(l.a, l.b) == std::minmax(near.a, near.b);
+      });
+      if (!tied) assert_true(near.separation > 0.999 * kGap);
+    }
+  }
+  // Of 60, within three standard deviations of a half and of a quarter.
+  assert_true(joined > 30 - 12 && joined < 30 + 12 && stirred > 15 - 11 && stirred < 15 + 11 && hulls > 20);
+}
+
+/// Bits of all that was drawn.
+static std::uint64_t bits_of(const Frame& frame, std::uint64_t hash) {
+  for (const State& s : frame)
+    for (const double x : {s.position.x(), s.position.y(), s.position.z(), s.orientation.x(), s.orientation.w(),
+                           s.velocity.y(), s.omega.z()}) {
+      std::uint64_t bits;
+      std::memcpy(&bits, &x, sizeof bits);
+      hash = (hash ^ bits) * 1099511628211u;
+    }
+  return hash;
+}
+
+[[maybe_unused]] static void a_seed_is_the_same_scene_everywhere(void**) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) hash = bits_of(frame_of(Scenery(plugins(), seed).stage), hash);
+  if (hash != kGolden) print_message("now 0x%llx\n", static_cast<unsigned long long>(hash));
+  assert_true(hash == kGolden);
+}
+
+[[maybe_unused]] static void the_command_says_what_the_judge_says(void**) {
+  const std::string folder =
+      (std::filesystem::temp_directory_path() / ("carom_jury_" + std::to_string(::getpid()))).string();
+  const auto ran = command_test::run_carom("jury --seeds 3..4 --no-times --json --write " + folder, false);
+  const auto judged = command_test::run_carom("jury --seeds 3..4 --no-times --json --judge " + folder, false);
+  assert_true(ran.code == 0 || ran.code == 1);
+  assert_true(ran.says("\"seeds\": [\n    3,\n    4\n  ]"));
+  const auto run = nlohmann::json::parse(ran.text), again = nlohmann::json::parse(judged.text);
+  for (std::size_t i = 0; i < 2; ++i)
+    for (const auto& f : run["scenes"][i]["failures"]) {
+      if (f["kind"] == "stall" || f["kind"] == "fault") continue;  // of times and of what the engine says of itself
+      const auto& found = again["scenes"][i]["failures"];
+      assert_true(std::any_of(found.begin(), found.end(), [&](const auto& g) {
+        return g["kind"] == f["kind"] && g["step"] == f["step"] && g["who"] == f["who"];
+      }));
+    }
+  assert_true(command_test::run_carom("run " + folder + "/3.gltf --seconds 0.05 --quiet").code <= 1);
+  std::filesystem::remove_all(folder);
+  assert_int_equal(command_test::run_carom("jury --seeds 9..1").code, 2);
+  assert_true(command_test::run_carom("jury --seed 2 --steps --seconds 0.1 --no-times").says("gained most"));
+}
+
+/// What today's engine does with seeds that nobody chose. Lower a ceiling with every mend; never raise one.
+[[maybe_unused]] static void a_slice_of_seeds_does_not_get_worse(void**) {
+  std::array<std::size_t, kKinds> failed{}, plain{};
+  Setting setting;
+  setting.times = false;
+  for (std::uint64_t seed = kSliceFirst; seed < kSliceFirst + kSliceCount; ++seed) {
+    const Trial trial = run(plugins(), seed, setting);
+    for (const Failure& f : trial.verdict.failures) {
+      ++failed[static_cast<std::size_t>(f.kind)];
+      plain[static_cast<std::size_t>(f.kind)] += f.plain_step > 0;
+    }
+  }
+  for (std::size_t k = 0; k < kKinds; ++k) {
+    print_message("%-6s %2zu scenes of %zu (at most %zu), %2zu plainly (at most %zu)\n", name_of(static_cast<Kind>(k)),
+                  failed[k], static_cast<std::size_t>(kSliceCount), kCeiling[k], plain[k], kPlainCeiling[k]);
+    assert_true(failed[k] <= kCeiling[k] && plain[k] <= kPlainCeiling[k]);
+  }
+}
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(what_is_at_rest_or_falls_is_let_be),
+      cmocka_unit_test(energy_from_nowhere_is_found),
+      cmocka_unit_test(energy_does_not_jump_to_a_stranger),
+      cmocka_unit_test(a_throw_is_found),
+      cmocka_unit_test(a_paddle_gives_what_it_can_and_no_more),
+      cmocka_unit_test(a_gape_is_found),
+      cmocka_unit_test(what_sinks_for_long_is_found),
+      cmocka_unit_test(what_passes_through_is_found),
+      cmocka_unit_test(stalls_and_faults_are_found),
+      cmocka_unit_test(hills_are_where_the_engine_has_them),
+      cmocka_unit_test(scenes_are_as_described),
+      cmocka_unit_test(a_seed_is_the_same_scene_everywhere),
+      cmocka_unit_test(the_command_says_what_the_judge_says),
+#ifndef CAROM_SANITIZED
+      cmocka_unit_test(a_slice_of_seeds_does_not_get_worse),
+#endif
+  };
+  return cmocka_run_group_tests_name("tools/jury", tests, nullptr, nullptr);
+}
