@@ -187,6 +187,7 @@ static void nan_dents_lengths_memory_and_false_declarations_are_caught(void**) {
   liar("nan", "NaN");
   liar("dent", "convex");
   liar("length", "length");
+  liar("rules", "keeps its rules");
   liar("memory", "second time");
   liar("declaration", "CAROM_E_DECLARATION_FALSE");
 }

@@ -62,6 +62,9 @@ class Trial {
     const std::vector<Params> sets =
         request_.params_given ? std::vector<Params>{request_.params} : trial_params(*plugin_, &ordinary);
     verdict_.param_sets = sets.size();
+    if (sets.empty())
+      return find(Lie::bad_parameters, nullptr, "none of the sets of parameters that were drawn keeps its rules",
+                  "give a set that does (--params), and look whether the rules can be kept at all");
     enter(Phase::sample);
     const std::vector<Direction> directions = trial_directions(kDirections);
     for (const Params& params : sets) sample(params, directions);

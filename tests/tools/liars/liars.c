@@ -52,6 +52,10 @@ static const carom_param parameters[] = {{"half", "m", 1, 1}};
 static const carom_geometry geometry = {sizeof(carom_geometry), CAROM_FORM_BOX, {0, 0, 0, CAROM_NO_PARAM}, CAROM_NO_PARAM,
                                         CAROM_FORM_NONE, {CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM}};
 #define PARAMETERS .param_count = 1, .params = parameters, .geometry = &geometry
+#elif defined(LIE_RULES) /* asks for what its own bounds forbid */
+static const carom_param parameters[] = {{"radius", "m", 1, 2}};
+static const carom_param_rule rules[] = {{"radius <= 0.5", 1, {0}, {1}, 0.5}};
+#define PARAMETERS .param_count = 1, .params = parameters, .rules = rules, .rule_count = 1
 #else
 #define PARAMETERS .param_count = 0
 #endif
