@@ -40,7 +40,7 @@ void Sweeper::strike(SweptBody& b) {
   ++report_.sweep_hits;
   // Bodies that are pushed on by nothing but their path are aimed along their velocity, which does not close.
   const Real rest = time_.h - s.now;
-  const bool astray = !struck || s.sinks * rest > slack(s.a, s.b);
+  const bool astray = !struck || s.sinks * rest > kDeeper * slack(s.a, s.b);
   for (SweptBody* const p : {&b, partner}) {
     if (!p || !moved_by_hits(p->body)) continue;
     if (astray) aim(p == &b ? s.a : s.b, s.now);
@@ -162,7 +162,7 @@ bool Sweeper::exchange(Strike& s) {
   };
   const auto move = [&](Real to) {
     const auto put = [&](const Side& side, ImpactBody& b) {
-      const Velocity u = velocity(side, to);
+      const Velocity u = velocity(side, to, s.now);
       b.v = u.v, b.omega = u.omega;
     };
     s.moment = to;
@@ -229,7 +229,7 @@ void Sweeper::turn_off(Side& side, Strike& s, const Velocity& change) {
   const Vec3 end = known->path.place(time_.h) + (time_.h - s.moment) * change.v;
   known->changed = true;
   const bool turns = carried(i);
-  const Vec3 omega = (turns ? velocity(side, s.moment).omega : motion_.omega[i]) + change.omega;
+  const Vec3 omega = (turns ? velocity(side, s.moment, s.now).omega : motion_.omega[i]) + change.omega;
   known->path.go_on_from(s.now);
   Path& path = known->path;
   path.u = rest > 0 ? Vec3((end - path.x) / rest) : motion_.v[i];
@@ -249,7 +249,7 @@ void Sweeper::turn_off(Side& side, Strike& s, const Velocity& change) {
 /// Along its velocity from now on, and about its axis of now.
 void Sweeper::aim(const Side& side, Real now) {
   SweptBody* const known = c_.find(side.body);
-  const Velocity u = velocity(side, now);
+  const Velocity u = velocity(side, now, now);
   known->changed = true;
   known->path.go_on_from(now);
   known->path.u = motion_.v[side.body];
