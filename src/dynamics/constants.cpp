@@ -7,6 +7,7 @@
 #include "dynamics/contact/impact_points.h"
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
+#include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/sweep_constants.h"
 
 namespace carom::dynamics {
@@ -24,7 +25,7 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 }
 
 constexpr auto kConstantTable =
-    in_one_table(kPatchConstants, kImpactConstants, kSweepConstants, kAutoConstants, kConeGroupConstants);
+    in_one_table(kPatchConstants, kImpactConstants, kSweepConstants, kFarTurnConstants, kAutoConstants, kConeGroupConstants);
 
 }  // namespace
 
