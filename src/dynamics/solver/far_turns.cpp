@@ -126,10 +126,9 @@ bool mark(const World& world, WideContacts& wide) {
   return any;
 }
 
-/// Whether a body that a rotation method carries turns too far within a substep. Who begins a step without spin is not
-/// carried in it: it turns about its axis, which keeps its energy as well.
-bool turns_far(const World& world, const FarTurn& f, std::uint32_t slot, Real h) {
-  return is_carried(*world.plan, slot) && f.unlike * world.state.omega[slot].squared_norm() * h * h > kFarTurn;
+Real unlikeness(const Plan& plan, std::uint32_t slot) {
+  const Vec3& moment = plan.principal[slot].moment;
+  return moment.max_entry() / moment.min_entry() - 1;
 }
 
 /// Rows of marked bodies anew.   @param h  as Renewal has it
@@ -163,6 +162,14 @@ void renew(const World& world, WideContacts& wide, Real h) {
 
 }  // namespace
 
+// Who begins a step without spin is carried by no rotation method in it: it turns about its axis, which keeps its
+// energy as well.
+bool turns_far_for_its_shape(const World& world, std::uint32_t body, Real time) {
+  const Plan& plan = *world.plan;
+  return is_carried(plan, body) &&
+         unlikeness(plan, body) * world.state.omega[body].squared_norm() * time * time > kFarTurn;
+}
+
 void find_far_turners(const World& world, WideContacts& wide) {
   const Plan& plan = *world.plan;
   wide.far_turn.assign(wide.slot.size(), {});
@@ -170,8 +177,7 @@ void find_far_turners(const World& world, WideContacts& wide) {
   if (!plan.rotation_method || wide.manifolds.empty()) return;
   for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
     if (!plan.effects[+EffectId::gyroscopic].candidates.has(wide.slot[i])) continue;
-    const Vec3& moment = plan.principal[wide.slot[i]].moment;
-    wide.far_turn[i].unlike = moment.max_entry() / moment.min_entry() - 1;
+    wide.far_turn[i].unlike = unlikeness(plan, wide.slot[i]);
   }
   for (const Link& link : world.contacts->links) {
     if (link.moves_a) wide.far_turn[wide.body[link.a]].unlike = 0;
@@ -189,7 +195,7 @@ void begin_far_turns(const World& world, Velocities& to, WideContacts& wide, Rea
   for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
     FarTurn& f = wide.far_turn[i];
     const std::uint32_t slot = wide.slot[i];
-    f.led_back = turns_far(world, f, slot, h) && !s.quarantined[slot];
+    f.led_back = f.unlike > 0 && turns_far_for_its_shape(world, slot, h) && !s.quarantined[slot];
     if (!f.led_back) continue;
     f.end = s.omega[slot];
     const Vec3 momentum = inertia_at(world.scene, slot, plan.proposal.q[slot]) * f.end;
@@ -204,7 +210,7 @@ void end_far_turns(const World& world, Velocities& to, WideContacts& wide, Real 
   for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
     const FarTurn& f = wide.far_turn[i];
     const std::uint32_t slot = wide.slot[i];
-    if (!f.led_back && !(turns_far(world, f, slot, h) && world.plan->touched[slot])) continue;
+    if (!f.led_back && !(f.unlike > 0 && world.plan->touched[slot] && turns_far_for_its_shape(world, slot, h))) continue;
     if (f.led_back && s.omega[slot] == f.begun) {
       to.omega[slot] = f.end;
     } else {

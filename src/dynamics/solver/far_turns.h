@@ -19,6 +19,8 @@ inline constexpr Constant<Real> kFarTurn{
     "larger: thin bodies gain energy where they hit; smaller: time, in heaps of bricks that tumble"};
 inline constexpr ConstantRow kFarTurnConstants[] = {kFarTurn};
 
+/// Whether a body's spin takes it too far within some time for masses that stay as they are.   @param time  s
+bool turns_far_for_its_shape(const World& world, std::uint32_t body, Real time);
 /// How unlike its moments of inertia are, of each solver body that a rotation method carries and no joint holds.
 /// Allocates.
 void find_far_turners(const World& world, WideContacts& wide);
