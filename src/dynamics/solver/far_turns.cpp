@@ -5,6 +5,7 @@
 #include <array>
 
 #include "dynamics/integrate/rotation/rotation.h"
+#include "dynamics/ledger/ledger.h"
 #include "dynamics/solver/fill_lanes.h"
 
 namespace carom::dynamics {
@@ -77,6 +78,7 @@ class Renewal {
       set(p.gap, lane, gap);
     }
     if (h_ > 0) book(pair.p_t, pair.sum_t, lane), book(pair.p_s, pair.sum_s, lane), book(pair.p_w, pair.sum_w, lane);
+    if (h_ > 0 && keeps_books(world_)) forget_friction(world_, m.pair, m.lane);
     set(pair.p_t, lane, 0), set(pair.p_s, lane, 0), set(pair.p_w, lane, 0);
   }
 
