@@ -20,7 +20,7 @@ struct Sweeper::Strike {
   Real now;     // s, on the path
   Real moment;  // s, on the parabolas of which the paths are chords
   Vec3 normal, point;
-  ImpactPair of;                // bodies at the moment, changed by the impulse
+  ImpactPair of;  // bodies at the moment, changed by the impulse
   std::array<ImpactPoint, Manifold::kMaxPoints> points;
   std::size_t count = 0;
   Real impulse = 0, speed = 0;  // N s; m/s, the fastest point's
@@ -279,7 +279,8 @@ void Sweeper::brace(Strike& s) {
 /// For the rest of the substep it stands where it was hit, and forces do not speed it up.
 void Sweeper::stop(const Side& side, Real now) {
   SweptBody& b = *c_.find(side.body);
-  motion_.v[side.body] = velocity(side, now, now).v;
+  const Velocity u = velocity(side, now, now);
+  motion_.v[side.body] = u.v, motion_.omega[side.body] = u.omega;
   b.path.go_on_from(now), b.path.stay(), b.changed = true;
 }
 

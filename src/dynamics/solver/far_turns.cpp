@@ -25,7 +25,8 @@ Place place_now(const World& world, const Row& row, const RowGeometry& g, const 
 }
 
 /// m, what a body's own motion since its lanes were laid adds to a point's separation, as kernels reckon it.
-Real moved_by(const WideContacts& wide, const State& s, std::uint32_t body, const Vec3& arm, Real radius, const Vec3& n) {
+Real moved_by(const WideContacts& wide, const State& s, std::uint32_t body, const Vec3& arm, Real radius,
+              const Vec3& n) {
   if (body == 0) return 0;
   const std::uint32_t slot = wide.slot[body];
   const Quat q = s.q[slot] * wide.start_q[body].conjugate();
@@ -41,7 +42,8 @@ class Renewal {
   Renewal(const World& world, WideContacts& wide, Real h) : world_(world), wide_(wide), h_(h) {}
 
   template <class Number>
-  void operator()(PairLanesOf<Number>& pair, PointLanesOf<Number>* points, int lane, const WideContacts::Manifold& m) const {
+  void operator()(PairLanesOf<Number>& pair, PointLanesOf<Number>* points, int lane,
+                  const WideContacts::Manifold& m) const {
     const Contacts& c = *world_.contacts;
     const State& s = world_.state;
     const Row& row = c.rows[m.row];
@@ -59,7 +61,8 @@ class Renewal {
     if (far_b) set(pair.r_b, lane, middle - apart);
     if (far_a) set_inertia(row.a, pair.inv_inertia_a, lane);
     if (far_b) set_inertia(row.b, pair.inv_inertia_b, lane);
-    const Vec3 r_a = get(pair.r_a, static_cast<std::uint32_t>(lane)), r_b = get(pair.r_b, static_cast<std::uint32_t>(lane));
+    const Vec3 r_a = get(pair.r_a, static_cast<std::uint32_t>(lane)),
+               r_b = get(pair.r_b, static_cast<std::uint32_t>(lane));
     for (std::uint32_t k = 0; k < m.points; ++k) {
       PointLanesOf<Number>& p = points[k];
       const Row& of = c.rows[m.row + k];
@@ -70,7 +73,7 @@ class Renewal {
         gap = held_gap(gap, a, b, r_a + d, r_b + d, of.n);
       } else {
         set(p.p_n, lane, 0);
-        set(p.separation, lane, std::max(gap, kNoSpring));
+        set(p.separation, lane, gap);
       }
       const RowGeometry& g = c.geometry[m.row + k];
       if (!far_a) gap += moved_by(wide_, s, a, r_a + d, g.radius_a, of.n);
@@ -83,8 +86,6 @@ class Renewal {
   }
 
  private:
-  static constexpr Real kNoSpring = 1e-30;  // m, apart by next to nothing: the law alone
-
   template <class Lanes>
   static void book(const Lanes& p, Lanes& sum, int lane) {
     sum[lane] += p[lane];
@@ -94,7 +95,8 @@ class Renewal {
     LanesOf<Number> inv_mass;
     set_mass<Number>(world_, true, body, inv_mass, to, lane);
   }
-  /// A gap at which a sweep takes no impulse back from a point that closes, and from one that parts only until it rests.
+  /// A gap at which a sweep takes no impulse back from a point that closes, and from one that parts only until it
+  /// rests.
   Real held_gap(Real gap, std::uint32_t a, std::uint32_t b, const Vec3& r_a, const Vec3& r_b, const Vec3& n) const {
     if (!(gap > 0)) return gap;
     const auto at = [&](std::uint32_t body, const Vec3& r) {
@@ -110,6 +112,15 @@ class Renewal {
   Real h_;
 };
 
+/// By what share of its energy a body's inertia is off that has turned since: it errs by t (I_i - I_j) between two
+/// principal axes if it has turned by t about the third.   @param turn  rad, body axes
+Real misfit(const Plan& plan, std::uint32_t slot, const Vec3& turn) {
+  const Principal& top = plan.principal[slot];
+  const Vec3 t = top.aligned ? top.sorted(turn) : Vec3(top.frame.conjugate() * turn), &m = top.moment;
+  const auto of = [](Real angle, Real i, Real j) { return angle * angle * ((i - j) * (i - j) / (i * j)); };
+  return of(t.x(), m.y(), m.z()) + of(t.y(), m.x(), m.z()) + of(t.z(), m.x(), m.y());
+}
+
 /// Who has turned too far since its rows were made; always who is marked `again`. Their masses are made anew.
 bool mark(const World& world, WideContacts& wide) {
   const State& s = world.state;
@@ -117,20 +128,15 @@ bool mark(const World& world, WideContacts& wide) {
   for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
     FarTurn& f = wide.far_turn[i];
     f.marked = false;
-    if (!(f.unlike > 0)) continue;
+    if (!f.may) continue;
     const std::uint32_t slot = wide.slot[i];
-    const Real turn2 = 4 * (s.q[slot] * wide.start_q[i].conjugate()).vec().squared_norm();
-    if (!f.again && !(f.unlike * turn2 > kFarTurn)) continue;
+    const Vec3 turn = 2 * (wide.start_q[i].conjugate() * s.q[slot]).vec();
+    if (!f.again && !(misfit(*world.plan, slot, turn) > kFarTurn)) continue;
     f.marked = any = true;
     const Mat3 r = s.q[slot].matrix();
     world.contacts->inv_inertia_w[slot] = r * world.scene.inv_inertia[slot] * r.transpose();
   }
   return any;
-}
-
-Real unlikeness(const Plan& plan, std::uint32_t slot) {
-  const Vec3& moment = plan.principal[slot].moment;
-  return moment.max_entry() / moment.min_entry() - 1;
 }
 
 /// Rows of marked bodies anew.   @param h  as Renewal has it
@@ -164,12 +170,19 @@ void renew(const World& world, WideContacts& wide, Real h) {
 
 }  // namespace
 
+// Of any axis: what spins about one that an impulse then tilts must carry its spin along, or has it beside its axis.
 // Who begins a step without spin is carried by no rotation method in it: it turns about its axis, which keeps its
 // energy as well.
 bool turns_far_for_its_shape(const World& world, std::uint32_t body, Real time) {
   const Plan& plan = *world.plan;
-  return is_carried(plan, body) &&
-         unlikeness(plan, body) * world.state.omega[body].squared_norm() * time * time > kFarTurn;
+  if (!is_carried(plan, body)) return false;
+  const Vec3& moment = plan.principal[body].moment;
+  const Real unlike = moment.max_entry() / moment.min_entry() - 1;
+  return unlike * time * time * world.state.omega[body].squared_norm() > kFarTurn;
+}
+
+bool turns_too_far(const World& world, std::uint32_t body, const Vec3& turn) {
+  return misfit(*world.plan, body, world.state.q[body].conjugate() * turn) > kFarTurn;
 }
 
 void find_far_turners(const World& world, WideContacts& wide) {
@@ -179,13 +192,13 @@ void find_far_turners(const World& world, WideContacts& wide) {
   if (!plan.rotation_method || wide.manifolds.empty()) return;
   for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
     if (!plan.effects[+EffectId::gyroscopic].candidates.has(wide.slot[i])) continue;
-    wide.far_turn[i].unlike = unlikeness(plan, wide.slot[i]);
+    wide.far_turn[i].may = true;
   }
   for (const Link& link : world.contacts->links) {
-    if (link.moves_a) wide.far_turn[wide.body[link.a]].unlike = 0;
-    if (link.moves_b) wide.far_turn[wide.body[link.b]].unlike = 0;
+    if (link.moves_a) wide.far_turn[wide.body[link.a]].may = false;
+    if (link.moves_b) wide.far_turn[wide.body[link.b]].may = false;
   }
-  wide.far_turners = std::ranges::any_of(wide.far_turn, [](const FarTurn& f) { return f.unlike > 0; });
+  wide.far_turners = std::ranges::any_of(wide.far_turn, &FarTurn::may);
   if (wide.far_turners && wide.one_turner.runs.empty()) wide.one_turner.add(0);
 }
 
@@ -197,7 +210,7 @@ void begin_far_turns(const World& world, Velocities& to, WideContacts& wide, Rea
   for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
     FarTurn& f = wide.far_turn[i];
     const std::uint32_t slot = wide.slot[i];
-    f.led_back = f.unlike > 0 && turns_far_for_its_shape(world, slot, h) && !s.quarantined[slot];
+    f.led_back = f.may && turns_far_for_its_shape(world, slot, h) && !s.quarantined[slot];
     if (!f.led_back) continue;
     f.end = s.omega[slot];
     const Vec3 momentum = inertia_at(world.scene, slot, plan.proposal.q[slot]) * f.end;
@@ -212,7 +225,7 @@ void end_far_turns(const World& world, Velocities& to, WideContacts& wide, Real 
   for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
     const FarTurn& f = wide.far_turn[i];
     const std::uint32_t slot = wide.slot[i];
-    if (!f.led_back && !(f.unlike > 0 && world.plan->touched[slot] && turns_far_for_its_shape(world, slot, h))) continue;
+    if (!f.led_back && !(f.may && world.plan->touched[slot] && turns_far_for_its_shape(world, slot, h))) continue;
     if (f.led_back && s.omega[slot] == f.begun) {
       to.omega[slot] = f.end;
     } else {

@@ -257,7 +257,7 @@ void displace(const World& world, Poses& to, const WideContacts& wide) {
     if (i < wide.first_moved || !responds(world.scene, s, slot)) return;
     const BodyVelocity& d = wide.displacement[i];
     Vec3 turn(d.omega[0], d.omega[1], d.omega[2]);
-    if (wide.far_turn[i].unlike * turn.squared_norm() > kFarTurn) turn.set_zero();
+    if (wide.far_turn[i].may && turns_too_far(world, slot, turn)) turn.set_zero();
     correct_pose(to, slot, Vec3(d.v[0], d.v[1], d.v[2]), turn);
   });
 }

@@ -57,7 +57,7 @@ struct Placing {
 
 /// A body that may turn far for its shape, @see far_turns.h
 struct FarTurn {
-  Real unlike = 0;        // I_most / I_least - 1; 0: it may not
+  bool may = false;
   bool marked = false;    // its rows are made anew
   bool again = false;     // and are to be once more
   bool led_back = false;  // its velocity is that of the substep's beginning
