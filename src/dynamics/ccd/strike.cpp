@@ -277,8 +277,9 @@ void Sweeper::brace(Strike& s) {
 }
 
 /// For the rest of the substep it stands where it was hit, and forces do not speed it up.
-void Sweeper::stop(const Side& side, Real now) {
+void Sweeper::stop(Side& side, Real now) {
   SweptBody& b = *c_.find(side.body);
+  side.path = b.path;  // brace() may have laid it anew
   const Velocity u = velocity(side, now, now);
   motion_.v[side.body] = u.v, motion_.omega[side.body] = u.omega;
   b.path.go_on_from(now), b.path.stay(), b.changed = true;

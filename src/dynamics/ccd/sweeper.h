@@ -65,7 +65,7 @@ class Sweeper {
   bool exchange(Strike& s);
   void turn_off(Side& side, Strike& s, const Velocity& change);
   void brace(Strike& s);
-  void stop(const Side& side, Real now);
+  void stop(Side& side, Real now);
   void aim(const Side& side, Real now);
   SweptBody* take_up(std::uint32_t body);
 

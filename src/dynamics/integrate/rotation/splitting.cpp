@@ -36,10 +36,13 @@ namespace {
   p = Vec3(t.cos * p.x() + t.sin * p.y(), t.cos * p.y() - t.sin * p.x(), p.z());
 }
 
-/// Into how many parts a step is cut: turns that do not commute are small, or energy errs by tens of percents.
-/// @param turn  rad, at most, of those turns in the whole step
-int parts_of(Real turn) {
-  constexpr Real kMost = 0.5, kMostParts = 4096;  // beyond that a body turns by as much as no number tells
+/// Into how many parts a step is cut: turns that do not commute are small, or energy errs by tens of percents. Where
+/// one of them is nothing the other is exact.
+/// @param p  kg m^2/s, momentum
+int parts_of(const Principal& top, Real step, const Vec3& p) {
+  if (top.dy == 0 || top.dz == 0) return 1;
+  const Real turn = std::fabs(step) * (std::fabs(top.dy) + std::fabs(top.dz)) * p.norm();  // rad, at most
+  constexpr Real kMost = 1, kMostParts = 4096;  // beyond that a body turns by as much as no number tells
   return turn > kMost ? static_cast<int>(std::min(std::ceil(turn / kMost), kMostParts)) : 1;
 }
 
@@ -47,7 +50,7 @@ template <std::size_t n>
 void split(const World& world, Velocities& to, const Customers& customers, Real h, const Real (&g)[n]) {
   carry_tops(world, to, customers, h, [&g](const Principal& top, Real step, const Vec3& l, Vec3& p, Quat& q) {
     q = unscaled_exp(step * top.base * l) * q;
-    const int parts = parts_of(std::fabs(step) * (std::fabs(top.dy) + std::fabs(top.dz)) * p.norm());
+    const int parts = parts_of(top, step, p);
     const Real y = step / parts * top.dy, z = step / parts * top.dz;
     for (int i = 0; i < parts; ++i) {
       turn_y(y * (g[0] / 2) * p.y(), q, p);
