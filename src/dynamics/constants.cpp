@@ -4,10 +4,12 @@
 #include <array>
 
 #include "collision/manifold/patch_constants.h"
+#include "dynamics/contact/depth.h"
 #include "dynamics/contact/impact_points.h"
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/least_force_constants.h"
+#include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/sweep_constants.h"
 
 namespace carom::dynamics {
@@ -25,8 +27,8 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 }
 
 constexpr auto kConstantTable =
-    in_one_table(kPatchConstants, kImpactConstants, kSweepConstants, kAutoConstants, kConeGroupConstants,
-                 kLeastForceConstants);
+    in_one_table(kPatchConstants, kImpactConstants, kSweepConstants, kFarTurnConstants, kDepthConstants, kAutoConstants,
+                 kConeGroupConstants, kLeastForceConstants);
 
 }  // namespace
 

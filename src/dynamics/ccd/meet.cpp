@@ -13,8 +13,6 @@ constexpr Real kTolerance = 1e-9;
 constexpr int kMeetCap = 256;  // distance queries; a rod takes some ten for each quarter turn
 // Of the thickness of the thinner, that two may sink without a hit.
 constexpr Real kMostSlack = 0.05, kLeastSlack = 1e-5;
-// Of that, by how much what is as deep already may sink on in a substep.
-constexpr Real kDeeper = 0.1;
 
 }  // namespace
 
@@ -26,12 +24,12 @@ Real Sweeper::slack(const Side& a, const Side& b) const {
 
 /// What is stored is the velocity of the moment `lag` after the substep began; a solver's holds all along. Where a
 /// rotation method carries a body, it is asked back from the end of the path.
-Sweeper::Velocity Sweeper::velocity(const Side& side, Real time) {
+Sweeper::Velocity Sweeper::velocity(const Side& side, Real moment, Real now) {
   const State& s = world_.state;
   Velocity u{s.v[side.body], s.omega[side.body]};
   if (!side.known) return u;
-  if (side.known->flies) u.v -= (lag_ - time) * side.known->accel;
-  if (carried(side.body)) u.omega = turned(side, time_.h, time - time_.h, s.omega[side.body]);
+  if (side.known->flies) u.v -= (lag_ - moment) * side.known->accel;
+  if (carried(side.body)) u.omega = turned(side, time_.h, now - time_.h, s.omega[side.body]);
   return u;
 }
 
@@ -56,7 +54,7 @@ Vec3 Sweeper::turned(const Side& side, Real from, Real by, const Vec3& omega) {
 /// Whether they would sink by no more than the slack, whichever of velocity and path is asked: the solver's business.
 bool Sweeper::is_slow(const Side& a, const Side& b, const Meeting& m) {
   const Vec3 arm_a = m.point - a.path.place(m.when), arm_b = m.point - b.path.place(m.when);
-  const Velocity stored_a = velocity(a, m.when), stored_b = velocity(b, m.when);
+  const Velocity stored_a = velocity(a, m.when, m.when), stored_b = velocity(b, m.when, m.when);
   const Velocity path_a{a.path.u, a.path.w}, path_b{b.path.u, b.path.w};
   const Real closing = m.normal.dot(stored_a.at(arm_a) - stored_b.at(arm_b));
   const Real nearing = m.normal.dot(path_a.at(arm_a) - path_b.at(arm_b));

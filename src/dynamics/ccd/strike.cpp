@@ -20,7 +20,9 @@ struct Sweeper::Strike {
   Real now;     // s, on the path
   Real moment;  // s, on the parabolas of which the paths are chords
   Vec3 normal, point;
-  ImpactPair of;                // bodies at the moment, changed by the impulse
+  ImpactPair of;  // bodies at the moment, changed by the impulse
+  std::array<ImpactPoint, Manifold::kMaxPoints> points;
+  std::size_t count = 0;
   Real impulse = 0, speed = 0;  // N s; m/s, the fastest point's
   Real sinks = 0;               // m/s, at which the paths after it would still close
 };
@@ -40,11 +42,11 @@ void Sweeper::strike(SweptBody& b) {
   ++report_.sweep_hits;
   // Bodies that are pushed on by nothing but their path are aimed along their velocity, which does not close.
   const Real rest = time_.h - s.now;
-  const bool astray = !struck || s.sinks * rest > slack(s.a, s.b);
+  const bool astray = !struck || s.sinks * rest > kDeeper * slack(s.a, s.b);
+  if (astray) brace(s);
   for (SweptBody* const p : {&b, partner}) {
     if (!p || !moved_by_hits(p->body)) continue;
-    if (astray) aim(p == &b ? s.a : s.b, s.now);
-    if (p->hits >= SweptBody::kMostHits) p->path.go_on_from(s.now), p->path.stay(), p->changed = true;
+    if (p->hits >= SweptBody::kMostHits) stop(p == &b ? s.a : s.b, s.now);
     ++p->version;
     p->swept |= goes_far(*p);
     if (!p->loose) p->loose = true, c_.loose.push_back(static_cast<std::uint32_t>(p - c_.bodies.data()));
@@ -162,7 +164,7 @@ bool Sweeper::exchange(Strike& s) {
   };
   const auto move = [&](Real to) {
     const auto put = [&](const Side& side, ImpactBody& b) {
-      const Velocity u = velocity(side, to);
+      const Velocity u = velocity(side, to, s.now);
       b.v = u.v, b.omega = u.omega;
     };
     s.moment = to;
@@ -181,8 +183,8 @@ bool Sweeper::exchange(Strike& s) {
   const Frame frame_a = s.a.path.frame(s.a.piece, s.now), frame_b = s.b.path.frame(s.b.piece, s.now);
   const bool locked = scene.locks_of(s.a.body) | scene.locks_of(s.b.body);
   const Real unlocked = locked ? s.of.a.moves * scene.inv_mass[s.a.body] + s.of.b.moves * scene.inv_mass[s.b.body] : 0;
-  std::array<ImpactPoint, Manifold::kMaxPoints> points;
-  const auto count = static_cast<std::size_t>(manifold.count);
+  std::array<ImpactPoint, Manifold::kMaxPoints>& points = s.points;
+  const std::size_t count = s.count = static_cast<std::size_t>(manifold.count);
   for (std::size_t k = 0; k < count; ++k) {
     const ContactPoint& c = manifold.point[k];
     ImpactPoint& p = points[k];
@@ -229,7 +231,7 @@ void Sweeper::turn_off(Side& side, Strike& s, const Velocity& change) {
   const Vec3 end = known->path.place(time_.h) + (time_.h - s.moment) * change.v;
   known->changed = true;
   const bool turns = carried(i);
-  const Vec3 omega = (turns ? velocity(side, s.moment).omega : motion_.omega[i]) + change.omega;
+  const Vec3 omega = (turns ? velocity(side, s.moment, s.now).omega : motion_.omega[i]) + change.omega;
   known->path.go_on_from(s.now);
   Path& path = known->path;
   path.u = rest > 0 ? Vec3((end - path.x) / rest) : motion_.v[i];
@@ -246,10 +248,48 @@ void Sweeper::turn_off(Side& side, Strike& s, const Velocity& change) {
   side.path = path;
 }
 
+/// Both along their velocities from now on. What is stored is ahead of the moment: where forces press the two together
+/// for the rest of the substep, the contact bears that.
+void Sweeper::brace(Strike& s) {
+  aim(s.a, s.now), aim(s.b, s.now);
+  Real closing = 0;
+  const auto put = [](const Side& side, ImpactBody& b) {
+    const Path& path = side.known ? side.known->path : side.path;
+    b.v = path.u, b.omega = path.w;
+  };
+  put(s.a, s.of.a), put(s.b, s.of.b);
+  for (std::size_t k = 0; k < s.count; ++k) {
+    ImpactPoint& p = s.points[k];
+    p.row.set_impulse(Vec3::zero());
+    p.want = 0;
+    closing = std::max(closing, p.row.n.dot(s.of.a.at(p.mass.r_a) - s.of.b.at(p.mass.r_b)));
+  }
+  if (!(closing > 0)) return;
+  resolve_impact(s.of, std::span(s.points.data(), s.count), closing,
+                 [&](const ImpactPoint& p) { return s.of.b.at(p.mass.r_b) - s.of.a.at(p.mass.r_a); });
+  const auto take = [&](const Side& side, const ImpactBody& b) {
+    if (!b.moves || !side.known) return;
+    SweptBody& known = *c_.find(side.body);
+    motion_.v[side.body] = known.path.u = b.v;
+    if (b.turns) motion_.omega[side.body] = known.path.w = b.omega;
+  };
+  take(s.a, s.of.a), take(s.b, s.of.b);
+}
+
+/// For the rest of the substep it stands where it was hit, and forces do not speed it up.
+void Sweeper::stop(Side& side, Real now) {
+  SweptBody& b = *c_.find(side.body);
+  side.path = b.path;  // brace() may have laid it anew
+  const Velocity u = velocity(side, now, now);
+  motion_.v[side.body] = u.v, motion_.omega[side.body] = u.omega;
+  b.path.go_on_from(now), b.path.stay(), b.changed = true;
+}
+
 /// Along its velocity from now on, and about its axis of now.
 void Sweeper::aim(const Side& side, Real now) {
   SweptBody* const known = c_.find(side.body);
-  const Velocity u = velocity(side, now);
+  if (!known || !moved_by_hits(side.body)) return;
+  const Velocity u = velocity(side, now, now);
   known->changed = true;
   known->path.go_on_from(now);
   known->path.u = motion_.v[side.body];

@@ -31,6 +31,8 @@ class Sweeper {
     Vec3 normal, point;     // unit, A to B; m, world
   };
   struct Strike;
+  // Of the slack, by how much what is as deep already may sink on in a substep.
+  static constexpr Real kDeeper = 0.1;
 
   // sweep.cpp: paths, and who meets whom
   void lay_paths();
@@ -52,7 +54,7 @@ class Sweeper {
   Meeting meet(const Side& a, const Side& b, Real from, Real to);
   bool is_slow(const Side& a, const Side& b, const Meeting& m);
   Real slack(const Side& a, const Side& b) const;
-  Velocity velocity(const Side& side, Real time);
+  Velocity velocity(const Side& side, Real moment, Real now);
   Vec3 turned(const Side& side, Real from, Real by, const Vec3& omega);
 
   // strike.cpp: what it does
@@ -62,6 +64,8 @@ class Sweeper {
   ImpactBody body_of(const Side& side, Real now) const;
   bool exchange(Strike& s);
   void turn_off(Side& side, Strike& s, const Velocity& change);
+  void brace(Strike& s);
+  void stop(Side& side, Real now);
   void aim(const Side& side, Real now);
   SweptBody* take_up(std::uint32_t body);
 

@@ -207,6 +207,8 @@ void book_turns(const World& world);
 void make_room_for_shares(const World& world);
 /// Impulses as the phase after the move begins with them.
 void note_impulses(const World& world);
+/// Friction of a pair in lanes counts from nothing again.
+void forget_friction(const World& world, std::uint32_t pair, std::uint32_t lane);
 void note_impacts(const World& world);  // likewise before impacts are answered
 /// Split what the solver did into its causes; bodies have the velocities with which their phases end.
 void share_solved(const World& world);

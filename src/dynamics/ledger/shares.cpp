@@ -240,6 +240,11 @@ void note_impulses(const World& world) {
   for (std::size_t i = 0; i < w.drives.size(); ++i) note(&l.old_drives[i * kLanes], 1, w.drives[i].row.p);
 }
 
+void forget_friction(const World& world, std::uint32_t pair, std::uint32_t lane) {
+  Real* const was = &world.ledger->old_pairs[(std::size_t(pair) * kLanes + lane) * 3];
+  std::fill(was, was + 3, Real(0));
+}
+
 void note_impacts(const World& world) {
   const Contacts& c = *world.contacts;
   if (!world.plan->runs[static_cast<std::size_t>(Stage::solve)]) return;

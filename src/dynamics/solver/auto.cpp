@@ -18,6 +18,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct.h"
+#include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/pair_points.h"
 #include "dynamics/solver/soft_step.h"
 #include "dynamics/solver/solver.h"
@@ -146,6 +147,7 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
       motion.still &= points.speed2[k] < kLiesStill * fall;
     }
     const auto bears = [&](bool moves, std::uint32_t body) {
+      if (moves && turns_far_for_its_shape(world, body, world.plan->substeps * h)) motion = {true, false};
       if (moves) seen.mark(c.load[body], body, most > deep ? Contacts::kHeavy : Contacts::kLight);
     };
     bears(row.moves_a, row.a), bears(row.moves_b, row.b);

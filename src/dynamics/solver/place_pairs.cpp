@@ -12,7 +12,6 @@ namespace {
 
 using Manifold = WideContacts::Manifold;
 using Member = Placing::Member;
-using LanePart = WideContacts::Part;
 
 /// Pairs of the whole by colour and kind; beyond the colours each stands alone.
 constexpr std::uint32_t kBuckets = (kColours + 1) * kPairKinds, kAlone = kColours * kPairKinds;
@@ -280,7 +279,7 @@ std::uint32_t sort_by_colour(WideContacts& wide, std::uint32_t region, bool both
 
 /// Contacts with what does not move last.
 void place(WideContacts& wide, std::uint32_t region) {
-  LanePart& part = wide.parts[region];
+  WideContacts::Part& part = wide.parts[region];
   AsTheyCome lanes(taken_in(wide, region));
   for (const bool both_move : {true, false}) {
     colour(wide, region, both_move);
@@ -294,7 +293,7 @@ void place(WideContacts& wide, std::uint32_t region) {
 
 /// Places among all, once it is known where the region's begin.
 void settle(WideContacts& wide, std::uint32_t region) {
-  const LanePart& part = wide.parts[region];
+  const WideContacts::Part& part = wide.parts[region];
   each_of(wide, region, [&](const Member& member) {
     Manifold& m = wide.manifolds[member.manifold];
     m.pair += part.pair;
@@ -318,9 +317,9 @@ void place_all(const World& world, WideContacts& wide) {
     if (i > 0) return place(wide, 1 + i);
     place_whole(wide);
   });
-  LanePart next{0, 0, 0};
+  WideContacts::Part next{0, 0, 0};
   for (std::uint32_t r = 1; r <= p.regions.end(); ++r) {
-    LanePart& part = wide.parts[r];
+    WideContacts::Part& part = wide.parts[r];
     std::swap(part.pair, next.pair), std::swap(part.point, next.point);
     next.pair += part.pair, next.point += part.point;
   }

@@ -2,6 +2,7 @@
 #include "dynamics/solver/sequential.h"
 
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/wide_contacts.h"
 
 namespace carom::dynamics {
@@ -20,6 +21,7 @@ void sequential_velocities(const World& world, Solver::Solves to, const StepTime
   WideContacts& wide = *world.wide;
   const Real inv_h = 1 / time.h;
   heed_impacts(world, wide);
+  begin_far_turns(world, to, wide, time.h);
   load_velocities(world, wide);
   bend_joints(world, time.h);
   const JointKernels* const joints = world.wide_joints->kernels;
@@ -33,6 +35,7 @@ void sequential_velocities(const World& world, Solver::Solves to, const StepTime
         [&](const auto& s, const auto& run) { s.sweep(run, inv_h); });
   over_contacts(world, [](const auto& s, const auto& run) { s.book(run); });
   store_velocities(world, to, wide, time.h);
+  end_far_turns(world, to, wide, time.h);
   report.velocity_impulses += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
 }
 

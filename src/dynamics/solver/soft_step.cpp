@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/fill_lanes.h"
 #include "dynamics/solver/wide_contacts.h"
 
@@ -42,6 +43,7 @@ void soft_step_velocities(const World& world, Solver::Solves to, const StepTime&
   WideContacts& wide = *world.wide;
   const Real inv_h = 1 / time.h, push_speed = world.scene.dials[Dial::push_speed];
   heed_impacts(world, wide);
+  begin_far_turns(world, to, wide, time.h);
   load_velocities(world, wide);
   bend_joints(world, time.h);
   const JointKernels* const joints = world.wide_joints->kernels;
@@ -52,6 +54,7 @@ void soft_step_velocities(const World& world, Solver::Solves to, const StepTime&
       world, [&](const JointRun& run) { joints->solve(run, inv_h); },
       [&](const auto& s, const auto& run) { s.solve(run, inv_h, push_speed); });
   store_velocities(world, to, wide, time.h);
+  end_far_turns(world, to, wide, time.h);
   report.velocity_impulses += world.contacts->rows.size();
 }
 
@@ -60,6 +63,7 @@ void soft_step_positions(const World& world, Solver::Relaxes to, const StepTime&
   WideContacts& wide = *world.wide;
   const Real inv_h = 1 / time.h;
   const bool sparing = !world.contacts->impacts.empty();
+  heed_far_turns(world, wide, time.h);
   load_shifts(world, wide);
   return_to_joints(world);
   sweep_rows(

@@ -7,6 +7,7 @@
 
 #include "dynamics/contact/held_arms.h"
 #include "dynamics/quarantine.h"
+#include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/fill_lanes.h"
 #include "dynamics/solver/float_range.h"
 
@@ -180,6 +181,7 @@ bool fill(const World& world, WideContacts& wide, ContactLanes<Number>& rows, co
 void pack(const World& world, SolverMemory& memory, WideContacts& wide, Real h) {
   place_pairs(world, wide);
   hold_orientations(world, memory, wide);
+  find_far_turners(world, wide);
   wide.is_float = !wide.manifolds.empty() && bears_floats(world, wide, h);
   if (wide.is_float) {
     if (!wide.in_float) wide.in_float = make_owned<ContactLanes<float>>(world.memory, world.memory);
@@ -254,7 +256,9 @@ void displace(const World& world, Poses& to, const WideContacts& wide) {
     const std::uint32_t slot = wide.slot[i];
     if (i < wide.first_moved || !responds(world.scene, s, slot)) return;
     const BodyVelocity& d = wide.displacement[i];
-    correct_pose(to, slot, Vec3(d.v[0], d.v[1], d.v[2]), Vec3(d.omega[0], d.omega[1], d.omega[2]));
+    Vec3 turn(d.omega[0], d.omega[1], d.omega[2]);
+    if (wide.far_turn[i].may && turns_too_far(world, slot, turn)) turn.set_zero();
+    correct_pose(to, slot, Vec3(d.v[0], d.v[1], d.v[2]), turn);
   });
 }
 

@@ -55,6 +55,15 @@ struct Placing {
   Array<std::uint64_t> taken;      // [levels][solver bodies], @see BothColours, then AsTheyCome
 };
 
+/// A body that may turn far for its shape, @see far_turns.h
+struct FarTurn {
+  bool may = false;
+  bool marked = false;    // its rows are made anew
+  bool again = false;     // and are to be once more
+  bool led_back = false;  // its velocity is that of the substep's beginning
+  Vec3 begun, end;        // rad/s, world: that, and the one which a rotation method led it to
+};
+
 struct WideContacts {
   explicit WideContacts(Memory* m)
       : in_double(m),
@@ -63,6 +72,8 @@ struct WideContacts {
         shift(m),
         slot(m),
         held_back(m),
+        far_turn(m),
+        one_turner(m),
         body(m),
         start_x(m),
         start_q(m),
@@ -85,6 +96,9 @@ struct WideContacts {
   Array<BodyShift> shift;
   Array<std::uint32_t> slot;  // of the body
   Array<Mat3> held_back;      // @see held_arms.h
+  Array<FarTurn> far_turn;    // @see far_turns.h
+  bool far_turners = false;   // there are any
+  Customers one_turner;       // scratch, for rotation methods
 
   Array<std::uint32_t> body;  // by slot: solver body, 0 where it does not matter
   Array<Vec3> start_x;        // m, by solver body: as the step began

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dynamics/contact/depth.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
@@ -121,7 +122,7 @@ void ConeGroup::follow_bodies() {
                 LoadWhat::not_curved);
 }
 
-/// Velocities with the impulses that contacts start from.   @return m, the least separation
+/// Velocities with the impulses that contacts start from.   @return the least separation, in tolerable depths
 Real ConeGroup::start(Real h) {
   Real least = kInfinity;
   for (ConeBody& b : bodies_of(problem_)) {
@@ -133,7 +134,7 @@ Real ConeGroup::start(Real h) {
   each([&](ConeContact& contact, std::uint32_t i) {
     const Row& row = c_.rows[i];
     const Real separation = c_.geometry[i].separation;
-    least = std::min(least, separation);
+    least = std::min(least, separation / tolerable_depth(world_, c_.geometry[i]));
     contact.friction = row.friction;
     contact.want = separation > 0 ? -separation / h : 0;
     contact.p = contact.start_p = row.p;
@@ -239,8 +240,8 @@ void ConeGroup::solve(Velocities& to, Real h, std::uint64_t work, int substeps) 
     start_from_loads(problem_);
   keep(to);
   rest_.is_first = false;
-  rest_.lasts = !is_joined() && answer_.factorisations == 0 && least >= -world_.scene.dials[Dial::position_tolerance] &&
-                !rest_.resists && fastest_any_way(problem_) < kRest * tolerance;
+  rest_.lasts = !is_joined() && answer_.factorisations == 0 && least >= -1 && !rest_.resists &&
+                fastest_any_way(problem_) < kRest * tolerance;
   rest_.has_moved = rest_.lasts;  // or part() measures
 }
 
@@ -256,7 +257,7 @@ Real ConeGroup::measure() {
   each([&](const ConeContact&, std::uint32_t row) {
     Real& separation = c_.geometry[row].separation;
     separation = separation_of(world_, c_.rows[row], c_.geometry[row]);
-    least = std::min(least, separation);
+    least = std::min(least, separation / tolerable_depth(world_, c_.geometry[row]));
   });
   return least;
 }
@@ -274,15 +275,17 @@ Real ConeGroup::displacement_share() const {
 
 void ConeGroup::part(Poses& to, Real h) {
   if (rest_.lasts) return;
-  const Real tolerance = world_.scene.dials[Dial::position_tolerance];
+  Real tolerance = world_.scene.dials[Dial::position_tolerance];
   const Real most = world_.scene.dials[Dial::push_speed] * h;
   answer_ = {};
-  const bool overlaps = measure() < -tolerance;
+  const bool overlaps = measure() < -1;
   if (!overlaps && !(is_joined() && is_apart())) return;
   each([&](ConeContact& contact, std::uint32_t row) {
     contact.p.set_zero(), contact.u.set_zero();
     contact.friction = 0;
-    contact.want = std::min(-(c_.geometry[row].separation + tolerance / 2), most);
+    const Real depth = tolerable_depth(world_, c_.geometry[row]);
+    tolerance = std::min(tolerance, depth);
+    contact.want = std::min(-(c_.geometry[row].separation + depth / 2), most);
   });
   for (ConeBody& b : bodies_of(problem_)) b.v.set_zero();
   load_links(world_, problem_, link_row_, LinkPhase::part, h);

@@ -1,0 +1,244 @@
+// Rows of bodies that turn far for their shape, made anew within a step.
+#include "dynamics/solver/far_turns.h"
+
+#include <algorithm>
+#include <array>
+
+#include "dynamics/integrate/rotation/rotation.h"
+#include "dynamics/ledger/ledger.h"
+#include "dynamics/solver/fill_lanes.h"
+
+namespace carom::dynamics {
+namespace {
+
+/// Where a point of a pair is now, and how far its surfaces are apart.
+struct Place {
+  Vec3 arm_a;       // m, world, from A's centre of mass
+  Real separation;  // m
+};
+
+Place place_now(const World& world, const Row& row, const RowGeometry& g, const Vec3& apart) {
+  const State& s = world.state;
+  const Vec3 on_a = s.q[row.a] * g.l_a + g.radius_a * row.n;
+  const Vec3 on_b = apart + (s.q[row.b] * g.l_b - g.radius_b * row.n);
+  return {on_a + Arms::to_b(row, g) * (on_b - on_a), (on_b - on_a).dot(row.n)};
+}
+
+/// m, what a body's own motion since its lanes were laid adds to a point's separation, as kernels reckon it.
+Real moved_by(const WideContacts& wide, const State& s, std::uint32_t body, const Vec3& arm, Real radius,
+              const Vec3& n) {
+  if (body == 0) return 0;
+  const std::uint32_t slot = wide.slot[body];
+  const Quat q = s.q[slot] * wide.start_q[body].conjugate();
+  const Vec3 u = q.vec();
+  const Vec3 m = 2 * (q.w() * n.cross(u) + u.dot(n) * u - u.dot(u) * n);
+  return (s.x[slot] - wide.start_x[body]).dot(n) + m.dot(arm) + radius * m.dot(n);
+}
+
+/// One pair's rows anew.
+class Renewal {
+ public:
+  /// @param h  s; 0: the sweeps ahead give impulses, else they take them back
+  Renewal(const World& world, WideContacts& wide, Real h) : world_(world), wide_(wide), h_(h) {}
+
+  template <class Number>
+  void operator()(PairLanesOf<Number>& pair, PointLanesOf<Number>* points, int lane,
+                  const WideContacts::Manifold& m) const {
+    const Contacts& c = *world_.contacts;
+    const State& s = world_.state;
+    const Row& row = c.rows[m.row];
+    const auto i = static_cast<std::size_t>(lane);
+    const std::uint32_t a = pair.a[i], b = pair.b[i];
+    const Vec3 apart = s.x[row.b] - s.x[row.a];
+    std::array<Place, kPairPoints> at;
+    Vec3 middle = Vec3::zero();
+    for (std::uint32_t k = 0; k < m.points; ++k) {
+      at[k] = place_now(world_, c.rows[m.row + k], c.geometry[m.row + k], apart);
+      middle += at[k].arm_a / static_cast<Real>(m.points);
+    }
+    const bool far_a = wide_.far_turn[a].marked, far_b = wide_.far_turn[b].marked;
+    if (far_a) set(pair.r_a, lane, middle);
+    if (far_b) set(pair.r_b, lane, middle - apart);
+    if (far_a) set_inertia(row.a, pair.inv_inertia_a, lane);
+    if (far_b) set_inertia(row.b, pair.inv_inertia_b, lane);
+    const Vec3 r_a = get(pair.r_a, static_cast<std::uint32_t>(lane)),
+               r_b = get(pair.r_b, static_cast<std::uint32_t>(lane));
+    for (std::uint32_t k = 0; k < m.points; ++k) {
+      PointLanesOf<Number>& p = points[k];
+      const Row& of = c.rows[m.row + k];
+      const Vec3 d = at[k].arm_a - middle;
+      set(p.d, lane, d), set(p.reach, lane, d.norm());
+      Real gap = at[k].separation;
+      if (h_ > 0) {
+        gap = held_gap(gap, a, b, r_a + d, r_b + d, of.n);
+      } else {
+        set(p.p_n, lane, 0);
+        set(p.separation, lane, gap);
+      }
+      const RowGeometry& g = c.geometry[m.row + k];
+      if (!far_a) gap += moved_by(wide_, s, a, r_a + d, g.radius_a, of.n);
+      if (!far_b) gap -= moved_by(wide_, s, b, r_b + d, -g.radius_b, of.n);
+      set(p.gap, lane, gap);
+    }
+    if (h_ > 0) book(pair.p_t, pair.sum_t, lane), book(pair.p_s, pair.sum_s, lane), book(pair.p_w, pair.sum_w, lane);
+    if (h_ > 0 && keeps_books(world_)) forget_friction(world_, m.pair, m.lane);
+    set(pair.p_t, lane, 0), set(pair.p_s, lane, 0), set(pair.p_w, lane, 0);
+  }
+
+ private:
+  template <class Lanes>
+  static void book(const Lanes& p, Lanes& sum, int lane) {
+    sum[lane] += p[lane];
+  }
+  template <class Number>
+  void set_inertia(std::uint32_t body, LaneSymmetricOf<Number>& to, int lane) const {
+    LanesOf<Number> inv_mass;
+    set_mass<Number>(world_, true, body, inv_mass, to, lane);
+  }
+  /// A gap at which a sweep takes no impulse back from a point that closes, and from one that parts only until it
+  /// rests.
+  Real held_gap(Real gap, std::uint32_t a, std::uint32_t b, const Vec3& r_a, const Vec3& r_b, const Vec3& n) const {
+    if (!(gap > 0)) return gap;
+    const auto at = [&](std::uint32_t body, const Vec3& r) {
+      const BodyVelocity& u = wide_.velocity[body];
+      return Vec3(Vec3(u.v[0], u.v[1], u.v[2]) + Vec3(u.omega[0], u.omega[1], u.omega[2]).cross(r));
+    };
+    const Real closes = h_ * (at(a, r_a) - at(b, r_b)).dot(n);
+    return std::clamp(closes, Real(0), gap);
+  }
+
+  const World& world_;
+  WideContacts& wide_;
+  Real h_;
+};
+
+/// By what share of its energy a body's inertia is off that has turned since: it errs by t (I_i - I_j) between two
+/// principal axes if it has turned by t about the third.   @param turn  rad, body axes
+Real misfit(const Plan& plan, std::uint32_t slot, const Vec3& turn) {
+  const Principal& top = plan.principal[slot];
+  const Vec3 t = top.aligned ? top.sorted(turn) : Vec3(top.frame.conjugate() * turn), &m = top.moment;
+  const auto of = [](Real angle, Real i, Real j) { return angle * angle * ((i - j) * (i - j) / (i * j)); };
+  return of(t.x(), m.y(), m.z()) + of(t.y(), m.x(), m.z()) + of(t.z(), m.x(), m.y());
+}
+
+/// Who has turned too far since its rows were made; always who is marked `again`. Their masses are made anew.
+bool mark(const World& world, WideContacts& wide) {
+  const State& s = world.state;
+  bool any = false;
+  for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
+    FarTurn& f = wide.far_turn[i];
+    f.marked = false;
+    if (!f.may) continue;
+    const std::uint32_t slot = wide.slot[i];
+    const Vec3 turn = 2 * (wide.start_q[i].conjugate() * s.q[slot]).vec();
+    if (!f.again && !(misfit(*world.plan, slot, turn) > kFarTurn)) continue;
+    f.marked = any = true;
+    const Mat3 r = s.q[slot].matrix();
+    world.contacts->inv_inertia_w[slot] = r * world.scene.inv_inertia[slot] * r.transpose();
+  }
+  return any;
+}
+
+/// Rows of marked bodies anew.   @param h  as Renewal has it
+void renew(const World& world, WideContacts& wide, Real h) {
+  if (!mark(world, wide)) return;
+  const Renewal renewal(world, wide, h);
+  with_lanes(wide, [&](auto& lanes, const auto& sweeps) {
+    const auto run = everything(wide, lanes, wide.velocity.data());
+    in_parts(world.jobs, wide.first_point.size(), kPairsAPart, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t i = begin; i < end; ++i) {
+        auto& pair = lanes.pairs[i];
+        bool any = false;
+        for (int lane = 0; lane < kLanes; ++lane) {
+          const std::uint32_t of = wide.occupant[std::size_t(i) * kLanes + static_cast<std::size_t>(lane)];
+          const auto k = static_cast<std::size_t>(lane);
+          if (of == kNobodysLane || !(wide.far_turn[pair.a[k]].marked || wide.far_turn[pair.b[k]].marked)) continue;
+          renewal(pair, lanes.points.data() + pair.first, lane, wide.manifolds[of]);
+          any = true;
+        }
+        if (any) over_part(run, i, i + 1, [&](const auto& part) { sweeps.prepare(part); });
+      }
+    });
+  });
+  for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
+    FarTurn& f = wide.far_turn[i];
+    f.again = f.marked && h > 0;
+    if (!f.marked) continue;
+    wide.start_x[i] = world.state.x[wide.slot[i]], wide.start_q[i] = world.state.q[wide.slot[i]];
+  }
+}
+
+}  // namespace
+
+// Of any axis: what spins about one that an impulse then tilts must carry its spin along, or has it beside its axis.
+// Who begins a step without spin is carried by no rotation method in it: it turns about its axis, which keeps its
+// energy as well.
+bool turns_far_for_its_shape(const World& world, std::uint32_t body, Real time) {
+  const Plan& plan = *world.plan;
+  if (!is_carried(plan, body)) return false;
+  const Vec3& moment = plan.principal[body].moment;
+  const Real unlike = moment.max_entry() / moment.min_entry() - 1;
+  return unlike * time * time * world.state.omega[body].squared_norm() > kFarTurn;
+}
+
+bool turns_too_far(const World& world, std::uint32_t body, const Vec3& turn) {
+  return misfit(*world.plan, body, world.state.q[body].conjugate() * turn) > kFarTurn;
+}
+
+void find_far_turners(const World& world, WideContacts& wide) {
+  const Plan& plan = *world.plan;
+  wide.far_turn.assign(wide.slot.size(), {});
+  wide.far_turners = false;
+  if (!plan.rotation_method || wide.manifolds.empty()) return;
+  for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
+    if (!plan.effects[+EffectId::gyroscopic].candidates.has(wide.slot[i])) continue;
+    wide.far_turn[i].may = true;
+  }
+  for (const Link& link : world.contacts->links) {
+    if (link.moves_a) wide.far_turn[wide.body[link.a]].may = false;
+    if (link.moves_b) wide.far_turn[wide.body[link.b]].may = false;
+  }
+  wide.far_turners = std::ranges::any_of(wide.far_turn, &FarTurn::may);
+  if (wide.far_turners && wide.one_turner.runs.empty()) wide.one_turner.add(0);
+}
+
+void begin_far_turns(const World& world, Velocities& to, WideContacts& wide, Real h) {
+  if (!wide.far_turners) return;
+  const State& s = world.state;
+  const Plan& plan = *world.plan;
+  renew(world, wide, 0);
+  for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
+    FarTurn& f = wide.far_turn[i];
+    const std::uint32_t slot = wide.slot[i];
+    f.led_back = f.may && turns_far_for_its_shape(world, slot, h) && !s.quarantined[slot];
+    if (!f.led_back) continue;
+    f.end = s.omega[slot];
+    const Vec3 momentum = inertia_at(world.scene, slot, plan.proposal.q[slot]) * f.end;
+    const Mat3 r = s.q[slot].matrix();
+    f.begun = to.omega[slot] = r * (world.scene.inv_inertia[slot] * (r.transpose() * momentum));
+  }
+}
+
+void end_far_turns(const World& world, Velocities& to, WideContacts& wide, Real h) {
+  if (!wide.far_turners) return;
+  const State& s = world.state;
+  for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
+    const FarTurn& f = wide.far_turn[i];
+    const std::uint32_t slot = wide.slot[i];
+    if (!f.led_back && !(f.may && world.plan->touched[slot] && turns_far_for_its_shape(world, slot, h))) continue;
+    if (f.led_back && s.omega[slot] == f.begun) {
+      to.omega[slot] = f.end;
+    } else {
+      wide.one_turner.runs[0] = {slot, slot + 1};
+      world.plan->rotation_method->advance(world, to, wide.one_turner, h);
+    }
+    BodyVelocity& b = wide.velocity[i];
+    for (int k = 0; k < 3; ++k) b.omega[k] = s.omega[slot][k];
+  }
+}
+
+void heed_far_turns(const World& world, WideContacts& wide, Real h) {
+  if (wide.far_turners) renew(world, wide, h);
+}
+
+}  // namespace carom::dynamics
