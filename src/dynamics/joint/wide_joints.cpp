@@ -293,6 +293,14 @@ void begin_joints(const World& world, Real h) {
   over_joints(world, w.kernels->place);
 }
 
+void drop_impulses(WideJoints& w, std::uint32_t link) {
+  const WideJoints::Place at = w.place[link];
+  const JointLanes& joint = w.joints[at.lanes];
+  const auto drop = [&](JointRowLanes& row) { set(row.p, static_cast<int>(at.lane), 0); };
+  for (std::uint32_t r = 0; r < joint.layout.equalities; ++r) drop(w.rows[joint.first + r]);
+  for (std::uint32_t r = 0; r < joint.layout.drives; ++r) drop(w.drives[joint.first_drive + r].row);
+}
+
 void take_half_kicks(const World& world, Velocities& to) {
   const State& s = world.state;
   for (WideJoints::Kicked& k : world.wide_joints->kicked) {

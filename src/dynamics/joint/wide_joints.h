@@ -159,6 +159,8 @@ void link_joints(const World& world, const StepTime& time);
 void colour_joints(const World& world);
 /// Lanes of this step, with what the last one's impulses left. After pack(). Allocates.
 void begin_joints(const World& world, Real h);
+/// A joint starts from no impulse.   @param link  index in active
+void drop_impulses(WideJoints& w, std::uint32_t link);
 /// Half of the forces' kick off, before the solver; and back, after the move, with the omega that belongs to the
 /// facing of then.
 void take_half_kicks(const World& world, Velocities& to);

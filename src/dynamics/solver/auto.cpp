@@ -16,6 +16,7 @@
 #include <span>
 
 #include "dynamics/force/force.h"
+#include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct.h"
 #include "dynamics/solver/far_turns.h"
@@ -262,29 +263,47 @@ void spare_the_tired(const World& world, SolverMemory& memory) {
   }
 }
 
-/// Groups that the direct solver gave up in the last step start softly from nothing: impulses that all but cancel each
-/// other, as where surfaces close on a body, would throw it.
-void drop_impulses_of_new_tired(const World& world) {
-  Contacts& c = *world.contacts;
+/// f(group) of those that the direct solver gave up in the last step, and that soft contacts take over.
+template <class F>
+void each_taken_over(const World& world, F&& f) {
+  const Contacts& c = *world.contacts;
+  const auto is_new_tired = [&](bool moves, std::uint32_t body) {
+    return moves && world.state.tired_steps[body] == kTiredFor - 1;
+  };
   for (std::size_t g = 0; g < c.groups(); ++g) {
     if (c.direct[g] != Contacts::kSoftly) continue;
-    const auto rows = std::span(c.group_rows.data() + c.group_begin[g], c.group_begin[g + 1] - c.group_begin[g]);
-    const auto is_new = [&](std::uint32_t i) {
-      const Row& row = c.rows[i];
-      const auto is_new_tired = [&](bool moves, std::uint32_t body) {
-        return moves && world.state.tired_steps[body] == kTiredFor - 1;
-      };
-      return is_new_tired(row.moves_a, row.a) || is_new_tired(row.moves_b, row.b);
-    };
-    if (std::ranges::any_of(rows, is_new))
-      for (const std::uint32_t i : rows) c.rows[i].p.set_zero();
+    bool is_new = false;
+    for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1] && !is_new; ++k) {
+      const Row& row = c.rows[c.group_rows[k]];
+      is_new = is_new_tired(row.moves_a, row.a) || is_new_tired(row.moves_b, row.b);
+    }
+    if (is_new) f(g);
   }
+}
+
+/// Those start from nothing: impulses that all but cancel each other, as where surfaces close on a body, would throw it.
+void drop_impulses_of_contacts(const World& world) {
+  Contacts& c = *world.contacts;
+  each_taken_over(world, [&](std::size_t g) {
+    for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1]; ++k) c.rows[c.group_rows[k]].p.set_zero();
+  });
+}
+
+/// Likewise of their joints, once those are in lanes.
+void drop_impulses_of_joints(const World& world) {
+  const Contacts& c = *world.contacts;
+  if (c.group_link_begin.empty()) return;
+  each_taken_over(world, [&](std::size_t g) {
+    for (std::uint32_t k = c.group_link_begin[g]; k < c.group_link_begin[g + 1]; ++k)
+      drop_impulses(*world.wide_joints, c.group_links[k]);
+  });
 }
 
 void auto_begin(const World& world, Solver::Begins to, const StepTime& time) {
   choose(world, to, to, to, time.h);
-  drop_impulses_of_new_tired(world);
+  drop_impulses_of_contacts(world);
   kSoftStep.begin(world, to, time);
+  drop_impulses_of_joints(world);
   gather_groups(world, to);
 }
 
