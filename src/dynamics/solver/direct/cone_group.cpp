@@ -190,19 +190,21 @@ void ConeGroup::find(Real goal, std::uint32_t most_steps) {
   const bool shares = is_joined() && !problem_.contacts.empty();
   answer_ = shares ? solve_with_least_force(problem_, goal, most_steps) : solve_cones(problem_, goal, most_steps);
   if (answer_.reached || !is_wedged(problem_)) return;
+  find_from_nothing(goal, most_steps);
+}
+
+void ConeGroup::find_from_nothing(Real goal, std::uint32_t most_steps) {
   const std::uint32_t taken = answer_.factorisations;
-  for (ConeContact& c : problem_.contacts) c.p = -c.p;
-  for (ConeLink& c : problem_.links) c.p = -c.p;
-  apply_impulses(problem_);
-  for (ConeContact& c : problem_.contacts) c.p.set_zero();
-  for (ConeLink& c : problem_.links) c.p = 0;
+  drop_impulses(problem_);
   answer_ = solve_with_least_force(problem_, goal, most_steps);
   answer_.factorisations += taken;
 }
 
-void ConeGroup::refuse_gain() {
-  if (answer_.factorisations == 0) return;
-  if (!gives_energy(problem_, world_.scene.dials[Dial::velocity_tolerance])) return;
+void ConeGroup::refuse_gain(Real goal, std::uint32_t most_steps) {
+  const auto gives = [&] { return gives_energy(problem_, world_.scene.dials[Dial::velocity_tolerance]); };
+  if (answer_.factorisations == 0 || !gives()) return;
+  find_from_nothing(goal, most_steps);
+  if (!gives()) return;
   answer_by_sweeps(problem_);
   answer_.residual = residual(problem_), answer_.reached = false, answer_.is_by_sweeps = true;
 }
@@ -231,7 +233,7 @@ void ConeGroup::solve(Velocities& to, Real h, std::uint64_t work, int substeps) 
     start(h);
     find(goal, most_steps);
   }
-  refuse_gain();
+  refuse_gain(goal, most_steps);
   book_work();
   rest_.gave_up |= rest_.is_bounded && !is_joined() && is_far_off(answer_, world_.scene.dials);
   if (answer_.is_wedged || answer_.is_by_sweeps)

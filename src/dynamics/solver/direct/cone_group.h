@@ -35,7 +35,8 @@ class ConeGroup {
   void follow_bodies();
   void follow_impulses();
   void find(Real goal, std::uint32_t most_steps);
-  void refuse_gain();
+  void find_from_nothing(Real goal, std::uint32_t most_steps);
+  void refuse_gain(Real goal, std::uint32_t most_steps);
   void keep(Velocities& to);
   Real displacement_share() const;
   void turn_frames();

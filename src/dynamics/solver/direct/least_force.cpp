@@ -67,6 +67,12 @@ struct Responses {
   }
 };
 
+/// Velocities at contacts and joints, from the bodies'.
+void measure(ConeProblem& problem) {
+  for (ConeContact& c : problem.contacts) c.u = c.carried + relative<&ConeBody::v>(problem.bodies, c);
+  for (ConeLink& c : problem.links) c.u = c.carried + relative<&ConeBody::v>(problem.bodies, c);
+}
+
 void visit(ConeProblem& problem, ConeContact& c) {
   const Responses response(problem, c);
   if (!(response.normal > 0)) return;
@@ -155,16 +161,20 @@ bool gives_energy(ConeProblem& problem, Real residual) {
   return gained > allowed;
 }
 
-void answer_by_sweeps(ConeProblem& problem) {
+void drop_impulses(ConeProblem& problem) {
   for (ConeContact& c : problem.contacts) c.p.set_zero();
   for (ConeLink& c : problem.links) c.p = 0;
   for (ConeBody& b : bodies_of(problem)) b.v = b.before;
+  measure(problem);
+}
+
+void answer_by_sweeps(ConeProblem& problem) {
+  drop_impulses(problem);
   for (int i = 0; i < kLastSweeps; ++i) {
     for (ConeLink& c : problem.links) visit(problem, c);
     for (ConeContact& c : problem.contacts) visit(problem, c);
   }
-  for (ConeContact& c : problem.contacts) c.u = c.carried + relative<&ConeBody::v>(problem.bodies, c);
-  for (ConeLink& c : problem.links) c.u = c.carried + relative<&ConeBody::v>(problem.bodies, c);
+  measure(problem);
 }
 
 }  // namespace carom::dynamics

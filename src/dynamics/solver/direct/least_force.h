@@ -31,6 +31,9 @@ Real share_that_helps(const ConeProblem& problem);
 /// @param residual  m/s
 bool gives_energy(ConeProblem& problem, Real residual);
 
+/// As if nothing touched and nothing were joined.
+void drop_impulses(ConeProblem& problem);
+
 /// An answer that cannot: from no impulses on, contact by contact, each of which takes energy or leaves it, with
 /// contacts as soft as those of solver soft_step. As good as some sweeps are, and bounded.
 void answer_by_sweeps(ConeProblem& problem);
