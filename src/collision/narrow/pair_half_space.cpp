@@ -107,6 +107,7 @@ void contact_half_space_cylinder(const Shape& a, const Shape& b, const Frame& b_
   const Vec3 down = down_rim(plane.n);
   const Real bottom = plane.n.y() > 0 ? -b.half_height : b.half_height;
   add_rim(plane, b.radius, bottom, down);
+  found.on_rim = found.count == 4;
   plane.add(Vec3(0, -bottom, 0) + b.radius * down, 5);  // the other end of the line it lies on
   found.whole = true;
 }
@@ -115,6 +116,7 @@ void contact_half_space_cone(const Shape& a, const Shape& b, const Frame& b_in_a
   const Plane plane(a, b_in_a, reach, found);
   plane.add(Vec3(0, b.half_height, 0), 5);
   add_rim(plane, b.radius, -b.half_height, down_rim(plane.n));
+  found.on_rim = found.count == 4 && found.point[0].feature == 1;
   found.whole = true;
 }
 

@@ -5,6 +5,7 @@
 
 #include "dynamics/body_state.h"
 #include "dynamics/contact/contact.h"
+#include "dynamics/contact/twist_share.h"
 #include "dynamics/warm_scale.h"
 
 namespace carom::dynamics {
@@ -108,6 +109,10 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     match = match_points(olds, cursor, last, manifold, on_b, scene.dials[Dial::cache_distance]);
 
   const Real radius_a = scene.colliders.shape[ca]->core_radius, radius_b = scene.colliders.shape[cb]->core_radius;
+  const bool known =
+      static_cast<std::size_t>(std::count_if(match.begin(), match.end(), [](const OldImpulse* old) { return old; })) ==
+      last - cursor;
+  const Real share = twist_share(manifold.count, manifold.has_more_corners);
   const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
   const bool one_normal = std::all_of(manifold.point, manifold.point + manifold.count, is_first);
   for (int k = 0; k < manifold.count; ++k) {
@@ -122,6 +127,8 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     row.restitution = material.restitution;
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
     row.one_normal = one_normal;
+    row.twist_share = share;
+    row.loads_are_known = known;
     g.radius_a = radius_a, g.radius_b = radius_b;
     g.l_a = fa.apply(point.on_a);
     g.l_b = fb.apply(point.on_b);

@@ -34,10 +34,10 @@ template <class Number>
 struct PointLanesOf {
   using Lanes = LanesOf<Number>;
   using LaneVec = LaneVecOf<Number>;
-  LaneVec d;         // m, world axes: from the middle of the pair's points, as the step began
+  LaneVec d;         // m, world axes: from where the pair's friction acts, as the step began
   Lanes gap;         // m, separation as the step began
   Lanes separation;  // m, now
-  Lanes reach;       // m, |d|
+  Lanes reach;       // m, mean distance from there of what it stands for: @see twist_share()
   Lanes m_n;         // kg, normal impulse per change of velocity; 0: an empty lane
   Lanes p_n;         // N s, of the present substep
   Lanes sum_n;       // N s, of the step
@@ -45,9 +45,8 @@ struct PointLanesOf {
   LaneVec n;         // unit, world, A to B; @see PairLanes::one_normal
 };
 
-/// Four pairs of one colour. Friction is answered once a pair, at the middle of its points: a force in the plane,
-/// within the disc of radius mu times the normal impulses, and a twist about the normal, within mu times their moments.
-/// The second tangent is n x t.
+/// Four pairs of one colour. Friction is answered once a pair, at the middle of its loads as the step began: a force in
+/// the plane and a twist about the normal, within one limit surface (rub()). The second tangent is n x t.
 template <class Number>
 struct PairLanesOf {
   using Lanes = LanesOf<Number>;
@@ -60,13 +59,15 @@ struct PairLanesOf {
   Lanes inv_mass_a, inv_mass_b;                // 1/kg
   LaneSymmetric inv_inertia_a, inv_inertia_b;  // 1/(kg m^2), world, as the step began
   LaneVec n, t;                                // unit, world
-  LaneVec r_a, r_b;                            // m, from the centres of mass to the middle of the points
+  LaneVec r_a, r_b;                            // m, from the centres of mass to where friction acts
   Lanes radius_a, radius_b;                    // m, core radii, @see RowGeometry
   Lanes friction;
   Lanes bounce_speed;                          // m/s, what closes faster bounces; infinite: nothing does
   Lanes bias_rate, mass_scale, impulse_scale;  // softness, @see soft_step.h
   Lanes m_tt, m_ts, m_ss;                      // kg, impulse per change of velocity in the plane
-  Lanes m_w;                                   // kg m^2, likewise of the twist
+  Lanes m_tw, m_sw;                            // kg m, impulse per change of spin, twist per change of velocity
+  Lanes m_w;                                   // kg m^2, twist per change of spin
+  Lanes k_slide, k_spin;                       // 1/kg, 1/(kg m^2): most velocity per impulse, spin per twist; 0: fixed
   Lanes p_t, p_s, p_w;                         // N s, N m s, of the present substep
   Lanes sum_t, sum_s, sum_w;                   // of the step
   Lanes coupling[kCouplings];  // 1/kg: normal velocity at one point per normal impulse at another: 01 02 12 03 13 23
@@ -76,7 +77,7 @@ struct PairLanesOf {
 template <class Number>
 struct DriveLanesOf {
   using Lanes = LanesOf<Number>;
-  Lanes t, s;  // m/s, along the tangents, at the middle of the points
+  Lanes t, s;  // m/s, along the tangents, where friction acts
   Lanes w;     // rad/s, about the normal
 };
 
@@ -111,6 +112,8 @@ struct LaneSources {
   Lanes inv_mass_a, inv_mass_b;                                 // 1/kg
   Lanes to_b;                                                   // @see Arms
   Lanes friction;
+  Lanes twist_share;
+  Lanes known;         // 1: what points bear is what they start from; 0: some of it was lost
   Lanes bounce_speed;  // m/s
 };
 /// Where the rows of four pairs are put back, and what of their bodies that takes. Lanes of nobody find zeros and are

@@ -67,7 +67,36 @@ CAROM_LANES_INLINE LaneSymmetricOf<Number> symmetric(const double* const* of) {
           rounded<Number>(m.column[1].y), rounded<Number>(m.column[2].y), rounded<Number>(m.column[2].z)};
 }
 
-/// Points where Arms sees them, friction at the middle of a pair's, from the impulses that its rows start with.
+/// By what the points of four pairs share in the place where friction acts. That is the middle of their loads: what
+/// bears nothing, as points in the air under a cylinder that rolls, has no part in it. Of a pair whose loads are not
+/// known those count that are as near as the nearest, to kTouching of their distance from it: they will bear it.
+struct LoadShares {
+  Lanes of[kPairPoints];
+
+  /// @param known  @see LaneSources   @param load  [count] N s, normal impulses   @param gap, arm  [count] m
+  CAROM_LANES_INLINE LoadShares(Lanes known, const Lanes* load, const Lanes* gap, const LaneVec* arm, int count) {
+    constexpr double kTouching = 0.01;
+    Lanes whole = all(0), least = gap[0], width2 = all(0);
+    for (int k = 0; k < count; ++k) {
+      const LaneVec apart = arm[k] - arm[0];
+      whole += load[k];
+      least = gap[k] < least ? gap[k] : least;
+      width2 = larger(inner(apart, apart), width2);
+    }
+    const auto bears = (whole > 0) & (known > 0);
+    const Lanes near = all(kTouching) * square_root(width2);
+    Lanes sum = all(0);
+    for (int k = 0; k < count; ++k) {
+      of[k] = bears ? load[k] : larger(near - (gap[k] - least), all(0));
+      sum += of[k];
+    }
+    const auto any = sum > 0;
+    const Lanes per = 1 / (any ? sum : all(1)), even = all(1.0 / count);
+    for (int k = 0; k < count; ++k) of[k] = any ? per * of[k] : even;
+  }
+};
+
+/// Points where Arms sees them, friction at the middle of their loads, from the impulses that rows start with.
 template <class Number>
 void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
   for (std::size_t i = 0; i < run.count; ++i) {
@@ -79,9 +108,9 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
     const LaneVec apart = vector_at(of.x_b, 0) - vector_at(of.x_a, 0);
     const Lanes radius_a = number_at(of.geometry, kGeometryRadiusA),
                 radius_b = number_at(of.geometry, kGeometryRadiusB);
-    const Lanes part = all(1.0 / count);
     const LaneVec zero = {all(0), all(0), all(0)};
-    LaneVec arm[kPairPoints], middle_a = zero, middle_b = zero, l_a = zero, l_b = zero;
+    LaneVec arm[kPairPoints], at_a[kPairPoints], at_b[kPairPoints];
+    Lanes load[kPairPoints], gap[kPairPoints];
     const double *row[kLanes], *geometry[kLanes];
     const auto look_at = [&](int k) __attribute__((always_inline)) {
       for (int lane = 0; lane < kLanes; ++lane) {
@@ -91,14 +120,20 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
     };
     for (int k = 0; k < count; ++k) {
       look_at(k);
-      const LaneVec n = vector_at(row, kRowNormal), at_a = vector_at(geometry, kGeometryA),
-                    at_b = vector_at(geometry, kGeometryB);
-      const LaneVec on_a = r_a * at_a + radius_a * n, on_b = apart + (r_b * at_b - radius_b * n);
+      const LaneVec n = vector_at(row, kRowNormal);
+      at_a[k] = vector_at(geometry, kGeometryA), at_b[k] = vector_at(geometry, kGeometryB);
+      const LaneVec on_a = r_a * at_a[k] + radius_a * n, on_b = apart + (r_b * at_b[k] - radius_b * n);
       arm[k] = on_a + of.to_b * (on_b - on_a);
-      middle_a = middle_a + part * arm[k];
-      middle_b = middle_b + part * (arm[k] - apart);
-      l_a = l_a + part * at_a;
-      l_b = l_b + part * at_b;
+      gap[k] = number_at(geometry, kGeometrySeparation);
+      load[k] = larger(inner(vector_at(row, kRowImpulse), n), all(0));
+    }
+    const LoadShares share(of.known, load, gap, arm, count);
+    LaneVec middle_a = zero, middle_b = zero, l_a = zero, l_b = zero;
+    for (int k = 0; k < count; ++k) {
+      middle_a = middle_a + share.of[k] * arm[k];
+      middle_b = middle_b + share.of[k] * (arm[k] - apart);
+      l_a = l_a + share.of[k] * at_a[k];
+      l_b = l_b + share.of[k] * at_b[k];
     }
     const LaneVec n = vector_at(of.row, kRowNormal), t = tangent_of(n);
     LaneVec force = zero;
@@ -112,8 +147,8 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
       force = force + sideways;
       twist += inner(cross(d, sideways), n);
       point.d = rounded<Number>(d);
-      point.gap = point.separation = rounded<Number>(number_at(geometry, kGeometrySeparation));
-      point.reach = rounded<Number>(square_root(inner(d, d)));
+      point.gap = point.separation = rounded<Number>(gap[k]);
+      point.reach = rounded<Number>(of.twist_share * square_root(inner(d, d)));
       point.p_n = rounded<Number>(p_n);
       point.sum_n = point.push = all<Number>(0);
       point.n = rounded<Number>(n_k);
@@ -135,11 +170,11 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
   }
 }
 
-/// How friction of four pairs, a force and a twist at the middle of their points, is shared among them: by their loads,
+/// How friction of four pairs, a force and a twist about where it acts, is shared among them: by their loads,
 /// turned about the point at which those loads act together. Added up again it is what it was.
 class FrictionShares {
  public:
-  /// @param load  [count] N s, normal impulses   @param twist  N m s, about the middle
+  /// @param load  [count] N s, normal impulses   @param twist  N m s, about where it acts
   template <class Number>
   CAROM_LANES_INLINE FrictionShares(const PointLanesOf<Number>* points, const Lanes* load, int count, const LaneVec& n,
                                     const LaneVec& force, Lanes twist)
@@ -163,7 +198,7 @@ class FrictionShares {
     const auto turns = any & (moment > 1e-9 * whole * most);
     turn_ = turns ? (twist - inner(cross(centre_, force), n)) / (turns ? moment : all(1)) : all(0);
   }
-  /// N s, friction at a point   @param d  m, from the middle   @param load  N s
+  /// N s, friction at a point   @param d  m, from where it acts   @param load  N s
   CAROM_LANES_INLINE LaneVec at(const LaneVec& d, Lanes load) const {
     return load * (slide_ + turn_ * cross(n_, d - centre_));
   }
