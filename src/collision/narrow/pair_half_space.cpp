@@ -53,11 +53,11 @@ struct Plane {
 };
 
 /// The direction across y in which a rim around y dips deepest; x where the plane is square to y.
-/// Below 1e-9 rad of tilt the whole rim is deepest, to 1e-9 of its radius, and a fixed direction keeps its points in
-/// place.
+/// Below 1e-5 rad of tilt the whole rim is deepest, to 3e-6 of its radius, and a fixed direction keeps its points in
+/// place: those of a coin that slides would wander round it, and what they bear would be lost in each step.
 Vec3 down_rim(const Vec3& n) {
   const Real across = std::sqrt(n.x() * n.x() + n.z() * n.z());
-  return across > 1e-9 ? Vec3(-n.x() / across, 0, -n.z() / across) : Vec3(Vec3::unit_x());
+  return across > 1e-5 ? Vec3(-n.x() / across, 0, -n.z() / across) : Vec3(Vec3::unit_x());
 }
 
 /// Four points of a rim of given radius at height y, the deepest first.

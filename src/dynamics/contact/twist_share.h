@@ -6,7 +6,8 @@
 namespace carom::dynamics {
 
 /// A flat patch presses all over: where its load is even, the mean distance of its places from their middle is this
-/// share of that of its corners. Friction resists a spin with mu N times that distance.
+/// share of that of its corners. Friction resists a spin with mu N times that distance. Solvers that bear friction point
+/// by point draw its points in towards the middle of the load by this share.
 /// @param corners   points of the manifold
 /// @param are_more  the patch has more corners than the four that were kept, all of them on a rim
 /// @return  1/2 for a line; 0.47 for a triangle, 0.541 for a square (1/2 for a long plank), 2/3 for a disc, and an
@@ -16,11 +17,5 @@ inline Real twist_share(int corners, bool are_more) {
   constexpr Real kOf[] = {1, 1, 0.5, 0.47, 0.54};
   return are_more ? Real(0.65) : kOf[corners];
 }
-
-/// Of solvers that bear friction point by point: how far each of a patch's points is drawn in towards the middle of its
-/// load for the friction there to act. Points at one distance leave too little against a slide of what spins; so the
-/// distance is a compromise: a quarter more than the mean one, with which a puck that slides and spins goes its way
-/// within 4 %, but turns 15 % less than it should.
-inline Real drawn_in(Real twist_share) { return 1.25 * twist_share; }
 
 }  // namespace carom::dynamics

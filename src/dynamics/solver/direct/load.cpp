@@ -73,7 +73,7 @@ void spread(const Contacts& c, const PairRows& pair, const Vec3* r, Vec3* apart)
   share_load(c, pair, r, share);
   Vec3 middle = Vec3::zero();
   for (std::uint32_t k = 0; k < pair.count; ++k) middle += share[k] * r[k];
-  for (std::uint32_t k = 0; k < pair.count; ++k) apart[k] = (1 - drawn_in(first.twist_share)) * (r[k] - middle);
+  for (std::uint32_t k = 0; k < pair.count; ++k) apart[k] = (1 - first.twist_share) * (r[k] - middle);
 }
 
 }  // namespace
