@@ -26,7 +26,7 @@ struct alignas(64) Row {
   bool on_rim;              // the friction impulse is as large as the cone allows
   bool moves_a, moves_b;    // an impulse moves it
   bool one_normal;          // all rows of its pair have the same
-  bool loads_are_known;     // each impulse that the pair starts from was found again at one of its points
+  bool rubs_by_load;        // friction acts at the middle of the loads that the pair starts from, which slides
   Real friction;            // mixed Coulomb coefficient
 
   Vec3 p;              // N s, impulse on B in this substep so far, world; between substeps, what the next starts from

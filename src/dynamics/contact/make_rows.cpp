@@ -87,6 +87,18 @@ std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
   return m.moves_a || m.moves_b ? place.points : 0;
 }
 
+/// Whether a pair's friction, as it starts, is most of what its loads allow: only of what slides does it matter where
+/// between its points friction acts. What sticks keeps one place, whatever its loads do.
+bool slides(const Contacts& c, std::uint32_t first, int count) {
+  Real load = 0, rub = 0;
+  for (std::uint32_t k = first; k < first + static_cast<std::uint32_t>(count); ++k) {
+    const Row& row = c.rows[k];
+    const Real normal = row.p.dot(row.n);
+    load += row.friction * normal, rub += (row.p - normal * row.n).norm();
+  }
+  return 2 * rub > load;
+}
+
 /// The rows of a pair, from `at` on.
 /// @param cursor  in the old ones, not after the pair; moved on to it
 /// @param scale   substep now over substep then; 0: start cold
@@ -109,7 +121,7 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     match = match_points(olds, cursor, last, manifold, on_b, scene.dials[Dial::cache_distance]);
 
   const Real radius_a = scene.colliders.shape[ca]->core_radius, radius_b = scene.colliders.shape[cb]->core_radius;
-  const bool known =
+  const bool all_found =
       static_cast<std::size_t>(std::count_if(match.begin(), match.end(), [](const OldImpulse* old) { return old; })) ==
       last - cursor;
   const Real share = twist_share(manifold.count, manifold.has_more_corners);
@@ -128,7 +140,6 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
     row.one_normal = one_normal;
     row.twist_share = share;
-    row.loads_are_known = known;
     g.radius_a = radius_a, g.radius_b = radius_b;
     g.l_a = fa.apply(point.on_a);
     g.l_b = fb.apply(point.on_b);
@@ -140,6 +151,8 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     g.pair = static_cast<std::uint32_t>(pair_index);
     g.point = static_cast<std::uint32_t>(k);
   }
+  const bool by_load = all_found && slides(c, at, manifold.count);
+  for (int k = 0; k < manifold.count; ++k) c.rows[at + static_cast<std::uint32_t>(k)].rubs_by_load = by_load;
 }
 
 /// Rows of all pairs, in their order: first how many each has, then what they are.

@@ -67,7 +67,9 @@ struct PairLanesOf {
   Lanes m_tt, m_ts, m_ss;                      // kg, impulse per change of velocity in the plane
   Lanes m_tw, m_sw;                            // kg m, impulse per change of spin, twist per change of velocity
   Lanes m_w;                                   // kg m^2, twist per change of spin
-  Lanes k_slide, k_spin;                       // 1/kg, 1/(kg m^2): most velocity per impulse, spin per twist; 0: fixed
+  Lanes per_m_w;                               // 1/(kg m^2)
+  Lanes k_tt, k_ts, k_ss, k_tw, k_sw, k_w;     // 1/kg, 1/(kg m), 1/(kg m^2): the other way round
+  Lanes k_slide;                               // 1/kg, the most that the plane has in any direction; 0: fixed
   Lanes p_t, p_s, p_w;                         // N s, N m s, of the present substep
   Lanes sum_t, sum_s, sum_w;                   // of the step
   Lanes coupling[kCouplings];  // 1/kg: normal velocity at one point per normal impulse at another: 01 02 12 03 13 23

@@ -128,12 +128,13 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
       load[k] = larger(inner(vector_at(row, kRowImpulse), n), all(0));
     }
     const LoadShares share(of.known, load, gap, arm, count);
+    const Lanes part = all(1.0 / count);
     LaneVec middle_a = zero, middle_b = zero, l_a = zero, l_b = zero;
     for (int k = 0; k < count; ++k) {
       middle_a = middle_a + share.of[k] * arm[k];
       middle_b = middle_b + share.of[k] * (arm[k] - apart);
-      l_a = l_a + share.of[k] * at_a[k];
-      l_b = l_b + share.of[k] * at_b[k];
+      l_a = l_a + part * at_a[k];  // the points of a body are held as one, wherever its friction acts
+      l_b = l_b + part * at_b[k];
     }
     const LaneVec n = vector_at(of.row, kRowNormal), t = tangent_of(n);
     LaneVec force = zero;

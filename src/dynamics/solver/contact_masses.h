@@ -49,7 +49,8 @@ CAROM_LANES_INLINE void invert_response(const SlipResponse<Number>& k, PairLanes
   pair.m_sw = whole ? once * (k.ts * k.tw - k.tt * k.sw) : none;
   pair.m_w = whole ? once * in_plane : inverse_or_zero(k.w);
   pair.k_slide = most_response(k.tt, k.ts, k.ss);
-  pair.k_spin = k.w;
+  pair.per_m_w = inverse_or_zero(pair.m_w);
+  pair.k_tt = k.tt, pair.k_ts = k.ts, pair.k_ss = k.ss, pair.k_tw = k.tw, pair.k_sw = k.sw, pair.k_w = k.w;
 }
 
 /// Masses where bodies are locked. What nothing can move has none: along a direction whose response is but rounding of
@@ -74,18 +75,20 @@ void prepare_locked(const LaneRunOf<Number>& run, PairLanesOf<Number>& pair) {
               k_ss = response(middle, s, middle, s);
   const Lanes trace = k_tt + k_ss, det = k_tt * k_ss - k_ts * k_ts;
   const auto full = det > kRounding * (trace * trace), some = trace > whole;
-  const Lanes of_both = full ? inverse_or_zero(det) : all<Number>(0);
-  const Lanes once = inverse_or_zero(trace), of_one = full ? all<Number>(0) : some ? once * once : all<Number>(0);
-  pair.m_tt = of_both * k_ss + of_one * k_tt;
-  pair.m_ts = of_one * k_ts - of_both * k_ts;
-  pair.m_ss = of_both * k_tt + of_one * k_ss;
   const LaneSymmetricOf<Number>&i_a = pair.inv_inertia_a, &i_b = pair.inv_inertia_b;
-  const Lanes k_w = dot(pair.n, i_a * pair.n) + dot(pair.n, i_b * pair.n);
+  const LaneVec w_a = i_a * pair.n, w_b = i_b * pair.n;
+  const Lanes k_w = dot(pair.n, w_a) + dot(pair.n, w_b), none = all<Number>(0);
   const Lanes turns = kRounding * ((i_a.xx + i_a.yy + i_a.zz) + (i_b.xx + i_b.yy + i_b.zz));
-  pair.m_w = k_w > turns ? inverse_or_zero(k_w) : all<Number>(0);
-  pair.m_tw = pair.m_sw = all<Number>(0);
-  pair.k_slide = full ? most_response(k_tt, k_ts, k_ss) : some ? trace : all<Number>(0);
-  pair.k_spin = k_w > turns ? k_w : all<Number>(0);
+  const auto spins = (pair.points > 1 ? k_w : none) > turns, both = full & spins;
+  const auto turned = [&](const LaneVec& x) __attribute__((always_inline)) {
+    return dot(cross(pair.r_a, x), w_a) + dot(cross(pair.r_b, x), w_b);
+  };
+  invert_response({k_tt, k_ts, k_ss, both ? turned(pair.t) : none, both ? turned(s) : none, spins ? k_w : none}, pair);
+  const Lanes once = inverse_or_zero(trace), of_one = some ? once * once : none;
+  pair.m_tt = full ? pair.m_tt : of_one * k_tt;
+  pair.m_ts = full ? pair.m_ts : of_one * k_ts;
+  pair.m_ss = full ? pair.m_ss : of_one * k_ss;
+  pair.k_slide = full ? pair.k_slide : some ? trace : none;
   PointLanesOf<Number>* const points = run.points + pair.first;
   const int count = static_cast<int>(pair.points);
   for (int k = 0; k < count; ++k) {

@@ -62,7 +62,31 @@ CAROM_LANES_INLINE void rub_point(Both<Number>& both, PairLanesOf<Number>& pair,
   pair.p_s = p_s;
 }
 
-/// Coulomb's law of a patch: what stops slip and spin, if it can be borne; else as much as can be, against both.
+template <class Mask>
+CAROM_LANES_INLINE bool in_all(const Mask& mask) {
+  return (mask[0] != 0) & (mask[1] != 0) & (mask[2] != 0) & (mask[3] != 0);
+}
+
+/// Force and twist of a patch.
+template <class Number>
+struct Rub {
+  using Lanes = LanesOf<Number>;
+  Lanes t, s, w;  // N s, N m s
+
+  /// Shortened to the bound.   @param most, most_w  mu N, mu M   @param per2, per_w2  one over their squares
+  CAROM_LANES_INLINE void bound(Lanes most, Lanes most_w, Lanes per2, Lanes per_w2) {
+    const Lanes one = all<Number>(1), none = all<Number>(0);
+    const Lanes beyond = beyond2((t * t + s * s) * per2, w * w * per_w2, one, all<Number>(kPatchBend.value));
+    const Lanes shorten = one / square_root(beyond);
+    t = most > none ? shorten * t : none;
+    s = most > none ? shorten * s : none;
+    w = most_w > none ? shorten * w : none;
+  }
+};
+
+/// Coulomb's law of a patch: what stops slip and spin, if it can be borne. Else the twist as far as it can be, with it
+/// the force that stops the slip, both shortened to the bound; and on from there against slip and spin that are left,
+/// along the normal of the bound, by a step that no response outdoes: so what slips fast is rubbed against its motion.
 template <int kCount, class Number>
 CAROM_LANES_INLINE void rub(Both<Number>& both, PairLanesOf<Number>& pair, const PointLanesOf<Number>* points,
                             const DriveLanesOf<Number>* drives) {
@@ -70,40 +94,46 @@ CAROM_LANES_INLINE void rub(Both<Number>& both, PairLanesOf<Number>& pair, const
     rub_point(both, pair, points[0], drives);
   } else {
     using Lanes = LanesOf<Number>;
-    const Lanes one = all<Number>(1), none = all<Number>(0), bend = all<Number>(kPatchBend.value);
+    const Lanes none = all<Number>(0), bend = all<Number>(kPatchBend.value);
     Lanes load = points[0].p_n, moment = points[0].reach * points[0].p_n;
     for (int k = 1; k < kCount; ++k) {
       load += points[k].p_n;
       moment += points[k].reach * points[k].p_n;
     }
     const Lanes most = pair.friction * load, most_w = pair.friction * moment;
-    const Lanes per = inverse_or_zero(most), per_w = inverse_or_zero(most_w), per2 = per * per, per_w2 = per_w * per_w;
     const LaneVecOf<Number> s = cross(pair.n, pair.t);
     const Slip<Number> u(both, s, drives);
-    Lanes p_t = pair.p_t - (pair.m_tt * u.t + pair.m_ts * u.s + pair.m_tw * u.w),
-          p_s = pair.p_s - (pair.m_ts * u.t + pair.m_ss * u.s + pair.m_sw * u.w),
-          p_w = pair.p_w - (pair.m_tw * u.t + pair.m_sw * u.s + pair.m_w * u.w);
-    Lanes x2 = (p_t * p_t + p_s * p_s) * per2, y2 = p_w * p_w * per_w2;
-    const auto sticks = (x2 + y2 + bend * (x2 * y2) <= one) & (most_w > none);
-    // What slips goes on along the normal of the bound at what it bears, by a step that no response outdoes.
-    const Lanes share = most * most + bend * (pair.p_t * pair.p_t + pair.p_s * pair.p_s),
-                share_w = most_w * most_w + bend * (pair.p_w * pair.p_w);
-    const Lanes back = inverse_or_zero(share * pair.k_slide + share_w * pair.k_spin);
-    const Lanes by = pair.k_slide > none ? back * share : none, by_w = pair.k_spin > none ? back * share_w : none;
-    p_t = sticks ? p_t : pair.p_t - by * u.t;
-    p_s = sticks ? p_s : pair.p_s - by * u.s;
-    p_w = sticks ? p_w : pair.p_w - by_w * u.w;
-    x2 = (p_t * p_t + p_s * p_s) * per2, y2 = p_w * p_w * per_w2;
-    const Lanes shorten = one / square_root(beyond2(x2, y2, one, bend));
-    p_t = most > none ? shorten * p_t : none;
-    p_s = most > none ? shorten * p_s : none;
-    p_w = most_w > none ? shorten * p_w : none;
-    const LaneVecOf<Number> push = (p_t - pair.p_t) * pair.t + (p_s - pair.p_s) * s,
-                            twist = (p_w - pair.p_w) * pair.n;
+    const Lanes stops = pair.p_w - (pair.m_tw * u.t + pair.m_sw * u.s + pair.m_w * u.w);
+    Rub<Number> p;
+    p.w = larger(smaller(stops, most_w), -most_w);
+    const Lanes u_w = u.w + (stops - p.w) * pair.per_m_w;  // as much spin as this twist would stop
+    p.t = pair.p_t - (pair.m_tt * u.t + pair.m_ts * u.s + pair.m_tw * u_w);
+    p.s = pair.p_s - (pair.m_ts * u.t + pair.m_ss * u.s + pair.m_sw * u_w);
+    // Within the bound for sure: within an ellipsoid of half its axes.
+    const Lanes force2 = p.t * p.t + p.s * p.s;
+    const auto bears = (4 * force2 <= most * most) & (2 * p.w <= most_w) & (-2 * p.w <= most_w);
+    if (!in_all(bears)) {
+      const Lanes per = inverse_or_zero(most), per_w = inverse_or_zero(most_w);
+      const Lanes per2 = per * per, per_w2 = per_w * per_w;
+      p.bound(most, most_w, per2, per_w2);
+      const Lanes d_t = p.t - pair.p_t, d_s = p.s - pair.p_s, d_w = p.w - pair.p_w;
+      const Lanes v_t = u.t + (pair.k_tt * d_t + pair.k_ts * d_s + pair.k_tw * d_w),
+                  v_s = u.s + (pair.k_ts * d_t + pair.k_ss * d_s + pair.k_sw * d_w),
+                  v_w = u.w + (pair.k_tw * d_t + pair.k_sw * d_s + pair.k_w * d_w);
+      const Lanes share = most * most + bend * (pair.p_t * pair.p_t + pair.p_s * pair.p_s),
+                  share_w = most_w * most_w + bend * (pair.p_w * pair.p_w);
+      const Lanes back = inverse_or_zero(larger(share * pair.k_slide, share_w * pair.k_w));
+      p.t -= pair.k_slide > none ? back * share * v_t : none;
+      p.s -= pair.k_slide > none ? back * share * v_s : none;
+      p.w -= pair.k_w > none ? back * share_w * v_w : none;
+      p.bound(most, most_w, per2, per_w2);
+    }
+    const LaneVecOf<Number> push = (p.t - pair.p_t) * pair.t + (p.s - pair.p_s) * s,
+                            twist = (p.w - pair.p_w) * pair.n;
     both.apply(push, cross(pair.r_a, push) + twist, cross(pair.r_b, push) + twist);
-    pair.p_t = p_t;
-    pair.p_s = p_s;
-    pair.p_w = p_w;
+    pair.p_t = p.t;
+    pair.p_s = p.s;
+    pair.p_w = p.w;
   }
 }
 

@@ -71,7 +71,7 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
     of.to_b[lane] = Arms::to_b(row, g);
     of.friction[lane] = row.friction;
     of.twist_share[lane] = row.twist_share;
-    of.known[lane] = row.loads_are_known;
+    of.known[lane] = row.rubs_by_load;
     of.bounce_speed[lane] = row.restitution > 0 ? scene.dials[Dial::restitution_speed] : kInfinity;
   }
   return of;

@@ -46,34 +46,20 @@ Vec3 surface_spin(const Contacts& c, std::uint32_t row) {
   return it != c.driven.end() && it->row == row ? it->spin : Vec3(Vec3::zero());
 }
 
-/// By what each of a pair's points shares in the middle of its load. @see LoadShares of contact_layout.h
-void share_load(const Contacts& c, const PairRows& pair, const Vec3* r, Real* share) {
-  constexpr Real kTouching = 0.01;
-  Real whole = 0, least = kInfinity, width = 0, sum = 0;
-  for (std::uint32_t k = 0; k < pair.count; ++k) {
-    const Row& row = c.rows[pair.row + k];
-    whole += share[k] = std::max(Real(0), row.p.dot(row.n));
-    least = std::min(least, c.geometry[pair.row + k].separation);
-    width = std::max(width, (r[k] - r[0]).norm());
-  }
-  for (std::uint32_t k = 0; k < pair.count; ++k) {
-    if (!(whole > 0) || !c.rows[pair.row].loads_are_known) share[k] = 
-          std::max(Real(0), kTouching * width - (c.geometry[pair.row + k].separation - least));
-    sum += share[k];
-  }
-  for (std::uint32_t k = 0; k < pair.count; ++k) share[k] = sum > 0 ? share[k] / sum : Real(1) / pair.count;
-}
-
-/// From where a patch's friction acts for each point to the point. m
+/// From where a patch's friction acts for each point to the point, m. Of what sticks it acts at the points.
 void spread(const Contacts& c, const PairRows& pair, const Vec3* r, Vec3* apart) {
-  const Row& first = c.rows[pair.row];
+  const Row* const rows = &c.rows[pair.row];
   for (std::uint32_t k = 0; k < pair.count; ++k) apart[k] = Vec3::zero();
-  if (pair.count == 1 || !first.one_normal || !(first.friction > 0)) return;
-  Real share[kPairPoints];
-  share_load(c, pair, r, share);
+  if (pair.count == 1 || !rows->one_normal || !rows->rubs_by_load) return;
   Vec3 middle = Vec3::zero();
-  for (std::uint32_t k = 0; k < pair.count; ++k) middle += share[k] * r[k];
-  for (std::uint32_t k = 0; k < pair.count; ++k) apart[k] = (1 - first.twist_share) * (r[k] - middle);
+  Real whole = 0;
+  for (std::uint32_t k = 0; k < pair.count; ++k) {
+    const Real load = std::max(Real(0), rows[k].p.dot(rows->n));
+    middle += load * r[k], whole += load;
+  }
+  if (!(whole > 0)) return;
+  middle /= whole;
+  for (std::uint32_t k = 0; k < pair.count; ++k) apart[k] = (1 - rows->twist_share) * (r[k] - middle);
 }
 
 }  // namespace
