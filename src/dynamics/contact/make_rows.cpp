@@ -87,16 +87,22 @@ std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
   return m.moves_a || m.moves_b ? place.points : 0;
 }
 
-/// Whether a pair's friction, as it starts, is most of what its loads allow: only of what slides does it matter where
-/// between its points friction acts. What sticks keeps one place, whatever its loads do.
-bool slides(const Contacts& c, std::uint32_t first, int count) {
-  Real load = 0, rub = 0;
+constexpr Real kCreeps = 0.01;  // m/s: what is slower is taken to stick
+
+/// Whether a pair slips, and its friction, as it starts, is most of what its loads allow: only of what slides does it
+/// matter where between its points friction acts. What sticks keeps one place, whatever its loads do.
+bool slides(const World& world, std::uint32_t first, int count) {
+  const Contacts& c = *world.contacts;
+  Real load = 0, rub = 0, slip2 = 0;
   for (std::uint32_t k = first; k < first + static_cast<std::uint32_t>(count); ++k) {
     const Row& row = c.rows[k];
     const Real normal = row.p.dot(row.n);
+    const Arms arms(world, row, c.geometry[k]);
+    const Vec3 u = relative_velocity(world.state, row, arms.a, arms.b);
+    slip2 = std::max(slip2, (u - u.dot(row.n) * row.n).squared_norm());
     load += row.friction * normal, rub += (row.p - normal * row.n).norm();
   }
-  return 2 * rub > load;
+  return 2 * rub > load && slip2 > kCreeps * kCreeps;
 }
 
 /// The rows of a pair, from `at` on.
@@ -151,7 +157,7 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     g.pair = static_cast<std::uint32_t>(pair_index);
     g.point = static_cast<std::uint32_t>(k);
   }
-  const bool by_load = all_found && slides(c, at, manifold.count);
+  const bool by_load = all_found && slides(world, at, manifold.count);
   for (int k = 0; k < manifold.count; ++k) c.rows[at + static_cast<std::uint32_t>(k)].rubs_by_load = by_load;
 }
 

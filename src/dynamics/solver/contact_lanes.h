@@ -115,7 +115,7 @@ struct LaneSources {
   Lanes to_b;                                                   // @see Arms
   Lanes friction;
   Lanes twist_share;
-  Lanes known;         // 1: what points bear is what they start from; 0: some of it was lost
+  Lanes by_load;       // @see Row::rubs_by_load: 1 or 0
   Lanes bounce_speed;  // m/s
 };
 /// Where the rows of four pairs are put back, and what of their bodies that takes. Lanes of nobody find zeros and are

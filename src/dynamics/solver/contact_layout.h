@@ -68,13 +68,13 @@ CAROM_LANES_INLINE LaneSymmetricOf<Number> symmetric(const double* const* of) {
 }
 
 /// By what the points of four pairs share in the place where friction acts. That is the middle of their loads: what
-/// bears nothing, as points in the air under a cylinder that rolls, has no part in it. Of a pair whose loads are not
-/// known those count that are as near as the nearest, to kTouching of their distance from it: they will bear it.
+/// bears nothing, as points in the air under a cylinder that rolls, has no part in it. Of a pair that sticks, or whose
+/// loads are not known, those count that are as near as the nearest, to kTouching of their distance, all alike.
 struct LoadShares {
   Lanes of[kPairPoints];
 
-  /// @param known  @see LaneSources   @param load  [count] N s, normal impulses   @param gap, arm  [count] m
-  CAROM_LANES_INLINE LoadShares(Lanes known, const Lanes* load, const Lanes* gap, const LaneVec* arm, int count) {
+  /// @param by_load  @see LaneSources   @param load  [count] N s, normal impulses   @param gap, arm  [count] m
+  CAROM_LANES_INLINE LoadShares(Lanes by_load, const Lanes* load, const Lanes* gap, const LaneVec* arm, int count) {
     constexpr double kTouching = 0.01;
     Lanes whole = all(0), least = gap[0], width2 = all(0);
     for (int k = 0; k < count; ++k) {
@@ -83,11 +83,12 @@ struct LoadShares {
       least = gap[k] < least ? gap[k] : least;
       width2 = larger(inner(apart, apart), width2);
     }
-    const auto bears = (whole > 0) & (known > 0);
+    const auto bears = (whole > 0) & (by_load > 0);
     const Lanes near = all(kTouching) * square_root(width2);
     Lanes sum = all(0);
     for (int k = 0; k < count; ++k) {
-      of[k] = bears ? load[k] : larger(near - (gap[k] - least), all(0));
+      const Lanes touches = gap[k] - least <= near ? all(1) : all(0);
+      of[k] = bears ? load[k] : touches;
       sum += of[k];
     }
     const auto any = sum > 0;
@@ -127,7 +128,7 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
       gap[k] = number_at(geometry, kGeometrySeparation);
       load[k] = larger(inner(vector_at(row, kRowImpulse), n), all(0));
     }
-    const LoadShares share(of.known, load, gap, arm, count);
+    const LoadShares share(of.by_load, load, gap, arm, count);
     const Lanes part = all(1.0 / count);
     LaneVec middle_a = zero, middle_b = zero, l_a = zero, l_b = zero;
     for (int k = 0; k < count; ++k) {

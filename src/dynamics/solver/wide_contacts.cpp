@@ -53,7 +53,7 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
                               of.x_a, of.x_b, of.row, of.geometry})
         all[lane] = kZeros;
       pair.a[lane] = pair.b[lane] = 0;
-      of.inv_mass_a[lane] = of.inv_mass_b[lane] = of.to_b[lane] = of.friction[lane] = of.twist_share[lane] = of.known[lane] =
+      of.inv_mass_a[lane] = of.inv_mass_b[lane] = of.to_b[lane] = of.friction[lane] = of.twist_share[lane] = of.by_load[lane] =
           of.bounce_speed[lane] = 0;
       continue;
     }
@@ -71,7 +71,7 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
     of.to_b[lane] = Arms::to_b(row, g);
     of.friction[lane] = row.friction;
     of.twist_share[lane] = row.twist_share;
-    of.known[lane] = row.rubs_by_load;
+    of.by_load[lane] = row.rubs_by_load;
     of.bounce_speed[lane] = row.restitution > 0 ? scene.dials[Dial::restitution_speed] : kInfinity;
   }
   return of;
