@@ -109,10 +109,11 @@ CAROM_LANES_INLINE void rub(Both<Number>& both, PairLanesOf<Number>& pair, const
     const Lanes u_w = u.w + (stops - p.w) * pair.per_m_w;  // as much spin as this twist would stop
     p.t = pair.p_t - (pair.m_tt * u.t + pair.m_ts * u.s + pair.m_tw * u_w);
     p.s = pair.p_s - (pair.m_ts * u.t + pair.m_ss * u.s + pair.m_sw * u_w);
-    // Within the bound for sure: within an ellipsoid of half its axes.
-    const Lanes force2 = p.t * p.t + p.s * p.s;
-    const auto bears = (4 * force2 <= most * most) & (2 * p.w <= most_w) & (-2 * p.w <= most_w);
+    const Lanes force2 = p.t * p.t + p.s * p.s, twist2 = p.w * p.w, most2 = most * most, most_w2 = most_w * most_w;
+    const auto bears = (force2 * most_w2 + twist2 * (most2 + bend * force2) < most2 * most_w2) |
+                       ((force2 <= none) & (twist2 <= none));
     if (!in_all(bears)) {
+      const Rub<Number> stuck = p;
       const Lanes per = inverse_or_zero(most), per_w = inverse_or_zero(most_w);
       const Lanes per2 = per * per, per_w2 = per_w * per_w;
       p.bound(most, most_w, per2, per_w2);
@@ -120,13 +121,16 @@ CAROM_LANES_INLINE void rub(Both<Number>& both, PairLanesOf<Number>& pair, const
       const Lanes v_t = u.t + (pair.k_tt * d_t + pair.k_ts * d_s + pair.k_tw * d_w),
                   v_s = u.s + (pair.k_ts * d_t + pair.k_ss * d_s + pair.k_sw * d_w),
                   v_w = u.w + (pair.k_tw * d_t + pair.k_sw * d_s + pair.k_w * d_w);
-      const Lanes share = most * most + bend * (pair.p_t * pair.p_t + pair.p_s * pair.p_s),
-                  share_w = most_w * most_w + bend * (pair.p_w * pair.p_w);
+      const Lanes share = most2 + bend * (pair.p_t * pair.p_t + pair.p_s * pair.p_s),
+                  share_w = most_w2 + bend * (pair.p_w * pair.p_w);
       const Lanes back = inverse_or_zero(larger(share * pair.k_slide, share_w * pair.k_w));
       p.t -= pair.k_slide > none ? back * share * v_t : none;
       p.s -= pair.k_slide > none ? back * share * v_s : none;
       p.w -= pair.k_w > none ? back * share_w * v_w : none;
       p.bound(most, most_w, per2, per_w2);
+      p.t = bears ? stuck.t : p.t;
+      p.s = bears ? stuck.s : p.s;
+      p.w = bears ? stuck.w : p.w;
     }
     const LaneVecOf<Number> push = (p.t - pair.p_t) * pair.t + (p.s - pair.p_s) * s,
                             twist = (p.w - pair.p_w) * pair.n;
