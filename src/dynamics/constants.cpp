@@ -5,6 +5,7 @@
 
 #include "collision/manifold/patch_constants.h"
 #include "dynamics/contact/impact_points.h"
+#include "dynamics/contact/twist_share.h"
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/sweep_constants.h"
@@ -24,7 +25,8 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 }
 
 constexpr auto kConstantTable =
-    in_one_table(kPatchConstants, kImpactConstants, kSweepConstants, kAutoConstants, kConeGroupConstants);
+    in_one_table(kPatchConstants, kImpactConstants, kPatchFrictionConstants, kSweepConstants, kAutoConstants,
+                 kConeGroupConstants);
 
 }  // namespace
 

@@ -1,6 +1,8 @@
 // The greedy choice of four: deepest, farthest from it, farthest beside that line, farthest outside that triangle.
 #include "collision/manifold/choice.h"
 
+#include "collision/manifold/patch_constants.h"
+
 namespace carom::collision {
 namespace {
 
@@ -8,9 +10,6 @@ namespace {
 // that hover do not carry. Steeper: corners that hover displace ones that touch. Flatter: a tilt of a jitter leaves an
 // edge in place of a face.
 constexpr Real kChoiceTilt = 0.05;
-// A point is a corner that stands out from the four by this share of their width: more than points along an edge do, less
-// than those of a rim between four others (0.1 of it).
-constexpr Real kStandsOut = 0.02;
 // Depths within this share of the contact distance are equal: the choice then stays with the older point.
 constexpr Real kSameDepth = 0.01;
 
@@ -65,7 +64,7 @@ bool Choice::leaves_corners() const {
   for (int i = 0; i < pool_.count; ++i) {
     if (taken_[i] || pool_.point[i]->separation > deepest_ + kChoiceTilt * width) continue;
     for (int k = 0; k < corners; ++k)
-      if (beside(corner[k], corner[(k + 1) % corners], i) < -kStandsOut * width) return true;
+      if (beside(corner[k], corner[(k + 1) % corners], i) < -kStandsOut.value * width) return true;
   }
   return false;
 }

@@ -26,7 +26,8 @@ struct alignas(64) Row {
   bool on_rim;              // the friction impulse is as large as the cone allows
   bool moves_a, moves_b;    // an impulse moves it
   bool one_normal;          // all rows of its pair have the same
-  bool rubs_by_load;        // friction acts at the middle of the loads that the pair starts from, which slides
+  bool slides;              // its pair does as the step begins: friction acts at the middle of its loads
+  bool rubs_by_load;        // likewise, and the loads that it starts from are known
   Real friction;            // mixed Coulomb coefficient
 
   Vec3 p;              // N s, impulse on B in this substep so far, world; between substeps, what the next starts from

@@ -87,22 +87,29 @@ std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
   return m.moves_a || m.moves_b ? place.points : 0;
 }
 
-constexpr Real kCreeps = 0.01;  // m/s: what is slower is taken to stick
-
-/// Whether a pair slips, and its friction, as it starts, is most of what its loads allow: only of what slides does it
-/// matter where between its points friction acts. What sticks keeps one place, whatever its loads do.
+/// Whether a pair slips at one of its points: only of what slides does it matter where between them friction acts, and
+/// how sliding and spinning share it. What sticks keeps one place, whatever its loads do. One point has but one place.
 bool slides(const World& world, std::uint32_t first, int count) {
   const Contacts& c = *world.contacts;
-  Real load = 0, rub = 0, slip2 = 0;
+  const State& s = world.state;
+  const Row& row = c.rows[first];
+  if (count == 1 || !(row.friction > 0)) return false;
+  constexpr Real kLeast2 = kCreeps.value * kCreeps.value;
+  const Real turn_a2 = s.omega[row.a].squared_norm(), turn_b2 = s.omega[row.b].squared_norm();
+  Real reach_a2 = 0, reach_b2 = 0;
   for (std::uint32_t k = first; k < first + static_cast<std::uint32_t>(count); ++k) {
-    const Row& row = c.rows[k];
-    const Real normal = row.p.dot(row.n);
-    const Arms arms(world, row, c.geometry[k]);
-    const Vec3 u = relative_velocity(world.state, row, arms.a, arms.b);
-    slip2 = std::max(slip2, (u - u.dot(row.n) * row.n).squared_norm());
-    load += row.friction * normal, rub += (row.p - normal * row.n).norm();
+    const RowGeometry& g = c.geometry[k];
+    reach_a2 = std::max(reach_a2, g.l_a.squared_norm()), reach_b2 = std::max(reach_b2, g.l_b.squared_norm());
   }
-  return 2 * rub > load && slip2 > kCreeps * kCreeps;
+  // Without a root, and without turning what rests: no point can slip as fast.
+  const Real apart2 = (s.v[row.b] - s.v[row.a]).squared_norm();
+  if (4 * (apart2 + turn_a2 * reach_a2 + turn_b2 * reach_b2) <= kLeast2) return false;
+  for (std::uint32_t k = first; k < first + static_cast<std::uint32_t>(count); ++k) {
+    const Arms arms(world, c.rows[k], c.geometry[k]);
+    const Vec3 u = relative_velocity(s, c.rows[k], arms.a, arms.b);
+    if ((u - u.dot(row.n) * row.n).squared_norm() > kLeast2) return true;
+  }
+  return false;
 }
 
 /// The rows of a pair, from `at` on.
@@ -157,8 +164,11 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     g.pair = static_cast<std::uint32_t>(pair_index);
     g.point = static_cast<std::uint32_t>(k);
   }
-  const bool by_load = all_found && slides(world, at, manifold.count);
-  for (int k = 0; k < manifold.count; ++k) c.rows[at + static_cast<std::uint32_t>(k)].rubs_by_load = by_load;
+  const bool slide = slides(world, at, manifold.count);
+  for (int k = 0; k < manifold.count; ++k) {
+    Row& row = c.rows[at + static_cast<std::uint32_t>(k)];
+    row.slides = slide, row.rubs_by_load = slide && all_found;
+  }
 }
 
 /// Rows of all pairs, in their order: first how many each has, then what they are.

@@ -1,9 +1,17 @@
 // How far from the middle of its load a patch bears, beside the corners that stand for it.
 #pragma once
 
-#include "core/vec.h"
+#include "core/constant.h"
 
 namespace carom::dynamics {
+
+inline constexpr Constant<Real> kCreeps{
+    "friction_creeps", 0.01, "m/s",
+    "slip at any point of a pair below which it is taken to stick, its friction acting at the middle of its points: "
+    "above what bodies do that come to rest, well below what anybody sees slide",
+    "smaller: friction of piles that settle moves about with their loads, and they settle later; larger: slow rollers "
+    "and pucks are rubbed where they do not touch"};
+inline constexpr ConstantRow kPatchFrictionConstants[] = {kCreeps};
 
 /// A flat patch presses all over: where its load is even, the mean distance of its places from their middle is this
 /// share of that of its corners. Friction resists a spin with mu N times that distance. Solvers that bear friction point

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dynamics/solver/contact_kernels.h"
+#include "dynamics/solver/sweep_constants.h"
 
 namespace carom::dynamics {
 namespace {
@@ -67,15 +68,21 @@ CAROM_LANES_INLINE LaneSymmetricOf<Number> symmetric(const double* const* of) {
           rounded<Number>(m.column[1].y), rounded<Number>(m.column[2].y), rounded<Number>(m.column[2].z)};
 }
 
+/// @param slide  @see LaneSources
+CAROM_LANES_INLINE bool some_slide(Lanes slide) { return slide[0] + slide[1] + slide[2] + slide[3] > 0; }
+
 /// By what the points of four pairs share in the place where friction acts. That is the middle of their loads: what
-/// bears nothing, as points in the air under a cylinder that rolls, has no part in it. Of a pair that sticks, or whose
-/// loads are not known, those count that are as near as the nearest, to kTouching of their distance, all alike.
+/// bears nothing, as points in the air under a cylinder that rolls, has no part in it. Where loads are not known those
+/// count that are as near as the nearest, to kTouching of their distance, all alike; in a pair that sticks all do.
 struct LoadShares {
   Lanes of[kPairPoints];
 
-  /// @param by_load  @see LaneSources   @param load  [count] N s, normal impulses   @param gap, arm  [count] m
-  CAROM_LANES_INLINE LoadShares(Lanes by_load, const Lanes* load, const Lanes* gap, const LaneVec* arm, int count) {
-    constexpr double kTouching = 0.01;
+  /// @param slide, by_load  @see LaneSources   @param load  [count] N s, normal impulses   @param gap, arm  [count] m
+  CAROM_LANES_INLINE LoadShares(Lanes slide, Lanes by_load, const Lanes* load, const Lanes* gap, const LaneVec* arm,
+                                int count) {
+    const Lanes even = all(1.0 / count);
+    for (int k = 0; k < count; ++k) of[k] = even;
+    if (!some_slide(slide)) return;
     Lanes whole = all(0), least = gap[0], width2 = all(0);
     for (int k = 0; k < count; ++k) {
       const LaneVec apart = arm[k] - arm[0];
@@ -84,20 +91,20 @@ struct LoadShares {
       width2 = larger(inner(apart, apart), width2);
     }
     const auto bears = (whole > 0) & (by_load > 0);
-    const Lanes near = all(kTouching) * square_root(width2);
-    Lanes sum = all(0);
+    const Lanes near = all(kTouching.value) * square_root(width2);
+    Lanes sum = all(0), weight[kPairPoints];
     for (int k = 0; k < count; ++k) {
       const Lanes touches = gap[k] - least <= near ? all(1) : all(0);
-      of[k] = bears ? load[k] : touches;
-      sum += of[k];
+      weight[k] = bears ? load[k] : touches;
+      sum += weight[k];
     }
-    const auto any = sum > 0;
-    const Lanes per = 1 / (any ? sum : all(1)), even = all(1.0 / count);
-    for (int k = 0; k < count; ++k) of[k] = any ? per * of[k] : even;
+    const auto any = (sum > 0) & (slide > 0);
+    const Lanes per = 1 / (any ? sum : all(1));
+    for (int k = 0; k < count; ++k) of[k] = any ? per * weight[k] : even;
   }
 };
 
-/// Points where Arms sees them, friction at the middle of their loads, from the impulses that rows start with.
+/// Points where Arms sees them, friction at their middle or that of their loads, from the impulses that rows start with.
 template <class Number>
 void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
   for (std::size_t i = 0; i < run.count; ++i) {
@@ -128,7 +135,7 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
       gap[k] = number_at(geometry, kGeometrySeparation);
       load[k] = larger(inner(vector_at(row, kRowImpulse), n), all(0));
     }
-    const LoadShares share(of.by_load, load, gap, arm, count);
+    const LoadShares share(of.slide, of.by_load, load, gap, arm, count);
     const Lanes part = all(1.0 / count);
     LaneVec middle_a = zero, middle_b = zero, l_a = zero, l_b = zero;
     for (int k = 0; k < count; ++k) {
@@ -163,6 +170,8 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
     pair.r_b = rounded<Number>(middle_b + LaneMatrix(of.held_b) * l_b);
     pair.radius_a = rounded<Number>(radius_a), pair.radius_b = rounded<Number>(radius_b);
     pair.friction = rounded<Number>(of.friction);
+    pair.slide = rounded<Number>(of.slide);
+    pair.slides = some_slide(of.slide);
     pair.bounce_speed = rounded<Number>(of.bounce_speed);
     pair.bias_rate = pair.mass_scale = pair.impulse_scale = all<Number>(0);
     pair.p_t = rounded<Number>(inner(force, t));

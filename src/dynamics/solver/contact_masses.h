@@ -17,40 +17,11 @@ CAROM_LANES_INLINE LaneVecOf<Number> normal_of(const PairLanesOf<Number>& pair, 
 /// Where the coupling of two points stands.
 constexpr int coupling_of(int k, int l) { return k < l ? l * (l - 1) / 2 + k : k * (k - 1) / 2 + l; }
 
-/// What friction of four pairs multiplies slip by, from what an impulse in the plane and a twist do to it.
-template <class Number>
-struct SlipResponse {
-  LanesOf<Number> tt, ts, ss;  // 1/kg, along the tangents
-  LanesOf<Number> tw, sw, w;   // 1/(kg m), 1/(kg m^2): of spin
-};
-
 /// Of a symmetric response in the plane, the most that it gives in any direction.
 template <class Lanes>
 CAROM_LANES_INLINE Lanes most_response(Lanes tt, Lanes ts, Lanes ss) {
   const Lanes half = (tt - ss) / 2;
   return (tt + ss) / 2 + square_root(half * half + ts * ts);
-}
-
-/// The masses that stop slip and spin at once; apart, where rounding leaves nothing of what couples them, or one of
-/// them can't be changed.
-template <class Number>
-CAROM_LANES_INLINE void invert_response(const SlipResponse<Number>& k, PairLanesOf<Number>& pair) {
-  using Lanes = LanesOf<Number>;
-  constexpr Number kRounding = sizeof(Number) == sizeof(double) ? Number(1e-9) : Number(1e-3);
-  const Lanes in_plane = k.tt * k.ss - k.ts * k.ts, t_t = k.ss * k.w - k.sw * k.sw, t_s = k.tw * k.sw - k.ts * k.w,
-              t_w = k.ts * k.sw - k.ss * k.tw;
-  const Lanes det = k.tt * t_t + (k.ts * t_s + k.tw * t_w), apart = inverse_or_zero(in_plane);
-  const auto whole = det > kRounding * (k.tt * k.ss * k.w);
-  const Lanes once = inverse_or_zero(whole ? det : all<Number>(0)), none = all<Number>(0);
-  pair.m_tt = whole ? once * t_t : apart * k.ss;
-  pair.m_ts = whole ? once * t_s : -apart * k.ts;
-  pair.m_ss = whole ? once * (k.tt * k.w - k.tw * k.tw) : apart * k.tt;
-  pair.m_tw = whole ? once * t_w : none;
-  pair.m_sw = whole ? once * (k.ts * k.tw - k.tt * k.sw) : none;
-  pair.m_w = whole ? once * in_plane : inverse_or_zero(k.w);
-  pair.k_slide = most_response(k.tt, k.ts, k.ss);
-  pair.per_m_w = inverse_or_zero(pair.m_w);
-  pair.k_tt = k.tt, pair.k_ts = k.ts, pair.k_ss = k.ss, pair.k_tw = k.tw, pair.k_sw = k.sw, pair.k_w = k.w;
 }
 
 /// Masses where bodies are locked. What nothing can move has none: along a direction whose response is but rounding of
@@ -75,20 +46,16 @@ void prepare_locked(const LaneRunOf<Number>& run, PairLanesOf<Number>& pair) {
               k_ss = response(middle, s, middle, s);
   const Lanes trace = k_tt + k_ss, det = k_tt * k_ss - k_ts * k_ts;
   const auto full = det > kRounding * (trace * trace), some = trace > whole;
+  const Lanes of_both = full ? inverse_or_zero(det) : all<Number>(0);
+  const Lanes once = inverse_or_zero(trace), of_one = full ? all<Number>(0) : some ? once * once : all<Number>(0);
+  pair.m_tt = of_both * k_ss + of_one * k_tt;
+  pair.m_ts = of_one * k_ts - of_both * k_ts;
+  pair.m_ss = of_both * k_tt + of_one * k_ss;
+  if (pair.slides) pair.k_slide = some ? most_response(k_tt, k_ts, k_ss) : all<Number>(0);
   const LaneSymmetricOf<Number>&i_a = pair.inv_inertia_a, &i_b = pair.inv_inertia_b;
-  const LaneVec w_a = i_a * pair.n, w_b = i_b * pair.n;
-  const Lanes k_w = dot(pair.n, w_a) + dot(pair.n, w_b), none = all<Number>(0);
+  const Lanes k_w = dot(pair.n, i_a * pair.n) + dot(pair.n, i_b * pair.n);
   const Lanes turns = kRounding * ((i_a.xx + i_a.yy + i_a.zz) + (i_b.xx + i_b.yy + i_b.zz));
-  const auto spins = (pair.points > 1 ? k_w : none) > turns, both = full & spins;
-  const auto turned = [&](const LaneVec& x) __attribute__((always_inline)) {
-    return dot(cross(pair.r_a, x), w_a) + dot(cross(pair.r_b, x), w_b);
-  };
-  invert_response({k_tt, k_ts, k_ss, both ? turned(pair.t) : none, both ? turned(s) : none, spins ? k_w : none}, pair);
-  const Lanes once = inverse_or_zero(trace), of_one = some ? once * once : none;
-  pair.m_tt = full ? pair.m_tt : of_one * k_tt;
-  pair.m_ts = full ? pair.m_ts : of_one * k_ts;
-  pair.m_ss = full ? pair.m_ss : of_one * k_ss;
-  pair.k_slide = full ? pair.k_slide : some ? trace : none;
+  pair.m_w = k_w > turns ? inverse_or_zero(k_w) : all<Number>(0);
   PointLanesOf<Number>* const points = run.points + pair.first;
   const int count = static_cast<int>(pair.points);
   for (int k = 0; k < count; ++k) {
@@ -122,14 +89,14 @@ bool prepare(const LaneRunOf<Number>& run) {
                 k_ss = linear + dot(s_a, inertia_a * s_a) + dot(s_b, inertia_b * s_b);
     const Lanes k_w = dot(pair.n, inertia_a * pair.n) + dot(pair.n, inertia_b * pair.n);
     bearable.responses(pair, linear, k_tt + k_ss, k_w);
+    const Lanes inverse = inverse_or_zero(k_tt * k_ss - k_ts * k_ts);
+    pair.m_tt = inverse * k_ss;
+    pair.m_ts = -inverse * k_ts;
+    pair.m_ss = inverse * k_tt;
+    pair.m_w = inverse_or_zero(k_w);
+    if (pair.slides) pair.k_slide = most_response(k_tt, k_ts, k_ss);
     PointLanesOf<Number>* const points = run.points + pair.first;
     const int count = static_cast<int>(pair.points);
-    const bool spins = count > 1;  // one point bears no twist
-    const LaneVec n_w = inertia_a * pair.n, m_w = inertia_b * pair.n;
-    const Lanes none = all<Number>(0);
-    invert_response({k_tt, k_ts, k_ss, spins ? dot(t_a, n_w) + dot(t_b, m_w) : none,
-                     spins ? dot(s_a, n_w) + dot(s_b, m_w) : none, spins ? k_w : none},
-                    pair);
     for (int k = 0; k < count; ++k) {
       const LaneVec n_k = normal_of(pair, points[k]);
       const LaneVec n_a = inertia_a * cross(pair.r_a + points[k].d, n_k),

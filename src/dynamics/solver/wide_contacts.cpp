@@ -53,8 +53,8 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
                               of.x_a, of.x_b, of.row, of.geometry})
         all[lane] = kZeros;
       pair.a[lane] = pair.b[lane] = 0;
-      of.inv_mass_a[lane] = of.inv_mass_b[lane] = of.to_b[lane] = of.friction[lane] = of.twist_share[lane] = of.by_load[lane] =
-          of.bounce_speed[lane] = 0;
+      of.inv_mass_a[lane] = of.inv_mass_b[lane] = of.to_b[lane] = of.friction[lane] = of.slide[lane] = of.by_load[lane] =
+          of.twist_share[lane] = of.bounce_speed[lane] = 0;
       continue;
     }
     const std::uint32_t at = wide.manifolds[occupant[lane]].row;
@@ -70,8 +70,8 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
     of.inv_mass_b[lane] = row.moves_b ? scene.inv_mass[row.b] : 0;
     of.to_b[lane] = Arms::to_b(row, g);
     of.friction[lane] = row.friction;
-    of.twist_share[lane] = row.twist_share;
-    of.by_load[lane] = row.rubs_by_load;
+    of.slide[lane] = row.slides, of.by_load[lane] = row.rubs_by_load;
+    of.twist_share[lane] = row.slides ? row.twist_share : 1;
     of.bounce_speed[lane] = row.restitution > 0 ? scene.dials[Dial::restitution_speed] : kInfinity;
   }
   return of;
