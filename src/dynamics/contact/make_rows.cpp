@@ -112,6 +112,17 @@ bool slides(const World& world, std::uint32_t first, int count) {
   return false;
 }
 
+/// Whether friction starts from most of what the loads allow: loads of what tips, rolls or parts will not stay.
+bool rubs(const Contacts& c, std::uint32_t first, int count) {
+  Real load = 0, rub = 0;
+  for (std::uint32_t k = first; k < first + static_cast<std::uint32_t>(count); ++k) {
+    const Row& row = c.rows[k];
+    const Real normal = row.p.dot(row.n);
+    load += row.friction * normal, rub += (row.p - normal * row.n).norm();
+  }
+  return 2 * rub > load;
+}
+
 /// The rows of a pair, from `at` on.
 /// @param cursor  in the old ones, not after the pair; moved on to it
 /// @param scale   substep now over substep then; 0: start cold
@@ -164,10 +175,10 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     g.pair = static_cast<std::uint32_t>(pair_index);
     g.point = static_cast<std::uint32_t>(k);
   }
-  const bool slide = slides(world, at, manifold.count);
+  const bool slide = slides(world, at, manifold.count), by_load = slide && all_found && rubs(c, at, manifold.count);
   for (int k = 0; k < manifold.count; ++k) {
     Row& row = c.rows[at + static_cast<std::uint32_t>(k)];
-    row.slides = slide, row.rubs_by_load = slide && all_found;
+    row.slides = slide, row.rubs_by_load = by_load;
   }
 }
 
