@@ -88,7 +88,8 @@ std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
 }
 
 /// Whether a pair slips at one of its points: only of what slides does it matter where between them friction acts, and
-/// how sliding and spinning share it. What sticks keeps one place, whatever its loads do. One point has but one place.
+/// how sliding and spinning share it. What sticks keeps one place, whatever its loads do. One point has but one place, and
+/// what is yet to meet bears nothing. What overlaps by more than points are looked for apart has no patch: it parts.
 bool slides(const World& world, std::uint32_t first, int count) {
   const Contacts& c = *world.contacts;
   const State& s = world.state;
@@ -97,10 +98,15 @@ bool slides(const World& world, std::uint32_t first, int count) {
   constexpr Real kLeast2 = kCreeps.value * kCreeps.value;
   const Real turn_a2 = s.omega[row.a].squared_norm(), turn_b2 = s.omega[row.b].squared_norm();
   Real reach_a2 = 0, reach_b2 = 0;
+  bool touches = false;
+  Real deepest = 0;
   for (std::uint32_t k = first; k < first + static_cast<std::uint32_t>(count); ++k) {
     const RowGeometry& g = c.geometry[k];
     reach_a2 = std::max(reach_a2, g.l_a.squared_norm()), reach_b2 = std::max(reach_b2, g.l_b.squared_norm());
+    deepest = std::min(deepest, g.separation);
+    touches |= g.separation <= 0 || c.rows[k].p != Vec3::zero();
   }
+  if (!touches || deepest < -world.scene.dials[Dial::contact_distance]) return false;
   // Without a root, and without turning what rests: no point can slip as fast.
   const Real apart2 = (s.v[row.b] - s.v[row.a]).squared_norm();
   if (4 * (apart2 + turn_a2 * reach_a2 + turn_b2 * reach_b2) <= kLeast2) return false;
