@@ -49,7 +49,7 @@ struct Colliders {
   Array<Real> travel;           // m: no point of it has come farther since the collider was made; @see place()
   Array<Aabb> bounds;           // m, world, grown by what the scene asks for (contact distance, motion of the step)
   Array<Real> reach;            // m: a fast collider meets others that are this much farther than the contact distance
-  Array<std::uint8_t> movable;  // 1: its body can move (dynamic or kinematic); 0: static
+  Array<std::uint8_t> movable;  // 0: its body is static; kPushed: forces move it; kDriven: it is kinematic
   Array<std::uint8_t> muted;    // makes no pairs: kFaulty (its shape or body is in quarantine), kForbidden
   Array<std::uint32_t> live;    // slots in use, ascending
   Array<std::uint32_t> active;  // those of them that the broad phase goes through (not asleep), ascending
@@ -58,6 +58,8 @@ struct Colliders {
   Array<Filter> filter;  // empty until a collider has one of its own
 
   Array<std::uint8_t> sensor;  // 1: tells of overlap and is never answered; empty until there is one
+
+  static constexpr std::uint8_t kPushed = 1, kDriven = 2;
 
   bool is_sensor(std::uint32_t slot) const { return slot < sensor.size() && sensor[slot]; }
   Filter filter_of(std::uint32_t slot) const { return slot < filter.size() ? filter[slot] : Filter(); }
@@ -83,9 +85,14 @@ struct Pair {
   bool operator==(const Pair& o) const { return a == o.a && b == o.b; }
 };
 
-/// Whether two colliders may touch at all: different bodies, one of them able to move, neither muted.
+/// Whether somebody notices what touches a collider: it is pushed, or it senses.
+inline bool notices(const Colliders& c, std::uint32_t slot) { return c.movable[slot] == Colliders::kPushed || c.is_sensor(slot); }
+
+/// Whether two colliders may touch at all: different bodies, one of them able to move, one that notices, neither muted.
 inline bool may_touch(const Colliders& c, std::uint32_t a, std::uint32_t b) {
-  return c.body[a] != c.body[b] && (c.movable[a] | c.movable[b]) && !(c.muted[a] | c.muted[b]);
+  const int moves = c.movable[a] | c.movable[b];
+  return c.body[a] != c.body[b] && moves && ((moves & Colliders::kPushed) || c.is_sensor(a) || c.is_sensor(b)) &&
+         !(c.muted[a] | c.muted[b]);
 }
 
 }  // namespace carom::collision

@@ -138,7 +138,8 @@ void World::fill_collider(std::uint32_t i, std::uint32_t body, const Shape* shap
   put(c.travel, i, Real(0));
   put(c.bounds, i, Aabb());
   put(c.reach, i, Real(0));
-  put(c.movable, i, std::uint8_t(scene.type[body] != BodyType::fixed));
+  const BodyType type = scene.type[body];
+  put(c.movable, i, type == BodyType::fixed ? std::uint8_t(0) : type == BodyType::dynamic ? Colliders::kPushed : Colliders::kDriven);
   put(c.muted, i, std::uint8_t(0));
   if (i < c.filter.size()) c.filter[i] = Filter();
   if (i < c.sensor.size()) c.sensor[i] = 0;

@@ -17,7 +17,9 @@ namespace {
 void find_colliders(const Scene& scene, const State&, Customers& customers) {
   const Colliders& c = scene.colliders;
   const auto movable = [&](std::uint32_t slot) { return c.movable[slot] != 0; };
+  const auto noticing = [&](std::uint32_t slot) { return notices(c, slot); };
   if (c.live.size() < 2 || std::none_of(c.active.begin(), c.active.end(), movable)) return;
+  if (std::none_of(c.live.begin(), c.live.end(), noticing)) return;
   for (const std::uint32_t slot : c.active)
     if (!(c.muted[slot] & Colliders::kFaulty)) customers.add(slot);
 }
@@ -66,7 +68,7 @@ constexpr Effect kEffectRows[] = {
     {.id = EffectId::collision, .name = "collision", .stage = Stage::broad, .customers = colliders,
      .find = find_colliders,
      .called_by = "colliders of which two can touch",
-     .missing = "no two colliders of which one can move"},
+     .missing = "no two colliders of which one can move and one notices"},
     {.id = EffectId::friction, .name = "friction", .stage = Stage::solve, .customers = contact_points,
      .called_by = "contact points with friction",
      .missing = "no pair that touches mixes to a friction above 0"},

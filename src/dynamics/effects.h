@@ -52,7 +52,7 @@ struct Effect {
   bool (*wakes)(const Scene&, const State&, std::uint32_t slot) = nullptr;  // or: is this one a customer in this step?
   ForceFn force = nullptr;  // null: served by its stage, not by the integrator
   FlowFn flow = nullptr;    // null: there is no closed form
-  Real (*rate)(const Scene&, const State&, const Customers&) = nullptr;   // 1/s, fastest decay; null: none decays
+  Real (*rate)(const Scene&, const State&, std::uint32_t body) = nullptr;  // 1/s, of decay; null: none decays
   void (*everyone)(const Scene&, const State&, Customers&) = nullptr;     // whom it can be forced on; null: on nobody
   const char* called_by = nullptr;                                        // what customers are: "bodies with ..."
   const char* missing = nullptr;                                          // what a scene without any lacks
@@ -61,17 +61,26 @@ struct Effect {
 /// What does the work of a planned row.
 enum class Served : std::uint8_t { force, flow, stage };  // effect->force, effect->flow, or neither of them
 
+/// Customers by how fast they decay: too fast for a force, so that the flow serves them; and the others.
+struct Decays {
+  explicit Decays(Memory* m) : stiff(m), gentle(m) {}
+  Customers stiff, gentle;
+};
+
 /// A row with its customers.
 struct PlannedEffect {
   PlannedEffect(const Effect* e, Memory* m) : effect(e), candidates(m), customers(m) {}
   const Effect* effect;
   Customers candidates;  // of the scene
   Customers customers;   // of this step: the candidates that wake
+  Decays* decays = nullptr;  // the plan's; where some of them decay too fast for a force; null until somebody did
+  /// Whom the force and the flow serve of a row that has both.
+  const Customers& forced() const { return decays && decays->stiff.count > 0 ? decays->gentle : customers; }
+  bool has_stiff() const { return decays && decays->stiff.count > 0; }
   Owned<Customers> calling;  // where it is forced on some: the candidates that would be without that; else null
   bool is_forced = false;
   Served served = Served::stage;
   std::uint64_t wanted = 0;  // candidates of the scene, whatever a host forbids or forces
-  Real rate = 0;             // 1/s, effect->rate of the candidates
   std::uint64_t evaluations = 0;  // customers served since the world was made
   double seconds = 0;             // of this step, as far as it has a room of its own, @see World::times_effects
 };
@@ -108,13 +117,15 @@ struct Plan {
   Array<std::uint32_t> colliders;        // active colliders whose body can move
   Array<Frame> local;                    // by collider: shape -> body axes, about the centre of mass
   std::array<bool, kStageCount> runs{};  // stages that have customers
-  int substeps = 1;                      // contacts call for them: where nothing can touch, one move does
+  int substeps = 1;                      // of the world, whoever is in it
+  bool idle = false;                     // nobody needs them in this step: they are left out
   const Integrator* integrator = nullptr;
   const Rotation* rotation_method = nullptr;  // null: the gyroscopic effect is a force, a flow, or absent
   Array<Principal> principal;                 // by body, customers of the rotation method
   Array<std::uint8_t> carried;                // by body: the rotation method turns it in this step
   const Solver* solver = nullptr;
   Proposal proposal;
+  std::array<Owned<Decays>, 3> decays;  // of the rows that decay: linear and angular damping, drag
   Owned<FreeFlight> flight;          // null: nobody has flown beside others yet
   struct Begun {
     Vec3 v, omega;  // m/s, rad/s, world: before the forces of the substep
@@ -159,7 +170,7 @@ void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floa
 // Parts of it that others need too: which stages have customers; customers of this step; one collider's frame and
 // bounds.
 void plan_stages(const World& world, Plan& plan);
-void find_customers(const World& world);
+void find_customers(const World& world, Real h);
 void place_collider(const World& world, Colliders& c, PlacedPoses& placed, Plan& plan, std::uint32_t slot, Real dt);
 /// m, the farthest point of a body's colliders from its centre.
 Real radius_of_body(const World& world, std::uint32_t body);

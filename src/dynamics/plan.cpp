@@ -215,7 +215,7 @@ void plan_stages(const World& world, Plan& plan) {
   plan_particles(world, plan);
   on(Stage::broad) = on(Stage::narrow) = pairs || (joints && !c.live.empty());  // rows are made of the pairs there are
   on(Stage::group) = on(Stage::solve) = pairs || joints;
-  plan.substeps = pairs || joints ? world.scene.dials.whole(Dial::substeps) : 1;
+  plan.substeps = world.scene.dials.whole(Dial::substeps);  // whoever is in it: @see integrate/free_flight.h
   on(Stage::relax) =
       joints || (pairs && (!plan.solver->counts_positions || world.scene.dials.whole(Dial::position_iterations) > 0));
 }
@@ -262,6 +262,24 @@ Real radius_of_body(const World& world, std::uint32_t body) {
 
 namespace {
 
+/// An explicit method is stable only for rate * h below a small number (2 for Euler, 2.8 for RK4); well before, decay
+/// is exact. Each body's own rate decides: who else is in the row changes nothing.
+void part_with_stiff(const World& world, PlannedEffect& row, Real h) {
+  const Effect& effect = *row.effect;
+  if (row.decays) row.decays->stiff.clear();
+  if (!effect.rate || !world.plan->integrator->forces_only) return;
+  row.customers.each([&](std::uint32_t i) {
+    if (!(effect.rate(world.scene, world.state, i) * h > 1)) return;
+    if (!row.decays) {
+      auto& free = *std::find_if(world.plan->decays.begin(), world.plan->decays.end(), [](const auto& d) { return !d; });
+      free = make_owned<Decays>(world.memory, world.memory);
+      row.decays = free.get();
+    }
+    row.decays->stiff.add(i);
+  });
+  if (row.has_stiff()) take_out(row.customers, row.decays->stiff, row.decays->gentle);
+}
+
 /// Bodies, once each.
 void list(Array<std::uint32_t>& bodies, Customers& once) {
   std::sort(bodies.begin(), bodies.end());
@@ -289,7 +307,7 @@ void find_readers(const World& world) {
 
 }  // namespace
 
-void find_customers(const World& world) {
+void find_customers(const World& world, Real h) {
   Plan& plan = *world.plan;
   for (PlannedEffect& row : plan.effects) {
     const Effect& effect = *row.effect;
@@ -299,6 +317,7 @@ void find_customers(const World& world) {
       if (effect.wakes(world.scene, world.state, i)) row.customers.add(i);
     });
   }
+  for (PlannedEffect& row : plan.effects) part_with_stiff(world, row, h);
   find_readers(world);
   if (!plan.rotation_method) return;
   plan.effects[+EffectId::gyroscopic].candidates.each([&](std::uint32_t i) { plan.carried[i] = 0; });
@@ -309,6 +328,7 @@ void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floa
   PairTable& pairs = to;
   Plan& plan = *world.plan;
   const bool changed = plan.revision != world.scene.revision;
+  plan.idle = false;
   plan.host_wrote = !world.state.written.empty();
   plan.faults.clear();
   if (changed) {
@@ -338,18 +358,12 @@ void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floa
         row.candidates.clear(), row.wanted = 0;
       row.customers = row.candidates;
     }
-    // An explicit method is stable only for rate * h below a small number (2 for Euler, 2.8 for RK4); well before,
-    // decay is exact.
-    if (effect.rate && plan.integrator->forces_only) {
-      row.rate = effect.rate(world.scene, world.state, row.candidates);
-      row.served = row.rate * time.dt > plan.substeps ? Served::flow : Served::force;
-    }
   }
   plan.effects[+EffectId::ledger].wanted = world.ledger ? plan.linear.count + plan.rotating.count : 0;
   const Real h = time.dt / plan.substeps;  // time.h is of the last step's plan
   carry_springs(world, springs, h);
   floats.most_rate = 1 / h;
-  find_customers(world);
+  find_customers(world, h);
   if (!world.scene.colliders.live.empty() || world.joints.slots.alive_count()) {
     const State& s = world.state;
     const auto orient = [&](std::uint32_t i) { plan.rotation[i] = s.q[i].matrix(); };

@@ -96,6 +96,48 @@ Timing timing_of(const World& world, std::size_t row, const PlannedEffect& effec
   return effect.effect->force && !world.times_effects ? Timing::off : Timing::own;
 }
 
+/// Whether two colliders could touch if all were awake.
+bool could_touch(const World& world) {
+  const Colliders& c = world.scene.colliders;
+  return c.live.size() >= 2 && std::any_of(c.live.begin(), c.live.end(), [&](std::uint32_t i) { return notices(c, i); });
+}
+
+/// Whether it is but for sleep that a stage has nothing to do, or an effect no customer.
+bool all_asleep(const World& world, Stage stage) {
+  if (world.sleep->count == 0) return false;
+  switch (stage) {
+    case Stage::broad:
+    case Stage::narrow:
+      return could_touch(world);
+    case Stage::group:
+    case Stage::solve:
+    case Stage::relax:
+      return could_touch(world) || world.joints.slots.alive_count() > 0;
+    default:
+      return true;
+  }
+}
+bool all_asleep(const World& world, std::size_t row, const PlannedEffect& effect) {
+  const Sleep& z = *world.sleep;
+  if (z.count == 0) return false;
+  switch (effect.effect->customers) {
+    case CustomerKind::bodies:
+      for (std::uint32_t i = 0; i < z.rows.size(); ++i)
+        if (world.state.sleeps(i) && (z.rows[i] & row_bit(row))) return true;
+      return false;
+    case CustomerKind::springs:
+      return world.scene.springs.slots.alive_count() > 0;
+    case CustomerKind::joints:
+      return row == +EffectId::joints && world.joints.slots.alive_count() > 0;
+    case CustomerKind::colliders:
+      return row == +EffectId::collision && could_touch(world);
+    default:
+      return false;
+  }
+}
+
+constexpr const char* kAllAsleep = "all asleep";
+
 /// Whether an effect ran in the last step.
 bool ran(const World& world, const PlannedEffect& effect) {
   if (effect.customers.count == 0) return false;
@@ -126,14 +168,14 @@ void explain(const World& world, std::size_t row, const PlannedEffect& effect, P
   if (line.runs) return say(e.called_by);
   if (of_bodies && wanted > 0) return count("the host forbids it to all %llu %s that call for it", wanted, line.unit);
   if (wanted > 0 && e.wakes) return count("%llu %s may call for it, none did in this step", wanted, line.unit);
-  say(e.missing);
+  say(all_asleep(world, row, effect) ? kAllAsleep : e.missing);
 }
 
 PlanLine stage_line(const World& world, std::size_t index) {
   static constexpr const char* kWhy[kStageCount][2] = {
       {"every step: who is a customer of what", ""},
-      {"colliders of which two can touch", "no two colliders of which one can move"},
-      {"pairs that may touch", "no two colliders of which one can move"},
+      {"colliders of which two can touch", "no two colliders of which one can move and one notices"},
+      {"pairs that may touch", "no two colliders of which one can move and one notices"},
       {"contacts and joints hang together in groups", "nothing can touch, and no joint holds a body that is awake"},
       {"bodies and particles that move", "nothing moves"},
       {"contacts or joints to be answered", "nothing can touch, and no joint holds a body that is awake"},
@@ -145,7 +187,8 @@ PlanLine stage_line(const World& world, std::size_t index) {
   line.seconds = world.report.stage_seconds[index];
   line.name = stage_name(line.stage);
   const bool fresh = world.report.steps == 0;
-  std::snprintf(line.reason, sizeof line.reason, "%s", fresh ? "no step yet" : kWhy[index][line.runs ? 0 : 1]);
+  const char* const why = !line.runs && all_asleep(world, line.stage) ? kAllAsleep : kWhy[index][line.runs ? 0 : 1];
+  std::snprintf(line.reason, sizeof line.reason, "%s", fresh ? "no step yet" : why);
   return line;
 }
 

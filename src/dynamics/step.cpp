@@ -68,7 +68,7 @@ void World::step(Real dt) {
   for (auto first = table.begin(); first != table.end();) {
     auto last = first;
     while (last != table.end() && last->each_substep == first->each_substep) ++last;
-    const int times = first->each_substep ? run.substeps() : 1;
+    const int times = !first->each_substep ? 1 : plan->idle ? 0 : run.substeps();
     for (int k = 0; k < times; ++k)
       for (auto entry = first; entry != last; ++entry) run(*entry);
     first = last;

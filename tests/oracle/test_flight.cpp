@@ -23,6 +23,7 @@ Real drag_error(Real integrator, Real c, int n) {
   const Vec3 g(0, -9.8, 0), v0(3, 1, 4);
   TestWorld t(g);
   t.world.set_dial(Dial::integrator, integrator);
+  t.world.set_dial(Dial::substeps, 1);  // laws are of the step
   BodyDef def;
   def.velocity = v0;
   def.linear_damping = c;
@@ -44,6 +45,7 @@ Top spin(Real integrator, Real rotation, int n) {
   TestWorld t(Vec3::zero());
   t.world.set_dial(Dial::integrator, integrator);
   t.world.set_dial(Dial::rotation, rotation);
+  t.world.set_dial(Dial::substeps, 1);  // laws are of the step
   const std::uint32_t b = t.add(t.keep(box(Vec3(0.5, 1, 1.5))), Vec3::zero());
   t.world.set_velocity(b, Vec3::zero(), Vec3(4, 1, 2));
   t.run(n, 2.0 / n);
@@ -85,6 +87,7 @@ static void damping_alone_is_exact_at_any_step_and_stable_at_any_rate(void**) {
     for (const Real c : {0.5, 100.0, 1e6}) {
       TestWorld t(Vec3::zero());
       t.world.set_dial(Dial::integrator, integrator);
+      t.world.set_dial(Dial::substeps, 1);  // laws are of the step
       BodyDef def;
       def.velocity = Vec3(1, 2, 3);
       def.linear_damping = c;

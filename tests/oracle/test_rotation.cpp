@@ -32,6 +32,7 @@ struct Spinning {
       : t(gravity) {
     t.world.set_dial(Dial::integrator, integrator);
     t.world.set_dial(Dial::rotation, rotation);
+    t.world.set_dial(Dial::substeps, 1);  // laws are of the step
     b = t.add(t.keep(box(sides / 2)), Vec3::zero());
     t.world.set_velocity(b, Vec3::zero(), omega);
   }

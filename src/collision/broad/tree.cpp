@@ -111,10 +111,11 @@ class Tree final : public BroadPhase {
     return bounded ? fixed : wide_fixed;
   }
 
-  /// Whose a slot is, and whether that moves.
+  /// Whose a slot is, whether that moves, and whether anybody notices what it touches.
   static std::uint64_t owner(const Colliders& table, std::uint32_t slot) {
-    return 2 * std::uint64_t(table.body[slot]) + table.movable[slot];
+    return 4 * std::uint64_t(table.body[slot]) + 2 * notices(table, slot) + (table.movable[slot] != 0);
   }
+  bool noticed(std::uint32_t slot) const { return owner_[slot] & 2; }
 
   /// Compare the table with what is known of it: who is new, changed, has left its fat box (asked_), is gone (gone_),
   /// or may have a smaller one (shrunk_).
@@ -129,6 +130,7 @@ class Tree final : public BroadPhase {
       }
       live_.assign(table.active.begin(), table.active.end());
     }
+    senses_ = !table.sensor.empty();
     std::uint8_t muted = 0;
     for (const std::uint32_t slot : live_) {
       muted |= table.muted[slot];
@@ -215,8 +217,11 @@ class Tree final : public BroadPhase {
   }
 
   void add(std::uint32_t a, std::uint32_t b) {
-    if (owner_[a] >> 1 != owner_[b] >> 1) fresh_.push_back({std::min(a, b), std::max(a, b)});
+    if (owner_[a] >> 2 != owner_[b] >> 2 && ((owner_[a] | owner_[b]) & 2)) fresh_.push_back({std::min(a, b), std::max(a, b)});
   }
+
+  /// Whether what does not move can be met by one that moves.
+  bool meets_fixed(std::uint32_t slot) const { return noticed(slot) || senses_; }
 
   /// All candidates of who changed; those of all others stay.
   void look_around() {
@@ -227,11 +232,11 @@ class Tree final : public BroadPhase {
         // Of two that are both asked for, the one with the smaller number finds the other.
         if (other != slot && !(changed_[other] == kVoid && other < slot)) add(slot, other);
       };
-      const bool free = moves(kind_[slot]);
+      const bool free = moves(kind_[slot]) && meets_fixed(slot);
       work_.tests += moving_.query(box, found) + wide_.size();
       if (free) work_.tests += fixed_.query(box, found);
       for (const std::uint32_t other : wide_)
-        if ((free || moves(kind_[other])) && box.overlaps(fat_.of[other])) found(other);
+        if ((moves(kind_[slot]) || moves(kind_[other])) && box.overlaps(fat_.of[other])) found(other);
     }
     order_.sort(fresh_, kind_.size());
   }
@@ -246,7 +251,7 @@ class Tree final : public BroadPhase {
     BoxTree& other = tree(asking == fixed ? moving : fixed);
     if (fixed_.size() > 0)
       for (const std::uint32_t slot : live_)
-        if (kind_[slot] == asking) work_.tests += other.query(fat_.of[slot], [&](std::uint32_t b) { add(slot, b); });
+        if (kind_[slot] == asking && (asking == fixed || meets_fixed(slot))) work_.tests += other.query(fat_.of[slot], [&](std::uint32_t b) { add(slot, b); });
     for (std::size_t i = 0; i < wide_.size(); ++i) {
       const std::uint32_t slot = wide_[i];
       const bool free = moves(kind_[slot]);
@@ -315,6 +320,7 @@ class Tree final : public BroadPhase {
   Array<Pair> known_;                           // candidates, ascending
   Array<Pair> fresh_, spare_;
   PairOrder order_;
+  bool senses_ = false;  // there are sensors, which may be fixed
   bool whole_ = false;  // all of the above are those of the last call
 };
 

@@ -29,10 +29,12 @@
 // microseconds for each pair of convex pieces whose bounds its path crosses. All on the stepping thread: the order of
 // hits is one of time.
 //
+// A sensor stops nothing, but is told what passed it on the way, thin as it may be, if a host collects such events.
+//
 // Scenery is swept against, never swept: a mesh that a host drives fast is met where it stands.
 //
 // What this is not: kinematic bodies that crush something between them are not stopped; a half-space that turns is
-// swept as if it did not; sensors are not swept (one as thin as a step is passed unseen); obstacles that neither a
+// swept as if it did not; a body that has but sensors is not swept; obstacles that neither a
 // customer's straight path of the step comes near nor a hit before are taken to come from where their velocity tells.
 //
 // @oracle tests/oracle/test_bullet, tests/unit/dynamics/test_ccd
@@ -63,9 +65,11 @@ struct SweptBody {
   bool outruns = false;                           // its contacts do not reach as far as it moves in this step
   bool loose = false;                             // it is not in the tree of customers, or has left its box there
   bool changed = false;                           // something hit it in this substep
+  bool struck = false;                            // likewise, in this step
   bool flies = false;                             // its path is a parabola's chord; else a solver's straight line
   static constexpr std::uint32_t kMostHits = 16;  // in a substep
   std::uint32_t hits = 0;                         // in this substep
+  Real sensed = 0;                                // s: how far along its path sensors were asked, @see sense.cpp
   std::uint32_t version = 0;                      // raised when its path changes
   Real radius = 0;                                // m: the farthest of its colliders from its centre
   Path path;                                      // of this substep, from the last hit on
@@ -102,6 +106,7 @@ struct Continuous {
   Array<std::uint32_t> leaves;           // 0, 1, 2, ...
   Array<std::uint32_t> loose;            // places in bodies
   Array<SweepHit> hits;                  // of this step, by time; as many as there is room for
+  Array<Pair> passed;                    // with a sensor, of this step; as many as there is room for; may repeat
   std::size_t most_bodies = 0, most_hits = 0;  // of this step: not what arrays have grown to, which is of the past
   Array<std::uint32_t> found;            // scratch: colliders
   Customers one, more, merged;           // scratch, for rotation methods
@@ -112,6 +117,9 @@ struct Continuous {
     return at == kNone ? nullptr : &bodies[at];
   }
 };
+
+/// Whether sensors are to be told what passes them swept.
+bool senses_sweeps(const World& world);
 
 /// Row of the table: bodies that a host wants swept.
 namespace continuous {

@@ -18,7 +18,7 @@ constexpr Real kSpin = 0.25;  // rad a step
 
 // Room for bodies that are hit in a step, and for what events tell of. Beyond it hits are answered all the same: a body
 // that is hit then is not swept itself, and events do not tell of it.
-constexpr std::size_t kStruck = 64, kStruckEach = 4, kHitsEach = 16;
+constexpr std::size_t kStruck = 64, kStruckEach = 4, kHitsEach = 16, kPassedEach = 64;
 
 bool can_sweep(const World& world, std::uint32_t body) {
   return world.scene.type[body] != BodyType::fixed && !world.state.quarantined[body] && !world.state.sleeps(body);
@@ -45,7 +45,7 @@ bool is_fast(const World& world, std::uint32_t body, Real dt) {
 
 void forget(Continuous& c) {
   for (const SweptBody& b : c.bodies) c.index[b.body] = Continuous::kNone;
-  c.bodies.clear(), c.loose.clear(), c.hits.clear();
+  c.bodies.clear(), c.loose.clear(), c.hits.clear(), c.passed.clear();
   c.customers = 0;
   c.fault = {};
 }
@@ -103,6 +103,7 @@ Continuous::Continuous(Memory* m)
       leaves(m),
       loose(m),
       hits(m),
+      passed(m),
       found(m),
       one(m),
       more(m),
@@ -262,6 +263,7 @@ void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, co
   c.tree.build(c.leaves, c.boxes);
   carry_all_known(world);
   c.hits.reserve(c.most_hits);
+  if (senses_sweeps(world)) c.passed.reserve(kPassedEach * c.customers);
   c.one.clear(), c.one.add(0);
   world.plan->effects[+EffectId::continuous].evaluations += c.customers;
   report.swept_bodies = c.customers;
@@ -271,7 +273,7 @@ void begin_paths(const World& world) {
   const State& s = world.state;
   for (SweptBody& b : world.continuous->bodies) {
     b.path.t = 0, b.path.x = s.x[b.body], b.path.q = s.q[b.body];
-    b.changed = false, b.hits = 0;
+    b.changed = false, b.hits = 0, b.sensed = 0;
   }
 }
 

@@ -36,8 +36,11 @@ void Sweeper::strike(SweptBody& b) {
   s.a = {b.body, b.own, b.own_piece, b.path, &b};
   s.b = {other, b.other, b.other_piece, path_of(other), partner};
   b.when = kInfinity;
-  for (SweptBody* const p : {&b, partner})
-    if (p && moved_by_hits(p->body)) ++p->hits;
+  for (SweptBody* const p : {&b, partner}) {
+    if (!p || !moved_by_hits(p->body)) continue;
+    sense(*p, s.now);
+    ++p->hits, p->struck = true;
+  }
   const bool struck = exchange(s);
   ++report_.sweep_hits;
   // Bodies that are pushed on by nothing but their path are aimed along their velocity, which does not close.

@@ -41,7 +41,8 @@ Sweeper::Sweeper(const World& world, Sweeping to, const StepTime& time)
       time_(time),
       lag_(world.plan->integrator->lag * time.h),
       tolerance_(world.scene.dials[Dial::position_tolerance]),
-      filtered_(any_held_apart(world)) {}
+      filtered_(any_held_apart(world)),
+      listens_(senses_sweeps(world)) {}
 
 void Sweeper::run() {
   lay_paths();
@@ -54,6 +55,7 @@ void Sweeper::run() {
     else
       look_ahead(*b, b->when);  // nothing met it until then
   }
+  for (std::size_t k = 0; listens_ && k < c_.bodies.size(); ++k) sense(c_.bodies[k], time_.h);
   move_bodies();
 }
 

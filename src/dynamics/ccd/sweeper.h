@@ -50,6 +50,10 @@ class Sweeper {
   bool moved_by_hits(std::uint32_t body) const;
   bool carried(std::uint32_t body) const;
 
+  // sense.cpp: which sensors it passes
+  void sense(SweptBody& b, Real to);
+  bool passes(const SweptBody& b, std::uint32_t own, std::uint32_t other, Real from, Real to);
+
   // meet.cpp: when do two meet
   Meeting meet(const Side& a, const Side& b, Real from, Real to);
   bool is_slow(const Side& a, const Side& b, const Meeting& m);
@@ -79,6 +83,7 @@ class Sweeper {
   StepTime time_;
   Real lag_, tolerance_;  // s; m, what is left unresolved
   bool filtered_;         // somebody is held apart
+  bool listens_;          // a host asks what sensors see
 };
 
 }  // namespace carom::dynamics

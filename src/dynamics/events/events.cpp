@@ -128,6 +128,7 @@ class Sensing {
   Sensing(const World& world, Events& e) : world_(world), e_(e) {}
 
   void run() {
+    add_passed();
     e_.spare.clear();
     std::size_t old = 0;
     for (const Pair& pair : e_.sensor_pairs) {
@@ -143,12 +144,29 @@ class Sensing {
       if (now) e_.spare.push_back(together(world_, pair));
       if (now && !known) tell(true, e_.spare.back());
       if (!now && known) tell(false, *before);
+      if (!now && !known && passed(pair)) tell(true, together(world_, pair)), tell(false, together(world_, pair));
     }
     while (old < e_.within.size()) unasked(e_.within[old++]);
     e_.within.swap(e_.spare);
   }
 
  private:
+  /// What is swept goes beyond the bounds that it had as the step began.
+  void add_passed() {
+    Array<Pair>& passed = world_.continuous->passed;
+    if (passed.empty()) return;
+    std::sort(passed.begin(), passed.end());
+    passed.erase(std::unique(passed.begin(), passed.end()), passed.end());
+    const std::size_t bounds_met = e_.sensor_pairs.size();
+    for (const Pair& pair : passed)
+      if (!std::binary_search(e_.sensor_pairs.begin(), e_.sensor_pairs.begin() + static_cast<std::ptrdiff_t>(bounds_met), pair))
+        e_.sensor_pairs.push_back(pair);
+    std::sort(e_.sensor_pairs.begin(), e_.sensor_pairs.end());
+  }
+  bool passed(const Pair& pair) const {
+    const Array<Pair>& passed = world_.continuous->passed;
+    return std::binary_search(passed.begin(), passed.end(), pair);
+  }
   /// Bounds do not meet; or one sleeps, and nobody asked.
   void unasked(const Together& t) {
     if (lives(world_, t) && one_sleeps(world_, t.pair) && is_sensor(t.pair) && overlaps(world_, t.pair, true))
@@ -248,13 +266,15 @@ void begin_events(const World& world, Events& e, const StepTime&) {
     for (const Pair& p : world.sleep->near)
       if (c.is_sensor(p.a) != c.is_sensor(p.b)) e.sensor_pairs.push_back(p);
   }
+  const std::size_t passed = world.continuous->passed.capacity();
+  e.sensor_pairs.reserve(e.sensor_pairs.size() + passed);
   const bool met = world.plan->runs[static_cast<std::size_t>(Stage::solve)];
   const std::size_t meetings = (e.wanted & Events::contact) && met ? world.contacts->meetings.size() : 0;
   const std::size_t pairs = meetings + (e.wanted & Events::contact ? world.continuous->hits.capacity() : 0);
-  e.spare.reserve(std::max(pairs + e.touching.size(), e.sensor_pairs.size() + e.within.size()));
+  e.spare.reserve(std::max(pairs + e.touching.size(), e.sensor_pairs.size() + passed + e.within.size()));
   e.touching.reserve(e.spare.capacity()), e.within.reserve(e.spare.capacity());  // they change places
   e.contacts.reserve(2 * pairs + e.touching.size());
-  e.sensors.reserve(2 * e.sensor_pairs.size() + e.within.size());
+  e.sensors.reserve(2 * (e.sensor_pairs.size() + passed) + e.within.size());
   if (e.wanted & Events::sleeping) {
     e.slept.resize(world.scene.bodies.slots(), 0);
     e.sleep.reserve(world.scene.bodies.slots());

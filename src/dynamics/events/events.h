@@ -4,7 +4,7 @@
 // A pair touches from the step in which its contacts first bear an impulse to the one in which it makes no contact
 // points any more (farther apart than the contact distance): what rests does not flicker. Sleepers touch whom they
 // touched. What a sensor overlaps is asked at the poses in which a step ends, of pairs whose bounds met as it began;
-// sleepers stay within while they sleep. Lists are ordered by slots and do not depend on threads.
+// what is swept enters and leaves in the step in which it passes a sensor. Sleepers stay within while they sleep. Lists are ordered by slots and do not depend on threads.
 //
 // @oracle tests/unit/dynamics/test_events
 #pragma once

@@ -1,5 +1,5 @@
 // Linear and angular damping: dv/dt = -c v, as a force or, exactly, as a decay over h.
-#include <algorithm>
+#include <cmath>
 
 #include "dynamics/force/force.h"
 
@@ -32,11 +32,7 @@ void flow(const Scene& scene, const Customers& customers, Real h, const Quat*, V
   customers.each([&](std::uint32_t i) { v[i] *= decay(h * scene.def[i].linear_damping); });
 }
 
-Real rate(const Scene& scene, const State&, const Customers& customers) {
-  Real fastest = 0;
-  customers.each([&](std::uint32_t i) { fastest = std::max(fastest, scene.def[i].linear_damping); });
-  return fastest;
-}
+Real rate(const Scene& scene, const State&, std::uint32_t i) { return scene.def[i].linear_damping; }
 
 }  // namespace linear_damping
 
@@ -55,11 +51,7 @@ void flow(const Scene& scene, const Customers& customers, Real h, const Quat*, V
   customers.each([&](std::uint32_t i) { omega[i] *= decay(h * scene.def[i].angular_damping); });
 }
 
-Real rate(const Scene& scene, const State&, const Customers& customers) {
-  Real fastest = 0;
-  customers.each([&](std::uint32_t i) { fastest = std::max(fastest, scene.def[i].angular_damping); });
-  return fastest;
-}
+Real rate(const Scene& scene, const State&, std::uint32_t i) { return scene.def[i].angular_damping; }
 
 }  // namespace angular_damping
 }  // namespace carom::dynamics

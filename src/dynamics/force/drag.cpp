@@ -56,14 +56,10 @@ void drag::flow(const Scene& scene, const Customers& customers, Real h, const Qu
   });
 }
 
-Real drag::rate(const Scene& scene, const State& state, const Customers& customers) {
-  Real fastest = 0;
-  customers.each([&](std::uint32_t i) {
-    const Drag d = scene.drag_of(i);
-    const Real speed = (state.v[i] - air_velocity(scene, i)).norm();
-    fastest = std::max(fastest, scene.inv_mass[i] * (d.linear + 2 * d.quadratic * speed));
-  });
-  return fastest;
+Real drag::rate(const Scene& scene, const State& state, std::uint32_t i) {
+  const Drag d = scene.drag_of(i);
+  const Real speed = (state.v[i] - air_velocity(scene, i)).norm();
+  return scene.inv_mass[i] * (d.linear + 2 * d.quadratic * speed);
 }
 
 }  // namespace carom::dynamics

@@ -9,16 +9,19 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Books what a row does, and its time if somebody wants to know.
+/// Books what a row does for some of its customers, and its time if somebody wants to know.
 template <class F>
-void serve(const World& world, PlannedEffect& row, F&& work) {
+void serve(const World& world, PlannedEffect& row, const Customers& whom, F&& work) {
   const auto start = world.times_effects ? Clock::now() : Clock::time_point();
   work();
   if (world.times_effects) row.seconds += std::chrono::duration<double>(Clock::now() - start).count();
-  row.evaluations += row.customers.count;
+  row.evaluations += whom.count;
   if (row.effect->force == drag::force) {
     PlannedEffect& wind = world.plan->effects[+EffectId::wind];
-    wind.evaluations += wind.customers.count;
+    if (whom.count == row.customers.count)
+      wind.evaluations += wind.customers.count;
+    else
+      whom.each([&](std::uint32_t i) { wind.evaluations += wind.customers.has(i); });
   }
 }
 
@@ -33,8 +36,10 @@ void evaluate_forces(const World& world, const Motion& given, const Accelerate& 
   }
   for (PlannedEffect& row : world.plan->effects) {
     if (row.served != Served::force || row.customers.count == 0) continue;
+    const Customers& whom = row.forced();
+    if (whom.count == 0) continue;
     const BookRow book(world, row, out.v, out.omega, out.share);
-    serve(world, row, [&] { row.effect->force(world.scene, world.state, row.customers, at, out); });
+    serve(world, row, whom, [&] { row.effect->force(world.scene, world.state, whom, at, out); });
   }
 }
 
@@ -51,9 +56,10 @@ Motion extrapolated(const World& world, const Vec3* x, const Quat* q) {
 
 void evaluate_flows(const World& world, Velocities& to, Real h, const Quat* q) {
   for (PlannedEffect& row : world.plan->effects) {
-    if (row.served != Served::flow || row.customers.count == 0) continue;
+    if (row.customers.count == 0 || !(row.served == Served::flow || row.has_stiff())) continue;
+    const Customers& whom = row.served == Served::flow ? row.customers : row.decays->stiff;
     const BookRow book(world, row, to.v.data(), to.omega.data(), 1);
-    serve(world, row, [&] { row.effect->flow(world.scene, row.customers, h, q, to.v.data(), to.omega.data()); });
+    serve(world, row, whom, [&] { row.effect->flow(world.scene, whom, h, q, to.v.data(), to.omega.data()); });
   }
 }
 

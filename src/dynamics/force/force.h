@@ -18,14 +18,14 @@ namespace linear_damping {
 void find(const Scene&, const State&, Customers&);
 void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
 void flow(const Scene&, const Customers&, Real h, const Quat* q, Vec3* v, Vec3* omega);
-Real rate(const Scene&, const State&, const Customers&);
+Real rate(const Scene&, const State&, std::uint32_t body);
 }  // namespace linear_damping
 
 namespace angular_damping {
 void find(const Scene&, const State&, Customers&);
 void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
 void flow(const Scene&, const Customers&, Real h, const Quat* q, Vec3* v, Vec3* omega);
-Real rate(const Scene&, const State&, const Customers&);
+Real rate(const Scene&, const State&, std::uint32_t body);
 }  // namespace angular_damping
 
 namespace gyroscopic {
@@ -55,7 +55,7 @@ namespace drag {
 void find(const Scene&, const State&, Customers&);
 void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
 void flow(const Scene&, const Customers&, Real h, const Quat* q, Vec3* v, Vec3* omega);
-Real rate(const Scene&, const State&, const Customers&);
+Real rate(const Scene&, const State&, std::uint32_t body);
 }  // namespace drag
 namespace wind {
 void find(const Scene&, const State&, Customers&);

@@ -7,6 +7,7 @@
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/integrate/integrator.h"
+#include "dynamics/ledger/books.h"
 #include "dynamics/ledger/ledger.h"
 
 namespace carom::dynamics {
@@ -34,20 +35,45 @@ void each_mover_of_bodies(Plan& plan, RowBits movers, F&& f) {
   }
 }
 
+/// Who is swept itself is so whoever else there is, and keeps its substeps.
+void find_watched(const World& world, FreeFlight& f) {
+  const Continuous& c = *world.continuous;
+  take_out(world.plan->solid, f.tied, f.more);
+  f.again.linear.clear();
+  for (std::size_t k = 0; k < c.customers; ++k) f.again.linear.add(c.bodies[k].body);
+  take_out(f.more, f.again.linear, f.watched);
+}
+
 /// Who is moved by what is not constant. On whom an effect is forced without a call for it, it changes nothing.
 void find_bound(const World& world, FreeFlight& flight) {
   Plan& plan = *world.plan;
   flight.tied.clear();
-  for (const std::uint32_t i : world.contacts->bodies) flight.tied.add(i);
+  if (plan.runs[static_cast<std::size_t>(Stage::group)])
+    for (const std::uint32_t i : world.contacts->bodies) flight.tied.add(i);
   const auto tie = [&](const Customers& list) {
     if (list.count == 0) return;
     unite(flight.tied, list, flight.more);
     std::swap(flight.tied, flight.more);
   };
   tie(plan.sprung);
-  if (!world.continuous->bodies.empty()) tie(plan.solid);
   each_mover_of_bodies(plan, flight.movers, [&](std::size_t row, const PlannedEffect& effect) {
     if (!is_constant(row)) tie(effect.is_forced ? *effect.calling : effect.customers);
+  });
+  flight.watched.clear();
+  if (world.continuous->bodies.empty()) return;
+  find_watched(world, flight);
+  tie(plan.solid);
+}
+
+/// Who would fly but for the sweeps of others, and how it begins the step. Allocates for fly_again(), too.
+void save_watched(const World& world, FreeFlight& f) {
+  const State& s = world.state;
+  f.begun.clear();
+  f.begun.reserve(f.watched.count);
+  f.watched.each([&](std::uint32_t i) { f.begun.push_back({s.x[i], s.v[i], s.omega[i], s.q[i]}); });
+  f.again.linear.runs.reserve(f.watched.count), f.again.rotating.runs.reserve(f.watched.count);
+  each_mover_of_bodies(*world.plan, f.movers, [&](std::size_t row, const PlannedEffect&) {
+    f.again.of_row[row].runs.reserve(f.watched.count);
   });
 }
 
@@ -65,27 +91,16 @@ void exchange(Plan& plan, RowBits movers, FreeFlight::Part& part) {
   });
 }
 
-void exchange_the_rest(Plan& plan, FreeFlight& flight) {
-  std::swap(plan.kinematic, flight.kinematic);
-  std::swap(plan.effects[+EffectId::springs].customers, flight.springs);
+/// Whether rows of the solver or sweeps ask for substeps.
+bool is_solved(const World& world) {
+  if (!world.continuous->bodies.empty()) return true;
+  if (!world.plan->runs[static_cast<std::size_t>(Stage::group)]) return false;
+  return !world.contacts->rows.empty() || !world.contacts->links.empty();
 }
 
-}  // namespace
-
-FreeFlight::Part::Part(Memory* m) : linear(m), rotating(m), of_row(m) {
-  of_row.reserve(kEffectCount);
-  for (std::size_t row = 0; row < kEffectCount; ++row) of_row.emplace_back(m);
-}
-
-FreeFlight::FreeFlight(Memory* m) : bound(m), flying(m), kinematic(m), springs(m), tied(m), more(m) {}
-
-void part_with_flyers(const World& world, const StepTime&) {
+/// Who flies, where not everybody does.
+void part(const World& world, FreeFlight& f) {
   Plan& plan = *world.plan;
-  if (plan.substeps == 1 || !plan.integrator->exact_in_flight) return;
-  if (!plan.flight) plan.flight = make_owned<FreeFlight>(world.memory, world.memory);
-  FreeFlight& f = *plan.flight;
-  f.movers = movers_of_bodies(plan);
-  find_bound(world, f);
   split(plan.linear, f.tied, f.bound.linear, f.flying.linear);
   split(plan.rotating, f.tied, f.bound.rotating, f.flying.rotating);
   if (f.flying.linear.count + f.flying.rotating.count == 0) return;
@@ -96,19 +111,92 @@ void part_with_flyers(const World& world, const StepTime&) {
   exchange(plan, f.movers, f.bound);
 }
 
+void exchange_the_rest(Plan& plan, FreeFlight& flight) {
+  std::swap(plan.kinematic, flight.kinematic);
+  std::swap(plan.effects[+EffectId::springs].customers, flight.springs);
+}
+
+/// Back to where the watched began, but for those that something struck; and lists of them.
+void take_back(const World& world, Poses& poses, Velocities& motion, FreeFlight& f) {
+  Plan& plan = *world.plan;
+  f.again.linear.clear(), f.again.rotating.clear();
+  each_mover_of_bodies(plan, f.movers, [&](std::size_t row, const PlannedEffect&) { f.again.of_row[row].clear(); });
+  const FreeFlight::Begun* begun = f.begun.data();
+  f.watched.each([&](std::uint32_t i) {
+    const FreeFlight::Begun& b = *begun++;
+    const SweptBody* const known = world.continuous->find(i);
+    if ((known && known->struck) || world.state.quarantined[i]) return;
+    poses.x[i] = b.x, poses.q[i] = b.q;
+    motion.v[i] = b.v, motion.omega[i] = b.omega;
+    (rotates(world.scene, i) ? f.again.rotating : f.again.linear).add(i);
+    each_mover_of_bodies(plan, f.movers, [&](std::size_t row, const PlannedEffect& effect) {
+      if (effect.customers.has(i)) f.again.of_row[row].add(i);
+    });
+  });
+}
+
+/// The watched that met nobody take the step in one go after all: substeps were for what might have met them. Books
+/// have it already.
+void fly_again(const World& world, Poses& poses, Quarantining to, FreeFlight& f, const StepTime& whole) {
+  Plan& plan = *world.plan;
+  const Continuous& c = *world.continuous;
+  if (f.watched.count == 0 || c.bodies.size() >= c.most_bodies) return;  // who was struck then is not known
+  take_back(world, poses, to, f);
+  exchange(plan, f.movers, f.again), exchange_the_rest(plan, f);
+  integrate_velocity(world, to, whole);
+  integrate_position(world, poses, to, whole);
+  if (keeps_books(world))
+    each_of_both(plan.linear, plan.rotating,
+                 [&](std::uint32_t i) { forget_kicks(ledger_of(world), i), open_phase(world, i); });
+  exchange(plan, f.movers, f.again), exchange_the_rest(plan, f);
+}
+
+}  // namespace
+
+FreeFlight::Part::Part(Memory* m) : linear(m), rotating(m), of_row(m) {
+  of_row.reserve(kEffectCount);
+  for (std::size_t row = 0; row < kEffectCount; ++row) of_row.emplace_back(m);
+}
+
+FreeFlight::FreeFlight(Memory* m)
+    : bound(m), flying(m), again(m), kinematic(m), springs(m), tied(m), more(m), watched(m), begun(m) {}
+
+void part_with_flyers(const World& world, const StepTime&) {
+  Plan& plan = *world.plan;
+  if (plan.flight) plan.flight->watched.clear();
+  if (plan.substeps == 1) return;
+  const bool anybody = plan.linear.count + plan.rotating.count > 0;
+  if (!anybody || !plan.integrator->exact_in_flight) {
+    plan.idle = !anybody && !is_solved(world);
+    return;
+  }
+  if (!plan.flight) plan.flight = make_owned<FreeFlight>(world.memory, world.memory);
+  FreeFlight& f = *plan.flight;
+  f.movers = movers_of_bodies(plan);
+  find_bound(world, f);
+  plan.idle = f.tied.count == 0 && !is_solved(world);
+  if (f.watched.count > 0) save_watched(world, f);
+  if (!plan.idle) part(world, f);
+}
+
 void fly_free(const World& world, Poses& poses, Quarantining to, const StepTime& time) {
   Plan& plan = *world.plan;
-  if (!plan.flight || !std::exchange(plan.flight->any, false)) return;
+  if (plan.idle) drive_kinematics(world, poses, to, time);
+  if (!plan.flight || plan.linear.count + plan.rotating.count + plan.flight->any == 0) return;
   FreeFlight& f = *plan.flight;
-  exchange(plan, f.movers, f.bound);
-  exchange(plan, f.movers, f.flying), exchange_the_rest(plan, f);
   const StepTime whole{time.dt, time.dt};
+  if (f.any) exchange(plan, f.movers, f.bound);
+  if (!plan.idle) fly_again(world, poses, to, f, whole);
+  if (!plan.idle && !f.any) return;
+  if (f.any) exchange(plan, f.movers, f.flying);
+  exchange_the_rest(plan, f);
   const bool is_booked = keeps_books(world);
   integrate_velocity(world, to, whole);
   if (is_booked) book_stage(world, Booking::forces, whole);
   integrate_position(world, poses, to, whole);
   if (is_booked) book_stage(world, Booking::moves, whole);
-  exchange(plan, f.movers, f.flying), exchange_the_rest(plan, f);
+  exchange_the_rest(plan, f);
+  if (std::exchange(f.any, false)) exchange(plan, f.movers, f.flying);
 }
 
 }  // namespace carom::dynamics

@@ -6,8 +6,13 @@
 // moves it), and those in flight take the step in one go, after them. One joint among 10,000 bodies that fly then costs
 // what it costs alone, and what hangs on it does not change the bits of those that do not.
 //
-// Where somebody is swept (ccd/continuous.h), who has a collider is bound: a sweep asks where others are within the step,
-// and what it strikes may go on and meet anybody.
+// What acts on a body itself decides, not what else there is: one with a spring takes the world's substeps though
+// nothing in that world can touch. Where nobody is bound (Plan::idle) substeps are left out, and kinematic bodies go
+// through theirs at once. An integrator to which h is an approximation even in flight takes substeps with everybody.
+//
+// Where somebody is swept (ccd/continuous.h), who has a collider takes substeps, too: a sweep asks where others are within
+// the step, and what it strikes may go on and meet anybody. Whom nothing struck is then put back and takes the step in
+// one go: a bullet that meets it not changes no bit of it.
 //
 // @oracle  tests/unit/dynamics/test_free_flight, tests/effects/test_instructions
 #pragma once
@@ -26,9 +31,15 @@ struct FreeFlight {
     Customers linear, rotating;
     Array<Customers> of_row;  // by row of the table, of those that move bodies
   };
-  Part bound, flying;
+  Part bound, flying, again;
   Customers kinematic, springs;  // of those in flight: nobody
   Customers tied, more;          // scratch: who is bound
+  Customers watched;             // bound for the sweeps of others alone
+  struct Begun {
+    Vec3 x, v, omega;
+    Quat q;
+  };
+  Array<Begun> begun;            // as the step began, of the watched
   bool any = false;              // somebody flies in this step
   RowBits movers = 0;            // rows of the table that move bodies in this step: four loops go through them
 };

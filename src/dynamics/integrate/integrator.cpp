@@ -39,18 +39,7 @@ class Strays {
   std::atomic<bool> any_{false};
 };
 
-}  // namespace
-
-void integrate_velocity(const World& world, Quarantining to, const StepTime& time) {
-  Plan& plan = *world.plan;
-  plan.integrator->velocity(world, to, time.h);
-  if (keeps_books(world)) book_turns(world);
-  axis_locks::hold(world, to, time.h);
-  // Before any contact reads them, so that one body's infinity does not become its neighbours'.
-  stop_strays(world, to, time);
-}
-
-void stop_strays(const World& world, Quarantining to, const StepTime&) {
+void stop_listed(const World& world, Quarantining to) {
   Plan& plan = *world.plan;
   Strays strays(to);
   plan.linear.each(world.jobs, [&](std::uint32_t i) {
@@ -60,6 +49,21 @@ void stop_strays(const World& world, Quarantining to, const StepTime&) {
     if (!sane_velocity(world.state, i) || !sane_spin(world.state, i)) strays.add(i);
   });
   strays.quarantine_all(plan);
+}
+
+}  // namespace
+
+void integrate_velocity(const World& world, Quarantining to, const StepTime& time) {
+  Plan& plan = *world.plan;
+  plan.integrator->velocity(world, to, time.h);
+  if (keeps_books(world)) book_turns(world);
+  axis_locks::hold(world, to, time.h);
+  // Before any contact reads them, so that one body's infinity does not become its neighbours'.
+  stop_listed(world, to);
+}
+
+void stop_strays(const World& world, Quarantining to, const StepTime&) {
+  if (!world.plan->idle) stop_listed(world, to);  // else nobody has moved yet
 }
 
 void integrate_position(const World& world, Poses& poses, Quarantining to, const StepTime& time) {
@@ -108,6 +112,24 @@ void integrate_position(const World& world, Poses& poses, Quarantining to, const
     });
   }
   plan.kinematic.each([&](std::uint32_t i) { move(i), spin(i); });
+  strays.quarantine_all(plan);
+}
+
+void drive_kinematics(const World& world, Poses& poses, Quarantining to, const StepTime& time) {
+  const State& s = world.state;
+  Plan& plan = *world.plan;
+  Strays strays(to);
+  plan.kinematic.each([&](std::uint32_t i) {
+    const Vec3 way = time.h * s.v[i];
+    const Quat turn = exp_map(time.h * s.omega[i]);
+    for (int k = 0; k < plan.substeps; ++k) {
+      const Vec3 x = poses.x[i] + way;
+      const Quat q = normalized(turn * poses.q[i]);
+      const Real n2 = q.squared_norm();
+      if (!sane_position(x) || !(n2 > 0.5 && n2 < 2)) return strays.add(i);
+      poses.x[i] = x, poses.q[i] = q;
+    }
+  });
   strays.quarantine_all(plan);
 }
 

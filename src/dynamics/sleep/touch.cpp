@@ -104,7 +104,7 @@ void wake_touched(const World& world, Settling to, SpringLoads& springs, StepRep
     throw;
   }
   carry_springs(world, springs, time.h);
-  find_customers(world);
+  find_customers(world, time.h);
   // Between two that are awake by now, the broad phase finds the pair. What does not move makes none with a sleeper.
   const Colliders& c = world.scene.colliders;
   const auto void_pair = [&](const Pair& p) { return world.state.asleep[c.body[p.a]] == world.state.asleep[c.body[p.b]]; };

@@ -198,6 +198,40 @@ static void sensors_and_sleepers(void**) {
   assert_int_equal(left, 2);
 }
 
+/// A gate that a bullet is past within a step, at any phase of it: it enters and leaves, once; where a wall turns it round,
+/// between two steps or in the middle of one, it is heard on the way there and back.
+static void a_sensor_hears_what_passes_it_swept(void**) {
+  for (const bool wall : {false, true})
+    for (const Real thin : {1e-3, 0.05})
+      for (int phase = 0; phase < 12; ++phase) {
+        TestWorld t(Vec3::zero());
+        const std::uint32_t m = t.material(0, 1);
+        const std::uint32_t gate = t.add(t.keep(box(Vec3(thin, 2, 2))), Vec3::zero(), BodyType::fixed);
+        t.world.set_sensor(t.world.scene.first_collider[gate], true);
+        const std::uint32_t aside = t.add(t.keep(box(Vec3(thin, 2, 2))), Vec3(0, 10, 0), BodyType::fixed);
+        t.world.set_sensor(t.world.scene.first_collider[aside], true);
+        if (wall) t.add(t.keep(box(Vec3(0.1, 5, 5))), Vec3(1.3, 0, 0), BodyType::fixed, Quat::identity(), m);
+        const std::uint32_t bullet =
+            t.add(t.keep(sphere(0.05)), Vec3(-5 - 0.2 * phase, 0, 0), BodyType::dynamic, Quat::identity(), m);
+        t.world.set_velocity(bullet, Vec3(300, 0, 0), Vec3::zero());
+        collect(t.world, Events::sensor, 1);
+        int entered = 0, left = 0;
+        for (int i = 0; i < 12; ++i) {
+          t.run(1, kDt);
+          for (const SensorEvent& e : t.world.events->sensors) {
+            assert_true(e.sensor_body == t.world.scene.bodies.handle(gate));
+            assert_true(e.other_body == t.world.scene.bodies.handle(bullet));
+            (e.entered ? entered : left) += 1;
+            assert_true(entered == left || entered == left + 1);
+          }
+        }
+        assert_int_equal(entered, left);
+        // There and back within one step is heard once: a step tells whether, not how often.
+        assert_true(entered >= 1 && entered <= (wall ? 2 : 1));
+        assert_true(wall == (t.world.state.v[bullet].x() < 0));
+      }
+}
+
 static void nobody_asked_nothing_kept(void**) {
   Fall f(0.1);
   const std::uint32_t gate = f.add(f.keep(box(Vec3(2, 1, 2))), Vec3(0, 1, 0), BodyType::fixed);
@@ -252,6 +286,7 @@ int main() {
       cmocka_unit_test(sleepers_stay_in_touch_and_are_told_of),
       cmocka_unit_test(a_sensor_tells_who_passes_and_stops_nobody),
       cmocka_unit_test(sensors_and_sleepers),
+      cmocka_unit_test(a_sensor_hears_what_passes_it_swept),
       cmocka_unit_test(nobody_asked_nothing_kept),
       cmocka_unit_test(observing_changes_nothing_and_threads_nothing),
   };
