@@ -1,7 +1,7 @@
 // What a body does never depends on bodies that it never meets: the same bits with and without them, whatever acts on it,
 // at any substeps and integrator; and what nobody notices costs nothing.
 #include <cmath>
-#include <string_view>
+#include <string>
 
 #include "carom_test.h"
 #include "dynamics/plan_view.h"
@@ -241,7 +241,7 @@ static void the_plan_says_that_all_sleep(void**) {
   const std::uint32_t cube = t.add(t.keep(box(Vec3::constant(0.5))), Vec3(0, 0.5, 0));
   t.run(300, 1.0 / 60);
   assert_true(t.world.state.sleeps(cube));
-  const auto says = [&](std::size_t line) { return std::string_view(plan_line(t.world, line).reason); };
+  const auto says = [&](std::size_t line) { return std::string(plan_line(t.world, line).reason); };
   for (const Stage s : {Stage::broad, Stage::narrow, Stage::group, Stage::integrate, Stage::solve, Stage::relax})
     assert_true(says(static_cast<std::size_t>(s)) == "all asleep");
   assert_true(says(kStageCount + +EffectId::gravity) == "all asleep");
