@@ -117,20 +117,6 @@ void update_slips(ConeProblem& problem, bool first, Real noise) {
   }
 }
 
-void keep(ConeProblem& problem) {
-  for (ConeContact& c : problem.contacts) c.best = c.p;
-  for (ConeLink& c : problem.links) c.best = c.p;
-}
-
-/// Back to the best impulses.
-void restore(ConeProblem& problem) {
-  for (ConeContact& c : problem.contacts) c.p = c.best - c.p;
-  for (ConeLink& c : problem.links) c.p = c.best - c.p;
-  apply_impulses(problem);
-  for (ConeContact& c : problem.contacts) c.p = c.best;
-  for (ConeLink& c : problem.links) c.p = c.best;
-}
-
 }  // namespace
 
 ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps) {
@@ -139,7 +125,7 @@ ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_
   answer.residual = residual(problem);
   answer.reached = answer.residual <= tolerance;
   if (answer.reached) return answer;
-  keep(problem);
+  save_impulses<&ConeContact::best, &ConeLink::best>(problem);
   for (ConeContact& c : problem.contacts) c.slip = 0;
   FrozenSlip frozen(problem, answer, most_steps);
   Real now = answer.residual;
@@ -147,9 +133,9 @@ ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_
     update_slips(problem, i == 0, tolerance);
     frozen.solve(std::max(0.3 * tolerance, 0.03 * now));
     now = residual(problem);
-    if (now < answer.residual) answer.residual = now, keep(problem);
+    if (now < answer.residual) answer.residual = now, save_impulses<&ConeContact::best, &ConeLink::best>(problem);
   }
-  if (now > answer.residual) restore(problem);
+  if (now > answer.residual) return_to_impulses<&ConeContact::best, &ConeLink::best>(problem);
   answer.reached = answer.residual <= tolerance;
   return answer;
 }

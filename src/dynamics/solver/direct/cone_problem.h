@@ -168,6 +168,21 @@ struct ConeAnswer {
 /// Change velocities of bodies by impulses of contacts, and contacts' velocities with them.
 void apply_impulses(ConeProblem& problem);
 
+/// Impulses put by, and back to those: bodies and rows move by the difference.
+template <Vec3 ConeContact::*kContact, Real ConeLink::*kLink>
+void save_impulses(ConeProblem& problem) {
+  for (ConeContact& c : problem.contacts) c.*kContact = c.p;
+  for (ConeLink& c : problem.links) c.*kLink = c.p;
+}
+template <Vec3 ConeContact::*kContact, Real ConeLink::*kLink>
+void return_to_impulses(ConeProblem& problem) {
+  for (ConeContact& c : problem.contacts) c.p = c.*kContact - c.p;
+  for (ConeLink& c : problem.links) c.p = c.*kLink - c.p;
+  apply_impulses(problem);
+  for (ConeContact& c : problem.contacts) c.p = c.*kContact;
+  for (ConeLink& c : problem.links) c.p = c.*kLink;
+}
+
 /// The largest offence of all contacts. @return m/s
 Real residual(const ConeProblem& problem);
 

@@ -11,20 +11,6 @@ void give_way(ConeProblem& problem, Real share) {
   for (ConeContact& c : problem.contacts) c.give = share * c.k;
 }
 
-void save_least(ConeProblem& problem) {
-  for (ConeContact& c : problem.contacts) c.least_p = c.p;
-  for (ConeLink& c : problem.links) c.least_p = c.p;
-}
-
-/// From the impulses that act to others.
-void change_to_least(ConeProblem& problem) {
-  for (ConeContact& c : problem.contacts) c.p = c.least_p - c.p;
-  for (ConeLink& c : problem.links) c.p = c.least_p - c.p;
-  apply_impulses(problem);
-  for (ConeContact& c : problem.contacts) c.p = c.least_p;
-  for (ConeLink& c : problem.links) c.p = c.least_p;
-}
-
 /// Sum of k p^2, kg m^2/s^2.
 Real borne(const ConeProblem& problem) {
   Real sum = 0;
@@ -116,14 +102,14 @@ ConeAnswer solve_with_least_force(ConeProblem& problem, Real tolerance, std::uin
     give_way(problem, kGiveOfContacts);
     answer = solve_cones(problem, tolerance, most_steps);
     give_way(problem, 0);
-    save_least(problem);
+    save_impulses<&ConeContact::least_p, &ConeLink::least_p>(problem);
   }
   const Real bears = borne(problem);
   const std::uint32_t taken = answer.factorisations, rounds = answer.rounds;
   answer = solve_cones(problem, tolerance, most_steps > taken ? most_steps - taken : 0);
   answer.factorisations += taken, answer.rounds += rounds;
   if (taken > 0 && !answer.reached && borne(problem) > kFarMore * bears) {
-    change_to_least(problem);
+    return_to_impulses<&ConeContact::least_p, &ConeLink::least_p>(problem);
     answer.is_wedged = true;
     answer.residual = residual(problem);
     answer.reached = answer.residual <= tolerance;
