@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/memory.h"
+#include "core/vec.h"
 #include "dynamics/effect_rows.h"
 
 namespace carom::dynamics {

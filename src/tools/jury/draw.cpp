@@ -89,8 +89,7 @@ bool attach(Drawing& d, Cluster& cluster, Planned body) {
 void place(Drawing& d, Cluster& cluster) {
   for (int attempt = 0;; ++attempt) {
     const double wide = kPlace + 0.02 * attempt;
-    const Vec origin(d.random.between(-wide, wide), d.random.between(0.1, 2.2 + 0.05 * attempt),
-                     d.random.between(-wide, wide));
+    const Vec origin = d.random.within(Vec(-wide, 0.1, -wide), Vec(wide, 2.2 + 0.05 * attempt, wide));
     const Quat turned = cluster.bodies.size() > 1 ? d.random.rotation() : Quat::Identity();
     const bool is_free = std::all_of(cluster.bodies.begin(), cluster.bodies.end(), [&](const Planned& body) {
       return d.is_free(body.part, origin + turned * body.position, turned * body.orientation, kGap);
@@ -142,9 +141,13 @@ void add_link(Drawing& d, const PlannedLink& planned, std::size_t first) {
 /// Bodies of a cluster move as one: what joints hold is not torn apart at the start.
 void add_cluster(Drawing& d, const Cluster& cluster) {
   const bool thrown = !cluster.hangs && d.chance(d.lively), spun = !cluster.hangs && d.chance(d.lively);
-  const Vec velocity = thrown ? Vec(d.random.between(0, 6) * d.random.direction()) : Vec(Vec::Zero());
+  const auto up_to = [&](double most) {
+    const Vec way = d.random.direction();
+    return Vec(d.random.between(0, most) * way);
+  };
+  const Vec velocity = thrown ? up_to(6) : Vec(Vec::Zero());
   const double turns = cluster.bodies.size() > 1 ? 4 : 15;
-  const Vec spin = spun ? Vec(d.random.between(0, turns) * d.random.direction()) : Vec(Vec::Zero());
+  const Vec spin = spun ? up_to(turns) : Vec(Vec::Zero());
   const std::size_t first = d.scene.members.size();
   for (const Planned& body : cluster.bodies) {
     Actor actor;

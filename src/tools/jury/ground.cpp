@@ -43,9 +43,8 @@ void add_block(Drawing& d, const std::string& name, const Vec& half, const Vec& 
 void add_blocks(Drawing& d) {
   const std::size_t count = 2 + d.pick(6);
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec half(d.random.between(0.1, 0.7), d.random.between(0.03, 0.3), d.random.between(0.1, 0.7));
-    const Vec place(d.random.between(-kPlace, kPlace), d.random.between(0, half.y()),
-                    d.random.between(-kPlace, kPlace));
+    const Vec half = d.random.within(Vec(0.1, 0.03, 0.1), Vec(0.7, 0.3, 0.7));
+    const Vec place = d.random.within(Vec(-kPlace, 0, -kPlace), Vec(kPlace, half.y(), kPlace));
     const bool tumbled = d.chance(0.3);
     add_block(d, "block " + std::to_string(i), half, place,
               tumbled ? d.random.rotation() : turn(Vec::UnitY(), d.random.between(-1, 1)));
@@ -57,8 +56,9 @@ void add_ramps(Drawing& d) {
   for (std::size_t i = 0; i < count; ++i) {
     const Quat aside = turn(Vec::UnitY(), d.random.between(-1, 1));
     const Quat tilt = turn(Vec::UnitZ(), d.random.between(0.08, 0.4));  // 9 to 44 degrees
-    const Vec half(d.random.between(0.6, 1.5), 0.05, d.random.between(0.4, 1.2));
-    const Vec place(d.random.between(-1, 1), d.random.between(0.3, 0.6), d.random.between(-1, 1));
+    const double across = d.random.between(0.4, 1.2);
+    const Vec half(d.random.between(0.6, 1.5), 0.05, across);
+    const Vec place = d.random.within(Vec(-1, 0.3, -1), Vec(1, 0.6, 1));
     add_block(d, "ramp " + std::to_string(i), half, place, aside * tilt);
   }
 }
@@ -118,7 +118,7 @@ void draw_paddle(Drawing& d) {
   actor.type = CAROM_BODY_KINEMATIC;
   Part part;
   part.shape = "box";
-  const Vec half(d.random.between(0.3, 1), d.random.between(0.05, 0.2), d.random.between(0.02, 0.1));
+  const Vec half = d.random.within(Vec(0.3, 0.05, 0.02), Vec(1, 0.2, 0.1));
   part.params = {half.x(), half.y(), half.z()};
   part.friction = d.random.between(0.1, 0.9);
   const double clear = d.random.between(0.005, 0.1);
@@ -137,7 +137,8 @@ void draw_paddle(Drawing& d) {
   double level = 0;
   if (d.scene.heights)
     for (const double h : d.scene.heights->values) level = std::max(level, h < 0.4 ? h : 0);
-  actor.position = Vec(d.random.between(-0.5, 0.5), level + height, d.random.between(-0.5, 0.5));
+  const double aside = d.random.between(-0.5, 0.5);
+  actor.position = Vec(d.random.between(-0.5, 0.5), level + height, aside);
   actor.angular_velocity = paddle.spin;
   actor.parts.push_back(std::move(part));
   paddle.member = d.add(std::move(actor));

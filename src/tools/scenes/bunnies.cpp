@@ -45,7 +45,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
     actor.name = actor.kind + " " + std::to_string(number);
     const double middle = (side - 1) / 2.0;
     const Vec site(i % side - middle, i / (side * side) + 1.0, i / side % side - middle);
-    const Vec jitter(random.between(-0.03, 0.03), random.between(-0.03, 0.03), random.between(-0.03, 0.03));
+    const Vec jitter = random.within(Vec(-0.03, -0.03, -0.03), Vec(0.03, 0.03, 0.03));
     actor.position = spacing * site + jitter;
     actor.orientation = random.rotation();
     actor.parts.push_back(std::move(part));

@@ -26,7 +26,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
   Vec extents[kSizes];
   for (int i = 0; i < kSizes; ++i) {
     radius[i] = random.between(0.2, 0.3);
-    extents[i] = Vec(random.between(0.2, 0.27), random.between(0.2, 0.27), random.between(0.2, 0.27));
+    extents[i] = random.within(Vec(0.2, 0.2, 0.2), Vec(0.27, 0.27, 0.27));
   }
   for (std::size_t i = 0; i < count; ++i) {
     const auto size = static_cast<std::size_t>(random.bits() % kSizes);
@@ -40,8 +40,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
                              : std::vector<double>{radius[size]};
     actor.name = actor.kind + " " + std::to_string(i);
     const double middle = (side - 1) / 2.0;
-    const Vec jitter(random.between(-kJitter, kJitter), random.between(-kJitter, kJitter),
-                     random.between(-kJitter, kJitter));
+    const Vec jitter = random.within(Vec(-kJitter, -kJitter, -kJitter), Vec(kJitter, kJitter, kJitter));
     actor.position =
         Vec(spacing * (site.x() - middle), kLayerSpacing * (site.y() + 1), spacing * (site.z() - middle)) + jitter;
     actor.orientation = random.rotation();

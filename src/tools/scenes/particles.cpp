@@ -13,8 +13,9 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
     Actor actor;
     actor.name = "particle " + std::to_string(i);
     actor.kind = "particle";
-    actor.position = Vec(random.between(-spread, spread), random.between(0, spread), random.between(-spread, spread));
-    actor.linear_velocity = random.between(2, 12) * (random.direction() + Vec(0, 1.5, 0));
+    actor.position = random.within(Vec(-spread, 0, -spread), Vec(spread, spread, spread));
+    const Vec way = random.direction() + Vec(0, 1.5, 0);
+    actor.linear_velocity = random.between(2, 12) * way;
     start.push_back(std::move(actor));
   }
   stage.add_particles(std::move(start));

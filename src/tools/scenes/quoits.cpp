@@ -85,10 +85,10 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
   for (int i = 0; i < static_cast<int>(knobs[0]); ++i) {
     Actor ring;
     ring.kind = "ring", ring.name = "ring " + std::to_string(i + 1);
-    ring.position = Vec(random.between(-0.08, 0.08), kPostTop + (mesh_path.empty() ? 0.6 : 1) * size * (i + 1),
-                        random.between(-0.08, 0.08));
-    ring.orientation =
-        Quat(Eigen::AngleAxisd(random.between(-0.2, 0.2), Vec(random.between(-1, 1), 0, 1).normalized()));
+    const double height = kPostTop + (mesh_path.empty() ? 0.6 : 1) * size * (i + 1);
+    ring.position = random.within(Vec(-0.08, height, -0.08), Vec(0.08, height, 0.08));
+    const Vec about = random.within(Vec(-1, 0, 1), Vec(1, 0, 1)).normalized();
+    ring.orientation = Quat(Eigen::AngleAxisd(random.between(-0.2, 0.2), about));
     for (const Mesh& hull : hulls) {
       Part part;
       part.shape = "hull", part.params = hull_params(hull), part.friction = 0.3;

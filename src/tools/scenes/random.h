@@ -21,10 +21,18 @@ class Random {
   /// Uniform in [0, 1), 53 bits.
   double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
   double between(double low, double high) { return low + (high - low) * unit(); }
+  /// Each component in its own range, the last drawn first. C++ leaves the order in which a call evaluates its arguments
+  /// to the compiler, so no two numbers of a scene may be drawn in one argument list.
+  template <class Vector>
+  Vector within(const Vector& low, const Vector& high) {
+    Vector drawn;
+    for (Eigen::Index i = drawn.size(); i-- > 0;) drawn[i] = between(low[i], high[i]);
+    return drawn;
+  }
   /// Uniform on the unit sphere, by rejection: no trigonometry, so the same bits on any libm.
   Eigen::Vector3d direction() {
     for (;;) {
-      const Eigen::Vector3d p(between(-1, 1), between(-1, 1), between(-1, 1));
+      const Eigen::Vector3d one = Eigen::Vector3d::Ones(), p = within<Eigen::Vector3d>(-one, one);
       const double s = p.squaredNorm();
       if (s <= 1 && s > 1e-6) return p / std::sqrt(s);
     }
@@ -32,7 +40,7 @@ class Random {
   /// Uniform rotation, by rejection from the 4-ball.
   Eigen::Quaterniond rotation() {
     for (;;) {
-      const Eigen::Vector4d p(between(-1, 1), between(-1, 1), between(-1, 1), between(-1, 1));
+      const Eigen::Vector4d one = Eigen::Vector4d::Ones(), p = within<Eigen::Vector4d>(-one, one);
       const double s = p.squaredNorm();
       if (s <= 1 && s > 1e-6) return Eigen::Quaterniond(Eigen::Vector4d(p / std::sqrt(s)));
     }

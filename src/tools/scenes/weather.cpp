@@ -138,8 +138,9 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
         Vec(1.4 * (static_cast<double>(i % side) - middle) - 3, 0.6 + 1.4 * static_cast<double>(i / (side * side)),
             1.4 * (static_cast<double>(i / side % side) - middle) - 2.5));
     crate.orientation = random.rotation();
-    crate.parts = {box(Vec(random.between(0.25, 0.4), random.between(0.2, 0.35), random.between(0.25, 0.4)),
-                       Vec::Zero(), random.between(250, 750))};
+    const double density = random.between(250, 750);
+    const Vec half = random.within(Vec(0.25, 0.2, 0.25), Vec(0.4, 0.35, 0.4));
+    crate.parts = {box(half, Vec::Zero(), density)};
     stage.add(std::move(crate));
   }
   for (std::size_t i = 0; i < kBoats; ++i)
@@ -149,7 +150,8 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
   const std::size_t first_leaf = stage.actors.size();
   for (std::size_t i = 0; i < leaves; ++i) {
     const double turn = random.between(0, 2 * EIGEN_PI), out = random.between(0.7, 4);
-    Actor leaf = named("leaf", i, kWhirl + Vec(out * std::cos(turn), random.between(0.5, 4), out * std::sin(turn)));
+    const double height = random.between(0.5, 4);
+    Actor leaf = named("leaf", i, kWhirl + Vec(out * std::cos(turn), height, out * std::sin(turn)));
     leaf.orientation = random.rotation();
     const Vec half(0.12, 0.012, 0.08);
     leaf.parts = {box(half, Vec::Zero(), 200)};

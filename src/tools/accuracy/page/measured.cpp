@@ -43,16 +43,19 @@ std::vector<Pair> pairs(bool apart) {
   std::mt19937_64 random(7);
   // Not std::normal_distribution: the same pairs with every library.
   const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  const auto each = [&](auto& components) {  // the last first, as it once was: no order is promised in an argument list
+    for (Eigen::Index i = components.size(); i-- > 0;) components[i] = uniform() - 0.5;
+  };
   std::vector<Pair> list(200);
   for (Pair& p : list) {
     Vec way;
-    do way = Vec(uniform() - 0.5, uniform() - 0.5, uniform() - 0.5);
+    do each(way);
     while (way.norm() < 0.05 || way.norm() > 0.5);
     const double distance = apart ? 1.8 + uniform() : 0.1 + 0.4 * uniform();
     Vec::Map(p.at) = distance * way.normalized();
     for (double* turn : {p.turn_a, p.turn_b}) {
       Eigen::Vector4d q;
-      do q = Eigen::Vector4d(uniform() - 0.5, uniform() - 0.5, uniform() - 0.5, uniform() - 0.5);
+      do each(q);
       while (q.norm() < 0.1 || q.norm() > 0.5);
       Eigen::Vector4d::Map(turn) = q.normalized();
     }
