@@ -55,6 +55,11 @@ Real fastest(const ConeProblem& problem) {
   return most;
 }
 
+/// (m/s)^2, of the points of a body that has velocity v, in the mean.
+Real speed2(const ConeBody& b, const Vec6& v) {
+  return v.linear().squared_norm() + b.inertia.trace() * b.inv_mass * v.angular().squared_norm();
+}
+
 /// m/s, likewise, in any direction.
 Real fastest_any_way(const ConeProblem& problem) {
   Real most2 = 0;
@@ -100,10 +105,8 @@ void ConeGroup::book_repeats() {
 /// leaves the bodies' velocities as they are: what has changed is looked for once a step.
 bool ConeGroup::repeat(Velocities& to, Real tolerance) {
   for (const ConeBody& b : bodies_of(problem_)) {
-    const Vec3 dv = s_.v[b.slot] + b.change.linear() - b.v.linear();
-    const Vec3 turn = s_.omega[b.slot] + b.change.angular() - b.v.angular();
-    const Real radius2 = b.inertia.trace() * b.inv_mass;
-    if (!(dv.squared_norm() + radius2 * turn.squared_norm() < kRest * kRest * tolerance * tolerance)) return false;
+    const Vec6 gained = Vec6(s_.v[b.slot], s_.omega[b.slot]) + b.change - b.v;
+    if (!(speed2(b, gained) < kRest * kRest * tolerance * tolerance)) return false;
   }
   for (ConeBody& b : bodies_of(problem_)) {
     load(b);
@@ -125,18 +128,23 @@ void ConeGroup::follow_bodies() {
 /// Velocities with the impulses that contacts start from.   @return the least separation, in tolerable depths
 Real ConeGroup::start(Real h) {
   Real least = kInfinity;
+  problem_.stood = !is_joined();
   for (ConeBody& b : bodies_of(problem_)) {
     b.gained = -b.v;
     load(b);
+    problem_.stood &= speed2(b, b.gained) <= speed2(b, b.gained + b.v);
     b.gradient.set_zero();
   }
   if (!rest_.is_first) follow_bodies();
+  problem_.stood &= std::ranges::all_of(problem_.contacts, [](const ConeContact& c) { return c.carried == Vec3::zero(); });
+  // Gaps of nanometres are none to what stands: else they would say which corners of a stack bear it.
+  const Real closes_anyway = problem_.stood ? kRest * tolerance() : 0;  // m/s
   each([&](ConeContact& contact, std::uint32_t i) {
     const Row& row = c_.rows[i];
     const Real separation = c_.geometry[i].separation;
     least = std::min(least, separation / tolerable_depth(world_, c_.geometry[i]));
     contact.friction = row.friction;
-    contact.want = separation > 0 ? -separation / h : 0;
+    contact.want = std::min(Real(0), closes_anyway - separation / h);
     contact.p = contact.start_p = row.p;
     add_impulse<&ConeBody::gradient>(problem_, contact, contact.p);
   });
@@ -209,8 +217,21 @@ void ConeGroup::refuse_gain(Real goal, std::uint32_t most_steps) {
   answer_.residual = residual(problem_), answer_.reached = false, answer_.is_by_sweeps = true;
 }
 
+Real ConeGroup::tolerance() const { return kDirectShare * world_.scene.dials[Dial::velocity_tolerance]; }
+
+bool ConeGroup::lies_still() const {
+  return !is_joined() && fastest_any_way(problem_) < world_.scene.dials[Dial::velocity_tolerance];
+}
+
+/// An answer in which all lies still, made one that lasts.
+bool ConeGroup::comes_to_rest(Real goal) {
+  if (!problem_.stood || !answer_.reached || answer_.factorisations == 0 || !lies_still()) return false;
+  ++answer_.factorisations;
+  return rest(problem_, goal);
+}
+
 void ConeGroup::solve(Velocities& to, Real h, std::uint64_t work, int substeps) {
-  const Real tolerance = kDirectShare * world_.scene.dials[Dial::velocity_tolerance];
+  const Real tolerance = this->tolerance();
   if (rest_.lasts && repeat(to, tolerance)) return;
   book_repeats();
   if (rest_.has_moved) turn_frames(), measure();  // should it not lie still any more
@@ -218,10 +239,9 @@ void ConeGroup::solve(Velocities& to, Real h, std::uint64_t work, int substeps) 
   rest_.is_bounded = work && !starts_from_nothing(problem_);
   if (rest_.is_first) rest_.work = work;
   const auto fine = [&] { return std::max(kFineShare * tolerance, rounding(problem_)); };
-  const Real enough = still_ ? fine() : work ? std::max(tolerance, kConeShare * fastest(problem_)) : tolerance;
+  const Real enough = still_ ? fine() : work && !problem_.stood ? std::max(tolerance, kConeShare * fastest(problem_)) : tolerance;
   const Real goal = is_joined() ? std::min(enough, fine()) : enough;
-  const bool lies = !is_joined() && fastest_any_way(problem_) < world_.scene.dials[Dial::velocity_tolerance];
-  const std::uint32_t most_steps = allowed_steps(lies ? rest_.work : work / static_cast<std::uint64_t>(substeps));
+  const std::uint32_t most_steps = allowed_steps(lies_still() ? rest_.work : work / static_cast<std::uint64_t>(substeps));
   find(goal, most_steps);
   for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
     if (has_ring(problem_, link_row_)) {
@@ -238,7 +258,7 @@ void ConeGroup::solve(Velocities& to, Real h, std::uint64_t work, int substeps) 
   rest_.gave_up |= rest_.is_bounded && !is_joined() && is_far_off(answer_, world_.scene.dials);
   if (answer_.is_wedged || answer_.is_by_sweeps)
     start_from_nothing(problem_);
-  else
+  else if (!comes_to_rest(goal))
     start_from_loads(problem_);
   keep(to);
   rest_.is_first = false;
@@ -311,7 +331,7 @@ void ConeGroup::part(Poses& to, Real h) {
 
 void ConeGroup::settle(Velocities& to, Real h) {
   if (!is_joined() || !problem_.contacts.empty()) return;
-  const Real tolerance = kDirectShare * world_.scene.dials[Dial::velocity_tolerance];
+  const Real tolerance = this->tolerance();
   turn_frames();
   for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b), load(b);
   load_links(world_, problem_, link_row_, LinkPhase::settle, h);

@@ -36,6 +36,9 @@ class ConeGroup {
   void follow_impulses();
   void find(Real goal, std::uint32_t most_steps);
   void find_from_nothing(Real goal, std::uint32_t most_steps);
+  Real tolerance() const;
+  bool lies_still() const;
+  bool comes_to_rest(Real goal);
   void refuse_gain(Real goal, std::uint32_t most_steps);
   void keep(Velocities& to);
   Real displacement_share() const;

@@ -44,6 +44,13 @@ class Round {
   bool all_stick_ = false;
 };
 
+/// Of an answer in which all lies still: velocities that are within its tolerance are undone too, where that leaves the
+/// impulses within their cones, and contacts start the next substep from impulses that balance what loads give in one.
+/// So velocities stay what they are, which is next to nothing, step after step. The answer's own impulses would not do:
+/// they undid what had gathered before, and would undo it again and again.
+/// @param tolerance  m/s, of the answer   @return false: such impulses were not found
+bool rest(ConeProblem& problem, Real tolerance);
+
 /// Impulses of locks that do what they do and are no larger than that takes. A ring of joints may hold itself more than
 /// once; what its joints then bear against each other moves nobody, is whatever rounds have left of it, and grows from
 /// substep to substep. Those that bear little of that keep theirs.
