@@ -31,8 +31,8 @@ constexpr std::uint64_t kSliceFirst = 1001, kSliceCount = 20;
 ///
 /// Raised once, when bodies that turn far, least force and substeps of everything were mended: trajectories part, and of
 /// seeds that ended in a throw or a fault some go on and are found sunk or gaping later. {4, 3, 4, 14, 5, 5, 0} before.
-constexpr std::size_t kCeiling[kKinds] = {4, 5, 3, 15, 9, 4, 0};
-constexpr std::size_t kPlainCeiling[kKinds] = {4, 4, 3, 3, 2, 3, 0};
+constexpr std::size_t kCeiling[kKinds] = {2, 5, 2, 15, 9, 4, 0};
+constexpr std::size_t kPlainCeiling[kKinds] = {2, 4, 2, 3, 3, 3, 0};
 
 PluginPath plugins() { return PluginPath({CAROM_PLUGIN_DIR}); }
 

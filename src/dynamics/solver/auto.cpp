@@ -299,6 +299,13 @@ void drop_impulses_of_joints(const World& world) {
   });
 }
 
+/// Block products of a step: no more than about twice what soft contacts of this world would take, nor than the dial.
+std::uint64_t direct_work(const World& world) {
+  const auto most = static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
+  const std::uint64_t points = world.contacts->rows.size();
+  return std::min(most, std::max(kLeastWork.value, kWorkOfPoint * points));
+}
+
 void auto_begin(const World& world, Solver::Begins to, const StepTime& time) {
   choose(world, to, to, to, time.h);
   drop_impulses_of_contacts(world);
@@ -309,8 +316,7 @@ void auto_begin(const World& world, Solver::Begins to, const StepTime& time) {
 
 void auto_velocities(const World& world, Solver::Solves to, const StepTime& time) {
   kSoftStep.velocities(world, to, time);
-  const auto work = static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
-  solve_groups(world, to, to, time.h, 1 + work, world.plan->substeps);
+  solve_groups(world, to, to, time.h, 1 + direct_work(world), world.plan->substeps);
   spare_the_tired(world, to);
 }
 

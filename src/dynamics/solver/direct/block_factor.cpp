@@ -8,21 +8,21 @@ namespace carom::dynamics {
 namespace {
 
 /// Two numbers side by side. Each goes through the operations that it would go through alone, so bits are the same.
-using Pair = double __attribute__((vector_size(2 * sizeof(double))));
-constexpr int kPairs = kDof / 2;
+using TwoReals = double __attribute__((vector_size(2 * sizeof(double))));
+constexpr int kTwos = kDof / 2;
 
 /// A row of a block.
-struct RowOfPairs {
-  Pair at[kPairs];
-  explicit RowOfPairs(const Real* row) { std::memcpy(at, row, sizeof at); }
+struct RowOfTwos {
+  TwoReals at[kTwos];
+  explicit RowOfTwos(const Real* row) { std::memcpy(at, row, sizeof at); }
   void store(Real* row) const { std::memcpy(row, at, sizeof at); }
-  void subtract(Real s, const RowOfPairs& o) {
-    const Pair both = {s, s};
-    for (int j = 0; j < kPairs; ++j) at[j] -= both * o.at[j];
+  void subtract(Real s, const RowOfTwos& o) {
+    const TwoReals both = {s, s};
+    for (int j = 0; j < kTwos; ++j) at[j] -= both * o.at[j];
   }
   void divide(Real by) {
-    const Pair both = {by, by};
-    for (int j = 0; j < kPairs; ++j) at[j] /= both;
+    const TwoReals both = {by, by};
+    for (int j = 0; j < kTwos; ++j) at[j] /= both;
   }
 };
 
@@ -55,8 +55,8 @@ Block transposed(const Block& a) {
 void divide(Block& a, const Block& l) {
   Block t = transposed(a);
   for (int j = 0; j < kDof; ++j) {
-    RowOfPairs column(t.x[j]);
-    for (int k = 0; k < j; ++k) column.subtract(l.x[j][k], RowOfPairs(t.x[k]));
+    RowOfTwos column(t.x[j]);
+    for (int k = 0; k < j; ++k) column.subtract(l.x[j][k], RowOfTwos(t.x[k]));
     column.divide(l.x[j][j]);
     column.store(t.x[j]);
   }
@@ -66,8 +66,8 @@ void divide(Block& a, const Block& l) {
 /// c -= a b, b given as it stands.
 void subtract_product(Block& c, const Block& a, const Block& b) {
   for (int i = 0; i < kDof; ++i) {
-    RowOfPairs row(c.x[i]);
-    for (int k = 0; k < kDof; ++k) row.subtract(a.x[i][k], RowOfPairs(b.x[k]));
+    RowOfTwos row(c.x[i]);
+    for (int k = 0; k < kDof; ++k) row.subtract(a.x[i][k], RowOfTwos(b.x[k]));
     row.store(c.x[i]);
   }
 }

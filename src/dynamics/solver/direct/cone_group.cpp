@@ -79,7 +79,9 @@ ConeGroup::ConeGroup(const World& world, std::size_t group)
       row_(world.direct->row.data() + world.direct->begin[group].contact),
       link_row_(world.direct->link_row.data() + world.direct->begin[group].link),
       work_(world.direct->work[group]),
-      still_(world.direct->still[group]) {}
+      still_(world.direct->still[group]) {
+  problem_.stood = rest_.stood;
+}
 
 /// Of Newton's method.   @param work  block products, beyond those of kAlways
 std::uint32_t ConeGroup::allowed_steps(std::uint64_t work) const {
@@ -137,6 +139,7 @@ Real ConeGroup::start(Real h) {
   }
   if (!rest_.is_first) follow_bodies();
   problem_.stood &= std::ranges::all_of(problem_.contacts, [](const ConeContact& c) { return c.carried == Vec3::zero(); });
+  rest_.stood = problem_.stood;
   // Gaps of nanometres are none to what stands: else they would say which corners of a stack bear it.
   const Real closes_anyway = problem_.stood ? kRest * tolerance() : 0;  // m/s
   each([&](ConeContact& contact, std::uint32_t i) {
@@ -230,18 +233,40 @@ bool ConeGroup::comes_to_rest(Real goal) {
   return rest(problem_, goal);
 }
 
-void ConeGroup::solve(Velocities& to, Real h, std::uint64_t work, int substeps) {
-  const Real tolerance = this->tolerance();
-  if (rest_.lasts && repeat(to, tolerance)) return;
+Real ConeGroup::goal(bool is_bounded) const {
+  const auto fine = [&] { return std::max(kFineShare * tolerance(), rounding(problem_)); };
+  if (still_) return fine();
+  const bool roughly = is_bounded && !problem_.stood;
+  const Real enough = roughly ? std::max(tolerance(), kConeShare * fastest(problem_)) : tolerance();
+  return is_joined() ? std::min(enough, fine()) : enough;
+}
+
+void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
+  const bool is_bounded = work > 0;
+  if (rest_.is_first) rest_.work = rest_.share = work;
+  rest_.asks = false;
+  if (rest_.lasts && repeat(to, tolerance())) return;
   book_repeats();
   if (rest_.has_moved) turn_frames(), measure();  // should it not lie still any more
-  const Real least = start(h);
-  rest_.is_bounded = work && !starts_from_nothing(problem_);
-  if (rest_.is_first) rest_.work = work;
-  const auto fine = [&] { return std::max(kFineShare * tolerance, rounding(problem_)); };
-  const Real enough = still_ ? fine() : work && !problem_.stood ? std::max(tolerance, kConeShare * fastest(problem_)) : tolerance;
-  const Real goal = is_joined() ? std::min(enough, fine()) : enough;
-  const std::uint32_t most_steps = allowed_steps(lies_still() ? rest_.work : work / static_cast<std::uint64_t>(substeps));
+  rest_.least = start(h);
+  rest_.lies = lies_still();
+  rest_.waits &= rest_.lies;
+  rest_.is_bounded = is_bounded && !starts_from_nothing(problem_);
+  rest_.goal = goal(is_bounded);
+  answer_ = {};
+  answer_.residual = residual(problem_);
+  answer_.reached = answer_.residual <= rest_.goal;
+  rest_.asks = is_joined() || !answer_.reached;
+  if (!rest_.asks) finish(to);
+}
+
+void ConeGroup::solve(Velocities& to, Real h, int substeps) {
+  if (!rest_.waits) answer(h, allowed_steps(rest_.lies ? rest_.work : rest_.share / static_cast<std::uint64_t>(substeps)));
+  finish(to);
+}
+
+void ConeGroup::answer(Real h, std::uint32_t most_steps) {
+  const Real goal = rest_.goal;
   find(goal, most_steps);
   for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
     if (has_ring(problem_, link_row_)) {
@@ -256,14 +281,17 @@ void ConeGroup::solve(Velocities& to, Real h, std::uint64_t work, int substeps) 
   refuse_gain(goal, most_steps);
   book_work();
   rest_.gave_up |= rest_.is_bounded && !is_joined() && is_far_off(answer_, world_.scene.dials);
+}
+
+void ConeGroup::finish(Velocities& to) {
   if (answer_.is_wedged || answer_.is_by_sweeps)
     start_from_nothing(problem_);
-  else if (!comes_to_rest(goal))
+  else if (!comes_to_rest(rest_.goal))
     start_from_loads(problem_);
   keep(to);
   rest_.is_first = false;
-  rest_.lasts = !is_joined() && answer_.factorisations == 0 && least >= -1 && !rest_.resists &&
-                fastest_any_way(problem_) < kRest * tolerance;
+  rest_.lasts = !is_joined() && answer_.factorisations == 0 && rest_.least >= -1 && !rest_.resists &&
+                fastest_any_way(problem_) < kRest * tolerance();
   rest_.has_moved = rest_.lasts;  // or part() measures
 }
 

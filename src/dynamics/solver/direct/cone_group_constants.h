@@ -44,7 +44,12 @@ inline constexpr Constant<std::uint32_t> kMostSteps{
     "direct_most_steps", 200, "steps of Newton", "of a group and substep: impacts of many bodies take that many",
     "fewer: blows through many bodies end unsolved; more: a problem that has no solution stalls the step for longer"};
 
+inline constexpr Constant<std::uint32_t> kExpectedAtRest{
+    "direct_expected_at_rest", 8, "steps of Newton",
+    "that a group at rest is expected to take when it is solved anew: of many that ask at once the others wait",
+    "fewer: many are solved in one step, which stalls; more: one a step, and walls come late to rest"};
+
 inline constexpr ConstantRow kConeGroupConstants[] = {kFineShare,   kConeShare, kRest,   kJerks,
-                                                      kLongestTurn, kGap,       kAlways, kMostSteps};
+                                                      kLongestTurn, kGap,       kAlways, kMostSteps, kExpectedAtRest};
 
 }  // namespace carom::dynamics

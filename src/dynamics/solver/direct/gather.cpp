@@ -16,7 +16,7 @@ void make_room(DirectGroups& d) {
   const auto reserve = [](auto&... arrays) { (arrays.reserve(kSome), ...); };
   Elimination& e = d.elimination;
   reserve(d.contacts, d.row, d.begin, d.bodies, d.edges, d.edge_begin, d.ordered_edges, d.ordered_begin, d.scratch,
-          d.work, d.still, d.answer, d.rest, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
+          d.work, d.still, d.answer, d.rest, d.urgent, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
   Elimination::Scratch& s = e.scratch;
   reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.next, s.element, s.begin, s.member);
 }
@@ -98,6 +98,7 @@ void gather_groups(const World& world, SolverMemory& memory) {
   load_groups(world, memory, d);
   d.answer.resize(d.groups());
   d.rest.assign(d.groups(), {});
+  d.urgent.reserve(d.groups());
   for (const Resistance& r : world.contacts->resisting)
     if (GroupRest* const rest = d.rest_of(world.contacts->rows[r.row])) rest->resists = true;
 }
