@@ -122,8 +122,8 @@ static void handle_numbers_do_not_matter(void **state) {
  * floats (soft_step, sequential, auto). When physics is meant to change, so do these: say why in the commit. */
 static void the_bits_are_those_of_every_other_build(void **state) {
   const uint64_t golden[kSettings] = {0x88ee72e540d68689u, 0xec2c25f96faf8269u, 0x405ea7efd57a17d2u,
-                                      0xee7afc09fbf82806u, 0x6d0a455c8ee1c827u, 0xb506a1e80d75eeb8u,
-                                      0x972586395ffed5fcu, 0x6edb6ce64f338656u, 0xcef76c654488e302u};
+                                      0xee7afc09fbf82806u, 0x6d0a455c8ee1c827u, 0x7c28ce7b83a2b195u,
+                                      0x972586395ffed5fcu, 0x6edb6ce64f338656u, 0x7c933afd4b1d31bdu};
   int setting, wrong = 0;
   (void)state;
   for (setting = 0; setting < kSettings; ++setting) {
@@ -216,7 +216,7 @@ static void so_are_those_of_joints(void **state) {
  * soft_step with contacts in floats. 200 steps. */
 static void so_are_those_of_factors_locks_and_belts(void **state) {
   const uint64_t golden[6] = {0xe22e875ce8e11a2bu, 0xa77de7ceccc91855u, 0xb15c2d08bb6fc839u,
-                                      0xdc2b7506b95fb32au, 0x09cdd376cb79590du, 0x8edf02f13b541c4fu};
+                                      0xf881bc39112031dfu, 0x09cdd376cb79590du, 0x8edf02f13b541c4fu};
   const double belt[3] = {0.75, 0, 0.25}, turn[3] = {0, 0.5, 0};
   uint32_t i;
   int wrong = 0;
@@ -251,7 +251,7 @@ static void so_are_those_of_factors_locks_and_belts(void **state) {
 /* The same of a heap so large that its bodies are halved into regions, on one to three threads: sequential, soft_step and
  * auto, and soft_step with contacts in floats. 40 steps. */
 static void so_are_those_of_heaps(void **state) {
-  const uint64_t golden[4] = {0x3fa6b0bca692c016u, 0x447a5a709f5d18a8u, 0xe2d34f5294764a0fu,
+  const uint64_t golden[4] = {0x3fa6b0bca692c016u, 0x447a5a709f5d18a8u, 0xb4c463691cf5cfb5u,
                                       0x875c16a3c58c1654u};
   const uint32_t solver[4] = {CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_AUTO, CAROM_SOLVER_SOFT_STEP};
   int i, k, wrong = 0;

@@ -184,7 +184,7 @@ GroupMemory remember(const World& world, SolverMemory& of, const Seen& seen, boo
 GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const GroupMemory& memory, Real most_ratio) {
   const bool unlike = view.mass_ratio > most_ratio, still = motion.still && view.bodies <= kFewStill;
   if (!unlike && !memory.bears && !still) return GroupReason::ordinary;
-  if (memory.tired && !unlike) return GroupReason::too_much;
+  if (memory.tired && (!unlike || view.bodies > kMostUnlike)) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
   if (!memory.bears) return GroupReason::still;
   return motion.struck ? GroupReason::blow : GroupReason::sink;
@@ -311,7 +311,7 @@ void auto_begin(const World& world, Solver::Begins to, const StepTime& time) {
   drop_impulses_of_contacts(world);
   kSoftStep.begin(world, to, time);
   drop_impulses_of_joints(world);
-  gather_groups(world, to);
+  gather_groups(world, to, kMostFactor);
 }
 
 void auto_velocities(const World& world, Solver::Solves to, const StepTime& time) {

@@ -16,6 +16,7 @@ inline constexpr Real kDirectShare = 0.01;
 /// What is known within a step of whether a group lies still.
 struct GroupRest {
   bool is_first = true;       // substep
+  bool is_too_large = false;  // to be factored
   bool asks = false;          // for an answer, in this substep
   bool waits = false;         // for the next step with it
   bool stood = false;         // @see ConeProblem::stood
@@ -38,7 +39,8 @@ inline bool is_far_off(const ConeAnswer& answer, const Dials& dials) {
 }
 
 /// The stages of the direct solver over the groups it answers, for it and for what chooses among solvers.
-void gather_groups(const World& world, SolverMemory& memory);  // allocates
+/// Allocates.   @param most_factor  block products of a factorisation; a group that takes more is answered by sweeps
+void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_factor = ~std::uint64_t{0});
 /// Velocities.
 /// @param work      most block products that all groups may take in the step, for velocities and overlaps together,
 ///                  beyond two factorisations a substep for each that moves; 0: no bound

@@ -4,6 +4,7 @@
 
 #include "dynamics/contact/depth.h"
 #include "dynamics/quarantine.h"
+#include "dynamics/solver/direct/at_rest.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/least_force.h"
@@ -34,7 +35,7 @@ void start_from_nothing(ConeProblem& problem) {
   for (ConeLink& c : problem.links) c.next_p = 0;
 }
 
-/// What was never solved before takes the time it takes, once.
+/// What was just built and stands takes the time it takes, once.
 bool starts_from_nothing(const ConeProblem& problem) {
   return std::ranges::all_of(problem.contacts, [](const ConeContact& c) { return c.start_p == Vec3::zero(); }) &&
          std::ranges::all_of(problem.links, [](const ConeLink& c) { return c.start_p == 0; });
@@ -86,7 +87,7 @@ ConeGroup::ConeGroup(const World& world, std::size_t group)
 /// Of Newton's method.   @param work  block products, beyond those of kAlways
 std::uint32_t ConeGroup::allowed_steps(std::uint64_t work) const {
   if (!rest_.is_bounded) return kMostSteps;
-  if (rest_.gave_up) return kAlways;
+  if (starts_from_nothing(problem_)) work = std::max<std::uint64_t>(work, kFromNothing * work_);
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + work / work_, kMostSteps));
 }
 
@@ -138,7 +139,8 @@ Real ConeGroup::start(Real h) {
     b.gradient.set_zero();
   }
   if (!rest_.is_first) follow_bodies();
-  problem_.stood &= std::ranges::all_of(problem_.contacts, [](const ConeContact& c) { return c.carried == Vec3::zero(); });
+  problem_.stood &=
+      std::ranges::all_of(problem_.contacts, [](const ConeContact& c) { return c.carried == Vec3::zero(); });
   rest_.stood = problem_.stood;
   // Gaps of nanometres are none to what stands: else they would say which corners of a stack bear it.
   const Real closes_anyway = problem_.stood ? kRest * tolerance() : 0;  // m/s
@@ -207,7 +209,7 @@ void ConeGroup::find(Real goal, std::uint32_t most_steps) {
 void ConeGroup::find_from_nothing(Real goal, std::uint32_t most_steps) {
   const std::uint32_t taken = answer_.factorisations;
   drop_impulses(problem_);
-  answer_ = solve_with_least_force(problem_, goal, most_steps);
+  answer_ = solve_with_least_force(problem_, goal, std::max(most_steps, taken + kAlways) - taken);
   answer_.factorisations += taken;
 }
 
@@ -229,8 +231,9 @@ bool ConeGroup::lies_still() const {
 /// An answer in which all lies still, made one that lasts.
 bool ConeGroup::comes_to_rest(Real goal) {
   if (!problem_.stood || !answer_.reached || answer_.factorisations == 0 || !lies_still()) return false;
-  ++answer_.factorisations;
-  return rest(problem_, goal);
+  const std::uint32_t taken = rest(problem_, goal);
+  answer_.factorisations += taken;
+  return taken > 0;
 }
 
 Real ConeGroup::goal(bool is_bounded) const {
@@ -251,7 +254,8 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   rest_.least = start(h);
   rest_.lies = lies_still();
   rest_.waits &= rest_.lies;
-  rest_.is_bounded = is_bounded && !starts_from_nothing(problem_);
+  rest_.is_bounded = is_bounded && !(problem_.stood && starts_from_nothing(problem_));
+  if (rest_.is_too_large || rest_.gave_up || takes_all_of(work)) return go_on_by_sweeps(to);
   rest_.goal = goal(is_bounded);
   answer_ = {};
   answer_.residual = residual(problem_);
@@ -260,8 +264,26 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   if (!rest_.asks) finish(to);
 }
 
+/// It moves, and one factorisation is more than there is for the step.
+bool ConeGroup::takes_all_of(std::uint64_t work) const {
+  return rest_.is_bounded && !rest_.lies && !is_joined() && work_ > work;
+}
+
+/// Where it gave up its impulses say little: from nothing on. Else two a substep, as soft contacts take; those answer it
+/// from the next step on.
+void ConeGroup::go_on_by_sweeps(Velocities& to) {
+  if (rest_.gave_up)
+    answer_by_sweeps(problem_);
+  else
+    sweep(problem_, 2);
+  answer_ = {};
+  answer_.residual = residual(problem_);
+  finish(to);
+}
+
 void ConeGroup::solve(Velocities& to, Real h, int substeps) {
-  if (!rest_.waits) answer(h, allowed_steps(rest_.lies ? rest_.work : rest_.share / static_cast<std::uint64_t>(substeps)));
+  const std::uint64_t work = rest_.lies ? rest_.work : rest_.share / static_cast<std::uint64_t>(substeps);
+  if (!rest_.waits) answer(h, allowed_steps(work));
   finish(to);
 }
 
@@ -324,7 +346,7 @@ Real ConeGroup::displacement_share() const {
 }
 
 void ConeGroup::part(Poses& to, Real h) {
-  if (rest_.lasts) return;
+  if (rest_.lasts || rest_.is_too_large) return;
   Real tolerance = world_.scene.dials[Dial::position_tolerance];
   const Real most = world_.scene.dials[Dial::push_speed] * h;
   answer_ = {};

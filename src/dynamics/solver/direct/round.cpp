@@ -52,7 +52,21 @@ void add_outer(Block& b, Real w, const LinkArms& r, const LinkArms& c) {
     for (int j = 0; j < kDof; ++j) b.x[i][j] += row[i] * column[j];
 }
 
-/// M, without what couples bodies.
+/// J^T w J of a row.
+void add_link(ConeProblem& problem, const ConeLink& c, Real w) {
+  const Elimination& e = *problem.elimination;
+  BlockFactor& f = *problem.factor;
+  const LinkArms a = {c.d_a, c.w_a}, b = {c.d_b, c.w_b};
+  if (c.a != kNobody) add_outer(f.diagonal[e.place[c.a]], w, a, a);
+  if (c.b != kNobody) add_outer(f.diagonal[e.place[c.b]], w, b, b);
+  if (c.below == kNobody) return;
+  add_outer(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
+}
+
+bool is_lock(const ConeLink& c) { return c.k > 0 && c.low == c.high && c.give == 0 && c.most == kInfinity; }
+
+}  // namespace
+
 void assemble_masses(ConeProblem& problem) {
   const Elimination& e = *problem.elimination;
   BlockFactor& f = *problem.factor;
@@ -66,18 +80,6 @@ void assemble_masses(ConeProblem& problem) {
   std::fill(f.below.begin() + e.column[problem.first], f.below.begin() + e.column[problem.last], Block{});
 }
 
-/// J^T w J of a row.
-void add_link(ConeProblem& problem, const ConeLink& c, Real w) {
-  const Elimination& e = *problem.elimination;
-  BlockFactor& f = *problem.factor;
-  const LinkArms a = {c.d_a, c.w_a}, b = {c.d_b, c.w_b};
-  if (c.a != kNobody) add_outer(f.diagonal[e.place[c.a]], w, a, a);
-  if (c.b != kNobody) add_outer(f.diagonal[e.place[c.b]], w, b, b);
-  if (c.below == kNobody) return;
-  add_outer(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
-}
-
-/// J^T w J of a contact that resists in all directions alike.
 void add_sticking(ConeProblem& problem, const ConeContact& c, Real w) {
   const Elimination& e = *problem.elimination;
   BlockFactor& f = *problem.factor;
@@ -88,7 +90,6 @@ void add_sticking(ConeProblem& problem, const ConeContact& c, Real w) {
   add_isotropic(f.below[c.below], -w, later, other);
 }
 
-/// Rows and columns of what is locked: as if nothing touched there.
 void hold_locked(ConeProblem& problem) {
   const auto locked = [](const ConeBody& b) { return b.locks != 0; };
   if (std::ranges::none_of(bodies_of(problem), locked)) return;
@@ -110,7 +111,6 @@ void hold_locked(ConeProblem& problem) {
   std::ranges::for_each(problem.links, hold_below);
 }
 
-/// ConeBody::step from the gradient and the factor.
 void solve_for_steps(ConeProblem& problem, Real sign) {
   const Elimination& e = *problem.elimination;
   for (std::uint32_t i = problem.first; i < problem.last; ++i) {
@@ -121,16 +121,6 @@ void solve_for_steps(ConeProblem& problem, Real sign) {
   solve(e, problem.first, problem.last, *problem.factor, problem.scratch);
   for (std::uint32_t i = problem.first; i < problem.last; ++i) problem.bodies[i].step = problem.scratch[e.place[i]];
 }
-
-/// It bears something, and has friction to spare: it sticks.
-bool is_within_cone(const ConeContact& c) {
-  constexpr Real kShare = 0.99;
-  return c.p != Vec3::zero() && project_on_cone(c.p, c.n, kShare * c.friction) == c.p;
-}
-
-bool is_lock(const ConeLink& c) { return c.k > 0 && c.low == c.high && c.give == 0 && c.most == kInfinity; }
-
-}  // namespace
 
 // With momentum g = J^T p given, p' = J y / R and (M + J^T J / R) y = g: J^T p' = g - M y, and y is as small as R.
 void shed_self_stress(ConeProblem& problem) {
@@ -160,88 +150,6 @@ void shed_self_stress(ConeProblem& problem) {
   if (!(shed2 > kMuch * kMuch * borne2)) return;
   for (ConeLink& c : problem.links)
     if (is_lock(c)) c.p = needed(c);
-}
-
-namespace {
-
-constexpr Real kSoftnessAtRest = 1e-7;  // leaves 1e-11 m/s of 1e-5 m/s in a pyramid of base 10
-
-Real resistance_at_rest(const ConeContact& c) { return kSoftnessAtRest * c.k; }
-
-/// Of the contacts that stick.
-bool find_factor_at_rest(ConeProblem& problem) {
-  problem.sticking = 0;
-  assemble_masses(problem);
-  for (const ConeContact& c : problem.contacts)
-    if (is_within_cone(c)) add_sticking(problem, c, 1 / resistance_at_rest(c));
-  hold_locked(problem);
-  return factor(*problem.elimination, problem.first, problem.last, *problem.factor);
-}
-
-/// Each refinement leaves of a mode that contacts hardly feel, as the sway of a tall stack, R / (R + its share) of what
-/// the last left: a tenth or so.
-constexpr int kRefinements = 4;
-
-/// Undo velocities at contacts that stick, into next_p.
-void stop(ConeProblem& problem) {
-  for (ConeContact& c : problem.contacts) c.next_p = c.p, c.u0 = c.u;
-  for (ConeBody& b : bodies_of(problem)) b.change.set_zero();
-  for (int i = 0; i < kRefinements; ++i) {
-    for (ConeBody& b : bodies_of(problem)) b.gradient.set_zero();
-    for (const ConeContact& c : problem.contacts)
-      if (is_within_cone(c)) add_impulse<&ConeBody::gradient>(problem, c, c.u0 / resistance_at_rest(c));
-    solve_for_steps(problem, -1);
-    for (ConeBody& b : bodies_of(problem)) b.change += b.step;
-    for (ConeContact& c : problem.contacts) {
-      c.u0 += relative<&ConeBody::step>(problem.bodies, c);
-      if (is_within_cone(c)) c.next_p -= c.u0 / resistance_at_rest(c);
-    }
-  }
-}
-
-/// Take the answer of stop() where it is within the cones and no worse than a tolerance.
-void take_stop(ConeProblem& problem, Real tolerance) {
-  const auto swap = [&] {
-    for (ConeContact& c : problem.contacts) std::swap(c.p, c.next_p), std::swap(c.u, c.u0);
-  };
-  swap();
-  if (residual(problem) > tolerance) return swap();
-  for (ConeBody& b : bodies_of(problem)) b.v += b.change;
-}
-
-// With momentum g to be taken away, p' = p - J y / R and (M + J^T J / R) y = g: what is left is M y.
-void balance_loads(ConeProblem& problem) {
-  for (ConeContact& c : problem.contacts) c.next_p = c.p;
-  for (ConeBody& b : bodies_of(problem)) b.gradient = momentum_of(b, b.gained + b.v - b.start);
-  for (int i = 0; i < kRefinements; ++i) {
-    solve_for_steps(problem, 1);
-    for (ConeContact& c : problem.contacts)
-      if (is_within_cone(c)) c.next_p -= relative<&ConeBody::step>(problem.bodies, c) / resistance_at_rest(c);
-    for (ConeBody& b : bodies_of(problem)) b.gradient = momentum_of(b, b.step);
-  }
-  for (ConeContact& c : problem.contacts) c.next_p = project_on_cone(c.next_p, c.n, c.friction);
-}
-
-/// m/s, the most that a contact's velocity changes in a substep of the same loads with next_p.
-Real imbalance(ConeProblem& problem) {
-  for (ConeBody& b : bodies_of(problem)) b.gradient.set_zero();
-  for (const ConeContact& c : problem.contacts) add_impulse<&ConeBody::gradient>(problem, c, c.next_p - c.p);
-  for (ConeBody& b : bodies_of(problem)) b.step = b.gained + b.v - b.start + velocity_of(b, b.gradient);
-  Real most2 = 0;
-  for (const ConeContact& c : problem.contacts)
-    most2 = std::max(most2, relative<&ConeBody::step>(problem.bodies, c).squared_norm());
-  return std::sqrt(most2);
-}
-
-}  // namespace
-
-bool rest(ConeProblem& problem, Real tolerance) {
-  if (!find_factor_at_rest(problem)) return false;
-  stop(problem);
-  take_stop(problem, tolerance);
-  balance_loads(problem);
-  constexpr Real kLasting = 0.1;
-  return imbalance(problem) <= kLasting * tolerance;
 }
 
 Round::Round(ConeProblem& problem, Real softness) : problem_(problem), softness_(softness) {

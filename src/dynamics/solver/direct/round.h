@@ -44,12 +44,16 @@ class Round {
   bool all_stick_ = false;
 };
 
-/// Of an answer in which all lies still: velocities that are within its tolerance are undone too, where that leaves the
-/// impulses within their cones, and contacts start the next substep from impulses that balance what loads give in one.
-/// So velocities stay what they are, which is next to nothing, step after step. The answer's own impulses would not do:
-/// they undid what had gathered before, and would undo it again and again.
-/// @param tolerance  m/s, of the answer   @return false: such impulses were not found
-bool rest(ConeProblem& problem, Real tolerance);
+// ---- Newton's matrix, for others that solve with it ----
+
+/// M, without what couples bodies.
+void assemble_masses(ConeProblem& problem);
+/// J^T w J of a contact that resists in all directions alike.
+void add_sticking(ConeProblem& problem, const ConeContact& c, Real w);
+/// Rows and columns of what is locked: as if nothing touched there.
+void hold_locked(ConeProblem& problem);
+/// ConeBody::step from the gradient and the factor.
+void solve_for_steps(ConeProblem& problem, Real sign);
 
 /// Impulses of locks that do what they do and are no larger than that takes. A ring of joints may hold itself more than
 /// once; what its joints then bear against each other moves nobody, is whatever rounds have left of it, and grows from
