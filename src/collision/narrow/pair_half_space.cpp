@@ -160,13 +160,13 @@ void contact_half_space_polytope(const Shape& a, const Shape& b, const Frame& b_
 }
 
 bool half_space_by_support(const Shape& half_space, const Shape& b, const Frame& b_in_a, Real reach, bool probe,
-                           Candidates& found, std::uint64_t& calls, SupportFault& fault) {
+                           Real lean, Candidates& found, std::uint64_t& calls, SupportFault& fault) {
   const Plane plane(half_space, b_in_a, reach, found);
   const Vec3 e1 = any_perpendicular(plane.n), e2 = plane.n.cross(e1);
   const int before = found.count;
-  for (int k = 0; k <= (probe ? 4 : 0); ++k) {
+  for (int k = 0; k <= (lean > 0 ? 8 : probe ? 4 : 0); ++k) {
     Vec3 dir = -plane.n;
-    if (k > 0) dir += kPlaneTilt * (kFour[k - 1][0] * e1 + kFour[k - 1][1] * e2);
+    if (k > 0) dir += (k <= 4 ? kPlaneTilt : lean) * (kFour[(k - 1) % 4][0] * e1 + kFour[(k - 1) % 4][1] * e2);
     dir /= dir.norm();
     Vec3 x;
     ++calls;
