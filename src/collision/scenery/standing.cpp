@@ -23,8 +23,7 @@ bool SceneryMeeting::stand(const Terms& t, const Piece& piece) {
   plane_.normal = piece.normal, plane_.offset = piece.normal.dot(piece.corner[0]);
   standing_.count = 0;
   const PairEntry& entry = pair_entry(Form::half_space, convex.form);
-  // Of an ellipsoid the routine knows but the deepest point, and a flat one rocks from end to end within a step.
-  if (t.settings.query.routines && entry.routine && convex.form != Form::ellipsoid)
+  if (t.settings.query.routines && entry.routine)
     entry.routine(plane_, convex, t.convex_in_scenery, t.reach, standing_);
   else if (!half_space_by_support(plane_, convex, t.convex_in_scenery, t.reach, true, leaning_tilt(convex, t.reach),
                                   standing_, t.report.support_calls, t.fault))
