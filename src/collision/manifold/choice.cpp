@@ -13,7 +13,7 @@ constexpr Real kSameDepth = 0.01;
 
 }  // namespace
 
-Choice::Choice(const Frame& a, const Pool& pool, Real same_depth, Real loyalty) : pool_(pool) {
+Choice::Choice(const Frame& a, const Pool& pool, Real same_depth, Real level, Real loyalty) : pool_(pool) {
   const Vec3 normal = a.rotate_inverse(pool.point[0]->normal);
   const Vec3 e1 = any_perpendicular(normal), e2 = normal.cross(e1);
   Real deepest = kInfinity, width = 0;
@@ -23,7 +23,7 @@ Choice::Choice(const Frame& a, const Pool& pool, Real same_depth, Real loyalty) 
     width = std::max({width, std::fabs(x_[i] - x_[0]), std::fabs(y_[i] - y_[0])});
   }
   for (int i = 0; i < pool.count; ++i)
-    cost_[i] = std::max(Real(0), pool.point[i]->separation - deepest) / kChoiceTilt +
+    cost_[i] = std::max(Real(0), pool.point[i]->separation - std::max(deepest, level)) / kChoiceTilt +
                (pool.age[i] == 0 ? loyalty * width : Real(0));
   int first = 0;
   while (pool.point[first]->separation > deepest + same_depth) ++first;
@@ -75,7 +75,8 @@ void store(const Frame& a, const ManifoldSettings& settings, const Pool& pool, R
     for (int k = 0; k < pool.count; ++k) put(k, k);
     return;
   }
-  const Choice choice(a, pool, kSameDepth * settings.contact_distance, loyalty);
+  const Real level = settings.sunk_alike ? 0 : -kInfinity;
+  const Choice choice(a, pool, kSameDepth * settings.contact_distance, level, loyalty);
   for (int k = 0; k < Manifold::kMaxPoints; ++k) put(k, choice[k]);
 }
 

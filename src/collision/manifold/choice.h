@@ -21,12 +21,13 @@ struct Pool {
 };
 
 /// The four of a pool of more. All scores are lengths: how far a point widens what is chosen so far (a point, a line, a
-/// triangle, seen along the normal), less its height over the deepest divided by kTilt.
+/// triangle, seen along the normal), less its height over the deepest divided by kChoiceTilt.
 class Choice {
  public:
   /// @param same_depth  m: depths within this are equal
+  /// @param level       m: heights below this are none
   /// @param loyalty     share of the pool's width that a new point (age 0) must add beyond what an old one adds
-  Choice(const Frame& a, const Pool& pool, Real same_depth, Real loyalty = 0);
+  Choice(const Frame& a, const Pool& pool, Real same_depth, Real level, Real loyalty = 0);
 
   int operator[](int k) const { return chosen_[k]; }  // ascending: a point keeps its place
 
