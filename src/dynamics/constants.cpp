@@ -9,6 +9,7 @@
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/least_force_constants.h"
+#include "dynamics/joint/energy_bound.h"
 #include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/sweep_constants.h"
 
@@ -28,7 +29,7 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 
 constexpr auto kConstantTable =
     in_one_table(kPatchConstants, kImpactConstants, kSweepConstants, kFarTurnConstants, kDepthConstants, kAutoConstants,
-                 kConeGroupConstants, kLeastForceConstants);
+                 kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants);
 
 }  // namespace
 

@@ -16,6 +16,7 @@
 #include <span>
 
 #include "dynamics/force/force.h"
+#include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct.h"
@@ -148,7 +149,7 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
       motion.still &= points.speed2[k] < kLiesStill * fall;
     }
     const auto bears = [&](bool moves, std::uint32_t body) {
-      if (moves && turns_far_for_its_shape(world, body, world.plan->substeps * h)) motion = {true, false};
+      if (moves && is_carried(*world.plan, body) && turns_far_for_its_shape(world, body, world.plan->substeps * h)) motion = {true, false};
       if (moves) seen.mark(c.load[body], body, most > deep ? Contacts::kHeavy : Contacts::kLight);
     };
     bears(row.moves_a, row.a), bears(row.moves_b, row.b);
@@ -315,8 +316,12 @@ void auto_begin(const World& world, Solver::Begins to, const StepTime& time) {
 }
 
 void auto_velocities(const World& world, Solver::Solves to, const StepTime& time) {
-  kSoftStep.velocities(world, to, time);
+  WideContacts& wide = *world.wide;
+  heed_impacts(world, wide);
+  begin_far_turns(world, to, wide, time.h);
+  solve_softly(world, to, time);
   solve_groups(world, to, to, time.h, 1 + direct_work(world), world.plan->substeps);
+  end_far_turns(world, to, wide, time.h);
   spare_the_tired(world, to);
 }
 

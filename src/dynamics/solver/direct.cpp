@@ -6,6 +6,7 @@
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/direct/cone_group.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
+#include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/solver.h"
 
 namespace carom::dynamics {
@@ -23,9 +24,12 @@ void direct_begin(const World& world, Solver::Begins to, const StepTime& time) {
 }
 
 void direct_velocities(const World& world, Solver::Solves to, const StepTime& time) {
-  if (world.wide_joints->any()) load_velocities(world, *world.wide);
+  WideContacts& wide = *world.wide;
+  const bool joined = world.wide_joints->any();
+  if (joined) begin_far_turns(world, to, wide, time.h), load_velocities(world, wide);
   bend_joints(world, time.h);
   solve_groups(world, to, to, time.h, 0, world.plan->substeps);
+  if (joined) end_far_turns(world, to, wide, time.h);
 }
 
 void direct_positions(const World& world, Solver::Relaxes to, const StepTime& time) {
