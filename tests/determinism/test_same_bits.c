@@ -216,7 +216,7 @@ static void so_are_those_of_joints(void **state) {
  * soft_step with contacts in floats. 200 steps. */
 static void so_are_those_of_factors_locks_and_belts(void **state) {
   const uint64_t golden[6] = {0xe22e875ce8e11a2bu, 0xa77de7ceccc91855u, 0xb15c2d08bb6fc839u,
-                                      0xf881bc39112031dfu, 0x09cdd376cb79590du, 0x8edf02f13b541c4fu};
+                                      0x0d2a3849a4a460c2u, 0x09cdd376cb79590du, 0x8edf02f13b541c4fu};
   const double belt[3] = {0.75, 0, 0.25}, turn[3] = {0, 0.5, 0};
   uint32_t i;
   int wrong = 0;

@@ -246,7 +246,7 @@ Real ConeGroup::goal(bool is_bounded) const {
 
 void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   const bool is_bounded = work > 0;
-  if (rest_.is_first) rest_.work = rest_.share = work;
+  if (rest_.is_first) rest_.work = rest_.share = is_joined() ? std::max(work, kWorkOfJoined.value) : work;
   rest_.asks = false;
   if (rest_.lasts && repeat(to, tolerance())) return;
   book_repeats();

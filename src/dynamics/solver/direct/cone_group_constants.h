@@ -47,6 +47,10 @@ inline constexpr Constant<std::uint32_t> kMostSteps{
 inline constexpr Constant<std::uint32_t> kWorkOfContact{
     "direct_work_of_contact", 3, "block products", "that a contact takes as long as, in a step of Newton's method",
     "more or fewer: budgets of groups with many points to a body are too small or too large"};
+inline constexpr Constant<std::uint64_t> kWorkOfJoined{
+    "direct_work_of_joined", 50000, "block products",
+    "of a step, for a group of joints and contacts, whatever the others take: what is cut short there throws bodies",
+    "more: ragdolls in a heap stall; fewer: light bodies on joints are thrown"};
 inline constexpr Constant<std::uint32_t> kFromNothing{
     "direct_from_nothing", 40, "steps of Newton",
     "beyond those that are always taken, where contacts bear nothing yet: what surfaces close on starts so in each "
@@ -58,6 +62,6 @@ inline constexpr Constant<std::uint32_t> kExpectedAtRest{
     "fewer: many are solved in one step, which stalls; more: one a step, and walls come late to rest"};
 
 inline constexpr ConstantRow kConeGroupConstants[] = {kFineShare,   kConeShare, kRest,   kJerks,
-                                                      kLongestTurn, kGap,       kAlways, kMostSteps, kWorkOfContact, kFromNothing, kExpectedAtRest};
+                                                      kLongestTurn, kGap,       kAlways, kMostSteps, kWorkOfContact, kWorkOfJoined, kFromNothing, kExpectedAtRest};
 
 }  // namespace carom::dynamics
