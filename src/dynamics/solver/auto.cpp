@@ -258,7 +258,7 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
 void spare_the_tired(const World& world, SolverMemory& memory) {
   const DirectGroups& d = *world.direct;
   for (std::size_t g = 0; g < d.groups(); ++g) {
-    if (!is_far_off(d.answer[g], world.scene.dials)) continue;
+    if (d.rest[g].waits || !is_far_off(d.answer[g], world.scene.dials)) continue;
     for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
       memory.tired_steps[d.bodies[i].slot] = kTiredFor;
   }
@@ -300,13 +300,6 @@ void drop_impulses_of_joints(const World& world) {
   });
 }
 
-/// Block products of a step: no more than about twice what soft contacts of this world would take, nor than the dial.
-std::uint64_t direct_work(const World& world) {
-  const auto most = static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
-  const std::uint64_t points = world.contacts->rows.size();
-  return std::min(most, std::max(kLeastWork.value, kWorkOfPoint * points));
-}
-
 void auto_begin(const World& world, Solver::Begins to, const StepTime& time) {
   choose(world, to, to, to, time.h);
   drop_impulses_of_contacts(world);
@@ -320,7 +313,8 @@ void auto_velocities(const World& world, Solver::Solves to, const StepTime& time
   heed_impacts(world, wide);
   begin_far_turns(world, to, wide, time.h);
   solve_softly(world, to, time);
-  solve_groups(world, to, to, time.h, 1 + direct_work(world), world.plan->substeps);
+  const auto work = static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
+  solve_groups(world, to, to, time.h, 1 + work, world.plan->substeps);
   end_far_turns(world, to, wide, time.h);
   spare_the_tired(world, to);
 }

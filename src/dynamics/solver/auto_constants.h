@@ -62,17 +62,7 @@ inline constexpr Constant<std::uint8_t> kTiredFor{
     "to rest sags for as long"};
 
 
-// Work of a step.
-inline constexpr Constant<std::uint64_t> kWorkOfPoint{
-    "direct_work_of_point", 16, "block products",
-    "of a step for each point that bears, of all groups that the direct solver answers together: some 2 us, twice what "
-    "soft contacts take for a point",
-    "more: a step in which much is solved at once stalls; fewer: heaps that come to rest are given up, and sag"};
-inline constexpr Constant<std::uint64_t> kLeastWork{
-    "direct_least_work", 4000, "block products", "of a step, however few points there are: half a millisecond",
-    "more: small scenes stall, if shortly; fewer: small structures are given up while they move"};
-
 inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kBlow,     kLiesStill, kFewStill,    kFewJoined,
-                                                 kBorneFor,         kBearsFor, kTiredFor,  kWorkOfPoint, kLeastWork};
+                                                 kBorneFor,         kBearsFor, kTiredFor};
 
 }  // namespace carom::dynamics

@@ -44,27 +44,27 @@ void direct_end(const World& world, Poses&, const StepTime&) {
 
 }  // namespace
 
-/// What those groups may take that ask for an answer in the first substep: those that move share the work, each for as
-/// many steps of Newton's method; those at rest as much again, one after the other, the worst first. What is left out goes
-/// on as it is: it takes a while until anybody sees that.
+/// What those groups may take that ask for an answer in the first substep: each its own, unless all that move would take
+/// more than there is, then all as much less; those at rest one after the other, the worst first, until there is none
+/// left. What is left out goes on as it is: it takes a while until anybody sees that.
 static void share_out(DirectGroups& d, std::uint64_t work) {
   const auto is_joined = [&](std::uint32_t g) { return d.begin[g].link < d.begin[g + 1].link; };
   const auto shares = [&](std::uint32_t g) { return d.rest[g].asks && d.rest[g].is_bounded && !is_joined(g); };
-  std::uint64_t asked = 0;
   Array<std::uint32_t>& urgent = d.elimination.scratch.member;
   urgent.clear();
+  std::uint64_t expected = 0;
   for (std::uint32_t g = 0; g < d.groups(); ++g) {
     if (!shares(g)) continue;
-    if (d.rest[g].lies)
-      urgent.push_back(g);
-    else
-      asked += d.newton_work(g);
-  }
-  for (std::uint32_t g = 0; g < d.groups(); ++g) {
     GroupRest& rest = d.rest[g];
-    if (!shares(g)) continue;
-    rest.share = rest.lies ? std::max<std::uint64_t>(work, kExpectedAtRest * d.newton_work(g)) : work * d.newton_work(g) / asked;
-    rest.work = rest.share;
+    if (rest.lies) urgent.push_back(g);
+    if (rest.at_once)
+      rest.work = rest.share = std::max(rest.share, kExpectedAtRest * d.newton_work(g));
+    else
+      expected += std::min(rest.share, kExpectedOfMoving * d.newton_work(g));
+  }
+  for (std::uint32_t g = 0; g < d.groups() && expected > work; ++g) {
+    GroupRest& rest = d.rest[g];
+    if (shares(g) && !rest.at_once) rest.work = rest.share = rest.share * work / expected;
   }
   std::ranges::sort(urgent, [&](std::uint32_t a, std::uint32_t b) {
     const Real of_a = d.answer[a].residual, of_b = d.answer[b].residual;

@@ -20,6 +20,8 @@ struct GroupRest {
   bool is_to_be_still = false;  // a few bodies that lie still, which is to stay so
   bool is_too_large = false;  // to be factored
   bool asks = false;          // for an answer, in this substep
+  bool at_once = false;       // it takes its work in the first substep: at rest, or so large that a share would not do
+  bool is_close = false;      // an answer of this step was, to what is right
   bool waits = false;         // for the next step with it
   bool stood = false;         // @see ConeProblem::stood
   bool lies = false;          // all its contacts move less than anybody sees

@@ -246,16 +246,17 @@ Real ConeGroup::goal(bool is_bounded) const {
 
 void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   const bool is_bounded = work > 0;
-  if (rest_.is_first) rest_.work = rest_.share = is_joined() ? std::max(work, kWorkOfJoined.value) : work;
+  if (rest_.is_first) rest_.work = rest_.share = own_work(work);
   rest_.asks = false;
   if (rest_.lasts && repeat(to, tolerance())) return;
   book_repeats();
   if (rest_.has_moved) turn_frames(), measure();  // should it not lie still any more
   rest_.least = start(h);
   rest_.lies = lies_still();
-  rest_.waits &= rest_.lies;
+  rest_.at_once = rest_.lies || (rest_.is_bounded && rest_.stood && kExpectedAtRest * work_ > own_work(work));
+  rest_.waits = rest_.lies ? rest_.waits : rest_.at_once && rest_.is_close;
   rest_.is_bounded = is_bounded && !(problem_.stood && starts_from_nothing(problem_));
-  if (rest_.is_too_large || rest_.gave_up || takes_all_of(work)) return go_on_by_sweeps(to);
+  if (rest_.is_too_large || rest_.gave_up || takes_all_of(own_work(work))) return go_on_by_sweeps(to);
   rest_.goal = goal(is_bounded);
   answer_ = {};
   answer_.residual = residual(problem_);
@@ -264,9 +265,15 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   if (!rest_.asks) finish(to);
 }
 
-/// It moves, and one factorisation is more than there is for the step.
+/// Block products that it may take in a step, whatever others there are.
+std::uint64_t ConeGroup::own_work(std::uint64_t most) const {
+  if (is_joined()) return std::max(most, kWorkOfJoined.value);
+  return std::min(most, std::max(kLeastWork.value, kWorkOfPoint * problem_.contacts.size()));
+}
+
+/// It moves, and one step of Newton's method is more than there is for the step of the world.
 bool ConeGroup::takes_all_of(std::uint64_t work) const {
-  return rest_.is_bounded && !rest_.lies && !is_joined() && work_ > work;
+  return rest_.is_bounded && !rest_.at_once && !is_joined() && work_ > work;
 }
 
 /// Where it gave up its impulses say little: from nothing on. Else two a substep, as soft contacts take; those answer it
@@ -282,7 +289,7 @@ void ConeGroup::go_on_by_sweeps(Velocities& to) {
 }
 
 void ConeGroup::solve(Velocities& to, Real h, int substeps) {
-  const std::uint64_t work = rest_.lies ? rest_.work : rest_.share / static_cast<std::uint64_t>(substeps);
+  const std::uint64_t work = rest_.at_once ? rest_.work : rest_.share / static_cast<std::uint64_t>(substeps);
   if (!rest_.waits) answer(h, allowed_steps(work));
   finish(to);
 }
@@ -302,6 +309,7 @@ void ConeGroup::answer(Real h, std::uint32_t most_steps) {
   }
   refuse_gain(goal, most_steps);
   book_work();
+  rest_.is_close = answer_.residual < world_.scene.dials[Dial::velocity_tolerance];
   rest_.gave_up |= rest_.is_bounded && !is_joined() && is_far_off(answer_, world_.scene.dials);
 }
 

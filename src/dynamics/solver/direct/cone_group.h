@@ -40,6 +40,7 @@ class ConeGroup {
   void find_from_nothing(Real goal, std::uint32_t most_steps);
   Real tolerance() const;
   Real goal(bool is_bounded) const;
+  std::uint64_t own_work(std::uint64_t most) const;
   bool takes_all_of(std::uint64_t work) const;
   void go_on_by_sweeps(Velocities& to);
   void answer(Real h, std::uint32_t most_steps);

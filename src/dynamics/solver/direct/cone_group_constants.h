@@ -47,6 +47,19 @@ inline constexpr Constant<std::uint32_t> kMostSteps{
 inline constexpr Constant<std::uint32_t> kWorkOfContact{
     "direct_work_of_contact", 3, "block products", "that a contact takes as long as, in a step of Newton's method",
     "more or fewer: budgets of groups with many points to a body are too small or too large"};
+inline constexpr Constant<std::uint64_t> kWorkOfPoint{
+    "direct_work_of_point", 16, "block products",
+    "of a step that a group may take for each of its points: some 2 us, twice what soft contacts take for a point",
+    "more: a step in which a heap is solved at once stalls; fewer: heaps that come to rest are given up, and sag"};
+inline constexpr Constant<std::uint64_t> kLeastWork{
+    "direct_least_work", 4000, "block products",
+    "of a step that a group may take, however few its points: half a millisecond",
+    "more: small scenes stall, if shortly; fewer: small structures are given up while they move"};
+inline constexpr Constant<std::uint32_t> kExpectedOfMoving{
+    "direct_expected_moving", 10, "steps of Newton",
+    "that a group that moves is expected to take in a step: where all of them together would take more than there is, all "
+    "have less",
+    "fewer: many groups that move stall the step together; more: what moves hears of groups far away"};
 inline constexpr Constant<std::uint64_t> kWorkOfJoined{
     "direct_work_of_joined", 50000, "block products",
     "of a step, for a group of joints and contacts, whatever the others take: what is cut short there throws bodies",
@@ -62,6 +75,6 @@ inline constexpr Constant<std::uint32_t> kExpectedAtRest{
     "fewer: many are solved in one step, which stalls; more: one a step, and walls come late to rest"};
 
 inline constexpr ConstantRow kConeGroupConstants[] = {kFineShare,   kConeShare, kRest,   kJerks,
-                                                      kLongestTurn, kGap,       kAlways, kMostSteps, kWorkOfContact, kWorkOfJoined, kFromNothing, kExpectedAtRest};
+                                                      kLongestTurn, kGap,       kAlways, kMostSteps, kWorkOfContact, kWorkOfPoint, kLeastWork, kExpectedOfMoving, kWorkOfJoined, kFromNothing, kExpectedAtRest};
 
 }  // namespace carom::dynamics
