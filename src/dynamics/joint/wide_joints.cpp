@@ -44,10 +44,12 @@ void note_parts(const World& world, Joints& joints, Joint& joint) {
   count(+EffectId::joint_motors, any([](const JointDrive& d) { return d.motor.on; }) || axes.driven, joint.without_motors);
 }
 
+/// Whether it takes part in the step. One end may sleep while the other is awake in a snapshot that somebody has changed.
+bool is_awake(const World& world, std::uint32_t body) { return moves(world, body) && !world.state.sleeps(body); }
+
 bool is_active(const World& world, const Joint& joint) {
   if (joint.broken || forbids(world, +EffectId::joints, joint.def)) return false;
-  const auto awake = [&](std::uint32_t body) { return moves(world, body) && !world.state.sleeps(body); };
-  return awake(joint.def.body_a) || awake(joint.def.body_b);
+  return is_awake(world, joint.def.body_a) || is_awake(world, joint.def.body_b);
 }
 
 std::uint32_t solver_body(const World& world, std::uint32_t body) {
@@ -268,7 +270,7 @@ void link_joints(const World& world, const StepTime&) {
   c.links.clear();
   for (const std::uint32_t j : world.wide_joints->active) {
     const JointDef& def = world.joints.joint[j].def;
-    c.links.push_back({def.body_a, def.body_b, moves(world, def.body_a), moves(world, def.body_b)});
+    c.links.push_back({def.body_a, def.body_b, is_awake(world, def.body_a), is_awake(world, def.body_b)});
   }
 }
 
