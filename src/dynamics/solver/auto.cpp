@@ -258,7 +258,7 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
 void spare_the_tired(const World& world, SolverMemory& memory) {
   const DirectGroups& d = *world.direct;
   for (std::size_t g = 0; g < d.groups(); ++g) {
-    if (d.rest[g].waits || !is_far_off(d.answer[g], world.scene.dials)) continue;
+    if (d.rest[g].waits || d.rest[g].lies || !is_far_off(d.answer[g], world.scene.dials)) continue;
     for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
       memory.tired_steps[d.bodies[i].slot] = kTiredFor;
   }

@@ -253,9 +253,9 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   if (rest_.has_moved) turn_frames(), measure();  // should it not lie still any more
   rest_.least = start(h);
   rest_.lies = lies_still();
-  rest_.at_once = rest_.lies || (rest_.is_bounded && rest_.stood && kExpectedAtRest * work_ > own_work(work));
-  rest_.waits = rest_.lies ? rest_.waits : rest_.at_once && rest_.is_close;
   rest_.is_bounded = is_bounded && !(problem_.stood && starts_from_nothing(problem_));
+  rest_.at_once = rest_.lies || (rest_.is_bounded && rest_.stood && kExpectedAtRest * work_ > own_work(work));
+  rest_.waits = rest_.at_once && (rest_.is_close || (rest_.lies && rest_.waits));
   if (rest_.is_too_large || rest_.gave_up || takes_all_of(own_work(work))) return go_on_by_sweeps(to);
   rest_.goal = goal(is_bounded);
   answer_ = {};
@@ -310,7 +310,7 @@ void ConeGroup::answer(Real h, std::uint32_t most_steps) {
   refuse_gain(goal, most_steps);
   book_work();
   rest_.is_close = answer_.residual < world_.scene.dials[Dial::velocity_tolerance];
-  rest_.gave_up |= rest_.is_bounded && !is_joined() && is_far_off(answer_, world_.scene.dials);
+  rest_.gave_up |= rest_.is_bounded && !rest_.lies && !is_joined() && is_far_off(answer_, world_.scene.dials);
 }
 
 void ConeGroup::finish(Velocities& to) {

@@ -70,7 +70,7 @@ inline constexpr Constant<std::uint32_t> kFromNothing{
     "substep, and moves",
     "fewer: pinched bodies are squeezed out faster; more: a blow through a wreck stalls the step"};
 inline constexpr Constant<std::uint32_t> kExpectedAtRest{
-    "direct_expected_at_rest", 8, "steps of Newton",
+    "direct_expected_at_rest", 16, "steps of Newton",
     "that a group at rest is expected to take when it is solved anew: of many that ask at once the others wait",
     "fewer: many are solved in one step, which stalls; more: one a step, and walls come late to rest"};
 
