@@ -255,7 +255,7 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   rest_.lies = lies_still();
   rest_.is_bounded = is_bounded && !(problem_.stood && starts_from_nothing(problem_));
   rest_.at_once = rest_.lies || (rest_.is_bounded && rest_.stood && kExpectedAtRest * work_ > own_work(work));
-  rest_.waits = rest_.at_once && (rest_.is_close || (rest_.lies && rest_.waits));
+  rest_.waits = rest_.is_bounded && rest_.at_once && (rest_.is_close || (rest_.lies && rest_.waits));
   if (rest_.is_too_large || rest_.gave_up || takes_all_of(own_work(work))) return go_on_by_sweeps(to);
   rest_.goal = goal(is_bounded);
   answer_ = {};
