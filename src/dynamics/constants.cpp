@@ -6,6 +6,7 @@
 #include "collision/manifold/patch_constants.h"
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/impact_points.h"
+#include "dynamics/contact/twist_share.h"
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/least_force_constants.h"
@@ -27,8 +28,8 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 }
 
 constexpr auto kConstantTable =
-    in_one_table(kPatchConstants, kImpactConstants, kSweepConstants, kFarTurnConstants, kDepthConstants, kAutoConstants,
-                 kConeGroupConstants, kLeastForceConstants);
+    in_one_table(kPatchConstants, kImpactConstants, kPatchFrictionConstants, kSweepConstants, kFarTurnConstants,
+                 kDepthConstants, kAutoConstants, kConeGroupConstants, kLeastForceConstants);
 
 }  // namespace
 

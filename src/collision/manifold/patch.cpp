@@ -254,6 +254,7 @@ bool find_patch(const PatchPair& pair, const ContactPoint& nearest, const PatchT
 void adopt_patch(const PatchPair& pair, const Candidates& found, const ManifoldSettings& settings, Manifold& manifold,
                  PatchMemory& memory) {
   adopt(pair.frame_a, found.point, found.count, settings, manifold);
+  manifold.has_more_corners |= found.on_rim && manifold.count == Manifold::kMaxPoints;
   const auto flat = [](Form f) { return f == Form::box || f == Form::polytope || f == Form::half_space; };
   memory.firm = false;
   if (manifold.count == 0 || !flat(pair.a.form) || !flat(pair.b.form)) return;

@@ -53,11 +53,11 @@ struct Plane {
 };
 
 /// The direction across y in which a rim around y dips deepest; x where the plane is square to y.
-/// Below 1e-9 rad of tilt the whole rim is deepest, to 1e-9 of its radius, and a fixed direction keeps its points in
-/// place.
+/// Below 1e-5 rad of tilt the whole rim is deepest, to 3e-6 of its radius, and a fixed direction keeps its points in
+/// place: those of a coin that slides would wander round it, and what they bear would be lost in each step.
 Vec3 down_rim(const Vec3& n) {
   const Real across = std::sqrt(n.x() * n.x() + n.z() * n.z());
-  return across > 1e-9 ? Vec3(-n.x() / across, 0, -n.z() / across) : Vec3(Vec3::unit_x());
+  return across > 1e-5 ? Vec3(-n.x() / across, 0, -n.z() / across) : Vec3(Vec3::unit_x());
 }
 
 /// Four points of a rim of given radius at height y, the deepest first.
@@ -107,6 +107,7 @@ void contact_half_space_cylinder(const Shape& a, const Shape& b, const Frame& b_
   const Vec3 down = down_rim(plane.n);
   const Real bottom = plane.n.y() > 0 ? -b.half_height : b.half_height;
   add_rim(plane, b.radius, bottom, down);
+  found.on_rim = found.count == 4;
   plane.add(Vec3(0, -bottom, 0) + b.radius * down, 5);  // the other end of the line it lies on
   found.whole = true;
 }
@@ -115,6 +116,7 @@ void contact_half_space_cone(const Shape& a, const Shape& b, const Frame& b_in_a
   const Plane plane(a, b_in_a, reach, found);
   plane.add(Vec3(0, b.half_height, 0), 5);
   add_rim(plane, b.radius, -b.half_height, down_rim(plane.n));
+  found.on_rim = found.count == 4 && found.point[0].feature == 1;
   found.whole = true;
 }
 

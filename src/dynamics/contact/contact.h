@@ -26,11 +26,14 @@ struct alignas(64) Row {
   bool on_rim;              // the friction impulse is as large as the cone allows
   bool moves_a, moves_b;    // an impulse moves it
   bool one_normal;          // all rows of its pair have the same
+  bool slides;              // its pair does as the step begins: friction acts at the middle of its loads
+  bool rubs_by_load;        // likewise, and the loads that it starts from are known
   Real friction;            // mixed Coulomb coefficient
 
   Vec3 p;              // N s, impulse on B in this substep so far, world; between substeps, what the next starts from
   Real restitution;    // mixed; 0: does not bounce
   std::uint32_t a, b;  // body slots
+  Real twist_share;    // of its pair, @see twist_share()
 
   /// Set the impulse and what follows from it.
   void set_impulse(const Vec3& impulse) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dynamics/solver/contact_kernels.h"
+#include "dynamics/solver/sweep_constants.h"
 
 namespace carom::dynamics {
 namespace {
@@ -67,7 +68,43 @@ CAROM_LANES_INLINE LaneSymmetricOf<Number> symmetric(const double* const* of) {
           rounded<Number>(m.column[1].y), rounded<Number>(m.column[2].y), rounded<Number>(m.column[2].z)};
 }
 
-/// Points where Arms sees them, friction at the middle of a pair's, from the impulses that its rows start with.
+/// @param slide  @see LaneSources
+CAROM_LANES_INLINE bool some_slide(Lanes slide) { return slide[0] + slide[1] + slide[2] + slide[3] > 0; }
+
+/// By what the points of four pairs share in the place where friction acts. That is the middle of their loads: what
+/// bears nothing, as points in the air under a cylinder that rolls, has no part in it. Where loads are not known those
+/// count that are as near as the nearest, to kTouching of their distance, all alike; in a pair that sticks all do.
+struct LoadShares {
+  Lanes of[kPairPoints];
+
+  /// @param slide, by_load  @see LaneSources   @param load  [count] N s, normal impulses   @param gap, arm  [count] m
+  CAROM_LANES_INLINE LoadShares(Lanes slide, Lanes by_load, const Lanes* load, const Lanes* gap, const LaneVec* arm,
+                                int count) {
+    const Lanes even = all(1.0 / count);
+    for (int k = 0; k < count; ++k) of[k] = even;
+    if (!some_slide(slide)) return;
+    Lanes whole = all(0), least = gap[0], width2 = all(0);
+    for (int k = 0; k < count; ++k) {
+      const LaneVec apart = arm[k] - arm[0];
+      whole += load[k];
+      least = gap[k] < least ? gap[k] : least;
+      width2 = larger(inner(apart, apart), width2);
+    }
+    const auto bears = (whole > 0) & (by_load > 0);
+    const Lanes near = all(kTouching.value) * square_root(width2);
+    Lanes sum = all(0), weight[kPairPoints];
+    for (int k = 0; k < count; ++k) {
+      const Lanes touches = gap[k] - least <= near ? all(1) : all(0);
+      weight[k] = bears ? load[k] : touches;
+      sum += weight[k];
+    }
+    const auto any = (sum > 0) & (slide > 0);
+    const Lanes per = 1 / (any ? sum : all(1));
+    for (int k = 0; k < count; ++k) of[k] = any ? per * weight[k] : even;
+  }
+};
+
+/// Points where Arms sees them, friction at their middle or that of their loads, from the impulses that rows start with.
 template <class Number>
 void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
   for (std::size_t i = 0; i < run.count; ++i) {
@@ -79,9 +116,9 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
     const LaneVec apart = vector_at(of.x_b, 0) - vector_at(of.x_a, 0);
     const Lanes radius_a = number_at(of.geometry, kGeometryRadiusA),
                 radius_b = number_at(of.geometry, kGeometryRadiusB);
-    const Lanes part = all(1.0 / count);
     const LaneVec zero = {all(0), all(0), all(0)};
-    LaneVec arm[kPairPoints], middle_a = zero, middle_b = zero, l_a = zero, l_b = zero;
+    LaneVec arm[kPairPoints], at_a[kPairPoints], at_b[kPairPoints];
+    Lanes load[kPairPoints], gap[kPairPoints];
     const double *row[kLanes], *geometry[kLanes];
     const auto look_at = [&](int k) __attribute__((always_inline)) {
       for (int lane = 0; lane < kLanes; ++lane) {
@@ -91,14 +128,21 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
     };
     for (int k = 0; k < count; ++k) {
       look_at(k);
-      const LaneVec n = vector_at(row, kRowNormal), at_a = vector_at(geometry, kGeometryA),
-                    at_b = vector_at(geometry, kGeometryB);
-      const LaneVec on_a = r_a * at_a + radius_a * n, on_b = apart + (r_b * at_b - radius_b * n);
+      const LaneVec n = vector_at(row, kRowNormal);
+      at_a[k] = vector_at(geometry, kGeometryA), at_b[k] = vector_at(geometry, kGeometryB);
+      const LaneVec on_a = r_a * at_a[k] + radius_a * n, on_b = apart + (r_b * at_b[k] - radius_b * n);
       arm[k] = on_a + of.to_b * (on_b - on_a);
-      middle_a = middle_a + part * arm[k];
-      middle_b = middle_b + part * (arm[k] - apart);
-      l_a = l_a + part * at_a;
-      l_b = l_b + part * at_b;
+      gap[k] = number_at(geometry, kGeometrySeparation);
+      load[k] = larger(inner(vector_at(row, kRowImpulse), n), all(0));
+    }
+    const LoadShares share(of.slide, of.by_load, load, gap, arm, count);
+    const Lanes part = all(1.0 / count);
+    LaneVec middle_a = zero, middle_b = zero, l_a = zero, l_b = zero;
+    for (int k = 0; k < count; ++k) {
+      middle_a = middle_a + share.of[k] * arm[k];
+      middle_b = middle_b + share.of[k] * (arm[k] - apart);
+      l_a = l_a + part * at_a[k];  // the points of a body are held as one, wherever its friction acts
+      l_b = l_b + part * at_b[k];
     }
     const LaneVec n = vector_at(of.row, kRowNormal), t = tangent_of(n);
     LaneVec force = zero;
@@ -112,8 +156,8 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
       force = force + sideways;
       twist += inner(cross(d, sideways), n);
       point.d = rounded<Number>(d);
-      point.gap = point.separation = rounded<Number>(number_at(geometry, kGeometrySeparation));
-      point.reach = rounded<Number>(square_root(inner(d, d)));
+      point.gap = point.separation = rounded<Number>(gap[k]);
+      point.reach = rounded<Number>(of.twist_share * square_root(inner(d, d)));
       point.p_n = rounded<Number>(p_n);
       point.sum_n = point.push = all<Number>(0);
       point.n = rounded<Number>(n_k);
@@ -126,6 +170,8 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
     pair.r_b = rounded<Number>(middle_b + LaneMatrix(of.held_b) * l_b);
     pair.radius_a = rounded<Number>(radius_a), pair.radius_b = rounded<Number>(radius_b);
     pair.friction = rounded<Number>(of.friction);
+    pair.slide = rounded<Number>(of.slide);
+    pair.slides = some_slide(of.slide);
     pair.bounce_speed = rounded<Number>(of.bounce_speed);
     pair.bias_rate = pair.mass_scale = pair.impulse_scale = all<Number>(0);
     pair.p_t = rounded<Number>(inner(force, t));
@@ -135,11 +181,11 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
   }
 }
 
-/// How friction of four pairs, a force and a twist at the middle of their points, is shared among them: by their loads,
+/// How friction of four pairs, a force and a twist about where it acts, is shared among them: by their loads,
 /// turned about the point at which those loads act together. Added up again it is what it was.
 class FrictionShares {
  public:
-  /// @param load  [count] N s, normal impulses   @param twist  N m s, about the middle
+  /// @param load  [count] N s, normal impulses   @param twist  N m s, about where it acts
   template <class Number>
   CAROM_LANES_INLINE FrictionShares(const PointLanesOf<Number>* points, const Lanes* load, int count, const LaneVec& n,
                                     const LaneVec& force, Lanes twist)
@@ -163,7 +209,7 @@ class FrictionShares {
     const auto turns = any & (moment > 1e-9 * whole * most);
     turn_ = turns ? (twist - inner(cross(centre_, force), n)) / (turns ? moment : all(1)) : all(0);
   }
-  /// N s, friction at a point   @param d  m, from the middle   @param load  N s
+  /// N s, friction at a point   @param d  m, from where it acts   @param load  N s
   CAROM_LANES_INLINE LaneVec at(const LaneVec& d, Lanes load) const {
     return load * (slide_ + turn_ * cross(n_, d - centre_));
   }

@@ -15,11 +15,25 @@ void add(Block& d, int row, int column, const Mat3& m) {
 
 /// J^T w J of one body, J = [1, -x].
 void add_own(Block& d, const Mat3& w, const Mat3& x, const Mat3& wx) {
+  const Mat3 turned = x.transpose();
   add(d, 0, 0, w);
   add(d, 0, 3, -wx);
-  add(d, 3, 0, x * w);
-  add(d, 3, 3, -(x * wx));
+  add(d, 3, 0, -(turned * w));
+  add(d, 3, 3, turned * wx);
 }
+
+/// What add_isotropic() leaves out where normal impulses have a moment of their own, @see ConeContact::n_a.
+void add_moments(Block& d, Real w, const Vec3& n, const Vec3& r_a, const Vec3& n_a, const Vec3& r_b, const Vec3& n_b) {
+  const Vec3 turn = w * (r_a.cross(n) + n_a), other = w * r_b.cross(n);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      d.x[i][3 + j] += w * n[i] * n_b[j];
+      d.x[3 + i][j] += w * n_a[i] * n[j];
+      d.x[3 + i][3 + j] += turn[i] * n_b[j] + n_a[i] * other[j];
+    }
+}
+/// x of J = [1, -x].
+Mat3 turning(const Vec3& r, const Vec3& n, const Vec3& moment) { return cross_matrix(r) - outer(n, moment); }
 
 /// J_a^T w J_b = w [1, -x_b; x_a, -x_a x_b] with a number for w, x_a x_b = r_b r_a^T - r_a.r_b.
 void add_isotropic(Block& d, Real w, const Vec3& r_a, const Vec3& r_b) {
@@ -217,15 +231,21 @@ void Round::assemble(Real still) {
     if (c.p == Vec3::zero() && !at_tip) continue;  // off the cone: no curvature
     if (c.p == pulled || at_tip) {                 // inside: the same in all directions
       const Real w = 1 / resistance(c);
-      if (c.a != kNobody) add_isotropic(f.diagonal[e.place[c.a]], w, c.r_a, c.r_a);
-      if (c.b != kNobody) add_isotropic(f.diagonal[e.place[c.b]], w, c.r_b, c.r_b);
+      const auto put = [&](Block& d, Real weight, const Vec3& r, const Vec3& m, const Vec3& r_other, const Vec3& other) {
+        add_isotropic(d, weight, r, r_other);
+        if (m != Vec3::zero() || other != Vec3::zero()) add_moments(d, weight, c.n, r, m, r_other, other);
+      };
+      if (c.a != kNobody) put(f.diagonal[e.place[c.a]], w, c.r_a, c.n_a, c.r_a, c.n_a);
+      if (c.b != kNobody) put(f.diagonal[e.place[c.b]], w, c.r_b, c.n_b, c.r_b, c.n_b);
       if (c.below == kNobody) continue;
-      const Vec3 &later = c.a_later ? c.r_a : c.r_b, &other = c.a_later ? c.r_b : c.r_a;
-      add_isotropic(f.below[c.below], -w, later, other);
+      if (c.a_later)
+        put(f.below[c.below], -w, c.r_a, c.n_a, c.r_b, c.n_b);
+      else
+        put(f.below[c.below], -w, c.r_b, c.n_b, c.r_a, c.n_a);
       continue;
     }
     const Mat3 w = slope_of_projection(pulled, c.n, c.friction) / resistance(c);
-    const Mat3 x_a = cross_matrix(c.r_a), x_b = cross_matrix(c.r_b), w_a = w * x_a, w_b = w * x_b;
+    const Mat3 x_a = turning(c.r_a, c.n, c.n_a), x_b = turning(c.r_b, c.n, c.n_b), w_a = w * x_a, w_b = w * x_b;
     if (c.a != kNobody) add_own(f.diagonal[e.place[c.a]], w, x_a, w_a);
     if (c.b != kNobody) add_own(f.diagonal[e.place[c.b]], w, x_b, w_b);
     if (c.below == kNobody) continue;
@@ -233,8 +253,8 @@ void Round::assemble(Real still) {
     const Mat3 &x = c.a_later ? x_a : x_b, &other = c.a_later ? w_b : w_a;
     add(d, 0, 0, -w);
     add(d, 0, 3, other);
-    add(d, 3, 0, -(x * w));
-    add(d, 3, 3, x * other);
+    add(d, 3, 0, x.transpose() * w);
+    add(d, 3, 3, -(x.transpose() * other));
   }
   for (const ConeLink& c : problem_.links) {
     const Real r = softness_ * c.k;
