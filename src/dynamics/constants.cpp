@@ -6,7 +6,7 @@
 #include "collision/manifold/patch_constants.h"
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/impact_points.h"
-#include "dynamics/contact/twist_share.h"
+#include "dynamics/contact/slide.h"
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/least_force_constants.h"

@@ -52,21 +52,35 @@ struct Plane {
   }
 };
 
-/// The direction across y in which a rim around y dips deepest; x where the plane is square to y.
-/// Below 1e-5 rad of tilt the whole rim is deepest, to 3e-6 of its radius, and a fixed direction keeps its points in
-/// place: those of a coin that slides would wander round it, and what they bear would be lost in each step.
+/// A rim around y is level below this tilt (rad): four points in fixed directions are then as good as the deepest and
+/// three beside it, to 3e-6 of its radius. Those of a coin that slides would turn with what it tips by, 1e-8 rad, which
+/// is across its way: friction of four points is not the same in all directions.
+constexpr Real kLevel = 1e-5;
+
+Real across_y(const Vec3& n) { return std::sqrt(n.x() * n.x() + n.z() * n.z()); }
+/// The direction across y in which a rim around y dips deepest; x where it is level.
 Vec3 down_rim(const Vec3& n) {
-  const Real across = std::sqrt(n.x() * n.x() + n.z() * n.z());
-  return across > 1e-5 ? Vec3(-n.x() / across, 0, -n.z() / across) : Vec3(Vec3::unit_x());
+  const Real across = across_y(n);
+  return across > kLevel ? Vec3(-n.x() / across, 0, -n.z() / across) : Vec3(Vec3::unit_x());
 }
 
-/// Four points of a rim of given radius at height y, the deepest first.
+/// Points of a rim of given radius at height y. Of one that is steeper than 45 degrees the deepest alone: others are in
+/// the air, and what rolls does not come to stand on them, however far it turns in a step. Else four: the deepest
+/// first, or where it is level in fixed directions, the deepest of them sunk to where the rim is deepest, so that the
+/// distance is that of the rim.
 void add_rim(const Plane& plane, Real radius, Real y, const Vec3& down) {
   const Vec3 side(down.z(), 0, -down.x());
-  plane.add(Vec3(0, y, 0) + radius * down, 1);
-  plane.add(Vec3(0, y, 0) + radius * side, 2);
-  plane.add(Vec3(0, y, 0) - radius * down, 3);
-  plane.add(Vec3(0, y, 0) - radius * side, 4);
+  const Vec3 way[4] = {down, side, -down, -side};
+  const Real across = across_y(plane.n);
+  int deepest = 0;
+  for (int k = 1; k < 4; ++k)
+    if (plane.n.dot(way[k]) < plane.n.dot(way[deepest])) deepest = k;
+  const int count = across * across > 0.5 ? 1 : 4;
+  for (int k = 0; k < count; ++k) {
+    Vec3 x = Vec3(0, y, 0) + radius * way[k];
+    if (k == deepest && across <= kLevel) x -= radius * (plane.n.dot(way[k]) + across) * plane.n;
+    plane.add(x, static_cast<std::uint32_t>(k + 1));
+  }
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "dynamics/body_state.h"
 #include "dynamics/contact/contact.h"
-#include "dynamics/contact/twist_share.h"
+#include "dynamics/contact/slide.h"
 #include "dynamics/warm_scale.h"
 
 namespace carom::dynamics {
@@ -87,48 +87,6 @@ std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
   return m.moves_a || m.moves_b ? place.points : 0;
 }
 
-/// Whether a pair slips at one of its points: only of what slides does it matter where between them friction acts, and
-/// how sliding and spinning share it. What sticks keeps one place, whatever its loads do. One point has but one place, and
-/// what is yet to meet bears nothing. What overlaps by more than points are looked for apart has no patch: it parts.
-bool slides(const World& world, std::uint32_t first, int count) {
-  const Contacts& c = *world.contacts;
-  const State& s = world.state;
-  const Row& row = c.rows[first];
-  if (count == 1 || !(row.friction > 0)) return false;
-  constexpr Real kLeast2 = kCreeps.value * kCreeps.value;
-  const Real turn_a2 = s.omega[row.a].squared_norm(), turn_b2 = s.omega[row.b].squared_norm();
-  Real reach_a2 = 0, reach_b2 = 0;
-  bool touches = false;
-  Real deepest = 0;
-  for (std::uint32_t k = first; k < first + static_cast<std::uint32_t>(count); ++k) {
-    const RowGeometry& g = c.geometry[k];
-    reach_a2 = std::max(reach_a2, g.l_a.squared_norm()), reach_b2 = std::max(reach_b2, g.l_b.squared_norm());
-    deepest = std::min(deepest, g.separation);
-    touches |= g.separation <= 0 || c.rows[k].p != Vec3::zero();
-  }
-  if (!touches || deepest < -world.scene.dials[Dial::contact_distance]) return false;
-  // Without a root, and without turning what rests: no point can slip as fast.
-  const Real apart2 = (s.v[row.b] - s.v[row.a]).squared_norm();
-  if (4 * (apart2 + turn_a2 * reach_a2 + turn_b2 * reach_b2) <= kLeast2) return false;
-  for (std::uint32_t k = first; k < first + static_cast<std::uint32_t>(count); ++k) {
-    const Arms arms(world, c.rows[k], c.geometry[k]);
-    const Vec3 u = relative_velocity(s, c.rows[k], arms.a, arms.b);
-    if ((u - u.dot(row.n) * row.n).squared_norm() > kLeast2) return true;
-  }
-  return false;
-}
-
-/// Whether friction starts from most of what the loads allow: loads of what tips, rolls or parts will not stay.
-bool rubs(const Contacts& c, std::uint32_t first, int count) {
-  Real load = 0, rub = 0;
-  for (std::uint32_t k = first; k < first + static_cast<std::uint32_t>(count); ++k) {
-    const Row& row = c.rows[k];
-    const Real normal = row.p.dot(row.n);
-    load += row.friction * normal, rub += (row.p - normal * row.n).norm();
-  }
-  return 2 * rub > load;
-}
-
 /// The rows of a pair, from `at` on.
 /// @param cursor  in the old ones, not after the pair; moved on to it
 /// @param scale   substep now over substep then; 0: start cold
@@ -151,17 +109,15 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     match = match_points(olds, cursor, last, manifold, on_b, scene.dials[Dial::cache_distance]);
 
   const Real radius_a = scene.colliders.shape[ca]->core_radius, radius_b = scene.colliders.shape[cb]->core_radius;
-  const bool all_found =
-      static_cast<std::size_t>(std::count_if(match.begin(), match.end(), [](const OldImpulse* old) { return old; })) ==
-      last - cursor;
-  const Real share = twist_share(manifold.count, manifold.has_more_corners);
   const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
   const bool one_normal = std::all_of(manifold.point, manifold.point + manifold.count, is_first);
+  std::size_t found = 0;
   for (int k = 0; k < manifold.count; ++k) {
     const ContactPoint& point = manifold.point[k];
     Row& row = c.rows[at + static_cast<std::uint32_t>(k)];
     RowGeometry& g = c.geometry[at + static_cast<std::uint32_t>(k)];
     const OldImpulse* const old = match[static_cast<std::size_t>(k)];
+    found += old != nullptr;
     row.u = Vec3::zero();
     row.n = point.normal;
     row.p = old ? starting_impulse(*old, row.n, material.friction, scale) : Vec3(Vec3::zero());
@@ -169,7 +125,6 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     row.restitution = material.restitution;
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
     row.one_normal = one_normal;
-    row.twist_share = share;
     g.radius_a = radius_a, g.radius_b = radius_b;
     g.l_a = fa.apply(point.on_a);
     g.l_b = fb.apply(point.on_b);
@@ -181,11 +136,8 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     g.pair = static_cast<std::uint32_t>(pair_index);
     g.point = static_cast<std::uint32_t>(k);
   }
-  const bool slide = slides(world, at, manifold.count), by_load = slide && all_found && rubs(c, at, manifold.count);
-  for (int k = 0; k < manifold.count; ++k) {
-    Row& row = c.rows[at + static_cast<std::uint32_t>(k)];
-    row.slides = slide, row.rubs_by_load = by_load;
-  }
+  c.rows[at].loads_known = found == last - cursor;
+  find_slide(world, at, static_cast<std::uint32_t>(manifold.count), nullptr);
 }
 
 /// Rows of all pairs, in their order: first how many each has, then what they are.

@@ -45,9 +45,9 @@ struct PointLanesOf {
   LaneVec n;         // unit, world, A to B; @see PairLanes::one_normal
 };
 
-/// Four pairs of one colour. Friction is answered once a pair, a force in the plane and a twist about the normal: of what
-/// sticks at the middle of its points, within bounds apart, of what slides at the middle of its loads as the step began,
-/// within one limit surface (rub()). The second tangent is n x t.
+/// Four pairs of one colour. Friction is answered once a pair, a force in the plane and a twist about the normal: of
+/// what sticks at the middle of its points, within bounds apart, of what slides at the middle of its loads as the step
+/// began, within one limit surface (rub()). The second tangent is n x t.
 template <class Number>
 struct PairLanesOf {
   using Lanes = LanesOf<Number>;
@@ -68,7 +68,7 @@ struct PairLanesOf {
   Lanes bias_rate, mass_scale, impulse_scale;  // softness, @see soft_step.h
   Lanes m_tt, m_ts, m_ss;                      // kg, impulse per change of velocity in the plane
   Lanes m_w;                                   // kg m^2, likewise of the twist
-  Lanes slide;                                 // 1: slides as the step began, @see Row::slides; 0: sticks
+  Lanes slide;                                 // above 0: slides as the step began, @see Row::slides; 0: sticks
   Lanes k_slide;                               // 1/kg, most response in the plane; set only where a pair slides
   Lanes p_t, p_s, p_w;                         // N s, N m s, of the present substep
   Lanes sum_t, sum_s, sum_w;                   // of the step
@@ -114,9 +114,7 @@ struct LaneSources {
   Lanes inv_mass_a, inv_mass_b;                                 // 1/kg
   Lanes to_b;                                                   // @see Arms
   Lanes friction;
-  Lanes slide;         // @see Row::slides: 1 or 0
-  Lanes by_load;       // @see Row::rubs_by_load: 1 or 0
-  Lanes twist_share;   // @see Row; 1 of what sticks
+  Lanes slide;         // @see Row::slides: 1; 2 where it rubs by load, 0 where it sticks
   Lanes bounce_speed;  // m/s
 };
 /// Where the rows of four pairs are put back, and what of their bodies that takes. Lanes of nobody find zeros and are
@@ -156,7 +154,7 @@ struct PointMotions {
 };
 
 // In those, counted in doubles (wide_contacts.cpp holds them to it).
-inline constexpr int kRowNumbers = 24, kRowVelocity = 0, kRowNormal = 3, kRowImpulse = 16;
+inline constexpr int kRowNumbers = 24, kRowVelocity = 0, kRowNormal = 3, kRowImpulse = 16, kRowTwistShare = 21;
 inline constexpr int kGeometryNumbers = 17, kGeometryA = 0, kGeometryB = 3, kGeometryRadiusA = 6, kGeometryRadiusB = 7,
                      kGeometryImpulse = 8, kGeometrySeparation = 14;
 

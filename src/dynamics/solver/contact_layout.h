@@ -69,28 +69,35 @@ CAROM_LANES_INLINE LaneSymmetricOf<Number> symmetric(const double* const* of) {
 }
 
 /// @param slide  @see LaneSources
-CAROM_LANES_INLINE bool some_slide(Lanes slide) { return slide[0] + slide[1] + slide[2] + slide[3] > 0; }
+template <class Lanes>
+CAROM_LANES_INLINE bool some_slide(Lanes slide) {
+  return slide[0] + slide[1] + slide[2] + slide[3] > 0;
+}
 
-/// By what the points of four pairs share in the place where friction acts. That is the middle of their loads: what
-/// bears nothing, as points in the air under a cylinder that rolls, has no part in it. Where loads are not known those
-/// count that are as near as the nearest, to kTouching of their distance, all alike; in a pair that sticks all do.
-struct LoadShares {
-  Lanes of[kPairPoints];
+/// Where friction of pairs that slide acts: at the middle of their loads. What bears nothing, as points in the air
+/// under a cylinder that rolls, has no part in it. Where loads are not known those points count that are as near as the
+/// nearest, to kTouching of their distance, all alike.
+struct SlidingMiddle {
+  LaneVec at = {all(0), all(0), all(0)};  // m, as `arm`
+  Lanes slide = all(0);                   // above 0: known
 
-  /// @param slide, by_load  @see LaneSources   @param load  [count] N s, normal impulses   @param gap, arm  [count] m
-  CAROM_LANES_INLINE LoadShares(Lanes slide, Lanes by_load, const Lanes* load, const Lanes* gap, const LaneVec* arm,
-                                int count) {
-    const Lanes even = all(1.0 / count);
-    for (int k = 0; k < count; ++k) of[k] = even;
-    if (!some_slide(slide)) return;
-    Lanes whole = all(0), least = gap[0], width2 = all(0);
+  /// @param arm  [count] m
+  CAROM_LANES_INLINE SlidingMiddle(const LaneSources& of, const LaneVec* arm, int count) {
+    Lanes load[kPairPoints], gap[kPairPoints], whole = all(0), least = all(0), width2 = all(0);
     for (int k = 0; k < count; ++k) {
+      const double *row[kLanes], *geometry[kLanes];
+      for (int lane = 0; lane < kLanes; ++lane) {
+        row[lane] = of.row[lane] + k * kRowNumbers;
+        geometry[lane] = of.geometry[lane] + k * kGeometryNumbers;
+      }
       const LaneVec apart = arm[k] - arm[0];
+      load[k] = larger(inner(vector_at(row, kRowImpulse), vector_at(row, kRowNormal)), all(0));
+      gap[k] = number_at(geometry, kGeometrySeparation);
       whole += load[k];
-      least = gap[k] < least ? gap[k] : least;
+      least = k == 0 || gap[k] < least ? gap[k] : least;
       width2 = larger(inner(apart, apart), width2);
     }
-    const auto bears = (whole > 0) & (by_load > 0);
+    const auto bears = (whole > 0) & (of.slide > 1);
     const Lanes near = all(kTouching.value) * square_root(width2);
     Lanes sum = all(0), weight[kPairPoints];
     for (int k = 0; k < count; ++k) {
@@ -98,13 +105,18 @@ struct LoadShares {
       weight[k] = bears ? load[k] : touches;
       sum += weight[k];
     }
-    const auto any = (sum > 0) & (slide > 0);
-    const Lanes per = 1 / (any ? sum : all(1));
-    for (int k = 0; k < count; ++k) of[k] = any ? per * weight[k] : even;
+    slide = sum > 0 ? of.slide : all(0);
+    const Lanes per = 1 / (sum > 0 ? sum : all(1));
+    for (int k = 0; k < count; ++k) at = at + (per * weight[k]) * arm[k];
+  }
+  CAROM_LANES_INLINE LaneVec or_else(const LaneVec& middle, const LaneVec& moved) const {
+    const auto known = slide > 0;
+    return {known ? moved.x : middle.x, known ? moved.y : middle.y, known ? moved.z : middle.z};
   }
 };
 
-/// Points where Arms sees them, friction at their middle or that of their loads, from the impulses that rows start with.
+/// Points where Arms sees them, friction at their middle or that of their loads, from the impulses that rows start
+/// with.
 template <class Number>
 void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
   for (std::size_t i = 0; i < run.count; ++i) {
@@ -116,9 +128,9 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
     const LaneVec apart = vector_at(of.x_b, 0) - vector_at(of.x_a, 0);
     const Lanes radius_a = number_at(of.geometry, kGeometryRadiusA),
                 radius_b = number_at(of.geometry, kGeometryRadiusB);
+    const Lanes part = all(1.0 / count);
     const LaneVec zero = {all(0), all(0), all(0)};
-    LaneVec arm[kPairPoints], at_a[kPairPoints], at_b[kPairPoints];
-    Lanes load[kPairPoints], gap[kPairPoints];
+    LaneVec arm[kPairPoints], middle_a = zero, middle_b = zero, l_a = zero, l_b = zero;
     const double *row[kLanes], *geometry[kLanes];
     const auto look_at = [&](int k) __attribute__((always_inline)) {
       for (int lane = 0; lane < kLanes; ++lane) {
@@ -128,21 +140,21 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
     };
     for (int k = 0; k < count; ++k) {
       look_at(k);
-      const LaneVec n = vector_at(row, kRowNormal);
-      at_a[k] = vector_at(geometry, kGeometryA), at_b[k] = vector_at(geometry, kGeometryB);
-      const LaneVec on_a = r_a * at_a[k] + radius_a * n, on_b = apart + (r_b * at_b[k] - radius_b * n);
+      const LaneVec n = vector_at(row, kRowNormal), at_a = vector_at(geometry, kGeometryA),
+                    at_b = vector_at(geometry, kGeometryB);
+      const LaneVec on_a = r_a * at_a + radius_a * n, on_b = apart + (r_b * at_b - radius_b * n);
       arm[k] = on_a + of.to_b * (on_b - on_a);
-      gap[k] = number_at(geometry, kGeometrySeparation);
-      load[k] = larger(inner(vector_at(row, kRowImpulse), n), all(0));
+      middle_a = middle_a + part * arm[k];
+      middle_b = middle_b + part * (arm[k] - apart);
+      l_a = l_a + part * at_a;  // the points of a body are held as one, wherever its friction acts
+      l_b = l_b + part * at_b;
     }
-    const LoadShares share(of.slide, of.by_load, load, gap, arm, count);
-    const Lanes part = all(1.0 / count);
-    LaneVec middle_a = zero, middle_b = zero, l_a = zero, l_b = zero;
-    for (int k = 0; k < count; ++k) {
-      middle_a = middle_a + share.of[k] * arm[k];
-      middle_b = middle_b + share.of[k] * (arm[k] - apart);
-      l_a = l_a + part * at_a[k];  // the points of a body are held as one, wherever its friction acts
-      l_b = l_b + part * at_b[k];
+    Lanes reach_share = all(1);
+    if (some_slide(of.slide)) {
+      reach_share = of.slide > 0 ? number_at(of.row, kRowTwistShare) : reach_share;
+      const SlidingMiddle sliding(of, arm, count);
+      middle_a = sliding.or_else(middle_a, sliding.at);
+      middle_b = sliding.or_else(middle_b, sliding.at - apart);
     }
     const LaneVec n = vector_at(of.row, kRowNormal), t = tangent_of(n);
     LaneVec force = zero;
@@ -156,8 +168,8 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
       force = force + sideways;
       twist += inner(cross(d, sideways), n);
       point.d = rounded<Number>(d);
-      point.gap = point.separation = rounded<Number>(gap[k]);
-      point.reach = rounded<Number>(of.twist_share * square_root(inner(d, d)));
+      point.gap = point.separation = rounded<Number>(number_at(geometry, kGeometrySeparation));
+      point.reach = rounded<Number>(reach_share * square_root(inner(d, d)));
       point.p_n = rounded<Number>(p_n);
       point.sum_n = point.push = all<Number>(0);
       point.n = rounded<Number>(n_k);

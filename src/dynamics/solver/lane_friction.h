@@ -7,7 +7,8 @@
 //
 // N the load and M its moment, the load times its mean distance from the middle. Velocities are normal to the bound:
 // v : omega = x (1 + c y^2) / N : y (1 + c x^2) / M. With c = 0 (an ellipsoid) a disc of even pressure that spins fast
-// is stopped in half the way; c of 0.5 is exact for it where it hardly slides, 0.8 where it hardly spins; see kPatchBend.
+// is stopped in half the way; c of 0.5 is exact for it where it hardly slides, 0.8 where it hardly spins; see
+// kPatchBend.
 #pragma once
 
 #include "dynamics/solver/both_sides.h"
@@ -32,102 +33,112 @@ struct Slip {
   }
 };
 
-/// How far a force and a twist are beyond the bound: what they are divided by to lie on it, squared; 1 within.
-template <class Lanes>
-CAROM_LANES_INLINE Lanes beyond2(Lanes x2, Lanes y2, Lanes one, Lanes bend) {
-  const Lanes sum = x2 + y2, both = bend * (x2 * y2);
-  return sum + both > one ? (sum + square_root(sum * sum + 4 * both)) / 2 : one;
-}
-
 /// Force and twist of a patch.
 template <class Number>
 struct Rub {
   using Lanes = LanesOf<Number>;
   Lanes t, s, w;  // N s, N m s
-
-  /// Shortened to the bound.   @param most, most_w  mu N, mu M
-  CAROM_LANES_INLINE void bound(Lanes most, Lanes most_w) {
-    const Lanes one = all<Number>(1), none = all<Number>(0), per = inverse_or_zero(most), per_w = inverse_or_zero(most_w);
-    const Lanes x_t = per * t, x_s = per * s, y = per_w * w;
-    const Lanes beyond = beyond2(x_t * x_t + x_s * x_s, y * y, one, all<Number>(kPatchBend.value));
-    const Lanes shorten = one / square_root(beyond);
-    t = most > none ? shorten * t : none;
-    s = most > none ? shorten * s : none;
-    w = most_w > none ? shorten * w : none;
-  }
 };
 
-/// Coulomb's law of a patch that slides: what stops first spin, as far as that can be borne alone, then slip, if both can
-/// be borne together. Else both shortened to the bound; and on from there against slip and spin that are left, along the
-/// normal of the bound, by a step that no response outdoes: so what slides fast is rubbed against its motion.
+/// The bound on what a patch bears.
 template <class Number>
-CAROM_LANES_INLINE Rub<Number> rub_sliding(const Both<Number>& both, const LaneVecOf<Number>& tangent_s,
-                                           LanesOf<Number> most, LanesOf<Number> most_w,
-                                           const DriveLanesOf<Number>* drives) {
+struct Bound {
   using Lanes = LanesOf<Number>;
+  Lanes most, most_w;  // mu N, mu M: N s, N m s
+
+  /// How far beyond it something is, squared: what its parts are divided by, squared, to lie on the bound; below 1
+  /// within.
+  CAROM_LANES_INLINE Lanes beyond2(const Rub<Number>& p) const {
+    const Lanes per = inverse_or_zero(most), per_w = inverse_or_zero(most_w);
+    const Lanes x_t = per * p.t, x_s = per * p.s, y = per_w * p.w, x2 = x_t * x_t + x_s * x_s, y2 = y * y;
+    const Lanes sum = x2 + y2, both = all<Number>(kPatchBend.value) * (x2 * y2);
+    return (sum + square_root(sum * sum + 4 * both)) / 2;
+  }
+  /// Shortened to it, by what beyond2() says.
+  CAROM_LANES_INLINE Rub<Number> bounded(const Rub<Number>& p, Lanes beyond2) const {
+    const Lanes one = all<Number>(1), none = all<Number>(0);
+    const Lanes shorten = one / square_root(larger(beyond2, one));
+    return {most > none ? shorten * p.t : none, most > none ? shorten * p.s : none,
+            most_w > none ? shorten * p.w : none};
+  }
+  CAROM_LANES_INLINE Rub<Number> bounded(const Rub<Number>& p) const { return bounded(p, beyond2(p)); }
+};
+
+/// What a patch bears next, from what it bore: impulses on both bodies.
+template <class Number>
+CAROM_LANES_INLINE void change(Both<Number>& both, const LaneVecOf<Number>& tangent_s, const Rub<Number>& from,
+                               const Rub<Number>& to) {
   const PairLanesOf<Number>& pair = both.pair;
-  const Lanes none = all<Number>(0), bend = all<Number>(kPatchBend.value);
-  Rub<Number> stops;
-  const Lanes spin = Slip<Number>(both, tangent_s, drives).w;
-  stops.w = pair.m_w > none ? larger(smaller(pair.p_w - pair.m_w * spin, most_w), -most_w) : none;
-  Both<Number> tried = both;
-  tried.twist((stops.w - pair.p_w) * pair.n);
-  const Slip<Number> u(tried, tangent_s, drives);
-  stops.t = pair.p_t - (pair.m_tt * u.t + pair.m_ts * u.s);
-  stops.s = pair.p_s - (pair.m_ts * u.t + pair.m_ss * u.s);
-  Rub<Number> p = stops;
-  p.bound(most, most_w);
-  const auto bears = (p.t == stops.t) & (p.s == stops.s) & (p.w == stops.w);
-  tried.twist((p.w - stops.w) * pair.n);
-  tried.push(pair.r_a, pair.r_b, (p.t - pair.p_t) * pair.t + (p.s - pair.p_s) * tangent_s);
-  const Slip<Number> left(tried, tangent_s, drives);
-  // The normal where it was, which is nearer to where it slides than what would stop it.
-  const Lanes share = most * most + bend * (pair.p_t * pair.p_t + pair.p_s * pair.p_s),
-              share_w = most_w * most_w + bend * (pair.p_w * pair.p_w);
-  const Lanes back = inverse_or_zero(larger(share * pair.k_slide, share_w * inverse_or_zero(pair.m_w)));
-  p.t -= pair.k_slide > none ? back * share * left.t : none;
-  p.s -= pair.k_slide > none ? back * share * left.s : none;
-  p.w -= pair.m_w > none ? back * share_w * left.w : none;
-  p.bound(most, most_w);
-  return {bears ? stops.t : p.t, bears ? stops.s : p.s, bears ? stops.w : p.w};
+  const LaneVecOf<Number> p = (to.t - from.t) * pair.t + (to.s - from.s) * tangent_s, w = (to.w - from.w) * pair.n;
+  both.apply(p, cross(pair.r_a, p) + w, cross(pair.r_b, p) + w);
 }
 
-/// Coulomb's law of a pair. Of what sticks: the impulses that stop twist and slip, shortened each to what the normal
-/// impulses allow. Of what slides: rub_sliding(). Four that stick do not look at the other; what sticks beside
-/// what slides is answered by the same arithmetic.
+/// From a force and a twist on the bound: on against slip and spin that are left, along the normal of the bound, by a
+/// step that no response outdoes, so that what slides fast is rubbed against its motion.   @param left  of bodies that
+/// bear p
+template <class Number>
+CAROM_LANES_INLINE Rub<Number> against(const PairLanesOf<Number>& pair, const Bound<Number>& bound,
+                                       const Rub<Number>& p, const Slip<Number>& left) {
+  using Lanes = LanesOf<Number>;
+  const Lanes none = all<Number>(0), bend = all<Number>(kPatchBend.value);
+  // The normal where it was, which is nearer to where it slides than what would stop it.
+  const Lanes share = bound.most * bound.most + bend * (pair.p_t * pair.p_t + pair.p_s * pair.p_s),
+              share_w = bound.most_w * bound.most_w + bend * (pair.p_w * pair.p_w);
+  const Lanes back = inverse_or_zero(larger(share * pair.k_slide, share_w * inverse_or_zero(pair.m_w)));
+  const Lanes give = pair.k_slide > none ? back * share : none, give_w = pair.m_w > none ? back * share_w : none;
+  return bound.bounded({p.t - give * left.t, p.s - give * left.s, p.w - give_w * left.w});
+}
+
+/// Coulomb's law of a pair: the impulses that stop first twist, then slip, shortened each to what the normal impulses
+/// allow. What slides and can't bear both together has them shortened to the bound on both, and goes on from there.
+/// Four that stick do not look at it, and what sticks beside what slides keeps its bits.
 template <int kCount, class Number>
 CAROM_LANES_INLINE void rub(Both<Number>& both, PairLanesOf<Number>& pair, const PointLanesOf<Number>* points,
                             const DriveLanesOf<Number>* drives) {
   using Lanes = LanesOf<Number>;
+  const Lanes one = all<Number>(1), none = all<Number>(0);
   const LaneVecOf<Number> s = cross(pair.n, pair.t);
   Lanes load = points[0].p_n, moment = points[0].reach * points[0].p_n;
   for (int k = 1; k < kCount; ++k) {
     load += points[k].p_n;
     moment += points[k].reach * points[k].p_n;
   }
-  const Lanes most = pair.friction * load, most_w = pair.friction * moment;
-  const auto slide = pair.slide > all<Number>(0);
-  Rub<Number> sliding = {};
-  if (kCount > 1 && pair.slides) sliding = rub_sliding(both, s, most, most_w, drives);
+  const Bound<Number> bound = {pair.friction * load, pair.friction * moment};
+  Rub<Number> stops = {none, none, none};
   if constexpr (kCount > 1) {  // one point has no reach, and bears no twist
     Lanes spin = dot(both.spin(), pair.n);
     if (pair.driven) spin += drives[pair.driven - 1].w;
-    Lanes p_w = larger(smaller(pair.p_w - pair.m_w * spin, most_w), -most_w);
-    if (pair.slides) p_w = slide ? sliding.w : p_w;
-    both.twist((p_w - pair.p_w) * pair.n);
-    pair.p_w = p_w;
+    stops.w = larger(smaller(pair.p_w - pair.m_w * spin, bound.most_w), -bound.most_w);
+    both.twist((stops.w - pair.p_w) * pair.n);
   }
   const Slip<Number> u(both, s, drives);
-  Lanes p_t = pair.p_t - (pair.m_tt * u.t + pair.m_ts * u.s), p_s = pair.p_s - (pair.m_ts * u.t + pair.m_ss * u.s);
-  const Lanes size2 = p_t * p_t + p_s * p_s;
-  const auto outside = size2 > most * most;
-  const Lanes shorten = outside ? most / square_root(outside ? size2 : all<Number>(1)) : all<Number>(1);
-  p_t = shorten * p_t;
-  p_s = shorten * p_s;
-  if (kCount > 1 && pair.slides) p_t = slide ? sliding.t : p_t, p_s = slide ? sliding.s : p_s;
-  both.push(pair.r_a, pair.r_b, (p_t - pair.p_t) * pair.t + (p_s - pair.p_s) * s);
-  pair.p_t = p_t;
-  pair.p_s = p_s;
+  stops.t = pair.p_t - (pair.m_tt * u.t + pair.m_ts * u.s);
+  stops.s = pair.p_s - (pair.m_ts * u.t + pair.m_ss * u.s);
+  const Lanes size2 = stops.t * stops.t + stops.s * stops.s;
+  const auto outside = size2 > bound.most * bound.most;
+  const Lanes shorten = outside ? bound.most / square_root(outside ? size2 : one) : one;
+  Rub<Number> p = {shorten * stops.t, shorten * stops.s, stops.w};
+  const Rub<Number> borne = {pair.p_t, pair.p_s, stops.w};
+  if (kCount > 1 && pair.slides) {
+    stops.w = pair.m_w > none ? stops.w : none;  // what can't turn leaves its force the whole bound
+    const Lanes beyond2 = bound.beyond2(stops), slide = beyond2 > one ? pair.slide : none;
+    if (some_slide(slide)) {
+      const auto slides = slide > none;
+      const auto where = [&](const Rub<Number>& sliding) __attribute__((always_inline)) {
+        return Rub<Number>{slides ? sliding.t : p.t, slides ? sliding.s : p.s, slides ? sliding.w : p.w};
+      };
+      const Rub<Number> first = where(bound.bounded(stops, beyond2));
+      change(both, s, borne, first);
+      p = where(against(pair, bound, first, Slip<Number>(both, s, drives)));
+      change(both, s, first, p);
+      pair.p_t = p.t, pair.p_s = p.s, pair.p_w = p.w;
+      return;
+    }
+  }
+  both.push(pair.r_a, pair.r_b, (p.t - borne.t) * pair.t + (p.s - borne.s) * s);
+  pair.p_t = p.t;
+  pair.p_s = p.s;
+  if constexpr (kCount > 1) pair.p_w = p.w;
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ inline constexpr Constant<double> kPatchBend{
 
 inline constexpr Constant<double> kTouching{
     "friction_touching", 0.01, "1",
-    "share of a patch's width by which a point may hang higher than the lowest and still counts where friction acts, if "
-    "loads are not known: 0.6 degrees of tilt, more than what rests has, less than a point in the air of a roller",
+    "share of a patch's width by which a point may hang higher than the lowest and still counts where friction acts, "
+    "if loads are not known: 0.6 degrees of tilt, more than what rests has, less than a point in the air of a roller",
     "smaller: friction of what has just landed acts at a corner; larger: it acts at points in the air"};
 
 inline constexpr ConstantRow kSweepConstants[] = {kInnerSweeps, kUnderLoad, kSpared, kPatchBend, kTouching};

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "dynamics/contact/held_arms.h"
-#include "dynamics/contact/twist_share.h"
+#include "dynamics/contact/slide.h"
 #include "dynamics/force/force.h"
 #include "dynamics/solver/pair_points.h"
 
@@ -46,19 +46,19 @@ Vec3 surface_spin(const Contacts& c, std::uint32_t row) {
   return it != c.driven.end() && it->row == row ? it->spin : Vec3(Vec3::zero());
 }
 
-/// From where a patch's friction acts for each point to the point, m. Of what sticks it acts at the points.
+/// From where a patch's friction acts for each point to the point, m. Of what sticks it acts at the points; so it does
+/// where a point bears nothing, for that is no patch: it tips, rolls or parts.
 void spread(const Contacts& c, const PairRows& pair, const Vec3* r, Vec3* apart) {
   const Row* const rows = &c.rows[pair.row];
   for (std::uint32_t k = 0; k < pair.count; ++k) apart[k] = Vec3::zero();
-  if (pair.count == 1 || !rows->one_normal || !rows->rubs_by_load) return;
-  Vec3 middle = Vec3::zero();
-  Real whole = 0;
+  if (pair.count == 1 || !rows->one_normal || !rows->slides || !rows->loads_known) return;
+  Real load[kPairPoints], whole = 0;
   for (std::uint32_t k = 0; k < pair.count; ++k) {
-    const Real load = std::max(Real(0), rows[k].p.dot(rows->n));
-    middle += load * r[k], whole += load;
+    whole += load[k] = rows[k].p.dot(rows->n);
+    if (!(load[k] > 0)) return;
   }
-  if (!(whole > 0)) return;
-  middle /= whole;
+  Vec3 middle = Vec3::zero();
+  for (std::uint32_t k = 0; k < pair.count; ++k) middle += load[k] / whole * r[k];
   for (std::uint32_t k = 0; k < pair.count; ++k) apart[k] = (1 - rows->twist_share) * (r[k] - middle);
 }
 

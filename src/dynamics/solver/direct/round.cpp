@@ -231,7 +231,8 @@ void Round::assemble(Real still) {
     if (c.p == Vec3::zero() && !at_tip) continue;  // off the cone: no curvature
     if (c.p == pulled || at_tip) {                 // inside: the same in all directions
       const Real w = 1 / resistance(c);
-      const auto put = [&](Block& d, Real weight, const Vec3& r, const Vec3& m, const Vec3& r_other, const Vec3& other) {
+      const auto put = [&](Block& d, Real weight, const Vec3& r, const Vec3& m, const Vec3& r_other,
+                           const Vec3& other) {
         add_isotropic(d, weight, r, r_other);
         if (m != Vec3::zero() || other != Vec3::zero()) add_moments(d, weight, c.n, r, m, r_other, other);
       };

@@ -1,7 +1,8 @@
-// How far from the middle of its load a patch bears, beside the corners that stand for it.
+// Which pairs slide as a step begins, and how far from the middle of its load a patch bears.
 #pragma once
 
 #include "core/constant.h"
+#include "dynamics/contact/contact.h"
 
 namespace carom::dynamics {
 
@@ -13,9 +14,23 @@ inline constexpr Constant<Real> kCreeps{
     "and pucks are rubbed where they do not touch"};
 inline constexpr ConstantRow kPatchFrictionConstants[] = {kCreeps};
 
+/// Of a pair with more points than one, and friction.
+void look_for_slide(const World& world, std::uint32_t first, std::uint32_t count, const Vec3* surface);
+
+/// Set what a pair's first row says of its friction. A pair slides if it slips at one of its points. Only of what
+/// slides does it matter where between them friction acts, and how sliding and spinning share it. What sticks keeps one
+/// place, whatever its loads do. One point has but one place, and what is yet to meet bears nothing. What overlaps by
+/// more than points are looked for apart has no patch: it parts.
+/// @param surface  m/s, [count], what B's does relative to A's by itself; null: nothing
+inline void find_slide(const World& world, std::uint32_t first, std::uint32_t count, const Vec3* surface) {
+  Row& row = world.contacts->rows[first];
+  row.slides = row.rubs_by_load = false;
+  if (count > 1 && row.friction > 0) look_for_slide(world, first, count, surface);
+}
+
 /// A flat patch presses all over: where its load is even, the mean distance of its places from their middle is this
-/// share of that of its corners. Friction resists a spin with mu N times that distance. Solvers that bear friction point
-/// by point draw its points in towards the middle of the load by this share.
+/// share of that of its corners. Friction resists a spin with mu N times that distance. Solvers that bear friction
+/// point by point draw its points in towards the middle of the load by this share.
 /// @param corners   points of the manifold
 /// @param are_more  the patch has more corners than the four that were kept, all of them on a rim
 /// @return  1/2 for a line; 0.47 for a triangle, 0.541 for a square (1/2 for a long plank), 2/3 for a disc, and an
