@@ -45,8 +45,8 @@ CAROM_API int32_t carom_shape_create_mesh(carom_engine *engine, const carom_mesh
                                           carom_error *error);
 
 /** A height field: vertices at (column spacing[0], height, row spacing[1]) in the shape's frame, met from above (+y). Each
- *  cell is two triangles, divided from its first corner (column, row) to (column + 1, row + 1). Fill with
- *  carom_height_field_desc_init(). */
+ *  cell is two triangles, divided from its first corner (column, row) to (column + 1, row + 1). What has its middle in the
+ *  ground, by no more than its bounding radius, is lifted out. Fill with carom_height_field_desc_init(). */
 typedef struct carom_height_field_desc {
   uint32_t struct_size;
   uint32_t flags;        /**< 0 */

@@ -10,6 +10,7 @@
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/least_force_constants.h"
+#include "dynamics/joint/energy_bound.h"
 #include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/sweep_constants.h"
 
@@ -29,7 +30,7 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 
 constexpr auto kConstantTable =
     in_one_table(kPatchConstants, kImpactConstants, kPatchFrictionConstants, kSweepConstants, kFarTurnConstants,
-                 kDepthConstants, kAutoConstants, kConeGroupConstants, kLeastForceConstants);
+                 kDepthConstants, kAutoConstants, kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants);
 
 }  // namespace
 

@@ -102,9 +102,9 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
     number(Dial::direct_ratio, "direct_ratio", "",
            "solver auto: so does one where masses of bodies that touch are further apart than this", 1, 1e12, 100),
     integer(Dial::direct_work, "direct_work",
-            "solver auto: but not one that takes more block products a step than this, about 0.3 us each; what was "
-            "never solved before is solved to the end, once",
-            0, 1e9, 50000),
+            "solver auto: all such groups together take no more block products a step than this, about 0.1 us each, nor "
+            "16 for each point that bears; what was just built and stands is solved to the end, once",
+            0, 1e9, 20000),
     number(Dial::hold_angle, "hold_angle", "rad",
            "arms of contacts turn with a body only when it has turned by this or turns fast: tall stacks do not "
            "buckle; 0: at once",

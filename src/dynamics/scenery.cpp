@@ -92,7 +92,7 @@ void fill(const Colliders& c, const NarrowSettings& settings, const SceneryPatch
   ContactPoint point[PatchPoints::kMax];
   for (int i = 0; i < patch.count; ++i) point[i] = swapped ? exchanged(patch.point[i]) : patch.point[i];
   ManifoldSettings own = settings.manifold;
-  own.contact_distance = reach;
+  own.contact_distance = reach, own.sunk_alike = true;
   adopt(a, point, patch.count, own, record.manifold);
   record.patch.firm = patch.firm && record.manifold.count > 0;
   record.patch.of_b = swapped;

@@ -212,7 +212,7 @@ static void a_capped_solve_stays_sane(void**) {
   }
   Elimination e(std::pmr::new_delete_resource());
   e.clear();
-  eliminate(0, 1, {}, e);
+  eliminate(0, 1, {}, ~std::uint64_t{0}, e);
   BlockFactor f(std::pmr::new_delete_resource());
   f.diagonal.resize(1);
   std::vector<Vec6> scratch(1);

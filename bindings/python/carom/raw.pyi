@@ -891,8 +891,8 @@ class carom_mesh_desc(ctypes.Structure):
     triangle_count: int
 class carom_height_field_desc(ctypes.Structure):
     """A height field: vertices at (column spacing[0], height, row spacing[1]) in the shape's frame, met from above (+y). Each
-    cell is two triangles, divided from its first corner (column, row) to (column + 1, row + 1). Fill with
-    carom_height_field_desc_init()."""
+    cell is two triangles, divided from its first corner (column, row) to (column + 1, row + 1). What has its middle in the
+    ground, by no more than its bounding radius, is lifted out. Fill with carom_height_field_desc_init()."""
     struct_size: int
     flags: int
     columns: int

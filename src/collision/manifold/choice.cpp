@@ -15,20 +15,21 @@ constexpr Real kSameDepth = 0.01;
 
 }  // namespace
 
-Choice::Choice(const Frame& a, const Pool& pool, Real same_depth, Real loyalty) : pool_(pool) {
+Choice::Choice(const Frame& a, const Pool& pool, Real same_depth, Real level, Real loyalty) : pool_(pool) {
   const Vec3 normal = a.rotate_inverse(pool.point[0]->normal);
   const Vec3 e1 = any_perpendicular(normal), e2 = normal.cross(e1);
-  Real width = 0;
+  Real deepest = kInfinity, width = 0;
   for (int i = 0; i < pool.count; ++i) {
     x_[i] = e1.dot(pool.point[i]->on_a), y_[i] = e2.dot(pool.point[i]->on_a);
-    deepest_ = std::min(deepest_, pool.point[i]->separation);
+    deepest = std::min(deepest, pool.point[i]->separation);
     width = std::max({width, std::fabs(x_[i] - x_[0]), std::fabs(y_[i] - y_[0])});
   }
+  ground_ = std::max(deepest, level);
   for (int i = 0; i < pool.count; ++i)
-    cost_[i] = std::max(Real(0), pool.point[i]->separation - deepest_) / kChoiceTilt +
+    cost_[i] = std::max(Real(0), pool.point[i]->separation - ground_) / kChoiceTilt +
                (pool.age[i] == 0 ? loyalty * width : Real(0));
   int first = 0;
-  while (pool.point[first]->separation > deepest_ + same_depth) ++first;
+  while (pool.point[first]->separation > deepest + same_depth) ++first;
   take(first);
   take_best([&](int i) { return distance(chosen_[0], i); });
   take_best([&](int i) { return std::fabs(beside(chosen_[0], chosen_[1], i)); });
@@ -62,7 +63,7 @@ bool Choice::leaves_corners() const {
   }
   const Real width = distance(round_[0], round_[1]);
   for (int i = 0; i < pool_.count; ++i) {
-    if (taken_[i] || pool_.point[i]->separation > deepest_ + kChoiceTilt * width) continue;
+    if (taken_[i] || pool_.point[i]->separation > ground_ + kChoiceTilt * width) continue;
     for (int k = 0; k < corners; ++k)
       if (beside(corner[k], corner[(k + 1) % corners], i) < -kStandsOut.value * width) return true;
   }
@@ -97,7 +98,8 @@ void store(const Frame& a, const ManifoldSettings& settings, const Pool& pool, R
     manifold.has_more_corners = false;
     return;
   }
-  const Choice choice(a, pool, kSameDepth * settings.contact_distance, loyalty);
+  const Real level = settings.sunk_alike ? 0 : -kInfinity;
+  const Choice choice(a, pool, kSameDepth * settings.contact_distance, level, loyalty);
   for (int k = 0; k < Manifold::kMaxPoints; ++k) put(k, choice[k]);
   manifold.has_more_corners = choice.leaves_corners();
 }

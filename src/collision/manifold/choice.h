@@ -21,12 +21,13 @@ struct Pool {
 };
 
 /// The four of a pool of more. All scores are lengths: how far a point widens what is chosen so far (a point, a line, a
-/// triangle, seen along the normal), less its height over the deepest divided by kTilt.
+/// triangle, seen along the normal), less its height over the deepest divided by kChoiceTilt.
 class Choice {
  public:
   /// @param same_depth  m: depths within this are equal
+  /// @param level       m: heights below this are none
   /// @param loyalty     share of the pool's width that a new point (age 0) must add beyond what an old one adds
-  Choice(const Frame& a, const Pool& pool, Real same_depth, Real loyalty = 0);
+  Choice(const Frame& a, const Pool& pool, Real same_depth, Real level, Real loyalty = 0);
 
   int operator[](int k) const { return chosen_[k]; }  // ascending: a point keeps its place
   /// Whether the patch has corners beside the four: points that touch, or nearly, and stand out from between them.
@@ -41,7 +42,7 @@ class Choice {
 
   const Pool& pool_;
   int count_ = 0;
-  Real deepest_ = kInfinity;               // m
+  Real ground_ = 0;                        // m: separation from which heights count
   int chosen_[Manifold::kMaxPoints] = {};  // ascending
   int round_[Manifold::kMaxPoints] = {};   // as they were chosen: the first three counter-clockwise
   bool taken_[Pool::kMax] = {};

@@ -67,6 +67,7 @@ struct ManifoldSettings {
   ManifoldKind kind = ManifoldKind::cache;
   Real cache_distance = 0.02;    // m: a kept point that slid or opened further than this is dropped
   Real contact_distance = 0.02;  // m: candidates farther apart than this are not kept
+  bool sunk_alike = false;       // points in overlap bear alike, however deep: both ends of a rod that lies in a ground
 };
 
 /// ManifoldKind::single: the deepest candidate alone.

@@ -53,7 +53,7 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
   std::uint64_t calls = 0;
   if (specific) {
     entry.routine(first, second, frame, kInfinity, found);
-  } else if (!half_space_by_support(first, second, frame, kInfinity, false, found, calls, fault)) {
+  } else if (!half_space_by_support(first, second, frame, kInfinity, false, 0, found, calls, fault)) {
     return unknown(QueryStatus::fault, result);
   }
   const ContactPoint* const nearest = deepest(found);

@@ -149,7 +149,7 @@ void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& 
     const Frame second_in_first = relative(first, second);
     if (!usable(second_in_first)) return;
     half_space_by_support(flat_b ? b : a, flat_b ? a : b, second_in_first, reach,
-                          settings.query.routines && !one_shot(settings.manifold.kind), found, report.support_calls,
+                          settings.query.routines && !one_shot(settings.manifold.kind), 0, found, report.support_calls,
                           fault);
     to_world(first, flat_b, found);
   } else {

@@ -28,10 +28,16 @@ const PairEntry& pair_entry(Form a, Form b);
 
 /// Contact points of a half-space and a shape without closed form, by its support function.
 /// @param probe   ask in four directions tilted about the normal, too, where the normal's own support point is in reach
+/// @param lean    if not 0: of four more directions, the tangent by which they are tilted, @see leaning_tilt
 /// @return        false if the support function misbehaved (fault is filled, found is left alone)
 /// @param calls   raised by the number of support calls
 bool half_space_by_support(const Shape& half_space, const Shape& b, const Frame& b_in_a, Real reach, bool probe,
-                           Candidates& found, std::uint64_t& calls, SupportFault& fault);
+                           Real lean, Candidates& found, std::uint64_t& calls, SupportFault& fault);
+
+/// The tangent of the tilt along which lies whatever of a shape that leans may come down to a plane within the step:
+/// an end that is within reach leans by less, of a shape that is a quarter as wide as its radius too. What rolls turns
+/// by half of that at most, so a point of its round side is not met before it comes down.
+inline Real leaning_tilt(const Shape& shape, Real reach) { return std::min(2 * reach / shape.bounding_radius, Real(1)); }
 
 // The routines, by file.
 void contact_sphere_sphere(const Shape&, const Shape&, const Frame&, Real, Candidates&);  // pair_sphere.cpp

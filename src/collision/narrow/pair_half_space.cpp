@@ -24,6 +24,9 @@ constexpr Real kFour[4][2] = {{0.99500416527802582, 0.099833416646828155},
                               {-0.099833416646828183, 0.99500416527802571},
                               {-0.99500416527802582, -0.099833416646828113},
                               {0.099833416646827614, -0.99500416527802582}};
+constexpr Real kThree[3][2] = {{0.99500416527802571, 0.099833416646828155},
+                               {-0.58396035760176192, 0.8117821756786868},
+                               {-0.41104380767626379, -0.91161559232551507}};
 
 /// The half-space's plane in the other shape's frame; points of that shape become contacts against it.
 struct Plane {
@@ -136,53 +139,79 @@ void contact_half_space_cone(const Shape& a, const Shape& b, const Frame& b_in_a
 
 void contact_half_space_ellipsoid(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
   const Plane plane(a, b_in_a, reach, found);
-  const Vec3 scaled = b.half.times(plane.n);
-  plane.add(-b.half.times(scaled / scaled.norm()), 1);
+  const auto add = [&](const Vec3& out, std::uint32_t feature) {
+    const Vec3 scaled = b.half.times(out);
+    plane.add(b.half.times(scaled / scaled.norm()), feature);
+  };
+  add(-plane.n, 1);
   found.whole = true;
+  if (found.count == 0 || reach == kInfinity) return;
+  // A flat one rocks from end to end within a step. Three and the deepest: a manifold keeps them all.
+  const Vec3 e1 = any_perpendicular(plane.n), e2 = plane.n.cross(e1);
+  for (std::uint32_t k = 0; k < 3; ++k)
+    add(leaning_tilt(b, reach) * (kThree[k][0] * e1 + kThree[k][1] * e2) - plane.n, k + 2);
 }
 
-/// All vertices are looked at once, which is what a single support call of theirs costs. Of those within reach the
-/// deepest and the extreme ones in seven azimuths stay, each weighed by its height at kPlaneTilt.
-void contact_half_space_polytope(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
-  const Plane plane(a, b_in_a, reach, found);
-  const Vec3 e1 = any_perpendicular(plane.n), e2 = plane.n.cross(e1);
-  constexpr int kWays = Candidates::kMax;  // way 0: straight down
+namespace {
+
+/// Which vertices within reach are extreme straight down and in seven azimuths, each weighed by its height at a tilt.
+struct Extremes {
+  static constexpr int kWays = Candidates::kMax;  // way 0: straight down
   std::array<Real, kWays> most;
   std::array<std::size_t, kWays> which{};
-  most.fill(-kInfinity);
-  std::array<Vec3, kWays> way;
-  way[0] = -plane.n;
-  for (int k = 1; k < kWays; ++k) way[k] = kPlaneTilt * (kSeven[k - 1][0] * e1 + kSeven[k - 1][1] * e2) - plane.n;
 
-  const double* v = b.vertices.data();
-  const std::size_t count = b.vertices.size() / 3;
-  for (std::size_t i = 0; i < count; ++i, v += 3) {
-    const Vec3 x(v[0], v[1], v[2]);
-    const Real h = plane.height(x);
-    found.gap = std::min(found.gap, h);
-    if (!(h <= reach)) continue;
-    for (int k = 0; k < kWays; ++k) {
-      const Real s = way[k].dot(x);
-      if (s > most[k]) most[k] = s, which[k] = i;
+  Extremes(const Plane& plane, const Shape& b, Real tilt) {
+    const Vec3 e1 = any_perpendicular(plane.n), e2 = plane.n.cross(e1);
+    most.fill(-kInfinity);
+    std::array<Vec3, kWays> way;
+    way[0] = -plane.n;
+    for (int k = 1; k < kWays; ++k) way[k] = tilt * (kSeven[k - 1][0] * e1 + kSeven[k - 1][1] * e2) - plane.n;
+    const double* v = b.vertices.data();
+    const std::size_t count = b.vertices.size() / 3;
+    for (std::size_t i = 0; i < count; ++i, v += 3) {
+      const Vec3 x(v[0], v[1], v[2]);
+      const Real h = plane.height(x);
+      plane.found.gap = std::min(plane.found.gap, h);
+      if (!(h <= plane.reach)) continue;
+      for (int k = 0; k < kWays; ++k) {
+        const Real s = way[k].dot(x);
+        if (s > most[k]) most[k] = s, which[k] = i;
+      }
     }
   }
-  found.whole = true;
-  if (most[0] == -kInfinity) return;
-  for (int k = 0; k < kWays; ++k) {
-    if (std::find(which.begin(), which.begin() + k, which[k]) != which.begin() + k) continue;
-    const double* x = b.vertices.data() + 3 * which[k];
-    plane.add(Vec3(x[0], x[1], x[2]), static_cast<std::uint32_t>(which[k]) + 1);
+  bool any() const { return most[0] > -kInfinity; }
+  void add(const Plane& plane, const Shape& b) const {
+    for (const std::size_t i : which) {
+      const auto name = static_cast<std::uint32_t>(i) + 1;
+      const auto same = [&](const ContactPoint& p) { return p.feature == name; };
+      if (std::any_of(plane.found.point, plane.found.point + plane.found.count, same)) continue;
+      const double* x = b.vertices.data() + 3 * i;
+      plane.add(Vec3(x[0], x[1], x[2]), name);
+    }
   }
+};
+
+}  // namespace
+
+/// All vertices are looked at once, which is what a single support call of theirs costs; of one that leans, once more.
+void contact_half_space_polytope(const Shape& a, const Shape& b, const Frame& b_in_a, Real reach, Candidates& found) {
+  const Plane plane(a, b_in_a, reach, found);
+  found.whole = true;
+  const Extremes flat(plane, b, kPlaneTilt);
+  if (!flat.any()) return;
+  flat.add(plane, b);
+  // On a corner or an edge: the far side may come down within the step.
+  if (found.count < 3 && reach < kInfinity) Extremes(plane, b, leaning_tilt(b, reach)).add(plane, b);
 }
 
 bool half_space_by_support(const Shape& half_space, const Shape& b, const Frame& b_in_a, Real reach, bool probe,
-                           Candidates& found, std::uint64_t& calls, SupportFault& fault) {
+                           Real lean, Candidates& found, std::uint64_t& calls, SupportFault& fault) {
   const Plane plane(half_space, b_in_a, reach, found);
   const Vec3 e1 = any_perpendicular(plane.n), e2 = plane.n.cross(e1);
   const int before = found.count;
-  for (int k = 0; k <= (probe ? 4 : 0); ++k) {
+  for (int k = 0; k <= (lean > 0 ? 8 : probe ? 4 : 0); ++k) {
     Vec3 dir = -plane.n;
-    if (k > 0) dir += kPlaneTilt * (kFour[k - 1][0] * e1 + kFour[k - 1][1] * e2);
+    if (k > 0) dir += (k <= 4 ? kPlaneTilt : lean) * (kFour[(k - 1) % 4][0] * e1 + kFour[(k - 1) % 4][1] * e2);
     dir /= dir.norm();
     Vec3 x;
     ++calls;

@@ -20,9 +20,10 @@ struct OnePiece {
   Frame place(const Frame& scenery) const { return Frame(scenery.r, scenery.apply(shape.origin())); }
 };
 
-/// Of two answers the one that comes first; a fault before all.
+/// Of two answers the one that comes first, of two that touch at the start the deeper one; a fault before all.
 bool comes_before(const CastResult& a, const CastResult& b) {
   if (b.outcome == CastOutcome::miss) return a.outcome != CastOutcome::miss;
+  if (a.outcome == CastOutcome::overlap && b.outcome == CastOutcome::overlap) return a.separation < b.separation;
   return a.outcome != CastOutcome::miss && a.time < b.time;
 }
 

@@ -51,6 +51,21 @@ bool Scenery::field_corners(std::uint32_t index, std::array<Vec3, 3>& c) const {
   return true;
 }
 
+bool Scenery::piece_over(const Vec3& point, Piece& out) const {
+  const Real u = point.x() / spacing_x, v = point.z() / spacing_z;
+  if (!is_field() || !(u >= 0 && v >= 0 && u < columns - 1 && v < rows - 1)) return false;
+  const auto x = static_cast<std::uint32_t>(u), z = static_cast<std::uint32_t>(v);
+  return piece(2 * (z * (columns - 1) + x) + (u - x > v - z), out);
+}
+
+bool Scenery::is_over(std::uint32_t index, const Vec3& point) const {
+  constexpr Real kOnSide = 1e-9;  // of a cell: rounding of a point, and far more
+  const std::uint32_t x = index / 2 % (columns - 1), z = index / 2 / (columns - 1);
+  const Real u = point.x() / spacing_x - x, v = point.z() / spacing_z - z;
+  const Real far = index % 2 == 0 ? v : u, near = index % 2 == 0 ? u : v;
+  return near >= -kOnSide && far <= 1 + kOnSide && near <= far + kOnSide;
+}
+
 bool Scenery::field_piece(std::uint32_t index, Piece& out) const {
   if (!field_corners(index, out.corner)) return false;
   out.normal = (out.corner[1] - out.corner[0]).cross(out.corner[2] - out.corner[0]).normalized();

@@ -28,6 +28,7 @@ constexpr Real kFoldShare = 0.05, kFarthestFold = 4;
 // Which points of many stay: the extreme ones along directions tilted from the normal by this (as in
 // narrow/pair_half_space.cpp), at azimuths turned off every symmetry.
 constexpr Real kTriangleTilt = 0.05;
+constexpr Real kLeaningTilt = 1;  // of a shape that leans: as far up as out
 constexpr int kWays = 12;
 constexpr Real kAzimuth[kWays][2] = {
     {0.9950041652780258, 0.09983341664682815},   {0.8117821756786866, 0.5839603576017622},
@@ -67,9 +68,9 @@ struct Sides {
     }
   }
   /// m, how far within the sides a place above the plane is; negative outside.
-  Real inset(const Piece& p, const Vec3& x) const {
+  Real inset(const std::array<Vec3, 3>& corner, const Vec3& x) const {
     Real least = kInfinity;
-    for (std::size_t i = 0; i < 3; ++i) least = std::min(least, -out[i].dot(x - p.corner[i]));
+    for (std::size_t i = 0; i < 3; ++i) least = std::min(least, -out[i].dot(x - corner[i]));
     return least;
   }
 };
@@ -125,7 +126,7 @@ Ruling judge(const Scenery& scenery, const Piece& piece, const Sides& sides, con
 }  // namespace
 
 SceneryMeeting::SceneryMeeting(Memory* memory)
-    : shape_(memory), near_(memory), found_(memory), normals_(memory), patches_(memory) {}
+    : shape_(memory), plane_(memory), near_(memory), found_(memory), normals_(memory), patches_(memory) {}
 
 bool SceneryMeeting::find(const SceneryPair& pair, const NarrowSettings& settings, Real reach, NarrowReport& report,
                           SupportFault& fault) {
@@ -136,14 +137,25 @@ bool SceneryMeeting::find(const SceneryPair& pair, const NarrowSettings& setting
   Aabb box = world_bounds(pair.convex, convex_in_scenery.r, convex_in_scenery.p, fault);
   if (fault.kind != SupportFault::none) return false;
   box.lo -= Vec3::constant(reach), box.hi += Vec3::constant(reach);
+  const Vec3 centre = convex_in_scenery.apply(pair.convex.mass.centroid);
+  const Terms t{pair, convex_in_scenery, centre, settings, reach, report, fault};
+  Piece under;
+  const Ground ground = look_down(t, under);
+  if (ground == Ground::below) box.lo.y() = scenery.bounds.lo.y(), box.hi.y() = scenery.bounds.hi.y();
   scenery.each_near(box, [&](std::uint32_t index) { near_.push_back(index); });
   std::sort(near_.begin(), near_.end());  // who moves meets the same pieces in the same order
-  const Vec3 centre = convex_in_scenery.apply(pair.convex.mass.centroid);
   for (const std::uint32_t index : near_) {
     Piece piece;
-    if (!scenery.piece(index, piece) || !face(scenery, centre, piece)) continue;
-    if (meet(pair, piece, convex_in_scenery, centre, settings, reach, report, fault)) continue;
-    return false;
+    if (!scenery.piece(index, piece)) continue;
+    if (ground != Ground::none) {
+      if (!stand(t, piece)) return false;
+      add_standing(t, [&](const Vec3& point) { return scenery.is_over(index, point); });
+    }
+    if (ground == Ground::below) {
+      if (index == under.index && !lift(t, piece)) return false;
+    } else if (face(scenery, centre, piece) && !meet(t, piece)) {
+      return false;
+    }
   }
   // Deep at a corner, each piece by itself may be left by a way that the others close. Then the least deep of them
   // holds.
@@ -153,16 +165,16 @@ bool SceneryMeeting::find(const SceneryPair& pair, const NarrowSettings& setting
   return true;
 }
 
-bool SceneryMeeting::meet(const SceneryPair& pair, const Piece& piece, const Frame& convex_in_scenery,
-                          const Vec3& centre, const NarrowSettings& settings, Real reach, NarrowReport& report,
-                          SupportFault& fault) {
-  ++report.support_calls;
+bool SceneryMeeting::meet(const Terms& t, const Piece& piece) {
+  const SceneryPair& pair = t.pair;
+  const Scenery& scenery = *pair.scenery.scenery;
+  ++t.report.support_calls;
   Vec3 deepest;
-  if (!full_support(pair.convex, -convex_in_scenery.rotate_inverse(piece.normal), deepest, fault)) return false;
-  const Vec3 foot = convex_in_scenery.apply(deepest);
+  if (!full_support(pair.convex, -t.convex_in_scenery.rotate_inverse(piece.normal), deepest, t.fault)) return false;
+  const Vec3 foot = t.convex_in_scenery.apply(deepest);
   const Real height = piece.normal.dot(foot - piece.corner[0]);
-  if (!(height <= reach)) return true;
-  const Sides sides(piece, centre);
+  if (!(height <= t.reach)) return true;
+  const Sides sides(piece, t.centre);
   shape_.set(piece);
   const Frame frame(pair.frame.r, pair.frame.apply(shape_.origin()));
   ContactPoint nearest;
@@ -175,22 +187,21 @@ bool SceneryMeeting::meet(const SceneryPair& pair, const Piece& piece, const Fra
     left_->normal = pair.frame.rotate(piece.normal), left_->separation = height;
   };
   bool own = true;  // the piece's own normal is the answer
-  const Real inset = sides.inset(piece, foot);
+  const Real inset = sides.inset(piece.corner, foot);
   // Along another direction, at an angle t to the normal, the piece reaches farther by inset sin(t) and the shape's
   // depth shrinks by (1 - cos(t)) at most: shallower only if tan(t/2) > inset / depth, and never while that is 1.
   if (sides.any && !(inset >= 0 && -height <= inset)) {
-    QuerySettings query = settings.query;
-    query.max_distance = reach, query.method = Method::gjk_epa;
+    QuerySettings query = t.settings.query;
+    query.max_distance = t.reach, query.method = Method::gjk_epa;
     QueryResult answer;
     const Frame convex_in_piece = relative(frame, pair.convex_frame);
-    generic_distance(shape_.shape(), pair.convex, convex_in_piece, query, nullptr, answer, fault);
-    report.gjk_calls += 1, report.epa_calls += answer.epa_iterations > 0;
-    report.support_calls += static_cast<std::uint64_t>(answer.support_calls);
+    generic_distance(shape_.shape(), pair.convex, convex_in_piece, query, nullptr, answer, t.fault);
+    t.report.gjk_calls += 1, t.report.epa_calls += answer.epa_iterations > 0;
+    t.report.support_calls += static_cast<std::uint64_t>(answer.support_calls);
     if (answer.status == QueryStatus::fault) return false;
-    if (answer.farther || !(answer.separation <= reach)) return true;
+    if (answer.farther || !(answer.separation <= t.reach)) return true;
     const Vec3 place = answer.point_a + shape_.origin();
-    const Ruling verdict =
-        judge(*pair.scenery.scenery, piece, sides, place, answer.normal, 1e-7 * shape_.shape().bounding_radius);
+    const Ruling verdict = judge(scenery, piece, sides, place, answer.normal, 1e-7 * shape_.shape().bounding_radius);
     if (verdict == Ruling::neighbours) return leave(), true;
     own = verdict == Ruling::own;
     if (!own) {
@@ -199,14 +210,16 @@ bool SceneryMeeting::meet(const SceneryPair& pair, const Piece& piece, const Fra
     }
   }
   nearest.normal = pair.frame.rotate(nearest.normal);
-  const Real over = reach + kFoldShare * pair.convex.bounding_radius;
-  if (own && inset < 0 && -inset <= over && (sides.fold[0] || sides.fold[1] || sides.fold[2]))
-    shape_.reshape(over_folds(*pair.scenery.scenery, piece, sides, centre, over));
+  const Real over = t.reach + kFoldShare * pair.convex.bounding_radius;
+  const bool folds = sides.fold[0] || sides.fold[1] || sides.fold[2];
+  std::array<Vec3, 3> corner = piece.corner;
+  if (own && folds) corner = over_folds(scenery, piece, sides, t.centre, over);
+  if (own && folds && inset < 0 && -inset <= over) shape_.reshape(corner);
   // What reaches far below a piece without touching it comes from around an edge elsewhere.
-  if (own && -height > std::max(inset, reach)) {
+  if (own && -height > std::max(inset, t.reach)) {
     const OverlapResult through = overlap(shape_.shape(), pair.convex, relative(frame, pair.convex_frame), 0,
-                                          kPoseRounding * kUnitRoundoff, settings.query.gjk_cap, fault);
-    report.support_calls += static_cast<std::uint64_t>(through.support_calls);
+                                          kPoseRounding * kUnitRoundoff, t.settings.query.gjk_cap, t.fault);
+    t.report.support_calls += static_cast<std::uint64_t>(through.support_calls);
     if (through.outcome == Overlap::fault) return false;
     if (through.outcome == Overlap::apart) return true;
   }
@@ -214,8 +227,12 @@ bool SceneryMeeting::meet(const SceneryPair& pair, const Piece& piece, const Fra
   // Neighbours see a place above their common side from frames of their own.
   const Real blur = 64 * kUnitRoundoff * (frame.p.abs().sum() + shape_.origin().abs().sum());
   PatchPoints points;
-  if (!find_patch(patch_pair, nearest, {own, reach, blur}, points, report.support_calls, fault)) return false;
-  add(points, shape_.origin(), own && points.flat, reach);
+  if (!find_patch(patch_pair, nearest, {own, t.reach, blur}, points, t.report.support_calls, t.fault)) return false;
+  add(points, shape_.origin(), own && points.flat, t.reach);
+  if (own) {
+    if (!stand(t, piece)) return false;
+    add_standing(t, [&](const Vec3& point) { return sides.inset(corner, point) >= -blur; });
+  }
   if (points.count == 0 && sides.any) leave();
   return true;
 }
@@ -243,34 +260,42 @@ void SceneryMeeting::add(const PatchPoints& points, const Vec3& origin, bool fir
   }
 }
 
-/// Of each patch the points that matter: the deepest, and those farthest out.
+/// Of each patch the points that matter: the deepest, and those farthest out; where a shape leans, so that one end is
+/// deepest however little that counts, the other end that may come down within the step, too.
 void SceneryMeeting::gather(const Frame& frame, Real same) {
   for (std::uint32_t k = 0; k < normals_.size(); ++k) {
     SceneryPatch& patch = patches_.emplace_back();
-    const Vec3 n = frame.rotate_inverse(patch.normal = normals_[k]), e1 = any_perpendicular(n), e2 = n.cross(e1);
+    patch.normal = normals_[k];
     patch.firm = true, patch.count = 0;
-    std::array<const Found*, kWays + 1> most{};
-    std::array<Real, kWays + 1> score;
-    score.fill(-kInfinity);
-    for (const Found& f : found_) {
-      if (f.patch != k) continue;
-      patch.firm &= f.firm;
-      const Real depth = -f.point.separation;
-      for (std::size_t way = 0; way <= kWays; ++way) {
-        const Real s = way == 0
-                           ? depth
-                           : depth + kTriangleTilt * (kAzimuth[way - 1][0] * e1 + kAzimuth[way - 1][1] * e2).dot(f.point.on_a);
-        if (s > score[way]) score[way] = s, most[way] = &f;
-      }
+    for (const Found& f : found_)
+      if (f.patch == k) patch.firm &= f.firm;
+    choose(k, frame, kTriangleTilt, same, patch);
+    choose(k, frame, kLeaningTilt, same, patch);
+  }
+}
+
+/// The deepest point of a patch, and the extreme ones along directions tilted from the normal.
+void SceneryMeeting::choose(std::uint32_t k, const Frame& frame, Real tilt, Real same, SceneryPatch& patch) const {
+  const Vec3 n = frame.rotate_inverse(patch.normal), e1 = any_perpendicular(n), e2 = n.cross(e1);
+  std::array<const Found*, kWays + 1> most{};
+  std::array<Real, kWays + 1> score;
+  score.fill(-kInfinity);
+  for (const Found& f : found_) {
+    if (f.patch != k) continue;
+    const Real depth = -f.point.separation;
+    for (std::size_t way = 0; way <= kWays; ++way) {
+      const Real s =
+          way == 0 ? depth : depth + tilt * (kAzimuth[way - 1][0] * e1 + kAzimuth[way - 1][1] * e2).dot(f.point.on_a);
+      if (s > score[way]) score[way] = s, most[way] = &f;
     }
-    for (const Found* f : most) {
-      if (!f) continue;
-      const auto known = [&](const ContactPoint& p) {
-        return (p.on_a - f->point.on_a).squared_norm() <= same * same &&
-               (p.on_b - f->point.on_b).squared_norm() <= same * same;
-      };
-      if (std::none_of(patch.point, patch.point + patch.count, known)) patch.point[patch.count++] = f->point;
-    }
+  }
+  for (const Found* f : most) {
+    if (!f || patch.count == PatchPoints::kMax) continue;
+    const auto known = [&](const ContactPoint& p) {
+      return (p.on_a - f->point.on_a).squared_norm() <= same * same &&
+             (p.on_b - f->point.on_b).squared_norm() <= same * same;
+    };
+    if (std::none_of(patch.point, patch.point + patch.count, known)) patch.point[patch.count++] = f->point;
   }
 }
 

@@ -45,12 +45,37 @@ class SceneryMeeting {
     std::uint32_t patch;
     bool firm;
   };
-  bool meet(const SceneryPair& pair, const Piece& piece, const Frame& convex_in_scenery, const Vec3& centre,
-            const NarrowSettings& settings, Real reach, NarrowReport& report, SupportFault& fault);
+  /// What is asked of each piece alike.
+  struct Terms {
+    const SceneryPair& pair;
+    const Frame& convex_in_scenery;
+    Vec3 centre;  // m, scenery's frame: of the shape
+    const NarrowSettings& settings;
+    Real reach;  // m
+    NarrowReport& report;
+    SupportFault& fault;
+  };
+  enum class Ground { none, below, above };  // of a height field, beside the shape's centre
+  Ground look_down(const Terms& t, Piece& under) const;
+  bool meet(const Terms& t, const Piece& piece);
+  bool stand(const Terms& t, const Piece& piece);
+  /// Make points of those that stand where a piece counts. @param counts  says so of a point, m, scenery's frame
+  template <class F>
+  void add_standing(const Terms& t, F&& counts) {
+    PatchPoints points;
+    for (const ContactPoint* p = standing_.point; p < standing_.point + standing_.count; ++p)
+      if (counts(p->on_a + p->separation * plane_.normal)) points.point[points.count++] = *p;
+    const Form form = t.pair.convex.form;
+    add(points, Vec3::zero(), form == Form::box || form == Form::polytope, t.reach);
+  }
+  bool lift(const Terms& t, const Piece& piece);
   void add(const PatchPoints& points, const Vec3& origin, bool firm, Real reach);
   void gather(const Frame& frame, Real same);
+  void choose(std::uint32_t k, const Frame& frame, Real tilt, Real same, SceneryPatch& patch) const;
 
   PieceShape shape_;
+  Shape plane_;           // of a piece
+  Candidates standing_;   // points of the shape over that plane or under it
   Array<std::uint32_t> near_;
   Array<Found> found_;
   std::optional<ContactPoint> left_;  // of pieces with edges that gave no point, the least deep

@@ -53,6 +53,11 @@ struct Scenery {
   /// @return  false: a hole
   bool piece(std::uint32_t index, Piece& out) const;
 
+  /// Of a height field: the piece that stands over or under a point, by x and z alone. @return  false: none does
+  bool piece_over(const Vec3& point, Piece& out) const;
+  /// Whether a piece of a height field stands over or under a point; on a side of two, both do.
+  bool is_over(std::uint32_t index, const Vec3& point) const;
+
   /// Call f(index) for pieces whose bounds may overlap a box in the scenery's frame, in an order that follows from the
   /// box and the scenery alone.
   template <class F>

@@ -127,6 +127,13 @@ struct Arms {
   }
 };
 
+/// A body whose masses are those of the substep's beginning, where its spin has been led on to its end.
+struct ImpactSpin {
+  std::uint32_t slot;
+  Vec3 begun, end;  // rad/s, world: where the substep begins, and to where a rotation method led it
+  bool is_led_back;
+};
+
 /// A row that bounces, within a substep.
 struct Impact {
   std::uint32_t row;
@@ -176,6 +183,8 @@ struct Contacts {
         is_bound(m),
         bouncing(m),
         impacts(m),
+        spins(m),
+        one_spin(m),
         last_impact(m),
         resisting(m),
         driven(m),
@@ -216,6 +225,8 @@ struct Contacts {
   Array<std::uint8_t> is_bound;   // by slot: it is one of them
   Array<std::uint32_t> bouncing;  // rows with a restitution, ascending
   Array<Impact> impacts;          // of each of them
+  Array<ImpactSpin> spins;        // of bodies that bounce and turn far for their shape: scratch
+  Customers one_spin;             // scratch, for rotation methods
   Array<Real> last_impact;        // s, by body slot, since the substep began: scratch
   Array<Resistance> resisting;    // ascending by row
   Array<Driven> driven;           // likewise

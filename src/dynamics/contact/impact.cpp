@@ -10,6 +10,7 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/quarantine.h"
+#include "dynamics/solver/far_turns.h"
 
 namespace carom::dynamics {
 namespace {
@@ -31,6 +32,7 @@ class Impacts {
         near_(world.scene.dials[Dial::position_tolerance]) {}
 
   void answer() {
+    lead_spins_back();
     for (Impact& at : c_.impacts) {
       const Row& row = c_.rows[at.row];
       at.accel = (velocity(at) - at.before) / time_.h;
@@ -42,6 +44,7 @@ class Impacts {
       answer_all();
       move_back();
     }
+    lead_spins_on();
     if (lag_ > time_.h / 2) give_leeway();
   }
 
@@ -49,6 +52,39 @@ class Impacts {
   struct Point : ImpactPoint {
     Impact* at;
   };
+
+  /// Spins of the substep's beginning, of bodies whose inertia turns too far in it for the spin of its end.
+  void lead_spins_back() {
+    c_.spins.clear();
+    if (!world_.plan->rotation_method) return;
+    const State& s = world_.state;
+    for (const std::uint32_t body : c_.bodies) {
+      if (!world_.plan->effects[+EffectId::gyroscopic].candidates.has(body) || s.quarantined[body]) continue;
+      const bool far = is_carried(*world_.plan, body) && turns_far_for_its_shape(world_, body, time_.h);
+      const Vec3 end = s.omega[body], begun = far ? led_back(world_, body, end) : end;
+      c_.spins.push_back({body, begun, end, far});
+      if (far) motion_.omega[body] = begun;
+    }
+  }
+  /// And on again, over the substep.
+  void lead_spins_on() {
+    const State& s = world_.state;
+    for (const ImpactSpin& spin : c_.spins) {
+      const Vec3 gained = s.omega[spin.slot] - spin.begun;
+      if (gained == Vec3::zero()) {
+        if (spin.is_led_back) motion_.omega[spin.slot] = spin.end;
+        continue;
+      }
+      if (!spin.is_led_back && !turns_far_for_its_shape(world_, spin.slot, time_.h)) continue;
+      if (!is_carried(*world_.plan, spin.slot)) {
+        if (world_.plan->integrator->proposes)
+          world_.plan->proposal.q[spin.slot] = normalized(exp_map(time_.h * s.omega[spin.slot]) * s.q[spin.slot]);
+        continue;
+      }
+      if (!spin.is_led_back) motion_.omega[spin.slot] = led_back(world_, spin.slot, spin.end) + gained;
+      lead_on(world_, motion_, spin.slot, time_.h, c_.one_spin);
+    }
+  }
 
   void answer_all() {
     refresh_inertias(world_);
@@ -173,6 +209,8 @@ class Impacts {
 
   /// Bodies stand where the motion that they have now would have begun.
   void move_back() {
+    for (const ImpactSpin& spin : c_.spins)  // a turn that does not fit a body's shape would change its energy
+      if (turns_too_far(world_, spin.slot, c_.turn[spin.slot])) c_.turn[spin.slot].set_zero();
     for (const std::uint32_t i : c_.bodies) {
       correct_pose(poses_, i, c_.shift[i], c_.turn[i]);
       c_.shift[i].set_zero(), c_.turn[i].set_zero();

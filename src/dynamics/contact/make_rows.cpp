@@ -168,6 +168,15 @@ void fill_all_rows(const World& world, StepReport& report, Real scale) {
 }
 
 /// Runs of rows of one pair, and which of them bounce or rub.
+/// For who bounces and has unlike moments.
+void make_room_for_spins(const World& world) {
+  Contacts& c = *world.contacts;
+  c.spins.clear();
+  if (!world.plan->rotation_method) return;
+  c.spins.reserve(world.scene.bodies.slots());
+  if (c.one_spin.runs.empty()) c.one_spin.add(0);
+}
+
 void list_meetings(const World& world) {
   Contacts& c = *world.contacts;
   c.meetings.clear(), c.bouncing.clear(), c.impacts.clear();
@@ -255,7 +264,7 @@ void list_moved_bodies(const World& world, Impulses& impulses, const StepTime&) 
   Contacts& c = *world.contacts;
   const std::size_t n = c.rows.size(), slots = world.scene.bodies.slots();
   list_bodies(world);
-  if (!c.bouncing.empty()) make_room_for_search(world);
+  if (!c.bouncing.empty()) make_room_for_search(world), make_room_for_spins(world);
   c.inv_inertia_w.resize(slots);
   c.last_impact.resize(slots);
   c.shift.resize(slots, Vec3::zero()), c.turn.resize(slots, Vec3::zero());

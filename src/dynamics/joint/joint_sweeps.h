@@ -208,12 +208,20 @@ void warm_start(const JointRun& run) {
   }
 }
 
+CAROM_LANES_INLINE bool has_limit(const JointLayout& layout) {
+  for (std::uint32_t k = 0; k < layout.drives; ++k)
+    if (layout.drive[k].kind == DriveKind::limit) return true;
+  return false;
+}
+
 template <bool kPush, bool kTwoWays, bool kAxed>
 CAROM_LANES_INLINE void sweep_one(const JointRun& run, const JointLanes& joint, double inv_h) {
   JointSides<kTwoWays> sides(joint, run);
-  // Locks first, too: a spring answers a velocity, and what locks have yet to do to it is none of that. (Joints of other kinds keep
-  // their bits: a damped spring on one whose weight hangs off its axis rests off by c / k of such a velocity, in first order.)
-  if (kAxed && joint.layout.drives) hold_all<kPush>(sides, joint, run.rows + joint.first);
+  // Locks first, too. What they have yet to do to a coordinate's velocity is none of what a limit answers, whose mass is
+  // the one that locks leave it: m times that velocity is more than twice what would stop it where the mass alone is
+  // less than half of m, and gives energy. (Joints of other kinds that have none keep their bits: a damped spring on one
+  // whose weight hangs off its axis rests off by c / k of such a velocity, in first order.)
+  if (kAxed ? joint.layout.drives > 0 : has_limit(joint.layout)) hold_all<kPush>(sides, joint, run.rows + joint.first);
   for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
     act<kPush, kAxed>(sides, joint, run.drives[joint.first_drive + k], joint.layout.drive[k].kind, inv_h);
   hold_all<kPush>(sides, joint, run.rows + joint.first);

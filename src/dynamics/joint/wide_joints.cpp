@@ -172,6 +172,8 @@ bool turns_freely(const World& world, std::uint32_t body) {
 }
 /// Who moves on from a rotation method's proposal by what a solver changed, @see integrator.h.
 bool is_turned_on(const World& world, std::uint32_t body) {
+  const WideContacts& wide = *world.wide;
+  if (wide.far_turners && wide.far_turn[wide.body[body]].led_on) return false;
   return turns_freely(world, body) && world.plan->touched[body] && !world.state.quarantined[body];
 }
 
@@ -206,6 +208,19 @@ void find_gyro(const World& world, Real h, WideJoints& w) {
   }
 }
 
+/// Poses as the step begins, where contacts may come to count from later ones.
+void note_starts(const World& world, WideJoints& w) {
+  const WideContacts& wide = *world.wide;
+  w.start.clear(), w.shift.clear();
+  if (!wide.far_turners) return;
+  w.start.resize(wide.slot.size()), w.shift.resize(wide.slot.size());
+  w.shift[0].w = 1;
+  for (std::uint32_t i = 1; i < wide.slot.size(); ++i) {
+    w.start[i] = {wide.start_q[i], wide.start_x[i]};
+    w.shift[i].w = 1;
+  }
+}
+
 /// Which way bodies are free, of joints some of whose bodies are locked.
 void fill_locks(const World& world, WideJoints& w) {
   w.locks.clear();
@@ -219,11 +234,18 @@ void fill_locks(const World& world, WideJoints& w) {
   }
 }
 
+/// How far bodies have come since the step began: contacts count from later where they were made anew.
+void load_own_shifts(const World& world) {
+  WideJoints& w = *world.wide_joints;
+  if (!world.wide->far_turners) return;
+  for (std::uint32_t i = 1; i < w.start.size(); ++i) w.shift[i] = shift_since(world.state, world.wide->slot[i], w.start[i]);
+}
+
 }  // namespace
 
 void plan_joints(const World& world, Joints& joints) {
   WideJoints& w = *world.wide_joints;
-  w.active.clear(), w.linked.clear(), w.kicked.clear();
+  w.active.clear(), w.linked.clear(), w.kicked.clear(), w.bounded.clear();
   w.is_packed = false;
   for (const std::size_t row : {+EffectId::joint_limits, +EffectId::joint_motors})
     world.plan->effects[row].wanted = world.plan->effects[row].customers.count = 0;
@@ -279,6 +301,7 @@ void begin_joints(const World& world, Real h) {
   if (!w.any()) return;
   w.kernels = &joint_kernels(world.wide->kernels->name);
   find_kicked(world, w);
+  note_starts(world, w);
   w.gyro.reserve(world.plan->rotation_method ? world.wide->slot.size() : 0);
   const Dials& dials = world.scene.dials;
   const Softness soft = softness(std::min(dials[Dial::joint_frequency], 0.25 / h), dials[Dial::joint_damping], h);
@@ -325,6 +348,7 @@ void give_half_kicks(const World& world, Velocities& to) {
 
 void place_joints(const World& world) {
   load_shifts(world, *world.wide);
+  load_own_shifts(world);
   over_joints(world, world.wide_joints->kernels->place);
 }
 
@@ -339,6 +363,7 @@ void return_to_joints(const World& world) {
   const WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
   load_velocities(world, *world.wide);  // half kicks, and the direct solver's answers
+  load_own_shifts(world);
   over_joints(world, w.kernels->place);
   if (!w.kicked.empty()) sweep_joints(world, w.kernels->act_again, [](std::uint32_t) {});
 }

@@ -28,6 +28,10 @@ struct WideJoints {
         colours(m),
         kicked(m),
         gyro(m),
+        start(m),
+        shift(m),
+        bounded(m),
+        bounds(m),
         order(m) {}
 
   const JointKernels* kernels = nullptr;  // of the name of WideContacts::kernels
@@ -63,6 +67,25 @@ struct WideJoints {
   };
   Array<Kicked> kicked;      // ascending
   Array<BodyVelocity> gyro;  // by solver body, @see JointRun; empty: nobody turns so
+  // By solver body: where the step began, and how far bodies have come. Empty where WideContacts has the same.
+  Array<Pose> start;
+  Array<BodyShift> shift;
+
+  /// Bodies of groups with joints that nothing drives, and those groups: @see energy_bound.h
+  struct Bounded {
+    std::uint32_t body, group;
+    Vec3 v, omega;  // m/s, rad/s: before the solver
+    Quat q;         // to which that omega belongs
+  };
+  struct GroupBound {
+    bool is_driven = false, is_held = false, is_unresolved = false, gains = false;
+    Real surface = 0;            // m/s, of what it meets that impulses do not move
+    Real before = 0, after = 0;  // J
+    Real mass = 0;               // kg
+    Vec3 momentum = Vec3::zero();
+  };
+  Array<Bounded> bounded;    // ascending
+  Array<GroupBound> bounds;  // by group
 
   // scratch
   struct Order {
@@ -91,7 +114,7 @@ inline JointRun every_joint(const World& world) {
           w.rows.data(),
           w.drives.data(),
           world.wide->velocity.data(),
-          world.wide->shift.data(),
+          w.shift.empty() ? world.wide->shift.data() : w.shift.data(),
           world.wide->first_moved,
           w.locks.data(),
           w.gyro.empty() ? nullptr : w.gyro.data(),
@@ -161,6 +184,18 @@ void colour_joints(const World& world);
 void begin_joints(const World& world, Real h);
 /// A joint starts from no impulse.   @param link  index in active
 void drop_impulses(WideJoints& w, std::uint32_t link);
+// No energy from joints that are not resolved: energy_bound.h.
+/// As a step begins, once joints are placed: bodies of groups with joints that nothing drives, and which of these are
+/// not resolved. Allocates.
+/// @param h  s, a substep
+void find_bounded(const World& world, Real h);
+/// Before a substep's solver: their motion.
+void note_energies(const World& world);
+/// After the impulses that sweeps start from: groups whose joints are not resolved start from nothing where those give
+/// energy.
+void refuse_start(const World& world);
+/// After it: no more energy than that, where joints are not resolved.
+void bound_energies(const World& world, Velocities& to, Real h);
 /// Half of the forces' kick off, before the solver; and back, after the move, with the omega that belongs to the
 /// facing of then.
 void take_half_kicks(const World& world, Velocities& to);

@@ -16,6 +16,7 @@
 #include <span>
 
 #include "dynamics/force/force.h"
+#include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct.h"
@@ -148,7 +149,7 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
       motion.still &= points.speed2[k] < kLiesStill * fall;
     }
     const auto bears = [&](bool moves, std::uint32_t body) {
-      if (moves && turns_far_for_its_shape(world, body, world.plan->substeps * h)) motion = {true, false};
+      if (moves && is_carried(*world.plan, body) && turns_far_for_its_shape(world, body, world.plan->substeps * h)) motion = {true, false};
       if (moves) seen.mark(c.load[body], body, most > deep ? Contacts::kHeavy : Contacts::kLight);
     };
     bears(row.moves_a, row.a), bears(row.moves_b, row.b);
@@ -184,7 +185,7 @@ GroupMemory remember(const World& world, SolverMemory& of, const Seen& seen, boo
 GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const GroupMemory& memory, Real most_ratio) {
   const bool unlike = view.mass_ratio > most_ratio, still = motion.still && view.bodies <= kFewStill;
   if (!unlike && !memory.bears && !still) return GroupReason::ordinary;
-  if (memory.tired && !unlike) return GroupReason::too_much;
+  if (memory.tired && (!unlike || view.bodies > kMostUnlike)) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
   if (!memory.bears) return GroupReason::still;
   return motion.struck ? GroupReason::blow : GroupReason::sink;
@@ -299,18 +300,28 @@ void drop_impulses_of_joints(const World& world) {
   });
 }
 
+/// Block products of a step: no more than about twice what soft contacts of this world would take, nor than the dial.
+std::uint64_t direct_work(const World& world) {
+  const auto most = static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
+  const std::uint64_t points = world.contacts->rows.size();
+  return std::min(most, std::max(kLeastWork.value, kWorkOfPoint * points));
+}
+
 void auto_begin(const World& world, Solver::Begins to, const StepTime& time) {
   choose(world, to, to, to, time.h);
   drop_impulses_of_contacts(world);
   kSoftStep.begin(world, to, time);
   drop_impulses_of_joints(world);
-  gather_groups(world, to);
+  gather_groups(world, to, kMostFactor);
 }
 
 void auto_velocities(const World& world, Solver::Solves to, const StepTime& time) {
-  kSoftStep.velocities(world, to, time);
-  const auto work = static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
-  solve_groups(world, to, to, time.h, 1 + work, world.plan->substeps);
+  WideContacts& wide = *world.wide;
+  heed_impacts(world, wide);
+  begin_far_turns(world, to, wide, time.h);
+  solve_softly(world, to, time);
+  solve_groups(world, to, to, time.h, 1 + direct_work(world), world.plan->substeps);
+  end_far_turns(world, to, wide, time.h);
   spare_the_tired(world, to);
 }
 

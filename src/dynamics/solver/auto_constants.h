@@ -8,10 +8,19 @@
 namespace carom::dynamics {
 
 inline constexpr Constant<std::uint32_t> kMostDirectBodies{
-    "direct_most_bodies", 256, "bodies",
+    "direct_most_bodies", 512, "bodies",
     "of a group that the direct solver answers: beyond, finding an order of elimination alone takes too long",
     "more: a large heap stalls the step in which it counts as heavy; fewer: long chains and tall walls of unlike "
     "masses are left to soft contacts, and sink"};
+inline constexpr Constant<std::uint32_t> kMostUnlike{
+    "direct_most_unlike", 256, "bodies",
+    "of a group of unlike masses that goes on with the direct solver though it came nowhere near its solution",
+    "more: large heaps of unlike masses take all the work there is in each step; fewer: soft contacts throw about what "
+    "is light among what is heavy"};
+inline constexpr Constant<std::uint64_t> kMostFactor{
+    "direct_most_factor", 40000, "block products",
+    "of a step of Newton's method: a pyramid of 465 blocks takes 38,000, a heap of 300 cubes more, and soft contacts answer that",
+    "more: a heap that comes to rest stalls the step in which it is tried; fewer: large walls and pyramids sink"};
 
 // Points that close or part as fast as after a fall through a share of the thickness are struck, or do not lie still.
 inline constexpr Constant<Real> kBlow{
@@ -52,7 +61,18 @@ inline constexpr Constant<std::uint8_t> kTiredFor{
     "fewer: what can't be solved in time is tried again and again, at the full price each time; more: a heap that came "
     "to rest sags for as long"};
 
-inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kBlow,     kLiesStill, kFewStill,
-                                                 kFewJoined,        kBorneFor, kBearsFor,  kTiredFor};
+
+// Work of a step.
+inline constexpr Constant<std::uint64_t> kWorkOfPoint{
+    "direct_work_of_point", 16, "block products",
+    "of a step for each point that bears, of all groups that the direct solver answers together: some 2 us, twice what "
+    "soft contacts take for a point",
+    "more: a step in which much is solved at once stalls; fewer: heaps that come to rest are given up, and sag"};
+inline constexpr Constant<std::uint64_t> kLeastWork{
+    "direct_least_work", 4000, "block products", "of a step, however few points there are: half a millisecond",
+    "more: small scenes stall, if shortly; fewer: small structures are given up while they move"};
+
+inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kBlow,     kLiesStill, kFewStill,    kFewJoined,
+                                                 kBorneFor,         kBearsFor, kTiredFor,  kWorkOfPoint, kLeastWork};
 
 }  // namespace carom::dynamics

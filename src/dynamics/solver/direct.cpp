@@ -5,6 +5,8 @@
 
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/direct/cone_group.h"
+#include "dynamics/solver/direct/cone_group_constants.h"
+#include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/solver.h"
 
 namespace carom::dynamics {
@@ -22,9 +24,12 @@ void direct_begin(const World& world, Solver::Begins to, const StepTime& time) {
 }
 
 void direct_velocities(const World& world, Solver::Solves to, const StepTime& time) {
-  if (world.wide_joints->any()) load_velocities(world, *world.wide);
+  WideContacts& wide = *world.wide;
+  const bool joined = world.wide_joints->any();
+  if (joined) begin_far_turns(world, to, wide, time.h), load_velocities(world, wide);
   bend_joints(world, time.h);
   solve_groups(world, to, to, time.h, 0, world.plan->substeps);
+  if (joined) end_far_turns(world, to, wide, time.h);
 }
 
 void direct_positions(const World& world, Solver::Relaxes to, const StepTime& time) {
@@ -39,13 +44,50 @@ void direct_end(const World& world, Poses&, const StepTime&) {
 
 }  // namespace
 
+/// What those groups may take that ask for an answer in the first substep: those that move share the work, each for as
+/// many steps of Newton's method; those at rest as much again, one after the other, the worst first. What is left out goes
+/// on as it is: it takes a while until anybody sees that.
+static void share_out(DirectGroups& d, std::uint64_t work) {
+  const auto is_joined = [&](std::uint32_t g) { return d.begin[g].link < d.begin[g + 1].link; };
+  const auto shares = [&](std::uint32_t g) { return d.rest[g].asks && d.rest[g].is_bounded && !is_joined(g); };
+  std::uint64_t asked = 0;
+  d.urgent.clear();
+  for (std::uint32_t g = 0; g < d.groups(); ++g) {
+    if (!shares(g)) continue;
+    if (d.rest[g].lies)
+      d.urgent.push_back(g);
+    else
+      asked += d.work[g];
+  }
+  for (std::uint32_t g = 0; g < d.groups(); ++g) {
+    GroupRest& rest = d.rest[g];
+    if (!shares(g)) continue;
+    rest.share = rest.lies ? std::max<std::uint64_t>(work, kExpectedAtRest * d.work[g]) : work * d.work[g] / asked;
+    rest.work = rest.share;
+  }
+  std::ranges::sort(d.urgent, [&](std::uint32_t a, std::uint32_t b) {
+    const Real of_a = d.answer[a].residual, of_b = d.answer[b].residual;
+    return of_a != of_b ? of_a > of_b : a < b;
+  });
+  std::uint64_t taken = 0;
+  for (const std::uint32_t g : d.urgent) {
+    d.rest[g].waits = taken > work;
+    taken += kExpectedAtRest * d.work[g];
+  }
+}
+
 void solve_groups(const World& world, Velocities& to, StepReport& report, Real h, std::uint64_t work, int substeps) {
   DirectGroups& d = *world.direct;
   for (const Impact& at : world.contacts->impacts)
     if (GroupRest* const rest = at.concerns_solver() ? d.rest_of(world.contacts->rows[at.row]) : nullptr)
       rest->lasts = false;
   in_parallel(world.jobs, d.groups(), kDirectGroupsAPart,
-              [&](std::uint32_t g) { ConeGroup(world, g).solve(to, h, work, substeps); });
+              [&](std::uint32_t g) { ConeGroup(world, g).begin(to, h, work); });
+  if (work > 0 && std::ranges::any_of(d.rest, [](const GroupRest& rest) { return rest.is_first && rest.asks; }))
+    share_out(d, work);
+  in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
+    if (d.rest[g].asks) ConeGroup(world, g).solve(to, h, substeps);
+  });
   for (std::size_t g = 0; g < d.groups(); ++g) {
     if (d.rest[g].repeats > 0) continue;
     report.velocity_impulses += d.answer[g].factorisations;

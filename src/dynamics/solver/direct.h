@@ -16,12 +16,20 @@ inline constexpr Real kDirectShare = 0.01;
 /// What is known within a step of whether a group lies still.
 struct GroupRest {
   bool is_first = true;       // substep
+  bool is_too_large = false;  // to be factored
+  bool asks = false;          // for an answer, in this substep
+  bool waits = false;         // for the next step with it
+  bool stood = false;         // @see ConeProblem::stood
+  bool lies = false;          // all its contacts move less than anybody sees
+  Real least = 0;             // separation, in tolerable depths
+  Real goal = 0;              // m/s, residual that is good enough
   bool lasts = false;         // contacts were found at rest
   bool has_moved = false;     // a little, since its separations were measured
   bool resists = false;       // some of them resist rolling or spinning
   std::uint32_t repeats = 0;  // substeps that repeated its impulses and are not booked yet
   bool is_bounded = false;    // in what it may take
-  std::uint64_t work = 0;     // block products that it may still take in this step, if so
+  std::uint64_t share = 0;    // block products that it may take in this step, if so
+  std::uint64_t work = 0;     // of them, those that it may still take
   bool gave_up = false;       // that did not do for a substep: nor will it for the next
 };
 
@@ -31,10 +39,11 @@ inline bool is_far_off(const ConeAnswer& answer, const Dials& dials) {
 }
 
 /// The stages of the direct solver over the groups it answers, for it and for what chooses among solvers.
-void gather_groups(const World& world, SolverMemory& memory);  // allocates
+/// Allocates.   @param most_factor  block products of a factorisation; a group that takes more is answered by sweeps
+void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_factor = ~std::uint64_t{0});
 /// Velocities.
-/// @param work      most block products that a group may take in the step, for velocities and overlaps together,
-///                  beyond two factorisations a substep for each; 0: no bound
+/// @param work      most block products that all groups may take in the step, for velocities and overlaps together,
+///                  beyond two factorisations a substep for each that moves; 0: no bound
 /// @param substeps  that share it, where a group moves. Where it lies still the first takes what it needs: one that is
 ///                  solved, which the others repeat, is worth more than all of them solved in part.
 void solve_groups(const World& world, Velocities& to, StepReport& report, Real h, std::uint64_t work, int substeps);
@@ -66,7 +75,8 @@ struct DirectGroups {
         work(m),
         still(m),
         answer(m),
-        rest(m) {}
+        rest(m),
+        urgent(m) {}
 
   struct Begin {
     std::uint32_t contact, body, link;
@@ -96,6 +106,7 @@ struct DirectGroups {
   Array<std::uint8_t> still;  // by group: a few bodies that lie still, which is to stay so
   Array<ConeAnswer> answer;   // by group, of the last solve
   Array<GroupRest> rest;      // by group
+  Array<std::uint32_t> urgent;  // scratch: groups at rest that ask for an answer
 
   /// The body of a slot, new to the present group or not; kNobody where impulses do not move it.
   std::uint32_t node(bool moves, std::uint32_t slot) {

@@ -208,9 +208,7 @@ void renew(const World& world, WideContacts& wide, Real h) {
 // Who begins a step without spin is carried by no rotation method in it: it turns about its axis, which keeps its
 // energy as well.
 bool turns_far_for_its_shape(const World& world, std::uint32_t body, Real time) {
-  const Plan& plan = *world.plan;
-  if (!is_carried(plan, body)) return false;
-  const Vec3& moment = plan.principal[body].moment;
+  const Vec3& moment = world.plan->principal[body].moment;
   const Real unlike = moment.max_entry() / moment.min_entry() - 1;
   return unlike * time * time * world.state.omega[body].squared_norm() > kFarTurn;
 }
@@ -219,18 +217,25 @@ bool turns_too_far(const World& world, std::uint32_t body, const Vec3& turn) {
   return misfit(*world.plan, body, world.state.q[body].conjugate() * turn) > kFarTurn;
 }
 
+Vec3 led_back(const World& world, std::uint32_t body, const Vec3& end) {
+  const Vec3 momentum = inertia_at(world.scene, body, world.plan->proposal.q[body]) * end;
+  const Mat3 r = world.state.q[body].matrix();
+  return r * (world.scene.inv_inertia[body] * (r.transpose() * momentum));
+}
+
+void lead_on(const World& world, Velocities& to, std::uint32_t body, Real h, Customers& scratch) {
+  scratch.runs[0] = {body, body + 1};
+  world.plan->rotation_method->advance(world, to, scratch, h);
+}
+
 void find_far_turners(const World& world, WideContacts& wide) {
   const Plan& plan = *world.plan;
   wide.far_turn.assign(wide.slot.size(), {});
   wide.far_turners = false;
-  if (!plan.rotation_method || wide.manifolds.empty()) return;
+  if (!plan.rotation_method || (wide.manifolds.empty() && world.contacts->links.empty())) return;
   for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
     if (!plan.effects[+EffectId::gyroscopic].candidates.has(wide.slot[i])) continue;
     wide.far_turn[i].may = true;
-  }
-  for (const Link& link : world.contacts->links) {
-    if (link.moves_a) wide.far_turn[wide.body[link.a]].may = false;
-    if (link.moves_b) wide.far_turn[wide.body[link.b]].may = false;
   }
   wide.far_turners = std::ranges::any_of(wide.far_turn, &FarTurn::may);
   if (wide.far_turners && wide.one_turner.runs.empty()) wide.one_turner.add(0);
@@ -239,17 +244,14 @@ void find_far_turners(const World& world, WideContacts& wide) {
 void begin_far_turns(const World& world, Velocities& to, WideContacts& wide, Real h) {
   if (!wide.far_turners) return;
   const State& s = world.state;
-  const Plan& plan = *world.plan;
   renew(world, wide, 0);
   for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
     FarTurn& f = wide.far_turn[i];
     const std::uint32_t slot = wide.slot[i];
-    f.led_back = f.may && turns_far_for_its_shape(world, slot, h) && !s.quarantined[slot];
-    if (!f.led_back) continue;
+    f.led_on = false;
+    f.led_back = f.may && is_carried(*world.plan, slot) && turns_far_for_its_shape(world, slot, h) && !s.quarantined[slot];
     f.end = s.omega[slot];
-    const Vec3 momentum = inertia_at(world.scene, slot, plan.proposal.q[slot]) * f.end;
-    const Mat3 r = s.q[slot].matrix();
-    f.begun = to.omega[slot] = r * (world.scene.inv_inertia[slot] * (r.transpose() * momentum));
+    if (f.led_back) f.begun = to.omega[slot] = led_back(world, slot, f.end);
   }
 }
 
@@ -257,14 +259,14 @@ void end_far_turns(const World& world, Velocities& to, WideContacts& wide, Real 
   if (!wide.far_turners) return;
   const State& s = world.state;
   for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
-    const FarTurn& f = wide.far_turn[i];
+    FarTurn& f = wide.far_turn[i];
     const std::uint32_t slot = wide.slot[i];
-    if (!f.led_back && !(f.may && world.plan->touched[slot] && turns_far_for_its_shape(world, slot, h))) continue;
+    if (!f.led_back && !(f.may && is_carried(*world.plan, slot) && world.plan->touched[slot] && turns_far_for_its_shape(world, slot, h))) continue;
+    f.led_on = true;
     if (f.led_back && s.omega[slot] == f.begun) {
       to.omega[slot] = f.end;
     } else {
-      wide.one_turner.runs[0] = {slot, slot + 1};
-      world.plan->rotation_method->advance(world, to, wide.one_turner, h);
+      lead_on(world, to, slot, h, wide.one_turner);
     }
     BodyVelocity& b = wide.velocity[i];
     for (int k = 0; k < 3; ++k) b.omega[k] = s.omega[slot][k];

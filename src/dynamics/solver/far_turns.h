@@ -19,11 +19,17 @@ inline constexpr Constant<Real> kFarTurn{
     "larger: thin bodies gain energy where they hit; smaller: time, in heaps of bricks that tumble"};
 inline constexpr ConstantRow kFarTurnConstants[] = {kFarTurn};
 
-/// Whether a body's spin takes it too far within some time for masses that stay as they are.   @param time  s
+/// Whether the spin of a body with unlike moments takes it too far within some time for masses that stay as they are.
+/// @param time  s
 bool turns_far_for_its_shape(const World& world, std::uint32_t body, Real time);
 /// Likewise a turn.   @param turn  rad, world
 bool turns_too_far(const World& world, std::uint32_t body, const Vec3& turn);
-/// Which solver bodies may: those whose moments of inertia differ, and that no joint holds. Allocates.
+/// rad/s, world: a body's omega where a substep begins, of the one to which its rotation method has led it.
+Vec3 led_back(const World& world, std::uint32_t body, const Vec3& end);
+/// Leads a body's omega on over a substep, from its present pose: what it then has, and its proposal.
+/// @param scratch  of one customer
+void lead_on(const World& world, Velocities& to, std::uint32_t body, Real h, Customers& scratch);
+/// Which solver bodies may: those whose moments of inertia differ. Allocates.
 void find_far_turners(const World& world, WideContacts& wide);
 
 /// Before a substep's sweeps: rows as bodies are now, from no impulse where they had to be made anew.

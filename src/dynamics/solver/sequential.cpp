@@ -28,6 +28,7 @@ void sequential_velocities(const World& world, Solver::Solves to, const StepTime
   sweep_rows(
       world, [&](const JointRun& run) { joints->warm_start(run); },
       [](const auto& s, const auto& run) { s.warm_start(run); });
+  refuse_start(world);
   const int sweeps = world.scene.dials.whole(Dial::velocity_iterations);
   for (int k = 0; k < sweeps; ++k)
     sweep_rows(

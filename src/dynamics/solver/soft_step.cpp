@@ -39,23 +39,10 @@ void soft_step_begin(const World& world, Solver::Begins to, const StepTime& time
 }
 
 void soft_step_velocities(const World& world, Solver::Solves to, const StepTime& time) {
-  StepReport& report = to;
-  WideContacts& wide = *world.wide;
-  const Real inv_h = 1 / time.h, push_speed = world.scene.dials[Dial::push_speed];
-  heed_impacts(world, wide);
-  begin_far_turns(world, to, wide, time.h);
-  load_velocities(world, wide);
-  bend_joints(world, time.h);
-  const JointKernels* const joints = world.wide_joints->kernels;
-  sweep_rows(
-      world, [&](const JointRun& run) { joints->warm_start(run); },
-      [](const auto& s, const auto& run) { s.warm_start(run); });
-  sweep_rows(
-      world, [&](const JointRun& run) { joints->solve(run, inv_h); },
-      [&](const auto& s, const auto& run) { s.solve(run, inv_h, push_speed); });
-  store_velocities(world, to, wide, time.h);
-  end_far_turns(world, to, wide, time.h);
-  report.velocity_impulses += world.contacts->rows.size();
+  heed_impacts(world, *world.wide);
+  begin_far_turns(world, to, *world.wide, time.h);
+  solve_softly(world, to, time);
+  end_far_turns(world, to, *world.wide, time.h);
 }
 
 void soft_step_positions(const World& world, Solver::Relaxes to, const StepTime& time) {
@@ -93,6 +80,24 @@ void soft_step_end(const World& world, Poses& to, const StepTime&) {
 }
 
 }  // namespace
+
+void solve_softly(const World& world, Solver::Solves to, const StepTime& time) {
+  StepReport& report = to;
+  WideContacts& wide = *world.wide;
+  const Real inv_h = 1 / time.h, push_speed = world.scene.dials[Dial::push_speed];
+  load_velocities(world, wide);
+  bend_joints(world, time.h);
+  const JointKernels* const joints = world.wide_joints->kernels;
+  sweep_rows(
+      world, [&](const JointRun& run) { joints->warm_start(run); },
+      [](const auto& s, const auto& run) { s.warm_start(run); });
+  refuse_start(world);
+  sweep_rows(
+      world, [&](const JointRun& run) { joints->solve(run, inv_h); },
+      [&](const auto& s, const auto& run) { s.solve(run, inv_h, push_speed); });
+  store_velocities(world, to, wide, time.h);
+  report.velocity_impulses += world.contacts->rows.size();
+}
 
 Softness softness(Real frequency, Real damping, Real h) {
   const Real w = 2 * std::numbers::pi * frequency, b = 2 * damping + h * w, a = h * w * b;

@@ -22,9 +22,11 @@ void begin_contacts(const World& world, Solver::Begins to, Owned<MeanMotion>& me
   if (!world.plan->solver->row_by_row || world.wide_joints->any())
     refresh_inertias(world);  // lanes keep those of the step's begin
   serve(world.plan->solver->begin, world, to, time);
+  find_bounded(world, time.h);
   find_small_groups(world, means);
 }
 void solve_velocities(const World& world, Solver::Solves to, const StepTime& time) {
+  note_energies(world);
   take_half_kicks(world, to);
   serve(world.plan->solver->velocities, world, to, time);
   find_mean_motion(world, time);
@@ -32,6 +34,7 @@ void solve_velocities(const World& world, Solver::Solves to, const StepTime& tim
 void solve_positions(const World& world, Solver::Relaxes to, const StepTime& time) {
   give_half_kicks(world, to);
   serve(world.plan->solver->positions, world, to, time);
+  bound_energies(world, to, time.h);
 }
 void end_contacts(const World& world, Poses& poses, Breaking joints, Events& events, const StepTime& time) {
   serve(world.plan->solver->end, world, poses, time);

@@ -230,9 +230,7 @@ void load_shifts(const World& world, WideContacts& wide) {
   const State& s = world.state;
   in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
     if (i == 0) return;
-    const Vec3 x = s.x[wide.slot[i]] - wide.start_x[i];
-    const Quat q = s.q[wide.slot[i]] * wide.start_q[i].conjugate();
-    wide.shift[i] = {.x = {x.x(), x.y(), x.z()}, .u = {q.x(), q.y(), q.z()}, .w = q.w()};
+    wide.shift[i] = shift_since(s, wide.slot[i], {wide.start_q[i], wide.start_x[i]});
   });
 }
 

@@ -61,6 +61,7 @@ struct FarTurn {
   bool marked = false;    // its rows are made anew
   bool again = false;     // and are to be once more
   bool led_back = false;  // its velocity is that of the substep's beginning
+  bool led_on = false;    // and was led on from there, over this substep
   Vec3 begun, end;        // rad/s, world: that, and the one which a rotation method led it to
 };
 
@@ -247,6 +248,11 @@ void load_velocities(const World& world, WideContacts& wide);
 void store_velocities(const World& world, Velocities& to, const WideContacts& wide, Real h);
 /// How far bodies have come, from the state.
 void load_shifts(const World& world, WideContacts& wide);
+inline BodyShift shift_since(const State& s, std::uint32_t slot, const Pose& start) {
+  const Vec3 x = s.x[slot] - start.p;
+  const Quat q = s.q[slot] * start.q.conjugate();
+  return {.x = {x.x(), x.y(), x.z()}, .u = {q.x(), q.y(), q.z()}, .w = q.w()};
+}
 /// What impacts of this substep did to poses and impulses.
 void heed_impacts(const World& world, WideContacts& wide);
 /// Moves bodies by their displacements.

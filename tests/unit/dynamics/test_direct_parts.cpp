@@ -23,7 +23,7 @@ struct System {
   explicit System(std::uint32_t nodes, const std::vector<Edge>& edges, Random& random)
       : elimination(std::pmr::new_delete_resource()), factor(std::pmr::new_delete_resource()) {
     elimination.clear();
-    products = eliminate(0, nodes, edges, elimination);
+    products = eliminate(0, nodes, edges, ~std::uint64_t{0}, elimination);
     dense = Eigen::MatrixXd::Identity(6 * nodes, 6 * nodes);
     factor.diagonal.assign(nodes, Block{});
     factor.below.assign(elimination.rows.size(), Block{});
@@ -122,7 +122,7 @@ static void an_order_of_elimination_names_every_node_once_and_has_room_for_all_f
     }
     Elimination e(std::pmr::new_delete_resource());
     e.clear();
-    eliminate(0, n, edges, e);
+    eliminate(0, n, edges, ~std::uint64_t{0}, e);
     // Elimination as the textbook has it, on sets.
     std::vector<std::set<std::uint32_t>> near(n);
     for (const Edge& edge : edges) {

@@ -2,9 +2,29 @@
 #include "dynamics/solver/direct/block_factor.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace carom::dynamics {
 namespace {
+
+/// Two numbers side by side. Each goes through the operations that it would go through alone, so bits are the same.
+using TwoReals = double __attribute__((vector_size(2 * sizeof(double))));
+constexpr int kTwos = kDof / 2;
+
+/// A row of a block.
+struct RowOfTwos {
+  TwoReals at[kTwos];
+  explicit RowOfTwos(const Real* row) { std::memcpy(at, row, sizeof at); }
+  void store(Real* row) const { std::memcpy(row, at, sizeof at); }
+  void subtract(Real s, const RowOfTwos& o) {
+    const TwoReals both = {s, s};
+    for (int j = 0; j < kTwos; ++j) at[j] -= both * o.at[j];
+  }
+  void divide(Real by) {
+    const TwoReals both = {by, by};
+    for (int j = 0; j < kTwos; ++j) at[j] /= both;
+  }
+};
 
 /// a := its lower Cholesky factor; what is above the diagonal is left.
 bool factor(Block& a) {
@@ -24,16 +44,6 @@ bool factor(Block& a) {
   return true;
 }
 
-/// a := a l^-T, for l lower triangular.
-void divide(Block& a, const Block& l) {
-  for (int j = 0; j < kDof; ++j)
-    for (int i = 0; i < kDof; ++i) {
-      Real s = a.x[i][j];
-      for (int k = 0; k < j; ++k) s -= a.x[i][k] * l.x[j][k];
-      a.x[i][j] = s / l.x[j][j];
-    }
-}
-
 Block transposed(const Block& a) {
   Block t;
   for (int i = 0; i < kDof; ++i)
@@ -41,13 +51,25 @@ Block transposed(const Block& a) {
   return t;
 }
 
+/// a := a l^-T, for l lower triangular: column by column, each as a row of what is transposed.
+void divide(Block& a, const Block& l) {
+  Block t = transposed(a);
+  for (int j = 0; j < kDof; ++j) {
+    RowOfTwos column(t.x[j]);
+    for (int k = 0; k < j; ++k) column.subtract(l.x[j][k], RowOfTwos(t.x[k]));
+    column.divide(l.x[j][j]);
+    column.store(t.x[j]);
+  }
+  a = transposed(t);
+}
+
 /// c -= a b, b given as it stands.
 void subtract_product(Block& c, const Block& a, const Block& b) {
-  for (int i = 0; i < kDof; ++i)
-    for (int k = 0; k < kDof; ++k) {
-      const Real s = a.x[i][k];
-      for (int j = 0; j < kDof; ++j) c.x[i][j] -= s * b.x[k][j];
-    }
+  for (int i = 0; i < kDof; ++i) {
+    RowOfTwos row(c.x[i]);
+    for (int k = 0; k < kDof; ++k) row.subtract(a.x[i][k], RowOfTwos(b.x[k]));
+    row.store(c.x[i]);
+  }
 }
 
 }  // namespace

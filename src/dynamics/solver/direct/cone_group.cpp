@@ -4,6 +4,7 @@
 
 #include "dynamics/contact/depth.h"
 #include "dynamics/quarantine.h"
+#include "dynamics/solver/direct/at_rest.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/least_force.h"
@@ -34,7 +35,7 @@ void start_from_nothing(ConeProblem& problem) {
   for (ConeLink& c : problem.links) c.next_p = 0;
 }
 
-/// What was never solved before takes the time it takes, once.
+/// What was just built and stands takes the time it takes, once.
 bool starts_from_nothing(const ConeProblem& problem) {
   return std::ranges::all_of(problem.contacts, [](const ConeContact& c) { return c.start_p == Vec3::zero(); }) &&
          std::ranges::all_of(problem.links, [](const ConeLink& c) { return c.start_p == 0; });
@@ -53,6 +54,11 @@ Real fastest(const ConeProblem& problem) {
   Real most = 0;
   for (const ConeContact& c : problem.contacts) most = std::max(most, std::fabs(c.u.dot(c.n)));
   return most;
+}
+
+/// (m/s)^2, of the points of a body that has velocity v, in the mean.
+Real speed2(const ConeBody& b, const Vec6& v) {
+  return v.linear().squared_norm() + b.inertia.trace() * b.inv_mass * v.angular().squared_norm();
 }
 
 /// m/s, likewise, in any direction.
@@ -74,12 +80,14 @@ ConeGroup::ConeGroup(const World& world, std::size_t group)
       row_(world.direct->row.data() + world.direct->begin[group].contact),
       link_row_(world.direct->link_row.data() + world.direct->begin[group].link),
       work_(world.direct->work[group]),
-      still_(world.direct->still[group]) {}
+      still_(world.direct->still[group]) {
+  problem_.stood = rest_.stood;
+}
 
 /// Of Newton's method.   @param work  block products, beyond those of kAlways
 std::uint32_t ConeGroup::allowed_steps(std::uint64_t work) const {
   if (!rest_.is_bounded) return kMostSteps;
-  if (rest_.gave_up) return kAlways;
+  if (starts_from_nothing(problem_)) work = std::max<std::uint64_t>(work, kFromNothing * work_);
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + work / work_, kMostSteps));
 }
 
@@ -100,10 +108,8 @@ void ConeGroup::book_repeats() {
 /// leaves the bodies' velocities as they are: what has changed is looked for once a step.
 bool ConeGroup::repeat(Velocities& to, Real tolerance) {
   for (const ConeBody& b : bodies_of(problem_)) {
-    const Vec3 dv = s_.v[b.slot] + b.change.linear() - b.v.linear();
-    const Vec3 turn = s_.omega[b.slot] + b.change.angular() - b.v.angular();
-    const Real radius2 = b.inertia.trace() * b.inv_mass;
-    if (!(dv.squared_norm() + radius2 * turn.squared_norm() < kRest * kRest * tolerance * tolerance)) return false;
+    const Vec6 gained = Vec6(s_.v[b.slot], s_.omega[b.slot]) + b.change - b.v;
+    if (!(speed2(b, gained) < kRest * kRest * tolerance * tolerance)) return false;
   }
   for (ConeBody& b : bodies_of(problem_)) {
     load(b);
@@ -125,18 +131,25 @@ void ConeGroup::follow_bodies() {
 /// Velocities with the impulses that contacts start from.   @return the least separation, in tolerable depths
 Real ConeGroup::start(Real h) {
   Real least = kInfinity;
+  problem_.stood = !is_joined();
   for (ConeBody& b : bodies_of(problem_)) {
     b.gained = -b.v;
     load(b);
+    problem_.stood &= speed2(b, b.gained) <= speed2(b, b.gained + b.v);
     b.gradient.set_zero();
   }
   if (!rest_.is_first) follow_bodies();
+  problem_.stood &=
+      std::ranges::all_of(problem_.contacts, [](const ConeContact& c) { return c.carried == Vec3::zero(); });
+  rest_.stood = problem_.stood;
+  // Gaps of nanometres are none to what stands: else they would say which corners of a stack bear it.
+  const Real closes_anyway = problem_.stood ? kRest * tolerance() : 0;  // m/s
   each([&](ConeContact& contact, std::uint32_t i) {
     const Row& row = c_.rows[i];
     const Real separation = c_.geometry[i].separation;
     least = std::min(least, separation / tolerable_depth(world_, c_.geometry[i]));
     contact.friction = row.friction;
-    contact.want = separation > 0 ? -separation / h : 0;
+    contact.want = std::min(Real(0), closes_anyway - separation / h);
     contact.p = contact.start_p = row.p;
     add_impulse<&ConeBody::gradient>(problem_, contact, contact.p);
   });
@@ -196,7 +209,7 @@ void ConeGroup::find(Real goal, std::uint32_t most_steps) {
 void ConeGroup::find_from_nothing(Real goal, std::uint32_t most_steps) {
   const std::uint32_t taken = answer_.factorisations;
   drop_impulses(problem_);
-  answer_ = solve_with_least_force(problem_, goal, most_steps);
+  answer_ = solve_with_least_force(problem_, goal, std::max(most_steps, taken + kAlways) - taken);
   answer_.factorisations += taken;
 }
 
@@ -209,19 +222,73 @@ void ConeGroup::refuse_gain(Real goal, std::uint32_t most_steps) {
   answer_.residual = residual(problem_), answer_.reached = false, answer_.is_by_sweeps = true;
 }
 
-void ConeGroup::solve(Velocities& to, Real h, std::uint64_t work, int substeps) {
-  const Real tolerance = kDirectShare * world_.scene.dials[Dial::velocity_tolerance];
-  if (rest_.lasts && repeat(to, tolerance)) return;
+Real ConeGroup::tolerance() const { return kDirectShare * world_.scene.dials[Dial::velocity_tolerance]; }
+
+bool ConeGroup::lies_still() const {
+  return !is_joined() && fastest_any_way(problem_) < world_.scene.dials[Dial::velocity_tolerance];
+}
+
+/// An answer in which all lies still, made one that lasts.
+bool ConeGroup::comes_to_rest(Real goal) {
+  if (!problem_.stood || !answer_.reached || answer_.factorisations == 0 || !lies_still()) return false;
+  const std::uint32_t taken = rest(problem_, goal);
+  answer_.factorisations += taken;
+  return taken > 0;
+}
+
+Real ConeGroup::goal(bool is_bounded) const {
+  const auto fine = [&] { return std::max(kFineShare * tolerance(), rounding(problem_)); };
+  if (still_) return fine();
+  const bool roughly = is_bounded && !problem_.stood;
+  const Real enough = roughly ? std::max(tolerance(), kConeShare * fastest(problem_)) : tolerance();
+  return is_joined() ? std::min(enough, fine()) : enough;
+}
+
+void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
+  const bool is_bounded = work > 0;
+  if (rest_.is_first) rest_.work = rest_.share = work;
+  rest_.asks = false;
+  if (rest_.lasts && repeat(to, tolerance())) return;
   book_repeats();
   if (rest_.has_moved) turn_frames(), measure();  // should it not lie still any more
-  const Real least = start(h);
-  rest_.is_bounded = work && !starts_from_nothing(problem_);
-  if (rest_.is_first) rest_.work = work;
-  const auto fine = [&] { return std::max(kFineShare * tolerance, rounding(problem_)); };
-  const Real enough = still_ ? fine() : work ? std::max(tolerance, kConeShare * fastest(problem_)) : tolerance;
-  const Real goal = is_joined() ? std::min(enough, fine()) : enough;
-  const bool lies = !is_joined() && fastest_any_way(problem_) < world_.scene.dials[Dial::velocity_tolerance];
-  const std::uint32_t most_steps = allowed_steps(lies ? rest_.work : work / static_cast<std::uint64_t>(substeps));
+  rest_.least = start(h);
+  rest_.lies = lies_still();
+  rest_.waits &= rest_.lies;
+  rest_.is_bounded = is_bounded && !(problem_.stood && starts_from_nothing(problem_));
+  if (rest_.is_too_large || rest_.gave_up || takes_all_of(work)) return go_on_by_sweeps(to);
+  rest_.goal = goal(is_bounded);
+  answer_ = {};
+  answer_.residual = residual(problem_);
+  answer_.reached = answer_.residual <= rest_.goal;
+  rest_.asks = is_joined() || !answer_.reached;
+  if (!rest_.asks) finish(to);
+}
+
+/// It moves, and one factorisation is more than there is for the step.
+bool ConeGroup::takes_all_of(std::uint64_t work) const {
+  return rest_.is_bounded && !rest_.lies && !is_joined() && work_ > work;
+}
+
+/// Where it gave up its impulses say little: from nothing on. Else two a substep, as soft contacts take; those answer it
+/// from the next step on.
+void ConeGroup::go_on_by_sweeps(Velocities& to) {
+  if (rest_.gave_up)
+    answer_by_sweeps(problem_);
+  else
+    sweep(problem_, 2);
+  answer_ = {};
+  answer_.residual = residual(problem_);
+  finish(to);
+}
+
+void ConeGroup::solve(Velocities& to, Real h, int substeps) {
+  const std::uint64_t work = rest_.lies ? rest_.work : rest_.share / static_cast<std::uint64_t>(substeps);
+  if (!rest_.waits) answer(h, allowed_steps(work));
+  finish(to);
+}
+
+void ConeGroup::answer(Real h, std::uint32_t most_steps) {
+  const Real goal = rest_.goal;
   find(goal, most_steps);
   for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
     if (has_ring(problem_, link_row_)) {
@@ -236,14 +303,17 @@ void ConeGroup::solve(Velocities& to, Real h, std::uint64_t work, int substeps) 
   refuse_gain(goal, most_steps);
   book_work();
   rest_.gave_up |= rest_.is_bounded && !is_joined() && is_far_off(answer_, world_.scene.dials);
+}
+
+void ConeGroup::finish(Velocities& to) {
   if (answer_.is_wedged || answer_.is_by_sweeps)
     start_from_nothing(problem_);
-  else
+  else if (!comes_to_rest(rest_.goal))
     start_from_loads(problem_);
   keep(to);
   rest_.is_first = false;
-  rest_.lasts = !is_joined() && answer_.factorisations == 0 && least >= -1 && !rest_.resists &&
-                fastest_any_way(problem_) < kRest * tolerance;
+  rest_.lasts = !is_joined() && answer_.factorisations == 0 && rest_.least >= -1 && !rest_.resists &&
+                fastest_any_way(problem_) < kRest * tolerance();
   rest_.has_moved = rest_.lasts;  // or part() measures
 }
 
@@ -276,7 +346,7 @@ Real ConeGroup::displacement_share() const {
 }
 
 void ConeGroup::part(Poses& to, Real h) {
-  if (rest_.lasts) return;
+  if (rest_.lasts || rest_.is_too_large) return;
   Real tolerance = world_.scene.dials[Dial::position_tolerance];
   const Real most = world_.scene.dials[Dial::push_speed] * h;
   answer_ = {};
@@ -311,7 +381,7 @@ void ConeGroup::part(Poses& to, Real h) {
 
 void ConeGroup::settle(Velocities& to, Real h) {
   if (!is_joined() || !problem_.contacts.empty()) return;
-  const Real tolerance = kDirectShare * world_.scene.dials[Dial::velocity_tolerance];
+  const Real tolerance = this->tolerance();
   turn_frames();
   for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b), load(b);
   load_links(world_, problem_, link_row_, LinkPhase::settle, h);

@@ -9,8 +9,10 @@ class ConeGroup {
  public:
   ConeGroup(const World& world, std::size_t group);
 
-  /// Velocities.   @param work, substeps  @see solve_groups()
-  void solve(Velocities& to, Real h, std::uint64_t work, int substeps);
+  /// Velocities with the impulses that the substep starts from; all there is to do where those are good enough.
+  void begin(Velocities& to, Real h, std::uint64_t work);
+  /// Of one that asks for an answer.   @param substeps  @see solve_groups()
+  void solve(Velocities& to, Real h, int substeps);
   /// A group that overlaps more than the tolerance is parted, to half of it, so that what rests keeps in touch.
   void part(Poses& to, Real h);
   /// Velocities along what is locked, where the move has ended. Of groups that nothing touches: contacts, whose poses
@@ -36,6 +38,14 @@ class ConeGroup {
   void follow_impulses();
   void find(Real goal, std::uint32_t most_steps);
   void find_from_nothing(Real goal, std::uint32_t most_steps);
+  Real tolerance() const;
+  Real goal(bool is_bounded) const;
+  bool takes_all_of(std::uint64_t work) const;
+  void go_on_by_sweeps(Velocities& to);
+  void answer(Real h, std::uint32_t most_steps);
+  void finish(Velocities& to);
+  bool lies_still() const;
+  bool comes_to_rest(Real goal);
   void refuse_gain(Real goal, std::uint32_t most_steps);
   void keep(Velocities& to);
   Real displacement_share() const;

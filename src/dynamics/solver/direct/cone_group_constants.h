@@ -44,7 +44,20 @@ inline constexpr Constant<std::uint32_t> kMostSteps{
     "direct_most_steps", 200, "steps of Newton", "of a group and substep: impacts of many bodies take that many",
     "fewer: blows through many bodies end unsolved; more: a problem that has no solution stalls the step for longer"};
 
+inline constexpr Constant<std::uint32_t> kWorkOfContact{
+    "direct_work_of_contact", 3, "block products", "that a contact takes as long as, in a step of Newton's method",
+    "more or fewer: budgets of groups with many points to a body are too small or too large"};
+inline constexpr Constant<std::uint32_t> kFromNothing{
+    "direct_from_nothing", 40, "steps of Newton",
+    "beyond those that are always taken, where contacts bear nothing yet: what surfaces close on starts so in each "
+    "substep, and moves",
+    "fewer: pinched bodies are squeezed out faster; more: a blow through a wreck stalls the step"};
+inline constexpr Constant<std::uint32_t> kExpectedAtRest{
+    "direct_expected_at_rest", 8, "steps of Newton",
+    "that a group at rest is expected to take when it is solved anew: of many that ask at once the others wait",
+    "fewer: many are solved in one step, which stalls; more: one a step, and walls come late to rest"};
+
 inline constexpr ConstantRow kConeGroupConstants[] = {kFineShare,   kConeShare, kRest,   kJerks,
-                                                      kLongestTurn, kGap,       kAlways, kMostSteps};
+                                                      kLongestTurn, kGap,       kAlways, kMostSteps, kWorkOfContact, kFromNothing, kExpectedAtRest};
 
 }  // namespace carom::dynamics

@@ -41,14 +41,24 @@ Real residual(const ConeProblem& problem) { return largest_offence(problem, slip
 namespace {
 
 /// Each contact bears something, and what there is to undo at it is little beside what friction there could still bear:
-/// it will go on to stick.
+/// it will go on to stick. What was just built bears nothing yet, and will.
 bool is_borne(const ConeProblem& problem) {
   constexpr Real kLittle = 0.01;
-  return std::ranges::all_of(problem.contacts, [](const ConeContact& c) {
+  return std::ranges::all_of(problem.contacts, [&](const ConeContact& c) {
+    if (problem.stood && c.p == Vec3::zero()) return true;
     const ConePart part = part_of(c.p, c.n, c.friction);
     const Real spare = part.kind == ConePart::inside ? c.friction * part.n - part.t : 0;
     return (c.u - c.want * c.n).norm() < kLittle * c.k * spare;
   });
+}
+
+/// What there is to undo is so little beside what the group bears that hardly a contact will begin or cease to stick.
+bool is_little(const ConeProblem& problem, Real offence) {
+  constexpr Real kLittle = 1e-3;
+  if (!problem.stood) return false;
+  Real most2 = 0;
+  for (const ConeContact& c : problem.contacts) most2 = std::max(most2, c.k * c.k * c.p.squared_norm());
+  return offence * offence < kLittle * kLittle * most2;
 }
 
 /// Rounds at one slip until the offence with that slip is small.
@@ -58,9 +68,7 @@ class FrozenSlip {
       : problem_(problem),
         answer_(answer),
         most_steps_(most_steps),
-        softness_(problem.contacts.empty() ? kFirstOfLinks
-                  : is_borne(problem)      ? kFirstOfBorne
-                                           : kFirst) {}
+        softness_(first_softness()) {}
 
   void solve(Real target) {
     Real left = offence_now();
@@ -87,8 +95,15 @@ class FrozenSlip {
   static constexpr Real kFirstOfLinks = 1e-7;
   // What lies on all its contacts, within their cones, will mostly go on to stick: that is nearly linear.
   static constexpr Real kFirstOfBorne = 1e-5;
+  // What is next to solved is better followed closely, in more steps, if there are any to spare.
+  static constexpr std::uint32_t kStepsToSpare = 10;
   static constexpr Real kFirst = 1e-3, kLeast = 1e-10, kMost = 1, kGood = 0.1, kHarder = 0.1, kSofter = 30;
 
+  Real first_softness() const {
+    if (problem_.contacts.empty()) return kFirstOfLinks;
+    const bool is_close = most_steps_ >= kStepsToSpare && is_little(problem_, answer_.residual);
+    return is_close || is_borne(problem_) ? kFirstOfBorne : kFirst;
+  }
   Real offence_now() const {
     return largest_offence(problem_, [](const ConeContact& c) { return c.slip; });
   }

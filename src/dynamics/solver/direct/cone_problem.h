@@ -76,6 +76,7 @@ struct ConeProblem {
   // solve have the same curvature.
   Real sticking = 0;
   std::span<ConeLink> links{};
+  bool stood = false;  // no body was faster, before this substep, than its loads alone make it
 };
 
 // ---- small parts that all files of this room share ----

@@ -88,7 +88,18 @@ class QuotientGraph {
 
 }  // namespace
 
-std::uint64_t eliminate(std::uint32_t first, std::uint32_t count, std::span<const Edge> edges, Elimination& out) {
+/// Places in the order of nodes, and nothing beside the diagonal.
+static void give_up(std::uint32_t first, std::uint32_t count, std::size_t rows, Elimination& out) {
+  out.rows.resize(rows);
+  out.column.resize(first + 1);
+  for (std::uint32_t i = first; i < first + count; ++i) {
+    out.place[i] = i;
+    out.column.push_back(static_cast<std::uint32_t>(rows));
+  }
+}
+
+std::uint64_t eliminate(std::uint32_t first, std::uint32_t count, std::span<const Edge> edges, std::uint64_t most,
+                        Elimination& out) {
   QuotientGraph graph(count, out.scratch);
   graph.start(first, edges);
   out.place.resize(first + count);
@@ -101,6 +112,7 @@ std::uint64_t eliminate(std::uint32_t first, std::uint32_t count, std::span<cons
     for (const std::uint32_t i : below) out.rows.push_back(first + i);
     out.column.push_back(static_cast<std::uint32_t>(out.rows.size()));
     products += 1 + below.size() + below.size() * (below.size() + 1) / 2;
+    if (products > most) return give_up(first, count, begin, out), products;
   }
   for (std::size_t k = begin; k < out.rows.size(); ++k) out.rows[k] = out.place[out.rows[k]];
   for (std::uint32_t k = first; k < first + count; ++k)

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "dynamics/solver/direct.h"
+#include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/load.h"
 
@@ -16,7 +17,7 @@ void make_room(DirectGroups& d) {
   const auto reserve = [](auto&... arrays) { (arrays.reserve(kSome), ...); };
   Elimination& e = d.elimination;
   reserve(d.contacts, d.row, d.begin, d.bodies, d.edges, d.edge_begin, d.ordered_edges, d.ordered_begin, d.scratch,
-          d.work, d.still, d.answer, d.rest, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
+          d.work, d.still, d.answer, d.rest, d.urgent, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
   Elimination::Scratch& s = e.scratch;
   reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.next, s.element, s.begin, s.member);
 }
@@ -61,21 +62,24 @@ void gather(const World& world, DirectGroups& d) {
 }
 
 /// Find an order of elimination, unless the bodies hang together as they did in the last step.
-void order(DirectGroups& d) {
+void order(DirectGroups& d, std::uint64_t most_factor) {
   if (d.edges == d.ordered_edges && d.edge_begin == d.ordered_begin && d.bodies.size() == d.elimination.place.size())
     return;
   d.elimination.clear();
   d.work.resize(d.groups());
   for (std::size_t g = 0; g < d.groups(); ++g)
     d.work[g] = eliminate(d.begin[g].body, d.begin[g + 1].body - d.begin[g].body,
-                          {d.edges.data() + d.edge_begin[g], d.edge_begin[g + 1] - d.edge_begin[g]}, d.elimination);
+                          {d.edges.data() + d.edge_begin[g], d.edge_begin[g + 1] - d.edge_begin[g]},
+                          most_factor, d.elimination) +
+                kWorkOfContact * (d.begin[g + 1].contact - d.begin[g].contact);
   d.factor.diagonal.resize(d.bodies.size());
   d.factor.below.resize(d.elimination.rows.size());
   d.scratch.resize(d.bodies.size());
   d.ordered_edges = d.edges, d.ordered_begin = d.edge_begin;
 }
 
-/// Where in the factor each contact and each row of a joint couples its bodies.
+/// Where in the factor each contact and each row of a joint couples its bodies. (Of a group that is too large to be
+/// factored that is nowhere, and nobody looks.)
 void place_contacts(DirectGroups& d) {
   const auto place = [&](auto& c) {
     c.below = kNobody;
@@ -90,14 +94,16 @@ void place_contacts(DirectGroups& d) {
 
 }  // namespace
 
-void gather_groups(const World& world, SolverMemory& memory) {
+void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_factor) {
   DirectGroups& d = *world.direct;
   gather(world, d);
-  order(d);
+  order(d, most_factor);
   place_contacts(d);
   load_groups(world, memory, d);
   d.answer.resize(d.groups());
   d.rest.assign(d.groups(), {});
+  for (std::size_t g = 0; g < d.groups(); ++g) d.rest[g].is_too_large = d.work[g] > most_factor;
+  d.urgent.reserve(d.groups());
   for (const Resistance& r : world.contacts->resisting)
     if (GroupRest* const rest = d.rest_of(world.contacts->rows[r.row])) rest->resists = true;
 }

@@ -154,13 +154,17 @@ void drop_impulses(ConeProblem& problem) {
   measure(problem);
 }
 
-void answer_by_sweeps(ConeProblem& problem) {
-  drop_impulses(problem);
-  for (int i = 0; i < kLastSweeps; ++i) {
+void sweep(ConeProblem& problem, int times) {
+  for (int i = 0; i < times; ++i) {
     for (ConeLink& c : problem.links) visit(problem, c);
     for (ConeContact& c : problem.contacts) visit(problem, c);
   }
   measure(problem);
+}
+
+void answer_by_sweeps(ConeProblem& problem) {
+  drop_impulses(problem);
+  sweep(problem, kLastSweeps);
 }
 
 }  // namespace carom::dynamics

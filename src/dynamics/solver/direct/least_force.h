@@ -38,4 +38,7 @@ void drop_impulses(ConeProblem& problem);
 /// contacts as soft as those of solver soft_step. As good as some sweeps are, and bounded.
 void answer_by_sweeps(ConeProblem& problem);
 
+/// Sweeps of that kind, from the impulses that act already.
+void sweep(ConeProblem& problem, int times);
+
 }  // namespace carom::dynamics

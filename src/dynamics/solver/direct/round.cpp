@@ -22,16 +22,6 @@ void add_own(Block& d, const Mat3& w, const Mat3& x, const Mat3& wx) {
   add(d, 3, 3, turned * wx);
 }
 
-/// What add_isotropic() leaves out where normal impulses have a moment of their own, @see ConeContact::n_a.
-void add_moments(Block& d, Real w, const Vec3& n, const Vec3& r_a, const Vec3& n_a, const Vec3& r_b, const Vec3& n_b) {
-  const Vec3 turn = w * (r_a.cross(n) + n_a), other = w * r_b.cross(n);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      d.x[i][3 + j] += w * n[i] * n_b[j];
-      d.x[3 + i][j] += w * n_a[i] * n[j];
-      d.x[3 + i][3 + j] += turn[i] * n_b[j] + n_a[i] * other[j];
-    }
-}
 /// x of J = [1, -x].
 Mat3 turning(const Vec3& r, const Vec3& n, const Vec3& moment) { return cross_matrix(r) - outer(n, moment); }
 
@@ -46,6 +36,26 @@ void add_isotropic(Block& d, Real w, const Vec3& r_a, const Vec3& r_b) {
     for (int l = 0; l < 3; ++l) d.x[3 + i][3 + l] -= w * (r_b[i] * r_a[l]);
     d.x[3 + i][3 + i] += along;
   }
+}
+
+/// Where a contact's impulses act on a body, @see ConeContact.
+struct ContactArms {
+  const Vec3 &r, &moment;
+};
+/// What add_isotropic() leaves out where normal impulses have a moment of their own.
+void add_moments(Block& d, Real w, const Vec3& n, const ContactArms& a, const ContactArms& b) {
+  const Vec3 turn = w * (a.r.cross(n) + a.moment), other = w * b.r.cross(n);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      d.x[i][3 + j] += w * n[i] * b.moment[j];
+      d.x[3 + i][j] += w * a.moment[i] * n[j];
+      d.x[3 + i][3 + j] += turn[i] * b.moment[j] + a.moment[i] * other[j];
+    }
+}
+/// J_a^T w J_b of a contact.
+void add_alike(Block& d, Real w, const Vec3& n, const ContactArms& a, const ContactArms& b) {
+  add_isotropic(d, w, a.r, b.r);
+  if (a.moment != Vec3::zero() || b.moment != Vec3::zero()) add_moments(d, w, n, a, b);
 }
 
 /// A block without the rows and columns of what is locked.
@@ -66,7 +76,21 @@ void add_outer(Block& b, Real w, const LinkArms& r, const LinkArms& c) {
     for (int j = 0; j < kDof; ++j) b.x[i][j] += row[i] * column[j];
 }
 
-/// M, without what couples bodies.
+/// J^T w J of a row.
+void add_link(ConeProblem& problem, const ConeLink& c, Real w) {
+  const Elimination& e = *problem.elimination;
+  BlockFactor& f = *problem.factor;
+  const LinkArms a = {c.d_a, c.w_a}, b = {c.d_b, c.w_b};
+  if (c.a != kNobody) add_outer(f.diagonal[e.place[c.a]], w, a, a);
+  if (c.b != kNobody) add_outer(f.diagonal[e.place[c.b]], w, b, b);
+  if (c.below == kNobody) return;
+  add_outer(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
+}
+
+bool is_lock(const ConeLink& c) { return c.k > 0 && c.low == c.high && c.give == 0 && c.most == kInfinity; }
+
+}  // namespace
+
 void assemble_masses(ConeProblem& problem) {
   const Elimination& e = *problem.elimination;
   BlockFactor& f = *problem.factor;
@@ -80,18 +104,16 @@ void assemble_masses(ConeProblem& problem) {
   std::fill(f.below.begin() + e.column[problem.first], f.below.begin() + e.column[problem.last], Block{});
 }
 
-/// J^T w J of a row.
-void add_link(ConeProblem& problem, const ConeLink& c, Real w) {
+void add_sticking(ConeProblem& problem, const ConeContact& c, Real w) {
   const Elimination& e = *problem.elimination;
   BlockFactor& f = *problem.factor;
-  const LinkArms a = {c.d_a, c.w_a}, b = {c.d_b, c.w_b};
-  if (c.a != kNobody) add_outer(f.diagonal[e.place[c.a]], w, a, a);
-  if (c.b != kNobody) add_outer(f.diagonal[e.place[c.b]], w, b, b);
+  const ContactArms a = {c.r_a, c.n_a}, b = {c.r_b, c.n_b};
+  if (c.a != kNobody) add_alike(f.diagonal[e.place[c.a]], w, c.n, a, a);
+  if (c.b != kNobody) add_alike(f.diagonal[e.place[c.b]], w, c.n, b, b);
   if (c.below == kNobody) return;
-  add_outer(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
+  add_alike(f.below[c.below], -w, c.n, c.a_later ? a : b, c.a_later ? b : a);
 }
 
-/// Rows and columns of what is locked: as if nothing touched there.
 void hold_locked(ConeProblem& problem) {
   const auto locked = [](const ConeBody& b) { return b.locks != 0; };
   if (std::ranges::none_of(bodies_of(problem), locked)) return;
@@ -113,7 +135,6 @@ void hold_locked(ConeProblem& problem) {
   std::ranges::for_each(problem.links, hold_below);
 }
 
-/// ConeBody::step from the gradient and the factor.
 void solve_for_steps(ConeProblem& problem, Real sign) {
   const Elimination& e = *problem.elimination;
   for (std::uint32_t i = problem.first; i < problem.last; ++i) {
@@ -124,10 +145,6 @@ void solve_for_steps(ConeProblem& problem, Real sign) {
   solve(e, problem.first, problem.last, *problem.factor, problem.scratch);
   for (std::uint32_t i = problem.first; i < problem.last; ++i) problem.bodies[i].step = problem.scratch[e.place[i]];
 }
-
-bool is_lock(const ConeLink& c) { return c.k > 0 && c.low == c.high && c.give == 0 && c.most == kInfinity; }
-
-}  // namespace
 
 // With momentum g = J^T p given, p' = J y / R and (M + J^T J / R) y = g: J^T p' = g - M y, and y is as small as R.
 void shed_self_stress(ConeProblem& problem) {
@@ -230,19 +247,7 @@ void Round::assemble(Real still) {
     const bool at_tip = c.p0 == Vec3::zero() && resistance(c) * pulled.norm() <= still;
     if (c.p == Vec3::zero() && !at_tip) continue;  // off the cone: no curvature
     if (c.p == pulled || at_tip) {                 // inside: the same in all directions
-      const Real w = 1 / resistance(c);
-      const auto put = [&](Block& d, Real weight, const Vec3& r, const Vec3& m, const Vec3& r_other,
-                           const Vec3& other) {
-        add_isotropic(d, weight, r, r_other);
-        if (m != Vec3::zero() || other != Vec3::zero()) add_moments(d, weight, c.n, r, m, r_other, other);
-      };
-      if (c.a != kNobody) put(f.diagonal[e.place[c.a]], w, c.r_a, c.n_a, c.r_a, c.n_a);
-      if (c.b != kNobody) put(f.diagonal[e.place[c.b]], w, c.r_b, c.n_b, c.r_b, c.n_b);
-      if (c.below == kNobody) continue;
-      if (c.a_later)
-        put(f.below[c.below], -w, c.r_a, c.n_a, c.r_b, c.n_b);
-      else
-        put(f.below[c.below], -w, c.r_b, c.n_b, c.r_a, c.n_a);
+      add_sticking(problem_, c, 1 / resistance(c));
       continue;
     }
     const Mat3 w = slope_of_projection(pulled, c.n, c.friction) / resistance(c);

@@ -44,6 +44,17 @@ class Round {
   bool all_stick_ = false;
 };
 
+// ---- Newton's matrix, for others that solve with it ----
+
+/// M, without what couples bodies.
+void assemble_masses(ConeProblem& problem);
+/// J^T w J of a contact that resists in all directions alike.
+void add_sticking(ConeProblem& problem, const ConeContact& c, Real w);
+/// Rows and columns of what is locked: as if nothing touched there.
+void hold_locked(ConeProblem& problem);
+/// ConeBody::step from the gradient and the factor.
+void solve_for_steps(ConeProblem& problem, Real sign);
+
 /// Impulses of locks that do what they do and are no larger than that takes. A ring of joints may hold itself more than
 /// once; what its joints then bear against each other moves nobody, is whatever rounds have left of it, and grows from
 /// substep to substep. Those that bear little of that keep theirs.

@@ -1,0 +1,115 @@
+// One factor, a few solutions with it: velocities to nothing, impulses that balance the loads.
+#include "dynamics/solver/direct/at_rest.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "dynamics/solver/direct/cone.h"
+#include "dynamics/solver/direct/round.h"
+
+namespace carom::dynamics {
+namespace {
+
+/// Of the contacts that bear something, those that are taken to stick: where velocities are next to nothing, most do
+/// that are at the edge of their cones too, but not where neighbours press on each other.
+enum class Sticking { with_friction_to_spare, all };
+
+bool sticks(const ConeContact& c, Sticking which) {
+  constexpr Real kShare = 0.99;
+  if (c.p == Vec3::zero()) return false;
+  return which == Sticking::all || project_on_cone(c.p, c.n, kShare * c.friction) == c.p;
+}
+
+constexpr Real kSoftnessAtRest = 1e-7;  // leaves 1e-11 m/s of 1e-5 m/s in a pyramid of base 10
+
+Real resistance_at_rest(const ConeContact& c) { return kSoftnessAtRest * c.k; }
+
+bool find_factor_at_rest(ConeProblem& problem, Sticking which) {
+  problem.sticking = 0;
+  assemble_masses(problem);
+  for (const ConeContact& c : problem.contacts)
+    if (sticks(c, which)) add_sticking(problem, c, 1 / resistance_at_rest(c));
+  hold_locked(problem);
+  return factor(*problem.elimination, problem.first, problem.last, *problem.factor);
+}
+
+/// Each refinement leaves of a mode that contacts hardly feel, as the sway of a tall stack, R / (R + its share) of what
+/// the last left: a tenth or so.
+constexpr int kRefinements = 4;
+
+/// Undo velocities at contacts that stick: into next_p, u0 and change.
+void stop(ConeProblem& problem, Sticking which) {
+  for (ConeContact& c : problem.contacts) c.next_p = c.p, c.u0 = c.u;
+  for (ConeBody& b : bodies_of(problem)) b.change.set_zero();
+  for (int i = 0; i < kRefinements; ++i) {
+    for (ConeBody& b : bodies_of(problem)) b.gradient.set_zero();
+    for (const ConeContact& c : problem.contacts)
+      if (sticks(c, which)) add_impulse<&ConeBody::gradient>(problem, c, c.u0 / resistance_at_rest(c));
+    solve_for_steps(problem, -1);
+    for (ConeBody& b : bodies_of(problem)) b.change += b.step;
+    for (ConeContact& c : problem.contacts) {
+      c.u0 += relative<&ConeBody::step>(problem.bodies, c);
+      if (sticks(c, which)) c.next_p -= c.u0 / resistance_at_rest(c);
+    }
+  }
+}
+
+/// Take the answer of stop() where it is within the cones and no worse than a tolerance.
+void take_stop(ConeProblem& problem, Real tolerance) {
+  Real outside = 0;  // m/s
+  for (ConeContact& c : problem.contacts) {
+    const Vec3 within = project_on_cone(c.next_p, c.n, c.friction);
+    outside = std::max(outside, c.k * (c.next_p - within).norm());
+    c.next_p = within;
+  }
+  constexpr Real kRounding = 1e-6;
+  if (outside > kRounding * tolerance) return;
+  const auto swap = [&] {
+    for (ConeContact& c : problem.contacts) std::swap(c.p, c.next_p), std::swap(c.u, c.u0);
+  };
+  swap();
+  if (residual(problem) > tolerance) return swap();
+  for (ConeBody& b : bodies_of(problem)) b.v += b.change;
+}
+
+// With momentum g to be taken away, p' = p - J y / R and (M + J^T J / R) y = g: what is left is M y.
+void balance_loads(ConeProblem& problem, Sticking which) {
+  for (ConeContact& c : problem.contacts) c.next_p = c.p;
+  for (ConeBody& b : bodies_of(problem)) b.gradient = momentum_of(b, b.gained + b.v - b.start);
+  for (int i = 0; i < kRefinements; ++i) {
+    solve_for_steps(problem, 1);
+    for (ConeContact& c : problem.contacts)
+      if (sticks(c, which)) c.next_p -= relative<&ConeBody::step>(problem.bodies, c) / resistance_at_rest(c);
+    for (ConeBody& b : bodies_of(problem)) b.gradient = momentum_of(b, b.step);
+  }
+  for (ConeContact& c : problem.contacts) c.next_p = project_on_cone(c.next_p, c.n, c.friction);
+}
+
+/// m/s, the most that a contact's velocity changes in a substep of the same loads with next_p.
+Real imbalance(ConeProblem& problem) {
+  for (ConeBody& b : bodies_of(problem)) b.gradient.set_zero();
+  for (const ConeContact& c : problem.contacts) add_impulse<&ConeBody::gradient>(problem, c, c.next_p - c.p);
+  for (ConeBody& b : bodies_of(problem)) b.step = b.gained + b.v - b.start + velocity_of(b, b.gradient);
+  Real most2 = 0;
+  for (const ConeContact& c : problem.contacts)
+    most2 = std::max(most2, relative<&ConeBody::step>(problem.bodies, c).squared_norm());
+  return std::sqrt(most2);
+}
+
+}  // namespace
+
+std::uint32_t rest(ConeProblem& problem, Real tolerance) {
+  constexpr Real kLasting = 0.1;
+  std::uint32_t factors = 0;
+  for (const Sticking which : {Sticking::with_friction_to_spare, Sticking::all}) {
+    if (!find_factor_at_rest(problem, which)) return 0;
+    ++factors;
+    stop(problem, which);
+    take_stop(problem, tolerance);
+    balance_loads(problem, which);
+    if (imbalance(problem) <= kLasting * tolerance) return factors;
+  }
+  return 0;
+}
+
+}  // namespace carom::dynamics
