@@ -194,7 +194,7 @@ static void a_wall_that_stands_is_solved_now_and_then(void**) {
       assert_true(report.solver_residual < tolerance);
       assert_true(report.max_penetration < 1e-5);
       if (step == 0) continue;  // never solved before: to the end
-      assert_true(newton <= 16 + work / static_cast<double>(t.world.direct->work[0]));
+      assert_true(newton <= 16 + work / static_cast<double>(t.world.direct->newton_work(0)));
       sum += newton;
     }
     print_message("%.2f steps of Newton a step\n", sum / (kSteps - 1));

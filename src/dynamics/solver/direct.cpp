@@ -51,28 +51,29 @@ static void share_out(DirectGroups& d, std::uint64_t work) {
   const auto is_joined = [&](std::uint32_t g) { return d.begin[g].link < d.begin[g + 1].link; };
   const auto shares = [&](std::uint32_t g) { return d.rest[g].asks && d.rest[g].is_bounded && !is_joined(g); };
   std::uint64_t asked = 0;
-  d.urgent.clear();
+  Array<std::uint32_t>& urgent = d.elimination.scratch.member;
+  urgent.clear();
   for (std::uint32_t g = 0; g < d.groups(); ++g) {
     if (!shares(g)) continue;
     if (d.rest[g].lies)
-      d.urgent.push_back(g);
+      urgent.push_back(g);
     else
-      asked += d.work[g];
+      asked += d.newton_work(g);
   }
   for (std::uint32_t g = 0; g < d.groups(); ++g) {
     GroupRest& rest = d.rest[g];
     if (!shares(g)) continue;
-    rest.share = rest.lies ? std::max<std::uint64_t>(work, kExpectedAtRest * d.work[g]) : work * d.work[g] / asked;
+    rest.share = rest.lies ? std::max<std::uint64_t>(work, kExpectedAtRest * d.newton_work(g)) : work * d.newton_work(g) / asked;
     rest.work = rest.share;
   }
-  std::ranges::sort(d.urgent, [&](std::uint32_t a, std::uint32_t b) {
+  std::ranges::sort(urgent, [&](std::uint32_t a, std::uint32_t b) {
     const Real of_a = d.answer[a].residual, of_b = d.answer[b].residual;
     return of_a != of_b ? of_a > of_b : a < b;
   });
   std::uint64_t taken = 0;
-  for (const std::uint32_t g : d.urgent) {
+  for (const std::uint32_t g : urgent) {
     d.rest[g].waits = taken > work;
-    taken += kExpectedAtRest * d.work[g];
+    taken += kExpectedAtRest * d.newton_work(g);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "dynamics/contact/contact.h"
 #include "dynamics/joint/joint_lanes.h"
+#include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/cone_problem.h"
 
 namespace carom::dynamics {
@@ -16,6 +17,7 @@ inline constexpr Real kDirectShare = 0.01;
 /// What is known within a step of whether a group lies still.
 struct GroupRest {
   bool is_first = true;       // substep
+  bool is_to_be_still = false;  // a few bodies that lie still, which is to stay so
   bool is_too_large = false;  // to be factored
   bool asks = false;          // for an answer, in this substep
   bool waits = false;         // for the next step with it
@@ -72,11 +74,9 @@ struct DirectGroups {
         elimination(m),
         factor(m),
         scratch(m),
-        work(m),
-        still(m),
+        products(m),
         answer(m),
-        rest(m),
-        urgent(m) {}
+        rest(m) {}
 
   struct Begin {
     std::uint32_t contact, body, link;
@@ -102,11 +102,9 @@ struct DirectGroups {
   Elimination elimination;
   BlockFactor factor;
   Array<Vec6> scratch;
-  Array<std::uint64_t> work;  // block products of a factorisation, by group
-  Array<std::uint8_t> still;  // by group: a few bodies that lie still, which is to stay so
+  Array<std::uint64_t> products;  // of blocks, of a factorisation, by group
   Array<ConeAnswer> answer;   // by group, of the last solve
   Array<GroupRest> rest;      // by group
-  Array<std::uint32_t> urgent;  // scratch: groups at rest that ask for an answer
 
   /// The body of a slot, new to the present group or not; kNobody where impulses do not move it.
   std::uint32_t node(bool moves, std::uint32_t slot) {
@@ -124,6 +122,11 @@ struct DirectGroups {
     if (of == kNobody) return nullptr;
     const auto after = std::ranges::upper_bound(begin, of, {}, [](const Begin& group) { return group.body; });
     return &rest[static_cast<std::size_t>(after - begin.begin()) - 1];
+  }
+
+  /// Block products that a step of Newton's method takes as long as, of a group.
+  std::uint64_t newton_work(std::size_t group) const {
+    return products[group] + kWorkOfContact * (begin[group + 1].contact - begin[group].contact);
   }
 
   std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }

@@ -79,8 +79,8 @@ ConeGroup::ConeGroup(const World& world, std::size_t group)
       problem_(world.direct->problem(group)),
       row_(world.direct->row.data() + world.direct->begin[group].contact),
       link_row_(world.direct->link_row.data() + world.direct->begin[group].link),
-      work_(world.direct->work[group]),
-      still_(world.direct->still[group]) {
+      work_(world.direct->newton_work(group)),
+      still_(rest_.is_to_be_still) {
   problem_.stood = rest_.stood;
 }
 

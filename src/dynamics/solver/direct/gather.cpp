@@ -17,7 +17,7 @@ void make_room(DirectGroups& d) {
   const auto reserve = [](auto&... arrays) { (arrays.reserve(kSome), ...); };
   Elimination& e = d.elimination;
   reserve(d.contacts, d.row, d.begin, d.bodies, d.edges, d.edge_begin, d.ordered_edges, d.ordered_begin, d.scratch,
-          d.work, d.still, d.answer, d.rest, d.urgent, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
+          d.products, d.answer, d.rest, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
   Elimination::Scratch& s = e.scratch;
   reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.next, s.element, s.begin, s.member);
 }
@@ -27,7 +27,7 @@ void gather(const World& world, DirectGroups& d) {
   const Contacts& c = *world.contacts;
   make_room(d);
   d.links.clear(), d.link_row.clear();
-  d.still.clear(), d.row.clear(), d.begin.clear();
+  d.rest.clear(), d.row.clear(), d.begin.clear();
   d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
   d.body.resize(world.scene.bodies.slots());
   for (const std::uint32_t slot : c.bodies) d.body[slot] = kNobody;
@@ -44,7 +44,7 @@ void gather(const World& world, DirectGroups& d) {
   for (std::size_t g = 0; g < c.groups(); ++g) {
     if (!c.answered_directly(g)) continue;
     mark();
-    d.still.push_back(!c.direct.empty() && c.direct[g] == Contacts::kStill);
+    d.rest.emplace_back().is_to_be_still = !c.direct.empty() && c.direct[g] == Contacts::kStill;
     for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1]; ++k) {
       const std::uint32_t i = c.group_rows[k];
       const Row& row = c.rows[i];
@@ -66,12 +66,11 @@ void order(DirectGroups& d, std::uint64_t most_factor) {
   if (d.edges == d.ordered_edges && d.edge_begin == d.ordered_begin && d.bodies.size() == d.elimination.place.size())
     return;
   d.elimination.clear();
-  d.work.resize(d.groups());
+  d.products.resize(d.groups());
   for (std::size_t g = 0; g < d.groups(); ++g)
-    d.work[g] = eliminate(d.begin[g].body, d.begin[g + 1].body - d.begin[g].body,
-                          {d.edges.data() + d.edge_begin[g], d.edge_begin[g + 1] - d.edge_begin[g]},
-                          most_factor, d.elimination) +
-                kWorkOfContact * (d.begin[g + 1].contact - d.begin[g].contact);
+    d.products[g] = eliminate(d.begin[g].body, d.begin[g + 1].body - d.begin[g].body,
+                              {d.edges.data() + d.edge_begin[g], d.edge_begin[g + 1] - d.edge_begin[g]}, most_factor,
+                              d.elimination);
   d.factor.diagonal.resize(d.bodies.size());
   d.factor.below.resize(d.elimination.rows.size());
   d.scratch.resize(d.bodies.size());
@@ -101,9 +100,8 @@ void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_
   place_contacts(d);
   load_groups(world, memory, d);
   d.answer.resize(d.groups());
-  d.rest.assign(d.groups(), {});
-  for (std::size_t g = 0; g < d.groups(); ++g) d.rest[g].is_too_large = d.work[g] > most_factor;
-  d.urgent.reserve(d.groups());
+  for (std::size_t g = 0; g < d.groups(); ++g) d.rest[g].is_too_large = d.newton_work(g) > most_factor;
+  d.elimination.scratch.member.reserve(d.groups());  // @see share_out()
   for (const Resistance& r : world.contacts->resisting)
     if (GroupRest* const rest = d.rest_of(world.contacts->rows[r.row])) rest->resists = true;
 }
