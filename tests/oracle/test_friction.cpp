@@ -133,14 +133,23 @@ void lay(TestWorld& t, On on, std::uint32_t m) {
     t.add(t.keep(height_field(20, 6, 4, 4, flat)), Vec3(-10, 0, -10), BodyType::fixed, Quat::identity(), m);
 }
 
+/// A support function and no more, as what a plugin does not declare: its mass is known.
+const Shape* undeclared(TestWorld& t, Shape shape) {
+  Shape* const s = const_cast<Shape*>(t.keep(std::move(shape)));
+  s->form = Form::none;
+  return s;
+}
+
+enum class Declared { yes, no };
 /// What rolls without slip goes on as it is: friction has nothing to do where it touches.
-void check_roll(Shape shape, Real radius, On on, Real solver, Real v, Real hz) {
+void check_roll(Shape shape, Real radius, On on, Real solver, Real v, Real hz, Declared declared = Declared::yes) {
   TestWorld t;
   t.world.set_dial(Dial::solver, solver);
   const std::uint32_t m = t.material(0.8, 0);
   lay(t, on, m);
   const Quat side(std::sqrt(0.5), std::sqrt(0.5), 0, 0);
-  const std::uint32_t body = t.add(t.keep(std::move(shape)), Vec3(0, radius, 0), BodyType::dynamic, side, m);
+  const Shape* const kept = declared == Declared::yes ? t.keep(std::move(shape)) : undeclared(t, std::move(shape));
+  const std::uint32_t body = t.add(kept, Vec3(0, radius, 0), BodyType::dynamic, side, m);
   t.world.set_velocity(body, Vec3(v, 0, 0), Vec3(0, 0, -v / radius));
   t.run(static_cast<int>(2 * hz), 1 / hz);
   const Real now = t.world.state.v[body].x() / v, turns = -t.world.state.omega[body].z() * radius / v;
@@ -253,12 +262,6 @@ void pucks_go_their_way_on_boxes_meshes_and_fields(void**) {
   }
 }
 
-/// A support function and no more, as what a plugin does not declare: its mass is known.
-const Shape* undeclared(TestWorld& t, Shape shape) {
-  Shape* const s = const_cast<Shape*>(t.keep(std::move(shape)));
-  s->form = Form::none;
-  return s;
-}
 void what_is_undeclared_slides_and_rolls_like_others(void**) {
   const Way want = way_of(places_of_disc(0.4), 0.4 * 0.4 / 2, 0.35, 2.5, 7);
   for (const Real solver : kSolvers)
@@ -280,6 +283,15 @@ void what_is_undeclared_slides_and_rolls_like_others(void**) {
       assert_true(std::fabs(t.world.state.v[roller].x() / 6 - 1) < 5e-3);
       assert_true(std::fabs(t.world.state.omega[roller].z() / -20 - 1) < 5e-3);
     }
+}
+
+/// On triangles: places on the round side of a roller stand over the next one before it comes there.
+void undeclared_rollers_go_on_over_triangles(void**) {
+  for (const On on : {On::mesh, On::field})
+    for (const Real solver : kSolvers)
+      for (const auto& [radius, half, v, hz] :
+           {std::array{0.4, 0.2, 4.0, 120.0}, {0.2, 0.6, 3.0, 90.0}, {0.25, 0.25, 5.0, 60.0}, {0.5, 0.1, 2.0, 50.0}})
+        check_roll(cylinder(radius, half), radius, on, solver, v, hz, Declared::no);
 }
 
 /// A disc of even pressure that only spins loses 4 mu g / 3 R of its spin a second, one that only slides mu g of its
@@ -335,6 +347,7 @@ int main() {
       cmocka_unit_test(a_roller_speeds_up_down_a_slope),
       cmocka_unit_test(pucks_go_their_way_on_boxes_meshes_and_fields),
       cmocka_unit_test(what_is_undeclared_slides_and_rolls_like_others),
+      cmocka_unit_test(undeclared_rollers_go_on_over_triangles),
       cmocka_unit_test(a_disc_that_only_spins_or_slides_stops_as_it_should),
       cmocka_unit_test(a_cone_rolls_about_its_tip),
   };

@@ -6,6 +6,7 @@
 #include "dynamics/contact/slide.h"
 #include "dynamics/force/force.h"
 #include "dynamics/solver/pair_points.h"
+#include "dynamics/solver/sweep_constants.h"
 
 namespace carom::dynamics {
 namespace {
@@ -46,19 +47,30 @@ Vec3 surface_spin(const Contacts& c, std::uint32_t row) {
   return it != c.driven.end() && it->row == row ? it->spin : Vec3(Vec3::zero());
 }
 
-/// From where a patch's friction acts for each point to the point, m. Of what sticks it acts at the points; so it does
-/// where a point bears nothing, for that is no patch: it tips, rolls or parts.
+/// Whether all points of a pair are as near as the nearest, to kTouching of their distance. What has some in the air is
+/// no patch: it tips, rolls or parts.
+bool lies_flat(const Contacts& c, const PairRows& pair, const Vec3* r) {
+  Real least = kInfinity, most = -kInfinity, width2 = 0;
+  for (std::uint32_t k = 0; k < pair.count; ++k) {
+    const Real gap = c.geometry[pair.row + k].separation;
+    least = std::min(least, gap), most = std::max(most, gap);
+    width2 = std::max(width2, (r[k] - r[0]).squared_norm());
+  }
+  return most - least <= kTouching * std::sqrt(width2);
+}
+
+/// From where a patch's friction acts for each point to the point, m: the middle of the loads, or where they are not
+/// known that of the points. Of what sticks it acts at the points.
 void spread(const Contacts& c, const PairRows& pair, const Vec3* r, Vec3* apart) {
   const Row* const rows = &c.rows[pair.row];
   for (std::uint32_t k = 0; k < pair.count; ++k) apart[k] = Vec3::zero();
-  if (pair.count == 1 || !rows->one_normal || !rows->slides || !rows->loads_known) return;
+  if (pair.count == 1 || !rows->one_normal || !rows->slides || !lies_flat(c, pair, r)) return;
   Real load[kPairPoints], whole = 0;
-  for (std::uint32_t k = 0; k < pair.count; ++k) {
-    whole += load[k] = rows[k].p.dot(rows->n);
-    if (!(load[k] > 0)) return;
-  }
+  for (std::uint32_t k = 0; k < pair.count; ++k) whole += load[k] = std::max(Real(0), rows[k].p.dot(rows->n));
+  if (!(whole > 0)) return;
   Vec3 middle = Vec3::zero();
-  for (std::uint32_t k = 0; k < pair.count; ++k) middle += load[k] / whole * r[k];
+  for (std::uint32_t k = 0; k < pair.count; ++k)
+    middle += (rows->loads_known ? load[k] / whole : Real(1) / pair.count) * r[k];
   for (std::uint32_t k = 0; k < pair.count; ++k) apart[k] = (1 - rows->twist_share) * (r[k] - middle);
 }
 
