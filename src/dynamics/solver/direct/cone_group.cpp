@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "dynamics/contact/depth.h"
-#include "dynamics/quarantine.h"
 #include "dynamics/solver/direct/at_rest.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
@@ -323,86 +322,6 @@ void ConeGroup::finish(Velocities& to) {
   rest_.lasts = !is_joined() && answer_.factorisations == 0 && rest_.least >= -1 && !rest_.resists &&
                 fastest_any_way(problem_) < kRest * tolerance();
   rest_.has_moved = rest_.lasts;  // or part() measures
-}
-
-bool ConeGroup::is_apart() const { return worst_error(world_, problem_, link_row_) > kGap; }
-
-/// To where the bodies are by now.
-void ConeGroup::turn_frames() {
-  for (const ConeBody& b : bodies_of(problem_)) world_.plan->rotation[b.slot] = s_.q[b.slot].matrix();
-}
-
-Real ConeGroup::measure() {
-  Real least = kInfinity;
-  each([&](const ConeContact&, std::uint32_t row) {
-    Real& separation = c_.geometry[row].separation;
-    separation = separation_of(world_, c_.rows[row], c_.geometry[row]);
-    least = std::min(least, separation / tolerable_depth(world_, c_.geometry[row]));
-  });
-  return least;
-}
-
-/// Of the displacements that were found, how much is taken. What is wedged between walls that nearly face each other,
-/// or is pushed at from all sides, would be moved by metres to be parted by millimetres.
-Real ConeGroup::displacement_share() const {
-  Real asked = 0, moved2 = 0;
-  for (const ConeContact& c : problem_.contacts) asked = std::max(asked, c.want);
-  for (const ConeLink& c : problem_.links) asked = std::max(asked, std::min(std::fabs(c.low), std::fabs(c.high)));
-  for (const ConeBody& b : bodies_of(problem_)) moved2 = std::max(moved2, b.v.linear().squared_norm());
-  const Real most = kLongestTurn * asked;
-  return moved2 > most * most ? most / std::sqrt(moved2) : 1;
-}
-
-void ConeGroup::part(Poses& to, Real h) {
-  if (rest_.lasts || rest_.is_too_large) return;
-  Real tolerance = world_.scene.dials[Dial::position_tolerance];
-  const Real most = world_.scene.dials[Dial::push_speed] * h;
-  answer_ = {};
-  const bool overlaps = measure() < -1;
-  if (!overlaps && !(is_joined() && is_apart())) return;
-  each([&](ConeContact& contact, std::uint32_t row) {
-    contact.p.set_zero(), contact.u.set_zero();
-    contact.friction = 0;
-    const Real depth = tolerable_depth(world_, c_.geometry[row]);
-    tolerance = std::min(tolerance, depth);
-    contact.want = std::min(-(c_.geometry[row].separation + depth / 2), most);
-  });
-  for (ConeBody& b : bodies_of(problem_)) b.v.set_zero();
-  load_links(world_, problem_, link_row_, LinkPhase::part, h);
-  measure_links(problem_);
-  if (is_joined()) {
-    answer_ = solve_cones(problem_, 0.1 * kGap, kMostSteps);
-  } else {
-    answer_ = solve_cones(problem_, 0.01 * tolerance, allowed_steps(rest_.work));
-    book_work();
-  }
-  const Real share = displacement_share();
-  for (const ConeBody& b : bodies_of(problem_)) {
-    const Vec3 turn = share * b.v.angular();
-    correct_pose(to, b.slot, share * b.v.linear(), turn);
-    if (turn == Vec3::zero()) continue;
-    world_.plan->rotation[b.slot] = s_.q[b.slot].matrix();
-  }
-  for (ConeBody& b : bodies_of(problem_)) load(b);
-  measure();
-}
-
-void ConeGroup::settle(Velocities& to, Real h) {
-  if (!is_joined() || !problem_.contacts.empty()) return;
-  const Real tolerance = this->tolerance();
-  turn_frames();
-  for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b), load(b);
-  load_links(world_, problem_, link_row_, LinkPhase::settle, h);
-  measure_links(problem_);
-  const ConeAnswer answer = solve_cones(problem_, kFineShare * tolerance, kMostSteps);
-  answer_.factorisations += answer.factorisations;
-  book_links(world_, problem_, link_row_);
-  for (const ConeBody& b : bodies_of(problem_)) store(to, b);
-}
-
-void ConeGroup::end() {
-  book_repeats();
-  measure();
 }
 
 }  // namespace carom::dynamics
