@@ -62,7 +62,7 @@ inline constexpr Constant<std::uint8_t> kTiredFor{
     "to rest sags for as long"};
 
 
-inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kBlow,     kLiesStill, kFewStill,    kFewJoined,
-                                                 kBorneFor,         kBearsFor, kTiredFor};
+inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kBlow,     kLiesStill,
+                                                 kFewStill,         kFewJoined,  kBorneFor,   kBearsFor, kTiredFor};
 
 }  // namespace carom::dynamics

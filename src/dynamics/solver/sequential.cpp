@@ -3,6 +3,7 @@
 
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/far_turns.h"
+#include "dynamics/solver/soft_step.h"
 #include "dynamics/solver/wide_contacts.h"
 
 namespace carom::dynamics {
@@ -22,13 +23,8 @@ void sequential_velocities(const World& world, Solver::Solves to, const StepTime
   const Real inv_h = 1 / time.h;
   heed_impacts(world, wide);
   begin_far_turns(world, to, wide, time.h);
-  load_velocities(world, wide);
-  bend_joints(world, time.h);
+  start_sweeps(world, time.h);
   const JointKernels* const joints = world.wide_joints->kernels;
-  sweep_rows(
-      world, [&](const JointRun& run) { joints->warm_start(run); },
-      [](const auto& s, const auto& run) { s.warm_start(run); });
-  refuse_start(world);
   const int sweeps = world.scene.dials.whole(Dial::velocity_iterations);
   for (int k = 0; k < sweeps; ++k)
     sweep_rows(

@@ -81,17 +81,22 @@ void soft_step_end(const World& world, Poses& to, const StepTime&) {
 
 }  // namespace
 
-void solve_softly(const World& world, Solver::Solves to, const StepTime& time) {
-  StepReport& report = to;
-  WideContacts& wide = *world.wide;
-  const Real inv_h = 1 / time.h, push_speed = world.scene.dials[Dial::push_speed];
-  load_velocities(world, wide);
-  bend_joints(world, time.h);
+void start_sweeps(const World& world, Real h) {
+  load_velocities(world, *world.wide);
+  bend_joints(world, h);
   const JointKernels* const joints = world.wide_joints->kernels;
   sweep_rows(
       world, [&](const JointRun& run) { joints->warm_start(run); },
       [](const auto& s, const auto& run) { s.warm_start(run); });
   refuse_start(world);
+}
+
+void solve_softly(const World& world, Solver::Solves to, const StepTime& time) {
+  StepReport& report = to;
+  WideContacts& wide = *world.wide;
+  const Real inv_h = 1 / time.h, push_speed = world.scene.dials[Dial::push_speed];
+  start_sweeps(world, time.h);
+  const JointKernels* const joints = world.wide_joints->kernels;
   sweep_rows(
       world, [&](const JointRun& run) { joints->solve(run, inv_h); },
       [&](const auto& s, const auto& run) { s.solve(run, inv_h, push_speed); });

@@ -25,6 +25,10 @@ struct Softness {
 /// @param frequency  Hz, >= 0   @param damping  ratio, >= 0   @param h  s
 Softness softness(Real frequency, Real damping, Real h);
 
+/// What sweeps over a substep begin with: velocities in lanes, and the impulses of the substep before where they give no
+/// energy.   @param h  s
+void start_sweeps(const World& world, Real h);
+
 /// Velocities of a substep, of what the direct solver does not answer; bodies that turn far are led back before and on
 /// after.
 void solve_softly(const World& world, Solver::Solves to, const StepTime& time);

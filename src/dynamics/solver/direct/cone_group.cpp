@@ -48,16 +48,16 @@ Real rounding(const ConeProblem& problem) {
   return 1e3 * kEpsilon * most;
 }
 
+/// (m/s)^2, of the points of a body that has velocity v, in the mean.
+Real speed2(const ConeBody& b, const Vec6& v) {
+  return v.linear().squared_norm() + b.inertia.trace() * b.inv_mass * v.angular().squared_norm();
+}
+
 /// m/s, the most that two points close or part, with impulses as they are.
 Real fastest(const ConeProblem& problem) {
   Real most = 0;
   for (const ConeContact& c : problem.contacts) most = std::max(most, std::fabs(c.u.dot(c.n)));
   return most;
-}
-
-/// (m/s)^2, of the points of a body that has velocity v, in the mean.
-Real speed2(const ConeBody& b, const Vec6& v) {
-  return v.linear().squared_norm() + b.inertia.trace() * b.inv_mass * v.angular().squared_norm();
 }
 
 /// m/s, likewise, in any direction.

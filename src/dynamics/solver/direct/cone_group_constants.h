@@ -75,6 +75,8 @@ inline constexpr Constant<std::uint32_t> kExpectedAtRest{
     "fewer: many are solved in one step, which stalls; more: one a step, and walls come late to rest"};
 
 inline constexpr ConstantRow kConeGroupConstants[] = {kFineShare,   kConeShare, kRest,   kJerks,
-                                                      kLongestTurn, kGap,       kAlways, kMostSteps, kWorkOfContact, kWorkOfPoint, kLeastWork, kExpectedOfMoving, kWorkOfJoined, kFromNothing, kExpectedAtRest};
+                                                      kLongestTurn, kGap,       kAlways, kMostSteps,
+                                                      kWorkOfContact, kWorkOfPoint, kLeastWork, kExpectedOfMoving,
+                                                      kWorkOfJoined, kFromNothing, kExpectedAtRest};
 
 }  // namespace carom::dynamics
