@@ -45,14 +45,19 @@ struct Found {
   std::uint64_t calls = 0;
 };
 
-/// The patch that starts from the touch's normal, turned off by some angle.
-Found patch_of(const Touch& t, ManifoldKind kind, const Vec3& off = Vec3::zero()) {
+/// What a query would say of a touch, its normal turned off by some angle. Points have no value until they are added.
+Candidates candidate_of(const Touch& t, const Vec3& off = Vec3::zero()) {
   Candidates found;
-  found.count = 1;
-  ContactPoint& p = found.point[0];
+  ContactPoint& p = found.add();
   p.normal = exp_map(off) * t.normal;
   p.on_a = t.at_a.apply_inverse(t.place), p.on_b = t.at_b.apply_inverse(t.place + t.separation * t.normal);
   p.separation = t.separation;
+  return found;
+}
+
+/// The patch that starts from the touch's normal, turned off by some angle.
+Found patch_of(const Touch& t, ManifoldKind kind, const Vec3& off = Vec3::zero()) {
+  const Candidates found = candidate_of(t, off);
   Found f;
   SupportFault fault;
   assert_true(update_patch({t.a, t.b, t.at_a, t.at_b, 0}, found, with(kind), f.manifold, f.memory, f.calls, fault));
@@ -317,9 +322,7 @@ static void a_face_that_leans_is_found_as_far_as_the_reach_goes(void**) {
         for (const Real z : {-0.4, 0.4}) height.push_back(lean.rotate(Vec3(x, -0.2, z)).y());
       std::sort(height.begin(), height.end());
       const Touch t = on_top(slab, 0.5, brick, Frame(lean.r, Vec3(0, -height[0], 0)), 0, random);
-      Candidates found;
-      found.count = 1;
-      found.point[0].normal = t.normal;
+      const Candidates found = candidate_of(t);
       for (const int near : {2, 3, 4}) {  // so many corners within reach
         ManifoldSettings settings = with(kind);
         settings.contact_distance = near == 4 ? 0.4 : (height[near - 1] + height[near]) / 2 - height[0];
@@ -534,9 +537,7 @@ static void a_shape_that_fails_while_it_is_probed_is_reported(void**) {
   for (left = 0; left < 9;) {
     const int allowed = left;
     const Touch t = on_top(slab, 0.5, liar, turned(Vec3::zero(), Vec3(0, 0.2, 0)), 0, random);
-    Candidates found;
-    found.count = 1;
-    found.point[0].normal = t.normal;
+    const Candidates found = candidate_of(t);
     Manifold m;
     m.count = 3;
     PatchMemory memory;
