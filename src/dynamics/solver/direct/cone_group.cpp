@@ -238,9 +238,9 @@ bool ConeGroup::comes_to_rest(Real goal) {
 Real ConeGroup::goal(bool is_bounded) const {
   const auto fine = [&] { return std::max(kFineShare * tolerance(), rounding(problem_)); };
   if (still_) return fine();
-  const bool roughly = is_bounded && !problem_.stood;
-  const Real enough = roughly ? std::max(tolerance(), kConeShare * fastest(problem_)) : tolerance();
-  return is_joined() ? std::min(enough, fine()) : enough;
+  const bool roughly = is_bounded && !problem_.stood && !problem_.contacts.empty();
+  if (roughly) return std::max(tolerance(), kConeShare * fastest(problem_));
+  return is_joined() ? std::min(tolerance(), fine()) : tolerance();
 }
 
 void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {

@@ -9,8 +9,8 @@ namespace carom::dynamics {
 
 inline constexpr Constant<Real> kFineShare{
     "direct_fine_share", 1e-3, "1",
-    "share of the tolerance to which few bodies that lie still, and all that is joined, are solved: what may roll "
-    "takes each push for good, and velocities along joints add up to gaps",
+    "share of the tolerance to which few bodies that lie still are solved, and what is joined and touches nothing: what "
+    "may roll takes each push for good, and velocities along joints add up to gaps",
     "larger: balls at rest creep away, joints gape; smaller: steps of Newton for what rounding undoes"};
 inline constexpr Constant<Real> kConeShare{"direct_blow_share", 1e-3, "1",
                                            "share of the fastest contact's speed that is good enough where work is "
@@ -61,7 +61,7 @@ inline constexpr Constant<std::uint32_t> kExpectedOfMoving{
     "have less",
     "fewer: many groups that move stall the step together; more: what moves hears of groups far away"};
 inline constexpr Constant<std::uint64_t> kWorkOfJoined{
-    "direct_work_of_joined", 50000, "block products",
+    "direct_work_of_joined", 20000, "block products",
     "of a step, for a group of joints and contacts, whatever the others take: what is cut short there throws bodies",
     "more: ragdolls in a heap stall; fewer: light bodies on joints are thrown"};
 inline constexpr Constant<std::uint32_t> kFromNothing{
