@@ -176,7 +176,7 @@ static void so_are_those_of_particles(void **state) {
  * the stage, a motor, a spring and limits on them; 200 steps. */
 static void so_are_those_of_joints(void **state) {
   const uint64_t golden[4] = {0x00049a7c50d5e07du, 0x1fc131ab6b2aebf8u, 0x4b904f31c5895b60u,
-                                      0x4b904f31c5895b60u};
+                                      0x4dc0b31e0742fa0bu};
   uint32_t solver, kind;
   int wrong = 0;
   (void)state;
@@ -216,7 +216,7 @@ static void so_are_those_of_joints(void **state) {
  * soft_step with contacts in floats. 200 steps. */
 static void so_are_those_of_factors_locks_and_belts(void **state) {
   const uint64_t golden[6] = {0xe22e875ce8e11a2bu, 0xa77de7ceccc91855u, 0xb15c2d08bb6fc839u,
-                                      0x408c547c1a4324beu, 0x09cdd376cb79590du, 0x8edf02f13b541c4fu};
+                                      0xf15a26554edcc472u, 0x09cdd376cb79590du, 0x8edf02f13b541c4fu};
   const double belt[3] = {0.75, 0, 0.25}, turn[3] = {0, 0.5, 0};
   uint32_t i;
   int wrong = 0;
