@@ -30,9 +30,11 @@ constexpr std::uint64_t kGolden = 0x67a048e37215a435u;
 constexpr std::uint64_t kSliceFirst = 1001, kSliceCount = 20;
 ///
 /// Lowered on 2026-11-25, when hills became solid, joints stopped exploding and the direct solver got one budget: {4, 5,
-/// 3, 15, 9, 4, 0} before, plainly {4, 4, 3, 3, 2, 3, 0}.
-constexpr std::size_t kCeiling[kKinds] = {0, 3, 0, 15, 6, 2, 0};
-constexpr std::size_t kPlainCeiling[kKinds] = {0, 1, 0, 3, 1, 1, 0};
+/// 3, 15, 9, 4, 0} before, plainly {4, 4, 3, 3, 2, 3, 0}. What sinks by a little is 8 of 20, not 6, since joined groups
+/// are solved less closely, and that is chance: of 660 scenes 364 sink, 359 did, and 60 of this slice's kind had 26 to
+/// 31 at five settings in no order of accuracy. What fails plainly is lower.
+constexpr std::size_t kCeiling[kKinds] = {0, 3, 0, 15, 8, 2, 0};
+constexpr std::size_t kPlainCeiling[kKinds] = {0, 1, 0, 2, 1, 0, 0};
 
 PluginPath plugins() { return PluginPath({CAROM_PLUGIN_DIR}); }
 
