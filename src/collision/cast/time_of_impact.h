@@ -26,8 +26,9 @@ struct RigidMotion {
 /// plane is asked for there.
 /// @param duration  s, >= 0, finite
 /// @param settings  cap: distance queries. Contact is declared once the separation is within tolerance of the target; a
-///                  time by which the target itself is crossed is then looked for: found, it ends the bracket and slack
-///                  is rounding; not found (a graze, a touch), slack is the tolerance
+///                  time by which the target itself is crossed is then looked for, a thousand tolerances of way ahead:
+///                  found, it ends the bracket and slack is rounding; not found (a graze, a touch), slack is the
+///                  tolerance
 /// @param result    undecided: the cap came first; nothing touches before `lower`
 /// @accuracy        brackets hold, rounding included; a half-space must not turn
 /// @source          [Mirtich1996]
