@@ -4,6 +4,7 @@
 #include <array>
 
 #include "collision/manifold/patch_constants.h"
+#include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/impact_points.h"
 #include "dynamics/solver/auto_constants.h"
@@ -29,7 +30,7 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 
 constexpr auto kConstantTable =
     in_one_table(kPatchConstants, kImpactConstants, kSweepConstants, kFarTurnConstants, kDepthConstants, kAutoConstants,
-                 kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants);
+                 kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants, kContinuousConstants);
 
 }  // namespace
 

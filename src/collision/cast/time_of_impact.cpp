@@ -16,6 +16,9 @@ constexpr Real kTurnRounding = 8;
 // Support evaluations that a proof of overlap is worth: pairs that cross by a tolerance take some 20 at 1e-6.
 constexpr int kProofCap = 200;
 
+// Tolerances that a bracket may be long, as a way: what crosses later than that grazes.
+constexpr Real kGraze = 1e3;
+
 bool flat(const Shape& s) { return s.form == Form::half_space; }
 
 /// The farthest that the core reaches from the centre of rotation. The radius around the core turns into itself.
@@ -200,6 +203,7 @@ class Advance {
     if (!(speed > 0) || settings_.target < 0) return;  // of an overlap no depth is proven by a yes or no
     const Real safe = until_;
     Real step = (std::max(left, Real(0)) + 0.5 * contact) / speed;
+    if (!(closing_bound() * step <= kGraze * contact)) return;  // it slides along: where it crosses says nothing of when
     for (int i = 0; i < 4; ++i, step *= 2) {
       const Real later = std::min(t + step, duration_);
       if (!(later > t)) return;

@@ -11,7 +11,8 @@
 // there and then, as by contact/impact.h: one impulse of all points that touch, with the restitution and Coulomb's
 // friction of their materials, momentum kept; and both go on from there for the rest of the substep, the one that was
 // hit swept from then on as well if it goes far by the end of the step. So contacts of a substep are answered one after the other, by time, of equals by
-// slot, whoever's they are, and no time is lost. Who is hit too often in one substep stays where it is until its end.
+// slot, whoever's they are, and no time is lost. Who is hit too often in one step stays where
+// it is until the substep ends.
 //
 // The path is a chord of the motion. Under constant forces it sags by h^2 a/8 under the parabola; the moment of an
 // impact is found on the parabola, and its impulse changes velocity and place at the end as it would there: energy is
@@ -41,10 +42,18 @@
 #pragma once
 
 #include "collision/broad/box_tree.h"
+#include "core/constant.h"
 #include "dynamics/ccd/path.h"
 #include "dynamics/effects.h"
 
 namespace carom::dynamics {
+
+inline constexpr Constant<std::uint32_t> kMostHits{
+    "continuous_most_hits", 8, "hits",
+    "of a body in a step, and one in each substep: then it stands until the substep ends. Bodies that rattle on each other are "
+    "hit again and again, each time within a shorter way",
+    "fewer: a bullet between walls is held up; more: thin bodies in a heap stall the step"};
+inline constexpr ConstantRow kContinuousConstants[] = {kMostHits};
 
 /// The dial's choices.
 enum SweepChoice : std::uint32_t { kSweepNobody, kSweepFlagged, kSweepFast };
@@ -67,8 +76,7 @@ struct SweptBody {
   bool changed = false;                           // something hit it in this substep
   bool struck = false;                            // likewise, in this step
   bool flies = false;                             // its path is a parabola's chord; else a solver's straight line
-  static constexpr std::uint32_t kMostHits = 16;  // in a substep
-  std::uint32_t hits = 0;                         // in this substep
+  std::uint32_t hits = 0, hits_before = 0;        // in this substep, in those before it of this step
   Real sensed = 0;                                // s: how far along its path sensors were asked, @see sense.cpp
   std::uint32_t version = 0;                      // raised when its path changes
   Real radius = 0;                                // m: the farthest of its colliders from its centre
@@ -81,6 +89,9 @@ struct SweptBody {
   std::uint32_t met_version = 0;     // of the other's path, that this was found with
   SweptPiece own_piece, other_piece;
   Vec3 normal, point;  // unit, from own to other; m, world
+
+  /// Whether it was hit as often as it may be in a step; once in each substep in any case.
+  bool is_spent() const { return hits > 0 && hits + hits_before >= kMostHits; }
 };
 
 struct Continuous {

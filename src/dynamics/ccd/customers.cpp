@@ -273,6 +273,7 @@ void begin_paths(const World& world) {
   const State& s = world.state;
   for (SweptBody& b : world.continuous->bodies) {
     b.path.t = 0, b.path.x = s.x[b.body], b.path.q = s.q[b.body];
+    b.hits_before += b.hits;
     b.changed = false, b.hits = 0, b.sensed = 0;
   }
 }

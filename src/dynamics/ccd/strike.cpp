@@ -49,7 +49,7 @@ void Sweeper::strike(SweptBody& b) {
   if (astray) brace(s);
   for (SweptBody* const p : {&b, partner}) {
     if (!p || !moved_by_hits(p->body)) continue;
-    if (p->hits >= SweptBody::kMostHits) stop(p == &b ? s.a : s.b, s.now);
+    if (p->is_spent()) stop(p == &b ? s.a : s.b, s.now);
     ++p->version;
     p->swept |= goes_far(*p);
     if (!p->loose) p->loose = true, c_.loose.push_back(static_cast<std::uint32_t>(p - c_.bodies.data()));

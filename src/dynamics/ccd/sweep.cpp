@@ -152,7 +152,6 @@ void Sweeper::look_ahead(SweptBody& b, Real now) {
 }
 
 void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t other) {
-  constexpr std::uint32_t kMostHits = SweptBody::kMostHits;
   const Colliders& table = world_.scene.colliders;
   const std::uint32_t body = table.body[other];
   if (!may_touch(table, own, other) || table.is_sensor(other) || (filtered_ && !lets_touch(world_.scene, own, other)))
@@ -162,7 +161,7 @@ void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t 
   if (!moved_by_hits(b.body) && !moved_by_hits(body)) return;
   const SweptBody* const known = c_.find(body);
   // Who has been hit enough waits for the next substep: it stops others, but is not pushed on by what nothing stops.
-  const bool spent = b.hits >= kMostHits, other_spent = known && known->hits >= kMostHits;
+  const bool spent = b.is_spent(), other_spent = known && known->is_spent();
   if ((spent || !moved_by_hits(b.body)) && (other_spent || !moved_by_hits(body))) return;
   Side a{b.body, own, {}, b.path, &b}, o{body, other, {}, path_of(body), known};
   const Aabb box = a.path.swept(now, time_.h, b.radius);

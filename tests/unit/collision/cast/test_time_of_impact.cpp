@@ -227,6 +227,32 @@ static void touching_resting_and_parting_at_the_start(void**) {
   assert_true(deep.outcome == CastOutcome::overlap && std::fabs(deep.separation + 0.2) < 1e-6 && deep.time == 0);
 }
 
+// A rod that turns, and slides on so that its face hardly nears a ball at first, and then does by its turn: the face's
+// height over the ball's lowest point is n.(B - c) - a - r, n the face's normal, c the rod's centre. A crossing that is found
+// far ahead says nothing of when it was: what touches is told to touch now.
+static void a_touch_that_slides_on_is_told_when_it_touches(void**) {
+  Random random(31);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Real a = random.uniform(0.005, 0.05), r = random.uniform(0.01, 0.2), d = random.uniform(-0.7, 0.7);
+    const Real w = random.uniform(20, 400), along = random.uniform(-200, -20);
+    const Real g = 1e-3 * std::pow(10, random.uniform(-8, -5));  // m, below the tolerance
+    const Real nearing = std::pow(10, random.uniform(-13, 0));   // m/s
+    const Shape rod = box(Vec3(1, a, a)), ball = sphere(r);
+    const Vec3 at(d, a + r + g, 0), u(along, nearing - w * d, 0);
+    const auto height = [&](Real t) {
+      const SinCos turn = sin_cos(w * t);
+      return Vec3(-turn.sin, turn.cos, 0).dot(at - t * u) - a - r;
+    };
+    constexpr Real kDuration = 1e-3;
+    if (!(height(kDuration) < -1e-4) || std::fabs(d - kDuration * along) > 0.9) continue;
+    const CastResult hit = ask(rod, moving(Vec3::zero(), u, Vec3(0, 0, w)), ball, moving(at), kDuration);
+    assert_true(hit.outcome == CastOutcome::hit);
+    // Within a thousand tolerances, whatever it nears at: a millionth of the ball each.
+    assert_true(std::fabs(height(hit.time)) <= 1e3 * 1e-6 * std::max(r, std::sqrt(2.0) * a));
+    assert_true(hit.lower <= hit.time && hit.time <= hit.upper);
+  }
+}
+
 static void grazes_end_within_the_cap(void**) {
   // A tip that passes a plane at 1e-3 .. 1e-12 above or below it.
   const Shape rod = box(Vec3(1, 0.05, 0.05)), floor = half_space(Vec3(0, 1, 0), 0);
@@ -328,6 +354,7 @@ int main() {
       cmocka_unit_test(without_rotation_it_is_a_linear_cast),
       cmocka_unit_test(the_twin_agrees),
       cmocka_unit_test(touching_resting_and_parting_at_the_start),
+      cmocka_unit_test(a_touch_that_slides_on_is_told_when_it_touches),
       cmocka_unit_test(grazes_end_within_the_cap),
       cmocka_unit_test(fast_spin_over_long_times),
       cmocka_unit_test(far_from_the_origin_nothing_changes),
