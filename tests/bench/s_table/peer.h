@@ -62,14 +62,17 @@ struct WorldPlan {
     return otherwise;
   }
   bool sleeping = false;              // bodies at rest may be put to sleep, by the engine's own defaults
+  std::size_t threads = 1;            // that a step may use; an engine without threads heeds none
 };
+
+inline constexpr std::size_t kNotTold = static_cast<std::size_t>(-1);
 
 class PeerWorld {
  public:
   virtual ~PeerWorld() = default;
   virtual void step(double dt) = 0;
   virtual void read(BodyState* states) const = 0;  // [bodies]
-  virtual std::size_t contact_points() const = 0;  // after the last step
+  virtual std::size_t contact_points() const = 0;  // after the last step; kNotTold by an engine that doesn't count them
   /// A force on a body's centre of mass for the next step(); no scene of the S-table pushes.   @param force  [3] N, world
   virtual void push(std::size_t body, const double* force) { (void)body, (void)force; }
   /// What each ray meets first.

@@ -209,7 +209,7 @@ extern "C" __attribute__((visibility("default"))) PeerEngine carom_bench_engine(
   dInitODE2(0);
   dAllocateODEDataForThread(dAllocateMaskAll);
   return {"ODE 0.16 (double)", [](const WorldPlan& plan) -> PeerWorld* { return new OdeWorld(plan); },
-          [] { return live_bytes; }};
+          [] { return live_bytes.load(); }};
 }
 
 }  // namespace carom::bench

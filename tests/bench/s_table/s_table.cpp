@@ -51,12 +51,13 @@ void print_row(const Row& row, const Record& record, const Record* reference) {
   }
   if (record.is_carom && row.target > 0) target = format("%g", row.target);
   if (record.is_carom && row.bullet > 0) target += format(" (%.2g)", row.target / row.bullet);
-  std::printf("| %s | %s | %.3f | %.3f | %.2f | %s | %s | %.1f / %.2f | %.0f | %.1e | %zu | %zu, %zu | %s |\n",
+  const std::string points = record.contact_points == kNotTold ? "-" : std::to_string(record.contact_points);
+  std::printf("| %s | %s | %.3f | %.3f | %.2f | %s | %s | %.1f / %.2f | %.0f | %.1e | %s | %zu, %zu | %s |\n",
               row.id.c_str(), record.engine.c_str(), record.mean_ms(from, steps),
               record.mean_ms(steps - (steps - from + 2) / 3, steps),
               1e3 * *std::max_element(record.best.begin() + static_cast<std::ptrdiff_t>(from), record.best.end()),
               ratio.c_str(), target.c_str(), 1e3 * record.end.max_penetration, 1e3 * record.end.mean_penetration,
-              1e3 * record.peak_penetration, record.end.mean_energy, record.contact_points, record.end.escaped,
+              1e3 * record.peak_penetration, record.end.mean_energy, points.c_str(), record.end.escaped,
               record.end.lost, outcome(row, record).c_str());
   std::fflush(stdout);
 }
@@ -152,12 +153,22 @@ int main(int argc, char** argv) {
     if (options.quick) options.repeats = 1;
     if (engines.empty()) engines = known;
     options.carom = std::find(engines.begin(), engines.end(), "carom") != engines.end();
-    for (const std::string& name : engines)
-      if (name != "carom") options.peers.push_back(load_engine(modules.at(name).c_str()));
+    std::vector<std::string> missing;
+    for (const std::string& name : engines) {
+      if (name == "carom") continue;
+      const std::string& path = modules.at(name);
+      const std::string reason = reason_missing(path);
+      if (reason.empty())
+        options.peers.push_back(load_engine(path.c_str()));
+      else
+        missing.push_back(name + ": " + reason);
+    }
     std::vector<Row> rows = names.empty() ? s_table() : std::vector<Row>();
     for (const std::string& name : names) rows.push_back(find_row(name));
     const bool kept = run(rows, options, with_profile);
     print_rays(rows, options);
+    if (!missing.empty()) std::printf("\nNot built here:\n\n");
+    for (const std::string& line : missing) std::printf("- %s\n", line.c_str());
     return kept ? 0 : 1;
   } catch (const tools::Error& error) {
     std::fprintf(stderr, "s_table: %s\n  what to do: %s\n", error.what(), error.remedy.c_str());

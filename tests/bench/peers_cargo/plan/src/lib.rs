@@ -1,0 +1,105 @@
+//! s_table's peer.h as Rust sees it. `rapier/adapter.cpp` checks that both have the same layout.
+
+use std::ffi::{c_char, c_void};
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct BodyState {
+    pub position: [f64; 3],
+    pub orientation: [f64; 4],
+    pub velocity: [f64; 3],
+    pub omega: [f64; 3],
+}
+
+pub const NONE: i32 = 0;
+pub const HALF_SPACE: i32 = 1;
+pub const SPHERE: i32 = 2;
+pub const BOX: i32 = 3;
+pub const HULL: i32 = 4;
+
+#[repr(C)]
+pub struct BodyPlan {
+    pub solid: i32,
+    params: *const f64,
+    param_count: usize,
+    _triangles: *const u32,
+    _triangle_count: usize,
+    pub is_static: bool,
+    pub mass: f64,
+    pub inertia: [f64; 3],
+    pub friction: f64,
+    pub restitution: f64,
+    pub start: BodyState,
+}
+
+impl BodyPlan {
+    /// Bodies of one shape share the address.
+    pub fn params(&self) -> &[f64] {
+        if self.params.is_null() {
+            return &[];
+        }
+        unsafe { std::slice::from_raw_parts(self.params, self.param_count) }
+    }
+}
+
+pub const WORLD_BODY: usize = usize::MAX;
+
+#[repr(C)]
+pub struct JointPlan {
+    pub a: usize,
+    pub b: usize,
+    pub on_a: [f64; 3],
+    pub on_b: [f64; 3],
+}
+
+#[repr(C)]
+pub struct WorldPlan {
+    bodies: *const BodyPlan,
+    count: usize,
+    joints: *const JointPlan,
+    joint_count: usize,
+    pub gravity: [f64; 3],
+    _dials: *const c_void,
+    _dial_count: usize,
+    pub sleeping: bool,
+    pub threads: usize,
+}
+
+impl WorldPlan {
+    pub fn bodies(&self) -> &[BodyPlan] {
+        unsafe { slice(self.bodies, self.count) }
+    }
+    pub fn joints(&self) -> &[JointPlan] {
+        unsafe { slice(self.joints, self.joint_count) }
+    }
+}
+
+unsafe fn slice<'a, T>(start: *const T, count: usize) -> &'a [T] {
+    if count == 0 {
+        &[]
+    } else {
+        std::slice::from_raw_parts(start, count)
+    }
+}
+
+/// What a module exports as `carom_bench_engine`: C++ makes it, Rust hands it on, for a shared object made by cargo
+/// exports what is written in Rust alone.
+#[repr(C)]
+pub struct PeerEngine {
+    name: *const c_char,
+    make: *const c_void,
+    live_bytes: *const c_void,
+}
+
+#[macro_export]
+macro_rules! export_engine {
+    () => {
+        extern "C" {
+            fn carom_peer_engine() -> $crate::PeerEngine;
+        }
+        #[no_mangle]
+        pub extern "C" fn carom_bench_engine() -> $crate::PeerEngine {
+            unsafe { carom_peer_engine() }
+        }
+    };
+}

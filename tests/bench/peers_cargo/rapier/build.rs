@@ -1,0 +1,3 @@
+fn main() {
+    shim::compiler("../rapier/adapter.cpp").compile("adapter");
+}
