@@ -1,7 +1,7 @@
 # Targets s_table_NAME: one cargo build each, one after the other. An engine that can't be built costs no build: what the
 # compiler said lies beside the place of its module, and s_table says it.
 find_program(CAROM_CARGO cargo HINTS $ENV{HOME}/.cargo/bin)
-set(CAROM_CARGO_PEERS rapier rapier64 box3d jolt physx CACHE STRING "Engines of s_table that cargo builds")
+set(CAROM_CARGO_PEERS rapier rapier64 rapier_threads box3d jolt physx CACHE STRING "Engines of s_table that cargo builds")
 foreach(name ${CAROM_CARGO_PEERS})
   set(module ${CMAKE_BINARY_DIR}/cargo/release/libpeer_${name}.so)
   add_custom_target(s_table_${name} ALL USES_TERMINAL VERBATIM

@@ -12,7 +12,7 @@ namespace carom::bench {
 
 CaromWorld::CaromWorld(tools::Engine& engine, const SceneChoice& choice, const std::vector<std::string>& dials)
     : stage_(engine) {
-  tools::build(tools::find_scene(choice.scene), choice.settings, stage_);
+  tools::build(find_scene(choice.scene), choice.settings, stage_);
   for (const std::string& dial : dials) stage_.world.set_dial(dial);
 }
 

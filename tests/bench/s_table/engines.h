@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plan.h"
+#include "scenes.h"
 
 namespace carom::bench {
 

@@ -14,6 +14,10 @@ bool is_finite(const BodyState& s) {
 
 }  // namespace
 
+Judge::Judge(const Plan& plan) : plan_(plan) {
+  for (const JointPlan& joint : plan.joints()) joined_.insert(std::minmax(joint.a, joint.b));
+}
+
 Verdict Judge::judge(const std::vector<BodyState>& states, double time) const {
   const tools::Stage& stage = plan_.stage();
   const Vec gravity = vec(plan_.world(false).gravity);
@@ -77,6 +81,7 @@ void Judge::judge_overlap(const std::vector<BodyState>& states, std::vector<std:
       if (bodies[a].is_static && bodies[b].is_static) continue;
       const double reach = bodies[a].radius + bodies[b].radius;
       if (!is_plane(a) && (vec(states[a].position) - vec(states[b].position)).squaredNorm() > reach * reach) continue;
+      if (joined_.count(std::minmax(a, b))) continue;
       const double depth = -separation(states[a], bodies[a].shape, states[b], bodies[b].shape);
       if (depth <= 0) continue;
       ++v.overlaps;

@@ -1,13 +1,15 @@
 // Judges bodies from their poses and velocities alone, the same way whichever engine put them there.
 #pragma once
 
+#include <set>
+
 #include "plan.h"
 #include "scenes/tower.h"
 
 namespace carom::bench {
 
 struct Verdict {
-  double max_penetration = 0;   // m, over pairs of bodies
+  double max_penetration = 0;   // m, over pairs of bodies that no joint holds together
   double mean_penetration = 0;  // m, over the pairs that overlap
   std::size_t overlaps = 0;     // pairs of bodies that overlap
   double mean_energy = 0;       // J, kinetic, a dynamic body
@@ -21,7 +23,7 @@ struct Verdict {
 
 class Judge {
  public:
-  explicit Judge(const Plan& plan) : plan_(plan) {}
+  explicit Judge(const Plan& plan);
   /// @param states  [actors] in the stage's body frames
   /// @param time    s, since the start
   Verdict judge(const std::vector<BodyState>& states, double time) const;
@@ -32,6 +34,7 @@ class Judge {
   double separation(const BodyState& a, carom_shape shape_a, const BodyState& b, carom_shape shape_b) const;
 
   const Plan& plan_;
+  std::set<std::pair<std::size_t, std::size_t>> joined_;  // lesser index first
 };
 
 }  // namespace carom::bench

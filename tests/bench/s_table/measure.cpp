@@ -60,9 +60,9 @@ void drive(Record& record, PeerWorld& world, const Judge& judge, const Plan& pla
   const std::size_t steps = record.best.empty() ? record.planned : record.best.size();
   double spent = 0;
   for (std::size_t i = 0; i < steps; ++i) {
-    const double start = cpu_seconds();
+    const double start = seconds_now(options.threads);
     world.step(kDt);
-    const double took = cpu_seconds() - start;
+    const double took = seconds_now(options.threads) - start;
     spent += took;
     const bool cut = repeat == 0 && spent > options.budget;
     if (repeat == 0)
@@ -85,7 +85,7 @@ struct Described {
   tools::Stage stage;
   std::optional<Plan> plan;
   Described(tools::Engine& engine, const SceneChoice& choice) : stage(engine) {
-    tools::build(tools::find_scene(choice.scene), choice.settings, stage);
+    tools::build(find_scene(choice.scene), choice.settings, stage);
     plan.emplace(stage);
   }
 };
@@ -100,9 +100,9 @@ using MakeWorld = std::function<std::unique_ptr<PeerWorld>(const SceneChoice&, c
 
 }  // namespace
 
-double cpu_seconds() {
+double seconds_now(std::uint32_t threads) {
   timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  clock_gettime(threads > 1 ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
@@ -111,6 +111,18 @@ double Record::mean_ms(std::size_t from, std::size_t to) const {
          std::accumulate(best.begin() + static_cast<std::ptrdiff_t>(from),
                          best.begin() + static_cast<std::ptrdiff_t>(to), 0.0) /
          static_cast<double>(to - from);
+}
+
+double Record::p99_ms(std::size_t from) const {
+  std::vector<double> steps(best.begin() + static_cast<std::ptrdiff_t>(from), best.end());
+  const std::size_t above = steps.size() / 100;
+  const auto place = steps.end() - 1 - static_cast<std::ptrdiff_t>(above);
+  std::nth_element(steps.begin(), place, steps.end());
+  return 1e3 * *place;
+}
+
+double Record::worst_ms(std::size_t from) const {
+  return 1e3 * *std::max_element(best.begin() + static_cast<std::ptrdiff_t>(from), best.end());
 }
 
 std::vector<Record> measure(const Row& row, const Options& options) {
@@ -122,6 +134,7 @@ std::vector<Record> measure(const Row& row, const Options& options) {
   }
   const carom_engine_desc desc = counted_engine();
   tools::Engine engine(tools::PluginPath(options.plugins), &desc);
+  if (options.threads > 1) engine.set_threads(options.threads);
   const Described described(engine, choice);
   const Plan& plan = *described.plan;
   const Judge judge(plan);
@@ -149,8 +162,10 @@ std::vector<Record> measure(const Row& row, const Options& options) {
   for (const PeerEngine& peer : options.peers)
     add(
         peer.name, false,
-        [&row, peer](const SceneChoice&, const Plan& told) {
-          return std::unique_ptr<PeerWorld>(peer.make(told.world(row.sleeping)));
+        [&row, &options, peer](const SceneChoice&, const Plan& told) {
+          WorldPlan world = told.world(row.sleeping);
+          world.threads = options.threads;
+          return std::unique_ptr<PeerWorld>(peer.make(world));
         },
         peer.live_bytes);
 

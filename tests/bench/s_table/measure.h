@@ -16,6 +16,7 @@ struct Options {
   std::vector<std::string> plugins;  // folders
   std::vector<PeerEngine> peers;     // the other engines
   bool carom = true;
+  std::uint32_t threads = 1;  // that a step may use; with several, time is of the clock on the wall
 };
 
 /// What one engine did with one row.
@@ -34,14 +35,19 @@ struct Record {
   std::vector<double> stages;      // s of wall clock in the last repeat, by CAROM_STAGE_*; Carom alone
   double bytes_per_body = 0;       // held for the world at the end
 
+  double first_ms() const { return 1e3 * best.front(); }
+  /// Of the steps [from, all): the time that no more than one of a hundred exceeds, ms.
+  double p99_ms(std::size_t from) const;
+  double worst_ms(std::size_t from) const;
   /// Mean of the steps [from, to), ms.
   double mean_ms(std::size_t from, std::size_t to) const;
 };
 
 inline constexpr double kDt = 1.0 / 60;  // s
 
-/// CPU time of this process, all threads together. @return s
-double cpu_seconds();
+/// CPU time of this process; of several threads the time on the wall, since a step of theirs is over when the last has done
+/// its part.   @return s
+double seconds_now(std::uint32_t threads);
 
 /// @return one record an engine: Carom, then the others in order   @throws Error
 std::vector<Record> measure(const Row& row, const Options& options);

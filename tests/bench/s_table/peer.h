@@ -91,6 +91,7 @@ struct PeerEngine {
   /// Null, and why on stderr, if it can't. The plan need not outlive the call; its params and triangles do.
   PeerWorld* (*make)(const WorldPlan& plan);
   std::size_t (*live_bytes)();                // held through the engine's own allocator now
+  std::size_t threads = 1;                    // as many as a step can use
 };
 using PeerModule = PeerEngine (*)();
 

@@ -69,7 +69,7 @@ std::vector<RayRecord> measure_rays(const Row& row, const Options& options, std:
   const carom_engine_desc desc = counted_engine();
   tools::Engine engine(tools::PluginPath(options.plugins), &desc);
   tools::Stage stage(engine);
-  tools::build(tools::find_scene(choice.scene), choice.settings, stage);
+  tools::build(find_scene(choice.scene), choice.settings, stage);
   Plan plan(stage);
 
   std::vector<std::unique_ptr<PeerWorld>> worlds;
@@ -96,9 +96,9 @@ std::vector<RayRecord> measure_rays(const Row& row, const Options& options, std:
   for (int repeat = 0; repeat < options.repeats; ++repeat)
     for (std::size_t i = 0; i < worlds.size(); ++i) {
       if (!asked[i]) continue;
-      const double start = cpu_seconds();
+      const double start = seconds_now(1);
       asked[i] = worlds[i]->cast_rays(ends.data(), count, fractions[i].data());
-      const double took = cpu_seconds() - start;
+      const double took = seconds_now(1) - start;
       if (repeat == 0) records[i].first = took;
       records[i].best = repeat == 0 ? took : std::min(records[i].best, took);
     }

@@ -52,13 +52,12 @@ void print_row(const Row& row, const Record& record, const Record* reference) {
   if (record.is_carom && row.target > 0) target = format("%g", row.target);
   if (record.is_carom && row.bullet > 0) target += format(" (%.2g)", row.target / row.bullet);
   const std::string points = record.contact_points == kNotTold ? "-" : std::to_string(record.contact_points);
-  std::printf("| %s | %s | %.3f | %.3f | %.2f | %s | %s | %.1f / %.2f | %.0f | %.1e | %s | %zu, %zu | %s |\n",
+  std::printf("| %s | %s | %.3f | %.3f | %.2f | %.2f | %.2f | %s | %s | %.1f / %.2f | %.0f | %.1e | %s | %zu, %zu | %s |\n",
               row.id.c_str(), record.engine.c_str(), record.mean_ms(from, steps),
-              record.mean_ms(steps - (steps - from + 2) / 3, steps),
-              1e3 * *std::max_element(record.best.begin() + static_cast<std::ptrdiff_t>(from), record.best.end()),
-              ratio.c_str(), target.c_str(), 1e3 * record.end.max_penetration, 1e3 * record.end.mean_penetration,
-              1e3 * record.peak_penetration, record.end.mean_energy, points.c_str(), record.end.escaped,
-              record.end.lost, outcome(row, record).c_str());
+              record.mean_ms(steps - (steps - from + 2) / 3, steps), record.p99_ms(from), record.worst_ms(from),
+              record.first_ms(), ratio.c_str(), target.c_str(), 1e3 * record.end.max_penetration,
+              1e3 * record.end.mean_penetration, 1e3 * record.peak_penetration, record.end.mean_energy, points.c_str(),
+              record.end.escaped, record.end.lost, outcome(row, record).c_str());
   std::fflush(stdout);
 }
 
@@ -98,10 +97,9 @@ bool run(const std::vector<Row>& rows, const Options& options, bool with_profile
   const bool any_steps = std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.rays == 0; });
   if (any_steps)
     std::printf(
-        "| row | engine | ms/step | last third | worst | of Bullet | target (of Bullet) | penetration max / mean mm | "
-        "peak mm | "
-        "J/body "
-        "| points | escaped, not finite | outcome |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+        "| row | engine | ms/step | last third | p99 | worst | first | of Bullet | target (of Bullet) | penetration max / "
+        "mean mm | peak mm | J/body | points | escaped, not finite | outcome |\n"
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   std::vector<std::string> profiles;
   bool kept = true;
   for (const Row& row : rows) {
@@ -122,6 +120,30 @@ bool run(const std::vector<Row>& rows, const Options& options, bool with_profile
   return kept;
 }
 
+const std::map<std::string, std::string>& modules() {
+  static const std::map<std::string, std::string> paths = {CAROM_ENGINE_MODULES};
+  return paths;
+}
+
+/// @param engines  by name   @return of each that is not loaded its name and why
+std::vector<std::string> load_peers(const std::vector<std::string>& engines, Options& options) {
+  std::vector<std::string> missing;
+  for (const std::string& name : engines) {
+    if (name == "carom") continue;
+    const std::string& path = modules().at(name);
+    std::string reason = reason_missing(path);
+    if (reason.empty()) {
+      const PeerEngine engine = load_engine(path.c_str());
+      if (engine.threads >= options.threads)
+        options.peers.push_back(engine);
+      else
+        reason = "its steps have one thread";
+    }
+    if (!reason.empty()) missing.push_back(name + ": " + reason);
+  }
+  return missing;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -130,12 +152,11 @@ int main(int argc, char** argv) {
   Options options;
   options.plugins = {CAROM_PLUGIN_DIR};
   std::vector<std::string> names, engines;
-  const std::map<std::string, std::string> modules = {CAROM_ENGINE_MODULES};
   std::vector<std::string> known = {"carom"};
-  for (const auto& [name, path] : modules) known.push_back(name);
+  for (const auto& [name, path] : modules()) known.push_back(name);
   bool with_profile = false;
   app.add_option("ROWS", names, "Rows of the table, or SCENE:knob=value,... of `carom list`; default: the whole table");
-  app.add_option("--engines", engines, "Which engines; default: all that were built")->check(CLI::IsMember(known));
+  app.add_option("--engines", engines, "Which engines; default: all")->check(CLI::IsMember(known));
   app.add_option("--seconds", options.seconds, "Simulated time; default: the row's")->check(CLI::Range(0.01, 3600.0));
   app.add_option("--repeats", options.repeats, "Runs of each engine, in turn")
       ->check(CLI::Range(1, 100))
@@ -146,28 +167,25 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--dial", options.dials, "name=value, of Carom's world (repeatable)")->allow_extra_args(false);
   app.add_option("--plugins", options.plugins, "Folders with shape plugins");
+  app.add_option("--threads", options.threads, "That a step may use; with several, times are of the clock on the wall")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
   app.add_flag("--profile", with_profile, "Say which stages of Carom's step take the time");
   app.add_flag("--quick", options.quick, "Small scenes, half a second, once: does it run at all?");
   CLI11_PARSE(app, argc, argv);
   try {
     if (options.quick) options.repeats = 1;
-    if (engines.empty()) engines = known;
-    options.carom = std::find(engines.begin(), engines.end(), "carom") != engines.end();
-    std::vector<std::string> missing;
-    for (const std::string& name : engines) {
-      if (name == "carom") continue;
-      const std::string& path = modules.at(name);
-      const std::string reason = reason_missing(path);
-      if (reason.empty())
-        options.peers.push_back(load_engine(path.c_str()));
-      else
-        missing.push_back(name + ": " + reason);
+    if (engines.empty()) {
+      engines = known;  // with one thread Rapier without threads stands for it
+      if (options.threads == 1) std::erase(engines, "rapier_threads");
     }
+    options.carom = std::find(engines.begin(), engines.end(), "carom") != engines.end();
+    const std::vector<std::string> missing = load_peers(engines, options);
     std::vector<Row> rows = names.empty() ? s_table() : std::vector<Row>();
     for (const std::string& name : names) rows.push_back(find_row(name));
     const bool kept = run(rows, options, with_profile);
     print_rays(rows, options);
-    if (!missing.empty()) std::printf("\nNot built here:\n\n");
+    if (!missing.empty()) std::printf("\nNot in the table:\n\n");
     for (const std::string& line : missing) std::printf("- %s\n", line.c_str());
     return kept ? 0 : 1;
   } catch (const tools::Error& error) {

@@ -49,6 +49,21 @@ static void depth_energy_escape_and_fall_are_what_geometry_says(void**) {
   assert_int_equal(gone.lost, 1);
 }
 
+static void joined_bodies_may_overlap_and_others_may_not(void**) {
+  tools::Engine engine(tools::PluginPath({CAROM_PLUGIN_DIR}));
+  tools::Stage stage(engine);
+  tools::build(tools::find_scene("net"), {{{"n", 2}}, ""}, stage);  // a square of balls, joined along its edges
+  const Plan plan(stage);
+  const Judge judge(plan);
+  std::vector<BodyState> states = start_of(stage);
+  Vec::Map(states[1].position) = vec(states[0].position) + Vec(0.1, 0, 0);
+  assert_int_equal(judge.judge(states, 0).overlaps, 0);
+  Vec::Map(states[3].position) = vec(states[0].position) + Vec(0, 0.3, 0);  // across: no joint; radius 0.2 m
+  const Verdict across = judge.judge(states, 0);
+  assert_int_equal(across.overlaps, 1);
+  assert_true(std::fabs(across.max_penetration - 0.1) < 1e-5);
+}
+
 static void a_particle_on_its_parabola_has_no_error(void**) {
   tools::Engine engine(tools::PluginPath({CAROM_PLUGIN_DIR}));
   tools::Stage stage(engine);
@@ -109,6 +124,7 @@ static void what_other_engines_lack_is_refused(void**) {
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(depth_energy_escape_and_fall_are_what_geometry_says),
+      cmocka_unit_test(joined_bodies_may_overlap_and_others_may_not),
       cmocka_unit_test(a_particle_on_its_parabola_has_no_error),
       cmocka_unit_test(principal_frames_are_about_the_centre_of_mass_and_lead_back),
       cmocka_unit_test(what_other_engines_lack_is_refused),

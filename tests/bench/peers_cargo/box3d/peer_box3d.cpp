@@ -11,6 +11,7 @@
 namespace carom::bench {
 namespace {
 
+constexpr std::size_t kMostThreads = B3_MAX_WORKERS;
 constexpr int kSubsteps = 4;
 constexpr float kGroundHalfWidth = 500, kGroundHalfDepth = 10;  // m
 
@@ -169,7 +170,7 @@ extern "C" PeerEngine carom_peer_engine() {
       },
       counted_free);
   return {"Box3D 0.1.0 (float)", [](const WorldPlan& plan) -> PeerWorld* { return new Box3dWorld(plan); },
-          [] { return live_bytes.load(); }};
+          [] { return live_bytes.load(); }, kMostThreads};
 }
 
 }  // namespace carom::bench

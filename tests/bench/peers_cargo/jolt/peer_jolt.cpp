@@ -30,6 +30,7 @@
 namespace carom::bench {
 namespace {
 
+constexpr std::size_t kMostThreads = 64;
 constexpr float kGroundHalfWidth = 500, kGroundHalfDepth = 10;  // m
 constexpr JPH::ObjectLayer kFixed = 0, kMoving = 1, kAlone = 2;
 
@@ -244,7 +245,7 @@ extern "C" PeerEngine carom_peer_engine() {
   JPH::Factory::sInstance = new JPH::Factory;
   JPH::RegisterTypes();
   return {"Jolt 5.0.0 (float)", [](const WorldPlan& plan) -> PeerWorld* { return new JoltWorld(plan); },
-          [] { return live_bytes.load(); }};
+          [] { return live_bytes.load(); }, kMostThreads};
 }
 
 }  // namespace carom::bench

@@ -13,6 +13,7 @@
 namespace carom::bench {
 namespace {
 
+constexpr std::size_t kMostThreads = 64;
 using namespace physx;
 
 PxVec3 vec(const double* v) { return PxVec3(float(v[0]), float(v[1]), float(v[2])); }
@@ -185,7 +186,7 @@ static_assert(PX_PHYSICS_VERSION_MAJOR == 5 && PX_PHYSICS_VERSION_MINOR == 1 && 
 
 extern "C" PeerEngine carom_peer_engine() {
   return {"PhysX 5.1.3 (float)", [](const WorldPlan& plan) -> PeerWorld* { return new PhysxWorld(plan); },
-          [] { return live_bytes.load(); }};
+          [] { return live_bytes.load(); }, kMostThreads};
 }
 
 }  // namespace carom::bench

@@ -14,6 +14,7 @@ std::size_t carom_rust_contact_points(const void* world);
 void carom_rust_cast_rays(void* world, const double* ends, std::size_t n, double* fractions);
 std::size_t carom_rust_live_bytes();
 const char* carom_rust_name();
+std::size_t carom_rust_threads();
 }
 
 namespace {
@@ -45,5 +46,5 @@ class RustWorld final : public PeerWorld {
 
 extern "C" PeerEngine carom_peer_engine() {
   return {carom_rust_name(), [](const WorldPlan& plan) -> PeerWorld* { return new RustWorld(plan); },
-          carom_rust_live_bytes};
+          carom_rust_live_bytes, carom_rust_threads()};
 }

@@ -89,6 +89,7 @@ pub struct PeerEngine {
     name: *const c_char,
     make: *const c_void,
     live_bytes: *const c_void,
+    threads: usize,
 }
 
 #[macro_export]

@@ -1,4 +1,5 @@
-//! Rapier in a module: an own thread pool, otherwise the world's defaults, except for what the comparison asks of every engine.
+//! Rapier in a module: the world's defaults, except for what the comparison asks of every engine. Its threads are a feature,
+//! which its steps of one thread do without: their pool would wait in the time that is measured.
 
 mod counted;
 
@@ -10,10 +11,13 @@ use std::ffi::{c_char, c_void};
 
 plan::export_engine!();
 
-#[cfg(not(feature = "double"))]
-const NAME: &std::ffi::CStr = c"Rapier 0.36.1 (float)";
-#[cfg(feature = "double")]
-const NAME: &std::ffi::CStr = c"Rapier 0.36.1 (double)";
+const NAME: &std::ffi::CStr = if cfg!(feature = "double") {
+    c"Rapier 0.36.1 (double)"
+} else if cfg!(feature = "threads") {
+    c"Rapier 0.36.1 (float, with threads)"
+} else {
+    c"Rapier 0.36.1 (float)"
+};
 
 struct World {
     physics: PhysicsWorld,
@@ -78,7 +82,8 @@ impl World {
     fn new(plan: &WorldPlan) -> World {
         let mut physics = PhysicsWorld::default();
         physics.gravity = vector(&plan.gravity);
-        physics.configure_thread_pool(plan.threads).expect("the machine has threads");
+        #[cfg(feature = "threads")]
+        physics.physics_pipeline.configure_thread_pool(plan.threads).expect("the machine has threads");
         let mut shapes: HashMap<*const f64, Option<SharedShape>> = HashMap::new();
         let mut bodies = Vec::new();
         for body in plan.bodies() {
@@ -180,4 +185,13 @@ extern "C" fn carom_rust_live_bytes() -> usize {
 #[no_mangle]
 extern "C" fn carom_rust_name() -> *const c_char {
     NAME.as_ptr()
+}
+
+#[no_mangle]
+extern "C" fn carom_rust_threads() -> usize {
+    if cfg!(feature = "threads") {
+        usize::MAX
+    } else {
+        1
+    }
 }
