@@ -12,6 +12,7 @@
 #include <string>
 
 #include "../convex/solid.h"
+#include "../module_reason.h"
 #include "collision/cast/ray.h"
 #include "collision/cast/shape_cast.h"
 #include "collision/cast/time_of_impact.h"
@@ -47,7 +48,7 @@ class Carom final : public CastPeer {
     if (tolerance < 1e-9) settings_.cap = 1000;
   }
   const char* name() const override { return name_.c_str(); }
-  bool can(Task, Kind) const override { return true; }
+  bool can(Task, const Solid&) const override { return true; }
   void prepare(Task task, const CastCase* cases, std::size_t count) override {
     task_ = task;
     cases_.clear();
@@ -135,18 +136,18 @@ void compare(Task task, int family, std::vector<std::unique_ptr<CastPeer>>& peer
   static const char* const kTasks[] = {"ray", "linear", "turning"};
   std::deque<OwnedSolid> solids;
   const std::vector<CastCase> cases = make_cases(task, family, solids);
-  const Kind kind = solids.front().solid.kind;
+  const Solid& solid = solids.front().solid;  // all of a family are alike
   Carom reference(1e-12);
   reference.prepare(task, cases.data(), cases.size());
   std::vector<double> truth;
   for (int i = 0; i < kCases; ++i) truth.push_back(reference.ask(static_cast<std::size_t>(i)));
   std::vector<double> least(peers.size(), HUGE_VAL);
   for (auto& peer : peers)
-    if (peer->can(task, kind)) peer->prepare(task, cases.data(), cases.size());
+    if (peer->can(task, solid)) peer->prepare(task, cases.data(), cases.size());
   volatile double sink = 0;
   for (int pass = 0; pass < passes; ++pass)
     for (std::size_t p = 0; p < peers.size(); ++p) {
-      if (!peers[p]->can(task, kind)) continue;
+      if (!peers[p]->can(task, solid)) continue;
       const double start = cpu_ns();
       double sum = 0;
       for (int i = 0; i < kCases; ++i) sum += peers[p]->ask(static_cast<std::size_t>(i));
@@ -155,7 +156,7 @@ void compare(Task task, int family, std::vector<std::unique_ptr<CastPeer>>& peer
     }
   static_cast<void>(sink);
   for (std::size_t p = 0; p < peers.size(); ++p) {
-    if (!peers[p]->can(task, kind)) continue;
+    if (!peers[p]->can(task, solid)) continue;
     std::vector<double> errors;
     int wrong = 0;
     for (int i = 0; i < kCases; ++i) {
@@ -187,12 +188,20 @@ int main(int argc, char** argv) {
   peers.emplace_back(new Carom(1e-3));
   peers.emplace_back(new Carom(1e-6));
   peers.emplace_back(new Carom(1e-9));
-  if (only != "carom")
-    for (const char* const path : {CAROM_CAST_PEERS})
-      for (auto& peer : load(path)) peers.push_back(std::move(peer));
+  std::vector<std::string> missing;
+  for (const std::string path : {CAROM_CAST_PEERS}) {
+    if (only == "carom") break;
+    const std::string reason = reason_missing(path);
+    if (!reason.empty()) {
+      missing.push_back(path + ": " + reason);
+      continue;
+    }
+    for (auto& peer : load(path.c_str())) peers.push_back(std::move(peer));
+  }
   std::printf(
       "| task | family | who | ns | support calls | median error m | worst | wrong of 1000 "
       "|\n|---|---|---|---|---|---|---|---|\n");
   for (const Task task : {Task::ray, Task::linear, Task::turning})
     for (const int family : {0, 1, 3, 4, 5, 7}) compare(task, family, peers, passes);
+  for (const std::string& line : missing) std::printf("\nNot in the table: %s\n", line.c_str());
 }

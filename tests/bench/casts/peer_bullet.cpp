@@ -21,7 +21,7 @@ class Bullet final : public CastPeer {
            : how_ == How::gjk      ? "Bullet " PRECISION " GJK"
                                    : "Bullet " PRECISION " continuous";
   }
-  bool can(Task task, Kind) const override {
+  bool can(Task task, const Solid&) const override {
     return task == Task::turning ? how_ == How::continuous : task == Task::linear || how_ == How::subsimplex;
   }
   void prepare(Task, const CastCase* cases, std::size_t count) override {

@@ -11,7 +11,9 @@ class Fcl final : public CastPeer {
  public:
   const char* name() const override { return "FCL conservative adv."; }
   /// It has no ray, and no advancement for ellipsoids (it says so, once a call).
-  bool can(Task task, Kind kind) const override { return task != Task::ray && kind != Kind::ellipsoid; }
+  bool can(Task task, const Solid& solid) const override {
+    return task != Task::ray && solid.kind != Kind::ellipsoid;
+  }
   void prepare(Task task, const CastCase* cases, std::size_t count) override {
     motion_ = task == Task::linear ? fcl::CCDM_TRANS : fcl::CCDM_LINEAR;
     pairs_.clear();

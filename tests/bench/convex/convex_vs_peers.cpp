@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "../module_reason.h"
 #include "hard.h"
 #include "measure.h"
 #include "score.h"
@@ -67,7 +68,13 @@ Peers make_peers(const Options& options) {
   Peers all, chosen;
   add_carom(all);
   add_ccd(all);
-  for (const std::string& path : options.modules) add_module(all, path.c_str());
+  for (const std::string& path : options.modules) {
+    const std::string reason = reason_missing(path);
+    if (reason.empty())
+      add_module(all, path.c_str());
+    else
+      std::printf("Not in the table: %s: %s\n", path.c_str(), reason.c_str());
+  }
   for (std::unique_ptr<Peer>& peer : all) {
     const std::string name = peer->name();
     const auto named = [&](const std::string& part) { return name.find(part) != std::string::npos; };
@@ -77,7 +84,12 @@ Peers make_peers(const Options& options) {
   return chosen;
 }
 
-void run(const std::vector<Peer*>& peers, const Set& set, const Options& options, const Table& table) {
+void run(const std::vector<Peer*>& asked, const Set& set, const Options& options, const Table& table) {
+  std::vector<Peer*> peers;
+  for (Peer* const peer : asked) {
+    const auto able = [&](const Query& query) { return peer->can(*query.a) && peer->can(*query.b); };
+    if (std::all_of(set.queries.begin(), set.queries.end(), able)) peers.push_back(peer);
+  }
   for (Peer* const peer : peers) peer->prepare(set.queries.data(), set.queries.size());
   if (options.count) return count_instructions(peers, set);
   const std::vector<Reference> reference = references(set);

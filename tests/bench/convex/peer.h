@@ -75,6 +75,8 @@ class Peer {
   virtual const char* name() const = 0;
   /// Whether an answer starts from the last one of the same track: then random pairs say nothing about it.
   virtual bool remembers() const { return false; }
+  /// Whether the library has such solids.
+  virtual bool can(const Solid&) const { return true; }
   /// Build the library's own shapes and poses, off the clock. The queries outlive the answers.
   virtual void prepare(const Query* queries, std::size_t count) = 0;
   virtual void ask(std::size_t i, Answer& answer) = 0;

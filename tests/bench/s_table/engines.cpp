@@ -4,7 +4,6 @@
 #include <dlfcn.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "counted_memory.h"
 
@@ -66,14 +65,6 @@ carom_engine_desc counted_engine() {
 }
 
 std::size_t carom_live_bytes() { return live_bytes; }
-
-std::string reason_missing(const std::string& path) {
-  std::string reason;
-  std::ifstream word(path + ".reason");
-  if (word) std::getline(word, reason);
-  if (reason.empty() && !std::ifstream(path)) reason = "it was not built";
-  return reason;
-}
 
 PeerEngine load_engine(const char* path) {
   const auto failed = [&] { return tools::Error(dlerror(), "build the target that makes " + std::string(path)); };

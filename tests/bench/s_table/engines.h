@@ -39,9 +39,6 @@ class CaromWorld : public PeerWorld {
 carom_engine_desc counted_engine();
 std::size_t carom_live_bytes();
 
-/// Why there is no module at a path, as its build has left word; empty: there is one.
-std::string reason_missing(const std::string& path);
-
 /// Load a module into a link namespace of its own: the two Bullets bear the same names.
 /// @throws Error with what the loader said
 PeerEngine load_engine(const char* path);

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "../module_reason.h"
 #include "rays.h"
 
 namespace {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "counted_memory.h"
+#include "ground.h"
 #include "peer.h"
 
 namespace carom::bench {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr std::size_t kMostThreads = B3_MAX_WORKERS;
 constexpr int kSubsteps = 4;
-constexpr float kGroundHalfWidth = 500, kGroundHalfDepth = 10;  // m
 
 b3Vec3 vec(const double* v) { return {float(v[0]), float(v[1]), float(v[2])}; }
 b3Quat quat(const double* q) { return {vec(q), float(q[3])}; }
@@ -21,7 +21,7 @@ void put(double* out, b3Vec3 v) { out[0] = v.x, out[1] = v.y, out[2] = v.z; }
 
 class Box3dWorld final : public PeerWorld {
  public:
-  explicit Box3dWorld(const WorldPlan& plan) {
+  explicit Box3dWorld(const WorldPlan& plan) : ground_half_width_(float(ground_half_width(plan))) {
     b3WorldDef def = b3DefaultWorldDef();
     def.gravity = vec(plan.gravity);
     def.enableSleep = plan.sleeping;
@@ -132,10 +132,10 @@ class Box3dWorld final : public PeerWorld {
     }
   }
 
-  static b3BoxHull ground_below(b3Vec3 normal, float offset) {
-    const b3Transform pose = {b3MulSV(offset - kGroundHalfDepth, normal),
-                              b3ComputeQuatBetweenUnitVectors({0, 1, 0}, normal)};
-    return b3MakeTransformedBoxHull(kGroundHalfWidth, kGroundHalfDepth, kGroundHalfWidth, pose);
+  b3BoxHull ground_below(b3Vec3 normal, float offset) const {
+    const float depth = kGroundHalfDepth, width = ground_half_width_;
+    const b3Transform pose = {b3MulSV(offset - depth, normal), b3ComputeQuatBetweenUnitVectors({0, 1, 0}, normal)};
+    return b3MakeTransformedBoxHull(width, depth, width, pose);
   }
 
   void add(const JointPlan& plan) {
@@ -155,6 +155,7 @@ class Box3dWorld final : public PeerWorld {
     return ground_;
   }
 
+  float ground_half_width_;  // m
   b3WorldId world_;
   b3BodyId ground_ = b3_nullBodyId;
   std::vector<b3BodyId> bodies_;  // in the plan's order

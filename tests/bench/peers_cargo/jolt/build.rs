@@ -5,7 +5,7 @@ const DEFINES: [&str; 9] = [
 const FLAGS: [&str; 7] = ["-mavx2", "-mbmi", "-mpopcnt", "-mlzcnt", "-mf16c", "-mfma", "-ffp-contract=off"];
 
 fn main() {
-    let mut build = shim::compiler("peer_jolt.cpp");
+    let mut build = shim::compiler(["peer_jolt.cpp", "queries_jolt.cpp"]);
     build.include(shim::source_of("joltc-sys").join("JoltC/JoltPhysics"));
     for name in DEFINES {
         build.define(&format!("JPH_{name}"), None);

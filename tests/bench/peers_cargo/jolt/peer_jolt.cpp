@@ -25,13 +25,13 @@
 #include <vector>
 
 #include "counted_memory.h"
+#include "ground.h"
 #include "peer.h"
 
 namespace carom::bench {
 namespace {
 
 constexpr std::size_t kMostThreads = 64;
-constexpr float kGroundHalfWidth = 500, kGroundHalfDepth = 10;  // m
 constexpr JPH::ObjectLayer kFixed = 0, kMoving = 1, kAlone = 2;
 
 JPH::Vec3 vec(const double* v) { return JPH::Vec3(float(v[0]), float(v[1]), float(v[2])); }
@@ -96,7 +96,8 @@ std::unique_ptr<JPH::JobSystem> jobs_for(std::size_t threads) {
 
 class JoltWorld final : public PeerWorld {
  public:
-  explicit JoltWorld(const WorldPlan& plan) : stack_(plan.count), jobs_(jobs_for(plan.threads)) {
+  explicit JoltWorld(const WorldPlan& plan)
+      : stack_(plan.count), jobs_(jobs_for(plan.threads)), ground_half_width_(float(ground_half_width(plan))) {
     const auto count = static_cast<JPH::uint>(plan.count);
     system_.Init(count, 0, 12 * count + 4096, 8 * count + 1024, trees_, tree_filter_, pair_filter_);
     system_.SetGravity(vec(plan.gravity));
@@ -156,7 +157,7 @@ class JoltWorld final : public PeerWorld {
     JPH::Quat turn = quat(plan.start.orientation);
     if (plan.solid == Solid::half_space) {
       const JPH::Vec3 normal = turn * vec(plan.params);
-      position += normal * (float(plan.params[3]) - kGroundHalfDepth);
+      position += normal * (float(plan.params[3] - kGroundHalfDepth));
       turn = JPH::Quat::sFromTo(JPH::Vec3::sAxisY(), normal);
     }
     const JPH::ObjectLayer layer = plan.is_static ? kFixed : plan.solid == Solid::none ? kAlone : kMoving;
@@ -186,7 +187,7 @@ class JoltWorld final : public PeerWorld {
     return shared;
   }
 
-  static JPH::RefConst<JPH::Shape> make_shape(const BodyPlan& plan) {
+  JPH::RefConst<JPH::Shape> make_shape(const BodyPlan& plan) const {
     const double* p = plan.params;
     const auto box = [](JPH::Vec3 half) {
       return new JPH::BoxShape(half, std::min(JPH::cDefaultConvexRadius, half.ReduceMin()));
@@ -195,7 +196,7 @@ class JoltWorld final : public PeerWorld {
       case Solid::none:
         return new JPH::SphereShape(0.01f);
       case Solid::half_space:
-        return box({kGroundHalfWidth, kGroundHalfDepth, kGroundHalfWidth});
+        return box({ground_half_width_, float(kGroundHalfDepth), ground_half_width_});
       case Solid::sphere:
         return new JPH::SphereShape(float(p[0]));
       case Solid::box:
@@ -227,6 +228,7 @@ class JoltWorld final : public PeerWorld {
   PairFilter pair_filter_;
   Stack stack_;
   std::unique_ptr<JPH::JobSystem> jobs_;
+  float ground_half_width_;  // m
   std::map<const double*, JPH::RefConst<JPH::Shape>> shapes_;
   JPH::Ref<JPH::GroupFilterTable> group_;
   JPH::PhysicsSystem system_;
@@ -237,13 +239,19 @@ class JoltWorld final : public PeerWorld {
 
 }  // namespace
 
-extern "C" PeerEngine carom_peer_engine() {
+/// Before anything else is asked of it.
+void set_up_jolt() {
+  if (JPH::Factory::sInstance) return;
   JPH::Allocate = counted_alloc;
   JPH::Free = counted_free;
   JPH::AlignedAllocate = counted_aligned_alloc;
   JPH::AlignedFree = counted_free;
   JPH::Factory::sInstance = new JPH::Factory;
   JPH::RegisterTypes();
+}
+
+extern "C" PeerEngine carom_peer_engine() {
+  set_up_jolt();
   return {"Jolt 5.0.0 (float)", [](const WorldPlan& plan) -> PeerWorld* { return new JoltWorld(plan); },
           [] { return live_bytes.load(); }, kMostThreads};
 }

@@ -1,4 +1,5 @@
 fn main() {
     let include = shim::source_of("physx-sys").join("physx/physx/include");
-    shim::compiler("peer_physx.cpp").include(include).define("PX_PHYSX_STATIC_LIB", None).compile("peer_physx");
+    let mut build = shim::compiler(["peer_physx.cpp", "queries_physx.cpp"]);
+    build.include(include).define("PX_PHYSX_STATIC_LIB", None).compile("peer_physx");
 }

@@ -11,6 +11,9 @@
 #include "peer.h"
 
 namespace carom::bench {
+
+physx::PxPhysics& physx_sdk();
+
 namespace {
 
 constexpr std::size_t kMostThreads = 64;
@@ -33,7 +36,9 @@ class Complaints final : public PxErrorCallback {
   }
 };
 
-PxPhysics& sdk() {
+}  // namespace
+
+physx::PxPhysics& physx_sdk() {
   static Allocator allocator;
   static Complaints complaints;
   static PxFoundation* const foundation = PxCreateFoundation(PX_PHYSICS_VERSION, allocator, complaints);
@@ -41,16 +46,18 @@ PxPhysics& sdk() {
   return *physics;
 }
 
+namespace {
+
 class PhysxWorld final : public PeerWorld {
  public:
   explicit PhysxWorld(const WorldPlan& plan) {
     // Without workers the caller's thread does all.
     dispatcher_ = PxDefaultCpuDispatcherCreate(plan.threads == 1 ? 0 : static_cast<PxU32>(plan.threads));
-    PxSceneDesc desc(sdk().getTolerancesScale());
+    PxSceneDesc desc(physx_sdk().getTolerancesScale());
     desc.gravity = vec(plan.gravity);
     desc.cpuDispatcher = dispatcher_;
     desc.filterShader = PxDefaultSimulationFilterShader;
-    scene_ = sdk().createScene(desc);
+    scene_ = physx_sdk().createScene(desc);
     for (std::size_t i = 0; i < plan.count; ++i) add(plan.bodies[i], plan.sleeping);
     for (std::size_t i = 0; i < plan.joint_count; ++i) add(plan.joints[i]);
   }
@@ -102,10 +109,10 @@ class PhysxWorld final : public PeerWorld {
     if (plan.solid == Solid::half_space)
       pose = PxTransformFromPlaneEquation(PxPlane(vec(plan.params), -float(plan.params[3])));
     if (plan.is_static) {
-      bodies_.push_back(sdk().createRigidStatic(pose));
+      bodies_.push_back(physx_sdk().createRigidStatic(pose));
       add_shape(plan);
     } else {
-      PxRigidDynamic* const body = sdk().createRigidDynamic(pose);
+      PxRigidDynamic* const body = physx_sdk().createRigidDynamic(pose);
       bodies_.push_back(body);
       add_shape(plan);
       body->setMass(float(plan.mass));
@@ -124,7 +131,7 @@ class PhysxWorld final : public PeerWorld {
     PxMaterial*& shared = materials_[{plan.friction, plan.restitution}];
     if (!shared) {
       const float friction = std::sqrt(float(plan.friction));  // of a pair the product counts
-      shared = sdk().createMaterial(friction, friction, float(plan.restitution));
+      shared = physx_sdk().createMaterial(friction, friction, float(plan.restitution));
       shared->setFrictionCombineMode(PxCombineMode::eMULTIPLY);
       shared->setRestitutionCombineMode(PxCombineMode::eMAX);
     }
@@ -161,13 +168,13 @@ class PhysxWorld final : public PeerWorld {
     desc.points.stride = sizeof(PxVec3);
     desc.points.data = points.data();
     desc.flags = PxConvexFlag::eCOMPUTE_CONVEX;
-    shared = PxCreateConvexMesh(PxCookingParams(sdk().getTolerancesScale()), desc, sdk().getPhysicsInsertionCallback());
+    shared = PxCreateConvexMesh(PxCookingParams(physx_sdk().getTolerancesScale()), desc, physx_sdk().getPhysicsInsertionCallback());
     return *shared;
   }
 
   void add(const JointPlan& plan) {
     const auto end = [&](std::size_t i) { return i == kWorldBody ? nullptr : bodies_[i]; };
-    joints_.push_back(PxSphericalJointCreate(sdk(), end(plan.a), PxTransform(vec(plan.on_a)), end(plan.b),
+    joints_.push_back(PxSphericalJointCreate(physx_sdk(), end(plan.a), PxTransform(vec(plan.on_a)), end(plan.b),
                                              PxTransform(vec(plan.on_b))));
   }
 

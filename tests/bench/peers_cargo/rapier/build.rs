@@ -1,3 +1,3 @@
 fn main() {
-    shim::compiler("../rapier/adapter.cpp").compile("adapter");
+    shim::compiler(["../rapier/adapter.cpp", "../rapier/queries.cpp"]).compile("adapter");
 }

@@ -92,15 +92,26 @@ pub struct PeerEngine {
     threads: usize,
 }
 
+/// The three questions that a module answers: s_table's, casts_vs_peers', convex_vs_peers'.
 #[macro_export]
 macro_rules! export_engine {
     () => {
         extern "C" {
             fn carom_peer_engine() -> $crate::PeerEngine;
+            fn carom_peer_casts(i: i32) -> *const std::ffi::c_void;
+            fn carom_peer_pairs(i: i32) -> *const std::ffi::c_void;
         }
         #[no_mangle]
         pub extern "C" fn carom_bench_engine() -> $crate::PeerEngine {
             unsafe { carom_peer_engine() }
+        }
+        #[no_mangle]
+        pub extern "C" fn carom_bench_cast_peer(i: i32) -> *const std::ffi::c_void {
+            unsafe { carom_peer_casts(i) }
+        }
+        #[no_mangle]
+        pub extern "C" fn carom_bench_peer(i: i32) -> *const std::ffi::c_void {
+            unsafe { carom_peer_pairs(i) }
         }
     };
 }

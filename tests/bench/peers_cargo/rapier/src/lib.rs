@@ -2,6 +2,7 @@
 //! which its steps of one thread do without: their pool would wait in the time that is measured.
 
 mod counted;
+mod queries;
 
 use plan::{BodyPlan, BodyState, WorldPlan};
 use rapier3d::math::{Pose, Real, Rotation, Vector};

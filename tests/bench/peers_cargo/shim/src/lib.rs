@@ -4,11 +4,6 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Folder of tests/bench/s_table.
-pub fn s_table() -> PathBuf {
-    here().join("../../s_table")
-}
-
 /// Where cargo keeps the sources of a package that this crate depends on.
 pub fn source_of(package: &str) -> PathBuf {
     let cargo = env::var("CARGO").expect("cargo says which cargo runs");
@@ -28,13 +23,16 @@ pub fn source_of(package: &str) -> PathBuf {
 }
 
 /// The compiler as every shim wants it; warnings in an engine's headers are its own.
-pub fn compiler(source: &str) -> cc::Build {
-    println!("cargo:rerun-if-changed={source}");
-    for header in ["peer.h", "counted_memory.h"] {
-        println!("cargo:rerun-if-changed={}", s_table().join(header).display());
+pub fn compiler(sources: [&str; 2]) -> cc::Build {
+    let s_table = here().join("../../s_table");
+    for source in sources {
+        println!("cargo:rerun-if-changed={source}");
+    }
+    for header in ["peer.h", "counted_memory.h", "ground.h", "../casts/peer.h", "../convex/peer.h"] {
+        println!("cargo:rerun-if-changed={}", s_table.join(header).display());
     }
     let mut build = cc::Build::new();
-    build.cpp(true).std("c++20").opt_level(3).define("NDEBUG", None).include(s_table()).file(source).warnings(false);
+    build.cpp(true).std("c++20").opt_level(3).define("NDEBUG", None).include(s_table).files(sources).warnings(false);
     build
 }
 

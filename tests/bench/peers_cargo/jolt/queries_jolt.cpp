@@ -1,0 +1,175 @@
+// Casts and pairs of Jolt for casts_vs_peers and convex_vs_peers, of the solids that it has, their rounding (convex radius)
+// off where it isn't the shape itself. Pairs: GJK between the shapes without their radius, EPA where they overlap.
+#include <Jolt/Jolt.h>
+
+#include <Jolt/Geometry/EPAPenetrationDepth.h>
+#include <Jolt/Physics/Collision/CastResult.h>
+#include <Jolt/Physics/Collision/RayCast.h>
+#include <Jolt/Physics/Collision/Shape/BoxShape.h>
+#include <Jolt/Physics/Collision/Shape/CapsuleShape.h>
+#include <Jolt/Physics/Collision/Shape/ConvexHullShape.h>
+#include <Jolt/Physics/Collision/Shape/CylinderShape.h>
+#include <Jolt/Physics/Collision/Shape/SphereShape.h>
+#include <Jolt/Physics/Collision/Shape/SubShapeID.h>
+#include <Jolt/Physics/PhysicsSettings.h>
+
+#include <cfloat>
+#include <map>
+
+#include "../../casts/peer.h"
+
+namespace carom::bench {
+namespace {
+
+using JPH::Mat44;
+using JPH::Vec3;
+using JPH::Vec4;
+
+Vec3 vec(const double* v) { return Vec3(float(v[0]), float(v[1]), float(v[2])); }
+Mat44 pose(const Placement& at) {
+  const auto column = [&](int k) { return Vec4(float(at.r[k]), float(at.r[3 + k]), float(at.r[6 + k]), 0); };
+  return Mat44(column(0), column(1), column(2), Vec4(vec(at.p), 1));
+}
+
+class Natives {
+ public:
+  const JPH::ConvexShape& of(const Solid& solid) {
+    JPH::RefConst<JPH::ConvexShape>& shape = made_[&solid];
+    if (!shape) shape = make(solid);
+    return *shape;
+  }
+  void clear() { made_.clear(); }
+  /// It keeps at most 256 vertices of a hull.
+  static bool has(const Solid& s) {
+    return s.kind != Kind::cone && s.kind != Kind::ellipsoid && (s.kind != Kind::hull || s.vertices <= 256);
+  }
+
+ private:
+  static JPH::RefConst<JPH::ConvexShape> make(const Solid& s) {
+    const float radius = float(s.radius), half = float(s.half_height);
+    switch (s.kind) {
+      case Kind::capsule:
+        return new JPH::CapsuleShape(half, radius);
+      case Kind::box:
+        return new JPH::BoxShape(vec(s.half), 0);
+      case Kind::cylinder:
+        return new JPH::CylinderShape(half, radius, 0);
+      case Kind::hull:
+        break;
+      default:
+        return new JPH::SphereShape(radius);
+    }
+    JPH::Array<Vec3> points;
+    for (std::size_t i = 0; i < s.vertices; ++i) points.push_back(vec(s.xyz + 3 * i));
+    JPH::Ref<JPH::Shape> hull = JPH::ConvexHullShapeSettings(points, 0).Create().Get();
+    return static_cast<const JPH::ConvexShape*>(hull.GetPtr());
+  }
+  std::map<const Solid*, JPH::RefConst<JPH::ConvexShape>> made_;
+};
+
+/// A pair of shapes about their centres of mass, where Jolt's own functions want them.
+struct Couple {
+  const JPH::ConvexShape *a, *b;  // a null: a ray
+  Mat44 at_a, at_b;
+  Vec3 way;
+
+  Couple(const JPH::ConvexShape* shape_a, const Placement& from_a, const JPH::ConvexShape& shape_b,
+         const Placement& from_b, Vec3 moves)
+      : a(shape_a), b(&shape_b), at_a(pose(from_a)), at_b(pose(from_b) * centre(shape_b)), way(moves) {
+    if (a) at_a = at_a * centre(*a);
+  }
+  static Mat44 centre(const JPH::ConvexShape& shape) { return Mat44::sTranslation(shape.GetCenterOfMass()); }
+};
+
+using Support = JPH::ConvexShape::Support;
+using Buffer = JPH::ConvexShape::SupportBuffer;
+const Support& support(const JPH::ConvexShape& shape, JPH::ConvexShape::ESupportMode mode, Buffer& buffer) {
+  return *shape.GetSupportFunction(mode, buffer, Vec3::sReplicate(1));
+}
+constexpr auto kCore = JPH::ConvexShape::ESupportMode::ExcludeConvexRadius;
+constexpr auto kWhole = JPH::ConvexShape::ESupportMode::IncludeConvexRadius;
+
+class Casts final : public CastPeer {
+ public:
+  const char* name() const override { return "Jolt f32"; }
+  bool can(Task task, const Solid& solid) const override { return task != Task::turning && Natives::has(solid); }
+  void prepare(Task, const CastCase* cases, std::size_t count) override {
+    couples_.clear();
+    natives_.clear();
+    for (const CastCase* c = cases; c < cases + count; ++c)
+      couples_.emplace_back(c->a ? &natives_.of(*c->a) : nullptr, c->from_a, natives_.of(*c->b), c->from_b,
+                            vec(c->to_a.p) - vec(c->from_a.p));
+  }
+  double ask(std::size_t i) override {
+    const Couple& c = couples_[i];
+    const Mat44 to_b = c.at_b.InversedRotationTranslation();
+    const Vec3 way = to_b.Multiply3x3(c.way);
+    if (!c.a) {
+      JPH::RayCastResult hit;
+      const JPH::RayCast ray(to_b * c.at_a.GetTranslation(), way);
+      return c.b->CastRay(ray, JPH::SubShapeIDCreator(), hit) ? double(hit.mFraction) : -1;
+    }
+    Buffer buffer_a, buffer_b;
+    const Support &a = support(*c.a, kCore, buffer_a), &b = support(*c.b, kCore, buffer_b);
+    JPH::EPAPenetrationDepth epa;
+    float fraction = 1 + FLT_EPSILON;
+    Vec3 on_a, on_b, normal;
+    const bool hit = epa.CastShape(to_b * c.at_a, way, JPH::cDefaultCollisionTolerance, JPH::cDefaultPenetrationTolerance,
+                                   a, b, a.GetConvexRadius(), b.GetConvexRadius(), false, fraction, on_a, on_b, normal);
+    return hit ? double(fraction) : -1;
+  }
+
+ private:
+  Natives natives_;
+  std::vector<Couple> couples_;
+};
+
+class Pairs final : public Peer {
+ public:
+  const char* name() const override { return "Jolt f32 GJK + EPA"; }
+  bool can(const Solid& solid) const override { return Natives::has(solid); }
+  void prepare(const Query* queries, std::size_t count) override {
+    couples_.clear();
+    natives_.clear();
+    for (const Query* q = queries; q < queries + count; ++q)
+      couples_.emplace_back(&natives_.of(*q->a), q->at_a, natives_.of(*q->b), q->at_b, Vec3::sZero());
+  }
+  void ask(std::size_t i, Answer& answer) override {
+    const Couple& c = couples_[i];
+    const Mat44 b_in_a = c.at_a.InversedRotationTranslation() * c.at_b;
+    Buffer buffer_a, buffer_b;
+    const Support &a = support(*c.a, kCore, buffer_a), &b = support(*c.b, kCore, buffer_b);
+    const JPH::TransformedConvexObject<Support> placed(b_in_a, b);
+    JPH::GJKClosestPoint gjk;
+    Vec3 normal = Vec3::sAxisX(), on_a, on_b;
+    const float squared =
+        gjk.GetClosestPoints(a, placed, JPH::cDefaultCollisionTolerance, FLT_MAX, normal, on_a, on_b);
+    if (squared > 0) {
+      answer.separation = std::sqrt(squared) - a.GetConvexRadius() - b.GetConvexRadius();
+    } else {
+      Buffer whole_a, whole_b;
+      const Support &all_a = support(*c.a, kWhole, whole_a), &all_b = support(*c.b, kWhole, whole_b);
+      const JPH::TransformedConvexObject<Support> all_placed(b_in_a, all_b);
+      JPH::EPAPenetrationDepth epa;
+      const bool found = epa.GetPenetrationDepthStepEPA(all_a, all_placed, JPH::cDefaultPenetrationTolerance, normal,
+                                                        on_a, on_b);
+      answer.separation = found ? -double((on_b - on_a).Length()) : HUGE_VAL;
+    }
+    answer.overlap = answer.separation <= 0;
+    const Vec3 out = c.at_a.Multiply3x3(normal);
+    for (std::uint32_t k = 0; k < 3; ++k) answer.normal[k] = out[k];
+  }
+
+ private:
+  Natives natives_;
+  std::vector<Couple> couples_;
+};
+
+}  // namespace
+
+void set_up_jolt();
+
+extern "C" CastPeer* carom_peer_casts(int i) { return i == 0 ? (set_up_jolt(), new Casts) : nullptr; }
+extern "C" Peer* carom_peer_pairs(int i) { return i == 0 ? (set_up_jolt(), new Pairs) : nullptr; }
+
+}  // namespace carom::bench
