@@ -42,6 +42,9 @@ impl BodyPlan {
     }
 }
 
+/// m: of a box in the place of a half-space.
+pub const GROUND_HALF_DEPTH: f64 = 10.0;
+
 pub const WORLD_BODY: usize = usize::MAX;
 
 #[repr(C)]
@@ -71,6 +74,12 @@ impl WorldPlan {
     }
     pub fn joints(&self) -> &[JointPlan] {
         unsafe { slice(self.joints, self.joint_count) }
+    }
+    /// As `ground.h` has it.
+    pub fn ground_half_width(&self) -> f64 {
+        let dynamic = self.bodies().iter().filter(|body| !body.is_static);
+        let reach = dynamic.flat_map(|body| body.start.position).fold(0.0, |far: f64, x| far.max(x.abs()));
+        reach + 30.0
     }
 }
 

@@ -1,10 +1,11 @@
 //! Rapier in a module: the world's defaults, except for what the comparison asks of every engine. Its threads are a feature,
-//! which its steps of one thread do without: their pool would wait in the time that is measured.
+//! which its steps of one thread do without: their pool would wait in the time that is measured. A box that is wide and thick
+//! enough takes the place of a half-space, as in Rapier's own examples: one without bounds would be in every pair and ray.
 
 mod counted;
 mod queries;
 
-use plan::{BodyPlan, BodyState, WorldPlan};
+use plan::{BodyPlan, BodyState, WorldPlan, GROUND_HALF_DEPTH};
 use rapier3d::math::{Pose, Real, Rotation, Vector};
 use rapier3d::prelude::*;
 use std::collections::HashMap;
@@ -34,10 +35,13 @@ fn wide(v: Vector) -> [f64; 3] {
     [v.x as f64, v.y as f64, v.z as f64]
 }
 
-fn shape(body: &BodyPlan) -> Option<SharedShape> {
+fn shape(body: &BodyPlan, ground_half_width: f64) -> Option<SharedShape> {
     let p = body.params();
     match body.solid {
-        plan::HALF_SPACE => Some(SharedShape::halfspace(vector(p).normalize().into())),
+        plan::HALF_SPACE => {
+            let (width, depth) = (ground_half_width as Real, GROUND_HALF_DEPTH as Real);
+            Some(SharedShape::cuboid(width, depth, width))
+        }
         plan::SPHERE => Some(SharedShape::ball(p[0] as Real)),
         plan::BOX => Some(SharedShape::cuboid(p[0] as Real, p[1] as Real, p[2] as Real)),
         plan::HULL => {
@@ -59,7 +63,9 @@ fn collider(body: &BodyPlan, shape: SharedShape) -> ColliderBuilder {
     match body.solid {
         plan::HALF_SPACE => {
             let p = body.params();
-            made.translation(vector(p) * p[3] as Real)
+            let normal = vector(p);
+            let turn = Rotation::from_rotation_arc(Vector::Y, normal);
+            made.position(Pose::from_parts(normal * (p[3] - GROUND_HALF_DEPTH) as Real, turn))
         }
         _ => made,
     }
@@ -85,11 +91,12 @@ impl World {
         physics.gravity = vector(&plan.gravity);
         #[cfg(feature = "threads")]
         physics.physics_pipeline.configure_thread_pool(plan.threads).expect("the machine has threads");
+        let ground_half_width = plan.ground_half_width();
         let mut shapes: HashMap<*const f64, Option<SharedShape>> = HashMap::new();
         let mut bodies = Vec::new();
         for body in plan.bodies() {
             let handle = physics.insert_body(rigid_body(body, plan.sleeping));
-            let shape = shapes.entry(body.params().as_ptr()).or_insert_with(|| shape(body)).clone();
+            let shape = shapes.entry(body.params().as_ptr()).or_insert_with(|| shape(body, ground_half_width)).clone();
             if let Some(shape) = shape {
                 physics.insert_collider(collider(body, shape), Some(handle));
             }

@@ -14,8 +14,8 @@ pub fn source_of(package: &str) -> PathBuf {
         .expect("cargo metadata runs");
     assert!(told.status.success(), "{}", String::from_utf8_lossy(&told.stderr));
     let text = String::from_utf8(told.stdout).expect("cargo writes UTF-8");
-    // Of each package its name comes before its manifest.
-    let from = text.find(&format!("{{\"name\":\"{package}\"")).expect("the package is a dependency");
+    // Of each package its name and version come before its manifest; where others ask for it, no version follows its name.
+    let from = text.find(&format!("{{\"name\":\"{package}\",\"version\"")).expect("the package is a dependency");
     let key = "\"manifest_path\":\"";
     let start = from + text[from..].find(key).expect("a package has a manifest") + key.len();
     let end = start + text[start..].find('"').expect("the string ends");
