@@ -126,14 +126,16 @@ class JoltWorld final : public PeerWorld {
   }
 
   void read(BodyState* states) const override {
-    for (const JPH::Body* body : bodies_) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i, ++states) {
+      const JPH::Body* const body = bodies_[i];
+      *states = starts_[i];  // a half-space is a box elsewhere, which stays there
+      if (body->IsStatic()) continue;
       put(states->position, body->GetPosition());
       const JPH::Quat q = body->GetRotation();
       put(states->orientation, q.GetXYZ());
       states->orientation[3] = q.GetW();
       put(states->velocity, body->GetLinearVelocity());
       put(states->omega, body->GetAngularVelocity());
-      ++states;
     }
   }
 
@@ -177,6 +179,7 @@ class JoltWorld final : public PeerWorld {
     }
     JPH::BodyInterface& bodies = system_.GetBodyInterface();
     bodies_.push_back(bodies.CreateBody(made));
+    starts_.push_back(plan.start);
     bodies.AddBody(bodies_.back()->GetID(),
                    plan.is_static ? JPH::EActivation::DontActivate : JPH::EActivation::Activate);
   }
@@ -233,6 +236,7 @@ class JoltWorld final : public PeerWorld {
   JPH::Ref<JPH::GroupFilterTable> group_;
   JPH::PhysicsSystem system_;
   std::vector<JPH::Body*> bodies_;  // in the plan's order
+  std::vector<BodyState> starts_;   // likewise
   std::vector<JPH::Constraint*> joints_;
   bool told_ = false;
 };
