@@ -1,5 +1,6 @@
 // Casts and pairs of Jolt for casts_vs_peers and convex_vs_peers, of the solids that it has, their rounding (convex radius)
-// off where it isn't the shape itself. Pairs: GJK between the shapes without their radius, EPA where they overlap.
+// off where it isn't the shape itself. Pairs in the two ways that it has: the distance of what is apart by GJK between shapes
+// without their radius, and the depth of what overlaps by GJK and EPA, each of which tells no more than whether of the other.
 #include <Jolt/Jolt.h>
 
 #include <Jolt/Geometry/EPAPenetrationDepth.h>
@@ -126,7 +127,8 @@ class Casts final : public CastPeer {
 
 class Pairs final : public Peer {
  public:
-  const char* name() const override { return "Jolt f32 GJK + EPA"; }
+  explicit Pairs(bool depth) : depth_(depth) {}
+  const char* name() const override { return depth_ ? "Jolt f32 GJK + EPA" : "Jolt f32 GJK distance"; }
   bool can(const Solid& solid) const override { return Natives::has(solid); }
   void prepare(const Query* queries, std::size_t count) override {
     couples_.clear();
@@ -139,28 +141,46 @@ class Pairs final : public Peer {
     const Mat44 b_in_a = c.at_a.InversedRotationTranslation() * c.at_b;
     Buffer buffer_a, buffer_b;
     const Support &a = support(*c.a, kCore, buffer_a), &b = support(*c.b, kCore, buffer_b);
-    const JPH::TransformedConvexObject<Support> placed(b_in_a, b);
-    JPH::GJKClosestPoint gjk;
-    Vec3 normal = Vec3::sAxisX(), on_a, on_b;
-    const float squared =
-        gjk.GetClosestPoints(a, placed, JPH::cDefaultCollisionTolerance, FLT_MAX, normal, on_a, on_b);
-    if (squared > 0) {
-      answer.separation = std::sqrt(squared) - a.GetConvexRadius() - b.GetConvexRadius();
+    Vec3 normal = Vec3::sAxisX();
+    if (depth_) {
+      tell_depth(c, b_in_a, a, b, normal, answer);
     } else {
-      Buffer whole_a, whole_b;
-      const Support &all_a = support(*c.a, kWhole, whole_a), &all_b = support(*c.b, kWhole, whole_b);
-      const JPH::TransformedConvexObject<Support> all_placed(b_in_a, all_b);
-      JPH::EPAPenetrationDepth epa;
-      const bool found = epa.GetPenetrationDepthStepEPA(all_a, all_placed, JPH::cDefaultPenetrationTolerance, normal,
-                                                        on_a, on_b);
-      answer.separation = found ? -double((on_b - on_a).Length()) : HUGE_VAL;
+      const JPH::TransformedConvexObject<Support> placed(b_in_a, b);
+      JPH::GJKClosestPoint gjk;
+      Vec3 on_a, on_b;
+      const float squared =
+          gjk.GetClosestPoints(a, placed, JPH::cDefaultCollisionTolerance, FLT_MAX, normal, on_a, on_b);
+      const double separation = std::sqrt(squared) - a.GetConvexRadius() - b.GetConvexRadius();
+      answer.overlap = separation <= 0;
+      if (!answer.overlap) answer.separation = separation;
     }
-    answer.overlap = answer.separation <= 0;
+    if (std::isnan(answer.separation)) return;
     const Vec3 out = c.at_a.Multiply3x3(normal);
     for (std::uint32_t k = 0; k < 3; ++k) answer.normal[k] = out[k];
   }
 
  private:
+  static void tell_depth(const Couple& c, const Mat44& b_in_a, const Support& a, const Support& b, Vec3& normal,
+                         Answer& answer) {
+    using Depth = JPH::EPAPenetrationDepth;
+    const JPH::TransformedConvexObject<Support> placed(b_in_a, b);
+    Depth epa;
+    Vec3 on_a, on_b;
+    const Depth::EStatus status =
+        epa.GetPenetrationDepthStepGJK(a, a.GetConvexRadius(), placed, b.GetConvexRadius(),
+                                       JPH::cDefaultCollisionTolerance, normal, on_a, on_b);
+    bool found = status == Depth::EStatus::Colliding;
+    if (status == Depth::EStatus::Indeterminate) {
+      Buffer whole_a, whole_b;
+      const Support &all_a = support(*c.a, kWhole, whole_a), &all_b = support(*c.b, kWhole, whole_b);
+      const JPH::TransformedConvexObject<Support> all_placed(b_in_a, all_b);
+      found = epa.GetPenetrationDepthStepEPA(all_a, all_placed, JPH::cDefaultPenetrationTolerance, normal, on_a, on_b);
+    }
+    answer.overlap = found;
+    if (found) answer.separation = -double((on_b - on_a).Length());
+  }
+
+  bool depth_;
   Natives natives_;
   std::vector<Couple> couples_;
 };
@@ -170,6 +190,6 @@ class Pairs final : public Peer {
 void set_up_jolt();
 
 extern "C" CastPeer* carom_peer_casts(int i) { return i == 0 ? (set_up_jolt(), new Casts) : nullptr; }
-extern "C" Peer* carom_peer_pairs(int i) { return i == 0 ? (set_up_jolt(), new Pairs) : nullptr; }
+extern "C" Peer* carom_peer_pairs(int i) { return i < 2 ? (set_up_jolt(), new Pairs(i == 1)) : nullptr; }
 
 }  // namespace carom::bench
