@@ -21,7 +21,8 @@ struct ConeContact {
   bool a_later;         // a is eliminated after b
   bool is_curved;       // a shape is not known to be a polytope: @see ConeGroup::follow_bodies()
   Vec3 n;               // unit, world, A to B
-  Vec3 r_a, r_b;        // m, world axes; zero where the body does not rotate
+  Vec3 r_a, r_b;        // m, world axes: where friction acts; zero where the body does not rotate
+  Vec3 n_a = Vec3::zero(), n_b = Vec3::zero();  // m, moment about there of a unit of normal impulse, which acts beside
   Real friction;
   Vec3 carried;  // m/s, of the point on B relative to A where impulses do not change the bodies' velocities
   Real want;     // m/s
@@ -85,11 +86,11 @@ template <Vec6 ConeBody::*kMomentum>
 void add_impulse(const ConeProblem& problem, const ConeContact& c, const Vec3& p) {
   if (c.a != kNobody) {
     Vec6& m = problem.bodies[c.a].*kMomentum;
-    m -= {p, c.r_a.cross(p)};
+    m -= {p, c.r_a.cross(p) + p.dot(c.n) * c.n_a};
   }
   if (c.b != kNobody) {
     Vec6& m = problem.bodies[c.b].*kMomentum;
-    m += {p, c.r_b.cross(p)};
+    m += {p, c.r_b.cross(p) + p.dot(c.n) * c.n_b};
   }
 }
 
@@ -98,11 +99,11 @@ Vec3 relative(const ConeBody* bodies, const ConeContact& c) {
   Vec3 u = Vec3::zero();
   if (c.b != kNobody) {
     const Vec6& v = bodies[c.b].*kVelocity;
-    u += v.linear() + v.angular().cross(c.r_b);
+    u += v.linear() + v.angular().cross(c.r_b) + v.angular().dot(c.n_b) * c.n;
   }
   if (c.a != kNobody) {
     const Vec6& v = bodies[c.a].*kVelocity;
-    u -= v.linear() + v.angular().cross(c.r_a);
+    u -= v.linear() + v.angular().cross(c.r_a) + v.angular().dot(c.n_a) * c.n;
   }
   return u;
 }

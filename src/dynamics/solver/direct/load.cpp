@@ -1,8 +1,12 @@
 #include "dynamics/solver/direct/load.h"
 
+#include <algorithm>
+
 #include "dynamics/contact/held_arms.h"
+#include "dynamics/contact/slide.h"
 #include "dynamics/force/force.h"
 #include "dynamics/solver/pair_points.h"
+#include "dynamics/solver/sweep_constants.h"
 
 namespace carom::dynamics {
 namespace {
@@ -19,7 +23,10 @@ struct Carried {
     if (!turns) omega = world.state.omega[slot];
   }
   bool any() const { return !turns && (v != Vec3::zero() || omega != Vec3::zero()); }
-  Vec3 at(const Vec3& r) const { return v + omega.cross(r); }
+  /// Along the normal at r, across it at r - apart.
+  Vec3 at(const Vec3& r, const Vec3& apart, const Vec3& n) const {
+    return v + omega.cross(r - apart) + omega.cross(apart).dot(n) * n;
+  }
 };
 
 bool is_curved(const Shape& s) {
@@ -31,6 +38,40 @@ bool is_curved(const World& world, const RowGeometry& g) {
   const Pair& pair = world.pairs.place(g.pair).pair;
   const Array<const Shape*>& shape = world.scene.colliders.shape;
   return is_curved(*shape[pair.a]) || is_curved(*shape[pair.b]);
+}
+
+/// rad/s, what surfaces of a pair turn of themselves.
+Vec3 surface_spin(const Contacts& c, std::uint32_t row) {
+  const auto it = std::lower_bound(c.driven.begin(), c.driven.end(), row,
+                                   [](const Driven& d, std::uint32_t r) { return d.row < r; });
+  return it != c.driven.end() && it->row == row ? it->spin : Vec3(Vec3::zero());
+}
+
+/// Whether all points of a pair are as near as the nearest, to kTouching of their distance. What has some in the air is
+/// no patch: it tips, rolls or parts.
+bool lies_flat(const Contacts& c, const PairRows& pair, const Vec3* r) {
+  Real least = kInfinity, most = -kInfinity, width2 = 0;
+  for (std::uint32_t k = 0; k < pair.count; ++k) {
+    const Real gap = c.geometry[pair.row + k].separation;
+    least = std::min(least, gap), most = std::max(most, gap);
+    width2 = std::max(width2, (r[k] - r[0]).squared_norm());
+  }
+  return most - least <= kTouching * std::sqrt(width2);
+}
+
+/// From where a patch's friction acts for each point to the point, m: the middle of the loads, or where they are not
+/// known that of the points. Of what sticks it acts at the points.
+void spread(const Contacts& c, const PairRows& pair, const Vec3* r, Vec3* apart) {
+  const Row* const rows = &c.rows[pair.row];
+  for (std::uint32_t k = 0; k < pair.count; ++k) apart[k] = Vec3::zero();
+  if (pair.count == 1 || !rows->one_normal || !rows->slides || !lies_flat(c, pair, r)) return;
+  Real load[kPairPoints], whole = 0;
+  for (std::uint32_t k = 0; k < pair.count; ++k) whole += load[k] = std::max(Real(0), rows[k].p.dot(rows->n));
+  if (!(whole > 0)) return;
+  Vec3 middle = Vec3::zero();
+  for (std::uint32_t k = 0; k < pair.count; ++k)
+    middle += (rows->loads_known ? load[k] / whole : Real(1) / pair.count) * r[k];
+  for (std::uint32_t k = 0; k < pair.count; ++k) apart[k] = (1 - rows->twist_share) * (r[k] - middle);
 }
 
 }  // namespace
@@ -69,18 +110,28 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
     const Carried carried_a(world, bodies, of.a, first.a), carried_b(world, bodies, of.b, first.b);
     const bool carries = carried_a.any() || carried_b.any();
     const bool curved = what == LoadWhat::all && is_curved(world, c.geometry[pair.row]);
+    Vec3 at[kPairPoints], apart[kPairPoints];
+    for (std::uint32_t k = 0; k < pair.count; ++k) at[k] = Vec3(places.r_b.x[k], places.r_b.y[k], places.r_b.z[k]);
+    spread(c, pair, at, apart);
     for (std::uint32_t k = 0; k < pair.count; ++k) {
       ConeContact& contact = contacts[pair.at + k];
       const Vec3 r_a(places.r_a.x[k], places.r_a.y[k], places.r_a.z[k]),
           r_b(places.r_b.x[k], places.r_b.y[k], places.r_b.z[k]);
       contact.is_curved = curved;
       contact.n = c.rows[pair.row + k].n;
-      contact.r_a = carried_a.turns ? r_a : Vec3::zero();
-      contact.r_b = carried_b.turns ? r_b : Vec3::zero();
+      const Vec3 moment = apart[k].cross(contact.n);
+      contact.r_a = carried_a.turns ? Vec3(r_a - apart[k]) : Vec3::zero();
+      contact.r_b = carried_b.turns ? Vec3(r_b - apart[k]) : Vec3::zero();
+      contact.n_a = carried_a.turns ? moment : Vec3::zero();
+      contact.n_b = carried_b.turns ? moment : Vec3::zero();
       contact.k = places.response[k];
       contact.give = 0;
-      contact.carried = carries ? Vec3(carried_b.at(r_b) - carried_a.at(r_a)) : Vec3::zero();
-      if (!c.surface.empty()) contact.carried += c.surface[pair.row + k];
+      contact.carried = Vec3::zero();
+      if (carries)
+        contact.carried = carried_b.at(r_b, apart[k], contact.n) - carried_a.at(r_a, apart[k], contact.n);
+      if (c.surface.empty()) continue;
+      const Vec3 turned = surface_spin(c, pair.row).cross(apart[k]);
+      contact.carried += c.surface[pair.row + k] - (turned - turned.dot(contact.n) * contact.n);
     }
   });
 }

@@ -15,11 +15,15 @@ void add(Block& d, int row, int column, const Mat3& m) {
 
 /// J^T w J of one body, J = [1, -x].
 void add_own(Block& d, const Mat3& w, const Mat3& x, const Mat3& wx) {
+  const Mat3 turned = x.transpose();
   add(d, 0, 0, w);
   add(d, 0, 3, -wx);
-  add(d, 3, 0, x * w);
-  add(d, 3, 3, -(x * wx));
+  add(d, 3, 0, -(turned * w));
+  add(d, 3, 3, turned * wx);
 }
+
+/// x of J = [1, -x].
+Mat3 turning(const Vec3& r, const Vec3& n, const Vec3& moment) { return cross_matrix(r) - outer(n, moment); }
 
 /// J_a^T w J_b = w [1, -x_b; x_a, -x_a x_b] with a number for w, x_a x_b = r_b r_a^T - r_a.r_b.
 void add_isotropic(Block& d, Real w, const Vec3& r_a, const Vec3& r_b) {
@@ -32,6 +36,26 @@ void add_isotropic(Block& d, Real w, const Vec3& r_a, const Vec3& r_b) {
     for (int l = 0; l < 3; ++l) d.x[3 + i][3 + l] -= w * (r_b[i] * r_a[l]);
     d.x[3 + i][3 + i] += along;
   }
+}
+
+/// Where a contact's impulses act on a body, @see ConeContact.
+struct ContactArms {
+  const Vec3 &r, &moment;
+};
+/// What add_isotropic() leaves out where normal impulses have a moment of their own.
+void add_moments(Block& d, Real w, const Vec3& n, const ContactArms& a, const ContactArms& b) {
+  const Vec3 turn = w * (a.r.cross(n) + a.moment), other = w * b.r.cross(n);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      d.x[i][3 + j] += w * n[i] * b.moment[j];
+      d.x[3 + i][j] += w * a.moment[i] * n[j];
+      d.x[3 + i][3 + j] += turn[i] * b.moment[j] + a.moment[i] * other[j];
+    }
+}
+/// J_a^T w J_b of a contact.
+void add_alike(Block& d, Real w, const Vec3& n, const ContactArms& a, const ContactArms& b) {
+  add_isotropic(d, w, a.r, b.r);
+  if (a.moment != Vec3::zero() || b.moment != Vec3::zero()) add_moments(d, w, n, a, b);
 }
 
 /// A block without the rows and columns of what is locked.
@@ -83,11 +107,11 @@ void assemble_masses(ConeProblem& problem) {
 void add_sticking(ConeProblem& problem, const ConeContact& c, Real w) {
   const Elimination& e = *problem.elimination;
   BlockFactor& f = *problem.factor;
-  if (c.a != kNobody) add_isotropic(f.diagonal[e.place[c.a]], w, c.r_a, c.r_a);
-  if (c.b != kNobody) add_isotropic(f.diagonal[e.place[c.b]], w, c.r_b, c.r_b);
+  const ContactArms a = {c.r_a, c.n_a}, b = {c.r_b, c.n_b};
+  if (c.a != kNobody) add_alike(f.diagonal[e.place[c.a]], w, c.n, a, a);
+  if (c.b != kNobody) add_alike(f.diagonal[e.place[c.b]], w, c.n, b, b);
   if (c.below == kNobody) return;
-  const Vec3 &later = c.a_later ? c.r_a : c.r_b, &other = c.a_later ? c.r_b : c.r_a;
-  add_isotropic(f.below[c.below], -w, later, other);
+  add_alike(f.below[c.below], -w, c.n, c.a_later ? a : b, c.a_later ? b : a);
 }
 
 void hold_locked(ConeProblem& problem) {
@@ -227,7 +251,7 @@ void Round::assemble(Real still) {
       continue;
     }
     const Mat3 w = slope_of_projection(pulled, c.n, c.friction) / resistance(c);
-    const Mat3 x_a = cross_matrix(c.r_a), x_b = cross_matrix(c.r_b), w_a = w * x_a, w_b = w * x_b;
+    const Mat3 x_a = turning(c.r_a, c.n, c.n_a), x_b = turning(c.r_b, c.n, c.n_b), w_a = w * x_a, w_b = w * x_b;
     if (c.a != kNobody) add_own(f.diagonal[e.place[c.a]], w, x_a, w_a);
     if (c.b != kNobody) add_own(f.diagonal[e.place[c.b]], w, x_b, w_b);
     if (c.below == kNobody) continue;
@@ -235,8 +259,8 @@ void Round::assemble(Real still) {
     const Mat3 &x = c.a_later ? x_a : x_b, &other = c.a_later ? w_b : w_a;
     add(d, 0, 0, -w);
     add(d, 0, 3, other);
-    add(d, 3, 0, -(x * w));
-    add(d, 3, 3, x * other);
+    add(d, 3, 0, x.transpose() * w);
+    add(d, 3, 3, -(x.transpose() * other));
   }
   for (const ConeLink& c : problem_.links) {
     const Real r = softness_ * c.k;
