@@ -20,9 +20,10 @@ struct ConeContact {
   std::uint32_t below;  // in BlockFactor::below: the block that couples a and b; kNobody where there is none
   bool a_later;         // a is eliminated after b
   bool is_curved;       // a shape is not known to be a polytope: @see ConeGroup::follow_bodies()
+  bool is_spread;       // of a patch that slides: its friction acts beside its normal impulses, @see spread()
   Vec3 n;               // unit, world, A to B
   Vec3 r_a, r_b;        // m, world axes: where friction acts; zero where the body does not rotate
-  Vec3 n_a = Vec3::zero(), n_b = Vec3::zero();  // m, moment about there of a unit of normal impulse, which acts beside
+  Vec3 n_a, n_b;        // m, moment about there of a unit of normal impulse; set only where it is spread
   Real friction;
   Vec3 carried;  // m/s, of the point on B relative to A where impulses do not change the bodies' velocities
   Real want;     // m/s
@@ -81,17 +82,33 @@ struct ConeProblem {
 
 // ---- small parts that all files of this room share ----
 
+/// What add_impulse() and relative() leave out where a contact is spread: moments of its normal impulse, and normal
+/// velocity by spins.
+template <Vec6 ConeBody::*kMomentum>
+void add_moments(ConeBody* bodies, const ConeContact& c, Real normal) {
+  if (c.a != kNobody) (bodies[c.a].*kMomentum) -= {Vec3::zero(), normal * c.n_a};
+  if (c.b != kNobody) (bodies[c.b].*kMomentum) += {Vec3::zero(), normal * c.n_b};
+}
+template <Vec6 ConeBody::*kVelocity>
+Vec3 by_moments(const ConeBody* bodies, const ConeContact& c) {
+  Real normal = 0;
+  if (c.b != kNobody) normal += (bodies[c.b].*kVelocity).angular().dot(c.n_b);
+  if (c.a != kNobody) normal -= (bodies[c.a].*kVelocity).angular().dot(c.n_a);
+  return normal * c.n;
+}
+
 /// Impulse p on B and -p on A, as changes of the bodies' momentum.
 template <Vec6 ConeBody::*kMomentum>
 void add_impulse(const ConeProblem& problem, const ConeContact& c, const Vec3& p) {
   if (c.a != kNobody) {
     Vec6& m = problem.bodies[c.a].*kMomentum;
-    m -= {p, c.r_a.cross(p) + p.dot(c.n) * c.n_a};
+    m -= {p, c.r_a.cross(p)};
   }
   if (c.b != kNobody) {
     Vec6& m = problem.bodies[c.b].*kMomentum;
-    m += {p, c.r_b.cross(p) + p.dot(c.n) * c.n_b};
+    m += {p, c.r_b.cross(p)};
   }
+  if (c.is_spread) add_moments<kMomentum>(problem.bodies, c, p.dot(c.n));
 }
 
 template <Vec6 ConeBody::*kVelocity>
@@ -99,12 +116,13 @@ Vec3 relative(const ConeBody* bodies, const ConeContact& c) {
   Vec3 u = Vec3::zero();
   if (c.b != kNobody) {
     const Vec6& v = bodies[c.b].*kVelocity;
-    u += v.linear() + v.angular().cross(c.r_b) + v.angular().dot(c.n_b) * c.n;
+    u += v.linear() + v.angular().cross(c.r_b);
   }
   if (c.a != kNobody) {
     const Vec6& v = bodies[c.a].*kVelocity;
-    u -= v.linear() + v.angular().cross(c.r_a) + v.angular().dot(c.n_a) * c.n;
+    u -= v.linear() + v.angular().cross(c.r_a);
   }
+  if (c.is_spread) u += by_moments<kVelocity>(bodies, c);
   return u;
 }
 

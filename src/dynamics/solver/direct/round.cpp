@@ -13,17 +13,24 @@ void add(Block& d, int row, int column, const Mat3& m) {
     for (int j = 0; j < 3; ++j) d.x[row + i][column + j] += m(i, j);
 }
 
-/// J^T w J of one body, J = [1, -x].
-void add_own(Block& d, const Mat3& w, const Mat3& x, const Mat3& wx) {
-  const Mat3 turned = x.transpose();
+/// What a spin does at a contact: J = [1, -x] of one body.
+struct Turning {
+  Mat3 x, back;  // m; back is -x^T
+
+  Turning(const ConeContact& c, const Vec3& r, const Vec3& moment) : x(cross_matrix(r)), back(x) {
+    if (!c.is_spread) return;
+    x -= outer(c.n, moment);
+    back += outer(moment, c.n);
+  }
+};
+
+/// J^T w J of one body.
+void add_own(Block& d, const Mat3& w, const Turning& of, const Mat3& wx) {
   add(d, 0, 0, w);
   add(d, 0, 3, -wx);
-  add(d, 3, 0, -(turned * w));
-  add(d, 3, 3, turned * wx);
+  add(d, 3, 0, of.back * w);
+  add(d, 3, 3, -(of.back * wx));
 }
-
-/// x of J = [1, -x].
-Mat3 turning(const Vec3& r, const Vec3& n, const Vec3& moment) { return cross_matrix(r) - outer(n, moment); }
 
 /// J_a^T w J_b = w [1, -x_b; x_a, -x_a x_b] with a number for w, x_a x_b = r_b r_a^T - r_a.r_b.
 void add_isotropic(Block& d, Real w, const Vec3& r_a, const Vec3& r_b) {
@@ -42,7 +49,7 @@ void add_isotropic(Block& d, Real w, const Vec3& r_a, const Vec3& r_b) {
 struct ContactArms {
   const Vec3 &r, &moment;
 };
-/// What add_isotropic() leaves out where normal impulses have a moment of their own.
+/// What add_isotropic() leaves out where a contact is spread.
 void add_moments(Block& d, Real w, const Vec3& n, const ContactArms& a, const ContactArms& b) {
   const Vec3 turn = w * (a.r.cross(n) + a.moment), other = w * b.r.cross(n);
   for (int i = 0; i < 3; ++i)
@@ -51,11 +58,6 @@ void add_moments(Block& d, Real w, const Vec3& n, const ContactArms& a, const Co
       d.x[3 + i][j] += w * a.moment[i] * n[j];
       d.x[3 + i][3 + j] += turn[i] * b.moment[j] + a.moment[i] * other[j];
     }
-}
-/// J_a^T w J_b of a contact.
-void add_alike(Block& d, Real w, const Vec3& n, const ContactArms& a, const ContactArms& b) {
-  add_isotropic(d, w, a.r, b.r);
-  if (a.moment != Vec3::zero() || b.moment != Vec3::zero()) add_moments(d, w, n, a, b);
 }
 
 /// A block without the rows and columns of what is locked.
@@ -107,11 +109,15 @@ void assemble_masses(ConeProblem& problem) {
 void add_sticking(ConeProblem& problem, const ConeContact& c, Real w) {
   const Elimination& e = *problem.elimination;
   BlockFactor& f = *problem.factor;
+  const auto add = [&](Block& d, Real by, const ContactArms& a, const ContactArms& b) {
+    add_isotropic(d, by, a.r, b.r);
+    if (c.is_spread) add_moments(d, by, c.n, a, b);
+  };
   const ContactArms a = {c.r_a, c.n_a}, b = {c.r_b, c.n_b};
-  if (c.a != kNobody) add_alike(f.diagonal[e.place[c.a]], w, c.n, a, a);
-  if (c.b != kNobody) add_alike(f.diagonal[e.place[c.b]], w, c.n, b, b);
+  if (c.a != kNobody) add(f.diagonal[e.place[c.a]], w, a, a);
+  if (c.b != kNobody) add(f.diagonal[e.place[c.b]], w, b, b);
   if (c.below == kNobody) return;
-  add_alike(f.below[c.below], -w, c.n, c.a_later ? a : b, c.a_later ? b : a);
+  add(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
 }
 
 void hold_locked(ConeProblem& problem) {
@@ -251,16 +257,17 @@ void Round::assemble(Real still) {
       continue;
     }
     const Mat3 w = slope_of_projection(pulled, c.n, c.friction) / resistance(c);
-    const Mat3 x_a = turning(c.r_a, c.n, c.n_a), x_b = turning(c.r_b, c.n, c.n_b), w_a = w * x_a, w_b = w * x_b;
-    if (c.a != kNobody) add_own(f.diagonal[e.place[c.a]], w, x_a, w_a);
-    if (c.b != kNobody) add_own(f.diagonal[e.place[c.b]], w, x_b, w_b);
+    const Turning on_a(c, c.r_a, c.n_a), on_b(c, c.r_b, c.n_b);
+    const Mat3 w_a = w * on_a.x, w_b = w * on_b.x;
+    if (c.a != kNobody) add_own(f.diagonal[e.place[c.a]], w, on_a, w_a);
+    if (c.b != kNobody) add_own(f.diagonal[e.place[c.b]], w, on_b, w_b);
     if (c.below == kNobody) continue;
     Block& d = f.below[c.below];
-    const Mat3 &x = c.a_later ? x_a : x_b, &other = c.a_later ? w_b : w_a;
+    const Mat3 &back = c.a_later ? on_a.back : on_b.back, &other = c.a_later ? w_b : w_a;
     add(d, 0, 0, -w);
     add(d, 0, 3, other);
-    add(d, 3, 0, x.transpose() * w);
-    add(d, 3, 3, -(x.transpose() * other));
+    add(d, 3, 0, -(back * w));
+    add(d, 3, 3, back * other);
   }
   for (const ConeLink& c : problem_.links) {
     const Real r = softness_ * c.k;
