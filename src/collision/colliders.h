@@ -30,6 +30,7 @@ struct Colliders {
         travel(m),
         bounds(m),
         reach(m),
+        speed(m),
         movable(m),
         muted(m),
         live(m),
@@ -49,6 +50,7 @@ struct Colliders {
   Array<Real> travel;           // m: no point of it has come farther since the collider was made; @see place()
   Array<Aabb> bounds;           // m, world, grown by what the scene asks for (contact distance, motion of the step)
   Array<Real> reach;            // m: a fast collider meets others that are this much farther than the contact distance
+  Array<Real> speed;            // m/s: no point of it moves faster as the step begins
   Array<std::uint8_t> movable;  // 0: its body is static; kPushed: forces move it; kDriven: it is kinematic
   Array<std::uint8_t> muted;    // makes no pairs: kFaulty (its shape or body is in quarantine), kForbidden
   Array<std::uint32_t> live;    // slots in use, ascending

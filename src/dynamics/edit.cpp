@@ -112,7 +112,7 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
                            std::uint32_t material) {
   Colliders& c = scene.colliders;
   make_room(scene.collider_slots.slots(), c.shape, c.local, c.body, c.material, c.density, c.frame, c.bounds, c.reach,
-            c.movable, c.muted, c.next, c.travel);
+            c.speed, c.movable, c.muted, c.next, c.travel);
   make_room(c.live.size(), c.live);
   stir(*this, body);
   const Handle handle = scene.collider_slots.take();
@@ -138,6 +138,7 @@ void World::fill_collider(std::uint32_t i, std::uint32_t body, const Shape* shap
   put(c.travel, i, Real(0));
   put(c.bounds, i, Aabb());
   put(c.reach, i, Real(0));
+  put(c.speed, i, Real(0));
   const BodyType type = scene.type[body];
   put(c.movable, i, type == BodyType::fixed ? std::uint8_t(0) : type == BodyType::dynamic ? Colliders::kPushed : Colliders::kDriven);
   put(c.muted, i, std::uint8_t(0));

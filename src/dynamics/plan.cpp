@@ -229,10 +229,11 @@ void place_collider(const World& world, Colliders& c, PlacedPoses& placed, Plan&
   c.place(slot, Frame(plan.rotation[body], world.state.x[body]) * plan.local[slot]);
   placed.placed_x[body] = world.state.x[body], placed.placed_q[body] = world.state.q[body];
   const Real half_gap = world.scene.dials[Dial::contact_distance] / 2;
-  c.reach[slot] = 0;
+  c.reach[slot] = c.speed[slot] = 0;
   if (c.movable[slot]) {
     const Real arm = shape.bounding_radius + plan.local[slot].p.norm();
-    const Real motion = dt * (world.state.v[body].norm() + arm * world.state.omega[body].norm());
+    c.speed[slot] = world.state.v[body].norm() + arm * world.state.omega[body].norm();
+    const Real motion = dt * c.speed[slot];
     if (motion > half_gap) {
       c.reach[slot] = std::min(motion, shape.bounding_radius);
       if (plan.watches_speed && 4 * motion > shape.bounding_radius) world.continuous->see(body);

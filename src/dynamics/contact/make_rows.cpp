@@ -137,7 +137,7 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     g.point = static_cast<std::uint32_t>(k);
   }
   c.rows[at].loads_known = found == last - cursor;
-  find_slide(world, at, static_cast<std::uint32_t>(manifold.count), nullptr);
+  find_slide(world, pair, at, static_cast<std::uint32_t>(manifold.count), nullptr);
 }
 
 /// Rows of all pairs, in their order: first how many each has, then what they are.

@@ -29,7 +29,7 @@ struct Patch {
     }
     return touches && deepest >= -world.scene.dials[Dial::contact_distance];
   }
-  /// No point can slip as fast: without a root, and without a look at what rests.
+  /// No point can slip as fast, however both move together: without a root.
   bool is_slow() const {
     const State& s = world.state;
     const Pair& pair = world.pairs.place(geometry->pair).pair;

@@ -14,7 +14,7 @@ inline constexpr Constant<Real> kCreeps{
     "and pucks are rubbed where they do not touch"};
 inline constexpr ConstantRow kPatchFrictionConstants[] = {kCreeps};
 
-/// Of a pair with more points than one, and friction.
+/// Of a pair with more points than one, and friction, that may slip.
 void look_for_slide(const World& world, std::uint32_t first, std::uint32_t count, const Vec3* surface);
 
 /// Set what a pair's first row says of its friction. A pair slides if it slips at one of its points. Only of what
@@ -22,10 +22,13 @@ void look_for_slide(const World& world, std::uint32_t first, std::uint32_t count
 /// place, whatever its loads do. One point has but one place, and what is yet to meet bears nothing. What overlaps by
 /// more than points are looked for apart has no patch: it parts.
 /// @param surface  m/s, [count], what B's does relative to A's by itself; null: nothing
-inline void find_slide(const World& world, std::uint32_t first, std::uint32_t count, const Vec3* surface) {
+inline void find_slide(const World& world, const Pair& pair, std::uint32_t first, std::uint32_t count,
+                       const Vec3* surface) {
   Row& row = world.contacts->rows[first];
   row.slides = row.rubs_by_load = false;
-  if (count > 1 && row.friction > 0) look_for_slide(world, first, count, surface);
+  const Array<Real>& speed = world.scene.colliders.speed;
+  if (count > 1 && row.friction > 0 && (surface || !(speed[pair.a] + speed[pair.b] <= kCreeps.value)))
+    look_for_slide(world, first, count, surface);
 }
 
 /// A flat patch presses all over: where its load is even, the mean distance of its places from their middle is this

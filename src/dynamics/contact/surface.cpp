@@ -45,7 +45,7 @@ void find_surfaces(const World& world, const StepTime&) {
       const Vec3 s = b.at(world.state.x[row.b], arms.b) - a.at(world.state.x[row.a], arms.a);
       c.surface[k] = s - s.dot(row.n) * row.n;
     }
-    find_slide(world, i, next - i, &c.surface[i]);
+    find_slide(world, pair, i, next - i, &c.surface[i]);
     c.driven.push_back({i, next - i, b.angular - a.angular});
     driven += next - i;
   }

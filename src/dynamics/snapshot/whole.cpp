@@ -49,7 +49,7 @@ void make_room_for_slots(World& w) {
   Colliders& c = s.colliders;
   c.shape.resize(colliders, nullptr), c.local.resize(colliders), c.body.resize(colliders, 0);
   c.material.resize(colliders, Colliders::kNoMaterial), c.density.resize(colliders, 0), c.frame.resize(colliders);
-  c.travel.resize(colliders, 0), c.bounds.resize(colliders), c.reach.resize(colliders, 0);
+  c.travel.resize(colliders, 0), c.bounds.resize(colliders), c.reach.resize(colliders, 0), c.speed.resize(colliders, 0);
   c.movable.resize(colliders, 0), c.muted.resize(colliders, 0), c.next.resize(colliders, Colliders::kNone);
   c.live.reserve(colliders);
   s.material.resize(s.material_slots.slots());

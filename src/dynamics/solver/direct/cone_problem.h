@@ -108,7 +108,8 @@ void add_impulse(const ConeProblem& problem, const ConeContact& c, const Vec3& p
     Vec6& m = problem.bodies[c.b].*kMomentum;
     m += {p, c.r_b.cross(p)};
   }
-  if (c.is_spread) add_moments<kMomentum>(problem.bodies, c, p.dot(c.n));
+  if (c.is_spread) [[unlikely]]
+    add_moments<kMomentum>(problem.bodies, c, p.dot(c.n));
 }
 
 template <Vec6 ConeBody::*kVelocity>
@@ -122,7 +123,8 @@ Vec3 relative(const ConeBody* bodies, const ConeContact& c) {
     const Vec6& v = bodies[c.a].*kVelocity;
     u -= v.linear() + v.angular().cross(c.r_a);
   }
-  if (c.is_spread) u += by_moments<kVelocity>(bodies, c);
+  if (c.is_spread) [[unlikely]]
+    u += by_moments<kVelocity>(bodies, c);
   return u;
 }
 
