@@ -83,14 +83,14 @@ struct ConeProblem {
 // ---- small parts that all files of this room share ----
 
 /// What add_impulse() and relative() leave out where a contact is spread: moments of its normal impulse, and normal
-/// velocity by spins. Kept out of them, so that both stay small enough to be inlined.
+/// velocity by spins.
 template <Vec6 ConeBody::*kMomentum>
-[[gnu::noinline]] void add_moments(ConeBody* bodies, const ConeContact& c, Real normal) {
+void add_moments(ConeBody* bodies, const ConeContact& c, Real normal) {
   if (c.a != kNobody) (bodies[c.a].*kMomentum) -= {Vec3::zero(), normal * c.n_a};
   if (c.b != kNobody) (bodies[c.b].*kMomentum) += {Vec3::zero(), normal * c.n_b};
 }
 template <Vec6 ConeBody::*kVelocity>
-[[gnu::noinline]] Vec3 by_moments(const ConeBody* bodies, const ConeContact& c) {
+Vec3 by_moments(const ConeBody* bodies, const ConeContact& c) {
   Real normal = 0;
   if (c.b != kNobody) normal += (bodies[c.b].*kVelocity).angular().dot(c.n_b);
   if (c.a != kNobody) normal -= (bodies[c.a].*kVelocity).angular().dot(c.n_a);
