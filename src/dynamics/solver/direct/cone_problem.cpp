@@ -70,10 +70,8 @@ class FrozenSlip {
         most_steps_(most_steps),
         softness_(first_softness()) {}
 
-  /// @return whether it has come nearer
-  bool solve(Real target) {
-    const Real first = offence_now();
-    Real left = first;
+  void solve(Real target) {
+    Real left = offence_now();
     for (int i = 0; i < kRounds && left > target && answer_.factorisations < most_steps_; ++i) {
       Round round(problem_, softness_);
       const std::uint32_t most = std::min(kRoundSteps, most_steps_ - answer_.factorisations);
@@ -84,10 +82,9 @@ class FrozenSlip {
       if (!(now < left)) round.take_back();
       if (!(now < kGood * left))
         softness_ = steps < kHard ? std::max(kLeast, kHarder * was) : std::min(kMost, kSofter * was);
-      if (!(now < left) && softness_ == was) break;  // at one end, and it did not help
+      if (!(now < left) && softness_ == was) return;  // at one end, and it did not help
       left = std::min(left, now);
     }
-    return left < first;
   }
 
  private:
@@ -138,9 +135,7 @@ void update_slips(ConeProblem& problem, bool first, Real noise) {
 }  // namespace
 
 ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps) {
-  constexpr int kSlips = 60, kIdle = 3;
-  constexpr Real kOfTolerance = 0.3, kOfSlip = 0.03;  // closer to a slip that will change is for nothing
-  problem.factored = 0;
+  constexpr int kSlips = 60;
   ConeAnswer answer;
   answer.residual = residual(problem);
   answer.reached = answer.residual <= tolerance;
@@ -149,12 +144,9 @@ ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_
   for (ConeContact& c : problem.contacts) c.slip = 0;
   FrozenSlip frozen(problem, answer, most_steps);
   Real now = answer.residual;
-  const int most_idle = problem.contacts.empty() ? 1 : kIdle;  // joints have no slip
-  int idle = 0;
-  for (int i = 0; i < kSlips && idle < most_idle && answer.residual > tolerance && answer.factorisations < most_steps; ++i) {
+  for (int i = 0; i < kSlips && answer.residual > tolerance && answer.factorisations < most_steps; ++i) {
     update_slips(problem, i == 0, tolerance);
-    const Real target = kOfTolerance * tolerance;
-    idle = frozen.solve(problem.contacts.empty() ? target : std::max(target, kOfSlip * now)) ? 0 : idle + 1;
+    frozen.solve(std::max(0.3 * tolerance, 0.03 * now));
     now = residual(problem);
     if (now < answer.residual) answer.residual = now, save_impulses<&ConeContact::best, &ConeLink::best>(problem);
   }

@@ -15,18 +15,6 @@ namespace carom::dynamics {
 
 inline constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 
-/// How impulses of a contact change with its velocity: not, alike in all directions, or otherwise.
-enum class ConeCurvature : std::uint8_t { none, alike, slope };
-
-/// A contact along a Newton step: z, the impulse before it is projected, is z0 + length z1.
-struct ConeLine {
-  Real n0, n1;      // N s, of z along n
-  Real t00, t01, t11;  // (N s)^2, squares and product across n
-  Real u_n;         // m/s, of du along n
-  Real ut0, ut1;    // J, of du and z across n
-  Real start;       // J, du . p0
-};
-
 struct ConeContact {
   std::uint32_t a, b;   // bodies of the problem, or kNobody: not moved by impulses
   std::uint32_t below;  // in BlockFactor::below: the block that couples a and b; kNobody where there is none
@@ -53,8 +41,6 @@ struct ConeContact {
   // of a round
   Vec3 p0, u0;  // as it began
   Vec3 du;      // m/s, of a Newton step
-  ConeCurvature curvature = ConeCurvature::none;  // of the factor
-  ConeLine line;
 };
 
 struct ConeBody {
@@ -85,7 +71,9 @@ struct ConeProblem {
   const Elimination* elimination;
   BlockFactor* factor;
   Vec6* scratch;  // by place
-  Real factored = 0;  // softness of the round that the factor is for, with curvatures as they stand; 0: another matrix
+  // Softness of a round whose contacts all stick, which the factor is for; 0: it is for another. All such rounds of a
+  // solve have the same curvature.
+  Real sticking = 0;
   std::span<ConeLink> links{};
   bool stood = false;  // no body was faster, before this substep, than its loads alone make it
 };
