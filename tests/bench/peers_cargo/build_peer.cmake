@@ -3,7 +3,7 @@ file(REMOVE ${MODULE}.reason)
 if(CARGO)
   get_filename_component(folder ${MODULE} DIRECTORY)
   get_filename_component(folder ${folder} DIRECTORY)
-  execute_process(COMMAND ${CARGO} build --release --locked --target-dir ${folder} -p ${PACKAGE}
+  execute_process(COMMAND ${CARGO} build --release --target-dir ${folder} -p ${PACKAGE}
     RESULT_VARIABLE failed ERROR_VARIABLE told ECHO_ERROR_VARIABLE)
   string(REGEX MATCH "error[^\n]*" reason "${told}")
 else()
