@@ -1,7 +1,7 @@
 // PhysX 5 on the CPU in a module: its newer solver, TGS, since by PGS, the default of scenes, the joints of S8 gape by 2.3 m
 // (by TGS 66 mm); else default settings (patch friction, 4 iterations for positions and 1 for velocities), except for what the
 // comparison asks of every engine.
-#include <PxPhysicsAPI.h>
+#include "sdk.h"
 
 #include <cmath>
 #include <cstdio>
@@ -12,9 +12,6 @@
 #include "peer.h"
 
 namespace carom::bench {
-
-physx::PxPhysics& physx_sdk();
-
 namespace {
 
 constexpr std::size_t kMostThreads = 64;
@@ -45,6 +42,18 @@ physx::PxPhysics& physx_sdk() {
   static PxFoundation* const foundation = PxCreateFoundation(PX_PHYSICS_VERSION, allocator, complaints);
   static PxPhysics* const physics = PxCreatePhysics(PX_PHYSICS_VERSION, *foundation, PxTolerancesScale());
   return *physics;
+}
+
+physx::PxConvexMesh* make_physx_hull(const double* xyz, std::size_t count) {
+  std::vector<PxVec3> points;
+  for (std::size_t i = 0; i < count; ++i) points.push_back(vec(xyz + 3 * i));
+  PxConvexMeshDesc desc;
+  desc.points.count = static_cast<PxU32>(points.size());
+  desc.points.stride = sizeof(PxVec3);
+  desc.points.data = points.data();
+  desc.flags = PxConvexFlag::eCOMPUTE_CONVEX;
+  PxPhysics& sdk = physx_sdk();
+  return PxCreateConvexMesh(PxCookingParams(sdk.getTolerancesScale()), desc, sdk.getPhysicsInsertionCallback());
 }
 
 namespace {
@@ -163,15 +172,7 @@ class PhysxWorld final : public PeerWorld {
 
   PxConvexMesh& hull(const BodyPlan& plan) {
     PxConvexMesh*& shared = hulls_[plan.params];
-    if (shared) return *shared;
-    std::vector<PxVec3> points;
-    for (std::size_t i = 0; i + 3 <= plan.param_count; i += 3) points.push_back(vec(plan.params + i));
-    PxConvexMeshDesc desc;
-    desc.points.count = static_cast<PxU32>(points.size());
-    desc.points.stride = sizeof(PxVec3);
-    desc.points.data = points.data();
-    desc.flags = PxConvexFlag::eCOMPUTE_CONVEX;
-    shared = PxCreateConvexMesh(PxCookingParams(physx_sdk().getTolerancesScale()), desc, physx_sdk().getPhysicsInsertionCallback());
+    if (!shared) shared = make_physx_hull(plan.params, plan.param_count / 3);
     return *shared;
   }
 

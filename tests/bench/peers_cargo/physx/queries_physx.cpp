@@ -1,6 +1,6 @@
 // Casts and pairs of PhysX for casts_vs_peers and convex_vs_peers, of the solids that it has. Of pairs that are apart it tells
 // no distance.
-#include <PxPhysicsAPI.h>
+#include "sdk.h"
 
 #include <cmath>
 #include <map>
@@ -8,9 +8,6 @@
 #include "../../casts/peer.h"
 
 namespace carom::bench {
-
-physx::PxPhysics& physx_sdk();
-
 namespace {
 
 using namespace physx;
@@ -55,16 +52,7 @@ class Natives {
 
  private:
   PxConvexMesh& hull(const Solid& s) {
-    std::vector<PxVec3> points;
-    for (std::size_t i = 0; i < s.vertices; ++i) points.push_back(vec(s.xyz + 3 * i));
-    PxConvexMeshDesc desc;
-    desc.points.count = static_cast<PxU32>(points.size());
-    desc.points.stride = sizeof(PxVec3);
-    desc.points.data = points.data();
-    desc.flags = PxConvexFlag::eCOMPUTE_CONVEX;
-    PxPhysics& sdk = physx_sdk();
-    hulls_.push_back(
-        PxCreateConvexMesh(PxCookingParams(sdk.getTolerancesScale()), desc, sdk.getPhysicsInsertionCallback()));
+    hulls_.push_back(make_physx_hull(s.xyz, s.vertices));
     return *hulls_.back();
   }
   std::map<const Solid*, Native> made_;
