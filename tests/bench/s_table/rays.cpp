@@ -82,8 +82,9 @@ std::vector<RayRecord> measure_rays(const Row& row, const Options& options, std:
   plan.start_at(states);
   const std::vector<double> ends = rays_into(states, plan, count);
   records.emplace_back().engine = "Carom (double)";
-  records.back().is_carom = true;
+  records.back().is_carom = records.back().is_own = true;
   records.emplace_back().engine = "Carom, support functions only";
+  records.back().is_own = true;
   worlds.push_back(std::move(carom));
   worlds.push_back(std::make_unique<ByWalk>(static_cast<CaromWorld&>(*worlds[0])));
   for (const PeerEngine& peer : options.peers) {

@@ -8,7 +8,8 @@ namespace carom::bench {
 /// What one engine did with the rays.
 struct RayRecord {
   std::string engine;
-  bool is_carom = false;
+  bool is_carom = false;  // as it comes
+  bool is_own = false;    // Carom, one way or another
   double best = 0;   // s, least CPU time of all rays together over the repeats
   double first = 0;  // s, the first time, with what an engine puts off until it is asked
   std::size_t hits = 0;

@@ -1,4 +1,4 @@
-// The rows of the S-table: which scene, how long, and where the design wants Carom to be.
+// The rows of the S-table: which scene, how long, and where Carom wants to be.
 #pragma once
 
 #include <string>
@@ -16,9 +16,9 @@ struct Row {
   double settle = 0;      ///< s at the start that count in no time
   bool sleeping = false;  ///< bodies may sleep
   bool memory = false;    ///< what is asked for is bytes a body, not time
-  double target = 0;      ///< the design's aim on the machine on which its table was made, ms (bytes); 0: none
-  double bullet = 0;      ///< Bullet's figure in that table; 0: none
-  std::size_t rays = 0;   ///< cast into what lies there at the end, and timed in place of the steps; ms of all
+  double aim = 0;         ///< of Carom: mean step over that of the best peer that stands; bytes a body; 0: none
+  bool is_to_stand = false;  ///< an engine in which a block falls is no peer here
+  std::size_t rays = 0;      ///< cast into what lies there at the end, and timed in place of the steps; ms of all
 };
 
 const std::vector<Row>& s_table();
