@@ -6,6 +6,7 @@
 #include "collision/manifold/patch_constants.h"
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/impact_points.h"
+#include "dynamics/contact/slide.h"
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/least_force_constants.h"
@@ -28,8 +29,8 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 }
 
 constexpr auto kConstantTable =
-    in_one_table(kPatchConstants, kImpactConstants, kSweepConstants, kFarTurnConstants, kDepthConstants, kAutoConstants,
-                 kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants);
+    in_one_table(kPatchConstants, kImpactConstants, kPatchFrictionConstants, kSweepConstants, kFarTurnConstants,
+                 kDepthConstants, kAutoConstants, kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants);
 
 }  // namespace
 

@@ -60,7 +60,7 @@ constexpr StageEntry kStageTable[] = {
      .stage = Stage::group, .reads = Part::pairs | Part::impulses}),
     stage<find_surfaces>({.name = "find surfaces",
      .what = "pairs of which a surface moves of itself",
-     .stage = Stage::group, .reads = Part::pairs | Part::colliders}),
+     .stage = Stage::group, .reads = kContactsRead}),
     stage<link_joints>({.name = "link joints",
      .what = "joints of awake bodies",
      .stage = Stage::group, .reads = Part::joints}),

@@ -55,6 +55,35 @@ void assert_same(const TestWorld& one, const TestWorld& other, std::uint32_t bod
   }
 }
 
+/// What asks for orientations and inertias of all in the middle of a step: a block that the direct solver holds on a
+/// light one, a ball that resists rolling, and one that bounces.
+void add_strangers_on_the_ground(TestWorld& t) {
+  World& w = t.world;
+  Material rough;
+  rough.rolling = 0.01, rough.spinning = 0.01;
+  const std::uint32_t resists = handle_slot(w.add_material(rough)), bounces = t.material(0.4, 0.8);
+  const auto place = [](int k, Real y) { return Vec3(-kFar * k, y, 0.1); };
+  t.add(t.keep(box(Vec3::constant(0.1))), place(1, 0.1));
+  t.add(t.keep(box(Vec3::constant(1))), place(1, 1.2));
+  const std::uint32_t ball = t.add(t.keep(sphere(0.5)), place(2, 0.499), BodyType::dynamic, Quat::identity(), resists);
+  w.set_velocity(ball, Vec3(1, 0, 0.3), Vec3(0.2, 3, 0));
+  t.add(t.keep(sphere(0.5)), place(3, 2), BodyType::dynamic, Quat::identity(), bounces);
+}
+
+/// Each by itself: a rod that slides and turns, one that rolls, a box that slides and spins, a plate that falls flat.
+void add_sliders(TestWorld& t) {
+  const std::uint32_t m = t.material(0.4, 0);
+  t.ground(m);
+  const Quat lying = normalized(Quat(1, 0, 0, 1));
+  const auto add = [&](int k, const Shape& shape, Real y, const Quat& q, const Vec3& v, const Vec3& omega) {
+    t.world.set_velocity(t.add(t.keep(shape), Vec3(5 * k, y, 0), BodyType::dynamic, q, m), v, omega);
+  };
+  add(0, cylinder(0.2, 0.6), 0.2, lying, Vec3(2, 0, 1), Vec3(0.1, 3, 0));
+  add(1, cylinder(0.3, 0.4), 0.3, lying, Vec3(0, 0, 3), Vec3(10, 0.4, 0));
+  add(2, box(Vec3(0.5, 0.1, 0.3)), 0.1, Quat::identity(), Vec3(3, 0, 0.2), Vec3(0, 6, 0));
+  add(3, box(Vec3(0.4, 0.02, 0.4)), 0.5, normalized(Quat(1, 0.1, 0, 0.05)), Vec3(1, 0, 0), Vec3(0, 2, 0));
+}
+
 /// Steps of a scene alone and beside strangers.
 template <class Make>
 void compare(const Make& make, const char* what) {
@@ -182,6 +211,24 @@ static void springs_and_air_know_no_strangers(void**) { compare(three_springs, "
 static void forces_know_no_strangers(void**) { compare(many_forces, "forces"); }
 static void joints_and_hands_know_no_strangers(void**) { compare(joints_and_hands, "joints"), compare(one_hand, "hand"); }
 
+static void what_slides_knows_no_strangers(void**) {
+  for (int solver = 0; solver < 5; ++solver)
+    for (const Real substeps : {1, 4})
+      for (const Real hz : {64, 50}) {
+        TestWorld alone, among;
+        for (TestWorld* t : {&alone, &among}) {
+          t->world.set_dial(Dial::solver, solver), t->world.set_dial(Dial::substeps, substeps);
+          add_sliders(*t);
+        }
+        const std::uint32_t bodies = alone.world.scene.bodies.slots();
+        add_strangers_on_the_ground(among);
+        for (int k = 0; k < 90; ++k) {
+          alone.run(1, 1 / hz), among.run(1, 1 / hz);
+          assert_same(alone, among, bodies, ("sliders, solver " + std::to_string(solver)).c_str());
+        }
+      }
+}
+
 static void presets_act_without_colliders(void**) {
   const Real fast = error_of_springs(Preset::fast), balanced = error_of_springs(Preset::balanced),
              accurate = error_of_springs(Preset::accurate);
@@ -258,6 +305,7 @@ int main(void) {
       cmocka_unit_test(springs_and_air_know_no_strangers),
       cmocka_unit_test(forces_know_no_strangers),
       cmocka_unit_test(joints_and_hands_know_no_strangers),
+      cmocka_unit_test(what_slides_knows_no_strangers),
       cmocka_unit_test(presets_act_without_colliders),
       cmocka_unit_test(who_only_drives_among_what_stands_makes_no_pairs),
       cmocka_unit_test(the_plan_says_that_all_sleep),

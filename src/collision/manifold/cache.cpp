@@ -73,6 +73,7 @@ void update_cache(const Frame& a, const Frame& b, const Candidates& found, const
   if (found.whole) {
     replace(found, settings, manifold, pool);
     store(a, settings, pool, 0, manifold);
+    manifold.has_more_corners |= found.on_rim && manifold.count == Manifold::kMaxPoints;
     return;
   }
   ContactPoint fresh[Manifold::kMaxPoints];

@@ -1,6 +1,8 @@
 // The greedy choice of four: deepest, farthest from it, farthest beside that line, farthest outside that triangle.
 #include "collision/manifold/choice.h"
 
+#include "collision/manifold/patch_constants.h"
+
 namespace carom::collision {
 namespace {
 
@@ -22,8 +24,9 @@ Choice::Choice(const Frame& a, const Pool& pool, Real same_depth, Real level, Re
     deepest = std::min(deepest, pool.point[i]->separation);
     width = std::max({width, std::fabs(x_[i] - x_[0]), std::fabs(y_[i] - y_[0])});
   }
+  ground_ = std::max(deepest, level);
   for (int i = 0; i < pool.count; ++i)
-    cost_[i] = std::max(Real(0), pool.point[i]->separation - std::max(deepest, level)) / kChoiceTilt +
+    cost_[i] = std::max(Real(0), pool.point[i]->separation - ground_) / kChoiceTilt +
                (pool.age[i] == 0 ? loyalty * width : Real(0));
   int first = 0;
   while (pool.point[first]->separation > deepest + same_depth) ++first;
@@ -35,6 +38,7 @@ Choice::Choice(const Frame& a, const Pool& pool, Real same_depth, Real level, Re
     return -std::min(
         {beside(chosen_[0], chosen_[1], i), beside(chosen_[1], chosen_[2], i), beside(chosen_[2], chosen_[0], i)});
   });
+  std::copy(chosen_, chosen_ + Manifold::kMaxPoints, round_);
   std::sort(chosen_, chosen_ + Manifold::kMaxPoints);
 }
 
@@ -46,6 +50,24 @@ Real Choice::distance(int i, int j) const {
 Real Choice::beside(int i, int j, int k) const {
   const Real dx = x_[j] - x_[i], dy = y_[j] - y_[i], length = std::sqrt(dx * dx + dy * dy);
   return length > 0 ? (dx * (y_[k] - y_[i]) - dy * (x_[k] - x_[i])) / length : 0;
+}
+
+bool Choice::leaves_corners() const {
+  // The four (three, where the last lies between the others) counter-clockwise.
+  int corner[Manifold::kMaxPoints], corners = 0, outside = -1;
+  for (int k = 0; k < 3; ++k)
+    if (beside(round_[k], round_[(k + 1) % 3], round_[3]) < 0) outside = k;
+  for (int k = 0; k < 3; ++k) {
+    corner[corners++] = round_[k];
+    if (k == outside) corner[corners++] = round_[3];
+  }
+  const Real width = distance(round_[0], round_[1]);
+  for (int i = 0; i < pool_.count; ++i) {
+    if (taken_[i] || pool_.point[i]->separation > ground_ + kChoiceTilt * width) continue;
+    for (int k = 0; k < corners; ++k)
+      if (beside(corner[k], corner[(k + 1) % corners], i) < -kStandsOut.value * width) return true;
+  }
+  return false;
 }
 
 void Choice::take(int i) {
@@ -73,11 +95,13 @@ void store(const Frame& a, const ManifoldSettings& settings, const Pool& pool, R
   manifold.count = std::min(pool.count, Manifold::kMaxPoints);
   if (pool.count <= Manifold::kMaxPoints) {
     for (int k = 0; k < pool.count; ++k) put(k, k);
+    manifold.has_more_corners = false;
     return;
   }
   const Real level = settings.sunk_alike ? 0 : -kInfinity;
   const Choice choice(a, pool, kSameDepth * settings.contact_distance, level, loyalty);
   for (int k = 0; k < Manifold::kMaxPoints; ++k) put(k, choice[k]);
+  manifold.has_more_corners = choice.leaves_corners();
 }
 
 }  // namespace carom::collision

@@ -30,6 +30,8 @@ class Choice {
   Choice(const Frame& a, const Pool& pool, Real same_depth, Real level, Real loyalty = 0);
 
   int operator[](int k) const { return chosen_[k]; }  // ascending: a point keeps its place
+  /// Whether the patch has corners beside the four: points that touch, or nearly, and stand out from between them.
+  bool leaves_corners() const;
 
  private:
   Real distance(int i, int j) const;
@@ -40,7 +42,9 @@ class Choice {
 
   const Pool& pool_;
   int count_ = 0;
-  int chosen_[Manifold::kMaxPoints] = {};
+  Real ground_ = 0;                        // m: separation from which heights count
+  int chosen_[Manifold::kMaxPoints] = {};  // ascending
+  int round_[Manifold::kMaxPoints] = {};   // as they were chosen: the first three counter-clockwise
   bool taken_[Pool::kMax] = {};
   Real x_[Pool::kMax], y_[Pool::kMax], cost_[Pool::kMax];
 };

@@ -27,6 +27,7 @@ inline ContactPoint exchanged(ContactPoint p) {
 struct Manifold {
   static constexpr int kMaxPoints = 4;
   int count = 0;
+  bool has_more_corners = false;  // the patch has more than kMaxPoints
   ContactPoint point[kMaxPoints];
 };
 
@@ -35,13 +36,14 @@ struct Candidates {
   static constexpr int kMax = 8;
   int count = 0;
   bool whole = false;     // a specific routine found every point of the patch: nothing older need be kept
+  bool on_rim = false;    // likewise; four of its points stand for a whole rim
   Real gap = -kInfinity;  // m: where no candidate was found, the distance is not less, to rounding
   union {                 // not made before they are found: that would take as long as a routine
     ContactPoint point[kMax];
   };
 
   Candidates() {}
-  Candidates(const Candidates& o) : count(o.count), whole(o.whole), gap(o.gap) {
+  Candidates(const Candidates& o) : count(o.count), whole(o.whole), on_rim(o.on_rim), gap(o.gap) {
     std::uninitialized_copy_n(o.point, o.count, point);
   }
   Candidates& operator=(const Candidates&) = delete;

@@ -256,6 +256,7 @@ void adopt_patch(const PatchPair& pair, const Candidates& found, const ManifoldS
   ManifoldSettings own_settings = settings;
   own_settings.sunk_alike = pair.a.form == Form::half_space || pair.b.form == Form::half_space;
   adopt(pair.frame_a, found.point, found.count, own_settings, manifold);
+  manifold.has_more_corners |= found.on_rim && manifold.count == Manifold::kMaxPoints;
   const auto flat = [](Form f) { return f == Form::box || f == Form::polytope || f == Form::half_space; };
   memory.firm = false;
   if (manifold.count == 0 || !flat(pair.a.form) || !flat(pair.b.form)) return;

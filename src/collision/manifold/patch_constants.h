@@ -46,7 +46,13 @@ inline constexpr Constant<Real> kKeepRadius{
     "larger: small bodies tip over corners that have gone; smaller: what is small and rests pays for a query in every "
     "step"};
 
+inline constexpr Constant<Real> kStandsOut{
+    "patch_stands_out", 0.02, "1",
+    "share of the width of a patch's four points by which another stands out from between them that is a corner of its "
+    "own: more than points along an edge do, less than those of a rim between four others (0.1)",
+    "smaller: a box with points along its edges spins like a disc; larger: hulls of many sides spin like a box"};
+
 inline constexpr ConstantRow kPatchConstants[] = {kFirstTilt,           kPatchSamePlane, kPatchPreferRelative,
-                                                  kPatchPreferAbsolute, kKeepDistance,   kKeepRadius};
+                                                  kPatchPreferAbsolute, kKeepDistance,   kKeepRadius, kStandsOut};
 
 }  // namespace carom::collision

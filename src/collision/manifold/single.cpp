@@ -15,6 +15,7 @@ void keep_deepest(const Candidates& found, const ManifoldSettings& settings, Man
                  ? manifold.point[0].age + 1
                  : 0;
   manifold.point[0] = next;
+  manifold.has_more_corners = false;
   manifold.count = 1;
 }
 

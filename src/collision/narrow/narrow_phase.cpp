@@ -132,7 +132,7 @@ class Findings {
 void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& frame_b, const NarrowSettings& settings,
              QueryMemory& memory, Candidates& found, NarrowReport& report, SupportFault& fault) {
   found.count = 0;
-  found.whole = false;
+  found.whole = found.on_rim = false;
   found.gap = -kInfinity;
   const Real reach = settings.manifold.contact_distance;
   const bool flat_a = a.form == Form::half_space, flat_b = b.form == Form::half_space;

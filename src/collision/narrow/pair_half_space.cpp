@@ -55,21 +55,35 @@ struct Plane {
   }
 };
 
-/// The direction across y in which a rim around y dips deepest; x where the plane is square to y.
-/// Below 1e-9 rad of tilt the whole rim is deepest, to 1e-9 of its radius, and a fixed direction keeps its points in
-/// place.
+/// A rim around y is level below this tilt (rad): four points in fixed directions are then as good as the deepest and
+/// three beside it, to 3e-6 of its radius. Those of a coin that slides would turn with what it tips by, 1e-8 rad, which
+/// is across its way: friction of four points is not the same in all directions.
+constexpr Real kLevel = 1e-5;
+
+Real across_y(const Vec3& n) { return std::sqrt(n.x() * n.x() + n.z() * n.z()); }
+/// The direction across y in which a rim around y dips deepest; x where it is level.
 Vec3 down_rim(const Vec3& n) {
-  const Real across = std::sqrt(n.x() * n.x() + n.z() * n.z());
-  return across > 1e-9 ? Vec3(-n.x() / across, 0, -n.z() / across) : Vec3(Vec3::unit_x());
+  const Real across = across_y(n);
+  return across > kLevel ? Vec3(-n.x() / across, 0, -n.z() / across) : Vec3(Vec3::unit_x());
 }
 
-/// Four points of a rim of given radius at height y, the deepest first.
+/// Points of a rim of given radius at height y. Of one that is steeper than 45 degrees the deepest alone: others are in
+/// the air, and what rolls does not come to stand on them, however far it turns in a step. Else four: the deepest
+/// first, or where it is level in fixed directions, the deepest of them sunk to where the rim is deepest, so that the
+/// distance is that of the rim.
 void add_rim(const Plane& plane, Real radius, Real y, const Vec3& down) {
   const Vec3 side(down.z(), 0, -down.x());
-  plane.add(Vec3(0, y, 0) + radius * down, 1);
-  plane.add(Vec3(0, y, 0) + radius * side, 2);
-  plane.add(Vec3(0, y, 0) - radius * down, 3);
-  plane.add(Vec3(0, y, 0) - radius * side, 4);
+  const Vec3 way[4] = {down, side, -down, -side};
+  const Real across = across_y(plane.n);
+  int deepest = 0;
+  for (int k = 1; k < 4; ++k)
+    if (plane.n.dot(way[k]) < plane.n.dot(way[deepest])) deepest = k;
+  const int count = across * across > 0.5 ? 1 : 4;
+  for (int k = 0; k < count; ++k) {
+    Vec3 x = Vec3(0, y, 0) + radius * way[k];
+    if (k == deepest && across <= kLevel) x -= radius * (plane.n.dot(way[k]) + across) * plane.n;
+    plane.add(x, static_cast<std::uint32_t>(k + 1));
+  }
 }
 
 }  // namespace
@@ -110,6 +124,7 @@ void contact_half_space_cylinder(const Shape& a, const Shape& b, const Frame& b_
   const Vec3 down = down_rim(plane.n);
   const Real bottom = plane.n.y() > 0 ? -b.half_height : b.half_height;
   add_rim(plane, b.radius, bottom, down);
+  found.on_rim = found.count == 4;
   plane.add(Vec3(0, -bottom, 0) + b.radius * down, 5);  // the other end of the line it lies on
   found.whole = true;
 }
@@ -118,6 +133,7 @@ void contact_half_space_cone(const Shape& a, const Shape& b, const Frame& b_in_a
   const Plane plane(a, b_in_a, reach, found);
   plane.add(Vec3(0, b.half_height, 0), 5);
   add_rim(plane, b.radius, -b.half_height, down_rim(plane.n));
+  found.on_rim = found.count == 4 && found.point[0].feature == 1;
   found.whole = true;
 }
 

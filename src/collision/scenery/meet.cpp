@@ -29,6 +29,7 @@ constexpr Real kFoldShare = 0.05, kFarthestFold = 4;
 // narrow/pair_half_space.cpp), at azimuths turned off every symmetry.
 constexpr Real kTriangleTilt = 0.05;
 constexpr Real kLeaningTilt = 1;  // of a shape that leans: as far up as out
+constexpr Real kBeside = 0.25;    // of a radius: a shape that leans has another end if it is as wide
 constexpr int kWays = 12;
 constexpr Real kAzimuth[kWays][2] = {
     {0.9950041652780258, 0.09983341664682815},   {0.8117821756786866, 0.5839603576017622},
@@ -157,6 +158,7 @@ bool SceneryMeeting::find(const SceneryPair& pair, const NarrowSettings& setting
       return false;
     }
   }
+  if (!has_routine(t)) drop_round_sides(kBeside * pair.convex.bounding_radius);
   // Deep at a corner, each piece by itself may be left by a way that the others close. Then the least deep of them
   // holds.
   if (found_.empty() && left_ && left_->separation < 0)

@@ -44,6 +44,7 @@ class SceneryMeeting {
     ContactPoint point;
     std::uint32_t patch;
     bool firm;
+    bool is_asked_for = false;  // stands beside a piece, of a shape whose form nobody declared
   };
   /// What is asked of each piece alike.
   struct Terms {
@@ -58,6 +59,7 @@ class SceneryMeeting {
   enum class Ground { none, below, above };  // of a height field, beside the shape's centre
   Ground look_down(const Terms& t, Piece& under) const;
   bool meet(const Terms& t, const Piece& piece);
+  static bool has_routine(const Terms& t);
   bool stand(const Terms& t, const Piece& piece);
   /// Make points of those that stand where a piece counts. @param counts  says so of a point, m, scenery's frame
   template <class F>
@@ -66,8 +68,11 @@ class SceneryMeeting {
     for (const ContactPoint* p = standing_.point; p < standing_.point + standing_.count; ++p)
       if (counts(p->on_a + p->separation * plane_.normal)) points.point[points.count++] = *p;
     const Form form = t.pair.convex.form;
+    const std::size_t first = found_.size();
     add(points, Vec3::zero(), form == Form::box || form == Form::polytope, t.reach);
+    for (std::size_t i = first; i < found_.size(); ++i) found_[i].is_asked_for = !has_routine(t);
   }
+  void drop_round_sides(Real apart);
   bool lift(const Terms& t, const Piece& piece);
   void add(const PatchPoints& points, const Vec3& origin, bool firm, Real reach);
   void gather(const Frame& frame, Real same);

@@ -1,5 +1,7 @@
 // What of a shape stands over a piece or under it, against the piece's plane as against a half-space; and a shape whose
 // middle is in the ground.
+#include <algorithm>
+
 #include "collision/narrow/pair.h"
 #include "collision/scenery/meet.h"
 #include "collision/support.h"
@@ -16,15 +18,33 @@ SceneryMeeting::Ground SceneryMeeting::look_down(const Terms& t, Piece& under) c
   return height < 0 ? Ground::below : Ground::above;
 }
 
+bool SceneryMeeting::has_routine(const Terms& t) {
+  return t.settings.query.routines && pair_entry(Form::half_space, t.pair.convex.form).routine;
+}
+
+/// Points of an undeclared shape that lie nearer than this to one of a patch are places on a round side beside it. They
+/// would hold up what rolls; the other end of what leans is farther.   @param apart  m
+void SceneryMeeting::drop_round_sides(Real apart) {
+  const auto is_beside = [&](const Found& f) {
+    const auto near = [&](const Found& g) {
+      return !g.is_asked_for && (f.point.on_b - g.point.on_b).squared_norm() < apart * apart;
+    };
+    return f.is_asked_for && std::any_of(found_.begin(), found_.end(), near);
+  };
+  std::size_t kept = 0;  // those of patches are all kept: in front of i or behind it
+  for (std::size_t i = 0; i < found_.size(); ++i)
+    if (!is_beside(found_[i])) found_[kept++] = found_[i];
+  while (found_.size() > kept) found_.pop_back();
+}
+
 /// Find the points of the shape that matter beside the plane of a piece, @see pair_half_space.cpp.
 /// @return  false if the support function misbehaved
 bool SceneryMeeting::stand(const Terms& t, const Piece& piece) {
   const Shape& convex = t.pair.convex;
   plane_.normal = piece.normal, plane_.offset = piece.normal.dot(piece.corner[0]);
   standing_.count = 0;
-  const PairEntry& entry = pair_entry(Form::half_space, convex.form);
-  if (t.settings.query.routines && entry.routine)
-    entry.routine(plane_, convex, t.convex_in_scenery, t.reach, standing_);
+  if (has_routine(t))
+    pair_entry(Form::half_space, convex.form).routine(plane_, convex, t.convex_in_scenery, t.reach, standing_);
   else if (!half_space_by_support(plane_, convex, t.convex_in_scenery, t.reach, true, leaning_tilt(convex, t.reach),
                                   standing_, t.report.support_calls, t.fault))
     return false;

@@ -26,11 +26,16 @@ struct alignas(64) Row {
   bool on_rim;              // the friction impulse is as large as the cone allows
   bool moves_a, moves_b;    // an impulse moves it
   bool one_normal;          // all rows of its pair have the same
+  // Of the first row of a pair alone, @see find_slide():
+  bool loads_known;         // all loads of the pair's last step are those of points that it still has
+  bool slides;              // it does as the step begins: friction acts at the middle of its loads
+  bool rubs_by_load;        // likewise, and starts from known loads and friction
   Real friction;            // mixed Coulomb coefficient
 
   Vec3 p;              // N s, impulse on B in this substep so far, world; between substeps, what the next starts from
   Real restitution;    // mixed; 0: does not bounce
   std::uint32_t a, b;  // body slots
+  Real twist_share;    // of a pair that slides, in its first row, @see twist_share()
 
   /// Set the impulse and what follows from it.
   void set_impulse(const Vec3& impulse) {
@@ -114,6 +119,15 @@ struct Arms {
     const Vec3 on_a = arm_a(world, row, g), on_b = apart + arm_b(world, row, g);
     a = on_a + to_b(row, g) * (on_b - on_a);
     b = a - apart;
+  }
+  /// Of bodies as they are turned now, whatever refresh_rotations() saw last: that is for others to ask for.
+  static Arms now(const World& world, const Row& row, const RowGeometry& g) {
+    const State& s = world.state;
+    const Vec3 apart = s.x[row.b] - s.x[row.a];
+    const Vec3 on_a = s.q[row.a] * g.l_a + g.radius_a * row.n, on_b = apart + (s.q[row.b] * g.l_b - g.radius_b * row.n);
+    Arms arms;
+    arms.a = on_a + to_b(row, g) * (on_b - on_a), arms.b = arms.a - apart;
+    return arms;
   }
   /// How far it is from A's surface point towards B's: 0 to 1.
   static Real to_b(const Row& row, const RowGeometry& g) {

@@ -5,6 +5,7 @@
 
 #include "dynamics/body_state.h"
 #include "dynamics/contact/contact.h"
+#include "dynamics/contact/slide.h"
 #include "dynamics/warm_scale.h"
 
 namespace carom::dynamics {
@@ -110,11 +111,13 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
   const Real radius_a = scene.colliders.shape[ca]->core_radius, radius_b = scene.colliders.shape[cb]->core_radius;
   const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
   const bool one_normal = std::all_of(manifold.point, manifold.point + manifold.count, is_first);
+  std::size_t found = 0;
   for (int k = 0; k < manifold.count; ++k) {
     const ContactPoint& point = manifold.point[k];
     Row& row = c.rows[at + static_cast<std::uint32_t>(k)];
     RowGeometry& g = c.geometry[at + static_cast<std::uint32_t>(k)];
     const OldImpulse* const old = match[static_cast<std::size_t>(k)];
+    found += old != nullptr;
     row.u = Vec3::zero();
     row.n = point.normal;
     row.p = old ? starting_impulse(*old, row.n, material.friction, scale) : Vec3(Vec3::zero());
@@ -133,6 +136,8 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     g.pair = static_cast<std::uint32_t>(pair_index);
     g.point = static_cast<std::uint32_t>(k);
   }
+  c.rows[at].loads_known = found == last - cursor;
+  find_slide(world, at, static_cast<std::uint32_t>(manifold.count), nullptr);
 }
 
 /// Rows of all pairs, in their order: first how many each has, then what they are.

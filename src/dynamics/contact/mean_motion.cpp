@@ -56,7 +56,17 @@ struct Stacked {
 ///   c <- c - W J^T (J W J^T)^-1 J c,   by rows made independent one after the other.
 class Projection {
  public:
-  Projection(const World& world, std::span<const Body> bodies) : world_(world), bodies_(bodies) {}
+  Projection(const World& world, std::span<const Body> bodies) : world_(world), bodies_(bodies) {
+    // As bodies are turned now: Contacts::inv_inertia_w is as old as whoever asked for it last wants it.
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const std::uint32_t slot = bodies[i].slot;
+      if (!rotates(world.scene, slot)) continue;
+      const Mat3 r = world.state.q[slot].matrix();
+      inv_inertia_[i] = world.scene.locks_of(slot) & kAngularLocks
+                            ? inverse_of_free(r * world.scene.inertia[slot] * r.transpose(), world.scene.locks_of(slot))
+                            : Mat3(r * world.scene.inv_inertia[slot] * r.transpose());
+    }
+  }
 
   /// @param row  an impulse: J c is its product with a velocity
   void take_out(Stacked row, Stacked& c) {
@@ -83,13 +93,14 @@ class Projection {
       v.of[i].set_linear(world_.scene.inv_mass[slot] *
                          free_axes(world_.scene.locks_of(slot)).times(row.of[i].linear()));
       if (rotates(world_.scene, slot))
-        v.of[i].set_angular(world_.contacts->inv_inertia_w[slot] * row.of[i].angular());
+        v.of[i].set_angular(inv_inertia_[i] * row.of[i].angular());
     }
     return v;
   }
 
   const World& world_;
   std::span<const Body> bodies_;
+  std::array<Mat3, kMostMeanBodies> inv_inertia_;  // 1/(kg m^2), world, of those that rotate
   std::size_t held_ = 0;
   std::array<Stacked, 6 * kMostMeanBodies> impulse_, velocity_;
 };
@@ -159,7 +170,7 @@ class Group {
     std::size_t shuts = 0;
     for (const Point& p : points_) {
       const Row& row = world_.contacts->rows[p.row];
-      const Arms r(world_, row, world_.contacts->geometry[p.row]);
+      const Arms r = Arms::now(world_, row, world_.contacts->geometry[p.row]);
       Vec3 u = relative_velocity(world_.state, row, r.a, r.b);
       if (!world_.contacts->surface.empty()) u += world_.contacts->surface[p.row];
       const Vec3 gained = -2 * (velocity(asked, p.b, r.b) - velocity(asked, p.a, r.a));

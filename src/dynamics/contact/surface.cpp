@@ -1,6 +1,8 @@
 // Contacts whose surfaces move of themselves.
 #include "dynamics/contact/surface.h"
 
+#include "dynamics/contact/slide.h"
+
 namespace carom::dynamics {
 namespace {
 
@@ -43,6 +45,7 @@ void find_surfaces(const World& world, const StepTime&) {
       const Vec3 s = b.at(world.state.x[row.b], arms.b) - a.at(world.state.x[row.a], arms.a);
       c.surface[k] = s - s.dot(row.n) * row.n;
     }
+    find_slide(world, i, next - i, &c.surface[i]);
     c.driven.push_back({i, next - i, b.angular - a.angular});
     driven += next - i;
   }

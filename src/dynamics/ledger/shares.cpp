@@ -89,12 +89,18 @@ Link link_of(const Row& row) { return {row.a, row.b, row.moves_a, row.moves_b}; 
 // ---- contacts ----
 
 /// A point's impulse, split along the normal and across.
-void share_point(Shares& shares, const Row& row, const Vec3& p, const Vec3& r_a, const Vec3& r_b) {
+/// @param spread  null, or of whose spread contact: its normal impulse has a moment of its own
+void share_point(Shares& shares, const Row& row, const Vec3& p, const Vec3& r_a, const Vec3& r_b,
+                 const ConeContact* spread = nullptr) {
   if (p == Vec3::zero()) return;
   const Link link = link_of(row);
   Gift normal(shares.world()), friction(shares.world());
   const Vec3 along = p.dot(row.n) * row.n;
   normal.add(link, along, r_a, r_b);
+  if (spread) {
+    normal.add(link.moves_a, link.a, Vec3::zero(), -p.dot(row.n) * spread->n_a);
+    normal.add(link.moves_b, link.b, Vec3::zero(), p.dot(row.n) * spread->n_b);
+  }
   friction.add(link, p - along, r_a, r_b);
   shares.give(Cause::contact, normal);
   shares.give(Cause::friction, friction);
@@ -143,7 +149,8 @@ void share_groups(Shares& shares) {
   const DirectGroups& d = *world.direct;
   for (std::size_t i = 0; i < d.contacts.size(); ++i) {
     const ConeContact& contact = d.contacts[i];
-    share_point(shares, world.contacts->rows[d.row[i]], contact.p, contact.r_a, contact.r_b);
+    share_point(shares, world.contacts->rows[d.row[i]], contact.p, contact.r_a, contact.r_b,
+                contact.is_spread ? &contact : nullptr);
   }
 }
 

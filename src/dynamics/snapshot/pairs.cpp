@@ -49,7 +49,7 @@ void certificate(Io& io, C& c) {
   frame(io, c.b_in_a);
 }
 
-enum RecordBits : std::uint8_t { kPoints = 7, kWarm = 8, kCertain = 16, kFirm = 32, kOfB = 64, kRecordBits = 127 };
+enum RecordBits : std::uint8_t { kPoints = 7, kWarm = 8, kCertain = 16, kFirm = 32, kOfB = 64, kMoreCorners = 128 };
 
 /// All of a record but its pair.
 template <class Io, class R>
@@ -58,10 +58,11 @@ void record(Io& io, R& r, int& points) {
   const auto bits =
       io.value(Io::saves ? static_cast<std::uint8_t>(
                                r.manifold.count | (warm ? kWarm : 0) | (r.memory.certificate.known ? kCertain : 0) |
-                               (r.patch.firm ? kFirm : 0) | (r.patch.firm && r.patch.of_b ? kOfB : 0))
+                               (r.patch.firm ? kFirm : 0) | (r.patch.firm && r.patch.of_b ? kOfB : 0) |
+                               (r.manifold.has_more_corners ? kMoreCorners : 0))
                          : std::uint8_t(0));
   points = bits & kPoints;
-  io.demand(bits <= kRecordBits && points <= Manifold::kMaxPoints);
+  io.demand(points <= Manifold::kMaxPoints);
   if (io.bad()) return;
   if constexpr (Io::loads) r.memory = QueryMemory{}, r.manifold = Manifold{}, r.patch = PatchMemory{};
   if (bits & kWarm) {
@@ -69,7 +70,7 @@ void record(Io& io, R& r, int& points) {
     keep(io, r.memory.direction, direction);
   }
   if (bits & kCertain) certificate(io, r.memory.certificate);
-  keep(io, r.manifold.count, points);
+  keep(io, r.manifold.count, points), keep(io, r.manifold.has_more_corners, (bits & kMoreCorners) != 0);
   for (int k = 0; k < points; ++k) point(io, r.manifold.point[k]);
   if (!(bits & kFirm)) return;
   const Vec3 normal = io.vec(r.patch.normal);

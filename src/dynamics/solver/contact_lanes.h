@@ -34,10 +34,10 @@ template <class Number>
 struct PointLanesOf {
   using Lanes = LanesOf<Number>;
   using LaneVec = LaneVecOf<Number>;
-  LaneVec d;         // m, world axes: from the middle of the pair's points, as the step began
+  LaneVec d;         // m, world axes: from where the pair's friction acts, as the step began
   Lanes gap;         // m, separation as the step began
   Lanes separation;  // m, now
-  Lanes reach;       // m, |d|
+  Lanes reach;       // m, |d|; where the pair slides, mean distance of what it stands for: @see twist_share()
   Lanes m_n;         // kg, normal impulse per change of velocity; 0: an empty lane
   Lanes p_n;         // N s, of the present substep
   Lanes sum_n;       // N s, of the step
@@ -45,9 +45,9 @@ struct PointLanesOf {
   LaneVec n;         // unit, world, A to B; @see PairLanes::one_normal
 };
 
-/// Four pairs of one colour. Friction is answered once a pair, at the middle of its points: a force in the plane,
-/// within the disc of radius mu times the normal impulses, and a twist about the normal, within mu times their moments.
-/// The second tangent is n x t.
+/// Four pairs of one colour. Friction is answered once a pair, a force in the plane and a twist about the normal: of
+/// what sticks at the middle of its points, within bounds apart, of what slides at the middle of its loads as the step
+/// began, within one limit surface (rub()). The second tangent is n x t.
 template <class Number>
 struct PairLanesOf {
   using Lanes = LanesOf<Number>;
@@ -57,16 +57,19 @@ struct PairLanesOf {
   std::uint32_t first, points;                 // in WideContacts::points
   std::uint32_t one_normal;                    // 1: all points of each pair have its n, and PointLanes::n is not read
   std::uint32_t driven, locked;                // in LaneRun::drives and locks, from 1; 0: none of the four is
+  std::uint32_t slides;                        // 1: one of the four does
   Lanes inv_mass_a, inv_mass_b;                // 1/kg
   LaneSymmetric inv_inertia_a, inv_inertia_b;  // 1/(kg m^2), world, as the step began
   LaneVec n, t;                                // unit, world
-  LaneVec r_a, r_b;                            // m, from the centres of mass to the middle of the points
+  LaneVec r_a, r_b;                            // m, from the centres of mass to where friction acts
   Lanes radius_a, radius_b;                    // m, core radii, @see RowGeometry
   Lanes friction;
   Lanes bounce_speed;                          // m/s, what closes faster bounces; infinite: nothing does
   Lanes bias_rate, mass_scale, impulse_scale;  // softness, @see soft_step.h
   Lanes m_tt, m_ts, m_ss;                      // kg, impulse per change of velocity in the plane
   Lanes m_w;                                   // kg m^2, likewise of the twist
+  Lanes slide;                                 // above 0: slides as the step began, @see Row::slides; 0: sticks
+  Lanes k_slide;                               // 1/kg, most response in the plane; set only where a pair slides
   Lanes p_t, p_s, p_w;                         // N s, N m s, of the present substep
   Lanes sum_t, sum_s, sum_w;                   // of the step
   Lanes coupling[kCouplings];  // 1/kg: normal velocity at one point per normal impulse at another: 01 02 12 03 13 23
@@ -76,7 +79,7 @@ struct PairLanesOf {
 template <class Number>
 struct DriveLanesOf {
   using Lanes = LanesOf<Number>;
-  Lanes t, s;  // m/s, along the tangents, at the middle of the points
+  Lanes t, s;  // m/s, along the tangents, where friction acts
   Lanes w;     // rad/s, about the normal
 };
 
@@ -111,6 +114,7 @@ struct LaneSources {
   Lanes inv_mass_a, inv_mass_b;                                 // 1/kg
   Lanes to_b;                                                   // @see Arms
   Lanes friction;
+  Lanes slide;         // @see Row::slides: 1; 2 where it rubs by load, 0 where it sticks
   Lanes bounce_speed;  // m/s
 };
 /// Where the rows of four pairs are put back, and what of their bodies that takes. Lanes of nobody find zeros and are
@@ -150,7 +154,7 @@ struct PointMotions {
 };
 
 // In those, counted in doubles (wide_contacts.cpp holds them to it).
-inline constexpr int kRowNumbers = 24, kRowVelocity = 0, kRowNormal = 3, kRowImpulse = 16;
+inline constexpr int kRowNumbers = 24, kRowVelocity = 0, kRowNormal = 3, kRowImpulse = 16, kRowTwistShare = 21;
 inline constexpr int kGeometryNumbers = 17, kGeometryA = 0, kGeometryB = 3, kGeometryRadiusA = 6, kGeometryRadiusB = 7,
                      kGeometryImpulse = 8, kGeometrySeparation = 14;
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dynamics/solver/contact_kernels.h"
+#include "dynamics/solver/sweep_constants.h"
 
 namespace carom::dynamics {
 namespace {
@@ -67,7 +68,55 @@ CAROM_LANES_INLINE LaneSymmetricOf<Number> symmetric(const double* const* of) {
           rounded<Number>(m.column[1].y), rounded<Number>(m.column[2].y), rounded<Number>(m.column[2].z)};
 }
 
-/// Points where Arms sees them, friction at the middle of a pair's, from the impulses that its rows start with.
+/// @param slide  @see LaneSources
+template <class Lanes>
+CAROM_LANES_INLINE bool some_slide(Lanes slide) {
+  return slide[0] + slide[1] + slide[2] + slide[3] > 0;
+}
+
+/// Where friction of pairs that slide acts: at the middle of their loads. What bears nothing, as points in the air
+/// under a cylinder that rolls, has no part in it. Where loads are not known those points count that are as near as the
+/// nearest, to kTouching of their distance, all alike.
+struct SlidingMiddle {
+  LaneVec at = {all(0), all(0), all(0)};  // m, as `arm`
+  Lanes slide = all(0);                   // above 0: known
+
+  /// @param arm  [count] m
+  CAROM_LANES_INLINE SlidingMiddle(const LaneSources& of, const LaneVec* arm, int count) {
+    Lanes load[kPairPoints], gap[kPairPoints], whole = all(0), least = all(0), width2 = all(0);
+    for (int k = 0; k < count; ++k) {
+      const double *row[kLanes], *geometry[kLanes];
+      for (int lane = 0; lane < kLanes; ++lane) {
+        row[lane] = of.row[lane] + k * kRowNumbers;
+        geometry[lane] = of.geometry[lane] + k * kGeometryNumbers;
+      }
+      const LaneVec apart = arm[k] - arm[0];
+      load[k] = larger(inner(vector_at(row, kRowImpulse), vector_at(row, kRowNormal)), all(0));
+      gap[k] = number_at(geometry, kGeometrySeparation);
+      whole += load[k];
+      least = k == 0 || gap[k] < least ? gap[k] : least;
+      width2 = larger(inner(apart, apart), width2);
+    }
+    const auto bears = (whole > 0) & (of.slide > 1);
+    const Lanes near = all(kTouching.value) * square_root(width2);
+    Lanes sum = all(0), weight[kPairPoints];
+    for (int k = 0; k < count; ++k) {
+      const Lanes touches = gap[k] - least <= near ? all(1) : all(0);
+      weight[k] = bears ? load[k] : touches;
+      sum += weight[k];
+    }
+    slide = sum > 0 ? of.slide : all(0);
+    const Lanes per = 1 / (sum > 0 ? sum : all(1));
+    for (int k = 0; k < count; ++k) at = at + (per * weight[k]) * arm[k];
+  }
+  CAROM_LANES_INLINE LaneVec or_else(const LaneVec& middle, const LaneVec& moved) const {
+    const auto known = slide > 0;
+    return {known ? moved.x : middle.x, known ? moved.y : middle.y, known ? moved.z : middle.z};
+  }
+};
+
+/// Points where Arms sees them, friction at their middle or that of their loads, from the impulses that rows start
+/// with.
 template <class Number>
 void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
   for (std::size_t i = 0; i < run.count; ++i) {
@@ -97,8 +146,15 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
       arm[k] = on_a + of.to_b * (on_b - on_a);
       middle_a = middle_a + part * arm[k];
       middle_b = middle_b + part * (arm[k] - apart);
-      l_a = l_a + part * at_a;
+      l_a = l_a + part * at_a;  // the points of a body are held as one, wherever its friction acts
       l_b = l_b + part * at_b;
+    }
+    Lanes reach_share = all(1);
+    if (some_slide(of.slide)) {
+      reach_share = of.slide > 0 ? number_at(of.row, kRowTwistShare) : reach_share;
+      const SlidingMiddle sliding(of, arm, count);
+      middle_a = sliding.or_else(middle_a, sliding.at);
+      middle_b = sliding.or_else(middle_b, sliding.at - apart);
     }
     const LaneVec n = vector_at(of.row, kRowNormal), t = tangent_of(n);
     LaneVec force = zero;
@@ -113,7 +169,7 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
       twist += inner(cross(d, sideways), n);
       point.d = rounded<Number>(d);
       point.gap = point.separation = rounded<Number>(number_at(geometry, kGeometrySeparation));
-      point.reach = rounded<Number>(square_root(inner(d, d)));
+      point.reach = rounded<Number>(reach_share * square_root(inner(d, d)));
       point.p_n = rounded<Number>(p_n);
       point.sum_n = point.push = all<Number>(0);
       point.n = rounded<Number>(n_k);
@@ -126,6 +182,8 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
     pair.r_b = rounded<Number>(middle_b + LaneMatrix(of.held_b) * l_b);
     pair.radius_a = rounded<Number>(radius_a), pair.radius_b = rounded<Number>(radius_b);
     pair.friction = rounded<Number>(of.friction);
+    pair.slide = rounded<Number>(of.slide);
+    pair.slides = some_slide(of.slide);
     pair.bounce_speed = rounded<Number>(of.bounce_speed);
     pair.bias_rate = pair.mass_scale = pair.impulse_scale = all<Number>(0);
     pair.p_t = rounded<Number>(inner(force, t));
@@ -135,11 +193,11 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
   }
 }
 
-/// How friction of four pairs, a force and a twist at the middle of their points, is shared among them: by their loads,
+/// How friction of four pairs, a force and a twist about where it acts, is shared among them: by their loads,
 /// turned about the point at which those loads act together. Added up again it is what it was.
 class FrictionShares {
  public:
-  /// @param load  [count] N s, normal impulses   @param twist  N m s, about the middle
+  /// @param load  [count] N s, normal impulses   @param twist  N m s, about where it acts
   template <class Number>
   CAROM_LANES_INLINE FrictionShares(const PointLanesOf<Number>* points, const Lanes* load, int count, const LaneVec& n,
                                     const LaneVec& force, Lanes twist)
@@ -163,7 +221,7 @@ class FrictionShares {
     const auto turns = any & (moment > 1e-9 * whole * most);
     turn_ = turns ? (twist - inner(cross(centre_, force), n)) / (turns ? moment : all(1)) : all(0);
   }
-  /// N s, friction at a point   @param d  m, from the middle   @param load  N s
+  /// N s, friction at a point   @param d  m, from where it acts   @param load  N s
   CAROM_LANES_INLINE LaneVec at(const LaneVec& d, Lanes load) const {
     return load * (slide_ + turn_ * cross(n_, d - centre_));
   }

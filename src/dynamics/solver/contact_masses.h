@@ -17,6 +17,13 @@ CAROM_LANES_INLINE LaneVecOf<Number> normal_of(const PairLanesOf<Number>& pair, 
 /// Where the coupling of two points stands.
 constexpr int coupling_of(int k, int l) { return k < l ? l * (l - 1) / 2 + k : k * (k - 1) / 2 + l; }
 
+/// Of a symmetric response in the plane, the most that it gives in any direction.
+template <class Lanes>
+CAROM_LANES_INLINE Lanes most_response(Lanes tt, Lanes ts, Lanes ss) {
+  const Lanes half = (tt - ss) / 2;
+  return (tt + ss) / 2 + square_root(half * half + ts * ts);
+}
+
 /// Masses where bodies are locked. What nothing can move has none: along a direction whose response is but rounding of
 /// what it would be without locks nothing is asked for, and in a plane that gives way in one direction alone only that
 /// one counts.
@@ -44,6 +51,7 @@ void prepare_locked(const LaneRunOf<Number>& run, PairLanesOf<Number>& pair) {
   pair.m_tt = of_both * k_ss + of_one * k_tt;
   pair.m_ts = of_one * k_ts - of_both * k_ts;
   pair.m_ss = of_both * k_tt + of_one * k_ss;
+  if (pair.slides) pair.k_slide = some ? most_response(k_tt, k_ts, k_ss) : all<Number>(0);
   const LaneSymmetricOf<Number>&i_a = pair.inv_inertia_a, &i_b = pair.inv_inertia_b;
   const Lanes k_w = dot(pair.n, i_a * pair.n) + dot(pair.n, i_b * pair.n);
   const Lanes turns = kRounding * ((i_a.xx + i_a.yy + i_a.zz) + (i_b.xx + i_b.yy + i_b.zz));
@@ -86,6 +94,7 @@ bool prepare(const LaneRunOf<Number>& run) {
     pair.m_ts = -inverse * k_ts;
     pair.m_ss = inverse * k_tt;
     pair.m_w = inverse_or_zero(k_w);
+    if (pair.slides) pair.k_slide = most_response(k_tt, k_ts, k_ss);
     PointLanesOf<Number>* const points = run.points + pair.first;
     const int count = static_cast<int>(pair.points);
     for (int k = 0; k < count; ++k) {

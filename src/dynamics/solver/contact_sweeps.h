@@ -7,6 +7,7 @@
 #include "dynamics/solver/contact_layout.h"
 #include "dynamics/solver/contact_masses.h"
 #include "dynamics/solver/contact_points.h"
+#include "dynamics/solver/lane_friction.h"
 #include "dynamics/solver/sweep_constants.h"
 
 namespace carom::dynamics {
@@ -40,42 +41,7 @@ CAROM_LANES_INLINE void as_it_is(const Pair& pair, const F& f) {
   }
 }
 
-/// Coulomb's law in the plane: the impulses that stop twist and slip, shortened to what the normal impulses allow.
-template <int kCount, class Number>
-CAROM_LANES_INLINE void rub(Both<Number>& both, PairLanesOf<Number>& pair, const PointLanesOf<Number>* points,
-                            const DriveLanesOf<Number>* drives) {
-  using Lanes = LanesOf<Number>;
-  Lanes load = points[0].p_n, moment = points[0].reach * points[0].p_n;
-  for (int k = 1; k < kCount; ++k) {
-    load += points[k].p_n;
-    moment += points[k].reach * points[k].p_n;
-  }
-  if constexpr (kCount > 1) {  // one point has no reach, and bears no twist
-    const Lanes most_w = pair.friction * moment;
-    Lanes spin = dot(both.spin(), pair.n);
-    if (pair.driven) spin += drives[pair.driven - 1].w;
-    const Lanes p_w = larger(smaller(pair.p_w - pair.m_w * spin, most_w), -most_w);
-    both.twist((p_w - pair.p_w) * pair.n);
-    pair.p_w = p_w;
-  }
-  const LaneVecOf<Number> u = both.relative(pair.r_a, pair.r_b), s = cross(pair.n, pair.t);
-  Lanes u_t = dot(u, pair.t), u_s = dot(u, s);
-  if (pair.driven) {
-    u_t += drives[pair.driven - 1].t;
-    u_s += drives[pair.driven - 1].s;
-  }
-  Lanes p_t = pair.p_t - (pair.m_tt * u_t + pair.m_ts * u_s), p_s = pair.p_s - (pair.m_ts * u_t + pair.m_ss * u_s);
-  const Lanes most = pair.friction * load, size2 = p_t * p_t + p_s * p_s;
-  const auto outside = size2 > most * most;
-  const Lanes shorten = outside ? most / square_root(outside ? size2 : all<Number>(1)) : all<Number>(1);
-  p_t = shorten * p_t;
-  p_s = shorten * p_s;
-  both.push(pair.r_a, pair.r_b, (p_t - pair.p_t) * pair.t + (p_s - pair.p_s) * s);
-  pair.p_t = p_t;
-  pair.p_s = p_s;
-}
-
-/// Normal impulses of a pair, added up: what they are together at the middle of its points, and their moment about it.
+/// Normal impulses of a pair, added up: what they are together where its friction acts, and their moment about it.
 template <class Number, int kCount, int kOneNormal>
 struct Press {
   using Lanes = LanesOf<Number>;

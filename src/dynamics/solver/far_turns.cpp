@@ -7,6 +7,7 @@
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/ledger/ledger.h"
 #include "dynamics/solver/fill_lanes.h"
+#include "dynamics/solver/sweep_constants.h"
 
 namespace carom::dynamics {
 namespace {
@@ -51,11 +52,10 @@ class Renewal {
     const std::uint32_t a = pair.a[i], b = pair.b[i];
     const Vec3 apart = s.x[row.b] - s.x[row.a];
     std::array<Place, kPairPoints> at;
-    Vec3 middle = Vec3::zero();
-    for (std::uint32_t k = 0; k < m.points; ++k) {
+    const bool slides = pair.slide[i] > 0;
+    for (std::uint32_t k = 0; k < m.points; ++k)
       at[k] = place_now(world_, c.rows[m.row + k], c.geometry[m.row + k], apart);
-      middle += at[k].arm_a / static_cast<Real>(m.points);
-    }
+    const Vec3 middle = middle_of(at, points, lane, m.points, slides);
     const bool far_a = wide_.far_turn[a].marked, far_b = wide_.far_turn[b].marked;
     if (far_a) set(pair.r_a, lane, middle);
     if (far_b) set(pair.r_b, lane, middle - apart);
@@ -67,7 +67,7 @@ class Renewal {
       PointLanesOf<Number>& p = points[k];
       const Row& of = c.rows[m.row + k];
       const Vec3 d = at[k].arm_a - middle;
-      set(p.d, lane, d), set(p.reach, lane, d.norm());
+      set(p.d, lane, d), set(p.reach, lane, (slides ? row.twist_share : 1) * d.norm());
       Real gap = at[k].separation;
       if (h_ > 0) {
         gap = held_gap(gap, a, b, r_a + d, r_b + d, of.n);
@@ -80,6 +80,8 @@ class Renewal {
       if (!far_b) gap -= moved_by(wide_, s, b, r_b + d, -g.radius_b, of.n);
       set(p.gap, lane, gap);
     }
+    // What slides and has been rubbed in this substep has that much less to bear in the sweeps ahead.
+    if (slides) set(pair.friction, lane, (h_ > 0 ? left_to_rub(pair, points, lane, m.points) : 1) * row.friction);
     if (h_ > 0) book(pair.p_t, pair.sum_t, lane), book(pair.p_s, pair.sum_s, lane), book(pair.p_w, pair.sum_w, lane);
     if (h_ > 0 && keeps_books(world_)) forget_friction(world_, m.pair, m.lane);
     set(pair.p_t, lane, 0), set(pair.p_s, lane, 0), set(pair.p_w, lane, 0);
@@ -90,6 +92,38 @@ class Renewal {
   static void book(const Lanes& p, Lanes& sum, int lane) {
     sum[lane] += p[lane];
   }
+  /// Where friction acts, m, from A's centre of mass: of what slides at the middle of its loads, or where nothing bears
+  /// any of the points that touch, @see SlidingMiddle; else at the middle of all.
+  template <class Number>
+  static Vec3 middle_of(const std::array<Place, kPairPoints>& at, const PointLanesOf<Number>* points, int lane,
+                        std::uint32_t count, bool slides) {
+    Real weight[kPairPoints], sum = 0, least = kInfinity, width2 = 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      sum += weight[k] = slides ? std::max(Real(0), Real(points[k].p_n[lane])) : 1;
+      least = std::min(least, at[k].separation);
+      width2 = std::max(width2, (at[k].arm_a - at[0].arm_a).squared_norm());
+    }
+    const Real near = kTouching * std::sqrt(width2);
+    for (std::uint32_t k = 0; k < count && !(sum > 0); ++k) weight[k] = at[k].separation - least <= near ? 1 : 0;
+    Vec3 middle = Vec3::zero();
+    Real whole = 0;
+    for (std::uint32_t k = 0; k < count; ++k) middle += weight[k] * at[k].arm_a, whole += weight[k];
+    return middle / whole;
+  }
+  /// Which share of friction's bound a pair does not bear, @see lane_friction.h.
+  template <class Number>
+  static Real left_to_rub(const PairLanesOf<Number>& pair, const PointLanesOf<Number>* points, int lane,
+                          std::uint32_t count) {
+    Real load = 0, moment = 0;
+    for (std::uint32_t k = 0; k < count; ++k)
+      load += points[k].p_n[lane], moment += points[k].reach[lane] * points[k].p_n[lane];
+    const Real force2 = pair.p_t[lane] * pair.p_t[lane] + pair.p_s[lane] * pair.p_s[lane];
+    const Real x2 = force2 * ratio2(1, pair.friction[lane] * load),
+               y2 = ratio2(pair.p_w[lane], pair.friction[lane] * moment);
+    const Real sum = x2 + y2, borne2 = (sum + std::sqrt(sum * sum + 4 * kPatchBend * x2 * y2)) / 2;
+    return std::max(Real(0), 1 - std::sqrt(borne2));
+  }
+  static Real ratio2(Real part, Real whole) { return whole > 0 ? part / whole * (part / whole) : 0; }
   template <class Number>
   void set_inertia(std::uint32_t body, LaneSymmetricOf<Number>& to, int lane) const {
     LanesOf<Number> inv_mass;

@@ -22,6 +22,18 @@ inline constexpr Constant<double> kSpared{
     "1 or less: places are corrected against the springs, and stacks climb and creak; larger: overlap stays that no "
     "load asks for"};
 
-inline constexpr ConstantRow kSweepConstants[] = {kInnerSweeps, kUnderLoad, kSpared};
+inline constexpr Constant<double> kPatchBend{
+    "patch_bend", 0.6, "1",
+    "how much less than an ellipsoid the bound of a patch's friction holds where it slides and spins at once: between "
+    "what is exact for a disc that hardly slides (0.5) and for one that hardly spins (0.8)",
+    "smaller: what slides and spins stops sooner, by an eighth of its way at 0; larger: it goes farther"};
+
+inline constexpr Constant<double> kTouching{
+    "friction_touching", 0.01, "1",
+    "share of a patch's width by which a point may hang higher than the lowest and still counts where friction acts, "
+    "if loads are not known: 0.6 degrees of tilt, more than what rests has, less than a point in the air of a roller",
+    "smaller: friction of what has just landed acts at a corner; larger: it acts at points in the air"};
+
+inline constexpr ConstantRow kSweepConstants[] = {kInnerSweeps, kUnderLoad, kSpared, kPatchBend, kTouching};
 
 }  // namespace carom::dynamics

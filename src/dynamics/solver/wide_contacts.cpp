@@ -27,7 +27,8 @@ void hold_orientations(const World& world, SolverMemory& memory, WideContacts& w
 // What kernels know of a row's layout.
 constexpr std::size_t place_of(std::size_t bytes) { return bytes / sizeof(double); }
 static_assert(sizeof(Row) == kRowNumbers * sizeof(double) && place_of(offsetof(Row, u)) == kRowVelocity &&
-              place_of(offsetof(Row, n)) == kRowNormal && place_of(offsetof(Row, p)) == kRowImpulse);
+              place_of(offsetof(Row, n)) == kRowNormal && place_of(offsetof(Row, p)) == kRowImpulse &&
+              place_of(offsetof(Row, twist_share)) == kRowTwistShare);
 static_assert(sizeof(RowGeometry) == kGeometryNumbers * sizeof(double) &&
               place_of(offsetof(RowGeometry, l_a)) == kGeometryA &&
               place_of(offsetof(RowGeometry, l_b)) == kGeometryB &&
@@ -54,7 +55,8 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
                               of.x_a, of.x_b, of.row, of.geometry})
         all[lane] = kZeros;
       pair.a[lane] = pair.b[lane] = 0;
-      of.inv_mass_a[lane] = of.inv_mass_b[lane] = of.to_b[lane] = of.friction[lane] = of.bounce_speed[lane] = 0;
+      of.inv_mass_a[lane] = of.inv_mass_b[lane] = of.to_b[lane] = of.friction[lane] = of.slide[lane] =
+          of.bounce_speed[lane] = 0;
       continue;
     }
     const std::uint32_t at = wide.manifolds[occupant[lane]].row;
@@ -70,6 +72,7 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
     of.inv_mass_b[lane] = row.moves_b ? scene.inv_mass[row.b] : 0;
     of.to_b[lane] = Arms::to_b(row, g);
     of.friction[lane] = row.friction;
+    of.slide[lane] = row.slides + row.rubs_by_load;
     of.bounce_speed[lane] = row.restitution > 0 ? scene.dials[Dial::restitution_speed] : kInfinity;
   }
   return of;
@@ -88,8 +91,9 @@ void fill_drives(const World& world, const WideContacts& wide, ContactLanes<Numb
       rows.drives.push_back({all<Number>(0), all<Number>(0), all<Number>(0)});
       pair.driven = static_cast<std::uint32_t>(rows.drives.size());
     }
-    Vec3 velocity = Vec3::zero();  // at the middle: it is linear over the points
-    for (std::uint32_t k = 0; k < m.points; ++k) velocity += c.surface[m.row + k];
+    Vec3 velocity = Vec3::zero();  // where friction acts: it is linear over the points
+    for (std::uint32_t k = 0; k < m.points; ++k)
+      velocity += c.surface[m.row + k] - driven.spin.cross(get(rows.points[pair.first + k].d, m.lane));
     velocity /= static_cast<Real>(m.points);
     const Vec3 n = get(pair.n, m.lane), t = get(pair.t, m.lane);
     DriveLanesOf<Number>& drive = rows.drives[pair.driven - 1];

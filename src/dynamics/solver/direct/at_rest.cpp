@@ -25,7 +25,7 @@ constexpr Real kSoftnessAtRest = 1e-7;  // leaves 1e-11 m/s of 1e-5 m/s in a pyr
 Real resistance_at_rest(const ConeContact& c) { return kSoftnessAtRest * c.k; }
 
 bool find_factor_at_rest(ConeProblem& problem, Sticking which) {
-  problem.sticking = 0;
+  problem.factored = 0;
   assemble_masses(problem);
   for (const ConeContact& c : problem.contacts)
     if (sticks(c, which)) add_sticking(problem, c, 1 / resistance_at_rest(c));

@@ -30,6 +30,10 @@ struct ConeLink {
 
   // of a solve, of a round: as of a contact
   Real best, p0, u0, du;
+  bool is_held = false;  // in the factor
+
+  /// Its impulse is whatever holds it: linear.
+  bool is_lock() const { return k > 0 && low == high && give == 0 && most == kInfinity; }
 
   /// What p becomes at velocity v, in a round of resistance r.
   Real pulled(Real v, Real r, Real from) const {

@@ -70,8 +70,10 @@ class FrozenSlip {
         most_steps_(most_steps),
         softness_(first_softness()) {}
 
-  void solve(Real target) {
-    Real left = offence_now();
+  /// @return whether it has come nearer
+  bool solve(Real target) {
+    const Real first = offence_now();
+    Real left = first;
     for (int i = 0; i < kRounds && left > target && answer_.factorisations < most_steps_; ++i) {
       Round round(problem_, softness_);
       const std::uint32_t most = std::min(kRoundSteps, most_steps_ - answer_.factorisations);
@@ -81,10 +83,11 @@ class FrozenSlip {
       const Real now = offence_now(), was = softness_;
       if (!(now < left)) round.take_back();
       if (!(now < kGood * left))
-        softness_ = steps < kHard ? std::max(kLeast, kHarder * was) : std::min(kMost, kSofter * was);
-      if (!(now < left) && softness_ == was) return;  // at one end, and it did not help
+        softness_ = steps < kHard && !round.is_stuck() ? std::max(kLeast, kHarder * was) : std::min(kMost, kSofter * was);
+      if (!(now < left) && softness_ == was) break;  // at one end, and it did not help
       left = std::min(left, now);
     }
+    return left < first;
   }
 
  private:
@@ -136,6 +139,8 @@ void update_slips(ConeProblem& problem, bool first, Real noise) {
 
 ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps) {
   constexpr int kSlips = 60;
+  constexpr Real kOfTolerance = 0.3, kOfSlip = 0.03;  // closer to a slip that will change is for nothing
+  problem.factored = 0;
   ConeAnswer answer;
   answer.residual = residual(problem);
   answer.reached = answer.residual <= tolerance;
@@ -144,9 +149,12 @@ ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_
   for (ConeContact& c : problem.contacts) c.slip = 0;
   FrozenSlip frozen(problem, answer, most_steps);
   Real now = answer.residual;
-  for (int i = 0; i < kSlips && answer.residual > tolerance && answer.factorisations < most_steps; ++i) {
+  const bool has_slips = !problem.contacts.empty();  // joints have none: what did not help once never will
+  bool goes_on = true;
+  for (int i = 0; i < kSlips && goes_on && answer.residual > tolerance && answer.factorisations < most_steps; ++i) {
     update_slips(problem, i == 0, tolerance);
-    frozen.solve(std::max(0.3 * tolerance, 0.03 * now));
+    const Real target = kOfTolerance * tolerance;
+    goes_on = frozen.solve(has_slips ? std::max(target, kOfSlip * now) : target) || has_slips;
     now = residual(problem);
     if (now < answer.residual) answer.residual = now, save_impulses<&ConeContact::best, &ConeLink::best>(problem);
   }

@@ -15,13 +15,27 @@ namespace carom::dynamics {
 
 inline constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 
+/// How impulses of a contact change with its velocity: not, alike in all directions, or otherwise.
+enum class ConeCurvature : std::uint8_t { none, alike, slope };
+
+/// A contact along a Newton step: z, the impulse before it is projected, is z0 + length z1.
+struct ConeLine {
+  Real n0, n1;      // N s, of z along n
+  Real t00, t01, t11;  // (N s)^2, squares and product across n
+  Real u_n;         // m/s, of du along n
+  Real ut0, ut1;    // J, of du and z across n
+  Real start;       // J, du . p0
+};
+
 struct ConeContact {
   std::uint32_t a, b;   // bodies of the problem, or kNobody: not moved by impulses
   std::uint32_t below;  // in BlockFactor::below: the block that couples a and b; kNobody where there is none
   bool a_later;         // a is eliminated after b
   bool is_curved;       // a shape is not known to be a polytope: @see ConeGroup::follow_bodies()
+  bool is_spread;       // of a patch that slides: its friction acts beside its normal impulses, @see spread()
   Vec3 n;               // unit, world, A to B
-  Vec3 r_a, r_b;        // m, world axes; zero where the body does not rotate
+  Vec3 r_a, r_b;        // m, world axes: where friction acts; zero where the body does not rotate
+  Vec3 n_a, n_b;        // m, moment about there of a unit of normal impulse; set only where it is spread
   Real friction;
   Vec3 carried;  // m/s, of the point on B relative to A where impulses do not change the bodies' velocities
   Real want;     // m/s
@@ -41,6 +55,8 @@ struct ConeContact {
   // of a round
   Vec3 p0, u0;  // as it began
   Vec3 du;      // m/s, of a Newton step
+  ConeCurvature curvature = ConeCurvature::none;  // of the factor
+  ConeLine line;
 };
 
 struct ConeBody {
@@ -71,14 +87,27 @@ struct ConeProblem {
   const Elimination* elimination;
   BlockFactor* factor;
   Vec6* scratch;  // by place
-  // Softness of a round whose contacts all stick, which the factor is for; 0: it is for another. All such rounds of a
-  // solve have the same curvature.
-  Real sticking = 0;
+  Real factored = 0;  // softness of the round that the factor is for, with curvatures as they stand; 0: another matrix
   std::span<ConeLink> links{};
   bool stood = false;  // no body was faster, before this substep, than its loads alone make it
 };
 
 // ---- small parts that all files of this room share ----
+
+/// What add_impulse() and relative() leave out where a contact is spread: moments of its normal impulse, and normal
+/// velocity by spins.
+template <Vec6 ConeBody::*kMomentum>
+void add_moments(ConeBody* bodies, const ConeContact& c, Real normal) {
+  if (c.a != kNobody) (bodies[c.a].*kMomentum) -= {Vec3::zero(), normal * c.n_a};
+  if (c.b != kNobody) (bodies[c.b].*kMomentum) += {Vec3::zero(), normal * c.n_b};
+}
+template <Vec6 ConeBody::*kVelocity>
+Vec3 by_moments(const ConeBody* bodies, const ConeContact& c) {
+  Real normal = 0;
+  if (c.b != kNobody) normal += (bodies[c.b].*kVelocity).angular().dot(c.n_b);
+  if (c.a != kNobody) normal -= (bodies[c.a].*kVelocity).angular().dot(c.n_a);
+  return normal * c.n;
+}
 
 /// Impulse p on B and -p on A, as changes of the bodies' momentum.
 template <Vec6 ConeBody::*kMomentum>
@@ -91,6 +120,8 @@ void add_impulse(const ConeProblem& problem, const ConeContact& c, const Vec3& p
     Vec6& m = problem.bodies[c.b].*kMomentum;
     m += {p, c.r_b.cross(p)};
   }
+  if (c.is_spread) [[unlikely]]
+    add_moments<kMomentum>(problem.bodies, c, p.dot(c.n));
 }
 
 template <Vec6 ConeBody::*kVelocity>
@@ -104,6 +135,8 @@ Vec3 relative(const ConeBody* bodies, const ConeContact& c) {
     const Vec6& v = bodies[c.a].*kVelocity;
     u -= v.linear() + v.angular().cross(c.r_a);
   }
+  if (c.is_spread) [[unlikely]]
+    u += by_moments<kVelocity>(bodies, c);
   return u;
 }
 

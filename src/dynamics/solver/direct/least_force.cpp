@@ -25,12 +25,13 @@ void find_contact_momentum(ConeProblem& problem) {
 }
 
 void push(ConeProblem& problem, const ConeContact& c, const Vec3& p) {
-  const auto act = [&](std::uint32_t body, const Vec3& r, Real sign) {
+  const auto act = [&](std::uint32_t body, const Vec3& r, const Vec3& moment, Real sign) {
     if (body == kNobody) return;
     ConeBody& b = problem.bodies[body];
-    b.v += velocity_of(b, {sign * p, sign * r.cross(p)});
+    const Vec3 turn = c.is_spread ? Vec3(r.cross(p) + p.dot(c.n) * moment) : r.cross(p);
+    b.v += velocity_of(b, {sign * p, sign * turn});
   };
-  act(c.a, c.r_a, -1), act(c.b, c.r_b, 1);
+  act(c.a, c.r_a, c.n_a, -1), act(c.b, c.r_b, c.n_b, 1);
 }
 
 void push(ConeProblem& problem, const ConeLink& c, Real p) {
@@ -42,14 +43,14 @@ void push(ConeProblem& problem, const ConeLink& c, Real p) {
 struct Responses {
   Real normal = 0, any = 0;
   Responses(const ConeProblem& problem, const ConeContact& c) {
-    const auto add = [&](std::uint32_t body, const Vec3& r) {
+    const auto add = [&](std::uint32_t body, const Vec3& r, const Vec3& moment) {
       if (body == kNobody) return;
       const ConeBody& b = problem.bodies[body];
-      const Vec3 turn = r.cross(c.n);
+      const Vec3 turn = c.is_spread ? Vec3(r.cross(c.n) + moment) : r.cross(c.n);
       normal += b.inv_mass + turn.dot(b.inv_inertia * turn);
       any += b.inv_mass + b.inv_inertia.trace() * r.squared_norm();
     };
-    add(c.a, c.r_a), add(c.b, c.r_b);
+    add(c.a, c.r_a, c.n_a), add(c.b, c.r_b, c.n_b);
   }
 };
 

@@ -1,8 +1,12 @@
 #include "dynamics/solver/direct/load.h"
 
+#include <algorithm>
+
 #include "dynamics/contact/held_arms.h"
+#include "dynamics/contact/slide.h"
 #include "dynamics/force/force.h"
 #include "dynamics/solver/pair_points.h"
+#include "dynamics/solver/sweep_constants.h"
 
 namespace carom::dynamics {
 namespace {
@@ -31,6 +35,52 @@ bool is_curved(const World& world, const RowGeometry& g) {
   const Pair& pair = world.pairs.place(g.pair).pair;
   const Array<const Shape*>& shape = world.scene.colliders.shape;
   return is_curved(*shape[pair.a]) || is_curved(*shape[pair.b]);
+}
+
+/// Whether all points of a pair are as near as the nearest, to kTouching of their distance. What has some in the air is
+/// no patch: it tips, rolls or parts.
+bool lies_flat(const Contacts& c, const PairRows& pair, const Vec3* r) {
+  Real least = kInfinity, most = -kInfinity, width2 = 0;
+  for (std::uint32_t k = 0; k < pair.count; ++k) {
+    const Real gap = c.geometry[pair.row + k].separation;
+    least = std::min(least, gap), most = std::max(most, gap);
+    width2 = std::max(width2, (r[k] - r[0]).squared_norm());
+  }
+  return most - least <= kTouching * std::sqrt(width2);
+}
+
+/// rad/s, what surfaces of a pair turn of themselves.
+Vec3 surface_spin(const Contacts& c, std::uint32_t row) {
+  const auto it = std::lower_bound(c.driven.begin(), c.driven.end(), row,
+                                   [](const Driven& d, std::uint32_t r) { return d.row < r; });
+  return it != c.driven.end() && it->row == row ? it->spin : Vec3(Vec3::zero());
+}
+
+/// Let friction of a patch that slides act where its loads do: of each point nearer to their middle, or where they are
+/// not known to that of the points. Of what sticks it acts at the points.
+/// @param contacts  of the pair, which act at its points so far   @param r  m, from B's centre of mass
+void spread(const Contacts& c, const PairRows& pair, const Carried& a, const Carried& b, const Vec3* r,
+            ConeContact* contacts) {
+  const Row* const rows = &c.rows[pair.row];
+  if (!rows->one_normal || !lies_flat(c, pair, r)) return;
+  Real load[kPairPoints], whole = 0;
+  for (std::uint32_t k = 0; k < pair.count; ++k) whole += load[k] = std::max(Real(0), rows[k].p.dot(rows->n));
+  if (!(whole > 0)) return;
+  const Vec3 spin = surface_spin(c, pair.row) + b.omega - a.omega;
+  Vec3 middle = Vec3::zero();
+  for (std::uint32_t k = 0; k < pair.count; ++k)
+    middle += (rows->loads_known ? load[k] / whole : Real(1) / pair.count) * r[k];
+  for (std::uint32_t k = 0; k < pair.count; ++k) {
+    ConeContact& contact = contacts[k];
+    const Vec3 apart = (1 - rows->twist_share) * (r[k] - middle), moment = apart.cross(contact.n),
+               turned = spin.cross(apart);
+    if (a.turns) contact.r_a -= apart;
+    if (b.turns) contact.r_b -= apart;
+    contact.n_a = a.turns ? moment : Vec3::zero();
+    contact.n_b = b.turns ? moment : Vec3::zero();
+    contact.carried -= turned - turned.dot(contact.n) * contact.n;
+    contact.is_spread = true;
+  }
 }
 
 }  // namespace
@@ -74,6 +124,7 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
       const Vec3 r_a(places.r_a.x[k], places.r_a.y[k], places.r_a.z[k]),
           r_b(places.r_b.x[k], places.r_b.y[k], places.r_b.z[k]);
       contact.is_curved = curved;
+      contact.is_spread = false;
       contact.n = c.rows[pair.row + k].n;
       contact.r_a = carried_a.turns ? r_a : Vec3::zero();
       contact.r_b = carried_b.turns ? r_b : Vec3::zero();
@@ -82,6 +133,10 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
       contact.carried = carries ? Vec3(carried_b.at(r_b) - carried_a.at(r_a)) : Vec3::zero();
       if (!c.surface.empty()) contact.carried += c.surface[pair.row + k];
     }
+    if (!first.slides) return;
+    Vec3 at[kPairPoints];
+    for (std::uint32_t k = 0; k < pair.count; ++k) at[k] = Vec3(places.r_b.x[k], places.r_b.y[k], places.r_b.z[k]);
+    spread(c, pair, carried_a, carried_b, at, contacts + pair.at);
   });
 }
 

@@ -1,6 +1,8 @@
 // One proximal round of the direct solver: a smooth convex problem in the velocities, by Newton's method.
 #pragma once
 
+#include <algorithm>
+
 #include "dynamics/solver/direct/cone_problem.h"
 
 namespace carom::dynamics {
@@ -16,9 +18,12 @@ class Round {
   std::uint32_t minimise(Real tolerance, std::uint32_t most_steps);
   /// As it was before.
   void take_back();
+  /// It ended where rounding decides which way to go: a softer round is better conditioned.
+  bool is_stuck() const { return is_stuck_; }
 
  private:
   Real resistance(const ConeContact& c) const { return softness_ * c.k + c.give; }
+  Real resistance(const ConeLink& c) const { return (c.is_lock() ? std::min(kSoftnessOfLocks, softness_) : softness_) * c.k; }
   /// Impulse before it is projected, at velocity u.
   Vec3 pull(const ConeContact& c, const Vec3& u) const {
     return c.p0 - (u - (c.want - c.slip) * c.n + c.give * c.p0) / resistance(c);
@@ -27,21 +32,37 @@ class Round {
   /// @return m/s, the most that a contact's velocity would change if bodies had the momentum that impulses give
   Real find_gradient();
   /// The factor for the next step, or false: there is none.
-  /// @param still  m/s, @see assemble()
+  /// @param still  m/s, @see find_curvatures()
   bool find_factor(Real still);
-  /// Curvature: M + sum J^T (dP/dz / R) J. What a host has just built touches and bears nothing yet: all its contacts
-  /// are at the tips of their cones, where dP/dz jumps. Taken as off the cones they would be found one layer a step.
+  /// What a host has just built touches and bears nothing yet: all its contacts are at the tips of their cones, where
+  /// dP/dz jumps. Taken as off the cones they would be found one layer a step.
   /// @param still  m/s: contacts that bear nothing and move no faster are taken to stick
-  void assemble(Real still);
+  /// @return whether the factor is that of these curvatures
+  bool find_curvatures(Real still);
+  ConeCurvature curvature_of(const ConeContact& c, Real still) const;
+  /// M + sum J^T (dP/dz / R) J.
+  void assemble();
   void find_step();
   /// Where along the step the function is least, closely enough: a root of its derivative, which grows.
-  Real search() const;
+  /// @return 0 where the derivative at the start is but rounding
+  Real search();
+  /// Terms of the derivative that each contact has, @see ConeLine, and of all that is linear.
+  struct Slope {
+    Real start, grows;  // J, of bodies and locks: start + length grows
+    Real rounding;      // J, of all
+  };
+  Slope find_slope();
+  /// J, along the step.
+  Real derivative(const Slope& slope, Real length) const;
   /// Bodies get the momentum of the impulses, to the bit.
   void accept();
 
+  /// Locks are linear: for them a hard round is as easy as a soft one, and one is enough.
+  static constexpr Real kSoftnessOfLocks = 1e-7;
+
   ConeProblem& problem_;
   Real softness_;
-  bool all_stick_ = false;
+  bool is_stuck_ = false;
 };
 
 // ---- Newton's matrix, for others that solve with it ----
