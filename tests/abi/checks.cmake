@@ -2,7 +2,7 @@
 function(carom_script_test name)
   add_test(NAME abi/${name} COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DBINARY_DIR=${CMAKE_BINARY_DIR}
     -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/${name} ${ARGN} -P ${CMAKE_CURRENT_SOURCE_DIR}/abi/check_${name}.cmake)
-  set_tests_properties(abi/${name} PROPERTIES TIMEOUT 300 LABELS abi)
+  set_tests_properties(abi/${name} PROPERTIES TIMEOUT 600 LABELS abi)
 endfunction()
 
 carom_script_test(headers)
