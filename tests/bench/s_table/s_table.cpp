@@ -12,12 +12,6 @@ namespace {
 using namespace carom;
 using namespace carom::bench;
 
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
-}
-
 std::string profile(const Row& row, const Record& record) {
   const double all = std::accumulate(record.stages.begin(), record.stages.end(), 0.0);
   std::string text = row.id + ":";

@@ -8,12 +8,6 @@
 namespace carom::bench {
 namespace {
 
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
-}
-
 /// What became of the scene, in words.
 std::string outcome(const Row& row, const Record& record) {
   std::string text;
@@ -67,6 +61,12 @@ std::FILE* opened(const char* path, const char* head) {
 
 }  // namespace
 
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
 const Record* best_peer(const Row& row, const std::vector<Record>& records) {
   const auto carom = std::find_if(records.begin(), records.end(), [](const Record& r) { return r.is_carom; });
   const Record* best = nullptr;
@@ -88,8 +88,8 @@ const RayRecord* best_peer(const std::vector<RayRecord>& records) {
 
 Table::Table(const char* csv, const char* steps)
     : csv_(opened(csv,
-                  "row,engine,is_carom,cost,unit,last_third_ms,p99_ms,worst_ms,first_ms,holds,of_best,aim,peak_penetration_mm,"
-                  "peak_gap_mm\n")),
+                  "row,engine,is_carom,cost,unit,last_third_ms,p99_ms,worst_ms,first_ms,holds,of_best,aim,"
+                  "peak_penetration_mm,peak_gap_mm\n")),
       steps_(opened(steps, "row,engine,step,ms\n")) {}
 
 void Table::add(const Row& row, const std::vector<Record>& records) {

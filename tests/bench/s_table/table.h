@@ -3,10 +3,13 @@
 
 #include <cstdio>
 #include <memory>
+#include <string>
 
 #include "rays.h"
 
 namespace carom::bench {
+
+std::string format(const char* pattern, double value);
 
 /// The fastest peer in which a row holds and no joint gapes farther than Carom's; of rows of memory the one that takes
 /// least. Null: there is none.
