@@ -12,7 +12,7 @@ struct PresetRow {
 };
 // Choices, as dials.cpp numbers them.
 constexpr Real kAuto = 4, kVerlet = 3, kSplitting = 5, kSplitting4 = 6, kSplitting6 = 7;
-constexpr PresetRow kRows[] = {
+constexpr PresetRow kPresetRows[] = {
     {Dial::integrator, kVerlet, kVerlet, kVerlet},
     {Dial::rotation, kSplitting, kSplitting4, kSplitting6},
     {Dial::substeps, 1, 16, 64},
@@ -27,7 +27,7 @@ constexpr PresetRow kRows[] = {
 const char* name_of(Preset preset) { return kNames[static_cast<std::size_t>(preset)]; }
 
 std::optional<Real> preset_value(Preset preset, Dial dial) {
-  for (const PresetRow& row : kRows) {
+  for (const PresetRow& row : kPresetRows) {
     if (row.dial != dial) continue;
     switch (preset) {
       case Preset::fast:

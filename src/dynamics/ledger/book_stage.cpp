@@ -24,7 +24,7 @@ void lay_columns(const World& world) {
   l.cause_of[Ledger::kLock] = static_cast<std::uint8_t>(index_of(Cause::axis_locks));
   l.cause_of[Ledger::kResist] = static_cast<std::uint8_t>(index_of(Cause::resistance));
   l.cause_of[Ledger::kSolve] = static_cast<std::uint8_t>(index_of(Cause::unassigned));
-  std::size_t columns = Ledger::kRows;
+  std::size_t columns = Ledger::kFixedColumns;
   for (std::size_t r = 0; r < plan.effects.size(); ++r) {
     const PlannedEffect& row = plan.effects[r];
     if (row.effect->force == gravity::force) l.gravity = cause_of_row(r);
@@ -94,7 +94,7 @@ void share_hit(const World& world, std::uint32_t i, Real h) {
   const Real m = world.scene.mass[i];
   const Vec3 shift = s.x[i] - b.x, late = world.plan->integrator->lag * (s.v[i] - b.seen_v) + shift / h;
   const auto kicks = l.kicks_of(i);
-  for (std::size_t c = Ledger::kRows; c < l.columns; ++c) {
+  for (std::size_t c = Ledger::kFixedColumns; c < l.columns; ++c) {
     const Real work = m * kicks[c].v.dot(late);
     const std::size_t cause = l.cause_of[c] == l.gravity ? index_of(Cause::integrator) : l.cause_of[c];
     l.step[cause].add({work, 0, Vec3::zero(), Vec3::zero()});
@@ -153,7 +153,7 @@ void book_move(const World& world, std::uint32_t i) {
   }
   if (world.plan->integrator->proposes && !world.plan->touched[i]) {  // forces act at the middle of the way
     const auto kicks = l.kicks_of(i);
-    for (std::size_t c = Ledger::kRows; c < l.columns; ++c) {
+    for (std::size_t c = Ledger::kFixedColumns; c < l.columns; ++c) {
       const Vec3 moment = (0.5 * m) * way.cross(kicks[c].v);
       l.step[l.cause_of[c]].add({0, 0, Vec3::zero(), moment});
       moved.angular -= moment;

@@ -101,7 +101,7 @@ void book_turns(const World& world) {
     Ledger::Body& b = l.body[i];
     const auto kicks = l.kicks_of(i);
     Ledger::Kick rest{s.v[i] - b.seen_v, s.omega[i] - b.seen_omega};
-    for (std::size_t c = Ledger::kRows; c < l.columns; ++c) rest.v -= kicks[c].v, rest.omega -= kicks[c].omega;
+    for (std::size_t c = Ledger::kFixedColumns; c < l.columns; ++c) rest.v -= kicks[c].v, rest.omega -= kicks[c].omega;
     kicks[Ledger::kTurn] = rest;
     b.seen_v = s.v[i], b.seen_omega = s.omega[i];
   });

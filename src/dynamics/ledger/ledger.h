@@ -113,12 +113,12 @@ struct Ledger {
     Vec3 v, omega;  // m/s, rad/s
   };
   /// Columns of kicks: these, then one for each row of the table that acts in this step.
-  enum : std::size_t { kTurn, kLock, kResist, kSolve, kRows };
+  enum : std::size_t { kTurn, kLock, kResist, kSolve, kFixedColumns };
   Array<Body> body;   // by slot; between steps as the state has it
   Array<Kick> kicks;  // [slots][columns]; zero between phases
-  std::size_t columns = kRows;
+  std::size_t columns = kFixedColumns;
   std::array<std::uint8_t, kEffectCount> column_of{};         // by row of the table
-  std::array<std::uint8_t, kRows + kEffectCount> cause_of{};  // by column
+  std::array<std::uint8_t, kFixedColumns + kEffectCount> cause_of{};  // by column
   Array<Kick> probe;                                          // by slot: velocities before a row
   std::size_t gravity = 0;                                    // cause
 
