@@ -148,7 +148,7 @@ CAROM_API int32_t carom_world_get_contacts(carom_world *world, carom_contact *ds
 #define CAROM_REASON_BOUNCE 4u     /* something in it bounces: not given any more, every solver answers that alike */
 #define CAROM_REASON_BLOW 5u       /* it would sink, but something strikes it just now: soft contacts take the blow */
 #define CAROM_REASON_STILL 6u      /* a few bodies that lie still */
-#define CAROM_REASON_JOINED 7u     /* some bodies that joints alone hold together   @since 1.5 */
+#define CAROM_REASON_JOINED 7u     /* some bodies that joints hold together         @since 1.5 */
 
 /** A contact group of the last step, and how CAROM_SOLVER_AUTO answered it.   @since 1.2 */
 typedef struct carom_group {

@@ -33,9 +33,10 @@
 //
 // Scenery is swept against, never swept: a mesh that a host drives fast is met where it stands.
 //
-// What this is not: kinematic bodies that crush something between them are not stopped; a half-space that turns is
-// swept as if it did not; a body that has but sensors is not swept; obstacles that neither a
-// customer's straight path of the step comes near nor a hit before are taken to come from where their velocity tells.
+// What this is not: two bodies that both are joined to something are not swept against each other; kinematic bodies that
+// crush something between them are not stopped; a half-space that turns is swept as if it did not; a body that has but
+// sensors is not swept; obstacles that neither a customer's straight path of the step comes near nor a hit before are
+// taken to come from where their velocity tells.
 //
 // @oracle tests/oracle/test_bullet, tests/unit/dynamics/test_ccd
 #pragma once

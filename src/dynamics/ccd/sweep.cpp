@@ -8,6 +8,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
+#include "dynamics/joint/wide_joints.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/direct.h"
@@ -151,6 +152,13 @@ void Sweeper::look_ahead(SweptBody& b, Real now) {
   }
 }
 
+/// A hit changes two bodies as if they were free, and what joints hold is not: of two that both are joined it would tear
+/// joints, and those would bring the two together to be hit again. Contacts answer them, from where they are then.
+bool Sweeper::are_both_joined(std::uint32_t a, std::uint32_t b) const {
+  const Array<std::uint8_t>& linked = world_.wide_joints->linked;
+  return !linked.empty() && moved_by_hits(a) && moved_by_hits(b) && linked[a] && linked[b];
+}
+
 void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t other) {
   constexpr std::uint32_t kMostHits = SweptBody::kMostHits;
   const Colliders& table = world_.scene.colliders;
@@ -160,6 +168,7 @@ void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t 
   const EffectModes& modes = world_.scene.modes;
   if (modes.forbids(+EffectId::response, b.body) || modes.forbids(+EffectId::response, body)) return;
   if (!moved_by_hits(b.body) && !moved_by_hits(body)) return;
+  if (are_both_joined(b.body, body)) return;
   const SweptBody* const known = c_.find(body);
   // Who has been hit enough waits for the next substep: it stops others, but is not pushed on by what nothing stops.
   const bool spent = b.hits >= kMostHits, other_spent = known && known->hits >= kMostHits;

@@ -7,7 +7,7 @@
 //    thickness: that is what a tall stack and a heavy load on a light body have in common, and it is known before
 //    anything is solved, or
 //  - it is a few bodies that lie still: to hold them exactly costs next to nothing, or
-//  - it is some bodies that joints alone hold together: their equations are solved at once, and to rounding;
+//  - it is some bodies that joints hold together: their equations are solved at once, alone to rounding;
 // unless something strikes it (a blow sends the direct solver through all of a heap, and passes), it is too large, or
 // could not be solved within direct_work lately: then it moves so much that soft contacts will do.
 #include <algorithm>
@@ -102,12 +102,25 @@ Real weight_if_new(const World& world, std::size_t group, Real h, Seen& seen) {
   return is_new ? mass * gravity : 0;
 }
 
-/// Masses of bodies that joints hold together.
+bool has_joints(const Contacts& c, std::size_t group) {
+  return !c.group_link_begin.empty() && c.group_link_begin[group] < c.group_link_begin[group + 1];
+}
+
+/// Of bodies that joints hold, the heaviest over the lightest: what hangs on what is light is as hard to hold over some
+/// links as over one.
 void look_at_joints(const World& world, std::size_t group, GroupView& view) {
   const Contacts& c = *world.contacts;
-  if (c.group_link_begin.empty()) return;
-  for (std::uint32_t k = c.group_link_begin[group]; k < c.group_link_begin[group + 1]; ++k)
-    view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(world.scene, c.links[c.group_links[k]]));
+  if (!has_joints(c, group)) return;
+  Real least = kInfinity, most = 0;
+  const auto meet = [&](bool moves, std::uint32_t body) {
+    if (!moves) return;
+    least = std::min(least, world.scene.mass[body]), most = std::max(most, world.scene.mass[body]);
+  };
+  for (std::uint32_t k = c.group_link_begin[group]; k < c.group_link_begin[group + 1]; ++k) {
+    const Link& link = c.links[c.group_links[k]];
+    meet(link.moves_a, link.a), meet(link.moves_b, link.b);
+  }
+  view.mass_ratio = std::max(view.mass_ratio, most / least);
 }
 
 struct GroupMotion {
@@ -182,10 +195,14 @@ GroupMemory remember(const World& world, SolverMemory& of, const Seen& seen, boo
   return memory;
 }
 
-GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const GroupMemory& memory, Real most_ratio) {
+/// @param joined  some of its bodies by joints
+GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const GroupMemory& memory, bool joined,
+                       Real most_ratio) {
   const bool unlike = view.mass_ratio > most_ratio, still = motion.still && view.bodies <= kFewStill;
+  const bool few = joined && view.bodies <= kFewJoined;
+  if (few) return unlike ? GroupReason::mass_ratio : GroupReason::joined;
   if (!unlike && !memory.bears && !still) return GroupReason::ordinary;
-  if (memory.tired && (!unlike || view.bodies > kMostUnlike)) return GroupReason::too_much;
+  if (memory.tired && (!unlike || joined || view.bodies > kMostUnlike)) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
   if (!memory.bears) return GroupReason::still;
   return motion.struck ? GroupReason::blow : GroupReason::sink;
@@ -233,7 +250,7 @@ GroupView view_of(const World& world, SolverMemory& of, std::size_t group, Real 
   const Real weight = weight_if_new(world, group, h, seen);
   const GroupMotion motion = look_at(world, group, w2, h, weight, view, seen);
   const GroupMemory memory = remember(world, of, seen, weight > 0);
-  view.reason = reason_for(view, motion, memory, most_ratio);
+  view.reason = reason_for(view, motion, memory, has_joints(c, group), most_ratio);
   return view;
 }
 
@@ -248,7 +265,7 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
     GroupView& view = views[g];
     view = view_of(world, memory, g, w2, h);
     c.direct[g] = answer_to(view.reason);
-    view.direct = c.direct[g] != Contacts::kSoftly;
+    view.direct = c.answered_directly(g);
   });
   for (const GroupView& view : views) report.direct_groups += view.direct;
 }
@@ -272,7 +289,7 @@ void each_taken_over(const World& world, F&& f) {
     return moves && world.state.tired_steps[body] == kTiredFor - 1;
   };
   for (std::size_t g = 0; g < c.groups(); ++g) {
-    if (c.direct[g] != Contacts::kSoftly) continue;
+    if (c.answered_directly(g)) continue;
     bool is_new = false;
     for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1] && !is_new; ++k) {
       const Row& row = c.rows[c.group_rows[k]];

@@ -40,8 +40,7 @@ inline constexpr Constant<std::uint32_t> kFewStill{
     "more: rooms full of small stacks pay for a solution that they don't need; fewer: two boxes on each other sag"};
 inline constexpr Constant<std::uint32_t> kFewJoined{
     "direct_few_joined", 32, "bodies",
-    "of a group that hangs together by joints alone: its equations are solved at once, without a search for what "
-    "touches",
+    "of a group with joints: it is solved at once, whatever it touches",
     "more: nets of joints cost more than sweeps over them; fewer: ragdolls and short chains stretch"};
 
 // What bodies remember.

@@ -114,10 +114,10 @@ void settle_joints(const World& world, Poses& poses, Velocities& motion, Real h)
   for (int k = 0; k < kTimes; ++k) {
     place_joints(world);
     bool any = false;
-    for (std::size_t g = 0; g < d.groups() && !any; ++g) any = ConeGroup(world, g).is_apart();
+    for (std::size_t g = 0; g < d.groups(); ++g) any |= d.rest[g].parts = ConeGroup(world, g).is_nearer();
     if (!any) break;
     in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
-      if (ConeGroup group(world, g); group.is_apart()) group.part(poses, h);
+      if (d.rest[g].parts) ConeGroup(world, g).part(poses, h);
     });
     if (k + 1 == kTimes) place_joints(world);
   }

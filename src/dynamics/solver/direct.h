@@ -25,6 +25,8 @@ struct GroupRest {
   bool waits = false;         // for the next step with it
   bool stood = false;         // @see ConeProblem::stood
   bool lies = false;          // all its contacts move less than anybody sees
+  Real gap = 0;               // m or rad, of joints, before they were parted
+  bool parts = false;         // it is parted once more
   Real least = 0;             // separation, in tolerable depths
   Real goal = 0;              // m/s, residual that is good enough
   bool lasts = false;         // contacts were found at rest

@@ -155,11 +155,12 @@ Real ConeGroup::start(Real h) {
   if (is_joined()) stiffen(world_, problem_, link_row_, h);
   load_links(world_, problem_, link_row_, LinkPhase::move, h);
   for (ConeBody& b : bodies_of(problem_)) b.before = b.v;
+  for (const ConeLink& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);
   if (const Real share = share_that_helps(problem_); share < 1) {
     for (ConeContact& contact : problem_.contacts) contact.p *= share, contact.start_p = contact.p;
+    for (ConeLink& link : problem_.links) link.p *= share, link.start_p = link.p;
     for (ConeBody& b : bodies_of(problem_)) b.gradient = share * b.gradient;
   }
-  for (const ConeLink& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);
   for (ConeBody& b : bodies_of(problem_)) {
     b.change = velocity_of(b, b.gradient);
     b.start = b.v += b.change;
@@ -212,10 +213,20 @@ void ConeGroup::find_from_nothing(Real goal, std::uint32_t most_steps) {
   answer_.factorisations += taken;
 }
 
+/// From the answer on: what is off by a little gives a little.
+void ConeGroup::find_closer(Real goal, std::uint32_t most_steps) {
+  const ConeAnswer was = answer_;
+  answer_ = solve_cones(problem_, goal, std::max(most_steps, was.factorisations + kAlways) - was.factorisations);
+  answer_.factorisations += was.factorisations, answer_.rounds += was.rounds;
+  answer_.is_wedged = was.is_wedged;
+}
+
 void ConeGroup::refuse_gain(Real goal, std::uint32_t most_steps) {
   const auto gives = [&] { return gives_energy(problem_, world_.scene.dials[Dial::velocity_tolerance]); };
   if (answer_.factorisations == 0 || !gives()) return;
-  find_from_nothing(goal, most_steps);
+  if (goal > tolerance()) find_closer(tolerance(), most_steps);
+  if (!gives()) return;
+  find_from_nothing(std::min(goal, tolerance()), most_steps);
   if (!gives()) return;
   answer_by_sweeps(problem_);
   answer_.residual = residual(problem_), answer_.reached = false, answer_.is_by_sweeps = true;

@@ -21,8 +21,8 @@ class ConeGroup {
   void end();
 
   bool is_joined() const { return !problem_.links.empty(); }
-  /// Whether joints gape.
-  bool is_apart() const;
+  /// Whether joints gape still, by less than half of what they did before they were parted: once more is worth it.
+  bool is_nearer() const;
 
  private:
   template <class F>
@@ -38,6 +38,7 @@ class ConeGroup {
   void follow_impulses();
   void find(Real goal, std::uint32_t most_steps);
   void find_from_nothing(Real goal, std::uint32_t most_steps);
+  void find_closer(Real goal, std::uint32_t most_steps);
   Real tolerance() const;
   Real goal(bool is_bounded) const;
   std::uint64_t own_work(std::uint64_t most) const;
@@ -49,7 +50,9 @@ class ConeGroup {
   bool comes_to_rest(Real goal);
   void refuse_gain(Real goal, std::uint32_t most_steps);
   void keep(Velocities& to);
-  Real displacement_share() const;
+  bool is_parted_roughly(Real by) const;
+  Real asked() const;
+  Real displacement_share(Real h) const;
   void turn_frames();
   Real measure();
   void load(ConeBody& b) const { b.v = {s_.v[b.slot], s_.omega[b.slot]}; }

@@ -31,6 +31,12 @@ inline constexpr Constant<Real> kLongestTurn{
     "times the largest overlap to be undone: a body is displaced by so much at most, for what is wedged between walls "
     "that nearly face each other would be moved by metres to be parted by millimetres",
     "larger: what is wedged flies out; smaller: long levers part too slowly"};
+inline constexpr Constant<Real> kJointPush{
+    "direct_joint_push", 10, "m/s or rad/s", "an error of a joint is undone no faster, and no body is displaced faster for it",
+    "larger: what was torn apart is pulled together at once, and what hangs on it is lifted; smaller: it gapes for longer"};
+inline constexpr Constant<Real> kGapShare{
+    "direct_gap_share", 1e-4, "1", "of the largest displacement that is asked for, to which it is found: then rows are made anew",
+    "larger: one more turn of making rows; smaller: steps of Newton for digits that turns of bodies undo"};
 inline constexpr Constant<Real> kGap{"direct_gap", 1e-9, "m or rad",
                                      "of a joint that needs no parting: far above rounding (1e-12 m at 4 km from the "
                                      "origin), far below what anybody sees",
@@ -43,7 +49,6 @@ inline constexpr Constant<std::uint32_t> kAlways{
 inline constexpr Constant<std::uint32_t> kMostSteps{
     "direct_most_steps", 200, "steps of Newton", "of a group and substep: impacts of many bodies take that many",
     "fewer: blows through many bodies end unsolved; more: a problem that has no solution stalls the step for longer"};
-
 inline constexpr Constant<std::uint32_t> kWorkOfContact{
     "direct_work_of_contact", 3, "block products", "that a contact takes as long as, in a step of Newton's method",
     "more or fewer: budgets of groups with many points to a body are too small or too large"};
@@ -75,7 +80,7 @@ inline constexpr Constant<std::uint32_t> kExpectedAtRest{
     "fewer: many are solved in one step, which stalls; more: one a step, and walls come late to rest"};
 
 inline constexpr ConstantRow kConeGroupConstants[] = {kFineShare,   kConeShare, kRest,   kJerks,
-                                                      kLongestTurn, kGap,       kAlways, kMostSteps,
+                                                      kLongestTurn, kJointPush, kGap, kGapShare,       kAlways, kMostSteps,
                                                       kWorkOfContact, kWorkOfPoint, kLeastWork, kExpectedOfMoving,
                                                       kWorkOfJoined, kFromNothing, kExpectedAtRest};
 

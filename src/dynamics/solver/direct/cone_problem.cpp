@@ -74,13 +74,14 @@ class FrozenSlip {
   bool solve(Real target) {
     const Real first = offence_now();
     Real left = first;
-    for (int i = 0; i < kRounds && left > target && answer_.factorisations < most_steps_; ++i) {
+    for (int i = 0, idle = 0; i < kRounds && idle < kIdleRounds && left > target && answer_.factorisations < most_steps_; ++i) {
       Round round(problem_, softness_);
       const std::uint32_t most = std::min(kRoundSteps, most_steps_ - answer_.factorisations);
       const std::uint32_t steps = round.minimise(0.1 * target, most);
       answer_.factorisations += steps;
       ++answer_.rounds;
       const Real now = offence_now(), was = softness_;
+      idle = now < left ? 0 : idle + 1;
       if (!(now < left)) round.take_back();
       if (!(now < kGood * left))
         softness_ = steps < kHard && !round.is_stuck() ? std::max(kLeast, kHarder * was) : std::min(kMost, kSofter * was);
@@ -92,6 +93,8 @@ class FrozenSlip {
 
  private:
   static constexpr int kRounds = 20;
+  // Harder ones, then softer ones: what none of so many brought nearer is as near as this slip allows.
+  static constexpr int kIdleRounds = 8;
   static constexpr std::uint32_t kRoundSteps = 60, kHard = 30;
   // A soft round is easy for Newton's method and goes part of the way, a hard one the other way round.
   // What only locks is linear, and is at its end after a hard round or two.

@@ -10,7 +10,6 @@
 namespace carom::dynamics {
 namespace {
 
-constexpr Real kPush = 10;  // m/s or rad/s: an error is undone no faster
 // Of f r h^2 / 2 over an inertia, beyond which a body is stiffened: f r h^2 < 4 I is where turns across a force hold.
 constexpr Real kSwing = 2;
 constexpr Real kNowhere = 1e30;    // m/s or rad/s, where nothing gets
@@ -34,7 +33,7 @@ void leave(ConeLink& c) { c.low = c.high = 0, c.give = 0, c.most = 0; }
 
 /// What is asked of a limit, a motor, a spring.
 void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow& row, LinkPhase phase, Real h) {
-  const Real x = get(drive.row.error, row.lane), most = kPush * h;
+  const Real x = get(drive.row.error, row.lane), most = kJointPush * h;
   switch (row.kind) {
     case DriveKind::limit: {
       const Real above = x - get(drive.lower, row.lane), below = get(drive.upper, row.lane) - x;
@@ -140,7 +139,7 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
     if (at_row.is_drive)
       ask(c, w.drives[at_row.row], at_row, phase, h);
     else if (phase == LinkPhase::part)
-      lock(c, std::clamp(-get(row.error, lane), -kPush * h, kPush * h));
+      lock(c, std::clamp(-get(row.error, lane), -kJointPush * h, kJointPush * h));
     else
       lock(c, phase == LinkPhase::move ? -get(row.curve, lane) : 0);
   }

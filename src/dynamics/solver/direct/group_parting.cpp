@@ -10,7 +10,16 @@
 
 namespace carom::dynamics {
 
-bool ConeGroup::is_apart() const { return worst_error(world_, problem_, link_row_) > kGap; }
+/// Where work counts, and contacts may be in the way of what joints ask for.   @param by  m or rad
+bool ConeGroup::is_parted_roughly(Real by) const {
+  return rest_.is_bounded && !problem_.contacts.empty() && by > world_.scene.dials[Dial::position_tolerance];
+}
+
+bool ConeGroup::is_nearer() const {
+  constexpr Real kNearer = 0.5;
+  const Real gap = worst_error(world_, problem_, link_row_);
+  return gap > kGap && (!is_parted_roughly(gap) || gap < kNearer * rest_.gap);
+}
 
 /// To where the bodies are by now.
 void ConeGroup::turn_frames() {
@@ -27,14 +36,20 @@ Real ConeGroup::measure() {
   return least;
 }
 
-/// Of the displacements that were found, how much is taken. What is wedged between walls that nearly face each other,
-/// or is pushed at from all sides, would be moved by metres to be parted by millimetres.
-Real ConeGroup::displacement_share() const {
-  Real asked = 0, moved2 = 0;
+/// m or rad, the most that a contact or a joint is to be moved.
+Real ConeGroup::asked() const {
+  Real asked = 0;
   for (const ConeContact& c : problem_.contacts) asked = std::max(asked, c.want);
   for (const ConeLink& c : problem_.links) asked = std::max(asked, std::min(std::fabs(c.low), std::fabs(c.high)));
+  return asked;
+}
+
+/// Of the displacements that were found, how much is taken. What is wedged between walls that nearly face each other,
+/// or is pushed at from all sides, would be moved by metres to be parted by millimetres.
+Real ConeGroup::displacement_share(Real h) const {
+  Real moved2 = 0;
   for (const ConeBody& b : bodies_of(problem_)) moved2 = std::max(moved2, b.v.linear().squared_norm());
-  const Real most = kLongestTurn * asked;
+  const Real most = std::min(kLongestTurn * asked(), std::max(asked(), kJointPush * h));
   return moved2 > most * most ? most / std::sqrt(moved2) : 1;
 }
 
@@ -43,8 +58,9 @@ void ConeGroup::part(Poses& to, Real h) {
   Real tolerance = world_.scene.dials[Dial::position_tolerance];
   const Real most = world_.scene.dials[Dial::push_speed] * h;
   answer_ = {};
+  rest_.gap = is_joined() ? worst_error(world_, problem_, link_row_) : 0;
   const bool overlaps = measure() < -1;
-  if (!overlaps && !(is_joined() && is_apart())) return;
+  if (!overlaps && !(rest_.gap > kGap)) return;
   each([&](ConeContact& contact, std::uint32_t row) {
     contact.p.set_zero(), contact.u.set_zero();
     contact.friction = 0;
@@ -56,12 +72,13 @@ void ConeGroup::part(Poses& to, Real h) {
   load_links(world_, problem_, link_row_, LinkPhase::part, h);
   measure_links(problem_);
   if (is_joined()) {
-    answer_ = solve_cones(problem_, 0.1 * kGap, kMostSteps);
+    const Real most_asked = asked();
+    answer_ = solve_cones(problem_, is_parted_roughly(most_asked) ? kGapShare * most_asked : 0.1 * kGap, kMostSteps);
   } else {
     answer_ = solve_cones(problem_, 0.01 * tolerance, allowed_steps(rest_.work));
     book_work();
   }
-  const Real share = displacement_share();
+  const Real share = displacement_share(h);
   for (const ConeBody& b : bodies_of(problem_)) {
     const Vec3 turn = share * b.v.angular();
     correct_pose(to, b.slot, share * b.v.linear(), turn);

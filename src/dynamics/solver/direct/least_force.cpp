@@ -18,10 +18,11 @@ Real borne(const ConeProblem& problem) {
   return sum;
 }
 
-/// kg m/s and kg m^2/s of each body, by contacts alone.
-void find_contact_momentum(ConeProblem& problem) {
+/// kg m/s and kg m^2/s of each body, by all impulses.
+void find_momentum(ConeProblem& problem) {
   for (ConeBody& b : bodies_of(problem)) b.gradient.set_zero();
   for (const ConeContact& c : problem.contacts) add_impulse<&ConeBody::gradient>(problem, c, c.p);
+  for (const ConeLink& c : problem.links) add_impulse<&ConeBody::gradient>(problem, c, c.p);
 }
 
 void push(ConeProblem& problem, const ConeContact& c, const Vec3& p) {
@@ -121,19 +122,23 @@ ConeAnswer solve_with_least_force(ConeProblem& problem, Real tolerance, std::uin
 // Over a share s they take -(s p.u + s^2 p.A p / 2) of the energy of relative motion: least at s = -p.u / p.A p, and
 // more at 1 than at 0 where that is below a half.
 Real share_that_helps(const ConeProblem& problem) {
+  if (problem.contacts.empty()) return 1;
   Real along = 0, size2 = 0;
   for (const ConeBody& b : bodies_of(problem)) {
     along += b.gradient.dot(b.before);
     size2 += b.gradient.dot(velocity_of(b, b.gradient));
   }
   for (const ConeContact& c : problem.contacts) along += c.p.dot(c.carried);
+  for (const ConeLink& c : problem.links) along += c.p * c.carried;
   const Real best = size2 > 0 ? -along / size2 : 1;
   return best < 0.5 ? std::max(best, Real(0)) : 1;
 }
 
-// Bodies gain G.(v + v')/2 by contacts' momentum G, of which surfaces that are carried give -p.carried.
+// Bodies gain G.(v + v')/2 by a momentum G, of which surfaces that are carried give -p.carried. Contacts and joints are
+// taken together: what a joint pulls into a contact would else have its energy from there. What a lock may give is what
+// its target asks for; what a drive gives is its business.
 bool gives_energy(ConeProblem& problem, Real residual) {
-  find_contact_momentum(problem);
+  find_momentum(problem);
   Real gained = 0, rounding = 0;
   for (const ConeBody& b : bodies_of(problem)) {
     const Vec6 mean = 0.5 * (b.before + b.v);
@@ -144,6 +149,12 @@ bool gives_energy(ConeProblem& problem, Real residual) {
   for (const ConeContact& c : problem.contacts) {
     gained += c.p.dot(c.carried);
     allowed += c.p.norm() * residual;
+  }
+  for (const ConeLink& c : problem.links) {
+    const Real before = c.carried + relative<&ConeBody::before>(problem.bodies, c);
+    const Real drives = std::max(Real(0), c.p * (before + c.u) / 2);
+    gained += c.p * c.carried;
+    allowed += std::fabs(c.p) * residual + (c.is_lock() ? std::fabs(c.p * c.low) : drives);
   }
   return gained > allowed;
 }
@@ -163,9 +174,21 @@ void sweep(ConeProblem& problem, int times) {
   measure(problem);
 }
 
+void hold_joints(ConeProblem& problem) {
+  if (problem.links.empty()) return;
+  ConeProblem joints = problem;
+  joints.contacts = {};
+  solve_cones(joints, kHeldByJoints * residual(joints), kMostStepsOfJoints);
+  measure(problem);
+}
+
 void answer_by_sweeps(ConeProblem& problem) {
   drop_impulses(problem);
-  sweep(problem, kLastSweeps);
+  hold_joints(problem);
+  for (int left = kLastSweeps; left > 0; left -= kSweepsBetweenJoints) {
+    sweep(problem, std::min(left, kSweepsBetweenJoints.value));
+    hold_joints(problem);
+  }
 }
 
 }  // namespace carom::dynamics

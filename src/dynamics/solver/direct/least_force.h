@@ -27,12 +27,15 @@ bool is_wedged(const ConeProblem& problem);
 /// @param problem  gradient: momentum that contacts give each body; before: velocities without   @return 0 to 1
 Real share_that_helps(const ConeProblem& problem);
 
-/// Whether contacts gave energy, beyond what an answer within a residual may.
+/// Whether contacts and joints gave energy, beyond what an answer within a residual may.
 /// @param residual  m/s
 bool gives_energy(ConeProblem& problem, Real residual);
 
 /// As if nothing touched and nothing were joined.
 void drop_impulses(ConeProblem& problem);
+
+/// Joints as a problem of their own, whatever contacts bear.
+void hold_joints(ConeProblem& problem);
 
 /// An answer that cannot: from no impulses on, contact by contact, each of which takes energy or leaves it, with
 /// contacts as soft as those of solver soft_step. As good as some sweeps are, and bounded.

@@ -193,12 +193,20 @@ void Round::take_back() {
 }
 
 std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
+  constexpr Real kFalls = 0.5;  // where it is quadratic a step leaves nothing, or rounding
   std::uint32_t steps = 0;
+  Real left = kInfinity;
+  bool whole = false;  // the last step was
   for (; steps < most_steps; ++steps) {
-    if (find_gradient() <= tolerance) break;
-    if (!find_factor(steps == 0 ? tolerance : 0)) break;
+    const Real now = find_gradient();
+    if (now <= tolerance) break;
+    const NextFactor factor = find_factor(steps == 0 ? tolerance : 0);
+    if (factor == NextFactor::none) break;
+    if (factor == NextFactor::same && whole && !(now < kFalls * left)) break;
+    left = now;
     find_step();
     const Real length = search();
+    whole = length == 1;
     if (length == 0) {
       is_stuck_ = true;
       break;
@@ -232,14 +240,14 @@ Real Round::find_gradient() {
   return std::sqrt(most);
 }
 
-bool Round::find_factor(Real still) {
+Round::NextFactor Round::find_factor(Real still) {
   const bool is_same = find_curvatures(still);
-  if (is_same && problem_.factored == softness_) return true;
+  if (is_same && problem_.factored == softness_) return NextFactor::same;
   problem_.factored = 0;
   assemble();
-  if (!factor(*problem_.elimination, problem_.first, problem_.last, *problem_.factor)) return false;
+  if (!factor(*problem_.elimination, problem_.first, problem_.last, *problem_.factor)) return NextFactor::none;
   problem_.factored = softness_;
-  return true;
+  return NextFactor::another;
 }
 
 ConeCurvature Round::curvature_of(const ConeContact& c, Real still) const {

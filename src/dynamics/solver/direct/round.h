@@ -31,9 +31,10 @@ class Round {
   /// Impulses at the present velocities, and what is lacking in the bodies' momentum.
   /// @return m/s, the most that a contact's velocity would change if bodies had the momentum that impulses give
   Real find_gradient();
-  /// The factor for the next step, or false: there is none.
+  enum class NextFactor { none, same, another };  // same as of the last step: the function is quadratic between
+  /// The factor for the next step.
   /// @param still  m/s, @see find_curvatures()
-  bool find_factor(Real still);
+  NextFactor find_factor(Real still);
   /// What a host has just built touches and bears nothing yet: all its contacts are at the tips of their cones, where
   /// dP/dz jumps. Taken as off the cones they would be found one layer a step.
   /// @param still  m/s: contacts that bear nothing and move no faster are taken to stick
