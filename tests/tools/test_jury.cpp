@@ -35,8 +35,8 @@ constexpr std::uint64_t kSliceFirst = 1001, kSliceCount = 20;
 /// 31 at five settings in no order of accuracy. What fails plainly is lower. Since friction acts where loads do, 4 pass
 /// by a little, not 2, and 7 sink, not 8: chance as well (of 600 scenes 126 pass, 115 did; 338 sink, 335 did), and what
 /// fails plainly is lower again, {0, 1, 0, 2, 1, 0, 0} before. Since few joined bodies are solved together whatever they
-/// touch, {0, 3, 0, 15, 7, 4, 0} before and plainly {0, 0, 0, 2, 0, 0, 0}, nothing fails plainly.
-constexpr std::size_t kCeiling[kKinds] = {0, 1, 0, 5, 5, 2, 0};
+/// touch, and what is pushed apart gains nothing, {0, 3, 0, 15, 7, 4, 0} before and plainly {0, 0, 0, 2, 0, 0, 0}, nothing fails plainly.
+constexpr std::size_t kCeiling[kKinds] = {0, 0, 0, 6, 5, 2, 0};
 constexpr std::size_t kPlainCeiling[kKinds] = {};
 
 PluginPath plugins() { return PluginPath({CAROM_PLUGIN_DIR}); }
@@ -381,6 +381,19 @@ static std::uint64_t bits_of(const Frame& frame, std::uint64_t hash) {
   }
 }
 
+/// Seeds that failed until their cause was mended: velocities that grew where nothing moved (1003, 5034), chains torn and
+/// pulled together (5023), a push through what is light into what is heavy (1036, 5048).
+[[maybe_unused]] static void what_was_mended_stays_so(void**) {
+  Setting setting;
+  setting.times = false;
+  for (const std::uint64_t seed : {1003, 1036, 5023, 5034, 5048})
+    for (const Failure& f : run(plugins(), seed, setting).verdict.failures) {
+      if (f.kind != Kind::gain && !(f.kind == Kind::gape && f.plain_step > 0)) continue;
+      print_message("seed %d: %s\n", static_cast<int>(seed), name_of(f.kind));
+      assert_true(false);
+    }
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(what_is_at_rest_or_falls_is_let_be),
@@ -398,6 +411,7 @@ int main() {
       cmocka_unit_test(the_command_says_what_the_judge_says),
 #ifndef CAROM_SANITIZED
       cmocka_unit_test(a_slice_of_seeds_does_not_get_worse),
+      cmocka_unit_test(what_was_mended_stays_so),
 #endif
   };
   return cmocka_run_group_tests_name("tools/jury", tests, nullptr, nullptr);

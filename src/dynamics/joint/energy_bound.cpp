@@ -24,6 +24,20 @@ Real speed_of(const State& s, std::uint32_t body, Real arm) {
   return body == kTheWorld ? 0 : s.v[body].norm() + s.omega[body].norm() * arm;
 }
 
+/// Which groups have bodies that are deep in each other.   @return how many rows
+std::uint32_t find_deep(const World& world, WideJoints& w) {
+  const Contacts& c = *world.contacts;
+  const Real deep = kDeepGain * world.scene.dials[Dial::position_tolerance];
+  std::uint32_t found = 0;
+  for (std::uint32_t i = 0; i < c.rows.size(); ++i) {
+    if (!(c.geometry[i].separation < -deep)) continue;
+    if (found++ == 0) w.bounds.resize(c.groups());
+    w.bounds[c.label[i]].is_deep = true;
+  }
+  if (w.any()) w.bounds.resize(c.groups());
+  return found;
+}
+
 void find_drives(const World& world, WideJoints& w) {
   const Contacts& c = *world.contacts;
   const auto meet = [&](GroupBound& group, std::uint32_t body, Real arm) {
@@ -80,7 +94,7 @@ bool gapes(const WideJoints& w, const WideJoints::Place& at, Real slack) {
 bool find_unresolved(const World& world, WideJoints& w, Real h) {
   const Real slack = 4 * world.scene.dials[Dial::position_tolerance];
   bool any = false;
-  for (GroupBound& group : w.bounds) group.is_unresolved = false;
+  for (GroupBound& group : w.bounds) any |= group.is_unresolved = group.is_deep && !group.is_driven;
   for (std::uint32_t i = 0; i < w.active.size(); ++i) {
     GroupBound& group = w.bounds[world.contacts->link_label[i]];
     if (group.is_driven || group.is_unresolved) continue;
@@ -88,7 +102,8 @@ bool find_unresolved(const World& world, WideJoints& w, Real h) {
   }
   for (const Bounded& b : w.bounded) {
     GroupBound& group = w.bounds[b.group];
-    if (group.is_driven || group.is_unresolved || !w.linked[b.body] || !is_carried(*world.plan, b.body)) continue;
+    if (group.is_driven || group.is_unresolved || w.linked.empty() || !w.linked[b.body]) continue;
+    if (!is_carried(*world.plan, b.body)) continue;
     any |= group.is_unresolved = h * h * world.state.omega[b.body].squared_norm() > kUnresolvedTurn * kUnresolvedTurn;
   }
   return any;
@@ -136,12 +151,16 @@ void find_bounded(const World& world, Real h) {
   WideJoints& w = *world.wide_joints;
   Contacts& c = *world.contacts;
   w.bounded.clear(), w.bounds.clear();
-  if (!w.any() || !c.is_grouped || !c.surface.empty()) return;
-  w.bounds.resize(c.groups());
+  if (!c.is_grouped || !c.surface.empty()) return;
+  const std::uint32_t deep = find_deep(world, w);
+  if (!w.any() && deep == 0) return;
   find_drives(world, w);
+  const auto is_joined = [&](std::uint32_t group) {
+    return w.any() && c.group_link_begin[group] < c.group_link_begin[group + 1];
+  };
   for (const std::uint32_t body : c.bodies) {
     const std::uint32_t group = group_of(c, body);
-    if (c.group_link_begin[group] == c.group_link_begin[group + 1] || w.bounds[group].is_driven) continue;
+    if (w.bounds[group].is_driven || !(w.bounds[group].is_deep || is_joined(group))) continue;
     w.bounded.emplace_back().body = body;
     w.bounded.back().group = group;
   }

@@ -1,4 +1,4 @@
-// What joints may not give: energy, where they are not resolved.
+// What joints and pushes may not give: energy, where they are not resolved.
 //
 // Between two bodies a joint does no work. In a substep it does some all the same: half a substep's force is that of where
 // bodies were, an error is led back by a velocity, and sweeps end before all joints agree. Where bodies turn by small
@@ -22,6 +22,10 @@ inline constexpr Constant<Real> kUnresolvedGap{
     "of a joint's longer arm, and four position tolerances, or of a radian, by which it may gape before its group may "
     "gain no energy",
     "larger: what is torn apart gains energy; smaller: what hangs on soft joints loses some"};
-inline constexpr ConstantRow kEnergyBoundConstants[] = {kUnresolvedTurn, kUnresolvedGap};
+inline constexpr Constant<Real> kDeepGain{
+    "deep_gain", 4, "position tolerances",
+    "by which bodies overlap as a step begins before their group may gain no energy from being pushed apart",
+    "larger: heavy bodies on light ones are thrown up; smaller: what rests on its springs is looked at in each substep"};
+inline constexpr ConstantRow kEnergyBoundConstants[] = {kUnresolvedTurn, kUnresolvedGap, kDeepGain};
 
 }  // namespace carom::dynamics

@@ -78,7 +78,7 @@ struct WideJoints {
     Quat q;         // to which that omega belongs
   };
   struct GroupBound {
-    bool is_driven = false, is_held = false, is_unresolved = false, gains = false;
+    bool is_driven = false, is_held = false, is_deep = false, is_unresolved = false, gains = false;
     Real surface = 0;            // m/s, of what it meets that impulses do not move
     Real before = 0, after = 0;  // J
     Real mass = 0;               // kg
