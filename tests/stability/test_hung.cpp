@@ -61,8 +61,8 @@ void holds(const Weights& f) {
     touching += t.world.report.contact_points > 0;
   }
   if (!(gap <= 0.02 * f.side && gain <= 0.02))
-    print_message("kind %d, %d links of %g, %g Hz, %g rad, %g m: gapes %g m, gains %g\n", int(f.kind), f.links, double(f.ratio),
-                  double(f.hz), double(f.slant), double(f.side), double(gap), double(gain));
+    print_message("kind %d, %d links of %g, %g Hz, %g rad, %g m: gapes %g m, gains %g\n", int(f.kind), f.links,
+                  double(f.ratio), double(f.hz), double(f.slant), double(f.side), double(gap), double(gain));
   assert_true(touching > 10);
   assert_true(gap <= 0.02 * f.side);
   assert_true(gain <= 0.02);
