@@ -94,7 +94,10 @@ bool gapes(const WideJoints& w, const WideJoints::Place& at, Real slack) {
 bool find_unresolved(const World& world, WideJoints& w, Real h) {
   const Real slack = 4 * world.scene.dials[Dial::position_tolerance];
   bool any = false;
-  for (GroupBound& group : w.bounds) any |= group.is_unresolved = group.is_deep && !group.is_driven;
+  for (GroupBound& group : w.bounds) {
+    group.is_unresolved = false;
+    any |= group.is_deep && !group.is_driven;
+  }
   for (std::uint32_t i = 0; i < w.active.size(); ++i) {
     GroupBound& group = w.bounds[world.contacts->link_label[i]];
     if (group.is_driven || group.is_unresolved) continue;
@@ -114,7 +117,7 @@ void sum_up(const World& world, WideJoints& w) {
   for (GroupBound& group : w.bounds) group.before = group.after = group.mass = 0, group.momentum.set_zero();
   for (const Bounded& b : w.bounded) {
     GroupBound& group = w.bounds[b.group];
-    if (!group.is_unresolved) continue;
+    if (!group.may_gain_nothing()) continue;
     group.before += energy(world, b.body, b.v, b.omega, b.q);
     group.after += energy(world, b.body, s.v[b.body], s.omega[b.body], s.q[b.body]);
     group.mass += world.scene.mass[b.body];
@@ -204,7 +207,7 @@ void bound_energies(const World& world, Velocities& to, Real h) {
   sum_up(world, w);
   for (const Bounded& b : w.bounded) {
     const GroupBound& group = w.bounds[b.group];
-    if (!group.is_unresolved || !(group.after > group.before) || s.quarantined[b.body]) continue;
+    if (!group.may_gain_nothing() || !(group.after > group.before) || s.quarantined[b.body]) continue;
     const Vec3 common = group.is_held ? Vec3(Vec3::zero()) : Vec3(group.momentum / group.mass);
     const Real kept = group.mass * common.squared_norm() / 2, own = group.after - kept;
     const Real share = own > 0 ? std::sqrt(std::clamp((group.before - kept) / own, Real(0), Real(1))) : 0;

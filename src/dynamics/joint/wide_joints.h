@@ -79,6 +79,7 @@ struct WideJoints {
   };
   struct GroupBound {
     bool is_driven = false, is_held = false, is_deep = false, is_unresolved = false, gains = false;
+    bool may_gain_nothing() const { return is_unresolved || (is_deep && !is_driven); }
     Real surface = 0;            // m/s, of what it meets that impulses do not move
     Real before = 0, after = 0;  // J
     Real mass = 0;               // kg

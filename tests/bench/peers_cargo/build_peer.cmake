@@ -3,6 +3,8 @@ file(REMOVE ${MODULE}.reason)
 if(CARGO)
   get_filename_component(folder ${MODULE} DIRECTORY)
   get_filename_component(folder ${folder} DIRECTORY)
+  # All crates of the workspace first: a shim asks cargo, without the network, where the sources of its engine are.
+  execute_process(COMMAND ${CARGO} fetch ERROR_VARIABLE told)
   execute_process(COMMAND ${CARGO} build --release --target-dir ${folder} -p ${PACKAGE}
     RESULT_VARIABLE failed ERROR_VARIABLE told ECHO_ERROR_VARIABLE)
   string(REGEX MATCH "error[^\n]*" reason "${told}")
