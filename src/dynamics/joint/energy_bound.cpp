@@ -24,13 +24,14 @@ Real speed_of(const State& s, std::uint32_t body, Real arm) {
   return body == kTheWorld ? 0 : s.v[body].norm() + s.omega[body].norm() * arm;
 }
 
-/// Which groups have bodies that are deep in each other.   @return how many rows
+/// Which groups that sweeps answer have bodies that are deep in each other; answers of the direct solver are judged by
+/// itself.   @return how many rows
 std::uint32_t find_deep(const World& world, WideJoints& w) {
   const Contacts& c = *world.contacts;
   const Real deep = kDeepGain * world.scene.dials[Dial::position_tolerance];
   std::uint32_t found = 0;
   for (std::uint32_t i = 0; i < c.rows.size(); ++i) {
-    if (!(c.geometry[i].separation < -deep)) continue;
+    if (!(c.geometry[i].separation < -deep) || !c.answered_in_lanes(i)) continue;
     if (found++ == 0) w.bounds.resize(c.groups());
     w.bounds[c.label[i]].is_deep = true;
   }

@@ -173,7 +173,7 @@ Scene seesaw_scene() {
           "A weight drops on a seesaw; the bunny on its other end flies into a row of dominoes (the paper's scene A).",
           "the bunny leaves the plank, flies an arc, hits the first domino, and the row topples to its end",
           {{"dominoes", "", "length of the row", 10, 2, 60, true},
-           {"drop", "m", "height that the weight falls", 1, 0.1, 20},
+           {"drop", "m", "height that the weight falls", 1.2, 0.1, 20},
            {"weight", "kg", "mass of the weight", 500, 1, 1e5},
            {"bunny_height", "m", "how tall the bunny is", 0.5, 0.2, 1},
            {"hull_vertices", "", "vertices of the bunny's hull at most", 256, 8, 2000, true},
