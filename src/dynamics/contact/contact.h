@@ -271,6 +271,9 @@ struct Contacts {
 
   bool answered_directly(std::size_t group) const { return direct.empty() || direct[group]; }
   bool answered_in_lanes(std::size_t row) const { return direct.empty() || !direct[label[row]]; }
+  bool has_joints(std::size_t group) const {
+    return !group_link_begin.empty() && group_link_begin[group] < group_link_begin[group + 1];
+  }
   std::size_t groups() const { return group_begin.empty() ? 0 : group_begin.size() - 1; }
 };
 

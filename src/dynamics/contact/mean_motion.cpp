@@ -260,7 +260,7 @@ void find_small_groups(const World& world, Owned<MeanMotion>& mean_motion) {
   m.points.reserve(std::max(c.rows.size(), 4 * kSome));
   m.groups.reserve(std::max(c.groups(), kSome) + 1);
   for (std::size_t g = 0; g < c.groups(); ++g) {
-    const bool joined = !c.group_link_begin.empty() && c.group_link_begin[g] < c.group_link_begin[g + 1];
+    const bool joined = c.has_joints(g);
     const std::uint32_t points = c.group_begin[g + 1] - c.group_begin[g];
     if (!joined && points > 0 && points <= kMostMeanPoints && c.group_bodies[g] <= kMostMeanBodies) gather(c, g, m);
   }

@@ -159,12 +159,9 @@ void find_bounded(const World& world, Real h) {
   const std::uint32_t deep = find_deep(world, w);
   if (!w.any() && deep == 0) return;
   find_drives(world, w);
-  const auto is_joined = [&](std::uint32_t group) {
-    return w.any() && c.group_link_begin[group] < c.group_link_begin[group + 1];
-  };
   for (const std::uint32_t body : c.bodies) {
     const std::uint32_t group = group_of(c, body);
-    if (w.bounds[group].is_driven || !(w.bounds[group].is_deep || is_joined(group))) continue;
+    if (w.bounds[group].is_driven || !(w.bounds[group].is_deep || c.has_joints(group))) continue;
     w.bounded.emplace_back().body = body;
     w.bounded.back().group = group;
   }

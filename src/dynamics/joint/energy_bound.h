@@ -7,9 +7,9 @@
 // had after the forces of the substep: else what its bodies do relative to each other is slowed to that. Linear momentum
 // stays where nothing fixed holds them. Others are not touched, to the bit. Its functions are in wide_joints.h.
 //
-// Likewise of groups that sweeps answer and that are deep in each other as a step begins. A velocity parts them, and relaxing takes it back from
-// each pair. But a push goes through what is light into what is heavy, and is taken from the light one alone: a ball of
-// 298 kg on a rod of 32 kg went up at 5 m/s.
+// Likewise of groups that sweeps answer and that are deep in each other as a step begins. A velocity parts them, and
+// relaxing takes it back from each pair. But a push goes through what is light into what is heavy, and is taken from the
+// light one alone: a ball of 298 kg on a rod of 32 kg went up at 5 m/s.
 #pragma once
 
 #include "core/constant.h"

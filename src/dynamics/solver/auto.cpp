@@ -102,15 +102,11 @@ Real weight_if_new(const World& world, std::size_t group, Real h, Seen& seen) {
   return is_new ? mass * gravity : 0;
 }
 
-bool has_joints(const Contacts& c, std::size_t group) {
-  return !c.group_link_begin.empty() && c.group_link_begin[group] < c.group_link_begin[group + 1];
-}
-
 /// Of bodies that joints hold, the heaviest over the lightest: what hangs on what is light is as hard to hold over some
 /// links as over one.
 void look_at_joints(const World& world, std::size_t group, GroupView& view) {
   const Contacts& c = *world.contacts;
-  if (!has_joints(c, group)) return;
+  if (!c.has_joints(group)) return;
   Real least = kInfinity, most = 0;
   const auto meet = [&](bool moves, std::uint32_t body) {
     if (!moves) return;
@@ -250,7 +246,7 @@ GroupView view_of(const World& world, SolverMemory& of, std::size_t group, Real 
   const Real weight = weight_if_new(world, group, h, seen);
   const GroupMotion motion = look_at(world, group, w2, h, weight, view, seen);
   const GroupMemory memory = remember(world, of, seen, weight > 0);
-  view.reason = reason_for(view, motion, memory, has_joints(c, group), most_ratio);
+  view.reason = reason_for(view, motion, memory, c.has_joints(group), most_ratio);
   return view;
 }
 

@@ -52,7 +52,7 @@ class ConeGroup {
   void keep(Velocities& to);
   bool is_parted_roughly(Real by) const;
   Real asked() const;
-  Real displacement_share(Real h) const;
+  Real displacement_share(Real asked, Real h) const;
   void turn_frames();
   Real measure();
   void load(ConeBody& b) const { b.v = {s_.v[b.slot], s_.omega[b.slot]}; }

@@ -7,10 +7,14 @@
 #include "dynamics/solver/direct/round.h"
 
 namespace carom::dynamics {
-void apply_impulses(ConeProblem& problem) {
+void find_momentum(ConeProblem& problem) {
   for (ConeBody& b : bodies_of(problem)) b.gradient.set_zero();
   for (const ConeContact& c : problem.contacts) add_impulse<&ConeBody::gradient>(problem, c, c.p);
   for (const ConeLink& c : problem.links) add_impulse<&ConeBody::gradient>(problem, c, c.p);
+}
+
+void apply_impulses(ConeProblem& problem) {
+  find_momentum(problem);
   for (ConeBody& b : bodies_of(problem)) b.change = velocity_of(b, b.gradient), b.v += b.change;
   for (ConeContact& c : problem.contacts) c.u += relative<&ConeBody::change>(problem.bodies, c);
   for (ConeLink& c : problem.links) c.u += relative<&ConeBody::change>(problem.bodies, c);

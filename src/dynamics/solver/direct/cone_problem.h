@@ -199,6 +199,8 @@ struct ConeAnswer {
   std::uint32_t factorisations = 0;  // Newton steps
 };
 
+/// ConeBody::gradient: kg m/s and kg m^2/s that all impulses give.
+void find_momentum(ConeProblem& problem);
 /// Change velocities of bodies by impulses of contacts, and contacts' velocities with them.
 void apply_impulses(ConeProblem& problem);
 

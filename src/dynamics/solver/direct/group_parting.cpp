@@ -46,10 +46,10 @@ Real ConeGroup::asked() const {
 
 /// Of the displacements that were found, how much is taken. What is wedged between walls that nearly face each other,
 /// or is pushed at from all sides, would be moved by metres to be parted by millimetres.
-Real ConeGroup::displacement_share(Real h) const {
+Real ConeGroup::displacement_share(Real asked, Real h) const {
   Real moved2 = 0;
   for (const ConeBody& b : bodies_of(problem_)) moved2 = std::max(moved2, b.v.linear().squared_norm());
-  const Real most = std::min(kLongestTurn * asked(), std::max(asked(), kJointPush * h));
+  const Real most = std::min(kLongestTurn * asked, std::max(asked, kJointPush * h));
   return moved2 > most * most ? most / std::sqrt(moved2) : 1;
 }
 
@@ -71,14 +71,14 @@ void ConeGroup::part(Poses& to, Real h) {
   for (ConeBody& b : bodies_of(problem_)) b.v.set_zero();
   load_links(world_, problem_, link_row_, LinkPhase::part, h);
   measure_links(problem_);
+  const Real most_asked = asked();
   if (is_joined()) {
-    const Real most_asked = asked();
     answer_ = solve_cones(problem_, is_parted_roughly(most_asked) ? kGapShare * most_asked : 0.1 * kGap, kMostSteps);
   } else {
     answer_ = solve_cones(problem_, 0.01 * tolerance, allowed_steps(rest_.work));
     book_work();
   }
-  const Real share = displacement_share(h);
+  const Real share = displacement_share(most_asked, h);
   for (const ConeBody& b : bodies_of(problem_)) {
     const Vec3 turn = share * b.v.angular();
     correct_pose(to, b.slot, share * b.v.linear(), turn);

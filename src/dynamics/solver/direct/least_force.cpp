@@ -18,13 +18,6 @@ Real borne(const ConeProblem& problem) {
   return sum;
 }
 
-/// kg m/s and kg m^2/s of each body, by all impulses.
-void find_momentum(ConeProblem& problem) {
-  for (ConeBody& b : bodies_of(problem)) b.gradient.set_zero();
-  for (const ConeContact& c : problem.contacts) add_impulse<&ConeBody::gradient>(problem, c, c.p);
-  for (const ConeLink& c : problem.links) add_impulse<&ConeBody::gradient>(problem, c, c.p);
-}
-
 void push(ConeProblem& problem, const ConeContact& c, const Vec3& p) {
   const auto act = [&](std::uint32_t body, const Vec3& r, const Vec3& moment, Real sign) {
     if (body == kNobody) return;
