@@ -197,7 +197,7 @@ inline void over_a_face(Random& random, int count, const Take& take) {
     Vec3 down = -f.rotate_inverse(Vec3(Vec3::unit_y()));
     const Vec3 lowest = support_point(b, down / down.norm()), turned = f.r * lowest;
     const Real gap = pick(random, kGaps) * (any_of(random, 2) ? size : half.y());
-    f.p = Vec3(half.x() * random.uniform(-0.9, 0.9), half.y() + gap, half.z() * random.uniform(-0.9, 0.9)) - turned;
+    f.p = Vec3{half.x() * random.uniform(-0.9, 0.9), half.y() + gap, half.z() * random.uniform(-0.9, 0.9)} - turned;
     Long at[3], beyond[3];
     for (int r = 0; r < 3; ++r) {
       at[r] = f.p[r];

@@ -32,7 +32,7 @@ inline Shape random_shape(Form form, Real scale, Random& random) {
 /// A rotation: any, or one of those that put features in line (a quarter turn about an axis, with or without a
 /// tilt far below, near, and above what routines call parallel).
 inline Mat3 random_turn(Random& random) {
-  const Vec3 any(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
+  const Vec3 any{random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)};
   const Real choice = random.uniform(0, 3);
   if (choice < 1) return exp_map(any).matrix();
   Mat3 r = Mat3::identity();

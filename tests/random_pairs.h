@@ -27,7 +27,7 @@ inline Quat random_rotation(Random& random) {
 
 /// A hull of `count` points on a random ellipsoid of about unit size.
 inline Shape random_hull(Random& random, int count) {
-  const Vec3 radii(random.uniform(0.4, 1), random.uniform(0.4, 1), random.uniform(0.4, 1));
+  const Vec3 radii{random.uniform(0.4, 1), random.uniform(0.4, 1), random.uniform(0.4, 1)};
   std::vector<Vec3> points;
   for (int i = 0; i < count; ++i) points.push_back(random.direction().times(radii));
   return hull(points);

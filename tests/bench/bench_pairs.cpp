@@ -27,7 +27,7 @@ std::vector<Frame> poses_of(const Shape& a, const Shape& b, Pose kind) {
     Frame f(exp_map(Vec3(0, random.uniform(-3, 3), 0) + jitter).matrix(), Vec3::zero());
     const Real bottom = a.form == Form::half_space ? 0 : a.bounds.hi.y();
     f.p =
-        Vec3(random.uniform(-0.3, 0.3), bottom - b.bounds.lo.y() + random.uniform(-1e-3, 0), random.uniform(-0.3, 0.3));
+        Vec3{random.uniform(-0.3, 0.3), bottom - b.bounds.lo.y() + random.uniform(-1e-3, 0), random.uniform(-0.3, 0.3)};
     if (a.form != Form::half_space && a.form != Form::box) f.p.x() = f.p.z() = 0;
     poses.push_back(f);
   }

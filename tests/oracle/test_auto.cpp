@@ -131,7 +131,7 @@ static void a_group_beyond_its_work_is_left_to_soft_contacts_for_a_while(void**)
   t.ground();
   Random random(5);
   const Shape* cube = t.keep(box(Vec3(0.3, 0.2, 0.4)));
-  for (int i = 0; i < 40; ++i) t.add(cube, Vec3(random.uniform(-0.5, 0.5), 0.5 + 0.4 * i, random.uniform(-0.5, 0.5)));
+  for (int i = 0; i < 40; ++i) t.add(cube, Vec3{random.uniform(-0.5, 0.5), 0.5 + 0.4 * i, random.uniform(-0.5, 0.5)});
   int direct = 0, spared = 0;
   for (int step = 0; step < 200; ++step) {
     t.world.step(kStep);
@@ -160,7 +160,7 @@ static void who_gives_up_keeps_the_rest_of_its_work(void**) {
     t.ground();
     Random random(seed);
     const Shape* cube = t.keep(box(Vec3(0.3, 0.2, 0.4)));
-    for (int i = 0; i < 40; ++i) t.add(cube, Vec3(random.uniform(-0.5, 0.5), 0.5 + 0.4 * i, random.uniform(-0.5, 0.5)));
+    for (int i = 0; i < 40; ++i) t.add(cube, Vec3{random.uniform(-0.5, 0.5), 0.5 + 0.4 * i, random.uniform(-0.5, 0.5)});
     for (int step = 0; step < 100; ++step) {
       t.world.step(kStep);
       for (const GroupRest& rest : t.world.direct->rest)

@@ -33,7 +33,7 @@ static void a_heap_obeys_the_law_in_every_step(void**) {
   std::vector<std::uint32_t> bodies;
   for (int i = 0; i < 24; ++i)
     bodies.push_back(
-        t.add(i % 2 ? cube : ball, Vec3(random.uniform(-0.5, 0.5), 0.5 + 0.45 * i, random.uniform(-0.5, 0.5))));
+        t.add(i % 2 ? cube : ball, Vec3{random.uniform(-0.5, 0.5), 0.5 + 0.45 * i, random.uniform(-0.5, 0.5)}));
   std::size_t slides = 0, sticks = 0, opens = 0, capped = 0;
   for (int step = 0; step < 240; ++step) {
     std::vector<Vec3> before;

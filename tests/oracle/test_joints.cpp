@@ -221,7 +221,7 @@ static void rows_are_rates_of_errors(void**) {
     seed = seed * 1664525u + 1013904223u;
     return static_cast<Real>(seed >> 8) / (1 << 23) - 1;
   };
-  const auto vector = [&] { return Vec3(random(), random(), random()); };
+  const auto vector = [&] { return Vec3{random(), random(), random()}; };
   for (int trial = 0; trial < 100; ++trial)
     for (const auto& freedom : {std::pair(JointKind::ball, Coordinate::twist),
                                 {JointKind::ball, Coordinate::swing},

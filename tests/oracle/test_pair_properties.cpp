@@ -134,7 +134,7 @@ static void a_pair_moved_by_round_numbers_gives_the_same_bits(void**) {
     const Real grid = std::exp2(std::ceil(std::log2(size_of(p))) - 20);
     for (int k = 0; k < 3; ++k)
       p.b_in_a.p[k] = grid * std::round(p.b_in_a.p[k] / grid) + 0.0;  // no -0, which moving loses
-    const Vec3 t = grid * Vec3(std::round(random.uniform(-1e6, 1e6)), std::round(random.uniform(-1e6, 1e6)), 1 << 20);
+    const Vec3 t = grid * Vec3{std::round(random.uniform(-1e6, 1e6)), std::round(random.uniform(-1e6, 1e6)), 1 << 20};
     const QuerySettings s = any_settings(random);
     const Frame a, b(p.b_in_a.r, p.b_in_a.p), a_moved(a.r, t), b_moved(b.r, b.p + t);
     const QueryResult here = ask(p.a, p.b, relative(a, b), s), there = ask(p.a, p.b, relative(a_moved, b_moved), s);

@@ -162,7 +162,7 @@ static void a_rope_s_row_is_the_rate_of_its_length(void**) {
     seed = seed * 1664525u + 1013904223u;
     return Real(seed >> 8) / (1 << 23) - 1;
   };
-  const auto vector = [&] { return Vec3(random(), random(), random()); };
+  const auto vector = [&] { return Vec3{random(), random(), random()}; };
   for (int i = 0; i < 50; ++i) {
     TestWorld t(Vec3::zero());
     choose(t, kSoftChoice, 1);

@@ -135,7 +135,7 @@ void a_scene_without_resistance_has_no_customers(void**) {
 void a_moment_stays_in_its_disc_and_stops_what_it_can(void**) {
   Random random(7);
   for (int i = 0; i < 1000; ++i) {
-    const auto vector = [&] { return Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)); };
+    const auto vector = [&] { return Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; };
     const Mat3 root = Mat3::identity() + 0.3 * outer(vector(), vector());
     const Mat3 k = root * root.transpose();
     const Vec3 n = vector().normalized(), omega = vector(), had = 0.1 * vector();

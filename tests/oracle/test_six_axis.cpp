@@ -131,7 +131,7 @@ static void rows_are_rates_of_axes(void**) {
     seed = seed * 1664525u + 1013904223u;
     return Real(seed >> 8) / (1 << 23) - 1;
   };
-  const auto vector = [&] { return Vec3(random(), random(), random()); };
+  const auto vector = [&] { return Vec3{random(), random(), random()}; };
   Real worst = 0;
   for (int i = 0; i < 200; ++i) {
     TestWorld t(Vec3::zero());

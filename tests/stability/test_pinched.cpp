@@ -28,9 +28,16 @@ Quat turned_about(const Vec3& axis, Real angle) {
   return {std::cos(angle / 2), u.x(), u.y(), u.z()};
 }
 
-/// What is deep between surfaces that went through it gets several times that at once where normals jump: 12 times was
-/// seen. Before pinches were found, energies grew by factors of 1e5 to 1e10.
-constexpr Real kSqueezedMore = 20;
+/// A turn about any axis, by angles from 0 to `most`, rad. (What is drawn stands in braces: arguments have no order.)
+Quat any_turn(Draw& draw, Real most) {
+  const Vec3 axis{draw(-1, 1), draw(-1, 1), draw(-1, 1)};
+  return turned_about(axis.normalized(), draw(0, most));
+}
+
+/// What is deep between surfaces that went through it gets several times that at once where normals jump: 2.7 times was
+/// seen in 840 scenes. Before pinches were found, energies grew by factors of 1e5 to 1e10; by the exact law, which has
+/// an answer where surfaces close at a small angle, by up to 900.
+constexpr Real kSqueezedMore = 4;
 
 struct Pinch {
   TestWorld t;
@@ -51,11 +58,11 @@ void draw_pinch(Pinch& p, std::uint64_t seed) {
   const Shape* wall = t.keep(box(Vec3(0.1 * size, 4 * size, 4 * size)));
   t.add(wall, Vec3(-room - 0.1 * size, 4 * size, 0), BodyType::fixed, Quat::identity(), m);
   const std::uint32_t jaw = t.add(wall, Vec3(room + 0.1 * size, 4 * size, 0), BodyType::kinematic,
-                                  turned_about(Vec3(draw(-1, 1), draw(-1, 1), draw(-1, 1)).normalized(), draw(0, 0.3)), m);
+                                  any_turn(draw, 0.3), m);
   p.jaws = {jaw};
   p.speed = draw(0.05, 2) * size;
-  const Vec3 spin = Vec3(draw(-1, 1), draw(-1, 1), draw(-1, 1)) * (draw() * 0.3);
-  t.world.set_velocity(jaw, Vec3(-p.speed, draw(-0.5, 0.5) * p.speed, draw(-0.5, 0.5) * p.speed), spin);
+  const Vec3 way{draw(-1, 1), draw(-1, 1), draw(-1, 1)}, spin = way * (draw() * 0.3);
+  t.world.set_velocity(jaw, Vec3{-p.speed, draw(-0.5, 0.5) * p.speed, draw(-0.5, 0.5) * p.speed}, spin);
   p.speed = 2 * p.speed + spin.norm() * 8 * size;
   const int count = 1 + static_cast<int>(draw() * 6);
   for (int i = 0; i < count; ++i) {
@@ -63,13 +70,13 @@ void draw_pinch(Pinch& p, std::uint64_t seed) {
     const Real r = draw(0.3, 0.5) * size;
     switch (static_cast<int>(draw() * 4)) {
       case 0: shape = t.keep(sphere(r)); break;
-      case 1: shape = t.keep(box(Vec3(r, draw(0.3, 1) * r, draw(0.3, 1) * r))); break;
+      case 1: shape = t.keep(box(Vec3{r, draw(0.3, 1) * r, draw(0.3, 1) * r})); break;
       case 2: shape = t.keep(capsule(0.5 * r, 0.5 * r)); break;
       default: shape = t.keep(cylinder(0.6 * r, 0.8 * r)); break;
     }
     BodyDef def;
-    def.pose.p = Vec3(draw(-0.8, 0.8) * size, (0.6 + 1.1 * i) * size, draw(-0.3, 0.3) * size);
-    def.pose.q = turned_about(Vec3(draw(-1, 1), draw(-1, 1), draw(-1, 1)).normalized(), draw(0, 3));
+    def.pose.p = Vec3{draw(-0.8, 0.8) * size, (0.6 + 1.1 * i) * size, draw(-0.3, 0.3) * size};
+    def.pose.q = any_turn(draw, 3);
     p.bodies.push_back(handle_slot(t.world.add_body(def)));
     const Real density = draw() < 0.3 ? draw(10, 100) : draw(500, 8000);
     t.world.add_collider(p.bodies.back(), shape, Pose{}, density, m);
@@ -121,6 +128,16 @@ static void what_a_jaw_closes_on_is_not_shot_out(void**) {
     }
   assert_true(worst < kSqueezedMore);
 }
+/// Scenes in which the exact law shot out what it could not hold, and their neighbours. Not looked at before it was mended:
+/// 2001 to 2300, of which those stand here.
+static void what_the_law_would_shoot_out_yields(void**) {
+  for (const std::uint64_t seed : {2031, 2045, 2060, 2100, 2160, 2207, 2250}) {
+    Pinch p;
+    draw_pinch(p, seed);
+    p.t.world.set_dial(Dial::solver, kDirectChoice);
+    assert_true(worst_energy(p, 1.0 / 60) < kSqueezedMore);
+  }
+}
 static void at_other_steps_neither(void**) {
   Real worst = 0;
   for (std::uint64_t seed = 1001; seed <= 1060; ++seed)
@@ -156,6 +173,7 @@ static void a_ball_under_a_press(void**) {
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(what_a_jaw_closes_on_is_not_shot_out),
+                              cmocka_unit_test(what_the_law_would_shoot_out_yields),
                               cmocka_unit_test(at_other_steps_neither), cmocka_unit_test(a_ball_under_a_press)};
   return cmocka_run_group_tests_name("stability/pinched", tests, nullptr, nullptr);
 }

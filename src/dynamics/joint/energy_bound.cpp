@@ -13,9 +13,6 @@
 namespace carom::dynamics {
 namespace {
 
-/// What a surface may do to bodies: an elastic one that comes at u throws at 2 u, and bodies that hang on those faster.
-constexpr Real kThrow = 4;
-
 using Bounded = WideJoints::Bounded;
 using GroupBound = WideJoints::GroupBound;
 

@@ -30,6 +30,12 @@ inline constexpr Constant<Real> kDeepGain{
     "deep_gain", 4, "position tolerances",
     "by which bodies overlap as a step begins before their group may gain no energy from being pushed apart",
     "larger: heavy bodies on light ones are thrown up; smaller: what rests on its springs is looked at in each substep"};
-inline constexpr ConstantRow kEnergyBoundConstants[] = {kUnresolvedTurn, kUnresolvedGap, kDeepGain};
+inline constexpr Constant<Real> kThrow{
+    "surface_throw", 4, "1",
+    "times the speed of surfaces that nothing moves: what bodies they meet may reach; an elastic surface that comes at u "
+    "throws at 2 u, and bodies that hang on those faster",
+    "larger: bodies between surfaces that close are shot out; smaller: what surfaces throw falls short"};
+
+inline constexpr ConstantRow kEnergyBoundConstants[] = {kUnresolvedTurn, kUnresolvedGap, kDeepGain, kThrow};
 
 }  // namespace carom::dynamics

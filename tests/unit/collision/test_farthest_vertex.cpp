@@ -170,7 +170,7 @@ static void clouds_without_a_hull_are_scanned(void**) {
   Random random(5);
   Cloud sheet, line;
   for (int i = 0; i < 300; ++i) {
-    sheet.push_back(Vec3(random.uniform(-1, 1), 0, random.uniform(-1, 1)));
+    sheet.push_back(Vec3{random.uniform(-1, 1), 0, random.uniform(-1, 1)});
     line.push_back(Vec3(0, random.uniform(-1, 1), 0));
   }
   check(random, sheet);

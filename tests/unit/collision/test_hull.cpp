@@ -210,7 +210,7 @@ static void a_flat_cloud_has_no_hull(void**) {
     Cloud plane, line;
     const Mat3 r = some_rotation(random);
     for (int i = 0; i < 30; ++i) {
-      plane.push_back(r * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), 0) + Vec3(5, 0, 1));
+      plane.push_back(r * Vec3{random.uniform(-1, 1), random.uniform(-1, 1), 0} + Vec3(5, 0, 1));
       line.push_back(r * Vec3(random.uniform(-1, 1), 0, 0) + Vec3(5, 0, 1));
     }
     for (const Cloud& cloud : {plane, line}) {

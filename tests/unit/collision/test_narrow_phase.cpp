@@ -285,7 +285,7 @@ static void pairs_out_of_reach_are_left_alone_and_miss_no_contact(void**) {
       for (Scene* s : {&lazy, &eager}) s->add(a, at(0, 0, 0)), s->add(b, at(0, 0, 0));
       for (Scene* s : {&lazy, &eager})
         s->settings.query.routines = i % 2 == 0, s->settings.manifold.kind = ManifoldKind::clip;
-      const Vec3 from = Vec3(random.uniform(-3, 3), random.uniform(0, 4), 5), to = Vec3(random.uniform(-2, 2), -1, -4);
+      const Vec3 from = Vec3{random.uniform(-3, 3), random.uniform(0, 4), 5}, to = Vec3(random.uniform(-2, 2), -1, -4);
       const Vec3 turn = random.direction(), reach(0, random.uniform(0, 0.05), 0);
       for (int k = 0; k < kSteps; ++k) {
         const Real t = static_cast<Real>(k) / kSteps;

@@ -68,10 +68,10 @@ static void the_patch_is_all_that_lies_within_reach(void**) {
   int patches = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const Shape a = random_shape(Form::box, 1, random), b = random_shape(Form::box, 1, random);
-    const Vec3 tilt(random.uniform(-3e-3, 3e-3), 0, random.uniform(-3e-3, 3e-3));
+    const Vec3 tilt{random.uniform(-3e-3, 3e-3), 0, random.uniform(-3e-3, 3e-3)};
     Frame pose = turned(Vec3(0, random.uniform(-3, 3), 0), Vec3::zero());
     pose.r = exp_map(tilt).matrix() * pose.r;
-    pose.p = Vec3(random.uniform(-0.7, 0.7), a.half.y() + b.half.y() - 2e-3, random.uniform(-0.7, 0.7));
+    pose.p = Vec3{random.uniform(-0.7, 0.7), a.half.y() + b.half.y() - 2e-3, random.uniform(-0.7, 0.7)};
     const Candidates found = contacts(a, b, pose);
     if (found.count < 3 || std::fabs(found.point[0].normal.y()) < 0.999 || !found.whole)
       continue;  // beside, or an edge
@@ -107,7 +107,7 @@ static void faces_that_are_parallel_to_a_billionth_still_meet_as_faces(void**) {
   for (const Real tilt : {0.0, 1e-16, 1e-12, 1e-9, 1e-8, 3e-8, 1e-7, 1e-6, 1e-5}) {
     for (int trial = 0; trial < 100; ++trial) {
       Frame pose =
-          turned(tilt * random.direction(), Vec3(random.uniform(-1.5, 1.5), 1.9999, random.uniform(-1.5, 1.5)));
+          turned(tilt * random.direction(), Vec3{random.uniform(-1.5, 1.5), 1.9999, random.uniform(-1.5, 1.5)});
       const Candidates found = contacts(cube, cube, pose);
       assert_int_equal(found.count, 4);
       for (int k = 0; k < 4; ++k) {
@@ -234,8 +234,8 @@ static void a_corner_before_a_face_is_the_distance_of_boxes_apart(void**) {
   int apart = 0, known = 0;
   for (int trial = 0; trial < 4000; ++trial) {
     const Shape a = random_shape(Form::box, 1, random), b = random_shape(Form::box, 1, random);
-    const Vec3 way = exp_map(Vec3(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3))) * Vec3(3, 0, 0);
-    const Vec3 turn(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
+    const Vec3 way = exp_map(Vec3{random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)}) * Vec3(3, 0, 0);
+    const Vec3 turn{random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)};
     const Frame pose = turned(turn, random.uniform(0, 1) * way);
     QuerySettings settings;
     settings.tolerance = 1e-12;

@@ -192,7 +192,7 @@ static void a_coin_and_a_cone_stand_on_four_points_of_their_rims(void**) {
 static void an_ellipsoid_touches_in_exactly_one_point(void**) {
   const Shape slab = faced(box(Vec3(2, 0.5, 2)));
   at_many([&](Real gap, ManifoldKind kind, const Vec3& off, Random& random) {
-    const Vec3 radii(random.uniform(0.05, 0.5), random.uniform(0.05, 0.5), random.uniform(0.05, 0.5));
+    const Vec3 radii{random.uniform(0.05, 0.5), random.uniform(0.05, 0.5), random.uniform(0.05, 0.5)};
     const Shape egg = ellipsoid(radii);
     const Mat3 r = exp_map(3 * random.direction()).matrix();
     const Vec3 n = r.transpose() * Vec3::unit_y(), scaled = radii.times(n);

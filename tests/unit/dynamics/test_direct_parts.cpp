@@ -15,7 +15,7 @@ using namespace carom::test;
 namespace {
 
 Vec3 any_vector(Random& random, Real size) {
-  return size * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+  return size * Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
 }
 
 /// A symmetric positive definite system on a graph, dense and in blocks.

@@ -7,6 +7,7 @@
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/least_force.h"
+#include "dynamics/solver/direct/least_force_constants.h"
 #include "dynamics/solver/direct/load.h"
 #include "dynamics/solver/direct/round.h"
 
@@ -221,6 +222,17 @@ void ConeGroup::find_closer(Real goal, std::uint32_t most_steps) {
   answer_.is_wedged = was.is_wedged;
 }
 
+/// Surfaces that close on a body at a small angle shoot it out, by the law. No machine does: contacts yield then.
+void ConeGroup::refuse_throw(Real goal, std::uint32_t most_steps) {
+  for (Real give = kGiveOfContacts; answer_.factorisations > 0 && throws(problem_) && give < kGiveOfSweeps;) {
+    give = std::min(10 * give, kGiveOfSweeps.value);
+    const std::uint32_t taken = answer_.factorisations;
+    drop_impulses(problem_);
+    answer_ = solve_yielding(problem_, give, goal, std::max(most_steps, taken + kAlways) - taken);
+    answer_.factorisations += taken, answer_.is_wedged = true;
+  }
+}
+
 void ConeGroup::refuse_gain(Real goal, std::uint32_t most_steps) {
   const auto gives = [&] { return gives_energy(problem_, world_.scene.dials[Dial::velocity_tolerance]); };
   if (answer_.factorisations == 0 || !gives()) return;
@@ -317,6 +329,7 @@ void ConeGroup::answer(Real h, std::uint32_t most_steps) {
     start(h);
     find(goal, most_steps);
   }
+  refuse_throw(goal, most_steps);
   refuse_gain(goal, most_steps);
   book_work();
   rest_.is_close = answer_.residual < world_.scene.dials[Dial::velocity_tolerance];

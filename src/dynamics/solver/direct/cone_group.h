@@ -48,6 +48,7 @@ class ConeGroup {
   void finish(Velocities& to);
   bool lies_still() const;
   bool comes_to_rest(Real goal);
+  void refuse_throw(Real goal, std::uint32_t most_steps);
   void refuse_gain(Real goal, std::uint32_t most_steps);
   void keep(Velocities& to);
   bool is_parted_roughly(Real by) const;

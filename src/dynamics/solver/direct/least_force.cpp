@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dynamics/joint/energy_bound.h"
 #include "dynamics/solver/direct/least_force_constants.h"
 
 namespace carom::dynamics {
@@ -78,6 +79,13 @@ void visit(ConeProblem& problem, ConeLink& c) {
   c.p = next;
 }
 
+/// J, at most: what its target asks a lock for, what a drive does.
+Real given_by_drive(const ConeProblem& problem, const ConeLink& c) {
+  if (c.is_lock()) return std::fabs(c.p * c.low);
+  const Real before = c.carried + relative<&ConeBody::before>(problem.bodies, c);
+  return std::max(Real(0), c.p * (before + c.u) / 2);
+}
+
 }  // namespace
 
 bool is_wedged(const ConeProblem& problem) {
@@ -91,12 +99,17 @@ bool is_wedged(const ConeProblem& problem) {
   return needed < kWedged * bears;
 }
 
+ConeAnswer solve_yielding(ConeProblem& problem, Real share, Real tolerance, std::uint32_t most_steps) {
+  give_way(problem, share);
+  const ConeAnswer answer = solve_cones(problem, tolerance, most_steps);
+  give_way(problem, 0);
+  return answer;
+}
+
 ConeAnswer solve_with_least_force(ConeProblem& problem, Real tolerance, std::uint32_t most_steps) {
   ConeAnswer answer;
   if (residual(problem) > tolerance) {
-    give_way(problem, kGiveOfContacts);
-    answer = solve_cones(problem, tolerance, most_steps);
-    give_way(problem, 0);
+    answer = solve_yielding(problem, kGiveOfContacts, tolerance, most_steps);
     save_impulses<&ConeContact::least_p, &ConeLink::least_p>(problem);
   }
   const Real bears = borne(problem);
@@ -110,6 +123,22 @@ ConeAnswer solve_with_least_force(ConeProblem& problem, Real tolerance, std::uin
     answer.reached = answer.residual <= tolerance;
   }
   return answer;
+}
+
+bool throws(const ConeProblem& problem) {
+  if (problem.contacts.empty()) return false;
+  Real before = 0, after = 0, mass = 0, surface2 = 0;
+  for (const ConeBody& b : bodies_of(problem)) {
+    before += b.before.dot(momentum_of(b, b.before)) / 2;
+    after += b.v.dot(momentum_of(b, b.v)) / 2;
+    mass += b.inv_mass > 0 ? 1 / b.inv_mass : 0;
+  }
+  for (const ConeContact& c : problem.contacts) surface2 = std::max(surface2, c.carried.squared_norm());
+  for (const ConeLink& c : problem.links) {
+    surface2 = std::max(surface2, c.carried * c.carried);
+    before += given_by_drive(problem, c);
+  }
+  return surface2 > 0 && after > before + kThrow * kThrow * surface2 * mass / 2;
 }
 
 // Over a share s they take -(s p.u + s^2 p.A p / 2) of the energy of relative motion: least at s = -p.u / p.A p, and
@@ -144,10 +173,8 @@ bool gives_energy(ConeProblem& problem, Real residual) {
     allowed += c.p.norm() * residual;
   }
   for (const ConeLink& c : problem.links) {
-    const Real before = c.carried + relative<&ConeBody::before>(problem.bodies, c);
-    const Real drives = std::max(Real(0), c.p * (before + c.u) / 2);
     gained += c.p * c.carried;
-    allowed += std::fabs(c.p) * residual + (c.is_lock() ? std::fabs(c.p * c.low) : drives);
+    allowed += std::fabs(c.p) * residual + given_by_drive(problem, c);
   }
   return gained > allowed;
 }

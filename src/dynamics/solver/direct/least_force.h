@@ -22,6 +22,12 @@ ConeAnswer solve_with_least_force(ConeProblem& problem, Real tolerance, std::uin
 /// Whether impulses are far larger than what they do to the bodies asks for.
 bool is_wedged(const ConeProblem& problem);
 
+/// As solve_cones(), with contacts that yield by a share of their response.
+ConeAnswer solve_yielding(ConeProblem& problem, Real share, Real tolerance, std::uint32_t most_steps);
+
+/// Whether bodies leave faster than surfaces that meet them could throw them (kThrow).
+bool throws(const ConeProblem& problem);
+
 /// How much of the impulses that a substep starts from is worth keeping: all, unless they would give energy where the
 /// bodies are by now; then as much as takes the most.
 /// @param problem  gradient: momentum that contacts give each body; before: velocities without   @return 0 to 1

@@ -119,7 +119,7 @@ static void normals_point_into_the_surface(void**) {
   Random random(43);
   int met = 0;
   for (int i = 0; i < 3000; ++i) {
-    const Vec3 radii(random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1));
+    const Vec3 radii{random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1)};
     const Vec3 from = 3 * random.direction();
     const Ray ray{from, random.in_cube(0.5) - from, 1};
     CastSettings settings;
@@ -265,7 +265,7 @@ static void scale_does_not_matter(void**) {
   // Powers of two change no digit; other factors only rounding.
   Random random(45);
   for (int i = 0; i < 600; ++i) {
-    const Vec3 half(random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1));
+    const Vec3 half{random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1)};
     const Vec3 from = 3 * random.direction(), d = random.in_cube(0.5) - from;
     for (const Real factor : {0x1p-20, 0x1p+20, 1e-6, 1e6}) {
       const Shape small[] = {box(half), ellipsoid(half), cylinder(half.x(), half.y())};
@@ -290,7 +290,7 @@ static void a_ball_instead_of_a_ray_is_a_swollen_shape(void**) {
   ball.target = 0.25;
   for (int i = 0; i < 2000; ++i) {
     const Real r = random.uniform(0.2, 1);
-    const Vec3 half(random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1));
+    const Vec3 half{random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1)};
     const Vec3 from = 4 * random.direction();
     const Ray ray{from, random.in_cube(1) - from, 1};
     const CastResult a = ask(ray, sphere(r), Frame(), ball), b = ask(ray, sphere(r + 0.25));

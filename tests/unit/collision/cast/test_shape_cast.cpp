@@ -197,7 +197,7 @@ static void grazes_terminate_and_are_never_called_wrongly(void**) {
 static void far_from_the_origin_and_at_any_scale(void**) {
   Random random(55);
   for (int k = 0; k < 300; ++k) {
-    const Vec3 half(random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1));
+    const Vec3 half{random.uniform(0.3, 1), random.uniform(0.3, 1), random.uniform(0.3, 1)};
     const Mat3 ra = random_rotation(random).matrix(), rb = random_rotation(random).matrix();
     const Vec3 start = 4 * random.direction(), motion = random.in_cube(0.5) - start;
     const CastResult near = ask(box(half), Frame(ra, start), motion, ellipsoid(half), Frame(rb, Vec3::zero()));
