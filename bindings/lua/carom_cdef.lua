@@ -148,6 +148,17 @@ int32_t carom_body_destroy(carom_world *world, carom_body body, carom_error *err
 int32_t carom_body_get(carom_world *world, carom_body body, carom_body_desc *desc, carom_error *error);
 int32_t carom_body_set_pose(carom_world *world, carom_body body, const double *position, const double *orientation, carom_error *error);
 int32_t carom_body_set_velocity(carom_world *world, carom_body body, const double *linear, const double *angular, carom_error *error);
+int32_t carom_body_get_pose(carom_world *world, carom_body body, double *position, double *orientation, carom_error *error);
+int32_t carom_body_get_velocity(carom_world *world, carom_body body, double *linear, double *angular, carom_error *error);
+int32_t carom_body_set_mass(carom_world *world, carom_body body, double mass, const double *center, const double *inertia, carom_error *error);
+int32_t carom_body_get_mass(carom_world *world, carom_body body, double *mass, double *center, double *inertia, carom_error *error);
+int32_t carom_body_set_type(carom_world *world, carom_body body, uint32_t type, carom_error *error);
+int32_t carom_body_get_type(carom_world *world, carom_body body, uint32_t *type, carom_error *error);
+int32_t carom_body_set_damping(carom_world *world, carom_body body, double linear, double angular, carom_error *error);
+int32_t carom_body_get_damping(carom_world *world, carom_body body, double *linear, double *angular, carom_error *error);
+int32_t carom_body_set_user(carom_world *world, carom_body body, uint64_t user, carom_error *error);
+int32_t carom_body_get_user(carom_world *world, carom_body body, uint64_t *user, carom_error *error);
+int32_t carom_body_get_colliders(carom_world *world, carom_body body, carom_collider *colliders, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_body_add_force(carom_world *world, carom_body body, const double *force, const double *torque, carom_error *error);
 int32_t carom_body_add_impulse(carom_world *world, carom_body body, const double *impulse, const double *point, carom_error *error);
 int32_t carom_body_set_gravity_factor(carom_world *world, carom_body body, double factor, carom_error *error);
@@ -163,8 +174,12 @@ int32_t carom_body_set_continuous(carom_world *world, carom_body body, uint32_t 
 int32_t carom_body_get_continuous(carom_world *world, carom_body body, uint32_t *mode, carom_error *error);
 int32_t carom_collider_desc_init(carom_collider_desc *desc);
 int32_t carom_collider_create(carom_world *world, carom_body body, const carom_collider_desc *desc, carom_collider *collider, carom_error *error);
+int32_t carom_body_create_named(carom_world *world, uint32_t type, const char *name, const double *params, uint64_t count, const double *position, carom_body *body, carom_error *error);
 int32_t carom_collider_destroy(carom_world *world, carom_collider collider, carom_error *error);
 int32_t carom_collider_get(carom_world *world, carom_collider collider, carom_collider_desc *desc, carom_body *body, carom_error *error);
+int32_t carom_collider_set_material(carom_world *world, carom_collider collider, carom_material material, carom_error *error);
+int32_t carom_collider_set_density(carom_world *world, carom_collider collider, double density, carom_error *error);
+int32_t carom_collider_set_pose(carom_world *world, carom_collider collider, const double *position, const double *orientation, carom_error *error);
 int32_t carom_collider_set_surface_velocity(carom_world *world, carom_collider collider, const double *linear, const double *angular, carom_error *error);
 int32_t carom_collider_get_surface_velocity(carom_world *world, carom_collider collider, double *linear, double *angular, carom_error *error);
 int32_t carom_world_get_bodies(carom_world *world, carom_body *handles, uint64_t capacity, uint64_t *count, carom_error *error);
@@ -253,6 +268,7 @@ int32_t carom_joint_set_axis(carom_world *world, carom_joint joint, uint32_t axi
 int32_t carom_joint_get_axis(carom_world *world, carom_joint joint, uint32_t axis, carom_joint_axis *desc, carom_error *error);
 int32_t carom_joint_set_orientation_drive(carom_world *world, carom_joint joint, const carom_joint_orientation_drive *drive, carom_error *error);
 int32_t carom_joint_get_orientation_drive(carom_world *world, carom_joint joint, carom_joint_orientation_drive *drive, carom_error *error);
+int32_t carom_world_read_joints(carom_world *world, uint32_t field, uint32_t scalar, const carom_joint *joints, uint64_t n, void *dst, uint64_t stride, carom_error *error);
 int32_t carom_world_get_joints(carom_world *world, carom_joint *joints, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_world_enable_ledger(carom_world *world, uint32_t on, carom_error *error);
 int32_t carom_world_get_ledger(carom_world *world, carom_ledger_entry *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
@@ -291,6 +307,7 @@ int32_t carom_shape_create_height_field(carom_engine *engine, const carom_height
 int32_t carom_shape_get_scenery_info(carom_engine *engine, carom_shape shape, carom_scenery_info *info, carom_error *error);
 int32_t carom_shape_get_triangles(carom_engine *engine, carom_shape shape, uint64_t first, double *corners, uint64_t *count, uint64_t *next, carom_error *error);
 int32_t carom_shape_create(carom_engine *engine, carom_plugin plugin, const double *params, uint64_t count, carom_shape *shape, carom_error *error);
+int32_t carom_shape_create_named(carom_engine *engine, const char *name, const double *params, uint64_t count, carom_shape *shape, carom_error *error);
 int32_t carom_shape_create_half_space(carom_engine *engine, const double *normal, double offset, carom_shape *shape, carom_error *error);
 int32_t carom_shape_destroy(carom_engine *engine, carom_shape shape, carom_error *error);
 int32_t carom_shape_get_info(carom_engine *engine, carom_shape shape, carom_shape_info *info, carom_error *error);
@@ -566,6 +583,15 @@ return {
   CAROM_JOINT_WORLD_FRAME = 1,
   CAROM_JOINT_COLLIDE = 2,
   CAROM_JOINT_FIELD_LENGTH = 4,
+  CAROM_JOINT_READ_COORDINATES = 0,
+  CAROM_JOINT_READ_SPEEDS = 1,
+  CAROM_JOINT_READ_AXES = 2,
+  CAROM_JOINT_READ_AXIS_SPEEDS = 3,
+  CAROM_JOINT_READ_FORCE = 4,
+  CAROM_JOINT_READ_TORQUE = 5,
+  CAROM_JOINT_READ_ERROR = 6,
+  CAROM_JOINT_READ_BROKEN = 7,
+  CAROM_JOINT_READ_COUNT = 8,
   CAROM_EFFECT_GYROSCOPIC = 0,
   CAROM_EFFECT_LINEAR_DAMPING = 1,
   CAROM_EFFECT_ANGULAR_DAMPING = 2,

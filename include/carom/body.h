@@ -99,6 +99,54 @@ CAROM_API int32_t carom_body_set_pose(carom_world *world, carom_body body, const
  *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT */
 CAROM_API int32_t carom_body_set_velocity(carom_world *world, carom_body body, const double linear[3],
                                           const double angular[3], carom_error *error);
+/** @param position [3] out: m, world, origin of the body frame   @param orientation [4] out: x, y, z, w, body to world. Either
+ *  may be NULL: not wanted.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+CAROM_API int32_t carom_body_get_pose(carom_world *world, carom_body body, double position[3], double orientation[4],
+                                      carom_error *error);
+/** @param linear [3] out: m/s, world, of the centre of mass   @param angular [3] out: rad/s, world. Either may be NULL.
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+CAROM_API int32_t carom_body_get_velocity(carom_world *world, carom_body body, double linear[3], double angular[3],
+                                          carom_error *error);
+/** Set the mass of a dynamic body, as carom_body_desc would have. Its frame stays; the velocity of its centre is kept as
+ *  that of the new centre. Wakes the body and its island.
+ *  @param mass kg, at least 1e-300; or 0: from the densities of its colliders, with center and inertia NULL
+ *  @param center [3] m, body frame, or NULL: from its colliders
+ *  @param inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero; or NULL:
+ *                 from its colliders, scaled to the mass
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0, and a
+ *          collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+CAROM_API int32_t carom_body_set_mass(carom_world *world, carom_body body, double mass, const double center[3],
+                                      const double inertia[9], carom_error *error);
+/** As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate. Any may be NULL.
+ *  @param mass out: kg   @param center [3] out: m, body frame   @param inertia [9] out: kg m^2, body frame axes, about the
+ *  centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+CAROM_API int32_t carom_body_get_mass(carom_world *world, carom_body body, double *mass, double center[3],
+                                      double inertia[9], carom_error *error);
+/** Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic no
+ *  longer loses pending forces and what only dynamic bodies may have (carom_attribute_info.of_dynamic). What it touches wakes.
+ *  @param type CAROM_BODY_*
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that is not
+ *          dynamic; a joint needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+CAROM_API int32_t carom_body_set_type(carom_world *world, carom_body body, uint32_t type, carom_error *error);
+/** @param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+CAROM_API int32_t carom_body_get_type(carom_world *world, carom_body body, uint32_t *type, carom_error *error);
+/** @param linear, angular 1/s, [0, 1e6]: dv/dt = -linear v, likewise of spin   @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE;
+ *  OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8 */
+CAROM_API int32_t carom_body_set_damping(carom_world *world, carom_body body, double linear, double angular,
+                                         carom_error *error);
+/** @param linear, angular out: 1/s; either may be NULL   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+CAROM_API int32_t carom_body_get_damping(carom_world *world, carom_body body, double *linear, double *angular,
+                                         carom_error *error);
+/** @param user anything; the engine does not look   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT   @since 1.8 */
+CAROM_API int32_t carom_body_set_user(carom_world *world, carom_body body, uint64_t user, carom_error *error);
+/** @param user out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+CAROM_API int32_t carom_body_get_user(carom_world *world, carom_body body, uint64_t *user, carom_error *error);
+/** Number of a body's colliders, and their handles in the order of the slots.
+ *  @param colliders [capacity] or NULL   @param count out: how many there are (may exceed capacity; capacity are written)
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+CAROM_API int32_t carom_body_get_colliders(carom_world *world, carom_body body, carom_collider *colliders,
+                                           uint64_t capacity, uint64_t *count, carom_error *error);
+
 /** Add a force and a torque about the centre of mass, for the next step only.
  *  @param force [3] N, world   @param torque [3] N m, world
  *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
@@ -244,11 +292,33 @@ CAROM_API int32_t carom_collider_desc_init(carom_collider_desc *desc);
  *          body that moves); NO_VOLUME (a flat shape needs CAROM_BODY_FIELD_MASS or density 0); BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_collider_create(carom_world *world, carom_body body, const carom_collider_desc *desc,
                                         carom_collider *collider, carom_error *error);
+/** The common case in one call: a shape by name, a body, and a collider of density 1000. A shape of that name with the same
+ *  parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
+ *  Where a part of it fails nothing has changed, but for a plugin that was loaded.
+ *  @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
+ *          PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY   @since 1.8 */
+CAROM_API int32_t carom_body_create_named(carom_world *world, uint32_t type, const char *name, const double *params,
+                                          uint64_t count, const double position[3], carom_body *body, carom_error *error);
 /** @status OK; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_collider_destroy(carom_world *world, carom_collider collider, carom_error *error);
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
 CAROM_API int32_t carom_collider_get(carom_world *world, carom_collider collider, carom_collider_desc *desc,
                                      carom_body *body, carom_error *error);
+
+/** Give a collider another material. Wakes what its body touches.   @param material or CAROM_NULL_HANDLE: friction 0.5,
+ *  restitution 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+CAROM_API int32_t carom_collider_set_material(carom_world *world, carom_collider collider, carom_material material,
+                                              carom_error *error);
+/** The body's mass follows, unless it was given. Wakes the body and its island.   @param density kg/m^3, [0, 1e9]
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+CAROM_API int32_t carom_collider_set_density(carom_world *world, carom_collider collider, double density,
+                                             carom_error *error);
+/** Move a shape on its body; the body's mass follows. What is remembered of its contacts is dropped.
+ *  @param position [3] m, body frame: origin of the shape; each within 1e15   @param orientation [4] x, y, z, w, shape to body
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+CAROM_API int32_t carom_collider_set_pose(carom_world *world, carom_collider collider, const double position[3],
+                                          const double orientation[4], carom_error *error);
 
 /** Let a collider's surface move though the collider stays: a conveyor belt, a turntable, a track. Friction then brings
  *  what touches it to the velocity of the surface,

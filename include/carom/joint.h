@@ -291,6 +291,30 @@ CAROM_API int32_t carom_joint_set_orientation_drive(carom_world *world, carom_jo
 CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_joint joint, carom_joint_orientation_drive *drive,
                                                     carom_error *error);
 
+/** @name What carom_world_read_joints() reads
+ *  @{ */
+#define CAROM_JOINT_READ_COORDINATES 0u /* 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now   @since 1.8 */
+#define CAROM_JOINT_READ_SPEEDS 1u      /* 4: m/s or rad/s, their rates, from the present velocities   @since 1.8 */
+#define CAROM_JOINT_READ_AXES 2u        /* 6: m and rad, by CAROM_AXIS_*   @since 1.8 */
+#define CAROM_JOINT_READ_AXIS_SPEEDS 3u /* 6: m/s and rad/s, their rates   @since 1.8 */
+#define CAROM_JOINT_READ_FORCE 4u       /* 3: N, world, as carom_joint_state.force   @since 1.8 */
+#define CAROM_JOINT_READ_TORQUE 5u      /* 3: N m, world, as carom_joint_state.torque   @since 1.8 */
+#define CAROM_JOINT_READ_ERROR 6u       /* 2: m and rad, gap and angle   @since 1.8 */
+#define CAROM_JOINT_READ_BROKEN 7u      /* 1: 1 or 0   @since 1.8 */
+#define CAROM_JOINT_READ_COUNT 8u       /* @since 1.8 */
+/** @} */
+
+/** Read one field of n joints, as carom_world_read() does of bodies.
+ *  A rate of what has no direction (points or axes that agree) is the one at which it begins to grow.
+ *  Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). Oracle: tests/abi/test_joint_bulk.
+ *  @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
+ *  @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
+ *  @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY
+ *  @since 1.8 */
+CAROM_API int32_t carom_world_read_joints(carom_world *world, uint32_t field, uint32_t scalar, const carom_joint *joints,
+                                          uint64_t n, void *dst, uint64_t stride, carom_error *error);
+
 /** Number of joints, and their handles in creation order of the slots.
  *  @param joints [capacity] or NULL   @param count out: how many there are
  *  @status OK; NULL_ARGUMENT; BUSY   @since 1.5 */

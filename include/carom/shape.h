@@ -19,6 +19,17 @@ extern "C" {
 CAROM_API int32_t carom_shape_create(carom_engine *engine, carom_plugin plugin, const double *params, uint64_t count,
                                      carom_shape *shape, carom_error *error);
 
+/** Make a shape by the name of its plugin: "box", or "carom.box", or the id of a plugin of yours. Plugins that the engine has come
+ *  first. Then a file NAME.so is looked for and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute, separated by ':'; not
+ *  in programs that run with raised privileges), beside the library, in the folder where plugins are installed. "half_space"
+ *  is built in: normal x, y, z, offset.
+ *  @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
+ *  @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE; PLUGIN_PATH;
+ *          PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
+ *  @thread any, also while worlds step   @since 1.8 */
+CAROM_API int32_t carom_shape_create_named(carom_engine *engine, const char *name, const double *params, uint64_t count,
+                                           carom_shape *shape, carom_error *error);
+
 /** The built-in half-space { x : normal . x <= offset } in the shape's own frame; unbounded, so static bodies only.
  *  @param normal [3] unit (within 1e-6)   @param offset m
  *  @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_MEMORY */

@@ -1,6 +1,7 @@
 // Bodies: what a host says about one, checked and handed to the world, and read back.
 #include <carom/body.h>
 
+#include "abi/body.h"
 #include "abi/collider.h"
 #include "abi/float_scope.h"
 #include "abi/record_calls.h"
@@ -23,26 +24,7 @@ constexpr std::uint32_t kBodyFields = CAROM_BODY_FIELD_MASS | CAROM_BODY_FIELD_C
 static_assert(kAllLocks == CAROM_LOCK_ALL &&
               kLinearLocks == (CAROM_LOCK_LINEAR_X | CAROM_LOCK_LINEAR_Y | CAROM_LOCK_LINEAR_Z) &&
               kAngularLocks == (CAROM_LOCK_ANGULAR_X | CAROM_LOCK_ANGULAR_Y | CAROM_LOCK_ANGULAR_Z));
-constexpr double kLargestDamping = 1e6;      // 1/s
 constexpr double kSymmetryTolerance = 1e-9;  // of the largest entry: what a rotation of a tensor in double may leave
-
-/// Symmetric and positive definite, or zero (does not rotate). Cholesky on entries scaled to 1, so nothing overflows.
-bool check_inertia(Call& call, const double inertia[9]) {
-  if (!finite(call, 2, "desc->inertia", inertia, 9)) return false;
-  const Mat3 m = Mat3::from_rows(inertia);
-  const Real largest = m.abs().max_entry();
-  if (largest == 0) return true;
-  const Mat3 a = m / largest;
-  if ((a - a.transpose()).abs().max_entry() > kSymmetryTolerance)
-    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->inertia is not symmetric: %g, %g, %g against %g, %g, %g",
-                     inertia[1], inertia[2], inertia[5], inertia[3], inertia[6], inertia[7]);
-  const Real d0 = a(0, 0), l10 = a(1, 0) / d0, l20 = a(2, 0) / d0;
-  const Real d1 = a(1, 1) - l10 * a(1, 0), l21 = (a(2, 1) - l20 * a(1, 0)) / d1;
-  const Real d2 = a(2, 2) - l20 * a(2, 0) - l21 * (a(2, 1) - l20 * a(1, 0));
-  return (d0 > 0 && d1 > 0 && d2 > 0) ||
-         call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->inertia is not positive definite (pivots %g, %g, %g times %g)", d0,
-                   d1, d2, largest);
-}
 
 bool check_mass(Call& call, const carom_body_desc& d) {
   const std::uint32_t about_mass = CAROM_BODY_FIELD_CENTER | CAROM_BODY_FIELD_INERTIA;
@@ -56,7 +38,7 @@ bool check_mass(Call& call, const carom_body_desc& d) {
                        kLeastMass);
   }
   return (!(d.fields & CAROM_BODY_FIELD_CENTER) || vector_in_range(call, 2, "desc->center", d.center, kMaxPosition)) &&
-         (!(d.fields & CAROM_BODY_FIELD_INERTIA) || check_inertia(call, d.inertia));
+         (!(d.fields & CAROM_BODY_FIELD_INERTIA) || check_inertia(call, 2, "desc->inertia", d.inertia));
 }
 
 bool check_motion(Call& call, const carom_body_desc& d) {
@@ -86,10 +68,7 @@ bool read_body(Call& call, const carom_body_desc* given, BodyDef& def) {
   }
   if (def.has_mass) def.mass = d.mass;
   if (def.has_center) def.center = to_vec3(d.center);
-  if (def.has_inertia) {
-    const Mat3 m = Mat3::from_rows(d.inertia);
-    def.inertia = 0.5 * m + 0.5 * m.transpose();  // the largest does not overflow
-  }
+  if (def.has_inertia) def.inertia = symmetric(d.inertia);
   def.linear_damping = d.linear_damping;
   def.angular_damping = d.angular_damping;
   def.user = d.user;
@@ -125,6 +104,29 @@ void remove(carom_engine& engine, World& world, std::uint32_t body) {
 }
 
 }  // namespace
+
+// Cholesky on entries scaled to 1, so nothing overflows.
+bool check_inertia(Call& call, int argument, const char* name, const double inertia[9]) {
+  if (!finite(call, argument, name, inertia, 9)) return false;
+  const Mat3 m = Mat3::from_rows(inertia);
+  const Real largest = m.abs().max_entry();
+  if (largest == 0) return true;
+  const Mat3 a = m / largest;
+  if ((a - a.transpose()).abs().max_entry() > kSymmetryTolerance)
+    return call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is not symmetric: %g, %g, %g against %g, %g, %g", name,
+                     inertia[1], inertia[2], inertia[5], inertia[3], inertia[6], inertia[7]);
+  const Real d0 = a(0, 0), l10 = a(1, 0) / d0, l20 = a(2, 0) / d0;
+  const Real d1 = a(1, 1) - l10 * a(1, 0), l21 = (a(2, 1) - l20 * a(1, 0)) / d1;
+  const Real d2 = a(2, 2) - l20 * a(2, 0) - l21 * (a(2, 1) - l20 * a(1, 0));
+  return (d0 > 0 && d1 > 0 && d2 > 0) ||
+         call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is not positive definite (pivots %g, %g, %g times %g)", name, d0, d1,
+                   d2, largest);
+}
+
+Mat3 symmetric(const double inertia[9]) {
+  const Mat3 m = Mat3::from_rows(inertia);
+  return 0.5 * m + 0.5 * m.transpose();  // the largest does not overflow
+}
 
 bool at_rest(Call& call, int argument, const char* name, const double v[3]) {
   return (v[0] == 0 && v[1] == 0 && v[2] == 0) ||

@@ -29,21 +29,6 @@ bool check_desc(Call& call, const World& world, const carom_collider_desc& d) {
          in_range(call, 3, "desc->density", d.density, 0, kLargestDensity);
 }
 
-/// What shape and body together must fulfil.
-bool check_fit(Call& call, const World& world, std::uint32_t body, const Shape& shape, double density) {
-  if (shape.form == Form::half_space && world.scene.type[body] != BodyType::fixed)
-    return call.fail(CAROM_E_OUT_OF_RANGE, 3, "a half-space is unbounded: it fits static bodies only");
-  if (is_scenery(shape) && world.scene.type[body] == BodyType::dynamic)
-    return call.fail(
-        CAROM_E_OUT_OF_RANGE, 3,
-        "scenery has no volume: it fits static and kinematic bodies (a body that moves by forces takes convex shapes)");
-  const bool weighs = world.scene.type[body] == BodyType::dynamic && density > 0 && !world.scene.def[body].has_mass;
-  return !(weighs && is_flat(shape)) ||
-         call.fail(CAROM_E_NO_VOLUME, 3,
-                   "the shape has volume %g m^3 within radius %g m: no mass follows from density %g", shape.mass.volume,
-                   shape.bounding_radius, density);
-}
-
 void create(Call& call, const Changing& changing, carom_body body, const carom_collider_desc* given,
             carom_collider* collider) {
   carom_collider_desc d;
@@ -52,7 +37,7 @@ void create(Call& call, const Changing& changing, carom_body body, const carom_c
   ShapePin shape(changing.engine());
   if (!resolve(call, 2, "body", world.scene.bodies, body) || !read_struct(call, 3, "desc", given, d) ||
       !check_desc(call, world, d) || !shape.take(call, 3, "desc->shape", d.shape) ||
-      !check_fit(call, world, handle_slot(body), *shape, d.density) || !present(call, 4, "collider", collider))
+      !shape_fits(call, 3, world.scene.type[handle_slot(body)], world.scene.def[handle_slot(body)].has_mass, *shape, d.density) || !present(call, 4, "collider", collider))
     return;
   const FloatScope scope;
   const std::uint32_t material = d.material ? handle_slot(d.material) : Colliders::kNoMaterial;
@@ -79,6 +64,20 @@ carom_collider_desc describe_collider(const World& world, std::uint32_t slot) {
 }
 
 }  // namespace
+
+bool shape_fits(Call& call, int argument, BodyType type, bool has_mass, const Shape& shape, double density) {
+  if (shape.form == Form::half_space && type != BodyType::fixed)
+    return call.fail(CAROM_E_OUT_OF_RANGE, argument, "a half-space is unbounded: it fits static bodies only");
+  if (is_scenery(shape) && type == BodyType::dynamic)
+    return call.fail(
+        CAROM_E_OUT_OF_RANGE, argument,
+        "scenery has no volume: it fits static and kinematic bodies (a body that moves by forces takes convex shapes)");
+  const bool weighs = type == BodyType::dynamic && density > 0 && !has_mass;
+  return !(weighs && is_flat(shape)) ||
+         call.fail(CAROM_E_NO_VOLUME, argument,
+                   "the shape has volume %g m^3 within radius %g m: no mass follows from density %g", shape.mass.volume,
+                   shape.bounding_radius, density);
+}
 
 void remove_collider(carom_engine& engine, World& world, std::uint32_t collider) {
   const Shape* shape = world.scene.colliders.shape[collider];
@@ -128,6 +127,44 @@ int32_t carom_collider_get(carom_world* world, carom_collider collider, carom_co
       return;
     write_struct(describe_collider(*reading, handle_slot(collider)), desc);
     *body = reading->scene.bodies.handle(reading->scene.colliders.body[handle_slot(collider)]);
+  });
+}
+
+int32_t carom_collider_set_material(carom_world* world, carom_collider collider, carom_material material,
+                                    carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Recorded changing(call, world, record::collider_set_material(collider, material));
+    if (!changing || !resolve(call, 2, "collider", changing->scene.collider_slots, collider) ||
+        (material != CAROM_NULL_HANDLE && !resolve(call, 3, "material", changing->scene.material_slots, material)))
+      return;
+    changing->set_collider_material(handle_slot(collider),
+                                    material ? handle_slot(material) : Colliders::kNoMaterial);
+  });
+}
+
+int32_t carom_collider_set_density(carom_world* world, carom_collider collider, double density, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Recorded changing(call, world, record::collider_set_density(collider, density));
+    if (!changing || !resolve(call, 2, "collider", changing->scene.collider_slots, collider) ||
+        !in_range(call, 3, "density", density, 0, kLargestDensity))
+      return;
+    const dynamics::Scene& scene = changing->scene;
+    const std::uint32_t slot = handle_slot(collider), body = scene.colliders.body[slot];
+    if (!shape_fits(call, 3, scene.type[body], scene.def[body].has_mass, *scene.colliders.shape[slot], density)) return;
+    const FloatScope scope;
+    changing->set_density(slot, density);
+  });
+}
+
+int32_t carom_collider_set_pose(carom_world* world, carom_collider collider, const double position[3],
+                                const double orientation[4], carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Recorded changing(call, world, record::collider_set_pose(collider, position, orientation));
+    if (!changing || !resolve(call, 2, "collider", changing->scene.collider_slots, collider) ||
+        !vector_in_range(call, 3, "position", position, kMaxPosition) || !unit(call, 4, "orientation", orientation, 4))
+      return;
+    const FloatScope scope;
+    changing->set_local_pose(handle_slot(collider), {to_quat(orientation), to_vec3(position)});
   });
 }
 

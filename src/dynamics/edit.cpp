@@ -35,7 +35,7 @@ void make_room_for_body(Scene& s, State& t) {
 }
 
 /// New mass properties; the body's frame stays where it is and its centre's velocity what it was.
-void set_mass(Scene& s, State& t, std::uint32_t body, const BodyMass& m) {
+void place_mass(Scene& s, State& t, std::uint32_t body, const BodyMass& m) {
   if (m.center != s.center[body]) t.mark_written(body);  // it may be out of bounds by now
   t.x[body] += t.q[body] * (m.center - s.center[body]);
   s.mass[body] = m.mass, s.inv_mass[body] = m.inv_mass, s.center[body] = m.center;
@@ -84,7 +84,7 @@ void World::fill_body(std::uint32_t i, const BodyDef& def) {
   put(state.loaded_steps, i, std::uint8_t(0));
   put(state.tired_steps, i, std::uint8_t(0));
   if (i == state.is_written.size()) state.is_written.push_back(0);
-  set_mass(scene, state, i, mass_of_body(scene, i));
+  place_mass(scene, state, i, mass_of_body(scene, i));
   state.mark_written(i);
 }
 
@@ -138,8 +138,7 @@ void World::fill_collider(std::uint32_t i, std::uint32_t body, const Shape* shap
   put(c.travel, i, Real(0));
   put(c.bounds, i, Aabb());
   put(c.reach, i, Real(0));
-  const BodyType type = scene.type[body];
-  put(c.movable, i, type == BodyType::fixed ? std::uint8_t(0) : type == BodyType::dynamic ? Colliders::kPushed : Colliders::kDriven);
+  put(c.movable, i, how_moved(scene.type[body]));
   put(c.muted, i, std::uint8_t(0));
   if (i < c.filter.size()) c.filter[i] = Filter();
   if (i < c.sensor.size()) c.sensor[i] = 0;
@@ -151,7 +150,7 @@ void World::fill_collider(std::uint32_t i, std::uint32_t body, const Shape* shap
 
 void World::settle_mass(std::uint32_t body) {
   contact_views();  // before the body's centre moves
-  set_mass(scene, state, body, mass_of_body(scene, body));
+  place_mass(scene, state, body, mass_of_body(scene, body));
 }
 
 void World::remove_collider(std::uint32_t collider) {
@@ -164,7 +163,7 @@ void World::remove_collider(std::uint32_t collider) {
   views->forget(collider);
   forget_collider(*this, collider);
   const Shape* shape = c.shape[collider];
-  set_mass(scene, state, body, mass_of_body(scene, body, collider));
+  place_mass(scene, state, body, mass_of_body(scene, body, collider));
   link_to(scene, body, collider) = c.next[collider];
   c.live.erase(std::lower_bound(c.live.begin(), c.live.end(), collider));
   if (collider < scene.surface.size()) {

@@ -12,6 +12,10 @@
 namespace carom::dynamics {
 
 enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };  // as CAROM_BODY_*
+/// As Colliders::movable has it.
+constexpr std::uint8_t how_moved(BodyType type) {
+  return type == BodyType::fixed ? 0 : type == BodyType::dynamic ? collision::Colliders::kPushed : collision::Colliders::kDriven;
+}
 /// Whether a body is swept from pose to pose, @see dynamics/ccd/continuous.h; as CAROM_CONTINUOUS_*.
 enum class SweepMode : std::uint8_t { automatic, always, never };
 enum class Mix : std::uint32_t { geometric_mean, maximum, minimum, average, multiply, count };
@@ -38,6 +42,14 @@ struct BodyDef {
   bool stays_awake = false;                      // it, and with it its island, never falls asleep
   SweepMode continuous = SweepMode::automatic;
   std::uint64_t user = 0;
+};
+
+/// What a host says of a body's mass after it was made.
+struct MassGiven {
+  Real mass = 0;  // kg; 0: from the densities of its colliders
+  bool has_center = false, has_inertia = false;
+  Vec3 center = Vec3::zero();   // m, body frame
+  Mat3 inertia = Mat3::zero();  // kg m^2, body axes, about center
 };
 
 /// How a collider's surface moves though the collider stays: a belt's, a turntable's. What lies on it feels this beside

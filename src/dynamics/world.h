@@ -102,6 +102,12 @@ class World {
   Handle add_material(const Material& m);
   void set_material(std::uint32_t material, const Material& m);
   void remove_material(std::uint32_t material);
+  void set_mass(std::uint32_t body, const MassGiven& given);  // of a dynamic one
+  void set_damping(std::uint32_t body, Real linear, Real angular);
+  void set_type(std::uint32_t body, BodyType type);  // its joints and shapes bear it
+  void set_collider_material(std::uint32_t collider, std::uint32_t material);
+  void set_density(std::uint32_t collider, Real density);
+  void set_local_pose(std::uint32_t collider, const Pose& local);
   void set_filter(std::uint32_t collider, const Filter& filter);
   void set_body_filter(std::uint32_t body, const Filter& filter);  // of all colliders that it has now
   void set_sensor(std::uint32_t collider, bool sensor);

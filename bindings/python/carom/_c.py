@@ -245,6 +245,15 @@ CAROM_GAINS_COUNT = 3
 CAROM_JOINT_WORLD_FRAME = 1
 CAROM_JOINT_COLLIDE = 2
 CAROM_JOINT_FIELD_LENGTH = 4
+CAROM_JOINT_READ_COORDINATES = 0
+CAROM_JOINT_READ_SPEEDS = 1
+CAROM_JOINT_READ_AXES = 2
+CAROM_JOINT_READ_AXIS_SPEEDS = 3
+CAROM_JOINT_READ_FORCE = 4
+CAROM_JOINT_READ_TORQUE = 5
+CAROM_JOINT_READ_ERROR = 6
+CAROM_JOINT_READ_BROKEN = 7
+CAROM_JOINT_READ_COUNT = 8
 CAROM_EFFECT_GYROSCOPIC = 0
 CAROM_EFFECT_LINEAR_DAMPING = 1
 CAROM_EFFECT_ANGULAR_DAMPING = 2
@@ -569,6 +578,17 @@ FUNCTIONS = {
     "carom_body_get": ("1.0", c_int32, (c_void_p, carom_body, POINTER(carom_body_desc), POINTER(carom_error),)),
     "carom_body_set_pose": ("1.0", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
     "carom_body_set_velocity": ("1.0", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_body_get_pose": ("1.8", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_body_get_velocity": ("1.8", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_body_set_mass": ("1.8", c_int32, (c_void_p, carom_body, c_double, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_body_get_mass": ("1.8", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_body_set_type": ("1.8", c_int32, (c_void_p, carom_body, c_uint32, POINTER(carom_error),)),
+    "carom_body_get_type": ("1.8", c_int32, (c_void_p, carom_body, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_body_set_damping": ("1.8", c_int32, (c_void_p, carom_body, c_double, c_double, POINTER(carom_error),)),
+    "carom_body_get_damping": ("1.8", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_body_set_user": ("1.8", c_int32, (c_void_p, carom_body, c_uint64, POINTER(carom_error),)),
+    "carom_body_get_user": ("1.8", c_int32, (c_void_p, carom_body, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_body_get_colliders": ("1.8", c_int32, (c_void_p, carom_body, POINTER(carom_collider), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_body_add_force": ("1.0", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
     "carom_body_add_impulse": ("1.0", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
     "carom_body_set_gravity_factor": ("1.6", c_int32, (c_void_p, carom_body, c_double, POINTER(carom_error),)),
@@ -584,8 +604,12 @@ FUNCTIONS = {
     "carom_body_get_continuous": ("1.6", c_int32, (c_void_p, carom_body, POINTER(c_uint32), POINTER(carom_error),)),
     "carom_collider_desc_init": ("1.0", c_int32, (POINTER(carom_collider_desc),)),
     "carom_collider_create": ("1.0", c_int32, (c_void_p, carom_body, POINTER(carom_collider_desc), POINTER(carom_collider), POINTER(carom_error),)),
+    "carom_body_create_named": ("1.8", c_int32, (c_void_p, c_uint32, c_char_p, POINTER(c_double), c_uint64, POINTER(c_double), POINTER(carom_body), POINTER(carom_error),)),
     "carom_collider_destroy": ("1.0", c_int32, (c_void_p, carom_collider, POINTER(carom_error),)),
     "carom_collider_get": ("1.0", c_int32, (c_void_p, carom_collider, POINTER(carom_collider_desc), POINTER(carom_body), POINTER(carom_error),)),
+    "carom_collider_set_material": ("1.8", c_int32, (c_void_p, carom_collider, carom_material, POINTER(carom_error),)),
+    "carom_collider_set_density": ("1.8", c_int32, (c_void_p, carom_collider, c_double, POINTER(carom_error),)),
+    "carom_collider_set_pose": ("1.8", c_int32, (c_void_p, carom_collider, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
     "carom_collider_set_surface_velocity": ("1.6", c_int32, (c_void_p, carom_collider, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
     "carom_collider_get_surface_velocity": ("1.6", c_int32, (c_void_p, carom_collider, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
     "carom_world_get_bodies": ("1.0", c_int32, (c_void_p, POINTER(carom_body), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
@@ -674,6 +698,7 @@ FUNCTIONS = {
     "carom_joint_get_axis": ("1.8", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_axis), POINTER(carom_error),)),
     "carom_joint_set_orientation_drive": ("1.8", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_orientation_drive), POINTER(carom_error),)),
     "carom_joint_get_orientation_drive": ("1.8", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_orientation_drive), POINTER(carom_error),)),
+    "carom_world_read_joints": ("1.8", c_int32, (c_void_p, c_uint32, c_uint32, POINTER(carom_joint), c_uint64, c_void_p, c_uint64, POINTER(carom_error),)),
     "carom_world_get_joints": ("1.5", c_int32, (c_void_p, POINTER(carom_joint), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_world_enable_ledger": ("1.7", c_int32, (c_void_p, c_uint32, POINTER(carom_error),)),
     "carom_world_get_ledger": ("1.7", c_int32, (c_void_p, POINTER(carom_ledger_entry), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
@@ -712,6 +737,7 @@ FUNCTIONS = {
     "carom_shape_get_scenery_info": ("1.6", c_int32, (c_void_p, carom_shape, POINTER(carom_scenery_info), POINTER(carom_error),)),
     "carom_shape_get_triangles": ("1.6", c_int32, (c_void_p, carom_shape, c_uint64, POINTER(c_double), POINTER(c_uint64), POINTER(c_uint64), POINTER(carom_error),)),
     "carom_shape_create": ("1.0", c_int32, (c_void_p, carom_plugin, POINTER(c_double), c_uint64, POINTER(carom_shape), POINTER(carom_error),)),
+    "carom_shape_create_named": ("1.8", c_int32, (c_void_p, c_char_p, POINTER(c_double), c_uint64, POINTER(carom_shape), POINTER(carom_error),)),
     "carom_shape_create_half_space": ("1.0", c_int32, (c_void_p, POINTER(c_double), c_double, POINTER(carom_shape), POINTER(carom_error),)),
     "carom_shape_destroy": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(carom_error),)),
     "carom_shape_get_info": ("1.0", c_int32, (c_void_p, carom_shape, POINTER(carom_shape_info), POINTER(carom_error),)),

@@ -252,6 +252,15 @@ CAROM_GAINS_COUNT: int
 CAROM_JOINT_WORLD_FRAME: int
 CAROM_JOINT_COLLIDE: int
 CAROM_JOINT_FIELD_LENGTH: int
+CAROM_JOINT_READ_COORDINATES: int
+CAROM_JOINT_READ_SPEEDS: int
+CAROM_JOINT_READ_AXES: int
+CAROM_JOINT_READ_AXIS_SPEEDS: int
+CAROM_JOINT_READ_FORCE: int
+CAROM_JOINT_READ_TORQUE: int
+CAROM_JOINT_READ_ERROR: int
+CAROM_JOINT_READ_BROKEN: int
+CAROM_JOINT_READ_COUNT: int
 CAROM_EFFECT_GYROSCOPIC: int
 CAROM_EFFECT_LINEAR_DAMPING: int
 CAROM_EFFECT_ANGULAR_DAMPING: int
@@ -1128,6 +1137,57 @@ def carom_body_set_velocity(world: Any, body: Any, linear: Any, angular: Any, er
     """@param linear [3] m/s of the centre of mass   @param angular [3] rad/s, both world frame
     @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT"""
     ...
+def carom_body_get_pose(world: Any, body: Any, position: Any, orientation: Any, error: Any) -> int:
+    """@param position [3] out: m, world, origin of the body frame   @param orientation [4] out: x, y, z, w, body to world. Either
+    may be NULL: not wanted.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    ...
+def carom_body_get_velocity(world: Any, body: Any, linear: Any, angular: Any, error: Any) -> int:
+    """@param linear [3] out: m/s, world, of the centre of mass   @param angular [3] out: rad/s, world. Either may be NULL.
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    ...
+def carom_body_set_mass(world: Any, body: Any, mass: Any, center: Any, inertia: Any, error: Any) -> int:
+    """Set the mass of a dynamic body, as carom_body_desc would have. Its frame stays; the velocity of its centre is kept as
+    that of the new centre. Wakes the body and its island.
+    @param mass kg, at least 1e-300; or 0: from the densities of its colliders, with center and inertia NULL
+    @param center [3] m, body frame, or NULL: from its colliders
+    @param inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero; or NULL:
+                   from its colliders, scaled to the mass
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0, and a
+            collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_body_get_mass(world: Any, body: Any, mass: Any, center: Any, inertia: Any, error: Any) -> int:
+    """As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate. Any may be NULL.
+    @param mass out: kg   @param center [3] out: m, body frame   @param inertia [9] out: kg m^2, body frame axes, about the
+    centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    ...
+def carom_body_set_type(world: Any, body: Any, type: Any, error: Any) -> int:
+    """Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic no
+    longer loses pending forces and what only dynamic bodies may have (carom_attribute_info.of_dynamic). What it touches wakes.
+    @param type CAROM_BODY_*
+    @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that is not
+            dynamic; a joint needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_body_get_type(world: Any, body: Any, type: Any, error: Any) -> int:
+    """@param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    ...
+def carom_body_set_damping(world: Any, body: Any, linear: Any, angular: Any, error: Any) -> int:
+    """@param linear, angular 1/s, [0, 1e6]: dv/dt = -linear v, likewise of spin   @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE;
+    OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8"""
+    ...
+def carom_body_get_damping(world: Any, body: Any, linear: Any, angular: Any, error: Any) -> int:
+    """@param linear, angular out: 1/s; either may be NULL   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    ...
+def carom_body_set_user(world: Any, body: Any, user: Any, error: Any) -> int:
+    """@param user anything; the engine does not look   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT   @since 1.8"""
+    ...
+def carom_body_get_user(world: Any, body: Any, user: Any, error: Any) -> int:
+    """@param user out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    ...
+def carom_body_get_colliders(world: Any, body: Any, colliders: Any, capacity: Any, count: Any, error: Any) -> int:
+    """Number of a body's colliders, and their handles in the order of the slots.
+    @param colliders [capacity] or NULL   @param count out: how many there are (may exceed capacity; capacity are written)
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    ...
 def carom_body_add_force(world: Any, body: Any, force: Any, torque: Any, error: Any) -> int:
     """Add a force and a torque about the centre of mass, for the next step only.
     @param force [3] N, world   @param torque [3] N m, world
@@ -1200,11 +1260,32 @@ def carom_collider_create(world: Any, body: Any, desc: Any, collider: Any, error
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a half-space on a
             body that moves); NO_VOLUME (a flat shape needs CAROM_BODY_FIELD_MASS or density 0); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
+def carom_body_create_named(world: Any, type: Any, name: Any, params: Any, count: Any, position: Any, body: Any, error: Any) -> int:
+    """The common case in one call: a shape by name, a body, and a collider of density 1000. A shape of that name with the same
+    parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
+    Where a part of it fails nothing has changed, but for a plugin that was loaded.
+    @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
+            PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY   @since 1.8"""
+    ...
 def carom_collider_destroy(world: Any, collider: Any, error: Any) -> int:
     """@status OK; *_HANDLE; BUSY; REENTRANT"""
     ...
 def carom_collider_get(world: Any, collider: Any, desc: Any, body: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY"""
+    ...
+def carom_collider_set_material(world: Any, collider: Any, material: Any, error: Any) -> int:
+    """Give a collider another material. Wakes what its body touches.   @param material or CAROM_NULL_HANDLE: friction 0.5,
+    restitution 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_collider_set_density(world: Any, collider: Any, density: Any, error: Any) -> int:
+    """The body's mass follows, unless it was given. Wakes the body and its island.   @param density kg/m^3, [0, 1e9]
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    ...
+def carom_collider_set_pose(world: Any, collider: Any, position: Any, orientation: Any, error: Any) -> int:
+    """Move a shape on its body; the body's mass follows. What is remembered of its contacts is dropped.
+    @param position [3] m, body frame: origin of the shape; each within 1e15   @param orientation [4] x, y, z, w, shape to body
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
     ...
 def carom_collider_set_surface_velocity(world: Any, collider: Any, linear: Any, angular: Any, error: Any) -> int:
     """Let a collider's surface move though the collider stays: a conveyor belt, a turntable, a track. Friction then brings
@@ -1610,6 +1691,16 @@ def carom_joint_get_orientation_drive(world: Any, joint: Any, drive: Any, error:
     """@param drive out: as it was set
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8"""
     ...
+def carom_world_read_joints(world: Any, field: Any, scalar: Any, joints: Any, n: Any, dst: Any, stride: Any, error: Any) -> int:
+    """Read one field of n joints, as carom_world_read() does of bodies.
+    A rate of what has no direction (points or axes that agree) is the one at which it begins to grow.
+    Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). Oracle: tests/abi/test_joint_bulk.
+    @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
+    @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
+    @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY
+    @since 1.8"""
+    ...
 def carom_world_get_joints(world: Any, joints: Any, capacity: Any, count: Any, error: Any) -> int:
     """Number of joints, and their handles in creation order of the slots.
     @param joints [capacity] or NULL   @param count out: how many there are
@@ -1810,6 +1901,16 @@ def carom_shape_create(engine: Any, plugin: Any, params: Any, count: Any, shape:
     @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which); PLUGIN_DISHONEST;
             DECLARATION_FALSE; OUT_OF_MEMORY
     @thread any, also while worlds step"""
+    ...
+def carom_shape_create_named(engine: Any, name: Any, params: Any, count: Any, shape: Any, error: Any) -> int:
+    """Make a shape by the name of its plugin: "box", or "carom.box", or the id of a plugin of yours. Plugins that the engine has come
+    first. Then a file NAME.so is looked for and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute, separated by ':'; not
+    in programs that run with raised privileges), beside the library, in the folder where plugins are installed. "half_space"
+    is built in: normal x, y, z, offset.
+    @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
+    @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE; PLUGIN_PATH;
+            PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
+    @thread any, also while worlds step   @since 1.8"""
     ...
 def carom_shape_create_half_space(engine: Any, normal: Any, offset: Any, shape: Any, error: Any) -> int:
     """The built-in half-space { x : normal . x <= offset } in the shape's own frame; unbounded, so static bodies only.

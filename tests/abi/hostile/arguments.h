@@ -120,6 +120,14 @@ inline Argument handle(Context& c, Kind kind) {
   return a;
 }
 
+/// One of the kind, or none.
+inline Argument perhaps_handle(Context& c, Kind kind) {
+  Argument a = handle(c, kind);
+  if (!a.wrong.empty()) a.wrong.erase(a.wrong.begin());  // the null handle
+  if (a.impossible || c.source.below(4) == 0) a.good = of(uint64_t(0)), a.impossible = false;
+  return a;
+}
+
 /// Another one of the kind than `first`, if there is.
 inline uint64_t another(Context& c, Kind kind, uint64_t first) {
   const std::vector<Owned>& live = c.own.live[kind];
@@ -245,6 +253,13 @@ inline Argument whole(Context& c, uint64_t usual) { return {of(uint64_t(c.source
 inline Argument out(Context& c, std::size_t size) {
   void* p = c.take(size, 0x5a);
   return {of(p), {{"null", of(nullptr), kNull}}, p, size};
+}
+/// Which a host that does not want it may leave NULL.
+inline Argument wanted_out(Context& c, std::size_t size) {
+  Argument a = out(c, size);
+  a.wrong.clear();
+  if (c.source.below(4) == 0) return fixed(nullptr);
+  return a;
 }
 template <class T>
 Argument out_struct(Context& c) {

@@ -345,9 +345,9 @@ inline std::vector<carom_body> bodies_for(Context& c) {
   return some;
 }
 /// The list argument with its last handle replaced by each wrong one.
-inline void wrong_last(Context& c, Argument& list, const std::vector<carom_body>& ids) {
+inline void wrong_last(Context& c, Argument& list, const std::vector<uint64_t>& ids, Kind kind = kBody) {
   if (ids.empty()) return;
-  for (const Wrong& w : wrong_handles(c, kBody, false)) {
+  for (const Wrong& w : wrong_handles(c, kind, false)) {
     auto* bad = static_cast<carom_body*>(c.take(8 * ids.size()));
     std::memcpy(bad, ids.data(), 8 * ids.size());
     bad[ids.size() - 1] = w.value.u;
@@ -489,6 +489,16 @@ inline const Row kRows[] = {
        Argument n = fixed_number(ball ? 1 : 3);
        for (const uint64_t bad : {uint64_t(0), uint64_t(2), uint64_t(4), ~uint64_t(0)}) n.wrong.push_back({"count", of(bad), kRange});
        return call("carom_shape_create", carom_shape_create, {engine(c), plugin, vector(c, ball ? 1 : 3, {0.01, 100, false, 0.1, 1}), n, out(c, 8), error(c)}).makes(kShape, 4).may(kRange);
+     }},
+    {"carom_shape_create_named", [](Context& c) {
+       Argument name = string(c, "hostile.ball"), n = fixed_number(1);
+       name.wrong.push_back({"none of this name", string(c, "bananas").good, code(CAROM_E_NOT_FOUND)});
+       name.wrong.push_back({"a path", string(c, "../box").good, kRange});
+       name.wrong.push_back({"empty", string(c, "").good, kRange});
+       name.wrong.push_back({"very long", string(c, std::string(70000, 'x').c_str()).good, kRange});
+       for (const uint64_t bad : {uint64_t(0), uint64_t(2), ~uint64_t(0)}) n.wrong.push_back({"count", of(bad), kRange});
+       return call("carom_shape_create_named", carom_shape_create_named, {engine(c), name, vector(c, 1, {0.01, 100, false, 0.1, 1}), n, out(c, 8), error(c)})
+           .makes(kShape, 4).may(kRange | code(CAROM_E_NOT_FOUND));
      }},
     ROW_THAT(carom_shape_create_half_space, makes(kShape, 3), engine(c), unit(c, 3), number(c, any()), out(c, 8), error(c)),
     ROW_THAT(carom_shape_destroy, may(kInUse).ends(kShape), engine(c), handle(c, kShape), error(c)),
@@ -725,6 +735,38 @@ inline const Row kRows[] = {
     ROW(carom_body_get, world(c), handle(c, kBody), out_struct<carom_body_desc>(c), error(c)),
     ROW(carom_body_set_pose, world(c), handle(c, kBody), vector(c, 3, any()), unit(c, 4), error(c)),
     ROW_THAT(carom_body_set_velocity, may(kRange), world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
+    ROW(carom_body_get_pose, world(c), handle(c, kBody), wanted_out(c, 24), wanted_out(c, 32), error(c)),
+    ROW(carom_body_get_velocity, world(c), handle(c, kBody), wanted_out(c, 24), wanted_out(c, 24), error(c)),
+    {"carom_body_set_mass", [](Context& c) {
+       Argument mass = number(c, {1e-300, kMost, false, 0.1, 10}), center = vector(c, 3, {-1e15, 1e15}), inertia = vector(c, 9, any());
+       double* const tensor = static_cast<double*>(c.take(9 * sizeof(double)));
+       for (int i = 0; i < 9; ++i) tensor[i] = i % 4 == 0 ? c.between(0.1, 1) : 0;
+       inertia.good = of(tensor);
+       center.wrong.erase(center.wrong.begin()), inertia.wrong.erase(inertia.wrong.begin());  // NULL: from the colliders
+       std::erase_if(inertia.wrong, [](const Wrong& w) { return !(w.codes & kNotFinite); });
+       if (c.source.below(3) == 0) center = fixed(nullptr);
+       if (c.source.below(3) == 0) inertia = fixed(nullptr);
+       return call("carom_body_set_mass", carom_body_set_mass, {world(c), handle(c, kBody), mass, center, inertia, error(c)}).may(kRange | kNoVolume);
+     }},
+    ROW(carom_body_get_mass, world(c), handle(c, kBody), wanted_out(c, 8), wanted_out(c, 24), wanted_out(c, 72), error(c)),
+    ROW_THAT(carom_body_set_type, may(kRange | kNoVolume), world(c), handle(c, kBody), choice(c, 3), error(c)),
+    ROW(carom_body_get_type, world(c), handle(c, kBody), out(c, 4), error(c)),
+    ROW(carom_body_set_damping, world(c), handle(c, kBody), number(c, {0, 1e6, false, 0, 1}), number(c, {0, 1e6, false, 0, 1}), error(c)),
+    ROW(carom_body_get_damping, world(c), handle(c, kBody), wanted_out(c, 8), wanted_out(c, 8), error(c)),
+    ROW(carom_body_set_user, world(c), handle(c, kBody), whole(c, 100), error(c)),
+    ROW(carom_body_get_user, world(c), handle(c, kBody), out(c, 8), error(c)),
+    {"carom_body_get_colliders", [](Context& c) {
+       Argument dst = wanted_out(c, 8 * 64);
+       return call("carom_body_get_colliders", carom_body_get_colliders, {world(c), handle(c, kBody), dst, fixed_number(64), out(c, 8), error(c)});
+     }},
+    {"carom_body_create_named", [](Context& c) {
+       Argument name = string(c, "hostile.ball"), n = fixed_number(1);
+       name.wrong.push_back({"none of this name", string(c, "bananas").good, code(CAROM_E_NOT_FOUND)});
+       name.wrong.push_back({"a path", string(c, "../box").good, kRange});
+       for (const uint64_t bad : {uint64_t(0), uint64_t(2)}) n.wrong.push_back({"count", of(bad), kRange});
+       return call("carom_body_create_named", carom_body_create_named, {world(c), choice(c, 3), name, vector(c, 1, {0.01, 100, false, 0.1, 1}), n, vector(c, 3, any()), out(c, 8), error(c)})
+           .makes(kBody, 6).may(kRange | code(CAROM_E_NOT_FOUND));
+     }},
     ROW_THAT(carom_body_add_force, may(kRange), world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
     ROW_THAT(carom_body_add_force_at, may(kRange), world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
     ROW_THAT(carom_body_add_impulse, may(kRange), world(c), handle(c, kBody), vector(c, 3, any()), vector(c, 3, any()), error(c)),
@@ -740,6 +782,9 @@ inline const Row kRows[] = {
     ROW_THAT(carom_collider_create, makes(kCollider, 3, 1).may(kRange | kNoVolume), world(c), handle(c, kBody), collider_desc(c), out(c, 8), error(c)),
     ROW_THAT(carom_collider_destroy, ends(kCollider), world(c), handle(c, kCollider), error(c)),
     ROW(carom_collider_get, world(c), handle(c, kCollider), out_struct<carom_collider_desc>(c), out(c, 8), error(c)),
+    ROW(carom_collider_set_material, world(c), handle(c, kCollider), perhaps_handle(c, kMaterial), error(c)),
+    ROW_THAT(carom_collider_set_density, may(kNoVolume), world(c), handle(c, kCollider), number(c, {0, 1e9, false, 1, 2000}), error(c)),
+    ROW(carom_collider_set_pose, world(c), handle(c, kCollider), vector(c, 3, {-1e15, 1e15}), unit(c, 4), error(c)),
     ROW(carom_collider_set_surface_velocity, world(c), handle(c, kCollider), vector(c, 3, {-1e6, 1e6}), vector(c, 3, {-1e6, 1e6}), error(c)),
     ROW(carom_collider_get_surface_velocity, world(c), handle(c, kCollider), out(c, 24), out(c, 24), error(c)),
     GET_HANDLES(carom_world_get_bodies),
@@ -844,6 +889,15 @@ inline const Row kRows[] = {
     ROW_THAT(carom_joint_set_orientation_drive, may(kUnsupported | kRange), world(c), handle(c, kJoint), joint_orientation_drive(c), error(c)),
     ROW_THAT(carom_joint_get_orientation_drive, may(kUnsupported), world(c), handle(c, kJoint), out_struct<carom_joint_orientation_drive>(c), error(c)),
     GET_HANDLES(carom_world_get_joints),
+    {"carom_world_read_joints", [](Context& c) {
+       std::vector<carom_joint> some;
+       for (const Owned& o : c.own.live[kJoint])
+         if (some.size() < 2) some.push_back(o.handle);
+       Bulk b = bulk(c, some, {{CAROM_JOINT_READ_SPEEDS, 4}, {CAROM_JOINT_READ_AXIS_SPEEDS, 6}, {CAROM_JOINT_READ_FORCE, 3}, {CAROM_JOINT_READ_ERROR, 2}}, CAROM_JOINT_READ_COUNT, false);
+       wrong_last(c, b.list, some, kJoint);
+       b.list.wrong.push_back({"all of them, but another n", of(nullptr), kRange, 5});
+       return call("carom_world_read_joints", carom_world_read_joints, {world(c), b.field, b.scalar, b.list, b.n, b.array, b.stride, error(c)});
+     }},
     // forces
     ROW(carom_body_set_drag, world(c), handle(c, kBody), number(c, {0, 1e12, false, 0, 1}), number(c, {0, 1e12, false, 0, 1}), error(c)),
     ROW(carom_body_get_drag, world(c), handle(c, kBody), out(c, 8), out(c, 8), error(c)),

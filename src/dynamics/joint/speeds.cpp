@@ -1,0 +1,66 @@
+#include "dynamics/joint/speeds.h"
+
+#include "core/wide_angle.h"
+#include "dynamics/joint/parts.h"
+
+namespace carom::dynamics {
+namespace {
+
+constexpr Real kAgree = 1e-12;  // sine of an angle between axes below which it has no direction
+
+/// Of a joint's end: its point and its body.
+struct EndSpeed {
+  Vec3 v, omega;  // m/s, rad/s, world
+};
+
+EndSpeed speed_of_end(const World& world, std::uint32_t body, const Vec3& arm) {
+  if (body == kTheWorld) return {Vec3::zero(), Vec3::zero()};
+  const State& s = world.state;
+  return {s.v[body] + s.omega[body].cross(arm), s.omega[body]};
+}
+
+/// Rate of the length of a vector.
+Real lengthening(const Vec3& r, const Vec3& rate) {
+  const Real length = r.norm();
+  return length > 0 ? r.dot(rate) / length : rate.norm();
+}
+
+/// Rate of 2 atan2(t.x, t.w).   @param w  rad/s, in the frame that t leads to
+Real twisting(const Quat& t, const Vec3& w) {
+  const Real turned = t.x() * t.x() + t.w() * t.w();
+  if (!(turned > 0)) return 0;
+  const Real x = t.w() * w.x() + w.y() * t.z() - w.z() * t.y();  // 2 x'
+  const Real scalar = -(w.x() * t.x() + w.y() * t.y() + w.z() * t.z());  // 2 w'
+  return (t.w() * x - t.x() * scalar) / turned;
+}
+
+}  // namespace
+
+JointSpeeds speeds_of(const World& world, const Joint& joint) {
+  const JointDef& def = joint.def;
+  const JointEnds ends = ends_of(world, def);
+  const EndSpeed a = speed_of_end(world, def.body_a, ends.arm_a), b = speed_of_end(world, def.body_b, ends.arm_b);
+  const Quat to_a = ends.a.q.conjugate(), t = to_a * ends.b.q;
+  const Vec3 r = to_a * ends.apart, parting = b.v - a.v;
+  const Vec3 place = to_a * parting - (to_a * a.omega).cross(r), w = to_a * (b.omega - a.omega);
+  const Vec3 n = t * Vec3::unit_x(), n_rate = w.cross(n);
+  const Real sine = std::sqrt(n.y() * n.y() + n.z() * n.z()), twist = twisting(t, w);
+  Real swing = n_rate.norm(), grows = 1, grows_rate = 0;  // angle over sine
+  if (sine > kAgree) {
+    const Real sine_rate = (n.y() * n_rate.y() + n.z() * n_rate.z()) / sine;
+    const Real angle = angle_of<double>(sine, n.x());
+    swing = n.x() * sine_rate - sine * n_rate.x();
+    grows = angle / sine, grows_rate = (swing - grows * sine_rate) / sine;
+  }
+  JointSpeeds speeds;
+  speeds.coordinate = {twist, swing, place.x(), lengthening(ends.apart, parting)};
+  if (def.kind == JointKind::pulley) {
+    const Ropes ropes = ropes_of(world, joint, ends);
+    speeds.coordinate[3] = lengthening(ropes.a, a.v) + joint.transmission.ratio * lengthening(ropes.b, b.v);
+  }
+  speeds.axis = {place.x(), place.y(), place.z(), twist, -(grows_rate * n.z() + grows * n_rate.z()),
+                 grows_rate * n.y() + grows * n_rate.y()};
+  return speeds;
+}
+
+}  // namespace carom::dynamics
