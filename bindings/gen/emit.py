@@ -18,16 +18,7 @@ def api_json(api):
             flat = not any(isinstance(item, list) for item in value[0].values())
             return "[\n" + ",\n".join(f"{indent} {text(item, indent + ' ', flat)}" for item in value) + f"\n{indent}]"
         return json.dumps(value, ensure_ascii=False)
-    return text(with_lengths(api), "", False) + "\n"
-
-
-def with_lengths(api):
-    """Each array that a call takes says which argument counts it: "length", in elements; records in numbers."""
-    length = {(function, argument): words for function, argument, words in emit_record.lengths(api)}
-    def told(function, argument):
-        words = length.get((function["name"], argument["name"]))
-        return {**argument, "length": words} if words else argument
-    return {**api, "functions": [{**f, "arguments": [told(f, a) for a in f["arguments"]]} for f in api["functions"]]}
+    return text(api, "", False) + "\n"
 
 
 def manifest_rows(api):
