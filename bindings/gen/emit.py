@@ -4,6 +4,7 @@ import json
 import emit_lua
 import emit_python
 import emit_record
+import emit_records
 
 BY = "Written by bindings/gen/generate from include/carom; do not edit."
 
@@ -36,5 +37,6 @@ FILES = {
     "src/tools/replay/calls.inc": emit_record.replay_calls,
     "bindings/lua/carom_cdef.lua": emit_lua.cdef,
     "bindings/python/carom/_c.py": emit_python.declarations,
+    "bindings/python/carom/records.py": emit_records.records,
     "bindings/python/carom/raw.pyi": emit_python.stubs,
 }
