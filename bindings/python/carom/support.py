@@ -37,7 +37,7 @@ def _guarded(support: Support, caught: list[BaseException | None]) -> Any:
             if caught and caught[-1] is None:
                 caught[-1] = exception
             else:
-                print("carom: a support function raised; its shape is mute from now on (World.faults tells)", file=sys.stderr)
+                print("carom: a support function raised; its shape is disabled from now on (World.faults tells)", file=sys.stderr)
                 traceback.print_exception(type(exception), exception, exception.__traceback__)
             return 1
     return raw.carom_support_fn(call)
