@@ -1,5 +1,6 @@
 """bindings/python/carom/records.py: what structs say as attributes of Python objects, what keywords set of them, and the
 words of enumerations; all with types."""
+
 import re
 import textwrap
 
@@ -14,7 +15,13 @@ RECORDS = {
     "carom_joint_desc": {"kind": "str"},
     "carom_joint_state": {"broken": "bool", "coordinate": "dict[str, float]", "axis": "dict[str, float]"},
     "carom_joint_transmission": {},
-    "carom_joint_axis": {"mode": "str", "drive": "str", "stop_gains": "str", "drive_gains": "str", "spring_gains": "str"},
+    "carom_joint_axis": {
+        "mode": "str",
+        "drive": "str",
+        "stop_gains": "str",
+        "drive_gains": "str",
+        "spring_gains": "str",
+    },
     "carom_joint_orientation_drive": {"drive": "str", "gains": "str"},
     "carom_joint_limit": {"enabled": "bool"},
     "carom_joint_motor": {"enabled": "bool"},
@@ -46,8 +53,13 @@ KEYWORDS = {
     "carom_particles_desc": {},
     "carom_joint_desc": {"+collide": "bool", "-": "kind fields body_a body_b"},
     "carom_joint_transmission": {},
-    "carom_joint_axis": {"mode": "AxisModeWord | int", "drive": "DriveWord | int", "stop_gains": "GainsWord | int",
-                         "drive_gains": "GainsWord | int", "spring_gains": "GainsWord | int"},
+    "carom_joint_axis": {
+        "mode": "AxisModeWord | int",
+        "drive": "DriveWord | int",
+        "stop_gains": "GainsWord | int",
+        "drive_gains": "GainsWord | int",
+        "spring_gains": "GainsWord | int",
+    },
     "carom_joint_orientation_drive": {"drive": "DriveWord | int", "gains": "GainsWord | int"},
     "carom_joint_limit": {"enabled": "bool"},
     "carom_joint_motor": {"enabled": "bool"},
@@ -92,8 +104,11 @@ def given(field, handles):
 
 def members(struct, changes, type_of, handles):
     left_out = changes.get("-", "").split()
-    rows = [(f["name"] + "_" if f["name"] == "from" else f["name"], changes.get(f["name"]) or type_of(f, handles))
-            for f in fields_of(struct) if f["name"] not in left_out]
+    rows = [
+        (f["name"] + "_" if f["name"] == "from" else f["name"], changes.get(f["name"]) or type_of(f, handles))
+        for f in fields_of(struct)
+        if f["name"] not in left_out
+    ]
     rows += [(name[1:], type) for name, type in changes.items() if name[0] == "+"]
     return [f"    {name}: {type}" for name, type in rows] or ["    pass"]
 
@@ -109,26 +124,58 @@ def records(api):
     prefixes = {}
     for prefix, (name, _) in GROUPS.items():
         prefixes.setdefault(name, []).append(prefix)
-    out = ['"""What structs say, what keywords set, and the words of enumerations.', "",
-           'Written by bindings/gen/generate from include/carom; do not edit."""', "from __future__ import annotations", "",
-           "from typing import TYPE_CHECKING, Literal, TypedDict", "", "from ._values import Record", "", "if TYPE_CHECKING:",
-           "    from ._values import Vector", "    from .body import Body, Collider, Material", "    from .joint import Joint",
-           "    from .particles import Particles", "    from .shape import Shape", "",
-           "# Words: each is a constant without its prefix, CAROM_BODY_STATIC \"static\". Numbers pass, too."]
+    out = [
+        '"""What structs say, what keywords set, and the words of enumerations.',
+        "",
+        'Written by bindings/gen/generate from include/carom; do not edit."""',
+        "from __future__ import annotations",
+        "",
+        "from typing import TYPE_CHECKING, Literal, TypedDict",
+        "",
+        "from ._values import Record",
+        "",
+        "if TYPE_CHECKING:",
+        "    from ._values import Vector",
+        "    from .body import Body, Collider, Material",
+        "    from .joint import Joint",
+        "    from .particles import Particles",
+        "    from .shape import Shape",
+        "",
+        '# Words: each is a constant without its prefix, CAROM_BODY_STATIC "static". Numbers pass, too.',
+    ]
     for group in api["enumerations"]:
         if group["kind"] != "code":
-            words = [re.sub("^(" + "|".join(prefixes[group["name"]]) + ")", "", name) or name for name in group["values"]]
+            words = [
+                re.sub("^(" + "|".join(prefixes[group["name"]]) + ")", "", name) or name for name in group["values"]
+            ]
             words = [w for w in words if not w.startswith("CAROM_")]
             if words:
                 listed = ", ".join(f'"{word.lower()}"' for word in words)
                 text = f"{camel(group['name'])}Word = Literal[{listed}]"
-                out += textwrap.wrap(text, 118, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
+                out += textwrap.wrap(
+                    text, 118, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False
+                )
     for name, changes in RECORDS.items():
         doc = first_sentence(structs[name]["doc"]) or name
-        out += ["", "", f"class {camel(name)}Record(Record):", f'    """{doc}"""', *members(structs[name], changes, said, handles)]
+        out += [
+            "",
+            "",
+            f"class {camel(name)}Record(Record):",
+            f'    """{doc}"""',
+            *members(structs[name], changes, said, handles),
+        ]
     for name, changes in KEYWORDS.items():
-        out += ["", "", f"class {camel(name)}Keywords(TypedDict, total=False):", *members(structs[name], changes, given, handles)]
+        out += [
+            "",
+            "",
+            f"class {camel(name)}Keywords(TypedDict, total=False):",
+            *members(structs[name], changes, given, handles),
+        ]
     dials = next(group for group in api["enumerations"] if group["name"] == "dial")
-    out += ["", "", "class DialKeywords(TypedDict, total=False):",
-            *(f"    {name.removeprefix('CAROM_DIAL_').lower()}: float | str" for name in dials["values"])]
+    out += [
+        "",
+        "",
+        "class DialKeywords(TypedDict, total=False):",
+        *(f"    {name.removeprefix('CAROM_DIAL_').lower()}: float | str" for name in dials["values"]),
+    ]
     return "\n".join(out) + "\n"

@@ -1,5 +1,6 @@
 """The package is typed all through: `mypy --strict` finds nothing in it, nothing in what uses it rightly, and each of ten
 mistakes where it was made. Needs mypy 1.8 or newer (pip install mypy), and is skipped without it."""
+
 import importlib.util
 import os
 import re
@@ -39,8 +40,12 @@ class Typed(unittest.TestCase):
 
     def check(self, *what):
         """@return {(file, line): what mypy says}"""
-        said = subprocess.run(mypy() + ["--strict", "--cache-dir", self.cache.name, "--no-error-summary", *map(str, what)],
-                              capture_output=True, text=True, env={**os.environ, "MYPYPATH": str(PACKAGE)})
+        said = subprocess.run(
+            mypy() + ["--strict", "--cache-dir", self.cache.name, "--no-error-summary", *map(str, what)],
+            capture_output=True,
+            text=True,
+            env={**os.environ, "MYPYPATH": str(PACKAGE)},
+        )
         self.assertFalse(said.stderr, said.stderr)
         found = re.findall(r"^(.*?):(\d+): error: (.*)$", said.stdout, flags=re.M)
         self.assertEqual(bool(found), said.returncode != 0, said.stdout)

@@ -1,8 +1,9 @@
-"""The glossary, src/GLOSSARY.md, is kept: one definition a term, and none of the words that it replaces in a README or in a
-comment of a header. Code between backticks, fenced blocks, file names and identifiers don't count.
+"""The glossary, src/GLOSSARY.md, is kept: one definition a term, and none of the words that it replaces in a README or
+in a comment of a header. Code between backticks, fenced blocks, file names and identifiers do not count.
 
 usage: check_glossary.py ROOT
 """
+
 import re
 import sys
 from pathlib import Path
@@ -36,7 +37,7 @@ def prose_of_header(text):
     """Comments alone, on their lines."""
     out, end = [], 0
     for comment in re.finditer(r"/\*.*?\*/", text, flags=re.S):
-        out.append(blank(re.match(r".*", text[end:comment.start()], flags=re.S)))
+        out.append(blank(re.match(r".*", text[end : comment.start()], flags=re.S)))
         out.append(re.sub(r"`[^`\n]*`", blank, comment.group()))
         end = comment.end()
     return "".join(out)
@@ -63,9 +64,13 @@ def main():
     if len(seen) < 40 or len(replaced) < 20:
         sys.exit(f"only {len(seen)} terms and {len(replaced)} words: this check no longer reads {glossary}")
     # As a sentence has them: small, or with a capital at its beginning. Capitals throughout are identifiers.
-    pattern = re.compile(r"(?<![\w/.-])(" + "|".join(
-        f"[{word[0].upper()}{word[0]}]" + re.escape(word[1:]) for word in sorted(replaced, key=len, reverse=True))
-        + r")(?![\w/-])")
+    pattern = re.compile(
+        r"(?<![\w/.-])("
+        + "|".join(
+            f"[{word[0].upper()}{word[0]}]" + re.escape(word[1:]) for word in sorted(replaced, key=len, reverse=True)
+        )
+        + r")(?![\w/-])"
+    )
     files = [root / name for name in PAGES]
     for folder in FOLDERS:
         files += sorted((root / folder).rglob("README.md"))

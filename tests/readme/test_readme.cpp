@@ -113,7 +113,8 @@ static void every_subcommand_is_one_and_none_is_kept_secret(void**) {
   std::set_difference(used.begin(), used.end(), known.begin(), known.end(), std::back_inserter(missing));
   assert_none(missing, "which is no subcommand of carom");
   std::set_difference(known.begin(), known.end(), used.begin(), used.end(), std::back_inserter(missing));
-  for (const std::string& m : missing) print_error("neither README.md nor src/tools/README.md names the subcommand %s\n", m.c_str());
+  for (const std::string& m : missing)
+    print_error("neither README.md nor src/tools/README.md names the subcommand %s\n", m.c_str());
   assert_true(missing.empty());
 }
 
@@ -155,7 +156,8 @@ static void the_two_commands_are_single_lines_and_the_second_needs_all_of_the_fi
 
 static void a_page_is_enough(void**) {
   const auto lines = std::count(readme().begin(), readme().end(), '\n');
-  if (lines > 150) print_error("README.md has %ld lines: 150 are enough, the rest belongs to the pages that it links\n", long(lines));
+  if (lines > 150)
+    print_error("README.md has %ld lines: 150 are enough, the rest belongs to the pages that it links\n", long(lines));
   assert_true(lines <= 150);
 }
 
