@@ -8,7 +8,7 @@ import re
 import sys
 from pathlib import Path
 
-PAGES = ("README.md", "ABI.md")
+PAGES = ("README.md", "ABI.md", "CONTRIBUTING.md")
 FOLDERS = ("include", "src", "plugins", "bindings", "tests")
 
 
@@ -73,7 +73,7 @@ def main():
     )
     files = [root / name for name in PAGES]
     for folder in FOLDERS:
-        files += sorted((root / folder).rglob("README.md"))
+        files += [page for page in sorted((root / folder).rglob("README.md")) if "node_modules" not in page.parts]
     files += sorted((root / "include").rglob("*.h"))
     for file in files:
         text = file.read_text(encoding="utf-8")

@@ -74,7 +74,7 @@ def measure(page):
 def pages_of(root):
     found = [root / name for name in ALSO]
     for folder in FOLDERS:
-        found += sorted((root / folder).rglob("README.md"))
+        found += [page for page in sorted((root / folder).rglob("README.md")) if "node_modules" not in page.parts]
     return found + sorted((root / "include").rglob("*.h"))
 
 
