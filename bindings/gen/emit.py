@@ -4,6 +4,7 @@ import json
 import emit_lua
 import emit_python
 import emit_record
+import emit_records
 
 BY = "Written by bindings/gen/generate from include/carom; do not edit."
 
@@ -18,16 +19,7 @@ def api_json(api):
             flat = not any(isinstance(item, list) for item in value[0].values())
             return "[\n" + ",\n".join(f"{indent} {text(item, indent + ' ', flat)}" for item in value) + f"\n{indent}]"
         return json.dumps(value, ensure_ascii=False)
-    return text(with_lengths(api), "", False) + "\n"
-
-
-def with_lengths(api):
-    """Each array that a call takes says which argument counts it: "length", in elements; records in numbers."""
-    length = {(function, argument): words for function, argument, words in emit_record.lengths(api)}
-    def told(function, argument):
-        words = length.get((function["name"], argument["name"]))
-        return {**argument, "length": words} if words else argument
-    return {**api, "functions": [{**f, "arguments": [told(f, a) for a in f["arguments"]]} for f in api["functions"]]}
+    return text(api, "", False) + "\n"
 
 
 def manifest_rows(api):
@@ -45,5 +37,6 @@ FILES = {
     "src/tools/replay/calls.inc": emit_record.replay_calls,
     "bindings/lua/carom_cdef.lua": emit_lua.cdef,
     "bindings/python/carom/_c.py": emit_python.declarations,
+    "bindings/python/carom/records.py": emit_records.records,
     "bindings/python/carom/raw.pyi": emit_python.stubs,
 }

@@ -83,12 +83,6 @@ def length_of(what, detail):
     return detail[0]
 
 
-def lengths(api):
-    """(function, argument) -> how many elements, in words: for api.json"""
-    for (function, argument), how in SIZED.items():
-        yield function, argument, f"{how[1]} * {how[2]}" if how[0] == "records" else how[1]
-
-
 def spelled(argument):
     return argument["type"].replace(" *", "* ") + ("" if argument["type"].endswith("*") else " ") + argument["name"]
 

@@ -7,7 +7,9 @@ from pathlib import Path
 
 from c_reader import Cursor, HeaderError, read_arguments, read_declarator, read_specifier, tokens_of
 from documentation import add_statuses, one_line, plain_text, since_of, without_since
+from enumerations import add_enumerations
 from layout import lay_out
+from pointers import add_owners, add_pointers
 
 
 class Header:
@@ -88,7 +90,7 @@ class Header:
         type, number = self.constant(value, line[0].line)
         self.api["constants"].append({
             "name": name, "type": type, "value": number, "header": self.path.name,
-            "since": since_of(doc) or self.file_since or "1.0", "doc": without_since(doc)})
+            "since": since_of(doc) or self.file_since, "doc": without_since(doc)})
         self.doc = ""
 
     def constant(self, words, line):
@@ -132,7 +134,7 @@ class Header:
         cursor = Cursor(bare, where)
         if cursor.take("extern"):  # what a plugin exports; nothing of ours
             return
-        common = {"header": self.path.name, "since": since_of(doc) or self.file_since or "1.0", "doc": doc}
+        common = {"header": self.path.name, "since": since_of(doc) or self.file_since, "doc": doc}
         if cursor.take("CAROM_API"):
             self.read_function(cursor, common)
         elif cursor.take("typedef"):
@@ -213,6 +215,20 @@ def described(arguments):
     return [{"name": a.name, "type": a.type.spelled(), **({} if a.count is None else {"count": a.count})} for a in arguments]
 
 
+def add_since(api):
+    """What says nothing of @since came with the oldest function of its header, or of its struct."""
+    version = lambda text: tuple(int(part) for part in text.split("."))  # noqa: E731
+    oldest = {}
+    for function in api["functions"]:
+        function["since"] = function["since"] or "1.0"
+        oldest[function["header"]] = min(function["since"], oldest.get(function["header"], function["since"]), key=version)
+    for kind in ("constants", "handles", "opaque", "callbacks", "structs"):
+        for thing in api[kind]:
+            thing["since"] = thing["since"] or oldest.get(thing["header"], "1.0")
+            for field in thing.get("fields", ()):
+                field["since"] = field["since"] or thing["since"]
+
+
 def read_api(folder):
     """@param folder include/carom   @return the dictionary of bindings/api.json"""
     api = {"version": "", "headers": [], "handles": [], "opaque": [], "constants": [], "callbacks": [], "structs": [],
@@ -222,8 +238,12 @@ def read_api(folder):
         Header(path, api)
     values = {c["name"]: c["value"] for c in api["constants"]}
     api["version"] = ".".join(str(values[f"CAROM_VERSION_{part}"]) for part in ("MAJOR", "MINOR", "PATCH"))
+    add_since(api)
     add_statuses(api)
     lay_out(api)
+    add_enumerations(api)
+    add_pointers(api)
+    add_owners(api)
     functions = {f["name"] for f in api["functions"]}
     for struct in api["structs"]:
         struct["init"] = next((n for n in (struct["name"] + "_init",) if n in functions), None)

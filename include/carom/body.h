@@ -32,7 +32,7 @@ CAROM_API int32_t carom_material_desc_init(carom_material_desc *desc);
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; OUT_OF_MEMORY */
 CAROM_API int32_t carom_material_create(carom_world *world, const carom_material_desc *desc, carom_material *material,
                                         carom_error *error);
-/** Change a material in place; every collider that wears it follows.   @status as carom_material_create(); *_HANDLE */
+/** Change a material in place; every collider that uses it follows.   @status as carom_material_create(); *_HANDLE */
 CAROM_API int32_t carom_material_update(carom_world *world, carom_material material, const carom_material_desc *desc,
                                         carom_error *error);
 /** Resistance of a surface to rolling and to spinning about the normal, 0 when it is created. A contact that presses
@@ -45,7 +45,7 @@ CAROM_API int32_t carom_material_set_resistance(carom_world *world, carom_materi
 /** @param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.3 */
 CAROM_API int32_t carom_material_get_resistance(carom_world *world, carom_material material, double *rolling,
                                                 double *spinning, carom_error *error);
-/** @status OK; *_HANDLE; IN_USE (a collider wears it); BUSY */
+/** @status OK; *_HANDLE; IN_USE (a collider uses it); BUSY */
 CAROM_API int32_t carom_material_destroy(carom_world *world, carom_material material, carom_error *error);
 
 /* ---- bodies ---- */
@@ -99,11 +99,11 @@ CAROM_API int32_t carom_body_set_pose(carom_world *world, carom_body body, const
  *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT */
 CAROM_API int32_t carom_body_set_velocity(carom_world *world, carom_body body, const double linear[3],
                                           const double angular[3], carom_error *error);
-/** @param position [3] out: m, world, origin of the body frame   @param orientation [4] out: x, y, z, w, body to world. Either
- *  may be NULL: not wanted.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+/** @param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z, w, body
+ *  to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
 CAROM_API int32_t carom_body_get_pose(carom_world *world, carom_body body, double position[3], double orientation[4],
                                       carom_error *error);
-/** @param linear [3] out: m/s, world, of the centre of mass   @param angular [3] out: rad/s, world. Either may be NULL.
+/** @param linear [3] out, or NULL: m/s, world, of the centre of mass   @param angular [3] out, or NULL: rad/s, world
  *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
 CAROM_API int32_t carom_body_get_velocity(carom_world *world, carom_body body, double linear[3], double angular[3],
                                           carom_error *error);
@@ -117,9 +117,9 @@ CAROM_API int32_t carom_body_get_velocity(carom_world *world, carom_body body, d
  *          collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
 CAROM_API int32_t carom_body_set_mass(carom_world *world, carom_body body, double mass, const double center[3],
                                       const double inertia[9], carom_error *error);
-/** As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate. Any may be NULL.
- *  @param mass out: kg   @param center [3] out: m, body frame   @param inertia [9] out: kg m^2, body frame axes, about the
- *  centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+/** As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate.
+ *  @param mass out, or NULL: kg   @param center [3] out, or NULL: m, body frame   @param inertia [9] out, or NULL: kg m^2, body
+ *  frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
 CAROM_API int32_t carom_body_get_mass(carom_world *world, carom_body body, double *mass, double center[3],
                                       double inertia[9], carom_error *error);
 /** Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic no
@@ -242,7 +242,7 @@ CAROM_API int32_t carom_body_get_attribute(carom_world *world, carom_body body, 
  *    than 0), or calls carom_body_wake();
  *  - when the material of it or of what it touches is updated, or a static or kinematic body that it touches is moved by
  *    the host, changed or destroyed;
- *  - with all others when gravity or a dial but CAROM_DIAL_SUBSTEPS changes, a shape is muted, or a body is quarantined.
+ *  - with all others when gravity or a dial but CAROM_DIAL_SUBSTEPS changes, a shape is disabled, or a body is quarantined.
  * Its contacts are not among those of carom_world_get_contacts(), nor in the residuals of the report. */
 
 /** @param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.2 */
@@ -253,20 +253,21 @@ CAROM_API int32_t carom_body_wake(carom_world *world, carom_body body, carom_err
 
 /* ---- continuous collision ----
  * A step looks at where bodies stand, and ahead as far as they move in it, but no farther than their size. What moves
- * farther would pass through what is thin. CAROM_DIAL_CONTINUOUS says who is swept instead from pose to pose in every
- * substep, by its shape, along a straight line and about an axis: by default whoever
- *  - moves farther in a step than the bounding radius of its largest collider, or
- *  - turns by more than a quarter of a radian, and thereby the ends of one of its colliders by more than its thickness,
- * and whoever a host names here. What is swept stops at the first thing in its way, is answered there with the
- * restitution and friction of the two materials, and goes on from there. Nobody else pays anything. Sensors are not
- * swept; a swept body that meets a sleeper wakes it. Contact events tell of such hits. */
+ * farther would pass through what is thin. Such bodies are swept instead: from pose to pose in every substep, by their
+ * shape, along a straight line and about an axis. CAROM_DIAL_CONTINUOUS says which bodies are. By default a body is swept if
+ *  - it moves farther in a step than the bounding radius of its largest collider, or
+ *  - it turns by more than a quarter of a radian, and thereby the ends of a collider by more than its thickness, or
+ *  - a host names it here.
+ * A swept body stops at the first thing in its way. The impact is solved there with the restitution and friction of the
+ * two materials, and the body goes on. Other bodies cost nothing. Sensors are not swept. A swept body that meets a body
+ * asleep wakes it. Contact events tell of such impacts. */
 
 #define CAROM_CONTINUOUS_AUTO 0u   /* in steps in which it is fast for its size (default) */
 #define CAROM_CONTINUOUS_ALWAYS 1u /* in every step */
 #define CAROM_CONTINUOUS_NEVER 2u  /* in none: cheap debris that may pass through walls */
 
 /** Say when a body is swept, from the next step on. Without effect on a static body, and where CAROM_DIAL_CONTINUOUS
- *  says otherwise: under NOBODY nobody is swept, under FLAGGED only CAROM_CONTINUOUS_ALWAYS.
+ *  says otherwise: under NOBODY no body is swept, under FLAGGED only CAROM_CONTINUOUS_ALWAYS.
  *  @param mode CAROM_CONTINUOUS_*
  *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT
  *  @since 1.6 */

@@ -52,7 +52,7 @@ extern "C" {
 #define CAROM_DIAL_HOLD_ANGLE 35u          /* rad: arms of contacts turn with a body only when it has turned by this */
 #define CAROM_DIAL_JOINT_FREQUENCY 36u     /* Hz: stiffness of joints that are not answered directly */
 #define CAROM_DIAL_JOINT_DAMPING 37u       /* their damping ratio */
-#define CAROM_DIAL_CONTINUOUS 38u          /* choice: CAROM_SWEEP_*: who is swept from pose to pose, so that it passes
+#define CAROM_DIAL_CONTINUOUS 38u          /* choice: CAROM_SWEEP_*: what is swept from pose to pose, so that it passes
                                               through nothing; see carom_body_set_continuous()   @since 1.6 */
 #define CAROM_DIAL_PRECISION 39u           /* choice: CAROM_PRECISION_*: the numbers in which contacts are solved
                                               @since 1.8 */
@@ -112,7 +112,7 @@ extern "C" {
 #define CAROM_PRECISION_FLOAT 0u  /* @since 1.8 */
 #define CAROM_PRECISION_DOUBLE 1u /* @since 1.8 */
 
-#define CAROM_PRESET_FAST 0u      /* one substep and coarse distances: crowds, debris, what nobody looks at closely */
+#define CAROM_PRESET_FAST 0u      /* one substep and coarse distances: crowds, debris, what is seen from afar */
 #define CAROM_PRESET_BALANCED 1u  /* what a new world has */
 #define CAROM_PRESET_ACCURATE 2u  /* a quarter of its error, at two to four times its cost */
 #define CAROM_PRESET_REFERENCE 3u /* to compare others with: as exact as the library is at a given step */
@@ -147,7 +147,7 @@ CAROM_API int32_t carom_dial_get_count(uint32_t *count);
  *  @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (the name of a constant, since 1.8)   @thread any */
 CAROM_API int32_t carom_dial_find(const char *name, uint32_t *dial, carom_error *error);
 
-/* ---- constants: numbers of the library that trade nothing, so that nobody sets them; read them to know why ---- */
+/* ---- constants: numbers of the library that trade nothing, so that none can be set; read them to know why ---- */
 
 /** What a constant is. Strings have static storage. Names are distinct from those of dials; which constants there are, and
  *  in which order, may change from version to version.   @since 1.8 */
@@ -174,7 +174,7 @@ CAROM_API int32_t carom_constant_get_info(uint32_t constant, carom_constant_info
 CAROM_API const char *carom_preset_name(uint32_t preset);
 
 /** What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a world
- *  finds pairs, who sleeps, and what a host chose for its look they leave alone.
+ *  finds pairs, what sleeps, and what a host chose for its look they leave alone.
  *  @param preset CAROM_PRESET_*   @param dial CAROM_DIAL_*   @param value out
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any   @since 1.8 */
 CAROM_API int32_t carom_preset_get_dial(uint32_t preset, uint32_t dial, double *value, carom_error *error);

@@ -45,7 +45,7 @@ CAROM_API int32_t carom_engine_destroy(carom_engine *engine, carom_error *error)
 /** Do the parts [begin, end) of a loop. Does not call back, throw or block. */
 typedef void (*carom_job_fn)(void *context, uint32_t begin, uint32_t end);
 
-/** Who shares the work of a step. The outcome does not depend on it: same bits for any number of threads.
+/** Which threads share the work of a step. The outcome does not depend on it: same bits for any number of threads.
  *  Fill with carom_jobs_desc_init(), then change what you need. */
 typedef struct carom_jobs_desc {
   uint32_t struct_size;
@@ -64,7 +64,7 @@ typedef struct carom_jobs_desc {
 /** @status OK; NULL_ARGUMENT   @since 1.2 */
 CAROM_API int32_t carom_jobs_desc_init(carom_jobs_desc *desc);
 
-/** Say who shares the work of all steps in the engine's worlds, before the first of them is made. Support functions are then
+/** Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support functions are then
  *  called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked on the stepping one.
  *  @param desc may be NULL: the stepping thread alone
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has no more

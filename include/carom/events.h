@@ -1,6 +1,6 @@
 /** @file events.h
  *  What happened in the last step, as arrays: contacts that began, ended or were hit, sensors entered and left, bodies that
- *  fell asleep or woke, joints that broke, faults. Nothing is collected that nobody asked for.
+ *  fell asleep or woke, joints that broke, faults. A world collects only the kinds that a host asked for.
  *
  *  Arrays are replaced by the next step. Their order is that of slots, and the same for any number of threads. What was
  *  destroyed keeps its handle in them, which is stale by then. Where it takes memory, a step asks for it before it moves
@@ -30,7 +30,7 @@ CAROM_API int32_t carom_world_collect_events(carom_world *world, uint32_t kinds,
 
 #define CAROM_CONTACT_BEGIN 0u /* the first step in which the two press on each other */
 #define CAROM_CONTACT_END 1u   /* the first after that in which they are farther apart than the contact distance, or one
-                                  of them is gone, filtered out, muted or in quarantine; point, normal, impulse, speed: 0 */
+                                  of them is gone, filtered out, disabled or in quarantine; point, normal, impulse, speed: 0 */
 #define CAROM_CONTACT_HIT 2u   /* they press, and approached faster than hit_speed as the step began, or when a sweep met them */
 
 /** Of two colliders; all their contact points together. Sleepers stay in touch. */
@@ -102,13 +102,13 @@ typedef struct carom_joint_event {
 CAROM_API int32_t carom_world_get_joint_events(carom_world *world, carom_joint_event *dst, uint64_t stride,
                                                uint64_t capacity, uint64_t *count, carom_error *error);
 
-/** A support function that answered falsely, whose shape is mute from the next step on; or a body or particles whose
- *  state was not finite, which are in quarantine. The same faults as those of carom_world_get_faults(), but by handles
+/** A support function that answered falsely: its shape is disabled from the next step on. Or a body or particles whose state
+ *  was not finite: they are in quarantine. The same faults as those of carom_world_get_faults(), but by handles
  *  that keep their names when what they name is destroyed. */
 typedef struct carom_fault_event {
   uint32_t kind;             /**< CAROM_FAULT_* */
   uint32_t reserved;
-  carom_shape shape;         /**< that is mute, or CAROM_NULL_HANDLE */
+  carom_shape shape;         /**< that is disabled, or CAROM_NULL_HANDLE */
   carom_body body;           /**< a body it hangs on, or the one in quarantine, or CAROM_NULL_HANDLE */
   carom_particles particles; /**< the set, of CAROM_FAULT_PARTICLE_STATE, or CAROM_NULL_HANDLE */
   uint64_t particle;         /**< the first of it that was put in quarantine in this step: its index then */

@@ -1,8 +1,8 @@
 /** @file filter.h
- *  Who may touch whom: categories, masks and groups of colliders, bodies held apart, and sensors, which nothing touches.
+ *  Which colliders may touch: categories, masks and groups, ignored pairs of bodies, and sensors, which nothing touches.
  *
- *  All may be set at any time between steps and hold from the next step on, for what is in touch, too. A world in which
- *  nobody sets any of them pays nothing.   @since 1.5
+ *  All may be set at any time between steps and hold from the next step on, for what is in touch, too. They cost nothing in a
+ *  world in which none of them is set.   @since 1.5
  */
 #ifndef CAROM_FILTER_H
 #define CAROM_FILTER_H

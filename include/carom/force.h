@@ -1,7 +1,7 @@
 /** @file force.h
- *  Forces beyond gravity: drag and wind, fields, springs, buoyancy. Each is an effect (carom/plan.h) with customers of its
- *  own: who has none of it pays nothing. They are functions of the state, so an integrator of higher order takes them to
- *  its order. All wake whom they change.
+ *  Forces beyond gravity: drag and wind, fields, springs, buoyancy. Each is an effect (carom/plan.h) with participants
+ *  of its own, and costs nothing where it has none. They are functions of the state, so an integrator of higher order takes
+ *  them to its order. All wake the bodies that they change.
  */
 #ifndef CAROM_FORCE_H
 #define CAROM_FORCE_H
@@ -58,7 +58,7 @@ typedef struct carom_force_field_desc {
   uint32_t struct_size;
   uint32_t kind;         /**< CAROM_FORCE_FIELD_* */
   uint32_t is_force;     /**< 0: m/s^2, all bodies fall alike; 1: N, whatever their mass */
-  uint32_t mask;         /**< default 1: who shares a bit with it feels it, see carom_body_set_force_field_mask() */
+  uint32_t mask;         /**< default 1: bodies that share a bit with it feel it, see carom_body_set_force_field_mask() */
   double position[3];    /**< m, world: the frame's origin */
   double orientation[4]; /**< x, y, z, w, frame to world; default identity */
   double half[3];        /**< m, > 0, may be infinite (default): where a uniform field ends along the axes of the frame,

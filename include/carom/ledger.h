@@ -19,7 +19,7 @@
  *    continuous  hits of bodies that are swept
  *    axis_locks  what locked axes take off, and how bodies with one locked axis turn
  *    correction  poses put right apart from velocities
- *    sleep       velocities of who falls asleep
+ *    sleep       velocities of what falls asleep
  *    quarantine  of bodies and particles that leave the finite world
  *    integrator  the integrator's error: what is left in free motion beyond the forces below
  *    unassigned  what solvers did beyond their impulses: arms and inertias that they keep while bodies turn

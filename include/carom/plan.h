@@ -1,9 +1,9 @@
 /** @file plan.h
- *  The plan of a step: which effects run, for whom, why, and what they cost; what was left out, and why. And the host's
- *  last word: forbid an effect, or force it.
+ *  The plan of a step: which effects run, for which participants, why, and what they cost; what was left out, and why. And
+ *  the host's last word: forbid an effect, or force it.
  *
- *  An effect runs for its customers and nobody else. Without customers it executes nothing and allocates nothing, and the
- *  world has the bits of a world in which it is forbidden.
+ *  An effect runs for its participants alone. Without participants it executes nothing and allocates nothing, and the world
+ *  has the bits of a world in which it is forbidden.
  */
 #ifndef CAROM_PLAN_H
 #define CAROM_PLAN_H
@@ -47,15 +47,15 @@ extern "C" {
 #define CAROM_EFFECT_MAGNETISM 30u /* @since 1.8 */
 #define CAROM_EFFECT_COUNT 31u
 
-#define CAROM_MODE_AS_NEEDED 0u /* it runs for whom the scene calls for it */
+#define CAROM_MODE_AS_NEEDED 0u /* it runs for the bodies that need it (default) */
 #define CAROM_MODE_FORBID 1u    /* it does not run */
-#define CAROM_MODE_FORCE 2u     /* it runs for everybody it can act on, whether the scene calls for it or not: to see what it
-                                   costs, and that it changes nothing. Nothing more where there is nobody (joints, ...) */
+#define CAROM_MODE_FORCE 2u     /* it runs for all bodies that it can act on, whether they need it or not: to see what it
+                                   costs, and that it changes nothing. It makes no joints, sets, ... where there are none */
 
 /** Static name of an effect ("gravity"), or "?".   @thread any   @since 1.7 */
 CAROM_API const char *carom_effect_name(uint32_t effect);
 
-/** Forbid or force an effect from the next step on, for all bodies. Wakes everybody. Forbidding one that the scene
+/** Forbid or force an effect from the next step on, for all bodies. Wakes all bodies. Forbidding one that the scene
  *  needs is allowed, and carom_world_get_plan() says so.
  *  @param effect CAROM_EFFECT_*   @param mode CAROM_MODE_*
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT   @since 1.7 */
@@ -82,7 +82,7 @@ CAROM_API int32_t carom_world_time_effects(carom_world *world, uint32_t on, caro
 
 #define CAROM_TIME_OWN 0u      /* seconds is its own */
 #define CAROM_TIME_IN_STAGE 1u /* it is done within the loops of its stage, and in the time of that */
-#define CAROM_TIME_OFF 2u      /* nobody asked, see carom_world_time_effects() */
+#define CAROM_TIME_OFF 2u      /* not measured, see carom_world_time_effects() */
 
 /** A line of the plan: a stage or an effect, as it was in the last step.   @since 1.7 */
 typedef struct carom_plan_line {
@@ -90,15 +90,15 @@ typedef struct carom_plan_line {
   uint32_t stage;       /**< CAROM_STAGE_* that it is part of */
   uint32_t mode;        /**< CAROM_MODE_* for the world */
   uint32_t runs;        /**< 1 or 0 */
-  uint64_t customers;   /**< served in the last step */
-  uint64_t wanted;      /**< whom the scene calls for, whatever is forbidden or forced; of effects within contacts, customers */
-  uint64_t evaluations; /**< customers served since the world was made, once for each time */
+  uint64_t customers;   /**< participants in the last step */
+  uint64_t wanted;      /**< participants if nothing were forbidden or forced; of effects within contacts, as `customers` */
+  uint64_t evaluations; /**< participants of all steps since the world was made, summed */
   uint64_t bytes;       /**< memory held for it alone */
   double seconds;       /**< s, in the last step */
   uint32_t timing;      /**< CAROM_TIME_* */
   uint32_t reserved;
   char name[32];
-  char unit[24];        /**< what customers are: "bodies", "contact points" */
+  char unit[24];        /**< what the participants are: "bodies", "contact points" */
   char reason[128];     /**< why it runs, or why not */
 } carom_plan_line;
 

@@ -15,7 +15,7 @@
  *  content, zeros up to a multiple of 8. A step is written before it is taken and its hash after it, so that a session that
  *  never came back from a step ends with that step. `src/tools/replay` reads it all.
  *
- *  Who records no world pays nothing for it. Who does pays for the hash of each step, and for writing.   @since 1.8 */
+ *  A world that is not recorded pays nothing. Recording costs the hash of each step, and writing.   @since 1.8 */
 #ifndef CAROM_RECORD_H
 #define CAROM_RECORD_H
 

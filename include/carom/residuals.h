@@ -1,7 +1,7 @@
 /** @file residuals.h
  *  How far the last step is from the laws it should obey, and a budget of time that substeps are chosen within.
  *
- *  Residuals are worked out when they are asked for: who does not ask pays nothing.
+ *  Computing them costs time only when you call carom_world_get_residuals().
  */
 #ifndef CAROM_RESIDUALS_H
 #define CAROM_RESIDUALS_H
@@ -19,7 +19,7 @@ typedef struct carom_residuals {
   uint32_t struct_size;
   uint32_t ledger_is_kept;  /**< 1: energy_drift is known, see carom_world_enable_ledger() */
   uint64_t contact_points;
-  uint64_t joints;          /**< that hold somebody who is awake, and are not broken */
+  uint64_t joints;          /**< that are attached to a body that is awake, and are not broken */
   double max_penetration;   /**< m, 0 if none */
   double mean_penetration;  /**< m, over points that overlap */
   double joint_gap;         /**< m, most that what a joint locks of its points is apart */

@@ -1,8 +1,8 @@
 /** @file scenery.h
  *  Scenery: surfaces of many triangles (a mesh, a height field) as one shape, for static and kinematic bodies.
  *
- *  A piece of scenery is met where it is, and only there: bodies slide over sides between triangles as over one surface, and
- *  a sharp edge or a rim is an edge. A one-sided surface is met from the side from which its triangles' corners run
+ *  Scenery is met where it is, and only there: bodies slide over sides between triangles as over one surface, and a sharp
+ *  edge or a boundary edge is an edge. A one-sided surface is met from the side from which its triangles' corners run
  *  counter-clockwise, by bodies whose centre is on that side; from behind it is passed through, by rays too. A two-sided one
  *  is met from both.
  *
@@ -23,7 +23,7 @@ extern "C" {
 #define CAROM_SCENERY_TWO_SIDED 1u /* a bit of flags: met from both sides */
 
 /** A triangle mesh. Corners at the same place are made one, so vertices may be repeated; triangles without area are
- *  dropped (carom_scenery_info counts them). Two triangles that share a side are one surface there; a side of one alone is a rim, and so
+ *  dropped (carom_scenery_info counts them). Two triangles that share a side are one surface there; a side of one alone is a boundary edge, and so
  *  is a side of three. Fill with carom_mesh_desc_init(). */
 typedef struct carom_mesh_desc {
   uint32_t struct_size;
@@ -83,10 +83,10 @@ CAROM_API int32_t carom_shape_get_scenery_info(carom_engine *engine, carom_shape
                                                carom_error *error);
 
 /** Copy out triangles of scenery, for drawing: each by its three corners, as its surface faces. Holes are left out.
- *  @param first   number of the first piece wanted
+ *  @param first   number of the first triangle wanted
  *  @param corners [9 count] m, shape frame, or NULL to count
  *  @param count   in: room for how many; out: how many were written (with NULL: how many there are from `first` on)
- *  @param next    out: the number of the piece to go on from; the number of pieces when all have been seen
+ *  @param next    out: the number of the triangle to go on from; the number of triangles when all have been seen
  *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (first); UNSUPPORTED (a convex shape)   @since 1.6 */
 CAROM_API int32_t carom_shape_get_triangles(carom_engine *engine, carom_shape shape, uint64_t first, double *corners,
                                             uint64_t *count, uint64_t *next, carom_error *error);

@@ -9,31 +9,31 @@
  *      ... steps ...
  *      carom_world_restore(world, bytes, size, &error);
  *
- *  From a restore on, a world goes on as from the moment it was saved, bit for bit: carom_world_hash() is the same after
- *  every further step, whatever caches, sleepers, joints and solvers there are, on any number of threads.
+ *  After a restore a world goes on as from the moment it was saved, bit for bit. carom_world_hash() is the same after every
+ *  further step, whatever caches, sleepers, joints and solvers there are, on any number of threads.
  *
- *  A snapshot that is whole (CAROM_SNAPSHOT_WHOLE) has the structure, too: it makes an empty world of any engine, in any
- *  process, the world that was saved, with handles of the same slots and generations (carom_world_translate_handles()
- *  says which). carom_world_fork() does so at once. What is of an engine is named, not carried: of a shape the id and
- *  version of its plugin, which must be loaded, and its parameters; but meshes, height fields and half-spaces are in it.
+ *  A whole snapshot (CAROM_SNAPSHOT_WHOLE) has the structure, too. It turns an empty world of any engine, in any process,
+ *  into the world that was saved. Handles have the same slots and generations (carom_world_translate_handles() says which).
+ *  carom_world_fork() does so at once. Shapes of plugins are named, by id, version and parameters; the plugin must be
+ *  loaded. Meshes, height fields and half-spaces are in the snapshot.
  *
- *  What any snapshot has: all that a step changes, and all that a host can set (dials, gravity, filters, motors, materials,
- *  modes of effects, who sleeps, forces that are pending, which events are collected). What one of the state alone has
- *  not: the structure, that is which bodies, colliders, materials, joints, sets, fields and springs there are and with what masses and
- *  shapes; a snapshot belongs to a world of the same. That is the world itself as long as nothing in it was created or
- *  destroyed, or another one, also in another process, that was made by the same calls. Handles stay as they are. `user`
- *  values stay as they are. Contacts, groups, faults, events and residuals of the last step are empty until the next
- *  one; a ledger books what a restore changes as the host's.
+ *  What any snapshot has: all that a step changes, and all that a host can set. That is dials, gravity, filters, motors,
+ *  materials, modes of effects, what sleeps, pending forces, which events are collected. A snapshot of the state alone lacks
+ *  the structure: which bodies, colliders, materials, joints, sets, fields and springs there are, with their masses and
+ *  shapes. It belongs to a world of the same structure. That is the world itself while nothing in it is created or
+ *  destroyed, or another one that was made by the same calls, also in another process. Handles and `user` values stay as
+ *  they are. Contacts, groups, faults, events and residuals of the last step are empty until the next one. A ledger counts
+ *  what a restore changes as the host's.
  *
- *  Size: at most 230 bytes for a body with one collider (+ 9 for a further one), + 48 with a force pending, + 64 while
- *  the dial `sleep` is on and the body is slow but not asleep, + 47 with settings of its own; 45 for a pair of bounds
- *  that overlap, + 88 for each contact point and 120 for a pair whose patch is kept, + 57 to 81 for each impulse; 137 for
- *  a joint, + 65 for each coordinate that is limited, driven or sprung; 48 for a particle, + 8 if it has a mass of its
- *  own. Both ways take some 0.1 us a body that falls, 0.5 us a body in a heap.
+ *  Size in bytes, at most:
+ *    body with one collider  230, a further collider 9, a pending force 48, settings of its own 47, while it is slow but awake 64
+ *    pair of bounds          45, each contact point 88, a patch that is kept 120, each impulse 57 to 81
+ *    joint                   137, each coordinate with a limit, drive or spring 65
+ *    particle                48, a mass of its own 8
  *
- *  Bytes: little-endian, sections with tags and sizes and a checksum over all. A newer library's sections that this one does not
- *  know are skipped, and what is absent is as in a new world. Bytes that are damaged, cut off or made up are refused, and
- *  the world is as it was. */
+ *  Bytes are little-endian: sections with tags and sizes, and a checksum over all. Sections that this library does not know
+ *  are skipped, and what is absent is as in a new world. Bytes that are damaged, cut off or made up are refused, and the
+ *  world stays as it was. */
 #ifndef CAROM_SNAPSHOT_H
 #define CAROM_SNAPSHOT_H
 

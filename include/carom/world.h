@@ -60,7 +60,7 @@ CAROM_API int32_t carom_world_get_gravity(carom_world *world, double gravity[3],
 
 /* ---- what the last step did ---- */
 
-#define CAROM_STAGE_REFRESH 0u   /* which effects have customers; bounds */
+#define CAROM_STAGE_REFRESH 0u   /* which effects have participants; bounds */
 #define CAROM_STAGE_BROAD 1u     /* pairs of bounds that overlap */
 #define CAROM_STAGE_NARROW 2u    /* contacts of pairs */
 #define CAROM_STAGE_GROUP 3u     /* contact groups */
@@ -70,7 +70,7 @@ CAROM_API int32_t carom_world_get_gravity(carom_world *world, double gravity[3],
 #define CAROM_STAGE_OBSERVE 7u   /* residuals, events */
 #define CAROM_STAGE_COUNT 8u
 
-/** Times, counts and residuals of the last step. A stage without customers did not run: its time is 0. */
+/** Times, counts and residuals of the last step. A stage without participants did not run: its time is 0. */
 typedef struct carom_step_report {
   uint32_t struct_size;
   uint32_t stage_count;        /**< CAROM_STAGE_COUNT of this library */
@@ -144,9 +144,9 @@ CAROM_API int32_t carom_world_get_contacts(carom_world *world, carom_contact *ds
 #define CAROM_REASON_ORDINARY 0u   /* soft contacts hold it */
 #define CAROM_REASON_MASS_RATIO 1u /* bodies that touch have masses further apart than CAROM_DIAL_DIRECT_RATIO */
 #define CAROM_REASON_SINK 2u       /* soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK */
-#define CAROM_REASON_TOO_MUCH 3u   /* more than 256 bodies, at which nothing else is looked; or one of the others, but too much work lately */
-#define CAROM_REASON_BOUNCE 4u     /* something in it bounces: not given any more, every solver answers that alike */
-#define CAROM_REASON_BLOW 5u       /* it would sink, but something strikes it just now: soft contacts take the blow */
+#define CAROM_REASON_TOO_MUCH 3u   /* too many bodies for the direct solver, or it exceeded its work limit recently */
+#define CAROM_REASON_BOUNCE 4u     /* not given any more: impacts are solved before every solver */
+#define CAROM_REASON_BLOW 5u       /* it would sink, but is under impact: soft contacts take that */
 #define CAROM_REASON_STILL 6u      /* a few bodies that lie still */
 #define CAROM_REASON_JOINED 7u     /* some bodies that joints hold together         @since 1.5 */
 

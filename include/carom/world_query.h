@@ -8,7 +8,7 @@
  *  the same brackets and proofs; first is what has the least `time` (or separation), of equals the collider in the lower slot (the low 24 bits of its
  *  handle). A collider whose support function misbehaves is reported where its bounds are, with status CAROM_QUERY_FAULT.
  *
- *  Threads: any number may ask at once while nobody changes the world (then: BUSY). The first question after a change
+ *  Threads: any number may ask at once while no call changes the world (then: BUSY). The first question after a change
  *  brings an index up to date, in time proportional to what moved; others that come meanwhile wait for it.
  *  @since 1.5
  */

@@ -115,7 +115,7 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
     number(Dial::joint_damping, "joint_damping", "",
            "damping ratio of joints: more undoes a gap slower, less may swing", 0, 1e3, 1),
     choice(Dial::continuous, "continuous",
-           "who is swept from pose to pose, so that it passes through nothing: nobody, bodies that a host flagged, or "
+           "what is swept from pose to pose, so that it passes through nothing: no body, bodies that a host flagged, or "
            "also what moves far for its size in a step",
            kContinuous, 2),
     choice(Dial::precision, "precision",

@@ -173,7 +173,7 @@ void explain(const World& world, std::size_t row, const PlannedEffect& effect, P
 
 PlanLine stage_line(const World& world, std::size_t index) {
   static constexpr const char* kWhy[kStageCount][2] = {
-      {"every step: who is a customer of what", ""},
+      {"every step: what takes part in which effect", ""},
       {"colliders of which two can touch", "no two colliders of which one can move and one notices"},
       {"pairs that may touch", "no two colliders of which one can move and one notices"},
       {"contacts and joints hang together in groups", "nothing can touch, and no joint holds a body that is awake"},

@@ -1,7 +1,8 @@
 # Every path that a README or ABI.md names in backticks exists.
 set(checked 0)
-file(GLOB_RECURSE pages ${SOURCE_DIR}/src/*.md ${SOURCE_DIR}/plugins/*.md ${SOURCE_DIR}/tests/*.md ${SOURCE_DIR}/bindings/*.md)
-foreach(page ${SOURCE_DIR}/README.md ${SOURCE_DIR}/ABI.md ${pages})
+file(GLOB_RECURSE pages ${SOURCE_DIR}/src/*.md ${SOURCE_DIR}/plugins/*.md ${SOURCE_DIR}/tests/*.md ${SOURCE_DIR}/bindings/*.md
+  ${SOURCE_DIR}/include/*.md)
+foreach(page ${SOURCE_DIR}/README.md ${SOURCE_DIR}/ABI.md ${SOURCE_DIR}/CONTRIBUTING.md ${SOURCE_DIR}/SECURITY.md ${pages})
   if(NOT EXISTS ${page})
     message(SEND_ERROR "${page} is missing")
     continue()

@@ -16,7 +16,7 @@ BASE = """/** @file base.h\n *  First. */
 #define CAROM_OK 0
 #define CAROM_E_BUSY (-12) /* at
                               work */
-#define CAROM_ALL (~(uint64_t)0)
+#define CAROM_FILTER_MASK (~(uint64_t)0)
 typedef uint64_t carom_body; /* it   @since 1.4 */
 """
 
@@ -32,7 +32,7 @@ class Reads(unittest.TestCase):
         constants = {c["name"]: c for c in api_of("")["constants"]}
         self.assertEqual(constants["CAROM_E_BUSY"]["value"], -12)
         self.assertEqual(constants["CAROM_E_BUSY"]["doc"], "at work")
-        self.assertEqual(constants["CAROM_ALL"]["value"], 2**64 - 1)
+        self.assertEqual(constants["CAROM_FILTER_MASK"]["value"], 2**64 - 1)
 
     def test_handle_since(self):
         handle = api_of("")["handles"][0]
@@ -56,7 +56,8 @@ class Reads(unittest.TestCase):
         self.assertEqual([(a["type"], a.get("count")) for a in do["arguments"]], [("const double *", 3), ("carom_fn", None)])
         self.assertEqual(do["status"], ["OK", "INVALID_HANDLE", "STALE_HANDLE", "WRONG_KIND", "WRONG_WORLD", "BUSY"])
         self.assertEqual(too["since"], "1.2")  # without a blank line the comment holds for both
-        self.assertEqual(api["callbacks"][0]["arguments"][1], {"name": "out", "type": "double *", "count": 3})
+        self.assertEqual(api["callbacks"][0]["arguments"][1], {"name": "out", "type": "double *", "count": 3, "direction": "out",
+                                                               "nullable": False, "length": "3"})
 
     def test_status_of_another(self):
         api = api_of("/** @status OK; BUSY */\nCAROM_API int32_t carom_a(void);\n\n"
@@ -82,6 +83,11 @@ class Refuses(unittest.TestCase):
     def test_circle_of_statuses(self):
         self.refused("/** @status as carom_b() */\nCAROM_API int32_t carom_a(void);\n\n"
                      "/** @status as carom_a() */\nCAROM_API int32_t carom_b(void);\n", "leads back")
+
+    def test_constants_of_no_enumeration(self):
+        self.refused("#define CAROM_HUMOUR_GOOD 0u\n", "CAROM_HUMOUR_GOOD: which enumeration is it of")
+        self.refused("#define CAROM_MODE_FORBID 1u\n#define CAROM_MODE_FORCE 1u\n", "two values of mode are the same")
+        self.refused("#define CAROM_MODE_FORBID 0u\n#define CAROM_MODE_COUNT 2u\n", "is 2, but there are 1")
 
     def test_structs_in_structs_and_matrices(self):
         self.refused("typedef struct carom_a {\n  carom_b b;\n} carom_a;\n", "'carom_b' is not known")

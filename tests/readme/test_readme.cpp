@@ -29,6 +29,12 @@ const std::string& readme() {
   return text;
 }
 
+/// README.md and the page of the command: what either shows has to work.
+const std::string& shown() {
+  static const std::string text = readme() + read(kRoot / "src/tools/README.md");
+  return text;
+}
+
 /// First group of every match.
 std::vector<std::string> all(const std::string& text, const char* pattern) {
   const std::regex expression(pattern);
@@ -101,13 +107,14 @@ static void every_subcommand_is_one_and_none_is_kept_secret(void**) {
   assert_true(list != std::string::npos);
   const auto known_list = all(help.substr(list), "\n  ([a-z]+) ");
   const std::set<std::string> known(known_list.begin(), known_list.end());
-  const auto used_list = all(readme(), "(?:`|\n    |bin/)carom ([a-z]+)");
+  const auto used_list = all(shown(), "(?:`|\n    |bin/)carom ([a-z]+)");
   const std::set<std::string> used(used_list.begin(), used_list.end());
   std::vector<std::string> missing;
   std::set_difference(used.begin(), used.end(), known.begin(), known.end(), std::back_inserter(missing));
   assert_none(missing, "which is no subcommand of carom");
   std::set_difference(known.begin(), known.end(), used.begin(), used.end(), std::back_inserter(missing));
-  for (const std::string& m : missing) print_error("README.md does not name the subcommand %s\n", m.c_str());
+  for (const std::string& m : missing)
+    print_error("neither README.md nor src/tools/README.md names the subcommand %s\n", m.c_str());
   assert_true(missing.empty());
 }
 
@@ -115,9 +122,9 @@ static void every_scene_and_dial_that_is_run_exists(void**) {
   const std::string scenes = output_of(std::string(CAROM_COMMAND) + " list");
   const std::string dials = output_of(std::string(CAROM_COMMAND) + " dials");
   std::vector<std::string> missing;
-  for (const std::string& s : all(readme(), "carom run ([a-z]+)"))
+  for (const std::string& s : all(shown(), "carom run ([a-z]+)"))
     if (scenes.find(s) == std::string::npos) missing.push_back(s);
-  for (const std::string& d : all(readme(), "--dial ([a-z_]+)="))
+  for (const std::string& d : all(shown(), "--dial ([a-z_]+)="))
     if (dials.find(d) == std::string::npos) missing.push_back(d);
   assert_none(missing, "which is neither a scene nor a dial");
 }
@@ -147,8 +154,31 @@ static void the_two_commands_are_single_lines_and_the_second_needs_all_of_the_fi
   assert_true(std::includes(many.begin(), many.end(), few.begin(), few.end()));
 }
 
+static void a_page_is_enough(void**) {
+  const auto lines = std::count(readme().begin(), readme().end(), '\n');
+  if (lines > 150)
+    print_error("README.md has %ld lines: 150 are enough, the rest belongs to the pages that it links\n", long(lines));
+  assert_true(lines <= 150);
+}
+
+static void hello_checks_every_result_in_25_lines_without_a_path_in_argv(void**) {
+  const auto programs = all(readme(), "```c\n([^`]*)```");
+  assert_true(!programs.empty());
+  const std::string& hello = programs[0];
+  assert_true(std::count(hello.begin(), hello.end(), '\n') <= 25);
+  assert_true(hello.find("argv") == std::string::npos);
+  std::string rest = hello;  // without what is checked, and what is no call
+  for (const char* checked : {"TRY(carom_", "CAROM_ERROR_INIT"})
+    for (std::size_t at; (at = rest.find(checked)) != std::string::npos;) rest.erase(at, std::string(checked).size());
+  const auto unchecked = all(rest, "(carom_[a-z_]+)\\(");
+  for (const std::string& call : unchecked) print_error("README.md's hello does not check %s()\n", call.c_str());
+  assert_true(unchecked.empty());
+}
+
 int main() {
   const CMUnitTest tests[] = {
+      cmocka_unit_test(a_page_is_enough),
+      cmocka_unit_test(hello_checks_every_result_in_25_lines_without_a_path_in_argv),
       cmocka_unit_test(every_folder_of_the_map_and_every_picture_exists),
       cmocka_unit_test(every_preset_exists),
       cmocka_unit_test(every_subcommand_is_one_and_none_is_kept_secret),

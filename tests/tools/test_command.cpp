@@ -140,7 +140,7 @@ static void a_plan_tells_what_runs_for_whom_and_what_is_left_out(void**) {
 
   const Outcome text = carom("plan falling --n 8 --forbid gravity");
   assert_int_equal(text.code, 0);
-  for (const char* expected : {"customers", "left out", "no body has drag", "though the scene calls for it: 8 bodies"})
+  for (const char* expected : {"participants", "left out", "no body has drag", "though the scene calls for it: 8 bodies"})
     assert_true(says(text, expected));
 }
 

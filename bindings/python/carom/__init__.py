@@ -9,7 +9,7 @@
 
 SI units, radians, right-handed frames, quaternions x, y, z, w. `carom.raw` is the C interface under its own names.
 """
-from . import errors, raw
+from . import errors, raw, records
 from ._c import VERSION as __version__
 from .attributes import Attributes, attribute_infos
 from .body import Body, Collider, Material
@@ -26,5 +26,6 @@ from .shape import Shape
 from .support import SupportPlugin
 from .world import World
 
-__all__ = ["Attributes", "Body", "CaromError", "Closed", "Collider", "Engine", "ForceField", "Joint", "Material", "Particles", "Shape", "Spring",
-           "SupportPlugin", "Water", "World", "attribute_infos", "dial_infos", "effects", "errors", "raw", "run", "share", "__version__"]
+__all__ = ["Attributes", "Body", "CaromError", "Closed", "Collider", "Engine", "ForceField", "Joint", "Material", "Particles", "Shape",
+           "Spring", "SupportPlugin", "Water", "World", "attribute_infos", "dial_infos", "effects", "errors", "raw",
+           "records", "run", "share", "__version__"]

@@ -5,15 +5,20 @@ import ctypes
 import threading
 import weakref
 from collections import deque
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Callable
 
 from . import raw
 from .errors import Busy, Closed, raise_for
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 
 class _Scratch(threading.local):
     """A carom_error for each thread, used again and again: the library writes it on failure only."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.error = raw.carom_error()
         self.error.struct_size = ctypes.sizeof(raw.carom_error)
         self.reference = ctypes.byref(self.error)
@@ -22,7 +27,7 @@ class _Scratch(threading.local):
 _scratch = _Scratch()
 
 
-def check(function, *arguments):
+def check(function: Callable[..., int], *arguments: object) -> None:
     """Call a function whose last argument is a carom_error*; raise what it says."""
     scratch = _scratch
     result = function(*arguments, scratch.reference)
@@ -34,12 +39,12 @@ class Owner:
     """Holds the pointer, and all that must live as long as it does. Destroyed when nothing refers to it any more, so a
     world's owner, which refers to its engine's, always goes first, in whatever order Python collects the two."""
 
-    def __init__(self, pointer, destroy, *alive):
-        self.alive = list(alive)
+    def __init__(self, pointer: int | None, destroy: Callable[..., int], *alive: object):
+        self.alive: list[Any] = list(alive)
         self.finalizer = weakref.finalize(self, Owner._destroy, destroy, pointer, self.alive)
 
     @staticmethod
-    def _destroy(destroy, pointer, alive):
+    def _destroy(destroy: Callable[..., int], pointer: int | None, alive: list[Any]) -> None:
         destroy(pointer, None)
         alive.clear()
 
@@ -49,14 +54,14 @@ class Root:
 
     _kind = "root"
 
-    def __init__(self, pointer, destroy, *alive):
+    def __init__(self, pointer: int | None, destroy: Callable[..., int], *alive: object):
         self._pointer = pointer
         self._destroy = destroy
         self._owner = Owner(pointer, destroy, *alive)
-        self._calls = deque()  # one entry a call in progress: append and pop are atomic, and cheaper than a lock
+        self._calls: deque[None] = deque()  # one entry a call in progress: append and pop are atomic, and cheaper than a lock
         self._closed = False
 
-    def _call(self, function, *arguments):
+    def _call(self, function: Callable[..., int], *arguments: object) -> None:
         """function(pointer, *arguments, error), unless closed."""
         self._calls.append(None)
         try:
@@ -89,8 +94,8 @@ class Root:
         self._owner.finalizer.detach()
         self._owner.alive.clear()
 
-    def __enter__(self):
+    def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, kind: type[BaseException] | None, value: BaseException | None, trace: TracebackType | None) -> None:
         self.close()

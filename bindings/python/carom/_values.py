@@ -2,10 +2,14 @@
 from __future__ import annotations
 
 import ctypes
-from types import SimpleNamespace
-from typing import Any
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Sequence, TypeVar, Union
 
 from . import raw
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+    Vector = Union[Sequence[float], NDArray[Any]]  # a few numbers: a list, a tuple, a row of an array
+    Rows = Union[Sequence[Sequence[float]], NDArray[Any]]
 
 numpy: Any
 try:
@@ -14,17 +18,21 @@ except ImportError:  # optional: only arrays need it
     numpy = None
 
 
-def need_numpy(what: str):
+S = TypeVar("S", bound=ctypes.Structure)
+Wrap = Callable[[str, int], Any]
+
+
+def need_numpy(what: str) -> Any:
     if numpy is None:
         raise ImportError(f"{what} needs numpy (Debian: python3-numpy); single objects do not")
     return numpy
 
 
-def enum(prefix: str, value) -> int:
+def enum(prefix: str, value: str | int) -> int:
     """"hinge" with prefix "JOINT" is raw.CAROM_JOINT_HINGE; numbers pass."""
     if not isinstance(value, str):
         return int(value)
-    found = getattr(raw, f"CAROM_{prefix}_{value.upper()}", None)
+    found: int | None = getattr(raw, f"CAROM_{prefix}_{value.upper()}", None)
     if found is None:
         raise ValueError(f"{value!r} is not one of {', '.join(words(prefix))}")
     return found
@@ -43,7 +51,7 @@ def word(prefix: str, value: int, among: tuple[str, ...]) -> str:
     return str(value)
 
 
-def bits(prefix: str, names) -> int:
+def bits(prefix: str, names: str | int | Iterable[str | int]) -> int:
     """Bits of one word, or of several; numbers pass."""
     if isinstance(names, (str, int)):
         names = (names,)
@@ -53,7 +61,7 @@ def bits(prefix: str, names) -> int:
     return value
 
 
-def vector(values, n: int, name: str):
+def vector(values: Iterable[float], n: int, name: str) -> ctypes.Array[ctypes.c_double]:
     """@return a C array of n doubles"""
     values = tuple(values)
     if len(values) != n:
@@ -61,11 +69,11 @@ def vector(values, n: int, name: str):
     return (ctypes.c_double * n)(*values)
 
 
-def vec3(values, name="vector"):
+def vec3(values: Iterable[float], name: str = "vector") -> ctypes.Array[ctypes.c_double]:
     return vector(values, 3, name)
 
 
-def describe(struct, keywords: dict):
+def describe(struct: type[S], keywords: Mapping[str, Any]) -> S:
     """A descriptor with its defaults and those keywords that are not None."""
     name = struct.__name__
     desc = struct()
@@ -73,17 +81,17 @@ def describe(struct, keywords: dict):
     if initialise:
         initialise(ctypes.byref(desc))
     else:
-        desc.struct_size = ctypes.sizeof(struct)
+        setattr(desc, "struct_size", ctypes.sizeof(struct))
     for key, value in keywords.items():
         if value is not None:
             set_field(desc, key, value)
     return desc
 
 
-def set_field(desc, key: str, value) -> None:
-    kind = dict(desc._fields_).get(key)
+def set_field(desc: ctypes.Structure, key: str, value: Any) -> None:
+    kind: Any = dict(desc._fields_).get(key)  # type: ignore[arg-type]
     if kind is None or key in ("struct_size", "reserved"):
-        raise TypeError(f"{type(desc).__name__} has no {key}; it has {', '.join(n for n, _ in desc._fields_[1:] if n != 'reserved')}")
+        raise TypeError(f"{type(desc).__name__} has no {key}; it has {', '.join(f[0] for f in desc._fields_[1:] if f[0] != 'reserved')}")
     if key in raw.HANDLES.get(type(desc).__name__, ()):
         desc.__setattr__(key, handle_of(value))
     elif issubclass(kind, ctypes.Array):
@@ -94,20 +102,33 @@ def set_field(desc, key: str, value) -> None:
         setattr(desc, key, int(value))
 
 
-def handle_of(thing) -> int:
+def handle_of(thing: Any) -> int:
     """A handle, or that of a body, shape, ...; None is CAROM_NULL_HANDLE."""
-    return 0 if thing is None else getattr(thing, "handle", thing)
+    return 0 if thing is None else int(getattr(thing, "handle", thing))
 
 
-class Record(SimpleNamespace):
+class Record:
     """What a struct said, as attributes; vectors are tuples, handles are objects, None where there is none."""
 
+    def __init__(self, **values: Any):
+        self.__dict__.update(values)
 
-def record(struct, wrap=None, **changes) -> Record:
-    """@param wrap  (type name of the handle, handle) -> object; else handles stay numbers"""
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in vars(self).items())})"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Record) and vars(self) == vars(other)
+
+
+R = TypeVar("R", bound=Record)
+
+
+def record(kind: type[R], struct: ctypes.Structure, wrap: Wrap | None = None, /, **changes: Any) -> R:
+    """@param kind  its class in records.py
+    @param wrap  (type name of the handle, handle) -> object; else handles stay numbers"""
     name, out = type(struct).__name__, {}
     handles = raw.HANDLES.get(name, {})
-    for field, kind in struct._fields_:
+    for field, *_ in struct._fields_:
         if field in ("struct_size", "reserved"):
             continue
         value = getattr(struct, field)
@@ -119,10 +140,10 @@ def record(struct, wrap=None, **changes) -> Record:
             value = tuple(value)
         out[field + "_" if field in ("from",) else field] = value
     out.update(changes)
-    return Record(**out)
+    return kind(**out)
 
 
-def copy_out(call, function, struct, *before):
+def copy_out(call: Callable[..., None], function: Callable[..., int], struct: type[S], *before: object) -> ctypes.Array[S]:
     """All elements of one of the calls that end in dst, stride, capacity, count. @return a C array"""
     count = ctypes.c_uint64()
     stride = ctypes.sizeof(struct)
@@ -135,7 +156,7 @@ def copy_out(call, function, struct, *before):
             return found if count.value == capacity else (struct * count.value).from_buffer(found)
 
 
-def handles_out(call, function, *before):
+def handles_out(call: Callable[..., None], function: Callable[..., int], *before: object) -> ctypes.Array[ctypes.c_uint64]:
     """All handles of one of the calls that end in handles, capacity, count. @return a C array"""
     count = ctypes.c_uint64()
     call(function, *before, None, 0, ctypes.byref(count))
@@ -144,7 +165,7 @@ def handles_out(call, function, *before):
     return handles
 
 
-def doubles(values, width: int, name: str):
+def doubles(values: Any, width: int, name: str) -> tuple[int, int, Any]:
     """Rows of `width` numbers, from numpy or from sequences. @return (C array of doubles or pointer, rows, keep alive)"""
     if numpy is not None:
         array = numpy.ascontiguousarray(values, dtype=numpy.float64)

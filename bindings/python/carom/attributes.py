@@ -11,29 +11,44 @@ from ._values import Record
 if TYPE_CHECKING:
     from .body import Body
 
-_infos: dict[str, Record] = {}
+class AttributeInfo(Record):
+    """What an attribute is."""
+    attribute: int
+    name: str
+    unit: str
+    summary: str
+    numbers: int
+    whole: bool
+    least: float
+    most: float
+    usual: tuple[float, ...]
+    of_dynamic: bool
+    effect: int
 
 
-def attribute_infos() -> dict[str, Record]:
+_infos: dict[str, AttributeInfo] = {}
+
+
+def attribute_infos() -> dict[str, AttributeInfo]:
     """What each attribute is: name, unit, summary, numbers (how many), whole, least, most, usual, effect."""
     if not _infos:
         for attribute in range(raw.CAROM_ATTRIBUTE_COUNT):
             info = raw.carom_attribute_info(struct_size=ctypes.sizeof(raw.carom_attribute_info))
             check(raw.carom_attribute_get_info, attribute, ctypes.byref(info))
-            _infos[info.name.decode()] = Record(
+            _infos[info.name.decode()] = AttributeInfo(
                 attribute=attribute, name=info.name.decode(), unit=info.unit.decode(), summary=info.summary.decode(),
                 numbers=info.numbers, whole=bool(info.is_whole), least=info.least, most=info.most,
                 usual=tuple(info.usual[:info.numbers]), of_dynamic=bool(info.of_dynamic), effect=info.effect)
     return _infos
 
 
-class Attributes(MutableMapping):
+class Attributes(MutableMapping[str, "float | Sequence[float]"]):
     """All attributes of a body: a number, or a tuple where there are several."""
 
     def __init__(self, body: Body):
         self._body = body
 
-    def _info(self, name: str) -> Record:
+    def _info(self, name: str) -> AttributeInfo:
         infos = attribute_infos()
         if name not in infos:
             raise KeyError(f"no attribute {name!r}; there are {', '.join(infos)}")
@@ -62,5 +77,5 @@ class Attributes(MutableMapping):
     def __len__(self) -> int:
         return len(attribute_infos())
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"Attributes({dict(self)})"

@@ -3,10 +3,40 @@ from __future__ import annotations
 
 import array
 import ctypes
-from typing import Any, Callable, Iterable
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Literal, TypedDict, TypeVar, overload
 
 from . import raw
 from ._values import enum, handles_out, need_numpy, numpy
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+    from typing_extensions import Unpack
+
+    from ._values import Rows, Vector
+    from .body import Body, Material
+    from .records import BodyTypeWord, FieldWord
+    from .shape import Shape
+
+T = TypeVar("T")
+
+
+class BodyArguments(TypedDict, total=False):
+    """What World.body() takes beside shape and position."""
+    orientation: Vector | None
+    type: BodyTypeWord | int
+    linear_velocity: Vector | None
+    angular_velocity: Vector | None
+    mass: float | None
+    center: Vector | None
+    inertia: Vector | None
+    linear_damping: float | None
+    angular_damping: float | None
+    stays_awake: bool
+    user: int | None
+    material: Material | None
+    density: float | None
+
 
 _WIDTH = {raw.CAROM_FIELD_POSITION: 3, raw.CAROM_FIELD_ORIENTATION: 4, raw.CAROM_FIELD_POSE: 7,
           raw.CAROM_FIELD_LINEAR_VELOCITY: 3, raw.CAROM_FIELD_ANGULAR_VELOCITY: 3, raw.CAROM_FIELD_VELOCITY: 6,
@@ -19,23 +49,24 @@ def width_of(field: int) -> int:
     return _WIDTH[field]
 
 
-def handles_of(bodies):
+def handles_of(bodies: Iterable[Body | int] | NDArray[np.uint64]) -> tuple[Any, int, Any]:
     """Bodies, their handles, or a numpy array of them. @return (C array or pointer, how many, keep alive)"""
     if numpy is not None and isinstance(bodies, numpy.ndarray):
         packed = numpy.ascontiguousarray(bodies, dtype=numpy.uint64)
         return packed.ctypes.data_as(ctypes.POINTER(ctypes.c_uint64)), packed.size, packed
-    handles = [getattr(body, "handle", body) for body in bodies]
+    handles: list[Any] = [getattr(body, "handle", body) for body in bodies]
     packed = (ctypes.c_uint64 * len(handles))(*handles)
     return packed, len(packed), packed
 
 
-def floats(values):
+def floats(values: Any) -> NDArray[Any]:
     """An array of float64 or float32 as it is; of integers, or lists of rows, one of float64."""
     np = need_numpy("this")
-    return np.asarray(values, dtype=None if isinstance(values, np.ndarray) and values.dtype.kind == "f" else np.float64)
+    array: NDArray[Any] = np.asarray(values, dtype=None if isinstance(values, np.ndarray) and values.dtype.kind == "f" else np.float64)
+    return array
 
 
-def place(data, width: int, rows: int | None, writable: bool):
+def place(data: Any, width: int, rows: int | None, writable: bool) -> tuple[int, int, int, int, Any]:
     """Where rows of `width` scalars lie in a numpy array or buffer of float or double, whatever its stride from row to row.
     @return (address, rows, CAROM_SCALAR_*, stride, keep alive)"""
     if numpy is not None and isinstance(data, numpy.ndarray):
@@ -49,7 +80,7 @@ def place(data, width: int, rows: int | None, writable: bool):
         if writable and not shaped.flags.writeable:
             raise ValueError("out is read only")
         scalar = raw.CAROM_SCALAR_F64 if shaped.itemsize == 8 else raw.CAROM_SCALAR_F32
-        found: Any = shaped.ctypes.data, shaped.shape[0], scalar, shaped.strides[0] if shaped.shape[0] > 1 else 0, shaped
+        found: tuple[int, int, int, int, Any] = shaped.ctypes.data, shaped.shape[0], scalar, shaped.strides[0] if shaped.shape[0] > 1 else 0, shaped
     else:
         view = memoryview(data)
         if view.format not in ("d", "f") or not view.c_contiguous or view.nbytes % (width * view.itemsize):
@@ -74,35 +105,49 @@ class Bulk:
     "velocity", "force", "center", "mass". One call, one copy, no Python object a body."""
 
     _call: Callable[..., None]
+    body: Callable[..., Body]
 
     def body_count(self) -> int:
         count = ctypes.c_uint64()
         self._call(raw.carom_world_get_bodies, None, 0, ctypes.byref(count))
         return count.value
 
-    def body_handles(self):
+    def body_handles(self) -> NDArray[np.uint64]:
         """Handles of all bodies, in the order in which read() has their rows: numpy array, or array.array without numpy."""
         handles = handles_out(self._call, raw.carom_world_get_bodies)
-        return numpy.ctypeslib.as_array(handles) if numpy is not None else array.array("Q", bytes(handles))
+        found: Any = numpy.ctypeslib.as_array(handles) if numpy is not None else array.array("Q", bytes(handles))
+        return found  # type: ignore[no-any-return]
 
-    def read(self, field: str | int, bodies: Iterable | None = None, out=None, dtype="float64"):
+    @overload
+    def read(self, field: FieldWord | int, bodies: Iterable[Body | int] | NDArray[np.uint64] | None = None, out: None = None,
+             dtype: Literal["float64"] = "float64") -> NDArray[np.float64]: ...
+
+    @overload
+    def read(self, field: FieldWord | int, bodies: Iterable[Body | int] | NDArray[np.uint64] | None = None, out: None = None, *,
+             dtype: Literal["float32"]) -> NDArray[np.float32]: ...
+
+    @overload
+    def read(self, field: FieldWord | int, bodies: Iterable[Body | int] | NDArray[np.uint64] | None = None, *, out: T) -> T: ...
+
+    def read(self, field: FieldWord | int, bodies: Iterable[Body | int] | NDArray[np.uint64] | None = None, out: Any = None,
+             dtype: Any = "float64") -> Any:
         """One field of many bodies, a row each.
         @param bodies  which: Body objects, handles, or a numpy array of handles; None: all, as body_handles() has them
         @param out     where to: numpy array (n, width) of float64 or float32, rows at any stride; or a packed buffer
         @return        out; without it a new numpy array (array.array of doubles where there is no numpy)"""
-        field = enum("FIELD", field)
-        width = width_of(field)
+        number = enum("FIELD", field)
+        width = width_of(number)
         handles, n, alive = (None, self.body_count(), None) if bodies is None else handles_of(bodies)
         if out is None:
             out = numpy.empty((n, width), dtype) if numpy is not None else array.array("d", bytes(8 * n * width))
         address, _, scalar, stride, held = place(out, width, n, True)
-        self._call(raw.carom_world_read, field, scalar, handles, n, address, stride)
+        self._call(raw.carom_world_read, number, scalar, handles, n, address, stride)
         return out
 
-    def write(self, field: str | int, values, bodies: Iterable | None = None) -> None:
+    def write(self, field: FieldWord | int, values: Any, bodies: Iterable[Body | int] | NDArray[np.uint64] | None = None) -> None:
         """The reverse; all values are checked before the first is written. @param values  rows: array, buffer, or lists"""
-        field = enum("FIELD", field)
-        width = width_of(field)
+        number = enum("FIELD", field)
+        width = width_of(number)
         handles, n, alive = (None, self.body_count(), None) if bodies is None else handles_of(bodies)
         if isinstance(values, (list, tuple)):
             flat = [x for row in values for x in (row if width > 1 else (row,))]
@@ -110,22 +155,41 @@ class Bulk:
         elif numpy is not None and isinstance(values, numpy.ndarray):
             values = floats(values)
         address, _, scalar, stride, held = place(values, width, n, False)
-        self._call(raw.carom_world_write, field, scalar, handles, n, address, stride)
+        self._call(raw.carom_world_write, number, scalar, handles, n, address, stride)
 
-    def positions(self, out=None):
+    @overload
+    def positions(self, out: None = None) -> NDArray[np.float64]: ...
+
+    @overload
+    def positions(self, out: T) -> T: ...
+
+    def positions(self, out: Any = None) -> Any:
         """m, (n, 3)"""
         return self.read("position", out=out)
 
-    def orientations(self, out=None):
+    @overload
+    def orientations(self, out: None = None) -> NDArray[np.float64]: ...
+
+    @overload
+    def orientations(self, out: T) -> T: ...
+
+    def orientations(self, out: Any = None) -> Any:
         """x, y, z, w, (n, 4)"""
         return self.read("orientation", out=out)
 
-    def velocities(self, out=None):
+    @overload
+    def velocities(self, out: None = None) -> NDArray[np.float64]: ...
+
+    @overload
+    def velocities(self, out: T) -> T: ...
+
+    def velocities(self, out: Any = None) -> Any:
         """m/s and rad/s, (n, 6)"""
         return self.read("velocity", out=out)
 
-    def create_bodies(self, positions, shape=None, **about):
+    def create_bodies(self, positions: Rows, shape: Shape | None = None, **about: Unpack[BodyArguments]) -> NDArray[np.uint64]:
         """Many bodies alike but for where they are. @param positions  rows of 3, m   @return numpy array of their handles"""
         np = need_numpy("create_bodies()")
         rows = np.asarray(positions, dtype=np.float64).reshape(-1, 3)
-        return np.array([self.body(shape, position=row, **about).handle for row in rows], dtype=np.uint64)
+        handles: NDArray[Any] = np.array([self.body(shape, position=row, **about).handle for row in rows], dtype=np.uint64)
+        return handles

@@ -11,10 +11,23 @@ from ._values import Record
 if TYPE_CHECKING:
     from .world import World
 
-_infos: dict[str, Record] = {}
+class DialInfo(Record):
+    """What a dial is."""
+    dial: int
+    name: str
+    unit: str
+    summary: str
+    choices: tuple[str, ...]
+    integer: bool
+    min: float
+    max: float
+    initial: float
 
 
-def dial_infos() -> dict[str, Record]:
+_infos: dict[str, DialInfo] = {}
+
+
+def dial_infos() -> dict[str, DialInfo]:
     """What each dial is: name, unit, summary, choices, min, max, initial."""
     if not _infos:
         count = ctypes.c_uint32()
@@ -23,25 +36,25 @@ def dial_infos() -> dict[str, Record]:
             info = raw.carom_dial_info(struct_size=ctypes.sizeof(raw.carom_dial_info))
             check(raw.carom_dial_get_info, dial, ctypes.byref(info))
             choices = tuple(info.choices[i].decode() for i in range(info.choice_count)) if info.choices else ()
-            _infos[info.name.decode()] = Record(
+            _infos[info.name.decode()] = DialInfo(
                 dial=dial, name=info.name.decode(), unit=info.unit.decode(), summary=info.summary.decode(), choices=choices,
                 integer=info.kind == raw.CAROM_DIAL_KIND_INTEGER, min=info.min, max=info.max, initial=info.initial)
     return _infos
 
 
-class Dials(MutableMapping):
+class Dials(MutableMapping[str, "float | str"]):
     """All dials of a world; choices are words, others numbers."""
 
     def __init__(self, world: World):
         self._world = world
 
-    def _info(self, name: str) -> Record:
+    def _info(self, name: str) -> DialInfo:
         infos = dial_infos()
         if name not in infos:
             raise KeyError(f"no dial {name!r}; there are {', '.join(infos)}")
         return infos[name]
 
-    def __getitem__(self, name: str):
+    def __getitem__(self, name: str) -> float | str:
         info, value = self._info(name), ctypes.c_double()
         self._world._call(raw.carom_world_get_dial, info.dial, ctypes.byref(value))
         if info.choices:
@@ -66,5 +79,5 @@ class Dials(MutableMapping):
     def __len__(self) -> int:
         return len(dial_infos())
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"Dials({dict(self)})"

@@ -5,7 +5,7 @@ import ctypes
 import os
 import weakref
 from pathlib import Path
-from typing import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Sequence
 
 from . import raw
 from ._root import Root, check
@@ -14,8 +14,14 @@ from .errors import AlreadyExists, NotFound
 from .host import Allocator, Jobs, put_allocator, put_jobs
 from .pair import PairQuestions
 from .shape import Shape
-from .support import SupportPlugin
+from .support import Support, SupportPlugin
 from .world import World
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._values import Rows, Vector
+    from .records import DialKeywords, FormWord
 
 
 def plugin_folders() -> list[Path]:
@@ -46,7 +52,7 @@ class Engine(Root, PairQuestions):
         if jobs is not None and threads > 1:
             raise ValueError("either threads of the engine's own or jobs of the host's, not both")
         desc = describe(raw.carom_engine_desc, {})
-        alive: list = []
+        alive: list[Any] = []
         if allocator is not None:
             alive += put_allocator(desc, allocator)
         if log is not None:
@@ -70,14 +76,14 @@ class Engine(Root, PairQuestions):
                 world.close()
         super().close()
 
-    def world(self, gravity: Sequence[float] | None = None, body_capacity: int | None = None, **dials) -> World:
+    def world(self, gravity: Vector | None = None, body_capacity: int | None = None, **dials: Unpack[DialKeywords]) -> World:
         """An empty world.
         @param gravity  m/s^2, default (0, -9.81, 0)   @param dials  as of World.dials: substeps=8, solver="direct" """
         return World(self, describe(raw.carom_world_desc, {"gravity": gravity, "body_capacity": body_capacity}), dials)
 
     # ---- shapes ----
 
-    def load_plugin(self, path: str | os.PathLike) -> int:
+    def load_plugin(self, path: str | os.PathLike[str]) -> int:
         """Load a shape plugin from a file. @return its handle, for shape()"""
         plugin = ctypes.c_uint64()
         self._call(raw.carom_plugin_load, os.fsencode(os.path.abspath(path)), ctypes.byref(plugin))
@@ -135,17 +141,17 @@ class Engine(Root, PairQuestions):
         """@param x, y, z  m, radii"""
         return self.shape("carom.ellipsoid", (x, y, z))
 
-    def hull(self, points: Iterable[Sequence[float]]) -> Shape:
+    def hull(self, points: Iterable[Vector]) -> Shape:
         """The convex hull of points, m."""
         return self.shape("carom.hull", (x for point in points for x in point))
 
-    def half_space(self, normal: Sequence[float] = (0, 1, 0), offset: float = 0) -> Shape:
+    def half_space(self, normal: Vector = (0, 1, 0), offset: float = 0) -> Shape:
         """All x with normal . x <= offset: ground without end, for static bodies."""
         handle = ctypes.c_uint64()
         self._call(raw.carom_shape_create_half_space, vec3(normal, "normal"), offset, ctypes.byref(handle))
         return Shape(self, handle.value)
 
-    def mesh(self, vertices, triangles, two_sided: bool = False) -> Shape:
+    def mesh(self, vertices: Rows, triangles: Iterable[Sequence[int]] | Rows, two_sided: bool = False) -> Shape:
         """A surface of triangles, for static and kinematic bodies. @param vertices  rows of 3, m
         @param triangles  rows of 3 indices, counter-clockwise seen from outside"""
         corners = [int(i) for row in triangles for i in row]
@@ -158,7 +164,7 @@ class Engine(Root, PairQuestions):
         del alive
         return Shape(self, handle.value)
 
-    def height_field(self, heights, spacing: Sequence[float] = (1, 1)) -> Shape:
+    def height_field(self, heights: Rows, spacing: Vector = (1, 1)) -> Shape:
         """Ground from a grid. @param heights  [rows along z][columns along x] m, NaN for a hole   @param spacing  m, along x, z"""
         rows = [tuple(float(h) for h in row) for row in heights]
         columns = len(rows[0]) if rows else 0
@@ -170,11 +176,13 @@ class Engine(Root, PairQuestions):
         del alive
         return Shape(self, handle.value)
 
-    def support_plugin(self, support: Callable, id: str, **about) -> SupportPlugin:
+    def support_plugin(self, support: Support, id: str, params: Sequence[tuple[str, str, float, float]] = (),
+                       form: FormWord | None = None, args: Sequence[int] = (), core_radius: int | None = None, version: int = 1,
+                       tail_group: int = 0, tail_min: int = 0) -> SupportPlugin:
         """A kind of shape whose support function is written in Python; see support.py.
 
             box = engine.support_plugin(lambda p, d: tuple(math.copysign(h, x) for h, x in zip(p, d)), "my.box",
                                         params=[("x", "m", 1e-6, 1e3), ("y", "m", 1e-6, 1e3), ("z", "m", 1e-6, 1e3)])
             die = box(0.5, 0.5, 0.5)
         """
-        return SupportPlugin(self, support, id, **about)
+        return SupportPlugin(self, support, id, params, form, args, core_radius, version, tail_group, tail_min)

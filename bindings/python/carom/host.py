@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import traceback
 from concurrent.futures import Executor, wait
-from typing import Callable, Protocol
+from typing import Any, Callable, Protocol
 
 Job = Callable[[int, int], None]  # the parts begin up to end of a loop
 Jobs = Callable[[Job, int], None]
@@ -36,10 +36,10 @@ def share(executor: Executor, parts: int) -> Jobs:
     return run
 
 
-def put_allocator(desc, allocator: Allocator) -> list:
+def put_allocator(desc: Any, allocator: Allocator) -> list[Any]:
     """@return what must live as long as the engine"""
 
-    def alloc_or_none(_, size, alignment):
+    def alloc_or_none(_: int | None, size: int, alignment: int) -> int | None:
         try:  # what a callback of ctypes returns after an exception is whatever the stack held
             return allocator.alloc(size, alignment)
         except Exception:
@@ -52,7 +52,7 @@ def put_allocator(desc, allocator: Allocator) -> list:
     return [alloc, free]
 
 
-def put_jobs(desc, jobs: Jobs) -> list:
+def put_jobs(desc: Any, jobs: Jobs) -> list[Any]:
     """@return what must live as long as the engine"""
     run = type(desc.run)(lambda _, job, context, count: jobs(lambda begin, end: job(context, begin, end), count))
     desc.run = run

@@ -3,11 +3,24 @@ from __future__ import annotations
 
 import ctypes
 import math
-from typing import Sequence
+from typing import TYPE_CHECKING, Any, Callable, Mapping, TypeVar
 
 from . import raw
-from ._values import describe, enum, handle_of, record, set_field, word
+from ._values import Record, describe, enum, handle_of, record, set_field, word
 from .body import Thing
+from .records import (JointAxisRecord, JointLimitRecord, JointMotorRecord, JointOrientationDriveRecord, JointRecord, JointSpringRecord,
+                      JointStateRecord, JointTransmissionRecord)
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._values import Vector
+    from .body import Body
+    from .records import (AxisWord, CoordinateWord, JointAxisKeywords, JointKeywords, JointLimitKeywords, JointMotorKeywords,
+                          JointOrientationDriveKeywords, JointSpringKeywords, JointTransmissionKeywords, JointWord)
+    from .world import World
+
+R = TypeVar("R", bound=Record)
 
 KINDS = ("ball", "hinge", "slider", "weld", "distance", "universal", "pulley", "gear", "six_axis")
 COORDINATES = ("twist", "swing", "slide", "distance")
@@ -15,7 +28,7 @@ AXES = ("x", "y", "z", "turn_x", "turn_y", "turn_z")
 MODES, DRIVES, GAINS = ("free", "locked", "limited"), ("none", "position", "velocity", "effort"), ("frequency", "force", "acceleration")
 
 
-def turn_x_to(axis: Sequence[float]) -> tuple[float, ...]:
+def turn_x_to(axis: Vector) -> tuple[float, ...]:
     """The shortest turn (x, y, z, w) that brings the x axis to `axis`, any length."""
     x, y, z = axis
     length = math.sqrt(x * x + y * y + z * z)
@@ -28,7 +41,8 @@ def turn_x_to(axis: Sequence[float]) -> tuple[float, ...]:
     return 0.0, -z / (2 * w), y / (2 * w), w
 
 
-def make_joint(world, kind, a, b, position, orientation, axis, about) -> Joint:
+def make_joint(world: World, kind: JointWord | int, a: Body | None, b: Body | None, position: Vector | None, orientation: Vector | None,
+               axis: Vector | None, about: Mapping[str, Any]) -> Joint:
     """World.joint(). With `position` the joint is placed in the world as the bodies stand now; `axis` is the direction of its
     x axis there (of a hinge, of a slider), or `orientation` says more. Else position_a, position_b, ... are in the bodies'
     frames. Also: length, break_force, break_torque, collide=True, user."""
@@ -42,10 +56,10 @@ def make_joint(world, kind, a, b, position, orientation, axis, about) -> Joint:
     if about.get("length") is not None:
         fields |= raw.CAROM_JOINT_FIELD_LENGTH
     about.update(kind=enum("JOINT", kind), fields=fields, body_a=handle_of(a), body_b=handle_of(b))
-    return world._create("carom_joint", raw.carom_joint_create, ctypes.byref(describe(raw.carom_joint_desc, about)))
+    return world._create(Joint, raw.carom_joint_create, ctypes.byref(describe(raw.carom_joint_desc, about)))
 
 
-def _with_numbers(about: dict) -> dict:
+def _with_numbers(about: Mapping[str, Any]) -> dict[str, Any]:
     """Words for modes, drives and gains as their numbers."""
     prefixes = {"mode": "AXIS_MODE", "drive": "DRIVE"}
     return {name: enum("GAINS" if name.endswith("gains") else prefixes[name], value)
@@ -59,21 +73,21 @@ class Joint(Thing):
     _destroy = staticmethod(raw.carom_joint_destroy)
 
     @property
-    def desc(self):
+    def desc(self) -> JointRecord:
         desc = raw.carom_joint_desc(struct_size=ctypes.sizeof(raw.carom_joint_desc))
         self._call(raw.carom_joint_get, ctypes.byref(desc))
-        return record(desc, self.world._wrap, kind=word("JOINT", desc.kind, KINDS))
+        return record(JointRecord, desc, self.world._wrap, kind=word("JOINT", desc.kind, KINDS))
 
     @property
-    def state(self):
+    def state(self) -> JointStateRecord:
         """broken, force (N) and torque (N m) on B over the last step, gap (m), angle (rad), coordinate and axis
         {name: value}."""
         state = raw.carom_joint_state(struct_size=ctypes.sizeof(raw.carom_joint_state))
         self._call(raw.carom_joint_get_state, ctypes.byref(state))
-        return record(state, broken=bool(state.broken), coordinate=dict(zip(COORDINATES, state.coordinate)),
+        return record(JointStateRecord, state, broken=bool(state.broken), coordinate=dict(zip(COORDINATES, state.coordinate)),
                       axis=dict(zip(AXES, state.axis)))
 
-    def transmission(self, **about):
+    def transmission(self, **about: Unpack[JointTransmissionKeywords]) -> JointTransmissionRecord:
         """Of a pulley or a gear. Read it, or with ratio=, and of a pulley anchor_a=, anchor_b= (m, world), length=, set it;
         without a length the rope is as long as it is now."""
         struct = raw.carom_joint_transmission
@@ -83,9 +97,9 @@ class Joint(Thing):
             self._call(raw.carom_joint_set_transmission, ctypes.byref(describe(struct, about)))
         now = struct(struct_size=ctypes.sizeof(struct))
         self._call(raw.carom_joint_get_transmission, ctypes.byref(now))
-        return record(now)
+        return record(JointTransmissionRecord, now)
 
-    def axis(self, axis: str | int, **about):
+    def axis(self, axis: AxisWord | int, **about: Unpack[JointAxisKeywords]) -> JointAxisRecord:
         """Of a six-axis joint. Read what an axis ("x", ..., "turn_z") does, or set it, all of it: mode="free", "locked" or
         "limited", lower=, upper= (m or rad); drive="position", "velocity" or "effort", with target=, speed=, effort=, most=,
         drive_stiffness=, drive_damping=; rest=, spring_stiffness=, spring_damping=; stop_stiffness=, stop_damping=; and in what
@@ -95,10 +109,10 @@ class Joint(Thing):
             self._call(raw.carom_joint_set_axis, number, ctypes.byref(describe(struct, _with_numbers(about))))
         now = struct(struct_size=ctypes.sizeof(struct))
         self._call(raw.carom_joint_get_axis, number, ctypes.byref(now))
-        return record(now, mode=MODES[now.mode], drive=DRIVES[now.drive],
+        return record(JointAxisRecord, now, mode=MODES[now.mode], drive=DRIVES[now.drive],
                       **{name: GAINS[getattr(now, name)] for name in ("stop_gains", "drive_gains", "spring_gains")})
 
-    def orientation_drive(self, **about):
+    def orientation_drive(self, **about: Unpack[JointOrientationDriveKeywords]) -> JointOrientationDriveRecord:
         """Of a ball or a six-axis joint. Read the drive to an orientation, or set it: drive="position" with target= (x, y, z, w: B's
         frame in A's), velocity= (rad/s, A's frame), stiffness=, damping=, gains=; "velocity"; "effort" with effort= (N m); most=."""
         struct = raw.carom_joint_orientation_drive
@@ -106,9 +120,10 @@ class Joint(Thing):
             self._call(raw.carom_joint_set_orientation_drive, ctypes.byref(describe(struct, _with_numbers(about))))
         now = struct(struct_size=ctypes.sizeof(struct))
         self._call(raw.carom_joint_get_orientation_drive, ctypes.byref(now))
-        return record(now, drive=DRIVES[now.drive], gains=GAINS[now.gains])
+        return record(JointOrientationDriveRecord, now, drive=DRIVES[now.drive], gains=GAINS[now.gains])
 
-    def _part(self, struct, get, set, coordinate, about):
+    def _part(self, kind: type[R], struct: Any, get: Callable[..., int], set: Callable[..., int], coordinate: str | int,
+              about: Mapping[str, Any]) -> R:
         number = enum("COORDINATE", coordinate)
         desc = struct(struct_size=ctypes.sizeof(struct))
         self._call(get, number, ctypes.byref(desc))
@@ -116,16 +131,16 @@ class Joint(Thing):
             for key, value in {"enabled": True, **about}.items():
                 set_field(desc, key, value)
             self._call(set, number, ctypes.byref(desc))
-        return record(desc, enabled=bool(desc.enabled))
+        return record(kind, desc, enabled=bool(desc.enabled))
 
-    def limit(self, coordinate: str | int, **about):
+    def limit(self, coordinate: CoordinateWord | int, **about: Unpack[JointLimitKeywords]) -> JointLimitRecord:
         """Read a limit, or with lower=, upper= (or enabled=False) set it."""
-        return self._part(raw.carom_joint_limit, raw.carom_joint_get_limit, raw.carom_joint_set_limit, coordinate, about)
+        return self._part(JointLimitRecord, raw.carom_joint_limit, raw.carom_joint_get_limit, raw.carom_joint_set_limit, coordinate, about)
 
-    def motor(self, coordinate: str | int, **about):
+    def motor(self, coordinate: CoordinateWord | int, **about: Unpack[JointMotorKeywords]) -> JointMotorRecord:
         """Likewise: speed=, m/s or rad/s, most=, N or N m."""
-        return self._part(raw.carom_joint_motor, raw.carom_joint_get_motor, raw.carom_joint_set_motor, coordinate, about)
+        return self._part(JointMotorRecord, raw.carom_joint_motor, raw.carom_joint_get_motor, raw.carom_joint_set_motor, coordinate, about)
 
-    def spring(self, coordinate: str | int, **about):
+    def spring(self, coordinate: CoordinateWord | int, **about: Unpack[JointSpringKeywords]) -> JointSpringRecord:
         """Likewise: target=, frequency=, Hz, damping=, ratio, most=."""
-        return self._part(raw.carom_joint_spring, raw.carom_joint_get_spring, raw.carom_joint_set_spring, coordinate, about)
+        return self._part(JointSpringRecord, raw.carom_joint_spring, raw.carom_joint_get_spring, raw.carom_joint_set_spring, coordinate, about)

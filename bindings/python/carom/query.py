@@ -3,12 +3,47 @@ from __future__ import annotations
 
 import ctypes
 import math
-from typing import Any, Callable, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Sequence
 
 from . import raw
 from ._values import Record, copy_out, describe, enum, need_numpy, numpy, record, vec3, vector, word
+from .records import WorldHitRecord
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+    from typing_extensions import Unpack
+
+    from ._values import Rows, Vector
+    from .records import QueryKeywords, WantWord
+    from .shape import Shape
 
 OUTCOMES = ("miss", "hit", "overlap", "undecided", "bad_ray")
+
+
+class RayHits(Record):
+    """Of many rays, a row each: outcomes (0 a miss), colliders (handles), times, normals, points."""
+    outcomes: NDArray[np.uint32]
+    colliders: NDArray[np.uint64]
+    times: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    points: NDArray[np.float64]
+
+
+class Hits(Record):
+    """Of many questions, a row each: fields of carom_world_hit; colliders and bodies are handles."""
+    outcomes: NDArray[np.uint32]
+    questions: NDArray[np.uint32]
+    colliders: NDArray[np.uint64]
+    bodies: NDArray[np.uint64]
+    times: NDArray[np.float64]
+    lower: NDArray[np.float64]
+    upper: NDArray[np.float64]
+    separations: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    points: NDArray[np.float64]
+    points_own: NDArray[np.float64]
+    statuses: NDArray[np.uint32]
 
 
 class Questions:
@@ -17,13 +52,13 @@ class Questions:
     _call: Callable[..., None]
     _wrap: Callable[[str, int], Any]
 
-    def _hit(self, found):
+    def _hit(self, found: Any) -> WorldHitRecord | None:
         """A record of carom_world_hit, or None for a miss."""
         if found.outcome == raw.CAROM_CAST_MISS:
             return None
-        return record(found, self._wrap, outcome=word("CAST", found.outcome, OUTCOMES))
+        return record(WorldHitRecord, found, self._wrap, outcome=word("CAST", found.outcome, OUTCOMES))
 
-    def ray(self, origin: Sequence[float], direction: Sequence[float], max: float = math.inf, **how):
+    def ray(self, origin: Vector, direction: Vector, max: float = math.inf, **how: Unpack[QueryKeywords]) -> WorldHitRecord | None:
         """What origin + t direction, 0 <= t <= max, meets first.
         @return None, or: body, collider, point, normal, time (t), bracket [lower, upper], outcome"""
         found, desc = raw.carom_world_hit(), describe(raw.carom_query_desc, how)
@@ -32,7 +67,7 @@ class Questions:
         return self._hit(found)
 
     @staticmethod
-    def _rays(origins, directions, max):
+    def _rays(origins: Any, directions: Any, max: Any) -> tuple[raw.carom_rays, Any, int]:
         """carom_rays of numpy arrays. Keep what is returned until after the call."""
         np = need_numpy("rays()")
         origins = np.ascontiguousarray(origins, dtype=np.float64).reshape(-1, 3)
@@ -43,7 +78,8 @@ class Questions:
                               origins=origins.ctypes.data, directions=directions.ctypes.data, max=ends.ctypes.data)
         return rays, (origins, directions, ends), n
 
-    def rays(self, origins, directions, max=None, want: str = "first", **how):
+    def rays(self, origins: Rows, directions: Rows | Vector, max: float | Sequence[float] | NDArray[Any] | None = None,
+             want: WantWord = "first", **how: Unpack[QueryKeywords]) -> RayHits:
         """Many at once, numpy arrays (n, 3). @param max  one number or (n,), default infinite
         @return arrays: outcomes (0 a miss), colliders (handles), times, normals, points"""
         np = need_numpy("rays()")
@@ -57,9 +93,10 @@ class Questions:
             times=times.ctypes.data, normals=normals.ctypes.data, points=points.ctypes.data)
         desc = describe(raw.carom_query_desc, how)
         self._call(raw.carom_world_cast_rays, ctypes.byref(rays), enum("WANT", want), ctypes.byref(desc), ctypes.byref(hits))
-        return Record(outcomes=outcomes, colliders=colliders, times=times, normals=normals, points=points)
+        return RayHits(outcomes=outcomes, colliders=colliders, times=times, normals=normals, points=points)
 
-    def rays_all(self, origins, directions, max=None, **how):
+    def rays_all(self, origins: Rows, directions: Rows | Vector, max: float | Sequence[float] | NDArray[Any] | None = None,
+                 **how: Unpack[QueryKeywords]) -> Hits:
         """All that each of many rays meets: by question, then by time. @return arrays as of casts()"""
         rays, alive, _ = self._rays(origins, directions, max)
         desc = describe(raw.carom_query_desc, how)
@@ -67,7 +104,8 @@ class Questions:
                                      ctypes.byref(desc)))
 
     @staticmethod
-    def _one_shape(shape, position, orientation, motion):
+    def _one_shape(shape: Shape | None, position: Vector, orientation: Vector,
+                   motion: Vector | None) -> tuple[raw.carom_query_shapes, Any]:
         """carom_query_shapes of one; `shape` None is a point. Keep what is returned until after the call."""
         handle = ctypes.c_uint64(0 if shape is None else shape.handle)
         at, turned = vec3(position, "position"), vector(orientation, 4, "orientation")
@@ -79,13 +117,13 @@ class Questions:
         return asking, (handle, at, turned, way)
 
     @staticmethod
-    def _shapes(shapes, positions, orientations, motions):
+    def _shapes(shapes: Any, positions: Any, orientations: Any, motions: Any) -> tuple[raw.carom_query_shapes, Any, int]:
         """carom_query_shapes of many. @param shapes  one for all, one each, or None: points. Keep what is returned."""
         np = need_numpy("many shapes")
         rows = [np.atleast_2d(np.asarray(a, dtype=np.float64)) for a in (positions, motions) if a is not None]
         n = max([len(a) for a in rows] + [1 if shapes is None or hasattr(shapes, "handle") else len(shapes)])
 
-        def spread(values, width, name):
+        def spread(values: Any, width: int, name: str) -> Any:
             if values is None:
                 return None
             array = np.atleast_2d(np.asarray(values, dtype=np.float64))
@@ -98,7 +136,10 @@ class Questions:
             raise ValueError(f"shapes takes {n}, or one for all, got {len(shapes)}")
         each = None if shapes is None else np.ascontiguousarray(np.broadcast_to(
             np.asarray([s.handle for s in ([shapes] if hasattr(shapes, "handle") else shapes)], dtype=np.uint64), (n,)))
-        address = lambda array: None if array is None else array.ctypes.data  # noqa: E731
+
+        def address(array: Any) -> int | None:
+            return None if array is None else int(array.ctypes.data)
+
         asking = raw.carom_query_shapes(
             struct_size=ctypes.sizeof(raw.carom_query_shapes), scalar=raw.CAROM_SCALAR_F64, count=n,
             shapes=None if each is None else each.ctypes.data_as(ctypes.POINTER(ctypes.c_uint64)),
@@ -106,20 +147,21 @@ class Questions:
         return asking, (each, at, turned, way), n
 
     @staticmethod
-    def _arrays(found):
+    def _arrays(found: Any) -> Hits:
         """Records of carom_world_hit as arrays, a row each."""
         rows = numpy.ctypeslib.as_array(found) if len(found) else numpy.zeros(0, numpy.dtype(raw.carom_world_hit))
         names = {"outcome": "outcomes", "question": "questions", "collider": "colliders", "body": "bodies", "time": "times",
                  "lower": "lower", "upper": "upper", "separation": "separations", "normal": "normals", "point": "points",
                  "point_own": "points_own", "status": "statuses"}
-        return Record(**{name: rows[field].copy() for field, name in names.items()})
+        return Hits(**{name: rows[field].copy() for field, name in names.items()})
 
-    def _each(self, function, asking, n, *between):
+    def _each(self, function: Callable[..., int], asking: raw.carom_query_shapes, n: int, *between: object) -> Hits:
         found = (raw.carom_world_hit * n)()
         self._call(function, ctypes.byref(asking), *between, found, ctypes.sizeof(raw.carom_world_hit))
         return self._arrays(found)
 
-    def casts(self, shapes, positions, motions, orientations=None, want: str = "first", **how):
+    def casts(self, shapes: Shape | Sequence[Shape], positions: Rows | Vector, motions: Rows | Vector,
+              orientations: Rows | Vector | None = None, want: WantWord = "first", **how: Unpack[QueryKeywords]) -> Hits:
         """What each of many shapes meets first as it moves by its motion without turning: numpy arrays.
         @param shapes  one for all, or one each   @param positions, motions  (n, 3) m   @param orientations  (n, 4) or None
         @return arrays by question: outcomes (0 a miss), colliders and bodies (handles), times (fractions of the motion),
@@ -128,27 +170,31 @@ class Questions:
         desc = describe(raw.carom_query_desc, how)
         return self._each(raw.carom_world_cast_shapes, asking, n, enum("WANT", want), ctypes.byref(desc))
 
-    def nearests(self, positions, shapes=None, reach: float = math.inf, orientations=None, **how):
+    def nearests(self, positions: Rows | Vector, shapes: Shape | Sequence[Shape] | None = None, reach: float = math.inf,
+                 orientations: Rows | Vector | None = None, **how: Unpack[QueryKeywords]) -> Hits:
         """The collider nearest to each of many points or shapes. @return arrays as of casts()"""
         asking, alive, n = self._shapes(shapes, positions, orientations, None)
         desc = describe(raw.carom_query_desc, how)
         return self._each(raw.carom_world_find_nearest, asking, n, reach, ctypes.byref(desc))
 
-    def casts_all(self, shapes, positions, motions, orientations=None, **how):
+    def casts_all(self, shapes: Shape | Sequence[Shape], positions: Rows | Vector, motions: Rows | Vector,
+                  orientations: Rows | Vector | None = None, **how: Unpack[QueryKeywords]) -> Hits:
         """All that each of many moving shapes meets: by question, then by time. @return arrays as of casts()"""
         asking, alive, _ = self._shapes(shapes, positions, orientations, motions)
         desc = describe(raw.carom_query_desc, how)
         return self._arrays(copy_out(self._call, raw.carom_world_cast_shapes_all, raw.carom_world_hit, ctypes.byref(asking),
                                      ctypes.byref(desc)))
 
-    def overlaps_all(self, shapes, positions, orientations=None, **how):
+    def overlaps_all(self, shapes: Shape | Sequence[Shape], positions: Rows | Vector,
+                     orientations: Rows | Vector | None = None, **how: Unpack[QueryKeywords]) -> Hits:
         """All that each of many shapes overlaps, by question. @return arrays as of casts()"""
         asking, alive, _ = self._shapes(shapes, positions, orientations, None)
         desc = describe(raw.carom_query_desc, how)
         return self._arrays(copy_out(self._call, raw.carom_world_overlap_shapes, raw.carom_world_hit, ctypes.byref(asking),
                                      ctypes.byref(desc)))
 
-    def cast(self, shape, position: Sequence[float], motion: Sequence[float], orientation: Sequence[float] = (0, 0, 0, 1), **how):
+    def cast(self, shape: Shape, position: Vector, motion: Vector, orientation: Vector = (0, 0, 0, 1),
+             **how: Unpack[QueryKeywords]) -> WorldHitRecord | None:
         """What a shape meets first as it moves by `motion`, m, without turning; time is a fraction of it. @return as ray()"""
         asking, alive = self._one_shape(shape, position, orientation, motion)
         found, desc = raw.carom_world_hit(), describe(raw.carom_query_desc, how)
@@ -156,7 +202,8 @@ class Questions:
                    ctypes.byref(found), ctypes.sizeof(found))
         return self._hit(found)
 
-    def nearest(self, position: Sequence[float], shape=None, reach: float = math.inf, orientation: Sequence[float] = (0, 0, 0, 1), **how):
+    def nearest(self, position: Vector, shape: Shape | None = None, reach: float = math.inf, orientation: Vector = (0, 0, 0, 1),
+                **how: Unpack[QueryKeywords]) -> WorldHitRecord | None:
         """The collider nearest to a point or a shape. @return None, or as ray() with separation, m"""
         asking, alive = self._one_shape(shape, position, orientation, None)
         found, desc = raw.carom_world_hit(), describe(raw.carom_query_desc, how)
@@ -164,9 +211,10 @@ class Questions:
                    ctypes.sizeof(found))
         return self._hit(found)
 
-    def overlaps(self, shape, position: Sequence[float], orientation: Sequence[float] = (0, 0, 0, 1), **how):
+    def overlaps(self, shape: Shape, position: Vector, orientation: Vector = (0, 0, 0, 1),
+                 **how: Unpack[QueryKeywords]) -> list[WorldHitRecord]:
         """All that a shape at a place overlaps. @return list of records as of ray()"""
         asking, alive = self._one_shape(shape, position, orientation, None)
         desc = describe(raw.carom_query_desc, how)
-        return [self._hit(hit) for hit in copy_out(self._call, raw.carom_world_overlap_shapes, raw.carom_world_hit,
-                                                   ctypes.byref(asking), ctypes.byref(desc))]
+        found = copy_out(self._call, raw.carom_world_overlap_shapes, raw.carom_world_hit, ctypes.byref(asking), ctypes.byref(desc))
+        return [one for one in map(self._hit, found) if one is not None]

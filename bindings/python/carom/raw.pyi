@@ -542,7 +542,7 @@ class carom_engine_desc(ctypes.Structure):
     log: Any
     log_user: Any
 class carom_jobs_desc(ctypes.Structure):
-    """Who shares the work of a step. The outcome does not depend on it: same bits for any number of threads.
+    """Which threads share the work of a step. The outcome does not depend on it: same bits for any number of threads.
     Fill with carom_jobs_desc_init(), then change what you need."""
     struct_size: int
     threads: int
@@ -584,8 +584,8 @@ class carom_joint_event(ctypes.Structure):
     torque: Any
     step: int
 class carom_fault_event(ctypes.Structure):
-    """A support function that answered falsely, whose shape is mute from the next step on; or a body or particles whose
-    state was not finite, which are in quarantine. The same faults as those of carom_world_get_faults(), but by handles
+    """A support function that answered falsely: its shape is disabled from the next step on. Or a body or particles whose state
+    was not finite: they are in quarantine. The same faults as those of carom_world_get_faults(), but by handles
     that keep their names when what they name is destroyed."""
     kind: int
     reserved: int
@@ -890,7 +890,7 @@ class carom_residuals(ctypes.Structure):
     energy_drift: float
 class carom_mesh_desc(ctypes.Structure):
     """A triangle mesh. Corners at the same place are made one, so vertices may be repeated; triangles without area are
-    dropped (carom_scenery_info counts them). Two triangles that share a side are one surface there; a side of one alone is a rim, and so
+    dropped (carom_scenery_info counts them). Two triangles that share a side are one surface there; a side of one alone is a boundary edge, and so
     is a side of three. Fill with carom_mesh_desc_init()."""
     struct_size: int
     flags: int
@@ -946,7 +946,7 @@ class carom_world_desc(ctypes.Structure):
     gravity: Any
     body_capacity: int
 class carom_step_report(ctypes.Structure):
-    """Times, counts and residuals of the last step. A stage without customers did not run: its time is 0."""
+    """Times, counts and residuals of the last step. A stage without participants did not run: its time is 0."""
     struct_size: int
     stage_count: int
     stage_seconds: Any
@@ -1100,7 +1100,7 @@ def carom_material_create(world: Any, desc: Any, material: Any, error: Any) -> i
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; OUT_OF_MEMORY"""
     ...
 def carom_material_update(world: Any, material: Any, desc: Any, error: Any) -> int:
-    """Change a material in place; every collider that wears it follows.   @status as carom_material_create(); *_HANDLE"""
+    """Change a material in place; every collider that uses it follows.   @status as carom_material_create(); *_HANDLE"""
     ...
 def carom_material_set_resistance(world: Any, material: Any, rolling: Any, spinning: Any, error: Any) -> int:
     """Resistance of a surface to rolling and to spinning about the normal, 0 when it is created. A contact that presses
@@ -1113,7 +1113,7 @@ def carom_material_get_resistance(world: Any, material: Any, rolling: Any, spinn
     """@param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.3"""
     ...
 def carom_material_destroy(world: Any, material: Any, error: Any) -> int:
-    """@status OK; *_HANDLE; IN_USE (a collider wears it); BUSY"""
+    """@status OK; *_HANDLE; IN_USE (a collider uses it); BUSY"""
     ...
 def carom_body_desc_init(desc: Any) -> int:
     """@status OK; NULL_ARGUMENT"""
@@ -1138,11 +1138,11 @@ def carom_body_set_velocity(world: Any, body: Any, linear: Any, angular: Any, er
     @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT"""
     ...
 def carom_body_get_pose(world: Any, body: Any, position: Any, orientation: Any, error: Any) -> int:
-    """@param position [3] out: m, world, origin of the body frame   @param orientation [4] out: x, y, z, w, body to world. Either
-    may be NULL: not wanted.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    """@param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z, w, body
+    to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
     ...
 def carom_body_get_velocity(world: Any, body: Any, linear: Any, angular: Any, error: Any) -> int:
-    """@param linear [3] out: m/s, world, of the centre of mass   @param angular [3] out: rad/s, world. Either may be NULL.
+    """@param linear [3] out, or NULL: m/s, world, of the centre of mass   @param angular [3] out, or NULL: rad/s, world
     @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
     ...
 def carom_body_set_mass(world: Any, body: Any, mass: Any, center: Any, inertia: Any, error: Any) -> int:
@@ -1156,9 +1156,9 @@ def carom_body_set_mass(world: Any, body: Any, mass: Any, center: Any, inertia: 
             collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
     ...
 def carom_body_get_mass(world: Any, body: Any, mass: Any, center: Any, inertia: Any, error: Any) -> int:
-    """As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate. Any may be NULL.
-    @param mass out: kg   @param center [3] out: m, body frame   @param inertia [9] out: kg m^2, body frame axes, about the
-    centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    """As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate.
+    @param mass out, or NULL: kg   @param center [3] out, or NULL: m, body frame   @param inertia [9] out, or NULL: kg m^2, body
+    frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
     ...
 def carom_body_set_type(world: Any, body: Any, type: Any, error: Any) -> int:
     """Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic no
@@ -1244,7 +1244,7 @@ def carom_body_wake(world: Any, body: Any, error: Any) -> int:
     ...
 def carom_body_set_continuous(world: Any, body: Any, mode: Any, error: Any) -> int:
     """Say when a body is swept, from the next step on. Without effect on a static body, and where CAROM_DIAL_CONTINUOUS
-    says otherwise: under NOBODY nobody is swept, under FLAGGED only CAROM_CONTINUOUS_ALWAYS.
+    says otherwise: under NOBODY no body is swept, under FLAGGED only CAROM_CONTINUOUS_ALWAYS.
     @param mode CAROM_CONTINUOUS_*
     @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT
     @since 1.6"""
@@ -1385,7 +1385,7 @@ def carom_preset_name(preset: Any) -> bytes:
     ...
 def carom_preset_get_dial(preset: Any, dial: Any, value: Any, error: Any) -> int:
     """What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a world
-    finds pairs, who sleeps, and what a host chose for its look they leave alone.
+    finds pairs, what sleeps, and what a host chose for its look they leave alone.
     @param preset CAROM_PRESET_*   @param dial CAROM_DIAL_*   @param value out
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any   @since 1.8"""
     ...
@@ -1417,7 +1417,7 @@ def carom_jobs_desc_init(desc: Any) -> int:
     """@status OK; NULL_ARGUMENT   @since 1.2"""
     ...
 def carom_engine_set_jobs(engine: Any, desc: Any, error: Any) -> int:
-    """Say who shares the work of all steps in the engine's worlds, before the first of them is made. Support functions are then
+    """Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support functions are then
     called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked on the stepping one.
     @param desc may be NULL: the stepping thread alone
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has no more
@@ -1789,7 +1789,7 @@ def carom_effect_name(effect: Any) -> bytes:
     """Static name of an effect ("gravity"), or "?".   @thread any   @since 1.7"""
     ...
 def carom_world_set_effect(world: Any, effect: Any, mode: Any, error: Any) -> int:
-    """Forbid or force an effect from the next step on, for all bodies. Wakes everybody. Forbidding one that the scene
+    """Forbid or force an effect from the next step on, for all bodies. Wakes all bodies. Forbidding one that the scene
     needs is allowed, and carom_world_get_plan() says so.
     @param effect CAROM_EFFECT_*   @param mode CAROM_MODE_*
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT   @since 1.7"""
@@ -1888,10 +1888,10 @@ def carom_shape_get_scenery_info(engine: Any, shape: Any, info: Any, error: Any)
     ...
 def carom_shape_get_triangles(engine: Any, shape: Any, first: Any, corners: Any, count: Any, next: Any, error: Any) -> int:
     """Copy out triangles of scenery, for drawing: each by its three corners, as its surface faces. Holes are left out.
-    @param first   number of the first piece wanted
+    @param first   number of the first triangle wanted
     @param corners [9 count] m, shape frame, or NULL to count
     @param count   in: room for how many; out: how many were written (with NULL: how many there are from `first` on)
-    @param next    out: the number of the piece to go on from; the number of pieces when all have been seen
+    @param next    out: the number of the triangle to go on from; the number of triangles when all have been seen
     @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (first); UNSUPPORTED (a convex shape)   @since 1.6"""
     ...
 def carom_shape_create(engine: Any, plugin: Any, params: Any, count: Any, shape: Any, error: Any) -> int:

@@ -2,10 +2,21 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Callable
+from typing import TYPE_CHECKING, Any, Callable, TypeVar
 
 from . import raw
-from ._values import bits, copy_out, describe, enum, need_numpy, record, word
+from ._values import Record, bits, copy_out, describe, enum, need_numpy, record, word
+from .records import (ContactEventRecord, ContactRecord, DrawLineRecord, FaultEventRecord, FaultRecord, GroupRecord, JointEventRecord,
+                      LedgerEntryRecord, LedgerStateRecord, PlanLineRecord, ResidualsRecord, SensorEventRecord, SleepEventRecord,
+                      StepReportRecord)
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+    from typing_extensions import Unpack
+
+    from .records import DrawKeywords, DrawWord, EffectWord, EventsWord, ModeWord
+
+R = TypeVar("R", bound=Record)
 
 STAGES = ("refresh", "broad", "narrow", "group", "integrate", "solve", "relax", "observe")
 FAULTS = ("returned", "not_finite", "outside", "not_support", "body_state", "particle_state")
@@ -32,70 +43,76 @@ class Reports:
     _call: Callable[..., None]
     _wrap: Callable[[str, int], Any]
 
-    def _records(self, function, struct, *before, **words):
+    def _records(self, kind: type[R], function: Callable[..., int], struct: Any, /, *before: object,
+                 **words: tuple[str, tuple[str, ...]]) -> list[R]:
         found = copy_out(self._call, function, struct, *before)
-        return [record(one, self._wrap, **{field: word(prefix, getattr(one, field), names) for field, (prefix, names) in words.items()})
+        return [record(kind, one, self._wrap,
+                       **{field: word(prefix, getattr(one, field), names) for field, (prefix, names) in words.items()})
                 for one in found]
 
     @property
-    def report(self):
+    def report(self) -> StepReportRecord:
         """Counts, times and residuals; stage_seconds by name."""
         report = raw.carom_step_report(struct_size=ctypes.sizeof(raw.carom_step_report))
         self._call(raw.carom_world_get_report, ctypes.byref(report))
-        return record(report, stage_seconds=dict(zip(STAGES, report.stage_seconds)))
+        return record(StepReportRecord, report, stage_seconds=dict(zip(STAGES, report.stage_seconds)))
 
-    def contacts(self):
+    def contacts(self) -> list[ContactRecord]:
         """Contact points: body_a, body_b, point, normal (A to B), separation, normal_impulse, ..."""
-        return self._records(raw.carom_world_get_contacts, raw.carom_contact)
+        return self._records(ContactRecord, raw.carom_world_get_contacts, raw.carom_contact)
 
-    def contact_array(self):
+    def contact_array(self) -> NDArray[Any]:
         """The same as one numpy structured array, a row each, fields as in carom_contact."""
         found = copy_out(self._call, raw.carom_world_get_contacts, raw.carom_contact)
-        return need_numpy("contact_array()").ctypeslib.as_array(found)
+        array: NDArray[Any] = need_numpy("contact_array()").ctypeslib.as_array(found)
+        return array
 
-    def groups(self):
+    def groups(self) -> list[GroupRecord]:
         """Contact groups, and how solver "auto" answered each."""
-        return self._records(raw.carom_world_get_groups, raw.carom_group)
+        return self._records(GroupRecord, raw.carom_world_get_groups, raw.carom_group)
 
-    def faults(self):
+    def faults(self) -> list[FaultRecord]:
         """What misbehaved: kind in words, shape, body, dir, out."""
-        return self._records(raw.carom_world_get_faults, raw.carom_fault, kind=("FAULT", FAULTS))
+        return self._records(FaultRecord, raw.carom_world_get_faults, raw.carom_fault, kind=("FAULT", FAULTS))
 
     # ---- events ----
 
-    def collect_events(self, *kinds: str, hit_speed: float = 1.0) -> None:
+    def collect_events(self, *kinds: EventsWord, hit_speed: float = 1.0) -> None:
         """From the next step on. @param kinds  of "contact", "sensor", "sleep", "joint", "fault"; none: nothing
         @param hit_speed  m/s: contacts that approach faster are hits"""
         self._call(raw.carom_world_collect_events, bits("EVENTS", kinds), hit_speed)
 
-    def contact_events(self):
+    def contact_events(self) -> list[ContactEventRecord]:
         """kind: "begin", "end", "hit" """
-        return self._records(raw.carom_world_get_contact_events, raw.carom_contact_event, kind=("CONTACT", ("begin", "end", "hit")))
+        return self._records(ContactEventRecord, raw.carom_world_get_contact_events, raw.carom_contact_event,
+                             kind=("CONTACT", ("begin", "end", "hit")))
 
-    def sensor_events(self):
+    def sensor_events(self) -> list[SensorEventRecord]:
         """kind: "enter", "leave" """
-        return self._records(raw.carom_world_get_sensor_events, raw.carom_sensor_event, kind=("SENSOR", ("enter", "leave")))
+        return self._records(SensorEventRecord, raw.carom_world_get_sensor_events, raw.carom_sensor_event,
+                             kind=("SENSOR", ("enter", "leave")))
 
-    def sleep_events(self):
+    def sleep_events(self) -> list[SleepEventRecord]:
         """kind: "asleep", "awake" """
-        return self._records(raw.carom_world_get_sleep_events, raw.carom_sleep_event, kind=("SLEEP", ("asleep", "awake")))
+        return self._records(SleepEventRecord, raw.carom_world_get_sleep_events, raw.carom_sleep_event,
+                             kind=("SLEEP", ("asleep", "awake")))
 
-    def joint_events(self):
+    def joint_events(self) -> list[JointEventRecord]:
         """Joints that broke."""
-        return self._records(raw.carom_world_get_joint_events, raw.carom_joint_event)
+        return self._records(JointEventRecord, raw.carom_world_get_joint_events, raw.carom_joint_event)
 
-    def fault_events(self):
-        return self._records(raw.carom_world_get_fault_events, raw.carom_fault_event, kind=("FAULT", FAULTS))
+    def fault_events(self) -> list[FaultEventRecord]:
+        return self._records(FaultEventRecord, raw.carom_world_get_fault_events, raw.carom_fault_event, kind=("FAULT", FAULTS))
 
     # ---- which effects run, for whom, why ----
 
-    def plan(self):
+    def plan(self) -> list[PlanLineRecord]:
         """Stages, then effects: name, runs, customers, reason, seconds, ..."""
         lines = copy_out(self._call, raw.carom_world_get_plan, raw.carom_plan_line)
-        return [record(line, runs=bool(line.runs), mode=word("MODE", line.mode, MODES),
+        return [record(PlanLineRecord, line, runs=bool(line.runs), mode=word("MODE", line.mode, MODES),
                        effect=None if line.effect == raw.CAROM_PLAN_NO_EFFECT else line.effect) for line in lines]
 
-    def set_effect(self, effect: str | int, mode: str | int = "as_needed") -> None:
+    def set_effect(self, effect: EffectWord | int, mode: ModeWord | int = "as_needed") -> None:
         """@param mode  "as_needed", "forbid", "force" """
         self._call(raw.carom_world_set_effect, _effect(effect), enum("MODE", mode))
 
@@ -105,31 +122,31 @@ class Reports:
         """From now on, anew if one is kept."""
         self._call(raw.carom_world_enable_ledger, int(on))
 
-    def ledger(self):
+    def ledger(self) -> dict[str, LedgerEntryRecord]:
         """{cause: record of kinetic, potential (J), linear (N s), angular (N m s), total_...}"""
         entries = copy_out(self._call, raw.carom_world_get_ledger, raw.carom_ledger_entry)
-        return {entry.name.decode(): record(entry) for entry in entries}
+        return {entry.name.decode(): record(LedgerEntryRecord, entry) for entry in entries}
 
     @property
-    def ledger_state(self):
+    def ledger_state(self) -> LedgerStateRecord:
         """The state itself: start_..., before_..., now_kinetic, ..., and the bounds of rounding."""
         state = raw.carom_ledger_state(struct_size=ctypes.sizeof(raw.carom_ledger_state))
         self._call(raw.carom_world_get_ledger_state, ctypes.byref(state))
-        return record(state, is_kept=bool(state.is_kept))
+        return record(LedgerStateRecord, state, is_kept=bool(state.is_kept))
 
     # ---- what a step left undone, and how long it may take ----
 
     @property
-    def residuals(self):
+    def residuals(self) -> ResidualsRecord:
         """max_penetration, joint_gap (m), joint_angle (rad), complementarity, cone, slip (m/s), energy (J), ...;
         energy_drift is None without a ledger."""
         left = raw.carom_residuals(struct_size=ctypes.sizeof(raw.carom_residuals))
         self._call(raw.carom_world_get_residuals, ctypes.byref(left))
         drift = left.energy_drift if left.ledger_is_kept else None
-        return record(left, ledger_is_kept=bool(left.ledger_is_kept), energy_drift=drift)
+        return record(ResidualsRecord, left, ledger_is_kept=bool(left.ledger_is_kept), energy_drift=drift)
 
     @property
-    def budget(self):
+    def budget(self) -> tuple[float, int, int] | None:
         """(seconds, fewest, most) that substeps are chosen within, or None."""
         seconds, fewest, most = ctypes.c_double(), ctypes.c_uint32(), ctypes.c_uint32()
         self._call(raw.carom_world_get_budget, ctypes.byref(seconds), ctypes.byref(fewest), ctypes.byref(most))
@@ -139,12 +156,13 @@ class Reports:
         """Steps of about so many seconds, by `fewest` to `most` substeps: runs then depend on the machine's speed. None: off."""
         self._call(raw.carom_world_set_budget, seconds or 0.0, fewest, most)
 
-    def draw(self, *what: str, **how):
+    def draw(self, *what: DrawWord, **how: Unpack[DrawKeywords]) -> list[DrawLineRecord]:
         """Coloured lines: from_, to (m), colour 0xRRGGBBAA, kind, body.
-        @param what  of "shapes", "scenery", "bounds", "contacts", "joints", "bodies"   @param how  colouring="by_island", scale="""
+        @param what  of "shapes", "scenery", "bounds", "contacts", "joints", "bodies"   @param how  colouring="island", scale="""
+        fields: dict[str, Any] = {**how}
         if what:
-            how["what"] = bits("DRAW", what)
+            fields["what"] = bits("DRAW", what)
         if "colouring" in how:
-            how["colouring"] = enum("DRAW", how["colouring"])
-        desc = describe(raw.carom_draw_desc, how)
-        return self._records(raw.carom_world_draw, raw.carom_draw_line, ctypes.byref(desc))
+            fields["colouring"] = enum("DRAW_BY", how["colouring"])
+        desc = describe(raw.carom_draw_desc, fields)
+        return self._records(DrawLineRecord, raw.carom_world_draw, raw.carom_draw_line, ctypes.byref(desc))

@@ -1,4 +1,4 @@
-"""A shape: a plugin with parameters, immutable, worn by any number of colliders."""
+"""A shape: a plugin with parameters, immutable, used by any number of colliders."""
 from __future__ import annotations
 
 import ctypes
@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from . import raw
 from ._values import record
+from .records import ShapeInfoRecord
 
 if TYPE_CHECKING:
     from .engine import Engine
@@ -19,21 +20,21 @@ class Shape:
     def __init__(self, engine: Engine, handle: int):
         self.engine, self.handle = engine, handle
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         return isinstance(other, Shape) and (self.engine, self.handle) == (other.engine, other.handle)
 
-    def __hash__(self):
+    def __hash__(self) -> int:
         return hash(self.handle)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<carom.Shape {self.handle:#x}>"
 
     @property
-    def info(self):
+    def info(self) -> ShapeInfoRecord:
         """What the engine knows of it: bounds, volume, centroid, inertia (for 1 kg/m^3), each with its error."""
         info = raw.carom_shape_info(struct_size=ctypes.sizeof(raw.carom_shape_info))
         self.engine._call(raw.carom_shape_get_info, self.handle, ctypes.byref(info))
-        return record(info)
+        return record(ShapeInfoRecord, info)
 
     @property
     def params(self) -> tuple[float, ...]:
@@ -43,5 +44,5 @@ class Shape:
         return tuple(values)
 
     def destroy(self) -> None:
-        """@raise InUse while a collider wears it"""
+        """@raise InUse while a collider uses it"""
         self.engine._call(raw.carom_shape_destroy, self.handle)

@@ -2,12 +2,16 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Any, BinaryIO, Callable, NamedTuple, cast
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, BinaryIO, Callable, NamedTuple, TypeVar, cast
 
 from . import raw
 
 if TYPE_CHECKING:
+    from .body import Thing
     from .world import World
+
+T = TypeVar("T", bound="Thing")
 
 
 class Difference(NamedTuple):
@@ -22,9 +26,10 @@ class _Sink:
     """What the library writes to. Knows nothing of the world, which it lives as long as."""
 
     def __init__(self, file: BinaryIO):
-        self.file, self.error = file, None
+        self.file = file
+        self.error: BaseException | None = None
 
-    def take(self, user, data, size):
+    def take(self, user: int | None, data: int, size: int) -> int:
         try:
             self.file.write(ctypes.string_at(data, size))
             return 0
@@ -64,7 +69,7 @@ class Recording:
     def __enter__(self) -> Recording:
         return self
 
-    def __exit__(self, kind, value, trace) -> None:
+    def __exit__(self, kind: type[BaseException] | None, value: BaseException | None, trace: TracebackType | None) -> None:
         self.end()
 
 
@@ -93,14 +98,14 @@ class Snapshots:
         """A world of the same engine that goes on as this one does, bit for bit. `copy.counterpart(body)` is the body there."""
         pointer = ctypes.c_void_p()
         self._call(raw.carom_world_fork, ctypes.byref(pointer))
-        return self._adopted(self.engine, pointer.value)
+        return cast("World", self._adopted(self.engine, pointer.value))
 
-    def counterpart(self, other):
+    def counterpart(self, other: T) -> T:
         """The object of this world that `other`, a Body, Joint, ... of a world that this one was forked or restored from, is
         there."""
         handle = ctypes.c_uint64(other.handle)
         self._call(raw.carom_world_translate_handles, ctypes.byref(handle), 1, ctypes.byref(handle))
-        return type(other)(self, handle.value)
+        return type(other)(cast("World", self), handle.value)
 
     def compare(self, data: bytes) -> Difference | None:
         """None: the state is what save() gave, to the bit."""
@@ -109,7 +114,10 @@ class Snapshots:
         self._call(raw.carom_world_compare, bytes(data), len(data), ctypes.byref(out))
         if not out.differs:
             return None
-        name = lambda handle: self._wrap(_KINDS[handle >> 60], handle) if handle else None  # noqa: E731
+
+        def name(handle: int) -> object:
+            return self._wrap(_KINDS[handle >> 60], handle) if handle else None
+
         return Difference(tuple(out.sections.decode().split(", ")), name(out.first), name(out.second))
 
     def record(self, file: BinaryIO, states: bool = False) -> Recording:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import ctypes
 import sys
 import traceback
-from typing import TYPE_CHECKING, Callable, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Sequence, TypeVar
 
 from . import raw
 from ._values import enum
@@ -18,14 +18,18 @@ from .shape import Shape
 
 if TYPE_CHECKING:
     from .engine import Engine
+    from .records import FormWord
+
+T = TypeVar("T")
+Support = Callable[[Sequence[float], "tuple[float, float, float]"], Sequence[float]]  # (params, direction) -> point
 
 _DOUBLE3 = ctypes.c_double * 3
 
 
-def _guarded(support: Callable, caught: list):
+def _guarded(support: Support, caught: list[BaseException | None]) -> Any:
     """The function that C calls. An exception is a fault of the shape; it is kept for whoever asked; in a
     step, which goes on without the shape, it is printed."""
-    def call(params, count, direction, out):
+    def call(params: Any, count: int, direction: Any, out: Any) -> int:
         try:
             out[0], out[1], out[2] = support(params[:count], (direction[0], direction[1], direction[2]))
             return 0
@@ -33,7 +37,7 @@ def _guarded(support: Callable, caught: list):
             if caught and caught[-1] is None:
                 caught[-1] = exception
             else:
-                print("carom: a support function raised; its shape is mute from now on (World.faults tells)", file=sys.stderr)
+                print("carom: a support function raised; its shape is disabled from now on (World.faults tells)", file=sys.stderr)
                 traceback.print_exception(type(exception), exception, exception.__traceback__)
             return 1
     return raw.carom_support_fn(call)
@@ -48,11 +52,11 @@ class SupportPlugin:
     version      raise it when the same parameters mean another shape
     """
 
-    def __init__(self, engine: Engine, support: Callable, id: str, params: Sequence[tuple[str, str, float, float]] = (),
-                 form: str | None = None, args: Sequence[int] = (), core_radius: int | None = None, version: int = 1,
+    def __init__(self, engine: Engine, support: Support, id: str, params: Sequence[tuple[str, str, float, float]] = (),
+                 form: FormWord | None = None, args: Sequence[int] = (), core_radius: int | None = None, version: int = 1,
                  tail_group: int = 0, tail_min: int = 0):
         self.engine, self.id = engine, id
-        self._caught: list = []
+        self._caught: list[BaseException | None] = []
         table = (raw.carom_param * len(params))(*[raw.carom_param(n.encode(), u.encode(), low, high) for n, u, low, high in params])
         callback = _guarded(support, self._caught)
         plugin = raw.carom_shape_plugin(
@@ -72,7 +76,7 @@ class SupportPlugin:
         self._asking(engine._call, raw.carom_plugin_register, ctypes.byref(plugin), ctypes.byref(handle))
         self.handle = handle.value
 
-    def _asking(self, call, *arguments):
+    def _asking(self, call: Callable[..., T], *arguments: object) -> T:
         """Make a call; where it fails because the function raised, that exception is its cause."""
         self._caught.append(None)
         try:

@@ -2,12 +2,12 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Mapping, TypeVar
 
 from . import raw
 from ._root import Root
 from ._values import describe, enum, handle_of, handles_out, vec3
-from .body import Body, Collider, Material
+from .body import Body, Collider, Material, Thing
 from .bulk import Bulk
 from .dials import Dials
 from .force import ForceField, Spring, Water
@@ -19,9 +19,15 @@ from .shape import Shape
 from .snapshot import Snapshots
 
 if TYPE_CHECKING:
-    from .engine import Engine
+    from typing_extensions import Unpack
 
-_OBJECTS = {"carom_body": Body, "carom_collider": Collider, "carom_material": Material, "carom_joint": Joint,
+    from ._values import Vector
+    from .engine import Engine
+    from .records import BodyTypeWord, ForceFieldKeywords, ForceFieldWord, JointKeywords, JointWord, MixWord, ParticlesKeywords
+
+T = TypeVar("T", bound=Thing)
+
+_OBJECTS: dict[str, type[Thing]] = {"carom_body": Body, "carom_collider": Collider, "carom_material": Material, "carom_joint": Joint,
             "carom_particles": Particles, "carom_force_field": ForceField, "carom_spring": Spring}
 
 
@@ -31,7 +37,7 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
 
     _kind = "world"
 
-    def __init__(self, engine: Engine, desc, dials: dict):
+    def __init__(self, engine: Engine, desc: raw.carom_world_desc, dials: Mapping[str, Any]):
         pointer = ctypes.c_void_p()
         engine._call(raw.carom_world_create, ctypes.byref(desc), ctypes.byref(pointer))
         self._adopt(engine, pointer.value)
@@ -42,27 +48,27 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
             self.close()
             raise
 
-    def _adopt(self, engine: Engine, pointer):
+    def _adopt(self, engine: Engine, pointer: int | None) -> None:
         Root.__init__(self, pointer, raw.carom_world_destroy, engine._owner)
         self.engine = engine
         engine._worlds.add(self)
         self.dials = Dials(self)
 
     @classmethod
-    def _adopted(cls, engine: Engine, pointer) -> World:
+    def _adopted(cls, engine: Engine, pointer: int | None) -> World:
         """The object of a world that the library made."""
         world = cls.__new__(cls)
         world._adopt(engine, pointer)
         return world
 
-    def _wrap(self, kind: str, handle: int):
+    def _wrap(self, kind: str, handle: int) -> Shape | Thing:
         """The object of a handle of this world, or of its engine."""
         return Shape(self.engine, handle) if kind == "carom_shape" else _OBJECTS[kind](self, handle)
 
-    def _create(self, kind: str, function, *arguments):
+    def _create(self, kind: type[T], function: Callable[..., int], *arguments: object) -> T:
         handle = ctypes.c_uint64()
         self._call(function, *arguments, ctypes.byref(handle))
-        return _OBJECTS[kind](self, handle.value)
+        return kind(self, handle.value)
 
     # ---- time ----
 
@@ -85,27 +91,29 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
         return tuple(out)
 
     @gravity.setter
-    def gravity(self, value: Sequence[float]) -> None:
+    def gravity(self, value: Vector) -> None:
         self._call(raw.carom_world_set_gravity, vec3(value, "gravity"))
 
     # ---- what is in it ----
 
-    def material(self, friction: float | None = None, restitution: float | None = None, friction_mix: str | int | None = None,
-                 restitution_mix: str | int | None = None, rolling: float = 0, spinning: float = 0) -> Material:
+    def material(self, friction: float | None = None, restitution: float | None = None, friction_mix: MixWord | int | None = None,
+                 restitution_mix: MixWord | int | None = None, rolling: float = 0, spinning: float = 0) -> Material:
         """@param friction  default 0.5   @param restitution  default 0   @param rolling, spinning  m, resistance
         @param friction_mix, restitution_mix  "geometric_mean", "maximum", "minimum", "average", "multiply" """
-        mix = lambda value: None if value is None else enum("MIX", value)  # noqa: E731
+        def mix(value: str | int | None) -> int | None:
+            return None if value is None else enum("MIX", value)
+
         desc = describe(raw.carom_material_desc, {"friction": friction, "restitution": restitution,
                                                   "friction_mix": mix(friction_mix), "restitution_mix": mix(restitution_mix)})
-        material = self._create("carom_material", raw.carom_material_create, ctypes.byref(desc))
+        material = self._create(Material, raw.carom_material_create, ctypes.byref(desc))
         if rolling or spinning:
             material.resistance = rolling, spinning
         return material
 
-    def body(self, shape: Shape | None = None, position: Sequence[float] | None = None, orientation: Sequence[float] | None = None,
-             type: str | int = "dynamic", linear_velocity: Sequence[float] | None = None,
-             angular_velocity: Sequence[float] | None = None, mass: float | None = None, center: Sequence[float] | None = None,
-             inertia: Sequence[float] | None = None, linear_damping: float | None = None, angular_damping: float | None = None,
+    def body(self, shape: Shape | None = None, position: Vector | None = None, orientation: Vector | None = None,
+             type: BodyTypeWord | int = "dynamic", linear_velocity: Vector | None = None,
+             angular_velocity: Vector | None = None, mass: float | None = None, center: Vector | None = None,
+             inertia: Vector | None = None, linear_damping: float | None = None, angular_damping: float | None = None,
              stays_awake: bool = False, user: int | None = None, material: Material | None = None,
              density: float | None = None) -> Body:
         """A body, and with `shape` its first collider (of `material` and `density`).
@@ -118,7 +126,7 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
             "fields": fields, "type": enum("BODY", type), "position": position, "orientation": orientation,
             "linear_velocity": linear_velocity, "angular_velocity": angular_velocity, "mass": mass, "center": center,
             "inertia": inertia, "linear_damping": linear_damping, "angular_damping": angular_damping, "user": user})
-        body = self._create("carom_body", raw.carom_body_create, ctypes.byref(desc))
+        body = self._create(Body, raw.carom_body_create, ctypes.byref(desc))
         if shape is not None:
             try:
                 body.collider(shape, material=material, density=density)
@@ -127,32 +135,32 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
                 raise
         return body
 
-    def ground(self, normal: Sequence[float] = (0, 1, 0), offset: float = 0, material: Material | None = None) -> Body:
+    def ground(self, normal: Vector = (0, 1, 0), offset: float = 0, material: Material | None = None) -> Body:
         """A static half-space."""
         return self.body(self.engine.half_space(normal, offset), type="static", material=material)
 
-    def joint(self, kind: str | int, a: Body | None = None, b: Body | None = None, position=None, orientation=None, axis=None,
-              **about) -> Joint:
+    def joint(self, kind: JointWord | int, a: Body | None = None, b: Body | None = None, position: Vector | None = None,
+              orientation: Vector | None = None, axis: Vector | None = None, **about: Unpack[JointKeywords]) -> Joint:
         """Hold two bodies together, or one and the world (None); see joint.py."""
         return make_joint(self, kind, a, b, position, orientation, axis, about)
 
-    def force_field(self, kind: str | int = "uniform", **about) -> ForceField:
+    def force_field(self, kind: ForceFieldWord | int = "uniform", **about: Unpack[ForceFieldKeywords]) -> ForceField:
         """@param kind  "uniform", "radial", "vortex"   @param about  fields of carom_force_field_desc: vector, strength, ..."""
         desc = describe(raw.carom_force_field_desc, {"kind": enum("FORCE_FIELD", kind), **about})
-        return self._create("carom_force_field", raw.carom_force_field_create, ctypes.byref(desc))
+        return self._create(ForceField, raw.carom_force_field_create, ctypes.byref(desc))
 
     def spring(self, a: Body | None, b: Body | None, rest: float, stiffness: float, damping: float | None = None,
-               anchor_a=None, anchor_b=None, only_pulls: bool = False, user: int | None = None) -> Spring:
+               anchor_a: Vector | None = None, anchor_b: Vector | None = None, only_pulls: bool = False, user: int | None = None) -> Spring:
         """A spring as a force. @param rest  m   @param stiffness  N/m   @param damping  N s/m   @param anchor_a, anchor_b  m"""
         desc = describe(raw.carom_spring_desc, {
             "body_a": handle_of(a), "body_b": handle_of(b), "rest": rest, "stiffness": stiffness, "damping": damping,
             "anchor_a": anchor_a, "anchor_b": anchor_b, "only_pulls": int(only_pulls), "user": user})
-        return self._create("carom_spring", raw.carom_spring_create, ctypes.byref(desc))
+        return self._create(Spring, raw.carom_spring_create, ctypes.byref(desc))
 
-    def particles(self, **about) -> Particles:
+    def particles(self, **about: Unpack[ParticlesKeywords]) -> Particles:
         """An empty set of point masses. @param about  gravity_factor, linear_damping, mass, capacity"""
         desc = describe(raw.carom_particles_desc, about)
-        return self._create("carom_particles", raw.carom_particles_create, ctypes.byref(desc))
+        return self._create(Particles, raw.carom_particles_create, ctypes.byref(desc))
 
     @property
     def water(self) -> Water | None:
@@ -174,7 +182,7 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
         return tuple(out)
 
     @wind.setter
-    def wind(self, value: Sequence[float]) -> None:
+    def wind(self, value: Vector) -> None:
         self._call(raw.carom_world_set_wind, vec3(value, "wind"))
 
     @property

@@ -271,7 +271,7 @@ void measure_approach(const World& world) {
   }
 }
 
-void answer_impacts(const World& world, Poses& poses, Velocities& motion, StepReport& report, const StepTime& time) {
+void solve_impacts(const World& world, Poses& poses, Velocities& motion, StepReport& report, const StepTime& time) {
   if (!world.contacts->impacts.empty()) Impacts(world, poses, motion, report, time).answer();
 }
 

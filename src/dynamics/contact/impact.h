@@ -23,7 +23,7 @@ void measure_approach(const World& world);
 /// Stage functions of the page.
 /// Impacts of this substep. Velocities and poses after it are such that the bodies, moved by them over the whole
 /// substep, end where impacts leave them; proposals of integrators are brought up to date, separations measured.
-void answer_impacts(const World& world, Poses& poses, Velocities& motion, StepReport& report, const StepTime& time);
+void solve_impacts(const World& world, Poses& poses, Velocities& motion, StepReport& report, const StepTime& time);
 
 /// When and how fast two points meet.
 struct Touch {

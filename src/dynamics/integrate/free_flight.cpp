@@ -161,7 +161,7 @@ FreeFlight::Part::Part(Memory* m) : linear(m), rotating(m), of_row(m) {
 FreeFlight::FreeFlight(Memory* m)
     : bound(m), flying(m), again(m), kinematic(m), springs(m), tied(m), more(m), watched(m), begun(m) {}
 
-void part_with_flyers(const World& world, const StepTime&) {
+void defer_free_bodies(const World& world, const StepTime&) {
   Plan& plan = *world.plan;
   if (plan.flight) plan.flight->watched.clear();
   if (plan.substeps == 1) return;
@@ -179,7 +179,7 @@ void part_with_flyers(const World& world, const StepTime&) {
   if (!plan.idle) part(world, f);
 }
 
-void fly_free(const World& world, Poses& poses, Quarantining to, const StepTime& time) {
+void integrate_free_bodies(const World& world, Poses& poses, Quarantining to, const StepTime& time) {
   Plan& plan = *world.plan;
   if (plan.idle) drive_kinematics(world, poses, to, time);
   if (!plan.flight || plan.linear.count + plan.rotating.count + plan.flight->any == 0) return;

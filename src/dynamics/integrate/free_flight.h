@@ -45,7 +45,7 @@ struct FreeFlight {
 };
 
 /// Stage functions of the page. Between them the plan lists the bound bodies alone. The first one allocates.
-void part_with_flyers(const World& world, const StepTime& time);
-void fly_free(const World& world, Poses& poses, Quarantining to, const StepTime& time);
+void defer_free_bodies(const World& world, const StepTime& time);
+void integrate_free_bodies(const World& world, Poses& poses, Quarantining to, const StepTime& time);
 
 }  // namespace carom::dynamics

@@ -62,7 +62,7 @@ void integrate_velocity(const World& world, Quarantining to, const StepTime& tim
   stop_listed(world, to);
 }
 
-void stop_strays(const World& world, Quarantining to, const StepTime&) {
+void quarantine_outliers(const World& world, Quarantining to, const StepTime&) {
   if (!world.plan->idle) stop_listed(world, to);  // else nobody has moved yet
 }
 

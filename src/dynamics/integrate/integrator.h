@@ -51,6 +51,6 @@ void integrate_position(const World& world, Poses& poses, Quarantining to, const
 void drive_kinematics(const World& world, Poses& poses, Quarantining to, const StepTime& time);
 /// Bodies whose velocity or spin left the finite world into quarantine: part of integrate_velocity(), and once more
 /// after a step's last impulses, so that no host reads what the next substep would have seen.
-void stop_strays(const World& world, Quarantining to, const StepTime& time);
+void quarantine_outliers(const World& world, Quarantining to, const StepTime& time);
 
 }  // namespace carom::dynamics

@@ -98,7 +98,7 @@ void judge(Particles& particles, FaultViews& faults, std::uint32_t s) {
 
 }  // namespace
 
-void fly(const World& world, Particles& particles, FaultViews& faults, const StepTime& time) {
+void integrate_particles(const World& world, Particles& particles, FaultViews& faults, const StepTime& time) {
   if (particles.count() == 0 || world.scene.modes.forbids(+EffectId::particles)) return;
   const std::uint32_t integrator = world.scene.dials.choice(Dial::integrator);
   PlannedEffect& row = world.plan->effects[+EffectId::particles];

@@ -7,6 +7,6 @@ namespace carom::dynamics {
 
 /// Their part of stage integrate: all substeps of each particle at once, since none waits for another. What leaves the
 /// world is held.
-void fly(const World& world, Particles& particles, FaultViews& faults, const StepTime& time);
+void integrate_particles(const World& world, Particles& particles, FaultViews& faults, const StepTime& time);
 
 }  // namespace carom::dynamics

@@ -53,7 +53,7 @@ void QueryIndex::note_changed(std::uint32_t slot) {
   ++noted_;
 }
 
-void note_who_moved(const World& world, const StepTime&) {
+void save_moved_bodies(const World& world, const StepTime&) {
   if (!world.queries->in_use()) return;
   const auto note = [&](std::uint32_t body) { world.queries->note_moved(body); };
   world.plan->linear.each(note);

@@ -84,6 +84,6 @@ Frame collider_frame(const World& world, std::uint32_t slot);
 bool takes_part(const World& world, std::uint32_t slot);
 
 /// Stage observe: the bodies that this step moved, if anybody asks.
-void note_who_moved(const World& world, const StepTime& time);
+void save_moved_bodies(const World& world, const StepTime& time);
 
 }  // namespace carom::dynamics

@@ -265,7 +265,7 @@ void add_jury_command(CLI::App& app, Context& context) {
       ->check(CLI::Range(1e-5, 3600.0))
       ->capture_default_str();
   jury->add_flag("--steps", options->steps,
-                 "Print bodies, joints and a line for each step: energies, who is worst in what, the report");
+                 "Print bodies, joints and a line for each step: energies, the worst body in each, the report");
   jury->add_option("--write", options->write,
                    "Write each scene as SEED.gltf and, for other engines, SEED.json; its motion as SEED.motion")
       ->type_name("DIR");

@@ -43,7 +43,8 @@ void print_plan(const PlanOptions& options, Context& context) {
 
 void add_plan_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<PlanOptions>();
-  CLI::App* plan = app.add_subcommand("plan", "Which stages and effects a scene runs, for whom, at what cost, and why");
+  CLI::App* plan =
+      app.add_subcommand("plan", "Which stages and effects a scene runs, on which participants, at what cost, and why");
   add_scene_options(*plan, options->choice, "Simulate so long before looking; default: 1");
   plan->add_flag("--json", options->as_json, "Print the plan as JSON");
   plan->callback([options, &context] { print_plan(*options, context); });

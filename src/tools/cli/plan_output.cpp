@@ -42,7 +42,7 @@ const char* mode_name(std::uint32_t mode) {
 
 std::string plan_text(const std::vector<carom_plan_line>& plan, const Differences& differences) {
   std::vector<std::vector<std::string>> stages = {{"stage", "runs", "time", "why"}},
-                                        ran = {{"effect", "stage", "customers", "", "evaluations", "time", "memory",
+                                        ran = {{"effect", "stage", "participants", "", "evaluations", "time", "memory",
                                                 "why"}},
                                         left_out = {{"left out", "why"}};
   for (const carom_plan_line& line : plan) {

@@ -105,9 +105,8 @@ void run_scene(RunOptions options, Context& context) {
   stage.world.time_effects(options.plan);
   if (!(options.fps > 0 && options.fps <= 1e4))
     throw Error("--fps is out of range", "give frames per second, more than 0 and at most 10000");
-  for (const std::string& path :
-       {options.gltf, options.csv, options.csv_steps, options.filmstrip, options.svg, options.ledger_svg, options.save,
-        options.record})
+  for (const std::string& path : {options.gltf, options.csv, options.csv_steps, options.filmstrip, options.svg,
+                                  options.ledger_svg, options.save, options.record})
     make_folder_of(path);
   if (!options.load.empty()) load_state(options.load, stage.world);
   const double start = stage.world.report().time;
@@ -185,7 +184,7 @@ void run_scene(RunOptions options, Context& context) {
 
 void add_run_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* run = app.add_subcommand("run", "Simulate a scene; say what it cost and what ended where");
+  CLI::App* run = app.add_subcommand("run", "Simulate a scene; say what happened and what it cost");
   add_scene_options(*run, options->choice, "How long to simulate; default: the scene's");
   run->add_option("--gltf", options->gltf, "Write the motion as animated glTF")->type_name("FILE.gltf|FILE.glb");
   run->add_option("--filmstrip", options->filmstrip,
@@ -199,9 +198,11 @@ void add_run_command(CLI::App& app, Context& context) {
   run->add_option("--fps", options->fps, "Frames per simulated second in --gltf and --csv")->capture_default_str();
   run->add_flag("--ledger", options->ledger,
                 "Print where energy, momentum and angular momentum came from and went to, by cause");
-  run->add_option("--ledger-svg", options->ledger_svg, "Draw energy by cause over time")->type_name("FILE.svg|FILE.png");
+  run->add_option("--ledger-svg", options->ledger_svg, "Draw energy by cause over time")
+      ->type_name("FILE.svg|FILE.png");
   run->add_option("--save", options->save, "Write the world in which the run ends, whole")->type_name("FILE");
-  run->add_option("--load", options->load, "Begin with what --save wrote: of the same scene and settings, or, if no scene is named, as it is")
+  run->add_option("--load", options->load,
+                  "Begin with what --save wrote: of the same scene and settings, or, if no scene is named, as it is")
       ->type_name("FILE");
   run->add_option("--record", options->record, "Write every call and the hash of each step, for `carom replay`")
       ->type_name("FILE");
@@ -209,7 +210,8 @@ void add_run_command(CLI::App& app, Context& context) {
                 "With --record: the state after each step, too, so that a replay can name what differs");
   run->get_option("SCENE")->required(false);
   run->add_flag("--quiet", options->quiet, "Say nothing but errors");
-  run->add_flag("--plan", options->plan, "At the end print what ran in the last step, for whom, and what was left out");
+  run->add_flag("--plan", options->plan,
+                "At the end print what ran in the last step, on which participants, and what was left out");
   run->add_flag("--json", options->as_json, "Print the summary as JSON");
   run->callback([options, &context] { run_scene(*options, context); });
 }

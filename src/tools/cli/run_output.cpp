@@ -45,39 +45,17 @@ bool run_went_wrong(const RunSummary& run, const std::vector<KindSummary>& kinds
   return wrong;
 }
 
-void print_summary(const Stage& stage, const Observer* observer, const RunSummary& run,
-                   const std::vector<KindSummary>& kinds) {
-  std::printf("\n%llu steps, %.2f s simulated in %.3f s of computing (%.1f times real time)\n", count(run.steps),
-              run.simulated, run.total_seconds, run.simulated / std::max(run.total_seconds, 1e-9));
-  std::printf("steps per second: min %.0f, average %.0f, max %.0f\n\n", run.min_rate, run.average_rate, run.max_rate);
+namespace {
 
-  std::vector<std::vector<std::string>> rows = {{"stage", "ms/step", "share", ""}};
-  for (std::size_t i = 0; i < run.stage_seconds.size(); ++i) {
-    const double share = run.stage_seconds[i] / std::max(run.total_seconds, 1e-12);
-    rows.push_back({carom_stage_name(static_cast<std::uint32_t>(i)),
-                    format("%.4f", 1e3 * run.stage_seconds[i] / static_cast<double>(run.steps)),
-                    format("%.1f %%", 100 * share), bar(share, 30)});
+void print_what_happened(const Stage& stage, const Observer* observer, const RunSummary& run,
+                         const std::vector<KindSummary>& kinds) {
+  std::printf("\nwhat happened in %.2f s:\n", run.simulated);
+  if (observer) {
+    for (const std::string& line : observer->tell(stage)) std::printf("  %s\n", line.c_str());
+    if (!observer->came_off(stage)) std::printf("  (not what this scene is about: its parameters or dials spoil it)\n");
   }
-  std::printf("%s\n", table(rows, {false, true, true}).c_str());
-
-  std::printf("contacts: %llu points at the end (most %llu) in %llu groups, from %llu pairs of bounds\n",
-              count(run.last.contact_points), count(run.most_contact_points), count(run.last.groups),
-              count(run.last.broad_pairs));
-  if (run.last.direct_groups || run.last.solver_residual > 0)
-    std::printf("direct solver: %llu groups chosen for it at the end, residual %.2g m/s\n",
-                count(run.last.direct_groups), run.last.solver_residual);
-  if (run.wedged_groups || run.refused_answers)
-    std::printf("answered otherwise, over the run: %llu groups that surfaces close on, %llu that would have gained energy\n",
-                count(run.wedged_groups), count(run.refused_answers));
-  std::printf(
-      "residuals at the end: penetration max %.3f mm, mean %.3f mm (worst during the run %.1f mm); closing speed "
-      "%.4f m/s\n",
-      1e3 * run.last.max_penetration, 1e3 * run.last.mean_penetration, 1e3 * run.worst_penetration,
-      run.last.max_closing_speed);
-  std::printf("kinetic energy at the end: %.4g J linear, %.4g J angular\n\n", run.last.linear_energy,
-              run.last.angular_energy);
-
-  rows = {{"bodies", "count", "moving", "y min", "y mean", "y max m", "fastest m/s", "escaped", "not finite"}};
+  std::vector<std::vector<std::string>> rows = {
+      {"bodies", "count", "moving", "y min", "y mean", "y max m", "fastest m/s", "escaped", "not finite"}};
   for (const KindSummary& k : kinds)
     rows.push_back({k.kind, format("%zu", k.count), format("%zu", k.moving), format("%.3f", k.low),
                     format("%.3f", k.mean), format("%.3f", k.high), format("%.3f", k.fastest), format("%zu", k.escaped),
@@ -87,12 +65,46 @@ void print_summary(const Stage& stage, const Observer* observer, const RunSummar
               count(run.last.quarantined_bodies), count(run.last.quarantined_particles));
   for (std::size_t i = 0; i < std::min<std::size_t>(3, run.first_faults.size()); ++i)
     std::printf("  '%s': %s\n", name_of(stage, run.first_faults[i]).c_str(), fault_text(run.first_faults[i].kind));
+  std::printf("contacts at the end: %llu points (most %llu) in %llu islands, from %llu pairs of bounds\n",
+              count(run.last.contact_points), count(run.most_contact_points), count(run.last.groups),
+              count(run.last.broad_pairs));
+  std::printf(
+      "errors at the end: penetration max %.3f mm, mean %.3f mm (worst during the run %.1f mm); closing speed "
+      "%.4f m/s\n",
+      1e3 * run.last.max_penetration, 1e3 * run.last.mean_penetration, 1e3 * run.worst_penetration,
+      run.last.max_closing_speed);
+  std::printf("kinetic energy at the end: %.4g J linear, %.4g J angular\n", run.last.linear_energy,
+              run.last.angular_energy);
   std::printf("state hash: %016llx\n", count(run.hash));
-  if (observer) {
-    std::printf("\nwhat happened:\n");
-    for (const std::string& line : observer->tell(stage)) std::printf("  %s\n", line.c_str());
-    if (!observer->came_off(stage)) std::printf("  (not what this scene is about: its parameters or dials spoil it)\n");
+}
+
+void print_cost(const RunSummary& run) {
+  std::printf("\nwhat it cost:\n%llu steps in %.3f s of computing (%.1f times real time)\n", count(run.steps),
+              run.total_seconds, run.simulated / std::max(run.total_seconds, 1e-9));
+  std::printf("steps per second: min %.0f, average %.0f, max %.0f\n\n", run.min_rate, run.average_rate, run.max_rate);
+  std::vector<std::vector<std::string>> rows = {{"stage", "ms/step", "share", ""}};
+  for (std::size_t i = 0; i < run.stage_seconds.size(); ++i) {
+    const double share = run.stage_seconds[i] / std::max(run.total_seconds, 1e-12);
+    rows.push_back({carom_stage_name(static_cast<std::uint32_t>(i)),
+                    format("%.4f", 1e3 * run.stage_seconds[i] / static_cast<double>(run.steps)),
+                    format("%.1f %%", 100 * share), bar(share, 30)});
   }
+  std::printf("%s", table(rows, {false, true, true}).c_str());
+  if (run.last.direct_groups || run.last.solver_residual > 0)
+    std::printf("direct solver: %llu islands at the end, residual %.2g m/s\n", count(run.last.direct_groups),
+                run.last.solver_residual);
+  if (run.wedged_groups || run.refused_answers)
+    std::printf(
+        "solved otherwise, over the run: %llu islands that surfaces close on, %llu that would have gained energy\n",
+        count(run.wedged_groups), count(run.refused_answers));
+}
+
+}  // namespace
+
+void print_summary(const Stage& stage, const Observer* observer, const RunSummary& run,
+                   const std::vector<KindSummary>& kinds) {
+  print_what_happened(stage, observer, run, kinds);
+  print_cost(run);
 }
 
 nlohmann::json summary_json(const Scene& scene, const Stage& stage, const Observer* observer, const RunSummary& run,

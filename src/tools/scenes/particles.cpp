@@ -32,7 +32,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
 Scene particles_scene() {
   return {"particles",
           "Particles burst from a point and fly under gravity (the paper's scene D).",
-          "a shell of points that falls as one; only the integration stage has customers",
+          "a shell of points that falls as one; only the integration stage has participants",
           {{"n", "", "number of particles", 20000, 1, 1000000, true},
            {"spread", "m", "half the width of where they start", 0.2, 0, 1000}},
           3.0,

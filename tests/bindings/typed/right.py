@@ -1,0 +1,51 @@
+"""What mypy must find right, and of which type: read by tests/bindings/test_typed.py, never run."""
+import carom
+import numpy as np
+from carom.query import Hits, RayHits
+from carom.records import ContactRecord, JointAxisRecord, JointLimitRecord, JointStateRecord, WorldHitRecord
+from numpy.typing import NDArray
+from typing_extensions import assert_type
+
+with carom.Engine(threads=2) as engine, engine.world(substeps=8, solver="direct") as world:
+    assert_type(engine, carom.Engine)
+    assert_type(world, carom.World)
+    ground = world.ground()
+    ball = world.body(engine.sphere(0.5), position=(0, 3, 0), type="dynamic")
+    assert_type(ball, carom.Body)
+    assert_type(ball.position, tuple[float, ...])
+    ball.position = [0, 4, 0]
+    ball.position = np.zeros(3)
+    ball.locks = {"linear_z", "angular_x"}
+    ball.attributes["drag"] = (0.1, 0.02)
+    assert_type(ball.mass, float)
+    assert_type(ball.desc.type, str)
+    assert_type(ball.collider(engine.box(1, 1, 1)), carom.Collider)
+
+    hinge = world.joint("hinge", ball, position=(0, 4, 0), axis=(0, 0, 1), break_force=1e3)
+    assert_type(hinge, carom.Joint)
+    assert_type(hinge.limit("twist", lower=-1, upper=1), JointLimitRecord)
+    assert_type(hinge.state, JointStateRecord)
+    assert_type(hinge.state.force, tuple[float, float, float])
+    assert_type(world.joint("six_axis", ball).axis("x", mode="limited", lower=0, upper=1), JointAxisRecord)
+    assert_type(hinge.desc.body_a, "carom.Body | None")
+
+    carom.run(world, seconds=1)
+    assert_type(world.read("position"), NDArray[np.float64])
+    assert_type(world.read("pose", dtype="float32"), NDArray[np.float32])
+    assert_type(world.positions(out=np.empty((2, 3), np.float32)), NDArray[np.float32])
+    assert_type(world.body_handles(), NDArray[np.uint64])
+    assert_type(world.create_bodies(np.zeros((4, 3)), engine.sphere(1), density=500), NDArray[np.uint64])
+    assert_type(world.contacts(), list[ContactRecord])
+    assert_type(world.report.max_penetration, float)
+    assert_type(world.ray((0, 9, 0), (0, -1, 0), mask=1), "WorldHitRecord | None")
+    assert_type(world.rays(np.zeros((4, 3)), (0, -1, 0)), RayHits)
+    assert_type(world.casts(engine.sphere(1), np.zeros((4, 3)), (0, -1, 0)), Hits)
+    assert_type(world.rays(np.zeros((4, 3)), (0, -1, 0)).times, NDArray[np.float64])
+    assert_type(engine.distance(engine.sphere(1), engine.sphere(2), position_b=(4, 0, 0)).separation, float)
+
+    with world.fork() as copy:
+        assert_type(copy, carom.World)
+        assert_type(copy.counterpart(ball), carom.Body)
+    world.force_field("vortex", strength=2).update(kind="radial", strength=3)
+    box = engine.support_plugin(lambda p, d: d, "my.box", params=[("x", "m", 1e-6, 1e3)], form="box", args=(0, 0, 0))
+    assert_type(box(0.5), carom.Shape)

@@ -1,0 +1,90 @@
+"""The glossary, src/GLOSSARY.md, is kept: one definition a term, and none of the words that it replaces in a README or
+in a comment of a header. Code between backticks, fenced blocks, file names and identifiers do not count.
+
+usage: check_glossary.py ROOT
+"""
+
+import re
+import sys
+from pathlib import Path
+
+PAGES = ("README.md", "ABI.md", "CONTRIBUTING.md")
+FOLDERS = ("include", "src", "plugins", "bindings", "tests")
+
+
+def rows(page):
+    """[(terms, meaning, words instead of which)] of all tables"""
+    found = []
+    for line in page.read_text(encoding="utf-8").split("\n"):
+        cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
+        if line.startswith("|") and len(cells) == 3 and cells[0] != "term" and not set(cells[0]) <= {"-"}:
+            split = lambda cell: [part.strip() for part in cell.split(",") if part.strip()]  # noqa: E731
+            found.append((split(cells[0]), cells[1], split(cells[2])))
+    return found
+
+
+def blank(match):
+    return re.sub(r"[^\n]", " ", match.group())
+
+
+def prose_of_page(text):
+    text = re.sub(r"^```.*?^```", blank, text, flags=re.S | re.M)
+    text = re.sub(r"`[^`\n]*`|<!--.*?-->", blank, text, flags=re.S)
+    return "\n".join("" if line.startswith("    ") else line for line in text.split("\n"))
+
+
+def prose_of_header(text):
+    """Comments alone, on their lines."""
+    out, end = [], 0
+    for comment in re.finditer(r"/\*.*?\*/", text, flags=re.S):
+        out.append(blank(re.match(r".*", text[end : comment.start()], flags=re.S)))
+        out.append(re.sub(r"`[^`\n]*`", blank, comment.group()))
+        end = comment.end()
+    return "".join(out)
+
+
+def main():
+    root = Path(sys.argv[1])
+    glossary = root / "src/GLOSSARY.md"
+    problems, seen, replaced = [], {}, {}
+    for terms, meaning, instead in rows(glossary):
+        for term in terms:
+            if term in seen:
+                problems.append(f"{glossary.name}: {term} is defined twice")
+            seen[term] = meaning
+        if not meaning:
+            problems.append(f"{glossary.name}: {', '.join(terms)} has no meaning")
+        for word in instead:
+            if word in replaced:
+                problems.append(f"{glossary.name}: {word} stands for two terms")
+            replaced[word] = " or ".join(terms)
+    for word in replaced:
+        if word in seen:
+            problems.append(f"{glossary.name}: {word} is a term and a word to avoid")
+    if len(seen) < 40 or len(replaced) < 20:
+        sys.exit(f"only {len(seen)} terms and {len(replaced)} words: this check no longer reads {glossary}")
+    # As a sentence has them: small, or with a capital at its beginning. Capitals throughout are identifiers.
+    pattern = re.compile(
+        r"(?<![\w/.-])("
+        + "|".join(
+            f"[{word[0].upper()}{word[0]}]" + re.escape(word[1:]) for word in sorted(replaced, key=len, reverse=True)
+        )
+        + r")(?![\w/-])"
+    )
+    files = [root / name for name in PAGES]
+    for folder in FOLDERS:
+        files += [page for page in sorted((root / folder).rglob("README.md")) if "node_modules" not in page.parts]
+    files += sorted((root / "include").rglob("*.h"))
+    for file in files:
+        text = file.read_text(encoding="utf-8")
+        prose = prose_of_header(text) if file.suffix == ".h" else prose_of_page(text)
+        for at, line in enumerate(prose.split("\n"), 1):
+            for found in pattern.findall(line):
+                word = found[0].lower() + found[1:]
+                problems.append(f"{file.relative_to(root)}:{at}: {found}: {replaced[word]}")
+    if problems:
+        sys.exit("\n".join(problems) + f"\n{len(problems)} places; src/GLOSSARY.md has the words")
+    print(f"{len(seen)} terms, {len(replaced)} words to avoid, {len(files)} files")
+
+
+main()
