@@ -24,16 +24,19 @@ export function readLink(query, presets, dials) {
   };
   const step = Number(given.get("step") ?? 0);
   if (!Number.isInteger(step) || step < 0 || step > 1e6) throw new Error("the link's step is not a whole number from 0 to 1000000");
-  let log = [];
-  if (given.has("do")) {
+  const log = (key) => {
+    if (!given.has(key)) return [];
     try {
-      log = JSON.parse(given.get("do"));
-      if (!Array.isArray(log) || !log.every(([s, a]) => Number.isInteger(s) && s >= 0 && typeof a?.do === "string")) throw new Error();
+      const read = JSON.parse(given.get(key));
+      if (!Array.isArray(read) || !read.every(([s, a]) => Number.isInteger(s) && s >= 0 && typeof a?.do === "string")) throw new Error();
+      return read;
     } catch {
       throw new Error("the link's actions are damaged: it was cut off, perhaps by a mail program");
     }
-  }
-  return { scene: given.get("scene"), step, settings: settings(""), other: given.get("ab") === "1" ? settings("_b") : null, log };
+  };
+  const sides = [{ settings: settings(""), log: log("do") }];
+  if (given.get("ab") === "1") sides.push({ settings: settings("_b"), log: log("do_b") });
+  return { scene: given.get("scene"), step, sides };
 }
 
 function settingsOf(settings, presets, suffix, out) {
@@ -45,15 +48,18 @@ function settingsOf(settings, presets, suffix, out) {
   if (dials.size) out.set(`dials${suffix}`, [...dials].map(([name, value]) => `${name}:${value}`).join(","));
 }
 
-/** @returns the query, or null if there is too much in it */
-export function writeLink({ scene, step, settings, other, log }, presets) {
+/** @param sides  [{settings, log}], one or two   @returns the query, or null if there is too much in it */
+export function writeLink({ scene, step, sides }, presets) {
   const out = new URLSearchParams();
   out.set("scene", scene);
   out.set("step", String(step));
-  settingsOf(settings, presets, "", out);
-  if (other) out.set("ab", "1"), settingsOf(other, presets, "_b", out);
-  const done = log.filter(([s]) => s <= step);
-  if (done.length) out.set("do", JSON.stringify(done));
+  sides.forEach(({ settings, log }, i) => {
+    const suffix = i ? "_b" : "";
+    if (i) out.set("ab", "1");
+    settingsOf(settings, presets, suffix, out);
+    const done = log.filter(([s]) => s <= step);
+    if (done.length) out.set(`do${suffix}`, JSON.stringify(done));
+  });
   const text = `?${out}`.replaceAll("%3A", ":").replaceAll("%2C", ",");
   return text.length > LONGEST ? null : text;
 }

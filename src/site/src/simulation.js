@@ -48,8 +48,14 @@ export class Simulation {
     ++this.structure;
   }
 
-  /** Do something now. What was to come after the present step is forgotten. */
+  /** Do something now. What was to come after the present step is forgotten.   @throws then nothing has changed */
   do(action) {
+    if (this.step === 0 && this.newest === 0 && !this.actions.size && (action.do === "dial" || action.do === "preset")) {
+      act(this, action);
+      this.settings.push(action);  // the scene as it starts
+      this.#keep();
+      return;
+    }
     if (this.step < this.newest) this.#forgetFuture();
     act(this, action);  // throws before it is written down
     if (!this.actions.has(this.step)) this.actions.set(this.step, []);
