@@ -1,4 +1,5 @@
-// Systems whose shared objects the library can't load: WebAssembly (the host brings a side module into memory and registers it by
+// Systems whose shared objects the library can't load: WebAssembly (the host brings a side module into memory and
+// registers it by
 // pointer) and, for now, all without glibc.
 #include "abi/loader.h"
 

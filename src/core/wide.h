@@ -41,7 +41,8 @@ using LaneMask =
 
 #define CAROM_LANES_INLINE [[gnu::always_inline]] inline
 
-/// A number that a compiler must have at hand before it spreads it over lanes. clang 14 for WebAssembly would load and spread it at
+/// A number that a compiler must have at hand before it spreads it over lanes. clang 14 for WebAssembly would load
+/// and spread it at
 /// once, and does so behind stores to where it was (bindings/js/wasm/flags.cmake).
 template <class Number>
 CAROM_LANES_INLINE Number at_hand(Number x) {

@@ -16,8 +16,15 @@ for (const [file, remedy] of [
 rmSync(`${here}dist`, { recursive: true, force: true });
 mkdirSync(`${here}dist`, { recursive: true });
 await build({
-  entryPoints: [`${here}src/main.js`], outfile: `${here}dist/main.js`, bundle: true, format: "esm", minify: true, target: "es2022",
-  alias: { carom: `${here}../../bindings/js/src/index.js` }, external: ["node:fs/promises"], legalComments: "linked",
+  entryPoints: [`${here}src/main.js`],
+  outfile: `${here}dist/main.js`,
+  bundle: true,
+  format: "esm",
+  minify: true,
+  target: "es2022",
+  alias: { carom: `${here}../../bindings/js/src/index.js` },
+  external: ["node:fs/promises"],
+  legalComments: "linked",
 });
 for (const file of ["index.html", "style.css"]) cpSync(`${here}${file}`, `${here}dist/${file}`);
 cpSync(wasm, `${here}dist/carom.wasm`);

@@ -1,6 +1,7 @@
 # Every path that a README or ABI.md names in backticks exists.
 set(checked 0)
 file(GLOB_RECURSE pages ${SOURCE_DIR}/src/*.md ${SOURCE_DIR}/plugins/*.md ${SOURCE_DIR}/tests/*.md ${SOURCE_DIR}/bindings/*.md)
+list(FILTER pages EXCLUDE REGEX "/node_modules/")
 foreach(page ${SOURCE_DIR}/README.md ${SOURCE_DIR}/ABI.md ${pages})
   if(NOT EXISTS ${page})
     message(SEND_ERROR "${page} is missing")

@@ -13,21 +13,38 @@ export class Body {
   #read(field, width) {
     const { module: m, pointer } = this.world;
     return m.frame((room) => {
-      const handle = room(8), to = room(8 * width);
+      const handle = room(8),
+        to = room(8 * width);
       m.view.setBigUint64(handle, this.handle, true);
       m.call("carom_world_read", pointer, field, C.CAROM_SCALAR_F64, handle, 1n, to, 0n);
       return m.doubles(to, width);
     });
   }
 
-  get position() { return this.#read(C.CAROM_FIELD_POSITION, 3); }
-  get orientation() { return this.#read(C.CAROM_FIELD_ORIENTATION, 4); }
-  get linearVelocity() { return this.#read(C.CAROM_FIELD_LINEAR_VELOCITY, 3); }
-  get angularVelocity() { return this.#read(C.CAROM_FIELD_ANGULAR_VELOCITY, 3); }
-  get center() { return this.#read(C.CAROM_FIELD_CENTER, 3); }
-  get mass() { return this.#read(C.CAROM_FIELD_MASS, 1)[0]; }
-  get type() { return TYPES[this.desc.type]; }
-  get user() { return this.desc.user; }
+  get position() {
+    return this.#read(C.CAROM_FIELD_POSITION, 3);
+  }
+  get orientation() {
+    return this.#read(C.CAROM_FIELD_ORIENTATION, 4);
+  }
+  get linearVelocity() {
+    return this.#read(C.CAROM_FIELD_LINEAR_VELOCITY, 3);
+  }
+  get angularVelocity() {
+    return this.#read(C.CAROM_FIELD_ANGULAR_VELOCITY, 3);
+  }
+  get center() {
+    return this.#read(C.CAROM_FIELD_CENTER, 3);
+  }
+  get mass() {
+    return this.#read(C.CAROM_FIELD_MASS, 1)[0];
+  }
+  get type() {
+    return TYPES[this.desc.type];
+  }
+  get user() {
+    return this.desc.user;
+  }
 
   /** All of carom_body_desc, as the engine uses it. */
   get desc() {
@@ -52,10 +69,13 @@ export class Body {
 
   #vectors(name, a, n, b, k) {
     const { module: m, pointer } = this.world;
-    m.frame((room) => m.call(name, pointer, this.handle, m.putDoubles(room, a, n, name), m.putDoubles(room, b, k, name)));
+    m.frame((room) =>
+      m.call(name, pointer, this.handle, m.putDoubles(room, a, n, name), m.putDoubles(room, b, k, name)),
+    );
   }
 
-  /** @param options  density kg/m^3, position, orientation in the body's frame, material   @returns handle of the collider */
+  /** @param options  density kg/m^3, position, orientation in the body's frame, material   @returns handle of the
+   * collider */
   addCollider(shape, options = {}) {
     const { module: m, pointer } = this.world;
     if (!(shape instanceof Shape)) throw new TypeError("addCollider() takes a shape: engine.box(x, y, z) makes one");
@@ -75,16 +95,22 @@ export class Body {
       return m.view.getUint32(out, true) === 1;
     });
   }
-  wake() { this.world.module.call("carom_body_wake", this.world.pointer, this.handle); }
+  wake() {
+    this.world.module.call("carom_body_wake", this.world.pointer, this.handle);
+  }
 
   /** @param attribute CAROM_ATTRIBUTE_*   @param value up to four numbers */
   setAttribute(attribute, ...value) {
     const { module: m, pointer } = this.world;
     const four = [0, 1, 2, 3].map((i) => value[i] ?? 0);
-    m.frame((room) => m.call("carom_body_set_attribute", pointer, this.handle, attribute, m.putDoubles(room, four, 4, "setAttribute")));
+    m.frame((room) =>
+      m.call("carom_body_set_attribute", pointer, this.handle, attribute, m.putDoubles(room, four, 4, "setAttribute")),
+    );
   }
 
-  destroy() { this.world.module.call("carom_body_destroy", this.world.pointer, this.handle); }
+  destroy() {
+    this.world.module.call("carom_body_destroy", this.world.pointer, this.handle);
+  }
 }
 
 export class Joint {
@@ -95,7 +121,11 @@ export class Joint {
   /** All of carom_joint_state: force, torque, gap, coordinates. */
   get state() {
     const { module: m, pointer } = this.world;
-    return m.get("carom_joint_state", (at) => m.raw.carom_joint_get_state(pointer, this.handle, at, m.error), "joint.state");
+    return m.get(
+      "carom_joint_state",
+      (at) => m.raw.carom_joint_get_state(pointer, this.handle, at, m.error),
+      "joint.state",
+    );
   }
   setLimit(coordinate, lower, upper) {
     this.#set("carom_joint_set_limit", "carom_joint_limit", coordinate, { enabled: 1, lower, upper });
@@ -111,5 +141,7 @@ export class Joint {
     const { module: m, pointer } = this.world;
     m.frame((room) => m.call(call, pointer, this.handle, coordinate, m.put(room, struct, values)));
   }
-  destroy() { this.world.module.call("carom_joint_destroy", this.world.pointer, this.handle); }
+  destroy() {
+    this.world.module.call("carom_joint_destroy", this.world.pointer, this.handle);
+  }
 }

@@ -44,21 +44,28 @@ class Carom {
     const m = this.module;
     const info = m.get("carom_dial_info", (at) => m.raw.carom_dial_get_info(dial, at, m.error), "dials");
     for (const field of ["name", "unit", "summary"]) info[field] = m.text(info[field]);
-    info.choices = Array.from({ length: info.choice_count }, (_, i) => m.text(m.view.getUint32(info.choices + 4 * i, true)));
+    info.choices = Array.from({ length: info.choice_count }, (_, i) =>
+      m.text(m.view.getUint32(info.choices + 4 * i, true)),
+    );
     return info;
   }
 
   /** Names by CAROM_PRESET_*. */
   presets() {
-    return Array.from({ length: constants.CAROM_PRESET_COUNT }, (_, i) => this.module.text(this.raw.carom_preset_name(i)));
+    return Array.from({ length: constants.CAROM_PRESET_COUNT }, (_, i) =>
+      this.module.text(this.raw.carom_preset_name(i)),
+    );
   }
   /** Names by CAROM_STAGE_*. */
   stages() {
-    return Array.from({ length: constants.CAROM_STAGE_COUNT }, (_, i) => this.module.text(this.raw.carom_stage_name(i)));
+    return Array.from({ length: constants.CAROM_STAGE_COUNT }, (_, i) =>
+      this.module.text(this.raw.carom_stage_name(i)),
+    );
   }
 }
 
-/** Load the engine.   @param source  where carom.wasm is: bytes, a URL, a Response, a compiled module; by default the package's */
+/** Load the engine.   @param source  where carom.wasm is: bytes, a URL, a Response, a compiled module; by default the
+ * package's */
 export async function load(source) {
   return new Carom(await instantiate(source));
 }

@@ -3,7 +3,7 @@ import { CaromError } from "./errors.js";
 import { Structs } from "./structs.js";
 import { imports } from "./wasi.js";
 
-const SCRATCH = 4096;  // bytes: arguments of one call
+const SCRATCH = 4096; // bytes: arguments of one call
 
 export class Module {
   /** @param {WebAssembly.Exports} exports */
@@ -71,14 +71,17 @@ export class Module {
     if (result === 0) return;
     const e = this.structs.read(this.view, "carom_error", this.error);
     const own = e.code === result;
-    throw new CaromError({
-      code: result,
-      result: this.text(this.raw.carom_result_name(result)),
-      argument: own ? e.argument : 0,
-      text: own && e.message ? e.message : this.text(this.raw.carom_result_name(result)),
-      remedy: own && e.remedy ? e.remedy : this.text(this.raw.carom_result_remedy(result)),
-      witness: own && e.has_witness ? { direction: e.witness_dir, point: e.witness_out } : null,
-    }, doing);
+    throw new CaromError(
+      {
+        code: result,
+        result: this.text(this.raw.carom_result_name(result)),
+        argument: own ? e.argument : 0,
+        text: own && e.message ? e.message : this.text(this.raw.carom_result_name(result)),
+        remedy: own && e.remedy ? e.remedy : this.text(this.raw.carom_result_remedy(result)),
+        witness: own && e.has_witness ? { direction: e.witness_dir, point: e.witness_out } : null,
+      },
+      doing,
+    );
   }
 
   /** A call whose last argument is the error. */
@@ -158,13 +161,15 @@ export async function instantiate(source, say = (text) => console.error(text)) {
 async function compile(source) {
   if (source instanceof WebAssembly.Module) return source;
   if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return WebAssembly.compile(source);
-  if (typeof Response !== "undefined" && source instanceof Response) return WebAssembly.compile(await source.arrayBuffer());
+  if (typeof Response !== "undefined" && source instanceof Response)
+    return WebAssembly.compile(await source.arrayBuffer());
   const url = new URL(source, import.meta.url);
   if (url.protocol === "file:") {
     const { readFile } = await import(/* @vite-ignore */ "node:fs/promises");
     return WebAssembly.compile(await readFile(url));
   }
   const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}; is carom.wasm served beside the script?`);
+  if (!response.ok)
+    throw new Error(`${url}: ${response.status} ${response.statusText}; is carom.wasm served beside the script?`);
   return WebAssembly.compile(await response.arrayBuffer());
 }

@@ -1,6 +1,7 @@
 // Who frees what. `free()` is the way; what a program forgot is freed when the garbage collector finds it.
 
-/** What stands behind an Engine or a World: a pointer, and how it is destroyed. An engine that is found first waits for its worlds. */
+/** What stands behind an Engine or a World: a pointer, and how it is destroyed. An engine that is found first waits
+ * for its worlds. */
 export class Owned {
   constructor(pointer, destroy, parent = null) {
     Object.assign(this, { pointer, destroy, parent, children: 0, forgotten: false });

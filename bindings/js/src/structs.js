@@ -1,4 +1,5 @@
-// Structs of the C interface in the module's memory. Where a field lies is asked of the module (carom_abi_manifest()), since
+// Structs of the C interface in the module's memory. Where a field lies is asked of the module
+// (carom_abi_manifest()), since
 // 32-bit pointers move fields.
 
 /** Reads and writes of one field's kind. */
@@ -64,7 +65,8 @@ export class Structs {
         set(view, at + f.offset, value);
         continue;
       }
-      if (value.length !== f.count) throw new TypeError(`${name}.${field} takes ${f.count} numbers, not ${value.length}`);
+      if (value.length !== f.count)
+        throw new TypeError(`${name}.${field} takes ${f.count} numbers, not ${value.length}`);
       for (let i = 0; i < f.count; ++i) set(view, at + f.offset + i * size, value[i]);
     }
   }

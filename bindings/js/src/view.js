@@ -1,4 +1,5 @@
-/** One field of bodies in the module's memory, read in one call: no copy into JavaScript. `array` is a typed array over that
+/** One field of bodies in the module's memory, read in one call: no copy into JavaScript. `array` is a typed array
+ * over that
  *  memory. When memory grows, typed arrays of before are empty; `array` gives a new one, so ask for it each time. */
 export class BodyView {
   constructor(world, field, width, { scalar = "f64", bodies = null } = {}) {
@@ -31,16 +32,33 @@ export class BodyView {
       this.state.at = m.claim(this.capacity * this.width * this.bytes);
     }
     if (this.count)
-      m.call("carom_world_read", this.world.pointer, this.field, this.isDouble ? 1 : 0, this.state.handles, BigInt(this.count),
-        this.state.at, 0n);
+      m.call(
+        "carom_world_read",
+        this.world.pointer,
+        this.field,
+        this.isDouble ? 1 : 0,
+        this.state.handles,
+        BigInt(this.count),
+        this.state.at,
+        0n,
+      );
     return this;
   }
 
-  /** Write what `array` holds now back to the bodies.   @throws CaromError for a field that is read only, or bad values */
+  /** Write what `array` holds now back to the bodies.   @throws CaromError for a field that is read only, or bad
+   * values */
   write() {
     const m = this.world.module;
-    m.call("carom_world_write", this.world.pointer, this.field, this.isDouble ? 1 : 0, this.state.handles, BigInt(this.count),
-      this.state.at, 0n);
+    m.call(
+      "carom_world_write",
+      this.world.pointer,
+      this.field,
+      this.isDouble ? 1 : 0,
+      this.state.handles,
+      BigInt(this.count),
+      this.state.at,
+      0n,
+    );
   }
 
   get bytes() {
@@ -51,7 +69,12 @@ export class BodyView {
   get array() {
     const Type = this.isDouble ? Float64Array : Float32Array;
     const buffer = this.world.module.buffer;
-    if (!this.kept || this.kept.buffer !== buffer || this.kept.length !== this.count * this.width || this.kept.byteOffset !== this.state.at)
+    if (
+      !this.kept ||
+      this.kept.buffer !== buffer ||
+      this.kept.length !== this.count * this.width ||
+      this.kept.byteOffset !== this.state.at
+    )
       this.kept = new Type(buffer, this.state.at, this.count * this.width);
     return this.kept;
   }

@@ -21,9 +21,11 @@ export function imports(memory, say) {
     fd_write(file, vectors, count, written) {
       if (file !== 1 && file !== 2) return BAD_FILE;
       const v = view();
-      let bytes = 0, text = "";
+      let bytes = 0,
+        text = "";
       for (let i = 0; i < count; ++i) {
-        const at = v.getUint32(vectors + 8 * i, true), size = v.getUint32(vectors + 8 * i + 4, true);
+        const at = v.getUint32(vectors + 8 * i, true),
+          size = v.getUint32(vectors + 8 * i + 4, true);
         text += new TextDecoder().decode(new Uint8Array(memory().buffer, at, size).slice());
         bytes += size;
       }

@@ -11,7 +11,13 @@ function stage() {
   const engine = carom.engine();
   const world = engine.world();
   world.ground();
-  return { engine, world, free() { world.free(), engine.free(); } };
+  return {
+    engine,
+    world,
+    free() {
+      (world.free(), engine.free());
+    },
+  };
 }
 
 test("a ball falls and lies", () => {
@@ -26,24 +32,42 @@ test("a ball falls and lies", () => {
 });
 
 test("free fall is the closed form of the integrator", () => {
-  const engine = carom.engine(), world = engine.world({ gravity: [0, -10, 0] });
+  const engine = carom.engine(),
+    world = engine.world({ gravity: [0, -10, 0] });
   const point = world.body();
   for (let i = 0; i < 60; ++i) world.step(1 / 60);
   // Between the sums of explicit and of semi-implicit Euler, whatever the dials: g t^2 / 2 (1 +- dt / t).
   assert.ok(Math.abs(point.position[1] + 5) <= 5 / 60 + 1e-12);
   assert.ok(Math.abs(point.linearVelocity[1] + 10) < 1e-12);
-  world.free(), engine.free();
+  (world.free(), engine.free());
 });
 
 test("errors are exceptions with a remedy, and change nothing", () => {
   const s = stage();
   const before = s.world.hash();
-  for (const wrong of [() => s.engine.sphere(-1), () => s.engine.sphere(NaN), () => s.engine.shape("no_such", [1]),
-    () => s.world.step(NaN), () => s.world.step(2), () => s.world.setDial("substeps", 1e9), () => s.world.setDial("no_such", 1),
-    () => s.world.body({ position: [0, Infinity, 0] }), () => s.world.restore(new Uint8Array([1, 2, 3])), () => s.engine.free()])
-    assert.throws(wrong, (e) => e instanceof CaromError && e.code < 0 && e.result.startsWith("CAROM_E_") && e.remedy.length > 10);
-  for (const wrong of [() => s.world.body({ position: [0, 1] }), () => s.world.body({ positoin: [0, 1, 0] }),
-    () => s.world.body({ type: "dinamic" }), () => s.world.view("speed"), () => s.world.joint("glue", null, null)])
+  for (const wrong of [
+    () => s.engine.sphere(-1),
+    () => s.engine.sphere(NaN),
+    () => s.engine.shape("no_such", [1]),
+    () => s.world.step(NaN),
+    () => s.world.step(2),
+    () => s.world.setDial("substeps", 1e9),
+    () => s.world.setDial("no_such", 1),
+    () => s.world.body({ position: [0, Infinity, 0] }),
+    () => s.world.restore(new Uint8Array([1, 2, 3])),
+    () => s.engine.free(),
+  ])
+    assert.throws(
+      wrong,
+      (e) => e instanceof CaromError && e.code < 0 && e.result.startsWith("CAROM_E_") && e.remedy.length > 10,
+    );
+  for (const wrong of [
+    () => s.world.body({ position: [0, 1] }),
+    () => s.world.body({ positoin: [0, 1, 0] }),
+    () => s.world.body({ type: "dinamic" }),
+    () => s.world.view("speed"),
+    () => s.world.joint("glue", null, null),
+  ])
     assert.throws(wrong, TypeError);
   assert.equal(s.world.bodyCount(), 1);
   assert.equal(s.world.hash(), before);
@@ -52,9 +76,13 @@ test("errors are exceptions with a remedy, and change nothing", () => {
 });
 
 test("a stale handle is told", () => {
-  const s = stage(), ball = s.world.body({ shape: s.engine.sphere(1), position: [0, 5, 0] });
+  const s = stage(),
+    ball = s.world.body({ shape: s.engine.sphere(1), position: [0, 5, 0] });
   ball.destroy();
-  assert.throws(() => ball.position, (e) => e.result === "CAROM_E_STALE_HANDLE");
+  assert.throws(
+    () => ball.position,
+    (e) => e.result === "CAROM_E_STALE_HANDLE",
+  );
   s.free();
 });
 
@@ -72,29 +100,34 @@ test("views survive growth of memory", () => {
   const floats = s.world.view("position", { scalar: "f32", bodies: s.world.bodies().slice(-2) }).update();
   assert.ok(floats.array instanceof Float32Array);
   assert.deepEqual([...floats.array], [n - 3, 10, 0, n - 2, 10, 0]);
-  view.free(), floats.free(), s.free();
+  (view.free(), floats.free(), s.free());
 });
 
 test("views write", () => {
-  const s = stage(), ball = s.world.body({ position: [0, 5, 0] });
+  const s = stage(),
+    ball = s.world.body({ position: [0, 5, 0] });
   const view = s.world.view("linearVelocity", { bodies: [ball] }).update();
   view.array[0] = 3;
   view.write();
   assert.deepEqual(ball.linearVelocity, [3, 0, 0]);
   view.array[0] = NaN;
   assert.throws(() => view.write(), CaromError);
-  view.free(), s.free();
+  (view.free(), s.free());
 });
 
 test("snapshots, forks: the same bits go on", () => {
   const s = stage();
-  for (let i = 0; i < 30; ++i) s.world.body({ shape: s.engine.box(0.3, 0.3, 0.3), position: [0.1 * (i % 3), 1 + 0.7 * i, 0] });
+  for (let i = 0; i < 30; ++i)
+    s.world.body({ shape: s.engine.box(0.3, 0.3, 0.3), position: [0.1 * (i % 3), 1 + 0.7 * i, 0] });
   for (let i = 0; i < 20; ++i) s.world.step();
-  const state = s.world.save(), whole = s.world.save({ whole: true }), fork = s.world.fork();
-  const other = carom.engine(), copy = other.world();
+  const state = s.world.save(),
+    whole = s.world.save({ whole: true }),
+    fork = s.world.fork();
+  const other = carom.engine(),
+    copy = other.world();
   copy.restore(whole);
   const hashes = [];
-  for (let i = 0; i < 40; ++i) s.world.step(), hashes.push(s.world.hash());
+  for (let i = 0; i < 40; ++i) (s.world.step(), hashes.push(s.world.hash()));
   s.world.restore(state);
   for (const world of [s.world, fork, copy])
     for (let i = 0; i < 40; ++i) {
@@ -103,7 +136,7 @@ test("snapshots, forks: the same bits go on", () => {
     }
   assert.equal(copy.colliders().length, 31);
   assert.deepEqual(new Set(copy.colliders().map((c) => c.body.world)), new Set([copy]));
-  fork.free(), copy.free(), other.free(), s.free();
+  (fork.free(), copy.free(), other.free(), s.free());
 });
 
 test("rays, plan, report, lines, dials, joints", () => {
@@ -131,7 +164,7 @@ test("a thousand worlds leave no memory behind", () => {
   const engine = carom.engine();
   const once = () => {
     const world = engine.world();
-    world.body({ shape: engine.sphere(1), position: [0, 3, 0] }), world.ground();
+    (world.body({ shape: engine.sphere(1), position: [0, 3, 0] }), world.ground());
     for (let i = 0; i < 5; ++i) world.step();
     world.free();
   };

@@ -1,12 +1,15 @@
-// What a visitor can do to a world. An action is plain data and means the same in every run: bodies are named by their place in
+// What a visitor can do to a world. An action is plain data and means the same in every run: bodies are named by
+// their place in
 // world.bodies(), numbers are doubles.
 
-const SPRING = 4;     // Hz, of the pull on a body that is dragged
-const DAMPING = 0.7;  // ratio
+const SPRING = 4; // Hz, of the pull on a body that is dragged
+const DAMPING = 0.7; // ratio
 
 /** q v q*, q = x, y, z, w */
 export function rotate([x, y, z, w], [a, b, c]) {
-  const tx = 2 * (y * c - z * b), ty = 2 * (z * a - x * c), tz = 2 * (x * b - y * a);
+  const tx = 2 * (y * c - z * b),
+    ty = 2 * (z * a - x * c),
+    tz = 2 * (x * b - y * a);
   return [a + w * tx + y * tz - z * ty, b + w * ty + z * tx - x * tz, c + w * tz + x * ty - y * tx];
 }
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -29,17 +32,31 @@ const ACTIONS = {
     const b = sim.bodies[body];
     if (!b || b.type !== "dynamic") return;
     b.wake();
-    const arm = rotate(b.orientation, at), p = b.position, centre = b.center;
-    const point = arm.map((x, i) => x + p[i]), lever = point.map((x, i) => x - centre[i]);
-    const v = b.linearVelocity, spin = cross(b.angularVelocity, lever), w = 2 * Math.PI * SPRING, m = b.mass;
+    const arm = rotate(b.orientation, at),
+      p = b.position,
+      centre = b.center;
+    const point = arm.map((x, i) => x + p[i]),
+      lever = point.map((x, i) => x - centre[i]);
+    const v = b.linearVelocity,
+      spin = cross(b.angularVelocity, lever),
+      w = 2 * Math.PI * SPRING,
+      m = b.mass;
     const force = [0, 1, 2].map((i) => m * (w * w * (to[i] - point[i]) - 2 * DAMPING * w * (v[i] + spin[i])));
     // The lever is shortened so that a long body is turned, not whirled.
-    b.addForce(force, cross(lever, force).map((x) => 0.3 * x));
+    b.addForce(
+      force,
+      cross(lever, force).map((x) => 0.3 * x),
+    );
   },
   /** A new body. @property shape  id of a plugin, "box"   @property params  of the shape */
   spawn(sim, { shape, params, position, velocity = [0, 0, 0], density = 1000 }) {
-    const body = sim.world.body({ shape: sim.engine.shape(shape, params), density, position, linear_velocity: velocity,
-      user: 0xffffffffn });
+    const body = sim.world.body({
+      shape: sim.engine.shape(shape, params),
+      density,
+      position,
+      linear_velocity: velocity,
+      user: 0xffffffffn,
+    });
     sim.refresh();
     return body;
   },

@@ -2,12 +2,15 @@
 import * as THREE from "three";
 import { ConvexGeometry } from "three/addons/geometries/ConvexGeometry.js";
 
-const DIRECTIONS = 600;  // in which a shape that three.js does not know is asked for its farthest points
+const DIRECTIONS = 600; // in which a shape that three.js does not know is asked for its farthest points
 
 function spread(n) {
   const out = new Float64Array(3 * n);
-  for (let i = 0; i < n; ++i) {  // Fibonacci's lattice on the sphere
-    const y = 1 - (2 * i + 1) / n, r = Math.sqrt(1 - y * y), turn = i * Math.PI * (3 - Math.sqrt(5));
+  for (let i = 0; i < n; ++i) {
+    // Fibonacci's lattice on the sphere
+    const y = 1 - (2 * i + 1) / n,
+      r = Math.sqrt(1 - y * y),
+      turn = i * Math.PI * (3 - Math.sqrt(5));
     out.set([r * Math.cos(turn), y, r * Math.sin(turn)], 3 * i);
   }
   return out;

@@ -1,6 +1,6 @@
 // A state as a link: scene, step, settings, and what was done by hand. The same link gives the same bits.
 
-const LONGEST = 12000;  // letters; beyond, browsers and mailers cut
+const LONGEST = 12000; // letters; beyond, browsers and mailers cut
 
 /** @param dials [{name}]   @throws Error that says what is wrong with the link */
 export function readLink(query, presets, dials) {
@@ -14,21 +14,25 @@ export function readLink(query, presets, dials) {
       out.push({ do: "preset", value });
     }
     for (const pair of (given.get(`dials${suffix}`) ?? "").split(",").filter(Boolean)) {
-      const [name, text] = pair.split(":"), value = Number(text);
+      const [name, text] = pair.split(":"),
+        value = Number(text);
       const dial = dials.find((d) => d.name === name);
       if (!dial) throw new Error(`the link's dial "${name}" does not exist`);
-      if (text === undefined || text === "" || !Number.isFinite(value)) throw new Error(`the link's dial ${name} has no number`);
+      if (text === undefined || text === "" || !Number.isFinite(value))
+        throw new Error(`the link's dial ${name} has no number`);
       out.push({ do: "dial", name, value });
     }
     return out;
   };
   const step = Number(given.get("step") ?? 0);
-  if (!Number.isInteger(step) || step < 0 || step > 1e6) throw new Error("the link's step is not a whole number from 0 to 1000000");
+  if (!Number.isInteger(step) || step < 0 || step > 1e6)
+    throw new Error("the link's step is not a whole number from 0 to 1000000");
   const log = (key) => {
     if (!given.has(key)) return [];
     try {
       const read = JSON.parse(given.get(key));
-      if (!Array.isArray(read) || !read.every(([s, a]) => Number.isInteger(s) && s >= 0 && typeof a?.do === "string")) throw new Error();
+      if (!Array.isArray(read) || !read.every(([s, a]) => Number.isInteger(s) && s >= 0 && typeof a?.do === "string"))
+        throw new Error();
       return read;
     } catch {
       throw new Error("the link's actions are damaged: it was cut off, perhaps by a mail program");
@@ -42,7 +46,7 @@ export function readLink(query, presets, dials) {
 function settingsOf(settings, presets, suffix, out) {
   const dials = new Map();
   for (const s of settings) {
-    if (s.do === "preset") dials.clear(), out.set(`preset${suffix}`, presets[s.value]);
+    if (s.do === "preset") (dials.clear(), out.set(`preset${suffix}`, presets[s.value]));
     else dials.set(s.name, s.value);
   }
   if (dials.size) out.set(`dials${suffix}`, [...dials].map(([name, value]) => `${name}:${value}`).join(","));

@@ -10,11 +10,30 @@ import { Simulation } from "./simulation.js";
 import { Stage } from "./stage.js";
 
 const $ = (id) => document.getElementById(id);
-const BUDGET = 20;  // ms of a frame for steps
+const BUDGET = 20; // ms of a frame for steps
 
-const state = { row: {}, start: null, dt: 1 / 60, sims: [], pictures: [], engine: null, playing: true, owed: 0, following: null,
-  difference: [], last: 0 };
-const shown = { contacts: false, joints: true, bounds: false, outlines: false, frames: false, islands: false, sleep: true };
+const state = {
+  row: {},
+  start: null,
+  dt: 1 / 60,
+  sims: [],
+  pictures: [],
+  engine: null,
+  playing: true,
+  owed: 0,
+  following: null,
+  difference: [],
+  last: 0,
+};
+const shown = {
+  contacts: false,
+  joints: true,
+  bounds: false,
+  outlines: false,
+  frames: false,
+  islands: false,
+  sleep: true,
+};
 let carom, rows, stage, panel, pointer, plan;
 
 function say(text) {
@@ -36,7 +55,8 @@ function attempt(work) {
 
 /** Make the scene anew.   @param sides  [{settings, log}]: of A, and of B where there is one */
 function begin(row, start, sides) {
-  const engine = carom.engine(), made = [];
+  const engine = carom.engine(),
+    made = [];
   try {
     for (const { settings, log } of sides) {
       const sim = new Simulation(engine, start, row.dt ?? 1 / 60, [...settings]);
@@ -80,7 +100,8 @@ function show() {
 function difference() {
   const [a, b] = state.sims.map((sim) => sim.poses.update());
   if (a.count !== b.count || !a.count) return NaN;
-  const x = a.array, y = b.array;
+  const x = a.array,
+    y = b.array;
   let sum = 0;
   for (let i = 0; i < a.count; ++i) for (let k = 0; k < 3; ++k) sum += (x[7 * i + k] - y[7 * i + k]) ** 2;
   return Math.sqrt(sum / a.count);
@@ -118,14 +139,31 @@ function redraw() {
   $("hash").textContent = state.sims.map((s) => s.hash()).join("  ");
   const plain = !sim.settings.length && !(sim.lastAction >= 0 && Math.min(...sim.actions.keys()) <= sim.step);
   const native = plain ? state.row.hashes?.[sim.step] : undefined;
-  $("native").textContent = native === undefined ? "" : native === hash ? "the native build has the same bits" : `the native build has ${native}`;
+  $("native").textContent =
+    native === undefined
+      ? ""
+      : native === hash
+        ? "the native build has the same bits"
+        : `the native build has ${native}`;
   $("native").dataset.same = native === undefined ? "" : String(native === hash);
   $("at").textContent = sim.step;
   $("scrub").max = Math.max(sim.newest, sim.step);
   $("scrub").value = sim.step;
   if ($("curves-box").open) {
-    plot($("energy"), "kinetic energy", "J", state.sims.map((s) => s.energy), sim.step);
-    plot($("cost"), "time of a step", "ms", state.sims.map((s) => s.seconds.map((x) => 1e3 * x)), sim.step);
+    plot(
+      $("energy"),
+      "kinetic energy",
+      "J",
+      state.sims.map((s) => s.energy),
+      sim.step,
+    );
+    plot(
+      $("cost"),
+      "time of a step",
+      "ms",
+      state.sims.map((s) => s.seconds.map((x) => 1e3 * x)),
+      sim.step,
+    );
     if (state.sims.length === 2) plot($("difference"), "A and B apart", "m (rms)", [state.difference], sim.step);
   }
   if ($("plan-box").open) plan.update(sim.world.plan());
@@ -144,10 +182,11 @@ function frame(now) {
   stage.controls.update();
   if (!state.sims.length) return;
   if (!state.playing) return stage.render(state.pictures);
-  const dt = state.sims[0].dt, end = performance.now() + BUDGET;
+  const dt = state.sims[0].dt,
+    end = performance.now() + BUDGET;
   state.owed = Math.min(state.owed + passed * Number($("speed").value), 8 * dt);
   attempt(() => {
-    while (state.owed >= dt && performance.now() < end) advance(), (state.owed -= dt);
+    while (state.owed >= dt && performance.now() < end) (advance(), (state.owed -= dt));
   }) ?? 0;
   redraw();
 }
@@ -165,7 +204,9 @@ async function open(name, sides = [{ settings: [], log: [] }]) {
 
 function compare(on) {
   attempt(() => {
-    const [a] = state.sims, at = a.step, side = { settings: a.settings, log: a.log() };
+    const [a] = state.sims,
+      at = a.step,
+      side = { settings: a.settings, log: a.log() };
     begin(state.row, state.start, on ? [side, { settings: [...a.settings], log: a.log() }] : [side]);
     for (let i = 0; i < at; ++i) advance();
   });
@@ -173,8 +214,14 @@ function compare(on) {
 }
 
 function link() {
-  const query = writeLink({ scene: state.row.name, step: state.sims[0].step,
-    sides: state.sims.map((sim) => ({ settings: sim.settings, log: sim.log() })) }, carom.presets());
+  const query = writeLink(
+    {
+      scene: state.row.name,
+      step: state.sims[0].step,
+      sides: state.sims.map((sim) => ({ settings: sim.settings, log: sim.log() })),
+    },
+    carom.presets(),
+  );
   if (!state.row.name) return say("an opened file has no link: save the world, and send the file");
   if (!query) return say("too much was done by hand for a link: save the world, and send the file");
   history.replaceState(null, "", query);
@@ -186,7 +233,14 @@ function controls() {
   $("play").onclick = () => play(!state.playing);
   $("step").onclick = () => (play(false), attempt(advance), redraw());
   $("back").onclick = () => (play(false), seek(Math.max(0, state.sims[0].step - 1)));
-  $("reset").onclick = () => attempt(() => begin(state.row, state.start, state.sims.map((s) => ({ settings: s.settings, log: [] }))));
+  $("reset").onclick = () =>
+    attempt(() =>
+      begin(
+        state.row,
+        state.start,
+        state.sims.map((s) => ({ settings: s.settings, log: [] })),
+      ),
+    );
   $("scrub").oninput = () => (play(false), seek(Number($("scrub").value)));
   $("scene").onchange = () => open($("scene").value).catch((e) => say(e.message));
   $("link").onclick = link;
@@ -198,7 +252,7 @@ function controls() {
     setTimeout(() => URL.revokeObjectURL(a.href), 1000);
   };
   const file = async (f) => {
-    if (f) attempt(() => begin({ dt: 1 / 60 }, f.bytes, [{ settings: [], log: [] }])), stage.paint();
+    if (f) (attempt(() => begin({ dt: 1 / 60 }, f.bytes, [{ settings: [], log: [] }])), stage.paint());
   };
   const read = async (f) => f && file({ bytes: new Uint8Array(await f.arrayBuffer()) });
   $("open").onchange = () => read($("open").files[0]).then(() => ($("open").value = ""));
@@ -214,12 +268,13 @@ function controls() {
     button.onclick = () => {
       pointer.tool = button.dataset.tool;
       state.following = null;
-      for (const other of document.querySelectorAll("[data-tool]")) other.setAttribute("aria-checked", String(other === button));
+      for (const other of document.querySelectorAll("[data-tool]"))
+        other.setAttribute("aria-checked", String(other === button));
     };
   addEventListener("keydown", (e) => {
     if (e.target.closest("input, select, button, summary")) return;
     const key = { " ": "play", ArrowRight: "step", ArrowLeft: "back", r: "reset" }[e.key];
-    if (key) e.preventDefault(), $(key).click();
+    if (key) (e.preventDefault(), $(key).click());
   });
   $("plan-box").ontoggle = $("curves-box").ontoggle = () => state.sims.length && redraw();
   new ResizeObserver(() => state.sims.length && redraw()).observe($("stage"));
@@ -233,24 +288,48 @@ async function start() {
   for (const row of rows) $("scene").add(new Option(row.name, row.name));
   stage = new Stage($("view"));
   plan = new PlanPanel($("stages"), $("plan"), (effect, mode) => act({ do: "effect", effect, mode }));
-  panel = new Panel($("panel"), { carom, shown, onShown: () => redraw(), onCompare: compare,
+  panel = new Panel($("panel"), {
+    carom,
+    shown,
+    onShown: () => redraw(),
+    onCompare: compare,
     apply: (which, action) => attempt(() => state.sims[which]?.do(action)),
-    dial: (which, name) => (state.sims[which] ?? state.sims[0])?.world.dial(name) ?? 0 });
-  pointer = new Pointer({ canvas: $("view"), camera: stage.camera, controls: stage.controls, act, say,
-    place: (u, v) => ((pointer.view = stage.place(u, v)), pointer.view), picture: () => state.pictures[pointer.view.view],
-    follow: (body) => (state.following = body) });
+    dial: (which, name) => (state.sims[which] ?? state.sims[0])?.world.dial(name) ?? 0,
+  });
+  pointer = new Pointer({
+    canvas: $("view"),
+    camera: stage.camera,
+    controls: stage.controls,
+    act,
+    say,
+    place: (u, v) => ((pointer.view = stage.place(u, v)), pointer.view),
+    picture: () => state.pictures[pointer.view.view],
+    follow: (body) => (state.following = body),
+  });
   controls();
   let wanted = { scene: null, step: 0, sides: undefined };
   attempt(() => (wanted = readLink(location.search, carom.presets(), carom.dials())));
   await open(wanted.scene ?? "wall", wanted.sides).catch(async (e) => (say(e.message), await open("wall")));
   if (location.search) {
     play(false);
-    if (wanted.step) attempt(() => {
-      while (state.sims[0].step < wanted.step) advance();
-    });
+    if (wanted.step)
+      attempt(() => {
+        while (state.sims[0].step < wanted.step) advance();
+      });
     redraw();
   }
-  globalThis.caromViewer = { get step() { return state.sims[0].step; }, get hash() { return state.sims[0].hash(); }, state, seek };
+  // For tests and the curious.
+  globalThis.caromViewer = {
+    get step() {
+      return state.sims[0].step;
+    },
+    get hash() {
+      return state.sims[0].hash();
+    },
+    state,
+    seek,
+    probe: (u, v) => pointer.probe(u, v),
+  };
   requestAnimationFrame(frame);
 }
 

@@ -5,7 +5,7 @@ import { DRAW } from "./simulation.js";
 import { geometryOf } from "./geometry.js";
 import { FIXED, KINDS } from "./palette.js";
 
-const ASLEEP = 0.45;  // of its brightness
+const ASLEEP = 0.45; // of its brightness
 
 export class Picture {
   /** @param row  of the scenes' index: names and kinds of bodies; may be {} */
@@ -13,10 +13,24 @@ export class Picture {
     Object.assign(this, { sim, row, ghost });
     this.group = new THREE.Group();
     this.geometries = new Map();
-    this.shown = { contacts: false, joints: true, bounds: false, outlines: false, frames: false, islands: false, sleep: true };
-    this.lines = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ vertexColors: true, depthTest: false }));
-    this.lines.renderOrder = 2, (this.lines.frustumCulled = false);
-    this.points = new THREE.Points(new THREE.BufferGeometry(), new THREE.PointsMaterial({ color: KINDS[1], size: 0.06 }));
+    this.shown = {
+      contacts: false,
+      joints: true,
+      bounds: false,
+      outlines: false,
+      frames: false,
+      islands: false,
+      sleep: true,
+    };
+    this.lines = new THREE.LineSegments(
+      new THREE.BufferGeometry(),
+      new THREE.LineBasicMaterial({ vertexColors: true, depthTest: false }),
+    );
+    ((this.lines.renderOrder = 2), (this.lines.frustumCulled = false));
+    this.points = new THREE.Points(
+      new THREE.BufferGeometry(),
+      new THREE.PointsMaterial({ color: KINDS[1], size: 0.06 }),
+    );
     this.points.frustumCulled = false;
     this.group.add(this.lines, this.points);
     this.structure = -1;
@@ -32,7 +46,7 @@ export class Picture {
   }
 
   #rebuild() {
-    for (const mesh of this.meshes ?? []) this.group.remove(mesh), mesh.dispose(), mesh.material.dispose();
+    for (const mesh of this.meshes ?? []) (this.group.remove(mesh), mesh.dispose(), mesh.material.dispose());
     this.meshes = [];
     this.structure = this.sim.structure;
     const sets = new Map();
@@ -45,12 +59,17 @@ export class Picture {
     }
     const kinds = [...new Set([...sets.values()].filter((s) => !s.fixed).map((s) => s.kind))];
     for (const set of sets.values()) {
-      if (!this.geometries.has(set.shape)) this.geometries.set(set.shape, geometryOf(new Shape(this.sim.engine, set.shape)));
+      if (!this.geometries.has(set.shape))
+        this.geometries.set(set.shape, geometryOf(new Shape(this.sim.engine, set.shape)));
       const geometry = this.geometries.get(set.shape);
       if (!geometry) continue;
       const colour = this.ghost ?? (set.fixed ? FIXED : KINDS[kinds.indexOf(set.kind) % KINDS.length]);
-      const material = new THREE.MeshStandardMaterial({ color: "#ffffff", roughness: 0.7, flatShading: !geometry.attributes.normal,
-        side: set.fixed ? THREE.DoubleSide : THREE.FrontSide });
+      const material = new THREE.MeshStandardMaterial({
+        color: "#ffffff",
+        roughness: 0.7,
+        flatShading: !geometry.attributes.normal,
+        side: set.fixed ? THREE.DoubleSide : THREE.FrontSide,
+      });
       const mesh = new THREE.InstancedMesh(geometry, material, set.parts.length);
       Object.assign(mesh, { castShadow: !set.fixed, receiveShadow: true, frustumCulled: false });
       mesh.userData = { ...set, colour: new THREE.Color(colour) };
@@ -62,8 +81,12 @@ export class Picture {
   update() {
     if (this.structure !== this.sim.structure) this.#rebuild();
     const poses = this.sim.poses.update().array;
-    const body = new THREE.Matrix4(), local = new THREE.Matrix4(), one = new THREE.Vector3(1, 1, 1);
-    const p = new THREE.Vector3(), q = new THREE.Quaternion(), colour = new THREE.Color();
+    const body = new THREE.Matrix4(),
+      local = new THREE.Matrix4(),
+      one = new THREE.Vector3(1, 1, 1);
+    const p = new THREE.Vector3(),
+      q = new THREE.Quaternion(),
+      colour = new THREE.Color();
     const dim = this.shown.sleep && Number(this.sim.report?.asleep_bodies ?? 0) > 0;
     for (const mesh of this.meshes) {
       mesh.userData.parts.forEach((part, i) => {
@@ -76,7 +99,7 @@ export class Picture {
       });
       mesh.instanceMatrix.needsUpdate = true;
       mesh.instanceColor.needsUpdate = true;
-      mesh.boundingSphere = null;  // of before
+      mesh.boundingSphere = null; // of before
     }
     this.#draw();
   }
@@ -84,13 +107,14 @@ export class Picture {
   #draw() {
     let what = 0;
     for (const name of Object.keys(DRAW)) if (this.shown[name]) what |= DRAW[name];
-    const { points, colours } = what ? this.sim.world.draw(what, { colouring: this.shown.islands ? 1 : 0 })
-                                     : { points: new Float32Array(), colours: new Uint32Array() };
+    const { points, colours } = what
+      ? this.sim.world.draw(what, { colouring: this.shown.islands ? 1 : 0 })
+      : { points: new Float32Array(), colours: new Uint32Array() };
     const rgb = new Float32Array(points.length);
     colours.forEach((c, i) => {
       for (let k = 0; k < 6; ++k) rgb[6 * i + k] = ((c >>> (24 - 8 * (k % 3))) & 255) / 255;
     });
-    this.#fill(this.lines.geometry, "position", points), this.#fill(this.lines.geometry, "color", rgb);
+    (this.#fill(this.lines.geometry, "position", points), this.#fill(this.lines.geometry, "color", rgb));
     this.lines.geometry.setDrawRange(0, points.length / 3);
     const particles = this.row.particles ? this.sim.world.particlePositions() : new Float32Array();
     this.#fill(this.points.geometry, "position", particles);
@@ -119,9 +143,9 @@ export class Picture {
   }
 
   dispose() {
-    for (const mesh of this.meshes ?? []) mesh.dispose(), mesh.material.dispose();
+    for (const mesh of this.meshes ?? []) (mesh.dispose(), mesh.material.dispose());
     for (const geometry of this.geometries.values()) geometry?.dispose();
-    for (const object of [this.lines, this.points]) object.geometry.dispose(), object.material.dispose();
+    for (const object of [this.lines, this.points]) (object.geometry.dispose(), object.material.dispose());
     this.group.removeFromParent();
   }
 }

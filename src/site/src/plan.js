@@ -23,7 +23,7 @@ export class PlanPanel {
   update(plan) {
     // A select that is open must not be taken away.
     if (this.effects.contains(document.activeElement)) return;
-    this.stages.replaceChildren(), this.effects.replaceChildren();
+    (this.stages.replaceChildren(), this.effects.replaceChildren());
     for (const line of plan) {
       if (line.effect === 0xffffffff) {
         row(this.stages, [line.name, us(line.seconds)], !line.runs);
@@ -37,7 +37,11 @@ export class PlanPanel {
         choice.blur();
       });
       const served = line.runs ? `${line.customers} ${line.unit}` : "off";
-      row(this.effects, [line.name, served, line.timing === 0 && line.runs ? us(line.seconds) : "", choice], !line.runs);
+      row(
+        this.effects,
+        [line.name, served, line.timing === 0 && line.runs ? us(line.seconds) : "", choice],
+        !line.runs,
+      );
       this.effects.rows[this.effects.rows.length - 1].title = line.reason;
     }
   }

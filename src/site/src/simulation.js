@@ -1,24 +1,26 @@
 // A scene that runs, and can go back: the world, what was done to it and when, and snapshots. Nothing here draws.
 //
-// Everything that changes the world is an action, written down under the step before which it acts. A step in the past is the
+// Everything that changes the world is an action, written down under the step before which it acts. A step in the
+// past is the
 // nearest snapshot before it and the same actions again, so it has the same bits.
 import { constants as C } from "carom";
 import { act } from "./actions.js";
 
-const EVERY = 20;               // steps from one snapshot to the next
-const MOST_BYTES = 96 << 20;    // of snapshots; of older ones every second is dropped
+const EVERY = 20; // steps from one snapshot to the next
+const MOST_BYTES = 96 << 20; // of snapshots; of older ones every second is dropped
 
 export class Simulation {
-  /** @param start  Uint8Array: a whole snapshot   @param dt s   @param settings  actions before the first step: dials, presets */
+  /** @param start  Uint8Array: a whole snapshot   @param dt s   @param settings  actions before the first step:
+   * dials, presets */
   constructor(engine, start, dt, settings = []) {
     Object.assign(this, { engine, dt });
-    this.actions = new Map();    // step -> actions
+    this.actions = new Map(); // step -> actions
     this.lastAction = -1;
-    this.snapshots = new Map();  // step -> { bytes, structure, shape counts }
-    this.structure = 0;          // changes with the set of bodies
-    this.newest = 0;             // the farthest step that was reached
-    this.energy = [];            // J, kinetic, by step
-    this.seconds = [];           // s of computing, by step
+    this.snapshots = new Map(); // step -> { bytes, structure, shape counts }
+    this.structure = 0; // changes with the set of bodies
+    this.newest = 0; // the farthest step that was reached
+    this.energy = []; // J, kinetic, by step
+    this.seconds = []; // s of computing, by step
     this.#build(start);
     this.step = 0;
     this.settings = settings;
@@ -50,21 +52,27 @@ export class Simulation {
 
   /** Do something now. What was to come after the present step is forgotten.   @throws then nothing has changed */
   do(action) {
-    if (this.step === 0 && this.newest === 0 && !this.actions.size && (action.do === "dial" || action.do === "preset")) {
+    if (
+      this.step === 0 &&
+      this.newest === 0 &&
+      !this.actions.size &&
+      (action.do === "dial" || action.do === "preset")
+    ) {
       act(this, action);
-      this.settings.push(action);  // the scene as it starts
+      this.settings.push(action); // the scene as it starts
       this.#keep();
       return;
     }
     if (this.step < this.newest) this.#forgetFuture();
-    act(this, action);  // throws before it is written down
+    act(this, action); // throws before it is written down
     if (!this.actions.has(this.step)) this.actions.set(this.step, []);
     this.actions.get(this.step).push(action);
     this.lastAction = Math.max(this.lastAction, this.step);
   }
 
   #forgetFuture() {
-    for (const map of [this.actions, this.snapshots]) for (const step of map.keys()) if (step > this.step) map.delete(step);
+    for (const map of [this.actions, this.snapshots])
+      for (const step of map.keys()) if (step > this.step) map.delete(step);
     // Actions of this very step were done again when it was reached, and stay.
     this.newest = this.step;
     this.energy.length = Math.min(this.energy.length, this.step);
@@ -82,7 +90,7 @@ export class Simulation {
     this.report = report;
     // A snapshot has what was done before, not what is done at this step.
     if (this.step % EVERY === 0 && !this.snapshots.has(this.step)) this.#keep();
-    const again = this.step <= this.newest ? this.actions.get(this.step) ?? [] : [];
+    const again = this.step <= this.newest ? (this.actions.get(this.step) ?? []) : [];
     this.newest = Math.max(this.newest, this.step);
     for (const action of again) act(this, action);
   }
@@ -92,9 +100,11 @@ export class Simulation {
     let bytes = 0;
     for (const kept of this.snapshots.values()) bytes += kept.length;
     if (bytes < MOST_BYTES) return;
-    [...this.snapshots.keys()].sort((a, b) => a - b).forEach((step, i, all) => {
-      if (i % 2 === 1 && i < all.length - 2) this.snapshots.delete(step);
-    });
+    [...this.snapshots.keys()]
+      .sort((a, b) => a - b)
+      .forEach((step, i, all) => {
+        if (i % 2 === 1 && i < all.length - 2) this.snapshots.delete(step);
+      });
   }
 
   /** Be at a step, past or to come. */
@@ -116,7 +126,9 @@ export class Simulation {
 
   /** All actions, for a link: [[step, action], ...]. */
   log() {
-    return [...this.actions].sort((a, b) => a[0] - b[0]).flatMap(([step, list]) => list.map((action) => [step, action]));
+    return [...this.actions]
+      .sort((a, b) => a[0] - b[0])
+      .flatMap(([step, list]) => list.map((action) => [step, action]));
   }
 
   /** The actions of a link, before the first step is made. */
@@ -138,5 +150,10 @@ export class Simulation {
   }
 }
 
-export const DRAW = { contacts: C.CAROM_DRAW_CONTACTS, joints: C.CAROM_DRAW_JOINTS, bounds: C.CAROM_DRAW_BOUNDS,
-  outlines: C.CAROM_DRAW_SHAPES | C.CAROM_DRAW_SCENERY, frames: C.CAROM_DRAW_BODIES };
+export const DRAW = {
+  contacts: C.CAROM_DRAW_CONTACTS,
+  joints: C.CAROM_DRAW_JOINTS,
+  bounds: C.CAROM_DRAW_BOUNDS,
+  outlines: C.CAROM_DRAW_SHAPES | C.CAROM_DRAW_SCENERY,
+  frames: C.CAROM_DRAW_BODIES,
+};

@@ -20,7 +20,10 @@ export class Stage {
     this.ground = new THREE.Mesh(new THREE.PlaneGeometry(1, 1), new THREE.MeshStandardMaterial({ roughness: 0.95 }));
     this.ground.rotation.x = -Math.PI / 2;
     this.ground.receiveShadow = true;
-    this.water = new THREE.Mesh(new THREE.PlaneGeometry(1, 1), new THREE.MeshStandardMaterial({ color: "#3b82c4", transparent: true, opacity: 0.45 }));
+    this.water = new THREE.Mesh(
+      new THREE.PlaneGeometry(1, 1),
+      new THREE.MeshStandardMaterial({ color: "#3b82c4", transparent: true, opacity: 0.45 }),
+    );
     this.water.rotation.x = -Math.PI / 2;
     this.scene.add(this.light, this.light.target, this.sky, this.ground, this.water);
     this.grid = null;
@@ -41,7 +44,8 @@ export class Stage {
     this.water.position.y = row.water ?? 0;
     const reach = Math.max(8, 1.2 * wide);
     // From over the visitor's left shoulder: what is looked at is lit.
-    const ahead = [to[0] - from[0], to[2] - from[2]], far = Math.hypot(...ahead) || 1;
+    const ahead = [to[0] - from[0], to[2] - from[2]],
+      far = Math.hypot(...ahead) || 1;
     const [x, z] = [(-0.9 * ahead[0] + 0.7 * ahead[1]) / far, (-0.9 * ahead[1] - 0.7 * ahead[0]) / far];
     this.light.position.set(to[0] + reach * x, to[1] + 2 * reach, to[2] + reach * z);
     this.light.target.position.set(...to);
@@ -55,15 +59,22 @@ export class Stage {
     const colours = theme();
     this.scene.background = new THREE.Color(colours.sky);
     this.ground.material.color.set(colours.ground);
-    if (this.grid) this.scene.remove(this.grid), this.grid.dispose();
-    this.grid = new THREE.GridHelper(2 * (this.wide ?? 10), Math.min(60, Math.round(2 * (this.wide ?? 10))), colours.grid, colours.grid);
+    if (this.grid) (this.scene.remove(this.grid), this.grid.dispose());
+    this.grid = new THREE.GridHelper(
+      2 * (this.wide ?? 10),
+      Math.min(60, Math.round(2 * (this.wide ?? 10))),
+      colours.grid,
+      colours.grid,
+    );
     this.grid.visible = this.ground.visible;
     this.scene.add(this.grid);
   }
 
   /** @param pictures  one, or two side by side */
   render(pictures) {
-    const w = this.canvas.clientWidth, h = this.canvas.clientHeight, ratio = Math.min(devicePixelRatio, 2);
+    const w = this.canvas.clientWidth,
+      h = this.canvas.clientHeight,
+      ratio = Math.min(devicePixelRatio, 2);
     if (!w || !h) return;
     if (this.w !== w || this.h !== h || this.ratio !== ratio) {
       this.renderer.setPixelRatio(ratio);
@@ -84,12 +95,14 @@ export class Stage {
 
   /** Which view a place of the canvas is in, and where in it, -1 to 1.   @param u, v  0 to 1 */
   place(u, v) {
-    const n = this.views ?? 1, view = Math.min(n - 1, Math.floor(u * n));
+    const n = this.views ?? 1,
+      view = Math.min(n - 1, Math.floor(u * n));
     return { view, x: 2 * (u * n - view) - 1, y: 1 - 2 * v };
   }
 
   follow(point) {
-    const to = new THREE.Vector3(...point), shift = to.clone().sub(this.controls.target);
+    const to = new THREE.Vector3(...point),
+      shift = to.clone().sub(this.controls.target);
     this.camera.position.add(shift);
     this.controls.target.copy(to);
   }

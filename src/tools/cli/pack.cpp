@@ -82,10 +82,13 @@ void pack(const PackOptions& options, Context& context) {
 
 void add_pack_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<PackOptions>();
-  CLI::App* command = app.add_subcommand("pack", "Write scenes for the page of src/site: worlds as bytes, names, hashes of each step");
+  CLI::App* command =
+      app.add_subcommand("pack", "Write scenes for the page of src/site: worlds as bytes, names, hashes of each step");
   command->add_option("DIR", options->folder, "Folder to write into")->required();
   command->add_option("SCENE", options->scenes, "Scenes or .gltf files; default: all of `carom list`");
-  command->add_option("--steps", options->steps, "Steps whose hashes are written")->check(CLI::Range(0, 100000))->capture_default_str();
+  command->add_option("--steps", options->steps, "Steps whose hashes are written")
+      ->check(CLI::Range(0, 100000))
+      ->capture_default_str();
   command->callback([options, &context] { pack(*options, context); });
 }
 
