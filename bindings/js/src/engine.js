@@ -1,5 +1,7 @@
 // An engine: shapes, and the worlds that share them.
+import { compile } from "./module.js";
 import { net, Owned } from "./owner.js";
+import { bring } from "./side_module.js";
 import { World } from "./world.js";
 
 /** A shape of an engine, shared by any number of bodies. */
@@ -194,6 +196,20 @@ export class Engine {
           spacing,
         });
         m.call("carom_shape_create_height_field", this.pointer, desc, out);
+        return m.view.getBigUint64(out, true);
+      }),
+    );
+  }
+
+  /** A shape plugin of your own, as a side module: see side_module.js.   @returns its id, for shape(id, params)
+   *  @throws TypeError (no side module of a shape), CaromError (the engine refuses it, e.g. as dishonest) */
+  async loadShape(source) {
+    const m = this.module;
+    const description = await bring(m, await compile(source));
+    return this.pluginId(
+      m.frame((room) => {
+        const out = room(8);
+        m.call("carom_plugin_register", this.pointer, description, out);
         return m.view.getBigUint64(out, true);
       }),
     );

@@ -81,6 +81,8 @@ export class Engine {
   halfSpace(normal?: Vector, offset?: number): Shape;
   mesh(vertices: Vector, triangles: ArrayLike<number>, options?: { twoSided?: boolean }): Shape;
   heightField(heights: Vector, columns: number, spacing: Vector): Shape;
+  /** A shape plugin as a side module.   @returns its id, for shape(id, params) */
+  loadShape(source: string | URL | Response | BufferSource | WebAssembly.Module): Promise<string>;
   world(options?: { gravity?: Vector; body_capacity?: number | bigint }): World;
   /** Its worlds first. */
   free(): void;

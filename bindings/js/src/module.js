@@ -158,7 +158,7 @@ export async function instantiate(source, say = (text) => console.error(text)) {
   return new Module(instance.exports);
 }
 
-async function compile(source) {
+export async function compile(source) {
   if (source instanceof WebAssembly.Module) return source;
   if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return WebAssembly.compile(source);
   if (typeof Response !== "undefined" && source instanceof Response)

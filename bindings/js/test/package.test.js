@@ -160,6 +160,23 @@ test("rays, plan, report, lines, dials, joints", () => {
   s.free();
 });
 
+test("a shape of one's own is a side module", async () => {
+  const s = stage();
+  const id = await s.engine.loadShape(new URL("../dist/template.wasm", import.meta.url));
+  const top = s.engine.shape(id, [0.5, 1]);
+  // Two cones of radius 0.5 and height 1: pi r^2 h / 3 each.
+  const { volume, volume_min, volume_max } = top.info;
+  assert.ok(volume_min <= (Math.PI * 0.25 * 2) / 3 && (Math.PI * 0.25 * 2) / 3 <= volume_max && volume > 0);
+  assert.deepEqual([...top.supports([0, 1, 0, 1, 0, 0])], [0, 1, 0, 0.5, 0, 0]);
+  const body = s.world.body({ shape: top, position: [0, 2, 0] });
+  for (let i = 0; i < 120; ++i) s.world.step();
+  assert.ok(body.position[1] > 0.2 && body.position[1] < 1.01);
+  await assert.rejects(s.engine.loadShape(new URL("../dist/template.wasm", import.meta.url)), CaromError);
+  await assert.rejects(s.engine.loadShape(new URL("../dist/carom.wasm", import.meta.url)), TypeError);
+  await assert.rejects(s.engine.loadShape(new Uint8Array([1, 2, 3])), WebAssembly.CompileError);
+  s.free();
+});
+
 test("a thousand worlds leave no memory behind", () => {
   const engine = carom.engine();
   const once = () => {
