@@ -1,6 +1,7 @@
 """What is written from the headers' data: one function a file, each gives the file's whole text."""
 import json
 
+import emit_js
 import emit_lua
 import emit_python
 import emit_record
@@ -35,6 +36,9 @@ FILES = {
     "src/abi/manifest_rows.inc": manifest_rows,
     "src/abi/record_calls.inc": emit_record.record_calls,
     "src/tools/replay/calls.inc": emit_record.replay_calls,
+    "bindings/js/src/constants.js": emit_js.constants,
+    "bindings/js/src/constants.d.ts": emit_js.constant_types,
+    "bindings/js/src/raw.d.ts": emit_js.raw_types,
     "bindings/lua/carom_cdef.lua": emit_lua.cdef,
     "bindings/python/carom/_c.py": emit_python.declarations,
     "bindings/python/carom/records.py": emit_records.records,

@@ -1,6 +1,7 @@
 // How a failure reaches its caller, and the mark that tells a call from inside a callback.
 #include "abi/guard.h"
 
+#include <algorithm>
 #include <cstdarg>
 #include <cstddef>
 #include <cstdio>

@@ -1,20 +1,12 @@
 // Taking in shape plugins: find the one data symbol, check what it says before anything is called, ask whether the
 // support function is honest, and keep a copy. Nothing a plugin declares is believed later without this check.
-#include <dlfcn.h>
-#include <elf.h>
-#include <sys/stat.h>
-
-#include <cerrno>
 #include <cmath>
 #include <cstring>
 
 #include "abi/engine.h"
-#include "abi/float_scope.h"
 #include "abi/forms.h"
+#include "abi/loader.h"
 #include "collision/verify.h"
-
-// dladdr1() and RTLD_DL_SYMENT: glibc's way to ask how large a symbol is.
-#include <link.h>
 
 namespace carom::abi {
 namespace {
@@ -180,44 +172,6 @@ void take_plugin(Call& call, carom_engine& engine, const carom_shape_plugin* giv
   engine.say(CAROM_LOG_INFO, "plugin %s version %u ready", given->id, given->version);
 }
 
-/// The entry symbol of a shared object, and how many bytes it has.
-const carom_shape_plugin* open_symbol(Call& call, const char* path, std::size_t& room) {
-  if (path[0] != '/') {
-    call.fail(CAROM_E_PLUGIN_PATH, 2, "\"%.180s\" is not an absolute path", path);
-    return nullptr;
-  }
-  struct stat status;
-  if (stat(path, &status) != 0 || !S_ISREG(status.st_mode)) {
-    call.fail(CAROM_E_PLUGIN_PATH, 2, "\"%.180s\" is not a readable file", path);
-    return nullptr;
-  }
-  // Never closed: unloading is logical. NODELETE besides, should the host close it: code of a shape that a step is
-  // calling must not go away.
-  void* library;
-  {
-    const FloatScope scope;  // constructors of an -Ofast plugin set flush-to-zero
-    library = dlopen(path, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  }
-  const void* symbol = library ? dlsym(library, CAROM_SHAPE_PLUGIN_SYMBOL) : nullptr;
-  if (!symbol) {
-    const char* why = dlerror();
-    call.fail(CAROM_E_PLUGIN_LOAD, 2, "%.220s", why ? why : "the entry symbol is NULL");
-    return nullptr;
-  }
-  Dl_info info;
-  const ElfW(Sym)* entry = nullptr;
-  if (dladdr1(symbol, &info, const_cast<void**>(reinterpret_cast<const void**>(&entry)), RTLD_DL_SYMENT) && entry) {
-    if (ELF64_ST_TYPE(entry->st_info) != STT_OBJECT || entry->st_size < kSmallestPlugin) {
-      call.fail(CAROM_E_PLUGIN_ABI, 2, CAROM_SHAPE_PLUGIN_SYMBOL " is %s of %llu bytes, not a carom_shape_plugin",
-                ELF64_ST_TYPE(entry->st_info) == STT_OBJECT ? "data" : "no data but something else",
-                static_cast<unsigned long long>(entry->st_size));
-      return nullptr;
-    }
-    room = entry->st_size;
-  }
-  return static_cast<const carom_shape_plugin*>(symbol);
-}
-
 }  // namespace
 
 const carom_param_rule* broken_rule(const PluginRecord& plugin, const double* params) {
@@ -240,9 +194,8 @@ int32_t carom_plugin_load(carom_engine* engine, const char* path, carom_plugin* 
   return guarded(error, [&](Call& call) {
     if (!present(call, 1, "engine", engine) || !present(call, 2, "path", path) || !present(call, 3, "plugin", plugin))
       return;
-    std::size_t room = 0;
-    if (const carom_shape_plugin* given = open_symbol(call, path, room))
-      take_plugin(call, *engine, given, room, plugin);
+    const EntrySymbol entry = load_entry_symbol(call, path, kSmallestPlugin);
+    if (entry.description) take_plugin(call, *engine, entry.description, entry.room, plugin);
   });
 }
 

@@ -1,17 +1,12 @@
 // Shapes by name: plugins that the engine has, then files in the folders where plugins are kept.
 #include <carom/body.h>
 
-#include <dlfcn.h>
-#include <sys/stat.h>
-
 #include <algorithm>
-#include <climits>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <string_view>
 
 #include "abi/engine.h"
+#include "abi/loader.h"
 #include "abi/world.h"
 
 namespace carom::abi {
@@ -46,58 +41,9 @@ carom_plugin plugin_called(const carom_engine& engine, std::string_view name) {
   return CAROM_NULL_HANDLE;
 }
 
-/// Where a plugin's file may be, and where it was looked for. No memory of the heap: a host counts that.
-class Search {
- public:
-  explicit Search(std::string_view name) : name_(short_name(name)) {
-    if (const char* variable = secure_getenv("CAROM_PLUGIN_PATH")) look_in_list(variable);
-    Dl_info here;
-    char real[PATH_MAX];
-    if (dladdr(reinterpret_cast<const void*>(&carom_version), &here) && here.dli_fname && realpath(here.dli_fname, real))
-      look_beside(real);
-#ifdef CAROM_INSTALLED_PLUGINS
-    look(CAROM_INSTALLED_PLUGINS, "");
-#endif
-  }
-  const char* found() const { return found_; }  // "": nothing
-  const char* searched() const { return searched_[0] ? searched_ : "any folder: set CAROM_PLUGIN_PATH"; }
-
- private:
-  void look(std::string_view folder, const char* below) {
-    if (found_[0] || folder.empty() || folder.front() != '/') return;
-    const auto length = static_cast<int>(folder.size());
-    const int size = std::snprintf(found_, sizeof found_, "%.*s%s/%.*s.so", length, folder.data(), below,
-                                   static_cast<int>(name_.size()), name_.data());
-    struct stat status;
-    if (size > 0 && static_cast<std::size_t>(size) < sizeof found_ && stat(found_, &status) == 0 && S_ISREG(status.st_mode))
-      return;
-    found_[0] = 0;
-    const std::size_t at = strnlen(searched_, sizeof searched_);
-    std::snprintf(searched_ + at, sizeof searched_ - at, "%s%.*s%s", at ? ", " : "", length, folder.data(), below);
-  }
-  void look_in_list(std::string_view list) {
-    while (!list.empty()) {
-      const std::size_t end = std::min(list.find(':'), list.size());
-      look(list.substr(0, end), "");
-      list.remove_prefix(std::min(end + 1, list.size()));
-    }
-  }
-  /// In the tree of a build plugins lie beside the library's folder, where it is installed below it.
-  void look_beside(std::string_view library) {
-    const std::string_view folder = library.substr(0, library.rfind('/')), parent = folder.substr(0, folder.rfind('/'));
-    look(folder, "/carom/plugins");
-    look(folder, "/plugins");
-    look(parent, "/plugins");
-    look(folder, "");
-  }
-
-  std::string_view name_;
-  char found_[PATH_MAX] = {0}, searched_[sizeof carom_error::message] = {0};
-};
-
 struct Found {
   carom_plugin plugin = CAROM_NULL_HANDLE;
-  char path[PATH_MAX] = {0};  // of the file to load it from, if the engine does not have it
+  PluginFile file;  // to load it from, if the engine does not have it
 };
 
 /// The plugin of a name, or its file.
@@ -113,11 +59,10 @@ std::int32_t find(carom_engine* engine, const char* name, Found& found, carom_er
       found.plugin = plugin_called(*engine, name);
     }
     if (found.plugin) return;
-    const Search search(name);
-    std::memcpy(found.path, search.found(), sizeof found.path);
-    if (!found.path[0])
+    find_plugin_file(short_name(name), found.file);
+    if (!found.file.path[0])
       call.fail(CAROM_E_NOT_FOUND, 2, "no plugin \"%.64s\" is registered, and no file of that name is in %.140s", name,
-                search.searched());
+                found.file.searched[0] ? found.file.searched : "any folder: set CAROM_PLUGIN_PATH");
   });
 }
 
@@ -160,7 +105,7 @@ int32_t carom_shape_create_named(carom_engine* engine, const char* name, const d
   Found found;
   std::int32_t result = find(engine, name, found, error);
   if (result == CAROM_OK && !found.plugin) {
-    result = carom_plugin_load(engine, found.path, &found.plugin, error);
+    result = carom_plugin_load(engine, found.file.path, &found.plugin, error);
     if (result == CAROM_E_ALREADY_EXISTS) result = find(engine, name, found, error);  // another thread was faster
   }
   return result != CAROM_OK ? result : carom_shape_create(engine, found.plugin, params, count, shape, error);

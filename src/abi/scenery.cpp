@@ -100,7 +100,7 @@ std::uint64_t rims_of(const Scenery& s) {
 
 bool draft_mesh(Call& call, const carom_mesh_desc& d, ShapeDraft& draft, std::uint32_t dropped) {
   return check(call, d) && draft_scenery(call, draft, [&](Scenery& s) {
-           make_mesh({d.vertices, 3 * d.vertex_count}, {d.triangles, 3 * d.triangle_count},
+           make_mesh({d.vertices, 3 * std::size_t(d.vertex_count)}, {d.triangles, 3 * std::size_t(d.triangle_count)},
                      (d.flags & CAROM_SCENERY_TWO_SIDED) != 0, s);
            s.dropped += dropped;
          });

@@ -41,10 +41,23 @@ using LaneMask =
 
 #define CAROM_LANES_INLINE [[gnu::always_inline]] inline
 
-CAROM_LANES_INLINE Lanes all(double x) { return Lanes{x, x, x, x}; }
+/// A number that a compiler must have at hand before it spreads it over lanes. clang 14 for WebAssembly would load
+/// and spread it at
+/// once, and does so behind stores to where it was (bindings/js/wasm/flags.cmake).
+template <class Number>
+CAROM_LANES_INLINE Number at_hand(Number x) {
+#if defined(__wasm_simd128__)
+  asm("" : "+r"(x));
+#endif
+  return x;
+}
+CAROM_LANES_INLINE Lanes all(double x) {
+  const double n = at_hand(x);
+  return Lanes{n, n, n, n};
+}
 template <class Number>
 CAROM_LANES_INLINE LanesOf<Number> all(double x) {
-  const auto n = static_cast<Number>(x);
+  const Number n = at_hand(static_cast<Number>(x));
   return LanesOf<Number>{n, n, n, n};
 }
 CAROM_LANES_INLINE Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }   // b where either is no number

@@ -1,7 +1,8 @@
 #include "collision/scenery/ask.h"
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
+#include <new>
 
 #include "collision/cast/heading.h"
 #include "collision/cast/shape_cast.h"
@@ -10,10 +11,25 @@
 namespace carom::collision {
 namespace {
 
+/// Memory within the object itself; what does not fit is bad_alloc. (std::pmr::monotonic_buffer_resource would do, where the standard
+/// library has it.)
+class PieceRoom final : public Memory {
+  void* do_allocate(std::size_t bytes, std::size_t alignment) override {
+    const std::size_t at = (used_ + alignment - 1) & ~(alignment - 1);
+    if (alignment > alignof(std::max_align_t) || at > sizeof bytes_ || bytes > sizeof bytes_ - at) throw std::bad_alloc();
+    used_ = at + bytes;
+    return bytes_ + at;
+  }
+  void do_deallocate(void*, std::size_t, std::size_t) override {}
+  bool do_is_equal(const Memory& other) const noexcept override { return this == &other; }
+
+  alignas(std::max_align_t) std::byte bytes_[1024];
+  std::size_t used_ = 0;
+};
+
 /// A piece as a shape, on the stack: threads ask side by side, and none of them allocates.
 struct OnePiece {
-  std::array<std::byte, 1024> room;
-  std::pmr::monotonic_buffer_resource memory{room.data(), room.size(), std::pmr::null_memory_resource()};
+  PieceRoom memory;
   PieceShape shape{&memory};
 
   /// Scenery -> outside becomes piece -> outside.

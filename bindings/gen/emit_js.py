@@ -1,0 +1,50 @@
+"""The raw layer of bindings/js: constants, and types of what the module exports. Layouts of structs are not here: 32-bit
+pointers move fields, so the package asks carom_abi_manifest() of the module that it has loaded."""
+import re
+
+BY = "// Written by bindings/gen/generate from include/carom; do not edit."
+
+
+def _value(constant):
+    value = constant["value"]
+    if constant["type"] == "string":
+        return '"' + value + '"'
+    return f"{value}n" if constant["type"] == "u64" else str(value)
+
+
+def constants(api):
+    return "\n".join([BY] + [f"export const {c['name']} = {_value(c)};" for c in api["constants"]]) + "\n"
+
+
+def _comment(text, indent):
+    if not text:
+        return []
+    return [f"{indent}/** " + text.replace("*/", "* /").replace("\n", f"\n{indent} *  ") + " */"]
+
+
+def constant_types(api):
+    out = [BY]
+    for c in api["constants"]:
+        out += _comment(c["doc"], "")
+        out.append(f"export const {c['name']}: {_value(c)};")
+    return "\n".join(out) + "\n"
+
+
+def raw_types(api):
+    """Functions as WebAssembly has them: pointers and 32 bits are numbers, 64 bits are BigInts."""
+    handles = {h["name"] for h in api["handles"]}
+
+    def of(spelled):
+        if "*" in spelled or spelled in ("int32_t", "uint32_t", "double") or spelled.endswith("_fn"):
+            return "number"
+        if spelled in handles or spelled in ("uint64_t", "int64_t"):
+            return "bigint"
+        return "void" if spelled == "void" else "number"
+
+    out = [BY, "/** The C interface as the module exports it. A pointer is an offset into `memory`. */", "export interface Raw {",
+           "  memory: WebAssembly.Memory;", "  malloc(bytes: number): number;", "  free(pointer: number): void;"]
+    for f in api["functions"]:
+        arguments = ", ".join(re.sub(r"\W", "_", a["name"]) + ": " + of(a["type"]) for a in f["arguments"])
+        out += _comment(f["doc"], "  ")
+        out.append(f"  {f['name']}({arguments}): {of(f['returns'])};")
+    return "\n".join(out + ["}", ""])

@@ -1,0 +1,587 @@
+// Written by bindings/gen/generate from include/carom; do not edit.
+export const CAROM_VERSION_MAJOR: 1;
+export const CAROM_VERSION_MINOR: 8;
+export const CAROM_VERSION_PATCH: 0;
+export const CAROM_OK: 0;
+/** a required pointer is NULL */
+export const CAROM_E_NULL_ARGUMENT: -1;
+/** a number is NaN or infinite */
+export const CAROM_E_NOT_FINITE: -2;
+/** a number is finite but outside its documented bounds */
+export const CAROM_E_OUT_OF_RANGE: -3;
+/** a quaternion or normal is further than 1e-6 from unit length */
+export const CAROM_E_NOT_UNIT: -4;
+/** an enumeration value this library does not know */
+export const CAROM_E_UNKNOWN_ENUM: -5;
+/** struct_size is smaller than the smallest version of the struct */
+export const CAROM_E_STRUCT_SIZE: -6;
+/** the request comes from a newer header, or asks for what this build cannot do */
+export const CAROM_E_UNSUPPORTED: -7;
+/** the handle was never issued */
+export const CAROM_E_INVALID_HANDLE: -8;
+/** the object behind the handle was destroyed */
+export const CAROM_E_STALE_HANDLE: -9;
+/** a handle of another kind (a shape where a body is wanted, ...) */
+export const CAROM_E_WRONG_KIND: -10;
+/** a handle of another world or engine */
+export const CAROM_E_WRONG_WORLD: -11;
+/** the world is being stepped */
+export const CAROM_E_BUSY: -12;
+/** called from inside a callback (a support function, allocator or log) */
+export const CAROM_E_REENTRANT: -13;
+/** the object is still referred to by others */
+export const CAROM_E_IN_USE: -14;
+/** the allocator returned NULL */
+export const CAROM_E_OUT_OF_MEMORY: -15;
+/** a hard limit of the library is reached */
+export const CAROM_E_LIMIT: -16;
+/** stride or capacity does not hold one element */
+export const CAROM_E_BUFFER_TOO_SMALL: -17;
+/** the path is not absolute, or nothing readable is there */
+export const CAROM_E_PLUGIN_PATH: -18;
+/** the dynamic loader refused the file, or the entry symbol is missing */
+export const CAROM_E_PLUGIN_LOAD: -19;
+/** the plugin was built against an incompatible plugin.h */
+export const CAROM_E_PLUGIN_ABI: -20;
+/** the support function is not one of a bounded convex set; see the witness */
+export const CAROM_E_PLUGIN_DISHONEST: -21;
+/** a declaration disagrees with the support function; see the witness */
+export const CAROM_E_DECLARATION_FALSE: -22;
+/** the body is flat, so no mass follows from a density */
+export const CAROM_E_NO_VOLUME: -23;
+/** a plugin with this id is already loaded */
+export const CAROM_E_ALREADY_EXISTS: -24;
+/** no object of this name */
+export const CAROM_E_NOT_FOUND: -25;
+/** a fault of the library itself; please report it */
+export const CAROM_E_INTERNAL: -26;
+/** bytes that are damaged, cut off or no snapshot */
+export const CAROM_E_CORRUPT: -27;
+/** a snapshot of a world with other things in it */
+export const CAROM_E_MISMATCH: -28;
+/** a function that the host gave to write with said that it failed */
+export const CAROM_E_WRITE_FAILED: -29;
+/** a number of the library that is fixed, no dial */
+export const CAROM_E_READ_ONLY: -30;
+export const CAROM_NULL_HANDLE: 0n;
+export const CAROM_MIX_GEOMETRIC_MEAN: 0;
+export const CAROM_MIX_MAXIMUM: 1;
+export const CAROM_MIX_MINIMUM: 2;
+export const CAROM_MIX_AVERAGE: 3;
+export const CAROM_MIX_MULTIPLY: 4;
+/** never moves */
+export const CAROM_BODY_STATIC: 0;
+/** moved by its velocity; infinite mass */
+export const CAROM_BODY_KINEMATIC: 1;
+export const CAROM_BODY_DYNAMIC: 2;
+/** mass given; else from colliders' densities */
+export const CAROM_BODY_FIELD_MASS: 1;
+/** center given; else from colliders. needs MASS */
+export const CAROM_BODY_FIELD_CENTER: 2;
+/** inertia given; else from colliders, scaled to mass. needs MASS */
+export const CAROM_BODY_FIELD_INERTIA: 4;
+/** it never falls asleep, nor does what it touches */
+export const CAROM_BODY_STAYS_AWAKE: 8;
+/** its centre of mass keeps its world x */
+export const CAROM_LOCK_LINEAR_X: 1;
+export const CAROM_LOCK_LINEAR_Y: 2;
+export const CAROM_LOCK_LINEAR_Z: 4;
+/** it does not turn about the world's x axis */
+export const CAROM_LOCK_ANGULAR_X: 8;
+export const CAROM_LOCK_ANGULAR_Y: 16;
+export const CAROM_LOCK_ANGULAR_Z: 32;
+export const CAROM_LOCK_ALL: 63;
+/** LINEAR_Z, ANGULAR_X, ANGULAR_Y: a body of a flat world, the plane of x and y */
+export const CAROM_LOCK_PLANE: 28;
+/** carom_body_set_gravity_factor() */
+export const CAROM_ATTRIBUTE_GRAVITY_FACTOR: 0;
+/** carom_body_set_locks(); as the host gave them, whether or not they are forbidden */
+export const CAROM_ATTRIBUTE_LOCKS: 1;
+/** carom_body_set_drag(): linear, quadratic */
+export const CAROM_ATTRIBUTE_DRAG: 2;
+/** carom_body_set_force_field_mask() */
+export const CAROM_ATTRIBUTE_FORCE_FIELD_MASK: 3;
+/** A m^2, axes of the body: magnetic fields turn it, see CAROM_FORCE_FIELD_MAGNETIC */
+export const CAROM_ATTRIBUTE_MAGNETIC_MOMENT: 4;
+export const CAROM_ATTRIBUTE_COUNT: 5;
+/** what every attribute has room for */
+export const CAROM_ATTRIBUTE_NUMBERS: 4;
+/** in steps in which it is fast for its size (default) */
+export const CAROM_CONTINUOUS_AUTO: 0;
+/** in every step */
+export const CAROM_CONTINUOUS_ALWAYS: 1;
+/** in none: cheap debris that may pass through walls */
+export const CAROM_CONTINUOUS_NEVER: 2;
+/** 3: m, world, origin of the body frame */
+export const CAROM_FIELD_POSITION: 0;
+/** 4: x, y, z, w */
+export const CAROM_FIELD_ORIENTATION: 1;
+/** 7: position, orientation */
+export const CAROM_FIELD_POSE: 2;
+/** 3: m/s, world, of the centre of mass */
+export const CAROM_FIELD_LINEAR_VELOCITY: 3;
+/** 3: rad/s, world */
+export const CAROM_FIELD_ANGULAR_VELOCITY: 4;
+/** 6: linear, angular */
+export const CAROM_FIELD_VELOCITY: 5;
+/** 6: N and N m, world, pending for the next step; writing replaces it */
+export const CAROM_FIELD_FORCE: 6;
+/** 3: m, world, centre of mass; read only */
+export const CAROM_FIELD_CENTER: 7;
+/** 1: kg; read only */
+export const CAROM_FIELD_MASS: 8;
+export const CAROM_FIELD_COUNT: 9;
+export const CAROM_SCALAR_F32: 0;
+export const CAROM_SCALAR_F64: 1;
+/** no contact within the motion, proven */
+export const CAROM_CAST_MISS: 0;
+/** contact begins within the motion */
+export const CAROM_CAST_HIT: 1;
+/** in contact already at the start: time 0 */
+export const CAROM_CAST_OVERLAP: 2;
+/** grazing within rounding, or the cap came first: neither was proven. `lower` holds */
+export const CAROM_CAST_UNDECIDED: 3;
+/** of a batch: this ray is not finite, or its max is negative; it was not cast */
+export const CAROM_CAST_BAD_RAY: 4;
+/** proven by `normal`: along it the shapes are at least separation_bound apart */
+export const CAROM_OVERLAP_APART: 0;
+/** proven by `point`, which is in both */
+export const CAROM_OVERLAP_OVERLAPPING: 1;
+/** within rounding (slack) of touching, or the cap came first: neither was proven */
+export const CAROM_OVERLAP_TOUCHING: 2;
+/** a support function misbehaved; nothing else is meaningful */
+export const CAROM_OVERLAP_FAULT: 3;
+export const CAROM_NO_SHAPE: 4294967295;
+/** choice: CAROM_INTEGRATOR_* */
+export const CAROM_DIAL_INTEGRATOR: 0;
+/** choice: CAROM_ROTATION_*: how bodies with unlike moments of inertia spin */
+export const CAROM_DIAL_ROTATION: 1;
+/** integrate-and-solve passes per step */
+export const CAROM_DIAL_SUBSTEPS: 2;
+/** choice: CAROM_SOLVER_* */
+export const CAROM_DIAL_SOLVER: 3;
+/** at most this many impulses per contact of a group and substep */
+export const CAROM_DIAL_VELOCITY_ITERATIONS: 4;
+/** at most this many position corrections per contact of a group and step */
+export const CAROM_DIAL_POSITION_ITERATIONS: 5;
+/** m/s: velocity error left unresolved at a contact */
+export const CAROM_DIAL_VELOCITY_TOLERANCE: 6;
+/** m: penetration left unresolved */
+export const CAROM_DIAL_POSITION_TOLERANCE: 7;
+/** m/s: below this approach speed a contact does not bounce */
+export const CAROM_DIAL_RESTITUTION_SPEED: 8;
+/** choice: CAROM_SEARCH_* */
+export const CAROM_DIAL_SEVERITY_SEARCH: 9;
+/** choice: 0 one group for all contacts, 1 contact groups (islands) */
+export const CAROM_DIAL_GROUPS: 10;
+/** choice: CAROM_BROAD_* */
+export const CAROM_DIAL_BROAD_PHASE: 11;
+/** m: cell size of the uniform grid; 0: chosen from the scene */
+export const CAROM_DIAL_GRID_CELL: 12;
+/** m: pairs nearer than this make contacts */
+export const CAROM_DIAL_CONTACT_DISTANCE: 13;
+/** choice: 0 generic path for every pair, 1 specific routines where declared */
+export const CAROM_DIAL_PAIR_ROUTINES: 14;
+/** choice: CAROM_NARROW_* for the generic path */
+export const CAROM_DIAL_NARROW_PHASE: 15;
+/** choice: CAROM_SIMPLEX_* */
+export const CAROM_DIAL_SIMPLEX: 16;
+/** relative width of the bracket at which GJK and EPA stop */
+export const CAROM_DIAL_GJK_TOLERANCE: 17;
+/** cap */
+export const CAROM_DIAL_GJK_ITERATIONS: 18;
+/** cap */
+export const CAROM_DIAL_EPA_ITERATIONS: 19;
+/** m: shell around each shape in CAROM_NARROW_HYBRID */
+export const CAROM_DIAL_HYBRID_MARGIN: 20;
+/** choice: 0 start each query afresh, 1 start from the last separating vector */
+export const CAROM_DIAL_WARM_SEPARATION: 21;
+/** choice: CAROM_MANIFOLD_* */
+export const CAROM_DIAL_MANIFOLD: 22;
+/** m: a cached point is dropped when it drifted further than this */
+export const CAROM_DIAL_CACHE_DISTANCE: 23;
+/** choice: 0 solve each step from zero, 1 start from the last step's impulses */
+export const CAROM_DIAL_WARM_START: 24;
+/** relative width up to which an earlier bracket, widened by the motion since, stands in for a query of the generic path; 0: always ask afresh */
+export const CAROM_DIAL_CARRY_OVER: 25;
+/** Hz: stiffness of soft contacts */
+export const CAROM_DIAL_CONTACT_FREQUENCY: 26;
+/** damping ratio of soft contacts */
+export const CAROM_DIAL_CONTACT_DAMPING: 27;
+/** m/s: overlap of a contact is undone at this speed at most (soft, direct) */
+export const CAROM_DIAL_PUSH_SPEED: 28;
+/** choice: 0 everything is simulated, 1 islands that came to rest sleep until something touches them; see carom_body_is_asleep() */
+export const CAROM_DIAL_SLEEP: 29;
+/** m/s: no point of a body that falls asleep moves faster */
+export const CAROM_DIAL_SLEEP_SPEED: 30;
+/** s: for how long it has been so */
+export const CAROM_DIAL_SLEEP_TIME: 31;
+/** CAROM_SOLVER_AUTO solves groups directly that would sink by more of their thickness */
+export const CAROM_DIAL_DIRECT_SINK: 32;
+/** or where touching bodies' masses are further apart than this */
+export const CAROM_DIAL_DIRECT_RATIO: 33;
+/** unless they take more block products a step than this */
+export const CAROM_DIAL_DIRECT_WORK: 34;
+/** rad: arms of contacts turn with a body only when it has turned by this */
+export const CAROM_DIAL_HOLD_ANGLE: 35;
+/** Hz: stiffness of joints that are not answered directly */
+export const CAROM_DIAL_JOINT_FREQUENCY: 36;
+/** their damping ratio */
+export const CAROM_DIAL_JOINT_DAMPING: 37;
+/** choice: CAROM_SWEEP_*: what is swept from pose to pose, so that it passes through nothing; see carom_body_set_continuous() */
+export const CAROM_DIAL_CONTINUOUS: 38;
+/** choice: CAROM_PRECISION_*: the numbers in which contacts are solved */
+export const CAROM_DIAL_PRECISION: 39;
+export const CAROM_DIAL_COUNT: 40;
+export const CAROM_INTEGRATOR_EXPLICIT_EULER: 0;
+export const CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER: 1;
+export const CAROM_INTEGRATOR_RK4: 2;
+/** exact under constant forces, second order under others */
+export const CAROM_INTEGRATOR_VELOCITY_VERLET: 3;
+/** no gyroscopic term: exact for spheres and cubes only */
+export const CAROM_ROTATION_NONE: 0;
+/** the term is a torque like any other (RK4 evaluates it four times) */
+export const CAROM_ROTATION_EXPLICIT: 1;
+/** one Newton step of the implicit term; under RK4 the same as EXPLICIT */
+export const CAROM_ROTATION_IMPLICIT: 2;
+/** Runge-Kutta on the quaternion */
+export const CAROM_ROTATION_RK4: 3;
+/** midpoint rule on the rotation group, order 2 */
+export const CAROM_ROTATION_LIE_MIDPOINT: 4;
+/** three exact turns, order 2, symplectic: energy errs by a bounded amount */
+export const CAROM_ROTATION_SPLITTING: 5;
+/** five of them (Suzuki) */
+export const CAROM_ROTATION_SPLITTING_4: 6;
+/** seven of them (Yoshida) */
+export const CAROM_ROTATION_SPLITTING_6: 7;
+/** most severe contact first, by group: the paper's */
+export const CAROM_SOLVER_SEVERITY: 0;
+/** warm-started sweeps over all contacts (projected Gauss-Seidel) */
+export const CAROM_SOLVER_SEQUENTIAL: 1;
+/** one sweep a substep over soft contacts, one that relaxes them: wants 4 substeps */
+export const CAROM_SOLVER_SOFT_STEP: 2;
+/** each contact group as one problem, solved to a residual: small hard groups */
+export const CAROM_SOLVER_DIRECT: 3;
+/** soft_step, but direct for groups that it would not hold; says which and why */
+export const CAROM_SOLVER_AUTO: 4;
+/** the paper's: scan all contacts of the group for the most severe */
+export const CAROM_SEARCH_LINEAR: 0;
+/** the same order from a heap */
+export const CAROM_SEARCH_HEAP: 1;
+/** every bound with every other */
+export const CAROM_BROAD_BRUTE_FORCE: 0;
+/** sorted axes; the paper's */
+export const CAROM_BROAD_SWEEP_AND_PRUNE: 1;
+/** cells filled afresh in every step: the same cost however bodies move */
+export const CAROM_BROAD_GRID: 2;
+/** a tree of fat boxes: what stays about where it was costs next to nothing */
+export const CAROM_BROAD_TREE: 3;
+/** van den Bergen: GJK on shapes with a margin shell, EPA only for deep contact; the shells make every shape larger by the margin */
+export const CAROM_NARROW_HYBRID: 0;
+/** GJK on cores, EPA on overlap; exact geometry */
+export const CAROM_NARROW_GJK_EPA: 1;
+export const CAROM_SIMPLEX_JOHNSON: 0;
+export const CAROM_SIMPLEX_VORONOI: 1;
+/** only features that touch the newest vertex, all features as a fall-back */
+export const CAROM_SIMPLEX_VORONOI_LAST: 2;
+/** the deepest point alone */
+export const CAROM_MANIFOLD_SINGLE: 0;
+/** up to 4 points gathered over steps */
+export const CAROM_MANIFOLD_CACHE: 1;
+/** up to 4 points of the whole patch at once, probed for by support functions alone */
+export const CAROM_MANIFOLD_PATCH: 2;
+/** the same, with declared faces (box, polytope) clipped exactly; others probed for */
+export const CAROM_MANIFOLD_CLIP: 3;
+/** bodies that move farther in a step than they are large may pass through things */
+export const CAROM_SWEEP_NOBODY: 0;
+/** bodies of CAROM_CONTINUOUS_ALWAYS */
+export const CAROM_SWEEP_FLAGGED: 1;
+/** also what moves far for its size in a step */
+export const CAROM_SWEEP_FAST: 2;
+export const CAROM_PRECISION_FLOAT: 0;
+export const CAROM_PRECISION_DOUBLE: 1;
+/** one substep and coarse distances: crowds, debris, what is seen from afar */
+export const CAROM_PRESET_FAST: 0;
+/** what a new world has */
+export const CAROM_PRESET_BALANCED: 1;
+/** a quarter of its error, at two to four times its cost */
+export const CAROM_PRESET_ACCURATE: 2;
+/** to compare others with: as exact as the library is at a given step */
+export const CAROM_PRESET_REFERENCE: 3;
+export const CAROM_PRESET_COUNT: 4;
+export const CAROM_DIAL_KIND_NUMBER: 0;
+export const CAROM_DIAL_KIND_INTEGER: 1;
+export const CAROM_DIAL_KIND_CHOICE: 2;
+/** outlines of convex shapes: edges of polytopes, three sections' silhouettes of all others */
+export const CAROM_DRAW_SHAPES: 1;
+/** sides of a mesh's or height field's triangles */
+export const CAROM_DRAW_SCENERY: 2;
+/** boxes about colliders, along the world's axes; none of half-spaces */
+export const CAROM_DRAW_BOUNDS: 4;
+/** of the last step: from each point along its normal, `scale` long */
+export const CAROM_DRAW_CONTACTS: 8;
+/** frames of both ends (x red, y green, z blue), and what is between them */
+export const CAROM_DRAW_JOINTS: 16;
+/** frames of bodies about their centres of mass */
+export const CAROM_DRAW_BODIES: 32;
+/** How lines are coloured where their kind does not say: by body type (static grey, kinematic blue, dynamic sand, asleep dim),
+ *  or a colour for each island, what hangs together by contacts of the last step and joints. */
+export const CAROM_DRAW_BY_TYPE: 0;
+export const CAROM_DRAW_BY_ISLAND: 1;
+export const CAROM_LOG_INFO: 1;
+export const CAROM_LOG_WARNING: 2;
+export const CAROM_LOG_ERROR: 3;
+export const CAROM_EVENTS_CONTACT: 1;
+export const CAROM_EVENTS_SENSOR: 2;
+export const CAROM_EVENTS_SLEEP: 4;
+export const CAROM_EVENTS_JOINT: 8;
+export const CAROM_EVENTS_FAULT: 16;
+/** the first step in which the two press on each other */
+export const CAROM_CONTACT_BEGIN: 0;
+/** the first after that in which they are farther apart than the contact distance, or one of them is gone, filtered out, disabled or in quarantine; point, normal, impulse, speed: 0 */
+export const CAROM_CONTACT_END: 1;
+/** they press, and approached faster than hit_speed as the step began, or when a sweep met them */
+export const CAROM_CONTACT_HIT: 2;
+export const CAROM_SENSOR_ENTER: 0;
+export const CAROM_SENSOR_LEAVE: 1;
+export const CAROM_SLEEP_ASLEEP: 0;
+export const CAROM_SLEEP_AWAKE: 1;
+/** default category */
+export const CAROM_FILTER_CATEGORY: 1n;
+/** default mask */
+export const CAROM_FILTER_MASK: 18446744073709551615n;
+/** `vector` within a box about the frame's origin */
+export const CAROM_FORCE_FIELD_UNIFORM: 0;
+/** strength (reference / s)^falloff away from the origin; below 0 it attracts */
+export const CAROM_FORCE_FIELD_RADIAL: 1;
+/** the same about the frame's y axis (right-handed), `pull` towards it, `lift` along it */
+export const CAROM_FORCE_FIELD_VORTEX: 2;
+/** `vector` in teslas within a box, as UNIFORM: pushes nothing, and turns bodies that have a magnetic moment by T = moment x vector. Second order in the step with velocity_verlet, fourth with rk4; oracle: tests/oracle/test_magnetism */
+export const CAROM_FORCE_FIELD_MAGNETIC: 3;
+export const CAROM_FORCE_FIELD_COUNT: 4;
+/** the points stay together; twist and swing are free */
+export const CAROM_JOINT_BALL: 0;
+/** so do the x axes; twist is free */
+export const CAROM_JOINT_HINGE: 1;
+/** the frames stay parallel and B's point on A's x axis; slide is free */
+export const CAROM_JOINT_SLIDER: 2;
+/** nothing is free */
+export const CAROM_JOINT_WELD: 3;
+/** the points stay `length` apart: a rod. With a limit a rope, with a spring a spring */
+export const CAROM_JOINT_DISTANCE: 4;
+/** the points stay together, B's z axis at right angles to A's y axis: a cross of two pins */
+export const CAROM_JOINT_UNIVERSAL: 5;
+/** a rope from A's point over two anchors to B's, as carom_joint_set_transmission() says; until then it holds nothing. Without a limit the rope neither stretches nor gives way; with one it may be slack */
+export const CAROM_JOINT_PULLEY: 6;
+/** A's angle about the x axis of its frame, plus `ratio` times B's about its own, stays what it is; each relative to the world, where bearings of their own hold the wheels. Ratio 1 until carom_joint_set_transmission() says another: they turn against each other */
+export const CAROM_JOINT_GEAR: 7;
+/** each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then all are free */
+export const CAROM_JOINT_SIX_AXIS: 8;
+export const CAROM_JOINT_COUNT: 9;
+/** rad, (-pi, pi], of B about the x axes: ball, hinge */
+export const CAROM_COORDINATE_TWIST: 0;
+/** rad, [0, pi], between the x axes: ball, universal */
+export const CAROM_COORDINATE_SWING: 1;
+/** m, of B's point along A's x axis: slider */
+export const CAROM_COORDINATE_SLIDE: 2;
+/** m, between the points: distance; of the rope, |a - anchor_a| + ratio |b - anchor_b|: pulley */
+export const CAROM_COORDINATE_DISTANCE: 3;
+export const CAROM_COORDINATE_COUNT: 4;
+/** m, B's point along A's x axis */
+export const CAROM_AXIS_X: 0;
+/** m */
+export const CAROM_AXIS_Y: 1;
+/** m */
+export const CAROM_AXIS_Z: 2;
+/** rad, (-pi, pi] */
+export const CAROM_AXIS_TURN_X: 3;
+/** rad, [-pi, pi] */
+export const CAROM_AXIS_TURN_Y: 4;
+/** rad, [-pi, pi] */
+export const CAROM_AXIS_TURN_Z: 5;
+export const CAROM_AXIS_COUNT: 6;
+export const CAROM_AXIS_MODE_FREE: 0;
+/** at `lower` */
+export const CAROM_AXIS_MODE_LOCKED: 1;
+/** from `lower` to `upper`; where both are the same and the stops hard, it is locked */
+export const CAROM_AXIS_MODE_LIMITED: 2;
+export const CAROM_AXIS_MODE_COUNT: 3;
+export const CAROM_DRIVE_NONE: 0;
+/** force = stiffness (target - x) + damping (speed - x'), `most` at most */
+export const CAROM_DRIVE_POSITION: 1;
+/** the speed, by whatever force up to `most` */
+export const CAROM_DRIVE_VELOCITY: 2;
+/** a force or torque, `most` at most, whatever the motion */
+export const CAROM_DRIVE_EFFORT: 3;
+export const CAROM_DRIVE_COUNT: 4;
+/** Hz and a ratio: force = -m (w^2 x + 2 damping w x'), w = 2 pi stiffness */
+export const CAROM_GAINS_FREQUENCY: 0;
+/** N/m and N s/m, or N m/rad and N m s/rad: force = -(stiffness x + damping x') */
+export const CAROM_GAINS_FORCE: 1;
+/** 1/s^2 and 1/s: force = -m (stiffness x + damping x') */
+export const CAROM_GAINS_ACCELERATION: 2;
+export const CAROM_GAINS_COUNT: 3;
+/** position_a and orientation_a are in world coordinates and hold for both bodies as they stand now; those of B are not read */
+export const CAROM_JOINT_WORLD_FRAME: 1;
+/** the two bodies may touch each other; else they do not */
+export const CAROM_JOINT_COLLIDE: 2;
+/** length is given; else it is the distance of the points as they stand now */
+export const CAROM_JOINT_FIELD_LENGTH: 4;
+/** 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now */
+export const CAROM_JOINT_READ_COORDINATES: 0;
+/** 4: m/s or rad/s, their rates, from the present velocities */
+export const CAROM_JOINT_READ_SPEEDS: 1;
+/** 6: m and rad, by CAROM_AXIS_* */
+export const CAROM_JOINT_READ_AXES: 2;
+/** 6: m/s and rad/s, their rates */
+export const CAROM_JOINT_READ_AXIS_SPEEDS: 3;
+/** 3: N, world, as carom_joint_state.force */
+export const CAROM_JOINT_READ_FORCE: 4;
+/** 3: N m, world, as carom_joint_state.torque */
+export const CAROM_JOINT_READ_TORQUE: 5;
+/** 2: m and rad, gap and angle */
+export const CAROM_JOINT_READ_ERROR: 6;
+/** 1: 1 or 0 */
+export const CAROM_JOINT_READ_BROKEN: 7;
+export const CAROM_JOINT_READ_COUNT: 8;
+export const CAROM_EFFECT_GYROSCOPIC: 0;
+export const CAROM_EFFECT_LINEAR_DAMPING: 1;
+export const CAROM_EFFECT_ANGULAR_DAMPING: 2;
+export const CAROM_EFFECT_GRAVITY: 3;
+export const CAROM_EFFECT_USER_FORCE: 4;
+export const CAROM_EFFECT_USER_TORQUE: 5;
+export const CAROM_EFFECT_COLLISION: 6;
+export const CAROM_EFFECT_FRICTION: 7;
+export const CAROM_EFFECT_RESTITUTION: 8;
+export const CAROM_EFFECT_ROLLING_RESISTANCE: 9;
+export const CAROM_EFFECT_SPINNING_RESISTANCE: 10;
+export const CAROM_EFFECT_SLEEP: 11;
+export const CAROM_EFFECT_PARTICLES: 12;
+export const CAROM_EFFECT_FILTER: 13;
+export const CAROM_EFFECT_SENSOR: 14;
+export const CAROM_EFFECT_JOINTS: 15;
+export const CAROM_EFFECT_SCENERY: 16;
+export const CAROM_EFFECT_CONTINUOUS: 17;
+export const CAROM_EFFECT_SURFACE_VELOCITY: 18;
+export const CAROM_EFFECT_AXIS_LOCKS: 19;
+export const CAROM_EFFECT_DRAG: 20;
+export const CAROM_EFFECT_WIND: 21;
+export const CAROM_EFFECT_FIELDS: 22;
+export const CAROM_EFFECT_SPRINGS: 23;
+export const CAROM_EFFECT_BUOYANCY: 24;
+/** what contacts do: without it bodies pass through each other, and there are no contact points */
+export const CAROM_EFFECT_RESPONSE: 25;
+export const CAROM_EFFECT_JOINT_LIMITS: 26;
+export const CAROM_EFFECT_JOINT_MOTORS: 27;
+export const CAROM_EFFECT_EVENTS: 28;
+export const CAROM_EFFECT_LEDGER: 29;
+export const CAROM_EFFECT_MAGNETISM: 30;
+export const CAROM_EFFECT_COUNT: 31;
+/** it runs for the bodies that need it (default) */
+export const CAROM_MODE_AS_NEEDED: 0;
+/** it does not run */
+export const CAROM_MODE_FORBID: 1;
+/** it runs for all bodies that it can act on, whether they need it or not: to see what it costs, and that it changes nothing. It makes no joints, sets, ... where there are none */
+export const CAROM_MODE_FORCE: 2;
+/** the line is a stage */
+export const CAROM_PLAN_NO_EFFECT: 4294967295;
+/** seconds is its own */
+export const CAROM_TIME_OWN: 0;
+/** it is done within the loops of its stage, and in the time of that */
+export const CAROM_TIME_IN_STAGE: 1;
+/** not measured, see carom_world_time_effects() */
+export const CAROM_TIME_OFF: 2;
+export const CAROM_PLUGIN_ABI_MAJOR: 1;
+export const CAROM_PLUGIN_ABI_MINOR: 0;
+/** nothing declared */
+export const CAROM_FORM_NONE: 0;
+/** centre at the origin; arg[0]: radius */
+export const CAROM_FORM_SPHERE: 1;
+/** axis y; arg[0]: radius, arg[1]: half height of the core segment */
+export const CAROM_FORM_CAPSULE: 2;
+/** centred, axis-aligned; arg[0..2]: half extents x, y, z */
+export const CAROM_FORM_BOX: 3;
+/** hull of points; arg[0]: index of the first coordinate; the rest of params are x,y,z triples */
+export const CAROM_FORM_POLYTOPE: 4;
+/** axis y, centred; arg[0]: radius, arg[1]: half height */
+export const CAROM_FORM_CYLINDER: 5;
+/** axis y, apex at +half height, base disc at -half height; arg[0]: base radius, arg[1]: half height */
+export const CAROM_FORM_CONE: 6;
+/** centred, axis-aligned; arg[0..2]: radii x, y, z */
+export const CAROM_FORM_ELLIPSOID: 7;
+export const CAROM_NO_PARAM: 4294967295;
+/** flags: support may only be called on the thread that steps (scripting hosts) */
+export const CAROM_PLUGIN_HOST_THREAD: 1;
+/** The symbol looked up in a shared object. */
+export const CAROM_SHAPE_PLUGIN_SYMBOL: "carom_shape_plugin_v1";
+/** the bracket is as narrow as was asked */
+export const CAROM_QUERY_EXACT_ENOUGH: 0;
+/** the iteration cap came first; the bracket still holds */
+export const CAROM_QUERY_CAPPED: 1;
+/** rounding stopped it; the bracket still holds */
+export const CAROM_QUERY_ROUNDING: 2;
+/** a support function misbehaved; nothing else is meaningful */
+export const CAROM_QUERY_FAULT: 3;
+/** the hash after each step */
+export const CAROM_RECORD_HASHES: 0;
+/** and the state (CAROM_SNAPSHOT_STATE), so that a replay can name a body or a pair */
+export const CAROM_RECORD_STATES: 1;
+/** a bit of flags: met from both sides */
+export const CAROM_SCENERY_TWO_SIDED: 1;
+/** all but the structure */
+export const CAROM_SNAPSHOT_STATE: 0;
+/** the structure, too */
+export const CAROM_SNAPSHOT_WHOLE: 1;
+/** which effects have participants; bounds */
+export const CAROM_STAGE_REFRESH: 0;
+/** pairs of bounds that overlap */
+export const CAROM_STAGE_BROAD: 1;
+/** contacts of pairs */
+export const CAROM_STAGE_NARROW: 2;
+/** contact groups */
+export const CAROM_STAGE_GROUP: 3;
+/** forces, velocities, positions */
+export const CAROM_STAGE_INTEGRATE: 4;
+/** velocities at contacts */
+export const CAROM_STAGE_SOLVE: 5;
+/** penetration at contacts */
+export const CAROM_STAGE_RELAX: 6;
+/** residuals, events */
+export const CAROM_STAGE_OBSERVE: 7;
+export const CAROM_STAGE_COUNT: 8;
+/** soft contacts hold it */
+export const CAROM_REASON_ORDINARY: 0;
+/** bodies that touch have masses further apart than CAROM_DIAL_DIRECT_RATIO */
+export const CAROM_REASON_MASS_RATIO: 1;
+/** soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK */
+export const CAROM_REASON_SINK: 2;
+/** too many bodies for the direct solver, or it exceeded its work limit recently */
+export const CAROM_REASON_TOO_MUCH: 3;
+/** not given any more: impacts are solved before every solver */
+export const CAROM_REASON_BOUNCE: 4;
+/** it would sink, but is under impact: soft contacts take that */
+export const CAROM_REASON_BLOW: 5;
+/** a few bodies that lie still */
+export const CAROM_REASON_STILL: 6;
+/** some bodies that joints hold together */
+export const CAROM_REASON_JOINED: 7;
+/** the support function returned nonzero */
+export const CAROM_FAULT_RETURNED: 1;
+/** it gave NaN or infinity */
+export const CAROM_FAULT_NOT_FINITE: 2;
+/** a point outside the shape's bounding radius */
+export const CAROM_FAULT_OUTSIDE: 3;
+/** a point worse than one it had given before */
+export const CAROM_FAULT_NOT_SUPPORT: 4;
+/** a body's state was not finite; the body is quarantined */
+export const CAROM_FAULT_BODY_STATE: 5;
+/** likewise particles', see carom_particles_get_quarantined() */
+export const CAROM_FAULT_PARTICLE_STATE: 6;
+/** what is met first */
+export const CAROM_WANT_FIRST: 0;
+/** whether anything is met: HIT, UNDECIDED (only grazes) or MISS; no collider, times or points */
+export const CAROM_WANT_ANY: 1;
+/** support functions only, no routine for declared forms */
+export const CAROM_ASK_GENERIC: 1;
+/** sensors are found, too */
+export const CAROM_ASK_SENSORS: 2;

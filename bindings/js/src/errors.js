@@ -1,0 +1,15 @@
+/** What a call that failed throws. The call changed nothing. */
+export class CaromError extends Error {
+  /** @param {{code: number, result: string, argument: number, text: string, remedy: string,
+   *           witness: {direction: number[], point: number[]} | null}} details */
+  constructor({ code, result, argument, text, remedy, witness }, doing) {
+    super(`${doing ? doing + ": " : ""}${text}. ${remedy}`);
+    this.name = "CaromError";
+    this.code = code;
+    this.result = result;
+    this.argument = argument;
+    this.text = text;
+    this.remedy = remedy;
+    this.witness = witness;
+  }
+}

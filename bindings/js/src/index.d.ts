@@ -1,0 +1,243 @@
+// Types of the package. Names of structs' fields are those of include/carom; the raw interface is in raw.d.ts.
+import * as constants from "./constants.js";
+import type { Raw } from "./raw.js";
+
+export { constants };
+export type Vector = ArrayLike<number>;
+export type Quaternion = ArrayLike<number>;
+export type Handle = bigint;
+
+/** What a call that failed throws. The call changed nothing. */
+export class CaromError extends Error {
+  /** CAROM_E_* */
+  readonly code: number;
+  /** "CAROM_E_OUT_OF_RANGE" */
+  readonly result: string;
+  /** Which argument of the C call, from 1; 0: none in particular. */
+  readonly argument: number;
+  /** What is wrong. */
+  readonly text: string;
+  /** What to do. */
+  readonly remedy: string;
+  readonly witness: { direction: number[]; point: number[] } | null;
+}
+
+export interface Dial {
+  dial: number;
+  kind: number;
+  name: string;
+  unit: string;
+  summary: string;
+  choices: string[];
+  min: number;
+  max: number;
+  initial: number;
+}
+
+export interface Carom {
+  readonly version: string;
+  /** The C interface, for what has no method here. */
+  readonly raw: Raw;
+  engine(): Engine;
+  dials(): Dial[];
+  /** Names by CAROM_PRESET_*. */
+  presets(): string[];
+  /** Names by CAROM_STAGE_*. */
+  stages(): string[];
+}
+
+/** Load the engine.   @param source  where carom.wasm is; by default beside the package */
+export function load(source?: string | URL | Response | BufferSource | WebAssembly.Module): Promise<Carom>;
+
+export class Shape {
+  readonly engine: Engine;
+  readonly handle: Handle;
+  readonly info: {
+    kind: string;
+    volume: number;
+    bounding_radius: number;
+    aabb_min: number[];
+    aabb_max: number[];
+    [field: string]: unknown;
+  };
+  readonly params: number[];
+  /** @param directions [3n]   @returns [3n] m */
+  supports(directions: Vector): Float64Array;
+  /** Of scenery.   @returns [9n] m */
+  triangles(): Float64Array;
+  destroy(): void;
+}
+
+export class Engine {
+  shape(id: string, params: Vector): Shape;
+  sphere(radius: number): Shape;
+  /** Half extents, m. */
+  box(x: number, y: number, z: number): Shape;
+  capsule(radius: number, halfHeight: number): Shape;
+  cylinder(radius: number, halfHeight: number): Shape;
+  cone(radius: number, halfHeight: number): Shape;
+  ellipsoid(x: number, y: number, z: number): Shape;
+  hull(points: Vector): Shape;
+  halfSpace(normal?: Vector, offset?: number): Shape;
+  mesh(vertices: Vector, triangles: ArrayLike<number>, options?: { twoSided?: boolean }): Shape;
+  heightField(heights: Vector, columns: number, spacing: Vector): Shape;
+  /** A shape plugin as a side module.   @returns its id, for shape(id, params) */
+  loadShape(source: string | URL | Response | BufferSource | WebAssembly.Module): Promise<string>;
+  world(options?: { gravity?: Vector; body_capacity?: number | bigint }): World;
+  /** Its worlds first. */
+  free(): void;
+}
+
+export interface Surface {
+  density?: number;
+  friction?: number;
+  restitution?: number;
+  material?: Handle;
+}
+
+export interface BodyOptions extends Surface {
+  shape?: Shape;
+  type?: "static" | "kinematic" | "dynamic";
+  position?: Vector;
+  orientation?: Quaternion;
+  linear_velocity?: Vector;
+  angular_velocity?: Vector;
+  mass?: number;
+  center?: Vector;
+  inertia?: Vector;
+  linear_damping?: number;
+  angular_damping?: number;
+  user?: bigint;
+  fields?: number;
+}
+
+export type Field =
+  "position" | "orientation" | "pose" | "linearVelocity" | "angularVelocity" | "velocity" | "force" | "center" | "mass";
+
+/** A field of bodies in the module's memory. Ask for `array` each time: memory that grows empties typed arrays taken
+ * before. */
+export class BodyView {
+  readonly array: Float64Array | Float32Array;
+  readonly count: number;
+  update(): this;
+  write(): void;
+  choose(bodies: Body[] | null): void;
+  free(): void;
+}
+
+export class Body {
+  readonly world: World;
+  readonly handle: Handle;
+  readonly position: number[];
+  readonly orientation: number[];
+  readonly linearVelocity: number[];
+  readonly angularVelocity: number[];
+  readonly center: number[];
+  readonly mass: number;
+  readonly type: "static" | "kinematic" | "dynamic";
+  readonly user: bigint;
+  readonly asleep: boolean;
+  setPose(position: Vector, orientation?: Quaternion): void;
+  setVelocity(linear: Vector, angular?: Vector): void;
+  addForce(force: Vector, torque?: Vector): void;
+  addImpulse(impulse: Vector, point?: Vector): void;
+  addCollider(
+    shape: Shape,
+    options?: { density?: number; position?: Vector; orientation?: Quaternion; material?: Handle },
+  ): Handle;
+  setAttribute(attribute: number, ...value: number[]): void;
+  wake(): void;
+  destroy(): void;
+}
+
+export class Joint {
+  readonly world: World;
+  readonly handle: Handle;
+  readonly state: {
+    broken: number;
+    force: number[];
+    torque: number[];
+    gap: number;
+    angle: number;
+    coordinate: number[];
+    axis: number[];
+  };
+  setLimit(coordinate: number, lower: number, upper: number): void;
+  setMotor(coordinate: number, speed: number, most: number): void;
+  setSpring(coordinate: number, target: number, frequency: number, damping?: number): void;
+  destroy(): void;
+}
+
+export interface Hit {
+  body: Body;
+  collider: Handle;
+  time: number;
+  lower: number;
+  upper: number;
+  point: number[];
+  normal: number[];
+  outcome: number;
+}
+
+export class World {
+  readonly engine: Engine;
+  gravity: Vector;
+  step(dt?: number): void;
+  body(options?: BodyOptions): Body;
+  ground(options?: { height?: number; normal?: Vector } & Surface): Body;
+  material(desc: { friction?: number; restitution?: number; friction_mix?: number; restitution_mix?: number }): Handle;
+  joint(
+    kind: "ball" | "hinge" | "slider" | "weld" | "distance" | "universal" | "pulley" | "gear" | "six_axis",
+    a: Body | null,
+    b: Body | null,
+    options?: { at?: Vector; axes?: Quaternion; length?: number; [field: string]: unknown },
+  ): Joint;
+  bodyCount(): number;
+  bodies(): Body[];
+  view(field: Field, options?: { scalar?: "f64" | "f32"; bodies?: Body[] | null }): BodyView;
+  particlePositions(): Float32Array;
+  /** 16 hexadecimal digits: the same on every machine. */
+  hash(): string;
+  save(options?: { whole?: boolean }): Uint8Array;
+  restore(bytes: Uint8Array): void;
+  fork(): World;
+  setDial(name: string | number, value: number): void;
+  dial(name: string | number): number;
+  setPreset(preset: number): void;
+  setEffect(effect: number, mode: number): void;
+  timeEffects(on?: boolean): void;
+  report(): Record<string, number | bigint | number[]>;
+  residuals(): Record<string, number | bigint | number[]>;
+  contacts(): {
+    point: number[];
+    normal: number[];
+    separation: number;
+    normal_impulse: number;
+    body_a: Handle;
+    body_b: Handle;
+    [field: string]: unknown;
+  }[];
+  plan(): {
+    name: string;
+    runs: number;
+    customers: bigint;
+    seconds: number;
+    reason: string;
+    [field: string]: unknown;
+  }[];
+  faults(): Record<string, unknown>[];
+  draw(what: number, options?: { colouring?: number; scale?: number }): { points: Float32Array; colours: Uint32Array };
+  castRay(origin: Vector, direction: Vector, max?: number): Hit | null;
+  colliders(
+    radius?: number,
+  ): { handle: Handle; body: Body; shape: Handle; position: number[]; orientation: number[]; density: number }[];
+  collider(handle: Handle): {
+    handle: Handle;
+    body: Body;
+    shape: Handle;
+    position: number[];
+    orientation: number[];
+    density: number;
+  };
+  free(): void;
+}

@@ -1,0 +1,71 @@
+// Carom for JavaScript: the C interface in WebAssembly, with objects, exceptions and views. See ../README.md.
+import * as constants from "./constants.js";
+import { Engine } from "./engine.js";
+import { instantiate } from "./module.js";
+
+export { Body, Joint } from "./body.js";
+export { constants };
+export { Engine, Shape } from "./engine.js";
+export { CaromError } from "./errors.js";
+export { BodyView } from "./view.js";
+export { World } from "./world.js";
+
+class Carom {
+  constructor(module) {
+    this.module = module;
+    this.raw = module.raw;
+  }
+
+  get version() {
+    const m = this.module;
+    return m.frame((room) => {
+      const at = room(12);
+      m.check(m.raw.carom_version(at, at + 4, at + 8), "version");
+      return [0, 4, 8].map((i) => m.view.getUint32(at + i, true)).join(".");
+    });
+  }
+
+  engine() {
+    return new Engine(this.module);
+  }
+
+  /** Every dial: name, bounds, choices, what it trades. */
+  dials() {
+    const m = this.module;
+    const count = m.frame((room) => {
+      const at = room(4);
+      m.check(m.raw.carom_dial_get_count(at), "dials");
+      return m.view.getUint32(at, true);
+    });
+    return Array.from({ length: count }, (_, dial) => this.#dial(dial));
+  }
+
+  #dial(dial) {
+    const m = this.module;
+    const info = m.get("carom_dial_info", (at) => m.raw.carom_dial_get_info(dial, at, m.error), "dials");
+    for (const field of ["name", "unit", "summary"]) info[field] = m.text(info[field]);
+    info.choices = Array.from({ length: info.choice_count }, (_, i) =>
+      m.text(m.view.getUint32(info.choices + 4 * i, true)),
+    );
+    return info;
+  }
+
+  /** Names by CAROM_PRESET_*. */
+  presets() {
+    return Array.from({ length: constants.CAROM_PRESET_COUNT }, (_, i) =>
+      this.module.text(this.raw.carom_preset_name(i)),
+    );
+  }
+  /** Names by CAROM_STAGE_*. */
+  stages() {
+    return Array.from({ length: constants.CAROM_STAGE_COUNT }, (_, i) =>
+      this.module.text(this.raw.carom_stage_name(i)),
+    );
+  }
+}
+
+/** Load the engine.   @param source  where carom.wasm is: bytes, a URL, a Response, a compiled module; by default the
+ * package's */
+export async function load(source) {
+  return new Carom(await instantiate(source));
+}

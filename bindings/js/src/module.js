@@ -1,0 +1,175 @@
+// The WebAssembly module: its memory, its errors, and calls of the C interface.
+import { CaromError } from "./errors.js";
+import { Structs } from "./structs.js";
+import { imports } from "./wasi.js";
+
+const SCRATCH = 4096; // bytes: arguments of one call
+
+export class Module {
+  /** @param {WebAssembly.Exports} exports */
+  constructor(exports) {
+    this.raw = exports;
+    exports._initialize?.();
+    this.structs = new Structs(this.text(exports.carom_abi_manifest()));
+    const errorSize = this.structs.size("carom_error");
+    this.error = this.claim(errorSize);
+    new Uint8Array(this.buffer, this.error, errorSize).fill(0);
+    this.view.setUint32(this.error, errorSize, true);
+    this.scratch = this.claim(SCRATCH);
+    this.used = 0;
+  }
+
+  get buffer() {
+    return this.raw.memory.buffer;
+  }
+
+  /** Of all memory, also after it has grown. */
+  get view() {
+    if (this.cached?.buffer !== this.raw.memory.buffer) this.cached = new DataView(this.raw.memory.buffer);
+    return this.cached;
+  }
+
+  claim(bytes) {
+    const at = this.raw.malloc(Math.max(bytes, 8));
+    if (!at) throw new RangeError(`no memory for ${bytes} bytes: free worlds, or simulate fewer bodies`);
+    return at;
+  }
+
+  /** Zero-terminated text at a pointer. */
+  text(at) {
+    if (!at) return "";
+    const bytes = new Uint8Array(this.buffer);
+    return new TextDecoder().decode(bytes.slice(at, bytes.indexOf(0, at)));
+  }
+
+  /** Room for arguments of the call that `use` makes; gone when it returns. */
+  frame(use) {
+    const before = this.used;
+    const claimed = [];
+    const room = (bytes) => {
+      const padded = (bytes + 15) & ~15;
+      let at = this.scratch + this.used;
+      if (this.used + padded <= SCRATCH) {
+        this.used += padded;
+      } else {
+        at = this.claim(padded);
+        claimed.push(at);
+      }
+      new Uint8Array(this.buffer, at, padded).fill(0);
+      return at;
+    };
+    try {
+      return use(room);
+    } finally {
+      this.used = before;
+      for (const at of claimed) this.raw.free(at);
+    }
+  }
+
+  /** @throws CaromError unless the result is OK */
+  check(result, doing) {
+    if (result === 0) return;
+    const e = this.structs.read(this.view, "carom_error", this.error);
+    const own = e.code === result;
+    throw new CaromError(
+      {
+        code: result,
+        result: this.text(this.raw.carom_result_name(result)),
+        argument: own ? e.argument : 0,
+        text: own && e.message ? e.message : this.text(this.raw.carom_result_name(result)),
+        remedy: own && e.remedy ? e.remedy : this.text(this.raw.carom_result_remedy(result)),
+        witness: own && e.has_witness ? { direction: e.witness_dir, point: e.witness_out } : null,
+      },
+      doing,
+    );
+  }
+
+  /** A call whose last argument is the error. */
+  call(name, ...args) {
+    this.check(this.raw[name](...args, this.error), name);
+  }
+
+  doubles(at, count) {
+    return Array.from(new Float64Array(this.buffer, at, count));
+  }
+
+  putDoubles(room, values, count, what) {
+    if (!values || values.length !== count) throw new TypeError(`${what} takes ${count} numbers`);
+    const at = room(8 * count);
+    new Float64Array(this.buffer, at, count).set(values);
+    return at;
+  }
+
+  putText(room, text) {
+    const bytes = new TextEncoder().encode(text);
+    const at = room(bytes.length + 1);
+    new Uint8Array(this.buffer, at, bytes.length).set(bytes);
+    return at;
+  }
+
+  /** A struct filled by its `*_init` where it has one, then by `values`. */
+  put(room, name, values, init = `${name}_init`) {
+    const at = room(this.structs.size(name));
+    if (this.raw[init]) this.check(this.raw[init](at), init);
+    else this.view.setUint32(at, this.structs.size(name), true);
+    this.structs.write(this.view, name, at, values);
+    return at;
+  }
+
+  /** What a getter writes into a struct: call(pointer, error). */
+  get(name, call, doing) {
+    return this.frame((room) => {
+      const at = room(this.structs.size(name));
+      this.view.setUint32(at, this.structs.size(name), true);
+      this.check(call(at), doing);
+      return this.structs.read(this.view, name, at);
+    });
+  }
+
+  u64(call, doing) {
+    return this.frame((room) => {
+      const at = room(8);
+      this.check(call(at), doing);
+      return this.view.getBigUint64(at, true);
+    });
+  }
+
+  /** Records that a call copies out: call(dst, stride, capacity, count). */
+  list(name, call, doing) {
+    const size = this.structs.size(name);
+    return this.frame((room) => {
+      const count = room(8);
+      this.check(call(0, BigInt(size), 0n, count), doing);
+      const n = Number(this.view.getBigUint64(count, true));
+      if (!n) return [];
+      const at = room(n * size);
+      this.check(call(at, BigInt(size), BigInt(n), count), doing);
+      return Array.from({ length: n }, (_, i) => this.structs.read(this.view, name, at + i * size));
+    });
+  }
+}
+
+/** @param source  bytes, a Response, a compiled module, a URL, or nothing: dist/carom.wasm of this package */
+export async function instantiate(source, say = (text) => console.error(text)) {
+  let instance = null;
+  const needs = imports(() => instance.exports.memory, say);
+  const compiled = await compile(source ?? new URL("../dist/carom.wasm", import.meta.url));
+  instance = await WebAssembly.instantiate(compiled, needs);
+  return new Module(instance.exports);
+}
+
+export async function compile(source) {
+  if (source instanceof WebAssembly.Module) return source;
+  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return WebAssembly.compile(source);
+  if (typeof Response !== "undefined" && source instanceof Response)
+    return WebAssembly.compile(await source.arrayBuffer());
+  const url = new URL(source, import.meta.url);
+  if (url.protocol === "file:") {
+    const { readFile } = await import(/* @vite-ignore */ "node:fs/promises");
+    return WebAssembly.compile(await readFile(url));
+  }
+  const response = await fetch(url);
+  if (!response.ok)
+    throw new Error(`${url}: ${response.status} ${response.statusText}; is carom.wasm served beside the script?`);
+  return WebAssembly.compile(await response.arrayBuffer());
+}

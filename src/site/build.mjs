@@ -1,0 +1,32 @@
+// The page as a folder of files: dist/. Wants carom.wasm and the scenes, which README.md says how to make.
+import { build } from "esbuild";
+import { cpSync, existsSync, mkdirSync, rmSync } from "node:fs";
+
+const here = new URL(".", import.meta.url).pathname;
+const wasm = `${here}../../bindings/js/dist/carom.wasm`;
+const scenes = process.env.CAROM_SCENES ?? `${here}../../out/scenes`;
+for (const [file, remedy] of [
+  [wasm, "cmake --preset wasm && cmake --build --preset wasm"],
+  [`${scenes}/index.json`, "build/demo/bin/carom pack out/scenes"],
+])
+  if (!existsSync(file)) {
+    console.error(`${file} is missing.\n  what to do: in the root of the repository: ${remedy}`);
+    process.exit(2);
+  }
+rmSync(`${here}dist`, { recursive: true, force: true });
+mkdirSync(`${here}dist`, { recursive: true });
+await build({
+  entryPoints: [`${here}src/main.js`],
+  outfile: `${here}dist/main.js`,
+  bundle: true,
+  format: "esm",
+  minify: true,
+  target: "es2022",
+  alias: { carom: `${here}../../bindings/js/src/index.js` },
+  external: ["node:fs/promises"],
+  legalComments: "linked",
+});
+for (const file of ["index.html", "style.css"]) cpSync(`${here}${file}`, `${here}dist/${file}`);
+cpSync(wasm, `${here}dist/carom.wasm`);
+cpSync(scenes, `${here}dist/scenes`, { recursive: true });
+console.log(`${here}dist is ready: npm run view`);

@@ -1,0 +1,336 @@
+// The page: scenes, time, tools, settings and a comparison, put together. What each part does stands in its own file.
+import { load } from "carom";
+import { plot } from "./curves.js";
+import { readLink, writeLink } from "./link.js";
+import { Panel } from "./panel.js";
+import { Picture } from "./picture.js";
+import { PlanPanel } from "./plan.js";
+import { Pointer } from "./pointer.js";
+import { Simulation } from "./simulation.js";
+import { Stage } from "./stage.js";
+
+const $ = (id) => document.getElementById(id);
+const BUDGET = 20; // ms of a frame for steps
+
+const state = {
+  row: {},
+  start: null,
+  dt: 1 / 60,
+  sims: [],
+  pictures: [],
+  engine: null,
+  playing: true,
+  owed: 0,
+  following: null,
+  difference: [],
+  last: 0,
+};
+const shown = {
+  contacts: false,
+  joints: true,
+  bounds: false,
+  outlines: false,
+  frames: false,
+  islands: false,
+  sleep: true,
+};
+let carom, rows, stage, panel, pointer, plan;
+
+function say(text) {
+  $("message").textContent = text;
+  $("message").hidden = false;
+  clearTimeout(say.timer);
+  say.timer = setTimeout(() => ($("message").hidden = true), 12000);
+}
+
+/** Do it, or say why not. */
+function attempt(work) {
+  try {
+    return work();
+  } catch (error) {
+    say(error.message);
+    return undefined;
+  }
+}
+
+/** Make the scene anew.   @param sides  [{settings, log}]: of A, and of B where there is one */
+function begin(row, start, sides) {
+  const engine = carom.engine(),
+    made = [];
+  try {
+    for (const { settings, log } of sides) {
+      const sim = new Simulation(engine, start, row.dt ?? 1 / 60, [...settings]);
+      made.push(sim);
+      sim.load(log);
+    }
+  } catch (error) {
+    for (const sim of made) sim.free();
+    engine.free();
+    throw error;
+  }
+  clear();
+  Object.assign(state, { row, start, engine, sims: made, following: null, difference: [], owed: 0 });
+  show();
+}
+
+function clear() {
+  for (const picture of state.pictures) picture.dispose();
+  for (const sim of state.sims) sim.free();
+  state.engine?.free();
+  state.pictures = [];
+}
+
+function show() {
+  state.pictures = state.sims.map((sim) => {
+    const picture = new Picture(sim, state.row);
+    picture.shown = shown;
+    stage.scene.add(picture.group);
+    return picture;
+  });
+  const two = state.sims.length === 2;
+  panel.compare.on = two;
+  panel.refresh();
+  $("difference").hidden = !two;
+  $("label-a").textContent = two ? "A" : "";
+  $("label-b").textContent = two ? "B" : "";
+  redraw();
+}
+
+/** m: root mean square of the distances between a body of A and the same of B. */
+function difference() {
+  const [a, b] = state.sims.map((sim) => sim.poses.update());
+  if (a.count !== b.count || !a.count) return NaN;
+  const x = a.array,
+    y = b.array;
+  let sum = 0;
+  for (let i = 0; i < a.count; ++i) for (let k = 0; k < 3; ++k) sum += (x[7 * i + k] - y[7 * i + k]) ** 2;
+  return Math.sqrt(sum / a.count);
+}
+
+function advance() {
+  for (const sim of state.sims) {
+    const pull = pointer.pull(sim);
+    if (pull) sim.do(pull);
+    sim.advance();
+  }
+  if (state.sims.length === 2) state.difference[state.sims[0].step] = difference();
+}
+
+function seek(step) {
+  attempt(() => {
+    for (const sim of state.sims) sim.seek(step);
+  });
+  redraw();
+}
+
+function act(action) {
+  attempt(() => {
+    for (const sim of state.sims) sim.do(action);
+  });
+  redraw();
+}
+
+function redraw() {
+  const [sim] = state.sims;
+  for (const picture of state.pictures) picture.update();
+  if (state.following !== null && sim.bodies[state.following]) stage.follow(sim.bodies[state.following].position);
+  stage.render(state.pictures);
+  const hash = sim.hash();
+  $("hash").textContent = state.sims.map((s) => s.hash()).join("  ");
+  const plain = !sim.settings.length && !(sim.lastAction >= 0 && Math.min(...sim.actions.keys()) <= sim.step);
+  const native = plain ? state.row.hashes?.[sim.step] : undefined;
+  $("native").textContent =
+    native === undefined
+      ? ""
+      : native === hash
+        ? "the native build has the same bits"
+        : `the native build has ${native}`;
+  $("native").dataset.same = native === undefined ? "" : String(native === hash);
+  $("at").textContent = sim.step;
+  $("scrub").max = Math.max(sim.newest, sim.step);
+  $("scrub").value = sim.step;
+  if ($("curves-box").open) {
+    plot(
+      $("energy"),
+      "kinetic energy",
+      "J",
+      state.sims.map((s) => s.energy),
+      sim.step,
+    );
+    plot(
+      $("cost"),
+      "time of a step",
+      "ms",
+      state.sims.map((s) => s.seconds.map((x) => 1e3 * x)),
+      sim.step,
+    );
+    if (state.sims.length === 2) plot($("difference"), "A and B apart", "m (rms)", [state.difference], sim.step);
+  }
+  if ($("plan-box").open) plan.update(sim.world.plan());
+}
+
+function play(on) {
+  state.playing = on;
+  $("play").textContent = on ? "Pause" : "Play";
+  $("play").setAttribute("aria-pressed", String(on));
+}
+
+function frame(now) {
+  requestAnimationFrame(frame);
+  const passed = Math.min(0.1, (now - state.last) / 1000);
+  state.last = now;
+  stage.controls.update();
+  if (!state.sims.length) return;
+  if (!state.playing) return stage.render(state.pictures);
+  const dt = state.sims[0].dt,
+    end = performance.now() + BUDGET;
+  state.owed = Math.min(state.owed + passed * Number($("speed").value), 8 * dt);
+  attempt(() => {
+    while (state.owed >= dt && performance.now() < end) (advance(), (state.owed -= dt));
+  }) ?? 0;
+  redraw();
+}
+
+async function open(name, sides = [{ settings: [], log: [] }]) {
+  const row = rows.find((r) => r.name === name);
+  if (!row) throw new Error(`there is no scene "${name}"; choose one of ${rows.map((r) => r.name).join(", ")}`);
+  const response = await fetch(`scenes/${row.world}`);
+  if (!response.ok) throw new Error(`scenes/${row.world} is missing: build the page again`);
+  begin(row, new Uint8Array(await response.arrayBuffer()), sides);
+  $("scene").value = name;
+  $("about").textContent = `${row.summary} Look for: ${row.look_for}.`;
+  stage.look(row);
+}
+
+function compare(on) {
+  attempt(() => {
+    const [a] = state.sims,
+      at = a.step,
+      side = { settings: a.settings, log: a.log() };
+    begin(state.row, state.start, on ? [side, { settings: [...a.settings], log: a.log() }] : [side]);
+    for (let i = 0; i < at; ++i) advance();
+  });
+  redraw();
+}
+
+function link() {
+  const query = writeLink(
+    {
+      scene: state.row.name,
+      step: state.sims[0].step,
+      sides: state.sims.map((sim) => ({ settings: sim.settings, log: sim.log() })),
+    },
+    carom.presets(),
+  );
+  if (!state.row.name) return say("an opened file has no link: save the world, and send the file");
+  if (!query) return say("too much was done by hand for a link: save the world, and send the file");
+  history.replaceState(null, "", query);
+  navigator.clipboard?.writeText(location.href).catch(() => {});
+  return undefined;
+}
+
+function controls() {
+  $("play").onclick = () => play(!state.playing);
+  $("step").onclick = () => (play(false), attempt(advance), redraw());
+  $("back").onclick = () => (play(false), seek(Math.max(0, state.sims[0].step - 1)));
+  $("reset").onclick = () =>
+    attempt(() =>
+      begin(
+        state.row,
+        state.start,
+        state.sims.map((s) => ({ settings: s.settings, log: [] })),
+      ),
+    );
+  $("scrub").oninput = () => (play(false), seek(Number($("scrub").value)));
+  $("scene").onchange = () => open($("scene").value).catch((e) => say(e.message));
+  $("link").onclick = link;
+  $("save").onclick = () => {
+    const a = document.createElement("a");
+    a.href = URL.createObjectURL(new Blob([state.sims[0].world.save({ whole: true })]));
+    a.download = `${state.row.name ?? "world"}-${state.sims[0].step}.world`;
+    a.click();
+    setTimeout(() => URL.revokeObjectURL(a.href), 1000);
+  };
+  const file = async (f) => {
+    if (f) (attempt(() => begin({ dt: 1 / 60 }, f.bytes, [{ settings: [], log: [] }])), stage.paint());
+  };
+  const read = async (f) => f && file({ bytes: new Uint8Array(await f.arrayBuffer()) });
+  $("open").onchange = () => read($("open").files[0]).then(() => ($("open").value = ""));
+  $("stage").ondragover = (e) => e.preventDefault();
+  $("stage").ondrop = (e) => (e.preventDefault(), read(e.dataTransfer.files[0]));
+  $("theme").onclick = () => {
+    const { dataset } = document.documentElement;
+    dataset.theme = dataset.theme === "dark" ? "light" : "dark";
+    stage.paint();
+    redraw();
+  };
+  for (const button of document.querySelectorAll("[data-tool]"))
+    button.onclick = () => {
+      pointer.tool = button.dataset.tool;
+      state.following = null;
+      for (const other of document.querySelectorAll("[data-tool]"))
+        other.setAttribute("aria-checked", String(other === button));
+    };
+  addEventListener("keydown", (e) => {
+    if (e.target.closest("input, select, button, summary")) return;
+    const key = { " ": "play", ArrowRight: "step", ArrowLeft: "back", r: "reset" }[e.key];
+    if (key) (e.preventDefault(), $(key).click());
+  });
+  $("plan-box").ontoggle = $("curves-box").ontoggle = () => state.sims.length && redraw();
+  new ResizeObserver(() => state.sims.length && redraw()).observe($("stage"));
+}
+
+async function start() {
+  if (matchMedia("(prefers-color-scheme: dark)").matches) document.documentElement.dataset.theme = "dark";
+  const index = fetch("scenes/index.json");
+  carom = await load(new URL("carom.wasm", document.baseURI));
+  rows = await (await index).json();
+  for (const row of rows) $("scene").add(new Option(row.name, row.name));
+  stage = new Stage($("view"));
+  plan = new PlanPanel($("stages"), $("plan"), (effect, mode) => act({ do: "effect", effect, mode }));
+  panel = new Panel($("panel"), {
+    carom,
+    shown,
+    onShown: () => redraw(),
+    onCompare: compare,
+    apply: (which, action) => attempt(() => state.sims[which]?.do(action)),
+    dial: (which, name) => (state.sims[which] ?? state.sims[0])?.world.dial(name) ?? 0,
+  });
+  pointer = new Pointer({
+    canvas: $("view"),
+    camera: stage.camera,
+    controls: stage.controls,
+    act,
+    say,
+    place: (u, v) => ((pointer.view = stage.place(u, v)), pointer.view),
+    picture: () => state.pictures[pointer.view.view],
+    follow: (body) => (state.following = body),
+  });
+  controls();
+  let wanted = { scene: null, step: 0, sides: undefined };
+  attempt(() => (wanted = readLink(location.search, carom.presets(), carom.dials())));
+  await open(wanted.scene ?? "wall", wanted.sides).catch(async (e) => (say(e.message), await open("wall")));
+  if (location.search) {
+    play(false);
+    if (wanted.step)
+      attempt(() => {
+        while (state.sims[0].step < wanted.step) advance();
+      });
+    redraw();
+  }
+  // For tests and the curious.
+  globalThis.caromViewer = {
+    get step() {
+      return state.sims[0].step;
+    },
+    get hash() {
+      return state.sims[0].hash();
+    },
+    state,
+    seek,
+    probe: (u, v) => pointer.probe(u, v),
+  };
+  requestAnimationFrame(frame);
+}
+
+start().catch((error) => say(`the page could not start: ${error.message}`));

@@ -1,0 +1,151 @@
+// A simulation as three.js objects: one instanced mesh for each shape and kind of body, lines and points over them.
+import * as THREE from "three";
+import { Shape } from "carom";
+import { DRAW } from "./simulation.js";
+import { geometryOf } from "./geometry.js";
+import { FIXED, KINDS } from "./palette.js";
+
+const ASLEEP = 0.45; // of its brightness
+
+export class Picture {
+  /** @param row  of the scenes' index: names and kinds of bodies; may be {} */
+  constructor(sim, row, ghost = null) {
+    Object.assign(this, { sim, row, ghost });
+    this.group = new THREE.Group();
+    this.geometries = new Map();
+    this.shown = {
+      contacts: false,
+      joints: true,
+      bounds: false,
+      outlines: false,
+      frames: false,
+      islands: false,
+      sleep: true,
+    };
+    this.lines = new THREE.LineSegments(
+      new THREE.BufferGeometry(),
+      new THREE.LineBasicMaterial({ vertexColors: true, depthTest: false }),
+    );
+    ((this.lines.renderOrder = 2), (this.lines.frustumCulled = false));
+    this.points = new THREE.Points(
+      new THREE.BufferGeometry(),
+      new THREE.PointsMaterial({ color: KINDS[1], size: 0.06 }),
+    );
+    this.points.frustumCulled = false;
+    this.group.add(this.lines, this.points);
+    this.structure = -1;
+  }
+
+  kindOf(body) {
+    const user = Number(BigInt.asUintN(32, this.sim.bodies[body].user));
+    return this.row.bodies?.[user]?.[1] ?? "thrown";
+  }
+  nameOf(body) {
+    const user = Number(BigInt.asUintN(32, this.sim.bodies[body].user));
+    return this.row.bodies?.[user]?.[0] ?? `body ${body}`;
+  }
+
+  #rebuild() {
+    for (const mesh of this.meshes ?? []) (this.group.remove(mesh), mesh.dispose(), mesh.material.dispose());
+    this.meshes = [];
+    this.structure = this.sim.structure;
+    const sets = new Map();
+    this.types = this.sim.bodies.map((b) => b.type);
+    for (const part of this.sim.parts) {
+      const fixed = this.types[part.body] !== "dynamic";
+      const key = `${part.shape}/${fixed ? "" : this.kindOf(part.body)}`;
+      if (!sets.has(key)) sets.set(key, { shape: part.shape, fixed, kind: this.kindOf(part.body), parts: [] });
+      sets.get(key).parts.push(part);
+    }
+    const kinds = [...new Set([...sets.values()].filter((s) => !s.fixed).map((s) => s.kind))];
+    for (const set of sets.values()) {
+      if (!this.geometries.has(set.shape))
+        this.geometries.set(set.shape, geometryOf(new Shape(this.sim.engine, set.shape)));
+      const geometry = this.geometries.get(set.shape);
+      if (!geometry) continue;
+      const colour = this.ghost ?? (set.fixed ? FIXED : KINDS[kinds.indexOf(set.kind) % KINDS.length]);
+      const material = new THREE.MeshStandardMaterial({
+        color: "#ffffff",
+        roughness: 0.7,
+        flatShading: !geometry.attributes.normal,
+        side: set.fixed ? THREE.DoubleSide : THREE.FrontSide,
+      });
+      const mesh = new THREE.InstancedMesh(geometry, material, set.parts.length);
+      Object.assign(mesh, { castShadow: !set.fixed, receiveShadow: true, frustumCulled: false });
+      mesh.userData = { ...set, colour: new THREE.Color(colour) };
+      this.meshes.push(mesh);
+      this.group.add(mesh);
+    }
+  }
+
+  update() {
+    if (this.structure !== this.sim.structure) this.#rebuild();
+    const poses = this.sim.poses.update().array;
+    const body = new THREE.Matrix4(),
+      local = new THREE.Matrix4(),
+      one = new THREE.Vector3(1, 1, 1);
+    const p = new THREE.Vector3(),
+      q = new THREE.Quaternion(),
+      colour = new THREE.Color();
+    const dim = this.shown.sleep && Number(this.sim.report?.asleep_bodies ?? 0) > 0;
+    for (const mesh of this.meshes) {
+      mesh.userData.parts.forEach((part, i) => {
+        const at = 7 * part.body;
+        body.compose(p.fromArray(poses, at), q.fromArray(poses, at + 3), one);
+        local.compose(p.fromArray(part.position), q.fromArray(part.orientation), one);
+        mesh.setMatrixAt(i, body.multiply(local));
+        const asleep = dim && !mesh.userData.fixed && this.sim.bodies[part.body].asleep;
+        mesh.setColorAt(i, colour.copy(mesh.userData.colour).multiplyScalar(asleep ? ASLEEP : 1));
+      });
+      mesh.instanceMatrix.needsUpdate = true;
+      mesh.instanceColor.needsUpdate = true;
+      mesh.boundingSphere = null; // of before
+    }
+    this.#draw();
+  }
+
+  #draw() {
+    let what = 0;
+    for (const name of Object.keys(DRAW)) if (this.shown[name]) what |= DRAW[name];
+    const { points, colours } = what
+      ? this.sim.world.draw(what, { colouring: this.shown.islands ? 1 : 0 })
+      : { points: new Float32Array(), colours: new Uint32Array() };
+    const rgb = new Float32Array(points.length);
+    colours.forEach((c, i) => {
+      for (let k = 0; k < 6; ++k) rgb[6 * i + k] = ((c >>> (24 - 8 * (k % 3))) & 255) / 255;
+    });
+    (this.#fill(this.lines.geometry, "position", points), this.#fill(this.lines.geometry, "color", rgb));
+    this.lines.geometry.setDrawRange(0, points.length / 3);
+    const particles = this.row.particles ? this.sim.world.particlePositions() : new Float32Array();
+    this.#fill(this.points.geometry, "position", particles);
+    this.points.geometry.setDrawRange(0, particles.length / 3);
+  }
+
+  #fill(geometry, name, values) {
+    const old = geometry.attributes[name];
+    if (old && old.array.length >= values.length) {
+      old.array.set(values);
+      old.needsUpdate = true;
+      return;
+    }
+    const roomy = new Float32Array(Math.max(96, 2 * values.length));
+    roomy.set(values);
+    geometry.dispose();
+    geometry.setAttribute(name, new THREE.BufferAttribute(roomy, 3));
+  }
+
+  /** Body under a ray, and where on it.   @returns {{body, point: THREE.Vector3}} or null */
+  pick(ray) {
+    const hit = this.sim.world.castRay(ray.origin.toArray(), ray.direction.toArray(), 1e4);
+    if (!hit || hit.outcome === 0) return null;
+    const body = this.sim.index.get(hit.body.handle);
+    return body === undefined ? null : { body, point: new THREE.Vector3(...hit.point) };
+  }
+
+  dispose() {
+    for (const mesh of this.meshes ?? []) (mesh.dispose(), mesh.material.dispose());
+    for (const geometry of this.geometries.values()) geometry?.dispose();
+    for (const object of [this.lines, this.points]) (object.geometry.dispose(), object.material.dispose());
+    this.group.removeFromParent();
+  }
+}

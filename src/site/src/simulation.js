@@ -1,0 +1,159 @@
+// A scene that runs, and can go back: the world, what was done to it and when, and snapshots. Nothing here draws.
+//
+// Everything that changes the world is an action, written down under the step before which it acts. A step in the
+// past is the
+// nearest snapshot before it and the same actions again, so it has the same bits.
+import { constants as C } from "carom";
+import { act } from "./actions.js";
+
+const EVERY = 20; // steps from one snapshot to the next
+const MOST_BYTES = 96 << 20; // of snapshots; of older ones every second is dropped
+
+export class Simulation {
+  /** @param start  Uint8Array: a whole snapshot   @param dt s   @param settings  actions before the first step:
+   * dials, presets */
+  constructor(engine, start, dt, settings = []) {
+    Object.assign(this, { engine, dt });
+    this.actions = new Map(); // step -> actions
+    this.lastAction = -1;
+    this.snapshots = new Map(); // step -> { bytes, structure, shape counts }
+    this.structure = 0; // changes with the set of bodies
+    this.newest = 0; // the farthest step that was reached
+    this.energy = []; // J, kinetic, by step
+    this.seconds = []; // s of computing, by step
+    this.#build(start);
+    this.step = 0;
+    this.settings = settings;
+    for (const action of settings) act(this, action);
+    this.#keep();
+  }
+
+  #build(bytes) {
+    const world = this.engine.world();
+    try {
+      world.restore(bytes);
+    } catch (error) {
+      world.free();
+      throw error;
+    }
+    this.world?.free();
+    this.world = world;
+    this.poses = world.view("pose");
+    this.refresh();
+  }
+
+  /** After bodies came or went: who there is, and what they look like. */
+  refresh() {
+    this.bodies = this.world.bodies();
+    this.index = new Map(this.bodies.map((body, i) => [body.handle, i]));
+    this.parts = this.world.colliders().map((c) => ({ ...c, body: this.index.get(c.body.handle) }));
+    ++this.structure;
+  }
+
+  /** Do something now. What was to come after the present step is forgotten.   @throws then nothing has changed */
+  do(action) {
+    if (
+      this.step === 0 &&
+      this.newest === 0 &&
+      !this.actions.size &&
+      (action.do === "dial" || action.do === "preset")
+    ) {
+      act(this, action);
+      this.settings.push(action); // the scene as it starts
+      this.#keep();
+      return;
+    }
+    if (this.step < this.newest) this.#forgetFuture();
+    act(this, action); // throws before it is written down
+    if (!this.actions.has(this.step)) this.actions.set(this.step, []);
+    this.actions.get(this.step).push(action);
+    this.lastAction = Math.max(this.lastAction, this.step);
+  }
+
+  #forgetFuture() {
+    for (const map of [this.actions, this.snapshots])
+      for (const step of map.keys()) if (step > this.step) map.delete(step);
+    // Actions of this very step were done again when it was reached, and stay.
+    this.newest = this.step;
+    this.energy.length = Math.min(this.energy.length, this.step);
+    this.seconds.length = Math.min(this.seconds.length, this.step);
+    this.lastAction = Math.max(-1, ...this.actions.keys());
+  }
+
+  /** One step on: in the past with the actions that were done then. */
+  advance() {
+    this.world.step(this.dt);
+    const report = this.world.report();
+    this.energy[this.step] = report.linear_energy + report.angular_energy;
+    this.seconds[this.step] = report.total_seconds;
+    ++this.step;
+    this.report = report;
+    // A snapshot has what was done before, not what is done at this step.
+    if (this.step % EVERY === 0 && !this.snapshots.has(this.step)) this.#keep();
+    const again = this.step <= this.newest ? (this.actions.get(this.step) ?? []) : [];
+    this.newest = Math.max(this.newest, this.step);
+    for (const action of again) act(this, action);
+  }
+
+  #keep() {
+    this.snapshots.set(this.step, this.world.save({ whole: true }));
+    let bytes = 0;
+    for (const kept of this.snapshots.values()) bytes += kept.length;
+    if (bytes < MOST_BYTES) return;
+    [...this.snapshots.keys()]
+      .sort((a, b) => a - b)
+      .forEach((step, i, all) => {
+        if (i % 2 === 1 && i < all.length - 2) this.snapshots.delete(step);
+      });
+  }
+
+  /** Be at a step, past or to come. */
+  seek(step) {
+    if (step < this.step) {
+      const from = Math.max(...[...this.snapshots.keys()].filter((s) => s <= step));
+      this.#build(this.snapshots.get(from));
+      this.step = from;
+      // The first snapshot was taken after the settings, but before what was done at step 0.
+      for (const action of this.actions.get(from) ?? []) act(this, action);
+      this.report = undefined;
+    }
+    while (this.step < step) this.advance();
+  }
+
+  hash() {
+    return this.world.hash();
+  }
+
+  /** All actions, for a link: [[step, action], ...]. */
+  log() {
+    return [...this.actions]
+      .sort((a, b) => a[0] - b[0])
+      .flatMap(([step, list]) => list.map((action) => [step, action]));
+  }
+
+  /** The actions of a link, before the first step is made. */
+  load(log) {
+    for (const [step, action] of log) {
+      if (step === 0) {
+        this.do(action);
+        continue;
+      }
+      if (!this.actions.has(step)) this.actions.set(step, []);
+      this.actions.get(step).push(action);
+      this.newest = Math.max(this.newest, step);
+      this.lastAction = this.newest;
+    }
+  }
+
+  free() {
+    this.world.free();
+  }
+}
+
+export const DRAW = {
+  contacts: C.CAROM_DRAW_CONTACTS,
+  joints: C.CAROM_DRAW_JOINTS,
+  bounds: C.CAROM_DRAW_BOUNDS,
+  outlines: C.CAROM_DRAW_SHAPES | C.CAROM_DRAW_SCENERY,
+  frames: C.CAROM_DRAW_BODIES,
+};

@@ -1,0 +1,250 @@
+// The page in headless Chromium: every control used, hashes before pixels, no console error, hostile files refused.
+//   npm run build && npm test            CHROMIUM names the browser where it is not /usr/bin/chromium
+import { strict as assert } from "node:assert";
+import { existsSync } from "node:fs";
+import { mkdtemp, readFile, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { chromium } from "playwright-core";
+import { serve } from "../serve.mjs";
+
+const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const built = existsSync(new URL("../dist/index.html", import.meta.url));
+const skip = !existsSync(executablePath) ? `no browser at ${executablePath}` : !built && "not built: npm run build";
+let server, browser, base, scenes;
+const errors = [];
+
+before(async () => {
+  if (skip) return;
+  server = await serve(0);
+  base = `http://localhost:${server.address().port}/`;
+  scenes = JSON.parse(await readFile(new URL("../dist/scenes/index.json", import.meta.url)));
+  browser = await chromium.launch({
+    executablePath,
+    args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  });
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+async function visit(query, viewport = { width: 1000, height: 640 }) {
+  const page = await browser.newPage({ viewport });
+  page.on("console", (m) => m.type() === "error" && errors.push(m.text()));
+  page.on("pageerror", (e) => errors.push(e.message));
+  await page.goto(base + query);
+  await page.waitForFunction(() => globalThis.caromViewer, null, { timeout: 60000 });
+  return page;
+}
+const now = (page) =>
+  page.evaluate(() => ({
+    step: caromViewer.step,
+    hash: caromViewer.hash,
+    native: document.getElementById("native").dataset.same,
+    message: document.getElementById("message").hidden ? "" : document.getElementById("message").textContent,
+  }));
+
+test("every scene has the native build's bits", { skip, timeout: 600000 }, async (t) => {
+  const page = await visit("?scene=wall&step=1");
+  for (const row of scenes) {
+    await page.selectOption("#scene", row.name);
+    await page.waitForFunction((name) => caromViewer.state.row.name === name, row.name);
+    for (const step of [0, 1, 30]) {
+      const hash = await page.evaluate((s) => (caromViewer.seek(s), caromViewer.hash), step);
+      assert.equal(hash, row.hashes[step], `${row.name}, step ${step}`);
+    }
+    const back = await page.evaluate(() => (caromViewer.seek(25), caromViewer.hash));
+    assert.equal(back, row.hashes[25], `${row.name}, scrubbed back to step 25`);
+    assert.equal((await now(page)).native, "true");
+  }
+  t.diagnostic(`${scenes.length} scenes, 30 steps each`);
+  await page.close();
+});
+
+test("time: play, pause, step, back, scrub, reset, keys", { skip, timeout: 120000 }, async () => {
+  const page = await visit("?scene=stacks&step=5"),
+    row = scenes.find((r) => r.name === "stacks");
+  assert.deepEqual((await now(page)).hash, row.hashes[5]);
+  (await page.click("#step"), assert.equal((await now(page)).step, 6));
+  (await page.click("#back"), await page.click("#back"), assert.equal((await now(page)).hash, row.hashes[4]));
+  (await page.fill("#scrub", "2"), assert.equal((await now(page)).hash, row.hashes[2]));
+  await page.focus("#view");
+  (await page.keyboard.press("ArrowRight"), assert.equal((await now(page)).hash, row.hashes[3]));
+  (await page.keyboard.press("ArrowLeft"), assert.equal((await now(page)).hash, row.hashes[2]));
+  await page.selectOption("#speed", "2");
+  (await page.click("#play"), await page.waitForFunction(() => caromViewer.step > 8), await page.click("#play"));
+  const { step, hash } = await now(page);
+  if (row.hashes[step]) assert.equal(hash, row.hashes[step]);
+  (await page.click("#reset"), assert.equal((await now(page)).hash, row.hashes[0]));
+  (await page.click("#theme"), await page.click("#theme"));
+  await page.close();
+});
+
+test("tools act, and a link brings back what was done, to the bit", { skip, timeout: 180000 }, async () => {
+  const page = await visit("?scene=stacks&step=1");
+  const count = () => page.evaluate(() => caromViewer.state.sims[0].bodies.length);
+  const box = await page.locator("#view").boundingBox(),
+    at = [box.x + box.width * 0.5, box.y + box.height * 0.55];
+  const before = await count();
+  (await page.click('[data-tool="throw"]'), await page.mouse.click(...at));
+  assert.equal(await count(), before + 1);
+  (await page.click('[data-tool="box"]'), await page.mouse.click(...at));
+  assert.equal(await count(), before + 2);
+  const target = await page.evaluate(() => {
+    // where a dynamic body is seen
+    const { state } = caromViewer,
+      canvas = document.getElementById("view");
+    for (let v = 0.3; v < 0.8; v += 0.02)
+      for (let u = 0.2; u < 0.8; u += 0.02) {
+        const p = document.elementFromPoint(
+          canvas.getBoundingClientRect().left + u * canvas.clientWidth,
+          canvas.getBoundingClientRect().top + v * canvas.clientHeight,
+        );
+        if (p !== canvas) continue;
+        const hit = caromViewer.probe(u, v);
+        if (hit && state.sims[0].bodies[hit.body].type === "dynamic") return [u, v];
+      }
+    return null;
+  });
+  assert.ok(target, "a body is in sight");
+  const spot = [box.x + target[0] * box.width, box.y + target[1] * box.height];
+  await page.click('[data-tool="grab"]');
+  (await page.mouse.move(...spot), await page.mouse.down(), await page.mouse.move(spot[0] + 30, spot[1] - 60));
+  for (let i = 0; i < 5; ++i) await page.evaluate(() => document.getElementById("step").click());
+  await page.mouse.up();
+  const log = await page.evaluate(() => caromViewer.state.sims[0].log().map(([, a]) => a.do));
+  assert.equal(log.filter((d) => d === "pull").length, 5);
+  (await page.click('[data-tool="follow"]'), await page.mouse.click(...spot));
+  (await page.click('[data-tool="delete"]'), await page.mouse.click(...spot));
+  for (let i = 0; i < 20; ++i) await page.evaluate(() => document.getElementById("step").click());
+  const done = await now(page);
+  await page.click("#link");
+  const other = await visit(new URL(page.url()).search);
+  assert.deepEqual(await now(other), { ...done, message: "" });
+  await other.evaluate((s) => (caromViewer.seek(3), caromViewer.seek(s)), done.step);
+  assert.equal((await now(other)).hash, done.hash, "after scrubbing back and forth");
+  (await page.close(), await other.close());
+});
+
+test("dials, presets, plan, drawings, comparison", { skip, timeout: 180000 }, async () => {
+  const page = await visit("?scene=pyramid&step=10&dials=substeps:2");
+  assert.equal(await page.evaluate(() => caromViewer.state.sims[0].world.dial("substeps")), 2);
+  const preset = page.locator("#panel select").first();
+  await preset.selectOption({ label: "accurate" });
+  assert.notEqual(await page.evaluate(() => caromViewer.state.sims[0].world.dial("substeps")), 2);
+  await page.locator("#panel .lil-controller", { hasText: "substeps" }).first().locator("input").fill("3");
+  await page.keyboard.press("Enter");
+  assert.equal(await page.evaluate(() => caromViewer.state.sims[0].world.dial("substeps")), 3);
+  await page.click("#step");
+  await page.locator("summary", { hasText: "What a step runs" }).click();
+  await page.locator('#plan select[aria-label^="friction"]').selectOption("1");
+  assert.equal(await page.evaluate(() => caromViewer.state.sims[0].log().some(([, a]) => a.do === "effect")), true);
+  await page.locator("#panel .lil-title", { hasText: "Draw" }).click();
+  for (const name of ["contacts", "bounds", "outlines", "frames", "islands"])
+    await page.locator("#panel .lil-controller", { hasText: name }).last().locator("input").check();
+  await page.click("#step");
+  assert.ok(await page.evaluate(() => caromViewer.state.pictures[0].lines.geometry.drawRange.count > 100));
+  await page.locator("#panel .lil-controller", { hasText: "Compare" }).locator("input").check();
+  assert.equal(await page.evaluate(() => caromViewer.state.sims.length), 2);
+  await page.evaluate(() => caromViewer.state.sims[1].do({ do: "dial", name: "substeps", value: 1 }));
+  for (let i = 0; i < 10; ++i) await page.evaluate(() => document.getElementById("step").click());
+  assert.ok(await page.evaluate(() => caromViewer.state.difference.at(-1) > 0));
+  await page.click("#link");
+  const hashes = await page.evaluate(() => caromViewer.state.sims.map((s) => s.hash()));
+  const other = await visit(new URL(page.url()).search);
+  assert.deepEqual(await other.evaluate(() => caromViewer.state.sims.map((s) => s.hash())), hashes);
+  (await page.close(), await other.close());
+});
+
+test(
+  "files: saved ones open, hostile ones and wrong links are told of and change nothing",
+  { skip, timeout: 180000 },
+  async () => {
+    const page = await visit("?scene=stacks&step=7"),
+      folder = await mkdtemp(join(tmpdir(), "carom-"));
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);
+    const saved = join(folder, "saved.world");
+    await download.saveAs(saved);
+    const { hash } = await now(page),
+      bytes = await readFile(saved);
+    const damaged = Buffer.from(bytes);
+    damaged[bytes.length >> 1] ^= 0x40;
+    for (const [name, content] of [
+      ["empty", Buffer.alloc(0)],
+      ["text", Buffer.from("not a world at all")],
+      ["damaged", damaged],
+      ["cut", bytes.subarray(0, bytes.length / 2)],
+      ["noise", Buffer.alloc(100000, 0xa5)],
+    ]) {
+      const file = join(folder, `${name}.world`);
+      await writeFile(file, content);
+      await page.evaluate(() => (document.getElementById("message").hidden = true));
+      await page.setInputFiles("#open", file);
+      await page.waitForFunction(() => !document.getElementById("message").hidden);
+      const after = await now(page);
+      assert.ok(after.message.length > 20, name);
+      assert.equal(after.hash, hash, name);
+    }
+    await page.setInputFiles("#open", saved);
+    await page.waitForFunction(() => caromViewer.step === 0);
+    assert.equal((await now(page)).hash, hash);
+    await page.close();
+    for (const query of [
+      "?scene=nowhere",
+      "?scene=wall&step=-1",
+      "?scene=wall&dials=nonsense:1",
+      "?scene=wall&do=%5B%5B",
+      "?scene=wall&preset=best",
+      "?scene=wall&dials=substeps:1e99",
+      '?scene=wall&do=[[0,{"do":"constructor"}]]',
+    ]) {
+      const wrong = await visit(query);
+      assert.ok((await now(wrong)).message.length > 20, query);
+      await wrong.close();
+    }
+  },
+);
+
+test("three widths: nothing is cut off; names for readers of screens", { skip, timeout: 120000 }, async () => {
+  for (const width of [360, 800, 1600]) {
+    const page = await visit("?scene=wall&step=2", { width, height: 780 });
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${width} px`);
+    const nameless = await page.evaluate(
+      () =>
+        [...document.querySelectorAll("button, select, input, canvas")].filter(
+          (e) =>
+            !(
+              e.getAttribute("aria-label") ||
+              e.getAttribute("aria-labelledby") ||
+              e.labels?.length ||
+              e.textContent.trim()
+            ),
+        ).length,
+    );
+    assert.equal(nameless, 0, "controls without a name");
+    await page.close();
+  }
+});
+
+test("10,000 steps take no more memory than 1,000", { skip, timeout: 300000 }, async () => {
+  const page = await visit("?scene=bullet&step=1");
+  const run = (n) =>
+    page.evaluate((k) => {
+      const [sim] = caromViewer.state.sims;
+      for (let i = 0; i < k; ++i) sim.advance();
+      return sim.world.module.buffer.byteLength;
+    }, n);
+  const early = await run(1000);
+  assert.equal(await run(9000), early);
+  await page.close();
+});
+
+test("no console error in all of this", { skip }, () => {
+  // A browser without a graphics card says so; that is no error of the page.
+  assert.deepEqual(
+    errors.filter((e) => !/GPU stall|WebGL|swiftshader/i.test(e)),
+    [],
+  );
+});
