@@ -24,7 +24,7 @@ void put(const Numbers& numbers, double* record) {
   std::copy(numbers.begin(), numbers.end(), record);
 }
 
-constexpr JointField kJointFields[CAROM_JOINT_READ_COUNT] = {
+constexpr JointField kBulkJointFields[CAROM_JOINT_READ_COUNT] = {
     // in the order of CAROM_JOINT_READ_*
     {"coordinates", 4, [](const World& w, const Joint& j, double* r) { put(place_of(w, j).at, r); }},
     {"speeds", 4, [](const World& w, const Joint& j, double* r) { put(speeds_of(w, j).coordinate, r); }},
@@ -55,7 +55,7 @@ int32_t carom_world_read_joints(carom_world* world, uint32_t field, uint32_t sca
     if (!reading || !known(call, 2, "field", field, CAROM_JOINT_READ_COUNT) ||
         !known(call, 3, "scalar", scalar, CAROM_SCALAR_F64 + 1) || (n && !present(call, 6, "dst", dst)))
       return;
-    const JointField& row = kJointFields[field];
+    const JointField& row = kBulkJointFields[field];
     const SlotPool& slots = reading->joints.slots;
     if (!check_stride(call, 7, row.name, row.scalars, scalar, stride)) return;
     if (!joints && n != slots.alive_count()) {
