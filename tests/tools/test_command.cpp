@@ -107,6 +107,13 @@ static void the_same_run_twice_ends_in_the_same_bits(void**) {
   assert_string_equal(hash().c_str(), hash().c_str());
 }
 
+static void a_run_tells_what_happened_before_what_it_cost(void**) {
+  const Outcome told = carom("run seesaw --seconds 0.1");
+  assert_true(says(told, "what happened in 0.10 s:") && says(told, "what it cost:") && says(told, "state hash:"));
+  assert_true(told.text.find("what happened") < told.text.find("what it cost"));
+  assert_true(told.text.find("state hash") < told.text.find("ms/step"));
+}
+
 static void a_plan_tells_what_runs_for_whom_and_what_is_left_out(void**) {
   const auto effects_of = [](const std::string& arguments) {
     const Outcome o = carom("plan falling --n 8 --json " + arguments, false);
@@ -198,6 +205,7 @@ int main() {
       cmocka_unit_test(lists_show_every_scene_shape_and_dial),
       cmocka_unit_test(a_run_reports_itself_as_json_and_csv),
       cmocka_unit_test(the_same_run_twice_ends_in_the_same_bits),
+      cmocka_unit_test(a_run_tells_what_happened_before_what_it_cost),
       cmocka_unit_test(a_plan_tells_what_runs_for_whom_and_what_is_left_out),
       cmocka_unit_test(a_run_shows_its_plan_and_minds_what_is_forbidden_or_forced),
       cmocka_unit_test(honest_plugins_pass_the_check),
