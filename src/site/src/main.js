@@ -185,9 +185,14 @@ function frame(now) {
   const dt = state.sims[0].dt,
     end = performance.now() + BUDGET;
   state.owed = Math.min(state.owed + passed * Number($("speed").value), 8 * dt);
-  attempt(() => {
-    while (state.owed >= dt && performance.now() < end) (advance(), (state.owed -= dt));
-  }) ?? 0;
+  const went = attempt(() => {
+    while (state.owed >= dt && performance.now() < end) {
+      advance();
+      state.owed -= dt;
+    }
+    return true;
+  });
+  if (!went) play(false);
   redraw();
 }
 

@@ -79,7 +79,7 @@ export class Pointer {
         page.camera.getWorldDirection(new THREE.Vector3()).negate(),
         hit.point,
       );
-      this.held = { body: hit.body, handle: body.handle, at: local, plane, to: hit.point.toArray() };
+      this.held = { body: hit.body, at: local, plane, to: hit.point.toArray() };
       page.canvas.setPointerCapture(event.pointerId);
     }
     page.controls.enabled = false;
@@ -98,8 +98,7 @@ export class Pointer {
 
   /** The pull of this moment, as an action, or null: before each step. */
   pull(sim) {
-    if (!this.held) return null;
-    const body = sim.index.get(this.held.handle);
-    return body === undefined ? null : { do: "pull", body, at: this.held.at, to: this.held.to };
+    if (!this.held || !sim.bodies[this.held.body]) return null;
+    return { do: "pull", body: this.held.body, at: this.held.at, to: this.held.to };
   }
 }

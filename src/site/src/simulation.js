@@ -36,6 +36,7 @@ export class Simulation {
       world.free();
       throw error;
     }
+    this.poses?.free();
     this.world?.free();
     this.world = world;
     this.poses = world.view("pose");
@@ -146,6 +147,7 @@ export class Simulation {
   }
 
   free() {
+    this.poses.free();
     this.world.free();
   }
 }

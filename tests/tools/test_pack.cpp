@@ -1,0 +1,57 @@
+// `carom pack`: a scene's file, loaded by a program that knows no scene, goes through the states whose hashes stand beside it.
+#include <carom/carom.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "host/host.h"
+#include "carom_command.h"
+
+using command_test::Outcome;
+using command_test::run_carom;
+namespace fs = std::filesystem;
+
+static std::vector<char> bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return std::vector<char>(std::istreambuf_iterator<char>(file), {});
+}
+
+static void packed_scenes_go_on_as_told(void**) {
+  const fs::path folder = fs::temp_directory_path() / ("carom_pack_" + std::to_string(getpid()));
+  const Outcome packed = run_carom("pack " + folder.string() + " stacks ragdoll weather --steps 12");
+  assert_int_equal(packed.code, 0);
+  const nlohmann::json index = nlohmann::json::parse(bytes_of(folder / "index.json"));
+  assert_int_equal(index.size(), 3);
+  for (const auto& row : index) {
+    carom::tools::Engine engine{carom::tools::PluginPath({CAROM_PLUGIN_DIR})};
+    engine.load_all();
+    carom::tools::World world(engine);
+    world.restore(bytes_of(folder / row["world"].get<std::string>()), row["name"]);
+    assert_int_equal(world.bodies().size(), row["bodies"].size());
+    for (int step = 0; step <= 12; ++step) {
+      char hash[17];
+      std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(world.hash()));
+      assert_string_equal(hash, row["hashes"][std::to_string(step)].get<std::string>().c_str());
+      world.step(row["dt"]);
+    }
+  }
+  fs::remove_all(folder);
+}
+
+static void what_cannot_be_packed_is_told(void**) {
+  const Outcome unknown = run_carom("pack " + (fs::temp_directory_path() / "carom_pack_none").string() + " no_such_scene");
+  assert_int_equal(unknown.code, 2);
+  assert_true(unknown.says("what to do"));
+  const Outcome nowhere = run_carom("pack /proc/no/such/folder stacks");
+  assert_int_equal(nowhere.code, 2);
+  assert_true(nowhere.says("what to do"));
+}
+
+int main() {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(packed_scenes_go_on_as_told),
+                                     cmocka_unit_test(what_cannot_be_packed_is_told)};
+  return cmocka_run_group_tests_name("tools/pack", tests, nullptr, nullptr);
+}
