@@ -24,7 +24,8 @@ from .report import effects
 from .run import run
 from .shape import Shape
 from .support import SupportPlugin
+from .tune import Tuned, tune
 from .world import World
 
 __all__ = ["Attributes", "Body", "CaromError", "Closed", "Collider", "Engine", "ForceField", "Joint", "Material", "Particles", "Shape", "Spring",
-           "SupportPlugin", "Water", "World", "attribute_infos", "dial_infos", "effects", "errors", "raw", "run", "share", "__version__"]
+           "SupportPlugin", "Tuned", "Water", "World", "attribute_infos", "dial_infos", "effects", "errors", "raw", "run", "share", "tune", "__version__"]
