@@ -1,5 +1,5 @@
-// The report as a reader meets it: filters, the order, the budget and the look, in a browser without a window. Skipped where
-// there is no Chromium.
+// The report as a reader meets it: filters, the order, the budget and the look, in a browser without a window. Skipped
+// where there is no Chromium.
 #include <unistd.h>
 
 #include <cmath>
@@ -19,7 +19,8 @@ using namespace carom::tools::accuracy;
 
 namespace {
 
-Row row(const std::string& engine, const std::string& setting, const std::string& scene, double hz, double cost, double error) {
+Row row(const std::string& engine, const std::string& setting, const std::string& scene, double hz, double cost,
+        double error) {
   Row r;
   r.engine = engine, r.setting = setting, r.scene = scene, r.dt = 1 / hz, r.cost = cost, r.simulated = 1;
   r.errors.assign(find_challenge(scene).metrics.size(), error);
@@ -31,9 +32,12 @@ Sweep made_up() {
   Sweep sweep;
   sweep.machine = "none", sweep.date = "2026-01-01";
   sweep.engines = {{"Carom", "1.0", ""}, {"Other", "2.0", ""}};
-  sweep.rows = {row("Carom", kDefaultSetting, "slide", 60, 3e-3, 1e-3),  row("Carom", kDefaultSetting, "slide", 120, 7e-3, 1e-5),
-                row("Carom", "preset fast", "slide", 60, 1e-3, 5e-3),    row("Carom", "direct, 1 substep", "slide", 60, 5e-3, 1e-4),
-                row("Other", "best", "slide", 60, 4e-3, 1e-2),           row("Carom", kDefaultSetting, "skid", 60, 4e-3, 1e-2),
+  sweep.rows = {row("Carom", kDefaultSetting, "slide", 60, 3e-3, 1e-3),
+                row("Carom", kDefaultSetting, "slide", 120, 7e-3, 1e-5),
+                row("Carom", "preset fast", "slide", 60, 1e-3, 5e-3),
+                row("Carom", "direct, 1 substep", "slide", 60, 5e-3, 1e-4),
+                row("Other", "best", "slide", 60, 4e-3, 1e-2),
+                row("Carom", kDefaultSetting, "skid", 60, 4e-3, 1e-2),
                 row("Other", "best", "skid", 60, 1e-3, 1e-5)};
   return sweep;
 }
@@ -46,9 +50,9 @@ function shown(q){return all(q).filter(function(e){return e.getClientRects().len
 function cell(scene,i){return all('#budget-table tr[data-scene="'+scene+'"] td')[i].textContent;}
 seen.first=[cell('slide',1),cell('slide',4),cell('skid',1)];
 seen.text=get('budget-text').textContent;
-turn('budget',80);seen.rich=[cell('slide',1),cell('slide',2),cell('slide',3),cell('slide',4)];
-turn('budget',0);seen.poor=cell('slide',1);
-turn('budget',80);turn('by-engine','Other');
+turn('my-budget',80);seen.rich=[cell('slide',1),cell('slide',2),cell('slide',3),cell('slide',4)];
+turn('my-budget',0);seen.poor=cell('slide',1);
+turn('my-budget',80);turn('by-engine','Other');
 seen.other=[shown('g.setting[data-engine="Carom"]'),shown('g.setting[data-engine="Other"]'),cell('skid',1),cell('skid',4)];
 turn('by-engine','');turn('by-setting','fast');
 seen.fast=[shown('g.setting[data-name="preset fast"]'),shown('g.setting[data-name="direct, 1 substep"]'),cell('slide',1)];
@@ -57,20 +61,26 @@ seen.presets=[shown('g.setting[data-preset]'),shown('g.setting[data-name="direct
 turn('by-setting','');turn('by-scene','Ski');
 seen.scene=[shown('.scene[data-scene="slide"] svg'),shown('.scene[data-scene="skid"] svg'),shown('#budget-table tr[data-scene="slide"]')];
 turn('by-scene','');
-function order(){return all('#peers-table tr[data-scene]').map(function(e){return e.getAttribute('data-scene');}).join();}
+function order(){return all('#peers-table tr[data-scene]').map(function(e){return e.getAttribute('data-scene');}
+).join();}
 function figures(){return all('.scene').map(function(e){return e.getAttribute('data-scene');}).join();}
-seen.order=[order(),figures()];turn('by-order','red');seen.red=[order(),figures()];turn('by-order','');seen.back=[order(),figures()];
+seen.order=[order(),figures()];turn('by-order','red');seen.red=[order(),figures()];turn('by-order','');
+seen.back=[order(),figures()];
 function ground(){return getComputedStyle(document.body).backgroundColor;}
 turn('look','light');seen.light=ground();turn('look','dark');seen.dark=ground();
 seen.printed=matchMedia('print').matches;
 seen.names=all('text').filter(function(t){return t.textContent==='fast';}).length;
-var out=document.createElement('pre');out.id='seen';out.textContent='SEEN'+JSON.stringify(seen)+'NEES';document.body.appendChild(out);
+var out=document.createElement('pre');out.id='seen';out.textContent='SEEN'+JSON.stringify(seen)+'NEES';
+document.body.appendChild(out);
 </script></body>)";
 
 std::string run_browser(const std::string& arguments) {
-  const std::string home = (std::filesystem::temp_directory_path() / ("carom_browser_" + std::to_string(getpid()))).string();
-  FILE* pipe = popen(("timeout 120 chromium --headless --no-sandbox --disable-gpu --user-data-dir=" + home + " " + arguments +
-                      " 2>/dev/null").c_str(), "r");
+  const std::string home =
+      (std::filesystem::temp_directory_path() / ("carom_browser_" + std::to_string(getpid()))).string();
+  FILE* pipe = popen(("timeout 120 chromium --headless --no-sandbox --disable-gpu --user-data-dir=" + home + " " +
+                      arguments + " 2>/dev/null")
+                         .c_str(),
+                     "r");
   assert_non_null(pipe);
   std::string text;
   char buffer[4096];
@@ -132,7 +142,8 @@ static void the_page_prints(void**) {
 
 static void without_a_script_the_budget_is_that_at_which_a_page_opens(void**) {
   const std::string page = report_page(made_up(), {});
-  assert_true(page.find("carom accuracy run slide --dial solver=direct --dial substeps=1 --dt 1/60") != std::string::npos);
+  assert_true(page.find("carom accuracy run slide --dial solver=direct --dial substeps=1 --dt 1/60") !=
+              std::string::npos);
   assert_true(page.find("carom accuracy run skid --preset balanced --dt 1/60") != std::string::npos);
 }
 

@@ -11,7 +11,8 @@ namespace {
 using report::escape;
 
 constexpr const char* kControlsStyle = R"(
-#controls{position:sticky;top:0;z-index:5;background:var(--panel);border-bottom:1px solid var(--line);border-radius:0 0 8px 8px;
+#controls{position:sticky;top:0;z-index:5;background:var(--panel);border-bottom:1px solid var(--line);
+border-radius:0 0 8px 8px;
 padding:.6rem 1rem;display:flex;flex-wrap:wrap;gap:.4rem 1rem;align-items:center;font-size:.85rem}
 #controls label{display:flex;gap:.35rem;align-items:center;color:var(--soft)}
 #controls select,#controls input,#controls button{font:inherit;color:var(--ink);background:var(--ground);
@@ -20,10 +21,12 @@ border:1px solid var(--line);border-radius:5px;padding:.15rem .4rem}
 #controls output{color:var(--ink);min-width:5.5rem;font-variant-numeric:tabular-nums}
 .off{display:none}
 #budget-table td:last-child{font-family:ui-monospace,monospace;font-size:.8rem}
-svg:hover g.setting{opacity:.35}svg g.setting:hover{opacity:1}svg g.setting:hover polyline{stroke-width:2.4;stroke-opacity:1}
+svg:hover g.setting{opacity:.35}svg g.setting:hover{opacity:1}svg g.setting:hover polyline{stroke-width:2.4;
+stroke-opacity:1}
 .dot{cursor:crosshair}
 @media print{nav,#tip,#controls{display:none}main{max-width:none;padding:0}h2{break-after:avoid}h3{break-after:avoid}
-figure,tr{break-inside:avoid}details{display:none}body{font-size:11pt;background:#fff}a{color:inherit;text-decoration:none}
+figure,tr{break-inside:avoid}details{display:none}body{font-size:11pt;background:#fff}a{color:inherit;
+text-decoration:none}
 tr.bad td:first-child::after{content:" !"}}
 )";
 
@@ -43,7 +46,7 @@ function get(id){return document.getElementById(id);}
 function all(q,from){return Array.from((from?from:document).querySelectorAll(q));}
 function number(x){return x===Infinity?'none':String(Number(x.toPrecision(2)));}
 function frame(us){return less(us,100)?number(us)+' µs':number(us/1000)+' ms';}
-function budget(){return Math.pow(10,get('budget').value/20);}
+function budget(){return Math.pow(10,get('my-budget').value/20);}
 
 // What a filter asks for, of an element: its engine, the name of its setting, its scene.
 function wanted(e){
@@ -92,12 +95,14 @@ list.sort(function(a,b){return (red?1:-1)*(b.getAttribute(key)-a.getAttribute(ke
 list.forEach(function(e){box.appendChild(e);});});}
 
 all('table').forEach(function(t){if(all('tr[data-lead]',t).length){all('tbody',t).forEach(function(b){b.classList.add('sorted');});}});
-all('.sorted').forEach(function(box){Array.from(box.children).forEach(function(e,i){e.setAttribute('data-place',i);});});
+all('.sorted').forEach(function(box){Array.from(box.children).forEach(function(e,i){e.setAttribute('data-place',i);});
+});
 ['by-engine','by-setting','by-scene'].forEach(function(id){get(id).addEventListener('input',filter);});
 get('by-order').addEventListener('input',sort);
-get('budget').addEventListener('input',fill);
+get('my-budget').addEventListener('input',fill);
 get('look').addEventListener('input',function(){
-get('dark').media={system:'screen and (prefers-color-scheme: dark)',light:'not all',dark:'screen'}[get('look').value];});
+get('dark').media={system:'screen and (prefers-color-scheme: dark)',light:'not all',dark:'screen'}[get('look').value];
+});
 get('print').addEventListener('click',function(){window.print();});
 fill();
 )";
@@ -113,7 +118,8 @@ std::string options(const std::vector<std::pair<std::string, std::string>>& list
 
 std::string controls_markup(const std::vector<std::string>& engines, const std::vector<std::string>& settings,
                             const std::vector<std::string>& scenes) {
-  std::vector<std::pair<std::string, std::string>> by_engine = {{"", "all"}}, by_setting = {{"", "all"}, {"presets", "presets"}};
+  std::vector<std::pair<std::string, std::string>> by_engine = {{"", "all"}};
+  std::vector<std::pair<std::string, std::string>> by_setting = {{"", "all"}, {"presets", "presets"}};
   for (const std::string& engine : engines) by_engine.emplace_back(engine, engine);
   for (const std::string& setting : settings) by_setting.emplace_back(setting, setting);
   std::string names;
@@ -124,7 +130,7 @@ std::string controls_markup(const std::vector<std::string>& engines, const std::
          "</select></label><label>scene <input id=\"by-scene\" type=\"search\" list=\"scene-names\" placeholder=\"all\"/>"
          "<datalist id=\"scene-names\">" +
          names + "</datalist></label><label>order <select id=\"by-order\">" + options({{"", "of the suite"}, {"red", "red first"}}) +
-         "</select></label><label>my budget <input id=\"budget\" type=\"range\" min=\"0\" max=\"80\" value=\"" +
+         "</select></label><label>my budget <input id=\"my-budget\" type=\"range\" min=\"0\" max=\"80\" value=\"" +
          std::to_string(first) + "\"/><output id=\"budget-text\"></output></label><label>look <select id=\"look\">" +
          options({{"system", "as the system"}, {"light", "light"}, {"dark", "dark"}}) +
          "</select></label><button id=\"print\" type=\"button\">print</button></div>\n";

@@ -14,15 +14,14 @@ using report::Anchor;
 using report::Svg;
 
 constexpr double kWidth = 880, kHeight = 470, kLeft = 74, kRight = 726, kTop = 74, kFloor = 412;  // px
-constexpr double kLane = 60;        // px from the top: where those stand that fell
-constexpr double kWorst = 1e3;      // larger errors are drawn here: further off is no news
-constexpr double kLeast = 1e-16;    // and smaller ones here
+constexpr double kLane = 60;      // px from the top: where those stand that fell
+constexpr double kWorst = 1e3;    // larger errors are drawn here: further off is no news
+constexpr double kLeast = 1e-16;  // and smaller ones here
 
 struct Frame {
   report::Axis x, y;
   report::Point at(double cost, double error) const {
-    return {kLeft + x.at(cost) * (kRight - kLeft),
-            kFloor - y.at(std::clamp(error, kLeast, kWorst)) * (kFloor - kTop)};
+    return {kLeft + x.at(cost) * (kRight - kLeft), kFloor - y.at(std::clamp(error, kLeast, kWorst)) * (kFloor - kTop)};
   }
 };
 
@@ -91,8 +90,11 @@ void draw_axes(Svg& svg, const Frame& f, const Metric& metric) {
     if (cost < f.x.low || cost > f.x.high) continue;
     const double x = f.at(cost, f.y.low).x;
     svg.line({x, kTop - 26}, {x, kFloor}, "ref");
-    svg.text({x, kTop - 30}, ms == 1 ? Anchor::end : ms == 2 ? Anchor::start : Anchor::middle, "reft halo",
-             ms == 1 ? "1 " : report::short_number(ms) + " ms a frame");
+    svg.text({x, kTop - 30},
+             ms == 1   ? Anchor::end
+             : ms == 2 ? Anchor::start
+                       : Anchor::middle,
+             "reft halo", ms == 1 ? "1 " : report::short_number(ms) + " ms a frame");
   }
   if (metric.bound >= f.y.low && metric.bound <= f.y.high) {
     const double y = f.at(f.x.low, metric.bound).y;
@@ -109,8 +111,8 @@ void draw_fallen(Svg& svg, const SceneView& scene, const Frame& f, const View& v
     for (const Row* row : line.rows) {
       if (!drawn(*row) || stood(*row)) continue;
       any = true;
-      svg.mark(Svg::Mark::cross, {f.at(row->cost, 1).x, kLane}, 3, report::series('s', view.colour.at(line.engine)) + " fell",
-               data_of(*row, scene.challenge->metrics[0]));
+      svg.mark(Svg::Mark::cross, {f.at(row->cost, 1).x, kLane}, 3,
+               report::series('s', view.colour.at(line.engine)) + " fell", data_of(*row, scene.challenge->metrics[0]));
     }
     svg.close();
   }
