@@ -150,10 +150,12 @@ static bool tries(const Participants& who, const std::string& dial) {
 
 static void dials_without_participants_are_not_tried(void**) {
   const Participants none{}, contacts{.contacts = true}, turns{.turns = true};
-  for (const char* dial : {"solver", "rotation", "restitution_speed", "contact_frequency", "hold_angle", "precision", "integrator"})
+  for (const char* dial :
+       {"solver", "rotation", "restitution_speed", "contact_frequency", "hold_angle", "precision", "integrator"})
     assert_false(tries(none, dial));
   for (const char* dial : {"preset", "substeps"}) assert_true(tries(none, dial));
-  for (const char* dial : {"solver", "contact_frequency", "hold_angle", "precision"}) assert_true(tries(contacts, dial));
+  for (const char* dial : {"solver", "contact_frequency", "hold_angle", "precision"})
+    assert_true(tries(contacts, dial));
   for (const char* dial : {"rotation", "restitution_speed", "integrator"}) assert_false(tries(contacts, dial));
   assert_true(tries(turns, "rotation"));
   // And a scene tells: nothing touches, bounces or is joined in it, and its boxes are alike about all axes.

@@ -1,5 +1,5 @@
-// What `carom tune` says of its pick holds within a factor of two on nine of ten scenes that nobody tuned to: its error by
-// references twice as fine as those that it was found by, its cost in worlds of an engine of its own.
+// What `carom tune` says of its pick holds within a factor of two on nine of ten scenes that nobody tuned to: its error
+// by references twice as fine as those that it was found by, its cost in worlds of an engine of its own.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -56,8 +56,10 @@ std::unique_ptr<Observer> sprung(Stage& stage, const std::vector<double>& knobs,
   const double pull = draw.between(30, 300), aside = draw.between(0.2, 0.8);
   std::size_t last = Bungee::kWorld;
   for (int i = 0; i < 3; ++i) {
-    const std::size_t ball = stage.add(body("ball " + std::to_string(i), "sphere", {0.1}, Vec(aside * (i + 1), -1.0 * i, 0)));
-    stage.add_spring({last, ball, i ? Vec(0, 0, 0) : Vec(0, 1, 0), Vec(0, 0, 0), 0.8, pull, 0.5, false, CAROM_NULL_HANDLE});
+    const std::size_t ball =
+        stage.add(body("ball " + std::to_string(i), "sphere", {0.1}, Vec(aside * (i + 1), -1.0 * i, 0)));
+    stage.add_spring(
+        {last, ball, i ? Vec(0, 0, 0) : Vec(0, 1, 0), Vec(0, 0, 0), 0.8, pull, 0.5, false, CAROM_NULL_HANDLE});
     stage.set_drag(ball, draw.between(0, 0.4), 0);
     last = ball;
   }
@@ -102,7 +104,8 @@ std::unique_ptr<Observer> poured(Stage& stage, const std::vector<double>& knobs,
   for (int i = 0; i < 24; ++i) {
     const double a = draw.between(0.15, 0.3), b = draw.between(0.15, 0.3);
     const Vec at = Vec(0, 1 + 0.6 * i, 0) + vector(draw, 0.5);
-    Actor thing = i % 3 ? body("box " + std::to_string(i), "box", {a, b, a}, at) : body("ball " + std::to_string(i), "sphere", {a}, at);
+    Actor thing = i % 3 ? body("box " + std::to_string(i), "box", {a, b, a}, at)
+                        : body("ball " + std::to_string(i), "sphere", {a}, at);
     thing.angular_velocity = vector(draw, 2);
     stage.add(thing);
   }
@@ -114,7 +117,8 @@ struct Kind {
   double seconds;
   std::unique_ptr<Observer> (*fill)(Stage&, const std::vector<double>&, const std::string&);
 };
-constexpr Kind kKinds[] = {{"thrown", 3, thrown}, {"sprung", 3, sprung}, {"swung", 2, swung}, {"stacked", 3, stacked}, {"poured", 3, poured}};
+constexpr Kind kKinds[] = {
+    {"thrown", 3, thrown}, {"sprung", 3, sprung}, {"swung", 2, swung}, {"stacked", 3, stacked}, {"poured", 3, poured}};
 
 bool within_two(double predicted, double found) {
   return (predicted == 0 && found == 0) || (found <= 2 * predicted && predicted <= 2 * found);
@@ -127,7 +131,8 @@ Setting finer(Setting setting) {
 
 /// Search, then judge the pick anew.
 bool prediction_holds(const Kind& kind, double seed) {
-  const Scene scene{std::string(kind.name), "", "", {{"seed", "", "", 1, 0, 1e6, true}}, kind.seconds, 1.0 / 60, kind.fill};
+  const Scene scene{std::string(kind.name), "",       "",       {{"seed", "", "", 1, 0, 1e6, true}},
+                    kind.seconds,           1.0 / 60, kind.fill};
   Question q;
   q.scene = &scene;
   q.settings.values = {{"seed", seed}};
@@ -153,7 +158,8 @@ bool prediction_holds(const Kind& kind, double seed) {
   }
   std::sort(ms.begin(), ms.end());
   // Errors below the floor are not told apart: so it was said.
-  const bool holds = within_two(said.ms, ms[1]) && (within_two(said.error, error) || std::max(said.error, error) <= 2 * a.floor);
+  const bool holds =
+      within_two(said.ms, ms[1]) && (within_two(said.error, error) || std::max(said.error, error) <= 2 * a.floor);
   std::printf("%-8s %3.0f  %s%-6s said %.2e in %.4f ms, found %.2e in %.4f ms, floor %.1e: %s  (%s)\n", kind.name, seed,
               a.chaotic ? "chaotic, " : "", name_of(a.kind), said.error, said.ms, error, ms[1], a.floor,
               holds ? "holds" : "does NOT hold", said.setting.text().c_str());
@@ -169,7 +175,8 @@ bool prediction_holds(const Kind& kind, double seed) {
   assert_true(held >= 9);
 }
 
-/// A bar that is turned by an angle about an axis across has its matter displaced by 2 sin(angle / 2) times its gyration.
+/// A bar that is turned by an angle about an axis across has its matter displaced by 2 sin(angle / 2) times its
+/// gyration.
 static void a_turn_counts_by_what_it_moves(void**) {
   Trace a, b;
   a.matter.resize(1);

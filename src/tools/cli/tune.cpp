@@ -1,4 +1,5 @@
-// `carom tune SCENE`: which settings err least within so many milliseconds a frame, on this machine: what it asks and says.
+// `carom tune SCENE`: which settings err least within so many milliseconds a frame, on this machine: what it asks and
+// says.
 #include "tune/tune.h"
 
 #include <unistd.h>
@@ -35,8 +36,8 @@ struct TuneOptions {
   bool quiet = false;
 };
 
-const std::vector<ErrorKind> kKinds = {ErrorKind::truth, ErrorKind::pose, ErrorKind::drift, ErrorKind::energy,
-                                       ErrorKind::gap,   ErrorKind::laws};
+const std::vector<ErrorKind> kKinds = {ErrorKind::truth,  ErrorKind::pose, ErrorKind::drift,
+                                       ErrorKind::energy, ErrorKind::gap,  ErrorKind::laws};
 
 ErrorKind kind_from(const TuneOptions& options, bool is_challenge) {
   if (options.error.empty()) return is_challenge ? ErrorKind::truth : ErrorKind::pose;
@@ -44,9 +45,10 @@ ErrorKind kind_from(const TuneOptions& options, bool is_challenge) {
   for (const ErrorKind kind : kKinds) {
     if (options.error == tune::name_of(kind)) {
       if (kind == ErrorKind::truth && !is_challenge)
-        throw Error("scene " + options.scene + " has no closed form to be judged by",
-                    "leave --error away, or choose pose, drift, energy, gap or laws; `carom accuracy list` shows scenes "
-                    "with a truth");
+        throw Error(
+            "scene " + options.scene + " has no closed form to be judged by",
+            "leave --error away, or choose pose, drift, energy, gap or laws; `carom accuracy list` shows scenes "
+            "with a truth");
       return kind;
     }
     names += (names.empty() ? "" : ", ") + std::string(tune::name_of(kind));
@@ -134,7 +136,8 @@ std::string offences_text(const tune::Offences& o) {
 
 void print_chaos(const Answer& a) {
   std::printf(
-      "This scene is chaotic: its two finest runs end up %.2g m from each other (rms), which is as far as any setting is "
+      "This scene is chaotic: its two finest runs end up %.2g m from each other (rms), which is as far as any setting "
+      "is "
       "from them.\n",
       a.spread);
   if (a.kind != ErrorKind::laws) {
@@ -144,7 +147,8 @@ void print_chaos(const Answer& a) {
   std::printf("Poses say nothing then. Compared instead: what no motion may do, as lengths.\n");
   for (const Measured& m : a.all)
     if (m.is_default) std::printf("  default: %s\n", offences_text(m.offences).c_str());
-  if (a.pick >= 0) std::printf("  pick: %s\n", offences_text(a.front[static_cast<std::size_t>(a.pick)].offences).c_str());
+  if (a.pick >= 0)
+    std::printf("  pick: %s\n", offences_text(a.front[static_cast<std::size_t>(a.pick)].offences).c_str());
 }
 
 void print_counts(const Question& q, const Answer& a) {
@@ -153,8 +157,8 @@ void print_counts(const Question& q, const Answer& a) {
   if (a.left_out) std::printf(", for %d no time was left (--within %g)", a.left_out, q.patience);
   std::printf(".\n");
   if (a.seconds < q.seconds)
-    std::printf("Judged by the first %.2g of %g s: all of it takes more than %g s (--within, or --seconds).\n", a.seconds,
-                q.seconds, q.patience);
+    std::printf("Judged by the first %.2g of %g s: all of it takes more than %g s (--within, or --seconds).\n",
+                a.seconds, q.seconds, q.patience);
 }
 
 bool holds(double predicted, double found) {
@@ -165,15 +169,17 @@ void print_answer(const Question& q, const Answer& a) {
   if (a.chaotic)
     print_chaos(a);
   else if (a.floor > 0)
-    std::printf("The reference and its half differ by %.2g %s: errors near that are not told apart.\n", a.floor,
-                tune::unit_of(a.kind));
+    std::printf(
+        "Errors below %.2g %s are not told apart: so far the reference is from its half, or nearer than counts.\n",
+        a.floor, tune::unit_of(a.kind));
   print_front(q, a);
   print_counts(q, a);
   if (a.pick < 0) {
     if (a.front.empty())
-      std::printf(a.let_fall ? "No setting that is as cheap lets stand what stands.\n"
-                             : "No setting gave an answer: they take more than several times the budget, or leave the finite "
-                               "world. The library's own takes %.3g ms a frame.\n",
+      std::printf(a.let_fall
+                      ? "No setting that is as cheap lets stand what stands.\n"
+                      : "No setting gave an answer: they take more than several times the budget, or leave the finite "
+                        "world. The library's own takes %.3g ms a frame.\n",
                   own_ms(a));
     else if (a.front.front().ms > 4 * q.budget_ms)
       std::printf("Nothing is anywhere near %.3g ms a frame; ask with a larger --budget.\n", q.budget_ms);
@@ -200,24 +206,20 @@ nlohmann::json to_json(const Measured& m) {
       {"steps_per_frame", m.setting.steps_per_frame}, {"dials", dials}, {"ms", m.ms}, {"worst_ms", m.worst_ms}};
   j["error"] = std::isfinite(m.error) ? nlohmann::json(m.error) : nlohmann::json();
   j["fallen"] = m.fallen;
-  j["offences"] = {{"sink", m.offences.sink}, {"joints", m.offences.joints}, {"cone", m.offences.cone},
+  j["offences"] = {{"sink", m.offences.sink},
+                   {"joints", m.offences.joints},
+                   {"cone", m.offences.cone},
                    {"energy", m.offences.energy}};
   return j;
 }
 
 void write_json(const std::string& path, const Question& q, const Answer& a) {
-  nlohmann::json j = {{"scene", q.scene->name},
-                      {"seconds", q.seconds},
-                      {"frame_rate", q.frame_rate},
-                      {"budget_ms", q.budget_ms},
-                      {"error", tune::name_of(a.kind)},
-                      {"unit", unit_of(q, a)},
-                      {"chaotic", a.chaotic},
-                      {"floor", a.floor},
-                      {"judged_seconds", a.seconds},
-                      {"tried", a.tried},
-                      {"let_fall", a.let_fall},
-                      {"left_out", a.left_out},
+  nlohmann::json j = {{"scene", q.scene->name},         {"seconds", q.seconds},
+                      {"frame_rate", q.frame_rate},     {"budget_ms", q.budget_ms},
+                      {"error", tune::name_of(a.kind)}, {"unit", unit_of(q, a)},
+                      {"chaotic", a.chaotic},           {"floor", a.floor},
+                      {"judged_seconds", a.seconds},    {"tried", a.tried},
+                      {"let_fall", a.let_fall},         {"left_out", a.left_out},
                       {"too_dear", a.too_dear}};
   j["front"] = nlohmann::json::array();
   for (const Measured& m : a.front) j["front"].push_back(to_json(m));
@@ -245,7 +247,8 @@ std::vector<std::tuple<carom_dial_info, double, std::string>> dials_of(const tun
       if (dial == info.name)
         list.emplace_back(info, number_of(info, value), value);
       else if (dial == "preset") {
-        const auto preset = static_cast<std::uint32_t>(std::find(presets.begin(), presets.end(), value) - presets.begin());
+        const auto preset =
+            static_cast<std::uint32_t>(std::find(presets.begin(), presets.end(), value) - presets.begin());
         if (carom_preset_get_dial(preset, info.dial, &number, nullptr) == CAROM_OK)
           list.emplace_back(info, number, "preset " + value);
       }
@@ -356,11 +359,14 @@ void add_tune_command(CLI::App& app, Context& context) {
   command->add_option("scene", options.scene, "A scene of `carom list` or `carom accuracy list`")->required();
   command->add_option("--budget", options.budget, "ms of computing a frame")->capture_default_str();
   command->add_option("--frame", options.frame, "Frames per second")->capture_default_str();
-  command->add_option("--error", options.error,
-                      "truth (of accuracy scenes), pose, drift, energy, gap or laws; default: truth where there is one, "
-                      "else pose, or laws where the scene is chaotic");
+  command->add_option(
+      "--error", options.error,
+      "truth (of accuracy scenes), pose, drift, energy, gap or laws; default: truth where there is one, "
+      "else pose, or laws where the scene is chaotic");
   command->add_option("--seconds", options.seconds, "Simulated; default: the scene's own, at most 10");
-  command->add_option("--within", options.within, "s that the search takes: less of the scene is run, and fewer settings; 0: no bound")
+  command
+      ->add_option("--within", options.within,
+                   "s that the search takes: less of the scene is run, and fewer settings; 0: no bound")
       ->capture_default_str();
   command->add_option("--set", options.sets, "Knob of the scene, NAME=NUMBER (repeatable)")->allow_extra_args(false);
   command->add_option("--repeats", options.repeats, "Runs behind each time on the front")->capture_default_str();

@@ -23,8 +23,8 @@ bool comparable(const Trace& a, const Trace& b) {  // else one was over before t
   return a.energy.size() == b.energy.size() && a.center.size() == b.center.size();
 }
 
-/// Mean over a body's matter of the square of how far it is from where another run has it: that of its centre, and what its
-/// turn moves. No axis counts more than its matter says: a rod's turn about itself moves next to nothing.
+/// Mean over a body's matter of the square of how far it is from where another run has it: that of its centre, and what
+/// its turn moves. No axis counts more than its matter says: a rod's turn about itself moves next to nothing.
 double pose_error(const Trace& a, const Trace& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.center.size(); ++i) {

@@ -113,6 +113,7 @@ class Watch {
     if (line.effect == CAROM_PLAN_NO_EFFECT || line.customers == 0) return;
     const auto is = [&](const char* name) { return std::strcmp(line.name, name) == 0; };
     Participants& who = trace_.who;
+    who.may_touch |= is("collision");
     who.joints |= is("joints");
     who.bounces |= is("restitution");
     who.turns |= is("gyroscopic");

@@ -10,22 +10,24 @@
 namespace carom::tools::tune {
 namespace {
 
-constexpr double kFirstPart = 0.3;      // of the scene that all candidates are run over
-constexpr double kLeastSeconds = 1;     // that it is worth to do so for
-constexpr double kDear = 4;             // times the budget: a setting that takes longer is given up,
-constexpr double kDearest = 12;         // as is one that takes so many times what the library's own does
-constexpr double kApart = 0.3;          // of the median candidate's error: as far as the references may be from each other
-constexpr double kClearly = 0.95;       // of the error of what is cheaper: more is no gain worth a millisecond
-constexpr double kDistance = 1e-9;      // m: nearer than that, two runs are the same
-constexpr double kNudge = 1e-6;         // m/s: chaos makes another run of it, of the same kind
-constexpr double kWorkFull = 130;       // what a search takes, in runs of the library's own setting (measured: 90 to 150),
-constexpr double kWorkFew = 45;         // and with few candidates and rough references
-constexpr double kWorthAll = 3;         // s, simulated: with less left for it, few candidates are tried
-constexpr double kShortest = 0.5;       // s, simulated, that anything is judged by
-constexpr double kUntilLate = 0.75;     // of the patience: then nothing else is tried
-constexpr double kRuns = 110;           // about so many, each of which has to start, or, with few candidates,
+constexpr double kFirstPart = 0.3;   // of the scene that all candidates are run over
+constexpr double kLeastSeconds = 1;  // that it is worth to do so for
+constexpr double kDear = 4;          // times the budget: a setting that takes longer is given up,
+constexpr double kDearest = 12;      // as is one that takes so many times what the library's own does
+constexpr double kApart = 0.3;       // of the median candidate's error: as far as the references may be from each other
+constexpr double kClearly = 0.95;    // of the error of what is cheaper: more is no gain worth a millisecond
+constexpr double kDistance = 1e-9;   // m: nearer than that, two runs are the same
+constexpr double kNudge = 1e-6;      // m/s: chaos makes another run of it, of the same kind
+constexpr double kWorkFull = 130;    // what a search takes, in runs of the library's own setting (measured: 90 to 150),
+constexpr double kWorkFew = 45;      // and with few candidates and rough references
+constexpr double kWorthAll = 3;      // s, simulated: with less left for it, few candidates are tried
+constexpr double kShortest = 0.5;    // s, simulated, that anything is judged by
+constexpr double kUntilLate = 0.75;  // of the patience: then nothing else is tried
+constexpr double kRuns = 110;        // about so many, each of which has to start, or, with few candidates,
 constexpr double kRunsFew = 45;
-constexpr double kProbe = 0.04;         // of the patience, to find out what a frame costs
+constexpr double kTimed = 0.05;  // s of computing: runs that take less together are repeated on, for their times
+constexpr int kMostRepeats = 20;
+constexpr double kProbe = 0.04;  // of the patience, to find out what a frame costs
 
 /// How many of the others beat one in both time and error.
 int beaten_by(const Measured& one, const std::vector<Measured>& all) {
@@ -34,15 +36,17 @@ int beaten_by(const Measured& one, const std::vector<Measured>& all) {
   }));
 }
 
-/// From the cheapest on, each that errs clearly less than all cheaper ones.
-std::vector<Measured> front_of(std::vector<Measured> all) {
+/// From the cheapest on, each that errs clearly less than all cheaper ones.   @param floor  errors below it are the
+/// same
+std::vector<Measured> front_of(std::vector<Measured> all, double floor) {
   std::sort(all.begin(), all.end(), [](const Measured& a, const Measured& b) { return a.ms < b.ms; });
   std::vector<Measured> front;
   double least = std::numeric_limits<double>::infinity();
   for (const Measured& m : all) {
-    if (!(m.error < kClearly * least)) continue;
+    const double error = std::max(m.error, floor);
+    if (!(error < kClearly * least)) continue;
     front.push_back(m);
-    least = m.error;
+    least = error;
   }
   return front;
 }
@@ -75,10 +79,11 @@ class Search {
     }
     measured = measure(settings, answer_.seconds, whole_);
     if (!halves) judge_chaos(measured, whole_);
+    find_floor();
     look_closer(measured);
-    answer_.front = front_of(measured);
+    answer_.front = front_of(measured, answer_.floor);
     run_front_again(measured);
-    answer_.front = front_of(measured);
+    answer_.front = front_of(measured, answer_.floor);
     answer_.all = std::move(measured);
     std::sort(answer_.all.begin(), answer_.all.end(), [](const Measured& a, const Measured& b) { return a.ms < b.ms; });
     pick();
@@ -86,7 +91,8 @@ class Search {
   }
 
  private:
-  static constexpr double kHopeless = 8;  // times the budget that the library's own setting takes: no dial makes up for it
+  static constexpr double kHopeless =
+      8;  // times the budget that the library's own setting takes: no dial makes up for it
 
   double now() const { return question_.threads == 1 ? cpu_time() : wall_time(); }
   /// What is left then is for the front's times.
@@ -105,23 +111,41 @@ class Search {
     const double patience = question_.patience > 0 ? question_.patience : 20;
     double length = std::min(question_.seconds, kShortest), took = 0;  // s
     for (;; length = std::min(question_.seconds, 4 * length)) {
-      const double begun = now();
+      const double first = now();
       trace = player_.play({1, {}}, length);
-      took = now() - begun - player_.start_seconds();
+      took = now() - first - player_.start_seconds();
       if (length >= question_.seconds || 5 * took > kProbe * patience) break;
     }
     answer_.who = trace.who;
     // Nothing met in what was looked at, though there was no time to look further: it may yet.
-    if (length < question_.seconds) answer_.who.contacts = answer_.who.bounces = true;
+    if (length < question_.seconds && trace.who.may_touch) answer_.who.contacts = answer_.who.bounces = true;
     own_ms_ = trace.ms;
     if (question_.patience <= 0 || question_.seconds_chosen) return;
-    player_.play({1, {}}, kShortest / 10);  // the second start, which takes what all later ones do
+    // Once more: the first run, and its start, made what all later ones find.
+    double begun = now();
+    own_ms_ = player_.play({1, {}}, length).ms;
     const double start = player_.start_seconds();
-    const double run_s = took / length;  // s of computing, a second of the scene
-    const auto fits = [&](double runs, double work) { return (question_.patience - runs * start) / (run_s * work); };
+    double run_s = (now() - begun - start) / length;  // s of computing, a second of the scene
+    // What happens later may cost more than the start did: what was found to fit is run once before it is believed.
+    for (int attempt = 0; attempt < 3; ++attempt) {
+      const double before = answer_.seconds;
+      fit(start, run_s);
+      if (answer_.seconds > 0.8 * before && attempt > 0) break;
+      if (answer_.seconds <= kShortest || answer_.seconds <= length) break;
+      begun = now();
+      own_ms_ = player_.play({1, {}}, answer_.seconds).ms;
+      run_s = (now() - begun - player_.start_seconds()) / answer_.seconds;
+    }
+  }
+
+  /// So much of the scene, and as many settings, as there is time for.
+  void fit(double start, double run_s) {
+    const auto fits = [&](double runs, double work) {
+      return (question_.patience - (now() - begun_) - runs * start) / (run_s * work);
+    };
     few_ = fits(kRuns, kWorkFull) < std::min(kWorthAll, question_.seconds);
     const double most = few_ ? fits(kRunsFew, kWorkFew) : fits(kRuns, kWorkFull);
-    answer_.seconds = std::min(question_.seconds, std::max(kShortest, most));
+    answer_.seconds = std::min(answer_.seconds, std::max(kShortest, most));
   }
 
   Answer hopeless() {
@@ -197,6 +221,15 @@ class Search {
     for (Measured& m : measured) m.error = m.errors[static_cast<std::size_t>(answer_.kind)];
   }
 
+  /// Below it errors are not told apart.
+  void find_floor() {
+    const bool told_alone =
+        answer_.kind == ErrorKind::truth || answer_.kind == ErrorKind::gap || answer_.kind == ErrorKind::laws;
+    answer_.floor = told_alone ? 0 : between(whole_, answer_.kind);
+    if (answer_.kind == ErrorKind::pose || answer_.kind == ErrorKind::drift)
+      answer_.floor = std::max(answer_.floor, kDistance);
+  }
+
   /// By how many others beat each; the library's own setting stays in any case.
   static void keep_better_half(std::vector<Measured>& measured) {
     const std::vector<Measured> all = measured;
@@ -209,7 +242,7 @@ class Search {
 
   void look_closer(std::vector<Measured>& measured) {
     std::vector<Setting> near;
-    for (const Measured& m : front_of(measured))
+    for (const Measured& m : front_of(measured, answer_.floor))
       for (Setting& s : neighbours(m.setting, answer_.who))
         if (std::none_of(measured.begin(), measured.end(), [&](const Measured& k) { return k.setting == s; }))
           near.push_back(std::move(s));
@@ -223,11 +256,14 @@ class Search {
                                         [&](const Measured& f) { return f.setting == m.setting; });
       if (!on_front && !m.is_default) continue;
       std::vector<double> ms = {m.ms}, worst = {m.worst_ms}, errors = {m.error};
-      for (int k = 1; k < question_.repeats && (k == 1 || !late()); ++k) {
+      const double frames = answer_.seconds * question_.frame_rate;
+      double timed = 1e-3 * m.ms * frames;  // s
+      for (int k = 1; (k < question_.repeats || (timed < kTimed && k < kMostRepeats)) && (k == 1 || !late()); ++k) {
         tell("again: " + m.setting.text());
         Measured again = m;
         judge(again, player_.play(m.setting, answer_.seconds, 1e300, nudge(k)), whole_);
         ms.push_back(again.ms), worst.push_back(again.worst_ms), errors.push_back(again.error);
+        timed += 1e-3 * again.ms * frames;
       }
       m.ms = median(ms), m.worst_ms = median(worst);
       if (answer_.chaotic) m.error = median(errors);
@@ -239,14 +275,18 @@ class Search {
   void pick() {
     for (std::size_t i = 0; i < answer_.front.size(); ++i)
       if (answer_.front[i].ms <= question_.budget_ms) answer_.pick = static_cast<int>(i);  // later ones err less
-    const bool told_alone = answer_.kind == ErrorKind::truth || answer_.kind == ErrorKind::gap || answer_.kind == ErrorKind::laws;
-    answer_.floor = told_alone ? 0 : between(whole_, answer_.kind);
     if (answer_.pick < 0) return;
     tell("the pick in a new world");
     answer_.fresh = answer_.front[static_cast<std::size_t>(answer_.pick)];
     const Setting& chosen = answer_.fresh.setting;
     Player fresh(engine_, question_);
-    judge(answer_.fresh, fresh.play(chosen, answer_.seconds, 1e300, nudge(question_.repeats)), whole_);
+    std::vector<double> ms;
+    for (double timed = 0; ms.empty() || (timed < kTimed && ms.size() < kMostRepeats);) {
+      judge(answer_.fresh, fresh.play(chosen, answer_.seconds, 1e300, nudge(question_.repeats)), whole_);
+      ms.push_back(answer_.fresh.ms);
+      timed += 1e-3 * ms.back() * answer_.seconds * question_.frame_rate;
+    }
+    answer_.fresh.ms = median(ms);
   }
 
   Engine& engine_;

@@ -14,9 +14,9 @@ namespace carom::tools::tune {
 
 /// What an error is. Truth, gap and laws are told without the reference run (but the energy among the laws).
 enum class ErrorKind {
-  truth,   ///< what the accuracy scene itself measures, against its closed form: its first metric, in its unit
-  pose,    ///< m, rms over moments, bodies and their matter of how far it is from where the reference has it: turns, too
-  drift,   ///< m, rms over moments, likewise of the mean of all bodies: also of scenes that are chaotic
+  truth,  ///< what the accuracy scene itself measures, against its closed form: its first metric, in its unit
+  pose,   ///< m, rms over moments, bodies and their matter of how far it is from where the reference has it: turns, too
+  drift,  ///< m, rms over moments, likewise of the mean of all bodies: also of scenes that are chaotic
   energy,  ///< J, rms over moments, likewise of kinetic energy and that in the world's gravity
   gap,     ///< m, rms over moments of the deepest penetration and the widest joint
   laws     ///< m, how far from the laws that hold whatever the motion: see Offences
@@ -44,9 +44,10 @@ struct Setting {
 /// What a scene has in it, so that a dial matters to it or does not.
 struct Participants {
   bool contacts = false, joints = false;
-  bool bounces = false;  ///< contacts with a restitution
-  bool turns = false;    ///< bodies with unlike moments of inertia that spin
-  bool forces = false;   ///< that change along the way: springs, drag, water, fields, damping
+  bool bounces = false;    ///< contacts with a restitution
+  bool turns = false;      ///< bodies with unlike moments of inertia that spin
+  bool forces = false;     ///< that change along the way: springs, drag, water, fields, damping
+  bool may_touch = false;  ///< two colliders are there of which one can move
 };
 
 /// The settings that are tried first, the library's own before all others, and those beside one that is worth a closer
@@ -74,38 +75,41 @@ struct Question {
 
 /// How a body was at the start, and its matter.
 struct Matter {
-  double mass = 0;                                ///< kg
-  Vec home = Vec::Zero();                         ///< m, its centre at first
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();  ///< m^2, body axes: mean of r r^T about the centre
+  double mass = 0;                                           ///< kg
+  Vec home = Vec::Zero();                                    ///< m, its centre at first
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();          ///< m^2, body axes: mean of r r^T about the centre
   double size() const { return std::sqrt(spread.trace()); }  ///< m, rms radius
 };
 
 /// A scene as it went, at up to 120 moments, by at most 400 of its dynamic bodies and particles.
 struct Trace {
-  std::vector<Matter> matter;      ///< by body
-  std::vector<Vec> center;         ///< m, [moments][bodies]
-  std::vector<Quat> orientation;   ///< [moments][bodies]
-  std::vector<double> energy;      ///< J, by moment
-  std::vector<double> sink;        ///< m, by moment: the deepest penetration since the last
+  std::vector<Matter> matter;        ///< by body
+  std::vector<Vec> center;           ///< m, [moments][bodies]
+  std::vector<Quat> orientation;     ///< [moments][bodies]
+  std::vector<double> energy;        ///< J, by moment
+  std::vector<double> sink;          ///< m, by moment: the deepest penetration since the last
   std::vector<double> joints, cone;  ///< m, m/s, by moment
-  double weight = 0;               ///< kg, of all that moves
-  double truth = 0;                ///< of a challenge: its first error
-  double ms = 0, worst_ms = 0;     ///< of computing, mean and worst frame
+  double weight = 0;                 ///< kg, of all that moves
+  double truth = 0;                  ///< of a challenge: its first error
+  double ms = 0, worst_ms = 0;       ///< of computing, mean and worst frame
   Participants who;
-  bool finite = true;              ///< nothing in quarantine
-  bool fell = false;               ///< as a challenge tells
-  bool dear = false;               ///< given up: it takes more than it was allowed to
+  bool finite = true;  ///< nothing in quarantine
+  bool fell = false;   ///< as a challenge tells
+  bool dear = false;   ///< given up: it takes more than it was allowed to
 };
-/// Runs a scene again and again. What is not judged by a trial is built once and put back to its start: hulls of a mesh take
-/// longer to make than the run they are in.
+/// Runs a scene again and again. What is not judged by a trial is built once and put back to its start: hulls of a mesh
+/// take longer to make than the run they are in.
 class Player {
  public:
   Player(Engine& engine, const Question& question) : engine_(engine), question_(question) {}
   /// @param most_ms  of computing a frame, beyond which the run is given up
-  /// @param nudge  m/s, by which the first body's velocity is another: a run as good as the one without, where all is chaos
+  /// @param nudge  m/s, by which the first body's velocity is another: a run as good as the one without, where all is
+  /// chaos
   /// @throws Error (dials that this scene refuses, ...)
   Trace play(const Setting& setting, double seconds, double most_ms = 1e300, double nudge = 0);
-  double start_seconds() const { return start_seconds_; }  ///< s of computing that a run took before its first step, lately
+  double start_seconds() const {
+    return start_seconds_;
+  }  ///< s of computing that a run took before its first step, lately
 
  private:
   Engine& engine_;
@@ -124,8 +128,8 @@ struct References {
 using Errors = std::array<double, kErrorKinds>;
 Errors errors_of(const Trace& trace, const References& references, double frame_rate);
 Offences offences_of(const Trace& trace, const References& references);
-/// How many bodies stand where they stood at first, by half their size, in both references and not in the run; less as many as
-/// the two references differ by.
+/// How many bodies stand where they stood at first, by half their size, in both references and not in the run; less as
+/// many as the two references differ by.
 int fallen(const Trace& trace, const References& references);
 
 struct Measured {
