@@ -29,3 +29,6 @@ foreach(scene ${accuracy_scenes})
     set_tests_properties(accuracy/${scene} PROPERTIES WILL_FAIL TRUE)
   endif()
 endforeach()
+# What the page on choosing says of presets is what the library says.
+add_test(NAME tools/choosing COMMAND ${CAROM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/bench/choosing $<TARGET_FILE:carom_cli> --check)
+set_tests_properties(tools/choosing PROPERTIES LABELS tools)

@@ -280,7 +280,7 @@ static void a_peer_that_is_ahead_is_marked_and_one_that_is_not_is_not(void**) {
     Sweep both = sweep;
     both.rows.push_back(peer);
     both.rows.back().cost = cost, both.rows.back().errors[0] = error, both.rows.back().fell_at = fell_at;
-    return report_page(both, {}).find("<tr class=\"bad\">") != std::string::npos;
+    return report_page(both, {}).find("<tr class=\"bad\"") != std::string::npos;
   };
   assert_true(marked(1e-3, 1e-4));         // ten times less error for the same
   assert_true(marked(1e-4, 1e-3));         // ten times cheaper

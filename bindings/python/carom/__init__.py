@@ -24,8 +24,9 @@ from .report import effects
 from .run import run
 from .shape import Shape
 from .support import SupportPlugin
+from .tune import Tuned, tune
 from .world import World
 
 __all__ = ["Attributes", "Body", "CaromError", "Closed", "Collider", "Engine", "ForceField", "Joint", "Material", "Particles", "Shape",
-           "Spring", "SupportPlugin", "Water", "World", "attribute_infos", "dial_infos", "effects", "errors", "raw",
-           "records", "run", "share", "__version__"]
+           "Spring", "SupportPlugin", "Tuned", "Water", "World", "attribute_infos", "dial_infos", "effects", "errors", "raw",
+           "records", "run", "share", "tune", "__version__"]

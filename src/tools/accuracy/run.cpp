@@ -2,7 +2,8 @@
 #include "accuracy/run.h"
 
 #include <cmath>
-#include <ctime>
+
+#include "host/cpu_time.h"
 
 namespace carom::tools::accuracy {
 namespace {
@@ -18,13 +19,6 @@ class OwnWorld : public Mover {
   }
   void step(Stage& stage, double dt) override { stage.world.step(dt); }
 };
-
-/// Of this thread, s: a machine that does other work too makes nobody slower.
-double cpu_time() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 struct Run {
   std::unique_ptr<Stage> stage;

@@ -1,4 +1,5 @@
-// `carom tune SCENE`: which settings err least within so many milliseconds a frame, on this machine.
+// `carom tune SCENE`: which settings err least within so many milliseconds a frame, on this machine: what it asks and
+// says.
 #include "tune/tune.h"
 
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "cli/commands.h"
 #include "cli/run_output.h"
@@ -28,14 +30,14 @@ using tune::Question;
 struct TuneOptions {
   std::string scene, error, json, code, svg;
   std::vector<std::string> sets;
-  double budget = 2, frame = 60, seconds = 0;
-  int repeats = 5;
+  double budget = 2, frame = 60, seconds = 0, within = 20;
+  int repeats = 3;
   std::uint32_t threads = 1;
   bool quiet = false;
 };
 
-const std::vector<ErrorKind> kKinds = {ErrorKind::truth, ErrorKind::pose, ErrorKind::drift, ErrorKind::energy,
-                                       ErrorKind::gap};
+const std::vector<ErrorKind> kKinds = {ErrorKind::truth,  ErrorKind::pose, ErrorKind::drift,
+                                       ErrorKind::energy, ErrorKind::gap,  ErrorKind::laws};
 
 ErrorKind kind_from(const TuneOptions& options, bool is_challenge) {
   if (options.error.empty()) return is_challenge ? ErrorKind::truth : ErrorKind::pose;
@@ -43,9 +45,10 @@ ErrorKind kind_from(const TuneOptions& options, bool is_challenge) {
   for (const ErrorKind kind : kKinds) {
     if (options.error == tune::name_of(kind)) {
       if (kind == ErrorKind::truth && !is_challenge)
-        throw Error("scene " + options.scene + " has no closed form to be judged by",
-                    "leave --error away, or choose pose, drift, energy or gap; `carom accuracy list` shows scenes "
-                    "with a truth");
+        throw Error(
+            "scene " + options.scene + " has no closed form to be judged by",
+            "leave --error away, or choose pose, drift, energy, gap or laws; `carom accuracy list` shows scenes "
+            "with a truth");
       return kind;
     }
     names += (names.empty() ? "" : ", ") + std::string(tune::name_of(kind));
@@ -69,6 +72,8 @@ Question question_from(const TuneOptions& options) {
   q.kind_chosen = !options.error.empty();
   q.seconds = options.seconds > 0 ? options.seconds : std::min(q.scene->seconds, 10.0);
   if (q.challenge) q.seconds = options.seconds > 0 ? options.seconds : q.scene->seconds;
+  q.seconds_chosen = options.seconds > 0;
+  q.patience = options.within;
   q.frame_rate = options.frame;
   q.budget_ms = options.budget;
   q.repeats = options.repeats;
@@ -117,30 +122,65 @@ void print_margins(const Question& q, const Answer& a) {
     }
 }
 
+double own_ms(const Answer& a) {
+  for (const Measured& m : a.all)
+    if (m.is_default) return m.ms;
+  return 0;
+}
+
+/// What a setting does that no motion may.
+std::string offences_text(const tune::Offences& o) {
+  return format("sinks %.2g m, joints off by %.2g m, Coulomb's law by %.2g m/s, energy by %.2g J/kg", o.sink, o.joints,
+                o.cone, o.energy);
+}
+
+void print_chaos(const Answer& a) {
+  std::printf(
+      "This scene is chaotic: its two finest runs end up %.2g m from each other (rms), which is as far as any setting "
+      "is "
+      "from them.\n",
+      a.spread);
+  if (a.kind != ErrorKind::laws) {
+    std::printf("You asked for this error all the same; its figures are those of one run among many.\n");
+    return;
+  }
+  std::printf("Poses say nothing then. Compared instead: what no motion may do, as lengths.\n");
+  for (const Measured& m : a.all)
+    if (m.is_default) std::printf("  default: %s\n", offences_text(m.offences).c_str());
+  if (a.pick >= 0)
+    std::printf("  pick: %s\n", offences_text(a.front[static_cast<std::size_t>(a.pick)].offences).c_str());
+}
+
+void print_counts(const Question& q, const Answer& a) {
+  std::printf("%d settings tried, %d given up for their time", a.tried, a.too_dear);
+  if (a.let_fall) std::printf(", %d left out since they let fall what stands", a.let_fall);
+  if (a.left_out) std::printf(", for %d no time was left (--within %g)", a.left_out, q.patience);
+  std::printf(".\n");
+  if (a.seconds < q.seconds)
+    std::printf("Judged by the first %.2g of %g s: all of it takes more than %g s (--within, or --seconds).\n",
+                a.seconds, q.seconds, q.patience);
+}
+
 bool holds(double predicted, double found) {
   return (predicted == 0 && found == 0) || (found <= 2 * predicted && predicted <= 2 * found);
 }
 
 void print_answer(const Question& q, const Answer& a) {
   if (a.chaotic)
-    std::printf(
-        "This scene is chaotic: its two finest runs end up %.2g m from each other (rms), which is as far as "
-        "any setting is from them.\n%s\n",
-        a.spread,
-        a.kind == ErrorKind::gap
-            ? "Poses say nothing then. Compared instead: how far bodies sink into each other and joints gape."
-            : "You asked for this error all the same; its figures are those of one run among many.");
+    print_chaos(a);
   else if (a.floor > 0)
-    std::printf("The reference and its half differ by %.2g %s: errors near that are not told apart.\n", a.floor,
-                tune::unit_of(a.kind));
+    std::printf(
+        "Errors below %.2g %s are not told apart: so far the reference is from its half, or nearer than counts.\n",
+        a.floor, tune::unit_of(a.kind));
   print_front(q, a);
-  std::printf("%d settings tried, %d given up for their time.\n", a.tried, a.too_dear);
+  print_counts(q, a);
   if (a.pick < 0) {
     if (a.front.empty())
-      std::printf(
-          "No setting gave an answer: %d of %d took more than 8 times the budget, the others fell or left the "
-          "finite world.\n",
-          a.too_dear, a.tried);
+      std::printf(a.let_fall
+                      ? "No setting that is as cheap lets stand what stands.\n"
+                      : "No setting gave an answer: they take more than several times the budget, or leave the finite "
+                        "world. The library's own takes %.3g ms a frame.\n",
+                  own_ms(a));
     else if (a.front.front().ms > 4 * q.budget_ms)
       std::printf("Nothing is anywhere near %.3g ms a frame; ask with a larger --budget.\n", q.budget_ms);
     else
@@ -165,19 +205,21 @@ nlohmann::json to_json(const Measured& m) {
   nlohmann::json j = {
       {"steps_per_frame", m.setting.steps_per_frame}, {"dials", dials}, {"ms", m.ms}, {"worst_ms", m.worst_ms}};
   j["error"] = std::isfinite(m.error) ? nlohmann::json(m.error) : nlohmann::json();
+  j["fallen"] = m.fallen;
+  j["offences"] = {{"sink", m.offences.sink},
+                   {"joints", m.offences.joints},
+                   {"cone", m.offences.cone},
+                   {"energy", m.offences.energy}};
   return j;
 }
 
 void write_json(const std::string& path, const Question& q, const Answer& a) {
-  nlohmann::json j = {{"scene", q.scene->name},
-                      {"seconds", q.seconds},
-                      {"frame_rate", q.frame_rate},
-                      {"budget_ms", q.budget_ms},
-                      {"error", tune::name_of(a.kind)},
-                      {"unit", unit_of(q, a)},
-                      {"chaotic", a.chaotic},
-                      {"floor", a.floor},
-                      {"tried", a.tried},
+  nlohmann::json j = {{"scene", q.scene->name},         {"seconds", q.seconds},
+                      {"frame_rate", q.frame_rate},     {"budget_ms", q.budget_ms},
+                      {"error", tune::name_of(a.kind)}, {"unit", unit_of(q, a)},
+                      {"chaotic", a.chaotic},           {"floor", a.floor},
+                      {"judged_seconds", a.seconds},    {"tried", a.tried},
+                      {"let_fall", a.let_fall},         {"left_out", a.left_out},
                       {"too_dear", a.too_dear}};
   j["front"] = nlohmann::json::array();
   for (const Measured& m : a.front) j["front"].push_back(to_json(m));
@@ -189,13 +231,29 @@ void write_json(const std::string& path, const Question& q, const Answer& a) {
 }
 
 /// The value of a dial as a number, whatever it was set by.
-double number_of(const std::string& dial, const std::string& value) {
-  for (const carom_dial_info& info : all_dials()) {
-    if (dial != info.name) continue;
-    for (std::uint32_t i = 0; i < info.choice_count; ++i)
-      if (value == info.choices[i]) return i;
-  }
+double number_of(const carom_dial_info& info, const std::string& value) {
+  for (std::uint32_t i = 0; i < info.choice_count; ++i)
+    if (value == info.choices[i]) return i;
   return std::strtod(value.c_str(), nullptr);
+}
+
+/// Every dial of a setting, those of its preset first, and how it is called there.
+std::vector<std::tuple<carom_dial_info, double, std::string>> dials_of(const tune::Setting& setting) {
+  std::vector<std::tuple<carom_dial_info, double, std::string>> list;
+  const auto presets = all_presets();
+  for (const auto& [dial, value] : setting.dials)
+    for (const carom_dial_info& info : all_dials()) {
+      double number = 0;
+      if (dial == info.name)
+        list.emplace_back(info, number_of(info, value), value);
+      else if (dial == "preset") {
+        const auto preset =
+            static_cast<std::uint32_t>(std::find(presets.begin(), presets.end(), value) - presets.begin());
+        if (carom_preset_get_dial(preset, info.dial, &number, nullptr) == CAROM_OK)
+          list.emplace_back(info, number, "preset " + value);
+      }
+    }
+  return list;
 }
 
 void write_code(const std::string& path, const Question& q, const Answer& a) {
@@ -207,11 +265,10 @@ void write_code(const std::string& path, const Question& q, const Answer& a) {
              << pick.setting.steps_per_frame << " times a frame by 1.0 / "
              << format("%g", q.frame_rate * pick.setting.steps_per_frame) << " s. */\n"
              << "static const struct {\n  uint32_t dial;\n  double value;\n} tuned[] = {\n";
-  for (const auto& [dial, value] : pick.setting.dials) {
-    std::string upper = dial;
+  for (const auto& [info, number, value] : dials_of(pick.setting)) {
+    std::string upper = info.name;
     for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    file.out() << "    {CAROM_DIAL_" << upper << ", " << format("%.17g", number_of(dial, value)) << "}, /* " << value
-               << " */\n";
+    file.out() << "    {CAROM_DIAL_" << upper << ", " << format("%.17g", number) << "}, /* " << value << " */\n";
   }
   if (pick.setting.dials.empty()) file.out() << "    {CAROM_DIAL_SUBSTEPS, 4}, /* all dials at their defaults */\n";
   file.out() << "};\n";
@@ -245,26 +302,48 @@ void write_plot(const std::string& path, const Question& q, const Answer& a) {
   write_drawing(path, report::draw(plot));
 }
 
+/// A line that rewrites itself on a terminal; elsewhere a line each tenth of the way.
+class TuneProgress {
+ public:
+  explicit TuneProgress(bool quiet) : quiet_(quiet), rewrites_(isatty(STDERR_FILENO)) {}
+  void operator()(int done, int total, const std::string& what) {
+    if (quiet_) return;
+    const int tenth = 10 * done / total;
+    if (rewrites_)
+      std::fprintf(stderr, "\r  %s %d of about %d  %-70.70s", bar(static_cast<double>(done) / total, 20).c_str(), done,
+                   total, what.c_str());
+    else if (tenth > tenths_)
+      std::fprintf(stderr, "  %d %%: %s\n", 10 * tenth, what.c_str());
+    tenths_ = std::max(tenth, tenths_);
+  }
+  ~TuneProgress() {
+    if (rewrites_ && !quiet_) std::fprintf(stderr, "\r%*s\r", 120, "");
+  }
+
+ private:
+  bool quiet_, rewrites_;
+  int tenths_ = -1;
+};
+
 void run_tune(const TuneOptions& options, Context& context) {
   if (!(options.budget > 0)) throw Error("--budget must be more than 0", "give milliseconds, e.g. --budget 2");
   if (!(options.frame > 0 && options.frame <= 1e4))
     throw Error("--frame is out of range", "give frames per second, e.g. 60");
   if (options.repeats < 1 || options.repeats > 99) throw Error("--repeats is out of range", "give 1 to 99");
+  if (!(options.within >= 0)) throw Error("--within is negative", "give seconds, or 0 for as long as it takes");
   const Question q = question_from(options);
   Engine engine(context.plugins());
   engine.set_threads(q.threads);
-  const bool shown = !options.quiet && isatty(STDERR_FILENO);
   if (!options.quiet) {
     std::printf("%s over %g s at %g Hz, error: %s\n", q.scene->name.c_str(), q.seconds, q.frame_rate,
                 q.kind == ErrorKind::truth ? q.challenge->metrics.front().what.c_str() : tune::name_of(q.kind));
     std::fflush(stdout);
   }
-  const Answer a = tune::search(engine, q, [&](int done, int total, const std::string& what) {
-    if (shown)
-      std::fprintf(stderr, "\r  %s %d of about %d  %-70.70s", bar(static_cast<double>(done) / total, 20).c_str(), done,
-                   total, what.c_str());
-  });
-  if (shown) std::fprintf(stderr, "\r%*s\r", 120, "");
+  Answer a;
+  {
+    TuneProgress teller(options.quiet);
+    a = tune::search(engine, q, [&](int done, int total, const std::string& what) { teller(done, total, what); });
+  }
   if (!options.quiet) print_answer(q, a);
   if (!options.json.empty()) write_json(options.json, q, a);
   if (!options.svg.empty()) write_plot(options.svg, q, a);
@@ -280,10 +359,15 @@ void add_tune_command(CLI::App& app, Context& context) {
   command->add_option("scene", options.scene, "A scene of `carom list` or `carom accuracy list`")->required();
   command->add_option("--budget", options.budget, "ms of computing a frame")->capture_default_str();
   command->add_option("--frame", options.frame, "Frames per second")->capture_default_str();
-  command->add_option("--error", options.error,
-                      "truth (of accuracy scenes), pose, drift, energy or gap; default: truth where there is one, else "
-                      "pose, or gap where the scene is chaotic");
+  command->add_option(
+      "--error", options.error,
+      "truth (of accuracy scenes), pose, drift, energy, gap or laws; default: truth where there is one, "
+      "else pose, or laws where the scene is chaotic");
   command->add_option("--seconds", options.seconds, "Simulated; default: the scene's own, at most 10");
+  command
+      ->add_option("--within", options.within,
+                   "s that the search takes: less of the scene is run, and fewer settings; 0: no bound")
+      ->capture_default_str();
   command->add_option("--set", options.sets, "Knob of the scene, NAME=NUMBER (repeatable)")->allow_extra_args(false);
   command->add_option("--repeats", options.repeats, "Runs behind each time on the front")->capture_default_str();
   command->add_option("--threads", options.threads, "Threads of the engine")->capture_default_str();

@@ -2,17 +2,11 @@
 #include "jury/trial.h"
 
 #include <cmath>
-#include <ctime>
+
+#include "host/cpu_time.h"
 
 namespace carom::tools::jury {
 namespace {
-
-/// s, that this thread computed: other programs do not count.
-double own_seconds() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 void set_dials(World& world, const Setting& setting) {
   if (!setting.preset.empty()) world.set_preset(setting.preset);
@@ -61,9 +55,9 @@ void run_once(Scenery& scenery, const Setting& setting,
   set_dials(scenery.stage.world, setting);
   for (std::size_t step = 1; step <= steps_of(setting); ++step) {
     drive(scenery, setting.dt * static_cast<double>(step - 1), setting.dt * static_cast<double>(step));
-    const double begun = own_seconds();
+    const double begun = cpu_time();
     scenery.stage.world.step(setting.dt);
-    const double seconds = own_seconds() - begun;
+    const double seconds = cpu_time() - begun;
     after(step, scenery.stage.world.report(), seconds);
   }
 }

@@ -45,14 +45,20 @@ std::string colours(const Scheme& c) {
 
 }  // namespace
 
-std::string style_sheet() {
+std::string light_style_sheet() {
   return "text{font:12px system-ui,sans-serif}.title{font-size:15px;font-weight:600}line,polyline{fill:none}"
          ".axis,.grid,.edge{stroke-width:1}.ref{stroke-width:1.6;stroke-dasharray:5 4}"
          ".halo{stroke-width:4;paint-order:stroke}.under{stroke-width:5}polyline{stroke-width:2;stroke-linejoin:round}."
          "ghost{fill-opacity:.3}polyline.thin{stroke-width:1.1;stroke-opacity:.55}polyline.bold{stroke-width:3.4}"
          ".bad{stroke-width:1.6}.ring{fill:none;stroke-width:1.6}.tiny{font-size:10px}.label{font-weight:600}"
          ".fell{stroke-width:1.4;stroke-opacity:.8}\n" +
-         colours(kLight) + "@media(prefers-color-scheme:dark){" + colours(kDark) + "}";
+         colours(kLight);
+}
+
+std::string dark_style_sheet() { return colours(kDark); }
+
+std::string style_sheet() {
+  return light_style_sheet() + "@media(prefers-color-scheme:dark){" + dark_style_sheet() + "}";
 }
 
 namespace {

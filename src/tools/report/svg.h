@@ -72,8 +72,11 @@ class Svg {
   int clips_ = 0;
 };
 
-/// What the classes above mean.
+/// What the classes above mean: by light, and dark where the reader's system is.
 std::string style_sheet();
+/// The same in two parts, for a page whose reader may choose: what dark changes comes after.
+std::string light_style_sheet();
+std::string dark_style_sheet();
 
 /// Width of a text in the drawing's font, px, to about 10 %: enough to keep labels apart.
 double text_width(const std::string& text, double size = 12);

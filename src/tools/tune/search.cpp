@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "host/cpu_time.h"
 #include "tune/tune.h"
 
 namespace carom::tools::tune {
@@ -11,10 +12,22 @@ namespace {
 
 constexpr double kFirstPart = 0.3;   // of the scene that all candidates are run over
 constexpr double kLeastSeconds = 1;  // that it is worth to do so for
-constexpr double kDear = 8;          // times the budget: a setting that takes longer is given up
+constexpr double kDear = 4;          // times the budget: a setting that takes longer is given up,
+constexpr double kDearest = 12;      // as is one that takes so many times what the library's own does
 constexpr double kApart = 0.3;       // of the median candidate's error: as far as the references may be from each other
 constexpr double kClearly = 0.95;    // of the error of what is cheaper: more is no gain worth a millisecond
 constexpr double kDistance = 1e-9;   // m: nearer than that, two runs are the same
+constexpr double kNudge = 1e-6;      // m/s: chaos makes another run of it, of the same kind
+constexpr double kWorkFull = 130;    // what a search takes, in runs of the library's own setting (measured: 90 to 150),
+constexpr double kWorkFew = 45;      // and with few candidates and rough references
+constexpr double kWorthAll = 3;      // s, simulated: with less left for it, few candidates are tried
+constexpr double kShortest = 0.5;    // s, simulated, that anything is judged by
+constexpr double kUntilLate = 0.75;  // of the patience: then nothing else is tried
+constexpr double kRuns = 110;        // about so many, each of which has to start, or, with few candidates,
+constexpr double kRunsFew = 45;
+constexpr double kTimed = 0.05;  // s of computing: runs that take less together are repeated on, for their times
+constexpr int kMostRepeats = 20;
+constexpr double kProbe = 0.04;  // of the patience, to find out what a frame costs
 
 /// How many of the others beat one in both time and error.
 int beaten_by(const Measured& one, const std::vector<Measured>& all) {
@@ -23,15 +36,17 @@ int beaten_by(const Measured& one, const std::vector<Measured>& all) {
   }));
 }
 
-/// From the cheapest on, each that errs clearly less than all cheaper ones.
-std::vector<Measured> front_of(std::vector<Measured> all) {
+/// From the cheapest on, each that errs clearly less than all cheaper ones.   @param floor  errors below it are the
+/// same
+std::vector<Measured> front_of(std::vector<Measured> all, double floor) {
   std::sort(all.begin(), all.end(), [](const Measured& a, const Measured& b) { return a.ms < b.ms; });
   std::vector<Measured> front;
   double least = std::numeric_limits<double>::infinity();
   for (const Measured& m : all) {
-    if (!(m.error < kClearly * least)) continue;
+    const double error = std::max(m.error, floor);
+    if (!(error < kClearly * least)) continue;
     front.push_back(m);
-    least = m.error;
+    least = error;
   }
   return front;
 }
@@ -44,28 +59,31 @@ double median(std::vector<double> values) {
 class Search {
  public:
   Search(Engine& engine, const Question& question, const std::function<void(int, int, const std::string&)>& progress)
-      : engine_(engine), question_(question), progress_(progress) {}
+      : engine_(engine), question_(question), progress_(progress), player_(engine, question) {}
 
   Answer run() {
     answer_.kind = question_.kind;
-    std::vector<Setting> settings = first_candidates();
-    const bool halves = question_.seconds * kFirstPart >= kLeastSeconds;
-    total_ = static_cast<int>(settings.size()) * (halves ? 3 : 2) / 2 + 40;
-    find_references();
+    probe();
+    std::vector<Setting> settings = first_candidates(answer_.who, few_);
+    const bool halves = !few_ && answer_.seconds * kFirstPart >= kLeastSeconds;
+    total_ = static_cast<int>(settings.size()) * (halves ? 3 : 2) / 2 + (few_ ? 25 : 45);
+    if (own_ms_ > kHopeless * question_.budget_ms) return hopeless();
+    find_references(halves);
     std::vector<Measured> measured;
     if (halves) {
-      measured = measure(settings, kFirstPart * question_.seconds, first_part_);
-      judge_chaos(measured);
+      measured = measure(settings, kFirstPart * answer_.seconds, first_part_);
+      judge_chaos(measured, first_part_);
       keep_better_half(measured);
       settings.clear();
       for (const Measured& m : measured) settings.push_back(m.setting);
     }
-    measured = measure(settings, question_.seconds, reference_);
-    if (!halves) judge_chaos(measured);
+    measured = measure(settings, answer_.seconds, whole_);
+    if (!halves) judge_chaos(measured, whole_);
+    find_floor();
     look_closer(measured);
-    answer_.front = front_of(measured);
-    time_front(measured);
-    answer_.front = front_of(measured);
+    answer_.front = front_of(measured, answer_.floor);
+    run_front_again(measured);
+    answer_.front = front_of(measured, answer_.floor);
     answer_.all = std::move(measured);
     std::sort(answer_.all.begin(), answer_.all.end(), [](const Measured& a, const Measured& b) { return a.ms < b.ms; });
     pick();
@@ -73,61 +91,143 @@ class Search {
   }
 
  private:
+  static constexpr double kHopeless =
+      8;  // times the budget that the library's own setting takes: no dial makes up for it
+
+  double now() const { return question_.threads == 1 ? cpu_time() : wall_time(); }
+  /// What is left then is for the front's times.
+  bool late() const { return question_.patience > 0 && now() - begun_ > kUntilLate * question_.patience; }
+
   void tell(const std::string& what) {
     ++done_;
     if (progress_) progress_(done_, std::max(total_, done_), what);
   }
 
-  void find_references() {
-    tell("reference");
-    reference_ = play(engine_, question_, reference_setting(), question_.seconds);
-    tell("half the reference");
-    half_ = play(engine_, question_, half_reference_setting(), question_.seconds);
-    first_part_ = play(engine_, question_, reference_setting(), kFirstPart * question_.seconds);
-    answer_.spread = error_of(half_, reference_, ErrorKind::pose);
+  /// What takes part, what a frame costs, and so how much of the scene there is time for.
+  void probe() {
+    tell("a first look");
+    answer_.seconds = question_.seconds;
+    Trace trace;
+    const double patience = question_.patience > 0 ? question_.patience : 20;
+    double length = std::min(question_.seconds, kShortest), took = 0;  // s
+    for (;; length = std::min(question_.seconds, 4 * length)) {
+      const double first = now();
+      trace = player_.play({1, {}}, length);
+      took = now() - first - player_.start_seconds();
+      if (length >= question_.seconds || 5 * took > kProbe * patience) break;
+    }
+    answer_.who = trace.who;
+    // Nothing met in what was looked at, though there was no time to look further: it may yet.
+    if (length < question_.seconds && trace.who.may_touch) answer_.who.contacts = answer_.who.bounces = true;
+    own_ms_ = trace.ms;
+    if (question_.patience <= 0 || question_.seconds_chosen) return;
+    // Once more: the first run, and its start, made what all later ones find.
+    double begun = now();
+    own_ms_ = player_.play({1, {}}, length).ms;
+    const double start = player_.start_seconds();
+    double run_s = (now() - begun - start) / length;  // s of computing, a second of the scene
+    // What happens later may cost more than the start did: what was found to fit is run once before it is believed.
+    for (int attempt = 0; attempt < 3; ++attempt) {
+      const double before = answer_.seconds;
+      fit(start, run_s);
+      if (answer_.seconds > 0.8 * before && attempt > 0) break;
+      if (answer_.seconds <= kShortest || answer_.seconds <= length) break;
+      begun = now();
+      own_ms_ = player_.play({1, {}}, answer_.seconds).ms;
+      run_s = (now() - begun - player_.start_seconds()) / answer_.seconds;
+    }
   }
 
-  std::vector<Measured> measure(const std::vector<Setting>& settings, double seconds, const Trace& reference) {
+  /// So much of the scene, and as many settings, as there is time for.
+  void fit(double start, double run_s) {
+    const auto fits = [&](double runs, double work) {
+      return (question_.patience - (now() - begun_) - runs * start) / (run_s * work);
+    };
+    few_ = fits(kRuns, kWorkFull) < std::min(kWorthAll, question_.seconds);
+    const double most = few_ ? fits(kRunsFew, kWorkFew) : fits(kRuns, kWorkFull);
+    answer_.seconds = std::min(answer_.seconds, std::max(kShortest, most));
+  }
+
+  Answer hopeless() {
+    answer_.tried = answer_.too_dear = 1;
+    answer_.all = {{{1, {}}, std::numeric_limits<double>::infinity(), own_ms_, own_ms_, true}};
+    return std::move(answer_);
+  }
+
+  References references(double seconds) {
+    tell("reference");
+    Trace full = player_.play(reference_setting(answer_.who, few_), seconds);
+    tell("half the reference");
+    return {std::move(full), player_.play(half_reference_setting(answer_.who, few_), seconds)};
+  }
+
+  void find_references(bool halves) {
+    whole_ = references(answer_.seconds);
+    if (halves) first_part_ = references(kFirstPart * answer_.seconds);
+    answer_.spread = between(whole_, ErrorKind::pose);
+  }
+
+  double between(const References& r, ErrorKind kind) const {
+    return errors_of(r.half, r, question_.frame_rate)[static_cast<std::size_t>(kind)];
+  }
+
+  void judge(Measured& m, const Trace& trace, const References& references) const {
+    m.errors = errors_of(trace, references, question_.frame_rate);
+    m.error = m.errors[static_cast<std::size_t>(answer_.kind)];
+    m.offences = offences_of(trace, references);
+    m.fallen = trace.fell ? std::max(1, fallen(trace, references)) : fallen(trace, references);
+    m.ms = trace.ms, m.worst_ms = trace.worst_ms;
+  }
+
+  double most_ms() const { return std::min(kDear * question_.budget_ms, kDearest * own_ms_ + 0.01); }
+
+  std::vector<Measured> measure(const std::vector<Setting>& settings, double seconds, const References& references) {
     std::vector<Measured> all;
-    traces_.clear();
     for (const Setting& setting : settings) {
+      if (late()) {
+        ++answer_.left_out;
+        continue;
+      }
       tell(setting.text());
       try {
-        Trace trace = play(engine_, question_, setting, seconds, kDear * question_.budget_ms);
+        const bool own = setting == Setting{1, {}};
+        const Trace trace = player_.play(setting, seconds, own ? kDear * question_.budget_ms : most_ms());
         ++answer_.tried;
         if (trace.dear) {
           ++answer_.too_dear;
           continue;
         }
-        all.push_back(
-            {setting, error_of(trace, reference, answer_.kind), trace.ms, trace.worst_ms, setting == Setting{1, {}}});
-        traces_.push_back(std::move(trace));
+        all.push_back({.setting = setting, .is_default = own});
+        judge(all.back(), trace, references);
+        answer_.let_fall += all.back().fallen > 0;
       } catch (const Error&) {
         // A solver that does not know what this scene is made of.
       }
     }
-    reference_of_traces_ = &reference;
     return all;
   }
 
   /// If the two finest runs are as far from each other as candidates are from them, there is nothing to compare with.
-  void judge_chaos(std::vector<Measured>& measured) {
+  void judge_chaos(std::vector<Measured>& measured, const References& references) {
     if (question_.kind != ErrorKind::pose && question_.kind != ErrorKind::drift) return;
     std::vector<double> errors;
     for (const Measured& m : measured)
       if (std::isfinite(m.error)) errors.push_back(m.error);
-    const bool whole = reference_of_traces_ == &reference_;
-    const double apart =
-        whole ? error_of(half_, reference_, question_.kind)
-              : error_of(play(engine_, question_, half_reference_setting(), kFirstPart * question_.seconds),
-                         first_part_, question_.kind);
     // Also where the whole scene departs though its first part does not.
-    answer_.chaotic =
-        std::max(apart, error_of(half_, reference_, question_.kind)) > kApart * median(errors) + kDistance;
+    const double apart = std::max(between(references, question_.kind), between(whole_, question_.kind));
+    answer_.chaotic = apart > kApart * median(errors) + kDistance;
     if (!answer_.chaotic || question_.kind_chosen) return;
-    answer_.kind = ErrorKind::gap;
-    for (std::size_t i = 0; i < measured.size(); ++i)
-      measured[i].error = error_of(traces_[i], *reference_of_traces_, answer_.kind);
+    answer_.kind = ErrorKind::laws;
+    for (Measured& m : measured) m.error = m.errors[static_cast<std::size_t>(answer_.kind)];
+  }
+
+  /// Below it errors are not told apart.
+  void find_floor() {
+    const bool told_alone =
+        answer_.kind == ErrorKind::truth || answer_.kind == ErrorKind::gap || answer_.kind == ErrorKind::laws;
+    answer_.floor = told_alone ? 0 : between(whole_, answer_.kind);
+    if (answer_.kind == ErrorKind::pose || answer_.kind == ErrorKind::drift)
+      answer_.floor = std::max(answer_.floor, kDistance);
   }
 
   /// By how many others beat each; the library's own setting stays in any case.
@@ -142,47 +242,63 @@ class Search {
 
   void look_closer(std::vector<Measured>& measured) {
     std::vector<Setting> near;
-    for (const Measured& m : front_of(measured))
-      for (Setting& s : neighbours(m.setting)) near.push_back(std::move(s));
-    for (Measured& m : measure(near, question_.seconds, reference_)) measured.push_back(std::move(m));
+    for (const Measured& m : front_of(measured, answer_.floor))
+      for (Setting& s : neighbours(m.setting, answer_.who))
+        if (std::none_of(measured.begin(), measured.end(), [&](const Measured& k) { return k.setting == s; }))
+          near.push_back(std::move(s));
+    for (Measured& m : measure(near, answer_.seconds, whole_)) measured.push_back(std::move(m));
   }
 
-  void time_front(std::vector<Measured>& measured) {
+  /// For their times; and where all is chaos, for errors of more than one run.
+  void run_front_again(std::vector<Measured>& measured) {
     for (Measured& m : measured) {
       const bool on_front = std::any_of(answer_.front.begin(), answer_.front.end(),
                                         [&](const Measured& f) { return f.setting == m.setting; });
       if (!on_front && !m.is_default) continue;
-      std::vector<double> ms = {m.ms}, worst = {m.worst_ms};
-      for (int k = 1; k < question_.repeats; ++k) {
+      std::vector<double> ms = {m.ms}, worst = {m.worst_ms}, errors = {m.error};
+      const double frames = answer_.seconds * question_.frame_rate;
+      double timed = 1e-3 * m.ms * frames;  // s
+      for (int k = 1; (k < question_.repeats || (timed < kTimed && k < kMostRepeats)) && (k == 1 || !late()); ++k) {
         tell("again: " + m.setting.text());
-        const Trace trace = play(engine_, question_, m.setting, question_.seconds);
-        ms.push_back(trace.ms), worst.push_back(trace.worst_ms);
+        Measured again = m;
+        judge(again, player_.play(m.setting, answer_.seconds, 1e300, nudge(k)), whole_);
+        ms.push_back(again.ms), worst.push_back(again.worst_ms), errors.push_back(again.error);
+        timed += 1e-3 * again.ms * frames;
       }
       m.ms = median(ms), m.worst_ms = median(worst);
+      if (answer_.chaotic) m.error = median(errors);
     }
   }
+
+  double nudge(int k) const { return answer_.chaotic ? k * kNudge : 0; }
 
   void pick() {
     for (std::size_t i = 0; i < answer_.front.size(); ++i)
       if (answer_.front[i].ms <= question_.budget_ms) answer_.pick = static_cast<int>(i);  // later ones err less
-    answer_.floor = answer_.kind == ErrorKind::truth || answer_.kind == ErrorKind::gap
-                        ? 0
-                        : error_of(half_, reference_, answer_.kind);
     if (answer_.pick < 0) return;
     tell("the pick in a new world");
-    const Measured& chosen = answer_.front[static_cast<std::size_t>(answer_.pick)];
-    const Trace trace = play(engine_, question_, chosen.setting, question_.seconds);
-    answer_.fresh = {chosen.setting, error_of(trace, reference_, answer_.kind), trace.ms, trace.worst_ms, false};
+    answer_.fresh = answer_.front[static_cast<std::size_t>(answer_.pick)];
+    const Setting& chosen = answer_.fresh.setting;
+    Player fresh(engine_, question_);
+    std::vector<double> ms;
+    for (double timed = 0; ms.empty() || (timed < kTimed && ms.size() < kMostRepeats);) {
+      judge(answer_.fresh, fresh.play(chosen, answer_.seconds, 1e300, nudge(question_.repeats)), whole_);
+      ms.push_back(answer_.fresh.ms);
+      timed += 1e-3 * ms.back() * answer_.seconds * question_.frame_rate;
+    }
+    answer_.fresh.ms = median(ms);
   }
 
   Engine& engine_;
   const Question& question_;
   const std::function<void(int, int, const std::string&)>& progress_;
+  Player player_;
   Answer answer_;
-  Trace reference_, half_, first_part_;
-  std::vector<Trace> traces_;
-  const Trace* reference_of_traces_ = nullptr;
-  int done_ = 0, total_ = 0;
+  References whole_, first_part_;
+  const double begun_ = question_.threads == 1 ? cpu_time() : wall_time();
+  double own_ms_ = 0;
+  bool few_ = false;
+  int done_ = 0, total_ = 100;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "../module_reason.h"
 #include "accuracy/sweep/sweep.h"
 #include "fairness.h"
 #include "settings.h"
@@ -28,10 +29,14 @@ struct Options {
 
 std::vector<PeerEngine> load(const Options& options) {
   std::vector<PeerEngine> list;
-  for (const Module& module : kModules)
-    if (options.engines.empty() ||
-        std::find(options.engines.begin(), options.engines.end(), module.name) != options.engines.end())
+  for (const Module& module : kModules) {
+    const auto& wanted = options.engines;
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), module.name) == wanted.end()) continue;
+    if (const std::string reason = reason_missing(module.path); !reason.empty())
+      std::fprintf(stderr, "%s is left out: %s\n", module.name, reason.c_str());
+    else
       list.push_back(load_engine(module.path));
+  }
   return list;
 }
 
@@ -94,7 +99,7 @@ int main(int argc, char** argv) {
   CLI::App app("Accuracy scenes through every engine that is installed");
   app.add_option("SCENES", options.scenes, "Which; default: all that every engine can run");
   app.add_option("--out", options.out, "Rows, for `carom accuracy report --from`")->type_name("FILE.json")->capture_default_str();
-  app.add_option("--engines", options.engines, "Which, besides Carom: bullet, bullet64, ode, mujoco");
+  app.add_option("--engines", options.engines, "Which, besides Carom: bullet, bullet64, ode, mujoco (Debian's), mujoco_wheel, rapier64");
   app.add_option("--seconds", options.seconds, "About how long to take")->capture_default_str();
   app.add_option("--per-run", options.per_run, "A run that takes more s of computing is left out")->capture_default_str();
   app.add_flag("--no-maps", options.no_maps, "Leave out the maps of what stands");

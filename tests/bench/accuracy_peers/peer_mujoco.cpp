@@ -185,8 +185,12 @@ struct FreeData {
 mjModel* compile(const std::string& text) {
   const auto vfs = std::make_unique<mjVFS>();
   mj_defaultVFS(vfs.get());
+#if mjVERSION_HEADER >= 4000000
+  mj_addBufferVFS(vfs.get(), "scene.xml", text.data(), static_cast<int>(text.size()));
+#else
   mj_makeEmptyFileVFS(vfs.get(), "scene.xml", static_cast<int>(text.size()));
   std::memcpy(vfs->filedata[mj_findFileVFS(vfs.get(), "scene.xml")], text.data(), text.size());
+#endif
   char error[500] = "";
   mjModel* const model = mj_loadXML("scene.xml", vfs.get(), error, sizeof error);
   mj_deleteVFS(vfs.get());
@@ -261,15 +265,24 @@ class MujocoWorld : public PeerWorld {
       mj_forward(m, d);
       mj_RungeKutta(m, d, 4);
     } else {
-      mj_kinematics(m, d), mj_comPos(m, d), mj_tendon(m, d), mj_crb(m, d), mj_factorM(m, d);
+      // mj_fwdPosition(), with the law put in between.
+      mj_kinematics(m, d), mj_comPos(m, d), mj_tendon(m, d), find_masses(m, d);
       mj_collision(m, d);
       for (int k = 0; k < d->ncon; ++k) set_law(d->contact[k]);
-      mj_makeConstraint(m, d), mj_transmission(m, d), mj_projectConstraint(m, d);
+      mj_makeConstraint(m, d), find_islands(m, d), mj_transmission(m, d), mj_projectConstraint(m, d);
       mj_fwdVelocity(m, d), mj_fwdActuation(m, d), mj_fwdAcceleration(m, d), mj_fwdConstraint(m, d);
       mj_Euler(m, d);
     }
     for (int k = 0; k < m->nq; ++k) is_sane_ &= std::fabs(d->qpos[k]) < 1e10;
   }
+
+#if mjVERSION_HEADER >= 4000000
+  static void find_masses(const mjModel* m, mjData* d) { mj_makeM(m, d), mj_factorM(m, d); }
+  static void find_islands(const mjModel* m, mjData* d) { mj_island(m, d); }
+#else
+  static void find_masses(const mjModel* m, mjData* d) { mj_crb(m, d), mj_factorM(m, d); }
+  static void find_islands(const mjModel*, mjData*) {}
+#endif
 
   struct Member {
     int body;  // -1: static
@@ -337,7 +350,8 @@ extern "C" __attribute__((visibility("default"))) PeerEngine carom_bench_engine(
       return nullptr;
     }
   };
-  return {"MuJoCo 2.2 (double)", make, [] { return std::size_t(0); }};
+  static const std::string name = "MuJoCo " + std::string(mj_versionString()) + " (double)";
+  return {name.c_str(), make, [] { return std::size_t(0); }};
 }
 
 }  // namespace carom::bench

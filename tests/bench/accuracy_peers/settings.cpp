@@ -13,6 +13,12 @@ std::vector<PeerSetting> settings_of(const std::string& engine) {
             {"exact LCP", {{"stepper", 1}}},
             {"exact LCP, 4 substeps", {{"stepper", 1}, {"substeps", 4}}},
             {"exact LCP, erp 0.8", {{"stepper", 1}, {"erp", 0.8}}}};
+  if (engine.starts_with("Rapier"))
+    return {{"4 iterations (as it comes)", {}},
+            {"1 iteration", {{"iterations", 1}}},
+            {"16 iterations", {{"iterations", 16}}},
+            {"64 iterations", {{"iterations", 64}}},
+            {"16 iterations, contacts of 120 Hz", {{"iterations", 16}, {"frequency", 120}}}};
   if (engine.starts_with("MuJoCo"))
     return {{"Newton, solref 20 ms (as it comes)", {}},
             {"solref two steps", {{"solref", 0}}},
@@ -40,9 +46,13 @@ std::string note_on(const std::string& engine) {
     return "Debian's libode-dev; sweep-and-prune space, four points a pair, friction in proportion to the normal force "
            "(dContactApprox1), bounces from 0.25 m/s on";
   if (engine.starts_with("MuJoCo"))
-    return "Debian's libmujoco-dev; joints as trees of ball joints in reduced coordinates, loops as equality constraints; "
+    return std::string(engine.starts_with("MuJoCo 2") ? "Debian's libmujoco-dev" : "the C library of the Python wheel mujoco-core") +
+           "; joints as trees of ball joints in reduced coordinates, loops as equality constraints; "
            "elliptic cones, no collision of joined bodies; friction and restitution of each contact set to the "
            "comparison's (a bounce is a spring and damper over 20 steps)";
+  if (engine.starts_with("Rapier"))
+    return "the crate rapier3d-f64; a wide box in the place of a half-space, no sleeping, impulse joints, frictions by their geometric "
+           "mean, the larger restitution";
   return "Debian's; stepSimulation(dt, 0), no sleeping, gyroscopic term as it comes, restitution the larger of both";
 }
 

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cctype>
 
+#include "accuracy/page/controls.h"
+
 namespace carom::tools::accuracy {
 namespace {
 
 using report::escape;
 
 constexpr const char* kStyle = R"(
-:root{color-scheme:light dark;--ground:#fcfcfa;--ink:#1f2328;--soft:#62666d;--line:#e4e4df;--panel:#f4f4f0;--bad:#c11f2e;
+:root{color-scheme:light;--ground:#fcfcfa;--ink:#1f2328;--soft:#62666d;--line:#e4e4df;--panel:#f4f4f0;--bad:#c11f2e;
 --badground:#fdecec;--accent:#1f66d0}
 body{font:16px/1.55 system-ui,sans-serif;margin:0;background:var(--ground);color:var(--ink)}
 main{max-width:57rem;margin:0 auto;padding:2.5rem 1.25rem 6rem}
@@ -33,26 +35,16 @@ th{color:var(--soft);font-weight:600}
 th:first-child,td:first-child,.words{text-align:left;padding-left:.3rem}
 tr.bad td{background:var(--badground)}tr.bad td:first-child{border-left:3px solid var(--bad);color:var(--bad);font-weight:600}
 .bad-word{color:var(--bad);font-weight:600}
-svg:hover g.setting{opacity:.35}svg g.setting:hover{opacity:1}svg g.setting:hover polyline{stroke-width:2.4;stroke-opacity:1}
-.dot{cursor:crosshair}
 #tip{position:fixed;pointer-events:none;background:var(--ink);color:var(--ground);font-size:.82rem;line-height:1.4;
 padding:.35rem .6rem;border-radius:5px;opacity:0;transition:opacity .08s;white-space:pre;z-index:9}
-@media(prefers-color-scheme:dark){:root{--ground:#16181d;--ink:#e8e8e4;--soft:#a2a6ad;--line:#30343b;--panel:#1e2128;
---bad:#ff7079;--badground:#3a1d21;--accent:#74aaff}}
-@media print{nav,#tip{display:none}}
 )";
 
-// No character that mark-up would take for its own.
-constexpr const char* kScript = R"(
-var tip=document.getElementById('tip');
-document.addEventListener('mouseover',function(e){
-var t=e.target.getAttribute?e.target.getAttribute('data-tip'):null;
-if(!t){tip.style.opacity=0;return;}
-tip.textContent=t.split('|').join('\n');tip.style.opacity=1;});
-document.addEventListener('mousemove',function(e){
-var right=Math.max(0,e.clientX+tip.offsetWidth+24-window.innerWidth);
-tip.style.left=(right?e.clientX-tip.offsetWidth-14:e.clientX+14)+'px';tip.style.top=(e.clientY+14)+'px';});
+constexpr const char* kDarkStyle = R"(
+:root{color-scheme:dark;--ground:#16181d;--ink:#e8e8e4;--soft:#a2a6ad;--line:#30343b;--panel:#1e2128;
+--bad:#ff7079;--badground:#3a1d21;--accent:#74aaff}
 )";
+// Paper is light.
+constexpr const char* kDarkWhen = "screen and (prefers-color-scheme: dark)";
 
 }  // namespace
 
@@ -76,9 +68,10 @@ void Document::figure(const std::string& id, const std::string& svg, const std::
 }
 
 void Document::table(const std::string& title, const std::vector<std::string>& header,
-                     const std::vector<std::vector<std::string>>& rows, bool folded, const std::vector<bool>& marked) {
+                     const std::vector<std::vector<std::string>>& rows, bool folded, const std::vector<bool>& marked,
+                     const std::string& id, const std::vector<std::string>& data) {
   if (folded) body_ += "<details><summary>" + escape(title) + "</summary>\n";
-  body_ += "<div class=\"scroll\"><table>";
+  body_ += "<div class=\"scroll\"><table" + (id.empty() ? "" : " id=\"" + escape(id) + "\"") + ">";
   if (!folded) body_ += "<caption>" + escape(title) + "</caption>";
   // Columns of words stand left, columns of numbers right.
   std::vector<std::string> look(header.size());
@@ -90,7 +83,8 @@ void Document::table(const std::string& title, const std::vector<std::string>& h
   for (std::size_t c = 0; c < header.size(); ++c) body_ += "<th" + look[c] + ">" + escape(header[c]) + "</th>";
   body_ += "</tr>\n";
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    body_ += r < marked.size() && marked[r] ? "<tr class=\"bad\">" : "<tr>";
+    body_ += r < marked.size() && marked[r] ? "<tr class=\"bad\"" : "<tr";
+    body_ += (r < data.size() ? data[r] : std::string()) + ">";
     for (std::size_t c = 0; c < header.size(); ++c)
       body_ += "<td" + look[c] + ">" + (c < rows[r].size() ? escape(rows[r][c]) : std::string()) + "</td>";
     body_ += "</tr>\n";
@@ -99,14 +93,27 @@ void Document::table(const std::string& title, const std::vector<std::string>& h
   if (folded) body_ += "</details>\n";
 }
 
+void Document::begin(const std::string& classes, const std::string& data) {
+  body_ += "<div class=\"" + escape(classes) + "\"" + data + ">\n";
+}
+
+void Document::end() { body_ += "</div>\n"; }
+
+void Document::controls(const std::vector<std::string>& engines, const std::vector<std::string>& settings,
+                        const std::vector<std::string>& scenes) {
+  body_ += controls_markup(engines, settings, scenes);
+}
+
 std::string Document::text() const {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
          "content=\"width=device-width, initial-scale=1\"/><title>" +
-         escape(title_) + "</title>\n<style>" + report::style_sheet() + kStyle + "</style></head><body><main>\n<h1>" +
+         escape(title_) + "</title>\n<style>" + report::light_style_sheet() + kStyle + controls_style() +
+         "</style>\n<style id=\"dark\" media=\"" + kDarkWhen + "\">" + report::dark_style_sheet() + kDarkStyle +
+         "</style></head><body><main>\n<h1>" +
          escape(title_) + "</h1>\n<p class=\"sub\">" + escape(subtitle_) + "</p>\n" +
          body_.substr(0, contents_at_) + "<nav aria-label=\"Contents\"><ul>\n" + contents_ + "</ul></nav>\n" +
          body_.substr(contents_at_) + "</main><div id=\"tip\"></div><script>" +
-         kScript + "</script></body></html>\n";
+         controls_script() + "</script></body></html>\n";
 }
 
 }  // namespace carom::tools::accuracy

@@ -20,9 +20,16 @@ class Document {
   /// @param svg  an SVG element   @param caption  how to read it
   void figure(const std::string& id, const std::string& svg, const std::string& caption);
   /// @param folded  shown when asked for   @param marked  rows that are shown as warnings
+  /// @param id  of the table, or ""   @param data  of each row: more attributes, as mark-up, each after a space
   void table(const std::string& title, const std::vector<std::string>& header,
              const std::vector<std::vector<std::string>>& rows, bool folded = false,
-             const std::vector<bool>& marked = {});
+             const std::vector<bool>& marked = {}, const std::string& id = "", const std::vector<std::string>& data = {});
+  /// What follows, until end(), belongs together.   @param data  attributes, as for rows
+  void begin(const std::string& classes, const std::string& data = "");
+  void end();
+  /// Filters, the order, the budget, the look: what page/controls.cpp has for these.
+  void controls(const std::vector<std::string>& engines, const std::vector<std::string>& settings,
+                const std::vector<std::string>& scenes);
   /// The contents stand here; default: before everything.
   void contents_here() { contents_at_ = body_.size(); }
 

@@ -1,23 +1,16 @@
 // Small measurements for a report.
 #include "accuracy/page/measured.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <sstream>
 
+#include "host/cpu_time.h"
 #include "host/files.h"
 
 namespace carom::tools::accuracy {
 namespace {
-
-double cpu_time() {  // s, of this thread
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 struct Family {
   const char *name, *plugin;

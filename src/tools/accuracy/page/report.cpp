@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "accuracy/page/controls.h"
 #include "accuracy/page/document.h"
 #include "accuracy/page/figures.h"
 #include "accuracy/page/findings.h"
@@ -15,11 +16,22 @@
 namespace carom::tools::accuracy {
 namespace {
 
+/// What the page's filters go by.
+std::string data(const char* name, const std::string& value) {
+  return std::string(" data-") + name + "=\"" + report::escape(value) + "\"";
+}
+std::string lead_data(const SceneView& scene) {
+  const double lead = compared(scene) ? worst_lead(scene).ratio : 0;
+  return data("scene", scene.challenge->scene.name) + data("lead", format("%.4g", std::min(lead, 1e300)));
+}
+
 void add_defaults_table(Document& page, const View& view) {
   std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> row_data;
   for (const SceneView& scene : view.scenes) {
     const Row* row = default_row(scene);
     if (!row) continue;
+    row_data.push_back(lead_data(scene));
     const Metric& metric = scene.challenge->metrics[0];
     const Row* cheapest = cheapest_within(scene, kOurs);
     rows.push_back({scene.challenge->scene.name, metric.what,
@@ -29,7 +41,45 @@ void add_defaults_table(Document& page, const View& view) {
                     cheapest ? frame_text(cheapest->cost) : ""});
   }
   page.table("Carom at its defaults, 60 steps a second; and the cheapest setting of all that is within the bound",
-             {"scene", "what", "error", "bound", "a frame", "cheapest within the bound", "a frame of it"}, rows);
+             {"scene", "what", "error", "bound", "a frame", "cheapest within the bound", "a frame of it"}, rows, false,
+             {}, "", row_data);
+}
+
+/// The least error of ours for at most so much; of equal ones the cheapest.
+const Row* best_within(const SceneView& scene, double cost) {
+  const Cloud cloud = cloud_of(scene, kOurs);
+  const Row* best = nullptr;
+  Point least;
+  for (std::size_t i = 0; i < cloud.rows.size(); ++i) {
+    const Point& p = cloud.points[i];
+    if (p.cost > cost || (best && (p.error > least.error || (p.error == least.error && p.cost >= least.cost)))) continue;
+    best = cloud.rows[i], least = p;
+  }
+  return best;
+}
+
+void add_budget(Document& page, const View& view) {
+  page.heading(2, "budget", "Within a budget");
+  page.paragraph(
+      "What errs least on each scene for at most so much computing a frame at 60 Hz, and the command that runs it. The slider "
+      "\"my budget\" at the top of the page changes it; filters by engine and setting count.");
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> row_data;
+  for (const SceneView& scene : view.scenes) {
+    const Row* best = best_within(scene, 60 * kFirstBudget);
+    const Metric& metric = scene.challenge->metrics[0];
+    const std::string& name = scene.challenge->scene.name;
+    rows.push_back({name});
+    if (best)
+      rows.back().insert(rows.back().end(), {at_text(*best), error_text(best->errors[0], metric), frame_text(best->cost),
+                                             "carom accuracy run " + name + " " + options_of(best->setting) +
+                                                 format(" --dt 1/%.4g", 1 / best->dt)});
+    else
+      rows.back().push_back("nothing is as cheap");
+    row_data.push_back(lead_data(scene) + data("unit", metric.unit));
+  }
+  page.table("For " + frame_text(60 * kFirstBudget) + " a frame, unless the slider was moved",
+             {"scene", "setting", "error", "a frame", "command"}, rows, false, {}, "budget-table", row_data);
 }
 
 void add_peers(Document& page, const Sweep& sweep, const View& view) {
@@ -49,6 +99,7 @@ void add_peers(Document& page, const Sweep& sweep, const View& view) {
       "that is rounding.");
   std::vector<std::vector<std::string>> rows;
   std::vector<bool> red;
+  std::vector<std::string> row_data;
   for (const SceneView* scene : met) {
     const Metric& metric = scene->challenge->metrics[0];
     const Lead lead = worst_lead(*scene);
@@ -66,10 +117,11 @@ void add_peers(Document& page, const Sweep& sweep, const View& view) {
     }
     rows.push_back(std::move(row));
     red.push_back(behind);
+    row_data.push_back(lead_data(*scene));
   }
   page.table("Cost of a frame at 60 Hz to reach the bound, and where a front of theirs is below Carom's",
              {"scene", "Carom", "best of the others", "behind by", "furthest below at", "which has", "Carom"}, rows, false,
-             red);
+             red, "peers-table", row_data);
   std::vector<std::vector<std::string>> engines;
   for (const EngineNote& e : sweep.engines) engines.push_back({e.name, e.version, e.note});
   page.table("Engines, and how they were set up", {"engine", "version", "settings"}, engines);
@@ -79,7 +131,7 @@ const char* const kHowToReadWorkPrecision =
     "To the left is cheaper, down is more exact. A thin line is one setting; its dots are steps of 1/30 s (coarse) to 1/960 "
     "s. The bold line is an engine's front: no other run of it is both cheaper and more exact. Dashed verticals are what a "
     "frame at 60 Hz may cost, the dashed level is the scene's bound; crosses on top are runs that fell. Marks of Carom: "
-    "circles auto, squares direct, triangles soft_step, diamonds sequential and severity. Point at a dot for its figures, at "
+    "circles auto, squares direct, triangles soft_step, diamonds sequential and severity; presets are named. Point at a dot for its figures, at "
     "a line to single it out.";
 
 void add_work_precision(Document& page, const View& view) {
@@ -89,22 +141,28 @@ void add_work_precision(Document& page, const View& view) {
     const auto scenes = scenes_where(view, [&](const SceneView& s) { return topic_of(*s.challenge) == topic; });
     if (scenes.empty()) continue;
     page.heading(3, "wp-" + topic, topic);
+    page.begin("sorted");
     for (const SceneView* scene : scenes) {
+      page.begin("scene", lead_data(*scene));
       const Metric& metric = scene->challenge->metrics[0];
       page.figure("wp-" + scene->challenge->scene.name, work_precision(*scene, view).inlined(),
                   "Truth: " + scene->challenge->reference + ". Error: " + metric.what +
                       (metric.unit.empty() ? "" : ", in " + metric.unit) +
                       (has_bound(*scene) ? "; bound " + error_text(metric.bound, metric) : "") + ".");
       std::vector<std::vector<std::string>> rows;
+      std::vector<std::string> row_data;
       for (const std::string& engine : scene->engines()) {
         const Cloud cloud = cloud_of(*scene, engine);
         for (const std::size_t i : cloud.front()) {
           const Row& row = *cloud.rows[i];
           rows.push_back({engine, row.setting, step_text(row.dt), frame_text(row.cost), error_text(row.errors[0], metric)});
+          row_data.push_back(data("engine", engine));
         }
       }
-      page.table("The fronts in figures", {"engine", "setting", "step", "a frame", "error"}, rows, true);
+      page.table("The fronts in figures", {"engine", "setting", "step", "a frame", "error"}, rows, true, {}, "", row_data);
+      page.end();
     }
+    page.end();
   }
 }
 
@@ -242,6 +300,12 @@ std::string report_page(const Sweep& sweep, const Extras& extras) {
   page.heading(2, "findings", "Findings");
   page.list(findings(view));
   page.contents_here();
+  std::vector<std::string> scenes, presets;
+  for (const SceneView& scene : view.scenes) scenes.push_back(scene.challenge->scene.name);
+  for (const Setting& setting : carom_settings())
+    if (const std::string preset = preset_of(setting.name); !preset.empty()) presets.push_back(preset);
+  page.controls(view.engines, presets, scenes);
+  add_budget(page, view);
   page.heading(2, "defaults", "The defaults, scene by scene");
   add_defaults_table(page, view);
   add_peers(page, sweep, view);

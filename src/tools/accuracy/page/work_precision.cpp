@@ -14,15 +14,14 @@ using report::Anchor;
 using report::Svg;
 
 constexpr double kWidth = 880, kHeight = 470, kLeft = 74, kRight = 726, kTop = 74, kFloor = 412;  // px
-constexpr double kLane = 60;        // px from the top: where those stand that fell
-constexpr double kWorst = 1e3;      // larger errors are drawn here: further off is no news
-constexpr double kLeast = 1e-16;    // and smaller ones here
+constexpr double kLane = 60;      // px from the top: where those stand that fell
+constexpr double kWorst = 1e3;    // larger errors are drawn here: further off is no news
+constexpr double kLeast = 1e-16;  // and smaller ones here
 
 struct Frame {
   report::Axis x, y;
   report::Point at(double cost, double error) const {
-    return {kLeft + x.at(cost) * (kRight - kLeft),
-            kFloor - y.at(std::clamp(error, kLeast, kWorst)) * (kFloor - kTop)};
+    return {kLeft + x.at(cost) * (kRight - kLeft), kFloor - y.at(std::clamp(error, kLeast, kWorst)) * (kFloor - kTop)};
   }
 };
 
@@ -62,6 +61,14 @@ std::string data_of(const Row& row, const Metric& metric) {
                               frame_text(row.cost) + " a frame");
 }
 
+/// What filters and the budget of the page go by.
+std::string data_of(const Line& line) {
+  std::string data = attribute("engine", line.engine) + attribute("name", line.setting);
+  if (line.engine != kOurs) return data;
+  if (const std::string preset = preset_of(line.setting); !preset.empty()) data += attribute("preset", preset);
+  return data + attribute("dials", options_of(line.setting));
+}
+
 void draw_axes(Svg& svg, const Frame& f, const Metric& metric) {
   for (std::size_t i = 0; i < f.y.ticks.size(); ++i) {
     const double y = f.at(f.x.low, f.y.ticks[i]).y;
@@ -83,8 +90,11 @@ void draw_axes(Svg& svg, const Frame& f, const Metric& metric) {
     if (cost < f.x.low || cost > f.x.high) continue;
     const double x = f.at(cost, f.y.low).x;
     svg.line({x, kTop - 26}, {x, kFloor}, "ref");
-    svg.text({x, kTop - 30}, ms == 1 ? Anchor::end : ms == 2 ? Anchor::start : Anchor::middle, "reft halo",
-             ms == 1 ? "1 " : report::short_number(ms) + " ms a frame");
+    svg.text({x, kTop - 30},
+             ms == 1   ? Anchor::end
+             : ms == 2 ? Anchor::start
+                       : Anchor::middle,
+             "reft halo", ms == 1 ? "1 " : report::short_number(ms) + " ms a frame");
   }
   if (metric.bound >= f.y.low && metric.bound <= f.y.high) {
     const double y = f.at(f.x.low, metric.bound).y;
@@ -96,13 +106,16 @@ void draw_axes(Svg& svg, const Frame& f, const Metric& metric) {
 /// A lane above the axes for runs that fell, blew up or lost their bodies.
 void draw_fallen(Svg& svg, const SceneView& scene, const Frame& f, const View& view) {
   bool any = false;
-  for (const Line& line : scene.lines)
+  for (const Line& line : scene.lines) {
+    svg.open_group("", data_of(line));
     for (const Row* row : line.rows) {
       if (!drawn(*row) || stood(*row)) continue;
       any = true;
-      svg.mark(Svg::Mark::cross, {f.at(row->cost, 1).x, kLane}, 3, report::series('s', view.colour.at(line.engine)) + " fell",
-               data_of(*row, scene.challenge->metrics[0]));
+      svg.mark(Svg::Mark::cross, {f.at(row->cost, 1).x, kLane}, 3,
+               report::series('s', view.colour.at(line.engine)) + " fell", data_of(*row, scene.challenge->metrics[0]));
     }
+    svg.close();
+  }
   if (any) svg.text({kLeft - 8, kLane + 4}, Anchor::end, "soft", "fell");
 }
 
@@ -111,7 +124,7 @@ void draw_line(Svg& svg, const SceneView& scene, const Line& line, const Frame& 
   std::vector<report::Point> path;
   for (const Row* row : line.rows)
     if (drawn(*row) && stood(*row)) path.push_back(f.at(row->cost, row->errors[0]));
-  svg.open_group("setting");
+  svg.open_group("setting", data_of(line));
   if (path.size() > 1) svg.polyline(path, report::series('s', colour) + " thin");
   for (const Row* row : line.rows)
     if (drawn(*row) && stood(*row))
@@ -132,8 +145,28 @@ void draw_labels(Svg& svg, std::vector<Label> labels) {
   double below = kFloor + 4;
   for (std::size_t i = 1; i < labels.size(); ++i) labels[i].y = std::max(labels[i].y, labels[i - 1].y + 16);
   for (std::size_t i = labels.size(); i-- > 0;) labels[i].y = std::min(labels[i].y, below), below = labels[i].y - 16;
-  for (const Label& label : labels)
+  for (const Label& label : labels) {
+    svg.open_group("", attribute("engine", label.text));
     svg.text({kRight + 12, label.y}, Anchor::start, report::series('t', label.colour) + " label", label.text);
+    svg.close();
+  }
+}
+
+/// Names of presets beside their dots at 60 Hz, and a ring about the defaults.
+void draw_presets(Svg& svg, const SceneView& scene, const Frame& f) {
+  for (const Line& line : scene.lines) {
+    const std::string preset = preset_of(line.setting);
+    if (line.engine != kOurs || preset.empty()) continue;
+    for (const Row* row : line.rows) {
+      if (std::fabs(row->dt - 1.0 / 60) > 1e-9 || !drawn(*row) || !stood(*row)) continue;
+      const report::Point at = f.at(row->cost, row->errors[0]);
+      svg.open_group("", data_of(line));
+      if (line.setting == kDefaultSetting) svg.mark(Svg::Mark::circle, at, 7, "ring");
+      svg.text({at.x + 9, at.y - 7}, Anchor::start, "halo tiny",
+               line.setting == kDefaultSetting ? preset + ": the defaults at 60 Hz" : preset);
+      svg.close();
+    }
+  }
 }
 
 }  // namespace
@@ -165,21 +198,18 @@ Svg work_precision(const SceneView& scene, const View& view) {
       labels.push_back({kLane + 4, engine, view.colour.at(engine)});
       continue;
     }
-    if (path.size() > 1) svg.polyline(path, report::series('s', view.colour.at(engine)) + " bold front");
+    if (path.size() > 1) {
+      svg.open_group("", attribute("engine", engine));
+      svg.polyline(path, report::series('s', view.colour.at(engine)) + " bold front");
+      svg.close();
+    }
     labels.push_back({path.back().y + 4, engine, view.colour.at(engine)});
   }
   for (const bool ours : {false, true})  // ours on top, dots above fronts
     for (const Line& line : scene.lines)
       if ((line.engine == kOurs) == ours) draw_line(svg, scene, line, f, view);
   draw_labels(svg, std::move(labels));
-  for (const Line& line : scene.lines)
-    if (line.engine == kOurs && line.setting == kDefaultSetting)
-      for (const Row* row : line.rows)
-        if (std::fabs(row->dt - 1.0 / 60) < 1e-9 && drawn(*row) && stood(*row)) {
-          const report::Point at = f.at(row->cost, row->errors[0]);
-          svg.mark(Svg::Mark::circle, at, 7, "ring");
-          svg.text({at.x + 11, at.y - 8}, Anchor::start, "halo", "defaults at 60 Hz");
-        }
+  draw_presets(svg, scene, f);
   return svg;
 }
 

@@ -136,6 +136,22 @@ const std::vector<Setting>& carom_settings() {
   return settings;
 }
 
+std::string preset_of(const std::string& setting) {
+  if (setting == kDefaultSetting) return "balanced";
+  return setting.starts_with("preset ") ? setting.substr(7) : "";
+}
+
+std::string options_of(const std::string& setting) {
+  if (const std::string preset = preset_of(setting); !preset.empty()) return "--preset " + preset;
+  for (const Setting& s : carom_settings()) {
+    if (s.name != setting) continue;
+    std::string text;
+    for (const std::string& dial : s.dials) text += (text.empty() ? "--dial " : " --dial ") + dial;
+    return text;
+  }
+  return "";
+}
+
 const std::vector<double>& sweep_steps() {
   static const std::vector<double> steps = {1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240, 1.0 / 480, 1.0 / 960};
   return steps;

@@ -9,6 +9,7 @@ extern "C" {
 void* carom_rust_make(const WorldPlan* plan);
 void carom_rust_free(void* world);
 void carom_rust_step(void* world, double dt);
+void carom_rust_push(void* world, std::size_t body, const double* force);
 void carom_rust_read(const void* world, BodyState* states);
 std::size_t carom_rust_contact_points(const void* world);
 void carom_rust_cast_rays(void* world, const double* ends, std::size_t n, double* fractions);
@@ -31,6 +32,7 @@ class RustWorld final : public PeerWorld {
   explicit RustWorld(const WorldPlan& plan) : world_(carom_rust_make(&plan)) {}
   ~RustWorld() override { carom_rust_free(world_); }
   void step(double dt) override { carom_rust_step(world_, dt); }
+  void push(std::size_t body, const double* force) override { carom_rust_push(world_, body, force); }
   void read(BodyState* states) const override { carom_rust_read(world_, states); }
   std::size_t contact_points() const override { return carom_rust_contact_points(world_); }
   bool cast_rays(const double* ends, std::size_t n, double* fractions) override {

@@ -56,14 +56,20 @@ pub struct JointPlan {
 }
 
 #[repr(C)]
+pub struct PeerDial {
+    name: *const c_char,
+    value: f64,
+}
+
+#[repr(C)]
 pub struct WorldPlan {
     bodies: *const BodyPlan,
     count: usize,
     joints: *const JointPlan,
     joint_count: usize,
     pub gravity: [f64; 3],
-    _dials: *const c_void,
-    _dial_count: usize,
+    dials: *const PeerDial,
+    dial_count: usize,
     pub sleeping: bool,
     pub threads: usize,
 }
@@ -74,6 +80,11 @@ impl WorldPlan {
     }
     pub fn joints(&self) -> &[JointPlan] {
         unsafe { slice(self.joints, self.joint_count) }
+    }
+    /// What the engine is asked to do otherwise than by default; which names it has, its module says.
+    pub fn dial(&self, name: &std::ffi::CStr) -> Option<f64> {
+        let dials = unsafe { slice(self.dials, self.dial_count) };
+        dials.iter().find(|dial| unsafe { std::ffi::CStr::from_ptr(dial.name) } == name).map(|dial| dial.value)
     }
     /// As `ground.h` has it.
     pub fn ground_half_width(&self) -> f64 {

@@ -1,6 +1,7 @@
 //! Rapier in a module: the world's defaults, except for what the comparison asks of every engine. Its threads are a feature,
 //! which its steps of one thread do without: their pool would wait in the time that is measured. A box that is wide and thick
 //! enough takes the place of a half-space, as in Rapier's own examples: one without bounds would be in every pair and ray.
+//! Dials: iterations (of its solver, each a substep; 4 by default), frequency (Hz, of soft contacts; 30 by default).
 
 mod counted;
 mod queries;
@@ -25,6 +26,7 @@ struct World {
     physics: PhysicsWorld,
     bodies: Vec<RigidBodyHandle>,
     rays_ready: bool,
+    pushed: Vec<usize>,
 }
 
 fn vector(v: &[f64]) -> Vector {
@@ -91,6 +93,12 @@ impl World {
         physics.gravity = vector(&plan.gravity);
         #[cfg(feature = "threads")]
         physics.physics_pipeline.configure_thread_pool(plan.threads).expect("the machine has threads");
+        if let Some(n) = plan.dial(c"iterations") {
+            physics.integration_parameters.num_solver_iterations = n as usize;
+        }
+        if let Some(hz) = plan.dial(c"frequency") {
+            physics.integration_parameters.contact_softness.natural_frequency = hz as Real;
+        }
         let ground_half_width = plan.ground_half_width();
         let mut shapes: HashMap<*const f64, Option<SharedShape>> = HashMap::new();
         let mut bodies = Vec::new();
@@ -115,7 +123,7 @@ impl World {
                 .contacts_enabled(false);
             physics.insert_impulse_joint(a, b, ball);
         }
-        World { physics, bodies, rays_ready: false }
+        World { physics, bodies, rays_ready: false, pushed: Vec::new() }
     }
 
     /// A world that was never stepped has no tree yet.
@@ -152,7 +160,19 @@ unsafe extern "C" fn carom_rust_step(handle: *mut c_void, dt: f64) {
     let world = world(handle);
     world.physics.integration_parameters.dt = dt as Real;
     world.physics.step();
+    for i in world.pushed.drain(..) {
+        world.physics.bodies[world.bodies[i]].reset_forces(true);
+    }
     world.rays_ready = true;
+}
+
+/// For the next step alone.
+#[no_mangle]
+unsafe extern "C" fn carom_rust_push(handle: *mut c_void, body: usize, force: *const f64) {
+    let world = world(handle);
+    let force = vector(std::slice::from_raw_parts(force, 3));
+    world.physics.bodies[world.bodies[body]].add_force(force, true);
+    world.pushed.push(body);
 }
 
 #[no_mangle]
