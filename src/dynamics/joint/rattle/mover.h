@@ -16,7 +16,6 @@ namespace carom::dynamics::rattle {
 /// Whether all that a joint limits is between its limits.
 bool is_within_limits(const World& world, const RattleJoint& j, const RattleBody& a, const RattleBody& b);
 
-
 /// One island in one step.
 template <int n>
 class Mover {
@@ -83,7 +82,7 @@ class Mover {
         place();
         return true;
       }
-      if (off > 0.3 * before) aim();
+      if (off > 0.3 * before && off > 64 * island_.rounding) aim();
       before = off;
       // errors are those of displacements h M^-1 J^T p
       solve([&](RattleRow& row, Real x) { row.p -= x / h; });

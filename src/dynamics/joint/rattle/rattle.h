@@ -153,6 +153,8 @@ void move_islands(const World& world, Rattle& r, const StepTime& time, int order
 /// Lists of `held` bodies; and the plan's are of them, or of all again.
 void list_held(const World& world, Rattle& r);
 void exchange_lists(Plan& plan, RattleLists& lists);
+/// What is hidden is there again. As a step begins: of one that was not carried through.
+void come_back(const World& world);
 /// Books of what went well.
 void book(const World& world, const Rattle& r);
 

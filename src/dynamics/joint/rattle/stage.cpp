@@ -58,17 +58,17 @@ void hide(const World& world, Rattle& r) {
   r.is_hidden = true;
 }
 
-void come_back(const World& world, Rattle& r) {
-  rattle::exchange_lists(*world.plan, r.of_all);
-  std::swap(world.wide_joints->active, r.active);
-  r.is_hidden = false;
-}
-
 }  // namespace
+
+void rattle::come_back(const World& world) {
+  Rattle& r = *world.rattle;
+  if (!std::exchange(r.is_hidden, false)) return;
+  exchange_lists(*world.plan, r.of_all);
+  std::swap(world.wide_joints->active, r.active);
+}
 
 void try_rattle(const World& world, const StepTime& time) {
   Rattle& r = *world.rattle;
-  if (r.is_hidden) come_back(world, r);  // the last step was not carried through
   for (RattleIsland& island : r.islands) island.went_well = false;
   const int order = order_of(world);
   if (order == 0) return;
@@ -105,7 +105,7 @@ void take_rattle(const World& world, Poses& poses, Velocities& motion, Breaking 
                  const StepTime& time) {
   Rattle& r = *world.rattle;
   if (!r.is_hidden) return;
-  come_back(world, r);
+  rattle::come_back(world);
   Joints& joints = to;
   rattle::each_held(r, [&](const RattleIsland& island) {
     for (std::uint32_t i = island.body; i < island.body + island.movers; ++i) {
