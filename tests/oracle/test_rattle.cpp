@@ -121,7 +121,7 @@ static void a_double_pendulum_has_its_order(void**) {
         assert_int_equal(held(t), 1);
         return (t.world.state.x[rod] - truth).norm();
       };
-      const int steps = order == 2 ? 400 : order == 4 ? 200 : 60;
+      const int steps = order == 2 ? 400 : order == 4 ? 200 : 120;
       const Real got = order_of(error, steps);
       std::printf("  order %d: %.3f, error %.2g m after %d steps\n", order, got, error(2 * steps), 2 * steps);
       assert_true(std::fabs(got - order) < kLeeway);
@@ -280,14 +280,14 @@ static void limits_fall_back(void**) {
   TestWorld t;
   by_rattle(t, 4, 4);
   hang_rod(t, 1);
-  set_limit(t, 0, Coordinate::twist, -1.2, 0.1);  // the angle has turned by 1 at the bottom
+  set_limit(t, 0, Coordinate::twist, -0.5, 0.1);  // halfway down, where it comes to lie
   Real energy = energy_of(t);
   int with = 0, without = 0;
   for (int i = 0; i < 300; ++i) {
     t.world.step(1.0 / 60);
     ++(held(t) ? with : without);
     const Real angle = coordinate(t, 0, Coordinate::twist);
-    assert_true(angle > -1.25 && angle < 0.15);
+    assert_true(angle > -0.55 && angle < 0.15);
     assert_true(energy_of(t) < energy + 1e-4 * kG);
     energy = energy_of(t);
   }

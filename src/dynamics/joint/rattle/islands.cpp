@@ -1,6 +1,7 @@
 // Which islands joints alone hold: their bodies and joints side by side, and in which order joints are eliminated.
 #include <algorithm>
 #include <numbers>
+#include <span>
 
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/force/force.h"
@@ -175,6 +176,25 @@ void lay_out(const World& world, Rattle& r) {
   }
 }
 
+/// How fast joints that pull swing a body about the middle of those: that is how links of a chain swing against each
+/// other, and one link about its joint.
+///   w^2 = sum of F |r - c| / (I + m |c|^2),   c the mean of the arms r; of one joint F |r| / (I + m |r|^2)
+void weigh_swings(Rattle& r, std::span<const Rattle::Seat> seats) {
+  for (std::size_t i = 0, end; i < seats.size(); i = end) {
+    const auto arm = [&](const Rattle::Seat& s) { return s.is_a ? r.joints[s.joint].arm_a : r.joints[s.joint].arm_b; };
+    Vec3 mean = Vec3::zero();
+    for (end = i; end < seats.size() && seats[end].body == seats[i].body; ++end) mean += arm(seats[end]);
+    mean = mean / static_cast<Real>(end - i);
+    const RattleBody& b = r.bodies[seats[i].body];
+    const Real inertia = b.top.moment.x() + mean.squared_norm() / b.inv_mass;  // the middle moment
+    for (std::size_t k = i; k < end; ++k) {
+      const Real far = (end - i == 1 ? mean : arm(seats[k]) - mean).norm();
+      (seats[k].is_a ? r.joints[seats[k].joint].swing_a : r.joints[seats[k].joint].swing_b) =
+          b.turns && inertia > 0 ? far / inertia : 0;
+    }
+  }
+}
+
 /// Who sits on whom, and the order of elimination.
 void couple(Rattle& r) {
   Elimination& order = r.elimination;
@@ -191,6 +211,7 @@ void couple(Rattle& r) {
       if (r.bodies[joint.b].inv_mass > 0) r.seats.push_back({joint.b, j, false});
     }
     std::sort(r.seats.begin(), r.seats.end());
+    weigh_swings(r, r.seats);
     std::size_t most = 0;
     for (std::size_t i = 0, end; i < r.seats.size(); i = end) {
       for (end = i + 1; end < r.seats.size() && r.seats[end].body == r.seats[i].body;) ++end;

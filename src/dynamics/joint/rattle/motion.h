@@ -24,7 +24,12 @@ inline void fly(RattleBody& b, Real h) {
     Quat q = b.top.sorted(b.q);
     const Vec3 l = b.top.sorted(b.l1);
     Vec3 p = q.conjugate() * l;
-    turn_split(b.top, h, l, p, q, kOne);
+    if (b.top.dy == 0 || b.top.dz == 0) {  // a rod, a plate: two turns, exactly
+      q = unscaled_exp((h * b.top.base) * l) * q;
+      b.top.dz == 0 ? turn_y(h * b.top.dy * p.y(), q, p) : turn_z(h * b.top.dz * p.z(), q, p);
+    } else {
+      turn_split(b.top, h, l, p, q, kOne);
+    }
     b.q1 = b.top.unsorted(normalized(q));
   }
   b.r1 = b.q1.matrix();

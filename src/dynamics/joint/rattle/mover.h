@@ -31,8 +31,9 @@ class Mover {
                 r.below.data() + island.beside,
                 r.above.data() + island.beside} {}
 
-  /// From the state: joints are shut, velocities are along them. @return whether the step can be tried at all
-  bool begin() const {
+  /// From the state: joints are shut, velocities are along them. @return whether the step can be tried
+  /// @param h  s, the longest stage
+  bool begin(Real h) const {
     const State& s = world_.state;
     Real far = 0;
     for (RattleBody& b : bodies()) {
@@ -58,6 +59,7 @@ class Mover {
     island_.rounding = 16 * kEpsilon * std::max(Real(1), far + island_.reach);
     if (!within_limits() || !shut()) return false;
     place();
+    if (!is_resolved(h, kRattleSwing)) return false;
     settle(nullptr);
     return true;
   }
@@ -87,6 +89,7 @@ class Mover {
       // errors are those of displacements h M^-1 J^T p
       solve([&](RattleRow& row, Real x) { row.p -= x / h; });
     }
+    ++island_.halvings;
     return false;
   }
 
@@ -97,7 +100,7 @@ class Mover {
     settle(&h);
     for (const RattleBody& b : movers())
       if (!(b.x.all_finite() && b.v.squared_norm() < 1e18 && b.omega.squared_norm() < 1e18)) return false;
-    return within_limits();
+    return within_limits() && is_resolved(h, kHoldsTo);
   }
 
   /// Springs of joints, where bodies are: what they accelerate, added to what forces do.
@@ -109,6 +112,27 @@ class Mover {
   }
 
  private:
+  static constexpr Real kHoldsTo = 1.8;  // rad a stage: short of 2, where what is explicit in directions holds no more
+
+  /// Whether stages of h can follow how joints swing bodies; else how many halvings can, or one more.
+  bool is_resolved(Real h, Real most) const {
+    for (RattleBody& b : movers()) b.swing = 0;
+    for (const RattleJoint& j : joints()) {
+      Vec3 force = Vec3::zero();
+      for (std::uint32_t k = 0; k < j.rows; ++k) force += r_.rows[j.row + k].load * r_.rows[j.row + k].d;
+      const Real f = force.norm();
+      RattleBody &a = r_.bodies[j.a], &b = r_.bodies[j.b];
+      if (a.inv_mass > 0) a.swing += f * j.swing_a;
+      if (b.inv_mass > 0) b.swing += f * j.swing_b;
+    }
+    Real swing = 0;
+    for (const RattleBody& b : movers()) swing = std::max(swing, b.swing);
+    Real turn = h * h * swing;
+    if (turn <= most * most) return true;
+    for (; turn > kRattleSwing * kRattleSwing && island_.halvings <= kRattleHalvings; turn /= 4) ++island_.halvings;
+    return false;
+  }
+
   std::span<RattleBody> bodies() const { return {&r_.bodies[island_.body], island_.bodies}; }
   std::span<RattleBody> movers() const { return {&r_.bodies[island_.body], island_.movers}; }
   std::span<RattleJoint> joints() const { return {&r_.joints[island_.joint], island_.joints}; }

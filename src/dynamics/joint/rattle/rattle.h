@@ -28,7 +28,16 @@ inline constexpr Constant<Real> kRattleWork{
     "rattle_work", 1000, "block products a joint",
     "that a factorisation may take before an island is left to the solver: chains and trees take 3",
     "larger: dense nets take milliseconds; smaller: they are left to the solver"};
-inline constexpr ConstantRow kRattleConstants[] = {kRattleGap, kRattleRest, kRattleRounds, kRattleWork};
+inline constexpr Constant<Real> kRattleSwing{
+    "rattle_swing", 1.2, "rad",
+    "by which the forces of joints may swing a body in a stage before its island takes twice as many: steps that are "
+    "explicit in directions hold up to 2, and loads grow within a step",
+    "larger: long chains gain energy; smaller: they take more stages than they need"};
+inline constexpr Constant<int> kRattleHalvings{
+    "rattle_halvings", 4, "1", "of a substep that an island may take before it is left to the solver",
+    "larger: chains of thousands of links take 100 ms a step; smaller: they gape"};
+inline constexpr ConstantRow kRattleConstants[] = {kRattleGap,  kRattleRest,  kRattleRounds,
+                                                   kRattleWork, kRattleSwing, kRattleHalvings};
 
 /// Lists of a plan that a step's forces go through, of some of the bodies.
 struct RattleLists {
@@ -57,6 +66,7 @@ struct RattleBody {
   Quat q = Quat::identity();
   Mat3 r = Mat3::identity(), inv_world = Mat3::zero();
   // where a stage may lead; kick and twist: what impulses do on the way
+  Real swing = 0;  // 1/s^2: of what joints pull, scratch
   Vec3 x1 = Vec3::zero(), v1 = Vec3::zero(), l1 = Vec3::zero();
   Quat q1 = Quat::identity();
   Mat3 r1 = Mat3::identity();
@@ -78,6 +88,7 @@ struct RattleJoint {
   bool is_limited;
   std::uint32_t springs;      // bits: coordinates that are sprung
   Real length;                // m, of a rod
+  Real swing_a, swing_b;      // 1/(kg m): of a newton, how fast it swings the bodies, squared
   Vec3 arm_a, arm_b;          // m, body axes, from the centres of mass
   Quat frame_a, frame_b;      // joint -> body
   Mat3 axes_a, axes_b;        // the same
@@ -95,7 +106,9 @@ struct RattleIsland {
   Real rounding;             // m or rad, of errors, in this step
   bool is_held;              // its joints can be held so at all
   bool is_met;               // something touches it in this step, or may
-  bool is_tried, went_well;  // in this step
+  int halvings;              // of the substeps that it takes in this step
+  bool was_tried, is_moving;  // in this try
+  bool went_well;             // in this step
 };
 
 struct Rattle {
@@ -148,8 +161,9 @@ namespace rattle {
 void make_islands(const World& world, Rattle& r);
 /// Which of them something meets, or what they bear can't be told by forces.
 void find_met(const World& world, Rattle& r, const StepTime& time);
-/// One step of all islands that are tried. They went well, or not.
-void move_islands(const World& world, Rattle& r, const StepTime& time, int order);
+/// One step of all islands that are moving. Those that still are went well; of the others some want more halvings.
+/// @param substeps  of the step
+void move_islands(const World& world, Rattle& r, Real dt, int substeps, int order);
 /// Lists of `held` bodies; and the plan's are of them, or of all again.
 void list_held(const World& world, Rattle& r);
 void exchange_lists(Plan& plan, RattleLists& lists);

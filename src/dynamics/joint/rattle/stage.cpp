@@ -20,10 +20,10 @@ int order_of(const World& world) {
   return world.plan->integrator == &kRungeKutta4 ? std::max(asked, 4) : asked;
 }
 
-void list_bodies(Rattle& r) {
+void list_bodies(Rattle& r, bool RattleIsland::*flag) {
   r.held.clear();
   for (const std::uint32_t i : r.by_slot)
-    if (r.islands[r.island_of[i]].went_well) r.held.add(i);
+    if (r.islands[r.island_of[i]].*flag) r.held.add(i);
 }
 
 bool is_damped(const World& world, const RattleJoint& j) {
@@ -58,6 +58,31 @@ void hide(const World& world, Rattle& r) {
   r.is_hidden = true;
 }
 
+/// Islands that want so many halvings of their substeps are moved, to the side. Who can't be wants more, or nothing.
+/// @return whether there were any
+bool try_all(const World& world, Rattle& r, Real dt, int halvings, int order) {
+  bool any = false;
+  for (RattleIsland& island : r.islands) any |= island.is_moving = island.was_tried = island.halvings == halvings;
+  if (!any) return false;
+  list_bodies(r, &RattleIsland::is_moving);
+  rattle::list_held(world, r);
+  rattle::exchange_lists(*world.plan, r.of_held);
+  r.reads_velocities =
+      std::ranges::any_of(world.plan->effects, [&](const auto& row) { return is_read(world, row); }) ||
+      std::ranges::any_of(r.joints, [&](const RattleJoint& j) { return is_damped(world, j); });
+  rattle::move_islands(world, r, dt, world.plan->substeps << halvings, order);
+  rattle::exchange_lists(*world.plan, r.of_held);
+  for (RattleIsland& island : r.islands) {
+    if (!island.was_tried) continue;
+    if (island.is_moving || island.halvings == halvings) island.halvings = kRattleHalvings + 1;  // no more tries
+    island.went_well = island.is_moving;
+    if (island.went_well || !keeps_books(world)) continue;
+    for (std::uint32_t i = island.body; i < island.body + island.movers; ++i)
+      forget_kicks(ledger_of(world), r.bodies[i].slot);
+  }
+  return true;
+}
+
 }  // namespace
 
 void rattle::come_back(const World& world) {
@@ -74,30 +99,18 @@ void try_rattle(const World& world, const StepTime& time) {
   if (order == 0) return;
   rattle::make_islands(world, r);
   rattle::find_met(world, r, time);
-  bool any = false;
-  for (RattleIsland& island : r.islands) any |= island.went_well = island.is_held && !island.is_met;
-  if (any) {
-    list_bodies(r);
-    rattle::list_held(world, r);
-    rattle::exchange_lists(*world.plan, r.of_held);
-    r.reads_velocities =
-        std::ranges::any_of(world.plan->effects, [&](const auto& row) { return is_read(world, row); }) ||
-        std::ranges::any_of(r.joints, [&](const RattleJoint& j) { return is_damped(world, j); });
-    rattle::move_islands(world, r, time, order);
-    rattle::exchange_lists(*world.plan, r.of_held);
-    if (keeps_books(world))
-      for (const RattleIsland& island : r.islands)
-        for (std::uint32_t i = island.body; !island.went_well && i < island.body + island.movers; ++i)
-          forget_kicks(ledger_of(world), r.bodies[i].slot);
-    list_bodies(r);
-  }
-  if (!any || r.held.count == 0) {
+  for (RattleIsland& island : r.islands) island.halvings = island.is_held && !island.is_met ? 0 : kRattleHalvings + 1;
+  int tries = 0;
+  for (int halvings = 0; halvings <= kRattleHalvings; ++halvings) tries += try_all(world, r, time.dt, halvings, order);
+  const std::uint64_t tried = r.held.count;
+  list_bodies(r, &RattleIsland::went_well);
+  if (r.held.count == 0) {
     // Lanes are those of all joints, or have to be.
     if (r.left_active != world.wide_joints->active) world.wide_joints->is_packed = false;
     r.left_active = world.wide_joints->active;
     return;
   }
-  rattle::list_held(world, r);
+  if (tries > 1 || r.held.count != tried) rattle::list_held(world, r);  // else they are listed
   hide(world, r);
 }
 

@@ -1,5 +1,7 @@
 // One step of all islands that joints alone hold, side by side: README.md.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 #include "dynamics/joint/axis_parts.h"
@@ -39,14 +41,14 @@ template <class F>
 void over_islands(const World& world, Rattle& r, F&& f) {
   in_parallel(world.jobs, r.islands.size(), 1, [&](std::uint32_t i) {
     RattleIsland& island = r.islands[i];
-    if (island.went_well) island.went_well = with_mover(world, r, island, f);
+    if (island.is_moving) island.is_moving = with_mover(world, r, island, f);
   });
 }
 
 template <class F>
 void each_mover(Rattle& r, F&& f) {
   for (const RattleIsland& island : r.islands)
-    if (island.went_well)
+    if (island.is_moving)
       for (std::uint32_t i = island.body; i < island.body + island.movers; ++i) f(r.bodies[i]);
 }
 
@@ -115,12 +117,14 @@ bool is_within_limits(const World& world, const RattleJoint& j, const RattleBody
   return true;
 }
 
-void move_islands(const World& world, Rattle& r, const StepTime& time, int order) {
+void move_islands(const World& world, Rattle& r, Real dt, int substeps, int order) {
   const std::span<const Real> shares = shares_of(order);
-  over_islands(world, r, [](const auto& mover) { return mover.begin(); });
+  const int stages = substeps * static_cast<int>(shares.size());
+  const Real h = dt / substeps;
+  Real longest = 0;
+  for (const Real s : shares) longest = std::max(longest, std::fabs(s) * h);
+  over_islands(world, r, [&](const auto& mover) { return mover.begin(longest); });
   show(r), read_now(r);
-  const int stages = world.plan->substeps * static_cast<int>(shares.size());
-  const Real h = time.dt / world.plan->substeps;
   const auto share = [&](int k) { return k < stages ? h * shares[static_cast<std::size_t>(k) % shares.size()] : Real(0); };
   find_accelerations(world, r, h, share(0) / 2);
   Real t = 0;
