@@ -15,8 +15,9 @@ void book(const World& world, const Rattle& r) {
       const Ledger::Body b = l.body[slot];
       const Real m = world.scene.mass[slot];
       const Vec3 v = 0.5 * (b.v + s.v[slot]), omega = 0.5 * (b.omega + s.omega[slot]), x = 0.5 * (b.x + s.x[slot]);
-      const Mat3 inertia =
-          r.bodies[i].turns ? 0.5 * (inertia_at(world.scene, slot, b.q) + inertia_at(world.scene, slot, s.q[slot])) : Mat3(Mat3::zero());
+      Mat3 inertia = Mat3::zero();
+      if (r.bodies[i].turns)
+        inertia = 0.5 * (inertia_at(world.scene, slot, b.q) + inertia_at(world.scene, slot, s.q[slot]));
       Amount rest = amount_now(world, slot) - amount_of(world, slot, b.x, b.q, b.v, b.omega);
       Real speed = b.v.norm() + s.v[slot].norm(), spin = b.omega.norm() + s.omega[slot].norm();
       const auto give = [&](std::size_t cause, const Amount& a) { l.step[cause].add(a), rest = rest - a; };

@@ -286,7 +286,8 @@ void find_met(const World& world, Rattle& r, const StepTime& time) {
     for (std::uint32_t c = 0; c < kCoordinates; ++c) {
       if (!(j.springs >> c & 1)) continue;
       const JointSpring& spring = world.joints.joint[j.slot].drive[c].spring;
-      if (2 * spring.damping * (2 * std::numbers::pi * spring.frequency) * h > 1) meet(r.bodies[r.bodies[j.b].inv_mass > 0 ? j.b : j.a].slot);
+      if (!(4 * std::numbers::pi * spring.damping * spring.frequency * h > 1)) continue;
+      meet(r.bodies[r.bodies[j.b].inv_mass > 0 ? j.b : j.a].slot);
     }
   // What is swept may be anywhere on its way.
   const Colliders& c = world.scene.colliders;

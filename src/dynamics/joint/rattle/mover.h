@@ -1,5 +1,5 @@
-// One island in one step: its stages, each a kick, impulses that lead back onto the joints, a kick, and impulses that lead
-// velocities along them.
+// One island in one step: its stages, each a kick, impulses that lead back onto the joints, a kick, and impulses that
+// lead velocities along them.
 #pragma once
 
 #include <algorithm>
@@ -54,7 +54,6 @@ class Mover {
       const Joint& joint = world_.joints.joint[j.slot];
       for (std::uint32_t k = 0; k < j.rows; ++k)
         r_.rows[j.row + k].load = joint.p_h > 0 ? joint.p[k] / (joint.p_h / 2) : 0;
-      for (const std::uint32_t end : {j.a, j.b}) far = std::max(far, r_.bodies[end].slot == kTheWorld ? island_.reach : Real(0));
     }
     island_.rounding = 16 * kEpsilon * std::max(Real(1), far + island_.reach);
     if (!within_limits() || !shut()) return false;
@@ -142,7 +141,8 @@ class Mover {
       for (std::uint32_t k = 0; k < j.rows; ++k) f(r_.rows[j.row + k]);
   }
   Real* of(Array<Real>& by_joint, std::uint32_t joint) const {  // in the order of elimination
-    return &by_joint[kMostRows * island_.joint + static_cast<std::size_t>(n) * (r_.elimination.place[joint] - island_.joint)];
+    const std::size_t at = r_.elimination.place[joint] - island_.joint;
+    return &by_joint[kMostRows * island_.joint + n * at];
   }
   std::uint32_t index(const RattleJoint& j) const { return static_cast<std::uint32_t>(&j - r_.joints.data()); }
 
@@ -210,7 +210,8 @@ class Mover {
     Real locks[n * n], own[n];
     for (std::uint32_t k = 0; k < n; ++k)
       for (std::uint32_t l = 0; l < n; ++l)
-        locks[n * k + l] = k < j.rows && l < j.rows ? answer(r_.rows[j.row + k], r_.rows[j.row + l], a, b) : Real(k == l);
+        locks[n * k + l] =
+            k < j.rows && l < j.rows ? answer(r_.rows[j.row + k], r_.rows[j.row + l], a, b) : Real(k == l);
     for (int k = 0; k < n; ++k) own[k] = locks[n * k + k];
     Blocks<n>::invert(locks, own, true);
     for (std::uint32_t c = 0; c < kCoordinates; ++c) {
@@ -303,7 +304,8 @@ class Mover {
       const RattleJoint &high = r_.joints[pair.high], &low = r_.joints[pair.low];
       const auto rates_high = rates(high), rates_low = rates(low);
       const Real sign = pair.is_a_of_high == pair.is_a_of_low ? 1 : -1, m = r_.bodies[pair.body].inv_mass;
-      const auto add = [&](Real* block, const RattleJoint& of, const auto& rows, bool is_a, const RattleJoint& by, bool by_a) {
+      const auto add = [&](Real* block, const RattleJoint& of, const auto& rows, bool is_a, const RattleJoint& by,
+                           bool by_a) {
         for (std::uint32_t k = 0; k < of.rows; ++k)
           for (std::uint32_t l = 0; l < by.rows; ++l) {
             const RattleRow& other = r_.rows[by.row + l];

@@ -19,7 +19,7 @@ inline constexpr Constant<Real> kRattleGap{
     "larger: what the solver has torn apart is put together with a jerk; smaller: islands come back later"};
 inline constexpr Constant<Real> kRattleRest{
     "rattle_rest", 1e-11, "1",
-    "of a row's own response, below which what other rows leave of it is taken to be implied by them: an angle of 3e-6 rad",
+    "of a row's own response, below which what other rows leave of it is taken to be implied by them: an angle of 3e-6",
     "larger: joints that almost lock each other are left open; smaller: rounding counts as a lock"};
 inline constexpr Constant<int> kRattleRounds{
     "rattle_rounds", 40, "1", "of Newton's method a stage may take before its island is left to the solver",

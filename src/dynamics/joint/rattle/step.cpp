@@ -112,7 +112,8 @@ bool is_within_limits(const World& world, const RattleJoint& j, const RattleBody
   const std::array<Real, kCoordinates> at = coordinates_of(ends);
   for (std::size_t c = 0; c < kCoordinates; ++c) {
     const JointLimit& limit = joint.drive[c].limit;
-    if (limit.on && has(joint.def.kind, static_cast<Coordinate>(c)) && !within(at[c], limit.lower, limit.upper)) return false;
+    if (!limit.on || !has(joint.def.kind, static_cast<Coordinate>(c))) continue;
+    if (!within(at[c], limit.lower, limit.upper)) return false;
   }
   return true;
 }
@@ -125,7 +126,9 @@ void move_islands(const World& world, Rattle& r, Real dt, int substeps, int orde
   for (const Real s : shares) longest = std::max(longest, std::fabs(s) * h);
   over_islands(world, r, [&](const auto& mover) { return mover.begin(longest); });
   show(r), read_now(r);
-  const auto share = [&](int k) { return k < stages ? h * shares[static_cast<std::size_t>(k) % shares.size()] : Real(0); };
+  const auto share = [&](int k) {
+    return k < stages ? h * shares[static_cast<std::size_t>(k) % shares.size()] : Real(0);
+  };
   find_accelerations(world, r, h, share(0) / 2);
   Real t = 0;
   for (int k = 0; k < stages; ++k) {
