@@ -7,7 +7,8 @@
 using namespace carom;
 using namespace carom::test;
 
-/// Bent at a right angle and let go, 40 links of 0.1 m: no gap beyond rounding of their places, though the end cracks like a whip. Trees and stars likewise.
+/// 40 links of 0.1 m, let go from the horizontal: no gap beyond rounding of their places, though the end cracks like a
+/// whip. Trees and stars likewise.
 static void chains_and_trees_do_not_gape(void**) {
   for (const int order : kOrders) {
     TestWorld t;
