@@ -56,7 +56,10 @@ extern "C" {
                                               through nothing; see carom_body_set_continuous()   @since 1.6 */
 #define CAROM_DIAL_PRECISION 39u           /* choice: CAROM_PRECISION_*: the numbers in which contacts are solved
                                               @since 1.8 */
-#define CAROM_DIAL_COUNT 40u
+#define CAROM_DIAL_JOINT_ORDER 40u         /* 2, 4, 6: order of the error of islands that joints alone hold, in 1, 5 or 9
+                                              stages a substep, gaps at rounding (odd: the next); 0: they are answered as
+                                              joints in contact are, under CAROM_INTEGRATOR_RK4 to order 4   @since 1.8 */
+#define CAROM_DIAL_COUNT 41u
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
 #define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u

@@ -38,6 +38,7 @@ static_assert(same(Dial::integrator, CAROM_DIAL_INTEGRATOR) && same(Dial::rotati
               same(Dial::joint_frequency, CAROM_DIAL_JOINT_FREQUENCY) &&
               same(Dial::joint_damping, CAROM_DIAL_JOINT_DAMPING) &&
               same(Dial::continuous, CAROM_DIAL_CONTINUOUS) && same(Dial::precision, CAROM_DIAL_PRECISION) &&
+              same(Dial::joint_order, CAROM_DIAL_JOINT_ORDER) &&
               same(Dial::count, CAROM_DIAL_COUNT));
 static_assert(kSweepNobody == CAROM_SWEEP_NOBODY && kSweepFlagged == CAROM_SWEEP_FLAGGED &&
               kSweepFast == CAROM_SWEEP_FAST);

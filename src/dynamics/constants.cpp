@@ -11,6 +11,7 @@
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/least_force_constants.h"
 #include "dynamics/joint/energy_bound.h"
+#include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/sweep_constants.h"
 
@@ -30,7 +31,8 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 
 constexpr auto kConstantTable =
     in_one_table(kPatchConstants, kImpactConstants, kPatchFrictionConstants, kSweepConstants, kFarTurnConstants,
-                 kDepthConstants, kAutoConstants, kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants);
+                 kDepthConstants, kAutoConstants, kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants,
+                 kRattleConstants);
 
 }  // namespace
 

@@ -122,6 +122,10 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
            "numbers in which contacts are solved in lanes: float takes half the memory; poses, velocities and all else "
            "stay double",
            kPrecisions, 1),
+    integer(Dial::joint_order, "joint_order",
+            "order 2, 4 or 6 of the error of islands that joints alone hold, with gaps at rounding, in 1, 5 or 9 stages a "
+            "substep (odd: the next); 0: they are answered as joints in contact are",
+            0, 6, 0),
 }};
 
 constexpr bool in_order() {

@@ -50,6 +50,7 @@ enum class Dial : std::uint32_t {
   joint_damping,
   continuous,
   precision,
+  joint_order,
   count
 };
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);

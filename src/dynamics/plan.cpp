@@ -11,6 +11,7 @@
 #include "dynamics/integrate/free_flight.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
+#include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/scenery.h"
 #include "dynamics/sleep/sleep.h"
@@ -329,6 +330,7 @@ void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floa
   Plan& plan = *world.plan;
   const bool changed = plan.revision != world.scene.revision;
   plan.idle = false;
+  rattle::come_back(world);
   plan.host_wrote = !world.state.written.empty();
   plan.faults.clear();
   if (changed) {

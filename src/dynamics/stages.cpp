@@ -14,6 +14,7 @@
 #include "dynamics/integrate/free_flight.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/island.h"
+#include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/observe.h"
 #include "dynamics/particles/flight.h"
@@ -61,6 +62,9 @@ constexpr StageEntry kStageTable[] = {
     stage<find_surfaces>({.name = "find surfaces",
      .what = "pairs of which a surface moves of itself",
      .stage = Stage::group, .reads = kContactsRead}),
+    stage<try_rattle>({.name = "try rattle",
+     .what = "islands that joints alone hold are moved to the side, and leave the rest of the step, if a host wants it",
+     .stage = Stage::group, .reads = kContactsRead | Part::joints | Part::forces, .booking = Booking::by_itself}),
     stage<link_joints>({.name = "link joints",
      .what = "joints of awake bodies",
      .stage = Stage::group, .reads = Part::joints}),
@@ -138,6 +142,9 @@ constexpr StageEntry kStageTable[] = {
     stage<end_contacts>({.name = "end contacts",
      .what = "impulses back from lanes into rows; joints that were overloaded break",
      .stage = Stage::solve, .reads = kMotion | Part::joints, .booking = Booking::corrections}),
+    stage<take_rattle>({.name = "take rattle",
+     .what = "those islands in their places; joints of them that were overloaded break",
+     .stage = Stage::solve, .reads = kMotion | Part::joints, .booking = Booking::by_itself}),
     stage<end_sweeps>({.name = "end sweeps",
      .what = "shapes whose support function failed are disabled",
      .stage = Stage::solve, .effect = +EffectId::continuous}),

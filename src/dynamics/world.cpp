@@ -9,6 +9,7 @@
 #include "dynamics/effects.h"
 #include "dynamics/events/events.h"
 #include "dynamics/query/index.h"
+#include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/ledger/ledger.h"
 #include "dynamics/sleep/sleep.h"
@@ -38,6 +39,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
       contacts(make_owned<Contacts>(m, m)),
       wide(make_owned<WideContacts>(m, m)),
       wide_joints(make_owned<WideJoints>(m, m)),
+      rattle(make_owned<Rattle>(m, m)),
       direct(make_owned<DirectGroups>(m, m)),
       sleep(make_owned<Sleep>(m, m)),
       events(make_owned<Events>(m, m)),

@@ -83,6 +83,7 @@ struct MeanMotion;     // dynamics/contact/mean_motion.h: which velocity moves w
 struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of them
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
 struct WideJoints;    // dynamics/joint/wide_joints.h: joints in lanes
+struct Rattle;        // dynamics/joint/rattle/rattle.h: islands that joints alone hold
 
 /// Const, it is what a stage reads: what stands in it by value or as Kept does not change, and who writes a part of it
 /// is given that part by itself (dynamics/part.h). What hangs on an Owned is made anew in each step (the plan, rows,
@@ -182,6 +183,7 @@ class World {
   Owned<MeanMotion> mean_motion;  // null until there are rows
   Owned<WideContacts> wide;
   Owned<WideJoints> wide_joints;
+  Owned<Rattle> rattle;
   Owned<DirectGroups> direct;
   Kept<Sleep> sleep;
   Kept<Events> events;

@@ -232,7 +232,9 @@ export const CAROM_DIAL_JOINT_DAMPING: 37;
 export const CAROM_DIAL_CONTINUOUS: 38;
 /** choice: CAROM_PRECISION_*: the numbers in which contacts are solved */
 export const CAROM_DIAL_PRECISION: 39;
-export const CAROM_DIAL_COUNT: 40;
+/** 2, 4, 6: order of the error of islands that joints alone hold, in 1, 5 or 9 stages a substep, gaps at rounding (odd: the next); 0: they are answered as joints in contact are, under CAROM_INTEGRATOR_RK4 to order 4 */
+export const CAROM_DIAL_JOINT_ORDER: 40;
+export const CAROM_DIAL_COUNT: 41;
 export const CAROM_INTEGRATOR_EXPLICIT_EULER: 0;
 export const CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER: 1;
 export const CAROM_INTEGRATOR_RK4: 2;

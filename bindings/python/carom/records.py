@@ -31,7 +31,8 @@ DialWord = Literal["integrator", "rotation", "substeps", "solver", "velocity_ite
     "grid_cell", "contact_distance", "pair_routines", "narrow_phase", "simplex", "gjk_tolerance", "gjk_iterations",
     "epa_iterations", "hybrid_margin", "warm_separation", "manifold", "cache_distance", "warm_start", "carry_over",
     "contact_frequency", "contact_damping", "push_speed", "sleep", "sleep_speed", "sleep_time", "direct_sink",
-    "direct_ratio", "direct_work", "hold_angle", "joint_frequency", "joint_damping", "continuous", "precision"]
+    "direct_ratio", "direct_work", "hold_angle", "joint_frequency", "joint_damping", "continuous", "precision",
+    "joint_order"]
 IntegratorWord = Literal["explicit_euler", "semi_implicit_euler", "rk4", "velocity_verlet"]
 RotationWord = Literal["none", "explicit", "implicit", "rk4", "lie_midpoint", "splitting", "splitting_4",
     "splitting_6"]
@@ -694,3 +695,4 @@ class DialKeywords(TypedDict, total=False):
     joint_damping: float | str
     continuous: float | str
     precision: float | str
+    joint_order: float | str

@@ -137,13 +137,18 @@ Ropes ropes_of(const World& world, const Joint& joint, const JointEnds& ends) {
           (from(def.body_b, def.frame_b) - joint.transmission.anchor_b) + ends.arm_b};
 }
 
+std::array<Real, kCoordinates> coordinates_of(const JointEnds& ends) {
+  const Quat t = ends.a.q.conjugate() * ends.b.q;
+  const Vec3 a = ends.a.q.matrix().col(0), b = ends.b.q.matrix().col(0);
+  const Real sign = t.w() < 0 ? -1 : 1, swing = angle_of<double>(a.cross(b).norm(), a.dot(b));
+  return {2 * angle_of<double>(sign * t.x(), sign * t.w()), swing, a.dot(ends.apart), ends.apart.norm()};
+}
+
 JointPlace place_of(const World& world, const Joint& joint) {
   JointPlace place{ends_of(world, joint.def), {}, 0, 0};
   const Quat t = place.a.q.conjugate() * place.b.q;
   const Mat3 a = place.a.q.matrix(), b = place.b.q.matrix();
-  const Real sign = t.w() < 0 ? -1 : 1;
-  const Real swing = angle_of<double>(a.col(0).cross(b.col(0)).norm(), a.col(0).dot(b.col(0)));
-  place.at = {2 * angle_of<double>(sign * t.x(), sign * t.w()), swing, a.col(0).dot(place.apart), place.apart.norm()};
+  place.at = coordinates_of(place);
   if (joint.def.kind == JointKind::pulley) {
     const Ropes ropes = ropes_of(world, joint, place);
     place.at[3] = ropes.a.norm() + joint.transmission.ratio * ropes.b.norm();
@@ -170,7 +175,7 @@ JointPlace place_of(const World& world, const Joint& joint) {
         place.angle = 2 * angle_of<double>(t.vec().norm(), std::fabs(t.w()));
         break;
       case JointPart::direction:
-        place.angle = swing;
+        place.angle = place.at[1];
         break;
       case JointPart::pins:
         place.angle = std::fabs(angle_of<double>(a.col(1).dot(b.col(2)), a.col(1).cross(b.col(2)).norm()));

@@ -1,6 +1,7 @@
 // Who has been slow for long enough, and which islands are so altogether.
 #include "dynamics/force/force.h"
 #include "dynamics/island.h"
+#include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom::dynamics {
@@ -57,6 +58,10 @@ void find_islands(const World& world, Sleep& z, const Customers& customers, Real
   if (met) {
     const bool grouped = world.scene.dials.choice(Dial::groups) != 0;
     for (const std::uint32_t i : c.bodies) z.root[i] = grouped ? island_of(c, i) : c.bodies[0];
+    rattle::each_held(*world.rattle, [&](const RattleIsland& island) {  // nobody else is in these
+      for (std::uint32_t k = island.body; k < island.body + island.movers; ++k)
+        z.root[world.rattle->bodies[k].slot] = world.rattle->bodies[island.body].slot;
+    });
   }
   const PlannedEffect& sprung = world.plan->effects[+EffectId::springs];
   if (sprung.customers.count > 0) {
@@ -83,6 +88,10 @@ void find_islands(const World& world, Sleep& z, const Customers& customers, Real
     if (row.moves_a) z.restless[z.root[row.a]] = 1;
     if (row.moves_b) z.restless[z.root[row.b]] = 1;
   }
+  rattle::each_held(*world.rattle, [&](const RattleIsland& island) {
+    for (std::uint32_t k = island.body + island.movers; k < island.body + island.bodies; ++k)
+      if (rolls_by(world, world.rattle->bodies[k].slot)) z.restless[world.rattle->bodies[island.body].slot] = 1;
+  });
   for (const Link& link : c.links) {
     if (link.moves_a && link.b != kTheWorld && rolls_by(world, link.b)) z.restless[z.root[link.a]] = 1;
     if (link.moves_b && link.a != kTheWorld && rolls_by(world, link.a)) z.restless[z.root[link.b]] = 1;

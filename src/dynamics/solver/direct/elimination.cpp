@@ -29,14 +29,12 @@ class QuotientGraph {
     s_.begin.assign(2 * count_, kNoParent);  // of an element's members, and their end
     s_.degree.resize(count_);
     for (std::uint32_t i = 0; i < count_; ++i) s_.degree[i] = degree_of(i);
+    s_.best.resize(2 * count_);
+    for (std::uint32_t i = 0; i < count_; ++i) s_.best[count_ + i] = i;
+    for (std::uint32_t i = count_; i-- > 1;) s_.best[i] = better(s_.best[2 * i], s_.best[2 * i + 1]);
   }
 
-  std::uint32_t least_degree() const {
-    std::uint32_t best = kNoParent;
-    for (std::uint32_t i = 0; i < count_; ++i)
-      if (s_.degree[i] < (best == kNoParent ? kNoParent : s_.degree[best])) best = i;
-    return best;
-  }
+  std::uint32_t least_degree() const { return s_.best[1]; }
 
   /// Eliminate a node. @return nodes that it was coupled to, directly or through nodes eliminated before
   std::span<const std::uint32_t> remove(std::uint32_t node) {
@@ -45,18 +43,28 @@ class QuotientGraph {
     const auto end = static_cast<std::uint32_t>(s_.member.size());
     for (std::uint32_t k = s_.first[node]; k != kNoParent; k = s_.next[k]) s_.begin[2 * s_.element[k]] = kNoParent;  // absorbed
     s_.begin[2 * node] = begin, s_.begin[2 * node + 1] = end;
-    s_.degree[node] = kNoParent;
+    set_degree(node, kNoParent);
     for (std::uint32_t k = begin; k < end; ++k) {
       const std::uint32_t i = s_.member[k];
       s_.element.push_back(node);
       s_.next.push_back(s_.first[i]);
       s_.first[i] = static_cast<std::uint32_t>(s_.next.size() - 1);
     }
-    for (std::uint32_t k = begin; k < end; ++k) s_.degree[s_.member[k]] = degree_of(s_.member[k]);
+    for (std::uint32_t k = begin; k < end; ++k) set_degree(s_.member[k], degree_of(s_.member[k]));
     return {s_.member.data() + begin, end - begin};
   }
 
  private:
+  /// Of two nodes the one to go first: ties to the lower.
+  std::uint32_t better(std::uint32_t i, std::uint32_t j) const {
+    return s_.degree[i] != s_.degree[j] ? (s_.degree[i] < s_.degree[j] ? i : j) : std::min(i, j);
+  }
+  /// `best` is a tournament: a match at i is between those of 2i and 2i + 1, nodes stand from `count` on.
+  void set_degree(std::uint32_t node, std::uint32_t degree) {
+    s_.degree[node] = degree;
+    for (std::uint32_t i = (count_ + node) / 2; i >= 1; i /= 2) s_.best[i] = better(s_.best[2 * i], s_.best[2 * i + 1]);
+  }
+
   bool gone(std::uint32_t i) const { return s_.begin[2 * i + 1] != kNoParent; }
 
   template <class F>

@@ -1,0 +1,308 @@
+// Which islands joints alone hold: their bodies and joints side by side, and in which order joints are eliminated.
+#include <algorithm>
+#include <numbers>
+#include <span>
+
+#include "dynamics/ccd/continuous.h"
+#include "dynamics/force/force.h"
+#include "dynamics/joint/axis_parts.h"
+#include "dynamics/joint/parts.h"
+#include "dynamics/joint/rattle/rattle.h"
+
+namespace carom::dynamics::rattle {
+namespace {
+
+constexpr std::uint32_t kNoIsland = 0xFFFFFFFFu;
+/// Joints on one body: each pair of them is a block, whatever order they are eliminated in.
+constexpr std::size_t kMostSeats = 256;
+
+std::uint32_t root(Array<std::uint32_t>& parent, std::uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+bool is_moved(const World& world, std::uint32_t body) {
+  return body != kTheWorld && responds(world.scene, world.state, body);
+}
+
+/// Whether a joint's rows are locks that can be held exactly, and what else it does is limits, and springs along one
+/// coordinate.
+bool is_holdable(const World& world, const Joint& joint, const JointLayout& layout) {
+  if (has_transmission(joint.def.kind)) return false;
+  for (std::uint32_t k = 0; k < layout.drives; ++k)
+    if (layout.drive[k].kind != DriveKind::limit &&
+        !(layout.drive[k].kind == DriveKind::spring && layout.drive[k].coordinate < kFirstAxis))
+      return false;
+  for (std::uint32_t k = 0; k < layout.parts; ++k)
+    if (layout.part[k] >= JointPart::turn_x || layout.part[k] == JointPart::ropes || layout.part[k] == JointPart::gears)
+      return false;
+  for (const std::uint32_t body : {joint.def.body_a, joint.def.body_b}) {
+    if (body == kTheWorld) continue;
+    if (world.scene.locks_of(body) || world.state.quarantined[body]) return false;
+  }
+  return true;
+}
+
+/// Bodies that hang together by joints and by springs: each its island's lowest slot.
+void unite_bodies(const World& world, Rattle& r) {
+  Array<std::uint32_t>& parent = r.parent;
+  parent.resize(world.scene.bodies.slots());
+  for (std::uint32_t i = 0; i < parent.size(); ++i) parent[i] = i;
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    if (!is_moved(world, a) || !is_moved(world, b)) return;
+    const std::uint32_t one = root(parent, a), other = root(parent, b);
+    parent[std::max(one, other)] = std::min(one, other);
+  };
+  for (const std::uint32_t j : r.all_active) join(world.joints.joint[j].def.body_a, world.joints.joint[j].def.body_b);
+  world.plan->effects[+EffectId::springs].customers.each(
+      [&](std::uint32_t k) { join(world.scene.springs.def[k].body_a, world.scene.springs.def[k].body_b); });
+}
+
+/// Islands by their lowest slot, those that nothing forbids to hold.
+void number_islands(const World& world, Rattle& r) {
+  r.islands.clear();
+  r.island_of.assign(world.scene.bodies.slots(), kNoIsland);
+  const auto of = [&](const JointDef& def) -> std::uint32_t& {
+    return r.island_of[root(r.parent, is_moved(world, def.body_a) ? def.body_a : def.body_b)];
+  };
+  for (const std::uint32_t j : r.all_active) of(world.joints.joint[j].def) = 0;
+  std::uint32_t count = 0;
+  for (std::uint32_t& island : r.island_of)  // only roots are marked yet, and they are ascending
+    if (island == 0) island = count++;
+  r.islands.resize(count);
+  for (RattleIsland& island : r.islands) island = {}, island.is_held = true;
+  for (std::uint32_t i = 0; i < r.island_of.size(); ++i)
+    if (is_moved(world, i)) r.island_of[i] = r.island_of[root(r.parent, i)];
+  for (const std::uint32_t j : r.all_active) {
+    const Joint& joint = world.joints.joint[j];
+    RattleIsland& island = r.islands[of(joint.def)];
+    const JointLayout layout = layout_of(world.joints, joint);
+    if (!is_holdable(world, joint, layout)) island.is_held = false;
+    ++island.joints;
+  }
+  for (std::uint32_t i = 0; i < r.island_of.size(); ++i) {
+    if (r.island_of[i] == kNoIsland) continue;
+    RattleIsland& island = r.islands[r.island_of[i]];
+    ++island.movers;
+    if (world.scene.locks_of(i)) island.is_held = false;
+  }
+  world.plan->effects[+EffectId::springs].customers.each([&](std::uint32_t k) {  // whose other end goes its own way
+    const SpringDef& def = world.scene.springs.def[k];
+    for (const auto& [own, other] : {std::pair(def.body_a, def.body_b), std::pair(def.body_b, def.body_a)})
+      if (is_moved(world, own) && r.island_of[own] != kNoIsland && other != kTheWorld && !is_moved(world, other) &&
+          world.scene.type[other] != BodyType::fixed)
+        r.islands[r.island_of[own]].is_held = false;
+  });
+}
+
+RattleBody body_at(const World& world, std::uint32_t slot) {
+  RattleBody b;
+  b.slot = slot;
+  b.travels = slot != kTheWorld && world.scene.type[slot] == BodyType::kinematic;
+  if (!is_moved(world, slot)) return b;
+  b.inv_mass = world.scene.inv_mass[slot];
+  b.turns = rotates(world.scene, slot);
+  if (!b.turns) return b;
+  b.inertia = world.scene.inertia[slot], b.inv_inertia = world.scene.inv_inertia[slot];
+  b.top = principal_axes(b.inertia);
+  return b;
+}
+
+RattleJoint joint_at(const World& world, std::uint32_t slot) {
+  const Joint& joint = world.joints.joint[slot];
+  const JointLayout layout = layout_of(world.joints, joint);
+  RattleJoint j{};
+  j.slot = slot;
+  j.rows = layout.equalities, j.parts = layout.parts;
+  std::copy_n(layout.part, layout.parts, j.part);
+  for (std::uint32_t k = 0; k < layout.drives; ++k)
+    if (layout.drive[k].kind == DriveKind::spring)
+      j.springs |= 1u << layout.drive[k].coordinate;
+    else
+      j.is_limited = true;
+  j.length = joint.def.length;
+  const auto arm = [&](std::uint32_t body, const Pose& frame) {
+    return body == kTheWorld ? frame.p : frame.p - world.scene.center[body];
+  };
+  j.arm_a = arm(joint.def.body_a, joint.def.frame_a), j.arm_b = arm(joint.def.body_b, joint.def.frame_b);
+  j.frame_a = joint.def.frame_a.q, j.frame_b = joint.def.frame_b.q;
+  if (joint.def.kind == JointKind::six_axis) {
+    const AxisOffsets off = offsets_of(world.joints.axes_of(joint));
+    j.arm_a += j.frame_a * off.place;
+    if (off.all_turns) j.frame_b = j.frame_b * off.orientation.conjugate();
+  }
+  j.axes_a = j.frame_a.matrix(), j.axes_b = j.frame_b.matrix();
+  return j;
+}
+
+/// Bodies and joints of the islands, side by side; who does not move stands behind those who do, once for each joint.
+void lay_out(const World& world, Rattle& r) {
+  r.bodies.clear(), r.joints.clear(), r.rows.clear(), r.by_slot.clear();
+  r.bodies.push_back(body_at(world, kTheWorld));
+  std::uint32_t body = 1, joint = 0;
+  for (RattleIsland& island : r.islands) {
+    if (!island.is_held) island.movers = island.joints = 0;
+    island.body = body, island.joint = joint;
+    body += island.movers + island.joints, joint += island.joints;  // room; what is left over is nobody
+    island.bodies = 0, island.joints = 0;
+  }
+  r.bodies.resize(body), r.joints.resize(joint);
+  r.body_of.resize(world.scene.bodies.slots());
+  for (std::uint32_t i = 0; i < r.island_of.size(); ++i) {
+    if (r.island_of[i] == kNoIsland || !r.islands[r.island_of[i]].is_held) continue;
+    RattleIsland& island = r.islands[r.island_of[i]];
+    r.body_of[i] = island.body + island.bodies++;
+    r.bodies[r.body_of[i]] = body_at(world, i);
+    r.by_slot.push_back(i);
+  }
+  for (const std::uint32_t slot : r.all_active) {
+    const JointDef& def = world.joints.joint[slot].def;
+    RattleIsland& island = r.islands[r.island_of[is_moved(world, def.body_a) ? def.body_a : def.body_b]];
+    if (!island.is_held) continue;
+    RattleJoint& j = r.joints[island.joint + island.joints++] = joint_at(world, slot);
+    const auto end = [&](std::uint32_t at) {
+      if (at == kTheWorld) return std::uint32_t(0);
+      if (is_moved(world, at)) return r.body_of[at];
+      r.bodies[island.body + island.bodies] = body_at(world, at);
+      return island.body + island.bodies++;
+    };
+    j.a = end(def.body_a), j.b = end(def.body_b);
+    island.reach = std::max({island.reach, j.arm_a.norm(), j.arm_b.norm()});
+    island.block = std::max(island.block, static_cast<int>(j.rows));
+  }
+  for (RattleJoint& j : r.joints) {
+    j.row = static_cast<std::uint32_t>(r.rows.size());
+    r.rows.resize(r.rows.size() + j.rows);
+  }
+}
+
+/// How fast joints that pull swing a body about the middle of those: that is how links of a chain swing against each
+/// other, and one link about its joint.
+///   w^2 = sum of F |r - c| / (I + m |c|^2),   c the mean of the arms r; of one joint F |r| / (I + m |r|^2)
+void weigh_swings(Rattle& r, std::span<const Rattle::Seat> seats) {
+  for (std::size_t i = 0, end; i < seats.size(); i = end) {
+    const auto arm = [&](const Rattle::Seat& s) { return s.is_a ? r.joints[s.joint].arm_a : r.joints[s.joint].arm_b; };
+    Vec3 mean = Vec3::zero();
+    for (end = i; end < seats.size() && seats[end].body == seats[i].body; ++end) mean += arm(seats[end]);
+    mean = mean / static_cast<Real>(end - i);
+    const RattleBody& b = r.bodies[seats[i].body];
+    const Real inertia = b.top.moment.x() + mean.squared_norm() / b.inv_mass;  // the middle moment
+    for (std::size_t k = i; k < end; ++k) {
+      const Real far = (end - i == 1 ? mean : arm(seats[k]) - mean).norm();
+      (seats[k].is_a ? r.joints[seats[k].joint].swing_a : r.joints[seats[k].joint].swing_b) =
+          b.turns && inertia > 0 ? far / inertia : 0;
+    }
+  }
+}
+
+/// Who sits on whom, and the order of elimination.
+void couple(Rattle& r) {
+  Elimination& order = r.elimination;
+  order.clear();
+  r.pairs.clear();
+  std::size_t diagonal = 0, beside = 0;
+  for (RattleIsland& island : r.islands) {
+    island.pair = static_cast<std::uint32_t>(r.pairs.size());
+    if (!island.is_held) continue;
+    r.seats.clear(), r.edges.clear();
+    for (std::uint32_t j = island.joint; j < island.joint + island.joints; ++j) {
+      const RattleJoint& joint = r.joints[j];
+      if (r.bodies[joint.a].inv_mass > 0) r.seats.push_back({joint.a, j, true});
+      if (r.bodies[joint.b].inv_mass > 0) r.seats.push_back({joint.b, j, false});
+    }
+    std::sort(r.seats.begin(), r.seats.end());
+    weigh_swings(r, r.seats);
+    std::size_t most = 0;
+    for (std::size_t i = 0, end; i < r.seats.size(); i = end) {
+      for (end = i + 1; end < r.seats.size() && r.seats[end].body == r.seats[i].body;) ++end;
+      most = std::max(most, end - i);
+    }
+    // A system has its run of nodes, tried or not: places of later ones count from there.
+    const bool is_dense = most > kMostSeats;
+    for (std::size_t i = 0; !is_dense && i < r.seats.size(); ++i)
+      for (std::size_t k = i + 1; k < r.seats.size() && r.seats[k].body == r.seats[i].body; ++k)
+        if (r.seats[i].joint != r.seats[k].joint) r.edges.push_back({r.seats[i].joint, r.seats[k].joint});
+    const std::uint64_t allowed = static_cast<std::uint64_t>(kRattleWork) * island.joints;
+    const std::uint64_t work = eliminate(island.joint, island.joints, r.edges, allowed, order);
+    if (is_dense || work > allowed) {
+      island.is_held = false;
+      continue;
+    }
+    for (std::size_t i = 0; i < r.seats.size(); ++i)
+      for (std::size_t k = i + 1; k < r.seats.size() && r.seats[k].body == r.seats[i].body; ++k) {
+        const Rattle::Seat &one = r.seats[i], &other = r.seats[k];
+        if (one.joint == other.joint) continue;
+        const bool swap = order.place[one.joint] > order.place[other.joint];
+        const Rattle::Seat &low = swap ? other : one, &high = swap ? one : other;
+        const auto begin = order.rows.begin() + order.column[order.place[low.joint]],
+                   end = order.rows.begin() + order.column[order.place[low.joint] + 1];
+        const auto at = std::lower_bound(begin, end, order.place[high.joint]) - order.rows.begin();
+        r.pairs.push_back({high.joint, low.joint, static_cast<std::uint32_t>(at), one.body, high.is_a, low.is_a});
+      }
+    island.pairs = static_cast<std::uint32_t>(r.pairs.size()) - island.pair;
+    island.diagonal = diagonal, island.beside = beside;
+    const auto size = static_cast<std::size_t>(island.block * island.block);
+    diagonal += size * island.joints;
+    beside += size * (order.column[island.joint + island.joints] - order.column[island.joint]);
+  }
+  r.diagonal.resize(diagonal), r.below.resize(beside), r.above.resize(beside);
+  r.left.resize(kMostRows * r.joints.size()), r.right.resize(kMostRows * r.joints.size());
+}
+
+}  // namespace
+
+void make_islands(const World& world, Rattle& r) {
+  const Array<std::uint32_t>& active = world.wide_joints->active;
+  if (r.revision == world.plan->revision && std::ranges::equal(r.all_active, active)) return;
+  r.revision = 0;
+  r.all_active = active;
+  unite_bodies(world, r);
+  number_islands(world, r);
+  lay_out(world, r);
+  couple(r);
+  const std::uint32_t slots = world.scene.bodies.slots();
+  for (auto* a : {&r.x, &r.v, &r.omega, &r.read_v, &r.read_omega, &r.accel, &r.alpha}) a->resize(slots, Vec3::zero());
+  r.q.resize(slots, Quat::identity());
+  r.revision = world.plan->revision;
+}
+
+void find_met(const World& world, Rattle& r, const StepTime& time) {
+  const Real dt = time.dt, h = time.dt / world.plan->substeps;
+  for (RattleIsland& island : r.islands) island.is_met = false;
+  const auto meet = [&](std::uint32_t body) {
+    if (body < r.island_of.size() && r.island_of[body] != kNoIsland) r.islands[r.island_of[body]].is_met = true;
+  };
+  for (const Meeting& m : world.contacts->meetings) meet(m.a), meet(m.b);
+  if (!world.state.asleep.empty())
+    for (const std::uint32_t i : r.by_slot)
+      if (world.state.sleeps(i)) meet(i);
+  // Decay that no force can follow, which the integrator knows in closed form.
+  for (const PlannedEffect& row : world.plan->effects)
+    if (row.effect->rate && row.effect->stage == Stage::integrate)
+      row.customers.each([&](std::uint32_t i) {
+        if (i < r.island_of.size() && row.effect->rate(world.scene, world.state, i) * h > 1) meet(i);
+      });
+  for (const RattleJoint& j : r.joints)
+    for (std::uint32_t c = 0; c < kCoordinates; ++c) {
+      if (!(j.springs >> c & 1)) continue;
+      const JointSpring& spring = world.joints.joint[j.slot].drive[c].spring;
+      if (!(4 * std::numbers::pi * spring.damping * spring.frequency * h > 1)) continue;
+      meet(r.bodies[r.bodies[j.b].inv_mass > 0 ? j.b : j.a].slot);
+    }
+  // What is swept may be anywhere on its way.
+  const Colliders& c = world.scene.colliders;
+  for (const SweptBody& swept : world.continuous->bodies) {
+    if (!swept.swept) continue;
+    const std::uint32_t own = swept.body < r.island_of.size() ? r.island_of[swept.body] : kNoIsland;
+    for (std::uint32_t k = world.scene.first_collider[swept.body]; k != Colliders::kNone; k = c.next[k]) {
+      const Aabb way = swept_bounds(world, k, dt);
+      for (const std::uint32_t other : c.live) {
+        const std::uint32_t body = c.body[other];
+        if (body == swept.body || (own != kNoIsland && r.island_of[body] == own)) continue;
+        if (way.overlaps(c.bounds[other])) meet(swept.body), meet(body);
+      }
+    }
+  }
+}
+
+}  // namespace carom::dynamics::rattle

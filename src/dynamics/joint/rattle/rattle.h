@@ -1,0 +1,183 @@
+// Islands that joints alone hold, moved by RATTLE. How and why: README.md in this folder.
+//
+// A step is tried to the side before its solver is laid out (try_rattle()): from the state, in arrays of its own. What
+// went well is hidden from the rest of the step, and takes its place as the step ends (take_rattle()); what did not (a
+// limit, joints that can't be) has changed nothing, and is answered as without the dial.
+#pragma once
+
+#include "core/constant.h"
+#include "dynamics/effects.h"
+#include "dynamics/joint/joint_lanes.h"
+#include "dynamics/joint/wide_joints.h"
+#include "dynamics/solver/direct/elimination.h"
+
+namespace carom::dynamics {
+
+inline constexpr Constant<Real> kRattleGap{
+    "rattle_gap", 1e-3, "m or rad",
+    "by which joints may be off as a step begins for their island to be moved by RATTLE, which shuts them at once",
+    "larger: what the solver has torn apart is put together with a jerk; smaller: islands come back later"};
+inline constexpr Constant<Real> kRattleRest{
+    "rattle_rest", 1e-11, "1",
+    "of a row's own response, below which what other rows leave of it is taken to be implied by them: an angle of 3e-6",
+    "larger: joints that almost lock each other are left open; smaller: rounding counts as a lock"};
+inline constexpr Constant<int> kRattleRounds{
+    "rattle_rounds", 40, "1", "of Newton's method a stage may take before its island is left to the solver",
+    "larger: steps too long are carried through; smaller: long chains are left to the solver"};
+inline constexpr Constant<Real> kRattleWork{
+    "rattle_work", 1000, "block products a joint",
+    "that a factorisation may take before an island is left to the solver: chains and trees take 3",
+    "larger: dense nets take milliseconds; smaller: they are left to the solver"};
+inline constexpr Constant<Real> kRattleSwing{
+    "rattle_swing", 1.2, "rad",
+    "by which the forces of joints may swing a body in a stage before its island takes twice as many: steps that are "
+    "explicit in directions hold up to 2, and loads grow within a step",
+    "larger: long chains gain energy; smaller: they take more stages than they need"};
+inline constexpr Constant<int> kRattleHalvings{
+    "rattle_halvings", 4, "1", "of a substep that an island may take before it is left to the solver",
+    "larger: chains of thousands of links take 100 ms a step; smaller: they gape"};
+inline constexpr ConstantRow kRattleConstants[] = {kRattleGap,  kRattleRest,  kRattleRounds,
+                                                   kRattleWork, kRattleSwing, kRattleHalvings};
+
+/// Lists of a plan that a step's forces go through, of some of the bodies.
+struct RattleLists {
+  explicit RattleLists(Memory* m);
+  Customers linear, rotating, sprung, readers;
+  Array<Customers> of_row;  // by row of the table, of those that act on velocities
+};
+
+/// Two joints on one body: a block of the matrix beside its diagonal.
+struct RattlePair {
+  std::uint32_t high, low;       // joints, by when they are eliminated
+  std::uint32_t at;              // in Elimination::rows
+  std::uint32_t body;
+  bool is_a_of_high, is_a_of_low;
+};
+
+struct RattleBody {
+  std::uint32_t slot = kTheWorld;
+  Real inv_mass = 0;   // 1/kg; 0: impulses do not move it
+  bool turns = false;  // they turn it
+  bool travels = false;  // it is kinematic, and under way
+  Principal top;
+  Mat3 inertia = Mat3::zero(), inv_inertia = Mat3::zero();  // body axes
+  // Where it is; inv_world: 1/(kg m^2), world; l: kg m^2/s, world, about the centre
+  Vec3 x = Vec3::zero(), v = Vec3::zero(), omega = Vec3::zero(), l = Vec3::zero();
+  Quat q = Quat::identity();
+  Mat3 r = Mat3::identity(), inv_world = Mat3::zero();
+  // where a stage may lead; kick and twist: what impulses do on the way
+  Real swing = 0;  // 1/s^2: of what joints pull, scratch
+  Vec3 x1 = Vec3::zero(), v1 = Vec3::zero(), l1 = Vec3::zero();
+  Quat q1 = Quat::identity();
+  Mat3 r1 = Mat3::identity();
+};
+
+/// A row of a joint: u = d.(v_b - v_a) + w_b.omega_b - w_a.omega_a is the rate of its error.
+struct RattleRow {
+  Vec3 d, w_a, w_b;  // world
+  Vec3 i_a, i_b;     // w over the inertias
+  Real p;            // N s or N m s, of half a stage
+  Real load;         // N or N m: the last such over its time
+};
+
+struct RattleJoint {
+  std::uint32_t slot, a, b;   // a joint; bodies of this room
+  std::uint32_t row, rows;    // its rows: first, how many
+  std::uint32_t parts;
+  JointPart part[kMostParts];
+  bool is_limited;
+  std::uint32_t springs;      // bits: coordinates that are sprung
+  Real length;                // m, of a rod
+  Real swing_a, swing_b;      // 1/(kg m): of a newton, how fast it swings the bodies, squared
+  Vec3 arm_a, arm_b;          // m, body axes, from the centres of mass
+  Quat frame_a, frame_b;      // joint -> body
+  Mat3 axes_a, axes_b;        // the same
+  Vec3 r_b;                   // m, world: where its torque is told
+  Vec3 force, torque;         // N s, N m s, world, on B, about its point: since the step began
+};
+
+struct RattleIsland {
+  std::uint32_t body, bodies, movers;  // first, how many; the first so many are moved
+  std::uint32_t joint, joints;
+  std::uint32_t pair, pairs;
+  int block;                 // rows that a joint has room for in the matrix
+  std::size_t diagonal, beside;  // of the matrix, where it begins
+  Real reach;                // m: the longest arm
+  Real rounding;             // m or rad, of errors, in this step
+  bool is_held;              // its joints can be held so at all
+  bool is_met;               // something touches it in this step, or may
+  int halvings;              // of the substeps that it takes in this step
+  bool was_tried, is_moving;  // in this try
+  bool went_well;             // in this step
+};
+
+struct Rattle {
+  explicit Rattle(Memory* m);
+
+  // of the scene: made where it, or who is awake, has changed
+  std::uint64_t revision = 0;
+  Array<std::uint32_t> all_active;  // joints, as WideJoints::active then
+  Array<std::uint32_t> island_of;   // by body slot; kNobody: none
+  Array<std::uint32_t> parent;      // scratch: union-find by slot
+  Array<std::uint32_t> body_of;     // by slot, in bodies: scratch
+  Array<RattleIsland> islands;
+  Array<RattleBody> bodies;         // by island; the first is the world
+  Array<RattleJoint> joints;        // by island
+  Array<RattleRow> rows;            // by joint
+  Array<RattlePair> pairs;
+  Array<std::uint32_t> by_slot;     // islands' bodies that are moved, ascending by slot
+  Elimination elimination;          // nodes are joints
+  Array<Edge> edges;                // scratch
+  struct Seat {
+    std::uint32_t body, joint;
+    bool is_a;
+    bool operator<(const Seat& o) const { return body != o.body ? body < o.body : joint < o.joint; }
+  };
+  Array<Seat> seats;                // scratch
+  // of the matrices, block by block
+  Array<Real> diagonal, below, above;
+  Array<Real> left, right;          // by joint, kMostRows each: vectors
+
+  // of a step, by slot
+  Array<Vec3> x, v, omega, read_v, read_omega, accel, alpha;
+  Array<Quat> q;
+  bool reads_velocities = false;
+  Customers held, others, scratch;  // bodies
+  RattleLists of_held, of_all;      // between the two stages `of_all` are the plan's, which has those of the others
+  Array<std::uint32_t> active, left_active;
+  bool is_hidden = false;           // between the two stages
+};
+
+/// Stage functions of the page. Try the step of every island that joints alone hold; hide those that went well.
+/// Allocates.
+void try_rattle(const World& world, const StepTime& time);
+/// They stand where that led.
+void take_rattle(const World& world, Poses& poses, Velocities& motion, Breaking to, Events& events,
+                 const StepTime& time);
+
+// Parts of it.
+namespace rattle {
+/// Islands, bodies, joints and orders of elimination, where the scene or who is awake has changed.
+void make_islands(const World& world, Rattle& r);
+/// Which of them something meets, or what they bear can't be told by forces.
+void find_met(const World& world, Rattle& r, const StepTime& time);
+/// One step of all islands that are moving. Those that still are went well; of the others some want more halvings.
+/// @param substeps  of the step
+void move_islands(const World& world, Rattle& r, Real dt, int substeps, int order);
+/// Lists of `held` bodies; and the plan's are of them, or of all again.
+void list_held(const World& world, Rattle& r);
+void exchange_lists(Plan& plan, RattleLists& lists);
+/// What is hidden is there again. As a step begins: of one that was not carried through.
+void come_back(const World& world);
+/// Books of what went well.
+void book(const World& world, const Rattle& r);
+
+/// f(island) that went well and is not yet in its place, or is since this step.
+template <class F>
+void each_held(const Rattle& r, F&& f) {
+  for (const RattleIsland& island : r.islands)
+    if (island.went_well) f(island);
+}
+}  // namespace rattle
+
+}  // namespace carom::dynamics

@@ -1,0 +1,126 @@
+// Rows of joints at poses: errors, and their rates.
+#pragma once
+
+#include <algorithm>
+
+#include "core/wide_angle.h"
+#include "dynamics/joint/rattle/rattle.h"
+
+namespace carom::dynamics::rattle {
+
+/// Where a body stands, or may stand.
+struct Stand {
+  const Vec3& x;
+  const Quat& q;
+  const Mat3& r;
+};
+inline Stand now(const RattleBody& b) { return {b.x, b.q, b.r}; }
+inline Stand next(const RattleBody& b) { return {b.x1, b.q1, b.r1}; }
+
+/// A joint between two poses.
+struct Placed {
+  const RattleJoint& joint;
+  const Stand a, b;
+  Vec3 r_a, r_b, gap;  // m, world
+
+  Placed(const RattleJoint& j, const Stand& at_a, const Stand& at_b)
+      : joint(j), a(at_a), b(at_b), r_a(a.r * j.arm_a), r_b(b.r * j.arm_b), gap((b.x - a.x) + (r_b - r_a)) {}
+
+  Vec3 axis_a(int k) const { return a.r * joint.axes_a.col(k); }
+  Vec3 axis_b(int k) const { return b.r * joint.axes_b.col(k); }
+
+  /// A coordinate that is sprung: what it is, and its rate, as of a row.
+  struct Along {
+    Real at;  // m or rad
+    Vec3 d, w_a, w_b;
+  };
+  Along coordinate(Coordinate which) const {
+    const Vec3 x_a = axis_a(0), x_b = axis_b(0);
+    switch (which) {
+      case Coordinate::twist: {  // as JointPlacing::coordinate() has it
+        const Quat t = (a.q * joint.frame_a).conjugate() * (b.q * joint.frame_b);
+        const Real sign = t.w() < 0 ? -1 : 1;
+        const Vec3 axis = (x_a + x_b) / std::max(1 + x_a.dot(x_b), Real(1e-3));
+        return {2 * angle_of<double>(sign * t.x(), sign * t.w()), Vec3::zero(), axis, axis};
+      }
+      case Coordinate::swing: {
+        const Vec3 c = x_a.cross(x_b);
+        const Real sine = c.norm();
+        const Vec3 axis = sine > 1e-12 ? c / sine : axis_a(1);
+        return {angle_of<double>(sine, x_a.dot(x_b)), Vec3::zero(), axis, axis};
+      }
+      case Coordinate::slide: return {x_a.dot(gap), x_a, (r_a + gap).cross(x_a), r_b.cross(x_a)};
+      default: {
+        const Real far = gap.norm();
+        const Vec3 d = far > 1e-12 ? gap / far : x_a;
+        return {far, d, (r_a + gap).cross(d), r_b.cross(d)};
+      }
+    }
+  }
+
+  /// f(error, d, w_a, w_b) for each row; the three are worked out where f wants them.
+  /// @param want_rates  else they are zero
+  template <bool want_rates, class F>
+  void each(F&& f) const {
+    const Vec3 none = Vec3::zero();
+    const auto along = [&](const Vec3& d, Real error) {
+      if constexpr (want_rates)
+        f(error, d, (r_a + gap).cross(d), r_b.cross(d));
+      else
+        f(error, none, none, none);
+    };
+    const auto about = [&](const Vec3& axis, Real error) { f(error, none, axis, axis); };
+    for (std::uint32_t k = 0; k < joint.parts; ++k) switch (joint.part[k]) {
+        case JointPart::point:
+          for (int i = 0; i < 3; ++i) {
+            const Vec3 e = Vec3::unit(i);
+            if constexpr (want_rates)
+              f(gap[i], e, (r_a + 0.5 * gap).cross(e), (r_b - 0.5 * gap).cross(e));
+            else
+              f(gap[i], none, none, none);
+          }
+          break;
+        case JointPart::line:
+          for (int i = 1; i < 3; ++i) {
+            const Vec3 d = axis_a(i);
+            along(d, d.dot(gap));
+          }
+          break;
+        case JointPart::place_x:
+        case JointPart::place_y:
+        case JointPart::place_z: {
+          const Vec3 d = axis_a(static_cast<int>(joint.part[k]) - static_cast<int>(JointPart::place_x));
+          along(d, d.dot(gap));
+          break;
+        }
+        case JointPart::rod: {
+          const Real far = gap.norm();
+          along(far > 1e-12 ? gap / far : axis_a(0), far - joint.length);
+          break;
+        }
+        case JointPart::orientation: {
+          const Quat t = (b.q * joint.frame_b) * (a.q * joint.frame_a).conjugate();
+          const Real two = t.w() < 0 ? -2 : 2;
+          for (int i = 0; i < 3; ++i) about(Vec3::unit(i), two * t.vec()[i]);
+          break;
+        }
+        case JointPart::direction: {
+          const Vec3 turn = axis_a(0).cross(axis_b(0));
+          for (int i = 1; i < 3; ++i) {
+            const Vec3 axis = axis_a(i);
+            about(axis, axis.dot(turn));
+          }
+          break;
+        }
+        case JointPart::pins: {
+          const Vec3 y = axis_a(1), z = axis_b(2);
+          about(z.cross(y), y.dot(z));
+          break;
+        }
+        default:
+          break;  // pulleys, gears and turns that are locked alone are not held here
+      }
+  }
+};
+
+}  // namespace carom::dynamics::rattle

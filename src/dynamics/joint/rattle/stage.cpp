@@ -1,0 +1,150 @@
+// Stage functions: islands are tried to the side, hidden, and put in their places.
+#include "dynamics/joint/rattle/rattle.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "dynamics/events/events.h"
+#include "dynamics/integrate/integrator.h"
+#include "dynamics/joint/rattle/motion.h"
+#include "dynamics/ledger/books.h"
+#include "dynamics/quarantine.h"
+
+namespace carom::dynamics {
+namespace {
+
+/// The dial's; of odd ones the next. Under rk4, which knows nothing of joints and would leave them at first order, at
+/// least that integrator's.
+int order_of(const World& world) {
+  const int asked = (world.scene.dials.whole(Dial::joint_order) + 1) / 2 * 2;
+  return world.plan->integrator == &kRungeKutta4 ? std::max(asked, 4) : asked;
+}
+
+void list_bodies(Rattle& r, bool RattleIsland::*flag) {
+  r.held.clear();
+  for (const std::uint32_t i : r.by_slot)
+    if (r.islands[r.island_of[i]].*flag) r.held.add(i);
+}
+
+bool is_damped(const World& world, const RattleJoint& j) {
+  for (std::uint32_t c = 0; c < kCoordinates; ++c)
+    if ((j.springs >> c & 1) && world.joints.joint[j.slot].drive[c].spring.damping > 0) return true;
+  return false;
+}
+bool is_read(const World& world, const PlannedEffect& row) {
+  if (row.customers.count == 0) return false;
+  if (row.effect->id == EffectId::springs) {
+    bool damped = false;
+    row.customers.each([&](std::uint32_t k) { damped |= world.scene.springs.def[k].damping > 0; });
+    return damped;
+  }
+  return row.effect->rate || row.effect->id == EffectId::buoyancy;
+}
+
+/// Rattled islands and their joints leave the lists that the rest of the step goes through.
+void hide(const World& world, Rattle& r) {
+  WideJoints& w = *world.wide_joints;
+  r.active.clear();
+  for (const std::uint32_t j : w.active) {
+    const JointDef& def = world.joints.joint[j].def;
+    const auto is_held = [&](std::uint32_t body) {
+      return body != kTheWorld && r.island_of[body] < r.islands.size() && r.islands[r.island_of[body]].went_well;
+    };
+    if (!is_held(def.body_a) && !is_held(def.body_b)) r.active.push_back(j);
+  }
+  if (r.active != r.left_active) w.is_packed = false, r.left_active = r.active;
+  std::swap(w.active, r.active);
+  rattle::exchange_lists(*world.plan, r.of_all);
+  r.is_hidden = true;
+}
+
+/// Islands that want so many halvings of their substeps are moved, to the side. Who can't be wants more, or nothing.
+/// @return whether there were any
+bool try_all(const World& world, Rattle& r, Real dt, int halvings, int order) {
+  bool any = false;
+  for (RattleIsland& island : r.islands) any |= island.is_moving = island.was_tried = island.halvings == halvings;
+  if (!any) return false;
+  list_bodies(r, &RattleIsland::is_moving);
+  rattle::list_held(world, r);
+  rattle::exchange_lists(*world.plan, r.of_held);
+  r.reads_velocities =
+      std::ranges::any_of(world.plan->effects, [&](const auto& row) { return is_read(world, row); }) ||
+      std::ranges::any_of(r.joints, [&](const RattleJoint& j) { return is_damped(world, j); });
+  rattle::move_islands(world, r, dt, world.plan->substeps << halvings, order);
+  rattle::exchange_lists(*world.plan, r.of_held);
+  for (RattleIsland& island : r.islands) {
+    if (!island.was_tried) continue;
+    if (island.is_moving || island.halvings == halvings) island.halvings = kRattleHalvings + 1;  // no more tries
+    island.went_well = island.is_moving;
+    if (island.went_well || !keeps_books(world)) continue;
+    for (std::uint32_t i = island.body; i < island.body + island.movers; ++i)
+      forget_kicks(ledger_of(world), r.bodies[i].slot);
+  }
+  return true;
+}
+
+}  // namespace
+
+void rattle::come_back(const World& world) {
+  Rattle& r = *world.rattle;
+  if (!std::exchange(r.is_hidden, false)) return;
+  exchange_lists(*world.plan, r.of_all);
+  std::swap(world.wide_joints->active, r.active);
+}
+
+void try_rattle(const World& world, const StepTime& time) {
+  Rattle& r = *world.rattle;
+  for (RattleIsland& island : r.islands) island.went_well = false;
+  const int order = order_of(world);
+  if (order == 0) return;
+  rattle::make_islands(world, r);
+  rattle::find_met(world, r, time);
+  for (RattleIsland& island : r.islands) island.halvings = island.is_held && !island.is_met ? 0 : kRattleHalvings + 1;
+  int tries = 0;
+  for (int halvings = 0; halvings <= kRattleHalvings; ++halvings) tries += try_all(world, r, time.dt, halvings, order);
+  const std::uint64_t tried = r.held.count;
+  list_bodies(r, &RattleIsland::went_well);
+  if (r.held.count == 0) {
+    // Lanes are those of all joints, or have to be.
+    if (r.left_active != world.wide_joints->active) world.wide_joints->is_packed = false;
+    r.left_active = world.wide_joints->active;
+    return;
+  }
+  if (tries > 1 || r.held.count != tried) rattle::list_held(world, r);  // else they are listed
+  hide(world, r);
+}
+
+void take_rattle(const World& world, Poses& poses, Velocities& motion, Breaking to, Events& events,
+                 const StepTime& time) {
+  Rattle& r = *world.rattle;
+  if (!r.is_hidden) return;
+  rattle::come_back(world);
+  Joints& joints = to;
+  rattle::each_held(r, [&](const RattleIsland& island) {
+    for (std::uint32_t i = island.body; i < island.body + island.movers; ++i) {
+      const RattleBody& b = r.bodies[i];
+      poses.x[b.slot] = b.x, motion.v[b.slot] = b.v;
+      if (!b.turns) continue;
+      poses.q[b.slot] = b.q, motion.momentum[b.slot] = b.l;
+      motion.omega[b.slot] = rattle::spin_of_body(b, b.q, b.l);
+    }
+    for (std::uint32_t i = island.joint; i < island.joint + island.joints; ++i) {
+      const RattleJoint& j = r.joints[i];
+      Joint& joint = joints.joint[j.slot];
+      for (std::uint32_t k = 0; k < j.rows; ++k) joint.p[k] = r.rows[j.row + k].load * (time.h / 2);
+      joint.p_h = time.h;
+      joint.force = j.force / time.dt, joint.torque = j.torque / time.dt;
+    }
+  });
+  if (keeps_books(world)) rattle::book(world, r);
+  rattle::each_held(r, [&](const RattleIsland& island) {
+    for (std::uint32_t i = island.joint; i < island.joint + island.joints; ++i) {
+      const Joint& joint = world.joints.joint[r.joints[i].slot];
+      if (joint.force.norm() <= joint.def.break_force && joint.torque.norm() <= joint.def.break_torque) continue;
+      tell_broken(world, events, r.joints[i].slot);
+      break_joint(to, r.joints[i].slot);
+    }
+  });
+}
+
+}  // namespace carom::dynamics
