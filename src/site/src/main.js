@@ -179,9 +179,12 @@ function frame(now) {
   requestAnimationFrame(frame);
   const passed = Math.min(0.1, (now - state.last) / 1000);
   state.last = now;
-  stage.controls.update();
+  const moved = stage.controls.update();
   if (!state.sims.length) return;
-  if (!state.playing) return stage.render(state.pictures);
+  if (!state.playing) {
+    if (moved) stage.render(state.pictures);
+    return;
+  }
   const dt = state.sims[0].dt,
     end = performance.now() + BUDGET;
   state.owed = Math.min(state.owed + passed * Number($("speed").value), 8 * dt);

@@ -47,18 +47,19 @@ const now = (page) =>
   }));
 
 test("every scene has the native build's bits", { skip, timeout: 600000 }, async (t) => {
-  const page = await visit("?scene=wall&step=1");
+  const page = await visit("?scene=wall&step=1", { width: 420, height: 320 });
   for (const row of scenes) {
     await page.selectOption("#scene", row.name);
     await page.waitForFunction((name) => caromViewer.state.row.name === name, row.name);
-    for (const step of [0, 1, 30]) {
-      const hash = await page.evaluate((s) => (caromViewer.seek(s), caromViewer.hash), step);
-      assert.equal(hash, row.hashes[step], `${row.name}, step ${step}`);
-    }
-    const back = await page.evaluate(() => (caromViewer.seek(25), caromViewer.hash));
-    assert.equal(back, row.hashes[25], `${row.name}, scrubbed back to step 25`);
-    assert.equal((await now(page)).native, "true");
+    // Without a picture of each: a browser that draws by its processor takes a second for one.
+    const got = await page.evaluate(() => {
+      const [sim] = caromViewer.state.sims;
+      return [0, 1, 30, 25].map((step) => (sim.seek(step), sim.hash()));
+    });
+    assert.deepEqual(got, [0, 1, 30, 25].map((step) => row.hashes[step]), row.name);
   }
+  await page.click("#step");
+  assert.equal((await now(page)).native, "true");
   t.diagnostic(`${scenes.length} scenes, 30 steps each`);
   await page.close();
 });
