@@ -11,13 +11,21 @@
 namespace carom::abi {
 namespace {
 
-/// A joint needs one body that is dynamic: whether those of a body have one where it is none.
-bool joints_keep_one(Call& call, const World& world, std::uint32_t body) {
+/// A joint or a spring needs one body that is dynamic: whether those of a body have one where it is none.
+bool ties_keep_one(Call& call, const World& world, std::uint32_t body) {
+  const auto is_dynamic = [&](std::uint32_t other) {
+    return other != kTheWorld && world.scene.type[other] == BodyType::dynamic;
+  };
   bool kept = true;
-  world.joints.each_of(body, [&](std::uint32_t, std::uint32_t other) {
-    kept &= other != kTheWorld && world.scene.type[other] == BodyType::dynamic;
-  });
-  return kept || call.fail(CAROM_E_OUT_OF_RANGE, 3, "a joint holds this body and none that is dynamic: destroy it first");
+  world.joints.each_of(body, [&](std::uint32_t, std::uint32_t other) { kept &= is_dynamic(other); });
+  const auto& springs = world.scene.springs;
+  for (std::uint32_t i = 0; i < springs.slots.slots(); ++i) {
+    if (!springs.slots.alive(i)) continue;
+    const auto& def = springs.def[i];
+    if (def.body_a == body || def.body_b == body) kept &= is_dynamic(def.body_a == body ? def.body_b : def.body_a);
+  }
+  return kept || call.fail(CAROM_E_OUT_OF_RANGE, 3,
+                           "a joint or a spring holds this body and none that is dynamic: destroy it first");
 }
 
 bool shapes_fit(Call& call, const World& world, std::uint32_t body, BodyType type) {
@@ -111,7 +119,7 @@ int32_t carom_body_set_type(carom_world* world, carom_body body, uint32_t type, 
     const std::uint32_t slot = handle_slot(body);
     const auto to = static_cast<BodyType>(type);
     if (!shapes_fit(call, *changing, slot, to) ||
-        (to != BodyType::dynamic && !joints_keep_one(call, *changing, slot)))
+        (to != BodyType::dynamic && !ties_keep_one(call, *changing, slot)))
       return;
     const FloatScope scope;
     changing->set_type(slot, to);

@@ -14,7 +14,7 @@ void World::set_mass(std::uint32_t body, const MassGiven& given) {
   def.has_mass = given.mass > 0, def.has_center = given.has_center, def.has_inertia = given.has_inertia;
   def.mass = given.mass, def.center = given.center, def.inertia = given.inertia;
   settle_mass(body);
-  ++scene.revision;
+  ++scene.redescribed, ++scene.revision;
 }
 
 void World::set_damping(std::uint32_t body, Real linear, Real angular) {
@@ -22,7 +22,7 @@ void World::set_damping(std::uint32_t body, Real linear, Real angular) {
   if (def.linear_damping == linear && def.angular_damping == angular) return;
   wake(*this, body);
   def.linear_damping = linear, def.angular_damping = angular;
-  ++scene.revision;
+  ++scene.redescribed, ++scene.revision;
 }
 
 void World::set_type(std::uint32_t body, BodyType type) {
@@ -37,7 +37,9 @@ void World::set_type(std::uint32_t body, BodyType type) {
     if (scene.type[body] != BodyType::dynamic) wake_touching(*this, i);
     pairs.forget(i);
   });
-  scene.type[body] = scene.def[body].type = type;
+  BodyDef& def = scene.def[body];
+  scene.type[body] = def.type = type;
+  if (type != BodyType::dynamic) def.has_mass = def.has_center = def.has_inertia = false;
   each([&](std::uint32_t i) {
     c.movable[i] = how_moved(type);
     queries->note_changed(i);
@@ -53,14 +55,14 @@ void World::set_type(std::uint32_t body, BodyType type) {
   state.mark_written(body);
   queries->note_moved(body);
   stir(*this, body);
-  ++scene.revision, ++scene.collider_revision;
+  ++scene.redescribed, ++scene.revision, ++scene.collider_revision;
 }
 
 void World::set_collider_material(std::uint32_t collider, std::uint32_t material) {
   if (scene.colliders.material[collider] == material) return;
   stir(*this, scene.colliders.body[collider]);
   scene.colliders.material[collider] = material;
-  ++scene.revision;
+  ++scene.redescribed, ++scene.revision;
 }
 
 void World::set_density(std::uint32_t collider, Real density) {
@@ -69,7 +71,7 @@ void World::set_density(std::uint32_t collider, Real density) {
   wake(*this, body);
   scene.colliders.density[collider] = density;
   settle_mass(body);
-  ++scene.revision;
+  ++scene.redescribed, ++scene.revision;
 }
 
 void World::set_local_pose(std::uint32_t collider, const Pose& local) {
@@ -82,7 +84,7 @@ void World::set_local_pose(std::uint32_t collider, const Pose& local) {
   settle_mass(body);
   queries->note_changed(collider);
   queries->note_moved(body);
-  ++scene.revision, ++scene.collider_revision;
+  ++scene.redescribed, ++scene.revision, ++scene.collider_revision;
 }
 
 }  // namespace carom::dynamics

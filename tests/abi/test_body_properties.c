@@ -147,6 +147,8 @@ static void kinds_that_do_not_fit_are_refused(void **state) {
   Bench *b = *state;
   carom_joint_desc d;
   carom_joint joint;
+  carom_spring_desc tie;
+  carom_spring spring;
   carom_error e = CAROM_ERROR_INIT;
   assert_int_equal(carom_body_set_type(b->world, b->ground, CAROM_BODY_KINEMATIC, &e), CAROM_E_OUT_OF_RANGE);
   assert_int_equal(carom_body_set_type(b->world, b->bodies[0], 3, &e), CAROM_E_UNKNOWN_ENUM);
@@ -156,6 +158,11 @@ static void kinds_that_do_not_fit_are_refused(void **state) {
   assert_int_equal(carom_body_set_type(b->world, b->bodies[0], CAROM_BODY_STATIC, &e), CAROM_E_OUT_OF_RANGE);
   assert_int_equal(e.argument, 3);
   assert_int_equal(carom_joint_destroy(b->world, joint, NULL), CAROM_OK);
+  assert_int_equal(carom_spring_desc_init(&tie), CAROM_OK);
+  tie.body_a = b->bodies[0];
+  assert_int_equal(carom_spring_create(b->world, &tie, &spring, NULL), CAROM_OK);
+  assert_int_equal(carom_body_set_type(b->world, b->bodies[0], CAROM_BODY_KINEMATIC, &e), CAROM_E_OUT_OF_RANGE);
+  assert_int_equal(carom_spring_destroy(b->world, spring, NULL), CAROM_OK);
   assert_int_equal(carom_body_set_type(b->world, b->bodies[0], CAROM_BODY_STATIC, NULL), CAROM_OK);
 }
 
@@ -179,6 +186,29 @@ static void damping_acts(void **state) {
   assert_int_equal(carom_body_set_user(b->world, b->bodies[1], 77, NULL), CAROM_OK);
   assert_int_equal(carom_body_get_user(b->world, b->bodies[1], &user, NULL), CAROM_OK);
   assert_int_equal(user, 77);
+}
+
+/* A world is copied whatever was changed of its bodies, and the copy steps as it does. */
+static void copies_have_what_was_changed(void **state) {
+  Bench *b = *state;
+  carom_world *copy = NULL;
+  const double down[3] = {0, -0.25, 0}, q[4] = {0, 0, 0, 1};
+  int i;
+  for (i = 0; i < 2; ++i) { /* a world that was copied before, too */
+    assert_int_equal(carom_body_set_mass(b->world, b->bodies[0], 3 + i, NULL, NULL, NULL), CAROM_OK);
+    assert_int_equal(carom_body_set_damping(b->world, b->bodies[1], 0.5 + i, 0, NULL), CAROM_OK);
+    assert_int_equal(carom_body_set_type(b->world, b->bodies[0], i ? CAROM_BODY_DYNAMIC : CAROM_BODY_STATIC, NULL), CAROM_OK);
+    if (!i) assert_int_equal(carom_body_set_type(b->world, b->bodies[0], CAROM_BODY_DYNAMIC, NULL), CAROM_OK);
+    assert_int_equal(carom_collider_set_density(b->world, b->colliders[2], 100 + i, NULL), CAROM_OK);
+    assert_int_equal(carom_collider_set_material(b->world, b->colliders[2], i ? b->material : CAROM_NULL_HANDLE, NULL), CAROM_OK);
+    assert_int_equal(carom_collider_set_pose(b->world, b->colliders[3], down, q, NULL), CAROM_OK);
+    assert_int_equal(bench_steps(b->world, 10, NULL), CAROM_OK);
+    assert_int_equal(carom_world_fork(b->world, &copy, NULL), CAROM_OK);
+    assert_int_equal(bench_steps(b->world, 30, NULL), CAROM_OK);
+    assert_int_equal(bench_steps(copy, 30, NULL), CAROM_OK);
+    assert_true(bench_hash(b->world) == bench_hash(copy));
+    assert_int_equal(carom_world_destroy(copy, NULL), CAROM_OK);
+  }
 }
 
 /* Surfaces, densities and places of colliders: ice lets slide, a shape that is moved touches elsewhere. */
@@ -220,6 +250,7 @@ int main(void) {
       TEST(kinds_that_do_not_fit_are_refused),
       TEST(damping_acts),
       TEST(colliders_are_changed_in_place),
+      TEST(copies_have_what_was_changed),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -127,10 +127,11 @@ class Sequence {
     carom_world* copy = nullptr;
     double seconds = 0;
     uint32_t fewest = 0, most = 0;
-    if (carom_world_fork(s.world, &copy, nullptr) != CAROM_OK ||
+    carom_error why = CAROM_ERROR_INIT;
+    if (carom_world_fork(s.world, &copy, &why) != CAROM_OK ||
         carom_world_get_budget(s.world, &seconds, &fewest, &most, nullptr) != CAROM_OK ||
         (seconds > 0 && carom_world_set_budget(copy, seconds, fewest, most, nullptr) != CAROM_OK))
-      complain("a world could not be copied before a step");
+      complain(std::string("a world could not be copied before a step: ") + why.message);
     return copy;
   }
   /// A copy, whatever its original went through, steps as that does.

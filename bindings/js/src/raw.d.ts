@@ -60,7 +60,7 @@ export interface Raw {
    *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
   carom_body_get_velocity(world: number, body: bigint, linear: number, angular: number, error: number): number;
   /** Set the mass of a dynamic body, as carom_body_desc would have. Its frame stays; the velocity of its centre is kept as
-   *  that of the new centre. Wakes the body and its island.
+   *  that of the new centre. Wakes the body and its island. Snapshots of before do not fit any more (MISMATCH).
    *  @param mass kg, at least 1e-300; or 0: from the densities of its colliders, with center and inertia NULL
    *  @param center [3] m, body frame, or NULL: from its colliders
    *  @param inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero; or NULL:
@@ -73,10 +73,11 @@ export interface Raw {
    *  frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
   carom_body_get_mass(world: number, body: bigint, mass: number, center: number, inertia: number, error: number): number;
   /** Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic no
-   *  longer loses pending forces and what only dynamic bodies may have (carom_attribute_info.of_dynamic). What it touches wakes.
+   *  longer loses the mass that it was given, pending forces and what only dynamic bodies may have
+   *  (carom_attribute_info.of_dynamic). Snapshots of before do not fit any more. What it touches wakes.
    *  @param type CAROM_BODY_*
    *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that is not
-   *          dynamic; a joint needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+   *          dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
   carom_body_set_type(world: number, body: bigint, type: number, error: number): number;
   /** @param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
   carom_body_get_type(world: number, body: bigint, type: number, error: number): number;

@@ -1148,7 +1148,7 @@ def carom_body_get_velocity(world: Any, body: Any, linear: Any, angular: Any, er
     ...
 def carom_body_set_mass(world: Any, body: Any, mass: Any, center: Any, inertia: Any, error: Any) -> int:
     """Set the mass of a dynamic body, as carom_body_desc would have. Its frame stays; the velocity of its centre is kept as
-    that of the new centre. Wakes the body and its island.
+    that of the new centre. Wakes the body and its island. Snapshots of before do not fit any more (MISMATCH).
     @param mass kg, at least 1e-300; or 0: from the densities of its colliders, with center and inertia NULL
     @param center [3] m, body frame, or NULL: from its colliders
     @param inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero; or NULL:
@@ -1163,10 +1163,11 @@ def carom_body_get_mass(world: Any, body: Any, mass: Any, center: Any, inertia: 
     ...
 def carom_body_set_type(world: Any, body: Any, type: Any, error: Any) -> int:
     """Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic no
-    longer loses pending forces and what only dynamic bodies may have (carom_attribute_info.of_dynamic). What it touches wakes.
+    longer loses the mass that it was given, pending forces and what only dynamic bodies may have
+    (carom_attribute_info.of_dynamic). Snapshots of before do not fit any more. What it touches wakes.
     @param type CAROM_BODY_*
     @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that is not
-            dynamic; a joint needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+            dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
     ...
 def carom_body_get_type(world: Any, body: Any, type: Any, error: Any) -> int:
     """@param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
