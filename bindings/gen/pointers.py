@@ -64,7 +64,7 @@ NULLABLE = {
     ("carom_world_overlap_shapes", "desc"),
     ("carom_world_find_nearest", "desc"),
 }
-NOT_NULLABLE = {("carom_shape_get_triangles", "count")}
+NOT_NULLABLE = {("carom_shape_get_triangles", "count"), ("carom_body_get_user", "user")}
 INOUT = {("carom_shape_get_params", "count"), ("carom_shape_get_triangles", "count")}
 
 
@@ -111,7 +111,7 @@ def add_pointers(api):
             key, base = (owner["name"], name), re.sub(r"\bconst\b|\*", "", type).strip()
             text = member.get("doc", "") if kind == "structs" else docs.get(name, "")
             out = not type.startswith("const")
-            if base in opaque and type.count("*") == 1 or name in ("user", "context", "alloc_user", "log_user"):
+            if base in opaque and type.count("*") == 1 or base == "void" and name in ("user", "context", "alloc_user", "log_user"):
                 direction = "in"
             elif type == "const carom_shape_plugin **" or not out and type.count("*") == 1:
                 direction = "out" if type.endswith("**") else "in"

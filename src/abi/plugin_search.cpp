@@ -103,7 +103,11 @@ int32_t carom_shape_create_named(carom_engine* engine, const char* name, const d
                                : blamed_on(carom_shape_create_half_space(engine, params, params[3], shape, error), 3, error);
   }
   Found found;
-  std::int32_t result = find(engine, name, found, error);
+  std::int32_t result = guarded(error, [&](Call& call) {
+    present(call, 1, "engine", engine) && present(call, 2, "name", name) && present(call, 3, "params", params) &&
+        present(call, 5, "shape", shape);
+  });
+  if (result == CAROM_OK) result = find(engine, name, found, error);
   if (result == CAROM_OK && !found.plugin) {
     result = carom_plugin_load(engine, found.file.path, &found.plugin, error);
     if (result == CAROM_E_ALREADY_EXISTS) result = find(engine, name, found, error);  // another thread was faster

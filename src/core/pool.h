@@ -80,6 +80,8 @@ class SlotPool {
   std::uint32_t tag() const { return tag_; }
   /// Slots taken and released so far.
   std::uint32_t changes() const { return changes_; }
+  /// What stands in a slot is another thing now.
+  void note_change() { ++changes_; }
   /// Which slots have lived how often, and which comes next.
   template <class H>
   void add_to(H& hash) const {

@@ -14,7 +14,7 @@ void World::set_mass(std::uint32_t body, const MassGiven& given) {
   def.has_mass = given.mass > 0, def.has_center = given.has_center, def.has_inertia = given.has_inertia;
   def.mass = given.mass, def.center = given.center, def.inertia = given.inertia;
   settle_mass(body);
-  ++scene.redescribed, ++scene.revision;
+  scene.bodies.note_change(), ++scene.revision;
 }
 
 void World::set_damping(std::uint32_t body, Real linear, Real angular) {
@@ -22,7 +22,7 @@ void World::set_damping(std::uint32_t body, Real linear, Real angular) {
   if (def.linear_damping == linear && def.angular_damping == angular) return;
   wake(*this, body);
   def.linear_damping = linear, def.angular_damping = angular;
-  ++scene.redescribed, ++scene.revision;
+  scene.bodies.note_change(), ++scene.revision;
 }
 
 void World::set_type(std::uint32_t body, BodyType type) {
@@ -55,14 +55,14 @@ void World::set_type(std::uint32_t body, BodyType type) {
   state.mark_written(body);
   queries->note_moved(body);
   stir(*this, body);
-  ++scene.redescribed, ++scene.revision, ++scene.collider_revision;
+  scene.bodies.note_change(), ++scene.revision, ++scene.collider_revision;
 }
 
 void World::set_collider_material(std::uint32_t collider, std::uint32_t material) {
   if (scene.colliders.material[collider] == material) return;
   stir(*this, scene.colliders.body[collider]);
   scene.colliders.material[collider] = material;
-  ++scene.redescribed, ++scene.revision;
+  scene.collider_slots.note_change(), ++scene.revision;
 }
 
 void World::set_density(std::uint32_t collider, Real density) {
@@ -71,7 +71,7 @@ void World::set_density(std::uint32_t collider, Real density) {
   wake(*this, body);
   scene.colliders.density[collider] = density;
   settle_mass(body);
-  ++scene.redescribed, ++scene.revision;
+  scene.collider_slots.note_change(), ++scene.revision;
 }
 
 void World::set_local_pose(std::uint32_t collider, const Pose& local) {
@@ -84,7 +84,7 @@ void World::set_local_pose(std::uint32_t collider, const Pose& local) {
   settle_mass(body);
   queries->note_changed(collider);
   queries->note_moved(body);
-  ++scene.redescribed, ++scene.revision, ++scene.collider_revision;
+  scene.collider_slots.note_change(), ++scene.revision, ++scene.collider_revision;
 }
 
 }  // namespace carom::dynamics

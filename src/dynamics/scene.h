@@ -68,7 +68,6 @@ inline constexpr Locks kLinearLocks = 7, kAngularLocks = 56, kAllLocks = 63;
 struct Revisions {
   std::uint64_t revision = 1;           // raised by every change a host makes to the scene
   std::uint64_t collider_revision = 1;  // raised when the set of colliders, or who may touch whom, changed
-  std::uint64_t redescribed = 0;  // how often a host changed what bodies and colliders there are made from
   bool alarm = false;                   // something is muted or in quarantine: all sleepers are to wake
 };
 

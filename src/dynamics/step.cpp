@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/observe.h"
 #include "dynamics/stages.h"
 
@@ -62,6 +63,7 @@ class Runner {
 }  // namespace
 
 void World::step(Real dt) {
+  if (!rattle && rattle::is_asked(*this)) rattle = make_owned<Rattle>(memory, memory);
   const Runner run(*this, dt);
   begin_report(*this, report, group_views, *events);
   const std::span<const StageEntry> table = stage_table();

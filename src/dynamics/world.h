@@ -183,7 +183,7 @@ class World {
   Owned<MeanMotion> mean_motion;  // null until there are rows
   Owned<WideContacts> wide;
   Owned<WideJoints> wide_joints;
-  Owned<Rattle> rattle;
+  Owned<Rattle> rattle;  // null until rattle::is_asked()
   Owned<DirectGroups> direct;
   Kept<Sleep> sleep;
   Kept<Events> events;

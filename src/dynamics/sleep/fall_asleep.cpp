@@ -58,7 +58,7 @@ void find_islands(const World& world, Sleep& z, const Customers& customers, Real
   if (met) {
     const bool grouped = world.scene.dials.choice(Dial::groups) != 0;
     for (const std::uint32_t i : c.bodies) z.root[i] = grouped ? island_of(c, i) : c.bodies[0];
-    rattle::each_held(*world.rattle, [&](const RattleIsland& island) {  // nobody else is in these
+    if (world.rattle) rattle::each_held(*world.rattle, [&](const RattleIsland& island) {  // nobody else is in these
       for (std::uint32_t k = island.body; k < island.body + island.movers; ++k)
         z.root[world.rattle->bodies[k].slot] = world.rattle->bodies[island.body].slot;
     });
@@ -88,7 +88,7 @@ void find_islands(const World& world, Sleep& z, const Customers& customers, Real
     if (row.moves_a) z.restless[z.root[row.a]] = 1;
     if (row.moves_b) z.restless[z.root[row.b]] = 1;
   }
-  rattle::each_held(*world.rattle, [&](const RattleIsland& island) {
+  if (world.rattle) rattle::each_held(*world.rattle, [&](const RattleIsland& island) {
     for (std::uint32_t k = island.body + island.movers; k < island.body + island.bodies; ++k)
       if (rolls_by(world, world.rattle->bodies[k].slot)) z.restless[world.rattle->bodies[island.body].slot] = 1;
   });

@@ -111,7 +111,7 @@ struct StructureCache::Known {
 
 snapshot::Structure StructureCache::of(const World& world) const {
   const Scene& s = world.scene;
-  std::uint64_t changes = s.redescribed;
+  std::uint64_t changes = 0;
   for (const SlotPool* pool : {&s.bodies, &s.collider_slots, &s.material_slots, &world.joints.slots,
                                &world.particles.slots, &s.fields.slots, &s.springs.slots})
     changes += pool->changes();

@@ -157,6 +157,8 @@ void take_rattle(const World& world, Poses& poses, Velocities& motion, Breaking 
 
 // Parts of it.
 namespace rattle {
+/// Whether a world has joints and is to move them so: until then it has no Rattle.
+bool is_asked(const World& world);
 /// Islands, bodies, joints and orders of elimination, where the scene or who is awake has changed.
 void make_islands(const World& world, Rattle& r);
 /// Which of them something meets, or what they bear can't be told by forces.

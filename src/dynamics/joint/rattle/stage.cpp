@@ -85,7 +85,15 @@ bool try_all(const World& world, Rattle& r, Real dt, int halvings, int order) {
 
 }  // namespace
 
+bool rattle::is_asked(const World& world) {
+  constexpr std::uint32_t kByRk4 = 2;  // of the dial integrator
+  const Dials& dials = world.scene.dials;
+  return world.joints.slots.alive_count() > 0 &&
+         (dials.whole(Dial::joint_order) > 0 || static_cast<std::uint32_t>(dials.choice(Dial::integrator)) == kByRk4);
+}
+
 void rattle::come_back(const World& world) {
+  if (!world.rattle) return;
   Rattle& r = *world.rattle;
   if (!std::exchange(r.is_hidden, false)) return;
   exchange_lists(*world.plan, r.of_all);
@@ -93,6 +101,7 @@ void rattle::come_back(const World& world) {
 }
 
 void try_rattle(const World& world, const StepTime& time) {
+  if (!world.rattle) return;
   Rattle& r = *world.rattle;
   for (RattleIsland& island : r.islands) island.went_well = false;
   const int order = order_of(world);
@@ -116,8 +125,8 @@ void try_rattle(const World& world, const StepTime& time) {
 
 void take_rattle(const World& world, Poses& poses, Velocities& motion, Breaking to, Events& events,
                  const StepTime& time) {
+  if (!world.rattle || !world.rattle->is_hidden) return;
   Rattle& r = *world.rattle;
-  if (!r.is_hidden) return;
   rattle::come_back(world);
   Joints& joints = to;
   rattle::each_held(r, [&](const RattleIsland& island) {

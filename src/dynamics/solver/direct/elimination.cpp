@@ -25,30 +25,29 @@ class QuotientGraph {
     }
     s_.mark.assign(count_, kNoParent);
     s_.first.assign(count_, kNoParent);
-    s_.next.clear(), s_.element.clear(), s_.member.clear();
-    s_.begin.assign(2 * count_, kNoParent);  // of an element's members, and their end
+    s_.link.clear(), s_.member.clear();
+    s_.begin.assign(4 * count_, kNoParent);  // of an element's members, and their end; then the tournament
     s_.degree.resize(count_);
     for (std::uint32_t i = 0; i < count_; ++i) s_.degree[i] = degree_of(i);
-    s_.best.resize(2 * count_);
-    for (std::uint32_t i = 0; i < count_; ++i) s_.best[count_ + i] = i;
-    for (std::uint32_t i = count_; i-- > 1;) s_.best[i] = better(s_.best[2 * i], s_.best[2 * i + 1]);
+    for (std::uint32_t i = 0; i < count_; ++i) best(count_ + i) = i;
+    for (std::uint32_t i = count_; i-- > 1;) best(i) = better(best(2 * i), best(2 * i + 1));
   }
 
-  std::uint32_t least_degree() const { return s_.best[1]; }
+  std::uint32_t least_degree() const { return best(1); }
 
   /// Eliminate a node. @return nodes that it was coupled to, directly or through nodes eliminated before
   std::span<const std::uint32_t> remove(std::uint32_t node) {
     const auto begin = static_cast<std::uint32_t>(s_.member.size());
     each_neighbour(node, [&](std::uint32_t i) { s_.member.push_back(i); });
     const auto end = static_cast<std::uint32_t>(s_.member.size());
-    for (std::uint32_t k = s_.first[node]; k != kNoParent; k = s_.next[k]) s_.begin[2 * s_.element[k]] = kNoParent;  // absorbed
+    for (std::uint32_t k = s_.first[node]; k != kNoParent; k = s_.link[2 * k]) s_.begin[2 * s_.link[2 * k + 1]] = kNoParent;  // absorbed
     s_.begin[2 * node] = begin, s_.begin[2 * node + 1] = end;
     set_degree(node, kNoParent);
     for (std::uint32_t k = begin; k < end; ++k) {
       const std::uint32_t i = s_.member[k];
-      s_.element.push_back(node);
-      s_.next.push_back(s_.first[i]);
-      s_.first[i] = static_cast<std::uint32_t>(s_.next.size() - 1);
+      s_.link.push_back(s_.first[i]);
+      s_.link.push_back(node);
+      s_.first[i] = static_cast<std::uint32_t>(s_.link.size() / 2 - 1);
     }
     for (std::uint32_t k = begin; k < end; ++k) set_degree(s_.member[k], degree_of(s_.member[k]));
     return {s_.member.data() + begin, end - begin};
@@ -59,10 +58,11 @@ class QuotientGraph {
   std::uint32_t better(std::uint32_t i, std::uint32_t j) const {
     return s_.degree[i] != s_.degree[j] ? (s_.degree[i] < s_.degree[j] ? i : j) : std::min(i, j);
   }
-  /// `best` is a tournament: a match at i is between those of 2i and 2i + 1, nodes stand from `count` on.
+  std::uint32_t& best(std::uint32_t i) const { return s_.begin[2 * count_ + i]; }
+  /// best() is a tournament: a match at i is between those of 2i and 2i + 1, nodes stand from `count` on.
   void set_degree(std::uint32_t node, std::uint32_t degree) {
     s_.degree[node] = degree;
-    for (std::uint32_t i = (count_ + node) / 2; i >= 1; i /= 2) s_.best[i] = better(s_.best[2 * i], s_.best[2 * i + 1]);
+    for (std::uint32_t i = (count_ + node) / 2; i >= 1; i /= 2) best(i) = better(best(2 * i), best(2 * i + 1));
   }
 
   bool gone(std::uint32_t i) const { return s_.begin[2 * i + 1] != kNoParent; }
@@ -77,8 +77,8 @@ class QuotientGraph {
       f(i);
     };
     for (std::uint32_t k = s_.neighbour_begin[node]; k < s_.neighbour_begin[node + 1]; ++k) visit(s_.neighbour[k]);
-    for (std::uint32_t k = s_.first[node]; k != kNoParent; k = s_.next[k]) {
-      const std::uint32_t e = s_.element[k];
+    for (std::uint32_t k = s_.first[node]; k != kNoParent; k = s_.link[2 * k]) {
+      const std::uint32_t e = s_.link[2 * k + 1];
       if (s_.begin[2 * e] == kNoParent) continue;
       for (std::uint32_t j = s_.begin[2 * e], last = s_.begin[2 * e + 1]; j < last; ++j) visit(s_.member[j]);
     }

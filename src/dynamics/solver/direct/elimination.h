@@ -24,8 +24,8 @@ struct Elimination {
 
   struct Scratch {
     explicit Scratch(Memory* m)
-        : neighbour_begin(m), neighbour(m), degree(m), mark(m), first(m), next(m), element(m), begin(m), member(m), best(m) {}
-    Array<std::uint32_t> neighbour_begin, neighbour, degree, mark, first, next, element, begin, member, best;
+        : neighbour_begin(m), neighbour(m), degree(m), mark(m), first(m), link(m), begin(m), member(m) {}
+    Array<std::uint32_t> neighbour_begin, neighbour, degree, mark, first, link, begin, member;
   } scratch;
 
   void clear() { place.clear(), column.assign(1, 0), rows.clear(); }

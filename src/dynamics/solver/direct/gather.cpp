@@ -19,7 +19,8 @@ void make_room(DirectGroups& d) {
   reserve(d.contacts, d.row, d.begin, d.bodies, d.edges, d.edge_begin, d.ordered_edges, d.ordered_begin, d.scratch,
           d.products, d.answer, d.rest, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
   Elimination::Scratch& s = e.scratch;
-  reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.next, s.element, s.begin, s.member);
+  reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.member);
+  s.link.reserve(2 * kSome), s.begin.reserve(2 * kSome);
 }
 
 /// Bodies, contacts and edges of each group.
