@@ -3,6 +3,7 @@
 
 #include "abi/body.h"
 #include "abi/collider.h"
+#include "abi/ends.h"
 #include "abi/float_scope.h"
 #include "abi/record_calls.h"
 #include "dynamics/mass.h"
@@ -13,25 +14,23 @@ namespace {
 
 /// A joint or a spring needs one body that is dynamic: whether those of a body have one where it is none.
 bool ties_keep_one(Call& call, const World& world, std::uint32_t body) {
-  const auto is_dynamic = [&](std::uint32_t other) {
-    return other != kTheWorld && world.scene.type[other] == BodyType::dynamic;
-  };
   bool kept = true;
-  world.joints.each_of(body, [&](std::uint32_t, std::uint32_t other) { kept &= is_dynamic(other); });
+  world.joints.each_of(body, [&](std::uint32_t, std::uint32_t other) { kept &= is_dynamic(world, other); });
   const auto& springs = world.scene.springs;
   for (std::uint32_t i = 0; i < springs.slots.slots(); ++i) {
     if (!springs.slots.alive(i)) continue;
     const auto& def = springs.def[i];
-    if (def.body_a == body || def.body_b == body) kept &= is_dynamic(def.body_a == body ? def.body_b : def.body_a);
+    if (def.body_a == body || def.body_b == body) kept &= is_dynamic(world, def.body_a == body ? def.body_b : def.body_a);
   }
   return kept || call.fail(CAROM_E_OUT_OF_RANGE, 3,
                            "a joint or a spring holds this body and none that is dynamic: destroy it first");
 }
 
-bool shapes_fit(Call& call, const World& world, std::uint32_t body, BodyType type) {
+/// Whether a body may be of a kind with the shapes that it has.   @param has_mass  the host gives it
+bool shapes_fit(Call& call, const World& world, std::uint32_t body, BodyType type, bool has_mass) {
   const Colliders& c = world.scene.colliders;
   for (std::uint32_t i = world.scene.first_collider[body]; i != Colliders::kNone; i = c.next[i])
-    if (!shape_fits(call, 3, type, world.scene.def[body].has_mass, *c.shape[i], c.density[i])) return false;
+    if (!shape_fits(call, 3, type, has_mass, *c.shape[i], c.density[i])) return false;
   return true;
 }
 
@@ -91,9 +90,7 @@ int32_t carom_body_set_mass(carom_world* world, carom_body body, double mass, co
       call.fail(CAROM_E_OUT_OF_RANGE, 2, "the body is not dynamic: its mass is infinite");
       return;
     }
-    const Colliders& c = changing->scene.colliders;
-    for (std::uint32_t i = changing->scene.first_collider[slot]; mass == 0 && i != Colliders::kNone; i = c.next[i])
-      if (!shape_fits(call, 3, BodyType::dynamic, false, *c.shape[i], c.density[i])) return;
+    if (!shapes_fit(call, *changing, slot, BodyType::dynamic, mass > 0)) return;
     const FloatScope scope;
     changing->set_mass(slot, given);
   });
@@ -118,7 +115,7 @@ int32_t carom_body_set_type(carom_world* world, carom_body body, uint32_t type, 
     if (!changing || !resolve_body(call, *changing, body) || !known(call, 3, "type", type, CAROM_BODY_DYNAMIC + 1)) return;
     const std::uint32_t slot = handle_slot(body);
     const auto to = static_cast<BodyType>(type);
-    if (!shapes_fit(call, *changing, slot, to) ||
+    if (!shapes_fit(call, *changing, slot, to, changing->scene.def[slot].has_mass) ||
         (to != BodyType::dynamic && !ties_keep_one(call, *changing, slot)))
       return;
     const FloatScope scope;

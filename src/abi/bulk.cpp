@@ -6,6 +6,7 @@
 #include "abi/collider.h"
 #include "abi/record_calls.h"
 #include "abi/records.h"
+#include "abi/selection.h"
 #include "abi/world.h"
 
 namespace carom::abi {
@@ -46,6 +47,8 @@ void write_angular(World& w, std::uint32_t b, const double* r) { w.set_velocity(
 void write_velocity(World& w, std::uint32_t b, const double* r) { w.set_velocity(b, to_vec3(r), to_vec3(r + 3)); }
 void write_force(World& w, std::uint32_t b, const double* r) { w.set_force(b, to_vec3(r), to_vec3(r + 3)); }
 
+constexpr Selection::Words kBodies = {"bodies", "a body of handles"};
+
 constexpr FieldRow kBulkFields[CAROM_FIELD_COUNT] = {
     // in the order of CAROM_FIELD_*
     {"position", 3, true, -1, false, read_position, write_position},
@@ -57,38 +60,6 @@ constexpr FieldRow kBulkFields[CAROM_FIELD_COUNT] = {
     {"force", 6, true, -1, false, read_force, write_force},
     {"center", 3, false, -1, false, read_center, nullptr},
     {"mass", 1, false, -1, false, read_mass, nullptr},
-};
-
-/// The bodies of a bulk call: those of an array of handles, or all, by ascending slot.
-class Selection {
- public:
-  Selection(const World& world, const carom_body* handles) : bodies_(world.scene.bodies), handles_(handles) {}
-
-  bool check(Call& call, std::uint64_t n) const {
-    if (!handles_)
-      return n == bodies_.alive_count() || call.fail(CAROM_E_OUT_OF_RANGE, 5, "n is %llu, the world has %u bodies",
-                                                     static_cast<unsigned long long>(n), bodies_.alive_count());
-    for (std::uint64_t i = 0; i < n; ++i)
-      if (!resolve(call, 4, "a body of handles", bodies_, handles_[i])) return false;
-    return true;
-  }
-
-  /// @param visit (slot, index), for 0 <= index < n; returns false to stop
-  template <class Visit>
-  void for_each(std::uint64_t n, Visit&& visit) const {
-    if (handles_) {
-      for (std::uint64_t i = 0; i < n; ++i)
-        if (!visit(handle_slot(handles_[i]), i)) return;
-      return;
-    }
-    std::uint64_t i = 0;
-    for (std::uint32_t slot = 0; slot < bodies_.slots(); ++slot)
-      if (bodies_.alive(slot) && !visit(slot, i++)) return;
-  }
-
- private:
-  const SlotPool& bodies_;
-  const carom_body* handles_;
 };
 
 /// Checks that reading and writing share; stride 0 becomes the record's size.
@@ -168,7 +139,7 @@ int32_t carom_world_get_bodies(carom_world* world, carom_body* handles, uint64_t
     const SlotPool& bodies = reading->scene.bodies;
     *count = bodies.alive_count();
     if (!handles) return;
-    Selection(*reading, nullptr).for_each(capacity, [&](std::uint32_t slot, std::uint64_t i) {
+    Selection(bodies, nullptr, kBodies).for_each(capacity, [&](std::uint32_t slot, std::uint64_t i) {
       if (i >= capacity) return false;
       handles[i] = bodies.handle(slot);
       return true;
@@ -181,7 +152,7 @@ int32_t carom_world_read(carom_world* world, uint32_t field, uint32_t scalar, co
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !check_shape_of_data(call, field, scalar, n, "dst", dst, stride)) return;
-    const Selection selection(*reading, handles);
+    const Selection selection(reading->scene.bodies, handles, kBodies);
     if (!selection.check(call, n)) return;
     const auto read = scalar == CAROM_SCALAR_F32 ? read_all<float> : read_all<double>;
     read(*reading, kBulkFields[field], selection, n, dst, stride);
@@ -197,7 +168,7 @@ int32_t carom_world_write(carom_world* world, uint32_t field, uint32_t scalar, c
       call.fail(CAROM_E_UNSUPPORTED, 2, "%s can be read, not written", kBulkFields[field].name);
       return;
     }
-    const Selection selection(*changing, handles);
+    const Selection selection(changing->scene.bodies, handles, kBodies);
     if (!selection.check(call, n)) return;
     const auto write = scalar == CAROM_SCALAR_F32 ? write_all<float> : write_all<double>;
     write(call, *changing, kBulkFields[field], selection, n, src, stride);

@@ -37,7 +37,9 @@ void create(Call& call, const Changing& changing, carom_body body, const carom_c
   ShapePin shape(changing.engine());
   if (!resolve(call, 2, "body", world.scene.bodies, body) || !read_struct(call, 3, "desc", given, d) ||
       !check_desc(call, world, d) || !shape.take(call, 3, "desc->shape", d.shape) ||
-      !shape_fits(call, 3, world.scene.type[handle_slot(body)], world.scene.def[handle_slot(body)].has_mass, *shape, d.density) || !present(call, 4, "collider", collider))
+      !shape_fits(call, 3, world.scene.type[handle_slot(body)], world.scene.def[handle_slot(body)].has_mass, *shape,
+                  d.density) ||
+      !present(call, 4, "collider", collider))
     return;
   const FloatScope scope;
   const std::uint32_t material = d.material ? handle_slot(d.material) : Colliders::kNoMaterial;

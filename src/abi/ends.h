@@ -5,6 +5,11 @@
 
 namespace carom::abi {
 
+/// Of a body's slot, or kTheWorld.
+inline bool is_dynamic(const World& world, std::uint32_t slot) {
+  return slot != kTheWorld && world.scene.type[slot] == BodyType::dynamic;
+}
+
 /// @return false, and noted, if the handle names neither a body nor the world
 inline bool read_end(Call& call, const World& world, const char* name, carom_body handle, std::uint32_t& slot) {
   slot = kTheWorld;
@@ -23,10 +28,7 @@ bool read_ends(Call& call, const World& world, const Desc& d, const char* what, 
     return false;
   if (def.body_a == def.body_b)
     return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc %s %s to itself", what, d.body_a ? "a body" : "the world");
-  const auto is_dynamic = [&](std::uint32_t slot) {
-    return slot != kTheWorld && world.scene.type[slot] == BodyType::dynamic;
-  };
-  return is_dynamic(def.body_a) || is_dynamic(def.body_b) ||
+  return is_dynamic(world, def.body_a) || is_dynamic(world, def.body_b) ||
          call.fail(CAROM_E_OUT_OF_RANGE, 2, "neither of the two bodies is dynamic; one must be");
 }
 

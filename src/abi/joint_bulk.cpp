@@ -3,6 +3,7 @@
 
 #include "abi/float_scope.h"
 #include "abi/records.h"
+#include "abi/selection.h"
 #include "abi/world.h"
 #include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/parts.h"
@@ -56,25 +57,16 @@ int32_t carom_world_read_joints(carom_world* world, uint32_t field, uint32_t sca
         !known(call, 3, "scalar", scalar, CAROM_SCALAR_F64 + 1) || (n && !present(call, 6, "dst", dst)))
       return;
     const JointField& row = kBulkJointFields[field];
-    const SlotPool& slots = reading->joints.slots;
-    if (!check_stride(call, 7, row.name, row.scalars, scalar, stride)) return;
-    if (!joints && n != slots.alive_count()) {
-      call.fail(CAROM_E_OUT_OF_RANGE, 5, "n is %llu, the world has %u joints", static_cast<unsigned long long>(n),
-                slots.alive_count());
-      return;
-    }
-    for (std::uint64_t i = 0; joints && i < n; ++i)
-      if (!resolve(call, 4, "a joint of joints", slots, joints[i])) return;
+    const Selection selection(reading->joints.slots, joints, {"joints", "a joint of joints"});
+    if (!check_stride(call, 7, row.name, row.scalars, scalar, stride) || !selection.check(call, n)) return;
     const FloatScope scope;
-    std::uint32_t slot = 0;
-    for (std::uint64_t i = 0; i < n; ++i, ++slot) {
-      if (joints) slot = handle_slot(joints[i]);
-      while (!joints && !slots.alive(slot)) ++slot;
+    selection.for_each(n, [&](std::uint32_t slot, std::uint64_t i) {
       double record[kMostScalars];
       row.read(*reading, reading->joints.joint[slot], record);
       char* const to = static_cast<char*>(dst) + i * stride;
       scalar == CAROM_SCALAR_F32 ? store<float>(record, row.scalars, to) : store<double>(record, row.scalars, to);
-    }
+      return true;
+    });
   });
 }
 

@@ -31,6 +31,7 @@ class Search {
     look(CAROM_INSTALLED_PLUGINS, "");
 #endif
   }
+
  private:
   void look(std::string_view folder, const char* below) {
     if (file_.path[0] || folder.empty() || folder.front() != '/') return;
@@ -67,7 +68,6 @@ class Search {
 }  // namespace
 
 void find_plugin_file(std::string_view name, PluginFile& file) { Search(name, file); }
-
 
 EntrySymbol load_entry_symbol(Call& call, const char* path, std::size_t smallest) {
   EntrySymbol entry;

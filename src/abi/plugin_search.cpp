@@ -46,10 +46,9 @@ struct Found {
   PluginFile file;  // to load it from, if the engine does not have it
 };
 
-/// The plugin of a name, or its file.
+/// The plugin of a name, or its file.   @param engine, name  not null
 std::int32_t find(carom_engine* engine, const char* name, Found& found, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    if (!present(call, 1, "engine", engine) || !present(call, 2, "name", name)) return;
     if (!is_name({name, strnlen(name, kLongestName + 1)})) {
       call.fail(CAROM_E_OUT_OF_RANGE, 2, "\"%.80s\" is no name of a shape: 1 to 64 letters, digits, _, - and dots", name);
       return;

@@ -31,34 +31,21 @@ export class BodyView {
       this.capacity = Math.max(16, this.bodies ? this.count : 2 * this.count);
       this.state.at = m.claim(this.capacity * this.width * this.bytes);
     }
-    if (this.count)
-      m.call(
-        "carom_world_read",
-        this.world.pointer,
-        this.field,
-        this.isDouble ? 1 : 0,
-        this.state.handles,
-        BigInt(this.count),
-        this.state.at,
-        0n,
-      );
+    if (this.count) this.transfer("carom_world_read");
     return this;
   }
 
   /** Write what `array` holds now back to the bodies.   @throws CaromError for a field that is read only, or bad
    * values */
   write() {
-    const m = this.world.module;
-    m.call(
-      "carom_world_write",
-      this.world.pointer,
-      this.field,
-      this.isDouble ? 1 : 0,
-      this.state.handles,
-      BigInt(this.count),
-      this.state.at,
-      0n,
-    );
+    this.transfer("carom_world_write");
+  }
+
+  /** One call for all of them.   @param name  carom_world_read or carom_world_write */
+  transfer(name) {
+    const { pointer, module } = this.world;
+    const scalar = this.isDouble ? 1 : 0;
+    module.call(name, pointer, this.field, scalar, this.state.handles, BigInt(this.count), this.state.at, 0n);
   }
 
   get bytes() {

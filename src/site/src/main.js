@@ -3,7 +3,7 @@ import { load } from "carom";
 import { plot } from "./curves.js";
 import { readLink, writeLink } from "./link.js";
 import { Panel } from "./panel.js";
-import { Picture } from "./picture.js";
+import { Picture, SHOWN } from "./picture.js";
 import { PlanPanel } from "./plan.js";
 import { Pointer } from "./pointer.js";
 import { Simulation } from "./simulation.js";
@@ -25,15 +25,7 @@ const state = {
   difference: [],
   last: 0,
 };
-const shown = {
-  contacts: false,
-  joints: true,
-  bounds: false,
-  outlines: false,
-  frames: false,
-  islands: false,
-  sleep: true,
-};
+const shown = { ...SHOWN };
 let carom, rows, stage, panel, pointer, plan;
 
 function say(text) {

@@ -7,21 +7,24 @@ import { FIXED, KINDS } from "./palette.js";
 
 const ASLEEP = 0.45; // of its brightness
 
+/** What is drawn at first. */
+export const SHOWN = {
+  contacts: false,
+  joints: true,
+  bounds: false,
+  outlines: false,
+  frames: false,
+  islands: false,
+  sleep: true,
+};
+
 export class Picture {
   /** @param row  of the scenes' index: names and kinds of bodies; may be {} */
   constructor(sim, row, ghost = null) {
     Object.assign(this, { sim, row, ghost });
     this.group = new THREE.Group();
     this.geometries = new Map();
-    this.shown = {
-      contacts: false,
-      joints: true,
-      bounds: false,
-      outlines: false,
-      frames: false,
-      islands: false,
-      sleep: true,
-    };
+    this.shown = { ...SHOWN };
     this.lines = new THREE.LineSegments(
       new THREE.BufferGeometry(),
       new THREE.LineBasicMaterial({ vertexColors: true, depthTest: false }),

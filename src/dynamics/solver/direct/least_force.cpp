@@ -127,18 +127,18 @@ ConeAnswer solve_with_least_force(ConeProblem& problem, Real tolerance, std::uin
 
 bool throws(const ConeProblem& problem) {
   if (problem.contacts.empty()) return false;
-  Real before = 0, after = 0, mass = 0, surface2 = 0;
+  Real surface2 = 0;
+  for (const ConeContact& c : problem.contacts) surface2 = std::max(surface2, c.carried.squared_norm());
+  for (const ConeLink& c : problem.links) surface2 = std::max(surface2, c.carried * c.carried);
+  if (!(surface2 > 0)) return false;
+  Real before = 0, after = 0, mass = 0;
   for (const ConeBody& b : bodies_of(problem)) {
     before += b.before.dot(momentum_of(b, b.before)) / 2;
     after += b.v.dot(momentum_of(b, b.v)) / 2;
     mass += b.inv_mass > 0 ? 1 / b.inv_mass : 0;
   }
-  for (const ConeContact& c : problem.contacts) surface2 = std::max(surface2, c.carried.squared_norm());
-  for (const ConeLink& c : problem.links) {
-    surface2 = std::max(surface2, c.carried * c.carried);
-    before += given_by_drive(problem, c);
-  }
-  return surface2 > 0 && after > before + kThrow * kThrow * surface2 * mass / 2;
+  for (const ConeLink& c : problem.links) before += given_by_drive(problem, c);
+  return after > before + kThrow * kThrow * surface2 * mass / 2;
 }
 
 // Over a share s they take -(s p.u + s^2 p.A p / 2) of the energy of relative motion: least at s = -p.u / p.A p, and
