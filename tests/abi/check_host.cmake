@@ -38,7 +38,7 @@ int main(void) {
 }
 ]])
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
-set(odr "-O1 -flto -Werror=odr -Werror=lto-type-mismatch")
+set(odr "-O0 -flto -Werror=odr -Werror=lto-type-mismatch")
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SCRATCH} -B ${SCRATCH}/build -DCAROM=${SOURCE_DIR} -DCAROM_UNITY=ON
   -DCMAKE_C_COMPILER=${C_COMPILER} -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${odr} -DCMAKE_AR=${LTO_AR} -DCMAKE_RANLIB=${LTO_RANLIB})
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
