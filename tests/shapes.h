@@ -22,26 +22,26 @@ inline double length_xz(double x, double z) {
   return s > 1e-280 && s < 1e280 ? std::sqrt(s) : std::hypot(x, z);
 }
 
-inline std::int32_t point_support(const double*, std::uint64_t, const double*, double* out) {
+inline std::int32_t point_support(void*, const double*, std::uint64_t, const double*, double* out) {
   out[0] = out[1] = out[2] = 0;
   return 0;
 }
 
 /// params: radius, half height of the core segment (y)
-inline std::int32_t segment_support(const double* p, std::uint64_t, const double* d, double* out) {
+inline std::int32_t segment_support(void*, const double* p, std::uint64_t, const double* d, double* out) {
   out[0] = out[2] = 0;
   out[1] = d[1] < 0 ? -p[1] : p[1];
   return 0;
 }
 
 /// params: half extents x, y, z (what follows is ignored: a rounded box carries its radius there)
-inline std::int32_t box_support(const double* p, std::uint64_t, const double* d, double* out) {
+inline std::int32_t box_support(void*, const double* p, std::uint64_t, const double* d, double* out) {
   for (int i = 0; i < 3; ++i) out[i] = std::copysign(p[i], d[i]);
   return 0;
 }
 
 /// params: radius, half height (y)
-inline std::int32_t cylinder_support(const double* p, std::uint64_t, const double* d, double* out) {
+inline std::int32_t cylinder_support(void*, const double* p, std::uint64_t, const double* d, double* out) {
   const double length = length_xz(d[0], d[2]);
   out[0] = length > 0 ? p[0] * (d[0] / length) : 0;
   out[2] = length > 0 ? p[0] * (d[2] / length) : 0;
@@ -50,7 +50,7 @@ inline std::int32_t cylinder_support(const double* p, std::uint64_t, const doubl
 }
 
 /// params: base radius, half height; apex at +y, base disc at -y
-inline std::int32_t cone_support(const double* p, std::uint64_t, const double* d, double* out) {
+inline std::int32_t cone_support(void*, const double* p, std::uint64_t, const double* d, double* out) {
   const double length = length_xz(d[0], d[2]);
   if (2 * p[1] * d[1] > p[0] * length) {
     out[0] = out[2] = 0;
@@ -64,7 +64,7 @@ inline std::int32_t cone_support(const double* p, std::uint64_t, const double* d
 }
 
 /// params: radii x, y, z
-inline std::int32_t ellipsoid_support(const double* p, std::uint64_t, const double* d, double* out) {
+inline std::int32_t ellipsoid_support(void*, const double* p, std::uint64_t, const double* d, double* out) {
   const double largest = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2])});
   double w[3];
   for (int i = 0; i < 3; ++i) w[i] = p[i] * (d[i] / largest);
@@ -74,7 +74,7 @@ inline std::int32_t ellipsoid_support(const double* p, std::uint64_t, const doub
 }
 
 /// params: x, y, z of every vertex
-inline std::int32_t hull_support(const double* p, std::uint64_t count, const double* d, double* out) {
+inline std::int32_t hull_support(void*, const double* p, std::uint64_t count, const double* d, double* out) {
   const double *best = p, *const end = p + count;
   double most = d[0] * p[0] + d[1] * p[1] + d[2] * p[2];
   for (const double* v = p + 3; v < end; v += 3) {
@@ -86,7 +86,7 @@ inline std::int32_t hull_support(const double* p, std::uint64_t count, const dou
 }
 
 /// Says that it failed, with a number of its own.
-inline std::int32_t failing_support(const double*, std::uint64_t, const double*, double* out) {
+inline std::int32_t failing_support(void*, const double*, std::uint64_t, const double*, double* out) {
   out[0] = out[1] = out[2] = 0;
   return 7;
 }
@@ -235,7 +235,7 @@ class Random {
 /// Support point of the whole shape, core radius included, for a unit direction in the shape's frame.
 inline Vec3 support_point(const Shape& s, const Vec3& unit_dir) {
   Vec3 out;
-  s.support(s.params.data(), s.params.size(), unit_dir.data(), out.data());
+  s.support(s.user, s.params.data(), s.params.size(), unit_dir.data(), out.data());
   return out + s.core_radius * unit_dir;
 }
 

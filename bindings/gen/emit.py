@@ -1,8 +1,10 @@
 """What is written from the headers' data: one function a file, each gives the file's whole text."""
 import json
+from pathlib import Path
 
 import emit_js
 import emit_lua
+import emit_pages
 import emit_python
 import emit_record
 import emit_records
@@ -43,4 +45,5 @@ FILES = {
     "bindings/python/carom/_c.py": emit_python.declarations,
     "bindings/python/carom/records.py": emit_records.records,
     "bindings/python/carom/raw.pyi": emit_python.stubs,
+    **emit_pages.pages(sorted(path.name for path in (Path(__file__).resolve().parents[2] / "include" / "carom").glob("*.h"))),
 }

@@ -79,7 +79,7 @@ function M.out(type) return ffi.new(ffi.typeof("$[1]", ffi.typeof(type))) end
 function M.new(type)
   local struct = ffi.new(type)
   local has_init, init = pcall(function() return M.lib[type .. "_init"] end)
-  if has_init then init(struct) else struct.struct_size = ffi.sizeof(type) end
+  if has_init then init(struct, ffi.sizeof(type)) else struct.struct_size = ffi.sizeof(type) end
   return struct
 end
 

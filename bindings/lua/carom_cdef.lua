@@ -71,13 +71,13 @@ typedef uint64_t carom_joint;
 typedef uint64_t carom_force_field;
 typedef uint64_t carom_spring;
 typedef void (*carom_job_fn)(void *context, uint32_t begin, uint32_t end);
-typedef int32_t (*carom_support_fn)(const double *params, uint64_t param_len, const double *dir, double *out);
+typedef int32_t (*carom_support_fn)(void *user, const double *params, uint64_t param_len, const double *dir, double *out);
 typedef int32_t (*carom_write_fn)(void *user, const void *bytes, uint64_t size);
 struct carom_error { uint32_t struct_size; int32_t code; int32_t argument; uint32_t has_witness; double witness_dir[3]; double witness_out[3]; char message[256]; char remedy[256]; };
 struct carom_material_desc { uint32_t struct_size; uint32_t friction_mix; uint32_t restitution_mix; uint32_t reserved; double friction; double restitution; };
-struct carom_body_desc { uint32_t struct_size; uint32_t fields; uint32_t type; uint32_t reserved; double position[3]; double orientation[4]; double linear_velocity[3]; double angular_velocity[3]; double mass; double center[3]; double inertia[9]; double linear_damping; double angular_damping; uint64_t user; };
+struct carom_body_desc { uint32_t struct_size; uint32_t fields; uint32_t type; uint32_t reserved; double position[3]; double orientation[4]; double linear_velocity[3]; double angular_velocity[3]; double mass; double center[3]; double inertia[9]; double linear_damping; double angular_damping; uint64_t user; double gravity_factor; uint32_t locks; uint32_t continuous; double linear_drag; double quadratic_drag; uint32_t force_field_mask; uint32_t reserved2; double magnetic_moment[3]; };
 struct carom_attribute_info { uint32_t struct_size; uint32_t attribute; uint32_t numbers; uint32_t is_whole; uint32_t of_dynamic; uint32_t effect; const char *name; const char *unit; const char *summary; double least; double most; double usual[4]; };
-struct carom_collider_desc { uint32_t struct_size; uint32_t reserved; carom_shape shape; carom_material material; double position[3]; double orientation[4]; double density; };
+struct carom_collider_desc { uint32_t struct_size; uint32_t reserved; carom_shape shape; carom_material material; double position[3]; double orientation[4]; double density; uint64_t category; uint64_t mask; int32_t group; uint32_t sensor; double surface_linear[3]; double surface_angular[3]; };
 struct carom_cast_desc { uint32_t struct_size; uint32_t iterations; double tolerance; double target; };
 struct carom_cast { uint32_t struct_size; uint32_t outcome; uint32_t status; uint32_t iterations; double time; double lower; double upper; double separation; double slack; double normal[3]; double point_a[3]; double point_b[3]; uint32_t support_calls; uint32_t reserved; };
 struct carom_motion { uint32_t struct_size; uint32_t reserved; double position[3]; double orientation[4]; double center[3]; double linear_velocity[3]; double angular_velocity[3]; };
@@ -114,7 +114,7 @@ struct carom_plan_line { uint32_t effect; uint32_t stage; uint32_t mode; uint32_
 struct carom_param { const char *name; const char *unit; double min; double max; };
 struct carom_param_rule { const char *text; uint32_t term_count; uint32_t param[4]; double weight[4]; double most; };
 struct carom_geometry { uint32_t struct_size; uint32_t form; uint32_t form_arg[4]; uint32_t core_radius_param; uint32_t mass_form; uint32_t mass_arg[4]; };
-struct carom_shape_plugin { uint32_t struct_size; uint32_t abi_major; uint32_t abi_minor; uint32_t flags; const char *id; uint32_t version; uint32_t param_count; const carom_param *params; const carom_geometry *geometry; carom_support_fn support; uint32_t param_tail_group; uint32_t param_tail_min; const carom_param_rule *rules; uint32_t rule_count; uint32_t reserved; };
+struct carom_shape_plugin { uint32_t struct_size; uint32_t abi_major; uint32_t abi_minor; uint32_t flags; const char *id; uint32_t version; uint32_t param_count; const carom_param *params; const carom_geometry *geometry; carom_support_fn support; uint32_t param_tail_group; uint32_t param_tail_min; const carom_param_rule *rules; uint32_t rule_count; uint32_t reserved; void *user; };
 struct carom_distance_desc { uint32_t struct_size; uint32_t simplex; uint32_t narrow_phase; uint32_t pair_routines; double tolerance; double hybrid_margin; uint32_t gjk_iterations; uint32_t epa_iterations; };
 struct carom_distance { uint32_t struct_size; uint32_t status; double separation; double lower; double upper; double normal[3]; double point_a[3]; double point_b[3]; uint32_t gjk_iterations; uint32_t epa_iterations; uint32_t support_calls; uint32_t reserved; };
 struct carom_difference { uint32_t struct_size; uint32_t differs; uint64_t first; uint64_t second; char sections[240]; };
@@ -136,13 +136,13 @@ int32_t carom_version(uint32_t *major, uint32_t *minor, uint32_t *patch);
 const char *carom_result_name(int32_t result);
 const char *carom_result_remedy(int32_t result);
 const char *carom_abi_manifest(void);
-int32_t carom_material_desc_init(carom_material_desc *desc);
+int32_t carom_material_desc_init(carom_material_desc *desc, uint32_t struct_size);
 int32_t carom_material_create(carom_world *world, const carom_material_desc *desc, carom_material *material, carom_error *error);
 int32_t carom_material_update(carom_world *world, carom_material material, const carom_material_desc *desc, carom_error *error);
 int32_t carom_material_set_resistance(carom_world *world, carom_material material, double rolling, double spinning, carom_error *error);
 int32_t carom_material_get_resistance(carom_world *world, carom_material material, double *rolling, double *spinning, carom_error *error);
 int32_t carom_material_destroy(carom_world *world, carom_material material, carom_error *error);
-int32_t carom_body_desc_init(carom_body_desc *desc);
+int32_t carom_body_desc_init(carom_body_desc *desc, uint32_t struct_size);
 int32_t carom_body_create(carom_world *world, const carom_body_desc *desc, carom_body *body, carom_error *error);
 int32_t carom_body_destroy(carom_world *world, carom_body body, carom_error *error);
 int32_t carom_body_get(carom_world *world, carom_body body, carom_body_desc *desc, carom_error *error);
@@ -172,7 +172,7 @@ int32_t carom_body_is_asleep(carom_world *world, carom_body body, uint32_t *asle
 int32_t carom_body_wake(carom_world *world, carom_body body, carom_error *error);
 int32_t carom_body_set_continuous(carom_world *world, carom_body body, uint32_t mode, carom_error *error);
 int32_t carom_body_get_continuous(carom_world *world, carom_body body, uint32_t *mode, carom_error *error);
-int32_t carom_collider_desc_init(carom_collider_desc *desc);
+int32_t carom_collider_desc_init(carom_collider_desc *desc, uint32_t struct_size);
 int32_t carom_collider_create(carom_world *world, carom_body body, const carom_collider_desc *desc, carom_collider *collider, carom_error *error);
 int32_t carom_body_create_named(carom_world *world, uint32_t type, const char *name, const double *params, uint64_t count, const double *position, carom_body *body, carom_error *error);
 int32_t carom_collider_destroy(carom_world *world, carom_collider collider, carom_error *error);
@@ -185,8 +185,8 @@ int32_t carom_collider_get_surface_velocity(carom_world *world, carom_collider c
 int32_t carom_world_get_bodies(carom_world *world, carom_body *handles, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_world_read(carom_world *world, uint32_t field, uint32_t scalar, const carom_body *handles, uint64_t n, void *dst, uint64_t stride, carom_error *error);
 int32_t carom_world_write(carom_world *world, uint32_t field, uint32_t scalar, const carom_body *handles, uint64_t n, const void *src, uint64_t stride, carom_error *error);
-int32_t carom_cast_desc_init(carom_cast_desc *desc);
-int32_t carom_motion_init(carom_motion *motion);
+int32_t carom_cast_desc_init(carom_cast_desc *desc, uint32_t struct_size);
+int32_t carom_motion_init(carom_motion *motion, uint32_t struct_size);
 int32_t carom_ray_cast(carom_engine *engine, carom_shape shape, const double *position, const double *orientation, const double *origin, const double *direction, double max, const carom_cast_desc *desc, carom_cast *result, carom_error *error);
 int32_t carom_shape_cast(carom_engine *engine, carom_shape shape_a, const double *position_a, const double *orientation_a, const double *motion, carom_shape shape_b, const double *position_b, const double *orientation_b, const carom_cast_desc *desc, carom_cast *result, carom_error *error);
 int32_t carom_shape_time_of_impact(carom_engine *engine, carom_shape shape_a, const carom_motion *motion_a, carom_shape shape_b, const carom_motion *motion_b, double duration, const carom_cast_desc *desc, carom_cast *result, carom_error *error);
@@ -199,15 +199,16 @@ int32_t carom_constant_get_count(uint32_t *count);
 int32_t carom_constant_get_info(uint32_t constant, carom_constant_info *info, carom_error *error);
 const char *carom_preset_name(uint32_t preset);
 int32_t carom_preset_get_dial(uint32_t preset, uint32_t dial, double *value, carom_error *error);
-int32_t carom_draw_desc_init(carom_draw_desc *desc);
+int32_t carom_draw_desc_init(carom_draw_desc *desc, uint32_t struct_size);
 int32_t carom_world_draw(carom_world *world, const carom_draw_desc *desc, carom_draw_line *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
-int32_t carom_engine_desc_init(carom_engine_desc *desc);
+int32_t carom_engine_desc_init(carom_engine_desc *desc, uint32_t struct_size);
 int32_t carom_engine_create(const carom_engine_desc *desc, carom_engine **engine, carom_error *error);
 int32_t carom_engine_destroy(carom_engine *engine, carom_error *error);
-int32_t carom_jobs_desc_init(carom_jobs_desc *desc);
+int32_t carom_jobs_desc_init(carom_jobs_desc *desc, uint32_t struct_size);
 int32_t carom_engine_set_jobs(carom_engine *engine, const carom_jobs_desc *desc, carom_error *error);
 int32_t carom_plugin_load(carom_engine *engine, const char *path, carom_plugin *plugin, carom_error *error);
 int32_t carom_plugin_register(carom_engine *engine, const carom_shape_plugin *description, carom_plugin *plugin, carom_error *error);
+int32_t carom_plugins_register_standard(carom_engine *engine, carom_error *error);
 int32_t carom_plugin_unload(carom_engine *engine, carom_plugin plugin, carom_error *error);
 int32_t carom_plugin_find(carom_engine *engine, const char *id, carom_plugin *plugin, carom_error *error);
 int32_t carom_plugin_describe(carom_engine *engine, carom_plugin plugin, const carom_shape_plugin **description, carom_error *error);
@@ -229,29 +230,29 @@ int32_t carom_body_get_drag(carom_world *world, carom_body body, double *linear,
 int32_t carom_world_set_wind(carom_world *world, const double *velocity, carom_error *error);
 int32_t carom_world_get_wind(carom_world *world, double *velocity, carom_error *error);
 const char *carom_force_field_name(uint32_t kind);
-int32_t carom_force_field_desc_init(carom_force_field_desc *desc);
+int32_t carom_force_field_desc_init(carom_force_field_desc *desc, uint32_t struct_size);
 int32_t carom_force_field_create(carom_world *world, const carom_force_field_desc *desc, carom_force_field *field, carom_error *error);
 int32_t carom_force_field_update(carom_world *world, carom_force_field field, const carom_force_field_desc *desc, carom_error *error);
 int32_t carom_force_field_get(carom_world *world, carom_force_field field, carom_force_field_desc *desc, carom_error *error);
 int32_t carom_force_field_destroy(carom_world *world, carom_force_field field, carom_error *error);
 int32_t carom_body_set_force_field_mask(carom_world *world, carom_body body, uint32_t mask, carom_error *error);
 int32_t carom_body_get_force_field_mask(carom_world *world, carom_body body, uint32_t *mask, carom_error *error);
-int32_t carom_spring_desc_init(carom_spring_desc *desc);
+int32_t carom_spring_desc_init(carom_spring_desc *desc, uint32_t struct_size);
 int32_t carom_spring_create(carom_world *world, const carom_spring_desc *desc, carom_spring *spring, carom_error *error);
 int32_t carom_spring_update(carom_world *world, carom_spring spring, double rest, double stiffness, double damping, carom_error *error);
 int32_t carom_spring_get(carom_world *world, carom_spring spring, carom_spring_desc *desc, carom_error *error);
 int32_t carom_spring_get_state(carom_world *world, carom_spring spring, double *length, double *force, carom_error *error);
 int32_t carom_spring_destroy(carom_world *world, carom_spring spring, carom_error *error);
-int32_t carom_water_init(carom_water *water);
+int32_t carom_water_init(carom_water *water, uint32_t struct_size);
 int32_t carom_world_set_water(carom_world *world, const carom_water *water, carom_error *error);
 int32_t carom_world_get_water(carom_world *world, carom_water *water, uint32_t *present, carom_error *error);
-int32_t carom_joint_desc_init(carom_joint_desc *desc);
-int32_t carom_joint_limit_init(carom_joint_limit *limit);
-int32_t carom_joint_motor_init(carom_joint_motor *motor);
-int32_t carom_joint_spring_init(carom_joint_spring *spring);
-int32_t carom_joint_transmission_init(carom_joint_transmission *transmission);
-int32_t carom_joint_axis_init(carom_joint_axis *axis);
-int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive *drive);
+int32_t carom_joint_desc_init(carom_joint_desc *desc, uint32_t struct_size);
+int32_t carom_joint_limit_init(carom_joint_limit *limit, uint32_t struct_size);
+int32_t carom_joint_motor_init(carom_joint_motor *motor, uint32_t struct_size);
+int32_t carom_joint_spring_init(carom_joint_spring *spring, uint32_t struct_size);
+int32_t carom_joint_transmission_init(carom_joint_transmission *transmission, uint32_t struct_size);
+int32_t carom_joint_axis_init(carom_joint_axis *axis, uint32_t struct_size);
+int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive *drive, uint32_t struct_size);
 int32_t carom_joint_create(carom_world *world, const carom_joint_desc *desc, carom_joint *joint, carom_error *error);
 int32_t carom_joint_destroy(carom_world *world, carom_joint joint, carom_error *error);
 int32_t carom_joint_get(carom_world *world, carom_joint joint, carom_joint_desc *desc, carom_error *error);
@@ -273,7 +274,7 @@ int32_t carom_world_get_joints(carom_world *world, carom_joint *joints, uint64_t
 int32_t carom_world_enable_ledger(carom_world *world, uint32_t on, carom_error *error);
 int32_t carom_world_get_ledger(carom_world *world, carom_ledger_entry *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_world_get_ledger_state(carom_world *world, carom_ledger_state *state, carom_error *error);
-int32_t carom_particles_desc_init(carom_particles_desc *desc);
+int32_t carom_particles_desc_init(carom_particles_desc *desc, uint32_t struct_size);
 int32_t carom_particles_create(carom_world *world, const carom_particles_desc *desc, carom_particles *set, carom_error *error);
 int32_t carom_particles_destroy(carom_world *world, carom_particles set, carom_error *error);
 int32_t carom_particles_get(carom_world *world, carom_particles set, carom_particles_desc *desc, carom_error *error);
@@ -292,7 +293,7 @@ int32_t carom_body_set_effect(carom_world *world, carom_body body, uint32_t effe
 int32_t carom_body_get_effect(carom_world *world, carom_body body, uint32_t effect, uint32_t *mode, carom_error *error);
 int32_t carom_world_time_effects(carom_world *world, uint32_t on, carom_error *error);
 int32_t carom_world_get_plan(carom_world *world, carom_plan_line *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
-int32_t carom_distance_desc_init(carom_distance_desc *desc);
+int32_t carom_distance_desc_init(carom_distance_desc *desc, uint32_t struct_size);
 int32_t carom_shape_distance(carom_engine *engine, carom_shape shape_a, const double *position_a, const double *orientation_a, carom_shape shape_b, const double *position_b, const double *orientation_b, const carom_distance_desc *desc, carom_distance *result, carom_error *error);
 int32_t carom_world_record_begin(carom_world *world, uint32_t flags, carom_write_fn write, void *user, carom_error *error);
 int32_t carom_world_record_end(carom_world *world, carom_error *error);
@@ -300,9 +301,9 @@ int32_t carom_world_compare(carom_world *world, const void *bytes, uint64_t size
 int32_t carom_world_get_residuals(carom_world *world, carom_residuals *residuals, carom_error *error);
 int32_t carom_world_set_budget(carom_world *world, double seconds, uint32_t fewest, uint32_t most, carom_error *error);
 int32_t carom_world_get_budget(carom_world *world, double *seconds, uint32_t *fewest, uint32_t *most, carom_error *error);
-int32_t carom_mesh_desc_init(carom_mesh_desc *desc);
+int32_t carom_mesh_desc_init(carom_mesh_desc *desc, uint32_t struct_size);
 int32_t carom_shape_create_mesh(carom_engine *engine, const carom_mesh_desc *desc, carom_shape *shape, carom_error *error);
-int32_t carom_height_field_desc_init(carom_height_field_desc *desc);
+int32_t carom_height_field_desc_init(carom_height_field_desc *desc, uint32_t struct_size);
 int32_t carom_shape_create_height_field(carom_engine *engine, const carom_height_field_desc *desc, carom_shape *shape, carom_error *error);
 int32_t carom_shape_get_scenery_info(carom_engine *engine, carom_shape shape, carom_scenery_info *info, carom_error *error);
 int32_t carom_shape_get_triangles(carom_engine *engine, carom_shape shape, uint64_t first, double *corners, uint64_t *count, uint64_t *next, carom_error *error);
@@ -317,7 +318,7 @@ int32_t carom_world_save(carom_world *world, uint32_t flags, void *buffer, uint6
 int32_t carom_world_restore(carom_world *world, const void *bytes, uint64_t size, carom_error *error);
 int32_t carom_world_fork(carom_world *world, carom_world **copy, carom_error *error);
 int32_t carom_world_translate_handles(carom_world *world, const uint64_t *handles, uint64_t n, uint64_t *translated, carom_error *error);
-int32_t carom_world_desc_init(carom_world_desc *desc);
+int32_t carom_world_desc_init(carom_world_desc *desc, uint32_t struct_size);
 int32_t carom_world_create(carom_engine *engine, const carom_world_desc *desc, carom_world **world, carom_error *error);
 int32_t carom_world_destroy(carom_world *world, carom_error *error);
 int32_t carom_world_step(carom_world *world, double dt, carom_error *error);
@@ -332,7 +333,7 @@ int32_t carom_world_get_contacts(carom_world *world, carom_contact *dst, uint64_
 int32_t carom_world_get_groups(carom_world *world, carom_group *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_world_get_faults(carom_world *world, carom_fault *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_world_hash(carom_world *world, uint64_t *hash, carom_error *error);
-int32_t carom_query_desc_init(carom_query_desc *desc);
+int32_t carom_query_desc_init(carom_query_desc *desc, uint32_t struct_size);
 int32_t carom_world_cast_ray(carom_world *world, const double *origin, const double *direction, double max, const carom_query_desc *desc, carom_world_hit *hit, uint64_t size, carom_error *error);
 int32_t carom_world_cast_rays(carom_world *world, const carom_rays *rays, uint32_t want, const carom_query_desc *desc, const carom_world_hits *hits, carom_error *error);
 int32_t carom_world_cast_rays_all(carom_world *world, const carom_rays *rays, const carom_query_desc *desc, carom_world_hit *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
@@ -343,7 +344,7 @@ int32_t carom_world_find_nearest(carom_world *world, const carom_query_shapes *s
 ]]
 return {
   CAROM_VERSION_MAJOR = 1,
-  CAROM_VERSION_MINOR = 8,
+  CAROM_VERSION_MINOR = 0,
   CAROM_VERSION_PATCH = 0,
   CAROM_OK = 0,
   CAROM_E_NULL_ARGUMENT = -1,
@@ -407,6 +408,8 @@ return {
   CAROM_CONTINUOUS_AUTO = 0,
   CAROM_CONTINUOUS_ALWAYS = 1,
   CAROM_CONTINUOUS_NEVER = 2,
+  CAROM_FILTER_CATEGORY = 0x1ULL,
+  CAROM_FILTER_MASK = 0xffffffffffffffffULL,
   CAROM_FIELD_POSITION = 0,
   CAROM_FIELD_ORIENTATION = 1,
   CAROM_FIELD_POSE = 2,
@@ -539,8 +542,6 @@ return {
   CAROM_SENSOR_LEAVE = 1,
   CAROM_SLEEP_ASLEEP = 0,
   CAROM_SLEEP_AWAKE = 1,
-  CAROM_FILTER_CATEGORY = 0x1ULL,
-  CAROM_FILTER_MASK = 0xffffffffffffffffULL,
   CAROM_FORCE_FIELD_UNIFORM = 0,
   CAROM_FORCE_FIELD_RADIAL = 1,
   CAROM_FORCE_FIELD_VORTEX = 2,
@@ -681,6 +682,6 @@ return {
   CAROM_WANT_ANY = 1,
   CAROM_ASK_GENERIC = 1,
   CAROM_ASK_SENSORS = 2,
-  VERSION = "1.8.0",
-  ROWS = 616, -- of the layout manifest
+  VERSION = "1.0.0",
+  ROWS = 631, -- of the layout manifest
 }

@@ -4,6 +4,8 @@
  *  Conventions of the whole interface: SI units (m, kg, s, rad); right-handed frames; quaternions cross as x, y, z, w;
  *  every call returns an int32_t result (CAROM_OK is 0, errors are negative) and, where its last argument is a
  *  carom_error*, writes the details there if it is not NULL. A call that fails has changed nothing.
+ *  A struct that a call reads is filled with defaults by its *_init(&it, sizeof it) first: the size says which version of it the
+ *  caller knows, and is STRUCT_SIZE where no version has it.
  *  The same checks run in Release and Debug builds. Nothing aborts, throws or prints across this boundary.
  */
 #ifndef CAROM_BASE_H
@@ -28,7 +30,7 @@ extern "C" {
 #endif
 
 #define CAROM_VERSION_MAJOR 1u
-#define CAROM_VERSION_MINOR 8u
+#define CAROM_VERSION_MINOR 0u
 #define CAROM_VERSION_PATCH 0u
 
 /* ---- results: each has a name and a remedy, see carom_result_name() and carom_result_remedy() ---- */
@@ -59,10 +61,10 @@ extern "C" {
 #define CAROM_E_ALREADY_EXISTS (-24)    /* a plugin with this id is already loaded */
 #define CAROM_E_NOT_FOUND (-25)         /* no object of this name */
 #define CAROM_E_INTERNAL (-26)          /* a fault of the library itself; please report it */
-#define CAROM_E_CORRUPT (-27)           /* bytes that are damaged, cut off or no snapshot   @since 1.8 */
-#define CAROM_E_MISMATCH (-28)          /* a snapshot of a world with other things in it   @since 1.8 */
-#define CAROM_E_WRITE_FAILED (-29)      /* a function that the host gave to write with said that it failed   @since 1.8 */
-#define CAROM_E_READ_ONLY (-30)         /* a number of the library that is fixed, no dial   @since 1.8 */
+#define CAROM_E_CORRUPT (-27)           /* bytes that are damaged, cut off or no snapshot */
+#define CAROM_E_MISMATCH (-28)          /* a snapshot of a world with other things in it */
+#define CAROM_E_WRITE_FAILED (-29)      /* a function that the host gave to write with said that it failed */
+#define CAROM_E_READ_ONLY (-30)         /* a number of the library that is fixed, no dial */
 
 /** Details of the last failure of one call. Owned by the caller; start from CAROM_ERROR_INIT.
  *  Written only on failure, never past struct_size. */
@@ -85,10 +87,10 @@ typedef uint64_t carom_shape;
 typedef uint64_t carom_material;
 typedef uint64_t carom_body;
 typedef uint64_t carom_collider;
-typedef uint64_t carom_particles; /* a set of them   @since 1.4 */
-typedef uint64_t carom_joint;     /* @since 1.5 */
-typedef uint64_t carom_force_field;     /* @since 1.7 */
-typedef uint64_t carom_spring;    /* @since 1.7 */
+typedef uint64_t carom_particles; /* a set of them */
+typedef uint64_t carom_joint;
+typedef uint64_t carom_force_field;
+typedef uint64_t carom_spring;
 #define CAROM_NULL_HANDLE ((uint64_t)0)
 
 /** Version of the library that is running (the CAROM_VERSION_* macros tell the header's).
@@ -103,13 +105,13 @@ CAROM_API const char *carom_result_remedy(int32_t result);
 
 /** The layout of every struct of this interface, as the compiler that built this library has it: for a binding, which
  *  compares it with its own when it is loaded. Lines of four words, ending in '\n'; first "carom" and the version:
- *      carom 1.8.0
+ *      carom 1.0.0
  *      carom_error 0 576 struct              name, offset, size in bytes, kind
  *      carom_error.struct_size 0 4 u32
  *      carom_error.witness_dir 16 24 f64[3]
  *  Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array. Newer
- *  libraries have more lines, and a struct that no *_init() fills may be larger; a field stays as it is.
- *  Static storage.   @thread any   @since 1.8 */
+ *  libraries have more lines, and a struct may be larger; a field stays as it is.
+ *  Static storage.   @thread any */
 CAROM_API const char *carom_abi_manifest(void);
 
 #ifdef __cplusplus

@@ -27,8 +27,8 @@ typedef struct carom_material_desc {
   double restitution;       /**< [0, 1], default 0 */
 } carom_material_desc;
 
-/** @status OK; NULL_ARGUMENT */
-CAROM_API int32_t carom_material_desc_init(carom_material_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_material_desc_init(carom_material_desc *desc, uint32_t struct_size);
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; OUT_OF_MEMORY */
 CAROM_API int32_t carom_material_create(carom_world *world, const carom_material_desc *desc, carom_material *material,
                                         carom_error *error);
@@ -39,10 +39,10 @@ CAROM_API int32_t carom_material_update(carom_world *world, carom_material mater
  *  with a force N bears a moment of up to rolling * N in its plane and of up to spinning * N about its normal. Mixed as
  *  friction is; carom_material_update() leaves it alone.
  *  @param rolling, spinning m, [0, 1e3]
- *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY   @since 1.3 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY */
 CAROM_API int32_t carom_material_set_resistance(carom_world *world, carom_material material, double rolling,
                                                 double spinning, carom_error *error);
-/** @param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.3 */
+/** @param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_material_get_resistance(carom_world *world, carom_material material, double *rolling,
                                                 double *spinning, carom_error *error);
 /** @status OK; *_HANDLE; IN_USE (a collider uses it); BUSY */
@@ -57,7 +57,7 @@ CAROM_API int32_t carom_material_destroy(carom_world *world, carom_material mate
 #define CAROM_BODY_FIELD_MASS 1u    /* mass given; else from colliders' densities */
 #define CAROM_BODY_FIELD_CENTER 2u  /* center given; else from colliders. needs MASS */
 #define CAROM_BODY_FIELD_INERTIA 4u /* inertia given; else from colliders, scaled to mass. needs MASS */
-#define CAROM_BODY_STAYS_AWAKE 8u   /* it never falls asleep, nor does what it touches   @since 1.2 */
+#define CAROM_BODY_STAYS_AWAKE 8u   /* it never falls asleep, nor does what it touches */
 
 /** What a body is made from. Fill with carom_body_desc_init(). */
 typedef struct carom_body_desc {
@@ -77,10 +77,18 @@ typedef struct carom_body_desc {
   double linear_damping;      /**< 1/s, [0, 1e6], default 0: dv/dt = -c v */
   double angular_damping;     /**< 1/s, [0, 1e6], default 0 */
   uint64_t user;              /**< anything; the engine does not look */
+  double gravity_factor;      /**< share of the world's gravity that acts on it, default 1: carom_body_set_gravity_factor() */
+  uint32_t locks;             /**< CAROM_LOCK_* bits, of a dynamic body, default 0: carom_body_set_locks() */
+  uint32_t continuous;        /**< CAROM_CONTINUOUS_*, default AUTO: carom_body_set_continuous() */
+  double linear_drag;         /**< kg/s, at least 0, default 0: carom_body_set_drag() */
+  double quadratic_drag;      /**< kg/m, at least 0, default 0 */
+  uint32_t force_field_mask;  /**< default 1: carom_body_set_force_field_mask() */
+  uint32_t reserved2;         /**< 0 */
+  double magnetic_moment[3];  /**< A m^2, axes of the body, of a dynamic body, default 0 */
 } carom_body_desc;
 
-/** @status OK; NULL_ARGUMENT */
-CAROM_API int32_t carom_body_desc_init(carom_body_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_body_desc_init(carom_body_desc *desc, uint32_t struct_size);
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; REENTRANT; LIMIT;
  *          OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_create(carom_world *world, const carom_body_desc *desc, carom_body *body, carom_error *error);
@@ -100,11 +108,11 @@ CAROM_API int32_t carom_body_set_pose(carom_world *world, carom_body body, const
 CAROM_API int32_t carom_body_set_velocity(carom_world *world, carom_body body, const double linear[3],
                                           const double angular[3], carom_error *error);
 /** @param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z, w, body
- *  to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+ *  to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_pose(carom_world *world, carom_body body, double position[3], double orientation[4],
                                       carom_error *error);
 /** @param linear [3] out, or NULL: m/s, world, of the centre of mass   @param angular [3] out, or NULL: rad/s, world
- *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_velocity(carom_world *world, carom_body body, double linear[3], double angular[3],
                                           carom_error *error);
 /** Set the mass of a dynamic body, as carom_body_desc would have. Its frame stays; the velocity of its centre is kept as
@@ -114,12 +122,12 @@ CAROM_API int32_t carom_body_get_velocity(carom_world *world, carom_body body, d
  *  @param inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero; or NULL:
  *                 from its colliders, scaled to the mass
  *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0, and a
- *          collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+ *          collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_mass(carom_world *world, carom_body body, double mass, const double center[3],
                                       const double inertia[9], carom_error *error);
 /** As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate.
  *  @param mass out, or NULL: kg   @param center [3] out, or NULL: m, body frame   @param inertia [9] out, or NULL: kg m^2, body
- *  frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+ *  frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_mass(carom_world *world, carom_body body, double *mass, double center[3],
                                       double inertia[9], carom_error *error);
 /** Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic no
@@ -127,24 +135,24 @@ CAROM_API int32_t carom_body_get_mass(carom_world *world, carom_body body, doubl
  *  (carom_attribute_info.of_dynamic). Snapshots of before do not fit any more. What it touches wakes.
  *  @param type CAROM_BODY_*
  *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that is not
- *          dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+ *          dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_type(carom_world *world, carom_body body, uint32_t type, carom_error *error);
-/** @param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+/** @param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_type(carom_world *world, carom_body body, uint32_t *type, carom_error *error);
 /** @param linear, angular 1/s, [0, 1e6]: dv/dt = -linear v, likewise of spin   @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE;
- *  OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8 */
+ *  OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_body_set_damping(carom_world *world, carom_body body, double linear, double angular,
                                          carom_error *error);
-/** @param linear, angular out: 1/s; either may be NULL   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+/** @param linear, angular out: 1/s; either may be NULL   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_damping(carom_world *world, carom_body body, double *linear, double *angular,
                                          carom_error *error);
-/** @param user anything; the engine does not look   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT   @since 1.8 */
+/** @param user anything; the engine does not look   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_body_set_user(carom_world *world, carom_body body, uint64_t user, carom_error *error);
-/** @param user out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+/** @param user out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_user(carom_world *world, carom_body body, uint64_t *user, carom_error *error);
 /** Number of a body's colliders, and their handles in the order of the slots.
  *  @param colliders [capacity] or NULL   @param count out: how many there are (may exceed capacity; capacity are written)
- *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_colliders(carom_world *world, carom_body body, carom_collider *colliders,
                                            uint64_t capacity, uint64_t *count, carom_error *error);
 
@@ -161,9 +169,9 @@ CAROM_API int32_t carom_body_add_impulse(carom_world *world, carom_body body, co
 /** How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
  *  rises. Wakes the body and its island.
  *  @param factor any finite number; 1 when a body is created
- *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.6 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_gravity_factor(carom_world *world, carom_body body, double factor, carom_error *error);
-/** @param factor out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6 */
+/** @param factor out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_gravity_factor(carom_world *world, carom_body body, double *factor,
                                                 carom_error *error);
 
@@ -186,9 +194,9 @@ CAROM_API int32_t carom_body_get_gravity_factor(carom_world *world, carom_body b
  *  @param locks CAROM_LOCK_* bits, 0 when a body is created
  *  @status OK; NULL_ARGUMENT; *_HANDLE; UNSUPPORTED (unknown bits; or solver severity: set CAROM_DIAL_SOLVER to another
  *          first); OUT_OF_RANGE (a body that is not dynamic: it moves as its velocity says); BUSY; REENTRANT;
- *          OUT_OF_MEMORY   @since 1.6 */
+ *          OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_locks(carom_world *world, carom_body body, uint32_t locks, carom_error *error);
-/** @param locks out: CAROM_LOCK_* bits   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6 */
+/** @param locks out: CAROM_LOCK_* bits   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_locks(carom_world *world, carom_body body, uint32_t *locks, carom_error *error);
 
 /* ---- attributes: what may be said of a body beside its descriptor, each by its number ----
@@ -203,7 +211,7 @@ CAROM_API int32_t carom_body_get_locks(carom_world *world, carom_body body, uint
 #define CAROM_ATTRIBUTE_COUNT 5u
 #define CAROM_ATTRIBUTE_NUMBERS 4u /* what every attribute has room for */
 
-/** What an attribute is. Strings have static storage.   @since 1.8 */
+/** What an attribute is. Strings have static storage. */
 typedef struct carom_attribute_info {
   uint32_t struct_size;
   uint32_t attribute;  /**< CAROM_ATTRIBUTE_* */
@@ -220,16 +228,16 @@ typedef struct carom_attribute_info {
 } carom_attribute_info;
 
 /** @param attribute CAROM_ATTRIBUTE_*   @param info out
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM   @thread any   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM   @thread any */
 CAROM_API int32_t carom_attribute_get_info(uint32_t attribute, carom_attribute_info *info, carom_error *error);
 /** Set an attribute. Another value than it has wakes the body and its island.
  *  @param value [4] in the units of carom_attribute_info; numbers that the attribute does not have must be 0
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a fraction where numbers are whole; a
- *          body that is not dynamic); UNSUPPORTED (locks under solver severity); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+ *          body that is not dynamic); UNSUPPORTED (locks under solver severity); BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_attribute(carom_world *world, carom_body body, uint32_t attribute, const double value[4],
                                            carom_error *error);
 /** @param value [4] out: numbers that the attribute does not have are 0
- *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; BUSY   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_attribute(carom_world *world, carom_body body, uint32_t attribute, double value[4],
                                            carom_error *error);
 
@@ -246,10 +254,9 @@ CAROM_API int32_t carom_body_get_attribute(carom_world *world, carom_body body, 
  *  - with all others when gravity or a dial but CAROM_DIAL_SUBSTEPS changes, a shape is disabled, or a body is quarantined.
  * Its contacts are not among those of carom_world_get_contacts(), nor in the residuals of the report. */
 
-/** @param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.2 */
+/** @param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_is_asleep(carom_world *world, carom_body body, uint32_t *asleep, carom_error *error);
-/** Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; *_HANDLE; BUSY; REENTRANT
- *  @since 1.2 */
+/** Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_body_wake(carom_world *world, carom_body body, carom_error *error);
 
 /* ---- continuous collision ----
@@ -270,13 +277,16 @@ CAROM_API int32_t carom_body_wake(carom_world *world, carom_body body, carom_err
 /** Say when a body is swept, from the next step on. Without effect on a static body, and where CAROM_DIAL_CONTINUOUS
  *  says otherwise: under NOBODY no body is swept, under FLAGGED only CAROM_CONTINUOUS_ALWAYS.
  *  @param mode CAROM_CONTINUOUS_*
- *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT
- *  @since 1.6 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT */
 CAROM_API int32_t carom_body_set_continuous(carom_world *world, carom_body body, uint32_t mode, carom_error *error);
-/** @param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6 */
+/** @param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_continuous(carom_world *world, carom_body body, uint32_t *mode, carom_error *error);
 
 /* ---- colliders ---- */
+#define CAROM_FILTER_CATEGORY ((uint64_t)1) /* default category, see carom_collider_set_filter() */
+#define CAROM_FILTER_MASK (~(uint64_t)0)    /* default mask */
+
+/** A shape on a body. Fill with carom_collider_desc_init(). */
 typedef struct carom_collider_desc {
   uint32_t struct_size;
   uint32_t reserved;      /**< 0 */
@@ -285,10 +295,16 @@ typedef struct carom_collider_desc {
   double position[3];     /**< m, body frame: origin of the shape; each within 1e15 */
   double orientation[4];  /**< x, y, z, w, shape to body; default identity */
   double density;         /**< kg/m^3, [0, 1e9], default 1000; counts unless the body's mass is given */
+  uint64_t category;      /**< bits, default CAROM_FILTER_CATEGORY: carom_collider_set_filter() */
+  uint64_t mask;          /**< bits, default CAROM_FILTER_MASK */
+  int32_t group;          /**< default 0: none */
+  uint32_t sensor;        /**< 1: tells what overlaps it and touches nothing; default 0: carom_collider_set_sensor() */
+  double surface_linear[3];  /**< m/s, axes of the shape, default 0: carom_collider_set_surface_velocity() */
+  double surface_angular[3]; /**< rad/s, axes of the shape, about its origin, default 0 */
 } carom_collider_desc;
 
-/** @status OK; NULL_ARGUMENT */
-CAROM_API int32_t carom_collider_desc_init(carom_collider_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_collider_desc_init(carom_collider_desc *desc, uint32_t struct_size);
 /** Put a shape on a body; the body's mass properties follow. The body's linear velocity is kept as that of its new centre.
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a half-space on a
  *          body that moves); NO_VOLUME (a flat shape needs CAROM_BODY_FIELD_MASS or density 0); BUSY; REENTRANT; OUT_OF_MEMORY */
@@ -299,7 +315,7 @@ CAROM_API int32_t carom_collider_create(carom_world *world, carom_body body, con
  *  Where a part of it fails nothing has changed, but for a plugin that was loaded.
  *  @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
- *          PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY   @since 1.8 */
+ *          PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_create_named(carom_world *world, uint32_t type, const char *name, const double *params,
                                           uint64_t count, const double position[3], carom_body *body, carom_error *error);
 /** @status OK; *_HANDLE; BUSY; REENTRANT */
@@ -309,16 +325,16 @@ CAROM_API int32_t carom_collider_get(carom_world *world, carom_collider collider
                                      carom_body *body, carom_error *error);
 
 /** Give a collider another material. Wakes what its body touches.   @param material or CAROM_NULL_HANDLE: friction 0.5,
- *  restitution 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+ *  restitution 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_collider_set_material(carom_world *world, carom_collider collider, carom_material material,
                                               carom_error *error);
 /** The body's mass follows, unless it was given. Wakes the body and its island.   @param density kg/m^3, [0, 1e9]
- *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_collider_set_density(carom_world *world, carom_collider collider, double density,
                                              carom_error *error);
 /** Move a shape on its body; the body's mass follows. What is remembered of its contacts is dropped.
  *  @param position [3] m, body frame: origin of the shape; each within 1e15   @param orientation [4] x, y, z, w, shape to body
- *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_collider_set_pose(carom_world *world, carom_collider collider, const double position[3],
                                           const double orientation[4], carom_error *error);
 
@@ -332,11 +348,11 @@ CAROM_API int32_t carom_collider_set_pose(carom_world *world, carom_collider col
  *  @param linear  [3] m/s, axes of the shape; 0 when a collider is created
  *  @param angular [3] rad/s, axes of the shape, about its origin
  *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (beyond 1e6 m/s or rad/s); BUSY; REENTRANT;
- *          OUT_OF_MEMORY   @since 1.6 */
+ *          OUT_OF_MEMORY */
 CAROM_API int32_t carom_collider_set_surface_velocity(carom_world *world, carom_collider collider,
                                                       const double linear[3], const double angular[3],
                                                       carom_error *error);
-/** @param linear, angular out: [3], as they were set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6 */
+/** @param linear, angular out: [3], as they were set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_collider_get_surface_velocity(carom_world *world, carom_collider collider, double linear[3],
                                                       double angular[3], carom_error *error);
 

@@ -77,18 +77,17 @@ typedef struct carom_overlap {
   uint32_t reserved;
 } carom_overlap;
 
-/** @status OK; NULL_ARGUMENT   @since 1.1 */
-CAROM_API int32_t carom_cast_desc_init(carom_cast_desc *desc);
-/** @status OK; NULL_ARGUMENT   @since 1.1 */
-CAROM_API int32_t carom_motion_init(carom_motion *motion);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_cast_desc_init(carom_cast_desc *desc, uint32_t struct_size);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_motion_init(carom_motion *motion, uint32_t struct_size);
 
 /** Cast the ray origin + t direction, 0 <= t <= max, against a shape.
  *  @param position, orientation  of the shape: [3] m, [4] x, y, z, w
  *  @param origin [3] m   @param direction [3] m per unit of t, any length; zero asks whether the origin is inside
  *  @param max    >= 0, may be infinite
  *  @param desc   may be NULL: defaults     @param result struct_size set by the caller
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED   @thread any
- *  @since 1.1 */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED   @thread any */
 CAROM_API int32_t carom_ray_cast(carom_engine *engine, carom_shape shape, const double position[3],
                                  const double orientation[4], const double origin[3], const double direction[3],
                                  double max, const carom_cast_desc *desc, carom_cast *result, carom_error *error);
@@ -97,7 +96,7 @@ CAROM_API int32_t carom_ray_cast(carom_engine *engine, carom_shape shape, const 
  *  @param motion [3] m, of A; times are fractions of it. If B moves too: the difference of the two
  *  @param desc   may be NULL: defaults     @param result struct_size set by the caller
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
- *  @thread any   @since 1.1 */
+ *  @thread any */
 CAROM_API int32_t carom_shape_cast(carom_engine *engine, carom_shape shape_a, const double position_a[3],
                                    const double orientation_a[4], const double motion[3], carom_shape shape_b,
                                    const double position_b[3], const double orientation_b[4],
@@ -108,7 +107,7 @@ CAROM_API int32_t carom_shape_cast(carom_engine *engine, carom_shape shape_a, co
  *  @param motion_*  struct_size set by carom_motion_init()   @param duration s, 0 to 1e9
  *  @param desc   may be NULL: defaults     @param result struct_size set by the caller; times in s
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
- *          UNSUPPORTED (two half-spaces, or one that turns)     @thread any   @since 1.1 */
+ *          UNSUPPORTED (two half-spaces, or one that turns)     @thread any */
 CAROM_API int32_t carom_shape_time_of_impact(carom_engine *engine, carom_shape shape_a, const carom_motion *motion_a,
                                              carom_shape shape_b, const carom_motion *motion_b, double duration,
                                              const carom_cast_desc *desc, carom_cast *result, carom_error *error);
@@ -116,7 +115,7 @@ CAROM_API int32_t carom_shape_time_of_impact(carom_engine *engine, carom_shape s
 /** Do two shapes overlap (or come nearer than desc->target)? Cheaper than their distance, with a proof of yes or no.
  *  @param desc   may be NULL: defaults; tolerance is not used   @param result struct_size set by the caller
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
- *  @thread any   @since 1.1 */
+ *  @thread any */
 CAROM_API int32_t carom_shape_overlap(carom_engine *engine, carom_shape shape_a, const double position_a[3],
                                       const double orientation_a[4], carom_shape shape_b, const double position_b[3],
                                       const double orientation_b[4], const carom_cast_desc *desc,
@@ -175,7 +174,7 @@ typedef struct carom_ray_hits {
  *  @param shapes [shape_count]   @param positions [3 shape_count] m   @param orientations [4 shape_count] x, y, z, w
  *  @param desc   may be NULL: defaults
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED;
- *          BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY     @thread any   @since 1.1 */
+ *          BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY     @thread any */
 CAROM_API int32_t carom_rays_cast(carom_engine *engine, const carom_shape *shapes, const double *positions,
                                   const double *orientations, uint64_t shape_count, const carom_rays *rays,
                                   const carom_cast_desc *desc, const carom_ray_hits *hits, carom_error *error);

@@ -53,12 +53,12 @@ extern "C" {
 #define CAROM_DIAL_JOINT_FREQUENCY 36u     /* Hz: stiffness of joints that are not answered directly */
 #define CAROM_DIAL_JOINT_DAMPING 37u       /* their damping ratio */
 #define CAROM_DIAL_CONTINUOUS 38u          /* choice: CAROM_SWEEP_*: what is swept from pose to pose, so that it passes
-                                              through nothing; see carom_body_set_continuous()   @since 1.6 */
+                                              through nothing; see carom_body_set_continuous() */
 #define CAROM_DIAL_PRECISION 39u           /* choice: CAROM_PRECISION_*: the numbers in which contacts are solved
-                                              @since 1.8 */
+ */
 #define CAROM_DIAL_JOINT_ORDER 40u         /* 2, 4, 6: order of the error of islands that joints alone hold, in 1, 5 or 9
                                               stages a substep, gaps at rounding (odd: the next); 0: they are answered as
-                                              joints in contact are, under CAROM_INTEGRATOR_RK4 to order 4   @since 1.8 */
+                                              joints in contact are, under CAROM_INTEGRATOR_RK4 to order 4 */
 #define CAROM_DIAL_COUNT 41u
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
@@ -112,8 +112,8 @@ extern "C" {
  * masses, impulses) are floats or doubles. Poses, velocities, the search for contacts, joints and the direct solver are
  * doubles in any case. A step with contacts that floats can't bear is solved in doubles: masses outside 1e-9 to 1e9 kg, places
  * more than 10 km from a body's centre of mass, friction beyond 1e6, needles thinner than 1 : 700, substeps below 1e-9 s. */
-#define CAROM_PRECISION_FLOAT 0u  /* @since 1.8 */
-#define CAROM_PRECISION_DOUBLE 1u /* @since 1.8 */
+#define CAROM_PRECISION_FLOAT 0u
+#define CAROM_PRECISION_DOUBLE 1u
 
 #define CAROM_PRESET_FAST 0u      /* one substep and coarse distances: crowds, debris, what is seen from afar */
 #define CAROM_PRESET_BALANCED 1u  /* what a new world has */
@@ -153,7 +153,7 @@ CAROM_API int32_t carom_dial_find(const char *name, uint32_t *dial, carom_error 
 /* ---- constants: numbers of the library that trade nothing, so that none can be set; read them to know why ---- */
 
 /** What a constant is. Strings have static storage. Names are distinct from those of dials; which constants there are, and
- *  in which order, may change from version to version.   @since 1.8 */
+ *  in which order, may change from version to version. */
 typedef struct carom_constant_info {
   uint32_t struct_size;
   uint32_t constant;       /**< its number, from 0 */
@@ -164,22 +164,22 @@ typedef struct carom_constant_info {
   double value;
 } carom_constant_info;
 
-/** Number of constants this library has.   @status OK; NULL_ARGUMENT   @thread any   @since 1.8 */
+/** Number of constants this library has.   @status OK; NULL_ARGUMENT   @thread any */
 CAROM_API int32_t carom_constant_get_count(uint32_t *count);
 
 /** @param constant from 0   @param info out
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count())   @thread any   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count())   @thread any */
 CAROM_API int32_t carom_constant_get_info(uint32_t constant, carom_constant_info *info, carom_error *error);
 
 /* ---- presets: points on the measured front of error against time, from cheap to exact ---- */
 
-/** Static name of a preset ("balanced"), or "?".   @thread any   @since 1.8 */
+/** Static name of a preset ("balanced"), or "?".   @thread any */
 CAROM_API const char *carom_preset_name(uint32_t preset);
 
 /** What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a world
  *  finds pairs, what sleeps, and what a host chose for its look they leave alone.
  *  @param preset CAROM_PRESET_*   @param dial CAROM_DIAL_*   @param value out
- *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any */
 CAROM_API int32_t carom_preset_get_dial(uint32_t preset, uint32_t dial, double *value, carom_error *error);
 
 #ifdef __cplusplus

@@ -1,7 +1,7 @@
 /** @file draw.h
  *  Debug draw as data: what a world looks like and what happens in it, as coloured lines in one array, for any renderer.
  *  Looking changes nothing: a world that is drawn goes on with the same bits.
- *  @since 1.6
+ *
  */
 #ifndef CAROM_DRAW_H
 #define CAROM_DRAW_H
@@ -33,8 +33,8 @@ typedef struct carom_draw_desc {
   double scale;       /**< m, length of normals and axes, default 0.2; > 0 */
 } carom_draw_desc;
 
-/** @status OK; NULL_ARGUMENT   @since 1.6 */
-CAROM_API int32_t carom_draw_desc_init(carom_draw_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_draw_desc_init(carom_draw_desc *desc, uint32_t struct_size);
 
 typedef struct carom_draw_line {
   double from[3], to[3]; /**< m, world */
@@ -50,7 +50,7 @@ typedef struct carom_draw_line {
  *  @param count    out: lines there are; more than capacity: the first `capacity` of them were written
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a bit of what, reserved); UNKNOWN_ENUM; NOT_FINITE, OUT_OF_RANGE (scale);
  *          BUFFER_TOO_SMALL (stride); BUSY; REENTRANT; OUT_OF_MEMORY
- *  @thread one of many readers of the world   @since 1.6 */
+ *  @thread one of many readers of the world */
 CAROM_API int32_t carom_world_draw(carom_world *world, const carom_draw_desc *desc, carom_draw_line *dst, uint64_t stride,
                                    uint64_t capacity, uint64_t *count, carom_error *error);
 

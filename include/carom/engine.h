@@ -31,8 +31,8 @@ typedef struct carom_engine_desc {
   void *log_user;
 } carom_engine_desc;
 
-/** @status OK; NULL_ARGUMENT */
-CAROM_API int32_t carom_engine_desc_init(carom_engine_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_engine_desc_init(carom_engine_desc *desc, uint32_t struct_size);
 
 /** Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY
@@ -61,14 +61,14 @@ typedef struct carom_jobs_desc {
   void *user;
 } carom_jobs_desc;
 
-/** @status OK; NULL_ARGUMENT   @since 1.2 */
-CAROM_API int32_t carom_jobs_desc_init(carom_jobs_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_jobs_desc_init(carom_jobs_desc *desc, uint32_t struct_size);
 
 /** Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support functions are then
  *  called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked on the stepping one.
  *  @param desc may be NULL: the stepping thread alone
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has no more
- *  threads); OUT_OF_MEMORY; REENTRANT   @since 1.2   @thread any */
+ *  threads); OUT_OF_MEMORY; REENTRANT   @thread any */
 CAROM_API int32_t carom_engine_set_jobs(carom_engine *engine, const carom_jobs_desc *desc, carom_error *error);
 
 /** Load a shape plugin from a shared object. @param path absolute.
@@ -82,6 +82,12 @@ CAROM_API int32_t carom_plugin_load(carom_engine *engine, const char *path, caro
  *  The struct and all it points to must outlive the engine.   @status as carom_plugin_load() */
 CAROM_API int32_t carom_plugin_register(carom_engine *engine, const carom_shape_plugin *description,
                                         carom_plugin *plugin, carom_error *error);
+
+/** Register the plugins of plugins/ that are linked into the library: in an archive (carom::carom_static), in WebAssembly, and
+ *  where it was built with CAROM_LINK_SHAPES. Those that the engine has already are left as they are.
+ *  @status OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY
+ *  @thread any, also while worlds step */
+CAROM_API int32_t carom_plugins_register_standard(carom_engine *engine, carom_error *error);
 
 /** Forget a plugin (logically: the code stays mapped).   @status OK; IN_USE (shapes of it live); *_HANDLE; REENTRANT */
 CAROM_API int32_t carom_plugin_unload(carom_engine *engine, carom_plugin plugin, carom_error *error);

@@ -4,7 +4,7 @@
  *
  *  Arrays are replaced by the next step. Their order is that of slots, and the same for any number of threads. What was
  *  destroyed keeps its handle in them, which is stale by then. Where it takes memory, a step asks for it before it moves
- *  anything.   @since 1.5
+ *  anything.
  */
 #ifndef CAROM_EVENTS_H
 #define CAROM_EVENTS_H
@@ -18,14 +18,14 @@ extern "C" {
 #define CAROM_EVENTS_CONTACT 1u
 #define CAROM_EVENTS_SENSOR 2u
 #define CAROM_EVENTS_SLEEP 4u
-#define CAROM_EVENTS_JOINT 8u  /* @since 1.6 */
-#define CAROM_EVENTS_FAULT 16u /* @since 1.6 */
+#define CAROM_EVENTS_JOINT 8u
+#define CAROM_EVENTS_FAULT 16u
 
 /** Say what to collect from the next step on; nothing at first. Contacts and overlaps that there are already begin in
  *  that step.
  *  @param kinds     CAROM_EVENTS_* bits; 0: nothing
  *  @param hit_speed m/s, [0, 1e9]: contacts that approach faster are hits
- *  @status OK; NULL_ARGUMENT; UNSUPPORTED (kinds); NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5 */
+ *  @status OK; NULL_ARGUMENT; UNSUPPORTED (kinds); NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_world_collect_events(carom_world *world, uint32_t kinds, double hit_speed, carom_error *error);
 
 #define CAROM_CONTACT_BEGIN 0u /* the first step in which the two press on each other */
@@ -51,7 +51,7 @@ typedef struct carom_contact_event {
  *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
  *  @param stride   sizeof(carom_contact_event) as the caller knows it
  *  @param count    out: how many there are (may exceed capacity; capacity are written)
- *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.5 */
+ *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
 CAROM_API int32_t carom_world_get_contact_events(carom_world *world, carom_contact_event *dst, uint64_t stride,
                                                  uint64_t capacity, uint64_t *count, carom_error *error);
 
@@ -69,7 +69,7 @@ typedef struct carom_sensor_event {
   carom_body other_body;
 } carom_sensor_event;
 
-/** Arguments as carom_world_get_contact_events().   @since 1.5 */
+/** Arguments as carom_world_get_contact_events(). */
 CAROM_API int32_t carom_world_get_sensor_events(carom_world *world, carom_sensor_event *dst, uint64_t stride,
                                                 uint64_t capacity, uint64_t *count, carom_error *error);
 
@@ -83,7 +83,7 @@ typedef struct carom_sleep_event {
   carom_body body;
 } carom_sleep_event;
 
-/** By the slots of the bodies; arguments as carom_world_get_contact_events().   @since 1.5 */
+/** By the slots of the bodies; arguments as carom_world_get_contact_events(). */
 CAROM_API int32_t carom_world_get_sleep_events(carom_world *world, carom_sleep_event *dst, uint64_t stride,
                                                uint64_t capacity, uint64_t *count, carom_error *error);
 
@@ -98,7 +98,7 @@ typedef struct carom_joint_event {
   uint64_t step;      /**< which step that was: carom_step_report.steps after it */
 } carom_joint_event;
 
-/** By the slots of the joints; arguments as carom_world_get_contact_events().   @since 1.6 */
+/** By the slots of the joints; arguments as carom_world_get_contact_events(). */
 CAROM_API int32_t carom_world_get_joint_events(carom_world *world, carom_joint_event *dst, uint64_t stride,
                                                uint64_t capacity, uint64_t *count, carom_error *error);
 
@@ -117,7 +117,7 @@ typedef struct carom_fault_event {
   uint64_t step;             /**< carom_step_report.steps after the step */
 } carom_fault_event;
 
-/** As they happened; arguments as carom_world_get_contact_events().   @since 1.6 */
+/** As they happened; arguments as carom_world_get_contact_events(). */
 CAROM_API int32_t carom_world_get_fault_events(carom_world *world, carom_fault_event *dst, uint64_t stride,
                                                uint64_t capacity, uint64_t *count, carom_error *error);
 

@@ -2,7 +2,7 @@
  *  Which colliders may touch: categories, masks and groups, ignored pairs of bodies, and sensors, which nothing touches.
  *
  *  All may be set at any time between steps and hold from the next step on, for what is in touch, too. They cost nothing in a
- *  world in which none of them is set.   @since 1.5
+ *  world in which none of them is set.
  */
 #ifndef CAROM_FILTER_H
 #define CAROM_FILTER_H
@@ -13,26 +13,23 @@
 extern "C" {
 #endif
 
-#define CAROM_FILTER_CATEGORY ((uint64_t)1)     /* default category */
-#define CAROM_FILTER_MASK (~(uint64_t)0)        /* default mask */
-
 /** Two colliders of different bodies touch if each one's mask has a bit of the other's category; unless both are of one
  *  group other than 0: then they do if it is positive and do not if it is negative, whatever their masks say.
  *  @param category, mask  any bits   @param group 0: none
- *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_collider_set_filter(carom_world *world, carom_collider collider, uint64_t category, uint64_t mask,
                                             int32_t group, carom_error *error);
-/** @param category, mask, group  out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.5 */
+/** @param category, mask, group  out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_collider_get_filter(carom_world *world, carom_collider collider, uint64_t *category, uint64_t *mask,
                                             int32_t *group, carom_error *error);
-/** The same for all colliders that a body has now.   @status as carom_collider_set_filter()   @since 1.5 */
+/** The same for all colliders that a body has now.   @status as carom_collider_set_filter() */
 CAROM_API int32_t carom_body_set_filter(carom_world *world, carom_body body, uint64_t category, uint64_t mask,
                                         int32_t group, carom_error *error);
 
 /** Hold two bodies apart (they make no contacts with each other, whatever their filters say), or no longer. What is held
  *  apart twice has to be let go twice; letting go of what is not held does nothing.
  *  @param apart 1 or 0
- *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_hold_apart(carom_world *world, carom_body body_a, carom_body body_b, uint32_t apart,
                                         carom_error *error);
 
@@ -40,10 +37,10 @@ CAROM_API int32_t carom_body_hold_apart(carom_world *world, carom_body body_a, c
  *  its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts as
  *  before.
  *  @param sensor 1 or 0
- *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (sensor); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (sensor); BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_collider_set_sensor(carom_world *world, carom_collider collider, uint32_t sensor,
                                             carom_error *error);
-/** @param sensor out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.5 */
+/** @param sensor out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_collider_is_sensor(carom_world *world, carom_collider collider, uint32_t *sensor,
                                            carom_error *error);
 

@@ -15,7 +15,7 @@ extern "C" {
 /** Add a force that acts at a point, for the next step only: carom_body_add_force() with its torque about the centre of
  *  mass as the body stands now.
  *  @param force [3] N, world   @param point [3] m, world
- *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT   @since 1.7 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
 CAROM_API int32_t carom_body_add_force_at(carom_world *world, carom_body body, const double force[3],
                                           const double point[3], carom_error *error);
 
@@ -26,17 +26,17 @@ CAROM_API int32_t carom_body_add_force_at(carom_world *world, carom_body body, c
  *  air, and to mass.)
  *  @param linear    kg/s, [0, 1e12]: slow, small bodies (6 pi eta r of a ball); 0 when a body is created
  *  @param quadratic kg/m, [0, 1e12]: fast, large ones, rho c_d A / 2 (a ball of 0.1 m in air: 0.0087); 0 likewise
- *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.7 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_drag(carom_world *world, carom_body body, double linear, double quadratic,
                                       carom_error *error);
-/** @param linear, quadratic out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.7 */
+/** @param linear, quadratic out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_drag(carom_world *world, carom_body body, double *linear, double *quadratic,
                                       carom_error *error);
 /** How the air moves; it reaches bodies through their drag alone.
  *  @param velocity [3] m/s, |each| <= 1e6; 0 when a world is created
- *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7 */
+ *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_world_set_wind(carom_world *world, const double velocity[3], carom_error *error);
-/** @status OK; NULL_ARGUMENT; BUSY   @since 1.7 */
+/** @status OK; NULL_ARGUMENT; BUSY */
 CAROM_API int32_t carom_world_get_wind(carom_world *world, double velocity[3], carom_error *error);
 
 /* ---- fields ---- */
@@ -46,14 +46,14 @@ CAROM_API int32_t carom_world_get_wind(carom_world *world, double velocity[3], c
 #define CAROM_FORCE_FIELD_VORTEX 2u  /* the same about the frame's y axis (right-handed), `pull` towards it, `lift` along it */
 #define CAROM_FORCE_FIELD_MAGNETIC 3u /* `vector` in teslas within a box, as UNIFORM: pushes nothing, and turns bodies that have a
                                          magnetic moment by T = moment x vector. Second order in the step with
-                                         velocity_verlet, fourth with rk4; oracle: tests/oracle/test_magnetism   @since 1.8 */
+                                         velocity_verlet, fourth with rk4; oracle: tests/oracle/test_magnetism */
 #define CAROM_FORCE_FIELD_COUNT 4u
 
-/** Static name of a kind of field ("uniform"), or "?".   @thread any   @since 1.8 */
+/** Static name of a kind of field ("uniform"), or "?".   @thread any */
 CAROM_API const char *carom_force_field_name(uint32_t kind);
 
 /** What acts on every body that shares a bit of its mask, at the centre of mass. Distances d are softened: what the law
- *  reads is s = sqrt(d^2 + core^2), and the direction's length is d / s. Fill with carom_force_field_desc_init().   @since 1.7 */
+ *  reads is s = sqrt(d^2 + core^2), and the direction's length is d / s. Fill with carom_force_field_desc_init(). */
 typedef struct carom_force_field_desc {
   uint32_t struct_size;
   uint32_t kind;         /**< CAROM_FORCE_FIELD_* */
@@ -75,24 +75,24 @@ typedef struct carom_force_field_desc {
   uint64_t user;         /**< the host's; carried along */
 } carom_force_field_desc;
 
-/** @status OK; NULL_ARGUMENT   @since 1.7 */
-CAROM_API int32_t carom_force_field_desc_init(carom_force_field_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_force_field_desc_init(carom_force_field_desc *desc, uint32_t struct_size);
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT;
- *          LIMIT; OUT_OF_MEMORY   @since 1.7 */
+ *          LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_force_field_create(carom_world *world, const carom_force_field_desc *desc, carom_force_field *field,
                                      carom_error *error);
-/** Change a field in place: move it, turn it up.   @status as carom_force_field_create(); *_HANDLE   @since 1.7 */
+/** Change a field in place: move it, turn it up.   @status as carom_force_field_create(); *_HANDLE */
 CAROM_API int32_t carom_force_field_update(carom_world *world, carom_force_field field, const carom_force_field_desc *desc,
                                      carom_error *error);
-/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.7 */
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
 CAROM_API int32_t carom_force_field_get(carom_world *world, carom_force_field field, carom_force_field_desc *desc, carom_error *error);
-/** @status OK; *_HANDLE; BUSY; REENTRANT   @since 1.7 */
+/** @status OK; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_force_field_destroy(carom_world *world, carom_force_field field, carom_error *error);
 /** Which fields a body feels. A field with a bit that few bodies have costs those few.
  *  @param mask 1 when a body is created; 0: none
- *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.7 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_force_field_mask(carom_world *world, carom_body body, uint32_t mask, carom_error *error);
-/** @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.7 */
+/** @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_force_field_mask(carom_world *world, carom_body body, uint32_t *mask, carom_error *error);
 
 /* ---- springs ---- */
@@ -100,8 +100,7 @@ CAROM_API int32_t carom_body_get_force_field_mask(carom_world *world, carom_body
 /** A spring as a force, F = stiffness (length - rest) + damping d(length)/dt along the line between two points: what it
  *  does between two steps is as exact as the integrator. A substep h carries stiffness only up to where its frequency w
  *  has w h = 1; one that is stiffer is taken to be as stiff as that (carom_world_get_plan() says how many are). For
- *  those, and for rods and ropes, there is CAROM_JOINT_DISTANCE, which solves. Fill with carom_spring_desc_init().
- *  @since 1.7 */
+ *  those, and for rods and ropes, there is CAROM_JOINT_DISTANCE, which solves. Fill with carom_spring_desc_init(). */
 typedef struct carom_spring_desc {
   uint32_t struct_size;
   uint32_t only_pulls;   /**< 1: a bungee, which neither pushes nor holds back what springs back; 0 */
@@ -115,24 +114,24 @@ typedef struct carom_spring_desc {
   uint64_t user;         /**< the host's; carried along */
 } carom_spring_desc;
 
-/** @status OK; NULL_ARGUMENT   @since 1.7 */
-CAROM_API int32_t carom_spring_desc_init(carom_spring_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_spring_desc_init(carom_spring_desc *desc, uint32_t struct_size);
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT;
- *          OUT_OF_MEMORY   @since 1.7 */
+ *          OUT_OF_MEMORY */
 CAROM_API int32_t carom_spring_create(carom_world *world, const carom_spring_desc *desc, carom_spring *spring,
                                       carom_error *error);
 /** Change what a spring is like; its ends stay.
  *  @param rest m   @param stiffness N/m   @param damping N s/m; ranges as in carom_spring_desc
- *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_spring_update(carom_world *world, carom_spring spring, double rest, double stiffness,
                                       double damping, carom_error *error);
-/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.7 */
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
 CAROM_API int32_t carom_spring_get(carom_world *world, carom_spring spring, carom_spring_desc *desc, carom_error *error);
 /** @param length out: m, as its ends stand   @param force out: N, above 0 it pulls them together, as it is set
- *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.7 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_spring_get_state(carom_world *world, carom_spring spring, double *length, double *force,
                                          carom_error *error);
-/** Goes with its bodies, too.   @status OK; *_HANDLE; BUSY; REENTRANT   @since 1.7 */
+/** Goes with its bodies, too.   @status OK; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_spring_destroy(carom_world *world, carom_spring spring, carom_error *error);
 
 /* ---- water ---- */
@@ -141,7 +140,7 @@ CAROM_API int32_t carom_spring_destroy(carom_world *world, carom_spring spring, 
  *  pushed by the weight of what it displaces, at the middle of that part, against the world's gravity, and is taken along
  *  by the current: F = -drag * density * volume * (v - current). Balls, ellipsoids, boxes and hulls displace exactly what
  *  they cover, other shapes what a hull of 256 of their support points covers, blown up to their volume. Fill with
- *  carom_water_init().   @since 1.7 */
+ *  carom_water_init(). */
 typedef struct carom_water {
   uint32_t struct_size;
   uint32_t reserved;  /**< 0 */
@@ -152,13 +151,13 @@ typedef struct carom_water {
   double drag;        /**< 1/s, [0, 1e6], default 1 */
 } carom_water;
 
-/** @status OK; NULL_ARGUMENT   @since 1.7 */
-CAROM_API int32_t carom_water_init(carom_water *water);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_water_init(carom_water *water, uint32_t struct_size);
 /** @param water NULL: none, as a world is created
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7 */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_world_set_water(carom_world *world, const carom_water *water, carom_error *error);
 /** @param water out   @param present out: 1 or 0; if 0, water is filled with defaults
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 1.7 */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
 CAROM_API int32_t carom_world_get_water(carom_world *world, carom_water *water, uint32_t *present, carom_error *error);
 
 #ifdef __cplusplus

@@ -25,12 +25,12 @@ extern "C" {
 #define CAROM_JOINT_UNIVERSAL 5u /* the points stay together, B's z axis at right angles to A's y axis: a cross of two pins */
 #define CAROM_JOINT_PULLEY 6u    /* a rope from A's point over two anchors to B's, as carom_joint_set_transmission() says; until
                                     then it holds nothing. Without a limit the rope neither stretches nor gives way; with one it
-                                    may be slack   @since 1.8 */
+                                    may be slack */
 #define CAROM_JOINT_GEAR 7u      /* A's angle about the x axis of its frame, plus `ratio` times B's about its own, stays what it is;
                                     each relative to the world, where bearings of their own hold the wheels. Ratio 1 until
-                                    carom_joint_set_transmission() says another: they turn against each other   @since 1.8 */
+                                    carom_joint_set_transmission() says another: they turn against each other */
 #define CAROM_JOINT_SIX_AXIS 8u  /* each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then
-                                    all are free   @since 1.8 */
+                                    all are free */
 #define CAROM_JOINT_COUNT 9u
 
 /** What may be limited, driven or sprung. */
@@ -46,35 +46,35 @@ extern "C" {
  *  turn alone is not 0, it is the angle about that axis. Near a swing of pi the three are no coordinates any more: keep limits
  *  and drives off it by 0.01 rad. All three turns together may be locked anywhere.
  *  @{ */
-#define CAROM_AXIS_X 0u         /* m, B's point along A's x axis   @since 1.8 */
-#define CAROM_AXIS_Y 1u         /* m   @since 1.8 */
-#define CAROM_AXIS_Z 2u         /* m   @since 1.8 */
-#define CAROM_AXIS_TURN_X 3u    /* rad, (-pi, pi]   @since 1.8 */
-#define CAROM_AXIS_TURN_Y 4u    /* rad, [-pi, pi]   @since 1.8 */
-#define CAROM_AXIS_TURN_Z 5u    /* rad, [-pi, pi]   @since 1.8 */
-#define CAROM_AXIS_COUNT 6u /* @since 1.8 */
-#define CAROM_AXIS_MODE_FREE 0u    /* @since 1.8 */
-#define CAROM_AXIS_MODE_LOCKED 1u  /* at `lower`   @since 1.8 */
-#define CAROM_AXIS_MODE_LIMITED 2u /* from `lower` to `upper`; where both are the same and the stops hard, it is locked   @since 1.8 */
-#define CAROM_AXIS_MODE_COUNT 3u /* @since 1.8 */
+#define CAROM_AXIS_X 0u         /* m, B's point along A's x axis */
+#define CAROM_AXIS_Y 1u         /* m */
+#define CAROM_AXIS_Z 2u         /* m */
+#define CAROM_AXIS_TURN_X 3u    /* rad, (-pi, pi] */
+#define CAROM_AXIS_TURN_Y 4u    /* rad, [-pi, pi] */
+#define CAROM_AXIS_TURN_Z 5u    /* rad, [-pi, pi] */
+#define CAROM_AXIS_COUNT 6u
+#define CAROM_AXIS_MODE_FREE 0u
+#define CAROM_AXIS_MODE_LOCKED 1u  /* at `lower` */
+#define CAROM_AXIS_MODE_LIMITED 2u /* from `lower` to `upper`; where both are the same and the stops hard, it is locked */
+#define CAROM_AXIS_MODE_COUNT 3u
 /** @} */
 
 /** @name What a drive aims at
  *  @{ */
-#define CAROM_DRIVE_NONE 0u /* @since 1.8 */
-#define CAROM_DRIVE_POSITION 1u /* force = stiffness (target - x) + damping (speed - x'), `most` at most   @since 1.8 */
-#define CAROM_DRIVE_VELOCITY 2u /* the speed, by whatever force up to `most`   @since 1.8 */
-#define CAROM_DRIVE_EFFORT 3u   /* a force or torque, `most` at most, whatever the motion   @since 1.8 */
-#define CAROM_DRIVE_COUNT 4u /* @since 1.8 */
+#define CAROM_DRIVE_NONE 0u
+#define CAROM_DRIVE_POSITION 1u /* force = stiffness (target - x) + damping (speed - x'), `most` at most */
+#define CAROM_DRIVE_VELOCITY 2u /* the speed, by whatever force up to `most` */
+#define CAROM_DRIVE_EFFORT 3u   /* a force or torque, `most` at most, whatever the motion */
+#define CAROM_DRIVE_COUNT 4u
 /** @} */
 
 /** @name In what a stiffness and a damping are given. m: what the joint's bodies weigh along the axis, were they alone and what
  *  is locked staying so
  *  @{ */
-#define CAROM_GAINS_FREQUENCY 0u    /* Hz and a ratio: force = -m (w^2 x + 2 damping w x'), w = 2 pi stiffness   @since 1.8 */
-#define CAROM_GAINS_FORCE 1u        /* N/m and N s/m, or N m/rad and N m s/rad: force = -(stiffness x + damping x')   @since 1.8 */
-#define CAROM_GAINS_ACCELERATION 2u /* 1/s^2 and 1/s: force = -m (stiffness x + damping x')   @since 1.8 */
-#define CAROM_GAINS_COUNT 3u /* @since 1.8 */
+#define CAROM_GAINS_FREQUENCY 0u    /* Hz and a ratio: force = -m (w^2 x + 2 damping w x'), w = 2 pi stiffness */
+#define CAROM_GAINS_FORCE 1u        /* N/m and N s/m, or N m/rad and N m s/rad: force = -(stiffness x + damping x') */
+#define CAROM_GAINS_ACCELERATION 2u /* 1/s^2 and 1/s: force = -m (stiffness x + damping x') */
+#define CAROM_GAINS_COUNT 3u
 /** @} */
 
 /** @name Bits of carom_joint_desc.fields
@@ -85,7 +85,7 @@ extern "C" {
 #define CAROM_JOINT_FIELD_LENGTH 0x4u /**< length is given; else it is the distance of the points as they stand now */
 /** @} */
 
-/** Fill with carom_joint_desc_init().   @since 1.5 */
+/** Fill with carom_joint_desc_init(). */
 typedef struct carom_joint_desc {
   uint32_t struct_size;
   uint32_t kind;           /**< CAROM_JOINT_* */
@@ -103,7 +103,7 @@ typedef struct carom_joint_desc {
   uint64_t user;       /**< the host's; carried along */
 } carom_joint_desc;
 
-/** A coordinate kept within bounds.   @since 1.5 */
+/** A coordinate kept within bounds. */
 typedef struct carom_joint_limit {
   uint32_t struct_size;
   uint32_t enabled; /**< 0 or 1 */
@@ -111,7 +111,7 @@ typedef struct carom_joint_limit {
   double upper;     /**< at least lower */
 } carom_joint_limit;
 
-/** A coordinate driven at a speed.   @since 1.5 */
+/** A coordinate driven at a speed. */
 typedef struct carom_joint_motor {
   uint32_t struct_size;
   uint32_t enabled;
@@ -120,8 +120,7 @@ typedef struct carom_joint_motor {
 } carom_joint_motor;
 
 /** A coordinate pulled towards a place: a spring, or a motor that holds a position. With x the stretch, w = 2 pi frequency
- *  and m what the joint's bodies weigh along the coordinate were they alone: force = -m (w^2 x + 2 damping w x').
- *  @since 1.5 */
+ *  and m what the joint's bodies weigh along the coordinate were they alone: force = -m (w^2 x + 2 damping w x'). */
 typedef struct carom_joint_spring {
   uint32_t struct_size;
   uint32_t enabled;
@@ -131,7 +130,7 @@ typedef struct carom_joint_spring {
   double most;      /**< N or N m, [0, 1e30]: how hard it pulls at most */
 } carom_joint_spring;
 
-/** By what a pulley or a gear turns the motion of A into that of B. Fill with carom_joint_transmission_init().   @since 1.8 */
+/** By what a pulley or a gear turns the motion of A into that of B. Fill with carom_joint_transmission_init(). */
 typedef struct carom_joint_transmission {
   uint32_t struct_size;
   uint32_t fields;    /**< CAROM_JOINT_FIELD_LENGTH: length is given; else it is that of the rope as the bodies stand now */
@@ -145,7 +144,7 @@ typedef struct carom_joint_transmission {
 } carom_joint_transmission;
 
 /** What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside each other; of
- *  what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it.   @since 1.8 */
+ *  what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it. */
 typedef struct carom_joint_axis {
   uint32_t struct_size;
   uint32_t mode;           /**< CAROM_AXIS_MODE_* */
@@ -172,7 +171,7 @@ typedef struct carom_joint_axis {
 /** A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is locked (else
  *  it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's frame is, its torque is
  *  stiffness (-e) + damping (velocity - omega), about each of A's axes `most` at most. Fill with
- *  carom_joint_orientation_drive_init().   @since 1.8 */
+ *  carom_joint_orientation_drive_init(). */
 typedef struct carom_joint_orientation_drive {
   uint32_t struct_size;
   uint32_t drive;     /**< CAROM_DRIVE_* */
@@ -186,7 +185,7 @@ typedef struct carom_joint_orientation_drive {
   double damping;     /**< a ratio [0, 1e3], else [0, 1e30] */
 } carom_joint_orientation_drive;
 
-/** What a joint does and where it is.   @since 1.5 */
+/** What a joint does and where it is. */
 typedef struct carom_joint_state {
   uint32_t struct_size;
   uint32_t broken;      /**< 1: it bore too much, and holds nothing any more */
@@ -196,50 +195,49 @@ typedef struct carom_joint_state {
   double gap;           /**< m, how far the points are from where they should be, limits included */
   double angle;         /**< rad, how far the axes are, likewise; of a gear how far its wheels have slipped, of A's turns */
   double coordinate[4]; /**< by CAROM_COORDINATE_*, as the bodies stand now */
-  double axis[6];       /**< m and rad, by CAROM_AXIS_*, likewise; of any kind   @since 1.8 */
+  double axis[6];       /**< m and rad, by CAROM_AXIS_*, likewise; of any kind */
 } carom_joint_state;
 
-/** @status OK; NULL_ARGUMENT   @since 1.5 */
-CAROM_API int32_t carom_joint_desc_init(carom_joint_desc *desc);
-/** Not enabled.   @status OK; NULL_ARGUMENT   @since 1.5 */
-CAROM_API int32_t carom_joint_limit_init(carom_joint_limit *limit);
-CAROM_API int32_t carom_joint_motor_init(carom_joint_motor *motor);
-CAROM_API int32_t carom_joint_spring_init(carom_joint_spring *spring);
-/** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT   @since 1.8 */
-CAROM_API int32_t carom_joint_transmission_init(carom_joint_transmission *transmission);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_joint_desc_init(carom_joint_desc *desc, uint32_t struct_size);
+/** Not enabled.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_joint_limit_init(carom_joint_limit *limit, uint32_t struct_size);
+CAROM_API int32_t carom_joint_motor_init(carom_joint_motor *motor, uint32_t struct_size);
+CAROM_API int32_t carom_joint_spring_init(carom_joint_spring *spring, uint32_t struct_size);
+/** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_joint_transmission_init(carom_joint_transmission *transmission, uint32_t struct_size);
 
-/** Free, without drive and spring, `most` as large as may be.   @status OK; NULL_ARGUMENT   @since 1.8 */
-CAROM_API int32_t carom_joint_axis_init(carom_joint_axis *axis);
-/** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT   @since 1.8 */
-CAROM_API int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive *drive);
+/** Free, without drive and spring, `most` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_joint_axis_init(carom_joint_axis *axis, uint32_t struct_size);
+/** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive *drive, uint32_t struct_size);
 
 /** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
  *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a body's origin or
- *          8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY
- *  @since 1.5 */
+ *          8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_joint_create(carom_world *world, const carom_joint_desc *desc, carom_joint *joint,
                                      carom_error *error);
-/** @status OK; *_HANDLE; BUSY; REENTRANT   @since 1.5 */
+/** @status OK; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_joint_destroy(carom_world *world, carom_joint joint, carom_error *error);
 /** @param desc out: as it was made, with frames in body coordinates
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.5 */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
 CAROM_API int32_t carom_joint_get(carom_world *world, carom_joint joint, carom_joint_desc *desc, carom_error *error);
-/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.5 */
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
 CAROM_API int32_t carom_joint_get_state(carom_world *world, carom_joint joint, carom_joint_state *state,
                                         carom_error *error);
 
 /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
  *  @param coordinate CAROM_COORDINATE_*
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
- *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.5 */
+ *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_joint_set_limit(carom_world *world, carom_joint joint, uint32_t coordinate,
                                         const carom_joint_limit *limit, carom_error *error);
 CAROM_API int32_t carom_joint_set_motor(carom_world *world, carom_joint joint, uint32_t coordinate,
                                         const carom_joint_motor *motor, carom_error *error);
 CAROM_API int32_t carom_joint_set_spring(carom_world *world, carom_joint joint, uint32_t coordinate,
                                          const carom_joint_spring *spring, carom_error *error);
-/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.5 */
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
 CAROM_API int32_t carom_joint_get_limit(carom_world *world, carom_joint joint, uint32_t coordinate,
                                         carom_joint_limit *limit, carom_error *error);
 CAROM_API int32_t carom_joint_get_motor(carom_world *world, carom_joint joint, uint32_t coordinate,
@@ -254,11 +252,11 @@ CAROM_API int32_t carom_joint_get_spring(carom_world *world, carom_joint joint, 
  *  Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and under the
  *  direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE; NOT_FINITE;
- *          OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT   @since 1.8 */
+ *          OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT */
 CAROM_API int32_t carom_joint_set_transmission(carom_world *world, carom_joint joint,
                                                const carom_joint_transmission *transmission, carom_error *error);
 /** @param transmission out: as it was set, with its length; ratio 0: not yet
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
 CAROM_API int32_t carom_joint_get_transmission(carom_world *world, carom_joint joint, carom_joint_transmission *transmission,
                                                carom_error *error);
 
@@ -272,36 +270,36 @@ CAROM_API int32_t carom_joint_get_transmission(carom_world *world, carom_joint j
  *  Oracle: tests/oracle/test_six_axis, test_six_axis_scenes.
  *  @param axis CAROM_AXIS_*
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
- *          *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8 */
+ *          *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_joint_set_axis(carom_world *world, carom_joint joint, uint32_t axis, const carom_joint_axis *desc,
                                        carom_error *error);
 /** @param axis CAROM_AXIS_*   @param desc out: as it was set
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
 CAROM_API int32_t carom_joint_get_axis(carom_world *world, carom_joint joint, uint32_t axis, carom_joint_axis *desc,
                                        carom_error *error);
 /** Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect joint_motors.
  *  Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls it ends at the target to
  *  rounding. Oracle: tests/oracle/test_six_axis.
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer field; a
- *          reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8 */
+ *          reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_joint_set_orientation_drive(carom_world *world, carom_joint joint,
                                                     const carom_joint_orientation_drive *drive, carom_error *error);
 /** @param drive out: as it was set
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
 CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_joint joint, carom_joint_orientation_drive *drive,
                                                     carom_error *error);
 
 /** @name What carom_world_read_joints() reads
  *  @{ */
-#define CAROM_JOINT_READ_COORDINATES 0u /* 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now   @since 1.8 */
-#define CAROM_JOINT_READ_SPEEDS 1u      /* 4: m/s or rad/s, their rates, from the present velocities   @since 1.8 */
-#define CAROM_JOINT_READ_AXES 2u        /* 6: m and rad, by CAROM_AXIS_*   @since 1.8 */
-#define CAROM_JOINT_READ_AXIS_SPEEDS 3u /* 6: m/s and rad/s, their rates   @since 1.8 */
-#define CAROM_JOINT_READ_FORCE 4u       /* 3: N, world, as carom_joint_state.force   @since 1.8 */
-#define CAROM_JOINT_READ_TORQUE 5u      /* 3: N m, world, as carom_joint_state.torque   @since 1.8 */
-#define CAROM_JOINT_READ_ERROR 6u       /* 2: m and rad, gap and angle   @since 1.8 */
-#define CAROM_JOINT_READ_BROKEN 7u      /* 1: 1 or 0   @since 1.8 */
-#define CAROM_JOINT_READ_COUNT 8u       /* @since 1.8 */
+#define CAROM_JOINT_READ_COORDINATES 0u /* 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now */
+#define CAROM_JOINT_READ_SPEEDS 1u      /* 4: m/s or rad/s, their rates, from the present velocities */
+#define CAROM_JOINT_READ_AXES 2u        /* 6: m and rad, by CAROM_AXIS_* */
+#define CAROM_JOINT_READ_AXIS_SPEEDS 3u /* 6: m/s and rad/s, their rates */
+#define CAROM_JOINT_READ_FORCE 4u       /* 3: N, world, as carom_joint_state.force */
+#define CAROM_JOINT_READ_TORQUE 5u      /* 3: N m, world, as carom_joint_state.torque */
+#define CAROM_JOINT_READ_ERROR 6u       /* 2: m and rad, gap and angle */
+#define CAROM_JOINT_READ_BROKEN 7u      /* 1: 1 or 0 */
+#define CAROM_JOINT_READ_COUNT 8u
 /** @} */
 
 /** Read one field of n joints, as carom_world_read() does of bodies.
@@ -310,14 +308,13 @@ CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_jo
  *  @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
  *  @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
  *  @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
- *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY
- *  @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY */
 CAROM_API int32_t carom_world_read_joints(carom_world *world, uint32_t field, uint32_t scalar, const carom_joint *joints,
                                           uint64_t n, void *dst, uint64_t stride, carom_error *error);
 
 /** Number of joints, and their handles in creation order of the slots.
  *  @param joints [capacity] or NULL   @param count out: how many there are
- *  @status OK; NULL_ARGUMENT; BUSY   @since 1.5 */
+ *  @status OK; NULL_ARGUMENT; BUSY */
 CAROM_API int32_t carom_world_get_joints(carom_world *world, carom_joint *joints, uint64_t capacity, uint64_t *count,
                                          carom_error *error);
 

@@ -32,7 +32,7 @@
  *  CAROM_INTEGRATOR_VELOCITY_VERLET, -m g^2 h^2 / 2 a substep of length h under semi-implicit Euler. The gyroscopic term is no
  *  force: what it and the turn of a body do together is the integrator's, and sums to no angular momentum under the methods that
  *  keep it.
- *  @since 1.7
+ *
  */
 #ifndef CAROM_LEDGER_H
 #define CAROM_LEDGER_H
@@ -84,18 +84,18 @@ typedef struct carom_ledger_state {
 
 /** Keep a ledger from now on, anew if one is kept; or none. Off in a new world.
  *  @param on  0 or 1
- *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM (on); BUSY; REENTRANT; OUT_OF_MEMORY: as it was   @since 1.7 */
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM (on); BUSY; REENTRANT; OUT_OF_MEMORY: as it was */
 CAROM_API int32_t carom_world_enable_ledger(carom_world *world, uint32_t on, carom_error *error);
 
 /** Copy out all causes, in the order above; none of a world that keeps no ledger.
  *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
  *  @param stride   sizeof(carom_ledger_entry) as the caller knows it
  *  @param count    out: how many there are (may exceed capacity; capacity are written)
- *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.7 */
+ *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
 CAROM_API int32_t carom_world_get_ledger(carom_world *world, carom_ledger_entry *dst, uint64_t stride, uint64_t capacity,
                                          uint64_t *count, carom_error *error);
 
-/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 1.7 */
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
 CAROM_API int32_t carom_world_get_ledger_state(carom_world *world, carom_ledger_state *state, carom_error *error);
 
 #ifdef __cplusplus

@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/** What all particles of a set have in common. Fill with carom_particles_desc_init().   @since 1.4 */
+/** What all particles of a set have in common. Fill with carom_particles_desc_init(). */
 typedef struct carom_particles_desc {
   uint32_t struct_size;
   uint32_t reserved;     /**< 0 */
@@ -23,28 +23,27 @@ typedef struct carom_particles_desc {
   uint64_t capacity;     /**< particles to reserve memory for; it grows beyond. default 0 */
 } carom_particles_desc;
 
-/** @status OK; NULL_ARGUMENT   @since 1.4 */
-CAROM_API int32_t carom_particles_desc_init(carom_particles_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_particles_desc_init(carom_particles_desc *desc, uint32_t struct_size);
 
 /** Make an empty set.
  *  @param desc may be NULL: defaults
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY
- *  @since 1.4 */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_particles_create(carom_world *world, const carom_particles_desc *desc, carom_particles *set,
                                          carom_error *error);
-/** Its particles too.   @status OK; *_HANDLE; BUSY; REENTRANT   @since 1.4 */
+/** Its particles too.   @status OK; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_particles_destroy(carom_world *world, carom_particles set, carom_error *error);
 /** @param desc out: as it was made or updated; capacity: particles there is memory for
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.4 */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
 CAROM_API int32_t carom_particles_get(carom_world *world, carom_particles set, carom_particles_desc *desc,
                                       carom_error *error);
 /** Change what they have in common; particles that are there keep their mass.
  *  @param desc may be NULL: defaults; capacity: memory for so many in all
- *  @status as carom_particles_create(); *_HANDLE   @since 1.4 */
+ *  @status as carom_particles_create(); *_HANDLE */
 CAROM_API int32_t carom_particles_update(carom_world *world, carom_particles set, const carom_particles_desc *desc,
                                          carom_error *error);
 
-/** @param count out: particles in the set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.4 */
+/** @param count out: particles in the set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_particles_get_count(carom_world *world, carom_particles set, uint64_t *count, carom_error *error);
 
 /** Add n particles at the end; all values are checked before the first is added.
@@ -53,13 +52,13 @@ CAROM_API int32_t carom_particles_get_count(carom_world *world, carom_particles 
  *  @param position_stride bytes from one to the next; 0: tightly packed
  *  @param velocities      [n] m/s, world, likewise, at most 1e9 m/s; NULL: at rest
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31 - 1
- *          in a set); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.4 */
+ *          in a set); BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_particles_add(carom_world *world, carom_particles set, uint64_t n, uint32_t scalar,
                                       const void *positions, uint64_t position_stride, const void *velocities,
                                       uint64_t velocity_stride, carom_error *error);
 /** Remove n particles. The others keep their order, so each moves up by as many as went before it.
  *  @param indices [n] ascending, each once; NULL: all of them (n must be their number)
- *  @status OK; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT   @since 1.4 */
+ *  @status OK; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT */
 CAROM_API int32_t carom_particles_remove(carom_world *world, carom_particles set, const uint32_t *indices, uint64_t n,
                                          carom_error *error);
 
@@ -68,13 +67,13 @@ CAROM_API int32_t carom_particles_remove(carom_world *world, carom_particles set
  *  @param dst     n records of the field's scalars, `stride` bytes apart
  *  @param stride  bytes from one record to the next; 0: tightly packed
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE (an
- *          index, n); BUFFER_TOO_SMALL (stride); BUSY   @since 1.4 */
+ *          index, n); BUFFER_TOO_SMALL (stride); BUSY */
 CAROM_API int32_t carom_particles_read(carom_world *world, carom_particles set, uint32_t field, uint32_t scalar,
                                        const uint32_t *indices, uint64_t n, void *dst, uint64_t stride,
                                        carom_error *error);
 /** Write one field of n particles; all values are checked before the first is written, bounds as carom_particles_add(),
  *  masses as carom_particles_desc. Arguments as carom_particles_read(); where an index comes twice, the last counts.
- *  @status as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY   @since 1.4 */
+ *  @status as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_particles_write(carom_world *world, carom_particles set, uint32_t field, uint32_t scalar,
                                         const uint32_t *indices, uint64_t n, const void *src, uint64_t stride,
                                         carom_error *error);
@@ -84,13 +83,13 @@ CAROM_API int32_t carom_particles_write(carom_world *world, carom_particles set,
  *  first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call of all that are held now, ascending.
  *  @param indices [capacity] out; may be NULL if capacity is 0
  *  @param count   out: how many there are (may exceed capacity; capacity are written)
- *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.4 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_particles_get_quarantined(carom_world *world, carom_particles set, uint32_t *indices,
                                                   uint64_t capacity, uint64_t *count, carom_error *error);
 
 /** Number of sets, and their handles in creation order of the slots.
  *  @param sets [capacity] or NULL   @param count out: how many there are
- *  @status OK; NULL_ARGUMENT; BUSY   @since 1.4 */
+ *  @status OK; NULL_ARGUMENT; BUSY */
 CAROM_API int32_t carom_world_get_particles(carom_world *world, carom_particles *sets, uint64_t capacity,
                                             uint64_t *count, carom_error *error);
 

@@ -44,7 +44,7 @@ extern "C" {
 #define CAROM_EFFECT_JOINT_MOTORS 27u
 #define CAROM_EFFECT_EVENTS 28u
 #define CAROM_EFFECT_LEDGER 29u
-#define CAROM_EFFECT_MAGNETISM 30u /* @since 1.8 */
+#define CAROM_EFFECT_MAGNETISM 30u
 #define CAROM_EFFECT_COUNT 31u
 
 #define CAROM_MODE_AS_NEEDED 0u /* it runs for the bodies that need it (default) */
@@ -52,30 +52,30 @@ extern "C" {
 #define CAROM_MODE_FORCE 2u     /* it runs for all bodies that it can act on, whether they need it or not: to see what it
                                    costs, and that it changes nothing. It makes no joints, sets, ... where there are none */
 
-/** Static name of an effect ("gravity"), or "?".   @thread any   @since 1.7 */
+/** Static name of an effect ("gravity"), or "?".   @thread any */
 CAROM_API const char *carom_effect_name(uint32_t effect);
 
 /** Forbid or force an effect from the next step on, for all bodies. Wakes all bodies. Forbidding one that the scene
  *  needs is allowed, and carom_world_get_plan() says so.
  *  @param effect CAROM_EFFECT_*   @param mode CAROM_MODE_*
- *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT   @since 1.7 */
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT */
 CAROM_API int32_t carom_world_set_effect(carom_world *world, uint32_t effect, uint32_t mode, carom_error *error);
-/** @param mode out   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY   @since 1.7 */
+/** @param mode out   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
 CAROM_API int32_t carom_world_get_effect(carom_world *world, uint32_t effect, uint32_t *mode, carom_error *error);
 
 /** The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for the
  *  world is forbidden for it. Particles, events and the ledger are not a body's.
  *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use carom_world_set_effect());
- *          BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.7 */
+ *          BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_effect(carom_world *world, carom_body body, uint32_t effect, uint32_t mode,
                                         carom_error *error);
-/** @param mode out: of the body itself   @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; BUSY   @since 1.7 */
+/** @param mode out: of the body itself   @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; BUSY */
 CAROM_API int32_t carom_body_get_effect(carom_world *world, carom_body body, uint32_t effect, uint32_t *mode,
                                         carom_error *error);
 
 /** Whether each force effect is timed by itself in carom_world_get_plan(), which costs two looks at the clock for each.
  *  @param on 1 or 0 (as a world is created)
- *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7 */
+ *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_world_time_effects(carom_world *world, uint32_t on, carom_error *error);
 
 #define CAROM_PLAN_NO_EFFECT 0xffffffffu /* the line is a stage */
@@ -84,7 +84,7 @@ CAROM_API int32_t carom_world_time_effects(carom_world *world, uint32_t on, caro
 #define CAROM_TIME_IN_STAGE 1u /* it is done within the loops of its stage, and in the time of that */
 #define CAROM_TIME_OFF 2u      /* not measured, see carom_world_time_effects() */
 
-/** A line of the plan: a stage or an effect, as it was in the last step.   @since 1.7 */
+/** A line of the plan: a stage or an effect, as it was in the last step. */
 typedef struct carom_plan_line {
   uint32_t effect;      /**< CAROM_EFFECT_*, or CAROM_PLAN_NO_EFFECT: a stage */
   uint32_t stage;       /**< CAROM_STAGE_* that it is part of */
@@ -106,7 +106,7 @@ typedef struct carom_plan_line {
  *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
  *  @param stride   sizeof(carom_plan_line) as the caller knows it
  *  @param count    out: how many there are (may exceed capacity; capacity are written)
- *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.7 */
+ *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
 CAROM_API int32_t carom_world_get_plan(carom_world *world, carom_plan_line *dst, uint64_t stride, uint64_t capacity,
                                        uint64_t *count, carom_error *error);
 

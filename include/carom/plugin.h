@@ -19,23 +19,25 @@ extern "C" {
  *  Contract: pure (same bits in, same bits out), callable from several threads at once; dir is finite and nonzero but
  *  of ANY length; ties may be broken either way, but repeatably; no allocation, lock, I/O, change of the
  *  floating-point environment, or carom_* call.
+ *  @param user       as the plugin has it: state of a host's function; NULL for a file's
  *  @param params     [param_len] the shape's parameters; owned by the engine, immutable
  *  @param dir        [3] direction, shape frame, any positive length
  *  @param out        [3] m, shape frame: argmax over x in the set of dir . x
  *  @return 0; anything else reports a fault: the pair is skipped and the shape put in quarantine */
-typedef int32_t (*carom_support_fn)(const double *params, uint64_t param_len, const double dir[3], double out[3]);
+typedef int32_t (*carom_support_fn)(void *user, const double *params, uint64_t param_len, const double dir[3],
+                                    double out[3]);
 
 /** Documentation and bounds of one parameter; a value outside [min, max] is refused when a shape is made. */
 typedef struct carom_param {
   const char *name; /**< "radius" */
-  const char *unit; /**< "m" */
+  const char *unit; /**< "m"; "1" of a number without a dimension. Never empty */
   double min;       /**< smallest legal value, inclusive */
   double max;       /**< largest legal value, inclusive */
 } carom_param;
 
 /** What several parameters fulfil together: the sum of weight[i] * params[param[i]] over its terms is at most `most`. Parameters
  *  that do not are refused when a shape is made (OUT_OF_RANGE, with `text`), and the plugin is not judged by them.
- *  A lens that is thinner than its radius: {"height <= 0.99 radius", 2, {1, 0}, {1, -0.99}, 0}.   @since 1.8 */
+ *  A lens that is thinner than its radius: {"height <= 0.99 radius", 2, {1, 0}, {1, -0.99}, 0}. */
 typedef struct carom_param_rule {
   const char *text;    /**< for people: "height <= 0.99 radius" */
   uint32_t term_count; /**< 1 to 4 */
@@ -88,9 +90,11 @@ typedef struct carom_shape_plugin {
   uint32_t param_tail_group;     /**< 0: exactly param_count parameters. k > 0: the last k entries repeat, so a shape
                                       has param_count + m*k parameters, m >= 0 (hull: x, y, z repeated) */
   uint32_t param_tail_min;       /**< smallest number of groups in all, the declared one included (hull: 1) */
-  const carom_param_rule *rules; /**< [rule_count] or NULL   @since 1.8 */
-  uint32_t rule_count;           /**< at most 64   @since 1.8 */
-  uint32_t reserved;             /**< 0   @since 1.8 */
+  const carom_param_rule *rules; /**< [rule_count] or NULL */
+  uint32_t rule_count;           /**< at most 64 */
+  uint32_t reserved;             /**< 0 */
+  void *user;                    /**< handed to support: what a closure of the host holds, or NULL. The function must stay
+                                      pure: same answer for the same user, params and dir, as long as the plugin is there */
 } carom_shape_plugin;
 
 /** The symbol looked up in a shared object. */

@@ -43,8 +43,8 @@ typedef struct carom_distance {
   uint32_t reserved;
 } carom_distance;
 
-/** @status OK; NULL_ARGUMENT */
-CAROM_API int32_t carom_distance_desc_init(carom_distance_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_distance_desc_init(carom_distance_desc *desc, uint32_t struct_size);
 
 /** Signed distance of two shapes.
  *  @param position_*     [3] m     @param orientation_* [4] x, y, z, w

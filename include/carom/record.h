@@ -15,7 +15,7 @@
  *  content, zeros up to a multiple of 8. A step is written before it is taken and its hash after it, so that a session that
  *  never came back from a step ends with that step. `src/tools/replay` reads it all.
  *
- *  A world that is not recorded pays nothing. Recording costs the hash of each step, and writing.   @since 1.8 */
+ *  A world that is not recorded pays nothing. Recording costs the hash of each step, and writing. */
 #ifndef CAROM_RECORD_H
 #define CAROM_RECORD_H
 
@@ -36,13 +36,13 @@ typedef int32_t (*carom_write_fn)(void *user, const void *bytes, uint64_t size);
 /** Record a world from now on, until carom_world_record_end() or until it is destroyed.
  *  @param flags CAROM_RECORD_*   @param write is kept, and called with `user`
  *  @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); IN_USE (it is being recorded); WRITE_FAILED; BUSY; REENTRANT;
- *          OUT_OF_MEMORY   @since 1.8 */
+ *          OUT_OF_MEMORY */
 CAROM_API int32_t carom_world_record_begin(carom_world *world, uint32_t flags, carom_write_fn write, void *user,
                                            carom_error *error);
 
 /** Stop recording.
  *  @status OK; NULL_ARGUMENT; NOT_FOUND (it is not being recorded); WRITE_FAILED (`write` said so, now or before: the
- *          recording ends there); OUT_OF_MEMORY (likewise, for lack of memory); BUSY; REENTRANT   @since 1.8 */
+ *          recording ends there); OUT_OF_MEMORY (likewise, for lack of memory); BUSY; REENTRANT */
 CAROM_API int32_t carom_world_record_end(carom_world *world, carom_error *error);
 
 /** What of a world is not as a snapshot says. */
@@ -57,7 +57,7 @@ typedef struct carom_difference {
 /** Compare a world with a snapshot, between steps; of a world of the same structure. Reads only.
  *  @param difference its struct_size set by the caller
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; CORRUPT, UNSUPPORTED, MISMATCH (as carom_world_restore()); BUSY; REENTRANT;
- *          OUT_OF_MEMORY   @since 1.8 */
+ *          OUT_OF_MEMORY */
 CAROM_API int32_t carom_world_compare(carom_world *world, const void *bytes, uint64_t size, carom_difference *difference,
                                       carom_error *error);
 

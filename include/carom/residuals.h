@@ -14,7 +14,7 @@ extern "C" {
 
 /** What is left undone. Contacts are those of the last step, with the velocities that it ended with; joints and energy are
  *  those of the present poses and velocities. Offences against Coulomb's law are in m/s: by how much the velocity at the
- *  worst contact would have to be another for its impulse to be right.   @since 1.8 */
+ *  worst contact would have to be another for its impulse to be right. */
 typedef struct carom_residuals {
   uint32_t struct_size;
   uint32_t ledger_is_kept;  /**< 1: energy_drift is known, see carom_world_enable_ledger() */
@@ -36,7 +36,7 @@ typedef struct carom_residuals {
  *                   concerns them is 0.
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
  *  @accuracy rounding; effective masses are those along the normal
- *  @cost linear in contact points, joints and bodies   @since 1.8 */
+ *  @cost linear in contact points, joints and bodies */
 CAROM_API int32_t carom_world_get_residuals(carom_world *world, carom_residuals *residuals, carom_error *error);
 
 /** Choose the dial `substeps` before each step so that steps take about `seconds`. What a substep costs is learnt from the
@@ -46,10 +46,10 @@ CAROM_API int32_t carom_world_get_residuals(carom_world *world, carom_residuals 
  *  copy begins without one, and a record (carom/record.h) has the substeps that it chose.
  *  @param seconds  s of wall clock a step, 0 < seconds <= 10; 0: off, the dial keeps its value
  *  @param fewest, most  substeps, 1 <= fewest <= most <= the dial's bound; ignored when off
- *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_world_set_budget(carom_world *world, double seconds, uint32_t fewest, uint32_t most,
                                          carom_error *error);
-/** @param seconds, fewest, most  out: as set; 0 when off   @status OK; NULL_ARGUMENT; BUSY   @since 1.8 */
+/** @param seconds, fewest, most  out: as set; 0 when off   @status OK; NULL_ARGUMENT; BUSY */
 CAROM_API int32_t carom_world_get_budget(carom_world *world, double *seconds, uint32_t *fewest, uint32_t *most,
                                          carom_error *error);
 

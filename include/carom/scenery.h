@@ -9,7 +9,7 @@
  *  Worlds answer all questions about scenery (world_query.h). carom_ray_cast, carom_shape_cast, carom_shape_time_of_impact,
  *  carom_shape_overlap and carom_shape_distance do too, with the scenery as the second shape where one moves. Functions that
  *  need convex shapes (carom_shape_support, carom_rays_cast; shapes that ask a world) say UNSUPPORTED.
- *  @since 1.6
+ *
  */
 #ifndef CAROM_SCENERY_H
 #define CAROM_SCENERY_H
@@ -34,13 +34,13 @@ typedef struct carom_mesh_desc {
   uint64_t triangle_count;   /**< 1 to 2^28 */
 } carom_mesh_desc;
 
-/** @status OK; NULL_ARGUMENT   @since 1.6 */
-CAROM_API int32_t carom_mesh_desc_init(carom_mesh_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_mesh_desc_init(carom_mesh_desc *desc, uint32_t struct_size);
 
 /** Make scenery of a mesh. All is copied.
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far out, no
  *          triangle that has an area); LIMIT; OUT_OF_MEMORY
- *  @thread any, also while worlds step   @since 1.6 */
+ *  @thread any, also while worlds step */
 CAROM_API int32_t carom_shape_create_mesh(carom_engine *engine, const carom_mesh_desc *desc, carom_shape *shape,
                                           carom_error *error);
 
@@ -56,13 +56,13 @@ typedef struct carom_height_field_desc {
   double spacing[2];     /**< m, along x and z, default 1 */
 } carom_height_field_desc;
 
-/** @status OK; NULL_ARGUMENT   @since 1.6 */
-CAROM_API int32_t carom_height_field_desc_init(carom_height_field_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_height_field_desc_init(carom_height_field_desc *desc, uint32_t struct_size);
 
 /** Make scenery of a height field. All is copied.
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a count, a
  *          spacing that is not positive, a height too far out, nothing but holes); LIMIT; OUT_OF_MEMORY
- *  @thread any, also while worlds step   @since 1.6 */
+ *  @thread any, also while worlds step */
 CAROM_API int32_t carom_shape_create_height_field(carom_engine *engine, const carom_height_field_desc *desc,
                                                   carom_shape *shape, carom_error *error);
 
@@ -78,7 +78,7 @@ typedef struct carom_scenery_info {
   uint64_t bytes;     /**< of memory, about */
 } carom_scenery_info;
 
-/** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE; UNSUPPORTED (a convex shape)   @since 1.6 */
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE; UNSUPPORTED (a convex shape) */
 CAROM_API int32_t carom_shape_get_scenery_info(carom_engine *engine, carom_shape shape, carom_scenery_info *info,
                                                carom_error *error);
 
@@ -87,7 +87,7 @@ CAROM_API int32_t carom_shape_get_scenery_info(carom_engine *engine, carom_shape
  *  @param corners [9 count] m, shape frame, or NULL to count
  *  @param count   in: room for how many; out: how many were written (with NULL: how many there are from `first` on)
  *  @param next    out: the number of the triangle to go on from; the number of triangles when all have been seen
- *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (first); UNSUPPORTED (a convex shape)   @since 1.6 */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (first); UNSUPPORTED (a convex shape) */
 CAROM_API int32_t carom_shape_get_triangles(carom_engine *engine, carom_shape shape, uint64_t first, double *corners,
                                             uint64_t *count, uint64_t *next, carom_error *error);
 

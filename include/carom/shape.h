@@ -26,7 +26,7 @@ CAROM_API int32_t carom_shape_create(carom_engine *engine, carom_plugin plugin, 
  *  @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
  *  @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE; PLUGIN_PATH;
  *          PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
- *  @thread any, also while worlds step   @since 1.8 */
+ *  @thread any, also while worlds step */
 CAROM_API int32_t carom_shape_create_named(carom_engine *engine, const char *name, const double *params, uint64_t count,
                                            carom_shape *shape, carom_error *error);
 
@@ -59,7 +59,7 @@ typedef struct carom_shape_info {
   double centroid_error;   /**< m, upper bound of |error| */
   double inertia[9];       /**< m^5, about the centroid, row-major, symmetric */
   double inertia_error;    /**< m^5, upper bound of the spectral norm of the error */
-  uint32_t is_scenery;     /**< 1: a mesh or a height field (scenery.h); it has no volume   @since 1.6 */
+  uint32_t is_scenery;     /**< 1: a mesh or a height field (scenery.h); it has no volume */
   uint32_t reserved;       /**< 0 */
 } carom_shape_info;
 

@@ -51,7 +51,7 @@ extern "C" {
  *  @param buffer   [capacity] bytes, or NULL to ask for the size
  *  @param capacity bytes; 0 if buffer is NULL
  *  @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
- *  @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_world_save(carom_world *world, uint32_t flags, void *buffer, uint64_t capacity,
                                    uint64_t *needed, carom_error *error);
 
@@ -65,13 +65,13 @@ CAROM_API int32_t carom_world_save(carom_world *world, uint32_t flags, void *buf
  *  @status OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a newer
  *          format); MISMATCH (of a world of another structure: the message names the kind that differs; or a plugin of that
  *          id and version makes other shapes than it did); NOT_FOUND (a shape plugin is not loaded: the message says id and
- *          version); LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+ *          version); LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_world_restore(carom_world *world, const void *bytes, uint64_t size, carom_error *error);
 
 /** Make a world of the same engine that is as this one is, and goes on as it does, bit for bit. Nothing of this one
  *  changes; other readers may be at work. Lists and residuals of its last step, and a ledger, the copy has none of.
  *  @param copy out: to be destroyed as any world
- *  @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_world_fork(carom_world *world, carom_world **copy, carom_error *error);
 
 /** Handles of another world, as they are in this one: the same slots and generations. For what a host keeps of a world that
@@ -79,7 +79,7 @@ CAROM_API int32_t carom_world_fork(carom_world *world, carom_world **copy, carom
  *  @param handles    [n] of bodies, colliders, materials, joints, particles, fields, springs; 0 stays 0
  *  @param translated [n] out; may be `handles`. All of them or, where one is refused, none
  *  @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
- *          worlds); BUSY; REENTRANT   @since 1.8 */
+ *          worlds); BUSY; REENTRANT */
 CAROM_API int32_t carom_world_translate_handles(carom_world *world, const uint64_t *handles, uint64_t n,
                                                 uint64_t *translated, carom_error *error);
 

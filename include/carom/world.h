@@ -22,8 +22,8 @@ typedef struct carom_world_desc {
   uint64_t body_capacity; /**< bodies to reserve memory for; it grows beyond. default 0 */
 } carom_world_desc;
 
-/** @status OK; NULL_ARGUMENT */
-CAROM_API int32_t carom_world_desc_init(carom_world_desc *desc);
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_world_desc_init(carom_world_desc *desc, uint32_t struct_size);
 
 /** @param desc may be NULL: defaults   @owns the caller: carom_world_destroy(), before the engine
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; LIMIT (65,535 engines and worlds in
@@ -50,7 +50,7 @@ CAROM_API int32_t carom_world_get_dial(carom_world *world, uint32_t dial, double
 
 /** Set all dials that presets speak of, from the next step on; see carom_preset_get_dial(). Later calls of
  *  carom_world_set_dial() change them one by one.   @param preset CAROM_PRESET_*
- *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT   @since 1.8 */
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT */
 CAROM_API int32_t carom_world_set_preset(carom_world *world, uint32_t preset, carom_error *error);
 
 /** @param gravity [3] m/s^2, |each| <= 1e6   @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
@@ -98,20 +98,20 @@ typedef struct carom_step_report {
   double max_closing_speed;    /**< m/s left at touching contact points after the step */
   double linear_energy;        /**< J, kinetic, with that of particles */
   double angular_energy;       /**< J, kinetic */
-  uint64_t asleep_bodies;      /**< after the step, counted under dynamic_bodies   @since 1.2 */
-  uint64_t fell_asleep;        /**< of them, in this step   @since 1.2 */
-  uint64_t woke_up;            /**< bodies that woke in this step or since the one before   @since 1.2 */
-  uint64_t direct_groups;      /**< of the groups, those that CAROM_SOLVER_AUTO gave to the direct solver   @since 1.2 */
+  uint64_t asleep_bodies;      /**< after the step, counted under dynamic_bodies */
+  uint64_t fell_asleep;        /**< of them, in this step */
+  uint64_t woke_up;            /**< bodies that woke in this step or since the one before */
+  uint64_t direct_groups;      /**< of the groups, those that CAROM_SOLVER_AUTO gave to the direct solver */
   double solver_residual;      /**< m/s, how far the direct solver's answer is from Coulomb's law at the worst contact
-                                    point and substep; 0 where it had nothing to do   @since 1.2 */
-  uint64_t particles;             /**< in all sets   @since 1.4 */
-  uint64_t quarantined_particles; /**< of them, held still since their state left the world   @since 1.4 */
-  uint64_t swept_bodies;       /**< swept from pose to pose, see carom_body_set_continuous()   @since 1.6 */
-  uint64_t sweep_hits;         /**< what they met in the step's substeps, answered at its moment   @since 1.6 */
+                                    point and substep; 0 where it had nothing to do */
+  uint64_t particles;             /**< in all sets */
+  uint64_t quarantined_particles; /**< of them, held still since their state left the world */
+  uint64_t swept_bodies;       /**< swept from pose to pose, see carom_body_set_continuous() */
+  uint64_t sweep_hits;         /**< what they met in the step's substeps, answered at its moment */
   uint64_t wedged_groups;      /**< groups of the direct solver, counted a substep, that no velocity could satisfy, as
-                                    where two surfaces close on a body: answered by contacts that yield   @since 1.8 */
+                                    where two surfaces close on a body: answered by contacts that yield */
   uint64_t refused_answers;    /**< answers of the direct solver by which contacts would have given energy, counted a
-                                    substep: answered again by sweeps, which can't   @since 1.8 */
+                                    substep: answered again by sweeps, which can't */
 } carom_step_report;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
@@ -148,9 +148,9 @@ CAROM_API int32_t carom_world_get_contacts(carom_world *world, carom_contact *ds
 #define CAROM_REASON_BOUNCE 4u     /* not given any more: impacts are solved before every solver */
 #define CAROM_REASON_BLOW 5u       /* it would sink, but is under impact: soft contacts take that */
 #define CAROM_REASON_STILL 6u      /* a few bodies that lie still */
-#define CAROM_REASON_JOINED 7u     /* some bodies that joints hold together         @since 1.5 */
+#define CAROM_REASON_JOINED 7u     /* some bodies that joints hold together */
 
-/** A contact group of the last step, and how CAROM_SOLVER_AUTO answered it.   @since 1.2 */
+/** A contact group of the last step, and how CAROM_SOLVER_AUTO answered it. */
 typedef struct carom_group {
   carom_body body;     /**< one of its bodies; CAROM_NULL_HANDLE if that was destroyed since */
   uint32_t bodies;     /**< that contacts move */
@@ -166,7 +166,7 @@ typedef struct carom_group {
  *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
  *  @param stride   sizeof(carom_group) as the caller knows it
  *  @param count    out: how many there are (may exceed capacity; capacity are written)
- *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.2 */
+ *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
 CAROM_API int32_t carom_world_get_groups(carom_world *world, carom_group *dst, uint64_t stride, uint64_t capacity,
                                          uint64_t *count, carom_error *error);
 
@@ -175,7 +175,7 @@ CAROM_API int32_t carom_world_get_groups(carom_world *world, carom_group *dst, u
 #define CAROM_FAULT_OUTSIDE 3u      /* a point outside the shape's bounding radius */
 #define CAROM_FAULT_NOT_SUPPORT 4u  /* a point worse than one it had given before */
 #define CAROM_FAULT_BODY_STATE 5u   /* a body's state was not finite; the body is quarantined */
-#define CAROM_FAULT_PARTICLE_STATE 6u /* likewise particles', see carom_particles_get_quarantined()   @since 1.4 */
+#define CAROM_FAULT_PARTICLE_STATE 6u /* likewise particles', see carom_particles_get_quarantined() */
 
 /** Something misbehaved in the last step; the world stayed finite. */
 typedef struct carom_fault {
@@ -185,8 +185,8 @@ typedef struct carom_fault {
   carom_body body;         /**< a body it hangs on, or the quarantined body */
   double dir[3];           /**< bits of the direction given */
   double out[3];           /**< bits of what came back */
-  carom_particles particles; /**< the set, of PARTICLE_STATE, or CAROM_NULL_HANDLE   @since 1.4 */
-  uint64_t particle;         /**< the first of it that was put in quarantine in this step: its index then   @since 1.4 */
+  carom_particles particles; /**< the set, of PARTICLE_STATE, or CAROM_NULL_HANDLE */
+  uint64_t particle;         /**< the first of it that was put in quarantine in this step: its index then */
 } carom_fault;
 
 /** Copy out the faults of the last step; arguments as carom_world_get_contacts(). */

@@ -1,6 +1,7 @@
 // Attributes of bodies: any of them by its number, those that have calls of their own, and what each is.
 #include <carom/force.h>
 
+#include "abi/body.h"
 #include "abi/float_scope.h"
 #include "abi/record_calls.h"
 #include "abi/world.h"
@@ -11,8 +12,8 @@ namespace {
 static_assert(kMostNumbers == CAROM_ATTRIBUTE_NUMBERS && kAttributeCount == CAROM_ATTRIBUTE_COUNT);
 
 /// What the attribute asks of the world and of the body, whatever its value, unless that is the usual one.
-bool can_have(Call& call, const World& world, std::uint32_t body, const AttributeRow& row, int argument) {
-  if (row.of_dynamic && world.scene.type[body] != BodyType::dynamic)
+bool can_have(Call& call, const World& world, BodyType type, const AttributeRow& row, int argument) {
+  if (row.of_dynamic && type != BodyType::dynamic)
     return call.fail(CAROM_E_OUT_OF_RANGE, 2, "%s are of dynamic bodies only; others move as their velocity says", row.name);
   return row.id != AttributeId::locks || world.scene.dials.choice(Dial::solver) != CAROM_SOLVER_SEVERITY ||
          call.fail(CAROM_E_UNSUPPORTED, argument,
@@ -48,12 +49,19 @@ void set_attribute(Call& call, World& world, carom_body body, AttributeId id, co
                    const char* const* names, int first, bool one_argument = false) {
   const AttributeRow& row = row_of(id);
   if (!resolve_body(call, world, body) || !is_value_of(call, row, value, names, first, one_argument)) return;
-  if (value != row.usual && !can_have(call, world, handle_slot(body), row, first)) return;
+  if (value != row.usual && !can_have(call, world, world.scene.type[handle_slot(body)], row, first)) return;
   const FloatScope scope;
   world.set_attribute(handle_slot(body), id, value);
 }
 
 }  // namespace
+
+bool may_have(Call& call, const World& world, BodyType type, AttributeId id, const AttributeValue& value,
+              const char* name) {
+  const AttributeRow& row = row_of(id);
+  return is_value_of(call, row, value, &name, 2, true) && (value == row.usual || can_have(call, world, type, row, 2));
+}
+
 }  // namespace carom::abi
 
 using namespace carom;

@@ -1,6 +1,9 @@
 // Bodies: what a host says about one, checked and handed to the world, and read back.
 #include <carom/body.h>
 
+#include <algorithm>
+#include <array>
+
 #include "abi/body.h"
 #include "abi/collider.h"
 #include "abi/float_scope.h"
@@ -51,11 +54,36 @@ bool check_motion(Call& call, const carom_body_desc& d) {
          in_range(call, 2, "desc->angular_damping", d.angular_damping, 0, kLargestDamping);
 }
 
-bool read_body(Call& call, const carom_body_desc* given, BodyDef& def) {
-  carom_body_desc d;
-  carom_body_desc_init(&d);
+/// An attribute as a descriptor says it.
+struct SaidAttribute {
+  AttributeId id;
+  const char* name;
+  AttributeValue value;
+};
+std::array<SaidAttribute, kAttributeCount> attributes_in(const carom_body_desc& d) {
+  return {{{AttributeId::gravity_factor, "desc->gravity_factor", {d.gravity_factor}},
+           {AttributeId::locks, "desc->locks", {Real(d.locks)}},
+           {AttributeId::drag, "desc->linear_drag or quadratic_drag", {d.linear_drag, d.quadratic_drag}},
+           {AttributeId::force_field_mask, "desc->force_field_mask", {Real(d.force_field_mask)}},
+           {AttributeId::magnetic_moment,
+            "desc->magnetic_moment",
+            {d.magnetic_moment[0], d.magnetic_moment[1], d.magnetic_moment[2]}}}};
+}
+
+bool check_attributes(Call& call, const World& world, const carom_body_desc& d) {
+  if (!only_bits(call, 2, "desc->locks", d.locks, CAROM_LOCK_ALL)) return false;
+  for (const SaidAttribute& said : attributes_in(d))
+    if (!may_have(call, world, static_cast<BodyType>(d.type), said.id, said.value, said.name)) return false;
+  return true;
+}
+
+bool read_body(Call& call, const World& world, const carom_body_desc* given, carom_body_desc& d, BodyDef& def) {
+  carom_body_desc_init(&d, sizeof d);
   if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
-      !known(call, 2, "desc->type", d.type, CAROM_BODY_DYNAMIC + 1) || !check_mass(call, d) || !check_motion(call, d))
+      !only_bits(call, 2, "desc->reserved2", d.reserved2, 0) ||
+      !known(call, 2, "desc->type", d.type, CAROM_BODY_DYNAMIC + 1) ||
+      !known(call, 2, "desc->continuous", d.continuous, CAROM_CONTINUOUS_NEVER + 1) || !check_mass(call, d) ||
+      !check_motion(call, d) || !check_attributes(call, world, d))
     return false;
   def.type = static_cast<BodyType>(d.type);
   def.pose = {to_quat(d.orientation), to_vec3(d.position)};
@@ -73,6 +101,7 @@ bool read_body(Call& call, const carom_body_desc* given, BodyDef& def) {
   def.angular_damping = d.angular_damping;
   def.user = d.user;
   def.stays_awake = d.fields & CAROM_BODY_STAYS_AWAKE;
+  def.continuous = static_cast<SweepMode>(d.continuous);
   return true;
 }
 
@@ -92,6 +121,14 @@ carom_body_desc describe(const World& world, std::uint32_t slot) {
   d.linear_damping = def.linear_damping;
   d.angular_damping = def.angular_damping;
   d.user = def.user;
+  d.continuous = static_cast<std::uint32_t>(def.continuous);
+  const auto attribute = [&](AttributeId id) { return world.scene.attributes.of(id, slot); };
+  d.gravity_factor = attribute(AttributeId::gravity_factor)[0];
+  d.locks = static_cast<std::uint32_t>(attribute(AttributeId::locks)[0]);
+  const AttributeValue drag = attribute(AttributeId::drag), moment = attribute(AttributeId::magnetic_moment);
+  d.linear_drag = drag[0], d.quadratic_drag = drag[1];
+  d.force_field_mask = static_cast<std::uint32_t>(attribute(AttributeId::force_field_mask)[0]);
+  std::copy_n(moment.begin(), 3, d.magnetic_moment);
   return d;
 }
 
@@ -141,26 +178,31 @@ using namespace carom::abi;
 
 extern "C" {
 
-int32_t carom_body_desc_init(carom_body_desc* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
-  desc->type = CAROM_BODY_DYNAMIC;
-  desc->orientation[3] = 1;
-  return CAROM_OK;
+int32_t carom_body_desc_init(carom_body_desc* desc, uint32_t struct_size) {
+  return init_struct(desc, struct_size, [](carom_body_desc& d) {
+    d.type = CAROM_BODY_DYNAMIC;
+    d.orientation[3] = 1;
+    d.gravity_factor = d.force_field_mask = 1;
+  });
 }
 
 int32_t carom_body_create(carom_world* world, const carom_body_desc* desc, carom_body* body, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Recorded changing(call, world, record::body_create(desc));
+    carom_body_desc d;
     BodyDef def;
-    if (!changing || !read_body(call, desc, def) || !present(call, 3, "body", body)) return;
+    if (!changing || !read_body(call, *changing, desc, d, def) || !present(call, 3, "body", body)) return;
     const FloatScope scope;
+    const auto said = attributes_in(d);
+    for (const SaidAttribute& a : said)
+      if (a.value != row_of(a.id).usual) changing->make_room_for_another(a.id);
     const Handle handle = changing->add_body(def);
-    if (handle)
-      *body = handle;
-    else
+    if (!handle) {
       call.fail(CAROM_E_LIMIT, 0, "this world has issued all %u bodies", kMaxSlots);
+      return;
+    }
+    for (const SaidAttribute& a : said) changing->set_attribute(handle_slot(handle), a.id, a.value);
+    *body = handle;
   });
 }
 

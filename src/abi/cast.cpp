@@ -30,7 +30,7 @@ static_assert(static_cast<std::uint32_t>(Overlap::apart) == CAROM_OVERLAP_APART 
 /// Take in a descriptor, or the defaults.
 bool read_desc(Call& call, int argument, const carom_cast_desc* given, CastSettings& settings) {
   carom_cast_desc d;
-  carom_cast_desc_init(&d);
+  carom_cast_desc_init(&d, sizeof d);
   return (!given || read_struct(call, argument, "desc", given, d)) &&
          take_settings(call, argument, d.iterations, d.tolerance, d.target, settings);
 }
@@ -77,7 +77,7 @@ void write_answer(const CastResult& r, carom_cast* result) {
 bool read_motion(Call& call, int argument, const char* name, const carom_motion* given, const Shape& shape,
                  RigidMotion& motion) {
   carom_motion m;
-  carom_motion_init(&m);
+  carom_motion_init(&m, sizeof m);
   if (!read_struct(call, argument, name, given, m) || !only_bits(call, argument, name, m.reserved, 0) ||
       !finite(call, argument, name, m.position, 3) || !unit(call, argument, name, m.orientation, 4) ||
       !finite(call, argument, name, m.center, 3) || !finite(call, argument, name, m.linear_velocity, 3) ||
@@ -188,21 +188,17 @@ using namespace carom::abi;
 
 extern "C" {
 
-int32_t carom_cast_desc_init(carom_cast_desc* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
-  desc->iterations = static_cast<std::uint32_t>(CastSettings().cap);
-  desc->tolerance = CastSettings().tolerance;
-  return CAROM_OK;
+int32_t carom_cast_desc_init(carom_cast_desc* desc, uint32_t struct_size) {
+  return init_struct(desc, struct_size, [](carom_cast_desc& d) {
+    d.iterations = static_cast<std::uint32_t>(CastSettings().cap);
+    d.tolerance = CastSettings().tolerance;
+  });
 }
 
-int32_t carom_motion_init(carom_motion* motion) {
-  if (!motion) return CAROM_E_NULL_ARGUMENT;
-  *motion = {};
-  motion->struct_size = sizeof *motion;
-  motion->orientation[3] = 1;
-  return CAROM_OK;
+int32_t carom_motion_init(carom_motion* motion, uint32_t struct_size) {
+  return init_struct(motion, struct_size, [](carom_motion& d) {
+    d.orientation[3] = 1;
+  });
 }
 
 int32_t carom_ray_cast(carom_engine* engine, carom_shape shape, const double position[3], const double orientation[4],

@@ -93,7 +93,7 @@ bool resolve(Call& call, int argument, const char* name, const SlotPool& pool, H
 }
 
 bool struct_size(Call& call, int argument, const char* name, std::uint32_t size, std::size_t alignment) {
-  return (size >= kSmallestStruct && size <= kLargestStruct && size % alignment == 0) ||
+  return is_struct_size(size, alignment) ||
          call.fail(CAROM_E_STRUCT_SIZE, argument, "%s->struct_size is %u; no version of the struct has that size", name,
                    size);
 }

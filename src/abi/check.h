@@ -34,6 +34,10 @@ bool only_bits(Call& call, int argument, const char* name, std::uint32_t value, 
 /// The handle names a living object of the pool.
 bool resolve(Call& call, int argument, const char* name, const SlotPool& pool, Handle handle);
 
+/// Whether some version of a struct may have this size.
+constexpr bool is_struct_size(std::uint32_t size, std::size_t alignment) {
+  return size >= kSmallestStruct && size <= kLargestStruct && size % alignment == 0;
+}
 /// struct_size is one that some version of a struct may have.
 bool struct_size(Call& call, int argument, const char* name, std::uint32_t size, std::size_t alignment);
 /// All bytes of [from, to) are zero: nobody asks for what this library does not know.
@@ -57,13 +61,23 @@ bool fillable(Call& call, int argument, const char* name, const T* wanted) {
   return present(call, argument, name, wanted) && struct_size(call, argument, name, wanted->struct_size, alignof(T));
 }
 
-/// The start of every *_init(): all zero but for its size.
-template <class T>
-std::int32_t begin_desc(T* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
+/// What every *_init() does: defaults in as much of the caller's struct as there is.
+/// @param size  bytes, of the struct as the caller knows it; what is beyond ours becomes 0
+/// @param set   sets what is not 0
+template <class T, class F>
+std::int32_t init_struct(T* to, std::uint32_t size, const F& set) {
+  if (!to) return CAROM_E_NULL_ARGUMENT;
+  if (!is_struct_size(size, alignof(T))) return CAROM_E_STRUCT_SIZE;
+  T full{};
+  set(full);
+  full.struct_size = size;
+  std::memset(static_cast<void*>(to), 0, size);
+  std::memcpy(static_cast<void*>(to), &full, std::min<std::size_t>(size, sizeof full));
   return CAROM_OK;
+}
+template <class T>
+std::int32_t init_struct(T* to, std::uint32_t size) {
+  return init_struct(to, size, [](T&) {});
 }
 
 /// Fill in as much of a struct as the caller's version has; its struct_size stays.

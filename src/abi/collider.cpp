@@ -26,13 +26,16 @@ bool check_desc(Call& call, const World& world, const carom_collider_desc& d) {
           resolve(call, 3, "desc->material", world.scene.material_slots, d.material)) &&
          vector_in_range(call, 3, "desc->position", d.position, kMaxPosition) &&
          unit(call, 3, "desc->orientation", d.orientation, 4) &&
-         in_range(call, 3, "desc->density", d.density, 0, kLargestDensity);
+         in_range(call, 3, "desc->density", d.density, 0, kLargestDensity) &&
+         in_range(call, 3, "desc->sensor", d.sensor, 0, 1) &&
+         vector_in_range(call, 3, "desc->surface_linear", d.surface_linear, kFastestSurface) &&
+         vector_in_range(call, 3, "desc->surface_angular", d.surface_angular, kFastestSurface);
 }
 
 void create(Call& call, const Changing& changing, carom_body body, const carom_collider_desc* given,
             carom_collider* collider) {
   carom_collider_desc d;
-  carom_collider_desc_init(&d);
+  carom_collider_desc_init(&d, sizeof d);
   World& world = *changing;
   ShapePin shape(changing.engine());
   if (!resolve(call, 2, "body", world.scene.bodies, body) || !read_struct(call, 3, "desc", given, d) ||
@@ -44,7 +47,10 @@ void create(Call& call, const Changing& changing, carom_body body, const carom_c
   const FloatScope scope;
   const std::uint32_t material = d.material ? handle_slot(d.material) : Colliders::kNoMaterial;
   const Handle handle = world.add_collider(handle_slot(body), &*shape, {to_quat(d.orientation), to_vec3(d.position)},
-                                           d.density, material);
+                                           d.density, material,
+                                           {{d.category, d.mask, d.group},
+                                            d.sensor != 0,
+                                            {to_vec3(d.surface_linear), to_vec3(d.surface_angular)}});
   if (!handle) {
     call.fail(CAROM_E_LIMIT, 0, "this world has issued all %u colliders", kMaxSlots);
     return;
@@ -62,6 +68,11 @@ carom_collider_desc describe_collider(const World& world, std::uint32_t slot) {
   from_vec3(c.local[slot].p, d.position);
   from_quat(c.local[slot].q, d.orientation);
   d.density = c.density[slot];
+  const Filter filter = c.filter_of(slot);
+  d.category = filter.category, d.mask = filter.mask, d.group = filter.group;
+  d.sensor = c.is_sensor(slot);
+  const SurfaceVelocity surface = world.scene.surface_of(slot);
+  from_vec3(surface.linear, d.surface_linear), from_vec3(surface.angular, d.surface_angular);
   return d;
 }
 
@@ -95,13 +106,12 @@ using namespace carom::abi;
 
 extern "C" {
 
-int32_t carom_collider_desc_init(carom_collider_desc* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
-  desc->orientation[3] = 1;
-  desc->density = 1000;
-  return CAROM_OK;
+int32_t carom_collider_desc_init(carom_collider_desc* desc, uint32_t struct_size) {
+  return init_struct(desc, struct_size, [](carom_collider_desc& d) {
+    d.orientation[3] = 1;
+    d.density = 1000;
+    d.category = CAROM_FILTER_CATEGORY, d.mask = CAROM_FILTER_MASK;
+  });
 }
 
 int32_t carom_collider_create(carom_world* world, carom_body body, const carom_collider_desc* desc,

@@ -34,13 +34,11 @@ using namespace carom::abi;
 
 extern "C" {
 
-int32_t carom_draw_desc_init(carom_draw_desc* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
-  desc->what = CAROM_DRAW_SHAPES | CAROM_DRAW_CONTACTS | CAROM_DRAW_JOINTS;
-  desc->scale = 0.2;
-  return CAROM_OK;
+int32_t carom_draw_desc_init(carom_draw_desc* desc, uint32_t struct_size) {
+  return init_struct(desc, struct_size, [](carom_draw_desc& d) {
+    d.what = CAROM_DRAW_SHAPES | CAROM_DRAW_CONTACTS | CAROM_DRAW_JOINTS;
+    d.scale = 0.2;
+  });
 }
 
 int32_t carom_world_draw(carom_world* world, const carom_draw_desc* desc, carom_draw_line* dst, uint64_t stride,
@@ -48,7 +46,7 @@ int32_t carom_world_draw(carom_world* world, const carom_draw_desc* desc, carom_
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
     carom_draw_desc d;
-    carom_draw_desc_init(&d);
+    carom_draw_desc_init(&d, sizeof d);
     if (!reading || (desc && !read_struct(call, 2, "desc", desc, d)) ||
         !only_bits(call, 2, "desc->what", d.what, kAll) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
         !known(call, 2, "desc->colouring", d.colouring, CAROM_DRAW_BY_ISLAND + 1) ||

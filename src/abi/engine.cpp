@@ -70,7 +70,7 @@ namespace {
 /// Check what is given, take a tag, and build the engine on its own allocator.
 void create(Call& call, const carom_engine_desc* given, carom_engine** engine) {
   carom_engine_desc desc;
-  carom_engine_desc_init(&desc);
+  carom_engine_desc_init(&desc, sizeof desc);
   if ((given && !read_struct(call, 1, "desc", given, desc)) ||
       !only_bits(call, 1, "desc->reserved", desc.reserved, 0) || !present(call, 2, "engine", engine))
     return;
@@ -96,7 +96,7 @@ void create(Call& call, const carom_engine_desc* given, carom_engine** engine) {
 /// New jobs before the old ones go: a call that fails has changed nothing.
 void set_jobs(Call& call, carom_engine* engine, const carom_jobs_desc* given) {
   carom_jobs_desc desc;
-  carom_jobs_desc_init(&desc);
+  carom_jobs_desc_init(&desc, sizeof desc);
   if (!present(call, 1, "engine", engine) || (given && !read_struct(call, 2, "desc", given, desc))) return;
   Owned<Jobs> old;  // its threads end after the lock is given back
   const std::lock_guard lock(engine->mutex);
@@ -118,23 +118,13 @@ using namespace carom::abi;
 
 extern "C" {
 
-int32_t carom_engine_desc_init(carom_engine_desc* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
-  return CAROM_OK;
-}
+int32_t carom_engine_desc_init(carom_engine_desc* desc, uint32_t struct_size) { return init_struct(desc, struct_size); }
 
 int32_t carom_engine_create(const carom_engine_desc* desc, carom_engine** engine, carom_error* error) {
   return guarded(error, [&](Call& call) { create(call, desc, engine); });
 }
 
-int32_t carom_jobs_desc_init(carom_jobs_desc* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
-  return CAROM_OK;
-}
+int32_t carom_jobs_desc_init(carom_jobs_desc* desc, uint32_t struct_size) { return init_struct(desc, struct_size); }
 
 int32_t carom_engine_set_jobs(carom_engine* engine, const carom_jobs_desc* desc, carom_error* error) {
   return guarded(error, [&](Call& call) { set_jobs(call, engine, desc); });

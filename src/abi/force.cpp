@@ -36,7 +36,7 @@ bool positive(Call& call, int argument, const char* name, double value) {
 /// @param argument  the descriptor's
 bool read_field(Call& call, int argument, const carom_force_field_desc* given, FieldDef& def) {
   carom_force_field_desc d;
-  carom_force_field_desc_init(&d);
+  carom_force_field_desc_init(&d, sizeof d);
   if (!read_struct(call, argument, "desc", given, d) || !only_bits(call, argument, "desc->reserved", d.reserved, 0) ||
       !known(call, argument, "desc->kind", d.kind, CAROM_FORCE_FIELD_COUNT) ||
       !only_bits(call, argument, "desc->is_force", d.is_force, 1) ||
@@ -84,7 +84,7 @@ bool check_spring(Call& call, int argument, double rest, double stiffness, doubl
 
 bool read_spring(Call& call, const World& world, const carom_spring_desc* given, SpringDef& def) {
   carom_spring_desc d;
-  carom_spring_desc_init(&d);
+  carom_spring_desc_init(&d, sizeof d);
   if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->only_pulls", d.only_pulls, 1) ||
       !read_ends(call, world, d, "ties", def))
     return false;
@@ -110,7 +110,7 @@ carom_spring_desc describe(const World& world, const SpringDef& def) {
 
 bool read_water(Call& call, const carom_water* given, WaterDef& def) {
   carom_water w;
-  carom_water_init(&w);
+  carom_water_init(&w, sizeof w);
   if (!read_struct(call, 2, "water", given, w) || !only_bits(call, 2, "water->reserved", w.reserved, 0) ||
       !unit(call, 2, "water->normal", w.normal, 3) ||
       !in_range(call, 2, "water->level", w.level, -kMaxPosition, kMaxPosition) ||
@@ -170,15 +170,15 @@ int32_t carom_world_get_wind(carom_world* world, double velocity[3], carom_error
 
 const char* carom_force_field_name(uint32_t kind) { return kind < CAROM_FORCE_FIELD_COUNT ? kFieldKinds[kind].name : "?"; }
 
-int32_t carom_force_field_desc_init(carom_force_field_desc* desc) {
-  if (begin_desc(desc) != CAROM_OK) return CAROM_E_NULL_ARGUMENT;
-  desc->mask = 1;
-  desc->orientation[3] = 1;
-  for (double& half : desc->half) half = kInfinity;
-  desc->reference = 1;
-  desc->reach = kInfinity;
-  desc->falloff = 2;
-  return CAROM_OK;
+int32_t carom_force_field_desc_init(carom_force_field_desc* desc, uint32_t struct_size) {
+  return init_struct(desc, struct_size, [](carom_force_field_desc& d) {
+    d.mask = 1;
+    d.orientation[3] = 1;
+    for (double& half : d.half) half = kInfinity;
+    d.reference = 1;
+    d.reach = kInfinity;
+    d.falloff = 2;
+  });
 }
 
 int32_t carom_force_field_create(carom_world* world, const carom_force_field_desc* desc, carom_force_field* field,
@@ -224,7 +224,7 @@ int32_t carom_force_field_destroy(carom_world* world, carom_force_field field, c
   });
 }
 
-int32_t carom_spring_desc_init(carom_spring_desc* desc) { return begin_desc(desc); }
+int32_t carom_spring_desc_init(carom_spring_desc* desc, uint32_t struct_size) { return init_struct(desc, struct_size); }
 
 int32_t carom_spring_create(carom_world* world, const carom_spring_desc* desc, carom_spring* spring,
                             carom_error* error) {
@@ -278,12 +278,12 @@ int32_t carom_spring_destroy(carom_world* world, carom_spring spring, carom_erro
   });
 }
 
-int32_t carom_water_init(carom_water* water) {
-  if (begin_desc(water) != CAROM_OK) return CAROM_E_NULL_ARGUMENT;
-  water->normal[1] = 1;
-  water->density = 1000;
-  water->drag = 1;
-  return CAROM_OK;
+int32_t carom_water_init(carom_water* water, uint32_t struct_size) {
+  return init_struct(water, struct_size, [](carom_water& d) {
+    d.normal[1] = 1;
+    d.density = 1000;
+    d.drag = 1;
+  });
 }
 
 int32_t carom_world_set_water(carom_world* world, const carom_water* water, carom_error* error) {
@@ -305,7 +305,7 @@ int32_t carom_world_get_water(carom_world* world, carom_water* water, uint32_t* 
     if (!reading || !fillable(call, 2, "water", water) || !present(call, 3, "present", there)) return;
     *there = reading->scene.water.on;
     carom_water full;
-    carom_water_init(&full);
+    carom_water_init(&full, sizeof full);
     write_struct(*there ? describe(reading->scene.water.def) : full, water);
   });
 }

@@ -71,7 +71,7 @@ Real or_never(double most) { return most > 0 ? most : kInfinity; }
 
 bool read_joint(Call& call, const World& world, const carom_joint_desc* given, JointDef& def) {
   carom_joint_desc d;
-  carom_joint_desc_init(&d);
+  carom_joint_desc_init(&d, sizeof d);
   if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
       !only_bits(call, 2, "desc->fields", d.fields, kJointFields) ||
       !known(call, 2, "desc->kind", d.kind, CAROM_JOINT_COUNT) || !read_ends(call, world, d, "joins", def) ||
@@ -129,7 +129,7 @@ bool check_ratio(Call& call, JointKind kind, double ratio) {
 bool read_transmission(Call& call, const World& world, Joint joint, const carom_joint_transmission* given,
                        Transmission& to) {
   carom_joint_transmission d;
-  carom_joint_transmission_init(&d);
+  carom_joint_transmission_init(&d, sizeof d);
   if (!read_struct(call, 3, "transmission", given, d) ||
       !only_bits(call, 3, "transmission->fields", d.fields, CAROM_JOINT_FIELD_LENGTH) ||
       !check_ratio(call, joint.def.kind, d.ratio) ||
@@ -177,7 +177,7 @@ bool drivable(Call& call, const Joint& joint, std::uint32_t coordinate) {
 
 bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_joint_limit* given, JointDrive& drive) {
   carom_joint_limit d;
-  carom_joint_limit_init(&d);
+  carom_joint_limit_init(&d, sizeof d);
   if (!free_coordinate(call, joint, coordinate) || !read_struct(call, 4, "limit", given, d) ||
       !known(call, 4, "limit->enabled", d.enabled, 2))
     return false;
@@ -190,7 +190,7 @@ bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_
 }
 bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_joint_motor* given, JointDrive& drive) {
   carom_joint_motor d;
-  carom_joint_motor_init(&d);
+  carom_joint_motor_init(&d, sizeof d);
   if (!drivable(call, joint, coordinate) || !read_struct(call, 4, "motor", given, d) ||
       !known(call, 4, "motor->enabled", d.enabled, 2) ||
       !in_range(call, 4, "motor->speed", d.speed, -kFastestMotor, kFastestMotor) ||
@@ -202,7 +202,7 @@ bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_
 bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_joint_spring* given,
           JointDrive& drive) {
   carom_joint_spring d;
-  carom_joint_spring_init(&d);
+  carom_joint_spring_init(&d, sizeof d);
   if (!drivable(call, joint, coordinate) || !read_struct(call, 4, "spring", given, d) ||
       !known(call, 4, "spring->enabled", d.enabled, 2))
     return false;
@@ -263,24 +263,24 @@ using namespace carom::abi;
 
 extern "C" {
 
-int32_t carom_joint_desc_init(carom_joint_desc* desc) {
-  if (begin_desc(desc) != CAROM_OK) return CAROM_E_NULL_ARGUMENT;
-  desc->orientation_a[3] = desc->orientation_b[3] = 1;
-  return CAROM_OK;
+int32_t carom_joint_desc_init(carom_joint_desc* desc, uint32_t struct_size) {
+  return init_struct(desc, struct_size, [](carom_joint_desc& d) {
+    d.orientation_a[3] = d.orientation_b[3] = 1;
+  });
 }
-int32_t carom_joint_limit_init(carom_joint_limit* limit) { return begin_desc(limit); }
-int32_t carom_joint_motor_init(carom_joint_motor* motor) { return begin_desc(motor); }
-int32_t carom_joint_spring_init(carom_joint_spring* spring) {
-  if (begin_desc(spring) != CAROM_OK) return CAROM_E_NULL_ARGUMENT;
-  spring->frequency = spring->damping = 1;
-  spring->most = kStrongestMotor;
-  return CAROM_OK;
+int32_t carom_joint_limit_init(carom_joint_limit* limit, uint32_t struct_size) { return init_struct(limit, struct_size); }
+int32_t carom_joint_motor_init(carom_joint_motor* motor, uint32_t struct_size) { return init_struct(motor, struct_size); }
+int32_t carom_joint_spring_init(carom_joint_spring* spring, uint32_t struct_size) {
+  return init_struct(spring, struct_size, [](carom_joint_spring& d) {
+    d.frequency = d.damping = 1;
+    d.most = kStrongestMotor;
+  });
 }
 
-int32_t carom_joint_transmission_init(carom_joint_transmission* transmission) {
-  if (begin_desc(transmission) != CAROM_OK) return CAROM_E_NULL_ARGUMENT;
-  transmission->ratio = 1;
-  return CAROM_OK;
+int32_t carom_joint_transmission_init(carom_joint_transmission* transmission, uint32_t struct_size) {
+  return init_struct(transmission, struct_size, [](carom_joint_transmission& d) {
+    d.ratio = 1;
+  });
 }
 
 int32_t carom_joint_create(carom_world* world, const carom_joint_desc* desc, carom_joint* joint, carom_error* error) {

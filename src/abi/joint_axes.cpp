@@ -56,7 +56,7 @@ bool may_turn(Call& call, const Joint& joint) {
 
 bool read_axis(Call& call, std::uint32_t axis, const carom_joint_axis* given, JointAxis& to) {
   carom_joint_axis d;
-  carom_joint_axis_init(&d);
+  carom_joint_axis_init(&d, sizeof d);
   const double far = axis < kPlaces ? kLongestJoint : std::numbers::pi;
   if (!read_struct(call, 4, "desc", given, d) || !known(call, 4, "desc->mode", d.mode, CAROM_AXIS_MODE_COUNT) ||
       !known(call, 4, "desc->drive", d.drive, CAROM_DRIVE_COUNT) ||
@@ -104,7 +104,7 @@ bool read_turn(Call& call, const carom_joint_orientation_drive* given, TurnDrive
   static constexpr const char* kEffort[] = {"drive->effort[0]", "drive->effort[1]", "drive->effort[2]"};
   static constexpr const char* kMost[] = {"drive->most[0]", "drive->most[1]", "drive->most[2]"};
   carom_joint_orientation_drive d;
-  carom_joint_orientation_drive_init(&d);
+  carom_joint_orientation_drive_init(&d, sizeof d);
   if (!read_struct(call, 3, "drive", given, d) || !known(call, 3, "drive->drive", d.drive, CAROM_DRIVE_COUNT) ||
       !only_bits(call, 3, "drive->reserved", d.reserved, 0) || !unit(call, 3, "drive->target", d.target, 4) ||
       !all_in_range(call, kVelocity, d.velocity, -kFastestMotor, kFastestMotor) ||
@@ -135,16 +135,16 @@ using namespace carom::abi;
 
 extern "C" {
 
-int32_t carom_joint_axis_init(carom_joint_axis* axis) {
-  if (begin_desc(axis) != CAROM_OK) return CAROM_E_NULL_ARGUMENT;
-  axis->most = kStrongestMotor;
-  return CAROM_OK;
+int32_t carom_joint_axis_init(carom_joint_axis* axis, uint32_t struct_size) {
+  return init_struct(axis, struct_size, [](carom_joint_axis& d) {
+    d.most = kStrongestMotor;
+  });
 }
-int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive* drive) {
-  if (begin_desc(drive) != CAROM_OK) return CAROM_E_NULL_ARGUMENT;
-  drive->target[3] = 1;
-  drive->most[0] = drive->most[1] = drive->most[2] = kStrongestMotor;
-  return CAROM_OK;
+int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive* drive, uint32_t struct_size) {
+  return init_struct(drive, struct_size, [](carom_joint_orientation_drive& d) {
+    d.target[3] = 1;
+    d.most[0] = d.most[1] = d.most[2] = kStrongestMotor;
+  });
 }
 
 int32_t carom_joint_set_axis(carom_world* world, carom_joint joint, uint32_t axis, const carom_joint_axis* desc,

@@ -20,7 +20,7 @@ constexpr double kLargestFriction = 1e3, kLargestResistance = 1e3;  // 1, m
 /// @param argument  where desc stands in the C signature
 bool read_material(Call& call, int argument, const carom_material_desc* given, Material& material) {
   carom_material_desc d;
-  carom_material_desc_init(&d);
+  carom_material_desc_init(&d, sizeof d);
   if (!read_struct(call, argument, "desc", given, d) || !only_bits(call, argument, "desc->reserved", d.reserved, 0) ||
       !known(call, argument, "desc->friction_mix", d.friction_mix, kMixes) ||
       !known(call, argument, "desc->restitution_mix", d.restitution_mix, kMixes) ||
@@ -47,14 +47,12 @@ using namespace carom::abi;
 
 extern "C" {
 
-int32_t carom_material_desc_init(carom_material_desc* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
-  desc->friction_mix = CAROM_MIX_GEOMETRIC_MEAN;
-  desc->restitution_mix = CAROM_MIX_MAXIMUM;
-  desc->friction = 0.5;
-  return CAROM_OK;
+int32_t carom_material_desc_init(carom_material_desc* desc, uint32_t struct_size) {
+  return init_struct(desc, struct_size, [](carom_material_desc& d) {
+    d.friction_mix = CAROM_MIX_GEOMETRIC_MEAN;
+    d.restitution_mix = CAROM_MIX_MAXIMUM;
+    d.friction = 0.5;
+  });
 }
 
 int32_t carom_material_create(carom_world* world, const carom_material_desc* desc, carom_material* material,

@@ -35,7 +35,7 @@ bool check_capacity(Call& call, int argument, std::uint64_t capacity) {
 
 /// @param argument  where desc stands in the C signature
 bool read_desc(Call& call, int argument, const carom_particles_desc* given, carom_particles_desc& d) {
-  carom_particles_desc_init(&d);
+  carom_particles_desc_init(&d, sizeof d);
   return (!given || read_struct(call, argument, "desc", given, d)) &&
          only_bits(call, argument, "desc->reserved", d.reserved, 0) &&
          in_range(call, argument, "desc->gravity_factor", d.gravity_factor, -kLargestFactor, kLargestFactor) &&
@@ -157,12 +157,10 @@ using namespace carom::abi;
 
 extern "C" {
 
-int32_t carom_particles_desc_init(carom_particles_desc* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
-  desc->gravity_factor = desc->mass = 1;
-  return CAROM_OK;
+int32_t carom_particles_desc_init(carom_particles_desc* desc, uint32_t struct_size) {
+  return init_struct(desc, struct_size, [](carom_particles_desc& d) {
+    d.gravity_factor = d.mass = 1;
+  });
 }
 
 int32_t carom_particles_create(carom_world* world, const carom_particles_desc* desc, carom_particles* set,

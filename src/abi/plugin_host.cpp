@@ -6,6 +6,7 @@
 #include "abi/engine.h"
 #include "abi/forms.h"
 #include "abi/loader.h"
+#include "abi/standard_shapes.h"
 #include "collision/verify.h"
 
 namespace carom::abi {
@@ -41,7 +42,8 @@ bool check_params(Call& call, const carom_shape_plugin& d) {
                      d.param_count);
   for (std::uint32_t i = 0; i < d.param_count; ++i) {
     const carom_param& p = d.params[i];
-    if (!p.name || !p.unit) return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: params[%u] lacks a name or unit", d.id, i);
+    if (!p.name || !p.name[0] || !p.unit || !p.unit[0])
+      return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: params[%u] lacks a name or a unit; the unit of a plain number is \"1\"", d.id, i);
     if (!(p.min <= p.max))
       return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: params[%u] has bounds [%g, %g]", d.id, i, p.min, p.max);
   }
@@ -132,7 +134,7 @@ bool check_honest(Call& call, const PluginRecord& record, Memory* memory) {
     if (trial == kTrials) return true;
     sample_params(record, trial++, sample.params);
   } while (broken_rule(record, sample.params.data()));
-  sample.support = record.description.support;
+  sample.support = record.description.support, sample.user = record.description.user;
   return ask_honest(call, record.id.c_str(), 2, sample);
 }
 
@@ -223,6 +225,29 @@ int32_t carom_plugin_unload(carom_engine* engine, carom_plugin plugin, carom_err
     record = nullptr;
     engine->plugin_slots.release(handle_slot(plugin));
   });
+}
+
+int32_t carom_plugins_register_standard(carom_engine* engine, carom_error* error) {
+  const auto shapes = standard_shapes();
+  std::int32_t result = guarded(error, [&](Call& call) {
+    if (present(call, 1, "engine", engine) && shapes.empty())
+      call.fail(CAROM_E_UNSUPPORTED, 0,
+                "no plugins are linked into this library: carom_shape_create_named() finds files, carom_plugin_load() loads one");
+  });
+  carom_plugin handle = CAROM_NULL_HANDLE;
+  const auto has = [&](const carom_shape_plugin* shape) {
+    return carom_plugin_find(engine, shape->id, &handle, nullptr) == CAROM_OK;
+  };
+  std::uint64_t made = 0;  // bit i: by this call
+  for (std::size_t i = 0; i < shapes.size() && result == CAROM_OK; ++i) {
+    if (has(shapes[i])) continue;
+    result = carom_plugin_register(engine, shapes[i], &handle, error);
+    if (result == CAROM_OK) made |= std::uint64_t(1) << i;
+    if (result == CAROM_E_ALREADY_EXISTS) result = CAROM_OK;  // another thread was faster
+  }
+  for (std::size_t i = 0; i < shapes.size() && result != CAROM_OK; ++i)
+    if (made >> i & 1 && has(shapes[i])) carom_plugin_unload(engine, handle, nullptr);
+  return result;
 }
 
 int32_t carom_plugin_find(carom_engine* engine, const char* id, carom_plugin* plugin, carom_error* error) {

@@ -123,7 +123,7 @@ int32_t carom_body_create_named(carom_world* world, uint32_t type, const char* n
   });
   if (result != CAROM_OK) return result;
   carom_collider_desc collider_desc;
-  carom_collider_desc_init(&collider_desc);
+  carom_collider_desc_init(&collider_desc, sizeof collider_desc);
   collider_desc.shape = shape_like(world->engine, name, params, count);
   const bool is_new = !collider_desc.shape;
   if (is_new) {
@@ -131,7 +131,7 @@ int32_t carom_body_create_named(carom_world* world, uint32_t type, const char* n
     if (result != CAROM_OK) return blamed_on(result, error && error->argument > 1 ? error->argument + 1 : 0, error);
   }
   carom_body_desc desc;
-  carom_body_desc_init(&desc);
+  carom_body_desc_init(&desc, sizeof desc);
   desc.type = type;
   std::copy_n(position, 3, desc.position);
   carom_body made = CAROM_NULL_HANDLE;

@@ -85,17 +85,15 @@ using namespace carom::abi;
 
 extern "C" {
 
-int32_t carom_distance_desc_init(carom_distance_desc* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
-  desc->simplex = CAROM_SIMPLEX_VORONOI_LAST;
-  desc->narrow_phase = CAROM_NARROW_GJK_EPA;
-  desc->tolerance = 1e-6;
-  desc->hybrid_margin = row(Dial::hybrid_margin).initial;
-  desc->gjk_iterations = 128;
-  desc->epa_iterations = 256;
-  return CAROM_OK;
+int32_t carom_distance_desc_init(carom_distance_desc* desc, uint32_t struct_size) {
+  return init_struct(desc, struct_size, [](carom_distance_desc& d) {
+    d.simplex = CAROM_SIMPLEX_VORONOI_LAST;
+    d.narrow_phase = CAROM_NARROW_GJK_EPA;
+    d.tolerance = 1e-6;
+    d.hybrid_margin = row(Dial::hybrid_margin).initial;
+    d.gjk_iterations = 128;
+    d.epa_iterations = 256;
+  });
 }
 
 int32_t carom_shape_distance(carom_engine* engine, carom_shape shape_a, const double position_a[3],
@@ -104,7 +102,7 @@ int32_t carom_shape_distance(carom_engine* engine, carom_shape shape_a, const do
                              carom_error* error) {
   return guarded(error, [&](Call& call) {
     carom_distance_desc known_desc;
-    carom_distance_desc_init(&known_desc);
+    carom_distance_desc_init(&known_desc, sizeof known_desc);
     if (!present(call, 1, "engine", engine)) return;
     ShapePin a(*engine), b(*engine);
     if (!a.take(call, 2, "shape_a", shape_a) || !carom::abi::finite(call, 3, "position_a", position_a, 3) ||

@@ -120,26 +120,19 @@ using namespace carom::abi;
 
 extern "C" {
 
-int32_t carom_mesh_desc_init(carom_mesh_desc* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
-  return CAROM_OK;
-}
+int32_t carom_mesh_desc_init(carom_mesh_desc* desc, uint32_t struct_size) { return init_struct(desc, struct_size); }
 
-int32_t carom_height_field_desc_init(carom_height_field_desc* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
-  desc->spacing[0] = desc->spacing[1] = 1;
-  return CAROM_OK;
+int32_t carom_height_field_desc_init(carom_height_field_desc* desc, uint32_t struct_size) {
+  return init_struct(desc, struct_size, [](carom_height_field_desc& d) {
+    d.spacing[0] = d.spacing[1] = 1;
+  });
 }
 
 int32_t carom_shape_create_mesh(carom_engine* engine, const carom_mesh_desc* desc, carom_shape* shape,
                                 carom_error* error) {
   return guarded(error, [&](Call& call) {
     carom_mesh_desc defaults;
-    carom_mesh_desc_init(&defaults);
+    carom_mesh_desc_init(&defaults, sizeof defaults);
     create(call, engine, desc, defaults, shape,
            [](Call& c, const carom_mesh_desc& d, ShapeDraft& draft) { return draft_mesh(c, d, draft); });
   });
@@ -149,7 +142,7 @@ int32_t carom_shape_create_height_field(carom_engine* engine, const carom_height
                                         carom_error* error) {
   return guarded(error, [&](Call& call) {
     carom_height_field_desc defaults;
-    carom_height_field_desc_init(&defaults);
+    carom_height_field_desc_init(&defaults, sizeof defaults);
     create(call, engine, desc, defaults, shape, draft_height_field);
   });
 }

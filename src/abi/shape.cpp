@@ -95,7 +95,7 @@ bool settle(Call& call, const PluginRecord& plugin, const double* params, std::u
   const FloatScope scope;
   const char* id = plugin.id.c_str();
   shape.params.assign(params, params + count);
-  shape.support = plugin.description.support;
+  shape.support = plugin.description.support, shape.user = plugin.description.user;
   shape.host_thread = plugin.description.flags & CAROM_PLUGIN_HOST_THREAD;
   if (plugin.geometry.core_radius_param != CAROM_NO_PARAM) {
     shape.core_radius = shape.params[plugin.geometry.core_radius_param];
@@ -140,7 +140,7 @@ void fill_info(const ShapeRecord& record, carom_shape_info& info) {
 bool support(Call& call, const Shape& shape, const double* dir, double* out) {
   const Vec3 d = to_vec3(dir);
   const Real largest = d.abs().max_entry();  // scaled first: the square of 1e200 is not a number
-  const std::int32_t result = shape.support(shape.params.data(), shape.params.size(), dir, out);
+  const std::int32_t result = shape.support(shape.user, shape.params.data(), shape.params.size(), dir, out);
   if (result != 0 || !carom::finite(to_vec3(out))) {
     call.witness(dir, out);
     return call.fail(CAROM_E_PLUGIN_DISHONEST, 2, "support returned %d with (%g, %g, %g)", result, out[0], out[1],

@@ -68,14 +68,14 @@ bool draft_half_space(Call& call, const ShapeImage& image, ShapeDraft& draft) {
 bool draft_scenery(Call& call, const ShapeImage& image, ShapeDraft& draft) {
   if (image.kind == ShapeImage::mesh) {
     carom_mesh_desc d;
-    carom_mesh_desc_init(&d);
+    carom_mesh_desc_init(&d, sizeof d);
     d.flags = image.two_sided ? CAROM_SCENERY_TWO_SIDED : 0;
     d.vertices = image.numbers.data(), d.vertex_count = image.numbers.size() / 3;
     d.triangles = image.corners.data(), d.triangle_count = image.corners.size() / 3;
     return draft_mesh(call, d, draft, image.dropped);
   }
   carom_height_field_desc d;
-  carom_height_field_desc_init(&d);
+  carom_height_field_desc_init(&d, sizeof d);
   d.columns = image.columns, d.rows = image.rows, d.heights = image.numbers.data();
   d.spacing[0] = image.spacing_x, d.spacing[1] = image.spacing_z;
   return draft_height_field(call, d, draft);

@@ -25,7 +25,7 @@ bool check_gravity(Call& call, int argument, const double gravity[3]) {
 
 void create(Call& call, carom_engine* engine, const carom_world_desc* given, carom_world** world) {
   carom_world_desc desc;
-  carom_world_desc_init(&desc);
+  carom_world_desc_init(&desc, sizeof desc);
   if (!present(call, 1, "engine", engine) || (given && !read_struct(call, 2, "desc", given, desc)) ||
       !only_bits(call, 2, "desc->reserved", desc.reserved, 0) || !check_gravity(call, 2, desc.gravity) ||
       !present(call, 3, "world", world))
@@ -145,12 +145,10 @@ using namespace carom::abi;
 
 extern "C" {
 
-int32_t carom_world_desc_init(carom_world_desc* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
-  desc->gravity[1] = -9.81;
-  return CAROM_OK;
+int32_t carom_world_desc_init(carom_world_desc* desc, uint32_t struct_size) {
+  return init_struct(desc, struct_size, [](carom_world_desc& d) {
+    d.gravity[1] = -9.81;
+  });
 }
 
 int32_t carom_world_create(carom_engine* engine, const carom_world_desc* desc, carom_world** world,

@@ -13,7 +13,7 @@ namespace {
 /// Take in a descriptor, or the defaults.
 bool read_desc(Call& call, int argument, const World& world, const carom_query_desc* given, QueryOptions& options) {
   carom_query_desc d;
-  carom_query_desc_init(&d);
+  carom_query_desc_init(&d, sizeof d);
   if ((given && !read_struct(call, argument, "desc", given, d)) ||
       !only_bits(call, argument, "desc->flags", d.flags, CAROM_ASK_GENERIC | CAROM_ASK_SENSORS) ||
       !only_bits(call, argument, "desc->reserved", d.reserved, 0) ||
@@ -125,7 +125,7 @@ bool check_records(Call& call, int argument, std::uint64_t n, const carom_world_
   return element_stride<carom_world_hit>(call, argument + 1, stride);
 }
 
-std::int32_t point_support(const double*, std::uint64_t, const double*, double* out) {
+std::int32_t point_support(void*, const double*, std::uint64_t, const double*, double* out) {
   out[0] = out[1] = out[2] = 0;
   return 0;
 }
@@ -267,14 +267,12 @@ using namespace carom::abi;
 
 extern "C" {
 
-int32_t carom_query_desc_init(carom_query_desc* desc) {
-  if (!desc) return CAROM_E_NULL_ARGUMENT;
-  *desc = {};
-  desc->struct_size = sizeof *desc;
-  desc->category = desc->mask = ~std::uint64_t(0);
-  desc->tolerance = CastSettings().tolerance;
-  desc->iterations = static_cast<std::uint32_t>(CastSettings().cap);
-  return CAROM_OK;
+int32_t carom_query_desc_init(carom_query_desc* desc, uint32_t struct_size) {
+  return init_struct(desc, struct_size, [](carom_query_desc& d) {
+    d.category = d.mask = ~std::uint64_t(0);
+    d.tolerance = CastSettings().tolerance;
+    d.iterations = static_cast<std::uint32_t>(CastSettings().cap);
+  });
 }
 
 int32_t carom_world_cast_ray(carom_world* world, const double origin[3], const double direction[3], double max,

@@ -17,7 +17,7 @@ Real limit2(const Shape& s) {
 }  // namespace
 
 bool Core::ask(const Vec3& n, Vec3& out) {
-  returned_ = shape_->support(shape_->params.data(), shape_->params.size(), n.data(), out.data());
+  returned_ = shape_->support(shape_->user, shape_->params.data(), shape_->params.size(), n.data(), out.data());
   return returned_ == 0 && out.squared_norm() <= limit2(*shape_);  // a comparison that a NaN fails
 }
 

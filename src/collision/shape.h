@@ -14,7 +14,7 @@ namespace carom::collision {
 struct Scenery;  // scenery/scenery.h: many triangles
 
 /// Support function of a bounded convex set, the only code a shape brings. Same type as carom_support_fn in plugin.h.
-using SupportFn = std::int32_t (*)(const double* params, std::uint64_t count, const double dir[3], double out[3]);
+using SupportFn = std::int32_t (*)(void* user, const double* params, std::uint64_t count, const double dir[3], double out[3]);
 
 /// Closed forms, verified against the support function. Numbered as CAROM_FORM_* up to ellipsoid.
 enum class Form : std::uint32_t { none, sphere, capsule, box, polytope, cylinder, cone, ellipsoid, half_space, scenery, count };
@@ -45,6 +45,7 @@ struct Shape {
   Form form = Form::none;
   bool host_thread = false;      // support may be called on the stepping thread only
   SupportFn support = nullptr;   // of the core; null for the half-space
+  void* user = nullptr;          // whatever it wants to be handed
   Array<double> params;          // [n] owned here, immutable, what support is given
   Real core_radius = 0;          // m: the shape is the core swollen by this
   Real bounding_radius = 0;      // m, about the shape's origin, core radius included

@@ -23,7 +23,7 @@ inline constexpr Real kSloppiness = 1e-9;
 inline bool core_support(const Shape& shape, const Vec3& d, Vec3& out, SupportFault& fault) {
   double got[3] = {0, 0, 0};
   const double asked[3] = {d.x(), d.y(), d.z()};
-  const std::int32_t status = shape.support(shape.params.data(), shape.params.size(), asked, got);
+  const std::int32_t status = shape.support(shape.user, shape.params.data(), shape.params.size(), asked, got);
   out = Vec3(got[0], got[1], got[2]);
   if (status == 0 && std::fabs(got[0]) <= kMaxReach && std::fabs(got[1]) <= kMaxReach && std::fabs(got[2]) <= kMaxReach)
     return true;

@@ -109,8 +109,15 @@ void World::remove_body(std::uint32_t body) {
 }
 
 Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& local, Real density,
-                           std::uint32_t material) {
+                           std::uint32_t material, const ColliderSettings& settings) {
   Colliders& c = scene.colliders;
+  const auto grow = [&](bool is_unusual, auto& all) {
+    const std::uint32_t slots = scene.collider_slots.slots() + 1;
+    if (is_unusual && all.size() < slots) all.resize(slots, {});
+  };
+  grow(settings.filter != Filter(), c.filter);
+  grow(settings.sensor, c.sensor);
+  grow(settings.surface.any(), scene.surface);
   make_room(scene.collider_slots.slots(), c.shape, c.local, c.body, c.material, c.density, c.frame, c.bounds, c.reach,
             c.movable, c.muted, c.next, c.travel);
   make_room(c.live.size(), c.live);
@@ -119,6 +126,10 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   if (handle == 0) return 0;
   const std::uint32_t i = handle_slot(handle);
   fill_collider(i, body, shape, local, density, material);
+  if (i < c.filter.size()) c.filter[i] = settings.filter;
+  if (i < c.sensor.size()) c.sensor[i] = settings.sensor;
+  if (i < scene.surface.size()) scene.surface[i] = settings.surface;
+  scene.belts += settings.surface.any();
   settle_mass(body);
   queries->note_changed(i);
   queries->note_moved(body);
@@ -140,8 +151,6 @@ void World::fill_collider(std::uint32_t i, std::uint32_t body, const Shape* shap
   put(c.reach, i, Real(0));
   put(c.movable, i, how_moved(scene.type[body]));
   put(c.muted, i, std::uint8_t(0));
-  if (i < c.filter.size()) c.filter[i] = Filter();
-  if (i < c.sensor.size()) c.sensor[i] = 0;
   std::uint32_t& link = link_to(scene, body, i);
   put(c.next, i, link);
   link = i;
@@ -239,6 +248,12 @@ void World::set_surface_velocity(std::uint32_t collider, const SurfaceVelocity& 
   scene.surface[collider] = surface;
   scene.belts += surface.any(), scene.belts -= was.any();
   ++scene.revision;
+}
+
+void World::make_room_for_another(AttributeId id) {
+  const std::uint32_t slots = scene.bodies.slots() + 1;
+  if (id == AttributeId::locks && scene.locks.size() < slots) scene.locks.resize(slots, 0);
+  scene.attributes.make_room(id, slots);
 }
 
 void World::set_attribute(std::uint32_t body, AttributeId id, const AttributeValue& value) {

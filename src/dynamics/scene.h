@@ -60,6 +60,13 @@ struct SurfaceVelocity {
   bool any() const { return linear != Vec3::zero() || angular != Vec3::zero(); }
 };
 
+/// What a collider may be made with beyond what it cannot be without.
+struct ColliderSettings {
+  Filter filter;
+  bool sensor = false;
+  SurfaceVelocity surface;
+};
+
 /// What of a body's motion is held, in world axes: bits as CAROM_LOCK_*.
 using Locks = std::uint8_t;
 inline constexpr Locks kLinearLocks = 7, kAngularLocks = 56, kAllLocks = 63;

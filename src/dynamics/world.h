@@ -98,7 +98,8 @@ class World {
   // ---- editing (between steps). Slots are valid; the caller resolved handles. ----
   Handle add_body(const BodyDef& def);   // 0: all slots taken
   void remove_body(std::uint32_t body);  // its colliders and joints too
-  Handle add_collider(std::uint32_t body, const Shape* shape, const Pose& local, Real density, std::uint32_t material);
+  Handle add_collider(std::uint32_t body, const Shape* shape, const Pose& local, Real density, std::uint32_t material,
+                      const ColliderSettings& settings = {});
   void remove_collider(std::uint32_t collider);
   Handle add_material(const Material& m);
   void set_material(std::uint32_t material, const Material& m);
@@ -114,6 +115,7 @@ class World {
   void set_sensor(std::uint32_t collider, bool sensor);
   void set_surface_velocity(std::uint32_t collider, const SurfaceVelocity& surface);
   void set_attribute(std::uint32_t body, AttributeId id, const AttributeValue& value);  // one that it may have
+  void make_room_for_another(AttributeId id);  // so that the next body may have any value of it without more memory
   void hold_apart(std::uint32_t body_a, std::uint32_t body_b);  // counted: as often as it is let go
   void let_go(std::uint32_t body_a, std::uint32_t body_b);
   void set_transmission(std::uint32_t slot, const Transmission& transmission);

@@ -8,13 +8,15 @@
 #include <string.h>
 
 /* ---- shapes ---- */
-static int32_t bench_point(const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t bench_point(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user;
   (void)params, (void)count, (void)dir;
   out[0] = out[1] = out[2] = 0;
   return 0;
 }
 
-static int32_t bench_box(const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t bench_box(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user;
   int i;
   (void)count;
   for (i = 0; i < 3; ++i) out[i] = dir[i] < 0 ? -params[i] : params[i];
@@ -92,14 +94,14 @@ static int32_t bench_body(carom_world *world, carom_shape shape, carom_material 
   carom_body_desc body_desc;
   carom_collider_desc collider_desc;
   int32_t r;
-  carom_body_desc_init(&body_desc);
+  carom_body_desc_init(&body_desc, sizeof body_desc);
   body_desc.type = type;
   body_desc.position[0] = x;
   body_desc.position[1] = y;
   body_desc.position[2] = z;
   r = carom_body_create(world, &body_desc, body, e);
   if (r) return r;
-  carom_collider_desc_init(&collider_desc);
+  carom_collider_desc_init(&collider_desc, sizeof collider_desc);
   collider_desc.shape = shape;
   collider_desc.material = material;
   return carom_collider_create(world, *body, &collider_desc, collider, e);
@@ -110,7 +112,7 @@ static int32_t bench_bodies(Bench *b, carom_error *e) {
   carom_material_desc material;
   int32_t r;
   int i;
-  carom_material_desc_init(&material);
+  carom_material_desc_init(&material, sizeof material);
   material.restitution = 0.25;
   r = carom_material_create(b->world, &material, &b->material, e);
   if (!r)
@@ -136,7 +138,7 @@ static int32_t bench_particles(Bench *b, carom_error *e) {
 /* A hinge between the first body and the third, as they stand. */
 static int32_t bench_joint(Bench *b, carom_error *e) {
   carom_joint_desc d;
-  carom_joint_desc_init(&d);
+  carom_joint_desc_init(&d, sizeof d);
   d.kind = CAROM_JOINT_HINGE, d.fields = CAROM_JOINT_WORLD_FRAME;
   d.body_a = b->bodies[0], d.body_b = b->bodies[2];
   return carom_joint_create(b->world, &d, &b->joint, e);

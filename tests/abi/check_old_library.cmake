@@ -3,10 +3,19 @@
 cmake_minimum_required(VERSION 3.25)
 include(${SOURCE_DIR}/tests/abi/gate/stub.cmake)
 file(READ ${SOURCE_DIR}/src/abi/carom.map map)
+# A version that there may be one day, so that the last one that there is has a successor.
+file(COPY ${SOURCE_DIR}/include/carom DESTINATION ${SCRATCH}/include)
+file(READ ${SCRATCH}/include/carom/base.h base)
+string(REPLACE "CAROM_API int32_t carom_version(" "CAROM_API int32_t carom_of_the_next_version(void);\nCAROM_API int32_t carom_version(" base "${base}")
+file(WRITE ${SCRATCH}/include/carom/base.h "${base}")
+string(REGEX MATCHALL "CAROM_1\\.[0-9]+ {" nodes "${map}")
+list(GET nodes -1 last)
+string(REPLACE " {" "" last "${last}")
+string(APPEND map "CAROM_1.999 {\n  global:\n    carom_of_the_next_version;\n} ${last};\n")
 string(REGEX MATCHALL "CAROM_1\\.[0-9]+ {" nodes "${map}")
 list(LENGTH nodes count)
-if(count LESS 8)
-  message(FATAL_ERROR "only ${count} nodes found in carom.map: the pattern no longer fits it")
+if(count LESS 2)
+  message(FATAL_ERROR "no nodes found in carom.map: the pattern no longer fits it")
 endif()
 
 # run(CLIENT LIBRARY_DIR): sets result, output, error.
@@ -34,7 +43,7 @@ foreach(node ${nodes})
   endif()
   set(library ${SCRATCH}/${node})
   file(WRITE ${SCRATCH}/carom.map "${now}\n")
-  build_stub(${SOURCE_DIR}/include ${SCRATCH}/carom.map ${library})
+  build_stub(${SCRATCH}/include ${SCRATCH}/carom.map ${library})
   file(WRITE ${SCRATCH}/client.c "#include <stdio.h>\nint ${function}(void);\n"
     "int main(void) { puts(\"started\"), fflush(stdout); return ${function}(); }\n")
   execute_process(COMMAND ${C_COMPILER} -O1 ${SCRATCH}/client.c -o ${library}/client ${library}/libcarom.so.1

@@ -16,12 +16,12 @@ foreach(line ${lines})
   if(line MATCHES " A CAROM_[0-9.]+(@.*)?$")  # the version node itself
     continue()
   endif()
-  if(line MATCHES "^[0-9a-f]+ T (carom_[a-z0-9_]+)@@CAROM_1\\.[012345678]$")
+  if(line MATCHES "^[0-9a-f]+ T (carom_[a-z0-9_]+)@@CAROM_1\\.0$")
     list(APPEND exported ${CMAKE_MATCH_1})
   elseif(SANITIZE AND NOT line MATCHES "carom")
     continue()  # the sanitizer's own
   else()
-    message(FATAL_ERROR "not a function carom_* of node CAROM_1.0 to 1.8: ${line}")
+    message(FATAL_ERROR "not a function carom_* of node CAROM_1.0: ${line}")
   endif()
 endforeach()
 

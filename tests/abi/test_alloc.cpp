@@ -23,7 +23,7 @@ struct Ledger {
 
   carom_engine_desc desc() {
     carom_engine_desc d;
-    carom_engine_desc_init(&d);
+    carom_engine_desc_init(&d, sizeof d);
     d.alloc_user = this;
     d.alloc = [](void* user, uint64_t size, uint64_t alignment) -> void* {
       Ledger& l = *static_cast<Ledger*>(user);
@@ -222,7 +222,7 @@ void running_out_while_a_living_world_grows_changes_nothing(void**) {
     assert_int_equal(carom_world_get_bodies(b.world, nullptr, 0, &bodies, nullptr), CAROM_OK);
     // One call, one body: it is there, or nothing is.
     carom_body_desc d;
-    carom_body_desc_init(&d);
+    carom_body_desc_init(&d, sizeof d);
     carom_body body = 77;
     ledger.fail_at = ledger.allocations + k;
     const int32_t r = carom_body_create(b.world, &d, &body, nullptr);
@@ -306,7 +306,7 @@ void running_out_in_a_step_moves_nothing_and_can_be_taken_up_again(void**) {
 /// A ball joint between the first two bodies, a hinge between the third and the world.
 int32_t join(const Bench& b, carom_joint joints[2]) {
   carom_joint_desc d;
-  carom_joint_desc_init(&d);
+  carom_joint_desc_init(&d, sizeof d);
   d.fields = CAROM_JOINT_WORLD_FRAME;
   d.body_a = b.bodies[0], d.body_b = b.bodies[1];
   int32_t r = carom_joint_create(b.world, &d, &joints[0], nullptr);
@@ -443,7 +443,7 @@ void running_out_while_destroying_changes_nothing(void**) {
     assert_int_equal(bench_make(&b, &desc, nullptr), CAROM_OK);
     assert_int_equal(bench_steps(b.world, 60, nullptr), CAROM_OK);
     carom_collider_desc second;
-    carom_collider_desc_init(&second);
+    carom_collider_desc_init(&second, sizeof second);
     second.shape = b.crate;
     carom_collider collider;
     assert_int_equal(carom_collider_create(b.world, b.bodies[0], &second, &collider, nullptr), CAROM_OK);

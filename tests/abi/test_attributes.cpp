@@ -85,7 +85,7 @@ static void who_gets_the_slot_of_another_has_nothing_of_it(void**) {
   each_attribute([&](const carom_attribute_info& info) { set(b.world, b.bodies[2], info.attribute, unusual_value(info)); });
   assert_int_equal(carom_body_destroy(b.world, b.bodies[2], nullptr), CAROM_OK);
   carom_body_desc desc;
-  carom_body_desc_init(&desc);
+  carom_body_desc_init(&desc, sizeof desc);
   for (int i = 0; i < 4; ++i) {  // one of them gets it
     carom_body body = 0;
     assert_int_equal(carom_body_create(b.world, &desc, &body, nullptr), CAROM_OK);

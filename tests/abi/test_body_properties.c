@@ -152,13 +152,13 @@ static void kinds_that_do_not_fit_are_refused(void **state) {
   carom_error e = CAROM_ERROR_INIT;
   assert_int_equal(carom_body_set_type(b->world, b->ground, CAROM_BODY_KINEMATIC, &e), CAROM_E_OUT_OF_RANGE);
   assert_int_equal(carom_body_set_type(b->world, b->bodies[0], 3, &e), CAROM_E_UNKNOWN_ENUM);
-  assert_int_equal(carom_joint_desc_init(&d), CAROM_OK);
+  assert_int_equal(carom_joint_desc_init(&d, sizeof d), CAROM_OK);
   d.kind = CAROM_JOINT_BALL, d.body_a = CAROM_NULL_HANDLE, d.body_b = b->bodies[0];
   assert_int_equal(carom_joint_create(b->world, &d, &joint, NULL), CAROM_OK);
   assert_int_equal(carom_body_set_type(b->world, b->bodies[0], CAROM_BODY_STATIC, &e), CAROM_E_OUT_OF_RANGE);
   assert_int_equal(e.argument, 3);
   assert_int_equal(carom_joint_destroy(b->world, joint, NULL), CAROM_OK);
-  assert_int_equal(carom_spring_desc_init(&tie), CAROM_OK);
+  assert_int_equal(carom_spring_desc_init(&tie, sizeof tie), CAROM_OK);
   tie.body_a = b->bodies[0];
   assert_int_equal(carom_spring_create(b->world, &tie, &spring, NULL), CAROM_OK);
   assert_int_equal(carom_body_set_type(b->world, b->bodies[0], CAROM_BODY_KINEMATIC, &e), CAROM_E_OUT_OF_RANGE);

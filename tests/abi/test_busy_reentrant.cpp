@@ -24,17 +24,17 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   std::vector<Attempt> out;
   const auto add = [&](const char* name, int32_t result) { out.push_back({name, result}); };
   carom_material_desc material;
-  carom_material_desc_init(&material);
+  carom_material_desc_init(&material, sizeof material);
   carom_body_desc body;
-  carom_body_desc_init(&body);
+  carom_body_desc_init(&body, sizeof body);
   carom_collider_desc collider;
-  carom_collider_desc_init(&collider);
+  carom_collider_desc_init(&collider, sizeof collider);
   collider.shape = b.ball;
   uint64_t handle, count;
   double v[7];
   uint32_t asleep, index = 0;
   carom_particles_desc particles;
-  carom_particles_desc_init(&particles);
+  carom_particles_desc_init(&particles, sizeof particles);
   carom_step_report report = {};
   report.struct_size = sizeof report;
   add("world_destroy", carom_world_destroy(b.world, nullptr));
@@ -136,12 +136,12 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("collider_get_surface_velocity",
       carom_collider_get_surface_velocity(b.world, b.colliders[0], linear, angular, nullptr));
   carom_force_field_desc field;
-  carom_force_field_desc_init(&field);
+  carom_force_field_desc_init(&field, sizeof field);
   carom_spring_desc tie;
-  carom_spring_desc_init(&tie);
+  carom_spring_desc_init(&tie, sizeof tie);
   tie.body_a = b.bodies[0];
   carom_water water;
-  carom_water_init(&water);
+  carom_water_init(&water, sizeof water);
   const uint64_t nothing = CAROM_NULL_HANDLE;  // BUSY comes before any look at it
   add("body_add_force_at", carom_body_add_force_at(b.world, b.bodies[0], kUp, kUp, nullptr));
   add("body_set_drag", carom_body_set_drag(b.world, b.bodies[0], 1, 1, nullptr));
@@ -187,20 +187,20 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("world_overlap_shapes", carom_world_overlap_shapes(b.world, &shapes, nullptr, nullptr, 0, 0, &count, nullptr));
   add("world_find_nearest", carom_world_find_nearest(b.world, &shapes, 1, nullptr, &hit, 0, nullptr));
   carom_joint_desc joint;
-  carom_joint_desc_init(&joint);
+  carom_joint_desc_init(&joint, sizeof joint);
   joint.body_a = b.bodies[0], joint.body_b = b.bodies[1];
   carom_joint_limit limit;
-  carom_joint_limit_init(&limit);
+  carom_joint_limit_init(&limit, sizeof limit);
   carom_joint_motor motor;
-  carom_joint_motor_init(&motor);
+  carom_joint_motor_init(&motor, sizeof motor);
   carom_joint_spring spring;
-  carom_joint_spring_init(&spring);
+  carom_joint_spring_init(&spring, sizeof spring);
   carom_joint_transmission transmission;
-  carom_joint_transmission_init(&transmission);
+  carom_joint_transmission_init(&transmission, sizeof transmission);
   carom_joint_axis axis;
-  carom_joint_axis_init(&axis);
+  carom_joint_axis_init(&axis, sizeof axis);
   carom_joint_orientation_drive turn;
-  carom_joint_orientation_drive_init(&turn);
+  carom_joint_orientation_drive_init(&turn, sizeof turn);
   carom_joint_state joint_state = {};
   joint_state.struct_size = sizeof joint_state;
   const carom_joint none = CAROM_NULL_HANDLE;  // BUSY comes before any look at it
@@ -264,7 +264,7 @@ std::vector<Attempt> try_engine_calls(const Bench& b) {
   carom_overlap overlap = {};
   overlap.struct_size = sizeof overlap;
   carom_motion motion;
-  carom_motion_init(&motion);
+  carom_motion_init(&motion, sizeof motion);
   carom_rays rays = {};
   rays.struct_size = sizeof rays;
   carom_ray_hits hits = {};
@@ -303,12 +303,12 @@ void expect_all(const std::vector<Attempt>& attempts, int32_t code) {
 /// What a support function does when it is asked: called once, then behaves.
 void (*in_support)() = nullptr;
 
-int32_t scheming_box(const double* params, uint64_t count, const double dir[3], double out[3]) {
+int32_t scheming_box(void*, const double* params, uint64_t count, const double dir[3], double out[3]) {
   if (auto* act = in_support) {
     in_support = nullptr;
     act();
   }
-  return bench_box(params, count, dir, out);
+  return bench_box(nullptr, params, count, dir, out);
 }
 
 Bench stage;
@@ -369,7 +369,7 @@ void an_allocator_and_a_log_that_call_back_are_refused(void**) {
   static bool active;
   results.clear();
   carom_engine_desc desc;
-  carom_engine_desc_init(&desc);
+  carom_engine_desc_init(&desc, sizeof desc);
   desc.alloc = [](void*, uint64_t size, uint64_t alignment) -> void* {
     carom_engine* inner = nullptr;
     if (active) results.push_back(carom_engine_create(nullptr, &inner, nullptr));

@@ -46,7 +46,7 @@ static void shapes_are_cast_and_meet_in_time(void **state) {
   const double above[3] = {0, 5, 0}, motion[3] = {0, -10, 0}, beside[3] = {0.1, 0.2, 0};
   (void)state;
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
-  carom_cast_desc_init(&desc);
+  carom_cast_desc_init(&desc, sizeof desc);
   assert_int_equal(carom_shape_cast(b.engine, b.ball, above, upright, motion, b.crate, zero, upright, NULL, &r, NULL),
                    CAROM_OK);
   assert_true(r.outcome == CAROM_CAST_HIT && near_to(r.time, 0.425, 1e-12) && near_to(r.normal[1], -1, 1e-12));
@@ -60,8 +60,8 @@ static void shapes_are_cast_and_meet_in_time(void **state) {
   assert_true(r.outcome == CAROM_CAST_OVERLAP && near_to(r.separation, -0.55, 1e-5));
 
   /* A crate that turns about its end strikes the floor: its corner, 1 m and 0.25 m from the centre of rotation. */
-  carom_motion_init(&still);
-  carom_motion_init(&rod);
+  carom_motion_init(&still, sizeof still);
+  carom_motion_init(&rod, sizeof rod);
   rod.position[0] = 0.5;
   rod.position[1] = 0.9;
   rod.center[0] = -0.5;
@@ -202,8 +202,9 @@ static void a_batch_takes_and_gives_floats_and_prefixes(void **state) {
 
 /* Lies once asked often enough: making the shape comes first. */
 static int calls_left = 1 << 30;
-static int32_t tiring(const double *params, uint64_t count, const double dir[3], double out[3]) {
-  return --calls_left < 0 ? 5 : bench_box(params, count, dir, out);
+static int32_t tiring(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user;
+  return --calls_left < 0 ? 5 : bench_box(NULL, params, count, dir, out);
 }
 
 static void a_fault_is_a_status_and_spoils_no_other_ray(void **state) {

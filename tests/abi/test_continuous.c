@@ -12,8 +12,8 @@ static carom_body plate(Bench *b) {
   carom_collider_desc part;
   carom_collider collider;
   assert_int_equal(carom_shape_create(b->engine, b->box, half, 3, &sheet, NULL), CAROM_OK);
-  carom_body_desc_init(&desc);
-  carom_collider_desc_init(&part);
+  carom_body_desc_init(&desc, sizeof desc);
+  carom_collider_desc_init(&part, sizeof part);
   desc.type = CAROM_BODY_STATIC, desc.position[1] = 30;
   part.shape = sheet;
   assert_int_equal(carom_body_create(b->world, &desc, &body, NULL), CAROM_OK);
@@ -45,7 +45,7 @@ static void a_mode_is_kept_until_the_body_goes(void **state) {
   {
     carom_body_desc desc;
     carom_body again;
-    carom_body_desc_init(&desc);
+    carom_body_desc_init(&desc, sizeof desc);
     assert_int_equal(carom_body_create(b.world, &desc, &again, NULL), CAROM_OK); /* takes the slot, not the mode */
     assert_int_equal(carom_body_get_continuous(b.world, again, &mode, NULL), CAROM_OK);
     assert_int_equal(mode, CAROM_CONTINUOUS_AUTO);

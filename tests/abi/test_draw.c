@@ -10,7 +10,7 @@ static carom_draw_line lines[MOST];
 static uint64_t drawn(carom_world *world, uint32_t what, uint32_t colouring) {
   carom_draw_desc d;
   uint64_t count = 0;
-  assert_int_equal(carom_draw_desc_init(&d), CAROM_OK);
+  assert_int_equal(carom_draw_desc_init(&d, sizeof d), CAROM_OK);
   d.what = what, d.colouring = colouring, d.scale = 0.25;
   assert_int_equal(carom_world_draw(world, &d, lines, 0, MOST, &count, NULL), CAROM_OK);
   assert_true(count <= MOST);
@@ -65,9 +65,9 @@ static void scenery_has_each_side_once(void **state) {
   carom_collider collider;
   (void)state;
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
-  carom_mesh_desc_init(&d), d.vertices = xyz, d.vertex_count = 4, d.triangles = corners, d.triangle_count = 2;
+  carom_mesh_desc_init(&d, sizeof d), d.vertices = xyz, d.vertex_count = 4, d.triangles = corners, d.triangle_count = 2;
   assert_int_equal(carom_shape_create_mesh(b.engine, &d, &mesh, NULL), CAROM_OK);
-  carom_body_desc_init(&bd), bd.type = CAROM_BODY_STATIC, carom_collider_desc_init(&cd), cd.shape = mesh;
+  carom_body_desc_init(&bd, sizeof bd), bd.type = CAROM_BODY_STATIC, carom_collider_desc_init(&cd, sizeof cd), cd.shape = mesh;
   assert_int_equal(carom_body_create(b.world, &bd, &body, NULL), CAROM_OK);
   assert_int_equal(carom_collider_create(b.world, body, &cd, &collider, NULL), CAROM_OK);
   assert_int_equal(drawn(b.world, CAROM_DRAW_SCENERY, CAROM_DRAW_BY_TYPE), 5);
@@ -84,7 +84,7 @@ static void contacts_joints_and_islands_are_told_apart(void **state) {
   uint32_t colour[4] = {0, 0, 0, 0};
   (void)state;
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
-  carom_joint_desc_init(&jd);
+  carom_joint_desc_init(&jd, sizeof jd);
   jd.kind = CAROM_JOINT_BALL, jd.fields = CAROM_JOINT_WORLD_FRAME, jd.body_a = b.bodies[0], jd.body_b = b.bodies[1];
   jd.position_a[1] = 1.25;
   assert_int_equal(carom_joint_create(b.world, &jd, &joint, NULL), CAROM_OK);
@@ -121,7 +121,7 @@ static void looking_changes_nothing_and_bad_wishes_are_refused(void **state) {
   assert_int_equal(carom_world_hash(b.world, &after, NULL), CAROM_OK);
   assert_true(before == after);
   /* as many as there is room for; without a place, their number */
-  carom_draw_desc_init(&d), d.what = 63;
+  carom_draw_desc_init(&d, sizeof d), d.what = 63;
   lines[3].colour = 12345;
   assert_int_equal(carom_world_draw(b.world, &d, lines, sizeof *lines, 3, &count, NULL), CAROM_OK);
   assert_true(count == all && lines[3].colour == 12345);
@@ -131,7 +131,7 @@ static void looking_changes_nothing_and_bad_wishes_are_refused(void **state) {
   assert_true(count == 12 + 3 * 3 * 32);
 
 #define REFUSED(change, code) \
-  (carom_draw_desc_init(&d), change, count = 77, \
+  (carom_draw_desc_init(&d, sizeof d), change, count = 77, \
    assert_int_equal(carom_world_draw(b.world, &d, lines, 0, MOST, &count, &error), code), assert_true(count == 77))
   REFUSED(d.what = 64, CAROM_E_UNSUPPORTED);
   REFUSED(d.reserved = 1, CAROM_E_UNSUPPORTED);
@@ -139,7 +139,7 @@ static void looking_changes_nothing_and_bad_wishes_are_refused(void **state) {
   REFUSED(d.scale = 0, CAROM_E_OUT_OF_RANGE);
   REFUSED(d.scale = NAN, CAROM_E_NOT_FINITE);
   REFUSED(d.struct_size = 2, CAROM_E_STRUCT_SIZE);
-  carom_draw_desc_init(&d);
+  carom_draw_desc_init(&d, sizeof d);
   assert_int_equal(carom_world_draw(NULL, &d, lines, 0, MOST, &count, NULL), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_world_draw(b.world, &d, lines, 0, MOST, NULL, NULL), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_world_draw(b.world, &d, lines, 7, MOST, &count, NULL), CAROM_E_BUFFER_TOO_SMALL);

@@ -27,7 +27,7 @@ struct Row {
 
 carom_body_desc body_desc() {
   carom_body_desc d;
-  carom_body_desc_init(&d);
+  carom_body_desc_init(&d, sizeof d);
   return d;
 }
 int32_t create_body(Bench& b, const carom_body_desc& d, carom_error* e) {
@@ -36,7 +36,7 @@ int32_t create_body(Bench& b, const carom_body_desc& d, carom_error* e) {
 }
 carom_collider_desc collider_desc(const Bench& b) {
   carom_collider_desc d;
-  carom_collider_desc_init(&d);
+  carom_collider_desc_init(&d, sizeof d);
   d.shape = b.ball;
   return d;
 }
@@ -46,7 +46,7 @@ int32_t create_collider(Bench& b, const carom_collider_desc& d, carom_error* e) 
 }
 carom_material_desc material_desc() {
   carom_material_desc d;
-  carom_material_desc_init(&d);
+  carom_material_desc_init(&d, sizeof d);
   return d;
 }
 int32_t create_material(Bench& b, const carom_material_desc& d, carom_error* e) {
@@ -59,7 +59,7 @@ int32_t create_world(Bench& b, const carom_world_desc& d, carom_error* e) {
 }
 carom_world_desc world_desc() {
   carom_world_desc d;
-  carom_world_desc_init(&d);
+  carom_world_desc_init(&d, sizeof d);
   return d;
 }
 int32_t create_shape(Bench& b, carom_plugin plugin, std::vector<double> params, carom_error* e) {
@@ -74,7 +74,7 @@ int32_t measure(Bench& b, const double* pa, const double* qa, const double* pb, 
 }
 carom_distance_desc distance_desc() {
   carom_distance_desc d;
-  carom_distance_desc_init(&d);
+  carom_distance_desc_init(&d, sizeof d);
   return d;
 }
 
@@ -88,7 +88,7 @@ int32_t set_jobs_of_new_engine(void (*change)(carom_jobs_desc&), carom_error* e)
   carom_engine* engine = nullptr;
   if (const int32_t r = carom_engine_create(nullptr, &engine, e)) return r;
   carom_jobs_desc desc;
-  carom_jobs_desc_init(&desc);
+  carom_jobs_desc_init(&desc, sizeof desc);
   change(desc);
   const int32_t r = carom_engine_set_jobs(engine, &desc, e);
   carom_engine_destroy(engine, nullptr);
@@ -99,14 +99,14 @@ const Row kEngine[] = {
     {"engine out", CAROM_E_NULL_ARGUMENT, 2, [](Bench&, carom_error* e) { return carom_engine_create(nullptr, nullptr, e); }},
     {"alloc without free", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) {
        carom_engine_desc d;
-       carom_engine_desc_init(&d);
+       carom_engine_desc_init(&d, sizeof d);
        d.alloc = [](void*, uint64_t, uint64_t) -> void* { return nullptr; };
        carom_engine* out = nullptr;
        return carom_engine_create(&d, &out, e);
      }},
     {"engine reserved", CAROM_E_UNSUPPORTED, 1, [](Bench&, carom_error* e) {
        carom_engine_desc d;
-       carom_engine_desc_init(&d);
+       carom_engine_desc_init(&d, sizeof d);
        d.reserved = 1;
        carom_engine* out = nullptr;
        return carom_engine_create(&d, &out, e);
@@ -139,6 +139,7 @@ const Row kEngine[] = {
     {"register: description", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return carom_plugin_register(b.engine, nullptr, &b.sphere, e); }},
     {"register: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_plugin_register(b.engine, &b.box_plugin, nullptr, e); }},
     {"register twice", CAROM_E_ALREADY_EXISTS, 2, [](Bench& b, carom_error* e) { carom_plugin out; return carom_plugin_register(b.engine, &b.box_plugin, &out, e); }},
+    {"standard shapes: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_plugins_register_standard(nullptr, e); }},
     {"unload: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_plugin_unload(nullptr, b.sphere, e); }},
     {"unload in use", CAROM_E_IN_USE, 2, [](Bench& b, carom_error* e) { return carom_plugin_unload(b.engine, b.sphere, e); }},
     {"find: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_plugin_find(nullptr, "test.box", &b.box, e); }},
@@ -455,12 +456,12 @@ carom_cast fresh_cast() {
 }
 carom_cast_desc cast_desc() {
   carom_cast_desc d;
-  carom_cast_desc_init(&d);
+  carom_cast_desc_init(&d, sizeof d);
   return d;
 }
 carom_motion motion() {
   carom_motion m;
-  carom_motion_init(&m);
+  carom_motion_init(&m, sizeof m);
   return m;
 }
 int32_t ray(Bench& b, const double* p, const double* q, const double* o, const double* d, double max,
@@ -574,22 +575,22 @@ const Row kCast[] = {
 const Row kParticles[] = {
     {"particles: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { carom_particles s; return carom_particles_create(nullptr, nullptr, &s, e); }},
     {"particles: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_particles_create(b.world, nullptr, nullptr, e); }},
-    {"particles: size", CAROM_E_STRUCT_SIZE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.struct_size = 5; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
-    {"particles: reserved", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.reserved = 1; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
-    {"particles: gravity_factor", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.gravity_factor = -1001; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
-    {"particles: gravity_factor nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.gravity_factor = kNan; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
-    {"particles: damping", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.linear_damping = -1; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
-    {"particles: damping inf", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.linear_damping = kInf; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
-    {"particles: mass", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.mass = 0; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
-    {"particles: mass nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.mass = kNan; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
-    {"particles: capacity", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.capacity = ~uint64_t(0); carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: size", CAROM_E_STRUCT_SIZE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); d.struct_size = 5; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: reserved", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); d.reserved = 1; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: gravity_factor", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); d.gravity_factor = -1001; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: gravity_factor nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); d.gravity_factor = kNan; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: damping", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); d.linear_damping = -1; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: damping inf", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); d.linear_damping = kInf; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: mass", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); d.mass = 0; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: mass nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); d.mass = kNan; carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
+    {"particles: capacity", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); d.capacity = ~uint64_t(0); carom_particles s; return carom_particles_create(b.world, &d, &s, e); }},
     {"particles: destroy: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_particles_destroy(nullptr, b.particles, e); }},
-    {"particles: get: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); return carom_particles_get(nullptr, b.particles, &d, e); }},
+    {"particles: get: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); return carom_particles_get(nullptr, b.particles, &d, e); }},
     {"particles: get: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_particles_get(b.world, b.particles, nullptr, e); }},
-    {"particles: get: size", CAROM_E_STRUCT_SIZE, 3, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.struct_size = 4; return carom_particles_get(b.world, b.particles, &d, e); }},
-    {"particles: update: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); return carom_particles_update(nullptr, b.particles, &d, e); }},
-    {"particles: update: size", CAROM_E_STRUCT_SIZE, 3, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.struct_size = 9; return carom_particles_update(b.world, b.particles, &d, e); }},
-    {"particles: update: mass", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); d.mass = -1; d.linear_damping = 7; return carom_particles_update(b.world, b.particles, &d, e); }},
+    {"particles: get: size", CAROM_E_STRUCT_SIZE, 3, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); d.struct_size = 4; return carom_particles_get(b.world, b.particles, &d, e); }},
+    {"particles: update: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); return carom_particles_update(nullptr, b.particles, &d, e); }},
+    {"particles: update: size", CAROM_E_STRUCT_SIZE, 3, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); d.struct_size = 9; return carom_particles_update(b.world, b.particles, &d, e); }},
+    {"particles: update: mass", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); d.mass = -1; d.linear_damping = 7; return carom_particles_update(b.world, b.particles, &d, e); }},
     {"particles: count: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { uint64_t n; return carom_particles_get_count(nullptr, b.particles, &n, e); }},
     {"particles: count: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_particles_get_count(b.world, b.particles, nullptr, e); }},
     {"particles: add: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_particles_add(nullptr, b.particles, 1, 1, kZero, 0, nullptr, 0, e); }},
@@ -640,7 +641,7 @@ const Row kParticles[] = {
 
 carom_query_desc query_desc() {
   carom_query_desc d;
-  carom_query_desc_init(&d);
+  carom_query_desc_init(&d, sizeof d);
   return d;
 }
 int32_t ask_ray(Bench& b, const carom_query_desc& d, carom_error* e) {
@@ -890,16 +891,16 @@ void calls_without_an_error_object_refuse_null_too(void**) {
   assert_int_equal(carom_version(nullptr, &v, &v), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_version(&v, nullptr, &v), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_version(&v, &v, nullptr), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_engine_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_world_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_material_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_body_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_collider_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_distance_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_cast_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_motion_init(nullptr), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_particles_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_query_desc_init(nullptr), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_engine_desc_init(nullptr, sizeof(carom_engine_desc)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_world_desc_init(nullptr, sizeof(carom_world_desc)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_material_desc_init(nullptr, sizeof(carom_material_desc)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_body_desc_init(nullptr, sizeof(carom_body_desc)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_collider_desc_init(nullptr, sizeof(carom_collider_desc)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_distance_desc_init(nullptr, sizeof(carom_distance_desc)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_cast_desc_init(nullptr, sizeof(carom_cast_desc)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_motion_init(nullptr, sizeof(carom_motion)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_particles_desc_init(nullptr, sizeof(carom_particles_desc)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_query_desc_init(nullptr, sizeof(carom_query_desc)), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_dial_get_count(nullptr), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_constant_get_count(nullptr), CAROM_E_NULL_ARGUMENT);
 }

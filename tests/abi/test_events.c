@@ -110,7 +110,7 @@ static void a_joint_that_breaks_is_told_once(void **state) {
   int i;
   (void)state;
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
-  assert_int_equal(carom_joint_desc_init(&d), CAROM_OK);
+  assert_int_equal(carom_joint_desc_init(&d, sizeof d), CAROM_OK);
   memset(&body, 0, sizeof body);
   body.struct_size = sizeof body;
   assert_int_equal(carom_body_get(b.world, b.bodies[3], &body, NULL), CAROM_OK);

@@ -24,9 +24,9 @@ static void a_ball_falls_for_a_host_that_links_nothing(void **state) {
   int32_t (*world_create)(void *, const void *, void **, void *);
   int32_t (*world_destroy)(void *, void *);
   int32_t (*world_step)(void *, double, void *);
-  int32_t (*body_desc_init)(void *);
+  int32_t (*body_desc_init)(void *, uint32_t);
   int32_t (*body_create)(void *, const void *, uint64_t *, void *);
-  int32_t (*collider_desc_init)(void *);
+  int32_t (*collider_desc_init)(void *, uint32_t);
   int32_t (*collider_create)(void *, uint64_t, const void *, uint64_t *, void *);
   int32_t (*world_read)(void *, uint32_t, uint32_t, const uint64_t *, uint64_t, void *, uint64_t, void *);
   uint32_t major, minor, patch;
@@ -63,9 +63,9 @@ static void a_ball_falls_for_a_host_that_links_nothing(void **state) {
   assert_int_equal(plugin_register(engine, &sphere, &plugin, NULL), 0);
   assert_int_equal(shape_create(engine, plugin, &radius, 1, &shape, NULL), 0);
   assert_int_equal(world_create(engine, NULL, &world, NULL), 0);
-  body_desc_init(&body_desc);
+  body_desc_init(&body_desc, sizeof body_desc);
   assert_int_equal(body_create(world, &body_desc, &body, NULL), 0);
-  collider_desc_init(&collider_desc);
+  collider_desc_init(&collider_desc, sizeof collider_desc);
   collider_desc.shape = shape;
   assert_int_equal(collider_create(world, body, &collider_desc, &collider, NULL), 0);
   for (i = 0; i < 64; ++i) assert_int_equal(world_step(world, 1.0 / 64, NULL), 0);

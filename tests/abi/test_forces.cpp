@@ -15,7 +15,7 @@ const double kNan = NAN, kInf = INFINITY, kZero[3] = {0, 0, 0}, kUp[3] = {0, 1, 
 
 carom_force_field_desc vortex() {
   carom_force_field_desc d;
-  carom_force_field_desc_init(&d);
+  carom_force_field_desc_init(&d, sizeof d);
   d.kind = CAROM_FORCE_FIELD_VORTEX;
   d.position[0] = 1, d.half[1] = 20, d.strength = 3, d.pull = 1, d.lift = 0.5, d.reach = 30, d.core = 0.1,
   d.falloff = 1;
@@ -25,7 +25,7 @@ carom_force_field_desc vortex() {
 
 carom_spring_desc tie(const Bench& b) {
   carom_spring_desc d;
-  carom_spring_desc_init(&d);
+  carom_spring_desc_init(&d, sizeof d);
   d.body_a = b.bodies[0], d.body_b = b.bodies[2];
   d.anchor_a[1] = 0.25, d.rest = 1.5, d.stiffness = 200, d.damping = 3, d.only_pulls = 1, d.user = 43;
   return d;
@@ -33,7 +33,7 @@ carom_spring_desc tie(const Bench& b) {
 
 carom_water lake() {
   carom_water w;
-  carom_water_init(&w);
+  carom_water_init(&w, sizeof w);
   w.level = 0.75, w.density = 1025, w.current[2] = 0.5, w.drag = 2;
   return w;
 }
@@ -368,7 +368,7 @@ struct Purse {
   uint64_t asked = 0, ends_at = ~uint64_t(0), out = 0;
   carom_engine_desc desc() {
     carom_engine_desc d;
-    carom_engine_desc_init(&d);
+    carom_engine_desc_init(&d, sizeof d);
     d.alloc_user = this;
     d.alloc = [](void* user, uint64_t size, uint64_t alignment) -> void* {
       Purse& p = *static_cast<Purse*>(user);

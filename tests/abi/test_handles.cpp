@@ -36,7 +36,7 @@ int32_t impact(Bench& b, carom_shape s, carom_shape t, carom_error* e) {
   carom_cast r = {};
   r.struct_size = sizeof r;
   carom_motion m;
-  carom_motion_init(&m);
+  carom_motion_init(&m, sizeof m);
   return carom_shape_time_of_impact(b.engine, s, &m, t, &m, 1, nullptr, &r, e);
 }
 int32_t overlap(Bench& b, carom_shape s, carom_shape t, carom_error* e) {
@@ -56,7 +56,7 @@ int32_t cast_rays(Bench& b, carom_shape s, carom_error* e) {
 
 int32_t put_on(Bench& b, carom_body body, carom_shape shape, carom_material material, carom_error* e) {
   carom_collider_desc d;
-  carom_collider_desc_init(&d);
+  carom_collider_desc_init(&d, sizeof d);
   d.shape = shape;
   d.material = material;
   carom_collider out;
@@ -66,7 +66,7 @@ int32_t put_on(Bench& b, carom_body body, carom_shape shape, carom_material mate
 /// A hinge.
 int32_t join(Bench& b, carom_body body_a, carom_body body_b, carom_error* e, carom_joint* out = nullptr) {
   carom_joint_desc d;
-  carom_joint_desc_init(&d);
+  carom_joint_desc_init(&d, sizeof d);
   d.kind = CAROM_JOINT_HINGE;
   d.body_a = body_a, d.body_b = body_b;
   carom_joint joint;
@@ -76,7 +76,7 @@ int32_t join(Bench& b, carom_body body_a, carom_body body_b, carom_error* e, car
 int32_t ask_without(Bench& b, uint64_t body, carom_error* e) {
   if (!body) return CAROM_E_INVALID_HANDLE;  // nobody is ignored
   carom_query_desc d;
-  carom_query_desc_init(&d);
+  carom_query_desc_init(&d, sizeof d);
   d.ignore = body;
   carom_world_hit hit;
   return carom_world_cast_ray(b.world, kZero, kUp, 1, &d, &hit, sizeof hit, e);
@@ -131,15 +131,15 @@ const Place kPlaces[] = {
     {"shape_overlap a", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return overlap(b, h, b.ball, e); }},
     {"shape_overlap b", kShape, 5, [](Bench& b, uint64_t h, carom_error* e) { return overlap(b, b.ball, h, e); }},
     {"rays_cast", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return cast_rays(b, h, e); }},
-    {"material_update", kMaterial, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_material_desc d; carom_material_desc_init(&d); return carom_material_update(b.world, h, &d, e); }},
+    {"material_update", kMaterial, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_material_desc d; carom_material_desc_init(&d, sizeof d); return carom_material_update(b.world, h, &d, e); }},
     {"material_destroy", kMaterial, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_material_destroy(b.world, h, e); }},
     {"collider_create shape", kShape, 3, [](Bench& b, uint64_t h, carom_error* e) { return put_on(b, b.bodies[0], h, CAROM_NULL_HANDLE, e); }},
     {"collider_create material", kMaterial, 3, [](Bench& b, uint64_t h, carom_error* e) { return h ? put_on(b, b.bodies[0], b.ball, h, e) : CAROM_E_INVALID_HANDLE; }},
     {"collider_create body", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return put_on(b, h, b.ball, CAROM_NULL_HANDLE, e); }},
     {"collider_destroy", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_collider_destroy(b.world, h, e); }},
-    {"collider_get", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_collider_desc d; carom_collider_desc_init(&d); carom_body o; return carom_collider_get(b.world, h, &d, &o, e); }},
+    {"collider_get", kCollider, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_collider_desc d; carom_collider_desc_init(&d, sizeof d); carom_body o; return carom_collider_get(b.world, h, &d, &o, e); }},
     {"body_destroy", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_destroy(b.world, h, e); }},
-    {"body_get", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_body_desc d; carom_body_desc_init(&d); return carom_body_get(b.world, h, &d, e); }},
+    {"body_get", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_body_desc d; carom_body_desc_init(&d, sizeof d); return carom_body_get(b.world, h, &d, e); }},
     {"body_set_pose", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_set_pose(b.world, h, kZero, kUpright, e); }},
     {"body_set_velocity", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_set_velocity(b.world, h, kUp, kUp, e); }},
     {"body_is_asleep", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { uint32_t a; return carom_body_is_asleep(b.world, h, &a, e); }},
@@ -148,7 +148,7 @@ const Place kPlaces[] = {
     {"body_add_impulse", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_body_add_impulse(b.world, h, kUp, kUp, e); }},
     {"world_read", kBody, 4, [](Bench& b, uint64_t h, carom_error* e) { const carom_body two[2] = {b.bodies[0], h}; double p[6]; return carom_world_read(b.world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, two, 2, p, 0, e); }},
     {"world_write", kBody, 4, [](Bench& b, uint64_t h, carom_error* e) { const carom_body two[2] = {b.bodies[0], h}; const double p[6] = {7, 7, 7, 7, 7, 7}; return carom_world_write(b.world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, two, 2, p, 0, e); }},
-    {"particles_get", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d); return carom_particles_get(b.world, h, &d, e); }},
+    {"particles_get", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_particles_desc d; carom_particles_desc_init(&d, sizeof d); return carom_particles_get(b.world, h, &d, e); }},
     {"particles_update", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_particles_update(b.world, h, nullptr, e); }},
     {"particles_get_count", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { uint64_t n; return carom_particles_get_count(b.world, h, &n, e); }},
     {"particles_add", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_particles_add(b.world, h, 1, CAROM_SCALAR_F64, kUp, 0, nullptr, 0, e); }},
@@ -158,20 +158,20 @@ const Place kPlaces[] = {
     {"particles_get_quarantined", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { uint64_t n; return carom_particles_get_quarantined(b.world, h, nullptr, 0, &n, e); }},
     {"joint_create a", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return h ? join(b, h, b.bodies[2], e) : int32_t(CAROM_E_INVALID_HANDLE); }},
     {"joint_create b", kBody, 2, [](Bench& b, uint64_t h, carom_error* e) { return h ? join(b, b.bodies[2], h, e) : int32_t(CAROM_E_INVALID_HANDLE); }},
-    {"joint_get", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_desc d; carom_joint_desc_init(&d); return carom_joint_get(b.world, h, &d, e); }},
+    {"joint_get", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_desc d; carom_joint_desc_init(&d, sizeof d); return carom_joint_get(b.world, h, &d, e); }},
     {"joint_get_state", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_state s = {}; s.struct_size = sizeof s; return carom_joint_get_state(b.world, h, &s, e); }},
-    {"joint_set_limit", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_limit d; carom_joint_limit_init(&d); return carom_joint_set_limit(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
-    {"joint_set_motor", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_motor d; carom_joint_motor_init(&d); return carom_joint_set_motor(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
-    {"joint_set_spring", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_spring d; carom_joint_spring_init(&d); return carom_joint_set_spring(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
-    {"joint_get_limit", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_limit d; carom_joint_limit_init(&d); return carom_joint_get_limit(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
-    {"joint_get_motor", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_motor d; carom_joint_motor_init(&d); return carom_joint_get_motor(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
-    {"joint_get_spring", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_spring d; carom_joint_spring_init(&d); return carom_joint_get_spring(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
-    {"joint_set_transmission", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_transmission d; carom_joint_transmission_init(&d); return of_a_hinge(carom_joint_set_transmission(b.world, h, &d, e)); }},
-    {"joint_get_transmission", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_transmission d; carom_joint_transmission_init(&d); return of_a_hinge(carom_joint_get_transmission(b.world, h, &d, e)); }},
-    {"joint_set_axis", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_axis d; carom_joint_axis_init(&d); return of_a_hinge(carom_joint_set_axis(b.world, h, 0, &d, e)); }},
-    {"joint_get_axis", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_axis d; carom_joint_axis_init(&d); return of_a_hinge(carom_joint_get_axis(b.world, h, 0, &d, e)); }},
-    {"joint_set_orientation_drive", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_orientation_drive d; carom_joint_orientation_drive_init(&d); return of_a_hinge(carom_joint_set_orientation_drive(b.world, h, &d, e)); }},
-    {"joint_get_orientation_drive", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_orientation_drive d; carom_joint_orientation_drive_init(&d); return of_a_hinge(carom_joint_get_orientation_drive(b.world, h, &d, e)); }},
+    {"joint_set_limit", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_limit d; carom_joint_limit_init(&d, sizeof d); return carom_joint_set_limit(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
+    {"joint_set_motor", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_motor d; carom_joint_motor_init(&d, sizeof d); return carom_joint_set_motor(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
+    {"joint_set_spring", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_spring d; carom_joint_spring_init(&d, sizeof d); return carom_joint_set_spring(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
+    {"joint_get_limit", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_limit d; carom_joint_limit_init(&d, sizeof d); return carom_joint_get_limit(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
+    {"joint_get_motor", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_motor d; carom_joint_motor_init(&d, sizeof d); return carom_joint_get_motor(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
+    {"joint_get_spring", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_spring d; carom_joint_spring_init(&d, sizeof d); return carom_joint_get_spring(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
+    {"joint_set_transmission", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_transmission d; carom_joint_transmission_init(&d, sizeof d); return of_a_hinge(carom_joint_set_transmission(b.world, h, &d, e)); }},
+    {"joint_get_transmission", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_transmission d; carom_joint_transmission_init(&d, sizeof d); return of_a_hinge(carom_joint_get_transmission(b.world, h, &d, e)); }},
+    {"joint_set_axis", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_axis d; carom_joint_axis_init(&d, sizeof d); return of_a_hinge(carom_joint_set_axis(b.world, h, 0, &d, e)); }},
+    {"joint_get_axis", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_axis d; carom_joint_axis_init(&d, sizeof d); return of_a_hinge(carom_joint_get_axis(b.world, h, 0, &d, e)); }},
+    {"joint_set_orientation_drive", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_orientation_drive d; carom_joint_orientation_drive_init(&d, sizeof d); return of_a_hinge(carom_joint_set_orientation_drive(b.world, h, &d, e)); }},
+    {"joint_get_orientation_drive", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_orientation_drive d; carom_joint_orientation_drive_init(&d, sizeof d); return of_a_hinge(carom_joint_get_orientation_drive(b.world, h, &d, e)); }},
     {"joint_destroy", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_joint_destroy(b.world, h, e); }},
     {"particles_destroy", kParticles, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_particles_destroy(b.world, h, e); }},
 };
@@ -201,7 +201,7 @@ void replace(Stage& s) {
   for (uint64_t* out : {s.stale, s.successor}) {
     const double radius = 2;
     carom_material_desc material;
-    carom_material_desc_init(&material);
+    carom_material_desc_init(&material, sizeof material);
     assert_int_equal(carom_plugin_register(b.engine, &spare, &out[kPlugin], nullptr), CAROM_OK);
     assert_int_equal(carom_shape_create(b.engine, b.sphere, &radius, 1, &out[kShape], nullptr), CAROM_OK);
     assert_int_equal(carom_material_create(b.world, &material, &out[kMaterial], nullptr), CAROM_OK);
@@ -337,7 +337,7 @@ void colliders_of_a_destroyed_body_are_stale(void**) {
   assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
   assert_int_equal(carom_body_destroy(b.world, b.bodies[0], nullptr), CAROM_OK);
   carom_collider_desc d;
-  carom_collider_desc_init(&d);
+  carom_collider_desc_init(&d, sizeof d);
   carom_body body;
   assert_int_equal(carom_collider_get(b.world, b.colliders[0], &d, &body, nullptr), CAROM_E_STALE_HANDLE);
   assert_int_equal(bench_free(&b), CAROM_OK);
@@ -348,7 +348,7 @@ void a_slot_reused_a_thousand_times_never_gives_the_same_handle(void**) {
   assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
   std::vector<carom_body> seen;
   carom_body_desc d;
-  carom_body_desc_init(&d);
+  carom_body_desc_init(&d, sizeof d);
   for (int i = 0; i < 1000; ++i) {
     carom_body body;
     assert_int_equal(carom_body_create(b.world, &d, &body, nullptr), CAROM_OK);
@@ -366,7 +366,7 @@ void a_slot_that_has_lived_its_lives_is_retired(void**) {
   Bench b;
   assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
   carom_material_desc d;
-  carom_material_desc_init(&d);
+  carom_material_desc_init(&d, sizeof d);
   const auto slot_of = [](carom_material m) { return m & 0xFFFFFF; };
   carom_material first = 0, last = 0, next = 0;
   for (int i = 0; i < kLives; ++i) {

@@ -34,8 +34,8 @@ double any_number() {
   return static_cast<double>(static_cast<int64_t>(liar.random)) * 0x1p-62;
 }
 
-int32_t turns_bad(const double* p, uint64_t n, const double dir[3], double out[3]) {
-  const int32_t r = box(p, n, dir, out);
+int32_t turns_bad(void*, const double* p, uint64_t n, const double dir[3], double out[3]) {
+  const int32_t r = box(nullptr, p, n, dir, out);
   if (liar.calls++ < liar.honest_calls) return r;
   ++liar.lies;
   switch (liar.vice) {

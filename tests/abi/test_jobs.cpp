@@ -21,7 +21,7 @@ struct Heap {
     assert_int_equal(bench_shapes(&b, nullptr), CAROM_OK);
     assert_int_equal(carom_world_create(b.engine, nullptr, &b.world, nullptr), CAROM_OK);
     carom_material_desc rubber;
-    carom_material_desc_init(&rubber);
+    carom_material_desc_init(&rubber, sizeof rubber);
     rubber.restitution = 0.5;
     carom_material material;
     carom_body body;
@@ -83,7 +83,7 @@ uint64_t hash_after(uint32_t solver, const carom_jobs_desc* jobs, uint32_t preci
 
 carom_jobs_desc pool_of(uint32_t threads) {
   carom_jobs_desc desc;
-  carom_jobs_desc_init(&desc);
+  carom_jobs_desc_init(&desc, sizeof desc);
   desc.threads = threads;
   return desc;
 }
@@ -171,13 +171,13 @@ struct Reentrant {
   std::atomic<int> calls{0}, refused{0};
 } reentrant;
 
-int32_t calling_support(const double* params, uint64_t count, const double dir[3], double out[3]) {
+int32_t calling_support(void*, const double* params, uint64_t count, const double dir[3], double out[3]) {
   if (reentrant.world) {
     uint64_t hash;
     ++reentrant.calls;
     reentrant.refused += carom_world_hash(reentrant.world, &hash, nullptr) == CAROM_E_REENTRANT;
   }
-  return bench_box(params, count, dir, out);
+  return bench_box(nullptr, params, count, dir, out);
 }
 
 void calls_from_a_part_are_reentrant_on_every_thread(void**) {
@@ -196,9 +196,9 @@ struct Caller {
   std::atomic<int> here{0}, elsewhere{0};
 } caller;
 
-int32_t noting_support(const double* params, uint64_t count, const double dir[3], double out[3]) {
+int32_t noting_support(void*, const double* params, uint64_t count, const double dir[3], double out[3]) {
   ++(std::this_thread::get_id() == caller.stepping ? caller.here : caller.elsewhere);
-  return bench_box(params, count, dir, out);
+  return bench_box(nullptr, params, count, dir, out);
 }
 
 void a_shape_of_the_host_thread_is_asked_there_alone(void**) {
@@ -221,9 +221,9 @@ void a_shape_of_the_host_thread_is_asked_there_alone(void**) {
 
 /// Misbehaves in one octant, but only once a world runs.
 std::atomic<bool> lying{false};
-int32_t lying_support(const double* params, uint64_t count, const double dir[3], double out[3]) {
+int32_t lying_support(void*, const double* params, uint64_t count, const double dir[3], double out[3]) {
   if (lying && dir[0] > 0 && dir[1] < 0 && dir[2] > 0) return 7;
-  return bench_box(params, count, dir, out);
+  return bench_box(nullptr, params, count, dir, out);
 }
 
 struct Told {

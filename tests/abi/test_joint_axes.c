@@ -17,19 +17,19 @@ static int clear(void **state) {
 static carom_joint join(const Bench *b, uint32_t kind, carom_body x, carom_body y) {
   carom_joint_desc d;
   carom_joint joint = 0;
-  assert_int_equal(carom_joint_desc_init(&d), CAROM_OK);
+  assert_int_equal(carom_joint_desc_init(&d, sizeof d), CAROM_OK);
   d.kind = kind, d.body_a = x, d.body_b = y, d.fields = CAROM_JOINT_WORLD_FRAME, d.position_a[1] = 4;
   assert_int_equal(carom_joint_create(b->world, &d, &joint, NULL), CAROM_OK);
   return joint;
 }
 static carom_joint_axis axis_desc(void) {
   carom_joint_axis d;
-  assert_int_equal(carom_joint_axis_init(&d), CAROM_OK);
+  assert_int_equal(carom_joint_axis_init(&d, sizeof d), CAROM_OK);
   return d;
 }
 static carom_joint_orientation_drive drive_desc(void) {
   carom_joint_orientation_drive d;
-  assert_int_equal(carom_joint_orientation_drive_init(&d), CAROM_OK);
+  assert_int_equal(carom_joint_orientation_drive_init(&d, sizeof d), CAROM_OK);
   return d;
 }
 
@@ -108,8 +108,8 @@ static void wrong_axes_are_refused(void **state) {
   assert_true(e.argument == 4 && strstr(e.message, "ball") && strstr(e.message, "SIX_AXIS"));
   assert_int_equal(carom_joint_get_axis(b->world, hinge, 0, &d, NULL), CAROM_E_UNSUPPORTED);
   assert_int_equal(carom_joint_set_axis(b->world, six, 0, NULL, NULL), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_joint_axis_init(NULL), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_joint_orientation_drive_init(NULL), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_joint_axis_init(NULL, sizeof(carom_joint_axis)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_joint_orientation_drive_init(NULL, sizeof(carom_joint_orientation_drive)), CAROM_E_NULL_ARGUMENT);
   t = drive_desc();
   assert_int_equal(carom_joint_set_orientation_drive(b->world, hinge, &t, &e), CAROM_E_UNSUPPORTED);
   assert_true(e.argument == 3 && strstr(e.message, "hinge"));
@@ -120,7 +120,7 @@ static void wrong_axes_are_refused(void **state) {
   t = drive_desc(), t.most[1] = -1;
   assert_int_equal(carom_joint_set_orientation_drive(b->world, ball, &t, &e), CAROM_E_OUT_OF_RANGE);
   assert_true(strstr(e.message, "most[1]"));
-  carom_joint_limit_init(&limit);
+  carom_joint_limit_init(&limit, sizeof limit);
   assert_int_equal(carom_joint_set_limit(b->world, six, CAROM_COORDINATE_TWIST, &limit, &e), CAROM_E_UNSUPPORTED);
   assert_true(strstr(e.message, "six-axis"));
   assert_true(bench_hash(b->world) == hash);

@@ -59,7 +59,7 @@ static void rates_are_differences(void **state) {
     for (i = 0; i < 2 * KINDS; ++i) {
       carom_joint_desc d;
       double length = 0;
-      carom_joint_desc_init(&d);
+      carom_joint_desc_init(&d, sizeof d);
       d.kind = kinds[i / 2], d.body_a = i % 2 ? b->bodies[0] : CAROM_NULL_HANDLE, d.body_b = b->bodies[1];
       for (k = 0; k < 3; ++k) d.position_a[k] = draw(), d.position_b[k] = draw();
       for (k = 0; k < 4; ++k) d.orientation_a[k] = draw(), length += d.orientation_a[k] * d.orientation_a[k];
@@ -67,7 +67,7 @@ static void rates_are_differences(void **state) {
       assert_int_equal(carom_joint_create(b->world, &d, &joint[i], NULL), CAROM_OK);
       if (d.kind == CAROM_JOINT_PULLEY) {
         carom_joint_transmission t;
-        carom_joint_transmission_init(&t);
+        carom_joint_transmission_init(&t, sizeof t);
         t.ratio = 2.5, t.anchor_a[1] = 9, t.anchor_b[1] = 8;
         assert_int_equal(carom_joint_set_transmission(b->world, joint[i], &t, NULL), CAROM_OK);
       }
@@ -115,7 +115,7 @@ static void forces_are_those_of_the_state(void **state) {
   (void)state;
   assert_int_equal(bench_make(b, NULL, NULL), CAROM_OK);
   for (i = 0; i < 2; ++i) {
-    carom_joint_desc_init(&d);
+    carom_joint_desc_init(&d, sizeof d);
     d.kind = CAROM_JOINT_WELD, d.body_b = b->bodies[i], d.fields = CAROM_JOINT_WORLD_FRAME;
     assert_int_equal(carom_body_set_mass(b->world, b->bodies[i], 3 + i, NULL, NULL, NULL), CAROM_OK);
     assert_int_equal(carom_joint_create(b->world, &d, &joint[i], NULL), CAROM_OK);

@@ -16,7 +16,7 @@ static int clear(void **state) {
 
 static carom_joint_desc desc_of(uint32_t kind, carom_body a, carom_body b) {
   carom_joint_desc d;
-  assert_int_equal(carom_joint_desc_init(&d), CAROM_OK);
+  assert_int_equal(carom_joint_desc_init(&d, sizeof d), CAROM_OK);
   d.kind = kind, d.body_a = a, d.body_b = b;
   d.fields = CAROM_JOINT_WORLD_FRAME;
   d.position_a[1] = 4;
@@ -91,7 +91,7 @@ static void limits_motors_and_springs_are_what_was_set(void **state) {
   carom_joint_limit limit, limit_back;
   carom_joint_motor motor, motor_back;
   carom_joint_spring spring, spring_back;
-  carom_joint_limit_init(&limit), carom_joint_motor_init(&motor), carom_joint_spring_init(&spring);
+  carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor), carom_joint_spring_init(&spring, sizeof spring);
   limit.enabled = motor.enabled = spring.enabled = 1;
   limit.lower = -1, limit.upper = 0.5, motor.speed = 2, motor.most = 30, spring.target = 0.25, spring.damping = 0.5;
   limit_back = limit, motor_back = motor, spring_back = spring;
@@ -179,7 +179,7 @@ static void wrong_joints_are_refused(void **state) {
   REFUSED(CAROM_E_OUT_OF_RANGE, d.length = -1);
   REFUSED(CAROM_E_NOT_FINITE, d.break_force = nan);
   REFUSED(CAROM_E_OUT_OF_RANGE, d.break_torque = -1);
-  carom_joint_limit_init(&limit), carom_joint_motor_init(&motor), carom_joint_spring_init(&spring);
+  carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor), carom_joint_spring_init(&spring, sizeof spring);
   assert_int_equal(carom_joint_set_limit(b->world, good, CAROM_COORDINATE_SLIDE, &limit, NULL), CAROM_E_UNSUPPORTED);
   assert_int_equal(carom_joint_set_limit(b->world, good, 4, &limit, NULL), CAROM_E_UNKNOWN_ENUM);
   assert_int_equal(carom_joint_set_motor(b->world, good, CAROM_COORDINATE_SWING, &motor, NULL), CAROM_E_UNSUPPORTED);
@@ -202,10 +202,10 @@ static void wrong_joints_are_refused(void **state) {
   assert_int_equal(carom_joint_create(b->world, NULL, NULL, NULL), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_joint_create(NULL, NULL, NULL, NULL), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_world_get_joints(b->world, NULL, 0, NULL, NULL), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_joint_desc_init(NULL), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_joint_limit_init(NULL), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_joint_motor_init(NULL), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_joint_spring_init(NULL), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_joint_desc_init(NULL, sizeof(carom_joint_desc)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_joint_limit_init(NULL, sizeof(carom_joint_limit)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_joint_motor_init(NULL, sizeof(carom_joint_motor)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_joint_spring_init(NULL, sizeof(carom_joint_spring)), CAROM_E_NULL_ARGUMENT);
   assert_true(bench_hash(b->world) == hash);
 }
 
@@ -228,7 +228,7 @@ static void nonsense_stays_finite(void **state) {
   assert_int_equal(carom_joint_create(b->world, &d, &joint, NULL), CAROM_OK);
   d.kind = CAROM_JOINT_HINGE, d.fields = CAROM_JOINT_WORLD_FRAME, d.body_a = b->bodies[3], d.body_b = b->ground;
   assert_int_equal(carom_joint_create(b->world, &d, &joint, NULL), CAROM_OK);
-  carom_joint_limit_init(&limit), carom_joint_motor_init(&motor);
+  carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor);
   limit.enabled = motor.enabled = 1, limit.lower = limit.upper = 3.14159, motor.speed = 1e6, motor.most = 1e30;
   assert_int_equal(carom_joint_set_limit(b->world, joint, CAROM_COORDINATE_TWIST, &limit, NULL), CAROM_OK);
   assert_int_equal(carom_joint_set_motor(b->world, joint, CAROM_COORDINATE_TWIST, &motor, NULL), CAROM_OK);
@@ -253,8 +253,8 @@ static void a_pulley_is_strung(void **state) {
   uint64_t hash;
   d.fields = 0, d.position_a[1] = 0;
   assert_int_equal(carom_joint_create(b->world, &d, &pulley, NULL), CAROM_OK);
-  assert_int_equal(carom_joint_transmission_init(NULL), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_joint_transmission_init(&t), CAROM_OK);
+  assert_int_equal(carom_joint_transmission_init(NULL, sizeof(carom_joint_transmission)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_joint_transmission_init(&t, sizeof t), CAROM_OK);
   assert_true(t.struct_size == sizeof t && t.ratio == 1 && t.fields == 0);
   back.struct_size = sizeof back;
   assert_int_equal(carom_joint_get_transmission(b->world, pulley, &back, NULL), CAROM_OK);
@@ -295,7 +295,7 @@ static void gears_and_pulleys_come_back(void **state) {
   const carom_joint gear = join(b, CAROM_JOINT_GEAR, b->bodies[0], b->bodies[1]);
   const carom_joint pulley = join(b, CAROM_JOINT_PULLEY, b->bodies[2], b->bodies[3]);
   carom_joint_transmission t, back;
-  assert_int_equal(carom_joint_transmission_init(&t), CAROM_OK);
+  assert_int_equal(carom_joint_transmission_init(&t, sizeof t), CAROM_OK);
   t.ratio = -2.5;
   assert_int_equal(carom_joint_set_transmission(b->world, pulley, &t, NULL), CAROM_E_OUT_OF_RANGE);
   assert_int_equal(carom_joint_set_transmission(b->world, gear, &t, NULL), CAROM_OK);

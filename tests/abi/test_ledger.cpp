@@ -89,7 +89,7 @@ struct Heap {
 
   Heap(uint32_t solver, uint32_t threads, bool keeps) {
     carom_jobs_desc jobs;
-    carom_jobs_desc_init(&jobs);
+    carom_jobs_desc_init(&jobs, sizeof jobs);
     jobs.threads = threads;
     assert_int_equal(carom_engine_create(nullptr, &b.engine, nullptr), CAROM_OK);
     assert_int_equal(carom_engine_set_jobs(b.engine, threads > 1 ? &jobs : nullptr, nullptr), CAROM_OK);
@@ -135,7 +135,7 @@ struct Purse {
   uint64_t calls = 0, refuse_from = ~uint64_t(0);
   carom_engine_desc desc() {
     carom_engine_desc d;
-    carom_engine_desc_init(&d);
+    carom_engine_desc_init(&d, sizeof d);
     d.alloc_user = this;
     d.alloc = [](void* user, uint64_t size, uint64_t alignment) -> void* {
       Purse& p = *static_cast<Purse*>(user);

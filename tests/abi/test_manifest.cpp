@@ -58,11 +58,14 @@ const nlohmann::json& api() {
   return data;
 }
 
-/// Structs that never grow: filled by a *_init() that knows no size, or in an array whose stride nobody need say.
+/// Structs that never grow: of an array whose stride nobody need say, or filled by an *_init() that is not told the size.
 std::set<std::string> fixed_structs() {
   std::set<std::string> names = {"carom_param", "carom_draw_line", "carom_world_hit", "carom_ray_hit"};
-  for (const auto& s : api()["structs"])
-    if (!s["init"].is_null()) names.insert(s["name"]);
+  for (const auto& function : api()["functions"]) {
+    const std::string name = function["name"];
+    const auto& arguments = function["arguments"];
+    if (name.ends_with("_init") && arguments.back()["name"] != "struct_size") names.insert(name.substr(0, name.size() - 5));
+  }
   return names;
 }
 
@@ -167,7 +170,7 @@ void a_broken_layout_does_not_pass(void**) {
   assert_int_equal(complaints([](Layout& l) { l["carom_hit.kind"].kind = "u32"; }), 0);  // a new one
   assert_int_equal(complaints([](Layout& l) { l["carom_step_report"].size += 8; }), 0);  // a report grew
   assert_int_equal(complaints([](Layout& l) { l["carom_step_report"].size -= 8; }), 1);
-  assert_int_equal(complaints([](Layout& l) { l["carom_body_desc"].size += 8; }), 1);  // a descriptor grew
+  assert_int_equal(complaints([](Layout& l) { l["carom_body_desc"].size += 8; }), 0);  // a descriptor grew
   assert_int_equal(complaints([](Layout& l) { l["carom_param"].size += 8; }), 1);
   assert_int_equal(complaints([](Layout& l) { l["carom_body_desc.user"].kind = "i64"; }), 1);
 }

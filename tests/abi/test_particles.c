@@ -113,7 +113,7 @@ static void sets_keep_what_they_have_in_common(void **state) {
   const double zero[3] = {0, 0, 0}, h = 1.0 / 64;
   double v[3], kg[2];
   uint64_t n = 0;
-  carom_particles_desc_init(&d);
+  carom_particles_desc_init(&d, sizeof d);
   d.gravity_factor = -0.5, d.linear_damping = 0, d.mass = 0.25, d.capacity = 100;
   assert_int_equal(carom_particles_create(b->world, &d, &light, NULL), CAROM_OK);
   got.struct_size = sizeof got;

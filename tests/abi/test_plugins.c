@@ -11,7 +11,8 @@
 
 /* ---- liars by pointer: each a ball of params[0], but for its lie ---- */
 
-static int32_t ball(const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t ball(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user;
   const double largest = fmax(fabs(dir[0]), fmax(fabs(dir[1]), fabs(dir[2])));
   const double x = dir[0] / largest, y = dir[1] / largest, z = dir[2] / largest;
   const double scale = params[0] / sqrt(x * x + y * y + z * z);
@@ -22,50 +23,58 @@ static int32_t ball(const double *params, uint64_t count, const double dir[3], d
   return 0;
 }
 
-static int32_t gives_nan(const double *params, uint64_t count, const double dir[3], double out[3]) {
-  const int32_t r = ball(params, count, dir, out);
+static int32_t gives_nan(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user;
+  const int32_t r = ball(NULL, params, count, dir, out);
   if (dir[0] > 0 && dir[1] > 0) out[2] = NAN;
   return r;
 }
-static int32_t not_repeatable(const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t not_repeatable(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user;
   static int calls = 0;
-  const int32_t r = ball(params, count, dir, out);
+  const int32_t r = ball(NULL, params, count, dir, out);
   out[0] *= 1 + 1e-12 * (++calls % 2);
   return r;
 }
 /* The nearest point instead of the farthest. */
-static int32_t not_convex(const double *params, uint64_t count, const double dir[3], double out[3]) {
-  const int32_t r = ball(params, count, dir, out);
+static int32_t not_convex(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user;
+  const int32_t r = ball(NULL, params, count, dir, out);
   int i;
   for (i = 0; i < 3; ++i) out[i] = -out[i];
   return r;
 }
 /* A star: its support points are not those of its hull. */
-static int32_t star(const double *params, uint64_t count, const double dir[3], double out[3]) {
-  const int32_t r = ball(params, count, dir, out);
+static int32_t star(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user;
+  const int32_t r = ball(NULL, params, count, dir, out);
   const double bump = 1 + 0.5 * sin(9 * atan2(out[1], out[0]));
   int i;
   for (i = 0; i < 3; ++i) out[i] *= bump;
   return r;
 }
-static int32_t unbounded(const double *params, uint64_t count, const double dir[3], double out[3]) {
-  const int32_t r = ball(params, count, dir, out);
+static int32_t unbounded(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user;
+  const int32_t r = ball(NULL, params, count, dir, out);
   if (dir[1] > 0.5 * fabs(dir[0])) out[1] = 1e300;
   return r;
 }
-static int32_t scales(const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t scales(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user;
   int i;
   (void)count;
   for (i = 0; i < 3; ++i) out[i] = params[0] * dir[i]; /* right for unit directions only */
   return 0;
 }
-static int32_t refuses(const double *params, uint64_t count, const double dir[3], double out[3]) {
-  ball(params, count, dir, out);
+static int32_t refuses(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user;
+  ball(NULL, params, count, dir, out);
   return dir[2] < 0 ? 3 : 0;
 }
-static int32_t changes_rounding(const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t changes_rounding(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user;
   fesetround(FE_TOWARDZERO);
-  return ball(params, count, dir, out);
+  return ball(NULL, params, count, dir, out);
 }
 
 static carom_shape_plugin liar(carom_support_fn support, const carom_geometry *geometry) {
@@ -85,7 +94,8 @@ static int clear(void **state) {
 }
 
 /* A cube of half an edge, rounded by a radius: a smaller cube swollen by it. Rounder than it is large it makes no sense. */
-static int32_t rounded_cube(const double *params, uint64_t count, const double given[3], double out[3]) {
+static int32_t rounded_cube(void *user, const double *params, uint64_t count, const double given[3], double out[3]) {
+  (void)user;
   const double big = fmax(fabs(given[0]), fmax(fabs(given[1]), fabs(given[2])));
   const double dir[3] = {given[0] / big, given[1] / big, given[2] / big}, core = params[0] - params[1];
   const double length = sqrt(dir[0] * dir[0] + dir[1] * dir[1] + dir[2] * dir[2]);
@@ -274,8 +284,9 @@ static void a_false_declaration_is_refused_with_its_witness(void **state) {
 }
 
 /* Honest near 1, where it is asked at registration; not at 9. */
-static int32_t lies_when_large(const double *params, uint64_t count, const double dir[3], double out[3]) {
-  return params[0] > 5 ? not_convex(params, count, dir, out) : ball(params, count, dir, out);
+static int32_t lies_when_large(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user;
+  return params[0] > 5 ? not_convex(NULL, params, count, dir, out) : ball(NULL, params, count, dir, out);
 }
 
 static void a_shape_that_lies_for_its_own_parameters_alone_is_refused(void **state) {
@@ -293,8 +304,9 @@ static void a_shape_that_lies_for_its_own_parameters_alone_is_refused(void **sta
 
 static uint32_t lie = 0; /* 0: honest; else CAROM_FAULT_* */
 
-static int32_t lies_later(const double *params, uint64_t count, const double dir[3], double out[3]) {
-  ball(params, count, dir, out);
+static int32_t lies_later(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user;
+  ball(NULL, params, count, dir, out);
   if (lie == CAROM_FAULT_RETURNED) return 1;
   if (lie == CAROM_FAULT_NOT_FINITE) out[1] = NAN;
   if (lie == CAROM_FAULT_OUTSIDE) out[1] *= 1e6;
@@ -325,7 +337,7 @@ static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(v
     const double radius = 0.5;
     size_t i;
     carom_engine_desc desc;
-    carom_engine_desc_init(&desc);
+    carom_engine_desc_init(&desc, sizeof desc);
     desc.log = count_warnings;
     lie = 0;
     warnings = 0;

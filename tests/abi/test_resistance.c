@@ -12,7 +12,7 @@ static void it_is_nothing_until_it_is_set_and_outlives_an_update(void **state) {
   assert_int_equal(carom_material_get_resistance(b.world, b.material, &rolling, &spinning, NULL), CAROM_OK);
   assert_true(rolling == 0 && spinning == 0);
   assert_int_equal(carom_material_set_resistance(b.world, b.material, 0.25, 0.125, NULL), CAROM_OK);
-  carom_material_desc_init(&desc);
+  carom_material_desc_init(&desc, sizeof desc);
   assert_int_equal(carom_material_update(b.world, b.material, &desc, NULL), CAROM_OK);
   assert_int_equal(carom_material_get_resistance(b.world, b.material, &rolling, &spinning, NULL), CAROM_OK);
   assert_true(rolling == 0.25 && spinning == 0.125);
@@ -29,7 +29,7 @@ static void what_is_set_is_felt(void **state) {
     Bench b;
     carom_collider_desc wear;
     assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
-    carom_collider_desc_init(&wear);
+    carom_collider_desc_init(&wear, sizeof wear);
     if (i > 0) assert_int_equal(carom_material_set_resistance(b.world, b.material, 0.25, 0.125, NULL), CAROM_OK);
     if (i > 1) assert_int_equal(carom_material_set_resistance(b.world, b.material, 0, 0, NULL), CAROM_OK);
     wear.shape = b.floor;

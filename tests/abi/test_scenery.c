@@ -26,7 +26,7 @@ static carom_mesh_desc level(void) {
       memcpy(triangles + t, corners, sizeof corners);
       t += 6;
     }
-  assert_int_equal(carom_mesh_desc_init(&d), CAROM_OK);
+  assert_int_equal(carom_mesh_desc_init(&d, sizeof d), CAROM_OK);
   d.vertices = vertices, d.vertex_count = (SIDE + 1) * (SIDE + 1);
   d.triangles = triangles, d.triangle_count = 2 * SIDE * SIDE;
   return d;
@@ -36,9 +36,9 @@ static carom_collider put(carom_world *world, carom_shape shape, double y, uint3
   carom_body_desc bd;
   carom_collider_desc cd;
   carom_collider collider = CAROM_NULL_HANDLE;
-  carom_body_desc_init(&bd), bd.type = type, bd.position[0] = 2.1, bd.position[1] = y, bd.position[2] = 3;
+  carom_body_desc_init(&bd, sizeof bd), bd.type = type, bd.position[0] = 2.1, bd.position[1] = y, bd.position[2] = 3;
   if (type == CAROM_BODY_STATIC) bd.position[0] = bd.position[2] = 0;
-  carom_collider_desc_init(&cd), cd.shape = shape;
+  carom_collider_desc_init(&cd, sizeof cd), cd.shape = shape;
   assert_int_equal(carom_body_create(world, &bd, body, NULL), CAROM_OK);
   assert_int_equal(carom_collider_create(world, *body, &cd, &collider, NULL), CAROM_OK);
   return collider;
@@ -99,7 +99,7 @@ static void bodies_stand_on_it_and_worlds_answer_for_it(void **state) {
   (void)state;
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
   assert_int_equal(carom_shape_create_mesh(b.engine, &d, &shapes[0], NULL), CAROM_OK);
-  assert_int_equal(carom_height_field_desc_init(&h), CAROM_OK);
+  assert_int_equal(carom_height_field_desc_init(&h, sizeof h), CAROM_OK);
   for (i = 0; i < 12; i++) heights[i] = 0.5;
   h.columns = 4, h.rows = 3, h.heights = heights, h.spacing[0] = 3, h.spacing[1] = 4;
   assert_int_equal(carom_shape_create_height_field(b.engine, &h, &shapes[1], NULL), CAROM_OK);
@@ -141,7 +141,7 @@ static void what_cannot_be_is_refused_and_changes_nothing(void **state) {
   carom_collider collider;
   (void)state;
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
-  carom_height_field_desc_init(&field), field.columns = field.rows = 2, field.heights = heights;
+  carom_height_field_desc_init(&field, sizeof field), field.columns = field.rows = 2, field.heights = heights;
 
 #define REFUSED(change, code) \
   (d = good, change, assert_int_equal(carom_shape_create_mesh(b.engine, &d, &other, &error), code), assert_true(other == 77), \
@@ -179,7 +179,7 @@ static void what_cannot_be_is_refused_and_changes_nothing(void **state) {
 
   /* It has no volume, no support points, and asks nothing. */
   assert_int_equal(carom_shape_create_mesh(b.engine, &good, &mesh, NULL), CAROM_OK);
-  carom_body_desc_init(&bd), carom_collider_desc_init(&cd), cd.shape = mesh;
+  carom_body_desc_init(&bd, sizeof bd), carom_collider_desc_init(&cd, sizeof cd), cd.shape = mesh;
   assert_int_equal(carom_body_create(b.world, &bd, &body, NULL), CAROM_OK);
   assert_int_equal(carom_collider_create(b.world, body, &cd, &collider, &error), CAROM_E_OUT_OF_RANGE);
   assert_int_equal(carom_shape_support(b.engine, mesh, down, 1, out, NULL), CAROM_E_UNSUPPORTED);
@@ -236,7 +236,7 @@ static void it_answers_from_any_distance(void **state) {
   (void)state;
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
   assert_int_equal(carom_shape_create_mesh(b.engine, &d, &surface[0], NULL), CAROM_OK);
-  carom_height_field_desc_init(&f);
+  carom_height_field_desc_init(&f, sizeof f);
   f.columns = f.rows = 3, f.heights = heights;
   assert_int_equal(carom_shape_create_height_field(b.engine, &f, &surface[1], NULL), CAROM_OK);
   for (s = 0; s < 2; s++)
@@ -264,7 +264,7 @@ static void it_answers_from_any_distance(void **state) {
                                           NULL),
                          CAROM_OK);
         assert_true(cast.outcome == CAROM_CAST_MISS || (overflows && cast.outcome == CAROM_CAST_UNDECIDED));
-        carom_motion_init(&still), carom_motion_init(&flies);
+        carom_motion_init(&still, sizeof still), carom_motion_init(&flies, sizeof flies);
         memcpy(flies.position, from, sizeof from), memcpy(flies.linear_velocity, away, sizeof away);
         assert_int_equal(carom_shape_time_of_impact(b.engine, b.ball, &flies, surface[s], &still, 1, NULL, &cast, NULL),
                          CAROM_OK);

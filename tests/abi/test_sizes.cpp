@@ -26,7 +26,7 @@ struct Case {
 /// Sizes: how far from its place of rest it lies after 10 s.
 double depth_at_rest(const Case& c) {
   carom_engine_desc engine_desc;
-  carom_engine_desc_init(&engine_desc);
+  carom_engine_desc_init(&engine_desc, sizeof engine_desc);
   engine_desc.log = listen;
   carom_engine* engine = nullptr;
   carom_world* world = nullptr;
@@ -46,7 +46,7 @@ double depth_at_rest(const Case& c) {
     carom_collider_desc part;
     carom_body handle = 0;
     carom_collider collider = 0;
-    carom_body_desc_init(&body), carom_collider_desc_init(&part);
+    carom_body_desc_init(&body, sizeof body), carom_collider_desc_init(&part, sizeof part);
     body.type = type, body.position[1] = y, body.linear_velocity[1] = vy;
     part.shape = shape, part.density = c.density;
     assert_int_equal(carom_body_create(world, &body, &handle, nullptr), CAROM_OK);

@@ -83,7 +83,7 @@ static void stays_awake_is_kept_told_and_heeded(void **state) {
   uint32_t yes = 77;
   (void)state;
   still_stage(&b);
-  carom_body_desc_init(&desc);
+  carom_body_desc_init(&desc, sizeof desc);
   assert_int_equal(desc.fields, 0);
   desc.fields = CAROM_BODY_STAYS_AWAKE;
   desc.position[1] = 50;

@@ -12,7 +12,7 @@ void settings_come_back_with_the_state(void**) {
   const std::uint64_t then = seen(b);
   const double up[3] = {0, 3, 0}, side[3] = {1, 0, 0};
   carom_joint_motor motor;
-  carom_joint_motor_init(&motor);
+  carom_joint_motor_init(&motor, sizeof motor);
   motor.speed = -1, motor.most = 50;
   assert_int_equal(carom_world_set_gravity(b.world, up, nullptr), CAROM_OK);
   assert_int_equal(carom_world_set_wind(b.world, side, nullptr), CAROM_OK);
@@ -120,10 +120,10 @@ void events_go_on(void**) {
 }
 
 /// Bodies and shapes in quarantine, and a joint that broke.
-int32_t fails_at_will(const double*, uint64_t, const double dir[3], double out[3]);
+int32_t fails_at_will(void*, const double*, uint64_t, const double dir[3], double out[3]);
 bool fails = false;
-int32_t fails_at_will(const double* p, uint64_t n, const double dir[3], double out[3]) {
-  return fails ? 1 : bench_box(p, n, dir, out);
+int32_t fails_at_will(void*, const double* p, uint64_t n, const double dir[3], double out[3]) {
+  return fails ? 1 : bench_box(nullptr, p, n, dir, out);
 }
 
 void quarantine_and_breaks_go_on(void**) {
@@ -142,7 +142,7 @@ void quarantine_and_breaks_go_on(void**) {
     assert_int_equal(bench_body(b.world, shape, b.material, CAROM_BODY_DYNAMIC, 5, 0.4, 0, &body, &collider, nullptr),
                      CAROM_OK);
     carom_joint_desc d;
-    carom_joint_desc_init(&d);
+    carom_joint_desc_init(&d, sizeof d);
     d.kind = CAROM_JOINT_BALL, d.fields = CAROM_JOINT_WORLD_FRAME, d.break_force = 1e-3;
     d.body_a = b.bodies[1], d.body_b = b.bodies[3];
     carom_joint weak;
@@ -224,13 +224,13 @@ void another_structure_is_refused_by_name(void**) {
          carom_material m;
          carom_material_create(x.world, nullptr, &m, nullptr);
          carom_material_desc d;
-         carom_material_desc_init(&d);
+         carom_material_desc_init(&d, sizeof d);
          carom_material_create(x.world, &d, &m, nullptr);
        }},
       {"colliders",
        [](Bench& x) {  // as many, but another one
          carom_collider_desc d;
-         carom_collider_desc_init(&d);
+         carom_collider_desc_init(&d, sizeof d);
          d.shape = x.ball;
          carom_collider_destroy(x.world, x.colliders[3], nullptr);
          carom_collider_create(x.world, x.bodies[3], &d, &x.colliders[3], nullptr);
@@ -366,7 +366,7 @@ void a_restore_that_runs_out_of_memory_changes_nothing(void**) {
   const std::uint64_t then = seen(source);
   Meter meter{-1, 0};
   carom_engine_desc desc;
-  carom_engine_desc_init(&desc);
+  carom_engine_desc_init(&desc, sizeof desc);
   desc.alloc = metered_alloc, desc.free = metered_free, desc.alloc_user = &meter;
   int failures = 0;
   for (std::int64_t k = 0;; ++k) {

@@ -13,12 +13,12 @@ constexpr std::uint64_t kTag = std::uint64_t(0xFFFF) << 44;
 void make_more(Bench& b, const carom_engine_desc* desc = nullptr) {
   make(b, desc);
   carom_mesh_desc mesh;
-  carom_mesh_desc_init(&mesh);
+  carom_mesh_desc_init(&mesh, sizeof mesh);
   const double xyz[] = {-9, 0, -9, 9, 0, -9, 9, 0, 9, -9, 0, 9, 9, 0, 9, 0, 1, 0};  // one place twice
   const std::uint32_t corners[] = {0, 2, 1, 0, 3, 4, 0, 2, 4, 1, 5, 2};               // one without an area
   mesh.vertices = xyz, mesh.vertex_count = 6, mesh.triangles = corners, mesh.triangle_count = 4;
   carom_height_field_desc field;
-  carom_height_field_desc_init(&field);
+  carom_height_field_desc_init(&field, sizeof field);
   double heights[12];
   for (int i = 0; i < 12; ++i) heights[i] = 0.125 * (i % 5);
   heights[7] = std::nan("");
@@ -33,14 +33,14 @@ void make_more(Bench& b, const carom_engine_desc* desc = nullptr) {
   carom_body made[4];
   for (int i = 0; i < 4; ++i) {
     carom_body_desc d;
-    carom_body_desc_init(&d);
+    carom_body_desc_init(&d, sizeof d);
     d.fields = CAROM_BODY_FIELD_MASS | CAROM_BODY_FIELD_INERTIA | CAROM_BODY_FIELD_CENTER;
     d.mass = 2 + i, d.inertia[0] = d.inertia[4] = 1, d.inertia[8] = 1.5, d.center[0] = 0.125;
     d.position[0] = 30 + i, d.position[1] = 4, d.user = 77u + static_cast<unsigned>(i);
     d.linear_damping = 0.25;
     assert_int_equal(carom_body_create(b.world, &d, &made[i], nullptr), CAROM_OK);
     carom_collider_desc part;
-    carom_collider_desc_init(&part);
+    carom_collider_desc_init(&part, sizeof part);
     part.shape = b.crate, part.material = b.material, part.position[1] = 0.5;
     part.orientation[0] = 0.6, part.orientation[3] = 0.8;
     assert_int_equal(carom_collider_create(b.world, made[i], &part, &collider, nullptr), CAROM_OK);
@@ -49,7 +49,7 @@ void make_more(Bench& b, const carom_engine_desc* desc = nullptr) {
   carom_joint joints[4];
   for (int i = 0; i < 4; ++i) {
     carom_joint_desc d;
-    carom_joint_desc_init(&d);
+    carom_joint_desc_init(&d, sizeof d);
     d.kind = i % 2 ? CAROM_JOINT_BALL : CAROM_JOINT_DISTANCE;
     d.fields = i % 2 ? CAROM_JOINT_COLLIDE : 0;
     d.body_a = made[0], d.body_b = i < 3 ? made[i + 1] : CAROM_NULL_HANDLE;
@@ -57,7 +57,7 @@ void make_more(Bench& b, const carom_engine_desc* desc = nullptr) {
     assert_int_equal(carom_joint_create(b.world, &d, &joints[i], nullptr), CAROM_OK);
   }
   carom_joint_desc again;
-  carom_joint_desc_init(&again);
+  carom_joint_desc_init(&again, sizeof again);
   again.body_a = made[2], again.body_b = made[0], again.position_a[1] = 1;
   assert_int_equal(carom_joint_destroy(b.world, joints[1], nullptr), CAROM_OK);
   assert_int_equal(carom_joint_create(b.world, &again, &joints[1], nullptr), CAROM_OK);
@@ -107,7 +107,7 @@ std::vector<std::uint64_t> edits(carom_world* world, const std::vector<std::uint
   assert_int_equal(carom_joint_destroy(world, handles[1], nullptr), CAROM_OK);
   assert_int_equal(carom_body_destroy(world, handles[0], nullptr), CAROM_OK);
   carom_joint_desc d;
-  carom_joint_desc_init(&d);
+  carom_joint_desc_init(&d, sizeof d);
   d.body_a = made[0], d.position_b[1] = 8;
   carom_joint joint;
   assert_int_equal(carom_joint_create(world, &d, &joint, nullptr), CAROM_OK);
@@ -137,13 +137,13 @@ void a_world_is_built_elsewhere(void**) {
   for (std::uint64_t i = 0; i < n; ++i) {
     assert_true((ours[i] & ~kTag) == (theirs[i] & ~kTag) && ours[i] != theirs[i]);
     carom_body_desc x, y;
-    carom_body_desc_init(&x), carom_body_desc_init(&y);
+    carom_body_desc_init(&x, sizeof x), carom_body_desc_init(&y, sizeof y);
     assert_int_equal(carom_body_get(b.world, ours[i], &x, nullptr), CAROM_OK);
     assert_int_equal(carom_body_get(other.world, theirs[i], &y, nullptr), CAROM_OK);
     assert_memory_equal(&x, &y, sizeof x);
   }
   carom_joint_desc x, y;
-  carom_joint_desc_init(&x), carom_joint_desc_init(&y);
+  carom_joint_desc_init(&x, sizeof x), carom_joint_desc_init(&y, sizeof y);
   std::uint64_t joint = b.joint;
   assert_int_equal(carom_joint_get(b.world, b.joint, &x, nullptr), CAROM_OK);
   assert_int_equal(carom_world_translate_handles(other.world, &joint, 1, &joint, nullptr), CAROM_OK);
@@ -155,7 +155,7 @@ void a_world_is_built_elsewhere(void**) {
   assert_int_equal(carom_world_translate_handles(other.world, names.data(), 2, there.data(), nullptr), CAROM_OK);
   carom_collider collider = b.colliders[0];
   carom_collider_desc part;
-  carom_collider_desc_init(&part);
+  carom_collider_desc_init(&part, sizeof part);
   carom_body body;
   assert_int_equal(carom_world_translate_handles(other.world, &collider, 1, &collider, nullptr), CAROM_OK);
   assert_int_equal(carom_collider_get(other.world, collider, &part, &body, nullptr), CAROM_OK);
@@ -215,12 +215,12 @@ void what_is_stiff_is_stiff_from_the_first_step(void**) {
     assert_int_equal(bench_steps(b.world, 3, nullptr), CAROM_OK);
     if (wet) {
       carom_water water;
-      carom_water_init(&water);
+      carom_water_init(&water, sizeof water);
       water.level = 10, water.density = 1e6, water.drag = 10;
       assert_int_equal(carom_world_set_water(b.world, &water, nullptr), CAROM_OK);
     } else {
       carom_spring_desc spring;
-      carom_spring_desc_init(&spring);
+      carom_spring_desc_init(&spring, sizeof spring);
       spring.body_a = body, spring.body_b = ground, spring.rest = 1, spring.stiffness = 1e10, spring.damping = 1e6;
       carom_spring made;
       assert_int_equal(carom_spring_create(b.world, &spring, &made, nullptr), CAROM_OK);
@@ -242,12 +242,12 @@ void joints_leave_nothing_behind(void**) {
   assert_int_equal(bench_body(b.world, b.crate, 0, CAROM_BODY_STATIC, 0, -1, 0, &rolls, &collider, nullptr), CAROM_OK);
   assert_int_equal(bench_body(b.world, b.ball, 0, CAROM_BODY_DYNAMIC, 0, 0, 0, &rolls, &collider, nullptr), CAROM_OK);
   carom_force_field_desc field;
-  carom_force_field_desc_init(&field);
+  carom_force_field_desc_init(&field, sizeof field);
   field.kind = CAROM_FORCE_FIELD_RADIAL, field.strength = 3, field.position[0] = 0.7;
   carom_force_field made;
   assert_int_equal(carom_force_field_create(b.world, &field, &made, nullptr), CAROM_OK);
   carom_joint_desc joint;
-  carom_joint_desc_init(&joint);
+  carom_joint_desc_init(&joint, sizeof joint);
   joint.kind = CAROM_JOINT_BALL, joint.body_a = bodies[0], joint.body_b = bodies[1], joint.position_a[1] = 2;
   carom_joint joined;
   assert_int_equal(carom_joint_create(b.world, &joint, &joined, nullptr), CAROM_OK);
@@ -268,7 +268,7 @@ void the_edge_of_numbers_is_carried_too(void**) {
     assert_int_equal(carom_world_destroy(copy, nullptr), CAROM_OK);
   };
   carom_body_desc d;
-  carom_body_desc_init(&d);
+  carom_body_desc_init(&d, sizeof d);
   d.fields = CAROM_BODY_FIELD_MASS | CAROM_BODY_FIELD_INERTIA;
   carom_body body[2], none = 77;
   for (const double mass : {4e-310, 5e-324}) {
@@ -283,7 +283,7 @@ void the_edge_of_numbers_is_carried_too(void**) {
     copies();
   }
   carom_collider_desc light;
-  carom_collider_desc_init(&light);
+  carom_collider_desc_init(&light, sizeof light);
   carom_collider collider;
   carom_body feather;
   light.shape = b.ball, light.density = 1e-310;  // weighs nothing: its body 1 kg
@@ -302,7 +302,7 @@ void the_edge_of_numbers_is_carried_too(void**) {
   copies();
   for (const std::uint32_t fields : {0u, CAROM_JOINT_WORLD_FRAME}) {
     carom_joint_desc j;
-    carom_joint_desc_init(&j);
+    carom_joint_desc_init(&j, sizeof j);
     j.kind = CAROM_JOINT_DISTANCE, j.fields = fields;
     j.body_a = body[0], j.body_b = body[1];
     carom_joint joint = 77;
@@ -356,8 +356,8 @@ void handles_are_translated_or_refused(void**) {
   bench_free(&b);
 }
 
-int32_t no_box(const double* p, uint64_t n, const double dir[3], double out[3]) {
-  bench_box(p, n, dir, out);
+int32_t no_box(void*, const double* p, uint64_t n, const double dir[3], double out[3]) {
+  bench_box(nullptr, p, n, dir, out);
   out[1] *= 0.5;
   return 0;
 }
@@ -415,7 +415,7 @@ void shapes_are_found_again(void**) {
   assert_int_equal(carom_world_translate_handles(world, names, 3, names, nullptr), CAROM_OK);
   for (int i = 0; i < 3; ++i) {
     carom_collider_desc d;
-    carom_collider_desc_init(&d);
+    carom_collider_desc_init(&d, sizeof d);
     assert_int_equal(carom_collider_get(world, names[i], &d, &body, nullptr), CAROM_OK);
     shapes[i] = d.shape;
   }
@@ -435,7 +435,7 @@ void only_a_new_world_is_built(void**) {
   assert_true(seen(b) == then);
   Empty other;
   carom_material_desc d;
-  carom_material_desc_init(&d);
+  carom_material_desc_init(&d, sizeof d);
   carom_material material;
   carom_error error = CAROM_ERROR_INIT;
   assert_int_equal(carom_material_create(other.world, &d, &material, nullptr), CAROM_OK);
@@ -538,7 +538,7 @@ void building_that_runs_out_of_memory_changes_nothing(void**) {
   const Bytes bytes = save(source.world, CAROM_SNAPSHOT_WHOLE);
   Meter meter{-1, 0};
   carom_engine_desc desc;
-  carom_engine_desc_init(&desc);
+  carom_engine_desc_init(&desc, sizeof desc);
   desc.alloc = metered_alloc, desc.free = metered_free, desc.alloc_user = &meter;
   int failures = 0;
   for (std::int64_t k = 0;; ++k) {
@@ -565,7 +565,7 @@ void building_that_runs_out_of_memory_changes_nothing(void**) {
 void so_does_a_fork(void**) {
   Meter meter{-1, 0};
   carom_engine_desc desc;
-  carom_engine_desc_init(&desc);
+  carom_engine_desc_init(&desc, sizeof desc);
   desc.alloc = metered_alloc, desc.free = metered_free, desc.alloc_user = &meter;
   Bench b;
   make_more(b, &desc);

@@ -51,13 +51,13 @@ static void sizes_of_no_version_are_refused(void **state) {
     carom_particles_desc particles_desc;
     carom_particles particles = 0;
     const double zero[3] = {0, 0, 0}, upright[4] = {0, 0, 0, 1};
-    carom_engine_desc_init(&engine_desc);
-    carom_world_desc_init(&world_desc);
-    carom_body_desc_init(&body_desc);
-    carom_material_desc_init(&material_desc);
-    carom_collider_desc_init(&collider_desc);
-    carom_distance_desc_init(&distance_desc);
-    carom_particles_desc_init(&particles_desc);
+    carom_engine_desc_init(&engine_desc, sizeof engine_desc);
+    carom_world_desc_init(&world_desc, sizeof world_desc);
+    carom_body_desc_init(&body_desc, sizeof body_desc);
+    carom_material_desc_init(&material_desc, sizeof material_desc);
+    carom_collider_desc_init(&collider_desc, sizeof collider_desc);
+    carom_distance_desc_init(&distance_desc, sizeof distance_desc);
+    carom_particles_desc_init(&particles_desc, sizeof particles_desc);
     collider_desc.shape = b.ball;
     engine_desc.struct_size = world_desc.struct_size = body_desc.struct_size = material_desc.struct_size =
         collider_desc.struct_size = distance_desc.struct_size = particles_desc.struct_size = info.struct_size = report.struct_size =
@@ -84,9 +84,9 @@ static void sizes_of_no_version_are_refused(void **state) {
     assert_int_equal(
         carom_shape_distance(b.engine, b.ball, zero, upright, b.crate, zero, upright, NULL, &distance, NULL),
         CAROM_E_STRUCT_SIZE);
-    carom_cast_desc_init(&cast_desc);
-    carom_motion_init(&motion);
-    carom_motion_init(&good_motion);
+    carom_cast_desc_init(&cast_desc, sizeof cast_desc);
+    carom_motion_init(&motion, sizeof motion);
+    carom_motion_init(&good_motion, sizeof good_motion);
     memset(&rays, 0, sizeof rays);
     memset(&hits, 0, sizeof hits);
     cast.struct_size = sizeof cast;
@@ -154,7 +154,7 @@ static void a_longer_descriptor_is_fine_while_its_tail_is_zero(void **state) {
   (void)state;
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
   memset(&longer, 0, sizeof longer);
-  carom_body_desc_init(&longer.known.body);
+  carom_body_desc_init(&longer.known.body, sizeof longer.known.body);
   longer.known.body.struct_size = (uint32_t)(sizeof(carom_body_desc) + 16);
   assert_int_equal(carom_body_create(b.world, &longer.known.body, &body, &e), CAROM_OK);
   ((unsigned char *)&longer)[sizeof(carom_body_desc) + 15] = 1; /* the last byte that the newer header has */

@@ -25,7 +25,7 @@ static void one_ray_meets_what_is_first(void **state) {
   assert_true(hit.lower <= 2.25 && 2.25 <= hit.upper && near_to(hit.time, 2.25, 1e-12));
   assert_true(near_to(hit.normal[0], 1, 1e-12) && near_to(hit.point[0], -0.5, 1e-12) && hit.point[1] == 1);
 
-  assert_int_equal(carom_query_desc_init(&desc), CAROM_OK);
+  assert_int_equal(carom_query_desc_init(&desc, sizeof desc), CAROM_OK);
   desc.ignore = b.bodies[0];
   assert_int_equal(carom_world_cast_ray(b.world, from, along, 10, &desc, &hit, sizeof hit, NULL), CAROM_OK);
   assert_true(hit.outcome == CAROM_CAST_MISS && hit.time == 10); /* it passes the next by hypot(0.5, 0.125) > 0.5 */
@@ -181,7 +181,7 @@ static void shapes_are_cast_placed_and_measured(void **state) {
     assert_int_equal(carom_world_overlap_shapes(b.world, &ask, NULL, all, sizeof all[0], 9, &count, NULL), CAROM_OK);
     /* the crate reaches the third ball, too; the ball touches nothing; the point is above the floor */
     assert_true(count >= 1 && all[0].question == 0);
-    carom_query_desc_init(&desc);
+    carom_query_desc_init(&desc, sizeof desc);
     desc.target = 0.75;
     ask.count = 1;
     ask.positions = here + 3;

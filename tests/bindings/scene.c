@@ -51,12 +51,12 @@ int main(int argc, char **argv) {
   CHECK(carom_world_create(engine, NULL, &world, &error));
   CHECK(carom_world_set_dial(world, CAROM_DIAL_SUBSTEPS, 5, &error));
   CHECK(carom_world_set_wind(world, wind, &error));
-  carom_material_desc_init(&surface);
+  carom_material_desc_init(&surface, sizeof surface);
   surface.friction = 0.6, surface.restitution = 0.3;
   CHECK(carom_material_create(world, &surface, &material, &error));
   for (i = 0; i < 19; ++i) { /* the ground, and 18 things in a heap */
-    carom_body_desc_init(&body);
-    carom_collider_desc_init(&part);
+    carom_body_desc_init(&body, sizeof body);
+    carom_collider_desc_init(&part, sizeof part);
     part.material = material;
     if (i == 0) {
       body.type = CAROM_BODY_STATIC;
@@ -71,13 +71,13 @@ int main(int argc, char **argv) {
     CHECK(carom_collider_create(world, bodies[i], &part, &collider, &error));
     if (i) CHECK(carom_body_set_drag(world, bodies[i], 0.1, 0.02, &error));
   }
-  carom_body_desc_init(&body);
-  carom_collider_desc_init(&part);
+  carom_body_desc_init(&body, sizeof body);
+  carom_collider_desc_init(&part, sizeof part);
   part.shape = shapes[1];
   body.position[0] = 4.5, body.position[1] = 3;
   CHECK(carom_body_create(world, &body, &bodies[0], &error));
   CHECK(carom_collider_create(world, bodies[0], &part, &collider, &error));
-  carom_joint_desc_init(&hinge);
+  carom_joint_desc_init(&hinge, sizeof hinge);
   hinge.kind = CAROM_JOINT_HINGE, hinge.fields = CAROM_JOINT_WORLD_FRAME, hinge.body_b = bodies[0];
   memcpy(hinge.position_a, at, sizeof at);
   hinge.orientation_a[0] = 0, hinge.orientation_a[1] = -0.6, hinge.orientation_a[2] = 0, hinge.orientation_a[3] = 0.8;

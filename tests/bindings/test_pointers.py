@@ -173,7 +173,7 @@ class Nullable(unittest.TestCase):
         if base in STRUCTS:
             struct, made = STRUCTS[base], ctypes.cast(block, ctypes.POINTER(getattr(raw, base)))
             if struct["init"]:
-                getattr(raw, struct["init"])(made)
+                getattr(raw, struct["init"])(made, struct["size"])
             elif struct["fields"][0]["name"] == "struct_size":
                 made.contents.struct_size = struct["size"]
             for field in struct["fields"]:

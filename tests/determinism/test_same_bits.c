@@ -98,7 +98,7 @@ static void the_hash_tells_one_step_and_one_dial_from_another(void **state) {
 static void addresses_and_what_memory_held_do_not_matter(void **state) {
   carom_engine_desc desc;
   (void)state;
-  carom_engine_desc_init(&desc);
+  carom_engine_desc_init(&desc, sizeof desc);
   desc.alloc = shifting_alloc;
   desc.free = shifting_free;
   assert_true(bits_after(&desc, 200, 0) == bits_after(NULL, 200, 0));
@@ -154,7 +154,7 @@ static void so_are_those_of_particles(void **state) {
     assert_int_equal(carom_engine_create(NULL, &b.engine, NULL), CAROM_OK);
     assert_int_equal(carom_world_create(b.engine, NULL, &b.world, NULL), CAROM_OK);
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_INTEGRATOR, integrator, NULL), CAROM_OK);
-    carom_particles_desc_init(&desc);
+    carom_particles_desc_init(&desc, sizeof desc);
     desc.gravity_factor = 0.75, desc.linear_damping = 0.3;
     assert_int_equal(carom_particles_create(b.world, &desc, &b.particles, NULL), CAROM_OK);
     assert_int_equal(carom_particles_add(b.world, b.particles, 1003, CAROM_SCALAR_F64, x, 0, x, 0, NULL), CAROM_OK);
@@ -191,13 +191,13 @@ static void so_are_those_of_joints(void **state) {
     assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
     for (kind = 0; kind <= CAROM_JOINT_UNIVERSAL; ++kind) {
       carom_joint_desc d;
-      carom_joint_desc_init(&d);
+      carom_joint_desc_init(&d, sizeof d);
       d.kind = kind, d.fields = CAROM_JOINT_WORLD_FRAME;
       d.body_a = kind < 3 ? CAROM_NULL_HANDLE : b.bodies[kind % 3], d.body_b = b.bodies[kind < 3 ? kind : 3];
       d.position_a[0] = 0.5 * kind, d.position_a[1] = 3 + 0.25 * kind, d.position_a[2] = 0.125;
       assert_int_equal(carom_joint_create(b.world, &d, &joints[kind], NULL), CAROM_OK);
     }
-    carom_joint_limit_init(&limit), carom_joint_motor_init(&motor), carom_joint_spring_init(&spring);
+    carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor), carom_joint_spring_init(&spring, sizeof spring);
     limit.enabled = motor.enabled = spring.enabled = 1;
     limit.upper = 0.5, motor.speed = 3, motor.most = 5, spring.target = 0.25, spring.damping = 0.25;
     assert_int_equal(carom_joint_set_limit(b.world, joints[0], CAROM_COORDINATE_SWING, &limit, NULL), CAROM_OK);
@@ -235,7 +235,7 @@ static void so_are_those_of_factors_locks_and_belts(void **state) {
     assert_int_equal(carom_body_set_gravity_factor(b.world, b.bodies[0], 0.75, NULL), CAROM_OK);
     assert_int_equal(carom_body_set_locks(b.world, b.bodies[1], CAROM_LOCK_PLANE, NULL), CAROM_OK);
     assert_int_equal(carom_body_set_locks(b.world, b.bodies[3], CAROM_LOCK_LINEAR_X | CAROM_LOCK_ANGULAR_Y, NULL), CAROM_OK);
-    carom_joint_desc_init(&d);
+    carom_joint_desc_init(&d, sizeof d);
     d.kind = CAROM_JOINT_BALL, d.fields = CAROM_JOINT_WORLD_FRAME;
     d.body_a = b.bodies[1], d.body_b = b.bodies[2], d.position_a[0] = 1.25, d.position_a[1] = 2;
     assert_int_equal(carom_joint_create(b.world, &d, &joint, NULL), CAROM_OK);
@@ -264,7 +264,7 @@ static void so_are_those_of_heaps(void **state) {
     uint64_t got;
     memset(&b, 0, sizeof b);
     assert_int_equal(carom_engine_create(NULL, &b.engine, NULL), CAROM_OK);
-    carom_jobs_desc_init(&jobs);
+    carom_jobs_desc_init(&jobs, sizeof jobs);
     jobs.threads = (uint32_t)(1 + (i + detour) % 3);
 #if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
     jobs.threads = 1; /* there are no more */

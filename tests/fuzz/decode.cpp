@@ -140,8 +140,8 @@ Vec3 special_direction(Bytes& in, const Mat3& r) {
 Real bound(const Shape& a, const Shape& b, const Frame& f, const Vec3& n) {
   const Vec3 n_b = -f.rotate_inverse(n);
   Vec3 on_a, on_b;
-  a.support(a.params.data(), a.params.size(), n.data(), on_a.data());
-  b.support(b.params.data(), b.params.size(), n_b.data(), on_b.data());
+  a.support(a.user, a.params.data(), a.params.size(), n.data(), on_a.data());
+  b.support(b.user, b.params.data(), b.params.size(), n_b.data(), on_b.data());
   return n.dot(f.apply(on_b) - on_a) - a.core_radius - b.core_radius;
 }
 

@@ -47,15 +47,15 @@ struct Answer {
   Real along(const Vec3& n, Vec3& w) const {
     const Vec3 n_b = -b_in_a.rotate_inverse(n);
     Vec3 on_a, on_b;
-    a.support(a.params.data(), a.params.size(), n.data(), on_a.data());
-    b.support(b.params.data(), b.params.size(), n_b.data(), on_b.data());
+    a.support(a.user, a.params.data(), a.params.size(), n.data(), on_a.data());
+    b.support(b.user, b.params.data(), b.params.size(), n_b.data(), on_b.data());
     w = b_in_a.apply(on_b) - on_a;
     return n.dot(w) - radii;
   }
   /// How far a point lies outside the supporting plane of a shape along n.
   static Real outside(const Shape& s, const Vec3& n, const Vec3& x, Real shell) {
     Vec3 on;
-    s.support(s.params.data(), s.params.size(), n.data(), on.data());
+    s.support(s.user, s.params.data(), s.params.size(), n.data(), on.data());
     return n.dot(x - on) - s.core_radius - shell;
   }
 };
@@ -137,7 +137,7 @@ void Judge::half_space(const Answer& x) {
   const Vec3 n = flat_a ? plane.normal : Vec3(x.b_in_a.r * plane.normal);
   const Vec3 down = flat_a ? Vec3(-x.b_in_a.rotate_inverse(n)) : Vec3(-n);
   Vec3 lowest;
-  other.support(other.params.data(), other.params.size(), down.data(), lowest.data());
+  other.support(other.user, other.params.data(), other.params.size(), down.data(), lowest.data());
   const Real height = flat_a ? n.dot(x.b_in_a.apply(lowest)) : n.dot(lowest - x.b_in_a.p);
   const Real s = height - other.core_radius - plane.offset;
   demand(x.r.lower <= s + x.slack() && s - x.slack() <= x.r.upper, "half-space %.17g not in [%.17g, %.17g]", s,

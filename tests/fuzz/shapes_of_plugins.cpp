@@ -15,9 +15,9 @@ namespace {
 
 /// A box that misbehaves in a cone of directions about (1, 1, 1).
 template <Lie lie>
-std::int32_t lying_box(const double* p, std::uint64_t count, const double* d, double* out) {
+std::int32_t lying_box(void*, const double* p, std::uint64_t count, const double* d, double* out) {
   const double norm = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-  carom_plugin_box.support(p, count, d, out);
+  carom_plugin_box.support(nullptr, p, count, d, out);
   if (lie == Lie::single) {
     for (int i = 0; i < 3; ++i) out[i] = static_cast<double>(static_cast<float>(out[i]));
     return 0;

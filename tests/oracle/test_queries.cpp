@@ -409,9 +409,9 @@ static void liars_are_met_where_their_bounds_are(void**) {
   // Honest along the axes, where bounds are asked for, and a liar elsewhere.
   Shape liar = box(Vec3(1, 1, 1));
   liar.form = Form::none;
-  liar.support = [](const double* p, std::uint64_t n, const double* d, double* out) -> std::int32_t {
+  liar.support = [](void* user, const double* p, std::uint64_t n, const double* d, double* out) -> std::int32_t {
     const int zeros = (d[0] == 0) + (d[1] == 0) + (d[2] == 0);
-    return zeros == 2 ? box_support(p, n, d, out) : 9;
+    return zeros == 2 ? box_support(user, p, n, d, out) : 9;
   };
   const Shape* bad = t.keep(std::move(liar));
   const std::uint32_t behind = t.add(crate, Vec3(6, 0, 0), BodyType::fixed);

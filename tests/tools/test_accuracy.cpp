@@ -40,14 +40,14 @@ Request at(double dt, std::vector<std::string> dials = {}) {
 /// Change the surface of everything that touches something now; both sides get the same.
 void resurface(Stage& stage, double friction, double restitution) {
   carom_material_desc surface;
-  carom_material_desc_init(&surface);
+  carom_material_desc_init(&surface, sizeof surface);
   surface.friction = friction;
   surface.restitution = restitution;
   for (const carom_contact& contact : stage.world.contacts())
     for (carom_collider side : {contact.collider_a, contact.collider_b}) {
       carom_collider_desc desc;
       carom_body body = CAROM_NULL_HANDLE;
-      carom_collider_desc_init(&desc);
+      carom_collider_desc_init(&desc, sizeof desc);
       assert_int_equal(carom_collider_get(stage.world.get(), side, &desc, &body, nullptr), CAROM_OK);
       assert_int_equal(carom_material_update(stage.world.get(), desc.material, &surface, nullptr), CAROM_OK);
     }

@@ -114,7 +114,7 @@ struct ReadScene {
   Vec spin(const std::string& name) { return Vec(Eigen::Map<const Eigen::Vector3d>(body(name).angular_velocity)); }
   carom_body_desc body(const std::string& name) {
     carom_body_desc d;
-    carom_body_desc_init(&d);
+    carom_body_desc_init(&d, sizeof d);
     assert_int_equal(carom_body_get(stage.world.get(), stage.actors[index(name)].body, &d, nullptr), CAROM_OK);
     return d;
   }

@@ -42,11 +42,11 @@ struct Session {
     steps(5);
     Call call;
     carom_body_desc desc;
-    carom_body_desc_init(&desc);
+    carom_body_desc_init(&desc, sizeof desc);
     desc.position[1] = 9, desc.user = 5;
     call.done(carom_body_create(w, &desc, &late, call), "late body");
     carom_collider_desc part;
-    carom_collider_desc_init(&part);
+    carom_collider_desc_init(&part, sizeof part);
     part.shape = engine.shape("cylinder", {0.3, 0.4});  // a shape that the world did not know
     carom_collider collider;
     call.done(carom_collider_create(w, late, &part, &collider, call), "late collider");
@@ -61,7 +61,7 @@ struct Session {
     call.done(carom_body_set_velocity(w, late, velocity, spin, call), "a push");
     steps(5);
     carom_joint_desc joint;
-    carom_joint_desc_init(&joint);
+    carom_joint_desc_init(&joint, sizeof joint);
     joint.body_a = late, joint.body_b = CAROM_NULL_HANDLE, joint.position_b[1] = 9;
     carom_joint made;
     call.done(carom_joint_create(w, &joint, &made, call), "a joint");
@@ -218,7 +218,7 @@ static void memory_may_run_out_while_recording(void**) {
   for (std::int64_t k = 0;; k += 1 + k / 16) {  // closer where calls are refused, which comes first
     Meter meter;
     carom_engine_desc desc;
-    carom_engine_desc_init(&desc);
+    carom_engine_desc_init(&desc, sizeof desc);
     desc.alloc = metered, desc.alloc_user = &meter;
     desc.free = [](void*, void* p, uint64_t, uint64_t) { std::free(p); };
     Engine engine(PluginPath({CAROM_PLUGIN_DIR}), &desc);
@@ -239,10 +239,10 @@ static void memory_may_run_out_while_recording(void**) {
     };
     carom_body body;
     carom_body_desc about;
-    carom_body_desc_init(&about);
+    carom_body_desc_init(&about, sizeof about);
     about.position[1] = 7;
     carom_collider_desc part;
-    carom_collider_desc_init(&part);
+    carom_collider_desc_init(&part, sizeof part);
     part.shape = shape;
     carom_collider collider;
     insist([&] { return carom_body_create(w, &about, &body, nullptr); });

@@ -66,7 +66,7 @@ struct Read {
   }
   carom_body_desc body(const std::string& name) {
     carom_body_desc d;
-    carom_body_desc_init(&d);
+    carom_body_desc_init(&d, sizeof d);
     assert_int_equal(carom_body_get(stage.world.get(), actor(name).body, &d, nullptr), CAROM_OK);
     return d;
   }
@@ -154,7 +154,7 @@ static void a_pulley_is_refused_and_not_written_as_another_kind(void**) {
   Stage stage(engine);
   build(find_scene("ragdoll"), {}, stage);
   carom_joint_desc d;
-  carom_joint_desc_init(&d);
+  carom_joint_desc_init(&d, sizeof d);
   d.kind = CAROM_JOINT_PULLEY, d.body_b = stage.actors[stage.ties.front().b].body;
   carom_joint pulley = 0;
   Call call;
@@ -380,14 +380,14 @@ static void joints_are_told_by_their_limits(void**) {
   assert_true(said);
   for (std::size_t k = 0; k < 6; ++k) {
     carom_joint_desc d;
-    carom_joint_desc_init(&d);
+    carom_joint_desc_init(&d, sizeof d);
     assert_int_equal(carom_joint_get(world, handles[k], &d, nullptr), CAROM_OK);
     assert_int_equal(d.kind, kinds[k]);
     assert_true(d.body_a == CAROM_NULL_HANDLE && d.body_b == r.actor("body " + std::to_string(k)).body);
   }
   const auto limit_of = [&](std::size_t k, std::uint32_t coordinate) {
     carom_joint_limit limit;
-    carom_joint_limit_init(&limit);
+    carom_joint_limit_init(&limit, sizeof limit);
     assert_int_equal(carom_joint_get_limit(world, handles[k], coordinate, &limit, nullptr), CAROM_OK);
     assert_true(limit.enabled);
     return std::pair(limit.lower, limit.upper);
@@ -397,7 +397,7 @@ static void joints_are_told_by_their_limits(void**) {
   assert_true(limit_of(4, CAROM_COORDINATE_DISTANCE) == std::pair(0.0, 1.5));
   assert_true(limit_of(5, CAROM_COORDINATE_SWING) == std::pair(0.0, 0.5));
   carom_joint_spring spring;
-  carom_joint_spring_init(&spring);
+  carom_joint_spring_init(&spring, sizeof spring);
   assert_int_equal(carom_joint_get_spring(world, handles[1], CAROM_COORDINATE_TWIST, &spring, nullptr), CAROM_OK);
   assert_true(near(spring.frequency, 20 / (8 * std::atan(1.0))) && near(spring.damping, 0.5) && spring.target == 0.5);
   simulate(r.stage, nullptr, 3, 1.0 / 120);
@@ -440,7 +440,7 @@ static void other_joints_are_told_by_their_axes(void**) {
   assert_int_equal(count, 2);
   const auto axis = [&](std::size_t k, std::uint32_t which) {
     carom_joint_axis d;
-    carom_joint_axis_init(&d);
+    carom_joint_axis_init(&d, sizeof d);
     assert_int_equal(carom_joint_get_axis(world, handles[k], which, &d, nullptr), CAROM_OK);
     return d;
   };

@@ -1,6 +1,6 @@
 // Written by bindings/gen/generate from include/carom; do not edit.
 export const CAROM_VERSION_MAJOR: 1;
-export const CAROM_VERSION_MINOR: 8;
+export const CAROM_VERSION_MINOR: 0;
 export const CAROM_VERSION_PATCH: 0;
 export const CAROM_OK: 0;
 /** a required pointer is NULL */
@@ -112,6 +112,10 @@ export const CAROM_CONTINUOUS_AUTO: 0;
 export const CAROM_CONTINUOUS_ALWAYS: 1;
 /** in none: cheap debris that may pass through walls */
 export const CAROM_CONTINUOUS_NEVER: 2;
+/** default category, see carom_collider_set_filter() */
+export const CAROM_FILTER_CATEGORY: 1n;
+/** default mask */
+export const CAROM_FILTER_MASK: 18446744073709551615n;
 /** 3: m, world, origin of the body frame */
 export const CAROM_FIELD_POSITION: 0;
 /** 4: x, y, z, w */
@@ -348,10 +352,6 @@ export const CAROM_SENSOR_ENTER: 0;
 export const CAROM_SENSOR_LEAVE: 1;
 export const CAROM_SLEEP_ASLEEP: 0;
 export const CAROM_SLEEP_AWAKE: 1;
-/** default category */
-export const CAROM_FILTER_CATEGORY: 1n;
-/** default mask */
-export const CAROM_FILTER_MASK: 18446744073709551615n;
 /** `vector` within a box about the frame's origin */
 export const CAROM_FORCE_FIELD_UNIFORM: 0;
 /** strength (reference / s)^falloff away from the origin; below 0 it attracts */
@@ -408,6 +408,8 @@ export const CAROM_AXIS_MODE_LOCKED: 1;
 /** from `lower` to `upper`; where both are the same and the stops hard, it is locked */
 export const CAROM_AXIS_MODE_LIMITED: 2;
 export const CAROM_AXIS_MODE_COUNT: 3;
+/** @name What a drive aims at
+ *  @{ */
 export const CAROM_DRIVE_NONE: 0;
 /** force = stiffness (target - x) + damping (speed - x'), `most` at most */
 export const CAROM_DRIVE_POSITION: 1;

@@ -1,6 +1,6 @@
 // Written by bindings/gen/generate from include/carom; do not edit.
 export const CAROM_VERSION_MAJOR = 1;
-export const CAROM_VERSION_MINOR = 8;
+export const CAROM_VERSION_MINOR = 0;
 export const CAROM_VERSION_PATCH = 0;
 export const CAROM_OK = 0;
 export const CAROM_E_NULL_ARGUMENT = -1;
@@ -64,6 +64,8 @@ export const CAROM_ATTRIBUTE_NUMBERS = 4;
 export const CAROM_CONTINUOUS_AUTO = 0;
 export const CAROM_CONTINUOUS_ALWAYS = 1;
 export const CAROM_CONTINUOUS_NEVER = 2;
+export const CAROM_FILTER_CATEGORY = 1n;
+export const CAROM_FILTER_MASK = 18446744073709551615n;
 export const CAROM_FIELD_POSITION = 0;
 export const CAROM_FIELD_ORIENTATION = 1;
 export const CAROM_FIELD_POSE = 2;
@@ -196,8 +198,6 @@ export const CAROM_SENSOR_ENTER = 0;
 export const CAROM_SENSOR_LEAVE = 1;
 export const CAROM_SLEEP_ASLEEP = 0;
 export const CAROM_SLEEP_AWAKE = 1;
-export const CAROM_FILTER_CATEGORY = 1n;
-export const CAROM_FILTER_MASK = 18446744073709551615n;
 export const CAROM_FORCE_FIELD_UNIFORM = 0;
 export const CAROM_FORCE_FIELD_RADIAL = 1;
 export const CAROM_FORCE_FIELD_VORTEX = 2;

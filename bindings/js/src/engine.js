@@ -80,7 +80,7 @@ export class Engine {
       module.check(module.raw.carom_engine_destroy(p, module.error), "engine.free"),
     );
     net.register(this, this.owned, this);
-    module.call("carom_wasm_register_standard_shapes", pointer);
+    module.call("carom_plugins_register_standard", pointer);
   }
 
   get pointer() {

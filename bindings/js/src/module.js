@@ -110,7 +110,7 @@ export class Module {
   /** A struct filled by its `*_init` where it has one, then by `values`. */
   put(room, name, values, init = `${name}_init`) {
     const at = room(this.structs.size(name));
-    if (this.raw[init]) this.check(this.raw[init](at), init);
+    if (this.raw[init]) this.check(this.raw[init](at, this.structs.size(name)), init);
     else this.view.setUint32(at, this.structs.size(name), true);
     this.structs.write(this.view, name, at, values);
     return at;

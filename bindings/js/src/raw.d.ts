@@ -13,16 +13,16 @@ export interface Raw {
   carom_result_remedy(result: number): number;
   /** The layout of every struct of this interface, as the compiler that built this library has it: for a binding, which
    *  compares it with its own when it is loaded. Lines of four words, ending in '\n'; first "carom" and the version:
-   *      carom 1.8.0
+   *      carom 1.0.0
    *      carom_error 0 576 struct              name, offset, size in bytes, kind
    *      carom_error.struct_size 0 4 u32
    *      carom_error.witness_dir 16 24 f64[3]
    *  Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array. Newer
-   *  libraries have more lines, and a struct that no *_init() fills may be larger; a field stays as it is.
-   *  Static storage.   @thread any   @since 1.8 */
+   *  libraries have more lines, and a struct may be larger; a field stays as it is.
+   *  Static storage.   @thread any */
   carom_abi_manifest(): number;
-  /** @status OK; NULL_ARGUMENT */
-  carom_material_desc_init(desc: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_material_desc_init(desc: number, struct_size: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; OUT_OF_MEMORY */
   carom_material_create(world: number, desc: number, material: number, error: number): number;
   /** Change a material in place; every collider that uses it follows.   @status as carom_material_create(); *_HANDLE */
@@ -31,14 +31,14 @@ export interface Raw {
    *  with a force N bears a moment of up to rolling * N in its plane and of up to spinning * N about its normal. Mixed as
    *  friction is; carom_material_update() leaves it alone.
    *  @param rolling, spinning m, [0, 1e3]
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY   @since 1.3 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY */
   carom_material_set_resistance(world: number, material: bigint, rolling: number, spinning: number, error: number): number;
-  /** @param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.3 */
+  /** @param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_material_get_resistance(world: number, material: bigint, rolling: number, spinning: number, error: number): number;
   /** @status OK; *_HANDLE; IN_USE (a collider uses it); BUSY */
   carom_material_destroy(world: number, material: bigint, error: number): number;
-  /** @status OK; NULL_ARGUMENT */
-  carom_body_desc_init(desc: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_body_desc_init(desc: number, struct_size: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; REENTRANT; LIMIT;
    *          OUT_OF_MEMORY */
   carom_body_create(world: number, desc: number, body: number, error: number): number;
@@ -54,10 +54,10 @@ export interface Raw {
    *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT */
   carom_body_set_velocity(world: number, body: bigint, linear: number, angular: number, error: number): number;
   /** @param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z, w, body
-   *  to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+   *  to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_pose(world: number, body: bigint, position: number, orientation: number, error: number): number;
   /** @param linear [3] out, or NULL: m/s, world, of the centre of mass   @param angular [3] out, or NULL: rad/s, world
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_velocity(world: number, body: bigint, linear: number, angular: number, error: number): number;
   /** Set the mass of a dynamic body, as carom_body_desc would have. Its frame stays; the velocity of its centre is kept as
    *  that of the new centre. Wakes the body and its island. Snapshots of before do not fit any more (MISMATCH).
@@ -66,33 +66,33 @@ export interface Raw {
    *  @param inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero; or NULL:
    *                 from its colliders, scaled to the mass
    *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0, and a
-   *          collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+   *          collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_mass(world: number, body: bigint, mass: number, center: number, inertia: number, error: number): number;
   /** As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate.
    *  @param mass out, or NULL: kg   @param center [3] out, or NULL: m, body frame   @param inertia [9] out, or NULL: kg m^2, body
-   *  frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+   *  frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_mass(world: number, body: bigint, mass: number, center: number, inertia: number, error: number): number;
   /** Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic no
    *  longer loses the mass that it was given, pending forces and what only dynamic bodies may have
    *  (carom_attribute_info.of_dynamic). Snapshots of before do not fit any more. What it touches wakes.
    *  @param type CAROM_BODY_*
    *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that is not
-   *          dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+   *          dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_type(world: number, body: bigint, type: number, error: number): number;
-  /** @param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+  /** @param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_type(world: number, body: bigint, type: number, error: number): number;
   /** @param linear, angular 1/s, [0, 1e6]: dv/dt = -linear v, likewise of spin   @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE;
-   *  OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8 */
+   *  OUT_OF_RANGE; BUSY; REENTRANT */
   carom_body_set_damping(world: number, body: bigint, linear: number, angular: number, error: number): number;
-  /** @param linear, angular out: 1/s; either may be NULL   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+  /** @param linear, angular out: 1/s; either may be NULL   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_damping(world: number, body: bigint, linear: number, angular: number, error: number): number;
-  /** @param user anything; the engine does not look   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT   @since 1.8 */
+  /** @param user anything; the engine does not look   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
   carom_body_set_user(world: number, body: bigint, user: bigint, error: number): number;
-  /** @param user out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+  /** @param user out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_user(world: number, body: bigint, user: number, error: number): number;
   /** Number of a body's colliders, and their handles in the order of the slots.
    *  @param colliders [capacity] or NULL   @param count out: how many there are (may exceed capacity; capacity are written)
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_colliders(world: number, body: bigint, colliders: number, capacity: bigint, count: number, error: number): number;
   /** Add a force and a torque about the centre of mass, for the next step only.
    *  @param force [3] N, world   @param torque [3] N m, world
@@ -104,9 +104,9 @@ export interface Raw {
   /** How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
    *  rises. Wakes the body and its island.
    *  @param factor any finite number; 1 when a body is created
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.6 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_gravity_factor(world: number, body: bigint, factor: number, error: number): number;
-  /** @param factor out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6 */
+  /** @param factor out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_gravity_factor(world: number, body: bigint, factor: number, error: number): number;
   /** Hold the velocity of a dynamic body along and about some world axes at 0, exactly: forces, contacts and joints move it
    *  along the others alone, as heavy there as it is. What it has of such velocity now is gone; what a host writes of it
@@ -117,36 +117,34 @@ export interface Raw {
    *  @param locks CAROM_LOCK_* bits, 0 when a body is created
    *  @status OK; NULL_ARGUMENT; *_HANDLE; UNSUPPORTED (unknown bits; or solver severity: set CAROM_DIAL_SOLVER to another
    *          first); OUT_OF_RANGE (a body that is not dynamic: it moves as its velocity says); BUSY; REENTRANT;
-   *          OUT_OF_MEMORY   @since 1.6 */
+   *          OUT_OF_MEMORY */
   carom_body_set_locks(world: number, body: bigint, locks: number, error: number): number;
-  /** @param locks out: CAROM_LOCK_* bits   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6 */
+  /** @param locks out: CAROM_LOCK_* bits   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_locks(world: number, body: bigint, locks: number, error: number): number;
   /** @param attribute CAROM_ATTRIBUTE_*   @param info out
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM   @thread any   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM   @thread any */
   carom_attribute_get_info(attribute: number, info: number, error: number): number;
   /** Set an attribute. Another value than it has wakes the body and its island.
    *  @param value [4] in the units of carom_attribute_info; numbers that the attribute does not have must be 0
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a fraction where numbers are whole; a
-   *          body that is not dynamic); UNSUPPORTED (locks under solver severity); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+   *          body that is not dynamic); UNSUPPORTED (locks under solver severity); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_attribute(world: number, body: bigint, attribute: number, value: number, error: number): number;
   /** @param value [4] out: numbers that the attribute does not have are 0
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; BUSY   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; BUSY */
   carom_body_get_attribute(world: number, body: bigint, attribute: number, value: number, error: number): number;
-  /** @param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.2 */
+  /** @param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_is_asleep(world: number, body: bigint, asleep: number, error: number): number;
-  /** Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; *_HANDLE; BUSY; REENTRANT
-   *  @since 1.2 */
+  /** Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; *_HANDLE; BUSY; REENTRANT */
   carom_body_wake(world: number, body: bigint, error: number): number;
   /** Say when a body is swept, from the next step on. Without effect on a static body, and where CAROM_DIAL_CONTINUOUS
    *  says otherwise: under NOBODY no body is swept, under FLAGGED only CAROM_CONTINUOUS_ALWAYS.
    *  @param mode CAROM_CONTINUOUS_*
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT
-   *  @since 1.6 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT */
   carom_body_set_continuous(world: number, body: bigint, mode: number, error: number): number;
-  /** @param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6 */
+  /** @param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_continuous(world: number, body: bigint, mode: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT */
-  carom_collider_desc_init(desc: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_collider_desc_init(desc: number, struct_size: number): number;
   /** Put a shape on a body; the body's mass properties follow. The body's linear velocity is kept as that of its new centre.
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a half-space on a
    *          body that moves); NO_VOLUME (a flat shape needs CAROM_BODY_FIELD_MASS or density 0); BUSY; REENTRANT; OUT_OF_MEMORY */
@@ -156,21 +154,21 @@ export interface Raw {
    *  Where a part of it fails nothing has changed, but for a plugin that was loaded.
    *  @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
-   *          PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY   @since 1.8 */
+   *          PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
   carom_body_create_named(world: number, type: number, name: number, params: number, count: bigint, position: number, body: number, error: number): number;
   /** @status OK; *_HANDLE; BUSY; REENTRANT */
   carom_collider_destroy(world: number, collider: bigint, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
   carom_collider_get(world: number, collider: bigint, desc: number, body: number, error: number): number;
   /** Give a collider another material. Wakes what its body touches.   @param material or CAROM_NULL_HANDLE: friction 0.5,
-   *  restitution 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+   *  restitution 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_collider_set_material(world: number, collider: bigint, material: bigint, error: number): number;
   /** The body's mass follows, unless it was given. Wakes the body and its island.   @param density kg/m^3, [0, 1e9]
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_collider_set_density(world: number, collider: bigint, density: number, error: number): number;
   /** Move a shape on its body; the body's mass follows. What is remembered of its contacts is dropped.
    *  @param position [3] m, body frame: origin of the shape; each within 1e15   @param orientation [4] x, y, z, w, shape to body
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_collider_set_pose(world: number, collider: bigint, position: number, orientation: number, error: number): number;
   /** Let a collider's surface move though the collider stays: a conveyor belt, a turntable, a track. Friction then brings
    *  what touches it to the velocity of the surface,
@@ -182,9 +180,9 @@ export interface Raw {
    *  @param linear  [3] m/s, axes of the shape; 0 when a collider is created
    *  @param angular [3] rad/s, axes of the shape, about its origin
    *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (beyond 1e6 m/s or rad/s); BUSY; REENTRANT;
-   *          OUT_OF_MEMORY   @since 1.6 */
+   *          OUT_OF_MEMORY */
   carom_collider_set_surface_velocity(world: number, collider: bigint, linear: number, angular: number, error: number): number;
-  /** @param linear, angular out: [3], as they were set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6 */
+  /** @param linear, angular out: [3], as they were set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_collider_get_surface_velocity(world: number, collider: bigint, linear: number, angular: number, error: number): number;
   /** Number of bodies, and their handles in creation order of the slots.
    *  @param handles [capacity] or NULL   @param count out: how many there are
@@ -199,42 +197,41 @@ export interface Raw {
   /** Write one field of n bodies; all values are validated before the first is written. Arguments as carom_world_read().
    *  @status as carom_world_read(); UNSUPPORTED (read-only field); NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; REENTRANT */
   carom_world_write(world: number, field: number, scalar: number, handles: number, n: bigint, src: number, stride: bigint, error: number): number;
-  /** @status OK; NULL_ARGUMENT   @since 1.1 */
-  carom_cast_desc_init(desc: number): number;
-  /** @status OK; NULL_ARGUMENT   @since 1.1 */
-  carom_motion_init(motion: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_cast_desc_init(desc: number, struct_size: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_motion_init(motion: number, struct_size: number): number;
   /** Cast the ray origin + t direction, 0 <= t <= max, against a shape.
    *  @param position, orientation  of the shape: [3] m, [4] x, y, z, w
    *  @param origin [3] m   @param direction [3] m per unit of t, any length; zero asks whether the origin is inside
    *  @param max    >= 0, may be infinite
    *  @param desc   may be NULL: defaults     @param result struct_size set by the caller
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED   @thread any
-   *  @since 1.1 */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED   @thread any */
   carom_ray_cast(engine: number, shape: bigint, position: number, orientation: number, origin: number, direction: number, max: number, desc: number, result: number, error: number): number;
   /** Move shape A along a straight line, without turning it, until it touches B.
    *  @param motion [3] m, of A; times are fractions of it. If B moves too: the difference of the two
    *  @param desc   may be NULL: defaults     @param result struct_size set by the caller
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
-   *  @thread any   @since 1.1 */
+   *  @thread any */
   carom_shape_cast(engine: number, shape_a: bigint, position_a: number, orientation_a: number, motion: number, shape_b: bigint, position_b: number, orientation_b: number, desc: number, result: number, error: number): number;
   /** First contact of two shapes that both travel and turn, within a duration. UNDECIDED: the cap came first, nothing touches
    *  before `lower`.
    *  @param motion_*  struct_size set by carom_motion_init()   @param duration s, 0 to 1e9
    *  @param desc   may be NULL: defaults     @param result struct_size set by the caller; times in s
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
-   *          UNSUPPORTED (two half-spaces, or one that turns)     @thread any   @since 1.1 */
+   *          UNSUPPORTED (two half-spaces, or one that turns)     @thread any */
   carom_shape_time_of_impact(engine: number, shape_a: bigint, motion_a: number, shape_b: bigint, motion_b: number, duration: number, desc: number, result: number, error: number): number;
   /** Do two shapes overlap (or come nearer than desc->target)? Cheaper than their distance, with a proof of yes or no.
    *  @param desc   may be NULL: defaults; tolerance is not used   @param result struct_size set by the caller
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
-   *  @thread any   @since 1.1 */
+   *  @thread any */
   carom_shape_overlap(engine: number, shape_a: bigint, position_a: number, orientation_a: number, shape_b: bigint, position_b: number, orientation_b: number, desc: number, result: number, error: number): number;
   /** Cast many rays against one or more shapes: the first hit of each. A bad ray, or one for which a support function
    *  misbehaves (status CAROM_QUERY_FAULT, `shape` says whose), spoils no other. Nothing is allocated per ray.
    *  @param shapes [shape_count]   @param positions [3 shape_count] m   @param orientations [4 shape_count] x, y, z, w
    *  @param desc   may be NULL: defaults
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED;
-   *          BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY     @thread any   @since 1.1 */
+   *          BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY     @thread any */
   carom_rays_cast(engine: number, shapes: number, positions: number, orientations: number, shape_count: bigint, rays: number, desc: number, hits: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (dial >= CAROM_DIAL_COUNT of this library)   @thread any */
   carom_dial_get_info(dial: number, info: number, error: number): number;
@@ -243,20 +240,20 @@ export interface Raw {
   /** @param name as in carom_dial_info.name
    *  @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (the name of a constant, since 1.8)   @thread any */
   carom_dial_find(name: number, dial: number, error: number): number;
-  /** Number of constants this library has.   @status OK; NULL_ARGUMENT   @thread any   @since 1.8 */
+  /** Number of constants this library has.   @status OK; NULL_ARGUMENT   @thread any */
   carom_constant_get_count(count: number): number;
   /** @param constant from 0   @param info out
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count())   @thread any   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count())   @thread any */
   carom_constant_get_info(constant: number, info: number, error: number): number;
-  /** Static name of a preset ("balanced"), or "?".   @thread any   @since 1.8 */
+  /** Static name of a preset ("balanced"), or "?".   @thread any */
   carom_preset_name(preset: number): number;
   /** What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a world
    *  finds pairs, what sleeps, and what a host chose for its look they leave alone.
    *  @param preset CAROM_PRESET_*   @param dial CAROM_DIAL_*   @param value out
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any */
   carom_preset_get_dial(preset: number, dial: number, value: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT   @since 1.6 */
-  carom_draw_desc_init(desc: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_draw_desc_init(desc: number, struct_size: number): number;
   /** All lines that are asked for, kind by kind in the order of the bits. Shapes whose support function fails are left out, and so are
    *  bodies in quarantine. The same world gives the same lines.
    *  @param desc     NULL: defaults
@@ -264,23 +261,23 @@ export interface Raw {
    *  @param count    out: lines there are; more than capacity: the first `capacity` of them were written
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a bit of what, reserved); UNKNOWN_ENUM; NOT_FINITE, OUT_OF_RANGE (scale);
    *          BUFFER_TOO_SMALL (stride); BUSY; REENTRANT; OUT_OF_MEMORY
-   *  @thread one of many readers of the world   @since 1.6 */
+   *  @thread one of many readers of the world */
   carom_world_draw(world: number, desc: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT */
-  carom_engine_desc_init(desc: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_engine_desc_init(desc: number, struct_size: number): number;
   /** Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY
    *  @thread any */
   carom_engine_create(desc: number, engine: number, error: number): number;
   /** Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first); REENTRANT */
   carom_engine_destroy(engine: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT   @since 1.2 */
-  carom_jobs_desc_init(desc: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_jobs_desc_init(desc: number, struct_size: number): number;
   /** Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support functions are then
    *  called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked on the stepping one.
    *  @param desc may be NULL: the stepping thread alone
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has no more
-   *  threads); OUT_OF_MEMORY; REENTRANT   @since 1.2   @thread any */
+   *  threads); OUT_OF_MEMORY; REENTRANT   @thread any */
   carom_engine_set_jobs(engine: number, desc: number, error: number): number;
   /** Load a shape plugin from a shared object. @param path absolute.
    *  The plugin is checked before anything is called, then asked for supports in 256 directions with parameters that the
@@ -291,6 +288,11 @@ export interface Raw {
   /** Register a plugin by pointer: static linking, WebAssembly, or a shape written in the host's language.
    *  The struct and all it points to must outlive the engine.   @status as carom_plugin_load() */
   carom_plugin_register(engine: number, description: number, plugin: number, error: number): number;
+  /** Register the plugins of plugins/ that are linked into the library: in an archive (carom::carom_static), in WebAssembly, and
+   *  where it was built with CAROM_LINK_SHAPES. Those that the engine has already are left as they are.
+   *  @status OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY
+   *  @thread any, also while worlds step */
+  carom_plugins_register_standard(engine: number, error: number): number;
   /** Forget a plugin (logically: the code stays mapped).   @status OK; IN_USE (shapes of it live); *_HANDLE; REENTRANT */
   carom_plugin_unload(engine: number, plugin: bigint, error: number): number;
   /** Find a loaded plugin by its id.   @status OK; NULL_ARGUMENT; NOT_FOUND (load it first) */
@@ -303,154 +305,153 @@ export interface Raw {
    *  that step.
    *  @param kinds     CAROM_EVENTS_* bits; 0: nothing
    *  @param hit_speed m/s, [0, 1e9]: contacts that approach faster are hits
-   *  @status OK; NULL_ARGUMENT; UNSUPPORTED (kinds); NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5 */
+   *  @status OK; NULL_ARGUMENT; UNSUPPORTED (kinds); NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_world_collect_events(world: number, kinds: number, hit_speed: number, error: number): number;
   /** Copy them out, by the slots of the two colliders; of one pair END before BEGIN before HIT.
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride   sizeof(carom_contact_event) as the caller knows it
    *  @param count    out: how many there are (may exceed capacity; capacity are written)
-   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.5 */
+   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
   carom_world_get_contact_events(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
-  /** Arguments as carom_world_get_contact_events().   @since 1.5 */
+  /** Arguments as carom_world_get_contact_events(). */
   carom_world_get_sensor_events(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
-  /** By the slots of the bodies; arguments as carom_world_get_contact_events().   @since 1.5 */
+  /** By the slots of the bodies; arguments as carom_world_get_contact_events(). */
   carom_world_get_sleep_events(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
-  /** By the slots of the joints; arguments as carom_world_get_contact_events().   @since 1.6 */
+  /** By the slots of the joints; arguments as carom_world_get_contact_events(). */
   carom_world_get_joint_events(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
-  /** As they happened; arguments as carom_world_get_contact_events().   @since 1.6 */
+  /** As they happened; arguments as carom_world_get_contact_events(). */
   carom_world_get_fault_events(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** Two colliders of different bodies touch if each one's mask has a bit of the other's category; unless both are of one
    *  group other than 0: then they do if it is positive and do not if it is negative, whatever their masks say.
    *  @param category, mask  any bits   @param group 0: none
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_collider_set_filter(world: number, collider: bigint, category: bigint, mask: bigint, group: number, error: number): number;
-  /** @param category, mask, group  out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.5 */
+  /** @param category, mask, group  out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_collider_get_filter(world: number, collider: bigint, category: number, mask: number, group: number, error: number): number;
-  /** The same for all colliders that a body has now.   @status as carom_collider_set_filter()   @since 1.5 */
+  /** The same for all colliders that a body has now.   @status as carom_collider_set_filter() */
   carom_body_set_filter(world: number, body: bigint, category: bigint, mask: bigint, group: number, error: number): number;
   /** Hold two bodies apart (they make no contacts with each other, whatever their filters say), or no longer. What is held
    *  apart twice has to be let go twice; letting go of what is not held does nothing.
    *  @param apart 1 or 0
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_hold_apart(world: number, body_a: bigint, body_b: bigint, apart: number, error: number): number;
   /** Make a collider a sensor: it tells what overlaps it (carom_world_get_sensor_events()) and is touched by nothing. It obeys
    *  its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts as
    *  before.
    *  @param sensor 1 or 0
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (sensor); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (sensor); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_collider_set_sensor(world: number, collider: bigint, sensor: number, error: number): number;
-  /** @param sensor out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.5 */
+  /** @param sensor out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_collider_is_sensor(world: number, collider: bigint, sensor: number, error: number): number;
   /** Add a force that acts at a point, for the next step only: carom_body_add_force() with its torque about the centre of
    *  mass as the body stands now.
    *  @param force [3] N, world   @param point [3] m, world
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT   @since 1.7 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
   carom_body_add_force_at(world: number, body: bigint, force: number, point: number, error: number): number;
   /** How air resists a body: F = -(linear + quadratic |u|) u at its centre, u its velocity relative to the air. Without other
    *  forces speeds follow the closed form at any step. (carom_body_desc.linear_damping is relative to the world, not to the
    *  air, and to mass.)
    *  @param linear    kg/s, [0, 1e12]: slow, small bodies (6 pi eta r of a ball); 0 when a body is created
    *  @param quadratic kg/m, [0, 1e12]: fast, large ones, rho c_d A / 2 (a ball of 0.1 m in air: 0.0087); 0 likewise
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.7 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_drag(world: number, body: bigint, linear: number, quadratic: number, error: number): number;
-  /** @param linear, quadratic out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.7 */
+  /** @param linear, quadratic out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_drag(world: number, body: bigint, linear: number, quadratic: number, error: number): number;
   /** How the air moves; it reaches bodies through their drag alone.
    *  @param velocity [3] m/s, |each| <= 1e6; 0 when a world is created
-   *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7 */
+   *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_world_set_wind(world: number, velocity: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT; BUSY   @since 1.7 */
+  /** @status OK; NULL_ARGUMENT; BUSY */
   carom_world_get_wind(world: number, velocity: number, error: number): number;
-  /** Static name of a kind of field ("uniform"), or "?".   @thread any   @since 1.8 */
+  /** Static name of a kind of field ("uniform"), or "?".   @thread any */
   carom_force_field_name(kind: number): number;
-  /** @status OK; NULL_ARGUMENT   @since 1.7 */
-  carom_force_field_desc_init(desc: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_force_field_desc_init(desc: number, struct_size: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT;
-   *          LIMIT; OUT_OF_MEMORY   @since 1.7 */
+   *          LIMIT; OUT_OF_MEMORY */
   carom_force_field_create(world: number, desc: number, field: number, error: number): number;
-  /** Change a field in place: move it, turn it up.   @status as carom_force_field_create(); *_HANDLE   @since 1.7 */
+  /** Change a field in place: move it, turn it up.   @status as carom_force_field_create(); *_HANDLE */
   carom_force_field_update(world: number, field: bigint, desc: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.7 */
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
   carom_force_field_get(world: number, field: bigint, desc: number, error: number): number;
-  /** @status OK; *_HANDLE; BUSY; REENTRANT   @since 1.7 */
+  /** @status OK; *_HANDLE; BUSY; REENTRANT */
   carom_force_field_destroy(world: number, field: bigint, error: number): number;
   /** Which fields a body feels. A field with a bit that few bodies have costs those few.
    *  @param mask 1 when a body is created; 0: none
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.7 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_force_field_mask(world: number, body: bigint, mask: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.7 */
+  /** @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_force_field_mask(world: number, body: bigint, mask: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT   @since 1.7 */
-  carom_spring_desc_init(desc: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_spring_desc_init(desc: number, struct_size: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT;
-   *          OUT_OF_MEMORY   @since 1.7 */
+   *          OUT_OF_MEMORY */
   carom_spring_create(world: number, desc: number, spring: number, error: number): number;
   /** Change what a spring is like; its ends stay.
    *  @param rest m   @param stiffness N/m   @param damping N s/m; ranges as in carom_spring_desc
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_spring_update(world: number, spring: bigint, rest: number, stiffness: number, damping: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.7 */
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
   carom_spring_get(world: number, spring: bigint, desc: number, error: number): number;
   /** @param length out: m, as its ends stand   @param force out: N, above 0 it pulls them together, as it is set
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.7 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_spring_get_state(world: number, spring: bigint, length: number, force: number, error: number): number;
-  /** Goes with its bodies, too.   @status OK; *_HANDLE; BUSY; REENTRANT   @since 1.7 */
+  /** Goes with its bodies, too.   @status OK; *_HANDLE; BUSY; REENTRANT */
   carom_spring_destroy(world: number, spring: bigint, error: number): number;
-  /** @status OK; NULL_ARGUMENT   @since 1.7 */
-  carom_water_init(water: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_water_init(water: number, struct_size: number): number;
   /** @param water NULL: none, as a world is created
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7 */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_world_set_water(world: number, water: number, error: number): number;
   /** @param water out   @param present out: 1 or 0; if 0, water is filled with defaults
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 1.7 */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
   carom_world_get_water(world: number, water: number, present: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT   @since 1.5 */
-  carom_joint_desc_init(desc: number): number;
-  /** Not enabled.   @status OK; NULL_ARGUMENT   @since 1.5 */
-  carom_joint_limit_init(limit: number): number;
-  /** Not enabled.   @status OK; NULL_ARGUMENT   @since 1.5 */
-  carom_joint_motor_init(motor: number): number;
-  /** Not enabled.   @status OK; NULL_ARGUMENT   @since 1.5 */
-  carom_joint_spring_init(spring: number): number;
-  /** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT   @since 1.8 */
-  carom_joint_transmission_init(transmission: number): number;
-  /** Free, without drive and spring, `most` as large as may be.   @status OK; NULL_ARGUMENT   @since 1.8 */
-  carom_joint_axis_init(axis: number): number;
-  /** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT   @since 1.8 */
-  carom_joint_orientation_drive_init(drive: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_joint_desc_init(desc: number, struct_size: number): number;
+  /** Not enabled.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_joint_limit_init(limit: number, struct_size: number): number;
+  /** Not enabled.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_joint_motor_init(motor: number, struct_size: number): number;
+  /** Not enabled.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_joint_spring_init(spring: number, struct_size: number): number;
+  /** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_joint_transmission_init(transmission: number, struct_size: number): number;
+  /** Free, without drive and spring, `most` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_joint_axis_init(axis: number, struct_size: number): number;
+  /** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_joint_orientation_drive_init(drive: number, struct_size: number): number;
   /** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
    *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a body's origin or
-   *          8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY
-   *  @since 1.5 */
+   *          8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
   carom_joint_create(world: number, desc: number, joint: number, error: number): number;
-  /** @status OK; *_HANDLE; BUSY; REENTRANT   @since 1.5 */
+  /** @status OK; *_HANDLE; BUSY; REENTRANT */
   carom_joint_destroy(world: number, joint: bigint, error: number): number;
   /** @param desc out: as it was made, with frames in body coordinates
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.5 */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
   carom_joint_get(world: number, joint: bigint, desc: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.5 */
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
   carom_joint_get_state(world: number, joint: bigint, state: number, error: number): number;
   /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
    *  @param coordinate CAROM_COORDINATE_*
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
-   *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.5 */
+   *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_limit(world: number, joint: bigint, coordinate: number, limit: number, error: number): number;
   /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
    *  @param coordinate CAROM_COORDINATE_*
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
-   *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.5 */
+   *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_motor(world: number, joint: bigint, coordinate: number, motor: number, error: number): number;
   /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
    *  @param coordinate CAROM_COORDINATE_*
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
-   *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.5 */
+   *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_spring(world: number, joint: bigint, coordinate: number, spring: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.5 */
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_limit(world: number, joint: bigint, coordinate: number, limit: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.5 */
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_motor(world: number, joint: bigint, coordinate: number, motor: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.5 */
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_spring(world: number, joint: bigint, coordinate: number, spring: number, error: number): number;
   /** Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a pulley's
    *  distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they may turn: turns
@@ -459,10 +460,10 @@ export interface Raw {
    *  Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and under the
    *  direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE; NOT_FINITE;
-   *          OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT   @since 1.8 */
+   *          OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT */
   carom_joint_set_transmission(world: number, joint: bigint, transmission: number, error: number): number;
   /** @param transmission out: as it was set, with its length; ratio 0: not yet
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_transmission(world: number, joint: bigint, transmission: number, error: number): number;
   /** Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its drives; springs
    *  and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
@@ -474,19 +475,19 @@ export interface Raw {
    *  Oracle: tests/oracle/test_six_axis, test_six_axis_scenes.
    *  @param axis CAROM_AXIS_*
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
-   *          *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8 */
+   *          *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_axis(world: number, joint: bigint, axis: number, desc: number, error: number): number;
   /** @param axis CAROM_AXIS_*   @param desc out: as it was set
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_axis(world: number, joint: bigint, axis: number, desc: number, error: number): number;
   /** Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect joint_motors.
    *  Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls it ends at the target to
    *  rounding. Oracle: tests/oracle/test_six_axis.
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer field; a
-   *          reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8 */
+   *          reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_orientation_drive(world: number, joint: bigint, drive: number, error: number): number;
   /** @param drive out: as it was set
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_orientation_drive(world: number, joint: bigint, drive: number, error: number): number;
   /** Read one field of n joints, as carom_world_read() does of bodies.
    *  A rate of what has no direction (points or axes that agree) is the one at which it begins to grow.
@@ -494,42 +495,40 @@ export interface Raw {
    *  @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
    *  @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
    *  @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY
-   *  @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY */
   carom_world_read_joints(world: number, field: number, scalar: number, joints: number, n: bigint, dst: number, stride: bigint, error: number): number;
   /** Number of joints, and their handles in creation order of the slots.
    *  @param joints [capacity] or NULL   @param count out: how many there are
-   *  @status OK; NULL_ARGUMENT; BUSY   @since 1.5 */
+   *  @status OK; NULL_ARGUMENT; BUSY */
   carom_world_get_joints(world: number, joints: number, capacity: bigint, count: number, error: number): number;
   /** Keep a ledger from now on, anew if one is kept; or none. Off in a new world.
    *  @param on  0 or 1
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM (on); BUSY; REENTRANT; OUT_OF_MEMORY: as it was   @since 1.7 */
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM (on); BUSY; REENTRANT; OUT_OF_MEMORY: as it was */
   carom_world_enable_ledger(world: number, on: number, error: number): number;
   /** Copy out all causes, in the order above; none of a world that keeps no ledger.
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride   sizeof(carom_ledger_entry) as the caller knows it
    *  @param count    out: how many there are (may exceed capacity; capacity are written)
-   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.7 */
+   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
   carom_world_get_ledger(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 1.7 */
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
   carom_world_get_ledger_state(world: number, state: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT   @since 1.4 */
-  carom_particles_desc_init(desc: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_particles_desc_init(desc: number, struct_size: number): number;
   /** Make an empty set.
    *  @param desc may be NULL: defaults
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY
-   *  @since 1.4 */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
   carom_particles_create(world: number, desc: number, set: number, error: number): number;
-  /** Its particles too.   @status OK; *_HANDLE; BUSY; REENTRANT   @since 1.4 */
+  /** Its particles too.   @status OK; *_HANDLE; BUSY; REENTRANT */
   carom_particles_destroy(world: number, set: bigint, error: number): number;
   /** @param desc out: as it was made or updated; capacity: particles there is memory for
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.4 */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
   carom_particles_get(world: number, set: bigint, desc: number, error: number): number;
   /** Change what they have in common; particles that are there keep their mass.
    *  @param desc may be NULL: defaults; capacity: memory for so many in all
-   *  @status as carom_particles_create(); *_HANDLE   @since 1.4 */
+   *  @status as carom_particles_create(); *_HANDLE */
   carom_particles_update(world: number, set: bigint, desc: number, error: number): number;
-  /** @param count out: particles in the set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.4 */
+  /** @param count out: particles in the set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_particles_get_count(world: number, set: bigint, count: number, error: number): number;
   /** Add n particles at the end; all values are checked before the first is added.
    *  @param scalar          CAROM_SCALAR_*, of both arrays
@@ -537,62 +536,62 @@ export interface Raw {
    *  @param position_stride bytes from one to the next; 0: tightly packed
    *  @param velocities      [n] m/s, world, likewise, at most 1e9 m/s; NULL: at rest
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31 - 1
-   *          in a set); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.4 */
+   *          in a set); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_particles_add(world: number, set: bigint, n: bigint, scalar: number, positions: number, position_stride: bigint, velocities: number, velocity_stride: bigint, error: number): number;
   /** Remove n particles. The others keep their order, so each moves up by as many as went before it.
    *  @param indices [n] ascending, each once; NULL: all of them (n must be their number)
-   *  @status OK; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT   @since 1.4 */
+   *  @status OK; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT */
   carom_particles_remove(world: number, set: bigint, indices: number, n: bigint, error: number): number;
   /** Read one field of n particles: CAROM_FIELD_POSITION, LINEAR_VELOCITY or MASS.
    *  @param indices [n] in any order, or NULL: all of them (n must be their number)
    *  @param dst     n records of the field's scalars, `stride` bytes apart
    *  @param stride  bytes from one record to the next; 0: tightly packed
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE (an
-   *          index, n); BUFFER_TOO_SMALL (stride); BUSY   @since 1.4 */
+   *          index, n); BUFFER_TOO_SMALL (stride); BUSY */
   carom_particles_read(world: number, set: bigint, field: number, scalar: number, indices: number, n: bigint, dst: number, stride: bigint, error: number): number;
   /** Write one field of n particles; all values are checked before the first is written, bounds as carom_particles_add(),
    *  masses as carom_particles_desc. Arguments as carom_particles_read(); where an index comes twice, the last counts.
-   *  @status as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY   @since 1.4 */
+   *  @status as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY */
   carom_particles_write(world: number, set: bigint, field: number, scalar: number, indices: number, n: bigint, src: number, stride: bigint, error: number): number;
   /** A particle that has come further than 1e15 m or become faster than 1e9 m/s is put in quarantine: it is held still where
    *  it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults() tells of the
    *  first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call of all that are held now, ascending.
    *  @param indices [capacity] out; may be NULL if capacity is 0
    *  @param count   out: how many there are (may exceed capacity; capacity are written)
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.4 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_particles_get_quarantined(world: number, set: bigint, indices: number, capacity: bigint, count: number, error: number): number;
   /** Number of sets, and their handles in creation order of the slots.
    *  @param sets [capacity] or NULL   @param count out: how many there are
-   *  @status OK; NULL_ARGUMENT; BUSY   @since 1.4 */
+   *  @status OK; NULL_ARGUMENT; BUSY */
   carom_world_get_particles(world: number, sets: number, capacity: bigint, count: number, error: number): number;
-  /** Static name of an effect ("gravity"), or "?".   @thread any   @since 1.7 */
+  /** Static name of an effect ("gravity"), or "?".   @thread any */
   carom_effect_name(effect: number): number;
   /** Forbid or force an effect from the next step on, for all bodies. Wakes all bodies. Forbidding one that the scene
    *  needs is allowed, and carom_world_get_plan() says so.
    *  @param effect CAROM_EFFECT_*   @param mode CAROM_MODE_*
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT   @since 1.7 */
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT */
   carom_world_set_effect(world: number, effect: number, mode: number, error: number): number;
-  /** @param mode out   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY   @since 1.7 */
+  /** @param mode out   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
   carom_world_get_effect(world: number, effect: number, mode: number, error: number): number;
   /** The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for the
    *  world is forbidden for it. Particles, events and the ledger are not a body's.
    *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use carom_world_set_effect());
-   *          BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.7 */
+   *          BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_effect(world: number, body: bigint, effect: number, mode: number, error: number): number;
-  /** @param mode out: of the body itself   @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; BUSY   @since 1.7 */
+  /** @param mode out: of the body itself   @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; BUSY */
   carom_body_get_effect(world: number, body: bigint, effect: number, mode: number, error: number): number;
   /** Whether each force effect is timed by itself in carom_world_get_plan(), which costs two looks at the clock for each.
    *  @param on 1 or 0 (as a world is created)
-   *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7 */
+   *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_world_time_effects(world: number, on: number, error: number): number;
   /** Copy out the plan of the last step: stages first, then effects. Before the first step nothing has run.
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride   sizeof(carom_plan_line) as the caller knows it
    *  @param count    out: how many there are (may exceed capacity; capacity are written)
-   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.7 */
+   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
   carom_world_get_plan(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT */
-  carom_distance_desc_init(desc: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_distance_desc_init(desc: number, struct_size: number): number;
   /** Signed distance of two shapes.
    *  @param position_*     [3] m     @param orientation_* [4] x, y, z, w
    *  @param desc   may be NULL: defaults     @param result struct_size set by the caller
@@ -602,22 +601,22 @@ export interface Raw {
   /** Record a world from now on, until carom_world_record_end() or until it is destroyed.
    *  @param flags CAROM_RECORD_*   @param write is kept, and called with `user`
    *  @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); IN_USE (it is being recorded); WRITE_FAILED; BUSY; REENTRANT;
-   *          OUT_OF_MEMORY   @since 1.8 */
+   *          OUT_OF_MEMORY */
   carom_world_record_begin(world: number, flags: number, write: number, user: number, error: number): number;
   /** Stop recording.
    *  @status OK; NULL_ARGUMENT; NOT_FOUND (it is not being recorded); WRITE_FAILED (`write` said so, now or before: the
-   *          recording ends there); OUT_OF_MEMORY (likewise, for lack of memory); BUSY; REENTRANT   @since 1.8 */
+   *          recording ends there); OUT_OF_MEMORY (likewise, for lack of memory); BUSY; REENTRANT */
   carom_world_record_end(world: number, error: number): number;
   /** Compare a world with a snapshot, between steps; of a world of the same structure. Reads only.
    *  @param difference its struct_size set by the caller
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; CORRUPT, UNSUPPORTED, MISMATCH (as carom_world_restore()); BUSY; REENTRANT;
-   *          OUT_OF_MEMORY   @since 1.8 */
+   *          OUT_OF_MEMORY */
   carom_world_compare(world: number, bytes: number, size: bigint, difference: number, error: number): number;
   /** @param residuals with its struct_size set; filled. Before the first step, and after a step without contacts, what
    *                   concerns them is 0.
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
    *  @accuracy rounding; effective masses are those along the normal
-   *  @cost linear in contact points, joints and bodies   @since 1.8 */
+   *  @cost linear in contact points, joints and bodies */
   carom_world_get_residuals(world: number, residuals: number, error: number): number;
   /** Choose the dial `substeps` before each step so that steps take about `seconds`. What a substep costs is learnt from the
    *  last steps; one that took too long is answered at once, room that opens by one substep more a step. Trajectories then
@@ -626,32 +625,32 @@ export interface Raw {
    *  copy begins without one, and a record (carom/record.h) has the substeps that it chose.
    *  @param seconds  s of wall clock a step, 0 < seconds <= 10; 0: off, the dial keeps its value
    *  @param fewest, most  substeps, 1 <= fewest <= most <= the dial's bound; ignored when off
-   *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_world_set_budget(world: number, seconds: number, fewest: number, most: number, error: number): number;
-  /** @param seconds, fewest, most  out: as set; 0 when off   @status OK; NULL_ARGUMENT; BUSY   @since 1.8 */
+  /** @param seconds, fewest, most  out: as set; 0 when off   @status OK; NULL_ARGUMENT; BUSY */
   carom_world_get_budget(world: number, seconds: number, fewest: number, most: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT   @since 1.6 */
-  carom_mesh_desc_init(desc: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_mesh_desc_init(desc: number, struct_size: number): number;
   /** Make scenery of a mesh. All is copied.
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far out, no
    *          triangle that has an area); LIMIT; OUT_OF_MEMORY
-   *  @thread any, also while worlds step   @since 1.6 */
+   *  @thread any, also while worlds step */
   carom_shape_create_mesh(engine: number, desc: number, shape: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT   @since 1.6 */
-  carom_height_field_desc_init(desc: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_height_field_desc_init(desc: number, struct_size: number): number;
   /** Make scenery of a height field. All is copied.
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a count, a
    *          spacing that is not positive, a height too far out, nothing but holes); LIMIT; OUT_OF_MEMORY
-   *  @thread any, also while worlds step   @since 1.6 */
+   *  @thread any, also while worlds step */
   carom_shape_create_height_field(engine: number, desc: number, shape: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE; UNSUPPORTED (a convex shape)   @since 1.6 */
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE; UNSUPPORTED (a convex shape) */
   carom_shape_get_scenery_info(engine: number, shape: bigint, info: number, error: number): number;
   /** Copy out triangles of scenery, for drawing: each by its three corners, as its surface faces. Holes are left out.
    *  @param first   number of the first triangle wanted
    *  @param corners [9 count] m, shape frame, or NULL to count
    *  @param count   in: room for how many; out: how many were written (with NULL: how many there are from `first` on)
    *  @param next    out: the number of the triangle to go on from; the number of triangles when all have been seen
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (first); UNSUPPORTED (a convex shape)   @since 1.6 */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (first); UNSUPPORTED (a convex shape) */
   carom_shape_get_triangles(engine: number, shape: bigint, first: bigint, corners: number, count: number, next: number, error: number): number;
   /** Make a shape. The parameters are copied. The support function is checked for these parameters (finite, repeatable,
    *  scale-free, samples in convex position), declarations are verified, and AABB and mass properties derived.
@@ -667,7 +666,7 @@ export interface Raw {
    *  @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
    *  @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE; PLUGIN_PATH;
    *          PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
-   *  @thread any, also while worlds step   @since 1.8 */
+   *  @thread any, also while worlds step */
   carom_shape_create_named(engine: number, name: number, params: number, count: bigint, shape: number, error: number): number;
   /** The built-in half-space { x : normal . x <= offset } in the shape's own frame; unbounded, so static bodies only.
    *  @param normal [3] unit (within 1e-6)   @param offset m
@@ -690,7 +689,7 @@ export interface Raw {
    *  @param buffer   [capacity] bytes, or NULL to ask for the size
    *  @param capacity bytes; 0 if buffer is NULL
    *  @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
-   *  @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_world_save(world: number, flags: number, buffer: number, capacity: bigint, needed: number, error: number): number;
   /** Put a snapshot back, between steps. All of it is read and checked, and all memory that it takes is there, before
    *  anything of the world changes.
@@ -702,22 +701,22 @@ export interface Raw {
    *  @status OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a newer
    *          format); MISMATCH (of a world of another structure: the message names the kind that differs; or a plugin of that
    *          id and version makes other shapes than it did); NOT_FOUND (a shape plugin is not loaded: the message says id and
-   *          version); LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+   *          version); LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_world_restore(world: number, bytes: number, size: bigint, error: number): number;
   /** Make a world of the same engine that is as this one is, and goes on as it does, bit for bit. Nothing of this one
    *  changes; other readers may be at work. Lists and residuals of its last step, and a ledger, the copy has none of.
    *  @param copy out: to be destroyed as any world
-   *  @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_world_fork(world: number, copy: number, error: number): number;
   /** Handles of another world, as they are in this one: the same slots and generations. For what a host keeps of a world that
    *  it has forked, or of one that was saved whole, in another process too.
    *  @param handles    [n] of bodies, colliders, materials, joints, particles, fields, springs; 0 stays 0
    *  @param translated [n] out; may be `handles`. All of them or, where one is refused, none
    *  @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
-   *          worlds); BUSY; REENTRANT   @since 1.8 */
+   *          worlds); BUSY; REENTRANT */
   carom_world_translate_handles(world: number, handles: number, n: bigint, translated: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT */
-  carom_world_desc_init(desc: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_world_desc_init(desc: number, struct_size: number): number;
   /** @param desc may be NULL: defaults   @owns the caller: carom_world_destroy(), before the engine
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; LIMIT (65,535 engines and worlds in
    *          all); OUT_OF_MEMORY
@@ -738,7 +737,7 @@ export interface Raw {
   carom_world_get_dial(world: number, dial: number, value: number, error: number): number;
   /** Set all dials that presets speak of, from the next step on; see carom_preset_get_dial(). Later calls of
    *  carom_world_set_dial() change them one by one.   @param preset CAROM_PRESET_*
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT   @since 1.8 */
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT */
   carom_world_set_preset(world: number, preset: number, error: number): number;
   /** @param gravity [3] m/s^2, |each| <= 1e6   @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_world_set_gravity(world: number, gravity: number, error: number): number;
@@ -759,49 +758,48 @@ export interface Raw {
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride   sizeof(carom_group) as the caller knows it
    *  @param count    out: how many there are (may exceed capacity; capacity are written)
-   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.2 */
+   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
   carom_world_get_groups(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** Copy out the faults of the last step; arguments as carom_world_get_contacts(). */
   carom_world_get_faults(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** 64-bit hash of the dynamic state: equal iff (up to collision of the hash) every pose, velocity and cached contact
    *  has the same bits, and every particle's position and velocity.   @status OK; NULL_ARGUMENT; BUSY */
   carom_world_hash(world: number, hash: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT   @since 1.5 */
-  carom_query_desc_init(desc: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_query_desc_init(desc: number, struct_size: number): number;
   /** What one ray meets first: origin + t direction, 0 <= t <= max.
    *  @param origin [3] m   @param direction [3] m per unit of t, any length   @param max >= 0, may be infinite
    *  @param desc   may be NULL: defaults   @param size sizeof(carom_world_hit) as the caller knows it
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE (desc->ignore); NOT_FINITE; OUT_OF_RANGE;
-   *          BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   @thread any   @since 1.5 */
+   *          BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   @thread any */
   carom_world_cast_ray(world: number, origin: number, direction: number, max: number, desc: number, hit: number, size: bigint, error: number): number;
   /** What each of many rays meets first, or whether it meets anything. A bad ray (not finite, or max negative) spoils no
    *  other: its outcome is CAROM_CAST_BAD_RAY. Nothing is allocated per ray.
    *  @param want   CAROM_WANT_*   @param desc may be NULL: defaults
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE (desc->ignore); NOT_FINITE; OUT_OF_RANGE;
-   *          BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any   @since 1.5 */
+   *          BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any */
   carom_world_cast_rays(world: number, rays: number, want: number, desc: number, hits: number, error: number): number;
   /** All that each of many rays meets: by ray, then by time, then by slot. A bad ray has one record that says so.
    *  @param dst    [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride sizeof(carom_world_hit) as the caller knows it
    *  @param count  out: how many there are (may exceed capacity; the first `capacity` are written)
-   *  @status as carom_world_cast_rays()   @thread any   @since 1.5 */
+   *  @status as carom_world_cast_rays()   @thread any */
   carom_world_cast_rays_all(world: number, rays: number, desc: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** What each of many shapes meets first as it moves by its motion without turning, or whether it meets anything.
    *  @param shapes every shape, position, orientation and motion must be good, else nothing is written
    *  @param want   CAROM_WANT_*   @param desc may be NULL: defaults
    *  @param dst    [shapes->count] elements `stride` bytes apart   @param stride 0: tightly packed
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; NOT_UNIT;
-   *          OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any   @since 1.5 */
+   *          OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any */
   carom_world_cast_shapes(world: number, shapes: number, want: number, desc: number, dst: number, stride: bigint, error: number): number;
-  /** All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all().
-   *  @since 1.5 */
+  /** All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all(). */
   carom_world_cast_shapes_all(world: number, shapes: number, desc: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** All that overlaps each of many shapes (or is nearer than desc->target): by shape, then by slot; arguments as
-   *  carom_world_cast_rays_all().   @since 1.5 */
+   *  carom_world_cast_rays_all(). */
   carom_world_overlap_shapes(world: number, shapes: number, desc: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** The collider nearest to each of many shapes or points, and where: least signed distance.
    *  @param reach  m, >= 0, may be infinite: farther ones are not looked for (then: MISS)
    *  @param dst    as carom_world_cast_shapes()
-   *  @status as carom_world_cast_shapes()   @thread any   @since 1.5 */
+   *  @status as carom_world_cast_shapes()   @thread any */
   carom_world_find_nearest(world: number, shapes: number, reach: number, desc: number, dst: number, stride: bigint, error: number): number;
 }

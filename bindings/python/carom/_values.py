@@ -79,7 +79,7 @@ def describe(struct: type[S], keywords: Mapping[str, Any]) -> S:
     desc = struct()
     initialise = getattr(raw, name + "_init", None)
     if initialise:
-        initialise(ctypes.byref(desc))
+        initialise(ctypes.byref(desc), ctypes.sizeof(struct))
     else:
         setattr(desc, "struct_size", ctypes.sizeof(struct))
     for key, value in keywords.items():

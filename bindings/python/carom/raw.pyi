@@ -76,6 +76,8 @@ CAROM_ATTRIBUTE_NUMBERS: int
 CAROM_CONTINUOUS_AUTO: int
 CAROM_CONTINUOUS_ALWAYS: int
 CAROM_CONTINUOUS_NEVER: int
+CAROM_FILTER_CATEGORY: int
+CAROM_FILTER_MASK: int
 CAROM_FIELD_POSITION: int
 CAROM_FIELD_ORIENTATION: int
 CAROM_FIELD_POSE: int
@@ -208,8 +210,6 @@ CAROM_SENSOR_ENTER: int
 CAROM_SENSOR_LEAVE: int
 CAROM_SLEEP_ASLEEP: int
 CAROM_SLEEP_AWAKE: int
-CAROM_FILTER_CATEGORY: int
-CAROM_FILTER_MASK: int
 CAROM_FORCE_FIELD_UNIFORM: int
 CAROM_FORCE_FIELD_RADIAL: int
 CAROM_FORCE_FIELD_VORTEX: int
@@ -397,8 +397,16 @@ class carom_body_desc(ctypes.Structure):
     linear_damping: float
     angular_damping: float
     user: int
+    gravity_factor: float
+    locks: int
+    continuous: int
+    linear_drag: float
+    quadratic_drag: float
+    force_field_mask: int
+    reserved2: int
+    magnetic_moment: Any
 class carom_attribute_info(ctypes.Structure):
-    """What an attribute is. Strings have static storage.   @since 1.8"""
+    """What an attribute is. Strings have static storage."""
     struct_size: int
     attribute: int
     numbers: int
@@ -412,6 +420,7 @@ class carom_attribute_info(ctypes.Structure):
     most: float
     usual: Any
 class carom_collider_desc(ctypes.Structure):
+    """A shape on a body. Fill with carom_collider_desc_init()."""
     struct_size: int
     reserved: int
     shape: int
@@ -419,6 +428,12 @@ class carom_collider_desc(ctypes.Structure):
     position: Any
     orientation: Any
     density: float
+    category: int
+    mask: int
+    group: int
+    sensor: int
+    surface_linear: Any
+    surface_angular: Any
 class carom_cast_desc(ctypes.Structure):
     """How to cast; fill with carom_cast_desc_init()."""
     struct_size: int
@@ -514,7 +529,7 @@ class carom_dial_info(ctypes.Structure):
     initial: float
 class carom_constant_info(ctypes.Structure):
     """What a constant is. Strings have static storage. Names are distinct from those of dials; which constants there are, and
-    in which order, may change from version to version.   @since 1.8"""
+    in which order, may change from version to version."""
     struct_size: int
     constant: int
     name: Any
@@ -599,7 +614,7 @@ class carom_fault_event(ctypes.Structure):
     step: int
 class carom_force_field_desc(ctypes.Structure):
     """What acts on every body that shares a bit of its mask, at the centre of mass. Distances d are softened: what the law
-    reads is s = sqrt(d^2 + core^2), and the direction's length is d / s. Fill with carom_force_field_desc_init().   @since 1.7"""
+    reads is s = sqrt(d^2 + core^2), and the direction's length is d / s. Fill with carom_force_field_desc_init()."""
     struct_size: int
     kind: int
     is_force: int
@@ -621,8 +636,7 @@ class carom_spring_desc(ctypes.Structure):
     """A spring as a force, F = stiffness (length - rest) + damping d(length)/dt along the line between two points: what it
     does between two steps is as exact as the integrator. A substep h carries stiffness only up to where its frequency w
     has w h = 1; one that is stiffer is taken to be as stiff as that (carom_world_get_plan() says how many are). For
-    those, and for rods and ropes, there is CAROM_JOINT_DISTANCE, which solves. Fill with carom_spring_desc_init().
-    @since 1.7"""
+    those, and for rods and ropes, there is CAROM_JOINT_DISTANCE, which solves. Fill with carom_spring_desc_init()."""
     struct_size: int
     only_pulls: int
     body_a: int
@@ -638,7 +652,7 @@ class carom_water(ctypes.Structure):
     pushed by the weight of what it displaces, at the middle of that part, against the world's gravity, and is taken along
     by the current: F = -drag * density * volume * (v - current). Balls, ellipsoids, boxes and hulls displace exactly what
     they cover, other shapes what a hull of 256 of their support points covers, blown up to their volume. Fill with
-    carom_water_init().   @since 1.7"""
+    carom_water_init()."""
     struct_size: int
     reserved: int
     normal: Any
@@ -647,7 +661,7 @@ class carom_water(ctypes.Structure):
     current: Any
     drag: float
 class carom_joint_desc(ctypes.Structure):
-    """Fill with carom_joint_desc_init().   @since 1.5"""
+    """Fill with carom_joint_desc_init()."""
     struct_size: int
     kind: int
     fields: int
@@ -663,21 +677,20 @@ class carom_joint_desc(ctypes.Structure):
     break_torque: float
     user: int
 class carom_joint_limit(ctypes.Structure):
-    """A coordinate kept within bounds.   @since 1.5"""
+    """A coordinate kept within bounds."""
     struct_size: int
     enabled: int
     lower: float
     upper: float
 class carom_joint_motor(ctypes.Structure):
-    """A coordinate driven at a speed.   @since 1.5"""
+    """A coordinate driven at a speed."""
     struct_size: int
     enabled: int
     speed: float
     most: float
 class carom_joint_spring(ctypes.Structure):
     """A coordinate pulled towards a place: a spring, or a motor that holds a position. With x the stretch, w = 2 pi frequency
-    and m what the joint's bodies weigh along the coordinate were they alone: force = -m (w^2 x + 2 damping w x').
-    @since 1.5"""
+    and m what the joint's bodies weigh along the coordinate were they alone: force = -m (w^2 x + 2 damping w x')."""
     struct_size: int
     enabled: int
     target: float
@@ -685,7 +698,7 @@ class carom_joint_spring(ctypes.Structure):
     damping: float
     most: float
 class carom_joint_transmission(ctypes.Structure):
-    """By what a pulley or a gear turns the motion of A into that of B. Fill with carom_joint_transmission_init().   @since 1.8"""
+    """By what a pulley or a gear turns the motion of A into that of B. Fill with carom_joint_transmission_init()."""
     struct_size: int
     fields: int
     ratio: float
@@ -694,7 +707,7 @@ class carom_joint_transmission(ctypes.Structure):
     length: float
 class carom_joint_axis(ctypes.Structure):
     """What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside each other; of
-    what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it.   @since 1.8"""
+    what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it."""
     struct_size: int
     mode: int
     lower: float
@@ -718,7 +731,7 @@ class carom_joint_orientation_drive(ctypes.Structure):
     """A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is locked (else
     it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's frame is, its torque is
     stiffness (-e) + damping (velocity - omega), about each of A's axes `most` at most. Fill with
-    carom_joint_orientation_drive_init().   @since 1.8"""
+    carom_joint_orientation_drive_init()."""
     struct_size: int
     drive: int
     gains: int
@@ -730,7 +743,7 @@ class carom_joint_orientation_drive(ctypes.Structure):
     stiffness: float
     damping: float
 class carom_joint_state(ctypes.Structure):
-    """What a joint does and where it is.   @since 1.5"""
+    """What a joint does and where it is."""
     struct_size: int
     broken: int
     force: Any
@@ -775,7 +788,7 @@ class carom_ledger_state(ctypes.Structure):
     total_rounding_linear: float
     total_rounding_angular: float
 class carom_particles_desc(ctypes.Structure):
-    """What all particles of a set have in common. Fill with carom_particles_desc_init().   @since 1.4"""
+    """What all particles of a set have in common. Fill with carom_particles_desc_init()."""
     struct_size: int
     reserved: int
     gravity_factor: float
@@ -783,7 +796,7 @@ class carom_particles_desc(ctypes.Structure):
     mass: float
     capacity: int
 class carom_plan_line(ctypes.Structure):
-    """A line of the plan: a stage or an effect, as it was in the last step.   @since 1.7"""
+    """A line of the plan: a stage or an effect, as it was in the last step."""
     effect: int
     stage: int
     mode: int
@@ -807,7 +820,7 @@ class carom_param(ctypes.Structure):
 class carom_param_rule(ctypes.Structure):
     """What several parameters fulfil together: the sum of weight[i] * params[param[i]] over its terms is at most `most`. Parameters
     that do not are refused when a shape is made (OUT_OF_RANGE, with `text`), and the plugin is not judged by them.
-    A lens that is thinner than its radius: {"height <= 0.99 radius", 2, {1, 0}, {1, -0.99}, 0}.   @since 1.8"""
+    A lens that is thinner than its radius: {"height <= 0.99 radius", 2, {1, 0}, {1, -0.99}, 0}."""
     text: Any
     term_count: int
     param: Any
@@ -841,6 +854,7 @@ class carom_shape_plugin(ctypes.Structure):
     rules: Any
     rule_count: int
     reserved: int
+    user: Any
 class carom_distance_desc(ctypes.Structure):
     """How to answer; fill with carom_distance_desc_init(). Values as the dials of the same name."""
     struct_size: int
@@ -875,7 +889,7 @@ class carom_difference(ctypes.Structure):
 class carom_residuals(ctypes.Structure):
     """What is left undone. Contacts are those of the last step, with the velocities that it ended with; joints and energy are
     those of the present poses and velocities. Offences against Coulomb's law are in m/s: by how much the velocity at the
-    worst contact would have to be another for its impulse to be right.   @since 1.8"""
+    worst contact would have to be another for its impulse to be right."""
     struct_size: int
     ledger_is_kept: int
     contact_points: int
@@ -997,7 +1011,7 @@ class carom_contact(ctypes.Structure):
     normal_impulse: float
     friction_impulse: float
 class carom_group(ctypes.Structure):
-    """A contact group of the last step, and how CAROM_SOLVER_AUTO answered it.   @since 1.2"""
+    """A contact group of the last step, and how CAROM_SOLVER_AUTO answered it."""
     body: int
     bodies: int
     points: int
@@ -1086,16 +1100,16 @@ def carom_result_remedy(result: Any) -> bytes:
 def carom_abi_manifest() -> bytes:
     """The layout of every struct of this interface, as the compiler that built this library has it: for a binding, which
     compares it with its own when it is loaded. Lines of four words, ending in '\\n'; first "carom" and the version:
-        carom 1.8.0
+        carom 1.0.0
         carom_error 0 576 struct              name, offset, size in bytes, kind
         carom_error.struct_size 0 4 u32
         carom_error.witness_dir 16 24 f64[3]
     Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array. Newer
-    libraries have more lines, and a struct that no *_init() fills may be larger; a field stays as it is.
-    Static storage.   @thread any   @since 1.8"""
+    libraries have more lines, and a struct may be larger; a field stays as it is.
+    Static storage.   @thread any"""
     ...
-def carom_material_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT"""
+def carom_material_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_material_create(world: Any, desc: Any, material: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; OUT_OF_MEMORY"""
@@ -1108,16 +1122,16 @@ def carom_material_set_resistance(world: Any, material: Any, rolling: Any, spinn
     with a force N bears a moment of up to rolling * N in its plane and of up to spinning * N about its normal. Mixed as
     friction is; carom_material_update() leaves it alone.
     @param rolling, spinning m, [0, 1e3]
-    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY   @since 1.3"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY"""
     ...
 def carom_material_get_resistance(world: Any, material: Any, rolling: Any, spinning: Any, error: Any) -> int:
-    """@param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.3"""
+    """@param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_material_destroy(world: Any, material: Any, error: Any) -> int:
     """@status OK; *_HANDLE; IN_USE (a collider uses it); BUSY"""
     ...
-def carom_body_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT"""
+def carom_body_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_body_create(world: Any, desc: Any, body: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; REENTRANT; LIMIT;
@@ -1140,11 +1154,11 @@ def carom_body_set_velocity(world: Any, body: Any, linear: Any, angular: Any, er
     ...
 def carom_body_get_pose(world: Any, body: Any, position: Any, orientation: Any, error: Any) -> int:
     """@param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z, w, body
-    to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_get_velocity(world: Any, body: Any, linear: Any, angular: Any, error: Any) -> int:
     """@param linear [3] out, or NULL: m/s, world, of the centre of mass   @param angular [3] out, or NULL: rad/s, world
-    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_set_mass(world: Any, body: Any, mass: Any, center: Any, inertia: Any, error: Any) -> int:
     """Set the mass of a dynamic body, as carom_body_desc would have. Its frame stays; the velocity of its centre is kept as
@@ -1154,12 +1168,12 @@ def carom_body_set_mass(world: Any, body: Any, mass: Any, center: Any, inertia: 
     @param inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero; or NULL:
                    from its colliders, scaled to the mass
     @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0, and a
-            collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+            collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_body_get_mass(world: Any, body: Any, mass: Any, center: Any, inertia: Any, error: Any) -> int:
     """As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate.
     @param mass out, or NULL: kg   @param center [3] out, or NULL: m, body frame   @param inertia [9] out, or NULL: kg m^2, body
-    frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_set_type(world: Any, body: Any, type: Any, error: Any) -> int:
     """Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic no
@@ -1167,28 +1181,28 @@ def carom_body_set_type(world: Any, body: Any, type: Any, error: Any) -> int:
     (carom_attribute_info.of_dynamic). Snapshots of before do not fit any more. What it touches wakes.
     @param type CAROM_BODY_*
     @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that is not
-            dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+            dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_body_get_type(world: Any, body: Any, type: Any, error: Any) -> int:
-    """@param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    """@param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_set_damping(world: Any, body: Any, linear: Any, angular: Any, error: Any) -> int:
     """@param linear, angular 1/s, [0, 1e6]: dv/dt = -linear v, likewise of spin   @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE;
-    OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8"""
+    OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_body_get_damping(world: Any, body: Any, linear: Any, angular: Any, error: Any) -> int:
-    """@param linear, angular out: 1/s; either may be NULL   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    """@param linear, angular out: 1/s; either may be NULL   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_set_user(world: Any, body: Any, user: Any, error: Any) -> int:
-    """@param user anything; the engine does not look   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT   @since 1.8"""
+    """@param user anything; the engine does not look   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT"""
     ...
 def carom_body_get_user(world: Any, body: Any, user: Any, error: Any) -> int:
-    """@param user out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    """@param user out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_get_colliders(world: Any, body: Any, colliders: Any, capacity: Any, count: Any, error: Any) -> int:
     """Number of a body's colliders, and their handles in the order of the slots.
     @param colliders [capacity] or NULL   @param count out: how many there are (may exceed capacity; capacity are written)
-    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.8"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_add_force(world: Any, body: Any, force: Any, torque: Any, error: Any) -> int:
     """Add a force and a torque about the centre of mass, for the next step only.
@@ -1203,10 +1217,10 @@ def carom_body_set_gravity_factor(world: Any, body: Any, factor: Any, error: Any
     """How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
     rises. Wakes the body and its island.
     @param factor any finite number; 1 when a body is created
-    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.6"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_body_get_gravity_factor(world: Any, body: Any, factor: Any, error: Any) -> int:
-    """@param factor out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6"""
+    """@param factor out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_set_locks(world: Any, body: Any, locks: Any, error: Any) -> int:
     """Hold the velocity of a dynamic body along and about some world axes at 0, exactly: forces, contacts and joints move it
@@ -1218,44 +1232,42 @@ def carom_body_set_locks(world: Any, body: Any, locks: Any, error: Any) -> int:
     @param locks CAROM_LOCK_* bits, 0 when a body is created
     @status OK; NULL_ARGUMENT; *_HANDLE; UNSUPPORTED (unknown bits; or solver severity: set CAROM_DIAL_SOLVER to another
             first); OUT_OF_RANGE (a body that is not dynamic: it moves as its velocity says); BUSY; REENTRANT;
-            OUT_OF_MEMORY   @since 1.6"""
+            OUT_OF_MEMORY"""
     ...
 def carom_body_get_locks(world: Any, body: Any, locks: Any, error: Any) -> int:
-    """@param locks out: CAROM_LOCK_* bits   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6"""
+    """@param locks out: CAROM_LOCK_* bits   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_attribute_get_info(attribute: Any, info: Any, error: Any) -> int:
     """@param attribute CAROM_ATTRIBUTE_*   @param info out
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM   @thread any   @since 1.8"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM   @thread any"""
     ...
 def carom_body_set_attribute(world: Any, body: Any, attribute: Any, value: Any, error: Any) -> int:
     """Set an attribute. Another value than it has wakes the body and its island.
     @param value [4] in the units of carom_attribute_info; numbers that the attribute does not have must be 0
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a fraction where numbers are whole; a
-            body that is not dynamic); UNSUPPORTED (locks under solver severity); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+            body that is not dynamic); UNSUPPORTED (locks under solver severity); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_body_get_attribute(world: Any, body: Any, attribute: Any, value: Any, error: Any) -> int:
     """@param value [4] out: numbers that the attribute does not have are 0
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; BUSY   @since 1.8"""
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; BUSY"""
     ...
 def carom_body_is_asleep(world: Any, body: Any, asleep: Any, error: Any) -> int:
-    """@param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.2"""
+    """@param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_wake(world: Any, body: Any, error: Any) -> int:
-    """Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; *_HANDLE; BUSY; REENTRANT
-    @since 1.2"""
+    """Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; *_HANDLE; BUSY; REENTRANT"""
     ...
 def carom_body_set_continuous(world: Any, body: Any, mode: Any, error: Any) -> int:
     """Say when a body is swept, from the next step on. Without effect on a static body, and where CAROM_DIAL_CONTINUOUS
     says otherwise: under NOBODY no body is swept, under FLAGGED only CAROM_CONTINUOUS_ALWAYS.
     @param mode CAROM_CONTINUOUS_*
-    @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT
-    @since 1.6"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT"""
     ...
 def carom_body_get_continuous(world: Any, body: Any, mode: Any, error: Any) -> int:
-    """@param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6"""
+    """@param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
-def carom_collider_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT"""
+def carom_collider_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_collider_create(world: Any, body: Any, desc: Any, collider: Any, error: Any) -> int:
     """Put a shape on a body; the body's mass properties follow. The body's linear velocity is kept as that of its new centre.
@@ -1268,7 +1280,7 @@ def carom_body_create_named(world: Any, type: Any, name: Any, params: Any, count
     Where a part of it fails nothing has changed, but for a plugin that was loaded.
     @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
-            PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY   @since 1.8"""
+            PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_collider_destroy(world: Any, collider: Any, error: Any) -> int:
     """@status OK; *_HANDLE; BUSY; REENTRANT"""
@@ -1278,16 +1290,16 @@ def carom_collider_get(world: Any, collider: Any, desc: Any, body: Any, error: A
     ...
 def carom_collider_set_material(world: Any, collider: Any, material: Any, error: Any) -> int:
     """Give a collider another material. Wakes what its body touches.   @param material or CAROM_NULL_HANDLE: friction 0.5,
-    restitution 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    restitution 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_collider_set_density(world: Any, collider: Any, density: Any, error: Any) -> int:
     """The body's mass follows, unless it was given. Wakes the body and its island.   @param density kg/m^3, [0, 1e9]
-    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_collider_set_pose(world: Any, collider: Any, position: Any, orientation: Any, error: Any) -> int:
     """Move a shape on its body; the body's mass follows. What is remembered of its contacts is dropped.
     @param position [3] m, body frame: origin of the shape; each within 1e15   @param orientation [4] x, y, z, w, shape to body
-    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_collider_set_surface_velocity(world: Any, collider: Any, linear: Any, angular: Any, error: Any) -> int:
     """Let a collider's surface move though the collider stays: a conveyor belt, a turntable, a track. Friction then brings
@@ -1300,10 +1312,10 @@ def carom_collider_set_surface_velocity(world: Any, collider: Any, linear: Any, 
     @param linear  [3] m/s, axes of the shape; 0 when a collider is created
     @param angular [3] rad/s, axes of the shape, about its origin
     @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (beyond 1e6 m/s or rad/s); BUSY; REENTRANT;
-            OUT_OF_MEMORY   @since 1.6"""
+            OUT_OF_MEMORY"""
     ...
 def carom_collider_get_surface_velocity(world: Any, collider: Any, linear: Any, angular: Any, error: Any) -> int:
-    """@param linear, angular out: [3], as they were set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.6"""
+    """@param linear, angular out: [3], as they were set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_world_get_bodies(world: Any, handles: Any, capacity: Any, count: Any, error: Any) -> int:
     """Number of bodies, and their handles in creation order of the slots.
@@ -1321,11 +1333,11 @@ def carom_world_write(world: Any, field: Any, scalar: Any, handles: Any, n: Any,
     """Write one field of n bodies; all values are validated before the first is written. Arguments as carom_world_read().
     @status as carom_world_read(); UNSUPPORTED (read-only field); NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; REENTRANT"""
     ...
-def carom_cast_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT   @since 1.1"""
+def carom_cast_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
-def carom_motion_init(motion: Any) -> int:
-    """@status OK; NULL_ARGUMENT   @since 1.1"""
+def carom_motion_init(motion: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_ray_cast(engine: Any, shape: Any, position: Any, orientation: Any, origin: Any, direction: Any, max: Any, desc: Any, result: Any, error: Any) -> int:
     """Cast the ray origin + t direction, 0 <= t <= max, against a shape.
@@ -1333,15 +1345,14 @@ def carom_ray_cast(engine: Any, shape: Any, position: Any, orientation: Any, ori
     @param origin [3] m   @param direction [3] m per unit of t, any length; zero asks whether the origin is inside
     @param max    >= 0, may be infinite
     @param desc   may be NULL: defaults     @param result struct_size set by the caller
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED   @thread any
-    @since 1.1"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED   @thread any"""
     ...
 def carom_shape_cast(engine: Any, shape_a: Any, position_a: Any, orientation_a: Any, motion: Any, shape_b: Any, position_b: Any, orientation_b: Any, desc: Any, result: Any, error: Any) -> int:
     """Move shape A along a straight line, without turning it, until it touches B.
     @param motion [3] m, of A; times are fractions of it. If B moves too: the difference of the two
     @param desc   may be NULL: defaults     @param result struct_size set by the caller
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
-    @thread any   @since 1.1"""
+    @thread any"""
     ...
 def carom_shape_time_of_impact(engine: Any, shape_a: Any, motion_a: Any, shape_b: Any, motion_b: Any, duration: Any, desc: Any, result: Any, error: Any) -> int:
     """First contact of two shapes that both travel and turn, within a duration. UNDECIDED: the cap came first, nothing touches
@@ -1349,13 +1360,13 @@ def carom_shape_time_of_impact(engine: Any, shape_a: Any, motion_a: Any, shape_b
     @param motion_*  struct_size set by carom_motion_init()   @param duration s, 0 to 1e9
     @param desc   may be NULL: defaults     @param result struct_size set by the caller; times in s
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
-            UNSUPPORTED (two half-spaces, or one that turns)     @thread any   @since 1.1"""
+            UNSUPPORTED (two half-spaces, or one that turns)     @thread any"""
     ...
 def carom_shape_overlap(engine: Any, shape_a: Any, position_a: Any, orientation_a: Any, shape_b: Any, position_b: Any, orientation_b: Any, desc: Any, result: Any, error: Any) -> int:
     """Do two shapes overlap (or come nearer than desc->target)? Cheaper than their distance, with a proof of yes or no.
     @param desc   may be NULL: defaults; tolerance is not used   @param result struct_size set by the caller
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
-    @thread any   @since 1.1"""
+    @thread any"""
     ...
 def carom_rays_cast(engine: Any, shapes: Any, positions: Any, orientations: Any, shape_count: Any, rays: Any, desc: Any, hits: Any, error: Any) -> int:
     """Cast many rays against one or more shapes: the first hit of each. A bad ray, or one for which a support function
@@ -1363,7 +1374,7 @@ def carom_rays_cast(engine: Any, shapes: Any, positions: Any, orientations: Any,
     @param shapes [shape_count]   @param positions [3 shape_count] m   @param orientations [4 shape_count] x, y, z, w
     @param desc   may be NULL: defaults
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED;
-            BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY     @thread any   @since 1.1"""
+            BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY     @thread any"""
     ...
 def carom_dial_get_info(dial: Any, info: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (dial >= CAROM_DIAL_COUNT of this library)   @thread any"""
@@ -1376,23 +1387,23 @@ def carom_dial_find(name: Any, dial: Any, error: Any) -> int:
     @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (the name of a constant, since 1.8)   @thread any"""
     ...
 def carom_constant_get_count(count: Any) -> int:
-    """Number of constants this library has.   @status OK; NULL_ARGUMENT   @thread any   @since 1.8"""
+    """Number of constants this library has.   @status OK; NULL_ARGUMENT   @thread any"""
     ...
 def carom_constant_get_info(constant: Any, info: Any, error: Any) -> int:
     """@param constant from 0   @param info out
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count())   @thread any   @since 1.8"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count())   @thread any"""
     ...
 def carom_preset_name(preset: Any) -> bytes:
-    """Static name of a preset ("balanced"), or "?".   @thread any   @since 1.8"""
+    """Static name of a preset ("balanced"), or "?".   @thread any"""
     ...
 def carom_preset_get_dial(preset: Any, dial: Any, value: Any, error: Any) -> int:
     """What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a world
     finds pairs, what sleeps, and what a host chose for its look they leave alone.
     @param preset CAROM_PRESET_*   @param dial CAROM_DIAL_*   @param value out
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any   @since 1.8"""
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any"""
     ...
-def carom_draw_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT   @since 1.6"""
+def carom_draw_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_world_draw(world: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """All lines that are asked for, kind by kind in the order of the bits. Shapes whose support function fails are left out, and so are
@@ -1402,10 +1413,10 @@ def carom_world_draw(world: Any, desc: Any, dst: Any, stride: Any, capacity: Any
     @param count    out: lines there are; more than capacity: the first `capacity` of them were written
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a bit of what, reserved); UNKNOWN_ENUM; NOT_FINITE, OUT_OF_RANGE (scale);
             BUFFER_TOO_SMALL (stride); BUSY; REENTRANT; OUT_OF_MEMORY
-    @thread one of many readers of the world   @since 1.6"""
+    @thread one of many readers of the world"""
     ...
-def carom_engine_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT"""
+def carom_engine_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_engine_create(desc: Any, engine: Any, error: Any) -> int:
     """Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
@@ -1415,15 +1426,15 @@ def carom_engine_create(desc: Any, engine: Any, error: Any) -> int:
 def carom_engine_destroy(engine: Any, error: Any) -> int:
     """Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first); REENTRANT"""
     ...
-def carom_jobs_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT   @since 1.2"""
+def carom_jobs_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_engine_set_jobs(engine: Any, desc: Any, error: Any) -> int:
     """Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support functions are then
     called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked on the stepping one.
     @param desc may be NULL: the stepping thread alone
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has no more
-    threads); OUT_OF_MEMORY; REENTRANT   @since 1.2   @thread any"""
+    threads); OUT_OF_MEMORY; REENTRANT   @thread any"""
     ...
 def carom_plugin_load(engine: Any, path: Any, plugin: Any, error: Any) -> int:
     """Load a shape plugin from a shared object. @param path absolute.
@@ -1435,6 +1446,12 @@ def carom_plugin_load(engine: Any, path: Any, plugin: Any, error: Any) -> int:
 def carom_plugin_register(engine: Any, description: Any, plugin: Any, error: Any) -> int:
     """Register a plugin by pointer: static linking, WebAssembly, or a shape written in the host's language.
     The struct and all it points to must outlive the engine.   @status as carom_plugin_load()"""
+    ...
+def carom_plugins_register_standard(engine: Any, error: Any) -> int:
+    """Register the plugins of plugins/ that are linked into the library: in an archive (carom::carom_static), in WebAssembly, and
+    where it was built with CAROM_LINK_SHAPES. Those that the engine has already are left as they are.
+    @status OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY
+    @thread any, also while worlds step"""
     ...
 def carom_plugin_unload(engine: Any, plugin: Any, error: Any) -> int:
     """Forget a plugin (logically: the code stays mapped).   @status OK; IN_USE (shapes of it live); *_HANDLE; REENTRANT"""
@@ -1452,60 +1469,60 @@ def carom_world_collect_events(world: Any, kinds: Any, hit_speed: Any, error: An
     that step.
     @param kinds     CAROM_EVENTS_* bits; 0: nothing
     @param hit_speed m/s, [0, 1e9]: contacts that approach faster are hits
-    @status OK; NULL_ARGUMENT; UNSUPPORTED (kinds); NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5"""
+    @status OK; NULL_ARGUMENT; UNSUPPORTED (kinds); NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_world_get_contact_events(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """Copy them out, by the slots of the two colliders; of one pair END before BEGIN before HIT.
     @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride   sizeof(carom_contact_event) as the caller knows it
     @param count    out: how many there are (may exceed capacity; capacity are written)
-    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.5"""
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
     ...
 def carom_world_get_sensor_events(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
-    """Arguments as carom_world_get_contact_events().   @since 1.5"""
+    """Arguments as carom_world_get_contact_events()."""
     ...
 def carom_world_get_sleep_events(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
-    """By the slots of the bodies; arguments as carom_world_get_contact_events().   @since 1.5"""
+    """By the slots of the bodies; arguments as carom_world_get_contact_events()."""
     ...
 def carom_world_get_joint_events(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
-    """By the slots of the joints; arguments as carom_world_get_contact_events().   @since 1.6"""
+    """By the slots of the joints; arguments as carom_world_get_contact_events()."""
     ...
 def carom_world_get_fault_events(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
-    """As they happened; arguments as carom_world_get_contact_events().   @since 1.6"""
+    """As they happened; arguments as carom_world_get_contact_events()."""
     ...
 def carom_collider_set_filter(world: Any, collider: Any, category: Any, mask: Any, group: Any, error: Any) -> int:
     """Two colliders of different bodies touch if each one's mask has a bit of the other's category; unless both are of one
     group other than 0: then they do if it is positive and do not if it is negative, whatever their masks say.
     @param category, mask  any bits   @param group 0: none
-    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_collider_get_filter(world: Any, collider: Any, category: Any, mask: Any, group: Any, error: Any) -> int:
-    """@param category, mask, group  out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.5"""
+    """@param category, mask, group  out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_set_filter(world: Any, body: Any, category: Any, mask: Any, group: Any, error: Any) -> int:
-    """The same for all colliders that a body has now.   @status as carom_collider_set_filter()   @since 1.5"""
+    """The same for all colliders that a body has now.   @status as carom_collider_set_filter()"""
     ...
 def carom_body_hold_apart(world: Any, body_a: Any, body_b: Any, apart: Any, error: Any) -> int:
     """Hold two bodies apart (they make no contacts with each other, whatever their filters say), or no longer. What is held
     apart twice has to be let go twice; letting go of what is not held does nothing.
     @param apart 1 or 0
-    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_collider_set_sensor(world: Any, collider: Any, sensor: Any, error: Any) -> int:
     """Make a collider a sensor: it tells what overlaps it (carom_world_get_sensor_events()) and is touched by nothing. It obeys
     its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts as
     before.
     @param sensor 1 or 0
-    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (sensor); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.5"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (sensor); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_collider_is_sensor(world: Any, collider: Any, sensor: Any, error: Any) -> int:
-    """@param sensor out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.5"""
+    """@param sensor out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_add_force_at(world: Any, body: Any, force: Any, point: Any, error: Any) -> int:
     """Add a force that acts at a point, for the next step only: carom_body_add_force() with its torque about the centre of
     mass as the body stands now.
     @param force [3] N, world   @param point [3] m, world
-    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT   @since 1.7"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT"""
     ...
 def carom_body_set_drag(world: Any, body: Any, linear: Any, quadratic: Any, error: Any) -> int:
     """How air resists a body: F = -(linear + quadratic |u|) u at its centre, u its velocity relative to the air. Without other
@@ -1513,143 +1530,142 @@ def carom_body_set_drag(world: Any, body: Any, linear: Any, quadratic: Any, erro
     air, and to mass.)
     @param linear    kg/s, [0, 1e12]: slow, small bodies (6 pi eta r of a ball); 0 when a body is created
     @param quadratic kg/m, [0, 1e12]: fast, large ones, rho c_d A / 2 (a ball of 0.1 m in air: 0.0087); 0 likewise
-    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.7"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_body_get_drag(world: Any, body: Any, linear: Any, quadratic: Any, error: Any) -> int:
-    """@param linear, quadratic out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.7"""
+    """@param linear, quadratic out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_world_set_wind(world: Any, velocity: Any, error: Any) -> int:
     """How the air moves; it reaches bodies through their drag alone.
     @param velocity [3] m/s, |each| <= 1e6; 0 when a world is created
-    @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7"""
+    @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_world_get_wind(world: Any, velocity: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; BUSY   @since 1.7"""
+    """@status OK; NULL_ARGUMENT; BUSY"""
     ...
 def carom_force_field_name(kind: Any) -> bytes:
-    """Static name of a kind of field ("uniform"), or "?".   @thread any   @since 1.8"""
+    """Static name of a kind of field ("uniform"), or "?".   @thread any"""
     ...
-def carom_force_field_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT   @since 1.7"""
+def carom_force_field_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_force_field_create(world: Any, desc: Any, field: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT;
-            LIMIT; OUT_OF_MEMORY   @since 1.7"""
+            LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_force_field_update(world: Any, field: Any, desc: Any, error: Any) -> int:
-    """Change a field in place: move it, turn it up.   @status as carom_force_field_create(); *_HANDLE   @since 1.7"""
+    """Change a field in place: move it, turn it up.   @status as carom_force_field_create(); *_HANDLE"""
     ...
 def carom_force_field_get(world: Any, field: Any, desc: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.7"""
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY"""
     ...
 def carom_force_field_destroy(world: Any, field: Any, error: Any) -> int:
-    """@status OK; *_HANDLE; BUSY; REENTRANT   @since 1.7"""
+    """@status OK; *_HANDLE; BUSY; REENTRANT"""
     ...
 def carom_body_set_force_field_mask(world: Any, body: Any, mask: Any, error: Any) -> int:
     """Which fields a body feels. A field with a bit that few bodies have costs those few.
     @param mask 1 when a body is created; 0: none
-    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.7"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_body_get_force_field_mask(world: Any, body: Any, mask: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.7"""
+    """@status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
-def carom_spring_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT   @since 1.7"""
+def carom_spring_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_spring_create(world: Any, desc: Any, spring: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT;
-            OUT_OF_MEMORY   @since 1.7"""
+            OUT_OF_MEMORY"""
     ...
 def carom_spring_update(world: Any, spring: Any, rest: Any, stiffness: Any, damping: Any, error: Any) -> int:
     """Change what a spring is like; its ends stay.
     @param rest m   @param stiffness N/m   @param damping N s/m; ranges as in carom_spring_desc
-    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_spring_get(world: Any, spring: Any, desc: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.7"""
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY"""
     ...
 def carom_spring_get_state(world: Any, spring: Any, length: Any, force: Any, error: Any) -> int:
     """@param length out: m, as its ends stand   @param force out: N, above 0 it pulls them together, as it is set
-    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.7"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_spring_destroy(world: Any, spring: Any, error: Any) -> int:
-    """Goes with its bodies, too.   @status OK; *_HANDLE; BUSY; REENTRANT   @since 1.7"""
+    """Goes with its bodies, too.   @status OK; *_HANDLE; BUSY; REENTRANT"""
     ...
-def carom_water_init(water: Any) -> int:
-    """@status OK; NULL_ARGUMENT   @since 1.7"""
+def carom_water_init(water: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_world_set_water(world: Any, water: Any, error: Any) -> int:
     """@param water NULL: none, as a world is created
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_world_get_water(world: Any, water: Any, present: Any, error: Any) -> int:
     """@param water out   @param present out: 1 or 0; if 0, water is filled with defaults
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 1.7"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
     ...
-def carom_joint_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT   @since 1.5"""
+def carom_joint_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
-def carom_joint_limit_init(limit: Any) -> int:
-    """Not enabled.   @status OK; NULL_ARGUMENT   @since 1.5"""
+def carom_joint_limit_init(limit: Any, struct_size: Any) -> int:
+    """Not enabled.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
-def carom_joint_motor_init(motor: Any) -> int:
-    """Not enabled.   @status OK; NULL_ARGUMENT   @since 1.5"""
+def carom_joint_motor_init(motor: Any, struct_size: Any) -> int:
+    """Not enabled.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
-def carom_joint_spring_init(spring: Any) -> int:
-    """Not enabled.   @status OK; NULL_ARGUMENT   @since 1.5"""
+def carom_joint_spring_init(spring: Any, struct_size: Any) -> int:
+    """Not enabled.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
-def carom_joint_transmission_init(transmission: Any) -> int:
-    """Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT   @since 1.8"""
+def carom_joint_transmission_init(transmission: Any, struct_size: Any) -> int:
+    """Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
-def carom_joint_axis_init(axis: Any) -> int:
-    """Free, without drive and spring, `most` as large as may be.   @status OK; NULL_ARGUMENT   @since 1.8"""
+def carom_joint_axis_init(axis: Any, struct_size: Any) -> int:
+    """Free, without drive and spring, `most` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
-def carom_joint_orientation_drive_init(drive: Any) -> int:
-    """No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT   @since 1.8"""
+def carom_joint_orientation_drive_init(drive: Any, struct_size: Any) -> int:
+    """No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_joint_create(world: Any, desc: Any, joint: Any, error: Any) -> int:
     """Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
             NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a body's origin or
-            8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY
-    @since 1.5"""
+            8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_joint_destroy(world: Any, joint: Any, error: Any) -> int:
-    """@status OK; *_HANDLE; BUSY; REENTRANT   @since 1.5"""
+    """@status OK; *_HANDLE; BUSY; REENTRANT"""
     ...
 def carom_joint_get(world: Any, joint: Any, desc: Any, error: Any) -> int:
     """@param desc out: as it was made, with frames in body coordinates
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.5"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY"""
     ...
 def carom_joint_get_state(world: Any, joint: Any, state: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.5"""
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_limit(world: Any, joint: Any, coordinate: Any, limit: Any, error: Any) -> int:
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
-            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.5"""
+            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_set_motor(world: Any, joint: Any, coordinate: Any, motor: Any, error: Any) -> int:
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
-            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.5"""
+            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_set_spring(world: Any, joint: Any, coordinate: Any, spring: Any, error: Any) -> int:
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
-            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.5"""
+            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_get_limit(world: Any, joint: Any, coordinate: Any, limit: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.5"""
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_get_motor(world: Any, joint: Any, coordinate: Any, motor: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.5"""
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_get_spring(world: Any, joint: Any, coordinate: Any, spring: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.5"""
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
     """Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a pulley's
@@ -1659,11 +1675,11 @@ def carom_joint_set_transmission(world: Any, joint: Any, transmission: Any, erro
     Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and under the
     direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE; NOT_FINITE;
-            OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT   @since 1.8"""
+            OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT"""
     ...
 def carom_joint_get_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
     """@param transmission out: as it was set, with its length; ratio 0: not yet
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_axis(world: Any, joint: Any, axis: Any, desc: Any, error: Any) -> int:
     """Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its drives; springs
@@ -1676,22 +1692,22 @@ def carom_joint_set_axis(world: Any, joint: Any, axis: Any, desc: Any, error: An
     Oracle: tests/oracle/test_six_axis, test_six_axis_scenes.
     @param axis CAROM_AXIS_*
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
-            *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8"""
+            *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_get_axis(world: Any, joint: Any, axis: Any, desc: Any, error: Any) -> int:
     """@param axis CAROM_AXIS_*   @param desc out: as it was set
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_orientation_drive(world: Any, joint: Any, drive: Any, error: Any) -> int:
     """Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect joint_motors.
     Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls it ends at the target to
     rounding. Oracle: tests/oracle/test_six_axis.
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer field; a
-            reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.8"""
+            reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_get_orientation_drive(world: Any, joint: Any, drive: Any, error: Any) -> int:
     """@param drive out: as it was set
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY   @since 1.8"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_world_read_joints(world: Any, field: Any, scalar: Any, joints: Any, n: Any, dst: Any, stride: Any, error: Any) -> int:
     """Read one field of n joints, as carom_world_read() does of bodies.
@@ -1700,52 +1716,50 @@ def carom_world_read_joints(world: Any, field: Any, scalar: Any, joints: Any, n:
     @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
     @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
     @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY
-    @since 1.8"""
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY"""
     ...
 def carom_world_get_joints(world: Any, joints: Any, capacity: Any, count: Any, error: Any) -> int:
     """Number of joints, and their handles in creation order of the slots.
     @param joints [capacity] or NULL   @param count out: how many there are
-    @status OK; NULL_ARGUMENT; BUSY   @since 1.5"""
+    @status OK; NULL_ARGUMENT; BUSY"""
     ...
 def carom_world_enable_ledger(world: Any, on: Any, error: Any) -> int:
     """Keep a ledger from now on, anew if one is kept; or none. Off in a new world.
     @param on  0 or 1
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM (on); BUSY; REENTRANT; OUT_OF_MEMORY: as it was   @since 1.7"""
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM (on); BUSY; REENTRANT; OUT_OF_MEMORY: as it was"""
     ...
 def carom_world_get_ledger(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """Copy out all causes, in the order above; none of a world that keeps no ledger.
     @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride   sizeof(carom_ledger_entry) as the caller knows it
     @param count    out: how many there are (may exceed capacity; capacity are written)
-    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.7"""
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
     ...
 def carom_world_get_ledger_state(world: Any, state: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 1.7"""
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
     ...
-def carom_particles_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT   @since 1.4"""
+def carom_particles_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_particles_create(world: Any, desc: Any, set: Any, error: Any) -> int:
     """Make an empty set.
     @param desc may be NULL: defaults
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY
-    @since 1.4"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_particles_destroy(world: Any, set: Any, error: Any) -> int:
-    """Its particles too.   @status OK; *_HANDLE; BUSY; REENTRANT   @since 1.4"""
+    """Its particles too.   @status OK; *_HANDLE; BUSY; REENTRANT"""
     ...
 def carom_particles_get(world: Any, set: Any, desc: Any, error: Any) -> int:
     """@param desc out: as it was made or updated; capacity: particles there is memory for
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY   @since 1.4"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY"""
     ...
 def carom_particles_update(world: Any, set: Any, desc: Any, error: Any) -> int:
     """Change what they have in common; particles that are there keep their mass.
     @param desc may be NULL: defaults; capacity: memory for so many in all
-    @status as carom_particles_create(); *_HANDLE   @since 1.4"""
+    @status as carom_particles_create(); *_HANDLE"""
     ...
 def carom_particles_get_count(world: Any, set: Any, count: Any, error: Any) -> int:
-    """@param count out: particles in the set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.4"""
+    """@param count out: particles in the set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_particles_add(world: Any, set: Any, n: Any, scalar: Any, positions: Any, position_stride: Any, velocities: Any, velocity_stride: Any, error: Any) -> int:
     """Add n particles at the end; all values are checked before the first is added.
@@ -1754,12 +1768,12 @@ def carom_particles_add(world: Any, set: Any, n: Any, scalar: Any, positions: An
     @param position_stride bytes from one to the next; 0: tightly packed
     @param velocities      [n] m/s, world, likewise, at most 1e9 m/s; NULL: at rest
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31 - 1
-            in a set); BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.4"""
+            in a set); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_particles_remove(world: Any, set: Any, indices: Any, n: Any, error: Any) -> int:
     """Remove n particles. The others keep their order, so each moves up by as many as went before it.
     @param indices [n] ascending, each once; NULL: all of them (n must be their number)
-    @status OK; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT   @since 1.4"""
+    @status OK; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT"""
     ...
 def carom_particles_read(world: Any, set: Any, field: Any, scalar: Any, indices: Any, n: Any, dst: Any, stride: Any, error: Any) -> int:
     """Read one field of n particles: CAROM_FIELD_POSITION, LINEAR_VELOCITY or MASS.
@@ -1767,12 +1781,12 @@ def carom_particles_read(world: Any, set: Any, field: Any, scalar: Any, indices:
     @param dst     n records of the field's scalars, `stride` bytes apart
     @param stride  bytes from one record to the next; 0: tightly packed
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE (an
-            index, n); BUFFER_TOO_SMALL (stride); BUSY   @since 1.4"""
+            index, n); BUFFER_TOO_SMALL (stride); BUSY"""
     ...
 def carom_particles_write(world: Any, set: Any, field: Any, scalar: Any, indices: Any, n: Any, src: Any, stride: Any, error: Any) -> int:
     """Write one field of n particles; all values are checked before the first is written, bounds as carom_particles_add(),
     masses as carom_particles_desc. Arguments as carom_particles_read(); where an index comes twice, the last counts.
-    @status as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY   @since 1.4"""
+    @status as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_particles_get_quarantined(world: Any, set: Any, indices: Any, capacity: Any, count: Any, error: Any) -> int:
     """A particle that has come further than 1e15 m or become faster than 1e9 m/s is put in quarantine: it is held still where
@@ -1780,48 +1794,48 @@ def carom_particles_get_quarantined(world: Any, set: Any, indices: Any, capacity
     first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call of all that are held now, ascending.
     @param indices [capacity] out; may be NULL if capacity is 0
     @param count   out: how many there are (may exceed capacity; capacity are written)
-    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 1.4"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_world_get_particles(world: Any, sets: Any, capacity: Any, count: Any, error: Any) -> int:
     """Number of sets, and their handles in creation order of the slots.
     @param sets [capacity] or NULL   @param count out: how many there are
-    @status OK; NULL_ARGUMENT; BUSY   @since 1.4"""
+    @status OK; NULL_ARGUMENT; BUSY"""
     ...
 def carom_effect_name(effect: Any) -> bytes:
-    """Static name of an effect ("gravity"), or "?".   @thread any   @since 1.7"""
+    """Static name of an effect ("gravity"), or "?".   @thread any"""
     ...
 def carom_world_set_effect(world: Any, effect: Any, mode: Any, error: Any) -> int:
     """Forbid or force an effect from the next step on, for all bodies. Wakes all bodies. Forbidding one that the scene
     needs is allowed, and carom_world_get_plan() says so.
     @param effect CAROM_EFFECT_*   @param mode CAROM_MODE_*
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT   @since 1.7"""
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT"""
     ...
 def carom_world_get_effect(world: Any, effect: Any, mode: Any, error: Any) -> int:
-    """@param mode out   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY   @since 1.7"""
+    """@param mode out   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY"""
     ...
 def carom_body_set_effect(world: Any, body: Any, effect: Any, mode: Any, error: Any) -> int:
     """The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for the
     world is forbidden for it. Particles, events and the ledger are not a body's.
     @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use carom_world_set_effect());
-            BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.7"""
+            BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_body_get_effect(world: Any, body: Any, effect: Any, mode: Any, error: Any) -> int:
-    """@param mode out: of the body itself   @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; BUSY   @since 1.7"""
+    """@param mode out: of the body itself   @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; BUSY"""
     ...
 def carom_world_time_effects(world: Any, on: Any, error: Any) -> int:
     """Whether each force effect is timed by itself in carom_world_get_plan(), which costs two looks at the clock for each.
     @param on 1 or 0 (as a world is created)
-    @status OK; NULL_ARGUMENT; OUT_OF_RANGE; BUSY; REENTRANT   @since 1.7"""
+    @status OK; NULL_ARGUMENT; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_world_get_plan(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """Copy out the plan of the last step: stages first, then effects. Before the first step nothing has run.
     @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride   sizeof(carom_plan_line) as the caller knows it
     @param count    out: how many there are (may exceed capacity; capacity are written)
-    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.7"""
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
     ...
-def carom_distance_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT"""
+def carom_distance_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_shape_distance(engine: Any, shape_a: Any, position_a: Any, orientation_a: Any, shape_b: Any, position_b: Any, orientation_b: Any, desc: Any, result: Any, error: Any) -> int:
     """Signed distance of two shapes.
@@ -1834,25 +1848,25 @@ def carom_world_record_begin(world: Any, flags: Any, write: Any, user: Any, erro
     """Record a world from now on, until carom_world_record_end() or until it is destroyed.
     @param flags CAROM_RECORD_*   @param write is kept, and called with `user`
     @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); IN_USE (it is being recorded); WRITE_FAILED; BUSY; REENTRANT;
-            OUT_OF_MEMORY   @since 1.8"""
+            OUT_OF_MEMORY"""
     ...
 def carom_world_record_end(world: Any, error: Any) -> int:
     """Stop recording.
     @status OK; NULL_ARGUMENT; NOT_FOUND (it is not being recorded); WRITE_FAILED (`write` said so, now or before: the
-            recording ends there); OUT_OF_MEMORY (likewise, for lack of memory); BUSY; REENTRANT   @since 1.8"""
+            recording ends there); OUT_OF_MEMORY (likewise, for lack of memory); BUSY; REENTRANT"""
     ...
 def carom_world_compare(world: Any, bytes: Any, size: Any, difference: Any, error: Any) -> int:
     """Compare a world with a snapshot, between steps; of a world of the same structure. Reads only.
     @param difference its struct_size set by the caller
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; CORRUPT, UNSUPPORTED, MISMATCH (as carom_world_restore()); BUSY; REENTRANT;
-            OUT_OF_MEMORY   @since 1.8"""
+            OUT_OF_MEMORY"""
     ...
 def carom_world_get_residuals(world: Any, residuals: Any, error: Any) -> int:
     """@param residuals with its struct_size set; filled. Before the first step, and after a step without contacts, what
                      concerns them is 0.
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
     @accuracy rounding; effective masses are those along the normal
-    @cost linear in contact points, joints and bodies   @since 1.8"""
+    @cost linear in contact points, joints and bodies"""
     ...
 def carom_world_set_budget(world: Any, seconds: Any, fewest: Any, most: Any, error: Any) -> int:
     """Choose the dial `substeps` before each step so that steps take about `seconds`. What a substep costs is learnt from the
@@ -1862,31 +1876,31 @@ def carom_world_set_budget(world: Any, seconds: Any, fewest: Any, most: Any, err
     copy begins without one, and a record (carom/record.h) has the substeps that it chose.
     @param seconds  s of wall clock a step, 0 < seconds <= 10; 0: off, the dial keeps its value
     @param fewest, most  substeps, 1 <= fewest <= most <= the dial's bound; ignored when off
-    @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_world_get_budget(world: Any, seconds: Any, fewest: Any, most: Any, error: Any) -> int:
-    """@param seconds, fewest, most  out: as set; 0 when off   @status OK; NULL_ARGUMENT; BUSY   @since 1.8"""
+    """@param seconds, fewest, most  out: as set; 0 when off   @status OK; NULL_ARGUMENT; BUSY"""
     ...
-def carom_mesh_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT   @since 1.6"""
+def carom_mesh_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_shape_create_mesh(engine: Any, desc: Any, shape: Any, error: Any) -> int:
     """Make scenery of a mesh. All is copied.
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far out, no
             triangle that has an area); LIMIT; OUT_OF_MEMORY
-    @thread any, also while worlds step   @since 1.6"""
+    @thread any, also while worlds step"""
     ...
-def carom_height_field_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT   @since 1.6"""
+def carom_height_field_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_shape_create_height_field(engine: Any, desc: Any, shape: Any, error: Any) -> int:
     """Make scenery of a height field. All is copied.
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a count, a
             spacing that is not positive, a height too far out, nothing but holes); LIMIT; OUT_OF_MEMORY
-    @thread any, also while worlds step   @since 1.6"""
+    @thread any, also while worlds step"""
     ...
 def carom_shape_get_scenery_info(engine: Any, shape: Any, info: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE; UNSUPPORTED (a convex shape)   @since 1.6"""
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE; UNSUPPORTED (a convex shape)"""
     ...
 def carom_shape_get_triangles(engine: Any, shape: Any, first: Any, corners: Any, count: Any, next: Any, error: Any) -> int:
     """Copy out triangles of scenery, for drawing: each by its three corners, as its surface faces. Holes are left out.
@@ -1894,7 +1908,7 @@ def carom_shape_get_triangles(engine: Any, shape: Any, first: Any, corners: Any,
     @param corners [9 count] m, shape frame, or NULL to count
     @param count   in: room for how many; out: how many were written (with NULL: how many there are from `first` on)
     @param next    out: the number of the triangle to go on from; the number of triangles when all have been seen
-    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (first); UNSUPPORTED (a convex shape)   @since 1.6"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (first); UNSUPPORTED (a convex shape)"""
     ...
 def carom_shape_create(engine: Any, plugin: Any, params: Any, count: Any, shape: Any, error: Any) -> int:
     """Make a shape. The parameters are copied. The support function is checked for these parameters (finite, repeatable,
@@ -1912,7 +1926,7 @@ def carom_shape_create_named(engine: Any, name: Any, params: Any, count: Any, sh
     @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
     @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE; PLUGIN_PATH;
             PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
-    @thread any, also while worlds step   @since 1.8"""
+    @thread any, also while worlds step"""
     ...
 def carom_shape_create_half_space(engine: Any, normal: Any, offset: Any, shape: Any, error: Any) -> int:
     """The built-in half-space { x : normal . x <= offset } in the shape's own frame; unbounded, so static bodies only.
@@ -1941,7 +1955,7 @@ def carom_world_save(world: Any, flags: Any, buffer: Any, capacity: Any, needed:
     @param buffer   [capacity] bytes, or NULL to ask for the size
     @param capacity bytes; 0 if buffer is NULL
     @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
-    @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_world_restore(world: Any, bytes: Any, size: Any, error: Any) -> int:
     """Put a snapshot back, between steps. All of it is read and checked, and all memory that it takes is there, before
@@ -1954,13 +1968,13 @@ def carom_world_restore(world: Any, bytes: Any, size: Any, error: Any) -> int:
     @status OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a newer
             format); MISMATCH (of a world of another structure: the message names the kind that differs; or a plugin of that
             id and version makes other shapes than it did); NOT_FOUND (a shape plugin is not loaded: the message says id and
-            version); LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+            version); LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_world_fork(world: Any, copy: Any, error: Any) -> int:
     """Make a world of the same engine that is as this one is, and goes on as it does, bit for bit. Nothing of this one
     changes; other readers may be at work. Lists and residuals of its last step, and a ledger, the copy has none of.
     @param copy out: to be destroyed as any world
-    @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   @since 1.8"""
+    @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_world_translate_handles(world: Any, handles: Any, n: Any, translated: Any, error: Any) -> int:
     """Handles of another world, as they are in this one: the same slots and generations. For what a host keeps of a world that
@@ -1968,10 +1982,10 @@ def carom_world_translate_handles(world: Any, handles: Any, n: Any, translated: 
     @param handles    [n] of bodies, colliders, materials, joints, particles, fields, springs; 0 stays 0
     @param translated [n] out; may be `handles`. All of them or, where one is refused, none
     @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
-            worlds); BUSY; REENTRANT   @since 1.8"""
+            worlds); BUSY; REENTRANT"""
     ...
-def carom_world_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT"""
+def carom_world_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_world_create(engine: Any, desc: Any, world: Any, error: Any) -> int:
     """@param desc may be NULL: defaults   @owns the caller: carom_world_destroy(), before the engine
@@ -1999,7 +2013,7 @@ def carom_world_get_dial(world: Any, dial: Any, value: Any, error: Any) -> int:
 def carom_world_set_preset(world: Any, preset: Any, error: Any) -> int:
     """Set all dials that presets speak of, from the next step on; see carom_preset_get_dial(). Later calls of
     carom_world_set_dial() change them one by one.   @param preset CAROM_PRESET_*
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT   @since 1.8"""
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT"""
     ...
 def carom_world_set_gravity(world: Any, gravity: Any, error: Any) -> int:
     """@param gravity [3] m/s^2, |each| <= 1e6   @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
@@ -2026,7 +2040,7 @@ def carom_world_get_groups(world: Any, dst: Any, stride: Any, capacity: Any, cou
     @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride   sizeof(carom_group) as the caller knows it
     @param count    out: how many there are (may exceed capacity; capacity are written)
-    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY   @since 1.2"""
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
     ...
 def carom_world_get_faults(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """Copy out the faults of the last step; arguments as carom_world_get_contacts()."""
@@ -2035,29 +2049,29 @@ def carom_world_hash(world: Any, hash: Any, error: Any) -> int:
     """64-bit hash of the dynamic state: equal iff (up to collision of the hash) every pose, velocity and cached contact
     has the same bits, and every particle's position and velocity.   @status OK; NULL_ARGUMENT; BUSY"""
     ...
-def carom_query_desc_init(desc: Any) -> int:
-    """@status OK; NULL_ARGUMENT   @since 1.5"""
+def carom_query_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_world_cast_ray(world: Any, origin: Any, direction: Any, max: Any, desc: Any, hit: Any, size: Any, error: Any) -> int:
     """What one ray meets first: origin + t direction, 0 <= t <= max.
     @param origin [3] m   @param direction [3] m per unit of t, any length   @param max >= 0, may be infinite
     @param desc   may be NULL: defaults   @param size sizeof(carom_world_hit) as the caller knows it
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE (desc->ignore); NOT_FINITE; OUT_OF_RANGE;
-            BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   @thread any   @since 1.5"""
+            BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   @thread any"""
     ...
 def carom_world_cast_rays(world: Any, rays: Any, want: Any, desc: Any, hits: Any, error: Any) -> int:
     """What each of many rays meets first, or whether it meets anything. A bad ray (not finite, or max negative) spoils no
     other: its outcome is CAROM_CAST_BAD_RAY. Nothing is allocated per ray.
     @param want   CAROM_WANT_*   @param desc may be NULL: defaults
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE (desc->ignore); NOT_FINITE; OUT_OF_RANGE;
-            BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any   @since 1.5"""
+            BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any"""
     ...
 def carom_world_cast_rays_all(world: Any, rays: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """All that each of many rays meets: by ray, then by time, then by slot. A bad ray has one record that says so.
     @param dst    [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride sizeof(carom_world_hit) as the caller knows it
     @param count  out: how many there are (may exceed capacity; the first `capacity` are written)
-    @status as carom_world_cast_rays()   @thread any   @since 1.5"""
+    @status as carom_world_cast_rays()   @thread any"""
     ...
 def carom_world_cast_shapes(world: Any, shapes: Any, want: Any, desc: Any, dst: Any, stride: Any, error: Any) -> int:
     """What each of many shapes meets first as it moves by its motion without turning, or whether it meets anything.
@@ -2065,19 +2079,18 @@ def carom_world_cast_shapes(world: Any, shapes: Any, want: Any, desc: Any, dst: 
     @param want   CAROM_WANT_*   @param desc may be NULL: defaults
     @param dst    [shapes->count] elements `stride` bytes apart   @param stride 0: tightly packed
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; NOT_UNIT;
-            OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any   @since 1.5"""
+            OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any"""
     ...
 def carom_world_cast_shapes_all(world: Any, shapes: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
-    """All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all().
-    @since 1.5"""
+    """All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all()."""
     ...
 def carom_world_overlap_shapes(world: Any, shapes: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """All that overlaps each of many shapes (or is nearer than desc->target): by shape, then by slot; arguments as
-    carom_world_cast_rays_all().   @since 1.5"""
+    carom_world_cast_rays_all()."""
     ...
 def carom_world_find_nearest(world: Any, shapes: Any, reach: Any, desc: Any, dst: Any, stride: Any, error: Any) -> int:
     """The collider nearest to each of many shapes or points, and where: least signed distance.
     @param reach  m, >= 0, may be infinite: farther ones are not looked for (then: MISS)
     @param dst    as carom_world_cast_shapes()
-    @status as carom_world_cast_shapes()   @thread any   @since 1.5"""
+    @status as carom_world_cast_shapes()   @thread any"""
     ...

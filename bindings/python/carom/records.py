@@ -94,15 +94,29 @@ class BodyRecord(Record):
     linear_damping: float
     angular_damping: float
     user: int
+    gravity_factor: float
+    locks: int
+    continuous: int
+    linear_drag: float
+    quadratic_drag: float
+    force_field_mask: int
+    reserved2: int
+    magnetic_moment: tuple[float, float, float]
 
 
 class ColliderRecord(Record):
-    """carom_collider_desc"""
+    """A shape on a body"""
     shape: Shape | None
     material: Material | None
     position: tuple[float, float, float]
     orientation: tuple[float, float, float, float]
     density: float
+    category: int
+    mask: int
+    group: int
+    sensor: int
+    surface_linear: tuple[float, float, float]
+    surface_angular: tuple[float, float, float]
     body: Body
 
 

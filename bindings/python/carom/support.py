@@ -29,7 +29,7 @@ _DOUBLE3 = ctypes.c_double * 3
 def _guarded(support: Support, caught: list[BaseException | None]) -> Any:
     """The function that C calls. An exception is a fault of the shape; it is kept for whoever asked; in a
     step, which goes on without the shape, it is printed."""
-    def call(params: Any, count: int, direction: Any, out: Any) -> int:
+    def call(user: Any, params: Any, count: int, direction: Any, out: Any) -> int:
         try:
             out[0], out[1], out[2] = support(params[:count], (direction[0], direction[1], direction[2]))
             return 0

@@ -136,7 +136,7 @@ class Search {
   OverlapResult result_;
 };
 
-std::int32_t point_support(const double*, std::uint64_t, const double*, double* out) {
+std::int32_t point_support(void*, const double*, std::uint64_t, const double*, double* out) {
   out[0] = out[1] = out[2] = 0;
   return 0;
 }

@@ -6,7 +6,7 @@
 namespace carom::collision {
 namespace {
 
-std::int32_t farthest_corner(const double* xyz, std::uint64_t, const double d[3], double out[3]) {
+std::int32_t farthest_corner(void*, const double* xyz, std::uint64_t, const double d[3], double out[3]) {
   int best = 0;
   double most = 0;
   for (int k = 0; k < 3; ++k) {

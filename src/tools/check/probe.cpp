@@ -168,7 +168,7 @@ class Trial {
     Direction given = dir;
     std::copy(dir.begin(), dir.end(), verdict_.current.dir);
     ++verdict_.calls;
-    const std::int32_t result = plugin_->support(params.data(), params.size(), given.data(), answer + 1);
+    const std::int32_t result = plugin_->support(plugin_->user, params.data(), params.size(), given.data(), answer + 1);
     std::copy_n(answer + 1, 3, out.begin());
     std::copy_n(answer + 1, 3, verdict_.current.out);
     if (!same_bits(given, dir) || answer[0] != kGuard || answer[4] != kGuard)
@@ -292,7 +292,7 @@ class Trial {
       for (std::size_t k = 0; k < 8 * directions.size(); ++k) {
         const std::size_t i = (start + k * 7) % directions.size();
         Direction out;
-        const std::int32_t result = plugin_->support(params.data(), params.size(), directions[i].data(), out.data());
+        const std::int32_t result = plugin_->support(plugin_->user, params.data(), params.size(), directions[i].data(), out.data());
         if (result != 0 || !same_bits(out, alone[i])) differing = i;
       }
     };
@@ -313,11 +313,11 @@ class Trial {
     static Trial* trial = nullptr;
     return trial;
   }
-  static std::int32_t stand_in(const double* params, std::uint64_t count, const double dir[3], double out[3]) {
+  static std::int32_t stand_in(void*, const double* params, std::uint64_t count, const double dir[3], double out[3]) {
     Trial& trial = *active();
     trial.remember(params, count, {dir[0], dir[1], dir[2]});
     ++trial.verdict_.calls;
-    return trial.plugin_->support(params, count, dir, out);
+    return trial.plugin_->support(trial.plugin_->user, params, count, dir, out);
   }
 
   void refused(const carom_error& error, const Params* params) {

@@ -21,7 +21,7 @@ Engine::Engine(PluginPath path, const carom_engine_desc* desc) : path_(std::move
 
 void Engine::set_threads(std::uint32_t threads) {
   carom_jobs_desc desc;
-  carom_jobs_desc_init(&desc);
+  carom_jobs_desc_init(&desc, sizeof desc);
   desc.threads = threads;
   Call call;
   call.done(carom_engine_set_jobs(engine_, &desc, call), "starting threads");
@@ -80,7 +80,7 @@ carom_shape Engine::height_field(const std::vector<double>& params) {
   carom_height_field_desc field;
   carom_shape handle = CAROM_NULL_HANDLE;
   Call call;
-  call.done(carom_height_field_desc_init(&field), "making a height field");
+  call.done(carom_height_field_desc_init(&field, sizeof field), "making a height field");
   for (const std::size_t k : {std::size_t(0), std::size_t(1)})
     if (!(params.at(k) >= 2 && params.at(k) <= 16384 && params.at(k) == std::floor(params.at(k))))
       throw Error("a height field of " + std::to_string(params[k]) + (k ? " rows" : " columns"),
@@ -113,7 +113,7 @@ carom_shape Engine::mesh(const std::vector<double>& params) {
   carom_mesh_desc desc;
   carom_shape handle = CAROM_NULL_HANDLE;
   Call call;
-  call.done(carom_mesh_desc_init(&desc), "making a mesh");
+  call.done(carom_mesh_desc_init(&desc, sizeof desc), "making a mesh");
   desc.flags = static_cast<std::uint32_t>(params[0]);
   desc.vertices = params.data() + 2, desc.vertex_count = vertices;
   desc.triangles = corners.data(), desc.triangle_count = corners.size() / 3;

@@ -115,7 +115,7 @@ void limit(Drawing& d, Link& link, carom_joint joint) {
   link.upper = slides ? d.random.between(0.02, 0.3) : d.random.between(0.2, 1.5);
   carom_joint_limit limit;
   Call call;
-  call.done(carom_joint_limit_init(&limit), "limiting a joint");
+  call.done(carom_joint_limit_init(&limit, sizeof limit), "limiting a joint");
   limit.enabled = 1;
   limit.lower = link.lower, limit.upper = link.upper;
   call.done(carom_joint_set_limit(d.stage().world.get(), joint,
@@ -130,7 +130,7 @@ void add_link(Drawing& d, const PlannedLink& planned, std::size_t first) {
   const carom_joint joint = d.stage().join(link.kind, link.a, link.b, planned.at, planned.axes);
   carom_joint_desc desc;
   Call call;
-  call.done(carom_joint_desc_init(&desc), "asking for a joint");
+  call.done(carom_joint_desc_init(&desc, sizeof desc), "asking for a joint");
   call.done(carom_joint_get(d.stage().world.get(), joint, &desc, call), "asking for a joint");
   link.at_a = Vec(desc.position_a), link.at_b = Vec(desc.position_b);
   link.axes_a = Quat(Eigen::Vector4d(desc.orientation_a)), link.axes_b = Quat(Eigen::Vector4d(desc.orientation_b));

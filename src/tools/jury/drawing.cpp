@@ -43,7 +43,7 @@ std::vector<double> round_params(const Widths& w) {
 void read_mass(Stage& stage, carom_body body, Member& member) {
   carom_body_desc desc;
   Call call;
-  call.done(carom_body_desc_init(&desc), "asking for a mass");
+  call.done(carom_body_desc_init(&desc, sizeof desc), "asking for a mass");
   call.done(carom_body_get(stage.world.get(), body, &desc, call), "asking for a mass");
   member.mass = desc.mass;
   member.center = Vec(desc.center);

@@ -143,7 +143,7 @@ class Player {
     restore(stand.world, {r.kind, r.content + 16, r.size - 16}, "making a shape of the recording");
     carom_collider_desc desc;
     Call call;
-    call.done(carom_collider_desc_init(&desc), "making a shape of the recording");
+    call.done(carom_collider_desc_init(&desc, sizeof desc), "making a shape of the recording");
     call.done(carom_world_translate_handles(stand.world, &collider, 1, &collider, call), "making a shape of the recording");
     call.done(carom_collider_get(stand.world, collider, &desc, &body, call), "making a shape of the recording");
     shapes_[recorded] = desc.shape;

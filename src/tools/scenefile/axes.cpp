@@ -67,7 +67,7 @@ void take_words(const Value& from, const WordField<Desc> (&fields)[n], Desc& d) 
 
 json axis_json(const carom_joint_axis& d) {
   carom_joint_axis plain;
-  carom_joint_axis_init(&plain);
+  carom_joint_axis_init(&plain, sizeof plain);
   json out = json::object();
   put_words(d, kAxisWords, out);
   for (const NumberField& f : kAxisNumbers)
@@ -76,7 +76,7 @@ json axis_json(const carom_joint_axis& d) {
 }
 carom_joint_axis axis_of(const Value& from) {
   carom_joint_axis d;
-  carom_joint_axis_init(&d);
+  carom_joint_axis_init(&d, sizeof d);
   take_words(from, kAxisWords, d);
   for (const NumberField& f : kAxisNumbers) d.*f.field = from.number_or(f.name, d.*f.field);
   return d;
@@ -115,7 +115,7 @@ json turn_json(const carom_joint_orientation_drive& d) {
 }
 carom_joint_orientation_drive turn_of(const Value& from) {
   carom_joint_orientation_drive d;
-  carom_joint_orientation_drive_init(&d);
+  carom_joint_orientation_drive_init(&d, sizeof d);
   take_words(from, kTurnWords, d);
   const auto list = [&](const char* name, double* to, std::size_t n) {
     const auto value = from.get(name);
@@ -178,13 +178,13 @@ void write_axes(carom_world* world, carom_joint joint, bool has_axes, json& own,
   Call call;
   for (std::uint32_t k = 0; has_axes && k < CAROM_AXIS_COUNT; ++k) {
     carom_joint_axis d;
-    carom_joint_axis_init(&d);
+    carom_joint_axis_init(&d, sizeof d);
     call.done(carom_joint_get_axis(world, joint, k, &d, call), "reading an axis");
     own["axes"].push_back(axis_json(d));
     show_axis(d, k, entry);
   }
   carom_joint_orientation_drive d;
-  carom_joint_orientation_drive_init(&d);
+  carom_joint_orientation_drive_init(&d, sizeof d);
   if (carom_joint_get_orientation_drive(world, joint, &d, nullptr) == CAROM_OK && d.drive != CAROM_DRIVE_NONE)
     own["orientationDrive"] = turn_json(d);
 }
@@ -228,7 +228,7 @@ bool is_told_by_axes(const Value& joint) {
 
 void read_khr_axes(carom_world* world, carom_joint handle, const Value& joint) {
   std::array<carom_joint_axis, CAROM_AXIS_COUNT> axes;
-  for (carom_joint_axis& d : axes) carom_joint_axis_init(&d);
+  for (carom_joint_axis& d : axes) carom_joint_axis_init(&d, sizeof d);
   if (const auto limits = joint.get("limits"))
     for (std::size_t k = 0; k < limits->size(); ++k) take_limit(limits->at(k), axes);
   if (const auto drives = joint.get("drives"))

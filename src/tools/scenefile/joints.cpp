@@ -184,7 +184,7 @@ void Reader::make_joint(std::size_t i, const Value& at) {
   const auto mine = own(joint);
   if (!mine && make_soft_distance(i, other, joint)) return;
   carom_joint_desc d;
-  carom_joint_desc_init(&d);
+  carom_joint_desc_init(&d, sizeof d);
   Plan plan;
   const bool exact = mine && read_own_joint(*mine, d), by_axes = !exact && wants_axes(joint);
   if (by_axes) {
@@ -231,21 +231,21 @@ void Reader::make_joint(std::size_t i, const Value& at) {
   if (const auto limits = mine->get("limits"))
     for (const auto& [name, value] : limits->items()) {
       carom_joint_limit limit;
-      carom_joint_limit_init(&limit);
+      carom_joint_limit_init(&limit, sizeof limit);
       limit.enabled = 1, limit.lower = value.at(0).number(), limit.upper = value.at(1).number();
       call.done(carom_joint_set_limit(world, handle, coordinate(name, value), &limit, call), value.place());
     }
   if (const auto motors = mine->get("motors"))
     for (const auto& [name, value] : motors->items()) {
       carom_joint_motor motor;
-      carom_joint_motor_init(&motor);
+      carom_joint_motor_init(&motor, sizeof motor);
       motor.enabled = 1, motor.speed = value["speed"].number(), motor.most = value.number_or("most", kUnbounded);
       call.done(carom_joint_set_motor(world, handle, coordinate(name, value), &motor, call), value.place());
     }
   if (const auto springs = mine->get("springs"))
     for (const auto& [name, value] : springs->items()) {
       carom_joint_spring spring;
-      carom_joint_spring_init(&spring);
+      carom_joint_spring_init(&spring, sizeof spring);
       spring.enabled = 1, spring.target = value.number_or("target", 0), spring.frequency = value["frequency"].number();
       spring.damping = value.number_or("damping", 1), spring.most = value.number_or("most", kUnbounded);
       call.done(carom_joint_set_spring(world, handle, coordinate(name, value), &spring, call), value.place());
@@ -259,7 +259,7 @@ void Reader::drive_joint(const Value& joint, const Plan& plan, carom_joint handl
     const bool angle = plan.coordinate == CAROM_COORDINATE_TWIST || plan.coordinate == CAROM_COORDINATE_SWING;
     const double most = angle ? std::numbers::pi : 1e9;
     carom_joint_limit limit;
-    carom_joint_limit_init(&limit);
+    carom_joint_limit_init(&limit, sizeof limit);
     limit.enabled = 1, limit.lower = std::clamp(plan.lower, -most, most),
     limit.upper = std::clamp(plan.upper, -most, most);
     call.done(carom_joint_set_limit(world, handle, plan.coordinate, &limit, call), joint.place() + "/limits");
@@ -278,7 +278,7 @@ void Reader::drive_joint(const Value& joint, const Plan& plan, carom_joint handl
       const carom_body body = b ? d.body_b : d.body_a;
       if (body == CAROM_NULL_HANDLE) continue;
       carom_body_desc now;
-      carom_body_desc_init(&now);
+      carom_body_desc_init(&now, sizeof now);
       call.done(carom_body_get(world, body, &now, call), drive.place());
       if (now.type != CAROM_BODY_DYNAMIC) continue;
       const Eigen::Map<const Eigen::Matrix3d> inertia(now.inertia);
@@ -292,7 +292,7 @@ void Reader::drive_joint(const Value& joint, const Plan& plan, carom_joint handl
                  most = std::min(most_of_drive(drive), kUnbounded);
     if (stiffness > 0) {
       carom_joint_spring spring;
-      carom_joint_spring_init(&spring);
+      carom_joint_spring_init(&spring, sizeof spring);
       const double omega = std::sqrt(stiffness * per_mass);
       spring.enabled = 1, spring.target = drive.number_or("positionTarget", 0), spring.most = most;
       spring.frequency = std::min(omega / (2 * std::numbers::pi), 1e4);
@@ -301,7 +301,7 @@ void Reader::drive_joint(const Value& joint, const Plan& plan, carom_joint handl
       if (drive.number_or("velocityTarget", 0) != 0) remark(drive.place() + "/velocityTarget beside a stiffness");
     } else if (damping > 0) {
       carom_joint_motor motor;
-      carom_joint_motor_init(&motor);
+      carom_joint_motor_init(&motor, sizeof motor);
       motor.enabled = 1, motor.speed = drive.number_or("velocityTarget", 0), motor.most = most;
       call.done(carom_joint_set_motor(world, handle, plan.coordinate, &motor, call), drive.place());
       remark(drive.place() + "/damping: a drive to a velocity is as strong as its maxForce");

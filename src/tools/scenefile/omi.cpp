@@ -152,7 +152,7 @@ bool Reader::make_gravity_volume(const GravityVolume& v, bool stops) {
   const double strength = v.gravity["gravity"].number(-1e9, 1e9);
   const auto details = v.gravity.get(type.c_str());
   carom_force_field_desc d;
-  carom_force_field_desc_init(&d);
+  carom_force_field_desc_init(&d, sizeof d);
   put(d.position, v.at.p);
   if (type == "directional" && v.shape.shape == "box") {
     std::copy(v.at.q.coeffs().data(), v.at.q.coeffs().data() + 4, d.orientation);

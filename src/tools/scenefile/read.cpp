@@ -107,7 +107,7 @@ void Reader::read_world() {
   if (const auto wind = extension->get("wind")) stage_.set_wind(wind->vector());
   if (const auto water = extension->get("water")) {
     carom_water w;
-    carom_water_init(&w);
+    carom_water_init(&w, sizeof w);
     put(w.normal, water->vector_or("normal", Vec::UnitY()));
     put(w.current, water->vector_or("current", Vec::Zero()));
     w.level = water->number_or("level", 0), w.density = water->number_or("density", w.density);
@@ -269,7 +269,7 @@ void Reader::read_fields_and_springs() {
     for (std::size_t k = 0; k < fields->size(); ++k) {
       const Value f = fields->at(k);
       carom_force_field_desc d;
-      carom_force_field_desc_init(&d);
+      carom_force_field_desc_init(&d, sizeof d);
       const std::string& kind = f["kind"].text();
       std::string kinds;
       for (d.kind = 0; d.kind < CAROM_FORCE_FIELD_COUNT && kind != carom_force_field_name(d.kind); ++d.kind)

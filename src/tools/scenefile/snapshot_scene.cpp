@@ -18,7 +18,7 @@ void find_bodies(Stage& stage) {
   Call call;
   for (const carom_body body : stage.world.bodies()) {
     carom_body_desc desc;
-    call.done(carom_body_desc_init(&desc), "reading a body");
+    call.done(carom_body_desc_init(&desc, sizeof desc), "reading a body");
     call.done(carom_body_get(stage.world.get(), body, &desc, call), "reading a body");
     Actor actor;
     actor.name = "body " + std::to_string(body & 0xFFFFFF), actor.kind = kind_of(desc.type);

@@ -73,7 +73,7 @@ class PhysicsWriter {
     }
     carom_body_desc now;
     Call call;
-    carom_body_desc_init(&now);
+    carom_body_desc_init(&now, sizeof now);
     call.done(carom_body_get(stage_.world.get(), actor.body, &now, call), "reading '" + actor.name + "'");
     if (!moved) {
       std::copy(actor.linear_velocity.data(), actor.linear_velocity.data() + 3, now.linear_velocity);
@@ -225,7 +225,7 @@ class PhysicsWriter {
     call.done(carom_world_get_joints(world, handles.data(), count, &count, call), "listing joints");
     for (const carom_joint joint : handles) {
       carom_joint_desc d;
-      carom_joint_desc_init(&d);
+      carom_joint_desc_init(&d, sizeof d);
       call.done(carom_joint_get(world, joint, &d, call), "reading a joint");
       const auto frame = [&](const double* position, const double* orientation, carom_body body) {
         return new_node({{"translation", numbers(position, 3)}, {"rotation", numbers(orientation, 4)}}, node_of(body));
@@ -276,7 +276,7 @@ class PhysicsWriter {
     carom_water water;
     std::uint32_t present = 0;
     Call call;
-    carom_water_init(&water);
+    carom_water_init(&water, sizeof water);
     call.done(carom_world_get_water(stage_.world.get(), &water, &present, call), "reading the water");
     if (present)
       own_["water"] = {{"normal", numbers(water.normal, 3)},
@@ -289,7 +289,7 @@ class PhysicsWriter {
   void write_field(carom_force_field handle) {
     carom_force_field_desc f;
     Call call;
-    carom_force_field_desc_init(&f);
+    carom_force_field_desc_init(&f, sizeof f);
     call.done(carom_force_field_get(stage_.world.get(), handle, &f, call), "reading a field");
     json field = {{"kind", carom_force_field_name(f.kind)},
                   {"isForce", f.is_force != 0},
@@ -313,7 +313,7 @@ class PhysicsWriter {
   void write_spring(const Bungee& bungee) {
     carom_spring_desc s;
     Call call;
-    carom_spring_desc_init(&s);
+    carom_spring_desc_init(&s, sizeof s);
     call.done(carom_spring_get(stage_.world.get(), bungee.spring, &s, call), "reading a spring");
     json spring = {{"anchorA", numbers(s.anchor_a, 3)},
                    {"anchorB", numbers(s.anchor_b, 3)},

@@ -11,7 +11,7 @@ void Stage::add_spring(Bungee bungee) {
   };
   carom_spring_desc desc;
   Call call;
-  call.done(carom_spring_desc_init(&desc), "making a spring");
+  call.done(carom_spring_desc_init(&desc, sizeof desc), "making a spring");
   desc.body_a = body(bungee.a), desc.body_b = body(bungee.b);
   std::copy(bungee.at_a.data(), bungee.at_a.data() + 3, desc.anchor_a);
   std::copy(bungee.at_b.data(), bungee.at_b.data() + 3, desc.anchor_b);

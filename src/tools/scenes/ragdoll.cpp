@@ -63,7 +63,7 @@ class Person {
   void limit(carom_joint joint, std::uint32_t coordinate, double lower, double upper) {
     carom_joint_limit limit;
     Call call;
-    call.done(carom_joint_limit_init(&limit), "limiting a joint");
+    call.done(carom_joint_limit_init(&limit, sizeof limit), "limiting a joint");
     limit.enabled = 1, limit.lower = lower * kDegree, limit.upper = upper * kDegree;
     call.done(carom_joint_set_limit(stage_.world.get(), joint, coordinate, &limit, call), "limiting a joint");
   }

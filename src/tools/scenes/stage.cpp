@@ -15,7 +15,7 @@ std::size_t Stage::add(Actor actor) {
   carom_body_desc desc;
   Call call;
   const std::string making = "making body '" + actor.name + "'";
-  call.done(carom_body_desc_init(&desc), making);
+  call.done(carom_body_desc_init(&desc, sizeof desc), making);
   desc.type = actor.type;
   put(desc.position, actor.position);
   put(desc.orientation, actor.orientation);
@@ -36,7 +36,7 @@ std::size_t Stage::add(Actor actor) {
   call.done(carom_body_create(world.get(), &desc, &actor.body, call), making);
   for (Part& part : actor.parts) {
     carom_collider_desc collider;
-    call.done(carom_collider_desc_init(&collider), making);
+    call.done(carom_collider_desc_init(&collider, sizeof collider), making);
     collider.shape = part.shape == "half_space"     ? engine_.half_space(part.params.data(), part.params.at(3))
                      : part.shape == "height_field" ? engine_.height_field(part.params)
                      : part.shape == "mesh"         ? engine_.mesh(part.params)
@@ -45,7 +45,7 @@ std::size_t Stage::add(Actor actor) {
                                            static_cast<double>(part.restitution_mix), part.rolling, part.spinning}];
     if (material == CAROM_NULL_HANDLE) {
       carom_material_desc surface;
-      call.done(carom_material_desc_init(&surface), making);
+      call.done(carom_material_desc_init(&surface, sizeof surface), making);
       surface.friction = part.friction;
       surface.restitution = part.restitution;
       surface.friction_mix = part.friction_mix;
@@ -73,7 +73,7 @@ carom_joint Stage::join(std::uint32_t kind, std::size_t a, std::size_t b, const 
   carom_joint_desc desc;
   Call call;
   const std::string joining = "joining '" + actors.at(a).name + "' and '" + actors.at(b).name + "'";
-  call.done(carom_joint_desc_init(&desc), joining);
+  call.done(carom_joint_desc_init(&desc, sizeof desc), joining);
   desc.kind = kind;
   desc.fields = CAROM_JOINT_WORLD_FRAME;
   desc.body_a = actors[a].body, desc.body_b = actors[b].body;
@@ -125,7 +125,7 @@ std::size_t Stage::add_particles(std::vector<Actor> start, double mass) {
   const std::string making = "making " + std::to_string(start.size()) + " particles";
   carom_particles_desc desc;
   Call call;
-  call.done(carom_particles_desc_init(&desc), making);
+  call.done(carom_particles_desc_init(&desc, sizeof desc), making);
   desc.mass = mass;
   carom_particles set = CAROM_NULL_HANDLE;
   call.done(carom_particles_create(world.get(), &desc, &set, call), making);

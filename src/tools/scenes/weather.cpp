@@ -108,7 +108,7 @@ class WeatherStory : public Observer {
 
 void add_whirlwind(Stage& stage) {
   carom_force_field_desc whirl;
-  carom_force_field_desc_init(&whirl);
+  carom_force_field_desc_init(&whirl, sizeof whirl);
   whirl.kind = CAROM_FORCE_FIELD_VORTEX;
   whirl.mask = kWhirled;
   std::copy(kWhirl.data(), kWhirl.data() + 3, whirl.position);
@@ -123,7 +123,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
   const auto crates = static_cast<std::size_t>(knobs[0]), leaves = static_cast<std::size_t>(knobs[1]);
   Random random(20111115);
   carom_water water;
-  carom_water_init(&water);
+  carom_water_init(&water, sizeof water);
   water.current[0] = kCurrent;
   stage.set_water(water);
   stage.set_wind(Vec(knobs[2], 0, 0.2 * knobs[2]));

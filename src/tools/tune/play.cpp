@@ -16,7 +16,7 @@ constexpr std::size_t kMostWatched = 400;  // bodies and particles: others of a 
 Matter matter_of(const World& world, carom_body body) {
   Call call;
   carom_body_desc desc;
-  call.done(carom_body_desc_init(&desc), "reading a body");
+  call.done(carom_body_desc_init(&desc, sizeof desc), "reading a body");
   call.done(carom_body_get(world.get(), body, &desc, call), "reading a body");
   Matter matter;
   matter.mass = desc.mass;

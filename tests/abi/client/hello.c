@@ -21,9 +21,9 @@ int main(void) {
        carom_plugin_load(engine, CAROM_PLUGIN_DIR "/sphere.so", &sphere, &error) == CAROM_OK &&
        carom_shape_create(engine, sphere, &radius, 1, &shape, &error) == CAROM_OK &&
        carom_world_create(engine, NULL, &world, &error) == CAROM_OK;
-  carom_body_desc_init(&body_desc);
+  carom_body_desc_init(&body_desc, sizeof body_desc);
   ok = ok && carom_body_create(world, &body_desc, &body, &error) == CAROM_OK;
-  carom_collider_desc_init(&collider_desc);
+  carom_collider_desc_init(&collider_desc, sizeof collider_desc);
   collider_desc.shape = shape;
   ok = ok && carom_collider_create(world, body, &collider_desc, &collider, &error) == CAROM_OK;
   for (i = 0; ok && i < 100; ++i) ok = carom_world_step(world, 0.01, &error) == CAROM_OK;

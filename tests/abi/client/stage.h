@@ -26,8 +26,8 @@ typedef struct Stage {
   carom_collider ground_collider, collider;
 } Stage;
 
-static int32_t stage_point(const double *params, uint64_t count, const double dir[3], double out[3]) {
-  (void)params, (void)count, (void)dir;
+static int32_t stage_point(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+  (void)user, (void)params, (void)count, (void)dir;
   out[0] = out[1] = out[2] = 0;
   return 0;
 }
@@ -56,10 +56,10 @@ static carom_body stage_ball(Stage *s, double x, double y, double z, carom_colli
   carom_body_desc desc;
   carom_collider_desc part;
   carom_body body = 0;
-  OK(carom_body_desc_init(&desc));
+  OK(carom_body_desc_init(&desc, sizeof desc));
   desc.position[0] = x, desc.position[1] = y, desc.position[2] = z;
   OK(carom_body_create(s->world, &desc, &body, NULL));
-  OK(carom_collider_desc_init(&part));
+  OK(carom_collider_desc_init(&part, sizeof part));
   part.shape = s->ball;
   OK(carom_collider_create(s->world, body, &part, collider, NULL));
   return body;
@@ -70,10 +70,10 @@ static void stage_world(Stage *s, double y) {
   carom_body_desc desc;
   carom_collider_desc part;
   OK(carom_world_create(s->engine, NULL, &s->world, NULL));
-  OK(carom_body_desc_init(&desc));
+  OK(carom_body_desc_init(&desc, sizeof desc));
   desc.type = CAROM_BODY_STATIC;
   OK(carom_body_create(s->world, &desc, &s->ground, NULL));
-  OK(carom_collider_desc_init(&part));
+  OK(carom_collider_desc_init(&part, sizeof part));
   part.shape = s->floor;
   OK(carom_collider_create(s->world, s->ground, &part, &s->ground_collider, NULL));
   s->body = stage_ball(s, 0, y, 0, &s->collider);

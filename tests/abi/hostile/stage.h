@@ -52,11 +52,13 @@ struct Stage {
   }
 };
 
-inline int32_t point(const double*, uint64_t, const double[3], double out[3]) {
+inline int32_t point(void *user, const double*, uint64_t, const double[3], double out[3]) {
+  (void)user;
   out[0] = out[1] = out[2] = 0;
   return 0;
 }
-inline int32_t box(const double* p, uint64_t, const double dir[3], double out[3]) {
+inline int32_t box(void *user, const double* p, uint64_t, const double dir[3], double out[3]) {
+  (void)user;
   for (int i = 0; i < 3; ++i) out[i] = dir[i] < 0 ? -p[i] : p[i];
   return 0;
 }
@@ -96,7 +98,7 @@ inline bool make_engine(Stage& s, const carom_engine_desc* desc = nullptr) {
   const uint32_t triangles[] = {0, 1, 2, 0, 2, 3};
   carom_shape shapes[6] = {};
   carom_mesh_desc mesh;
-  carom_mesh_desc_init(&mesh);
+  carom_mesh_desc_init(&mesh, sizeof mesh);
   mesh.vertices = corners, mesh.vertex_count = 4, mesh.triangles = triangles, mesh.triangle_count = 2;
   carom_engine* e = s.engine;
   good = good && carom_shape_create(e, s.live[kPlugin][0].handle, half, 1, &shapes[0], nullptr) == CAROM_OK &&
@@ -111,13 +113,13 @@ inline bool make_engine(Stage& s, const carom_engine_desc* desc = nullptr) {
 
 inline carom_body add_body(Stage& s, uint32_t type, int shape, double x, double y, double z) {
   carom_body_desc d;
-  carom_body_desc_init(&d);
+  carom_body_desc_init(&d, sizeof d);
   d.type = type, d.position[0] = x, d.position[1] = y, d.position[2] = z;
   carom_body body = 0;
   if (carom_body_create(s.world, &d, &body, nullptr) != CAROM_OK) return 0;
   s.born(kBody, body);
   carom_collider_desc part;
-  carom_collider_desc_init(&part);
+  carom_collider_desc_init(&part, sizeof part);
   part.shape = s.live[kShape][static_cast<std::size_t>(shape)].handle;
   if (!s.live[kMaterial].empty()) part.material = s.live[kMaterial][0].handle;
   carom_collider collider = 0;
@@ -131,7 +133,7 @@ inline bool make_world(Stage& s) {
   for (const int k : {kMaterial, kBody, kCollider, kParticles, kJoint, kField, kSpring}) s.live[k].clear(), s.stale[k].clear();
   if (carom_world_create(s.engine, nullptr, &s.world, nullptr) != CAROM_OK) return false;
   carom_material_desc md;
-  carom_material_desc_init(&md);
+  carom_material_desc_init(&md, sizeof md);
   md.restitution = 0.25;
   carom_material material = 0;
   bool good = carom_material_create(s.world, &md, &material, nullptr) == CAROM_OK;
@@ -146,20 +148,20 @@ inline bool make_world(Stage& s) {
          carom_particles_add(s.world, set, 3, CAROM_SCALAR_F64, x, 0, nullptr, 0, nullptr) == CAROM_OK;
   s.born(kParticles, set);
   carom_joint_desc jd;
-  carom_joint_desc_init(&jd);
+  carom_joint_desc_init(&jd, sizeof jd);
   jd.kind = CAROM_JOINT_HINGE, jd.fields = CAROM_JOINT_WORLD_FRAME, jd.body_a = c, jd.body_b = d;
   jd.position_a[0] = 3, jd.position_a[1] = 0.6;
   carom_joint joint = 0;
   good = good && carom_joint_create(s.world, &jd, &joint, nullptr) == CAROM_OK;
   s.born(kJoint, joint, c, d);
   carom_force_field_desc fd;
-  carom_force_field_desc_init(&fd);
+  carom_force_field_desc_init(&fd, sizeof fd);
   fd.kind = CAROM_FORCE_FIELD_VORTEX, fd.strength = 0.5, fd.position[0] = 2;
   carom_force_field field = 0;
   good = good && carom_force_field_create(s.world, &fd, &field, nullptr) == CAROM_OK;
   s.born(kField, field);
   carom_spring_desc sd;
-  carom_spring_desc_init(&sd);
+  carom_spring_desc_init(&sd, sizeof sd);
   sd.body_b = b, sd.anchor_a[1] = 3, sd.rest = 1, sd.stiffness = 10;
   carom_spring spring = 0;
   good = good && carom_spring_create(s.world, &sd, &spring, nullptr) == CAROM_OK;

@@ -9,7 +9,7 @@ namespace hostile {
 template <class T, class Init>
 T fresh(Init init) {
   T t;
-  init(&t);
+  init(&t, sizeof t);
   return t;
 }
 inline uint64_t pick(Context& c, Kind kind, bool& none) { return living(c, kind, none); }
@@ -33,6 +33,12 @@ inline Argument body_desc(Context& c) {
     for (const int i : {0, 4, 8}) d.inertia[i] = c.between(1, 1.5);
   }
   d.linear_damping = c.between(0, 1), d.angular_damping = c.between(0, 1);
+  d.gravity_factor = c.between(-1, 2);
+  d.linear_drag = c.between(0, 1), d.quadratic_drag = c.between(0, 1);
+  d.force_field_mask = c.source.below(4);
+  d.continuous = c.source.below(3);
+  if (d.type == CAROM_BODY_DYNAMIC)
+    for (double& x : d.magnetic_moment) x = c.between(-1, 1);
   const bool given = d.fields & CAROM_BODY_FIELD_MASS;
   std::vector<Field> fields;
   Argument a = in_struct(c, d, {HOSTILE_BITS(carom_body_desc, fields, 15u), HOSTILE_CHOICE(carom_body_desc, type, 3u),
@@ -41,7 +47,13 @@ inline Argument body_desc(Context& c) {
                                 HOSTILE_NUMBERS(carom_body_desc, linear_velocity, 3, any()),
                                 HOSTILE_NUMBERS(carom_body_desc, angular_velocity, 3, any()),
                                 HOSTILE_NUMBERS(carom_body_desc, linear_damping, 1, {0, 1e6}),
-                                HOSTILE_NUMBERS(carom_body_desc, angular_damping, 1, {0, 1e6})});
+                                HOSTILE_NUMBERS(carom_body_desc, angular_damping, 1, {0, 1e6}),
+                                HOSTILE_NUMBERS(carom_body_desc, gravity_factor, 1, any()),
+                                HOSTILE_BITS(carom_body_desc, locks, 63u), HOSTILE_CHOICE(carom_body_desc, continuous, 3u),
+                                HOSTILE_NUMBERS(carom_body_desc, linear_drag, 1, {0, 1e12}),
+                                HOSTILE_NUMBERS(carom_body_desc, quadratic_drag, 1, {0, 1e12}),
+                                HOSTILE_RESERVED(carom_body_desc, reserved2),
+                                HOSTILE_NUMBERS(carom_body_desc, magnetic_moment, 3, {-1e12, 1e12})});
   if (given && d.type == CAROM_BODY_DYNAMIC) {
     const Argument more = in_struct(c, d, {HOSTILE_NUMBERS(carom_body_desc, mass, 1, {kLeast, kMost}),
                                            HOSTILE_NUMBERS(carom_body_desc, center, 3, any()),
@@ -59,10 +71,18 @@ inline Argument collider_desc(Context& c) {
   for (double& x : d.position) x = c.between(-0.5, 0.5);
   turn(c, 4, d.orientation);
   d.density = c.between(1, 2000);
+  d.category = 1 + c.source.below(3), d.mask = ~std::uint64_t(c.source.below(3));
+  d.group = static_cast<std::int32_t>(c.source.below(3)) - 1;
+  d.sensor = c.source.below(6) == 5;
+  if (c.source.below(4) == 3)
+    for (double& x : d.surface_linear) x = c.between(-1, 1);
   a = in_struct(c, d, {HOSTILE_RESERVED(carom_collider_desc, reserved), HOSTILE_HANDLE(carom_collider_desc, shape, kShape, false),
                        HOSTILE_HANDLE(carom_collider_desc, material, kMaterial, true),
                        HOSTILE_NUMBERS(carom_collider_desc, position, 3, any()), HOSTILE_UNIT(carom_collider_desc, orientation, 4),
-                       HOSTILE_NUMBERS(carom_collider_desc, density, 1, {0, 1e9})});
+                       HOSTILE_NUMBERS(carom_collider_desc, density, 1, {0, 1e9}),
+                       HOSTILE_WHOLE(carom_collider_desc, sensor, 0, 1),
+                       HOSTILE_NUMBERS(carom_collider_desc, surface_linear, 3, {-1e6, 1e6}),
+                       HOSTILE_NUMBERS(carom_collider_desc, surface_angular, 3, {-1e6, 1e6})});
   a.impossible = none;
   return a;
 }
@@ -394,7 +414,14 @@ struct Row {
 #define ROW_THAT(f, that, ...) {#f, [](Context& c) -> Call { Call made = call(#f, f, {__VA_ARGS__}); made.that; return made; }}
 #define GET_LIST(f, T) {#f, [](Context& c) -> Call { List l = list(c, sizeof(T)); return call(#f, f, {world(c), l.dst, l.stride, l.capacity, l.count, error(c)}); }}
 #define GET_HANDLES(f) {#f, [](Context& c) -> Call { Argument dst = out(c, 8 * 64); dst.wrong.clear(); return call(#f, f, {world(c), dst, fixed_number(64), out(c, 8), error(c)}); }}
-#define INIT(f, T) ROW(f, out(c, sizeof(T)))
+/// The caller's size of a struct that is to be filled in.
+inline Argument struct_size(std::uint32_t size) {
+  Argument a = fixed_number(size);
+  for (const std::uint32_t bad : {0u, 4u, 9u, 4104u, 0xFFFFFFFFu})
+    a.wrong.push_back({"a size of no version", fixed_number(bad).good, code(CAROM_E_STRUCT_SIZE)});
+  return a;
+}
+#define INIT(f, T) ROW(f, out(c, sizeof(T)), struct_size(sizeof(T)))
 
 /// A snapshot of the caller's own world, and all that may become of one on its way.
 struct Snapshot {
@@ -479,6 +506,7 @@ inline const Row kRows[] = {
        bad("many params", [](auto& q) { q.param_count = 0xFFFFFFFF; });
        return call("carom_plugin_register", carom_plugin_register, {engine(c), p, out(c, 8), error(c)}).may(code(CAROM_E_ALREADY_EXISTS));
      }},
+    ROW_THAT(carom_plugins_register_standard, may(code(CAROM_E_UNSUPPORTED)), engine(c), error(c)),
     ROW_THAT(carom_plugin_unload, may(kInUse).ends(kPlugin), engine(c), handle(c, kPlugin), error(c)),
     ROW_THAT(carom_plugin_find, may(code(CAROM_E_NOT_FOUND)), engine(c), string(c, "hostile.ball"), out(c, 8), error(c)),
     ROW(carom_plugin_describe, engine(c), handle(c, kPlugin), out(c, sizeof(void*)), error(c)),

@@ -34,7 +34,7 @@ struct Solid {
   std::vector<std::uint32_t> first, neighbour;  // hull: neighbours of vertex v are neighbour[first[v] .. first[v + 1])
   std::uint32_t start = 0;                      // hull: a vertex that has neighbours
 
-  std::int32_t (*scan)(const double*, std::uint64_t, const double*, double*) = nullptr;  // support of the core
+  std::int32_t (*scan)(void*, const double*, std::uint64_t, const double*, double*) = nullptr;  // support of the core
   const double* params = nullptr;
   std::uint64_t param_count = 0;
   const collision::Shape* shape = nullptr;  // Carom's
@@ -102,7 +102,7 @@ void add_module(Peers& peers, const char* path);
 /// @param hint  where a climb starts; out: where it ended
 inline void core_support(const Solid& solid, const double* d, double* out, std::uint32_t& hint) {
   if (solid.vertices <= kScan || solid.triangles.empty()) {
-    solid.scan(solid.params, solid.param_count, d, out);
+    solid.scan(nullptr, solid.params, solid.param_count, d, out);
     return;
   }
   const double* const xyz = solid.xyz;

@@ -14,7 +14,7 @@ namespace {
 Real reach(const Solid& solid, const Placement& at, const Vec3& unit) {
   Vec3 d, p;
   at.rotate_inverse(unit.data(), d.data());
-  solid.scan(solid.params, solid.param_count, d.data(), p.data());
+  solid.scan(nullptr, solid.params, solid.param_count, d.data(), p.data());
   return d.dot(p) + solid.core_radius;
 }
 

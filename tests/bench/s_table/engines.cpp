@@ -46,7 +46,7 @@ void CaromWorld::cast_rays(const double* ends, std::size_t n, double* fractions,
   hits.times = fractions;
   carom_query_desc desc;
   tools::Call call;
-  call.done(carom_query_desc_init(&desc), "describing a query");
+  call.done(carom_query_desc_init(&desc, sizeof desc), "describing a query");
   desc.flags = flags;
   call.done(carom_world_cast_rays(stage_.world.get(), &rays, CAROM_WANT_FIRST, &desc, &hits, call), "casting rays");
   for (std::size_t i = 0; i < n; ++i)
@@ -56,7 +56,7 @@ void CaromWorld::cast_rays(const double* ends, std::size_t n, double* fractions,
 carom_engine_desc counted_engine() {
   carom_engine_desc desc;
   tools::Call call;
-  call.done(carom_engine_desc_init(&desc), "describing an engine");
+  call.done(carom_engine_desc_init(&desc, sizeof desc), "describing an engine");
   desc.alloc = [](void*, std::uint64_t size, std::uint64_t alignment) {
     return counted_aligned_alloc(size, alignment);
   };

@@ -31,7 +31,7 @@ Plan::Plan(tools::Stage& stage, bool as_given) : stage_(stage), as_given_(as_giv
   call.done(carom_world_get_joints(stage.world.get(), joints.data(), count, &count, call), "listing joints");
   for (const carom_joint joint : joints) {
     carom_joint_desc desc;
-    call.done(carom_joint_desc_init(&desc), "asking for joints");
+    call.done(carom_joint_desc_init(&desc, sizeof desc), "asking for joints");
     call.done(carom_joint_get(stage.world.get(), joint, &desc, call), "asking for joints");
     add(desc);
   }
@@ -74,7 +74,7 @@ void Plan::add(const tools::Actor& actor) {
                        "choose a scene whose bodies have one part each");
   tools::Call call;
   carom_body_desc body;
-  call.done(carom_body_desc_init(&body), "asking for masses");
+  call.done(carom_body_desc_init(&body, sizeof body), "asking for masses");
   body.mass = actor.mass;
   if (actor.particles == CAROM_NULL_HANDLE)
     call.done(carom_body_get(stage_.world.get(), actor.body, &body, call), "asking for masses");

@@ -12,7 +12,8 @@ static jmp_buf nowhere; /* never set: no frame waits there any more */
 #endif
 
 /* A unit ball, unless told otherwise. */
-static int32_t support(const double *params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void *user, const double *params, uint64_t param_len, const double dir[3], double out[3]) {
+  (void)user;
   const double big = fmax(fabs(dir[0]), fmax(fabs(dir[1]), fabs(dir[2])));
   const double x = dir[0] / big, y = dir[1] / big, z = dir[2] / big, length = sqrt(x * x + y * y + z * z);
   (void)params;

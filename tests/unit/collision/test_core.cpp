@@ -43,7 +43,7 @@ Real outside(const Shape& s, const Vec3& p) {
   }
 }
 
-std::int32_t never(const double*, std::uint64_t, const double*, double*) { return 9; }
+std::int32_t never(void*, const double*, std::uint64_t, const double*, double*) { return 9; }
 
 }  // namespace
 
@@ -57,7 +57,7 @@ static void every_closed_form_attains_what_its_function_attains(void**) {
       const bool corners = s.form == Form::sphere || s.form == Form::capsule || s.form == Form::box;
       for (const Vec3& n : directions(random)) {
         Vec3 asked, own;
-        s.support(s.params.data(), s.params.size(), n.data(), asked.data());
+        s.support(s.user, s.params.data(), s.params.size(), n.data(), asked.data());
         Core core(s);
         assert_true(core.support(n, own));
         // Four roundings a component at most (a square root, a quotient, two products), relative to the component; so
@@ -119,7 +119,7 @@ static void a_hull_gives_one_of_its_vertices(void**) {
     const Shape s = hull(points);
     for (const Vec3& n : directions(random)) {
       Vec3 asked, own;
-      s.support(s.params.data(), s.params.size(), n.data(), asked.data());
+      s.support(s.user, s.params.data(), s.params.size(), n.data(), asked.data());
       assert_true(Core(s).support(n, own));
       assert_true(std::find(points.begin(), points.end(), own) != points.end());
       // 11 u (farthest_vertex.h) and this test's two products of three terms, 3 u each, for points within 1.

@@ -213,19 +213,19 @@ static void the_hybrid_is_its_margin_nearer(void**) {
 
 namespace {
 
-std::int32_t refuses(const double*, std::uint64_t, const double*, double*) { return 7; }
-std::int32_t says_nan(const double*, std::uint64_t, const double*, double* out) {
+std::int32_t refuses(void*, const double*, std::uint64_t, const double*, double*) { return 7; }
+std::int32_t says_nan(void*, const double*, std::uint64_t, const double*, double* out) {
   out[0] = out[1] = out[2] = std::numeric_limits<double>::quiet_NaN();
   return 0;
 }
-std::int32_t flies_away(const double*, std::uint64_t, const double* d, double* out) {
+std::int32_t flies_away(void*, const double*, std::uint64_t, const double* d, double* out) {
   for (int i = 0; i < 3; ++i) out[i] = 1e6 * d[i];
   return 0;
 }
 /// Takes the axes for one another: corners of the right box for the wrong directions.
-std::int32_t mixes_axes(const double* p, std::uint64_t count, const double* d, double* out) {
+std::int32_t mixes_axes(void*, const double* p, std::uint64_t count, const double* d, double* out) {
   const double turned[3] = {d[1], d[2], d[0]};
-  return box_support(p, count, turned, out);
+  return box_support(nullptr, p, count, turned, out);
 }
 
 }  // namespace

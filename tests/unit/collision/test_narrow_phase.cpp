@@ -64,7 +64,7 @@ bool whole(const Manifold& m) {
   return true;
 }
 
-std::int32_t nan_support(const double*, std::uint64_t, const double*, double* out) {
+std::int32_t nan_support(void*, const double*, std::uint64_t, const double*, double* out) {
   out[0] = out[1] = out[2] = std::nan("");
   return 0;
 }

@@ -173,7 +173,7 @@ static void support_values_are_right_to_rounding_for_every_length_of_direction_a
       const Real core_radius = shape_of(plug, p).core_radius;
       for (const Direction& d : some_directions(random, 200)) {
         double out[3];
-        assert_int_equal(plug.support(p.data(), p.size(), d.d, out), 0);
+        assert_int_equal(plug.support(nullptr, p.data(), p.size(), d.d, out), 0);
         Exact u[3], got = core_radius, terms = core_radius;
         unit(d, u);
         for (int i = 0; i < 3; ++i) got += u[i] * out[i], terms += std::fabs(u[i] * out[i]);
@@ -200,7 +200,7 @@ static void a_cone_chooses_between_tip_and_rim_to_the_last_digits(void**) {
       const Real tilt = std::pow(10.0, random.uniform(-15, -3)) * (trial % 2 ? 1 : -1);
       const Direction d{{slant * std::cos(turn), p[0] * (1 + tilt), slant * std::sin(turn)}};
       double out[3];
-      plugin(c.name).support(p.data(), 2, d.d, out);
+      plugin(c.name).support(nullptr, p.data(), 2, d.d, out);
       Exact u[3], got = 0, terms = 0;
       unit(d, u);
       for (int i = 0; i < 3; ++i) got += u[i] * out[i], terms += std::fabs(u[i] * out[i]);
@@ -219,7 +219,7 @@ static void no_answer_lies_outside_the_set(void**) {
       const auto dirs = some_directions(random, 60);
       for (const Direction& a : dirs) {
         double out[3];
-        plug.support(p.data(), p.size(), a.d, out);
+        plug.support(nullptr, p.data(), p.size(), a.d, out);
         for (const Direction& b : dirs) {
           Exact u[3], along = core_radius, terms = core_radius;
           unit(b, u);
@@ -241,17 +241,17 @@ static void the_same_question_gets_the_same_bits_and_so_does_its_double(void**) 
     for (int round = 0; round < 2; ++round)
       for (std::size_t i = 0; i < dirs.size(); ++i) {
         Vec3 out;
-        plug.support(p.data(), p.size(), dirs[i].d, out.data());
+        plug.support(nullptr, p.data(), p.size(), dirs[i].d, out.data());
         if (round == 0) first.push_back(out);
         assert_memory_equal(out.data(), first[i].data(), 3 * sizeof(double));
       }
     for (int i = 0; i < 300; ++i) {  // a power of two changes no mantissa as long as nothing is denormal
       const Vec3 d = random.direction();
       Vec3 out, scaled;
-      plug.support(p.data(), p.size(), d.data(), out.data());
+      plug.support(nullptr, p.data(), p.size(), d.data(), out.data());
       for (const Real scale : {0x1p-900, 0x1p-3, 2.0, 0x1p900}) {
         const Vec3 far = scale * d;
-        plug.support(p.data(), p.size(), far.data(), scaled.data());
+        plug.support(nullptr, p.data(), p.size(), far.data(), scaled.data());
         assert_memory_equal(out.data(), scaled.data(), 3 * sizeof(double));
       }
     }

@@ -47,77 +47,77 @@ void each_honest_shape(const std::function<void(const Shape&)>& visit) {
 Real length(const double* d) { return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]); }
 
 // Liars: each is a unit ball, box or so with one thing wrong.
-std::int32_t ball(const double* p, const double* d, double* out) { return ellipsoid_support(p, 3, d, out); }
-std::int32_t returns_nonzero(const double* p, std::uint64_t, const double* d, double* out) {
+std::int32_t ball(const double* p, const double* d, double* out) { return ellipsoid_support(nullptr, p, 3, d, out); }
+std::int32_t returns_nonzero(void*, const double* p, std::uint64_t, const double* d, double* out) {
   ball(p, d, out);
   return d[0] > 0.99 ? 1 : 0;
 }
-std::int32_t sometimes_nan(const double* p, std::uint64_t, const double* d, double* out) {
+std::int32_t sometimes_nan(void*, const double* p, std::uint64_t, const double* d, double* out) {
   ball(p, d, out);
   if (d[1] < -0.9) out[2] = NAN;
   return 0;
 }
-std::int32_t infinite(const double* p, std::uint64_t, const double* d, double* out) {
+std::int32_t infinite(void*, const double* p, std::uint64_t, const double* d, double* out) {
   ball(p, d, out);
   if (d[2] < -0.9) out[2] = -INFINITY;
   return 0;
 }
-std::int32_t counts_its_calls(const double* p, std::uint64_t, const double* d, double* out) {
+std::int32_t counts_its_calls(void*, const double* p, std::uint64_t, const double* d, double* out) {
   static double calls = 0;
   ball(p, d, out);
   out[0] += 1e-15 * (calls += 1);  // far below any tolerance, but other bits
   return 0;
 }
-std::int32_t remembers_the_last_direction(const double* p, std::uint64_t, const double* d, double* out) {
+std::int32_t remembers_the_last_direction(void*, const double* p, std::uint64_t, const double* d, double* out) {
   static double last[3] = {1, 0, 0};
   ball(p, d, out);
   for (int i = 0; i < 3; ++i) out[i] += 1e-15 * last[i];
   std::memcpy(last, d, sizeof last);
   return 0;
 }
-std::int32_t as_long_as_the_direction(const double*, std::uint64_t, const double* d, double* out) {
+std::int32_t as_long_as_the_direction(void*, const double*, std::uint64_t, const double* d, double* out) {
   std::memcpy(out, d, 3 * sizeof *d);  // the unit ball for unit directions only
   return 0;
 }
-std::int32_t squares_before_it_scales(const double* p, std::uint64_t, const double* d, double* out) {
+std::int32_t squares_before_it_scales(void*, const double* p, std::uint64_t, const double* d, double* out) {
   const Real n = length(d);  // 0 for 1e-300, infinite for 1e300
   for (int i = 0; i < 3; ++i) out[i] = p[i] * d[i] / n;
   return 0;
 }
-std::int32_t unbounded(const double*, std::uint64_t, const double* d, double* out) {
+std::int32_t unbounded(void*, const double*, std::uint64_t, const double* d, double* out) {
   for (int i = 0; i < 3; ++i) out[i] = 1e10 * d[i] / length(d);
   return 0;
 }
 // radius 1 to 1.5, dents between spikes
-std::int32_t a_star(const double*, std::uint64_t, const double* d, double* out) {
+std::int32_t a_star(void*, const double*, std::uint64_t, const double* d, double* out) {
   const Real m = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2])}), u[3] = {d[0] / m, d[1] / m, d[2] / m};
   const Real n = length(u), spike = std::fabs(u[0] * u[1] * u[2]) / (n * n * n);
   for (int i = 0; i < 3; ++i) out[i] = (1 + 2.5 * spike) * u[i] / n;
   return 0;
 }
-std::int32_t inside_out(const double* p, std::uint64_t, const double* d, double* out) {
-  box_support(p, 3, d, out);
+std::int32_t inside_out(void*, const double* p, std::uint64_t, const double* d, double* out) {
+  box_support(nullptr, p, 3, d, out);
   for (int i = 0; i < 3; ++i) out[i] = -out[i];
   return 0;
 }
-std::int32_t radial_box(const double*, std::uint64_t, const double* d,
+std::int32_t radial_box(void*, const double*, std::uint64_t, const double* d,
                         double* out) {  // where the ray leaves the box: not its support
   const Real m = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2])});
   for (int i = 0; i < 3; ++i) out[i] = d[i] / m;
   return 0;
 }
-std::int32_t forgets_a_corner(const double* p, std::uint64_t, const double* d, double* out) {
-  box_support(p, 3, d, out);
+std::int32_t forgets_a_corner(void*, const double* p, std::uint64_t, const double* d, double* out) {
+  box_support(nullptr, p, 3, d, out);
   if (d[0] > 0 && d[1] > 0 && d[2] > 0) out[2] = -out[2];
   return 0;
 }
-std::int32_t shifted_by_direction(const double* p, std::uint64_t, const double* d,
+std::int32_t shifted_by_direction(void*, const double* p, std::uint64_t, const double* d,
                                   double* out) {  // two different balls
   ball(p, d, out);
   out[0] += d[0] > 0 ? -0.01 : 0.01;
   return 0;
 }
-std::int32_t normalised_ellipsoid(const double* p, std::uint64_t, const double* d,
+std::int32_t normalised_ellipsoid(void*, const double* p, std::uint64_t, const double* d,
                                   double* out) {  // the classic r d / |d|
   const Real m = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2])}), u[3] = {d[0] / m, d[1] / m, d[2] / m};
   for (int i = 0; i < 3; ++i) out[i] = p[i] * u[i] / length(u);
@@ -176,7 +176,7 @@ static void the_witness_is_what_the_function_said_bit_for_bit(void**) {
     const Shape s = undeclared(support, {1, 2, 3});
     const Verdict v = verify_support(s);
     double out[3];
-    support(s.params.data(), 3, v.dir, out);
+    support(s.user, s.params.data(), 3, v.dir, out);
     assert_memory_equal(out, v.out, sizeof out);
   }
 }
@@ -186,7 +186,7 @@ static void a_missing_support_function_is_no_crash(void**) { assert_false(verify
 static void an_error_of_rounding_is_no_lie_and_one_of_1e_6_is(void**) {
   // A ball whose radius depends on the direction by epsilon: honest as long as epsilon is below kSloppiness.
   static double epsilon;
-  const SupportFn wobbly = [](const double* p, std::uint64_t, const double* d, double* out) {
+  const SupportFn wobbly = [](void*, const double* p, std::uint64_t, const double* d, double* out) {
     ball(p, d, out);
     const Real m = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2])}), u[3] = {d[0] / m, d[1] / m, d[2] / m};
     for (int i = 0; i < 3; ++i) out[i] *= 1 + epsilon * std::fabs(u[0] * u[1] * u[2]);

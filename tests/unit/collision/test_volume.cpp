@@ -307,16 +307,16 @@ static void a_flat_or_thin_hull_has_no_volume_and_breaks_nothing(void**) {
   }
 }
 
-static std::int32_t failing(const double*, std::uint64_t, const double*, double*) { return 7; }
-static std::int32_t not_a_number(const double*, std::uint64_t, const double* d, double* out) {
+static std::int32_t failing(void*, const double*, std::uint64_t, const double*, double*) { return 7; }
+static std::int32_t not_a_number(void*, const double*, std::uint64_t, const double* d, double* out) {
   for (int i = 0; i < 3; ++i) out[i] = d[i] > 0 ? NAN : -1;
   return 0;
 }
-static std::int32_t far_away(const double*, std::uint64_t, const double* d, double* out) {
+static std::int32_t far_away(void*, const double*, std::uint64_t, const double* d, double* out) {
   for (int i = 0; i < 3; ++i) out[i] = d[i] > 0 ? 1e12 : -1;
   return 0;
 }
-static std::int32_t nearest(const double*, std::uint64_t, const double* d,
+static std::int32_t nearest(void*, const double*, std::uint64_t, const double* d,
                             double* out) {  // the corner on the wrong side
   for (int i = 0; i < 3; ++i) out[i] = d[i] > 0 ? -1 : 1;
   return 0;

@@ -50,8 +50,8 @@ static void a_body_that_is_not_finite_is_held_and_its_neighbours_live_on(void**)
 
 static std::int32_t failing = 0;
 
-static std::int32_t moody_support(const double* p, std::uint64_t n, const double* d, double* out) {
-  const std::int32_t r = box_support(p, n, d, out);
+static std::int32_t moody_support(void*, const double* p, std::uint64_t n, const double* d, double* out) {
+  const std::int32_t r = box_support(nullptr, p, n, d, out);
   if (failing == 2) out[1] = std::numeric_limits<double>::quiet_NaN();
   return failing == 1 ? 1 : r;
 }

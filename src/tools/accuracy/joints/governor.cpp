@@ -65,7 +65,7 @@ class GovernorTrial : public Trial {
       const double rate = std::sqrt(G::kStiff / mass);
       Call call;
       carom_joint_spring spring;
-      call.done(carom_joint_spring_init(&spring), "a spring");
+      call.done(carom_joint_spring_init(&spring, sizeof spring), "a spring");
       spring.enabled = 1, spring.target = G::kRest, spring.frequency = rate / (2 * std::numbers::pi);
       spring.damping = G::kDamp / (2 * mass * rate), spring.most = 1e30;
       call.done(carom_joint_set_spring(stage.world.get(), c.spring, CAROM_COORDINATE_DISTANCE, &spring, call),
@@ -116,7 +116,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>&, const s
     carom_joint_desc desc;
     Call call;
     couplers[i] = {link, side, CAROM_NULL_HANDLE};
-    call.done(carom_joint_desc_init(&desc), "a coupler");
+    call.done(carom_joint_desc_init(&desc, sizeof desc), "a coupler");
     desc.kind = CAROM_JOINT_DISTANCE, desc.body_a = slider, desc.body_b = arm;
     desc.position_a[0] = side * G::kOff, desc.position_b[0] = 0.5 - kMiddle;
     call.done(carom_joint_create(stage.world.get(), &desc, &couplers[i].spring, call), "a coupler");

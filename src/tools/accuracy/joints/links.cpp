@@ -22,7 +22,7 @@ std::size_t add_link(Stage& stage, const std::string& kind, const Vec& position,
   actor.position = position, actor.orientation = orientation, actor.mass = mass;
   Call call;
   carom_body_desc desc;
-  call.done(carom_body_desc_init(&desc), "making " + actor.name);
+  call.done(carom_body_desc_init(&desc, sizeof desc), "making " + actor.name);
   for (int k = 0; k < 3; ++k) desc.position[k] = position[k], desc.inertia[4 * k] = inertia[k];
   for (int k = 0; k < 4; ++k) desc.orientation[k] = orientation.coeffs()[k];
   desc.mass = mass;
@@ -51,7 +51,7 @@ carom_joint join(Stage& stage, std::uint32_t kind, carom_body a, carom_body b, c
   Call call;
   carom_joint_desc desc;
   carom_joint joint = CAROM_NULL_HANDLE;
-  call.done(carom_joint_desc_init(&desc), "joining");
+  call.done(carom_joint_desc_init(&desc, sizeof desc), "joining");
   desc.kind = kind, desc.body_a = a, desc.body_b = b;
   desc.fields = CAROM_JOINT_WORLD_FRAME;
   for (int k = 0; k < 3; ++k) desc.position_a[k] = at[k];

@@ -71,7 +71,7 @@ std::vector<Extras::Tolerance> measure_tolerances(Engine& engine) {
       for (int digits = 1; digits <= 13; digits += 2) {
         carom_distance_desc desc;
         Call call;
-        call.done(carom_distance_desc_init(&desc), "describing a query");
+        call.done(carom_distance_desc_init(&desc, sizeof desc), "describing a query");
         desc.tolerance = std::pow(10, -digits);
         desc.pair_routines = 0;
         double least = 1e300, width = 0;

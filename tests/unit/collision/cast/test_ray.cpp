@@ -392,8 +392,8 @@ namespace {
 
 int countdown = 0;
 
-std::int32_t lying_support(const double* p, std::uint64_t count, const double* d, double* out) {
-  box_support(p, count, d, out);
+std::int32_t lying_support(void*, const double* p, std::uint64_t count, const double* d, double* out) {
+  box_support(nullptr, p, count, d, out);
   if (--countdown > 0) return 0;
   switch (static_cast<int>(p[3])) {
     case 1:

