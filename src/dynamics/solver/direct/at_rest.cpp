@@ -107,7 +107,7 @@ std::uint32_t rest(ConeProblem& problem, Real tolerance) {
     stop(problem, which);
     take_stop(problem, tolerance);
     balance_loads(problem, which);
-    if (imbalance(problem) <= kLasting * tolerance) return factors;
+    if (residual(problem) <= tolerance && imbalance(problem) <= kLasting * tolerance) return factors;
   }
   return 0;
 }

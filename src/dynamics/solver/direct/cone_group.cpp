@@ -250,8 +250,18 @@ bool ConeGroup::lies_still() const {
   return !is_joined() && fastest_any_way(problem_) < world_.scene.dials[Dial::velocity_tolerance];
 }
 
+/// What stood still and has drifted off its answer by a little: contacts that stick go on sticking, so that one factor sets
+/// it right, where Newton's method would begin with the question which do.
+bool ConeGroup::is_still_at_rest(Real goal) {
+  if (is_joined() || !problem_.stood || !rest_.lies || !(answer_.residual < kRest * tolerance())) return false;
+  answer_.factorisations = rest(problem_, goal);
+  answer_.residual = residual(problem_), answer_.reached = answer_.residual <= goal;
+  return lasts_ = answer_.factorisations > 0 && answer_.reached && lies_still();
+}
+
 /// An answer in which all lies still, made one that lasts.
 bool ConeGroup::comes_to_rest(Real goal) {
+  if (lasts_) return true;
   if (!problem_.stood || !answer_.reached || answer_.factorisations == 0 || !lies_still()) return false;
   const std::uint32_t taken = rest(problem_, goal);
   answer_.factorisations += taken;
@@ -318,6 +328,10 @@ void ConeGroup::solve(Velocities& to, Real h, int substeps) {
 
 void ConeGroup::answer(Real h, std::uint32_t most_steps) {
   const Real goal = rest_.goal;
+  if (is_still_at_rest(goal)) {
+    rest_.is_close = true;
+    return book_work();
+  }
   find(goal, most_steps);
   for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
     if (has_ring(problem_, link_row_)) {

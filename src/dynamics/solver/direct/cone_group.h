@@ -47,6 +47,7 @@ class ConeGroup {
   void answer(Real h, std::uint32_t most_steps);
   void finish(Velocities& to);
   bool lies_still() const;
+  bool is_still_at_rest(Real goal);
   bool comes_to_rest(Real goal);
   void refuse_throw(Real goal, std::uint32_t most_steps);
   void refuse_gain(Real goal, std::uint32_t most_steps);
@@ -69,6 +70,7 @@ class ConeGroup {
   const DirectGroups::LinkRow* link_row_;
   std::uint64_t work_;
   bool still_;
+  bool lasts_ = false;  // contacts start the next substep from impulses that balance its loads
 };
 
 }  // namespace carom::dynamics
