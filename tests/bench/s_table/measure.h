@@ -35,9 +35,11 @@ struct Record {
   std::vector<double> stages;      // s of wall clock in the last repeat, by CAROM_STAGE_*; Carom alone
   double bytes_per_body = 0;       // held for the world at the end
 
+  /// It took more CPU time than there was, and what would have come of it is not known.
+  bool was_cut() const { return best.size() < planned; }
   /// It went through, lost nobody, and what is built stands if it should.
   bool holds(const Row& row) const {
-    return best.size() == planned && !end.escaped && !end.lost && !(row.is_to_stand && end.standing.fallen);
+    return !was_cut() && !end.escaped && !end.lost && !(row.is_to_stand && end.standing.fallen);
   }
   double first_ms() const { return 1e3 * best.front(); }
   /// Of the steps [from, all): the time that no more than one of a hundred exceeds, ms.

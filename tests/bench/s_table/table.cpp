@@ -123,10 +123,10 @@ void Table::print(const Row& row, const Record& record, const Record* best) {
 void Table::write(const Row& row, const Record& record, const Record* best) {
   const std::size_t steps = record.best.size(), from = counted_from(row, record);
   if (csv_)
-    std::fprintf(csv_.get(), "%s,\"%s\",%d,%.6g,%s,%.6g,%.6g,%.6g,%.6g,%d,%.6g,%g,%.6g,%.6g\n", row.id.c_str(),
+    std::fprintf(csv_.get(), "%s,\"%s\",%d,%.6g,%s,%.6g,%.6g,%.6g,%.6g,%s,%.6g,%g,%.6g,%.6g\n", row.id.c_str(),
                  record.engine.c_str(), record.is_carom, cost(row, record), row.memory ? "bytes a body" : "ms",
                  record.mean_ms(steps - (steps - from + 2) / 3, steps), record.p99_ms(from), record.worst_ms(from),
-                 record.first_ms(), record.holds(row), of_best(row, record, best), row.aim,
+                 record.first_ms(), record.was_cut() ? "cut" : record.holds(row) ? "1" : "0", of_best(row, record, best), row.aim,
                  1e3 * record.peak_penetration, 1e3 * record.peak_gap);
   for (std::size_t i = 0; steps_ && i < steps; ++i)
     std::fprintf(steps_.get(), "%s,\"%s\",%zu,%.6g\n", row.id.c_str(), record.engine.c_str(), i, 1e3 * record.best[i]);
