@@ -43,6 +43,24 @@ static void chains_and_trees_do_not_gape(void**) {
   }
 }
 
+/// Square nets in flight: small ones move by RATTLE, large ones, whose factor would take seconds, as without the dial.
+static void large_nets_are_left_to_the_solver(void**) {
+  for (const std::uint32_t n : {3u, 5u, 30u}) {
+    TestWorld t;
+    by_rattle(t, 2, 4);
+    std::vector<std::uint32_t> bodies;
+    for (std::uint32_t i = 0; i < n * n; ++i)
+      bodies.push_back(add_body(t, Vec3(0.3 * (i % n), 0, 0.3 * (i / n)), 0.1, Vec3(0.001, 0.001, 0.001)));
+    for (std::uint32_t i = 0; i < n * n; ++i) {
+      const Vec3 at = t.world.state.x[bodies[i]];
+      if (i % n + 1 < n) join(t, JointKind::ball, bodies[i], bodies[i + 1], at + Vec3(0.15, 0, 0));
+      if (i + n < n * n) join(t, JointKind::ball, bodies[i], bodies[i + n], at + Vec3(0, 0, 0.15));
+    }
+    t.world.step(1.0 / 60);
+    assert_int_equal(held(t), n < 30);
+  }
+}
+
 /// A million steps: energy swings with the rod and does not drift. What its least and greatest over the first and the
 /// last tenth differ by is rounding: a million times, each of it at most a unit of 20 J.
 static void energy_does_not_drift(void**) {
@@ -168,6 +186,7 @@ static void forces_are_told(void**) {
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(chains_and_trees_do_not_gape),
+      cmocka_unit_test(large_nets_are_left_to_the_solver),
       cmocka_unit_test(energy_does_not_drift),
       cmocka_unit_test(contacts_come_and_go),
       cmocka_unit_test(limits_fall_back),

@@ -222,7 +222,7 @@ void couple(Rattle& r) {
     for (std::size_t i = 0; !is_dense && i < r.seats.size(); ++i)
       for (std::size_t k = i + 1; k < r.seats.size() && r.seats[k].body == r.seats[i].body; ++k)
         if (r.seats[i].joint != r.seats[k].joint) r.edges.push_back({r.seats[i].joint, r.seats[k].joint});
-    const std::uint64_t allowed = static_cast<std::uint64_t>(kRattleWork) * island.joints;
+    const std::uint64_t allowed = std::max(kRattleWork * island.joints, kRattleWorkOfFew.value);
     const std::uint64_t work = eliminate(island.joint, island.joints, r.edges, allowed, order);
     if (is_dense || work > allowed) {
       island.is_held = false;

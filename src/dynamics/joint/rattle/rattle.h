@@ -24,10 +24,14 @@ inline constexpr Constant<Real> kRattleRest{
 inline constexpr Constant<int> kRattleRounds{
     "rattle_rounds", 40, "1", "of Newton's method a stage may take before its island is left to the solver",
     "larger: steps too long are carried through; smaller: long chains are left to the solver"};
-inline constexpr Constant<Real> kRattleWork{
-    "rattle_work", 1000, "block products a joint",
+inline constexpr Constant<std::uint64_t> kRattleWork{
+    "rattle_work", 100, "block products a joint",
     "that a factorisation may take before an island is left to the solver: chains and trees take 3",
-    "larger: dense nets take milliseconds; smaller: they are left to the solver"};
+    "larger: a net of 30 by 30 takes seconds in a step; smaller: loops that are small are left to the solver, too"};
+inline constexpr Constant<std::uint64_t> kRattleWorkOfFew{
+    "rattle_work_of_few", 20000, "block products",
+    "that a factorisation may take in any case: a star of 30 joints on one body takes 5,000",
+    "larger: stars of hundreds of joints take milliseconds; smaller: they are left to the solver"};
 inline constexpr Constant<Real> kRattleSwing{
     "rattle_swing", 1.2, "rad",
     "by which the forces of joints may swing a body in a stage before its island takes twice as many: steps that are "
@@ -37,7 +41,8 @@ inline constexpr Constant<int> kRattleHalvings{
     "rattle_halvings", 4, "1", "of a substep that an island may take before it is left to the solver",
     "larger: chains of thousands of links take 100 ms a step; smaller: they gape"};
 inline constexpr ConstantRow kRattleConstants[] = {kRattleGap,  kRattleRest,  kRattleRounds,
-                                                   kRattleWork, kRattleSwing, kRattleHalvings};
+                                                   kRattleWork, kRattleWorkOfFew, kRattleSwing,
+                                                   kRattleHalvings};
 
 /// Lists of a plan that a step's forces go through, of some of the bodies.
 struct RattleLists {
