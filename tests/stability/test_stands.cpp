@@ -146,7 +146,12 @@ static void what_drifts_is_set_right_by_a_factor_or_two(void**) {
     assert_true(dear <= kSteps / 20);  // where contacts at the edges of their cones change places
     assert_true(s.worst_place() < kSeldomOff);
   };
-  for (const int base : {26, 29, 30}) {
+#ifdef CAROM_SANITIZED  // ten times as slow
+  const std::vector<int> bases = {26};
+#else
+  const std::vector<int> bases = {26, 29, 30};
+#endif
+  for (const int base : bases) {
     Standing s;
     s.pyramid(base, base == 26 ? 0.2 : 0.5, 0, base == 29 ? 1.2 : 1.05);
     holds(s, base == 29 ? 1.0 / 80 : 1.0 / 60);
