@@ -64,6 +64,17 @@ def linked(text, links):
                   if m.group(0).removesuffix("()") in links else m.group(0), text)
 
 
+def with_tables(text):
+    """Lines that begin with two blanks are columns: a block of their own, as they stand."""
+    out, inside = [], False
+    for line in text.split("\n"):
+        if line.startswith("  ") != inside:
+            inside = not inside
+            out += ["", "```text"] if inside else ["```", ""]
+        out.append(line)
+    return "\n".join(out + (["```"] if inside else []))
+
+
 def of_function(function, links):
     out = [f"### {function['name']}", "", "```c", signature(function), "```", ""]
     said = dict(sections(function["doc"]))
@@ -111,7 +122,7 @@ def page(api, header):
         return [thing for thing in api[kind] if thing["header"] == header["name"]]
 
     functions = [f for kind in ("functions", "callbacks") for f in here(kind)]
-    out = [HEAD, f"# carom/{header['name']}", "", linked(header["doc"], links), ""]
+    out = [HEAD, f"# carom/{header['name']}", "", with_tables(linked(header["doc"], links)), ""]
     if functions:
         out += ["## Functions", ""] + [line for f in functions for line in of_function(f, links)]
     if here("structs"):

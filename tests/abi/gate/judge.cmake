@@ -44,6 +44,9 @@ function(types_of library out)
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "abidw: ${error}")
   endif()
+  file(READ ${out} text)  # without the folder in which the stubs happened to be built
+  string(REGEX REPLACE " path='[^']*/stub.c'" " path='stub.c'" text "${text}")
+  file(WRITE ${out} "${text}")
 endfunction()
 
 # Structs that the headers define, as `typedef struct carom_x {`.
