@@ -113,7 +113,8 @@ extern "C" {
  * doubles in any case. A step with contacts that floats can't bear is solved in doubles: masses outside 1e-9 to 1e9 kg, places
  * more than 10 km from a body's centre of mass, friction beyond 1e6, needles thinner than 1 : 700, substeps below 1e-9 s. */
 #define CAROM_PRECISION_FLOAT 0u
-#define CAROM_PRECISION_DOUBLE 1u
+#define CAROM_PRECISION_AUTO 1u   /* floats in steps with 512 pairs in contact or more, where their memory saves time */
+#define CAROM_PRECISION_DOUBLE 2u /* presets accurate and reference have it */
 
 #define CAROM_PRESET_FAST 0u      /* one substep and coarse distances: crowds, debris, what is seen from afar */
 #define CAROM_PRESET_BALANCED 1u  /* what a new world has */

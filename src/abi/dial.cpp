@@ -43,6 +43,7 @@ static_assert(same(Dial::integrator, CAROM_DIAL_INTEGRATOR) && same(Dial::rotati
 static_assert(kSweepNobody == CAROM_SWEEP_NOBODY && kSweepFlagged == CAROM_SWEEP_FLAGGED &&
               kSweepFast == CAROM_SWEEP_FAST);
 static_assert(static_cast<std::uint32_t>(Precision::in_float) == CAROM_PRECISION_FLOAT &&
+              static_cast<std::uint32_t>(Precision::by_size) == CAROM_PRECISION_AUTO &&
               static_cast<std::uint32_t>(Precision::in_double) == CAROM_PRECISION_DOUBLE);
 constexpr bool same(Preset inside, std::uint32_t outside) { return static_cast<std::uint32_t>(inside) == outside; }
 static_assert(same(Preset::fast, CAROM_PRESET_FAST) && same(Preset::balanced, CAROM_PRESET_BALANCED) &&

@@ -13,6 +13,7 @@
 #include "dynamics/joint/energy_bound.h"
 #include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/solver/far_turns.h"
+#include "dynamics/solver/float_range.h"
 #include "dynamics/solver/sweep_constants.h"
 
 namespace carom::dynamics {
@@ -32,7 +33,7 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 constexpr auto kConstantTable =
     in_one_table(kPatchConstants, kImpactConstants, kPatchFrictionConstants, kSweepConstants, kFarTurnConstants,
                  kDepthConstants, kAutoConstants, kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants,
-                 kRattleConstants);
+                 kRattleConstants, kFloatConstants);
 
 }  // namespace
 

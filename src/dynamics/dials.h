@@ -56,7 +56,7 @@ enum class Dial : std::uint32_t {
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);
 
 /// Values of Dial::precision.
-enum class Precision : std::uint32_t { in_float, in_double };
+enum class Precision : std::uint32_t { in_float, by_size, in_double };
 
 struct DialRow {
   Dial dial;

@@ -11,12 +11,13 @@ struct PresetRow {
   Real fast, accurate, reference;  // balanced: the dial's initial value
 };
 // Choices, as dials.cpp numbers them.
-constexpr Real kAuto = 4, kVerlet = 3, kSplitting = 5, kSplitting4 = 6, kSplitting6 = 7;
+constexpr Real kAuto = 4, kBySize = 1, kDouble = 2, kVerlet = 3, kSplitting = 5, kSplitting4 = 6, kSplitting6 = 7;
 constexpr PresetRow kPresetRows[] = {
     {Dial::integrator, kVerlet, kVerlet, kVerlet},
     {Dial::rotation, kSplitting, kSplitting4, kSplitting6},
     {Dial::substeps, 1, 16, 64},
     {Dial::solver, kAuto, kAuto, kAuto},
+    {Dial::precision, kBySize, kDouble, kDouble},
     {Dial::velocity_tolerance, 1e-3, 1e-6, 1e-9},
     {Dial::restitution_speed, 0.25, 0.05, 0.01},
     {Dial::gjk_tolerance, 1e-4, 1e-8, 1e-12},

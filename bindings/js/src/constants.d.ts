@@ -305,7 +305,10 @@ export const CAROM_SWEEP_FLAGGED: 1;
 /** also what moves far for its size in a step */
 export const CAROM_SWEEP_FAST: 2;
 export const CAROM_PRECISION_FLOAT: 0;
-export const CAROM_PRECISION_DOUBLE: 1;
+/** floats in steps with 512 pairs in contact or more, where their memory saves time */
+export const CAROM_PRECISION_AUTO: 1;
+/** presets accurate and reference have it */
+export const CAROM_PRECISION_DOUBLE: 2;
 /** one substep and coarse distances: crowds, debris, what is seen from afar */
 export const CAROM_PRESET_FAST: 0;
 /** what a new world has */

@@ -144,6 +144,7 @@ struct DirectGroups {
             &factor,
             scratch.data(),
             0,
+            0,
             {links.data() + from.link, to.link - from.link}};
   }
 };

@@ -26,7 +26,9 @@ bool weighs_enough(const Scene& scene, std::uint32_t body) {
 }  // namespace
 
 bool bears_floats(const World& world, const WideContacts& wide, Real h) {
-  if (Precision(world.scene.dials.choice(Dial::precision)) == Precision::in_double) return false;
+  const auto asked = Precision(world.scene.dials.choice(Dial::precision));
+  if (asked == Precision::in_double) return false;
+  if (asked == Precision::by_size && wide.manifolds.size() < kFloatsFrom) return false;
   if (!(h >= kShortest && h <= kLongestInFloat)) return false;
   for (std::size_t i = wide.first_moved; i < wide.slot.size(); ++i)
     if (!weighs_enough(world.scene, wide.slot[i])) return false;

@@ -1,7 +1,7 @@
 // Contacts in floats: what floats must not cost (momentum, places far out, flight side by side), and that what they
 // can't bear is answered in doubles.
 #include "carom_test.h"
-#include "dynamics/solver/wide_contacts.h"
+#include "dynamics/solver/float_range.h"
 #include "world_builder.h"
 
 using namespace carom;
@@ -107,7 +107,7 @@ void who_falls_beside_another_falls_as_in_doubles(void**) {
     t.run(120, kStep);
     assert_true(t.world.report.contact_points > 0 && t.world.wide->is_float == (precision == Precision::in_float));
     for (int i = 0; i < 2; ++i) {
-      x[static_cast<std::size_t>(precision)][i] = t.world.state.x[body[i]];
+      x[precision == Precision::in_double][i] = t.world.state.x[body[i]];
       assert_true(t.world.state.omega[body[i]].norm() < 1e-15);
     }
   }
@@ -127,7 +127,7 @@ void floats_and_doubles_agree_where_nothing_is_chaotic(void**) {
         t.world.set_velocity(1, Vec3(0.2 * size, 0, 0), Vec3::zero());
         t.run(60, kStep);
         assert_true(t.is_finite());
-        const auto i = static_cast<std::size_t>(precision);
+        const std::size_t i = precision == Precision::in_double;
         assert_true(t.world.wide->is_float == (precision == Precision::in_float));
         y[i] = t.world.state.x[2].y() / size, slid[i] = t.world.state.x[1].x() / size;
       }
@@ -155,7 +155,7 @@ void what_floats_cannot_bear_is_answered_in_doubles(void**) {
         if (precision == Precision::in_float && t.world.report.contact_points > 0)
           assert_true(t.world.wide->is_float == c.in_float);
       }
-      hash[static_cast<std::size_t>(precision)] = t.world.hash();
+      hash[precision == Precision::in_double] = t.world.hash();
     }
     assert_true((hash[0] == hash[1]) == !c.in_float);
   }
@@ -226,6 +226,29 @@ void rows_take_half_the_memory(void**) {
   assert_true(t.world.wide->in_float->pairs.size() > 0);
 }
 
+/// `count` cubes on the ground, each with a pair of its own.
+void lay_out(FloatWorld& t, std::uint32_t count) {
+  t.ground();
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
+  for (std::uint32_t i = 0; i < count; ++i) t.add_mass(cube, Vec3(2 * (i % 32), 0.5, 2 * (i / 32)), 1);
+}
+
+void left_to_itself_a_step_takes_floats_from_so_many_pairs(void**) {
+  for (const std::uint32_t count : {kFloatsFrom - 1, kFloatsFrom + 0}) {
+    const bool is_many = count == kFloatsFrom;
+    std::uint64_t hash[2];
+    for (const Precision precision : {Precision::by_size, is_many ? Precision::in_float : Precision::in_double}) {
+      FloatWorld t(precision);
+      lay_out(t, count);
+      t.run(5, kStep);
+      assert_int_equal(t.world.wide->manifolds.size(), count);
+      assert_true(t.world.wide->is_float == is_many);
+      hash[precision == Precision::by_size] = t.world.hash();
+    }
+    assert_true(hash[0] == hash[1]);
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -239,6 +262,7 @@ int main() {
       cmocka_unit_test(speeds_beyond_the_range_stay_finite),
       cmocka_unit_test(so_are_settings_beyond_the_range),
       cmocka_unit_test(rows_take_half_the_memory),
+      cmocka_unit_test(left_to_itself_a_step_takes_floats_from_so_many_pairs),
   };
   return cmocka_run_group_tests_name("unit/dynamics/float_rows", tests, nullptr, nullptr);
 }

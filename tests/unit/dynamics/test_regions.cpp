@@ -113,6 +113,7 @@ struct Heap : TestWorld {
   Heap() {
     constexpr int n = 11;
     world.set_dial(Dial::solver, 2);  // CAROM_SOLVER_SOFT_STEP
+    world.set_dial(Dial::precision, static_cast<Real>(Precision::in_double));
     ground();
     const Shape* cube = keep(box(Vec3::constant(0.25)));
     const Shape* ball = keep(sphere(0.25));

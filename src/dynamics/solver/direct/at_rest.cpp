@@ -34,7 +34,7 @@ Real resistance_at_rest(const ConeContact& c) { return kSoftnessAtRest * c.k; }
 
 bool find_factor_at_rest(ConeProblem& problem, const Sticking& sticking) {
   problem.factored = 0;
-  assemble_masses(problem);
+  assemble_masses(problem, problem.factor->all());
   for (const ConeContact& c : problem.contacts)
     if (sticking.has(c)) add_sticking(problem, c, 1 / resistance_at_rest(c));
   hold_locked(problem);

@@ -13,10 +13,19 @@ struct alignas(16) Block {
   Real x[kDof][kDof];
 };
 
+/// Of a matrix that has its blocks where a factor has them.
+struct Blocks {
+  Block *diagonal, *below;
+};
+
 struct BlockFactor {
   explicit BlockFactor(Memory* m) : diagonal(m), below(m) {}
+  // Of all systems; then, where there are joints, as many of what their matrices have in common: @see common()
   Array<Block> diagonal;  // by place
   Array<Block> below;     // [Elimination::rows]
+
+  Blocks all() { return {diagonal.data(), below.data()}; }
+  Blocks common(const Elimination& e) { return {diagonal.data() + e.place.size(), below.data() + e.rows.size()}; }
 
   /// Where the block (row, column) below the diagonal is. Both are places, row > column, and the block is in the
   /// factor.

@@ -147,7 +147,7 @@ void update_slips(ConeProblem& problem, bool first, Real noise) {
 ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps) {
   constexpr int kSlips = 60;
   constexpr Real kOfTolerance = 0.3, kOfSlip = 0.03;  // closer to a slip that will change is for nothing
-  problem.factored = 0;
+  problem.factored = problem.locked_softness = 0;
   ConeAnswer answer;
   answer.residual = residual(problem);
   answer.reached = answer.residual <= tolerance;

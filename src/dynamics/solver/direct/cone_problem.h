@@ -88,6 +88,7 @@ struct ConeProblem {
   BlockFactor* factor;
   Vec6* scratch;  // by place
   Real factored = 0;  // softness of the round that the factor is for, with curvatures as they stand; 0: another matrix
+  Real locked_softness = 0;  // of the locks in BlockFactor::common(); 0: that is of another solve
   std::span<ConeLink> links{};
   bool stood = false;  // no body was faster, before this substep, than its loads alone make it
 };

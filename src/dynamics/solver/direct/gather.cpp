@@ -72,8 +72,6 @@ void order(DirectGroups& d, std::uint64_t most_factor) {
     d.products[g] = eliminate(d.begin[g].body, d.begin[g + 1].body - d.begin[g].body,
                               {d.edges.data() + d.edge_begin[g], d.edge_begin[g + 1] - d.edge_begin[g]}, most_factor,
                               d.elimination);
-  d.factor.diagonal.resize(d.bodies.size());
-  d.factor.below.resize(d.elimination.rows.size());
   d.scratch.resize(d.bodies.size());
   d.ordered_edges = d.edges, d.ordered_begin = d.edge_begin;
 }
@@ -98,6 +96,9 @@ void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_
   DirectGroups& d = *world.direct;
   gather(world, d);
   order(d, most_factor);
+  const std::size_t matrices = d.links.empty() ? 1 : 2;
+  d.factor.diagonal.resize(matrices * d.bodies.size());
+  d.factor.below.resize(matrices * d.elimination.rows.size());
   place_contacts(d);
   load_groups(world, memory, d);
   d.answer.resize(d.groups());

@@ -23,7 +23,8 @@ class Round {
 
  private:
   Real resistance(const ConeContact& c) const { return softness_ * c.k + c.give; }
-  Real resistance(const ConeLink& c) const { return (c.is_lock() ? std::min(kSoftnessOfLocks, softness_) : softness_) * c.k; }
+  Real resistance(const ConeLink& c) const { return (c.is_lock() ? softness_of_locks() : softness_) * c.k; }
+  Real softness_of_locks() const { return std::min(kSoftnessOfLocks, softness_); }
   /// Impulse before it is projected, at velocity u.
   Vec3 pull(const ConeContact& c, const Vec3& u) const {
     return c.p0 - (u - (c.want - c.slip) * c.n + c.give * c.p0) / resistance(c);
@@ -41,8 +42,10 @@ class Round {
   /// @return whether the factor is that of these curvatures
   bool find_curvatures(Real still);
   ConeCurvature curvature_of(const ConeContact& c, Real still) const;
-  /// M + sum J^T (dP/dz / R) J.
+  /// M + sum J^T (dP/dz / R) J. Locks are always in it, and hardly a round resists them otherwise than the last: with
+  /// the masses they are assembled once a solve.
   void assemble();
+  void assemble_locked();
   void find_step();
   /// Where along the step the function is least, closely enough: a root of its derivative, which grows.
   /// @return 0 where the derivative at the start is but rounding
@@ -68,8 +71,8 @@ class Round {
 
 // ---- Newton's matrix, for others that solve with it ----
 
-/// M, without what couples bodies.
-void assemble_masses(ConeProblem& problem);
+/// M, without what couples bodies, in f.
+void assemble_masses(const ConeProblem& problem, const Blocks& f);
 /// J^T w J of a contact that resists in all directions alike.
 void add_sticking(ConeProblem& problem, const ConeContact& c, Real w);
 /// Rows and columns of what is locked: as if nothing touched there.

@@ -1,0 +1,228 @@
+// Newton's matrix: masses, and what joints and contacts add to them.
+#include "dynamics/solver/direct/round.h"
+
+#include <algorithm>
+
+#include "dynamics/solver/direct/cone.h"
+
+namespace carom::dynamics {
+namespace {
+
+void add(Block& d, int row, int column, const Mat3& m) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) d.x[row + i][column + j] += m(i, j);
+}
+
+/// What a spin does at a contact: J = [1, -x] of one body.
+struct Turning {
+  Mat3 x, back;  // m; back is -x^T
+
+  Turning(const ConeContact& c, const Vec3& r, const Vec3& moment) : x(cross_matrix(r)), back(x) {
+    if (!c.is_spread) return;
+    x -= outer(c.n, moment);
+    back += outer(moment, c.n);
+  }
+};
+
+/// J^T w J of one body.
+void add_own(Block& d, const Mat3& w, const Turning& of, const Mat3& wx) {
+  add(d, 0, 0, w);
+  add(d, 0, 3, -wx);
+  add(d, 3, 0, of.back * w);
+  add(d, 3, 3, -(of.back * wx));
+}
+
+/// J_a^T w J_b = w [1, -x_b; x_a, -x_a x_b] with a number for w, x_a x_b = r_b r_a^T - r_a.r_b.
+void add_isotropic(Block& d, Real w, const Vec3& r_a, const Vec3& r_b) {
+  const Real along = w * r_a.dot(r_b);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    d.x[i][i] += w;
+    d.x[i][3 + j] += w * r_b[k], d.x[j][3 + i] -= w * r_b[k];
+    d.x[3 + i][j] -= w * r_a[k], d.x[3 + j][i] += w * r_a[k];
+    for (int l = 0; l < 3; ++l) d.x[3 + i][3 + l] -= w * (r_b[i] * r_a[l]);
+    d.x[3 + i][3 + i] += along;
+  }
+}
+
+/// Where a contact's impulses act on a body, @see ConeContact.
+struct ContactArms {
+  const Vec3 &r, &moment;
+};
+/// What add_isotropic() leaves out where a contact is spread.
+void add_moments(Block& d, Real w, const Vec3& n, const ContactArms& a, const ContactArms& b) {
+  const Vec3 turn = w * (a.r.cross(n) + a.moment), other = w * b.r.cross(n);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      d.x[i][3 + j] += w * n[i] * b.moment[j];
+      d.x[3 + i][j] += w * a.moment[i] * n[j];
+      d.x[3 + i][3 + j] += turn[i] * b.moment[j] + a.moment[i] * other[j];
+    }
+}
+
+/// A block without the rows and columns of what is locked.
+void strike_out(Block& d, std::uint8_t row_locks, std::uint8_t column_locks) {
+  for (int i = 0; i < kDof; ++i)
+    for (int j = 0; j < kDof; ++j)
+      if ((row_locks >> i | column_locks >> j) & 1) d.x[i][j] = 0;
+}
+
+/// w (d, w_row) (d, w_column)^T.
+struct LinkArms {
+  const Vec3 &d, &w;
+};
+void add_outer(Block& b, Real w, const LinkArms& r, const LinkArms& c) {
+  const Real row[kDof] = {w * r.d.x(), w * r.d.y(), w * r.d.z(), w * r.w.x(), w * r.w.y(), w * r.w.z()};
+  const Real column[kDof] = {c.d.x(), c.d.y(), c.d.z(), c.w.x(), c.w.y(), c.w.z()};
+  for (int i = 0; i < kDof; ++i)
+    for (int j = 0; j < kDof; ++j) b.x[i][j] += row[i] * column[j];
+}
+
+/// J^T w J of a row.
+void add_link(const Elimination& e, const Blocks& f, const ConeLink& c, Real w) {
+  const LinkArms a = {c.d_a, c.w_a}, b = {c.d_b, c.w_b};
+  if (c.a != kNobody) add_outer(f.diagonal[e.place[c.a]], w, a, a);
+  if (c.b != kNobody) add_outer(f.diagonal[e.place[c.b]], w, b, b);
+  if (c.below == kNobody) return;
+  add_outer(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
+}
+
+}  // namespace
+
+void assemble_masses(const ConeProblem& problem, const Blocks& f) {
+  const Elimination& e = *problem.elimination;
+  for (std::uint32_t i = problem.first; i < problem.last; ++i) {
+    const ConeBody& b = problem.bodies[i];
+    Block& d = f.diagonal[e.place[i]];
+    d = {};
+    for (int k = 0; k < 3; ++k) d.x[k][k] = b.mass;
+    add(d, 3, 3, b.inertia);
+  }
+  std::fill(f.below + e.column[problem.first], f.below + e.column[problem.last], Block{});
+}
+
+void add_sticking(ConeProblem& problem, const ConeContact& c, Real w) {
+  const Elimination& e = *problem.elimination;
+  BlockFactor& f = *problem.factor;
+  const auto add = [&](Block& d, Real by, const ContactArms& a, const ContactArms& b) {
+    add_isotropic(d, by, a.r, b.r);
+    if (c.is_spread) add_moments(d, by, c.n, a, b);
+  };
+  const ContactArms a = {c.r_a, c.n_a}, b = {c.r_b, c.n_b};
+  if (c.a != kNobody) add(f.diagonal[e.place[c.a]], w, a, a);
+  if (c.b != kNobody) add(f.diagonal[e.place[c.b]], w, b, b);
+  if (c.below == kNobody) return;
+  add(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
+}
+
+void hold_locked(ConeProblem& problem) {
+  const auto locked = [](const ConeBody& b) { return b.locks != 0; };
+  if (std::ranges::none_of(bodies_of(problem), locked)) return;
+  const Elimination& e = *problem.elimination;
+  BlockFactor& f = *problem.factor;
+  for (std::uint32_t i = problem.first; i < problem.last; ++i) {
+    const ConeBody& b = problem.bodies[i];
+    Block& d = f.diagonal[e.place[i]];
+    strike_out(d, b.locks, b.locks);
+    for (int k = 0; k < kDof; ++k)
+      if (b.locks >> k & 1) d.x[k][k] = k < 3 ? b.mass : b.inertia(k - 3, k - 3);
+  }
+  const auto hold_below = [&](const auto& c) {
+    if (c.below == kNobody) return;
+    const std::uint32_t later = c.a_later ? c.a : c.b, other = c.a_later ? c.b : c.a;
+    strike_out(f.below[c.below], problem.bodies[later].locks, problem.bodies[other].locks);
+  };
+  std::ranges::for_each(problem.contacts, hold_below);
+  std::ranges::for_each(problem.links, hold_below);
+}
+
+void solve_for_steps(ConeProblem& problem, Real sign) {
+  const Elimination& e = *problem.elimination;
+  for (std::uint32_t i = problem.first; i < problem.last; ++i) {
+    Vec6& x = problem.scratch[e.place[i]];
+    x = sign * problem.bodies[i].gradient;
+    hold(problem.bodies[i], x);
+  }
+  solve(e, problem.first, problem.last, *problem.factor, problem.scratch);
+  for (std::uint32_t i = problem.first; i < problem.last; ++i) problem.bodies[i].step = problem.scratch[e.place[i]];
+}
+
+void Round::assemble_locked() {
+  if (problem_.locked_softness == softness_of_locks()) return;
+  const Elimination& e = *problem_.elimination;
+  const Blocks common = problem_.factor->common(e);
+  assemble_masses(problem_, common);
+  for (const ConeLink& c : problem_.links)
+    if (c.k > 0 && c.is_lock()) add_link(e, common, c, 1 / resistance(c));
+  problem_.locked_softness = softness_of_locks();
+}
+
+void Round::assemble() {
+  const Elimination& e = *problem_.elimination;
+  const Blocks f = problem_.factor->all();
+  if (problem_.links.empty()) {
+    assemble_masses(problem_, f);
+  } else {
+    assemble_locked();
+    const Blocks common = problem_.factor->common(e);
+    const auto copy = [](const Block* from, std::size_t begin, std::size_t end, Block* to) {
+      std::copy(from + begin, from + end, to + begin);
+    };
+    copy(common.diagonal, problem_.first, problem_.last, f.diagonal);
+    copy(common.below, e.column[problem_.first], e.column[problem_.last], f.below);
+  }
+  for (const ConeContact& c : problem_.contacts) {
+    if (c.curvature == ConeCurvature::none) continue;
+    if (c.curvature == ConeCurvature::alike) {
+      add_sticking(problem_, c, 1 / resistance(c));
+      continue;
+    }
+    const Mat3 w = slope_of_projection(pull(c, c.u), c.n, c.friction) / resistance(c);
+    const Turning on_a(c, c.r_a, c.n_a), on_b(c, c.r_b, c.n_b);
+    const Mat3 w_a = w * on_a.x, w_b = w * on_b.x;
+    if (c.a != kNobody) add_own(f.diagonal[e.place[c.a]], w, on_a, w_a);
+    if (c.b != kNobody) add_own(f.diagonal[e.place[c.b]], w, on_b, w_b);
+    if (c.below == kNobody) continue;
+    Block& d = f.below[c.below];
+    const Mat3 &back = c.a_later ? on_a.back : on_b.back, &other = c.a_later ? w_b : w_a;
+    add(d, 0, 0, -w);
+    add(d, 0, 3, other);
+    add(d, 3, 0, -(back * w));
+    add(d, 3, 3, back * other);
+  }
+  for (const ConeLink& c : problem_.links)
+    if (c.is_held && !c.is_lock()) add_link(e, f, c, 1 / (resistance(c) + c.give));
+  hold_locked(problem_);
+}
+
+// With momentum g = J^T p given, p' = J y / R and (M + J^T J / R) y = g: J^T p' = g - M y, and y is as small as R.
+void shed_self_stress(ConeProblem& problem) {
+  // kSoftness: what yields less counts as self-stress; at 1e-7 four-bar windows that pass the line in which all bars
+  // lie are stopped there. kMuch: of the impulses; less is left as it is.
+  constexpr Real kSoftness = 1e-5, kMuch = 1e-3;
+  problem.factored = 0;
+  for (ConeBody& b : bodies_of(problem)) b.gradient.set_zero();
+  assemble_masses(problem, problem.factor->all());
+  for (const ConeLink& c : problem.links) {
+    if (!c.is_lock()) continue;
+    add_impulse<&ConeBody::gradient>(problem, c, c.p);
+    add_link(*problem.elimination, problem.factor->all(), c, 1 / (kSoftness * c.k));
+  }
+  hold_locked(problem);
+  if (!factor(*problem.elimination, problem.first, problem.last, *problem.factor)) return;
+  solve_for_steps(problem, 1);
+  const auto needed = [&](const ConeLink& c) {
+    return relative<&ConeBody::step>(problem.bodies, c) / (kSoftness * c.k);
+  };
+  Real shed2 = 0, borne2 = 0;
+  for (const ConeLink& c : problem.links) {
+    if (!c.is_lock()) continue;
+    const Real shed = c.p - needed(c);
+    shed2 += c.k * shed * shed, borne2 += c.k * c.p * c.p;
+  }
+  if (!(shed2 > kMuch * kMuch * borne2)) return;
+  for (ConeLink& c : problem.links)
+    if (c.is_lock()) c.p = needed(c);
+}
+
+}  // namespace carom::dynamics
