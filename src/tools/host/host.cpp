@@ -27,6 +27,14 @@ void Engine::set_threads(std::uint32_t threads) {
   call.done(carom_engine_set_jobs(engine_, &desc, call), "starting threads");
 }
 
+void Engine::set_jobs(void (*run)(void*, carom_job_fn, void*, std::uint32_t), void* user) {
+  carom_jobs_desc desc;
+  carom_jobs_desc_init(&desc, sizeof desc);
+  desc.run = run, desc.user = user;
+  Call call;
+  call.done(carom_engine_set_jobs(engine_, &desc, call), "lending threads");
+}
+
 Engine::~Engine() { carom_engine_destroy(engine_, nullptr); }
 
 carom_plugin Engine::load(const std::string& absolute_path) {

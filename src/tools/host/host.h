@@ -61,6 +61,8 @@ class Engine {
 
   carom_engine* get() const { return engine_; }
   void set_threads(std::uint32_t threads);  ///< of steps; before the first world   @throws Error
+  /// Likewise, by a function that has the parts of each loop done, @see carom_jobs_desc.
+  void set_jobs(void (*run)(void* user, carom_job_fn job, void* context, std::uint32_t count), void* user);
   const PluginPath& path() const { return path_; }
   carom_plugin plugin(const std::string& name);         ///< loads plugins/NAME.so on first use   @throws Error
   carom_plugin load(const std::string& absolute_path);  ///< @throws Error
