@@ -1,8 +1,11 @@
 // A step: the stages of the table (stages.cpp), in order, those of a substep as often as there are substeps.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <span>
 
+#include "dynamics/accuracy/accuracy.h"
 #include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/observe.h"
 #include "dynamics/stages.h"
@@ -60,9 +63,48 @@ class Runner {
   Clock::time_point start_ = Clock::now();
 };
 
+/// Substeps by island: as many passes as islands ask for, each with its own. What throws leaves the step as it began.
+class Islands {
+ public:
+  Islands(World& world, const Runner& run, Real dt)
+      : world_(world), run_(run), to_(world), time_{dt, dt / run.substeps()} {}
+  ~Islands() {
+    if (!is_done_) accuracy::drop_passes(world_, to_);
+  }
+  Islands(const Islands&) = delete;
+  Islands& operator=(const Islands&) = delete;
+
+  void go(std::span<const StageEntry> table) {
+    const auto substep = [](const StageEntry& e) { return e.each_substep; };
+    const auto first = std::ranges::find_if(table, substep), last = std::find_if_not(first, table.end(), substep);
+    const auto in_pass = [&](auto from, auto to) {
+      for (auto entry = from; entry != to; ++entry)
+        if (entry->by_island != ByIsland::no) run_(*entry);
+    };
+    accuracy::plan_passes(world_, time_);
+    while (accuracy::begin_pass(world_, world_.scene.springs, world_.scene.water, to_, time_)) {
+      in_pass(table.begin(), first);
+      for (int k = 0; k < run_.substeps(); ++k)
+        for (auto entry = first; entry != last; ++entry) run_(*entry);
+      in_pass(last, table.end());
+      accuracy::end_pass(world_, to_, time_);
+    }
+    accuracy::end_passes(world_, to_, *world_.events, time_);
+    is_done_ = true;
+  }
+
+ private:
+  World& world_;
+  const Runner& run_;
+  Passing to_;
+  StepTime time_;
+  bool is_done_ = false;
+};
+
 }  // namespace
 
 void World::step(Real dt) {
+  accuracy::begin(*this, accuracy);
   if (!rattle && rattle::is_asked(*this)) rattle = make_owned<Rattle>(memory, memory);
   const Runner run(*this, dt);
   begin_report(*this, report, group_views, *events);
@@ -70,9 +112,12 @@ void World::step(Real dt) {
   for (auto first = table.begin(); first != table.end();) {
     auto last = first;
     while (last != table.end() && last->each_substep == first->each_substep) ++last;
-    const int times = !first->each_substep ? 1 : plan->idle ? 0 : run.substeps();
+    const bool by_island = first->each_substep && !plan->idle && accuracy::goes_by_island(*this);
+    if (by_island) Islands(*this, run, dt).go(table);
+    const int times = !first->each_substep ? 1 : plan->idle || by_island ? 0 : run.substeps();
     for (int k = 0; k < times; ++k)
-      for (auto entry = first; entry != last; ++entry) run(*entry);
+      for (auto entry = first; entry != last; ++entry)
+        if (entry->by_island != ByIsland::alone || !accuracy::goes_by_island(*this)) run(*entry);
     first = last;
   }
 }
