@@ -28,14 +28,21 @@ int level_for(Real substeps) {
 void Trial::restart(int at_level) {
   level = at_level;
   coarse = 0;
-  run = estimates ? std::max(1, substeps_at(level) / 2) : substeps_at(level);
+  run = estimates ? std::max(substeps_at(least), substeps_at(level) / 2) : substeps_at(level);
 }
 
-void Trial::begin(const AccuracyNote& note, std::uint8_t met, int of_order, int most_substeps) {
+void Trial::begin(const AccuracyNote& note, std::uint8_t met, int of_order, int least_substeps, int most_substeps) {
   *this = {};
   order = of_order, most = level_within(most_substeps);
+  least = std::min(level_for(least_substeps), std::max(0, most - 1));
   estimates = note.wait == 0 || note.met != met;
-  restart(std::min<int>(note.level, most));
+  restart(std::clamp<int>(note.level, least, most));
+}
+
+void Trial::raise_least(int least_substeps) {
+  work += static_cast<std::uint64_t>(run);
+  least = std::min(level_for(least_substeps), std::max(0, most - 1));
+  restart(std::max(level, least));
 }
 
 End Trial::end_run(bool went_well, const Shares& apart) {
@@ -93,8 +100,8 @@ AccuracyNote Trial::note_after(const AccuracyNote& before, std::uint8_t met) con
   const Real share = error.most();
   const auto predicted = [&](int at) { return share * std::pow(Real(taken) / substeps_at(at), Real(order)); };
   int next = level_within(taken);
-  while (next > 0 && predicted(next - 1) <= kAccuracyAim) --next;
-  const bool is_quiet = next == 0 && predicted(0) <= kAccuracyQuiet;
+  while (next > least && predicted(next - 1) <= kAccuracyAim) --next;
+  const bool is_quiet = next <= least && predicted(next) <= kAccuracyQuiet;
   note.level = static_cast<std::uint8_t>(next);
   note.wait = static_cast<std::uint8_t>(is_quiet ? kAccuracyEveryQuiet - 1 : next != level ? 0 : kAccuracyEvery - 1);
   return note;

@@ -18,6 +18,9 @@ namespace carom::dynamics {
 inline constexpr Constant<Real> kAccuracyHorizon{
     "accuracy_horizon", 1, "s", "for which an error of a velocity is taken to go on, where accuracy is asked for",
     "larger: motion that forgets its velocity takes more substeps than need be; smaller: places drift beyond what was asked"};
+inline constexpr Constant<Real> kAccuracyHorizonTouching{
+    "accuracy_horizon_touching", 0.1, "s", "likewise of what touches: contacts take most of it back within their own time to settle",
+    "larger: what settles takes hundreds of substeps; smaller: what slides and rolls drifts beyond what was asked"};
 inline constexpr Constant<Real> kAccuracyAim{
     "accuracy_aim", 0.6, "1", "of the tolerance that a choice of substeps aims at: errors change from step to step",
     "larger: more steps are repeated; smaller: more substeps than need be"};
@@ -30,8 +33,8 @@ inline constexpr Constant<int> kAccuracyEveryQuiet{
 inline constexpr Constant<Real> kAccuracyQuiet{
     "accuracy_quiet", 0.05, "1", "of the tolerance, below which an island that takes one substep is quiet",
     "larger: errors that grow are seen late; smaller: piles at rest cost more"};
-inline constexpr ConstantRow kAccuracyConstants[] = {kAccuracyHorizon, kAccuracyAim, kAccuracyEvery,
-                                                     kAccuracyEveryQuiet, kAccuracyQuiet};
+inline constexpr ConstantRow kAccuracyConstants[] = {kAccuracyHorizon,   kAccuracyHorizonTouching, kAccuracyAim,
+                                                     kAccuracyEvery, kAccuracyEveryQuiet,      kAccuracyQuiet};
 
 namespace accuracy {
 
@@ -58,14 +61,16 @@ struct Trial {
   int run = 0;     // substeps to go through next; 0: it is over
   int coarse = 0;  // substeps of the end that is kept to be compared with; 0: there is none
   int taken = 0;   // of the one accepted
-  int level = 0, most = 0, order = 1;
+  int level = 0, least = 0, most = 0, order = 1;
   bool is_estimated = false, estimates = false, hit_bound = false;
   std::uint64_t work = 0;  // substeps of all runs
   Shares error;
 
   /// @param met    a number of what the island consists of: another one asks for an estimate
-  /// @param order  of the error @param most  substeps at most, 2 or more
-  void begin(const AccuracyNote& note, std::uint8_t met, int order, int most);
+  /// @param order  of the error @param least, most  substeps at least and at most; most is 2 or more
+  void begin(const AccuracyNote& note, std::uint8_t met, int order, int least, int most);
+  /// A run turned out to be of too few substeps to be judged.
+  void raise_least(int least_substeps);
   /// A run has ended.   @param apart  of it and of the one it is compared with, where there is one
   End end_run(bool went_well, const Shares& apart);
   /// What the island's bodies are to remember.

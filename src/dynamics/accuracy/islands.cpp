@@ -41,7 +41,8 @@ void unite(const World& world, Passes& p) {
 
 /// A number that changes, mostly, where what it consists of does.
 std::uint8_t number_of(const Passes::Island& island) {
-  const std::uint32_t mixed = island.bodies * 0x9E3779B1u + island.rows * 0x85EBCA77u + island.links * 0xC2B2AE3Du;
+  const std::uint32_t mixed = island.bodies * 0x9E3779B1u + island.rows * 0x85EBCA77u + island.links * 0xC2B2AE3Du +
+                              island.note.softly * 0x27D4EB2Fu;
   return static_cast<std::uint8_t>(mixed >> 24);
 }
 
@@ -69,7 +70,7 @@ int order_of(const World& world, const Passes& p, const Passes::Island& island) 
   return kOfRotation[world.scene.dials.choice(Dial::rotation)];
 }
 
-void find_islands(const World& world, Passes& p) {
+void find_islands(const World& world, Passes& p, Real dt) {
   const Contacts& c = *world.contacts;
   p.island_of.assign(world.scene.bodies.slots(), Passes::kNobody);
   p.parent.resize(world.scene.bodies.slots());
@@ -105,15 +106,16 @@ void find_islands(const World& world, Passes& p) {
     if (const std::uint32_t k = of(m.moves_a, m.a, m.b); k != Passes::kNobody) p.islands[k].rows += m.count;
   for (const Link& l : c.links)
     if (const std::uint32_t k = of(l.moves_a, l.a, l.b); k != Passes::kNobody) ++p.islands[k].links;
-  const int most = std::max(2, world.scene.dials.whole(Dial::accuracy_substeps));
+  const Borne borne(world.scene.dials, dt);
   for (Passes::Island& island : p.islands) {
-    island.met = number_of(island);
     bool is_first = true;
     each_member(p, island, [&](std::uint32_t, std::uint32_t i) {
       join_note(island.note, world.state.accuracy[i], is_first);
       is_first = false;
     });
-    island.trial.begin(island.note, island.met, order_of(world, p, island), most);
+    island.met = number_of(island);
+    island.trial.begin(island.note, island.met, order_of(world, p, island), island.note.softly && island.rows > 0 ? borne.least_soft : 1,
+                       borne.most);
   }
 }
 

@@ -135,22 +135,35 @@ void orient(const World& world, const Passes& p) {
   plan.kinematic.each(turn);
 }
 
+/// Whose contacts were springs in this pass.
+void find_soft(const World& world, Passes& p) {
+  const Solver* const solver = world.plan->solver;
+  for (Passes::Island& island : p.islands) island.is_soft = island.runs && solver == &kSoftStep && island.rows > 0;
+  for (const GroupView& view : world.group_views)
+    if (!view.direct && view.points > 0 && runs(p, view.body)) p.islands[p.island_of[view.body]].is_soft = true;
+}
+
 BodyEnd end_of(const State& s, std::uint32_t i) { return {s.x[i], s.v[i], s.omega[i], s.q[i]}; }
 
 /// An island's run has ended.
 void judge(const World& world, Passes& p, Passes::Island& island, const Borne& borne) {
   const State& s = world.state;
   bool went_well = true;
+  const Real horizon = island.rows > 0 ? kAccuracyHorizonTouching.value : kAccuracyHorizon.value;
   Shares apart;
   each_member(p, island, [&](std::uint32_t k, std::uint32_t i) {
     const BodyEnd end = end_of(s, i);
     went_well &= is_finite(end) && (!s.quarantined[i] || p.begun[k].is_lost);
-    if (island.trial.coarse > 0) add_apart(apart, p.coarse[k], end, borne);
+    if (island.trial.coarse > 0)
+      add_apart(apart, p.coarse[k], end, world.scene.inertia[i], world.scene.inv_inertia[i], horizon, borne);
   });
   if (p.is_booking) {
     island.trial.run = 0;
     return keep_ended(world, island);
   }
+  island.note.softly = island.is_soft;
+  if (island.is_soft && island.trial.run < borne.least_soft && island.trial.least < island.trial.most - 1)
+    return island.trial.raise_least(borne.least_soft);
   switch (island.trial.end_run(went_well, apart)) {
     case End::accepted: return keep_ended(world, island);
     case End::compared: return each_member(p, island, [&](std::uint32_t k, std::uint32_t i) { p.coarse[k] = end_of(s, i); });
@@ -196,11 +209,11 @@ void begin(const World& world, Owned<Accuracy>& a) {
 
 bool goes_by_island(const World& world) { return world.accuracy && world.continuous->bodies.empty(); }
 
-void plan_passes(const World& world, const StepTime&) {
+void plan_passes(const World& world, const StepTime& time) {
   Passes& p = world.accuracy->passes;
   p.is_planned = true, p.is_booking = false;
   p.substeps = world.plan->substeps;
-  find_islands(world, p);
+  find_islands(world, p, time.dt);
   keep_begun(world, p);
   p.group_views.clear();
   world.accuracy->decided.reserve(world.scene.bodies.slots());
@@ -236,6 +249,7 @@ void end_pass(const World& world, Passing to, const StepTime& time) {
   Passes& p = world.accuracy->passes;
   const Borne borne(world.scene.dials, time.dt);
   const int substeps = world.plan->substeps;
+  find_soft(world, p);
   for (Passes::Island& island : p.islands)
     if (island.runs) judge(world, p, island, borne);
   keep_contacts(world, p, Real(substeps) / p.substeps);

@@ -20,6 +20,7 @@ struct Passes {
     std::uint32_t rows, links;    // how many
     std::uint8_t met;             // @see accuracy::Trial::begin()
     bool runs;                    // in this pass
+    bool is_soft;                 // contacts of it were springs, in its last run
     AccuracyNote note;
     accuracy::Trial trial;
   };
@@ -104,7 +105,7 @@ void keep_ended(const World& world, const Passes::Island& island);
 void keep_joint(const World& world, std::size_t at);  // in all_active
 void put_ended(const World& world, Passing to);
 /// islands.cpp
-void find_islands(const World& world, Passes& p);
+void find_islands(const World& world, Passes& p, Real dt);
 int order_of(const World& world, const Passes& p, const Passes::Island& island);
 
 /// f(place in movers, slot) of an island's bodies.

@@ -27,21 +27,26 @@ void each_moved(const RattleIsland& island, F&& f) {
   for (std::uint32_t i = island.body; i < island.body + island.movers; ++i) f(i);
 }
 
-/// A run of an island has ended.   @return whether its bodies are to stay where they are
+/// A run of an island has ended.   @return what becomes of where it led
 End judge(Rattle& r, const RattleIsland& island, Trial& trial, const Borne& borne) {
   Shares apart;
   bool went_well = island.is_moving;
   each_moved(island, [&](std::uint32_t i) {
     const BodyEnd end = end_of(r.bodies[i]);
     went_well &= accuracy::is_finite(end);
-    if (trial.coarse > 0) add_apart(apart, r.coarse[i], end, borne);
+    if (trial.coarse > 0) add_apart(apart, r.coarse[i], end, r.bodies[i].inertia, r.bodies[i].inv_inertia, kAccuracyHorizon, borne);
   });
-  const End end = trial.end_run(went_well, apart);
+  if (!went_well) {  // finer steps help where a stage was too long, not where a limit was reached
+    const int least = trial.run << island.halvings;
+    if (island.halvings == 0 || least > borne.most / 2)
+      trial.run = 0;
+    else
+      trial.raise_least(least);
+    return End::dropped;
+  }
+  const End end = trial.end_run(true, apart);
   if (end == End::compared) each_moved(island, [&](std::uint32_t i) { r.coarse[i] = end_of(r.bodies[i]); });
-  if (went_well) return end;
-  // Finer steps help where a stage was too long, not where a limit was reached.
-  if (island.halvings == 0 || end == End::accepted) trial.run = 0;
-  return End::dropped;
+  return end;
 }
 
 AccuracyNote note_of(const World& world, const Rattle& r, const RattleIsland& island) {
@@ -62,7 +67,7 @@ void try_accurately(const World& world, Rattle& r, Real dt, int order) {
   r.trials.assign(r.islands.size(), {});
   for (std::size_t k = 0; k < r.islands.size(); ++k)
     if (r.islands[k].is_held && !r.islands[k].is_met && r.islands[k].movers > 0)
-      r.trials[k].begin(note_of(world, r, r.islands[k]), number_of(r.islands[k]), order, borne.most);
+      r.trials[k].begin(note_of(world, r, r.islands[k]), number_of(r.islands[k]), order, 1, borne.most);
   for (;;) {
     int run = 0;
     for (const Trial& t : r.trials)
