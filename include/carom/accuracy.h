@@ -35,6 +35,8 @@ typedef struct carom_accuracy {
 #define CAROM_ISLAND_BOUND 2u       /* the bound of work was hit: it errs more than was asked */
 #define CAROM_ISLAND_JOINTS_ALONE 4u /* joints alone hold it: its error is of fourth order, or as CAROM_DIAL_JOINT_ORDER says */
 
+#define CAROM_ISLAND_STALLED 8u      /* more substeps do not lessen its error, which is over what was asked: contacts, mostly */
+
 /** An island of the last step. Errors are those of its step per second of motion, by the last estimate. */
 typedef struct carom_island {
   carom_body body;     /**< that of its bodies which has the lowest slot; CAROM_NULL_HANDLE if that was destroyed since */
@@ -45,7 +47,8 @@ typedef struct carom_island {
   uint64_t work;       /**< substeps of all runs of the step: those that were compared and those repeated are among them */
   double place;        /**< m/s; 0 where places are not asked for */
   double turn;         /**< rad/s; 0 where turns are not asked for */
-  double share;        /**< the larger of the two over what was asked: above 1 where the bound of work was hit */
+  double share;        /**< the larger of the two over what was asked: above 1 where the bound of work was hit,
+                             or where more substeps do not help */
 } carom_island;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */

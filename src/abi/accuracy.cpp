@@ -12,13 +12,15 @@ namespace carom::abi {
 namespace {
 
 static_assert(AccuracyView::kEstimated == CAROM_ISLAND_ESTIMATED && AccuracyView::kHitBound == CAROM_ISLAND_BOUND &&
-              AccuracyView::kByJointsAlone == CAROM_ISLAND_JOINTS_ALONE);
+              AccuracyView::kByJointsAlone == CAROM_ISLAND_JOINTS_ALONE &&
+              AccuracyView::kStalled == CAROM_ISLAND_STALLED);
 
 const DialRow& row_of(Dial dial) { return dial_table()[static_cast<std::size_t>(dial)]; }
 
 bool read_accuracy(Call& call, const carom_accuracy* given, carom_accuracy& a) {
   carom_accuracy_init(&a, sizeof a);
-  const DialRow &place = row_of(Dial::accuracy_place), &turn = row_of(Dial::accuracy_turn), &most = row_of(Dial::accuracy_substeps);
+  const DialRow &place = row_of(Dial::accuracy_place), &turn = row_of(Dial::accuracy_turn),
+                &most = row_of(Dial::accuracy_substeps);
   if (!read_struct(call, 2, "accuracy", given, a) ||
       !in_range(call, 2, "accuracy->substeps", a.substeps, most.min, most.max) ||
       !in_range(call, 2, "accuracy->place", a.place, place.min, place.max) ||
@@ -85,15 +87,15 @@ int32_t carom_world_get_accuracy(carom_world* world, carom_accuracy* accuracy, u
   });
 }
 
-int32_t carom_world_get_islands(carom_world* world, carom_island* dst, uint64_t stride, uint64_t capacity, uint64_t* count,
-                                carom_error* error) {
+int32_t carom_world_get_islands(carom_world* world, carom_island* dst, uint64_t stride, uint64_t capacity,
+                                uint64_t* count, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading) return;
     const World& w = *reading;
     copy_elements<carom_island>(
-        call, w.accuracy ? w.accuracy->views.size() : 0, [&](std::uint64_t i) { return island(w, w.accuracy->views[i]); },
-        dst, stride, capacity, count);
+        call, w.accuracy ? w.accuracy->views.size() : 0,
+        [&](std::uint64_t i) { return island(w, w.accuracy->views[i]); }, dst, stride, capacity, count);
   });
 }
 

@@ -11,7 +11,8 @@ void each_list(Plan& plan, PlanLists& lists, F&& f) {
   f(plan.linear, lists.linear), f(plan.rotating, lists.rotating);
   f(plan.sprung, lists.sprung), f(plan.readers, lists.readers);
   for (std::size_t row = 0; row < kEffectCount; ++row)
-    if (plan.effects[row].effect->customers == CustomerKind::bodies && plan.effects[row].effect->stage == Stage::integrate)
+    if (plan.effects[row].effect->customers == CustomerKind::bodies &&
+        plan.effects[row].effect->stage == Stage::integrate)
       f(plan.effects[row].customers, lists.of_row[row]);
 }
 

@@ -1,4 +1,5 @@
-// Lists of a plan that a step's forces go through, of some of its bodies: to let a part of the step go through these alone.
+// Lists of a plan that a step's forces go through, of some of its bodies: to let a part of the step go through these
+// alone.
 #pragma once
 
 #include "dynamics/effects.h"

@@ -65,6 +65,7 @@ struct AccuracyNote {
   std::uint8_t wait = 0;       // steps until the next estimate
   std::uint8_t met = 0;        // whom its island consisted of
   bool softly = false;         // contacts of it were springs
+  bool stalled = false;        // more substeps did not lessen its error
   float place = 0, turn = 0;   // errors over tolerances, of the last estimate
   bool operator==(const AccuracyNote&) const = default;
 };

@@ -13,6 +13,16 @@
 namespace carom::dynamics {
 namespace {
 
+/// What throws leaves the step as it began.
+struct Undo {
+  const World& world;
+  Passing to;
+  bool is_done = false;
+  ~Undo() {
+    if (!is_done) accuracy::drop_passes(world, to);
+  }
+};
+
 /// Runs a stage if it has customers, and books what it did and its time.
 class Runner {
  public:
@@ -36,6 +46,9 @@ class Runner {
     if (entry.effect < kEffectCount) world_.plan->effects[entry.effect].seconds += seconds;
     if (keeps_books(world_)) book(entry);
   }
+
+  /// Substeps by island: as many passes as islands ask for, each with its own.
+  void by_island(std::span<const StageEntry> table) const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -63,43 +76,26 @@ class Runner {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Substeps by island: as many passes as islands ask for, each with its own. What throws leaves the step as it began.
-class Islands {
- public:
-  Islands(World& world, const Runner& run, Real dt)
-      : world_(world), run_(run), to_(world), time_{dt, dt / run.substeps()} {}
-  ~Islands() {
-    if (!is_done_) accuracy::drop_passes(world_, to_);
+void Runner::by_island(std::span<const StageEntry> table) const {
+  const auto substep = [](const StageEntry& e) { return e.each_substep; };
+  const auto first = std::ranges::find_if(table, substep), last = std::find_if_not(first, table.end(), substep);
+  const auto in_pass = [&](auto from, auto to) {
+    for (auto entry = from; entry != to; ++entry)
+      if (entry->by_island != ByIsland::no) (*this)(*entry);
+  };
+  const StepTime time{dt_, dt_ / substeps()};
+  Undo undo{world_, Passing(world_)};
+  accuracy::plan_passes(world_, time);
+  while (accuracy::begin_pass(world_, world_.scene.springs, world_.scene.water, undo.to, time)) {
+    in_pass(table.begin(), first);
+    for (int k = 0; k < substeps(); ++k)
+      for (auto entry = first; entry != last; ++entry) (*this)(*entry);
+    in_pass(last, table.end());
+    accuracy::end_pass(world_, undo.to, time);
   }
-  Islands(const Islands&) = delete;
-  Islands& operator=(const Islands&) = delete;
-
-  void go(std::span<const StageEntry> table) {
-    const auto substep = [](const StageEntry& e) { return e.each_substep; };
-    const auto first = std::ranges::find_if(table, substep), last = std::find_if_not(first, table.end(), substep);
-    const auto in_pass = [&](auto from, auto to) {
-      for (auto entry = from; entry != to; ++entry)
-        if (entry->by_island != ByIsland::no) run_(*entry);
-    };
-    accuracy::plan_passes(world_, time_);
-    while (accuracy::begin_pass(world_, world_.scene.springs, world_.scene.water, to_, time_)) {
-      in_pass(table.begin(), first);
-      for (int k = 0; k < run_.substeps(); ++k)
-        for (auto entry = first; entry != last; ++entry) run_(*entry);
-      in_pass(last, table.end());
-      accuracy::end_pass(world_, to_, time_);
-    }
-    accuracy::end_passes(world_, to_, *world_.events, time_);
-    is_done_ = true;
-  }
-
- private:
-  World& world_;
-  const Runner& run_;
-  Passing to_;
-  StepTime time_;
-  bool is_done_ = false;
-};
+  accuracy::end_passes(world_, undo.to, *world_.events, time);
+  undo.is_done = true;
+}
 
 }  // namespace
 
@@ -113,7 +109,7 @@ void World::step(Real dt) {
     auto last = first;
     while (last != table.end() && last->each_substep == first->each_substep) ++last;
     const bool by_island = first->each_substep && !plan->idle && accuracy::goes_by_island(*this);
-    if (by_island) Islands(*this, run, dt).go(table);
+    if (by_island) run.by_island(table);
     const int times = !first->each_substep ? 1 : plan->idle || by_island ? 0 : run.substeps();
     for (int k = 0; k < times; ++k)
       for (auto entry = first; entry != last; ++entry)

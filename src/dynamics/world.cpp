@@ -75,7 +75,8 @@ std::uint64_t World::hash() const {
     const std::uint32_t solver_memory = state.loaded_steps[i] + (256u * state.tired_steps[i]);
     if (solver_memory) h.add(std::uint64_t(solver_memory));
     if (const AccuracyNote& note = state.accuracy[i]; note != AccuracyNote()) {
-      h.add(note.level + (std::uint64_t(note.wait) << 8) + (std::uint64_t(note.met) << 16) + (std::uint64_t(note.softly) << 24));
+      h.add(note.level + (std::uint64_t(note.wait) << 8) + (std::uint64_t(note.met) << 16) + (std::uint64_t(note.softly) << 24) +
+            (std::uint64_t(note.stalled) << 25));
       h.add(double(note.place)), h.add(double(note.turn));
     }
     if (state.held_q[i] != state.q[i]) h.add_coefficients(state.held_q[i]);

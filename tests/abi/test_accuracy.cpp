@@ -1,5 +1,5 @@
-// Accuracy through the boundary: asked for, told, refused; the same bits on any number of threads and after a snapshot; and nothing where
-// nothing is asked.
+// Accuracy through the boundary: asked for, told, refused; the same bits on any number of threads and after a snapshot;
+// and nothing where nothing is asked.
 #include "snapshot_stage.h"
 
 namespace {
@@ -67,10 +67,14 @@ void what_can_not_be_asked_is_refused_with_a_remedy(void**) {
     int32_t code;
     const char* names;
   } bad[] = {
-      {asked(-1, 1), CAROM_E_OUT_OF_RANGE, "accuracy->place"},  {asked(1, -1), CAROM_E_OUT_OF_RANGE, "accuracy->turn"},
-      {asked(nan, 1), CAROM_E_NOT_FINITE, "accuracy->place"},   {asked(1, HUGE_VAL), CAROM_E_NOT_FINITE, "accuracy->turn"},
-      {asked(0, 0), CAROM_E_OUT_OF_RANGE, "NULL"},              {asked(1, 1, 0), CAROM_E_OUT_OF_RANGE, "accuracy->substeps"},
-      {asked(1, 1, 1), CAROM_E_OUT_OF_RANGE, "accuracy->substeps"}, {asked(1, 1, 5000), CAROM_E_OUT_OF_RANGE, "accuracy->substeps"},
+      {asked(-1, 1), CAROM_E_OUT_OF_RANGE, "accuracy->place"},
+      {asked(1, -1), CAROM_E_OUT_OF_RANGE, "accuracy->turn"},
+      {asked(nan, 1), CAROM_E_NOT_FINITE, "accuracy->place"},
+      {asked(1, HUGE_VAL), CAROM_E_NOT_FINITE, "accuracy->turn"},
+      {asked(0, 0), CAROM_E_OUT_OF_RANGE, "NULL"},
+      {asked(1, 1, 0), CAROM_E_OUT_OF_RANGE, "accuracy->substeps"},
+      {asked(1, 1, 1), CAROM_E_OUT_OF_RANGE, "accuracy->substeps"},
+      {asked(1, 1, 5000), CAROM_E_OUT_OF_RANGE, "accuracy->substeps"},
   };
   for (const auto& row : bad) {
     carom_error error{};

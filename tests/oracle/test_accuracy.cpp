@@ -20,7 +20,8 @@ void ask(TestWorld& t, Real tolerance, int most = 1024) {
 
 /// Decades of error for a decade of tolerance, from the first to the last; and each error over what was asked.
 /// @param error  of a tolerance, m or rad   @param time  s
-void holds(const char* what, const std::function<Real(Real)>& error, std::initializer_list<Real> tolerances, Real time) {
+void holds(const char* what, const std::function<Real(Real)>& error, std::initializer_list<Real> tolerances,
+           Real time) {
   Real first = 0, last = 0;
   for (const Real tolerance : tolerances) {
     const Real got = error(tolerance);
@@ -36,7 +37,8 @@ void holds(const char* what, const std::function<Real(Real)>& error, std::initia
 
 }  // namespace
 
-/// From 170 degrees, where a quarter of a period and five of them lead to the bottom: by RATTLE.
+/// From 170 degrees, where a quarter of a period and five of them lead to the bottom: by RATTLE. One substep a step
+/// errs by 1e-3.
 static void a_pendulum_gets_what_is_asked(void**) {
   const Real amplitude = 170 * kPi / 180, time = 1.25 * period(std::sqrt(1.5 * kG), amplitude);
   const int steps = static_cast<int>(time * 20);
@@ -50,7 +52,7 @@ static void a_pendulum_gets_what_is_asked(void**) {
         assert_int_equal(held(t), 1);
         return (t.world.state.x[rod] - Vec3(0, -0.5, 0)).norm();
       },
-      {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}, time);
+      {1e-3, 1e-4, 1e-5, 1e-6}, time);
 }
 
 /// A ball on a spring along x: a cosine. Forces and velocity Verlet, no joint, no contact.
@@ -72,7 +74,7 @@ static void a_ball_on_a_spring_gets_what_is_asked(void**) {
       {1e-1, 1e-2, 1e-3, 1e-4}, time);
 }
 
-/// A body of three unlike moments, against its own run at a tolerance a thousand times smaller.
+/// A body of three unlike moments, against its own run at a much smaller tolerance. One substep a step errs by 1e-4.
 static void a_top_gets_what_is_asked(void**) {
   const auto end = [](Real tolerance) {
     TestWorld t(Vec3::zero());
@@ -82,14 +84,14 @@ static void a_top_gets_what_is_asked(void**) {
     t.run(120, 1.0 / 60);
     return t.world.state.q[top];
   };
-  const Quat truth = end(1e-8);
+  const Quat truth = end(1e-10);
   holds(
       "top",
       [&](Real tolerance) {
         const Quat off = end(tolerance) * truth.conjugate();
         return 2 * Vec3(off.x(), off.y(), off.z()).norm();
       },
-      {1e-2, 1e-3, 1e-4, 1e-5}, 2);
+      {1e-4, 1e-5, 1e-6}, 2);
 }
 
 // ---- held out: looked at once all of the above went well ----
@@ -102,7 +104,8 @@ static void two_masses_on_three_springs_get_what_is_asked(void**) {
       [&](Real tolerance) {
         TestWorld t(Vec3::zero());
         ask(t, tolerance);
-        const std::uint32_t a = add_body(t, Vec3(1.2, 0, 0), 1, Vec3(1, 1, 1)), b = add_body(t, Vec3(2, 0, 0), 1, Vec3(1, 1, 1));
+        const std::uint32_t a = add_body(t, Vec3(1.2, 0, 0), 1, Vec3(1, 1, 1)),
+                            b = add_body(t, Vec3(2, 0, 0), 1, Vec3(1, 1, 1));
         const auto spring = [&](std::uint32_t from, std::uint32_t to, const Vec3& anchor_a, const Vec3& anchor_b) {
           SpringDef def;
           def.body_a = from, def.body_b = to;
@@ -162,7 +165,8 @@ static void a_block_that_slides_stops_where_it_should(void**) {
     ask(t, tolerance);
     const std::uint32_t rough = t.material(0.4, 0);
     t.ground(rough);
-    const std::uint32_t block = t.add(t.keep(box(Vec3(0.3, 0.1, 0.3))), Vec3(0, 0.1, 0), BodyType::dynamic, Quat::identity(), rough);
+    const std::uint32_t block =
+        t.add(t.keep(box(Vec3(0.3, 0.1, 0.3))), Vec3(0, 0.1, 0), BodyType::dynamic, Quat::identity(), rough);
     t.world.set_velocity(block, Vec3(3, 0, 0), Vec3::zero());
     t.run(90, 1.0 / 60);
     const Real off = std::fabs(t.world.state.x[block].x() - 9 / (2 * 0.4 * kG));

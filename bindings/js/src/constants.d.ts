@@ -70,6 +70,8 @@ export const CAROM_ISLAND_ESTIMATED: 1;
 export const CAROM_ISLAND_BOUND: 2;
 /** joints alone hold it: its error is of fourth order, or as CAROM_DIAL_JOINT_ORDER says */
 export const CAROM_ISLAND_JOINTS_ALONE: 4;
+/** more substeps do not lessen its error, which is over what was asked: contacts, mostly */
+export const CAROM_ISLAND_STALLED: 8;
 export const CAROM_MIX_GEOMETRIC_MEAN: 0;
 export const CAROM_MIX_MAXIMUM: 1;
 export const CAROM_MIX_MINIMUM: 2;

@@ -37,6 +37,7 @@ export const CAROM_NULL_HANDLE = 0n;
 export const CAROM_ISLAND_ESTIMATED = 1;
 export const CAROM_ISLAND_BOUND = 2;
 export const CAROM_ISLAND_JOINTS_ALONE = 4;
+export const CAROM_ISLAND_STALLED = 8;
 export const CAROM_MIX_GEOMETRIC_MEAN = 0;
 export const CAROM_MIX_MAXIMUM = 1;
 export const CAROM_MIX_MINIMUM = 2;

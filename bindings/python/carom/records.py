@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from .shape import Shape
 
 # Words: each is a constant without its prefix, CAROM_BODY_STATIC "static". Numbers pass, too.
-IslandFlagsWord = Literal["estimated", "bound", "joints_alone"]
+IslandFlagsWord = Literal["estimated", "bound", "joints_alone", "stalled"]
 MixWord = Literal["geometric_mean", "maximum", "minimum", "average", "multiply"]
 BodyTypeWord = Literal["static", "kinematic", "dynamic"]
 BodyFieldsWord = Literal["mass", "center", "inertia"]

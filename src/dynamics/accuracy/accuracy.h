@@ -9,11 +9,11 @@ namespace carom::dynamics {
 
 /// An island of the last step, as a host reads it.
 struct AccuracyView {
-  enum : std::uint32_t { kEstimated = 1, kHitBound = 2, kByJointsAlone = 4 };
-  std::uint32_t body = 0;    // slot, its lowest
+  enum : std::uint32_t { kEstimated = 1, kHitBound = 2, kByJointsAlone = 4, kStalled = 8 };
+  std::uint32_t body = 0;  // slot, its lowest
   std::uint32_t bodies = 0;
   std::uint32_t substeps = 0;
-  std::uint32_t order = 1;   // of the error, as taken for the estimate
+  std::uint32_t order = 1;  // of the error, as taken for the estimate
   std::uint32_t flags = 0;
   std::uint64_t work = 0;    // substeps of all its runs
   Real place = 0, turn = 0;  // error over tolerance, of the last estimate
@@ -38,7 +38,8 @@ namespace accuracy {
 void begin(const World& world, Owned<Accuracy>& a);
 /// An island's trial is over.   @param each  each(f): f(slot) of its bodies
 template <class Each>
-void decide(Accuracy& a, const Trial& trial, const AccuracyNote& before, std::uint8_t met, std::uint32_t flags, const Each& each) {
+void decide(Accuracy& a, const Trial& trial, const AccuracyNote& before, std::uint8_t met, std::uint32_t flags,
+            const Each& each) {
   const AccuracyNote note = trial.note_after(before, met);
   AccuracyView view;
   view.body = kTheWorld;
@@ -48,7 +49,8 @@ void decide(Accuracy& a, const Trial& trial, const AccuracyNote& before, std::ui
     ++view.bodies;
   });
   view.substeps = static_cast<std::uint32_t>(trial.taken), view.order = static_cast<std::uint32_t>(trial.order);
-  view.flags = flags | (trial.is_estimated ? AccuracyView::kEstimated : 0u) | (trial.hit_bound ? AccuracyView::kHitBound : 0u);
+  view.flags = flags | (trial.is_estimated ? AccuracyView::kEstimated : 0u) |
+               (trial.hit_bound ? AccuracyView::kHitBound : 0u) | (note.stalled ? AccuracyView::kStalled : 0u);
   view.work = trial.work;
   view.place = note.place, view.turn = note.turn;
   a.views.push_back(view);

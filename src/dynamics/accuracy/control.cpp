@@ -36,6 +36,7 @@ void Trial::begin(const AccuracyNote& note, std::uint8_t met, int of_order, int 
   order = of_order, most = level_within(most_substeps);
   least = std::min(level_for(least_substeps), std::max(0, most - 1));
   estimates = note.wait == 0 || note.met != met;
+  if (note.stalled && note.met == met) repeated_share = std::max(note.place, note.turn);
   restart(std::clamp<int>(note.level, least, most));
 }
 
@@ -43,6 +44,16 @@ void Trial::raise_least(int least_substeps) {
   work += static_cast<std::uint64_t>(run);
   least = std::min(level_for(least_substeps), std::max(0, most - 1));
   restart(std::max(level, least));
+}
+
+/// Whether an error over the tolerance is to be left as it is.
+bool Trial::stalls(int ended) {
+  const Real share = error.most();
+  const bool known = repeated == 0 && repeated_share > 0 && share <= kAccuracyStir * repeated_share;
+  is_stalled =
+      known || (repeated > 0 && share > repeated_share * std::pow(Real(repeated) / ended, kAccuracyStall * order));
+  if (repeated == 0 || share < repeated_share) repeated = ended, repeated_share = share;
+  return is_stalled;
 }
 
 End Trial::end_run(bool went_well, const Shares& apart) {
@@ -73,8 +84,8 @@ End Trial::end_run(bool went_well, const Shares& apart) {
   is_estimated = true;
   const Real share = error.most();
   const bool at_bound = ended >= substeps_at(most);
-  if (share <= 1 || at_bound) {
-    hit_bound = share > 1;
+  if (share <= 1 || at_bound || stalls(ended)) {
+    hit_bound = share > 1 && at_bound;
     run = 0;
     return End::accepted;
   }
@@ -96,11 +107,18 @@ AccuracyNote Trial::note_after(const AccuracyNote& before, std::uint8_t met) con
     note.wait = static_cast<std::uint8_t>(hit_bound || note.wait == 0 ? 0 : note.wait - 1);
     return note;
   }
-  note.place = static_cast<float>(std::min(error.place, Real(1e30))), note.turn = static_cast<float>(std::min(error.turn, Real(1e30)));
+  note.place = static_cast<float>(std::min(error.place, Real(1e30))),
+  note.turn = static_cast<float>(std::min(error.turn, Real(1e30)));
   const Real share = error.most();
   const auto predicted = [&](int at) { return share * std::pow(Real(taken) / substeps_at(at), Real(order)); };
   int next = level_within(taken);
   while (next > least && predicted(next - 1) <= kAccuracyAim) --next;
+  note.stalled = is_stalled;
+  if (is_stalled) {  // as before they were tried, and for a while
+    note.level = static_cast<std::uint8_t>(level_within(repeated));
+    note.wait = kAccuracyEveryQuiet - 1;
+    return note;
+  }
   const bool is_quiet = next <= least && predicted(next) <= kAccuracyQuiet;
   note.level = static_cast<std::uint8_t>(next);
   note.wait = static_cast<std::uint8_t>(is_quiet ? kAccuracyEveryQuiet - 1 : next != level ? 0 : kAccuracyEvery - 1);

@@ -17,24 +17,35 @@ namespace carom::dynamics {
 
 inline constexpr Constant<Real> kAccuracyHorizon{
     "accuracy_horizon", 1, "s", "for which an error of a velocity is taken to go on, where accuracy is asked for",
-    "larger: motion that forgets its velocity takes more substeps than need be; smaller: places drift beyond what was asked"};
+    "larger: motion that forgets its velocity takes more substeps than need be; smaller: places drift beyond what was "
+    "asked"};
 inline constexpr Constant<Real> kAccuracyHorizonTouching{
-    "accuracy_horizon_touching", 0.1, "s", "likewise of what touches: contacts take most of it back within their own time to settle",
+    "accuracy_horizon_touching", 0.1, "s",
+    "likewise of what touches: contacts take most of it back within their own time to settle",
     "larger: what settles takes hundreds of substeps; smaller: what slides and rolls drifts beyond what was asked"};
 inline constexpr Constant<Real> kAccuracyAim{
     "accuracy_aim", 0.6, "1", "of the tolerance that a choice of substeps aims at: errors change from step to step",
     "larger: more steps are repeated; smaller: more substeps than need be"};
-inline constexpr Constant<int> kAccuracyEvery{
-    "accuracy_every", 2, "steps", "from one estimate of an island to the next: each costs half a step",
-    "larger: errors that grow are seen late; smaller: estimates cost more"};
+inline constexpr Constant<int> kAccuracyEvery{"accuracy_every", 2, "steps",
+                                              "from one estimate of an island to the next: each costs half a step",
+                                              "larger: errors that grow are seen late; smaller: estimates cost more"};
 inline constexpr Constant<int> kAccuracyEveryQuiet{
     "accuracy_every_quiet", 8, "steps", "likewise of an island that one substep serves, far below its tolerance",
     "larger: what begins to move without touching anything is seen late; smaller: piles at rest cost more"};
 inline constexpr Constant<Real> kAccuracyQuiet{
     "accuracy_quiet", 0.05, "1", "of the tolerance, below which an island that takes one substep is quiet",
     "larger: errors that grow are seen late; smaller: piles at rest cost more"};
-inline constexpr ConstantRow kAccuracyConstants[] = {kAccuracyHorizon,   kAccuracyHorizonTouching, kAccuracyAim,
-                                                     kAccuracyEvery, kAccuracyEveryQuiet,      kAccuracyQuiet};
+inline constexpr Constant<Real> kAccuracyStall{
+    "accuracy_stall", 0.5, "1",
+    "of the order that is claimed: where more substeps lessen an error by less, they are of no use",
+    "larger: steps whose errors fall slowly are left as they are; smaller: hundreds of substeps for nothing"};
+inline constexpr Constant<Real> kAccuracyStir{
+    "accuracy_stir", 4, "1",
+    "times the error at which more substeps were of no use, from which on they are tried again",
+    "larger: errors that grow are left as they are; smaller: hundreds of substeps for nothing"};
+inline constexpr ConstantRow kAccuracyConstants[] = {
+    kAccuracyHorizon,    kAccuracyHorizonTouching, kAccuracyAim,   kAccuracyEvery,
+    kAccuracyEveryQuiet, kAccuracyQuiet,           kAccuracyStall, kAccuracyStir};
 
 namespace accuracy {
 
@@ -63,7 +74,8 @@ struct Trial {
   int taken = 0;   // of the one accepted
   int level = 0, least = 0, most = 0, order = 1;
   bool is_estimated = false, estimates = false, hit_bound = false;
-  std::uint64_t work = 0;  // substeps of all runs
+  bool is_stalled = false;  // more substeps do not lessen the error
+  std::uint64_t work = 0;   // substeps of all runs
   Shares error;
 
   /// @param met    a number of what the island consists of: another one asks for an estimate
@@ -78,6 +90,9 @@ struct Trial {
 
  private:
   void restart(int at_level);
+  bool stalls(int ended);
+  int repeated = 0;         // substeps of the last run that was estimated and repeated; 0: none
+  Real repeated_share = 0;  // its error; of a note that had stalled, the error then
 };
 
 /// Of an island, from its bodies': the highest level, and an estimate as soon as any wants one, or where they differ.

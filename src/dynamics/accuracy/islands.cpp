@@ -114,8 +114,8 @@ void find_islands(const World& world, Passes& p, Real dt) {
       is_first = false;
     });
     island.met = number_of(island);
-    island.trial.begin(island.note, island.met, order_of(world, p, island), island.note.softly && island.rows > 0 ? borne.least_soft : 1,
-                       borne.most);
+    island.trial.begin(island.note, island.met, order_of(world, p, island),
+                       island.note.softly && island.rows > 0 ? borne.least_soft : 1, borne.most);
   }
 }
 

@@ -7,8 +7,8 @@ namespace carom::dynamics::accuracy {
 namespace {
 
 Passes::Kept kept_of(const State& s, std::uint32_t i) {
-  return {s.x[i],      s.v[i],        s.omega[i],        s.momentum[i],    s.force[i],           s.torque[i], s.q[i],
-          s.held_q[i], s.loaded_steps[i], s.tired_steps[i], s.quarantined[i] != 0};
+  return {s.x[i], s.v[i],      s.omega[i],        s.momentum[i],    s.force[i],           s.torque[i],
+          s.q[i], s.held_q[i], s.loaded_steps[i], s.tired_steps[i], s.quarantined[i] != 0};
 }
 
 void put_motion(Passing to, std::uint32_t i, const Passes::Kept& k) {

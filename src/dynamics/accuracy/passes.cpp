@@ -110,7 +110,8 @@ void keep_contacts(const World& world, Passes& p, Real scale) {
   }
   auto to = p.resisting.begin();
   for (const Resistance& r : c.resisting) {
-    to = std::lower_bound(to, p.resisting.end(), r.row, [](const Resistance& a, std::uint32_t row) { return a.row < row; });
+    to = std::lower_bound(to, p.resisting.end(), r.row,
+                          [](const Resistance& a, std::uint32_t row) { return a.row < row; });
     if (!is_accepted(r.row)) continue;
     *to = r;
     to->moment *= scale;
@@ -165,9 +166,12 @@ void judge(const World& world, Passes& p, Passes::Island& island, const Borne& b
   if (island.is_soft && island.trial.run < borne.least_soft && island.trial.least < island.trial.most - 1)
     return island.trial.raise_least(borne.least_soft);
   switch (island.trial.end_run(went_well, apart)) {
-    case End::accepted: return keep_ended(world, island);
-    case End::compared: return each_member(p, island, [&](std::uint32_t k, std::uint32_t i) { p.coarse[k] = end_of(s, i); });
-    case End::dropped: return;
+    case End::accepted:
+      return keep_ended(world, island);
+    case End::compared:
+      return each_member(p, island, [&](std::uint32_t k, std::uint32_t i) { p.coarse[k] = end_of(s, i); });
+    case End::dropped:
+      return;
   }
 }
 
@@ -285,9 +289,8 @@ void end_passes(const World& world, Passing to, Events& events, const StepTime& 
   for (const GroupView& view : p.group_views) report.direct_groups += view.direct;
   views = p.group_views;
   for (const Passes::Island& island : p.islands)
-    decide(a, island.trial, island.note, island.met, 0, [&](const auto& f) {
-      each_member(p, island, [&](std::uint32_t, std::uint32_t i) { f(i); });
-    });
+    decide(a, island.trial, island.note, island.met, 0,
+           [&](const auto& f) { each_member(p, island, [&](std::uint32_t, std::uint32_t i) { f(i); }); });
   break_overloaded(world, to, events);
 }
 

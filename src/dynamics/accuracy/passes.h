@@ -67,7 +67,7 @@ struct Passes {
   GroupViews group_views;  // of runs that were accepted
 
   Customers those, scratch;
-  PlanLists lists;        // of a pass; while it runs, of all
+  PlanLists lists;          // of a pass; while it runs, of all
   bool is_booked = false;   // somebody keeps a ledger, which is told of no trials
   bool is_planned = false;  // in this step
   bool is_running = false;
@@ -79,8 +79,8 @@ struct Passes {
 };
 
 /// What passes change and put back.
-using Passing = Writes<Poses, Velocities, HostForces, Quarantine, Revisions, FaultViews, SolverMemory, Joints, PairCounts,
-                       GroupViews, StepReport>;
+using Passing = Writes<Poses, Velocities, HostForces, Quarantine, Revisions, FaultViews, SolverMemory, Joints,
+                       PairCounts, GroupViews, StepReport>;
 
 namespace accuracy {
 

@@ -161,9 +161,9 @@ void body(Io& io, W& world, std::uint32_t i) {
   AccuracyNote note;
   if (bits & kAccuracy) {
     note.level = io.value(s.accuracy[i].level), note.wait = io.value(s.accuracy[i].wait), note.met = io.value(s.accuracy[i].met);
-    const auto softly = io.value(static_cast<std::uint8_t>(s.accuracy[i].softly));
-    io.demand(softly <= 1);
-    note.softly = softly;
+    const auto flags = io.value(static_cast<std::uint8_t>(s.accuracy[i].softly | s.accuracy[i].stalled << 1));
+    io.demand(flags <= 3);
+    note.softly = flags & 1, note.stalled = flags >> 1;
     note.place = io.value(s.accuracy[i].place), note.turn = io.value(s.accuracy[i].turn);
     io.demand(note.level <= accuracy::kMostLevel && note.place >= 0 && note.turn >= 0);
   }

@@ -27,7 +27,8 @@ struct Timed {
 };
 
 /// @return nothing where it took too long
-std::optional<Timed> timed(Engine& engine, const Challenge& challenge, std::vector<std::string> dials, double patience) {
+std::optional<Timed> timed(Engine& engine, const Challenge& challenge, std::vector<std::string> dials,
+                           double patience) {
   Request request;
   request.dials = std::move(dials);
   request.patience = patience;
@@ -53,7 +54,8 @@ std::vector<const Challenge*> scenes_to_ask() {
   return all;
 }
 
-std::vector<Got> ask(Engine& engine, const Challenge& challenge, const std::vector<double>& tolerances, double patience) {
+std::vector<Got> ask(Engine& engine, const Challenge& challenge, const std::vector<double>& tolerances,
+                     double patience) {
   struct Fixed {
     std::string name;
     Timed result;
@@ -80,7 +82,8 @@ std::vector<Got> ask(Engine& engine, const Challenge& challenge, const std::vect
     g.tolerance = tolerance, g.asked = tolerance * challenge.scene.seconds;
     g.got = result->error, g.ms = result->ms;
     for (const Fixed& f : fixed)
-      if (f.result.error <= g.got && (g.fixed_ms == 0 || f.result.ms < g.fixed_ms)) g.fixed_ms = f.result.ms, g.fixed = f.name;
+      if (f.result.error <= g.got && (g.fixed_ms == 0 || f.result.ms < g.fixed_ms))
+        g.fixed_ms = f.result.ms, g.fixed = f.name;
     all.push_back(g);
   }
   return all;
@@ -117,7 +120,8 @@ void add_linkage(Room& room) {
       hook.name = "hook", hook.kind = "hook", hook.type = CAROM_BODY_STATIC, hook.position = Vec(20, 8, 0);
       before = room.stage.add(hook);
     }
-    room.stage.join(CAROM_JOINT_HINGE, before, now, Vec(20 + 0.5 * i, 8, 0), Quat(Eigen::AngleAxisd(-M_PI / 2, Vec::UnitY())));
+    room.stage.join(CAROM_JOINT_HINGE, before, now, Vec(20 + 0.5 * i, 8, 0),
+                    Quat(Eigen::AngleAxisd(-M_PI / 2, Vec::UnitY())));
     before = now;
     room.linkage = room.stage.actors[now].body;
   }

@@ -23,7 +23,8 @@ struct Got {
 std::vector<const Challenge*> scenes_to_ask();
 
 /// @param tolerances  m and rad per second of motion   @param patience  s of computing a run   @throws Error
-std::vector<Got> ask(Engine& engine, const Challenge& challenge, const std::vector<double>& tolerances, double patience);
+std::vector<Got> ask(Engine& engine, const Challenge& challenge, const std::vector<double>& tolerances,
+                     double patience);
 
 /// A pile at rest, a fast linkage and a flying top in one world, and the linkage alone.
 struct Mixed {

@@ -89,7 +89,8 @@ void print_islands(const std::vector<carom_island>& islands) {
     rows.push_back({format("%zu", k + 1), format("%u", i.bodies), format("%u", i.substeps), format("%llu", count(i.work)),
                     format("%.1e", i.place), format("%.1e", i.turn), format("%.2g", i.share),
                     std::string(joints ? format("by joints alone, order %u", i.order) : "") +
-                        (i.flags & CAROM_ISLAND_BOUND ? " bound of work hit" : "")});
+                        (i.flags & CAROM_ISLAND_BOUND ? " bound of work hit" : "") +
+                        (i.flags & CAROM_ISLAND_STALLED ? " more substeps do not help" : "")});
   }
   std::printf("errors of islands at the end, worst first of %zu:\n%s", islands.size(),
               table(rows, {false, true, true, true, true, true, true}).c_str());

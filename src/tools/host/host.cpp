@@ -227,15 +227,6 @@ std::vector<carom_contact> World::contacts() const {
   return list;
 }
 
-std::vector<carom_island> World::islands() const {
-  std::uint64_t count = 0;
-  Call call;
-  call.done(carom_world_get_islands(world_, nullptr, sizeof(carom_island), 0, &count, call), "counting islands");
-  std::vector<carom_island> list(count);
-  call.done(carom_world_get_islands(world_, list.data(), sizeof(carom_island), count, &count, call), "reading islands");
-  return list;
-}
-
 std::vector<carom_fault> World::faults() const {
   std::uint64_t count = 0;
   Call call;
@@ -272,14 +263,6 @@ void World::read(std::uint32_t field, const std::vector<carom_body>& which, std:
   Call call;
   call.done(carom_world_read(world_, field, CAROM_SCALAR_F64, which.data(), which.size(), dst.data(), 0, call),
             "reading the bodies");
-}
-
-void World::ask(double tolerance) {
-  carom_accuracy asked;
-  carom_accuracy_init(&asked, sizeof asked);
-  asked.place = asked.turn = tolerance;
-  Call call;
-  call.done(carom_world_set_accuracy(world_, &asked, call), "asking for an accuracy");
 }
 
 void World::set_dial(std::uint32_t dial_index, double value) {

@@ -53,7 +53,7 @@ static void the_fewest_substeps_within_the_tolerance_are_found(void**) {
 /// The estimate is the error itself, where the order is as told.
 static void the_estimate_is_the_error(void**) {
   for (const int p : {1, 2, 4}) {
-    const Trial t = tried(AccuracyNote{4, 0, 0, false, 0, 0}, 2.5, p);
+    const Trial t = tried(AccuracyNote{4, 0, 0, false, false, 0, 0}, 2.5, p);
     const Real truth = 2.5 * std::pow(Real(t.taken), -p);
     assert_true(std::fabs(t.error.most() - truth) < 1e-12 * truth);
   }
@@ -66,7 +66,7 @@ static void a_bound_of_work_is_hit_and_told(void**) {
   assert_true(t.error.most() > 1);
 }
 
-/// A quiet island is estimated every eighth step, a busy one every second, and one that meets another at once.
+/// A quiet island is estimated every eighth step, a busy one every third, and one that meets another at once.
 static void quiet_islands_are_estimated_rarely(void**) {
   const auto estimates = [](Real c) {
     AccuracyNote note;
@@ -110,6 +110,30 @@ static void islands_that_join_take_the_higher_level_and_an_estimate(void**) {
   assert_int_equal(both.wait, 0);
 }
 
+/// An error that does not fall is not chased up to the bound; and not again until it grows.
+static void what_more_substeps_do_not_help_is_left(void**) {
+  AccuracyNote note;
+  const auto step = [&](Real share) {
+    Trial t;
+    t.begin(note, note.met, 1, 1, 1024);
+    int most = 0;
+    while (t.run > 0) {
+      most = std::max(most, t.run);
+      t.end_run(true, {share, 0});
+    }
+    note = t.note_after(note, note.met);
+    return most;
+  };
+  assert_true(step(5) <= 32);
+  assert_true(note.stalled);
+  for (int k = 0; k < 30; ++k) assert_true(step(5) <= 4);
+  note.wait = 0;
+  assert_true(step(50) > 4);
+  note.wait = 0;
+  assert_true(step(0.1) <= 32);
+  assert_false(note.stalled);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(levels_ascend_and_all_but_the_first_have_a_half),
@@ -118,6 +142,7 @@ int main(void) {
       cmocka_unit_test(a_bound_of_work_is_hit_and_told),
       cmocka_unit_test(quiet_islands_are_estimated_rarely),
       cmocka_unit_test(what_fails_is_tried_finer_up_to_the_bound),
+      cmocka_unit_test(what_more_substeps_do_not_help_is_left),
       cmocka_unit_test(islands_that_join_take_the_higher_level_and_an_estimate),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);

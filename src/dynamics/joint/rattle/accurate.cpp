@@ -34,7 +34,8 @@ End judge(Rattle& r, const RattleIsland& island, Trial& trial, const Borne& born
   each_moved(island, [&](std::uint32_t i) {
     const BodyEnd end = end_of(r.bodies[i]);
     went_well &= accuracy::is_finite(end);
-    if (trial.coarse > 0) add_apart(apart, r.coarse[i], end, r.bodies[i].inertia, r.bodies[i].inv_inertia, kAccuracyHorizon, borne);
+    if (trial.coarse > 0)
+      add_apart(apart, r.coarse[i], end, r.bodies[i].inertia, r.bodies[i].inv_inertia, kAccuracyHorizon, borne);
   });
   if (!went_well) {  // finer steps help where a stage was too long, not where a limit was reached
     const int least = trial.run << island.halvings;
@@ -90,9 +91,8 @@ void try_accurately(const World& world, Rattle& r, Real dt, int order) {
   for (std::size_t k = 0; k < r.islands.size(); ++k) {
     const RattleIsland& island = r.islands[k];
     if (!island.went_well) continue;
-    decide(a, r.trials[k], note_of(world, r, island), number_of(island), AccuracyView::kByJointsAlone, [&](const auto& f) {
-      each_moved(island, [&](std::uint32_t i) { f(r.bodies[i].slot); });
-    });
+    decide(a, r.trials[k], note_of(world, r, island), number_of(island), AccuracyView::kByJointsAlone,
+           [&](const auto& f) { each_moved(island, [&](std::uint32_t i) { f(r.bodies[i].slot); }); });
   }
 }
 
