@@ -7,6 +7,7 @@
 #include "dynamics/accuracy/accuracy.h"
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/force/force.h"
+#include "dynamics/integrate/free_flight.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/island.h"
 #include "dynamics/joint/wide_joints.h"
@@ -204,9 +205,7 @@ void put_back_contacts(const World& world, Passes& p, const StepTime& time) {
 }  // namespace
 
 void begin(const World& world, Owned<Accuracy>& a) {
-  if (!is_on(world.scene.dials)) {
-    return a.reset();
-  }
+  if (!is_on(world.scene.dials)) return a.reset();
   if (!a) a = make_owned<Accuracy>(world.memory, world.memory);
   a->views.clear(), a->decided.clear();
 }
@@ -215,13 +214,14 @@ bool goes_by_island(const World& world) { return world.accuracy && world.continu
 
 void plan_passes(const World& world, const StepTime& time) {
   Passes& p = world.accuracy->passes;
-  p.is_planned = true, p.is_booking = false;
+  p.is_booking = false;
   p.substeps = world.plan->substeps;
   find_islands(world, p, time.dt);
   keep_begun(world, p);
   p.group_views.clear();
   world.accuracy->decided.reserve(world.scene.bodies.slots());
   p.is_booked = keeps_books(world);
+  p.is_planned = true;
 }
 
 bool begin_pass(const World& world, SpringLoads& springs, Floats& floats, Passing, const StepTime& time) {
@@ -296,13 +296,15 @@ void end_passes(const World& world, Passing to, Events& events, const StepTime& 
 
 void drop_passes(const World& world, Passing to) {
   Passes& p = world.accuracy->passes;
+  Plan& plan = *world.plan;
+  plan.revision = 0;  // what else the step had under way is planned anew
+  if (plan.flight) plan.flight->any = false;
   if (!std::exchange(p.is_planned, false)) return;
   for (Passes::Island& island : p.islands) island.runs = true;
   go_back(world, to);
   if (p.is_running) put_back_lists(world, p);
   world.wide_joints->active = p.all_active;
   world.wide_joints->is_packed = false;
-  world.plan->revision = 0;  // what else the step had under way is planned anew
 }
 
 }  // namespace accuracy
