@@ -43,7 +43,8 @@ void keep_begun(const World& world, Passes& p) {
   world.plan->kinematic.each([&](std::uint32_t i) { p.driven_begun.push_back({s.x[i], s.q[i]}); });
   p.all_active = world.wide_joints->active;
   p.joint_begun.resize(p.all_active.size()), p.joint_ended.resize(p.all_active.size());
-  for (std::size_t k = 0; k < p.all_active.size(); ++k) p.joint_begun[k] = p.joint_ended[k] = kept_of(world, p.all_active[k]);
+  for (std::size_t k = 0; k < p.all_active.size(); ++k)
+    p.joint_begun[k] = p.joint_ended[k] = kept_of(world, p.all_active[k]);
   p.rows = c.rows, p.geometry = c.geometry;
   p.meetings = c.meetings, p.bouncing = c.bouncing, p.resisting = c.resisting, p.driven = c.driven;
   p.revision = world.scene.revision, p.collider_revision = world.scene.collider_revision, p.alarm = world.scene.alarm;
