@@ -26,7 +26,7 @@ inline constexpr Constant<Real> kAccuracyHorizonTouching{
 inline constexpr Constant<Real> kAccuracyAim{
     "accuracy_aim", 0.6, "1", "of the tolerance that a choice of substeps aims at: errors change from step to step",
     "larger: more steps are repeated; smaller: more substeps than need be"};
-inline constexpr Constant<int> kAccuracyEvery{"accuracy_every", 3, "steps",
+inline constexpr Constant<int> kAccuracyEvery{"accuracy_every", 2, "steps",
                                               "from one estimate of an island to the next: each costs half a step",
                                               "larger: errors that grow are seen late; smaller: estimates cost more"};
 inline constexpr Constant<int> kAccuracyEveryQuiet{

@@ -66,7 +66,7 @@ static void a_bound_of_work_is_hit_and_told(void**) {
   assert_true(t.error.most() > 1);
 }
 
-/// A quiet island is estimated every eighth step, a busy one every third, and one that meets another at once.
+/// A quiet island is estimated every eighth step, a busy one every second, and one that meets another at once.
 static void quiet_islands_are_estimated_rarely(void**) {
   const auto estimates = [](Real c) {
     AccuracyNote note;
