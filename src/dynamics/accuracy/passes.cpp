@@ -257,7 +257,7 @@ void end_pass(const World& world, Passing to, const StepTime& time) {
   for (Passes::Island& island : p.islands)
     if (island.runs) judge(world, p, island, borne);
   keep_contacts(world, p, Real(substeps) / p.substeps);
-  const Joints& joints = to;
+  const Joints& joints = world.joints;
   for (std::size_t j = 0; j < p.all_active.size(); ++j) {
     const JointDef& def = joints.joint[p.all_active[j]].def;
     const std::uint32_t body = def.body_a != kTheWorld && runs(p, def.body_a) ? def.body_a : def.body_b;

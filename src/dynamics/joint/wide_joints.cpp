@@ -390,7 +390,7 @@ void end_joints(const World& world, Breaking to, Events& events, const StepTime&
 }
 
 void break_overloaded(const World& world, Breaking to, Events& events) {
-  const Joints& joints = to;
+  const Joints& joints = world.joints;
   for (const std::uint32_t j : world.wide_joints->active) {
     const Joint& joint = joints.joint[j];
     if (joint.force.norm() <= joint.def.break_force && joint.torque.norm() <= joint.def.break_torque) continue;
