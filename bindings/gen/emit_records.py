@@ -34,6 +34,8 @@ RECORDS = {
     "carom_step_report": {"stage_seconds": "dict[str, float]"},
     "carom_contact": {},
     "carom_group": {},
+    "carom_accuracy": {},
+    "carom_island": {},
     "carom_fault": {"kind": "str"},
     "carom_contact_event": {"kind": "str"},
     "carom_sensor_event": {"kind": "str"},
@@ -51,6 +53,7 @@ KEYWORDS = {
     "carom_material_desc": {"friction_mix": "MixWord | int", "restitution_mix": "MixWord | int"},
     "carom_force_field_desc": {"-": "kind"},
     "carom_particles_desc": {},
+    "carom_accuracy": {},
     "carom_joint_desc": {"+collide": "bool", "-": "kind fields body_a body_b"},
     "carom_joint_transmission": {},
     "carom_joint_axis": {

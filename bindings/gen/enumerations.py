@@ -57,6 +57,7 @@ GROUPS = {
     "CAROM_RECORD_": ("record", "choice"),
     "CAROM_SCENERY_": ("scenery_flags", "bits"),
     "CAROM_SNAPSHOT_": ("snapshot", "choice"),
+    "CAROM_ISLAND_": ("island_flags", "bits"),
     "CAROM_STAGE_": ("stage", "choice"),
     "CAROM_REASON_": ("reason", "choice"),
     "CAROM_FAULT_": ("fault", "choice"),

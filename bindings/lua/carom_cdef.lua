@@ -3,6 +3,8 @@ require("ffi").cdef [[
 typedef struct carom_engine carom_engine;
 typedef struct carom_world carom_world;
 typedef struct carom_error carom_error;
+typedef struct carom_accuracy carom_accuracy;
+typedef struct carom_island carom_island;
 typedef struct carom_material_desc carom_material_desc;
 typedef struct carom_body_desc carom_body_desc;
 typedef struct carom_attribute_info carom_attribute_info;
@@ -74,6 +76,8 @@ typedef void (*carom_job_fn)(void *context, uint32_t begin, uint32_t end);
 typedef int32_t (*carom_support_fn)(void *user, const double *params, uint64_t param_len, const double *dir, double *out);
 typedef int32_t (*carom_write_fn)(void *user, const void *bytes, uint64_t size);
 struct carom_error { uint32_t struct_size; int32_t code; int32_t argument; uint32_t has_witness; double witness_dir[3]; double witness_out[3]; char message[256]; char remedy[256]; };
+struct carom_accuracy { uint32_t struct_size; uint32_t substeps; double place; double turn; };
+struct carom_island { carom_body body; uint32_t bodies; uint32_t substeps; uint32_t order; uint32_t flags; uint64_t work; double place; double turn; double share; };
 struct carom_material_desc { uint32_t struct_size; uint32_t friction_mix; uint32_t restitution_mix; uint32_t reserved; double friction; double restitution; };
 struct carom_body_desc { uint32_t struct_size; uint32_t fields; uint32_t type; uint32_t reserved; double position[3]; double orientation[4]; double linear_velocity[3]; double angular_velocity[3]; double mass; double center[3]; double inertia[9]; double linear_damping; double angular_damping; uint64_t user; double gravity_factor; uint32_t locks; uint32_t continuous; double linear_drag; double quadratic_drag; uint32_t force_field_mask; uint32_t reserved2; double magnetic_moment[3]; };
 struct carom_attribute_info { uint32_t struct_size; uint32_t attribute; uint32_t numbers; uint32_t is_whole; uint32_t of_dynamic; uint32_t effect; const char *name; const char *unit; const char *summary; double least; double most; double usual[4]; };
@@ -136,6 +140,10 @@ int32_t carom_version(uint32_t *major, uint32_t *minor, uint32_t *patch);
 const char *carom_result_name(int32_t result);
 const char *carom_result_remedy(int32_t result);
 const char *carom_abi_manifest(void);
+int32_t carom_accuracy_init(carom_accuracy *accuracy, uint32_t struct_size);
+int32_t carom_world_set_accuracy(carom_world *world, const carom_accuracy *accuracy, carom_error *error);
+int32_t carom_world_get_accuracy(carom_world *world, carom_accuracy *accuracy, uint32_t *present, carom_error *error);
+int32_t carom_world_get_islands(carom_world *world, carom_island *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_material_desc_init(carom_material_desc *desc, uint32_t struct_size);
 int32_t carom_material_create(carom_world *world, const carom_material_desc *desc, carom_material *material, carom_error *error);
 int32_t carom_material_update(carom_world *world, carom_material material, const carom_material_desc *desc, carom_error *error);
@@ -378,6 +386,10 @@ return {
   CAROM_E_WRITE_FAILED = -29,
   CAROM_E_READ_ONLY = -30,
   CAROM_NULL_HANDLE = 0x0ULL,
+  CAROM_ISLAND_ESTIMATED = 1,
+  CAROM_ISLAND_BOUND = 2,
+  CAROM_ISLAND_JOINTS_ALONE = 4,
+  CAROM_ISLAND_STALLED = 8,
   CAROM_MIX_GEOMETRIC_MEAN = 0,
   CAROM_MIX_MAXIMUM = 1,
   CAROM_MIX_MINIMUM = 2,
@@ -473,7 +485,10 @@ return {
   CAROM_DIAL_CONTINUOUS = 38,
   CAROM_DIAL_PRECISION = 39,
   CAROM_DIAL_JOINT_ORDER = 40,
-  CAROM_DIAL_COUNT = 41,
+  CAROM_DIAL_ACCURACY_PLACE = 41,
+  CAROM_DIAL_ACCURACY_TURN = 42,
+  CAROM_DIAL_ACCURACY_SUBSTEPS = 43,
+  CAROM_DIAL_COUNT = 44,
   CAROM_INTEGRATOR_EXPLICIT_EULER = 0,
   CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER = 1,
   CAROM_INTEGRATOR_RK4 = 2,
@@ -684,5 +699,5 @@ return {
   CAROM_ASK_GENERIC = 1,
   CAROM_ASK_SENSORS = 2,
   VERSION = "1.0.0",
-  ROWS = 631, -- of the layout manifest
+  ROWS = 646, -- of the layout manifest
 }

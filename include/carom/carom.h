@@ -4,6 +4,7 @@
 #ifndef CAROM_CAROM_H
 #define CAROM_CAROM_H
 
+#include <carom/accuracy.h>
 #include <carom/base.h>
 #include <carom/body.h>
 #include <carom/cast.h>

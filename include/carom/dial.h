@@ -59,7 +59,10 @@ extern "C" {
 #define CAROM_DIAL_JOINT_ORDER 40u         /* 2, 4, 6: order of the error of islands that joints alone hold, in 1, 5 or 9
                                               stages a substep, gaps at rounding (odd: the next); 0: they are answered as
                                               joints in contact are, under CAROM_INTEGRATOR_RK4 to order 4 */
-#define CAROM_DIAL_COUNT 41u
+#define CAROM_DIAL_ACCURACY_PLACE 41u      /* m per second of motion that a host bears to be off, see accuracy.h; 0: not asked for */
+#define CAROM_DIAL_ACCURACY_TURN 42u       /* rad per second, likewise */
+#define CAROM_DIAL_ACCURACY_SUBSTEPS 43u   /* bound of work: substeps of an island in a step */
+#define CAROM_DIAL_COUNT 44u
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
 #define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u

@@ -39,6 +39,9 @@ static_assert(same(Dial::integrator, CAROM_DIAL_INTEGRATOR) && same(Dial::rotati
               same(Dial::joint_damping, CAROM_DIAL_JOINT_DAMPING) &&
               same(Dial::continuous, CAROM_DIAL_CONTINUOUS) && same(Dial::precision, CAROM_DIAL_PRECISION) &&
               same(Dial::joint_order, CAROM_DIAL_JOINT_ORDER) &&
+              same(Dial::accuracy_place, CAROM_DIAL_ACCURACY_PLACE) &&
+              same(Dial::accuracy_turn, CAROM_DIAL_ACCURACY_TURN) &&
+              same(Dial::accuracy_substeps, CAROM_DIAL_ACCURACY_SUBSTEPS) &&
               same(Dial::count, CAROM_DIAL_COUNT));
 static_assert(kSweepNobody == CAROM_SWEEP_NOBODY && kSweepFlagged == CAROM_SWEEP_FLAGGED &&
               kSweepFast == CAROM_SWEEP_FAST);

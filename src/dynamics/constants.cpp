@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "dynamics/accuracy/control.h"
 #include "collision/manifold/patch_constants.h"
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/impact_points.h"
@@ -33,7 +34,7 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 constexpr auto kConstantTable =
     in_one_table(kPatchConstants, kImpactConstants, kPatchFrictionConstants, kSweepConstants, kFarTurnConstants,
                  kDepthConstants, kAutoConstants, kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants,
-                 kRattleConstants, kFloatConstants);
+                 kRattleConstants, kAccuracyConstants, kFloatConstants);
 
 }  // namespace
 

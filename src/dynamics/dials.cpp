@@ -126,6 +126,14 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
             "order 2, 4 or 6 of the error of islands that joints alone hold, with gaps at rounding, in 1, 5 or 9 stages a "
             "substep (odd: the next); 0: they are answered as joints in contact are",
             0, 6, 0),
+    number(Dial::accuracy_place, "accuracy_place", "m/s",
+           "error of places that a host bears, a second of motion: islands take the substeps that their estimates ask for; "
+           "0: not asked for",
+           0, 1e6, 0),
+    number(Dial::accuracy_turn, "accuracy_turn", "rad/s", "likewise of turns; both 0: all take the dial's substeps", 0,
+           1e6, 0),
+    integer(Dial::accuracy_substeps, "accuracy_substeps",
+            "bound of work: substeps that an island may take in a step where an accuracy is asked for", 2, 4096, 256),
 }};
 
 constexpr bool in_order() {

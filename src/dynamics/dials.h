@@ -51,6 +51,9 @@ enum class Dial : std::uint32_t {
   continuous,
   precision,
   joint_order,
+  accuracy_place,
+  accuracy_turn,
+  accuracy_substeps,
   count
 };
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);

@@ -31,7 +31,7 @@ void note_resistance(Scene& s) {
 void make_room_for_body(Scene& s, State& t) {
   make_room(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia, s.first_collider,
             t.x, t.q, t.held_q, t.placed_x, t.placed_q, t.v, t.omega, t.momentum, t.force, t.torque, t.quarantined, t.loaded_steps,
-            t.tired_steps, t.written, t.is_written);
+            t.tired_steps, t.accuracy, t.written, t.is_written);
 }
 
 /// New mass properties; the body's frame stays where it is and its centre's velocity what it was.
@@ -83,6 +83,7 @@ void World::fill_body(std::uint32_t i, const BodyDef& def) {
   put(state.quarantined, i, std::uint8_t(0));
   put(state.loaded_steps, i, std::uint8_t(0));
   put(state.tired_steps, i, std::uint8_t(0));
+  put(state.accuracy, i, AccuracyNote());
   if (i == state.is_written.size()) state.is_written.push_back(0);
   place_mass(scene, state, i, mass_of_body(scene, i));
   state.mark_written(i);

@@ -118,6 +118,7 @@ struct Plan {
   Array<Frame> local;                    // by collider: shape -> body axes, about the centre of mass
   std::array<bool, kStageCount> runs{};  // stages that have customers
   int substeps = 1;                      // of the world, whoever is in it
+  bool in_pass = false;                  // they go by island: the plan has some of them, @see accuracy/passes.h
   bool idle = false;                     // nobody needs them in this step: they are left out
   const Integrator* integrator = nullptr;
   const Rotation* rotation_method = nullptr;  // null: the gyroscopic effect is a force, a flow, or absent
@@ -171,6 +172,8 @@ void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floa
 // bounds.
 void plan_stages(const World& world, Plan& plan);
 void find_customers(const World& world, Real h);
+/// Who decays too fast for a force, in substeps of h.
+void part_stiff(const World& world, Real h);
 void place_collider(const World& world, Colliders& c, PlacedPoses& placed, Plan& plan, std::uint32_t slot, Real dt);
 /// m, the farthest point of a body's colliders from its centre.
 Real radius_of_body(const World& world, std::uint32_t body);

@@ -37,6 +37,10 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
   c.label.resize(n);
   c.link_label.resize(c.links.size());
   c.is_grouped = grouped;
+  std::size_t met = 0;
+  for (const Meeting& m : c.meetings) met += m.count;
+  const bool some_are_out = met < n;  // of this pass, @see accuracy/passes.h: they are a last group, which is taken off
+  if (some_are_out) std::ranges::fill(c.label, kNone);
   std::uint32_t groups = 0;
   if (grouped) {
     c.parent.resize(body_slots), c.cursor.resize(body_slots);
@@ -70,12 +74,15 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
     c.group_bodies.assign(groups, 0);
     for (const std::uint32_t body : c.bodies) ++c.group_bodies[c.cursor[root(c.parent, body)]];
   } else {
-    c.label.assign(n, 0);
+    if (!some_are_out) c.label.assign(n, 0);
+    for (const Meeting& m : c.meetings) std::fill_n(c.label.begin() + m.row, m.count, 0u);
     c.link_label.assign(c.links.size(), 0);
-    groups = n || !c.links.empty() ? 1 : 0;
+    groups = met || !c.links.empty() ? 1 : 0;
     c.group_bodies.assign(groups, static_cast<std::uint32_t>(c.bodies.size()));
   }
-  sort_by_label(c.label, groups, c.group_begin, c.group_rows);
+  if (some_are_out) std::ranges::replace(c.label, kNone, groups);
+  sort_by_label(c.label, groups + some_are_out, c.group_begin, c.group_rows);
+  if (some_are_out) c.group_begin.pop_back(), c.group_rows.resize(c.group_begin.back());
   c.group_link_begin.clear();
   c.group_links.resize(c.links.size());
   if (!c.links.empty()) sort_by_label(c.link_label, groups, c.group_link_begin, c.group_links);

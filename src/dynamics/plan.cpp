@@ -308,6 +308,10 @@ void find_readers(const World& world) {
 
 }  // namespace
 
+void part_stiff(const World& world, Real h) {
+  for (PlannedEffect& row : world.plan->effects) part_with_stiff(world, row, h);
+}
+
 void find_customers(const World& world, Real h) {
   Plan& plan = *world.plan;
   for (PlannedEffect& row : plan.effects) {
@@ -318,7 +322,7 @@ void find_customers(const World& world, Real h) {
       if (effect.wakes(world.scene, world.state, i)) row.customers.add(i);
     });
   }
-  for (PlannedEffect& row : plan.effects) part_with_stiff(world, row, h);
+  part_stiff(world, h);
   find_readers(world);
   if (!plan.rotation_method) return;
   plan.effects[+EffectId::gyroscopic].candidates.each([&](std::uint32_t i) { plan.carried[i] = 0; });

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/hash.h"
+#include "dynamics/accuracy/accuracy.h"
 #include "dynamics/begin_substep.h"
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/contact.h"
@@ -67,17 +68,17 @@ constexpr StageEntry kStageTable[] = {
      .stage = Stage::group, .reads = kContactsRead | Part::joints | Part::forces, .booking = Booking::by_itself}),
     stage<link_joints>({.name = "link joints",
      .what = "joints of awake bodies",
-     .stage = Stage::group, .reads = Part::joints}),
+     .stage = Stage::group, .reads = Part::joints, .by_island = ByIsland::too}),
     stage<list_moved_bodies>({.name = "list moved bodies",
      .what = "bodies that rows or joints move",
-     .stage = Stage::group, .reads = Part::sleep}),
+     .stage = Stage::group, .reads = Part::sleep, .by_island = ByIsland::too}),
     stage<find_groups>({.name = "find groups",
      .what = "which contacts and joints hang together",
-     .stage = Stage::group}),
+     .stage = Stage::group, .by_island = ByIsland::too}),
     stage<begin_contacts>({.name = "begin contacts",
      .what = "what the solver lays out for a step",
      .stage = Stage::solve, .reads = kMotion | Part::joints,
-     .booking = Booking::makes_room}),
+     .booking = Booking::makes_room, .by_island = ByIsland::alone}),
     stage<begin_sweeps>({.name = "begin sweeps",
      .what = "which bodies are swept, and what stands in their way",
      .stage = Stage::solve, .effect = +EffectId::continuous,
@@ -88,7 +89,7 @@ constexpr StageEntry kStageTable[] = {
      .reads = kContactsRead}),
     stage<make_room_for_begun>({.name = "make room",
      .what = "for what substeps save",
-     .stage = Stage::solve}),
+     .stage = Stage::solve, .by_island = ByIsland::alone}),
     stage<defer_free_bodies>({.name = "defer free bodies",
      .what = "bodies that nothing binds wait until the others had their substeps",
      .stage = Stage::integrate}),
@@ -141,10 +142,13 @@ constexpr StageEntry kStageTable[] = {
      .stage = Stage::integrate, .effect = +EffectId::particles, .reads = Part::particles, .booking = Booking::particles}),
     stage<end_contacts>({.name = "end contacts",
      .what = "impulses back from lanes into rows; joints that were overloaded break",
-     .stage = Stage::solve, .reads = kMotion | Part::joints, .booking = Booking::corrections}),
+     .stage = Stage::solve, .reads = kMotion | Part::joints, .booking = Booking::corrections, .by_island = ByIsland::alone}),
     stage<take_rattle>({.name = "take rattle",
      .what = "those islands in their places; joints of them that were overloaded break",
      .stage = Stage::solve, .reads = kMotion | Part::joints, .booking = Booking::by_itself}),
+    stage<note_accuracy>({.name = "note accuracy",
+     .what = "what bodies remember of their errors, where a host asks for an accuracy",
+     .stage = Stage::observe}),
     stage<end_sweeps>({.name = "end sweeps",
      .what = "shapes whose support function failed are disabled",
      .stage = Stage::solve, .effect = +EffectId::continuous}),
@@ -279,6 +283,8 @@ std::array<std::uint64_t, kPartCount> prints_of(const World& world) {
   add_sleep(of(Part::sleep), world);
   add_all(of(Part::memory), s.held_q), add_all(of(Part::memory), s.loaded_steps),
       add_all(of(Part::memory), s.tired_steps);
+  for (const AccuracyNote& note : s.accuracy)
+    of(Part::memory).add(std::uint64_t(note.level + 256u * note.wait)), of(Part::memory).add(double(note.place));
   add_particles(of(Part::particles), world);
   add_joints(of(Part::joints), world);
   add_pairs(of(Part::pairs), world);

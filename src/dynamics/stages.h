@@ -40,6 +40,13 @@ struct Taken<Writes<P...>> {
   static Writes<P...> from(World& world, const StepTime&) { return Writes<P...>(world); }
 };
 
+/// How often a stage runs where substeps go by island, @see accuracy/README.md
+enum class ByIsland : std::uint8_t {
+  no,     // once, for all
+  too,    // once, and in each pass for its islands
+  alone,  // in each pass alone
+};
+
 struct StageEntry {
   std::string_view name, what;
   void (*run)(World&, const StepTime&) = nullptr;
@@ -49,6 +56,7 @@ struct StageEntry {
   Parts writes{};                     // derived from the function, @see stage()
   Booking booking = Booking::none;
   bool each_substep = false;
+  ByIsland by_island = ByIsland::no;  // of those that do not run in each substep
 };
 
 /// What a stage function makes of an entry: how it runs, and what it writes.

@@ -59,13 +59,25 @@ struct SleepFlags {
   bool sleeps(std::uint32_t body) const { return body < asleep.size() && asleep[body]; }
 };
 
+/// What is remembered of a body where a host asks for an accuracy, @see accuracy/control.h
+struct AccuracyNote {
+  std::uint8_t level = 0;      // of substeps
+  std::uint8_t wait = 0;       // steps until the next estimate
+  std::uint8_t met = 0;        // whom its island consisted of
+  bool softly = false;         // contacts of it were springs
+  bool stalled = false;        // more substeps did not lessen its error
+  float place = 0, turn = 0;   // errors over tolerances, of the last estimate
+  bool operator==(const AccuracyNote&) const = default;
+};
+
 /// What solvers remember of bodies.
 struct SolverMemory {
-  explicit SolverMemory(Memory* m) : held_q(m), loaded_steps(m), tired_steps(m) {}
+  explicit SolverMemory(Memory* m) : held_q(m), loaded_steps(m), tired_steps(m), accuracy(m) {}
   Array<Quat> held_q;  // a recent q, by which solvers in lanes turn the arms of contacts, @see Dial::hold_angle
   // Of a solver that chooses: for how long a body has borne too much, and for how long its group is not to be given to
   // the direct solver, for which it was too much.
   Array<std::uint8_t> loaded_steps, tired_steps;
+  Array<AccuracyNote> accuracy;
 };
 
 /// All of it. A stage gets the parts that it writes, @see part.h

@@ -1,14 +1,27 @@
 // A step: the stages of the table (stages.cpp), in order, those of a substep as often as there are substeps.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <span>
 
+#include "dynamics/accuracy/accuracy.h"
 #include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/observe.h"
 #include "dynamics/stages.h"
 
 namespace carom::dynamics {
 namespace {
+
+/// What throws leaves the step as it began.
+struct Undo {
+  const World& world;
+  Passing to;
+  bool is_done = false;
+  ~Undo() {
+    if (!is_done) accuracy::drop_passes(world, to);
+  }
+};
 
 /// Runs a stage if it has customers, and books what it did and its time.
 class Runner {
@@ -33,6 +46,9 @@ class Runner {
     if (entry.effect < kEffectCount) world_.plan->effects[entry.effect].seconds += seconds;
     if (keeps_books(world_)) book(entry);
   }
+
+  /// Substeps by island: as many passes as islands ask for, each with its own.
+  void by_island(std::span<const StageEntry> table) const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -60,9 +76,31 @@ class Runner {
   Clock::time_point start_ = Clock::now();
 };
 
+void Runner::by_island(std::span<const StageEntry> table) const {
+  const auto substep = [](const StageEntry& e) { return e.each_substep; };
+  const auto first = std::ranges::find_if(table, substep), last = std::find_if_not(first, table.end(), substep);
+  const auto in_pass = [&](auto from, auto to) {
+    for (auto entry = from; entry != to; ++entry)
+      if (entry->by_island != ByIsland::no) (*this)(*entry);
+  };
+  const StepTime time{dt_, dt_ / substeps()};
+  Undo undo{world_, Passing(world_)};
+  accuracy::plan_passes(world_, time);
+  while (accuracy::begin_pass(world_, world_.scene.springs, world_.scene.water, undo.to, time)) {
+    in_pass(table.begin(), first);
+    for (int k = 0; k < substeps(); ++k)
+      for (auto entry = first; entry != last; ++entry) (*this)(*entry);
+    in_pass(last, table.end());
+    accuracy::end_pass(world_, undo.to, time);
+  }
+  accuracy::end_passes(world_, undo.to, *world_.events, time);
+  undo.is_done = true;
+}
+
 }  // namespace
 
 void World::step(Real dt) {
+  accuracy::begin(*this, accuracy);
   if (!rattle && rattle::is_asked(*this)) rattle = make_owned<Rattle>(memory, memory);
   const Runner run(*this, dt);
   begin_report(*this, report, group_views, *events);
@@ -70,9 +108,12 @@ void World::step(Real dt) {
   for (auto first = table.begin(); first != table.end();) {
     auto last = first;
     while (last != table.end() && last->each_substep == first->each_substep) ++last;
-    const int times = !first->each_substep ? 1 : plan->idle ? 0 : run.substeps();
+    const bool by_island = first->each_substep && !plan->idle && accuracy::goes_by_island(*this);
+    if (by_island) run.by_island(table);
+    const int times = !first->each_substep ? 1 : plan->idle || by_island ? 0 : run.substeps();
     for (int k = 0; k < times; ++k)
-      for (auto entry = first; entry != last; ++entry) run(*entry);
+      for (auto entry = first; entry != last; ++entry)
+        if (entry->by_island != ByIsland::alone || !accuracy::goes_by_island(*this)) run(*entry);
     first = last;
   }
 }

@@ -9,6 +9,7 @@
 #include "dynamics/effects.h"
 #include "dynamics/events/events.h"
 #include "dynamics/query/index.h"
+#include "dynamics/accuracy/accuracy.h"
 #include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/ledger/ledger.h"
@@ -49,7 +50,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };
   reserve(scene.bodies, scene.def, scene.type, scene.inv_mass, scene.mass, scene.center, scene.inertia,
           scene.inv_inertia, state.x, state.q, state.held_q, state.placed_x, state.placed_q, state.v, state.omega, state.momentum, state.force, state.torque,
-          state.quarantined, state.loaded_steps, state.tired_steps, state.written, state.is_written);
+          state.quarantined, state.loaded_steps, state.tired_steps, state.accuracy, state.written, state.is_written);
 }
 
 World::~World() { structure.forget(memory); }
@@ -73,6 +74,11 @@ std::uint64_t World::hash() const {
     h.add(std::uint64_t(state.quarantined[i]));
     const std::uint32_t solver_memory = state.loaded_steps[i] + (256u * state.tired_steps[i]);
     if (solver_memory) h.add(std::uint64_t(solver_memory));
+    if (const AccuracyNote& note = state.accuracy[i]; note != AccuracyNote()) {
+      h.add(note.level + (std::uint64_t(note.wait) << 8) + (std::uint64_t(note.met) << 16) + (std::uint64_t(note.softly) << 24) +
+            (std::uint64_t(note.stalled) << 25));
+      h.add(double(note.place)), h.add(double(note.turn));
+    }
     if (state.held_q[i] != state.q[i]) h.add_coefficients(state.held_q[i]);
   }
   const auto add_record = [&](const PairRecord& r) {

@@ -83,6 +83,7 @@ struct MeanMotion;     // dynamics/contact/mean_motion.h: which velocity moves w
 struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of them
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
 struct WideJoints;    // dynamics/joint/wide_joints.h: joints in lanes
+struct Accuracy;      // dynamics/accuracy/accuracy.h: islands whose substeps follow from their errors
 struct Rattle;        // dynamics/joint/rattle/rattle.h: islands that joints alone hold
 
 /// Const, it is what a stage reads: what stands in it by value or as Kept does not change, and who writes a part of it
@@ -186,6 +187,7 @@ class World {
   Owned<WideContacts> wide;
   Owned<WideJoints> wide_joints;
   Owned<Rattle> rattle;  // null until rattle::is_asked()
+  Owned<Accuracy> accuracy;  // null where no accuracy is asked for
   Owned<DirectGroups> direct;
   Kept<Sleep> sleep;
   Kept<Events> events;

@@ -207,6 +207,12 @@ std::vector<Line> script(double solver) {
   add("ledger", [](Made& m) { return carom_world_enable_ledger(m.s.world, 1, nullptr); });
   add("sleep", [](Made& m) { return carom_world_set_dial(m.s.world, CAROM_DIAL_SLEEP, 1, nullptr); });
   steps(3);
+  add("accuracy", [](Made& m) {
+    const auto a = fresh<carom_accuracy>(carom_accuracy_init);
+    return carom_world_set_accuracy(m.s.world, &a, nullptr);
+  });
+  steps(2);
+  add("no accuracy", [](Made& m) { return carom_world_set_accuracy(m.s.world, nullptr, nullptr); });
   add("ray", [](Made& m) {
     const double from[3] = {0, 9, 0}, down[3] = {0, -1, 0};
     carom_world_hit hit;

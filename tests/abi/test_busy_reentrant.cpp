@@ -49,6 +49,12 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("world_get_faults", carom_world_get_faults(b.world, nullptr, 0, 0, &count, nullptr));
   carom_ledger_state ledger = {};
   ledger.struct_size = sizeof ledger;
+  carom_accuracy accuracy;
+  carom_accuracy_init(&accuracy, sizeof accuracy);
+  uint32_t asked = 0;
+  add("world_set_accuracy", carom_world_set_accuracy(b.world, &accuracy, nullptr));
+  add("world_get_accuracy", carom_world_get_accuracy(b.world, &accuracy, &asked, nullptr));
+  add("world_get_islands", carom_world_get_islands(b.world, nullptr, 0, 0, &count, nullptr));
   add("world_enable_ledger", carom_world_enable_ledger(b.world, 1, nullptr));
   add("world_get_ledger", carom_world_get_ledger(b.world, nullptr, 0, 0, &count, nullptr));
   add("world_get_ledger_state", carom_world_get_ledger_state(b.world, &ledger, nullptr));

@@ -64,6 +64,14 @@ export const CAROM_E_WRITE_FAILED: -29;
 /** a number of the library that is fixed, no dial */
 export const CAROM_E_READ_ONLY: -30;
 export const CAROM_NULL_HANDLE: 0n;
+/** its error was estimated in this step, else in one before */
+export const CAROM_ISLAND_ESTIMATED: 1;
+/** the bound of work was hit: it errs more than was asked */
+export const CAROM_ISLAND_BOUND: 2;
+/** joints alone hold it: its error is of fourth order, or as CAROM_DIAL_JOINT_ORDER says */
+export const CAROM_ISLAND_JOINTS_ALONE: 4;
+/** more substeps do not lessen its error, which is over what was asked: contacts, mostly */
+export const CAROM_ISLAND_STALLED: 8;
 export const CAROM_MIX_GEOMETRIC_MEAN: 0;
 export const CAROM_MIX_MAXIMUM: 1;
 export const CAROM_MIX_MINIMUM: 2;
@@ -238,7 +246,13 @@ export const CAROM_DIAL_CONTINUOUS: 38;
 export const CAROM_DIAL_PRECISION: 39;
 /** 2, 4, 6: order of the error of islands that joints alone hold, in 1, 5 or 9 stages a substep, gaps at rounding (odd: the next); 0: they are answered as joints in contact are, under CAROM_INTEGRATOR_RK4 to order 4 */
 export const CAROM_DIAL_JOINT_ORDER: 40;
-export const CAROM_DIAL_COUNT: 41;
+/** m per second of motion that a host bears to be off, see accuracy.h; 0: not asked for */
+export const CAROM_DIAL_ACCURACY_PLACE: 41;
+/** rad per second, likewise */
+export const CAROM_DIAL_ACCURACY_TURN: 42;
+/** bound of work: substeps of an island in a step */
+export const CAROM_DIAL_ACCURACY_SUBSTEPS: 43;
+export const CAROM_DIAL_COUNT: 44;
 export const CAROM_INTEGRATOR_EXPLICIT_EULER: 0;
 export const CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER: 1;
 export const CAROM_INTEGRATOR_RK4: 2;

@@ -39,6 +39,10 @@ CAROM_E_MISMATCH = -28
 CAROM_E_WRITE_FAILED = -29
 CAROM_E_READ_ONLY = -30
 CAROM_NULL_HANDLE = 0
+CAROM_ISLAND_ESTIMATED = 1
+CAROM_ISLAND_BOUND = 2
+CAROM_ISLAND_JOINTS_ALONE = 4
+CAROM_ISLAND_STALLED = 8
 CAROM_MIX_GEOMETRIC_MEAN = 0
 CAROM_MIX_MAXIMUM = 1
 CAROM_MIX_MINIMUM = 2
@@ -134,7 +138,10 @@ CAROM_DIAL_JOINT_DAMPING = 37
 CAROM_DIAL_CONTINUOUS = 38
 CAROM_DIAL_PRECISION = 39
 CAROM_DIAL_JOINT_ORDER = 40
-CAROM_DIAL_COUNT = 41
+CAROM_DIAL_ACCURACY_PLACE = 41
+CAROM_DIAL_ACCURACY_TURN = 42
+CAROM_DIAL_ACCURACY_SUBSTEPS = 43
+CAROM_DIAL_COUNT = 44
 CAROM_INTEGRATOR_EXPLICIT_EULER = 0
 CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER = 1
 CAROM_INTEGRATOR_RK4 = 2
@@ -364,6 +371,10 @@ carom_write_fn = CFUNCTYPE(c_int32, c_void_p, c_void_p, c_uint64)
 # structs
 class carom_error(Structure):
     _fields_ = [("struct_size", c_uint32), ("code", c_int32), ("argument", c_int32), ("has_witness", c_uint32), ("witness_dir", c_double * 3), ("witness_out", c_double * 3), ("message", c_char * 256), ("remedy", c_char * 256)]
+class carom_accuracy(Structure):
+    _fields_ = [("struct_size", c_uint32), ("substeps", c_uint32), ("place", c_double), ("turn", c_double)]
+class carom_island(Structure):
+    _fields_ = [("body", carom_body), ("bodies", c_uint32), ("substeps", c_uint32), ("order", c_uint32), ("flags", c_uint32), ("work", c_uint64), ("place", c_double), ("turn", c_double), ("share", c_double)]
 class carom_material_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("friction_mix", c_uint32), ("restitution_mix", c_uint32), ("reserved", c_uint32), ("friction", c_double), ("restitution", c_double)]
 class carom_body_desc(Structure):
@@ -483,6 +494,8 @@ class carom_world_hits(Structure):
 
 STRUCTS = {
     "carom_error": carom_error,
+    "carom_accuracy": carom_accuracy,
+    "carom_island": carom_island,
     "carom_material_desc": carom_material_desc,
     "carom_body_desc": carom_body_desc,
     "carom_attribute_info": carom_attribute_info,
@@ -545,6 +558,7 @@ STRUCTS = {
 
 # which fields are handles, and of what
 HANDLES = {
+    "carom_island": {'body': 'carom_body'},
     "carom_collider_desc": {'shape': 'carom_shape', 'material': 'carom_material'},
     "carom_draw_line": {'body': 'carom_body'},
     "carom_contact_event": {'collider_a': 'carom_collider', 'collider_b': 'carom_collider', 'body_a': 'carom_body', 'body_b': 'carom_body'},
@@ -568,6 +582,10 @@ FUNCTIONS = {
     "carom_result_name": ("1.0", c_char_p, (c_int32,)),
     "carom_result_remedy": ("1.0", c_char_p, (c_int32,)),
     "carom_abi_manifest": ("1.0", c_char_p, ()),
+    "carom_accuracy_init": ("1.0", c_int32, (POINTER(carom_accuracy), c_uint32,)),
+    "carom_world_set_accuracy": ("1.0", c_int32, (c_void_p, POINTER(carom_accuracy), POINTER(carom_error),)),
+    "carom_world_get_accuracy": ("1.0", c_int32, (c_void_p, POINTER(carom_accuracy), POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_world_get_islands": ("1.0", c_int32, (c_void_p, POINTER(carom_island), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_material_desc_init": ("1.0", c_int32, (POINTER(carom_material_desc), c_uint32,)),
     "carom_material_create": ("1.0", c_int32, (c_void_p, POINTER(carom_material_desc), POINTER(carom_material), POINTER(carom_error),)),
     "carom_material_update": ("1.0", c_int32, (c_void_p, carom_material, POINTER(carom_material_desc), POINTER(carom_error),)),

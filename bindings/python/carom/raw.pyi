@@ -46,6 +46,10 @@ CAROM_E_MISMATCH: int
 CAROM_E_WRITE_FAILED: int
 CAROM_E_READ_ONLY: int
 CAROM_NULL_HANDLE: int
+CAROM_ISLAND_ESTIMATED: int
+CAROM_ISLAND_BOUND: int
+CAROM_ISLAND_JOINTS_ALONE: int
+CAROM_ISLAND_STALLED: int
 CAROM_MIX_GEOMETRIC_MEAN: int
 CAROM_MIX_MAXIMUM: int
 CAROM_MIX_MINIMUM: int
@@ -141,6 +145,9 @@ CAROM_DIAL_JOINT_DAMPING: int
 CAROM_DIAL_CONTINUOUS: int
 CAROM_DIAL_PRECISION: int
 CAROM_DIAL_JOINT_ORDER: int
+CAROM_DIAL_ACCURACY_PLACE: int
+CAROM_DIAL_ACCURACY_TURN: int
+CAROM_DIAL_ACCURACY_SUBSTEPS: int
 CAROM_DIAL_COUNT: int
 CAROM_INTEGRATOR_EXPLICIT_EULER: int
 CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER: int
@@ -374,6 +381,24 @@ class carom_error(ctypes.Structure):
     witness_out: Any
     message: builtins.bytes
     remedy: builtins.bytes
+class carom_accuracy(ctypes.Structure):
+    """What error is borne. The three numbers are the dials CAROM_DIAL_ACCURACY_PLACE, _TURN and _SUBSTEPS, so that snapshots, recordings and
+    scene files have them. Fill with carom_accuracy_init()."""
+    struct_size: int
+    substeps: int
+    place: float
+    turn: float
+class carom_island(ctypes.Structure):
+    """An island of the last step. Errors are those of its step per second of motion, by the last estimate."""
+    body: int
+    bodies: int
+    substeps: int
+    order: int
+    flags: int
+    work: int
+    place: float
+    turn: float
+    share: float
 class carom_material_desc(ctypes.Structure):
     """Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides."""
     struct_size: int
@@ -1108,6 +1133,27 @@ def carom_abi_manifest() -> bytes:
     Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array. Newer
     libraries have more lines, and a struct may be larger; a field stays as it is.
     Static storage.   @thread any"""
+    ...
+def carom_accuracy_init(accuracy: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
+    ...
+def carom_world_set_accuracy(world: Any, accuracy: Any, error: Any) -> int:
+    """Ask for an accuracy from the next step on.
+    @param accuracy NULL: none, as a world is created
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where neither place nor turn is asked for); BUSY;
+            REENTRANT"""
+    ...
+def carom_world_get_accuracy(world: Any, accuracy: Any, present: Any, error: Any) -> int:
+    """@param accuracy out   @param present out: 1 or 0; if 0, accuracy is filled with defaults
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
+    ...
+def carom_world_get_islands(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """Copy out the islands of the last step, worst first: by share, then by body. None where no accuracy is asked for. Bodies
+    in free flight are in none: nothing acts on them but what is constant, and their step is exact.
+    @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+    @param stride   sizeof(carom_island) as the caller knows it
+    @param count    out: how many there are (may exceed capacity; capacity are written)
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
     ...
 def carom_material_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from .shape import Shape
 
 # Words: each is a constant without its prefix, CAROM_BODY_STATIC "static". Numbers pass, too.
+IslandFlagsWord = Literal["estimated", "bound", "joints_alone", "stalled"]
 MixWord = Literal["geometric_mean", "maximum", "minimum", "average", "multiply"]
 BodyTypeWord = Literal["static", "kinematic", "dynamic"]
 BodyFieldsWord = Literal["mass", "center", "inertia"]
@@ -32,7 +33,7 @@ DialWord = Literal["integrator", "rotation", "substeps", "solver", "velocity_ite
     "epa_iterations", "hybrid_margin", "warm_separation", "manifold", "cache_distance", "warm_start", "carry_over",
     "contact_frequency", "contact_damping", "push_speed", "sleep", "sleep_speed", "sleep_time", "direct_sink",
     "direct_ratio", "direct_work", "hold_angle", "joint_frequency", "joint_damping", "continuous", "precision",
-    "joint_order"]
+    "joint_order", "accuracy_place", "accuracy_turn", "accuracy_substeps"]
 IntegratorWord = Literal["explicit_euler", "semi_implicit_euler", "rk4", "velocity_verlet"]
 RotationWord = Literal["none", "explicit", "implicit", "rk4", "lie_midpoint", "splitting", "splitting_4",
     "splitting_6"]
@@ -386,6 +387,26 @@ class GroupRecord(Record):
     sink: float
 
 
+class AccuracyRecord(Record):
+    """What error is borne"""
+    substeps: int
+    place: float
+    turn: float
+
+
+class IslandRecord(Record):
+    """An island of the last step"""
+    body: Body | None
+    bodies: int
+    substeps: int
+    order: int
+    flags: int
+    work: int
+    place: float
+    turn: float
+    share: float
+
+
 class FaultRecord(Record):
     """Something misbehaved in the last step"""
     kind: str
@@ -557,6 +578,12 @@ class ParticlesKeywords(TypedDict, total=False):
     capacity: int | None
 
 
+class AccuracyKeywords(TypedDict, total=False):
+    substeps: int | None
+    place: float | None
+    turn: float | None
+
+
 class JointKeywords(TypedDict, total=False):
     position_a: Vector | None
     orientation_a: Vector | None
@@ -710,3 +737,6 @@ class DialKeywords(TypedDict, total=False):
     continuous: float | str
     precision: float | str
     joint_order: float | str
+    accuracy_place: float | str
+    accuracy_turn: float | str
+    accuracy_substeps: float | str

@@ -6,15 +6,15 @@ from typing import TYPE_CHECKING, Any, Callable, TypeVar
 
 from . import raw
 from ._values import Record, bits, copy_out, describe, enum, need_numpy, record, word
-from .records import (ContactEventRecord, ContactRecord, DrawLineRecord, FaultEventRecord, FaultRecord, GroupRecord, JointEventRecord,
-                      LedgerEntryRecord, LedgerStateRecord, PlanLineRecord, ResidualsRecord, SensorEventRecord, SleepEventRecord,
+from .records import (AccuracyRecord, ContactEventRecord, ContactRecord, DrawLineRecord, FaultEventRecord, FaultRecord, GroupRecord,
+                      IslandRecord, JointEventRecord, LedgerEntryRecord, LedgerStateRecord, PlanLineRecord, ResidualsRecord, SensorEventRecord, SleepEventRecord,
                       StepReportRecord)
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
     from typing_extensions import Unpack
 
-    from .records import DrawKeywords, DrawWord, EffectWord, EventsWord, ModeWord
+    from .records import AccuracyKeywords, DrawKeywords, DrawWord, EffectWord, EventsWord, ModeWord
 
 R = TypeVar("R", bound=Record)
 
@@ -103,6 +103,28 @@ class Reports:
 
     def fault_events(self) -> list[FaultEventRecord]:
         return self._records(FaultEventRecord, raw.carom_world_get_fault_events, raw.carom_fault_event, kind=("FAULT", FAULTS))
+
+    # ---- accuracy in, steps out ----
+
+    def ask(self, **about: Unpack[AccuracyKeywords]) -> None:
+        """What error is borne, from the next step on: place (m/s), turn (rad/s), substeps (the bound of work)."""
+        self._call(raw.carom_world_set_accuracy, ctypes.byref(describe(raw.carom_accuracy, about)))
+
+    def ask_nothing(self) -> None:
+        """All islands take the substeps of the dial, as in a new world."""
+        self._call(raw.carom_world_set_accuracy, None)
+
+    @property
+    def accuracy(self) -> AccuracyRecord | None:
+        """What was asked, or None."""
+        asked, present = describe(raw.carom_accuracy, {}), ctypes.c_uint32()
+        asked.struct_size = ctypes.sizeof(raw.carom_accuracy)
+        self._call(raw.carom_world_get_accuracy, ctypes.byref(asked), ctypes.byref(present))
+        return record(AccuracyRecord, asked) if present.value else None
+
+    def islands(self) -> list[IslandRecord]:
+        """Islands of the last step, worst first: errors by the last estimate, substeps, work, flags. Of a world that asks."""
+        return self._records(IslandRecord, raw.carom_world_get_islands, raw.carom_island)
 
     # ---- which effects run, for whom, why ----
 

@@ -164,7 +164,7 @@ FreeFlight::FreeFlight(Memory* m)
 void defer_free_bodies(const World& world, const StepTime&) {
   Plan& plan = *world.plan;
   if (plan.flight) plan.flight->watched.clear();
-  if (plan.substeps == 1) return;
+  if (plan.substeps == 1 && !world.accuracy) return;
   const bool anybody = plan.linear.count + plan.rotating.count > 0;
   if (!anybody || !plan.integrator->exact_in_flight) {
     plan.idle = !anybody && !is_solved(world);

@@ -27,11 +27,12 @@ std::uint32_t find_deep(const World& world, WideJoints& w) {
   const Contacts& c = *world.contacts;
   const Real deep = kDeepGain * world.scene.dials[Dial::position_tolerance];
   std::uint32_t found = 0;
-  for (std::uint32_t i = 0; i < c.rows.size(); ++i) {
-    if (!(c.geometry[i].separation < -deep) || !c.answered_in_lanes(i)) continue;
-    if (found++ == 0) w.bounds.resize(c.groups());
-    w.bounds[c.label[i]].is_deep = true;
-  }
+  for (const Meeting& m : c.meetings)
+    for (std::uint32_t i = m.row; i < m.row + m.count; ++i) {
+      if (!(c.geometry[i].separation < -deep) || !c.answered_in_lanes(i)) continue;
+      if (found++ == 0) w.bounds.resize(c.groups());
+      w.bounds[c.label[i]].is_deep = true;
+    }
   if (w.any()) w.bounds.resize(c.groups());
   return found;
 }

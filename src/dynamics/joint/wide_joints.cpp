@@ -386,7 +386,12 @@ void end_joints(const World& world, Breaking to, Events& events, const StepTime&
     joint.torque = get(lanes.torque, lane) / time.dt;
     if (!has_sane_impulses(joints, joint)) start_cold(joints, joint);
   });
-  for (const std::uint32_t j : w.active) {
+  if (!world.plan->in_pass) break_overloaded(world, to, events);
+}
+
+void break_overloaded(const World& world, Breaking to, Events& events) {
+  const Joints& joints = world.joints;
+  for (const std::uint32_t j : world.wide_joints->active) {
     const Joint& joint = joints.joint[j];
     if (joint.force.norm() <= joint.def.break_force && joint.torque.norm() <= joint.def.break_torque) continue;
     tell_broken(world, events, j);

@@ -229,8 +229,9 @@ void bend_joints(const World& world, Real h);
 void return_to_joints(const World& world);
 /// A joint, whom it kept from touching, and the plan's being stale.
 using Breaking = Writes<Joints, PairCounts, Revisions>;
-/// Impulses, forces and errors back into the joints; who bears too much breaks.
+/// Impulses, forces and errors back into the joints; who bears too much breaks, but in a pass, after which it is known.
 void end_joints(const World& world, Breaking to, Events& events, const StepTime& time);
+void break_overloaded(const World& world, Breaking to, Events& events);
 /// It stays, and holds nothing any more.
 void break_joint(Breaking to, std::uint32_t joint);
 

@@ -129,6 +129,7 @@ struct Ledger {
   Array<std::uint64_t> set_held;
   std::uint64_t revision = 0;  // of the scene
   bool is_open = false;        // a step began, and has not ended
+  bool is_paused = false;      // what happens is a trial, @see dynamics/accuracy/
 
   // impulses as a phase begins, N s: of points and pairs in lanes, of rows of joints, of impacts
   Array<Real> old_points, old_pairs, old_rows, old_drives;
@@ -148,7 +149,7 @@ void each_awake(const World& world, F&& f) {
 }
 
 /// Whether what happens is booked: a host asked for it, and does not forbid it.
-inline bool keeps_books(const World& world) { return world.ledger && !world.scene.modes.forbids(+EffectId::ledger); }
+inline bool keeps_books(const World& world) { return world.ledger && !world.ledger->is_paused && !world.scene.modes.forbids(+EffectId::ledger); }
 
 /// How the ledger books what a stage did, @see stages.cpp, which says so of each.
 enum class Booking : std::uint8_t {

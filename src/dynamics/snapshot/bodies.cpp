@@ -1,6 +1,7 @@
 // Bodies and colliders: what a step changes of them, and what a host can set of them.
 #include <algorithm>
 
+#include "dynamics/accuracy/control.h"
 #include "dynamics/events/events.h"
 #include "dynamics/force/force.h"
 #include "dynamics/quarantine.h"
@@ -25,7 +26,8 @@ enum BodyBits : std::uint16_t {
   kCalm = 1024,
   kSleptBefore = 2048,
   kSettings = 4096,
-  kBodyBits = 8191
+  kAccuracy = 8192,
+  kBodyBits = 16383
 };
 // Of its settings, those that are not as they usually are: a bit each. Seven to a byte, the eighth says that a byte follows.
 // Attributes came in between: 0 to 3 are those of the first version, 4 and 5 the two here, all others come after them.
@@ -113,7 +115,7 @@ std::uint16_t bits_of_body(const World& world, std::uint32_t i) {
       bit(s.loaded_steps[i] | s.tired_steps[i], kSolverMemory) | bit(s.quarantined[i], kQuarantined) |
       bit(s.is_written[i], kWritten) | bit(world.state.sleeps(i), kAsleep) | bit(sleeps && z.parked[i], kParked) |
       bit(calm, kCalm) | bit(i < world.events->slept.size() && world.events->slept[i], kSleptBefore) |
-      bit(settings_of(world.scene, i), kSettings));
+      bit(settings_of(world.scene, i), kSettings) | bit(s.accuracy[i] != AccuracyNote(), kAccuracy));
 }
 
 bool sane_turn(const Quat& q) {
@@ -156,6 +158,16 @@ void body(Io& io, W& world, std::uint32_t i) {
   const auto loaded = bits & kSolverMemory ? io.value(s.loaded_steps[i]) : std::uint8_t(0);
   const auto tired = bits & kSolverMemory ? io.value(s.tired_steps[i]) : std::uint8_t(0);
   keep(io, s.loaded_steps[i], loaded), keep(io, s.tired_steps[i], tired);
+  AccuracyNote note;
+  if (bits & kAccuracy) {
+    note.level = io.value(s.accuracy[i].level), note.wait = io.value(s.accuracy[i].wait), note.met = io.value(s.accuracy[i].met);
+    const auto flags = io.value(static_cast<std::uint8_t>(s.accuracy[i].softly | s.accuracy[i].stalled << 1));
+    io.demand(flags <= 3);
+    note.softly = flags & 1, note.stalled = flags >> 1;
+    note.place = io.value(s.accuracy[i].place), note.turn = io.value(s.accuracy[i].turn);
+    io.demand(note.level <= accuracy::kMostLevel && note.place >= 0 && note.turn >= 0);
+  }
+  keep(io, s.accuracy[i], note);
   const std::uint32_t ring = bits & kAsleep ? io.value(Io::saves ? z.ring[i] : 0u) : Colliders::kNone;
   const Real calm = bits & kCalm ? io.real(Io::saves ? z.calm[i] : Real(0)) : Real(0);
   const Vec3 anchor_x = bits & kCalm ? io.vec(Io::saves ? z.anchor_x[i] : zero) : x;

@@ -45,6 +45,7 @@ void make_room_for_slots(World& w) {
     a->resize(bodies, Vec3::zero());
   for (Array<Quat>* a : {&t.q, &t.held_q, &t.placed_q}) a->resize(bodies, Quat::identity());
   for (Array<std::uint8_t>* a : {&t.quarantined, &t.loaded_steps, &t.tired_steps, &t.is_written}) a->resize(bodies, 0);
+  t.accuracy.resize(bodies);
   t.written.reserve(bodies);
   Colliders& c = s.colliders;
   c.shape.resize(colliders, nullptr), c.local.resize(colliders), c.body.resize(colliders, 0);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "accuracy/run.h"
+#include "cli/accuracy_ask.h"
 #include "cli/accuracy_sweep.h"
 #include "cli/commands.h"
 #include "cli/run_output.h"
@@ -212,6 +213,7 @@ void add_accuracy_command(CLI::App& app, Context& context) {
       "Errors are judged against the bounds; exit code 1 if one is missed. The peers' figures were measured for\n"
       "this project, each engine at the best of its settings.");
   run->callback([options, &context] { run_accuracy(*options, context); });
+  add_ask_command(*command, context);
   add_sweep_and_report_commands(*command, context);
 }
 

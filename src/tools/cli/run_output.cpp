@@ -78,6 +78,24 @@ void print_what_happened(const Stage& stage, const Observer* observer, const Run
   std::printf("state hash: %016llx\n", count(run.hash));
 }
 
+/// Of the last step, worst first.
+void print_islands(const std::vector<carom_island>& islands) {
+  constexpr std::size_t kTold = 5;
+  if (islands.empty()) return;
+  std::vector<std::vector<std::string>> rows = {{"islands", "bodies", "substeps", "of runs", "m/s", "rad/s", "of what was asked", ""}};
+  for (std::size_t k = 0; k < std::min(kTold, islands.size()); ++k) {
+    const carom_island& i = islands[k];
+    const bool joints = i.flags & CAROM_ISLAND_JOINTS_ALONE;
+    rows.push_back({format("%zu", k + 1), format("%u", i.bodies), format("%u", i.substeps), format("%llu", count(i.work)),
+                    format("%.1e", i.place), format("%.1e", i.turn), format("%.2g", i.share),
+                    std::string(joints ? format("by joints alone, order %u", i.order) : "") +
+                        (i.flags & CAROM_ISLAND_BOUND ? " bound of work hit" : "") +
+                        (i.flags & CAROM_ISLAND_STALLED ? " more substeps do not help" : "")});
+  }
+  std::printf("errors of islands at the end, worst first of %zu:\n%s", islands.size(),
+              table(rows, {false, true, true, true, true, true, true}).c_str());
+}
+
 void print_cost(const RunSummary& run) {
   std::printf("\nwhat it cost:\n%llu steps in %.3f s of computing (%.1f times real time)\n", count(run.steps),
               run.total_seconds, run.simulated / std::max(run.total_seconds, 1e-9));
@@ -104,6 +122,7 @@ void print_cost(const RunSummary& run) {
 void print_summary(const Stage& stage, const Observer* observer, const RunSummary& run,
                    const std::vector<KindSummary>& kinds) {
   print_what_happened(stage, observer, run, kinds);
+  print_islands(stage.world.islands());
   print_cost(run);
 }
 
@@ -123,6 +142,16 @@ nlohmann::json summary_json(const Scene& scene, const Stage& stage, const Observ
                      {"y_mean_m", k.mean},
                      {"y_max_m", k.high},
                      {"fastest_m_per_s", k.fastest}});
+  nlohmann::json islands = nlohmann::json::array();
+  for (const carom_island& i : stage.world.islands())
+    islands.push_back({{"bodies", i.bodies},
+                       {"substeps", i.substeps},
+                       {"work", i.work},
+                       {"order", i.order},
+                       {"place_m_per_s", i.place},
+                       {"turn_rad_per_s", i.turn},
+                       {"share", i.share},
+                       {"hit_bound", (i.flags & CAROM_ISLAND_BOUND) != 0}});
   nlohmann::json out = {
       {"scene", scene.name},
       {"dt_s", dt},
@@ -138,6 +167,7 @@ nlohmann::json summary_json(const Scene& scene, const Stage& stage, const Observ
        {{"max", run.last.max_penetration}, {"mean", run.last.mean_penetration}, {"worst", run.worst_penetration}}},
       {"kinetic_energy_j", {{"linear", run.last.linear_energy}, {"angular", run.last.angular_energy}}},
       {"ended", ended},
+      {"islands", islands},
       {"faults", run.faults},
       {"quarantined_bodies", run.last.quarantined_bodies},
       {"quarantined_particles", run.last.quarantined_particles},

@@ -41,6 +41,10 @@ void add_scene_options(CLI::App& command, SceneChoice& choice, const std::string
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   command
+      .add_option("--accuracy", choice.accuracy,
+                  "Error that is borne, m and rad per second of motion: each island takes the substeps that it needs")
+      ->type_name("X");
+  command
       .add_option("--forbid", choice.forbidden,
                   "An effect that shall not run, repeatable; `carom plan SCENE` lists them")
       ->type_name("EFFECT")
@@ -63,6 +67,7 @@ std::unique_ptr<Observer> set_up(const SceneChoice& choice, const Scene& scene, 
   for (auto& value : values_from(choice.sets)) settings.values.push_back(std::move(value));
   std::unique_ptr<Observer> observer = build(scene, settings, stage);
   if (!choice.preset.empty()) stage.world.set_preset(choice.preset);
+  if (choice.accuracy) stage.world.ask(*choice.accuracy);
   for (const std::string& dial : choice.dials) stage.world.set_dial(dial);
   for (const std::string& effect : choice.forbidden) {
     stage.world.set_effect(effect, CAROM_MODE_FORBID);

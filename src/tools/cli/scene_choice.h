@@ -14,7 +14,7 @@ namespace carom::tools {
 struct SceneChoice {
   std::string scene, mesh, preset;
   std::vector<std::string> dials, sets, forbidden, forced;
-  std::optional<double> n, seconds, dt;
+  std::optional<double> n, seconds, dt, accuracy;
   std::uint32_t threads = 1;
 };
 

@@ -99,6 +99,7 @@ class World {
   void collect_contact_events(double hit_speed);
   std::vector<carom_contact_event> contact_events() const;  ///< of the last step
   std::vector<carom_contact> contacts() const;
+  std::vector<carom_island> islands() const;  ///< worst first; none where no accuracy is asked for
   std::vector<carom_fault> faults() const;
   std::vector<carom_body> bodies() const;
   std::uint64_t hash() const;
@@ -111,6 +112,8 @@ class World {
   double dial(std::uint32_t dial) const;
   /// `name=value`, the value a number or the name of a choice; or `preset=fast`.   @throws Error naming the nearest dial or the choices
   void set_dial(const std::string& assignment);
+  /// @param tolerance  m and rad per second of motion that are borne: carom/accuracy.h   @throws Error
+  void ask(double tolerance);
   /// @throws Error naming the nearest preset and all of them
   void set_preset(const std::string& name);
   /// @param mode  CAROM_MODE_*   @throws Error naming the nearest effect and all of them

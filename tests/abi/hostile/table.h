@@ -229,6 +229,12 @@ inline Argument water_desc(Context& c) {
                           HOSTILE_NUMBERS(carom_water, density, 1, {kLeast, 1e9}), HOSTILE_NUMBERS(carom_water, current, 3, any()),
                           HOSTILE_NUMBERS(carom_water, drag, 1, {0, 1e6})}, true);
 }
+inline Argument accuracy_desc(Context& c) {
+  auto d = fresh<carom_accuracy>(carom_accuracy_init);
+  d.place = std::pow(10, c.between(-6, 0)), d.turn = std::pow(10, c.between(-6, 0)), d.substeps = 2 + c.source.below(30);
+  return in_struct(c, d, {HOSTILE_WHOLE(carom_accuracy, substeps, 2, 4096), HOSTILE_NUMBERS(carom_accuracy, place, 1, {0, 1e6}),
+                          HOSTILE_NUMBERS(carom_accuracy, turn, 1, {0, 1e6})}, true);
+}
 inline Argument cast_desc(Context& c) {
   auto d = fresh<carom_cast_desc>(carom_cast_desc_init);
   return in_struct(c, d, {HOSTILE_NUMBERS(carom_cast_desc, tolerance, 1, {kLeast, 1}), HOSTILE_NUMBERS(carom_cast_desc, target, 1, {0, 1e9}),
@@ -955,6 +961,11 @@ inline const Row kRows[] = {
     ROW(carom_body_get_effect, world(c), handle(c, kBody), choice(c, CAROM_EFFECT_COUNT), out(c, 4), error(c)),
     ROW(carom_world_time_effects, world(c), choice(c, 2), error(c)),
     GET_LIST(carom_world_get_plan, carom_plan_line),
+    // accuracy
+    INIT(carom_accuracy_init, carom_accuracy),
+    ROW(carom_world_set_accuracy, world(c), accuracy_desc(c), error(c)),
+    ROW(carom_world_get_accuracy, world(c), out_struct<carom_accuracy>(c), out(c, 4), error(c)),
+    GET_LIST(carom_world_get_islands, carom_island),
     // the ledger
     ROW(carom_world_enable_ledger, world(c), choice(c, 2), error(c)),
     GET_LIST(carom_world_get_ledger, carom_ledger_entry),

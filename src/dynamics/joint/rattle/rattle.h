@@ -6,9 +6,11 @@
 #pragma once
 
 #include "core/constant.h"
+#include "dynamics/accuracy/measure.h"
 #include "dynamics/effects.h"
 #include "dynamics/joint/joint_lanes.h"
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/plan_lists.h"
 #include "dynamics/solver/direct/elimination.h"
 
 namespace carom::dynamics {
@@ -43,13 +45,6 @@ inline constexpr Constant<int> kRattleHalvings{
 inline constexpr ConstantRow kRattleConstants[] = {kRattleGap,  kRattleRest,  kRattleRounds,
                                                    kRattleWork, kRattleWorkOfFew, kRattleSwing,
                                                    kRattleHalvings};
-
-/// Lists of a plan that a step's forces go through, of some of the bodies.
-struct RattleLists {
-  explicit RattleLists(Memory* m);
-  Customers linear, rotating, sprung, readers;
-  Array<Customers> of_row;  // by row of the table, of those that act on velocities
-};
 
 /// Two joints on one body: a block of the matrix beside its diagonal.
 struct RattlePair {
@@ -147,8 +142,12 @@ struct Rattle {
   Array<Vec3> x, v, omega, read_v, read_omega, accel, alpha;
   Array<Quat> q;
   bool reads_velocities = false;
+  // of trials, where a host asks for an accuracy, @see accurate.cpp
+  Array<accuracy::Trial> trials;       // by island
+  Array<accuracy::BodyEnd> coarse;     // by body: the end to compare with
+
   Customers held, others, scratch;  // bodies
-  RattleLists of_held, of_all;      // between the two stages `of_all` are the plan's, which has those of the others
+  PlanLists of_held, of_all;      // between the two stages `of_all` are the plan's, which has those of the others
   Array<std::uint32_t> active, left_active;
   bool is_hidden = false;           // between the two stages
 };
@@ -168,12 +167,15 @@ bool is_asked(const World& world);
 void make_islands(const World& world, Rattle& r);
 /// Which of them something meets, or what they bear can't be told by forces.
 void find_met(const World& world, Rattle& r, const StepTime& time);
+/// The step of the islands that are tried, to the side, with their forces.
+void move_tried(const World& world, Rattle& r, Real dt, int substeps, int order);
+/// Likewise of all, each with the substeps that its error asks for; those that are accepted went well.
+void try_accurately(const World& world, Rattle& r, Real dt, int order);
 /// One step of all islands that are moving. Those that still are went well; of the others some want more halvings.
 /// @param substeps  of the step
 void move_islands(const World& world, Rattle& r, Real dt, int substeps, int order);
-/// Lists of `held` bodies; and the plan's are of them, or of all again.
+/// Lists of `held` bodies, and of the others.
 void list_held(const World& world, Rattle& r);
-void exchange_lists(Plan& plan, RattleLists& lists);
 /// What is hidden is there again. As a step begins: of one that was not carried through.
 void come_back(const World& world);
 /// Books of what went well.

@@ -14,9 +14,10 @@ namespace carom::dynamics {
 namespace {
 
 /// The dial's; of odd ones the next. Under rk4, which knows nothing of joints and would leave them at first order, at
-/// least that integrator's.
+/// least that integrator's; so where an accuracy is asked for and the dial says nothing.
 int order_of(const World& world) {
   const int asked = (world.scene.dials.whole(Dial::joint_order) + 1) / 2 * 2;
+  if (asked == 0 && world.accuracy) return 4;
   return world.plan->integrator == &kRungeKutta4 ? std::max(asked, 4) : asked;
 }
 
@@ -54,7 +55,7 @@ void hide(const World& world, Rattle& r) {
   }
   if (r.active != r.left_active) w.is_packed = false, r.left_active = r.active;
   std::swap(w.active, r.active);
-  rattle::exchange_lists(*world.plan, r.of_all);
+  exchange_lists(*world.plan, r.of_all);
   r.is_hidden = true;
 }
 
@@ -64,14 +65,7 @@ bool try_all(const World& world, Rattle& r, Real dt, int halvings, int order) {
   bool any = false;
   for (RattleIsland& island : r.islands) any |= island.is_moving = island.was_tried = island.halvings == halvings;
   if (!any) return false;
-  list_bodies(r, &RattleIsland::is_moving);
-  rattle::list_held(world, r);
-  rattle::exchange_lists(*world.plan, r.of_held);
-  r.reads_velocities =
-      std::ranges::any_of(world.plan->effects, [&](const auto& row) { return is_read(world, row); }) ||
-      std::ranges::any_of(r.joints, [&](const RattleJoint& j) { return is_damped(world, j); });
-  rattle::move_islands(world, r, dt, world.plan->substeps << halvings, order);
-  rattle::exchange_lists(*world.plan, r.of_held);
+  rattle::move_tried(world, r, dt, world.plan->substeps << halvings, order);
   for (RattleIsland& island : r.islands) {
     if (!island.was_tried) continue;
     if (island.is_moving || island.halvings == halvings) island.halvings = kRattleHalvings + 1;  // no more tries
@@ -85,11 +79,22 @@ bool try_all(const World& world, Rattle& r, Real dt, int halvings, int order) {
 
 }  // namespace
 
+void rattle::move_tried(const World& world, Rattle& r, Real dt, int substeps, int order) {
+  list_bodies(r, &RattleIsland::is_moving);
+  list_held(world, r);
+  exchange_lists(*world.plan, r.of_held);
+  r.reads_velocities =
+      std::ranges::any_of(world.plan->effects, [&](const auto& row) { return is_read(world, row); }) ||
+      std::ranges::any_of(r.joints, [&](const RattleJoint& j) { return is_damped(world, j); });
+  move_islands(world, r, dt, substeps, order);
+  exchange_lists(*world.plan, r.of_held);
+}
+
 bool rattle::is_asked(const World& world) {
   constexpr std::uint32_t kByRk4 = 2;  // of the dial integrator
   const Dials& dials = world.scene.dials;
   return world.joints.slots.alive_count() > 0 &&
-         (dials.whole(Dial::joint_order) > 0 || static_cast<std::uint32_t>(dials.choice(Dial::integrator)) == kByRk4);
+         (dials.whole(Dial::joint_order) > 0 || accuracy::is_on(dials) || static_cast<std::uint32_t>(dials.choice(Dial::integrator)) == kByRk4);
 }
 
 void rattle::come_back(const World& world) {
@@ -110,7 +115,10 @@ void try_rattle(const World& world, const StepTime& time) {
   rattle::find_met(world, r, time);
   for (RattleIsland& island : r.islands) island.halvings = island.is_held && !island.is_met ? 0 : kRattleHalvings + 1;
   int tries = 0;
-  for (int halvings = 0; halvings <= kRattleHalvings; ++halvings) tries += try_all(world, r, time.dt, halvings, order);
+  if (world.accuracy)
+    tries = 2, rattle::try_accurately(world, r, time.dt, order);
+  else
+    for (int halvings = 0; halvings <= kRattleHalvings; ++halvings) tries += try_all(world, r, time.dt, halvings, order);
   const std::uint64_t tried = r.held.count;
   list_bodies(r, &RattleIsland::went_well);
   if (r.held.count == 0) {

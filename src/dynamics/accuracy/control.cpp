@@ -1,0 +1,138 @@
+// Levels, trials, notes.
+#include "dynamics/accuracy/control.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::dynamics::accuracy {
+
+bool is_on(const Dials& dials) { return dials[Dial::accuracy_place] > 0 || dials[Dial::accuracy_turn] > 0; }
+
+int substeps_at(int level) {
+  if (level < 2) return 1 + level;
+  return level % 2 == 0 ? 2 << (level / 2) : 3 << (level / 2);
+}
+
+int level_within(Real substeps) {
+  int level = 0;
+  while (level < kMostLevel && substeps_at(level + 1) <= substeps) ++level;
+  return level;
+}
+
+int level_for(Real substeps) {
+  int level = 0;
+  while (level < kMostLevel && substeps_at(level) < substeps) ++level;
+  return level;
+}
+
+void Trial::restart(int at_level) {
+  level = at_level;
+  coarse = 0;
+  run = estimates ? std::max(substeps_at(least), substeps_at(level) / 2) : substeps_at(level);
+}
+
+void Trial::begin(const AccuracyNote& note, std::uint8_t met, int of_order, int least_substeps, int most_substeps) {
+  *this = {};
+  order = of_order, most = level_within(most_substeps);
+  least = std::min(level_for(least_substeps), std::max(0, most - 1));
+  estimates = note.wait == 0 || note.met != met;
+  if (note.stalled && note.met == met) repeated_share = std::max(note.place, note.turn);
+  restart(std::clamp<int>(note.level, least, most));
+}
+
+void Trial::raise_least(int least_substeps) {
+  work += static_cast<std::uint64_t>(run);
+  least = std::min(level_for(least_substeps), std::max(0, most - 1));
+  restart(std::max(level, least));
+}
+
+/// Whether an error over the tolerance is to be left as it is.
+bool Trial::stalls(int ended) {
+  const Real share = error.most();
+  const bool known = repeated == 0 && repeated_share > 0 && share <= kAccuracyStir * repeated_share;
+  is_stalled =
+      known || (repeated > 0 && share > repeated_share * std::pow(Real(repeated) / ended, kAccuracyStall * order));
+  if (repeated == 0 || share < repeated_share) repeated = ended, repeated_share = share;
+  return is_stalled;
+}
+
+End Trial::end_run(bool went_well, const Shares& apart) {
+  const int ended = run;
+  work += static_cast<std::uint64_t>(ended);
+  taken = ended;
+  if (!went_well) {
+    estimates = true;
+    if (level < most) {
+      restart(std::min(level + 2, most));
+      return End::dropped;
+    }
+    hit_bound = true;
+    run = coarse == 0 && ended < substeps_at(most) ? substeps_at(most) : 0;
+    estimates = false;
+    return run ? End::dropped : End::accepted;
+  }
+  if (!estimates) {
+    run = 0;
+    return End::accepted;
+  }
+  if (coarse == 0) {
+    coarse = ended, run = 2 * ended;
+    return End::compared;
+  }
+  const Real gain = std::ldexp(Real(1), order);
+  error = {apart.place / (gain - 1), apart.turn / (gain - 1)};
+  is_estimated = true;
+  const Real share = error.most();
+  const bool at_bound = ended >= substeps_at(most);
+  if (share <= 1 || at_bound || stalls(ended)) {
+    hit_bound = share > 1 && at_bound;
+    run = 0;
+    return End::accepted;
+  }
+  const Real factor = std::min(Real(8), std::pow(share / kAccuracyAim, 1 / Real(order)));
+  level = std::min(most, std::max(level_within(ended) + 1, level_for(factor * ended)));
+  if (substeps_at(level) == 2 * ended) {
+    coarse = ended, run = 2 * ended;
+    return End::compared;
+  }
+  restart(level);
+  return End::dropped;
+}
+
+AccuracyNote Trial::note_after(const AccuracyNote& before, std::uint8_t met) const {
+  AccuracyNote note = before;
+  note.met = met;
+  if (!is_estimated) {
+    note.level = static_cast<std::uint8_t>(level);
+    note.wait = static_cast<std::uint8_t>(hit_bound || note.wait == 0 ? 0 : note.wait - 1);
+    return note;
+  }
+  note.place = static_cast<float>(std::min(error.place, Real(1e30))),
+  note.turn = static_cast<float>(std::min(error.turn, Real(1e30)));
+  const Real share = error.most();
+  const auto predicted = [&](int at) { return share * std::pow(Real(taken) / substeps_at(at), Real(order)); };
+  int next = level_within(taken);
+  while (next > least && predicted(next - 1) <= kAccuracyAim) --next;
+  note.stalled = is_stalled;
+  if (is_stalled) {  // as before they were tried, and for a while
+    note.level = static_cast<std::uint8_t>(level_within(repeated));
+    note.wait = kAccuracyEveryQuiet - 1;
+    return note;
+  }
+  const bool is_quiet = next <= least && predicted(next) <= kAccuracyQuiet;
+  note.level = static_cast<std::uint8_t>(next);
+  note.wait = static_cast<std::uint8_t>(is_quiet ? kAccuracyEveryQuiet - 1 : next != level ? 0 : kAccuracyEvery - 1);
+  return note;
+}
+
+void join_note(AccuracyNote& to, const AccuracyNote& other, bool is_first) {
+  if (is_first) {
+    to = other;
+    return;
+  }
+  if (to.level != other.level || to.wait != other.wait || to.met != other.met) to.wait = 0;
+  to.level = std::max(to.level, other.level);
+  to.place = std::max(to.place, other.place), to.turn = std::max(to.turn, other.turn);
+}
+
+}  // namespace carom::dynamics::accuracy

@@ -1,0 +1,102 @@
+// From estimates of an error to substeps: which an island takes, and when it is estimated. No world in it.
+//
+// A trial is one island in one step: runs of it, from the same state, until one is accepted. A run with half the
+// substeps comes first where the step is estimated; the difference of the two ends, over 2^p - 1, is the error of the
+// second one.
+//
+// @oracle tests/unit/dynamics/test_accuracy_control
+#pragma once
+
+#include <cstdint>
+
+#include "core/constant.h"
+#include "dynamics/dials.h"
+#include "dynamics/state.h"
+
+namespace carom::dynamics {
+
+inline constexpr Constant<Real> kAccuracyHorizon{
+    "accuracy_horizon", 1, "s", "for which an error of a velocity is taken to go on, where accuracy is asked for",
+    "larger: motion that forgets its velocity takes more substeps than need be; smaller: places drift beyond what was "
+    "asked"};
+inline constexpr Constant<Real> kAccuracyHorizonTouching{
+    "accuracy_horizon_touching", 0.1, "s",
+    "likewise of what touches: contacts take most of it back within their own time to settle",
+    "larger: what settles takes hundreds of substeps; smaller: what slides and rolls drifts beyond what was asked"};
+inline constexpr Constant<Real> kAccuracyAim{
+    "accuracy_aim", 0.6, "1", "of the tolerance that a choice of substeps aims at: errors change from step to step",
+    "larger: more steps are repeated; smaller: more substeps than need be"};
+inline constexpr Constant<int> kAccuracyEvery{"accuracy_every", 2, "steps",
+                                              "from one estimate of an island to the next: each costs half a step",
+                                              "larger: errors that grow are seen late; smaller: estimates cost more"};
+inline constexpr Constant<int> kAccuracyEveryQuiet{
+    "accuracy_every_quiet", 8, "steps", "likewise of an island that one substep serves, far below its tolerance",
+    "larger: what begins to move without touching anything is seen late; smaller: piles at rest cost more"};
+inline constexpr Constant<Real> kAccuracyQuiet{
+    "accuracy_quiet", 0.05, "1", "of the tolerance, below which an island that takes one substep is quiet",
+    "larger: errors that grow are seen late; smaller: piles at rest cost more"};
+inline constexpr Constant<Real> kAccuracyStall{
+    "accuracy_stall", 0.5, "1",
+    "of the order that is claimed: where more substeps lessen an error by less, they are of no use",
+    "larger: steps whose errors fall slowly are left as they are; smaller: hundreds of substeps for nothing"};
+inline constexpr Constant<Real> kAccuracyStir{
+    "accuracy_stir", 4, "1",
+    "times the error at which more substeps were of no use, from which on they are tried again",
+    "larger: errors that grow are left as they are; smaller: hundreds of substeps for nothing"};
+inline constexpr ConstantRow kAccuracyConstants[] = {
+    kAccuracyHorizon,    kAccuracyHorizonTouching, kAccuracyAim,   kAccuracyEvery,
+    kAccuracyEveryQuiet, kAccuracyQuiet,           kAccuracyStall, kAccuracyStir};
+
+namespace accuracy {
+
+/// Whether a host asks for an accuracy.
+bool is_on(const Dials& dials);
+
+inline constexpr int kMostLevel = 24;
+/// Levels: 1, 2, 4, 6, 8, 12, 16, 24, ... substeps.
+int substeps_at(int level);
+/// The highest level of no more substeps than that; the lowest of no fewer.
+int level_within(Real substeps);
+int level_for(Real substeps);
+
+/// Errors over what is borne in a step.
+struct Shares {
+  Real place = 0, turn = 0;
+  Real most() const { return place > turn ? place : turn; }
+};
+
+/// What becomes of the end of a run.
+enum class End : std::uint8_t { dropped, compared, accepted };  // compared: kept, for the next run to be compared with
+
+struct Trial {
+  int run = 0;     // substeps to go through next; 0: it is over
+  int coarse = 0;  // substeps of the end that is kept to be compared with; 0: there is none
+  int taken = 0;   // of the one accepted
+  int level = 0, least = 0, most = 0, order = 1;
+  bool is_estimated = false, estimates = false, hit_bound = false;
+  bool is_stalled = false;  // more substeps do not lessen the error
+  std::uint64_t work = 0;   // substeps of all runs
+  Shares error;
+
+  /// @param met    a number of what the island consists of: another one asks for an estimate
+  /// @param order  of the error @param least, most  substeps at least and at most; most is 2 or more
+  void begin(const AccuracyNote& note, std::uint8_t met, int order, int least, int most);
+  /// A run turned out to be of too few substeps to be judged.
+  void raise_least(int least_substeps);
+  /// A run has ended.   @param apart  of it and of the one it is compared with, where there is one
+  End end_run(bool went_well, const Shares& apart);
+  /// What the island's bodies are to remember.
+  AccuracyNote note_after(const AccuracyNote& before, std::uint8_t met) const;
+
+ private:
+  void restart(int at_level);
+  bool stalls(int ended);
+  int repeated = 0;         // substeps of the last run that was estimated and repeated; 0: none
+  Real repeated_share = 0;  // its error; of a note that had stalled, the error then
+};
+
+/// Of an island, from its bodies': the highest level, and an estimate as soon as any wants one, or where they differ.
+void join_note(AccuracyNote& to, const AccuracyNote& other, bool is_first);
+
+}  // namespace accuracy
+}  // namespace carom::dynamics

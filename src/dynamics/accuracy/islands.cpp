@@ -1,0 +1,122 @@
+// Which bodies hang together in a step, and of what order the error of their motion is.
+#include <algorithm>
+
+#include "dynamics/accuracy/accuracy.h"
+#include "dynamics/accuracy/passes.h"
+#include "dynamics/force/force.h"
+#include "dynamics/integrate/integrator.h"
+#include "dynamics/solver/table.h"
+
+namespace carom::dynamics::accuracy {
+namespace {
+
+std::uint32_t root(Array<std::uint32_t>& parent, std::uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+/// By contacts, joints and springs. A solver that takes all contacts as one makes one island of them.
+void unite(const World& world, Passes& p) {
+  const Contacts& c = *world.contacts;
+  const auto is_in = [&](std::uint32_t i) { return i != kTheWorld && p.island_of[i] != Passes::kNobody; };
+  std::uint32_t whole = Passes::kNobody;
+  const bool is_one = world.plan->solver->row_by_row || world.scene.dials.choice(Dial::groups) == 0;
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t one = root(p.parent, a), other = root(p.parent, b);
+    p.parent[std::max(one, other)] = std::min(one, other);
+  };
+  const auto meet = [&](std::uint32_t a, std::uint32_t b) {
+    if (is_in(a) && is_in(b)) join(a, b);
+    if (!is_one) return;
+    for (const std::uint32_t i : {a, b})
+      if (is_in(i)) whole == Passes::kNobody ? whole = i : (join(whole, i), whole);
+  };
+  for (const Meeting& m : c.meetings) meet(m.a, m.b);
+  for (const Link& l : c.links) meet(l.a, l.b);
+  world.plan->effects[+EffectId::springs].customers.each([&](std::uint32_t k) {
+    const SpringDef& def = world.scene.springs.def[k];
+    if (is_in(def.body_a) && is_in(def.body_b)) join(def.body_a, def.body_b);
+  });
+}
+
+/// A number that changes, mostly, where what it consists of does.
+std::uint8_t number_of(const Passes::Island& island) {
+  const std::uint32_t mixed = island.bodies * 0x9E3779B1u + island.rows * 0x85EBCA77u + island.links * 0xC2B2AE3Du +
+                              island.note.softly * 0x27D4EB2Fu;
+  return static_cast<std::uint8_t>(mixed >> 24);
+}
+
+/// Whether nothing acts on a body but what turns it as a top, and what is constant.
+bool is_top(const World& world, std::uint32_t body) {
+  for (const PlannedEffect& row : world.plan->effects) {
+    const Effect& e = *row.effect;
+    if (e.stage != Stage::integrate || e.customers != CustomerKind::bodies || row.customers.count == 0) continue;
+    if (e.id == EffectId::gravity || e.id == EffectId::user_force || e.id == EffectId::gyroscopic) continue;
+    if (row.customers.has(body)) return false;
+  }
+  return !world.plan->sprung.has(body);
+}
+
+}  // namespace
+
+int order_of(const World& world, const Passes& p, const Passes::Island& island) {
+  if (island.rows + island.links > 0) return 1;
+  constexpr int kOfIntegrator[] = {1, 1, 4, 2};
+  const int order = kOfIntegrator[world.scene.dials.choice(Dial::integrator)];
+  const Rotation* const method = world.plan->rotation_method;
+  if (!method || !world.plan->integrator->exact_in_flight || island.bodies > 1) return order;
+  if (!is_top(world, p.movers[p.members[island.first]])) return order;
+  constexpr int kOfRotation[] = {1, 1, 1, 4, 2, 2, 4, 6};
+  return kOfRotation[world.scene.dials.choice(Dial::rotation)];
+}
+
+void find_islands(const World& world, Passes& p, Real dt) {
+  const Contacts& c = *world.contacts;
+  p.island_of.assign(world.scene.bodies.slots(), Passes::kNobody);
+  p.parent.resize(world.scene.bodies.slots());
+  p.movers.clear();
+  each_of_both(world.plan->linear, world.plan->rotating, [&](std::uint32_t i) {
+    p.movers.push_back(i);
+    p.parent[i] = i, p.island_of[i] = 0;
+  });
+  unite(world, p);
+  p.islands.clear();
+  for (const std::uint32_t i : p.movers) {  // roots are the lowest of their islands
+    const std::uint32_t r = root(p.parent, i);
+    if (r == i) {
+      p.island_of[i] = static_cast<std::uint32_t>(p.islands.size());
+      p.islands.push_back({});
+    }
+    p.island_of[i] = p.island_of[r];
+    ++p.islands[p.island_of[i]].bodies;
+  }
+  std::uint32_t first = 0;
+  for (Passes::Island& island : p.islands) {
+    island.first = first;
+    first += island.bodies;
+    island.bodies = 0;
+  }
+  p.members.resize(p.movers.size());
+  for (std::uint32_t k = 0; k < p.movers.size(); ++k) {
+    Passes::Island& island = p.islands[p.island_of[p.movers[k]]];
+    p.members[island.first + island.bodies++] = k;
+  }
+  const auto of = [&](bool moves_a, std::uint32_t a, std::uint32_t b) { return p.island_of[moves_a ? a : b]; };
+  for (const Meeting& m : c.meetings)
+    if (const std::uint32_t k = of(m.moves_a, m.a, m.b); k != Passes::kNobody) p.islands[k].rows += m.count;
+  for (const Link& l : c.links)
+    if (const std::uint32_t k = of(l.moves_a, l.a, l.b); k != Passes::kNobody) ++p.islands[k].links;
+  const Borne borne(world.scene.dials, dt);
+  for (Passes::Island& island : p.islands) {
+    bool is_first = true;
+    each_member(p, island, [&](std::uint32_t, std::uint32_t i) {
+      join_note(island.note, world.state.accuracy[i], is_first);
+      is_first = false;
+    });
+    island.met = number_of(island);
+    island.trial.begin(island.note, island.met, order_of(world, p, island),
+                       island.note.softly && island.rows > 0 ? borne.least_soft : 1, borne.most);
+  }
+}
+
+}  // namespace carom::dynamics::accuracy

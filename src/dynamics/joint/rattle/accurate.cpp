@@ -1,0 +1,99 @@
+// Islands that joints alone hold, each with the substeps that its own error asks for: @see accuracy/README.md
+#include <algorithm>
+
+#include "dynamics/accuracy/accuracy.h"
+#include "dynamics/accuracy/measure.h"
+#include "dynamics/joint/rattle/rattle.h"
+#include "dynamics/ledger/books.h"
+#include "dynamics/ledger/ledger.h"
+
+namespace carom::dynamics::rattle {
+namespace {
+
+using accuracy::BodyEnd;
+using accuracy::Borne;
+using accuracy::End;
+using accuracy::Shares;
+using accuracy::Trial;
+
+BodyEnd end_of(const RattleBody& b) { return {b.x, b.v, b.omega, b.q}; }
+
+std::uint8_t number_of(const RattleIsland& island) {
+  return static_cast<std::uint8_t>((island.movers * 0x9E3779B1u + island.joints * 0xC2B2AE3Du + 0x27D4EB2Fu) >> 24);
+}
+
+template <class F>
+void each_moved(const RattleIsland& island, F&& f) {
+  for (std::uint32_t i = island.body; i < island.body + island.movers; ++i) f(i);
+}
+
+/// A run of an island has ended.   @return what becomes of where it led
+End judge(Rattle& r, const RattleIsland& island, Trial& trial, const Borne& borne) {
+  Shares apart;
+  bool went_well = island.is_moving;
+  each_moved(island, [&](std::uint32_t i) {
+    const BodyEnd end = end_of(r.bodies[i]);
+    went_well &= accuracy::is_finite(end);
+    if (trial.coarse > 0)
+      add_apart(apart, r.coarse[i], end, r.bodies[i].inertia, r.bodies[i].inv_inertia, kAccuracyHorizon, borne);
+  });
+  if (!went_well) {  // finer steps help where a stage was too long, not where a limit was reached
+    const int least = trial.run << island.halvings;
+    if (island.halvings == 0 || least > borne.most / 2)
+      trial.run = 0;
+    else
+      trial.raise_least(least);
+    return End::dropped;
+  }
+  const End end = trial.end_run(true, apart);
+  if (end == End::compared) each_moved(island, [&](std::uint32_t i) { r.coarse[i] = end_of(r.bodies[i]); });
+  return end;
+}
+
+AccuracyNote note_of(const World& world, const Rattle& r, const RattleIsland& island) {
+  AccuracyNote note;
+  each_moved(island, [&](std::uint32_t i) {
+    accuracy::join_note(note, world.state.accuracy[r.bodies[i].slot], i == island.body);
+  });
+  return note;
+}
+
+}  // namespace
+
+void try_accurately(const World& world, Rattle& r, Real dt, int order) {
+  Accuracy& a = *world.accuracy;
+  const Borne borne(world.scene.dials, dt);
+  a.decided.reserve(world.scene.bodies.slots());
+  r.coarse.resize(r.bodies.size());
+  r.trials.assign(r.islands.size(), {});
+  for (std::size_t k = 0; k < r.islands.size(); ++k)
+    if (r.islands[k].is_held && !r.islands[k].is_met && r.islands[k].movers > 0)
+      r.trials[k].begin(note_of(world, r, r.islands[k]), number_of(r.islands[k]), order, 1, borne.most);
+  for (;;) {
+    int run = 0;
+    for (const Trial& t : r.trials)
+      if (t.run > 0 && (run == 0 || t.run < run)) run = t.run;
+    if (run == 0) break;
+    for (std::size_t k = 0; k < r.islands.size(); ++k) {
+      RattleIsland& island = r.islands[k];
+      island.is_moving = island.was_tried = r.trials[k].run == run;
+      if (island.was_tried) island.halvings = 0;
+    }
+    move_tried(world, r, dt, run, order);
+    for (std::size_t k = 0; k < r.islands.size(); ++k) {
+      RattleIsland& island = r.islands[k];
+      if (!island.was_tried) continue;
+      island.went_well = judge(r, island, r.trials[k], borne) == End::accepted;
+      if (island.went_well || !keeps_books(world)) continue;
+      each_moved(island, [&](std::uint32_t i) { forget_kicks(ledger_of(world), r.bodies[i].slot); });
+    }
+  }
+  for (std::size_t k = 0; k < r.islands.size(); ++k) {
+    const RattleIsland& island = r.islands[k];
+    if (!island.went_well) continue;
+    decide(a, r.trials[k], note_of(world, r, island), number_of(island), AccuracyView::kByJointsAlone,
+           [&](const auto& f) { each_moved(island, [&](std::uint32_t i) { f(r.bodies[i].slot); }); });
+  }
+}
+
+}  // namespace carom::dynamics::rattle

@@ -1,0 +1,26 @@
+// Accuracy in, steps out: what a tool asks for, and what came of it.
+#include "host/host.h"
+
+namespace carom::tools {
+
+void World::ask(double tolerance) {
+  carom_accuracy asked;
+  carom_accuracy_init(&asked, sizeof asked);
+  asked.place = asked.turn = tolerance;
+  Call call;
+  call.done(carom_world_set_accuracy(world_, &asked, call), "asking for an accuracy");
+}
+
+std::vector<carom_island> World::islands() const {
+  std::uint64_t count = 0;
+  Call call;
+  const auto read = [&](carom_island* to) {
+    call.done(carom_world_get_islands(world_, to, sizeof *to, count, &count, call), "reading islands");
+  };
+  read(nullptr);
+  std::vector<carom_island> list(count);
+  read(list.data());
+  return list;
+}
+
+}  // namespace carom::tools
