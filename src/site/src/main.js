@@ -309,7 +309,8 @@ async function start() {
   controls();
   let wanted = { scene: null, step: 0, sides: undefined };
   attempt(() => (wanted = readLink(location.search, carom.presets(), carom.dials())));
-  await open(wanted.scene ?? "wall", wanted.sides).catch(async (e) => (say(e.message), await open("wall")));
+  const first = (rows.find((row) => row.first) ?? rows.find((row) => row.name === "wall") ?? rows[0]).name;
+  await open(wanted.scene ?? first, wanted.sides).catch(async (e) => (say(e.message), await open(first)));
   if (location.search) {
     play(false);
     if (wanted.step)
