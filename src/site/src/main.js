@@ -330,6 +330,10 @@ async function start() {
     state,
     seek,
     probe: (u, v) => pointer.probe(u, v),
+    /** Geometries and textures that the graphics card holds. */
+    get held() {
+      return { ...stage.renderer.info.memory };
+    },
   };
   requestAnimationFrame(frame);
 }
