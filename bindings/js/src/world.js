@@ -2,6 +2,7 @@
 import * as C from "./constants.js";
 import { Body, Joint } from "./body.js";
 import { net, Owned } from "./owner.js";
+import { record } from "./recording.js";
 import { BodyView } from "./view.js";
 
 const FIELDS = {
@@ -179,6 +180,12 @@ export class World {
       new Uint8Array(m.buffer, at, bytes.length).set(bytes);
       m.call("carom_world_restore", this.pointer, at, BigInt(bytes.length));
     });
+  }
+
+  /** Write down all that is done from now on.   @param states  after each step, too
+   *  @returns {{ end(): Uint8Array }} for new Recording(engine, bytes), and for `carom replay` */
+  record(options) {
+    return record(this, options);
   }
 
   /** A second world that goes on as this one, bit for bit. */
