@@ -1,7 +1,8 @@
 // The page: scenes, time, tools, settings and a comparison, put together. What each part does stands in its own file.
-import { load } from "carom";
+import { load, Recording } from "carom";
 import { plot } from "./curves.js";
 import { readLink, writeLink } from "./link.js";
+import { opened } from "./opened.js";
 import { Panel } from "./panel.js";
 import { Picture, SHOWN } from "./picture.js";
 import { PlanPanel } from "./plan.js";
@@ -23,6 +24,7 @@ const state = {
   owed: 0,
   following: null,
   difference: [],
+  shapes: [], // that visitors brought: { id, plugin }
   last: 0,
 };
 const shown = { ...SHOWN };
@@ -50,8 +52,10 @@ function begin(row, start, sides) {
   const engine = carom.engine(),
     made = [];
   try {
+    for (const { plugin } of state.shapes) engine.useShape(plugin);
+    const recording = row.recording ? new Recording(engine, row.recording) : null;
     for (const { settings, log } of sides) {
-      const sim = new Simulation(engine, start, row.dt ?? 1 / 60, [...settings]);
+      const sim = new Simulation(engine, start, row.dt ?? 1 / 60, [...settings], recording);
       made.push(sim);
       sim.load(log);
     }
@@ -196,10 +200,12 @@ async function open(name, sides = [{ settings: [], log: [] }]) {
   if (!row) throw new Error(`there is no scene "${name}"; choose one of ${rows.map((r) => r.name).join(", ")}`);
   const response = await fetch(`scenes/${row.world}`);
   if (!response.ok) throw new Error(`scenes/${row.world} is missing: build the page again`);
-  begin(row, new Uint8Array(await response.arrayBuffer()), sides);
+  const bytes = new Uint8Array(await response.arrayBuffer());
+  const file = row.world.endsWith(".rec") ? await opened(carom, row.world, bytes) : { start: bytes };
+  begin({ ...row, ...file.row }, file.start, sides);
   $("scene").value = name;
   $("about").textContent = `${row.summary} Look for: ${row.look_for}.`;
-  stage.look(row);
+  row.camera ? stage.look(row) : stage.paint();
 }
 
 function compare(on) {
@@ -229,6 +235,57 @@ function link() {
   return undefined;
 }
 
+/** Take up a tool. */
+function choose(button) {
+  pointer.tool = button.dataset.tool;
+  pointer.shape = button.shape;
+  state.following = null;
+  for (const other of document.querySelectorAll("[data-tool]"))
+    other.setAttribute("aria-checked", String(other === button));
+}
+
+/** A shape that was dropped is there from now on: in this scene and in those to come, with a tool that drops bodies of it. */
+function bring(plugin, name) {
+  const id = state.engine.useShape(plugin);
+  state.shapes.push({ id, plugin });
+  const params = state.engine
+    .parameters(id)
+    .map(({ unit, min, max }) => Math.min(max, Math.max(min, unit === "m" ? 0.4 : 1)));
+  const button = document.createElement("button");
+  Object.assign(button, { type: "button", textContent: `Drop ${id}`, shape: { shape: id, params } });
+  (button.setAttribute("role", "radio"), (button.dataset.tool = "shape"));
+  button.onclick = () => choose(button);
+  $("tools").append(button);
+  choose(button);
+  say(`${name}: click where a body of the shape ${id} should fall`);
+}
+
+/** A file that was opened or dropped. What is wrong with it is told, and the scene stays as it was. */
+async function openFile(file) {
+  if (!file) return;
+  try {
+    const { start, row, shape, action, note } = await opened(
+      carom,
+      file.name,
+      new Uint8Array(await file.arrayBuffer()),
+    );
+    if (shape) return bring(shape, file.name);
+    if (action) {
+      const to = stage.controls.target.toArray();
+      for (const sim of state.sims) sim.do({ ...action, position: action.position.map((x, i) => x + to[i]) });
+      redraw();
+    } else {
+      begin(row, start, [{ settings: [], log: [] }]);
+      $("about").textContent = note ?? file.name;
+      row.camera ? stage.look(row) : stage.paint();
+      redraw();
+    }
+    if (note) say(note);
+  } catch (error) {
+    say(error.message);
+  }
+}
+
 function controls() {
   $("play").onclick = () => play(!state.playing);
   $("step").onclick = () => (play(false), attempt(advance), redraw());
@@ -251,26 +308,16 @@ function controls() {
     a.click();
     setTimeout(() => URL.revokeObjectURL(a.href), 1000);
   };
-  const file = async (f) => {
-    if (f) (attempt(() => begin({ dt: 1 / 60 }, f.bytes, [{ settings: [], log: [] }])), stage.paint());
-  };
-  const read = async (f) => f && file({ bytes: new Uint8Array(await f.arrayBuffer()) });
-  $("open").onchange = () => read($("open").files[0]).then(() => ($("open").value = ""));
+  $("open").onchange = () => openFile($("open").files[0]).then(() => ($("open").value = ""));
   $("stage").ondragover = (e) => e.preventDefault();
-  $("stage").ondrop = (e) => (e.preventDefault(), read(e.dataTransfer.files[0]));
+  $("stage").ondrop = (e) => (e.preventDefault(), openFile(e.dataTransfer.files[0]));
   $("theme").onclick = () => {
     const { dataset } = document.documentElement;
     dataset.theme = dataset.theme === "dark" ? "light" : "dark";
     stage.paint();
     redraw();
   };
-  for (const button of document.querySelectorAll("[data-tool]"))
-    button.onclick = () => {
-      pointer.tool = button.dataset.tool;
-      state.following = null;
-      for (const other of document.querySelectorAll("[data-tool]"))
-        other.setAttribute("aria-checked", String(other === button));
-    };
+  for (const button of document.querySelectorAll("[data-tool]")) button.onclick = () => choose(button);
   addEventListener("keydown", (e) => {
     if (e.target.closest("input, select, button, summary")) return;
     const key = { " ": "play", ArrowRight: "step", ArrowLeft: "back", r: "reset" }[e.key];

@@ -11,9 +11,9 @@ const MOST_BYTES = 96 << 20; // of snapshots; of older ones every second is drop
 
 export class Simulation {
   /** @param start  Uint8Array: a whole snapshot   @param dt s   @param settings  actions before the first step:
-   * dials, presets */
-  constructor(engine, start, dt, settings = []) {
-    Object.assign(this, { engine, dt });
+   * dials, presets   @param recording  a session that goes with it: its calls are made again, its steps are as long */
+  constructor(engine, start, dt, settings = [], recording = null) {
+    Object.assign(this, { engine, dt, recording });
     this.actions = new Map(); // step -> actions
     this.lastAction = -1;
     this.snapshots = new Map(); // step -> { bytes, structure, shape counts }
@@ -83,6 +83,8 @@ export class Simulation {
 
   /** One step on: in the past with the actions that were done then. */
   advance() {
+    if (this.recording?.perform(this.world, this.step)) this.refresh();
+    this.dt = this.recording?.steps[this.step]?.dt ?? this.dt;
     this.world.step(this.dt);
     const report = this.world.report();
     this.energy[this.step] = report.linear_energy + report.angular_energy;

@@ -37,7 +37,7 @@ export class Browser {
     const page = await context.newPage();
     page.on("console", (m) => m.type() === "error" && this.errors.push(m.text()));
     page.on("pageerror", (e) => this.errors.push(e.message));
-    await page.goto(this.base + query);
+    await page.goto(new URL(query, this.base).href);
     await page.waitForFunction(() => globalThis.caromViewer, null, { timeout: 60000 });
     const close = page.close.bind(page);
     page.close = async () => (await close(), await context.close());
