@@ -217,13 +217,15 @@ test(
     assert.equal(now_.bodies.length, before + 1);
     assert.ok(Math.abs(now_.bodies.at(-1).mass - 1000 / 6) < 1e-6, `${now_.bodies.at(-1).mass}`);
     // By dropping it on the picture, too.
-  await page.evaluate((text) => {
-    const dataTransfer = new DataTransfer();
-    dataTransfer.items.add(new File([text], "dropped.obj"));
-    document.getElementById("stage").dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
-  }, obj);
-  await page.waitForFunction((n) => caromViewer.state.sims[0].bodies.length === n, before + 2);
-  const large = obj.replace(/^v.*$/gm, (line) => line.replaceAll("1", "100"));
+    await page.evaluate((text) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([text], "dropped.obj"));
+      document
+        .getElementById("stage")
+        .dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+    }, obj);
+    await page.waitForFunction((n) => caromViewer.state.sims[0].bodies.length === n, before + 2);
+    const large = obj.replace(/^v.*$/gm, (line) => line.replaceAll("1", "100"));
     assert.match(await open(page, "large.obj", large), /1 m long/);
 
     const side = new URL("../../../bindings/js/dist/template.wasm", import.meta.url);
