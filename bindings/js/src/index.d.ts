@@ -215,6 +215,19 @@ export class World {
   setEffect(effect: number, mode: number): void;
   timeEffects(on?: boolean): void;
   report(): Record<string, number | bigint | number[]>;
+  /** Keep an account of energy and momentum by cause from now on; no bit changes. */
+  keepLedger(on?: boolean): void;
+  /** What each cause gave, J, N s, N m s: in the last step, and in all (`total_...`). */
+  ledger(): {
+    name: string;
+    kinetic: number;
+    potential: number;
+    linear: number[];
+    angular: number[];
+    total_kinetic: number;
+    total_potential: number;
+    [field: string]: unknown;
+  }[];
   residuals(): Record<string, number | bigint | number[]>;
   contacts(): {
     point: number[];

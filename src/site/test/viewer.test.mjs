@@ -121,6 +121,15 @@ test("dials, presets, plan, drawings, comparison", { skip, timeout: 180000 }, as
   await page.locator("summary", { hasText: "What a step runs" }).click();
   await page.locator('#plan select[aria-label^="friction"]').selectOption("1");
   assert.equal(await page.evaluate(() => caromViewer.state.sims[0].log().some(([, a]) => a.do === "effect")), true);
+  await page.locator("summary", { hasText: "Energy by cause" }).click();
+  for (let i = 0; i < 5; ++i) await page.click("#step");
+  assert.match(await page.locator("#causes-table").innerText(), /contact|integrator|friction/);
+  const sums = await page.evaluate(() => {
+    const [sim] = caromViewer.state.sims,
+      { causes, step } = sim;
+    return [step, [...causes.values()].filter((list) => Number.isFinite(list[step - 1])).length];
+  });
+  assert.ok(sums[1] > 10, `${sums}`);
   await page.locator("#panel .lil-title", { hasText: "Draw" }).click();
   for (const name of ["contacts", "bounds", "outlines", "frames", "islands"])
     await page.locator("#panel .lil-controller", { hasText: name }).last().locator("input").check();
