@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""What carom.wasm is made of: sections, and functions by what they belong to.
+"""What carom.wasm is made of: sections, and functions by what they belong to; bytes, and bytes by gzip.
 
     em++ ... -o named.wasm --profiling-funcs      the module with the names of its functions (ninja -t commands carom_module)
     bindings/js/wasm/sizes.py named.wasm [--functions N]
 """
 import argparse
+import gzip
 import re
 import subprocess
 from collections import Counter
@@ -36,7 +37,11 @@ class Reader:
 
 
 def group_of(name):
-    """Of a C++ name: namespace::class, or the file's kind."""
+    """Of a C++ name: namespace::class, or the kind of function."""
+    if re.search(r"LaneRunOf<(double|float)>", name):
+        return f"kernels of contacts, {re.search(r'LaneRunOf<(double|float)>', name)[1]}"
+    if re.search(r"JointRun", name):
+        return "kernels of joints"
     for pattern, group in (
         (r"std::|__cxx|operator new|__cxa|__dynamic_cast|_Unwind|libunwind", "C++ library"),
         (r"^(dl)?(malloc|free|calloc|realloc|memcpy|memset|memmove|str\w+|printf\w*|\w*printf\w*|__\w+|fmt_fp|pop_arg|abort|emscripten\w*)", "C library"),
@@ -77,8 +82,7 @@ def main():
         if kind == 10:
             for _ in range(inner.number()):
                 size_of = inner.number()
-                bodies.append(size_of)
-                inner.take(size_of)
+                bodies.append(inner.take(size_of))
         if label == "custom name":
             while inner.at < read.at:
                 what, length = inner.number(), inner.number()
@@ -91,13 +95,14 @@ def main():
     print("\n".join(f"{size:9}  {label}" for label, size in sections.most_common()))
     plain = [names.get(i + imported, f"function {i}") for i in range(len(bodies))]
     plain = subprocess.run(["c++filt"], input="\n".join(plain), capture_output=True, text=True, check=True).stdout.split("\n")
-    groups = Counter()
-    for name, size in zip(plain, bodies):
-        groups[group_of(name)] += size
+    groups = {}
+    for name, body in zip(plain, bodies):
+        groups.setdefault(group_of(name), []).append(body)
+    rows = [(sum(map(len, group)), len(gzip.compress(b"".join(group), 9)), name) for name, group in groups.items()]
+    print(f"\n{'bytes':>9} {'gzip':>8}")
+    print("\n".join(f"{size:9} {packed:8}  {name}" for size, packed, name in sorted(rows, reverse=True)[:30]))
     print()
-    print("\n".join(f"{size:9}  {group}" for group, size in groups.most_common(40)))
-    print()
-    for size, name in sorted(zip(bodies, plain), reverse=True)[: given.functions]:
+    for size, name in sorted(((len(body), name) for name, body in zip(plain, bodies)), reverse=True)[: given.functions]:
         print(f"{size:9}  {name[:150]}")
 
 
