@@ -1,13 +1,13 @@
 // The page: scenes, time, tools, settings and a comparison, put together. What each part does stands in its own file.
 import { load, Recording } from "carom";
-import { plot } from "./curves.js";
+import { plot, plotCauses } from "./curves.js";
 import { readLink, writeLink } from "./link.js";
 import { opened } from "./opened.js";
 import { Panel } from "./panel.js";
 import { Picture, SHOWN } from "./picture.js";
 import { PlanPanel } from "./plan.js";
 import { Pointer } from "./pointer.js";
-import { Simulation } from "./simulation.js";
+import { apart, Simulation } from "./simulation.js";
 import { Stage } from "./stage.js";
 
 const $ = (id) => document.getElementById(id);
@@ -85,22 +85,12 @@ function show() {
   });
   const two = state.sims.length === 2;
   panel.compare.on = two;
+  if (panel.row !== state.row) ((panel.row = state.row), panel.show(state.row.knobs));
   panel.refresh();
   $("difference").hidden = !two;
   $("label-a").textContent = two ? "A" : "";
   $("label-b").textContent = two ? "B" : "";
   redraw();
-}
-
-/** m: root mean square of the distances between a body of A and the same of B. */
-function difference() {
-  const [a, b] = state.sims.map((sim) => sim.poses.update());
-  if (a.count !== b.count || !a.count) return NaN;
-  const x = a.array,
-    y = b.array;
-  let sum = 0;
-  for (let i = 0; i < a.count; ++i) for (let k = 0; k < 3; ++k) sum += (x[7 * i + k] - y[7 * i + k]) ** 2;
-  return Math.sqrt(sum / a.count);
 }
 
 function advance() {
@@ -109,7 +99,7 @@ function advance() {
     if (pull) sim.do(pull);
     sim.advance();
   }
-  if (state.sims.length === 2) state.difference[state.sims[0].step] = difference();
+  if (state.sims.length === 2) state.difference[state.sims[0].step] = apart(...state.sims);
 }
 
 function seek(step) {
@@ -162,6 +152,8 @@ function redraw() {
     );
     if (state.sims.length === 2) plot($("difference"), "A and B apart", "m (rms)", [state.difference], sim.step);
   }
+  sim.account($("causes-box").open);
+  if ($("causes-box").open) plotCauses($("causes"), $("causes-table"), sim.causes, sim.step);
   if ($("plan-box").open) plan.update(sim.world.plan());
 }
 
@@ -208,6 +200,21 @@ async function open(name, sides = [{ settings: [], log: [] }]) {
   row.camera ? stage.look(row) : stage.paint();
 }
 
+/** The scene of other numbers, as `carom view` makes it. */
+async function make(name, values) {
+  const query = new URLSearchParams({ scene: name });
+  for (const [knob, value] of Object.entries(values)) query.append("set", `${knob}=${value}`);
+  const response = await fetch(`scenes/make?${query}`);
+  if (response.status === 404) throw new Error("scenes are made by the command: open this page by carom view");
+  if (!response.ok) throw new Error(await response.text());
+  const bytes = new Uint8Array(await response.arrayBuffer()),
+    n = new DataView(bytes.buffer).getUint32(0, true);
+  const row = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + n)));
+  begin({ ...row, made: values }, bytes.slice(4 + n), [{ settings: [], log: [] }]);
+  stage.look(row);
+  redraw();
+}
+
 function compare(on) {
   attempt(() => {
     const [a] = state.sims,
@@ -228,6 +235,7 @@ function link() {
     },
     carom.presets(),
   );
+  if (state.row.made) return say("a scene of other numbers has no link: save the world, and send the file");
   if (!state.row.name) return say("an opened file has no link: save the world, and send the file");
   if (!query) return say("too much was done by hand for a link: save the world, and send the file");
   history.replaceState(null, "", query);
@@ -323,7 +331,7 @@ function controls() {
     const key = { " ": "play", ArrowRight: "step", ArrowLeft: "back", r: "reset" }[e.key];
     if (key) (e.preventDefault(), $(key).click());
   });
-  $("plan-box").ontoggle = $("curves-box").ontoggle = () => state.sims.length && redraw();
+  $("plan-box").ontoggle = $("curves-box").ontoggle = $("causes-box").ontoggle = () => state.sims.length && redraw();
   new ResizeObserver(() => state.sims.length && redraw()).observe($("stage"));
 }
 
@@ -340,6 +348,7 @@ async function start() {
     shown,
     onShown: () => redraw(),
     onCompare: compare,
+    onMake: (values) => make(state.row.name, values).catch((e) => say(e.message)),
     apply: (which, action) => attempt(() => state.sims[which]?.do(action)),
     dial: (which, name) => (state.sims[which] ?? state.sims[0])?.world.dial(name) ?? 0,
   });
