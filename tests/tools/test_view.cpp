@@ -76,14 +76,14 @@ class Viewer {
   Viewer& operator=(const Viewer&) = delete;
 
   /// @return status and headers, an empty line, the content
-  std::string ask(const std::string& path, const std::string& host = "127.0.0.1") const {
+  std::string ask(const std::string& path, const std::string& host = "127.0.0.1", const std::string& more = "") const {
     const int s = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     sockaddr_in to{};
     to.sin_family = AF_INET, to.sin_port = htons(static_cast<std::uint16_t>(port_)),
     to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     assert_int_equal(connect(s, reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
-    const std::string request =
-        "GET " + path + " HTTP/1.1\r\nHost: " + host + ":" + std::to_string(port_) + "\r\nConnection: close\r\n\r\n";
+    const std::string request = "GET " + path + " HTTP/1.1\r\nHost: " + host + ":" + std::to_string(port_) + "\r\n" +
+                                more + "Connection: close\r\n\r\n";
     assert_int_equal(write(s, request.data(), request.size()), request.size());
     std::string answer;
     char some[4096];
@@ -163,6 +163,26 @@ static void nothing_else_is_served(void**) {
   assert_int_equal(viewer.end(SIGTERM), 0);
 }
 
+static void scenes_are_made_on_demand(void**) {
+  const Folder folder;
+  Viewer viewer("--site " + folder.site());
+  const std::string made = viewer.content("/scenes/make?scene=stacks&set=n%3D4&set=height%3D3");
+  std::size_t n = 0;
+  for (std::size_t byte = 0; byte < 4; ++byte) n |= std::size_t(static_cast<unsigned char>(made[byte])) << (8 * byte);
+  const nlohmann::json row = nlohmann::json::parse(made.substr(4, n));
+  assert_int_equal(row["bodies"].size(), 13);  // four stacks of three, and the ground
+  assert_true(row["knobs"][0]["value"] == 4);
+  assert_true(made.substr(4 + n).starts_with("CAROMSNP"));
+  for (const char* wrong : {"", "?scene=sesaw", "?scene=stacks&set=n=-1", "?scene=stacks&set=m=1",
+                            "?scene=stacks&set=n", "?scene=/etc/passwd", "?scene=none.gltf"})
+    assert_true(viewer.ask(std::string("/scenes/make") + wrong).starts_with("HTTP/1.1 400"));
+  // Asked by a page of another site, whatever it may read of the answer.
+  const std::string host = "127.0.0.1";
+  const std::string foreign = viewer.ask("/scenes/make?scene=stacks", host, "Sec-Fetch-Site: cross-site\r\n");
+  assert_true(foreign.starts_with("HTTP/1.1 403"));
+  assert_int_equal(viewer.end(SIGTERM), 0);
+}
+
 static void recordings_are_served_as_they_are(void**) {
   const Folder folder;
   const fs::path file = folder.path / "a session.rec";
@@ -206,9 +226,8 @@ static void without_its_library_it_says_what_to_install(void**) {
 
 int main() {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(a_page_and_its_scene_are_served),
-      cmocka_unit_test(nothing_else_is_served),
-      cmocka_unit_test(recordings_are_served_as_they_are),
+      cmocka_unit_test(a_page_and_its_scene_are_served), cmocka_unit_test(nothing_else_is_served),
+      cmocka_unit_test(scenes_are_made_on_demand),       cmocka_unit_test(recordings_are_served_as_they_are),
       cmocka_unit_test(what_is_missing_is_told),
   };
   const struct CMUnitTest without[] = {cmocka_unit_test(without_its_library_it_says_what_to_install),

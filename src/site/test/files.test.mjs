@@ -198,6 +198,19 @@ test(
         return [5, 12].map((step) => (sim.seek(step), sim.hash() === caromViewer.state.row.hashes[step]));
       });
       assert.deepEqual(same, [true, true]);
+      // Scenes of other numbers are made by the command.
+      await page.selectOption("#scene", "stacks");
+      await page.waitForFunction(() => caromViewer.state.row.name === "stacks");
+      await page.locator("#panel .lil-title", { hasText: "its own numbers" }).click();
+      await page.locator("#panel .lil-controller", { hasText: /^n$/ }).locator("input").first().fill("2");
+      await page.keyboard.press("Enter");
+      await page.locator("#panel button", { hasText: "Make the scene anew" }).click();
+      await page.waitForFunction(() => caromViewer.state.row.made?.n === 2);
+      const made = await page.evaluate(() => {
+        const [sim] = caromViewer.state.sims;
+        return [sim.bodies.length, (sim.seek(20), sim.hash() === caromViewer.state.row.hashes[20])];
+      });
+      assert.deepEqual(made, [2 * 40 + 1, true]);
       await page.close();
     } finally {
       server.kill();

@@ -41,6 +41,25 @@ nlohmann::json hashes_of(World& world, double dt, const HashedSteps& steps) {
   return hashes;
 }
 
+/// The scene's own numbers, with the values that it was made of.
+nlohmann::json knobs_of(const Scene& scene, const SceneChoice& choice) {
+  nlohmann::json knobs = nlohmann::json::array();
+  const auto values = values_from(choice.sets);
+  for (const Knob& knob : scene.knobs) {
+    double value = knob.name == "n" && choice.n ? *choice.n : knob.initial;
+    for (const auto& [name, given] : values)
+      if (name == knob.name) value = given;
+    knobs.push_back({{"name", knob.name},
+                     {"unit", knob.unit},
+                     {"help", knob.help},
+                     {"min", knob.min},
+                     {"max", knob.max},
+                     {"whole", knob.whole},
+                     {"value", value}});
+  }
+  return knobs;
+}
+
 }  // namespace
 
 void PackedScene::rename(const std::string& name) {
@@ -69,6 +88,7 @@ PackedScene packed_scene(const SceneChoice& choice, const HashedSteps& steps, Co
   for (const Actor& actor : stage.actors)
     if (actor.particles == CAROM_NULL_HANDLE) packed.row["bodies"].push_back({actor.name, actor.kind});
   packed.row["particles"] = stage.particle_count();
+  packed.row["knobs"] = knobs_of(scene, choice);
   packed.row["hashes"] = hashes_of(stage.world, dt, steps);
   packed.rename(is_scene_file(choice.scene) ? stem_of(choice.scene) : scene.name);
   return packed;

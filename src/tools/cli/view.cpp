@@ -76,6 +76,23 @@ void open_browser(const std::string& address) {
   if (failed) std::fprintf(stderr, "carom: xdg-open is not there to open a browser; open the address by hand\n");
 }
 
+/// "?scene=pyramid&set=n=12": length of the row (4 bytes, little-endian), row, world.   @throws Error
+std::string made_scene(const serve::Question& question, Context& context) {
+  SceneChoice choice;
+  const auto [from, to] = question.equal_range("set");
+  for (auto set = from; set != to; ++set) choice.sets.push_back(set->second);
+  const auto scene = question.find("scene");
+  if (scene == question.end()) throw Error("no scene is named", "ask for ?scene=NAME&set=PARAMETER=VALUE");
+  find_scene(scene->second);  // of the library alone: a page names no files
+  choice.scene = scene->second;
+  const PackedScene packed = packed_scene(choice, {240, 1}, context);
+  const std::string row = packed.row.dump();
+  const std::size_t n = row.size();
+  std::string answer;
+  for (int byte = 0; byte < 4; ++byte) answer += static_cast<char>(n >> (8 * byte) & 255);
+  return answer + row + packed.content;
+}
+
 void view(ViewOptions& options, Context& context) {
   serve::Site site;
   site.folder = site_folder(options.site);
@@ -86,6 +103,7 @@ void view(ViewOptions& options, Context& context) {
     site.in_place["/scenes/" + packed.file] = std::move(packed.content);
     site.in_place["/scenes/index.json"] = index_with(packed.row, site.folder);
   }
+  site.make = [&context](const serve::Question& question) { return made_scene(question, context); };
   serve::run(site, options.port, [&](std::uint16_t port) {
     const std::string address = "http://127.0.0.1:" + std::to_string(port) + "/";
     std::printf("%s  (ctrl-C ends it)\n", address.c_str());

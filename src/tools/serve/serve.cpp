@@ -4,6 +4,7 @@
 #include <pthread.h>
 
 #include <csignal>
+#include <mutex>
 #include <thread>
 
 #include "host/files.h"
@@ -39,6 +40,23 @@ bool is_local(const httplib::Request& request) {
   return host == "127.0.0.1" || host == "localhost";
 }
 
+/// What takes time and memory is done for the page alone, not for a page of another site that only sends the request.
+void make(const Site& site, const httplib::Request& request, httplib::Response& response) {
+  static std::mutex one_at_a_time;
+  const std::string from = request.get_header_value("Sec-Fetch-Site");
+  if (!from.empty() && from != "same-origin" && from != "none") {
+    response.status = 403;
+    return response.set_content("this is asked by the page of this address alone\n", "text/plain");
+  }
+  try {
+    const std::lock_guard lock(one_at_a_time);
+    response.set_content(site.make(Question(request.params.begin(), request.params.end())), "application/octet-stream");
+  } catch (const Error& error) {
+    response.status = 400;
+    response.set_content(std::string(error.what()) + "; " + error.remedy + "\n", "text/plain; charset=utf-8");
+  }
+}
+
 void answer(const Site& site, const httplib::Request& request, httplib::Response& response) {
   if (!is_local(request)) {
     response.status = 403;
@@ -46,6 +64,7 @@ void answer(const Site& site, const httplib::Request& request, httplib::Response
     return;
   }
   const std::string path = request.path.ends_with('/') ? request.path + "index.html" : request.path;
+  if (path == "/scenes/make" && site.make) return make(site, request, response);
   const auto made = site.in_place.find(path);
   if (made != site.in_place.end()) return response.set_content(made->second, type_of(path));
   try {

@@ -8,9 +8,13 @@
 
 namespace carom::tools::serve {
 
+using Question = std::multimap<std::string, std::string>;  ///< what stands behind the ? of an address
+
 struct Site {
   std::string folder;                           ///< what lies below it is served; "/" is its index.html
   std::map<std::string, std::string> in_place;  ///< path ("/scenes/index.json") -> content, instead of the folder's
+  /// Answers for "/scenes/make", one at a time; an Error is told to whoever asks. Asked by the page itself alone.
+  std::function<std::string(const Question&)> make;
 };
 
 /// Serve until SIGINT or SIGTERM comes. Binds 127.0.0.1; answers requests that name this machine as their host, so that
