@@ -41,6 +41,7 @@ FILES = {
     "bindings/js/src/constants.js": emit_js.constants,
     "bindings/js/src/constants.d.ts": emit_js.constant_types,
     "bindings/js/src/raw.d.ts": emit_js.raw_types,
+    "bindings/js/src/recorded_calls.js": emit_js.recorded_calls,
     "bindings/lua/carom_cdef.lua": emit_lua.cdef,
     "bindings/python/carom/_c.py": emit_python.declarations,
     "bindings/python/carom/records.py": emit_records.records,

@@ -1,6 +1,10 @@
 """The raw layer of bindings/js: constants, and types of what the module exports. Layouts of structs are not here: 32-bit
 pointers move fields, so the package asks carom_abi_manifest() of the module that it has loaded."""
+import json
 import re
+
+import emit_record
+from c_reader import HeaderError
 
 BY = "// Written by bindings/gen/generate from include/carom; do not edit."
 
@@ -48,3 +52,34 @@ def raw_types(api):
         out += _comment(f["doc"], "  ")
         out.append(f"  {f['name']}({arguments}): {of(f['returns'])};")
     return "\n".join(out + ["}", ""])
+
+
+def recorded_calls(api):
+    """Arguments of each call that a recording holds, in order: recording.js reads them so."""
+    kinds = emit_record.Kinds(api)
+
+    def spelled(function, argument):
+        name = argument["name"]
+        what, detail = kinds.of(function, argument)
+        if what == "number":
+            return [what, name, detail]
+        if what == "vector":
+            return [what, name, detail]
+        if what == "struct":
+            if any(f["kind"] in ("ptr", "fn") for f in kinds.structs[detail]["fields"]):
+                raise HeaderError(f"{function}: {detail} has a pointer, which no recording can hold")
+            return [what, name, detail, kinds.handle_fields(detail)]
+        if what == "array":
+            element = re.fullmatch(r"const (\w+) \*", argument["type"])[1]
+            if element in kinds.handles:
+                return ["handles", name, detail[0]]
+            return ["array", name, detail[0], {"uint32_t": 4, "uint64_t": 8, "double": 8}[element]]
+        if what == "bytes":
+            return ["array", name, detail[0], 1]
+        if what == "records":
+            width = re.sub(r"field_width\((\w+)\)", r"\1", detail[1])
+            return [what, name, detail[0], int(width) if width.isdigit() else width, detail[2]]
+        return [what, name]
+
+    rows = [f"  {name}: {json.dumps([spelled(name, a) for a in arguments])}," for name, arguments in emit_record.changing(api)]
+    return "\n".join([BY, "export const CALLS = {"] + rows + ["};", ""])

@@ -17,7 +17,8 @@ rmSync(`${here}dist`, { recursive: true, force: true });
 mkdirSync(`${here}dist`, { recursive: true });
 await build({
   entryPoints: [`${here}src/main.js`],
-  outfile: `${here}dist/main.js`,
+  outdir: `${here}dist`,
+  splitting: true, // readers of files come when they are needed
   bundle: true,
   format: "esm",
   minify: true,

@@ -3,18 +3,23 @@ import { createServer } from "node:http";
 import { readFile } from "node:fs/promises";
 import { extname, join, normalize } from "node:path";
 
-const root = new URL("dist/", import.meta.url).pathname;
+const DIST = new URL("dist/", import.meta.url).pathname;
 const TYPES = {
   ".html": "text/html; charset=utf-8",
   ".js": "text/javascript",
   ".css": "text/css",
+  ".mjs": "text/javascript",
   ".json": "application/json",
+  ".svg": "image/svg+xml",
+  ".png": "image/png",
+  ".md": "text/plain; charset=utf-8",
+  ".txt": "text/plain; charset=utf-8",
   ".wasm": "application/wasm",
   ".world": "application/octet-stream",
 };
 
-/** @returns the server, once it listens   @param port 0: any that is free */
-export function serve(port = 0) {
+/** @returns the server, once it listens   @param port 0: any that is free   @param root  folder, ends in / */
+export function serve(port = 0, root = DIST) {
   const server = createServer(async (request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url, "http://localhost").pathname));
     const file = join(root, path.endsWith("/") ? `${path}index.html` : path);

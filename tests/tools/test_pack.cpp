@@ -1,4 +1,5 @@
-// `carom pack`: a scene's file, loaded by a program that knows no scene, goes through the states whose hashes stand beside it.
+// `carom pack`: a scene's file, loaded by a program that knows no scene, goes through the states whose hashes stand
+// beside it.
 #include <carom/carom.h>
 #include <unistd.h>
 
@@ -7,8 +8,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "host/host.h"
 #include "carom_command.h"
+#include "host/host.h"
 
 using command_test::Outcome;
 using command_test::run_carom;
@@ -21,10 +22,12 @@ static std::vector<char> bytes_of(const fs::path& path) {
 
 static void packed_scenes_go_on_as_told(void**) {
   const fs::path folder = fs::temp_directory_path() / ("carom_pack_" + std::to_string(getpid()));
-  const Outcome packed = run_carom("pack " + folder.string() + " stacks ragdoll weather --steps 12");
+  const Outcome packed =
+      run_carom("pack " + folder.string() + " stacks ragdoll weather falling:n=8,layers=2 --steps 12");
   assert_int_equal(packed.code, 0);
   const nlohmann::json index = nlohmann::json::parse(bytes_of(folder / "index.json"));
-  assert_int_equal(index.size(), 3);
+  assert_int_equal(index.size(), 4);
+  assert_string_equal(index[3]["name"].get<std::string>().c_str(), "falling_n_8_layers_2");
   for (const auto& row : index) {
     carom::tools::Engine engine{carom::tools::PluginPath({CAROM_PLUGIN_DIR})};
     engine.load_all();
@@ -42,7 +45,8 @@ static void packed_scenes_go_on_as_told(void**) {
 }
 
 static void what_cannot_be_packed_is_told(void**) {
-  const Outcome unknown = run_carom("pack " + (fs::temp_directory_path() / "carom_pack_none").string() + " no_such_scene");
+  const Outcome unknown =
+      run_carom("pack " + (fs::temp_directory_path() / "carom_pack_none").string() + " no_such_scene");
   assert_int_equal(unknown.code, 2);
   assert_true(unknown.says("what to do"));
   const Outcome nowhere = run_carom("pack /proc/no/such/folder stacks");

@@ -4,6 +4,11 @@ import { net, Owned } from "./owner.js";
 import { bring } from "./side_module.js";
 import { World } from "./world.js";
 
+/** @returns {{ pointer: number }} for engine.useShape()   @throws TypeError (no side module of a shape) */
+export async function bringShape(module, source) {
+  return { pointer: await bring(module, await compile(source)) };
+}
+
 /** A shape of an engine, shared by any number of bodies. */
 export class Shape {
   constructor(engine, handle) {
@@ -204,12 +209,17 @@ export class Engine {
   /** A shape plugin of your own, as a side module: see side_module.js.   @returns its id, for shape(id, params)
    *  @throws TypeError (no side module of a shape), CaromError (the engine refuses it, e.g. as dishonest) */
   async loadShape(source) {
+    return this.useShape(await bringShape(this.module, source));
+  }
+
+  /** A shape that carom.bringShape() brought.   @returns its id, for shape(id, params)
+   *  @throws CaromError (the engine refuses it, e.g. as dishonest) */
+  useShape({ pointer }) {
     const m = this.module;
-    const description = await bring(m, await compile(source));
     return this.pluginId(
       m.frame((room) => {
         const out = room(8);
-        m.call("carom_plugin_register", this.pointer, description, out);
+        m.call("carom_plugin_register", this.pointer, pointer, out);
         return m.view.getBigUint64(out, true);
       }),
     );
@@ -223,6 +233,22 @@ export class Engine {
       m.call("carom_plugin_describe", this.pointer, plugin, out);
       const { offset } = m.structs.layouts.get("carom_shape_plugin").fields.get("id");
       return m.text(m.view.getUint32(m.view.getUint32(out, true) + offset, true));
+    });
+  }
+
+  /** What shape(id, params) takes at least.   @returns [{ name, unit, min, max }] */
+  parameters(id) {
+    const m = this.module;
+    return m.frame((room) => {
+      const plugin = room(8),
+        out = room(8);
+      m.call("carom_plugin_find", this.pointer, m.putText(room, id.includes(".") ? id : `carom.${id}`), plugin);
+      m.call("carom_plugin_describe", this.pointer, m.view.getBigUint64(plugin, true), out);
+      const about = m.structs.read(m.view, "carom_shape_plugin", m.view.getUint32(out, true));
+      return Array.from({ length: about.param_count }, (_, i) => {
+        const row = m.structs.read(m.view, "carom_param", about.params + i * m.structs.size("carom_param"));
+        return { ...row, name: m.text(row.name), unit: m.text(row.unit) };
+      });
     });
   }
 

@@ -39,6 +39,8 @@ export interface Carom {
   /** The C interface, for what has no method here. */
   readonly raw: Raw;
   engine(): Engine;
+  /** A shape plugin as a side module, for any number of engines: engine.useShape(). */
+  bringShape(source: string | URL | Response | BufferSource | WebAssembly.Module): Promise<ShapePlugin>;
   dials(): Dial[];
   /** Names by CAROM_PRESET_*. */
   presets(): string[];
@@ -83,6 +85,10 @@ export class Engine {
   heightField(heights: Vector, columns: number, spacing: Vector): Shape;
   /** A shape plugin as a side module.   @returns its id, for shape(id, params) */
   loadShape(source: string | URL | Response | BufferSource | WebAssembly.Module): Promise<string>;
+  /** A shape that carom.bringShape() brought.   @returns its id */
+  useShape(plugin: ShapePlugin): string;
+  /** What shape(id, params) takes at least. */
+  parameters(id: string): { name: string; unit: string; min: number; max: number }[];
   world(options?: { gravity?: Vector; body_capacity?: number | bigint }): World;
   /** Its worlds first. */
   free(): void;
@@ -201,12 +207,27 @@ export class World {
   save(options?: { whole?: boolean }): Uint8Array;
   restore(bytes: Uint8Array): void;
   fork(): World;
+  /** Write down all that is done from now on.   @param options.states  the state after each step, too */
+  record(options?: { states?: boolean }): { end(): Uint8Array };
   setDial(name: string | number, value: number): void;
   dial(name: string | number): number;
   setPreset(preset: number): void;
   setEffect(effect: number, mode: number): void;
   timeEffects(on?: boolean): void;
   report(): Record<string, number | bigint | number[]>;
+  /** Keep an account of energy and momentum by cause from now on; no bit changes. */
+  keepLedger(on?: boolean): void;
+  /** What each cause gave, J, N s, N m s: in the last step, and in all (`total_...`). */
+  ledger(): {
+    name: string;
+    kinetic: number;
+    potential: number;
+    linear: number[];
+    angular: number[];
+    total_kinetic: number;
+    total_potential: number;
+    [field: string]: unknown;
+  }[];
   residuals(): Record<string, number | bigint | number[]>;
   contacts(): {
     point: number[];
@@ -240,4 +261,26 @@ export class World {
     density: number;
   };
   free(): void;
+}
+
+/** A session that was recorded: of World.record(), of `carom run --record`, of any host. */
+export class Recording {
+  /** @param engine  keeps the shapes of the recording */
+  constructor(engine: Engine, bytes: Uint8Array);
+  readonly start: Uint8Array;
+  /** dt, s; `calls` were made before the step. */
+  readonly steps: { dt: number; calls: { name: string; content: Uint8Array }[] }[];
+  /** After each step. */
+  readonly hashes: string[];
+  /** false: it was cut off. */
+  readonly ended: boolean;
+  /** As the recording begins. */
+  world(): World;
+  /** What was done before a step, once more.   @returns whether anything was done */
+  perform(world: World, step: number): boolean;
+}
+
+/** A shape plugin that was brought into the module, for any of its engines. */
+export interface ShapePlugin {
+  readonly pointer: number;
 }

@@ -1,12 +1,13 @@
 // Carom for JavaScript: the C interface in WebAssembly, with objects, exceptions and views. See ../README.md.
 import * as constants from "./constants.js";
-import { Engine } from "./engine.js";
+import { bringShape, Engine } from "./engine.js";
 import { instantiate } from "./module.js";
 
 export { Body, Joint } from "./body.js";
 export { constants };
 export { Engine, Shape } from "./engine.js";
 export { CaromError } from "./errors.js";
+export { Recording } from "./recording.js";
 export { BodyView } from "./view.js";
 export { World } from "./world.js";
 
@@ -27,6 +28,11 @@ class Carom {
 
   engine() {
     return new Engine(this.module);
+  }
+
+  /** A shape plugin as a side module, for any number of engines.   @throws TypeError (no side module of a shape) */
+  bringShape(source) {
+    return bringShape(this.module, source);
   }
 
   /** Every dial: name, bounds, choices, what it trades. */

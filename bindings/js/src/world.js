@@ -2,6 +2,8 @@
 import * as C from "./constants.js";
 import { Body, Joint } from "./body.js";
 import { net, Owned } from "./owner.js";
+import { particlePositions } from "./particles.js";
+import { record } from "./recording.js";
 import { BodyView } from "./view.js";
 
 const FIELDS = {
@@ -181,6 +183,12 @@ export class World {
     });
   }
 
+  /** Write down all that is done from now on.   @param states  after each step, too
+   *  @returns {{ end(): Uint8Array }} for new Recording(engine, bytes), and for `carom replay` */
+  record(options) {
+    return record(this, options);
+  }
+
   /** A second world that goes on as this one, bit for bit. */
   fork() {
     const m = this.module;
@@ -252,6 +260,18 @@ export class World {
       name,
     );
   }
+  /** Keep an account of energy and momentum by cause from now on (carom/ledger.h); no bit changes. */
+  keepLedger(on = true) {
+    this.module.call("carom_world_enable_ledger", this.pointer, on ? 1 : 0);
+  }
+  /** What each cause gave, in the last step and in all; none of a world that keeps no ledger. */
+  ledger() {
+    const m = this.module;
+    return this.#list("carom_ledger_entry", "carom_world_get_ledger").map((entry) => ({
+      ...entry,
+      name: m.text(entry.name),
+    }));
+  }
   contacts() {
     return this.#list("carom_contact", "carom_world_get_contacts");
   }
@@ -298,37 +318,7 @@ export class World {
 
   /** Of all particles of all sets.   @returns Float32Array [3n] m */
   particlePositions() {
-    const m = this.module;
-    return m.frame((room) => {
-      const count = room(8);
-      m.call("carom_world_get_particles", this.pointer, 0, 0n, count);
-      const n = Number(m.view.getBigUint64(count, true)),
-        at = room(8 * n);
-      if (n) m.call("carom_world_get_particles", this.pointer, at, BigInt(n), count);
-      const parts = [];
-      for (const set of Array.from(new BigUint64Array(m.buffer, at, n))) {
-        m.call("carom_particles_get_count", this.pointer, set, count);
-        const k = Number(m.view.getBigUint64(count, true)),
-          to = room(12 * k);
-        if (k)
-          m.call(
-            "carom_particles_read",
-            this.pointer,
-            set,
-            C.CAROM_FIELD_POSITION,
-            C.CAROM_SCALAR_F32,
-            0,
-            BigInt(k),
-            to,
-            0n,
-          );
-        parts.push(new Float32Array(m.buffer, to, 3 * k).slice());
-      }
-      const all = new Float32Array(parts.reduce((sum, p) => sum + p.length, 0));
-      let end = 0;
-      for (const part of parts) (all.set(part, end), (end += part.length));
-      return all;
-    });
+    return particlePositions(this);
   }
 
   /** What a ray meets first, or null.   @param direction [3] m per unit of time   @returns body, collider, time,

@@ -4,7 +4,8 @@ option(CAROM_WASM_SIMD "Use WebAssembly's 128-bit registers: same bits, faster" 
 # same place:
 # `v = m * v` then reads what it has just written. Its vectorisers make such code of ours; core/wide.h hides its own
 # spreads.
-target_compile_options(carom_flags INTERFACE -fwasm-exceptions -O2
+set(CAROM_WASM_OPTIMISE -O2 CACHE STRING "How the module is optimised: -O2, or -Os, -Oz for size")
+target_compile_options(carom_flags INTERFACE -fwasm-exceptions ${CAROM_WASM_OPTIMISE}
   $<$<BOOL:${CAROM_WASM_SIMD}>:-msimd128> -fno-slp-vectorize -fno-vectorize)
 target_link_options(carom_flags INTERFACE -fwasm-exceptions)
 

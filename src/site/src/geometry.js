@@ -4,7 +4,7 @@ import { ConvexGeometry } from "three/addons/geometries/ConvexGeometry.js";
 
 const DIRECTIONS = 600; // in which a shape that three.js does not know is asked for its farthest points
 
-function spread(n) {
+export function spread(n) {
   const out = new Float64Array(3 * n);
   for (let i = 0; i < n; ++i) {
     // Fibonacci's lattice on the sphere

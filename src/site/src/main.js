@@ -1,12 +1,13 @@
 // The page: scenes, time, tools, settings and a comparison, put together. What each part does stands in its own file.
-import { load } from "carom";
-import { plot } from "./curves.js";
+import { load, Recording } from "carom";
+import { plot, plotCauses } from "./curves.js";
 import { readLink, writeLink } from "./link.js";
+import { opened } from "./opened.js";
 import { Panel } from "./panel.js";
 import { Picture, SHOWN } from "./picture.js";
 import { PlanPanel } from "./plan.js";
 import { Pointer } from "./pointer.js";
-import { Simulation } from "./simulation.js";
+import { apart, Simulation } from "./simulation.js";
 import { Stage } from "./stage.js";
 
 const $ = (id) => document.getElementById(id);
@@ -23,6 +24,7 @@ const state = {
   owed: 0,
   following: null,
   difference: [],
+  shapes: [], // that visitors brought: { id, plugin }
   last: 0,
 };
 const shown = { ...SHOWN };
@@ -50,8 +52,10 @@ function begin(row, start, sides) {
   const engine = carom.engine(),
     made = [];
   try {
+    for (const { plugin } of state.shapes) engine.useShape(plugin);
+    const recording = row.recording ? new Recording(engine, row.recording) : null;
     for (const { settings, log } of sides) {
-      const sim = new Simulation(engine, start, row.dt ?? 1 / 60, [...settings]);
+      const sim = new Simulation(engine, start, row.dt ?? 1 / 60, [...settings], recording);
       made.push(sim);
       sim.load(log);
     }
@@ -81,22 +85,12 @@ function show() {
   });
   const two = state.sims.length === 2;
   panel.compare.on = two;
+  if (panel.row !== state.row) ((panel.row = state.row), panel.show(state.row.knobs));
   panel.refresh();
   $("difference").hidden = !two;
   $("label-a").textContent = two ? "A" : "";
   $("label-b").textContent = two ? "B" : "";
   redraw();
-}
-
-/** m: root mean square of the distances between a body of A and the same of B. */
-function difference() {
-  const [a, b] = state.sims.map((sim) => sim.poses.update());
-  if (a.count !== b.count || !a.count) return NaN;
-  const x = a.array,
-    y = b.array;
-  let sum = 0;
-  for (let i = 0; i < a.count; ++i) for (let k = 0; k < 3; ++k) sum += (x[7 * i + k] - y[7 * i + k]) ** 2;
-  return Math.sqrt(sum / a.count);
 }
 
 function advance() {
@@ -105,7 +99,7 @@ function advance() {
     if (pull) sim.do(pull);
     sim.advance();
   }
-  if (state.sims.length === 2) state.difference[state.sims[0].step] = difference();
+  if (state.sims.length === 2) state.difference[state.sims[0].step] = apart(...state.sims);
 }
 
 function seek(step) {
@@ -158,6 +152,8 @@ function redraw() {
     );
     if (state.sims.length === 2) plot($("difference"), "A and B apart", "m (rms)", [state.difference], sim.step);
   }
+  sim.account($("causes-box").open);
+  if ($("causes-box").open) plotCauses($("causes"), $("causes-table"), sim.causes, sim.step);
   if ($("plan-box").open) plan.update(sim.world.plan());
 }
 
@@ -196,10 +192,27 @@ async function open(name, sides = [{ settings: [], log: [] }]) {
   if (!row) throw new Error(`there is no scene "${name}"; choose one of ${rows.map((r) => r.name).join(", ")}`);
   const response = await fetch(`scenes/${row.world}`);
   if (!response.ok) throw new Error(`scenes/${row.world} is missing: build the page again`);
-  begin(row, new Uint8Array(await response.arrayBuffer()), sides);
+  const bytes = new Uint8Array(await response.arrayBuffer());
+  const file = row.world.endsWith(".rec") ? await opened(carom, row.world, bytes) : { start: bytes };
+  begin({ ...row, ...file.row }, file.start, sides);
   $("scene").value = name;
   $("about").textContent = `${row.summary} Look for: ${row.look_for}.`;
+  row.camera ? stage.look(row) : stage.paint();
+}
+
+/** The scene of other numbers, as `carom view` makes it. */
+async function make(name, values) {
+  const query = new URLSearchParams({ scene: name });
+  for (const [knob, value] of Object.entries(values)) query.append("set", `${knob}=${value}`);
+  const response = await fetch(`scenes/make?${query}`);
+  if (response.status === 404) throw new Error("scenes are made by the command: open this page by carom view");
+  if (!response.ok) throw new Error(await response.text());
+  const bytes = new Uint8Array(await response.arrayBuffer()),
+    n = new DataView(bytes.buffer).getUint32(0, true);
+  const row = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + n)));
+  begin({ ...row, made: values }, bytes.slice(4 + n), [{ settings: [], log: [] }]);
   stage.look(row);
+  redraw();
 }
 
 function compare(on) {
@@ -222,11 +235,63 @@ function link() {
     },
     carom.presets(),
   );
+  if (state.row.made) return say("a scene of other numbers has no link: save the world, and send the file");
   if (!state.row.name) return say("an opened file has no link: save the world, and send the file");
   if (!query) return say("too much was done by hand for a link: save the world, and send the file");
   history.replaceState(null, "", query);
   navigator.clipboard?.writeText(location.href).catch(() => {});
   return undefined;
+}
+
+/** Take up a tool. */
+function choose(button) {
+  pointer.tool = button.dataset.tool;
+  pointer.shape = button.shape;
+  state.following = null;
+  for (const other of document.querySelectorAll("[data-tool]"))
+    other.setAttribute("aria-checked", String(other === button));
+}
+
+/** A shape that was dropped is there from now on: in this scene and in those to come, with a tool that drops bodies of it. */
+function bring(plugin, name) {
+  const id = state.engine.useShape(plugin);
+  state.shapes.push({ id, plugin });
+  const params = state.engine
+    .parameters(id)
+    .map(({ unit, min, max }) => Math.min(max, Math.max(min, unit === "m" ? 0.4 : 1)));
+  const button = document.createElement("button");
+  Object.assign(button, { type: "button", textContent: `Drop ${id}`, shape: { shape: id, params } });
+  (button.setAttribute("role", "radio"), (button.dataset.tool = "shape"));
+  button.onclick = () => choose(button);
+  $("tools").append(button);
+  choose(button);
+  say(`${name}: click where a body of the shape ${id} should fall`);
+}
+
+/** A file that was opened or dropped. What is wrong with it is told, and the scene stays as it was. */
+async function openFile(file) {
+  if (!file) return;
+  try {
+    const { start, row, shape, action, note } = await opened(
+      carom,
+      file.name,
+      new Uint8Array(await file.arrayBuffer()),
+    );
+    if (shape) return bring(shape, file.name);
+    if (action) {
+      const to = stage.controls.target.toArray();
+      for (const sim of state.sims) sim.do({ ...action, position: action.position.map((x, i) => x + to[i]) });
+      redraw();
+    } else {
+      begin(row, start, [{ settings: [], log: [] }]);
+      $("about").textContent = note ?? file.name;
+      row.camera ? stage.look(row) : stage.paint();
+      redraw();
+    }
+    if (note) say(note);
+  } catch (error) {
+    say(error.message);
+  }
 }
 
 function controls() {
@@ -251,32 +316,22 @@ function controls() {
     a.click();
     setTimeout(() => URL.revokeObjectURL(a.href), 1000);
   };
-  const file = async (f) => {
-    if (f) (attempt(() => begin({ dt: 1 / 60 }, f.bytes, [{ settings: [], log: [] }])), stage.paint());
-  };
-  const read = async (f) => f && file({ bytes: new Uint8Array(await f.arrayBuffer()) });
-  $("open").onchange = () => read($("open").files[0]).then(() => ($("open").value = ""));
+  $("open").onchange = () => openFile($("open").files[0]).then(() => ($("open").value = ""));
   $("stage").ondragover = (e) => e.preventDefault();
-  $("stage").ondrop = (e) => (e.preventDefault(), read(e.dataTransfer.files[0]));
+  $("stage").ondrop = (e) => (e.preventDefault(), openFile(e.dataTransfer.files[0]));
   $("theme").onclick = () => {
     const { dataset } = document.documentElement;
     dataset.theme = dataset.theme === "dark" ? "light" : "dark";
     stage.paint();
     redraw();
   };
-  for (const button of document.querySelectorAll("[data-tool]"))
-    button.onclick = () => {
-      pointer.tool = button.dataset.tool;
-      state.following = null;
-      for (const other of document.querySelectorAll("[data-tool]"))
-        other.setAttribute("aria-checked", String(other === button));
-    };
+  for (const button of document.querySelectorAll("[data-tool]")) button.onclick = () => choose(button);
   addEventListener("keydown", (e) => {
     if (e.target.closest("input, select, button, summary")) return;
     const key = { " ": "play", ArrowRight: "step", ArrowLeft: "back", r: "reset" }[e.key];
     if (key) (e.preventDefault(), $(key).click());
   });
-  $("plan-box").ontoggle = $("curves-box").ontoggle = () => state.sims.length && redraw();
+  $("plan-box").ontoggle = $("curves-box").ontoggle = $("causes-box").ontoggle = () => state.sims.length && redraw();
   new ResizeObserver(() => state.sims.length && redraw()).observe($("stage"));
 }
 
@@ -293,6 +348,7 @@ async function start() {
     shown,
     onShown: () => redraw(),
     onCompare: compare,
+    onMake: (values) => make(state.row.name, values).catch((e) => say(e.message)),
     apply: (which, action) => attempt(() => state.sims[which]?.do(action)),
     dial: (which, name) => (state.sims[which] ?? state.sims[0])?.world.dial(name) ?? 0,
   });
@@ -309,7 +365,8 @@ async function start() {
   controls();
   let wanted = { scene: null, step: 0, sides: undefined };
   attempt(() => (wanted = readLink(location.search, carom.presets(), carom.dials())));
-  await open(wanted.scene ?? "wall", wanted.sides).catch(async (e) => (say(e.message), await open("wall")));
+  const first = (rows.find((row) => row.first) ?? rows.find((row) => row.name === "wall") ?? rows[0]).name;
+  await open(wanted.scene ?? first, wanted.sides).catch(async (e) => (say(e.message), await open(first)));
   if (location.search) {
     play(false);
     if (wanted.step)
@@ -329,6 +386,10 @@ async function start() {
     state,
     seek,
     probe: (u, v) => pointer.probe(u, v),
+    /** Geometries and textures that the graphics card holds. */
+    get held() {
+      return { ...stage.renderer.info.memory };
+    },
   };
   requestAnimationFrame(frame);
 }

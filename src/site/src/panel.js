@@ -66,7 +66,7 @@ const FIRST = [
 ];
 
 export class Panel {
-  /** @param page  carom, apply(which, action), dial(which, name), shown, onCompare(on), onShown() */
+  /** @param page  carom, apply(which, action), dial(which, name), shown, onCompare(on), onMake(values), onShown() */
   constructor(element, page) {
     this.page = page;
     this.gui = new GUI({ container: element, title: "Settings", touchStyles: true });
@@ -78,6 +78,7 @@ export class Panel {
       .onChange((on) => page.onCompare(on));
     this.b = this.#settings("B: dials", 1);
     this.b.hide();
+    this.knobs = this.gui.addFolder("Scene: its own numbers").close();
     const draw = this.gui.addFolder("Draw").close();
     for (const name of Object.keys(page.shown)) draw.add(page.shown, name).onChange(() => page.onShown());
   }
@@ -115,6 +116,20 @@ export class Panel {
     for (const dial of dials) if (!FIRST.includes(dial.name)) add(dial, more);
     folder.refresh = refresh;
     return folder;
+  }
+
+  /** The numbers that a scene is made of, and a button that makes it of others. @param knobs  of the index, or none */
+  show(knobs = []) {
+    for (const row of [...this.knobs.controllers]) row.destroy();
+    this.knobs[knobs.length ? "show" : "hide"]();
+    const values = Object.fromEntries(knobs.map((k) => [k.name, k.value]));
+    for (const knob of knobs) {
+      const row = this.knobs.add(values, knob.name).min(knob.min).max(knob.max);
+      if (knob.whole) row.step(1);
+      row.name(knob.unit ? `${knob.name} (${knob.unit})` : knob.name);
+      row.domElement.title = knob.help;
+    }
+    if (knobs.length) this.knobs.add({ make: () => this.page.onMake(values) }, "make").name("Make the scene anew");
   }
 
   refresh() {

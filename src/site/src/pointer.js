@@ -55,11 +55,10 @@ export class Pointer {
     }
     if (!hit) return;
     const { sim } = page.picture();
-    if (this.tool === "box") {
+    if (this.tool === "box" || this.tool === "shape") {
       page.act({
         do: "spawn",
-        shape: "box",
-        params: [0.25, 0.25, 0.25],
+        ...(this.tool === "shape" ? this.shape : { shape: "box", params: [0.25, 0.25, 0.25] }),
         position: [hit.point.x, hit.point.y + 1.5, hit.point.z],
       });
     } else if (this.tool === "delete") {

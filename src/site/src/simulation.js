@@ -11,9 +11,9 @@ const MOST_BYTES = 96 << 20; // of snapshots; of older ones every second is drop
 
 export class Simulation {
   /** @param start  Uint8Array: a whole snapshot   @param dt s   @param settings  actions before the first step:
-   * dials, presets */
-  constructor(engine, start, dt, settings = []) {
-    Object.assign(this, { engine, dt });
+   * dials, presets   @param recording  a session that goes with it: its calls are made again, its steps are as long */
+  constructor(engine, start, dt, settings = [], recording = null) {
+    Object.assign(this, { engine, dt, recording });
     this.actions = new Map(); // step -> actions
     this.lastAction = -1;
     this.snapshots = new Map(); // step -> { bytes, structure, shape counts }
@@ -21,6 +21,8 @@ export class Simulation {
     this.newest = 0; // the farthest step that was reached
     this.energy = []; // J, kinetic, by step
     this.seconds = []; // s of computing, by step
+    this.accounts = false; // kept of energy by cause?
+    this.causes = new Map(); // name -> J that it gave, by step
     this.#build(start);
     this.step = 0;
     this.settings = settings;
@@ -39,6 +41,7 @@ export class Simulation {
     this.poses?.free();
     this.world?.free();
     this.world = world;
+    if (this.accounts) world.keepLedger();
     this.poses = world.view("pose");
     this.refresh();
   }
@@ -78,15 +81,19 @@ export class Simulation {
     this.newest = this.step;
     this.energy.length = Math.min(this.energy.length, this.step);
     this.seconds.length = Math.min(this.seconds.length, this.step);
+    for (const list of this.causes.values()) list.length = Math.min(list.length, this.step);
     this.lastAction = Math.max(-1, ...this.actions.keys());
   }
 
   /** One step on: in the past with the actions that were done then. */
   advance() {
+    if (this.recording?.perform(this.world, this.step)) this.refresh();
+    this.dt = this.recording?.steps[this.step]?.dt ?? this.dt;
     this.world.step(this.dt);
     const report = this.world.report();
     this.energy[this.step] = report.linear_energy + report.angular_energy;
     this.seconds[this.step] = report.total_seconds;
+    if (this.accounts) this.#book();
     ++this.step;
     this.report = report;
     // A snapshot has what was done before, not what is done at this step.
@@ -94,6 +101,20 @@ export class Simulation {
     const again = this.step <= this.newest ? (this.actions.get(this.step) ?? []) : [];
     this.newest = Math.max(this.newest, this.step);
     for (const action of again) act(this, action);
+  }
+
+  /** Keep accounts of energy by cause from now on; no bit changes. */
+  account(on) {
+    if (this.accounts === on) return;
+    this.accounts = on;
+    this.world.keepLedger(on);
+  }
+
+  #book() {
+    for (const { name, kinetic, potential } of this.world.ledger()) {
+      if (!this.causes.has(name)) this.causes.set(name, []);
+      this.causes.get(name)[this.step] = kinetic + potential;
+    }
   }
 
   #keep() {
@@ -159,3 +180,14 @@ export const DRAW = {
   outlines: C.CAROM_DRAW_SHAPES | C.CAROM_DRAW_SCENERY,
   frames: C.CAROM_DRAW_BODIES,
 };
+
+/** m: root mean square of the distances between a body of the one and the same of the other. */
+export function apart(one, other) {
+  const [a, b] = [one, other].map((sim) => sim.poses.update());
+  if (a.count !== b.count || !a.count) return NaN;
+  const x = a.array,
+    y = b.array;
+  let sum = 0;
+  for (let i = 0; i < a.count; ++i) for (let k = 0; k < 3; ++k) sum += (x[7 * i + k] - y[7 * i + k]) ** 2;
+  return Math.sqrt(sum / a.count);
+}

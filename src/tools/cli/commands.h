@@ -37,6 +37,7 @@ void add_tune_command(CLI::App& app, Context& context);
 void add_jury_command(CLI::App& app, Context& context);
 void add_import_command(CLI::App& app, Context& context);
 void add_pack_command(CLI::App& app, Context& context);
+void add_view_command(CLI::App& app, Context& context);
 
 /// The values of repeated --set NAME=NUMBER.   @throws Error
 std::vector<std::pair<std::string, double>> values_from(const std::vector<std::string>& sets);

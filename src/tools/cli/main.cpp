@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   add_jury_command(app, context);
   add_import_command(app, context);
   add_pack_command(app, context);
+  add_view_command(app, context);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {

@@ -1,0 +1,147 @@
+// The pages of the documentation: every Markdown file of the repository under its own path, and start pages of docs/start. Links
+// between them are made anew; what is linked and is no page is copied along. A link that leads nowhere is an error.
+import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
+import { dirname, extname, join, normalize, posix, relative } from "node:path";
+
+export const ROOT = new URL("../../../", import.meta.url).pathname;
+const START = "src/site/docs/start";
+const OUT = ["build", "out", "node_modules", "dist"];
+const PICTURES = [".svg", ".png", ".jpg", ".html"];
+
+const GROUPS = [
+  ["Start", /^src\/site\/docs\/start\//],
+  ["Overview", /^(README|ABI)\.md$/],
+  ["Interface", /^include\//],
+  ["Bindings", /^bindings\//],
+  ["The command", /^src\/tools\//],
+  ["In a browser", /^src\/site\//],
+  ["The inside", /^(src|plugins)\//],
+  ["Tests and measurements", /^tests\//],
+  ["The project", /./],
+];
+
+function* markdown(folder = "") {
+  for (const entry of readdirSync(ROOT + folder, { withFileTypes: true }).sort((a, b) => (a.name < b.name ? -1 : 1))) {
+    const path = posix.join(folder, entry.name);
+    if (entry.isDirectory()) {
+      if (!entry.name.startsWith(".") && !OUT.includes(entry.name)) yield* markdown(path);
+    } else if (entry.name.endsWith(".md")) yield path;
+  }
+}
+
+/** Of a file: "src/tools/README.md" is at src/tools/, "ABI.md" at ABI/, start pages at start/, the first of them at the root. */
+function addressOf(file) {
+  if (file === `${START}/index.md`) return "";
+  if (file.startsWith(START)) return `start/${file.slice(START.length + 1, -3)}/`;
+  if (file === "README.md") return "readme/";
+  return file.endsWith("/README.md")
+    ? file.slice(0, -9)
+    : file.endsWith("/index.md")
+      ? file.slice(0, -8)
+      : `${file.slice(0, -3)}/`;
+}
+
+/** A line `@include FILE [LANGUAGE]` stands for a file's text, or for the first block of a page in that language. */
+function included(line) {
+  const [, file, language] = /^@include (\S+)(?: (\S+))?$/.exec(line);
+  const text = readFileSync(ROOT + file, "utf8");
+  if (!file.endsWith(".md")) return `\`\`\`${language ?? extname(file).slice(1)}\n${text.trimEnd()}\n\`\`\``;
+  const block = new RegExp(`^\`\`\`${language}\\n[\\s\\S]*?^\`\`\`$`, "m").exec(text);
+  if (!block) throw new Error(`${file} has no block in ${language}`);
+  return block[0];
+}
+
+export class Pages {
+  constructor() {
+    this.files = new Map(); // that are copied: source path -> address
+    this.wrong = []; // links
+    this.pages = [...markdown()].map((file) => {
+      let text = readFileSync(ROOT + file, "utf8");
+      if (file.startsWith(START)) text = text.replace(/^@include .*$/gm, included);
+      const heading = /^# (.+)$/m.exec(text);
+      if (!heading) throw new Error(`${file} has no heading`);
+      const title = heading[1].replace(/[`*]/g, "");
+      const prose =
+        text
+          .slice(heading.index + heading[0].length)
+          .split(/\n\n+/)
+          .find((p) => /^[A-Z`[]/.test(p.trim())) ?? "";
+      return {
+        file,
+        text,
+        title: file === "README.md" ? "README" : title,
+        about: prose
+          .trim()
+          .replace(/\s+/g, " ")
+          .replace(/!?\[([^\]]*)\]\([^)]*\)/g, "$1"),
+        address: addressOf(file),
+        group: GROUPS.findIndex(([, pattern]) => pattern.test(file)),
+      };
+    });
+    this.byFile = new Map(this.pages.map((page) => [page.file, page]));
+  }
+
+  /** For the list beside a page: [{ name, pages }]. */
+  groups() {
+    const first = (page) => (page.address === "" ? 0 : 1);
+    return GROUPS.map(([name], number) => ({
+      name,
+      number,
+      open: number < 2,
+      pages: this.pages.filter((page) => page.group === number).sort((a, b) => first(a) - first(b)),
+    })).filter((group) => group.pages.length);
+  }
+
+  /** Where a link of a page leads, as an address from the page's own.   @param plain  to Markdown instead of pages */
+  target(page, href, plain = false) {
+    if (/^([a-z]+:|#|\/\/)/i.test(href)) return href;
+    const [path, anchor] = href.split("#"),
+      end = anchor === undefined ? "" : `#${anchor}`;
+    const from = page.file.startsWith(START) ? "" : dirname(page.file);
+    if (page.file.startsWith(START) && path.startsWith("live:")) return href;
+    let file = normalize(join(from, decodeURIComponent(path))).replace(/\/$/, "");
+    if (file.startsWith("..") || !existsSync(ROOT + file)) return this.#lost(page, href);
+    if (statSync(ROOT + file).isDirectory()) {
+      // A folder is its page, or that of the nearest folder above that has one.
+      while (file && file !== "." && !this.byFile.has(`${file}/README.md`)) file = dirname(file);
+      file = file && file !== "." ? `${file}/README.md` : "README.md";
+    }
+    const to = this.byFile.get(file);
+    const goal = to ? to.address + (plain ? "index.md" : "") : this.#copied(file);
+    return (relative(`/${page.address}`, `/${goal}`) || ".") + (to && !plain ? "/" : "") + end;
+  }
+
+  #copied(file) {
+    const address = `files/${file}${PICTURES.includes(extname(file)) ? "" : ".txt"}`;
+    this.files.set(file, address);
+    return address;
+  }
+  #lost(page, href) {
+    this.wrong.push(`${page.file}: ${href}`);
+    return href;
+  }
+
+  /** A page as plain Markdown whose links lead to plain Markdown. */
+  plain(page) {
+    let fenced = false;
+    return page.text
+      .split("\n")
+      .map((line) => {
+        if (/^```/.test(line)) fenced = !fenced;
+        if (fenced || /^ {4}/.test(line)) return line;
+        return line.replace(
+          /(\]\()([^)\s]+)(\))/g,
+          (_, open, href, close) => open + this.target(page, href, true) + close,
+        );
+      })
+      .join("\n");
+  }
+}
+
+/** The id of a heading, as code hosts make it. */
+export const slug = (text) =>
+  text
+    .toLowerCase()
+    .replace(/[^\p{L}\p{N}\s_-]/gu, "")
+    .trim()
+    .replace(/\s/g, "-");

@@ -1,0 +1,46 @@
+// Files that a visitor opens or drops, told apart by their content. Nothing here changes what the page shows.
+import { Recording } from "carom";
+
+const LARGEST = 64; // MiB
+
+const begins = (bytes, text) => new TextDecoder("latin1").decode(bytes.subarray(0, text.length)) === text;
+
+/** What a file is:
+ *  - { start, row }: a scene, as a whole snapshot; row.recording are the bytes of a session that goes with it
+ *  - { shape: plugin }: a shape, to be used by engines
+ *  - { action }: something that comes into the scene as it stands
+ *  each with `note`, what a visitor should know.
+ *  @throws Error that says what is wrong with the file */
+export async function opened(carom, name, bytes) {
+  if (bytes.length > LARGEST << 20)
+    throw new Error(`${name} is larger than ${LARGEST} MiB: the page opens smaller files`);
+  if (begins(bytes, "CAROMSNP")) return { start: bytes, row: { dt: 1 / 60 } };
+  if (begins(bytes, "CAROMREC")) return session(carom, name, bytes);
+  if (begins(bytes, "\0asm")) return { shape: await carom.bringShape(bytes) };
+  if (begins(bytes, "glTF") || /\.gltf$/i.test(name)) return (await import("./gltf.js")).sceneOf(carom, name, bytes);
+  if (/\.obj$/i.test(name)) return (await import("./obj.js")).bodyOf(carom, name, bytes);
+  throw new Error(
+    `${name} is nothing that opens here: a saved world, a recording, a .gltf, .glb or .obj file, or a shape as .wasm`,
+  );
+}
+
+function session(carom, name, bytes) {
+  const engine = carom.engine();
+  try {
+    const recording = new Recording(engine, bytes);
+    recording.world().free(); // can it begin?
+    const { steps, hashes } = recording;
+    if (!steps.length) throw new Error(`${name} has no step: nothing was recorded but the world as it was`);
+    return {
+      start: recording.start,
+      row: {
+        dt: steps[0].dt,
+        recording: bytes,
+        hashes: Object.fromEntries(hashes.map((hash, i) => [i + 1, hash])),
+      },
+      note: `${name}: ${steps.length} steps${recording.ended ? "" : "; it was cut off, or its program never came back"}`,
+    };
+  } finally {
+    engine.free();
+  }
+}

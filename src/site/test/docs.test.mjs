@@ -1,0 +1,118 @@
+// The documentation: every link and anchor leads somewhere, plain pages too, search finds, three widths fit.
+import { strict as assert } from "node:assert";
+import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { after, before, test } from "node:test";
+import { Browser, skip } from "./browser.mjs";
+
+const DIST = new URL("../dist/", import.meta.url).pathname,
+  DOCS = join(DIST, "docs");
+const unbuilt = !existsSync(join(DOCS, "index.html")) && "not built: npm run build";
+let browser;
+
+before(async () => {
+  if (!skip && !unbuilt) browser = await Browser.start();
+});
+after(() => browser?.end());
+
+function* files(folder, ending) {
+  for (const entry of readdirSync(folder, { withFileTypes: true })) {
+    const path = join(folder, entry.name);
+    if (entry.isDirectory()) entry.name !== "pagefind" && entry.name !== "files" && (yield* files(path, ending));
+    else if (entry.name.endsWith(ending)) yield path;
+  }
+}
+const ids = new Map();
+function idsOf(file) {
+  if (!ids.has(file))
+    ids.set(file, new Set([...readFileSync(file, "utf8").matchAll(/ id="([^"]*)"/g)].map((m) => m[1])));
+  return ids.get(file);
+}
+/** @returns what is wrong with a link, or null */
+function broken(from, href) {
+  if (/^(https?:|mailto:|data:)/.test(href)) return null;
+  const [, path, anchor] = /^([^?#]*)(?:\?[^#]*)?(?:#(.*))?$/.exec(href);
+  let file = path ? join(dirname(from), decodeURIComponent(path)) : from;
+  if (!file.startsWith(DIST.slice(0, -1))) return "leads out of the site";
+  if (existsSync(file) && statSync(file).isDirectory()) {
+    if (!path.endsWith("/") && path !== "." && path !== "..") return "a folder without / at its end";
+    file = join(file, "index.html");
+  }
+  if (!existsSync(file)) return "leads nowhere";
+  if (anchor && file.endsWith(".html") && !idsOf(file).has(decodeURIComponent(anchor))) return "has no such anchor";
+  return null;
+}
+
+test("every link of every page leads somewhere", { skip: unbuilt }, (t) => {
+  const wrong = [];
+  let links = 0,
+    pages = 0;
+  for (const page of files(DOCS, ".html")) {
+    ++pages;
+    for (const [, href] of readFileSync(page, "utf8").matchAll(/<[^>]* (?:href|src)="([^"]*)"/g)) {
+      ++links;
+      const why = broken(page, href);
+      if (why) wrong.push(`${page.slice(DOCS.length)}: ${href} ${why}`);
+    }
+  }
+  t.diagnostic(`${pages} pages, ${links} links`);
+  assert.deepEqual([...new Set(wrong)], []);
+  assert.ok(pages > 70 && links > 5000);
+  // The check can fail.
+  assert.ok(broken(join(DOCS, "index.html"), "nowhere/") && broken(join(DOCS, "index.html"), "#nothing"));
+});
+
+test("plain Markdown of every page, listed in llms.txt", { skip: unbuilt }, () => {
+  const listed = [...readFileSync(join(DOCS, "llms.txt"), "utf8").matchAll(/^- \[.+?\]\((\S+?)\)(?:: .+)?$/gm)].map(
+    (m) => m[1],
+  );
+  const pages = [...files(DOCS, "index.html")].map((page) =>
+    page.slice(DOCS.length + 1).replace("index.html", "index.md"),
+  );
+  assert.deepEqual([...listed].sort(), pages.sort());
+  const wrong = [];
+  for (const file of listed) {
+    const path = join(DOCS, file),
+      text = readFileSync(path, "utf8").replace(/^```[\s\S]*?^```$/gm, "");
+    assert.match(text, /^# /m, file);
+    for (const [, href] of text.replace(/`[^`\n]*`/g, "").matchAll(/\]\(([^)\s]+)\)/g)) {
+      const why = broken(path, href.split("#")[0] || "index.md");
+      if (why) wrong.push(`${file}: ${href} ${why}`);
+    }
+  }
+  assert.deepEqual(wrong, []);
+});
+
+test(
+  "search finds, pages fit three widths, start pages have live scenes",
+  { skip: skip || unbuilt, timeout: 180000 },
+  async () => {
+    for (const width of [360, 800, 1600]) {
+      const context = await browser.browser.newContext({ viewport: { width, height: 800 } });
+      const page = await context.newPage();
+      page.on("console", (m) => m.type() === "error" && browser.errors.push(m.text()));
+      page.on("pageerror", (e) => browser.errors.push(e.message));
+      for (const path of ["docs/", "docs/include/pages/body/", "docs/src/tools/accuracy/CHOOSING/", "docs/readme/"]) {
+        await page.goto(new URL(path, browser.base).href, { waitUntil: "domcontentloaded" });
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+        assert.ok(wide <= 0, `${path} at ${width} px is ${wide} px too wide`);
+      }
+      await page.fill("#search input", "restitution");
+      await page.waitForSelector(".pagefind-ui__result-link");
+      await page.click(".pagefind-ui__result-link >> nth=0");
+      await page.waitForFunction(() => /restitution/i.test(document.querySelector("main")?.textContent ?? ""));
+      assert.match(page.url(), /\/docs\/.+/);
+      await context.close();
+    }
+    const context = await browser.browser.newContext({ viewport: { width: 1000, height: 900 } });
+    const page = await context.newPage();
+    await page.goto(new URL("docs/start/games/", browser.base).href);
+    await page.locator("iframe.live").scrollIntoViewIfNeeded();
+    const frame = await (await page.waitForSelector("iframe.live")).contentFrame();
+    await frame.waitForFunction(() => globalThis.caromViewer?.state.row.name === "pyramid", null, { timeout: 60000 });
+    assert.equal(await frame.evaluate(() => document.getElementById("native").dataset.same), "true");
+    await context.close();
+  },
+);
+
+test("no console error in all of this", { skip: skip || unbuilt }, () => assert.deepEqual(browser.complaints(), []));

@@ -1,0 +1,314 @@
+// Files that are opened or dropped: what they become, and that bad ones are told of and leave the scene as it was.
+// Some are made by the native command, where it is built: build/test/bin/carom or build/demo/bin/carom.
+import { strict as assert } from "node:assert";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync } from "node:fs";
+import { readFile, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { Browser, now, skip } from "./browser.mjs";
+
+const carom = ["test", "demo"]
+  .map((p) => new URL(`../../../build/${p}/bin/carom`, import.meta.url).pathname)
+  .find(existsSync);
+const folder = mkdtempSync(join(tmpdir(), "carom-"));
+let browser;
+
+before(async () => {
+  if (!skip) browser = await Browser.start();
+});
+after(() => browser?.end());
+
+const small = { viewport: { width: 420, height: 320 } };
+const state = (page) =>
+  page.evaluate(() => {
+    const [sim] = caromViewer.state.sims;
+    return {
+      bodies: sim.bodies.map((b) => ({ type: b.type, mass: b.mass, position: b.position })),
+      parts: sim.parts.length,
+    };
+  });
+
+/** Open a file and wait until the page says something. @returns what it says */
+async function open(page, name, content) {
+  const file = join(folder, name);
+  if (content !== undefined) await writeFile(file, content);
+  await page.evaluate(() => (document.getElementById("message").hidden = true));
+  await page.setInputFiles("#open", file);
+  await page.waitForFunction(() => !document.getElementById("message").hidden, null, { timeout: 30000 });
+  return (await now(page)).message;
+}
+
+/** A cube of edge 2 a, as triangles of a .gltf with its buffer inside. */
+function cube(a, nodes, more = {}) {
+  const corners = Float32Array.from({ length: 24 }, (_, i) => ((Math.floor(i / 3) >> (i % 3)) & 1 ? a : -a));
+  const faces = Uint16Array.from([
+    0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5,
+  ]);
+  const bytes = Buffer.concat([Buffer.from(corners.buffer), Buffer.from(faces.buffer)]);
+  return JSON.stringify({
+    asset: { version: "2.0" },
+    scene: 0,
+    scenes: [{ nodes: nodes.map((_, i) => i) }],
+    nodes,
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+    accessors: [
+      { bufferView: 0, componentType: 5126, count: 8, type: "VEC3", min: [-a, -a, -a], max: [a, a, a] },
+      { bufferView: 1, componentType: 5123, count: 36, type: "SCALAR" },
+    ],
+    bufferViews: [
+      { buffer: 0, byteOffset: 0, byteLength: 96 },
+      { buffer: 0, byteOffset: 96, byteLength: 72 },
+    ],
+    buffers: [{ byteLength: 168, uri: `data:application/octet-stream;base64,${bytes.toString("base64")}` }],
+    ...more,
+  });
+}
+
+test("a glTF file without physics: a body for each mesh", { skip, timeout: 120000 }, async () => {
+  const page = await browser.visit("?scene=stacks&step=1", small);
+  const said = await open(
+    page,
+    "cubes.gltf",
+    cube(0.5, [
+      { mesh: 0, translation: [0, 2, 0] },
+      { mesh: 0, scale: [2, 1, 1], translation: [3, 2, 0] },
+    ]),
+  );
+  assert.match(said, /no physics/);
+  const { bodies } = await state(page);
+  assert.deepEqual(bodies.map((b) => b.type).sort(), ["dynamic", "dynamic", "static"]);
+  const masses = bodies.map((b) => b.mass).sort((x, y) => x - y);
+  assert.ok(Math.abs(masses[1] - 1000) < 1e-6 && Math.abs(masses[2] - 2000) < 1e-6, `${masses}`);
+  await page.evaluate(() => caromViewer.state.sims[0].seek(30));
+  assert.equal((await now(page)).step, 30);
+  await page.close();
+});
+
+test("a glTF file with physics: masses, shapes, places, materials", { skip, timeout: 120000 }, async () => {
+  const page = await browser.visit("?scene=stacks&step=1", small);
+  const physics = (more) => ({ extensions: { KHR_physics_rigid_bodies: more } });
+  const shape = (i) => ({ collider: { geometry: { shape: i }, physicsMaterial: 0 } });
+  const nodes = [
+    { name: "floor", translation: [0, -0.5, 0], ...physics(shape(0)) },
+    {
+      name: "ball",
+      translation: [0, 3, 0],
+      ...physics({ motion: { mass: 7, linearVelocity: [0, 0, 2] }, ...shape(1) }),
+    },
+    { name: "two", translation: [4, 2, 0], children: [4], ...physics({ motion: { mass: 3 } }) },
+    {
+      name: "hull",
+      mesh: 0,
+      translation: [-4, 2, 0],
+      ...physics({ motion: {}, collider: { geometry: { mesh: 0, convexHull: true } } }),
+    },
+    { name: "part", translation: [0, 1, 0], ...physics(shape(2)) },
+  ];
+  const extensions = {
+    KHR_implicit_shapes: {
+      shapes: [
+        { type: "box", box: { size: [20, 1, 20] } },
+        { type: "sphere", sphere: { radius: 0.5 } },
+        { type: "capsule", capsule: { height: 1, radiusTop: 0.2, radiusBottom: 0.2 } },
+      ],
+    },
+    KHR_physics_rigid_bodies: { physicsMaterials: [{ dynamicFriction: 0.3, restitution: 0 }] },
+  };
+  const text = cube(0.5, nodes, {
+    scenes: [{ nodes: [0, 1, 2, 3] }],
+    extensions,
+    extensionsUsed: Object.keys(extensions),
+  });
+  await open(page, "physics.gltf", text);
+  const { bodies, parts } = await state(page);
+  assert.equal(parts, 4);
+  const near = (a, b) => assert.ok(Math.abs(a - b) < 1e-6 * Math.max(1, Math.abs(b)), `${a}, not ${b}`);
+  const at = (x) => bodies.find((b) => Math.abs(b.position[0] - x) < 1e-6 && b.type === "dynamic");
+  (near(at(0).mass, 7), near(at(4).mass, 3), near(at(-4).mass, 1000));
+  assert.equal(bodies.filter((b) => b.type === "static").length, 1);
+  await page.evaluate(() => caromViewer.state.sims[0].seek(120));
+  const later = await state(page);
+  const ball = later.bodies.find((b) => Math.abs(b.mass - 7) < 1e-6);
+  assert.ok(Math.abs(ball.position[1] - 0.5) < 5e-3 && ball.position[2] > 1, `${ball.position}`);
+  await page.close();
+});
+
+test(
+  "files of the command: glTF, worlds and recordings",
+  { skip: skip || (!carom && "no native carom is built"), timeout: 180000 },
+  async () => {
+    const page = await browser.visit("?scene=stacks&step=1", small);
+    execFileSync(carom, ["export", "ragdoll", join(folder, "ragdoll.gltf")]);
+    const said = await open(page, "ragdoll.gltf");
+    assert.match(said, /joints are left out \(\d+\)/);
+    assert.match(said, /carom view/);
+    assert.ok((await state(page)).bodies.length > 30);
+
+    execFileSync(carom, ["run", "bullet", "--seconds", "0.5", "--quiet", "--record", join(folder, "bullet.rec")]);
+    assert.match(await open(page, "bullet.rec"), /30 steps/);
+    assert.equal((await now(page)).step, 0);
+    for (const _ of Array(12)) await page.click("#step");
+    assert.deepEqual(
+      { ...(await now(page)), hash: "", message: "" },
+      { step: 12, hash: "", native: "true", message: "" },
+    );
+    const all = await page.evaluate(() => {
+      const [sim] = caromViewer.state.sims,
+        { hashes } = caromViewer.state.row;
+      const wrong = [];
+      for (const step of [30, 3, 29, 1]) (sim.seek(step), sim.hash() !== hashes[step] && wrong.push(step));
+      return { wrong, known: Object.keys(hashes).length };
+    });
+    assert.deepEqual(all, { wrong: [], known: 30 });
+
+    const saved = join(folder, "saved.world");
+    execFileSync(carom, ["run", "stacks", "--seconds", "0.1", "--quiet", "--save", saved]);
+    await page.setInputFiles("#open", saved);
+    await page.waitForFunction(() => caromViewer.state.sims[0].bodies.length > 100);
+    await page.close();
+  },
+);
+
+test(
+  "carom view: a recording comes first, and has the recorded hashes",
+  { skip: skip || (!carom && "no native carom is built"), timeout: 120000 },
+  async () => {
+    const { spawn } = await import("node:child_process");
+    execFileSync(carom, ["run", "bullet", "--seconds", "0.2", "--quiet", "--record", join(folder, "served.rec")]);
+    const server = spawn(carom, [
+      "view",
+      join(folder, "served.rec"),
+      "--port",
+      "0",
+      "--site",
+      new URL("../dist", import.meta.url).pathname,
+    ]);
+    try {
+      const said = await new Promise((resolve, reject) => {
+        server.stdout.once("data", (text) => resolve(String(text)));
+        server.stderr.once("data", (text) => reject(new Error(String(text))));
+      });
+      const page = await browser.visit(/http:\S+/.exec(said)[0], small);
+      await page.evaluate(() => caromViewer.state.playing && document.getElementById("play").click());
+      assert.equal(await page.evaluate(() => caromViewer.state.row.name), "served");
+      const same = await page.evaluate(() => {
+        const [sim] = caromViewer.state.sims;
+        return [5, 12].map((step) => (sim.seek(step), sim.hash() === caromViewer.state.row.hashes[step]));
+      });
+      assert.deepEqual(same, [true, true]);
+      // Scenes of other numbers are made by the command.
+      await page.selectOption("#scene", "stacks");
+      await page.waitForFunction(() => caromViewer.state.row.name === "stacks");
+      await page.locator("#panel .lil-title", { hasText: "its own numbers" }).click();
+      await page.locator("#panel .lil-controller", { hasText: /^n$/ }).locator("input").first().fill("2");
+      await page.keyboard.press("Enter");
+      await page.locator("#panel button", { hasText: "Make the scene anew" }).click();
+      await page.waitForFunction(() => caromViewer.state.row.made?.n === 2);
+      const made = await page.evaluate(() => {
+        const [sim] = caromViewer.state.sims;
+        return [sim.bodies.length, (sim.seek(20), sim.hash() === caromViewer.state.row.hashes[20])];
+      });
+      assert.deepEqual(made, [2 * 40 + 1, true]);
+      await page.close();
+    } finally {
+      server.kill();
+    }
+  },
+);
+
+test(
+  "an OBJ file is a body that falls into the scene; a shape is a tool from then on",
+  { skip, timeout: 120000 },
+  async () => {
+    const page = await browser.visit("?scene=stacks&step=1", small);
+    const before = (await state(page)).bodies.length;
+    const obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n";
+    assert.match(await open(page, "corner.obj", obj), /convex hull/);
+    let now_ = await state(page);
+    assert.equal(now_.bodies.length, before + 1);
+    assert.ok(Math.abs(now_.bodies.at(-1).mass - 1000 / 6) < 1e-6, `${now_.bodies.at(-1).mass}`);
+    // By dropping it on the picture, too.
+    await page.evaluate((text) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([text], "dropped.obj"));
+      document
+        .getElementById("stage")
+        .dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+    }, obj);
+    await page.waitForFunction((n) => caromViewer.state.sims[0].bodies.length === n, before + 2);
+    const large = obj.replace(/^v.*$/gm, (line) => line.replaceAll("1", "100"));
+    assert.match(await open(page, "large.obj", large), /1 m long/);
+
+    const side = new URL("../../../bindings/js/dist/template.wasm", import.meta.url);
+    if (existsSync(side)) {
+      assert.match(await open(page, "template.wasm", await readFile(side)), /carom\.template/);
+      const count = (await state(page)).bodies.length;
+      const box = await page.locator("#view").boundingBox();
+      await page.mouse.click(box.x + box.width / 2, box.y + box.height * 0.62);
+      assert.equal((await state(page)).bodies.length, count + 1);
+      await page.evaluate(() => caromViewer.state.sims[0].seek(caromViewer.step + 30));
+      // It is there in the next scene, too.
+      await page.selectOption("#scene", "wall");
+      await page.waitForFunction(() => caromViewer.state.row.name === "wall");
+      const other = (await state(page)).bodies.length;
+      await page.mouse.click(box.x + box.width / 2, box.y + box.height * 0.62);
+      assert.equal((await state(page)).bodies.length, other + 1);
+    }
+    await page.close();
+  },
+);
+
+test("hostile files are told of and change nothing", { skip, timeout: 240000 }, async () => {
+  const page = await browser.visit("?scene=stacks&step=3", small);
+  const { hash } = await now(page);
+  const good = cube(0.5, [{ mesh: 0 }]),
+    edited = (change) => {
+      const json = JSON.parse(good);
+      change(json);
+      return JSON.stringify(json);
+    };
+  const header = Buffer.concat([Buffer.from("CAROMREC"), Buffer.from(Uint32Array.of(1, 0).buffer)]);
+  for (const [name, content] of [
+    ["empty.gltf", ""],
+    ["text.gltf", "not JSON"],
+    ["list.gltf", "[]"],
+    ["cut.glb", Buffer.from("glTF\x02\0\0\0\xff\xff\xff\xff", "latin1")],
+    ["remote.gltf", edited((j) => (j.buffers[0].uri = "https://example.com/secret.bin"))],
+    ["upward.gltf", edited((j) => (j.buffers[0].uri = "../scenes/index.json"))],
+    ["long.gltf", edited((j) => (j.accessors[0].count = 1e9))],
+    ["none.gltf", edited((j) => (j.meshes = []))],
+    ["loop.gltf", edited((j) => (j.nodes[0].children = [0]))],
+    ["required.gltf", edited((j) => (j.extensionsRequired = ["EXT_of_nobody"]))],
+    ["omi.gltf", edited((j) => (j.extensionsUsed = ["OMI_physics_body"]))],
+    ["huge.gltf", edited((j) => (j.nodes[0].scale = [1e300, 1e300, 1e300]))],
+    ["flat.gltf", edited((j) => (j.nodes[0].scale = [1, 0, 1]))],
+    [
+      "physics.gltf",
+      edited(
+        (j) => (
+          (j.extensionsUsed = ["KHR_physics_rigid_bodies"]),
+          (j.nodes[0].extensions = {
+            KHR_physics_rigid_bodies: { motion: { mass: -1 }, collider: { geometry: { shape: 7 } } },
+          })
+        ),
+      ),
+    ],
+    ["empty.obj", ""],
+    ["nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\n"],
+    ["flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n"],
+    ["header.rec", header],
+    ["noise.rec", Buffer.concat([header, Buffer.alloc(5000, 0x5a)])],
+    ["empty.wasm", Buffer.from("\0asm", "latin1")],
+    ["other.wasm", Buffer.from([0, 97, 115, 109, 1, 0, 0, 0])],
+    ["picture.png", Buffer.from("\x89PNG\r\n\x1a\n", "latin1")],
+  ]) {
+    const said = await open(page, name, content);
+    assert.ok(said.length > 20, `${name}: "${said}"`);
+    assert.equal((await now(page)).hash, hash, `${name}: ${said}`);
+  }
+  await page.close();
+});
+
+test("no console error in all of this", { skip }, () => assert.deepEqual(browser.complaints(), []));

@@ -1,0 +1,113 @@
+#include "cli/packed_scene.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "host/files.h"
+#include "scenefile/scenefile.h"
+
+namespace carom::tools {
+namespace {
+
+std::string hex(std::uint64_t hash) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+nlohmann::json three(const Vec& v) { return {v.x(), v.y(), v.z()}; }
+
+/// Of letters that need no escaping in an address.
+std::string plain(std::string name) {
+  for (char& c : name)
+    if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-')) c = '_';
+  return name.empty() ? "scene" : name;
+}
+std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+nlohmann::json hashes_of(World& world, double dt, const HashedSteps& steps) {
+  using Clock = std::chrono::steady_clock;
+  nlohmann::json hashes = {{"0", hex(world.hash())}};
+  const Clock::time_point start = Clock::now();
+  for (std::uint64_t step = 1; step <= steps.most; ++step) {
+    if (std::chrono::duration<double>(Clock::now() - start).count() > steps.seconds) break;
+    world.step(dt);
+    hashes[std::to_string(step)] = hex(world.hash());
+  }
+  return hashes;
+}
+
+/// The scene's own numbers, with the values that it was made of.
+nlohmann::json knobs_of(const Scene& scene, const SceneChoice& choice) {
+  nlohmann::json knobs = nlohmann::json::array();
+  const auto values = values_from(choice.sets);
+  for (const Knob& knob : scene.knobs) {
+    double value = knob.name == "n" && choice.n ? *choice.n : knob.initial;
+    for (const auto& [name, given] : values)
+      if (name == knob.name) value = given;
+    knobs.push_back({{"name", knob.name},
+                     {"unit", knob.unit},
+                     {"help", knob.help},
+                     {"min", knob.min},
+                     {"max", knob.max},
+                     {"whole", knob.whole},
+                     {"value", value}});
+  }
+  return knobs;
+}
+
+}  // namespace
+
+void PackedScene::rename(const std::string& name) {
+  row["name"] = plain(name);
+  row["world"] = file = plain(name) + (content.starts_with("CAROMREC") ? ".rec" : ".world");
+}
+
+PackedScene packed_scene(const SceneChoice& choice, const HashedSteps& steps, Context& context) {
+  const Scene& scene = chosen_scene(choice.scene);
+  const double dt = choice.dt.value_or(scene.dt);
+  Engine engine(context.plugins());
+  engine.set_threads(choice.threads);
+  Stage stage(engine);
+  const std::unique_ptr<Observer> observer = set_up(choice, scene, stage);
+  const std::vector<char> bytes = stage.world.save(CAROM_SNAPSHOT_WHOLE);
+  PackedScene packed;
+  packed.content.assign(bytes.begin(), bytes.end());
+  packed.row = {{"summary", scene.summary},
+                {"look_for", scene.look_for},
+                {"dt", dt},
+                {"seconds", choice.seconds.value_or(scene.seconds)},
+                {"remarks", stage.remarks},
+                {"camera", {{"from", three(stage.camera_from)}, {"to", three(stage.camera_to)}}},
+                {"ground", stage.ground_half_width}};
+  if (stage.water_level) packed.row["water"] = *stage.water_level;
+  for (const Actor& actor : stage.actors)
+    if (actor.particles == CAROM_NULL_HANDLE) packed.row["bodies"].push_back({actor.name, actor.kind});
+  packed.row["particles"] = stage.particle_count();
+  packed.row["knobs"] = knobs_of(scene, choice);
+  packed.row["hashes"] = hashes_of(stage.world, dt, steps);
+  packed.rename(is_scene_file(choice.scene) ? stem_of(choice.scene) : scene.name);
+  return packed;
+}
+
+bool is_recording(const std::string& path) {
+  char magic[8] = {0};
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(path, failed)) return false;  // opening a FIFO would wait
+  std::ifstream file(path, std::ios::binary);
+  return file.read(magic, sizeof magic) && std::memcmp(magic, "CAROMREC", sizeof magic) == 0;
+}
+
+PackedScene packed_recording(const std::string& path) {
+  PackedScene packed;
+  packed.content = read_file(path, "check the path");
+  packed.row = {{"summary", "A recorded session."}, {"look_for", "what it was recorded for"}, {"particles", 0}};
+  packed.rename(stem_of(path));
+  return packed;
+}
+
+}  // namespace carom::tools
