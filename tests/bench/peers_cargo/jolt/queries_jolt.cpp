@@ -40,9 +40,10 @@ class Natives {
     return *shape;
   }
   void clear() { made_.clear(); }
-  /// It keeps at most 256 vertices of a hull.
-  static bool has(const Solid& s) {
-    return s.kind != Kind::cone && s.kind != Kind::ellipsoid && (s.kind != Kind::hull || s.vertices <= 256);
+  static const char* missing(const Solid& s) {
+    if (s.kind == Kind::cone) return "it has no cone";
+    if (s.kind == Kind::ellipsoid) return "it has no ellipsoid";
+    return s.kind == Kind::hull && s.vertices > 256 ? "it keeps at most 256 vertices of a hull" : nullptr;
   }
 
  private:
@@ -93,7 +94,9 @@ constexpr auto kWhole = JPH::ConvexShape::ESupportMode::IncludeConvexRadius;
 class Casts final : public CastPeer {
  public:
   const char* name() const override { return "Jolt f32"; }
-  bool can(Task task, const Solid& solid) const override { return task != Task::turning && Natives::has(solid); }
+  const char* lacks(Task task, const Solid& solid) const override {
+    return task == Task::turning ? "its casts do not turn" : Natives::missing(solid);
+  }
   void prepare(Task, const CastCase* cases, std::size_t count) override {
     couples_.clear();
     natives_.clear();
@@ -129,7 +132,7 @@ class Pairs final : public Peer {
  public:
   explicit Pairs(bool depth) : depth_(depth) {}
   const char* name() const override { return depth_ ? "Jolt f32 GJK + EPA" : "Jolt f32 GJK distance"; }
-  bool can(const Solid& solid) const override { return Natives::has(solid); }
+  const char* lacks(const Solid& solid) const override { return Natives::missing(solid); }
   void prepare(const Query* queries, std::size_t count) override {
     couples_.clear();
     natives_.clear();

@@ -3,8 +3,9 @@
 use crate::vector;
 use rapier3d::math::{Pose, Real, Rotation, Vector};
 use rapier3d::na;
-use rapier3d::parry::query::details::contact_support_map_support_map;
-use rapier3d::parry::query::{cast_shapes, cast_shapes_nonlinear, NonlinearRigidMotion, Ray, ShapeCastOptions};
+use rapier3d::parry::query::{
+    cast_shapes, cast_shapes_nonlinear, contact, NonlinearRigidMotion, Ray, ShapeCastOptions,
+};
 use rapier3d::parry::shape::SharedShape;
 use std::collections::HashMap;
 use std::ffi::{c_char, c_void, CStr};
@@ -107,12 +108,9 @@ impl Queries {
     fn pair(&self, i: usize) -> RustAnswer {
         let nothing = RustAnswer { overlap: false, separation: f64::INFINITY, normal: [f64::NAN; 3] };
         let q = &self.all[i];
-        let cores = q.a.as_ref().and_then(|a| Some((a.as_support_map()?, q.b.as_support_map()?)));
-        let Some((a, b)) = cores else { return nothing };
-        let Some(found) = contact_support_map_support_map(&q.from_a.inv_mul(&q.from_b), a, b, Real::MAX) else {
-            return nothing;
-        };
-        let normal = q.from_a.rotation * found.normal1;
+        let Some(a) = &q.a else { return nothing };
+        let Ok(Some(found)) = contact(&q.from_a, &**a, &q.from_b, &*q.b, Real::MAX) else { return nothing };
+        let normal = found.normal1;
         RustAnswer {
             overlap: found.dist <= 0.0,
             separation: found.dist as f64,
