@@ -155,6 +155,7 @@ void compare(const Options& options) {
   }
   const Table table(options.csv);
   for (const std::string& name : options.families) {
+    if (name.empty()) continue;  // CLI11 hands an empty list over as one empty name
     const Family family(name, options.pairs);
     run(forgetful, family.apart, options, table);
     run(forgetful, family.deep, options, table);

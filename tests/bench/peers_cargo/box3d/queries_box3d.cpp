@@ -26,6 +26,7 @@ struct Native {
   std::vector<b3Vec3> points;
   float radius = 0;
   b3HullData* hull = nullptr;  // of boxes and hulls
+  bool built = true;           // Box3D makes no hull of some points
 
   explicit Native(const Solid& s) {
     const auto h = [&](int k, int bit, int i) { return float(i >> bit & 1 ? s.half[k] : -s.half[k]); };
@@ -45,7 +46,9 @@ struct Native {
         radius = float(s.radius);
     }
     const int count = static_cast<int>(points.size());
-    if (s.kind == Kind::box || s.kind == Kind::hull) hull = b3CreateHull(points.data(), count, count);
+    if (s.kind != Kind::box && s.kind != Kind::hull) return;
+    hull = b3CreateHull(points.data(), count, count);
+    built = hull != nullptr;
   }
   Native(const Native&) = delete;
   ~Native() {
@@ -121,6 +124,7 @@ class Casts final : public CastPeer {
     return made;
   }
   static b3CastOutput ray(const Case& c) {
+    if (!c.b->built) return {};
     if (c.b->hull) return b3RayCastHull(c.b->hull, &c.ray);
     if (c.b->points.size() == 2) {
       const b3Capsule capsule = c.b->capsule();
@@ -182,6 +186,9 @@ class Manifold final : public Peer {
   }
   void ask(std::size_t i, Answer& answer) override {
     const Couple& c = couples_[i];
+    answer.separation = HUGE_VAL;
+    if (!c.a->built || !c.b->built) return;
+    answer.separation = NAN;  // it tells no distance
     b3LocalManifoldPoint points[kMostPoints];
     b3LocalManifold manifold{};
     manifold.points = points;

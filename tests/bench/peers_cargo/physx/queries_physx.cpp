@@ -39,9 +39,10 @@ class OtherSupport final : public PxGjkQuery::Support {
 };
 
 struct Native {
-  PxGeometryHolder shape;  // of no type, if PhysX hasn't the solid
+  PxGeometryHolder shape;  // of no type, if PhysX hasn't the solid, or makes no hull of its points
   std::unique_ptr<PxGjkQuery::Support> support;
   PxTransform frame{PxIdentity};  // of the shape in the solid's: capsules of PhysX lie along x
+  bool built() const { return shape.getType() != PxGeometryType::eINVALID; }
 };
 
 class Natives {
@@ -57,11 +58,12 @@ class Natives {
       native.shape = PxGeometryHolder(PxCapsuleGeometry(radius, float(s.half_height)));
       native.frame.q = PxQuat(PxHalfPi, PxVec3(0, 0, 1));
     }
-    if (s.kind == Kind::hull && !missing(s)) native.shape = PxGeometryHolder(PxConvexMeshGeometry(&hull(s)));
-    if (missing(s))
-      native.support = std::make_unique<OtherSupport>(s);
-    else
+    if (s.kind == Kind::hull && !missing(s))
+      if (PxConvexMesh* const mesh = hull(s)) native.shape = PxGeometryHolder(PxConvexMeshGeometry(mesh));
+    if (native.built())
       native.support = std::make_unique<PxGjkQueryExt::ConvexGeomSupport>(native.shape.any());
+    else
+      native.support = std::make_unique<OtherSupport>(s);
     return native;
   }
   void clear() {
@@ -77,9 +79,10 @@ class Natives {
   }
 
  private:
-  PxConvexMesh& hull(const Solid& s) {
-    hulls_.push_back(make_physx_hull(s.xyz, s.vertices));
-    return *hulls_.back();
+  PxConvexMesh* hull(const Solid& s) {
+    PxConvexMesh* const made = make_physx_hull(s.xyz, s.vertices);
+    if (made) hulls_.push_back(made);
+    return made;
   }
   std::map<const Solid*, Native> made_;
   std::vector<PxConvexMesh*> hulls_;
@@ -109,6 +112,7 @@ class Casts : public CastPeer {
   }
   double ask(std::size_t i) override {
     const Case& c = cases_[i];
+    if (!c.b->built() || (c.a && !c.a->built())) return -1;
     if (!c.a) {
       PxGeomRaycastHit hit;
       const bool met = PxGeometryQuery::raycast(c.at_a.p, c.way, c.b->shape.any(), c.at_b, c.length,
@@ -162,6 +166,9 @@ class Pairs : public Peer {
   }
   void ask(std::size_t i, Answer& answer) override {
     const Couple& c = couples_[i];
+    answer.separation = HUGE_VAL;
+    if (!c.a->built() || !c.b->built()) return;
+    answer.separation = NAN;  // it tells no distance
     PxVec3 out_of_b;
     PxF32 depth;
     answer.overlap =
