@@ -17,7 +17,8 @@ class CastPeer {
  public:
   virtual ~CastPeer() = default;
   virtual const char* name() const = 0;
-  virtual bool can(Task task, const Solid& solid) const = 0;
+  /// What the library lacks to be asked this about such a solid, in words; null: nothing.
+  virtual const char* lacks(Task task, const Solid& solid) const = 0;
   /// Build the library's own shapes and poses, off the clock. The cases outlive the answers.
   virtual void prepare(Task task, const CastCase* cases, std::size_t count) = 0;
   /// Time of first contact in [0, 1]; negative: none.

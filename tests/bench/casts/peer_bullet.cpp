@@ -21,8 +21,9 @@ class Bullet final : public CastPeer {
            : how_ == How::gjk      ? "Bullet " PRECISION " GJK"
                                    : "Bullet " PRECISION " continuous";
   }
-  bool can(Task task, const Solid&) const override {
-    return task == Task::turning ? how_ == How::continuous : task == Task::linear || how_ == How::subsimplex;
+  const char* lacks(Task task, const Solid&) const override {
+    if (task == Task::turning && how_ != How::continuous) return "this cast does not turn";
+    return task == Task::ray && how_ != How::subsimplex ? "rays are cast by its sub-simplex cast" : nullptr;
   }
   void prepare(Task, const CastCase* cases, std::size_t count) override {
     pairs_.clear();

@@ -10,9 +10,9 @@ namespace {
 class Fcl final : public CastPeer {
  public:
   const char* name() const override { return "FCL conservative adv."; }
-  /// It has no ray, and no advancement for ellipsoids (it says so, once a call).
-  bool can(Task task, const Solid& solid) const override {
-    return task != Task::ray && solid.kind != Kind::ellipsoid;
+  const char* lacks(Task task, const Solid& solid) const override {
+    if (task == Task::ray) return "it has no rays";
+    return solid.kind == Kind::ellipsoid ? "it does not advance ellipsoids" : nullptr;
   }
   void prepare(Task task, const CastCase* cases, std::size_t count) override {
     motion_ = task == Task::linear ? fcl::CCDM_TRANS : fcl::CCDM_LINEAR;

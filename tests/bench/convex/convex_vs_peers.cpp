@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "../module_reason.h"
+#include "check.h"
 #include "hard.h"
 #include "measure.h"
 #include "score.h"
@@ -18,7 +19,7 @@ struct Options {
   std::vector<std::string> modules{CAROM_PEER_MODULES};
   std::vector<std::string> only;
   int pairs = 5000, passes = 15;
-  bool coherent = false, hard = false, no_time = false, count = false;
+  bool coherent = false, hard = false, no_time = false, count = false, check = false;
   std::string csv, curve;
 };
 
@@ -84,12 +85,22 @@ Peers make_peers(const Options& options) {
   return chosen;
 }
 
+/// Why a library can't be asked about all of a set; null: it can.
+const char* lacks(const Peer& peer, const Set& set) {
+  for (const Query& query : set.queries)
+    for (const Solid* const solid : {query.a, query.b})
+      if (const char* const lack = peer.lacks(*solid)) return lack;
+  return nullptr;
+}
+
 void run(const std::vector<Peer*>& asked, const Set& set, const Options& options, const Table& table) {
   std::vector<Peer*> peers;
-  for (Peer* const peer : asked) {
-    const auto able = [&](const Query& query) { return peer->can(*query.a) && peer->can(*query.b); };
-    if (std::all_of(set.queries.begin(), set.queries.end(), able)) peers.push_back(peer);
-  }
+  std::vector<std::string> unasked;
+  for (Peer* const peer : asked)
+    if (const char* const lack = lacks(*peer, set))
+      unasked.push_back(std::string(peer->name()) + ": " + lack);
+    else
+      peers.push_back(peer);
   for (Peer* const peer : peers) peer->prepare(set.queries.data(), set.queries.size());
   if (options.count) return count_instructions(peers, set);
   const std::vector<Reference> reference = references(set);
@@ -100,6 +111,7 @@ void run(const std::vector<Peer*>& asked, const Set& set, const Options& options
       options.no_time ? std::vector<double>(peers.size(), NAN) : measure(peers, set, options.passes);
   table.head(set, check);
   for (std::size_t p = 0; p < peers.size(); ++p) table.row(set, peers[p]->name(), ns[p], scores[p]);
+  for (const std::string& line : unasked) std::printf("  not asked: %s\n", line.c_str());
 }
 
 /// What accuracy costs: every sub-algorithm at every tolerance, one line each.
@@ -143,6 +155,7 @@ void compare(const Options& options) {
   }
   const Table table(options.csv);
   for (const std::string& name : options.families) {
+    if (name.empty()) continue;  // CLI11 hands an empty list over as one empty name
     const Family family(name, options.pairs);
     run(forgetful, family.apart, options, table);
     run(forgetful, family.deep, options, table);
@@ -155,7 +168,7 @@ void compare(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Convex pairs: Carom beside libccd, FCL and Bullet, speed and what it is worth, in one run."};
+  CLI::App app{"Convex pairs: Carom beside other libraries, speed and what it is worth, in one run."};
   Options options;
   app.add_option("--family", options.families, "Families to run (none: pass an empty list)")->expected(0, -1);
   app.add_option("--pairs", options.pairs, "Pairs a set")->check(CLI::Range(1, 100000))->capture_default_str();
@@ -164,6 +177,7 @@ int main(int argc, char** argv) {
   app.add_option("--module", options.modules, "Shared objects with further libraries (see peer.h)");
   app.add_flag("--coherent", options.coherent, "Also 50 pairs in 400 frames of slow motion, apart and deep");
   app.add_flag("--hard", options.hard, "Also the hard pairs of tests/data, each in a process of its own");
+  app.add_flag("--check", options.check, "Hold every library to closed forms instead; exit code 1 if one is wrong");
   app.add_flag("--no-time", options.no_time, "Errors alone");
   app.add_flag("--count", options.count,
                "Count instructions instead, under callgrind (tests/bench/count_instructions)");
@@ -171,6 +185,7 @@ int main(int argc, char** argv) {
   app.add_option("--csv", options.csv, "Write every row to this file as well");
   CLI11_PARSE(app, argc, argv);
   try {
+    if (options.check) return check(make_peers(options)) ? 1 : 0;
     options.curve.empty() ? compare(options) : write_curve(options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "convex_vs_peers: %s\n", error.what());

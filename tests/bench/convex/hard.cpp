@@ -82,7 +82,7 @@ void print_hard(const Peers& peers, const char* path) {
     std::array<int, kOutcomes> count{};
     int asked = 0;
     for (const Case& c : cases) {
-      if (!peer->can(*c.query.a) || !peer->can(*c.query.b)) continue;
+      if (peer->lacks(*c.query.a) || peer->lacks(*c.query.b)) continue;
       ++asked;
       ++count[ask_apart(*peer, c)];
     }

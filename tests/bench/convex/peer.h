@@ -15,6 +15,7 @@ struct Shape;
 namespace carom::bench {
 
 enum class Kind { sphere, capsule, box, hull, cylinder, cone, ellipsoid };
+inline constexpr const char* kKinds[] = {"sphere", "capsule", "box", "hull", "cylinder", "cone", "ellipsoid"};
 
 /// Hulls with more vertices than this are climbed, not scanned, by the libraries that are given a support callback.
 inline constexpr std::size_t kScan = 32;
@@ -75,8 +76,8 @@ class Peer {
   virtual const char* name() const = 0;
   /// Whether an answer starts from the last one of the same track: then random pairs say nothing about it.
   virtual bool remembers() const { return false; }
-  /// Whether the library has such solids.
-  virtual bool can(const Solid&) const { return true; }
+  /// What the library lacks to be asked about such a solid, in words; null: nothing.
+  virtual const char* lacks(const Solid&) const { return nullptr; }
   /// Build the library's own shapes and poses, off the clock. The queries outlive the answers.
   virtual void prepare(const Query* queries, std::size_t count) = 0;
   virtual void ask(std::size_t i, Answer& answer) = 0;

@@ -1,5 +1,6 @@
-// Casts and pairs of Box3D for casts_vs_peers and convex_vs_peers, of the solids that it has: its distance is of clouds of
-// points with a radius, at most 64 of them, and tells no depth.
+// Casts and pairs of Box3D for casts_vs_peers and convex_vs_peers, of the solids that it has. Pairs in the two ways
+// that it has: its distance is of clouds of points with a radius, at most 64 of them, and tells no depth; the deepest
+// point of its manifolds tells the depth of what overlaps, and no distance.
 #include <box3d/box3d.h>
 #include <box3d/collision.h>
 
@@ -25,6 +26,7 @@ struct Native {
   std::vector<b3Vec3> points;
   float radius = 0;
   b3HullData* hull = nullptr;  // of boxes and hulls
+  bool built = true;           // Box3D makes no hull of some points
 
   explicit Native(const Solid& s) {
     const auto h = [&](int k, int bit, int i) { return float(i >> bit & 1 ? s.half[k] : -s.half[k]); };
@@ -44,22 +46,31 @@ struct Native {
         radius = float(s.radius);
     }
     const int count = static_cast<int>(points.size());
-    if (s.kind == Kind::box || s.kind == Kind::hull) hull = b3CreateHull(points.data(), count, count);
+    if (s.kind != Kind::box && s.kind != Kind::hull) return;
+    hull = b3CreateHull(points.data(), count, count);
+    built = hull != nullptr;
   }
   Native(const Native&) = delete;
   ~Native() {
     if (hull) b3DestroyHull(hull);
   }
   b3ShapeProxy proxy() const { return {points.data(), static_cast<int>(points.size()), radius}; }
+  b3Sphere sphere() const { return {points[0], radius}; }
+  b3Capsule capsule() const { return {points[0], points[1], radius}; }
+  int rank() const { return hull ? 2 : points.size() == 2 ? 1 : 0; }  // its manifolds want the larger first
 };
 
 class Natives {
  public:
   const Native& of(const Solid& solid) { return made_.try_emplace(&solid, solid).first->second; }
   void clear() { made_.clear(); }
-  static bool has(const Solid& s) {
-    return s.kind == Kind::sphere || s.kind == Kind::capsule || s.kind == Kind::box ||
-           (s.kind == Kind::hull && s.vertices <= B3_MAX_SHAPE_CAST_POINTS);
+  static const char* missing(const Solid& s) {
+    static_assert(B3_MAX_SHAPE_CAST_POINTS == 64, "the words below say another number");
+    if (s.kind == Kind::cylinder) return "its cylinder is a prism";
+    if (s.kind == Kind::cone) return "its cone is a pyramid";
+    if (s.kind == Kind::ellipsoid) return "it has no ellipsoid";
+    const bool large = s.kind == Kind::hull && s.vertices > B3_MAX_SHAPE_CAST_POINTS;
+    return large ? "it measures clouds of at most 64 points" : nullptr;
   }
 
  private:
@@ -73,7 +84,7 @@ b3Sweep sweep(const Placement& from, const Placement& to) {
 class Casts final : public CastPeer {
  public:
   const char* name() const override { return "Box3D f32"; }
-  bool can(Task, const Solid& solid) const override { return Natives::has(solid); }
+  const char* lacks(Task, const Solid& solid) const override { return Natives::missing(solid); }
   void prepare(Task task, const CastCase* cases, std::size_t count) override {
     task_ = task;
     natives_.clear();
@@ -113,13 +124,13 @@ class Casts final : public CastPeer {
     return made;
   }
   static b3CastOutput ray(const Case& c) {
-    const b3Vec3* const p = c.b->points.data();
+    if (!c.b->built) return {};
     if (c.b->hull) return b3RayCastHull(c.b->hull, &c.ray);
     if (c.b->points.size() == 2) {
-      const b3Capsule capsule = {p[0], p[1], c.b->radius};
+      const b3Capsule capsule = c.b->capsule();
       return b3RayCastCapsule(&capsule, &c.ray);
     }
-    const b3Sphere sphere = {p[0], c.b->radius};
+    const b3Sphere sphere = c.b->sphere();
     return b3RayCastSphere(&sphere, &c.ray);
   }
 
@@ -128,10 +139,10 @@ class Casts final : public CastPeer {
   std::vector<Case> cases_;
 };
 
-class Pairs final : public Peer {
+class Distance final : public Peer {
  public:
   const char* name() const override { return "Box3D f32 distance"; }
-  bool can(const Solid& solid) const override { return Natives::has(solid); }
+  const char* lacks(const Solid& solid) const override { return Natives::missing(solid); }
   void prepare(const Query* queries, std::size_t count) override {
     natives_.clear();
     queries_.clear();
@@ -158,9 +169,78 @@ class Pairs final : public Peer {
   std::vector<b3Quat> turns_;
 };
 
+class Manifold final : public Peer {
+ public:
+  const char* name() const override { return "Box3D f32 manifold"; }
+  const char* lacks(const Solid& solid) const override { return Natives::missing(solid); }
+  void prepare(const Query* queries, std::size_t count) override {
+    natives_.clear();
+    couples_.clear();
+    for (const Query* q = queries; q < queries + count; ++q) {
+      const Native &a = natives_.of(*q->a), &b = natives_.of(*q->b);
+      if (a.rank() >= b.rank())
+        couples_.push_back({&a, &b, b3InvMulTransforms(pose(q->at_a), pose(q->at_b)), turn(q->at_a), 1});
+      else
+        couples_.push_back({&b, &a, b3InvMulTransforms(pose(q->at_b), pose(q->at_a)), turn(q->at_b), -1});
+    }
+  }
+  void ask(std::size_t i, Answer& answer) override {
+    const Couple& c = couples_[i];
+    answer.separation = HUGE_VAL;
+    if (!c.a->built || !c.b->built) return;
+    answer.separation = NAN;  // it tells no distance
+    b3LocalManifoldPoint points[kMostPoints];
+    b3LocalManifold manifold{};
+    manifold.points = points;
+    collide(c, manifold);
+    float deepest = HUGE_VALF;
+    for (int k = 0; k < manifold.pointCount; ++k) deepest = std::fmin(deepest, points[k].separation);
+    answer.overlap = deepest <= 0;
+    if (!answer.overlap) return;
+    answer.separation = deepest;
+    const b3Vec3 normal = b3MulSV(c.sign, b3RotateVector(c.turn, manifold.normal));
+    answer.normal[0] = normal.x, answer.normal[1] = normal.y, answer.normal[2] = normal.z;
+  }
+
+ private:
+  static constexpr int kMostPoints = 32;
+  struct Couple {
+    const Native *a, *b;  // by falling rank
+    b3Transform b_in_a;
+    b3Quat turn;  // of a
+    float sign;   // -1: a and b changed places
+  };
+  static void collide(const Couple& c, b3LocalManifold& out) {
+    b3SimplexCache simplex{};
+    if (c.a->hull && c.b->hull) {
+      b3SATCache axes{};
+      return b3CollideHulls(&out, kMostPoints, c.a->hull, c.b->hull, c.b_in_a, &axes);
+    }
+    if (c.b->rank() == 1) {
+      const b3Capsule b = c.b->capsule();
+      if (c.a->hull) return b3CollideHullAndCapsule(&out, kMostPoints, c.a->hull, &b, c.b_in_a, &simplex);
+      const b3Capsule a = c.a->capsule();
+      return b3CollideCapsules(&out, kMostPoints, &a, &b, c.b_in_a);
+    }
+    const b3Sphere b = c.b->sphere();
+    if (c.a->hull) return b3CollideHullAndSphere(&out, kMostPoints, c.a->hull, &b, c.b_in_a, &simplex);
+    if (c.a->rank() == 1) {
+      const b3Capsule a = c.a->capsule();
+      return b3CollideCapsuleAndSphere(&out, kMostPoints, &a, &b, c.b_in_a);
+    }
+    const b3Sphere a = c.a->sphere();
+    b3CollideSpheres(&out, kMostPoints, &a, &b, c.b_in_a);
+  }
+  Natives natives_;
+  std::vector<Couple> couples_;
+};
+
 }  // namespace
 
 extern "C" CastPeer* carom_peer_casts(int i) { return i == 0 ? new Casts : nullptr; }
-extern "C" Peer* carom_peer_pairs(int i) { return i == 0 ? new Pairs : nullptr; }
+extern "C" Peer* carom_peer_pairs(int i) {
+  if (i == 0) return new Distance;
+  return i == 1 ? new Manifold : nullptr;
+}
 
 }  // namespace carom::bench

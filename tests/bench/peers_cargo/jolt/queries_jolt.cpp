@@ -34,15 +34,17 @@ Mat44 pose(const Placement& at) {
 
 class Natives {
  public:
-  const JPH::ConvexShape& of(const Solid& solid) {
-    JPH::RefConst<JPH::ConvexShape>& shape = made_[&solid];
-    if (!shape) shape = make(solid);
-    return *shape;
+  /// Null: Jolt makes no hull of these points.
+  const JPH::ConvexShape* of(const Solid& solid) {
+    const auto [at, fresh] = made_.try_emplace(&solid);
+    if (fresh) at->second = make(solid);
+    return at->second;
   }
   void clear() { made_.clear(); }
-  /// It keeps at most 256 vertices of a hull.
-  static bool has(const Solid& s) {
-    return s.kind != Kind::cone && s.kind != Kind::ellipsoid && (s.kind != Kind::hull || s.vertices <= 256);
+  static const char* missing(const Solid& s) {
+    if (s.kind == Kind::cone) return "it has no cone";
+    if (s.kind == Kind::ellipsoid) return "it has no ellipsoid";
+    return s.kind == Kind::hull && s.vertices > 256 ? "it keeps at most 256 vertices of a hull" : nullptr;
   }
 
  private:
@@ -62,8 +64,8 @@ class Natives {
     }
     JPH::Array<Vec3> points;
     for (std::size_t i = 0; i < s.vertices; ++i) points.push_back(vec(s.xyz + 3 * i));
-    JPH::Ref<JPH::Shape> hull = JPH::ConvexHullShapeSettings(points, 0).Create().Get();
-    return static_cast<const JPH::ConvexShape*>(hull.GetPtr());
+    const JPH::ShapeSettings::ShapeResult made = JPH::ConvexHullShapeSettings(points, 0).Create();
+    return made.IsValid() ? static_cast<const JPH::ConvexShape*>(made.Get().GetPtr()) : nullptr;
   }
   std::map<const Solid*, JPH::RefConst<JPH::ConvexShape>> made_;
 };
@@ -71,13 +73,20 @@ class Natives {
 /// A pair of shapes about their centres of mass, where Jolt's own functions want them.
 struct Couple {
   const JPH::ConvexShape *a, *b;  // a null: a ray
+  bool built;                     // Jolt has both
   Mat44 at_a, at_b;
   Vec3 way;
 
-  Couple(const JPH::ConvexShape* shape_a, const Placement& from_a, const JPH::ConvexShape& shape_b,
-         const Placement& from_b, Vec3 moves)
-      : a(shape_a), b(&shape_b), at_a(pose(from_a)), at_b(pose(from_b) * centre(shape_b)), way(moves) {
+  Couple(Natives& natives, const Solid* solid_a, const Placement& from_a, const Solid& solid_b, const Placement& from_b,
+         Vec3 moves)
+      : a(solid_a ? natives.of(*solid_a) : nullptr),
+        b(natives.of(solid_b)),
+        built(b && (a || !solid_a)),
+        at_a(pose(from_a)),
+        at_b(pose(from_b)),
+        way(moves) {
     if (a) at_a = at_a * centre(*a);
+    if (b) at_b = at_b * centre(*b);
   }
   static Mat44 centre(const JPH::ConvexShape& shape) { return Mat44::sTranslation(shape.GetCenterOfMass()); }
 };
@@ -93,16 +102,18 @@ constexpr auto kWhole = JPH::ConvexShape::ESupportMode::IncludeConvexRadius;
 class Casts final : public CastPeer {
  public:
   const char* name() const override { return "Jolt f32"; }
-  bool can(Task task, const Solid& solid) const override { return task != Task::turning && Natives::has(solid); }
+  const char* lacks(Task task, const Solid& solid) const override {
+    return task == Task::turning ? "its casts do not turn" : Natives::missing(solid);
+  }
   void prepare(Task, const CastCase* cases, std::size_t count) override {
     couples_.clear();
     natives_.clear();
     for (const CastCase* c = cases; c < cases + count; ++c)
-      couples_.emplace_back(c->a ? &natives_.of(*c->a) : nullptr, c->from_a, natives_.of(*c->b), c->from_b,
-                            vec(c->to_a.p) - vec(c->from_a.p));
+      couples_.emplace_back(natives_, c->a, c->from_a, *c->b, c->from_b, vec(c->to_a.p) - vec(c->from_a.p));
   }
   double ask(std::size_t i) override {
     const Couple& c = couples_[i];
+    if (!c.built) return -1;
     const Mat44 to_b = c.at_b.InversedRotationTranslation();
     const Vec3 way = to_b.Multiply3x3(c.way);
     if (!c.a) {
@@ -129,15 +140,18 @@ class Pairs final : public Peer {
  public:
   explicit Pairs(bool depth) : depth_(depth) {}
   const char* name() const override { return depth_ ? "Jolt f32 GJK + EPA" : "Jolt f32 GJK distance"; }
-  bool can(const Solid& solid) const override { return Natives::has(solid); }
+  const char* lacks(const Solid& solid) const override { return Natives::missing(solid); }
   void prepare(const Query* queries, std::size_t count) override {
     couples_.clear();
     natives_.clear();
     for (const Query* q = queries; q < queries + count; ++q)
-      couples_.emplace_back(&natives_.of(*q->a), q->at_a, natives_.of(*q->b), q->at_b, Vec3::sZero());
+      couples_.emplace_back(natives_, q->a, q->at_a, *q->b, q->at_b, Vec3::sZero());
   }
   void ask(std::size_t i, Answer& answer) override {
     const Couple& c = couples_[i];
+    answer.separation = HUGE_VAL;
+    if (!c.built) return;
+    answer.separation = NAN;
     const Mat44 b_in_a = c.at_a.InversedRotationTranslation() * c.at_b;
     Buffer buffer_a, buffer_b;
     const Support &a = support(*c.a, kCore, buffer_a), &b = support(*c.b, kCore, buffer_b);

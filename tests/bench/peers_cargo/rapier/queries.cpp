@@ -33,6 +33,8 @@ RustSolid plain(const Solid& s) {
   return {&s, static_cast<int>(s.kind), s.radius, s.half_height, {s.half[0], s.half[1], s.half[2]}, s.vertices, s.xyz};
 }
 
+const char* missing(const Solid& s) { return s.kind == Kind::ellipsoid ? "it has no ellipsoid" : nullptr; }
+
 class Queries {
  public:
   ~Queries() { carom_rust_queries_free(queries_); }
@@ -52,7 +54,7 @@ class Queries {
 class Casts final : public CastPeer {
  public:
   const char* name() const override { return carom_rust_shapes_name(); }
-  bool can(Task, const Solid& solid) const override { return solid.kind != Kind::ellipsoid; }
+  const char* lacks(Task, const Solid& solid) const override { return missing(solid); }
   void prepare(Task task, const CastCase* cases, std::size_t count) override {
     task_ = task;
     queries_.clear();
@@ -69,7 +71,7 @@ class Casts final : public CastPeer {
 class Pairs final : public Peer {
  public:
   const char* name() const override { return carom_rust_shapes_name(); }
-  bool can(const Solid& solid) const override { return solid.kind != Kind::ellipsoid; }
+  const char* lacks(const Solid& solid) const override { return missing(solid); }
   void prepare(const Query* queries, std::size_t count) override {
     queries_.clear();
     for (const Query* q = queries; q < queries + count; ++q)

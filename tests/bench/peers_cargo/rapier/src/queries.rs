@@ -3,8 +3,9 @@
 use crate::vector;
 use rapier3d::math::{Pose, Real, Rotation, Vector};
 use rapier3d::na;
-use rapier3d::parry::query::details::contact_support_map_support_map;
-use rapier3d::parry::query::{cast_shapes, cast_shapes_nonlinear, NonlinearRigidMotion, Ray, ShapeCastOptions};
+use rapier3d::parry::query::{
+    cast_shapes, cast_shapes_nonlinear, contact, NonlinearRigidMotion, Ray, ShapeCastOptions,
+};
 use rapier3d::parry::shape::SharedShape;
 use std::collections::HashMap;
 use std::ffi::{c_char, c_void, CStr};
@@ -36,8 +37,9 @@ struct RustAnswer {
 }
 
 struct Query {
-    a: Option<SharedShape>,
-    b: SharedShape,
+    ray: bool,
+    a: Option<SharedShape>, // none: a ray, or parry makes no such hull
+    b: Option<SharedShape>,
     from_a: Pose,
     from_b: Pose,
     way: Vector, // of a, while b stays
@@ -47,13 +49,13 @@ struct Query {
 
 #[derive(Default)]
 struct Queries {
-    shapes: HashMap<*const c_void, SharedShape>,
+    shapes: HashMap<*const c_void, Option<SharedShape>>,
     all: Vec<Query>,
 }
 
-fn shape(s: &RustSolid) -> SharedShape {
+fn shape(s: &RustSolid) -> Option<SharedShape> {
     let (radius, half_height) = (s.radius as Real, s.half_height as Real);
-    match s.kind {
+    Some(match s.kind {
         0 => SharedShape::ball(radius),
         1 => SharedShape::capsule_y(half_height, radius),
         2 => SharedShape::cuboid(s.half[0] as Real, s.half[1] as Real, s.half[2] as Real),
@@ -62,9 +64,9 @@ fn shape(s: &RustSolid) -> SharedShape {
         _ => {
             let xyz = unsafe { std::slice::from_raw_parts(s.xyz, 3 * s.vertices) };
             let points: Vec<Vector> = xyz.chunks_exact(3).map(vector).collect();
-            SharedShape::convex_hull(&points).expect("the solid is one")
+            return SharedShape::convex_hull(&points);
         }
-    }
+    })
 }
 
 fn rotation(at: &Placement) -> Rotation {
@@ -82,37 +84,34 @@ fn spin(from: &Placement, to: &Placement) -> Vector {
 }
 
 impl Queries {
-    fn shape(&mut self, solid: &RustSolid) -> SharedShape {
+    fn shape(&mut self, solid: &RustSolid) -> Option<SharedShape> {
         self.shapes.entry(solid.id).or_insert_with(|| shape(solid)).clone()
     }
 
     fn cast(&self, task: i32, i: usize) -> Option<Real> {
         let q = &self.all[i];
-        match (&q.a, task) {
-            (None, _) => q.b.cast_ray(&q.from_b, &Ray::new(q.from_a.translation, q.way), 1.0, true),
-            (Some(a), 1) => {
-                let options = ShapeCastOptions::with_max_time_of_impact(1.0);
-                let hit = cast_shapes(&q.from_a, q.way, &**a, &q.from_b, Vector::ZERO, &*q.b, options);
-                hit.ok().flatten().map(|hit| hit.time_of_impact)
-            }
-            (Some(a), _) => {
-                let motion_a = NonlinearRigidMotion::new(q.from_a, Vector::ZERO, q.way, q.spin_a);
-                let motion_b = NonlinearRigidMotion::new(q.from_b, Vector::ZERO, Vector::ZERO, q.spin_b);
-                let hit = cast_shapes_nonlinear(&motion_a, &**a, &motion_b, &*q.b, 0.0, 1.0, true);
-                hit.ok().flatten().map(|hit| hit.time_of_impact)
-            }
+        let b = q.b.as_ref()?;
+        if q.ray {
+            return b.cast_ray(&q.from_b, &Ray::new(q.from_a.translation, q.way), 1.0, true);
         }
+        let a = q.a.as_ref()?;
+        let hit = if task == 1 {
+            let options = ShapeCastOptions::with_max_time_of_impact(1.0);
+            cast_shapes(&q.from_a, q.way, &**a, &q.from_b, Vector::ZERO, &**b, options)
+        } else {
+            let motion_a = NonlinearRigidMotion::new(q.from_a, Vector::ZERO, q.way, q.spin_a);
+            let motion_b = NonlinearRigidMotion::new(q.from_b, Vector::ZERO, Vector::ZERO, q.spin_b);
+            cast_shapes_nonlinear(&motion_a, &**a, &motion_b, &**b, 0.0, 1.0, true)
+        };
+        hit.ok().flatten().map(|hit| hit.time_of_impact)
     }
 
     fn pair(&self, i: usize) -> RustAnswer {
         let nothing = RustAnswer { overlap: false, separation: f64::INFINITY, normal: [f64::NAN; 3] };
         let q = &self.all[i];
-        let cores = q.a.as_ref().and_then(|a| Some((a.as_support_map()?, q.b.as_support_map()?)));
-        let Some((a, b)) = cores else { return nothing };
-        let Some(found) = contact_support_map_support_map(&q.from_a.inv_mul(&q.from_b), a, b, Real::MAX) else {
-            return nothing;
-        };
-        let normal = q.from_a.rotation * found.normal1;
+        let (Some(a), Some(b)) = (&q.a, &q.b) else { return nothing };
+        let Ok(Some(found)) = contact(&q.from_a, &**a, &q.from_b, &**b, Real::MAX) else { return nothing };
+        let normal = found.normal1;
         RustAnswer {
             overlap: found.dist <= 0.0,
             separation: found.dist as f64,
@@ -145,9 +144,11 @@ unsafe extern "C" fn carom_rust_queries_add(
 ) {
     let queries = &mut *queries.cast::<Queries>();
     let at = std::slice::from_raw_parts(poses, 4);
-    let a = a.as_ref().map(|a| queries.shape(a));
+    let ray = a.is_null();
+    let a = a.as_ref().and_then(|a| queries.shape(a));
     let b = queries.shape(&*b);
     queries.all.push(Query {
+        ray,
         a,
         b,
         from_a: pose(&at[0]),
