@@ -1,5 +1,6 @@
 // Written by bindings/gen/generate from include/carom; do not edit.
 export const CALLS = {
+  carom_world_set_accuracy: [["struct", "accuracy", "carom_accuracy", []]],
   carom_material_create: [["struct", "desc", "carom_material_desc", []], ["out", "material"]],
   carom_material_update: [["handle", "material"], ["struct", "desc", "carom_material_desc", []]],
   carom_material_set_resistance: [["handle", "material"], ["number", "rolling", "double"], ["number", "spinning", "double"]],
