@@ -131,7 +131,7 @@ void however_a_host_deals_out_the_parts_the_bits_are_the_same(void**) {
 
 void worlds_that_step_at_once_share_a_pool_without_waiting(void**) {
   const carom_jobs_desc desc = pool_of(3);
-  const uint64_t alone = hash_after(CAROM_SOLVER_SOFT_STEP, nullptr);
+  const uint64_t alone = hash_after(CAROM_SOLVER_SOFT_STEP, nullptr, CAROM_PRECISION_AUTO);
   Heap first(&desc);
   std::atomic<int> wrong{0};
   const auto run = [&] {
