@@ -74,7 +74,7 @@ static void a_pyramid_of_base_thirty_comes_to_rest(void**) {
     t.run(600, kStep);
     assert_true(t.world.wide->is_float == (precision == Precision::in_float));
     assert_true(energy_of(t.world) < 1e-3);  // of 465 cubes of 1000 kg
-    aside[static_cast<std::size_t>(precision)] = strayed(t.world, home);
+    aside[precision == Precision::in_double] = strayed(t.world, home);
   }
   assert_true(std::abs(aside[0] - aside[1]) < 1e-3);  // sideways its lower rows are spread by what they bear, by 16 mm
 }
@@ -115,7 +115,7 @@ static void a_heap_settles_as_in_doubles(void**) {
     std::size_t count = 0;
     for (const RowGeometry& g : t.world.contacts->geometry)
       if (g.separation < 0) sum -= g.separation, most = std::max(most, -g.separation), ++count;
-    const auto i = static_cast<std::size_t>(precision);
+    const std::size_t i = precision == Precision::in_double;
     deepest[i] = most, mean[i] = sum / static_cast<Real>(count);
     for (std::uint32_t b = first; b < t.world.scene.bodies.slots(); ++b) {
       const Vec3& x = t.world.state.x[b];

@@ -10,11 +10,8 @@ namespace carom::dynamics {
 QueryIndex::QueryIndex(Memory* m)
     : tree_(m),
       where_(m),
-      handle_(m),
-      frame_(m),
+      seen_as_(m),
       bounds_(m),
-      x_(m),
-      q_(m),
       wide_(m),
       loose_(m),
       leaves_(m),
@@ -107,7 +104,7 @@ void QueryIndex::grow(const World& world) {
   changed_.reserve(slots / 8 + 64);
   if (where_.size() >= slots) return;
   for (Array<std::uint32_t>* list : {&wide_, &loose_, &leaves_}) list->reserve(2 * slots);
-  handle_.resize(slots), frame_.resize(slots), bounds_.resize(slots), x_.resize(slots), q_.resize(slots);
+  seen_as_.resize(slots), bounds_.resize(slots);
   where_.resize(slots, Where::nowhere);
 }
 
@@ -124,20 +121,21 @@ void QueryIndex::look_at(const World& world, std::uint32_t slot) {
   if (shape.form != Form::half_space) largest_ = std::max(largest_, shape.bounding_radius);
   const std::uint32_t body = scene.colliders.body[slot];
   const Handle handle = scene.collider_slots.handle(slot);
-  const bool known = where_[slot] != Where::nowhere && handle_[slot] == handle && x_[slot] == world.state.x[body] &&
-                     q_[slot] == world.state.q[body];
-  handle_[slot] = handle;
+  SeenAs& as = seen_as_[slot];
+  const bool known = where_[slot] != Where::nowhere && as.handle == handle && as.x == world.state.x[body] &&
+                     as.q == world.state.q[body];
+  as.handle = handle;
   if (!known) place(world, slot);
 }
 
 void QueryIndex::place(const World& world, std::uint32_t slot) {
   const std::uint32_t body = world.scene.colliders.body[slot];
   const Shape& shape = *world.scene.colliders.shape[slot];
-  x_[slot] = world.state.x[body];
-  q_[slot] = world.state.q[body];
-  frame_[slot] = collider_frame(world, slot);
+  SeenAs& as = seen_as_[slot];
+  as.x = world.state.x[body], as.q = world.state.q[body];
+  as.frame = collider_frame(world, slot);
   SupportFault fault;
-  Aabb& box = bounds_[slot] = world_bounds(shape, frame_[slot].r, frame_[slot].p, fault);
+  Aabb& box = bounds_[slot] = world_bounds(shape, as.frame.r, as.frame.p, fault);
   if (shape.form == Form::half_space)
     put(slot, Where::wide);
   else if (is_empty(box))

@@ -27,7 +27,7 @@ class QueryIndex {
   void bring_up_to_date(const World& world);
 
   // As of then, by collider slot:
-  const Frame& frame(std::uint32_t slot) const { return frame_[slot]; }   // shape -> world
+  const Frame& frame(std::uint32_t slot) const { return seen_as_[slot].frame; }  // shape -> world
   const Aabb& bounds(std::uint32_t slot) const { return bounds_[slot]; }  // m, world, exact to rounding
   const QueryTree& tree() const { return tree_; }
   Real largest_radius() const { return largest_; }  // m, of all but half-spaces
@@ -66,11 +66,14 @@ class QueryIndex {
 
   QueryTree tree_;
   Array<Where> where_;
-  Array<Handle> handle_;
-  Array<Frame> frame_;
+  struct SeenAs {
+    Handle handle;
+    Frame frame;
+    Vec3 x;  // m, of the body then: a pose of the same bits needs no look
+    Quat q;
+  };
+  Array<SeenAs> seen_as_;
   Array<Aabb> bounds_;
-  Array<Vec3> x_;  // m, of the body then, by collider: a pose of the same bits needs no look
-  Array<Quat> q_;
   Array<std::uint32_t> wide_, loose_, leaves_;
   Array<std::uint32_t> moved_;    // bodies, each once
   Array<std::uint8_t> is_moved_;  // by body
