@@ -8,12 +8,6 @@
 namespace carom::dynamics {
 namespace {
 
-/// Root of a body's tree; halves the path, so that later searches are short.
-std::uint32_t root(Array<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 /// Counting sort: groups begin as their ends, and members are put in from the last to the first.
 void sort_by_label(const Array<std::uint32_t>& label, std::uint32_t groups, Array<std::uint32_t>& begin,
                    Array<std::uint32_t>& members) {
@@ -25,9 +19,14 @@ void sort_by_label(const Array<std::uint32_t>& label, std::uint32_t groups, Arra
 
 }  // namespace
 
-std::uint32_t group_of(Contacts& c, std::uint32_t body) { return c.is_grouped ? c.cursor[root(c.parent, body)] : 0; }
+std::uint32_t root_of(Array<std::uint32_t>& parent, std::uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
 
-std::uint32_t island_of(Contacts& c, std::uint32_t body) { return root(c.parent, body); }
+std::uint32_t group_of(Contacts& c, std::uint32_t body) { return c.is_grouped ? c.cursor[root_of(c.parent, body)] : 0; }
+
+std::uint32_t island_of(Contacts& c, std::uint32_t body) { return root_of(c.parent, body); }
 
 void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
   constexpr std::uint32_t kNone = 0xFFFFFFFFu;
@@ -54,7 +53,7 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
     }
     const auto join = [&](const auto& both) {
       if (!both.moves_a || !both.moves_b) return;
-      const std::uint32_t a = root(c.parent, both.a), b = root(c.parent, both.b);
+      const std::uint32_t a = root_of(c.parent, both.a), b = root_of(c.parent, both.b);
       // The lower slot is the root whatever the order of unions: labels depend on the contacts alone.
       if (a < b) c.parent[b] = a;
       if (b < a) c.parent[a] = b;
@@ -62,7 +61,7 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
     for (const Meeting& m : c.meetings) join(m);
     for (const Link& l : c.links) join(l);
     const auto label = [&](const auto& both) {
-      const std::uint32_t r = root(c.parent, both.moves_a ? both.a : both.b);
+      const std::uint32_t r = root_of(c.parent, both.moves_a ? both.a : both.b);
       if (c.cursor[r] == kNone) c.cursor[r] = groups++;
       return c.cursor[r];
     };
@@ -72,7 +71,7 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
     }
     for (std::size_t i = 0; i < c.links.size(); ++i) c.link_label[i] = label(c.links[i]);
     c.group_bodies.assign(groups, 0);
-    for (const std::uint32_t body : c.bodies) ++c.group_bodies[c.cursor[root(c.parent, body)]];
+    for (const std::uint32_t body : c.bodies) ++c.group_bodies[c.cursor[root_of(c.parent, body)]];
   } else {
     if (!some_are_out) c.label.assign(n, 0);
     for (const Meeting& m : c.meetings) std::fill_n(c.label.begin() + m.row, m.count, 0u);

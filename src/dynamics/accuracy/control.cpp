@@ -125,6 +125,12 @@ AccuracyNote Trial::note_after(const AccuracyNote& before, std::uint8_t met) con
   return note;
 }
 
+std::uint8_t number_of(std::uint32_t bodies, std::uint32_t rows, std::uint32_t links, bool softly) {
+  const std::uint32_t mixed =
+      bodies * 0x9E3779B1u + rows * 0x85EBCA77u + links * 0xC2B2AE3Du + std::uint32_t(softly) * 0x27D4EB2Fu;
+  return static_cast<std::uint8_t>(mixed >> 24);
+}
+
 void join_note(AccuracyNote& to, const AccuracyNote& other, bool is_first) {
   if (is_first) {
     to = other;

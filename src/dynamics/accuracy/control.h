@@ -95,6 +95,10 @@ struct Trial {
   Real repeated_share = 0;  // its error; of a note that had stalled, the error then
 };
 
+/// A number that changes, mostly, where what an island consists of does.
+/// @param rows, links  of contacts, of joints   @param softly  contacts of it were springs, or joints alone hold it
+std::uint8_t number_of(std::uint32_t bodies, std::uint32_t rows, std::uint32_t links, bool softly);
+
 /// Of an island, from its bodies': the highest level, and an estimate as soon as any wants one, or where they differ.
 void join_note(AccuracyNote& to, const AccuracyNote& other, bool is_first);
 

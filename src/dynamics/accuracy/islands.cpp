@@ -5,15 +5,11 @@
 #include "dynamics/accuracy/passes.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
+#include "dynamics/island.h"
 #include "dynamics/solver/table.h"
 
 namespace carom::dynamics::accuracy {
 namespace {
-
-std::uint32_t root(Array<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
 
 /// By contacts, joints and springs. A solver that takes all contacts as one makes one island of them.
 void unite(const World& world, Passes& p) {
@@ -22,7 +18,7 @@ void unite(const World& world, Passes& p) {
   std::uint32_t whole = Passes::kNobody;
   const bool is_one = world.plan->solver->row_by_row || world.scene.dials.choice(Dial::groups) == 0;
   const auto join = [&](std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t one = root(p.parent, a), other = root(p.parent, b);
+    const std::uint32_t one = root_of(p.parent, a), other = root_of(p.parent, b);
     p.parent[std::max(one, other)] = std::min(one, other);
   };
   const auto meet = [&](std::uint32_t a, std::uint32_t b) {
@@ -37,13 +33,6 @@ void unite(const World& world, Passes& p) {
     const SpringDef& def = world.scene.springs.def[k];
     if (is_in(def.body_a) && is_in(def.body_b)) join(def.body_a, def.body_b);
   });
-}
-
-/// A number that changes, mostly, where what it consists of does.
-std::uint8_t number_of(const Passes::Island& island) {
-  const std::uint32_t mixed = island.bodies * 0x9E3779B1u + island.rows * 0x85EBCA77u + island.links * 0xC2B2AE3Du +
-                              island.note.softly * 0x27D4EB2Fu;
-  return static_cast<std::uint8_t>(mixed >> 24);
 }
 
 /// Whether nothing acts on a body but what turns it as a top, and what is constant.
@@ -82,7 +71,7 @@ void find_islands(const World& world, Passes& p, Real dt) {
   unite(world, p);
   p.islands.clear();
   for (const std::uint32_t i : p.movers) {  // roots are the lowest of their islands
-    const std::uint32_t r = root(p.parent, i);
+    const std::uint32_t r = root_of(p.parent, i);
     if (r == i) {
       p.island_of[i] = static_cast<std::uint32_t>(p.islands.size());
       p.islands.push_back({});
@@ -113,7 +102,7 @@ void find_islands(const World& world, Passes& p, Real dt) {
       join_note(island.note, world.state.accuracy[i], is_first);
       is_first = false;
     });
-    island.met = number_of(island);
+    island.met = number_of(island.bodies, island.rows, island.links, island.note.softly);
     island.trial.begin(island.note, island.met, order_of(world, p, island),
                        island.note.softly && island.rows > 0 ? borne.least_soft : 1, borne.most);
   }

@@ -1,6 +1,7 @@
 // Editing joints between steps: they come, go, are set and break.
 #include <algorithm>
 
+#include "dynamics/events/events.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/sleep/sleep.h"
@@ -126,6 +127,16 @@ void break_joint(Breaking to, std::uint32_t slot) {
   unpart(to, joint.def);
   Revisions& scene = to;
   ++scene.revision;
+}
+
+void break_overloaded(const World& world, Breaking to, Events& events) {
+  const Joints& joints = world.joints;
+  for (const std::uint32_t j : world.wide_joints->active) {
+    const Joint& joint = joints.joint[j];
+    if (joint.force.norm() <= joint.def.break_force && joint.torque.norm() <= joint.def.break_torque) continue;
+    tell_broken(world, events, j);
+    break_joint(to, j);
+  }
 }
 
 }  // namespace carom::dynamics

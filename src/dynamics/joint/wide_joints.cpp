@@ -389,14 +389,4 @@ void end_joints(const World& world, Breaking to, Events& events, const StepTime&
   if (!world.plan->in_pass) break_overloaded(world, to, events);
 }
 
-void break_overloaded(const World& world, Breaking to, Events& events) {
-  const Joints& joints = world.joints;
-  for (const std::uint32_t j : world.wide_joints->active) {
-    const Joint& joint = joints.joint[j];
-    if (joint.force.norm() <= joint.def.break_force && joint.torque.norm() <= joint.def.break_torque) continue;
-    tell_broken(world, events, j);
-    break_joint(to, j);
-  }
-}
-
 }  // namespace carom::dynamics

@@ -19,7 +19,7 @@ using accuracy::Trial;
 BodyEnd end_of(const RattleBody& b) { return {b.x, b.v, b.omega, b.q}; }
 
 std::uint8_t number_of(const RattleIsland& island) {
-  return static_cast<std::uint8_t>((island.movers * 0x9E3779B1u + island.joints * 0xC2B2AE3Du + 0x27D4EB2Fu) >> 24);
+  return accuracy::number_of(island.movers, 0, island.joints, true);
 }
 
 template <class F>
