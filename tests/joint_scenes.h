@@ -36,7 +36,7 @@ inline JointDef joint_at(const TestWorld& t, JointKind kind, std::uint32_t a, st
   def.kind = kind;
   def.body_a = a, def.body_b = b;
   const Pose frame = {axes, at};
-  const auto in = [&](std::uint32_t body) { return body == kTheWorld ? frame : t.world.pose(body).inverse() * frame; };
+  const auto in = [&](std::uint32_t body) { return body == kInvalid ? frame : t.world.pose(body).inverse() * frame; };
   def.frame_a = in(a), def.frame_b = in(b);
   def.length = 0.25;
   return def;
@@ -94,7 +94,7 @@ inline Real worst_gap(const TestWorld& t) {
 inline std::vector<std::uint32_t> chain(TestWorld& t, int rods, Real length, Real mass, Real end_mass,
                                         JointKind kind = JointKind::ball) {
   std::vector<std::uint32_t> bodies;
-  std::uint32_t before = kTheWorld;
+  std::uint32_t before = kInvalid;
   const Real across = mass * length * length / 12, radius = 0.1;
   for (int i = 0; i < rods; ++i) {
     bodies.push_back(add_body(t, Vec3((i + 0.5) * length, 0, 0), mass, Vec3(mass * 1e-3, across, across)));

@@ -80,7 +80,7 @@ struct carom_accuracy { uint32_t struct_size; uint32_t substeps; double place; d
 struct carom_island { carom_body body; uint32_t bodies; uint32_t substeps; uint32_t order; uint32_t flags; uint64_t work; double place; double turn; double share; };
 struct carom_material_desc { uint32_t struct_size; uint32_t friction_mix; uint32_t restitution_mix; uint32_t reserved; double friction; double restitution; };
 struct carom_body_desc { uint32_t struct_size; uint32_t fields; uint32_t type; uint32_t reserved; double position[3]; double orientation[4]; double linear_velocity[3]; double angular_velocity[3]; double mass; double center[3]; double inertia[9]; double linear_damping; double angular_damping; uint64_t user; double gravity_factor; uint32_t locks; uint32_t continuous; double linear_drag; double quadratic_drag; uint32_t force_field_mask; uint32_t reserved2; double magnetic_moment[3]; };
-struct carom_attribute_info { uint32_t struct_size; uint32_t attribute; uint32_t numbers; uint32_t is_whole; uint32_t of_dynamic; uint32_t effect; const char *name; const char *unit; const char *summary; double least; double most; double usual[4]; };
+struct carom_attribute_info { uint32_t struct_size; uint32_t attribute; uint32_t numbers; uint32_t is_whole; uint32_t of_dynamic; uint32_t effect; const char *name; const char *unit; const char *summary; double min; double max; double usual[4]; };
 struct carom_collider_desc { uint32_t struct_size; uint32_t reserved; carom_shape shape; carom_material material; double position[3]; double orientation[4]; double density; uint64_t category; uint64_t mask; int32_t group; uint32_t sensor; double surface_linear[3]; double surface_angular[3]; };
 struct carom_cast_desc { uint32_t struct_size; uint32_t iterations; double tolerance; double target; };
 struct carom_cast { uint32_t struct_size; uint32_t outcome; uint32_t status; uint32_t iterations; double time; double lower; double upper; double separation; double slack; double normal[3]; double point_a[3]; double point_b[3]; uint32_t support_calls; uint32_t reserved; };
@@ -105,16 +105,16 @@ struct carom_spring_desc { uint32_t struct_size; uint32_t only_pulls; carom_body
 struct carom_water { uint32_t struct_size; uint32_t reserved; double normal[3]; double level; double density; double current[3]; double drag; };
 struct carom_joint_desc { uint32_t struct_size; uint32_t kind; uint32_t fields; uint32_t reserved; carom_body body_a; carom_body body_b; double position_a[3]; double orientation_a[4]; double position_b[3]; double orientation_b[4]; double length; double break_force; double break_torque; uint64_t user; };
 struct carom_joint_limit { uint32_t struct_size; uint32_t enabled; double lower; double upper; };
-struct carom_joint_motor { uint32_t struct_size; uint32_t enabled; double speed; double most; };
-struct carom_joint_spring { uint32_t struct_size; uint32_t enabled; double target; double frequency; double damping; double most; };
+struct carom_joint_motor { uint32_t struct_size; uint32_t enabled; double speed; double max_force; };
+struct carom_joint_spring { uint32_t struct_size; uint32_t enabled; double target; double frequency; double damping; double max_force; };
 struct carom_joint_transmission { uint32_t struct_size; uint32_t fields; double ratio; double anchor_a[3]; double anchor_b[3]; double length; };
-struct carom_joint_axis { uint32_t struct_size; uint32_t mode; double lower; double upper; uint32_t stop_gains; uint32_t drive_gains; uint32_t spring_gains; uint32_t drive; double stop_stiffness; double stop_damping; double target; double speed; double effort; double most; double drive_stiffness; double drive_damping; double rest; double spring_stiffness; double spring_damping; };
-struct carom_joint_orientation_drive { uint32_t struct_size; uint32_t drive; uint32_t gains; uint32_t reserved; double target[4]; double velocity[3]; double effort[3]; double most[3]; double stiffness; double damping; };
+struct carom_joint_axis { uint32_t struct_size; uint32_t mode; double lower; double upper; uint32_t stop_gains; uint32_t drive_gains; uint32_t spring_gains; uint32_t drive; double stop_stiffness; double stop_damping; double target; double speed; double effort; double max_force; double drive_stiffness; double drive_damping; double rest; double spring_stiffness; double spring_damping; };
+struct carom_joint_orientation_drive { uint32_t struct_size; uint32_t drive; uint32_t gains; uint32_t reserved; double target[4]; double velocity[3]; double effort[3]; double max_force[3]; double stiffness; double damping; };
 struct carom_joint_state { uint32_t struct_size; uint32_t broken; double force[3]; double torque[3]; double gap; double angle; double coordinate[4]; double axis[6]; };
 struct carom_ledger_entry { const char *name; double kinetic; double potential; double linear[3]; double angular[3]; double total_kinetic; double total_potential; double total_linear[3]; double total_angular[3]; };
 struct carom_ledger_state { uint32_t struct_size; uint32_t is_kept; uint64_t steps; double start_kinetic; double start_potential; double start_linear[3]; double start_angular[3]; double before_kinetic; double before_potential; double before_linear[3]; double before_angular[3]; double now_kinetic; double now_potential; double now_linear[3]; double now_angular[3]; double rounding_energy; double rounding_linear; double rounding_angular; double total_rounding_energy; double total_rounding_linear; double total_rounding_angular; };
 struct carom_particles_desc { uint32_t struct_size; uint32_t reserved; double gravity_factor; double linear_damping; double mass; uint64_t capacity; };
-struct carom_plan_line { uint32_t effect; uint32_t stage; uint32_t mode; uint32_t runs; uint64_t customers; uint64_t wanted; uint64_t evaluations; uint64_t bytes; double seconds; uint32_t timing; uint32_t reserved; char name[32]; char unit[24]; char reason[128]; };
+struct carom_plan_line { uint32_t effect; uint32_t stage; uint32_t mode; uint32_t runs; uint64_t participants; uint64_t wanted; uint64_t evaluations; uint64_t bytes; double seconds; uint32_t timing; uint32_t reserved; char name[32]; char unit[24]; char reason[128]; };
 struct carom_param { const char *name; const char *unit; double min; double max; };
 struct carom_param_rule { const char *text; uint32_t term_count; uint32_t param[4]; double weight[4]; double most; };
 struct carom_geometry { uint32_t struct_size; uint32_t form; uint32_t form_arg[4]; uint32_t core_radius_param; uint32_t mass_form; uint32_t mass_arg[4]; };
@@ -375,7 +375,7 @@ return {
   CAROM_E_PLUGIN_PATH = -18,
   CAROM_E_PLUGIN_LOAD = -19,
   CAROM_E_PLUGIN_ABI = -20,
-  CAROM_E_PLUGIN_DISHONEST = -21,
+  CAROM_E_PLUGIN_INVALID = -21,
   CAROM_E_DECLARATION_FALSE = -22,
   CAROM_E_NO_VOLUME = -23,
   CAROM_E_ALREADY_EXISTS = -24,

@@ -55,7 +55,7 @@ extern "C" {
 #define CAROM_E_PLUGIN_PATH (-18)       /* the path is not absolute, or nothing readable is there */
 #define CAROM_E_PLUGIN_LOAD (-19)       /* the dynamic loader refused the file, or the entry symbol is missing */
 #define CAROM_E_PLUGIN_ABI (-20)        /* the plugin was built against an incompatible plugin.h */
-#define CAROM_E_PLUGIN_DISHONEST (-21)  /* the support function is not one of a bounded convex set; see the witness */
+#define CAROM_E_PLUGIN_INVALID (-21)  /* the support function is not one of a bounded convex set; see the witness */
 #define CAROM_E_DECLARATION_FALSE (-22) /* a declaration disagrees with the support function; see the witness */
 #define CAROM_E_NO_VOLUME (-23)         /* the body is flat, so no mass follows from a density */
 #define CAROM_E_ALREADY_EXISTS (-24)    /* a plugin with this id is already loaded */

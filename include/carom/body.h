@@ -222,8 +222,8 @@ typedef struct carom_attribute_info {
   const char *name;    /**< "gravity_factor" */
   const char *unit;    /**< "kg/s, kg/m": of its numbers in turn; "1" of a share or of bits */
   const char *summary; /**< one line */
-  double least;        /**< bounds of each number, inclusive */
-  double most;
+  double min;          /**< bounds of each number, inclusive */
+  double max;
   double usual[4];     /**< what a body has when it is created; numbers that the attribute does not have are 0 */
 } carom_attribute_info;
 
@@ -315,7 +315,7 @@ CAROM_API int32_t carom_collider_create(carom_world *world, carom_body body, con
  *  Where a part of it fails nothing has changed, but for a plugin that was loaded.
  *  @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
- *          PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
+ *          PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_create_named(carom_world *world, uint32_t type, const char *name, const double *params,
                                           uint64_t count, const double position[3], carom_body *body, carom_error *error);
 /** @status OK; *_HANDLE; BUSY; REENTRANT */

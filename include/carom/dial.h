@@ -161,7 +161,7 @@ CAROM_API int32_t carom_dial_find(const char *name, uint32_t *dial, carom_error 
 typedef struct carom_constant_info {
   uint32_t struct_size;
   uint32_t constant;       /**< its number, from 0 */
-  const char *name;        /**< "direct_blow" */
+  const char *name;        /**< "direct_impact_share" */
   const char *unit;        /**< "rad", "steps"; "1" of a share or a ratio */
   const char *reason;      /**< what it is, and why it is as large as that */
   const char *consequence; /**< what breaks if it moves */

@@ -74,7 +74,7 @@ CAROM_API int32_t carom_engine_set_jobs(carom_engine *engine, const carom_jobs_d
 /** Load a shape plugin from a shared object. @param path absolute.
  *  The plugin is checked before anything is called, then asked for supports in 256 directions with parameters that the
  *  bounds allow. Loading the same path twice is ALREADY_EXISTS.
- *  @status OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_DISHONEST; ALREADY_EXISTS; OUT_OF_MEMORY
+ *  @status OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; ALREADY_EXISTS; OUT_OF_MEMORY
  *  @thread any, also while worlds step */
 CAROM_API int32_t carom_plugin_load(carom_engine *engine, const char *path, carom_plugin *plugin, carom_error *error);
 

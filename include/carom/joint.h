@@ -62,9 +62,9 @@ extern "C" {
 /** @name What a drive aims at
  *  @{ */
 #define CAROM_DRIVE_NONE 0u
-#define CAROM_DRIVE_POSITION 1u /* force = stiffness (target - x) + damping (speed - x'), `most` at most */
-#define CAROM_DRIVE_VELOCITY 2u /* the speed, by whatever force up to `most` */
-#define CAROM_DRIVE_EFFORT 3u   /* a force or torque, `most` at most, whatever the motion */
+#define CAROM_DRIVE_POSITION 1u /* force = stiffness (target - x) + damping (speed - x'), `max_force` at most */
+#define CAROM_DRIVE_VELOCITY 2u /* the speed, by whatever force up to `max_force` */
+#define CAROM_DRIVE_EFFORT 3u   /* a force or torque, `max_force` at most, whatever the motion */
 #define CAROM_DRIVE_COUNT 4u
 /** @} */
 
@@ -115,8 +115,8 @@ typedef struct carom_joint_limit {
 typedef struct carom_joint_motor {
   uint32_t struct_size;
   uint32_t enabled;
-  double speed; /**< m/s or rad/s, [-1e6, 1e6] */
-  double most;  /**< N or N m, [0, 1e30]: how hard it pushes at most */
+  double speed;     /**< m/s or rad/s, [-1e6, 1e6] */
+  double max_force; /**< N or N m, [0, 1e30]: how hard it pushes at most */
 } carom_joint_motor;
 
 /** A coordinate pulled towards a place: a spring, or a motor that holds a position. With x the stretch, w = 2 pi frequency
@@ -127,7 +127,7 @@ typedef struct carom_joint_spring {
   double target;    /**< m or rad, within the bounds of a limit */
   double frequency; /**< Hz, [0, 1e4]; a quarter of the substep rate at most acts */
   double damping;   /**< ratio, [0, 1e3]; 1: critical */
-  double most;      /**< N or N m, [0, 1e30]: how hard it pulls at most */
+  double max_force; /**< N or N m, [0, 1e30]: how hard it pulls at most */
 } carom_joint_spring;
 
 /** By what a pulley or a gear turns the motion of A into that of B. Fill with carom_joint_transmission_init(). */
@@ -160,7 +160,7 @@ typedef struct carom_joint_axis {
   double target;           /**< m or rad, as lower: of a drive to a position */
   double speed;            /**< m/s or rad/s, [-1e6, 1e6]: of a drive to a velocity; of a drive to a position that of its target */
   double effort;           /**< N or N m, [-1e30, 1e30]: of a drive by effort */
-  double most;             /**< N or N m, [0, 1e30]: how hard the drive pushes at most */
+  double max_force;        /**< N or N m, [0, 1e30]: how hard the drive pushes at most */
   double drive_stiffness;  /**< as stop_stiffness */
   double drive_damping;    /**< as stop_damping */
   double rest;             /**< m or rad, as lower: where the spring rests */
@@ -170,7 +170,7 @@ typedef struct carom_joint_axis {
 
 /** A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is locked (else
  *  it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's frame is, its torque is
- *  stiffness (-e) + damping (velocity - omega), about each of A's axes `most` at most. Fill with
+ *  stiffness (-e) + damping (velocity - omega), about each of A's axes `max_force` at most. Fill with
  *  carom_joint_orientation_drive_init(). */
 typedef struct carom_joint_orientation_drive {
   uint32_t struct_size;
@@ -180,7 +180,7 @@ typedef struct carom_joint_orientation_drive {
   double target[4];   /**< x, y, z, w: B's frame -> A's; of CAROM_DRIVE_POSITION. Half a turn off there is no shortest way */
   double velocity[3]; /**< rad/s, [-1e6, 1e6], A's frame, of B relative to A */
   double effort[3];   /**< N m, [-1e30, 1e30], A's frame: of CAROM_DRIVE_EFFORT */
-  double most[3];     /**< N m, [0, 1e30], about A's x, y, z axis */
+  double max_force[3]; /**< N m, [0, 1e30], about A's x, y, z axis */
   double stiffness;   /**< Hz [0, 1e4], else [0, 1e30] */
   double damping;     /**< a ratio [0, 1e3], else [0, 1e30] */
 } carom_joint_orientation_drive;
@@ -207,7 +207,7 @@ CAROM_API int32_t carom_joint_spring_init(carom_joint_spring *spring, uint32_t s
 /** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_joint_transmission_init(carom_joint_transmission *transmission, uint32_t struct_size);
 
-/** Free, without drive and spring, `most` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+/** Free, without drive and spring, `max_force` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_joint_axis_init(carom_joint_axis *axis, uint32_t struct_size);
 /** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive *drive, uint32_t struct_size);

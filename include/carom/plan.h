@@ -90,8 +90,8 @@ typedef struct carom_plan_line {
   uint32_t stage;       /**< CAROM_STAGE_* that it is part of */
   uint32_t mode;        /**< CAROM_MODE_* for the world */
   uint32_t runs;        /**< 1 or 0 */
-  uint64_t customers;   /**< participants in the last step */
-  uint64_t wanted;      /**< participants if nothing were forbidden or forced; of effects within contacts, as `customers` */
+  uint64_t participants;   /**< participants in the last step */
+  uint64_t wanted;      /**< participants if nothing were forbidden or forced; of effects within contacts, as `participants` */
   uint64_t evaluations; /**< participants of all steps since the world was made, summed */
   uint64_t bytes;       /**< memory held for it alone */
   double seconds;       /**< s, in the last step */

@@ -13,7 +13,7 @@ extern "C" {
 /** Make a shape. The parameters are copied. The support function is checked for these parameters (finite, repeatable,
  *  scale-free, samples in convex position), declarations are verified, and AABB and mass properties derived.
  *  @param params [count] doubles, meaning as the plugin documents
- *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which); PLUGIN_DISHONEST;
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which); PLUGIN_INVALID;
  *          DECLARATION_FALSE; OUT_OF_MEMORY
  *  @thread any, also while worlds step */
 CAROM_API int32_t carom_shape_create(carom_engine *engine, carom_plugin plugin, const double *params, uint64_t count,
@@ -25,7 +25,7 @@ CAROM_API int32_t carom_shape_create(carom_engine *engine, carom_plugin plugin, 
  *  is built in: normal x, y, z, offset.
  *  @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
  *  @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE; PLUGIN_PATH;
- *          PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
+ *          PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
  *  @thread any, also while worlds step */
 CAROM_API int32_t carom_shape_create_named(carom_engine *engine, const char *name, const double *params, uint64_t count,
                                            carom_shape *shape, carom_error *error);
@@ -74,7 +74,7 @@ CAROM_API int32_t carom_shape_get_params(carom_engine *engine, carom_shape shape
 /** Support points of the whole shape, core radius included, for n directions at once.
  *  @param dirs [3n] nonzero, any length, shape frame   @param points [3n] m, shape frame
  *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a zero direction); UNSUPPORTED (half-space,
- *          scenery); PLUGIN_DISHONEST (the support function failed; the points before are written) */
+ *          scenery); PLUGIN_INVALID (the support function failed; the points before are written) */
 CAROM_API int32_t carom_shape_support(carom_engine *engine, carom_shape shape, const double *dirs, uint64_t n,
                                       double *points, carom_error *error);
 

@@ -34,8 +34,8 @@ bool is_value_of(Call& call, const AttributeRow& row, const AttributeValue& valu
     case not_finite:
       return call.fail(CAROM_E_NOT_FINITE, argument, "%s is %g", name, value[k]);
     case out_of_range:
-      return call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is %g, must be within [%g, %g] %s", name, value[k], row.least,
-                       row.most, row.unit);
+      return call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is %g, must be within [%g, %g] %s", name, value[k], row.min,
+                       row.max, row.unit);
     case not_whole:
       return call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is %g, must be a whole number", name, value[k]);
     case surplus:
@@ -78,7 +78,7 @@ int32_t carom_attribute_get_info(uint32_t attribute, carom_attribute_info* info,
     full.numbers = row.numbers;
     full.is_whole = row.stored != StoredAs::real;
     full.name = row.name, full.unit = row.unit, full.summary = row.what;
-    full.least = row.least, full.most = row.most;
+    full.min = row.min, full.max = row.max;
     std::copy(row.usual.begin(), row.usual.end(), full.usual);
     full.effect = static_cast<std::uint32_t>(+row.effect);
     full.of_dynamic = row.of_dynamic;

@@ -33,7 +33,7 @@ constexpr ResultRow kResults[] = {
     ROW(CAROM_E_PLUGIN_PATH, "pass the absolute path of a readable shared object"),
     ROW(CAROM_E_PLUGIN_LOAD, "export `const carom_shape_plugin carom_shape_plugin_v1` and link what the plugin needs"),
     ROW(CAROM_E_PLUGIN_ABI, "rebuild the plugin against this library's carom/plugin.h"),
-    ROW(CAROM_E_PLUGIN_DISHONEST,
+    ROW(CAROM_E_PLUGIN_INVALID,
         "make support return the farthest point of one bounded convex set; try `carom check`"),
     ROW(CAROM_E_DECLARATION_FALSE, "correct or drop the declaration in the plugin's carom_geometry"),
     ROW(CAROM_E_NO_VOLUME, "give the body a mass and inertia, or the collider density 0"),

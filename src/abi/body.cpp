@@ -135,7 +135,7 @@ carom_body_desc describe(const World& world, std::uint32_t slot) {
 /// Only the first collider's removal can run out of memory, so all go or none.
 void remove(carom_engine& engine, World& world, std::uint32_t body) {
   const std::uint32_t& first = world.scene.first_collider[body];
-  while (first != Colliders::kNone) remove_collider(engine, world, first);
+  while (first != kInvalid) remove_collider(engine, world, first);
   std::erase_if(world.fault_views, [&](const FaultView& v) { return v.body == body; });
   world.remove_body(body);
 }

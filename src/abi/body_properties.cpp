@@ -29,7 +29,7 @@ bool ties_keep_one(Call& call, const World& world, std::uint32_t body) {
 /// Whether a body may be of a kind with the shapes that it has.   @param has_mass  the host gives it
 bool shapes_fit(Call& call, const World& world, std::uint32_t body, BodyType type, bool has_mass) {
   const Colliders& c = world.scene.colliders;
-  for (std::uint32_t i = world.scene.first_collider[body]; i != Colliders::kNone; i = c.next[i])
+  for (std::uint32_t i = world.scene.first_collider[body]; i != kInvalid; i = c.next[i])
     if (!shape_fits(call, 3, type, has_mass, *c.shape[i], c.density[i])) return false;
   return true;
 }
@@ -172,7 +172,7 @@ int32_t carom_body_get_colliders(carom_world* world, carom_body body, carom_coll
     if (!reading || !resolve_body(call, *reading, body) || !present(call, 5, "count", count)) return;
     const Colliders& c = reading->scene.colliders;
     *count = 0;
-    for (std::uint32_t i = reading->scene.first_collider[handle_slot(body)]; i != Colliders::kNone; i = c.next[i]) {
+    for (std::uint32_t i = reading->scene.first_collider[handle_slot(body)]; i != kInvalid; i = c.next[i]) {
       if (colliders && *count < capacity) colliders[*count] = reading->scene.collider_slots.handle(i);
       ++*count;
     }

@@ -22,7 +22,7 @@ carom_draw_line element(const World& world, const DrawLine& line) {
   from_vec3(line.from, out.from), from_vec3(line.to, out.to);
   out.colour = line.colour;
   out.kind = line.kind;
-  if (line.body != DrawLine::kNobody) out.body = world.scene.bodies.handle(line.body);
+  if (line.body != kInvalid) out.body = world.scene.bodies.handle(line.body);
   return out;
 }
 

@@ -5,14 +5,14 @@
 
 namespace carom::abi {
 
-/// Of a body's slot, or kTheWorld.
+/// Of a body's slot, or kInvalid.
 inline bool is_dynamic(const World& world, std::uint32_t slot) {
-  return slot != kTheWorld && world.scene.type[slot] == BodyType::dynamic;
+  return slot != kInvalid && world.scene.type[slot] == BodyType::dynamic;
 }
 
 /// @return false, and noted, if the handle names neither a body nor the world
 inline bool read_end(Call& call, const World& world, const char* name, carom_body handle, std::uint32_t& slot) {
-  slot = kTheWorld;
+  slot = kInvalid;
   if (handle == CAROM_NULL_HANDLE) return true;
   if (!resolve(call, 2, name, world.scene.bodies, handle)) return false;
   slot = handle_slot(handle);
@@ -33,7 +33,7 @@ bool read_ends(Call& call, const World& world, const Desc& d, const char* what, 
 }
 
 inline carom_body handle_of_end(const World& world, std::uint32_t slot) {
-  return slot == kTheWorld ? CAROM_NULL_HANDLE : world.scene.bodies.handle(slot);
+  return slot == kInvalid ? CAROM_NULL_HANDLE : world.scene.bodies.handle(slot);
 }
 
 }  // namespace carom::abi

@@ -55,7 +55,7 @@ bool one_is_convex(Call& call, int argument, const Shape& a, const Shape& b) {
 }
 
 ShapePin::~ShapePin() {
-  if (slot_ == kNone) return;
+  if (slot_ == kInvalid) return;
   const std::lock_guard lock(engine_.mutex);
   engine_.shapes[slot_].uses -= 1;
 }

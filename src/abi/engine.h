@@ -71,15 +71,14 @@ class ShapePin {
 
   bool take(Call& call, int argument, const char* name, carom_shape handle);
   bool take_convex(Call& call, int argument, const char* name, carom_shape handle);  // scenery is refused
-  void keep() { slot_ = kNone; }
+  void keep() { slot_ = kInvalid; }
   const Shape& operator*() const { return *shape_; }
   const Shape* operator->() const { return shape_; }
 
  private:
-  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   carom_engine& engine_;
   const Shape* shape_ = nullptr;
-  std::uint32_t slot_ = kNone;
+  std::uint32_t slot_ = kInvalid;
 };
 
 /// Two sceneries cannot be asked about each other.

@@ -57,13 +57,13 @@ bool read_form(Call& call, const char* id, std::uint32_t form, const std::uint32
   return true;
 }
 
-bool ask_honest(Call& call, const char* id, int argument, const Shape& shape) {
+bool ask_valid(Call& call, const char* id, int argument, const Shape& shape) {
   const FloatScope scope;
   const Verdict verdict = verify_support(shape);
-  if (verdict.honest && float_environment_is_default()) return true;
+  if (verdict.valid && float_environment_is_default()) return true;
   call.witness(verdict.dir, verdict.out);
-  return call.fail(CAROM_E_PLUGIN_DISHONEST, argument, "%s: %s; dir (%g, %g, %g) gave (%g, %g, %g)", id,
-                   verdict.honest ? "the support function changes the floating-point environment" : verdict.reason,
+  return call.fail(CAROM_E_PLUGIN_INVALID, argument, "%s: %s; dir (%g, %g, %g) gave (%g, %g, %g)", id,
+                   verdict.valid ? "the support function changes the floating-point environment" : verdict.reason,
                    verdict.dir[0], verdict.dir[1], verdict.dir[2], verdict.out[0], verdict.out[1], verdict.out[2]);
 }
 

@@ -28,7 +28,7 @@ bool read_form(Call& call, const char* id, std::uint32_t form, const std::uint32
                std::span<const double> params, FormNumbers& numbers);
 
 /// Ask the support function in 256 directions.
-/// @errors PLUGIN_DISHONEST with the witness, also where it changed the floating-point environment
-bool ask_honest(Call& call, const char* id, int argument, const Shape& shape);
+/// @errors PLUGIN_INVALID with the witness, also where it changed the floating-point environment
+bool ask_valid(Call& call, const char* id, int argument, const Shape& shape);
 
 }  // namespace carom::abi

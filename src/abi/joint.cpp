@@ -50,7 +50,7 @@ bool read_frames(Call& call, const World& world, const carom_joint_desc& d, Join
   if (d.fields & CAROM_JOINT_WORLD_FRAME) {
     const Pose frame = def.frame_a;
     const auto on = [&](std::uint32_t body) {
-      if (body == kTheWorld) return frame;
+      if (body == kInvalid) return frame;
       const Pose local = world.pose(body).inverse() * frame;
       return Pose{normalized(local.q), local.p};
     };
@@ -194,9 +194,9 @@ bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_
   if (!drivable(call, joint, coordinate) || !read_struct(call, 4, "motor", given, d) ||
       !known(call, 4, "motor->enabled", d.enabled, 2) ||
       !in_range(call, 4, "motor->speed", d.speed, -kFastestMotor, kFastestMotor) ||
-      !in_range(call, 4, "motor->most", d.most, 0, kStrongestMotor))
+      !in_range(call, 4, "motor->max_force", d.max_force, 0, kStrongestMotor))
     return false;
-  drive.motor = {d.enabled != 0, d.speed, d.most};
+  drive.motor = {d.enabled != 0, d.speed, d.max_force};
   return true;
 }
 bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_joint_spring* given,
@@ -210,9 +210,9 @@ bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_
   if (!in_range(call, 4, "spring->target", d.target, b.low, b.high) ||
       !in_range(call, 4, "spring->frequency", d.frequency, 0, kStiffest) ||
       !in_range(call, 4, "spring->damping", d.damping, 0, kMostDamping) ||
-      !in_range(call, 4, "spring->most", d.most, 0, kStrongestMotor))
+      !in_range(call, 4, "spring->max_force", d.max_force, 0, kStrongestMotor))
     return false;
-  drive.spring = {d.enabled != 0, d.target, d.frequency, d.damping, d.most};
+  drive.spring = {d.enabled != 0, d.target, d.frequency, d.damping, d.max_force};
   return true;
 }
 
@@ -220,12 +220,12 @@ void write(const JointDrive& drive, carom_joint_limit& d) {
   d.enabled = drive.limit.on, d.lower = drive.limit.lower, d.upper = drive.limit.upper;
 }
 void write(const JointDrive& drive, carom_joint_motor& d) {
-  d.enabled = drive.motor.on, d.speed = drive.motor.speed, d.most = drive.motor.most;
+  d.enabled = drive.motor.on, d.speed = drive.motor.speed, d.max_force = drive.motor.max_force;
 }
 void write(const JointDrive& drive, carom_joint_spring& d) {
   const JointSpring& s = drive.spring;
   d.enabled = s.on, d.target = s.target, d.frequency = s.frequency, d.damping = s.damping;
-  d.most = std::min(s.most, kStrongestMotor);
+  d.max_force = std::min(s.max_force, kStrongestMotor);
 }
 
 template <class Desc, class Say>
@@ -273,7 +273,7 @@ int32_t carom_joint_motor_init(carom_joint_motor* motor, uint32_t struct_size) {
 int32_t carom_joint_spring_init(carom_joint_spring* spring, uint32_t struct_size) {
   return init_struct(spring, struct_size, [](carom_joint_spring& d) {
     d.frequency = d.damping = 1;
-    d.most = kStrongestMotor;
+    d.max_force = kStrongestMotor;
   });
 }
 

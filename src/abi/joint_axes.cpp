@@ -64,7 +64,7 @@ bool read_axis(Call& call, std::uint32_t axis, const carom_joint_axis* given, Jo
       !in_range(call, 4, "desc->target", d.target, -far, far) || !in_range(call, 4, "desc->rest", d.rest, -far, far) ||
       !in_range(call, 4, "desc->speed", d.speed, -kFastestMotor, kFastestMotor) ||
       !in_range(call, 4, "desc->effort", d.effort, -kStrongestMotor, kStrongestMotor) ||
-      !in_range(call, 4, "desc->most", d.most, 0, kStrongestMotor) ||
+      !in_range(call, 4, "desc->max_force", d.max_force, 0, kStrongestMotor) ||
       !read_pull(call, {4, "desc->stop_gains", "desc->stop_stiffness", "desc->stop_damping", d.stop_gains, d.stop_stiffness,
                         d.stop_damping}, to.stop) ||
       !read_pull(call, {4, "desc->drive_gains", "desc->drive_stiffness", "desc->drive_damping", d.drive_gains,
@@ -75,7 +75,7 @@ bool read_axis(Call& call, std::uint32_t axis, const carom_joint_axis* given, Jo
   if (d.mode == CAROM_AXIS_MODE_LIMITED && !in_range(call, 4, "desc->upper", d.upper, d.lower, far)) return false;
   to.mode = static_cast<AxisMode>(d.mode), to.lower = d.lower, to.upper = d.upper;
   to.drive = static_cast<AxisDrive>(d.drive), to.target = d.target, to.speed = d.speed;
-  to.effort = d.effort, to.most = or_any(d.most), to.rest = d.rest;
+  to.effort = d.effort, to.max_force = or_any(d.max_force), to.rest = d.rest;
   return true;
 }
 
@@ -83,7 +83,7 @@ carom_joint_axis describe_axis(const JointAxis& a) {
   carom_joint_axis d{};
   d.mode = static_cast<std::uint32_t>(a.mode), d.lower = a.lower, d.upper = a.upper;
   d.drive = static_cast<std::uint32_t>(a.drive), d.target = a.target, d.speed = a.speed, d.effort = a.effort;
-  d.most = std::min(a.most, kStrongestMotor), d.rest = a.rest;
+  d.max_force = std::min(a.max_force, kStrongestMotor), d.rest = a.rest;
   const auto put = [](const AxisPull& from, std::uint32_t& gains, double& stiffness, double& damping) {
     gains = static_cast<std::uint32_t>(from.gains), stiffness = from.stiffness, damping = from.damping;
   };
@@ -102,19 +102,19 @@ bool all_in_range(Call& call, const char* const (&names)[3], const double (&v)[3
 bool read_turn(Call& call, const carom_joint_orientation_drive* given, TurnDrive& to) {
   static constexpr const char* kVelocity[] = {"drive->velocity[0]", "drive->velocity[1]", "drive->velocity[2]"};
   static constexpr const char* kEffort[] = {"drive->effort[0]", "drive->effort[1]", "drive->effort[2]"};
-  static constexpr const char* kMost[] = {"drive->most[0]", "drive->most[1]", "drive->most[2]"};
+  static constexpr const char* kMost[] = {"drive->max_force[0]", "drive->max_force[1]", "drive->max_force[2]"};
   carom_joint_orientation_drive d;
   carom_joint_orientation_drive_init(&d, sizeof d);
   if (!read_struct(call, 3, "drive", given, d) || !known(call, 3, "drive->drive", d.drive, CAROM_DRIVE_COUNT) ||
       !only_bits(call, 3, "drive->reserved", d.reserved, 0) || !unit(call, 3, "drive->target", d.target, 4) ||
       !all_in_range(call, kVelocity, d.velocity, -kFastestMotor, kFastestMotor) ||
       !all_in_range(call, kEffort, d.effort, -kStrongestMotor, kStrongestMotor) ||
-      !all_in_range(call, kMost, d.most, 0, kStrongestMotor) ||
+      !all_in_range(call, kMost, d.max_force, 0, kStrongestMotor) ||
       !read_pull(call, {3, "drive->gains", "drive->stiffness", "drive->damping", d.gains, d.stiffness, d.damping}, to.gains))
     return false;
   to.mode = static_cast<AxisDrive>(d.drive);
   to.target = normalized(to_quat(d.target)), to.velocity = to_vec3(d.velocity), to.effort = to_vec3(d.effort);
-  to.most = {or_any(d.most[0]), or_any(d.most[1]), or_any(d.most[2])};
+  to.max_force = {or_any(d.max_force[0]), or_any(d.max_force[1]), or_any(d.max_force[2])};
   return true;
 }
 
@@ -123,7 +123,7 @@ carom_joint_orientation_drive describe_turn(const TurnDrive& t) {
   d.drive = static_cast<std::uint32_t>(t.mode), d.gains = static_cast<std::uint32_t>(t.gains.gains);
   d.stiffness = t.gains.stiffness, d.damping = t.gains.damping;
   from_quat(t.target, d.target), from_vec3(t.velocity, d.velocity), from_vec3(t.effort, d.effort);
-  for (int k = 0; k < 3; ++k) d.most[k] = std::min(t.most[k], kStrongestMotor);
+  for (int k = 0; k < 3; ++k) d.max_force[k] = std::min(t.max_force[k], kStrongestMotor);
   return d;
 }
 
@@ -137,13 +137,13 @@ extern "C" {
 
 int32_t carom_joint_axis_init(carom_joint_axis* axis, uint32_t struct_size) {
   return init_struct(axis, struct_size, [](carom_joint_axis& d) {
-    d.most = kStrongestMotor;
+    d.max_force = kStrongestMotor;
   });
 }
 int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive* drive, uint32_t struct_size) {
   return init_struct(drive, struct_size, [](carom_joint_orientation_drive& d) {
     d.target[3] = 1;
-    d.most[0] = d.most[1] = d.most[2] = kStrongestMotor;
+    d.max_force[0] = d.max_force[1] = d.max_force[2] = kStrongestMotor;
   });
 }
 

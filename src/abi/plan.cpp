@@ -38,7 +38,7 @@ carom_plan_line describe(const PlanLine& line) {
   out.stage = static_cast<std::uint32_t>(line.stage);
   out.mode = static_cast<std::uint32_t>(line.mode);
   out.runs = line.runs;
-  out.customers = line.customers, out.wanted = line.wanted, out.evaluations = line.evaluations;
+  out.participants = line.participants, out.wanted = line.wanted, out.evaluations = line.evaluations;
   out.bytes = line.bytes;
   out.seconds = line.seconds;
   out.timing = static_cast<std::uint32_t>(line.timing);

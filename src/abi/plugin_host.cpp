@@ -1,5 +1,5 @@
 // Taking in shape plugins: find the one data symbol, check what it says before anything is called, ask whether the
-// support function is honest, and keep a copy. Nothing a plugin declares is believed later without this check.
+// support function is valid, and keep a copy. Nothing a plugin declares is believed later without this check.
 #include <cmath>
 #include <cstring>
 
@@ -126,7 +126,7 @@ void sample_params(const PluginRecord& record, std::uint32_t trial, Array<double
 }
 
 /// 256 directions at sample parameters that fulfil the rules. Where none of them does, shapes are judged when they are made.
-bool check_honest(Call& call, const PluginRecord& record, Memory* memory) {
+bool check_valid(Call& call, const PluginRecord& record, Memory* memory) {
   constexpr std::uint32_t kTrials = 256;
   Shape sample(memory);
   std::uint32_t trial = 0;
@@ -135,7 +135,7 @@ bool check_honest(Call& call, const PluginRecord& record, Memory* memory) {
     sample_params(record, trial++, sample.params);
   } while (broken_rule(record, sample.params.data()));
   sample.support = record.description.support, sample.user = record.description.user;
-  return ask_honest(call, record.id.c_str(), 2, sample);
+  return ask_valid(call, record.id.c_str(), 2, sample);
 }
 
 /// Add a checked plugin to the engine, unless one of its name is there.
@@ -161,7 +161,7 @@ void take_plugin(Call& call, carom_engine& engine, const carom_shape_plugin* giv
                  carom_plugin* plugin) {
   auto* record = make_on<PluginRecord>(&engine.memory, &engine.memory);
   try {
-    if (check_description(call, given, room, *record) && check_honest(call, *record, &engine.memory))
+    if (check_description(call, given, room, *record) && check_valid(call, *record, &engine.memory))
       add(call, engine, record, plugin);
   } catch (...) {
     destroy_on(&engine.memory, record);

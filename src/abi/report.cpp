@@ -84,10 +84,10 @@ carom_fault fault(const World& world, const FaultView& view) {
   if (view.support.kind != SupportFault::none)
     f.kind = static_cast<std::uint32_t>(view.support.kind);
   else
-    f.kind = view.particles == FaultView::kNone ? CAROM_FAULT_BODY_STATE : CAROM_FAULT_PARTICLE_STATE;
+    f.kind = view.particles == kInvalid ? CAROM_FAULT_BODY_STATE : CAROM_FAULT_PARTICLE_STATE;
   f.shape = view.support.shape ? view.support.shape->handle : CAROM_NULL_HANDLE;
-  if (view.body != FaultView::kNone) f.body = world.scene.bodies.handle(view.body);
-  if (view.particles != FaultView::kNone) f.particles = world.particles.slots.handle(view.particles);
+  if (view.body != kInvalid) f.body = world.scene.bodies.handle(view.body);
+  if (view.particles != kInvalid) f.particles = world.particles.slots.handle(view.particles);
   f.particle = view.particle;
   for (int i = 0; i < 3; ++i) f.dir[i] = view.support.dir[i], f.out[i] = view.support.out[i];
   return f;

@@ -88,7 +88,7 @@ const Scenery* scenery_of(Call& call, ShapePin& pin, carom_shape shape) {
 }
 
 std::uint64_t rims_of(const Scenery& s) {
-  if (!s.is_field()) return static_cast<std::uint64_t>(std::count(s.beyond.begin(), s.beyond.end(), Piece::kNone));
+  if (!s.is_field()) return static_cast<std::uint64_t>(std::count(s.beyond.begin(), s.beyond.end(), kInvalid));
   std::uint64_t rims = 0;
   Piece piece;
   for (std::uint32_t i = 0; i < s.pieces(); ++i)

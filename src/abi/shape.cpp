@@ -39,9 +39,9 @@ bool check_params(Call& call, const PluginRecord& plugin, const double* params, 
   return !rule || call.fail(CAROM_E_OUT_OF_RANGE, 3, "params of %s break its rule: %s", plugin.id.c_str(), rule->text);
 }
 
-bool dishonest(Call& call, const char* id, const SupportFault& fault) {
+bool invalid(Call& call, const char* id, const SupportFault& fault) {
   call.witness(fault.dir, fault.out);
-  return call.fail(CAROM_E_PLUGIN_DISHONEST, 2, "%s: support failed (fault %u) at dir (%g, %g, %g)", id,
+  return call.fail(CAROM_E_PLUGIN_INVALID, 2, "%s: support failed (fault %u) at dir (%g, %g, %g)", id,
                    static_cast<unsigned>(fault.kind), fault.dir[0], fault.dir[1], fault.dir[2]);
 }
 
@@ -64,7 +64,7 @@ bool settle_form(Call& call, const PluginRecord& plugin, FormNumbers& form, Shap
   shape.vertices = form.vertices;
   if (form.form == Form::none) return true;
   const Verdict verdict = verify_form(shape, form.form);
-  if (!verdict.honest) return declaration_false(call, id, "form", verdict);
+  if (!verdict.valid) return declaration_false(call, id, "form", verdict);
   make_faces(shape);
   return true;
 }
@@ -78,7 +78,7 @@ bool settle_mass(Call& call, const PluginRecord& plugin, const FormNumbers& form
     if (!read_form(call, id, g.mass_form, g.mass_arg, shape.params, m)) return false;
     shape.mass = mass_from_form(m.form, m.radius, m.half_height, m.half, m.vertices, memory);
     const Verdict verdict = verify_mass(shape, shape.mass);
-    return verdict.honest || declaration_false(call, id, "mass", verdict);
+    return verdict.valid || declaration_false(call, id, "mass", verdict);
   }
   if (form.form != Form::none) {
     shape.mass = mass_from_form(form.form, form.radius, form.half_height, form.half, form.vertices, memory);
@@ -86,7 +86,7 @@ bool settle_mass(Call& call, const PluginRecord& plugin, const FormNumbers& form
   }
   SupportFault fault;
   shape.mass = mass_from_support(shape, kMassTolerance, kMassSupports, fault);
-  return fault.kind == SupportFault::none || dishonest(call, id, fault);
+  return fault.kind == SupportFault::none || invalid(call, id, fault);
 }
 
 /// Everything that is known of a shape, each claim checked.
@@ -103,15 +103,15 @@ bool settle(Call& call, const PluginRecord& plugin, const double* params, std::u
       return call.fail(CAROM_E_DECLARATION_FALSE, 2, "%s: parameter %u is declared the core radius, but is %g", id,
                        plugin.geometry.core_radius_param, shape.core_radius);
   }
-  if (!ask_honest(call, id, 2, shape)) return false;
+  if (!ask_valid(call, id, 2, shape)) return false;
   FormNumbers form;
   if (!settle_form(call, plugin, form, shape)) return false;
   if (shape.form == Form::polytope) shape.farthest.build(shape.vertices);
   SupportFault fault;
-  if (!derive_bounds(shape, fault)) return dishonest(call, id, fault);  // after the form: its bounds are exact
+  if (!derive_bounds(shape, fault)) return invalid(call, id, fault);  // after the form: its bounds are exact
   if (!settle_mass(call, plugin, form, memory, shape)) return false;
   return float_environment_is_default() ||
-         call.fail(CAROM_E_PLUGIN_DISHONEST, 2, "%s: the support function changes the floating-point environment", id);
+         call.fail(CAROM_E_PLUGIN_INVALID, 2, "%s: the support function changes the floating-point environment", id);
 }
 
 void fill_info(const ShapeRecord& record, carom_shape_info& info) {
@@ -143,7 +143,7 @@ bool support(Call& call, const Shape& shape, const double* dir, double* out) {
   const std::int32_t result = shape.support(shape.user, shape.params.data(), shape.params.size(), dir, out);
   if (result != 0 || !carom::finite(to_vec3(out))) {
     call.witness(dir, out);
-    return call.fail(CAROM_E_PLUGIN_DISHONEST, 2, "support returned %d with (%g, %g, %g)", result, out[0], out[1],
+    return call.fail(CAROM_E_PLUGIN_INVALID, 2, "support returned %d with (%g, %g, %g)", result, out[0], out[1],
                      out[2]);
   }
   from_vec3(to_vec3(out) + shape.core_radius * (d / largest).normalized(), out);

@@ -58,7 +58,7 @@ void learn_costs(const World& world, Budget& budget) {
 /// Faults are rare and each shape's comes once, so the log may have every one.
 void log_faults(const carom_world& world) {
   for (const FaultView& fault : world.inner->fault_views)
-    if (fault.particles != FaultView::kNone)
+    if (fault.particles != kInvalid)
       world.engine.say(CAROM_LOG_WARNING, "particles of set slot %u left the world, number %u first: in quarantine",
                        fault.particles, fault.particle);
     else if (fault.support.kind == SupportFault::none)

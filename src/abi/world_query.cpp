@@ -34,7 +34,7 @@ carom_world_hit answer(const World& world, std::uint64_t question, const WorldHi
   out.outcome = static_cast<std::uint32_t>(r.outcome);
   out.status = static_cast<std::uint32_t>(r.status);
   out.question = question;
-  if (hit.collider != WorldHit::kNone) {
+  if (hit.collider != kInvalid) {
     out.collider = world.scene.collider_slots.handle(hit.collider);
     out.body = world.scene.bodies.handle(world.scene.colliders.body[hit.collider]);
   }
@@ -62,7 +62,7 @@ carom_world_hit cast_one(const World& world, const RayColumns& rays, std::uint64
   if (!rays.get(i, ray)) return bad_ray(i);
   return answer(world, i,
                 want == CAROM_WANT_FIRST ? cast_ray(world, ray, options)
-                                         : WorldHit{WorldHit::kNone, any_on_ray(world, ray, options)});
+                                         : WorldHit{kInvalid, any_on_ray(world, ray, options)});
 }
 
 /// Where one answer to each ray goes.
@@ -131,23 +131,23 @@ std::int32_t point_support(void*, const double*, std::uint64_t, const double*, d
 }
 
 /// The shapes that ask, which cannot be destroyed as long as this lives.
-class Askers {
+class QueryShapes {
  public:
-  explicit Askers(carom_engine& engine)
+  explicit QueryShapes(carom_engine& engine)
       : engine_(engine),
         dot_(&engine.memory),
         pinned_(&engine.memory),
-        askers_(&engine.memory),
+        query_shapes_(&engine.memory),
         motions_(&engine.memory) {
     dot_.form = Form::sphere;
     dot_.support = point_support;
     dot_.bounds = {Vec3::zero(), Vec3::zero()};
   }
-  ~Askers() {
+  ~QueryShapes() {
     for (const Shape* shape : pinned_) unuse_shape(engine_, *shape);
   }
-  Askers(const Askers&) = delete;
-  Askers& operator=(const Askers&) = delete;
+  QueryShapes(const QueryShapes&) = delete;
+  QueryShapes& operator=(const QueryShapes&) = delete;
 
   /// @param moving  motions are wanted
   bool take(Call& call, const carom_query_shapes* given, bool moving) {
@@ -164,7 +164,7 @@ class Askers {
         !make_column(call, 2, "shapes->orientations", s.orientations, s.orientation_stride, 4 * one, orientations) ||
         !make_column(call, 2, "shapes->motions", s.motions, s.motion_stride, 3 * one, motions))
       return false;
-    askers_.reserve(s.count);
+    query_shapes_.reserve(s.count);
     if (moving) motions_.reserve(s.count);
     carom_shape last = CAROM_NULL_HANDLE;
     const Shape* shape = &dot_;
@@ -179,7 +179,7 @@ class Askers {
       if (shapes.at) std::memcpy(&handle, shapes.at + i * shapes.stride, sizeof handle);
       if (handle != last && !pin(call, handle, shape)) return false;
       last = handle;
-      askers_.push_back({shape, Frame(Pose{to_quat(orientation), to_vec3(position)})});
+      query_shapes_.push_back({shape, Frame(Pose{to_quat(orientation), to_vec3(position)})});
       if (!moving) continue;
       load<3>(motions, s.scalar, i, motion);
       if (!finite(call, 2, "a motion of shapes", motion, 3)) return false;
@@ -187,8 +187,8 @@ class Askers {
     }
     return true;
   }
-  std::uint64_t size() const { return askers_.size(); }
-  const Asker& operator[](std::uint64_t i) const { return askers_[i]; }
+  std::uint64_t size() const { return query_shapes_.size(); }
+  const QueryShape& operator[](std::uint64_t i) const { return query_shapes_[i]; }
   const Vec3& motion(std::uint64_t i) const { return motions_[i]; }
 
  private:
@@ -211,7 +211,7 @@ class Askers {
   carom_engine& engine_;
   Shape dot_;
   Array<const Shape*> pinned_;
-  Array<Asker> askers_;
+  Array<QueryShape> query_shapes_;
   Array<Vec3> motions_;
 };
 
@@ -229,7 +229,7 @@ void list_all(const Reading& world, std::uint64_t n, HitList& list, Ask&& ask) {
   }
 }
 
-/// A whole call of that kind, of shapes: ask(world, askers, i, options, hits).
+/// A whole call of that kind, of shapes: ask(world, query shapes, i, options, hits).
 /// @param moving  shapes have motions
 template <class Ask>
 std::int32_t list_of_shapes(carom_world* world, const carom_query_shapes* shapes, bool moving,
@@ -240,12 +240,12 @@ std::int32_t list_of_shapes(carom_world* world, const carom_query_shapes* shapes
     if (!reading) return;
     const FloatScope scope;
     QueryOptions options;
-    Askers askers(reading.engine());
-    if (!askers.take(call, shapes, moving) || !read_desc(call, 3, *reading, desc, options) ||
+    QueryShapes query_shapes(reading.engine());
+    if (!query_shapes.take(call, shapes, moving) || !read_desc(call, 3, *reading, desc, options) ||
         !list.check(call, 4, count))
       return;
-    list_all(reading, askers.size(), list, [&](std::uint64_t i, Array<WorldHit>& found) {
-      ask(*reading, askers, i, options, found);
+    list_all(reading, query_shapes.size(), list, [&](std::uint64_t i, Array<WorldHit>& found) {
+      ask(*reading, query_shapes, i, options, found);
       return true;
     });
     *count = list.count();
@@ -336,14 +336,14 @@ int32_t carom_world_cast_shapes(carom_world* world, const carom_query_shapes* sh
     if (!reading) return;
     const FloatScope scope;
     QueryOptions options;
-    Askers askers(reading.engine());
-    if (!askers.take(call, shapes, true) || !known(call, 3, "want", want, CAROM_WANT_ANY + 1) ||
-        !read_desc(call, 4, *reading, desc, options) || !check_records(call, 5, askers.size(), dst, stride))
+    QueryShapes query_shapes(reading.engine());
+    if (!query_shapes.take(call, shapes, true) || !known(call, 3, "want", want, CAROM_WANT_ANY + 1) ||
+        !read_desc(call, 4, *reading, desc, options) || !check_records(call, 5, query_shapes.size(), dst, stride))
       return;
-    answer_each(reading, askers.size(), dst, stride, [&](std::uint64_t i) {
+    answer_each(reading, query_shapes.size(), dst, stride, [&](std::uint64_t i) {
       return want == CAROM_WANT_FIRST
-                 ? cast_shape(*reading, askers[i], askers.motion(i), options)
-                 : WorldHit{WorldHit::kNone, any_on_way(*reading, askers[i], askers.motion(i), options)};
+                 ? cast_shape(*reading, query_shapes[i], query_shapes.motion(i), options)
+                 : WorldHit{kInvalid, any_on_way(*reading, query_shapes[i], query_shapes.motion(i), options)};
     });
   });
 }
@@ -353,8 +353,8 @@ int32_t carom_world_cast_shapes_all(carom_world* world, const carom_query_shapes
                                     carom_error* error) {
   return list_of_shapes(
       world, shapes, true, desc, {dst, stride, capacity}, count, error,
-      [](const World& in, const Askers& askers, std::uint64_t i, const QueryOptions& options, Array<WorldHit>& found) {
-        cast_shape_all(in, askers[i], askers.motion(i), options, found);
+      [](const World& in, const QueryShapes& query_shapes, std::uint64_t i, const QueryOptions& options, Array<WorldHit>& found) {
+        cast_shape_all(in, query_shapes[i], query_shapes.motion(i), options, found);
       });
 }
 
@@ -362,8 +362,8 @@ int32_t carom_world_overlap_shapes(carom_world* world, const carom_query_shapes*
                                    carom_world_hit* dst, uint64_t stride, uint64_t capacity, uint64_t* count,
                                    carom_error* error) {
   return list_of_shapes(world, shapes, false, desc, {dst, stride, capacity}, count, error,
-                        [](const World& in, const Askers& askers, std::uint64_t i, const QueryOptions& options,
-                           Array<WorldHit>& found) { find_overlaps(in, askers[i], options, found); });
+                        [](const World& in, const QueryShapes& query_shapes, std::uint64_t i, const QueryOptions& options,
+                           Array<WorldHit>& found) { find_overlaps(in, query_shapes[i], options, found); });
 }
 
 int32_t carom_world_find_nearest(carom_world* world, const carom_query_shapes* shapes, double reach,
@@ -374,12 +374,12 @@ int32_t carom_world_find_nearest(carom_world* world, const carom_query_shapes* s
     if (!reading) return;
     const FloatScope scope;
     QueryOptions options;
-    Askers askers(reading.engine());
-    if (!askers.take(call, shapes, false) || !not_negative(call, 3, "reach", reach) ||
-        !read_desc(call, 4, *reading, desc, options) || !check_records(call, 5, askers.size(), dst, stride))
+    QueryShapes query_shapes(reading.engine());
+    if (!query_shapes.take(call, shapes, false) || !not_negative(call, 3, "reach", reach) ||
+        !read_desc(call, 4, *reading, desc, options) || !check_records(call, 5, query_shapes.size(), dst, stride))
       return;
-    answer_each(reading, askers.size(), dst, stride,
-                [&](std::uint64_t i) { return find_nearest(*reading, askers[i], reach, options); });
+    answer_each(reading, query_shapes.size(), dst, stride,
+                [&](std::uint64_t i) { return find_nearest(*reading, query_shapes[i], reach, options); });
   });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "collision/shape.h"
+#include "core/invalid.h"
 #include "core/pose.h"
 
 namespace carom::collision {
@@ -19,7 +20,7 @@ inline bool let_touch(const Filter& a, const Filter& b) {
 }
 
 struct Colliders {
-  enum Mute : std::uint8_t { kFaulty = 1, kForbidden = 2 };
+  enum Disable : std::uint8_t { kFaulty = 1, kForbidden = 2 };
   explicit Colliders(Memory* m)
       : shape(m),
         local(m),
@@ -31,7 +32,7 @@ struct Colliders {
         bounds(m),
         reach(m),
         movable(m),
-        muted(m),
+        disabled(m),
         live(m),
         active(m),
         next(m),
@@ -50,11 +51,11 @@ struct Colliders {
   Array<Aabb> bounds;           // m, world, grown by what the scene asks for (contact distance, motion of the step)
   Array<Real> reach;            // m: a fast collider meets others that are this much farther than the contact distance
   Array<std::uint8_t> movable;  // 0: its body is static; kPushed: forces move it; kDriven: it is kinematic
-  Array<std::uint8_t> muted;    // makes no pairs: kFaulty (its shape or body is in quarantine), kForbidden
+  Array<std::uint8_t> disabled;    // makes no pairs: kFaulty (its shape or body is in quarantine), kForbidden
   Array<std::uint32_t> live;    // slots in use, ascending
   Array<std::uint32_t> active;  // those of them that the broad phase goes through (not asleep), ascending
   Array<std::uint32_t>
-      next;  // the body's next collider, ascending by slot, or kNone (the first: Scene::first_collider)
+      next;  // the body's next collider, ascending by slot, or kInvalid (the first: Scene::first_collider)
   Array<Filter> filter;  // empty until a collider has one of its own
 
   Array<std::uint8_t> sensor;  // 1: tells of overlap and is never answered; empty until there is one
@@ -65,7 +66,6 @@ struct Colliders {
   Filter filter_of(std::uint32_t slot) const { return slot < filter.size() ? filter[slot] : Filter(); }
 
   static constexpr std::uint32_t kNoMaterial = 0xFFFFFFFFu;
-  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   std::size_t slots() const { return shape.size(); }
 
   /// Put a collider where it is now; how far it came is added up, rounded up.
@@ -88,11 +88,11 @@ struct Pair {
 /// Whether somebody notices what touches a collider: it is pushed, or it senses.
 inline bool notices(const Colliders& c, std::uint32_t slot) { return c.movable[slot] == Colliders::kPushed || c.is_sensor(slot); }
 
-/// Whether two colliders may touch at all: different bodies, one of them able to move, one that notices, neither muted.
+/// Whether two colliders may touch at all: different bodies, one of them able to move, one that notices, neither disabled.
 inline bool may_touch(const Colliders& c, std::uint32_t a, std::uint32_t b) {
   const int moves = c.movable[a] | c.movable[b];
   return c.body[a] != c.body[b] && moves && ((moves & Colliders::kPushed) || c.is_sensor(a) || c.is_sensor(b)) &&
-         !(c.muted[a] | c.muted[b]);
+         !(c.disabled[a] | c.disabled[b]);
 }
 
 }  // namespace carom::collision

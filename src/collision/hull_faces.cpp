@@ -6,6 +6,7 @@
 
 #include "collision/hull.h"
 #include "collision/shape.h"
+#include "core/invalid.h"
 
 namespace carom::collision {
 namespace {
@@ -15,7 +16,6 @@ constexpr Real kStraight = 1e-6;   // rad
 // Of the extent: a triangle lower than this has no normal to speak of (u / 1e-7 is what rounding turns it by), and
 // opens no face.
 constexpr Real kSliver = 1e-7;
-constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
 /// An edge of a triangle, sorted so that the two directions of it stand side by side.
 struct Edge {
@@ -28,9 +28,9 @@ class Gatherer {
       : xyz_(xyz),
         tri_(triangles),
         faces_(faces),
-        across_(triangles.size(), kNone, triangles.get_allocator()),
-        face_(triangles.size() / 3, kNone, triangles.get_allocator()),
-        next_(xyz.size() / 3, kNone, triangles.get_allocator()),
+        across_(triangles.size(), kInvalid, triangles.get_allocator()),
+        face_(triangles.size() / 3, kInvalid, triangles.get_allocator()),
+        next_(xyz.size() / 3, kInvalid, triangles.get_allocator()),
         stack_(triangles.get_allocator()) {}
 
   void run() {
@@ -47,7 +47,7 @@ class Gatherer {
     tolerance_ = kSamePlane * extent;
     faces_.begin.push_back(0);
     for (const std::uint32_t t : order)
-      if (face_[t] == kNone && area[t] > kSliver * extent * longest(t)) grow(t, cross(t) / area[t]);
+      if (face_[t] == kInvalid && area[t] > kSliver * extent * longest(t)) grow(t, cross(t) / area[t]);
   }
 
  private:
@@ -94,7 +94,7 @@ class Gatherer {
     for (std::size_t i = 0; i < stack_.size(); ++i)
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t t = across_[3 * stack_[i] + k];
-        if (t == kNone || face_[t] != kNone || !in_plane(t)) continue;
+        if (t == kInvalid || face_[t] != kInvalid || !in_plane(t)) continue;
         face_[t] = id;
         stack_.push_back(t);
       }
@@ -105,24 +105,24 @@ class Gatherer {
 
   /// The rim of the triangles in stack_, appended to the loops. @return false, and nothing appended, if it is no loop
   bool outline(std::uint32_t id) {
-    std::uint32_t first = kNone;
+    std::uint32_t first = kInvalid;
     std::size_t sides = 0;
     bool simple = true;
     for (const std::uint32_t t : stack_)
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t other = across_[3 * t + k];
-        if (other != kNone && face_[other] == id) continue;
+        if (other != kInvalid && face_[other] == id) continue;
         const std::uint32_t v = tri_[3 * t + k];
-        simple &= next_[v] == kNone;
+        simple &= next_[v] == kInvalid;
         next_[v] = tri_[3 * t + (k + 1) % 3];
         first = v, ++sides;
       }
     const std::size_t start = faces_.loop.size();
     if (simple && sides > 2) {
       std::uint32_t before = first, v = next_[first];
-      for (std::size_t i = 0; i < sides && v != kNone; ++i) {
+      for (std::size_t i = 0; i < sides && v != kInvalid; ++i) {
         const std::uint32_t after = next_[v];
-        if (after == kNone) break;
+        if (after == kInvalid) break;
         const Vec3 in = point(v) - point(before), out = point(after) - point(v);
         if (in.cross(out).norm() > kStraight * in.norm() * out.norm()) faces_.loop.push_back(v), before = v;
         v = after;
@@ -130,10 +130,10 @@ class Gatherer {
       simple = v == next_[first];
     }
     for (const std::uint32_t t : stack_)
-      for (std::uint32_t k = 0; k < 3; ++k) next_[tri_[3 * t + k]] = kNone;
+      for (std::uint32_t k = 0; k < 3; ++k) next_[tri_[3 * t + k]] = kInvalid;
     if (simple && faces_.loop.size() - start > 2) return true;
     faces_.loop.resize(start);
-    for (const std::uint32_t t : stack_) face_[t] = kNone - 1;  // taken, by no face
+    for (const std::uint32_t t : stack_) face_[t] = kInvalid - 1;  // taken, by no face
     return false;
   }
 

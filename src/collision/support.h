@@ -11,7 +11,7 @@ namespace carom::collision {
 /// powers in an inertia, far from overflow; ten times that, and a support function is called unbounded.
 inline constexpr Real kMaxReach = 1e9;  // m
 
-/// By how much of the shape's extent a support point may fall short along its direction. An honest function in double
+/// By how much of the shape's extent a support point may fall short along its direction. A valid function in double
 /// loses some ten u (our own plugins are held to that); one that iterates, or was written in a hurry, may lose another
 /// six digits and still be a thousand times better than what the narrow phase is asked for (1e-6 of the size).
 inline constexpr Real kSloppiness = 1e-9;

@@ -1,4 +1,4 @@
-// Is a support function honest, and are the declarations that came with it true? Asked when a shape is made.
+// Is a support function valid, and are the declarations that came with it true? Asked when a shape is made.
 #pragma once
 
 #include "collision/shape.h"
@@ -7,7 +7,7 @@ namespace carom::collision {
 
 /// The answer, with evidence: the direction that shows the lie and what came back for it.
 struct Verdict {
-  bool honest = true;
+  bool valid = true;
   const char* reason = "";  // static text: "not bitwise repeatable", "depends on the length of the direction", ...
   double dir[3] = {0, 0, 0};
   double out[3] = {0, 0, 0};

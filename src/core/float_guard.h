@@ -14,7 +14,7 @@
 namespace carom::core {
 
 /// Puts rounding, flush-to-zero and the masks back as they were at its start, at the end of its scope, if somebody has
-/// changed them: a support function that was honest about it when it was loaded and no longer is. One read of a
+/// changed them: a support function that was valid about it when it was loaded and no longer is. One read of a
 /// register if not.
 class FloatGuard {
  public:

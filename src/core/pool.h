@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "core/invalid.h"
 #include "core/memory.h"
 
 namespace carom::core {
@@ -18,8 +19,6 @@ enum class HandleFault { none, invalid, stale, wrong_kind, wrong_owner };
 inline constexpr std::uint32_t kSlotBits = 24, kGenerationBits = 20, kTagBits = 16;
 inline constexpr std::uint32_t kMaxSlots = 1u << kSlotBits;
 inline constexpr std::uint32_t kMaxGeneration = (1u << kGenerationBits) - 1;
-
-inline constexpr std::uint32_t kTheWorld = 0xFFFFFFFFu;  // in place of a body's slot
 
 /// The handle of the same slot and generation that another owner issues.
 inline constexpr Handle with_tag(Handle h, std::uint32_t tag) {

@@ -10,7 +10,7 @@ constexpr bool attributes_stand_in_order() {
   for (std::size_t k = 0; k < kAttributeCount; ++k) {
     const AttributeRow& row = kAttributeTable[k];
     if (+row.id != k || row.numbers < 1 || row.numbers > kMostNumbers || !row.name || !row.unit || !row.what) return false;
-    if (row.least > row.most) return false;
+    if (row.min > row.max) return false;
   }
   return true;
 }
@@ -24,7 +24,7 @@ AttributeFault fault_of(const AttributeRow& row, const AttributeValue& value) {
     const Real x = value[k];
     if (!std::isfinite(x)) return {k, not_finite};
     if (k >= row.numbers && x != 0) return {k, surplus};
-    if (k < row.numbers && (x < row.least || x > row.most)) return {k, out_of_range};
+    if (k < row.numbers && (x < row.min || x > row.max)) return {k, out_of_range};
     if (row.stored != StoredAs::real && x != std::floor(x)) return {k, not_whole};
   }
   return {};

@@ -40,7 +40,7 @@ struct AttributeRow {
   const char* what = nullptr;
   EffectId effect{};           // whose participants have it
   std::uint32_t numbers = 1;
-  Real least = 0, most = 0;    // of each
+  Real min = 0, max = 0;    // of each
   StoredAs stored = StoredAs::real;  // what is stored as a whole number is one
   bool of_dynamic = false;     // others have the usual value alone
   AttributeValue usual{};
@@ -52,19 +52,19 @@ inline constexpr Real kAnyNumber = std::numeric_limits<Real>::max();
 inline constexpr AttributeRow kAttributeTable[] = {
     {.id = AttributeId::gravity_factor, .name = "gravity_factor", .unit = "1",
      .what = "times the world's gravity; below 0 the body rises",
-     .effect = EffectId::gravity, .least = -kAnyNumber, .most = kAnyNumber, .usual = {1}},
+     .effect = EffectId::gravity, .min = -kAnyNumber, .max = kAnyNumber, .usual = {1}},
     {.id = AttributeId::locks, .name = "locks", .unit = "1",
      .what = "axes of the world along and about which the body does not move: bits CAROM_LOCK_*",
-     .effect = EffectId::axis_locks, .most = 63, .stored = StoredAs::byte, .of_dynamic = true},
+     .effect = EffectId::axis_locks, .max = 63, .stored = StoredAs::byte, .of_dynamic = true},
     {.id = AttributeId::drag, .name = "drag", .unit = "kg/s, kg/m",
      .what = "what air takes: F = -(linear + quadratic |u|) u, u the velocity relative to the wind",
-     .effect = EffectId::drag, .numbers = 2, .most = 1e12},
+     .effect = EffectId::drag, .numbers = 2, .max = 1e12},
     {.id = AttributeId::force_field_mask, .name = "force_field_mask", .unit = "1",
      .what = "fields that share a bit with it act on the body",
-     .effect = EffectId::fields, .most = 4294967295.0, .stored = StoredAs::word, .usual = {1}},
+     .effect = EffectId::fields, .max = 4294967295.0, .stored = StoredAs::word, .usual = {1}},
     {.id = AttributeId::magnetic_moment, .name = "magnetic_moment", .unit = "A m^2, A m^2, A m^2",
      .what = "by which magnetic fields turn the body, in its own axes",
-     .effect = EffectId::magnetism, .numbers = 3, .least = -1e12, .most = 1e12},
+     .effect = EffectId::magnetism, .numbers = 3, .min = -1e12, .max = 1e12},
 };
 // clang-format on
 static_assert(std::size(kAttributeTable) == kAttributeCount);

@@ -18,7 +18,7 @@ BroadPhase& broad_phase(const World& world, BroadPhases& all) {
   return *all[choice];
 }
 
-void mute(const World& world, Revisions& scene, FaultViews& views, const SupportFault& fault) {
+void disable(const World& world, Revisions& scene, FaultViews& views, const SupportFault& fault) {
   Plan& plan = *world.plan;
   if (std::find(plan.faulty.begin(), plan.faulty.end(), fault.shape) != plan.faulty.end()) return;
   plan.faulty.push_back(fault.shape);
@@ -95,7 +95,7 @@ void find_contacts(const World& world, PairTable& pairs, Revisions& scene, Fault
   const NarrowSettings settings = narrow_settings(world.scene.dials);
   meet_scenery(world, pairs, report.narrow, settings);
   narrow_phase(world.scene.colliders, settings, pairs, report.narrow, plan.faults, world.jobs);
-  for (const SupportFault& fault : plan.faults) mute(world, scene, views, fault);
+  for (const SupportFault& fault : plan.faults) disable(world, scene, views, fault);
 }
 
 }  // namespace carom::dynamics

@@ -13,14 +13,14 @@ NarrowSettings narrow_settings(const Dials& dials);
 /// The strategy of the dial, made when first asked for.
 BroadPhase& broad_phase(const World& world, BroadPhases& all);
 
-/// Mute a shape in this world, from the next step on, and say so.
-void mute(const World& world, Revisions& scene, FaultViews& views, const SupportFault& fault);
+/// Disable a shape in this world, from the next step on, and say so.
+void disable(const World& world, Revisions& scene, FaultViews& views, const SupportFault& fault);
 
 /// Stage broad: pairs of colliders whose bounds overlap.
 void find_pairs(const World& world, BroadPhases& broad, Forgetting to, Events& events, StepReport& report,
                 const StepTime& time);
 
-/// Stage narrow: manifolds of those pairs. Shapes whose support function misbehaved are muted from here on.
+/// Stage narrow: manifolds of those pairs. Shapes whose support function misbehaved are disabled from here on.
 void find_contacts(const World& world, PairTable& pairs, Revisions& scene, FaultViews& views, StepReport& report,
                    const StepTime& time);
 

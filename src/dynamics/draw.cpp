@@ -74,7 +74,7 @@ class Drawing {
       return i;
     };
     const auto tie = [&](std::uint32_t a, std::uint32_t b) {
-      if (a == kTheWorld || b == kTheWorld || scene_.type[a] != BodyType::dynamic ||
+      if (a == kInvalid || b == kInvalid || scene_.type[a] != BodyType::dynamic ||
           scene_.type[b] != BodyType::dynamic)
         return;
       const std::uint32_t x = root(a), y = root(b);
@@ -169,7 +169,7 @@ class Drawing {
       if (!world_.joints.alive(j) || world_.joints.joint[j].broken) continue;
       const JointDef& def = world_.joints.joint[j].def;
       const JointEnds ends = ends_of(world_, def);
-      const auto whose = [](std::uint32_t body) { return body == kTheWorld ? DrawLine::kNobody : body; };
+      const auto whose = [](std::uint32_t body) { return body == kInvalid ? kInvalid : body; };
       axes(ends.a.p, ends.a.q.matrix(), whose(def.body_a));
       axes(ends.b.p, ends.b.q.matrix(), whose(def.body_b));
       if (def.kind == JointKind::pulley) {

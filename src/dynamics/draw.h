@@ -7,11 +7,10 @@ namespace carom::dynamics {
 
 struct DrawLine {
   enum Kind : std::uint32_t { shapes = 1, scenery = 2, bounds = 4, contacts = 8, joints = 16, bodies = 32 };
-  static constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
   Vec3 from, to;         // m, world
   std::uint32_t colour;  // 0xRRGGBBAA
   Kind kind;
-  std::uint32_t body;  // slot, or kNobody
+  std::uint32_t body;  // slot, or kInvalid
 };
 
 struct DrawSettings {

@@ -31,7 +31,7 @@ void note_resistance(Scene& s) {
 void make_room_for_body(Scene& s, State& t) {
   make_room(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia, s.first_collider,
             t.x, t.q, t.held_q, t.placed_x, t.placed_q, t.v, t.omega, t.momentum, t.force, t.torque, t.quarantined, t.loaded_steps,
-            t.tired_steps, t.accuracy, t.written, t.is_written);
+            t.cooldown_steps, t.accuracy, t.written, t.is_written);
 }
 
 /// New mass properties; the body's frame stays where it is and its centre's velocity what it was.
@@ -45,7 +45,7 @@ void place_mass(Scene& s, State& t, std::uint32_t body, const BodyMass& m) {
 /// Where the link to a body's first collider at or after `collider` stands. Bodies have few colliders.
 std::uint32_t& link_to(Scene& s, std::uint32_t body, std::uint32_t collider) {
   std::uint32_t* link = &s.first_collider[body];
-  while (*link < collider) link = &s.colliders.next[*link];  // kNone is larger than any slot
+  while (*link < collider) link = &s.colliders.next[*link];  // kInvalid is larger than any slot
   return *link;
 }
 
@@ -68,7 +68,7 @@ void World::fill_body(std::uint32_t i, const BodyDef& def) {
   put<Vec3>(scene.center, i, Vec3::zero());
   put<Mat3>(scene.inertia, i, Mat3::zero());
   put<Mat3>(scene.inv_inertia, i, Mat3::zero());
-  put(scene.first_collider, i, Colliders::kNone);
+  put(scene.first_collider, i, kInvalid);
   put(state.x, i, def.pose.p);
   put(state.q, i, normalized(def.pose.q));
   put(state.held_q, i, state.q[i]);
@@ -82,7 +82,7 @@ void World::fill_body(std::uint32_t i, const BodyDef& def) {
   put<Vec3>(state.torque, i, Vec3::zero());
   put(state.quarantined, i, std::uint8_t(0));
   put(state.loaded_steps, i, std::uint8_t(0));
-  put(state.tired_steps, i, std::uint8_t(0));
+  put(state.cooldown_steps, i, std::uint8_t(0));
   put(state.accuracy, i, AccuracyNote());
   if (i == state.is_written.size()) state.is_written.push_back(0);
   place_mass(scene, state, i, mass_of_body(scene, i));
@@ -93,7 +93,7 @@ void World::remove_body(std::uint32_t body) {
   wake(*this, body);
   while (joints.any_of(body)) remove_joint(joints.first[body]);
   remove_springs_of(*this, body);
-  while (scene.first_collider[body] != Colliders::kNone) remove_collider(scene.first_collider[body]);
+  while (scene.first_collider[body] != kInvalid) remove_collider(scene.first_collider[body]);
   scene.inv_mass[body] = scene.mass[body] = 0;
   scene.inertia[body].set_zero(), scene.inv_inertia[body].set_zero();
   scene.attributes.reset(body);
@@ -120,7 +120,7 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   grow(settings.sensor, c.sensor);
   grow(settings.surface.any(), scene.surface);
   make_room(scene.collider_slots.slots(), c.shape, c.local, c.body, c.material, c.density, c.frame, c.bounds, c.reach,
-            c.movable, c.muted, c.next, c.travel);
+            c.movable, c.disabled, c.next, c.travel);
   make_room(c.live.size(), c.live);
   stir(*this, body);
   const Handle handle = scene.collider_slots.take();
@@ -151,7 +151,7 @@ void World::fill_collider(std::uint32_t i, std::uint32_t body, const Shape* shap
   put(c.bounds, i, Aabb());
   put(c.reach, i, Real(0));
   put(c.movable, i, how_moved(scene.type[body]));
-  put(c.muted, i, std::uint8_t(0));
+  put(c.disabled, i, std::uint8_t(0));
   std::uint32_t& link = link_to(scene, body, i);
   put(c.next, i, link);
   link = i;
@@ -227,7 +227,7 @@ void World::set_body_filter(std::uint32_t body, const Filter& filter) {
   Array<Filter>& all = scene.colliders.filter;
   if (all.size() < scene.colliders.slots()) all.resize(scene.colliders.slots());
   stir(*this, body);  // may run out of memory, so it comes before any of them has changed
-  for (std::uint32_t c = scene.first_collider[body]; c != Colliders::kNone; c = scene.colliders.next[c])
+  for (std::uint32_t c = scene.first_collider[body]; c != kInvalid; c = scene.colliders.next[c])
     all[c] = filter;
   ++scene.revision;
 }

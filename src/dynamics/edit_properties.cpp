@@ -31,7 +31,7 @@ void World::set_type(std::uint32_t body, BodyType type) {
   contact_views();
   wake(*this, body);
   const auto each = [&](auto&& f) {
-    for (std::uint32_t i = scene.first_collider[body]; i != Colliders::kNone; i = c.next[i]) f(i);
+    for (std::uint32_t i = scene.first_collider[body]; i != kInvalid; i = c.next[i]) f(i);
   };
   each([&](std::uint32_t i) {  // may run out of memory, so it comes before any change
     if (scene.type[body] != BodyType::dynamic) wake_touching(*this, i);

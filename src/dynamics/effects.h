@@ -1,9 +1,9 @@
-// The plan of a step: which effects have customers, who they are, and what they did.
+// The plan of a step: which effects have participants, who they are, and what they did.
 #pragma once
 
 #include <array>
 
-#include "dynamics/customers.h"
+#include "dynamics/participants.h"
 #include "dynamics/integrate/rotation/principal.h"
 #include "dynamics/part.h"
 
@@ -26,11 +26,11 @@ struct Accelerate {
 };
 
 /// A row's work. Exactly one of the two is set in a planned row.
-using ForceFn = void (*)(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
-using FlowFn = void (*)(const Scene&, const Customers&, Real h, const Quat* q, Vec3* v, Vec3* omega);
+using ForceFn = void (*)(const Scene&, const State&, const Participants&, const Motion& at, const Accelerate& out);
+using FlowFn = void (*)(const Scene&, const Participants&, Real h, const Quat* q, Vec3* v, Vec3* omega);
 
-/// What the customers of a row are.
-enum class CustomerKind : std::uint8_t {
+/// What the participants of a row are.
+enum class ParticipantKind : std::uint8_t {
   bodies,
   colliders,
   contact_points,
@@ -46,42 +46,42 @@ struct Effect {
   EffectId id{};
   const char* name = nullptr;
   Stage stage{};
-  CustomerKind customers{};
-  // Who may be a customer, from what a host changes; null: a stage counts them, @see count_participants()
-  void (*find)(const Scene&, const State&, Customers&) = nullptr;
-  bool (*wakes)(const Scene&, const State&, std::uint32_t slot) = nullptr;  // or: is this one a customer in this step?
+  ParticipantKind participants{};
+  // Who may be a participant, from what a host changes; null: a stage counts them, @see count_participants()
+  void (*find)(const Scene&, const State&, Participants&) = nullptr;
+  bool (*wakes)(const Scene&, const State&, std::uint32_t slot) = nullptr;  // or: is this one a participant in this step?
   ForceFn force = nullptr;  // null: served by its stage, not by the integrator
   FlowFn flow = nullptr;    // null: there is no closed form
   Real (*rate)(const Scene&, const State&, std::uint32_t body) = nullptr;  // 1/s, of decay; null: none decays
-  void (*everyone)(const Scene&, const State&, Customers&) = nullptr;     // whom it can be forced on; null: on nobody
-  const char* called_by = nullptr;                                        // what customers are: "bodies with ..."
+  void (*everyone)(const Scene&, const State&, Participants&) = nullptr;     // whom it can be forced on; null: on nobody
+  const char* called_by = nullptr;                                        // what participants are: "bodies with ..."
   const char* missing = nullptr;                                          // what a scene without any lacks
 };
 
 /// What does the work of a planned row.
 enum class Served : std::uint8_t { force, flow, stage };  // effect->force, effect->flow, or neither of them
 
-/// Customers by how fast they decay: too fast for a force, so that the flow serves them; and the others.
+/// Participants by how fast they decay: too fast for a force, so that the flow serves them; and the others.
 struct Decays {
   explicit Decays(Memory* m) : stiff(m), gentle(m) {}
-  Customers stiff, gentle;
+  Participants stiff, gentle;
 };
 
-/// A row with its customers.
+/// A row with its participants.
 struct PlannedEffect {
-  PlannedEffect(const Effect* e, Memory* m) : effect(e), candidates(m), customers(m) {}
+  PlannedEffect(const Effect* e, Memory* m) : effect(e), candidates(m), participants(m) {}
   const Effect* effect;
-  Customers candidates;  // of the scene
-  Customers customers;   // of this step: the candidates that wake
+  Participants candidates;  // of the scene
+  Participants participants;   // of this step: the candidates that wake
   Decays* decays = nullptr;  // the plan's; where some of them decay too fast for a force; null until somebody did
   /// Whom the force and the flow serve of a row that has both.
-  const Customers& forced() const { return decays && decays->stiff.count > 0 ? decays->gentle : customers; }
+  const Participants& forced() const { return decays && decays->stiff.count > 0 ? decays->gentle : participants; }
   bool has_stiff() const { return decays && decays->stiff.count > 0; }
-  Owned<Customers> calling;  // where it is forced on some: the candidates that would be without that; else null
+  Owned<Participants> calling;  // where it is forced on some: the candidates that would be without that; else null
   bool is_forced = false;
   Served served = Served::stage;
   std::uint64_t wanted = 0;  // candidates of the scene, whatever a host forbids or forces
-  std::uint64_t evaluations = 0;  // customers served since the world was made
+  std::uint64_t evaluations = 0;  // participants served since the world was made
   double seconds = 0;             // of this step, as far as it has a room of its own, @see World::times_effects
 };
 
@@ -90,8 +90,8 @@ struct StepTime {
 };
 
 /// Poses that an integrator proposes for bodies which no contact touches. By body slot.
-struct Proposal {
-  explicit Proposal(Memory* m) : x(m), q(m), omega(m) {}
+struct PredictedPose {
+  explicit PredictedPose(Memory* m) : x(m), q(m), omega(m) {}
   Array<Vec3> x;
   Array<Quat> q;
   Array<Vec3> omega;  // rad/s, world: what a rotation method turned the body by, where plan.carried
@@ -109,23 +109,23 @@ struct Plan {
 
   std::uint64_t revision = 0;            // of the scene this plan was made for
   std::uint64_t restored = 0;            // revision of a scene that is as it was when pairs were last asked, @see snapshot/
-  Array<PlannedEffect> effects;          // every row of the table, in its order; idle rows have no customers
-  Customers linear, rotating;            // dynamic bodies that move: without and with rotation
-  Customers kinematic;                   // moved by their velocity
-  Customers solid;                       // dynamic bodies that have a collider
-  Customers oriented;                    // those that rotate and have a collider or a joint
+  Array<PlannedEffect> effects;          // every row of the table, in its order; idle rows have no participants
+  Participants linear, rotating;            // dynamic bodies that move: without and with rotation
+  Participants kinematic;                   // moved by their velocity
+  Participants solid;                       // dynamic bodies that have a collider
+  Participants oriented;                    // those that rotate and have a collider or a joint
   Array<std::uint32_t> colliders;        // active colliders whose body can move
   Array<Frame> local;                    // by collider: shape -> body axes, about the centre of mass
-  std::array<bool, kStageCount> runs{};  // stages that have customers
+  std::array<bool, kStageCount> runs{};  // stages that have participants
   int substeps = 1;                      // of the world, whoever is in it
   bool in_pass = false;                  // they go by island: the plan has some of them, @see accuracy/passes.h
   bool idle = false;                     // nobody needs them in this step: they are left out
   const Integrator* integrator = nullptr;
   const Rotation* rotation_method = nullptr;  // null: the gyroscopic effect is a force, a flow, or absent
-  Array<Principal> principal;                 // by body, customers of the rotation method
+  Array<Principal> principal;                 // by body, participants of the rotation method
   Array<std::uint8_t> carried;                // by body: the rotation method turns it in this step
   const Solver* solver = nullptr;
-  Proposal proposal;
+  PredictedPose predicted;
   std::array<Owned<Decays>, 3> decays;  // of the rows that decay: linear and angular damping, drag
   Owned<FreeFlight> flight;          // null: nobody has flown beside others yet
   struct Begun {
@@ -134,8 +134,8 @@ struct Plan {
   Array<Begun> begun;                // by body, of those that somebody asks for, @see begin_substep()
   Array<std::uint8_t> touched;       // by body: a solver changed its velocity in this substep
   Array<Mat3> rotation;              // by body: body -> world, at the start of the step
-  Customers sprung;                  // bodies that springs act on in this step
-  Customers readers;                 // bodies whose velocity some force reads, in this step
+  Participants sprung;                  // bodies that springs act on in this step
+  Participants readers;                 // bodies whose velocity some force reads, in this step
   Array<std::uint32_t> reader_list;  // scratch
   Array<Vec3> read_v, read_omega;    // by body: that copy, of readers
   Array<Vec3> scratch_vectors;       // of the integrator
@@ -168,10 +168,10 @@ using Sleepers = Writes<SleepFlags, Sleep>;
 using Settling = Writes<SleepFlags, Sleep, Colliders, PlacedPoses, Joints, PairTable, Impulses, Revisions>;
 /// Stage refresh: bring the plan up to date, then frames and bounds of what moves.
 void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floats, const StepTime& time);
-// Parts of it that others need too: which stages have customers; customers of this step; one collider's frame and
+// Parts of it that others need too: which stages have participants; participants of this step; one collider's frame and
 // bounds.
 void plan_stages(const World& world, Plan& plan);
-void find_customers(const World& world, Real h);
+void find_participants(const World& world, Real h);
 /// Who decays too fast for a force, in substeps of h.
 void part_stiff(const World& world, Real h);
 void place_collider(const World& world, Colliders& c, PlacedPoses& placed, Plan& plan, std::uint32_t slot, Real dt);

@@ -5,10 +5,10 @@
 
 namespace carom::dynamics {
 
-void filtering::find(const Scene& scene, const State&, Customers& customers) {
+void filtering::find(const Scene& scene, const State&, Participants& participants) {
   const Array<Filter>& filter = scene.colliders.filter;
   for (std::uint32_t slot = 0; slot < filter.size(); ++slot)
-    if (scene.collider_slots.alive(slot) && !(filter[slot] == Filter())) customers.add(slot);
+    if (scene.collider_slots.alive(slot) && !(filter[slot] == Filter())) participants.add(slot);
 }
 
 bool lets_touch(const Scene& scene, std::uint32_t a, std::uint32_t b) {
@@ -22,7 +22,7 @@ bool lets_touch(const Scene& scene, std::uint32_t a, std::uint32_t b) {
 }
 
 bool any_held_apart(const World& world) {
-  return world.plan->effects[+EffectId::filter].customers.count > 0 || !world.scene.apart.empty() ||
+  return world.plan->effects[+EffectId::filter].participants.count > 0 || !world.scene.apart.empty() ||
          !world.scene.joined.empty();
 }
 

@@ -1,5 +1,5 @@
 // Who may touch whom, as far as a host says so: filters of colliders and pairs of bodies that are excepted. Rooms
-// without customers are not entered: a world in which nobody set a filter pays nothing.
+// without participants are not entered: a world in which nobody set a filter pays nothing.
 #pragma once
 
 #include "dynamics/effects.h"
@@ -8,7 +8,7 @@ namespace carom::dynamics {
 
 /// Row of the table: colliders with a filter of their own.
 namespace filtering {
-void find(const Scene&, const State&, Customers&);
+void find(const Scene&, const State&, Participants&);
 }
 
 /// Whether filters and exceptions let two colliders touch.

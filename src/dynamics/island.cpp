@@ -29,7 +29,6 @@ std::uint32_t group_of(Contacts& c, std::uint32_t body) { return c.is_grouped ? 
 std::uint32_t island_of(Contacts& c, std::uint32_t body) { return root_of(c.parent, body); }
 
 void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
-  constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   const std::size_t n = c.rows.size();
   c.group_begin.clear();
   c.group_rows.resize(n);
@@ -37,19 +36,19 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
   c.link_label.resize(c.links.size());
   c.is_grouped = grouped;
   std::size_t met = 0;
-  for (const Meeting& m : c.meetings) met += m.count;
+  for (const ContactPair& m : c.contact_pairs) met += m.count;
   const bool some_are_out = met < n;  // of this pass, @see accuracy/passes.h: they are a last group, which is taken off
-  if (some_are_out) std::ranges::fill(c.label, kNone);
+  if (some_are_out) std::ranges::fill(c.label, kInvalid);
   std::uint32_t groups = 0;
   if (grouped) {
     c.parent.resize(body_slots), c.cursor.resize(body_slots);
-    for (const Meeting& m : c.meetings) {  // bodies without rows stay out of it, sleepers among them
+    for (const ContactPair& m : c.contact_pairs) {  // bodies without rows stay out of it, sleepers among them
       c.parent[m.a] = m.a, c.parent[m.b] = m.b;
-      c.cursor[m.a] = c.cursor[m.b] = kNone;  // scratch: group of a root
+      c.cursor[m.a] = c.cursor[m.b] = kInvalid;  // scratch: group of a root
     }
     for (const Link& l : c.links) {
-      if (l.moves_a) c.parent[l.a] = l.a, c.cursor[l.a] = kNone;
-      if (l.moves_b) c.parent[l.b] = l.b, c.cursor[l.b] = kNone;
+      if (l.moves_a) c.parent[l.a] = l.a, c.cursor[l.a] = kInvalid;
+      if (l.moves_b) c.parent[l.b] = l.b, c.cursor[l.b] = kInvalid;
     }
     const auto join = [&](const auto& both) {
       if (!both.moves_a || !both.moves_b) return;
@@ -58,14 +57,14 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
       if (a < b) c.parent[b] = a;
       if (b < a) c.parent[a] = b;
     };
-    for (const Meeting& m : c.meetings) join(m);
+    for (const ContactPair& m : c.contact_pairs) join(m);
     for (const Link& l : c.links) join(l);
     const auto label = [&](const auto& both) {
       const std::uint32_t r = root_of(c.parent, both.moves_a ? both.a : both.b);
-      if (c.cursor[r] == kNone) c.cursor[r] = groups++;
+      if (c.cursor[r] == kInvalid) c.cursor[r] = groups++;
       return c.cursor[r];
     };
-    for (const Meeting& m : c.meetings) {
+    for (const ContactPair& m : c.contact_pairs) {
       const std::uint32_t group = label(m);
       std::fill_n(c.label.begin() + m.row, m.count, group);
     }
@@ -74,12 +73,12 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
     for (const std::uint32_t body : c.bodies) ++c.group_bodies[c.cursor[root_of(c.parent, body)]];
   } else {
     if (!some_are_out) c.label.assign(n, 0);
-    for (const Meeting& m : c.meetings) std::fill_n(c.label.begin() + m.row, m.count, 0u);
+    for (const ContactPair& m : c.contact_pairs) std::fill_n(c.label.begin() + m.row, m.count, 0u);
     c.link_label.assign(c.links.size(), 0);
     groups = met || !c.links.empty() ? 1 : 0;
     c.group_bodies.assign(groups, static_cast<std::uint32_t>(c.bodies.size()));
   }
-  if (some_are_out) std::ranges::replace(c.label, kNone, groups);
+  if (some_are_out) std::ranges::replace(c.label, kInvalid, groups);
   sort_by_label(c.label, groups + some_are_out, c.group_begin, c.group_rows);
   if (some_are_out) c.group_begin.pop_back(), c.group_rows.resize(c.group_begin.back());
   c.group_link_begin.clear();

@@ -20,7 +20,7 @@ std::uint32_t group_of(Contacts& contacts, std::uint32_t body);
 /// Root of a body's tree of a union-find; halves the path, so that later searches are short.
 std::uint32_t root_of(Array<std::uint32_t>& parent, std::uint32_t body);
 
-/// The partition alone, from meetings and links.   @oracle tests/unit/dynamics/test_island (breadth-first
+/// The partition alone, from contact pairs and links.   @oracle tests/unit/dynamics/test_island (breadth-first
 /// twin)
 void partition_rows(Contacts& contacts, std::size_t body_slots, bool grouped);
 

@@ -1,7 +1,6 @@
 // Mass properties of a body from its colliders and from what the host said.
 #include "dynamics/mass.h"
 
-
 namespace carom::dynamics {
 namespace {
 
@@ -19,7 +18,7 @@ MassSum sum_of_colliders(const Scene& scene, std::uint32_t body, std::uint32_t s
   const Colliders& c = scene.colliders;
   MassSum sum;
   const auto each = [&](auto&& f) {
-    for (std::uint32_t slot = scene.first_collider[body]; slot != Colliders::kNone; slot = c.next[slot])
+    for (std::uint32_t slot = scene.first_collider[body]; slot != kInvalid; slot = c.next[slot])
       if (slot != skip && c.shape[slot]->mass.volume > 0)
         f(slot, (by_volume ? 1 : c.density[slot]) * c.shape[slot]->mass.volume);
   };

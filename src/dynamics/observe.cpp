@@ -57,7 +57,7 @@ void book_served(const World& world) {
   Plan& plan = *world.plan;
   const auto book = [&](std::size_t row, Stage stage, std::uint64_t times) {
     PlannedEffect& effect = plan.effects[row];
-    if (plan.runs[static_cast<std::size_t>(stage)]) effect.evaluations += times * effect.customers.count;
+    if (plan.runs[static_cast<std::size_t>(stage)]) effect.evaluations += times * effect.participants.count;
   };
   const auto substeps = static_cast<std::uint64_t>(plan.substeps);
   for (const std::size_t row :

@@ -1,4 +1,4 @@
-// The plan of a step, made from the table: who are the customers of what, and what serves them.
+// The plan of a step, made from the table: who are the participants of what, and what serves them.
 #include <algorithm>
 #include <cstring>
 
@@ -23,7 +23,7 @@ namespace {
 // As CAROM_ROTATION_*; those after them are rotation methods.
 enum RotationChoice : std::uint32_t { kNoGyroscopicTerm, kExplicitTorque, kImplicitStep };
 
-/// Rows, their customers, and whether each is a force or a flow: the one place where these dials are switched.
+/// Rows, their participants, and whether each is a force or a flow: the one place where these dials are switched.
 void plan_rows(const World& world, Plan& plan) {
   const Dials& dials = world.scene.dials;
   const Integrator* integrators[] = {&kExplicitEuler, &kSemiImplicitEuler, &kRungeKutta4, &kVelocityVerlet};
@@ -43,16 +43,16 @@ void plan_rows(const World& world, Plan& plan) {
     row.served = as_flow ? Served::flow : row.effect->force ? Served::force : Served::stage;
     if (gyro && row.candidates.count == 0) plan.rotation_method = nullptr;
     if (gyro && plan.rotation_method) row.served = Served::stage;
-    row.customers.clear();
-    row.customers.runs.reserve(row.candidates.count);
-    if (!row.effect->wakes) row.customers = row.candidates;
+    row.participants.clear();
+    row.participants.runs.reserve(row.candidates.count);
+    if (!row.effect->wakes) row.participants = row.candidates;
   }
 }
 
 void plan_principal(const World& world, Plan& plan, std::uint32_t slots) {
   plan.carried.assign(slots, 0);
   plan.principal.resize(slots);
-  plan.proposal.omega.resize(slots, Vec3::zero());
+  plan.predicted.omega.resize(slots, Vec3::zero());
   if (plan.rotation_method)
     plan.effects[+EffectId::gyroscopic].candidates.each(
         [&](std::uint32_t i) { plan.principal[i] = principal_axes(world.scene.inertia[i]); });
@@ -68,8 +68,8 @@ void plan_bodies(const World& world, Plan& plan) {
     if (scene.inv_mass[i] > 0) (rotates(scene, i) ? plan.rotating : plan.linear).add(i);
   }
   plan.touched.assign(slots, 0);
-  plan.proposal.x.resize(plan.integrator->proposes ? slots : 0, Vec3::zero());
-  plan.proposal.q.resize(plan.integrator->proposes || plan.rotation_method ? slots : 0, Quat::identity());
+  plan.predicted.x.resize(plan.integrator->proposes ? slots : 0, Vec3::zero());
+  plan.predicted.q.resize(plan.integrator->proposes || plan.rotation_method ? slots : 0, Quat::identity());
   plan_principal(world, plan, plan.rotation_method ? slots : 0);
   const PlannedEffect& gyro = plan.effects[+EffectId::gyroscopic];
   plan.reads_velocities = !plan.integrator->forces_only &&
@@ -84,7 +84,7 @@ void plan_bodies(const World& world, Plan& plan) {
 /// Who can be touched, and whose axes a step needs in the world's.
 void plan_solid(const World& world, Plan& plan) {
   plan.solid.clear(), plan.oriented.clear();
-  const auto wears = [&](std::uint32_t i) { return world.scene.first_collider[i] != Colliders::kNone; };
+  const auto wears = [&](std::uint32_t i) { return world.scene.first_collider[i] != kInvalid; };
   each_of_both(plan.linear, plan.rotating, [&](std::uint32_t i) {
     if (wears(i)) plan.solid.add(i);
   });
@@ -98,7 +98,7 @@ void plan_solid(const World& world, Plan& plan) {
 void plan_particles(const World& world, Plan& plan) {
   PlannedEffect& row = plan.effects[+EffectId::particles];
   row.wanted = world.particles.count() - world.particles.held_count();
-  row.customers.count = world.scene.modes.forbids(+EffectId::particles) ? 0 : row.wanted;
+  row.participants.count = world.scene.modes.forbids(+EffectId::particles) ? 0 : row.wanted;
   plan.runs[static_cast<std::size_t>(Stage::integrate)] =
       plan.linear.count + plan.rotating.count + plan.kinematic.count + world.particles.count() > 0;
 }
@@ -117,7 +117,7 @@ void plan_colliders(const World& world, Colliders& c, Plan& plan) {
     const bool forbidden = modes.forbids(+EffectId::collision, body) ||
                            (is_scenery(*c.shape[slot]) && modes.forbids(+EffectId::scenery, body)) ||
                            (c.is_sensor(slot) && modes.forbids(+EffectId::sensor, body));
-    c.muted[slot] = static_cast<std::uint8_t>((faulty || world.state.quarantined[body] ? Colliders::kFaulty : 0) |
+    c.disabled[slot] = static_cast<std::uint8_t>((faulty || world.state.quarantined[body] ? Colliders::kFaulty : 0) |
                                               (forbidden ? Colliders::kForbidden : 0));
     plan.local[slot] = Frame(c.local[slot].q.matrix(), c.local[slot].p - world.scene.center[body]);
     if (world.state.sleeps(body)) continue;
@@ -140,16 +140,16 @@ void find_candidates(const World& world, PlannedEffect& row) {
   row.is_forced = effect.everyone && (modes.of_world(k) == EffectMode::force || !modes.forced_of.empty());
   if (modes.forbids(k)) return row.candidates.clear();
   if (row.is_forced) {
-    if (!row.calling) row.calling = make_owned<Customers>(world.memory, world.memory);
+    if (!row.calling) row.calling = make_owned<Participants>(world.memory, world.memory);
     *row.calling = row.candidates;
   }
   const bool by_body =
-      k != +EffectId::sleep && (effect.customers == CustomerKind::bodies || effect.customers == CustomerKind::colliders);
+      k != +EffectId::sleep && (effect.participants == ParticipantKind::bodies || effect.participants == ParticipantKind::colliders);
   if (row.is_forced && modes.of_world(k) == EffectMode::force) {
     row.candidates.clear();
     effect.everyone(scene, world.state, row.candidates);
   } else if (row.is_forced) {
-    Customers all(world.memory), both(world.memory);
+    Participants all(world.memory), both(world.memory);
     effect.everyone(scene, world.state, all);
     all.each([&](std::uint32_t i) {
       if (modes.forces(k, i) || row.candidates.has(i)) both.add(i);
@@ -157,9 +157,9 @@ void find_candidates(const World& world, PlannedEffect& row) {
     row.candidates = std::move(both);
   }
   if (!by_body || !(modes.forbidden_anywhere & row_bit(k))) return;
-  Customers allowed(world.memory);
+  Participants allowed(world.memory);
   row.candidates.each([&](std::uint32_t i) {
-    if (!modes.forbids(k, effect.customers == CustomerKind::colliders ? scene.colliders.body[i] : i)) allowed.add(i);
+    if (!modes.forbids(k, effect.participants == ParticipantKind::colliders ? scene.colliders.body[i] : i)) allowed.add(i);
   });
   row.candidates = std::move(allowed);
 }
@@ -175,7 +175,7 @@ Plan::Plan(Memory* m)
       local(m),
       principal(m),
       carried(m),
-      proposal(m),
+      predicted(m),
       begun(m),
       touched(m),
       rotation(m),
@@ -241,7 +241,7 @@ void place_collider(const World& world, Colliders& c, PlacedPoses& placed, Plan&
   }
   SupportFault fault;
   const FloatGuard guard;
-  if ((c.muted[slot] & Colliders::kFaulty) && finite(shape.bounding_radius)) {  // who is muted is asked nothing
+  if ((c.disabled[slot] & Colliders::kFaulty) && finite(shape.bounding_radius)) {  // who is disabled is asked nothing
     const Vec3 all = Vec3::constant(shape.bounding_radius);
     c.bounds[slot] = {c.frame[slot].p - all, c.frame[slot].p + all};
   } else {
@@ -256,7 +256,7 @@ void place_collider(const World& world, Colliders& c, PlacedPoses& placed, Plan&
 Real radius_of_body(const World& world, std::uint32_t body) {
   const Colliders& c = world.scene.colliders;
   Real radius = 0;
-  for (std::uint32_t slot = world.scene.first_collider[body]; slot != Colliders::kNone; slot = c.next[slot])
+  for (std::uint32_t slot = world.scene.first_collider[body]; slot != kInvalid; slot = c.next[slot])
     radius = std::max(radius, world.plan->local[slot].p.norm() + c.shape[slot]->bounding_radius);
   return radius;
 }
@@ -269,7 +269,7 @@ void part_with_stiff(const World& world, PlannedEffect& row, Real h) {
   const Effect& effect = *row.effect;
   if (row.decays) row.decays->stiff.clear();
   if (!effect.rate || !world.plan->integrator->forces_only) return;
-  row.customers.each([&](std::uint32_t i) {
+  row.participants.each([&](std::uint32_t i) {
     if (!(effect.rate(world.scene, world.state, i) * h > 1)) return;
     if (!row.decays) {
       auto& free = *std::find_if(world.plan->decays.begin(), world.plan->decays.end(), [](const auto& d) { return !d; });
@@ -278,11 +278,11 @@ void part_with_stiff(const World& world, PlannedEffect& row, Real h) {
     }
     row.decays->stiff.add(i);
   });
-  if (row.has_stiff()) take_out(row.customers, row.decays->stiff, row.decays->gentle);
+  if (row.has_stiff()) take_out(row.participants, row.decays->stiff, row.decays->gentle);
 }
 
 /// Bodies, once each.
-void list(Array<std::uint32_t>& bodies, Customers& once) {
+void list(Array<std::uint32_t>& bodies, Participants& once) {
   std::sort(bodies.begin(), bodies.end());
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
   for (const std::uint32_t i : bodies) once.add(i);
@@ -293,16 +293,16 @@ void find_readers(const World& world) {
   Array<std::uint32_t>& bodies = plan.reader_list;
   plan.sprung.clear(), plan.readers.clear(), bodies.clear();
   const auto add = [&](std::uint32_t i) {
-    if (i != kTheWorld && responds(world.scene, world.state, i)) bodies.push_back(i);
+    if (i != kInvalid && responds(world.scene, world.state, i)) bodies.push_back(i);
   };
-  plan.effects[+EffectId::springs].customers.each([&](std::uint32_t k) {
+  plan.effects[+EffectId::springs].participants.each([&](std::uint32_t k) {
     const SpringDef& def = world.scene.springs.def[k];
     add(def.body_a), add(def.body_b);
   });
   list(bodies, plan.sprung);
   if (!plan.reads_velocities) return;
-  if (const PlannedEffect& gyro = plan.effects[+EffectId::gyroscopic]; gyro.served == Served::force) gyro.customers.each(add);
-  plan.effects[+EffectId::buoyancy].customers.each(add);
+  if (const PlannedEffect& gyro = plan.effects[+EffectId::gyroscopic]; gyro.served == Served::force) gyro.participants.each(add);
+  plan.effects[+EffectId::buoyancy].participants.each(add);
   list(bodies, plan.readers);
 }
 
@@ -312,21 +312,21 @@ void part_stiff(const World& world, Real h) {
   for (PlannedEffect& row : world.plan->effects) part_with_stiff(world, row, h);
 }
 
-void find_customers(const World& world, Real h) {
+void find_participants(const World& world, Real h) {
   Plan& plan = *world.plan;
   for (PlannedEffect& row : plan.effects) {
     const Effect& effect = *row.effect;
     if (!effect.wakes) continue;
-    row.customers.clear();
+    row.participants.clear();
     row.candidates.each([&](std::uint32_t i) {
-      if (effect.wakes(world.scene, world.state, i)) row.customers.add(i);
+      if (effect.wakes(world.scene, world.state, i)) row.participants.add(i);
     });
   }
   part_stiff(world, h);
   find_readers(world);
   if (!plan.rotation_method) return;
   plan.effects[+EffectId::gyroscopic].candidates.each([&](std::uint32_t i) { plan.carried[i] = 0; });
-  plan.effects[+EffectId::gyroscopic].customers.each([&](std::uint32_t i) { plan.carried[i] = 1; });
+  plan.effects[+EffectId::gyroscopic].participants.each([&](std::uint32_t i) { plan.carried[i] = 1; });
 }
 
 void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floats, const StepTime& time) {
@@ -355,21 +355,21 @@ void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floa
   for (PlannedEffect& row : plan.effects) {
     const Effect& effect = *row.effect;
     row.seconds = 0;
-    if (effect.customers == CustomerKind::contact_points || effect.customers == CustomerKind::contact_pairs)
-      row.customers.count = 0;
+    if (effect.participants == ParticipantKind::contact_points || effect.participants == ParticipantKind::contact_pairs)
+      row.participants.count = 0;
     if (from_host(effect) && !changed) {
       if (plan.host_wrote)
         find_candidates(world, row);
       else
         row.candidates.clear(), row.wanted = 0;
-      row.customers = row.candidates;
+      row.participants = row.candidates;
     }
   }
   plan.effects[+EffectId::ledger].wanted = world.ledger ? plan.linear.count + plan.rotating.count : 0;
   const Real h = time.dt / plan.substeps;  // time.h is of the last step's plan
   carry_springs(world, springs, h);
   floats.most_rate = 1 / h;
-  find_customers(world, h);
+  find_participants(world, h);
   if (!world.scene.colliders.live.empty() || world.joints.slots.alive_count()) {
     const State& s = world.state;
     const auto orient = [&](std::uint32_t i) { plan.rotation[i] = s.q[i].matrix(); };

@@ -8,17 +8,17 @@ namespace carom::dynamics {
 
 struct PlanLists {
   explicit PlanLists(Memory* m);
-  Customers linear, rotating, sprung, readers;
-  Array<Customers> of_row;  // by row of the table, of those that the integrator serves
+  Participants linear, rotating, sprung, readers;
+  Array<Participants> of_row;  // by row of the table, of those that the integrator serves
 };
 
 /// The plan's lists without some bodies; those of some bodies alone. Without springs.
-void list_others(const World& world, const Customers& those, PlanLists& others);
+void list_others(const World& world, const Participants& those, PlanLists& others);
 /// @param scratch  any
-void list_part(const World& world, const Customers& those, Customers& scratch, PlanLists& part);
+void list_part(const World& world, const Participants& those, Participants& scratch, PlanLists& part);
 /// Springs that hang on those bodies, and the others. Both ends of a spring are among the bodies, or none of them.
 /// @param others  null: nobody asks
-void part_springs(const World& world, const Customers& those, PlanLists& part, PlanLists* others);
+void part_springs(const World& world, const Participants& those, PlanLists& part, PlanLists* others);
 /// The plan's are these, and these the plan's.
 void exchange_lists(Plan& plan, PlanLists& lists);
 

@@ -19,7 +19,7 @@ std::uint64_t bytes_of(const A&... arrays) {
   return (std::uint64_t(0) + ... + (arrays.capacity() * sizeof(arrays[0])));
 }
 
-/// Held for an effect alone, beside the list of its customers and the attributes of bodies.
+/// Held for an effect alone, beside the list of its participants and the attributes of bodies.
 std::uint64_t own_bytes(const World& world, std::size_t row) {
   const Scene& s = world.scene;
   const Sleep& z = *world.sleep;
@@ -38,7 +38,7 @@ std::uint64_t own_bytes(const World& world, std::size_t row) {
     case +EffectId::sensor:
       return bytes_of(s.colliders.sensor);
     case +EffectId::sleep:
-      return bytes_of(world.state.asleep, z.parked, z.ring, z.calm, z.anchor_x, z.anchor_q, z.radius, z.rows, z.kept_first,
+      return bytes_of(world.state.asleep, z.inactive, z.ring, z.sleep_timer, z.anchor_x, z.anchor_q, z.radius, z.rows, z.kept_first,
                       z.root, z.restless, z.in_tree, z.kept);
     case +EffectId::particles: {
       std::uint64_t sum = 0;
@@ -76,7 +76,7 @@ std::uint64_t own_bytes(const World& world, std::size_t row) {
   }
 }
 
-const char* unit_of(CustomerKind kind) {
+const char* unit_of(ParticipantKind kind) {
   static constexpr const char* kUnits[] = {"bodies",  "colliders", "contact points", "contact pairs",
                                            "springs", "joints",    "particles",      "hosts"};
   return kUnits[static_cast<std::size_t>(kind)];
@@ -102,7 +102,7 @@ bool could_touch(const World& world) {
   return c.live.size() >= 2 && std::any_of(c.live.begin(), c.live.end(), [&](std::uint32_t i) { return notices(c, i); });
 }
 
-/// Whether it is but for sleep that a stage has nothing to do, or an effect no customer.
+/// Whether it is but for sleep that a stage has nothing to do, or an effect no participant.
 bool all_asleep(const World& world, Stage stage) {
   if (world.sleep->count == 0) return false;
   switch (stage) {
@@ -120,16 +120,16 @@ bool all_asleep(const World& world, Stage stage) {
 bool all_asleep(const World& world, std::size_t row, const PlannedEffect& effect) {
   const Sleep& z = *world.sleep;
   if (z.count == 0) return false;
-  switch (effect.effect->customers) {
-    case CustomerKind::bodies:
+  switch (effect.effect->participants) {
+    case ParticipantKind::bodies:
       for (std::uint32_t i = 0; i < z.rows.size(); ++i)
         if (world.state.sleeps(i) && (z.rows[i] & row_bit(row))) return true;
       return false;
-    case CustomerKind::springs:
+    case ParticipantKind::springs:
       return world.scene.springs.slots.alive_count() > 0;
-    case CustomerKind::joints:
+    case ParticipantKind::joints:
       return row == +EffectId::joints && world.joints.slots.alive_count() > 0;
-    case CustomerKind::colliders:
+    case ParticipantKind::colliders:
       return row == +EffectId::collision && could_touch(world);
     default:
       return false;
@@ -140,7 +140,7 @@ constexpr const char* kAllAsleep = "all asleep";
 
 /// Whether an effect ran in the last step.
 bool ran(const World& world, const PlannedEffect& effect) {
-  if (effect.customers.count == 0) return false;
+  if (effect.participants.count == 0) return false;
   return world.plan->runs[static_cast<std::size_t>(effect.effect->stage)];
 }
 
@@ -150,21 +150,21 @@ void explain(const World& world, std::size_t row, const PlannedEffect& effect, P
   const auto count = [&](const char* form, auto first, auto... values) {
     std::snprintf(line.reason, sizeof line.reason, form, first, values...);
   };
-  const auto customers = static_cast<unsigned long long>(effect.customers.count);
+  const auto participants = static_cast<unsigned long long>(effect.participants.count);
   const auto wanted = static_cast<unsigned long long>(line.wanted);
   const bool of_bodies = world.scene.modes.forbidden_anywhere & row_bit(row);
   if (line.mode == EffectMode::forbid && wanted > 0)
     return count("forbidden by the host, though the scene calls for it: %llu %s", wanted, line.unit);
   if (line.mode == EffectMode::forbid) return say("forbidden by the host");
   if (line.mode == EffectMode::force && line.runs)
-    return count("forced by the host on %llu %s; the scene calls for %llu", customers, line.unit, wanted);
+    return count("forced by the host on %llu %s; the scene calls for %llu", participants, line.unit, wanted);
   if (line.mode == EffectMode::force)
     return count("forced by the host, but there is nothing it can act on: %s", e.missing);
   if (row == +EffectId::springs && line.runs && world.scene.springs.softened > 0)
-    return count("%llu springs, %llu stiffer than a substep carries: softened; more substeps, or joints", customers,
+    return count("%llu springs, %llu stiffer than a substep carries: softened; more substeps, or joints", participants,
                  static_cast<unsigned long long>(world.scene.springs.softened));
-  if (line.runs && of_bodies && wanted > customers)
-    return count("%s: %llu of %llu, the host forbids it to the others", e.called_by, customers, wanted);
+  if (line.runs && of_bodies && wanted > participants)
+    return count("%s: %llu of %llu, the host forbids it to the others", e.called_by, participants, wanted);
   if (line.runs) return say(e.called_by);
   if (of_bodies && wanted > 0) return count("the host forbids it to all %llu %s that call for it", wanted, line.unit);
   if (wanted > 0 && e.wakes) return count("%llu %s may call for it, none did in this step", wanted, line.unit);
@@ -203,18 +203,18 @@ PlanLine plan_line(const World& world, std::size_t index) {
   line.stage = effect.effect->stage;
   line.mode = world.scene.modes.of_world(row);
   line.name = effect.effect->name;
-  line.unit = unit_of(effect.effect->customers);
+  line.unit = unit_of(effect.effect->participants);
   line.bytes = own_bytes(world, row) + world.scene.attributes.bytes_of(effect.effect->id) +
-               bytes_of(effect.candidates.runs, effect.customers.runs);
+               bytes_of(effect.candidates.runs, effect.participants.runs);
   line.timing = timing_of(world, row, effect);
   if (world.report.steps == 0) {
     std::snprintf(line.reason, sizeof line.reason, "no step yet");
     return line;
   }
   line.runs = ran(world, effect);
-  line.customers = line.runs ? effect.customers.count : 0;
+  line.participants = line.runs ? effect.participants.count : 0;
   // Who is found in contacts, or is fast for its size, was not counted before.
-  line.wanted = line.mode == EffectMode::force ? effect.wanted : std::max(effect.wanted, line.customers);
+  line.wanted = line.mode == EffectMode::force ? effect.wanted : std::max(effect.wanted, line.participants);
   line.evaluations = effect.evaluations;
   line.seconds = line.timing == Timing::own ? effect.seconds : 0;
   explain(world, row, effect, line);

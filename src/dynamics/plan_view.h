@@ -15,7 +15,7 @@ struct PlanLine {
   Stage stage = Stage::refresh;
   EffectMode mode = EffectMode::as_needed;
   bool runs = false;
-  std::uint64_t customers = 0, wanted = 0, evaluations = 0, bytes = 0;
+  std::uint64_t participants = 0, wanted = 0, evaluations = 0, bytes = 0;
   double seconds = 0;
   Timing timing = Timing::own;
   const char* name = "";

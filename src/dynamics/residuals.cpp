@@ -20,7 +20,7 @@ Real give(const World& world, bool moves, std::uint32_t body, const Vec3& arm, c
 }
 
 /// A pair's points: its normal impulses one by one, its friction as one.
-void judge_pair(const World& world, const Meeting& m, Residuals& r) {
+void judge_pair(const World& world, const ContactPair& m, Residuals& r) {
   const Contacts& c = *world.contacts;
   Vec3 friction = Vec3::zero(), slip = Vec3::zero();
   Real load = 0, k_pair = 0, mu = 0;
@@ -65,7 +65,7 @@ void judge_contacts(const World& world, Residuals& r) {
     ++overlapping;
   }
   if (overlapping) r.mean_penetration = sum / static_cast<Real>(overlapping);
-  for (const Meeting& m : c.meetings) judge_pair(world, m, r);
+  for (const ContactPair& m : c.contact_pairs) judge_pair(world, m, r);
 }
 
 void judge_joints(const World& world, Residuals& r) {

@@ -75,7 +75,7 @@ inline constexpr Locks kLinearLocks = 7, kAngularLocks = 56, kAllLocks = 63;
 struct Revisions {
   std::uint64_t revision = 1;           // raised by every change a host makes to the scene
   std::uint64_t collider_revision = 1;  // raised when the set of colliders, or who may touch whom, changed
-  bool alarm = false;                   // something is muted or in quarantine: all sleepers are to wake
+  bool alarm = false;                   // something is disabled or in quarantine: all sleepers are to wake
 };
 
 struct Scene : Revisions {
@@ -115,7 +115,7 @@ struct Scene : Revisions {
   Array<Vec3> center;                   // m, body frame: centre of mass
   Array<Mat3> inertia;                  // kg m^2, body axes, about center; zero: does not rotate
   Array<Mat3> inv_inertia;              // inverse; zero where it does not rotate
-  Array<std::uint32_t> first_collider;  // slot, or Colliders::kNone; the others follow by Colliders::next
+  Array<std::uint32_t> first_collider;  // slot, or kInvalid; the others follow by Colliders::next
 
   Colliders colliders;             // by collider slot
   Array<SurfaceVelocity> surface;  // likewise, the first so many; the others stand still

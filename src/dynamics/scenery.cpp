@@ -112,9 +112,9 @@ void ask(const World& world, PairTable& pairs, NarrowReport& report, const Narro
     return;
   }
   SupportFault fault;
-  if (parties.can_meet(c) && s.meeting.find(parties.pair(c), settings, parties.reach(c, settings), report, fault)) {
-    s.patches.insert(s.patches.end(), s.meeting.patches().begin(), s.meeting.patches().end());
-    of.count = static_cast<std::uint32_t>(s.meeting.patches().size());
+  if (parties.can_meet(c) && s.pair_finder.find(parties.pair(c), settings, parties.reach(c, settings), report, fault)) {
+    s.patches.insert(s.patches.end(), s.pair_finder.patches().begin(), s.pair_finder.patches().end());
+    of.count = static_cast<std::uint32_t>(s.pair_finder.patches().size());
   }
   if (fault.kind != SupportFault::none) world.plan->faults.push_back(fault);
   arrange(pairs, s, of, parties.swapped);
@@ -122,14 +122,14 @@ void ask(const World& world, PairTable& pairs, NarrowReport& report, const Narro
 
 }  // namespace
 
-void scenery::find(const Scene& scene, const State&, Customers& customers) {
+void scenery::find(const Scene& scene, const State&, Participants& participants) {
   const Colliders& c = scene.colliders;
   for (const std::uint32_t slot : c.active)
-    if (is_scenery(*c.shape[slot]) && !(c.muted[slot] & Colliders::kFaulty)) customers.add(slot);
+    if (is_scenery(*c.shape[slot]) && !(c.disabled[slot] & Colliders::kFaulty)) participants.add(slot);
 }
 
 void meet_scenery(const World& world, PairTable& pairs, NarrowReport& report, const NarrowSettings& settings) {
-  if (world.plan->effects[+EffectId::scenery].customers.count == 0) return;
+  if (world.plan->effects[+EffectId::scenery].participants.count == 0) return;
   if (!world.plan->scenery) world.plan->scenery = make_owned<SceneryContacts>(world.memory, world.memory);
   SceneryContacts& s = *world.plan->scenery;
   const Colliders& c = world.scene.colliders;
@@ -166,10 +166,10 @@ bool touches_scenery(const World& world, NarrowReport& report, const NarrowSetti
   const Colliders& c = world.scene.colliders;
   const Parties parties(c, pair);
   if (!parties.can_meet(c)) return false;
-  SceneryMeeting meeting(world.memory);
+  SceneryPairFinder pair_finder(world.memory);
   SupportFault fault;
-  meeting.find(parties.pair(c), settings, parties.reach(c, settings), report, fault);
-  return !meeting.patches().empty() || fault.kind != SupportFault::none;
+  pair_finder.find(parties.pair(c), settings, parties.reach(c, settings), report, fault);
+  return !pair_finder.patches().empty() || fault.kind != SupportFault::none;
 }
 
 }  // namespace carom::dynamics

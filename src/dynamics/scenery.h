@@ -9,14 +9,14 @@ namespace carom::dynamics {
 
 namespace scenery {
 /// Colliders of meshes and height fields that the broad phase goes through.
-void find(const Scene& scene, const State& state, Customers& customers);
+void find(const Scene& scene, const State& state, Participants& participants);
 }  // namespace scenery
 
-/// What is kept between steps, made with the first customer.
+/// What is kept between steps, made with the first participant.
 struct SceneryContacts {
-  explicit SceneryContacts(Memory* m) : meeting(m), of_pair(m), patches(m), runs(m), order(m) {}
+  explicit SceneryContacts(Memory* m) : pair_finder(m), of_pair(m), patches(m), runs(m), order(m) {}
 
-  SceneryMeeting meeting;
+  SceneryPairFinder pair_finder;
   /// A pair of this step, and what was found of it.
   struct OfPair {
     std::uint32_t place, places;  // in the pair table

@@ -204,7 +204,7 @@ void add_colliders(Hash& h, const World& world) {
   const Colliders& c = world.scene.colliders;
   for (const Frame& f : c.frame) h.add_coefficients(f.r), h.add_coefficients(f.p);
   for (const Aabb& b : c.bounds) h.add_coefficients(b.lo), h.add_coefficients(b.hi);
-  add_all(h, c.muted), add_all(h, c.active);
+  add_all(h, c.disabled), add_all(h, c.active);
   add_all(h, world.state.placed_x), add_all(h, world.state.placed_q);
 }
 
@@ -247,7 +247,7 @@ void add_impulses(Hash& h, const World& world) {
 
 void add_sleep(Hash& h, const World& world) {
   const Sleep& z = *world.sleep;
-  add_all(h, world.state.asleep), add_all(h, z.parked), add_all(h, z.calm), add_all(h, z.woken), add_all(h, z.fallen);
+  add_all(h, world.state.asleep), add_all(h, z.inactive), add_all(h, z.sleep_timer), add_all(h, z.woken), add_all(h, z.fallen);
   h.add(z.count), h.add(z.woke), h.add(std::uint64_t(z.kept.size()));
 }
 
@@ -282,7 +282,7 @@ std::array<std::uint64_t, kPartCount> prints_of(const World& world) {
   add_all(of(Part::quarantine), s.quarantined);
   add_sleep(of(Part::sleep), world);
   add_all(of(Part::memory), s.held_q), add_all(of(Part::memory), s.loaded_steps),
-      add_all(of(Part::memory), s.tired_steps);
+      add_all(of(Part::memory), s.cooldown_steps);
   for (const AccuracyNote& note : s.accuracy)
     of(Part::memory).add(std::uint64_t(note.level + 256u * note.wait)), of(Part::memory).add(double(note.place));
   add_particles(of(Part::particles), world);

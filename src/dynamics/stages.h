@@ -50,7 +50,7 @@ enum class ByIsland : std::uint8_t {
 struct StageEntry {
   std::string_view name, what;
   void (*run)(World&, const StepTime&) = nullptr;
-  Stage stage{};                      // as which a host sees its time; it runs if this has customers
+  Stage stage{};                      // as which a host sees its time; it runs if this has participants
   std::size_t effect = kEffectCount;  // of the one effect whose it is, if it is one's alone
   Parts reads{};                      // declared: const World& gives them all
   Parts writes{};                     // derived from the function, @see stage()

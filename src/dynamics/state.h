@@ -72,11 +72,11 @@ struct AccuracyNote {
 
 /// What solvers remember of bodies.
 struct SolverMemory {
-  explicit SolverMemory(Memory* m) : held_q(m), loaded_steps(m), tired_steps(m), accuracy(m) {}
+  explicit SolverMemory(Memory* m) : held_q(m), loaded_steps(m), cooldown_steps(m), accuracy(m) {}
   Array<Quat> held_q;  // a recent q, by which solvers in lanes turn the arms of contacts, @see Dial::hold_angle
   // Of a solver that chooses: for how long a body has borne too much, and for how long its group is not to be given to
   // the direct solver, for which it was too much.
-  Array<std::uint8_t> loaded_steps, tired_steps;
+  Array<std::uint8_t> loaded_steps, cooldown_steps;
   Array<AccuracyNote> accuracy;
 };
 

@@ -23,7 +23,7 @@ struct Undo {
   }
 };
 
-/// Runs a stage if it has customers, and books what it did and its time.
+/// Runs a stage if it has participants, and books what it did and its time.
 class Runner {
  public:
   Runner(World& world, Real dt) : world_(world), dt_(dt) {}

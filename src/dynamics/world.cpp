@@ -50,7 +50,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };
   reserve(scene.bodies, scene.def, scene.type, scene.inv_mass, scene.mass, scene.center, scene.inertia,
           scene.inv_inertia, state.x, state.q, state.held_q, state.placed_x, state.placed_q, state.v, state.omega, state.momentum, state.force, state.torque,
-          state.quarantined, state.loaded_steps, state.tired_steps, state.accuracy, state.written, state.is_written);
+          state.quarantined, state.loaded_steps, state.cooldown_steps, state.accuracy, state.written, state.is_written);
 }
 
 World::~World() { structure.forget(memory); }
@@ -72,7 +72,7 @@ std::uint64_t World::hash() const {
     h.add_coefficients(state.force[i]);
     h.add_coefficients(state.torque[i]);
     h.add(std::uint64_t(state.quarantined[i]));
-    const std::uint32_t solver_memory = state.loaded_steps[i] + (256u * state.tired_steps[i]);
+    const std::uint32_t solver_memory = state.loaded_steps[i] + (256u * state.cooldown_steps[i]);
     if (solver_memory) h.add(std::uint64_t(solver_memory));
     if (const AccuracyNote& note = state.accuracy[i]; note != AccuracyNote()) {
       h.add(note.level + (std::uint64_t(note.wait) << 8) + (std::uint64_t(note.met) << 16) + (std::uint64_t(note.softly) << 24) +
@@ -114,9 +114,9 @@ std::uint64_t World::hash() const {
   }
   if (sleep->count > 0) {
     for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i) h.add(std::uint64_t(state.sleeps(i)));
-    pairs.each_parked(add_record);
+    pairs.each_inactive(add_record);
     for (const std::uint32_t first : sleep->kept_first)
-      for (std::uint32_t k = first; k != Colliders::kNone; k = sleep->kept[k].next) add_impulse(sleep->kept[k].impulse);
+      for (std::uint32_t k = first; k != kInvalid; k = sleep->kept[k].next) add_impulse(sleep->kept[k].impulse);
   }
   return h.value();
 }

@@ -45,10 +45,9 @@ struct StepReport {
 /// A contact point as a host reads it after the step.
 /// A fault of the last step: a support function's, or of the state of a body or particles (then support.kind is none).
 struct FaultView {
-  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
   SupportFault support{};
-  std::uint32_t body = kNone;       // slot of a body it concerns
-  std::uint32_t particles = kNone;  // slot of the set
+  std::uint32_t body = kInvalid;       // slot of a body it concerns
+  std::uint32_t particles = kInvalid;  // slot of the set
   std::uint32_t particle = 0;       // the first of it that was put in quarantine in this step
 };
 
@@ -70,7 +69,7 @@ using FaultViews = Array<FaultView>;
 using GroupViews = Array<GroupView>;
 using BroadPhases = std::array<Owned<BroadPhase>, 4>;  // by CAROM_BROAD_*, made when first used
 
-struct Plan;          // dynamics/effects.h: which effects have customers
+struct Plan;          // dynamics/effects.h: which effects have participants
 struct Continuous;    // dynamics/ccd/continuous.h: who is swept, and what that met
 struct ContactView;    // dynamics/contact_views.h: contacts as a host sees them
 class ContactViews;

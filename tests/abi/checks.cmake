@@ -54,23 +54,23 @@ if(NOT CAROM_SANITIZE)  # a client without the sanitizer cannot load a library w
 endif()
 
 # Plugins that lie, one a file, for what only a shared object can lie about; the rest are in test_plugins.c.
-file(GLOB liar_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/abi/liars/*.c)
-set(liar_targets)
-foreach(source ${liar_sources})
+file(GLOB invalid_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/abi/invalid_plugins/*.c)
+set(invalid_targets)
+foreach(source ${invalid_sources})
   get_filename_component(name ${source} NAME_WE)
-  add_library(liar_${name} MODULE ${source})
-  target_include_directories(liar_${name} PRIVATE ${PROJECT_SOURCE_DIR}/include)
-  target_link_libraries(liar_${name} PRIVATE carom_flags m)
-  set_target_properties(liar_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name}
-    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/liars)
-  list(APPEND liar_targets liar_${name})
+  add_library(invalid_${name} MODULE ${source})
+  target_include_directories(invalid_${name} PRIVATE ${PROJECT_SOURCE_DIR}/include)
+  target_link_libraries(invalid_${name} PRIVATE carom_flags m)
+  set_target_properties(invalid_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name}
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/invalid_plugins)
+  list(APPEND invalid_targets invalid_${name})
 endforeach()
 # A copy under another name, for a test that shows what loading it by hand does.
-add_library(liar_flush_to_zero_too MODULE ${CMAKE_CURRENT_SOURCE_DIR}/abi/liars/flush_to_zero.c)
-target_include_directories(liar_flush_to_zero_too PRIVATE ${PROJECT_SOURCE_DIR}/include)
-target_link_libraries(liar_flush_to_zero_too PRIVATE carom_flags m)
-set_target_properties(liar_flush_to_zero_too PROPERTIES PREFIX "" OUTPUT_NAME flush_to_zero_too
-  LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/liars)
-list(APPEND liar_targets liar_flush_to_zero_too)
-set(carom_liars ${liar_targets})
-set(carom_liar_dir ${CMAKE_CURRENT_BINARY_DIR}/liars)
+add_library(invalid_flush_to_zero_too MODULE ${CMAKE_CURRENT_SOURCE_DIR}/abi/invalid_plugins/flush_to_zero.c)
+target_include_directories(invalid_flush_to_zero_too PRIVATE ${PROJECT_SOURCE_DIR}/include)
+target_link_libraries(invalid_flush_to_zero_too PRIVATE carom_flags m)
+set_target_properties(invalid_flush_to_zero_too PROPERTIES PREFIX "" OUTPUT_NAME flush_to_zero_too
+  LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/invalid_plugins)
+list(APPEND invalid_targets invalid_flush_to_zero_too)
+set(carom_invalid_plugins ${invalid_targets})
+set(carom_invalid_dir ${CMAKE_CURRENT_BINARY_DIR}/invalid_plugins)

@@ -56,7 +56,7 @@ inline void make(Bench& b, const carom_engine_desc* desc = nullptr) {
   assert_int_equal(bench_joint(&b, nullptr), CAROM_OK);
   carom_joint_motor motor;
   carom_joint_motor_init(&motor, sizeof motor);
-  motor.speed = 2, motor.most = 5;
+  motor.speed = 2, motor.max_force = 5;
   assert_int_equal(carom_joint_set_motor(b.world, b.joint, CAROM_COORDINATE_TWIST, &motor, nullptr), CAROM_OK);
   carom_spring_desc spring;
   carom_spring_desc_init(&spring, sizeof spring);

@@ -56,11 +56,11 @@ struct Stage {
 static void they_say_what_they_are(void**) {
   std::set<std::string> names;
   each_attribute([&](const carom_attribute_info& info) {
-    assert_true(info.numbers >= 1 && info.numbers <= CAROM_ATTRIBUTE_NUMBERS && info.least < info.most);
+    assert_true(info.numbers >= 1 && info.numbers <= CAROM_ATTRIBUTE_NUMBERS && info.min < info.max);
     assert_true(std::strlen(info.name) > 0 && std::strlen(info.unit) > 0 && std::strlen(info.summary) > 10);
     assert_true(info.effect < CAROM_EFFECT_COUNT && names.insert(info.name).second);
     for (std::uint32_t k = 0; k < CAROM_ATTRIBUTE_NUMBERS; ++k)
-      assert_true(k < info.numbers ? info.usual[k] >= info.least && info.usual[k] <= info.most : info.usual[k] == 0);
+      assert_true(k < info.numbers ? info.usual[k] >= info.min && info.usual[k] <= info.max : info.usual[k] == 0);
     assert_true(unusual_value(info) != usual_of(info));
   });
 }

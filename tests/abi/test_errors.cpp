@@ -300,7 +300,7 @@ const Row kWorld[] = {
     {"dial find: name", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint32_t d; return carom_dial_find(nullptr, &d, e); }},
     {"dial find: out", CAROM_E_NULL_ARGUMENT, 2, [](Bench&, carom_error* e) { return carom_dial_find("solver", nullptr, e); }},
     {"dial find: unknown", CAROM_E_NOT_FOUND, 1, [](Bench&, carom_error* e) { uint32_t d; return carom_dial_find("charm", &d, e); }},
-    {"dial find: a constant", CAROM_E_READ_ONLY, 1, [](Bench&, carom_error* e) { uint32_t d; return carom_dial_find("direct_blow", &d, e); }},
+    {"dial find: a constant", CAROM_E_READ_ONLY, 1, [](Bench&, carom_error* e) { uint32_t d; return carom_dial_find("direct_impact_share", &d, e); }},
     {"constant info: unknown", CAROM_E_UNKNOWN_ENUM, 1, [](Bench&, carom_error* e) { uint32_t n; carom_constant_get_count(&n); carom_constant_info i = {}; i.struct_size = sizeof i; return carom_constant_get_info(n, &i, e); }},
     {"constant info: out", CAROM_E_NULL_ARGUMENT, 2, [](Bench&, carom_error* e) { return carom_constant_get_info(0, nullptr, e); }},
     {"constant info: struct_size", CAROM_E_STRUCT_SIZE, 2, [](Bench&, carom_error* e) { carom_constant_info i = {}; return carom_constant_get_info(0, &i, e); }},

@@ -190,15 +190,15 @@ static void the_plan_tells_what_ran_and_what_did_not(void**) {
   assert_int_equal(carom_world_time_effects(b.world, 1, nullptr), CAROM_OK);
   assert_int_equal(bench_steps(b.world, 1, nullptr), CAROM_OK);
   auto plan = plan_of(b.world);
-  assert_int_equal(plan[CAROM_EFFECT_GRAVITY].customers, BENCH_BODIES - 1);
+  assert_int_equal(plan[CAROM_EFFECT_GRAVITY].participants, BENCH_BODIES - 1);
   assert_int_equal(plan[CAROM_EFFECT_GRAVITY].wanted, BENCH_BODIES);
   assert_non_null(std::strstr(plan[CAROM_EFFECT_GRAVITY].reason, "3 of 4"));
-  assert_int_equal(plan[CAROM_EFFECT_USER_FORCE].customers, 1);
-  assert_int_equal(plan[CAROM_EFFECT_DRAG].customers, 1);
-  assert_int_equal(plan[CAROM_EFFECT_WIND].customers, 1);
-  assert_int_equal(plan[CAROM_EFFECT_FIELDS].customers, 3);  // the first has another mask
-  assert_int_equal(plan[CAROM_EFFECT_SPRINGS].customers, 1);
-  assert_int_equal(plan[CAROM_EFFECT_BUOYANCY].customers, 3);  // one ball is more than its width above the water
+  assert_int_equal(plan[CAROM_EFFECT_USER_FORCE].participants, 1);
+  assert_int_equal(plan[CAROM_EFFECT_DRAG].participants, 1);
+  assert_int_equal(plan[CAROM_EFFECT_WIND].participants, 1);
+  assert_int_equal(plan[CAROM_EFFECT_FIELDS].participants, 3);  // the first has another mask
+  assert_int_equal(plan[CAROM_EFFECT_SPRINGS].participants, 1);
+  assert_int_equal(plan[CAROM_EFFECT_BUOYANCY].participants, 3);  // one ball is more than its width above the water
   assert_int_equal(plan[CAROM_EFFECT_FRICTION].runs, 0);
   assert_non_null(std::strstr(plan[CAROM_EFFECT_FRICTION].reason, "forbidden"));
   assert_int_equal(plan[CAROM_EFFECT_JOINTS].runs, 0);

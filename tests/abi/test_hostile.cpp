@@ -165,7 +165,7 @@ void try_one(Stages& s, const Row& row, std::size_t at, std::size_t way, Tally& 
     }
     for (std::size_t i = 0; i < outs.size(); ++i)
       if (call.arguments[i].out && std::string(static_cast<const char*>(call.arguments[i].out), call.arguments[i].out_size) != outs[i] &&
-          r != CAROM_E_PLUGIN_DISHONEST && r != CAROM_E_BUFFER_TOO_SMALL)
+          r != CAROM_E_PLUGIN_INVALID && r != CAROM_E_BUFFER_TOO_SMALL)
         complain("a call that failed has written an output");
     const bool tells = !values.empty() && values.back().p == &c.error;
     if (tells) {

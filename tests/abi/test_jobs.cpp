@@ -233,8 +233,8 @@ struct Told {
   explicit Told(uint32_t threads) {
     const carom_jobs_desc desc = pool_of(threads);
     Heap heap(&desc);
-    drop_on(heap, bench_plugin("test.liar", bench_box_params, 3, nullptr, lying_support), 5.5);
-    drop_on(heap, bench_plugin("test.liar2", bench_box_params, 3, nullptr, lying_support), 5.9);
+    drop_on(heap, bench_plugin("test.invalid_plugin", bench_box_params, 3, nullptr, lying_support), 5.5);
+    drop_on(heap, bench_plugin("test.invalid_plugin2", bench_box_params, 3, nullptr, lying_support), 5.9);
     lying = true;
     for (int i = 0; i < 20 && count == 0; ++i) {
       assert_int_equal(bench_steps(heap.b.world, 1, nullptr), CAROM_OK);

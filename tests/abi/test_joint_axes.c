@@ -41,22 +41,22 @@ static void axes_are_what_was_set(void **state) {
   carom_joint_orientation_drive drive = drive_desc(), drive_back;
   carom_joint_state s;
   uint32_t k;
-  assert_true(axis.struct_size == sizeof axis && axis.most == 1e30 && axis.mode == CAROM_AXIS_MODE_FREE);
-  assert_true(drive.struct_size == sizeof drive && drive.target[3] == 1 && drive.most[2] == 1e30);
+  assert_true(axis.struct_size == sizeof axis && axis.max_force == 1e30 && axis.mode == CAROM_AXIS_MODE_FREE);
+  assert_true(drive.struct_size == sizeof drive && drive.target[3] == 1 && drive.max_force[2] == 1e30);
   for (k = 0; k < CAROM_AXIS_COUNT; ++k) {
     back = axis_desc();
     assert_int_equal(carom_joint_get_axis(b->world, joint, k, &back, NULL), CAROM_OK);
     assert_memory_equal(&axis, &back, sizeof axis);
   }
   axis.mode = CAROM_AXIS_MODE_LIMITED, axis.lower = -0.1, axis.upper = 0.2, axis.drive = CAROM_DRIVE_EFFORT;
-  axis.stop_gains = CAROM_GAINS_FORCE, axis.stop_stiffness = 900, axis.stop_damping = 7, axis.effort = -3, axis.most = 5;
+  axis.stop_gains = CAROM_GAINS_FORCE, axis.stop_stiffness = 900, axis.stop_damping = 7, axis.effort = -3, axis.max_force = 5;
   axis.drive_gains = CAROM_GAINS_ACCELERATION, axis.drive_stiffness = 2e5, axis.drive_damping = 2e4, axis.target = 0.3;
   axis.speed = 1.5, axis.rest = -0.4, axis.spring_stiffness = 3, axis.spring_damping = 0.5;
   assert_int_equal(carom_joint_set_axis(b->world, joint, CAROM_AXIS_TURN_Y, &axis, NULL), CAROM_OK);
   assert_int_equal(carom_joint_get_axis(b->world, joint, CAROM_AXIS_TURN_Y, &back, NULL), CAROM_OK);
   assert_memory_equal(&axis, &back, sizeof axis);
   drive.drive = CAROM_DRIVE_POSITION, drive.gains = CAROM_GAINS_FORCE, drive.stiffness = 20, drive.damping = 3;
-  drive.target[0] = 0.6, drive.target[3] = 0.8, drive.velocity[1] = 2, drive.effort[2] = -4, drive.most[0] = 9;
+  drive.target[0] = 0.6, drive.target[3] = 0.8, drive.velocity[1] = 2, drive.effort[2] = -4, drive.max_force[0] = 9;
   drive_back = drive_desc();
   assert_int_equal(carom_joint_set_orientation_drive(b->world, joint, &drive, NULL), CAROM_OK);
   assert_int_equal(carom_joint_get_orientation_drive(b->world, joint, &drive_back, NULL), CAROM_OK);
@@ -100,7 +100,7 @@ static void wrong_axes_are_refused(void **state) {
   AXIS_REFUSED(CAROM_E_OUT_OF_RANGE, 0, (d.mode = CAROM_AXIS_MODE_LIMITED, d.lower = 1), "upper");
   AXIS_REFUSED(CAROM_E_OUT_OF_RANGE, 0, d.drive_stiffness = 1e5, "drive_stiffness");
   AXIS_REFUSED(CAROM_E_OUT_OF_RANGE, 0, d.stop_damping = -1, "stop_damping");
-  AXIS_REFUSED(CAROM_E_OUT_OF_RANGE, 0, d.most = -1, "most");
+  AXIS_REFUSED(CAROM_E_OUT_OF_RANGE, 0, d.max_force = -1, "max_force");
   AXIS_REFUSED(CAROM_E_NOT_FINITE, 0, d.effort = INFINITY, "effort");
   AXIS_REFUSED(CAROM_E_NOT_FINITE, 5, d.rest = NAN, "rest");
   d = axis_desc();
@@ -117,9 +117,9 @@ static void wrong_axes_are_refused(void **state) {
   assert_int_equal(carom_joint_set_orientation_drive(b->world, ball, &t, &e), CAROM_E_NOT_UNIT);
   t = drive_desc(), t.reserved = 1;
   assert_int_equal(carom_joint_set_orientation_drive(b->world, ball, &t, NULL), CAROM_E_UNSUPPORTED);
-  t = drive_desc(), t.most[1] = -1;
+  t = drive_desc(), t.max_force[1] = -1;
   assert_int_equal(carom_joint_set_orientation_drive(b->world, ball, &t, &e), CAROM_E_OUT_OF_RANGE);
-  assert_true(strstr(e.message, "most[1]"));
+  assert_true(strstr(e.message, "max_force[1]"));
   carom_joint_limit_init(&limit, sizeof limit);
   assert_int_equal(carom_joint_set_limit(b->world, six, CAROM_COORDINATE_TWIST, &limit, &e), CAROM_E_UNSUPPORTED);
   assert_true(strstr(e.message, "six-axis"));

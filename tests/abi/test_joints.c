@@ -93,12 +93,12 @@ static void limits_motors_and_springs_are_what_was_set(void **state) {
   carom_joint_spring spring, spring_back;
   carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor), carom_joint_spring_init(&spring, sizeof spring);
   limit.enabled = motor.enabled = spring.enabled = 1;
-  limit.lower = -1, limit.upper = 0.5, motor.speed = 2, motor.most = 30, spring.target = 0.25, spring.damping = 0.5;
+  limit.lower = -1, limit.upper = 0.5, motor.speed = 2, motor.max_force = 30, spring.target = 0.25, spring.damping = 0.5;
   limit_back = limit, motor_back = motor, spring_back = spring;
   assert_int_equal(carom_joint_set_limit(b->world, hinge, CAROM_COORDINATE_TWIST, &limit, NULL), CAROM_OK);
   assert_int_equal(carom_joint_set_motor(b->world, hinge, CAROM_COORDINATE_TWIST, &motor, NULL), CAROM_OK);
   assert_int_equal(carom_joint_set_spring(b->world, hinge, CAROM_COORDINATE_TWIST, &spring, NULL), CAROM_OK);
-  limit.lower = motor.most = spring.target = 0;
+  limit.lower = motor.max_force = spring.target = 0;
   assert_int_equal(carom_joint_get_limit(b->world, hinge, CAROM_COORDINATE_TWIST, &limit, NULL), CAROM_OK);
   assert_int_equal(carom_joint_get_motor(b->world, hinge, CAROM_COORDINATE_TWIST, &motor, NULL), CAROM_OK);
   assert_int_equal(carom_joint_get_spring(b->world, hinge, CAROM_COORDINATE_TWIST, &spring, NULL), CAROM_OK);
@@ -190,9 +190,9 @@ static void wrong_joints_are_refused(void **state) {
   assert_int_equal(carom_joint_set_limit(b->world, good, CAROM_COORDINATE_TWIST, &limit, NULL), CAROM_E_OUT_OF_RANGE);
   limit.enabled = 2, limit.lower = 0;
   assert_int_equal(carom_joint_set_limit(b->world, good, CAROM_COORDINATE_TWIST, &limit, NULL), CAROM_E_UNKNOWN_ENUM);
-  motor.most = -1;
+  motor.max_force = -1;
   assert_int_equal(carom_joint_set_motor(b->world, good, CAROM_COORDINATE_TWIST, &motor, NULL), CAROM_E_OUT_OF_RANGE);
-  motor.most = 1, motor.speed = nan;
+  motor.max_force = 1, motor.speed = nan;
   assert_int_equal(carom_joint_set_motor(b->world, good, CAROM_COORDINATE_TWIST, &motor, NULL), CAROM_E_NOT_FINITE);
   spring.frequency = 1e5;
   assert_int_equal(carom_joint_set_spring(b->world, good, CAROM_COORDINATE_TWIST, &spring, NULL), CAROM_E_OUT_OF_RANGE);
@@ -229,7 +229,7 @@ static void nonsense_stays_finite(void **state) {
   d.kind = CAROM_JOINT_HINGE, d.fields = CAROM_JOINT_WORLD_FRAME, d.body_a = b->bodies[3], d.body_b = b->ground;
   assert_int_equal(carom_joint_create(b->world, &d, &joint, NULL), CAROM_OK);
   carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor);
-  limit.enabled = motor.enabled = 1, limit.lower = limit.upper = 3.14159, motor.speed = 1e6, motor.most = 1e30;
+  limit.enabled = motor.enabled = 1, limit.lower = limit.upper = 3.14159, motor.speed = 1e6, motor.max_force = 1e30;
   assert_int_equal(carom_joint_set_limit(b->world, joint, CAROM_COORDINATE_TWIST, &limit, NULL), CAROM_OK);
   assert_int_equal(carom_joint_set_motor(b->world, joint, CAROM_COORDINATE_TWIST, &motor, NULL), CAROM_OK);
   for (solver = CAROM_SOLVER_SEQUENTIAL; solver <= CAROM_SOLVER_AUTO; ++solver) {

@@ -1,5 +1,5 @@
 /* Plugins that lie are refused when they are loaded or when a shape is made of them, or put in quarantine when they lie
- * later; honest ones are taken in, by path and by pointer. */
+ * later; valid ones are taken in, by path and by pointer. */
 #include <dlfcn.h>
 #include <fenv.h>
 #include <float.h>
@@ -9,7 +9,7 @@
 
 #include "carom_test.h"
 
-/* ---- liars by pointer: each a ball of params[0], but for its lie ---- */
+/* ---- invalid plugins by pointer: each a ball of params[0], but for its lie ---- */
 
 static int32_t ball(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
@@ -77,9 +77,9 @@ static int32_t changes_rounding(void *user, const double *params, uint64_t count
   return ball(NULL, params, count, dir, out);
 }
 
-static carom_shape_plugin liar(carom_support_fn support, const carom_geometry *geometry) {
+static carom_shape_plugin invalid_plugin(carom_support_fn support, const carom_geometry *geometry) {
   static const carom_param params[] = {{"radius", "m", 0.1, 10}};
-  return bench_plugin("liar", params, 1, geometry, support);
+  return bench_plugin("invalid_plugin", params, 1, geometry, support);
 }
 
 static int make(void **state) {
@@ -117,7 +117,7 @@ static void parameters_that_constrain_each_other_say_so(void **state) {
   const double thin[2] = {1, 0.25}, thick[2] = {1, 1.5};
   const double pi = 3.14159265358979323846;
   size_t k;
-  assert_int_equal(carom_plugin_register(b->engine, &p, &plugin, &e), CAROM_E_PLUGIN_DISHONEST); /* judged by one that is no set */
+  assert_int_equal(carom_plugin_register(b->engine, &p, &plugin, &e), CAROM_E_PLUGIN_INVALID); /* judged by one that is no set */
   p.rules = rules, p.rule_count = 1;
   assert_int_equal(carom_plugin_register(b->engine, &p, &plugin, &e), CAROM_OK);
   assert_int_equal(carom_shape_create(b->engine, plugin, thick, 2, &shape, &e), CAROM_E_OUT_OF_RANGE);
@@ -149,30 +149,30 @@ static void parameters_that_constrain_each_other_say_so(void **state) {
   }
 }
 
-static void a_dishonest_support_function_is_refused_at_registration(void **state) {
+static void a_invalid_support_function_is_refused_at_registration(void **state) {
   static const struct {
     const char *what;
     carom_support_fn support;
-  } liars[] = {{"gives nan", gives_nan},   {"not repeatable", not_repeatable}, {"not convex", not_convex},
+  } invalid_plugins[] = {{"gives nan", gives_nan},   {"not repeatable", not_repeatable}, {"not convex", not_convex},
                {"star", star},             {"unbounded", unbounded},           {"scales", scales},
                {"returns error", refuses}, {"changes rounding", changes_rounding}};
   Bench *b = *state;
   size_t i;
-  for (i = 0; i < sizeof liars / sizeof *liars; ++i) {
-    carom_shape_plugin p = liar(liars[i].support, NULL);
+  for (i = 0; i < sizeof invalid_plugins / sizeof *invalid_plugins; ++i) {
+    carom_shape_plugin p = invalid_plugin(invalid_plugins[i].support, NULL);
     carom_plugin plugin = 77;
     carom_error e = CAROM_ERROR_INIT;
     const int32_t r = carom_plugin_register(b->engine, &p, &plugin, &e);
-    if (r != CAROM_E_PLUGIN_DISHONEST) print_error("%s: %s\n", liars[i].what, carom_result_name(r));
-    assert_int_equal(r, CAROM_E_PLUGIN_DISHONEST);
+    if (r != CAROM_E_PLUGIN_INVALID) print_error("%s: %s\n", invalid_plugins[i].what, carom_result_name(r));
+    assert_int_equal(r, CAROM_E_PLUGIN_INVALID);
     assert_int_equal(e.argument, 2);
     assert_true(e.has_witness);
     assert_int_equal(plugin, 77);
-    assert_int_equal(carom_plugin_find(b->engine, "liar", &plugin, NULL), CAROM_E_NOT_FOUND);
+    assert_int_equal(carom_plugin_find(b->engine, "invalid_plugin", &plugin, NULL), CAROM_E_NOT_FOUND);
     assert_int_equal(fegetround(), FE_TONEAREST);
   }
   {
-    carom_shape_plugin p = liar(ball, NULL); /* the control */
+    carom_shape_plugin p = invalid_plugin(ball, NULL); /* the control */
     carom_plugin plugin;
     assert_int_equal(carom_plugin_register(b->engine, &p, &plugin, NULL), CAROM_OK);
   }
@@ -185,7 +185,7 @@ static void a_nonsensical_struct_is_refused_before_anything_is_called(void **sta
   carom_geometry g = bench_sphere_geometry;
   carom_plugin plugin;
   carom_error e = CAROM_ERROR_INIT;
-  carom_shape_plugin good = liar(gives_nan, NULL); /* would be DISHONEST if it were called */
+  carom_shape_plugin good = invalid_plugin(gives_nan, NULL); /* would be INVALID if it were called */
   carom_shape_plugin p[20];
   size_t n = 0, i;
   for (i = 0; i < 20; ++i) p[i] = good;
@@ -233,13 +233,13 @@ static void a_struct_of_an_older_or_newer_minor_version_is_read_as_such(void **s
     uint64_t tail;
   } newer;
   carom_plugin plugin;
-  carom_shape_plugin older = liar(ball, NULL);
+  carom_shape_plugin older = invalid_plugin(ball, NULL);
   older.struct_size = offsetof(carom_shape_plugin, param_tail_group);
   older.param_tail_group = 0xFFFFFFFFu; /* beyond its end: not read */
   older.id = "older";
   assert_int_equal(carom_plugin_register(b->engine, &older, &plugin, NULL), CAROM_OK);
   memset(&newer, 0, sizeof newer);
-  newer.known = liar(ball, NULL);
+  newer.known = invalid_plugin(ball, NULL);
   newer.known.struct_size = sizeof newer;
   newer.known.abi_minor = 7;
   newer.tail = 1;
@@ -262,7 +262,7 @@ static void a_false_declaration_is_refused_with_its_witness(void **state) {
   const double radius = 0.7;
   size_t i;
   for (i = 0; i < 4; ++i) {
-    carom_shape_plugin p = liar(ball, i < 3 ? lies[i] : &true_all);
+    carom_shape_plugin p = invalid_plugin(ball, i < 3 ? lies[i] : &true_all);
     carom_plugin plugin;
     carom_shape shape = 77;
     carom_error e = CAROM_ERROR_INIT;
@@ -283,7 +283,7 @@ static void a_false_declaration_is_refused_with_its_witness(void **state) {
   }
 }
 
-/* Honest near 1, where it is asked at registration; not at 9. */
+/* Valid near 1, where it is asked at registration; not at 9. */
 static int32_t lies_when_large(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   return params[0] > 5 ? not_convex(NULL, params, count, dir, out) : ball(NULL, params, count, dir, out);
@@ -291,18 +291,18 @@ static int32_t lies_when_large(void *user, const double *params, uint64_t count,
 
 static void a_shape_that_lies_for_its_own_parameters_alone_is_refused(void **state) {
   Bench *b = *state;
-  carom_shape_plugin p = liar(lies_when_large, NULL);
+  carom_shape_plugin p = invalid_plugin(lies_when_large, NULL);
   carom_plugin plugin;
   carom_shape shape;
   const double small = 1, large = 9;
   assert_int_equal(carom_plugin_register(b->engine, &p, &plugin, NULL), CAROM_OK);
-  assert_int_equal(carom_shape_create(b->engine, plugin, &large, 1, &shape, NULL), CAROM_E_PLUGIN_DISHONEST);
+  assert_int_equal(carom_shape_create(b->engine, plugin, &large, 1, &shape, NULL), CAROM_E_PLUGIN_INVALID);
   assert_int_equal(carom_shape_create(b->engine, plugin, &small, 1, &shape, NULL), CAROM_OK);
 }
 
-/* ---- lies later: honest until told otherwise ---- */
+/* ---- lies later: valid until told otherwise ---- */
 
-static uint32_t lie = 0; /* 0: honest; else CAROM_FAULT_* */
+static uint32_t lie = 0; /* 0: valid; else CAROM_FAULT_* */
 
 static int32_t lies_later(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
@@ -324,7 +324,7 @@ static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(v
   (void)state;
   for (kind = CAROM_FAULT_RETURNED; kind <= CAROM_FAULT_OUTSIDE; ++kind) {
     Bench b;
-    carom_shape_plugin p = liar(lies_later, NULL);
+    carom_shape_plugin p = invalid_plugin(lies_later, NULL);
     carom_plugin plugin;
     carom_shape shape;
     carom_body body[2];
@@ -385,7 +385,7 @@ static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(v
 
 static void faults_of_a_destroyed_body_are_forgotten_with_it(void **state) {
   Bench b;
-  carom_shape_plugin p = liar(lies_later, NULL);
+  carom_shape_plugin p = invalid_plugin(lies_later, NULL);
   carom_plugin plugin;
   carom_shape shape;
   carom_body body[2];
@@ -420,7 +420,7 @@ static void shared_objects_that_lie_are_refused(void **state) {
     int32_t code;
   } files[] = {{"wrong_major", CAROM_E_PLUGIN_ABI}, {"short_struct", CAROM_E_PLUGIN_ABI}, {"long_struct", CAROM_E_PLUGIN_ABI},
                {"null_support", CAROM_E_PLUGIN_ABI}, {"no_symbol", CAROM_E_PLUGIN_LOAD},
-               {"function_symbol", CAROM_E_PLUGIN_ABI}, {"honest", CAROM_OK}, {"honest", CAROM_E_ALREADY_EXISTS}};
+               {"function_symbol", CAROM_E_PLUGIN_ABI}, {"valid", CAROM_OK}, {"valid", CAROM_E_ALREADY_EXISTS}};
   Bench *b = *state;
   size_t i;
   for (i = 0; i < sizeof files / sizeof *files; ++i) {
@@ -428,7 +428,7 @@ static void shared_objects_that_lie_are_refused(void **state) {
     carom_plugin plugin = 0;
     carom_error e = CAROM_ERROR_INIT;
     int32_t r;
-    snprintf(path, sizeof path, "%s/%s.so", CAROM_LIAR_DIR, files[i].file);
+    snprintf(path, sizeof path, "%s/%s.so", CAROM_INVALID_DIR, files[i].file);
     r = carom_plugin_load(b->engine, path, &plugin, &e);
     if (r != files[i].code) print_error("%s: %s %s\n", files[i].file, carom_result_name(r), e.message);
     assert_int_equal(r, files[i].code);
@@ -446,13 +446,13 @@ static void a_loader_that_sets_flush_to_zero_does_not_change_our_thread(void **s
   carom_plugin plugin;
   fenv_t before;
   assert_true(keeps_denormals());
-  assert_int_equal(carom_plugin_load(b->engine, CAROM_LIAR_DIR "/flush_to_zero.so", &plugin, NULL), CAROM_OK);
+  assert_int_equal(carom_plugin_load(b->engine, CAROM_INVALID_DIR "/flush_to_zero.so", &plugin, NULL), CAROM_OK);
   assert_true(keeps_denormals());
   assert_int_equal(fegetround(), FE_TONEAREST);
   /* The control: loaded by hand (a copy in the second file, for a constructor runs once) it does. */
   fegetenv(&before);
 #if defined(__x86_64__)
-  assert_non_null(dlopen(CAROM_LIAR_DIR "/flush_to_zero_too.so", RTLD_NOW | RTLD_LOCAL));
+  assert_non_null(dlopen(CAROM_INVALID_DIR "/flush_to_zero_too.so", RTLD_NOW | RTLD_LOCAL));
   assert_false(keeps_denormals());
 #endif
   fesetenv(&before);
@@ -480,7 +480,7 @@ static void a_step_is_the_same_whatever_the_hosts_float_environment(void **state
 
 static void unloading_is_refused_while_shapes_live_and_is_logical(void **state) {
   Bench *b = *state;
-  carom_shape_plugin p = liar(ball, NULL);
+  carom_shape_plugin p = invalid_plugin(ball, NULL);
   const carom_shape_plugin *described = NULL;
   carom_plugin plugin, again;
   carom_shape shape;
@@ -488,13 +488,13 @@ static void unloading_is_refused_while_shapes_live_and_is_logical(void **state) 
   assert_int_equal(carom_plugin_register(b->engine, &p, &plugin, NULL), CAROM_OK);
   assert_int_equal(carom_plugin_describe(b->engine, plugin, &described, NULL), CAROM_OK);
   assert_true(described == &p);
-  assert_int_equal(carom_plugin_find(b->engine, "liar", &again, NULL), CAROM_OK);
+  assert_int_equal(carom_plugin_find(b->engine, "invalid_plugin", &again, NULL), CAROM_OK);
   assert_true(again == plugin);
   assert_int_equal(carom_shape_create(b->engine, plugin, &radius, 1, &shape, NULL), CAROM_OK);
   assert_int_equal(carom_plugin_unload(b->engine, plugin, NULL), CAROM_E_IN_USE);
   assert_int_equal(carom_shape_destroy(b->engine, shape, NULL), CAROM_OK);
   assert_int_equal(carom_plugin_unload(b->engine, plugin, NULL), CAROM_OK);
-  assert_int_equal(carom_plugin_find(b->engine, "liar", &again, NULL), CAROM_E_NOT_FOUND);
+  assert_int_equal(carom_plugin_find(b->engine, "invalid_plugin", &again, NULL), CAROM_E_NOT_FOUND);
   assert_int_equal(carom_plugin_register(b->engine, &p, &again, NULL), CAROM_OK); /* and may come back */
   assert_true(again != plugin);
 }
@@ -551,7 +551,7 @@ static void all_plugins_of_the_house_are_taken_in_and_measured(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(parameters_that_constrain_each_other_say_so, make, clear),
-      cmocka_unit_test_setup_teardown(a_dishonest_support_function_is_refused_at_registration, make, clear),
+      cmocka_unit_test_setup_teardown(a_invalid_support_function_is_refused_at_registration, make, clear),
       cmocka_unit_test_setup_teardown(a_nonsensical_struct_is_refused_before_anything_is_called, make, clear),
       cmocka_unit_test_setup_teardown(a_struct_of_an_older_or_newer_minor_version_is_read_as_such, make, clear),
       cmocka_unit_test_setup_teardown(a_false_declaration_is_refused_with_its_witness, make, clear),

@@ -13,7 +13,7 @@ void settings_come_back_with_the_state(void**) {
   const double up[3] = {0, 3, 0}, side[3] = {1, 0, 0};
   carom_joint_motor motor;
   carom_joint_motor_init(&motor, sizeof motor);
-  motor.speed = -1, motor.most = 50;
+  motor.speed = -1, motor.max_force = 50;
   assert_int_equal(carom_world_set_gravity(b.world, up, nullptr), CAROM_OK);
   assert_int_equal(carom_world_set_wind(b.world, side, nullptr), CAROM_OK);
   assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SUBSTEPS, 7, nullptr), CAROM_OK);

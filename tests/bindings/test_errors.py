@@ -59,14 +59,14 @@ class Refusals(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "position takes 3 numbers, got 2"):
             self.world.body(position=(1, 2))
 
-    def test_dishonest_shape_has_a_witness(self):
-        with self.assertRaises(errors.PluginDishonest) as caught:
-            self.engine.support_plugin(lambda p, d: (d[0] ** 3, d[1], d[2]), "test.liar")()
+    def test_invalid_shape_has_a_witness(self):
+        with self.assertRaises(errors.PluginInvalid) as caught:
+            self.engine.support_plugin(lambda p, d: (d[0] ** 3, d[1], d[2]), "test.invalid_plugin")()
         direction, answer = caught.exception.witness
         self.assertEqual((len(direction), len(answer)), (3, 3))
 
     def test_support_that_raises_is_the_cause(self):
-        with self.assertRaises(errors.PluginDishonest) as caught:
+        with self.assertRaises(errors.PluginInvalid) as caught:
             self.engine.support_plugin(lambda p, d: 1 / 0, "test.raises")
         self.assertIsInstance(caught.exception.__cause__, ZeroDivisionError)
 

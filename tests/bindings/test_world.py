@@ -133,7 +133,7 @@ class Face(unittest.TestCase):
         self.assertEqual(set(ball.attributes), set(infos))
         self.assertEqual((infos["drag"].numbers, infos["drag"].unit, infos["locks"].whole), (2, "kg/s, kg/m", True))
         for name, info in infos.items():
-            value = tuple(min(x + 1, info.most) for x in info.usual)
+            value = tuple(min(x + 1, info.max) for x in info.usual)
             ball.attributes[name] = value if info.numbers > 1 else value[0]
             self.assertEqual(ball.attributes[name], value if info.numbers > 1 else value[0])
         self.assertEqual((ball.gravity_factor, ball.drag, ball.locks), (2, (1, 1), 1))
@@ -168,7 +168,7 @@ class Face(unittest.TestCase):
         self.assertLess(hinge.state.gap, 1e-3)
         self.assertFalse(hinge.limit("twist", enabled=False).enabled)
         weight, self.world.gravity = self.world.gravity, (0, 0, 0)
-        motor = hinge.motor("twist", speed=2, most=1e6)
+        motor = hinge.motor("twist", speed=2, max_force=1e6)
         self.assertTrue(motor.enabled)
         self.world.step()
         self.assertAlmostEqual(abs(bob.angular_velocity[2]), 2, 3)
@@ -252,7 +252,7 @@ class Face(unittest.TestCase):
         self.world.body()
         self.world.step()
         plan = {line.name: line for line in self.world.plan()}
-        self.assertTrue(plan["gravity"].runs and plan["gravity"].customers == 1 and plan["gravity"].mode == "as_needed")
+        self.assertTrue(plan["gravity"].runs and plan["gravity"].participants == 1 and plan["gravity"].mode == "as_needed")
         self.assertFalse(plan["friction"].runs)
         self.assertTrue(plan["friction"].reason)
         self.world.set_effect("gravity", "forbid")

@@ -199,7 +199,7 @@ static void so_are_those_of_joints(void **state) {
     }
     carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor), carom_joint_spring_init(&spring, sizeof spring);
     limit.enabled = motor.enabled = spring.enabled = 1;
-    limit.upper = 0.5, motor.speed = 3, motor.most = 5, spring.target = 0.25, spring.damping = 0.25;
+    limit.upper = 0.5, motor.speed = 3, motor.max_force = 5, spring.target = 0.25, spring.damping = 0.25;
     assert_int_equal(carom_joint_set_limit(b.world, joints[0], CAROM_COORDINATE_SWING, &limit, NULL), CAROM_OK);
     assert_int_equal(carom_joint_set_motor(b.world, joints[1], CAROM_COORDINATE_TWIST, &motor, NULL), CAROM_OK);
     assert_int_equal(carom_joint_set_spring(b.world, joints[2], CAROM_COORDINATE_SLIDE, &spring, NULL), CAROM_OK);

@@ -1,4 +1,4 @@
-// Every effect with a way to give it one customer and to take that away again, in a world that otherwise calls for
+// Every effect with a way to give it one participant and to take that away again, in a world that otherwise calls for
 // nothing: the subjects of the proofs in this folder.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace carom::test {
 
-/// A world of mass points that fly straight on, far from each other, and one body to become a customer.
+/// A world of mass points that fly straight on, far from each other, and one body to become a participant.
 struct Stage0 {
   static constexpr Real kStep = 1.0 / 64;  // s, so that times are exact
 
@@ -30,32 +30,32 @@ struct Stage0 {
     def.velocity = Vec3(0.5, 0, 0), def.omega = Vec3(0, 0, 1);
     one = handle_slot(w.add_body(def));
   }
-  /// Things to touch: a ball on the customer, and another that it touches.
+  /// Things to touch: a ball on the participant, and another that it touches.
   void touching(std::uint32_t material = Colliders::kNoMaterial) {
     ball = t.keep(sphere(0.5));
     t.world.add_collider(one, ball, Pose{}, 1000, material);
     other = t.add(ball, Vec3(0.99, 0, 0), BodyType::dynamic, Quat::identity(), material);
   }
   void apart() {
-    while (t.world.scene.first_collider[one] != Colliders::kNone)
+    while (t.world.scene.first_collider[one] != kInvalid)
       t.world.remove_collider(t.world.scene.first_collider[one]);
-    if (other != kTheWorld) t.world.remove_body(std::exchange(other, kTheWorld));
+    if (other != kInvalid) t.world.remove_body(std::exchange(other, kInvalid));
   }
   void steps(int n) { t.run(n, kStep); }
   std::uint64_t evaluations(std::size_t row) const { return t.world.plan->effects[row].evaluations; }
 
   TestWorld t;
-  std::uint32_t one, other = kTheWorld, other_floor = kTheWorld;
+  std::uint32_t one, other = kInvalid, other_floor = kInvalid;
   const Shape* ball = nullptr;
   Handle thing = 0;
 };
 
 struct Subject {
   std::size_t row;
-  std::function<void(Stage0&)> call;     // give it a customer
+  std::function<void(Stage0&)> call;     // give it a participant
   std::function<void(Stage0&)> dismiss;  // take it away
   bool flies = true;                     // it acts on bodies in flight, each for itself
-  bool spares = flies;                   // who is no customer costs nothing and keeps its bits
+  bool spares = flies;                   // who is no participant costs nothing and keeps its bits
 };
 
 inline std::vector<Subject> subjects() {
@@ -90,7 +90,7 @@ inline std::vector<Subject> subjects() {
     hinge(s);
     JointDrive d;
     d.limit.on = limit, d.limit.lower = -0.5, d.limit.upper = 0.5;
-    d.motor.on = !limit, d.motor.speed = 1, d.motor.most = 5;
+    d.motor.on = !limit, d.motor.speed = 1, d.motor.max_force = 5;
     s.t.world.set_joint_drive(handle_slot(s.thing), Coordinate::twist, d);
   };
   return {

@@ -1,4 +1,4 @@
-// One customer among 10,000 bodies costs one customer's work, counted in instructions: the test runs itself under
+// One participant among 10,000 bodies costs one participant's work, counted in instructions: the test runs itself under
 // callgrind, which counts those of steps alone. Skipped where there is no valgrind, or a sanitizer in its way.
 #include <unistd.h>
 
@@ -28,7 +28,7 @@ constexpr int kWarm = 3, kCounted = 4, kSome = 1000, kCrowd = 10000;
 
 std::string label(const char* what, int crowd) { return std::string(what) + " " + std::to_string(crowd); }
 
-/// A step, that one customer may cost more among many than alone: a look at lists that are longer by a run of slots.
+/// A step, that one participant may cost more among many than alone: a look at lists that are longer by a run of slots.
 constexpr double kSlack = 100;
 /// And where the crowd takes its step apart from who is bound, by contacts, joints or forces that depend on the state: loops
 /// that begin once more.

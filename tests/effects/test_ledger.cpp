@@ -212,7 +212,7 @@ static Amount swing(Real dt, int solver, Amount* rest) {
   choose(t, solver, 1);
   t.world.set_dial(Dial::integrator, kVerletChoice);
   const std::uint32_t bob = add_body(t, Vec3(1, 0, 0), 2, Vec3(0.1, 0.2, 0.15));
-  join(t, JointKind::ball, kTheWorld, bob, Vec3::zero());
+  join(t, JointKind::ball, kInvalid, bob, Vec3::zero());
   t.world.keep_ledger(true);
   run(t, static_cast<int>(std::lround(1 / dt)), dt, "pendulum");
   *rest = total(t, Cause::integrator) + total(t, Cause::unassigned) + total(t, Cause::correction);
@@ -298,7 +298,7 @@ struct Melee {
       t.world.particles.set_velocity(set, i, Vec3(static_cast<Real>(i), 3, 1));
     }
     if (!knows_all) return;
-    std::uint32_t above = kTheWorld;
+    std::uint32_t above = kInvalid;
     for (int i = 0; i < 4; ++i) {
       const std::uint32_t link = t.add(brick, Vec3(4 + 0.8 * i, 4, 0));
       const JointKind kinds[] = {JointKind::ball, JointKind::hinge, JointKind::slider, JointKind::hinge};
@@ -423,14 +423,14 @@ static void only_a_world_that_asked_keeps_a_ledger(void**) {
   Melee melee(kSoftChoice, kVerletChoice, 6);
   melee.t.run(3, kStep);
   const PlannedEffect& row = *melee.t.world.plan->find("ledger");
-  assert_true(!melee.t.world.ledger && row.customers.count == 0 && row.evaluations == 0);
+  assert_true(!melee.t.world.ledger && row.participants.count == 0 && row.evaluations == 0);
   melee.t.world.keep_ledger(true);
   melee.t.run(2, kStep);
   const std::uint64_t movers = melee.t.world.plan->linear.count + melee.t.world.plan->rotating.count;
-  assert_true(movers == 20 && row.customers.count == movers && row.evaluations == 2 * movers);
+  assert_true(movers == 20 && row.participants.count == movers && row.evaluations == 2 * movers);
   melee.t.world.keep_ledger(false);
   melee.t.run(2, kStep);
-  assert_true(!melee.t.world.ledger && row.customers.count == 0 && row.evaluations == 2 * movers);
+  assert_true(!melee.t.world.ledger && row.participants.count == 0 && row.evaluations == 2 * movers);
 }
 
 static void drag_fields_springs_and_water_are_causes_of_their_own(void**) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kSteps = 12;
 
-/// All bodies are its customers, or none.
+/// All bodies are its participants, or none.
 bool is_for_all(std::size_t row) { return row == +EffectId::sleep || row == +EffectId::ledger; }
 
 template <class... A>
@@ -61,7 +61,7 @@ std::vector<ScenePart> parts() {
       if (limit)
         d.limit.on = true, d.limit.lower = -0.01, d.limit.upper = 0.01;
       else
-        d.motor.on = true, d.motor.speed = 1, d.motor.most = 5;
+        d.motor.on = true, d.motor.speed = 1, d.motor.max_force = 5;
       s.t.world.set_joint_drive(handle_slot(s.thing), Coordinate::twist, d);
     };
   };
@@ -122,16 +122,16 @@ Outcome outcome_of(const ScenePart& a, const ScenePart& b, bool with_a, std::siz
 
 }  // namespace
 
-static void an_effect_without_customers_does_not_exist(void**) {
+static void an_effect_without_participants_does_not_exist(void**) {
   for (const Subject& subject : subjects()) {
     Stage0 s;
     s.steps(kSteps);
     const PlannedEffect& effect = s.t.world.plan->effects[subject.row];
-    if (effect.evaluations != 0 || effect.customers.runs.capacity() || effect.candidates.runs.capacity())
-      wrong("%s ran or allocated without a customer", name_of(subject.row).c_str());
+    if (effect.evaluations != 0 || effect.participants.runs.capacity() || effect.candidates.runs.capacity())
+      wrong("%s ran or allocated without a participant", name_of(subject.row).c_str());
     const PlanLine line = line_of(s, subject.row);
     assert_false(line.runs);
-    assert_int_equal(line.customers, 0);
+    assert_int_equal(line.participants, 0);
     assert_int_equal(line.bytes, 0);
     assert_string_equal(line.reason, effect.effect->missing);
     // And the world has the bits of one in which it is forbidden.
@@ -153,8 +153,8 @@ static void a_forbidden_effect_does_nothing_and_says_so(void**) {
     assert_false(line.runs);
     assert_true(line.mode == EffectMode::forbid);
     assert_non_null(strstr(line.reason, "forbidden by the host"));
-    const bool in_contacts = effect_table()[subject.row].customers == CustomerKind::contact_points ||
-                             effect_table()[subject.row].customers == CustomerKind::contact_pairs;
+    const bool in_contacts = effect_table()[subject.row].participants == ParticipantKind::contact_points ||
+                             effect_table()[subject.row].participants == ParticipantKind::contact_pairs;
     if (!in_contacts) {
       if (line.wanted != 1 && !is_for_all(subject.row) && subject.row != +EffectId::collision)
         wrong("%s is wanted by %d", name_of(subject.row).c_str(), static_cast<int>(line.wanted));
@@ -204,7 +204,7 @@ static void one_body_can_be_spared(void**) {
   }
 }
 
-static void customers_switch_it_on_and_off_in_mid_run(void**) {
+static void participants_switch_it_on_and_off_in_mid_run(void**) {
   for (const Subject& subject : subjects()) {
     Stage0 s;
     s.steps(3);
@@ -318,7 +318,7 @@ static void accelerations_add_up(void**) {
   s.steps(1);
   w.add_force(s.one, Vec3(1, 2, 3), Vec3(0.1, 0.2, 0.3));
   for (const char* host : {"user_force", "user_torque"})
-    find_candidates(w, *w.plan->find(host)), w.plan->find(host)->customers = w.plan->find(host)->candidates;
+    find_candidates(w, *w.plan->find(host)), w.plan->find(host)->participants = w.plan->find(host)->candidates;
   const State& st = w.state;
   const Motion at{st.x.data(), st.q.data(), st.v.data(), st.omega.data()};
   const std::size_t n = st.x.size();
@@ -332,8 +332,8 @@ static void accelerations_add_up(void**) {
   Real size = 0;
   int rows = 0;
   for (PlannedEffect& row : w.plan->effects) {
-    if (row.served != Served::force || row.customers.count == 0) continue;
-    const auto alone = evaluate([&](const Accelerate& out) { row.effect->force(w.scene, st, row.customers, at, out); });
+    if (row.served != Served::force || row.participants.count == 0) continue;
+    const auto alone = evaluate([&](const Accelerate& out) { row.effect->force(w.scene, st, row.participants, at, out); });
     v += alone.first, omega += alone.second;
     size += alone.first.norm() + alone.second.norm();
     ++rows;
@@ -354,7 +354,7 @@ static void forced_on_everybody_it_changes_nothing(void**) {
     Stage0 single;
     single.t.world.set_body_mode(single.one, row, EffectMode::force);
     single.steps(1);
-    assert_int_equal(line_of(single, row).customers, 1);
+    assert_int_equal(line_of(single, row).participants, 1);
   }
   Stage0 nobody;  // there is no joint that could be forced
   nobody.t.world.set_mode(+EffectId::joints, EffectMode::force);
@@ -376,11 +376,11 @@ static void without_response_things_touch_and_pass(void**) {
 
 int main(void) {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(an_effect_without_customers_does_not_exist),
+      cmocka_unit_test(an_effect_without_participants_does_not_exist),
       cmocka_unit_test(a_forbidden_effect_does_nothing_and_says_so),
       cmocka_unit_test(forbidden_it_has_the_bits_of_a_scene_that_does_not_call_for_it),
       cmocka_unit_test(one_body_can_be_spared),
-      cmocka_unit_test(customers_switch_it_on_and_off_in_mid_run),
+      cmocka_unit_test(participants_switch_it_on_and_off_in_mid_run),
       cmocka_unit_test(one_among_ten_thousand_is_one),
       cmocka_unit_test(every_two_effects_compose),
       cmocka_unit_test(every_two_effects_of_a_contact_compose),

@@ -121,7 +121,7 @@ void three_springs(TestWorld& t) {
   t.world.add_spring(s);
   s.body_b = b;
   t.world.add_spring(s);
-  s.body_a = b, s.body_b = kTheWorld, s.anchor_b = Vec3(3, 0, 0), s.damping = 0.5;
+  s.body_a = b, s.body_b = kInvalid, s.anchor_b = Vec3(3, 0, 0), s.damping = 0.5;
   t.world.add_spring(s);
   t.world.set_attribute(add_body(t, Vec3(0, 50, 0), Vec3(20, 10, 0)), AttributeId::drag, {0.1, 0.05});
 }

@@ -30,7 +30,7 @@ struct Answer {
   const Shape &a, &b;
   Frame b_in_a;
   QuerySettings settings;
-  bool liar;
+  bool invalid_plugin;
   QueryResult r;
   SupportFault fault;
   Real size = 0;               // m, of the pair
@@ -245,8 +245,8 @@ void Judge::answer(const Answer& x, const char* which) {
   which_ = which;
   judged_ = &x;
   form(x);
-  if (x.liar) return;
-  demand(x.r.status != QueryStatus::fault, "an honest function was blamed, kind %u",
+  if (x.invalid_plugin) return;
+  demand(x.r.status != QueryStatus::fault, "a valid function was blamed, kind %u",
          static_cast<unsigned>(x.fault.kind));
   if (!x.known()) return;
   effort(x);
@@ -272,7 +272,7 @@ void Judge::carried(const Answer& x) {
 void Judge::same(const Answer& x, const Answer& y, Real slack, const char* which) {
   which_ = which;
   judged_ = nullptr;
-  if (x.liar || !x.known() || !y.known()) return;
+  if (x.invalid_plugin || !x.known() || !y.known()) return;
   demand(x.r.lower <= y.r.upper + slack && y.r.lower <= x.r.upper + slack, "[%.17g, %.17g] and [%.17g, %.17g]",
          x.r.lower, x.r.upper, y.r.lower, y.r.upper);
 }
@@ -290,8 +290,8 @@ void measure(Answer& x, Real shell) {
 }
 
 Answer ask(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySettings& settings, QueryMemory* memory,
-           bool liar) {
-  Answer x{a, b, b_in_a, settings, liar, {}, {}};
+           bool invalid_plugin) {
+  Answer x{a, b, b_in_a, settings, invalid_plugin, {}, {}};
   distance(a, b, b_in_a, settings, memory, x.r, x.fault);
   x.asked_generic = x.r.gjk_iterations > 0;
   const bool routine = settings.routines && pair_entry(a.form, b.form).routine;
@@ -301,7 +301,7 @@ Answer ask(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySetti
 
 /// What is left of an answer after the pair has moved, where enough is: as true as a fresh one.
 void carried(const Answer& before, const Answer& fresh, Real share, Judge& judge) {
-  if (before.liar || !before.known() || !fresh.known() || !before.asked_generic) return;
+  if (before.invalid_plugin || !before.known() || !fresh.known() || !before.asked_generic) return;
   Certificate certificate;
   certify(before.r, before.b_in_a, before.shell, certificate);
   Answer x{before.a, before.b, fresh.b_in_a, fresh.settings, false, {}, {}};
@@ -317,15 +317,15 @@ void carried(const Answer& before, const Answer& fresh, Real share, Judge& judge
 
 Verdict judge(const PairCase& c) {
   const Shape a = make(c.a), b = make(c.b);
-  const bool liar = c.a.lie != Lie::none || c.b.lie != Lie::none;
+  const bool invalid_plugin = c.a.lie != Lie::none || c.b.lie != Lie::none;
   Judge judge(c.sweep);
   QueryMemory memory;
   const bool warm = c.twist == Twist::warm || c.twist == Twist::warm_far;
-  const Answer first = ask(a, b, c.b_in_a, c.settings, warm ? &memory : nullptr, liar);
+  const Answer first = ask(a, b, c.b_in_a, c.settings, warm ? &memory : nullptr, invalid_plugin);
   judge.answer(first, "answer");
   QuerySettings other = c.settings;
   const auto again = [&](const char* which, const char* both) {
-    const Answer second = ask(a, b, c.b_in_a, other, nullptr, liar);
+    const Answer second = ask(a, b, c.b_in_a, other, nullptr, invalid_plugin);
     judge.answer(second, which);
     if (first.shell == second.shell) judge.same(first, second, first.slack(), both);
   };
@@ -333,7 +333,7 @@ Verdict judge(const PairCase& c) {
     case Twist::swapped: {
       // The inverse of a rounded rotation is its transpose up to 12 u, its product with the offset rounds by another 3.
       const Frame a_in_b(c.b_in_a.r.transpose(), -(c.b_in_a.r.transpose() * c.b_in_a.p));
-      const Answer second = ask(b, a, a_in_b, c.settings, nullptr, liar);
+      const Answer second = ask(b, a, a_in_b, c.settings, nullptr, invalid_plugin);
       judge.answer(second, "swapped");
       judge.same(first, second, 32 * kU * first.size, "swapped against straight");
       break;
@@ -352,7 +352,7 @@ Verdict judge(const PairCase& c) {
       break;
     case Twist::warm:
     case Twist::warm_far: {
-      const Answer second = ask(a, b, c.next, c.settings, &memory, liar);
+      const Answer second = ask(a, b, c.next, c.settings, &memory, invalid_plugin);
       judge.answer(second, "warm");
       carried(first, second, c.sweep % 2 ? 0.05 : 4, judge);
       break;

@@ -1,4 +1,4 @@
-// Is an answer about a pair honest? Looked at from outside, through the support functions alone.
+// Is an answer about a pair valid? Looked at from outside, through the support functions alone.
 #pragma once
 
 #include "pair_case.h"

@@ -58,7 +58,7 @@ class Motions {
       default:
         return overlap_answer();
     }
-    if (fault.kind != SupportFault::none) return bad("an honest function was blamed"), verdict_;
+    if (fault.kind != SupportFault::none) return bad("a valid function was blamed"), verdict_;
     form();
     if (verdict_.good) truth();
     return verdict_;
@@ -151,7 +151,7 @@ class Motions {
     if (flat) return verdict_;
     const OverlapResult o = overlap(a_, b_, c_.pair.b_in_a, c_.target, 0, c_.cap, fault);
     if (fault.kind != SupportFault::none || o.outcome == Overlap::fault)
-      return bad("an honest function was blamed"), verdict_;
+      return bad("a valid function was blamed"), verdict_;
     if (!finite(o.normal) || !finite(o.point)) return bad("not finite"), verdict_;
     const QueryResult now = at(0);
     const Real rounding = 2 * kBracketRounding * kUnitRoundoff * size_;

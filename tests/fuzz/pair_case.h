@@ -12,7 +12,7 @@ namespace carom::fuzz {
 
 enum class Kind { sphere, capsule, box, cylinder, cone, ellipsoid, hull, top, half_space, count };
 
-/// What a dishonest support function does now and then. `single` works in float: honest, but sloppy.
+/// What an invalid support function does now and then. `single` works in float: valid, but sloppy.
 enum class Lie { none, error, not_a_number, outside, inside, single, count };
 
 struct ShapeSpec {

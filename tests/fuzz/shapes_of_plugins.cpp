@@ -29,7 +29,7 @@ std::int32_t lying_box(void*, const double* p, std::uint64_t count, const double
   return 0;
 }
 
-SupportFn liar(Lie lie) {
+SupportFn invalid_plugin(Lie lie) {
   switch (lie) {
     case Lie::error:
       return lying_box<Lie::error>;
@@ -88,7 +88,7 @@ Shape make(const ShapeSpec& spec) {
   const carom_shape_plugin* plugin = nullptr;
   Shape s = plain(spec, plugin);
   if (!plugin) return s;
-  s.support = spec.lie == Lie::none ? plugin->support : liar(spec.lie);
+  s.support = spec.lie == Lie::none ? plugin->support : invalid_plugin(spec.lie);
   if (!spec.declared || spec.swell > 0 || spec.lie != Lie::none) {
     s.form = Form::none;
     s.vertices = {};

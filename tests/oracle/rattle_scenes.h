@@ -37,13 +37,13 @@ inline std::uint32_t hang_rod(TestWorld& t, Real angle, JointKind kind = JointKi
   const Vec3 down(std::sin(angle), -std::cos(angle), 0);
   const Quat q = turn_between(Vec3(0, -1, 0), down);
   const std::uint32_t rod = add_body(t, 0.5 * down, 1, Vec3(1.0 / 12, 1e-3, 1.0 / 12), BodyType::dynamic, q);
-  join(t, kind, kTheWorld, rod, Vec3::zero(), x_along(Vec3(0, 0, 1)));
+  join(t, kind, kInvalid, rod, Vec3::zero(), x_along(Vec3(0, 0, 1)));
   return rod;
 }
 
 inline std::uint32_t hang_two(TestWorld& t, Real a, Real b, JointKind kind) {
   Vec3 at = Vec3::zero();
-  std::uint32_t before = kTheWorld;
+  std::uint32_t before = kInvalid;
   for (const Real angle : {a, b}) {
     const Vec3 down(std::sin(angle), -std::cos(angle), 0);
     const std::uint32_t rod = add_body(t, at + 0.25 * down, 1, Vec3(0.25 / 12, 1e-3, 0.25 / 12), BodyType::dynamic,

@@ -136,8 +136,8 @@ static void what_is_not_free_to_tumble_has_no_gyroscopic_term(void**) {
   t.world.set_attribute(held, AttributeId::locks, {Real(kAboutY)});
   for (const std::uint32_t b : {held, free}) t.world.set_velocity(b, Vec3::zero(), Vec3(1, 2, 3));
   t.run(10, 1.0 / 60);
-  assert_int_equal(t.world.plan->find("gyroscopic")->customers.count, 1);
-  assert_int_equal(t.world.plan->find("axis_locks")->customers.count, 1);
+  assert_int_equal(t.world.plan->find("gyroscopic")->participants.count, 1);
+  assert_int_equal(t.world.plan->find("axis_locks")->participants.count, 1);
 }
 
 // Held upright, it is borne by the upward part of what presses on it: N cos = m g. The rest of N the lock bears.
@@ -255,7 +255,7 @@ static void a_flat_pyramid_stands_and_stays_flat(void**) {
     print_message("solver %d: strayed %.2e m, %.1e J left\n", solver, strayed,
                   t.world.report.linear_energy + t.world.report.angular_energy);
     assert_true(strayed < 1e-3);
-    assert_int_equal(t.world.plan->find("axis_locks")->customers.count, bodies.size());
+    assert_int_equal(t.world.plan->find("axis_locks")->participants.count, bodies.size());
   }
 }
 
@@ -266,7 +266,7 @@ static void a_rod_that_leans_bears_its_share(void**) {
     exact(t, solver);
     const std::uint32_t weight = add_body(t, Vec3(0.6, -0.8, 0), 2, Vec3::constant(0.1));
     t.world.set_attribute(weight, AttributeId::locks, {Real(kX | kZ | kAboutX | kAboutY | kAboutZ)});
-    JointDef def = joint_at(t, JointKind::distance, kTheWorld, weight, Vec3::zero());
+    JointDef def = joint_at(t, JointKind::distance, kInvalid, weight, Vec3::zero());
     def.frame_b = Pose{};
     def.length = 1;
     const std::uint32_t rod = handle_slot(t.world.add_joint(def));
@@ -291,7 +291,7 @@ static void a_flat_double_pendulum_does_not_feel_its_locks(void**) {
         const Quat along_z = exp_map(Vec3(0, -std::numbers::pi / 2, 0));  // joints turn about their x axes
         const std::uint32_t one = add_body(t, Vec3(0.5, 0, 0), 1, Vec3(0.01, 0.1, 0.1)),
                             two = add_body(t, Vec3(1.5, 0, 0), 1, Vec3(0.01, 0.1, 0.1));
-        join(t, kind, kTheWorld, one, Vec3::zero(), along_z);
+        join(t, kind, kInvalid, one, Vec3::zero(), along_z);
         join(t, kind, one, two, Vec3(1, 0, 0), along_z);
         for (const std::uint32_t body : {one, two})
           if (locked) t.world.set_attribute(body, AttributeId::locks, {Real(kPlane)});
@@ -316,7 +316,7 @@ static void who_is_locked_is_nothing_to_its_neighbours(void**) {
       std::uint32_t bodies[3];
       for (int i = 0; i < 3; ++i) {
         bodies[i] = add_body(t, Vec3(0.5, 0, 3 * i), 1, Vec3(0.02, 0.1, 0.05));
-        join(t, JointKind::ball, kTheWorld, bodies[i], Vec3(0, 0, 3 * i));
+        join(t, JointKind::ball, kInvalid, bodies[i], Vec3(0, 0, 3 * i));
         t.world.set_velocity(bodies[i], Vec3::zero(), Vec3(1, 2, 0.5));
       }
       if (locked) t.world.set_attribute(bodies[1], AttributeId::locks, {Real(kPlane)}), t.world.set_attribute(bodies[2], AttributeId::locks, {Real(kAboutY)});
@@ -397,7 +397,7 @@ static void a_world_without_locks_keeps_no_list_of_them(void**) {
     t.add(t.keep(box(Vec3::constant(0.5))), Vec3(0, 0.6, 0));
     t.run(30, 1.0 / 60);
     const PlannedEffect* row = t.world.plan->find("axis_locks");
-    assert_true(row->evaluations == 0 && row->customers.count == 0);
+    assert_true(row->evaluations == 0 && row->participants.count == 0);
     assert_true(t.world.scene.locks.capacity() == 0 && t.world.wide->in_double.locks.capacity() == 0 &&
                 t.world.wide_joints->locks.capacity() == 0);
   }

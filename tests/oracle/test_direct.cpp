@@ -204,7 +204,7 @@ static void a_capped_solve_stays_sane(void**) {
   bodies[0].v.set_zero();
   for (std::size_t i = 0; i < 2; ++i) {  // squeezed from both sides by walls that close in
     ConeContact& c = contacts[i];
-    c.a = kNobody, c.b = 0, c.below = kNobody;
+    c.a = kInvalid, c.b = 0, c.below = kInvalid;
     c.n = i ? Vec3(1, 0, 0) : Vec3(-1, 0, 0);
     c.r_a.set_zero(), c.r_b = -c.n;
     c.friction = 0.5, c.want = 1, c.k = 2;

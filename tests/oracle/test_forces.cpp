@@ -96,7 +96,7 @@ static void wind_takes_along_what_has_drag_and_nothing_else(void**) {
   t.run(120, 1.0 / 60);
   assert_true((t.world.state.v[leaf] - Vec3(4, 0, -2)).norm() < 1e-6);
   assert_true(t.world.state.v[stone] == Vec3(0, 1, 0));
-  assert_int_equal(t.world.plan->find("wind")->customers.count, 1);
+  assert_int_equal(t.world.plan->find("wind")->participants.count, 1);
 }
 
 static void a_uniform_field_ends_where_its_box_does(void**) {
@@ -174,7 +174,7 @@ static void who_feels_a_field_is_who_shares_its_mask(void**) {
   t.world.set_attribute(bodies[7], AttributeId::force_field_mask, {Real(9)});
   t.run(10, 0.1);
   for (const std::uint32_t i : bodies) assert_true((t.world.state.v[i] != Vec3::zero()) == (i == bodies[7]));
-  assert_int_equal(t.world.plan->find("fields")->customers.count, 1);
+  assert_int_equal(t.world.plan->find("fields")->participants.count, 1);
 }
 
 static void springs_swing_as_they_should(void**) {
@@ -269,7 +269,7 @@ static void stiff_springs_stay_bounded(void**) {
     t.run(600, 1.0 / 60);
     assert_int_equal(t.world.state.quarantined_count, 0);
     for (const std::uint32_t i : body) assert_true(t.world.state.x[i].norm() < 1e5);
-    assert_true(t.world.scene.springs.softened == t.world.plan->find("springs")->customers.count);
+    assert_true(t.world.scene.springs.softened == t.world.plan->find("springs")->participants.count);
   }
 }
 
@@ -313,7 +313,7 @@ static void shares_under_water_add_up(void**) {
     t.world.set_water(&water);
     t.run(1, 1e-3);
     const std::uint32_t at = t.world.scene.water.float_of[t.world.scene.first_collider[body]];
-    const Float* surface = at == Colliders::kNone ? nullptr : &t.world.scene.water.floats[at];
+    const Float* surface = at == kInvalid ? nullptr : &t.world.scene.water.floats[at];
     constexpr int kPlanes = 200, kPoints = 4000;
     std::vector<Vec3> cloud;
     while (cloud.size() < kPoints) {
@@ -441,7 +441,7 @@ static void who_hangs_together_sleeps_and_wakes_together(void**) {
   t.run(240, 1.0 / 60);
   assert_true(t.world.asleep(a) && t.world.asleep(b));
   t.run(1, 1.0 / 60);
-  assert_int_equal(t.world.plan->find("springs")->customers.count, 0);
+  assert_int_equal(t.world.plan->find("springs")->participants.count, 0);
   t.world.set_velocity(a, Vec3(-4, 0, 0), Vec3::zero());
   assert_true(!t.world.asleep(a) && !t.world.asleep(b));
   t.run(30, 1.0 / 60);

@@ -58,7 +58,7 @@ static void a_body_falls_by_its_factor(void**) {
     assert_true((t.world.state.x[bodies[i]] - want).norm() < kSteps * kEpsilon * (want.norm() + 10));
   }
   const PlannedEffect* gravity = t.world.plan->find("gravity");
-  assert_int_equal(gravity->customers.count, 4);           // what floats is none
+  assert_int_equal(gravity->participants.count, 4);           // what floats is none
   assert_int_equal(gravity->evaluations, 2 * 4 * kSteps);  // Verlet kicks twice
 }
 

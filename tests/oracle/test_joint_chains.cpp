@@ -165,7 +165,7 @@ static void who_bears_too_much_breaks(void**) {
       TestWorld t;
       choose(t, solver);
       const std::uint32_t lamp = add_body(t, Vec3::zero(), 10, Vec3::constant(0.1));
-      JointDef def = joint_at(t, JointKind::ball, kTheWorld, lamp, Vec3::zero());
+      JointDef def = joint_at(t, JointKind::ball, kInvalid, lamp, Vec3::zero());
       def.break_force = strength;
       const std::uint32_t j = handle_slot(t.world.add_joint(def));
       t.run(60, kStep);
@@ -203,7 +203,7 @@ static void a_chain_sleeps_and_wakes(void**) {
       TestWorld a, b;
       for (TestWorld* t : {&a, &b}) {
         choose(*t, solver);
-        std::uint32_t before = kTheWorld;
+        std::uint32_t before = kInvalid;
         for (int i = 0; i < 5; ++i) {
           const std::uint32_t link = add_body(*t, Vec3(0, -0.5 * i - 0.25, 0), 1, Vec3::constant(0.02));
           join(*t, JointKind::ball, before, link, Vec3(0, -0.5 * i, 0));

@@ -34,7 +34,7 @@ PendulumErrors swing_rod(int solver, int substeps, int steps) {
   choose(t, solver, substeps);
   const Real inertia = 1.0 / 12;
   const std::uint32_t rod = add_body(t, Vec3(0.5, 0, 0), 1, Vec3::constant(inertia));
-  join(t, JointKind::ball, kTheWorld, rod, Vec3::zero());
+  join(t, JointKind::ball, kInvalid, rod, Vec3::zero());
   const Real w0 = std::sqrt(kG * 0.5 / (inertia + 0.25)), all = period(w0, kPi / 2);
   PendulumErrors worst;
   for (int i = 0; i < steps; ++i) {
@@ -78,7 +78,7 @@ static void a_spring_swings_at_its_frequency(void**) {
       // Off its centre of mass the hinge has all of m r^2 to turn: the spring knows.
       const Vec3 at = off_centre ? Vec3(0.7, 0, 0) : Vec3::zero();
       const std::uint32_t wheel = add_body(t, at, 3, Vec3(0.5, 0.6, 0.8));
-      const std::uint32_t hinge = join(t, JointKind::hinge, kTheWorld, wheel, Vec3::zero(), axis_z());
+      const std::uint32_t hinge = join(t, JointKind::hinge, kInvalid, wheel, Vec3::zero(), axis_z());
       set_spring(t, hinge, Coordinate::twist, 0.1, f, 0);  // let go at an amplitude of 0.1
       const Real dt = 1.0 / 240, h = dt / 4;
       Real before = -0.1, crossing = 0, amplitude = 0;
@@ -105,7 +105,7 @@ static void a_damped_spring_fades(void**) {
     TestWorld t(Vec3::zero());
     choose(t, solver);
     const std::uint32_t cart = add_body(t, Vec3(0, 0, 0), 3, Vec3(0.5, 0.6, 0.8));
-    const std::uint32_t slider = join(t, JointKind::slider, kTheWorld, cart, Vec3::zero(), axis_z());
+    const std::uint32_t slider = join(t, JointKind::slider, kInvalid, cart, Vec3::zero(), axis_z());
     set_spring(t, slider, Coordinate::slide, 0.1, f, zeta);
     const Real dt = 1.0 / 240, h = dt / 4, wd = w * std::sqrt(1 - zeta * zeta);
     Real lowest = 0;  // the first swing back, one period after
@@ -126,10 +126,10 @@ static void a_spring_sags_by_its_load(void**) {
       TestWorld t;
       choose(t, solver, substeps);
       const std::uint32_t cart = add_body(t, Vec3(0, 5, 0), 7, Vec3(0.5, 0.6, 0.8));
-      const std::uint32_t slider = join(t, JointKind::slider, kTheWorld, cart, Vec3(0, 5, 0), x_along(Vec3(0, 1, 0)));
+      const std::uint32_t slider = join(t, JointKind::slider, kInvalid, cart, Vec3(0, 5, 0), x_along(Vec3(0, 1, 0)));
       set_spring(t, slider, Coordinate::slide, 0, f, 1);
       const std::uint32_t hung = add_body(t, Vec3(3, 5, 0), 2, Vec3::constant(0.1));
-      JointDef def = joint_at(t, JointKind::distance, kTheWorld, hung, Vec3(3, 5, 0));
+      JointDef def = joint_at(t, JointKind::distance, kInvalid, hung, Vec3(3, 5, 0));
       def.frame_a.p = Vec3(3, 7, 0);
       const std::uint32_t spring = handle_slot(t.world.add_joint(def));
       set_spring(t, spring, Coordinate::distance, 2, f, 1);
@@ -147,7 +147,7 @@ static void a_motor_reaches_its_speed(void**) {
     TestWorld t(Vec3::zero());
     choose(t, solver);
     const std::uint32_t wheel = add_body(t, Vec3::zero(), 3, Vec3(0.5, 0.6, 0.8));
-    const std::uint32_t hinge = join(t, JointKind::hinge, kTheWorld, wheel, Vec3::zero(), axis_z());
+    const std::uint32_t hinge = join(t, JointKind::hinge, kInvalid, wheel, Vec3::zero(), axis_z());
     set_motor(t, hinge, Coordinate::twist, 5, 6);
     t.run(30, 1.0 / 60);
     assert_true(std::fabs(t.world.state.omega[wheel].z() - 6 / 0.8 * 0.5) < 1e-6);
@@ -168,14 +168,14 @@ static void limits_hold(void**) {
     choose(t, solver);
     const Vec3 down = Vec3(std::cos(kPi / 6), -0.5, 0);
     const std::uint32_t cart = add_body(t, Vec3::zero(), 4, Vec3(0.5, 0.6, 0.8));
-    const std::uint32_t rail = join(t, JointKind::slider, kTheWorld, cart, Vec3::zero(), x_along(down));
+    const std::uint32_t rail = join(t, JointKind::slider, kInvalid, cart, Vec3::zero(), x_along(down));
     set_limit(t, rail, Coordinate::slide, -1, 0.5);
     const std::uint32_t rod = add_body(t, Vec3(10, 0.5, 0), 1, Vec3::constant(1.0 / 12));
-    const std::uint32_t cone = join(t, JointKind::ball, kTheWorld, rod, Vec3(10, 0, 0), x_along(Vec3(0, 1, 0)));
+    const std::uint32_t cone = join(t, JointKind::ball, kInvalid, rod, Vec3(10, 0, 0), x_along(Vec3(0, 1, 0)));
     set_limit(t, cone, Coordinate::swing, 0, 0.4);
     t.world.set_velocity(rod, Vec3(0.5, 0, 0.1), Vec3::zero());
     const std::uint32_t ball = add_body(t, Vec3(21, 0, 0), 1, Vec3::constant(0.1));
-    JointDef def = joint_at(t, JointKind::distance, kTheWorld, ball, Vec3(21, 0, 0));
+    JointDef def = joint_at(t, JointKind::distance, kInvalid, ball, Vec3(21, 0, 0));
     def.frame_a.p = Vec3(20, 0, 0);
     const std::uint32_t rope = handle_slot(t.world.add_joint(def));
     set_limit(t, rope, Coordinate::distance, 0, 1.5);
@@ -199,7 +199,7 @@ static void a_cantilever_is_borne(void**) {
   for (const int solver : kAllSolvers) {
     TestWorld t;
     choose(t, solver);
-    std::uint32_t before = kTheWorld, welds[3];
+    std::uint32_t before = kInvalid, welds[3];
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t box = add_body(t, Vec3(i + 0.5, 0, 0), 2, Vec3::constant(1.0 / 3));
       welds[i] = join(t, JointKind::weld, before, box, Vec3(i, 0, 0));
@@ -297,7 +297,7 @@ Real heavy_top_error(int solver, int substeps) {
   choose(t, solver, substeps);
   const std::uint32_t disk = add_body(t, Vec3(kStick, 0, 0), 1, Vec3(kAxial, kAcross, kAcross));
   t.world.set_velocity(disk, Vec3::zero(), Vec3(kSpin, 0, 0));
-  join(t, JointKind::ball, kTheWorld, disk, Vec3::zero());
+  join(t, JointKind::ball, kInvalid, disk, Vec3::zero());
   Real worst = 0;
   for (const Vec3& place : heavy_top_places()) {
     t.run(12, 1.0 / 60);

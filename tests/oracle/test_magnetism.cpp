@@ -158,8 +158,8 @@ static void a_field_turns_only_what_has_a_moment_and_shares_a_bit_and_is_within(
   assert_true(s.omega[in].y() > 0 && s.omega[in].x() == 0 && s.omega[in].z() == 0);
   for (const std::uint32_t i : {none, deaf, out, held, point}) assert_true(s.omega[i] == Vec3::zero());
   for (std::uint32_t i = 0; i < 6; ++i) assert_true(s.v[i] == Vec3::zero());  // it pushes nothing
-  assert_int_equal(t.world.plan->find("magnetism")->customers.count, 3);      // in, out, held
-  assert_int_equal(t.world.plan->find("fields")->customers.count, 0);
+  assert_int_equal(t.world.plan->find("magnetism")->participants.count, 3);      // in, out, held
+  assert_int_equal(t.world.plan->find("fields")->participants.count, 0);
   FieldDef push;
   push.vector = Vec3(0, 0, 9);
   TestWorld other(Vec3::zero());
@@ -167,7 +167,7 @@ static void a_field_turns_only_what_has_a_moment_and_shares_a_bit_and_is_within(
   other.world.add_field(push);
   other.run(3, 0.01);
   assert_true(other.world.state.omega[magnetic] == Vec3::zero() && other.world.state.v[magnetic].z() > 0);
-  assert_int_equal(other.world.plan->find("magnetism")->customers.count, 0);
+  assert_int_equal(other.world.plan->find("magnetism")->participants.count, 0);
 }
 
 static void it_has_an_account_of_its_own_and_wakes_who_sleeps(void**) {

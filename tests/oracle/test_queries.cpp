@@ -155,7 +155,7 @@ void ask_rays(Park& park, int count, Tally& tally) {
     std::sort(truth.begin(), truth.end(), earlier);
     const WorldHit first = cast_ray(world, ray, options);
     if (truth.empty()) {
-      assert_int_equal(first.collider, WorldHit::kNone);
+      assert_int_equal(first.collider, kInvalid);
       assert_true(first.cast.outcome == CastOutcome::miss && first.cast.time == ray.max);
     } else {
       assert_same(first, truth[0]);
@@ -175,34 +175,34 @@ void ask_shapes(Park& park, int count, Tally& tally) {
     options.cast.routines = i % 2 != 0;
     if (i % 5 == 0) options.cast.target = park.random.uniform(0, 0.5);
     if (i % 7 == 0) options.filter.mask = 1;
-    const Asker asker{park.any_shape(), Frame(random_rotation(park.random).matrix(),
+    const QueryShape query_shape{park.any_shape(), Frame(random_rotation(park.random).matrix(),
                                               park.random.in_cube(1.5 * park.spread) + Vec3(0, park.spread, 0))};
     Vec3 motion = park.random.in_cube(1.5 * park.spread);
     if (i % 13 == 0) motion.set_zero();
     Array<WorldHit> truth = ask_all(
-        world, options, [&](std::uint32_t slot) { return shape_against(world, slot, asker, motion, options.cast); });
+        world, options, [&](std::uint32_t slot) { return shape_against(world, slot, query_shape, motion, options.cast); });
     std::sort(truth.begin(), truth.end(), earlier);
-    const WorldHit first = cast_shape(world, asker, motion, options);
+    const WorldHit first = cast_shape(world, query_shape, motion, options);
     if (truth.empty())
-      assert_int_equal(first.collider, WorldHit::kNone);
+      assert_int_equal(first.collider, kInvalid);
     else
       assert_same(first, truth[0]);
     tally.count(first.cast.outcome);
     Array<WorldHit> all;
-    cast_shape_all(world, asker, motion, options, all);
+    cast_shape_all(world, query_shape, motion, options, all);
     assert_same(all, truth);
-    assert_int_equal(static_cast<int>(any_on_way(world, asker, motion, options).outcome),
+    assert_int_equal(static_cast<int>(any_on_way(world, query_shape, motion, options).outcome),
                      static_cast<int>(whether(truth)));
 
     Array<WorldHit> overlaps;
-    find_overlaps(world, asker, options, overlaps);
+    find_overlaps(world, query_shape, options, overlaps);
     assert_same(overlaps, ask_all(world, options, [&](std::uint32_t slot) {
-                  return overlap_against(world, slot, asker, options.cast);
+                  return overlap_against(world, slot, query_shape, options.cast);
                 }));
 
     const Real reach = i % 3 ? park.random.uniform(0, 3) : kInfinity;
     const Shape dot = sphere(0);
-    const Asker nearby{i % 2 ? asker.shape : &dot, asker.frame};
+    const QueryShape nearby{i % 2 ? query_shape.shape : &dot, query_shape.frame};
     const Array<WorldHit> near = ask_all(
         world, options, [&](std::uint32_t slot) { return nearest_against(world, slot, nearby, reach, options.cast); });
     const auto nearest = std::min_element(near.begin(), near.end(), [](const WorldHit& a, const WorldHit& b) {
@@ -210,7 +210,7 @@ void ask_shapes(Park& park, int count, Tally& tally) {
     });
     const WorldHit found = find_nearest(world, nearby, reach, options);
     if (near.empty())
-      assert_int_equal(found.collider, WorldHit::kNone);
+      assert_int_equal(found.collider, kInvalid);
     else
       assert_same(found, *nearest);
   }
@@ -341,16 +341,16 @@ static void what_stands_on_a_lattice_is_met_along_its_faces(void**) {
       assert_same(all, truth);
       if (!truth.empty()) assert_same(cast_ray(world, ray, {}), truth[0]);
       hits += !truth.empty(), grazes += truth.size() > 1 && truth[0].cast.time == truth[1].cast.time;
-      const Asker asker{cube, Frame(Mat3::identity(), ray.origin)};
+      const QueryShape query_shape{cube, Frame(Mat3::identity(), ray.origin)};
       const Vec3 motion = 2 * far * direction;
-      truth = ask_all(world, {}, [&](std::uint32_t slot) { return shape_against(world, slot, asker, motion, {}); });
+      truth = ask_all(world, {}, [&](std::uint32_t slot) { return shape_against(world, slot, query_shape, motion, {}); });
       std::sort(truth.begin(), truth.end(), earlier);
       all.clear();
-      cast_shape_all(world, asker, motion, {}, all);
+      cast_shape_all(world, query_shape, motion, {}, all);
       assert_same(all, truth);
-      truth = ask_all(world, {}, [&](std::uint32_t slot) { return overlap_against(world, slot, asker, {}); });
+      truth = ask_all(world, {}, [&](std::uint32_t slot) { return overlap_against(world, slot, query_shape, {}); });
       all.clear();
-      find_overlaps(world, asker, {}, all);
+      find_overlaps(world, query_shape, {}, all);
       assert_same(all, truth);
     }
   assert_true(hits > 700 && grazes > 50);
@@ -385,7 +385,7 @@ static void rays_see_what_lies_where_it_should(void**) {
   assert_true(w.scene.colliders.body[hit.collider] == row[3]);
   assert_true(std::fabs(hit.cast.separation - (std::hypot(0.1, 0.7) - 0.5)) < 1e-12);
   hit = find_nearest(w, {&dot, Frame(Mat3::identity(), Vec3(6.1, 1.7, 0))}, 0.2, {});
-  assert_int_equal(hit.collider, WorldHit::kNone);
+  assert_int_equal(hit.collider, kInvalid);
 }
 
 static void equals_go_to_the_lowest_slot(void**) {
@@ -403,17 +403,17 @@ static void equals_go_to_the_lowest_slot(void**) {
   assert_int_equal(find_nearest(t.world, {&dot, Frame(Mat3::identity(), Vec3(0, 3, 0))}, 10, {}).collider, 1);
 }
 
-static void liars_are_met_where_their_bounds_are(void**) {
+static void invalid_plugins_are_met_where_their_bounds_are(void**) {
   TestWorld t(Vec3::zero());
   const Shape* crate = t.keep(box(Vec3(1, 1, 1)));
-  // Honest along the axes, where bounds are asked for, and a liar elsewhere.
-  Shape liar = box(Vec3(1, 1, 1));
-  liar.form = Form::none;
-  liar.support = [](void* user, const double* p, std::uint64_t n, const double* d, double* out) -> std::int32_t {
+  // Valid along the axes, where bounds are asked for, and an invalid plugin elsewhere.
+  Shape invalid_plugin = box(Vec3(1, 1, 1));
+  invalid_plugin.form = Form::none;
+  invalid_plugin.support = [](void* user, const double* p, std::uint64_t n, const double* d, double* out) -> std::int32_t {
     const int zeros = (d[0] == 0) + (d[1] == 0) + (d[2] == 0);
     return zeros == 2 ? box_support(user, p, n, d, out) : 9;
   };
-  const Shape* bad = t.keep(std::move(liar));
+  const Shape* bad = t.keep(std::move(invalid_plugin));
   const std::uint32_t behind = t.add(crate, Vec3(6, 0, 0), BodyType::fixed);
   BodyDef def;
   def.type = BodyType::fixed;
@@ -452,7 +452,7 @@ int main() {
       cmocka_unit_test(what_stands_on_a_lattice_is_met_along_its_faces),
       cmocka_unit_test(rays_see_what_lies_where_it_should),
       cmocka_unit_test(equals_go_to_the_lowest_slot),
-      cmocka_unit_test(liars_are_met_where_their_bounds_are),
+      cmocka_unit_test(invalid_plugins_are_met_where_their_bounds_are),
       cmocka_unit_test(a_world_that_is_not_asked_keeps_no_index),
   };
   return cmocka_run_group_tests_name("oracle/queries", tests, nullptr, nullptr);

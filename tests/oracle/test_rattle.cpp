@@ -94,7 +94,7 @@ static void a_lopsided_top_has_its_order(void**) {
       by_rattle(t, order);
       const std::uint32_t top = add_body(t, Vec3(0.3, 0.2, 0.1), 2, Vec3(0.05, 0.11, 0.14), BodyType::dynamic,
                                          normalized(Quat(0.8, 0.1, 0.5, -0.2)));
-      join(t, JointKind::ball, kTheWorld, top, Vec3::zero());
+      join(t, JointKind::ball, kInvalid, top, Vec3::zero());
       const Vec3 omega(4, -3, 2);
       t.world.set_velocity(top, omega.cross(t.world.state.x[top]), omega);
       for (int i = 0; i < steps; ++i) t.world.step(1.0 / steps);
@@ -128,8 +128,8 @@ static void a_loop_has_its_order(void**) {
       const std::uint32_t one = add_body(t, 0.5 * down, 1, thin, BodyType::dynamic, q),
                           other = add_body(t, right + 0.5 * down, 1, thin, BodyType::dynamic, q),
                           bar = add_body(t, 0.5 * right + l * down, 1, Vec3(1e-3, 1.0 / 3, 1.0 / 3));
-      join(t, JointKind::hinge, kTheWorld, one, Vec3::zero(), z);
-      join(t, JointKind::hinge, kTheWorld, other, right, z);
+      join(t, JointKind::hinge, kInvalid, one, Vec3::zero(), z);
+      join(t, JointKind::hinge, kInvalid, other, right, z);
       join(t, JointKind::hinge, one, bar, l * down, z);
       join(t, JointKind::hinge, other, bar, right + l * down, z);
       for (int i = 0; i < steps; ++i) t.world.step(time / steps), assert_int_equal(held(t), 1);
@@ -156,7 +156,7 @@ static void what_reads_velocities_is_of_second_order(void**) {
       def.mass = 1, def.inertia = Mat3::diagonal(Vec3(1.0 / 12, 1e-3, 1.0 / 12));
       def.linear_damping = 0.5, def.angular_damping = 2;
       const std::uint32_t rod = handle_slot(t.world.add_body(def));
-      join(t, JointKind::hinge, kTheWorld, rod, Vec3::zero(), x_along(Vec3(0, 0, 1)));
+      join(t, JointKind::hinge, kInvalid, rod, Vec3::zero(), x_along(Vec3(0, 0, 1)));
       SpringDef spring;
       spring.body_b = rod, spring.anchor_a = Vec3(1, 0, 0);
       spring.rest = 0.5, spring.stiffness = 10, spring.damping = 1;
@@ -183,7 +183,7 @@ static void springs_have_their_order(void**) {
         by_rattle(t, order);
         const std::uint32_t body = add_body(t, slides ? Vec3::zero() : Vec3(0.7, 0, 0), 3, Vec3(0.5, 0.6, 0.8));
         const Coordinate c = slides ? Coordinate::slide : Coordinate::twist;
-        join(t, slides ? JointKind::slider : JointKind::hinge, kTheWorld, body, Vec3::zero(), x_along(Vec3(0, 0, 1)));
+        join(t, slides ? JointKind::slider : JointKind::hinge, kInvalid, body, Vec3::zero(), x_along(Vec3(0, 0, 1)));
         set_spring(t, 0, c, 0.3, f, 0);
         for (int i = 0; i < steps; ++i) t.world.step(time / steps), assert_int_equal(held(t), 1);
         return std::fabs(coordinate(t, 0, c) - 0.3 * (1 - std::cos(w * time)));

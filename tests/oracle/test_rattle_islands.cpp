@@ -86,7 +86,7 @@ static void contacts_come_and_go(void**) {
   TestWorld t;
   by_rattle(t, 4, 4);
   const std::uint32_t ball = t.add(t.keep(sphere(0.1)), Vec3(-0.8, -0.6, 0));
-  join(t, JointKind::ball, kTheWorld, ball, Vec3::zero());
+  join(t, JointKind::ball, kInvalid, ball, Vec3::zero());
   t.add(t.keep(box(Vec3(0.1, 1, 1))), Vec3(0.25, -1, 0), BodyType::fixed);
   int with = 0, without = 0, changes = 0;
   bool before = true;
@@ -141,7 +141,7 @@ static void islands_are_their_own(void**) {
     Many() {
       by_rattle(*this, 4, 2);
       for (int k = 0; k < 12; ++k) {
-        std::uint32_t before = kTheWorld;
+        std::uint32_t before = kInvalid;
         for (int i = 0; i < 3 + k; ++i) {
           const std::uint32_t next = add_body(*this, Vec3(i + 0.5, 0, 3 * k), 1 + k, Vec3(0.1, 0.2, 0.25));
           join(*this, i % 2 ? JointKind::ball : JointKind::hinge, before, next, Vec3(i, 0, 3 * k),

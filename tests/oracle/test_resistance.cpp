@@ -116,18 +116,18 @@ void moments_are_kept_over_steps_and_substeps(void**) {
   assert_true(std::fabs(t.x().x() - held) < 1e-9);
 }
 
-void a_scene_without_resistance_has_no_customers(void**) {
+void a_scene_without_resistance_has_no_participants(void**) {
   for (const bool resists : {false, true}) {
     Rolling t(2, resists ? 0.02 : 0, resists ? 0.01 : 0);
     t.run(10, kStep);
-    assert_int_equal(t.world.plan->find("rolling_resistance")->customers.count, resists);
-    assert_int_equal(t.world.plan->find("spinning_resistance")->customers.count, resists);
+    assert_int_equal(t.world.plan->find("rolling_resistance")->participants.count, resists);
+    assert_int_equal(t.world.plan->find("spinning_resistance")->participants.count, resists);
     assert_int_equal(t.world.scene.resists, resists);
     Material m = t.world.scene.material[0];
     m.rolling = m.spinning = 0;
     t.world.set_material(0, m);
     t.run(1, kStep);
-    assert_int_equal(t.world.plan->find("rolling_resistance")->customers.count, 0);
+    assert_int_equal(t.world.plan->find("rolling_resistance")->participants.count, 0);
     assert_true(t.world.contacts->resisting.empty());
   }
 }
@@ -160,7 +160,7 @@ int main() {
       cmocka_unit_test(a_spin_ends_when_its_resistance_says),
       cmocka_unit_test(a_ball_lies_on_a_slope_below_its_angle),
       cmocka_unit_test(moments_are_kept_over_steps_and_substeps),
-      cmocka_unit_test(a_scene_without_resistance_has_no_customers),
+      cmocka_unit_test(a_scene_without_resistance_has_no_participants),
       cmocka_unit_test(a_moment_stays_in_its_disc_and_stops_what_it_can),
   };
   return cmocka_run_group_tests_name("oracle/resistance", tests, nullptr, nullptr);

@@ -306,7 +306,7 @@ static void drag_under_verlet_is_of_second_order_and_free_fall_exact(void**) {
   assert_true(error(kVerlet, 0.1, 2400) < 1e-6 * 490 && error(kRk4, 0.1, 2400) < 1e-9);
 }
 
-static void round_bodies_are_nobody_s_customers(void**) {
+static void round_bodies_are_nobody_s_participants(void**) {
   for (const Choice m : kCarrying) {
     TestWorld t(Vec3::zero());
     t.world.set_dial(Dial::rotation, m);
@@ -356,7 +356,7 @@ static void a_touched_body_that_nothing_pushes_turns_like_a_free_one(void**) {
     touched.t.world.step(1.0 / 60);
     touched.t.world.plan->touched[touched.b] = 1;  // nobody takes it back: without colliders, no solver runs
     touched.t.run(59, 1.0 / 60);
-    // The proposal is normalised once more in each step.
+    // The predicted pose is normalised once more in each step.
     assert_true(angle(free.q(), touched.q()) < 60 * 4 * kEpsilon);
     assert_true(relative(touched.momentum(), free.momentum()) < 60 * 8 * kEpsilon);
   }
@@ -410,7 +410,7 @@ int main() {
       cmocka_unit_test(a_constant_torque_adds_to_momentum_exactly_and_verlet_turns_with_second_order),
       cmocka_unit_test(a_heavy_top_under_its_host_s_torque_converges_with_second_order),
       cmocka_unit_test(drag_under_verlet_is_of_second_order_and_free_fall_exact),
-      cmocka_unit_test(round_bodies_are_nobody_s_customers),
+      cmocka_unit_test(round_bodies_are_nobody_s_participants),
       cmocka_unit_test(a_skew_inertia_spins_as_its_principal_axes_do),
       cmocka_unit_test(a_touched_body_that_nothing_pushes_turns_like_a_free_one),
       cmocka_unit_test(a_plank_that_tumbles_on_ice_gains_no_energy),

@@ -60,7 +60,7 @@ Real place_at(const Shape& cube, const Shape& shape, const Frame& at, Frame& fra
 }
 
 /// Deepest of all patches. @return false if there are none
-bool deepest(const SceneryMeeting& meeting, ContactPoint& out) {
+bool deepest(const SceneryPairFinder& meeting, ContactPoint& out) {
   out.separation = kInfinity;
   for (const SceneryPatch& patch : meeting.patches())
     for (int i = 0; i < patch.count; ++i)
@@ -75,7 +75,7 @@ bool deepest(const SceneryMeeting& meeting, ContactPoint& out) {
 static void a_box_and_its_surface_push_alike(void**) {
   const Vec3 half(0.5, 0.3, 0.7);
   const Shape cube = box(half), surfaces[2] = {mesh(box_surface(half)), mesh(box_surface(half), true)};
-  SceneryMeeting meeting(std::pmr::new_delete_resource());
+  SceneryPairFinder meeting(std::pmr::new_delete_resource());
   NarrowSettings settings;
   settings.query.tolerance = 1e-9;
   constexpr Real kReach = 0.02;
@@ -116,7 +116,7 @@ static void a_ball_meets_a_boxs_surface_as_it_meets_the_box(void**) {
   const Vec3 half(0.5, 0.3, 0.7);
   const Shape cube = box(half), surface = mesh(box_surface(half));
   Shape ball = sphere(0.2);
-  SceneryMeeting meeting(std::pmr::new_delete_resource());
+  SceneryPairFinder meeting(std::pmr::new_delete_resource());
   NarrowSettings settings;
   Chance chance(2);
   for (int i = 0; i < 6000; ++i) {

@@ -18,7 +18,7 @@ static Real oscillate(int solver, int substeps, bool alone, std::uint32_t axis) 
   const bool turns = axis >= kPlaces;
   const Vec3 along = kOblique * (axis % 3 == 0 ? Vec3(1, 0, 0) : axis % 3 == 1 ? Vec3(0, 1, 0) : Vec3(0, 0, 1));
   const std::uint32_t body = add_body(t, Vec3::zero(), m, Vec3::constant(m));
-  const std::uint32_t j = join_axes(t, kTheWorld, body, Vec3::zero());
+  const std::uint32_t j = join_axes(t, kInvalid, body, Vec3::zero());
   JointAxis pulled;
   pulled.spring = {Gains::force, k, c};
   t.world.set_joint_axis(j, axis, pulled);
@@ -195,7 +195,7 @@ struct Cart {
     t.world.set_dial(Dial::velocity_tolerance, 1e-9);
     if (is_direct(solver)) answered = 1e-9 * kDirectShare, borne = kMass * answered * substeps / kStep;
     body = add_body(t, Vec3::zero(), kMass, Vec3::constant(1));
-    j = join_axes(t, kTheWorld, body, Vec3::zero());
+    j = join_axes(t, kInvalid, body, Vec3::zero());
     set_all(t, j, k, locked_at());
     t.world.set_joint_axis(j, k, how);
   }
@@ -243,16 +243,16 @@ static void drives_push_as_hard_as_they_may(void**) {
   for (const int solver : kEverySolver)
     for (std::uint32_t k = 0; k < kPlaces; ++k) {
       JointAxis a;
-      a.drive = AxisDrive::velocity, a.speed = 1.5, a.most = 20;
+      a.drive = AxisDrive::velocity, a.speed = 1.5, a.max_force = 20;
       Cart strong(solver, substeps, k, g, a);
       strong.run(steps);
-      a.most = 4;
+      a.max_force = 4;
       Cart weak(solver, substeps, k, g, a);
       weak.run(steps);
-      a.drive = AxisDrive::effort, a.effort = 9, a.most = kInfinity;
+      a.drive = AxisDrive::effort, a.effort = 9, a.max_force = kInfinity;
       Cart pushed(solver, substeps, k, g, a);
       pushed.run(steps);
-      a.effort = -9, a.most = 5;
+      a.effort = -9, a.max_force = 5;
       Cart bounded(solver, substeps, k, 0, a);
       bounded.run(steps);
       // Directly, and by springs under any solver, what is answered is the velocity of the middle of a substep; half of the load

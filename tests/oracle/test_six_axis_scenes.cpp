@@ -94,7 +94,7 @@ static Real sag(int solver, int substeps, bool about_y) {
   const std::uint32_t axis = about_y ? 4 : 5;
   // The frame's y axis, or its z axis, is the world's z.
   const Quat frame = about_y ? turn_between(Vec3(0, 1, 0), Vec3(0, 0, 1)) : Quat::identity();
-  const std::uint32_t joints[] = {join(t, JointKind::six_axis, kTheWorld, one, Vec3::zero(), frame),
+  const std::uint32_t joints[] = {join(t, JointKind::six_axis, kInvalid, one, Vec3::zero(), frame),
                                   join(t, JointKind::six_axis, one, two, Vec3(Arm::l1, 0, 0), frame)};
   JointAxis a;
   a.drive = AxisDrive::position;

@@ -21,7 +21,7 @@ Turned turn_back(int solver, int substeps, JointKind kind, Real angle, bool two)
   choose(t, solver, substeps);
   const Vec3 axis = Vec3(0.48, -0.6, 0.64);
   const Quat target = normalized(Quat(0.5, 0.5, -0.3, 0.6));
-  const std::uint32_t base = two ? add_body(t, Vec3(0, 1, 0), 3, Vec3::constant(1.2)) : kTheWorld;
+  const std::uint32_t base = two ? add_body(t, Vec3(0, 1, 0), 3, Vec3::constant(1.2)) : kInvalid;
   const std::uint32_t body = add_body(t, Vec3::zero(), 3, Vec3::constant(inertia));
   const std::uint32_t j = join(t, kind, base, body, Vec3::zero(), kOblique);
   if (kind == JointKind::six_axis && !two) set_all(t, j, kAxes, locked_at(), true, false);
@@ -78,11 +78,11 @@ static void a_ball_is_driven_about_three_axes(void**) {
       TestWorld t(Vec3::zero());
       choose(t, solver, substeps);
       const std::uint32_t body = add_body(t, Vec3::zero(), 2, Vec3::constant(inertia));
-      const std::uint32_t j = join(t, JointKind::ball, kTheWorld, body, Vec3::zero(), kOblique);
+      const std::uint32_t j = join(t, JointKind::ball, kInvalid, body, Vec3::zero(), kOblique);
       TurnDrive d;
       d.mode = mode;
       d.velocity = {0.7, -3, 1.1}, d.effort = {0.2, -0.4, 0.3};
-      d.most = mode == AxisDrive::velocity ? Vec3(1, 0.6, 1) : Vec3(1, 1, 0.1);
+      d.max_force = mode == AxisDrive::velocity ? Vec3(1, 0.6, 1) : Vec3(1, 1, 0.1);
       t.world.set_joint_turn(j, d);
       t.run(steps, kStep);
       const Real time = steps * kStep;
@@ -101,7 +101,7 @@ std::array<Pose, 2> end_of(int solver, int substeps, JointKind kind, bool as_axe
   choose(t, solver, substeps);
   const std::uint32_t a = add_body(t, Vec3::zero(), 4, Vec3(0.5, 0.6, 0.7)),
                       b = add_body(t, Vec3(1, 0.2, 0), 2, Vec3(0.2, 0.3, 0.35));
-  join(t, JointKind::ball, kTheWorld, a, Vec3(-0.5, 0, 0));
+  join(t, JointKind::ball, kInvalid, a, Vec3(-0.5, 0, 0));
   const std::uint32_t j = join(t, as_axes ? JointKind::six_axis : kind, a, b, Vec3(0.5, 0, 0), kOblique);
   const bool turns = kind == JointKind::hinge || kind == JointKind::ball, slides = kind == JointKind::slider;
   if (as_axes) {
@@ -111,7 +111,7 @@ std::array<Pose, 2> end_of(int solver, int substeps, JointKind kind, bool as_axe
   const Coordinate c = slides ? Coordinate::slide : Coordinate::twist;
   JointAxis axis;
   if (drive == 1) axis.spring = {Gains::frequency, 2, 0.3}, axis.rest = 0.2;
-  if (drive == 2) axis.drive = AxisDrive::velocity, axis.speed = 1, axis.most = 6;
+  if (drive == 2) axis.drive = AxisDrive::velocity, axis.speed = 1, axis.max_force = 6;
   if (drive == 3) axis.mode = AxisMode::limited, axis.lower = -0.1, axis.upper = 0.15;
   if (as_axes && drive) t.world.set_joint_axis(j, slides ? 0 : 3, axis);
   if (!as_axes && drive == 1) set_spring(t, j, c, 0.2, 2, 0.3);
@@ -153,7 +153,7 @@ static void locks_follow_and_give(void**) {
     TestWorld t;
     choose(t, solver);
     const std::uint32_t body = add_body(t, Vec3::zero(), 2, Vec3(0.2, 0.3, 0.4));
-    const std::uint32_t j = join_axes(t, body, kTheWorld, Vec3::zero(), Quat::identity());  // the world is B
+    const std::uint32_t j = join_axes(t, body, kInvalid, Vec3::zero(), Quat::identity());  // the world is B
     set_all(t, j, kAxes, locked_at());
     for (int i = 1; i <= 60; ++i) {
       t.world.set_joint_axis(j, 0, locked_at(0.01 * i));
@@ -180,7 +180,7 @@ static JointAxis axis_in_chain(int i, int k) {
     if (i % 2) a.stop = {Gains::force, 90, 1};
   }
   if ((i + k) % 4 == 1) a = JointAxis{}, a.spring = {Gains::frequency, 3, 0.2};
-  if ((i + k) % 8 == 5) a.drive = k % 2 ? AxisDrive::velocity : AxisDrive::effort, a.speed = 0.5, a.effort = 1, a.most = 2;
+  if ((i + k) % 8 == 5) a.drive = k % 2 ? AxisDrive::velocity : AxisDrive::effort, a.speed = 0.5, a.effort = 1, a.max_force = 2;
   return a;
 }
 
@@ -192,7 +192,7 @@ static void every_width_gives_the_same_bits(void**) {
       TestWorld t;
       t.world.wide->kernels = kernels;
       choose(t, solver);
-      std::uint32_t before = kTheWorld;
+      std::uint32_t before = kInvalid;
       for (int i = 0; i < 40; ++i) {
         const std::uint32_t next = add_body(t, Vec3(i + 0.5, 0, 0), 1 + 0.1 * (i % 7), Vec3(0.1, 0.2, 0.25));
         const bool is_ball = i % 5 == 4;

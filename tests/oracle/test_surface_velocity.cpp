@@ -244,8 +244,8 @@ static void what_moves_no_surface_costs_nothing_and_changes_nothing(void**) {
     t.add(t.keep(box(kSlab)), Vec3(0, 0.15, 0));
     t.run(60, 1.0 / 60);
     hash[i] = t.world.hash();
-    const std::uint64_t customers = t.world.plan->find("surface_velocity")->customers.count;
-    assert_int_equal(customers, i == 2 ? t.world.report.contact_points : 0);
+    const std::uint64_t participants = t.world.plan->find("surface_velocity")->participants.count;
+    assert_int_equal(participants, i == 2 ? t.world.report.contact_points : 0);
     assert_int_equal(t.world.contacts->surface.capacity() > 0, i == 2);
     if (i < 2) assert_int_equal(t.world.wide->in_double.drives.capacity(), 0);
   }

@@ -131,7 +131,7 @@ static void a_blow_to_sleepers_is_that_to_bodies_at_rest(void**) {
 }
 
 static void the_cost_in_calls_does_not_grow_with_the_number_asleep(void**) {
-  // Ten awake boxes, that fall far from everybody, beside few or many sleepers: the same customers.
+  // Ten awake boxes, that fall far from everybody, beside few or many sleepers: the same participants.
   std::uint64_t calls[2][4];
   for (const int many : {0, 1}) {
     TestWorld t;
@@ -143,10 +143,10 @@ static void the_cost_in_calls_does_not_grow_with_the_number_asleep(void**) {
     for (int i = 0; i < 10; ++i) t.add(cube, Vec3(3 * i, 2e4, -50));
     t.run(2, kStep);
     assert_int_equal(t.world.report.asleep_bodies, many ? 400 : 20);
-    calls[many][0] = t.world.plan->find("gravity")->customers.count;
-    calls[many][1] = t.world.plan->find("collision")->customers.count;
+    calls[many][0] = t.world.plan->find("gravity")->participants.count;
+    calls[many][1] = t.world.plan->find("collision")->participants.count;
     calls[many][2] = t.world.pairs.size();
-    calls[many][3] = t.world.plan->find("sleep")->customers.count;
+    calls[many][3] = t.world.plan->find("sleep")->participants.count;
   }
   for (int k = 0; k < 4; ++k) assert_int_equal(calls[0][k], calls[1][k]);
 }

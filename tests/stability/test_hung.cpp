@@ -30,7 +30,7 @@ struct Swing : TestWorld {
     const Quat q = turn_between(Vec3(0, -1, 0), along);
     const Shape* const cube = keep(box(Vec3::constant(f.side / 2)));
     const Real pitch = 1.2 * f.side;  // so that neighbours do not touch
-    std::uint32_t before = kTheWorld;
+    std::uint32_t before = kInvalid;
     for (int i = 0; i < f.links; ++i) {
       BodyDef def;
       def.type = BodyType::dynamic;

@@ -96,7 +96,7 @@ struct Hung : TestWorld {
 
   Dice dice;
   Vec3 at = Vec3::zero();
-  std::uint32_t before = kTheWorld;
+  std::uint32_t before = kInvalid;
   Real reach = 0, mass = 0, moving = 0;  // m, kg, J
   Real most = 0, scale = 0;              // J
 };

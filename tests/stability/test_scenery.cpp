@@ -245,7 +245,7 @@ static void a_world_without_scenery_makes_nothing_for_it(void**) {
   t.add(t.keep(box(Vec3::constant(0.25))), Vec3(0, 0.25, 0));
   t.run(10, kStep);
   assert_null(t.world.plan->scenery.get());
-  assert_int_equal(t.world.plan->find("scenery")->customers.count, 0);
+  assert_int_equal(t.world.plan->find("scenery")->participants.count, 0);
 }
 
 int main() {

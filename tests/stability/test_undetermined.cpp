@@ -26,7 +26,7 @@ struct Door {
     body = handle_slot(t.world.add_body(def));
     t.world.add_collider(body, t.keep(box(Vec3(width / 2, height / 2, 0.03))), Pose{}, density, m);
     mass = t.world.scene.mass[body];
-    hinge = join(t, JointKind::hinge, kTheWorld, body, Vec3::zero(), x_along(Vec3(0, 1, 0)));
+    hinge = join(t, JointKind::hinge, kInvalid, body, Vec3::zero(), x_along(Vec3(0, 1, 0)));
   }
   Real turned() const { return coordinate(t, hinge, Coordinate::twist); }
 };
@@ -101,7 +101,7 @@ static void a_slider_on_the_ground_slides(void**) {
       def.pose.p = Vec3(0, c.side / 2, 0);
       const std::uint32_t body = handle_slot(t.world.add_body(def));
       t.world.add_collider(body, t.keep(box(Vec3::constant(c.side / 2))), Pose{}, c.density, m);
-      const std::uint32_t slider = join(t, JointKind::slider, kTheWorld, body, Vec3(0, c.side / 2, 0));
+      const std::uint32_t slider = join(t, JointKind::slider, kInvalid, body, Vec3(0, c.side / 2, 0));
       const Real mass = t.world.scene.mass[body];
       for (int i = 0; i < 60; ++i) {
         push(t, body, Vec3(c.push, 0, 0), t.world.state.x[body]);
@@ -128,7 +128,7 @@ static void a_lift_moves_in_its_shaft(void**) {
       def.pose.p = Vec3(0, side, 0);
       const std::uint32_t lift = handle_slot(t.world.add_body(def));
       t.world.add_collider(lift, t.keep(box(Vec3::constant(side / 2))), Pose{}, 100, m);
-      const std::uint32_t slider = join(t, JointKind::slider, kTheWorld, lift, Vec3(0, side, 0), x_along(Vec3(0, 1, 0)));
+      const std::uint32_t slider = join(t, JointKind::slider, kInvalid, lift, Vec3(0, side, 0), x_along(Vec3(0, 1, 0)));
       set_motor(t, slider, Coordinate::slide, side, 5 * kG * t.world.scene.mass[lift]);
       t.run(120, 1.0 / 60);
       const Real lag = side * side / (2 * 4 * kG);  // m, while it speeds up at four times gravity
@@ -141,7 +141,7 @@ static void two_hinges_on_the_ground(void**) {
   for (const Real height : {2.0, 0.7, 3.0})
     for (const int solver : kSolvers) {
       Door door(solver, 1, height, 200, 0.5);
-      join(door.t, JointKind::hinge, kTheWorld, door.body, Vec3(0, 0.8 * height, 0), x_along(Vec3(0, 1, 0)));
+      join(door.t, JointKind::hinge, kInvalid, door.body, Vec3(0, 0.8 * height, 0), x_along(Vec3(0, 1, 0)));
       set_motor(door.t, door.hinge, Coordinate::twist, 1, 1e4);
       door.t.run(60, 1.0 / 60);
       assert_true(door.turned() > 0.9 && door.turned() < 1.01);

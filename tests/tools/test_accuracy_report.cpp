@@ -321,7 +321,7 @@ static void tolerances_and_effects_are_measured(void**) {
     assert_true(t.ns > 0 && t.width >= 0 && t.width <= 3 * t.tolerance + least);
   }
   const auto path = temporary("effects.csv");
-  std::ofstream(path) << "effect,customers,unit,evaluations_a_step,ns_a_customer,ns_an_evaluation,ms_a_scene,spread_ms,"
+  std::ofstream(path) << "effect,participants,unit,evaluations_a_step,ns_a_participant,ns_an_evaluation,ms_a_scene,spread_ms,"
                          "ms_a_step,ns_alone,spread_alone_ns\n\"drag, air\",10000,bodies,8,350,44,3.5,0.1,9,120,5\n";
   const auto effects = read_effects(path.string());
   std::filesystem::remove(path);

@@ -1,4 +1,4 @@
-// The `carom` command as a person meets it: exit codes, errors that say what to do, `carom check` on liars.
+// The `carom` command as a person meets it: exit codes, errors that say what to do, `carom check` on invalid plugins.
 #include <carom/carom.h>
 
 #include <cstdio>
@@ -16,11 +16,11 @@ Outcome carom(const std::string& arguments, bool errors_too = true) { return run
 
 bool says(const Outcome& o, const std::string& text) { return o.text.find(text) != std::string::npos; }
 
-void liar(const char* name, const char* must_say) {
-  const Outcome o = carom("check " + std::string(CAROM_LIARS) + "/" + name + ".so --seconds 1");
+void invalid_plugin(const char* name, const char* must_say) {
+  const Outcome o = carom("check " + std::string(CAROM_INVALIDS) + "/" + name + ".so --seconds 1");
   if (o.code != 1 || !says(o, must_say)) std::printf("%s: %d\n%s\n", name, o.code, o.text.c_str());
   assert_int_equal(o.code, 1);
-  assert_true(says(o, "DISHONEST"));
+  assert_true(says(o, "INVALID"));
   assert_true(says(o, "what to do"));
   assert_true(says(o, must_say));
 }
@@ -41,7 +41,7 @@ static void errors_exit_nonzero_and_say_what_to_do(void**) {
       {"run falling --n 4 --dial brod_phase=grid", "did you mean 'broad_phase'"},
       {"run falling --n 4 --dial broad_phase=octree", "brute_force, sweep_and_prune, grid, tree"},
       {"run falling --n 4 --dial substeps=0", "what to do"},
-      {"run falling --n 4 --dial direct_blow=1", "it is fixed"},
+      {"run falling --n 4 --dial direct_impact_share=1", "it is fixed"},
       {"run falling --n 4 --gltf motion.obj", ".gltf or .glb"},
       {"run falling --n 4 --gltf /no/such/folder/x.glb", "folder"},
       {"run falling --n 4 --csv /no/such/folder/x.csv", "folder"},
@@ -72,7 +72,7 @@ static void lists_show_every_scene_shape_and_dial(void**) {
   for (const char* name : {"seesaw", "catapult", "bunnies", "particles", "falling"}) assert_true(says(scenes, name));
   for (const char* name : {"sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "hull"})
     assert_true(says(shapes, name));
-  for (const char* name : {"broad_phase", "sweep_and_prune", "gjk_tolerance", "Constants", "direct_blow = 0.1", "facet_tilt = 0.03 rad"}) assert_true(says(dials, name));
+  for (const char* name : {"broad_phase", "sweep_and_prune", "gjk_tolerance", "Constants", "direct_impact_share = 0.1", "facet_tilt = 0.03 rad"}) assert_true(says(dials, name));
 }
 
 static void a_run_reports_itself_as_json_and_csv(void**) {
@@ -125,7 +125,7 @@ static void a_plan_tells_what_runs_for_whom_and_what_is_left_out(void**) {
   };
   const nlohmann::json plain = effects_of("");
   assert_int_equal(plain.size(), CAROM_EFFECT_COUNT);
-  assert_int_equal(plain.at("gravity").at("customers").get<int>(), 8);
+  assert_int_equal(plain.at("gravity").at("participants").get<int>(), 8);
   assert_true(plain.at("gravity").at("evaluations").get<int>() >= 8 * 60);  // 1 s: once a step at least
   assert_true(plain.at("gravity").at("seconds").get<double>() > 0);
   assert_true(plain.at("friction").at("seconds").is_null());  // in the loops of its stage, so by difference
@@ -142,7 +142,7 @@ static void a_plan_tells_what_runs_for_whom_and_what_is_left_out(void**) {
   assert_int_equal(changed.at("gravity").at("wanted").get<int>(), 8);
   assert_int_equal(changed.at("gravity").at("evaluations").get<int>(), 0);
   assert_string_equal(changed.at("drag").at("mode").get<std::string>().c_str(), "forced");
-  assert_int_equal(changed.at("drag").at("customers").get<int>(), 8);
+  assert_int_equal(changed.at("drag").at("participants").get<int>(), 8);
   assert_int_equal(changed.at("drag").at("wanted").get<int>(), 0);
 
   const Outcome text = carom("plan falling --n 8 --forbid gravity");
@@ -166,37 +166,37 @@ static void a_run_shows_its_plan_and_minds_what_is_forbidden_or_forced(void**) {
   assert_string_equal(carom("run falling --n 8 --seconds 0.1 --plan --quiet").text.c_str(), "");
 }
 
-static void honest_plugins_pass_the_check(void**) {
+static void valid_plugins_pass_the_check(void**) {
   for (const char* name : {"sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "hull", "template"}) {
     const Outcome o = carom(std::string("check ") + name);
     if (o.code) std::printf("%s\n", o.text.c_str());
     assert_int_equal(o.code, 0);
-    assert_true(says(o, "honest"));
+    assert_true(says(o, "valid"));
   }
-  assert_int_equal(carom("check " CAROM_LIARS "/honest.so").code, 0);
+  assert_int_equal(carom("check " CAROM_INVALIDS "/valid.so").code, 0);
   assert_int_equal(carom("check box 0.5 2 0.25").code, 0);
 }
 
 static void a_plugin_that_hangs_is_stopped_and_the_direction_named(void**) {
-  liar("hang", "did not come back within 1 s");
-  liar("hang", "direction:  (");
+  invalid_plugin("hang", "did not come back within 1 s");
+  invalid_plugin("hang", "direction:  (");
 }
 
-static void a_plugin_that_crashes_takes_only_the_child_with_it(void**) { liar("crash", "direction:  ("); }
+static void a_plugin_that_crashes_takes_only_the_child_with_it(void**) { invalid_plugin("crash", "direction:  ("); }
 static void a_plugin_that_leaves_the_call_is_told_how(void**) {
-  liar("abort", "it crashed (signal 6: Aborted)");
-  liar("exit", "it ended the process (status 0)");
-  liar("throw", "it threw an exception");
-  for (const char* name : {"abort", "exit", "jump", "throw"}) liar(name, "direction:  (");
+  invalid_plugin("abort", "it crashed (signal 6: Aborted)");
+  invalid_plugin("exit", "it ended the process (status 0)");
+  invalid_plugin("throw", "it threw an exception");
+  for (const char* name : {"abort", "exit", "jump", "throw"}) invalid_plugin(name, "direction:  (");
 }
 
 static void nan_dents_lengths_memory_and_false_declarations_are_caught(void**) {
-  liar("nan", "NaN");
-  liar("dent", "convex");
-  liar("length", "length");
-  liar("rules", "keeps its rules");
-  liar("memory", "second time");
-  liar("declaration", "CAROM_E_DECLARATION_FALSE");
+  invalid_plugin("nan", "NaN");
+  invalid_plugin("dent", "convex");
+  invalid_plugin("length", "length");
+  invalid_plugin("rules", "keeps its rules");
+  invalid_plugin("memory", "second time");
+  invalid_plugin("declaration", "CAROM_E_DECLARATION_FALSE");
 }
 
 int main() {
@@ -208,7 +208,7 @@ int main() {
       cmocka_unit_test(a_run_tells_what_happened_before_what_it_cost),
       cmocka_unit_test(a_plan_tells_what_runs_for_whom_and_what_is_left_out),
       cmocka_unit_test(a_run_shows_its_plan_and_minds_what_is_forbidden_or_forced),
-      cmocka_unit_test(honest_plugins_pass_the_check),
+      cmocka_unit_test(valid_plugins_pass_the_check),
       cmocka_unit_test(a_plugin_that_hangs_is_stopped_and_the_direction_named),
       cmocka_unit_test(a_plugin_that_crashes_takes_only_the_child_with_it),
       cmocka_unit_test(a_plugin_that_leaves_the_call_is_told_how),

@@ -449,7 +449,7 @@ static void other_joints_are_told_by_their_axes(void**) {
   const carom_joint_axis soft = axis(1, CAROM_AXIS_Y), turn = axis(1, CAROM_AXIS_TURN_Y), hard = axis(1, CAROM_AXIS_TURN_Z);
   assert_true(soft.lower == -0.5 && soft.upper == 1e9 && soft.stop_stiffness == 400 && soft.stop_damping == 30);
   assert_true(soft.drive == CAROM_DRIVE_POSITION && soft.drive_gains == CAROM_GAINS_ACCELERATION && soft.target == 1);
-  assert_true(turn.drive_gains == CAROM_GAINS_FORCE && turn.speed == 2 && turn.drive_damping == 5 && turn.most == 7);
+  assert_true(turn.drive_gains == CAROM_GAINS_FORCE && turn.speed == 2 && turn.drive_damping == 5 && turn.max_force == 7);
   assert_true(hard.lower == -0.5 && hard.upper == 0.75 && hard.stop_stiffness == 0);
   const File file(".gltf");  // and so they are written, and read back to the same bits
   write_scene(file.path, r.stage, 1, 0.01);

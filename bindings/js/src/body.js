@@ -130,9 +130,9 @@ export class Joint {
   setLimit(coordinate, lower, upper) {
     this.#set("carom_joint_set_limit", "carom_joint_limit", coordinate, { enabled: 1, lower, upper });
   }
-  /** @param speed m/s or rad/s   @param most N or N m */
-  setMotor(coordinate, speed, most) {
-    this.#set("carom_joint_set_motor", "carom_joint_motor", coordinate, { enabled: 1, speed, most });
+  /** @param speed m/s or rad/s   @param max_force N or N m */
+  setMotor(coordinate, speed, maxForce) {
+    this.#set("carom_joint_set_motor", "carom_joint_motor", coordinate, { enabled: 1, speed, max_force: maxForce });
   }
   setSpring(coordinate, target, frequency, damping = 1) {
     this.#set("carom_joint_set_spring", "carom_joint_spring", coordinate, { enabled: 1, target, frequency, damping });

@@ -207,13 +207,13 @@ export class Engine {
   }
 
   /** A shape plugin of your own, as a side module: see side_module.js.   @returns its id, for shape(id, params)
-   *  @throws TypeError (no side module of a shape), CaromError (the engine refuses it, e.g. as dishonest) */
+   *  @throws TypeError (no side module of a shape), CaromError (the engine refuses it, e.g. as invalid) */
   async loadShape(source) {
     return this.useShape(await bringShape(this.module, source));
   }
 
   /** A shape that carom.bringShape() brought.   @returns its id, for shape(id, params)
-   *  @throws CaromError (the engine refuses it, e.g. as dishonest) */
+   *  @throws CaromError (the engine refuses it, e.g. as invalid) */
   useShape({ pointer }) {
     const m = this.module;
     return this.pluginId(

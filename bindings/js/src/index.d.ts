@@ -169,7 +169,7 @@ export class Joint {
     axis: number[];
   };
   setLimit(coordinate: number, lower: number, upper: number): void;
-  setMotor(coordinate: number, speed: number, most: number): void;
+  setMotor(coordinate: number, speed: number, maxForce: number): void;
   setSpring(coordinate: number, target: number, frequency: number, damping?: number): void;
   destroy(): void;
 }
@@ -241,7 +241,7 @@ export class World {
   plan(): {
     name: string;
     runs: number;
-    customers: bigint;
+    participants: bigint;
     seconds: number;
     reason: string;
     [field: string]: unknown;

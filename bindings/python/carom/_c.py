@@ -28,7 +28,7 @@ CAROM_E_BUFFER_TOO_SMALL = -17
 CAROM_E_PLUGIN_PATH = -18
 CAROM_E_PLUGIN_LOAD = -19
 CAROM_E_PLUGIN_ABI = -20
-CAROM_E_PLUGIN_DISHONEST = -21
+CAROM_E_PLUGIN_INVALID = -21
 CAROM_E_DECLARATION_FALSE = -22
 CAROM_E_NO_VOLUME = -23
 CAROM_E_ALREADY_EXISTS = -24
@@ -380,7 +380,7 @@ class carom_material_desc(Structure):
 class carom_body_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("fields", c_uint32), ("type", c_uint32), ("reserved", c_uint32), ("position", c_double * 3), ("orientation", c_double * 4), ("linear_velocity", c_double * 3), ("angular_velocity", c_double * 3), ("mass", c_double), ("center", c_double * 3), ("inertia", c_double * 9), ("linear_damping", c_double), ("angular_damping", c_double), ("user", c_uint64), ("gravity_factor", c_double), ("locks", c_uint32), ("continuous", c_uint32), ("linear_drag", c_double), ("quadratic_drag", c_double), ("force_field_mask", c_uint32), ("reserved2", c_uint32), ("magnetic_moment", c_double * 3)]
 class carom_attribute_info(Structure):
-    _fields_ = [("struct_size", c_uint32), ("attribute", c_uint32), ("numbers", c_uint32), ("is_whole", c_uint32), ("of_dynamic", c_uint32), ("effect", c_uint32), ("name", c_char_p), ("unit", c_char_p), ("summary", c_char_p), ("least", c_double), ("most", c_double), ("usual", c_double * 4)]
+    _fields_ = [("struct_size", c_uint32), ("attribute", c_uint32), ("numbers", c_uint32), ("is_whole", c_uint32), ("of_dynamic", c_uint32), ("effect", c_uint32), ("name", c_char_p), ("unit", c_char_p), ("summary", c_char_p), ("min", c_double), ("max", c_double), ("usual", c_double * 4)]
 class carom_collider_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("shape", carom_shape), ("material", carom_material), ("position", c_double * 3), ("orientation", c_double * 4), ("density", c_double), ("category", c_uint64), ("mask", c_uint64), ("group", c_int32), ("sensor", c_uint32), ("surface_linear", c_double * 3), ("surface_angular", c_double * 3)]
 class carom_cast_desc(Structure):
@@ -430,15 +430,15 @@ class carom_joint_desc(Structure):
 class carom_joint_limit(Structure):
     _fields_ = [("struct_size", c_uint32), ("enabled", c_uint32), ("lower", c_double), ("upper", c_double)]
 class carom_joint_motor(Structure):
-    _fields_ = [("struct_size", c_uint32), ("enabled", c_uint32), ("speed", c_double), ("most", c_double)]
+    _fields_ = [("struct_size", c_uint32), ("enabled", c_uint32), ("speed", c_double), ("max_force", c_double)]
 class carom_joint_spring(Structure):
-    _fields_ = [("struct_size", c_uint32), ("enabled", c_uint32), ("target", c_double), ("frequency", c_double), ("damping", c_double), ("most", c_double)]
+    _fields_ = [("struct_size", c_uint32), ("enabled", c_uint32), ("target", c_double), ("frequency", c_double), ("damping", c_double), ("max_force", c_double)]
 class carom_joint_transmission(Structure):
     _fields_ = [("struct_size", c_uint32), ("fields", c_uint32), ("ratio", c_double), ("anchor_a", c_double * 3), ("anchor_b", c_double * 3), ("length", c_double)]
 class carom_joint_axis(Structure):
-    _fields_ = [("struct_size", c_uint32), ("mode", c_uint32), ("lower", c_double), ("upper", c_double), ("stop_gains", c_uint32), ("drive_gains", c_uint32), ("spring_gains", c_uint32), ("drive", c_uint32), ("stop_stiffness", c_double), ("stop_damping", c_double), ("target", c_double), ("speed", c_double), ("effort", c_double), ("most", c_double), ("drive_stiffness", c_double), ("drive_damping", c_double), ("rest", c_double), ("spring_stiffness", c_double), ("spring_damping", c_double)]
+    _fields_ = [("struct_size", c_uint32), ("mode", c_uint32), ("lower", c_double), ("upper", c_double), ("stop_gains", c_uint32), ("drive_gains", c_uint32), ("spring_gains", c_uint32), ("drive", c_uint32), ("stop_stiffness", c_double), ("stop_damping", c_double), ("target", c_double), ("speed", c_double), ("effort", c_double), ("max_force", c_double), ("drive_stiffness", c_double), ("drive_damping", c_double), ("rest", c_double), ("spring_stiffness", c_double), ("spring_damping", c_double)]
 class carom_joint_orientation_drive(Structure):
-    _fields_ = [("struct_size", c_uint32), ("drive", c_uint32), ("gains", c_uint32), ("reserved", c_uint32), ("target", c_double * 4), ("velocity", c_double * 3), ("effort", c_double * 3), ("most", c_double * 3), ("stiffness", c_double), ("damping", c_double)]
+    _fields_ = [("struct_size", c_uint32), ("drive", c_uint32), ("gains", c_uint32), ("reserved", c_uint32), ("target", c_double * 4), ("velocity", c_double * 3), ("effort", c_double * 3), ("max_force", c_double * 3), ("stiffness", c_double), ("damping", c_double)]
 class carom_joint_state(Structure):
     _fields_ = [("struct_size", c_uint32), ("broken", c_uint32), ("force", c_double * 3), ("torque", c_double * 3), ("gap", c_double), ("angle", c_double), ("coordinate", c_double * 4), ("axis", c_double * 6)]
 class carom_ledger_entry(Structure):
@@ -448,7 +448,7 @@ class carom_ledger_state(Structure):
 class carom_particles_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("gravity_factor", c_double), ("linear_damping", c_double), ("mass", c_double), ("capacity", c_uint64)]
 class carom_plan_line(Structure):
-    _fields_ = [("effect", c_uint32), ("stage", c_uint32), ("mode", c_uint32), ("runs", c_uint32), ("customers", c_uint64), ("wanted", c_uint64), ("evaluations", c_uint64), ("bytes", c_uint64), ("seconds", c_double), ("timing", c_uint32), ("reserved", c_uint32), ("name", c_char * 32), ("unit", c_char * 24), ("reason", c_char * 128)]
+    _fields_ = [("effect", c_uint32), ("stage", c_uint32), ("mode", c_uint32), ("runs", c_uint32), ("participants", c_uint64), ("wanted", c_uint64), ("evaluations", c_uint64), ("bytes", c_uint64), ("seconds", c_double), ("timing", c_uint32), ("reserved", c_uint32), ("name", c_char * 32), ("unit", c_char * 24), ("reason", c_char * 128)]
 class carom_param(Structure):
     _fields_ = [("name", c_char_p), ("unit", c_char_p), ("min", c_double), ("max", c_double)]
 class carom_param_rule(Structure):

@@ -19,8 +19,8 @@ class AttributeInfo(Record):
     summary: str
     numbers: int
     whole: bool
-    least: float
-    most: float
+    min: float
+    max: float
     usual: tuple[float, ...]
     of_dynamic: bool
     effect: int
@@ -30,14 +30,14 @@ _infos: dict[str, AttributeInfo] = {}
 
 
 def attribute_infos() -> dict[str, AttributeInfo]:
-    """What each attribute is: name, unit, summary, numbers (how many), whole, least, most, usual, effect."""
+    """What each attribute is: name, unit, summary, numbers (how many), whole, min, max, usual, effect."""
     if not _infos:
         for attribute in range(raw.CAROM_ATTRIBUTE_COUNT):
             info = raw.carom_attribute_info(struct_size=ctypes.sizeof(raw.carom_attribute_info))
             check(raw.carom_attribute_get_info, attribute, ctypes.byref(info))
             _infos[info.name.decode()] = AttributeInfo(
                 attribute=attribute, name=info.name.decode(), unit=info.unit.decode(), summary=info.summary.decode(),
-                numbers=info.numbers, whole=bool(info.is_whole), least=info.least, most=info.most,
+                numbers=info.numbers, whole=bool(info.is_whole), min=info.min, max=info.max,
                 usual=tuple(info.usual[:info.numbers]), of_dynamic=bool(info.of_dynamic), effect=info.effect)
     return _infos
 

@@ -101,7 +101,7 @@ class Joint(Thing):
 
     def axis(self, axis: AxisWord | int, **about: Unpack[JointAxisKeywords]) -> JointAxisRecord:
         """Of a six-axis joint. Read what an axis ("x", ..., "turn_z") does, or set it, all of it: mode="free", "locked" or
-        "limited", lower=, upper= (m or rad); drive="position", "velocity" or "effort", with target=, speed=, effort=, most=,
+        "limited", lower=, upper= (m or rad); drive="position", "velocity" or "effort", with target=, speed=, effort=, max_force=,
         drive_stiffness=, drive_damping=; rest=, spring_stiffness=, spring_damping=; stop_stiffness=, stop_damping=; and in what
         those are, stop_gains=, drive_gains=, spring_gains="frequency", "force" or "acceleration"."""
         number, struct = enum("AXIS", axis), raw.carom_joint_axis
@@ -114,7 +114,7 @@ class Joint(Thing):
 
     def orientation_drive(self, **about: Unpack[JointOrientationDriveKeywords]) -> JointOrientationDriveRecord:
         """Of a ball or a six-axis joint. Read the drive to an orientation, or set it: drive="position" with target= (x, y, z, w: B's
-        frame in A's), velocity= (rad/s, A's frame), stiffness=, damping=, gains=; "velocity"; "effort" with effort= (N m); most=."""
+        frame in A's), velocity= (rad/s, A's frame), stiffness=, damping=, gains=; "velocity"; "effort" with effort= (N m); max_force=."""
         struct = raw.carom_joint_orientation_drive
         if about:
             self._call(raw.carom_joint_set_orientation_drive, ctypes.byref(describe(struct, _with_numbers(about))))
@@ -138,9 +138,9 @@ class Joint(Thing):
         return self._part(JointLimitRecord, raw.carom_joint_limit, raw.carom_joint_get_limit, raw.carom_joint_set_limit, coordinate, about)
 
     def motor(self, coordinate: CoordinateWord | int, **about: Unpack[JointMotorKeywords]) -> JointMotorRecord:
-        """Likewise: speed=, m/s or rad/s, most=, N or N m."""
+        """Likewise: speed=, m/s or rad/s, max_force=, N or N m."""
         return self._part(JointMotorRecord, raw.carom_joint_motor, raw.carom_joint_get_motor, raw.carom_joint_set_motor, coordinate, about)
 
     def spring(self, coordinate: CoordinateWord | int, **about: Unpack[JointSpringKeywords]) -> JointSpringRecord:
-        """Likewise: target=, frequency=, Hz, damping=, ratio, most=."""
+        """Likewise: target=, frequency=, Hz, damping=, ratio, max_force=."""
         return self._part(JointSpringRecord, raw.carom_joint_spring, raw.carom_joint_get_spring, raw.carom_joint_set_spring, coordinate, about)

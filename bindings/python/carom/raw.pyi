@@ -35,7 +35,7 @@ CAROM_E_BUFFER_TOO_SMALL: int
 CAROM_E_PLUGIN_PATH: int
 CAROM_E_PLUGIN_LOAD: int
 CAROM_E_PLUGIN_ABI: int
-CAROM_E_PLUGIN_DISHONEST: int
+CAROM_E_PLUGIN_INVALID: int
 CAROM_E_DECLARATION_FALSE: int
 CAROM_E_NO_VOLUME: int
 CAROM_E_ALREADY_EXISTS: int
@@ -442,8 +442,8 @@ class carom_attribute_info(ctypes.Structure):
     name: Any
     unit: Any
     summary: Any
-    least: float
-    most: float
+    min: float
+    max: float
     usual: Any
 class carom_collider_desc(ctypes.Structure):
     """A shape on a body. Fill with carom_collider_desc_init()."""
@@ -713,16 +713,17 @@ class carom_joint_motor(ctypes.Structure):
     struct_size: int
     enabled: int
     speed: float
-    most: float
+    max_force: float
 class carom_joint_spring(ctypes.Structure):
-    """A coordinate pulled towards a place: a spring, or a motor that holds a position. With x the stretch, w = 2 pi frequency
-    and m what the joint's bodies weigh along the coordinate were they alone: force = -m (w^2 x + 2 damping w x')."""
+    """A coordinate pulled towards a place: a spring, or a motor that holds a position. With x the stretch, w = 2 pi
+    frequency and m what the joint's bodies weigh along the coordinate were they alone: force = -m (w^2 x + 2 damping w
+    x')."""
     struct_size: int
     enabled: int
     target: float
     frequency: float
     damping: float
-    most: float
+    max_force: float
 class carom_joint_transmission(ctypes.Structure):
     """By what a pulley or a gear turns the motion of A into that of B. Fill with carom_joint_transmission_init()."""
     struct_size: int
@@ -732,8 +733,8 @@ class carom_joint_transmission(ctypes.Structure):
     anchor_b: Any
     length: float
 class carom_joint_axis(ctypes.Structure):
-    """What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside each other; of
-    what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it."""
+    """What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
+    each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it."""
     struct_size: int
     mode: int
     lower: float
@@ -747,17 +748,17 @@ class carom_joint_axis(ctypes.Structure):
     target: float
     speed: float
     effort: float
-    most: float
+    max_force: float
     drive_stiffness: float
     drive_damping: float
     rest: float
     spring_stiffness: float
     spring_damping: float
 class carom_joint_orientation_drive(ctypes.Structure):
-    """A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is locked (else
-    it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's frame is, its torque is
-    stiffness (-e) + damping (velocity - omega), about each of A's axes `most` at most. Fill with
-    carom_joint_orientation_drive_init()."""
+    """A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is
+    locked (else it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's
+    frame is, its torque is stiffness (-e) + damping (velocity - omega), about each of A's axes `max_force` at most. Fill
+    with carom_joint_orientation_drive_init()."""
     struct_size: int
     drive: int
     gains: int
@@ -765,7 +766,7 @@ class carom_joint_orientation_drive(ctypes.Structure):
     target: Any
     velocity: Any
     effort: Any
-    most: Any
+    max_force: Any
     stiffness: float
     damping: float
 class carom_joint_state(ctypes.Structure):
@@ -827,7 +828,7 @@ class carom_plan_line(ctypes.Structure):
     stage: int
     mode: int
     runs: int
-    customers: int
+    participants: int
     wanted: int
     evaluations: int
     bytes: int
@@ -1327,7 +1328,7 @@ def carom_body_create_named(world: Any, type: Any, name: Any, params: Any, count
     Where a part of it fails nothing has changed, but for a plugin that was loaded.
     @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
-            PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY"""
+            PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_collider_destroy(world: Any, collider: Any, error: Any) -> int:
     """@status OK; *_HANDLE; BUSY; REENTRANT"""
@@ -1487,7 +1488,7 @@ def carom_plugin_load(engine: Any, path: Any, plugin: Any, error: Any) -> int:
     """Load a shape plugin from a shared object. @param path absolute.
     The plugin is checked before anything is called, then asked for supports in 256 directions with parameters that the
     bounds allow. Loading the same path twice is ALREADY_EXISTS.
-    @status OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_DISHONEST; ALREADY_EXISTS; OUT_OF_MEMORY
+    @status OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; ALREADY_EXISTS; OUT_OF_MEMORY
     @thread any, also while worlds step"""
     ...
 def carom_plugin_register(engine: Any, description: Any, plugin: Any, error: Any) -> int:
@@ -1666,16 +1667,17 @@ def carom_joint_transmission_init(transmission: Any, struct_size: Any) -> int:
     """Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_joint_axis_init(axis: Any, struct_size: Any) -> int:
-    """Free, without drive and spring, `most` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
+    """Free, without drive and spring, `max_force` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_joint_orientation_drive_init(drive: Any, struct_size: Any) -> int:
     """No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_joint_create(world: Any, desc: Any, joint: Any, error: Any) -> int:
     """Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
-            NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a body's origin or
-            8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
+    NOT_UNIT; NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
+    body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT;
+    OUT_OF_MEMORY"""
     ...
 def carom_joint_destroy(world: Any, joint: Any, error: Any) -> int:
     """@status OK; *_HANDLE; BUSY; REENTRANT"""
@@ -1690,20 +1692,20 @@ def carom_joint_get_state(world: Any, joint: Any, state: Any, error: Any) -> int
 def carom_joint_set_limit(world: Any, joint: Any, coordinate: Any, limit: Any, error: Any) -> int:
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
-            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
+    limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_set_motor(world: Any, joint: Any, coordinate: Any, motor: Any, error: Any) -> int:
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
-            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
+    limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_set_spring(world: Any, joint: Any, coordinate: Any, spring: Any, error: Any) -> int:
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
-            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
+    limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_get_limit(world: Any, joint: Any, coordinate: Any, limit: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY"""
@@ -1715,28 +1717,29 @@ def carom_joint_get_spring(world: Any, joint: Any, coordinate: Any, spring: Any,
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
-    """Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a pulley's
-    distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they may turn: turns
-    are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in one; a pose that the
-    host sets between steps is no turn.
-    Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and under the
-    direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE; NOT_FINITE;
-            OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT"""
+    """Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a
+    pulley's distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they
+    may turn: turns are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in
+    one; a pose that the host sets between steps is no turn. Accuracy: second order in the substep, as all joints; the
+    rope's length errs by what joint_frequency leaves, and under the direct solver by 1e-9 m; a gear's angles err by
+    rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE;
+    NOT_FINITE; OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT"""
     ...
 def carom_joint_get_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
     """@param transmission out: as it was set, with its length; ratio 0: not yet
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_axis(world: Any, joint: Any, axis: Any, desc: Any, error: Any) -> int:
-    """Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its drives; springs
-    and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
-    Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the frequency and
-    b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their amplitude and fade slower by
-    b h of their rate; at rest they sag by load / stiffness, to rounding where one joint bears all, in first order where soft_step
-    sweeps over several. A drive to a velocity holds that of the middle of a substep under the direct solver, and one with a damping
-    alone does under any: what a step ends with differs by what the load does in h / 2. Forces of drives are met to rounding.
-    Oracle: tests/oracle/test_six_axis, test_six_axis_scenes.
+    """Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its
+    drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
+    Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
+    frequency and b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their
+    amplitude and fade slower by b h of their rate; at rest they sag by load / stiffness, to rounding where one joint
+    bears all, in first order where soft_step sweeps over several. A drive to a velocity holds that of the middle of a
+    substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
+    the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
+    test_six_axis_scenes.
     @param axis CAROM_AXIS_*
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
             *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
@@ -1746,11 +1749,11 @@ def carom_joint_get_axis(world: Any, joint: Any, axis: Any, desc: Any, error: An
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_orientation_drive(world: Any, joint: Any, drive: Any, error: Any) -> int:
-    """Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect joint_motors.
-    Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls it ends at the target to
-    rounding. Oracle: tests/oracle/test_six_axis.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer field; a
-            reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT"""
+    """Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect
+    joint_motors. Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls
+    it ends at the target to rounding. Oracle: tests/oracle/test_six_axis.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer
+    field; a reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_get_orientation_drive(world: Any, joint: Any, drive: Any, error: Any) -> int:
     """@param drive out: as it was set
@@ -1763,7 +1766,8 @@ def carom_world_read_joints(world: Any, field: Any, scalar: Any, joints: Any, n:
     @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
     @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
     @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY"""
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
+    BUSY"""
     ...
 def carom_world_get_joints(world: Any, joints: Any, capacity: Any, count: Any, error: Any) -> int:
     """Number of joints, and their handles in creation order of the slots.
@@ -1961,7 +1965,7 @@ def carom_shape_create(engine: Any, plugin: Any, params: Any, count: Any, shape:
     """Make a shape. The parameters are copied. The support function is checked for these parameters (finite, repeatable,
     scale-free, samples in convex position), declarations are verified, and AABB and mass properties derived.
     @param params [count] doubles, meaning as the plugin documents
-    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which); PLUGIN_DISHONEST;
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which); PLUGIN_INVALID;
             DECLARATION_FALSE; OUT_OF_MEMORY
     @thread any, also while worlds step"""
     ...
@@ -1972,7 +1976,7 @@ def carom_shape_create_named(engine: Any, name: Any, params: Any, count: Any, sh
     is built in: normal x, y, z, offset.
     @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
     @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE; PLUGIN_PATH;
-            PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_DISHONEST; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
+            PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
     @thread any, also while worlds step"""
     ...
 def carom_shape_create_half_space(engine: Any, normal: Any, offset: Any, shape: Any, error: Any) -> int:
@@ -1994,7 +1998,7 @@ def carom_shape_support(engine: Any, shape: Any, dirs: Any, n: Any, points: Any,
     """Support points of the whole shape, core radius included, for n directions at once.
     @param dirs [3n] nonzero, any length, shape frame   @param points [3n] m, shape frame
     @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a zero direction); UNSUPPORTED (half-space,
-            scenery); PLUGIN_DISHONEST (the support function failed; the points before are written)"""
+            scenery); PLUGIN_INVALID (the support function failed; the points before are written)"""
     ...
 def carom_world_save(world: Any, flags: Any, buffer: Any, capacity: Any, needed: Any, error: Any) -> int:
     """Write a snapshot, between steps. Reads only: other readers may be at work.

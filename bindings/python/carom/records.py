@@ -203,7 +203,7 @@ class JointAxisRecord(Record):
     target: float
     speed: float
     effort: float
-    most: float
+    max_force: float
     drive_stiffness: float
     drive_damping: float
     rest: float
@@ -218,7 +218,7 @@ class JointOrientationDriveRecord(Record):
     target: tuple[float, float, float, float]
     velocity: tuple[float, float, float]
     effort: tuple[float, float, float]
-    most: tuple[float, float, float]
+    max_force: tuple[float, float, float]
     stiffness: float
     damping: float
 
@@ -234,7 +234,7 @@ class JointMotorRecord(Record):
     """A coordinate driven at a speed"""
     enabled: bool
     speed: float
-    most: float
+    max_force: float
 
 
 class JointSpringRecord(Record):
@@ -243,7 +243,7 @@ class JointSpringRecord(Record):
     target: float
     frequency: float
     damping: float
-    most: float
+    max_force: float
 
 
 class ShapeInfoRecord(Record):
@@ -474,7 +474,7 @@ class PlanLineRecord(Record):
     stage: int
     mode: str
     runs: bool
-    customers: int
+    participants: int
     wanted: int
     evaluations: int
     bytes: int
@@ -617,7 +617,7 @@ class JointAxisKeywords(TypedDict, total=False):
     target: float | None
     speed: float | None
     effort: float | None
-    most: float | None
+    max_force: float | None
     drive_stiffness: float | None
     drive_damping: float | None
     rest: float | None
@@ -631,7 +631,7 @@ class JointOrientationDriveKeywords(TypedDict, total=False):
     target: Vector | None
     velocity: Vector | None
     effort: Vector | None
-    most: Vector | None
+    max_force: Vector | None
     stiffness: float | None
     damping: float | None
 
@@ -645,7 +645,7 @@ class JointLimitKeywords(TypedDict, total=False):
 class JointMotorKeywords(TypedDict, total=False):
     enabled: bool
     speed: float | None
-    most: float | None
+    max_force: float | None
 
 
 class JointSpringKeywords(TypedDict, total=False):
@@ -653,7 +653,7 @@ class JointSpringKeywords(TypedDict, total=False):
     target: float | None
     frequency: float | None
     damping: float | None
-    most: float | None
+    max_force: float | None
 
 
 class CastKeywords(TypedDict, total=False):

@@ -129,7 +129,7 @@ class Reports:
     # ---- which effects run, for whom, why ----
 
     def plan(self) -> list[PlanLineRecord]:
-        """Stages, then effects: name, runs, customers, reason, seconds, ..."""
+        """Stages, then effects: name, runs, participants, reason, seconds, ..."""
         lines = copy_out(self._call, raw.carom_world_get_plan, raw.carom_plan_line)
         return [record(PlanLineRecord, line, runs=bool(line.runs), mode=word("MODE", line.mode, MODES),
                        effect=None if line.effect == raw.CAROM_PLAN_NO_EFFECT else line.effect) for line in lines]

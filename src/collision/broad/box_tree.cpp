@@ -50,27 +50,27 @@ void BoxTree::Node::cut(std::uint32_t kept) {
   constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
   for (std::uint32_t lane = kept; lane < kWidth; ++lane) {
     for (int k = 0; k < 3; ++k) lo[k][lane] = hi[k][lane] = none;
-    child[lane] = kNone;
+    child[lane] = kInvalid;
   }
 }
 
 void BoxTree::clear() {
   nodes_.clear();
-  std::fill(place_.begin(), place_.end(), kNone);
-  root_ = free_ = kNone;
+  std::fill(place_.begin(), place_.end(), kInvalid);
+  root_ = free_ = kInvalid;
   size_ = 0;
   sampled_ = 0, sample_ = waste_ = 0;
 }
 
 std::uint32_t BoxTree::take_node(std::uint32_t height) {
   std::uint32_t node = free_;
-  if (node == kNone) {
+  if (node == kInvalid) {
     node = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
   } else {
     free_ = nodes_[node].parent;
   }
-  nodes_[node].parent = kNone;
+  nodes_[node].parent = kInvalid;
   nodes_[node].height = height;
   nodes_[node].cut(0);
   return node;
@@ -148,7 +148,7 @@ void BoxTree::part(std::uint32_t node, Item* first, std::size_t count, std::size
 std::size_t BoxTree::insert(std::uint32_t leaf, const Aabb& box) {
   ++size_;
   make_room();
-  if (root_ == kNone) root_ = take_node(0);
+  if (root_ == kInvalid) root_ = take_node(0);
   std::uint32_t node = root_;
   while (nodes_[node].height > 0) {
     Node& here = nodes_[node];
@@ -173,7 +173,7 @@ void BoxTree::add(std::uint32_t node, const Aabb& box, std::uint32_t child) {
     const std::uint32_t sibling = split(node, its, child), height = nodes_[node].height;
     std::uint32_t parent = nodes_[node].parent;
     its = nodes_[sibling].all();
-    if (parent == kNone) {
+    if (parent == kInvalid) {
       root_ = take_node(height + 1);
       parent = at(root_, nodes_[root_].count++);
     }
@@ -216,7 +216,7 @@ std::uint32_t BoxTree::split(std::uint32_t node, const Aabb& box, std::uint32_t 
 
 void BoxTree::remove(std::uint32_t leaf) {
   const std::uint32_t place = place_[leaf];
-  place_[leaf] = kNone;
+  place_[leaf] = kInvalid;
   --size_;
   drop(place);
 }
@@ -227,8 +227,8 @@ void BoxTree::drop(std::uint32_t place) {
   while (nodes_[node].count == 1) {
     const std::uint32_t above = nodes_[node].parent;
     free_node(node);
-    if (above == kNone) {
-      root_ = kNone;
+    if (above == kInvalid) {
+      root_ = kInvalid;
       return;
     }
     node = above / kWidth, lane = above % kWidth;
@@ -244,14 +244,14 @@ void BoxTree::drop(std::uint32_t place) {
   while (nodes_[root_].count == 1 && nodes_[root_].height > 0) {
     const std::uint32_t only = nodes_[root_].child[0];
     free_node(root_);
-    nodes_[only].parent = kNone;
+    nodes_[only].parent = kInvalid;
     root_ = only;
   }
 }
 
 /// Bring what spans a node up to date, up to where nothing changes.
 void BoxTree::refit(std::uint32_t node) {
-  for (std::uint32_t up = nodes_[node].parent; up != kNone; up = nodes_[node].parent) {
+  for (std::uint32_t up = nodes_[node].parent; up != kInvalid; up = nodes_[node].parent) {
     const Aabb all = nodes_[node].all(), old = nodes_[up / kWidth].box(up % kWidth);
     if (all.lo == old.lo && all.hi == old.hi) return;
     nodes_[up / kWidth].put(up % kWidth, all, node);

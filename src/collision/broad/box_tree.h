@@ -4,6 +4,7 @@
 #include <array>
 
 #include "collision/broad/bounds.h"
+#include "core/invalid.h"
 
 namespace carom::collision {
 
@@ -18,7 +19,7 @@ class BoxTree {
 
   /// Leaves may from here on be numbered below `leaves`.
   void grow(std::size_t leaves) {
-    if (place_.size() < leaves) place_.resize(leaves, kNone);
+    if (place_.size() < leaves) place_.resize(leaves, kInvalid);
   }
   void clear();
   std::size_t size() const { return size_; }
@@ -54,14 +55,13 @@ class BoxTree {
   std::uint64_t each_pair(Found&& found);
 
  private:
-  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   static constexpr std::uint32_t kWidth = 4;
   static constexpr int kSample = 64;
 
   struct alignas(64) Node {
     Real lo[3][kWidth], hi[3][kWidth];  // m; NaN beyond `count`, which overlaps nothing, not even all of space
     std::uint32_t child[kWidth];        // nodes; leaves at height 0
-    std::uint32_t parent;               // place in it, @see at(); kNone at the root; the next free one in a free node
+    std::uint32_t parent;               // place in it, @see at(); kInvalid at the root; the next free one in a free node
     std::uint32_t count, height;
 
     Aabb box(std::uint32_t lane) const;
@@ -116,10 +116,10 @@ class BoxTree {
   void part(std::uint32_t node, Item* first, std::size_t count, std::size_t parts, const Array<Aabb>& boxes);
 
   Array<Node> nodes_;
-  Array<std::uint32_t> place_;                   // by leaf: where it is, or kNone
+  Array<std::uint32_t> place_;                   // by leaf: where it is, or kInvalid
   Array<Item> items_;                            // while building
   std::array<Array<std::uint32_t>, 2> reached_;  // [leaves + 4] of a query: nodes of one level, then of the next
-  std::uint32_t root_ = kNone, free_ = kNone;
+  std::uint32_t root_ = kInvalid, free_ = kInvalid;
   std::size_t size_ = 0;
   int sampled_ = 0;  // queries, of the first kSample since build()
   Real sample_ = 0;  // boxes that they compared, in the mean
@@ -128,7 +128,7 @@ class BoxTree {
 
 template <class Found>
 std::uint64_t BoxTree::query(const Aabb& box, Found&& found) {
-  if (root_ == kNone) return 0;
+  if (root_ == kInvalid) return 0;
   const Held held(box);
   const Node* const nodes = nodes_.data();
   std::uint32_t *here = reached_[0].data(), *below = reached_[1].data();
@@ -153,15 +153,15 @@ std::uint64_t BoxTree::query(const Aabb& box, Found&& found) {
 /// lowest node look for others together, down to the lowest nodes that what they span overlaps.
 template <class Found>
 std::uint64_t BoxTree::each_pair(Found&& found) {
-  if (root_ == kNone) return 0;
+  if (root_ == kInvalid) return 0;
   const Node* const nodes = nodes_.data();
   std::uint64_t tests = 0;
   const auto later = [](std::uint32_t place) { return ~1u << place % kWidth; };
   for (std::uint32_t leaf = 0; leaf < place_.size(); ++leaf) {
-    if (place_[leaf] == kNone || place_[leaf] % kWidth != 0) continue;  // once for each lowest node
+    if (place_[leaf] == kInvalid || place_[leaf] % kWidth != 0) continue;  // once for each lowest node
     const std::uint32_t own = place_[leaf] / kWidth;
     std::array<std::uint32_t, 128> way;  // by height: the place of what it is below
-    for (std::uint32_t p = nodes[own].parent; p != kNone; p = nodes[p / kWidth].parent)
+    for (std::uint32_t p = nodes[own].parent; p != kInvalid; p = nodes[p / kWidth].parent)
       way[nodes[p / kWidth].height] = p;
     const Held all(nodes[own].all());
     std::uint32_t *here = reached_[0].data(), *below = reached_[1].data();

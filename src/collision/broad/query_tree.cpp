@@ -28,7 +28,7 @@ Real twice_centre(const Aabb& box, int axis) { return box.lo[axis] + box.hi[axis
 
 void QueryTree::clear() {
   nodes_.clear();
-  std::fill(place_.begin(), place_.end(), kNone);
+  std::fill(place_.begin(), place_.end(), kInvalid);
   dirty_.clear();
   size_ = built_size_ = 0;
   cost_ = built_cost_ = 0;
@@ -57,7 +57,7 @@ void QueryTree::vacate(Node& node, std::uint32_t lane) {
   for (std::uint32_t k = 0; k < 6; ++k)
     node.planes[4 * k + lane] =
         k < 3 ? std::numeric_limits<float>::infinity() : -std::numeric_limits<float>::infinity();
-  node.child[lane] = kNone;
+  node.child[lane] = kInvalid;
 }
 
 /// Of what its children span; 0 of none.
@@ -73,7 +73,7 @@ float QueryTree::surface(const Node& node) {
 
 void QueryTree::build(const Array<std::uint32_t>& leaves, const Array<Aabb>& boxes) {
   clear();
-  if (place_.size() < boxes.size()) place_.resize(boxes.size(), kNone);
+  if (place_.size() < boxes.size()) place_.resize(boxes.size(), kInvalid);
   if (leaves.empty()) return;
   items_.clear();
   items_.reserve(leaves.size());
@@ -88,13 +88,13 @@ void QueryTree::build(const Array<std::uint32_t>& leaves, const Array<Aabb>& box
     origin_[k] = *middle;
   }
   nodes_.reserve(leaves.size() / 2 + 1);
-  fill(kNone, items_.data(), items_.size(), 0);
+  fill(kInvalid, items_.data(), items_.size(), 0);
   size_ = built_size_ = leaves.size();
   dirty_.reserve(nodes_.size());
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     const Node& node = nodes_[i];
     cost_ += static_cast<Real>(surface(node));
-    if (node.parent != kNone) put_all(nodes_[node.parent / kWidth], node.parent % kWidth, node);
+    if (node.parent != kInvalid) put_all(nodes_[node.parent / kWidth], node.parent % kWidth, node);
   }
   built_cost_ = cost_;
 }
@@ -208,7 +208,7 @@ void QueryTree::set(std::uint32_t leaf, const Aabb& box) {
 void QueryTree::remove(std::uint32_t leaf) {
   vacate(nodes_[place_[leaf] / kWidth], place_[leaf] % kWidth);
   note(place_[leaf] / kWidth);
-  place_[leaf] = kNone;
+  place_[leaf] = kInvalid;
   --size_;
 }
 
@@ -231,7 +231,7 @@ void QueryTree::refit() {
 void QueryTree::climb() {
   for (std::uint32_t at : dirty_) {
     nodes_[at].dirty = 0;
-    for (std::uint32_t place = nodes_[at].parent; place != kNone; at = place / kWidth, place = nodes_[at].parent) {
+    for (std::uint32_t place = nodes_[at].parent; place != kInvalid; at = place / kWidth, place = nodes_[at].parent) {
       Node& above = nodes_[place / kWidth];
       const Node before = above;
       put_all(above, place % kWidth, nodes_[at]);
@@ -246,7 +246,7 @@ void QueryTree::sweep() {
   cost_ = 0;
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
-    if (node.dirty && node.parent != kNone) {
+    if (node.dirty && node.parent != kInvalid) {
       Node& above = nodes_[node.parent / kWidth];
       put_all(above, node.parent % kWidth, node);
       above.dirty = 1;

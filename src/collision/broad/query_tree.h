@@ -6,6 +6,7 @@
 #include <cfloat>
 
 #include "collision/broad/bounds.h"
+#include "core/invalid.h"
 #include "core/four.h"
 
 namespace carom::collision {
@@ -24,7 +25,7 @@ class QueryTree {
   /// Replace all leaves.
   /// @param boxes  by leaf; finite, not empty
   void build(const Array<std::uint32_t>& leaves, const Array<Aabb>& boxes);
-  bool has(std::uint32_t leaf) const { return leaf < place_.size() && place_[leaf] != kNone; }
+  bool has(std::uint32_t leaf) const { return leaf < place_.size() && place_[leaf] != kInvalid; }
   /// A leaf's box becomes another one. Its ancestors follow with refit().
   void set(std::uint32_t leaf, const Aabb& box);
   void remove(std::uint32_t leaf);
@@ -81,7 +82,7 @@ class QueryTree {
   }
 
  private:
-  static constexpr std::uint32_t kNone = 0xFFFFFFFFu, kLeaf = 0x80000000u;
+  static constexpr std::uint32_t kLeaf = 0x80000000u;
   static constexpr std::uint32_t kWidth = 4;
   /// Of a coordinate and an offset, in units of them. A plane as seen from a line's start is off by 1 u for each of the
   /// two as they are rounded, and the way to it by 3 u of their difference: 4 u (|plane| + |start|), u = 2^-24.
@@ -95,7 +96,7 @@ class QueryTree {
   struct alignas(64) Node {
     float planes[24];  // lo x y z of four, hi x y z of four; +inf and -inf in an empty lane
     std::uint32_t child[kWidth];
-    std::uint32_t parent;  // place: node * kWidth + lane; kNone at the root
+    std::uint32_t parent;  // place: node * kWidth + lane; kInvalid at the root
     std::uint32_t dirty;
     std::uint32_t spare[2];
   };
@@ -114,7 +115,7 @@ class QueryTree {
   static float surface(const Node& node);
 
   Array<Node> nodes_;           // parents before children
-  Array<std::uint32_t> place_;  // by leaf, or kNone
+  Array<std::uint32_t> place_;  // by leaf, or kInvalid
   Array<Item> items_;           // while building
   Array<std::uint32_t> dirty_;  // nodes of which a leaf changed
   Vec3 origin_ = Vec3::zero();  // m

@@ -6,7 +6,7 @@
 // themselves. So the answer never depends on a fat box, nor on what the trees look like.
 //
 // What can move has one tree, what cannot another, and nobody of the second is asked about unless it changes. Unbounded
-// boxes (half-spaces) are in no tree, whose boxes they would all blow up; they are few, and compared with who moved.
+// boxes (half-spaces) are in no tree, whose boxes they would make far too large; they are few, and compared with who moved.
 // Where more than a share of a tree's leaves changed, it is built afresh rather than edited leaf by leaf; so it is
 // when a leaf ended too deep, or queries cost more than those after the last time by what building costs. A step costs
 // at most O(n log n), the queries apart, however boxes lie.
@@ -50,7 +50,7 @@ class Tree final : public BroadPhase {
     whole_ = false;  // stays so if an allocation fails half-way: the next call starts afresh
     grow(table.slots());
     fat_.begin_call();
-    const bool muted = take_in(table);
+    const bool disabled = take_in(table);
     if (!asked_.empty() || !gone_.empty() || !shrunk_.empty()) {
       settle(table);
       if (2 * asked_.size() > live_.size()) {
@@ -67,7 +67,7 @@ class Tree final : public BroadPhase {
     } else {
       filter(table, pairs);
     }
-    if (muted) std::erase_if(pairs, [&](const Pair& q) { return table.muted[q.a] | table.muted[q.b]; });
+    if (disabled) std::erase_if(pairs, [&](const Pair& q) { return table.disabled[q.a] | table.disabled[q.b]; });
     whole_ = true;
   }
 
@@ -119,7 +119,7 @@ class Tree final : public BroadPhase {
 
   /// Compare the table with what is known of it: who is new, changed, has left its fat box (asked_), is gone (gone_),
   /// or may have a smaller one (shrunk_).
-  /// @return whether anybody is muted
+  /// @return whether anybody is disabled
   bool take_in(const Colliders& table) {
     asked_.clear(), gone_.clear(), shrunk_.clear();
     if (!std::equal(table.active.begin(), table.active.end(), live_.begin(), live_.end())) {
@@ -131,9 +131,9 @@ class Tree final : public BroadPhase {
       live_.assign(table.active.begin(), table.active.end());
     }
     senses_ = !table.sensor.empty();
-    std::uint8_t muted = 0;
+    std::uint8_t disabled = 0;
     for (const std::uint32_t slot : live_) {
-      muted |= table.muted[slot];
+      disabled |= table.disabled[slot];
       if (owner_[slot] == owner(table, slot) && holds(fat_.of[slot], table.bounds[slot])) continue;
       if (is_empty(table.bounds[slot]))
         leave(slot);
@@ -143,7 +143,7 @@ class Tree final : public BroadPhase {
     for (std::size_t i = fat_.calls() % FatBoxes::kReview; i < live_.size(); i += FatBoxes::kReview)
       if (kind_[live_[i]] == moving && !changed_[live_[i]] && fat_.bloated(table.bounds[live_[i]], live_[i]))
         shrunk_.push_back(live_[i]), changed_[live_[i]] = kShrunk;
-    return muted;
+    return disabled;
   }
 
   void ask(std::uint32_t slot) { asked_.push_back(slot), changed_[slot] = kVoid; }

@@ -13,7 +13,7 @@ namespace carom::collision::line {
 struct Request {
   Real radius = 0;          // of the ball added to the set
   Real rounding = 0;        // error of a support value
-  Real slack = 0;           // by more than this no honest support function contradicts itself
+  Real slack = 0;           // by more than this no valid support function contradicts itself
   Real start = -kInfinity;  // the stretch of the line that matters: elsewhere no narrow bracket is needed, only the
   Real stop = kInfinity;    // knowledge that it is elsewhere
   Real width = 0;           // of the bracket wanted

@@ -45,7 +45,7 @@ bool cut(const Outline& o, Real x0, Real y0, Real x1, Real y1, Real tolerance, C
 
 class Cutter {
  public:
-  Cutter(const Outline& a, const Outline& b, Real tolerance, Meetings& out)
+  Cutter(const Outline& a, const Outline& b, Real tolerance, ClippedVertices& out)
       : a_(a), b_(b), tolerance_(tolerance), out_(out) {}
 
   void run() {
@@ -122,7 +122,7 @@ class Cutter {
 
   const Outline &a_, &b_;
   Real tolerance_;
-  Meetings& out_;
+  ClippedVertices& out_;
 };
 
 }  // namespace
@@ -136,7 +136,7 @@ void Outline::close() {
   }
 }
 
-void Meetings::add(const Meeting& m, Real separation, Real same) {
+void ClippedVertices::add(const ClippedVertex& m, Real separation, Real same) {
   for (int i = 0; i < count; ++i) {
     const Real dx = at[i].x - m.x, dy = at[i].y - m.y;
     if (dx * dx + dy * dy <= 4 * same * same) return;
@@ -146,12 +146,12 @@ void Meetings::add(const Meeting& m, Real separation, Real same) {
   at[count++] = m;
 }
 
-void Meetings::thin() {
+void ClippedVertices::thin() {
   constexpr Real kWay[4][2] = {{1, 0}, {0.7071, 0.7071}, {0, 1}, {-0.7071, 0.7071}};  // and their opposites
   bool keep[kMax] = {};
   keep[std::min_element(separation_, separation_ + count) - separation_] = true;
   for (const auto& way : kWay) {
-    const auto less = [&](const Meeting& p, const Meeting& q) {
+    const auto less = [&](const ClippedVertex& p, const ClippedVertex& q) {
       return p.x * way[0] + p.y * way[1] < q.x * way[0] + q.y * way[1];
     };
     const auto ends = std::minmax_element(at, at + count, less);
@@ -163,7 +163,7 @@ void Meetings::thin() {
   count = n;
 }
 
-void cut_outlines(const Outline& a, const Outline& b, Real tolerance, Meetings& out) {
+void cut_outlines(const Outline& a, const Outline& b, Real tolerance, ClippedVertices& out) {
   Cutter(a, b, tolerance, out).run();
 }
 

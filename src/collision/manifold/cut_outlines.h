@@ -21,22 +21,22 @@ struct Outline {
 };
 
 /// One corner of the overlap.
-struct Meeting {
+struct ClippedVertex {
   Real x, y;              // m
   std::uint32_t feature;  // which corners or sides met; 0: unknown
 };
 
 /// Receives the corners of an overlap, any number.
-class Meetings {
+class ClippedVertices {
  public:
   static constexpr int kMax = 16;
   int count = 0;
-  Meeting at[kMax];
+  ClippedVertex at[kMax];
 
   /// Add a corner unless it is there already (within 2 `same`); when the room is full, corners that no direction of
   /// eight singles out, nor the least separation, make place.
   /// @param separation  m
-  void add(const Meeting& m, Real separation, Real same);
+  void add(const ClippedVertex& m, Real separation, Real same);
 
  private:
   void thin();
@@ -46,6 +46,6 @@ class Meetings {
 /// Corners of the overlap of two outlines. Empty if they pass by each other; a line and a line give the place where
 /// they cross, or, within 0.03 rad of parallel, the two ends of what they share.
 /// @param tolerance  m: a corner this far outside still counts as inside, and corners this close are one
-void cut_outlines(const Outline& a, const Outline& b, Real tolerance, Meetings& out);
+void cut_outlines(const Outline& a, const Outline& b, Real tolerance, ClippedVertices& out);
 
 }  // namespace carom::collision

@@ -176,10 +176,10 @@ class Patch {
     outline(b_, b_in_a_, true, b);
     const Real tolerance =
         std::max(1e-9 * size_, 16 * kUnitRoundoff * (b_in_a_.p.abs().sum() + size_of_both())) + terms_.tolerance;
-    Meetings met;
+    ClippedVertices met;
     cut_outlines(a, b, tolerance, met);
     for (int i = 0; i < met.count; ++i) {
-      const Meeting& m = met.at[i];
+      const ClippedVertex& m = met.at[i];
       const Vec3 foot = origin_ + m.x * u_ + m.y * v_;
       add(foot + a.z(m.x, m.y) * n_, foot + b.z(m.x, m.y) * n_, m.feature);
     }
@@ -216,9 +216,9 @@ class Patch {
   bool nearest_used_ = false;
   Vec3 origin_, u_, v_;
   int count_ = 0;
-  ContactPoint point_[Meetings::kMax + 1];
+  ContactPoint point_[ClippedVertices::kMax + 1];
 };
-static_assert(Meetings::kMax + 1 <= Pool::kMax && Meetings::kMax + 1 == PatchPoints::kMax);
+static_assert(ClippedVertices::kMax + 1 <= Pool::kMax && ClippedVertices::kMax + 1 == PatchPoints::kMax);
 
 }  // namespace
 

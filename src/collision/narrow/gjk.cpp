@@ -21,7 +21,7 @@ void keep(DifferenceSimplex& simplex, Vec3* w, const Nearest& nearest, Differenc
     weight[nearest.index[i]] = nearest.weight[i];
     v += nearest.weight[i] * w[nearest.index[i]];
   }
-  // Whatever rounding did to the feature, v is a point of the difference: its length is an honest bound.
+  // Whatever rounding did to the feature, v is a point of the difference: its length is a valid bound.
   const Real length = v.norm();
   if (length <= difference.upper) {
     difference.upper = length;

@@ -31,14 +31,14 @@ struct alignas(64) PairRecord {
 };
 
 /// Records of the pairs of the current step, in ascending order of pair; a record survives as long as its bounds
-/// overlap. Those of pairs that lie still can be parked: kept, each by one or both of its colliders, but not gone
+/// overlap. Those of pairs that lie still can be inactive: kept, each by one or both of its colliders, but not gone
 /// through. A pair has one record, or, where scenery touches on several sides, a run of them.
 class PairTable {
  public:
   explicit PairTable(Memory* memory)
-      : order_(memory), next_(memory), records_(memory), free_(memory), parked_(memory), head_(memory) {}
+      : order_(memory), next_(memory), records_(memory), free_(memory), inactive_(memory), head_(memory) {}
 
-  /// Keep records of pairs still there, take back parked ones, start new ones, drop the rest. `pairs` ascending.
+  /// Keep records of pairs still there, take back inactive ones, start new ones, drop the rest. `pairs` ascending.
   /// Linear: both lists are sorted.
   void update(const Array<Pair>& pairs);
   /// A run of records of one pair, which is to have as many as wanted (at least one).
@@ -52,20 +52,20 @@ class PairTable {
   void clear();
 
   enum Holder : std::uint8_t { none = 0, by_a = 1, by_b = 2 };
-  /// Park records of the current step until update() is asked for their pair again, or all their holders let go.
-  /// @param holders  [size()] Holder bits: which of its colliders a record is parked by; none: it is not
+  /// Deactivate records of the current step until update() is asked for their pair again, or all their holders let go.
+  /// @param holders  [size()] Holder bits: which of its colliders a record is inactive by; none: it is not
   /// @param slots    of colliders
-  void park(const Array<std::uint8_t>& holders, std::size_t slots);
-  /// Drop what is still parked by a collider.
+  void deactivate(const Array<std::uint8_t>& holders, std::size_t slots);
+  /// Drop what is still inactive by a collider.
   void release(std::uint32_t collider);
-  std::size_t parked_count() const { return parked_count_; }
-  /// Call f(record) for every parked record, in an order that follows from the history alone.
+  std::size_t inactive_count() const { return inactive_count_; }
+  /// Call f(record) for every inactive record, in an order that follows from the history alone.
   template <class F>
-  void each_parked(F&& f) const {
-    for (std::size_t r = 0; parked_count_ > 0 && r < parked_.size(); ++r)
-      if (parked_[r].holders != none) f(records_[r]);
+  void each_inactive(F&& f) const {
+    for (std::size_t r = 0; inactive_count_ > 0 && r < inactive_.size(); ++r)
+      if (inactive_[r].holders != none) f(records_[r]);
   }
-  /// The record of a pair, parked or not; null if there is none.
+  /// The record of a pair, inactive or not; null if there is none.
   const PairRecord* find(const Pair& pair) const;
 
   std::size_t size() const { return order_.size(); }
@@ -99,16 +99,16 @@ class PairTable {
  private:
   friend class dynamics::snapshot::PairTableImage;
   static constexpr std::uint32_t kNew = 0xFFFFFFFFu;
-  /// A parked record stands in a list of each collider that holds it.
-  struct Parked {
+  /// An inactive record stands in a list of each collider that holds it.
+  struct Inactive {
     std::uint32_t next[2] = {kNew, kNew};  // record after this one in the list of A, of B
-    std::uint32_t at = 0;                  // its place when it was parked: orders the records of a run
+    std::uint32_t at = 0;                  // its place when it was inactive: orders the records of a run
     std::uint8_t holders = none;
   };
   std::uint32_t& next_in_list(std::uint32_t record, std::uint32_t collider) {
-    return parked_[record].next[records_[record].pair.b == collider];
+    return inactive_[record].next[records_[record].pair.b == collider];
   }
-  std::uint32_t find_parked(const Pair& pair) const;
+  std::uint32_t find_inactive(const Pair& pair) const;
   void unpark(std::uint32_t record);
   bool take_back(const Pair& pair);
   std::uint32_t fresh_record(const Pair& pair);
@@ -116,9 +116,9 @@ class PairTable {
   Array<Place> order_, next_;  // by ascending pair
   Array<PairRecord> records_;
   Array<std::uint32_t> free_;
-  Array<Parked> parked_;       // by record; empty until the first is parked
-  Array<std::uint32_t> head_;  // by collider: the first record that it parks, or kNew
-  std::size_t parked_count_ = 0;
+  Array<Inactive> inactive_;       // by record; empty until the first is inactive
+  Array<std::uint32_t> head_;  // by collider: the first record that it deactivates, or kNew
+  std::size_t inactive_count_ = 0;
 };
 
 struct NarrowReport {

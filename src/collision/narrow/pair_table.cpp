@@ -1,4 +1,4 @@
-// Records of pairs, matched to the broad phase's list by merging two sorted lists; and the lists of parked ones.
+// Records of pairs, matched to the broad phase's list by merging two sorted lists; and the lists of inactive ones.
 #include <algorithm>
 #include <utility>
 
@@ -26,16 +26,16 @@ void PairTable::update(const Array<Pair>& pairs) {
   order_.swap(next_);
 }
 
-/// Parked records of a pair, into next_ in the order that they had.
+/// Inactive records of a pair, into next_ in the order that they had.
 bool PairTable::take_back(const Pair& pair) {
   const std::size_t before = next_.size();
-  for (std::uint32_t parked; (parked = find_parked(pair)) != kNew;) {
-    unpark(parked);
-    next_.push_back({pair, parked, static_cast<std::uint32_t>(records_[parked].manifold.count)});
+  for (std::uint32_t inactive; (inactive = find_inactive(pair)) != kNew;) {
+    unpark(inactive);
+    next_.push_back({pair, inactive, static_cast<std::uint32_t>(records_[inactive].manifold.count)});
   }
   if (next_.size() - before > 1)
     std::sort(next_.begin() + static_cast<std::ptrdiff_t>(before), next_.end(),
-              [&](const Place& a, const Place& b) { return parked_[a.record].at < parked_[b.record].at; });
+              [&](const Place& a, const Place& b) { return inactive_[a.record].at < inactive_[b.record].at; });
   return next_.size() > before;
 }
 
@@ -87,29 +87,29 @@ void PairTable::forget(std::uint32_t collider) {
   }
   order_.resize(kept);
   release(collider);
-  for (std::uint32_t r = 0; parked_count_ > 0 && r < parked_.size(); ++r)  // those that only the other one holds
-    if (parked_[r].holders != none && (records_[r].pair.a == collider || records_[r].pair.b == collider)) {
+  for (std::uint32_t r = 0; inactive_count_ > 0 && r < inactive_.size(); ++r)  // those that only the other one holds
+    if (inactive_[r].holders != none && (records_[r].pair.a == collider || records_[r].pair.b == collider)) {
       unpark(r);
       free_.push_back(r);
     }
 }
 
-void PairTable::park(const Array<std::uint8_t>& holders, std::size_t slots) {
-  parked_.resize(records_.size());
+void PairTable::deactivate(const Array<std::uint8_t>& holders, std::size_t slots) {
+  inactive_.resize(records_.size());
   if (head_.size() < slots) head_.resize(slots, kNew);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < order_.size(); ++i) {
     const std::uint32_t r = order_[i].record;
-    parked_[r].holders = holders[i];
-    parked_[r].at = static_cast<std::uint32_t>(i);
+    inactive_[r].holders = holders[i];
+    inactive_[r].at = static_cast<std::uint32_t>(i);
     if (holders[i] == none) {
       order_[kept++] = order_[i];
       continue;
     }
-    ++parked_count_;
+    ++inactive_count_;
     const Pair& p = records_[r].pair;
-    if (holders[i] & by_a) parked_[r].next[0] = std::exchange(head_[p.a], r);
-    if (holders[i] & by_b) parked_[r].next[1] = std::exchange(head_[p.b], r);
+    if (holders[i] & by_a) inactive_[r].next[0] = std::exchange(head_[p.a], r);
+    if (holders[i] & by_b) inactive_[r].next[1] = std::exchange(head_[p.b], r);
   }
   order_.resize(kept);
 }
@@ -122,18 +122,18 @@ void PairTable::unpark(std::uint32_t record) {
     while (*link != record) link = &next_in_list(*link, collider);
     *link = next_in_list(record, collider);
   };
-  if (parked_[record].holders & by_a) leave(p.a);
-  if (parked_[record].holders & by_b) leave(p.b);
-  parked_[record].holders = none;
-  parked_[record].next[0] = parked_[record].next[1] = kNew;
-  --parked_count_;
+  if (inactive_[record].holders & by_a) leave(p.a);
+  if (inactive_[record].holders & by_b) leave(p.b);
+  inactive_[record].holders = none;
+  inactive_[record].next[0] = inactive_[record].next[1] = kNew;
+  --inactive_count_;
 }
 
-std::uint32_t PairTable::find_parked(const Pair& pair) const {
-  if (parked_count_ == 0) return kNew;
+std::uint32_t PairTable::find_inactive(const Pair& pair) const {
+  if (inactive_count_ == 0) return kNew;
   for (const std::uint32_t collider : {pair.a, pair.b}) {
     std::uint32_t r = collider < head_.size() ? head_[collider] : kNew;
-    while (r != kNew && !(records_[r].pair == pair)) r = parked_[r].next[records_[r].pair.b == collider];
+    while (r != kNew && !(records_[r].pair == pair)) r = inactive_[r].next[records_[r].pair.b == collider];
     if (r != kNew) return r;
   }
   return kNew;
@@ -153,17 +153,17 @@ const PairRecord* PairTable::find(const Pair& pair) const {
   const auto before = [](const Place& place, const Pair& p) { return place.pair < p; };
   const auto at = std::lower_bound(order_.begin(), order_.end(), pair, before);
   if (at != order_.end() && at->pair == pair) return &records_[at->record];
-  const std::uint32_t parked = find_parked(pair);
-  return parked == kNew ? nullptr : &records_[parked];
+  const std::uint32_t inactive = find_inactive(pair);
+  return inactive == kNew ? nullptr : &records_[inactive];
 }
 
 void PairTable::clear() {
   order_.clear();
   records_.clear();
   free_.clear();
-  parked_.clear();
+  inactive_.clear();
   head_.clear();
-  parked_count_ = 0;
+  inactive_count_ = 0;
 }
 
 }  // namespace carom::collision

@@ -126,10 +126,10 @@ Ruling judge(const Scenery& scenery, const Piece& piece, const Sides& sides, con
 
 }  // namespace
 
-SceneryMeeting::SceneryMeeting(Memory* memory)
+SceneryPairFinder::SceneryPairFinder(Memory* memory)
     : shape_(memory), plane_(memory), near_(memory), found_(memory), normals_(memory), patches_(memory) {}
 
-bool SceneryMeeting::find(const SceneryPair& pair, const NarrowSettings& settings, Real reach, NarrowReport& report,
+bool SceneryPairFinder::find(const SceneryPair& pair, const NarrowSettings& settings, Real reach, NarrowReport& report,
                           SupportFault& fault) {
   near_.clear(), found_.clear(), normals_.clear(), patches_.clear(), left_.reset();
   const Scenery& scenery = *pair.scenery.scenery;
@@ -167,7 +167,7 @@ bool SceneryMeeting::find(const SceneryPair& pair, const NarrowSettings& setting
   return true;
 }
 
-bool SceneryMeeting::meet(const Terms& t, const Piece& piece) {
+bool SceneryPairFinder::meet(const Terms& t, const Piece& piece) {
   const SceneryPair& pair = t.pair;
   const Scenery& scenery = *pair.scenery.scenery;
   ++t.report.support_calls;
@@ -239,7 +239,7 @@ bool SceneryMeeting::meet(const Terms& t, const Piece& piece) {
   return true;
 }
 
-void SceneryMeeting::add(const PatchPoints& points, const Vec3& origin, bool firm, Real reach) {
+void SceneryPairFinder::add(const PatchPoints& points, const Vec3& origin, bool firm, Real reach) {
   if (points.count == 0) return;
   const Vec3& n = points.point[0].normal;
   std::size_t patch = 0;
@@ -264,7 +264,7 @@ void SceneryMeeting::add(const PatchPoints& points, const Vec3& origin, bool fir
 
 /// Of each patch the points that matter: the deepest, and those farthest out; where a shape leans, so that one end is
 /// deepest however little that counts, the other end that may come down within the step, too.
-void SceneryMeeting::gather(const Frame& frame, Real same) {
+void SceneryPairFinder::gather(const Frame& frame, Real same) {
   for (std::uint32_t k = 0; k < normals_.size(); ++k) {
     SceneryPatch& patch = patches_.emplace_back();
     patch.normal = normals_[k];
@@ -277,7 +277,7 @@ void SceneryMeeting::gather(const Frame& frame, Real same) {
 }
 
 /// The deepest point of a patch, and the extreme ones along directions tilted from the normal.
-void SceneryMeeting::choose(std::uint32_t k, const Frame& frame, Real tilt, Real same, SceneryPatch& patch) const {
+void SceneryPairFinder::choose(std::uint32_t k, const Frame& frame, Real tilt, Real same, SceneryPatch& patch) const {
   const Vec3 n = frame.rotate_inverse(patch.normal), e1 = any_perpendicular(n), e2 = n.cross(e1);
   std::array<const Found*, kWays + 1> most{};
   std::array<Real, kWays + 1> score;

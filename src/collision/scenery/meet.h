@@ -26,9 +26,9 @@ struct SceneryPatch {
 };
 
 /// Finds the contacts of one pair at a time. Allocates only where a pair has more of something than any before.
-class SceneryMeeting {
+class SceneryPairFinder {
  public:
-  explicit SceneryMeeting(Memory* memory);
+  explicit SceneryPairFinder(Memory* memory);
 
   /// @param reach   m: what is farther apart makes no contact
   /// @return        false if the support function misbehaved: fault is filled, there are no patches

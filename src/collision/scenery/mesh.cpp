@@ -63,7 +63,7 @@ void find_neighbours(Scenery& s, Memory* memory) {
     sides.push_back({std::min(a, b), std::max(a, b), at});
   }
   std::sort(sides.begin(), sides.end());
-  s.beyond.assign(s.corner.size(), Piece::kNone);
+  s.beyond.assign(s.corner.size(), kInvalid);
   for (std::size_t i = 0, j; i < sides.size(); i = j) {
     for (j = i; j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high;) ++j;
     if (j - i != 2) continue;
@@ -112,7 +112,7 @@ bool Scenery::piece(std::uint32_t index, Piece& out) const {
   out.normal = (out.corner[1] - out.corner[0]).cross(out.corner[2] - out.corner[0]).normalized();
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t other = beyond[3 * std::size_t(index) + k];
-    out.rim[k] = other == Piece::kNone;
+    out.rim[k] = other == kInvalid;
     out.far[k] = out.corner[k];
     if (out.rim[k]) continue;
     const std::uint32_t from = c[k], to = c[kNextCorner[k]];
@@ -154,7 +154,7 @@ bool Scenery::all_around(const Piece& p, int k, F&& f) const {
       const std::uint32_t sides[2] = {j, (j + 2) % 3};
       const std::uint32_t leave = came_by == 3 ? sides[way] : sides[0] == came_by ? sides[1] : sides[0];
       const std::uint32_t next = beyond[3 * std::size_t(at) + leave];
-      if (next == Piece::kNone || steps == kMostAround) break;
+      if (next == kInvalid || steps == kMostAround) break;
       if (next == p.index) return true;
       const std::uint32_t a = name[leave], b = name[kNextCorner[leave]];
       const std::uint32_t* const d = &corner[3 * std::size_t(next)];

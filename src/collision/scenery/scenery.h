@@ -5,15 +5,14 @@
 #include <span>
 
 #include "collision/broad/query_tree.h"
+#include "core/invalid.h"
 #include "core/pose.h"
 
 namespace carom::collision {
 
 /// One triangle of a surface, in the scenery's frame.
 struct Piece {
-  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-
-  std::uint32_t index = kNone;
+  std::uint32_t index = kInvalid;
   std::array<Vec3, 3> corner;  // m, counter-clockwise as seen from where `normal` points
   Vec3 normal;                 // unit
   std::array<Vec3, 3> far;  // m: the corner beyond side i (from corner i to the next); that of the piece that shares it
@@ -31,7 +30,7 @@ struct Scenery {
   // A mesh:
   Array<Vec3> vertex;           // m, each place once
   Array<std::uint32_t> corner;  // [3 pieces] vertices
-  Array<std::uint32_t> beyond;  // [3 pieces] the piece beyond each side, or Piece::kNone
+  Array<std::uint32_t> beyond;  // [3 pieces] the piece beyond each side, or kInvalid
   std::uint32_t dropped = 0;    // triangles of the host's that have no area
 
   // A height field: vertices (column * spacing_x, height, row * spacing_z), two pieces to a cell, met from above.

@@ -10,7 +10,7 @@ namespace carom::collision {
 
 /// Which side of a height field the shape's centre is on.
 /// @param under  the piece that stands over or under it, if the answer is not none
-SceneryMeeting::Ground SceneryMeeting::look_down(const Terms& t, Piece& under) const {
+SceneryPairFinder::Ground SceneryPairFinder::look_down(const Terms& t, Piece& under) const {
   if (!t.pair.scenery.scenery->piece_over(t.centre, under)) return Ground::none;
   const Real height = under.normal.dot(t.centre - under.corner[0]);
   // No shape that is pushed out gets its middle deeper than it is large: what is there came from elsewhere.
@@ -18,13 +18,13 @@ SceneryMeeting::Ground SceneryMeeting::look_down(const Terms& t, Piece& under) c
   return height < 0 ? Ground::below : Ground::above;
 }
 
-bool SceneryMeeting::has_routine(const Terms& t) {
+bool SceneryPairFinder::has_routine(const Terms& t) {
   return t.settings.query.routines && pair_entry(Form::half_space, t.pair.convex.form).routine;
 }
 
 /// Points of an undeclared shape that lie nearer than this to one of a patch are places on a round side beside it. They
 /// would hold up what rolls; the other end of what leans is farther.   @param apart  m
-void SceneryMeeting::drop_round_sides(Real apart) {
+void SceneryPairFinder::drop_round_sides(Real apart) {
   const auto is_beside = [&](const Found& f) {
     const auto near = [&](const Found& g) {
       return !g.is_asked_for && (f.point.on_b - g.point.on_b).squared_norm() < apart * apart;
@@ -39,7 +39,7 @@ void SceneryMeeting::drop_round_sides(Real apart) {
 
 /// Find the points of the shape that matter beside the plane of a piece, @see pair_half_space.cpp.
 /// @return  false if the support function misbehaved
-bool SceneryMeeting::stand(const Terms& t, const Piece& piece) {
+bool SceneryPairFinder::stand(const Terms& t, const Piece& piece) {
   const Shape& convex = t.pair.convex;
   plane_.normal = piece.normal, plane_.offset = piece.normal.dot(piece.corner[0]);
   standing_.count = 0;
@@ -54,7 +54,7 @@ bool SceneryMeeting::stand(const Terms& t, const Piece& piece) {
 
 /// A shape whose middle is in the ground is pushed out of it along the normal of the piece above.
 /// @param piece  that stands over its centre
-bool SceneryMeeting::lift(const Terms& t, const Piece& piece) {
+bool SceneryPairFinder::lift(const Terms& t, const Piece& piece) {
   ++t.report.support_calls;
   PatchPoints one;
   ContactPoint& p = one.point[0];

@@ -42,7 +42,7 @@ void decide(Accuracy& a, const Trial& trial, const AccuracyNote& before, std::ui
             const Each& each) {
   const AccuracyNote note = trial.note_after(before, met);
   AccuracyView view;
-  view.body = kTheWorld;
+  view.body = kInvalid;
   each([&](std::uint32_t i) {
     a.decided.push_back({i, note});
     view.body = i < view.body ? i : view.body;

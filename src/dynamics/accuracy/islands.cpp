@@ -14,8 +14,8 @@ namespace {
 /// By contacts, joints and springs. A solver that takes all contacts as one makes one island of them.
 void unite(const World& world, Passes& p) {
   const Contacts& c = *world.contacts;
-  const auto is_in = [&](std::uint32_t i) { return i != kTheWorld && p.island_of[i] != Passes::kNobody; };
-  std::uint32_t whole = Passes::kNobody;
+  const auto is_in = [&](std::uint32_t i) { return i != kInvalid && p.island_of[i] != kInvalid; };
+  std::uint32_t whole = kInvalid;
   const bool is_one = world.plan->solver->row_by_row || world.scene.dials.choice(Dial::groups) == 0;
   const auto join = [&](std::uint32_t a, std::uint32_t b) {
     const std::uint32_t one = root_of(p.parent, a), other = root_of(p.parent, b);
@@ -25,11 +25,11 @@ void unite(const World& world, Passes& p) {
     if (is_in(a) && is_in(b)) join(a, b);
     if (!is_one) return;
     for (const std::uint32_t i : {a, b})
-      if (is_in(i)) whole == Passes::kNobody ? whole = i : (join(whole, i), whole);
+      if (is_in(i)) whole == kInvalid ? whole = i : (join(whole, i), whole);
   };
-  for (const Meeting& m : c.meetings) meet(m.a, m.b);
+  for (const ContactPair& m : c.contact_pairs) meet(m.a, m.b);
   for (const Link& l : c.links) meet(l.a, l.b);
-  world.plan->effects[+EffectId::springs].customers.each([&](std::uint32_t k) {
+  world.plan->effects[+EffectId::springs].participants.each([&](std::uint32_t k) {
     const SpringDef& def = world.scene.springs.def[k];
     if (is_in(def.body_a) && is_in(def.body_b)) join(def.body_a, def.body_b);
   });
@@ -39,9 +39,9 @@ void unite(const World& world, Passes& p) {
 bool is_top(const World& world, std::uint32_t body) {
   for (const PlannedEffect& row : world.plan->effects) {
     const Effect& e = *row.effect;
-    if (e.stage != Stage::integrate || e.customers != CustomerKind::bodies || row.customers.count == 0) continue;
+    if (e.stage != Stage::integrate || e.participants != ParticipantKind::bodies || row.participants.count == 0) continue;
     if (e.id == EffectId::gravity || e.id == EffectId::user_force || e.id == EffectId::gyroscopic) continue;
-    if (row.customers.has(body)) return false;
+    if (row.participants.has(body)) return false;
   }
   return !world.plan->sprung.has(body);
 }
@@ -61,7 +61,7 @@ int order_of(const World& world, const Passes& p, const Passes::Island& island) 
 
 void find_islands(const World& world, Passes& p, Real dt) {
   const Contacts& c = *world.contacts;
-  p.island_of.assign(world.scene.bodies.slots(), Passes::kNobody);
+  p.island_of.assign(world.scene.bodies.slots(), kInvalid);
   p.parent.resize(world.scene.bodies.slots());
   p.movers.clear();
   each_of_both(world.plan->linear, world.plan->rotating, [&](std::uint32_t i) {
@@ -91,10 +91,10 @@ void find_islands(const World& world, Passes& p, Real dt) {
     p.members[island.first + island.bodies++] = k;
   }
   const auto of = [&](bool moves_a, std::uint32_t a, std::uint32_t b) { return p.island_of[moves_a ? a : b]; };
-  for (const Meeting& m : c.meetings)
-    if (const std::uint32_t k = of(m.moves_a, m.a, m.b); k != Passes::kNobody) p.islands[k].rows += m.count;
+  for (const ContactPair& m : c.contact_pairs)
+    if (const std::uint32_t k = of(m.moves_a, m.a, m.b); k != kInvalid) p.islands[k].rows += m.count;
   for (const Link& l : c.links)
-    if (const std::uint32_t k = of(l.moves_a, l.a, l.b); k != Passes::kNobody) ++p.islands[k].links;
+    if (const std::uint32_t k = of(l.moves_a, l.a, l.b); k != kInvalid) ++p.islands[k].links;
   const Borne borne(world.scene.dials, dt);
   for (Passes::Island& island : p.islands) {
     bool is_first = true;

@@ -8,7 +8,7 @@ namespace {
 
 Passes::Kept kept_of(const State& s, std::uint32_t i) {
   return {s.x[i], s.v[i],      s.omega[i],        s.momentum[i],    s.force[i],           s.torque[i],
-          s.q[i], s.held_q[i], s.loaded_steps[i], s.tired_steps[i], s.quarantined[i] != 0};
+          s.q[i], s.held_q[i], s.loaded_steps[i], s.cooldown_steps[i], s.quarantined[i] != 0};
 }
 
 void put_motion(Passing to, std::uint32_t i, const Passes::Kept& k) {
@@ -17,7 +17,7 @@ void put_motion(Passing to, std::uint32_t i, const Passes::Kept& k) {
   SolverMemory& memory = to;
   poses.x[i] = k.x, poses.q[i] = k.q;
   motion.v[i] = k.v, motion.omega[i] = k.omega, motion.momentum[i] = k.momentum;
-  memory.held_q[i] = k.held_q, memory.loaded_steps[i] = k.loaded_steps, memory.tired_steps[i] = k.tired_steps;
+  memory.held_q[i] = k.held_q, memory.loaded_steps[i] = k.loaded_steps, memory.cooldown_steps[i] = k.cooldown_steps;
 }
 
 Passes::KeptJoint kept_of(const World& world, std::uint32_t slot) {
@@ -46,7 +46,7 @@ void keep_begun(const World& world, Passes& p) {
   for (std::size_t k = 0; k < p.all_active.size(); ++k)
     p.joint_begun[k] = p.joint_ended[k] = kept_of(world, p.all_active[k]);
   p.rows = c.rows, p.geometry = c.geometry;
-  p.meetings = c.meetings, p.bouncing = c.bouncing, p.resisting = c.resisting, p.driven = c.driven;
+  p.contact_pairs = c.contact_pairs, p.bouncing = c.bouncing, p.resisting = c.resisting, p.driven = c.driven;
   p.revision = world.scene.revision, p.collider_revision = world.scene.collider_revision, p.alarm = world.scene.alarm;
   p.quarantined = s.quarantined_count, p.faults = world.fault_views.size();
   p.groups = world.report.groups, p.largest_group = world.report.largest_group;

@@ -33,7 +33,7 @@ Passes::Passes(Memory* m)
       packed_active(m),
       rows(m),
       geometry(m),
-      meetings(m),
+      contact_pairs(m),
       bouncing(m),
       resisting(m),
       driven(m),
@@ -47,7 +47,7 @@ namespace {
 
 bool runs_joint(const World& world, const Passes& p, std::uint32_t slot) {
   const JointDef& def = world.joints.joint[slot].def;
-  return (def.body_a != kTheWorld && runs(p, def.body_a)) || (def.body_b != kTheWorld && runs(p, def.body_b));
+  return (def.body_a != kInvalid && runs(p, def.body_a)) || (def.body_b != kInvalid && runs(p, def.body_b));
 }
 
 /// The substeps of the next pass, and whose it is: of all that run, the fewest first.
@@ -73,10 +73,10 @@ bool runs_pair(const Passes& p, bool moves_a, std::uint32_t a, std::uint32_t b) 
 /// @param scale  of impulses
 void set_contacts(const World& world, const Passes& p, Real scale) {
   Contacts& c = *world.contacts;
-  c.meetings.clear(), c.bouncing.clear(), c.impacts.clear(), c.resisting.clear(), c.driven.clear();
-  for (const Meeting& m : p.meetings) {
+  c.contact_pairs.clear(), c.bouncing.clear(), c.impacts.clear(), c.resisting.clear(), c.driven.clear();
+  for (const ContactPair& m : p.contact_pairs) {
     if (!runs_pair(p, m.moves_a, m.a, m.b)) continue;
-    c.meetings.push_back(m);
+    c.contact_pairs.push_back(m);
     for (std::uint32_t k = m.row; k < m.row + m.count; ++k) {
       c.rows[k] = p.rows[k], c.geometry[k] = p.geometry[k];
       if (scale != 1) c.rows[k].set_impulse(scale * p.rows[k].p);
@@ -105,7 +105,7 @@ void keep_contacts(const World& world, Passes& p, Real scale) {
     const Row& r = c.rows[row];
     return p.islands[p.island_of[r.moves_a ? r.a : r.b]].trial.run == 0;
   };
-  for (const Meeting& m : c.meetings) {
+  for (const ContactPair& m : c.contact_pairs) {
     if (!is_accepted(m.row)) continue;
     for (std::uint32_t k = m.row; scale != 1 && k < m.row + m.count; ++k) c.rows[k].set_impulse(scale * c.rows[k].p);
   }
@@ -187,7 +187,7 @@ void put_back_lists(const World& world, Passes& p) {
 /// All that stages after the passes read.
 void put_back_contacts(const World& world, Passes& p, const StepTime& time) {
   Contacts& c = *world.contacts;
-  c.meetings = p.meetings, c.bouncing = p.bouncing, c.resisting = p.resisting, c.driven = p.driven;
+  c.contact_pairs = p.contact_pairs, c.bouncing = p.bouncing, c.resisting = p.resisting, c.driven = p.driven;
   world.wide_joints->active = p.all_active;
   if (p.packed_active != p.all_active) world.wide_joints->is_packed = false, p.packed_active.clear();
   link_joints(world, time);
@@ -260,7 +260,7 @@ void end_pass(const World& world, Passing to, const StepTime& time) {
   const Joints& joints = world.joints;
   for (std::size_t j = 0; j < p.all_active.size(); ++j) {
     const JointDef& def = joints.joint[p.all_active[j]].def;
-    const std::uint32_t body = def.body_a != kTheWorld && runs(p, def.body_a) ? def.body_a : def.body_b;
+    const std::uint32_t body = def.body_a != kInvalid && runs(p, def.body_a) ? def.body_a : def.body_b;
     if (!runs_joint(world, p, p.all_active[j]) || p.islands[p.island_of[body]].trial.run > 0) continue;
     keep_joint(world, j);
   }

@@ -27,15 +27,14 @@ struct Passes {
   Array<Island> islands;
   Array<std::uint32_t> movers;     // slots of bodies that are in an island, ascending
   Array<std::uint32_t> members;    // places in movers, by island
-  Array<std::uint32_t> island_of;  // by slot; kNobody: none
+  Array<std::uint32_t> island_of;  // by slot; kInvalid: none
   Array<std::uint32_t> parent;     // by slot, scratch: union-find
-  static constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 
   // ---- bodies: as the step began, where islands end, and the end to compare with; by place in movers ----
   struct Kept {
     Vec3 x, v, omega, momentum, force, torque;
     Quat q, held_q;
-    std::uint8_t loaded_steps, tired_steps;
+    std::uint8_t loaded_steps, cooldown_steps;
     bool is_lost;  // in quarantine, in this step
   };
   Array<Kept> begun, ended;
@@ -60,13 +59,13 @@ struct Passes {
   // ---- contacts: as they were made, and all of the lists of which a pass has a part ----
   Array<Row> rows;
   Array<RowGeometry> geometry;
-  Array<Meeting> meetings;
+  Array<ContactPair> contact_pairs;
   Array<std::uint32_t> bouncing;
   Array<Resistance> resisting;
   Array<Driven> driven;
   GroupViews group_views;  // of runs that were accepted
 
-  Customers those, scratch;
+  Participants those, scratch;
   PlanLists lists;          // of a pass; while it runs, of all
   bool is_booked = false;   // somebody keeps a ledger, which is told of no trials
   bool is_planned = false;  // in this step
@@ -114,7 +113,7 @@ void each_member(const Passes& p, const Passes::Island& island, F&& f) {
   for (std::uint32_t k = island.first; k < island.first + island.bodies; ++k) f(p.members[k], p.movers[p.members[k]]);
 }
 inline bool runs(const Passes& p, std::uint32_t body) {
-  return body < p.island_of.size() && p.island_of[body] != Passes::kNobody && p.islands[p.island_of[body]].runs;
+  return body < p.island_of.size() && p.island_of[body] != kInvalid && p.islands[p.island_of[body]].runs;
 }
 
 }  // namespace accuracy

@@ -2,10 +2,10 @@
 //
 // Elsewhere a step looks where bodies stand, and a little ahead: bounds and contacts reach as far as a body moves
 // within the step, but no farther than the size of its shape, beyond which a contact would stop bodies that merely pass
-// by. What moves farther than that is this room's customer, and so is what turns so far that its ends pass what its
+// by. What moves farther than that is this room's participant, and so is what turns so far that its ends pass what its
 // contacts know nothing of, and what a host asks for (BodyDef::continuous). Nobody else pays anything.
 //
-// In a substep, when the integrator and the solver have had their say, each customer has come from one pose to another.
+// In a substep, when the integrator and the solver have had their say, each participant has come from one pose to another.
 // Its path between them, straight on and about one axis, is swept by conservative advancement (collision/cast) against
 // all that stands or moves in its way: each obstacle on the path of its own. At the first contact the two are answered
 // there and then, as by contact/impact.h: one impulse of all points that touch, with the restitution and Coulomb's
@@ -22,10 +22,10 @@
 // until they have sunk deeper by that slack. So what rests, rolls or slides at 200 m/s is not held up; what was already
 // deep in something may leave it, but goes no deeper.
 //
-// Contacts ahead of a touch (speculative ones) of a customer that closes fast are taken from the solver: at such speeds
+// Contacts ahead of a touch (speculative ones) of a participant that closes fast are taken from the solver: at such speeds
 // their planes would stop what merely passes by, and the sweep knows better.
 //
-// A swept body costs a query of the broad phase's tree, of the sleepers' and of the other customers', and some
+// A swept body costs a query of the broad phase's tree, of the sleepers' and of the other participants', and some
 // microseconds for each pair of convex pieces whose bounds its path crosses. All on the stepping thread: the order of
 // hits is one of time.
 //
@@ -35,7 +35,7 @@
 //
 // What this is not: two bodies that both are joined to something are not swept against each other; kinematic bodies that
 // crush something between them are not stopped; a half-space that turns is swept as if it did not; a body that has but
-// sensors is not swept; obstacles that neither a customer's straight path of the step comes near nor a hit before are
+// sensors is not swept; obstacles that neither a participant's straight path of the step comes near nor a hit before are
 // taken to come from where their velocity tells.
 //
 // @oracle tests/oracle/test_bullet, tests/unit/dynamics/test_ccd
@@ -64,7 +64,7 @@ struct SweptBody {
   std::uint32_t body;
   bool swept = false;                             // else it is somebody else's obstacle
   bool outruns = false;                           // its contacts do not reach as far as it moves in this step
-  bool loose = false;                             // it is not in the tree of customers, or has left its box there
+  bool loose = false;                             // it is not in the tree of participants, or has left its box there
   bool changed = false;                           // something hit it in this substep
   bool struck = false;                            // likewise, in this step
   bool flies = false;                             // its path is a parabola's chord; else a solver's straight line
@@ -87,8 +87,6 @@ struct SweptBody {
 struct Continuous {
   explicit Continuous(Memory* m);
 
-  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-
   // Bounds of a step are made in refresh; who was seen to go beyond them, by collider; it may repeat and overflow.
   Array<std::uint32_t> seen;
   bool too_many_seen = false;
@@ -99,10 +97,10 @@ struct Continuous {
       too_many_seen = true;
   }
 
-  Array<std::uint32_t> index;            // by body: in bodies, or kNone; empty until there is a customer
-  Array<SweptBody> bodies;               // of this step: customers first, ascending
-  std::size_t customers = 0, boxed = 0;  // of bodies; those in the tree
-  BoxTree tree;                          // of customers, by place in bodies; boxes of this substep
+  Array<std::uint32_t> index;            // by body: in bodies, or kInvalid; empty until there is a participant
+  Array<SweptBody> bodies;               // of this step: participants first, ascending
+  std::size_t participants = 0, boxed = 0;  // of bodies; those in the tree
+  BoxTree tree;                          // of participants, by place in bodies; boxes of this substep
   Array<Aabb> boxes;                     // m, by place in bodies
   Array<std::uint32_t> leaves;           // 0, 1, 2, ...
   Array<std::uint32_t> loose;            // places in bodies
@@ -110,12 +108,12 @@ struct Continuous {
   Array<Pair> passed;                    // with a sensor, of this step; as many as there is room for; may repeat
   std::size_t most_bodies = 0, most_hits = 0;  // of this step: not what arrays have grown to, which is of the past
   Array<std::uint32_t> found;            // scratch: colliders
-  Customers one, more, merged;           // scratch, for rotation methods
+  Participants one, more, merged;           // scratch, for rotation methods
   SupportFault fault;                    // the first of this step
 
   SweptBody* find(std::uint32_t body) {
-    const std::uint32_t at = body < index.size() ? index[body] : kNone;
-    return at == kNone ? nullptr : &bodies[at];
+    const std::uint32_t at = body < index.size() ? index[body] : kInvalid;
+    return at == kInvalid ? nullptr : &bodies[at];
   }
 };
 
@@ -124,7 +122,7 @@ bool senses_sweeps(const World& world);
 
 /// Row of the table: bodies that a host wants swept.
 namespace continuous {
-void find(const Scene&, const State&, Customers&);
+void find(const Scene&, const State&, Participants&);
 }
 
 /// Take up a body that is not known yet.
@@ -133,9 +131,9 @@ SweptBody& know(const World& world, std::uint32_t body);
 /// Part of refresh(), when bounds are made: who outruns its contacts, and with those that a host asked for, who is
 /// swept.
 void find_swept(const World& world, Colliders& table, Real dt);
-/// Whether a customer's straight path in this step meets a sleeper. Stage refresh.
+/// Whether a participant's straight path in this step meets a sleeper. Stage refresh.
 bool sweeps_into(const World& world, std::uint32_t collider, std::uint32_t sleeper, Real dt);
-/// m, world: bounds of a collider and, if its body is a customer, of its straight path in this step.
+/// m, world: bounds of a collider and, if its body is a participant, of its straight path in this step.
 Aabb swept_bounds(const World& world, std::uint32_t collider, Real dt);
 
 /// Within begin_substep(): where its paths begin.

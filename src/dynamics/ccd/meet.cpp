@@ -46,13 +46,13 @@ Vec3 Sweeper::turned(const Side& side, Real from, Real by, const Vec3& omega) {
   q = side.path.orientation(from), spin = omega;
   c_.one.runs[0] = {i, i + 1};
   world_.plan->rotation_method->advance(world_, motion_, c_.one, by);
-  const Vec3 seen = world_.plan->proposal.q[i].conjugate() * spin;
+  const Vec3 seen = world_.plan->predicted.q[i].conjugate() * spin;
   q = kept_q, spin = kept_omega, momentum = kept_momentum;
   return side.path.orientation(from + by) * seen;
 }
 
 /// Whether they would sink by no more than the slack, whichever of velocity and path is asked: the solver's business.
-bool Sweeper::is_slow(const Side& a, const Side& b, const Meeting& m) {
+bool Sweeper::is_slow(const Side& a, const Side& b, const FirstContact& m) {
   const Vec3 arm_a = m.point - a.path.place(m.when), arm_b = m.point - b.path.place(m.when);
   const Velocity stored_a = velocity(a, m.when, m.when), stored_b = velocity(b, m.when, m.when);
   const Velocity path_a{a.path.u, a.path.w}, path_b{b.path.u, b.path.w};
@@ -62,7 +62,7 @@ bool Sweeper::is_slow(const Side& a, const Side& b, const Meeting& m) {
   return closing * time_.h <= most && nearing * (time_.h - m.when) <= most;
 }
 
-Sweeper::Meeting Sweeper::meet(const Side& a, const Side& b, Real from, Real to) {
+Sweeper::FirstContact Sweeper::meet(const Side& a, const Side& b, Real from, Real to) {
   // What comes no nearer than two may sink is the solver's, wherever it is.
   const auto arm = [](const Side& s) { return s.piece.local.p.norm() + s.piece.shape->bounding_radius; };
   const Real a_turns = a.path.w == Vec3::zero() ? 0 : a.path.w.norm() * arm(a),
@@ -73,7 +73,7 @@ Sweeper::Meeting Sweeper::meet(const Side& a, const Side& b, Real from, Real to)
   settings.cap = kMeetCap;
   CastResult r;
   Real start = from, allowed = 0;
-  const auto look = [&]() -> Meeting {
+  const auto look = [&]() -> FirstContact {
     SupportFault fault;
     settings.target = allowed;
     any_shape::time_of_impact(*a.piece.shape, a.path.motion(a.piece, start), *b.piece.shape,
@@ -83,14 +83,14 @@ Sweeper::Meeting Sweeper::meet(const Side& a, const Side& b, Real from, Real to)
     // What could not be decided is as good as touching: nothing touches before.
     return {start + r.time, r.normal, (r.point_a + r.point_b) / 2};
   };
-  const Meeting first = look();
+  const FirstContact first = look();
   if (!(first.when <= to) || !is_slow(a, b, first)) return first;
   // They touch, and are left to that; but not to sink.
   const Real most = slack(a, b), depth = r.outcome == CastOutcome::overlap ? std::min(r.separation, Real(0)) : 0;
   allowed = std::min(-most, depth - kDeeper * most);
   start = first.when;
-  const Meeting second = look();
-  return r.outcome == CastOutcome::overlap ? Meeting{} : second;
+  const FirstContact second = look();
+  return r.outcome == CastOutcome::overlap ? FirstContact{} : second;
 }
 
 }  // namespace carom::dynamics

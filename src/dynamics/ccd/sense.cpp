@@ -15,7 +15,7 @@ constexpr int kPassCap = 256;          // distance queries
 }  // namespace
 
 bool senses_sweeps(const World& world) {
-  return (world.events->wanted & Events::sensor) && world.plan->effects[+EffectId::sensor].customers.count > 0;
+  return (world.events->wanted & Events::sensor) && world.plan->effects[+EffectId::sensor].participants.count > 0;
 }
 
 /// Sensors on the path of a body since they were last asked; and what its own sensors pass.
@@ -23,8 +23,8 @@ void Sweeper::sense(SweptBody& b, Real to) {
   const Real from = std::exchange(b.sensed, to);
   if (!listens_ || !b.swept || !(from < to)) return;
   const Colliders& table = world_.scene.colliders;
-  for (std::uint32_t own = world_.scene.first_collider[b.body]; own != Colliders::kNone; own = table.next[own]) {
-    if (table.muted[own] || is_scenery(*table.shape[own])) continue;
+  for (std::uint32_t own = world_.scene.first_collider[b.body]; own != kInvalid; own = table.next[own]) {
+    if (table.disabled[own] || is_scenery(*table.shape[own])) continue;
     gather(b, swept_box(b, own, from), from);
     for (const std::uint32_t other : c_.found) {
       if (table.is_sensor(own) == table.is_sensor(other) || !may_touch(table, own, other)) continue;

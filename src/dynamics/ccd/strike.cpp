@@ -73,7 +73,7 @@ void Sweeper::strike(SweptBody& b) {
 bool Sweeper::goes_far(const SweptBody& b) const {
   const Colliders& table = world_.scene.colliders;
   Real thin = kInfinity;
-  for (std::uint32_t slot = world_.scene.first_collider[b.body]; slot != Colliders::kNone; slot = table.next[slot])
+  for (std::uint32_t slot = world_.scene.first_collider[b.body]; slot != kInvalid; slot = table.next[slot])
     thin = std::min(thin, (table.shape[slot]->bounds.hi - table.shape[slot]->bounds.lo).min_entry());
   return 4 * time_.dt * (b.path.u.norm() + b.radius * b.path.w.norm()) > thin;
 }
@@ -91,14 +91,14 @@ SweptBody* Sweeper::take_up(std::uint32_t body) {
 /// Those of a patch of scenery that looks the way of the hit.
 void Sweeper::scenery_points(const SceneryPair& pair, const NarrowSettings& settings, const Vec3& normal,
                              Manifold& manifold) {
-  SceneryMeeting& meeting = world_.plan->scenery->meeting;
+  SceneryPairFinder& pair_finder = world_.plan->scenery->pair_finder;
   SupportFault fault;
   try {
-    if (!meeting.find(pair, settings, settings.manifold.contact_distance, report_.narrow, fault)) return;
+    if (!pair_finder.find(pair, settings, settings.manifold.contact_distance, report_.narrow, fault)) return;
   } catch (const std::bad_alloc&) {
     return;  // the sweep's own point does
   }
-  for (const SceneryPatch& patch : meeting.patches()) {
+  for (const SceneryPatch& patch : pair_finder.patches()) {
     if (patch.normal.dot(-normal) < kStrikeSamePatch || patch.count <= manifold.count) continue;
     manifold.count = 0;
     ContactPoint point[PatchPoints::kMax];
@@ -243,7 +243,7 @@ void Sweeper::turn_off(Side& side, Strike& s, const Velocity& change) {
     poses_.q[i] = path.q, motion_.omega[i] = omega;
     c_.one.runs[0] = {i, i + 1};
     world_.plan->rotation_method->advance(world_, motion_, c_.one, rest);
-    path.w = rotation_vector(world_.plan->proposal.q[i] * path.q.conjugate(), rest * omega) / rest;
+    path.w = rotation_vector(world_.plan->predicted.q[i] * path.q.conjugate(), rest * omega) / rest;
   } else {
     motion_.omega[i] = omega;
     path.w += change.omega;

@@ -1,4 +1,4 @@
-// The events of a substep: everybody's first meeting, the earliest answered, those whom it concerns asked again.
+// The events of a substep: everybody's first contact, the earliest answered, those whom it concerns asked again.
 #include <algorithm>
 
 #include "collision/volume.h"
@@ -47,7 +47,7 @@ Sweeper::Sweeper(const World& world, Sweeping to, const StepTime& time)
 
 void Sweeper::run() {
   lay_paths();
-  box_customers();
+  box_participants();
   for (std::size_t k = 0; k < c_.bodies.size(); ++k)
     if (c_.bodies[k].swept) look_ahead(c_.bodies[k], 0);
   while (SweptBody* const b = next()) {
@@ -83,15 +83,15 @@ void Sweeper::lay_path(SweptBody& b) {
     b.path.w = rotation_vector(s.q[i] * b.path.q.conjugate(), time_.h * s.omega[i]) / time_.h;
 }
 
-/// Customers are in each other's way; a hit may lead them anywhere as far as they were to go.
-void Sweeper::box_customers() {
-  for (std::uint32_t k = 0; k < c_.customers; ++k) {
+/// Participants are in each other's way; a hit may lead them anywhere as far as they were to go.
+void Sweeper::box_participants() {
+  for (std::uint32_t k = 0; k < c_.participants; ++k) {
     SweptBody& b = c_.bodies[k];
     b.loose = false;
     c_.boxes[k] = b.path.swept(0, time_.h, b.radius);
   }
   c_.loose.clear();
-  for (std::uint32_t k = static_cast<std::uint32_t>(c_.customers); k < c_.bodies.size(); ++k) {
+  for (std::uint32_t k = static_cast<std::uint32_t>(c_.participants); k < c_.bodies.size(); ++k) {
     c_.bodies[k].loose = c_.bodies[k].swept;
     if (c_.bodies[k].loose) c_.loose.push_back(k);
   }
@@ -130,7 +130,7 @@ void Sweeper::gather(const SweptBody& b, const Aabb& box, Real now) {
   const auto add = [&](std::uint32_t k) {
     const SweptBody& other = c_.bodies[k];
     if (&other == &b || !other.path.swept(now, time_.h, other.radius).overlaps(box)) return;
-    for (std::uint32_t slot = world_.scene.first_collider[other.body]; slot != Colliders::kNone;
+    for (std::uint32_t slot = world_.scene.first_collider[other.body]; slot != kInvalid;
          slot = table.next[slot])
       if (swept_box(other, slot, now).overlaps(box)) c_.found.push_back(slot);
   };
@@ -141,12 +141,12 @@ void Sweeper::gather(const SweptBody& b, const Aabb& box, Real now) {
   std::sort(c_.found.begin(), c_.found.end());
 }
 
-/// The first meeting of a body from now on.
+/// The first contact of a body from now on.
 void Sweeper::look_ahead(SweptBody& b, Real now) {
   b.when = kInfinity;
   const Colliders& table = world_.scene.colliders;
-  for (std::uint32_t own = world_.scene.first_collider[b.body]; own != Colliders::kNone; own = table.next[own]) {
-    if (table.muted[own] || table.is_sensor(own) || is_scenery(*table.shape[own])) continue;
+  for (std::uint32_t own = world_.scene.first_collider[b.body]; own != kInvalid; own = table.next[own]) {
+    if (table.disabled[own] || table.is_sensor(own) || is_scenery(*table.shape[own])) continue;
     gather(b, swept_box(b, own, now), now);
     for (const std::uint32_t other : c_.found) try_pair(b, now, own, other);
   }
@@ -178,7 +178,7 @@ void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t 
   each_swept_piece(world_, own, table.bounds[other], [&](const SweptPiece& mine) {
     each_swept_piece(world_, other, box, [&](const SweptPiece& its) {
       a.piece = mine, o.piece = its;
-      const Meeting m = meet(a, o, now, std::min(b.when, time_.h));
+      const FirstContact m = meet(a, o, now, std::min(b.when, time_.h));
       if (!(m.when < b.when)) return;
       b.when = m.when, b.own = own, b.other = other, b.met_version = version_of(body);
       b.own_piece = mine, b.other_piece = its;

@@ -1,4 +1,4 @@
-// A substep's sweeps: what each customer meets first, and what the meeting does.
+// A substep's sweeps: what each participant meets first, and what the contact does.
 #pragma once
 
 #include "dynamics/ccd/continuous.h"
@@ -26,7 +26,7 @@ class Sweeper {
     Vec3 v, omega;  // m/s, rad/s, world
     Vec3 at(const Vec3& arm) const { return v + omega.cross(arm); }
   };
-  struct Meeting {
+  struct FirstContact {
     Real when = kInfinity;  // s
     Vec3 normal, point;     // unit, A to B; m, world
   };
@@ -37,7 +37,7 @@ class Sweeper {
   // sweep.cpp: paths, and who meets whom
   void lay_paths();
   void lay_path(SweptBody& b);
-  void box_customers();
+  void box_participants();
   void look_ahead(SweptBody& b, Real now);
   Aabb swept_box(const SweptBody& b, std::uint32_t collider, Real now);
   void gather(const SweptBody& b, const Aabb& box, Real now);
@@ -56,8 +56,8 @@ class Sweeper {
   bool passes(const SweptBody& b, std::uint32_t own, std::uint32_t other, Real from, Real to);
 
   // meet.cpp: when do two meet
-  Meeting meet(const Side& a, const Side& b, Real from, Real to);
-  bool is_slow(const Side& a, const Side& b, const Meeting& m);
+  FirstContact meet(const Side& a, const Side& b, Real from, Real to);
+  bool is_slow(const Side& a, const Side& b, const FirstContact& m);
   Real slack(const Side& a, const Side& b) const;
   Velocity velocity(const Side& side, Real moment, Real now);
   Vec3 turned(const Side& side, Real from, Real by, const Vec3& omega);

@@ -79,7 +79,7 @@ void refresh_inertias(const World& world) {
     const std::uint32_t i = c.bodies[k];
     if (rotates(scene, i)) c.inv_inertia_w[i] = rotation[i] * scene.inv_inertia[i] * rotation[i].transpose();
   });
-  world.plan->effects[+EffectId::axis_locks].customers.each([&](std::uint32_t i) {
+  world.plan->effects[+EffectId::axis_locks].participants.each([&](std::uint32_t i) {
     if (rotates(scene, i) && (scene.locks_of(i) & kAngularLocks))
       c.inv_inertia_w[i] = inverse_of_free(rotation[i] * scene.inertia[i] * rotation[i].transpose(), scene.locks_of(i));
   });

@@ -82,14 +82,14 @@ struct HalfContact {
 };
 
 /// Rows of one pair, which stand together: what loops over bodies in touch need of them.
-struct Meeting {
+struct ContactPair {
   std::uint32_t row, count;
   std::uint32_t a, b;  // body slots
   bool moves_a, moves_b;
   bool one_normal;
 
   /// But for where their rows stand.
-  bool is_like(const Meeting& m) const {
+  bool is_like(const ContactPair& m) const {
     return count == m.count && a == m.a && b == m.b && moves_a == m.moves_a && moves_b == m.moves_b &&
            one_normal == m.one_normal;
   }
@@ -97,7 +97,7 @@ struct Meeting {
 
 /// Two bodies that a joint holds together, or one and the world.
 struct Link {
-  std::uint32_t a, b;  // body slots, or kTheWorld
+  std::uint32_t a, b;  // body slots, or kInvalid
   bool moves_a, moves_b;
 };
 
@@ -177,7 +177,7 @@ struct Contacts {
         mass(m),
         geometry(m),
         first_row(m),
-        meetings(m),
+        contact_pairs(m),
         links(m),
         link_label(m),
         group_links(m),
@@ -217,7 +217,7 @@ struct Contacts {
   Array<RowGeometry> geometry;
 
   Array<std::uint32_t> first_row;  // [pairs + 1] by pair of the table
-  Array<Meeting> meetings;         // of pairs that have rows, in their order
+  Array<ContactPair> contact_pairs;         // of pairs that have rows, in their order
 
   Array<Link> links;                      // of active joints, in their order: @see WideJoints::active
   Array<std::uint32_t> link_label;        // by link: its group
@@ -235,7 +235,7 @@ struct Contacts {
   Array<std::uint32_t> bouncing;  // rows with a restitution, ascending
   Array<Impact> impacts;          // of each of them
   Array<ImpactSpin> spins;        // of bodies that bounce and turn far for their shape: scratch
-  Customers one_spin;             // scratch, for rotation methods
+  Participants one_spin;             // scratch, for rotation methods
   Array<Real> last_impact;        // s, by body slot, since the substep began: scratch
   Array<Resistance> resisting;    // ascending by row
   Array<Driven> driven;           // likewise

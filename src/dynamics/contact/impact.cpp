@@ -78,7 +78,7 @@ class Impacts {
       if (!spin.is_led_back && !turns_far_for_its_shape(world_, spin.slot, time_.h)) continue;
       if (!is_carried(*world_.plan, spin.slot)) {
         if (world_.plan->integrator->proposes)
-          world_.plan->proposal.q[spin.slot] = normalized(exp_map(time_.h * s.omega[spin.slot]) * s.q[spin.slot]);
+          world_.plan->predicted.q[spin.slot] = normalized(exp_map(time_.h * s.omega[spin.slot]) * s.q[spin.slot]);
         continue;
       }
       if (!spin.is_led_back) motion_.omega[spin.slot] = led_back(world_, spin.slot, spin.end) + gained;
@@ -201,10 +201,10 @@ class Impacts {
     Plan& plan = *world_.plan;
     const Real rest = time_.h - moment;
     const bool carried = is_carried(plan, body);
-    if (plan.integrator->proposes) plan.proposal.x[body] += rest * dv;
+    if (plan.integrator->proposes) plan.predicted.x[body] += rest * dv;
     if (!rotates(world_.scene, body) || !(plan.integrator->proposes || carried)) return;
-    plan.proposal.q[body] = normalized(exp_map(rest * domega) * plan.proposal.q[body]);
-    if (carried) plan.proposal.omega[body] += domega;
+    plan.predicted.q[body] = normalized(exp_map(rest * domega) * plan.predicted.q[body]);
+    if (carried) plan.predicted.omega[body] += domega;
   }
 
   /// Bodies stand where the motion that they have now would have begun.

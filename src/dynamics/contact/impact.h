@@ -22,7 +22,7 @@ void measure_approach(const World& world);
 
 /// Stage functions of the page.
 /// Impacts of this substep. Velocities and poses after it are such that the bodies, moved by them over the whole
-/// substep, end where impacts leave them; proposals of integrators are brought up to date, separations measured.
+/// substep, end where impacts leave them; predicted poses of integrators are brought up to date, separations measured.
 void solve_impacts(const World& world, Poses& poses, Velocities& motion, StepReport& report, const StepTime& time);
 
 /// When and how fast two points meet.
@@ -30,9 +30,9 @@ struct Touch {
   Real time;   // s, since the substep began
   Real speed;  // m/s; 0: they do not meet
 };
-/// The first meeting that is not over.
+/// The first contact that is not over.
 /// @param gap, closing, accel  m, m/s, m/s^2: as the substep begins, closing counts as positive
-/// @param since  s, of the last impact of either body; negative: there was none, and a meeting may be as long ago
+/// @param since  s, of the last impact of either body; negative: there was none, and a contact may be as long ago
 Touch find_touch(Real gap, Real closing, Real accel, Real since);
 
 }  // namespace carom::dynamics

@@ -177,16 +177,16 @@ void make_room_for_spins(const World& world) {
   if (c.one_spin.runs.empty()) c.one_spin.add(0);
 }
 
-void list_meetings(const World& world) {
+void list_contact_pairs(const World& world) {
   Contacts& c = *world.contacts;
-  c.meetings.clear(), c.bouncing.clear(), c.impacts.clear();
-  c.meetings.reserve(c.rows.size());
+  c.contact_pairs.clear(), c.bouncing.clear(), c.impacts.clear();
+  c.contact_pairs.reserve(c.rows.size());
   std::uint64_t rub = 0;
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
     const std::uint32_t first = c.first_row[i], count = c.first_row[i + 1] - first;
     if (count == 0) continue;
     const Row& row = c.rows[first];
-    c.meetings.push_back({first, count, row.a, row.b, row.moves_a, row.moves_b, row.one_normal});
+    c.contact_pairs.push_back({first, count, row.a, row.b, row.moves_a, row.moves_b, row.one_normal});
     if (row.friction > 0) rub += count;
     for (std::uint32_t k = first; row.restitution > 0 && k < first + count; ++k) {
       c.geometry[k].impact = static_cast<std::uint32_t>(c.impacts.size());
@@ -196,7 +196,7 @@ void list_meetings(const World& world) {
   }
   count_participants(world, EffectId::friction, rub);
   count_participants(world, EffectId::restitution, c.bouncing.size());
-  count_participants(world, EffectId::response, c.meetings.size());
+  count_participants(world, EffectId::response, c.contact_pairs.size());
 }
 
 /// Who is moved by rows or joints, ascending. Looked for among the rows where those are few, so that nobody else costs
@@ -206,7 +206,7 @@ void list_bodies(const World& world) {
   const Plan& plan = *world.plan;
   const std::size_t movers = plan.linear.count + plan.rotating.count;
   c.is_bound.resize(world.scene.bodies.slots(), 0);
-  c.bodies.reserve(std::min(movers, 2 * (c.meetings.size() + c.links.size())));
+  c.bodies.reserve(std::min(movers, 2 * (c.contact_pairs.size() + c.links.size())));
   for (const std::uint32_t i : c.bodies) c.is_bound[i] = 0;
   c.bodies.clear();
   const auto see = [&](bool moves, std::uint32_t i) {
@@ -214,7 +214,7 @@ void list_bodies(const World& world) {
     c.is_bound[i] = 1;
     c.bodies.push_back(i);
   };
-  for (const auto& both : c.meetings) see(both.moves_a, both.a), see(both.moves_b, both.b);
+  for (const auto& both : c.contact_pairs) see(both.moves_a, both.a), see(both.moves_b, both.b);
   for (const auto& both : c.links) see(both.moves_a, both.a), see(both.moves_b, both.b);
   constexpr std::size_t kFew = 16;  // of so many that move one is listed: sorting them is cheaper than a look at all
   if (kFew * c.bodies.size() < movers) {
@@ -234,7 +234,7 @@ void make_room_for_search(const World& world) {
   const std::size_t slots = world.scene.bodies.slots(), n = c.rows.size();
   c.half_begin.resize(slots), c.half_end.resize(slots);
   for (const std::uint32_t i : c.bodies) c.half_end[i] = 0;
-  for (const Meeting& m : c.meetings) {
+  for (const ContactPair& m : c.contact_pairs) {
     if (m.moves_a) c.half_end[m.a] += m.count;
     if (m.moves_b) c.half_end[m.b] += m.count;
   }
@@ -257,7 +257,7 @@ void make_rows(const World& world, StepReport& report, const StepTime& time) {
   for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;  // of the last step
   fill_all_rows(world, report, start_scale(world, time.h));
   report.contact_points = c.rows.size();
-  list_meetings(world);
+  list_contact_pairs(world);
 }
 
 void list_moved_bodies(const World& world, Impulses& impulses, const StepTime&) {

@@ -143,7 +143,7 @@ class Group {
   /// Without what a rotation method did itself: it has turned the body by the mean of that.
   Vec3 gained_omega(const Body& b) const {
     const Plan& plan = *world_.plan;
-    return world_.state.omega[b.slot] - (is_carried(plan, b.slot) ? plan.proposal.omega[b.slot] : plan.begun[b.slot].omega);
+    return world_.state.omega[b.slot] - (is_carried(plan, b.slot) ? plan.predicted.omega[b.slot] : plan.begun[b.slot].omega);
   }
 
   /// m/s, the most that a body's middle, or a ball of its mass and inertia at its rim, goes by; not finite if any is
@@ -198,14 +198,14 @@ class Group {
 
   /// m/s, of a body that tips its middle is lifted or lowered while no point is.
   static Real lifts(const Stacked& of, std::uint32_t body, const Vec3& n) {
-    return body == MeanMotion::kNobody ? 0 : 2 * std::fabs(of.of[body].linear().dot(n));
+    return body == kInvalid ? 0 : 2 * std::fabs(of.of[body].linear().dot(n));
   }
   static Vec3 velocity(const Stacked& of, std::uint32_t body, const Vec3& r) {
-    if (body == MeanMotion::kNobody) return Vec3::zero();
+    if (body == kInvalid) return Vec3::zero();
     return of.of[body].linear() + of.of[body].angular().cross(r);
   }
   static void add_impulse(Stacked& to, std::uint32_t body, const Vec3& r, const Vec3& p) {
-    if (body == MeanMotion::kNobody) return;
+    if (body == kInvalid) return;
     to.of[body] = {p, r.cross(p)};
   }
 
@@ -219,7 +219,7 @@ class Group {
 void gather(const Contacts& c, std::size_t group, MeanMotion& m) {
   const std::size_t first = m.bodies.size();
   const auto index = [&](bool moves, std::uint32_t slot) {
-    if (!moves) return MeanMotion::kNobody;
+    if (!moves) return kInvalid;
     const auto at = std::find_if(m.bodies.begin() + static_cast<std::ptrdiff_t>(first), m.bodies.end(),
                                  [&](const Body& b) { return b.slot == slot; });
     const auto i = static_cast<std::uint32_t>(at - m.bodies.begin() - static_cast<std::ptrdiff_t>(first));

@@ -32,7 +32,7 @@ struct MeanMotion {
     Vec3 v_change, omega_change;  // c
   };
   struct Point {
-    std::uint32_t row, a, b;  // bodies, by index in their group; kNobody: it does not move
+    std::uint32_t row, a, b;  // bodies, by index in their group; kInvalid: it does not move
   };
   struct Group {
     std::uint32_t body, point;  // where its own begin
@@ -40,7 +40,6 @@ struct MeanMotion {
     bool is_first = true;       // nothing of this step was looked at yet
     bool is_curved = false;     // normals are no longer what velocities were made for: nobody is moved so in this step
   };
-  static constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 
   Array<Body> bodies;   // by group
   Array<Point> points;  // by group

@@ -105,7 +105,7 @@ class Contacting {
       e_.contacts.push_back(event(ContactEvent::end, t));
   }
 
-  static constexpr Pair kLast{Colliders::kNone, Colliders::kNone};
+  static constexpr Pair kLast{kInvalid, kInvalid};
   const World& world_;
   Events& e_;
   Array<SweepHit>& hits_;
@@ -114,7 +114,7 @@ class Contacting {
 /// Whether a sensor's pair overlaps now; within rounding of touching, as before.
 bool overlaps(const World& world, const Pair& p, bool before) {
   const Colliders& c = world.scene.colliders;
-  if (c.muted[p.a] | c.muted[p.b]) return false;
+  if (c.disabled[p.a] | c.disabled[p.b]) return false;
   SupportFault fault;
   constexpr int kCap = 128;
   const OverlapResult r =
@@ -198,7 +198,7 @@ void look_who_sleeps(const World& world, Events& e) {
 
 void tell_faults(const World& world, Events& e) {
   const auto named = [](const SlotPool& slots, std::uint32_t slot) {
-    return slot == FaultView::kNone ? Handle(0) : slots.handle(slot);
+    return slot == kInvalid ? Handle(0) : slots.handle(slot);
   };
   for (const FaultView& view : world.fault_views) {
     FaultEvent& what = e.faults.emplace_back();
@@ -214,10 +214,10 @@ void tell_faults(const World& world, Events& e) {
 
 }  // namespace
 
-void sensing::find(const Scene& scene, const State&, Customers& customers) {
+void sensing::find(const Scene& scene, const State&, Participants& participants) {
   const Array<std::uint8_t>& sensor = scene.colliders.sensor;
   for (std::uint32_t slot = 0; slot < sensor.size(); ++slot)
-    if (sensor[slot] && scene.collider_slots.alive(slot)) customers.add(slot);
+    if (sensor[slot] && scene.collider_slots.alive(slot)) participants.add(slot);
 }
 
 void collect(World& world, std::uint32_t asked, Real hit_speed) {
@@ -240,13 +240,13 @@ void collect(World& world, std::uint32_t asked, Real hit_speed) {
 void tell_broken(const World& world, Events& e, std::uint32_t slot) {
   if (!(e.wanted & Events::joint)) return;
   const Joint& joint = world.joints.joint[slot];
-  const auto body = [&](std::uint32_t b) { return b == kTheWorld ? Handle(0) : world.scene.bodies.handle(b); };
+  const auto body = [&](std::uint32_t b) { return b == kInvalid ? Handle(0) : world.scene.bodies.handle(b); };
   e.joints.push_back({world.joints.slots.handle(slot), body(joint.def.body_a), body(joint.def.body_b), joint.force,
                       joint.torque, world.report.steps + 1});
 }
 
 void set_sensors_aside(const World& world, Events& e, Array<Pair>& pairs) {
-  if (world.plan->effects[+EffectId::sensor].customers.count == 0) return;
+  if (world.plan->effects[+EffectId::sensor].participants.count == 0) return;
   const Colliders& c = world.scene.colliders;
   const bool asked = e.wanted & Events::sensor;
   for (const Pair& p : pairs)
@@ -269,8 +269,8 @@ void begin_events(const World& world, Events& e, const StepTime&) {
   const std::size_t passed = world.continuous->passed.capacity();
   e.sensor_pairs.reserve(e.sensor_pairs.size() + passed);
   const bool met = world.plan->runs[static_cast<std::size_t>(Stage::solve)];
-  const std::size_t meetings = (e.wanted & Events::contact) && met ? world.contacts->meetings.size() : 0;
-  const std::size_t pairs = meetings + (e.wanted & Events::contact ? world.continuous->hits.capacity() : 0);
+  const std::size_t contact_pairs = (e.wanted & Events::contact) && met ? world.contacts->contact_pairs.size() : 0;
+  const std::size_t pairs = contact_pairs + (e.wanted & Events::contact ? world.continuous->hits.capacity() : 0);
   e.spare.reserve(std::max(pairs + e.touching.size(), e.sensor_pairs.size() + passed + e.within.size()));
   e.touching.reserve(e.spare.capacity()), e.within.reserve(e.spare.capacity());  // they change places
   e.contacts.reserve(2 * pairs + e.touching.size());
@@ -281,7 +281,7 @@ void begin_events(const World& world, Events& e, const StepTime&) {
   }
   if (e.wanted & Events::joint) e.joints.reserve(world.wide_joints->active.size());
   if (e.wanted & Events::fault) e.faults.reserve(world.fault_views.capacity());
-  if (meetings == 0) return;
+  if (contact_pairs == 0) return;
   const Contacts& c = *world.contacts;
   e.approach.resize(c.rows.size());
   in_parallel(world.jobs, c.rows.size(), kRowsAPart, [&](std::uint32_t i) {

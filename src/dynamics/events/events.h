@@ -96,7 +96,7 @@ struct Events {
 
 /// Row of the table: colliders that are sensors.
 namespace sensing {
-void find(const Scene&, const State&, Customers&);
+void find(const Scene&, const State&, Participants&);
 }
 
 /// A host wants other kinds than before, from the next step on.

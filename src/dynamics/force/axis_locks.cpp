@@ -11,7 +11,6 @@ bool holds_turns(const Scene& scene, std::uint32_t body, Locks locks) {
   return (locks & kAngularLocks) && rotates(scene, body);
 }
 
-
 /// What of a rotation is free: P = E (E^T I E)^-1 E^T I. The free part is taken as it is, so that what turns freely
 /// does not round.
 Vec3 project_turn(const Vec3& omega, const Mat3& inertia, const Mat3& inverse, Locks locks) {
@@ -53,19 +52,19 @@ Vec3 angular_acceleration(const Scene& scene, std::uint32_t body, const Quat& q,
   return q * (scene.inv_inertia[body] * (q.conjugate() * torque));
 }
 
-void axis_locks::find(const Scene& scene, const State& state, Customers& customers) {
+void axis_locks::find(const Scene& scene, const State& state, Participants& participants) {
   for (std::uint32_t i = 0; i < scene.attributes.bodies(AttributeId::locks); ++i)
-    if (scene.given_locks_of(i) && responds(scene, state, i)) customers.add(i);
+    if (scene.given_locks_of(i) && responds(scene, state, i)) participants.add(i);
 }
 
 void axis_locks::hold(const World& world, Velocities& motion, Real h) {
   PlannedEffect& row = world.plan->effects[+EffectId::axis_locks];
-  if (row.customers.count == 0) return;
+  if (row.participants.count == 0) return;
   const Scene& scene = world.scene;
   const State& s = world.state;
-  Proposal& to = world.plan->proposal;
+  PredictedPose& to = world.plan->predicted;
   const bool proposes = world.plan->integrator->proposes, gyroscopic = scene.dials.choice(Dial::rotation) != 0;
-  row.customers.each(world.jobs, [&](std::uint32_t i) {
+  row.participants.each(world.jobs, [&](std::uint32_t i) {
     const Locks locks = scene.locks_of(i);
     const Vec3 free = free_axes(locks);
     motion.v[i] = free.times(s.v[i]);
@@ -80,7 +79,7 @@ void axis_locks::hold(const World& world, Velocities& motion, Real h) {
     motion.omega[i] = midpoint(before, inertia, inverse, h);
     if (proposes) to.q[i] = normalized(exp_map((h / 2) * (s.omega[i] - before)) * to.q[i]);
   });
-  row.evaluations += row.customers.count;
+  row.evaluations += row.participants.count;
 }
 
 }  // namespace carom::dynamics

@@ -13,7 +13,7 @@ Submerged submerged(const Scene& scene, std::uint32_t body, const Vec3& x, const
   const WaterDef& water = scene.water.def;
   const Colliders& c = scene.colliders;
   Submerged sum;
-  for (std::uint32_t slot = scene.first_collider[body]; slot != Colliders::kNone; slot = c.next[slot]) {
+  for (std::uint32_t slot = scene.first_collider[body]; slot != kInvalid; slot = c.next[slot]) {
     const Shape& shape = *c.shape[slot];
     if (!floats(shape) || c.is_sensor(slot)) continue;
     const Pose local{c.local[slot].q, c.local[slot].p - scene.center[body]};
@@ -24,7 +24,7 @@ Submerged submerged(const Scene& scene, std::uint32_t body, const Vec3& x, const
     const Real level = water.level - water.normal.dot(origin);
     if (level <= -shape.bounding_radius) continue;
     const std::uint32_t at = scene.water.float_of[slot];
-    const Submerged part = under_plane(shape, at == Colliders::kNone ? nullptr : &scene.water.floats[at], n, level);
+    const Submerged part = under_plane(shape, at == kInvalid ? nullptr : &scene.water.floats[at], n, level);
     sum.volume += part.volume;
     sum.moment += part.volume * origin + turn * part.moment;
   }
@@ -33,14 +33,14 @@ Submerged submerged(const Scene& scene, std::uint32_t body, const Vec3& x, const
 
 }  // namespace
 
-void buoyancy::find(const Scene& scene, const State& state, Customers& customers) {
+void buoyancy::find(const Scene& scene, const State& state, Participants& participants) {
   if (!scene.water.on) return;
   const Colliders& c = scene.colliders;
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i) {
     if (!responds(scene, state, i)) continue;
-    for (std::uint32_t slot = scene.first_collider[i]; slot != Colliders::kNone; slot = c.next[slot])
+    for (std::uint32_t slot = scene.first_collider[i]; slot != kInvalid; slot = c.next[slot])
       if (floats(*c.shape[slot]) && !c.is_sensor(slot)) {
-        customers.add(i);
+        participants.add(i);
         break;
       }
   }
@@ -50,16 +50,16 @@ bool buoyancy::wakes(const Scene& scene, const State& state, std::uint32_t i) {
   const WaterDef& water = scene.water.def;
   const Colliders& c = scene.colliders;
   Real radius = 0;
-  for (std::uint32_t slot = scene.first_collider[i]; slot != Colliders::kNone; slot = c.next[slot])
+  for (std::uint32_t slot = scene.first_collider[i]; slot != kInvalid; slot = c.next[slot])
     radius = std::max(radius, (c.local[slot].p - scene.center[i]).norm() + c.shape[slot]->bounding_radius);
   // It may dip in within the step; a speed of its radius per millisecond would be needed to do so from farther away.
   return water.normal.dot(state.x[i]) - 2 * radius < water.level;
 }
 
-void buoyancy::force(const Scene& scene, const State& state, const Customers& customers, const Motion& at,
+void buoyancy::force(const Scene& scene, const State& state, const Participants& participants, const Motion& at,
                      const Accelerate& out) {
   const Water& water = scene.water;
-  customers.each([&](std::uint32_t i) {
+  participants.each([&](std::uint32_t i) {
     const bool turns = rotates(scene, i);
     const Submerged under = submerged(scene, i, at.x[i], turns ? at.q[i] : state.q[i]);
     if (!(under.volume > 0)) return;

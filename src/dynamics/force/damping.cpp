@@ -19,17 +19,17 @@ Real decay(Real x) {
 
 namespace linear_damping {
 
-void find(const Scene& scene, const State& state, Customers& customers) {
+void find(const Scene& scene, const State& state, Participants& participants) {
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
-    if (responds(scene, state, i) && scene.def[i].linear_damping > 0) customers.add(i);
+    if (responds(scene, state, i) && scene.def[i].linear_damping > 0) participants.add(i);
 }
 
-void force(const Scene& scene, const State&, const Customers& customers, const Motion& at, const Accelerate& out) {
-  customers.each([&](std::uint32_t i) { out.v[i] -= out.scale * scene.def[i].linear_damping * at.v[i]; });
+void force(const Scene& scene, const State&, const Participants& participants, const Motion& at, const Accelerate& out) {
+  participants.each([&](std::uint32_t i) { out.v[i] -= out.scale * scene.def[i].linear_damping * at.v[i]; });
 }
 
-void flow(const Scene& scene, const Customers& customers, Real h, const Quat*, Vec3* v, Vec3*) {
-  customers.each([&](std::uint32_t i) { v[i] *= decay(h * scene.def[i].linear_damping); });
+void flow(const Scene& scene, const Participants& participants, Real h, const Quat*, Vec3* v, Vec3*) {
+  participants.each([&](std::uint32_t i) { v[i] *= decay(h * scene.def[i].linear_damping); });
 }
 
 Real rate(const Scene& scene, const State&, std::uint32_t i) { return scene.def[i].linear_damping; }
@@ -38,17 +38,17 @@ Real rate(const Scene& scene, const State&, std::uint32_t i) { return scene.def[
 
 namespace angular_damping {
 
-void find(const Scene& scene, const State& state, Customers& customers) {
+void find(const Scene& scene, const State& state, Participants& participants) {
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
-    if (responds(scene, state, i) && rotates(scene, i) && scene.def[i].angular_damping > 0) customers.add(i);
+    if (responds(scene, state, i) && rotates(scene, i) && scene.def[i].angular_damping > 0) participants.add(i);
 }
 
-void force(const Scene& scene, const State&, const Customers& customers, const Motion& at, const Accelerate& out) {
-  customers.each([&](std::uint32_t i) { out.omega[i] -= out.scale * scene.def[i].angular_damping * at.omega[i]; });
+void force(const Scene& scene, const State&, const Participants& participants, const Motion& at, const Accelerate& out) {
+  participants.each([&](std::uint32_t i) { out.omega[i] -= out.scale * scene.def[i].angular_damping * at.omega[i]; });
 }
 
-void flow(const Scene& scene, const Customers& customers, Real h, const Quat*, Vec3*, Vec3* omega) {
-  customers.each([&](std::uint32_t i) { omega[i] *= decay(h * scene.def[i].angular_damping); });
+void flow(const Scene& scene, const Participants& participants, Real h, const Quat*, Vec3*, Vec3* omega) {
+  participants.each([&](std::uint32_t i) { omega[i] *= decay(h * scene.def[i].angular_damping); });
 }
 
 Real rate(const Scene& scene, const State&, std::uint32_t i) { return scene.def[i].angular_damping; }

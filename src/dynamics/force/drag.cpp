@@ -27,28 +27,28 @@ Vec3 air_velocity(const Scene& scene, std::uint32_t body) {
   return scene.modes.forbids(+EffectId::wind, body) ? Vec3(Vec3::zero()) : scene.wind;
 }
 
-void wind::find(const Scene& scene, const State& state, Customers& customers) {
+void wind::find(const Scene& scene, const State& state, Participants& participants) {
   if (scene.wind == Vec3::zero()) return;
   for (std::uint32_t i = 0; i < scene.attributes.bodies(AttributeId::drag); ++i)
-    if (meets_air(scene, state, i) && !scene.modes.forbids(+EffectId::drag, i)) customers.add(i);
+    if (meets_air(scene, state, i) && !scene.modes.forbids(+EffectId::drag, i)) participants.add(i);
 }
 
-void drag::find(const Scene& scene, const State& state, Customers& customers) {
+void drag::find(const Scene& scene, const State& state, Participants& participants) {
   for (std::uint32_t i = 0; i < scene.attributes.bodies(AttributeId::drag); ++i)
-    if (meets_air(scene, state, i)) customers.add(i);
+    if (meets_air(scene, state, i)) participants.add(i);
 }
 
-void drag::force(const Scene& scene, const State&, const Customers& customers, const Motion& at,
+void drag::force(const Scene& scene, const State&, const Participants& participants, const Motion& at,
                  const Accelerate& out) {
-  customers.each([&](std::uint32_t i) {
+  participants.each([&](std::uint32_t i) {
     const Drag d = scene.drag_of(i);
     const Vec3 u = at.v[i] - air_velocity(scene, i);
     out.v[i] -= out.scale * scene.inv_mass[i] * (d.linear + d.quadratic * u.norm()) * u;
   });
 }
 
-void drag::flow(const Scene& scene, const Customers& customers, Real h, const Quat*, Vec3* v, Vec3*) {
-  customers.each([&](std::uint32_t i) {
+void drag::flow(const Scene& scene, const Participants& participants, Real h, const Quat*, Vec3* v, Vec3*) {
+  participants.each([&](std::uint32_t i) {
     const Drag d = scene.drag_of(i);
     const Vec3 air = air_velocity(scene, i), u = v[i] - air;
     const Real a = d.linear * scene.inv_mass[i], b = d.quadratic * scene.inv_mass[i];

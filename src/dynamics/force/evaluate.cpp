@@ -1,4 +1,4 @@
-// The work of forces and flows: each on its customers, at one state.
+// The work of forces and flows: each on its participants, at one state.
 #include <chrono>
 
 #include "dynamics/force/force.h"
@@ -9,19 +9,19 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Books what a row does for some of its customers, and its time if somebody wants to know.
+/// Books what a row does for some of its participants, and its time if somebody wants to know.
 template <class F>
-void serve(const World& world, PlannedEffect& row, const Customers& whom, F&& work) {
+void serve(const World& world, PlannedEffect& row, const Participants& whom, F&& work) {
   const auto start = world.times_effects ? Clock::now() : Clock::time_point();
   work();
   if (world.times_effects) row.seconds += std::chrono::duration<double>(Clock::now() - start).count();
   row.evaluations += whom.count;
   if (row.effect->force == drag::force) {
     PlannedEffect& wind = world.plan->effects[+EffectId::wind];
-    if (whom.count == row.customers.count)
-      wind.evaluations += wind.customers.count;
+    if (whom.count == row.participants.count)
+      wind.evaluations += wind.participants.count;
     else
-      whom.each([&](std::uint32_t i) { wind.evaluations += wind.customers.has(i); });
+      whom.each([&](std::uint32_t i) { wind.evaluations += wind.participants.has(i); });
   }
 }
 
@@ -35,8 +35,8 @@ void evaluate_forces(const World& world, const Motion& given, const Accelerate& 
     at.v = plan.read_v.data(), at.omega = plan.read_omega.data();
   }
   for (PlannedEffect& row : world.plan->effects) {
-    if (row.served != Served::force || row.customers.count == 0) continue;
-    const Customers& whom = row.forced();
+    if (row.served != Served::force || row.participants.count == 0) continue;
+    const Participants& whom = row.forced();
     if (whom.count == 0) continue;
     const BookRow book(world, row, out.v, out.omega, out.share);
     serve(world, row, whom, [&] { row.effect->force(world.scene, world.state, whom, at, out); });
@@ -56,8 +56,8 @@ Motion extrapolated(const World& world, const Vec3* x, const Quat* q) {
 
 void evaluate_flows(const World& world, Velocities& to, Real h, const Quat* q) {
   for (PlannedEffect& row : world.plan->effects) {
-    if (row.customers.count == 0 || !(row.served == Served::flow || row.has_stiff())) continue;
-    const Customers& whom = row.served == Served::flow ? row.customers : row.decays->stiff;
+    if (row.participants.count == 0 || !(row.served == Served::flow || row.has_stiff())) continue;
+    const Participants& whom = row.served == Served::flow ? row.participants : row.decays->stiff;
     const BookRow book(world, row, to.v.data(), to.omega.data(), 1);
     serve(world, row, whom, [&] { row.effect->flow(world.scene, whom, h, q, to.v.data(), to.omega.data()); });
   }

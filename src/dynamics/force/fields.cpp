@@ -36,13 +36,13 @@ Vec3 vortex_at(const FieldDef& f, const Vec3& x) {
 
 }  // namespace
 
-void fields::find(const Scene& scene, const State& state, Customers& customers) {
+void fields::find(const Scene& scene, const State& state, Participants& participants) {
   const Fields& all = scene.fields;
   if (all.slots.alive_count() == 0) return;
   std::uint32_t felt = 0;
   all.each([&](const FieldDef& f) { felt |= pushes(f.kind) ? f.mask : 0; });
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
-    if (responds(scene, state, i) && scene.field_mask_of(i) & felt) customers.add(i);
+    if (responds(scene, state, i) && scene.field_mask_of(i) & felt) participants.add(i);
 }
 
 Vec3 field_at(const FieldDef& field, const Vec3& x) {
@@ -50,11 +50,11 @@ Vec3 field_at(const FieldDef& field, const Vec3& x) {
   return field.kind == FieldKind::vortex ? vortex_at(field, x) : uniform_at(field, x);
 }
 
-void fields::force(const Scene& scene, const State&, const Customers& customers, const Motion& at,
+void fields::force(const Scene& scene, const State&, const Participants& participants, const Motion& at,
                    const Accelerate& out) {
   scene.fields.each([&](const FieldDef& f) {
     if (!pushes(f.kind)) return;
-    customers.each([&](std::uint32_t i) {
+    participants.each([&](std::uint32_t i) {
       if (!(scene.field_mask_of(i) & f.mask)) return;
       out.v[i] += out.scale * (f.is_force ? scene.inv_mass[i] : 1) * field_at(f, at.x[i]);
     });

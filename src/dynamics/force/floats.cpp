@@ -130,12 +130,12 @@ void make_floats(const Colliders& c, Floats& water, Memory* memory) {
     return at < water.floats.size() && water.floats[at].shape == &shape && water.floats[at].handle == shape.handle;
   };
   if (water.floats.size() > 2 * c.live.size() + 16) water.floats.clear();  // most of them are of shapes long gone
-  water.float_of.resize(c.slots(), Colliders::kNone);
+  water.float_of.resize(c.slots(), kInvalid);
   for (const std::uint32_t slot : c.live) {
     const Shape& shape = *c.shape[slot];
     std::uint32_t& at = water.float_of[slot];
     if (is_of(at, shape)) continue;
-    at = Colliders::kNone;
+    at = kInvalid;
     if (!c.movable[slot] || !floats(shape) || floats_by_form(shape)) continue;
     for (at = 0; at < water.floats.size() && !is_of(at, shape);) ++at;
     if (at < water.floats.size()) continue;

@@ -1,4 +1,4 @@
-// The effects on velocities, one file each: who are the customers, and what is done to them.
+// The effects on velocities, one file each: who are the participants, and what is done to them.
 //
 // Signatures as the table wants them (dynamics/effects.h): a force adds scale * acceleration to its target and reads
 // the motion it is given, never the state's; a flow maps velocities over h exactly or stably where a force could not.
@@ -10,77 +10,77 @@
 namespace carom::dynamics {
 
 namespace gravity {
-void find(const Scene&, const State&, Customers&);
-void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
+void find(const Scene&, const State&, Participants&);
+void force(const Scene&, const State&, const Participants&, const Motion& at, const Accelerate& out);
 }  // namespace gravity
 
 namespace linear_damping {
-void find(const Scene&, const State&, Customers&);
-void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
-void flow(const Scene&, const Customers&, Real h, const Quat* q, Vec3* v, Vec3* omega);
+void find(const Scene&, const State&, Participants&);
+void force(const Scene&, const State&, const Participants&, const Motion& at, const Accelerate& out);
+void flow(const Scene&, const Participants&, Real h, const Quat* q, Vec3* v, Vec3* omega);
 Real rate(const Scene&, const State&, std::uint32_t body);
 }  // namespace linear_damping
 
 namespace angular_damping {
-void find(const Scene&, const State&, Customers&);
-void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
-void flow(const Scene&, const Customers&, Real h, const Quat* q, Vec3* v, Vec3* omega);
+void find(const Scene&, const State&, Participants&);
+void force(const Scene&, const State&, const Participants&, const Motion& at, const Accelerate& out);
+void flow(const Scene&, const Participants&, Real h, const Quat* q, Vec3* v, Vec3* omega);
 Real rate(const Scene&, const State&, std::uint32_t body);
 }  // namespace angular_damping
 
 namespace gyroscopic {
-void find(const Scene&, const State&, Customers&);
+void find(const Scene&, const State&, Participants&);
 bool wakes(const Scene&, const State&, std::uint32_t body);
-void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
-void flow(const Scene&, const Customers&, Real h, const Quat* q, Vec3* v, Vec3* omega);
+void force(const Scene&, const State&, const Participants&, const Motion& at, const Accelerate& out);
+void flow(const Scene&, const Participants&, Real h, const Quat* q, Vec3* v, Vec3* omega);
 }  // namespace gyroscopic
 
 namespace user_force {
-void find(const Scene&, const State&, Customers&);
-void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
+void find(const Scene&, const State&, Participants&);
+void force(const Scene&, const State&, const Participants&, const Motion& at, const Accelerate& out);
 }  // namespace user_force
 
 namespace user_torque {
-void find(const Scene&, const State&, Customers&);
-void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
+void find(const Scene&, const State&, Participants&);
+void force(const Scene&, const State&, const Participants&, const Motion& at, const Accelerate& out);
 }  // namespace user_torque
 
 /// rad/s^2, world, that a torque about the centre of mass gives a body, with the axes that are locked.
 /// @param torque  N m, world
 Vec3 angular_acceleration(const Scene& scene, std::uint32_t body, const Quat& q, const Vec3& torque);
 
-/// Drag of air; and wind, which is the motion of that air: it serves drag's customers and does nothing by itself.
+/// Drag of air; and wind, which is the motion of that air: it serves drag's participants and does nothing by itself.
 /// @oracle tests/oracle/test_forces
 namespace drag {
-void find(const Scene&, const State&, Customers&);
-void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
-void flow(const Scene&, const Customers&, Real h, const Quat* q, Vec3* v, Vec3* omega);
+void find(const Scene&, const State&, Participants&);
+void force(const Scene&, const State&, const Participants&, const Motion& at, const Accelerate& out);
+void flow(const Scene&, const Participants&, Real h, const Quat* q, Vec3* v, Vec3* omega);
 Real rate(const Scene&, const State&, std::uint32_t body);
 }  // namespace drag
 namespace wind {
-void find(const Scene&, const State&, Customers&);
+void find(const Scene&, const State&, Participants&);
 }
 /// m/s, world: of the air as a body meets it.
 Vec3 air_velocity(const Scene& scene, std::uint32_t body);
 
 /// Fields of acceleration or force.   @oracle tests/oracle/test_forces
 namespace fields {
-void find(const Scene&, const State&, Customers&);
-void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
+void find(const Scene&, const State&, Participants&);
+void force(const Scene&, const State&, const Participants&, const Motion& at, const Accelerate& out);
 }  // namespace fields
 /// m/s^2 or N, world, at a place.   @param x  m, world
 Vec3 field_at(const FieldDef& field, const Vec3& x);
 
 /// Magnetic moments in magnetic fields.   @oracle tests/oracle/test_magnetism
 namespace magnetism {
-void find(const Scene&, const State&, Customers&);
-void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
+void find(const Scene&, const State&, Participants&);
+void force(const Scene&, const State&, const Participants&, const Motion& at, const Accelerate& out);
 }  // namespace magnetism
 
-/// Springs as forces. Customers are springs, by slot.   @oracle tests/oracle/test_forces
+/// Springs as forces. Participants are springs, by slot.   @oracle tests/oracle/test_forces
 namespace springs {
-void find(const Scene&, const State&, Customers&);
-void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
+void find(const Scene&, const State&, Participants&);
+void force(const Scene&, const State&, const Participants&, const Motion& at, const Accelerate& out);
 }  // namespace springs
 /// Before a body goes.
 void remove_springs_of(World& world, std::uint32_t body);
@@ -98,9 +98,9 @@ SpringReading read_spring(const World& world, std::uint32_t slot);
 
 /// Buoyancy and drag of water.   @oracle tests/oracle/test_forces
 namespace buoyancy {
-void find(const Scene&, const State&, Customers&);
+void find(const Scene&, const State&, Participants&);
 bool wakes(const Scene&, const State&, std::uint32_t body);
-void force(const Scene&, const State&, const Customers&, const Motion& at, const Accelerate& out);
+void force(const Scene&, const State&, const Participants&, const Motion& at, const Accelerate& out);
 }  // namespace buoyancy
 
 /// Velocities along and about world axes that are held at 0. Whatever moves a body respects it: impulses and torques
@@ -112,7 +112,7 @@ void force(const Scene&, const State&, const Customers&, const Motion& at, const
 /// term, by the implicit midpoint rule, in place of the dial's method. With one axis or none there is no such term.
 /// @oracle tests/oracle/test_axis_locks
 namespace axis_locks {
-void find(const Scene&, const State&, Customers&);
+void find(const Scene&, const State&, Participants&);
 /// After the forces of a substep: velocities, and what integrators propose.
 void hold(const World& world, Velocities& to, Real h);
 }  // namespace axis_locks

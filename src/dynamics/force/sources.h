@@ -58,7 +58,7 @@ struct Fields {
 
 /// A spring as a force, between two bodies or one and the world.
 struct SpringDef {
-  std::uint32_t body_a = kTheWorld, body_b = kTheWorld;   // slots, or kTheWorld
+  std::uint32_t body_a = kInvalid, body_b = kInvalid;   // slots, or kInvalid
   Vec3 anchor_a = Vec3::zero(), anchor_b = Vec3::zero();  // m, body frame (origin as the host gave it), or world
   Real rest = 0;                                          // m
   Real stiffness = 0, damping = 0;                        // N/m, N s/m
@@ -69,8 +69,8 @@ struct SpringDef {
   /// f(slot, anchor) for its bodies.
   template <class F>
   void each_end(F&& f) const {
-    if (body_a != kTheWorld) f(body_a, anchor_a);
-    if (body_b != kTheWorld) f(body_b, anchor_b);
+    if (body_a != kInvalid) f(body_a, anchor_a);
+    if (body_b != kInvalid) f(body_b, anchor_b);
   }
 };
 
@@ -82,7 +82,7 @@ struct SpringLoads {
     Real stiffness = 0, damping = 0;  // N/m, N s/m, of all of them
   };
   Array<Load> load;            // by body slot, scratch
-  std::uint64_t softened = 0;  // of the customers, those of which a substep can't carry all
+  std::uint64_t softened = 0;  // of the participants, those of which a substep can't carry all
 };
 
 struct Springs : SpringLoads {
@@ -121,7 +121,7 @@ struct Float {
 struct Floats {
   explicit Floats(Memory* m) : floats(m), float_of(m) {}
   Array<Float> floats;            // of the shapes that need one
-  Array<std::uint32_t> float_of;  // by collider slot: index of the above, or Colliders::kNone
+  Array<std::uint32_t> float_of;  // by collider slot: index of the above, or kInvalid
   Real most_rate = kInfinity;     // 1/s, that a substep can carry
 };
 

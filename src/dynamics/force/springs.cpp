@@ -24,7 +24,7 @@ struct End {
 };
 
 End end_of(const Scene& scene, const State& s, const Motion& at, std::uint32_t body, const Vec3& anchor) {
-  if (body == kTheWorld) return {anchor, Vec3::zero(), Vec3::zero(), false};
+  if (body == kInvalid) return {anchor, Vec3::zero(), Vec3::zero(), false};
   End e;
   e.moves = responds(scene, s, body);
   const bool held = s.quarantined[body] != 0;
@@ -54,10 +54,10 @@ Pull pull_of(const SpringDef& def, Real stiffness, Real damping, const End& a, c
 
 bool acts(const World& world, const SpringDef& def) {
   const auto awake = [&](std::uint32_t body) {
-    return body != kTheWorld && responds(world.scene, world.state, body) && !world.state.sleeps(body);
+    return body != kInvalid && responds(world.scene, world.state, body) && !world.state.sleeps(body);
   };
   const auto forbids = [&](std::uint32_t body) {
-    return body != kTheWorld && world.scene.modes.forbids(+EffectId::springs, body);
+    return body != kInvalid && world.scene.modes.forbids(+EffectId::springs, body);
   };
   return (awake(def.body_a) || awake(def.body_b)) && !forbids(def.body_a) && !forbids(def.body_b) &&
          !world.scene.modes.forbids(+EffectId::springs);
@@ -65,28 +65,28 @@ bool acts(const World& world, const SpringDef& def) {
 
 /// m/(N s^2): what a newton at the anchor accelerates it by, at most.
 Real mobility(const Scene& scene, const State& state, std::uint32_t body, const Vec3& anchor) {
-  if (body == kTheWorld || !responds(scene, state, body)) return 0;
+  if (body == kInvalid || !responds(scene, state, body)) return 0;
   const Real arm2 = rotates(scene, body) ? (anchor - scene.center[body]).squared_norm() : 0;
   return scene.inv_mass[body] + arm2 * scene.inv_inertia[body].trace();
 }
 
 bool is_moved(const World& world, std::uint32_t body) {
-  if (body == kTheWorld || world.scene.type[body] == BodyType::fixed) return false;
+  if (body == kInvalid || world.scene.type[body] == BodyType::fixed) return false;
   if (world.scene.type[body] == BodyType::dynamic) return !world.state.sleeps(body);
   return world.state.v[body] != Vec3::zero() || world.state.omega[body] != Vec3::zero();
 }
 
 }  // namespace
 
-void springs::find(const Scene&, const State&, Customers&) {}  // by plan_springs(): they are springs, not bodies
+void springs::find(const Scene&, const State&, Participants&) {}  // by plan_springs(): they are springs, not bodies
 
 void plan_springs(const World& world) {
   const Springs& all = world.scene.springs;
   PlannedEffect& row = world.plan->effects[+EffectId::springs];
-  row.customers.clear();
+  row.participants.clear();
   row.wanted = all.slots.alive_count();
   all.each([&](std::uint32_t k, const SpringDef& def) {
-    if (acts(world, def)) row.customers.add(k);
+    if (acts(world, def)) row.participants.add(k);
   });
 }
 
@@ -95,16 +95,16 @@ void carry_springs(const World& world, SpringLoads& to, Real h) {
   const Scene& scene = world.scene;
   const PlannedEffect& row = world.plan->effects[+EffectId::springs];
   to.softened = 0;
-  if (row.customers.count == 0) return;
-  row.customers.each(
+  if (row.participants.count == 0) return;
+  row.participants.each(
       [&](std::uint32_t k) { all.def[k].each_end([&](std::uint32_t body, const Vec3&) { to.load[body] = {}; }); });
-  row.customers.each([&](std::uint32_t k) {
+  row.participants.each([&](std::uint32_t k) {
     all.def[k].each_end([&](std::uint32_t body, const Vec3&) {
       to.load[body].stiffness += all.def[k].stiffness;
       to.load[body].damping += all.def[k].damping;
     });
   });
-  row.customers.each([&](std::uint32_t k) {
+  row.participants.each([&](std::uint32_t k) {
     const SpringDef& def = all.def[k];
     Real stiff = 0, damp = 0;  // 1/s^2, 1/s
     def.each_end([&](std::uint32_t body, const Vec3& anchor) {
@@ -122,15 +122,15 @@ void wake_sprung(const World& world, Sleepers to) {
   const Springs& all = world.scene.springs;
   if (all.slots.alive_count() == 0 || world.sleep->count == 0) return;
   all.each([&](std::uint32_t, const SpringDef& def) {
-    if (def.body_a != kTheWorld && is_moved(world, def.body_b)) wake(world, to, def.body_a);
-    if (def.body_b != kTheWorld && is_moved(world, def.body_a)) wake(world, to, def.body_b);
+    if (def.body_a != kInvalid && is_moved(world, def.body_b)) wake(world, to, def.body_a);
+    if (def.body_b != kInvalid && is_moved(world, def.body_a)) wake(world, to, def.body_b);
   });
 }
 
-void springs::force(const Scene& scene, const State& state, const Customers& customers, const Motion& at,
+void springs::force(const Scene& scene, const State& state, const Participants& participants, const Motion& at,
                     const Accelerate& out) {
   const Springs& all = scene.springs;
-  customers.each([&](std::uint32_t k) {
+  participants.each([&](std::uint32_t k) {
     const SpringDef& def = all.def[k];
     const End a = end_of(scene, state, at, def.body_a, def.anchor_a);
     const End b = end_of(scene, state, at, def.body_b, def.anchor_b);

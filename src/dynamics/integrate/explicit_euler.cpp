@@ -8,10 +8,10 @@ namespace {
 void velocity_by_explicit_euler(const World& world, Velocities& to, Real h) {
   const State& s = world.state;
   Plan& plan = *world.plan;
-  plan.linear.each([&](std::uint32_t i) { plan.proposal.x[i] = s.x[i] + h * s.v[i]; });
+  plan.linear.each([&](std::uint32_t i) { plan.predicted.x[i] = s.x[i] + h * s.v[i]; });
   plan.rotating.each([&](std::uint32_t i) {
-    plan.proposal.x[i] = s.x[i] + h * s.v[i];
-    plan.proposal.q[i] = normalized(exp_map(h * s.omega[i]) * s.q[i]);
+    plan.predicted.x[i] = s.x[i] + h * s.v[i];
+    plan.predicted.q[i] = normalized(exp_map(h * s.omega[i]) * s.q[i]);
   });
   turn_tops(world, to, h);
   // In place: rows that read velocities come first in the table, so each reads those of the start of the substep.

@@ -21,7 +21,7 @@ RowBits movers_of_bodies(const Plan& plan) {
   for (std::size_t row = 0; row < kEffectCount; ++row) {
     if (plan.effects[row].candidates.count == 0) continue;  // all step long
     const Effect& effect = *plan.effects[row].effect;
-    if (effect.stage == Stage::integrate && effect.customers == CustomerKind::bodies) movers |= row_bit(row);
+    if (effect.stage == Stage::integrate && effect.participants == ParticipantKind::bodies) movers |= row_bit(row);
   }
   return movers;
 }
@@ -40,7 +40,7 @@ void find_watched(const World& world, FreeFlight& f) {
   const Continuous& c = *world.continuous;
   take_out(world.plan->solid, f.tied, f.more);
   f.again.linear.clear();
-  for (std::size_t k = 0; k < c.customers; ++k) f.again.linear.add(c.bodies[k].body);
+  for (std::size_t k = 0; k < c.participants; ++k) f.again.linear.add(c.bodies[k].body);
   take_out(f.more, f.again.linear, f.watched);
 }
 
@@ -50,14 +50,14 @@ void find_bound(const World& world, FreeFlight& flight) {
   flight.tied.clear();
   if (plan.runs[static_cast<std::size_t>(Stage::group)])
     for (const std::uint32_t i : world.contacts->bodies) flight.tied.add(i);
-  const auto tie = [&](const Customers& list) {
+  const auto tie = [&](const Participants& list) {
     if (list.count == 0) return;
     unite(flight.tied, list, flight.more);
     std::swap(flight.tied, flight.more);
   };
   tie(plan.sprung);
   each_mover_of_bodies(plan, flight.movers, [&](std::size_t row, const PlannedEffect& effect) {
-    if (!is_constant(row)) tie(effect.is_forced ? *effect.calling : effect.customers);
+    if (!is_constant(row)) tie(effect.is_forced ? *effect.calling : effect.participants);
   });
   flight.watched.clear();
   if (world.continuous->bodies.empty()) return;
@@ -77,7 +77,7 @@ void save_watched(const World& world, FreeFlight& f) {
   });
 }
 
-void split(const Customers& all, const Customers& tied, Customers& bound, Customers& flying) {
+void split(const Participants& all, const Participants& tied, Participants& bound, Participants& flying) {
   if (all.count == 0) return bound.clear(), flying.clear();
   take_out(all, tied, flying);
   take_out(all, flying, bound);
@@ -87,7 +87,7 @@ void exchange(Plan& plan, RowBits movers, FreeFlight::Part& part) {
   std::swap(plan.linear, part.linear);
   std::swap(plan.rotating, part.rotating);
   each_mover_of_bodies(plan, movers, [&](std::size_t row, PlannedEffect& effect) {
-    if (effect.customers.count + part.of_row[row].count > 0) std::swap(effect.customers, part.of_row[row]);
+    if (effect.participants.count + part.of_row[row].count > 0) std::swap(effect.participants, part.of_row[row]);
   });
 }
 
@@ -105,7 +105,7 @@ void part(const World& world, FreeFlight& f) {
   split(plan.rotating, f.tied, f.bound.rotating, f.flying.rotating);
   if (f.flying.linear.count + f.flying.rotating.count == 0) return;
   each_mover_of_bodies(plan, f.movers, [&](std::size_t row, const PlannedEffect& effect) {
-    split(effect.customers, f.tied, f.bound.of_row[row], f.flying.of_row[row]);
+    split(effect.participants, f.tied, f.bound.of_row[row], f.flying.of_row[row]);
   });
   f.any = true;
   exchange(plan, f.movers, f.bound);
@@ -113,7 +113,7 @@ void part(const World& world, FreeFlight& f) {
 
 void exchange_the_rest(Plan& plan, FreeFlight& flight) {
   std::swap(plan.kinematic, flight.kinematic);
-  std::swap(plan.effects[+EffectId::springs].customers, flight.springs);
+  std::swap(plan.effects[+EffectId::springs].participants, flight.springs);
 }
 
 /// Back to where the watched began, but for those that something struck; and lists of them.
@@ -130,7 +130,7 @@ void take_back(const World& world, Poses& poses, Velocities& motion, FreeFlight&
     motion.v[i] = b.v, motion.omega[i] = b.omega;
     (rotates(world.scene, i) ? f.again.rotating : f.again.linear).add(i);
     each_mover_of_bodies(plan, f.movers, [&](std::size_t row, const PlannedEffect& effect) {
-      if (effect.customers.has(i)) f.again.of_row[row].add(i);
+      if (effect.participants.has(i)) f.again.of_row[row].add(i);
     });
   });
 }

@@ -2,7 +2,7 @@
 //
 // Substeps serve what is not: contacts, joints, forces that depend on where a body is or how fast. Whose acceleration
 // is constant, and whose rotation keeps its omega, ends a step where it ends after any number of substeps. So the
-// substeps are left to the others (who is `bound`: by a row of the solver, or as a customer of another effect that
+// substeps are left to the others (who is `bound`: by a row of the solver, or as a participant of another effect that
 // moves it), and those in flight take the step in one go, after them. One joint among 10,000 bodies that fly then costs
 // what it costs alone, and what hangs on it does not change the bits of those that do not.
 //
@@ -28,13 +28,13 @@ struct FreeFlight {
   /// Lists of a plan, of part of the bodies; and while the plan has that part in them, of all.
   struct Part {
     explicit Part(Memory* m);
-    Customers linear, rotating;
-    Array<Customers> of_row;  // by row of the table, of those that move bodies
+    Participants linear, rotating;
+    Array<Participants> of_row;  // by row of the table, of those that move bodies
   };
   Part bound, flying, again;
-  Customers kinematic, springs;  // of those in flight: nobody
-  Customers tied, more;          // scratch: who is bound
-  Customers watched;             // bound for the sweeps of others alone
+  Participants kinematic, springs;  // of those in flight: nobody
+  Participants tied, more;          // scratch: who is bound
+  Participants watched;             // bound for the sweeps of others alone
   struct Begun {
     Vec3 x, v, omega;
     Quat q;

@@ -13,9 +13,9 @@ namespace carom::dynamics {
 namespace {
 
 /// Bodies that left the finite world: marked by whichever thread sees it, put in quarantine by the stepping one.
-class Strays {
+class Outliers {
  public:
-  explicit Strays(Quarantining to) : to_(to) {}
+  explicit Outliers(Quarantining to) : to_(to) {}
 
   void add(std::uint32_t body) {
     held().quarantined[body] |= kMark;
@@ -41,14 +41,14 @@ class Strays {
 
 void stop_listed(const World& world, Quarantining to) {
   Plan& plan = *world.plan;
-  Strays strays(to);
+  Outliers outliers(to);
   plan.linear.each(world.jobs, [&](std::uint32_t i) {
-    if (!sane_velocity(world.state, i)) strays.add(i);
+    if (!sane_velocity(world.state, i)) outliers.add(i);
   });
   plan.rotating.each(world.jobs, [&](std::uint32_t i) {
-    if (!sane_velocity(world.state, i) || !sane_spin(world.state, i)) strays.add(i);
+    if (!sane_velocity(world.state, i) || !sane_spin(world.state, i)) outliers.add(i);
   });
-  strays.quarantine_all(plan);
+  outliers.quarantine_all(plan);
 }
 
 }  // namespace
@@ -72,12 +72,12 @@ void integrate_position(const World& world, Poses& poses, Quarantining to, const
   const Real h = time.h;
 
   const MeanVelocities means(world, to);
-  Strays strays(to);
+  Outliers outliers(to);
   const auto place = [&](std::uint32_t i, const Vec3& x) {
     if (sane_position(x))
       poses.x[i] = x;
     else
-      strays.add(i);  // stays at its last good place
+      outliers.add(i);  // stays at its last good place
   };
   const auto move = [&](std::uint32_t i) { place(i, poses.x[i] + h * s.v[i]); };
   // What a solver made of omega since the kick may be anything: no turn can be told by numbers whose squares overflow.
@@ -86,13 +86,13 @@ void integrate_position(const World& world, Poses& poses, Quarantining to, const
     if (n2 > 0.5 && n2 < 2)
       poses.q[i] = q;
     else
-      strays.add(i);
+      outliers.add(i);
   };
   const auto spin = [&](std::uint32_t i) { face(i, normalized(exp_map(h * s.omega[i]) * poses.q[i])); };
   const auto turn = [&](std::uint32_t i) {
     if (s.quarantined[i]) return;
-    Quat q = plan.proposal.q[i];
-    if (plan.touched[i]) q = normalized(exp_map(h * (s.omega[i] - plan.proposal.omega[i])) * q);
+    Quat q = plan.predicted.q[i];
+    if (plan.touched[i]) q = normalized(exp_map(h * (s.omega[i] - plan.predicted.omega[i])) * q);
     face(i, q);
   };
   const bool carries = plan.rotation_method != nullptr;
@@ -103,22 +103,22 @@ void integrate_position(const World& world, Poses& poses, Quarantining to, const
     plan.rotating.each(world.jobs, [&](std::uint32_t i) { move(i), orient(i); });
   } else {
     const auto free = [&](std::uint32_t i) { return !plan.touched[i] && !s.quarantined[i]; };
-    plan.linear.each(world.jobs, [&](std::uint32_t i) { free(i) ? place(i, plan.proposal.x[i]) : move(i); });
+    plan.linear.each(world.jobs, [&](std::uint32_t i) { free(i) ? place(i, plan.predicted.x[i]) : move(i); });
     plan.rotating.each(world.jobs, [&](std::uint32_t i) {
       if (free(i))
-        place(i, plan.proposal.x[i]), face(i, plan.proposal.q[i]);
+        place(i, plan.predicted.x[i]), face(i, plan.predicted.q[i]);
       else
         move(i), orient(i);
     });
   }
   plan.kinematic.each([&](std::uint32_t i) { move(i), spin(i); });
-  strays.quarantine_all(plan);
+  outliers.quarantine_all(plan);
 }
 
 void drive_kinematics(const World& world, Poses& poses, Quarantining to, const StepTime& time) {
   const State& s = world.state;
   Plan& plan = *world.plan;
-  Strays strays(to);
+  Outliers outliers(to);
   plan.kinematic.each([&](std::uint32_t i) {
     const Vec3 way = time.h * s.v[i];
     const Quat turn = exp_map(time.h * s.omega[i]);
@@ -126,11 +126,11 @@ void drive_kinematics(const World& world, Poses& poses, Quarantining to, const S
       const Vec3 x = poses.x[i] + way;
       const Quat q = normalized(turn * poses.q[i]);
       const Real n2 = q.squared_norm();
-      if (!sane_position(x) || !(n2 > 0.5 && n2 < 2)) return strays.add(i);
+      if (!sane_position(x) || !(n2 > 0.5 && n2 < 2)) return outliers.add(i);
       poses.x[i] = x, poses.q[i] = q;
     }
   });
-  strays.quarantine_all(plan);
+  outliers.quarantine_all(plan);
 }
 
 }  // namespace carom::dynamics

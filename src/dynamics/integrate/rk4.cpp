@@ -70,14 +70,14 @@ void velocity_by_rk4(const World& world, Velocities& to, Real h) {
   }
 
   const auto finish = [&](std::uint32_t i) {
-    plan.proposal.x[i] = s.x[i] + h * t.sum_v[i];
+    plan.predicted.x[i] = s.x[i] + h * t.sum_v[i];
     to.v[i] += h * t.sum_dv[i];
   };
   plan.linear.each(finish);
   plan.rotating.each([&](std::uint32_t i) {
     finish(i);
-    plan.proposal.q[i] = s.q[i] + h * t.sum_dq[i];
-    plan.proposal.q[i] = normalized(plan.proposal.q[i]);
+    plan.predicted.q[i] = s.q[i] + h * t.sum_dq[i];
+    plan.predicted.q[i] = normalized(plan.predicted.q[i]);
     to.omega[i] += h * t.sum_domega[i];
   });
   evaluate_flows(world, to, h, s.q.data());  // only effects too stiff for an explicit method are flows here

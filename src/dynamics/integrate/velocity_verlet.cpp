@@ -15,7 +15,7 @@ namespace {
 void velocity_by_verlet(const World& world, Velocities& end, Real h) {
   const State& s = world.state;
   Plan& plan = *world.plan;
-  Proposal& to = plan.proposal;
+  PredictedPose& to = plan.predicted;
   const Accelerate kick = {h / 2, end.v.data(), end.omega.data()};
   evaluate_flows(world, end, h / 2, s.q.data());
   evaluate_forces(world, {s.x.data(), s.q.data(), s.v.data(), s.omega.data()}, kick);

@@ -37,7 +37,7 @@ struct JointAxis {
   Real target = 0;        // m or rad
   Real speed = 0;         // m/s or rad/s: of a drive to a velocity, and of a target that moves
   Real effort = 0;        // N or N m
-  Real most = kInfinity;  // N or N m: of the drive
+  Real max_force = kInfinity;  // N or N m: of the drive
   AxisPull spring;        // beside the drive
   Real rest = 0;          // m or rad
 
@@ -65,7 +65,7 @@ struct TurnDrive {
   Quat target = Quat::identity();     // B's frame in A's
   Vec3 velocity = Vec3::zero();       // rad/s, A's frame
   Vec3 effort = Vec3::zero();         // N m, A's frame
-  Vec3 most = Vec3::constant(kInfinity);  // N m, about each axis of A's frame
+  Vec3 max_force = Vec3::constant(kInfinity);  // N m, about each axis of A's frame
   Vec3 p = Vec3::zero();              // N m s, of a substep, likewise
 };
 

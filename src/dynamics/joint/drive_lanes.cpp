@@ -19,17 +19,17 @@ void fill_drive(const Joint& joint, const DriveRow& row, Real start_p, Real h, b
   const JointDrive& d = joint.drive[row.coordinate];
   drive.row.p[lane] = start_p;
   drive.lower[lane] = drive.upper[lane] = drive.speed[lane] = drive.pull[lane] = drive.drag[lane] = 0;
-  drive.most[lane] = kInfinity;
+  drive.max_impulse[lane] = kInfinity;
   switch (row.kind) {
     case DriveKind::motor:
       drive.speed[lane] = d.motor.speed;
-      drive.most[lane] = d.motor.most * (again ? h / 2 : h);
+      drive.max_impulse[lane] = d.motor.max_force * (again ? h / 2 : h);
       break;
     case DriveKind::spring: {
       const Spring spring = spring_of(d.spring.frequency, d.spring.damping, h);
       drive.lower[lane] = drive.upper[lane] = d.spring.target;
       drive.pull[lane] = spring.pull, drive.drag[lane] = spring.drag;
-      drive.most[lane] = d.spring.most * h;
+      drive.max_impulse[lane] = d.spring.max_force * h;
       break;
     }
     case DriveKind::limit:
@@ -39,16 +39,16 @@ void fill_drive(const Joint& joint, const DriveRow& row, Real start_p, Real h, b
   }
 }
 
-void fill_motor(AxisDrive mode, Real speed, Real effort, Real most, Real h, JointDriveLanes& drive, int lane) {
+void fill_motor(AxisDrive mode, Real speed, Real effort, Real max_force, Real h, JointDriveLanes& drive, int lane) {
   const bool pushes = mode == AxisDrive::effort;
   drive.speed[lane] = !pushes ? speed : effort < 0 ? -kPushesOn : kPushesOn;
-  drive.most[lane] = (pushes ? std::min(std::fabs(effort), most) : most) * h;
+  drive.max_impulse[lane] = (pushes ? std::min(std::fabs(effort), max_force) : max_force) * h;
 }
 
-void fill_spring(Real target, Real speed, Real most, Real h, JointDriveLanes& drive, int lane) {
+void fill_spring(Real target, Real speed, Real max_force, Real h, JointDriveLanes& drive, int lane) {
   drive.lower[lane] = drive.upper[lane] = target;
   drive.speed[lane] = speed;
-  drive.most[lane] = most * h;
+  drive.max_impulse[lane] = max_force * h;
 }
 
 /// @param springs  how many act on the axis: together no stiffer than a substep carries
@@ -76,8 +76,8 @@ void fill_axis(const JointAxis& a, const DriveRow& row, const RowFill& to) {
   const int springs = std::max(1, (a.drive == AxisDrive::position) + a.spring.on() + (a.is_limited() && a.stop.on()));
   switch (row.source) {
     case kOfDrive:
-      if (row.kind == DriveKind::motor) return fill_motor(a.drive, a.speed, a.effort, a.most, to.half, to.drive, to.lane);
-      fill_spring(a.target, a.speed, a.most, to.h, to.drive, to.lane);
+      if (row.kind == DriveKind::motor) return fill_motor(a.drive, a.speed, a.effort, a.max_force, to.half, to.drive, to.lane);
+      fill_spring(a.target, a.speed, a.max_force, to.h, to.drive, to.lane);
       return fill_pull(a.gains, to.h, springs, to.pull, to.lane);
     case kOfSpring:
       fill_spring(a.rest, 0, kInfinity, to.h, to.drive, to.lane);
@@ -90,8 +90,8 @@ void fill_axis(const JointAxis& a, const DriveRow& row, const RowFill& to) {
 
 void fill_turn(const TurnDrive& d, const DriveRow& row, const RowFill& to) {
   const int k = row.coordinate - kFirstTurn;
-  if (row.kind == DriveKind::motor) return fill_motor(d.mode, d.velocity[k], d.effort[k], d.most[k], to.half, to.drive, to.lane);
-  fill_spring(0, d.velocity[k], d.most[k], to.h, to.drive, to.lane);
+  if (row.kind == DriveKind::motor) return fill_motor(d.mode, d.velocity[k], d.effort[k], d.max_force[k], to.half, to.drive, to.lane);
+  fill_spring(0, d.velocity[k], d.max_force[k], to.h, to.drive, to.lane);
   fill_pull(d.gains, to.h, 1, to.pull, to.lane);
 }
 
@@ -123,7 +123,7 @@ void fill_drives(const World& world, const Joint& joint, const DriveStart& start
     }
     drive.row.p[lane] = p;
     drive.lower[lane] = drive.upper[lane] = drive.speed[lane] = drive.pull[lane] = drive.drag[lane] = 0;
-    drive.most[lane] = kInfinity;
+    drive.max_impulse[lane] = kInfinity;
     const RowFill to = {start.h, start.again ? start.h / 2 : start.h, drive,
                         lanes.axed ? w.axes[lanes.axed - 1].pull[k] : none, lane};
     if (row.coordinate < kFirstTurn)

@@ -10,7 +10,7 @@ namespace carom::dynamics {
 namespace {
 
 /// Whether a joint keeps its bodies' colliders from touching.
-bool parts(const JointDef& def) { return !def.collide && def.body_a != kTheWorld && def.body_b != kTheWorld; }
+bool parts(const JointDef& def) { return !def.collide && def.body_a != kInvalid && def.body_b != kInvalid; }
 
 void unpart(PairCounts& joined, const JointDef& def) {
   if (parts(def)) joined.remove(def.body_a, def.body_b);
@@ -18,12 +18,12 @@ void unpart(PairCounts& joined, const JointDef& def) {
 
 void wake_both(World& world, const JointDef& def) {
   for (const std::uint32_t body : {def.body_a, def.body_b})
-    if (body != kTheWorld) wake(world, body);
+    if (body != kInvalid) wake(world, body);
 }
 
 std::uint32_t& link_of(Joints& joints, std::uint32_t body, std::uint32_t slot) {
   std::uint32_t* link = &joints.first[body];
-  while (*link != slot && *link != kTheWorld) {
+  while (*link != slot && *link != kInvalid) {
     Joint& j = joints.joint[*link];
     link = j.def.body_a == body ? &j.next_a : &j.next_b;
   }
@@ -41,7 +41,7 @@ void note_layout(World& world, Joint& joint, std::uint64_t before) {
 
 Handle World::add_joint(const JointDef& def) {
   make_room(joints.slots.slots(), joints.joint);
-  if (joints.first.size() < scene.bodies.slots()) joints.first.resize(scene.bodies.slots(), kTheWorld);
+  if (joints.first.size() < scene.bodies.slots()) joints.first.resize(scene.bodies.slots(), kInvalid);
   if (parts(def)) scene.joined.make_room();
   if (def.kind == JointKind::six_axis) make_room(joints.axes.size(), joints.axes);
   wake_both(*this, def);  // may run out of memory, as all so far: nothing has changed yet
@@ -51,8 +51,8 @@ Handle World::add_joint(const JointDef& def) {
   if (slot == joints.joint.size()) joints.joint.emplace_back();
   fill_joint(slot, def);
   Joint& joint = joints.joint[slot];
-  if (def.body_a != kTheWorld) joint.next_a = joints.first[def.body_a], joints.first[def.body_a] = slot;
-  if (def.body_b != kTheWorld) joint.next_b = joints.first[def.body_b], joints.first[def.body_b] = slot;
+  if (def.body_a != kInvalid) joint.next_a = joints.first[def.body_a], joints.first[def.body_a] = slot;
+  if (def.body_b != kInvalid) joint.next_b = joints.first[def.body_b], joints.first[def.body_b] = slot;
   ++scene.revision;
   return handle;
 }
@@ -72,8 +72,8 @@ void World::fill_joint(std::uint32_t slot, const JointDef& def) {
 void World::remove_joint(std::uint32_t slot) {
   Joint& joint = joints.joint[slot];
   wake_both(*this, joint.def);
-  if (joint.def.body_a != kTheWorld) link_of(joints, joint.def.body_a, slot) = joint.next_a;
-  if (joint.def.body_b != kTheWorld) link_of(joints, joint.def.body_b, slot) = joint.next_b;
+  if (joint.def.body_a != kInvalid) link_of(joints, joint.def.body_a, slot) = joint.next_a;
+  if (joint.def.body_b != kInvalid) link_of(joints, joint.def.body_b, slot) = joint.next_b;
   if (!joint.broken) unpart(scene.joined, joint.def);
   if (JointAxes* const axes = joints.axes_of(joint)) {
     *axes = joints.axes.back();  // the last takes its place

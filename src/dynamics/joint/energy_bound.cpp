@@ -18,7 +18,7 @@ using GroupBound = WideJoints::GroupBound;
 
 /// m/s: how fast the points of a body are within a distance.
 Real speed_of(const State& s, std::uint32_t body, Real arm) {
-  return body == kTheWorld ? 0 : s.v[body].norm() + s.omega[body].norm() * arm;
+  return body == kInvalid ? 0 : s.v[body].norm() + s.omega[body].norm() * arm;
 }
 
 /// Which groups that sweeps answer have bodies that are deep in each other; answers of the direct solver are judged by
@@ -27,7 +27,7 @@ std::uint32_t find_deep(const World& world, WideJoints& w) {
   const Contacts& c = *world.contacts;
   const Real deep = kDeepGain * world.scene.dials[Dial::position_tolerance];
   std::uint32_t found = 0;
-  for (const Meeting& m : c.meetings)
+  for (const ContactPair& m : c.contact_pairs)
     for (std::uint32_t i = m.row; i < m.row + m.count; ++i) {
       if (!(c.geometry[i].separation < -deep) || !c.answered_in_lanes(i)) continue;
       if (found++ == 0) w.bounds.resize(c.groups());
@@ -52,7 +52,7 @@ void find_drives(const World& world, WideJoints& w) {
     for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
       group.is_driven |= joint.layout.drive[k].kind != DriveKind::limit;
   }
-  for (const Meeting& m : c.meetings) {
+  for (const ContactPair& m : c.contact_pairs) {
     GroupBound& group = w.bounds[c.label[m.row]];
     const RowGeometry& g = c.geometry[m.row];
     if (!m.moves_a) meet(group, m.a, g.l_a.norm() + g.radius_a);
@@ -170,7 +170,7 @@ void note_energies(const World& world) {
   const State& s = world.state;
   const Plan& plan = *world.plan;
   for (Bounded& b : world.wide_joints->bounded)
-    b.v = s.v[b.body], b.omega = s.omega[b.body], b.q = is_carried(plan, b.body) ? plan.proposal.q[b.body] : s.q[b.body];
+    b.v = s.v[b.body], b.omega = s.omega[b.body], b.q = is_carried(plan, b.body) ? plan.predicted.q[b.body] : s.q[b.body];
 }
 
 void refuse_start(const World& world) {

@@ -36,14 +36,14 @@ struct JointLimit {
 struct JointMotor {
   bool on = false;
   Real speed = 0;  // m/s or rad/s
-  Real most = 0;   // N or N m
+  Real max_force = 0;   // N or N m
 };
 struct JointSpring {
   bool on = false;
   Real target = 0;        // m or rad
   Real frequency = 1;     // Hz, of the joint's bodies were they alone
   Real damping = 1;       // ratio; 1: critical
-  Real most = kInfinity;  // N or N m
+  Real max_force = kInfinity;  // N or N m
 };
 
 /// What acts on one coordinate.
@@ -57,7 +57,7 @@ struct JointDrive {
 /// What a host says about a joint (ABI: carom_joint_desc), already validated.
 struct JointDef {
   JointKind kind = JointKind::ball;
-  std::uint32_t body_a = kTheWorld, body_b = kTheWorld;    // slots; the world's frame is the world
+  std::uint32_t body_a = kInvalid, body_b = kInvalid;    // slots; the world's frame is the world
   Pose frame_a, frame_b;                                   // joint -> body frame (origin as the host gave it)
   Real length = 0;                                         // m, of a distance joint
   bool collide = false;                                    // its bodies may touch each other
@@ -91,7 +91,7 @@ struct Joint {
   Real p_h = 0;                                          // s, the substep that made them; 0: there are none
   Vec3 force = Vec3::zero();                             // N, world, on B, mean over the last step
   Vec3 torque = Vec3::zero();                            // N m, world, on B about its point, likewise
-  std::uint32_t next_a = kTheWorld, next_b = kTheWorld;  // the next joint of each body
+  std::uint32_t next_a = kInvalid, next_b = kInvalid;  // the next joint of each body
   std::uint32_t axes = 0;                                // in Joints::axes, from 1; 0: it is no six-axis joint
   TurnDrive turn;                                        // of a ball, or of a six-axis joint that may turn any way
 };
@@ -105,7 +105,7 @@ struct Joints {
   SlotPool slots;
   Array<Joint> joint;          // by slot
   Array<JointAxes> axes;       // of six-axis joints, in no order
-  Array<std::uint32_t> first;  // by body slot: its first joint, or kTheWorld; empty until there is a joint
+  Array<std::uint32_t> first;  // by body slot: its first joint, or kInvalid; empty until there is a joint
 
   bool alive(std::uint32_t slot) const { return slots.alive(slot); }
   const JointAxes& axes_of(const Joint& j) const { return j.axes ? axes[j.axes - 1] : kFreeAxes; }
@@ -115,11 +115,11 @@ struct Joints {
     j.p.fill(0), j.drive_p.fill(0), j.turn.p.set_zero();
     if (JointAxes* const a = axes_of(j)) a->p = {};
   }
-  /// f(slot, other body or kTheWorld) for the joints of a body.
+  /// f(slot, other body or kInvalid) for the joints of a body.
   template <class F>
   void each_of(std::uint32_t body, F&& f) const {
     if (body >= first.size()) return;
-    for (std::uint32_t j = first[body]; j != kTheWorld;) {
+    for (std::uint32_t j = first[body]; j != kInvalid;) {
       const Joint& joint_j = joint[j];
       const bool is_a = joint_j.def.body_a == body;
       const std::uint32_t next = is_a ? joint_j.next_a : joint_j.next_b;
@@ -127,7 +127,7 @@ struct Joints {
       j = next;
     }
   }
-  bool any_of(std::uint32_t body) const { return body < first.size() && first[body] != kTheWorld; }
+  bool any_of(std::uint32_t body) const { return body < first.size() && first[body] != kInvalid; }
 };
 
 /// Where a joint's frames are.

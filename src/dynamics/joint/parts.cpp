@@ -114,7 +114,7 @@ JointEnds ends_of(const World& world, const JointDef& def) {
   JointEnds place;
   Vec3 x_a, x_b;
   const auto find = [&](std::uint32_t body, const Pose& frame, Pose& to, Vec3& x, Vec3& arm) {
-    if (body == kTheWorld) {
+    if (body == kInvalid) {
       to = frame;
       x = frame.p, arm = Vec3::zero();
       return;
@@ -130,7 +130,7 @@ JointEnds ends_of(const World& world, const JointDef& def) {
 
 Ropes ropes_of(const World& world, const Joint& joint, const JointEnds& ends) {
   const auto from = [&](std::uint32_t body, const Pose& frame) {
-    return body == kTheWorld ? frame.p : world.state.x[body];
+    return body == kInvalid ? frame.p : world.state.x[body];
   };
   const JointDef& def = joint.def;
   return {(from(def.body_a, def.frame_a) - joint.transmission.anchor_a) + ends.arm_a,

@@ -14,7 +14,7 @@ struct EndSpeed {
 };
 
 EndSpeed speed_of_end(const World& world, std::uint32_t body, const Vec3& arm) {
-  if (body == kTheWorld) return {Vec3::zero(), Vec3::zero()};
+  if (body == kInvalid) return {Vec3::zero(), Vec3::zero()};
   const State& s = world.state;
   return {s.v[body] + s.omega[body].cross(arm), s.omega[body]};
 }

@@ -19,12 +19,12 @@ namespace {
 constexpr std::uint32_t kNoPlace = 0xFFFFFFFFu, kAnsweredDirectly = kColours + 1;
 
 bool moves(const World& world, std::uint32_t body) {
-  return body != kTheWorld && yields(world.scene, world.state, body);
+  return body != kInvalid && yields(world.scene, world.state, body);
 }
 /// Whether a host forbids an effect to a joint: altogether, or to one of its bodies.
 bool forbids(const World& world, std::size_t row, const JointDef& def) {
   const EffectModes& modes = world.scene.modes;
-  const auto to = [&](std::uint32_t body) { return body != kTheWorld && modes.forbids(row, body); };
+  const auto to = [&](std::uint32_t body) { return body != kInvalid && modes.forbids(row, body); };
   return modes.forbids(row) || to(def.body_a) || to(def.body_b);
 }
 
@@ -38,7 +38,7 @@ void note_parts(const World& world, Joints& joints, Joint& joint) {
   const DrivenAxes axes = driven_axes(joints, joint);
   const auto count = [&](std::size_t row, bool has, bool without) {
     world.plan->effects[row].wanted += has;
-    world.plan->effects[row].customers.count += has && !without;
+    world.plan->effects[row].participants.count += has && !without;
   };
   count(+EffectId::joint_limits, any([](const JointDrive& d) { return d.limit.on; }) || axes.limited, joint.without_limits);
   count(+EffectId::joint_motors, any([](const JointDrive& d) { return d.motor.on; }) || axes.driven, joint.without_motors);
@@ -53,7 +53,7 @@ bool is_active(const World& world, const Joint& joint) {
 }
 
 std::uint32_t solver_body(const World& world, std::uint32_t body) {
-  return body == kTheWorld ? 0 : world.wide->body[body];
+  return body == kInvalid ? 0 : world.wide->body[body];
 }
 
 BothColours colours_of(const World& world, const Joint& joint) {
@@ -110,7 +110,7 @@ void set_quat(LaneQuat& to, int lane, const Quat& q) {
 }
 
 bool is_kicked(const WideJoints& w, std::uint32_t body) {
-  return body != kTheWorld && std::ranges::binary_search(w.kicked, body, {}, &WideJoints::Kicked::body);
+  return body != kInvalid && std::ranges::binary_search(w.kicked, body, {}, &WideJoints::Kicked::body);
 }
 
 /// One joint, with poses and impulses of the present.
@@ -172,7 +172,7 @@ void find_kicked(const World& world, WideJoints& w) {
 bool turns_freely(const World& world, std::uint32_t body) {
   return is_carried(*world.plan, body) && !(world.scene.locks_of(body) & kAngularLocks);
 }
-/// Who moves on from a rotation method's proposal by what a solver changed, @see integrator.h.
+/// Who moves on from a rotation method's predicted pose by what a solver changed, @see integrator.h.
 bool is_turned_on(const World& world, std::uint32_t body) {
   const WideContacts& wide = *world.wide;
   if (wide.far_turners && wide.far_turn[wide.body[body]].led_on) return false;
@@ -184,11 +184,11 @@ Vec3 spin_at(const World& world, std::uint32_t body, const Quat& q, const Vec3& 
   return q * (world.scene.inv_inertia[body] * (q.conjugate() * momentum));
 }
 
-/// What a body's omega is where it now faces, if it keeps over the move the momentum of its rotation method's proposal
+/// What a body's omega is where it now faces, if it keeps over the move the momentum of its rotation method's predicted pose
 /// and of what the solver gave it, at the facing from which it moved.
 Vec3 kept_spin(const World& world, const WideJoints::Kicked& k) {
   const State& s = world.state;
-  const Vec3 momentum = inertia_at(world.scene, k.body, world.plan->proposal.q[k.body]) * k.omega +
+  const Vec3 momentum = inertia_at(world.scene, k.body, world.plan->predicted.q[k.body]) * k.omega +
                         inertia_at(world.scene, k.body, k.facing) * (s.omega[k.body] - k.omega);
   return spin_at(world, k.body, s.q[k.body], momentum);
 }
@@ -228,7 +228,7 @@ void fill_locks(const World& world, WideJoints& w) {
   w.locks.clear();
   for (JointLanes& joint : w.joints) joint.locked = 0;
   if (world.plan->effects[+EffectId::axis_locks].candidates.count == 0) return;
-  const auto locks_of = [&](std::uint32_t body) { return body == kTheWorld ? Locks(0) : world.scene.locks_of(body); };
+  const auto locks_of = [&](std::uint32_t body) { return body == kInvalid ? Locks(0) : world.scene.locks_of(body); };
   for (std::uint32_t i = 0; i < w.active.size(); ++i) {
     const JointDef& def = world.joints.joint[w.active[i]].def;
     const Locks a = locks_of(def.body_a), b = locks_of(def.body_b);
@@ -250,7 +250,7 @@ void plan_joints(const World& world, Joints& joints) {
   w.active.clear(), w.linked.clear(), w.kicked.clear(), w.bounded.clear();
   w.is_packed = false;
   for (const std::size_t row : {+EffectId::joint_limits, +EffectId::joint_motors})
-    world.plan->effects[row].wanted = world.plan->effects[row].customers.count = 0;
+    world.plan->effects[row].wanted = world.plan->effects[row].participants.count = 0;
   world.plan->effects[+EffectId::joints].wanted = world.joints.slots.alive_count();
   if (world.joints.slots.alive_count() == 0) return;
   for (std::uint32_t j = 0; j < world.joints.slots.slots(); ++j)
@@ -261,7 +261,7 @@ void plan_joints(const World& world, Joints& joints) {
   for (const std::uint32_t j : w.active) {
     const JointDef& def = world.joints.joint[j].def;
     for (const std::uint32_t body : {def.body_a, def.body_b})
-      if (body != kTheWorld) w.linked[body] = 1;
+      if (body != kInvalid) w.linked[body] = 1;
   }
 }
 

@@ -43,7 +43,7 @@ struct WideJoints {
     std::uint32_t lanes, lane;
   };
   Array<Place> place;             // by index in active
-  Array<std::uint32_t> occupant;  // [4 lanes] index in active, or kNobody
+  Array<std::uint32_t> occupant;  // [4 lanes] index in active, or kInvalid
   Array<JointLanes> joints;
   Array<JointRowLanes> rows;
   Array<JointDriveLanes> drives;

@@ -28,7 +28,7 @@ void lay_columns(const World& world) {
   for (std::size_t r = 0; r < plan.effects.size(); ++r) {
     const PlannedEffect& row = plan.effects[r];
     if (row.effect->force == gravity::force) l.gravity = cause_of_row(r);
-    if (row.served == Served::stage || row.customers.count == 0) continue;
+    if (row.served == Served::stage || row.participants.count == 0) continue;
     // No torque: how omega turns with its body.
     const bool gyro = row.effect->force == gyroscopic::force;
     l.column_of[r] = static_cast<std::uint8_t>(columns);
@@ -235,7 +235,7 @@ void book_lost(const World& world, const StepTime&) {
 }
 
 void book_sleep(const World& world, const StepTime& time) {
-  if (world.plan->effects[+EffectId::sleep].customers.count > 0) book_changed<Cause::sleep>(world, time);
+  if (world.plan->effects[+EffectId::sleep].participants.count > 0) book_changed<Cause::sleep>(world, time);
 }
 
 /// The state itself, apart from all bookings.
@@ -247,7 +247,7 @@ void sum_state(const World& world, Amount& to) {
     const Ledger::Body& b = l.body[i];
     if (is_lost(world, i))
       l.body_amount[i] = amount_of(world, i, b.x, b.q, b.v, b.omega);
-    else if (!world.state.sleeps(i) || !world.sleep->parked[i])
+    else if (!world.state.sleeps(i) || !world.sleep->inactive[i])
       l.body_amount[i] = amount_now(world, i);
     account.add(l.body_amount[i]);
     const Amount& a = l.body_amount[i];
@@ -270,7 +270,7 @@ void close_books(const World& world) {
   l.since_rounding.linear += l.step_rounding.linear;
   l.since_rounding.angular += l.step_rounding.angular;
   PlannedEffect& row = world.plan->effects[+EffectId::ledger];
-  row.evaluations += row.customers.count;
+  row.evaluations += row.participants.count;
   ++l.steps;
   l.is_open = false;
 }

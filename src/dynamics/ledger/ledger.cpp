@@ -50,7 +50,7 @@ Ledger::Ledger(const World& world)
 void World::keep_ledger(bool on) {
   if (!on) {
     ledger.reset();
-    plan->effects[+EffectId::ledger].customers.count = 0;
+    plan->effects[+EffectId::ledger].participants.count = 0;
     return;
   }
   Owned<Ledger> fresh = make_owned<Ledger>(memory, *this);
@@ -73,8 +73,8 @@ void World::keep_ledger(bool on) {
 namespace {
 
 /// Bodies whose velocities a row writes.
-const Customers& written_by(const World& world, const PlannedEffect& row) {
-  return row.effect->customers == CustomerKind::springs ? world.plan->sprung : row.customers;
+const Participants& written_by(const World& world, const PlannedEffect& row) {
+  return row.effect->participants == ParticipantKind::springs ? world.plan->sprung : row.participants;
 }
 
 }  // namespace

@@ -180,7 +180,7 @@ void book_stage(const World& world, Booking booking, const StepTime& time);
 void before_row(const World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega);
 void after_row(const World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega, Real share);
 /// Books what a row of the table does, in this scope, to velocities or to what becomes of them. It writes to nobody
-/// but its customers.
+/// but its participants.
 class BookRow {
  public:
   /// @param v, omega  by body slot   @param share  @see Accelerate

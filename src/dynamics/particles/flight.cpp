@@ -62,7 +62,7 @@ bool within_limits(Real x2, Real v2) {
 }  // NaN is not
 
 /// Hold those of a block who left the world, at its edge if they went beyond. @return the first, or the block's end
-std::size_t hold_strays(Particles& particles, std::uint32_t s, std::size_t block) {
+std::size_t hold_outliers(Particles& particles, std::uint32_t s, std::size_t block) {
   ParticleSet& set = particles.set[s];
   const BlockRange range(set, block);
   std::size_t first = range.end;
@@ -89,11 +89,11 @@ void judge(Particles& particles, FaultViews& faults, std::uint32_t s) {
   FaultView view;
   for (std::size_t b = 0; b < set.sums.size(); ++b) {
     if (within_limits(set.sums[b].x2, set.sums[b].v2)) continue;
-    const std::size_t first = hold_strays(particles, s, b);
-    if (first < BlockRange(set, b).end && view.particles == FaultView::kNone)
+    const std::size_t first = hold_outliers(particles, s, b);
+    if (first < BlockRange(set, b).end && view.particles == kInvalid)
       view.particles = s, view.particle = static_cast<std::uint32_t>(first);
   }
-  if (view.particles != FaultView::kNone && faults.size() < faults.capacity()) faults.push_back(view);
+  if (view.particles != kInvalid && faults.size() < faults.capacity()) faults.push_back(view);
 }
 
 }  // namespace

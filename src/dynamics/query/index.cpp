@@ -83,7 +83,7 @@ void QueryIndex::update(const World& world) {
   } else {
     for (const std::uint32_t slot : changed_) look_at(world, slot);
     for (const std::uint32_t body : moved_)
-      for (std::uint32_t c = scene.first_collider[body]; c != Colliders::kNone; c = scene.colliders.next[c])
+      for (std::uint32_t c = scene.first_collider[body]; c != kInvalid; c = scene.colliders.next[c])
         if (where_[c] != Where::nowhere) look_at(world, c);
   }
   for (const std::uint32_t body : moved_) is_moved_[body] = 0;

@@ -16,16 +16,16 @@ Way way_of(const Ray& ray, const CastSettings& settings) {
   return Way(ray.origin, ray.direction, ray.max, ball_hits(settings.target));
 }
 
-/// About the asker's origin; empty if its support function fails.
-Aabb extent_of(const Asker& asker, const CastSettings& settings) {
+/// About the query shape's origin; empty if its support function fails.
+Aabb extent_of(const QueryShape& query_shape, const CastSettings& settings) {
   SupportFault fault;
-  Aabb b = world_bounds(*asker.shape, asker.frame.r, Vec3::zero(), fault);
+  Aabb b = world_bounds(*query_shape.shape, query_shape.frame.r, Vec3::zero(), fault);
   if (is_empty(b)) return b;
   b.lo -= Vec3::constant(settings.target), b.hi += Vec3::constant(settings.target);
   return b;
 }
 
-/// The asker's own support function failed.
+/// The query shape's own support function failed.
 CastResult failed() {
   CastResult r;
   r.outcome = CastOutcome::undecided;
@@ -44,7 +44,7 @@ WorldHit first(const World& world, const Way& way, Real max, const QueryOptions&
   along(index, way, [&](std::uint32_t slot) {
     if (!passes(world, options.filter, slot)) return limit;
     const WorldHit hit = one(slot);
-    if (hit.cast.outcome == CastOutcome::miss || (best.collider != WorldHit::kNone && !by_time(hit, best)))
+    if (hit.cast.outcome == CastOutcome::miss || (best.collider != kInvalid && !by_time(hit, best)))
       return limit;
     best = hit;
     return limit = way.speed * best.cast.time + width;
@@ -91,12 +91,12 @@ WorldHit ray_on(const World& world, std::uint32_t slot, const Ray& ray, const Wa
   return hit;
 }
 
-WorldHit shape_on(const World& world, std::uint32_t slot, const Asker& asker, const Vec3& motion, const Way& way,
+WorldHit shape_on(const World& world, std::uint32_t slot, const QueryShape& query_shape, const Vec3& motion, const Way& way,
                   const CastSettings& settings) {
   WorldHit hit;
   SupportFault fault;
   hit.collider = slot;
-  any_shape::cast_shape(*asker.shape, asker.frame, motion, *world.scene.colliders.shape[slot], world.queries->frame(slot),
+  any_shape::cast_shape(*query_shape.shape, query_shape.frame, motion, *world.scene.colliders.shape[slot], world.queries->frame(slot),
              settings, hit.cast, fault);
   keep_within(way, 1, world.queries->bounds(slot), hit.cast);
   return hit;
@@ -115,9 +115,9 @@ WorldHit ray_against(const World& world, std::uint32_t slot, const Ray& ray, con
   return ray_on(world, slot, ray, way_of(ray, settings), settings);
 }
 
-WorldHit shape_against(const World& world, std::uint32_t slot, const Asker& asker, const Vec3& motion,
+WorldHit shape_against(const World& world, std::uint32_t slot, const QueryShape& query_shape, const Vec3& motion,
                        const CastSettings& settings) {
-  return shape_on(world, slot, asker, motion, Way(asker.frame.p, motion, 1, extent_of(asker, settings)), settings);
+  return shape_on(world, slot, query_shape, motion, Way(query_shape.frame.p, motion, 1, extent_of(query_shape, settings)), settings);
 }
 
 WorldHit cast_ray(const World& world, const Ray& ray, const QueryOptions& options) {
@@ -140,32 +140,32 @@ void cast_ray_all(const World& world, const Ray& ray, const QueryOptions& option
   all_hits(world, way, options, hits, [&](std::uint32_t slot) { return ray_on(world, slot, ray, way, options.cast); });
 }
 
-WorldHit cast_shape(const World& world, const Asker& asker, const Vec3& motion, const QueryOptions& options) {
+WorldHit cast_shape(const World& world, const QueryShape& query_shape, const Vec3& motion, const QueryOptions& options) {
   world.queries->bring_up_to_date(world);
-  const Aabb extent = extent_of(asker, options.cast);
-  if (is_empty(extent)) return {WorldHit::kNone, failed()};
-  const Way way(asker.frame.p, motion, 1, extent);
+  const Aabb extent = extent_of(query_shape, options.cast);
+  if (is_empty(extent)) return {kInvalid, failed()};
+  const Way way(query_shape.frame.p, motion, 1, extent);
   return first(world, way, 1, options,
-               [&](std::uint32_t slot) { return shape_on(world, slot, asker, motion, way, options.cast); });
+               [&](std::uint32_t slot) { return shape_on(world, slot, query_shape, motion, way, options.cast); });
 }
 
-CastResult any_on_way(const World& world, const Asker& asker, const Vec3& motion, const QueryOptions& options) {
+CastResult any_on_way(const World& world, const QueryShape& query_shape, const Vec3& motion, const QueryOptions& options) {
   world.queries->bring_up_to_date(world);
-  const Aabb extent = extent_of(asker, options.cast);
+  const Aabb extent = extent_of(query_shape, options.cast);
   if (is_empty(extent)) return failed();
-  const Way way(asker.frame.p, motion, 1, extent);
+  const Way way(query_shape.frame.p, motion, 1, extent);
   return any(world, way, 1, options,
-             [&](std::uint32_t slot) { return shape_on(world, slot, asker, motion, way, options.cast); });
+             [&](std::uint32_t slot) { return shape_on(world, slot, query_shape, motion, way, options.cast); });
 }
 
-void cast_shape_all(const World& world, const Asker& asker, const Vec3& motion, const QueryOptions& options,
+void cast_shape_all(const World& world, const QueryShape& query_shape, const Vec3& motion, const QueryOptions& options,
                     Array<WorldHit>& hits) {
   world.queries->bring_up_to_date(world);
-  const Aabb extent = extent_of(asker, options.cast);
-  if (is_empty(extent)) return hits.push_back({WorldHit::kNone, failed()});
-  const Way way(asker.frame.p, motion, 1, extent);
+  const Aabb extent = extent_of(query_shape, options.cast);
+  if (is_empty(extent)) return hits.push_back({kInvalid, failed()});
+  const Way way(query_shape.frame.p, motion, 1, extent);
   all_hits(world, way, options, hits,
-      [&](std::uint32_t slot) { return shape_on(world, slot, asker, motion, way, options.cast); });
+      [&](std::uint32_t slot) { return shape_on(world, slot, query_shape, motion, way, options.cast); });
 }
 
 }  // namespace carom::dynamics

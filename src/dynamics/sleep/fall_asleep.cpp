@@ -17,12 +17,12 @@ void count_calm(const World& world, Sleep& z, std::uint32_t i, Real speed, Real 
     // quaternion.
     const Vec3 turn = (s.q[i] * z.anchor_q[i].conjugate()).vec();
     const Real come = (s.x[i] - z.anchor_x[i]).norm() + 2 * z.radius[i] * turn.norm();
-    if (come <= speed * (z.calm[i] + dt)) {
-      z.calm[i] += dt;
+    if (come <= speed * (z.sleep_timer[i] + dt)) {
+      z.sleep_timer[i] += dt;
       return;
     }
   }
-  z.calm[i] = 0;
+  z.sleep_timer[i] = 0;
   z.anchor_x[i] = s.x[i];
   z.anchor_q[i] = s.q[i];
 }
@@ -40,9 +40,9 @@ void join_sprung(const World& world, Array<std::uint32_t>& root) {
     return i;
   };
   const PlannedEffect& row = world.plan->effects[+EffectId::springs];
-  row.customers.each([&](std::uint32_t k) {
+  row.participants.each([&](std::uint32_t k) {
     const std::uint32_t a = springs.def[k].body_a, b = springs.def[k].body_b;
-    if (a == kTheWorld || b == kTheWorld || !responds(world.scene, world.state, a) ||
+    if (a == kInvalid || b == kInvalid || !responds(world.scene, world.state, a) ||
         !responds(world.scene, world.state, b))
       return;
     const std::uint32_t one = root_of(a), other = root_of(b);
@@ -50,10 +50,10 @@ void join_sprung(const World& world, Array<std::uint32_t>& root) {
   });
 }
 
-/// The island of every customer, and which islands something keeps awake.
-void find_islands(const World& world, Sleep& z, const Customers& customers, Real time) {
+/// The island of every participant, and which islands something keeps awake.
+void find_islands(const World& world, Sleep& z, const Participants& participants, Real time) {
   Contacts& c = *world.contacts;
-  customers.each([&](std::uint32_t i) { z.root[i] = i, z.restless[i] = 0; });
+  participants.each([&](std::uint32_t i) { z.root[i] = i, z.restless[i] = 0; });
   const bool met = world.plan->runs[static_cast<std::size_t>(Stage::group)];
   if (met) {
     const bool grouped = world.scene.dials.choice(Dial::groups) != 0;
@@ -64,17 +64,17 @@ void find_islands(const World& world, Sleep& z, const Customers& customers, Real
     });
   }
   const PlannedEffect& sprung = world.plan->effects[+EffectId::springs];
-  if (sprung.customers.count > 0) {
+  if (sprung.participants.count > 0) {
     join_sprung(world, z.root);
-    customers.each([&](std::uint32_t i) {  // ascending, and roots are lower: they stand already
+    participants.each([&](std::uint32_t i) {  // ascending, and roots are lower: they stand already
       z.root[i] = z.root[z.root[i]];
     });
   }
-  customers.each([&](std::uint32_t i) { z.restless[z.root[i]] |= !(z.calm[i] >= time); });
-  sprung.customers.each([&](std::uint32_t k) {
+  participants.each([&](std::uint32_t i) { z.restless[z.root[i]] |= !(z.sleep_timer[i] >= time); });
+  sprung.participants.each([&](std::uint32_t k) {
     const SpringDef& def = world.scene.springs.def[k];
     const std::uint32_t a = def.body_a, b = def.body_b;
-    if (a == kTheWorld || b == kTheWorld) return;
+    if (a == kInvalid || b == kInvalid) return;
     if (rolls_by(world, b)) z.restless[z.root[a]] = 1;
     if (rolls_by(world, a)) z.restless[z.root[b]] = 1;
   });
@@ -93,8 +93,8 @@ void find_islands(const World& world, Sleep& z, const Customers& customers, Real
       if (rolls_by(world, world.rattle->bodies[k].slot)) z.restless[world.rattle->bodies[island.body].slot] = 1;
   });
   for (const Link& link : c.links) {
-    if (link.moves_a && link.b != kTheWorld && rolls_by(world, link.b)) z.restless[z.root[link.a]] = 1;
-    if (link.moves_b && link.a != kTheWorld && rolls_by(world, link.a)) z.restless[z.root[link.b]] = 1;
+    if (link.moves_a && link.b != kInvalid && rolls_by(world, link.b)) z.restless[z.root[link.a]] = 1;
+    if (link.moves_b && link.a != kInvalid && rolls_by(world, link.a)) z.restless[z.root[link.b]] = 1;
   }
 }
 
@@ -113,27 +113,27 @@ void lie_down(Velocities& s, SleepFlags& flags, Sleep& z, std::uint32_t i) {
 
 }  // namespace
 
-void sleeping::find(const Scene& scene, const State& state, Customers& customers) {
+void sleeping::find(const Scene& scene, const State& state, Participants& participants) {
   if (scene.dials.choice(Dial::sleep) == 0) return;
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
-    if (responds(scene, state, i)) customers.add(i);
+    if (responds(scene, state, i)) participants.add(i);
 }
 
 void fall_asleep(const World& world, Velocities& motion, Sleepers to, StepReport& report, const StepTime& time) {
   PlannedEffect& row = world.plan->effects[+EffectId::sleep];
-  if (row.customers.count == 0) return;
+  if (row.participants.count == 0) return;
   Sleep& z = to;
   const Dials& dials = world.scene.dials;
   const Real speed = dials[Dial::sleep_speed], need = dials[Dial::sleep_time];
   bool anyone = false;
-  row.customers.each([&](std::uint32_t i) {
+  row.participants.each([&](std::uint32_t i) {
     count_calm(world, z, i, speed, time.dt);
-    anyone |= z.calm[i] >= need;
+    anyone |= z.sleep_timer[i] >= need;
   });
-  row.evaluations += row.customers.count;
+  row.evaluations += row.participants.count;
   if (!anyone) return;
-  find_islands(world, z, row.customers, need);
-  row.customers.each([&](std::uint32_t i) {
+  find_islands(world, z, row.participants, need);
+  row.participants.each([&](std::uint32_t i) {
     if (!z.restless[z.root[i]]) lie_down(motion, to, z, i);
   });
   report.fell_asleep = z.fallen.size();

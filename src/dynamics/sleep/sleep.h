@@ -17,9 +17,9 @@
 // enough for a contact, in the same step and before contacts are made; a kinematic body that moves and that it is
 // joined to; a joint of it set, made or removed; whatever a host writes to one of its bodies, but for zero velocity,
 // force and impulse; a material it touches; a static or kinematic body beneath it moved, removed or newly there;
-// gravity; any dial; a fault that mutes a shape or quarantines a body.
+// gravity; any dial; a fault that disables a shape or quarantines a body.
 //
-// Two layers. Whether a body sleeps (`asleep`) is changed at once. The arrays follow (`parked`) where a step may
+// Two layers. Whether a body sleeps (`asleep`) is changed at once. The arrays follow (`inactive`) where a step may
 // allocate: refresh() settles what has changed, wake_touched() what the step itself wakes. Nothing in a step is
 // proportional to the number of sleepers: whom a mover may touch is asked of a tree of their boxes.
 //
@@ -37,21 +37,21 @@ struct KeptImpulse {
   OldImpulse impulse;
   Real h;               // s, the substep that made it
   std::uint32_t order;  // within its pair
-  std::uint32_t next;   // of the same body, or Colliders::kNone
+  std::uint32_t next;   // of the same body, or kInvalid
 };
 
 struct Sleep {
   explicit Sleep(Memory* m);
 
   // By body slot; empty until a step with the dial on. Who sleeps, the state says.
-  Array<std::uint8_t> parked;  // it has left the arrays of the step
+  Array<std::uint8_t> inactive;  // it has left the arrays of the step
   Array<std::uint32_t> ring;   // the next sleeper of its island, around to the first
-  Array<Real> calm;            // s, for how long it has been slow
+  Array<Real> sleep_timer;            // s, for how long it has been slow
   Array<Vec3> anchor_x;        // m, where it became slow
   Array<Quat> anchor_q;
   Array<Real> radius;               // m, the farthest point of its colliders from its centre
-  Array<RowBits> rows;              // of the table that have it for a customer when awake
-  Array<std::uint32_t> kept_first;  // its first KeptImpulse, or Colliders::kNone
+  Array<RowBits> rows;              // of the table that have it for a participant when awake
+  Array<std::uint32_t> kept_first;  // its first KeptImpulse, or kInvalid
   Array<std::uint32_t> root;        // scratch: its island
   Array<std::uint8_t> restless;     // scratch: by root
 
@@ -60,9 +60,9 @@ struct Sleep {
   Array<std::uint32_t> rejoined;       // colliders that came back: what no pair reclaims is dropped
   std::uint64_t count = 0;             // bodies asleep
   std::uint64_t woke = 0;              // bodies woken since the last report
-  bool replant = false;                // the tree below is empty, and is to be made of all parked bodies
+  bool replant = false;                // the tree below is empty, and is to be made of all inactive bodies
 
-  BoxTree tree;                 // colliders of parked bodies, by their bounds
+  BoxTree tree;                 // colliders of inactive bodies, by their bounds
   Array<std::uint8_t> in_tree;  // by collider
   Array<KeptImpulse> kept;
   Array<std::uint32_t> kept_free;
@@ -72,16 +72,16 @@ struct Sleep {
   Array<std::uint32_t> bodies, colliders, asking, hits;
   Array<std::uint8_t> holders;
   Array<KeptImpulse> returning;
-  Customers spare;
+  Participants spare;
 };
 
 /// Whether anybody may fall asleep at all.
 inline bool anyone_sleeps(const Scene& scene) {
   return scene.dials.choice(Dial::sleep) != 0 && !scene.modes.forbids(+EffectId::sleep);
 }
-/// Row of the table: who may fall asleep. Its customers are all dynamic bodies that are awake.
+/// Row of the table: who may fall asleep. Its participants are all dynamic bodies that are awake.
 namespace sleeping {
-void find(const Scene&, const State&, Customers&);
+void find(const Scene&, const State&, Participants&);
 }
 
 // ---- a host's edits (between steps); a body is a slot. None allocates but stir(). ----
@@ -107,7 +107,7 @@ void forget_body(World& world, std::uint32_t body);
 /// After a plan was made for everybody: cut its lists down to who is awake.
 void plan_sleep(const World& world, Settling to, Plan& plan);
 /// Let the arrays follow who fell asleep or woke.
-/// @return whether customers changed
+/// @return whether participants changed
 bool settle_sleepers(const World& world, Settling to);
 
 // ---- stages of the page ----

@@ -13,7 +13,7 @@ namespace {
 
 void ask_for(const World& world, Sleep& z, std::uint32_t body) {
   const Colliders& c = world.scene.colliders;
-  for (std::uint32_t slot = world.scene.first_collider[body]; slot != Colliders::kNone; slot = c.next[slot])
+  for (std::uint32_t slot = world.scene.first_collider[body]; slot != kInvalid; slot = c.next[slot])
     z.asking.push_back(slot);
 }
 
@@ -104,7 +104,7 @@ void wake_touched(const World& world, Settling to, SpringLoads& springs, StepRep
     throw;
   }
   carry_springs(world, springs, time.h);
-  find_customers(world, time.h);
+  find_participants(world, time.h);
   // Between two that are awake by now, the broad phase finds the pair. What does not move makes none with a sleeper.
   const Colliders& c = world.scene.colliders;
   const auto void_pair = [&](const Pair& p) { return world.state.asleep[c.body[p.a]] == world.state.asleep[c.body[p.b]]; };

@@ -8,10 +8,10 @@ namespace carom::dynamics {
 namespace {
 
 /// Call f(record) for the record of every pair that a sleeper may be in. Those who fell asleep in the last step are not
-/// parked yet.
+/// inactive yet.
 template <class F>
 void each_record(const World& world, F&& f) {
-  world.pairs.each_parked(f);
+  world.pairs.each_inactive(f);
   for (std::size_t i = 0; i < world.pairs.size(); ++i) f(world.pairs[i]);
 }
 
@@ -25,13 +25,13 @@ void wake_both(World& world, const PairRecord& r) {
 void wake(const World& world, Sleepers to, std::uint32_t body) {
   Sleep& z = to;
   SleepFlags& flags = to;
-  if (body >= z.calm.size()) return;
-  z.calm[body] = 0;
+  if (body >= z.sleep_timer.size()) return;
+  z.sleep_timer[body] = 0;
   for (std::uint32_t i = body; world.state.asleep[i]; i = z.ring[i]) {
     flags.asleep[i] = 0;
-    z.calm[i] = 0;
+    z.sleep_timer[i] = 0;
     z.anchor_x[i] = world.state.x[i], z.anchor_q[i] = world.state.q[i];
-    if (z.parked[i]) z.woken.push_back(i);  // there is room for every body
+    if (z.inactive[i]) z.woken.push_back(i);  // there is room for every body
     --z.count, ++z.woke;
   }
 }
@@ -49,7 +49,7 @@ void wake_touching(World& world, std::uint32_t collider) {
 
 void wake_joined(const World& world, Sleepers to, std::uint32_t body) {
   world.joints.each_of(body, [&](std::uint32_t joint, std::uint32_t other) {
-    if (other != kTheWorld && !world.joints.joint[joint].broken) wake(world, to, other);
+    if (other != kInvalid && !world.joints.joint[joint].broken) wake(world, to, other);
   });
   const Springs& springs = world.scene.springs;
   if (!springs.hang_on(body)) return;
@@ -72,7 +72,7 @@ void stir(World& world, std::uint32_t body) {
   if (world.sleep->count == 0) return;
   wake_joined(world, Sleepers(world), body);
   world.sleep->stirred.push_back(body);
-  for (std::uint32_t c = scene.first_collider[body]; c != Colliders::kNone; c = scene.colliders.next[c])
+  for (std::uint32_t c = scene.first_collider[body]; c != kInvalid; c = scene.colliders.next[c])
     wake_touching(world, c);
 }
 
@@ -81,7 +81,7 @@ void forget_collider(World& world, std::uint32_t collider) {
   if (collider < z.in_tree.size() && z.in_tree[collider]) z.tree.remove(collider), z.in_tree[collider] = 0;
   const auto names = [&](const OldImpulse& o) { return o.pair.a == collider || o.pair.b == collider; };
   for (KeptImpulse& k : z.kept)
-    if (names(k.impulse)) k.impulse.pair = {Colliders::kNone, Colliders::kNone};
+    if (names(k.impulse)) k.impulse.pair = {kInvalid, kInvalid};
   std::erase_if(world.impulses.old, names);
   std::erase_if(z.near, [&](const Pair& p) { return p.a == collider || p.b == collider; });
   std::erase(z.rejoined, collider);
@@ -90,10 +90,10 @@ void forget_collider(World& world, std::uint32_t collider) {
 void forget_body(World& world, std::uint32_t body) {
   Sleep& z = *world.sleep;
   for (Array<std::uint32_t>* list : {&z.fallen, &z.woken, &z.stirred}) std::erase(*list, body);
-  if (body >= z.parked.size()) return;
-  z.parked[body] = 0, z.ring[body] = Colliders::kNone, z.calm[body] = 0;  // as of a slot that has not lived yet
+  if (body >= z.inactive.size()) return;
+  z.inactive[body] = 0, z.ring[body] = kInvalid, z.sleep_timer[body] = 0;  // as of a slot that has not lived yet
   z.anchor_x[body] = Vec3::zero(), z.anchor_q[body] = Quat::identity();
-  while (z.kept_first[body] != Colliders::kNone) {
+  while (z.kept_first[body] != kInvalid) {
     const std::uint32_t k = z.kept_first[body];
     z.kept_first[body] = z.kept[k].next;
     z.kept_free.push_back(k);  // there is room for all

@@ -22,8 +22,8 @@ enum BodyBits : std::uint16_t {
   kQuarantined = 64,
   kWritten = 128,
   kAsleep = 256,
-  kParked = 512,
-  kCalm = 1024,
+  kInactive = 512,
+  kRests = 1024,
   kSleptBefore = 2048,
   kSettings = 4096,
   kAccuracy = 8192,
@@ -104,17 +104,17 @@ std::uint16_t bits_of_body(const World& world, std::uint32_t i) {
   const State& s = world.state;
   const Sleep& z = *world.sleep;
   const auto bit = [](bool on, BodyBits b) { return on ? b : 0; };
-  const bool sleeps = i < z.calm.size();
-  const bool calm = sleeps && !(same_bits(z.calm[i], Real(0)) && same_bits(z.anchor_x[i], s.x[i]) &&
+  const bool sleeps = i < z.sleep_timer.size();
+  const bool rests = sleeps && !(same_bits(z.sleep_timer[i], Real(0)) && same_bits(z.anchor_x[i], s.x[i]) &&
                                 same_bits(z.anchor_q[i], s.q[i]));
   return static_cast<std::uint16_t>(
       bit(!zero_bits(s.v[i]) || !zero_bits(s.omega[i]), kMoves) | bit(!zero_bits(s.momentum[i]), kTop) |
       bit(!same_bits(s.held_q[i], s.q[i]), kHeld) |
       bit(!same_bits(s.placed_x[i], s.x[i]) || !same_bits(s.placed_q[i], s.q[i]), kPlacedElsewhere) |
       bit(!zero_bits(s.force[i]) || !zero_bits(s.torque[i]), kPushed) |
-      bit(s.loaded_steps[i] | s.tired_steps[i], kSolverMemory) | bit(s.quarantined[i], kQuarantined) |
-      bit(s.is_written[i], kWritten) | bit(world.state.sleeps(i), kAsleep) | bit(sleeps && z.parked[i], kParked) |
-      bit(calm, kCalm) | bit(i < world.events->slept.size() && world.events->slept[i], kSleptBefore) |
+      bit(s.loaded_steps[i] | s.cooldown_steps[i], kSolverMemory) | bit(s.quarantined[i], kQuarantined) |
+      bit(s.is_written[i], kWritten) | bit(world.state.sleeps(i), kAsleep) | bit(sleeps && z.inactive[i], kInactive) |
+      bit(rests, kRests) | bit(i < world.events->slept.size() && world.events->slept[i], kSleptBefore) |
       bit(settings_of(world.scene, i), kSettings) | bit(s.accuracy[i] != AccuracyNote(), kAccuracy));
 }
 
@@ -156,8 +156,8 @@ void body(Io& io, W& world, std::uint32_t i) {
   keep(io, s.placed_x[i], placed_x), keep(io, s.placed_q[i], placed_q);
   vector_if(kPushed, s.force[i]), vector_if(kPushed, s.torque[i]);
   const auto loaded = bits & kSolverMemory ? io.value(s.loaded_steps[i]) : std::uint8_t(0);
-  const auto tired = bits & kSolverMemory ? io.value(s.tired_steps[i]) : std::uint8_t(0);
-  keep(io, s.loaded_steps[i], loaded), keep(io, s.tired_steps[i], tired);
+  const auto cooldown = bits & kSolverMemory ? io.value(s.cooldown_steps[i]) : std::uint8_t(0);
+  keep(io, s.loaded_steps[i], loaded), keep(io, s.cooldown_steps[i], cooldown);
   AccuracyNote note;
   if (bits & kAccuracy) {
     note.level = io.value(s.accuracy[i].level), note.wait = io.value(s.accuracy[i].wait), note.met = io.value(s.accuracy[i].met);
@@ -168,27 +168,27 @@ void body(Io& io, W& world, std::uint32_t i) {
     io.demand(note.level <= accuracy::kMostLevel && note.place >= 0 && note.turn >= 0);
   }
   keep(io, s.accuracy[i], note);
-  const std::uint32_t ring = bits & kAsleep ? io.value(Io::saves ? z.ring[i] : 0u) : Colliders::kNone;
-  const Real calm = bits & kCalm ? io.real(Io::saves ? z.calm[i] : Real(0)) : Real(0);
-  const Vec3 anchor_x = bits & kCalm ? io.vec(Io::saves ? z.anchor_x[i] : zero) : x;
-  const Quat anchor_q = bits & kCalm ? io.quat(Io::saves ? z.anchor_q[i] : q) : q;
+  const std::uint32_t ring = bits & kAsleep ? io.value(Io::saves ? z.ring[i] : 0u) : kInvalid;
+  const Real sleep_timer = bits & kRests ? io.real(Io::saves ? z.sleep_timer[i] : Real(0)) : Real(0);
+  const Vec3 anchor_x = bits & kRests ? io.vec(Io::saves ? z.anchor_x[i] : zero) : x;
+  const Quat anchor_q = bits & kRests ? io.quat(Io::saves ? z.anchor_q[i] : q) : q;
   if (bits & kSettings) settings(io, world.scene, i);
   if constexpr (Io::checks) {
     const bool arrays = i < io.needs.sleepers;
-    io.demand(arrays || !(bits & (kAsleep | kParked | kCalm)));
-    io.demand(!(bits & (kAsleep | kParked)) || world.scene.inv_mass[i] > 0);
+    io.demand(arrays || !(bits & (kAsleep | kInactive | kRests)));
+    io.demand(!(bits & (kAsleep | kInactive)) || world.scene.inv_mass[i] > 0);
     io.demand(!(bits & kAsleep) ||
               (ring < io.needs.sleepers && world.scene.bodies.alive(ring) && world.scene.inv_mass[ring] > 0));
-    io.demand(calm >= 0 && sane_turn(anchor_q));
+    io.demand(sleep_timer >= 0 && sane_turn(anchor_q));
   }
   if constexpr (Io::loads) {
     s.quarantined[i] = (bits & kQuarantined) != 0;
     s.quarantined_count += s.quarantined[i];
     if (bits & kWritten) s.mark_written(i);
     if (i < world.events->slept.size()) world.events->slept[i] = (bits & kSleptBefore) != 0;
-    if (i >= z.calm.size()) return;
-    world.state.asleep[i] = (bits & kAsleep) != 0, z.parked[i] = (bits & kParked) != 0;
-    z.ring[i] = ring, z.calm[i] = calm, z.anchor_x[i] = anchor_x, z.anchor_q[i] = anchor_q;
+    if (i >= z.sleep_timer.size()) return;
+    world.state.asleep[i] = (bits & kAsleep) != 0, z.inactive[i] = (bits & kInactive) != 0;
+    z.ring[i] = ring, z.sleep_timer[i] = sleep_timer, z.anchor_x[i] = anchor_x, z.anchor_q[i] = anchor_q;
     z.count += world.state.asleep[i];
   }
 }
@@ -206,9 +206,9 @@ void clear_bodies(World& world, std::size_t sleepers) {
   std::fill(c.modes.forced_of.begin(), c.modes.forced_of.end(), RowBits(0));
   for (std::uint32_t i = 0; i < c.bodies.slots(); ++i)
     if (c.bodies.alive(i)) c.def[i].continuous = SweepMode::automatic;
-  world.state.asleep.assign(sleepers, 0), z.parked.assign(sleepers, 0), z.ring.assign(sleepers, Colliders::kNone);
-  z.calm.assign(sleepers, 0), z.anchor_x.assign(sleepers, Vec3::zero()), z.anchor_q.assign(sleepers, Quat::identity());
-  z.radius.assign(sleepers, 0), z.rows.assign(sleepers, 0), z.kept_first.assign(sleepers, Colliders::kNone);
+  world.state.asleep.assign(sleepers, 0), z.inactive.assign(sleepers, 0), z.ring.assign(sleepers, kInvalid);
+  z.sleep_timer.assign(sleepers, 0), z.anchor_x.assign(sleepers, Vec3::zero()), z.anchor_q.assign(sleepers, Quat::identity());
+  z.radius.assign(sleepers, 0), z.rows.assign(sleepers, 0), z.kept_first.assign(sleepers, kInvalid);
   z.root.assign(sleepers, 0), z.restless.assign(sleepers, 0);
   z.count = 0;
 }
@@ -216,7 +216,7 @@ void clear_bodies(World& world, std::size_t sleepers) {
 struct Bodies {
   template <class Io, class W>
   static void go(Io& io, W& world) {
-    const auto sleepers = io.value(static_cast<std::uint32_t>(world.sleep->calm.size()));
+    const auto sleepers = io.value(static_cast<std::uint32_t>(world.sleep->sleep_timer.size()));
     io.demand(sleepers <= world.scene.bodies.slots());
     if constexpr (Io::checks) io.needs.sleepers = sleepers;
     if constexpr (Io::loads) clear_bodies(world, sleepers);

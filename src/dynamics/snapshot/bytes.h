@@ -24,7 +24,7 @@ enum class Item : std::uint8_t { none, body, collider, pair, joint, set, field, 
 
 /// Room that loading wants to find in the arrays of a world, found out by checking.
 struct Needs {
-  std::size_t places = 0, records = 0, free_records = 0, parked = 0;  // of the pair table
+  std::size_t places = 0, records = 0, free_records = 0, inactive = 0;  // of the pair table
   std::size_t old = 0, kept = 0;                                      // impulses
   std::size_t sleepers = 0;                                           // slots of the arrays of sleep
   std::size_t fallen = 0, woken = 0, stirred = 0, rejoined = 0;

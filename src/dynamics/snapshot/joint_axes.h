@@ -36,7 +36,7 @@ JointAxis one_axis(Io& io, const JointAxis& now) {
   a.lower = io.real(now.lower), a.upper = io.real(now.upper);
   a.stop = pull_of_axis(io, now.stop), a.gains = pull_of_axis(io, now.gains), a.spring = pull_of_axis(io, now.spring);
   a.target = io.real(now.target), a.speed = io.real(now.speed), a.effort = io.real(now.effort);
-  a.most = bound_of(io, now.most), a.rest = io.real(now.rest);
+  a.max_force = bound_of(io, now.max_force), a.rest = io.real(now.rest);
   io.demand(a.mode != AxisMode::limited || a.lower <= a.upper);
   return a;
 }
@@ -61,7 +61,7 @@ void turn_drive(Io& io, T& now) {
   d.gains = pull_of_axis(io, now.gains);
   d.target = io.quat(now.target);
   d.velocity = io.vec(now.velocity), d.effort = io.vec(now.effort);
-  for (int k = 0; k < 3; ++k) d.most[k] = bound_of(io, now.most[k]);
+  for (int k = 0; k < 3; ++k) d.max_force[k] = bound_of(io, now.max_force[k]);
   d.p = io.vec(now.p);
   const Real n2 = d.target.squared_norm();
   io.demand(n2 > 0.9 && n2 < 1.1);
@@ -73,7 +73,7 @@ inline bool same_pull(const AxisPull& a, const AxisPull& b) {
 }
 inline bool same_turn_drive(const TurnDrive& a, const TurnDrive& b) {
   return a.mode == b.mode && same_pull(a.gains, b.gains) && same_bits(a.target, b.target) &&
-         same_bits(a.velocity, b.velocity) && same_bits(a.effort, b.effort) && same_bits(a.most, b.most) && same_bits(a.p, b.p);
+         same_bits(a.velocity, b.velocity) && same_bits(a.effort, b.effort) && same_bits(a.max_force, b.max_force) && same_bits(a.p, b.p);
 }
 
 }  // namespace carom::dynamics::snapshot

@@ -1,4 +1,4 @@
-// What is remembered of pairs: records of the pair table, parked or not, and the impulses that a step starts from.
+// What is remembered of pairs: records of the pair table, inactive or not, and the impulses that a step starts from.
 #include <algorithm>
 
 #include "collision/scenery/scenery.h"
@@ -81,10 +81,10 @@ void record(Io& io, R& r, int& points) {
 
 }  // namespace
 
-/// A friend of the table's: records are parked and found again in an order that follows from where they stand, so each
+/// A friend of the table's: records are inactive and found again in an order that follows from where they stand, so each
 /// keeps its place.
 class PairTableImage {
-  using Links = Array<PairTable::Parked>;
+  using Links = Array<PairTable::Inactive>;
   using Pairs = Array<Pair>;
 
  public:
@@ -92,17 +92,17 @@ class PairTableImage {
   static void go(Io& io, W& world) {
     auto& t = world.pairs;
     const std::uint64_t places = io.count(t.order_.size(), 9);
-    const std::uint64_t parked = io.count(t.parked_count_, 9), free = io.count(t.free_.size(), 4);
-    const std::uint64_t records = places + parked + free;
+    const std::uint64_t inactive = io.count(t.inactive_count_, 9), free = io.count(t.free_.size(), 4);
+    const std::uint64_t records = places + inactive + free;
     if constexpr (Io::checks) {
-      io.needs.places = places, io.needs.records = records, io.needs.free_records = free, io.needs.parked = parked;
+      io.needs.places = places, io.needs.records = records, io.needs.free_records = free, io.needs.inactive = inactive;
       io.demand(records < kNew);
       if (io.bad()) return;
     }
     if constexpr (Io::loads) {
       t.clear();
       t.order_.resize(places), t.records_.resize(records), t.free_.resize(free);
-      if (parked > 0) t.parked_.resize(records), t.head_.assign(world.scene.colliders.slots(), kNew);
+      if (inactive > 0) t.inactive_.resize(records), t.head_.assign(world.scene.colliders.slots(), kNew);
     }
     Array<std::uint8_t> seen(Io::checks ? records : 0, 0, world.memory);  // by record
     const auto once = [&](std::uint32_t r) {
@@ -120,14 +120,14 @@ class PairTableImage {
       once(r);
       if constexpr (Io::loads) t.free_[k] = r;
     }
-    if (parked > 0) park(io, world, parked, once);
+    if (inactive > 0) deactivate(io, world, inactive, once);
   }
 
   static void make_room(World& world, const Needs& n) {
     PairTable& t = world.pairs;
-    const std::size_t parked = n.parked > 0 ? n.records : 0;
+    const std::size_t inactive = n.inactive > 0 ? n.records : 0;
     t.order_.reserve(n.places), t.records_.reserve(n.records), t.free_.reserve(n.free_records);
-    t.parked_.reserve(parked), t.head_.reserve(parked ? world.scene.colliders.slots() : 0);
+    t.inactive_.reserve(inactive), t.head_.reserve(inactive ? world.scene.colliders.slots() : 0);
   }
 
  private:
@@ -162,21 +162,21 @@ class PairTableImage {
     }
   }
 
-  /// Parked records, in the order of their numbers, with the lists of colliders that they are linked in.
+  /// Inactive records, in the order of their numbers, with the lists of colliders that they are linked in.
   template <class Io, class W, class Once>
-  static void park(Io& io, W& world, std::uint64_t parked, const Once& once) {
+  static void deactivate(Io& io, W& world, std::uint64_t inactive, const Once& once) {
     auto& t = world.pairs;
-    Links links(Io::checks ? t_size(io) : 0, PairTable::Parked{}, world.memory);
+    Links links(Io::checks ? t_size(io) : 0, PairTable::Inactive{}, world.memory);
     Pairs pairs(links.size(), Pair{0, 0}, world.memory);
     std::uint32_t r = 0;
-    for (std::uint64_t k = 0; k < parked && !io.bad(); ++k, ++r) {
+    for (std::uint64_t k = 0; k < inactive && !io.bad(); ++k, ++r) {
       if constexpr (Io::saves)
-        while (t.parked_[r].holders == PairTable::none) ++r;
+        while (t.inactive_[r].holders == PairTable::none) ++r;
       r = io.value(r);
       once(r);
       if (io.bad()) return;
       const Pair p = pair(io, world, Io::saves ? t.records_[r].pair : Pair{0, 0});
-      PairTable::Parked now = Io::saves ? t.parked_[r] : PairTable::Parked{};
+      PairTable::Inactive now = Io::saves ? t.inactive_[r] : PairTable::Inactive{};
       now.holders = io.value(now.holders), now.at = io.value(now.at);
       io.demand(now.holders >= 1 && now.holders <= 3);
       for (std::uint32_t& next : now.next) next = io.value(next);
@@ -188,9 +188,9 @@ class PairTableImage {
       } else {
         record(io, t.records_[r], points);
       }
-      if constexpr (Io::loads) t.records_[r].pair = p, t.parked_[r] = now;
+      if constexpr (Io::loads) t.records_[r].pair = p, t.inactive_[r] = now;
     }
-    if constexpr (Io::loads) t.parked_count_ = parked;
+    if constexpr (Io::loads) t.inactive_count_ = inactive;
     heads(io, world, links, pairs);
   }
 
@@ -223,7 +223,7 @@ class PairTableImage {
     }
     if constexpr (Io::checks) {
       std::size_t wanted = 0;
-      for (const PairTable::Parked& link : links) wanted += (link.holders & 1u) + (link.holders >> 1);
+      for (const PairTable::Inactive& link : links) wanted += (link.holders & 1u) + (link.holders >> 1);
       io.demand(linked == wanted);  // so no list runs in a circle, and nobody is left out
     }
   }

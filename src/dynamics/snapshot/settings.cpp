@@ -140,10 +140,10 @@ bool turns_any_way(JointKind kind) { return kind == JointKind::ball || kind == J
 bool same_drive(const JointDrive& a, const JointDrive& b) {
   return a.limit.on == b.limit.on && same_bits(a.limit.lower, b.limit.lower) &&
          same_bits(a.limit.upper, b.limit.upper) && a.motor.on == b.motor.on &&
-         same_bits(a.motor.speed, b.motor.speed) && same_bits(a.motor.most, b.motor.most) &&
+         same_bits(a.motor.speed, b.motor.speed) && same_bits(a.motor.max_force, b.motor.max_force) &&
          a.spring.on == b.spring.on && same_bits(a.spring.target, b.spring.target) &&
          same_bits(a.spring.frequency, b.spring.frequency) && same_bits(a.spring.damping, b.spring.damping) &&
-         same_bits(a.spring.most, b.spring.most);
+         same_bits(a.spring.max_force, b.spring.max_force);
 }
 
 std::uint8_t bits_of(const Joint& j) {
@@ -167,16 +167,16 @@ JointDrive drive(Io& io, const JointDrive& now) {
   io.demand(on < 8);
   d.limit.on = on & 1, d.motor.on = on & 2, d.spring.on = on & 4;
   d.limit.lower = loose(io, now.limit.lower), d.limit.upper = loose(io, now.limit.upper);
-  d.motor.speed = io.real(now.motor.speed), d.motor.most = loose(io, now.motor.most);
+  d.motor.speed = io.real(now.motor.speed), d.motor.max_force = loose(io, now.motor.max_force);
   d.spring.target = io.real(now.spring.target), d.spring.frequency = io.real(now.spring.frequency);
-  d.spring.damping = io.real(now.spring.damping), d.spring.most = loose(io, now.spring.most);
-  io.demand(d.limit.lower <= d.limit.upper && d.motor.most >= 0 && d.spring.frequency >= 0 && d.spring.damping >= 0 &&
-            d.spring.most >= 0);
+  d.spring.damping = io.real(now.spring.damping), d.spring.max_force = loose(io, now.spring.max_force);
+  io.demand(d.limit.lower <= d.limit.upper && d.motor.max_force >= 0 && d.spring.frequency >= 0 && d.spring.damping >= 0 &&
+            d.spring.max_force >= 0);
   return d;
 }
 
 bool parts_its_bodies(const JointDef& def) {
-  return !def.collide && def.body_a != kTheWorld && def.body_b != kTheWorld;
+  return !def.collide && def.body_a != kInvalid && def.body_b != kInvalid;
 }
 
 struct AllJoints {

@@ -25,13 +25,13 @@ void slots(Io& io, List& list, std::size_t& need, std::size_t most, Good&& good)
 template <class Io, class W>
 void kept(Io& io, W& world, std::uint32_t body, std::uint32_t n) {
   auto& z = *world.sleep;
-  std::uint32_t at = Io::saves ? z.kept_first[body] : Colliders::kNone;
+  std::uint32_t at = Io::saves ? z.kept_first[body] : kInvalid;
   for (std::uint32_t k = 0; k < n && !io.bad(); ++k) {
     const KeptImpulse now = Io::saves ? z.kept[at] : KeptImpulse{};
-    KeptImpulse i{impulse(io, now.impulse), io.real(now.h), io.value(now.order), Colliders::kNone};
+    KeptImpulse i{impulse(io, now.impulse), io.real(now.h), io.value(now.order), kInvalid};
     if constexpr (Io::checks) {
       const Pair& p = i.impulse.pair;
-      const bool gone = p.a == Colliders::kNone && p.b == Colliders::kNone;
+      const bool gone = p.a == kInvalid && p.b == kInvalid;
       io.demand((gone || (p.a < p.b && p.b < world.scene.colliders.slots())) && i.h > 0);
       ++io.needs.kept;
     }
@@ -48,7 +48,7 @@ template <class W>
 std::uint32_t kept_by(const W& world, std::uint32_t body) {
   const Sleep& z = *world.sleep;
   std::uint32_t n = 0;
-  for (std::uint32_t k = z.kept_first[body]; k != Colliders::kNone; k = z.kept[k].next) ++n;
+  for (std::uint32_t k = z.kept_first[body]; k != kInvalid; k = z.kept[k].next) ++n;
   return n;
 }
 
@@ -67,7 +67,7 @@ struct Sleepers {
     slots(io, z.fallen, needs.fallen, bodies, sleeper), slots(io, z.woken, needs.woken, bodies, sleeper);
     slots(io, z.stirred, needs.stirred, kMaxSlots, body), slots(io, z.rejoined, needs.rejoined, kMaxSlots, collider);
     if constexpr (Io::loads) z.kept.clear(), z.kept_free.clear(), z.near.clear();
-    const auto keeps = [&](std::uint32_t i) { return z.kept_first[i] != Colliders::kNone; };
+    const auto keeps = [&](std::uint32_t i) { return z.kept_first[i] != kInvalid; };
     std::uint64_t keepers = 0;
     if constexpr (Io::saves)
       for (std::uint32_t i = 0; i < z.kept_first.size(); ++i) keepers += keeps(i);

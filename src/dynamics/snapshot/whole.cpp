@@ -40,18 +40,18 @@ void make_room_for_slots(World& w) {
   s.def.resize(bodies, nobody), s.type.resize(bodies, BodyType::fixed);
   s.inv_mass.resize(bodies, 0), s.mass.resize(bodies, 0), s.center.resize(bodies, Vec3::zero());
   s.inertia.resize(bodies, Mat3::zero()), s.inv_inertia.resize(bodies, Mat3::zero());
-  s.first_collider.resize(bodies, Colliders::kNone);
+  s.first_collider.resize(bodies, kInvalid);
   for (Array<Vec3>* a : {&t.x, &t.placed_x, &t.v, &t.omega, &t.momentum, &t.force, &t.torque})
     a->resize(bodies, Vec3::zero());
   for (Array<Quat>* a : {&t.q, &t.held_q, &t.placed_q}) a->resize(bodies, Quat::identity());
-  for (Array<std::uint8_t>* a : {&t.quarantined, &t.loaded_steps, &t.tired_steps, &t.is_written}) a->resize(bodies, 0);
+  for (Array<std::uint8_t>* a : {&t.quarantined, &t.loaded_steps, &t.cooldown_steps, &t.is_written}) a->resize(bodies, 0);
   t.accuracy.resize(bodies);
   t.written.reserve(bodies);
   Colliders& c = s.colliders;
   c.shape.resize(colliders, nullptr), c.local.resize(colliders), c.body.resize(colliders, 0);
   c.material.resize(colliders, Colliders::kNoMaterial), c.density.resize(colliders, 0), c.frame.resize(colliders);
   c.travel.resize(colliders, 0), c.bounds.resize(colliders), c.reach.resize(colliders, 0);
-  c.movable.resize(colliders, 0), c.muted.resize(colliders, 0), c.next.resize(colliders, Colliders::kNone);
+  c.movable.resize(colliders, 0), c.disabled.resize(colliders, 0), c.next.resize(colliders, kInvalid);
   c.live.reserve(colliders);
   s.material.resize(s.material_slots.slots());
   s.fields.def.resize(s.fields.slots.slots());
@@ -59,7 +59,7 @@ void make_room_for_slots(World& w) {
   s.springs.def.resize(springs), s.springs.stiffness.resize(springs, 0), s.springs.damping.resize(springs, 0);
   if (springs > 0) s.springs.ends.resize(bodies, 0), s.springs.load.resize(bodies);
   w.joints.joint.resize(joints);
-  if (joints > 0) w.joints.first.resize(bodies, kTheWorld);
+  if (joints > 0) w.joints.first.resize(bodies, kInvalid);
   w.particles.set.reserve(w.particles.slots.slots());
   for (std::uint32_t k = 0; k < w.particles.slots.slots(); ++k) w.particles.set.emplace_back(w.memory);
 }
@@ -194,7 +194,7 @@ void ends(Io& io, const Scene& s, Def& d) {
   if constexpr (Io::checks) {
     bool any = false;
     for (const std::uint32_t body : {d.body_a, d.body_b}) {
-      io.demand(body == kTheWorld || s.bodies.alive(body));
+      io.demand(body == kInvalid || s.bodies.alive(body));
       any |= s.bodies.alive(body) && s.type[body] == BodyType::dynamic;
     }
     io.demand(any && d.body_a != d.body_b);
@@ -221,7 +221,7 @@ struct WholeJoints {
     // Where the lists of bodies begin: their order is that in which joints came.
     if (all.slots.alive_count() > 0)
       each_alive(world.scene.bodies, [&](std::uint32_t body) {
-        const std::uint32_t first = io.value(body < all.first.size() ? all.first[body] : kTheWorld);
+        const std::uint32_t first = io.value(body < all.first.size() ? all.first[body] : kInvalid);
         if constexpr (Io::checks) all.first[body] = first;
       });
     if constexpr (Io::checks)
@@ -249,10 +249,10 @@ struct WholeJoints {
     std::size_t wanted = 0, met = 0;
     each_alive(all.slots, [&](std::uint32_t i) {
       const JointDef& d = all.joint[i].def;
-      wanted += (d.body_a != kTheWorld) + (d.body_b != kTheWorld);
+      wanted += (d.body_a != kInvalid) + (d.body_b != kInvalid);
     });
     for (std::uint32_t body = 0; body < all.first.size(); ++body)
-      for (std::uint32_t j = all.first[body]; j != kTheWorld;) {
+      for (std::uint32_t j = all.first[body]; j != kInvalid;) {
         if (++met > wanted || !all.alive(j)) return io.demand(false);
         const JointDef& d = all.joint[j].def;
         if (d.body_a != body && d.body_b != body) return io.demand(false);

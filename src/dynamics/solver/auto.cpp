@@ -8,7 +8,7 @@
 //    anything is solved, or
 //  - it is a few bodies that lie still: to hold them exactly costs next to nothing, or
 //  - it is some bodies that joints hold together: their equations are solved at once, alone to rounding;
-// unless something strikes it (a blow sends the direct solver through all of a heap, and passes), it is too large, or
+// unless something strikes it (an impact sends the direct solver through all of a heap, and passes), it is too large, or
 // could not be solved within direct_work lately: then it moves so much that soft contacts will do.
 #include <algorithm>
 #include <array>
@@ -154,7 +154,7 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
       const Real load = std::max(points.p_n[k] * rate, share);
       // How deep soft contacts let the point sink, of the thickness of what touches: P / (m w^2) over that.
       if (load > 0) most = std::max(most, load * points.response[k] * give);
-      motion.struck |= points.closing[k] * points.closing[k] > kBlow * fall;
+      motion.struck |= points.closing[k] * points.closing[k] > kImpactShare * fall;
       motion.still &= points.speed2[k] < kLiesStill * fall;
     }
     const auto bears = [&](bool moves, std::uint32_t body) {
@@ -168,7 +168,7 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
 }
 
 struct GroupMemory {
-  bool bears = false, tired = false;
+  bool bears = false, cools_down = false;
 };
 
 /// What bodies of a group remember, brought up to date. An impact is as heavy as a load, but passes: only what was
@@ -178,13 +178,13 @@ GroupMemory remember(const World& world, SolverMemory& of, const Seen& seen, boo
   Contacts& c = *world.contacts;
   GroupMemory memory;
   for (const std::uint32_t body : seen.all()) {
-    std::uint8_t &steps = of.loaded_steps[body], &rest = of.tired_steps[body];
+    std::uint8_t &steps = of.loaded_steps[body], &rest = of.cooldown_steps[body];
     if (c.load[body] == Contacts::kHeavy)
       steps = at_once || steps + 1 >= kBorneFor ? kBearsFor.value : static_cast<std::uint8_t>(steps + 1);
     else if (steps > 0)
       --steps;
     memory.bears |= steps >= kBorneFor;
-    memory.tired |= rest > 0;
+    memory.cools_down |= rest > 0;
     if (rest > 0) --rest;
     c.load[body] = Contacts::kUnseen;
   }
@@ -198,7 +198,7 @@ GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const G
   const bool few = joined && view.bodies <= kFewJoined;
   if (few) return unlike ? GroupReason::mass_ratio : GroupReason::joined;
   if (!unlike && !memory.bears && !still) return GroupReason::ordinary;
-  if (memory.tired && (!unlike || joined || view.bodies > kMostUnlike)) return GroupReason::too_much;
+  if (memory.cools_down && (!unlike || joined || view.bodies > kMostUnlike)) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
   if (!memory.bears) return GroupReason::still;
   return motion.struck ? GroupReason::blow : GroupReason::sink;
@@ -268,12 +268,12 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
 
 /// A group that came nowhere near its solution within its work is left to soft contacts for a while: it moves too much.
 /// But not bodies of unlike masses, which soft contacts would throw about.
-void spare_the_tired(const World& world, SolverMemory& memory) {
+void start_cooldowns(const World& world, SolverMemory& memory) {
   const DirectGroups& d = *world.direct;
   for (std::size_t g = 0; g < d.groups(); ++g) {
     if (d.rest[g].waits || d.rest[g].lies || !is_far_off(d.answer[g], world.scene.dials)) continue;
     for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
-      memory.tired_steps[d.bodies[i].slot] = kTiredFor;
+      memory.cooldown_steps[d.bodies[i].slot] = kCooldown;
   }
 }
 
@@ -281,15 +281,15 @@ void spare_the_tired(const World& world, SolverMemory& memory) {
 template <class F>
 void each_taken_over(const World& world, F&& f) {
   const Contacts& c = *world.contacts;
-  const auto is_new_tired = [&](bool moves, std::uint32_t body) {
-    return moves && world.state.tired_steps[body] == kTiredFor - 1;
+  const auto starts_cooldown = [&](bool moves, std::uint32_t body) {
+    return moves && world.state.cooldown_steps[body] == kCooldown - 1;
   };
   for (std::size_t g = 0; g < c.groups(); ++g) {
     if (c.answered_directly(g)) continue;
     bool is_new = false;
     for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1] && !is_new; ++k) {
       const Row& row = c.rows[c.group_rows[k]];
-      is_new = is_new_tired(row.moves_a, row.a) || is_new_tired(row.moves_b, row.b);
+      is_new = starts_cooldown(row.moves_a, row.a) || starts_cooldown(row.moves_b, row.b);
     }
     if (is_new) f(g);
   }
@@ -329,7 +329,7 @@ void auto_velocities(const World& world, Solver::Solves to, const StepTime& time
   const auto work = static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
   solve_groups(world, to, to, time.h, 1 + work, world.plan->substeps);
   end_far_turns(world, to, wide, time.h);
-  spare_the_tired(world, to);
+  start_cooldowns(world, to);
 }
 
 void auto_positions(const World& world, Solver::Relaxes to, const StepTime& time) {

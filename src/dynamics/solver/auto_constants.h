@@ -23,11 +23,11 @@ inline constexpr Constant<std::uint64_t> kMostFactor{
     "more: a heap that comes to rest stalls the step in which it is tried; fewer: large walls and pyramids sink"};
 
 // Points that close or part as fast as after a fall through a share of the thickness are struck, or do not lie still.
-inline constexpr Constant<Real> kBlow{
-    "direct_blow", 0.1, "1",
+inline constexpr Constant<Real> kImpactShare{
+    "direct_impact_share", 0.1, "1",
     "share of the thickness: points that close as fast as after a fall through it are struck; what was just piled up, "
     "or rocks and creaks under its load, stays well below",
-    "larger: a blow sends the direct solver through all of a heap; smaller: a stack that rocks counts as struck, and "
+    "larger: an impact sends the direct solver through all of a heap; smaller: a stack that rocks counts as struck, and "
     "sinks under its load"};
 inline constexpr Constant<Real> kLiesStill{
     "direct_still", 2e-4, "1",
@@ -53,15 +53,14 @@ inline constexpr Constant<std::uint8_t> kBearsFor{
     "for so long does a load count that is no longer borne: a second at 60 Hz, longer than a stack rocks",
     "fewer: groups go to and fro between two solvers, and jerk at each change; more: what was unloaded is solved "
     "exactly for as long, to no use"};
-inline constexpr Constant<std::uint8_t> kTiredFor{
-    "direct_tired_for", 120, "steps",
+inline constexpr Constant<std::uint8_t> kCooldown{
+    "direct_cooldown", 120, "steps",
     "for so long is a group left to soft contacts that came nowhere near its solution within direct_work: it moves too "
     "much, and goes on to",
     "fewer: what can't be solved in time is tried again and again, at the full price each time; more: a heap that came "
     "to rest sags for as long"};
 
-
-inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kBlow,     kLiesStill,
-                                                 kFewStill,         kFewJoined,  kBorneFor,   kBearsFor, kTiredFor};
+inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kImpactShare,     kLiesStill,
+                                                 kFewStill,         kFewJoined,  kBorneFor,   kBearsFor, kCooldown};
 
 }  // namespace carom::dynamics

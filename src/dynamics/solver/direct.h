@@ -98,7 +98,7 @@ struct DirectGroups {
   Array<std::uint32_t> row;         // by contact
   Array<Begin> begin;               // [groups + 1]
   Array<ConeBody> bodies;           // by group
-  Array<std::uint32_t> body;        // by slot: in bodies; kNobody: in no group
+  Array<std::uint32_t> body;        // by slot: in bodies; kInvalid: in no group
   Array<Edge> edges;                // of bodies
   Array<std::uint32_t> edge_begin;  // [groups + 1]
   Array<Edge> ordered_edges;        // what elimination is for
@@ -110,10 +110,10 @@ struct DirectGroups {
   Array<ConeAnswer> answer;   // by group, of the last solve
   Array<GroupRest> rest;      // by group
 
-  /// The body of a slot, new to the present group or not; kNobody where impulses do not move it.
+  /// The body of a slot, new to the present group or not; kInvalid where impulses do not move it.
   std::uint32_t node(bool moves, std::uint32_t slot) {
-    if (!moves) return kNobody;
-    if (body[slot] == kNobody) {
+    if (!moves) return kInvalid;
+    if (body[slot] == kInvalid) {
       body[slot] = static_cast<std::uint32_t>(bodies.size());
       bodies.emplace_back().slot = slot;
     }
@@ -123,7 +123,7 @@ struct DirectGroups {
   /// Of the group that a row is in; null: another solver answers it.
   GroupRest* rest_of(const Row& at) {
     const std::uint32_t of = body[at.moves_a ? at.a : at.b];
-    if (of == kNobody) return nullptr;
+    if (of == kInvalid) return nullptr;
     const auto after = std::ranges::upper_bound(begin, of, {}, [](const Begin& group) { return group.body; });
     return &rest[static_cast<std::size_t>(after - begin.begin()) - 1];
   }

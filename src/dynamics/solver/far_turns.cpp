@@ -218,12 +218,12 @@ bool turns_too_far(const World& world, std::uint32_t body, const Vec3& turn) {
 }
 
 Vec3 led_back(const World& world, std::uint32_t body, const Vec3& end) {
-  const Vec3 momentum = inertia_at(world.scene, body, world.plan->proposal.q[body]) * end;
+  const Vec3 momentum = inertia_at(world.scene, body, world.plan->predicted.q[body]) * end;
   const Mat3 r = world.state.q[body].matrix();
   return r * (world.scene.inv_inertia[body] * (r.transpose() * momentum));
 }
 
-void lead_on(const World& world, Velocities& to, std::uint32_t body, Real h, Customers& scratch) {
+void lead_on(const World& world, Velocities& to, std::uint32_t body, Real h, Participants& scratch) {
   scratch.runs[0] = {body, body + 1};
   world.plan->rotation_method->advance(world, to, scratch, h);
 }

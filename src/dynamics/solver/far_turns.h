@@ -26,9 +26,9 @@ bool turns_far_for_its_shape(const World& world, std::uint32_t body, Real time);
 bool turns_too_far(const World& world, std::uint32_t body, const Vec3& turn);
 /// rad/s, world: a body's omega where a substep begins, of the one to which its rotation method has led it.
 Vec3 led_back(const World& world, std::uint32_t body, const Vec3& end);
-/// Leads a body's omega on over a substep, from its present pose: what it then has, and its proposal.
-/// @param scratch  of one customer
-void lead_on(const World& world, Velocities& to, std::uint32_t body, Real h, Customers& scratch);
+/// Leads a body's omega on over a substep, from its present pose: what it then has, and its predicted pose.
+/// @param scratch  of one participant
+void lead_on(const World& world, Velocities& to, std::uint32_t body, Real h, Participants& scratch);
 /// Which solver bodies may: those whose moments of inertia differ. Allocates.
 void find_far_turners(const World& world, WideContacts& wide);
 

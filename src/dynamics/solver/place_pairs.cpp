@@ -26,7 +26,7 @@ bool meet_as_before(const World& world, const WideContacts& wide) {
     return moves || is_kinematic(body) == (wide.body[body] != 0);
   };
   auto old = p.met.begin();
-  for (const Meeting& m : c.meetings) {
+  for (const ContactPair& m : c.contact_pairs) {
     if (!c.answered_in_lanes(m.row)) continue;
     if (old == p.met.end() || !old->is_like(m)) return false;
     if (!has_its_number(m.moves_a, m.a) || !has_its_number(m.moves_b, m.b)) return false;
@@ -38,7 +38,7 @@ bool meet_as_before(const World& world, const WideContacts& wide) {
 /// Pairs that met before have other rows, since pairs come and go that are answered elsewhere.
 void take_rows(const Contacts& c, WideContacts& wide) {
   std::size_t i = 0;
-  for (const Meeting& m : c.meetings)
+  for (const ContactPair& m : c.contact_pairs)
     if (c.answered_in_lanes(m.row)) wide.manifolds[i].row = wide.placing->met[i].row = m.row, ++i;
 }
 
@@ -52,18 +52,18 @@ void list_bodies(const World& world, WideContacts& wide) {
   wide.body.resize(scene.bodies.slots(), 0);
   wide.slot.assign(1, 0);
   // Room first: no body may be left marked.
-  p.met.clear(), p.met.reserve(c.meetings.size());
+  p.met.clear(), p.met.reserve(c.contact_pairs.size());
   p.movers.clear(), p.movers.reserve(c.bodies.size());
   p.kinematic.clear(), p.kinematic.reserve(world.plan->kinematic.count);
   const auto mark = [&](bool moves, std::uint32_t body) {
     if (moves || wide.body[body]) return void(wide.body[body] = kMoves);
     if (scene.type[body] == BodyType::kinematic) wide.body[body] = kMoves, p.kinematic.push_back(body);
   };
-  for (const Meeting& m : c.meetings)
+  for (const ContactPair& m : c.contact_pairs)
     if (c.answered_in_lanes(m.row)) p.met.push_back(m), mark(m.moves_a, m.a), mark(m.moves_b, m.b);
   for (const Link& l : c.links)
     for (const auto& [moves, body] : {std::pair(l.moves_a, l.a), std::pair(l.moves_b, l.b)})
-      if (body != kTheWorld) mark(moves, body);
+      if (body != kInvalid) mark(moves, body);
   for (const std::uint32_t i : p.kinematic) wide.body[i] = 0;
   for (const std::uint32_t i : c.bodies)
     if (std::exchange(wide.body[i], 0)) p.movers.push_back(i);
@@ -114,7 +114,7 @@ void note_poses(const World& world, WideContacts& wide) {
   });
 }
 
-/// Manifolds from meetings, and who is of which region.
+/// Manifolds from contact pairs, and who is of which region.
 void list_manifolds(WideContacts& wide) {
   Placing& p = *wide.placing;
   const std::uint32_t regions = p.regions.end();
@@ -122,7 +122,7 @@ void list_manifolds(WideContacts& wide) {
   wide.parts.assign(regions + 1, {});
   const std::uint32_t* const leaf = p.regions.leaf.data();
   const auto solver_body = [&](bool moves, std::uint32_t body) { return moves ? wide.body[body] : 0; };
-  for (const Meeting& m : p.met) {
+  for (const ContactPair& m : p.met) {
     const std::uint32_t a = solver_body(m.moves_a, m.a), b = solver_body(m.moves_b, m.b);
     const std::uint32_t region =
         Regions::of(leaf[(a ? a : b) - wide.first_moved], leaf[(b ? b : a) - wide.first_moved]);
@@ -134,7 +134,7 @@ void list_manifolds(WideContacts& wide) {
   for (std::uint32_t r = 1; r <= regions; ++r) wide.parts[r].member += wide.parts[r - 1].member;
   p.members.resize(p.met.size()), p.by_colour.resize(p.met.size());
   for (auto i = static_cast<std::uint32_t>(p.met.size()); i-- > 0;) {
-    const Meeting& m = p.met[i];
+    const ContactPair& m = p.met[i];
     p.members[--wide.parts[p.in_region[i]].member] = {
         i, solver_body(m.moves_a, m.a), solver_body(m.moves_b, m.b),
         (m.one_normal ? 0u : static_cast<std::uint32_t>(kPairPoints)) + m.count - 1};

@@ -36,7 +36,7 @@ export class PlanPanel {
         this.set(line.effect, Number(choice.value));
         choice.blur();
       });
-      const served = line.runs ? `${line.customers} ${line.unit}` : "off";
+      const served = line.runs ? `${line.participants} ${line.unit}` : "off";
       row(
         this.effects,
         [line.name, served, line.timing === 0 && line.runs ? us(line.seconds) : "", choice],

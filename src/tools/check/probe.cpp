@@ -21,7 +21,7 @@ namespace {
 
 using Params = std::vector<double>;
 
-// Relative to the farthest answer. Honest closed forms err by 1e-15, the engine's contacts resolve 1e-6: in between.
+// Relative to the farthest answer. Valid closed forms err by 1e-15, the engine's contacts resolve 1e-6: in between.
 constexpr double kTolerance = 1e-9;
 constexpr std::size_t kDirections = 2000;
 
@@ -254,22 +254,22 @@ class Trial {
   /// d_i . (p_j - p_i) <= 0 for all i, j: no answer lies beyond another's supporting plane.
   void judge_convexity(const std::vector<Direction>& asked, const std::vector<Direction>& answers, double tolerance) {
     double worst = tolerance;
-    std::size_t liar = asked.size(), better = 0;
+    std::size_t invalid_plugin = asked.size(), better = 0;
     for (std::size_t i = 0; i < asked.size(); ++i) {
       const double reach = dot(asked[i], answers[i]);
       for (std::size_t j = 0; j < answers.size(); ++j) {
         const double beyond = dot(asked[i], answers[j]) - reach;
         if (beyond > worst) {
           worst = beyond;
-          liar = i;
+          invalid_plugin = i;
           better = j;
         }
       }
     }
-    if (liar == asked.size()) return;
+    if (invalid_plugin == asked.size()) return;
     Witness witness = verdict_.current;
-    std::copy(asked[liar].begin(), asked[liar].end(), witness.dir);
-    std::copy(answers[liar].begin(), answers[liar].end(), witness.out);
+    std::copy(asked[invalid_plugin].begin(), asked[invalid_plugin].end(), witness.dir);
+    std::copy(answers[invalid_plugin].begin(), answers[invalid_plugin].end(), witness.out);
     char text[400];
     std::snprintf(text, sizeof text,
                   "its answers are not those of a convex set: for this direction there is a point %.6g m "

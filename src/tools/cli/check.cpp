@@ -1,4 +1,4 @@
-// `carom check PLUGIN.so`: is this shape plugin honest? Tried in a child process; prints a witness when it is not.
+// `carom check PLUGIN.so`: is this shape plugin valid? Tried in a child process; prints a witness when it is not.
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -51,7 +51,7 @@ void print_death(const ChildEnd& end, const Verdict& verdict, unsigned seconds) 
     how = "it threw an exception";
   else
     how = format("it ended the process (status %d)", end.status);
-  std::printf("  DISHONEST: %s, while %s\n", how.c_str(), phase_text(verdict.phase));
+  std::printf("  INVALID: %s, while %s\n", how.c_str(), phase_text(verdict.phase));
   if (verdict.phase >= Phase::sample && verdict.phase <= Phase::shapes && verdict.phase != Phase::threads)
     print_witness(verdict.current, false);
   std::printf(
@@ -73,7 +73,7 @@ int print_verdict(const Verdict& verdict, const ChildEnd& end, const CheckOption
     if (!finding.seen) continue;
     ++lies;
     std::printf(
-        "  DISHONEST: %s%s\n", finding.what,
+        "  INVALID: %s%s\n", finding.what,
         finding.seen > 1 ? format(" (seen %llu times)", static_cast<unsigned long long>(finding.seen)).c_str() : "");
     if (finding.has_witness) print_witness(finding.witness, true);
     std::printf("     what to do: %s\n", finding.remedy);
@@ -81,7 +81,7 @@ int print_verdict(const Verdict& verdict, const ChildEnd& end, const CheckOption
   if (!end.finished) print_death(end, verdict, options.seconds);
   if (lies || !end.finished) return kExitBadNews;
   std::printf(
-      "  honest: every answer finite, repeatable, free of the direction's length, and of one convex set;\n"
+      "  valid: every answer finite, repeatable, free of the direction's length, and of one convex set;\n"
       "  its declarations agree with its support function\n");
   return 0;
 }
@@ -105,14 +105,14 @@ void check(const CheckOptions& options, Context& context) {
 void add_check_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command =
-      app.add_subcommand("check", "Is this shape plugin honest? Tried in a child process; a witness when it lies. Its code runs: this is no sandbox");
+      app.add_subcommand("check", "Is this shape plugin valid? Tried in a child process; a witness when it lies. Its code runs: this is no sandbox");
   command->add_option("PLUGIN", options->plugin, "A shared object, or the name of a plugin that `carom shapes` lists")
       ->required();
   command->add_option("PARAMS", options->params, "Parameters of the shape; none: several sets within its bounds");
   command->add_option("--seconds", options->seconds, "CPU limit; a function that takes longer counts as hanging")
       ->check(CLI::Range(1u, 3600u))
       ->capture_default_str();
-  command->footer("Exit codes: 0 honest; 1 it lies, hangs or crashes; 2 it could not be tried.");
+  command->footer("Exit codes: 0 valid; 1 it lies, hangs or crashes; 2 it could not be tried.");
   command->callback([options, &context] { check(*options, context); });
 }
 

@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "carom " + std::to_string(CAROM_VERSION_MAJOR) + "." + std::to_string(CAROM_VERSION_MINOR) + "." +
                                         std::to_string(CAROM_VERSION_PATCH));
   app.fallthrough();  // options of carom itself may follow the subcommand
-  app.footer("Exit codes: 0 done; 1 bad news (a dishonest plugin, a run that went wrong); 2 could not run.");
+  app.footer("Exit codes: 0 done; 1 bad news (an invalid plugin, a run that went wrong); 2 could not run.");
   Context context;
   app.add_option("--plugins", context.plugin_dirs,
                  "Folder with shape plugins (repeatable); also CAROM_PLUGIN_PATH, then the folders of this program")

@@ -49,7 +49,7 @@ std::string plan_text(const std::vector<carom_plan_line>& plan, const Difference
     if (is_stage(line))
       stages.push_back({line.name, line.runs ? "yes" : "no", line.runs ? time_of(line) : "", line.reason});
     else if (line.runs)
-      ran.push_back({line.name, carom_stage_name(line.stage), count_text(line.customers), line.unit,
+      ran.push_back({line.name, carom_stage_name(line.stage), count_text(line.participants), line.unit,
                      count_text(line.evaluations), time_of(line, differences), bytes_text(line.bytes), line.reason});
     else
       left_out.push_back({line.name, line.reason});
@@ -72,7 +72,7 @@ nlohmann::json plan_json(const std::vector<carom_plan_line>& plan, const Differe
     if (!is_stage(line)) {
       out["stage"] = carom_stage_name(line.stage);
       out["mode"] = mode_name(line.mode);
-      out["customers"] = line.customers;
+      out["participants"] = line.participants;
       out["wanted"] = line.wanted;
       out["unit"] = line.unit;
       out["evaluations"] = line.evaluations;

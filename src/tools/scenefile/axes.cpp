@@ -40,7 +40,7 @@ constexpr NumberField kAxisNumbers[] = {{"lower", &carom_joint_axis::lower},
                                         {"target", &carom_joint_axis::target},
                                         {"speed", &carom_joint_axis::speed},
                                         {"effort", &carom_joint_axis::effort},
-                                        {"most", &carom_joint_axis::most},
+                                        {"maxForce", &carom_joint_axis::max_force},
                                         {"driveStiffness", &carom_joint_axis::drive_stiffness},
                                         {"driveDamping", &carom_joint_axis::drive_damping},
                                         {"rest", &carom_joint_axis::rest},
@@ -102,14 +102,14 @@ void show_axis(const carom_joint_axis& d, std::uint32_t axis, json& entry) {
                 {"velocityTarget", d.speed},
                 {"stiffness", d.drive_stiffness},
                 {"damping", d.drive_damping}};
-  if (d.most < kAnyForce) drive["maxForce"] = d.most;
+  if (d.max_force < kAnyForce) drive["maxForce"] = d.max_force;
   entry["drives"].push_back(std::move(drive));
 }
 
 json turn_json(const carom_joint_orientation_drive& d) {
   const auto list = [](const double* x, int n) { return json(std::vector<double>(x, x + n)); };
   json out = {{"target", list(d.target, 4)}, {"velocity", list(d.velocity, 3)}, {"effort", list(d.effort, 3)},
-              {"most", list(d.most, 3)},     {"stiffness", d.stiffness},        {"damping", d.damping}};
+              {"maxForce", list(d.max_force, 3)},     {"stiffness", d.stiffness},        {"damping", d.damping}};
   put_words(d, kTurnWords, out);
   return out;
 }
@@ -121,7 +121,7 @@ carom_joint_orientation_drive turn_of(const Value& from) {
     const auto value = from.get(name);
     if (value) std::ranges::copy(value->numbers(n), to);
   };
-  list("target", d.target, 4), list("velocity", d.velocity, 3), list("effort", d.effort, 3), list("most", d.most, 3);
+  list("target", d.target, 4), list("velocity", d.velocity, 3), list("effort", d.effort, 3), list("maxForce", d.max_force, 3);
   d.stiffness = from.number_or("stiffness", 0), d.damping = from.number_or("damping", 0);
   return d;
 }
@@ -169,7 +169,7 @@ void take_drive(const Value& drive, std::array<carom_joint_axis, CAROM_AXIS_COUN
   d.drive_damping = std::min(drive.number_or("damping", 0, 0, 1e300), kAnyForce);
   d.target = std::clamp(drive.number_or("positionTarget", 0), -far, far);
   d.speed = std::clamp(drive.number_or("velocityTarget", 0), -1e6, 1e6);
-  d.most = std::min(most_of_drive(drive), kAnyForce);
+  d.max_force = std::min(most_of_drive(drive), kAnyForce);
 }
 
 }  // namespace

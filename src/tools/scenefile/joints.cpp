@@ -239,7 +239,7 @@ void Reader::make_joint(std::size_t i, const Value& at) {
     for (const auto& [name, value] : motors->items()) {
       carom_joint_motor motor;
       carom_joint_motor_init(&motor, sizeof motor);
-      motor.enabled = 1, motor.speed = value["speed"].number(), motor.most = value.number_or("most", kUnbounded);
+      motor.enabled = 1, motor.speed = value["speed"].number(), motor.max_force = value.number_or("maxForce", kUnbounded);
       call.done(carom_joint_set_motor(world, handle, coordinate(name, value), &motor, call), value.place());
     }
   if (const auto springs = mine->get("springs"))
@@ -247,7 +247,7 @@ void Reader::make_joint(std::size_t i, const Value& at) {
       carom_joint_spring spring;
       carom_joint_spring_init(&spring, sizeof spring);
       spring.enabled = 1, spring.target = value.number_or("target", 0), spring.frequency = value["frequency"].number();
-      spring.damping = value.number_or("damping", 1), spring.most = value.number_or("most", kUnbounded);
+      spring.damping = value.number_or("damping", 1), spring.max_force = value.number_or("maxForce", kUnbounded);
       call.done(carom_joint_set_spring(world, handle, coordinate(name, value), &spring, call), value.place());
     }
 }
@@ -294,7 +294,7 @@ void Reader::drive_joint(const Value& joint, const Plan& plan, carom_joint handl
       carom_joint_spring spring;
       carom_joint_spring_init(&spring, sizeof spring);
       const double omega = std::sqrt(stiffness * per_mass);
-      spring.enabled = 1, spring.target = drive.number_or("positionTarget", 0), spring.most = most;
+      spring.enabled = 1, spring.target = drive.number_or("positionTarget", 0), spring.max_force = most;
       spring.frequency = std::min(omega / (2 * std::numbers::pi), 1e4);
       spring.damping = omega > 0 ? std::min(damping * per_mass / (2 * omega), 1e3) : 0;
       call.done(carom_joint_set_spring(world, handle, plan.coordinate, &spring, call), drive.place());
@@ -302,7 +302,7 @@ void Reader::drive_joint(const Value& joint, const Plan& plan, carom_joint handl
     } else if (damping > 0) {
       carom_joint_motor motor;
       carom_joint_motor_init(&motor, sizeof motor);
-      motor.enabled = 1, motor.speed = drive.number_or("velocityTarget", 0), motor.most = most;
+      motor.enabled = 1, motor.speed = drive.number_or("velocityTarget", 0), motor.max_force = most;
       call.done(carom_joint_set_motor(world, handle, plan.coordinate, &motor, call), drive.place());
       remark(drive.place() + "/damping: a drive to a velocity is as strong as its maxForce");
     }

@@ -42,12 +42,12 @@ json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& d
       limits.push_back(std::move(shown));
     }
     if (carom_joint_get_motor(world, joint, k, &motor, nullptr) == CAROM_OK && motor.enabled)
-      own["motors"][kCoordinates[k]] = {{"speed", motor.speed}, {"most", motor.most}};
+      own["motors"][kCoordinates[k]] = {{"speed", motor.speed}, {"maxForce", motor.max_force}};
     if (carom_joint_get_spring(world, joint, k, &spring, nullptr) == CAROM_OK && spring.enabled) {
       own["springs"][kCoordinates[k]] = {{"target", spring.target},
                                          {"frequency", spring.frequency},
                                          {"damping", spring.damping},
-                                         {"most", spring.most}};
+                                         {"maxForce", spring.max_force}};
       if (k == CAROM_COORDINATE_DISTANCE) free_length = false;
     }
   }

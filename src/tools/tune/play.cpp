@@ -110,7 +110,7 @@ class Watch {
   }
 
   void note(const carom_plan_line& line) {
-    if (line.effect == CAROM_PLAN_NO_EFFECT || line.customers == 0) return;
+    if (line.effect == CAROM_PLAN_NO_EFFECT || line.participants == 0) return;
     const auto is = [&](const char* name) { return std::strcmp(line.name, name) == 0; };
     Participants& who = trace_.who;
     who.may_touch |= is("collision");

@@ -47,7 +47,7 @@ int main(void) {
     carom_fault faults[2];
     uint64_t canary;
   } faults;
-  carom_shape_plugin liar = stage_plugin;
+  carom_shape_plugin invalid_plugin = stage_plugin;
   carom_plugin plugin;
   carom_shape crate;
   carom_collider_desc part;
@@ -99,8 +99,8 @@ int main(void) {
   CHECK(error.code == CAROM_E_OUT_OF_RANGE && error.argument == 2 && error.message[0] && error.remedy[0]);
 
   /* A plugin that lies: told in elements of the first size. */
-  liar.id = "kept.liar", liar.geometry = NULL, liar.support = may_lie;
-  OK(carom_plugin_register(s.engine, &liar, &plugin, &error));
+  invalid_plugin.id = "kept.invalid_plugin", invalid_plugin.geometry = NULL, invalid_plugin.support = may_lie;
+  OK(carom_plugin_register(s.engine, &invalid_plugin, &plugin, &error));
   OK(carom_shape_create(s.engine, plugin, &half, 1, &crate, &error));
   OK(carom_collider_desc_init(&part, sizeof part));
   part.shape = crate;

@@ -78,7 +78,7 @@ typedef struct carom_plan_line {
   uint32_t stage;
   uint32_t mode;
   uint32_t runs;
-  uint64_t customers;
+  uint64_t participants;
   uint64_t wanted;
   uint64_t evaluations;
   uint64_t bytes;

@@ -133,7 +133,7 @@ inline Argument joint_limit(Context& c) {
 }
 inline Argument joint_motor(Context& c) {
   auto d = fresh<carom_joint_motor>(carom_joint_motor_init);
-  d.enabled = c.source.below(2), d.speed = c.between(-3, 3), d.most = c.between(0, 50);
+  d.enabled = c.source.below(2), d.speed = c.between(-3, 3), d.max_force = c.between(0, 50);
   return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_motor, enabled, 2u), HOSTILE_NUMBERS(carom_joint_motor, speed, 1, {-1e6, 1e6}),
                           HOSTILE_NUMBERS(carom_joint_motor, most, 1, {0, 1e30})});
 }
@@ -154,7 +154,7 @@ inline Argument joint_axis(Context& c) {
   d.stop_gains = c.source.below(3), d.drive_gains = c.source.below(3), d.spring_gains = c.source.below(3);
   d.stop_stiffness = c.between(0, 9), d.drive_stiffness = c.between(0, 9), d.spring_stiffness = c.source.below(2) ? 4 : 0;
   d.stop_damping = c.between(0, 1), d.drive_damping = c.between(0, 1), d.spring_damping = c.between(0, 1);
-  d.target = c.between(-1, 1), d.speed = c.between(-2, 2), d.effort = c.between(-9, 9), d.most = c.between(0, 50), d.rest = c.between(-1, 1);
+  d.target = c.between(-1, 1), d.speed = c.between(-2, 2), d.effort = c.between(-9, 9), d.max_force = c.between(0, 50), d.rest = c.between(-1, 1);
   return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_axis, mode, uint32_t(CAROM_AXIS_MODE_COUNT)), HOSTILE_CHOICE(carom_joint_axis, drive, uint32_t(CAROM_DRIVE_COUNT)),
                           HOSTILE_CHOICE(carom_joint_axis, stop_gains, uint32_t(CAROM_GAINS_COUNT)),
                           HOSTILE_CHOICE(carom_joint_axis, drive_gains, uint32_t(CAROM_GAINS_COUNT)),
@@ -172,7 +172,7 @@ inline Argument joint_orientation_drive(Context& c) {
   d.drive = c.source.below(4), d.gains = c.source.below(3), d.stiffness = c.between(0, 9), d.damping = c.between(0, 1);
   for (double& x : d.velocity) x = c.between(-3, 3);
   for (double& x : d.effort) x = c.between(-3, 3);
-  for (double& x : d.most) x = c.between(0, 9);
+  for (double& x : d.max_force) x = c.between(0, 9);
   return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_orientation_drive, drive, uint32_t(CAROM_DRIVE_COUNT)),
                           HOSTILE_CHOICE(carom_joint_orientation_drive, gains, uint32_t(CAROM_GAINS_COUNT)),
                           HOSTILE_RESERVED(carom_joint_orientation_drive, reserved), HOSTILE_UNIT(carom_joint_orientation_drive, target, 4),
@@ -184,7 +184,7 @@ inline Argument joint_orientation_drive(Context& c) {
 }
 inline Argument joint_spring(Context& c) {
   auto d = fresh<carom_joint_spring>(carom_joint_spring_init);
-  d.enabled = c.source.below(2), d.target = c.between(0, 1), d.frequency = c.between(0, 5), d.damping = c.between(0, 1), d.most = 100;
+  d.enabled = c.source.below(2), d.target = c.between(0, 1), d.frequency = c.between(0, 5), d.damping = c.between(0, 1), d.max_force = 100;
   return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_spring, enabled, 2u), HOSTILE_NUMBERS(carom_joint_spring, target, 1, {-1e9, 1e9}),
                           HOSTILE_NUMBERS(carom_joint_spring, frequency, 1, {0, 1e4}), HOSTILE_NUMBERS(carom_joint_spring, damping, 1, {0, 1e3}),
                           HOSTILE_NUMBERS(carom_joint_spring, most, 1, {0, 1e30})});
@@ -648,7 +648,7 @@ inline const Row kRows[] = {
        info.struct_size = sizeof info;
        carom_attribute_get_info(static_cast<uint32_t>(which.good.u), &info, nullptr);
        auto* good = static_cast<double*>(c.take(sizeof info.usual));
-       for (uint32_t i = 0; i < info.numbers; ++i) good[i] = std::floor(c.between(std::max(info.least, -3.0), std::min(info.most, 9.0)));
+       for (uint32_t i = 0; i < info.numbers; ++i) good[i] = std::floor(c.between(std::max(info.min, -3.0), std::min(info.max, 9.0)));
        Argument value{of(good), {{"null", of(nullptr), kNull}}};
        const auto bad = [&](const char* what, uint32_t i, double x, Codes codes) {
          auto* q = static_cast<double*>(std::memcpy(c.take(sizeof info.usual), good, sizeof info.usual));
@@ -656,7 +656,7 @@ inline const Row kRows[] = {
          value.wrong.push_back({what, of(q), codes});
        };
        bad("nan", info.numbers - 1, kNan, kNotFinite), bad("infinite", 0, kInf, kNotFinite), bad("surplus", 3, 1, kRange);
-       if (info.most < DBL_MAX) bad("above", 0, 2 * info.most, kRange), bad("below", 0, info.least - std::fabs(info.most), kRange);
+       if (info.max < DBL_MAX) bad("above", 0, 2 * info.max, kRange), bad("below", 0, info.min - std::fabs(info.max), kRange);
        if (info.is_whole) bad("a fraction", 0, 0.5, kRange);
        return call("carom_body_set_attribute", carom_body_set_attribute, {world(c), handle(c, kBody), which, value, error(c)}).may(kRange | kUnsupported);
      }},
@@ -668,7 +668,7 @@ inline const Row kRows[] = {
     {"carom_dial_find", [](Context& c) {
        Argument name = string(c, "substeps");
        name.wrong.push_back({"none of this name", string(c, "bananas").good, code(CAROM_E_NOT_FOUND)});
-       name.wrong.push_back({"a constant", string(c, "direct_blow").good, code(CAROM_E_READ_ONLY)});
+       name.wrong.push_back({"a constant", string(c, "direct_impact_share").good, code(CAROM_E_READ_ONLY)});
        return call("carom_dial_find", carom_dial_find, {name, out(c, 4), error(c)});
      }},
     // worlds

@@ -1,4 +1,4 @@
-// Scenes in which an effect has as many customers as asked for: points that fly, things that lie on the ground, hinges.
+// Scenes in which an effect has as many participants as asked for: points that fly, things that lie on the ground, hinges.
 #include "effects/crowds.h"
 
 #include "dynamics/events/events.h"
@@ -115,7 +115,7 @@ std::vector<Crowd> crowds() {
   vortex.kind = FieldKind::vortex, vortex.strength = 1, vortex.pull = 1, vortex.core = 1, vortex.falloff = 1;
   JointDrive limit, motor;
   limit.limit.on = true, limit.limit.lower = -0.5, limit.limit.upper = 0.5;
-  motor.motor.on = true, motor.motor.speed = 1, motor.motor.most = 5;
+  motor.motor.on = true, motor.motor.speed = 1, motor.motor.max_force = 5;
   const auto drag = [](World& w, std::uint32_t i) { w.set_attribute(i, AttributeId::drag, {0.1, 0.1}); };
   const auto push = [](const Vec3& force, const Vec3& torque) {
     return [=](TestWorld& t, std::uint32_t calling) {

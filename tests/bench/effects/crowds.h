@@ -11,7 +11,7 @@ namespace carom::bench {
 
 struct Crowd {
   std::size_t row;               // of the table of effects
-  std::string name;              // the effect's, and what its customers are like where that matters
+  std::string name;              // the effect's, and what its participants are like where that matters
   std::uint32_t bodies = 10000;  // 1,000 where contacts or joints are solved
   bool can_be_alone = true;      // false: who calls for it is everybody, or a single host
   std::function<void(test::TestWorld&, std::uint32_t bodies, std::uint32_t calling)> build;

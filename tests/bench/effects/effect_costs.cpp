@@ -1,7 +1,7 @@
-// What an effect costs: the same scene with its customers, and with the effect forbidden; the difference is the
+// What an effect costs: the same scene with its participants, and with the effect forbidden; the difference is the
 // effect's.
 //
-// ns a customer, ns an evaluation, ms a scene, and what one customer costs among all the others; then 20,000 particles
+// ns a participant, ns an evaluation, ms a scene, and what one participant costs among all the others; then 20,000 particles
 // beside a loop written by hand. Exit codes: 0; 1 an effect has no scene, or did not serve whom it should.
 #include <time.h>
 
@@ -53,7 +53,7 @@ struct Cost {
   double spread = 0;       // s, half of what lies between the quartiles of repeats
   double step = 0;         // s, of all
   double evaluations = 0;  // a step
-  std::uint64_t customers = 0;
+  std::uint64_t participants = 0;
   std::string unit;
   bool as_told = true;  // it served somebody, and forbidden nobody
 };
@@ -86,7 +86,7 @@ Cost cost_of(const Crowd& crowd, std::uint32_t bodies, std::uint32_t calling, co
     cost.evaluations = static_cast<double>(row.evaluations - before) / options.steps;
     cost.as_told &= row.evaluations > before && idle.evaluations == idle_before;
     const PlanLine line = plan_line(with.world, kStageCount + crowd.row);
-    cost.customers = line.customers;
+    cost.participants = line.participants;
     cost.unit = line.unit;
   }
   cost.effect = median(differences);
@@ -144,10 +144,10 @@ bool compare_particles(std::size_t n, int steps) {
 int run(const Options& options) {
   std::ofstream csv;
   if (!options.csv.empty()) csv.open(options.csv);
-  csv << "effect,customers,unit,evaluations_a_step,ns_a_customer,ns_an_evaluation,ms_a_scene,spread_ms,ms_a_step,"
+  csv << "effect,participants,unit,evaluations_a_step,ns_a_participant,ns_an_evaluation,ms_a_scene,spread_ms,ms_a_step,"
          "ns_alone,spread_alone_ns\n";
-  std::printf("%-25s %9s %-15s %11s %13s %16s %10s %8s %9s  %s\n", "effect", "customers", "", "evaluations",
-              "ns/customer", "ns/evaluation", "ms/scene", "+-", "ms/step", "one among 10,000, ns");
+  std::printf("%-25s %9s %-15s %11s %13s %16s %10s %8s %9s  %s\n", "effect", "participants", "", "evaluations",
+              "ns/participant", "ns/evaluation", "ms/scene", "+-", "ms/step", "one among 10,000, ns");
   bool good = true;
   std::vector<bool> covered(kEffectCount);
   for (const Crowd& crowd : crowds()) {
@@ -160,21 +160,21 @@ int run(const Options& options) {
     const Cost all = cost_of(crowd, bodies, bodies, options);
     Cost one;
     if (crowd.can_be_alone) one = cost_of(crowd, options.quick ? 30 : 10000, 1, options);
-    if (!all.as_told || !one.as_told || (crowd.can_be_alone && one.customers != 1)) {
+    if (!all.as_told || !one.as_told || (crowd.can_be_alone && one.participants != 1)) {
       std::fprintf(stderr, "%s: it did not serve whom it should, or was not to be forbidden\n", crowd.name.c_str());
       good = false;
     }
-    const double per = 1e9 * all.effect / static_cast<double>(std::max<std::uint64_t>(1, all.customers));
+    const double per = 1e9 * all.effect / static_cast<double>(std::max<std::uint64_t>(1, all.participants));
     const double each = 1e9 * all.effect / std::max(1.0, all.evaluations);
     std::printf("%-25s %9llu %-15s %11.0f %13.2f %16.2f %10.4f %8.4f %9.3f", crowd.name.c_str(),
-                static_cast<unsigned long long>(all.customers), all.unit.c_str(), all.evaluations, per, each,
+                static_cast<unsigned long long>(all.participants), all.unit.c_str(), all.evaluations, per, each,
                 1e3 * all.effect, 1e3 * all.spread, 1e3 * all.step);
     if (crowd.can_be_alone)
       std::printf("  %.0f +- %.0f\n", 1e9 * one.effect, 1e9 * one.spread);
     else
       std::printf("\n");
     std::fflush(stdout);
-    csv << '"' << crowd.name << "\"," << all.customers << ',' << all.unit << ',' << all.evaluations << ',' << per << ','
+    csv << '"' << crowd.name << "\"," << all.participants << ',' << all.unit << ',' << all.evaluations << ',' << per << ','
         << each << ',' << 1e3 * all.effect << ',' << 1e3 * all.spread << ',' << 1e3 * all.step << ',';
     if (crowd.can_be_alone) csv << 1e9 * one.effect << ',' << 1e9 * one.spread;
     csv << '\n';
@@ -196,7 +196,7 @@ int run(const Options& options) {
 }  // namespace carom::bench
 
 int main(int argc, char** argv) {
-  CLI::App app{"What each effect of a step costs: a scene with its customers, less the same scene with it forbidden"};
+  CLI::App app{"What each effect of a step costs: a scene with its participants, less the same scene with it forbidden"};
   carom::bench::Options options;
   app.add_option("ONLY", options.only, "Effects whose name contains one of these; default: all");
   app.add_option("--csv", options.csv, "Write the table there, too")->type_name("FILE");

@@ -37,12 +37,12 @@ struct BroadScene {
       table.body.resize(slot + 1);
       table.bounds.resize(slot + 1);
       table.movable.resize(slot + 1);
-      table.muted.resize(slot + 1);
+      table.disabled.resize(slot + 1);
     }
     table.body[slot] = slot;
     table.bounds[slot] = box;
     table.movable[slot] = movable;
-    table.muted[slot] = 0;
+    table.disabled[slot] = 0;
     const auto at = std::lower_bound(table.active.begin(), table.active.end(), slot);
     if (at == table.active.end() || *at != slot) table.active.insert(at, slot);
     ++generation;

@@ -35,14 +35,14 @@ void brute_force_is_the_contract_word_for_word(void**) {
   // Half of the boxes are empty on some axis.
   for (std::uint32_t i = 0; i < 40; ++i)
     s.put(i, box_at(random.in_cube(2), random.in_cube(0.6) + Vec3::constant(0.4)), i % 3 != 0);
-  for (std::uint32_t i = 0; i < 40; i += 5) s.table.muted[i] = 1;
+  for (std::uint32_t i = 0; i < 40; i += 5) s.table.disabled[i] = 1;
   for (std::uint32_t i = 0; i < 40; i += 7) s.table.body[i] = 0;
   for (std::uint32_t i = 20; i < 30; ++i) s.put(i, box_at(random.in_cube(2), Vec3::constant(1)));
   s.drop(13);
   std::vector<Pair> expected;
   for (std::uint32_t a = 0; a < 40; ++a)
     for (std::uint32_t b = a + 1; b < 40; ++b) {
-      bool both = a != 13 && b != 13 && s.table.body[a] != s.table.body[b] && !s.table.muted[a] && !s.table.muted[b];
+      bool both = a != 13 && b != 13 && s.table.body[a] != s.table.body[b] && !s.table.disabled[a] && !s.table.disabled[b];
       both = both && (s.table.movable[a] || s.table.movable[b]);
       for (int k = 0; k < 3; ++k) {
         const Real alo = s.table.bounds[a].lo[k], ahi = s.table.bounds[a].hi[k];
@@ -71,7 +71,7 @@ void they_agree_over_a_long_random_life_of_a_scene(void**) {
         for (int k = 0; k < 3; ++k)  // walls keep them together
           if (std::fabs(s.table.bounds[slot].lo[k]) > 2) velocity[slot][k] *= -1;
         if (random.below(300) == 0) s.shift(slot, random.in_cube(3));  // teleport
-        if (random.below(300) == 0) s.table.muted[slot] ^= 1;          // without a new generation
+        if (random.below(300) == 0) s.table.disabled[slot] ^= 1;          // without a new generation
         if (random.below(300) == 0) s.table.movable[slot] ^= 1;
         if (random.below(300) == 0) s.table.body[slot] = static_cast<std::uint32_t>(random.below(slots));
         if (random.below(300) == 0) std::swap(s.table.bounds[slot].lo.x(), s.table.bounds[slot].hi.x());  // empty, back

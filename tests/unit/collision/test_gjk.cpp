@@ -234,18 +234,18 @@ static void a_bad_support_function_is_caught_with_its_evidence(void**) {
   const struct {
     SupportFn support;
     SupportFault::Kind kind;
-  } liars[] = {
+  } invalid_plugins[] = {
       {refuses, SupportFault::returned}, {says_nan, SupportFault::not_finite}, {flies_away, SupportFault::outside}};
   const Shape good = box(Vec3(1, 1, 1));
-  for (const auto& liar : liars) {
+  for (const auto& invalid_plugin : invalid_plugins) {
     Shape bad = box(Vec3(0.5, 0.6, 0.7));
-    bad.support = liar.support;
+    bad.support = invalid_plugin.support;
     bad.form = Form::none;  // else the engine speaks for it
     for (const bool swapped : {false, true}) {
       SupportFault fault;
       const QueryResult r = ask(swapped ? bad : good, swapped ? good : bad, at(2.5, 0.4, 0.3), {}, nullptr, &fault);
       assert_int_equal(static_cast<int>(r.status), static_cast<int>(QueryStatus::fault));
-      assert_int_equal(fault.kind, liar.kind);
+      assert_int_equal(fault.kind, invalid_plugin.kind);
       assert_ptr_equal(fault.shape, &bad);
       assert_true(Vec3(fault.dir[0], fault.dir[1], fault.dir[2]).norm() > 0.5);
       assert_true(carom::finite(r.separation) && carom::finite(r.normal) && carom::finite(r.point_a) &&
@@ -255,7 +255,7 @@ static void a_bad_support_function_is_caught_with_its_evidence(void**) {
 }
 
 static void a_worse_point_than_one_seen_is_caught(void**) {
-  // A liar may be consistent along the few directions of one query; over a hundred poses it is not, and the honest
+  // An invalid plugin may be consistent along the few directions of one query; over a hundred poses it is not, and the valid
   // shape is never the one blamed.
   Random random(43);
   const Shape good = box(Vec3(1, 1, 1));

@@ -528,15 +528,15 @@ static void kept_separations_are_what_asking_again_would_say(void**) {
 
 static void a_shape_that_fails_while_it_is_probed_is_reported(void**) {
   static int left;
-  Shape slab = box(Vec3(2, 0.5, 2)), liar = box(Vec3(0.3, 0.2, 0.4));
-  liar.form = Form::none;  // else the engine would speak for it
-  liar.support = [](void* user, const double* p, std::uint64_t n, const double* d, double* out) -> std::int32_t {
+  Shape slab = box(Vec3(2, 0.5, 2)), invalid_plugin = box(Vec3(0.3, 0.2, 0.4));
+  invalid_plugin.form = Form::none;  // else the engine would speak for it
+  invalid_plugin.support = [](void* user, const double* p, std::uint64_t n, const double* d, double* out) -> std::int32_t {
     return --left < 0 ? 7 : box_support(user, p, n, d, out);
   };
   Random random(12);
   for (left = 0; left < 9;) {
     const int allowed = left;
-    const Touch t = on_top(slab, 0.5, liar, turned(Vec3::zero(), Vec3(0, 0.2, 0)), 0, random);
+    const Touch t = on_top(slab, 0.5, invalid_plugin, turned(Vec3::zero(), Vec3(0, 0.2, 0)), 0, random);
     const Candidates found = candidate_of(t);
     Manifold m;
     m.count = 3;
@@ -546,7 +546,7 @@ static void a_shape_that_fails_while_it_is_probed_is_reported(void**) {
     assert_false(
         update_patch({t.a, t.b, t.at_a, t.at_b, 0}, found, with(ManifoldKind::patch), m, memory, calls, fault));
     assert_int_equal(fault.kind, SupportFault::returned);
-    assert_ptr_equal(fault.shape, &liar);
+    assert_ptr_equal(fault.shape, &invalid_plugin);
     assert_int_equal(m.count, 0);
     assert_false(memory.firm);
     left = allowed + 1;

@@ -279,15 +279,15 @@ static void the_engine_believes_every_plugin_and_its_declarations(void**) {
       Shape s = shape_of(plug, p);
       SupportFault fault;
       const Verdict v = verify_support(s);
-      if (!v.honest) print_error("%s: %s\n", c.name, v.reason);
-      assert_true(v.honest);
+      if (!v.valid) print_error("%s: %s\n", c.name, v.reason);
+      assert_true(v.valid);
       assert_true(derive_bounds(s, fault));
       assert_true(finite(s.bounds.lo) && finite(s.bounds.hi) && std::isfinite(s.bounding_radius));
       if (s.form != Form::none) {
-        assert_true(verify_form(s, s.form).honest);
+        assert_true(verify_form(s, s.form).valid);
         const Verdict m = verify_mass(s, mass_from_form(s.form, s.radius, s.half_height, s.half, s.vertices));
-        if (!m.honest) print_error("%s: %s\n", c.name, m.reason);
-        assert_true(m.honest);
+        if (!m.valid) print_error("%s: %s\n", c.name, m.reason);
+        assert_true(m.valid);
       }
       const MassProperties m = mass_from_support(s, 0.01, 400, fault);
       assert_int_equal(fault.kind, SupportFault::none);

@@ -1,4 +1,4 @@
-// Liars and honest functions before the questions of verify.h: every liar is caught with its witness, no honest one is.
+// Invalid plugins and valid functions before the questions of verify.h: every invalid plugin is caught with its witness, no valid one is.
 #include <cstring>
 #include <functional>
 
@@ -21,7 +21,7 @@ Shape undeclared(SupportFn support, std::initializer_list<double> params = {1, 1
   return s;
 }
 
-void each_honest_shape(const std::function<void(const Shape&)>& visit) {
+void each_valid_shape(const std::function<void(const Shape&)>& visit) {
   Random random(1);
   for (int trial = 0; trial < 30; ++trial) {
     const auto size = [&] { return std::pow(10.0, random.uniform(-6, 6)); };
@@ -46,7 +46,7 @@ void each_honest_shape(const std::function<void(const Shape&)>& visit) {
 
 Real length(const double* d) { return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]); }
 
-// Liars: each is a unit ball, box or so with one thing wrong.
+// Invalid plugins: each is a unit ball, box or so with one thing wrong.
 std::int32_t ball(const double* p, const double* d, double* out) { return ellipsoid_support(nullptr, p, 3, d, out); }
 std::int32_t returns_nonzero(void*, const double* p, std::uint64_t, const double* d, double* out) {
   ball(p, d, out);
@@ -126,27 +126,27 @@ std::int32_t normalised_ellipsoid(void*, const double* p, std::uint64_t, const d
 
 }  // namespace
 
-static void honest_shapes_of_all_sizes_and_aspects_pass(void**) {
-  each_honest_shape([](const Shape& s) {
+static void valid_shapes_of_all_sizes_and_aspects_pass(void**) {
+  each_valid_shape([](const Shape& s) {
     const Verdict v = verify_support(s);
-    assert_true(v.honest);
+    assert_true(v.valid);
     assert_string_equal(v.reason, "");
   });
 }
 
 static void their_true_declarations_pass(void**) {
-  each_honest_shape([](const Shape& s) {
-    assert_true(verify_form(s, s.form).honest);
-    assert_true(verify_mass(s, mass_from_form(s.form, s.radius, s.half_height, s.half, s.vertices)).honest);
+  each_valid_shape([](const Shape& s) {
+    assert_true(verify_form(s, s.form).valid);
+    assert_true(verify_mass(s, mass_from_form(s.form, s.radius, s.half_height, s.half, s.vertices)).valid);
   });
 }
 
-static void every_liar_is_caught_for_what_it_does(void**) {
+static void every_invalid_is_caught_for_what_it_does(void**) {
   const struct {
     SupportFn support;
     std::initializer_list<double> params;
     const char* reason;
-  } liars[] = {
+  } invalid_plugins[] = {
       {returns_nonzero, {1, 1, 1}, "nonzero"},
       {sometimes_nan, {1, 1, 1}, "not finite"},
       {infinite, {1, 1, 1}, "not finite"},
@@ -162,11 +162,11 @@ static void every_liar_is_caught_for_what_it_does(void**) {
       {shifted_by_direction, {1, 1, 1}, "convex"},
       {normalised_ellipsoid, {1, 2, 3}, "convex"},
   };
-  for (const auto& liar : liars) {
-    const Shape s = undeclared(liar.support, liar.params);
+  for (const auto& invalid_plugin : invalid_plugins) {
+    const Shape s = undeclared(invalid_plugin.support, invalid_plugin.params);
     const Verdict v = verify_support(s);
-    assert_false(v.honest);
-    assert_non_null(std::strstr(v.reason, liar.reason));
+    assert_false(v.valid);
+    assert_non_null(std::strstr(v.reason, invalid_plugin.reason));
     assert_true(length(v.dir) > 0 || std::fabs(v.dir[0]) + std::fabs(v.dir[1]) + std::fabs(v.dir[2]) > 0);
   }
 }
@@ -181,10 +181,10 @@ static void the_witness_is_what_the_function_said_bit_for_bit(void**) {
   }
 }
 
-static void a_missing_support_function_is_no_crash(void**) { assert_false(verify_support(undeclared(nullptr)).honest); }
+static void a_missing_support_function_is_no_crash(void**) { assert_false(verify_support(undeclared(nullptr)).valid); }
 
 static void an_error_of_rounding_is_no_lie_and_one_of_1e_6_is(void**) {
-  // A ball whose radius depends on the direction by epsilon: honest as long as epsilon is below kSloppiness.
+  // A ball whose radius depends on the direction by epsilon: valid as long as epsilon is below kSloppiness.
   static double epsilon;
   const SupportFn wobbly = [](void*, const double* p, std::uint64_t, const double* d, double* out) {
     ball(p, d, out);
@@ -194,18 +194,18 @@ static void an_error_of_rounding_is_no_lie_and_one_of_1e_6_is(void**) {
   };
   const Shape s = undeclared(wobbly);
   epsilon = 1e-14;
-  assert_true(verify_support(s).honest);
-  assert_true(verify_form(sphere(1), Form::sphere).honest);
+  assert_true(verify_support(s).valid);
+  assert_true(verify_form(sphere(1), Form::sphere).valid);
   // A dent of depth e in a ball of radius 1 breaks convexity as seen from directions closer than sqrt(2 e): the 256
   // directions are some 0.2 apart, so dents below a few per cent hide between them, and it takes the form to see 1e-6.
   epsilon = 0.2;
-  assert_false(verify_support(s).honest);
+  assert_false(verify_support(s).valid);
   Shape declared = undeclared(wobbly);
   declared.half = Vec3(1, 1, 1);
   epsilon = 1e-6;
-  assert_false(verify_form(declared, Form::ellipsoid).honest);
+  assert_false(verify_form(declared, Form::ellipsoid).valid);
   epsilon = 1e-14;
-  assert_true(verify_form(declared, Form::ellipsoid).honest);
+  assert_true(verify_form(declared, Form::ellipsoid).valid);
 }
 
 static void no_shape_passes_for_another(void**) {
@@ -232,52 +232,52 @@ static void no_shape_passes_for_another(void**) {
       const bool ball_either_way =
           (s.form == Form::sphere && form == Form::ellipsoid) || (s.form == Form::ellipsoid && form == Form::sphere);
       const bool cube_either_way = s.form == Form::box && form == Form::polytope;
-      assert_true(verify_form(claim, form).honest == (form == s.form || ball_either_way || cube_either_way));
+      assert_true(verify_form(claim, form).valid == (form == s.form || ball_either_way || cube_either_way));
     }
-  assert_false(verify_form(sphere(1), Form::none).honest);
-  assert_false(verify_form(sphere(1), Form::half_space).honest);
+  assert_false(verify_form(sphere(1), Form::none).valid);
+  assert_false(verify_form(sphere(1), Form::half_space).valid);
 }
 
 static void a_declared_number_off_by_1e_8_of_the_size_is_seen(void**) {
   Shape s = cylinder(0.5, 2);
   s.half_height += 2e-8 * 4;  // the cap shows 2e-8 of the extent 4; asked to 1e-9
-  assert_false(verify_form(s, Form::cylinder).honest);
+  assert_false(verify_form(s, Form::cylinder).valid);
   s = sphere(3);
   s.core_radius *= 1 + 1e-8;
-  assert_false(verify_form(s, Form::sphere).honest);
+  assert_false(verify_form(s, Form::sphere).valid);
   s = hull({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)});
   std::vector<double> other(s.params.begin(), s.params.end());
   other[0] = -1e-8;
   s.vertices = other;
-  assert_false(verify_form(s, Form::polytope).honest);
+  assert_false(verify_form(s, Form::polytope).valid);
 }
 
 static void a_wrong_mass_is_caught_where_the_bracket_excludes_it(void**) {
   const Shape s = box(Vec3(1, 2, 3));
   const MassProperties right = mass_from_form(Form::box, 0, 0, s.half, {});
-  assert_true(verify_mass(s, right).honest);
+  assert_true(verify_mass(s, right).valid);
   MassProperties wrong = right;
   wrong.volume *= 1 + 1e-6;
-  assert_false(verify_mass(s, wrong).honest);
+  assert_false(verify_mass(s, wrong).valid);
   wrong = right;
   wrong.centroid.x() += 1e-6;
-  assert_false(verify_mass(s, wrong).honest);
+  assert_false(verify_mass(s, wrong).valid);
   wrong = right;
   wrong.inertia(0, 1) = wrong.inertia(1, 0) += 1e-5;
-  assert_false(verify_mass(s, wrong).honest);
+  assert_false(verify_mass(s, wrong).valid);
   for (const Real bad : {Real(NAN), kInfinity, -1.0}) {
     wrong = right;
     wrong.volume = bad;
-    assert_false(verify_mass(s, wrong).honest);
+    assert_false(verify_mass(s, wrong).valid);
     wrong = right;
     wrong.inertia(1, 1) = bad;
-    assert_false(verify_mass(s, wrong).honest);
+    assert_false(verify_mass(s, wrong).valid);
   }
   // A ball known to 10 %: a cube's mass is caught, its own passes.
   const Shape b = sphere(1);
-  assert_true(verify_mass(b, mass_from_form(Form::sphere, 1, 0, Vec3::zero(), {})).honest);
-  assert_false(verify_mass(b, mass_from_form(Form::box, 0, 0, Vec3(1, 1, 1), {})).honest);
-  assert_false(verify_mass(b, mass_from_form(Form::sphere, 1.05, 0, Vec3::zero(), {})).honest);
+  assert_true(verify_mass(b, mass_from_form(Form::sphere, 1, 0, Vec3::zero(), {})).valid);
+  assert_false(verify_mass(b, mass_from_form(Form::box, 0, 0, Vec3(1, 1, 1), {})).valid);
+  assert_false(verify_mass(b, mass_from_form(Form::sphere, 1.05, 0, Vec3::zero(), {})).valid);
 }
 
 static void the_asking_directions_are_unit_distinct_and_leave_no_gap(void**) {
@@ -297,9 +297,9 @@ static void the_asking_directions_are_unit_distinct_and_leave_no_gap(void**) {
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(honest_shapes_of_all_sizes_and_aspects_pass),
+      cmocka_unit_test(valid_shapes_of_all_sizes_and_aspects_pass),
       cmocka_unit_test(their_true_declarations_pass),
-      cmocka_unit_test(every_liar_is_caught_for_what_it_does),
+      cmocka_unit_test(every_invalid_is_caught_for_what_it_does),
       cmocka_unit_test(the_witness_is_what_the_function_said_bit_for_bit),
       cmocka_unit_test(a_missing_support_function_is_no_crash),
       cmocka_unit_test(an_error_of_rounding_is_no_lie_and_one_of_1e_6_is),

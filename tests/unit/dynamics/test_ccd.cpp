@@ -81,7 +81,7 @@ static void who_is_slow_pays_nothing(void**) {
 }
 
 // A ball beside whatever else there is: one body swept, nobody else known, and as many queries as if it were alone.
-static void one_customer_is_one_customers_work(void**) {
+static void one_participant_is_one_participants_work(void**) {
   std::uint64_t calls[2];
   for (const int n : {0, 40}) {
     Range t(200, 1);
@@ -229,8 +229,8 @@ static void who_is_hit_is_swept_too(void**) {
   }
 }
 
-// A support function that fails while it is swept mutes its shape and moves nobody out of the world.
-static void a_shape_that_misbehaves_is_muted(void**) {
+// A support function that fails while it is swept disables its shape and moves nobody out of the world.
+static void a_shape_that_misbehaves_is_disabled(void**) {
   static int calls, patience;
   calls = 0, patience = 1 << 30;
   const SupportFn tired = [](void* user, const double* p, std::uint64_t n, const double d[3], double out[3]) -> std::int32_t {
@@ -253,7 +253,7 @@ static void a_shape_that_misbehaves_is_muted(void**) {
   }
 }
 
-/// The k-th allocation of a step with customers fails: nobody has moved, and the next steps go as if it had not.
+/// The k-th allocation of a step with participants fails: nobody has moved, and the next steps go as if it had not.
 static void running_out_of_memory_moves_nobody(void**) {
   struct Failing : std::pmr::memory_resource {
     std::uint64_t calls = 0, fail_at = ~std::uint64_t{0};
@@ -374,7 +374,7 @@ int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(a_rotation_vector_turns_as_its_quaternion),
       cmocka_unit_test(who_is_slow_pays_nothing),
-      cmocka_unit_test(one_customer_is_one_customers_work),
+      cmocka_unit_test(one_participant_is_one_participants_work),
       cmocka_unit_test(a_host_has_its_say),
       cmocka_unit_test(who_may_not_touch_is_passed),
       cmocka_unit_test(sleepers_wake_when_they_are_hit),
@@ -382,7 +382,7 @@ int main() {
       cmocka_unit_test(a_bat_that_is_fast_hits),
       cmocka_unit_test(what_is_hit_along_its_locks_stays),
       cmocka_unit_test(who_is_hit_is_swept_too),
-      cmocka_unit_test(a_shape_that_misbehaves_is_muted),
+      cmocka_unit_test(a_shape_that_misbehaves_is_disabled),
       cmocka_unit_test(running_out_of_memory_moves_nobody),
       cmocka_unit_test(the_same_bits_however_it_is_run),
       cmocka_unit_test(a_broad_phase_finds_what_is_near),

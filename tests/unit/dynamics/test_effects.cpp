@@ -1,4 +1,4 @@
-// Only effects with customers run, and only on their customers.
+// Only effects with participants run, and only on their participants.
 #include "carom_test.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/effects.h"
@@ -48,11 +48,11 @@ static void a_world_of_particles_runs_integration_and_nothing_else(void**) {
   assert_true(t.world.report.stage_seconds[static_cast<std::size_t>(Stage::integrate)] > 0);
   assert_int_equal(t.world.contacts->rows.capacity(), 0);
   assert_int_equal(t.world.plan->rotation.capacity(), 0);
-  assert_int_equal(t.world.plan->proposal.x.capacity(), 0);
+  assert_int_equal(t.world.plan->predicted.x.capacity(), 0);
   for (const auto& b : t.world.broad) assert_null(b.get());
 }
 
-static void each_effect_serves_its_customers_alone(void**) {
+static void each_effect_serves_its_participants_alone(void**) {
   TestWorld t;
   t.world.set_dial(Dial::integrator, kSemiImplicitChoice);
   t.world.set_dial(Dial::substeps, 1);
@@ -102,12 +102,12 @@ static void friction_and_restitution_count_the_contacts_that_have_them(void**) {
   const Shape* ball = t.keep(sphere(0.5));
   t.add(ball, Vec3(0, 0.5, 0), BodyType::dynamic, Quat::identity(), ice);
   t.world.step(1.0 / 60);
-  assert_int_equal(t.world.plan->find("friction")->customers.count, 0);
-  assert_int_equal(t.world.plan->find("restitution")->customers.count, 0);
+  assert_int_equal(t.world.plan->find("friction")->participants.count, 0);
+  assert_int_equal(t.world.plan->find("restitution")->participants.count, 0);
   t.add(ball, Vec3(3, 0.5, 0), BodyType::dynamic, Quat::identity(), rubber);
   t.world.step(1.0 / 60);
-  assert_int_equal(t.world.plan->find("friction")->customers.count, 1);
-  assert_int_equal(t.world.plan->find("restitution")->customers.count, 1);
+  assert_int_equal(t.world.plan->find("friction")->participants.count, 1);
+  assert_int_equal(t.world.plan->find("restitution")->participants.count, 1);
 }
 
 static void a_pile_at_rest_allocates_nothing(void**) {
@@ -205,7 +205,7 @@ static void mixing_follows_the_larger_rule(void**) {
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(a_world_of_particles_runs_integration_and_nothing_else),
-      cmocka_unit_test(each_effect_serves_its_customers_alone),
+      cmocka_unit_test(each_effect_serves_its_participants_alone),
       cmocka_unit_test(without_gravity_there_is_no_gravity_effect),
       cmocka_unit_test(rk4_evaluates_forces_four_times),
       cmocka_unit_test(friction_and_restitution_count_the_contacts_that_have_them),

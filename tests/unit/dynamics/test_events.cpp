@@ -160,7 +160,7 @@ static void a_sensor_tells_who_passes_and_stops_nobody(void**) {
     const Ray down{Vec3(0, 0, 0), Vec3(0, -1, 0), 10};
     QueryOptions options;
     options.filter.ignore = ball;
-    assert_int_equal(cast_ray(t.world, down, options).collider, WorldHit::kNone);
+    assert_int_equal(cast_ray(t.world, down, options).collider, kInvalid);
     options.filter.sensors = true;
     assert_true(std::fabs(cast_ray(t.world, down, options).cast.time - 4) < 1e-9);
   }

@@ -122,7 +122,7 @@ static void sleepers_wake_where_a_filter_lets_them_fall(void**) {
 }
 
 static void a_world_without_filters_goes_the_same_way(void**) {
-  // To the bit, also where a filter came and went, and no customer is left of it.
+  // To the bit, also where a filter came and went, and no participant is left of it.
   const auto run = [](bool once) {
     Row row(3);
     row.world.set_gravity(Vec3(0.5, -9.81, 0));
@@ -131,7 +131,7 @@ static void a_world_without_filters_goes_the_same_way(void**) {
       row.world.set_filter(row.collider(row.balls[0]), Filter());
     }
     row.run(60, 1.0 / 60);
-    assert_int_equal(row.world.plan->effects[+EffectId::filter].customers.count, 0);
+    assert_int_equal(row.world.plan->effects[+EffectId::filter].participants.count, 0);
     assert_false(any_held_apart(row.world));
     return row.world.hash();
   };

@@ -14,13 +14,13 @@ namespace {
 
 constexpr Real kStep = 1.0 / 60;  // s
 
-Customers listed(const std::set<std::uint32_t>& slots) {
-  Customers list(std::pmr::new_delete_resource());
+Participants listed(const std::set<std::uint32_t>& slots) {
+  Participants list(std::pmr::new_delete_resource());
   for (const std::uint32_t i : slots) list.add(i);
   return list;
 }
 
-std::set<std::uint32_t> slots_of(const Customers& list) {
+std::set<std::uint32_t> slots_of(const Participants& list) {
   std::set<std::uint32_t> slots;
   list.each([&](std::uint32_t i) { slots.insert(i); });
   assert_int_equal(slots.size(), list.count);
@@ -68,7 +68,7 @@ static void lists_unite_and_part_as_sets_do(void**) {
     either.insert(b.begin(), b.end());
     for (const std::uint32_t i : a)
       if (!b.count(i)) rest.insert(i);
-    Customers out(std::pmr::new_delete_resource());
+    Participants out(std::pmr::new_delete_resource());
     unite(listed(a), listed(b), out);
     assert_true(slots_of(out) == either);
     take_out(listed(a), listed(b), out);

@@ -62,14 +62,14 @@ static void a_world_of_particles_integrates_and_one_without_does_not(void**) {
   const std::uint32_t s = add_set(t.world);
   t.run(2, 1.0 / 60);
   assert_false(runs(Stage::integrate));
-  assert_int_equal(row.customers.count, 0);
+  assert_int_equal(row.participants.count, 0);
   assert_int_equal(row.evaluations, 0);
   fill(t.world, s, 100);
   const std::uint64_t plans = t.world.plan->revision;
   t.run(3, 1.0 / 60);
   assert_true(runs(Stage::integrate));
   assert_int_equal(t.world.plan->revision, plans);  // what comes and goes makes no plan anew
-  assert_int_equal(row.customers.count, 100);
+  assert_int_equal(row.participants.count, 100);
   assert_int_equal(row.evaluations, 300);
   assert_true(t.world.report.stage_seconds[static_cast<std::size_t>(Stage::integrate)] > 0);
   for (const PlannedEffect& other : t.world.plan->effects)
@@ -79,7 +79,7 @@ static void a_world_of_particles_integrates_and_one_without_does_not(void**) {
   t.world.particles.clear(s);
   t.run(1, 1.0 / 60);
   assert_false(runs(Stage::integrate));
-  assert_int_equal(row.customers.count, 0);
+  assert_int_equal(row.participants.count, 0);
 }
 
 static void islands_asleep_stay_asleep_beside_particles(void**) {
@@ -210,7 +210,7 @@ static void who_leaves_the_world_is_held_and_reported_and_the_others_fly_on(void
           energy += 0.5 * p.set[0].mass_of(i) * p.set[0].velocity(i).squared_norm();
         }
         assert_true(std::fabs(t.world.report.linear_energy - energy) <= 2 * 1010 * kEpsilon * energy);
-        assert_int_equal(t.world.plan->find("particles")->customers.count, 998);
+        assert_int_equal(t.world.plan->find("particles")->participants.count, 998);
         // Given a place, it is back in the world.
         p.place(0, 130, Vec3(3, 5, 0));
         t.run(5, 1.0 / 60);
@@ -233,7 +233,7 @@ static void in_the_step_in_which_it_strays_energy_leaves_it_out(void**) {
   const std::uint32_t others[] = {0, 2};
   t.world.particles.remove(s, others, 2);
   t.run(1, 1.0);
-  assert_int_equal(t.world.plan->find("particles")->customers.count, 0);
+  assert_int_equal(t.world.plan->find("particles")->participants.count, 0);
   assert_true(t.world.report.linear_energy == 0);
 }
 

@@ -56,7 +56,7 @@ static std::int32_t moody_support(void*, const double* p, std::uint64_t n, const
   return failing == 1 ? 1 : r;
 }
 
-static void a_shape_that_misbehaves_is_muted_in_its_world(void**) {
+static void a_shape_that_misbehaves_is_disabled_in_its_world(void**) {
   for (const std::int32_t how : {1, 2}) {
     failing = 0;
     TestWorld t;
@@ -87,7 +87,7 @@ static void a_shape_that_misbehaves_is_muted_in_its_world(void**) {
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(a_body_that_is_not_finite_is_held_and_its_neighbours_live_on),
-      cmocka_unit_test(a_shape_that_misbehaves_is_muted_in_its_world),
+      cmocka_unit_test(a_shape_that_misbehaves_is_disabled_in_its_world),
   };
   return cmocka_run_group_tests_name("dynamics/quarantine", tests, nullptr, nullptr);
 }

@@ -236,7 +236,7 @@ Colours colours_of(const World& world) {
   for (std::uint32_t region = 1; region < w.regions_end(); ++region)
     for (std::uint32_t k = w.parts[region].member; k < w.parts[region + 1].member; ++k) {
       const Placing::Member& m = w.placing->members[k];
-      const Meeting& met = w.placing->met[m.manifold];
+      const ContactPair& met = w.placing->met[m.manifold];
       colours[{met.a, met.b}] = {region, m.bucket / kPairKinds};
     }
   return colours;

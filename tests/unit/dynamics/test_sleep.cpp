@@ -80,7 +80,7 @@ static void a_stack_sleeps_within_seconds_and_then_nothing_runs(void**) {
     for (std::size_t k = 0; k < before.size(); ++k) {
       assert_int_equal(c.t.world.plan->effects[k].evaluations, before[k]);
       if (c.t.world.plan->effects[k].effect->stage != Stage::solve)
-        assert_int_equal(c.t.world.plan->effects[k].customers.count, 0);
+        assert_int_equal(c.t.world.plan->effects[k].participants.count, 0);
     }
     for (const Stage s : {Stage::broad, Stage::narrow, Stage::group, Stage::integrate, Stage::solve, Stage::relax})
       assert_true(c.t.world.report.stage_seconds[static_cast<std::size_t>(s)] == 0);
@@ -145,7 +145,7 @@ static void an_island_on_a_belt_that_creeps_stays_awake(void**) {
   t.world.set_velocity(belt, Vec3::zero(), Vec3::zero());
   t.run(60, kStep);
   assert_true(t.world.asleep(parcel));
-  t.world.step(kStep);  // parked by now
+  t.world.step(kStep);  // inactive by now
   t.world.set_velocity(belt, Vec3(0.01, 0, 0), Vec3::zero());
   t.world.step(kStep);
   assert_false(t.world.asleep(parcel));
@@ -200,16 +200,16 @@ static void every_edit_wakes_those_whom_it_concerns(void**) {
          c.t.world.set_velocity(c.plank, Vec3(0, -3, 0), Vec3::zero());  // 5 cm in the step, the gap is 2 cm
        }},
   };
-  for (const bool parked : {false, true})
+  for (const bool inactive : {false, true})
     for (const Cause& cause : causes) {
       Camp c;
       assert_true(c.stack_sleeps() && c.t.world.asleep(c.lone));
-      if (parked) c.t.world.step(kStep);
+      if (inactive) c.t.world.step(kStep);
       cause.edit(c);
       c.t.world.step(kStep);
       const bool stack_as_told = cause.wakes_stack ? c.stack_is_awake() : c.stack_sleeps();
       if (!stack_as_told || c.t.world.asleep(c.lone) == cause.wakes_lone)
-        print_error("%s (%s)\n", cause.name, parked ? "parked" : "just asleep");
+        print_error("%s (%s)\n", cause.name, inactive ? "inactive" : "just asleep");
       assert_true(stack_as_told);
       assert_true(c.t.world.asleep(c.lone) != cause.wakes_lone);
       c.t.run(5, kStep);
@@ -273,7 +273,7 @@ static void sleepers_are_out_of_the_lists_and_their_records_are_kept(void**) {
   const std::size_t records = c.t.world.pairs.size();
   c.t.world.step(kStep);
   assert_int_equal(c.t.world.pairs.size(), 0);  // the plank is 50 m above all
-  assert_int_equal(c.t.world.pairs.parked_count(), records);
+  assert_int_equal(c.t.world.pairs.inactive_count(), records);
   assert_int_equal(c.t.world.impulses.old.size(), 0);
   assert_int_equal(c.t.world.scene.colliders.active.size(), 2);  // ground and plank
   assert_int_equal(c.t.world.plan->linear.count + c.t.world.plan->rotating.count, 0);
@@ -282,7 +282,7 @@ static void sleepers_are_out_of_the_lists_and_their_records_are_kept(void**) {
   c.t.world.wake_body(c.stack[0]);
   c.t.world.step(kStep);
   assert_int_equal(c.t.world.pairs.size(), records);
-  assert_int_equal(c.t.world.pairs.parked_count(), 0);
+  assert_int_equal(c.t.world.pairs.inactive_count(), 0);
   assert_int_equal(c.t.world.sleep->tree.size(), 0);
 }
 

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kMidpointSweeps = 3;
 
-void advance_by_midpoint(const World& world, Velocities& to, const Customers& customers, Real h) {
-  carry_tops(world, to, customers, h, [](const Principal& top, Real step, const Vec3& l, const Vec3& p, Quat& q) {
+void advance_by_midpoint(const World& world, Velocities& to, const Participants& participants, Real h) {
+  carry_tops(world, to, participants, h, [](const Principal& top, Real step, const Vec3& l, const Vec3& p, Quat& q) {
     Vec3 phi = step * spin_of(top, q, l, p);
     for (int sweep = 0; sweep < kMidpointSweeps; ++sweep)
       phi = step * spin_of(top, normalized(unscaled_exp(0.5 * phi) * q), l);

@@ -13,9 +13,9 @@ void turn_tops(const World& world, Velocities& to, Real h) {
   Plan& plan = *world.plan;
   if (!plan.rotation_method) return;
   PlannedEffect& row = plan.effects[+EffectId::gyroscopic];
-  if (row.customers.count == 0) return;
-  plan.rotation_method->advance(world, to, row.customers, h);
-  row.evaluations += row.customers.count;
+  if (row.participants.count == 0) return;
+  plan.rotation_method->advance(world, to, row.participants, h);
+  row.evaluations += row.participants.count;
 }
 
 }  // namespace carom::dynamics

@@ -1,6 +1,6 @@
 // Rotation methods: how a body whose inertia is not the same about every axis turns when nothing acts on it.
 //
-// The customers are those of the effect `gyroscopic`: spheres and cubes keep their omega and are turned by the
+// The participants are those of the effect `gyroscopic`: spheres and cubes keep their omega and are turned by the
 // exponential map. Under the dial values none, explicit and implicit everybody is; there the effect is a torque or a
 // flow of omega alone (force/gyroscopic.cpp). A method of this room carries orientation and omega together:
 //
@@ -20,8 +20,8 @@ namespace carom::dynamics {
 
 struct Rotation {
   const char* name;
-  /// Over h: omega of each customer, and its proposal: the orientation, and the omega that belongs to it.
-  void (*advance)(const World& world, Velocities& to, const Customers& tops, Real h);
+  /// Over h: omega of each participant, and its predicted pose: the orientation, and the omega that belongs to it.
+  void (*advance)(const World& world, Velocities& to, const Participants& tops, Real h);
 };
 
 extern const Rotation kRotationRungeKutta4, kLieMidpoint, kSplitting, kSplitting4, kSplitting6;

@@ -7,8 +7,8 @@
 namespace carom::dynamics {
 namespace {
 
-void advance_by_runge_kutta(const World& world, Velocities& to, const Customers& customers, Real h) {
-  carry_tops(world, to, customers, h, [](const Principal& top, Real step, const Vec3& l, const Vec3&, Quat& q) {
+void advance_by_runge_kutta(const World& world, Velocities& to, const Participants& participants, Real h) {
+  carry_tops(world, to, participants, h, [](const Principal& top, Real step, const Vec3& l, const Vec3&, Quat& q) {
     const auto rate = [&](const Quat& at) {
       const Vec3 half = 0.5 * spin_of(top, at, l);
       return Quat(0, half.x(), half.y(), half.z()) * at;

@@ -19,18 +19,18 @@ namespace carom::dynamics {
 namespace {
 
 template <std::size_t n>
-void split(const World& world, Velocities& to, const Customers& customers, Real h, const Real (&g)[n]) {
-  carry_tops(world, to, customers, h,
+void split(const World& world, Velocities& to, const Participants& participants, Real h, const Real (&g)[n]) {
+  carry_tops(world, to, participants, h,
              [&g](const Principal& top, Real step, const Vec3& l, Vec3& p, Quat& q) { turn_split(top, step, l, p, q, g); });
 }
 
 }  // namespace
 
 const Rotation kSplitting = {
-    "splitting", [](const World& w, Velocities& to, const Customers& c, Real h) { split(w, to, c, h, kOne); }};
+    "splitting", [](const World& w, Velocities& to, const Participants& c, Real h) { split(w, to, c, h, kOne); }};
 const Rotation kSplitting4 = {
-    "splitting_4", [](const World& w, Velocities& to, const Customers& c, Real h) { split(w, to, c, h, kSuzuki4); }};
+    "splitting_4", [](const World& w, Velocities& to, const Participants& c, Real h) { split(w, to, c, h, kSuzuki4); }};
 const Rotation kSplitting6 = {
-    "splitting_6", [](const World& w, Velocities& to, const Customers& c, Real h) { split(w, to, c, h, kYoshida6); }};
+    "splitting_6", [](const World& w, Velocities& to, const Participants& c, Real h) { split(w, to, c, h, kYoshida6); }};
 
 }  // namespace carom::dynamics

@@ -36,12 +36,12 @@ inline Quat unscaled_exp(const Vec3& phi) {
 /// found: whoever else has written omega or q (a contact, a torque, a host) has changed them by more than rounding, or
 /// not at all.
 template <class Method>
-void carry_tops(const World& world, Velocities& to, const Customers& customers, Real h, Method&& turn) {
+void carry_tops(const World& world, Velocities& to, const Participants& participants, Real h, Method&& turn) {
   // What spin_of() rounds by: two rotations, 8 u each with a length of q off by 4 u, a sum of terms up to 2 |omega|.
   constexpr Real kAgree = 64 * kUnitRoundoff;
   const State& s = world.state;
   Plan& plan = *world.plan;
-  customers.each(world.jobs, [&](std::uint32_t i) {
+  participants.each(world.jobs, [&](std::uint32_t i) {
     const Principal& top = plan.principal[i];
     Quat q = top.sorted(s.q[i]);
     Vec3 l = top.sorted(s.momentum[i]), p = q.conjugate() * l;
@@ -53,8 +53,8 @@ void carry_tops(const World& world, Velocities& to, const Customers& customers, 
     }
     turn(top, h, l, p, q);
     q = normalized(q);
-    plan.proposal.q[i] = top.unsorted(q);
-    plan.proposal.omega[i] = to.omega[i] = top.unsorted(spin_of(top, q, l));
+    plan.predicted.q[i] = top.unsorted(q);
+    plan.predicted.omega[i] = to.omega[i] = top.unsorted(spin_of(top, q, l));
   });
 }
 

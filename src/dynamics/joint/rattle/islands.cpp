@@ -22,7 +22,7 @@ std::uint32_t root(Array<std::uint32_t>& parent, std::uint32_t i) {
 }
 
 bool is_moved(const World& world, std::uint32_t body) {
-  return body != kTheWorld && responds(world.scene, world.state, body);
+  return body != kInvalid && responds(world.scene, world.state, body);
 }
 
 /// Whether a joint's rows are locks that can be held exactly, and what else it does is limits, and springs along one
@@ -37,7 +37,7 @@ bool is_holdable(const World& world, const Joint& joint, const JointLayout& layo
     if (layout.part[k] >= JointPart::turn_x || layout.part[k] == JointPart::ropes || layout.part[k] == JointPart::gears)
       return false;
   for (const std::uint32_t body : {joint.def.body_a, joint.def.body_b}) {
-    if (body == kTheWorld) continue;
+    if (body == kInvalid) continue;
     if (world.scene.locks_of(body) || world.state.quarantined[body]) return false;
   }
   return true;
@@ -54,7 +54,7 @@ void unite_bodies(const World& world, Rattle& r) {
     parent[std::max(one, other)] = std::min(one, other);
   };
   for (const std::uint32_t j : r.all_active) join(world.joints.joint[j].def.body_a, world.joints.joint[j].def.body_b);
-  world.plan->effects[+EffectId::springs].customers.each(
+  world.plan->effects[+EffectId::springs].participants.each(
       [&](std::uint32_t k) { join(world.scene.springs.def[k].body_a, world.scene.springs.def[k].body_b); });
 }
 
@@ -86,10 +86,10 @@ void number_islands(const World& world, Rattle& r) {
     ++island.movers;
     if (world.scene.locks_of(i)) island.is_held = false;
   }
-  world.plan->effects[+EffectId::springs].customers.each([&](std::uint32_t k) {  // whose other end goes its own way
+  world.plan->effects[+EffectId::springs].participants.each([&](std::uint32_t k) {  // whose other end goes its own way
     const SpringDef& def = world.scene.springs.def[k];
     for (const auto& [own, other] : {std::pair(def.body_a, def.body_b), std::pair(def.body_b, def.body_a)})
-      if (is_moved(world, own) && r.island_of[own] != kNoIsland && other != kTheWorld && !is_moved(world, other) &&
+      if (is_moved(world, own) && r.island_of[own] != kNoIsland && other != kInvalid && !is_moved(world, other) &&
           world.scene.type[other] != BodyType::fixed)
         r.islands[r.island_of[own]].is_held = false;
   });
@@ -98,7 +98,7 @@ void number_islands(const World& world, Rattle& r) {
 RattleBody body_at(const World& world, std::uint32_t slot) {
   RattleBody b;
   b.slot = slot;
-  b.travels = slot != kTheWorld && world.scene.type[slot] == BodyType::kinematic;
+  b.travels = slot != kInvalid && world.scene.type[slot] == BodyType::kinematic;
   if (!is_moved(world, slot)) return b;
   b.inv_mass = world.scene.inv_mass[slot];
   b.turns = rotates(world.scene, slot);
@@ -122,7 +122,7 @@ RattleJoint joint_at(const World& world, std::uint32_t slot) {
       j.is_limited = true;
   j.length = joint.def.length;
   const auto arm = [&](std::uint32_t body, const Pose& frame) {
-    return body == kTheWorld ? frame.p : frame.p - world.scene.center[body];
+    return body == kInvalid ? frame.p : frame.p - world.scene.center[body];
   };
   j.arm_a = arm(joint.def.body_a, joint.def.frame_a), j.arm_b = arm(joint.def.body_b, joint.def.frame_b);
   j.frame_a = joint.def.frame_a.q, j.frame_b = joint.def.frame_b.q;
@@ -138,7 +138,7 @@ RattleJoint joint_at(const World& world, std::uint32_t slot) {
 /// Bodies and joints of the islands, side by side; who does not move stands behind those who do, once for each joint.
 void lay_out(const World& world, Rattle& r) {
   r.bodies.clear(), r.joints.clear(), r.rows.clear(), r.by_slot.clear();
-  r.bodies.push_back(body_at(world, kTheWorld));
+  r.bodies.push_back(body_at(world, kInvalid));
   std::uint32_t body = 1, joint = 0;
   for (RattleIsland& island : r.islands) {
     if (!island.is_held) island.movers = island.joints = 0;
@@ -161,7 +161,7 @@ void lay_out(const World& world, Rattle& r) {
     if (!island.is_held) continue;
     RattleJoint& j = r.joints[island.joint + island.joints++] = joint_at(world, slot);
     const auto end = [&](std::uint32_t at) {
-      if (at == kTheWorld) return std::uint32_t(0);
+      if (at == kInvalid) return std::uint32_t(0);
       if (is_moved(world, at)) return r.body_of[at];
       r.bodies[island.body + island.bodies] = body_at(world, at);
       return island.body + island.bodies++;
@@ -272,14 +272,14 @@ void find_met(const World& world, Rattle& r, const StepTime& time) {
   const auto meet = [&](std::uint32_t body) {
     if (body < r.island_of.size() && r.island_of[body] != kNoIsland) r.islands[r.island_of[body]].is_met = true;
   };
-  for (const Meeting& m : world.contacts->meetings) meet(m.a), meet(m.b);
+  for (const ContactPair& m : world.contacts->contact_pairs) meet(m.a), meet(m.b);
   if (!world.state.asleep.empty())
     for (const std::uint32_t i : r.by_slot)
       if (world.state.sleeps(i)) meet(i);
   // Decay that no force can follow, which the integrator knows in closed form.
   for (const PlannedEffect& row : world.plan->effects)
     if (row.effect->rate && row.effect->stage == Stage::integrate)
-      row.customers.each([&](std::uint32_t i) {
+      row.participants.each([&](std::uint32_t i) {
         if (i < r.island_of.size() && row.effect->rate(world.scene, world.state, i) * h > 1) meet(i);
       });
   for (const RattleJoint& j : r.joints)
@@ -294,7 +294,7 @@ void find_met(const World& world, Rattle& r, const StepTime& time) {
   for (const SweptBody& swept : world.continuous->bodies) {
     if (!swept.swept) continue;
     const std::uint32_t own = swept.body < r.island_of.size() ? r.island_of[swept.body] : kNoIsland;
-    for (std::uint32_t k = world.scene.first_collider[swept.body]; k != Colliders::kNone; k = c.next[k]) {
+    for (std::uint32_t k = world.scene.first_collider[swept.body]; k != kInvalid; k = c.next[k]) {
       const Aabb way = swept_bounds(world, k, dt);
       for (const std::uint32_t other : c.live) {
         const std::uint32_t body = c.body[other];

@@ -37,7 +37,7 @@ class Mover {
     const State& s = world_.state;
     Real far = 0;
     for (RattleBody& b : bodies()) {
-      if (b.slot == kTheWorld) continue;
+      if (b.slot == kInvalid) continue;
       b.x = b.x1 = s.x[b.slot], b.q = b.q1 = s.q[b.slot], b.v = s.v[b.slot], b.omega = s.omega[b.slot];
       b.r = b.r1 = b.q.matrix();
       far = std::max(far, b.x.norm());
@@ -230,7 +230,7 @@ class Mover {
       const auto omega = [&](const RattleBody& of) { return of.inv_mass > 0 ? r_.read_omega[of.slot] : of.omega; };
       const Real rate = row.d.dot(v(b) - v(a)) + (row.w_b.dot(omega(b)) - row.w_a.dot(omega(a)));
       const Real w = 2 * std::numbers::pi * std::min(spring.frequency, 0.25 / h);
-      const Real most = spring.most,
+      const Real most = spring.max_force,
                  f = std::clamp(-w * (w * (along.at - spring.target) + 2 * spring.damping * rate) / rest, -most, most);
       if (a.inv_mass > 0) r_.accel[a.slot] -= (a.inv_mass * f) * row.d, r_.alpha[a.slot] -= f * row.i_a;
       if (b.inv_mass > 0) r_.accel[b.slot] += (b.inv_mass * f) * row.d, r_.alpha[b.slot] += f * row.i_b;

@@ -55,7 +55,7 @@ struct RattlePair {
 };
 
 struct RattleBody {
-  std::uint32_t slot = kTheWorld;
+  std::uint32_t slot = kInvalid;
   Real inv_mass = 0;   // 1/kg; 0: impulses do not move it
   bool turns = false;  // they turn it
   bool travels = false;  // it is kinematic, and under way
@@ -117,7 +117,7 @@ struct Rattle {
   // of the scene: made where it, or who is awake, has changed
   std::uint64_t revision = 0;
   Array<std::uint32_t> all_active;  // joints, as WideJoints::active then
-  Array<std::uint32_t> island_of;   // by body slot; kNobody: none
+  Array<std::uint32_t> island_of;   // by body slot; kInvalid: none
   Array<std::uint32_t> parent;      // scratch: union-find by slot
   Array<std::uint32_t> body_of;     // by slot, in bodies: scratch
   Array<RattleIsland> islands;
@@ -146,7 +146,7 @@ struct Rattle {
   Array<accuracy::Trial> trials;       // by island
   Array<accuracy::BodyEnd> coarse;     // by body: the end to compare with
 
-  Customers held, others, scratch;  // bodies
+  Participants held, others, scratch;  // bodies
   PlanLists of_held, of_all;      // between the two stages `of_all` are the plan's, which has those of the others
   Array<std::uint32_t> active, left_active;
   bool is_hidden = false;           // between the two stages

@@ -33,10 +33,10 @@ bool is_damped(const World& world, const RattleJoint& j) {
   return false;
 }
 bool is_read(const World& world, const PlannedEffect& row) {
-  if (row.customers.count == 0) return false;
+  if (row.participants.count == 0) return false;
   if (row.effect->id == EffectId::springs) {
     bool damped = false;
-    row.customers.each([&](std::uint32_t k) { damped |= world.scene.springs.def[k].damping > 0; });
+    row.participants.each([&](std::uint32_t k) { damped |= world.scene.springs.def[k].damping > 0; });
     return damped;
   }
   return row.effect->rate || row.effect->id == EffectId::buoyancy;
@@ -49,7 +49,7 @@ void hide(const World& world, Rattle& r) {
   for (const std::uint32_t j : w.active) {
     const JointDef& def = world.joints.joint[j].def;
     const auto is_held = [&](std::uint32_t body) {
-      return body != kTheWorld && r.island_of[body] < r.islands.size() && r.islands[r.island_of[body]].went_well;
+      return body != kInvalid && r.island_of[body] < r.islands.size() && r.islands[r.island_of[body]].went_well;
     };
     if (!is_held(def.body_a) && !is_held(def.body_b)) r.active.push_back(j);
   }

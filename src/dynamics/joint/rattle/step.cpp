@@ -69,10 +69,10 @@ void find_accelerations(const World& world, Rattle& r, Real h, Real share) {
   const Motion at{r.x.data(), r.q.data(), r.read_v.data(), r.read_omega.data()};
   const Accelerate to{1, r.accel.data(), r.alpha.data(), share};
   for (PlannedEffect& row : world.plan->effects) {
-    if (!is_force(row) || row.customers.count == 0) continue;
+    if (!is_force(row) || row.participants.count == 0) continue;
     const BookRow book(world, row, to.v, to.omega, share);
-    row.effect->force(world.scene, world.state, row.customers, at, to);
-    row.evaluations += row.customers.count;
+    row.effect->force(world.scene, world.state, row.participants, at, to);
+    row.evaluations += row.participants.count;
   }
   over_islands(world, r, [&](const auto& mover) { return mover.pull(h, share); });
 }
@@ -94,9 +94,9 @@ bool is_within_limits(const World& world, const RattleJoint& j, const RattleBody
   const Joint& joint = world.joints.joint[j.slot];
   JointEnds ends;
   const auto end = [&](std::uint32_t slot, const Pose& frame, const RattleBody& body, Pose& to, Vec3& arm) {
-    arm = slot == kTheWorld ? Vec3(Vec3::zero()) : Vec3(body.r * (frame.p - world.scene.center[slot]));
-    to = slot == kTheWorld ? frame : Pose{body.q * frame.q, body.x + arm};
-    return slot == kTheWorld ? frame.p : body.x;
+    arm = slot == kInvalid ? Vec3(Vec3::zero()) : Vec3(body.r * (frame.p - world.scene.center[slot]));
+    to = slot == kInvalid ? frame : Pose{body.q * frame.q, body.x + arm};
+    return slot == kInvalid ? frame.p : body.x;
   };
   const Vec3 x_a = end(joint.def.body_a, joint.def.frame_a, a, ends.a, ends.arm_a),
              x_b = end(joint.def.body_b, joint.def.frame_b, b, ends.b, ends.arm_b);

@@ -14,9 +14,9 @@ inline constexpr Constant<Real> kFineShare{
     "larger: balls at rest creep away, joints gape; smaller: steps of Newton for what rounding undoes"};
 inline constexpr Constant<Real> kConeShare{"direct_blow_share", 1e-3, "1",
                                            "share of the fastest contact's speed that is good enough where work is "
-                                           "bounded: who looks at a blow does not see a thousandth of it",
+                                           "bounded: who looks at an impact does not see a thousandth of it",
                                            "larger: what is struck leaves with velocities that friction and "
-                                           "restitution did not make; smaller: blows take all the work there is"};
+                                           "restitution did not make; smaller: impacts take all the work there is"};
 inline constexpr Constant<Real> kRest{
     "direct_rest", 10, "1",
     "tolerances below which contacts are at rest, however they move: the next substep then repeats this one",
@@ -48,7 +48,7 @@ inline constexpr Constant<std::uint32_t> kAlways{
     "fewer: groups over their budget keep the impulses they started from; more: direct_work bounds less"};
 inline constexpr Constant<std::uint32_t> kMostSteps{
     "direct_most_steps", 200, "steps of Newton", "of a group and substep: impacts of many bodies take that many",
-    "fewer: blows through many bodies end unsolved; more: a problem that has no solution stalls the step for longer"};
+    "fewer: impacts through many bodies end unsolved; more: a problem that has no solution stalls the step for longer"};
 inline constexpr Constant<std::uint32_t> kWorkOfContact{
     "direct_work_of_contact", 3, "block products", "that a contact takes as long as, in a step of Newton's method",
     "more or fewer: budgets of groups with many points to a body are too small or too large"};
@@ -73,7 +73,7 @@ inline constexpr Constant<std::uint32_t> kFromNothing{
     "direct_from_nothing", 40, "steps of Newton",
     "beyond those that are always taken, where contacts bear nothing yet: what surfaces close on starts so in each "
     "substep, and moves",
-    "fewer: pinched bodies are squeezed out faster; more: a blow through a wreck stalls the step"};
+    "fewer: pinched bodies are squeezed out faster; more: an impact through a wreck stalls the step"};
 inline constexpr Constant<std::uint32_t> kExpectedAtRest{
     "direct_expected_at_rest", 16, "steps of Newton",
     "that a group at rest is expected to take when it is solved anew: of many that ask at once the others wait",

@@ -8,12 +8,11 @@
 
 #include <span>
 
+#include "core/invalid.h"
 #include "dynamics/solver/direct/block_factor.h"
 #include "dynamics/solver/direct/cone_link.h"
 
 namespace carom::dynamics {
-
-inline constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 
 /// How impulses of a contact change with its velocity: not, alike in all directions, or otherwise.
 enum class ConeCurvature : std::uint8_t { none, alike, slope };
@@ -28,8 +27,8 @@ struct ConeLine {
 };
 
 struct ConeContact {
-  std::uint32_t a, b;   // bodies of the problem, or kNobody: not moved by impulses
-  std::uint32_t below;  // in BlockFactor::below: the block that couples a and b; kNobody where there is none
+  std::uint32_t a, b;   // bodies of the problem, or kInvalid: not moved by impulses
+  std::uint32_t below;  // in BlockFactor::below: the block that couples a and b; kInvalid where there is none
   bool a_later;         // a is eliminated after b
   bool is_curved;       // a shape is not known to be a polytope: @see ConeGroup::follow_bodies()
   bool is_spread;       // of a patch that slides: its friction acts beside its normal impulses, @see spread()
@@ -99,25 +98,25 @@ struct ConeProblem {
 /// velocity by spins.
 template <Vec6 ConeBody::*kMomentum>
 void add_moments(ConeBody* bodies, const ConeContact& c, Real normal) {
-  if (c.a != kNobody) (bodies[c.a].*kMomentum) -= {Vec3::zero(), normal * c.n_a};
-  if (c.b != kNobody) (bodies[c.b].*kMomentum) += {Vec3::zero(), normal * c.n_b};
+  if (c.a != kInvalid) (bodies[c.a].*kMomentum) -= {Vec3::zero(), normal * c.n_a};
+  if (c.b != kInvalid) (bodies[c.b].*kMomentum) += {Vec3::zero(), normal * c.n_b};
 }
 template <Vec6 ConeBody::*kVelocity>
 Vec3 by_moments(const ConeBody* bodies, const ConeContact& c) {
   Real normal = 0;
-  if (c.b != kNobody) normal += (bodies[c.b].*kVelocity).angular().dot(c.n_b);
-  if (c.a != kNobody) normal -= (bodies[c.a].*kVelocity).angular().dot(c.n_a);
+  if (c.b != kInvalid) normal += (bodies[c.b].*kVelocity).angular().dot(c.n_b);
+  if (c.a != kInvalid) normal -= (bodies[c.a].*kVelocity).angular().dot(c.n_a);
   return normal * c.n;
 }
 
 /// Impulse p on B and -p on A, as changes of the bodies' momentum.
 template <Vec6 ConeBody::*kMomentum>
 void add_impulse(const ConeProblem& problem, const ConeContact& c, const Vec3& p) {
-  if (c.a != kNobody) {
+  if (c.a != kInvalid) {
     Vec6& m = problem.bodies[c.a].*kMomentum;
     m -= {p, c.r_a.cross(p)};
   }
-  if (c.b != kNobody) {
+  if (c.b != kInvalid) {
     Vec6& m = problem.bodies[c.b].*kMomentum;
     m += {p, c.r_b.cross(p)};
   }
@@ -128,11 +127,11 @@ void add_impulse(const ConeProblem& problem, const ConeContact& c, const Vec3& p
 template <Vec6 ConeBody::*kVelocity>
 Vec3 relative(const ConeBody* bodies, const ConeContact& c) {
   Vec3 u = Vec3::zero();
-  if (c.b != kNobody) {
+  if (c.b != kInvalid) {
     const Vec6& v = bodies[c.b].*kVelocity;
     u += v.linear() + v.angular().cross(c.r_b);
   }
-  if (c.a != kNobody) {
+  if (c.a != kInvalid) {
     const Vec6& v = bodies[c.a].*kVelocity;
     u -= v.linear() + v.angular().cross(c.r_a);
   }
@@ -143,11 +142,11 @@ Vec3 relative(const ConeBody* bodies, const ConeContact& c) {
 
 template <Vec6 ConeBody::*kMomentum>
 void add_impulse(const ConeProblem& problem, const ConeLink& c, Real p) {
-  if (c.a != kNobody) {
+  if (c.a != kInvalid) {
     Vec6& m = problem.bodies[c.a].*kMomentum;
     m -= {p * c.d_a, p * c.w_a};
   }
-  if (c.b != kNobody) {
+  if (c.b != kInvalid) {
     Vec6& m = problem.bodies[c.b].*kMomentum;
     m += {p * c.d_b, p * c.w_b};
   }
@@ -156,11 +155,11 @@ void add_impulse(const ConeProblem& problem, const ConeLink& c, Real p) {
 template <Vec6 ConeBody::*kVelocity>
 Real relative(const ConeBody* bodies, const ConeLink& c) {
   Real u = 0;
-  if (c.b != kNobody) {
+  if (c.b != kInvalid) {
     const Vec6& v = bodies[c.b].*kVelocity;
     u += c.d_b.dot(v.linear()) + c.w_b.dot(v.angular());
   }
-  if (c.a != kNobody) {
+  if (c.a != kInvalid) {
     const Vec6& v = bodies[c.a].*kVelocity;
     u -= c.d_a.dot(v.linear()) + c.w_a.dot(v.angular());
   }

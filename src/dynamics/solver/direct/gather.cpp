@@ -31,7 +31,7 @@ void gather(const World& world, DirectGroups& d) {
   d.rest.clear(), d.row.clear(), d.begin.clear();
   d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
   d.body.resize(world.scene.bodies.slots());
-  for (const std::uint32_t slot : c.bodies) d.body[slot] = kNobody;
+  for (const std::uint32_t slot : c.bodies) d.body[slot] = kInvalid;
   // Contacts of the last step are written over: to make 400 bytes of zeros of each first costs more than to fill it.
   std::size_t points = 0;
   for (std::size_t g = 0; g < c.groups(); ++g)
@@ -52,7 +52,7 @@ void gather(const World& world, DirectGroups& d) {
       ConeContact& contact = d.contacts[d.row.size()];
       contact.a = d.node(row.moves_a, row.a);
       contact.b = d.node(row.moves_b, row.b);
-      const bool coupled = contact.a != kNobody && contact.b != kNobody;
+      const bool coupled = contact.a != kInvalid && contact.b != kInvalid;
       if (coupled && (d.edges.size() == d.edge_begin.back() || d.edges.back() != Edge{contact.a, contact.b}))
         d.edges.push_back({contact.a, contact.b});
       d.row.push_back(i);
@@ -80,8 +80,8 @@ void order(DirectGroups& d, std::uint64_t most_factor) {
 /// factored that is nowhere, and nobody looks.)
 void place_contacts(DirectGroups& d) {
   const auto place = [&](auto& c) {
-    c.below = kNobody;
-    if (c.a == kNobody || c.b == kNobody) return;
+    c.below = kInvalid;
+    if (c.a == kInvalid || c.b == kInvalid) return;
     const std::uint32_t a = d.elimination.place[c.a], b = d.elimination.place[c.b];
     c.a_later = a > b;
     c.below = static_cast<std::uint32_t>(d.factor.at(d.elimination, std::max(a, b), std::min(a, b)));

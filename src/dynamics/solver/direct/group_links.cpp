@@ -47,7 +47,7 @@ void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow&
     case DriveKind::motor:
       if (phase != LinkPhase::move) return leave(c);
       lock(c, get(drive.speed, row.lane));
-      c.most = get(drive.most, row.lane);
+      c.most = get(drive.max_impulse, row.lane);
       return;
     case DriveKind::spring: {
       const Real m = get(drive.m, row.lane), pull = get(drive.pull, row.lane);
@@ -55,7 +55,7 @@ void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow&
       const Real drag = std::max(get(drive.drag, row.lane), kLeastDrag);
       lock(c, get(drive.speed, row.lane) - (pull / drag) * (x - get(drive.lower, row.lane)));
       c.give = (1 - drag) / (drag * m);
-      c.most = get(drive.most, row.lane);
+      c.most = get(drive.max_impulse, row.lane);
       return;
     }
     case DriveKind::stop: {
@@ -92,7 +92,7 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
     const WideJoints::Place& place = w.place[i];
     const JointLanes& joint = w.joints[place.lanes];
     const std::uint32_t a = d.node(link.moves_a, link.a), b = d.node(link.moves_b, link.b);
-    if (a != kNobody && b != kNobody) d.edges.push_back({a, b});
+    if (a != kInvalid && b != kInvalid) d.edges.push_back({a, b});
     const auto add_row = [&](std::uint32_t row, bool is_drive, DriveKind kind) {
       ConeLink& to = d.links.emplace_back();
       to.a = a, to.b = b;
@@ -114,7 +114,7 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
     const JointLanes& joint = w.joints[at_row.joint];
     const std::uint32_t lane = at_row.lane;
     const auto turns = [&](std::uint32_t body) {
-      return body != kNobody && rotates(world.scene, problem.bodies[body].slot);
+      return body != kInvalid && rotates(world.scene, problem.bodies[body].slot);
     };
     const Vec3 w_a = get(row.w_a, lane), w_b = get(row.w_b, lane);
     c.d_a = get(pull_at_a(w, joint, row), lane), c.d_b = get(row.d, lane);
@@ -127,9 +127,9 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
     };
     c.carried = 0;
     if (phase != LinkPhase::part)
-      c.carried = (c.b == kNobody ? of(joint.b[lane], c.d_b, w_b) : 0) - (c.a == kNobody ? of(joint.a[lane], c.d_a, w_a) : 0);
+      c.carried = (c.b == kInvalid ? of(joint.b[lane], c.d_b, w_b) : 0) - (c.a == kInvalid ? of(joint.a[lane], c.d_a, w_a) : 0);
     const auto response = [&](std::uint32_t body, const Vec3& d, const Vec3& turn) {
-      if (body == kNobody) return Real(0);
+      if (body == kInvalid) return Real(0);
       const ConeBody& b = problem.bodies[body];
       if (b.locks) return locked_response(b, d, turn);
       return b.inv_mass * d.squared_norm() + turn.dot(b.inv_inertia * turn);
@@ -155,7 +155,7 @@ void find_swings(const World& world, ConeProblem& problem, const DirectGroups::L
   for (ConeBody& b : bodies_of(problem)) b.swing.set_zero();
   const auto add_to = [&](std::uint32_t body, const Vec3& r, Real force) {
     const Real r2 = r.squared_norm();
-    if (body == kNobody || !(r2 > 0) || !rotates(world.scene, problem.bodies[body].slot)) return;
+    if (body == kInvalid || !(r2 > 0) || !rotates(world.scene, problem.bodies[body].slot)) return;
     const Real r1 = std::sqrt(r2);
     problem.bodies[body].swing += (force * r1) * (Mat3::identity() - outer(r, r) / r2);
   };

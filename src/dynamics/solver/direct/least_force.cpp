@@ -21,7 +21,7 @@ Real borne(const ConeProblem& problem) {
 
 void push(ConeProblem& problem, const ConeContact& c, const Vec3& p) {
   const auto act = [&](std::uint32_t body, const Vec3& r, const Vec3& moment, Real sign) {
-    if (body == kNobody) return;
+    if (body == kInvalid) return;
     ConeBody& b = problem.bodies[body];
     const Vec3 turn = c.is_spread ? Vec3(r.cross(p) + p.dot(c.n) * moment) : r.cross(p);
     b.v += velocity_of(b, {sign * p, sign * turn});
@@ -30,8 +30,8 @@ void push(ConeProblem& problem, const ConeContact& c, const Vec3& p) {
 }
 
 void push(ConeProblem& problem, const ConeLink& c, Real p) {
-  if (c.a != kNobody) problem.bodies[c.a].v -= velocity_of(problem.bodies[c.a], {p * c.d_a, p * c.w_a});
-  if (c.b != kNobody) problem.bodies[c.b].v += velocity_of(problem.bodies[c.b], {p * c.d_b, p * c.w_b});
+  if (c.a != kInvalid) problem.bodies[c.a].v -= velocity_of(problem.bodies[c.a], {p * c.d_a, p * c.w_a});
+  if (c.b != kInvalid) problem.bodies[c.b].v += velocity_of(problem.bodies[c.b], {p * c.d_b, p * c.w_b});
 }
 
 /// 1/kg, along the normal; and what no direction exceeds.
@@ -39,7 +39,7 @@ struct Responses {
   Real normal = 0, any = 0;
   Responses(const ConeProblem& problem, const ConeContact& c) {
     const auto add = [&](std::uint32_t body, const Vec3& r, const Vec3& moment) {
-      if (body == kNobody) return;
+      if (body == kInvalid) return;
       const ConeBody& b = problem.bodies[body];
       const Vec3 turn = c.is_spread ? Vec3(r.cross(c.n) + moment) : r.cross(c.n);
       normal += b.inv_mass + turn.dot(b.inv_inertia * turn);

@@ -20,7 +20,7 @@ inline constexpr Constant<Real> kWedged{
 inline constexpr Constant<Real> kFarMore{
     "direct_far_more", 10, "1",
     "times what contacts bear that yield: where the exact law is not reached by as much more, it has no solution",
-    "larger: what is wedged bears more; smaller: a blow that could not be solved in time counts as wedged"};
+    "larger: what is wedged bears more; smaller: an impact that could not be solved in time counts as wedged"};
 inline constexpr Constant<Real> kGiveOfSweeps{
     "direct_last_give", 0.06, "1",
     "of a contact's response: softness in the sweeps of last resort, that of solver soft_step at 30 Hz and 1/240 s",

@@ -18,8 +18,8 @@ struct Carried {
   Vec3 v = Vec3::zero(), omega = Vec3::zero();  // m/s, rad/s
 
   Carried(const World& world, const ConeBody* bodies, std::uint32_t body, std::uint32_t slot)
-      : turns(body != kNobody && bodies[body].turns) {
-    if (body == kNobody) v = world.state.v[slot];
+      : turns(body != kInvalid && bodies[body].turns) {
+    if (body == kInvalid) v = world.state.v[slot];
     if (!turns) omega = world.state.omega[slot];
   }
   bool any() const { return !turns && (v != Vec3::zero() || omega != Vec3::zero()); }
@@ -105,9 +105,9 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
     if (what == LoadWhat::not_curved && contact.is_curved) return false;
     of = point_sources(world, pair);
     const auto put = [&](std::uint32_t body, const double*& held, const double*& inv_inertia, double& inv_mass) {
-      held = body != kNobody ? bodies[body].held_back.data() : kNoMatrix;
-      inv_inertia = body != kNobody ? bodies[body].inv_inertia.data() : kNoMatrix;
-      inv_mass = body != kNobody ? bodies[body].inv_mass : 0;
+      held = body != kInvalid ? bodies[body].held_back.data() : kNoMatrix;
+      inv_inertia = body != kInvalid ? bodies[body].inv_inertia.data() : kNoMatrix;
+      inv_mass = body != kInvalid ? bodies[body].inv_mass : 0;
     };
     put(contact.a, of.held_a, of.inv_inertia_a, of.inv_mass_a);
     put(contact.b, of.held_b, of.inv_inertia_b, of.inv_mass_b);

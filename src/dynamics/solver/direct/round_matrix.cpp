@@ -81,9 +81,9 @@ void add_outer(Block& b, Real w, const LinkArms& r, const LinkArms& c) {
 /// J^T w J of a row.
 void add_link(const Elimination& e, const Blocks& f, const ConeLink& c, Real w) {
   const LinkArms a = {c.d_a, c.w_a}, b = {c.d_b, c.w_b};
-  if (c.a != kNobody) add_outer(f.diagonal[e.place[c.a]], w, a, a);
-  if (c.b != kNobody) add_outer(f.diagonal[e.place[c.b]], w, b, b);
-  if (c.below == kNobody) return;
+  if (c.a != kInvalid) add_outer(f.diagonal[e.place[c.a]], w, a, a);
+  if (c.b != kInvalid) add_outer(f.diagonal[e.place[c.b]], w, b, b);
+  if (c.below == kInvalid) return;
   add_outer(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
 }
 
@@ -109,9 +109,9 @@ void add_sticking(ConeProblem& problem, const ConeContact& c, Real w) {
     if (c.is_spread) add_moments(d, by, c.n, a, b);
   };
   const ContactArms a = {c.r_a, c.n_a}, b = {c.r_b, c.n_b};
-  if (c.a != kNobody) add(f.diagonal[e.place[c.a]], w, a, a);
-  if (c.b != kNobody) add(f.diagonal[e.place[c.b]], w, b, b);
-  if (c.below == kNobody) return;
+  if (c.a != kInvalid) add(f.diagonal[e.place[c.a]], w, a, a);
+  if (c.b != kInvalid) add(f.diagonal[e.place[c.b]], w, b, b);
+  if (c.below == kInvalid) return;
   add(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
 }
 
@@ -128,7 +128,7 @@ void hold_locked(ConeProblem& problem) {
       if (b.locks >> k & 1) d.x[k][k] = k < 3 ? b.mass : b.inertia(k - 3, k - 3);
   }
   const auto hold_below = [&](const auto& c) {
-    if (c.below == kNobody) return;
+    if (c.below == kInvalid) return;
     const std::uint32_t later = c.a_later ? c.a : c.b, other = c.a_later ? c.b : c.a;
     strike_out(f.below[c.below], problem.bodies[later].locks, problem.bodies[other].locks);
   };
@@ -180,9 +180,9 @@ void Round::assemble() {
     const Mat3 w = slope_of_projection(pull(c, c.u), c.n, c.friction) / resistance(c);
     const Turning on_a(c, c.r_a, c.n_a), on_b(c, c.r_b, c.n_b);
     const Mat3 w_a = w * on_a.x, w_b = w * on_b.x;
-    if (c.a != kNobody) add_own(f.diagonal[e.place[c.a]], w, on_a, w_a);
-    if (c.b != kNobody) add_own(f.diagonal[e.place[c.b]], w, on_b, w_b);
-    if (c.below == kNobody) continue;
+    if (c.a != kInvalid) add_own(f.diagonal[e.place[c.a]], w, on_a, w_a);
+    if (c.b != kInvalid) add_own(f.diagonal[e.place[c.b]], w, on_b, w_b);
+    if (c.below == kInvalid) continue;
     Block& d = f.below[c.below];
     const Mat3 &back = c.a_later ? on_a.back : on_b.back, &other = c.a_later ? w_b : w_a;
     add(d, 0, 0, -w);

@@ -1,4 +1,4 @@
-// cradle, cannon: a blow that is passed on through balls that touch.
+// cradle, cannon: an impact that is passed on through balls that touch.
 #include <cmath>
 
 #include "accuracy/reference.h"

@@ -67,7 +67,7 @@ class GovernorTrial : public Trial {
       carom_joint_spring spring;
       call.done(carom_joint_spring_init(&spring, sizeof spring), "a spring");
       spring.enabled = 1, spring.target = G::kRest, spring.frequency = rate / (2 * std::numbers::pi);
-      spring.damping = G::kDamp / (2 * mass * rate), spring.most = 1e30;
+      spring.damping = G::kDamp / (2 * mass * rate), spring.max_force = 1e30;
       call.done(carom_joint_set_spring(stage.world.get(), c.spring, CAROM_COORDINATE_DISTANCE, &spring, call),
                 "a spring");
     }

@@ -112,9 +112,9 @@ std::vector<Extras::Effect> measure_effects(Engine& engine) {
       stage.world.step(scene.dt);
       if (step < 20) continue;
       for (const carom_plan_line& line : stage.world.plan())
-        if (line.effect != CAROM_PLAN_NO_EFFECT && line.runs && line.timing == CAROM_TIME_OWN && line.customers >= 5)
+        if (line.effect != CAROM_PLAN_NO_EFFECT && line.runs && line.timing == CAROM_TIME_OWN && line.participants >= 5)
           samples[line.name].unit = line.unit,
-          samples[line.name].ns.push_back(1e9 * line.seconds / static_cast<double>(line.customers));
+          samples[line.name].ns.push_back(1e9 * line.seconds / static_cast<double>(line.participants));
     }
   }
   std::vector<Extras::Effect> effects;
@@ -132,7 +132,7 @@ std::vector<Extras::Effect> read_effects(const std::string& path) {
   std::vector<Extras::Effect> effects;
   std::string line;
   std::getline(file, line);
-  if (!line.starts_with("effect,customers,unit,"))
+  if (!line.starts_with("effect,participants,unit,"))
     throw Error(path + " is no table of effects", "give --effects a file that `effect_costs --csv` wrote");
   while (std::getline(file, line)) {
     std::vector<std::string> cells(1);
@@ -143,8 +143,8 @@ std::vector<Extras::Effect> read_effects(const std::string& path) {
       else cells.back() += c;
     }
     if (cells.size() < 8) throw Error(path + ": a line has too few cells", "write the file again");
-    const double customers = std::max(1.0, std::atof(cells[1].c_str()));
-    effects.push_back({cells[0], cells[2], std::atof(cells[4].c_str()), 1e6 * std::atof(cells[7].c_str()) / customers});
+    const double participants = std::max(1.0, std::atof(cells[1].c_str()));
+    effects.push_back({cells[0], cells[2], std::atof(cells[4].c_str()), 1e6 * std::atof(cells[7].c_str()) / participants});
   }
   return effects;
 }

@@ -9,7 +9,7 @@ namespace carom::tools::accuracy {
 /// of a few families, apart and in overlap. About a second.
 std::vector<Extras::Tolerance> measure_tolerances(Engine& engine);
 
-/// Costs of effects that the plan of a step times by themselves, in scenes of `carom list` that have customers for them.
+/// Costs of effects that the plan of a step times by themselves, in scenes of `carom list` that have participants for them.
 std::vector<Extras::Effect> measure_effects(Engine& engine);
 
 /// The table that `effect_costs --csv` writes.   @throws Error

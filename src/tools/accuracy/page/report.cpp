@@ -244,12 +244,12 @@ void add_effects(Document& page, const Extras& extras) {
     return;
   }
   page.paragraph(
-      "Nanoseconds a customer and step, at the default dials: the difference between a world in which the effect runs and "
-      "the same world in which it is forbidden, or what the library's plan of a step tells. An effect without customers "
+      "Nanoseconds a participant and step, at the default dials: the difference between a world in which the effect runs and "
+      "the same world in which it is forbidden, or what the library's plan of a step tells. An effect without participants "
       "costs nothing.");
   report::BarChart chart;
   chart.title = "Cost of an effect";
-  chart.value = {"ns a customer and step", report::Scale::log, false, {}};
+  chart.value = {"ns a participant and step", report::Scale::log, false, {}};
   std::vector<std::vector<std::string>> rows;
   for (const Extras::Effect& e : extras.effects) {
     if (!(e.ns > 0)) continue;
@@ -257,7 +257,7 @@ void add_effects(Document& page, const Extras& extras) {
     rows.push_back({e.name, e.unit, report::number(e.ns, 3), e.spread > 0 ? report::number(e.spread, 2) : ""});
   }
   page.figure("effects-bars", report::draw(chart), "The axis is logarithmic. Unit of each: what it serves, a body or a contact or a joint.");
-  page.table("The same in figures", {"effect", "customer", "ns", "+-"}, rows, true);
+  page.table("The same in figures", {"effect", "participant", "ns", "+-"}, rows, true);
 }
 
 void add_tolerances(Document& page, const Extras& extras) {

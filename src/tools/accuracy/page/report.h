@@ -11,7 +11,7 @@ namespace carom::tools::accuracy {
 struct Extras {
   struct Effect {
     std::string name, unit;     ///< "drag", "body"
-    double ns = 0, spread = 0;  ///< a customer and step
+    double ns = 0, spread = 0;  ///< a participant and step
   };
   struct Tolerance {
     std::string pair;          ///< "box on box"

@@ -412,7 +412,7 @@ std::int32_t lying_support(void*, const double* p, std::uint64_t count, const do
 
 }  // namespace
 
-static void liars_are_named(void**) {
+static void invalid_plugins_are_named(void**) {
   for (const int kind : {1, 2, 3, 4}) {
     int named = 0;
     for (int from = 1; from < 6; ++from) {
@@ -448,7 +448,7 @@ int main() {
       cmocka_unit_test(flat_and_pointlike_shapes),
       cmocka_unit_test(the_first_of_many_is_found),
       cmocka_unit_test(a_cap_is_kept_and_said),
-      cmocka_unit_test(liars_are_named),
+      cmocka_unit_test(invalid_plugins_are_named),
   };
   return cmocka_run_group_tests_name("collision/ray", tests, nullptr, nullptr);
 }

@@ -1,9 +1,9 @@
-/* Honest, but its loader sets flush-to-zero on the loading thread, as a plugin linked with -Ofast does. */
+/* Valid, but its loader sets flush-to-zero on the loading thread, as a plugin linked with -Ofast does. */
 #if defined(__x86_64__)
 #include <xmmintrin.h>
 #endif
 
-#include "liar.h"
+#include "invalid_plugin.h"
 
 __attribute__((constructor)) static void set_flush_to_zero(void) {
 #if defined(__x86_64__)
@@ -15,9 +15,9 @@ CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
     .struct_size = sizeof(carom_shape_plugin),
     .abi_major = CAROM_PLUGIN_ABI_MAJOR,
     .abi_minor = CAROM_PLUGIN_ABI_MINOR,
-    .id = "liar.flush_to_zero",
+    .id = "invalid_plugin.flush_to_zero",
     .version = 1,
     .param_count = 1,
-    .params = liar_params,
-    .support = liar_ball,
+    .params = invalid_params,
+    .support = invalid_ball,
 };

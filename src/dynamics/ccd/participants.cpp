@@ -32,8 +32,8 @@ bool is_fast(const World& world, std::uint32_t body, Real dt) {
   const Real way = dt * s.v[body].norm(), turn = dt * s.omega[body].norm();
   Real reach = 0;
   bool spins = false;
-  for (std::uint32_t slot = world.scene.first_collider[body]; slot != Colliders::kNone; slot = c.next[slot]) {
-    if (c.muted[slot] || c.is_sensor(slot)) continue;
+  for (std::uint32_t slot = world.scene.first_collider[body]; slot != kInvalid; slot = c.next[slot]) {
+    if (c.disabled[slot] || c.is_sensor(slot)) continue;
     const Shape& shape = *c.shape[slot];
     reach = std::max(reach, shape.bounding_radius);
     const Real arm = world.plan->local[slot].p.norm() + std::max(shape.bounding_radius - shape.core_radius, Real(0));
@@ -44,13 +44,13 @@ bool is_fast(const World& world, std::uint32_t body, Real dt) {
 }
 
 void forget(Continuous& c) {
-  for (const SweptBody& b : c.bodies) c.index[b.body] = Continuous::kNone;
+  for (const SweptBody& b : c.bodies) c.index[b.body] = kInvalid;
   c.bodies.clear(), c.loose.clear(), c.hits.clear(), c.passed.clear();
-  c.customers = 0;
+  c.participants = 0;
   c.fault = {};
 }
 
-/// Everybody that may be a customer, once, ascending.
+/// Everybody that may be a participant, once, ascending.
 void list_candidates(const World& world) {
   Continuous& c = *world.continuous;
   const PlannedEffect& row = world.plan->effects[+EffectId::continuous];
@@ -87,8 +87,8 @@ void carry_all_known(const World& world) {
   if (c.found.empty()) return;
   std::sort(c.found.begin(), c.found.end());
   for (const std::uint32_t i : c.found) c.more.add(i);
-  each_of_both(row.customers, c.more, [&](std::uint32_t i) { c.merged.add(i); });
-  std::swap(row.customers, c.merged);
+  each_of_both(row.participants, c.more, [&](std::uint32_t i) { c.merged.add(i); });
+  std::swap(row.participants, c.merged);
   for (const std::uint32_t i : c.found) plan.carried[i] = 1;
 }
 
@@ -118,19 +118,19 @@ SweptBody& know(const World& world, std::uint32_t body) {
   return b;
 }
 
-void continuous::find(const Scene& scene, const State& state, Customers& customers) {
+void continuous::find(const Scene& scene, const State& state, Participants& participants) {
   if (scene.dials.choice(Dial::continuous) == kSweepNobody) return;
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
     if (scene.bodies.alive(i) && scene.def[i].continuous == SweepMode::always && scene.type[i] != BodyType::fixed &&
         !state.quarantined[i])
-      customers.add(i);
+      participants.add(i);
 }
 
 void find_swept(const World& world, Colliders& table, Real dt) {
   Continuous& c = *world.continuous;
   PlannedEffect& row = world.plan->effects[+EffectId::continuous];
   forget(c);
-  row.customers.clear();
+  row.participants.clear();
   if (c.seen.empty() && !c.too_many_seen && row.candidates.count == 0) return;
   list_candidates(world);
   for (const std::uint32_t i : c.seen) {
@@ -139,16 +139,16 @@ void find_swept(const World& world, Colliders& table, Real dt) {
     if (modes.forbids(+EffectId::continuous, i)) continue;
     const bool outruns = world.plan->watches_speed && mode != SweepMode::never && is_fast(world, i, dt);
     if (!can_sweep(world, i) || !(outruns || mode == SweepMode::always || modes.forces(+EffectId::continuous, i))) continue;
-    c.index.resize(world.scene.bodies.slots(), Continuous::kNone);
+    c.index.resize(world.scene.bodies.slots(), kInvalid);
     SweptBody& b = know(world, i);
     b.swept = true, b.outruns = outruns;
-    row.customers.add(i);
+    row.participants.add(i);
   }
   c.seen.clear();
-  c.customers = c.bodies.size();
+  c.participants = c.bodies.size();
   for (const SweptBody& b : c.bodies) {
     if (!b.outruns) continue;  // it is met by contacts as well, as far as they reach
-    for (std::uint32_t slot = world.scene.first_collider[b.body]; slot != Colliders::kNone; slot = table.next[slot])
+    for (std::uint32_t slot = world.scene.first_collider[b.body]; slot != kInvalid; slot = table.next[slot])
       table.reach[slot] = 0;
   }
 }
@@ -225,9 +225,9 @@ void leave_to_sweep(const World& world, BroadPhases& broad, PairTable& pairs, co
       pairs.place(lo).horizon = -kInfinity;
     }
   };
-  for (std::size_t k = 0; k < c.customers; ++k) {
+  for (std::size_t k = 0; k < c.participants; ++k) {
     if (!c.bodies[k].outruns) continue;
-    for (std::uint32_t slot = world.scene.first_collider[c.bodies[k].body]; slot != Colliders::kNone;
+    for (std::uint32_t slot = world.scene.first_collider[c.bodies[k].body]; slot != kInvalid;
          slot = table.next[slot]) {
       c.found.clear();
       broad_phase(world, broad).find_near(table, table.bounds[slot], c.found);
@@ -241,7 +241,7 @@ void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, co
   if (c.bodies.empty()) return;
   const Colliders& table = world.scene.colliders;
   c.found.reserve(2 * table.slots());
-  for (std::size_t k = 0; k < c.customers; ++k) {
+  for (std::size_t k = 0; k < c.participants; ++k) {
     c.found.clear();
     broad_phase(world, broad)
         .find_near(table, straight_way(world, c.bodies[k].body, c.bodies[k].radius, time.dt), c.found);
@@ -251,22 +251,22 @@ void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, co
         know(world, table.body[slot]);
   }
   const std::size_t most =
-      std::min<std::size_t>(world.scene.bodies.slots(), c.bodies.size() + kStruck + kStruckEach * c.customers);
-  c.most_bodies = std::max(most, c.bodies.size()), c.most_hits = kHitsEach * (c.customers + 1);
-  c.bodies.reserve(most), c.loose.reserve(most), c.boxes.resize(c.customers);
-  c.leaves.resize(c.customers);
-  c.tree.grow(c.customers);
-  for (std::uint32_t k = 0; k < c.customers; ++k) {
+      std::min<std::size_t>(world.scene.bodies.slots(), c.bodies.size() + kStruck + kStruckEach * c.participants);
+  c.most_bodies = std::max(most, c.bodies.size()), c.most_hits = kHitsEach * (c.participants + 1);
+  c.bodies.reserve(most), c.loose.reserve(most), c.boxes.resize(c.participants);
+  c.leaves.resize(c.participants);
+  c.tree.grow(c.participants);
+  for (std::uint32_t k = 0; k < c.participants; ++k) {
     c.leaves[k] = k;
     c.boxes[k] = straight_way(world, c.bodies[k].body, c.bodies[k].radius, time.dt);
   }
   c.tree.build(c.leaves, c.boxes);
   carry_all_known(world);
   c.hits.reserve(c.most_hits);
-  if (senses_sweeps(world)) c.passed.reserve(kPassedEach * c.customers);
+  if (senses_sweeps(world)) c.passed.reserve(kPassedEach * c.participants);
   c.one.clear(), c.one.add(0);
-  world.plan->effects[+EffectId::continuous].evaluations += c.customers;
-  report.swept_bodies = c.customers;
+  world.plan->effects[+EffectId::continuous].evaluations += c.participants;
+  report.swept_bodies = c.participants;
 }
 
 void begin_paths(const World& world) {
@@ -284,7 +284,7 @@ void save_accelerations(const World& world, const StepTime& time) {
 
 void end_sweeps(const World& world, Revisions& scene, FaultViews& views, const StepTime&) {
   const SupportFault& fault = world.continuous->fault;
-  if (fault.kind != SupportFault::none) mute(world, scene, views, fault);
+  if (fault.kind != SupportFault::none) disable(world, scene, views, fault);
 }
 
 }  // namespace carom::dynamics

@@ -11,14 +11,12 @@
 namespace carom::dynamics {
 namespace {
 
-constexpr std::uint32_t kNone = Colliders::kNone;
-
 template <class F>
 void each_collider(const Scene& scene, std::uint32_t body, F&& f) {
-  for (std::uint32_t c = scene.first_collider[body]; c != kNone; c = scene.colliders.next[c]) f(c);
+  for (std::uint32_t c = scene.first_collider[body]; c != kInvalid; c = scene.colliders.next[c]) f(c);
 }
 
-/// Rows of the table whose customers are bodies.
+/// Rows of the table whose participants are bodies.
 bool of_bodies(const PlannedEffect& row) {
   return row.effect->stage == Stage::integrate || row.effect->stage == Stage::observe;
 }
@@ -44,11 +42,11 @@ void plant(const World& world, Sleep& z, const Array<std::uint32_t>& colliders) 
 }
 
 /// Records between two that do not move, one of them asleep.
-void park_pairs(const World& world, Sleep& z, PairTable& pairs) {
+void deactivate_pairs(const World& world, Sleep& z, PairTable& pairs) {
   const Scene& scene = world.scene;
   const State& s = world.state;
   const auto still = [&](std::uint32_t body) {
-    return z.parked[body] || scene.type[body] == BodyType::fixed ||
+    return z.inactive[body] || scene.type[body] == BodyType::fixed ||
            (scene.type[body] == BodyType::kinematic && s.v[body] == Vec3::zero() && s.omega[body] == Vec3::zero());
   };
   z.holders.assign(world.pairs.size(), PairTable::none);
@@ -56,10 +54,10 @@ void park_pairs(const World& world, Sleep& z, PairTable& pairs) {
     const Pair& p = world.pairs.place(i).pair;
     const std::uint32_t a = scene.colliders.body[p.a], b = scene.colliders.body[p.b];
     if (!still(a) || !still(b)) continue;
-    if (z.parked[a]) z.holders[i] |= PairTable::by_a;
-    if (z.parked[b]) z.holders[i] |= PairTable::by_b;
+    if (z.inactive[a]) z.holders[i] |= PairTable::by_a;
+    if (z.inactive[b]) z.holders[i] |= PairTable::by_b;
   }
-  pairs.park(z.holders, scene.colliders.slots());
+  pairs.deactivate(z.holders, scene.colliders.slots());
 }
 
 void keep_impulse(Sleep& z, std::uint32_t body, const KeptImpulse& impulse) {
@@ -76,7 +74,7 @@ void keep_impulse(Sleep& z, std::uint32_t body, const KeptImpulse& impulse) {
 }
 
 /// Impulses of pairs that a sleeper is in: all its contacts are with its island or with what does not move.
-void park_impulses(const World& world, Sleep& z, Impulses& from) {
+void deactivate_impulses(const World& world, Sleep& z, Impulses& from) {
   const Array<std::uint32_t>& body = world.scene.colliders.body;
   z.kept.reserve(z.kept.size() + from.old.size());
   z.kept_free.reserve(z.kept.capacity());
@@ -85,8 +83,8 @@ void park_impulses(const World& world, Sleep& z, Impulses& from) {
   for (std::size_t i = 0; i < from.old.size(); ++i) {
     order = i > 0 && from.old[i].pair == from.old[i - 1].pair ? order + 1 : 0;
     const std::uint32_t a = body[from.old[i].pair.a], b = body[from.old[i].pair.b];
-    if (z.parked[a] || z.parked[b])
-      keep_impulse(z, z.parked[a] ? a : b, {from.old[i], from.old_h, order, kNone});
+    if (z.inactive[a] || z.inactive[b])
+      keep_impulse(z, z.inactive[a] ? a : b, {from.old[i], from.old_h, order, kInvalid});
     else
       from.old[stay++] = from.old[i];
   }
@@ -97,8 +95,8 @@ void park_impulses(const World& world, Sleep& z, Impulses& from) {
 void return_impulses(Sleep& z, Impulses& back_to, const Array<std::uint32_t>& bodies) {
   z.returning.clear();
   for (const std::uint32_t body : bodies)
-    for (std::uint32_t k = z.kept_first[body]; k != kNone; k = z.kept[k].next)
-      if (z.kept[k].impulse.pair.a != kNone) z.returning.push_back(z.kept[k]);
+    for (std::uint32_t k = z.kept_first[body]; k != kInvalid; k = z.kept[k].next)
+      if (z.kept[k].impulse.pair.a != kInvalid) z.returning.push_back(z.kept[k]);
   std::sort(z.returning.begin(), z.returning.end(), [](const KeptImpulse& x, const KeptImpulse& y) {
     return std::tuple(x.impulse.pair.key(), x.order) < std::tuple(y.impulse.pair.key(), y.order);
   });
@@ -115,22 +113,22 @@ void return_impulses(Sleep& z, Impulses& back_to, const Array<std::uint32_t>& bo
     back_to.old[--to] = back.impulse;
   }
   for (const std::uint32_t body : bodies)
-    while (z.kept_first[body] != kNone) {
+    while (z.kept_first[body] != kInvalid) {
       const std::uint32_t at = z.kept_first[body];
       z.kept_first[body] = z.kept[at].next;
       z.kept_free.push_back(at);
     }
 }
 
-void park(const World& world, Settling to) {
+void deactivate(const World& world, Settling to) {
   Sleep& z = to;
   const Scene& scene = world.scene;
   z.colliders.clear();
   z.in_tree.resize(scene.colliders.slots(), 0);
   for (const std::uint32_t i : z.fallen) {
-    if (!world.state.asleep[i] || z.parked[i]) continue;
-    z.parked[i] = 1;
-    if (scene.first_collider[i] != kNone) world.plan->rotation[i] = world.state.q[i].matrix();
+    if (!world.state.asleep[i] || z.inactive[i]) continue;
+    z.inactive[i] = 1;
+    if (scene.first_collider[i] != kInvalid) world.plan->rotation[i] = world.state.q[i].matrix();
     each_collider(scene, i, [&](std::uint32_t c) {
       place_collider(world, to, to, *world.plan, c, 0);
       z.colliders.push_back(c);
@@ -138,14 +136,14 @@ void park(const World& world, Settling to) {
   }
   z.fallen.clear();
   plant(world, z, z.colliders);
-  park_pairs(world, z, to);
-  park_impulses(world, z, to);
+  deactivate_pairs(world, z, to);
+  deactivate_impulses(world, z, to);
 }
 
 void take_back(const World& world, Sleep& z, Impulses& to) {
   z.bodies.clear();
   for (const std::uint32_t i : z.woken)
-    if (!world.state.asleep[i] && z.parked[i]) z.bodies.push_back(i), z.parked[i] = 0;
+    if (!world.state.asleep[i] && z.inactive[i]) z.bodies.push_back(i), z.inactive[i] = 0;
   z.woken.clear();
   std::sort(z.bodies.begin(), z.bodies.end());
   for (const std::uint32_t i : z.bodies)
@@ -157,7 +155,7 @@ void take_back(const World& world, Sleep& z, Impulses& to) {
 }
 
 /// Who of an ascending list is awake, and the woken bodies (ascending) among them.
-void relist(const World& world, Sleep& z, const Array<std::uint32_t>& woken, Customers& list) {
+void relist(const World& world, Sleep& z, const Array<std::uint32_t>& woken, Participants& list) {
   z.spare.clear();
   std::size_t k = 0;
   list.each([&](std::uint32_t i) {
@@ -191,7 +189,7 @@ void list_awake(const World& world, Sleep& z, Colliders& colliders, Joints& join
   Plan& plan = *world.plan;
   relist(world, z, woken, plan.effects[+EffectId::sleep].candidates);
   relist_colliders(world, z, colliders, woken);
-  const Customers& awake = plan.effects[+EffectId::sleep].candidates;
+  const Participants& awake = plan.effects[+EffectId::sleep].candidates;
   plan.linear.clear(), plan.rotating.clear();
   awake.each([&](std::uint32_t i) { (rotates(world.scene, i) ? plan.rotating : plan.linear).add(i); });
   for (std::size_t k = 0; k < plan.effects.size(); ++k) {
@@ -205,7 +203,7 @@ void list_awake(const World& world, Sleep& z, Colliders& colliders, Joints& join
     if (row.effect->stage == Stage::broad) {
       find_candidates(world, row);
     }
-    if (row.effect->stage != Stage::solve && k != +EffectId::springs && !row.effect->wakes) row.customers = row.candidates;
+    if (row.effect->stage != Stage::solve && k != +EffectId::springs && !row.effect->wakes) row.participants = row.candidates;
   }
   plan_joints(world, joints);
   plan_springs(world);
@@ -215,9 +213,9 @@ void list_awake(const World& world, Sleep& z, Colliders& colliders, Joints& join
 }  // namespace
 
 Sleep::Sleep(Memory* m)
-    : parked(m),
+    : inactive(m),
       ring(m),
-      calm(m),
+      sleep_timer(m),
       anchor_x(m),
       anchor_q(m),
       radius(m),
@@ -242,14 +240,14 @@ Sleep::Sleep(Memory* m)
       returning(m),
       spare(m) {}
 
-/// All that is parked, into an empty tree.
+/// All that is inactive, into an empty tree.
 static void replant(const World& world, Sleep& z, Colliders& table, PlacedPoses& placed) {
   z.colliders.clear();
   z.tree.clear();
   z.in_tree.assign(world.scene.colliders.slots(), 0);
-  for (std::uint32_t i = 0; i < z.parked.size(); ++i) {
-    if (!z.parked[i]) continue;
-    if (world.scene.first_collider[i] != kNone) world.plan->rotation[i] = world.state.q[i].matrix();
+  for (std::uint32_t i = 0; i < z.inactive.size(); ++i) {
+    if (!z.inactive[i]) continue;
+    if (world.scene.first_collider[i] != kInvalid) world.plan->rotation[i] = world.state.q[i].matrix();
     each_collider(world.scene, i, [&](std::uint32_t c) {
       place_collider(world, table, placed, *world.plan, c, 0);
       z.colliders.push_back(c);
@@ -266,10 +264,10 @@ void plan_sleep(const World& world, Settling to, Plan& plan) {
   const std::uint32_t slots = scene.bodies.slots();
   SleepFlags& flags = to;
   z.fallen.reserve(slots), z.woken.reserve(slots);
-  z.parked.resize(slots, 0), z.ring.resize(slots, kNone), z.anchor_x.resize(slots, Vec3::zero());
-  z.anchor_q.resize(slots, Quat::identity()), z.radius.resize(slots, 0), z.kept_first.resize(slots, kNone);
+  z.inactive.resize(slots, 0), z.ring.resize(slots, kInvalid), z.anchor_x.resize(slots, Vec3::zero());
+  z.anchor_q.resize(slots, Quat::identity()), z.radius.resize(slots, 0), z.kept_first.resize(slots, kInvalid);
   z.root.resize(slots, 0), z.restless.resize(slots, 0), flags.asleep.resize(slots, 0);
-  z.calm.resize(slots, 0);  // last: its size says that all have theirs
+  z.sleep_timer.resize(slots, 0);  // last: its size says that all have theirs
   z.rows.assign(slots, 0);
   for (std::size_t k = 0; k < plan.effects.size(); ++k)
     if (of_bodies(plan.effects[k]) && !from_host(*plan.effects[k].effect))
@@ -285,8 +283,8 @@ void forget_sleepers(const World& world, Forgetting to) {
   z.tree.clear();
   z.replant = false;
   std::fill(z.in_tree.begin(), z.in_tree.end(), std::uint8_t(0));
-  std::fill(z.parked.begin(), z.parked.end(), std::uint8_t(0));
-  std::fill(z.kept_first.begin(), z.kept_first.end(), kNone);
+  std::fill(z.inactive.begin(), z.inactive.end(), std::uint8_t(0));
+  std::fill(z.kept_first.begin(), z.kept_first.end(), kInvalid);
   z.kept.clear(), z.kept_free.clear(), z.fallen.clear(), z.woken.clear(), z.rejoined.clear(), z.near.clear();
   Impulses& impulses = to;
   PairTable& pairs = to;
@@ -310,7 +308,7 @@ void rejoin(const World& world, Settling to) {
   Sleep& z = to;
   try {
     take_back(world, z, to);
-    if (!z.fallen.empty()) park(world, to);
+    if (!z.fallen.empty()) deactivate(world, to);
     if (!anyone_sleeps(world.scene)) return;  // the plan is everybody's
     std::erase_if(z.bodies, [&](std::uint32_t i) { return !responds(world.scene, world.state, i); });
     list_awake(world, z, to, to, z.bodies);

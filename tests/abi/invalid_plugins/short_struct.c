@@ -1,13 +1,13 @@
 /* A struct that ends before the support function. */
-#include "liar.h"
+#include "invalid_plugin.h"
 
 CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
     .struct_size = 16,
     .abi_major = CAROM_PLUGIN_ABI_MAJOR,
     .abi_minor = CAROM_PLUGIN_ABI_MINOR,
-    .id = "liar.short_struct",
+    .id = "invalid_plugin.short_struct",
     .version = 1,
     .param_count = 1,
-    .params = liar_params,
-    .support = liar_ball,
+    .params = invalid_params,
+    .support = invalid_ball,
 };

@@ -1,2 +1,2 @@
 /* A shared object of something else. */
-int carom_liar_something_else = 1;
+int carom_invalid_something_else = 1;

@@ -65,7 +65,7 @@ CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
     .struct_size = sizeof(carom_shape_plugin),
     .abi_major = CAROM_PLUGIN_ABI_MAJOR,
     .abi_minor = CAROM_PLUGIN_ABI_MINOR,
-    .id = "test.liar",
+    .id = "test.invalid_plugin",
     .version = 1,
     PARAMETERS,
     .support = support,

@@ -1,13 +1,13 @@
 /* Says it is larger than the symbol is: what lies beyond must not be read. */
-#include "liar.h"
+#include "invalid_plugin.h"
 
 CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
     .struct_size = 4096,
     .abi_major = CAROM_PLUGIN_ABI_MAJOR,
     .abi_minor = CAROM_PLUGIN_ABI_MINOR,
-    .id = "liar.long_struct",
+    .id = "invalid_plugin.long_struct",
     .version = 1,
     .param_count = 1,
-    .params = liar_params,
-    .support = liar_ball,
+    .params = invalid_params,
+    .support = invalid_ball,
 };

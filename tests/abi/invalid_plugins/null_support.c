@@ -1,16 +1,16 @@
 /* No support function. */
-#include "liar.h"
+#include "invalid_plugin.h"
 
 CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
     .struct_size = sizeof(carom_shape_plugin),
     .abi_major = CAROM_PLUGIN_ABI_MAJOR,
     .abi_minor = CAROM_PLUGIN_ABI_MINOR,
-    .id = "liar.null_support",
+    .id = "invalid_plugin.null_support",
     .version = 1,
     .param_count = 1,
-    .params = liar_params,
+    .params = invalid_params,
     .support = 0,
 };
 
-/* The honest ball is there, but not in the struct. */
-CAROM_PLUGIN_EXPORT const carom_support_fn carom_liar_elsewhere = liar_ball;
+/* The valid ball is there, but not in the struct. */
+CAROM_PLUGIN_EXPORT const carom_support_fn carom_invalid_elsewhere = invalid_ball;

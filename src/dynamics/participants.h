@@ -10,11 +10,11 @@
 namespace carom::dynamics {
 
 /// Body slots as ascending runs [begin, end), so that loops over many neighbours are dense.
-struct Customers {
+struct Participants {
   struct Run {
     std::uint32_t begin, end;
   };
-  explicit Customers(Memory* m) : runs(m) {}
+  explicit Participants(Memory* m) : runs(m) {}
 
   Array<Run> runs;
   std::uint64_t count = 0;
@@ -53,17 +53,17 @@ struct Customers {
 
 /// Call f(slot) for who is in either of two lists that share nobody, ascending.
 template <class F>
-void each_of_both(const Customers& one, const Customers& other, F&& f) {
-  const Customers::Run *a = one.runs.data(), *b = other.runs.data();
-  const Customers::Run *const a_end = a + one.runs.size(), *const b_end = b + other.runs.size();
+void each_of_both(const Participants& one, const Participants& other, F&& f) {
+  const Participants::Run *a = one.runs.data(), *b = other.runs.data();
+  const Participants::Run *const a_end = a + one.runs.size(), *const b_end = b + other.runs.size();
   while (a < a_end || b < b_end) {
-    const Customers::Run& next = b == b_end || (a < a_end && a->begin < b->begin) ? *a++ : *b++;
+    const Participants::Run& next = b == b_end || (a < a_end && a->begin < b->begin) ? *a++ : *b++;
     for (std::uint32_t i = next.begin; i < next.end; ++i) f(i);
   }
 }
 
 /// Who is in either list; in the first but not in the second. `out` is neither of them; it is written anew.
-void unite(const Customers& one, const Customers& other, Customers& out);
-void take_out(const Customers& from, const Customers& those, Customers& out);
+void unite(const Participants& one, const Participants& other, Participants& out);
+void take_out(const Participants& from, const Participants& those, Participants& out);
 
 }  // namespace carom::dynamics
